@@ -1,0 +1,23 @@
+"""Units: millimetres, radians, kilograms, seconds, newtons and kelvins inside; converted once, at the edge of a file.
+
+The files speak mm, deg, kg, s, N and degC (contract, section 0); torques are Nm at the edge and N mm inside.
+"""
+
+from __future__ import annotations
+
+import math
+
+DEG = math.pi / 180.0
+
+_FILE_UNIT = {"rad": "deg", "mm": "mm", "1": "1", "rad/N/mm": "deg/Nm"}
+_PER_FILE_UNIT = {"rad": DEG, "mm": 1.0, "1": 1.0, "rad/N/mm": DEG / 1000.0}
+
+
+def file_unit(unit: str) -> str:
+    """Name of the unit that files use where the code uses `unit`."""
+    return _FILE_UNIT[unit]
+
+
+def to_internal(unit: str) -> float:
+    """Factor from the file's unit to the internal one, e.g. ``to_internal("rad") == pi / 180``."""
+    return _PER_FILE_UNIT[unit]
