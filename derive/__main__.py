@@ -1,0 +1,34 @@
+"""``python -m derive [--check]``: derive all kernels and write them, or compare them with what is committed."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+from derive.emit import COMMAND, GENERATED, committed, differences, render, write
+
+
+def main() -> int:
+    """Run the build step; return 0, or 1 when `--check` finds a difference."""
+    parser = argparse.ArgumentParser(prog="python -m derive", description=__doc__)
+    parser.add_argument("--check", action="store_true", help="write nothing; fail if the committed kernels differ")
+    arguments = parser.parse_args()
+    fresh = render()
+    if not arguments.check:
+        touched = write(fresh)
+        print(f"{len(fresh)} files derived, {len(touched)} changed in {GENERATED.name}/")
+        for path in touched:
+            print(f"  {path}")
+        return 0
+    found = differences(fresh, committed())
+    for diff in found:
+        print(diff)
+    if found:
+        print(f'{len(found)} generated files are not what derive/ yields. Run "{COMMAND}" and commit.')
+        return 1
+    print(f"{len(fresh)} generated files are what derive/ yields, byte for byte")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,154 @@
+"""From kernels to text: the one path that both writes and checks ``generated/``.
+
+`render` is a pure function, specs and templates in, ``{path: text}`` out; writing and checking compare the same text.
+"""
+
+from __future__ import annotations
+
+import difflib
+import hashlib
+import importlib
+import pkgutil
+from collections.abc import Iterator
+from pathlib import Path
+
+import jinja2
+import sympy as sp
+
+import derive.mechanisms
+from derive import closed_form, statics
+from derive.graph import Graph
+from derive.lower import Kernel, Lowering, Text
+from derive.printer import c99, python
+from derive.spec import LimbMechanism
+
+ROOT = Path(__file__).resolve().parent.parent
+TEMPLATES = ROOT / "templates"
+GENERATED = ROOT / "generated" / "deltacal_kernels"
+COMMAND = "deltacal kernels"
+
+
+def mechanisms() -> Iterator[LimbMechanism]:
+    """Yield every registered mechanism: one per file in ``derive/mechanisms``."""
+    for module in sorted(pkgutil.iter_modules(derive.mechanisms.__path__), key=lambda m: m.name):
+        yield importlib.import_module(f"derive.mechanisms.{module.name}").MECHANISM
+
+
+def kinematics(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kernel]:
+    """Lower a mechanism to the kernels that ``kinematics.py.jinja`` calls, by name.
+
+    Keys: `newton` (closure, its Jacobians by platform and joint), `parameters` (its Jacobian by errors and
+    deflections), `sphere` and `turn` (the seeds), `constants`.
+    """
+    platform = [quantity.symbol for quantity in mechanism.platform]
+    joint = mechanism.joint.symbol
+    varied = [quantity.symbol for quantity in (*mechanism.errors, *mechanism.deflections)]
+    inputs = {s: f"x[{j}]" for j, s in enumerate(platform)}
+    inputs |= {s.symbol: f"tool[{j}]" for j, s in enumerate(mechanism.tool)}
+    inputs |= {joint: "q"}
+    parameters = {s.symbol: f"p[{j}]" for j, s in enumerate(mechanism.limb_parameters)}
+    graph = Graph(mechanism.steps, invariant=parameters)
+    lowering = Lowering(graph, parameters, inputs, text=text)
+    newton: list[sp.Expr] = []
+    errors: list[sp.Expr] = []
+    for closure in mechanism.loop_closure:
+        by = graph.derivatives(closure, [*platform, joint, *varied])
+        newton += [closure, *by[: len(platform) + 1]]
+        errors += by[len(platform) + 1 :]
+    centre, constant = closed_form.sphere(mechanism)
+    kernels = [
+        lowering.kernel("newton", "per rod of one limb: closure, its derivatives by the platform, by the joint", newton),
+        lowering.kernel("parameters", "per rod of one limb: derivatives of the closure by errors, by deflections", errors),
+        lowering.kernel("sphere", "the simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d", [*centre, constant]),
+        lowering.kernel("turn", "joint of the simplified limb at a given position", [closed_form.inverse_turn(mechanism)]),
+        lowering.constants("constants", "what no pose changes"),
+    ]
+    return {kernel.name: kernel for kernel in kernels}
+
+
+def _environment() -> jinja2.Environment:
+    return jinja2.Environment(
+        loader=jinja2.FileSystemLoader(TEMPLATES),
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+
+
+def _digest(*paths: Path) -> str:
+    return hashlib.sha256(b"".join(path.read_bytes() for path in paths)).hexdigest()[:16]
+
+
+def _stamp(mechanism: LimbMechanism, template: str) -> dict[str, str]:
+    """Return what the header of a generated file says of its origin."""
+    return {
+        "source": mechanism.source,
+        "template": f"templates/{template}",
+        "digest": _digest(ROOT / mechanism.source, TEMPLATES / template),
+        "sympy": sp.__version__,
+        "command": COMMAND,
+    }
+
+
+def render() -> dict[Path, str]:
+    """Derive and render every generated file; the keys are paths below the kernel package."""
+    environment = _environment()
+    found = list(mechanisms())
+    texts = {
+        Path("__init__.py"): environment.get_template("__init__.py.jinja").render(mechanisms=found, command=COMMAND)
+    }
+    for mechanism in found:
+        folder = Path(mechanism.name)
+        loads = statics.loads(mechanism)
+        contents = {
+            "parameters.py": {},
+            "kinematics.py": {"kernels": kinematics(mechanism)},
+            "statics.py": {"kernels": loads},
+            "inverse.c": {"kernels": kinematics(mechanism, text=c99)},
+        }
+        texts[folder / "__init__.py"] = f'"""{mechanism.title}: tables and kernels."""\n'
+        for name, context in contents.items():
+            template = f"mechanism/{name}.jinja"
+            texts[folder / name] = environment.get_template(template).render(
+                mechanism=mechanism,
+                stamp=_stamp(mechanism, template),
+                scalings={
+                    convention: {e: python(factor) for e, factor in factors.items()}
+                    for convention, factors in mechanism.scalings.items()
+                },
+                **context,
+            )
+    return texts
+
+
+def committed() -> dict[Path, str]:
+    """Return what stands in ``generated/`` now."""
+    found = (path for path in sorted(GENERATED.rglob("*")) if path.suffix in {".py", ".c"})
+    return {path.relative_to(GENERATED): path.read_text(encoding="utf-8") for path in found}
+
+
+def differences(fresh: dict[Path, str], old: dict[Path, str]) -> list[str]:
+    """Return one diff per file that is missing, left over or different; empty when all agree."""
+    found = []
+    for path in sorted(fresh.keys() | old.keys()):
+        if fresh.get(path) != old.get(path):
+            lines = difflib.unified_diff(
+                old.get(path, "").splitlines(), fresh.get(path, "").splitlines(), f"committed/{path}", f"derived/{path}", n=1
+            )
+            found.append("\n".join(list(lines)[:40]))
+    return found
+
+
+def write(fresh: dict[Path, str]) -> list[Path]:
+    """Write what differs, delete what is left over; return the paths touched."""
+    old = committed()
+    touched = [path for path in sorted(fresh.keys() | old.keys()) if fresh.get(path) != old.get(path)]
+    for path in touched:
+        target = GENERATED / path
+        if path in fresh:
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_text(fresh[path], encoding="utf-8", newline="\n")
+        else:
+            target.unlink()
+    return touched

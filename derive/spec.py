@@ -1,0 +1,159 @@
+"""What a machine *is*, in symbols: the frozen descriptions that every other stage reads.
+
+Nothing here computes; the constructors only refuse what cannot be meant (an undeclared symbol, a name twice,
+a quantity without a meaning).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import sympy as sp
+
+from derive.graph import Steps, expand_steps
+
+UNITS = ("mm", "rad", "1")
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A symbol with what a reader needs to use it.
+
+    Parameters
+    ----------
+    symbol : sympy.Symbol
+        As it stands in the equations.
+    unit : {"mm", "rad", "1"}
+        Internal unit.
+    meaning : str
+        One line.
+    typical : float, optional
+        Size of an ordinary manufacturing or assembly error, in `unit`. It scales columns, so that a rank or a
+        condition number compares like with like; it never enters an equation.
+    label : str, optional
+        Public name where the symbol's is taken (the error `L` of the length `L`).
+    """
+
+    symbol: sp.Symbol
+    unit: str
+    meaning: str
+    typical: float = 1.0
+    label: str = ""
+
+    def __post_init__(self) -> None:
+        if self.unit not in UNITS:
+            raise ValueError(f"{self.symbol}: unit '{self.unit}' is none of {UNITS}.")
+        if not self.meaning:
+            raise ValueError(f"{self.symbol} has no meaning in its table; add one line.")
+
+    @property
+    def name(self) -> str:
+        return self.label or str(self.symbol)
+
+
+@dataclass(frozen=True)
+class GeometryKey:
+    """A nominal dimension: the robot file's key and the symbol that a limb sees.
+
+    `default` (internal unit, one value per limb) makes the key optional.
+    """
+
+    key: str
+    quantity: Quantity
+    table: str = "geometry"
+    per_limb: bool = False
+    default: tuple[float, ...] | None = None
+
+
+@dataclass(frozen=True)
+class Weight:
+    """A mass and the point where it acts; `mass` is one of the mechanism's mass symbols."""
+
+    mass: sp.Expr
+    point: sp.Matrix
+
+
+@dataclass(frozen=True)
+class LimbMechanism:
+    """A platform carried by equal limbs, written once for limb i.
+
+    The closure of limb i reads ``loop_closure(x, q_i, tool, p_i) = 0``: `x` the platform (position of the reference
+    point, then the Cayley vector of its rotation), `q_i` the limb's joint, `p_i` the limb's own row of parameters:
+    nominal geometry, source errors, deflections. Everything else follows by differentiation.
+
+    Parameters
+    ----------
+    platform, tool : tuple of Quantity
+    joint : Quantity
+    geometry : tuple of GeometryKey
+    errors : tuple of Quantity
+        Source errors of one limb, actual minus nominal; in the model of all parameters, ``name_i``.
+    deflections : tuple of Quantity
+        Displacements that vanish on a rigid machine: where physics that the geometry leaves out may act.
+    steps : sequence of (symbol, expression)
+        Named intermediate quantities, each in terms of earlier ones: the derivation as a human writes it down.
+    loop_closure : tuple of sympy.Expr
+        One equation per rod, in mm^2, in terms of the steps.
+    small : tuple of sympy.Symbol
+        Errors set to zero for the closed-form seeds of Newton's method; the seeds keep the others.
+    limb_weights, platform_weights : tuple of Weight
+    masses : tuple of Quantity
+        Mass symbols (kg) and dimensionless positions of centres of mass.
+    elbow, assembly : {+1, -1}
+        Which of the two closed-form inverse (forward) solutions is the machine's.
+    models : mapping
+        Name of each model to the names of its parameters.
+    scalings : mapping
+        Convention to {error name: factor}, by which a column of that error is *divided*; expressions in the geometry.
+    """
+
+    name: str
+    title: str
+    reference: str
+    source: str
+    limbs: int
+    platform: tuple[Quantity, ...]
+    tool: tuple[Quantity, ...]
+    joint: Quantity
+    geometry: tuple[GeometryKey, ...]
+    errors: tuple[Quantity, ...]
+    deflections: tuple[Quantity, ...]
+    steps: Steps
+    loop_closure: tuple[sp.Expr, ...]
+    small: tuple[sp.Symbol, ...]
+    masses: tuple[Quantity, ...]
+    limb_weights: tuple[Weight, ...]
+    platform_weights: tuple[Weight, ...]
+    elbow: int
+    assembly: int
+    models: Mapping[str, tuple[str, ...]]
+    scalings: Mapping[str, Mapping[str, sp.Expr]] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        declared = [q.symbol for q in (*self.platform, *self.tool, self.joint, *self.limb_parameters)]
+        names = [str(s) for s in declared]
+        for name in names:
+            if names.count(name) > 1:
+                raise ValueError(f"{self.name}: the symbol '{name}' is declared twice.")
+        for equation in self.loop_closure:
+            unknown = sorted(str(s) for s in expand_steps(equation, self.steps).free_symbols - set(declared))
+            if unknown:
+                raise ValueError(
+                    f"{self.name}: the loop closure uses {', '.join(unknown)}, which no table declares. "
+                    "Add it with a unit and a meaning."
+                )
+        known = set(self.parameter_names)
+        for model, chosen in self.models.items():
+            if missing := [n for n in chosen if n not in known]:
+                raise ValueError(f"{self.name}: model {model} asks for {missing}, which are no parameters.")
+
+    @property
+    def limb_parameters(self) -> tuple[Quantity, ...]:
+        """One limb's row of parameters: geometry, errors, deflections, in this order."""
+        return (*(g.quantity for g in self.geometry), *self.errors, *self.deflections)
+
+    @property
+    def parameter_names(self) -> tuple[str, ...]:
+        """The model of all source errors, limb by limb."""
+        return tuple(f"{e.name}_{i}" for i in range(1, self.limbs + 1) for e in self.errors)

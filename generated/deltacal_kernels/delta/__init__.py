@@ -1,0 +1,1 @@
+"""Delta, three arms and six rods: tables and kernels."""

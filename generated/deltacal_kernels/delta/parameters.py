@@ -1,0 +1,123 @@
+"""Tables of `delta`: Delta, three arms and six rods.
+
+Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
+Template templates/mechanism/parameters.py.jinja; sha256 of both c55eabc269032574; SymPy 1.14.0.
+Units: mm, rad, kg.
+"""
+
+NAME = "delta"
+TITLE = "Delta, three arms and six rods"
+REFERENCE = "Bai, Mei, Huang, Chetwynd 2015, Proc. IMechE C 230(3), 414-424"
+LIMBS = 3
+EQUATIONS = 6
+JOINT_UNIT = "rad"
+
+# (name, unit, meaning) of the platform's coordinates x
+PLATFORM = (
+    ("px", "mm", "reference point P, x in {O}"),
+    ("py", "mm", "reference point P, y in {O}"),
+    ("pz", "mm", "reference point P, z in {O}"),
+    ("cx", "rad", "Cayley vector of the platform's rotation, x"),
+    ("cy", "rad", "Cayley vector of the platform's rotation, y"),
+    ("cz", "rad", "Cayley vector of the platform's rotation, z"),
+)
+
+# (key of the robot file, unit, meaning, one value per limb?, default or None, table of the robot file):
+# the first columns of a limb's row of p
+GEOMETRY = (
+    ("base_radius", "mm", "b: O to B_i", False, None, "geometry"),
+    ("platform_radius", "mm", "a: O' to A_i", False, None, "geometry"),
+    ("proximal_length", "mm", "L: length of the arm", False, None, "geometry"),
+    ("distal_length", "mm", "l: length of the rods", False, None, "geometry"),
+    ("joint_spacing", "mm", "c: spacing of the two S-joints of a limb's end", False, None, "geometry"),
+    ("limb_angle_deg", "rad", "phi_i: direction of the limb about z", True, (-1.5707963267948966, 0.5235987755982989, 2.6179938779914944), "joints"),
+)
+
+# (name, unit, meaning, size of an ordinary error): the next columns, one source error each
+ERRORS = (
+    ("theta", "rad", "encoder offset of the joint", 0.017453292519943295),
+    ("ex", "mm", "base point minus platform point, x in {O}", 0.1),
+    ("ey", "mm", "base point minus platform point, y in {O}", 0.1),
+    ("ez", "mm", "base point minus platform point, z in {O}", 0.1),
+    ("L", "mm", "arm length", 0.1),
+    ("alpha0", "rad", "joint axis turned about u0 (the limb's direction)", 0.0017453292519943296),
+    ("beta0", "rad", "joint axis turned about v0 (the vertical)", 0.0017453292519943296),
+    ("l", "mm", "rod length, mean of the pair", 0.1),
+    ("dl", "mm", "rod length, rod 1 minus rod 2", 0.1),
+    ("dc", "mm", "joint spacing, elbow minus platform", 0.1),
+    ("alpha03", "rad", "alpha0 minus the same error at the platform", 0.0017453292519943296),
+    ("beta03", "rad", "beta0 minus the same error at the platform", 0.0017453292519943296),
+    ("alpha2", "rad", "elbow axis turned about the arm", 0.0017453292519943296),
+    ("beta2", "rad", "elbow axis turned about the normal of the arm", 0.0017453292519943296),
+)
+
+# (name, unit, meaning): the last columns, zero on a rigid machine
+DEFLECTIONS = (
+    ("tip_v", "mm", "arm tip displaced normal to the arm, in its plane"),
+    ("tip_w", "mm", "arm tip displaced normal to the arm, along the joint axis"),
+)
+
+# (name, meaning) of what `statics` reads as masses
+MASSES = (
+    ("proximal", "mass of an arm [kg]"),
+    ("proximal_com", "its centre of mass, as a part of L from B_i"),
+    ("distal_rod", "mass of a rod [kg], half at either end"),
+    ("platform", "mass of the platform [kg], at O'"),
+)
+
+# model: names of its parameters
+MODELS = {
+    "delta/42": (
+"theta_1", "ex_1", "ey_1", "ez_1", "L_1", "alpha0_1", "beta0_1", "l_1", "dl_1", "dc_1", "alpha03_1", "beta03_1", "alpha2_1", "beta2_1",
+"theta_2", "ex_2", "ey_2", "ez_2", "L_2", "alpha0_2", "beta0_2", "l_2", "dl_2", "dc_2", "alpha03_2", "beta03_2", "alpha2_2", "beta2_2",
+"theta_3", "ex_3", "ey_3", "ez_3", "L_3", "alpha0_3", "beta0_3", "l_3", "dl_3", "dc_3", "alpha03_3", "beta03_3", "alpha2_3", "beta2_3",
+    ),
+    "delta/36": (
+"theta_1", "ey_1", "L_1", "alpha0_1", "beta0_1", "l_1", "dl_1", "dc_1", "alpha03_1", "beta03_1", "alpha2_1", "beta2_1", "theta_2", "ex_2",
+"L_2", "alpha0_2", "beta0_2", "l_2", "dl_2", "dc_2", "alpha03_2", "beta03_2", "alpha2_2", "beta2_2", "theta_3", "ex_3", "L_3", "alpha0_3",
+"beta0_3", "l_3", "dl_3", "dc_3", "alpha03_3", "beta03_3", "alpha2_3", "beta2_3",
+    ),
+    "delta/32": (
+"theta_1", "ey_1", "L_1", "alpha0_1", "beta0_1", "l_1", "dl_1", "dc_1", "alpha03_1", "beta03_1", "alpha2_1", "beta2_1", "theta_2", "ex_2",
+"L_2", "alpha0_2", "beta0_2", "l_2", "dl_2", "dc_2", "beta03_2", "alpha2_2", "beta2_2", "theta_3", "ex_3", "L_3", "alpha0_3", "beta0_3",
+"l_3", "dl_3", "dc_3", "beta2_3",
+    ),
+    "delta/24": (
+"theta_1", "ex_1", "ey_1", "ez_1", "L_1", "alpha0_1", "beta0_1", "l_1", "theta_2", "ex_2", "ey_2", "ez_2", "L_2", "alpha0_2",
+"beta0_2", "l_2", "theta_3", "ex_3", "ey_3", "ez_3", "L_3", "alpha0_3", "beta0_3", "l_3",
+    ),
+    "delta/18": (
+"theta_1", "ey_1", "L_1", "alpha0_1", "beta0_1", "l_1", "theta_2", "ex_2", "L_2", "alpha0_2", "beta0_2", "l_2", "theta_3", "ex_3",
+"L_3", "alpha0_3", "beta0_3", "l_3",
+    ),
+    "delta/3": (
+"theta_1", "theta_2", "theta_3",
+    ),
+}
+
+
+def scaling(convention, geometry):
+    """Return {error: factor} by which the columns of `convention` are divided; `geometry` maps symbols to mm."""
+    b = geometry["base_radius"]  # noqa: F841
+    a = geometry["platform_radius"]  # noqa: F841
+    L = geometry["proximal_length"]  # noqa: F841
+    l = geometry["distal_length"]  # noqa: F841
+    c = geometry["joint_spacing"]  # noqa: F841
+    return {
+        "paper": {
+            "theta": L,
+            "alpha0": L,
+            "beta0": L,
+            "dl": (1.0 / c),
+            "dc": (1.0 / c),
+        },
+        "table": {
+            "theta": L,
+            "alpha0": L,
+            "beta0": L,
+            "alpha03": c,
+            "beta03": c,
+            "alpha2": c,
+            "beta2": c,
+        },
+    }[convention]

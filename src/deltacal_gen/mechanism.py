@@ -1,0 +1,328 @@
+"""A machine that computes: the one place that imports the generated kernels.
+
+Shapes and units are checked here; the kernels below neither check nor raise. Inside: mm, rad, kg, s, N.
+"""
+
+from __future__ import annotations
+
+import difflib
+import importlib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache, cached_property
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+import deltacal_kernels
+import numpy as np
+
+from deltacal_gen.errors import UsageError
+
+if TYPE_CHECKING:
+    from deltacal_gen.robot import Robot
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+SOLVED, UNREACHABLE, SINGULAR = 0, 1, 2
+STATUS = {
+    SOLVED: "solved",
+    UNREACHABLE: "out of reach: no pose of the platform closes all loops",
+    SINGULAR: "singular: the platform is not held in every direction",
+}
+
+
+@dataclass(frozen=True)
+class GeometryKey:
+    """A nominal dimension as the robot file names it."""
+
+    key: str
+    unit: str
+    meaning: str
+    per_limb: bool
+    default: tuple[float, ...] | None
+    table: str
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A source error of the whole machine, actual minus nominal; `typical` is the size of an ordinary one."""
+
+    name: str
+    unit: str
+    meaning: str
+    limb: int
+    typical: float
+
+    @property
+    def error(self) -> str:
+        """Name without the limb."""
+        return self.name.rsplit("_", 1)[0]
+
+
+@dataclass(frozen=True)
+class Sensitivity:
+    """Derivatives of the exact platform pose at N poses.
+
+    Attributes
+    ----------
+    parameters : (N, n_x, n_p) array
+        By the source errors, in the order of ``Mechanism.parameters`` [unit of x / mm or rad].
+    deflections : (N, n_x, limbs, n_d) array
+        By the displacements that vanish on a rigid machine.
+    joints : (N, n_x, n_q) array
+        The velocity Jacobian.
+    """
+
+    parameters: Array
+    deflections: Array
+    joints: Array
+
+
+def mechanism_names() -> tuple[str, ...]:
+    """Return the names of all registered mechanisms."""
+    return tuple(deltacal_kernels.MECHANISMS)
+
+
+@cache
+def load_mechanism(name: str) -> Mechanism:
+    """Return a registered mechanism.
+
+    Raises
+    ------
+    UsageError
+        No mechanism has this name; the message lists those that exist.
+    """
+    if name not in mechanism_names():
+        raise UsageError(f"there is no mechanism '{name}'. Registered: {', '.join(mechanism_names())}.")
+    return Mechanism(importlib.import_module(f"deltacal_kernels.{name}.parameters"))
+
+
+class Mechanism:
+    """Tables and kernels of one machine; the robot's numbers come in by every call."""
+
+    def __init__(self, tables: ModuleType) -> None:
+        self._tables = tables
+        self.name: str = tables.NAME
+        self.title: str = tables.TITLE
+        self.reference: str = tables.REFERENCE
+        self.limbs: int = tables.LIMBS
+        self.joint_unit: str = tables.JOINT_UNIT
+        self.platform: tuple[str, ...] = tuple(name for name, _, _ in tables.PLATFORM)
+        self.geometry = tuple(GeometryKey(*row) for row in tables.GEOMETRY)
+        self.deflections: tuple[str, ...] = tuple(name for name, _, _ in tables.DEFLECTIONS)
+        self.parameters = tuple(
+            Parameter(f"{name}_{limb}", unit, f"limb {limb}: {meaning}", limb, typical)
+            for limb in range(1, self.limbs + 1)
+            for name, unit, meaning, typical in tables.ERRORS
+        )
+        self.models: dict[str, tuple[str, ...]] = dict(tables.MODELS)
+
+    def __repr__(self) -> str:
+        return f"<Mechanism {self.name}: {len(self.parameters)} source errors>"
+
+    @property
+    def n_x(self) -> int:
+        """Number of platform coordinates."""
+        return len(self.platform)
+
+    @property
+    def full_model(self) -> str:
+        """Name of the model of all source errors."""
+        return max(self.models, key=lambda m: len(self.models[m]))
+
+    @cached_property
+    def index(self) -> dict[str, int]:
+        """Column of each parameter in the order of `parameters`."""
+        return {p.name: j for j, p in enumerate(self.parameters)}
+
+    @cached_property
+    def typical(self) -> Array:
+        """Size of an ordinary error, (n_p,) [mm, rad]: the scale in which unlike columns are compared."""
+        return np.array([p.typical for p in self.parameters])
+
+    def model(self, name: str) -> tuple[str, ...]:
+        """Return the parameter names of a model, given as ``delta/18`` or ``18``.
+
+        Raises
+        ------
+        UsageError
+            The mechanism has no such model; the message lists those it has.
+        """
+        full = name if "/" in name else f"{self.name}/{name}"
+        if full not in self.models:
+            near = difflib.get_close_matches(full, self.models, n=1)
+            hint = f" Did you mean {near[0]}?" if near else ""
+            raise UsageError(f"{self.name} has no model '{name}'; it has {', '.join(self.models)}.{hint}")
+        return self.models[full]
+
+    def vector(self, errors: Mapping[str, float]) -> Array:
+        """Return source errors as a vector (n_p,) in the order of `parameters`; those not given are 0."""
+        out = np.zeros(len(self.parameters))
+        for name, value in errors.items():
+            out[self.index[name]] = value
+        return out
+
+    def scaling(self, convention: str, robot: Robot, names: Sequence[str]) -> Array:
+        """Return the factors (n,) by which columns are divided in a convention of the paper, angles in rad."""
+        try:
+            factors = self._tables.scaling(convention, {key: float(v[0]) for key, v in robot.geometry.items()})
+        except KeyError:
+            raise UsageError(f"{self.name} has no scaling '{convention}'; it has paper and table.") from None
+        return np.array([factors.get(self.parameters[self.index[n]].error, 1.0) for n in names])
+
+    # ------------------------------------------------------------------ from robots to the rows the kernels read
+
+    def rows(self, robot: Robot, errors: Array | None = None, deflections: Array | None = None) -> Array:
+        """Return the limbs' rows of parameters, (M, limbs, n): geometry, source errors, deflections.
+
+        Parameters
+        ----------
+        robot : Robot
+        errors : (n_p,) or (M, n_p) array, optional
+            Source errors [mm, rad]; default the robot's own.
+        deflections : (M, limbs, n_d) array, optional
+        """
+        values = self.vector(robot.errors) if errors is None else np.asarray(errors, dtype=float)
+        values = np.atleast_2d(values).reshape(-1, self.limbs, len(self.parameters) // self.limbs)
+        many = max(len(values), 1 if deflections is None else len(deflections))
+        out = np.zeros((many, self.limbs, len(self.geometry) + values.shape[2] + len(self.deflections)))
+        for j, entry in enumerate(self.geometry):
+            out[:, :, j] = robot.geometry[entry.key]
+        out[:, :, len(self.geometry) : len(self.geometry) + values.shape[2]] = values
+        if deflections is not None:
+            out[:, :, -len(self.deflections) :] = deflections
+        return out
+
+    # --------------------------------------------------------------------------------------------------- kernels
+
+    @cached_property
+    def _kinematics(self) -> ModuleType:
+        return importlib.import_module(f"deltacal_kernels.{self.name}.kinematics")
+
+    @cached_property
+    def _statics(self) -> ModuleType:
+        return importlib.import_module(f"deltacal_kernels.{self.name}.statics")
+
+    def _constants(self, rows: Array) -> Array:
+        k: Array = self._kinematics.constants(rows)
+        return k
+
+    def forward(self, q: Array, tool: Array, rows: Array) -> tuple[Array, np.ndarray]:
+        """Return the exact platform pose at given joints.
+
+        Parameters
+        ----------
+        q : (N, n_q) array
+            Joints [rad or mm].
+        tool : (3,) or (N, 3) array
+            Reference point in {O'} [mm].
+        rows : (1, limbs, n) or (N, limbs, n) array
+            See `rows`.
+
+        Returns
+        -------
+        x : (N, n_x) array
+            Position of the reference point [mm] and Cayley vector of the platform's rotation; NaN where not solved.
+        status : (N,) int array
+            SOLVED, UNREACHABLE or SINGULAR, explained in `STATUS`.
+        """
+        q, tool = self._poses(q, self.limbs, "joints"), self._tool(tool, len(q))
+        x, status = np.empty((len(q), self.n_x)), np.empty(len(q), dtype=np.int64)
+        self._kinematics.forward(q, tool, self._constants(rows), x, status)
+        return x, status
+
+    def inverse(self, target: Array, tool: Array, rows: Array) -> tuple[Array, Array, np.ndarray]:
+        """Return the joints that bring the reference point exactly to `target` (N, 3) [mm].
+
+        Returns
+        -------
+        q : (N, n_q) array
+        x : (N, n_x) array
+            The pose the platform then has; a machine of three joints cannot choose its rotation.
+        status : (N,) int array
+        """
+        target, tool = self._poses(target, 3, "target"), self._tool(tool, len(target))
+        q, x = np.empty((len(target), self.limbs)), np.empty((len(target), self.n_x))
+        status = np.empty(len(target), dtype=np.int64)
+        self._kinematics.inverse(target, tool, self._constants(rows), x, q, status)
+        return q, x, status
+
+    def jacobians(self, x: Array, q: Array, tool: Array, rows: Array) -> tuple[Array, Array, Array, Array]:
+        """Return closure and Jacobians F (N, f), J_x (N, f, n_x), J_q (N, f), J_p (N, f, n_e + n_d).
+
+        A row depends on the joint, errors and deflections of its own limb only; J_q and J_p hold those columns.
+        """
+        x, q = self._poses(x, self.n_x, "poses"), self._poses(q, self.limbs, "joints")
+        f, n_v = self._tables.EQUATIONS, len(self.parameters) // self.limbs + len(self.deflections)
+        F, J_x = np.zeros((len(x), f)), np.zeros((len(x), f, self.n_x))
+        J_q, J_p = np.zeros((len(x), f)), np.zeros((len(x), f, n_v))
+        self._kinematics.jacobians(x, q, self._tool(tool, len(x)), self._constants(rows), F, J_x, J_q, J_p)
+        return F, J_x, J_q, J_p
+
+    def sensitivity(self, x: Array, q: Array, tool: Array, rows: Array) -> Sensitivity:
+        """Return the derivatives of the exact pose at N solved poses; NaN where a pose is singular."""
+        x, q = self._poses(x, self.n_x, "poses"), self._poses(q, self.limbs, "joints")
+        n_e, n_d = len(self.parameters) // self.limbs, len(self.deflections)
+        S = np.empty((len(x), self.n_x, self.limbs * (n_e + n_d)))
+        V = np.empty((len(x), self.n_x, self.limbs))
+        status = np.empty(len(x), dtype=np.int64)
+        self._kinematics.sensitivity(x, q, self._tool(tool, len(x)), self._constants(rows), S, V, status)
+        by_limb = S.reshape(len(x), self.n_x, self.limbs, n_e + n_d)
+        return Sensitivity(by_limb[..., :n_e].reshape(len(x), self.n_x, -1), by_limb[..., n_e:], V)
+
+    def torques(
+        self,
+        x: Array,
+        q: Array,
+        tool: Array,
+        rows: Array,
+        masses: Mapping[str, float],
+        gravity: Array,
+        payload: Array | float = 0.0,
+    ) -> tuple[Array, Array]:
+        """Return what gravity exerts on the joints, by virtual work on the closure.
+
+        Parameters
+        ----------
+        masses : mapping
+            The mechanism's masses [kg] and positions of centres of mass; those not given are 0.
+        gravity : (3,) array
+            In {O} [m/s^2].
+        payload : float or (N,) array
+            At the reference point [kg].
+
+        Returns
+        -------
+        torque : (N, n_q) array
+            Positive along the positive joint [N mm]; gravity on a horizontal arm is negative.
+        multipliers : (N, f) array
+            Of the closure equations [N / mm]; times the rod's length, the tension's magnitude.
+        """
+        x, q = self._poses(x, self.n_x, "poses"), self._poses(q, self.limbs, "joints")
+        _, J_x, J_q, _ = self.jacobians(x, q, tool, rows)
+        W_q, W_x = np.zeros((len(x), self.limbs)), np.zeros((len(x), self.n_x))
+        weights = np.array([masses.get(name, 0.0) for name, _ in self._tables.MASSES])
+        self._statics.loads(
+            x,
+            q,
+            self._tool(tool, len(x)),
+            np.ascontiguousarray(rows),
+            weights,
+            np.ascontiguousarray(np.broadcast_to(np.asarray(payload, dtype=float), len(x))),
+            np.asarray(gravity, dtype=float),
+            W_q,
+            W_x,
+        )
+        multipliers = -np.linalg.solve(np.swapaxes(J_x, 1, 2), W_x[..., None])
+        exerted = (J_q[..., None] * multipliers).reshape(len(x), self.limbs, -1).sum(axis=2)
+        return W_q + exerted, multipliers[..., 0]
+
+    @staticmethod
+    def _poses(values: Array, columns: int, what: str) -> Array:
+        out = np.ascontiguousarray(values, dtype=float)
+        if out.ndim != 2 or out.shape[1] != columns:
+            raise ValueError(f"{what} have the shape {out.shape}, but must have (N, {columns}).")
+        return out
+
+    @staticmethod
+    def _tool(tool: Array, n: int) -> Array:
+        return np.ascontiguousarray(np.broadcast_to(np.asarray(tool, dtype=float), (n, 3)))

@@ -1,0 +1,817 @@
+"""Recordings: what the controller reported and what the instrument read, one row per reading.
+
+A recording is a CSV or Parquet file, an optional sidecar ``NAME.toml`` that says what was measured and how, and,
+where distances between two rows were measured, ``NAME.distances.csv``. Everything that can be wrong without knowing
+the kinematics is caught here, with file, line, column and remedy: a recording that was read can be trusted to be
+complete. Joints and measured quantities are converted to mm and rad; the other channels keep the unit in their name.
+"""
+
+from __future__ import annotations
+
+import csv
+import dataclasses
+import io
+import os
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+import numpy as np
+from pydantic import BeforeValidator
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.robot import (
+    Number,
+    Positive,
+    Robot,
+    Table,
+    TomlFile,
+    Vector,
+    nearest,
+    read_text,
+    robot_size,
+    to_file,
+    toml_text,
+)
+from deltacal_gen.units import DEG, file_unit, to_internal
+
+if TYPE_CHECKING:
+    from deltacal_gen.mechanism import Mechanism
+
+_ROTATION = ("rx_deg", "ry_deg", "rz_deg")
+_TOOL = ("tool_x_mm", "tool_y_mm", "tool_z_mm")
+_COLUMNS = {  # of the kinds of measurement that do not depend on the machine's axes
+    "distance": ("distance_mm",),
+    "gauge": ("gauge_mm",),
+    "contact": ("contact",),
+    "height": ("height_mm",),
+    "sphere": ("u1_px", "u2_px", "v1_px", "v2_px"),
+}
+_RESERVED = {"x_mm", "y_mm", "z_mm", *_ROTATION, *_TOOL, "pose", "setup", *sum(_COLUMNS.values(), ())}
+_ONE_SETUP = ("1",)  # name of the only set-up, where the file names none
+
+_JOINT = re.compile(r"q\d+_(deg|mm)")
+_JOINT_LIKE = re.compile(r"q\d", re.IGNORECASE)  # meant as joints, though perhaps misspelt
+_JOINT_OF_END = re.compile(r"q\d+[ab]_(deg|mm|rad)")
+_END = re.compile(r"(?P<stem>.+?)_?(?P<end>[ab])(?P<unit>(_[A-Za-z]+\d?)*)")  # q1a_deg, payload_a_kg, approach1b
+_APPROACH = re.compile(r"approach\d+")
+_TEMPERATURE = re.compile(r"temp_(\w+_)?C")
+_CHANNEL = re.compile(rf"time_s|payload_kg|{_TEMPERATURE.pattern}|{_APPROACH.pattern}|qdd?\d+_\w+")
+_DECIMAL_COMMA = re.compile(r"[-+]?\d+,\d+")
+
+_SAME_JOINT = 1e-6 * DEG  # rad, and mm: joints that differ by more are not the same pose
+_LEAST_SPREAD = 0.01  # of readings, in machine sizes per rad of joint motion (1 rad at most)
+_MOST_SPREAD = 20.0  # in machine sizes
+_MOST_MOTION = 5.0  # in machine sizes per rad of joint motion
+_RADIANS = 1.6  # a column of degrees that stays within this may be in radians
+
+
+class Camera(Table):
+    """Pinhole camera of sphere images: focal lengths and principal point [px], radial distortion `k1`,
+    rotation vector [deg], radius of the ball [mm]."""
+
+    fx_px: Positive
+    fy_px: Positive
+    cx_px: Number
+    cy_px: Number
+    k1: Number = 0.0
+    rotation_deg: Vector = (0.0, 0.0, 0.0)
+    ball_radius_mm: Positive
+
+
+def _kind_name(value: object) -> object:
+    return "sphere" if value in ("sphere image", "sphere_image") else value
+
+
+class Measurement(Table):
+    """What the sidecar says about the measurement, in the units of the names; None where it does not say.
+
+    `sigma_*` are standard deviations per coordinate. The points of a gauge are `base_point_mm`, in {O} as nominally
+    mounted, and `platform_point_mm`, in {O'}. With ``zero = "incremental"`` readings count from the first row.
+    """
+
+    kind: Annotated[
+        Literal["position", "pose", "distance", "gauge", "contact", "height", "sphere"] | None,
+        BeforeValidator(_kind_name),
+    ] = None
+    frame: Literal["unknown", "robot"] = "unknown"
+    sigma_mm: Positive | None = None
+    sigma_deg: Positive | None = None
+    sigma_px: Positive | None = None
+    instrument: str | None = None
+    zero: Literal["absolute", "incremental"] = "absolute"
+    base_point_mm: Vector | None = None
+    platform_point_mm: Vector | None = None
+    camera: Camera | None = None
+
+    @property
+    def sigma_rad(self) -> float | None:
+        """Standard deviation of measured angles [rad]."""
+        return None if self.sigma_deg is None else self.sigma_deg * DEG
+
+
+class _Contacts(Table):
+    distance_mm: tuple[tuple[str, str, Positive], ...] = ()
+
+
+class _Sidecar(Table):
+    measurement: Measurement = Measurement()
+    camera: Camera | None = None
+    contacts: _Contacts = _Contacts()
+
+
+@dataclass(frozen=True, eq=False)
+class Recording:
+    """Readings of one machine, row by row.
+
+    Parameters
+    ----------
+    path : Path
+    kind : str
+        position, pose, distance, gauge, contact, height or sphere.
+    measurement : Measurement
+    joint_unit : str
+        ``"rad"`` or ``"mm"``.
+    joints : (N, n_q) array
+        Joints as the controller reports them [joint_unit]; nan where the file gives `targets` instead.
+    columns : tuple of str
+        Names of the measured columns in the file; their order is that of `measured`.
+    measured : (N, n_y) array
+        Readings [mm, rad or px], nan where not measured; n_y = 0 for the kinds distance and contact.
+    pose : (N,) array of str
+        Label of the pose; rows that share it are repeats.
+    line : (N,) array of int
+        Line in the file (row, counted from 1, of a Parquet file).
+    channels : dict of (N,) arrays
+        Every other numeric column, by its name and in its unit there; nan where not measured. Columns of other
+        kinds of measurement are not among them.
+    setup, setup_names : (N,) array of int, tuple of str
+        Index into the names of the instrument's set-ups.
+    tool : (N, 3) array, optional
+        Measured point in {O'} [mm]; nan where the robot's own tool point holds.
+    targets : (N, n_axes) array, optional
+        Wanted positions in {O} [mm], of a file without joints.
+    contact : (N,) array of str, optional
+        Which fixed point was touched; "" for none.
+    contact_distances : tuple of (str, str, float)
+        Known distances between fixed points [mm].
+    pairs, pair_measured, pair_line : (K, 2), (K,), (K,) arrays, optional
+        Rows between whose points a distance was measured, the distance [mm], its line in the file.
+    """
+
+    path: Path
+    kind: str
+    measurement: Measurement
+    joint_unit: str
+    joints: np.ndarray
+    columns: tuple[str, ...]
+    measured: np.ndarray
+    pose: np.ndarray
+    line: np.ndarray
+    channels: dict[str, np.ndarray]
+    setup: np.ndarray
+    setup_names: tuple[str, ...]
+    tool: np.ndarray | None = None
+    targets: np.ndarray | None = None
+    contact: np.ndarray | None = None
+    contact_distances: tuple[tuple[str, str, float], ...] = ()
+    pairs: np.ndarray | None = None
+    pair_measured: np.ndarray | None = None
+    pair_line: np.ndarray | None = None
+
+    @property
+    def n_rows(self) -> int:
+        """Number of rows, N."""
+        return len(self.joints)
+
+    @property
+    def time_s(self) -> np.ndarray | None:
+        """(N,) time [s], or None."""
+        return self.channels.get("time_s")
+
+    @property
+    def payload_kg(self) -> np.ndarray | None:
+        """(N,) payload [kg], or None."""
+        return self.channels.get("payload_kg")
+
+    def subset(self, rows: np.ndarray | Sequence[int] | slice) -> Recording:
+        """The recording with these rows only (indices, mask or slice); pairs keep both their rows or go."""
+        rows = np.arange(self.n_rows)[rows]
+        per_row = ("joints", "measured", "pose", "line", "setup", "tool", "targets", "contact")
+        picked: dict[str, Any] = {name: None if (a := getattr(self, name)) is None else a[rows] for name in per_row}
+        channels = {name: values[rows] for name, values in self.channels.items()}
+        part = dataclasses.replace(self, channels=channels, **picked)
+        if self.pairs is None:
+            return part
+        position = np.full(self.n_rows, -1)
+        position[rows] = np.arange(len(rows))
+        pairs = position[self.pairs]
+        return dataclasses.replace(part, pairs=pairs).subset_pairs((pairs >= 0).all(axis=1))
+
+    def subset_pairs(self, pair_rows: np.ndarray | Sequence[int] | slice) -> Recording:
+        """The recording with these distances only (indices, mask or slice), all rows kept."""
+        if self.pairs is None or self.pair_measured is None or self.pair_line is None:
+            raise ValueError("this recording holds no distances between rows")
+        k = np.arange(len(self.pairs))[pair_rows]
+        return dataclasses.replace(
+            self, pairs=self.pairs[k], pair_measured=self.pair_measured[k], pair_line=self.pair_line[k]
+        )
+
+
+# --- reading --------------------------------------------------------------------------------------------------------
+
+
+def read_recording(
+    path: str | Path, mechanism: Mechanism, *, need_measured: bool = True, allow_targets: bool = False
+) -> Recording:
+    """Read a recording with its sidecar and its distances file.
+
+    Parameters
+    ----------
+    path : path
+        CSV, or Parquet by the ending ``.parquet``.
+    mechanism : Mechanism
+        Says how many joints there are and whether they turn or slide.
+    need_measured : bool
+        Whether a recording without a single reading is an error.
+    allow_targets : bool
+        Whether positions without joints are taken as targets.
+
+    Raises
+    ------
+    InputError
+        The recording cannot be used; the message names file, line, column and remedy.
+    """
+    path = Path(path)
+    rows = _read_parquet(path) if path.suffix == ".parquet" else _read_csv(path)
+    sidecar = _read_sidecar(path)
+    pairs, rows = _pairs_and_rows(path, rows)
+    targets = None
+    axes = tuple(f"{name[1]}_mm" for name in mechanism.platform if name in ("px", "py", "pz"))
+    has_joints = any(_JOINT_LIKE.match(name) for name in rows.columns)
+    if allow_targets and not has_joints and set(axes) & set(rows.columns):
+        targets = rows.numbers(*axes, blank=False)
+        joints = np.full((len(targets), mechanism.limbs), np.nan)
+        rows = rows.without(axes)
+    else:
+        joints = _joints(rows, mechanism)
+
+    kinds = {"position": axes, "pose": axes + _ROTATION, **_COLUMNS}
+    kind = _kind(rows, sidecar.measurement.kind, kinds, pairs is not None, need_measured)
+    columns = kinds[kind]
+    _check_sidecar(path, kind, sidecar, rows)
+    pose = rows.labels("pose") or [str(n + 1) for n in range(len(joints))]
+    setup_names, setup = np.unique(rows.labels("setup", blank=False) or _ONE_SETUP * len(joints), return_inverse=True)
+    recording = Recording(
+        path=path,
+        kind=kind,
+        measurement=sidecar.measurement,
+        joint_unit=mechanism.joint_unit,
+        joints=joints,
+        columns=columns,
+        measured=_measured(rows, kind, columns, need_measured),
+        pose=np.array(pose),
+        line=rows.line,
+        channels={name: values for name in rows.columns if (values := _channel(rows, name)) is not None},
+        setup=setup,
+        setup_names=tuple(setup_names.tolist()),
+        tool=rows.numbers(*_TOOL) if set(_TOOL) & set(rows.columns) else None,
+        targets=targets,
+        contact=np.array(rows.columns["contact"]) if kind == "contact" and "contact" in rows.columns else None,
+        contact_distances=sidecar.contacts.distance_mm,
+    )
+    if pairs is not None:
+        recording = _with_pairs(recording, pairs, rows, need_measured and kind == "distance")
+    else:
+        _check_repeats(recording, rows)
+    if need_measured and not _is_measured(recording):
+        raise InputError("no row holds a reading.", f"Fill in {', '.join(columns)}.", file=path)
+    return recording
+
+
+def check_units(recording: Recording, robot: Robot, *, load: Callable[[str], Mechanism] | None = None) -> None:
+    """Compare joints and readings with the size of the machine.
+
+    Raises
+    ------
+    InputError
+        Joints look like radians or motor angles, or positions or distances like metres or micrometres.
+    """
+    q, turning = recording.joints, recording.joint_unit == "rad"
+    if turning and (far := np.argwhere(np.abs(q) > 360 * DEG)).size:
+        row, joint = far[0]
+        raise InputError(
+            f"the joint reads {q[row, joint] / DEG:.6g} deg, more than a full turn either way.",
+            "Give angles of the joint, after the gear, in degrees.",
+            file=recording.path,
+            line=int(recording.line[row]),
+            column=f"q{joint + 1}_deg",
+        )
+    size = robot_size(robot, load=load)
+    small_angles = turning and (np.abs(q) <= _RADIANS * DEG).all()
+    for column, spread, motion in _spreads(recording):
+        turn = motion if turning else motion / size
+        what = f"the readings spread over {spread:.4g} mm"
+        if small_angles and spread > size * max(_MOST_MOTION * turn, _LEAST_SPREAD):
+            raise InputError(
+                f"{what}, yet no joint reads more than {_RADIANS} deg: the joints look like radians.",
+                "Convert them to degrees.",
+                file=recording.path,
+                column="q1_deg",
+            )
+        if spread > _MOST_SPREAD * size or spread < _LEAST_SPREAD * size * min(turn, 1.0):
+            unit, factor = ("micrometres", "Divide by") if spread > size else ("metres", "Multiply by")
+            raise InputError(
+                f"{what} on a machine of {size:.4g} mm: they look like {unit}.",
+                f"{factor} 1000, or correct the robot file.",
+                file=recording.path,
+                column=column,
+            )
+
+
+def _spreads(recording: Recording) -> Iterator[tuple[str, float, float]]:
+    """Column, spread of its readings [mm] and largest motion of a joint between them [joint_unit]."""
+    if recording.kind in ("position", "pose"):
+        points = recording.measured[:, [name not in _ROTATION for name in recording.columns]]
+        for setup in np.unique(recording.setup):  # each set-up has a frame of its own
+            rows = (recording.setup == setup) & np.isfinite(points).all(axis=1)
+            if rows.any():
+                spread = np.linalg.norm(np.ptp(points[rows], axis=0))
+                yield recording.columns[0], float(spread), float(np.ptp(recording.joints[rows], axis=0).max())
+    if recording.pairs is not None and recording.pair_measured is not None:
+        distance = np.nan_to_num(recording.pair_measured)
+        if distance.any():
+            a, b = recording.joints[recording.pairs[np.argmax(distance)]]
+            yield "distance_mm", float(distance.max()), float(np.abs(a - b).max())
+
+
+@dataclass(frozen=True)
+class _Rows:
+    """Cells of a file, as text, by column."""
+
+    path: Path
+    columns: dict[str, list[str]]
+    line: np.ndarray  # of each row
+    header_line: int | None
+
+    def error(self, problem: str, remedy: str, *, row: int | None = None, column: str | None = None) -> InputError:
+        line = self.header_line if row is None else int(self.line[row])
+        return InputError(problem, remedy, file=self.path, line=line, column=column)
+
+    def without(self, names: Iterable[str]) -> _Rows:
+        dropped = set(names)
+        kept = {name: cells for name, cells in self.columns.items() if name not in dropped}
+        return dataclasses.replace(self, columns=kept)
+
+    def require(self, *names: str) -> None:
+        """Raise for the first column that is not there, naming one that may be meant."""
+        for name in names:
+            if name in self.columns:
+                continue
+            others = [n for n in self.columns if n not in _RESERVED.union(names) and not _CHANNEL.fullmatch(n)]
+            stem = name.split("_")[0]
+            close = next((n for n in others if n.lower().split("_")[0] == stem), None) or nearest(name, others)
+            unit = f" in {name.split('_')[-1]}" if "_" in name else ""
+            problem = f"the column is missing; '{close}' looks like it." if close else "the column is missing."
+            remedy = f"Rename it to '{name}' and give it{unit}." if close else f"Add it{unit}, or correct the header."
+            raise self.error(problem, remedy, column=name)
+
+    def labels(self, name: str, *, blank: bool = True) -> list[str] | None:
+        """A column of names; a blank one is named after its line, or raises. None where there is no such column."""
+        cells = self.columns.get(name)
+        if cells is not None and not blank and "" in cells:
+            raise self.error("the cell is blank.", "Fill it in.", row=cells.index(""), column=name)
+        return cells and [cell or f"line {line}" for cell, line in zip(cells, self.line, strict=True)]
+
+    def numbers(self, *names: str, blank: bool = True) -> np.ndarray:
+        """(N, k) numbers of k columns that belong together: a row is complete, or all blank where that is allowed."""
+        self.require(*names)
+        values = np.column_stack([self._column(name) for name in names])
+        gaps = np.isnan(values)
+        bad = gaps.any(axis=1) & ~(gaps.all(axis=1) & blank)
+        if bad.any():
+            row = int(np.argmax(bad))
+            name = names[int(np.argmax(gaps[row]))]
+            if blank:
+                rest = f"the cell is blank, but other cells of {', '.join(names)} are not."
+                raise self.error(rest, "Fill it in, or blank them all.", row=row, column=name)
+            raise self.error("the cell is blank.", "Fill it in, or remove the row.", row=row, column=name)
+        return values
+
+    def _column(self, name: str) -> np.ndarray:
+        values = np.full(len(self.line), np.nan)
+        for row, cell in enumerate(self.columns[name]):
+            if not cell:
+                continue
+            value = _number(cell)
+            if value is None or not np.isfinite(value):
+                remedy = "Correct the cell or remove the row."
+                if value is not None:
+                    remedy = "Leave the cell blank where nothing was measured; joints must be complete."
+                elif _DECIMAL_COMMA.fullmatch(cell):
+                    remedy = "Write a decimal point."
+                shown = cell if len(cell) <= 40 else f"{cell[:36]} ..."
+                expected = "a number" if value is None else "a finite number"
+                raise self.error(f"the cell holds '{shown}', {expected} was expected.", remedy, row=row, column=name)
+            values[row] = value
+        return values
+
+
+def _number(cell: str) -> float | None:
+    try:
+        return None if "_" in cell else float(cell)  # float() takes 1_000
+    except ValueError:
+        return None
+
+
+def _read_csv(path: Path) -> _Rows:
+    lines = read_text(path).split("\n")
+    kept = [(n, line) for n, line in enumerate(lines, start=1) if line.strip() and not line.startswith("#")]
+    if not kept:
+        raise InputError("the file is empty.", "Give a header and one row per reading.", file=path)
+    header_line, first = kept[0]
+    for separator, name in ((";", "semicolons"), ("\t", "tabs")):
+        if separator in first and "," not in first:
+            raise InputError(
+                f"the columns are separated by {name}, commas were expected.",
+                "Save the file with commas between the columns and points as decimal marks.",
+                file=path,
+                line=header_line,
+            )
+    reader = csv.reader((line for _, line in kept), strict=True)
+    table: list[list[str]] = []
+    numbers: list[int] = []
+    try:
+        for cells in reader:
+            table.append([cell.strip() for cell in cells])
+            numbers.append(kept[reader.line_num - 1][0])
+    except csv.Error as error:
+        line = kept[min(reader.line_num, len(kept)) - 1][0]
+        raise InputError(f"this is not CSV: {error}.", "Correct the quotes.", file=path, line=line) from None
+    header = table.pop(0)
+    _check_header(path, header, header_line)
+    for cells, line in zip(table, numbers[1:], strict=True):
+        if len(cells) != len(header):
+            comma = " Decimals need a point, not a comma." if len(cells) > len(header) else ""
+            raise InputError(
+                f"the row has {len(cells)} cells, the header {len(header)}.",
+                f"Correct the row.{comma}",
+                file=path,
+                line=line,
+            )
+    if not table:
+        raise InputError("there is a header but no row.", "Add one row per reading.", file=path, line=header_line)
+    columns = {name: [cells[k] for cells in table] for k, name in enumerate(header)}
+    return _Rows(path, columns, np.array(numbers[1:]), header_line)
+
+
+def _read_parquet(path: Path) -> _Rows:
+    try:
+        import pyarrow as pa
+        import pyarrow.parquet as pq
+    except ImportError:
+        raise InputError(
+            "reading Parquet needs pyarrow, which is not installed.",
+            "Install it (pip install pyarrow), or save the file as CSV.",
+            file=path,
+        ) from None
+    try:
+        with pq.ParquetFile(path) as file:
+            table = file.read()
+        cells = [["" if cell is None else str(cell).strip() for cell in column.to_pylist()] for column in table.columns]
+    except (OSError, ValueError, pa.ArrowException) as error:
+        reason = str(error).splitlines()[0] if str(error) else type(error).__name__
+        raise InputError(f"this is not a readable Parquet file: {reason}.", "Save it again.", file=path) from None
+    _check_header(path, table.column_names, None)
+    if not table.num_rows:
+        raise InputError("there is no row.", "Add one row per reading.", file=path)
+    columns = dict(zip(table.column_names, cells, strict=True))
+    return _Rows(path, columns, np.arange(1, table.num_rows + 1), None)
+
+
+def _check_header(path: Path, header: Sequence[str], line: int | None) -> None:
+    for k, name in enumerate(header):
+        if not name:
+            raise InputError(
+                f"column {k + 1} has no name.", "Name it, or remove the comma too many.", file=path, line=line
+            )
+        if name in header[:k]:
+            raise InputError(
+                f"the name stands over columns {header.index(name) + 1} and {k + 1}.",
+                "Rename or remove one of them.",
+                file=path,
+                line=line,
+                column=name,
+            )
+
+
+def _distances_path(path: Path) -> Path:
+    return path.with_name(f"{path.stem}.distances.csv")
+
+
+def _read_sidecar(path: Path) -> _Sidecar:
+    path = path.with_suffix(".toml")
+    if not path.exists():
+        return _Sidecar()
+    sidecar = TomlFile.read(path).check(_Sidecar)
+    if sidecar.camera is None:
+        return sidecar
+    return sidecar.model_copy(update={"measurement": sidecar.measurement.model_copy(update={"camera": sidecar.camera})})
+
+
+def _check_sidecar(path: Path, kind: str, sidecar: _Sidecar, rows: _Rows) -> None:
+    """What the kind needs is there, and the contacts named have been touched."""
+    file = path.with_suffix(".toml")
+    if kind == "gauge" and sidecar.measurement.base_point_mm is None:
+        raise InputError(
+            "a gauge needs the point of the base that it is fixed to.",
+            "Add base_point_mm = [x, y, z] to [measurement].",
+            file=file,
+        )
+    if kind == "sphere" and sidecar.measurement.camera is None:
+        raise InputError(
+            "images of a sphere need the camera.",
+            "Add [measurement.camera] with fx_px, fy_px, cx_px, cy_px and ball_radius_mm.",
+            file=file,
+        )
+    touched = set(rows.columns.get("contact", ()))
+    for a, b, _ in sidecar.contacts.distance_mm if touched else ():
+        if unknown := {a, b} - touched:
+            raise InputError(
+                f"[contacts] distance_mm names '{min(unknown)}', which no row has in its column 'contact'.",
+                f"Use names of {', '.join(sorted(touched - {''}))}.",
+                file=file,
+            )
+
+
+def _pairs_and_rows(path: Path, rows: _Rows) -> tuple[_Rows | None, _Rows]:
+    """The table of distances, if there is one, and the table of rows.
+
+    A row that holds both joint sets becomes two rows, labelled with a and b behind its pose.
+    """
+    if not any(_JOINT_OF_END.fullmatch(name) for name in rows.columns):
+        distances = _distances_path(path)
+        return (_read_csv(distances) if distances.exists() else None), rows
+    ends: dict[str, dict[str, str]] = {}
+    for name in rows.columns:
+        if end := _END.fullmatch(name):
+            ends.setdefault(end["stem"] + end["unit"], {})[end["end"]] = name
+    for name, found in ends.items():
+        if len(found) == 1 and _JOINT.fullmatch(name):
+            rows.require(*(re.sub(r"(\d+)", rf"\1{end}", name) for end in "ab"))
+    ends = {name: found for name, found in ends.items() if len(found) == 2}
+    gone = {"distance_mm", *(name for found in ends.values() for name in found.values())}
+    columns = {name: [cell for cell in cells for _ in "ab"] for name, cells in rows.without(gone).columns.items()}
+    if "pose" in columns:
+        columns["pose"] = [label + end for label in rows.labels("pose") or () for end in "ab"]
+    for name, found in ends.items():
+        both = zip(rows.columns[found["a"]], rows.columns[found["b"]], strict=True)
+        columns[name] = [cell for pair in both for cell in pair]
+    return rows, dataclasses.replace(rows, columns=columns, line=np.repeat(rows.line, 2))
+
+
+def _joints(rows: _Rows, mechanism: Mechanism) -> np.ndarray:
+    names = [f"q{i + 1}_{file_unit(mechanism.joint_unit)}" for i in range(mechanism.limbs)]
+    joints = rows.numbers(*names, blank=False) * to_internal(mechanism.joint_unit)
+    for name in rows.columns:
+        if _JOINT.fullmatch(name) and name not in names:
+            raise rows.error(
+                f"'{mechanism.name}' has the joints {', '.join(names)} only.",
+                "Rename or remove the column, or correct the mechanism in the robot file.",
+                column=name,
+            )
+    return joints
+
+
+def _kind(
+    rows: _Rows, said: str | None, kinds: Mapping[str, tuple[str, ...]], paired: bool, need_measured: bool
+) -> str:
+    """Kind of the recording: what the sidecar says, checked against the columns, or what the columns say."""
+    present = {kind: names for kind, names in kinds.items() if any(name in rows.columns for name in names)}
+    if not set(_ROTATION) & set(rows.columns):
+        present.pop("pose", None)
+    if "distance" in (said, *present) and not paired:
+        name = _distances_path(rows.path).name
+        raise rows.error(
+            "distances lie between two points, but the rows hold one joint set each.",
+            f"Add {name} with the columns pose_a, pose_b, distance_mm, or name the joints q1a_..., q1b_... here.",
+            column="distance_mm",
+        )
+    if said is not None:
+        if said != "distance" and present and said not in present:
+            other, names = next(iter(present.items()))
+            raise rows.error(
+                f"the sidecar says kind = '{said}', but this column belongs to kind = '{other}'.",
+                f"Correct the sidecar, or give the columns {', '.join(kinds[said])}.",
+                column=next(name for name in names if name in rows.columns),
+            )
+        return said
+    if "pose" in present:
+        present.pop("position", None)
+    if len(present) > 1:
+        raise rows.error(
+            f"the columns hold readings of several kinds: {', '.join(present)}.",
+            f"Say which to use: kind = '...' under [measurement] in {rows.path.with_suffix('.toml').name}.",
+        )
+    if not present and need_measured and not paired:
+        raise rows.error(
+            "no column holds a measured quantity.",
+            f"Add one of: {'; '.join(', '.join(names) for names in kinds.values())}.",
+        )
+    return next(iter(present), "distance" if paired else "position")
+
+
+def _measured(rows: _Rows, kind: str, columns: tuple[str, ...], need_measured: bool) -> np.ndarray:
+    if kind in ("distance", "contact"):
+        if kind == "contact" and need_measured:
+            rows.require("contact")
+        return np.empty((len(rows.line), 0))
+    if not need_measured and not set(columns) & set(rows.columns):
+        return np.full((len(rows.line), len(columns)), np.nan)
+    # A tracker may read a point without its rotation, but not part of a point.
+    parts = ([name for name in columns if name not in _ROTATION], [name for name in columns if name in _ROTATION])
+    values = np.hstack([rows.numbers(*names) for names in parts if names])
+    return values * [DEG if name in _ROTATION else 1.0 for name in columns]
+
+
+def _is_measured(recording: Recording) -> bool:
+    paired = recording.pair_measured is not None and bool(np.isfinite(recording.pair_measured).any())
+    touched = recording.contact is not None and bool((recording.contact != "").any())
+    return paired or touched or bool(np.isfinite(recording.measured).any())
+
+
+def _channel(rows: _Rows, name: str) -> np.ndarray | None:
+    """(N,) values of a channel or covariate; None for other columns, and for those that hold text only."""
+    if name in _RESERVED or _JOINT.fullmatch(name):
+        return None
+    if not _CHANNEL.fullmatch(name) and all(_number(cell) is None for cell in rows.columns[name]):
+        return None
+    values = rows.numbers(name)[:, 0]
+    expected, wrong = "", np.zeros(len(values), dtype=bool)
+    if _APPROACH.fullmatch(name):
+        values[values == 0] = np.nan  # the direction is not known
+        expected, wrong = "1 or -1 was expected", np.abs(values) != 1
+    elif _TEMPERATURE.fullmatch(name):
+        expected, wrong = "-100 to 300 degC were expected", (values < -100) | (values > 300)
+    elif name == "payload_kg":
+        expected, wrong = "a mass cannot be negative", values < 0
+    wrong &= np.isfinite(values)
+    if wrong.any():
+        row = int(np.argmax(wrong))
+        problem = f"the cell holds '{rows.columns[name][row]}': {expected}."
+        raise rows.error(problem, "Correct the cell, or leave it blank if it is not known.", row=row, column=name)
+    return values
+
+
+def _check_repeats(recording: Recording, rows: _Rows) -> None:
+    """Rows of one pose have the same joints and the same tool point."""
+    points = recording.joints if recording.targets is None else recording.targets
+    if recording.tool is not None:
+        points = np.hstack([points, np.nan_to_num(recording.tool)])
+    first: dict[str, int] = {}
+    for row, label in enumerate(recording.pose.tolist()):
+        other = first.setdefault(label, row)
+        if other != row and np.abs(points[row] - points[other]).max() > _SAME_JOINT:
+            raise rows.error(
+                f"pose '{label}' has other joints or another tool point than in line {rows.line[other]}.",
+                "Give every pose a label of its own; only repeats share one.",
+                row=row,
+                column="pose",
+            )
+
+
+def _with_pairs(recording: Recording, pairs: _Rows, rows: _Rows, need_measured: bool) -> Recording:
+    if pairs.path == recording.path:  # both joint sets in one row
+        _check_repeats(recording, rows)
+        indices = np.arange(recording.n_rows).reshape(-1, 2)
+    else:
+        row_of: dict[str, int] = {}
+        for row, label in enumerate(recording.pose.tolist()):
+            if row_of.setdefault(label, row) != row:
+                raise rows.error(
+                    f"pose '{label}' stands in line {rows.line[row_of[label]]} too, but distances name rows by it.",
+                    "Give every row a pose of its own.",
+                    row=row,
+                    column="pose",
+                )
+        pairs.require("pose_a", "pose_b")
+        for name in ("pose_a", "pose_b"):
+            for k, label in enumerate(pairs.columns[name]):
+                if label not in row_of:
+                    problem = f"{recording.path.name} has no pose '{label}'."
+                    raise pairs.error(problem, "Correct the name or remove the row.", row=k, column=name)
+        indices = np.array([[row_of[label] for label in pairs.columns[name]] for name in ("pose_a", "pose_b")]).T
+        if (same := np.flatnonzero(indices[:, 0] == indices[:, 1])).size:
+            raise pairs.error("the pose is paired with itself.", "Name two poses.", row=int(same[0]), column="pose_b")
+    if need_measured or "distance_mm" in pairs.columns:
+        measured = pairs.numbers("distance_mm")[:, 0]
+    else:
+        measured = np.full(len(indices), np.nan)
+    if (negative := np.flatnonzero(measured < 0)).size:
+        row = int(negative[0])
+        raise pairs.error("a distance cannot be negative.", "Correct the cell.", row=row, column="distance_mm")
+    return dataclasses.replace(recording, pairs=indices, pair_measured=measured, pair_line=pairs.line)
+
+
+# --- writing --------------------------------------------------------------------------------------------------------
+
+
+def write_recording(recording: Recording, path: str | Path) -> None:
+    """Write a recording as CSV with its sidecar and, where there are pairs, its distances file: all or nothing.
+
+    Raises
+    ------
+    InputError
+        A file cannot be written, or the distances file of another recording is in the way.
+    """
+    path = Path(path)
+    if path.suffix == ".parquet":
+        raise InputError("recordings are written as CSV.", "Choose a name that ends with .csv.", file=path)
+    distances = _distances_path(path)
+    columns, pair_columns = _file_columns(recording)
+    files = {path.with_suffix(".toml"): _sidecar_text(recording)}
+    if pair_columns:
+        files[distances] = csv_text(pair_columns)
+    elif distances.exists():
+        raise InputError(
+            f"the file is in the way: it would be read as the distances of {path.name}.",
+            "Remove it, or choose another name for the recording.",
+            file=distances,
+        )
+    write_files(files | {path: csv_text(columns)})
+
+
+def _file_columns(recording: Recording) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Columns of the recording and of its distances, in the units of the files."""
+    unit = recording.joint_unit
+    poses = recording.pose.tolist()
+    if recording.pairs is not None and len(set(poses)) < len(poses):
+        poses = [str(n + 1) for n in range(len(poses))]  # distances name rows by their pose
+    columns: dict[str, Any] = {"pose": poses}
+    if recording.targets is not None:
+        columns |= zip(("x_mm", "y_mm", "z_mm"), recording.targets.T, strict=False)
+    else:
+        for i, q in enumerate(recording.joints.T):
+            columns[f"q{i + 1}_{file_unit(unit)}"] = [to_file(value, unit) for value in q]
+        for name, values in zip(recording.columns, recording.measured.T, strict=False):
+            columns[name] = [to_file(value, "rad" if name in _ROTATION else "mm") for value in values]
+    if recording.contact is not None:
+        columns["contact"] = recording.contact.tolist()
+    if recording.setup_names != _ONE_SETUP:
+        columns["setup"] = [recording.setup_names[code] for code in recording.setup]
+    if recording.tool is not None:
+        columns |= zip(_TOOL, recording.tool.T, strict=True)
+    columns |= recording.channels
+    if recording.pairs is None or recording.pair_measured is None:
+        return columns, {}
+    a, b = ([poses[row] for row in rows] for rows in recording.pairs.T)
+    return columns, {"pose_a": a, "pose_b": b, "distance_mm": recording.pair_measured}
+
+
+def _sidecar_text(recording: Recording) -> str:
+    said = recording.measurement.model_dump(exclude_defaults=True, exclude={"camera"})
+    tables = {"measurement": {"kind": recording.kind, "frame": recording.measurement.frame} | said}
+    tables["measurement"]["kind"] = recording.kind
+    if recording.measurement.camera is not None:
+        tables["measurement.camera"] = recording.measurement.camera.model_dump()
+    if recording.contact_distances:
+        tables["contacts"] = {"distance_mm": recording.contact_distances}
+    return toml_text(tables)
+
+
+def csv_text(columns: Mapping[str, Any]) -> str:
+    """CSV text of columns of one length: texts as they are, numbers with all their digits, nan as a blank cell."""
+    text = io.StringIO()
+    plain, quoted = csv.writer(text, lineterminator="\n"), csv.writer(text, lineterminator="\n", quoting=csv.QUOTE_ALL)
+    plain.writerow(columns)
+    for row in zip(*columns.values(), strict=True):
+        cells = [_cell(value) for value in row]
+        # Unquoted, a row that begins with # would read as a comment.
+        (quoted if cells[0].startswith("#") else plain).writerow(cells)
+    return text.getvalue()
+
+
+def _cell(value: object) -> str:
+    if isinstance(value, str):
+        return value
+    number = float(value)  # type: ignore[arg-type]
+    return "" if np.isnan(number) else repr(number).removesuffix(".0")
+
+
+def write_files(files: Mapping[Path, str]) -> None:
+    """Write texts to files, in UTF-8, replacing old ones only when all are on the disk; raises InputError."""
+    staged = {path: path.with_name(f".{path.name}.{os.getpid()}.part") for path in files}
+    try:
+        for path, text in files.items():
+            staged[path].write_text(text, encoding="utf-8", newline="")
+        for path, part in staged.items():
+            os.replace(part, path)
+    except OSError as error:
+        raise InputError(
+            f"the file cannot be written: {error.strerror}.", "Check the folder and the space on the disk.", file=path
+        ) from None
+    finally:
+        for part in staged.values():
+            part.unlink(missing_ok=True)

@@ -1,0 +1,505 @@
+"""The robot file: a TOML table of nominal values, read, checked and written back.
+
+Files speak mm and deg, a `Robot` speaks mm and rad; the conversion happens here and nowhere else. What a robot file
+may say depends on its mechanism, so the schema is built from the mechanism's own tables of keys and parameters:
+a new mechanism needs no line in this module.
+
+The helpers that turn a flawed TOML file into an error with a line and a remedy (`TomlFile`) serve the sidecar of
+a recording as well.
+"""
+
+from __future__ import annotations
+
+import difflib
+import json
+import math
+import re
+import tomllib
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar, get_args
+
+import numpy as np
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, create_model
+
+from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.units import file_unit, to_internal
+
+if TYPE_CHECKING:
+    from deltacal_gen.mechanism import GeometryKey, Mechanism
+
+    Loader = Callable[[str], Mechanism]
+
+SHORTEST_MACHINE = 2.0  # mm; a machine whose longest length is below this was written down in metres
+LONGEST_LINK = 20_000.0  # mm; a length above this was written down in micrometres
+
+
+class Table(BaseModel):
+    """A TOML table that knows its keys: another key is an error."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+def _is_sign(value: float) -> float:
+    if value not in (-1.0, 1.0):
+        raise ValueError("1 or -1 was expected")
+    return value
+
+
+def _is_interval(pair: tuple[float, ...]) -> tuple[float, ...]:
+    if pair[0] >= pair[1]:
+        raise ValueError("the lower limit must be below the upper one")
+    return pair
+
+
+def _list(item: Any, count: int) -> Any:
+    return Annotated[tuple[item, ...], Field(min_length=count, max_length=count)]
+
+
+def _per_limb(item: Any, limbs: int) -> Any:
+    """Type of one `item` per limb; a single number stands for all limbs."""
+
+    def spread(value: object) -> object:
+        return (value,) * limbs if isinstance(value, (int, float)) else value
+
+    return Annotated[_list(item, limbs), BeforeValidator(spread)]
+
+
+Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
+Positive = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0)]
+NotNegative = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0)]
+Vector = Annotated[tuple[Number, ...], Field(min_length=3, max_length=3)]
+_Sign: Any = Annotated[Number, AfterValidator(_is_sign)]
+_Interval: Any = Annotated[_list(Number, 2), AfterValidator(_is_interval)]
+
+
+class Workspace(Table):
+    """Where the machine works: a cylinder, or a rectangle for planar machines [mm].
+
+    `top` is the distance from the base plane to the top layer; `radius` (or `width`) and `height` are its size.
+    """
+
+    top: Positive
+    radius: Positive | None = None
+    width: Positive | None = None
+    height: Positive
+
+
+class Masses(Table):
+    """Moving masses [kg]; one that is not given counts as zero.
+
+    `proximal` is one arm with its centre of mass at `proximal_com` of its length, `distal_rod` one of the rods,
+    `platform` sits at O'. `gravity` is (3,) in {O} [m/s^2 = N/kg]; `proximal_inertia` is an arm's own inertia about
+    its centre of mass [kg mm^2], None for that of a slender rod.
+    """
+
+    proximal: NotNegative = 0.0
+    proximal_com: Number = 0.5
+    distal_rod: NotNegative = 0.0
+    platform: NotNegative = 0.0
+    gravity: Vector = (0.0, 0.0, -9.81)
+    proximal_inertia: NotNegative | None = None
+
+
+class Transmission(Table):
+    """Between motor and joint: `gear_ratio` in motor turns per joint turn, `encoder_counts` per motor turn,
+    `pulley_circumference` in mm of belt per motor turn."""
+
+    gear_ratio: Positive | None = None
+    encoder_counts: Positive | None = None
+    pulley_circumference: Positive | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Robot:
+    """A machine as its drawings describe it, in internal units (mm, rad, kg).
+
+    Parameters
+    ----------
+    name, mechanism : str
+        The machine's own name, and the name of the mechanism it is an instance of.
+    geometry : dict of (limbs,) or (n,) arrays
+        Values by their key in the file; one per limb where the mechanism says so, else length 1 [mm or rad].
+    tool : (3,) array
+        Reference point P in {O'} [mm].
+    errors, tolerance : dict of float
+        Actual minus nominal values of parameters, and their standard deviations [mm, rad or 1].
+    workspace, masses, transmission : optional
+        None where the file does not say.
+    joint_sign : (limbs,) array
+        -1 where the controller counts against the mechanism's positive direction.
+    joint_limits : (limbs, 2) array, optional
+        Lower and upper limit of each joint as the controller counts [rad or mm].
+    source : Path, optional
+        The file it was read from.
+    """
+
+    name: str
+    mechanism: str
+    geometry: dict[str, np.ndarray]
+    tool: np.ndarray
+    errors: dict[str, float]
+    tolerance: dict[str, float]
+    workspace: Workspace | None
+    masses: Masses | None
+    transmission: Transmission | None
+    joint_sign: np.ndarray
+    joint_limits: np.ndarray | None
+    source: Path | None = None
+
+
+def read_robot(path: str | Path, *, load: Loader | None = None) -> Robot:
+    """Read a robot file.
+
+    Parameters
+    ----------
+    path : path
+        The TOML file [mm, deg].
+    load : callable, optional
+        Finds a mechanism by its name; the registered mechanisms by default.
+
+    Raises
+    ------
+    InputError
+        The file cannot be used; the message names file, line, key and remedy.
+    """
+    return _robot(TomlFile.read(path), load)
+
+
+def robot_from_dict(tables: Mapping[str, Any], *, load: Loader | None = None) -> Robot:
+    """Robot from the tables of a robot file, as `robot_to_dict` gives them [mm, deg]; raises InputError."""
+    return _robot(TomlFile(None, "", dict(tables)), load)
+
+
+def robot_to_dict(robot: Robot, *, load: Loader | None = None) -> dict[str, dict[str, Any]]:
+    """Tables of a complete robot file, ready for JSON or TOML [mm, deg]."""
+    mechanism = (load or _registered)(robot.mechanism)
+    tables: dict[str, dict[str, Any]] = {"robot": {"name": robot.name, "mechanism": robot.mechanism}}
+    tables["geometry"] = {"tool": [float(value) for value in robot.tool]}
+    for name, part in (("workspace", robot.workspace), ("masses", robot.masses), ("transmission", robot.transmission)):
+        if part is not None:
+            tables[name] = part.model_dump(mode="json", exclude_none=True)
+    tables["joints"] = {"sign": [int(sign) for sign in robot.joint_sign]}
+    if robot.joint_limits is not None:
+        unit = mechanism.joint_unit
+        limits = [[to_file(value, unit) for value in pair] for pair in robot.joint_limits]
+        tables["joints"][_limits_key(mechanism)] = limits
+    for key in mechanism.geometry:
+        values = [to_file(value, key.unit) for value in robot.geometry[key.key]]
+        tables[key.table][key.key] = values if key.per_limb or len(values) > 1 else values[0]
+    units = {parameter.name: parameter.unit for parameter in mechanism.parameters}
+    for name, numbers in (("errors", robot.errors), ("tolerance", robot.tolerance)):
+        if numbers:
+            tables[name] = {key: to_file(value, units[key]) for key, value in numbers.items()}
+    return tables
+
+
+def robot_to_toml(robot: Robot, *, load: Loader | None = None) -> str:
+    """Text of a complete robot file that reads back as the same robot, to the last digit or two."""
+    return toml_text(robot_to_dict(robot, load=load))
+
+
+def robot_size(robot: Robot, *, load: Loader | None = None) -> float:
+    """Sum of the machine's lengths, the mean over the limbs of each [mm]: a yardstick for plausible readings."""
+    keys = (load or _registered)(robot.mechanism).geometry
+    return float(sum(np.abs(robot.geometry[key.key]).mean() for key in keys if key.unit == "mm"))
+
+
+def _registered(name: str) -> Mechanism:
+    # Imported on first use, so that injected mechanisms cost no import of the kernels.
+    from deltacal_gen.mechanism import load_mechanism
+
+    return load_mechanism(name)
+
+
+def _robot(file: TomlFile, load: Loader | None) -> Robot:
+    head = file.check(_Head).robot
+    try:
+        mechanism = (load or _registered)(head.mechanism)
+    except UsageError as error:
+        raise file.error(
+            f"mechanism in [robot]: {error}", "Write the name of a known mechanism.", "robot", "mechanism"
+        ) from None
+    said = file.check(_schema(mechanism))
+    tables = {name: dict(getattr(said, name)) for name in ("geometry", "joints", "errors", "tolerance")}
+    _check_scale(file, mechanism, tables)
+
+    geometry = {}
+    for key in mechanism.geometry:
+        value = tables[key.table][key.key]
+        internal = key.default if value is None else np.multiply(value, to_internal(key.unit))
+        geometry[key.key] = np.atleast_1d(np.asarray(internal, dtype=float))
+    unit = to_internal(mechanism.joint_unit)
+    limits = tables["joints"][_limits_key(mechanism)]
+    factors = {parameter.name: to_internal(parameter.unit) for parameter in mechanism.parameters}
+    errors, tolerance = (
+        {name: value * factors[name] for name, value in tables[table].items() if value is not None}
+        for table in ("errors", "tolerance")
+    )
+    return Robot(
+        name=head.name,
+        mechanism=head.mechanism,
+        geometry=geometry,
+        tool=np.array(tables["geometry"]["tool"], dtype=float),
+        errors=errors,
+        tolerance=tolerance,
+        workspace=said.workspace,
+        masses=said.masses,
+        transmission=said.transmission,
+        joint_sign=np.array(tables["joints"]["sign"], dtype=float),
+        joint_limits=None if limits is None else np.array(limits) * unit,
+        source=file.path,
+    )
+
+
+class _Name(Table):
+    name: str = "robot"
+    mechanism: str
+
+
+class _Head(BaseModel):
+    """What is needed before the schema is known; all other tables wait."""
+
+    robot: _Name
+
+
+class _RobotFile(Table):
+    """What does not depend on the mechanism; `_schema` adds geometry, joints, errors and tolerance."""
+
+    robot: _Name
+    workspace: Workspace | None = None
+    masses: Masses | None = None
+    transmission: Transmission | None = None
+
+
+def _schema(mechanism: Mechanism) -> Any:
+    """Schema of the robot files of one mechanism; None stands for a key that the file does not give."""
+    limbs = mechanism.limbs
+    geometry: dict[str, Any] = {"tool": (Vector, (0.0, 0.0, 0.0))}
+    joints: dict[str, Any] = {
+        "sign": (_per_limb(_Sign, limbs), (1.0,) * limbs),
+        _limits_key(mechanism): (_list(_Interval, limbs), None),
+    }
+    for key in mechanism.geometry:
+        fields = geometry if key.table == "geometry" else joints
+        meaning = f"{key.meaning} [{file_unit(key.unit)}]"
+        fields[key.key] = (_value_type(key, limbs), Field(... if key.default is None else None, description=meaning))
+    names = [parameter.name for parameter in mechanism.parameters]
+    absent: Any = Field({}, validate_default=True)
+    return create_model(
+        "RobotFile",
+        __base__=_RobotFile,
+        geometry=(_table("geometry", geometry), ...),
+        joints=(_table("joints", joints), absent),
+        errors=(_table("errors", dict.fromkeys(names, (Number, None))), absent),
+        tolerance=(_table("tolerance", dict.fromkeys(names, (Positive, None))), absent),
+    )
+
+
+def _table(name: str, fields: dict[str, Any]) -> Any:
+    return create_model(name, __base__=Table, **fields)
+
+
+def _value_type(key: GeometryKey, limbs: int) -> Any:
+    item: Any = Positive if _is_length(key) else Number
+    if key.per_limb:
+        return _per_limb(item, limbs)
+    return item if key.default is None or len(key.default) == 1 else _list(item, len(key.default))
+
+
+def _limits_key(mechanism: Mechanism) -> str:
+    return f"limits_{file_unit(mechanism.joint_unit)}"
+
+
+def _is_length(key: GeometryKey) -> bool:
+    """Whether the key is a distance, which cannot be zero or negative; coordinates (``positive = False``) can."""
+    return key.unit == "mm" and getattr(key, "positive", True)
+
+
+def _check_scale(file: TomlFile, mechanism: Mechanism, tables: Mapping[str, Mapping[str, Any]]) -> None:
+    lengths = [key for key in mechanism.geometry if key.unit == "mm" and tables[key.table][key.key] is not None]
+    if not lengths:
+        return
+    sizes = [float(np.abs(tables[key.table][key.key]).max()) for key in lengths]
+    key = lengths[int(np.argmax(sizes))]
+    if max(sizes) < SHORTEST_MACHINE or max(sizes) > LONGEST_LINK:
+        unit, factor = ("metres", "Multiply by") if max(sizes) < SHORTEST_MACHINE else ("micrometres", "Divide by")
+        raise file.error(
+            f"the lengths in [{key.table}] look like {unit} (the largest is {key.key} = {max(sizes):g}); "
+            "the file is in millimetres.",
+            f"{factor} 1000.",
+            key.table,
+            key.key,
+        )
+
+
+# --- TOML in, TOML out ----------------------------------------------------------------------------------------------
+
+_Schema = TypeVar("_Schema", bound=BaseModel)
+
+
+@dataclass(frozen=True)
+class TomlFile:
+    """A parsed TOML file that can point at its lines; `path` is None for tables that come from elsewhere."""
+
+    path: Path | None
+    text: str
+    data: dict[str, Any]
+
+    @classmethod
+    def read(cls, path: str | Path) -> TomlFile:
+        """Read and parse; raises InputError for a file that is missing, not UTF-8 or not TOML."""
+        path = Path(path)
+        text = read_text(path)
+        try:
+            return cls(path, text, tomllib.loads(text))
+        except (ValueError, RecursionError) as error:
+            line = re.search(r" \(at line (\d+), column \d+\)", str(error))
+            problem = str(error).replace(line[0], "") if line else str(error)
+            raise InputError(
+                f"this is not TOML: {problem}.",
+                "Correct the line; strings need quotes and decimals a point.",
+                file=path,
+                line=int(line[1]) if line else None,
+            ) from None
+
+    def error(self, problem: str, remedy: str, *keys: str) -> InputError:
+        """InputError at the line of a key, or of its table where the key itself is not there."""
+        lines = _toml_lines(self.text)
+        found = (lines[keys[:n]] for n in range(len(keys), 0, -1) if keys[:n] in lines)
+        return InputError(problem, remedy, file=self.path, line=next(found, None))
+
+    def check(self, schema: type[_Schema]) -> _Schema:
+        """The data as `schema`; raises InputError for the first flaw."""
+        try:
+            return schema.model_validate(self.data)
+        except ValidationError as error:
+            # A misspelt key shows twice, as unknown and as missing: the unknown one can name the right key.
+            flaws: list[Any] = sorted(error.errors(), key=lambda flaw: flaw["type"] != "extra_forbidden")
+            raise self._explained(schema, flaws[0]) from None
+
+    def _explained(self, schema: type[BaseModel], flaw: Mapping[str, Any]) -> InputError:
+        keys = [key for key in flaw["loc"] if isinstance(key, str)]
+        *tables, key = keys or ["file"]
+        where = f" in [{'.'.join(tables)}]" if tables else ""
+        fields = _fields(schema, tables)
+        if flaw["type"] == "extra_forbidden":
+            close = nearest(key, fields)
+            remedy = f"Did you mean '{close}'?" if close else f"Known here: {', '.join(fields) or 'nothing'}."
+            return self.error(f"'{key}'{where} is not known.", remedy, *keys)
+        if flaw["type"] == "missing":
+            meaning = fields[key].description if key in fields else None
+            what = f"'{key}'{where}" if tables else f"the table [{key}]"
+            return self.error(f"{what} is missing.", f"Add it{f': {meaning}' if meaning else ''}.", *keys)
+        entry = "".join(f", entry {n + 1}" for n in flaw["loc"] if isinstance(n, int))
+        found = repr(flaw["input"])
+        found = found if len(found) <= 60 else f"{found[:56]} ..."
+        return self.error(f"'{key}'{where}{entry} is {found}: {_expected(flaw)}.", "Correct the value.", *keys)
+
+
+def _fields(schema: type[BaseModel], tables: Iterable[str]) -> dict[str, Any]:
+    """Fields of a nested table of the schema, by key."""
+    for name in tables:
+        annotation: Any = schema.model_fields[name].annotation
+        schema = next(part for part in (annotation, *get_args(annotation)) if hasattr(part, "model_fields"))
+    return dict(schema.model_fields)
+
+
+def _expected(flaw: Mapping[str, Any]) -> str:
+    ctx = flaw.get("ctx", {})
+    match flaw["type"]:
+        case "float_type":
+            return "a number was expected"
+        case "finite_number":
+            return "a finite number was expected"
+        case "string_type":
+            return "a text in quotes was expected"
+        case "tuple_type":
+            return "a list was expected"
+        case "model_type" | "model_attributes_type":
+            return "a table was expected"
+        case "greater_than":
+            return "a number above 0 was expected"
+        case "greater_than_equal":
+            return "a number not below 0 was expected"
+        case "too_short" | "too_long":
+            count = ctx.get("min_length", ctx.get("max_length"))
+            return f"{count} entries were expected"
+        case "literal_error":
+            return f"{ctx['expected']} was expected"
+        case "value_error":
+            return str(ctx["error"])
+    return str(flaw["msg"])
+
+
+_HEADER = re.compile(r"""\s*\[\[?\s*([A-Za-z_"'][\w."' -]*?)\s*\]\]?\s*(?:#.*)?$""")
+_KEY = re.compile(r"""\s*([\w."' -]+?)\s*=""")
+
+
+def _toml_lines(text: str) -> dict[tuple[str, ...], int]:
+    """Line of each table and key, by its path; the first line where there are several."""
+    lines: dict[tuple[str, ...], int] = {}
+    table: tuple[str, ...] = ()
+    for number, line in enumerate(text.split("\n"), start=1):
+        if header := _HEADER.match(line):
+            path = table = _key_path(header[1])
+        elif key := _KEY.match(line):
+            path = table + _key_path(key[1])
+        else:
+            continue
+        for n in range(1, len(path) + 1):
+            lines.setdefault(path[:n], number)
+    return lines
+
+
+def _key_path(dotted: str) -> tuple[str, ...]:
+    return tuple(part.strip(" \"'") for part in dotted.split("."))
+
+
+def toml_text(tables: Mapping[str, Mapping[str, Any]]) -> str:
+    """TOML text of flat tables of strings, numbers and nested lists; ``"a.b"`` names a table within a table."""
+    blocks = ([f"[{name}]", *(f"{key} = {_toml_value(v)}" for key, v in keys.items())] for name, keys in tables.items())
+    return "\n\n".join("\n".join(block) for block in blocks) + "\n"
+
+
+def _toml_value(value: Any) -> str:
+    if isinstance(value, str):
+        # JSON escapes what TOML wants escaped, but for DEL.
+        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+    if isinstance(value, (list, tuple)):
+        return f"[{', '.join(_toml_value(item) for item in value)}]"
+    return repr(value)
+
+
+def to_file(value: float, unit: str) -> float:
+    """Value in the unit of the files of an internal one [`unit`]; of nearly equal decimals the shorter one."""
+    factor = to_internal(unit)
+    exact = float(value) / factor
+    short = round(exact, 12)
+    return short if math.isclose(short, exact, rel_tol=4e-16) else exact
+
+
+def read_text(path: Path) -> str:
+    """Text of a UTF-8 file, with or without a byte order mark, lines ended by ``\\n``; raises InputError."""
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise InputError(
+            f"the file cannot be read: {error.strerror}.", "Check the path and the permissions.", file=path
+        ) from None
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise InputError(
+            f"byte {error.start + 1} is not UTF-8 text.",
+            "Save the file as text in UTF-8.",
+            file=path,
+            line=data[: error.start].count(b"\n") + 1,
+        ) from None
+    return text.replace("\r\n", "\n").replace("\r", "\n")
+
+
+def nearest(name: str, known: Iterable[str], cutoff: float = 0.6) -> str | None:
+    """The known name that `name` is probably a misspelling of, or None."""
+    return next(iter(difflib.get_close_matches(name, list(known), n=1, cutoff=cutoff)), None)
