@@ -11,16 +11,19 @@ import importlib
 import pkgutil
 from collections.abc import Iterator
 from pathlib import Path
+from types import ModuleType
+from typing import Any
 
 import jinja2
 import sympy as sp
 
+import derive.measurements
 import derive.mechanisms
 from derive import closed_form, statics
 from derive.graph import Graph
 from derive.lower import Kernel, Lowering, Text
 from derive.printer import c99, python
-from derive.spec import LimbMechanism
+from derive.spec import LimbMechanism, Measurement
 
 ROOT = Path(__file__).resolve().parent.parent
 TEMPLATES = ROOT / "templates"
@@ -28,10 +31,19 @@ GENERATED = ROOT / "generated" / "deltacal_kernels"
 COMMAND = "deltacal kernels"
 
 
+def _registered(package: ModuleType, name: str) -> Iterator[Any]:
+    for module in sorted(pkgutil.iter_modules(package.__path__), key=lambda m: m.name):
+        yield getattr(importlib.import_module(f"{package.__name__}.{module.name}"), name)
+
+
 def mechanisms() -> Iterator[LimbMechanism]:
     """Yield every registered mechanism: one per file in ``derive/mechanisms``."""
-    for module in sorted(pkgutil.iter_modules(derive.mechanisms.__path__), key=lambda m: m.name):
-        yield importlib.import_module(f"derive.mechanisms.{module.name}").MECHANISM
+    return _registered(derive.mechanisms, "MECHANISM")
+
+
+def measurements() -> Iterator[Measurement]:
+    """Yield every registered kind of measurement: one per file in ``derive/measurements``."""
+    return _registered(derive.measurements, "MEASUREMENT")
 
 
 def kinematics(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kernel]:
@@ -66,6 +78,50 @@ def kinematics(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kerne
     return {kernel.name: kernel for kernel in kernels}
 
 
+def measurement(spec: Measurement) -> dict[str, Kernel]:
+    """Lower a measurement to its reading and derivatives, evaluated where the instrument's increments are zero."""
+    inputs = {
+        s: f"{name}[:, {j}]"
+        for name, symbols in zip(_platform_names(spec), spec.platforms, strict=True)
+        for j, s in enumerate(symbols)
+    }
+    inputs |= {quantity.symbol: f"given[:, {j}]" for j, quantity in enumerate(spec.given)}
+    zero = {quantity.symbol: 0 for quantity in spec.unknown}
+    platform = [s for symbols in spec.platforms for s in symbols]
+    unknown = [quantity.symbol for quantity in spec.unknown]
+
+    def spin(symbol: sp.Symbol) -> sp.Matrix:
+        """Return axial(dR R^T) of a product of rotations: the factor's own, turned by the factors before it."""
+        before = sp.eye(3)
+        for factor in spec.rotation:
+            if factor.has(symbol):
+                turning = (sp.diff(factor, symbol) * factor.T).applyfunc(sp.simplify)
+                return before * sp.Matrix([turning[2, 1], turning[0, 2], turning[1, 0]])
+            before = before * factor
+        return sp.zeros(3, 1)
+
+    def jacobian(by: list[sp.Symbol]) -> list[sp.Expr]:
+        rows = [[sp.diff(e, s) for s in by] for e in spec.reading]
+        if spec.rotation:
+            spins = [spin(s) for s in by]
+            rows += [[column[k] for column in spins] for k in range(3)]
+        return [e.subs(zero) for row in rows for e in row]
+
+    outputs = {
+        "reading": [e.subs(zero) for e in spec.reading],
+        "by_platform": jacobian(platform),
+        "by_unknown": jacobian(unknown),
+    }
+    if spec.rotation:
+        outputs["rotation"] = list(sp.prod([sp.eye(3), *spec.rotation]).subs(zero))
+    lowering = Lowering(Graph(), {}, inputs)
+    return {name: lowering.kernel(name, name, exprs) for name, exprs in outputs.items()}
+
+
+def _platform_names(spec: Measurement) -> tuple[str, ...]:
+    return ("x",) if len(spec.platforms) == 1 else ("x_a", "x_b")
+
+
 def _environment() -> jinja2.Environment:
     return jinja2.Environment(
         loader=jinja2.FileSystemLoader(TEMPLATES),
@@ -80,12 +136,12 @@ def _digest(*paths: Path) -> str:
     return hashlib.sha256(b"".join(path.read_bytes() for path in paths)).hexdigest()[:16]
 
 
-def _stamp(mechanism: LimbMechanism, template: str) -> dict[str, str]:
+def _stamp(source: str, template: str) -> dict[str, str]:
     """Return what the header of a generated file says of its origin."""
     return {
-        "source": mechanism.source,
+        "source": source,
         "template": f"templates/{template}",
-        "digest": _digest(ROOT / mechanism.source, TEMPLATES / template),
+        "digest": _digest(ROOT / source, TEMPLATES / template),
         "sympy": sp.__version__,
         "command": COMMAND,
     }
@@ -112,13 +168,22 @@ def render() -> dict[Path, str]:
             template = f"mechanism/{name}.jinja"
             texts[folder / name] = environment.get_template(template).render(
                 mechanism=mechanism,
-                stamp=_stamp(mechanism, template),
+                stamp=_stamp(mechanism.source, template),
                 scalings={
                     convention: {e: python(factor) for e, factor in factors.items()}
                     for convention, factors in mechanism.scalings.items()
                 },
                 **context,
             )
+    texts[Path("measurements/__init__.py")] = '"""What instruments report: readings and their derivatives."""\n'
+    for spec in measurements():
+        template = "measurement.py.jinja"
+        texts[Path("measurements") / f"{spec.name}.py"] = environment.get_template(template).render(
+            measurement=spec,
+            kernels=measurement(spec),
+            arguments=", ".join(_platform_names(spec)),
+            stamp=_stamp(spec.source, template),
+        )
     return texts
 
 

@@ -157,3 +157,32 @@ class LimbMechanism:
     def parameter_names(self) -> tuple[str, ...]:
         """The model of all source errors, limb by limb."""
         return tuple(f"{e.name}_{i}" for i in range(1, self.limbs + 1) for e in self.errors)
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """What an instrument reports of the platform, and what of the instrument itself is unknown.
+
+    Parameters
+    ----------
+    platforms : tuple of tuple of sympy.Symbol
+        The platform coordinates that one reading depends on: one platform, or two for a distance between poses.
+    given : tuple of Quantity
+        The present state of the instrument, in terms of which its unknowns are increments.
+    unknown : tuple of Quantity
+        The instrument's own parameters: increments of its state, evaluated at zero.
+    reading : tuple of sympy.Expr
+        The predicted reading.
+    rotation : tuple of sympy.Matrix
+        A measured rotation as a product of rotations (3, 3). Its derivatives are the spins ``axial(dR R^T)``: three
+        more rows of the Jacobians.
+    """
+
+    name: str
+    meaning: str
+    source: str
+    platforms: tuple[tuple[sp.Symbol, ...], ...]
+    given: tuple[Quantity, ...]
+    unknown: tuple[Quantity, ...]
+    reading: tuple[sp.Expr, ...]
+    rotation: tuple[sp.Matrix, ...] = ()

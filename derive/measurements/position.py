@@ -1,0 +1,28 @@
+"""Position of the reference point in the instrument's own frame: ``y = exp(w) F P + f + t``."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from derive.measurements import platform, rotation_state
+from derive.spec import Measurement, Quantity
+from derive.vectors import cayley, vector
+
+X = platform()
+F, F_STATE = rotation_state("F", "rotation from {O} to the instrument's frame")
+f = vector(*sp.symbols("fx fy fz", real=True))
+w = vector(*sp.symbols("wx wy wz", real=True))
+t = vector(*sp.symbols("tx ty tz", real=True))
+
+MEASUREMENT = Measurement(
+    name="position",
+    meaning="position of the reference point in the instrument's frame [mm]",
+    source="derive/measurements/position.py",
+    platforms=(X,),
+    given=(*F_STATE, *(Quantity(s, "mm", "origin {O} in the instrument's frame") for s in f)),
+    unknown=(
+        *(Quantity(s, "rad", "turn of {O} about the instrument's axes") for s in w),
+        *(Quantity(s, "mm", "shift of {O} along the instrument's axes") for s in t),
+    ),
+    reading=tuple(cayley(w) * F * vector(*X[:3]) + f + t),
+)

@@ -1,0 +1,1 @@
+"""What instruments report: readings and their derivatives."""

@@ -1,0 +1,54 @@
+"""Distance between the reference points of two poses [mm].
+
+Generated from derive/measurements/distance.py by "deltacal kernels". Do not edit.
+Template templates/measurement.py.jinja; sha256 of both 96dd533e877b0063; SymPy 1.14.0.
+
+Plain NumPy, vectorised over the readings: platform coordinates (N, 6), `given` (N, 0) the
+instrument's state: none.
+Unknowns are increments of that state: none.
+"""
+
+import numpy as np
+
+UNKNOWN = (
+)
+ROWS = 1
+
+
+def reading(x_a, x_b, given):
+    """Return the predicted reading (N, 1)."""
+    px_a = x_a[:, 0]
+    py_a = x_a[:, 1]
+    pz_a = x_a[:, 2]
+    px_b = x_b[:, 0]
+    py_b = x_b[:, 1]
+    pz_b = x_b[:, 2]
+    s7 = np.sqrt(((-px_a + px_b) * (-px_a + px_b)) + ((-py_a + py_b) * (-py_a + py_b)) + ((-pz_a + pz_b) * (-pz_a + pz_b)))
+    out = np.zeros((len(x_a), 1))
+    out[:, 0] = s7
+    return out
+
+
+def by_platform(x_a, x_b, given):
+    """Return the derivatives by the platforms' coordinates (N, 1, 2, 6)."""
+    px_a = x_a[:, 0]
+    py_a = x_a[:, 1]
+    pz_a = x_a[:, 2]
+    px_b = x_b[:, 0]
+    py_b = x_b[:, 1]
+    pz_b = x_b[:, 2]
+    s0 = -px_a + px_b
+    s2 = -py_a + py_b
+    s4 = -pz_a + pz_b
+    s8 = 1/np.sqrt((s0 * s0) + (s2 * s2) + (s4 * s4))
+    s9 = -s0*s8
+    s10 = -s2*s8
+    s11 = -s4*s8
+    out = np.zeros((len(x_a), 12))
+    out[:, 0] = s9
+    out[:, 1] = s10
+    out[:, 2] = s11
+    out[:, 6] = -s9
+    out[:, 7] = -s10
+    out[:, 8] = -s11
+    return out.reshape(-1, 1, 2, 6)

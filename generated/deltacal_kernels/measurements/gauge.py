@@ -1,0 +1,79 @@
+"""Length from a point of the base to the reference point [mm].
+
+Generated from derive/measurements/gauge.py by "deltacal kernels". Do not edit.
+Template templates/measurement.py.jinja; sha256 of both f984b3191039dd24; SymPy 1.14.0.
+
+Plain NumPy, vectorised over the readings: platform coordinates (N, 6), `given` (N, 4) the
+instrument's state: gx gy gz zero.
+Unknowns are increments of that state: mx my mz dzero.
+"""
+
+import numpy as np
+
+UNKNOWN = (
+    ("mx", "mm", "error of the base point in {O}"),
+    ("my", "mm", "error of the base point in {O}"),
+    ("mz", "mm", "error of the base point in {O}"),
+    ("dzero", "mm", "error of the gauge's zero"),
+)
+ROWS = 1
+
+
+def reading(x, given):
+    """Return the predicted reading (N, 1)."""
+    px = x[:, 0]
+    py = x[:, 1]
+    pz = x[:, 2]
+    gx = given[:, 0]
+    gy = given[:, 1]
+    gz = given[:, 2]
+    zero = given[:, 3]
+    s8 = zero + np.sqrt(((-gx + px) * (-gx + px)) + ((-gy + py) * (-gy + py)) + ((-gz + pz) * (-gz + pz)))
+    out = np.zeros((len(x), 1))
+    out[:, 0] = s8
+    return out
+
+
+def by_platform(x, given):
+    """Return the derivatives by the platforms' coordinates (N, 1, 1, 6)."""
+    px = x[:, 0]
+    py = x[:, 1]
+    pz = x[:, 2]
+    gx = given[:, 0]
+    gy = given[:, 1]
+    gz = given[:, 2]
+    s0 = -gx + px
+    s2 = -gy + py
+    s4 = -gz + pz
+    s9 = 1/np.sqrt((s0 * s0) + (s2 * s2) + (s4 * s4))
+    s10 = s0*s9
+    s11 = s2*s9
+    s12 = s4*s9
+    out = np.zeros((len(x), 6))
+    out[:, 0] = s10
+    out[:, 1] = s11
+    out[:, 2] = s12
+    return out.reshape(-1, 1, 1, 6)
+
+
+def by_unknown(x, given):
+    """Return the derivatives by the instrument's unknowns (N, 1, 4)."""
+    px = x[:, 0]
+    py = x[:, 1]
+    pz = x[:, 2]
+    gx = given[:, 0]
+    gy = given[:, 1]
+    gz = given[:, 2]
+    s0 = -gx + px
+    s2 = -gy + py
+    s4 = -gz + pz
+    s9 = 1/np.sqrt((s0 * s0) + (s2 * s2) + (s4 * s4))
+    s10 = s0*s9
+    s11 = s2*s9
+    s12 = s4*s9
+    out = np.zeros((len(x), 4))
+    out[:, 0] = -s10
+    out[:, 1] = -s11
+    out[:, 2] = -s12
+    out[:, 3] = 1
+    return out.reshape(-1, 1, 4)
