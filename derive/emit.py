@@ -20,6 +20,7 @@ import sympy as sp
 import derive.measurements
 import derive.mechanisms
 from derive import closed_form, statics
+from derive.first_order import linear
 from derive.graph import Graph
 from derive.lower import Kernel, Lowering, Text
 from derive.printer import c99, python
@@ -50,7 +51,8 @@ def kinematics(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kerne
     """Lower a mechanism to the kernels that ``kinematics.py.jinja`` calls, by name.
 
     Keys: `newton` (closure, its Jacobians by platform and joint), `parameters` (its Jacobian by errors and
-    deflections), `sphere` and `turn` (the seeds), `constants`.
+    deflections), `sphere` and `turn` (the seeds), `constants`. What a command needs comes first, so that it reads the
+    first columns of the constants only.
     """
     platform = [quantity.symbol for quantity in mechanism.platform]
     joint = mechanism.joint.symbol
@@ -70,9 +72,9 @@ def kinematics(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kerne
     centre, constant = closed_form.sphere(mechanism)
     kernels = [
         lowering.kernel("newton", "per rod of one limb: closure, its derivatives by the platform, by the joint", newton),
+        lowering.kernel("turn", "joint of the simplified limb at a given position", [closed_form.inverse_turn(mechanism)]),
         lowering.kernel("parameters", "per rod of one limb: derivatives of the closure by errors, by deflections", errors),
         lowering.kernel("sphere", "the simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d", [*centre, constant]),
-        lowering.kernel("turn", "joint of the simplified limb at a given position", [closed_form.inverse_turn(mechanism)]),
         lowering.constants("constants", "what no pose changes"),
     ]
     return {kernel.name: kernel for kernel in kernels}
@@ -122,6 +124,11 @@ def _platform_names(spec: Measurement) -> tuple[str, ...]:
     return ("x",) if len(spec.platforms) == 1 else ("x_a", "x_b")
 
 
+def _columns(*kernels: Kernel) -> int:
+    """Return how many of the first columns of the constants the kernels read."""
+    return max(int(load[2:-1]) for kernel in kernels for _, load in kernel.loads if load.startswith("k[")) + 1
+
+
 def _environment() -> jinja2.Environment:
     return jinja2.Environment(
         loader=jinja2.FileSystemLoader(TEMPLATES),
@@ -157,11 +164,14 @@ def render() -> dict[Path, str]:
     for mechanism in found:
         folder = Path(mechanism.name)
         loads = statics.loads(mechanism)
+        moving = kinematics(mechanism)
+        command_constants = _columns(moving["newton"], moving["turn"])
         contents = {
             "parameters.py": {},
-            "kinematics.py": {"kernels": kinematics(mechanism)},
+            "kinematics.py": {"kernels": moving | linear(mechanism), "command_constants": command_constants},
             "statics.py": {"kernels": loads},
-            "inverse.c": {"kernels": kinematics(mechanism, text=c99)},
+            "inverse.c": {"kernels": kinematics(mechanism, text=c99), "constants": command_constants},
+            "linear.c": {"kernels": linear(mechanism, text=c99)},
         }
         texts[folder / "__init__.py"] = f'"""{mechanism.title}: tables and kernels."""\n'
         for name, context in contents.items():

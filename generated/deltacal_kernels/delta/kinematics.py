@@ -1,7 +1,7 @@
 """Kinematics of `delta`: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 4519c78e8914df80; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 43e04f3559aca3ba; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -24,10 +24,13 @@ STEP_DONE = 1e-9  # mm and rad; Newton is quadratic: after such a step the rest 
 STEP_LOST = 1e5  # mm and rad; a step of this size leads nowhere
 ANGLE_STEP = 1e-3  # rad per mm: joints and rotations are asked for this much finer than lengths
 PIVOT_SINGULAR = 1e-9  # of the largest entry of its matrix, in mm
+COMMAND_DONE = 3e-8  # rad; after such a step a command is exact to its square: 1e-15 rad
+COMMAND_WORK = 72  # length of the scratch array of `exact_command` and `linear_command`
+COMMAND_CONSTANTS = 32  # `exact_command` reads these first columns of k only
 
 
 def constants(p):
-    """Return k (M, 3, 85), what no pose changes, from p (751 operations).
+    """Return k (M, 3, 85), what no pose changes, from p (753 operations).
 
     Plain NumPy over all rows at once: it runs once per machine, and compiling it would take longer than running it.
     """
@@ -273,15 +276,15 @@ def constants(p):
     s954 = -0.5*(s952 * s952)
     s1140 = -s952
     s1141 = -0.5*s1140
-    s1166 = s219*s22
-    s1168 = ex + s159 - s235
-    s1170 = s219*s41
-    s1172 = ey + s161 - s238
-    s1184 = -0.5*((dl_mean + l) * (dl_mean + l))
-    s1204 = s1184 + 0.5*(s219 * s219)*((s22 * s22) + (s41 * s41))
-    s1209 = -2*L - 2*dL
-    s1211 = 0.25*(s1209 * s1209)
-    s1216 = -0.5*s1209
+    s1166 = -ex - s159 + s235
+    s1168 = -s219*s22
+    s1170 = -ey - s161 + s238
+    s1172 = -s219*s41
+    s1185 = -0.5*((dl_mean + l) * (dl_mean + l))
+    s1191 = s1185 + 0.5*(s219 * s219)*((s22 * s22) + (s41 * s41))
+    s1196 = -2*L - 2*dL
+    s1198 = 0.25*(s1196 * s1196)
+    s1203 = -0.5*s1196
     k[..., 0] = theta
     k[..., 1] = R0_11
     k[..., 2] = R0_12
@@ -306,67 +309,67 @@ def constants(p):
     k[..., 21] = h_z
     k[..., 22] = s293
     k[..., 23] = s954
-    k[..., 24] = s516
-    k[..., 25] = s547
-    k[..., 26] = s552
-    k[..., 27] = s578
-    k[..., 28] = s610
-    k[..., 29] = s615
-    k[..., 30] = s617
-    k[..., 31] = s619
-    k[..., 32] = s621
-    k[..., 33] = s624
-    k[..., 34] = s606
-    k[..., 35] = s628
-    k[..., 36] = s634
-    k[..., 37] = s637
-    k[..., 38] = s643
-    k[..., 39] = s668
-    k[..., 40] = s700
-    k[..., 41] = s706
-    k[..., 42] = s731
-    k[..., 43] = s764
-    k[..., 44] = s770
-    k[..., 45] = s772
-    k[..., 46] = s774
-    k[..., 47] = s776
-    k[..., 48] = s779
-    k[..., 49] = s760
-    k[..., 50] = s783
-    k[..., 51] = s788
-    k[..., 52] = s791
-    k[..., 53] = s796
-    k[..., 54] = s802
-    k[..., 55] = s804
-    k[..., 56] = s806
-    k[..., 57] = s808
-    k[..., 58] = s810
-    k[..., 59] = s843
-    k[..., 60] = s868
-    k[..., 61] = s870
-    k[..., 62] = s872
-    k[..., 63] = s874
-    k[..., 64] = s905
-    k[..., 65] = s929
-    k[..., 66] = s932
-    k[..., 67] = s934
-    k[..., 68] = s936
-    k[..., 69] = R0_33
-    k[..., 70] = R0_23
-    k[..., 71] = R0_13
-    k[..., 72] = s799
-    k[..., 73] = s800
-    k[..., 74] = s1140
-    k[..., 75] = s1141
-    k[..., 76] = s1166
-    k[..., 77] = s1168
-    k[..., 78] = s1170
-    k[..., 79] = s1172
-    k[..., 80] = ez
-    k[..., 81] = s1184
-    k[..., 82] = s1204
-    k[..., 83] = s1211
-    k[..., 84] = s1216
+    k[..., 24] = s1166
+    k[..., 25] = s1168
+    k[..., 26] = s1170
+    k[..., 27] = s1172
+    k[..., 28] = ez
+    k[..., 29] = s1191
+    k[..., 30] = s1198
+    k[..., 31] = s1203
+    k[..., 32] = s516
+    k[..., 33] = s547
+    k[..., 34] = s552
+    k[..., 35] = s578
+    k[..., 36] = s610
+    k[..., 37] = s615
+    k[..., 38] = s617
+    k[..., 39] = s619
+    k[..., 40] = s621
+    k[..., 41] = s624
+    k[..., 42] = s606
+    k[..., 43] = s628
+    k[..., 44] = s634
+    k[..., 45] = s637
+    k[..., 46] = s643
+    k[..., 47] = s668
+    k[..., 48] = s700
+    k[..., 49] = s706
+    k[..., 50] = s731
+    k[..., 51] = s764
+    k[..., 52] = s770
+    k[..., 53] = s772
+    k[..., 54] = s774
+    k[..., 55] = s776
+    k[..., 56] = s779
+    k[..., 57] = s760
+    k[..., 58] = s783
+    k[..., 59] = s788
+    k[..., 60] = s791
+    k[..., 61] = s796
+    k[..., 62] = s802
+    k[..., 63] = s804
+    k[..., 64] = s806
+    k[..., 65] = s808
+    k[..., 66] = s810
+    k[..., 67] = s843
+    k[..., 68] = s868
+    k[..., 69] = s870
+    k[..., 70] = s872
+    k[..., 71] = s874
+    k[..., 72] = s905
+    k[..., 73] = s929
+    k[..., 74] = s932
+    k[..., 75] = s934
+    k[..., 76] = s936
+    k[..., 77] = R0_33
+    k[..., 78] = R0_23
+    k[..., 79] = R0_13
+    k[..., 80] = s799
+    k[..., 81] = s800
+    k[..., 82] = s1140
+    k[..., 83] = s1141
+    k[..., 84] = s1185
     return k
 
 
@@ -625,58 +628,58 @@ def _parameters(x, q, tool, k, out):
     h_x = k[19]
     h_y = k[20]
     h_z = k[21]
-    s516 = k[24]
-    s547 = k[25]
-    s552 = k[26]
-    s578 = k[27]
-    s610 = k[28]
-    s615 = k[29]
-    s617 = k[30]
-    s619 = k[31]
-    s621 = k[32]
-    s624 = k[33]
-    s606 = k[34]
-    s628 = k[35]
-    s634 = k[36]
-    s637 = k[37]
-    s643 = k[38]
-    s668 = k[39]
-    s700 = k[40]
-    s706 = k[41]
-    s731 = k[42]
-    s764 = k[43]
-    s770 = k[44]
-    s772 = k[45]
-    s774 = k[46]
-    s776 = k[47]
-    s779 = k[48]
-    s760 = k[49]
-    s783 = k[50]
-    s788 = k[51]
-    s791 = k[52]
-    s796 = k[53]
-    s802 = k[54]
-    s804 = k[55]
-    s806 = k[56]
-    s808 = k[57]
-    s810 = k[58]
-    s843 = k[59]
-    s868 = k[60]
-    s870 = k[61]
-    s872 = k[62]
-    s874 = k[63]
-    s905 = k[64]
-    s929 = k[65]
-    s932 = k[66]
-    s934 = k[67]
-    s936 = k[68]
-    R0_33 = k[69]
-    R0_23 = k[70]
-    R0_13 = k[71]
-    s799 = k[72]
-    s800 = k[73]
-    s1140 = k[74]
-    s1141 = k[75]
+    s516 = k[32]
+    s547 = k[33]
+    s552 = k[34]
+    s578 = k[35]
+    s610 = k[36]
+    s615 = k[37]
+    s617 = k[38]
+    s619 = k[39]
+    s621 = k[40]
+    s624 = k[41]
+    s606 = k[42]
+    s628 = k[43]
+    s634 = k[44]
+    s637 = k[45]
+    s643 = k[46]
+    s668 = k[47]
+    s700 = k[48]
+    s706 = k[49]
+    s731 = k[50]
+    s764 = k[51]
+    s770 = k[52]
+    s772 = k[53]
+    s774 = k[54]
+    s776 = k[55]
+    s779 = k[56]
+    s760 = k[57]
+    s783 = k[58]
+    s788 = k[59]
+    s791 = k[60]
+    s796 = k[61]
+    s802 = k[62]
+    s804 = k[63]
+    s806 = k[64]
+    s808 = k[65]
+    s810 = k[66]
+    s843 = k[67]
+    s868 = k[68]
+    s870 = k[69]
+    s872 = k[70]
+    s874 = k[71]
+    s905 = k[72]
+    s929 = k[73]
+    s932 = k[74]
+    s934 = k[75]
+    s936 = k[76]
+    R0_33 = k[77]
+    R0_23 = k[78]
+    R0_13 = k[79]
+    s799 = k[80]
+    s800 = k[81]
+    s1140 = k[82]
+    s1141 = k[83]
     s163 = q + theta
     s164 = math.cos(s163)
     s166 = math.sin(s163)
@@ -890,27 +893,27 @@ def _sphere(x, q, tool, k, out):
     q = q
     theta = k[0]
     s219 = k[7]
-    s1166 = k[76]
-    s1168 = k[77]
-    s1170 = k[78]
-    s1172 = k[79]
-    ez = k[80]
-    s1184 = k[81]
+    s1166 = k[24]
+    s1168 = k[25]
+    s1170 = k[26]
+    s1172 = k[27]
+    ez = k[28]
+    s1185 = k[84]
     s163 = q + theta
     s164 = math.cos(s163)
-    s1169 = s1166*s164 + s1168 + tx
-    s1173 = s1170*s164 + s1172 + ty
-    s1175 = ez + s219*math.sin(s163) + tz
-    s1185 = 0.5*(s1169 * s1169) + 0.5*(s1173 * s1173) + 0.5*(s1175 * s1175) + s1184
-    out[0] = s1169
-    out[1] = s1173
-    out[2] = s1175
-    out[3] = s1185
+    s1212 = -s1166 - s1168*s164 + tx
+    s1214 = -s1170 - s1172*s164 + ty
+    s1216 = ez + s219*math.sin(s163) + tz
+    s1223 = s1185 + 0.5*(s1212 * s1212) + 0.5*(s1214 * s1214) + 0.5*(s1216 * s1216)
+    out[0] = s1212
+    out[1] = s1214
+    out[2] = s1216
+    out[3] = s1223
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def _turn(x, q, tool, k, out):
-    """Joint of the simplified limb at a given position (37 operations)."""
+    """Joint of the simplified limb at a given position (36 operations)."""
     px = x[0]
     py = x[1]
     pz = x[2]
@@ -918,23 +921,23 @@ def _turn(x, q, tool, k, out):
     ty = tool[1]
     tz = tool[2]
     theta = k[0]
-    s1166 = k[76]
-    s1168 = k[77]
-    s1170 = k[78]
-    s1172 = k[79]
-    ez = k[80]
-    s1204 = k[82]
-    s1211 = k[83]
-    s1216 = k[84]
-    s1186 = px - s1168 - tx
-    s1188 = py - s1172 - ty
-    s1190 = -s1166*s1186 - s1170*s1188
-    s1192 = -ez + pz - tz
-    s1193 = (s1192 * s1192)
-    s1205 = 0.5*(s1186 * s1186) + 0.5*(s1188 * s1188) + 0.5*s1193 + s1204
-    s1214 = math.sqrt((s1190 * s1190) + s1193*s1211 - (s1205 * s1205))
-    s1223 = -theta + math.atan2(-s1190*s1214 + s1192*s1205*s1216, -s1190*s1205 - s1192*s1214*s1216)
-    out[0] = s1223
+    s1166 = k[24]
+    s1168 = k[25]
+    s1170 = k[26]
+    s1172 = k[27]
+    ez = k[28]
+    s1191 = k[29]
+    s1198 = k[30]
+    s1203 = k[31]
+    s1167 = px + s1166 - tx
+    s1171 = py + s1170 - ty
+    s1174 = s1167*s1168 + s1171*s1172
+    s1176 = -ez + pz - tz
+    s1177 = (s1176 * s1176)
+    s1192 = 0.5*(s1167 * s1167) + 0.5*(s1171 * s1171) + 0.5*s1177 + s1191
+    s1201 = math.sqrt((s1174 * s1174) + s1177*s1198 - (s1192 * s1192))
+    s1210 = -theta + math.atan2(-s1174*s1201 + s1176*s1192*s1203, -s1174*s1192 - s1176*s1201*s1203)
+    out[0] = s1210
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -1164,3 +1167,388 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
                 for j in range(2):
                     total += unit[r, 2 * i + j] * J_q[2 * i + j]
                 S_q[n, r, i] = total if status[n] == SOLVED else np.nan
+
+
+def linear_constants(p):
+    """Return k (M, 3, 35), what `linear` reads that no pose changes, from p (81 operations).
+
+    p is that of the calibrated machine: its geometry is taken as nominal, its errors as what to compensate.
+    """
+    k = np.zeros((p.shape[0], 3, 35))
+    b = p[..., 0]
+    a = p[..., 1]
+    L = p[..., 2]
+    l = p[..., 3]
+    c = p[..., 4]
+    phi = p[..., 5]
+    theta = p[..., 6]
+    ex = p[..., 7]
+    ey = p[..., 8]
+    ez = p[..., 9]
+    dL = p[..., 10]
+    alpha0 = p[..., 11]
+    beta0 = p[..., 12]
+    dl_mean = p[..., 13]
+    dl = p[..., 14]
+    dc = p[..., 15]
+    alpha03 = p[..., 16]
+    beta03 = p[..., 17]
+    alpha2 = p[..., 18]
+    beta2 = p[..., 19]
+    tip_v = p[..., 20]
+    tip_w = p[..., 21]
+    R0_11 = np.cos(phi)
+    s1 = np.sin(phi)
+    R0_11_errors = -beta0*s1
+    R0_12_errors = alpha0*s1
+    R0_13 = np.sin(phi)
+    R0_13_errors = R0_11*beta0
+    R0_21 = np.sin(phi)
+    R0_21_errors = R0_11*beta0
+    R0_22_errors = -R0_11*alpha0
+    R0_23_errors = beta0*s1
+    g_x_errors = 0.5*beta2*c
+    g_y_errors = -0.5*alpha2*c
+    g_z = 0.5*c
+    g_z_errors = 0.5*dc
+    h_x = 0.5*c*s1
+    h_x_errors = 0.5*R0_11*beta0*c - 0.5*R0_11*beta03*c
+    h_y = -0.5*R0_11*c
+    h_y_errors = 0.5*beta0*c*s1 - 0.5*beta03*c*s1
+    h_z_errors = -0.5*alpha0*c + 0.5*alpha03*c
+    B_x = R0_11*b
+    B_y = b*s1
+    s58 = R0_13*tip_w + ex
+    s67 = -R0_11*tip_w + ey
+    s75 = R0_11*a
+    s77 = a*s1
+    s87 = R0_13*g_z_errors + R0_13_errors*g_z
+    s94 = -R0_11*g_z_errors + R0_23_errors*g_z
+    s98 = -alpha0*g_z
+    s106 = -B_x + s75
+    s108 = -L*R0_11
+    s110 = -B_y + s77
+    s112 = -L*s1
+    s124 = (L * L)
+    s129 = -0.5*(l * l) + 0.5*s124*((R0_11 * R0_11) + (s1 * s1))
+    s148 = -dl_mean*l
+    s149 = -0.5*dl*l
+    s150 = s148 + s149
+    s169 = s148 - s149
+    k[..., 0] = s106
+    k[..., 1] = s108
+    k[..., 2] = s110
+    k[..., 3] = s112
+    k[..., 4] = s129
+    k[..., 5] = s124
+    k[..., 6] = L
+    k[..., 7] = R0_11
+    k[..., 8] = R0_11_errors
+    k[..., 9] = R0_12_errors
+    k[..., 10] = theta
+    k[..., 11] = R0_21
+    k[..., 12] = R0_21_errors
+    k[..., 13] = R0_22_errors
+    k[..., 14] = B_x
+    k[..., 15] = dL
+    k[..., 16] = tip_v
+    k[..., 17] = s58
+    k[..., 18] = B_y
+    k[..., 19] = s67
+    k[..., 20] = ez
+    k[..., 21] = s75
+    k[..., 22] = s77
+    k[..., 23] = g_x_errors
+    k[..., 24] = g_y_errors
+    k[..., 25] = s87
+    k[..., 26] = s94
+    k[..., 27] = s98
+    k[..., 28] = h_x_errors
+    k[..., 29] = h_y_errors
+    k[..., 30] = h_z_errors
+    k[..., 31] = s150
+    k[..., 32] = h_y
+    k[..., 33] = h_x
+    k[..., 34] = s169
+    return k
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _nominal_turn(x, q, tool, k, out):
+    """Joint of the nominal limb at a given position (34 operations)."""
+    px = x[0]
+    py = x[1]
+    pz = x[2]
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    s106 = k[0]
+    s108 = k[1]
+    s110 = k[2]
+    s112 = k[3]
+    s129 = k[4]
+    s124 = k[5]
+    L = k[6]
+    A_z = pz - tz
+    s107 = px + s106 - tx
+    s111 = py + s110 - ty
+    s114 = s107*s108 + s111*s112
+    s116 = (A_z * A_z)
+    s130 = 0.5*(s107 * s107) + 0.5*(s111 * s111) + 0.5*s116 + s129
+    s134 = math.sqrt((s114 * s114) + s116*s124 - (s130 * s130))
+    s141 = math.atan2(A_z*L*s130 - s114*s134, -A_z*L*s134 - s114*s130)
+    out[0] = s141
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _linear(x, q, tool, k, out):
+    """Per rod of one nominal limb: change of the closure by all errors, its derivatives by the rotation, by the joint (124 operations)."""
+    px = x[0]
+    py = x[1]
+    pz = x[2]
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    q = q
+    L = k[6]
+    R0_11 = k[7]
+    R0_11_errors = k[8]
+    R0_12_errors = k[9]
+    theta = k[10]
+    R0_21 = k[11]
+    R0_21_errors = k[12]
+    R0_22_errors = k[13]
+    B_x = k[14]
+    dL = k[15]
+    tip_v = k[16]
+    s58 = k[17]
+    B_y = k[18]
+    s67 = k[19]
+    ez = k[20]
+    s75 = k[21]
+    s77 = k[22]
+    g_x_errors = k[23]
+    g_y_errors = k[24]
+    s87 = k[25]
+    s94 = k[26]
+    s98 = k[27]
+    h_x_errors = k[28]
+    h_y_errors = k[29]
+    h_z_errors = k[30]
+    s150 = k[31]
+    h_y = k[32]
+    h_x = k[33]
+    s169 = k[34]
+    s27 = math.cos(q)
+    s28 = R0_11*s27
+    s29 = math.sin(q)
+    s30 = -R0_11*s29
+    R1_11_errors = R0_11_errors*s27 + R0_12_errors*s29 + s30*theta
+    s39 = R0_21*s27
+    s40 = -R0_21*s29
+    R1_21_errors = R0_21_errors*s27 + R0_22_errors*s29 + s40*theta
+    R1_31_errors = s27*theta
+    C_x = B_x + L*s28
+    C_x_q = L*s30
+    C_x_errors = L*R1_11_errors + dL*s28 + s30*tip_v + s58
+    C_y = B_y + L*s39
+    C_y_q = L*s40
+    C_y_errors = L*R1_21_errors + dL*s39 + s40*tip_v + s67
+    C_z_q = L*s27
+    C_z_errors = L*R1_31_errors + dL*s29 + ez + s27*tip_v
+    s76 = s75 - tx
+    s78 = s77 - ty
+    A_x = px + s76
+    A_y = py + s78
+    A_z = pz - tz
+    c1_x_errors = g_x_errors*s28 + g_y_errors*s30 + s87
+    c1_y_errors = g_x_errors*s39 + g_y_errors*s40 + s94
+    c1_z_errors = g_x_errors*s29 + g_y_errors*s27 + s98
+    d_x = A_x - C_x
+    d_y = A_y - C_y
+    d_z = A_z - L*s29
+    s_x_errors = -c1_x_errors + h_x_errors
+    s_y_errors = -c1_y_errors + h_y_errors
+    s_z_errors = -c1_z_errors + h_z_errors
+    s142 = -C_x_errors*d_x
+    s143 = -C_y_errors*d_y
+    s144 = -C_z_errors*d_z
+    s145 = d_x*s_x_errors
+    s146 = d_y*s_y_errors
+    s147 = d_z*s_z_errors
+    s151 = s142 + s143 + s144 + s145 + s146 + s147 + s150
+    s152 = d_y*tz
+    s153 = d_z*s78
+    s154 = d_z*h_y
+    s155 = s152 + s153 + s154
+    s156 = -d_x*tz
+    s157 = -d_z*s76
+    s158 = -d_z*h_x
+    s159 = s156 + s157 + s158
+    s160 = -d_x*s78
+    s161 = d_y*s76
+    s162 = -d_x*h_y
+    s163 = d_y*h_x
+    s164 = s160 + s161 + s162 + s163
+    s168 = -C_x_q*d_x - C_y_q*d_y - C_z_q*d_z
+    s170 = s142 + s143 + s144 - s145 - s146 - s147 + s169
+    s171 = s152 + s153 - s154
+    s172 = s156 + s157 - s158
+    s173 = s160 + s161 - s162 - s163
+    out[0] = s151
+    out[4] = s155
+    out[5] = s159
+    out[6] = s164
+    out[7] = s168
+    out[8] = s170
+    out[12] = s171
+    out[13] = s172
+    out[14] = s173
+    out[15] = s168
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _hold(work):
+    """Solve for the changes of joints and rotation that undo the closures while the reference point stays in place.
+
+    work: per rod closure, its derivatives by the platform and by the joint; then room for the reduced equations; then
+    the changes. A limb's joint is eliminated with the rod that feels it most; what is left are 3 equations for the
+    rotation. Returns False where a joint is felt by no rod of its limb, or the rotation is not held.
+    """
+    largest = 0.0
+    for row in range(6):
+        for c in range(4, 8):
+            largest = max(largest, abs(work[8 * row + c]))
+    smallest = PIVOT_SINGULAR * largest
+    target = 48
+    for i in range(3):
+        best = 16 * i
+        for j in range(1, 2):
+            if abs(work[16 * i + 8 * j + 7]) > abs(work[best + 7]):
+                best = 16 * i + 8 * j
+        if not abs(work[best + 7]) > smallest:
+            return False
+        inverse = 1.0 / work[best + 7]
+        for j in range(2):
+            rod = 16 * i + 8 * j
+            if rod != best:
+                factor = work[rod + 7] * inverse
+                for c in range(3):
+                    work[target + c] = work[rod + 4 + c] - factor * work[best + 4 + c]
+                work[target + 3] = work[rod] - factor * work[best]
+                target += 4
+        # the joint's own equation, left to the end: closure and rotation over the joint's derivative
+        for c in range(3):
+            work[16 * i + 4 + c] = work[best + 4 + c] * inverse
+        work[60 + i] = work[best] * inverse
+    for c in range(3):
+        pivot = 48 + 4 * c
+        for r in range(c + 1, 3):
+            if abs(work[48 + 4 * r + c]) > abs(work[pivot + c]):
+                pivot = 48 + 4 * r
+        row = 48 + 4 * c
+        if not abs(work[pivot + c]) > smallest:
+            return False
+        if pivot != row:
+            for j in range(c, 4):
+                work[row + j], work[pivot + j] = work[pivot + j], work[row + j]
+        inverse = 1.0 / work[row + c]
+        for r in range(c + 1, 3):
+            below = 48 + 4 * r
+            factor = work[below + c] * inverse
+            for j in range(c + 1, 4):
+                work[below + j] -= factor * work[row + j]
+    for c in range(2, -1, -1):
+        row = 48 + 4 * c
+        total = work[row + 3]
+        for j in range(c + 1, 3):
+            total -= work[row + j] * work[63 + j]
+        work[63 + c] = total / work[row + c]
+    for i in range(3):
+        for c in range(3):
+            work[60 + i] -= work[16 * i + 4 + c] * work[63 + c]
+    return True
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def exact_command(target, tool, k, work, q):
+    """Fill the joints q (3,) that bring the reference point to target (3,); return the status.
+
+    `inverse` for one pose, to be called from a servo loop: tool (3,), k (3, :), scratch work (COMMAND_WORK,).
+    q is NaN unless SOLVED.
+    """
+    pose = work[66:]
+    for c in range(3):
+        pose[c] = target[c]
+    for c in range(3):
+        pose[3 + c] = 0.0
+    status = SOLVED
+    for i in range(3):
+        _turn(pose, 0.0, tool, k[i], work)
+        q[i] = work[0]
+        if not math.isfinite(q[i]):
+            status = UNREACHABLE
+    if status == SOLVED:
+        status = UNREACHABLE
+        for _ in range(MAX_STEPS):
+            for i in range(3):
+                _newton(pose, q[i], tool, k[i], work[16 * i : 16 * (i + 1)])
+            if not _hold(work):
+                status = SINGULAR
+                break
+            size = 0.0
+            for i in range(3):
+                q[i] -= work[60 + i]
+                size = max(size, abs(work[60 + i]))
+            for c in range(3):
+                pose[3 + c] -= work[63 + c]
+                size = max(size, abs(work[63 + c]))
+            if size < COMMAND_DONE:
+                status = SOLVED
+                break
+            if not size < STEP_LOST:
+                break
+    if status != SOLVED:
+        for i in range(3):
+            q[i] = np.nan
+    return status
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def linear_command(target, tool, k, work, q):
+    """Fill the joints q (3,) that bring the reference point to target (3,) to first order in the errors; return the status.
+
+    Bai's eqs. (23) and (25): the nominal joints of the target, and the change that keeps the reference point where it
+    is, to first order, when the errors appear. tool (3,), k (3, 35) from `linear_constants`, scratch work
+    (COMMAND_WORK,). q is NaN unless SOLVED.
+    """
+    status = SOLVED
+    for i in range(3):
+        _nominal_turn(target, 0.0, tool, k[i], work)
+        q[i] = work[0]
+        if not math.isfinite(q[i]):
+            status = UNREACHABLE
+    if status == SOLVED:
+        for i in range(3):
+            _linear(target, q[i], tool, k[i], work[16 * i : 16 * (i + 1)])
+        if not _hold(work):
+            status = SINGULAR
+    for i in range(3):
+        q[i] = q[i] - work[60 + i] if status == SOLVED else np.nan
+    return status
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def exact_commands(target, tool, k, q, status):
+    """Fill joints q (N, 3) and status (N,) by `exact_command`; target and tool (N, 3), k (M, 3, :)."""
+    work = np.zeros(COMMAND_WORK)
+    for n in range(target.shape[0]):
+        status[n] = exact_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def linear_commands(target, tool, k, q, status):
+    """Fill joints q (N, 3) and status (N,) by `linear_command`; target and tool (N, 3), k (M, 3, :)."""
+    work = np.zeros(COMMAND_WORK)
+    for n in range(target.shape[0]):
+        status[n] = linear_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])

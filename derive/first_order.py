@@ -1,0 +1,78 @@
+"""The machine to first order in its errors, about its nominal geometry: what a linear compensator needs.
+
+Every step of the derivation is taken at its nominal value (errors, deflections and the platform's rotation at zero),
+and beside it stand its rates along a few directions: the joint, each rotation of the platform, and the errors
+themselves, all at once. Rates pass from step to step by the chain rule, up to the closure.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy as sp
+
+from derive.closed_form import inverse_turn
+from derive.graph import Graph, Steps, expand_steps
+from derive.lower import Kernel, Lowering, Text
+from derive.printer import python
+from derive.spec import LimbMechanism
+
+
+def _rate(expr: sp.Expr, rates: Mapping[sp.Symbol, sp.Expr], nominal: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+    moving = sorted(expr.free_symbols & set(rates), key=str)
+    return sp.Add(*(sp.diff(expr, s).xreplace(nominal) * rates[s] for s in moving))
+
+
+def first_order(mechanism: LimbMechanism) -> tuple[Steps, list[dict[str, sp.Expr]]]:
+    """Return the steps at nominal geometry with their rates, and the rates of each closure by direction.
+
+    Directions: the names of the joint and of the rotation's components, and ``errors`` (errors and deflections).
+    """
+    rotation = [quantity.symbol for quantity in mechanism.platform[3:]]
+    errors = [quantity.symbol for quantity in (*mechanism.errors, *mechanism.deflections)]
+    nominal = dict.fromkeys((*rotation, *errors), sp.Integer(0))
+    rates: dict[str, dict[sp.Symbol, sp.Expr]] = {str(s): {s: sp.Integer(1)} for s in (mechanism.joint.symbol, *rotation)}
+    rates["errors"] = {s: s for s in errors}
+    steps: list[tuple[sp.Symbol, sp.Expr]] = []
+    for symbol, expr in mechanism.steps:
+        at = expr.xreplace(nominal)
+        # what vanishes on every nominal machine (the rods of a pair are parallel) is zero, not a rounding error
+        steps.append((symbol, sp.Integer(0) if sp.expand(expand_steps(at, steps)) == 0 else at))
+        for direction, known in rates.items():
+            if (rate := _rate(expr, known, nominal)) != 0:
+                known[symbol] = sp.Symbol(f"{symbol}_{direction}", real=True)
+                steps.append((known[symbol], rate))
+    closures = [{d: _rate(e, known, nominal) for d, known in rates.items()} for e in mechanism.loop_closure]
+    return steps, closures
+
+
+def linear(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kernel]:
+    """Lower the first-order machine to kernels, by name: `linear`, `nominal_turn`, `linear_constants`.
+
+    `linear` has the layout of `newton`: per rod the closure's change by all errors, its derivatives by the platform
+    (those by the position, which a compensator holds, are left out) and by the joint. All read the rows of parameters
+    of the *calibrated* machine: geometry is taken as nominal, errors as what to compensate.
+    """
+    platform = [quantity.symbol for quantity in mechanism.platform]
+    joint = mechanism.joint.symbol
+    errors = [quantity.symbol for quantity in (*mechanism.errors, *mechanism.deflections)]
+    inputs = {s: f"x[{j}]" for j, s in enumerate(platform)}
+    inputs |= {s.symbol: f"tool[{j}]" for j, s in enumerate(mechanism.tool)}
+    inputs |= {joint: "q"}
+    parameters = {s.symbol: f"p[{j}]" for j, s in enumerate(mechanism.limb_parameters)}
+    steps, closures = first_order(mechanism)
+    lowering = Lowering(Graph(steps, invariant=parameters), parameters, inputs, text=text)
+    rows: list[sp.Expr] = []
+    for rate in closures:
+        rows += [rate["errors"], *(sp.Integer(0) for _ in platform[:3]), *(rate[str(s)] for s in platform[3:]), rate[str(joint)]]
+    turn = inverse_turn(mechanism).xreplace(dict.fromkeys(errors, sp.Integer(0)))
+    kernels = [
+        lowering.kernel("nominal_turn", "joint of the nominal limb at a given position", [turn]),
+        lowering.kernel(
+            "linear",
+            "per rod of one nominal limb: change of the closure by all errors, its derivatives by the rotation, by the joint",
+            rows,
+        ),
+        lowering.constants("linear_constants", "what `linear` reads that no pose changes"),
+    ]
+    return {kernel.name: kernel for kernel in kernels}

@@ -1,0 +1,441 @@
+"""The one estimation problem: exact readings of a machine with errors, seen by an instrument with unknowns.
+
+Every task is the same weighted nonlinear least squares over parameters `p` and instrument `m`: Gauss-Newton on the
+exact closure with analytic Jacobians. The instrument's unknowns are eliminated by projection in every step, so that a
+solver's rule for weak directions acts on the machine's parameters only; a parameter that the data do not see stays at
+the robot file's value.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+
+import numpy as np
+
+from deltacal_gen.errors import InputError, NoSolutionError
+from deltacal_gen.measurement import Instrument, Readings, readings, start
+from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, load_mechanism
+from deltacal_gen.recording import Recording
+from deltacal_gen.robot import Robot
+from deltacal_gen.solvers import LeastSquares, Solution, Solver
+
+MAX_ITERATIONS = 40
+CONVERGED = 1e-6  # of chi2: what a last step could still gain; parameters then stand within 1e-3 of their deviation
+STEP_LIMIT = 30.0  # of an ordinary error: a longer step at once is no correction but a loss of direction
+TRIALS = 12
+STEP_LIMIT = 30.0  # of an ordinary error: a longer step at once is no correction but a loss of direction
+HALVINGS = 12
+SMALLEST_SIGMA = 1e-10  # mm and rad: noise below rounding is taken for this
+HUBER = 2.5  # standard deviations beyond which a reading's pull stops growing
+GROSS = 6.0  # standard deviations beyond which a reading is listed as a gross error
+
+
+@dataclass(frozen=True)
+class Linearised:
+    """Residuals and Jacobians of all readings at one state; rows (R, k), NaN where a component was not read."""
+
+    residual: Array
+    J_p: Array
+    J_m: Array
+
+
+@dataclass(frozen=True)
+class Problem:
+    """A robot, its readings, and which parameters are free.
+
+    Attributes
+    ----------
+    names : tuple of str
+        Free parameters, in the order of the columns.
+    scale : (n,) array
+        Ordinary size of each, or the standard deviation of its prior [mm, rad].
+    reference : (n_p,) array
+        Errors of the robot file, from which the free ones depart [mm, rad].
+    q : (N, n_q) array
+        Joints as the geometry counts them (the controller's signs applied).
+    tool : (N, 3) array
+    """
+
+    robot: Robot
+    mechanism: Mechanism
+    recording: Recording
+    readings: Readings
+    names: tuple[str, ...]
+    scale: Array
+    reference: Array
+    q: Array
+    tool: Array
+
+    @property
+    def columns(self) -> list[int]:
+        """Index of each free parameter among all of the mechanism's."""
+        return [self.mechanism.index[n] for n in self.names]
+
+    def poses(self, errors: Array) -> Array:
+        """Return the exact platform coordinates (N, n_x) of all rows.
+
+        Raises
+        ------
+        InputError
+            A row that readings refer to has no pose: out of reach or singular.
+        """
+        x, status = self.mechanism.forward(self.q, self.tool, self.mechanism.rows(self.robot, errors))
+        used = np.unique(self.readings.rows)
+        bad = used[status[used] != SOLVED]
+        if len(bad):
+            raise InputError(
+                f"at these joints the machine is {STATUS[int(status[bad[0]])]}"
+                + (f" (and at {len(bad) - 1} more rows)." if len(bad) > 1 else "."),
+                "Check the joint columns, their signs and units, and the robot's lengths.",
+                file=self.recording.path,
+                line=int(self.recording.line[bad[0]]),
+            )
+        return np.where(np.isfinite(x), x, 0.0)
+
+    def linearise(self, errors: Array, instrument: Instrument, x: Array | None = None) -> Linearised:
+        """Return residuals and Jacobians at errors (n_p,) and an instrument's state."""
+        x = self.poses(errors) if x is None else x
+        used = np.unique(self.readings.rows)
+        dx = np.zeros((len(x), self.mechanism.n_x, len(self.names)))
+        rows = self.mechanism.rows(self.robot, errors)
+        sensitivity = self.mechanism.sensitivity(x[used], self.q[used], self.tool[used], rows)
+        dx[used] = sensitivity.parameters[:, :, self.columns]
+        if not np.isfinite(dx).all():
+            row = int(used[~np.isfinite(dx[used]).all(axis=(1, 2))][0])
+            raise InputError(
+                "at these joints the machine is singular.",
+                "Remove the row.",
+                file=self.recording.path,
+                line=int(self.recording.line[row]),
+            )
+        J_p, J_m = instrument.linearise(self.readings, x, dx)
+        return Linearised(instrument.residual(self.readings, x), J_p, J_m)
+
+    def begin(self, errors: Array) -> Instrument:
+        """Return the instrument's first state for a machine with `errors`."""
+        return start(self.readings, self.recording, self.robot, self.poses(errors))
+
+    def subset(self, chosen: np.ndarray) -> Problem:
+        """Return the problem with these readings only."""
+        return dataclasses.replace(self, readings=self.readings.subset(chosen))
+
+    def with_names(self, names: Sequence[str]) -> Problem:
+        """Return the problem with other free parameters, in their ordinary scale."""
+        index = [self.mechanism.index[n] for n in names]
+        return dataclasses.replace(self, names=tuple(names), scale=self.mechanism.typical[index])
+
+
+def pose_problem(
+    robot: Robot, recording: Recording, names: Sequence[str], *, as_distance: bool = False, found: Readings | None = None
+) -> Problem:
+    """Return the estimation problem of a recording for a set of free parameters."""
+    mechanism = load_mechanism(robot.mechanism)
+    tool = np.broadcast_to(robot.tool, (recording.n_rows, 3)).copy()
+    if recording.tool is not None:
+        tool = np.where(np.isfinite(recording.tool), recording.tool, tool)
+    if recording.kind == "gauge" and recording.measurement.platform_point_mm is not None and recording.tool is None:
+        tool[:] = recording.measurement.platform_point_mm
+    return Problem(
+        robot=robot,
+        mechanism=mechanism,
+        recording=recording,
+        readings=readings(recording, as_distance=as_distance) if found is None else found,
+        names=tuple(names),
+        scale=mechanism.typical[[mechanism.index[n] for n in names]],
+        reference=mechanism.vector(robot.errors),
+        q=robot.joint_sign * recording.joints,
+        tool=tool,
+    )
+
+
+@dataclass(frozen=True)
+class Repeats:
+    """Readings of one pose share what their pose has in common: an error of re-aiming, of the machine, of the model.
+
+    With `n` readings of a pose, variance 1 within and `ratio` between poses, the pose's mean has the variance
+    ``ratio + 1/n``: more readings of the same pose do not make it any surer. The rows are whitened by taking the part
+    ``1 - 1/sqrt(1 + n ratio)`` of the pose's mean off each reading (quasi-demeaning, generalised least squares of a
+    random-effects model).
+    """
+
+    group: np.ndarray
+    ratio: float = 0.0
+
+    def whiten(self, values: Array) -> Array:
+        """Return rows (R, ...) with the shared part of each group taken off."""
+        if self.ratio == 0:
+            return values
+        count = np.bincount(self.group)
+        sums = np.zeros((len(count), *values.shape[1:]))
+        np.add.at(sums, self.group, values)
+        part = (1 - 1 / np.sqrt(1 + count * self.ratio)) / np.maximum(count, 1)
+        whitened: Array = values - (part.reshape(-1, *[1] * (values.ndim - 1)) * sums)[self.group]
+        return whitened
+
+    @staticmethod
+    def ratio_of(residual: Array, group: np.ndarray) -> tuple[float, float, int]:
+        """Return (variance between / within, variance within, degrees of freedom within) of residuals (R, k)."""
+        count = np.bincount(group)
+        several = count[group] > 1
+        degrees = int((count[count > 1] - 1).sum()) * residual.shape[1]
+        if degrees < 6:
+            return 0.0, 0.0, degrees
+        sums = np.zeros((len(count), residual.shape[1]))
+        np.add.at(sums, group, residual)
+        means = sums / np.maximum(count, 1)[:, None]
+        within = float(((residual - means[group])[several] ** 2).sum() / degrees)
+        excess = (means[count > 0] ** 2).mean() - within * (1 / count[count > 0]).mean()
+        return float(max(excess, 0.0) / max(within, SMALLEST_SIGMA**2)), within, degrees
+
+
+@dataclass(frozen=True)
+class Fit:
+    """A fitted machine and instrument.
+
+    Attributes
+    ----------
+    errors : (n_p,) array
+        All source errors of the mechanism [mm, rad].
+    residual : (R, k) array
+        Measured minus predicted, NaN where a component was not read.
+    weights : (R,) array
+        Robust weight of each reading, 1 where it counts fully.
+    sigma : (k,) array
+        Estimated noise of each component [mm, rad].
+    solution : Solution
+        Of the last step, in scaled parameters.
+    covariance : (n + n_m, n + n_m) array
+        Joint, of the free parameters and the instrument's unknowns [mm, rad].
+    history : list of float
+        What each iteration could still gain in chi2.
+    """
+
+    problem: Problem
+    errors: Array
+    instrument: Instrument
+    residual: Array
+    weights: Array
+    sigma: Array
+    solution: Solution
+    covariance: Array
+    repeats: Repeats
+    history: list[float] = field(default_factory=list)
+
+    @property
+    def gross(self) -> np.ndarray:
+        """Readings (indices) so far off that they are gross errors, not noise."""
+        size = np.nanmax(np.abs(self.residual) / self.sigma, axis=1)
+        return np.flatnonzero(size > GROSS)
+
+    def rms(self) -> float:
+        """RMS of the residuals of length, each measured scalar once, gross errors left out [mm]."""
+        return rms(np.delete(self.residual, self.gross, axis=0))
+
+
+def rms(residual: Array) -> float:
+    """Return the RMS of the components of length of residuals (R, k) [mm]."""
+    lengths = residual[:, :3]
+    return float(np.sqrt(np.mean(lengths[np.isfinite(lengths)] ** 2))) if np.isfinite(lengths).any() else float("nan")
+
+
+def fit(
+    problem: Problem,
+    solver: Solver | None = None,
+    *,
+    errors: Array | None = None,
+    instrument: Instrument | None = None,
+    robust: bool = True,
+    repeats: bool = True,
+) -> Fit:
+    """Fit a machine's parameters and the instrument to readings, exactly.
+
+    Parameters
+    ----------
+    problem : Problem
+    solver : Solver, optional
+        Rule for weak directions; default `LeastSquares`.
+    errors : (n_p,) array, optional
+        Where to start; default the robot file's.
+    instrument : Instrument, optional
+        Where to start; default aligned with the machine there.
+    robust : bool
+        Huber weights per reading: a few per cent of gross errors do not move the result.
+    repeats : bool
+        Weigh repeated readings of a pose by what they share (see `Repeats`).
+
+    Raises
+    ------
+    NoSolutionError
+        The iteration did not converge; the message gives the last steps.
+    InputError
+        A pose cannot be reached with the joints given.
+    """
+    solver = LeastSquares() if solver is None else solver
+    errors = problem.reference.copy() if errors is None else errors.copy()
+    x = problem.poses(errors)
+    if instrument is None:
+        instrument = start(problem.readings, problem.recording, problem.robot, x)
+    n_m = instrument.n_unknown
+    shared = Repeats(problem.readings.group)
+    history: list[float] = []
+    degrees = float(n_m + min(len(problem.names), 1))
+    damping = 0.0
+    while True:
+        state = problem.linearise(errors, instrument, x)
+        sigma = _noise(state.residual, degrees, robust)
+        weights = _weights(state.residual, sigma) if robust else np.ones(len(state.residual))
+        if repeats and len(history) == 3:
+            shared = Repeats(problem.readings.group, Repeats.ratio_of(state.residual, problem.readings.group)[0])
+        A_p, A_m, b = _system(state, sigma, weights, shared, problem.scale)
+        # the solver draws towards the reference: it is asked for the whole departure, not for a step
+        departure = (errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
+        Q = np.linalg.qr(A_m)[0] if n_m else np.zeros((len(b), 0))
+        target = b + A_p @ departure
+        solution = solver.solve(A_p - Q @ (Q.T @ A_p), target - Q @ (Q.T @ target))
+        degrees = solution.degrees + n_m
+        history.append(_gain(solution.u - departure, departure, A_p, Q, b, solver.weight or 0.0))
+        if history[-1] < CONVERGED and len(history) > 4:
+            break
+        if len(history) == MAX_ITERATIONS:
+            raise NoSolutionError(
+                f"the fit of {len(problem.names)} parameters did not converge in {MAX_ITERATIONS} iterations: the last "
+                f"ones promised to lower chi2 by {', '.join(f'{h:.1e}' for h in history[-3:])}. Try a smaller model, a "
+                "TSVD or priors."
+            )
+        errors, instrument, x, damping = _damped(
+            problem,
+            (errors, instrument, x),
+            solution,
+            (A_p, A_m, b),
+            partial(_scalars, sigma=sigma, weights=weights, shared=shared),
+            solver.weight,
+            damping,
+        )
+    return Fit(
+        problem=problem,
+        errors=errors,
+        instrument=instrument,
+        residual=state.residual,
+        weights=weights,
+        sigma=sigma,
+        solution=solution,
+        covariance=_joint_covariance(solution, A_p, A_m, problem.scale),
+        repeats=shared,
+        history=history,
+    )
+
+
+def _gain(step: Array, departure: Array, A_p: Array, Q: Array, b: Array, weight: float) -> float:
+    """Return by how much a whole step would lower the objective, were the machine linear."""
+    rest = b - A_p @ step
+    rest, whole = rest - Q @ (Q.T @ rest), departure + step
+    return abs(float(b @ b - rest @ rest + weight * (departure @ departure - whole @ whole)))
+
+
+def _noise(residual: Array, degrees: float, robust: bool) -> Array:
+    """Return the noise (k,) of lengths and of rotations, each from its own residuals, per component."""
+    sigma = np.empty(residual.shape[1])
+    scalars = max(int(np.isfinite(residual).sum()), 1)
+    for part in (slice(0, 3), slice(3, 6)):
+        r = residual[:, part]
+        r = r[np.isfinite(r)]
+        if not r.size:
+            continue
+        spread = max(1.4826 * float(np.median(np.abs(r))), SMALLEST_SIGMA)
+        if robust:  # Huber's proposal 2, one step from the median: efficient on normal noise, bounded on gross errors
+            for _ in range(3):
+                clipped = np.clip(r / spread, -HUBER, HUBER)
+                spread = max(spread * float(np.sqrt(np.mean(clipped**2) / 0.9775)), SMALLEST_SIGMA)
+        else:
+            spread = max(float(np.sqrt(np.mean(r**2))), SMALLEST_SIGMA)
+        sigma[part] = spread * np.sqrt(scalars / max(scalars - degrees, 0.1 * scalars))
+    return sigma
+
+
+def _weights(residual: Array, sigma: Array) -> Array:
+    size = np.sqrt(np.nanmean((residual / sigma) ** 2, axis=1))
+    return np.minimum(1.0, HUBER / np.maximum(size, 1e-300))
+
+
+def _system(
+    state: Linearised, sigma: Array, weights: Array, shared: Repeats, scale: Array
+) -> tuple[Array, Array, Array]:
+    """Return A_p, A_m, b: rows divided by the noise, columns multiplied by the scale, unread components dropped."""
+    w = (np.sqrt(weights)[:, None] / sigma)[..., None]
+    read = np.isfinite(state.residual)
+    stacked = np.concatenate([state.J_p * scale, state.J_m, state.residual[..., None]], axis=2) * w
+    stacked = shared.whiten(np.where(read[..., None], stacked, 0.0))[read]
+    n = len(scale)
+    return stacked[:, :n], stacked[:, n:-1], stacked[:, -1]
+
+
+def _scalars(residual: Array, sigma: Array, weights: Array, shared: Repeats) -> Array:
+    """Return the residuals as `_system` weighs them, unread components as zeros."""
+    return shared.whiten(np.where(np.isfinite(residual), residual, 0.0) * np.sqrt(weights)[:, None] / sigma)
+
+
+def _damped(
+    problem: Problem,
+    state: tuple[Array, Instrument, Array],
+    solution: Solution,
+    system: tuple[Array, Array, Array],
+    whitened: Callable[[Array], Array],
+    weight: float | None,
+    damping: float,
+) -> tuple[Array, Instrument, Array, float]:
+    """Take the step that lowers the objective, damped as far as needed; return the new state and the damping.
+
+    A rule without an objective (a truncation) takes whole steps.
+    """
+    errors, instrument, x = state
+    A_p, A_m, b = system
+    columns, scale = problem.columns, problem.scale
+    departure = (errors[columns] - problem.reference[columns]) / scale
+
+    def objective(at: Array, with_instrument: Instrument, poses: Array) -> float:
+        u = (at[columns] - problem.reference[columns]) / scale
+        r = whitened(with_instrument.residual(problem.readings, poses))
+        return float((r**2).sum() + (weight or 0.0) * (u @ u))
+
+    before = objective(errors, instrument, x)
+    for _ in range(TRIALS):
+        if weight is None:
+            step = solution.u - departure
+            step = step * min(1.0, STEP_LIMIT / max(float(np.max(np.abs(step), initial=0.0)), STEP_LIMIT))
+            step = step / (1.0 + damping)
+        else:
+            step = solution.damped(departure, weight, damping)
+        m_step = np.linalg.lstsq(A_m, b - A_p @ step, rcond=None)[0] if A_m.shape[1] else np.zeros(0)
+        trial = errors.copy()
+        trial[columns] += step * scale
+        moved = instrument.stepped(m_step)
+        try:
+            x_trial = problem.poses(trial)
+        except InputError:
+            damping = max(10 * damping, 1.0)
+            continue
+        if weight is None or objective(trial, moved, x_trial) <= before * (1 + 1e-12):
+            return trial, moved, x_trial, damping / 10 if damping > 1e-2 else 0.0
+        damping = max(10 * damping, 1.0)
+    return errors, instrument, x, damping  # nothing better within rounding
+
+
+def _joint_covariance(solution: Solution, A_p: Array, A_m: Array, scale: Array) -> Array:
+    """Return the covariance of parameters and instrument: ``m = m* - A_m^+ A_p dp``."""
+    C = solution.covariance
+    n, n_m = A_p.shape[1], A_m.shape[1]
+    out = np.zeros((n + n_m, n + n_m))
+    out[:n, :n] = C
+    if n_m:
+        R = np.linalg.qr(A_m, mode="r")
+        inverse = np.linalg.pinv(R)
+        follow = -np.linalg.lstsq(A_m, A_p, rcond=None)[0]
+        out[n:, :n] = follow @ C
+        out[:n, n:] = out[n:, :n].T
+        out[n:, n:] = follow @ C @ follow.T + inverse @ inverse.T
+    full = np.concatenate([scale, np.ones(n_m)])
+    result: Array = out * np.outer(full, full)
+    return result

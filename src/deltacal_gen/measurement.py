@@ -1,0 +1,328 @@
+"""Readings and the instrument that made them: from platform poses to what was measured.
+
+The formulas are generated from ``derive/measurements``; here they are put together with the rows of a recording. An
+`Instrument` is a value: its unknowns are increments of its state, and a step gives a new instrument.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import importlib
+from dataclasses import dataclass
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.mechanism import Array
+from deltacal_gen.recording import Recording
+from deltacal_gen.robot import Robot
+
+KINDS = ("position", "pose", "distance", "gauge")
+
+
+@dataclass(frozen=True)
+class Readings:
+    """What was measured, reading by reading; a reading belongs to one row of the recording, a distance to two.
+
+    Attributes
+    ----------
+    kind : str
+        position, pose, distance or gauge.
+    rows : (R, 1) or (R, 2) int array
+        Rows of the recording.
+    values : (R, k) array
+        Position, distance or length [mm].
+    rotations : (R, 3, 3) array or None
+        Measured rotations; NaN where only the position was read.
+    setup : (R,) int array
+    group : (R,) int array
+        Readings of one group stay together when readings are held out: repeats of a pose, of a pair of poses.
+    line : (R,) int array
+        Line in the file.
+    """
+
+    kind: str
+    rows: np.ndarray
+    values: Array
+    rotations: Array | None
+    setup: np.ndarray
+    group: np.ndarray
+    line: np.ndarray
+
+    def __len__(self) -> int:
+        return len(self.values)
+
+    @property
+    def n_scalars(self) -> int:
+        """Number of scalar readings taken."""
+        turned = 0 if self.rotations is None else 3 * int(np.isfinite(self.rotations[:, 0, 0]).sum())
+        return int(self.values.size) + turned
+
+    def subset(self, chosen: np.ndarray) -> Readings:
+        """Return the readings of an index or mask."""
+        return dataclasses.replace(
+            self,
+            rows=self.rows[chosen],
+            values=self.values[chosen],
+            rotations=None if self.rotations is None else self.rotations[chosen],
+            setup=self.setup[chosen],
+            group=self.group[chosen],
+            line=self.line[chosen],
+        )
+
+
+def readings(recording: Recording, *, as_distance: bool = False) -> Readings:
+    """Return the readings of a recording; blank ones are left out.
+
+    Parameters
+    ----------
+    as_distance : bool
+        Turn positions into the distances of all pairs that share tool point and set-up (Bai 2015, section 3.1).
+
+    Raises
+    ------
+    InputError
+        The recording holds no reading of a kind that can be used here.
+    """
+    kind = recording.kind
+    _, pose = np.unique(recording.pose, return_inverse=True)
+    if kind == "distance" or (recording.pairs is not None and len(recording.pairs)):
+        if recording.pairs is None or recording.pair_measured is None or recording.pair_line is None:
+            raise InputError("no distances between poses are given.", "Add NAME.distances.csv.", file=recording.path)
+        taken = np.isfinite(recording.pair_measured)
+        ends = np.sort(pose[recording.pairs[taken]], axis=1)
+        _, group = np.unique(ends, axis=0, return_inverse=True)
+        return _some(
+            recording,
+            Readings(
+                "distance",
+                recording.pairs[taken],
+                recording.pair_measured[taken, None],
+                None,
+                np.zeros(int(taken.sum()), dtype=int),
+                np.ravel(group),
+                recording.pair_line[taken],
+            ),
+        )
+    if kind not in KINDS:
+        raise InputError(
+            f"readings of the kind '{kind}' cannot be used yet.", f"Kinds: {', '.join(KINDS)}.", file=recording.path
+        )
+    taken = np.flatnonzero(np.isfinite(recording.measured[:, :1 if kind == "gauge" else 3]).all(axis=1))
+    rotations = None
+    if kind == "pose":
+        vectors = recording.measured[taken, 3:6]
+        rotations = np.full((len(taken), 3, 3), np.nan)
+        read = np.isfinite(vectors).all(axis=1)
+        rotations[read] = Rotation.from_rotvec(vectors[read]).as_matrix()
+    found = Readings(
+        kind,
+        taken[:, None],
+        recording.measured[taken, : 1 if kind == "gauge" else 3],
+        rotations,
+        recording.setup[taken],
+        pose[taken],
+        recording.line[taken],
+    )
+    return _some(recording, distances(found, recording) if as_distance and kind in ("position", "pose") else found)
+
+
+def distances(positions: Readings, recording: Recording) -> Readings:
+    """Return the distances of all pairs of positions that share tool point and set-up."""
+    tool = np.zeros((recording.n_rows, 3)) if recording.tool is None else np.nan_to_num(recording.tool)
+    _, point = np.unique(
+        np.column_stack([tool[positions.rows[:, 0]], positions.setup]), axis=0, return_inverse=True
+    )
+    point = np.ravel(point)
+    a, b = np.triu_indices(len(positions), 1)
+    same = point[a] == point[b]
+    a, b = a[same], b[same]
+    gap = np.linalg.norm(positions.values[b] - positions.values[a], axis=1)
+    apart = positions.group[a] != positions.group[b]  # two readings of one pose have no direction between them
+    a, b, gap = a[apart], b[apart], gap[apart]
+    ends = np.sort(np.column_stack([positions.group[a], positions.group[b]]), axis=1)
+    _, group = np.unique(ends, axis=0, return_inverse=True)
+    return Readings(
+        "distance",
+        np.column_stack([positions.rows[a, 0], positions.rows[b, 0]]),
+        gap[:, None],
+        None,
+        positions.setup[a],
+        np.ravel(group),
+        positions.line[b],
+    )
+
+
+def _some(recording: Recording, found: Readings) -> Readings:
+    if len(found) == 0:
+        raise InputError(
+            "every measured cell is blank, so there is nothing to fit.",
+            "Fill the measured columns, or use predict to compute them.",
+            file=recording.path,
+        )
+    return found
+
+
+@dataclass(frozen=True)
+class Instrument:
+    """State of the instrument: one row of `state` per set-up, in the order of the generated `given`.
+
+    Attributes
+    ----------
+    kind : str
+    state : (S, g) array
+    free : tuple of int
+        Which unknowns of the kind are estimated; none of them in a frame that is known.
+    """
+
+    kind: str
+    state: Array
+    free: tuple[int, ...]
+
+    @property
+    def _kernels(self) -> ModuleType:
+        return importlib.import_module(f"deltacal_kernels.measurements.{self.kind}")
+
+    @property
+    def n_unknown(self) -> int:
+        """Number of unknowns, all set-ups together."""
+        return len(self.free) * len(self.state)
+
+    @property
+    def unknown(self) -> tuple[tuple[str, str], ...]:
+        """Name and unit of each unknown, set-up by set-up."""
+        named = [self._kernels.UNKNOWN[j] for j in self.free]
+        several = len(self.state) > 1
+        return tuple(
+            (f"{name}_{s + 1}" if several else name, unit) for s in range(len(self.state)) for name, unit, _ in named
+        )
+
+    def _ends(self, found: Readings, x: Array) -> tuple[Array, ...]:
+        return tuple(x[rows] for rows in found.rows.T)
+
+    def predict(self, found: Readings, x: Array) -> tuple[Array, Array | None]:
+        """Return predicted values (R, k) and, for poses, rotations (R, 3, 3), at platform coordinates x (N, 6)."""
+        ends, given = self._ends(found, x), self.state[found.setup]
+        values: Array = self._kernels.reading(*ends, given)
+        return values, self._kernels.rotation(*ends, given) if self.kind == "pose" else None
+
+    def residual(self, found: Readings, x: Array) -> Array:
+        """Return measured minus predicted, (R, k): mm, and the rotation vector between the rotations in rad."""
+        values, rotations = self.predict(found, x)
+        r = found.values - values
+        if rotations is None or found.rotations is None:
+            return r
+        turned = np.full((len(found), 3), np.nan)
+        read = np.isfinite(found.rotations[:, 0, 0])
+        gap = found.rotations[read] @ np.swapaxes(rotations[read], 1, 2)
+        turned[read] = Rotation.from_matrix(gap).as_rotvec()
+        return np.hstack([r, turned])
+
+    def linearise(self, found: Readings, x: Array, dx: Array) -> tuple[Array, Array]:
+        """Return the derivatives of the readings by parameters and by the instrument's unknowns.
+
+        Parameters
+        ----------
+        dx : (N, 6, n) array
+            Derivatives of the platform coordinates by n parameters.
+
+        Returns
+        -------
+        J_p : (R, k, n) array
+        J_m : (R, k, n_unknown) array
+        """
+        ends, given = self._ends(found, x), self.state[found.setup]
+        by_platform = self._kernels.by_platform(*ends, given)
+        J_p = sum(by_platform[:, :, e] @ dx[rows] for e, rows in enumerate(found.rows.T))
+        J_m = np.zeros((*J_p.shape[:2], len(self.state), len(self.free)))
+        if self.free:
+            own = self._kernels.by_unknown(*ends, given)[:, :, list(self.free)]
+            J_m[np.arange(len(found)), :, found.setup] = own
+        return J_p, J_m.reshape(*J_p.shape[:2], -1)
+
+    def stepped(self, increment: Array) -> Instrument:
+        """Return the instrument after an increment (n_unknown,) of its unknowns."""
+        if not self.n_unknown:
+            return self
+        step = np.zeros((len(self.state), len(self._kernels.UNKNOWN)))
+        step[:, list(self.free)] = np.asarray(increment).reshape(len(self.state), -1)
+        state = self.state.copy()
+        if self.kind == "gauge":
+            state += step
+            return dataclasses.replace(self, state=state)
+        state[:, :9] = (_cayley(step[:, :3]) @ state[:, :9].reshape(-1, 3, 3)).reshape(-1, 9)
+        state[:, 9:12] += step[:, 3:6]
+        if self.kind == "pose":
+            state[:, 12:] = (_cayley(step[:, 6:9]) @ state[:, 12:].reshape(-1, 3, 3)).reshape(-1, 9)
+        return dataclasses.replace(self, state=state)
+
+    def frames(self) -> list[tuple[Array, Array]]:
+        """Return per set-up the rotation vector [rad] and the origin [mm] of {O} in the instrument's frame."""
+        if self.kind not in ("position", "pose"):
+            return []
+        return [(Rotation.from_matrix(s[:9].reshape(3, 3)).as_rotvec(), s[9:12]) for s in self.state]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the state for a result file."""
+        return {"kind": self.kind, "state": self.state.tolist(), "free": list(self.free)}
+
+    @staticmethod
+    def from_dict(data: dict[str, Any]) -> Instrument:
+        """Return the instrument of a result file."""
+        return Instrument(data["kind"], np.asarray(data["state"], dtype=float), tuple(data["free"]))
+
+
+def start(found: Readings, recording: Recording, robot: Robot, x: Array) -> Instrument:
+    """Return the instrument in its first state, from the poses x (N, 6) of the machine as known so far.
+
+    Frames are aligned set-up by set-up (Kabsch); a gauge stands where the sidecar says.
+    """
+    known = recording.measurement.frame == "robot"
+    setups = int(recording.setup.max()) + 1 if found.kind in ("position", "pose") else 1
+    if found.kind == "distance":
+        return Instrument("distance", np.zeros((1, 0)), ())
+    if found.kind == "gauge":
+        base = recording.measurement.base_point_mm or (0.0, 0.0, 0.0)
+        incremental = recording.measurement.zero == "incremental"
+        state = np.array([[*base, 0.0]])
+        instrument = Instrument("gauge", state, (0, 1, 2, 3) if incremental else (0, 1, 2))
+        zero = float(np.median(instrument.residual(found, x))) if incremental else 0.0
+        return dataclasses.replace(instrument, state=np.array([[*base, zero]]))
+    state = np.tile(np.concatenate([np.eye(3).ravel(), np.zeros(3)]), (setups, 1))
+    for s in range(setups) if not known else ():
+        chosen = found.setup == s
+        if not chosen.any():
+            continue
+        P, y = x[found.rows[chosen, 0], :3], found.values[chosen]
+        turn = _align(P - P.mean(axis=0), y - y.mean(axis=0))
+        state[s, :9], state[s, 9:12] = turn.ravel(), y.mean(axis=0) - turn @ P.mean(axis=0)
+    if found.kind == "position":
+        return Instrument("position", state, () if known else tuple(range(6)))
+    body = np.tile(np.eye(3).ravel(), (setups, 1))
+    instrument = Instrument("pose", np.hstack([state, body]), (6, 7, 8) if known else tuple(range(9)))
+    assert found.rotations is not None
+    for s in range(setups):
+        chosen = np.flatnonzero((found.setup == s) & np.isfinite(found.rotations[:, 0, 0]))
+        if len(chosen):
+            part = found.subset(chosen)
+            _, predicted = instrument.predict(part, x)
+            assert part.rotations is not None and predicted is not None
+            body[s] = Rotation.from_matrix(np.swapaxes(predicted, 1, 2) @ part.rotations).mean().as_matrix().ravel()
+    return dataclasses.replace(instrument, state=np.hstack([state, body]))
+
+
+def _cayley(c: Array) -> Array:
+    """Return rotations (S, 3, 3) by Cayley vectors (S, 3), the map in which the increments are defined."""
+    return Rotation.from_quat(np.column_stack([c / 2, np.ones(len(c))])).as_matrix()
+
+
+def _align(a: Array, b: Array) -> Array:
+    """Return the rotation R (3, 3) that minimises |b - R a|^2 (Kabsch)."""
+    if len(a) < 3:
+        return np.eye(3)
+    U, _, Vt = np.linalg.svd(b.T @ a)
+    turn: Array = U @ np.diag([1.0, 1.0, np.sign(np.linalg.det(U @ Vt))]) @ Vt
+    return turn

@@ -1,0 +1,210 @@
+"""Linear least squares as values: what to do with directions that the data hardly see.
+
+Every solver works on the singular values of a matrix whose columns have been scaled to ordinary errors and whose rows
+have been divided by the noise, so that a singular value reads "how many standard deviations an ordinary error in this
+direction moves the readings". A solver is then a rule that gives each direction a factor between 0 (left at the
+nominal value) and 1 (as the data say).
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from scipy import linalg
+
+from deltacal_gen.errors import UsageError
+from deltacal_gen.mechanism import Array
+
+RANK_TOLERANCE = 1e-10  # of the largest singular value: below it a direction is rounding
+
+
+@dataclass(frozen=True)
+class Solution:
+    """Solution of ``min |A u - b|`` under a solver's rule.
+
+    Attributes
+    ----------
+    u : (n,) array
+    singular_values : (min(m, n),) array
+    factors : (min(m, n),) array
+        What the rule left of each direction.
+    V : (n, min(m, n)) array
+        Right singular vectors.
+    c : (min(m, n),) array
+        Coordinates of b along the left singular vectors.
+    covariance : (n, n) array
+        Of u, for rows of unit variance: posterior where a prior acts, of the kept directions otherwise.
+    rule : str
+        What was done, in words.
+    """
+
+    u: Array
+    singular_values: Array
+    factors: Array
+    V: Array
+    c: Array
+    covariance: Array
+    rule: str
+
+    def damped(self, u: Array, weight: float, damping: float) -> Array:
+        """Return the step from `u` towards the solution, every direction damped (Levenberg, Marquardt).
+
+        It minimises ``|A (u + step) - b|^2 + weight |u + step|^2 + damping |step|^2`` on the directions kept.
+        """
+        v, s = self.V.T @ u, self.singular_values
+        down = np.where(self.factors > 0, s * (self.c - s * v) - weight * v, 0.0)
+        step: Array = self.V @ (down / np.where(self.factors > 0, s**2 + weight + damping, 1.0))
+        return step
+
+    @property
+    def degrees(self) -> float:
+        """Effective number of parameters that the data determine."""
+        return float(self.factors.sum())
+
+
+class Solver(Protocol):
+    """A rule for weak directions.
+
+    `weight` is what the rule adds to the sum of squares, per square of u; None where it minimises no objective.
+    """
+
+    @property
+    def weight(self) -> float | None: ...
+
+    def solve(self, A: Array, b: Array) -> Solution:
+        """Return the solution of ``min |A u - b|``, A (m, n) scaled as the module says, b (m,)."""
+        ...
+
+
+def _factored(A: Array, b: Array, rule: Callable[[Array, Array, float], tuple[Array, Array, str]]) -> Solution:
+    U, s, Vt = linalg.svd(A, full_matrices=False, check_finite=False)
+    c = U.T @ b
+    rest = float(b @ b - c @ c)
+    factors, variance, words = rule(s, c, max(rest, 0.0))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        amplitude = np.where(factors > 0, factors * c / s, 0.0)
+    return Solution(Vt.T @ amplitude, s, factors, Vt.T, c, (Vt.T * variance) @ Vt, words)
+
+
+def _kept(s: Array, keep: np.ndarray, words: str) -> tuple[Array, Array, str]:
+    with np.errstate(divide="ignore"):
+        return keep.astype(float), np.where(keep, 1.0 / s**2, 0.0), words
+
+
+@dataclass(frozen=True)
+class LeastSquares:
+    """Least squares of minimum norm: directions below `rcond` of the largest singular value stay at nominal."""
+
+    rcond: float = RANK_TOLERANCE
+
+    @property
+    def weight(self) -> float:
+        """Nothing is added."""
+        return 0.0
+
+    def solve(self, A: Array, b: Array) -> Solution:
+        """See `Solver`."""
+
+        def rule(s: Array, c: Array, rest: float) -> tuple[Array, Array, str]:
+            keep = s > self.rcond * s[0] if len(s) else s > 0
+            return _kept(s, keep, f"least squares, {int(keep.sum())} of {len(s)} directions")
+
+        return _factored(A, b, rule)
+
+
+@dataclass(frozen=True)
+class TSVD:
+    """Truncated SVD (Mei 2018, section 3): the weakest directions stay at nominal.
+
+    Parameters
+    ----------
+    truncation : int or {"discrepancy", "gcv"}
+        How many directions to keep; or the fewest whose residual is no larger than the noise (Morozov), or the
+        number that minimises generalised cross-validation (Golub, Heath, Wahba 1979).
+    """
+
+    truncation: int | str = "gcv"
+
+    def __post_init__(self) -> None:
+        if isinstance(self.truncation, str) and self.truncation not in ("discrepancy", "gcv"):
+            raise UsageError(f"truncation '{self.truncation}' is not known; give a number, 'discrepancy' or 'gcv'.")
+
+    @property
+    def weight(self) -> None:
+        """A truncation minimises no objective."""
+
+    def solve(self, A: Array, b: Array) -> Solution:
+        """See `Solver`."""
+        m = len(b)
+
+        def rule(s: Array, c: Array, rest: float) -> tuple[Array, Array, str]:
+            usable = int((s > RANK_TOLERANCE * s[0]).sum())
+            left = rest + np.concatenate([[c @ c], c @ c - np.cumsum(c**2)])[: usable + 1]
+            if isinstance(self.truncation, int):
+                k = min(self.truncation, usable)
+            elif self.truncation == "discrepancy":
+                small = np.flatnonzero(left <= m)
+                k = int(small[0]) if len(small) else usable
+            else:
+                k = int(np.argmin(left / np.maximum(m - np.arange(usable + 1), 1e-300) ** 2))
+            how = "given" if isinstance(self.truncation, int) else self.truncation
+            return _kept(s, np.arange(len(s)) < k, f"truncated SVD, {k} of {len(s)} directions kept ({how})")
+
+        return _factored(A, b, rule)
+
+
+@dataclass(frozen=True)
+class Ridge:
+    """Ridge (Tikhonov): every parameter drawn to nominal with weight `strength`; None chooses it by GCV."""
+
+    strength: float | None = None
+
+    @property
+    def weight(self) -> float | None:
+        """The square of the strength, where it is given."""
+        return None if self.strength is None else self.strength**2
+
+    def solve(self, A: Array, b: Array) -> Solution:
+        """See `Solver`."""
+        m = len(b)
+
+        def rule(s: Array, c: Array, rest: float) -> tuple[Array, Array, str]:
+            strength = self.strength
+            if strength is None:
+                candidates = s[0] * np.logspace(-10, 0, 81)
+                f = s**2 / (s**2 + candidates[:, None] ** 2)
+                score = (rest + (((1 - f) * c) ** 2).sum(axis=1)) / (m - f.sum(axis=1)) ** 2
+                strength = float(candidates[int(np.argmin(score))])
+            f = s**2 / (s**2 + strength**2)
+            return f, f**2 / np.maximum(s, 1e-300) ** 2, f"ridge, strength {strength:.3g}"
+
+        return _factored(A, b, rule)
+
+
+@dataclass(frozen=True)
+class Prior:
+    """Each parameter is known beforehand to its standard deviation: the columns are scaled to those, A = J sd / sigma.
+
+    The posterior covariance is honest for every direction: where the data say nothing the prior's own is left.
+    """
+
+    words: str = "priors"
+
+    @property
+    def weight(self) -> float:
+        """One: u counts standard deviations off the prior."""
+        return 1.0
+
+    def solve(self, A: Array, b: Array) -> Solution:
+        """See `Solver`."""
+
+        def rule(s: Array, c: Array, rest: float) -> tuple[Array, Array, str]:
+            return s**2 / (s**2 + 1), 1 / (s**2 + 1), self.words
+
+        solution = _factored(A, b, rule)
+        missing = np.eye(A.shape[1]) - solution.V @ solution.V.T  # directions beyond the rows: prior alone
+        return dataclasses.replace(solution, covariance=solution.covariance + missing)
