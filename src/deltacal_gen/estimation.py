@@ -23,7 +23,9 @@ from deltacal_gen.robot import Robot
 from deltacal_gen.solvers import LeastSquares, Solution, Solver
 
 MAX_ITERATIONS = 40
-CONVERGED = 1e-6  # of chi2: what a last step could still gain; parameters then stand within 1e-3 of their deviation
+CONVERGED = 1e-4  # of chi2: what a last step could still gain; parameters then stand within 1e-2 of their deviation
+# a direction that the data hardly see converges slowly where the model bends within its noise: no step of it matters
+PATIENCE, SETTLED = 15, 1e-2
 STEP_LIMIT = 30.0  # of an ordinary error: a longer step at once is no correction but a loss of direction
 TRIALS = 12
 STEP_LIMIT = 30.0  # of an ordinary error: a longer step at once is no correction but a loss of direction
@@ -297,7 +299,7 @@ def fit(
         solution = solver.solve(A_p - Q @ (Q.T @ A_p), target - Q @ (Q.T @ target))
         degrees = solution.degrees + n_m
         history.append(_gain(solution.u - departure, departure, A_p, Q, b, solver.weight or 0.0))
-        if history[-1] < CONVERGED and len(history) > 4:
+        if len(history) > 4 and history[-1] < (CONVERGED if len(history) < PATIENCE else SETTLED):
             break
         if len(history) == MAX_ITERATIONS:
             raise NoSolutionError(

@@ -297,7 +297,7 @@ def start(found: Readings, recording: Recording, robot: Robot, x: Array) -> Inst
         if not chosen.any():
             continue
         P, y = x[found.rows[chosen, 0], :3], found.values[chosen]
-        turn = _align(P - P.mean(axis=0), y - y.mean(axis=0))
+        turn = align(P - P.mean(axis=0), y - y.mean(axis=0))
         state[s, :9], state[s, 9:12] = turn.ravel(), y.mean(axis=0) - turn @ P.mean(axis=0)
     if found.kind == "position":
         return Instrument("position", state, () if known else tuple(range(6)))
@@ -319,7 +319,7 @@ def _cayley(c: Array) -> Array:
     return Rotation.from_quat(np.column_stack([c / 2, np.ones(len(c))])).as_matrix()
 
 
-def _align(a: Array, b: Array) -> Array:
+def align(a: Array, b: Array) -> Array:
     """Return the rotation R (3, 3) that minimises |b - R a|^2 (Kabsch)."""
     if len(a) < 3:
         return np.eye(3)

@@ -109,7 +109,7 @@ def simulate(
         joints = robot.joint_sign * theta
     x, status = mechanism.forward(robot.joint_sign * joints, tool, mechanism.rows(robot, true))
     _all_solved(poses, status, "the pose cannot be simulated")
-    found = _unread(poses)
+    found = unread(poses)
     instrument = _instrument(poses, frame, rng)
     values, rotations = instrument.predict(found, x)
     if (noise_mm or noise_rad) and rng is None:
@@ -143,7 +143,7 @@ def _quaternion(c: Array) -> Array:
     return np.column_stack([c / 2, np.ones(len(c))])
 
 
-def _unread(poses: Recording) -> Readings:
+def unread(poses: Recording) -> Readings:
     """Return the readings that would be taken: every row, or every pair."""
     if poses.kind not in KINDS:
         raise InputError(

@@ -1,0 +1,79 @@
+"""Error measures and check poses (Bai 2015, section 5)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.measurement import align
+from deltacal_gen.mechanism import Array
+from deltacal_gen.robot import Robot, Workspace
+
+
+def workspace_of(robot: Robot) -> Workspace:
+    """Return the robot's cylinder.
+
+    Raises
+    ------
+    InputError
+        The robot file has no workspace with a radius.
+    """
+    if robot.workspace is None or robot.workspace.radius is None:
+        raise InputError(
+            "the robot file has no [workspace] with top, radius and height.",
+            "Add the cylinder in which the machine works.",
+            file=robot.source,
+        )
+    return robot.workspace
+
+
+def circle(workspace: Workspace, depth: float, part: float, n: int, start: float = 0.0) -> Array:
+    """Return n evenly spaced points (n, 3) on a circle of the cylinder [mm].
+
+    Parameters
+    ----------
+    depth : float
+        0 at the top layer, 1 at the bottom.
+    part : float
+        Of the cylinder's radius.
+    start : float
+        Angle of the first point about z [rad].
+    """
+    angle = start + 2 * np.pi * np.arange(n) / n
+    radius = part * (workspace.radius or 0.0)
+    z = -workspace.top - depth * workspace.height
+    return np.column_stack([radius * np.cos(angle), radius * np.sin(angle), np.full(n, z)])
+
+
+def check_poses(workspace: Workspace, per_circle: int = 16) -> Array:
+    """Return the paper's check poses (1 + 6 per_circle, 3): home, then circles of half and full radius in three layers.
+
+    With 16 to a circle these are the 96 poses of Bai 2015, section 5.2, beside the home at the cylinder's centre.
+    """
+    home = np.array([[0.0, 0.0, -workspace.top - workspace.height / 2]])
+    rings = [circle(workspace, depth, part, per_circle) for depth in (0.0, 0.5, 1.0) for part in (0.5, 1.0)]
+    return np.vstack([home, *rings])
+
+
+def distance_error(actual: Array, wanted: Array, home: int = 0) -> Array:
+    """Return the error (N,) of each point's distance from home [mm]: the same in every frame."""
+    from_home: Array = np.linalg.norm(actual - actual[home], axis=1) - np.linalg.norm(wanted - wanted[home], axis=1)
+    return from_home
+
+
+def volumetric_error(actual: Array, wanted: Array, home: int = 0, turn: Array | None = None) -> Array:
+    """Return the error (N,) of each point relative to home [mm].
+
+    Unlike the distance error it depends on the frame: `turn` (3, 3) is the rotation from the frame of `wanted` to that
+    of `actual`; None takes the rotation that fits the two sets best.
+    """
+    a, w = actual - actual[home], wanted - wanted[home]
+    turn = align(w, a) if turn is None else turn
+    return np.asarray(np.linalg.norm(a - w @ turn.T, axis=1))
+
+
+def largest(errors: Sequence[float] | Array) -> float:
+    """Return the largest absolute error."""
+    return float(np.max(np.abs(errors), initial=0.0))

@@ -1,0 +1,586 @@
+"""Identification: a robot and a recording in, a calibrated robot and what the data pin of it out.
+
+Two stages (Bai 2015, section 4.2): the encoder offsets first, iterated, since they are the largest by far; then all
+parameters of the model. Both are exact: the stages differ in what is free, not in the machine.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from deltacal_gen import identifiability
+from deltacal_gen.accuracy import check_poses, distance_error, largest, volumetric_error
+from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.estimation import Fit, Problem, Repeats, fit, pose_problem, rms
+from deltacal_gen.identifiability import Combination
+from deltacal_gen.measurement import Readings
+from deltacal_gen.mechanism import SOLVED, Array, Mechanism, load_mechanism
+from deltacal_gen.recording import Recording, check_units
+from deltacal_gen.robot import Robot, robot_to_dict
+from deltacal_gen.solvers import TSVD, LeastSquares, Prior, Ridge, Solver
+from deltacal_gen.units import DEG, file_unit, to_internal
+
+SCHEMA = "deltacal.result/1"
+FOLDS = 5
+SEED = 20150415  # of the folds: results do not change from run to run
+BROAD = 10.0  # standard deviation of a parameter of which nothing is known, in ordinary errors
+SPARE = 1.2  # scalar readings per unknown below which a model is not chosen unasked
+RESOLVED = 0.3  # of the prior's standard deviation: a parameter known better than this is identified
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Identification:
+    """What a recording says of a robot.
+
+    Attributes
+    ----------
+    model : str
+    fit : Fit
+        Of all readings.
+    before : Fit-like residual RMS [mm] of the robot file's machine, instrument aligned.
+    heldout_rms : float
+        RMS of readings in folds that took no part in the fit [mm].
+    matrix : IdentificationMatrix
+        At the robot file's machine, columns in ordinary errors.
+    unseen, weak : list of Combination
+        What no reading sees, and what the readings see less well than a broad prior.
+    remedies : list of dict
+        Extra measurements and how many of the free directions each pins.
+    """
+
+    model: str
+    fit: Fit
+    rough: Fit | None
+    before_rms: float
+    heldout_rms: float
+    observability: identifiability.Observability
+    unseen: list[Combination]
+    weak: list[Combination]
+    remedies: list[dict[str, Any]]
+    noise: tuple[float, str]
+    prior_given: tuple[bool, ...]
+    robot: Robot
+    map: dict[str, Any] | None
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the contract's RESULT.json."""
+        return _result(self)
+
+
+def identify(
+    robot: Robot,
+    recording: Recording,
+    model: str | None = None,
+    *,
+    as_distance: bool = False,
+    solver: str = "prior",
+    truncation: int | str = "gcv",
+    robust: bool = True,
+    progress: Progress = lambda text: None,
+) -> Identification:
+    """Identify a robot's source errors from a recording.
+
+    Parameters
+    ----------
+    model : str, optional
+        ``delta/32`` or ``32``; default the largest that the number of readings allows.
+    as_distance : bool
+        Use the distances of all pairs of measured positions instead of the positions.
+    solver : {"prior", "least-squares", "tsvd", "ridge"}
+        Rule for directions that the data hardly see. ``prior`` uses the robot file's ``[tolerance]``, and ten times
+        an ordinary manufacturing error for what it does not name.
+    truncation : int or {"gcv", "discrepancy"}
+        For ``tsvd``.
+    robust : bool
+        Let a few per cent of gross errors not move the result.
+    progress : callable
+        Told in words what is being done.
+
+    Raises
+    ------
+    InputError
+        Too few readings for the model; joints at which the machine cannot stand; units that cannot be.
+    NoSolutionError
+        No convergence.
+    UsageError
+        An unknown model or solver.
+    """
+    check_units(recording, robot)
+    mechanism = load_mechanism(robot.mechanism)
+    everything = pose_problem(robot, recording, (), as_distance=as_distance)
+    chosen = _model(mechanism, everything, recording, model)
+    names = mechanism.model(chosen)
+    problem, given = _with_prior(everything.with_names(names), robot)
+    rule = _solver(solver, truncation)
+    if solver != "prior":
+        problem = everything.with_names(names)
+
+    progress("rough stage: encoder offsets")
+    before = _residual_of(problem, problem.reference)
+    rough = _rough(everything, mechanism, robust)
+    _check_rows(rough, recording)
+    progress(f"fine stage: {len(names)} parameters of {chosen}")
+    final = fit(problem, rule, errors=rough.errors, instrument=rough.instrument, robust=robust)
+    progress(f"held-out error: {FOLDS} folds")
+    heldout = _held_out(final, rule, robust)
+    progress("identifiability")
+    matrix = identifiability.identification_matrix(everything.with_names(names), "typical")
+    observed = identifiability.observability(matrix.H, len(np.unique(final.problem.readings.group)))
+    units = [mechanism.parameters[mechanism.index[n]].unit for n in names]
+    typical = mechanism.typical[[mechanism.index[n] for n in names]]
+    per_unit = matrix.H / typical
+    unseen = identifiability.unseen(per_unit, names, units, typical)
+    weak = _weak(final, len(unseen), units)
+    calibrated = dataclasses.replace(
+        robot,
+        errors={
+            p.name: float(v) for p, v in zip(mechanism.parameters, final.errors, strict=True) if v or p.name in names
+        },
+    )
+    progress("uncertainty over the workspace")
+    return Identification(
+        model=chosen,
+        fit=final,
+        rough=rough,
+        before_rms=rms(before),
+        heldout_rms=heldout,
+        observability=observed,
+        unseen=unseen,
+        weak=weak,
+        remedies=_remedies(final) if unseen or weak else [],
+        noise=_noise(final, recording),
+        prior_given=given,
+        robot=calibrated,
+        map=uncertainty_map(final, calibrated),
+    )
+
+
+def _solver(name: str, truncation: int | str) -> Solver:
+    solvers: dict[str, Solver] = {
+        "prior": Prior("priors"),
+        "least-squares": LeastSquares(),
+        "tsvd": TSVD(truncation),
+        "ridge": Ridge(),
+    }
+    if name not in solvers:
+        raise UsageError(f"there is no solver '{name}'; known: {', '.join(solvers)}.")
+    return solvers[name]
+
+
+def _with_prior(problem: Problem, robot: Robot) -> tuple[Problem, tuple[bool, ...]]:
+    given = tuple(n in robot.tolerance for n in problem.names)
+    sd = np.array([robot.tolerance.get(n, BROAD * s) for n, s in zip(problem.names, problem.scale, strict=True)])
+    return dataclasses.replace(problem, scale=sd), given
+
+
+def _model(mechanism: Mechanism, problem: Problem, recording: Recording, asked: str | None) -> str:
+    """Return the model asked for, or the largest that the readings allow.
+
+    Raises
+    ------
+    InputError
+        The readings are fewer than the unknowns of the model (of the smallest model, when none was asked for).
+    """
+    scalars = problem.readings.n_scalars
+    extra = problem.begin(problem.reference).n_unknown
+    by_size = sorted(mechanism.models, key=lambda m: -len(mechanism.models[m]))
+    if asked is not None:
+        mechanism.model(asked)
+        name = asked if "/" in asked else f"{mechanism.name}/{asked}"
+        needed = len(mechanism.models[name]) + extra
+        if scalars < needed:
+            raise _too_few(recording, scalars, needed, name, extra)
+        return name
+    for name in by_size:
+        if scalars >= SPARE * (len(mechanism.models[name]) + extra):
+            return name
+    smallest = by_size[-1]
+    needed = len(mechanism.models[smallest]) + extra
+    if scalars < needed:
+        raise _too_few(recording, scalars, needed, smallest, extra)
+    return smallest
+
+
+def _too_few(recording: Recording, scalars: int, needed: int, model: str, extra: int) -> InputError:
+    of_instrument = f" and {extra} of the instrument" if extra else ""
+    return InputError(
+        f"the recording holds {scalars} scalar readings; {model} has {needed - extra} parameters{of_instrument}, so at "
+        f"least {needed} are needed.",
+        "Measure more poses (deltacal plan proposes them) or choose a smaller model with --model.",
+        file=recording.path,
+    )
+
+
+def _rough(problem: Problem, mechanism: Mechanism, robust: bool) -> Fit:
+    """Fit the smallest model, the encoder offsets, starting from the robot file."""
+    smallest = min(mechanism.models.values(), key=len)
+    return fit(problem.with_names(smallest), LeastSquares(), robust=robust, repeats=False)
+
+
+def _check_rows(rough: Fit, recording: Recording) -> None:
+    """Refuse rows whose measured cells stand against the joints of another row.
+
+    Two readings that are gross errors, and each of which fits the pose of the other, were swapped.
+    """
+    found, suspects = rough.problem.readings, rough.gross
+    if found.kind not in ("position", "pose") or not 2 <= len(suspects) <= max(2, len(found) // 5):
+        return
+    predicted = found.values - rough.residual[:, :3]
+    within = 6 * float(np.median(np.linalg.norm(rough.residual[:, :3], axis=1))) + 1e-9
+    gap = np.linalg.norm(found.values[suspects][:, None] - predicted[suspects][None], axis=2)
+    for i in range(len(suspects)):
+        j = int(np.argmin(gap[i]))
+        if i < j and gap[i, j] < within and gap[j, i] < within and min(gap[i, i], gap[j, j]) > 10 * within:
+            a, b = sorted(int(found.line[suspects[k]]) for k in (i, j))
+            raise InputError(
+                f"the readings of lines {a} and {b} are swapped: each fits the joints of the other to "
+                f"{max(gap[i, j], gap[j, i]):.3g} mm and its own only to {min(gap[i, i], gap[j, j]):.3g} mm.",
+                "Exchange the measured cells of the two lines.",
+                file=recording.path,
+                line=a,
+            )
+
+
+def _residual_of(problem: Problem, errors: Array) -> Array:
+    """Return the residual of a machine with given errors, the instrument alone fitted."""
+    return fit(problem.with_names(()), LeastSquares(), errors=errors, repeats=False).residual
+
+
+# ------------------------------------------------------------------------------------------------------- held out
+
+
+def folds(found: Readings, recording: Recording, count: int = FOLDS) -> list[tuple[np.ndarray, np.ndarray]]:
+    """Return (train, test) masks of readings; repeats of a pose, or of a pair of poses, stay together.
+
+    Distances made of positions are split by pose: a distance counts where both its poses are in the same part.
+    """
+    rng = np.random.default_rng(SEED)
+    made = found.kind == "distance" and recording.kind != "distance"
+    if made:
+        _, pose = np.unique(recording.pose, return_inverse=True)
+        ends = pose[found.rows]
+        part = _parts(int(pose.max()) + 1, count, rng)[ends]
+        return [((part != k).all(axis=1), (part == k).all(axis=1)) for k in range(count)]
+    groups = int(found.group.max()) + 1
+    part = _parts(groups, min(count, groups), rng)[found.group]
+    return [(part != k, part == k) for k in range(min(count, groups))]
+
+
+def _parts(n: int, count: int, rng: np.random.Generator) -> np.ndarray:
+    return rng.permutation(np.arange(n) % count)
+
+
+def _held_out(full: Fit, rule: Solver, robust: bool) -> float:
+    """Return the RMS of readings predicted by fits that did not see them; gross errors of the full fit left out."""
+    problem = full.problem
+    squares: list[Array] = []
+    gross = np.zeros(len(problem.readings), dtype=bool)
+    gross[full.gross] = True
+    for train, test in folds(problem.readings, problem.recording):
+        if not test.any() or problem.readings.subset(train).n_scalars <= full.solution.degrees + full.instrument.n_unknown:
+            continue
+        part = fit(problem.subset(train), rule, errors=full.errors, instrument=full.instrument, robust=robust)
+        unseen = problem.readings.subset(test & ~gross)
+        x = dataclasses.replace(problem, readings=unseen).poses(part.errors)
+        r = part.instrument.residual(unseen, x)[:, :3]
+        squares.append(r[np.isfinite(r)] ** 2)
+    return float(np.sqrt(np.mean(np.concatenate(squares)))) if squares else float("nan")
+
+
+# ----------------------------------------------------------------------------------------------- what is pinned
+
+
+def _noise(final: Fit, recording: Recording) -> tuple[float, str]:
+    """Return the noise per coordinate [mm] and where it is known from, the surest source first.
+
+    Repeats count where every channel but time is the same in both readings: the spread of others holds more than
+    noise. What the fit leaves is an upper bound of the noise, so repeats or a declared sigma above it are not believed.
+    """
+    residual = float(final.sigma[0])
+    found = final.problem.readings
+    channels = [v for name, v in sorted(recording.channels.items()) if name != "time_s" and not name.startswith("true_")]
+    if found.rows.shape[1] == 1 and channels:
+        same = np.column_stack([found.group, np.nan_to_num(np.array(channels).T[found.rows[:, 0]], nan=-1e9)])
+        group = np.ravel(np.unique(same, axis=0, return_inverse=True)[1])
+    else:
+        group = found.group
+    _, within, degrees = Repeats.ratio_of(np.nan_to_num(final.residual[:, :3]), group)
+    if degrees >= 12 and 0 < within <= residual**2:
+        return float(np.sqrt(within)), "repeats"
+    declared = recording.measurement.sigma_mm
+    if declared is not None and declared <= 1.5 * residual:
+        return declared, "declared"
+    return residual, "residual"
+
+
+def _weak(final: Fit, n_unseen: int, units: list[str]) -> list[Combination]:
+    """Return the directions, beside those no reading sees, that the data know less well than the prior."""
+    solution = final.solution
+    order = np.argsort(solution.singular_values)[n_unseen:] if len(solution.singular_values) else []
+    rows = [solution.V[:, j] for j in order if solution.factors[j] < 0.5]
+    if not rows:
+        return []
+    found = identifiability.combinations(np.array(rows), final.problem.names, units, final.problem.scale)
+    return [
+        dataclasses.replace(c, text=c.text.replace("change no reading", "change the readings by less than their noise"))
+        for c in found
+    ]
+
+
+def _remedies(final: Fit) -> list[dict[str, Any]]:
+    """Return extra measurements, each with how many more directions it would pin, most first."""
+    problem = final.problem
+    known = _pinned([problem], final)
+    span = float(np.mean([v[0] for v in problem.robot.geometry.values()][:2])) / 2
+    ideas: list[tuple[str, list[Problem]]] = []
+    tools = [problem.tool + np.array(offset) * span for offset in ((1, 0, 0), (0, 1, 0), (0, 0, -1))]
+    moved = [dataclasses.replace(problem, tool=tool) for tool in tools]
+    ideas.append((f"a second reference point, {span:.0f} mm beside the first, at the same poses", moved[:1]))
+    ideas.append((f"a second and a third reference point, {span:.0f} mm beside the first, at the same poses", moved[:2]))
+    if problem.readings.kind in ("distance", "gauge"):
+        ideas.append(("the position itself at the same poses, with a tracker or a camera", [_as_positions(problem)]))
+    if problem.readings.kind != "pose":
+        full = _as_positions(problem)
+        three = [dataclasses.replace(full, tool=full.tool + np.array(o) * span) for o in ((0, 0, 0), (1, 0, 0), (0, 1, 0))]
+        ideas.append(("the platform's rotation (kind pose) at the same poses", three))
+    found = [
+        {"measurement": text, "pins": _pinned([problem, *extra], final) - known, "of": len(problem.names) - known}
+        for text, extra in ideas
+    ]
+    return sorted((f for f in found if f["pins"] > 0), key=lambda f: -f["pins"])
+
+
+def _as_positions(problem: Problem) -> Problem:
+    rows = np.unique(problem.readings.rows)
+    n = len(rows)
+    readings = Readings(
+        "position", rows[:, None], np.zeros((n, 3)), None, np.zeros(n, dtype=int), np.arange(n), np.arange(n)
+    )
+    recording = dataclasses.replace(problem.recording, setup=np.zeros(problem.recording.n_rows, dtype=int))
+    return dataclasses.replace(problem, readings=readings, recording=recording)
+
+
+def _pinned(problems: list[Problem], final: Fit) -> int:
+    """Return how many directions readings of all `problems` together would know better than the prior."""
+    blocks: dict[str, list[tuple[Array, Array]]] = {}
+    for p in problems:
+        x = p.poses(final.errors)
+        same = p.readings.kind == final.instrument.kind
+        instrument = final.instrument if same else p.begin(final.errors)
+        predicted, rotations = instrument.predict(p.readings, x)
+        ideal = dataclasses.replace(p.readings, values=predicted, rotations=rotations)
+        state = dataclasses.replace(p, readings=ideal).linearise(final.errors, instrument, x)
+        sigma = np.resize(final.sigma, state.residual.shape[1])[None, :, None]
+        J_p, J_m = state.J_p * p.scale / sigma, state.J_m / sigma
+        count = J_p.shape[0] * J_p.shape[1]
+        blocks.setdefault(p.readings.kind, []).append((J_p.reshape(count, -1), J_m.reshape(count, J_m.shape[2])))
+    A = []
+    for parts in blocks.values():  # readings of one kind share the instrument
+        J_p, J_m = np.vstack([a for a, _ in parts]), np.vstack([b for _, b in parts])
+        Q = np.linalg.qr(J_m)[0] if J_m.shape[1] else np.zeros((len(J_m), 0))
+        A.append(J_p - Q @ (Q.T @ J_p))
+    return int((np.linalg.svd(np.vstack(A), compute_uv=False) > 1).sum())
+
+
+# ------------------------------------------------------------------------------------------ over the workspace
+
+
+def uncertainty_map(final: Fit, robot: Robot) -> dict[str, Any] | None:
+    """Return the standard deviation of the tool position over the workspace, or None where the robot has none.
+
+    Positions and poses: of the position in the instrument's frame, its frame's uncertainty included. Distances and
+    gauge lengths know no frame: of the position after the best alignment of the map as a whole. What the data do not
+    pin enters with its prior.
+    """
+    if robot.workspace is None or robot.workspace.radius is None:
+        return None
+    problem = final.problem
+    mechanism, n = problem.mechanism, len(problem.names)
+    targets = check_poses(robot.workspace)
+    rows = mechanism.rows(robot)
+    q, x, status = mechanism.inverse(targets, robot.tool, rows)
+    ok = status == SOLVED
+    if not ok.any():
+        return None
+    dx = mechanism.sensitivity(x[ok], q[ok], robot.tool, rows).parameters[:, :, problem.columns]
+    if final.instrument.kind in ("position", "pose"):
+        grid = Readings(
+            "position",
+            np.arange(ok.sum())[:, None],
+            np.zeros((ok.sum(), 3)),
+            None,
+            np.zeros(ok.sum(), dtype=int),
+            np.arange(ok.sum()),
+            np.arange(ok.sum()),
+        )
+        frame = dataclasses.replace(final.instrument, kind="position", state=final.instrument.state[:, :12])
+        columns = tuple(c for c in final.instrument.free if c < 6)
+        J_p, J_m = dataclasses.replace(frame, free=columns).linearise(grid, x[ok], dx)
+        keep = [n + s * len(final.instrument.free) + j for s in range(len(frame.state)) for j in range(len(columns))]
+        J = np.concatenate([J_p, J_m], axis=2)
+        C = final.covariance[np.ix_([*range(n), *keep], [*range(n), *keep])]
+    else:
+        P = x[ok, :3]
+        rigid = np.concatenate([np.tile(np.eye(3), (len(P), 1, 1)), -_cross(P)], axis=2).reshape(-1, 6)
+        Q = np.linalg.qr(rigid)[0]
+        flat = dx[:, :3].reshape(-1, n)
+        J = (flat - Q @ (Q.T @ flat)).reshape(-1, 3, n)
+        C = final.covariance[:n, :n]
+    std = np.sqrt(np.maximum(np.einsum("nij,jk,nik->ni", J, C, J), 0.0))
+    norm = np.linalg.norm(std, axis=1)
+    return {
+        "frame": "instrument" if final.instrument.kind in ("position", "pose") else "best alignment of the map",
+        "worst_mm": float(norm.max()),
+        "median_mm": float(np.median(norm)),
+        "points": [
+            {"target_mm": t.tolist(), "std_mm": s.tolist()} for t, s in zip(targets[ok], std, strict=True)
+        ],
+        "unreachable": int((~ok).sum()),
+    }
+
+
+def _cross(P: Array) -> Array:
+    out = np.zeros((len(P), 3, 3))
+    out[:, 0, 1], out[:, 0, 2], out[:, 1, 2] = -P[:, 2], P[:, 1], -P[:, 0]
+    return out - np.swapaxes(out, 1, 2)
+
+
+# -------------------------------------------------------------------------------------------------- RESULT.json
+
+
+def _result(found: Identification) -> dict[str, Any]:
+    final, problem = found.fit, found.fit.problem
+    mechanism, names = problem.mechanism, problem.names
+    n = len(names)
+    deviation = np.sqrt(np.maximum(np.diag(final.covariance)[:n], 0.0))
+    ruled_out = {name for c in (*found.unseen, *found.weak) for name in c.terms}
+    by_prior = final.solution.rule.startswith("priors")
+    parameters = []
+    for p in mechanism.parameters:
+        factor = to_internal(p.unit)
+        value = float(final.errors[mechanism.index[p.name]] - problem.reference[mechanism.index[p.name]])
+        entry: dict[str, Any] = {"name": p.name, "value": value / factor, "std": None, "unit": file_unit(p.unit)}
+        if p.name not in names:
+            entry["status"] = "fixed"
+        else:
+            j = names.index(p.name)
+            known = deviation[j] < RESOLVED * problem.scale[j] if by_prior else p.name not in ruled_out
+            given = by_prior and found.prior_given[j]
+            entry["status"] = "identified" if known else "pinned by prior" if given else "not pinned"
+            if known or given:
+                entry["std"] = float(deviation[j] / factor)
+        parameters.append(entry)
+    sigma, source = found.noise
+    residual_sigma = float(final.sigma[0])
+    return {
+        "schema": SCHEMA,
+        "model": found.model,
+        "parameters": parameters,
+        "rank": found.observability.rank,
+        "rank_tolerance": identifiability.RANK_TOLERANCE,
+        "singular_values": found.observability.singular_values.tolist(),
+        "condition": found.observability.condition if np.isfinite(found.observability.condition) else None,
+        "scaling": "columns in ordinary errors, rows in mm, unknown frame projected out, at the robot file's machine",
+        "unidentifiable": [
+            {"seen": seen, "text": c.text, "terms": _terms(c, mechanism)}
+            for seen, part in (("not at all", found.unseen), ("less than noise", found.weak))
+            for c in part
+        ],
+        "next_measurements": found.remedies,
+        "regularisation": _regularisation(found),
+        "readings": {
+            "kind": problem.readings.kind,
+            "scalars": problem.readings.n_scalars,
+            "poses": len(np.unique(problem.recording.pose)),
+        },
+        "before_rms_mm": found.before_rms,
+        "train_rms_mm": final.rms(),
+        "heldout_rms_mm": found.heldout_rms if np.isfinite(found.heldout_rms) else None,
+        "sigma_mm": sigma,
+        "sigma_source": source,
+        "residual_sigma_mm": residual_sigma,
+        "chi2_per_dof": (residual_sigma / sigma) ** 2 if sigma > 0 else None,
+        "gross_errors": [int(problem.readings.line[j]) for j in final.gross],
+        "stages": _stages(found),
+        "accuracy": _accuracy(found),
+        "base_frame": _base_frames(found),
+        "workspace": found.map,
+        "iterations": len(final.history),
+        "instrument": final.instrument.to_dict()
+        | {"setups": list(problem.recording.setup_names), "zero": problem.recording.measurement.zero},
+        "robot": robot_to_dict(found.robot),
+    }
+
+
+def _terms(c: Combination, mechanism: Mechanism) -> dict[str, float]:
+    return {n: v / to_internal(mechanism.parameters[mechanism.index[n]].unit) for n, v in c.terms.items()}
+
+
+def _regularisation(found: Identification) -> dict[str, Any]:
+    rule = found.fit.solution.rule
+    if not rule.startswith("priors"):
+        return {"rule": rule}
+    given = sum(found.prior_given)
+    return {
+        "rule": f"priors: {given} from [tolerance], {len(found.prior_given) - given} broad ({BROAD:g} ordinary errors)",
+        "determined": found.fit.solution.degrees,
+    }
+
+
+def _stages(found: Identification) -> list[dict[str, Any]]:
+    stages = [("rough", found.rough), ("fine", found.fit)]
+    return [
+        {"stage": name, "parameters": len(f.problem.names), "iterations": len(f.history), "train_rms_mm": f.rms()}
+        for name, f in stages
+        if f is not None
+    ]
+
+
+def _accuracy(found: Identification) -> dict[str, Any] | None:
+    """Return the paper's two error measures of the measured positions, before and after; home is the most central."""
+    problem, final = found.fit.problem, found.fit
+    if problem.readings.kind not in ("position", "pose"):
+        return None
+    chosen = np.setdiff1d(np.arange(len(problem.readings)), final.gross)
+    chosen = chosen[problem.readings.setup[chosen] == problem.readings.setup[chosen[0]]]
+    measured, rows = problem.readings.values[chosen], problem.readings.rows[chosen, 0]
+    home = int(np.argmin(np.linalg.norm(measured - np.median(measured, axis=0), axis=1)))
+    out: dict[str, Any] = {
+        "home_line": int(problem.readings.line[chosen[home]]),
+        "note": "largest errors relative to home; the distance error is the same in every frame, the volumetric error "
+        "is taken after the rotation that fits the two sets best",
+    }
+    stages = {"before": problem.reference, "rough": found.rough.errors if found.rough else None, "after": final.errors}
+    for stage, errors in stages.items():
+        if errors is not None:
+            wanted = problem.poses(errors)[rows, :3]
+            out[stage] = {
+                "distance_mm": largest(distance_error(measured, wanted, home)),
+                "volumetric_mm": largest(volumetric_error(measured, wanted, home)),
+            }
+    return out
+
+
+def _base_frames(found: Identification) -> list[dict[str, Any]]:
+    """Return where {O} stands in the instrument's frame, set-up by set-up, with standard deviations."""
+    instrument, n = found.fit.instrument, len(found.fit.problem.names)
+    if 0 not in instrument.free:
+        return []
+    std = np.sqrt(np.maximum(np.diag(found.fit.covariance)[n:], 0.0)).reshape(len(instrument.state), -1)
+    return [
+        {
+            "setup": found.fit.problem.recording.setup_names[s],
+            "rotation_deg": (turn / DEG).tolist(),
+            "rotation_std_deg": (std[s, :3] / DEG).tolist(),
+            "origin_mm": origin.tolist(),
+            "origin_std_mm": std[s, 3:6].tolist(),
+        }
+        for s, (turn, origin) in enumerate(instrument.frames())
+    ]
+

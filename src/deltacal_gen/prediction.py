@@ -1,0 +1,100 @@
+"""Prediction: what an identified machine would read at other joints, in the instrument's frame."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.estimation import Problem, pose_problem
+from deltacal_gen.measurement import Instrument, Readings
+from deltacal_gen.mechanism import Array
+from deltacal_gen.recording import Recording
+from deltacal_gen.robot import Robot, robot_from_dict
+from deltacal_gen.simulation import unread
+
+
+def calibrated_robot(result: Mapping[str, Any]) -> Robot:
+    """Return the calibrated robot of a RESULT.json."""
+    return robot_from_dict(result["robot"])
+
+
+def predict(result: Mapping[str, Any], recording: Recording) -> Recording:
+    """Return the recording with its measured cells as the identified model predicts them.
+
+    Parameters
+    ----------
+    result : mapping
+        RESULT.json of `identify`.
+    recording : Recording
+        Joints, tool points and channels; its measured cells are not read.
+
+    Raises
+    ------
+    InputError
+        A set-up of the recording whose frame the result does not know, or a pose that cannot be.
+    """
+    robot = calibrated_robot(result)
+    problem, instrument = prediction_problem(result, robot, recording)
+    values, rotations = instrument.predict(problem.readings, problem.poses(problem.reference))
+    if rotations is not None:
+        values = np.hstack([values, Rotation.from_matrix(rotations).as_rotvec()])
+    if recording.kind == "gauge" and recording.measurement.zero == "incremental":
+        values = values - values[0]
+    if recording.kind == "distance":
+        return dataclasses.replace(recording, pair_measured=values[:, 0])
+    return dataclasses.replace(recording, measured=values)
+
+
+def prediction_problem(
+    result: Mapping[str, Any], robot: Robot, recording: Recording, found: Readings | None = None
+) -> tuple[Problem, Instrument]:
+    """Return the problem of a recording with nothing free, and the instrument that a result knows for it."""
+    found = unread(recording) if found is None else found
+    found, instrument = _instrument(result, recording, found)
+    return pose_problem(robot, recording, (), found=found), instrument
+
+
+def _instrument(result: Mapping[str, Any], recording: Recording, found: Readings) -> tuple[Readings, Instrument]:
+    known = result["instrument"]
+    instrument = Instrument.from_dict(known)
+    if found.kind == "distance":
+        return found, Instrument("distance", np.zeros((1, 0)), ())
+    if recording.measurement.frame == "robot" and found.kind == "position":
+        return found, Instrument("position", np.array([[*np.eye(3).ravel(), 0.0, 0.0, 0.0]] * _setups(recording)), ())
+    if found.kind == "position" and instrument.kind == "pose":
+        instrument = Instrument("position", instrument.state[:, :12], ())
+    if found.kind == "gauge" and instrument.kind != "gauge" and recording.measurement.base_point_mm is not None:
+        instrument = Instrument("gauge", np.array([[*recording.measurement.base_point_mm, 0.0]]), ())
+    if found.kind != instrument.kind:
+        raise InputError(
+            f"the result was identified from readings of the kind '{instrument.kind}' and knows no frame for "
+            f"'{found.kind}'.",
+            f'Give readings of the kind {instrument.kind}, or say frame = "robot" in the sidecar.',
+            file=recording.path,
+        )
+    names = list(known["setups"])
+    missing = [n for n in recording.setup_names if n not in names]
+    if missing and not (len(names) == 1 and len(recording.setup_names) == 1):
+        raise InputError(
+            f"the result knows no frame of the set-up '{missing[0]}'; it knows {', '.join(names)}.",
+            "Identify with readings of that set-up too.",
+            file=recording.path,
+            column="setup",
+        )
+    index = np.array([names.index(n) if n in names else 0 for n in recording.setup_names])
+    return dataclasses.replace(found, setup=index[found.setup]), instrument
+
+
+def _setups(recording: Recording) -> int:
+    return int(recording.setup.max()) + 1
+
+
+def residual(result: Mapping[str, Any], recording: Recording, found: Readings) -> Array:
+    """Return measured minus predicted (R, k) of readings that the result has not seen [mm, rad]."""
+    problem, instrument = prediction_problem(result, calibrated_robot(result), recording, found)
+    return instrument.residual(problem.readings, problem.poses(problem.reference))
