@@ -6,23 +6,28 @@ quadratic in the position (a sphere) and, for a turning joint, linear in cos and
 
 from __future__ import annotations
 
+from functools import cache
+
 import sympy as sp
 
 from derive.graph import expand_steps
 from derive.spec import LimbMechanism
 
 
+@cache
 def simplified_closure(mechanism: LimbMechanism) -> sp.Expr:
     """Return the one closure equation of a limb with small errors and the platform's rotation at zero."""
     rotation = [quantity.symbol for quantity in mechanism.platform[3:]]
     zero = dict.fromkeys((*mechanism.small, *rotation), 0)
-    equations = [expand_steps(e, mechanism.steps).subs(zero) for e in mechanism.loop_closure]
+    steps = [(symbol, e.subs(zero)) for symbol, e in mechanism.steps]
+    equations = [expand_steps(e.subs(zero), steps) for e in mechanism.loop_closure]
     for other in equations[1:]:
         if sp.expand(other - equations[0]) != 0:
             raise ValueError(f"{mechanism.name}: with the small errors at zero its rods do not obey one equation.")
     return equations[0]
 
 
+@cache
 def sphere(mechanism: LimbMechanism) -> tuple[sp.Matrix, sp.Expr]:
     """Return centre c and constant d of the closure as a sphere, ``|P|^2/2 - c.P + d = 0``."""
     position = [quantity.symbol for quantity in mechanism.platform[:3]]
@@ -33,6 +38,7 @@ def sphere(mechanism: LimbMechanism) -> tuple[sp.Matrix, sp.Expr]:
     return sp.Matrix([-sp.diff(closure, p).subs(origin) for p in position]), closure.subs(origin)
 
 
+@cache
 def inverse_turn(mechanism: LimbMechanism) -> sp.Expr:
     r"""Return the joint angle for a given position: the closure read as ``A cos + B sin + C = 0``.
 

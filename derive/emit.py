@@ -71,9 +71,15 @@ def kinematics(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kerne
         errors += by[len(platform) + 1 :]
     centre, constant = closed_form.sphere(mechanism)
     kernels = [
-        lowering.kernel("newton", "per rod of one limb: closure, its derivatives by the platform, by the joint", newton),
-        lowering.kernel("turn", "joint of the simplified limb at a given position", [closed_form.inverse_turn(mechanism)]),
-        lowering.kernel("parameters", "per rod of one limb: derivatives of the closure by errors, by deflections", errors),
+        lowering.kernel(
+            "newton", "per rod of one limb: closure, its derivatives by the platform, by the joint", newton
+        ),
+        lowering.kernel(
+            "turn", "joint of the simplified limb at a given position", [closed_form.inverse_turn(mechanism)]
+        ),
+        lowering.kernel(
+            "parameters", "per rod of one limb: derivatives of the closure by errors, by deflections", errors
+        ),
         lowering.kernel("sphere", "the simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d", [*centre, constant]),
         lowering.constants("constants", "what no pose changes"),
     ]
@@ -97,9 +103,10 @@ def measurement(spec: Measurement) -> dict[str, Kernel]:
         before = sp.eye(3)
         for factor in spec.rotation:
             if factor.has(symbol):
-                turning = (sp.diff(factor, symbol) * factor.T).applyfunc(sp.simplify)
+                others = {s: 0 for s in zero if s != symbol}
+                turning = (sp.diff(factor.subs(others), symbol) * factor.subs(others).T).subs(zero).applyfunc(sp.cancel)
                 return before * sp.Matrix([turning[2, 1], turning[0, 2], turning[1, 0]])
-            before = before * factor
+            before = before * factor.subs(zero)
         return sp.zeros(3, 1)
 
     def jacobian(by: list[sp.Symbol]) -> list[sp.Expr]:
@@ -166,9 +173,10 @@ def render() -> dict[Path, str]:
         loads = statics.loads(mechanism)
         moving = kinematics(mechanism)
         command_constants = _columns(moving["newton"], moving["turn"])
-        contents = {
+        contents: dict[str, dict[str, Any]] = {
             "parameters.py": {},
             "kinematics.py": {"kernels": moving | linear(mechanism), "command_constants": command_constants},
+            "vectorised.py": {"kernels": moving},
             "statics.py": {"kernels": loads},
             "inverse.c": {"kernels": kinematics(mechanism, text=c99), "constants": command_constants},
             "linear.c": {"kernels": linear(mechanism, text=c99)},
@@ -209,7 +217,11 @@ def differences(fresh: dict[Path, str], old: dict[Path, str]) -> list[str]:
     for path in sorted(fresh.keys() | old.keys()):
         if fresh.get(path) != old.get(path):
             lines = difflib.unified_diff(
-                old.get(path, "").splitlines(), fresh.get(path, "").splitlines(), f"committed/{path}", f"derived/{path}", n=1
+                old.get(path, "").splitlines(),
+                fresh.get(path, "").splitlines(),
+                f"committed/{path}",
+                f"derived/{path}",
+                n=1,
             )
             found.append("\n".join(list(lines)[:40]))
     return found

@@ -31,7 +31,9 @@ def first_order(mechanism: LimbMechanism) -> tuple[Steps, list[dict[str, sp.Expr
     rotation = [quantity.symbol for quantity in mechanism.platform[3:]]
     errors = [quantity.symbol for quantity in (*mechanism.errors, *mechanism.deflections)]
     nominal = dict.fromkeys((*rotation, *errors), sp.Integer(0))
-    rates: dict[str, dict[sp.Symbol, sp.Expr]] = {str(s): {s: sp.Integer(1)} for s in (mechanism.joint.symbol, *rotation)}
+    rates: dict[str, dict[sp.Symbol, sp.Expr]] = {
+        str(s): {s: sp.Integer(1)} for s in (mechanism.joint.symbol, *rotation)
+    }
     rates["errors"] = {s: s for s in errors}
     steps: list[tuple[sp.Symbol, sp.Expr]] = []
     for symbol, expr in mechanism.steps:
@@ -64,13 +66,18 @@ def linear(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kernel]:
     lowering = Lowering(Graph(steps, invariant=parameters), parameters, inputs, text=text)
     rows: list[sp.Expr] = []
     for rate in closures:
-        rows += [rate["errors"], *(sp.Integer(0) for _ in platform[:3]), *(rate[str(s)] for s in platform[3:]), rate[str(joint)]]
+        rows += [
+            rate["errors"],
+            *(sp.Integer(0) for _ in platform[:3]),
+            *(rate[str(s)] for s in platform[3:]),
+            rate[str(joint)],
+        ]
     turn = inverse_turn(mechanism).xreplace(dict.fromkeys(errors, sp.Integer(0)))
     kernels = [
         lowering.kernel("nominal_turn", "joint of the nominal limb at a given position", [turn]),
         lowering.kernel(
             "linear",
-            "per rod of one nominal limb: change of the closure by all errors, its derivatives by the rotation, by the joint",
+            "per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint",
             rows,
         ),
         lowering.constants("linear_constants", "what `linear` reads that no pose changes"),

@@ -74,7 +74,7 @@ class Weight:
     point: sp.Matrix
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class LimbMechanism:
     """A platform carried by equal limbs, written once for limb i.
 

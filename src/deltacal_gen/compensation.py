@@ -120,7 +120,7 @@ class Compensator:
 
     @cached_property
     def _kernels(self) -> Any:
-        return self.mechanism._kinematics
+        return self.mechanism.compiled
 
     @cached_property
     def _constants(self) -> Array:
@@ -135,7 +135,8 @@ class Compensator:
         -------
         Servo
             ``status = command(target, tool, constants, work, q)`` fills `q` (n_q,) for a `target` (3,) [mm] and
-            allocates nothing; ``sign * q`` is what the controller counts [rad or mm]. `work` is scratch: one per thread.
+            allocates nothing; ``sign * q`` is what the controller counts [rad or mm]. `work` is scratch, one per
+            thread.
 
         Notes
         -----
@@ -230,9 +231,16 @@ class Compensator:
         ------
         InputError
             The robot file gives no cylindrical workspace.
+        NoSolutionError
+            The machine reaches no point of it.
         """
         targets = _workspace_points(_workspace(self.robot))
         error = np.linalg.norm(self.leftover(targets), axis=1)
+        if np.isnan(error).all():
+            raise NoSolutionError(
+                "no point of the workspace is within the machine's reach. "
+                "Check [workspace] and the lengths in [geometry]; top is counted downwards from the base plane."
+            )
         return RoundTrip(_largest(error), len(targets), int(np.isnan(error).sum()))
 
     def _targets(self, targets: Array, tool: Array | None) -> tuple[Array, Array]:
@@ -250,7 +258,8 @@ class Compensator:
         assert limits is not None  # or nothing would be beyond them
         i = int(np.flatnonzero(beyond)[0])
         value, lower, upper = (v / to_internal(unit) for v in (joints[i], *limits[i]))
-        return f"{where}: joint {i + 1} would go to {value:.4f}, but its limits are {lower:g} to {upper:g} {file_unit(unit)}"
+        allowed = f"its limits are {lower:g} to {upper:g} {file_unit(unit)}"
+        return f"{where}: joint {i + 1} would go to {value:.4f}, but {allowed}"
 
 
 def _failed(status: np.ndarray, beyond: np.ndarray) -> list[int]:
@@ -258,15 +267,14 @@ def _failed(status: np.ndarray, beyond: np.ndarray) -> list[int]:
 
 
 def _largest(errors: Array) -> float:
-    """Return the largest error that is a number; NaN where none is."""
-    found = errors[~np.isnan(errors)]
-    return float(found.max()) if len(found) else math.nan
+    """Return the largest error that is a number; 0 where none is."""
+    return float(np.nan_to_num(errors).max(initial=0.0))
 
 
 def _stated(measured: float) -> float:
     """Return what is stated for a measured error: a margin above it, rounded up to two digits."""
-    if not measured > 0.0:
-        return measured
+    if measured == 0.0:
+        return 0.0
     digit = 10.0 ** (math.floor(math.log10(measured * _MARGIN)) - 1)
     return float(f"{math.ceil(measured * _MARGIN / digit) * digit:.1e}")
 
@@ -289,7 +297,9 @@ def _workspace_points(space: tuple[float, float, float]) -> Array:
     rng = np.random.default_rng(_SEED)
     r, turn = radius * np.sqrt(rng.random(_RANDOM_POINTS)), 2 * np.pi * rng.random(_RANDOM_POINTS)
     z = low + (high - low) * rng.random(_RANDOM_POINTS)
-    circles = list(itertools.product((radius, radius / 2), np.radians(np.arange(0, 360, 15)), (low, (low + high) / 2, high)))
+    circles = list(
+        itertools.product((radius, radius / 2), np.radians(np.arange(0, 360, 15)), (low, (low + high) / 2, high))
+    )
     axis = [(0.0, 0.0, level) for level in (low, (low + high) / 2, high)]
     r, turn, z = np.vstack([np.column_stack([r, turn, z]), circles, axis]).T
     return np.column_stack([r * np.cos(turn), r * np.sin(turn), z])
@@ -337,7 +347,7 @@ def c_source(compensator: Compensator, left: RoundTrip) -> str:
     numbers = (
         f"static const double DELTACAL_K[{limbs}][{constants.shape[1]}] = {{\n{values}\n}};\n"
         f"static const double DELTACAL_TOOL[3] = {{ {_c_numbers(robot.tool)} }}; /* mm, reference point in {{O'}} */\n"
-        f"static const double DELTACAL_SIGN[{limbs}] = {{ {_c_numbers(robot.joint_sign)} }}; /* how the controller counts */\n"
+        f"static const double DELTACAL_SIGN[{limbs}] = {{ {_c_numbers(robot.joint_sign)} }}; /* of the controller */\n"
     )
     comment = "\n".join(f" * {line}".rstrip() for line in _c_header(compensator, left, unit))
     return f"/*\n{comment}\n */\n{numbers}\n{body.read_text(encoding='utf-8')}"
@@ -355,30 +365,28 @@ def _c_header(compensator: Compensator, left: RoundTrip, unit: str) -> Iterator[
     yield f"Kind        {compensator.kind}: {what[compensator.kind]}"
     yield f"Model       {compensator.model}, {sum(1 for v in robot.errors.values() if v)} source errors"
     yield f"Parameters  sha256 {compensator.digest}: the same numbers always give the same file"
-    yield f"Error left  {_stated(left.worst_mm):.1e} mm at the worst of {left.points} points of the workspace, against the model's own"
-    yield "            forward position (what the model does not know is not in it)"
+    yield f"Error left  {_stated(left.worst_mm):.1e} mm at the worst of {left.points} points of the workspace,"
+    yield "            against the model's own forward position (what the model does not know is not in it)"
     if left.missed:
         yield f"WARNING     {left.missed} of these points are out of reach or singular"
     yield ""
     yield "In          target_mm: reference point P in the robot frame {O}: origin at the base centre, z up [mm]"
-    yield f"Out         joints_{unit}: what to command, as the controller counts [{unit}]; joint limits are not checked here"
+    yield f"Out         joints_{unit}: what to command, as the controller counts [{unit}]; not checked for joint limits"
     yield "Returns     0 solved; 1 out of reach; 2 singular; joints are written only for 0"
     yield ""
     yield f"Usage       double joints[{limbs}];"
     yield "            const double target[3] = { 0.0, 0.0, -850.0 };"
     yield "            if (deltacal_compensate(target, joints) == 0) { ... }"
-    yield "Build       C99 with the mathematics library; no memory is allocated, no state is kept: safe from any thread."
-    yield "            Not with -ffast-math, which drops the test for targets out of reach."
-    checks = _workspace_points(_workspace(robot))[[-3, -7, -70]]
+    yield "Build       C99 with the mathematics library. No memory is allocated and no state is kept: safe from any"
+    yield "            thread. Not with -ffast-math, which drops the test for targets out of reach."
+    checks = np.round(_workspace_points(_workspace(robot))[[-3, -7, -70]], 3)
     joints, status = compensator.command(checks)
     yield ""
     yield "To check after installation:"
-    for target, command, found in zip(checks, joints / to_internal(mechanism.joint_unit), status, strict=True):
-        if found == SOLVED:
-            inputs = ", ".join(f"{v:.3f}" for v in target)
-            exact, _ = compensator.command(np.array([[float(f"{v:.3f}") for v in target]]))
-            command = exact[0] / to_internal(mechanism.joint_unit)
-            yield f"            ({inputs}) mm -> ({', '.join(f'{v:.9f}' for v in command)}) {unit}"
+    for target, command in zip(checks[status == SOLVED], joints[status == SOLVED], strict=True):
+        inputs = ", ".join(f"{v:.3f}" for v in target)
+        outputs = ", ".join(f"{v:.9f}" for v in command / to_internal(mechanism.joint_unit))
+        yield f"            ({inputs}) mm -> ({outputs}) {unit}"
 
 
 def _plain(text: str) -> str:
@@ -452,7 +460,8 @@ class TableCompensator:
             raise ValueError(f"targets have the shape {targets.shape}, but must have (N, 3).")
         place = (targets - self.origin) / self.step
         last = np.array(self.nodes) - 1
-        outside = ~((place > -1e-9) & (place < last + 1e-9)).all(axis=1)  # a target on the rim may round to beside it
+        # a target on the rim may round to beside it
+        outside: np.ndarray = np.any(~((place > -1e-9) & (place < last + 1e-9)), axis=1)
         place = np.where(outside[:, None], 0.0, place)
         cell = np.clip(place.astype(np.int64), 0, last - 1)
         part = place - cell
@@ -499,6 +508,7 @@ def export_table(
     distance, trilinear interpolation errs by a sum of one term per axis, each largest half way between nodes: the
     largest norm of such a sum is found at one of these middles.
     """
+    compensator.round_trip()  # a workspace out of reach is refused here
     table = _sampled(compensator, step_mm) if step_mm is not None else _fine_enough(compensator, worst_mm)
     write_files({Path(path): _table_text(table, compensator)})
     return table
@@ -507,11 +517,16 @@ def export_table(
 def _fine_enough(compensator: Compensator, worst_mm: float) -> TableCompensator:
     if not worst_mm > 0.0:
         raise UsageError(f"the worst error asked of a table is {worst_mm:g} mm, but must be above 0.")
-    left = _stated(compensator.round_trip().worst_mm)
-    if left >= worst_mm:
+    left = compensator.round_trip()
+    if left.missed:
         raise NoSolutionError(
-            f"the {compensator.kind} compensator itself leaves {left:g} mm over the workspace, so no table of it leaves "
-            f"{worst_mm:g} mm. Use the exact one, or ask for a larger worst error."
+            f"{left.missed} of {left.points} checked points of the workspace are out of reach, so no table covers it. "
+            "Make [workspace] smaller, or give the step of a table that leaves them blank."
+        )
+    if _stated(left.worst_mm) >= worst_mm:
+        raise NoSolutionError(
+            f"the {compensator.kind} compensator itself leaves {_stated(left.worst_mm):g} mm over the workspace, so no "
+            f"table of it leaves {worst_mm:g} mm. Use the exact one, or ask for a larger worst error."
         )
     radius, low, high = _workspace(compensator.robot)
     step = max(2 * radius, high - low) / 4
@@ -534,7 +549,7 @@ def _sampled(compensator: Compensator, step_mm: float, at_most: float | None = N
         asked = f"{at_most:g} mm" if at_most is not None else f"a step of {step_mm:g} mm"
         raise NoSolutionError(
             f"a table for {asked} needs more than {LARGEST_TABLE} nodes. "
-            "Allow a larger error, or export the C source, which leaves none."
+            "Allow a larger one, or export the C source, which needs no grid."
         )
     step = extent / cells
     axes = [origin[i] + step[i] * np.arange(cells[i] + 1) for i in range(3)]
@@ -570,7 +585,7 @@ def _table_errors(table: TableCompensator, compensator: Compensator, radius: flo
         part = points[start : start + _CHUNK]
         joints = compensator.nominal_command(part)[0] + table.correction(part)[0]
         error = np.linalg.norm(compensator.reached(joints)[0] - part, axis=1)
-        worst = max(worst, np.nan_to_num(_largest(error)))
+        worst = max(worst, _largest(error))
         missed += int((np.isnan(error) & inside[start : start + _CHUNK]).sum())
     return RoundTrip(worst, len(points), missed)
 
@@ -594,14 +609,14 @@ def _table_text(table: TableCompensator, compensator: Compensator) -> str:
     count = table.corrections.shape[3]
     n_x, n_y, n_z = table.nodes
     prose = (
-        f"Corrections of joint commands: command = nominal inverse position of the target + dq, dq1..dq{count} in {unit}",
-        "as the controller counts, by the position x, y, z of the reference point in the robot frame {O} (origin at the",
-        "base centre, z up) in mm. Regular grid, z running fastest, then y, then x: row (i * nodes_y + j) * nodes_z + k,",
-        "counted from 0, belongs to the node origin + (i, j, k) * step.",
+        "Corrections of joint commands: command = nominal inverse position of the target + dq,",
+        f"dq1..dq{count} in {unit} as the controller counts, by the position x, y, z in mm of the reference point in",
+        "the robot frame {O} (origin at the base centre, z up). Regular grid, z running fastest, then y, then x:",
+        "row (i * nodes_y + j) * nodes_z + k, counted from 0, belongs to the node origin + (i, j, k) * step.",
         "Interpolation: trilinear between the 8 nodes of the cell. Blank: out of reach; no target may use such a cell.",
-        "worst_mm: worst position error left in the workspace against the model's own exact forward position, measured",
-        "half way between all nodes and at random points; what the model does not know is not in it.",
-        "missed: checked points of the workspace without an answer.",
+        "worst_mm: worst position error left in the cells that the workspace meets, against the model's own exact",
+        "forward position, measured half way between all nodes and at random points. What the model does not know is",
+        "not in it. missed: checked points of the workspace without an answer.",
     )
     facts = {
         "schema": _TABLE_SCHEMA,
@@ -689,7 +704,8 @@ def _table_facts(path: Path, lines: list[str]) -> dict[str, Any]:
     numbers = {"worst_mm": 1, "missed": 1, "tool_mm": 3, "origin_mm": 3, "step_mm": 3, "nodes": 3}
     for key, count in numbers.items():
         found = facts.get(key)
-        if np.shape(found) != (() if count == 1 else (count,)) or not np.issubdtype(np.asarray(found).dtype, np.number):
+        values = found if count > 1 else [found]
+        if not (isinstance(values, list) and len(values) == count and all(type(v) in (int, float) for v in values)):
             raise _damaged(path, None, f"{key} in the header is {found!r}; {count} number{'s'[: count > 1]} expected")
     if not (min(facts["nodes"]) >= 2 and all(isinstance(n, int) for n in facts["nodes"]) and min(facts["step_mm"]) > 0):
         raise _damaged(path, None, "the grid in the header needs 2 or more nodes and a positive step along each axis")

@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import linalg
 
 from deltacal_gen.errors import UsageError
 from deltacal_gen.estimation import Problem
@@ -122,7 +121,7 @@ def observability(H: Array, poses: int) -> Observability:
 
     The condition number is of the largest to the smallest singular value; infinite where the rank is short.
     """
-    s = linalg.svdvals(H) if H.size else np.zeros(0)
+    s = np.linalg.svd(H, compute_uv=False) if H.size else np.zeros(0)
     n = H.shape[1]
     rank = int((s > RANK_TOLERANCE * s[0]).sum()) if len(s) and s[0] > 0 else 0
     full = rank == n
@@ -201,6 +200,8 @@ def base_parameters(H: Array, names: Sequence[str], typical: Array) -> tuple[lis
     dropped : dict
         Dropped parameter to {kept parameter: factor}: its column is that combination of kept columns [mm, rad].
     """
+    from scipy import linalg
+
     scaled = H * typical
     _, R, order = linalg.qr(scaled, mode="economic", pivoting=True)
     diagonal = np.abs(np.diag(R))

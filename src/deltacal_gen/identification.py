@@ -30,7 +30,7 @@ FOLDS = 5
 SEED = 20150415  # of the folds: results do not change from run to run
 BROAD = 10.0  # standard deviation of a parameter of which nothing is known, in ordinary errors
 SPARE = 1.2  # scalar readings per unknown below which a model is not chosen unasked
-RESOLVED = 0.3  # of the prior's standard deviation: a parameter known better than this is identified
+RESOLVED = 0.5  # of a parameter's variance that comes from directions the data know better than the prior
 Progress = Callable[[str], None]
 
 
@@ -396,7 +396,7 @@ def uncertainty_map(final: Fit, robot: Robot) -> dict[str, Any] | None:
 
     Positions and poses: of the position in the instrument's frame, its frame's uncertainty included. Distances and
     gauge lengths know no frame: of the position after the best alignment of the map as a whole. What the data do not
-    pin enters with its prior.
+    pin enters with its prior. The point of the platform is that of the first reading.
     """
     if robot.workspace is None or robot.workspace.radius is None:
         return None
@@ -404,11 +404,12 @@ def uncertainty_map(final: Fit, robot: Robot) -> dict[str, Any] | None:
     mechanism, n = problem.mechanism, len(problem.names)
     targets = check_poses(robot.workspace)
     rows = mechanism.rows(robot)
-    q, x, status = mechanism.inverse(targets, robot.tool, rows)
+    tool = problem.tool[problem.readings.rows[0, 0]]
+    q, x, status = mechanism.inverse(targets, tool, rows)
     ok = status == SOLVED
     if not ok.any():
         return None
-    dx = mechanism.sensitivity(x[ok], q[ok], robot.tool, rows).parameters[:, :, problem.columns]
+    dx = mechanism.sensitivity(x[ok], q[ok], tool, rows).parameters[:, :, problem.columns]
     if final.instrument.kind in ("position", "pose"):
         grid = Readings(
             "position",
@@ -436,6 +437,7 @@ def uncertainty_map(final: Fit, robot: Robot) -> dict[str, Any] | None:
     norm = np.linalg.norm(std, axis=1)
     return {
         "frame": "instrument" if final.instrument.kind in ("position", "pose") else "best alignment of the map",
+        "tool_mm": tool.tolist(),
         "worst_mm": float(norm.max()),
         "median_mm": float(np.median(norm)),
         "points": [
@@ -461,6 +463,7 @@ def _result(found: Identification) -> dict[str, Any]:
     deviation = np.sqrt(np.maximum(np.diag(final.covariance)[:n], 0.0))
     ruled_out = {name for c in (*found.unseen, *found.weak) for name in c.terms}
     by_prior = final.solution.rule.startswith("priors")
+    by_data = _share_of_data(final)
     parameters = []
     for p in mechanism.parameters:
         factor = to_internal(p.unit)
@@ -470,7 +473,7 @@ def _result(found: Identification) -> dict[str, Any]:
             entry["status"] = "fixed"
         else:
             j = names.index(p.name)
-            known = deviation[j] < RESOLVED * problem.scale[j] if by_prior else p.name not in ruled_out
+            known = by_data[j] > RESOLVED if by_prior else p.name not in ruled_out
             given = by_prior and found.prior_given[j]
             entry["status"] = "identified" if known else "pinned by prior" if given else "not pinned"
             if known or given:
@@ -516,6 +519,16 @@ def _result(found: Identification) -> dict[str, Any]:
         | {"setups": list(problem.recording.setup_names), "zero": problem.recording.measurement.zero},
         "robot": robot_to_dict(found.robot),
     }
+
+
+def _share_of_data(final: Fit) -> Array:
+    """Return the part (n,) of each parameter's variance that lies in directions which the data determine."""
+    solution = final.solution
+    share = solution.V**2 * (1 - solution.factors)
+    determined = solution.factors > 0.5
+    rest = np.maximum(1 - (solution.V**2).sum(axis=1), 0.0)  # directions beyond the readings
+    result: Array = share[:, determined].sum(axis=1) / (share.sum(axis=1) + rest + 1e-300)
+    return result
 
 
 def _terms(c: Combination, mechanism: Mechanism) -> dict[str, float]:

@@ -13,12 +13,12 @@ from types import ModuleType
 from typing import Any
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.mechanism import Array
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot
+from deltacal_gen.rotation import cayley_matrix, from_vector, mean, to_vector
 
 KINDS = ("position", "pose", "distance", "gauge")
 
@@ -117,7 +117,7 @@ def readings(recording: Recording, *, as_distance: bool = False) -> Readings:
         vectors = recording.measured[taken, 3:6]
         rotations = np.full((len(taken), 3, 3), np.nan)
         read = np.isfinite(vectors).all(axis=1)
-        rotations[read] = Rotation.from_rotvec(vectors[read]).as_matrix()
+        rotations[read] = from_vector(vectors[read])
     found = Readings(
         kind,
         taken[:, None],
@@ -218,7 +218,7 @@ class Instrument:
         turned = np.full((len(found), 3), np.nan)
         read = np.isfinite(found.rotations[:, 0, 0])
         gap = found.rotations[read] @ np.swapaxes(rotations[read], 1, 2)
-        turned[read] = Rotation.from_matrix(gap).as_rotvec()
+        turned[read] = to_vector(gap)
         return np.hstack([r, turned])
 
     def linearise(self, found: Readings, x: Array, dx: Array) -> tuple[Array, Array]:
@@ -253,17 +253,17 @@ class Instrument:
         if self.kind == "gauge":
             state += step
             return dataclasses.replace(self, state=state)
-        state[:, :9] = (_cayley(step[:, :3]) @ state[:, :9].reshape(-1, 3, 3)).reshape(-1, 9)
+        state[:, :9] = (cayley_matrix(step[:, :3]) @ state[:, :9].reshape(-1, 3, 3)).reshape(-1, 9)
         state[:, 9:12] += step[:, 3:6]
         if self.kind == "pose":
-            state[:, 12:] = (_cayley(step[:, 6:9]) @ state[:, 12:].reshape(-1, 3, 3)).reshape(-1, 9)
+            state[:, 12:] = (cayley_matrix(step[:, 6:9]) @ state[:, 12:].reshape(-1, 3, 3)).reshape(-1, 9)
         return dataclasses.replace(self, state=state)
 
     def frames(self) -> list[tuple[Array, Array]]:
         """Return per set-up the rotation vector [rad] and the origin [mm] of {O} in the instrument's frame."""
         if self.kind not in ("position", "pose"):
             return []
-        return [(Rotation.from_matrix(s[:9].reshape(3, 3)).as_rotvec(), s[9:12]) for s in self.state]
+        return [(to_vector(s[:9].reshape(3, 3)), s[9:12]) for s in self.state]
 
     def to_dict(self) -> dict[str, Any]:
         """Return the state for a result file."""
@@ -310,13 +310,8 @@ def start(found: Readings, recording: Recording, robot: Robot, x: Array) -> Inst
             part = found.subset(chosen)
             _, predicted = instrument.predict(part, x)
             assert part.rotations is not None and predicted is not None
-            body[s] = Rotation.from_matrix(np.swapaxes(predicted, 1, 2) @ part.rotations).mean().as_matrix().ravel()
+            body[s] = mean(np.swapaxes(predicted, 1, 2) @ part.rotations).ravel()
     return dataclasses.replace(instrument, state=np.hstack([state, body]))
-
-
-def _cayley(c: Array) -> Array:
-    """Return rotations (S, 3, 3) by Cayley vectors (S, 3), the map in which the increments are defined."""
-    return Rotation.from_quat(np.column_stack([c / 2, np.ones(len(c))])).as_matrix()
 
 
 def align(a: Array, b: Array) -> Array:

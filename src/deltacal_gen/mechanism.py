@@ -7,7 +7,9 @@ from __future__ import annotations
 
 import difflib
 import importlib
-from collections.abc import Mapping, Sequence
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache, cached_property
 from types import ModuleType
@@ -23,6 +25,8 @@ if TYPE_CHECKING:
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 SOLVED, UNREACHABLE, SINGULAR = 0, 1, 2
+PATIENCE_S = 1.5  # of NumPy before Numba is loaded; loading takes about 1 s
+MANY_POSES = 20_000  # in one call: Numba at once
 STATUS = {
     SOLVED: "solved",
     UNREACHABLE: "out of reach: no pose of the platform closes all loops",
@@ -101,6 +105,7 @@ class Mechanism:
 
     def __init__(self, tables: ModuleType) -> None:
         self._tables = tables
+        self._spent = 0.0
         self.name: str = tables.NAME
         self.title: str = tables.TITLE
         self.reference: str = tables.REFERENCE
@@ -195,15 +200,36 @@ class Mechanism:
     # --------------------------------------------------------------------------------------------------- kernels
 
     @cached_property
-    def _kinematics(self) -> ModuleType:
+    def compiled(self) -> ModuleType:
+        """The Numba kernels; the first use loads Numba and, once per machine, compiles."""
         return importlib.import_module(f"deltacal_kernels.{self.name}.kinematics")
+
+    @cached_property
+    def vectorised(self) -> ModuleType:
+        """The same kernels in plain NumPy."""
+        return importlib.import_module(f"deltacal_kernels.{self.name}.vectorised")
+
+    @contextmanager
+    def _kernels(self, poses: int) -> Iterator[ModuleType]:
+        """Yield the kernels that pay for so many poses.
+
+        Loading Numba takes about as long as a few hundred small calls to NumPy. Which a process will need is not
+        known, so NumPy works until it has cost as much as loading would have: never more than twice the best choice.
+        """
+        if self._spent > PATIENCE_S or poses > MANY_POSES:
+            self._spent = np.inf
+            yield self.compiled
+            return
+        start = time.perf_counter()
+        yield self.vectorised
+        self._spent += time.perf_counter() - start
 
     @cached_property
     def _statics(self) -> ModuleType:
         return importlib.import_module(f"deltacal_kernels.{self.name}.statics")
 
     def _constants(self, rows: Array) -> Array:
-        k: Array = self._kinematics.constants(rows)
+        k: Array = self.vectorised.constants(rows)
         return k
 
     def forward(self, q: Array, tool: Array, rows: Array) -> tuple[Array, np.ndarray]:
@@ -227,7 +253,8 @@ class Mechanism:
         """
         q, tool = self._poses(q, self.limbs, "joints"), self._tool(tool, len(q))
         x, status = np.empty((len(q), self.n_x)), np.empty(len(q), dtype=np.int64)
-        self._kinematics.forward(q, tool, self._constants(rows), x, status)
+        with self._kernels(len(q)) as kernels:
+            kernels.forward(q, tool, self._constants(rows), x, status)
         return x, status
 
     def inverse(self, target: Array, tool: Array, rows: Array) -> tuple[Array, Array, np.ndarray]:
@@ -243,7 +270,8 @@ class Mechanism:
         target, tool = self._poses(target, 3, "target"), self._tool(tool, len(target))
         q, x = np.empty((len(target), self.limbs)), np.empty((len(target), self.n_x))
         status = np.empty(len(target), dtype=np.int64)
-        self._kinematics.inverse(target, tool, self._constants(rows), x, q, status)
+        with self._kernels(len(target)) as kernels:
+            kernels.inverse(target, tool, self._constants(rows), x, q, status)
         return q, x, status
 
     def jacobians(self, x: Array, q: Array, tool: Array, rows: Array) -> tuple[Array, Array, Array, Array]:
@@ -255,7 +283,8 @@ class Mechanism:
         f, n_v = self._tables.EQUATIONS, len(self.parameters) // self.limbs + len(self.deflections)
         F, J_x = np.zeros((len(x), f)), np.zeros((len(x), f, self.n_x))
         J_q, J_p = np.zeros((len(x), f)), np.zeros((len(x), f, n_v))
-        self._kinematics.jacobians(x, q, self._tool(tool, len(x)), self._constants(rows), F, J_x, J_q, J_p)
+        with self._kernels(len(q)) as kernels:
+            kernels.jacobians(x, q, self._tool(tool, len(x)), self._constants(rows), F, J_x, J_q, J_p)
         return F, J_x, J_q, J_p
 
     def sensitivity(self, x: Array, q: Array, tool: Array, rows: Array) -> Sensitivity:
@@ -265,7 +294,8 @@ class Mechanism:
         S = np.empty((len(x), self.n_x, self.limbs * (n_e + n_d)))
         V = np.empty((len(x), self.n_x, self.limbs))
         status = np.empty(len(x), dtype=np.int64)
-        self._kinematics.sensitivity(x, q, self._tool(tool, len(x)), self._constants(rows), S, V, status)
+        with self._kernels(len(q)) as kernels:
+            kernels.sensitivity(x, q, self._tool(tool, len(x)), self._constants(rows), S, V, status)
         by_limb = S.reshape(len(x), self.n_x, self.limbs, n_e + n_d)
         return Sensitivity(by_limb[..., :n_e].reshape(len(x), self.n_x, -1), by_limb[..., n_e:], V)
 
@@ -299,18 +329,15 @@ class Mechanism:
         """
         x, q = self._poses(x, self.n_x, "poses"), self._poses(q, self.limbs, "joints")
         _, J_x, J_q, _ = self.jacobians(x, q, tool, rows)
-        W_q, W_x = np.zeros((len(x), self.limbs)), np.zeros((len(x), self.n_x))
         weights = np.array([masses.get(name, 0.0) for name, _ in self._tables.MASSES])
-        self._statics.loads(
+        W_q, W_x = self._statics.loads(
             x,
             q,
             self._tool(tool, len(x)),
-            np.ascontiguousarray(rows),
+            rows,
             weights,
-            np.ascontiguousarray(np.broadcast_to(np.asarray(payload, dtype=float), len(x))),
+            np.broadcast_to(np.asarray(payload, dtype=float), len(x)),
             np.asarray(gravity, dtype=float),
-            W_q,
-            W_x,
         )
         multipliers = -np.linalg.solve(np.swapaxes(J_x, 1, 2), W_x[..., None])
         exerted = (J_q[..., None] * multipliers).reshape(len(x), self.limbs, -1).sum(axis=2)

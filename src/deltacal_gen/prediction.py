@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.estimation import Problem, pose_problem
@@ -15,6 +14,7 @@ from deltacal_gen.measurement import Instrument, Readings
 from deltacal_gen.mechanism import Array
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot, robot_from_dict
+from deltacal_gen.rotation import to_vector
 from deltacal_gen.simulation import unread
 
 
@@ -42,7 +42,7 @@ def predict(result: Mapping[str, Any], recording: Recording) -> Recording:
     problem, instrument = prediction_problem(result, robot, recording)
     values, rotations = instrument.predict(problem.readings, problem.poses(problem.reference))
     if rotations is not None:
-        values = np.hstack([values, Rotation.from_matrix(rotations).as_rotvec()])
+        values = np.hstack([values, to_vector(rotations)])
     if recording.kind == "gauge" and recording.measurement.zero == "incremental":
         values = values - values[0]
     if recording.kind == "distance":

@@ -730,7 +730,7 @@ def write_recording(recording: Recording, path: str | Path) -> None:
     if path.suffix == ".parquet":
         raise InputError("recordings are written as CSV.", "Choose a name that ends with .csv.", file=path)
     distances = _distances_path(path)
-    columns, pair_columns = _file_columns(recording)
+    columns, pair_columns = file_columns(recording)
     files = {path.with_suffix(".toml"): _sidecar_text(recording)}
     if pair_columns:
         files[distances] = csv_text(pair_columns)
@@ -743,7 +743,7 @@ def write_recording(recording: Recording, path: str | Path) -> None:
     write_files(files | {path: csv_text(columns)})
 
 
-def _file_columns(recording: Recording) -> tuple[dict[str, Any], dict[str, Any]]:
+def file_columns(recording: Recording) -> tuple[dict[str, Any], dict[str, Any]]:
     """Columns of the recording and of its distances, in the units of the files."""
     unit = recording.joint_unit
     poses = recording.pose.tolist()

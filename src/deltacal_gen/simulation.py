@@ -11,13 +11,13 @@ from typing import Annotated, Any
 
 import numpy as np
 from pydantic import Field
-from scipy.spatial.transform import Rotation
 
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.measurement import KINDS, Instrument, Readings
 from deltacal_gen.mechanism import SOLVED, STATUS, Array, load_mechanism
 from deltacal_gen.recording import Measurement, Recording
 from deltacal_gen.robot import Robot, Table, TomlFile, nearest
+from deltacal_gen.rotation import cayley_matrix, from_vector, to_vector
 from deltacal_gen.units import DEG, to_internal
 
 
@@ -117,15 +117,14 @@ def simulate(
     if noise_mm and rng is not None:
         values = values + noise_mm * rng.standard_normal(values.shape)
     if rotations is not None:
-        turned = Rotation.from_matrix(rotations)
         if noise_rad and rng is not None:
-            turned = Rotation.from_rotvec(noise_rad * rng.standard_normal((len(values), 3))) * turned
-        values = np.hstack([values, turned.as_rotvec()])
+            rotations = from_vector(noise_rad * rng.standard_normal((len(values), 3))) @ rotations
+        values = np.hstack([values, to_vector(rotations)])
     if poses.kind == "gauge" and poses.measurement.zero == "incremental":
         values = values - values[0]
     truth = {
         f"true_r{axis}_deg": column / DEG
-        for axis, column in zip("xyz", Rotation.from_quat(_quaternion(x[:, 3:6])).as_rotvec().T, strict=True)
+        for axis, column in zip("xyz", to_vector(cayley_matrix(x[:, 3:6])).T, strict=True)
     }
     measurement = poses.measurement.model_copy(update={"kind": poses.kind})
     if noise_mm and poses.measurement.sigma_mm is None:
@@ -136,11 +135,6 @@ def simulate(
     if poses.kind == "distance":
         return dataclasses.replace(done, pair_measured=values[:, 0])
     return dataclasses.replace(done, measured=values)
-
-
-def _quaternion(c: Array) -> Array:
-    """Return quaternions (N, 4), scalar last, of Cayley vectors (N, 3)."""
-    return np.column_stack([c / 2, np.ones(len(c))])
 
 
 def unread(poses: Recording) -> Readings:
@@ -173,9 +167,9 @@ def _instrument(
     setups = int(poses.setup.max()) + 1
     turn, origin = np.tile(np.eye(3), (setups, 1, 1)), np.zeros((setups, 3))
     if frame is not None:
-        turn[:], origin[:] = Rotation.from_rotvec(frame[0]).as_matrix(), frame[1]
+        turn[:], origin[:] = from_vector(frame[0]), frame[1]
     elif measurement.frame == "unknown" and rng is not None:
-        turn = Rotation.from_rotvec(0.3 * rng.standard_normal((setups, 3))).as_matrix().reshape(-1, 3, 3)
+        turn = from_vector(0.3 * rng.standard_normal((setups, 3)))
         origin = 1000.0 * rng.standard_normal((setups, 3))
     state = np.hstack([turn.reshape(setups, 9), origin])
     if poses.kind == "pose":

@@ -14,7 +14,6 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from scipy import linalg
 
 from deltacal_gen.errors import UsageError
 from deltacal_gen.mechanism import Array
@@ -81,7 +80,7 @@ class Solver(Protocol):
 
 
 def _factored(A: Array, b: Array, rule: Callable[[Array, Array, float], tuple[Array, Array, str]]) -> Solution:
-    U, s, Vt = linalg.svd(A, full_matrices=False, check_finite=False)
+    U, s, Vt = np.linalg.svd(A, full_matrices=False)
     c = U.T @ b
     rest = float(b @ b - c @ c)
     factors, variance, words = rule(s, c, max(rest, 0.0))

@@ -1,7 +1,7 @@
 """Kinematics of `delta`: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 43e04f3559aca3ba; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 5a0aa16d21d5c839; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -1274,21 +1274,21 @@ def linear_constants(p):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _nominal_turn(x, q, tool, k, out):
-    """Joint of the nominal limb at a given position (34 operations)."""
+def _nominal_turn(x, q, tool, k, i, out):
+    """Joint of the nominal limb at a given position (34 operations); limb i of k, row i of out."""
     px = x[0]
     py = x[1]
     pz = x[2]
     tx = tool[0]
     ty = tool[1]
     tz = tool[2]
-    s106 = k[0]
-    s108 = k[1]
-    s110 = k[2]
-    s112 = k[3]
-    s129 = k[4]
-    s124 = k[5]
-    L = k[6]
+    s106 = k[i, 0]
+    s108 = k[i, 1]
+    s110 = k[i, 2]
+    s112 = k[i, 3]
+    s129 = k[i, 4]
+    s124 = k[i, 5]
+    L = k[i, 6]
     A_z = pz - tz
     s107 = px + s106 - tx
     s111 = py + s110 - ty
@@ -1297,48 +1297,48 @@ def _nominal_turn(x, q, tool, k, out):
     s130 = 0.5*(s107 * s107) + 0.5*(s111 * s111) + 0.5*s116 + s129
     s134 = math.sqrt((s114 * s114) + s116*s124 - (s130 * s130))
     s141 = math.atan2(A_z*L*s130 - s114*s134, -A_z*L*s134 - s114*s130)
-    out[0] = s141
+    row = 1 * i
+    out[row + 0] = s141
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _linear(x, q, tool, k, out):
-    """Per rod of one nominal limb: change of the closure by all errors, its derivatives by the rotation, by the joint (124 operations)."""
+def _linear(x, q, tool, k, i, out):
+    """Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (124 operations); limb i of k, row i of out."""
     px = x[0]
     py = x[1]
     pz = x[2]
     tx = tool[0]
     ty = tool[1]
     tz = tool[2]
-    q = q
-    L = k[6]
-    R0_11 = k[7]
-    R0_11_errors = k[8]
-    R0_12_errors = k[9]
-    theta = k[10]
-    R0_21 = k[11]
-    R0_21_errors = k[12]
-    R0_22_errors = k[13]
-    B_x = k[14]
-    dL = k[15]
-    tip_v = k[16]
-    s58 = k[17]
-    B_y = k[18]
-    s67 = k[19]
-    ez = k[20]
-    s75 = k[21]
-    s77 = k[22]
-    g_x_errors = k[23]
-    g_y_errors = k[24]
-    s87 = k[25]
-    s94 = k[26]
-    s98 = k[27]
-    h_x_errors = k[28]
-    h_y_errors = k[29]
-    h_z_errors = k[30]
-    s150 = k[31]
-    h_y = k[32]
-    h_x = k[33]
-    s169 = k[34]
+    L = k[i, 6]
+    R0_11 = k[i, 7]
+    R0_11_errors = k[i, 8]
+    R0_12_errors = k[i, 9]
+    theta = k[i, 10]
+    R0_21 = k[i, 11]
+    R0_21_errors = k[i, 12]
+    R0_22_errors = k[i, 13]
+    B_x = k[i, 14]
+    dL = k[i, 15]
+    tip_v = k[i, 16]
+    s58 = k[i, 17]
+    B_y = k[i, 18]
+    s67 = k[i, 19]
+    ez = k[i, 20]
+    s75 = k[i, 21]
+    s77 = k[i, 22]
+    g_x_errors = k[i, 23]
+    g_y_errors = k[i, 24]
+    s87 = k[i, 25]
+    s94 = k[i, 26]
+    s98 = k[i, 27]
+    h_x_errors = k[i, 28]
+    h_y_errors = k[i, 29]
+    h_z_errors = k[i, 30]
+    s150 = k[i, 31]
+    h_y = k[i, 32]
+    h_x = k[i, 33]
+    s169 = k[i, 34]
     s27 = math.cos(q)
     s28 = R0_11*s27
     s29 = math.sin(q)
@@ -1395,16 +1395,17 @@ def _linear(x, q, tool, k, out):
     s171 = s152 + s153 - s154
     s172 = s156 + s157 - s158
     s173 = s160 + s161 - s162 - s163
-    out[0] = s151
-    out[4] = s155
-    out[5] = s159
-    out[6] = s164
-    out[7] = s168
-    out[8] = s170
-    out[12] = s171
-    out[13] = s172
-    out[14] = s173
-    out[15] = s168
+    row = 16 * i
+    out[row + 0] = s151
+    out[row + 4] = s155
+    out[row + 5] = s159
+    out[row + 6] = s164
+    out[row + 7] = s168
+    out[row + 8] = s170
+    out[row + 12] = s171
+    out[row + 13] = s172
+    out[row + 14] = s173
+    out[row + 15] = s168
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -1524,13 +1525,12 @@ def linear_command(target, tool, k, work, q):
     """
     status = SOLVED
     for i in range(3):
-        _nominal_turn(target, 0.0, tool, k[i], work)
-        q[i] = work[0]
+        _nominal_turn(target, 0.0, tool, k, i, q)
         if not math.isfinite(q[i]):
             status = UNREACHABLE
     if status == SOLVED:
         for i in range(3):
-            _linear(target, q[i], tool, k[i], work[16 * i : 16 * (i + 1)])
+            _linear(target, q[i], tool, k, i, work)
         if not _hold(work):
             status = SINGULAR
     for i in range(3):

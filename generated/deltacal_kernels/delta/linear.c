@@ -45,7 +45,7 @@ static void nominal_turn(const double *x, double q, const double *tool, const do
     out[0] = s141;
 }
 
-/* Per rod of one nominal limb: change of the closure by all errors, its derivatives by the rotation, by the joint (124 operations). */
+/* Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (124 operations). */
 static void linear(const double *x, double q, const double *tool, const double *k, double *out)
 {
     const double px = x[0];

@@ -1,27 +1,23 @@
 """Generalised loads of `delta`: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/statics.py.jinja; sha256 of both 885bc093d215bb7c; SymPy 1.14.0.
+Template templates/mechanism/statics.py.jinja; sha256 of both ee9027167b6aa7a1; SymPy 1.14.0.
 
-masses: proximal proximal_com distal_rod platform; payload (N,) in kg at the reference point; gravity (3,) in m/s^2;
-loads in N (along lengths) and N mm (along angles).
+Plain NumPy over all poses at once. masses: proximal proximal_com distal_rod platform; payload (N,) in kg at the
+reference point; gravity (3,) in m/s^2; loads in N (along lengths) and N mm (along angles).
 """
 
-import math
-
 import numpy as np
-from numba import njit
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _limb(x, q, tool, p, masses, gravity, out):
-    """Generalised loads of one limb's weights: on its joint, on the platform (253 operations)."""
-    cx = x[3]
-    cy = x[4]
-    cz = x[5]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
+def _limb(x, q, tool, p, masses, gravity):
+    """Generalised loads of one limb's weights: on its joint, on the platform: (N, 7)."""
+    cx = x[:, 3]
+    cy = x[:, 4]
+    cz = x[:, 5]
+    tx = tool[:, 0]
+    ty = tool[:, 1]
+    tz = tool[:, 2]
     q = q
     gx = gravity[0]
     gy = gravity[1]
@@ -29,14 +25,14 @@ def _limb(x, q, tool, p, masses, gravity, out):
     proximal = masses[0]
     proximal_com = masses[1]
     distal_rod = masses[2]
-    a = p[1]
-    L = p[2]
-    phi = p[5]
-    theta = p[6]
-    dL = p[10]
-    alpha0 = p[11]
-    beta0 = p[12]
-    tip_v = p[20]
+    a = p[:, 1]
+    L = p[:, 2]
+    phi = p[:, 5]
+    theta = p[:, 6]
+    dL = p[:, 10]
+    alpha0 = p[:, 11]
+    beta0 = p[:, 12]
+    tip_v = p[:, 20]
     s0 = (beta0 * beta0)
     s1 = (alpha0 * alpha0)
     s2 = s0 + s1
@@ -44,11 +40,11 @@ def _limb(x, q, tool, p, masses, gravity, out):
     s18 = s2*(s2*(s2*(s2*(s10 + 2.755731922398589e-07) - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664)
     s19 = s18 + 0.5
     s21 = -s0*s19 + 1
-    s22 = math.cos(phi)
+    s22 = np.cos(phi)
     s31 = s2*(s2*(s2*(2.8114572543455206e-15*s0 + 2.8114572543455206e-15*s1 - 7.647163731819816e-13) + 1.6059043836821613e-10) - 2.505210838544172e-08)
     s39 = s2*(s2*(s2*(s2*(s31 + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333) - 0.16666666666666666)
     s40 = s39 + 1
-    s41 = math.sin(phi)
+    s41 = np.sin(phi)
     R0_11 = -beta0*s40*s41 + s21*s22
     R0_12 = alpha0*beta0*s19*s22 + alpha0*s40*s41
     R0_21 = beta0*s22*s40 + s21*s41
@@ -116,28 +112,29 @@ def _limb(x, q, tool, p, masses, gravity, out):
     s448 = gx*proximal*s317 + s219*s314
     s451 = -R0_11*s372 + R0_12*s448 - R0_21*s366 + R0_22*s439 - R0_31*s360 + R0_32*s430
     s455 = R0_11*s448 + R0_12*s372 + R0_21*s439 + R0_22*s366 + R0_31*s430 + R0_32*s360
-    s457 = s451*math.cos(s163) - s455*math.sin(s163)
+    s457 = s451*np.cos(s163) - s455*np.sin(s163)
     s581 = 2*cx*(-0.5*s378 - 0.5*s391 + s416) + s380 - s384 + s386*s398 + s387*s404
     s582 = 2*cy*(-0.5*s378 - 0.5*s408 + s416) - s382 + s385*s386 + s397 + s399*s404
     s583 = 2*cz*(-0.5*s391 - 0.5*s408 + s416) + s385*s387 + s395 + s398*s399 - s403
-    out[0] = s457
-    out[1] = s314
-    out[2] = s311
-    out[3] = s308
-    out[4] = s581
-    out[5] = s582
-    out[6] = s583
+    out = np.zeros((len(x), 7))
+    out[:, 0] = s457
+    out[:, 1] = s314
+    out[:, 2] = s311
+    out[:, 3] = s308
+    out[:, 4] = s581
+    out[:, 5] = s582
+    out[:, 6] = s583
+    return out
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _platform(x, tool, masses, payload, gravity, out):
-    """Generalised loads of the platform's weight and of the payload (130 operations)."""
-    cx = x[3]
-    cy = x[4]
-    cz = x[5]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
+def _platform(x, tool, masses, payload, gravity):
+    """Generalised loads of the platform's weight and of the payload: (N, 6)."""
+    cx = x[:, 3]
+    cy = x[:, 4]
+    cz = x[:, 5]
+    tx = tool[:, 0]
+    ty = tool[:, 1]
+    tz = tool[:, 2]
     payload = payload
     gx = gravity[0]
     gy = gravity[1]
@@ -196,25 +193,22 @@ def _platform(x, tool, masses, payload, gravity, out):
     s689 = 2*cx*(-0.5*s639 - 0.5*s650 + s673) + s386*s657 + s387*s662 + s641 - s645
     s690 = 2*cy*(-0.5*s639 - 0.5*s666 + s673) + s386*s646 + s399*s662 - s643 + s656
     s691 = 2*cz*(-0.5*s650 - 0.5*s666 + s673) + s387*s646 + s399*s657 + s654 - s661
-    out[0] = s687
-    out[1] = s685
-    out[2] = s681
-    out[3] = s689
-    out[4] = s690
-    out[5] = s691
+    out = np.zeros((len(x), 6))
+    out[:, 0] = s687
+    out[:, 1] = s685
+    out[:, 2] = s681
+    out[:, 3] = s689
+    out[:, 4] = s690
+    out[:, 5] = s691
+    return out
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def loads(x, q, tool, p, masses, payload, gravity, W_q, W_x):
-    """Fill the generalised loads W_q (N, 3) on the joints and W_x (N, 6) on the platform."""
-    out = np.zeros(7)
-    for n in range(x.shape[0]):
-        m = n if p.shape[0] > 1 else 0
-        _platform(x[n], tool[n], masses, payload[n], gravity, out)
-        for c in range(6):
-            W_x[n, c] = out[c]
-        for i in range(3):
-            _limb(x[n], q[n, i], tool[n], p[m, i], masses, gravity, out)
-            W_q[n, i] = out[0]
-            for c in range(6):
-                W_x[n, c] += out[1 + c]
+def loads(x, q, tool, p, masses, payload, gravity):
+    """Return the generalised loads W_q (N, 3) on the joints and W_x (N, 6) on the platform."""
+    W_q = np.zeros((len(x), 3))
+    W_x = _platform(x, tool, masses, payload, gravity)
+    for i in range(3):
+        own = _limb(x, q[:, i], tool, p[:, i], masses, gravity)
+        W_q[:, i] = own[:, 0]
+        W_x += own[:, 1:]
+    return W_q, W_x

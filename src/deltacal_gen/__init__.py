@@ -1,0 +1,52 @@
+"""Calibration of parallel robots with models that are derived, not typed.
+
+Every command of ``deltacal`` is a function of the same name here; each takes paths, or objects already read::
+
+    import deltacal_gen as dc
+
+    result = dc.identify("robot.toml", "recording.csv", model="delta/32")
+    print(result["heldout_rms_mm"], result["unidentifiable"])
+    joints = dc.compensate(result, targets)          # (N, 3) mm -> (N, 3) deg
+
+Inside: mm, rad, s, kg, N; files and results speak deg (see ``units``).
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import Any
+
+__version__ = "0.1.0"
+
+_HOME = {
+    "commands": (
+        "compensate",
+        "demo",
+        "identify",
+        "kernels",
+        "matrix",
+        "models",
+        "plan",
+        "predict",
+        "simulate",
+        "validate",
+    ),
+    "compensation": ("Compensator", "export_c", "export_table", "read_table"),
+    "errors": ("DeltacalError", "InputError", "NoSolutionError", "UsageError"),
+    "mechanism": ("Mechanism", "load_mechanism"),
+    "recording": ("Recording", "read_recording", "write_recording"),
+    "robot": ("Robot", "read_robot", "robot_to_toml"),
+    "solvers": ("LeastSquares", "Prior", "Ridge", "TSVD"),
+}
+_WHERE = {name: module for module, names in _HOME.items() for name in names}
+__all__ = sorted(_WHERE)  # names are looked up on first use, so that a command starts at once
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _WHERE:
+        raise AttributeError(f"module 'deltacal_gen' has no attribute '{name}'")
+    return getattr(importlib.import_module(f"deltacal_gen.{_WHERE[name]}"), name)
+
+
+def __dir__() -> list[str]:
+    return [*__all__, "__version__"]

@@ -1,0 +1,408 @@
+"""The ``deltacal`` command: arguments in, tables and exit codes out; no computation lives here.
+
+Exit codes: 0 done; 1 done, and the answer is no; 2 usage; 3 bad input; 4 no convergence or no solution.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Annotated, Any
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the matrices are small: threads only wait for one another
+
+import typer
+from rich.console import Console
+from rich.table import Table
+
+from deltacal_gen.errors import DeltacalError
+
+app = typer.Typer(
+    name="deltacal",
+    help="Calibrate parallel robots with models that are derived, not typed.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+screen = Console(highlight=False)
+aside = Console(stderr=True, highlight=False)
+
+RobotFile = Annotated[Path, typer.Argument(metavar="ROBOT", help="robot file (TOML)", show_default=False)]
+RecordingFile = Annotated[Path, typer.Argument(metavar="RECORDING", help="recording (CSV)", show_default=False)]
+ResultFile = Annotated[Path, typer.Argument(metavar="RESULT", help="RESULT.json of identify", show_default=False)]
+Json = Annotated[bool, typer.Option("--json", help="print the JSON and nothing else")]
+Model = Annotated[str | None, typer.Option("--model", help="e.g. delta/32 or 32", show_default=False)]
+As = Annotated[str | None, typer.Option("--as", help="'distance': use the distances of all pairs of positions")]
+
+
+@contextmanager
+def _progress(quiet: bool) -> Iterator[Callable[[str], None]]:
+    """Show what is being done on the error stream while it lasts; nothing when the output is JSON or no terminal."""
+    if quiet or not aside.is_terminal:
+        yield lambda text: None
+        return
+    with aside.status("") as status:
+        yield lambda text: status.update(text)
+
+
+def _as_distance(value: str | None) -> bool:
+    if value not in (None, "distance"):
+        raise typer.BadParameter("only 'distance' is known", param_hint="--as")
+    return value == "distance"
+
+
+def _print_json(data: Any) -> None:
+    sys.stdout.write(json.dumps(data, indent=1, allow_nan=False, default=_plain) + "\n")
+
+
+def _plain(value: Any) -> Any:
+    return value.tolist()
+
+
+def _number(value: float | None, digits: int = 4) -> str:
+    return "-" if value is None else f"{value:.{digits}g}"
+
+
+@app.command()
+def demo(
+    output: Annotated[Path, typer.Option("-o", "--output", help="folder for the files it makes")] = Path("demo"),
+    as_json: Json = False,
+) -> None:
+    """Run the main job end to end on an embedded recording."""
+    from deltacal_gen import commands
+
+    with _progress(as_json) as tell:
+        found = commands.demo(output, tell)
+    if as_json:
+        _print_json(found)
+        return
+    _show_result(found["result"])
+    table = Table(title="The same machine at 96 poses that no fit has seen, against the truth", title_justify="left")
+    table.add_column("model of the machine")
+    for column in ("rms, mm", "largest, mm"):
+        table.add_column(column, justify="right")
+    for row in found["check"]:
+        table.add_row(row["machine"], f"{row['rms_mm']:.4f}", f"{row['worst_mm']:.4f}")
+    screen.print(table)
+    screen.print(f"Look at {found['picture']}; the calibrated machine is in {found['files'][0]}.")
+
+
+@app.command()
+def kernels(
+    check: Annotated[bool, typer.Option("--check", help="write nothing; fail if the committed kernels differ")] = False,
+) -> None:
+    """Derive the models and emit the kernel package (from a source checkout)."""
+    from deltacal_gen import commands
+
+    if not commands.kernels(check=check):
+        raise typer.Exit(1)
+
+
+@app.command()
+def models(as_json: Json = False) -> None:
+    """List the mechanisms, their models and their parameters."""
+    from deltacal_gen import commands
+
+    found = commands.models()
+    if as_json:
+        _print_json(found)
+        return
+    for m in found:
+        screen.print(f"[bold]{m['mechanism']}[/bold]: {m['title']} ({m['reference']})")
+        table = Table("model", "parameters", box=None, padding=(0, 2))
+        for name, names in m["models"].items():
+            shown = " ".join(names) if len(names) <= 8 else f"{' '.join(names[:6])} ... {names[-1]}"
+            table.add_row(name, shown)
+        screen.print(table)
+        table = Table("parameter", "unit", "meaning", box=None, padding=(0, 2))
+        for p in m["parameters"]:
+            table.add_row(p["name"], p["unit"], p["meaning"])
+        screen.print(table)
+
+
+@app.command()
+def plan(
+    robot: RobotFile,
+    model: Annotated[str, typer.Option("--model", help="e.g. delta/18")],
+    kind: Annotated[str, typer.Option(help="what will be measured: distance or position")] = "distance",
+    points: Annotated[int, typer.Option(help="reference points on the platform: 1, 2 or 3")] = 1,
+    start_angle: Annotated[float, typer.Option(help="of the first pose of a ring, deg")] = 0.0,
+    scaling: Annotated[str, typer.Option(help="columns: paper, table, file or typical")] = "paper",
+    threshold: Annotated[float, typer.Option(help="relative change of the condition number, rule (21)")] = 0.01,
+    optimal: Annotated[int | None, typer.Option(help="so many D-optimal poses instead of rings", show_default=False)] = None,
+    output: Annotated[Path | None, typer.Option("-o", "--output", help="targets as a CSV for simulate")] = None,
+    picture: Annotated[Path | None, typer.Option(help="condition number against n, .svg or .png")] = None,
+    as_json: Json = False,
+) -> None:
+    """Choose measuring poses: condition number and observability against n, or a D-optimal set."""
+    from deltacal_gen import commands
+
+    with _progress(as_json) as tell:
+        found = commands.plan(
+            robot,
+            model,
+            output,
+            kind=kind,
+            points=points,
+            start_angle=start_angle,
+            scaling=scaling,
+            threshold=threshold,
+            optimal=optimal,
+            picture=picture,
+            progress=tell,
+        )
+    if as_json:
+        _print_json(found)
+        return
+    _show_plan(found)
+    if output is not None:
+        screen.print(f"{len(found['poses'])} targets written to {output}")
+
+
+def _show_plan(found: Mapping[str, Any]) -> None:
+    screen.print(found["conventions"])
+    if found["n"]:
+        table = Table("n", "poses", "rank", "condition", "change", "O1", "O3")
+        for j, n in enumerate(found["n"]):
+            mark = " <-" if n == found["chosen"] else ""
+            change = found["change"][j]
+            table.add_row(
+                f"{n}{mark}",
+                str(found["pose_count"][j]),
+                str(found["rank"][j]),
+                _number(found["condition"][j]),
+                "-" if change is None else f"{100 * change:.2f} %",
+                _number(found["O1"][j]),
+                _number(found["O3"][j]),
+            )
+        screen.print(table)
+    screen.print(f"chosen: {found['chosen']}, {len(found['poses'])} poses")
+
+
+@app.command()
+def simulate(
+    robot: RobotFile,
+    poses: Annotated[Path, typer.Argument(metavar="POSES", help="joints, or targets x_mm, y_mm, z_mm (CSV)", show_default=False)],
+    output: Annotated[Path, typer.Option("-o", "--output", help="the recording to write")],
+    truth: Annotated[Path | None, typer.Option(help="TRUTH.toml: the true errors", show_default=False)] = None,
+    noise: Annotated[float, typer.Option(help="standard deviation per coordinate, mm")] = 0.0,
+    seed: Annotated[int, typer.Option(help="of noise and unknown frame")] = 0,
+    as_json: Json = False,
+) -> None:
+    """Simulate a recording exactly."""
+    from deltacal_gen import commands
+
+    done = commands.simulate(robot, poses, output, truth=truth, noise=noise, seed=seed)
+    rows = done.n_rows if done.pairs is None else len(done.pairs)
+    summary = {"schema": "deltacal.simulation/1", "recording": str(output), "kind": done.kind, "readings": rows}
+    if as_json:
+        _print_json(summary)
+    else:
+        screen.print(f"{rows} readings of the kind {done.kind} written to {output}")
+
+
+@app.command()
+def identify(
+    robot: RobotFile,
+    recording: RecordingFile,
+    output: Annotated[Path | None, typer.Option("-o", "--output", help="RESULT.json", show_default=False)] = None,
+    model: Model = None,
+    as_kind: As = None,
+    solver: Annotated[str, typer.Option(help="prior, least-squares, tsvd or ridge")] = "prior",
+    truncation: Annotated[str, typer.Option(help="for tsvd: a number, gcv or discrepancy")] = "gcv",
+    robust: Annotated[bool, typer.Option(help="let gross errors not move the result")] = True,
+    picture: Annotated[Path | None, typer.Option(help="what it found, .svg or .png", show_default=False)] = None,
+    as_json: Json = False,
+) -> None:
+    """Identify the machine's errors from a recording."""
+    from deltacal_gen import commands
+
+    with _progress(as_json) as tell:
+        found = commands.identify(
+            robot,
+            recording,
+            model,
+            output,
+            as_distance=_as_distance(as_kind),
+            solver=solver,
+            truncation=int(truncation) if truncation.isdigit() else truncation,
+            robust=robust,
+            progress=tell,
+        )
+    if picture is not None:
+        from deltacal_gen import figures
+
+        figures.calibration(found, picture)
+    if as_json:
+        _print_json(found)
+        return
+    _show_result(found)
+    if output is not None:
+        screen.print(f"written to {output}")
+
+
+def _show_result(found: Mapping[str, Any]) -> None:
+    """Print a result: errors before and after, parameters, what is not pinned, one line to end with."""
+    counts = {s: sum(p["status"] == s for p in found["parameters"]) for s in ("identified", "pinned by prior", "not pinned")}
+    table = Table(title=f"{found['model']}: parameters, actual minus robot file", title_justify="left")
+    for column in ("parameter", "value", "std", "unit", "status"):
+        table.add_column(column, justify="right" if column in ("value", "std") else "left")
+    for p in found["parameters"]:
+        if p["status"] != "fixed":
+            table.add_row(p["name"], f"{p['value']:.4f}", _number(p["std"], 2), p["unit"], p["status"])
+    screen.print(table)
+    if found["unidentifiable"]:
+        shown = found["unidentifiable"][:4]
+        screen.print("[bold]Not pinned by these readings[/bold]; the robot file's values hold along them:")
+        for c in shown:
+            screen.print(f"  - {c['text']}")
+        if len(found["unidentifiable"]) > len(shown):
+            screen.print(f"  - and {len(found['unidentifiable']) - len(shown)} more, in the result file")
+    for m in found["next_measurements"][:2]:
+        screen.print(f"  + {m['measurement']} would pin {m['pins']} of the {m['of']} free directions")
+    if found["gross_errors"]:
+        screen.print(f"gross errors in lines {', '.join(map(str, found['gross_errors']))}: they took next to no part")
+    if found["accuracy"]:
+        a = found["accuracy"]
+        table = Table("largest error relative to home", "distance, mm", "volumetric, mm")
+        for stage, name in (("before", "robot file"), ("rough", "encoder offsets"), ("after", found["model"])):
+            if stage in a:
+                table.add_row(name, f"{a[stage]['distance_mm']:.3f}", f"{a[stage]['volumetric_mm']:.3f}")
+        screen.print(table)
+    if found["workspace"]:
+        w = found["workspace"]
+        screen.print(
+            f"tool position known to {w['median_mm']:.3f} mm over the workspace, {w['worst_mm']:.3f} mm at worst (1 std)"
+        )
+    held = found["heldout_rms_mm"]
+    screen.print(
+        f"[bold]{counts['identified']} of {sum(counts.values())} parameters identified[/bold], "
+        f"{found['readings']['scalars']} readings: rms before {found['before_rms_mm']:.4f} -> "
+        f"after {found['train_rms_mm']:.4f} mm, [bold]held-out {_number(held)} mm[/bold] "
+        f"(noise {found['sigma_mm']:.4f}, {found['sigma_source']})"
+    )
+    chi2 = found["chi2_per_dof"]
+    if chi2 is not None and chi2 > 2 and found["sigma_source"] != "residual":
+        screen.print("What is left stands above the noise: this geometry does not explain all of these readings.")
+
+
+@app.command()
+def matrix(
+    robot: RobotFile,
+    recording: RecordingFile,
+    model: Annotated[str, typer.Option("--model", help="e.g. delta/32")],
+    output: Annotated[Path, typer.Option("-o", "--output", help="FILE.npz: H, r, names, units")],
+    as_kind: As = None,
+    scaling: Annotated[str, typer.Option(help="columns: file (mm, deg), paper, table or typical")] = "file",
+    as_json: Json = False,
+) -> None:
+    """Write the identification matrix itself."""
+    from deltacal_gen import commands
+    from deltacal_gen.identifiability import observability
+
+    found = commands.matrix(robot, recording, model, output, as_distance=_as_distance(as_kind), scaling=scaling)
+    seen = observability(found["H"], len(found["H"]))
+    summary = {
+        "schema": "deltacal.matrix/1",
+        "file": str(output.with_suffix(".npz")),
+        "rows": found["H"].shape[0],
+        "columns": found["H"].shape[1],
+        "rank": seen.rank,
+        "condition": seen.condition if seen.rank == seen.columns else None,
+        "scaling": scaling,
+    }
+    if as_json:
+        _print_json(summary)
+    else:
+        screen.print(
+            f"H {summary['rows']} x {summary['columns']}, rank {seen.rank}, condition {_number(summary['condition'])} "
+            f"(scaling {scaling}) written to {summary['file']}"
+        )
+
+
+@app.command()
+def compensate(
+    result: ResultFile,
+    targets: Annotated[
+        Path | None, typer.Argument(metavar="TARGETS", help="x_mm, y_mm, z_mm (CSV)", show_default=False)
+    ] = None,
+    output: Annotated[Path | None, typer.Option("-o", "--output", help="JOINTS.csv, or the export", show_default=False)] = None,
+    kind: Annotated[str, typer.Option(help="exact or linear")] = "exact",
+    export: Annotated[str | None, typer.Option(help="c or table: the compensator itself", show_default=False)] = None,
+    worst: Annotated[float, typer.Option(help="what a table may leave, mm")] = 0.01,
+    as_json: Json = False,
+) -> None:
+    """Correct joint commands, or export the compensator."""
+    from deltacal_gen import commands
+
+    joints = commands.compensate(result, targets, output, kind=kind, export=export, worst_mm=worst)
+    if as_json:
+        _print_json({"schema": "deltacal.joints/1", "kind": kind, "export": export, "joints": joints})
+    elif export is not None:
+        screen.print(f"{kind} compensator written to {output}; what it leaves is stated in the file")
+    elif output is not None:
+        screen.print(f"{len(joints)} commands written to {output}")
+    else:
+        for row in joints:
+            screen.print("  ".join(f"{v:12.6f}" for v in row))
+
+
+@app.command()
+def predict(
+    result: ResultFile,
+    recording: RecordingFile,
+    output: Annotated[Path, typer.Option("-o", "--output", help="PREDICTED.csv")],
+    as_json: Json = False,
+) -> None:
+    """Predict the readings of other joints, in the instrument's frame."""
+    from deltacal_gen import commands
+
+    done = commands.predict(result, recording, output)
+    rows = done.n_rows if done.pairs is None else len(done.pairs)
+    if as_json:
+        _print_json({"schema": "deltacal.prediction/1", "file": str(output), "kind": done.kind, "readings": rows})
+    else:
+        screen.print(f"{rows} readings of the kind {done.kind} predicted in {output}")
+
+
+@app.command()
+def validate(result: ResultFile, recording: RecordingFile, as_json: Json = False) -> None:
+    """Hold a calibrated model against readings that it has not seen."""
+    from deltacal_gen import commands
+
+    found = commands.validate(result, recording)
+    if as_json:
+        _print_json(found)
+        return
+    screen.print(
+        f"{found['readings']} readings: rms {found['rms_mm']:.4f} mm, largest {found['worst_mm']:.4f} mm "
+        f"(noise {found['sigma_mm']:.4f} mm)"
+    )
+    if "iso9283" in found:
+        iso = found["iso9283"]
+        screen.print(
+            f"ISO 9283 over {iso['poses']} poses: accuracy AP {iso['AP_mean_mm']:.4f} mm (largest {iso['AP_max_mm']:.4f}), "
+            f"repeatability RP {iso['RP_mean_mm']:.4f} mm (largest {iso['RP_max_mm']:.4f})"
+        )
+
+
+def main() -> None:
+    """Run the command line; an explained error ends with its own exit code and no traceback."""
+    try:
+        app()
+    except DeltacalError as error:
+        aside.print(f"[bold red]error:[/bold red] {_escaped(str(error))}", soft_wrap=True)
+        sys.exit(error.exit_code)
+
+
+def _escaped(text: str) -> str:
+    return text.replace("[", "\\[")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,332 @@
+"""The commands as functions: paths or objects in, plain dictionaries (the contract's JSON) out.
+
+A function writes only where it is given an output path, and then all or nothing.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import io
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.mechanism import load_mechanism, mechanism_names
+from deltacal_gen.recording import Recording, csv_text, file_columns, read_recording, write_files, write_recording
+from deltacal_gen.robot import Robot, read_robot, read_text
+from deltacal_gen.units import file_unit, to_internal
+
+if TYPE_CHECKING:
+    from deltacal_gen.mechanism import Array
+
+Source = str | Path
+Progress = Callable[[str], None]
+
+
+def _silent(text: str) -> None:
+    return None
+
+
+def _robot(robot: Source | Robot) -> Robot:
+    return robot if isinstance(robot, Robot) else read_robot(robot)
+
+
+def _recording(recording: Source | Recording, robot: Robot, **how: bool) -> Recording:
+    if isinstance(recording, Recording):
+        return recording
+    return read_recording(recording, load_mechanism(robot.mechanism), **how)
+
+
+def _result(result: Source | Mapping[str, Any]) -> Mapping[str, Any]:
+    """Return a RESULT.json that was read already, or read it."""
+    if isinstance(result, Mapping):
+        return result
+    try:
+        data = json.loads(read_text(Path(result)))
+    except json.JSONDecodeError as error:
+        raise InputError(
+            f"this is not JSON: {error.msg}.", "Give the file that identify wrote.", file=result, line=error.lineno
+        ) from None
+    if not isinstance(data, dict) or not str(data.get("schema", "")).startswith("deltacal.result/"):
+        raise InputError("this is no result of identify.", "Give the file that identify wrote.", file=result)
+    return data
+
+
+def write_json(data: Mapping[str, Any], path: Source) -> None:
+    """Write a result as JSON, replacing the file only when it is complete."""
+    write_files({Path(path): json.dumps(data, indent=1, allow_nan=False) + "\n"})
+
+
+# --------------------------------------------------------------------------------------------------- the model side
+
+
+def models() -> list[dict[str, Any]]:
+    """Return what is registered: every mechanism with its parameters, units and models."""
+    return [
+        {
+            "mechanism": m.name,
+            "title": m.title,
+            "reference": m.reference,
+            "models": {name: list(names) for name, names in m.models.items()},
+            "parameters": [
+                {"name": p.name, "unit": file_unit(p.unit), "meaning": p.meaning, "typical": p.typical / to_internal(p.unit)}
+                for p in m.parameters
+            ],
+            "geometry": [
+                {"key": g.key, "table": g.table, "unit": file_unit(g.unit), "meaning": g.meaning, "required": g.default is None}
+                for g in m.geometry
+            ],
+        }
+        for m in map(load_mechanism, mechanism_names())
+    ]
+
+
+def checkout() -> Path | None:
+    """Return the root of the source checkout that this package runs from, or None."""
+    root = Path(__file__).resolve().parents[2]
+    return root if (root / "derive" / "__main__.py").exists() and (root / "templates").is_dir() else None
+
+
+def kernels(*, check: bool = False) -> bool:
+    """Derive all kernels and write them, or with `check` compare them; return whether the committed ones agree.
+
+    The derivation runs in a process of its own: nothing at run time imports SymPy.
+
+    Raises
+    ------
+    UsageError
+        This is no source checkout, or SymPy is not installed.
+    """
+    root = checkout()
+    if root is None:
+        raise UsageError("kernels are derived from a source checkout; this is an installed package, whose kernels are done.")
+    command = [sys.executable, "-m", "derive", *(["--check"] if check else [])]
+    if subprocess.run([sys.executable, "-c", "import sympy, jinja2"], capture_output=True).returncode:
+        raise UsageError("deriving needs SymPy and Jinja: pip install 'sympy>=1.14,<1.15' jinja2.")
+    return subprocess.run(command, cwd=root, env={**os.environ, "PYTHONHASHSEED": "0"}).returncode == 0
+
+
+def plan(
+    robot: Source | Robot,
+    model: str,
+    output: Source | None = None,
+    **options: Any,
+) -> dict[str, Any]:
+    """Return measuring poses for a model; see `planning.plan` for the options."""
+    from deltacal_gen import planning
+
+    found = planning.plan(_robot(robot), model, **options)
+    if output is not None:
+        planning.write_targets(found, output)
+    return found.to_dict()
+
+
+def simulate(
+    robot: Source | Robot,
+    poses: Source | Recording,
+    output: Source | None = None,
+    *,
+    truth: Source | Mapping[str, float] | None = None,
+    noise: float = 0.0,
+    seed: int = 0,
+) -> Recording:
+    """Simulate a recording exactly; see `simulation.simulate`.
+
+    Parameters
+    ----------
+    truth : path or mapping
+        TRUTH.toml, or source errors by name [mm, rad].
+    noise : float
+        Standard deviation per coordinate [mm].
+    seed : int
+        Of noise and of an unknown instrument frame.
+    """
+    from deltacal_gen import simulation
+
+    robot = _robot(robot)
+    given = _recording(poses, robot, need_measured=False, allow_targets=True)
+    if not isinstance(poses, Recording) and not given.path.with_suffix(".toml").exists():
+        given = dataclasses.replace(given, measurement=given.measurement.model_copy(update={"frame": "robot"}))
+    errors: dict[str, float] | None = None
+    if truth is not None:
+        errors = dict(truth) if isinstance(truth, Mapping) else simulation.read_truth(truth, robot)
+        errors = {n: errors.get(n, 0.0) + robot.errors.get(n, 0.0) for n in errors.keys() | robot.errors.keys()}
+    done = simulation.simulate(robot, given, errors, noise_mm=noise, rng=np.random.default_rng(seed))
+    if output is not None:
+        write_recording(done, output)
+    return done
+
+
+# --------------------------------------------------------------------------------------------------- the data side
+
+
+def identify(
+    robot: Source | Robot,
+    recording: Source | Recording,
+    model: str | None = None,
+    output: Source | None = None,
+    *,
+    as_distance: bool = False,
+    solver: str = "prior",
+    truncation: int | str = "gcv",
+    robust: bool = True,
+    progress: Progress = _silent,
+) -> dict[str, Any]:
+    """Identify a robot's source errors; return RESULT.json. See `identification.identify` for the options."""
+    from deltacal_gen import identification
+
+    robot = _robot(robot)
+    found = identification.identify(
+        robot,
+        _recording(recording, robot),
+        model,
+        as_distance=as_distance,
+        solver=solver,
+        truncation=truncation,
+        robust=robust,
+        progress=progress,
+    ).to_dict()
+    if output is not None:
+        write_json(found, output)
+    return found
+
+
+def matrix(
+    robot: Source | Robot,
+    recording: Source | Recording,
+    model: str,
+    output: Source | None = None,
+    *,
+    as_distance: bool = False,
+    scaling: str = "file",
+) -> dict[str, Any]:
+    """Return the identification matrix: H (rows, n), r (rows,) [mm], names, units, scaling; `output` is an .npz file."""
+    from deltacal_gen.estimation import pose_problem
+    from deltacal_gen.identifiability import identification_matrix
+
+    robot = _robot(robot)
+    names = load_mechanism(robot.mechanism).model(model)
+    problem = pose_problem(robot, _recording(recording, robot), names, as_distance=as_distance)
+    found = identification_matrix(problem, scaling)
+    arrays = {
+        "H": found.H,
+        "r": found.r,
+        "names": np.array(found.names),
+        "units": np.array(found.units),
+        "scaling": np.array(found.convention),
+    }
+    if output is not None:
+        path = Path(output).with_suffix(".npz")
+        stream = io.BytesIO()
+        np.savez_compressed(stream, **arrays)  # type: ignore[arg-type]
+        part = path.with_name(f".{path.name}.{os.getpid()}.part")
+        try:
+            part.write_bytes(stream.getvalue())
+            os.replace(part, path)
+        except OSError as error:
+            raise InputError(f"the file cannot be written: {error.strerror}.", "Check the folder.", file=path) from None
+    return arrays
+
+
+def predict(result: Source | Mapping[str, Any], recording: Source | Recording, output: Source | None = None) -> Recording:
+    """Return a recording's readings as an identified model predicts them; `output` is PREDICTED.csv."""
+    from deltacal_gen import prediction
+
+    result = _result(result)
+    robot = prediction.calibrated_robot(result)
+    done = prediction.predict(result, _recording(recording, robot, need_measured=False))
+    if output is not None:
+        columns, pairs = file_columns(done)
+        write_files({Path(output): csv_text(pairs or columns)})
+    return done
+
+
+def validate(result: Source | Mapping[str, Any], recording: Source | Recording) -> dict[str, Any]:
+    """Return the error of a calibrated model on readings it has not seen, against the noise."""
+    from deltacal_gen import validation
+
+    result = _result(result)
+    robot = validation.calibrated_robot(result)
+    return validation.validate(result, _recording(recording, robot))
+
+
+def compensate(
+    result: Source | Mapping[str, Any],
+    targets: Source | Array | None = None,
+    output: Source | None = None,
+    *,
+    kind: str = "exact",
+    export: str | None = None,
+    worst_mm: float = 0.01,
+) -> Array:
+    """Return corrected joint commands (N, n_q) [deg or mm] for targets (N, 3) [mm], or export the compensator.
+
+    Parameters
+    ----------
+    targets : path or (N, 3) array
+        A CSV with ``x_mm, y_mm, z_mm`` in {O} (and tool columns), or positions. Not needed with `export`.
+    output : path
+        JOINTS.csv; with `export` the compensator's own file.
+    kind : {"exact", "linear"}
+    export : {"c", "table"}, optional
+    worst_mm : float
+        Of a table: what it may leave.
+    """
+    from deltacal_gen import compensation, prediction
+
+    robot = prediction.calibrated_robot(_result(result))
+    mechanism = load_mechanism(robot.mechanism)
+    compensator = compensation.Compensator(robot, kind)
+    if export is not None:
+        writers = {
+            "c": lambda path: compensation.export_c(compensator, path),
+            "table": lambda path: compensation.export_table(compensator, path, worst_mm=worst_mm),
+        }
+        if export not in writers:
+            raise UsageError(f"there is no export '{export}' for {robot.mechanism}; known: {', '.join(writers)}.")
+        if output is None:
+            raise UsageError("an export needs the file to write: give -o FILE.")
+        writers[export](output)
+        return np.zeros((0, mechanism.limbs))
+    if targets is None:
+        raise UsageError("give the targets: a CSV with x_mm, y_mm, z_mm.")
+    recording: Recording | None = None
+    tool = None
+    if isinstance(targets, str | Path):
+        recording = _recording(targets, robot, need_measured=False, allow_targets=True)
+        if recording.targets is None:
+            raise InputError(
+                "the file gives joints, not targets.", "Give the columns x_mm, y_mm, z_mm and no joints.", file=targets
+            )
+        positions = recording.targets
+        if recording.tool is not None:
+            tool = np.where(np.isfinite(recording.tool), recording.tool, robot.tool)
+    else:
+        positions = np.asarray(targets, dtype=float)
+    joints = compensator.joints(positions, tool)
+    if output is not None:
+        if recording is None:
+            columns: dict[str, Any] = {}
+        else:
+            columns = {"pose": recording.pose.tolist()}
+        columns |= {
+            f"q{i + 1}_{file_unit(mechanism.joint_unit)}": q / to_internal(mechanism.joint_unit)
+            for i, q in enumerate(joints.T)
+        }
+        write_files({Path(output): csv_text(columns)})
+    in_files: Array = joints / to_internal(mechanism.joint_unit)
+    return in_files
+
+
+def demo(output: Source = "demo", progress: Progress = _silent) -> dict[str, Any]:
+    """Run the main job on the embedded recording; write its files and a picture below `output`."""
+    from deltacal_gen import demonstration
+
+    return demonstration.run(Path(output), progress)

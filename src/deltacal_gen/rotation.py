@@ -1,0 +1,52 @@
+"""Rotations: SciPy's, loaded on first use, and the Cayley map of the kernels.
+
+SciPy's rotations take a quarter of a second to import, which a calibration from distances never needs.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from deltacal_gen.mechanism import Array
+
+
+def cayley_matrix(c: Array) -> Array:
+    """Return rotations (N, 3, 3) by Cayley vectors (N, 3), ``c = 2 tan(t/2) n``: the map of the generated kernels."""
+    K = np.zeros((len(c), 3, 3))
+    K[:, 2, 1], K[:, 0, 2], K[:, 1, 0] = c.T
+    K -= np.swapaxes(K, 1, 2)
+    matrix: Array = np.eye(3) + (K + K @ K / 2) / (1 + (c**2).sum(axis=1) / 4)[:, None, None]
+    return matrix
+
+
+def from_vector(vector: Array) -> Array:
+    """Return rotation matrices (..., 3, 3) by rotation vectors (..., 3) [rad]."""
+    from scipy.spatial.transform import Rotation
+
+    matrix: Array = Rotation.from_rotvec(vector).as_matrix()
+    return matrix
+
+
+def to_vector(matrix: Array) -> Array:
+    """Return rotation vectors (..., 3) [rad] of rotation matrices (..., 3, 3)."""
+    matrix = np.asarray(matrix)
+    axial = np.stack([matrix[..., 2, 1], matrix[..., 0, 2], matrix[..., 1, 0]], axis=-1) / 2
+    axial -= np.stack([matrix[..., 1, 2], matrix[..., 2, 0], matrix[..., 0, 1]], axis=-1) / 2
+    sin, cos = np.linalg.norm(axial, axis=-1), (np.trace(matrix, axis1=-2, axis2=-1) - 1) / 2
+    if (cos > -0.9).all():  # away from half turns the axis is plain; near them it is SciPy's
+        with np.errstate(invalid="ignore", divide="ignore"):
+            stretch = np.where(sin > 1e-300, np.arctan2(sin, cos) / sin, 1.0)
+        short: Array = axial * stretch[..., None]
+        return short
+    from scipy.spatial.transform import Rotation
+
+    vector: Array = Rotation.from_matrix(matrix).as_rotvec()
+    return vector
+
+
+def mean(matrices: Array) -> Array:
+    """Return the mean rotation (3, 3) of rotation matrices (N, 3, 3)."""
+    from scipy.spatial.transform import Rotation
+
+    matrix: Array = Rotation.from_matrix(matrices).mean().as_matrix()
+    return matrix

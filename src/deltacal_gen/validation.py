@@ -1,0 +1,95 @@
+"""Validation: a calibrated model on readings that it has not seen.
+
+Pose accuracy and repeatability follow ISO 9283 (section 7.2): per pose, accuracy AP is the distance from the wanted
+to the mean attained position, repeatability RP the mean plus three standard deviations of the distances from that
+mean. They need repeats of a pose; at fewer than two readings they are not given, and never guessed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from deltacal_gen.estimation import rms
+from deltacal_gen.measurement import readings
+from deltacal_gen.mechanism import Array
+from deltacal_gen.prediction import calibrated_robot, residual
+from deltacal_gen.recording import Recording
+
+__all__ = ["PoseAccuracy", "calibrated_robot", "pose_accuracy", "validate"]
+
+
+@dataclass(frozen=True)
+class PoseAccuracy:
+    """ISO 9283 figures of one pose [mm], from `readings` attained positions."""
+
+    accuracy: float
+    repeatability: float
+    readings: int
+
+
+def pose_accuracy(attained: Array, wanted: Array) -> PoseAccuracy:
+    """Return accuracy and repeatability of attained positions (n, 3) of one wanted position (3,) [mm].
+
+    Raises
+    ------
+    ValueError
+        Fewer than two readings.
+
+    References
+    ----------
+    ISO 9283:1998, 7.2.1 and 7.2.2.
+    """
+    if len(attained) < 2:
+        raise ValueError("pose accuracy needs at least two readings of a pose.")
+    mean = attained.mean(axis=0)
+    spread = np.linalg.norm(attained - mean, axis=1)
+    deviation = float(np.sqrt(np.sum((spread - spread.mean()) ** 2) / (len(attained) - 1)))
+    return PoseAccuracy(
+        float(np.linalg.norm(mean - wanted)), float(spread.mean() + 3 * deviation), len(attained)
+    )
+
+
+def validate(result: Mapping[str, Any], recording: Recording) -> dict[str, Any]:
+    """Return the error of a result on other readings, in the instrument frame that the result knows.
+
+    Returns
+    -------
+    dict
+        ``schema, readings, rms_mm, worst_mm, sigma_mm, chi2_per_dof, rows`` (worst first: line, error) and, where a
+        pose was read at least twice, ``iso9283``.
+    """
+    found = readings(recording)
+    r = residual(result, recording, found)
+    size = np.linalg.norm(np.nan_to_num(r[:, :3]), axis=1)
+    order = np.argsort(-size)[:10]
+    sigma = float(result["sigma_mm"])
+    error = rms(r)
+    out: dict[str, Any] = {
+        "schema": "deltacal.validation/1",
+        "kind": found.kind,
+        "readings": len(found),
+        "rms_mm": error,
+        "worst_mm": float(size.max()),
+        "sigma_mm": sigma,
+        "chi2_per_dof": (error / sigma) ** 2 if sigma > 0 else None,
+        "rows": [{"line": int(found.line[j]), "error_mm": float(size[j])} for j in order],
+    }
+    if found.kind in ("position", "pose"):
+        several = [g for g, n in enumerate(np.bincount(found.group)) if n > 1]
+        figures = [
+            pose_accuracy(r[found.group == g, :3], np.zeros(3)) for g in several  # residuals: attained minus wanted
+        ]
+        if figures:
+            out["iso9283"] = {
+                "poses": len(figures),
+                "AP_mean_mm": float(np.mean([f.accuracy for f in figures])),
+                "AP_max_mm": float(np.max([f.accuracy for f in figures])),
+                "RP_mean_mm": float(np.mean([f.repeatability for f in figures])),
+                "RP_max_mm": float(np.max([f.repeatability for f in figures])),
+                "note": "wanted is what the calibrated model predicts at the joints commanded",
+            }
+    return out
