@@ -147,8 +147,10 @@ def expand_steps(expr: sp.Expr, steps: Steps) -> sp.Expr:
     return expr
 
 
-def inline(nodes: Mapping[sp.Symbol, sp.Expr], outputs: Sequence[sp.Expr], longest: int = 12) -> tuple[dict, list]:
-    """Write nodes that are used once, and are no named step, into the place of their use, up to `longest` operations."""
+def inline(
+    nodes: Mapping[sp.Symbol, sp.Expr], outputs: Sequence[sp.Expr], longest: int = 12
+) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr]]:
+    """Write nodes used once, unless they are named steps, into the place of their use, up to `longest` operations."""
     nodes, outputs = dict(nodes), list(outputs)
     uses: dict[sp.Symbol, int] = {}
     for e in (*nodes.values(), *outputs):

@@ -23,7 +23,10 @@ MEASUREMENT = Measurement(
     meaning="length from a point of the base to the reference point [mm]",
     source="derive/measurements/gauge.py",
     platforms=(X,),
-    given=(*(Quantity(s, "mm", "base point of the gauge in {O}") for s in g), Quantity(zero, "mm", "zero of the gauge")),
+    given=(
+        *(Quantity(s, "mm", "base point of the gauge in {O}") for s in g),
+        Quantity(zero, "mm", "zero of the gauge"),
+    ),
     unknown=(
         *(Quantity(s, "mm", "error of the base point in {O}") for s in m),
         Quantity(dzero, "mm", "error of the gauge's zero"),

@@ -134,7 +134,9 @@ def plan(
     start_angle: Annotated[float, typer.Option(help="of the first pose of a ring, deg")] = 0.0,
     scaling: Annotated[str, typer.Option(help="columns: paper, table, file or typical")] = "paper",
     threshold: Annotated[float, typer.Option(help="relative change of the condition number, rule (21)")] = 0.01,
-    optimal: Annotated[int | None, typer.Option(help="so many D-optimal poses instead of rings", show_default=False)] = None,
+    optimal: Annotated[
+        int | None, typer.Option(help="so many D-optimal poses instead of rings", show_default=False)
+    ] = None,
     output: Annotated[Path | None, typer.Option("-o", "--output", help="targets as a CSV for simulate")] = None,
     picture: Annotated[Path | None, typer.Option(help="condition number against n, .svg or .png")] = None,
     as_json: Json = False,
@@ -187,7 +189,9 @@ def _show_plan(found: Mapping[str, Any]) -> None:
 @app.command()
 def simulate(
     robot: RobotFile,
-    poses: Annotated[Path, typer.Argument(metavar="POSES", help="joints, or targets x_mm, y_mm, z_mm (CSV)", show_default=False)],
+    poses: Annotated[
+        Path, typer.Argument(metavar="POSES", help="joints, or targets x_mm, y_mm, z_mm (CSV)", show_default=False)
+    ],
     output: Annotated[Path, typer.Option("-o", "--output", help="the recording to write")],
     truth: Annotated[Path | None, typer.Option(help="TRUTH.toml: the true errors", show_default=False)] = None,
     noise: Annotated[float, typer.Option(help="standard deviation per coordinate, mm")] = 0.0,
@@ -248,7 +252,9 @@ def identify(
 
 def _show_result(found: Mapping[str, Any]) -> None:
     """Print a result: errors before and after, parameters, what is not pinned, one line to end with."""
-    counts = {s: sum(p["status"] == s for p in found["parameters"]) for s in ("identified", "pinned by prior", "not pinned")}
+    counts = {
+        s: sum(p["status"] == s for p in found["parameters"]) for s in ("identified", "pinned by prior", "not pinned")
+    }
     table = Table(title=f"{found['model']}: parameters, actual minus robot file", title_justify="left")
     for column in ("parameter", "value", "std", "unit", "status"):
         table.add_column(column, justify="right" if column in ("value", "std") else "left")
@@ -277,7 +283,7 @@ def _show_result(found: Mapping[str, Any]) -> None:
     if found["workspace"]:
         w = found["workspace"]
         screen.print(
-            f"tool position known to {w['median_mm']:.3f} mm over the workspace, {w['worst_mm']:.3f} mm at worst (1 std)"
+            f"tool position known to {w['median_mm']:.3f} mm over the workspace, {w['worst_mm']:.3f} at worst (1 std)"
         )
     held = found["heldout_rms_mm"]
     screen.print(
@@ -331,7 +337,9 @@ def compensate(
     targets: Annotated[
         Path | None, typer.Argument(metavar="TARGETS", help="x_mm, y_mm, z_mm (CSV)", show_default=False)
     ] = None,
-    output: Annotated[Path | None, typer.Option("-o", "--output", help="JOINTS.csv, or the export", show_default=False)] = None,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", help="JOINTS.csv, or the export", show_default=False)
+    ] = None,
     kind: Annotated[str, typer.Option(help="exact or linear")] = "exact",
     export: Annotated[str | None, typer.Option(help="c or table: the compensator itself", show_default=False)] = None,
     worst: Annotated[float, typer.Option(help="what a table may leave, mm")] = 0.01,
@@ -386,7 +394,7 @@ def validate(result: ResultFile, recording: RecordingFile, as_json: Json = False
     if "iso9283" in found:
         iso = found["iso9283"]
         screen.print(
-            f"ISO 9283 over {iso['poses']} poses: accuracy AP {iso['AP_mean_mm']:.4f} mm (largest {iso['AP_max_mm']:.4f}), "
+            f"ISO 9283, {iso['poses']} poses: accuracy AP {iso['AP_mean_mm']:.4f} mm (largest {iso['AP_max_mm']:.4f}), "
             f"repeatability RP {iso['RP_mean_mm']:.4f} mm (largest {iso['RP_max_mm']:.4f})"
         )
 

@@ -76,11 +76,22 @@ def models() -> list[dict[str, Any]]:
             "reference": m.reference,
             "models": {name: list(names) for name, names in m.models.items()},
             "parameters": [
-                {"name": p.name, "unit": file_unit(p.unit), "meaning": p.meaning, "typical": p.typical / to_internal(p.unit)}
+                {
+                    "name": p.name,
+                    "unit": file_unit(p.unit),
+                    "meaning": p.meaning,
+                    "typical": p.typical / to_internal(p.unit),
+                }
                 for p in m.parameters
             ],
             "geometry": [
-                {"key": g.key, "table": g.table, "unit": file_unit(g.unit), "meaning": g.meaning, "required": g.default is None}
+                {
+                    "key": g.key,
+                    "table": g.table,
+                    "unit": file_unit(g.unit),
+                    "meaning": g.meaning,
+                    "required": g.default is None,
+                }
                 for g in m.geometry
             ],
         }
@@ -106,7 +117,9 @@ def kernels(*, check: bool = False) -> bool:
     """
     root = checkout()
     if root is None:
-        raise UsageError("kernels are derived from a source checkout; this is an installed package, whose kernels are done.")
+        raise UsageError(
+            "kernels are derived from a source checkout; this is an installed package, whose kernels are done."
+        )
     command = [sys.executable, "-m", "derive", *(["--check"] if check else [])]
     if subprocess.run([sys.executable, "-c", "import sympy, jinja2"], capture_output=True).returncode:
         raise UsageError("deriving needs SymPy and Jinja: pip install 'sympy>=1.14,<1.15' jinja2.")
@@ -207,7 +220,7 @@ def matrix(
     as_distance: bool = False,
     scaling: str = "file",
 ) -> dict[str, Any]:
-    """Return the identification matrix: H (rows, n), r (rows,) [mm], names, units, scaling; `output` is an .npz file."""
+    """Return the identification matrix: H (rows, n), r (rows,) [mm], names, units, scaling; `output` is an .npz."""
     from deltacal_gen.estimation import pose_problem
     from deltacal_gen.identifiability import identification_matrix
 
@@ -235,7 +248,9 @@ def matrix(
     return arrays
 
 
-def predict(result: Source | Mapping[str, Any], recording: Source | Recording, output: Source | None = None) -> Recording:
+def predict(
+    result: Source | Mapping[str, Any], recording: Source | Recording, output: Source | None = None
+) -> Recording:
     """Return a recording's readings as an identified model predicts them; `output` is PREDICTED.csv."""
     from deltacal_gen import prediction
 

@@ -26,6 +26,7 @@ MAX_ITERATIONS = 40
 CONVERGED = 1e-4  # of chi2: what a last step could still gain; parameters then stand within 1e-2 of their deviation
 # a direction that the data hardly see converges slowly where the model bends within its noise: no step of it matters
 PATIENCE, SETTLED = 15, 1e-2
+ESTIMATED_AT = 3  # iteration in which the weight of repeats is estimated: the fit is then close
 STEP_LIMIT = 30.0  # of an ordinary error: a longer step at once is no correction but a loss of direction
 TRIALS = 12
 STEP_LIMIT = 30.0  # of an ordinary error: a longer step at once is no correction but a loss of direction
@@ -76,15 +77,15 @@ class Problem:
         """Index of each free parameter among all of the mechanism's."""
         return [self.mechanism.index[n] for n in self.names]
 
-    def poses(self, errors: Array) -> Array:
-        """Return the exact platform coordinates (N, n_x) of all rows.
+    def poses(self, errors: Array, near: Array | None = None) -> Array:
+        """Return the exact platform coordinates (N, n_x) of all rows; `near` those of a machine that differs little.
 
         Raises
         ------
         InputError
             A row that readings refer to has no pose: out of reach or singular.
         """
-        x, status = self.mechanism.forward(self.q, self.tool, self.mechanism.rows(self.robot, errors))
+        x, status = self.mechanism.forward(self.q, self.tool, self.mechanism.rows(self.robot, errors), near)
         used = np.unique(self.readings.rows)
         bad = used[status[used] != SOLVED]
         if len(bad):
@@ -131,7 +132,12 @@ class Problem:
 
 
 def pose_problem(
-    robot: Robot, recording: Recording, names: Sequence[str], *, as_distance: bool = False, found: Readings | None = None
+    robot: Robot,
+    recording: Recording,
+    names: Sequence[str],
+    *,
+    as_distance: bool = False,
+    found: Readings | None = None,
 ) -> Problem:
     """Return the estimation problem of a recording for a set of free parameters."""
     mechanism = load_mechanism(robot.mechanism)
@@ -250,7 +256,8 @@ def fit(
     errors: Array | None = None,
     instrument: Instrument | None = None,
     robust: bool = True,
-    repeats: bool = True,
+    repeats: Repeats | None = None,
+    weigh_repeats: bool = True,
 ) -> Fit:
     """Fit a machine's parameters and the instrument to readings, exactly.
 
@@ -265,8 +272,10 @@ def fit(
         Where to start; default aligned with the machine there.
     robust : bool
         Huber weights per reading: a few per cent of gross errors do not move the result.
-    repeats : bool
-        Weigh repeated readings of a pose by what they share (see `Repeats`).
+    repeats : Repeats, optional
+        How repeated readings of a pose are weighed; default estimated on the way.
+    weigh_repeats : bool
+        Otherwise every reading counts alone.
 
     Raises
     ------
@@ -281,7 +290,8 @@ def fit(
     if instrument is None:
         instrument = start(problem.readings, problem.recording, problem.robot, x)
     n_m = instrument.n_unknown
-    shared = Repeats(problem.readings.group)
+    estimated = repeats is None and weigh_repeats
+    shared = Repeats(problem.readings.group, repeats.ratio if repeats else 0.0)
     history: list[float] = []
     degrees = float(n_m + min(len(problem.names), 1))
     damping = 0.0
@@ -289,7 +299,7 @@ def fit(
         state = problem.linearise(errors, instrument, x)
         sigma = _noise(state.residual, degrees, robust)
         weights = _weights(state.residual, sigma) if robust else np.ones(len(state.residual))
-        if repeats and len(history) == 3:
+        if estimated and len(history) == ESTIMATED_AT:
             shared = Repeats(problem.readings.group, Repeats.ratio_of(state.residual, problem.readings.group)[0])
         A_p, A_m, b = _system(state, sigma, weights, shared, problem.scale)
         # the solver draws towards the reference: it is asked for the whole departure, not for a step
@@ -299,7 +309,9 @@ def fit(
         solution = solver.solve(A_p - Q @ (Q.T @ A_p), target - Q @ (Q.T @ target))
         degrees = solution.degrees + n_m
         history.append(_gain(solution.u - departure, departure, A_p, Q, b, solver.weight or 0.0))
-        if len(history) > 4 and history[-1] < (CONVERGED if len(history) < PATIENCE else SETTLED):
+        if len(history) > (ESTIMATED_AT + 1 if estimated else 1) and history[-1] < (
+            CONVERGED if len(history) < PATIENCE else SETTLED
+        ):
             break
         if len(history) == MAX_ITERATIONS:
             raise NoSolutionError(
@@ -413,9 +425,9 @@ def _damped(
         m_step = np.linalg.lstsq(A_m, b - A_p @ step, rcond=None)[0] if A_m.shape[1] else np.zeros(0)
         trial = errors.copy()
         trial[columns] += step * scale
-        moved = instrument.stepped(m_step)
+        moved = instrument.stepped(np.asarray(m_step, dtype=float))
         try:
-            x_trial = problem.poses(trial)
+            x_trial = problem.poses(trial, near=x)
         except InputError:
             damping = max(10 * damping, 1.0)
             continue

@@ -19,7 +19,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 INK, MUTED, BEFORE, AFTER = "#1c2733", "#6b7885", "#c8553d", "#2a6f97"
-STYLE = {
+STYLE: dict[Any, Any] = {
     "font.family": "DejaVu Sans",
     "font.size": 9,
     "axes.edgecolor": MUTED,
@@ -119,7 +119,9 @@ def _parameters(axes: Axes, result: Mapping[str, Any]) -> None:
     shown = sorted(shown, key=lambda p: -abs(p["value"]) / p["std"])[:14]
     title = "Parameters found, with 2 standard deviations"
     if not shown:
-        axes.text(0.5, 0.5, "no single parameter is identified,\nonly combinations", ha="center", va="center", color=MUTED)
+        axes.text(
+            0.5, 0.5, "no single parameter is identified,\nonly combinations", ha="center", va="center", color=MUTED
+        )
         axes.set_axis_off()
         axes.set_title(title)
         return
@@ -146,12 +148,20 @@ def _workspace(axes: Axes, result: Mapping[str, Any]) -> None:
     for k, z in enumerate(layers[::-1]):
         chosen = points[:, 2] == z
         dots = axes.scatter(
-            points[chosen, 0] + k * span, points[chosen, 1], c=size[chosen], s=26, cmap="viridis", vmin=0, vmax=size.max()
+            points[chosen, 0] + k * span,
+            points[chosen, 1],
+            c=size[chosen],
+            s=26,
+            cmap="viridis",
+            vmin=0,
+            vmax=size.max(),
         )
         axes.text(k * span, points[:, 1].max() * 1.25, f"z = {z:.0f} mm", ha="center", fontsize=8, color=MUTED)
     axes.set_aspect("equal")
     axes.set_xticks([])
     axes.set_yticks([])
     axes.spines[:].set_visible(False)
-    axes.figure.colorbar(dots, ax=axes, orientation="horizontal", shrink=0.7, label="standard deviation of the position, mm")
+    axes.figure.colorbar(
+        dots, ax=axes, orientation="horizontal", shrink=0.7, label="standard deviation of the position, mm"
+    )
     axes.set_title("How well the tool position is known, layer by layer")

@@ -112,7 +112,9 @@ def column_convention(problem: Problem, convention: str) -> tuple[Array, tuple[s
     if convention == "typical":
         return problem.scale.copy(), ("1",) * len(units)
     scale = problem.mechanism.scaling(convention, problem.robot, problem.names)
-    words = tuple("mm" if (u == "mm" and s == 1) or (u == "rad" and s > 1) else "rad" for u, s in zip(units, scale, strict=True))
+    words = tuple(
+        "mm" if (u == "mm" and s == 1) or (u == "rad" and s > 1) else "rad" for u, s in zip(units, scale, strict=True)
+    )
     return 1 / scale, words
 
 
@@ -121,7 +123,7 @@ def observability(H: Array, poses: int) -> Observability:
 
     The condition number is of the largest to the smallest singular value; infinite where the rank is short.
     """
-    s = np.linalg.svd(H, compute_uv=False) if H.size else np.zeros(0)
+    s: Array = np.linalg.svd(H, compute_uv=False) if H.size else np.zeros(0)
     n = H.shape[1]
     rank = int((s > RANK_TOLERANCE * s[0]).sum()) if len(s) and s[0] > 0 else 0
     full = rank == n
@@ -183,7 +185,9 @@ def _reduced(basis: Array) -> Array:
 
 
 def _words(terms: dict[str, float], units: dict[str, str]) -> str:
-    parts = [f"{name} by {value / to_internal(units[name]):+.3g} {file_unit(units[name])}" for name, value in terms.items()]
+    parts = [
+        f"{name} by {value / to_internal(units[name]):+.3g} {file_unit(units[name])}" for name, value in terms.items()
+    ]
     if len(parts) == 1:
         return f"{next(iter(terms))} moves no reading at all"
     shown = parts[:8]

@@ -220,7 +220,7 @@ def _too_few(recording: Recording, scalars: int, needed: int, model: str, extra:
 def _rough(problem: Problem, mechanism: Mechanism, robust: bool) -> Fit:
     """Fit the smallest model, the encoder offsets, starting from the robot file."""
     smallest = min(mechanism.models.values(), key=len)
-    return fit(problem.with_names(smallest), LeastSquares(), robust=robust, repeats=False)
+    return fit(problem.with_names(smallest), LeastSquares(), robust=robust, weigh_repeats=False)
 
 
 def _check_rows(rough: Fit, recording: Recording) -> None:
@@ -249,7 +249,7 @@ def _check_rows(rough: Fit, recording: Recording) -> None:
 
 def _residual_of(problem: Problem, errors: Array) -> Array:
     """Return the residual of a machine with given errors, the instrument alone fitted."""
-    return fit(problem.with_names(()), LeastSquares(), errors=errors, repeats=False).residual
+    return fit(problem.with_names(()), LeastSquares(), errors=errors, weigh_repeats=False).residual
 
 
 # ------------------------------------------------------------------------------------------------------- held out
@@ -283,9 +283,19 @@ def _held_out(full: Fit, rule: Solver, robust: bool) -> float:
     gross = np.zeros(len(problem.readings), dtype=bool)
     gross[full.gross] = True
     for train, test in folds(problem.readings, problem.recording):
-        if not test.any() or problem.readings.subset(train).n_scalars <= full.solution.degrees + full.instrument.n_unknown:
+        if (
+            not test.any()
+            or problem.readings.subset(train).n_scalars <= full.solution.degrees + full.instrument.n_unknown
+        ):
             continue
-        part = fit(problem.subset(train), rule, errors=full.errors, instrument=full.instrument, robust=robust)
+        part = fit(
+            problem.subset(train),
+            rule,
+            errors=full.errors,
+            instrument=full.instrument,
+            robust=robust,
+            repeats=full.repeats,
+        )
         unseen = problem.readings.subset(test & ~gross)
         x = dataclasses.replace(problem, readings=unseen).poses(part.errors)
         r = part.instrument.residual(unseen, x)[:, :3]
@@ -304,7 +314,9 @@ def _noise(final: Fit, recording: Recording) -> tuple[float, str]:
     """
     residual = float(final.sigma[0])
     found = final.problem.readings
-    channels = [v for name, v in sorted(recording.channels.items()) if name != "time_s" and not name.startswith("true_")]
+    channels = [
+        v for name, v in sorted(recording.channels.items()) if name != "time_s" and not name.startswith("true_")
+    ]
     if found.rows.shape[1] == 1 and channels:
         same = np.column_stack([found.group, np.nan_to_num(np.array(channels).T[found.rows[:, 0]], nan=-1e9)])
         group = np.ravel(np.unique(same, axis=0, return_inverse=True)[1])
@@ -322,7 +334,7 @@ def _noise(final: Fit, recording: Recording) -> tuple[float, str]:
 def _weak(final: Fit, n_unseen: int, units: list[str]) -> list[Combination]:
     """Return the directions, beside those no reading sees, that the data know less well than the prior."""
     solution = final.solution
-    order = np.argsort(solution.singular_values)[n_unseen:] if len(solution.singular_values) else []
+    order = np.argsort(solution.singular_values)[n_unseen:]
     rows = [solution.V[:, j] for j in order if solution.factors[j] < 0.5]
     if not rows:
         return []
@@ -342,18 +354,23 @@ def _remedies(final: Fit) -> list[dict[str, Any]]:
     tools = [problem.tool + np.array(offset) * span for offset in ((1, 0, 0), (0, 1, 0), (0, 0, -1))]
     moved = [dataclasses.replace(problem, tool=tool) for tool in tools]
     ideas.append((f"a second reference point, {span:.0f} mm beside the first, at the same poses", moved[:1]))
-    ideas.append((f"a second and a third reference point, {span:.0f} mm beside the first, at the same poses", moved[:2]))
+    ideas.append(
+        (f"a second and a third reference point, {span:.0f} mm beside the first, at the same poses", moved[:2])
+    )
     if problem.readings.kind in ("distance", "gauge"):
         ideas.append(("the position itself at the same poses, with a tracker or a camera", [_as_positions(problem)]))
     if problem.readings.kind != "pose":
         full = _as_positions(problem)
-        three = [dataclasses.replace(full, tool=full.tool + np.array(o) * span) for o in ((0, 0, 0), (1, 0, 0), (0, 1, 0))]
+        three = [
+            dataclasses.replace(full, tool=full.tool + np.array(o) * span) for o in ((0, 0, 0), (1, 0, 0), (0, 1, 0))
+        ]
         ideas.append(("the platform's rotation (kind pose) at the same poses", three))
-    found = [
-        {"measurement": text, "pins": _pinned([problem, *extra], final) - known, "of": len(problem.names) - known}
-        for text, extra in ideas
+    gains = [(_pinned([problem, *extra], final) - known, text) for text, extra in ideas]
+    return [
+        {"measurement": text, "pins": gain, "of": len(problem.names) - known}
+        for gain, text in sorted(gains, key=lambda g: -g[0])
+        if gain > 0
     ]
-    return sorted((f for f in found if f["pins"] > 0), key=lambda f: -f["pins"])
 
 
 def _as_positions(problem: Problem) -> Problem:
@@ -440,9 +457,7 @@ def uncertainty_map(final: Fit, robot: Robot) -> dict[str, Any] | None:
         "tool_mm": tool.tolist(),
         "worst_mm": float(norm.max()),
         "median_mm": float(np.median(norm)),
-        "points": [
-            {"target_mm": t.tolist(), "std_mm": s.tolist()} for t, s in zip(targets[ok], std, strict=True)
-        ],
+        "points": [{"target_mm": t.tolist(), "std_mm": s.tolist()} for t, s in zip(targets[ok], std, strict=True)],
         "unreachable": int((~ok).sum()),
     }
 
@@ -596,4 +611,3 @@ def _base_frames(found: Identification) -> list[dict[str, Any]]:
         }
         for s, (turn, origin) in enumerate(instrument.frames())
     ]
-

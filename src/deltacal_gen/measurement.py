@@ -111,7 +111,7 @@ def readings(recording: Recording, *, as_distance: bool = False) -> Readings:
         raise InputError(
             f"readings of the kind '{kind}' cannot be used yet.", f"Kinds: {', '.join(KINDS)}.", file=recording.path
         )
-    taken = np.flatnonzero(np.isfinite(recording.measured[:, :1 if kind == "gauge" else 3]).all(axis=1))
+    taken = np.flatnonzero(np.isfinite(recording.measured[:, : 1 if kind == "gauge" else 3]).all(axis=1))
     rotations = None
     if kind == "pose":
         vectors = recording.measured[taken, 3:6]
@@ -133,9 +133,7 @@ def readings(recording: Recording, *, as_distance: bool = False) -> Readings:
 def distances(positions: Readings, recording: Recording) -> Readings:
     """Return the distances of all pairs of positions that share tool point and set-up."""
     tool = np.zeros((recording.n_rows, 3)) if recording.tool is None else np.nan_to_num(recording.tool)
-    _, point = np.unique(
-        np.column_stack([tool[positions.rows[:, 0]], positions.setup]), axis=0, return_inverse=True
-    )
+    _, point = np.unique(np.column_stack([tool[positions.rows[:, 0]], positions.setup]), axis=0, return_inverse=True)
     point = np.ravel(point)
     a, b = np.triu_indices(len(positions), 1)
     same = point[a] == point[b]
@@ -309,7 +307,8 @@ def start(found: Readings, recording: Recording, robot: Robot, x: Array) -> Inst
         if len(chosen):
             part = found.subset(chosen)
             _, predicted = instrument.predict(part, x)
-            assert part.rotations is not None and predicted is not None
+            assert part.rotations is not None
+            assert predicted is not None
             body[s] = mean(np.swapaxes(predicted, 1, 2) @ part.rotations).ravel()
     return dataclasses.replace(instrument, state=np.hstack([state, body]))
 

@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache, cached_property
+from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 SOLVED, UNREACHABLE, SINGULAR = 0, 1, 2
-PATIENCE_S = 1.5  # of NumPy before Numba is loaded; loading takes about 1 s
+PATIENCE_S = (1.5, 12.0)  # of NumPy before Numba is used: what loading costs, what compiling costs
 MANY_POSES = 20_000  # in one call: Numba at once
 STATUS = {
     SOLVED: "solved",
@@ -209,14 +210,21 @@ class Mechanism:
         """The same kernels in plain NumPy."""
         return importlib.import_module(f"deltacal_kernels.{self.name}.vectorised")
 
+    @cached_property
+    def _compiled_before(self) -> bool:
+        """Whether Numba's cache beside the kernels holds them."""
+        folder = Path(deltacal_kernels.__file__).parent / self.name / "__pycache__"
+        return any(folder.glob("kinematics.forward-*.nbi"))
+
     @contextmanager
     def _kernels(self, poses: int) -> Iterator[ModuleType]:
         """Yield the kernels that pay for so many poses.
 
-        Loading Numba takes about as long as a few hundred small calls to NumPy. Which a process will need is not
-        known, so NumPy works until it has cost as much as loading would have: never more than twice the best choice.
+        Loading Numba takes about as long as a few hundred small calls to NumPy, compiling ten times that. How many a
+        process will make is not known, so NumPy works until it has cost as much as Numba would have: never more than
+        twice the best choice.
         """
-        if self._spent > PATIENCE_S or poses > MANY_POSES:
+        if self._spent > PATIENCE_S[not self._compiled_before] or poses > MANY_POSES:
             self._spent = np.inf
             yield self.compiled
             return
@@ -232,7 +240,7 @@ class Mechanism:
         k: Array = self.vectorised.constants(rows)
         return k
 
-    def forward(self, q: Array, tool: Array, rows: Array) -> tuple[Array, np.ndarray]:
+    def forward(self, q: Array, tool: Array, rows: Array, near: Array | None = None) -> tuple[Array, np.ndarray]:
         """Return the exact platform pose at given joints.
 
         Parameters
@@ -243,6 +251,8 @@ class Mechanism:
             Reference point in {O'} [mm].
         rows : (1, limbs, n) or (N, limbs, n) array
             See `rows`.
+        near : (N, n_x) array, optional
+            Poses of a machine that differs little: where to start from.
 
         Returns
         -------
@@ -252,9 +262,10 @@ class Mechanism:
             SOLVED, UNREACHABLE or SINGULAR, explained in `STATUS`.
         """
         q, tool = self._poses(q, self.limbs, "joints"), self._tool(tool, len(q))
-        x, status = np.empty((len(q), self.n_x)), np.empty(len(q), dtype=np.int64)
+        x = np.empty((len(q), self.n_x)) if near is None else np.array(near, dtype=float)
+        status = np.empty(len(q), dtype=np.int64)
         with self._kernels(len(q)) as kernels:
-            kernels.forward(q, tool, self._constants(rows), x, status)
+            kernels.forward(q, tool, self._constants(rows), x, status, near is not None)
         return x, status
 
     def inverse(self, target: Array, tool: Array, rows: Array) -> tuple[Array, Array, np.ndarray]:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import dataclasses
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 import numpy as np
 from pydantic import Field
@@ -21,15 +21,9 @@ from deltacal_gen.rotation import cayley_matrix, from_vector, to_vector
 from deltacal_gen.units import DEG, to_internal
 
 
-class _Effect(Table):
-    name: str
-    limb: int | None = None
-    limbs: tuple[int, ...] | None = None
-
-
 class _Truth(Table):
-    parameters: dict[str, float] = {}
-    effects: Annotated[list[dict[str, Any]], Field(default_factory=list)]
+    parameters: dict[str, float] = Field(default_factory=dict)
+    effects: list[dict[str, Any]] = Field(default_factory=list)
 
 
 def read_truth(path: str | Path, robot: Robot) -> dict[str, float]:
@@ -141,7 +135,9 @@ def unread(poses: Recording) -> Readings:
     """Return the readings that would be taken: every row, or every pair."""
     if poses.kind not in KINDS:
         raise InputError(
-            f"readings of the kind '{poses.kind}' cannot be simulated yet.", f"Kinds: {', '.join(KINDS)}.", file=poses.path
+            f"readings of the kind '{poses.kind}' cannot be simulated yet.",
+            f"Kinds: {', '.join(KINDS)}.",
+            file=poses.path,
         )
     if poses.kind == "distance":
         if poses.pairs is None:
@@ -155,9 +151,7 @@ def unread(poses: Recording) -> Readings:
     return Readings(poses.kind, rows, zeros, None, setup, np.arange(n), np.arange(n))
 
 
-def _instrument(
-    poses: Recording, frame: tuple[Array, Array] | None, rng: np.random.Generator | None
-) -> Instrument:
+def _instrument(poses: Recording, frame: tuple[Array, Array] | None, rng: np.random.Generator | None) -> Instrument:
     """Return the instrument that will read: in the robot's frame, in the one given, or in one drawn at random."""
     if poses.kind == "distance":
         return Instrument("distance", np.zeros((1, 0)), ())

@@ -48,9 +48,7 @@ def pose_accuracy(attained: Array, wanted: Array) -> PoseAccuracy:
     mean = attained.mean(axis=0)
     spread = np.linalg.norm(attained - mean, axis=1)
     deviation = float(np.sqrt(np.sum((spread - spread.mean()) ** 2) / (len(attained) - 1)))
-    return PoseAccuracy(
-        float(np.linalg.norm(mean - wanted)), float(spread.mean() + 3 * deviation), len(attained)
-    )
+    return PoseAccuracy(float(np.linalg.norm(mean - wanted)), float(spread.mean() + 3 * deviation), len(attained))
 
 
 def validate(result: Mapping[str, Any], recording: Recording) -> dict[str, Any]:
@@ -81,7 +79,8 @@ def validate(result: Mapping[str, Any], recording: Recording) -> dict[str, Any]:
     if found.kind in ("position", "pose"):
         several = [g for g, n in enumerate(np.bincount(found.group)) if n > 1]
         figures = [
-            pose_accuracy(r[found.group == g, :3], np.zeros(3)) for g in several  # residuals: attained minus wanted
+            pose_accuracy(r[found.group == g, :3], np.zeros(3))
+            for g in several  # residuals: attained minus wanted
         ]
         if figures:
             out["iso9283"] = {

@@ -1,7 +1,7 @@
 """Kinematics of `delta`: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 5a0aa16d21d5c839; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 8a3c49ebe8726923; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -1046,8 +1046,8 @@ def _meet(sphere, pose):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def forward(q, tool, k, x, status):
-    """Fill x (N, 6) with the exact platform pose at the joints q, by Newton from the simplified machine.
+def forward(q, tool, k, x, status, warm):
+    """Fill x (N, 6) with the exact platform pose at the joints q, by Newton from the simplified machine, or from x where warm.
 
     status (N,): SOLVED, UNREACHABLE (no platform pose closes all loops) or SINGULAR; x is NaN unless SOLVED.
     """
@@ -1059,10 +1059,15 @@ def forward(q, tool, k, x, status):
     sphere = np.empty((3, 4))
     for n in range(q.shape[0]):
         m = n if k.shape[0] > 1 else 0
-        pose[:] = 0.0
-        for i in range(3):
-            _sphere(pose, q[n, i], tool[n], k[m, i], sphere[i])
-        seeded = _meet(sphere, pose)
+        seeded = True
+        for c in range(6):
+            pose[c] = x[n, c] if warm else 0.0
+            seeded = seeded and math.isfinite(pose[c])
+        if not (warm and seeded):
+            pose[:] = 0.0
+            for i in range(3):
+                _sphere(pose, q[n, i], tool[n], k[m, i], sphere[i])
+            seeded = _meet(sphere, pose)
         status[n] = UNREACHABLE if seeded else SINGULAR
         for _ in range(MAX_STEPS if seeded else 0):
             _closure(pose, q[n], tool[n], k[m], out, F, J_x, J_q)

@@ -1,7 +1,7 @@
 """Kinematics of `delta` in plain NumPy: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both 7bcf9a0e9399dbf1; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 32691bf918e40e62; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -993,14 +993,15 @@ def _meet(sphere):
     return p + t[:, None] * n, apart
 
 
-def forward(q, tool, k, x, status):
+def forward(q, tool, k, x, status, warm):
     """See ``kinematics.forward``."""
-    zero = np.zeros((len(q), 6))
-    sphere = np.stack([_sphere(zero, q[:, i], tool, k[:, i]) for i in range(3)], axis=1)
-    x[:] = 0.0
-    x[:, :3], apart = _meet(sphere)
-    status[:] = np.where(apart, UNREACHABLE, SINGULAR)
-    active = np.flatnonzero(apart)
+    status[:] = UNREACHABLE
+    if not (warm and np.isfinite(x).all()):
+        x[:] = 0.0
+        sphere = np.stack([_sphere(x, q[:, i], tool, k[:, i]) for i in range(3)], axis=1)
+        x[:, :3], apart = _meet(sphere)
+        status[~apart] = SINGULAR
+    active = np.flatnonzero(status == UNREACHABLE)
     for _ in range(MAX_STEPS):
         if not len(active):
             break

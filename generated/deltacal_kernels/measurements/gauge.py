@@ -1,7 +1,7 @@
 """Length from a point of the base to the reference point [mm].
 
 Generated from derive/measurements/gauge.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both f984b3191039dd24; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both 730f5b90b6614b7d; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: platform coordinates (N, 6), `given` (N, 4) the
 instrument's state: gx gy gz zero.
