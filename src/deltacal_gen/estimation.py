@@ -33,6 +33,7 @@ STEP_LIMIT = 30.0  # of an ordinary error: a longer step at once is no correctio
 HALVINGS = 12
 SMALLEST_SIGMA = 1e-10  # mm and rad: noise below rounding is taken for this
 HUBER = 2.5  # standard deviations beyond which a reading's pull stops growing
+SPOILT = 30.0  # times the median residual: a reading so far off is named when a fit does not converge
 GROSS = 6.0  # standard deviations beyond which a reading is listed as a gross error
 
 
@@ -314,6 +315,7 @@ def fit(
         ):
             break
         if len(history) == MAX_ITERATIONS:
+            _blame(problem, state.residual)
             raise NoSolutionError(
                 f"the fit of {len(problem.names)} parameters did not converge in {MAX_ITERATIONS} iterations: the last "
                 f"ones promised to lower chi2 by {', '.join(f'{h:.1e}' for h in history[-3:])}. Try a smaller model, a "
@@ -340,6 +342,19 @@ def fit(
         repeats=shared,
         history=history,
     )
+
+
+def _blame(problem: Problem, residual: Array) -> None:
+    """Raise an InputError that names the worst reading, where one stands so far out that it spoils the fit."""
+    size = np.linalg.norm(np.nan_to_num(residual[:, :3]), axis=1)
+    worst, usual = int(np.argmax(size)), float(np.median(size))
+    if size[worst] > SPOILT * usual:
+        raise InputError(
+            f"the reading is {size[worst]:.4g} mm off the machine at these joints, most others {usual:.3g} mm.",
+            "Check the joints and the measured cells of this row, or remove it.",
+            file=problem.recording.path,
+            line=int(problem.readings.line[worst]),
+        )
 
 
 def _gain(step: Array, departure: Array, A_p: Array, Q: Array, b: Array, weight: float) -> float:

@@ -164,4 +164,4 @@ def _workspace(axes: Axes, result: Mapping[str, Any]) -> None:
     axes.figure.colorbar(
         dots, ax=axes, orientation="horizontal", shrink=0.7, label="standard deviation of the position, mm"
     )
-    axes.set_title("How well the tool position is known, layer by layer")
+    axes.set_title("How well the tool position is known, layer by layer", pad=22)

@@ -323,7 +323,7 @@ def _noise(final: Fit, recording: Recording) -> tuple[float, str]:
     else:
         group = found.group
     _, within, degrees = Repeats.ratio_of(np.nan_to_num(final.residual[:, :3]), group)
-    if degrees >= 12 and 0 < within <= residual**2:
+    if degrees >= 12 and 0 < within <= (1.1 * residual) ** 2:
         return float(np.sqrt(within)), "repeats"
     declared = recording.measurement.sigma_mm
     if declared is not None and declared <= 1.5 * residual:

@@ -1,0 +1,115 @@
+"""The machine of Bai 2015, its poses and what an instrument reads on it: shared by all tests."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small matrices: threads only slow them down
+
+import numpy as np
+import pytest
+
+from deltacal_gen.accuracy import check_poses, circle
+from deltacal_gen.mechanism import Mechanism, load_mechanism
+from deltacal_gen.recording import Measurement, Recording
+from deltacal_gen.robot import Robot, robot_from_dict
+from deltacal_gen.units import to_internal
+
+PROTOTYPE = {  # Bai 2015, Table 1; masses of an ordinary machine of this size
+    "robot": {"name": "prototype", "mechanism": "delta"},
+    "geometry": {
+        "base_radius": 200.0,
+        "platform_radius": 51.0,
+        "proximal_length": 375.0,
+        "distal_length": 950.0,
+        "joint_spacing": 100.0,
+    },
+    "workspace": {"top": 728.0, "radius": 500.0, "height": 250.0},
+    "masses": {"proximal": 1.2, "proximal_com": 0.4, "distal_rod": 0.15, "platform": 0.8},
+}
+
+ORDINARY = {"theta": 0.3, "mm": 0.1, "rad": 0.03}  # [deg, mm, deg] standard deviations of a plausible machine's errors
+
+
+@pytest.fixture(scope="session")
+def robot() -> Robot:
+    return robot_from_dict(PROTOTYPE)
+
+
+@pytest.fixture(scope="session")
+def mechanism() -> Mechanism:
+    return load_mechanism("delta")
+
+
+@pytest.fixture
+def rng() -> np.random.Generator:
+    return np.random.default_rng(20150415)
+
+
+def plausible(
+    mechanism: Mechanism, seed: int, names: Sequence[str] | None = None, size: float = 1.0
+) -> dict[str, float]:
+    """Return source errors of a plausible machine [mm, rad]."""
+    rng = np.random.default_rng(seed)
+    errors = {}
+    for p in mechanism.parameters:
+        sd = ORDINARY["theta"] if p.error == "theta" else ORDINARY[p.unit]
+        value = float(size * sd * to_internal(p.unit) * rng.standard_normal())
+        if names is None or p.name in names:
+            errors[p.name] = value
+    return errors
+
+
+def rings(robot: Robot, n: int) -> np.ndarray:
+    """Return home and n poses on the rim of the top and of the bottom layer: Bai's measuring poses (2 n + 1, 3)."""
+    assert robot.workspace is not None
+    top, bottom = (circle(robot.workspace, depth, 1.0, n) for depth in (0.0, 1.0))
+    return np.vstack([check_poses(robot.workspace)[:1], top, bottom])
+
+
+def scattered(robot: Robot, n: int, seed: int) -> np.ndarray:
+    """Return n points anywhere in the workspace (n, 3)."""
+    rng = np.random.default_rng(seed)
+    space = robot.workspace
+    assert space is not None
+    assert space.radius is not None
+    angle, radius = 2 * np.pi * rng.random(n), space.radius * np.sqrt(rng.random(n))
+    return np.column_stack([radius * np.cos(angle), radius * np.sin(angle), -space.top - space.height * rng.random(n)])
+
+
+def wanted(
+    targets: np.ndarray,
+    kind: str = "position",
+    *,
+    frame: str = "unknown",
+    tool: np.ndarray | None = None,
+    setup: Sequence[str] | None = None,
+    pose: Sequence[str] | None = None,
+    pairs: np.ndarray | None = None,
+    channels: Mapping[str, np.ndarray] | None = None,
+    **measurement: Any,
+) -> Recording:
+    """Return a recording without readings at targets (n, 3) in {O}: what `simulate` fills in. Line 1 is the header."""
+    n = len(targets)
+    names, index = np.unique(list(setup or ["1"] * n), return_inverse=True)
+    return Recording(
+        path=Path("recording.csv"),
+        kind=kind,
+        measurement=Measurement(kind=kind, frame=frame, **measurement),
+        joint_unit="rad",
+        joints=np.full((n, 3), np.nan),
+        columns=(),
+        measured=np.zeros((n, 0)),
+        pose=np.array(list(pose or [str(j + 1) for j in range(n)])),
+        line=np.arange(n) + 2,
+        channels=dict(channels or {}),
+        setup=np.ravel(index),
+        setup_names=tuple(names.tolist()),
+        tool=None if tool is None else np.broadcast_to(tool, (n, 3)).copy(),
+        targets=targets,
+        pairs=pairs,
+        pair_line=None if pairs is None else np.arange(len(pairs)) + 2,
+    )

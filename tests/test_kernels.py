@@ -1,0 +1,399 @@
+"""The generated kernels against a machine written by hand: geometry, derivatives, statics, and one backend against the other.
+
+The hand-written machine stands in `independent_delta`; from the package it takes nothing but the numbers of the robot.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from types import ModuleType
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+from conftest import plausible, rings, scattered
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from independent_delta import closure, nominal_frame, numbers, rod_ends
+from scipy.spatial.transform import Rotation
+
+from deltacal_gen.mechanism import SINGULAR, SOLVED, UNREACHABLE, Mechanism, load_mechanism
+from deltacal_gen.robot import Robot
+from deltacal_gen.rotation import cayley_matrix
+from deltacal_gen.units import DEG
+
+TOOL = np.array([30.0, -20.0, -55.0])
+COMPLEX_STEP = 1e-30  # the imaginary part is the derivative to the last digit, whatever the step
+
+
+class Solved(NamedTuple):
+    """A machine with errors at some of its poses."""
+
+    errors: dict[str, float]
+    rows: np.ndarray
+    q: np.ndarray
+    x: np.ndarray
+    tool: np.ndarray
+
+
+def solved(robot: Robot, mechanism: Mechanism, seed: int, poses: int = 12, size: float = 3.0) -> Solved:
+    """Return a machine of random finite errors, `size` times ordinary ones, at random poses and tool points."""
+    errors = plausible(mechanism, seed, size=size)
+    rows = mechanism.rows(robot, mechanism.vector(errors))
+    tool = TOOL * np.random.default_rng(seed).random((poses, 3))
+    q, x, status = mechanism.inverse(scattered(robot, poses, seed), tool, rows)
+    assert (status == SOLVED).all()
+    return Solved(errors, rows, q, x, tool)
+
+
+@pytest.fixture(scope="module")
+def machine(robot: Robot, mechanism: Mechanism) -> Solved:
+    return solved(robot, mechanism, seed=1)
+
+
+# ------------------------------------------------------------------------------------------- geometry and conventions
+
+
+def test_the_rods_of_the_solved_machine_have_their_lengths(robot: Robot, mechanism: Mechanism) -> None:
+    """Contract, section 6, by SciPy's rotations alone, at finite errors of all 42 kinds."""
+    at = solved(robot, mechanism, seed=2, poses=8)
+    g = numbers(robot.geometry)
+    x, status = mechanism.forward(at.q, at.tool, at.rows)
+    assert (status == SOLVED).all()
+    for n in range(len(x)):
+        R = cayley_matrix(x[n : n + 1, 3:])[0]
+        assert R == pytest.approx(Rotation.from_matrix(R).as_matrix(), abs=1e-14)  # a rotation to begin with
+        for i in range(3):
+            e = {name[:-2]: value for name, value in at.errors.items() if name.endswith(f"_{i + 1}")}
+            frame = Rotation.from_matrix(nominal_frame(i))
+            joint = frame * Rotation.from_rotvec([e["alpha0"], e["beta0"], 0])
+            arm = joint * Rotation.from_rotvec([0, 0, at.q[n, i] + e["theta"]])
+            alpha3, beta3 = e["alpha0"] - e["alpha03"], e["beta0"] - e["beta03"]  # alpha03 = alpha0 - alpha3
+            elbow_axis = arm * Rotation.from_rotvec([e["alpha2"], e["beta2"], 0])
+            hand_axis = frame * Rotation.from_rotvec([alpha3, beta3, 0])
+            B = g["base_radius"] * frame.apply([1, 0, 0]) + [e["ex"], e["ey"], e["ez"]]
+            for side, length in (
+                (+1, g["distal_length"] + e["l"] + e["dl"] / 2),
+                (-1, g["distal_length"] + e["l"] - e["dl"] / 2),
+            ):
+                C = B + arm.apply([g["proximal_length"] + e["L"], 0, 0])
+                C = C + elbow_axis.apply([0, 0, side * (g["c"] + e["dc"]) / 2])
+                A = g["platform_radius"] * frame.apply([1, 0, 0]) + hand_axis.apply([0, 0, side * g["c"] / 2])
+                A = x[n, :3] + R @ (A - at.tool[n])
+                # rounding of coordinates of 1000 mm is 1e-13; what a Newton step below 1e-9 mm leaves is its square
+                assert np.linalg.norm(A - C) == pytest.approx(length, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("error", "side", "expected"),
+    [("dl", 0, +0.5), ("dl", 1, -0.5), ("l", 0, 1.0), ("l", 1, 1.0)],
+)
+def test_rod_one_lies_on_the_positive_side_of_the_joint_axis(
+    robot: Robot, mechanism: Mechanism, error: str, side: int, expected: float
+) -> None:
+    """A rod of limb 2 that is longer is that of +w = (sin phi, -cos phi, 0): seen by distances, not by closures."""
+    rows = mechanism.rows(robot, mechanism.vector({f"{error}_2": 1.0}))
+    x, _ = mechanism.forward(np.zeros((1, 3)), np.zeros(3), rows)
+    elbow, hand, _ = rod_ends(numbers(robot.geometry), {}, x[0], np.zeros(3), np.zeros(3))
+    w = np.array([np.sin(30 * DEG), -np.cos(30 * DEG), 0.0])
+    assert (elbow[1, 0] - elbow[1, 1]) @ w == pytest.approx(100.0)
+    assert np.linalg.norm(hand[1, side] - elbow[1, side]) - 950.0 == pytest.approx(expected, abs=1e-9)
+
+
+def test_a_positive_joint_angle_lifts_the_arm_and_the_platform_hangs_below(robot: Robot, mechanism: Mechanism) -> None:
+    rows = mechanism.rows(robot)
+    x, _ = mechanism.forward(np.deg2rad([[0.0, 0.0, 0.0], [10.0, 10.0, 10.0]]), np.zeros(3), rows)
+    # arms flat: sqrt(950^2 - (200 + 375 - 51)^2) below the base
+    assert x[0] == pytest.approx([0, 0, -np.sqrt(950.0**2 - 524.0**2), 0, 0, 0], abs=1e-9)
+    assert x[1, 2] > x[0, 2] + 50
+
+
+def test_the_closure_kernel_is_the_closure_written_by_hand(machine: Solved, robot: Robot, mechanism: Mechanism) -> None:
+    """Off the solution too, where nothing is zero."""
+    x = machine.x + np.array([1.0, -2.0, 3.0, 0.01, -0.02, 0.03])
+    F, *_ = mechanism.jacobians(x, machine.q, machine.tool, machine.rows)
+    for n in range(len(x)):
+        by_hand = closure(numbers(robot.geometry), machine.errors, x[n], machine.q[n], machine.tool[n])
+        # squares of 1e6 mm^2 are rounded at 1e-10; a sum of a dozen of them at 1e-9
+        assert F[n] == pytest.approx(by_hand, rel=1e-11, abs=2e-9)
+
+
+# ------------------------------------------------------------------------------------------------------- derivatives
+
+
+def by_complex_step(robot: Robot, mechanism: Mechanism, at: Solved, n: int) -> tuple[np.ndarray, ...]:
+    """Return F_x (6, 6), F_q (6, 3), F_p (6, 42) of the hand-written closure."""
+    g, h = numbers(robot.geometry), COMPLEX_STEP
+    x, q, tool = at.x[n], at.q[n], at.tool[n]
+
+    def column(by: str, j: int) -> np.ndarray:
+        xc, qc, errors = x.astype(complex), q.astype(complex), dict(at.errors)
+        if by == "x":
+            xc[j] += 1j * h
+        elif by == "q":
+            qc[j] += 1j * h
+        else:
+            name = mechanism.parameters[j].name
+            errors[name] = errors[name] + 1j * h
+        return np.imag(closure(g, errors, xc, qc, tool)) / h
+
+    F_x, F_q, F_p = (np.column_stack([column(by, j) for j in range(m)]) for by, m in (("x", 6), ("q", 3), ("p", 42)))
+    return F_x, F_q, F_p
+
+
+def test_every_column_of_the_sensitivity_agrees_with_the_complex_step(
+    machine: Solved, robot: Robot, mechanism: Mechanism
+) -> None:
+    S = mechanism.sensitivity(machine.x, machine.q, machine.tool, machine.rows)
+    for n in range(4):
+        F_x, F_q, F_p = by_complex_step(robot, mechanism, machine, n)
+        expected = -np.linalg.solve(F_x, np.hstack([F_p, F_q]))
+        got = np.hstack([S.parameters[n], S.joints[n]])
+        # column by column, relative to the column; rounding times the condition of F_x (1e4) stays below 1e-11
+        for part in (slice(0, 3), slice(3, 6)):
+            scale = np.linalg.norm(expected[part], axis=0)
+            rotated = scale > 1e-12 * scale.max()
+            gap = np.linalg.norm(got[part] - expected[part], axis=0)
+            assert (gap[rotated] / scale[rotated]).max() < 1e-8
+            assert gap[~rotated].max(initial=0.0) < 1e-8 * scale.max()
+
+
+@pytest.mark.parametrize("column", range(42))
+def test_the_remainder_of_every_column_is_of_second_order(
+    machine: Solved, robot: Robot, mechanism: Mechanism, column: int
+) -> None:
+    """Taylor test on the exact machine: halve the step, quarter the gap."""
+    S = mechanism.sensitivity(machine.x, machine.q, machine.tool, machine.rows).parameters[:, :, column]
+    p = mechanism.vector(machine.errors)
+    whole = 5.0 if mechanism.parameters[column].unit == "mm" else 0.05  # large: rounding is far below the remainder
+    steps = whole * 0.5 ** np.arange(4)
+    gaps = []
+    for h in steps:
+        moved = p.copy()
+        moved[column] += h
+        x, status = mechanism.forward(machine.q, machine.tool, mechanism.rows(robot, moved))
+        assert (status == SOLVED).all()
+        remainder = x - machine.x - h * S
+        gaps.append(np.linalg.norm(remainder * [1, 1, 1, 100, 100, 100]))  # rotations at 100 mm
+    order = np.log2(np.divide(gaps[:-1], gaps[1:]))
+    assert order.min() > 1.9
+    assert order[-1] == pytest.approx(2.0, abs=0.06)  # the third order is still there at finite steps, halved each time
+
+
+def test_deflections_are_derivatives_too(machine: Solved, robot: Robot, mechanism: Mechanism) -> None:
+    """No error of the model moves an arm's tip sideways: central differences of the exact machine, extrapolated."""
+    S = mechanism.sensitivity(machine.x, machine.q, machine.tool, machine.rows).deflections
+    p = mechanism.vector(machine.errors)
+
+    def central(limb: int, which: int, h: float) -> np.ndarray:
+        tip = np.zeros((1, 3, 2))
+        tip[0, limb, which] = h
+        plus, minus = (
+            mechanism.forward(machine.q, machine.tool, mechanism.rows(robot, p, s * tip))[0] for s in (1, -1)
+        )
+        return np.asarray((plus - minus) / (2 * h))
+
+    for limb in range(3):
+        for which in range(2):
+            extrapolated = (4 * central(limb, which, 0.5) - central(limb, which, 1.0)) / 3
+            assert S[:, :, limb, which] == pytest.approx(extrapolated, abs=1e-8)  # mm per mm, rad per mm
+
+
+def test_a_tip_along_the_arm_normal_is_a_joint_angle_times_the_arm(
+    machine: Solved, robot: Robot, mechanism: Mechanism
+) -> None:
+    """At nominal geometry, tip_v moves the whole elbow as L dtheta does."""
+    rows = mechanism.rows(robot, np.zeros(42))
+    q, x, _ = mechanism.inverse(scattered(robot, 6, 5), np.zeros(3), rows)
+    S = mechanism.sensitivity(x, q, np.zeros(3), rows)
+    for limb in range(3):
+        theta = S.parameters[:, :, mechanism.index[f"theta_{limb + 1}"]]
+        assert S.deflections[:, :, limb, 0] == pytest.approx(theta / 375.0, abs=1e-13)
+        assert S.joints[:, :, limb] == pytest.approx(theta, abs=1e-10)
+
+
+# ---------------------------------------------------------------------------------------------------- the two backends
+
+
+def run(
+    kernels: ModuleType, mechanism: Mechanism, q: np.ndarray, target: np.ndarray, tool: np.ndarray, rows: np.ndarray
+):
+    """Return every output of every kernel of a backend, by name."""
+    n = len(q)
+    tool = np.ascontiguousarray(np.broadcast_to(tool, (n, 3)))
+    k = kernels.constants(rows)
+    x, status = np.empty((n, 6)), np.empty(n, dtype=np.int64)
+    kernels.forward(q, tool, k, x, status, False)
+    q_back, x_back, status_back = np.empty((n, 3)), np.empty((n, 6)), np.empty(n, dtype=np.int64)
+    kernels.inverse(np.ascontiguousarray(target), tool, k, x_back, q_back, status_back)
+    F, J_x, J_q, J_p = np.zeros((n, 6)), np.zeros((n, 6, 6)), np.zeros((n, 6)), np.zeros((n, 6, 16))
+    at = x + np.array([10.0, -20.0, 30.0, 0.01, -0.02, 0.01])  # off the solution, where no closure is zero
+    kernels.jacobians(at, q, tool, k, F, J_x, J_q, J_p)
+    S, V, status_S = np.empty((n, 6, 48)), np.empty((n, 6, 3)), np.empty(n, dtype=np.int64)
+    kernels.sensitivity(at, q, tool, k, S, V, status_S)
+    return {
+        "x": x, "status": status, "q_back": q_back, "x_back": x_back, "status_back": status_back,
+        "F": F, "J_x": J_x, "J_q": J_q, "J_p": J_p, "S": S, "V": V, "status_S": status_S,
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("many", [False, True], ids=["one machine", "a machine per pose"])
+def test_compiled_and_plain_kernels_agree(robot: Robot, mechanism: Mechanism, many: bool) -> None:
+    n = 40
+    rng = np.random.default_rng(7)
+    errors = np.array([mechanism.vector(plausible(mechanism, s)) for s in range(n if many else 1)])
+    rows = mechanism.rows(robot, errors)
+    target = scattered(robot, n, 7)
+    q, _, _ = mechanism.inverse(target, TOOL, rows)
+    q = q + 1e-3 * rng.standard_normal(q.shape)
+    compiled, plain = (run(k, mechanism, q, target, TOOL, rows) for k in (mechanism.compiled, mechanism.vectorised))
+    for name, value in compiled.items():
+        size = np.abs(value).max()
+        assert plain[name] == pytest.approx(value, rel=0, abs=1e-12 * max(size, 1.0)), name
+
+
+@pytest.mark.parametrize("backend", ["compiled", "vectorised"])
+def test_poses_that_cannot_be_are_named_and_become_nan(robot: Robot, mechanism: Mechanism, backend: str) -> None:
+    kernels = getattr(mechanism, backend)
+    rows = mechanism.rows(robot, np.zeros(42))
+    k = kernels.constants(rows)
+    q = np.deg2rad([[0.0, 0.0, 0.0], [175.0, -170.0, 30.0], [-90.0, -90.0, 90.0], [5.0, 5.0, 5.0]])
+    tool, x, status = np.zeros((4, 3)), np.empty((4, 6)), np.empty(4, dtype=np.int64)
+    kernels.forward(q, tool, k, x, status, False)
+    assert status[0] == status[3] == SOLVED
+    assert (status[1:3] != SOLVED).all()
+    assert np.isnan(x[1:3]).all()
+    target = np.array([[0.0, 0.0, -800.0], [0.0, 0.0, -2000.0], [3000.0, 0.0, -800.0], [100.0, 50.0, -900.0]])
+    q_back, x_back = np.empty((4, 3)), np.empty((4, 6))
+    kernels.inverse(target, tool, k, x_back, q_back, status)
+    assert status.tolist() == [SOLVED, UNREACHABLE, UNREACHABLE, SOLVED]
+    assert np.isnan(q_back[1:3]).all()
+    assert np.isnan(x_back[1:3]).all()
+
+
+@pytest.mark.parametrize("backend", ["compiled", "vectorised"])
+def test_a_pose_with_all_elbows_on_one_line_is_singular(robot: Robot, mechanism: Mechanism, backend: str) -> None:
+    """With b = a and the arms upright the six rods hang parallel from three points: nothing holds the height."""
+    kernels = getattr(mechanism, backend)
+    flat = dataclasses.replace(robot, geometry=robot.geometry | {"platform_radius": np.array([200.0])})
+    rows = mechanism.rows(flat, np.zeros(42))
+    q = np.full((1, 3), np.pi / 2)
+    x, status = np.empty((1, 6)), np.empty(1, dtype=np.int64)
+    kernels.forward(q, np.zeros((1, 3)), kernels.constants(rows), x, status, False)
+    assert status[0] == SINGULAR
+    S, V = np.empty((1, 6, 48)), np.empty((1, 6, 3))
+    below = np.array([[0.0, 0.0, 375.0 - 950.0, 0.0, 0.0, 0.0]])
+    kernels.sensitivity(below, q, np.zeros((1, 3)), kernels.constants(rows), S, V, status)
+    assert status[0] == SINGULAR
+    assert np.isnan(S).all()
+
+
+def test_a_warm_start_leads_to_the_same_pose(machine: Solved, mechanism: Mechanism) -> None:
+    for kernels in (mechanism.compiled, mechanism.vectorised):
+        k = kernels.constants(machine.rows)
+        x, status = machine.x + np.array([2.0, -1.0, 3.0, 0.01, 0.01, -0.01]), np.empty(len(machine.x), dtype=np.int64)
+        kernels.forward(machine.q, machine.tool, k, x, status, True)
+        assert (status == SOLVED).all()
+        assert x == pytest.approx(machine.x, abs=1e-9)
+
+
+# ---------------------------------------------------------------------------------------------- properties, any machine
+
+MACHINES = st.integers(min_value=0, max_value=2**31)
+
+
+@settings(max_examples=30, deadline=None, derandomize=True)
+@given(seed=MACHINES, size=st.floats(min_value=0.0, max_value=10.0))
+def test_forward_undoes_inverse(seed: int, size: float) -> None:
+    """Errors up to ten times ordinary ones; offsets of 10 degrees and lengths of 3 mm among them."""
+    from conftest import PROTOTYPE
+
+    from deltacal_gen.robot import robot_from_dict
+
+    mechanism, robot = load_mechanism("delta"), robot_from_dict(PROTOTYPE)
+    rows = mechanism.rows(robot, mechanism.vector(plausible(mechanism, seed, size=size)))
+    target = scattered(robot, 10, seed) * [0.8, 0.8, 1.0]
+    q, x_held, status = mechanism.inverse(target, TOOL, rows)
+    assert (status == SOLVED).all()
+    x, status = mechanism.forward(q, TOOL, rows)
+    assert (status == SOLVED).all()
+    assert x[:, :3] == pytest.approx(target, abs=1e-9)
+    assert x == pytest.approx(x_held, abs=1e-9)
+    F, *_ = mechanism.jacobians(x, q, TOOL, rows)
+    assert np.abs(F).max() < 1e-8  # mm^2: lengths of 1000 mm to 1e-11 mm
+
+
+# -------------------------------------------------------------------------------------------------------------- statics
+
+MASSES = {"proximal": 1.2, "proximal_com": 0.4, "distal_rod": 0.15, "platform": 0.8}
+GRAVITY = np.array([0.4, -0.3, -9.7])  # not upright: every component counts
+
+
+def potential_energy(robot: Robot, at: Solved, x: np.ndarray, q: np.ndarray, payload: float) -> np.ndarray:
+    """Return minus the sum of m g . r (N,) [N mm] of arms, half rods at either end, platform at O' and payload at P."""
+    g, energy = numbers(robot.geometry), np.zeros(len(x))
+    for n in range(len(x)):
+        elbow, hand, _ = rod_ends(g, at.errors, x[n], q[n], at.tool[n])
+        work = payload * x[n, :3] + MASSES["platform"] * (x[n, :3] - cayley_matrix(x[n : n + 1, 3:])[0] @ at.tool[n])
+        for i in range(3):
+            e = {name[:-2]: v for name, v in at.errors.items() if name.endswith(f"_{i + 1}")}
+            base = g["base_radius"] * nominal_frame(i)[:, 0] + [e["ex"], e["ey"], e["ez"]]
+            # the middle of the elbow is the arm's tip; its centre of mass lies on the line from the base point
+            tip = elbow[i].mean(axis=0)
+            work = work + MASSES["proximal"] * (base + MASSES["proximal_com"] * (tip - base))
+            work = work + MASSES["distal_rod"] / 2 * (elbow[i].sum(axis=0) + hand[i].sum(axis=0))
+        energy[n] = -GRAVITY @ work
+    return energy
+
+
+def test_static_torque_is_minus_the_slope_of_potential_energy(
+    machine: Solved, robot: Robot, mechanism: Mechanism
+) -> None:
+    payload = 2.5
+    torque, _ = mechanism.torques(machine.x, machine.q, machine.tool, machine.rows, MASSES, GRAVITY, payload)
+    for joint in range(3):
+
+        def slope(h: float, joint: int = joint) -> np.ndarray:
+            energies = []
+            for sign in (1, -1):
+                q = machine.q.copy()
+                q[:, joint] += sign * h
+                x, _ = mechanism.forward(q, machine.tool, machine.rows)
+                energies.append(potential_energy(robot, machine, x, q, payload))
+            return np.asarray((energies[0] - energies[1]) / (2 * h))
+
+        extrapolated = (4 * slope(1e-3) - slope(2e-3)) / 3
+        # 1e5 N mm of energy rounded at 1e-11 over 2e-3 rad: 1e-8; the fourth order of the extrapolation is above it
+        assert torque[:, joint] == pytest.approx(-extrapolated, rel=1e-7, abs=1e-5)
+
+
+def test_gravity_on_a_horizontal_arm_is_negative(robot: Robot, mechanism: Mechanism) -> None:
+    rows, q = mechanism.rows(robot), np.zeros((1, 3))
+    x, _ = mechanism.forward(q, np.zeros(3), rows)
+    down = np.array([0.0, 0.0, -9.81])
+    alone, _ = mechanism.torques(x, q, np.zeros(3), rows, {"proximal": 1.2, "proximal_com": 0.4}, down)
+    assert alone == pytest.approx(np.full((1, 3), -1.2 * 9.81 * 0.4 * 375.0), rel=1e-12)  # nothing else has mass
+    loaded, _ = mechanism.torques(x, q, np.zeros(3), rows, MASSES, down, payload=1.0)
+    assert (loaded < alone).all()
+
+
+def test_rods_that_carry_a_platform_pull(robot: Robot, mechanism: Mechanism) -> None:
+    """Six equal rods at the centre: the vertical parts of their pulls are the weight."""
+    rows, q = mechanism.rows(robot), np.zeros((1, 3))
+    x, _ = mechanism.forward(q, np.zeros(3), rows)
+    _, multipliers = mechanism.torques(x, q, np.zeros(3), rows, {"platform": 2.0}, np.array([0.0, 0.0, -9.81]))
+    tension = np.abs(multipliers) * 950.0
+    vertical = -x[0, 2] / 950.0
+    assert tension == pytest.approx(np.full((1, 6), 2.0 * 9.81 / 6 / vertical), rel=1e-12)
+
+
+def test_shapes_are_checked_by_name(robot: Robot, mechanism: Mechanism) -> None:
+    with pytest.raises(ValueError, match=r"joints have the shape \(2, 4\), but must have \(N, 3\)"):
+        mechanism.forward(np.zeros((2, 4)), np.zeros(3), mechanism.rows(robot))
+    with pytest.raises(ValueError, match=r"target have the shape \(3,\)"):
+        mechanism.inverse(np.zeros(3), np.zeros(3), mechanism.rows(robot))
+
+
+def test_measuring_poses_of_the_paper_can_be_reached(robot: Robot, mechanism: Mechanism) -> None:
+    _, _, status = mechanism.inverse(rings(robot, 16), np.zeros(3), mechanism.rows(robot))
+    assert (status == SOLVED).all()

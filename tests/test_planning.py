@@ -1,0 +1,337 @@
+"""Measuring poses: the paper's rings and rule, D-optimal sets, ranks, and what is written for the user."""
+
+from __future__ import annotations
+
+import dataclasses
+import itertools
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from deltacal_gen import planning
+from deltacal_gen.errors import InputError, NoSolutionError, UsageError
+from deltacal_gen.estimation import pose_problem
+from deltacal_gen.identifiability import identification_matrix
+from deltacal_gen.mechanism import SOLVED, load_mechanism
+from deltacal_gen.recording import read_recording
+from deltacal_gen.robot import Robot, robot_from_dict
+from deltacal_gen.simulation import simulate
+from deltacal_gen.units import DEG
+
+B, A = 200.0, 51.0  # mm: radii of base and platform (Bai 2015, Table 1)
+TABLES: dict[str, Any] = {
+    "robot": {"mechanism": "delta"},
+    "geometry": {
+        "base_radius": B,
+        "platform_radius": A,
+        "proximal_length": 375.0,
+        "distal_length": 950.0,
+        "joint_spacing": 100.0,
+    },
+    "workspace": {"top": 728.0, "radius": 500.0, "height": 250.0},
+}
+DELTA = load_mechanism("delta")
+
+
+@pytest.fixture(scope="module")
+def robot() -> Robot:
+    return robot_from_dict(TABLES)
+
+
+def steps(plan: planning.Plan, field: str) -> dict[int, Any]:
+    return {step.n: getattr(step, field) for step in plan.steps}
+
+
+# ------------------------------------------------------------------------------------------------------ sets of poses
+
+
+def test_rings_are_the_papers(robot: Robot) -> None:
+    assert robot.workspace is not None
+    rough = planning.rings(robot.workspace, 5, planning.ROUGH)
+    fine = planning.rings(robot.workspace, 7, planning.FINE, start_angle=0.3)
+    assert len(rough) == 5 + 1
+    assert len(fine) == 2 * 7 + 1
+    np.testing.assert_allclose(fine[0], [0, 0, -853])
+    np.testing.assert_allclose(fine[1], [500 * np.cos(0.3), 500 * np.sin(0.3), -728])
+    np.testing.assert_allclose(np.hypot(*fine[1:, :2].T), 500)
+    assert sorted(set(fine[1:, 2])) == [-978, -728]
+    gaps = np.linalg.norm(np.diff(np.vstack([rough[1:], rough[1]]), axis=0), axis=1)
+    np.testing.assert_allclose(gaps, 2 * 500 * np.sin(np.pi / 5))
+
+
+@pytest.mark.parametrize("kind", ["distance", "position"])
+def test_design_is_the_matrix_of_the_recording_that_follows(robot: Robot, kind: str, tmp_path: Path) -> None:
+    known = dataclasses.replace(robot, errors={"theta_2": 0.8 * DEG, "L_1": 0.3, "dl_3": 0.2})
+    found = planning.plan(known, "32", kind=kind, n_max=3)
+    planning.write_targets(found, tmp_path / "poses.csv")
+    poses = read_recording(tmp_path / "poses.csv", DELTA, need_measured=False, allow_targets=True)
+    measured = simulate(known, poses, rng=np.random.default_rng(1))
+    problem = pose_problem(known, measured, found.names, as_distance=kind == "distance")
+    H = identification_matrix(problem, "typical").H
+    targets = found.poses.targets[: len(found.poses) // 2]
+    ours = planning.design(known, targets, found.tools, found.names, kind) * problem.scale
+    np.testing.assert_allclose(ours.T @ ours, H.T @ H, rtol=0, atol=1e-8 * np.linalg.norm(H) ** 2)
+    if kind == "distance":
+        np.testing.assert_allclose(ours, H, rtol=0, atol=1e-8)
+
+
+def test_targets_written_are_reached_by_simulation(robot: Robot, tmp_path: Path) -> None:
+    found = planning.plan(robot, "32", n_max=4)
+    planning.write_targets(found, tmp_path / "poses.csv")
+    poses = read_recording(tmp_path / "poses.csv", DELTA, need_measured=False, allow_targets=True)
+    measured = simulate(robot, poses, frame=(np.zeros(3), np.zeros(3)))
+    np.testing.assert_allclose(measured.measured, found.poses.targets, atol=1e-8)
+    np.testing.assert_allclose(measured.joints, found.poses.joints, atol=1e-11)
+
+
+def test_joint_limits_and_signs_are_the_controllers(robot: Robot) -> None:
+    tables = TABLES | {"joints": {"sign": [1, -1, 1], "limits_deg": [[-66.0, 95.0]] * 3}}
+    turned = robot_from_dict(tables)
+    plain = planning.plan(robot, "3", n_max=3).poses.joints
+    np.testing.assert_allclose(
+        planning.reach(turned, planning.plan(robot, "3", n_max=3).poses.targets, turned.tool)[0].joints,
+        plain * [1, -1, 1],
+    )
+    with pytest.raises(NoSolutionError, match="beyond the limits of the joints"):
+        planning.plan(turned, "18", n_max=3)
+    kept = planning.d_optimal(turned, "3", 4).poses.joints
+    assert np.all(kept >= -66 * DEG - 1e-12)
+    assert np.all(kept <= 95 * DEG)
+
+
+# ------------------------------------------------------------------------------------------------- ranks, null spaces
+
+
+@pytest.mark.parametrize(
+    ("kind", "ranks"),
+    [
+        # of the models 42, 36, 32, 24, 18, 3, for one, two and three reference points
+        ("distance", [(32, 32, 32, 18, 18, 3)] * 3),
+        ("position", [(32, 32, 32, 18, 18, 3), (35, 35, 32, 20, 18, 3), (36, 36, 32, 21, 18, 3)]),
+    ],
+)
+def test_ranks_of_all_models(robot: Robot, kind: str, ranks: list[tuple[int, ...]]) -> None:
+    table = planning.rank_table(robot, kind)
+    found = {(row.model, row.points): row.rank for row in table}
+    models = ("delta/42", "delta/36", "delta/32", "delta/24", "delta/18", "delta/3")
+    assert [tuple(found[model, points] for model in models) for points in (1, 2, 3)] == ranks
+    for row in table:
+        assert len(row.unseen) == row.columns - row.rank
+        assert row.smallest > 5e-5  # a gap of ten decades: no rank here is a matter of the tolerance
+        assert row.noise < 1e-14
+
+
+def test_what_model_36_cannot_tell_is_eq_19(robot: Robot) -> None:
+    (row,) = (r for r in planning.rank_table(robot) if r.model == "delta/36" and r.points == 3)
+    (tilted,) = (c for c in row.unseen if "beta03_1" in c.terms)
+    for limb in (1, 2, 3):
+        assert tilted.terms[f"beta03_{limb}"] == pytest.approx(tilted.terms["beta03_1"])
+        assert tilted.terms[f"beta0_{limb}"] == pytest.approx(-A / (B - A) * tilted.terms["beta03_1"])
+    assert tilted.text.endswith("moved together, change no reading")
+
+
+def test_one_reference_point_is_enough_from_n_7_on(robot: Robot) -> None:
+    """2 n + 1 positions hold at most 3 (2 n + 1) - 6 independent distances, and the rings are symmetric besides."""
+    one = planning.plan(robot, "32", tools=1, n_max=8)
+    turned = planning.plan(robot, "32", tools=1, n_max=8, start_angle=30 * DEG)
+    two = planning.plan(robot, "32", tools=2, n_max=8)
+    assert steps(one, "rank") == {3: 15, 4: 21, 5: 27, 6: 32, 7: 32, 8: 32}
+    assert steps(turned, "rank") == {3: 15, 4: 21, 5: 27, 6: 30, 7: 32, 8: 32}
+    assert steps(two, "rank") == {3: 26, 4: 31, 5: 32, 6: 32, 7: 32, 8: 32}
+    assert steps(one, "condition")[8] == pytest.approx(50039, rel=1e-3)
+    assert steps(two, "condition")[8] == pytest.approx(7994, rel=1e-3)
+
+
+@pytest.mark.parametrize(("model", "stands_for_it"), [("42", "32"), ("36", "32"), ("24", "18")])
+def test_a_model_too_large_is_planned_by_the_one_within(robot: Robot, model: str, stands_for_it: str) -> None:
+    found = planning.plan(robot, model, n_max=6)
+    within = planning.plan(robot, stands_for_it, n_max=6)
+    assert found.names == DELTA.model(stands_for_it)
+    assert set(found.names) | set(found.dropped) == set(DELTA.model(model))
+    assert steps(found, "condition") == steps(within, "condition")
+    assert found.dropped[0] in found.conventions
+
+
+# ----------------------------------------------------------------------------------------------------- the paper's rule
+
+
+@pytest.mark.parametrize(
+    ("change", "first", "settled"),
+    [
+        ([np.inf, 0.5, 0.009, 0.02, 0.01, 0.001], 5, 7),
+        ([0.01, 0.01], 3, 3),
+        ([np.inf, 0.5], None, None),
+        ([0.001, 0.5], 3, None),
+    ],
+)
+def test_rule(change: list[float], first: int | None, settled: int | None) -> None:
+    assert planning.rule(range(3, 3 + len(change)), change, 0.01) == (first, settled)
+
+
+@pytest.mark.parametrize(("norm", "chosen"), [("spectral", (6, 7, 9)), ("frobenius", (5, 7, 9))])
+def test_figures_6_and_7(robot: Robot, norm: str, chosen: tuple[int, ...]) -> None:
+    """The paper's 5, 7 and 9 come out together, in the Frobenius norm, for rings that start at 75 deg."""
+    plans = [planning.plan(robot, model, start_angle=75 * DEG, norm=norm, n_max=10) for model in ("3", "18", "32")]
+    assert tuple(p.chosen for p in plans) == chosen
+    assert [len(p.poses) for p in plans] == [chosen[0] + 1, 2 * chosen[1] + 1, 2 * (2 * chosen[2] + 1)]
+    assert [steps(p, "readings")[p.chosen or 0] for p in plans[1:]] == [105, 342]  # as in section 5.2
+
+
+def test_figure_6_depends_on_norm_and_start_angle(robot: Robot) -> None:
+    def chosen(norm: str) -> list[int | None]:
+        starts = DEG * np.arange(0, 60, 10)
+        return [planning.plan(robot, "3", start_angle=a, norm=norm, n_max=10).chosen for a in starts]
+
+    assert chosen("spectral") == [4, 6, 7, 8, 7, 6]
+    assert chosen("frobenius") == [4, 5, 5, 5, 5, 5]
+
+
+def test_condition_number_does_not_fall_monotonously(robot: Robot) -> None:
+    """Section 3.3 of the paper says that it does; from n = 7 on it rises slowly."""
+    kappa = steps(planning.plan(robot, "18", start_angle=75 * DEG, n_max=16), "condition")
+    assert kappa[7] == pytest.approx(81.34, abs=0.01)
+    assert all(kappa[n] < kappa[n + 1] for n in range(7, 16))
+
+
+def test_figures_of_a_step(robot: Robot) -> None:
+    found = planning.plan(robot, "18", scaling="typical", n_max=5)
+    step = found.steps[-1]
+    H = (
+        planning.design(robot, found.poses.targets, found.tools, found.names)
+        * DELTA.typical[[DELTA.index[name] for name in found.names]]
+    )
+    s = np.linalg.svd(H, compute_uv=False)
+    assert step.condition == pytest.approx(s[0] / s[-1])
+    assert step.indices["O1"] == pytest.approx(np.prod(s) ** (1 / 18) / np.sqrt(11))
+    assert step.indices["O5"] == pytest.approx(1 / np.sum(1 / s))
+    frobenius = planning.plan(robot, "18", scaling="typical", norm="frobenius", n_max=5).steps[-1].condition
+    assert frobenius == pytest.approx(np.linalg.norm(H) * np.linalg.norm(np.linalg.pinv(H)))
+
+
+# --------------------------------------------------------------------------------------------------- D-optimal sets
+
+
+def test_exchange_finds_the_best_of_all_sets(robot: Robot) -> None:
+    rng = np.random.default_rng(3)
+    candidates = rng.uniform([-400, -400, -978], [400, 400, -728], (9, 3))
+    found = planning.d_optimal(robot, "3", 5, candidates=candidates, rng=rng)
+    best = max(planning.log_determinant(found, candidates[list(c)]) for c in itertools.combinations(range(9), 5))
+    assert planning.log_determinant(found, found.poses.targets) == pytest.approx(best, abs=1e-9)
+
+
+def test_d_optimal_set_is_reproducible(robot: Robot) -> None:
+    first, again = (planning.d_optimal(robot, "3", 5, rng=np.random.default_rng(2)) for _ in range(2))
+    np.testing.assert_array_equal(first.poses.targets, again.poses.targets)
+
+
+@pytest.mark.parametrize(("model", "n"), [("18", 7), ("36", 5)])
+def test_d_optimal_set_beats_the_rings(robot: Robot, model: str, n: int) -> None:
+    count = 2 * n + 1
+    best = planning.d_optimal(robot, model, count, sigma_mm=0.005)
+    ring = planning.plan(robot, model, n_max=n, threshold=0.0, sigma_mm=0.005)
+    ours, theirs = (planning.log_determinant(p, p.poses.targets[:count]) for p in (best, ring))
+    assert ours > theirs + 2
+    assert best.prediction is not None
+    assert ring.prediction is not None
+    assert best.prediction.largest < 0.75 * ring.prediction.largest
+
+
+def test_too_few_positions_and_candidates(robot: Robot) -> None:
+    with pytest.raises(UsageError, match=r"delta/18 and the frame have 24 unknowns .* at least 8 positions"):
+        planning.d_optimal(robot, "18", 7)
+    far = np.array([[0.0, 0.0, -853.0], [3000.0, 0.0, -853.0], [0.0, 100.0, -853.0]])
+    with pytest.raises(NoSolutionError, match="only 2 of the candidates"):
+        planning.d_optimal(robot, "3", 3, candidates=far)
+
+
+# ---------------------------------------------------------------------------------------------------- the prediction
+
+
+def test_predicted_deviation_is_that_of_noisy_positions(robot: Robot) -> None:
+    sigma = 0.01
+    found = planning.plan(robot, "18", n_max=6, threshold=0.0, sigma_mm=sigma)
+    assert found.prediction is not None
+    P = found.poses.targets
+    i, j = np.triu_indices(len(P), 1)
+    n = (P[j] - P[i]) / np.linalg.norm(P[j] - P[i], axis=1)[:, None]
+    noise = sigma * np.random.default_rng(5).standard_normal((4000, *P.shape))
+    read = np.einsum("kc,skc->sk", n, noise[:, j] - noise[:, i])
+    fitted = read @ np.linalg.pinv(planning.design(robot, P, found.tools, found.names)).T
+    np.testing.assert_allclose(list(found.prediction.parameters.values()), fitted.std(axis=0), rtol=0.06)
+
+
+def test_predicted_tool_deviation_is_the_same_in_every_gauge(robot: Robot) -> None:
+    poses = planning.plan(robot, "32", n_max=5, threshold=0.0).poses
+    found = []
+    for names in (DELTA.model("32"), tuple(n.replace("ex_2", "ex_1") for n in DELTA.model("32"))):
+        task = planning.Task(robot, "", "distance", "paper", "spectral", names, (), planning.reference_points(robot, 2))
+        prediction = planning.predict(task, poses, 0.005)
+        assert prediction is not None
+        found.append((prediction.mean, prediction.largest))
+    assert found[0] == pytest.approx(found[1], rel=1e-6)
+
+
+# ------------------------------------------------------------------------------------------------- files and messages
+
+
+def test_plan_as_json(robot: Robot) -> None:
+    found = planning.plan(robot, "18", start_angle=75 * DEG, n_max=9, sigma_mm=0.005)
+    said = json.loads(json.dumps(found.to_dict(), allow_nan=False))
+    assert said["schema"] == "deltacal.plan/1"
+    assert said["model"] == "delta/18"
+    assert said["chosen"] == 7
+    assert said["n"] == [3, 4, 5, 6, 7, 8, 9]
+    assert said["condition"][0] is None  # three poses per ring leave the rank short
+    assert all(len(said[key]) == 7 for key in ("condition", "change", "rank", "O1", "O2", "O3", "O4", "O5"))
+    assert "first at 75 deg" in said["conventions"]
+    assert "singular value" in said["conventions"]
+    assert said["prediction"]["parameters"][0]["unit"] == "deg"
+    assert len(said["poses"]) == 15
+    q = DEG * np.array([pose["joints_deg"] for pose in said["poses"]])
+    x, status = DELTA.forward(q, np.zeros(3), DELTA.rows(robot))
+    assert (status == SOLVED).all()
+    np.testing.assert_allclose(x[:, :3], [pose["target_mm"] for pose in said["poses"]], atol=1e-8)
+
+
+def test_a_plan_without_a_choice_says_so(robot: Robot) -> None:
+    found = planning.plan(robot, "18", n_max=4)
+    assert found.chosen is None
+    assert found.to_dict()["chosen"] is None
+    assert len(found.poses) == 2 * 4 + 1
+
+
+def test_figure_shows_chosen_n_and_is_reproducible(robot: Robot, tmp_path: Path) -> None:
+    plans = [planning.plan(robot, model, start_angle=75 * DEG, n_max=10) for model in ("18", "32")]
+    for name in ("a.svg", "b.svg"):
+        planning.figure(plans, tmp_path / name)
+    text = (tmp_path / "a.svg").read_text()
+    for words in ("n = 7", "n = 9", "poses per layer", "condition number", "delta/32, 2 reference points"):
+        assert words in text
+    assert (tmp_path / "b.svg").read_text() == text
+    with pytest.raises(UsageError, match="no set of poses has the full rank"):
+        planning.figure(planning.plan(robot, "18", n_max=3), tmp_path / "c.svg")
+    with pytest.raises(InputError, match="figure cannot be written"):
+        planning.figure(plans, tmp_path / "no folder" / "d.svg")
+
+
+def test_calls_that_make_no_sense(robot: Robot) -> None:
+    with pytest.raises(UsageError, match="no layer 'roof'"):
+        planning.plan(robot, "18", layers=["roof"])
+    with pytest.raises(UsageError, match="no kind 'gauge'; known: distance, position"):
+        planning.plan(robot, "18", kind="gauge")
+    with pytest.raises(UsageError, match="no scaling 'metres'"):
+        planning.plan(robot, "18", scaling="metres")
+    with pytest.raises(UsageError, match="give 1 to 3"):
+        planning.plan(robot, "18", tools=4)
+    with pytest.raises(UsageError, match="n_max is 2"):
+        planning.plan(robot, "18", n_max=2)
+    with pytest.raises(InputError, match=r"Add a table \[workspace\]"):
+        planning.plan(dataclasses.replace(robot, workspace=None), "18")
+    wide = robot_from_dict(TABLES | {"workspace": {"top": 728.0, "radius": 1100.0, "height": 250.0}})
+    with pytest.raises(NoSolutionError, match="out of reach"):
+        planning.plan(wide, "18")
+    with pytest.raises(NoSolutionError, match="of 60 points spread over its workspace"):
+        planning.rank_table(robot_from_dict(TABLES | {"workspace": {"top": 1500.0, "radius": 500.0, "height": 250.0}}))
