@@ -130,34 +130,37 @@ def plan(
     robot: RobotFile,
     model: Annotated[str, typer.Option("--model", help="e.g. delta/18")],
     kind: Annotated[str, typer.Option(help="what will be measured: distance or position")] = "distance",
-    points: Annotated[int, typer.Option(help="reference points on the platform: 1, 2 or 3")] = 1,
+    points: Annotated[
+        int | None, typer.Option(help="reference points on the platform, 1 to 3; default as the model needs")
+    ] = None,
     start_angle: Annotated[float, typer.Option(help="of the first pose of a ring, deg")] = 0.0,
+    layers: Annotated[
+        str | None, typer.Option(help="of the rings: top,middle,bottom; default as the paper", show_default=False)
+    ] = None,
     scaling: Annotated[str, typer.Option(help="columns: paper, table, file or typical")] = "paper",
+    norm: Annotated[str, typer.Option(help="of the condition number: spectral or frobenius")] = "spectral",
     threshold: Annotated[float, typer.Option(help="relative change of the condition number, rule (21)")] = 0.01,
+    sigma: Annotated[float | None, typer.Option(help="noise, mm: predict what the poses will give")] = None,
     optimal: Annotated[
         int | None, typer.Option(help="so many D-optimal poses instead of rings", show_default=False)
     ] = None,
-    output: Annotated[Path | None, typer.Option("-o", "--output", help="targets as a CSV for simulate")] = None,
-    picture: Annotated[Path | None, typer.Option(help="condition number against n, .svg or .png")] = None,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", help="targets as a CSV for simulate", show_default=False)
+    ] = None,
+    picture: Annotated[
+        Path | None, typer.Option(help="condition number against n, .svg or .png", show_default=False)
+    ] = None,
     as_json: Json = False,
 ) -> None:
     """Choose measuring poses: condition number and observability against n, or a D-optimal set."""
     from deltacal_gen import commands
+    from deltacal_gen.units import DEG
 
-    with _progress(as_json) as tell:
-        found = commands.plan(
-            robot,
-            model,
-            output,
-            kind=kind,
-            points=points,
-            start_angle=start_angle,
-            scaling=scaling,
-            threshold=threshold,
-            optimal=optimal,
-            picture=picture,
-            progress=tell,
-        )
+    options: dict[str, Any] = {"kind": kind, "tools": points, "scaling": scaling, "norm": norm, "sigma_mm": sigma}
+    if optimal is None:
+        options |= {"start_angle": start_angle * DEG, "threshold": threshold}
+        options |= {"layers": layers.split(",")} if layers else {}
+    found = commands.plan(robot, model, output, optimal=optimal, picture=picture, **options)
     if as_json:
         _print_json(found)
         return

@@ -130,14 +130,36 @@ def plan(
     robot: Source | Robot,
     model: str,
     output: Source | None = None,
+    *,
+    optimal: int | None = None,
+    picture: Source | None = None,
     **options: Any,
 ) -> dict[str, Any]:
-    """Return measuring poses for a model; see `planning.plan` for the options."""
+    """Return measuring poses for a model: rings by the paper's rule (21), or a D-optimal set.
+
+    Parameters
+    ----------
+    output : path
+        The targets as a CSV that `simulate` reads.
+    optimal : int
+        So many D-optimal poses instead of rings.
+    picture : path
+        Condition number against n.
+    options
+        Of `planning.plan`, or of `planning.d_optimal`.
+    """
     from deltacal_gen import planning
 
-    found = planning.plan(_robot(robot), model, **options)
+    robot = _robot(robot)
+    found = (
+        planning.plan(robot, model, **options)
+        if optimal is None
+        else planning.d_optimal(robot, model, optimal, **options)
+    )
     if output is not None:
         planning.write_targets(found, output)
+    if picture is not None:
+        planning.figure(found, picture)
     return found.to_dict()
 
 

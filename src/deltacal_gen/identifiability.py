@@ -14,7 +14,8 @@ import numpy as np
 
 from deltacal_gen.errors import UsageError
 from deltacal_gen.estimation import Problem
-from deltacal_gen.mechanism import Array
+from deltacal_gen.mechanism import Array, load_mechanism
+from deltacal_gen.robot import Robot
 from deltacal_gen.units import file_unit, to_internal
 
 RANK_TOLERANCE = 1e-9
@@ -88,8 +89,7 @@ def identification_matrix(problem: Problem, convention: str = "file") -> Identif
     UsageError
         An unknown convention.
     """
-    if convention not in CONVENTIONS:
-        raise UsageError(f"there is no scaling '{convention}'; known: {', '.join(CONVENTIONS)}.")
+    factors, units = column_convention(problem.robot, problem.names, convention)
     instrument = problem.begin(problem.reference)
     state = problem.linearise(problem.reference, instrument)
     read = np.isfinite(state.residual)
@@ -100,22 +100,30 @@ def identification_matrix(problem: Problem, convention: str = "file") -> Identif
         else:
             Q = np.linalg.qr(J_m)[0]
         J_p, r = J_p - Q @ (Q.T @ J_p), r - Q @ (Q.T @ r)
-    factors, units = column_convention(problem, convention)
     return IdentificationMatrix(J_p * factors, r, problem.names, units, convention)
 
 
-def column_convention(problem: Problem, convention: str) -> tuple[Array, tuple[str, ...]]:
-    """Return the factors by which columns per mm and rad are multiplied, and the units of the unknowns."""
-    units = [problem.mechanism.parameters[j].unit for j in problem.columns]
+def column_convention(robot: Robot, names: Sequence[str], convention: str) -> tuple[Array, tuple[str, ...]]:
+    """Return the factors (n,) by which columns per mm and rad are multiplied, and the units of the unknowns.
+
+    Raises
+    ------
+    UsageError
+        An unknown convention.
+    """
+    if convention not in CONVENTIONS:
+        raise UsageError(f"there is no scaling '{convention}'; known: {', '.join(CONVENTIONS)}.")
+    mechanism = load_mechanism(robot.mechanism)
+    columns = [mechanism.index[n] for n in names]
+    units = [mechanism.parameters[j].unit for j in columns]
     if convention == "file":
         return np.array([to_internal(u) for u in units]), tuple(file_unit(u) for u in units)
     if convention == "typical":
-        return problem.scale.copy(), ("1",) * len(units)
-    scale = problem.mechanism.scaling(convention, problem.robot, problem.names)
-    words = tuple(
-        "mm" if (u == "mm" and s == 1) or (u == "rad" and s > 1) else "rad" for u, s in zip(units, scale, strict=True)
-    )
-    return 1 / scale, words
+        return mechanism.typical[columns], ("1",) * len(units)
+    scale = mechanism.scaling(convention, robot, names)
+    # an angle times a length is a length; a length over a length, an angle
+    lengths = [s > 1 if u == "rad" else s == 1 for u, s in zip(units, scale, strict=True)]
+    return 1 / scale, tuple("mm" if is_length else "rad" for is_length in lengths)
 
 
 def observability(H: Array, poses: int) -> Observability:
@@ -123,7 +131,7 @@ def observability(H: Array, poses: int) -> Observability:
 
     The condition number is of the largest to the smallest singular value; infinite where the rank is short.
     """
-    s: Array = np.linalg.svd(H, compute_uv=False) if H.size else np.zeros(0)
+    s = np.asarray(np.linalg.svd(H, compute_uv=False) if H.size else np.zeros(0))
     n = H.shape[1]
     rank = int((s > RANK_TOLERANCE * s[0]).sum()) if len(s) and s[0] > 0 else 0
     full = rank == n
@@ -151,6 +159,8 @@ def unseen(H: Array, names: Sequence[str], units: Sequence[str], typical: Array)
         Ordinary errors, by which columns are scaled before the rank is decided.
     """
     scaled = H * typical
+    if len(scaled) > scaled.shape[1]:
+        scaled = np.asarray(np.linalg.qr(scaled, mode="r"))  # the same rows, seen from the columns
     _, s, Vt = np.linalg.svd(scaled, full_matrices=True)
     rank = int((s > RANK_TOLERANCE * s[0]).sum()) if len(s) and s[0] > 0 else 0
     return combinations(Vt[rank:], names, units, typical)

@@ -26,6 +26,7 @@ from deltacal_gen.identifiability import (
     RANK_TOLERANCE,
     Combination,
     base_parameters,
+    column_convention,
     observability,
     unseen,
 )
@@ -33,7 +34,7 @@ from deltacal_gen.measurement import Instrument, Readings
 from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, load_mechanism
 from deltacal_gen.recording import Measurement, Recording, write_recording
 from deltacal_gen.robot import Robot, Workspace, to_file
-from deltacal_gen.units import file_unit, to_internal
+from deltacal_gen.units import file_unit
 
 SCHEMA = "deltacal.plan/1"
 LAYERS = {"top": 0.0, "middle": 0.5, "bottom": 1.0}  # part of the cylinder's height below its top
@@ -158,7 +159,8 @@ class Task:
 
     def step(self, n: int, poses: Poses, before: float = math.inf) -> Step:
         """Return the figures of a set of poses; `before` is the condition number of the last smaller one."""
-        H = _matrix(self.robot, poses, self.names, self.kind) * _factors(self.robot, self.names, self.scaling)
+        factors, _ = column_convention(self.robot, self.names, self.scaling)
+        H = _matrix(self.robot, poses, self.names, self.kind) * factors
         figures = observability(H, len(poses))
         condition = figures.condition
         if self.norm == "frobenius" and math.isfinite(condition):
@@ -519,17 +521,6 @@ def _tools(tools: Array | Sequence[Sequence[float]]) -> Array:
     return points
 
 
-def _factors(robot: Robot, names: Sequence[str], scaling: str) -> Array:
-    """Return the factors (n,) by which columns per mm and rad are multiplied in a convention."""
-    mechanism = _mechanism(robot)
-    columns = [mechanism.index[name] for name in names]
-    if scaling == "typical":
-        return mechanism.typical[columns]
-    if scaling == "file":
-        return np.array([to_internal(mechanism.parameters[j].unit) for j in columns])
-    return 1 / mechanism.scaling(scaling, robot, names)
-
-
 # --------------------------------------------------------------------------------------------------------- the plans
 
 
@@ -710,7 +701,7 @@ def predict(task: Task, poses: Poses, sigma_mm: float) -> Prediction | None:
     robot, names, count = task.robot, task.names, len(poses)
     noise = np.zeros((count, poses.x.shape[1], 3 * count))
     noise[:, :3] = np.eye(3 * count).reshape(count, 3, -1)
-    scale = _factors(robot, names, "typical")
+    scale = column_convention(robot, names, "typical")[0]
     moved = _sensitivity(robot, poses, names) * scale
     both = _read(task.kind, poses, np.concatenate([moved, noise], axis=2))
     H, noise = both[:, : len(names)], both[:, len(names) :]
@@ -790,7 +781,7 @@ def _task(
 
 def _kept(robot: Robot, names: Sequence[str], tools: Array, kind: str) -> set[str]:
     """Return parameters that poses can tell apart: a registered model where one fits, else those of a pivoted QR."""
-    poses, typical = _generic(robot, tools), _factors(robot, names, "typical")
+    poses, typical = _generic(robot, tools), column_convention(robot, names, "typical")[0]
     H = _matrix(robot, poses, names, kind)
     rank = observability(H * typical, len(poses)).rank
     if rank == len(names):
@@ -812,7 +803,7 @@ def _finite(value: float) -> float | None:
 def _with_frame(task: Task, poses: Poses) -> tuple[Array, Array]:
     """Return derivatives of the positions by parameters and frames, (P, 3, n) and (P, 3, n_m), comparable in size."""
     found, instrument = _readings("position", poses, frame_per_point=task.kind == "distance")
-    moved = _sensitivity(task.robot, poses, task.names) * _factors(task.robot, task.names, "typical")
+    moved = _sensitivity(task.robot, poses, task.names) * column_convention(task.robot, task.names, "typical")[0]
     J, F = instrument.linearise(found, poses.x, moved)
     return J, F / np.linalg.norm(F, axis=(0, 1))
 

@@ -1,0 +1,252 @@
+"""The Delta of Bai 2015 in NumPy as a competent hand writes it: the paper's explicit formulas, all poses at once.
+
+It imports NumPy only. Run as a script it is the shortest program that does the package's job: ``by_hand.py identify
+RECORDING.csv`` fits model 18 to the distances of all pairs of poses, ``by_hand.py command X Y Z`` gives corrected
+joints. Parameters are the paper's unknowns in the order of eq. (8): per limb L dtheta, ex, ey, ez, dL, L dalpha0,
+L dbeta0, dl; then per limb dl/c, dc/c, dalpha03, dbeta03, dalpha2, dbeta2 [mm, rad].
+"""
+
+from __future__ import annotations
+
+import sys
+
+import numpy as np
+
+BASE, PLATFORM, ARM, ROD, SPACING = 200.0, 51.0, 375.0, 950.0, 100.0  # Table 1: b, a, L, l, c
+RADIUS, TOP, HEIGHT = 500.0, 728.0, 250.0  # of the workspace
+E = BASE - PLATFORM
+PHI = np.radians([-90.0, 30.0, 150.0])
+CPHI, SPHI = np.cos(PHI)[:, None], np.sin(PHI)[:, None]
+FRAMES = np.stack([[[c, 0.0, s], [s, 0.0, -c], [0.0, 1.0, 0.0]] for c, s in zip(np.cos(PHI), np.sin(PHI), strict=True)])
+BLOCK = 1024  # poses at once: temporaries stay in the cache
+DONE = 1e-6  # mm; Newton is quadratic: what a step of this size leaves is rounding
+OFFSETS = [0, 8, 16]
+MODEL_18 = [0, 2, 4, 5, 6, 7, 8, 9, 12, 13, 14, 15, 16, 17, 20, 21, 22, 23]
+
+
+# ------------------------------------------------------------------------------------------------ the ideal machine
+
+
+def ideal_inverse(r):
+    """Return the joints (N, 3) [rad] at positions (N, 3)."""
+    dx, dy, z = r[:, 0] - E * CPHI, r[:, 1] - E * SPHI, r[:, 2]
+    x = CPHI * dx + SPHI * dy
+    k = (dx * dx + dy * dy + z * z + (ARM**2 - ROD**2)) / (2 * ARM)
+    root = np.sqrt(x * x + z * z - k * k)
+    return np.arctan2(z * k + x * root, x * k - z * root).T
+
+
+def ideal_forward(theta):
+    """Return the positions (N, 3) at joints (N, 3): where three spheres about the elbows meet, the lower point."""
+    reach, z = E + ARM * np.cos(theta.T), ARM * np.sin(theta.T)
+    x, y = CPHI * reach, SPHI * reach
+    ax, ay, az, bx, by, bz = x[1] - x[0], y[1] - y[0], z[1] - z[0], x[2] - x[0], y[2] - y[0], z[2] - z[0]
+    nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+    aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
+    nn = nx * nx + ny * ny + nz * nz
+    u, v = bb * (aa - ab) / (2 * nn), aa * (bb - ab) / (2 * nn)
+    t = np.copysign(np.sqrt((ROD**2 - u * u * aa - v * v * bb - 2 * u * v * ab) / nn), -nz)
+    return np.stack(
+        [x[0] + u * ax + v * bx + t * nx, y[0] + u * ay + v * by + t * ny, z[0] + u * az + v * bz + t * nz], axis=1
+    )
+
+
+# --------------------------------------------------------------------------------------------- the paper's linear model
+
+
+def _cross(a, b):
+    return np.stack([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
+
+
+def _inverse(rows):
+    """Return the columns (3, 3 limbs, N) of the inverse of the matrix whose rows (3, 3 limbs, N) are given."""
+    columns = _cross(rows[:, [1, 2, 0]], rows[:, [2, 0, 1]])
+    return columns / (rows[:, 0] * columns[:, 0]).sum(axis=0)
+
+
+def _factors(theta, r):
+    """Return rods, B_r (8, 3, N) and B_e (6, 3, N) of eqs. (6) and (7); axes: component, limb, pose."""
+    sin, cos = np.sin(theta.T), np.cos(theta.T)
+    reach = E + ARM * cos
+    rod = np.stack([r[:, 0] - CPHI * reach, r[:, 1] - SPHI * reach, r[:, 2] - ARM * sin]) / ROD
+    ru, rw = CPHI * rod[0] + SPHI * rod[1], SPHI * rod[0] - CPHI * rod[1]
+    ru1, rv1, one = cos * ru + sin * rod[2], cos * rod[2] - sin * ru, np.ones_like(sin)
+    B_r = np.stack([rv1, *rod, ru1, sin * rw, -cos * rw, one])
+    return rod, B_r, np.stack([one, rw, -rod[2], ru, -rv1, ru1])
+
+
+def _turning(rod):
+    """Return A_ee^-1 (3, limb, N) and A_re A_ee^-1 (row, limb, N)."""
+    M = _inverse(np.stack([-CPHI * rod[2], -SPHI * rod[2], CPHI * rod[0] + SPHI * rod[1]]))
+    arm = PLATFORM * np.stack([SPHI * rod[2], -CPHI * rod[2], CPHI * rod[1] - SPHI * rod[0]])
+    return M, (arm[:, :, None] * M[:, None]).sum(axis=0)
+
+
+def sensitivity(theta, r, out, offset=(0.0, 0.0, 0.0)):
+    """Fill out (N, 3, 42) with C_P of eq. (8) at a point `offset` of the platform; (N, 6, 42) with eq. (9) below it."""
+    for start in range(0, len(theta), BLOCK):
+        part = slice(start, start + BLOCK)
+        rod, B_r, B_e = _factors(theta[part], r[part])
+        G, (M, AM) = _inverse(rod), _turning(rod)
+        H = -(G[:, :, None] * AM).sum(axis=1)
+        if np.any(offset):
+            H += _cross(M, offset)
+        G, H, M, B_r, B_e = (np.ascontiguousarray(a.transpose(2, 0, 1)) for a in (G, H, M, *_by_limb(B_r, B_e)))
+        own = out[part]
+        np.multiply(G[..., None], B_r[:, None], out=own[:, :3, :24].reshape(-1, 3, 3, 8))
+        np.multiply(H[..., None], B_e[:, None], out=own[:, :3, 24:].reshape(-1, 3, 3, 6))
+        if out.shape[1] == 6:
+            own[:, 3:, :24] = 0.0
+            np.multiply(M[..., None], B_e[:, None], out=own[:, 3:, 24:].reshape(-1, 3, 3, 6))
+    return out
+
+
+def _by_limb(*parts):
+    return (part.swapaxes(0, 1) for part in parts)
+
+
+def identification_matrix(theta, r, offset, columns):
+    """Return H (n (n - 1) / 2, columns) of eq. (14) for all pairs of poses."""
+    C = sensitivity(theta, r, np.empty((len(r), 3, 42)), offset)[:, :, columns]
+    gap = r - r[:, None]
+    with np.errstate(invalid="ignore"):
+        gap /= np.sqrt((gap * gap).sum(axis=2))[..., None]
+    along = gap.transpose(1, 0, 2) @ C  # [j, i]: towards j from i, times C_j
+    i, j = np.triu_indices(len(r), 1)
+    return along[j, i] + along[i, j]
+
+
+def command(target, p):
+    """Return joints (N, 3) [rad] that bring the reference point to target (N, 3) to first order, eq. (23)."""
+    theta = ideal_inverse(target)
+    rod, B_r, B_e = _factors(theta, target)
+    _, AM = _turning(rod)
+    along = (B_r * p[:24].reshape(3, 8).T[..., None]).sum(axis=0)
+    turned = (B_e * p[24:].reshape(3, 6).T[..., None]).sum(axis=0)
+    return theta - ((along - (AM * turned).sum(axis=1)) / (ARM * B_r[0])).T
+
+
+# ----------------------------------------------------------------------------------------------- the exact machine
+
+
+def _turned(a, b):
+    """Return the rotation by the rotation vector (a, b, 0)."""
+    t = np.hypot(a, b)
+    K = np.array([[0.0, 0.0, b], [0.0, 0.0, -a], [-b, a, 0.0]])
+    return np.eye(3) + np.sinc(t / np.pi) * K + 0.5 * np.sinc(t / (2 * np.pi)) ** 2 * K @ K
+
+
+def machine(p, offset=(0.0, 0.0, 0.0)):
+    """Return what no pose changes of a machine with finite errors p: a table (6 rods, 14).
+
+    Columns: cosine, sine and constant part of the elbow end; end on the platform; length; offset of the joint.
+    """
+    out = np.zeros((6, 14))
+    for i, F in enumerate(FRAMES):
+        dtheta, ex, ey, ez, dL, alpha0, beta0, dl_mean = p[8 * i : 8 * i + 8]
+        dl, dc, alpha03, beta03, alpha2, beta2 = p[24 + 6 * i : 30 + 6 * i]
+        alpha0, beta0 = alpha0 / ARM, beta0 / ARM
+        R0 = F @ _turned(alpha0, beta0)
+        elbow, hand = _turned(alpha2, beta2)[:, 2], F @ _turned(alpha0 - alpha03, beta0 - beta03)[:, 2]
+        for j, side in enumerate((0.5, -0.5)):
+            tip = np.array([ARM + dL, 0.0, 0.0]) + side * SPACING * (1 + dc) * elbow
+            row = out[2 * i + j]
+            row[0:3] = R0[:, 0] * tip[0] + R0[:, 1] * tip[1]
+            row[3:6] = R0[:, 1] * tip[0] - R0[:, 0] * tip[1]
+            row[6:9] = BASE * F[:, 0] + (ex, ey, ez) + R0[:, 2] * tip[2]
+            row[9:12] = PLATFORM * F[:, 0] + side * SPACING * hand - offset
+            row[12], row[13] = ROD + dl_mean + side * SPACING * dl, dtheta / ARM
+    return out
+
+
+def _closure(P, c, theta, rods):
+    """Return F (N, 6), its derivatives by the platform (N, 6, 6) and by the joints (N, 6)."""
+    angle = theta[:, [0, 0, 1, 1, 2, 2]] + rods[:, 13]
+    sin, cos = np.sin(angle)[..., None], np.cos(angle)[..., None]
+    K = np.zeros((len(c), 3, 3))
+    K[:, 2, 1], K[:, 0, 2], K[:, 1, 0] = c.T
+    K -= K.swapaxes(1, 2)
+    shrink = 1 / (1 + (c * c).sum(axis=1) / 4)
+    body = rods[:, 9:12] @ (np.eye(3) + (K + K @ K / 2) * shrink[:, None, None]).swapaxes(1, 2)
+    d = P[:, None] + body - rods[:, 6:9] - rods[:, 0:3] * cos - rods[:, 3:6] * sin
+    J = np.empty((len(c), 6, 6))
+    J[:, :, :3] = d
+    moment = np.empty_like(d)
+    for x, y, z in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        moment[:, :, x] = body[:, :, y] * d[:, :, z] - body[:, :, z] * d[:, :, y]
+    J[:, :, 3:] = (moment + moment @ K.swapaxes(1, 2) / -2) * shrink[:, None, None]
+    J_q = (d * (rods[:, 0:3] * sin - rods[:, 3:6] * cos)).sum(axis=2)
+    return ((d * d).sum(axis=2) - rods[:, 12] ** 2) / 2, J, J_q
+
+
+def forward(theta, rods, offset=(0.0, 0.0, 0.0)):
+    """Return the exact pose (N, 6), position and Cayley vector, by Newton on the six rods from the ideal pose."""
+    x = np.zeros((len(theta), 6))
+    for start in range(0, len(theta), BLOCK):
+        q, own = theta[start : start + BLOCK], x[start : start + BLOCK]
+        own[:, :3] = ideal_forward(q + rods[::2, 13]) + offset
+        step = np.inf
+        while np.abs(step).max() > DONE:
+            F, J, _ = _closure(own[:, :3], own[:, 3:], q, rods)
+            step = np.linalg.solve(J, F[..., None])[..., 0]
+            own -= step
+    return x
+
+
+def inverse(target, rods, offset=(0.0, 0.0, 0.0)):
+    """Return the joints (N, 3) that bring the reference point exactly to target, by Newton on joints and rotation."""
+    theta = np.empty((len(target), 3))
+    for start in range(0, len(target), BLOCK):
+        P = target[start : start + BLOCK]
+        q, c = ideal_inverse(P - offset) - rods[::2, 13], np.zeros((len(P), 3))
+        A, step = np.zeros((len(P), 6, 6)), np.inf
+        while np.abs(step).max() > DONE / 1000:
+            F, J, J_q = _closure(P, c, q, rods)
+            A[:, range(6), [0, 0, 1, 1, 2, 2]] = J_q
+            A[:, :, 3:] = J[:, :, 3:]
+            step = np.linalg.solve(A, F[..., None])[..., 0]
+            q, c = q - step[:, :3], c - step[:, 3:]
+        theta[start : start + BLOCK] = q
+    return theta
+
+
+# --------------------------------------------------------------------------------------------------- identification
+
+
+def identify(theta, points, columns, settled=1e-4):
+    """Return p (42,): first the encoder offsets, then the columns of a model, from distances of all pairs of poses.
+
+    Gauss-Newton: residuals of the exact machine, and the paper's matrix at the ideal machine with the offsets found.
+
+    Parameters
+    ----------
+    theta : (n, 3) array
+    points : list of (offset (3,), positions (n, 3))
+        What a tracker read at each reference point.
+    settled : float
+        Size of the last step [mm].
+    """
+    i, j = np.triu_indices(len(theta), 1)
+    measured = [np.linalg.norm(at[j] - at[i], axis=1) for _, at in points]
+    p = np.zeros(42)
+    for free in (OFFSETS, columns):
+        step = np.inf
+        while np.abs(step).max() > settled:
+            seen = theta + p[OFFSETS] / ARM
+            r = ideal_forward(seen)
+            rest, H = [], []
+            for (offset, _), distance in zip(points, measured, strict=True):
+                x = forward(theta, machine(p, offset), offset)[:, :3]
+                rest.append(distance - np.linalg.norm(x[j] - x[i], axis=1))
+                H.append(identification_matrix(seen, r, offset, free))
+            step = np.linalg.lstsq(np.concatenate(H), np.concatenate(rest), rcond=None)[0]
+            p[free] += step
+    return p
+
+
+if __name__ == "__main__":
+    if sys.argv[1] == "identify":
+        table = np.loadtxt(sys.argv[2], delimiter=",", skiprows=1)
+        print(*identify(np.radians(table[:, :3]), [(np.zeros(3), table[:, 3:6])], MODEL_18))
+    else:
+        print(*command(np.array([sys.argv[2:5]], dtype=float), np.array(sys.argv[5:], dtype=float))[0])
