@@ -17,6 +17,7 @@ from typing import Any
 import jinja2
 import sympy as sp
 
+import derive.effects
 import derive.measurements
 import derive.mechanisms
 from derive import closed_form, statics
@@ -24,12 +25,43 @@ from derive.first_order import linear
 from derive.graph import Graph
 from derive.lower import Kernel, Lowering, Text
 from derive.printer import c99, python
-from derive.spec import LimbMechanism, Measurement
+from derive.spec import Effect, EffectQuantity, LimbMechanism, Measurement
 
 ROOT = Path(__file__).resolve().parent.parent
 TEMPLATES = ROOT / "templates"
 GENERATED = ROOT / "generated" / "deltacal_kernels"
 COMMAND = "deltacal kernels"
+
+
+def effects() -> Iterator[Effect]:
+    """Yield every registered effect: one per file in ``derive/effects``."""
+    return _registered(derive.effects, "EFFECT")
+
+
+def effect(spec: Effect) -> tuple[list[EffectQuantity], dict[str, Kernel]]:
+    """Return the state that an effect reads, and its deformation and derivatives as kernels.
+
+    Raises
+    ------
+    ValueError
+        A target does not vanish with the coefficients, or reads what is no state.
+    """
+    read = set().union(*(e.free_symbols for e in spec.targets.values()))
+    states = [s for s in derive.effects.STATE if s.symbol in read]
+    for target, e in spec.targets.items():
+        if e.subs({c.symbol: 0 for c in spec.coefficients}) != 0:
+            raise ValueError(f"effect {spec.name}: {target} does not vanish where all coefficients are zero.")
+    inputs = {s.symbol: f"s[:, {j}]" for j, s in enumerate(states)}
+    inputs |= {c.symbol: f"c[:, {j}]" for j, c in enumerate(spec.coefficients)}
+    inputs |= {c.symbol: f"constants[{j}]" for j, c in enumerate(spec.constants)}
+    lowering = Lowering(Graph(), {}, inputs)
+    values = list(spec.targets.values())
+    return states, {
+        "value": lowering.kernel("value", "value", values),
+        "jacobian": lowering.kernel(
+            "jacobian", "jacobian", [sp.diff(e, c.symbol) for e in values for c in spec.coefficients]
+        ),
+    }
 
 
 def _registered(package: ModuleType, name: str) -> Iterator[Any]:
@@ -201,6 +233,16 @@ def render() -> dict[Path, str]:
             kernels=measurement(spec),
             arguments=", ".join(_platform_names(spec)),
             stamp=_stamp(spec.source, template),
+        )
+    found_effects = list(effects())
+    texts[Path("effects/__init__.py")] = environment.get_template("effects.py.jinja").render(
+        effects=found_effects, command=COMMAND
+    )
+    for physics in found_effects:
+        template = "effect.py.jinja"
+        states, lowered = effect(physics)
+        texts[Path("effects") / f"{physics.name}.py"] = environment.get_template(template).render(
+            effect=physics, states=states, kernels=lowered, stamp=_stamp(physics.source, template)
         )
     return texts
 

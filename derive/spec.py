@@ -186,3 +186,49 @@ class Measurement:
     unknown: tuple[Quantity, ...]
     reading: tuple[sp.Expr, ...]
     rotation: tuple[sp.Matrix, ...] = ()
+
+
+@dataclass(frozen=True)
+class Effect:
+    """Physics that a rigid nominal machine leaves out, as a deformation of what a machine already has.
+
+    An effect knows no mechanism: it reads a *state* (``derive.effects.STATE``: angles, channels, loads from virtual
+    work) and moves *targets*; the chain rule ties both to a machine's derivatives.
+
+    Parameters
+    ----------
+    name, title : str
+        The contract's name, and what it is in plain words.
+    per_limb : bool
+        Whether every limb has its own coefficients.
+    coefficients : tuple of Quantity
+        What is fitted; all zero means that nothing is left out.
+    targets : mapping
+        What is moved: ``joint``, ``error.NAME`` (a source error or a deflection of the limb), ``turn.x`` (the base,
+        about {O}), ``tool.x`` (the measured point, in {O'}), ``reading.x`` (a position, along the instrument's axes),
+        ``length`` (a distance or a gauge length); each to its expression.
+    constants : tuple of Quantity
+        Numbers that are searched, not fitted: the order of a harmonic, the time of a jump.
+    """
+
+    name: str
+    title: str
+    source: str
+    per_limb: bool
+    coefficients: tuple[EffectQuantity, ...]
+    targets: Mapping[str, sp.Expr]
+    constants: tuple[EffectQuantity, ...] = ()
+
+
+@dataclass(frozen=True)
+class EffectQuantity:
+    """A coefficient, constant or state of an effect; `factor` leads from the files' unit to mm, rad, N, s and K."""
+
+    symbol: sp.Symbol
+    unit: str
+    factor: float
+    meaning: str
+
+    @property
+    def name(self) -> str:
+        return str(self.symbol)

@@ -31,6 +31,12 @@ PROTOTYPE = {  # Bai 2015, Table 1; masses of an ordinary machine of this size
     "masses": {"proximal": 1.2, "proximal_com": 0.4, "distal_rod": 0.15, "platform": 0.8},
 }
 
+COLUMNS = {
+    "position": ("x_mm", "y_mm", "z_mm"),
+    "pose": ("x_mm", "y_mm", "z_mm", "rx_deg", "ry_deg", "rz_deg"),
+    "distance": ("distance_mm",),
+    "gauge": ("gauge_mm",),
+}
 ORDINARY = {"theta": 0.3, "mm": 0.1, "rad": 0.03}  # [deg, mm, deg] standard deviations of a plausible machine's errors
 
 
@@ -101,7 +107,7 @@ def wanted(
         measurement=Measurement(kind=kind, frame=frame, **measurement),
         joint_unit="rad",
         joints=np.full((n, 3), np.nan),
-        columns=(),
+        columns=COLUMNS[kind],
         measured=np.zeros((n, 0)),
         pose=np.array(list(pose or [str(j + 1) for j in range(n)])),
         line=np.arange(n) + 2,

@@ -153,7 +153,8 @@ MECHANISM = LimbMechanism(
     ),
     limb_weights=(
         Weight(proximal, B + R1 * vector(proximal_com * (L + dL), 0, 0)),
-        Weight(2 * distal_rod, (C + A) / 2),  # two rods, half of each at either end
+        Weight(distal_rod, C),  # half of either rod at the elbow
+        Weight(distal_rod, A),  # half of either rod at the platform
     ),
     platform_weights=(Weight(body, P - R * tool), Weight(payload, P)),
     elbow=-1,

@@ -17,7 +17,8 @@ import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.measurement import Instrument, Readings, readings, start
-from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, load_mechanism
+from deltacal_gen.mechanism import Array, Mechanism, Sensitivity, load_mechanism
+from deltacal_gen.physics import Body, Channels, Deformed, Term, reading_shift
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot
 from deltacal_gen.solvers import LeastSquares, Solution, Solver
@@ -48,17 +49,22 @@ class Linearised:
 class Problem:
     """A robot, its readings, and which parameters are free.
 
+    The vector of parameters holds all source errors of the mechanism, then the coefficients of the effects on it.
+
     Attributes
     ----------
     names : tuple of str
-        Free parameters, in the order of the columns.
+        Free source errors; the coefficients of effects are free too, unless `held`.
     scale : (n,) array
-        Ordinary size of each, or the standard deviation of its prior [mm, rad].
+        Ordinary size of each free parameter, or the standard deviation of its prior [mm, rad, N, s, K].
     reference : (n_p,) array
-        Errors of the robot file, from which the free ones depart [mm, rad].
-    q : (N, n_q) array
-        Joints as the geometry counts them (the controller's signs applied).
-    tool : (N, 3) array
+        Source errors of the robot file, from which the free ones depart, then zeros [mm, rad].
+    body : Body
+        The robot at the rows of the recording.
+    terms : tuple of Term
+        Effects on the machine.
+    held : bool
+        Whether the terms keep their coefficients.
     """
 
     robot: Robot
@@ -68,66 +74,119 @@ class Problem:
     names: tuple[str, ...]
     scale: Array
     reference: Array
-    q: Array
-    tool: Array
+    body: Body
+    terms: tuple[Term, ...] = ()
+    held: bool = False
 
     @property
     def columns(self) -> list[int]:
-        """Index of each free parameter among all of the mechanism's."""
-        return [self.mechanism.index[n] for n in self.names]
+        """Index of each free parameter in the vector of parameters."""
+        n_p = len(self.mechanism.parameters)
+        return [self.mechanism.index[n] for n in self.names] + list(range(n_p, len(self.reference)))
 
-    def poses(self, errors: Array, near: Array | None = None) -> Array:
-        """Return the exact platform coordinates (N, n_x) of all rows; `near` those of a machine that differs little.
+    def split(self, parameters: Array) -> tuple[Array, tuple[Term, ...]]:
+        """Return source errors (n_p,) and the effects with their coefficients."""
+        n = len(self.mechanism.parameters)
+        errors, rest = parameters[:n], parameters[n:]
+        if self.held or not self.terms:
+            return errors, self.terms
+        ends = np.cumsum([t.n_coefficients for t in self.terms])
+        parts = np.split(rest, ends[:-1])
+        return errors, tuple(t.with_values(v) for t, v in zip(self.terms, parts, strict=True))
+
+    def solve(self, parameters: Array, near: Array | None = None) -> Deformed:
+        """Return the machine in equilibrium at all rows; `near` is the poses of a machine that differs little.
 
         Raises
         ------
         InputError
             A row that readings refer to has no pose: out of reach or singular.
         """
-        x, status = self.mechanism.forward(self.q, self.tool, self.mechanism.rows(self.robot, errors), near)
-        used = np.unique(self.readings.rows)
-        bad = used[status[used] != SOLVED]
-        if len(bad):
-            raise InputError(
-                f"at these joints the machine is {STATUS[int(status[bad[0]])]}"
-                + (f" (and at {len(bad) - 1} more rows)." if len(bad) > 1 else "."),
-                "Check the joint columns, their signs and units, and the robot's lengths.",
-                file=self.recording.path,
-                line=int(self.recording.line[bad[0]]),
-            )
-        return np.where(np.isfinite(x), x, 0.0)
+        errors, terms = self.split(parameters)
+        machine, status = self.body.solve(errors, terms, near)
+        self.body.check(status, np.unique(self.readings.rows), self.recording)
+        return dataclasses.replace(machine, x=np.where(np.isfinite(machine.x), machine.x, 0.0))
 
-    def linearise(self, errors: Array, instrument: Instrument, x: Array | None = None) -> Linearised:
-        """Return residuals and Jacobians at errors (n_p,) and an instrument's state."""
-        x = self.poses(errors) if x is None else x
+    def poses(self, parameters: Array, near: Array | None = None) -> Array:
+        """Return the exact platform coordinates (N, n_x) of all rows; see `solve`."""
+        return self.solve(parameters, near).x
+
+    def residual(self, parameters: Array, instrument: Instrument, x: Array) -> Array:
+        """Return measured minus predicted (R, k), effects on the reading included [mm, rad]."""
+        r = instrument.residual(self.readings, x)
+        _, terms = self.split(parameters)
+        if terms:
+            values, _ = instrument.predict(self.readings, x)
+            r[:, : values.shape[1]] -= reading_shift(terms, self.body, self.readings.rows, values)[0]
+        return r
+
+    def linearise(self, parameters: Array, instrument: Instrument, machine: Deformed | None = None) -> Linearised:
+        """Return residuals and Jacobians at a vector of parameters and an instrument's state."""
+        machine = self.solve(parameters) if machine is None else machine
+        _, terms = self.split(parameters)
         used = np.unique(self.readings.rows)
-        dx = np.zeros((len(x), self.mechanism.n_x, len(self.names)))
-        rows = self.mechanism.rows(self.robot, errors)
-        sensitivity = self.mechanism.sensitivity(x[used], self.q[used], self.tool[used], rows)
-        dx[used] = sensitivity.parameters[:, :, self.columns]
-        if not np.isfinite(dx).all():
-            row = int(used[~np.isfinite(dx[used]).all(axis=(1, 2))][0])
+        rows = machine.rows if len(machine.rows) == 1 else machine.rows[used]
+        sensitivity = self.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)
+        if not np.isfinite(sensitivity.parameters).all():
+            row = int(used[~np.isfinite(sensitivity.parameters).all(axis=(1, 2))][0])
             raise InputError(
                 "at these joints the machine is singular.",
                 "Remove the row.",
                 file=self.recording.path,
                 line=int(self.recording.line[row]),
             )
-        J_p, J_m = instrument.linearise(self.readings, x, dx)
-        return Linearised(instrument.residual(self.readings, x), J_p, J_m)
+        dx = np.zeros((len(machine.x), self.mechanism.n_x, len(self.names)))
+        dx[used] = sensitivity.parameters[:, :, [self.mechanism.index[n] for n in self.names]]
+        effects = self.effect_columns(terms, machine, used, sensitivity) if not self.held else dx[:, :, :0]
+        J_p, J_m = instrument.linearise(self.readings, machine.x, np.concatenate([dx, effects], axis=2))
+        if terms and not self.held:
+            values, _ = instrument.predict(self.readings, machine.x)
+            shifted = reading_shift(terms, self.body, self.readings.rows, values)[1]
+            J_p[:, : values.shape[1], len(self.names) :] += shifted
+        return Linearised(self.residual(parameters, instrument, machine.x), J_p, J_m)
 
-    def begin(self, errors: Array) -> Instrument:
-        """Return the instrument's first state for a machine with `errors`."""
-        return start(self.readings, self.recording, self.robot, self.poses(errors))
+    def effect_columns(
+        self, terms: Sequence[Term], machine: Deformed, used: np.ndarray, sensitivity: Sensitivity
+    ) -> Array:
+        """Return the derivatives (N, n_x, n_c) of the platform coordinates by the coefficients of effects."""
+        return self.body.columns(
+            terms, machine, sensitivity.parameters, sensitivity.deflections, sensitivity.joints, used
+        )
+
+    def begin(self, parameters: Array) -> Instrument:
+        """Return the instrument's first state for a machine with `parameters`."""
+        return start(self.readings, self.recording, self.robot, self.poses(parameters))
 
     def subset(self, chosen: np.ndarray) -> Problem:
         """Return the problem with these readings only."""
         return dataclasses.replace(self, readings=self.readings.subset(chosen))
 
+    def with_tool(self, tool: Array) -> Problem:
+        """Return the problem with other measured points (N, 3) of the platform."""
+        b = self.body
+        return dataclasses.replace(self, body=Body(b.robot, b.mechanism, b.q, tool, b.channels))
+
     def with_names(self, names: Sequence[str]) -> Problem:
-        """Return the problem with other free parameters, in their ordinary scale."""
+        """Return the problem with other free source errors, in their ordinary scale, and no effects."""
         index = [self.mechanism.index[n] for n in names]
-        return dataclasses.replace(self, names=tuple(names), scale=self.mechanism.typical[index])
+        return dataclasses.replace(
+            self,
+            names=tuple(names),
+            scale=self.mechanism.typical[index],
+            reference=self.reference[: len(self.mechanism.parameters)],
+            terms=(),
+        )
+
+    def with_terms(self, terms: Sequence[Term], scale: Array) -> Problem:
+        """Return the problem with free effects; `scale` (n_c,) is the size that their coefficients may well have."""
+        n_p, n = len(self.mechanism.parameters), len(self.names)
+        return dataclasses.replace(
+            self,
+            terms=tuple(terms),
+            held=False,
+            reference=np.concatenate([self.reference[:n_p], np.zeros(len(scale))]),
+            scale=np.concatenate([self.scale[:n], scale]),
+        )
 
 
 def pose_problem(
@@ -137,14 +196,16 @@ def pose_problem(
     *,
     as_distance: bool = False,
     found: Readings | None = None,
+    held: Sequence[Term] = (),
 ) -> Problem:
-    """Return the estimation problem of a recording for a set of free parameters."""
+    """Return the estimation problem of a recording for a set of free source errors; `held` effects stay as they are."""
     mechanism = load_mechanism(robot.mechanism)
     tool = np.broadcast_to(robot.tool, (recording.n_rows, 3)).copy()
     if recording.tool is not None:
         tool = np.where(np.isfinite(recording.tool), recording.tool, tool)
     if recording.kind == "gauge" and recording.measurement.platform_point_mm is not None and recording.tool is None:
         tool[:] = recording.measurement.platform_point_mm
+    q = robot.joint_sign * recording.joints
     return Problem(
         robot=robot,
         mechanism=mechanism,
@@ -153,8 +214,9 @@ def pose_problem(
         names=tuple(names),
         scale=mechanism.typical[[mechanism.index[n] for n in names]],
         reference=mechanism.vector(robot.errors),
-        q=robot.joint_sign * recording.joints,
-        tool=tool,
+        body=Body(robot, mechanism, q, tool, Channels.of(recording, robot)),
+        terms=tuple(held),
+        held=True,
     )
 
 
@@ -205,7 +267,7 @@ class Fit:
     Attributes
     ----------
     errors : (n_p,) array
-        All source errors of the mechanism [mm, rad].
+        All source errors of the mechanism [mm, rad]; then the coefficients of effects.
     residual : (R, k) array
         Measured minus predicted, NaN where a component was not read.
     weights : (R,) array
@@ -285,9 +347,9 @@ def fit(
     """
     solver = LeastSquares() if solver is None else solver
     errors = problem.reference.copy() if errors is None else errors.copy()
-    x = problem.poses(errors)
+    machine = problem.solve(errors)
     if instrument is None:
-        instrument = start(problem.readings, problem.recording, problem.robot, x)
+        instrument = start(problem.readings, problem.recording, problem.robot, machine.x)
     n_m = instrument.n_unknown
     estimated = repeats is None and weigh_repeats
     shared = Repeats(problem.readings.group, repeats.ratio if repeats else 0.0)
@@ -295,7 +357,7 @@ def fit(
     degrees = float(n_m + min(len(problem.names), 1))
     damping = 0.0
     while True:
-        state = problem.linearise(errors, instrument, x)
+        state = problem.linearise(errors, instrument, machine)
         sigma = _noise(state.residual, degrees, robust)
         weights = _weights(state.residual, sigma) if robust else np.ones(len(state.residual))
         if estimated and len(history) == ESTIMATED_AT:
@@ -319,9 +381,9 @@ def fit(
                 f"ones promised to lower chi2 by {', '.join(f'{h:.1e}' for h in history[-3:])}. Try a smaller model, a "
                 "TSVD or priors."
             )
-        errors, instrument, x, damping = _damped(
+        errors, instrument, machine, damping = _damped(
             problem,
-            (errors, instrument, x),
+            (errors, instrument, machine),
             solution,
             (A_p, A_m, b),
             partial(_scalars, sigma=sigma, weights=weights, shared=shared),
@@ -406,28 +468,28 @@ def _scalars(residual: Array, sigma: Array, weights: Array, shared: Repeats) -> 
 
 def _damped(
     problem: Problem,
-    state: tuple[Array, Instrument, Array],
+    state: tuple[Array, Instrument, Deformed],
     solution: Solution,
     system: tuple[Array, Array, Array],
     whitened: Callable[[Array], Array],
     weight: float | None,
     damping: float,
-) -> tuple[Array, Instrument, Array, float]:
+) -> tuple[Array, Instrument, Deformed, float]:
     """Take the step that lowers the objective, damped as far as needed; return the new state and the damping.
 
     A rule without an objective (a truncation) takes whole steps.
     """
-    errors, instrument, x = state
+    errors, instrument, machine = state
     A_p, A_m, b = system
     columns, scale = problem.columns, problem.scale
     departure = (errors[columns] - problem.reference[columns]) / scale
 
     def objective(at: Array, with_instrument: Instrument, poses: Array) -> float:
         u = (at[columns] - problem.reference[columns]) / scale
-        r = whitened(with_instrument.residual(problem.readings, poses))
+        r = whitened(problem.residual(at, with_instrument, poses))
         return float((r**2).sum() + (weight or 0.0) * (u @ u))
 
-    before = objective(errors, instrument, x)
+    before = objective(errors, instrument, machine.x)
     for _ in range(TRIALS):
         if weight is None:
             step = solution.u - departure
@@ -440,14 +502,14 @@ def _damped(
         trial[columns] += step * scale
         moved = instrument.stepped(np.asarray(m_step, dtype=float))
         try:
-            x_trial = problem.poses(trial, near=x)
+            deformed = problem.solve(trial, near=machine.x)
         except InputError:
             damping = max(10 * damping, 1.0)
             continue
-        if weight is None or objective(trial, moved, x_trial) <= before * (1 + 1e-12):
-            return trial, moved, x_trial, damping / 10 if damping > 1e-2 else 0.0
+        if weight is None or objective(trial, moved, deformed.x) <= before * (1 + 1e-12):
+            return trial, moved, deformed, damping / 10 if damping > 1e-2 else 0.0
         damping = max(10 * damping, 1.0)
-    return errors, instrument, x, damping  # nothing better within rounding
+    return errors, instrument, machine, damping  # nothing better within rounding
 
 
 def _joint_covariance(solution: Solution, A_p: Array, A_m: Array, scale: Array) -> Array:

@@ -297,8 +297,8 @@ def _held_out(full: Fit, rule: Solver, robust: bool) -> float:
             repeats=full.repeats,
         )
         unseen = problem.readings.subset(test & ~gross)
-        x = dataclasses.replace(problem, readings=unseen).poses(part.errors)
-        r = part.instrument.residual(unseen, x)[:, :3]
+        other = dataclasses.replace(problem, readings=unseen)
+        r = other.residual(part.errors, part.instrument, other.poses(part.errors))[:, :3]
         squares.append(r[np.isfinite(r)] ** 2)
     return float(np.sqrt(np.mean(np.concatenate(squares)))) if squares else float("nan")
 
@@ -351,8 +351,8 @@ def _remedies(final: Fit) -> list[dict[str, Any]]:
     known = _pinned([problem], final)
     span = float(np.mean([v[0] for v in problem.robot.geometry.values()][:2])) / 2
     ideas: list[tuple[str, list[Problem]]] = []
-    tools = [problem.tool + np.array(offset) * span for offset in ((1, 0, 0), (0, 1, 0), (0, 0, -1))]
-    moved = [dataclasses.replace(problem, tool=tool) for tool in tools]
+    tools = [problem.body.tool + np.array(offset) * span for offset in ((1, 0, 0), (0, 1, 0), (0, 0, -1))]
+    moved = [problem.with_tool(tool) for tool in tools]
     ideas.append((f"a second reference point, {span:.0f} mm beside the first, at the same poses", moved[:1]))
     ideas.append(
         (f"a second and a third reference point, {span:.0f} mm beside the first, at the same poses", moved[:2])
@@ -361,9 +361,7 @@ def _remedies(final: Fit) -> list[dict[str, Any]]:
         ideas.append(("the position itself at the same poses, with a tracker or a camera", [_as_positions(problem)]))
     if problem.readings.kind != "pose":
         full = _as_positions(problem)
-        three = [
-            dataclasses.replace(full, tool=full.tool + np.array(o) * span) for o in ((0, 0, 0), (1, 0, 0), (0, 1, 0))
-        ]
+        three = [full.with_tool(full.body.tool + np.array(o) * span) for o in ((0, 0, 0), (1, 0, 0), (0, 1, 0))]
         ideas.append(("the platform's rotation (kind pose) at the same poses", three))
     gains = [(_pinned([problem, *extra], final) - known, text) for text, extra in ideas]
     return [
@@ -387,12 +385,12 @@ def _pinned(problems: list[Problem], final: Fit) -> int:
     """Return how many directions readings of all `problems` together would know better than the prior."""
     blocks: dict[str, list[tuple[Array, Array]]] = {}
     for p in problems:
-        x = p.poses(final.errors)
+        machine = p.solve(final.errors)
         same = p.readings.kind == final.instrument.kind
         instrument = final.instrument if same else p.begin(final.errors)
-        predicted, rotations = instrument.predict(p.readings, x)
+        predicted, rotations = instrument.predict(p.readings, machine.x)
         ideal = dataclasses.replace(p.readings, values=predicted, rotations=rotations)
-        state = dataclasses.replace(p, readings=ideal).linearise(final.errors, instrument, x)
+        state = dataclasses.replace(p, readings=ideal).linearise(final.errors, instrument, machine)
         sigma = np.resize(final.sigma, state.residual.shape[1])[None, :, None]
         J_p, J_m = state.J_p * p.scale / sigma, state.J_m / sigma
         count = J_p.shape[0] * J_p.shape[1]
@@ -421,7 +419,7 @@ def uncertainty_map(final: Fit, robot: Robot) -> dict[str, Any] | None:
     mechanism, n = problem.mechanism, len(problem.names)
     targets = check_poses(robot.workspace)
     rows = mechanism.rows(robot)
-    tool = problem.tool[problem.readings.rows[0, 0]]
+    tool = problem.body.tool[problem.readings.rows[0, 0]]
     q, x, status = mechanism.inverse(targets, tool, rows)
     ok = status == SOLVED
     if not ok.any():

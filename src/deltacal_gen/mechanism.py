@@ -82,6 +82,28 @@ class Sensitivity:
     joints: Array
 
 
+@dataclass(frozen=True)
+class Loads:
+    """What weights exert in a machine at N poses; each is conjugate to a displacement, positive along it.
+
+    Attributes
+    ----------
+    torque : (N, n_q) array
+        On the joints [N mm]; gravity on a horizontal arm is negative.
+    pull : (N, limbs, n_d) array
+        Of the rods on the limb's deflections [N].
+    tension : (N, limbs, rods) array
+        In the rods [N].
+    moment : (N, 3) array
+        Of all weights about {O} [N mm].
+    """
+
+    torque: Array
+    pull: Array
+    tension: Array
+    moment: Array
+
+
 def mechanism_names() -> tuple[str, ...]:
     """Return the names of all registered mechanisms."""
     return tuple(deltacal_kernels.MECHANISMS)
@@ -310,6 +332,46 @@ class Mechanism:
         by_limb = S.reshape(len(x), self.n_x, self.limbs, n_e + n_d)
         return Sensitivity(by_limb[..., :n_e].reshape(len(x), self.n_x, -1), by_limb[..., n_e:], V)
 
+    def loads(
+        self,
+        x: Array,
+        q: Array,
+        tool: Array,
+        rows: Array,
+        masses: Mapping[str, float],
+        fields: Array,
+        payload: Array | float = 0.0,
+    ) -> Loads:
+        """Return what weights exert in the machine, by virtual work on the closure.
+
+        Parameters
+        ----------
+        masses : mapping
+            The mechanism's masses [kg] and positions of centres of mass; those not given are 0.
+        fields : (3,) or (N, weights, 3) array
+            Acceleration that acts on the weights [m/s^2]: gravity in {O}, or minus their own (see `weights_at`).
+        payload : float or (N,) array
+            At the reference point [kg].
+        """
+        x, q = self._poses(x, self.n_x, "poses"), self._poses(q, self.limbs, "joints")
+        tool = self._tool(tool, len(x))
+        _, J_x, J_q, J_p = self.jacobians(x, q, tool, rows)
+        weights, payload = self._masses(masses), np.broadcast_to(np.asarray(payload, dtype=float), len(x))
+        count = self.limbs * self._statics.LIMB_WEIGHTS + self._statics.PLATFORM_WEIGHTS
+        every = np.broadcast_to(np.asarray(fields, dtype=float), (len(x), count, 3))
+        W_q, W_x, moment = self._statics.loads(x, q, tool, rows, weights, payload, every)
+        multipliers = -np.linalg.solve(np.swapaxes(J_x, 1, 2), W_x[..., None])[..., 0]
+        per_limb = multipliers.reshape(len(x), self.limbs, -1)
+        J_limb = J_p.reshape(*per_limb.shape, -1)
+        exerted = (J_q.reshape(per_limb.shape) * per_limb).sum(axis=2)
+        errors = [name for name, *_ in self._tables.ERRORS]
+        return Loads(
+            torque=W_q + exerted,
+            pull=(J_limb[..., len(errors) :] * per_limb[..., None]).sum(axis=2),
+            tension=J_limb[..., errors.index("l")] * per_limb,
+            moment=moment,
+        )
+
     def torques(
         self,
         x: Array,
@@ -319,40 +381,21 @@ class Mechanism:
         masses: Mapping[str, float],
         gravity: Array,
         payload: Array | float = 0.0,
-    ) -> tuple[Array, Array]:
-        """Return what gravity exerts on the joints, by virtual work on the closure.
+    ) -> Array:
+        """Return the static joint torques (N, n_q) [N mm] under gravity [m/s^2] and payload [kg]; see `loads`.
 
-        Parameters
-        ----------
-        masses : mapping
-            The mechanism's masses [kg] and positions of centres of mass; those not given are 0.
-        gravity : (3,) array
-            In {O} [m/s^2].
-        payload : float or (N,) array
-            At the reference point [kg].
-
-        Returns
-        -------
-        torque : (N, n_q) array
-            Positive along the positive joint [N mm]; gravity on a horizontal arm is negative.
-        multipliers : (N, f) array
-            Of the closure equations [N / mm]; times the rod's length, the tension's magnitude.
+        Positive along the positive joint: gravity on a horizontal arm is negative.
         """
-        x, q = self._poses(x, self.n_x, "poses"), self._poses(q, self.limbs, "joints")
-        _, J_x, J_q, _ = self.jacobians(x, q, tool, rows)
-        weights = np.array([masses.get(name, 0.0) for name, _ in self._tables.MASSES])
-        W_q, W_x = self._statics.loads(
-            x,
-            q,
-            self._tool(tool, len(x)),
-            rows,
-            weights,
-            np.broadcast_to(np.asarray(payload, dtype=float), len(x)),
-            np.asarray(gravity, dtype=float),
-        )
-        multipliers = -np.linalg.solve(np.swapaxes(J_x, 1, 2), W_x[..., None])
-        exerted = (J_q[..., None] * multipliers).reshape(len(x), self.limbs, -1).sum(axis=2)
-        return W_q + exerted, multipliers[..., 0]
+        return self.loads(x, q, tool, rows, masses, gravity, payload).torque
+
+    def weights_at(self, x: Array, q: Array, tool: Array, rows: Array, masses: Mapping[str, float]) -> Array:
+        """Return where the weights are, (N, weights, 3) [mm], in the order of the fields of `loads`."""
+        tool, none = self._tool(tool, len(x)), np.zeros(len(x))
+        points: Array = self._statics.points(x, q, tool, rows, self._masses(masses), none)
+        return points
+
+    def _masses(self, masses: Mapping[str, float]) -> Array:
+        return np.array([masses.get(name, 0.0) for name, _ in self._tables.MASSES])
 
     @staticmethod
     def _poses(values: Array, columns: int, what: str) -> Array:

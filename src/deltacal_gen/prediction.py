@@ -12,6 +12,7 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.estimation import Problem, pose_problem
 from deltacal_gen.measurement import Instrument, Readings
 from deltacal_gen.mechanism import Array
+from deltacal_gen.physics import reading_shift, term_from_dict
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot, robot_from_dict
 from deltacal_gen.rotation import to_vector
@@ -41,6 +42,7 @@ def predict(result: Mapping[str, Any], recording: Recording) -> Recording:
     robot = calibrated_robot(result)
     problem, instrument = prediction_problem(result, robot, recording)
     values, rotations = instrument.predict(problem.readings, problem.poses(problem.reference))
+    values = values + reading_shift(problem.terms, problem.body, problem.readings.rows, values)[0]
     if rotations is not None:
         values = np.hstack([values, to_vector(rotations)])
     if recording.kind == "gauge" and recording.measurement.zero == "incremental":
@@ -56,7 +58,8 @@ def prediction_problem(
     """Return the problem of a recording with nothing free, and the instrument that a result knows for it."""
     found = unread(recording) if found is None else found
     found, instrument = _instrument(result, recording, found)
-    return pose_problem(robot, recording, (), found=found), instrument
+    held = [term_from_dict(t) for t in result.get("physics", ())]
+    return pose_problem(robot, recording, (), found=found, held=held), instrument
 
 
 def _instrument(result: Mapping[str, Any], recording: Recording, found: Readings) -> tuple[Readings, Instrument]:
@@ -97,4 +100,4 @@ def _setups(recording: Recording) -> int:
 def residual(result: Mapping[str, Any], recording: Recording, found: Readings) -> Array:
     """Return measured minus predicted (R, k) of readings that the result has not seen [mm, rad]."""
     problem, instrument = prediction_problem(result, calibrated_robot(result), recording, found)
-    return instrument.residual(problem.readings, problem.poses(problem.reference))
+    return problem.residual(problem.reference, instrument, problem.poses(problem.reference))

@@ -9,6 +9,7 @@ L dbeta0, dl; then per limb dl/c, dc/c, dalpha03, dbeta03, dalpha2, dbeta2 [mm, 
 from __future__ import annotations
 
 import sys
+from functools import cache
 
 import numpy as np
 
@@ -18,10 +19,17 @@ E = BASE - PLATFORM
 PHI = np.radians([-90.0, 30.0, 150.0])
 CPHI, SPHI = np.cos(PHI)[:, None], np.sin(PHI)[:, None]
 FRAMES = np.stack([[[c, 0.0, s], [s, 0.0, -c], [0.0, 1.0, 0.0]] for c, s in zip(np.cos(PHI), np.sin(PHI), strict=True)])
-BLOCK = 1024  # poses at once: temporaries stay in the cache
+BLOCK = 2048  # poses at once: temporaries stay in the cache
 DONE = 1e-6  # mm; Newton is quadratic: what a step of this size leaves is rounding
 OFFSETS = [0, 8, 16]
 MODEL_18 = [0, 2, 4, 5, 6, 7, 8, 9, 12, 13, 14, 15, 16, 17, 20, 21, 22, 23]
+
+
+def in_blocks(function, rows, out):
+    """Fill out (N, k) with function of rows (N, 3), some rows at a time."""
+    for start in range(0, len(rows), BLOCK):
+        out[start : start + BLOCK] = function(rows[start : start + BLOCK])
+    return out
 
 
 # ------------------------------------------------------------------------------------------------ the ideal machine
@@ -55,12 +63,17 @@ def ideal_forward(theta):
 
 
 def _cross(a, b):
-    return np.stack([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
+    out = np.empty((3, *np.broadcast(a[0], b[0]).shape))
+    for x, y, z in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        out[x] = a[y] * b[z]
+        out[x] -= a[z] * b[y]
+    return out
 
 
 def _inverse(rows):
     """Return the columns (3, 3 limbs, N) of the inverse of the matrix whose rows (3, 3 limbs, N) are given."""
-    columns = _cross(rows[:, [1, 2, 0]], rows[:, [2, 0, 1]])
+    around = np.concatenate([rows, rows[:, :2]], axis=1)
+    columns = _cross(around[:, 1:4], around[:, 2:5])
     return columns / (rows[:, 0] * columns[:, 0]).sum(axis=0)
 
 
@@ -91,18 +104,26 @@ def sensitivity(theta, r, out, offset=(0.0, 0.0, 0.0)):
         H = -(G[:, :, None] * AM).sum(axis=1)
         if np.any(offset):
             H += _cross(M, offset)
-        G, H, M, B_r, B_e = (np.ascontiguousarray(a.transpose(2, 0, 1)) for a in (G, H, M, *_by_limb(B_r, B_e)))
         own = out[part]
-        np.multiply(G[..., None], B_r[:, None], out=own[:, :3, :24].reshape(-1, 3, 3, 8))
-        np.multiply(H[..., None], B_e[:, None], out=own[:, :3, 24:].reshape(-1, 3, 3, 6))
+        first, rest = own[..., :24].reshape(len(own), -1, 3, 8), own[..., 24:].reshape(len(own), -1, 3, 6)
+        first[:, :3] = _products(G, B_r)
+        rest[:, :3] = _products(H, B_e)
         if out.shape[1] == 6:
-            own[:, 3:, :24] = 0.0
-            np.multiply(M[..., None], B_e[:, None], out=own[:, 3:, 24:].reshape(-1, 3, 3, 6))
+            first[:, 3:] = 0.0
+            rest[:, 3:] = _products(M, B_e)
     return out
 
 
-def _by_limb(*parts):
-    return (part.swapaxes(0, 1) for part in parts)
+@cache
+def _scratch(*shape):
+    return np.empty(shape)  # kept: the pages of a fresh array cost more than the product
+
+
+def _products(G, B):
+    """Return G (3, limb, N) times B (b, limb, N) as (N, 3, limb x b)."""
+    product = _scratch(3, 3, len(B), BLOCK)[..., : B.shape[-1]]
+    np.multiply(G[:, :, None], B.swapaxes(0, 1), out=product)
+    return product.transpose(3, 0, 1, 2)
 
 
 def identification_matrix(theta, r, offset, columns):
@@ -159,55 +180,49 @@ def machine(p, offset=(0.0, 0.0, 0.0)):
     return out
 
 
-def _closure(P, c, theta, rods):
-    """Return F (N, 6), its derivatives by the platform (N, 6, 6) and by the joints (N, 6)."""
-    angle = theta[:, [0, 0, 1, 1, 2, 2]] + rods[:, 13]
-    sin, cos = np.sin(angle)[..., None], np.cos(angle)[..., None]
-    K = np.zeros((len(c), 3, 3))
-    K[:, 2, 1], K[:, 0, 2], K[:, 1, 0] = c.T
-    K -= K.swapaxes(1, 2)
-    shrink = 1 / (1 + (c * c).sum(axis=1) / 4)
-    body = rods[:, 9:12] @ (np.eye(3) + (K + K @ K / 2) * shrink[:, None, None]).swapaxes(1, 2)
-    d = P[:, None] + body - rods[:, 6:9] - rods[:, 0:3] * cos - rods[:, 3:6] * sin
-    J = np.empty((len(c), 6, 6))
-    J[:, :, :3] = d
-    moment = np.empty_like(d)
-    for x, y, z in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        moment[:, :, x] = body[:, :, y] * d[:, :, z] - body[:, :, z] * d[:, :, y]
-    J[:, :, 3:] = (moment + moment @ K.swapaxes(1, 2) / -2) * shrink[:, None, None]
-    J_q = (d * (rods[:, 0:3] * sin - rods[:, 3:6] * cos)).sum(axis=2)
-    return ((d * d).sum(axis=2) - rods[:, 12] ** 2) / 2, J, J_q
+def _elbows(theta, rods):
+    """Return the elbow ends of the rods and their derivatives by the joints, (3, 6, N)."""
+    angle = theta.T[[0, 0, 1, 1, 2, 2]] + rods[:, 13, None]
+    sin, cos = np.sin(angle), np.cos(angle)
+    a, b, rest = (rods[:, k : k + 3].T[..., None] for k in (0, 3, 6))
+    return a * cos + b * sin + rest, b * cos - a * sin
+
+
+def _closure(P, c, elbow, rods):
+    """Return F (6, N), rods d (3, 6, N) and the derivatives by the Cayley vector (3, 6, N); P, c are (3, N)."""
+    hand, c = rods[:, 9:12].T[..., None], c[:, None]
+    shrink = 1 / (1 + (c * c).sum(axis=0) / 4)
+    turn = _cross(c, hand)
+    hand = hand + shrink * (turn + _cross(c, turn) / 2)
+    d = P[:, None] + hand - elbow
+    moment = _cross(hand, d)
+    return ((d * d).sum(axis=0) - rods[:, 12, None] ** 2) / 2, d, shrink * (moment + _cross(moment, c) / 2)
 
 
 def forward(theta, rods, offset=(0.0, 0.0, 0.0)):
     """Return the exact pose (N, 6), position and Cayley vector, by Newton on the six rods from the ideal pose."""
-    x = np.zeros((len(theta), 6))
-    for start in range(0, len(theta), BLOCK):
-        q, own = theta[start : start + BLOCK], x[start : start + BLOCK]
-        own[:, :3] = ideal_forward(q + rods[::2, 13]) + offset
-        step = np.inf
-        while np.abs(step).max() > DONE:
-            F, J, _ = _closure(own[:, :3], own[:, 3:], q, rods)
-            step = np.linalg.solve(J, F[..., None])[..., 0]
-            own -= step
-    return x
+    x, step = np.zeros((6, len(theta))), np.inf
+    x[:3] = (ideal_forward(theta + rods[::2, 13]) + offset).T
+    elbow, _ = _elbows(theta, rods)
+    J = np.empty((len(theta), 6, 6))
+    while np.abs(step).max() > DONE:
+        F, J.T[:3], J.T[3:] = _closure(x[:3], x[3:], elbow, rods)
+        step = np.linalg.solve(J, F.T[..., None])[..., 0].T
+        x -= step
+    return x.T
 
 
 def inverse(target, rods, offset=(0.0, 0.0, 0.0)):
     """Return the joints (N, 3) that bring the reference point exactly to target, by Newton on joints and rotation."""
-    theta = np.empty((len(target), 3))
-    for start in range(0, len(target), BLOCK):
-        P = target[start : start + BLOCK]
-        q, c = ideal_inverse(P - offset) - rods[::2, 13], np.zeros((len(P), 3))
-        A, step = np.zeros((len(P), 6, 6)), np.inf
-        while np.abs(step).max() > DONE / 1000:
-            F, J, J_q = _closure(P, c, q, rods)
-            A[:, range(6), [0, 0, 1, 1, 2, 2]] = J_q
-            A[:, :, 3:] = J[:, :, 3:]
-            step = np.linalg.solve(A, F[..., None])[..., 0]
-            q, c = q - step[:, :3], c - step[:, 3:]
-        theta[start : start + BLOCK] = q
-    return theta
+    q, c = ideal_inverse(target - offset) - rods[::2, 13], np.zeros((3, len(target)))
+    J, step = np.zeros((len(target), 6, 6)), np.inf
+    while np.abs(step).max() > DONE / 1000:
+        elbow, turned = _elbows(q, rods)
+        F, d, J.T[3:] = _closure(target.T, c, elbow, rods)
+        J.T[[0, 0, 1, 1, 2, 2], range(6)] = -(d * turned).sum(axis=0)
+        step = np.linalg.solve(J, F.T[..., None])[..., 0]
+        q, c = q - step[:, :3], c - step[:, 3:].T
+    return q
 
 
 # --------------------------------------------------------------------------------------------------- identification

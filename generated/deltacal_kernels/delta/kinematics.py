@@ -1,7 +1,7 @@
 """Kinematics of `delta`: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 8a3c49ebe8726923; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 11ce0bac9ce8d87a; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 

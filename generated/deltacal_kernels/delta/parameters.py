@@ -1,7 +1,7 @@
 """Tables of `delta`: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both c55eabc269032574; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both ac36141642556c7d; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 

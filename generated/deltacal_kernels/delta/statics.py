@@ -1,17 +1,24 @@
 """Generalised loads of `delta`: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/statics.py.jinja; sha256 of both ee9027167b6aa7a1; SymPy 1.14.0.
+Template templates/mechanism/statics.py.jinja; sha256 of both aeab76addf3e84de; SymPy 1.14.0.
 
 Plain NumPy over all poses at once. masses: proximal proximal_com distal_rod platform; payload (N,) in kg at the
-reference point; gravity (3,) in m/s^2; loads in N (along lengths) and N mm (along angles).
+reference point. Every weight has its own acceleration field [m/s^2]: gravity for all, or minus its own acceleration.
+Loads in N (along lengths) and N mm (along angles).
 """
 
 import numpy as np
 
+LIMB_WEIGHTS = 3
+PLATFORM_WEIGHTS = 2
 
-def _limb(x, q, tool, p, masses, gravity):
-    """Generalised loads of one limb's weights: on its joint, on the platform: (N, 7)."""
+
+def _limb(x, q, tool, p, masses, fields):
+    """Generalised loads of the weights of one limb and their moment: (N, 10)."""
+    px = x[:, 0]
+    py = x[:, 1]
+    pz = x[:, 2]
     cx = x[:, 3]
     cy = x[:, 4]
     cz = x[:, 5]
@@ -19,39 +26,68 @@ def _limb(x, q, tool, p, masses, gravity):
     ty = tool[:, 1]
     tz = tool[:, 2]
     q = q
-    gx = gravity[0]
-    gy = gravity[1]
-    gz = gravity[2]
     proximal = masses[0]
     proximal_com = masses[1]
     distal_rod = masses[2]
+    b = p[:, 0]
     a = p[:, 1]
     L = p[:, 2]
     phi = p[:, 5]
     theta = p[:, 6]
+    ex = p[:, 7]
+    ey = p[:, 8]
+    ez = p[:, 9]
     dL = p[:, 10]
     alpha0 = p[:, 11]
     beta0 = p[:, 12]
     tip_v = p[:, 20]
+    tip_w = p[:, 21]
+    f0x = fields[:, 0]
+    f0y = fields[:, 1]
+    f0z = fields[:, 2]
+    f1x = fields[:, 3]
+    f1y = fields[:, 4]
+    f1z = fields[:, 5]
+    f2x = fields[:, 6]
+    f2y = fields[:, 7]
+    f2z = fields[:, 8]
     s0 = (beta0 * beta0)
     s1 = (alpha0 * alpha0)
     s2 = s0 + s1
     s10 = s2*(s2*(s2*(1.5619206968586225e-16*s0 + 1.5619206968586225e-16*s1 - 4.779477332387385e-14) + 1.1470745597729725e-11) - 2.08767569878681e-09)
     s18 = s2*(s2*(s2*(s2*(s10 + 2.755731922398589e-07) - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664)
     s19 = s18 + 0.5
-    s21 = -s0*s19 + 1
+    s20 = -s0*s19
+    s21 = s20 + 1
     s22 = np.cos(phi)
     s31 = s2*(s2*(s2*(2.8114572543455206e-15*s0 + 2.8114572543455206e-15*s1 - 7.647163731819816e-13) + 1.6059043836821613e-10) - 2.505210838544172e-08)
     s39 = s2*(s2*(s2*(s2*(s31 + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333) - 0.16666666666666666)
     s40 = s39 + 1
     s41 = np.sin(phi)
-    R0_11 = -beta0*s40*s41 + s21*s22
+    s42 = -beta0*s40*s41
+    R0_11 = s21*s22 + s42
     R0_12 = alpha0*beta0*s19*s22 + alpha0*s40*s41
-    R0_21 = beta0*s22*s40 + s21*s41
+    s47 = -s1*s19
+    s48 = s20 + s47 + 1
+    s50 = beta0*s22*s40
+    R0_13 = s41*s48 + s50
+    R0_21 = s21*s41 + s50
     R0_22 = alpha0*beta0*s19*s41 - alpha0*s22*s40
+    R0_23 = -s22*s48 - s42
     R0_31 = alpha0*beta0*s19
-    R0_32 = -s1*s19 + 1
+    R0_32 = s47 + 1
+    R0_33 = -alpha0*s40
+    B_x = b*s22 + ex
+    B_y = b*s41 + ey
     s163 = q + theta
+    s164 = np.cos(s163)
+    s166 = np.sin(s163)
+    R1_11 = R0_11*s164 + R0_12*s166
+    R1_12 = -R0_11*s166 + R0_12*s164
+    R1_21 = R0_21*s164 + R0_22*s166
+    R1_22 = -R0_21*s166 + R0_22*s164
+    R1_31 = R0_31*s164 + R0_32*s166
+    R1_32 = -R0_31*s166 + R0_32*s164
     s184 = (cx * cx)
     s186 = (cy * cy)
     s188 = (cz * cz)
@@ -59,76 +95,222 @@ def _limb(x, q, tool, p, masses, gravity):
     s191 = (1.0 / s190)
     s192 = -0.5*s186
     s193 = -0.5*s188
+    s194 = s192 + s193
+    R_11 = s191*s194 + 1
     s197 = 0.5*cx*cy
+    s198 = -cz + s197
+    R_12 = s191*s198
     s200 = 0.5*cx*cz
+    s201 = cy + s200
+    R_13 = s191*s201
+    s203 = cz + s197
+    R_21 = s191*s203
     s205 = -0.5*s184
+    s206 = s193 + s205
+    R_22 = s191*s206 + 1
     s209 = 0.5*cy*cz
+    s210 = -cx + s209
+    R_23 = s191*s210
+    s212 = -cy + s200
+    R_31 = s191*s212
+    s214 = cx + s209
+    R_32 = s191*s214
+    s216 = s192 + s205
+    R_33 = s191*s216 + 1
     s219 = L + dL
+    C_x = B_x + R0_13*tip_w + R1_11*s219 + R1_12*tip_v
+    C_y = B_y + R0_23*tip_w + R1_21*s219 + R1_22*tip_v
+    C_z = R0_33*tip_w + R1_31*s219 + R1_32*tip_v + ez
     s233 = a*s22 - tx
     s236 = a*s41 - ty
-    s305 = 2*distal_rod
-    s308 = 0.5*gz*s305
-    s311 = 0.5*gy*s305
-    s314 = 0.5*gx*s305
-    s317 = proximal_com*s219
-    s334 = -s308*tz
-    s336 = s236*s308
-    s338 = s233*s308
-    s340 = -s311*tz
-    s342 = s236*s311
-    s344 = s233*s311
-    s346 = -s314*tz
-    s348 = s236*s314
-    s353 = s233*s314
-    s360 = s308*tip_v
-    s366 = s311*tip_v
-    s372 = s314*tip_v
-    s378 = s191*s334
-    s380 = s191*s336
-    s381 = s338*(-cy + s200)
-    s382 = s191*s338
-    s383 = s340*(-cx + s209)
-    s384 = s191*s340
-    s385 = s380 + s384
-    s386 = 0.5*cz
-    s387 = 0.5*cy
-    s390 = s342*(s193 + s205)
-    s391 = s191*s342
-    s394 = s344*(cz + s197)
-    s395 = s191*s344
-    s396 = s346*(cy + s200)
-    s397 = s191*s346
-    s398 = s382 + s397
-    s399 = 0.5*cx
-    s402 = s348*(-cz + s197)
-    s403 = s191*s348
-    s404 = s395 + s403
-    s407 = s353*(s192 + s193)
-    s408 = s191*s353
-    s413 = s334*(s192 + s205) + s336*(cx + s209) + s381 + s383 + s390 + s394 + s396 + s402 + s407
-    s416 = -0.25*s413/(s190 * s190)
-    s430 = gz*proximal*s317 + s219*s308
-    s439 = gy*proximal*s317 + s219*s311
-    s448 = gx*proximal*s317 + s219*s314
-    s451 = -R0_11*s372 + R0_12*s448 - R0_21*s366 + R0_22*s439 - R0_31*s360 + R0_32*s430
-    s455 = R0_11*s448 + R0_12*s372 + R0_21*s439 + R0_22*s366 + R0_31*s430 + R0_32*s360
-    s457 = s451*np.cos(s163) - s455*np.sin(s163)
-    s581 = 2*cx*(-0.5*s378 - 0.5*s391 + s416) + s380 - s384 + s386*s398 + s387*s404
-    s582 = 2*cy*(-0.5*s378 - 0.5*s408 + s416) - s382 + s385*s386 + s397 + s399*s404
-    s583 = 2*cz*(-0.5*s391 - 0.5*s408 + s416) + s385*s387 + s395 + s398*s399 - s403
-    out = np.zeros((len(x), 7))
-    out[:, 0] = s457
-    out[:, 1] = s314
-    out[:, 2] = s311
-    out[:, 3] = s308
-    out[:, 4] = s581
-    out[:, 5] = s582
-    out[:, 6] = s583
+    A_x = R_11*s233 + R_12*s236 - R_13*tz + px
+    A_y = R_21*s233 + R_22*s236 - R_23*tz + py
+    A_z = R_31*s233 + R_32*s236 - R_33*tz + pz
+    s289 = B_x + R1_11*proximal_com*s219
+    s292 = B_y + R1_21*proximal_com*s219
+    s295 = R1_31*proximal_com*s219 + ez
+    s302 = proximal_com*s219
+    s319 = distal_rod*f1z
+    s321 = distal_rod*f1y
+    s323 = distal_rod*f1x
+    s325 = distal_rod*f2z
+    s327 = distal_rod*f2y
+    s329 = distal_rod*f2x
+    s331 = -s325*tz
+    s333 = s236*s325
+    s335 = s233*s325
+    s337 = -s327*tz
+    s339 = s236*s327
+    s341 = s233*s327
+    s343 = -s329*tz
+    s345 = s236*s329
+    s350 = s233*s329
+    s357 = s319*tip_v
+    s363 = s321*tip_v
+    s369 = s323*tip_v
+    s375 = s191*s331
+    s377 = s191*s333
+    s379 = s191*s335
+    s381 = s191*s337
+    s382 = s377 + s381
+    s383 = 0.5*cz
+    s384 = 0.5*cy
+    s387 = s206*s339
+    s388 = s191*s339
+    s391 = s203*s341
+    s392 = s191*s341
+    s393 = s201*s343
+    s394 = s191*s343
+    s395 = s379 + s394
+    s396 = 0.5*cx
+    s399 = s198*s345
+    s400 = s191*s345
+    s401 = s392 + s400
+    s404 = s194*s350
+    s405 = s191*s350
+    s410 = s210*s337 + s212*s335 + s214*s333 + s216*s331 + s387 + s391 + s393 + s399 + s404
+    s413 = -0.25*s410/(s190 * s190)
+    s427 = f0z*proximal*s302 + s219*s319
+    s436 = f0y*proximal*s302 + s219*s321
+    s445 = f0x*proximal*s302 + s219*s323
+    s449 = s164*(-R0_11*s369 + R0_12*s445 - R0_21*s363 + R0_22*s436 - R0_31*s357 + R0_32*s427)
+    s452 = R0_11*s445 + R0_12*s369 + R0_21*s436 + R0_22*s363 + R0_31*s427 + R0_32*s357
+    s454 = -s166*s452 + s449
+    s576 = 2*cx*(-0.5*s375 - 0.5*s388 + s413) + s377 - s381 + s383*s395 + s384*s401
+    s577 = 2*cy*(-0.5*s375 - 0.5*s405 + s413) - s379 + s382*s383 + s394 + s396*s401
+    s578 = 2*cz*(-0.5*s388 - 0.5*s405 + s413) + s382*s384 + s392 + s395*s396 - s400
+    s594 = proximal*(-f0y*s295 + f0z*s292)
+    s595 = distal_rod*(A_y*f2z - A_z*f2y) + distal_rod*(C_y*f1z - C_z*f1y) + s594
+    s607 = proximal*(f0x*s295 - f0z*s289)
+    s608 = distal_rod*(-A_x*f2z + A_z*f2x) + distal_rod*(-C_x*f1z + C_z*f1x) + s607
+    s620 = proximal*(-f0x*s292 + f0y*s289)
+    s621 = distal_rod*(A_x*f2y - A_y*f2x) + distal_rod*(C_x*f1y - C_y*f1x) + s620
+    out = np.zeros((len(x), 10))
+    out[:, 0] = s454
+    out[:, 1] = s329
+    out[:, 2] = s327
+    out[:, 3] = s325
+    out[:, 4] = s576
+    out[:, 5] = s577
+    out[:, 6] = s578
+    out[:, 7] = s595
+    out[:, 8] = s608
+    out[:, 9] = s621
     return out
 
 
-def _platform(x, tool, masses, payload, gravity):
-    """Generalised loads of the platform's weight and of the payload: (N, 6)."""
+def _limb_points(x, q, tool, p, masses):
+    """Where the weights of one limb are: (N, 9)."""
+    px = x[:, 0]
+    py = x[:, 1]
+    pz = x[:, 2]
+    cx = x[:, 3]
+    cy = x[:, 4]
+    cz = x[:, 5]
+    tx = tool[:, 0]
+    ty = tool[:, 1]
+    tz = tool[:, 2]
+    q = q
+    proximal_com = masses[1]
+    b = p[:, 0]
+    a = p[:, 1]
+    L = p[:, 2]
+    phi = p[:, 5]
+    theta = p[:, 6]
+    ex = p[:, 7]
+    ey = p[:, 8]
+    ez = p[:, 9]
+    dL = p[:, 10]
+    alpha0 = p[:, 11]
+    beta0 = p[:, 12]
+    tip_v = p[:, 20]
+    tip_w = p[:, 21]
+    s0 = (beta0 * beta0)
+    s1 = (alpha0 * alpha0)
+    s2 = s0 + s1
+    s10 = s2*(s2*(s2*(1.5619206968586225e-16*s0 + 1.5619206968586225e-16*s1 - 4.779477332387385e-14) + 1.1470745597729725e-11) - 2.08767569878681e-09)
+    s18 = s2*(s2*(s2*(s2*(s10 + 2.755731922398589e-07) - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664)
+    s19 = s18 + 0.5
+    s20 = -s0*s19
+    s21 = s20 + 1
+    s22 = np.cos(phi)
+    s31 = s2*(s2*(s2*(2.8114572543455206e-15*s0 + 2.8114572543455206e-15*s1 - 7.647163731819816e-13) + 1.6059043836821613e-10) - 2.505210838544172e-08)
+    s39 = s2*(s2*(s2*(s2*(s31 + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333) - 0.16666666666666666)
+    s40 = s39 + 1
+    s41 = np.sin(phi)
+    s42 = -beta0*s40*s41
+    R0_11 = s21*s22 + s42
+    R0_12 = alpha0*beta0*s19*s22 + alpha0*s40*s41
+    s47 = -s1*s19
+    s48 = s20 + s47 + 1
+    s50 = beta0*s22*s40
+    R0_13 = s41*s48 + s50
+    R0_21 = s21*s41 + s50
+    R0_22 = alpha0*beta0*s19*s41 - alpha0*s22*s40
+    R0_23 = -s22*s48 - s42
+    R0_31 = alpha0*beta0*s19
+    R0_32 = s47 + 1
+    R0_33 = -alpha0*s40
+    B_x = b*s22 + ex
+    B_y = b*s41 + ey
+    s163 = q + theta
+    s164 = np.cos(s163)
+    s166 = np.sin(s163)
+    R1_11 = R0_11*s164 + R0_12*s166
+    R1_12 = -R0_11*s166 + R0_12*s164
+    R1_21 = R0_21*s164 + R0_22*s166
+    R1_22 = -R0_21*s166 + R0_22*s164
+    R1_31 = R0_31*s164 + R0_32*s166
+    R1_32 = -R0_31*s166 + R0_32*s164
+    s184 = (cx * cx)
+    s186 = (cy * cy)
+    s188 = (cz * cz)
+    s191 = (1.0 / (0.25*s184 + 0.25*s186 + 0.25*s188 + 1))
+    s192 = -0.5*s186
+    s193 = -0.5*s188
+    R_11 = s191*(s192 + s193) + 1
+    s197 = 0.5*cx*cy
+    R_12 = s191*(-cz + s197)
+    s200 = 0.5*cx*cz
+    R_13 = s191*(cy + s200)
+    R_21 = s191*(cz + s197)
+    s205 = -0.5*s184
+    R_22 = s191*(s193 + s205) + 1
+    s209 = 0.5*cy*cz
+    R_23 = s191*(-cx + s209)
+    R_31 = s191*(-cy + s200)
+    R_32 = s191*(cx + s209)
+    R_33 = s191*(s192 + s205) + 1
+    s219 = L + dL
+    C_x = B_x + R0_13*tip_w + R1_11*s219 + R1_12*tip_v
+    C_y = B_y + R0_23*tip_w + R1_21*s219 + R1_22*tip_v
+    C_z = R0_33*tip_w + R1_31*s219 + R1_32*tip_v + ez
+    s233 = a*s22 - tx
+    s236 = a*s41 - ty
+    A_x = R_11*s233 + R_12*s236 - R_13*tz + px
+    A_y = R_21*s233 + R_22*s236 - R_23*tz + py
+    A_z = R_31*s233 + R_32*s236 - R_33*tz + pz
+    s289 = B_x + R1_11*proximal_com*s219
+    s292 = B_y + R1_21*proximal_com*s219
+    s295 = R1_31*proximal_com*s219 + ez
+    out = np.zeros((len(x), 9))
+    out[:, 0] = s289
+    out[:, 1] = s292
+    out[:, 2] = s295
+    out[:, 3] = C_x
+    out[:, 4] = C_y
+    out[:, 5] = C_z
+    out[:, 6] = A_x
+    out[:, 7] = A_y
+    out[:, 8] = A_z
+    return out
+
+
+def _platform(x, tool, masses, payload, fields):
+    """Generalised loads of the weights of one platform and their moment: (N, 9)."""
+    px = x[:, 0]
+    py = x[:, 1]
+    pz = x[:, 2]
     cx = x[:, 3]
     cy = x[:, 4]
     cz = x[:, 5]
@@ -136,10 +318,13 @@ def _platform(x, tool, masses, payload, gravity):
     ty = tool[:, 1]
     tz = tool[:, 2]
     payload = payload
-    gx = gravity[0]
-    gy = gravity[1]
-    gz = gravity[2]
     platform = masses[3]
+    f0x = fields[:, 0]
+    f0y = fields[:, 1]
+    f0z = fields[:, 2]
+    f1x = fields[:, 3]
+    f1y = fields[:, 4]
+    f1z = fields[:, 5]
     s184 = (cx * cx)
     s186 = (cy * cy)
     s188 = (cz * cz)
@@ -147,68 +332,146 @@ def _platform(x, tool, masses, payload, gravity):
     s191 = (1.0 / s190)
     s192 = -0.5*s186
     s193 = -0.5*s188
+    s194 = s192 + s193
+    R_11 = s191*s194 + 1
     s197 = 0.5*cx*cy
+    s198 = -cz + s197
+    R_12 = s191*s198
     s200 = 0.5*cx*cz
+    s201 = cy + s200
+    R_13 = s191*s201
+    s203 = cz + s197
+    R_21 = s191*s203
     s205 = -0.5*s184
+    s206 = s193 + s205
+    R_22 = s191*s206 + 1
     s209 = 0.5*cy*cz
-    s386 = 0.5*cz
-    s387 = 0.5*cy
-    s399 = 0.5*cx
-    s609 = gz*platform
-    s610 = -s609*ty
-    s612 = -s609*tx
-    s615 = gy*platform
-    s616 = -s615*ty
-    s618 = -s615*tx
-    s621 = gx*platform
-    s622 = -s621*ty
-    s624 = -s621*tx
-    s632 = -s609*tz
-    s634 = -s615*tz
-    s636 = -s621*tz
-    s639 = s191*s632
-    s641 = s191*s610
-    s642 = s612*(-cy + s200)
-    s643 = s191*s612
-    s644 = s634*(-cx + s209)
-    s645 = s191*s634
-    s646 = s641 + s645
-    s649 = s616*(s193 + s205)
-    s650 = s191*s616
-    s653 = s618*(cz + s197)
-    s654 = s191*s618
-    s655 = s636*(cy + s200)
-    s656 = s191*s636
-    s657 = s643 + s656
-    s660 = s622*(-cz + s197)
-    s661 = s191*s622
-    s662 = s654 + s661
-    s665 = s624*(s192 + s193)
-    s666 = s191*s624
-    s671 = s610*(cx + s209) + s632*(s192 + s205) + s642 + s644 + s649 + s653 + s655 + s660 + s665
-    s673 = -0.25*s671/(s190 * s190)
-    s681 = gz*payload + s609
-    s685 = gy*payload + s615
-    s687 = gx*payload + s621
-    s689 = 2*cx*(-0.5*s639 - 0.5*s650 + s673) + s386*s657 + s387*s662 + s641 - s645
-    s690 = 2*cy*(-0.5*s639 - 0.5*s666 + s673) + s386*s646 + s399*s662 - s643 + s656
-    s691 = 2*cz*(-0.5*s650 - 0.5*s666 + s673) + s387*s646 + s399*s657 + s654 - s661
-    out = np.zeros((len(x), 6))
-    out[:, 0] = s687
-    out[:, 1] = s685
-    out[:, 2] = s681
-    out[:, 3] = s689
-    out[:, 4] = s690
-    out[:, 5] = s691
+    s210 = -cx + s209
+    R_23 = s191*s210
+    s212 = -cy + s200
+    R_31 = s191*s212
+    s214 = cx + s209
+    R_32 = s191*s214
+    s216 = s192 + s205
+    R_33 = s191*s216 + 1
+    s285 = -R_11*tx - R_12*ty - R_13*tz + px
+    s289 = -R_21*tx - R_22*ty - R_23*tz + py
+    s293 = -R_31*tx - R_32*ty - R_33*tz + pz
+    s299 = f0z*platform
+    s300 = -s299*ty
+    s302 = -s299*tx
+    s305 = f0y*platform
+    s306 = -s305*ty
+    s308 = -s305*tx
+    s311 = f0x*platform
+    s312 = -s311*ty
+    s314 = -s311*tx
+    s322 = -s299*tz
+    s324 = -s305*tz
+    s326 = -s311*tz
+    s329 = s191*s322
+    s331 = s191*s300
+    s333 = s191*s302
+    s335 = s191*s324
+    s336 = s331 + s335
+    s337 = 0.5*cz
+    s338 = 0.5*cy
+    s341 = s206*s306
+    s342 = s191*s306
+    s345 = s203*s308
+    s346 = s191*s308
+    s347 = s201*s326
+    s348 = s191*s326
+    s349 = s333 + s348
+    s350 = 0.5*cx
+    s353 = s198*s312
+    s354 = s191*s312
+    s355 = s346 + s354
+    s358 = s194*s314
+    s359 = s191*s314
+    s364 = s210*s324 + s212*s302 + s214*s300 + s216*s322 + s341 + s345 + s347 + s353 + s358
+    s367 = -0.25*s364/(s190 * s190)
+    s377 = f1z*payload + s299
+    s380 = f1y*payload + s305
+    s381 = f1x*payload + s311
+    s383 = 2*cx*(-0.5*s329 - 0.5*s342 + s367) + s331 - s335 + s337*s349 + s338*s355
+    s384 = 2*cy*(-0.5*s329 - 0.5*s359 + s367) - s333 + s336*s337 + s348 + s350*s355
+    s385 = 2*cz*(-0.5*s342 - 0.5*s359 + s367) + s336*s338 + s346 + s349*s350 - s354
+    s394 = payload*(-f1y*pz + f1z*py) + platform*(-f0y*s293 + f0z*s289)
+    s403 = payload*(f1x*pz - f1z*px) + platform*(f0x*s293 - f0z*s285)
+    s412 = payload*(-f1x*py + f1y*px) + platform*(-f0x*s289 + f0y*s285)
+    out = np.zeros((len(x), 9))
+    out[:, 0] = s381
+    out[:, 1] = s380
+    out[:, 2] = s377
+    out[:, 3] = s383
+    out[:, 4] = s384
+    out[:, 5] = s385
+    out[:, 6] = s394
+    out[:, 7] = s403
+    out[:, 8] = s412
     return out
 
 
-def loads(x, q, tool, p, masses, payload, gravity):
-    """Return the generalised loads W_q (N, 3) on the joints and W_x (N, 6) on the platform."""
+def _platform_points(x, tool, masses, payload):
+    """Where the weights of one platform are: (N, 6)."""
+    px = x[:, 0]
+    py = x[:, 1]
+    pz = x[:, 2]
+    cx = x[:, 3]
+    cy = x[:, 4]
+    cz = x[:, 5]
+    tx = tool[:, 0]
+    ty = tool[:, 1]
+    tz = tool[:, 2]
+    s184 = (cx * cx)
+    s186 = (cy * cy)
+    s188 = (cz * cz)
+    s191 = (1.0 / (0.25*s184 + 0.25*s186 + 0.25*s188 + 1))
+    s192 = -0.5*s186
+    s193 = -0.5*s188
+    R_11 = s191*(s192 + s193) + 1
+    s197 = 0.5*cx*cy
+    R_12 = s191*(-cz + s197)
+    s200 = 0.5*cx*cz
+    R_13 = s191*(cy + s200)
+    R_21 = s191*(cz + s197)
+    s205 = -0.5*s184
+    R_22 = s191*(s193 + s205) + 1
+    s209 = 0.5*cy*cz
+    R_23 = s191*(-cx + s209)
+    R_31 = s191*(-cy + s200)
+    R_32 = s191*(cx + s209)
+    R_33 = s191*(s192 + s205) + 1
+    s285 = -R_11*tx - R_12*ty - R_13*tz + px
+    s289 = -R_21*tx - R_22*ty - R_23*tz + py
+    s293 = -R_31*tx - R_32*ty - R_33*tz + pz
+    out = np.zeros((len(x), 6))
+    out[:, 0] = s285
+    out[:, 1] = s289
+    out[:, 2] = s293
+    out[:, 3] = px
+    out[:, 4] = py
+    out[:, 5] = pz
+    return out
+
+
+def points(x, q, tool, p, masses, payload):
+    """Return where the weights are, (N, 11, 3): limb by limb, then the platform's."""
+    parts = [_limb_points(x, q[:, i], tool, p[:, i], masses) for i in range(3)]
+    return np.hstack([*parts, _platform_points(x, tool, masses, payload)]).reshape(len(x), -1, 3)
+
+
+def loads(x, q, tool, p, masses, payload, fields):
+    """Return generalised loads W_q (N, 3) on the joints, W_x (N, 6) on the platform, and the moment about {O} (N, 3).
+
+    fields (N, weights, 3): in the order of `points`.
+    """
+    flat = fields.reshape(len(x), -1)
     W_q = np.zeros((len(x), 3))
-    W_x = _platform(x, tool, masses, payload, gravity)
+    rest = _platform(x, tool, masses, payload, flat[:, 27:])
     for i in range(3):
-        own = _limb(x, q[:, i], tool, p[:, i], masses, gravity)
+        own = _limb(x, q[:, i], tool, p[:, i], masses, flat[:, 9 * i :])
         W_q[:, i] = own[:, 0]
-        W_x += own[:, 1:]
-    return W_q, W_x
+        rest += own[:, 1:]
+    return W_q, rest[:, :6], rest[:, 6:]

@@ -1,0 +1,59 @@
+"""One file per effect; a file's presence is its registration (it defines ``EFFECT``).
+
+`STATE` is all that an effect may read, per pose and limb. Loads are what the weights exert by virtual work on the
+closure: `torque` on the joint, `pull_v` and `pull_w` on the arm's tip along the normals of the arm, `tension_1` and
+`tension_2` in the rods, `moment_x` and `moment_y` about {O}.
+"""
+
+from __future__ import annotations
+
+import math
+
+import sympy as sp
+
+from derive.spec import EffectQuantity
+
+DEG = math.pi / 180
+
+STATE = (
+    EffectQuantity(sp.Symbol("q", real=True), "deg", DEG, "joint as the controller reports it"),
+    EffectQuantity(sp.Symbol("theta", real=True), "deg", DEG, "joint as the geometry sees it"),
+    EffectQuantity(sp.Symbol("speed", real=True), "deg/s", DEG, "joint speed"),
+    EffectQuantity(sp.Symbol("acceleration", real=True), "deg/s^2", DEG, "joint acceleration"),
+    EffectQuantity(sp.Symbol("approach", real=True), "1", 1.0, "direction in which the joint last moved, +1 or -1"),
+    EffectQuantity(sp.Symbol("warming", real=True), "K", 1.0, "temperature less 20 degC"),
+    EffectQuantity(sp.Symbol("time", real=True), "s", 1.0, "time"),
+    EffectQuantity(sp.Symbol("after", real=True), "1", 1.0, "1 from the jump on, 0 before"),
+    EffectQuantity(sp.Symbol("torque", real=True), "N mm", 1.0, "static torque of all weights on the joint"),
+    EffectQuantity(sp.Symbol("payload_torque", real=True), "N mm", 1.0, "static torque of the payload on the joint"),
+    EffectQuantity(
+        sp.Symbol("inertia_torque", real=True), "N mm", 1.0, "torque of the masses times minus their acceleration"
+    ),
+    EffectQuantity(
+        sp.Symbol("pull_v", real=True), "N", 1.0, "rods' pull on the arm's tip, normal to the arm in its plane"
+    ),
+    EffectQuantity(sp.Symbol("pull_w", real=True), "N", 1.0, "rods' pull on the arm's tip, along the joint's axis"),
+    EffectQuantity(sp.Symbol("tension_1", real=True), "N", 1.0, "tension of rod 1"),
+    EffectQuantity(sp.Symbol("tension_2", real=True), "N", 1.0, "tension of rod 2"),
+    EffectQuantity(sp.Symbol("moment_x", real=True), "N mm", 1.0, "moment of all moving weight about {O}, x"),
+    EffectQuantity(sp.Symbol("moment_y", real=True), "N mm", 1.0, "moment of all moving weight about {O}, y"),
+    EffectQuantity(sp.Symbol("L", real=True), "mm", 1.0, "length of the arm"),
+    EffectQuantity(sp.Symbol("l", real=True), "mm", 1.0, "length of the rods"),
+    EffectQuantity(sp.Symbol("b", real=True), "mm", 1.0, "radius of the base"),
+    EffectQuantity(sp.Symbol("phi", real=True), "deg", DEG, "direction of the limb"),
+    EffectQuantity(sp.Symbol("y_x", real=True), "mm", 1.0, "reading along the instrument's x"),
+    EffectQuantity(sp.Symbol("y_y", real=True), "mm", 1.0, "reading along the instrument's y"),
+    EffectQuantity(sp.Symbol("y_z", real=True), "mm", 1.0, "reading along the instrument's z"),
+    EffectQuantity(sp.Symbol("y_length", real=True), "mm", 1.0, "reading of a length"),
+)
+_BY_NAME = {s.name: s.symbol for s in STATE}
+
+
+def state(names: str) -> tuple[sp.Symbol, ...]:
+    """Return symbols of the state by name."""
+    return tuple(_BY_NAME[name] for name in names.split())
+
+
+def coefficient(name: str, unit: str, factor: float, meaning: str) -> EffectQuantity:
+    """Return a coefficient: its unit in files, the factor to mm, rad, N and s, and what it is."""
+    return EffectQuantity(sp.Symbol(name, real=True), unit, factor, meaning)

@@ -1,0 +1,15 @@
+"""The joint lies on either side of its play: ``theta = q - approach width / 2``."""
+
+from derive.effects import DEG, coefficient, state
+from derive.spec import Effect
+
+(approach,) = state("approach")
+width = coefficient("width", "deg", DEG, "the full gap")
+EFFECT = Effect(
+    name="backlash",
+    title="play, flips with the direction of approach",
+    source="derive/effects/backlash.py",
+    per_limb=True,
+    coefficients=(width,),
+    targets={"joint": -approach * width.symbol / 2},
+)

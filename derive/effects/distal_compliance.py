@@ -1,0 +1,15 @@
+"""Each rod is longer by the compliance times its own tension; the pair's mean and difference carry it."""
+
+from derive.effects import coefficient, state
+from derive.spec import Effect
+
+one, two = state("tension_1 tension_2")
+compliance = coefficient("compliance", "mm/N", 1.0, "lengthening of a rod per tension")
+EFFECT = Effect(
+    name="distal_compliance",
+    title="rods stretch",
+    source="derive/effects/distal_compliance.py",
+    per_limb=True,
+    coefficients=(compliance,),
+    targets={"error.l": compliance.symbol * (one + two) / 2, "error.dl": compliance.symbol * (one - two)},
+)

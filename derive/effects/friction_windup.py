@@ -1,0 +1,17 @@
+"""Friction winds the joint up against its motion: ``theta = q - approach compliance abs(torque)``."""
+
+import sympy as sp
+
+from derive.effects import DEG, coefficient, state
+from derive.spec import Effect
+
+approach, torque = state("approach torque")
+compliance = coefficient("compliance", "deg/Nm", DEG / 1000, "windup per torque")
+EFFECT = Effect(
+    name="friction_windup",
+    title="friction winds the joint up, by direction and load",
+    source="derive/effects/friction_windup.py",
+    per_limb=True,
+    coefficients=(compliance,),
+    targets={"joint": -approach * compliance.symbol * sp.Abs(torque)},
+)

@@ -1,0 +1,15 @@
+"""The reading moves along the instrument's axes: ``y = y + rate t / 3600``."""
+
+from derive.effects import coefficient, state
+from derive.spec import Effect
+
+(time,) = state("time")
+x, y, z = (coefficient(f"rate_{a}", "mm/h", 1.0, f"drift along the instrument's {a}") for a in "xyz")
+EFFECT = Effect(
+    name="instrument_drift",
+    title="the instrument drifts",
+    source="derive/effects/instrument_drift.py",
+    per_limb=False,
+    coefficients=(x, y, z),
+    targets={f"reading.{a}": r.symbol * time / 3600 for a, r in zip("xyz", (x, y, z), strict=True)},
+)

@@ -1,0 +1,14 @@
+"""A measured point of the platform is not where the sidecar says: one offset in {O'} per distinct tool point."""
+
+from derive.effects import coefficient
+from derive.spec import Effect
+
+x, y, z = (coefficient(f"offset_{a}", "mm", 1.0, f"offset along {a} of {{O'}}") for a in "xyz")
+EFFECT = Effect(
+    name="instrument_offset",
+    title="a measured point is not where it is said to be",
+    source="derive/effects/instrument_offset.py",
+    per_limb=False,
+    coefficients=(x, y, z),
+    targets={f"tool.{a}": o.symbol for a, o in zip("xyz", (x, y, z), strict=True)},
+)

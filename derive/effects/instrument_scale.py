@@ -1,0 +1,20 @@
+"""The instrument's length scale is wrong: ``y = y (1 + scale)``."""
+
+from derive.effects import coefficient, state
+from derive.spec import Effect
+
+x, y, z, length = state("y_x y_y y_z y_length")
+scale = coefficient("scale", "ppm", 1e-6, "error of the length scale")
+EFFECT = Effect(
+    name="instrument_scale",
+    title="the instrument's length scale is wrong",
+    source="derive/effects/instrument_scale.py",
+    per_limb=False,
+    coefficients=(scale,),
+    targets={
+        "reading.x": scale.symbol * x,
+        "reading.y": scale.symbol * y,
+        "reading.z": scale.symbol * z,
+        "length": scale.symbol * length,
+    },
+)

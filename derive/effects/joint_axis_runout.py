@@ -1,0 +1,19 @@
+"""The joint's centre orbits with the joint angle: it moves ``cos cos(theta) + sin sin(theta)`` along the limb."""
+
+import sympy as sp
+
+from derive.effects import coefficient, state
+from derive.spec import Effect
+
+theta, phi = state("theta phi")
+cos = coefficient("cos", "mm", 1.0, "amplitude of the cosine")
+sin = coefficient("sin", "mm", 1.0, "amplitude of the sine")
+out = cos.symbol * sp.cos(theta) + sin.symbol * sp.sin(theta)
+EFFECT = Effect(
+    name="joint_axis_runout",
+    title="the joint's centre orbits with its angle",
+    source="derive/effects/joint_axis_runout.py",
+    per_limb=True,
+    coefficients=(cos, sin),
+    targets={"error.ex": out * sp.cos(phi), "error.ey": out * sp.sin(phi)},
+)

@@ -1,0 +1,15 @@
+"""The position belongs to the joints `delay` seconds earlier: ``q - delay speed + delay^2 / 2 acceleration``."""
+
+from derive.effects import coefficient, state
+from derive.spec import Effect
+
+speed, acceleration = state("speed acceleration")
+delay = coefficient("delay", "s", 1.0, "time by which the position lags")
+EFFECT = Effect(
+    name="latency",
+    title="the position lags the joints",
+    source="derive/effects/latency.py",
+    per_limb=False,
+    coefficients=(delay,),
+    targets={"joint": -delay.symbol * speed + delay.symbol**2 / 2 * acceleration},
+)

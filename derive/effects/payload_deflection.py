@@ -1,0 +1,15 @@
+"""The joint twists under the payload's torque only: ``theta = q + compliance torque_of_the_payload``."""
+
+from derive.effects import DEG, coefficient, state
+from derive.spec import Effect
+
+(torque,) = state("payload_torque")
+compliance = coefficient("compliance", "deg/Nm", DEG / 1000, "twist per torque of the payload")
+EFFECT = Effect(
+    name="payload_deflection",
+    title="joint twists under the payload",
+    source="derive/effects/payload_deflection.py",
+    per_limb=True,
+    coefficients=(compliance,),
+    targets={"joint": compliance.symbol * torque},
+)

@@ -1,0 +1,15 @@
+"""The joint's zero moves with time: ``theta = q + rate t / 3600``."""
+
+from derive.effects import DEG, coefficient, state
+from derive.spec import Effect
+
+(time,) = state("time")
+rate = coefficient("rate", "deg/h", DEG, "drift of the zero per hour")
+EFFECT = Effect(
+    name="zero_drift",
+    title="joint zero moves with time",
+    source="derive/effects/zero_drift.py",
+    per_limb=True,
+    coefficients=(rate,),
+    targets={"joint": rate.symbol * time / 3600},
+)

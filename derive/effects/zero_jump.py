@@ -1,0 +1,17 @@
+"""The joint's zero jumps once: ``theta = q + size`` from the jump on."""
+
+from derive.effects import DEG, coefficient, state
+from derive.spec import Effect
+
+(after,) = state("after")
+size = coefficient("size", "deg", DEG, "size of the jump")
+when = coefficient("when", "s", 1.0, "time of the jump; the row, where there is no time")
+EFFECT = Effect(
+    name="zero_jump",
+    title="joint zero jumps once",
+    source="derive/effects/zero_jump.py",
+    per_limb=True,
+    coefficients=(size,),
+    constants=(when,),
+    targets={"joint": size.symbol * after},
+)

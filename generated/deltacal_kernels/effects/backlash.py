@@ -1,0 +1,41 @@
+"""Play, flips with the direction of approach.
+
+Generated from derive/effects/backlash.py by "deltacal kernels". Do not edit.
+Template templates/effect.py.jinja; sha256 of both 771f29a0c9d86c98; SymPy 1.14.0.
+
+Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): approach;
+coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
+"""
+
+import numpy as np
+
+NAME = "backlash"
+TITLE = "play, flips with the direction of approach"
+PER_LIMB = True
+STATE = ("approach", )
+TARGETS = ("joint", )
+# (name, unit in files, factor to the unit inside, meaning)
+COEFFICIENTS = (
+    ("width", "deg", 0.017453292519943295, "the full gap"),
+)
+CONSTANTS = (
+)
+
+
+def value(s, c, constants=()):
+    """Return by how much each target is moved, (M, 1)."""
+    approach = s[:, 0]
+    width = c[:, 0]
+    s0 = -0.5*approach*width
+    out = np.zeros((len(s), 1))
+    out[:, 0] = s0
+    return out
+
+
+def jacobian(s, c, constants=()):
+    """Return the derivatives of `value` by the coefficients, (M, 1, 1)."""
+    approach = s[:, 0]
+    s1 = -0.5*approach
+    out = np.zeros((len(s), 1))
+    out[:, 0] = s1
+    return out.reshape(len(s), 1, 1)

@@ -1,0 +1,47 @@
+"""Rods stretch.
+
+Generated from derive/effects/distal_compliance.py by "deltacal kernels". Do not edit.
+Template templates/effect.py.jinja; sha256 of both 56d45cd0a6116a5b; SymPy 1.14.0.
+
+Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): tension_1 tension_2;
+coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
+"""
+
+import numpy as np
+
+NAME = "distal_compliance"
+TITLE = "rods stretch"
+PER_LIMB = True
+STATE = ("tension_1", "tension_2", )
+TARGETS = ("error.l", "error.dl", )
+# (name, unit in files, factor to the unit inside, meaning)
+COEFFICIENTS = (
+    ("compliance", "mm/N", 1.0, "lengthening of a rod per tension"),
+)
+CONSTANTS = (
+)
+
+
+def value(s, c, constants=()):
+    """Return by how much each target is moved, (M, 2)."""
+    tension_1 = s[:, 0]
+    tension_2 = s[:, 1]
+    compliance = c[:, 0]
+    s1 = 0.5*compliance*(tension_1 + tension_2)
+    s3 = compliance*(tension_1 - tension_2)
+    out = np.zeros((len(s), 2))
+    out[:, 0] = s1
+    out[:, 1] = s3
+    return out
+
+
+def jacobian(s, c, constants=()):
+    """Return the derivatives of `value` by the coefficients, (M, 2, 1)."""
+    tension_1 = s[:, 0]
+    tension_2 = s[:, 1]
+    s2 = tension_1 - tension_2
+    s6 = 0.5*tension_1 + 0.5*tension_2
+    out = np.zeros((len(s), 2))
+    out[:, 0] = s6
+    out[:, 1] = s2
+    return out.reshape(len(s), 2, 1)

@@ -1,0 +1,43 @@
+"""Friction winds the joint up, by direction and load.
+
+Generated from derive/effects/friction_windup.py by "deltacal kernels". Do not edit.
+Template templates/effect.py.jinja; sha256 of both cc26ef6e54833e78; SymPy 1.14.0.
+
+Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): approach torque;
+coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
+"""
+
+import numpy as np
+
+NAME = "friction_windup"
+TITLE = "friction winds the joint up, by direction and load"
+PER_LIMB = True
+STATE = ("approach", "torque", )
+TARGETS = ("joint", )
+# (name, unit in files, factor to the unit inside, meaning)
+COEFFICIENTS = (
+    ("compliance", "deg/Nm", 1.7453292519943296e-05, "windup per torque"),
+)
+CONSTANTS = (
+)
+
+
+def value(s, c, constants=()):
+    """Return by how much each target is moved, (M, 1)."""
+    approach = s[:, 0]
+    torque = s[:, 1]
+    compliance = c[:, 0]
+    s1 = -approach*compliance*abs(torque)
+    out = np.zeros((len(s), 1))
+    out[:, 0] = s1
+    return out
+
+
+def jacobian(s, c, constants=()):
+    """Return the derivatives of `value` by the coefficients, (M, 1, 1)."""
+    approach = s[:, 0]
+    torque = s[:, 1]
+    s2 = -approach*abs(torque)
+    out = np.zeros((len(s), 1))
+    out[:, 0] = s2
+    return out.reshape(len(s), 1, 1)

@@ -1,0 +1,40 @@
+"""Joint twists with acceleration.
+
+Generated from derive/effects/inertial_deflection.py by "deltacal kernels". Do not edit.
+Template templates/effect.py.jinja; sha256 of both fb43a98d5f69d38c; SymPy 1.14.0.
+
+Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): inertia_torque;
+coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
+"""
+
+import numpy as np
+
+NAME = "inertial_deflection"
+TITLE = "joint twists with acceleration"
+PER_LIMB = True
+STATE = ("inertia_torque", )
+TARGETS = ("joint", )
+# (name, unit in files, factor to the unit inside, meaning)
+COEFFICIENTS = (
+    ("compliance", "deg/Nm", 1.7453292519943296e-05, "twist per torque of inertia"),
+)
+CONSTANTS = (
+)
+
+
+def value(s, c, constants=()):
+    """Return by how much each target is moved, (M, 1)."""
+    inertia_torque = s[:, 0]
+    compliance = c[:, 0]
+    s0 = compliance*inertia_torque
+    out = np.zeros((len(s), 1))
+    out[:, 0] = s0
+    return out
+
+
+def jacobian(s, c, constants=()):
+    """Return the derivatives of `value` by the coefficients, (M, 1, 1)."""
+    inertia_torque = s[:, 0]
+    out = np.zeros((len(s), 1))
+    out[:, 0] = inertia_torque
+    return out.reshape(len(s), 1, 1)

@@ -1,0 +1,51 @@
+"""The instrument drifts.
+
+Generated from derive/effects/instrument_drift.py by "deltacal kernels". Do not edit.
+Template templates/effect.py.jinja; sha256 of both eb279cc31c1ce506; SymPy 1.14.0.
+
+Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): time;
+coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.
+"""
+
+import numpy as np
+
+NAME = "instrument_drift"
+TITLE = "the instrument drifts"
+PER_LIMB = False
+STATE = ("time", )
+TARGETS = ("reading.x", "reading.y", "reading.z", )
+# (name, unit in files, factor to the unit inside, meaning)
+COEFFICIENTS = (
+    ("rate_x", "mm/h", 1.0, "drift along the instrument's x"),
+    ("rate_y", "mm/h", 1.0, "drift along the instrument's y"),
+    ("rate_z", "mm/h", 1.0, "drift along the instrument's z"),
+)
+CONSTANTS = (
+)
+
+
+def value(s, c, constants=()):
+    """Return by how much each target is moved, (M, 3)."""
+    time = s[:, 0]
+    rate_x = c[:, 0]
+    rate_y = c[:, 1]
+    rate_z = c[:, 2]
+    s0 = 0.0002777777777777778*rate_x*time
+    s1 = 0.0002777777777777778*rate_y*time
+    s2 = 0.0002777777777777778*rate_z*time
+    out = np.zeros((len(s), 3))
+    out[:, 0] = s0
+    out[:, 1] = s1
+    out[:, 2] = s2
+    return out
+
+
+def jacobian(s, c, constants=()):
+    """Return the derivatives of `value` by the coefficients, (M, 3, 3)."""
+    time = s[:, 0]
+    s3 = 0.0002777777777777778*time
+    out = np.zeros((len(s), 9))
+    out[:, 0] = s3
+    out[:, 4] = s3
+    out[:, 8] = s3
+    return out.reshape(len(s), 3, 3)

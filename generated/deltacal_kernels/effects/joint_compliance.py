@@ -1,0 +1,40 @@
+"""Joint or gearbox twists under the load.
+
+Generated from derive/effects/joint_compliance.py by "deltacal kernels". Do not edit.
+Template templates/effect.py.jinja; sha256 of both 2b5c07c2a717b07f; SymPy 1.14.0.
+
+Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): torque;
+coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
+"""
+
+import numpy as np
+
+NAME = "joint_compliance"
+TITLE = "joint or gearbox twists under the load"
+PER_LIMB = True
+STATE = ("torque", )
+TARGETS = ("joint", )
+# (name, unit in files, factor to the unit inside, meaning)
+COEFFICIENTS = (
+    ("compliance", "deg/Nm", 1.7453292519943296e-05, "twist per static torque"),
+)
+CONSTANTS = (
+)
+
+
+def value(s, c, constants=()):
+    """Return by how much each target is moved, (M, 1)."""
+    torque = s[:, 0]
+    compliance = c[:, 0]
+    s0 = compliance*torque
+    out = np.zeros((len(s), 1))
+    out[:, 0] = s0
+    return out
+
+
+def jacobian(s, c, constants=()):
+    """Return the derivatives of `value` by the coefficients, (M, 1, 1)."""
+    torque = s[:, 0]
+    out = np.zeros((len(s), 1))
+    out[:, 0] = torque
+    return out.reshape(len(s), 1, 1)

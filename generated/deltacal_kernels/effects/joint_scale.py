@@ -1,0 +1,40 @@
+"""Gear ratio or encoder scale is off.
+
+Generated from derive/effects/joint_scale.py by "deltacal kernels". Do not edit.
+Template templates/effect.py.jinja; sha256 of both 2fea5cb737717f0d; SymPy 1.14.0.
+
+Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): q;
+coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
+"""
+
+import numpy as np
+
+NAME = "joint_scale"
+TITLE = "gear ratio or encoder scale is off"
+PER_LIMB = True
+STATE = ("q", )
+TARGETS = ("joint", )
+# (name, unit in files, factor to the unit inside, meaning)
+COEFFICIENTS = (
+    ("scale", "1", 1.0, "error of the scale"),
+)
+CONSTANTS = (
+)
+
+
+def value(s, c, constants=()):
+    """Return by how much each target is moved, (M, 1)."""
+    q = s[:, 0]
+    scale = c[:, 0]
+    s0 = q*scale
+    out = np.zeros((len(s), 1))
+    out[:, 0] = s0
+    return out
+
+
+def jacobian(s, c, constants=()):
+    """Return the derivatives of `value` by the coefficients, (M, 1, 1)."""
+    q = s[:, 0]
+    out = np.zeros((len(s), 1))
+    out[:, 0] = q
+    return out.reshape(len(s), 1, 1)

@@ -1,0 +1,44 @@
+"""The position lags the joints.
+
+Generated from derive/effects/latency.py by "deltacal kernels". Do not edit.
+Template templates/effect.py.jinja; sha256 of both bc37c9db81a22309; SymPy 1.14.0.
+
+Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): speed acceleration;
+coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
+"""
+
+import numpy as np
+
+NAME = "latency"
+TITLE = "the position lags the joints"
+PER_LIMB = False
+STATE = ("speed", "acceleration", )
+TARGETS = ("joint", )
+# (name, unit in files, factor to the unit inside, meaning)
+COEFFICIENTS = (
+    ("delay", "s", 1.0, "time by which the position lags"),
+)
+CONSTANTS = (
+)
+
+
+def value(s, c, constants=()):
+    """Return by how much each target is moved, (M, 1)."""
+    speed = s[:, 0]
+    acceleration = s[:, 1]
+    delay = c[:, 0]
+    s3 = 0.5*acceleration*(delay * delay) - delay*speed
+    out = np.zeros((len(s), 1))
+    out[:, 0] = s3
+    return out
+
+
+def jacobian(s, c, constants=()):
+    """Return the derivatives of `value` by the coefficients, (M, 1, 1)."""
+    speed = s[:, 0]
+    acceleration = s[:, 1]
+    delay = c[:, 0]
+    s5 = acceleration*delay - speed
+    out = np.zeros((len(s), 1))
+    out[:, 0] = s5
+    return out.reshape(len(s), 1, 1)

@@ -1,0 +1,40 @@
+"""Joint twists under the payload.
+
+Generated from derive/effects/payload_deflection.py by "deltacal kernels". Do not edit.
+Template templates/effect.py.jinja; sha256 of both 696e524a306862b9; SymPy 1.14.0.
+
+Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): payload_torque;
+coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
+"""
+
+import numpy as np
+
+NAME = "payload_deflection"
+TITLE = "joint twists under the payload"
+PER_LIMB = True
+STATE = ("payload_torque", )
+TARGETS = ("joint", )
+# (name, unit in files, factor to the unit inside, meaning)
+COEFFICIENTS = (
+    ("compliance", "deg/Nm", 1.7453292519943296e-05, "twist per torque of the payload"),
+)
+CONSTANTS = (
+)
+
+
+def value(s, c, constants=()):
+    """Return by how much each target is moved, (M, 1)."""
+    payload_torque = s[:, 0]
+    compliance = c[:, 0]
+    s0 = compliance*payload_torque
+    out = np.zeros((len(s), 1))
+    out[:, 0] = s0
+    return out
+
+
+def jacobian(s, c, constants=()):
+    """Return the derivatives of `value` by the coefficients, (M, 1, 1)."""
+    payload_torque = s[:, 0]
+    out = np.zeros((len(s), 1))
+    out[:, 0] = payload_torque
+    return out.reshape(len(s), 1, 1)

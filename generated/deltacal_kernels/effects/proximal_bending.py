@@ -1,0 +1,45 @@
+"""Arm bends under the rods' pull.
+
+Generated from derive/effects/proximal_bending.py by "deltacal kernels". Do not edit.
+Template templates/effect.py.jinja; sha256 of both 1ef9cbc301a0a7dc; SymPy 1.14.0.
+
+Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): pull_v pull_w;
+coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
+"""
+
+import numpy as np
+
+NAME = "proximal_bending"
+TITLE = "arm bends under the rods' pull"
+PER_LIMB = True
+STATE = ("pull_v", "pull_w", )
+TARGETS = ("error.tip_v", "error.tip_w", )
+# (name, unit in files, factor to the unit inside, meaning)
+COEFFICIENTS = (
+    ("compliance", "mm/N", 1.0, "deflection of the tip per force"),
+)
+CONSTANTS = (
+)
+
+
+def value(s, c, constants=()):
+    """Return by how much each target is moved, (M, 2)."""
+    pull_v = s[:, 0]
+    pull_w = s[:, 1]
+    compliance = c[:, 0]
+    s0 = compliance*pull_v
+    s1 = compliance*pull_w
+    out = np.zeros((len(s), 2))
+    out[:, 0] = s0
+    out[:, 1] = s1
+    return out
+
+
+def jacobian(s, c, constants=()):
+    """Return the derivatives of `value` by the coefficients, (M, 2, 1)."""
+    pull_v = s[:, 0]
+    pull_w = s[:, 1]
+    out = np.zeros((len(s), 2))
+    out[:, 0] = pull_v
+    out[:, 1] = pull_w
+    return out.reshape(len(s), 2, 1)

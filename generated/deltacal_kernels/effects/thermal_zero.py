@@ -1,0 +1,40 @@
+"""Joint zero moves with temperature.
+
+Generated from derive/effects/thermal_zero.py by "deltacal kernels". Do not edit.
+Template templates/effect.py.jinja; sha256 of both 51034d344e4cb16b; SymPy 1.14.0.
+
+Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): warming;
+coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
+"""
+
+import numpy as np
+
+NAME = "thermal_zero"
+TITLE = "joint zero moves with temperature"
+PER_LIMB = True
+STATE = ("warming", )
+TARGETS = ("joint", )
+# (name, unit in files, factor to the unit inside, meaning)
+COEFFICIENTS = (
+    ("drift", "deg/K", 0.017453292519943295, "drift of the zero"),
+)
+CONSTANTS = (
+)
+
+
+def value(s, c, constants=()):
+    """Return by how much each target is moved, (M, 1)."""
+    warming = s[:, 0]
+    drift = c[:, 0]
+    s0 = drift*warming
+    out = np.zeros((len(s), 1))
+    out[:, 0] = s0
+    return out
+
+
+def jacobian(s, c, constants=()):
+    """Return the derivatives of `value` by the coefficients, (M, 1, 1)."""
+    warming = s[:, 0]
+    out = np.zeros((len(s), 1))
+    out[:, 0] = warming
+    return out.reshape(len(s), 1, 1)

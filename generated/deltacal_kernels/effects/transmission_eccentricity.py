@@ -1,0 +1,50 @@
+"""Periodic error of the transmission.
+
+Generated from derive/effects/transmission_eccentricity.py by "deltacal kernels". Do not edit.
+Template templates/effect.py.jinja; sha256 of both 7cce7c2b5176f07c; SymPy 1.14.0.
+
+Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): q;
+coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
+"""
+
+import numpy as np
+
+NAME = "transmission_eccentricity"
+TITLE = "periodic error of the transmission"
+PER_LIMB = True
+STATE = ("q", )
+TARGETS = ("joint", )
+# (name, unit in files, factor to the unit inside, meaning)
+COEFFICIENTS = (
+    ("cos", "deg", 0.017453292519943295, "amplitude of the cosine"),
+    ("sin", "deg", 0.017453292519943295, "amplitude of the sine"),
+)
+CONSTANTS = (
+    ("order", "1", 1.0, "periods per turn of the joint"),
+)
+
+
+def value(s, c, constants=()):
+    """Return by how much each target is moved, (M, 1)."""
+    q = s[:, 0]
+    cos = c[:, 0]
+    sin = c[:, 1]
+    order = constants[0]
+    s0 = order*q
+    s5 = cos*np.cos(s0) + sin*np.sin(s0)
+    out = np.zeros((len(s), 1))
+    out[:, 0] = s5
+    return out
+
+
+def jacobian(s, c, constants=()):
+    """Return the derivatives of `value` by the coefficients, (M, 1, 2)."""
+    q = s[:, 0]
+    order = constants[0]
+    s0 = order*q
+    s1 = np.cos(s0)
+    s3 = np.sin(s0)
+    out = np.zeros((len(s), 2))
+    out[:, 0] = s1
+    out[:, 1] = s3
+    return out.reshape(len(s), 1, 2)

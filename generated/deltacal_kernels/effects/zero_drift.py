@@ -1,0 +1,41 @@
+"""Joint zero moves with time.
+
+Generated from derive/effects/zero_drift.py by "deltacal kernels". Do not edit.
+Template templates/effect.py.jinja; sha256 of both c6a692e1fd47c786; SymPy 1.14.0.
+
+Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): time;
+coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
+"""
+
+import numpy as np
+
+NAME = "zero_drift"
+TITLE = "joint zero moves with time"
+PER_LIMB = True
+STATE = ("time", )
+TARGETS = ("joint", )
+# (name, unit in files, factor to the unit inside, meaning)
+COEFFICIENTS = (
+    ("rate", "deg/h", 0.017453292519943295, "drift of the zero per hour"),
+)
+CONSTANTS = (
+)
+
+
+def value(s, c, constants=()):
+    """Return by how much each target is moved, (M, 1)."""
+    time = s[:, 0]
+    rate = c[:, 0]
+    s0 = 0.0002777777777777778*rate*time
+    out = np.zeros((len(s), 1))
+    out[:, 0] = s0
+    return out
+
+
+def jacobian(s, c, constants=()):
+    """Return the derivatives of `value` by the coefficients, (M, 1, 1)."""
+    time = s[:, 0]
+    s1 = 0.0002777777777777778*time
+    out = np.zeros((len(s), 1))
+    out[:, 0] = s1
+    return out.reshape(len(s), 1, 1)

@@ -1,0 +1,41 @@
+"""Joint zero jumps once.
+
+Generated from derive/effects/zero_jump.py by "deltacal kernels". Do not edit.
+Template templates/effect.py.jinja; sha256 of both ba221b5aa2f0e9f5; SymPy 1.14.0.
+
+Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): after;
+coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
+"""
+
+import numpy as np
+
+NAME = "zero_jump"
+TITLE = "joint zero jumps once"
+PER_LIMB = True
+STATE = ("after", )
+TARGETS = ("joint", )
+# (name, unit in files, factor to the unit inside, meaning)
+COEFFICIENTS = (
+    ("size", "deg", 0.017453292519943295, "size of the jump"),
+)
+CONSTANTS = (
+    ("when", "s", 1.0, "time of the jump; the row, where there is no time"),
+)
+
+
+def value(s, c, constants=()):
+    """Return by how much each target is moved, (M, 1)."""
+    after = s[:, 0]
+    size = c[:, 0]
+    s0 = after*size
+    out = np.zeros((len(s), 1))
+    out[:, 0] = s0
+    return out
+
+
+def jacobian(s, c, constants=()):
+    """Return the derivatives of `value` by the coefficients, (M, 1, 1)."""
+    after = s[:, 0]
+    out = np.zeros((len(s), 1))
+    out[:, 0] = after
+    return out.reshape(len(s), 1, 1)

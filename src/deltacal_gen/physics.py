@@ -1,0 +1,520 @@
+"""Physics beyond geometry: effects on a machine, as exact deformation and as columns for a fit.
+
+An effect's own formulas are generated from ``derive/effects``; here its state is put together (joints, channels of the
+recording, loads from virtual work at the deformed pose) and its targets are led through the machine's derivatives by
+the chain rule. A machine with compliant parts is solved to its static equilibrium: loads at the pose, deformation by
+the loads, pose again, until nothing moves.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import importlib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from types import ModuleType
+from typing import Any
+
+import deltacal_kernels.effects
+import numpy as np
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism
+from deltacal_gen.recording import Recording
+from deltacal_gen.robot import Robot
+from deltacal_gen.units import DEG
+
+EQUILIBRIUM_STEPS = 25
+EQUILIBRIUM_DONE = 1e-9  # mm and rad: change of the pose between two steps
+LOADS = {
+    "torque",
+    "payload_torque",
+    "inertia_torque",
+    "pull_v",
+    "pull_w",
+    "tension_1",
+    "tension_2",
+    "moment_x",
+    "moment_y",
+}
+STEP_S = 1e-3  # of the second difference that gives the accelerations of the weights
+AXES = ("x", "y", "z")
+
+
+def effect_names() -> tuple[str, ...]:
+    """Return the names of all registered effects."""
+    return tuple(deltacal_kernels.effects.EFFECTS)
+
+
+@cache
+def load_effect(name: str) -> ModuleType:
+    """Return the generated module of an effect: its tables, `value` and `jacobian`."""
+    return importlib.import_module(f"deltacal_kernels.effects.{name}")
+
+
+@dataclass(frozen=True)
+class Term:
+    """An effect with its coefficients on a machine.
+
+    Attributes
+    ----------
+    effect : str
+    limbs : tuple of int
+        Limbs (from 1) that have it; empty for an effect of the whole machine.
+    constants : tuple of float
+        Found by search: the order of a harmonic, the time of a jump.
+    values : (limbs or 1, n_c) array
+        Coefficients [mm, rad, N, s, K].
+    tool : (3,) tuple, optional
+        The tool point it acts on, of effects that displace a measured point.
+    """
+
+    effect: str
+    limbs: tuple[int, ...]
+    values: Array
+    constants: tuple[float, ...] = ()
+    tool: tuple[float, ...] | None = None
+
+    @property
+    def kernels(self) -> ModuleType:
+        """The effect's generated module."""
+        return load_effect(self.effect)
+
+    @property
+    def n_coefficients(self) -> int:
+        """Number of coefficients, all limbs together."""
+        return int(self.values.size)
+
+    def with_values(self, flat: Array) -> Term:
+        """Return the term with other coefficients (n_coefficients,)."""
+        return dataclasses.replace(self, values=np.asarray(flat, dtype=float).reshape(self.values.shape))
+
+
+def blank(
+    effect: str, limbs: Sequence[int], constants: Sequence[float] = (), tool: Sequence[float] | None = None
+) -> Term:
+    """Return a term with all coefficients zero."""
+    kernels = load_effect(effect)
+    rows = len(limbs) if kernels.PER_LIMB else 1
+    return Term(
+        effect,
+        tuple(limbs) if kernels.PER_LIMB else (),
+        np.zeros((rows, len(kernels.COEFFICIENTS))),
+        tuple(constants),
+        None if tool is None else tuple(float(v) for v in tool),
+    )
+
+
+@dataclass(frozen=True)
+class Channels:
+    """What a recording says beside joints and readings, row by row; None where it says nothing.
+
+    approach, speed, acceleration (N, n_q) [1, rad/s, rad/s^2]; warming (N,) [K] over 20 degC; time (N,) [s];
+    payload (N,) [kg]; order (N,), the place of each row where there is no time.
+    """
+
+    approach: Array | None
+    speed: Array | None
+    acceleration: Array | None
+    warming: Array | None
+    time: Array | None
+    payload: Array
+    order: Array
+
+    @staticmethod
+    def of(recording: Recording, robot: Robot) -> Channels:
+        """Read the channels of a recording; joint channels are turned as the geometry counts."""
+        n = recording.joints.shape[1]
+
+        def joints(pattern: str, factor: float) -> Array | None:
+            found = [recording.channels.get(pattern.format(i + 1)) for i in range(n)]
+            if any(f is None for f in found):
+                return None
+            return np.column_stack([factor * s * f for s, f in zip(robot.joint_sign, found, strict=True)])
+
+        angular = recording.joint_unit == "rad"
+        unit, factor = ("deg", DEG) if angular else ("mm", 1.0)
+        temperature = recording.channels.get("temp_C")
+        payload = recording.channels.get("payload_kg")
+        return Channels(
+            approach=joints("approach{}", 1.0),
+            speed=joints("qd{}_" + unit + "_s", factor),
+            acceleration=joints("qdd{}_" + unit + "_s2", factor),
+            warming=None if temperature is None else temperature - 20.0,
+            time=recording.channels.get("time_s"),
+            payload=np.zeros(recording.n_rows) if payload is None else np.nan_to_num(payload),
+            order=np.arange(recording.n_rows, dtype=float),
+        )
+
+
+@dataclass(frozen=True)
+class Deformed:
+    """A machine moved by effects: what the kernels read, and the derivatives of what it sees by the coefficients."""
+
+    x: Array
+    q: Array
+    tool: Array
+    rows: Array
+
+
+class Body:
+    """A robot at the rows of a recording, with what an effect may read of it.
+
+    Parameters
+    ----------
+    robot, mechanism : Robot, Mechanism
+    q : (N, n_q) array
+        Reported joints as the geometry counts them.
+    tool : (N, 3) array
+    channels : Channels
+    """
+
+    def __init__(self, robot: Robot, mechanism: Mechanism, q: Array, tool: Array, channels: Channels) -> None:
+        self.robot, self.mechanism, self.q, self.tool, self.channels = robot, mechanism, q, tool, channels
+        self._names = [p.error for p in mechanism.parameters if p.limb == 1]
+        masses = robot.masses.model_dump() if robot.masses is not None else {}
+        self.gravity = np.asarray(masses.pop("gravity", (0.0, 0.0, -9.81)), dtype=float)
+        self.inertia = masses.pop("proximal_inertia", None)
+        self.masses: dict[str, float] = {k: v for k, v in masses.items() if v is not None}
+
+    def missing(self, effect: str) -> str | None:
+        """Return what an effect needs that is not there, in words; None where nothing is."""
+        kernels = load_effect(effect)
+        if unknown := [t for t in kernels.TARGETS if t.startswith("error.") and t[6:] not in self._targets()]:
+            return f"{self.mechanism.name} has nothing that could move as {unknown[0][6:]}"
+        needs = set(kernels.STATE)
+        if needs & LOADS and self.robot.masses is None:
+            return "[masses] in the robot file"
+        have = self.channels
+        for state, channel, words in (
+            ("approach", have.approach, "the columns approach1, approach2, approach3"),
+            ("speed", have.speed, "the columns qd1_deg_s, qd2_deg_s, qd3_deg_s"),
+            ("acceleration", have.acceleration, "the columns qdd1_deg_s2, qdd2_deg_s2, qdd3_deg_s2"),
+            ("inertia_torque", have.acceleration, "the columns qdd1_deg_s2, qdd2_deg_s2, qdd3_deg_s2"),
+            ("warming", have.warming, "the column temp_C"),
+            ("time", have.time, "the column time_s"),
+        ):
+            if state in needs and channel is None:
+                return words
+            if state in needs and channel is not None and np.isnan(channel).any():
+                return f"every cell of {words.removeprefix('the ')} (some are blank)"
+        return None
+
+    def _targets(self) -> tuple[str, ...]:
+        return (*self._names, *self.mechanism.deflections)
+
+    # ----------------------------------------------------------------------------------------------------- the state
+
+    def state(
+        self, names: Sequence[str], x: Array, q: Array, rows: Array, readings: Array | None = None
+    ) -> dict[str, Array]:
+        """Return what effects read, by name: (N, limbs) of a limb, (N,) of the machine, at a solved pose."""
+        N, limbs = self.q.shape
+        have, wanted = self.channels, set(names)
+        out: dict[str, Array] = {}
+        geometry = self.robot.geometry
+        simple: dict[str, Array | None] = {
+            "q": self.q,
+            "theta": q + rows[:, :, self._column("theta")],
+            "speed": have.speed,
+            "acceleration": have.acceleration,
+            "approach": have.approach,
+            "warming": have.warming,
+            "time": have.time,
+            "L": np.broadcast_to(geometry["proximal_length"], (N, limbs)) if "proximal_length" in geometry else None,
+            "l": np.broadcast_to(geometry["distal_length"], (N, limbs)) if "distal_length" in geometry else None,
+            "b": np.broadcast_to(geometry["base_radius"], (N, limbs)) if "base_radius" in geometry else None,
+            "phi": np.broadcast_to(geometry["limb_angle_deg"], (N, limbs)) if "limb_angle_deg" in geometry else None,
+        }
+        out |= {k: v for k, v in simple.items() if k in wanted and v is not None}
+        if wanted & (LOADS - {"payload_torque", "inertia_torque"}):
+            total = self.mechanism.loads(x, q, self.tool, rows, self.masses, self.gravity, have.payload)
+            out |= {"torque": total.torque, "moment_x": total.moment[:, 0], "moment_y": total.moment[:, 1]}
+            out |= {name: total.tension[:, :, j] for j, name in enumerate(("tension_1", "tension_2"))}
+            names_d = self.mechanism.deflections
+            out |= {f"pull_{a}": total.pull[:, :, names_d.index(f"tip_{a}")] for a in "vw" if f"tip_{a}" in names_d}
+        if "payload_torque" in wanted:
+            own = self.mechanism.loads(x, q, self.tool, rows, {}, self.gravity, have.payload)
+            out["payload_torque"] = own.torque
+        if "inertia_torque" in wanted and have.acceleration is not None:
+            out["inertia_torque"] = self._inertia(x, q, rows)
+        if readings is not None:
+            out |= {f"y_{a}": readings[:, j] for j, a in enumerate(AXES)} if readings.shape[1] >= 3 else {}
+            out |= {"y_length": readings[:, 0]}
+        return out
+
+    def _column(self, error: str) -> int:
+        return len(self.mechanism.geometry) + self._targets().index(error)
+
+    def _inertia(self, x: Array, q: Array, rows: Array) -> Array:
+        """Return the torque (N, n_q) of all masses times minus their acceleration [N mm].
+
+        Accelerations are second differences of the exact positions along the motion; the arm's inertia about its own
+        centre of mass turns with the joint.
+        """
+        have = self.channels
+        assert have.acceleration is not None
+        speed = np.zeros_like(q) if have.speed is None else have.speed
+        at = []
+        for t in (-STEP_S, 0.0, STEP_S):
+            moved = q + speed * t + have.acceleration * t**2 / 2
+            pose, _ = self.mechanism.forward(moved, self.tool, rows, near=x)
+            at.append(self.mechanism.weights_at(pose, moved, self.tool, rows, self.masses))
+        fields = -(at[0] - 2 * at[1] + at[2]) / STEP_S**2 / 1000.0  # mm/s^2 -> m/s^2
+        loads = self.mechanism.loads(x, q, self.tool, rows, self.masses, fields, have.payload)
+        arm = self.masses.get("proximal", 0.0) * self.robot.geometry["proximal_length"] ** 2 / 12
+        own = float(np.ravel(arm if self.inertia is None else self.inertia)[0])  # kg mm^2
+        return loads.torque - own * have.acceleration / 1000.0  # kg mm^2/s^2 = 1e-3 N mm
+
+    # ------------------------------------------------------------------------------------------------ deformation
+
+    def _inputs(self, term: Term, state: Mapping[str, Array]) -> Array:
+        """Return the term's state as the kernels read it, (N * limbs, n_s), or (N, n_s) for targets of the machine."""
+        kernels = term.kernels
+        by_limb = self._by_limb(kernels)
+        N, limbs = self.q.shape
+        columns = []
+        for name in kernels.STATE:
+            if name == "after":
+                clock = self.channels.order if self.channels.time is None else self.channels.time
+                value = (clock >= term.constants[0]).astype(float)
+            else:
+                value = state[name]
+            if by_limb and value.ndim == 1:
+                value = np.repeat(value[:, None], limbs, axis=1)
+            columns.append(value.ravel() if by_limb else value)
+        size = N * limbs if by_limb else N
+        return np.column_stack(columns) if columns else np.zeros((size, 0))
+
+    @staticmethod
+    def _by_limb(kernels: ModuleType) -> bool:
+        return any(t == "joint" or t.startswith("error.") for t in kernels.TARGETS)
+
+    def _coefficients(self, term: Term) -> Array:
+        """Return the coefficients as the kernels read them: (N * limbs, n_c), zero where a limb has none."""
+        N, limbs = self.q.shape
+        if not self._by_limb(term.kernels):
+            return term.values
+        c = np.zeros((limbs, term.values.shape[1]))
+        if term.limbs:
+            c[[i - 1 for i in term.limbs]] = term.values
+        else:
+            c[:] = term.values
+        return np.tile(c, (N, 1))
+
+    def moved(self, terms: Sequence[Term], state: Mapping[str, Array]) -> dict[str, Array]:
+        """Return the displacement of every target: (N, limbs) of a limb, (N,) of the machine."""
+        N, limbs = self.q.shape
+        out: dict[str, Array] = {}
+        for term in terms:
+            kernels = term.kernels
+            if not set(kernels.STATE) - {"after"} <= state.keys():
+                continue  # a target of the reading, whose state is not known yet
+            values = kernels.value(self._inputs(term, state), self._coefficients(term), term.constants)
+            for j, target in enumerate(kernels.TARGETS):
+                value = values[:, j].reshape(N, limbs) if self._by_limb(kernels) else values[:, j]
+                if term.tool is not None:
+                    value = np.where(self.uses(term.tool), value, 0.0)
+                out[target] = out[target] + value if target in out else value
+        return out
+
+    def uses(self, tool: Sequence[float]) -> np.ndarray:
+        """Return which rows (N,) measure a tool point."""
+        mask: np.ndarray = np.linalg.norm(self.tool - np.asarray(tool), axis=1) < 1e-6
+        return mask
+
+    def solve(self, errors: Array, terms: Sequence[Term], near: Array | None = None) -> tuple[Deformed, np.ndarray]:
+        """Return the machine in static equilibrium with all effects on it, and the status (N,) of each row.
+
+        Parameters
+        ----------
+        errors : (n_p,) array
+            Source errors [mm, rad].
+        near : (N, n_x) array, optional
+            Where to start.
+        """
+        mechanism = self.mechanism
+        plain = mechanism.rows(self.robot, errors)
+        names = {s for t in terms for s in t.kernels.STATE} - {"after", "y_x", "y_y", "y_z", "y_length"}
+        x, status = mechanism.forward(self.q, self.tool, plain, near)
+        if not terms:
+            return Deformed(x, self.q, self.tool, plain), status
+        ok = status == SOLVED
+        q, rows, tool = self.q, plain, self.tool
+        for _ in range(EQUILIBRIUM_STEPS):
+            safe = np.where(ok[:, None], x, 0.0)
+            shift = self.moved(terms, self.state(sorted(names), safe, q, rows))
+            q = self.q + shift.get("joint", 0.0)
+            rows = self._rows(errors, shift)
+            tool = self.tool + np.column_stack([np.broadcast_to(shift.get(f"tool.{a}", 0.0), len(x)) for a in AXES])
+            last = x
+            x, status = mechanism.forward(q, tool, rows, near=safe)
+            ok = status == SOLVED
+            if not names & LOADS or np.max(np.abs((x - last)[ok]), initial=0.0) < EQUILIBRIUM_DONE:
+                break
+        turn = np.column_stack([np.broadcast_to(shift.get(f"turn.{a}", 0.0), len(x)) for a in AXES])
+        if turn.any():
+            x = x.copy()
+            x[:, :3] += np.cross(turn, x[:, :3])
+            x[:, 3:6] += turn  # both rotations are small: their product is far below any reading
+        return Deformed(x, q, tool, rows), status
+
+    def _rows(self, errors: Array, shift: Mapping[str, Array]) -> Array:
+        named = {t[6:]: v for t, v in shift.items() if t.startswith("error.")}
+        base = self.mechanism.rows(self.robot, errors)
+        if not named:
+            return base
+        rows = np.repeat(base, len(self.q), axis=0)
+        for name, value in named.items():
+            rows[:, :, self._column(name)] += value
+        return rows
+
+    # ---------------------------------------------------------------------------------------------------- columns
+
+    def columns(
+        self,
+        terms: Sequence[Term],
+        body: Deformed,
+        parameters: Array,
+        deflections: Array,
+        joints: Array,
+        chosen: np.ndarray,
+    ) -> Array:
+        """Return derivatives of the platform coordinates by all coefficients, (N, n_x, n_c), at fixed loads.
+
+        Parameters
+        ----------
+        parameters, deflections, joints : arrays
+            `Sensitivity` of the rows `chosen`; other rows are zero.
+        """
+        N, limbs = self.q.shape
+        names = sorted({s for t in terms for s in t.kernels.STATE} - {"after", "y_x", "y_y", "y_z", "y_length"})
+        state = self.state(names, np.nan_to_num(body.x), body.q, body.rows)
+        n_e = len(self._names)
+        S_e = parameters.reshape(len(chosen), -1, limbs, n_e)
+        found = []
+        for term in terms:
+            kernels = term.kernels
+            if not self._by_limb(kernels):
+                found.append(self._machine_columns(term, state, body, parameters.shape[1], chosen))
+                continue
+            D = kernels.jacobian(self._inputs(term, state), self._coefficients(term), term.constants)
+            D = D.reshape(N, limbs, len(kernels.TARGETS), -1)[chosen]
+            out = np.zeros((len(chosen), parameters.shape[1], limbs, D.shape[-1]))
+            for j, target in enumerate(kernels.TARGETS):
+                if target == "joint":
+                    S = joints
+                elif target[6:] in self._names:
+                    S = S_e[..., self._names.index(target[6:])]
+                else:
+                    S = deflections[..., self.mechanism.deflections.index(target[6:])]
+                out += S[..., None] * D[:, None, :, j]
+            own = [i - 1 for i in term.limbs]
+            part = out[:, :, own].reshape(len(chosen), out.shape[1], -1) if own else out.sum(axis=2)
+            full = np.zeros((N, *part.shape[1:]))
+            full[chosen] = part
+            found.append(full)
+        return np.concatenate(found, axis=2) if found else np.zeros((N, parameters.shape[1], 0))
+
+    def _machine_columns(
+        self, term: Term, state: Mapping[str, Array], body: Deformed, n_x: int, chosen: np.ndarray
+    ) -> Array:
+        kernels = term.kernels
+        n_c = len(kernels.COEFFICIENTS)
+        out = np.zeros((len(self.q), n_x, n_c))
+        targets = [t for t in kernels.TARGETS if t[:5] in ("turn.", "tool.")]
+        if not targets:
+            return out  # acts on the reading
+        D = kernels.jacobian(self._inputs(term, state), term.values, term.constants)
+        for j, target in enumerate(kernels.TARGETS):
+            axis = AXES.index(target[-1])
+            unit = np.eye(3)[axis]
+            if target.startswith("turn."):
+                step = np.hstack([np.cross(unit, body.x[:, :3]), np.tile(unit, (len(out), 1))])
+            else:
+                from deltacal_gen.rotation import cayley_matrix
+
+                step = np.zeros((len(out), n_x))
+                step[:, :3] = cayley_matrix(np.nan_to_num(body.x[:, 3:6]))[:, :, axis]
+                if term.tool is not None:
+                    step[~self.uses(term.tool)] = 0.0
+            out += step[:, :, None] * D[:, None, j, :]
+        keep = np.zeros(len(out), dtype=bool)
+        keep[chosen] = True
+        out[~keep] = 0.0
+        return out
+
+    def check(self, status: np.ndarray, used: np.ndarray, recording: Recording) -> None:
+        """Raise an InputError that names the first row of `used` without a pose."""
+        bad = used[status[used] != SOLVED]
+        if len(bad):
+            raise InputError(
+                f"at these joints the machine is {STATUS[int(status[bad[0]])]}"
+                + (f" (and at {len(bad) - 1} more rows)." if len(bad) > 1 else "."),
+                "Check the joint columns, their signs and units, and the robot's lengths.",
+                file=recording.path,
+                line=int(recording.line[bad[0]]),
+            )
+
+
+def reading_shift(terms: Sequence[Term], body: Body, rows: np.ndarray, values: Array) -> tuple[Array, Array]:
+    """Return what effects on the reading add to predicted readings (R, k), and the derivatives (R, k, n_c).
+
+    Parameters
+    ----------
+    rows : (R, 1 or 2) int array
+        Rows of the recording of each reading.
+    values : (R, k) array
+        Readings as predicted without these effects.
+    """
+    R, k = values.shape
+    added, parts = np.zeros((R, k)), []
+    for term in terms:
+        kernels = term.kernels
+        n_c = term.n_coefficients
+        own = np.zeros((R, k, n_c))
+        on = [j for j, t in enumerate(kernels.TARGETS) if _acts(t, k)]
+        if on and not Body._by_limb(kernels):
+            state: dict[str, Array] = {f"y_{a}": values[:, j] if k >= 3 else np.zeros(R) for j, a in enumerate(AXES)}
+            state["y_length"] = values[:, 0]
+            if body.channels.time is not None:
+                state["time"] = body.channels.time[rows[:, 0]]
+            if set(kernels.STATE) <= state.keys():
+                s = np.column_stack([state[n] for n in kernels.STATE]) if kernels.STATE else np.zeros((R, 0))
+                value, D = (
+                    kernels.value(s, term.values, term.constants),
+                    kernels.jacobian(s, term.values, term.constants),
+                )
+                for j in on:
+                    row = AXES.index(kernels.TARGETS[j][-1]) if k >= 3 else 0
+                    added[:, row] += value[:, j]
+                    own[:, row] += D[:, j]
+        parts.append(own)
+    return added, np.concatenate(parts, axis=2) if parts else np.zeros((R, k, 0))
+
+
+def _acts(target: str, k: int) -> bool:
+    return target.startswith("reading.") if k >= 3 else target == "length"
+
+
+def term_to_dict(term: Term) -> dict[str, Any]:
+    """Return a term for a result file, in its own units inside."""
+    return {
+        "effect": term.effect,
+        "limbs": list(term.limbs),
+        "constants": list(term.constants),
+        "values": term.values.tolist(),
+        "tool": None if term.tool is None else list(term.tool),
+    }
+
+
+def term_from_dict(data: Mapping[str, Any]) -> Term:
+    """Return the term of a result file."""
+    return Term(
+        data["effect"],
+        tuple(data["limbs"]),
+        np.asarray(data["values"], dtype=float),
+        tuple(data["constants"]),
+        None if data["tool"] is None else tuple(data["tool"]),
+    )

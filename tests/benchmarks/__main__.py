@@ -1,0 +1,129 @@
+"""Run the benchmarks: ``python -m tests.benchmarks [--quick] [--only W1s,W5] [--json FILE]``.
+
+All contenders of a work run in one process, in turn (A B C A B C ...), so that a busy machine slows them alike; a
+ratio is the median over the repetitions of neighbouring runs. Ratios carry over to other machines, times do not.
+"""
+
+from __future__ import annotations
+
+import os
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before NumPy is loaded
+
+import argparse
+import gc
+import json
+import platform
+import statistics
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+from rich.console import Console
+from rich.table import Table
+
+from .works import INNER, NUMBA, NUMPY, OURS, WORKS, Contender, Work, disagreement, works
+
+SCALE = {"ns": 1e9, "us": 1e6, "ms": 1e3, "s": 1.0}
+SLOW = 0.3  # s; a run this long is repeated less often, and alone
+
+
+def measure(work: Work, repetitions: int, sample: float) -> dict[str, list[float]]:
+    """Return the times [unit of the work] of every contender, repetition by repetition.
+
+    Parameters
+    ----------
+    sample : float
+        A sample repeats short runs until they take about so long [s].
+    """
+    loops = {name: max(1, round(sample / _timed(c, 1))) for name, c in work.contenders.items()}
+    once = max(_timed(c, 1) for c in work.contenders.values())
+    count = repetitions if once < SLOW else max(2, repetitions // 3)
+    times: dict[str, list[float]] = {name: [] for name in work.contenders}
+    scale = SCALE[work.unit.split("/")[0]] / work.count
+    for _ in range(count):
+        for name, contender in work.contenders.items():
+            times[name].append(_timed(contender, loops[name]) * scale)
+    return times
+
+
+def _timed(contender: Contender, loops: int) -> float:
+    """Return the time of one run [s], the mean of `loops`; where there is something to do before, of one alone."""
+    if contender.before is not None:
+        contender.before()
+        loops = 1
+    gc.collect()
+    gc.disable()
+    begin = time.perf_counter()
+    for _ in range(loops):
+        contender.run()
+    spent = time.perf_counter() - begin
+    gc.enable()
+    return spent / loops
+
+
+def row(name: str, work: Work, times: dict[str, list[float]]) -> dict[str, Any]:
+    """Return a work's figures for the table and the JSON file."""
+    ratio = {
+        contender: statistics.median(b / a for a, b in zip(mine, times[NUMPY], strict=True))
+        for contender, mine in times.items()
+        if contender != NUMPY
+    }
+    return {
+        "work": name,
+        "what": work.what,
+        "unit": work.unit,
+        "minimum": {contender: min(t) for contender, t in times.items()},
+        "median": {contender: statistics.median(t) for contender, t in times.items()},
+        "times_numpy": ratio,
+        "repetitions": len(times[NUMPY]),
+    }
+
+
+def table(rows: list[dict[str, Any]]) -> Table:
+    """Return the table of all works: medians, minima in brackets, and ratios of medians."""
+    out = Table("work", "", "unit", title="time: median (minimum); x: faster than NumPy by hand on the same work")
+    for head in ("ours", "kernel", "NumPy", "Numba", "ours x", "kernel x", "Numba x"):
+        out.add_column(head, justify="right")
+    for r in rows:
+        cells = [
+            f"{r['median'][c]:.3g} ({r['minimum'][c]:.3g})" if c in r["median"] else ""
+            for c in (OURS, INNER, NUMPY, NUMBA)
+        ]
+        ratios = [f"{r['times_numpy'][c]:.2g}" if c in r["times_numpy"] else "" for c in (OURS, INNER, NUMBA)]
+        out.add_row(r["work"], r["what"], r["unit"], *cells, *ratios)
+    return out
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the works asked for, print the table; return 1 where contenders disagree."""
+    parser = argparse.ArgumentParser(prog="python -m tests.benchmarks", description=__doc__.split("\n")[0])
+    parser.add_argument("--quick", action="store_true", help="smaller sizes, fewer repetitions")
+    parser.add_argument("--only", default=",".join(WORKS), metavar="W1s,W5", help="these works, or all that begin so")
+    parser.add_argument("--json", type=Path, metavar="FILE", help="write all figures")
+    given = parser.parse_args(arguments)
+    asked = given.only.split(",")
+    names = [name for name in WORKS if name in asked or any(name.startswith(a) and a not in WORKS for a in asked)]
+    if not names:
+        parser.error(f"no such work; there are {', '.join(WORKS)}")
+    rows, wrong = [], []
+    for done, (name, work) in enumerate(works(names, int(given.quick))):
+        print(f"{done + 1}/{len(names)} {name}: {work.what}", file=sys.stderr, flush=True)
+        wrong += [
+            f"{name}: {who} differs from NumPy by {much:.2g} tolerances"
+            for who, much in disagreement(work).items()
+            if not much <= 1
+        ]
+        rows.append(row(name, work, measure(work, 5 if given.quick else 15, 0.01 if given.quick else 0.05)))
+    Console(width=None if sys.stdout.isatty() else 200).print(table(rows))
+    if given.json is not None:
+        machine = {"machine": platform.platform(), "python": platform.python_version()}
+        given.json.write_text(json.dumps({**machine, "quick": given.quick, "works": rows}, indent=1) + "\n")
+    for line in wrong:
+        print(line, file=sys.stderr)
+    return int(bool(wrong))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

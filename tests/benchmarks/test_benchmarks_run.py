@@ -1,0 +1,20 @@
+"""Every contender of every benchmark computes the same numbers: no benchmark compares different work."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+# by the name that `python -m tests.benchmarks` uses: Numba's cache holds the names of modules
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+from tests.benchmarks.works import WORKS, disagreement, works
+
+QUICK = [name for name in WORKS if not name.endswith("_cold") and "command" not in name]
+
+
+@pytest.mark.parametrize("name", QUICK)
+def test_all_contenders_agree(name: str) -> None:
+    [(_, work)] = works([name], size=2)
+    assert all(much <= 1 for much in disagreement(work).values())

@@ -1,0 +1,469 @@
+"""The works, each done by the package and by hand; every contender of a work computes the same numbers."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import cache, partial
+from pathlib import Path
+from typing import Any
+
+import deltacal_kernels
+import numpy as np
+from numba import njit
+
+from deltacal_gen import commands
+from deltacal_gen.compensation import Compensator
+from deltacal_gen.estimation import fit, pose_problem
+from deltacal_gen.identifiability import identification_matrix
+from deltacal_gen.identification import identify
+from deltacal_gen.mechanism import load_mechanism
+from deltacal_gen.recording import Measurement, Recording
+from deltacal_gen.robot import Robot, robot_from_dict, robot_to_toml
+from deltacal_gen.solvers import LeastSquares
+
+from . import by_hand, by_hand_numba
+
+Array = np.ndarray
+OURS, INNER, NUMPY, NUMBA = "ours", "inner", "NumPy", "Numba"  # complete call, its kernel, by hand, by hand and scalar
+MM = 1e-6  # agreement of lengths, and of angles times lengths
+POINT = np.array([60.0, -20.0, -40.0])  # a reference point beside the centre of the platform [mm]
+SIGMA = 0.005  # mm; a laser tracker
+DELTA = load_mechanism("delta")
+ROBOT = robot_from_dict(
+    {
+        "robot": {"name": "prototype", "mechanism": "delta"},
+        "geometry": {
+            "base_radius": by_hand.BASE,
+            "platform_radius": by_hand.PLATFORM,
+            "proximal_length": by_hand.ARM,
+            "distal_length": by_hand.ROD,
+            "joint_spacing": by_hand.SPACING,
+        },
+        "workspace": {"top": by_hand.TOP, "radius": by_hand.RADIUS, "height": by_hand.HEIGHT},
+    }
+)
+# column of each of the mechanism's parameters in the paper's order, and the paper's unknown per mm or rad
+PAPER = np.array([[8 * i + k if k < 8 else 16 + 6 * i + k for k in range(14)] for i in range(3)]).ravel()
+UNIT = DELTA.scaling("paper", ROBOT, [p.name for p in DELTA.parameters])
+
+
+@dataclass(frozen=True)
+class Contender:
+    """One way of doing a work.
+
+    Attributes
+    ----------
+    run : callable
+        What is timed; it returns its result.
+    view : callable
+        Result to the array that all contenders must agree on; not timed.
+    before : callable, optional
+        Done before every single run; not timed.
+    """
+
+    run: Callable[[], Any]
+    view: Callable[[Any], Array] = np.asarray
+    before: Callable[[], None] | None = None
+
+
+@dataclass(frozen=True)
+class Work:
+    """What is done, how often in one run, and by whom; `tolerance` is that of the agreement."""
+
+    what: str
+    unit: str
+    count: int
+    contenders: dict[str, Contender]
+    tolerance: float = MM
+
+
+def positions(n: int, seed: int = 1) -> Array:
+    """Return points anywhere in the workspace (n, 3)."""
+    rng = np.random.default_rng(seed)
+    radius, turn = by_hand.RADIUS * np.sqrt(rng.random(n)), 2 * np.pi * rng.random(n)
+    return np.column_stack(
+        [radius * np.cos(turn), radius * np.sin(turn), -by_hand.TOP - by_hand.HEIGHT * rng.random(n)]
+    )
+
+
+def rings(n: int) -> Array:
+    """Return home and the paper's poses: rings on the rim of the top and of the bottom layer, n poses in all."""
+    turn = 4 * np.pi * np.arange(n - 1) / (n - 1)
+    z = np.where(np.arange(n - 1) < (n - 1) // 2, -by_hand.TOP, -by_hand.TOP - by_hand.HEIGHT)
+    circle = np.column_stack([by_hand.RADIUS * np.cos(turn), by_hand.RADIUS * np.sin(turn), z])
+    return np.vstack([[0.0, 0.0, -by_hand.TOP - by_hand.HEIGHT / 2], circle])
+
+
+def errors(model: str = "42", seed: int = 2) -> Array:
+    """Return ordinary source errors (42,) of a model [mm, rad], in the mechanism's order."""
+    chosen = np.isin([p.name for p in DELTA.parameters], DELTA.model(model))
+    return np.where(chosen, DELTA.typical * np.random.default_rng(seed).standard_normal(42), 0.0)
+
+
+def paper(p: Array) -> Array:
+    """Return source errors [mm, rad] as the paper's unknowns, in its order."""
+    out = np.empty(42)
+    out[PAPER] = p * UNIT
+    return out
+
+
+def columns(model: str) -> list[int]:
+    """Return the paper's columns of a model, in the mechanism's order."""
+    return [int(PAPER[DELTA.index[name]]) for name in DELTA.model(model)]
+
+
+@cache
+def settle() -> None:
+    """Bring the mechanism to its steady state: after one large call it uses the compiled kernels."""
+    DELTA.forward(np.full((25_000, 3), -0.1), np.zeros(3), DELTA.rows(ROBOT))
+
+
+# ------------------------------------------------------------------------------------------------------- kinematics
+
+
+def sensitivity(n: int, *, rotation: bool) -> Work:
+    """Derivatives of the pose by all 42 errors at the ideal machine; the package's also by joints and deflections."""
+    settle()
+    rows, r = (6 if rotation else 3), positions(n)
+    theta = by_hand.ideal_inverse(r)
+    x, k, p = np.hstack([r, np.zeros((n, 3))]), DELTA.compiled.constants(DELTA.rows(ROBOT)), DELTA.rows(ROBOT)
+    tool, S_p, S_q, status = np.zeros((n, 3)), np.empty((n, 6, 48)), np.empty((n, 6, 3)), np.empty(n, dtype=np.int64)
+
+    def kernel() -> Array:
+        DELTA.compiled.sensitivity(x, theta, tool, k, S_p, S_q, status)
+        return S_p.reshape(n, 6, 3, 16)[..., :14].reshape(n, 6, 42)
+
+    def in_paper(S: Array) -> Array:
+        out = np.empty((n, rows, 42))
+        out[:, :, PAPER] = S[:, :rows] / UNIT
+        return out
+
+    contenders = {
+        OURS: Contender(lambda: DELTA.sensitivity(x, theta, np.zeros(3), p), lambda s: in_paper(s.parameters)),
+        INNER: Contender(kernel, in_paper),
+        NUMPY: Contender(partial(by_hand.sensitivity, theta, r, np.empty((n, rows, 42)))),
+    }
+    if not rotation:
+        out = np.empty((n, 3, 42))
+        contenders[NUMBA] = Contender(lambda: by_hand_numba.sensitivity(theta, r, out), lambda _: out)
+    what = f"sensitivity of {'position and rotation' if rotation else 'the position'}, {n} poses"
+    return Work(what, "ns/pose", n, contenders)
+
+
+def matrix(n: int) -> Work:
+    """H of model 32 from the distances of all pairs of n poses."""
+    settle()
+    r = rings(n)
+    theta = by_hand.ideal_inverse(r)
+    recording = recorded(theta, [(POINT, r + POINT)])
+    problem = pose_problem(ROBOT, recording, DELTA.model("32"), as_distance=True)
+    whole = partial(commands.matrix, ROBOT, recording, "32", as_distance=True, scaling="paper")
+    return Work(
+        f"identification matrix, {n} poses, {n * (n - 1) // 2} x 32",
+        "us",
+        1,
+        {
+            OURS: Contender(whole, lambda found: found["H"]),
+            INNER: Contender(lambda: identification_matrix(problem, "paper"), lambda found: found.H),
+            NUMPY: Contender(lambda: by_hand.identification_matrix(theta, r, POINT, columns("32"))),
+        },
+    )
+
+
+def ideal(n: int, *, forward: bool) -> Work:
+    """Positions or joints of the ideal machine; the package solves all six rods, by hand it is a closed form."""
+    settle()
+    r = positions(n)
+    theta, p, out = by_hand.ideal_inverse(r), DELTA.rows(ROBOT), np.empty((n, 3))
+    ours = {
+        True: Contender(lambda: DELTA.forward(theta, np.zeros(3), p), lambda found: found[0][:, :3]),
+        False: Contender(lambda: DELTA.inverse(r, np.zeros(3), p), lambda found: found[0]),
+    }
+    name, given = ("ideal_forward", theta) if forward else ("ideal_inverse", r)
+    numpy, numba = getattr(by_hand, name), getattr(by_hand_numba, name)
+    return Work(
+        f"ideal machine, {'positions' if forward else 'joints'}, {n} poses",
+        "ns/pose",
+        n,
+        {
+            OURS: ours[forward],
+            NUMPY: Contender(lambda: by_hand.in_blocks(numpy, given, np.empty((n, 3)))),
+            NUMBA: Contender(lambda: numba(given, out), lambda _: out),
+        },
+    )
+
+
+def forward(n: int) -> Work:
+    """Exact poses of one machine with errors."""
+    settle()
+    theta, p = by_hand.ideal_inverse(positions(n)), errors()
+    rods, rows = by_hand.machine(paper(p)), DELTA.rows(ROBOT, p)
+    k, tool, status = DELTA.compiled.constants(rows), np.zeros((n, 3)), np.empty(n, dtype=np.int64)
+    x, out = np.empty((n, 6)), np.empty((n, 6))
+    return Work(
+        f"exact forward position, {n} poses",
+        "ns/pose",
+        n,
+        {
+            OURS: Contender(lambda: DELTA.forward(theta, np.zeros(3), rows), lambda found: found[0]),
+            INNER: Contender(lambda: DELTA.compiled.forward(theta, tool, k, x, status, False), lambda _: x),
+            NUMPY: Contender(lambda: by_hand.in_blocks(partial(by_hand.forward, rods=rods), theta, np.empty((n, 6)))),
+            NUMBA: Contender(lambda: by_hand_numba.forward(theta, rods, out), lambda _: out),
+        },
+    )
+
+
+# ------------------------------------------------------------------------------------------------------ compensation
+
+
+def calibrated() -> Robot:
+    """Return the machine with errors."""
+    return dataclasses.replace(
+        ROBOT, errors=dict(zip((p.name for p in DELTA.parameters), errors().tolist(), strict=True))
+    )
+
+
+def servo(n: int, *, kind: str) -> Work:
+    """Commands of the compensator, one set point after the other in a compiled loop."""
+    target, p = positions(n), paper(errors())
+    compensator, q, out = Compensator(calibrated(), kind), np.empty((n, 3)), np.empty((n, 3))
+    one = compensator.servo()
+    step = one.command
+
+    @njit
+    def loop(target: Array, tool: Array, constants: Array, work: Array, q: Array) -> None:
+        for n in range(len(target)):
+            step(target[n], tool, constants, work, q[n])
+
+    if kind == "linear":
+        numpy: Callable[..., Array] = partial(by_hand.command, p=p)
+    else:
+        numpy = partial(by_hand.inverse, rods=by_hand.machine(p))
+    contenders = {
+        OURS: Contender(lambda: loop(target, one.tool, one.constants, one.work, q), lambda _: q),
+        NUMPY: Contender(lambda: by_hand.in_blocks(numpy, target, np.empty((n, 3)))),
+    }
+    if kind == "linear":
+        contenders[NUMBA] = Contender(lambda: by_hand_numba.commands(target, p, out), lambda _: out)
+    rule = "eq. (23)" if kind == "linear" else "exact"
+    return Work(f"compensator, {rule}, compiled loop of {n}", "ns/set point", n, contenders, tolerance=1e-9)
+
+
+def call(n: int, *, kind: str) -> Work:
+    """Commands of the compensator, one set point per Python call."""
+    target, p = positions(1), paper(errors())
+    compensator, rods = Compensator(calibrated(), kind), by_hand.machine(p)
+    numpy = {"linear": lambda: by_hand.command(target, p), "exact": lambda: by_hand.inverse(target, rods)}
+    return Work(
+        f"compensator, {'eq. (23)' if kind == 'linear' else kind}, one per Python call",
+        "us/call",
+        1,
+        {OURS: Contender(lambda: compensator.command(target), lambda found: found[0]), NUMPY: Contender(numpy[kind])},
+        tolerance=1e-9,
+    )
+
+
+# ---------------------------------------------------------------------------------------------------- identification
+
+
+def recorded(theta: Array, points: list[tuple[Array, Array]]) -> Recording:
+    """Return the recording of positions (n, 3) read at each reference point, the offset of which is given."""
+    n, many = len(theta), len(points)
+    return Recording(
+        path=Path("recording.csv"),
+        kind="position",
+        measurement=Measurement(kind="position", sigma_mm=SIGMA),
+        joint_unit="rad",
+        joints=np.tile(theta, (many, 1)),
+        columns=("x_mm", "y_mm", "z_mm"),
+        measured=np.vstack([at for _, at in points]),
+        pose=np.tile(np.arange(n).astype(str), many),
+        line=np.arange(n * many) + 2,
+        channels={},
+        setup=np.zeros(n * many, dtype=int),
+        setup_names=("1",),
+        tool=np.repeat([offset for offset, _ in points], n, axis=0),
+    )
+
+
+def measured(model: str, n: int = 19) -> tuple[Array, list[tuple[Array, Array]]]:
+    """Return joints of the paper's poses and what a tracker reads on a machine with the errors of a model."""
+    theta, p, rng = by_hand.ideal_inverse(rings(n)), paper(errors(model)), np.random.default_rng(3)
+    points = [np.zeros(3)] if model == "18" else [np.zeros(3), POINT]
+    read = [by_hand.forward(theta, by_hand.machine(p, at), at)[:, :3] for at in points]
+    return theta, [(at, r + SIGMA * rng.standard_normal(r.shape)) for at, r in zip(points, read, strict=True)]
+
+
+def identification(n: int, *, model: str) -> Work:
+    """Encoder offsets, then a model, from the distances of all pairs; the package also says how far to trust them."""
+    settle()
+    theta, points = measured(model, n)
+    recording = recorded(theta, points)
+
+    def two_fits() -> Array:
+        problem = pose_problem(ROBOT, recording, (), as_distance=True)
+        how = {"robust": False, "weigh_repeats": False}
+        rough = fit(problem.with_names(DELTA.model("3")), LeastSquares(), **how)
+        begin = {"errors": rough.errors, "instrument": rough.instrument}
+        final = fit(problem.with_names(DELTA.model(model)), LeastSquares(), **begin, **how)
+        return final.errors
+
+    whole = partial(identify, ROBOT, recording, model, as_distance=True, solver="least-squares", robust=False)
+    return Work(
+        f"identification, offsets and model {model}, {len(points)} x {n} positions",
+        "ms",
+        1,
+        {
+            OURS: Contender(whole, lambda found: reach(paper(found.fit.errors))),
+            INNER: Contender(two_fits, lambda p: reach(paper(p))),
+            NUMPY: Contender(lambda: by_hand.identify(theta, points, columns(model)), reach),
+        },
+        tolerance=SIGMA,  # by hand the matrix is that of the ideal machine: the minimum is a little off
+    )
+
+
+def reach(p: Array) -> Array:
+    """Return where the machine with errors p (42,) goes over the workspace: what identifications must agree on."""
+    return by_hand.forward(by_hand.ideal_inverse(positions(50, seed=4)), by_hand.machine(p))[:, :3]
+
+
+# -------------------------------------------------------------------------------------------------------- cold start
+
+
+@cache
+def _place() -> tempfile.TemporaryDirectory[str]:
+    """Return a folder with the files to identify from, and a copy of the kernels without compiled code."""
+    place = tempfile.TemporaryDirectory(prefix="deltacal-bench-")
+    folder = Path(place.name)
+    theta, [(_, at)] = measured("18")
+    (folder / "robot.toml").write_text(robot_to_toml(ROBOT), encoding="utf-8")
+    head = "q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm"
+    table = np.hstack([np.degrees(theta), at])
+    np.savetxt(folder / "recording.csv", table, "%.12g", ",", header=head, comments="")
+    package = Path(deltacal_kernels.__file__).parent
+    shutil.copytree(package, folder / package.name, ignore=shutil.ignore_patterns("*.nbi", "*.nbc"))
+    return place
+
+
+def _empty_cache() -> None:
+    for pattern in ("*.nbi", "*.nbc"):
+        for path in Path(_place().name).rglob(pattern):
+            path.unlink()
+
+
+def _process(*command: str | Path) -> str:
+    """Run a program on the copied kernels; return what it prints."""
+    environment = os.environ | {"PYTHONPATH": _place().name, "OPENBLAS_NUM_THREADS": "1"}
+    environment.pop("NUMBA_CACHE_DIR", None)
+    done = subprocess.run([str(c) for c in command], cwd=_place().name, env=environment, capture_output=True, text=True)
+    if done.returncode:
+        raise RuntimeError(f"{' '.join(map(str, command))}\n{done.stderr}")
+    return done.stdout
+
+
+_API = """
+import json
+from deltacal_gen import commands
+found = commands.identify("robot.toml", "recording.csv", "18", as_distance=True)
+print(json.dumps({"parameters": found["parameters"]}))
+"""
+_COMMAND = """
+import json, sys
+import numpy as np
+from deltacal_gen.compensation import Compensator
+from deltacal_gen.robot import read_robot
+import dataclasses
+target, errors = json.loads(sys.argv[1]), json.loads(sys.argv[2])
+robot = dataclasses.replace(read_robot("robot.toml"), errors=errors)
+print(*Compensator(robot).command(np.array([target]))[0][0])
+"""
+
+
+def start(n: int, *, what: str, cold: bool) -> Work:
+    """From the start of the process to the first result, Numba's cache empty or full."""
+    python, by_numpy = sys.executable, Path(by_hand.__file__)
+    target, before = positions(1)[0].tolist(), _empty_cache if cold else None
+    view: Callable[[str], Array] = lambda text: reach(_errors_of(json.loads(text)))  # noqa: E731
+    if what == "command":
+        arguments = (json.dumps(target), json.dumps(calibrated().errors))
+        ours = Contender(partial(_process, python, "-c", _COMMAND, *arguments), _numbers, before)
+        given = map(repr, (*target, *paper(errors()).tolist()))
+        numpy = Contender(partial(_process, python, by_numpy, "command", *given), _numbers)
+        tolerance = 1e-4  # rad; by hand it is eq. (23)
+    else:
+        program: tuple[str | Path, ...] = (python, "-c", _API)
+        if what == "deltacal identify":
+            tool = Path(sys.executable).with_name("deltacal")
+            program = (
+                tool,
+                *["identify", "robot.toml", "recording.csv", "--model", "18", "--as", "distance", "--json"],
+            )
+        ours = Contender(partial(_process, *program), view, before)
+        numpy = Contender(
+            partial(_process, python, by_numpy, "identify", "recording.csv"), lambda text: reach(_numbers(text))
+        )
+        tolerance = 10 * SIGMA  # the package's default is robust and has priors
+    state = "empty" if cold else "full"
+    return Work(f"process start to {what}, cache {state}", "s", 1, {OURS: ours, NUMPY: numpy}, tolerance)
+
+
+def _numbers(text: str) -> Array:
+    return np.array(text.split(), dtype=float)
+
+
+def _errors_of(result: dict[str, Any]) -> Array:
+    value = {p["name"]: p["value"] * (np.pi / 180 if p["unit"] == "deg" else 1.0) for p in result["parameters"]}
+    return paper(DELTA.vector(value))
+
+
+# name: how it is made, and its size in full, in a quick run and in the test
+WORKS: dict[str, tuple[Callable[[int], Work], tuple[int, int, int]]] = {
+    "W1": (partial(sensitivity, rotation=False), (100_000, 20_000, 30)),
+    "W1s": (partial(sensitivity, rotation=False), (512, 512, 7)),
+    "W1p": (partial(sensitivity, rotation=True), (512, 512, 7)),
+    "W2_19": (matrix, (19, 19, 7)),
+    "W2_200": (matrix, (200, 200, 9)),
+    "W3ik": (partial(ideal, forward=False), (100_000, 20_000, 30)),
+    "W3fk": (partial(ideal, forward=True), (100_000, 20_000, 30)),
+    "W4exact": (partial(servo, kind="exact"), (100_000, 20_000, 30)),
+    "W4linear": (partial(servo, kind="linear"), (100_000, 20_000, 30)),
+    "W4py_exact": (partial(call, kind="exact"), (1, 1, 1)),
+    "W4py_linear": (partial(call, kind="linear"), (1, 1, 1)),
+    "W5": (forward, (100_000, 20_000, 30)),
+    "W5s": (forward, (19, 19, 7)),
+    "W6_18": (partial(identification, model="18"), (19, 19, 19)),
+    "W6_32": (partial(identification, model="32"), (19, 19, 19)),
+    "W7_cold": (partial(start, what="identification", cold=True), (1, 1, 1)),
+    "W7_warm": (partial(start, what="identification", cold=False), (1, 1, 1)),
+    "W7cli_cold": (partial(start, what="deltacal identify", cold=True), (1, 1, 1)),
+    "W7cli_warm": (partial(start, what="deltacal identify", cold=False), (1, 1, 1)),
+    "W7command_cold": (partial(start, what="command", cold=True), (1, 1, 1)),
+    "W7command_warm": (partial(start, what="command", cold=False), (1, 1, 1)),
+}
+
+
+def works(names: list[str], size: int) -> Iterator[tuple[str, Work]]:
+    """Make the works one by one, in size 0 (full), 1 (quick) or 2 (test)."""
+    for name in names:
+        make, sizes = WORKS[name]
+        yield name, make(sizes[size])
+
+
+def disagreement(work: Work) -> dict[str, float]:
+    """Run every contender once; return by how much each differs from NumPy, in units of the tolerance."""
+    seen = {}
+    for name, contender in work.contenders.items():
+        if contender.before is not None:
+            contender.before()
+        seen[name] = np.array(contender.view(contender.run()))
+    return {
+        name: float(np.abs(value - seen[NUMPY]).max() / work.tolerance) for name, value in seen.items() if name != NUMPY
+    }
