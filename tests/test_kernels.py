@@ -351,7 +351,7 @@ def test_static_torque_is_minus_the_slope_of_potential_energy(
     machine: Solved, robot: Robot, mechanism: Mechanism
 ) -> None:
     payload = 2.5
-    torque, _ = mechanism.torques(machine.x, machine.q, machine.tool, machine.rows, MASSES, GRAVITY, payload)
+    torque = mechanism.torques(machine.x, machine.q, machine.tool, machine.rows, MASSES, GRAVITY, payload)
     for joint in range(3):
 
         def slope(h: float, joint: int = joint) -> np.ndarray:
@@ -372,20 +372,51 @@ def test_gravity_on_a_horizontal_arm_is_negative(robot: Robot, mechanism: Mechan
     rows, q = mechanism.rows(robot), np.zeros((1, 3))
     x, _ = mechanism.forward(q, np.zeros(3), rows)
     down = np.array([0.0, 0.0, -9.81])
-    alone, _ = mechanism.torques(x, q, np.zeros(3), rows, {"proximal": 1.2, "proximal_com": 0.4}, down)
+    alone = mechanism.torques(x, q, np.zeros(3), rows, {"proximal": 1.2, "proximal_com": 0.4}, down)
     assert alone == pytest.approx(np.full((1, 3), -1.2 * 9.81 * 0.4 * 375.0), rel=1e-12)  # nothing else has mass
-    loaded, _ = mechanism.torques(x, q, np.zeros(3), rows, MASSES, down, payload=1.0)
+    loaded = mechanism.torques(x, q, np.zeros(3), rows, MASSES, down, payload=1.0)
     assert (loaded < alone).all()
 
 
 def test_rods_that_carry_a_platform_pull(robot: Robot, mechanism: Mechanism) -> None:
-    """Six equal rods at the centre: the vertical parts of their pulls are the weight."""
+    """Six equal rods at the centre, arms flat: their pulls' vertical parts are the weight, and the arms feel them."""
     rows, q = mechanism.rows(robot), np.zeros((1, 3))
     x, _ = mechanism.forward(q, np.zeros(3), rows)
-    _, multipliers = mechanism.torques(x, q, np.zeros(3), rows, {"platform": 2.0}, np.array([0.0, 0.0, -9.81]))
-    tension = np.abs(multipliers) * 950.0
+    loads = mechanism.loads(x, q, np.zeros(3), rows, {"platform": 2.0}, np.array([0.0, 0.0, -9.81]))
     vertical = -x[0, 2] / 950.0
-    assert tension == pytest.approx(np.full((1, 6), 2.0 * 9.81 / 6 / vertical), rel=1e-12)
+    assert loads.tension == pytest.approx(np.full((1, 3, 2), 2.0 * 9.81 / 6 / vertical), rel=1e-12)
+    each = -2.0 * 9.81 / 3  # on each arm's tip: v points up, and no pull goes sideways
+    assert loads.pull == pytest.approx(np.tile([each, 0.0], (1, 3, 1)), abs=1e-9)
+    assert loads.torque == pytest.approx(np.full((1, 3), each * 375.0), rel=1e-12)
+    assert loads.moment == pytest.approx(np.zeros((1, 3)), abs=1e-9)
+
+
+def test_a_pull_on_a_tip_is_minus_the_slope_of_energy_along_it(
+    machine: Solved, robot: Robot, mechanism: Mechanism
+) -> None:
+    """The rods' part: the weights of rods, platform and payload, moved by the tip's displacement at held joints."""
+    hanging = {k: v for k, v in MASSES.items() if k != "proximal"} | {"proximal": 0.0, "distal_rod": 0.0}
+    loads = mechanism.loads(machine.x, machine.q, machine.tool, machine.rows, hanging, GRAVITY, 2.5)
+    p = mechanism.vector(machine.errors)
+
+    def weight_energy(x: np.ndarray) -> np.ndarray:
+        O = x[:, :3] - np.einsum("nij,nj->ni", cayley_matrix(x[:, 3:]), machine.tool)  # noqa: E741
+        return -(2.5 * x[:, :3] + MASSES["platform"] * O) @ GRAVITY
+
+    for limb in range(3):
+        for which in range(2):
+
+            def slope(h: float, limb: int = limb, which: int = which) -> np.ndarray:
+                tip = np.zeros((1, 3, 2))
+                tip[0, limb, which] = h
+                plus, minus = (
+                    mechanism.forward(machine.q, machine.tool, mechanism.rows(robot, p, s * tip))[0] for s in (1, -1)
+                )
+                return np.asarray((weight_energy(plus) - weight_energy(minus)) / (2 * h))
+
+            extrapolated = (4 * slope(0.5) - slope(1.0)) / 3
+            # 3e4 N mm of energy rounded at 1e-11 over 1 mm, below the fourth order of the extrapolation
+            assert loads.pull[:, limb, which] == pytest.approx(-extrapolated, abs=1e-7)
 
 
 def test_shapes_are_checked_by_name(robot: Robot, mechanism: Mechanism) -> None:

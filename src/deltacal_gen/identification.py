@@ -123,10 +123,10 @@ def identify(
 
     progress("rough stage: encoder offsets")
     before = _residual_of(problem, problem.reference)
-    rough = _rough(everything, mechanism, robust)
-    _check_rows(rough, recording)
+    first = rough(everything, mechanism, robust)
+    check_rows(first, recording)
     progress(f"fine stage: {len(names)} parameters of {chosen}")
-    final = fit(problem, rule, errors=rough.errors, instrument=rough.instrument, robust=robust)
+    final = fit(problem, rule, errors=first.errors, instrument=first.instrument, robust=robust)
     progress(f"held-out error: {FOLDS} folds")
     heldout = _held_out(final, rule, robust)
     progress("identifiability")
@@ -147,14 +147,14 @@ def identify(
     return Identification(
         model=chosen,
         fit=final,
-        rough=rough,
+        rough=first,
         before_rms=rms(before),
         heldout_rms=heldout,
         observability=observed,
         unseen=unseen,
         weak=weak,
         remedies=_remedies(final) if unseen or weak else [],
-        noise=_noise(final, recording),
+        noise=noise(final, recording),
         prior_given=given,
         robot=calibrated,
         map=uncertainty_map(final, calibrated),
@@ -207,6 +207,14 @@ def _model(mechanism: Mechanism, problem: Problem, recording: Recording, asked: 
     return smallest
 
 
+def enough(mechanism: Mechanism, problem: Problem, recording: Recording) -> None:
+    """Raise an InputError where the readings cannot carry the problem's own parameters and the instrument's."""
+    extra = problem.begin(problem.reference).n_unknown
+    needed = len(problem.names) + extra
+    if problem.readings.n_scalars < needed:
+        raise _too_few(recording, problem.readings.n_scalars, needed, mechanism.full_model, extra)
+
+
 def _too_few(recording: Recording, scalars: int, needed: int, model: str, extra: int) -> InputError:
     of_instrument = f" and {extra} of the instrument" if extra else ""
     return InputError(
@@ -217,22 +225,22 @@ def _too_few(recording: Recording, scalars: int, needed: int, model: str, extra:
     )
 
 
-def _rough(problem: Problem, mechanism: Mechanism, robust: bool) -> Fit:
+def rough(problem: Problem, mechanism: Mechanism, robust: bool) -> Fit:
     """Fit the smallest model, the encoder offsets, starting from the robot file."""
     smallest = min(mechanism.models.values(), key=len)
     return fit(problem.with_names(smallest), LeastSquares(), robust=robust, weigh_repeats=False)
 
 
-def _check_rows(rough: Fit, recording: Recording) -> None:
+def check_rows(first: Fit, recording: Recording) -> None:
     """Refuse rows whose measured cells stand against the joints of another row.
 
     Two readings that are gross errors, and each of which fits the pose of the other, were swapped.
     """
-    found, suspects = rough.problem.readings, rough.gross
+    found, suspects = first.problem.readings, first.gross
     if found.kind not in ("position", "pose") or not 2 <= len(suspects) <= max(2, len(found) // 5):
         return
-    predicted = found.values - rough.residual[:, :3]
-    within = 6 * float(np.median(np.linalg.norm(rough.residual[:, :3], axis=1))) + 1e-9
+    predicted = found.values - first.residual[:, :3]
+    within = 6 * float(np.median(np.linalg.norm(first.residual[:, :3], axis=1))) + 1e-9
     gap = np.linalg.norm(found.values[suspects][:, None] - predicted[suspects][None], axis=2)
     for i in range(len(suspects)):
         j = int(np.argmin(gap[i]))
@@ -306,11 +314,11 @@ def _held_out(full: Fit, rule: Solver, robust: bool) -> float:
 # ----------------------------------------------------------------------------------------------- what is pinned
 
 
-def _noise(final: Fit, recording: Recording) -> tuple[float, str]:
-    """Return the noise per coordinate [mm] and where it is known from, the surest source first.
+def noise(final: Fit, recording: Recording) -> tuple[float, str]:
+    """Return the noise per coordinate [mm] and where it is known from: repeats, the sidecar, or what the fit leaves.
 
-    Repeats count where every channel but time is the same in both readings: the spread of others holds more than
-    noise. What the fit leaves is an upper bound of the noise, so repeats or a declared sigma above it are not believed.
+    Repeats count where every channel but time is the same in both readings. Whatever else happens between two
+    readings of a pose adds to their spread, and what the fit leaves is an upper bound too: the smallest is believed.
     """
     residual = float(final.sigma[0])
     found = final.problem.readings
@@ -323,12 +331,13 @@ def _noise(final: Fit, recording: Recording) -> tuple[float, str]:
     else:
         group = found.group
     _, within, degrees = Repeats.ratio_of(np.nan_to_num(final.residual[:, :3]), group)
+    known = []
     if degrees >= 12 and 0 < within <= (1.1 * residual) ** 2:
-        return float(np.sqrt(within)), "repeats"
+        known.append((float(np.sqrt(within)), "repeats"))
     declared = recording.measurement.sigma_mm
     if declared is not None and declared <= 1.5 * residual:
-        return declared, "declared"
-    return residual, "residual"
+        known.append((declared, "declared"))
+    return min(known, default=(residual, "residual"))
 
 
 def _weak(final: Fit, n_unseen: int, units: list[str]) -> list[Combination]:

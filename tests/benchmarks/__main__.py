@@ -23,10 +23,14 @@ from typing import Any
 from rich.console import Console
 from rich.table import Table
 
-from .works import INNER, NUMBA, NUMPY, OURS, WORKS, Contender, Work, disagreement, works
+from .works import KERNEL, NUMBA, NUMPY, OURS, WORKS, Contender, Work, disagreement, works
 
 SCALE = {"ns": 1e9, "us": 1e6, "ms": 1e3, "s": 1.0}
-SLOW = 0.3  # s; a run this long is repeated less often, and alone
+SLOW = 0.3  # s; a run this long is repeated less often
+TITLE = (
+    "median (minimum). ours: the call a user writes; kernel: the part of it that computes; NumPy, Numba: by hand, Numba "
+    "one pose after the other. x: how many times faster than NumPy on the same work"
+)
 
 
 def measure(work: Work, repetitions: int, sample: float) -> dict[str, list[float]]:
@@ -37,9 +41,9 @@ def measure(work: Work, repetitions: int, sample: float) -> dict[str, list[float
     sample : float
         A sample repeats short runs until they take about so long [s].
     """
-    loops = {name: max(1, round(sample / _timed(c, 1))) for name, c in work.contenders.items()}
-    once = max(_timed(c, 1) for c in work.contenders.values())
-    count = repetitions if once < SLOW else max(2, repetitions // 3)
+    once = {name: _timed(contender, 1) for name, contender in work.contenders.items()}
+    loops = {name: max(1, round(sample / spent)) for name, spent in once.items()}
+    count = repetitions if max(once.values()) < SLOW else max(2, repetitions // 4)
     times: dict[str, list[float]] = {name: [] for name in work.contenders}
     scale = SCALE[work.unit.split("/")[0]] / work.count
     for _ in range(count):
@@ -83,15 +87,15 @@ def row(name: str, work: Work, times: dict[str, list[float]]) -> dict[str, Any]:
 
 def table(rows: list[dict[str, Any]]) -> Table:
     """Return the table of all works: medians, minima in brackets, and ratios of medians."""
-    out = Table("work", "", "unit", title="time: median (minimum); x: faster than NumPy by hand on the same work")
+    out = Table("work", "what", "unit", title=TITLE)
     for head in ("ours", "kernel", "NumPy", "Numba", "ours x", "kernel x", "Numba x"):
         out.add_column(head, justify="right")
     for r in rows:
         cells = [
             f"{r['median'][c]:.3g} ({r['minimum'][c]:.3g})" if c in r["median"] else ""
-            for c in (OURS, INNER, NUMPY, NUMBA)
+            for c in (OURS, KERNEL, NUMPY, NUMBA)
         ]
-        ratios = [f"{r['times_numpy'][c]:.2g}" if c in r["times_numpy"] else "" for c in (OURS, INNER, NUMBA)]
+        ratios = [f"{r['times_numpy'][c]:.2g}" if c in r["times_numpy"] else "" for c in (OURS, KERNEL, NUMBA)]
         out.add_row(r["work"], r["what"], r["unit"], *cells, *ratios)
     return out
 

@@ -96,7 +96,7 @@ def _turning(rod):
 
 
 def sensitivity(theta, r, out, offset=(0.0, 0.0, 0.0)):
-    """Fill out (N, 3, 42) with C_P of eq. (8) at a point `offset` of the platform; (N, 6, 42) with eq. (9) below it."""
+    """Fill out (N, 3, 42) with C of eq. (8), and with C_P of a point `offset` off the platform's centre."""
     for start in range(0, len(theta), BLOCK):
         part = slice(start, start + BLOCK)
         rod, B_r, B_e = _factors(theta[part], r[part])
@@ -105,12 +105,8 @@ def sensitivity(theta, r, out, offset=(0.0, 0.0, 0.0)):
         if np.any(offset):
             H += _cross(M, offset)
         own = out[part]
-        first, rest = own[..., :24].reshape(len(own), -1, 3, 8), own[..., 24:].reshape(len(own), -1, 3, 6)
-        first[:, :3] = _products(G, B_r)
-        rest[:, :3] = _products(H, B_e)
-        if out.shape[1] == 6:
-            first[:, 3:] = 0.0
-            rest[:, 3:] = _products(M, B_e)
+        own[..., :24].reshape(-1, 3, 3, 8)[:] = _products(G, B_r)
+        own[..., 24:].reshape(-1, 3, 3, 6)[:] = _products(H, B_e)
     return out
 
 
@@ -197,6 +193,38 @@ def _closure(P, c, elbow, rods):
     d = P[:, None] + hand - elbow
     moment = _cross(hand, d)
     return ((d * d).sum(axis=0) - rods[:, 12, None] ** 2) / 2, d, shrink * (moment + _cross(moment, c) / 2)
+
+
+def machine_derivatives(p, offset=(0.0, 0.0, 0.0), h=1e-4):
+    """Return the derivatives (14 errors, 6 rods, 14) of `machine` by the errors of a rod's own limb."""
+    whole = np.array([machine(p + h * e, offset) - machine(p - h * e, offset) for e in np.eye(42)]) / (2 * h)
+    first, second = whole[:24].reshape(3, 8, 6, 14), whole[24:].reshape(3, 6, 6, 14)
+    return np.concatenate([first, second], axis=1).sum(axis=0)  # a rod of another limb does not change
+
+
+def exact_sensitivity(theta, x, rods, derivatives):
+    """Return the derivatives of the exact poses x (N, 6) by the errors, (N, 6, 3 limbs, 14 errors)."""
+    out = np.empty((len(x), 6, 3, 14))
+    elbow, turned = _elbows(theta, rods)
+    J = np.empty((len(x), 6, 6))
+    _, d, J.T[3:] = _closure(x.T[:3], x.T[3:], elbow, rods)
+    J.T[:3] = d
+    inverse = np.linalg.inv(J)
+    c = x.T[3:, None]
+    back = _cross(d, c)  # the rods as the platform sees them
+    back = d + (back - _cross(back, c) / -2) / (1 + (c * c).sum(axis=0) / 4)
+    angle = theta + rods[::2, 13]
+    sin, cos = np.sin(angle)[..., None], np.cos(angle)[..., None]
+    for i in range(3):
+        J_p = np.empty((len(x), 2, 14))
+        for j, rod in enumerate((2 * i, 2 * i + 1)):
+            D, own = derivatives[:, rod].T, d[:, rod].T
+            J_p[:, j] = (
+                back[:, rod].T @ D[9:12] - own @ D[6:9] - cos[:, i] * (own @ D[0:3]) - sin[:, i] * (own @ D[3:6])
+            )
+            J_p[:, j] -= rods[rod, 12] * D[12] + np.outer((own * turned[:, rod].T).sum(axis=1), D[13])
+        np.matmul(-inverse[:, :, 2 * i : 2 * i + 2], J_p, out=out[:, :, i])
+    return out
 
 
 def forward(theta, rods, offset=(0.0, 0.0, 0.0)):

@@ -1,0 +1,678 @@
+"""Diagnosis: is there a mismatch, where, what physics was left out, and does it hold on poses that no fit has seen.
+
+The full identifiable geometry and the instrument's unknowns are fitted first and stay in every comparison: what
+geometry can explain is geometry. Every registered effect is then a candidate. Its columns, with geometry and instrument
+projected out, say how much of the misfit it could explain that nothing else does; the gain in chi2 is charged for its
+coefficients and for the search (limbs, orders, times). What is chosen is refitted exactly, jointly with everything, and
+the search goes on from there until nothing earns its price; then it goes backwards.
+
+Two errors are worse than silence: naming physics that is not there, and forcing a name on what no effect explains.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import itertools
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from deltacal_gen import identification, physics
+from deltacal_gen.errors import NoSolutionError
+from deltacal_gen.estimation import Fit, Problem, fit, pose_problem, rms
+from deltacal_gen.identification import BROAD, folds, noise
+from deltacal_gen.mechanism import Array, load_mechanism
+from deltacal_gen.physics import Term, blank, effect_names, load_effect, reading_shift, term_to_dict
+from deltacal_gen.recording import Recording, check_units
+from deltacal_gen.robot import Robot, robot_to_dict
+from deltacal_gen.solvers import Prior
+
+SCHEMA = "deltacal.diagnosis/1"
+MARGIN = 10.0  # of chi2, beyond all charges: what an effect must earn to be named
+AMBIGUOUS = 10.0  # of chi2: two explanations closer than this are not told apart
+MOST_EFFECTS = 3
+ORDERS = 100  # integer orders of a periodic error that are searched
+ROOM = 10.0  # mm: root mean square that an effect's coefficient may well move the readings, a prior that never pulls
+LACK_OF_FIT = 1.3  # of chi2 per degree of freedom, against a noise known beforehand
+STRUCTURE = 25.0  # of chi2, beyond its charge: structure that is left in what should be noise
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """An effect with its searched constants, on all limbs, and where its columns stand."""
+
+    term: Term
+    start: int
+
+    @property
+    def name(self) -> str:
+        return self.term.effect
+
+    def columns(self, limbs: Sequence[int]) -> list[int]:
+        """Return the columns of a subset of limbs (from 1); all of them for an effect of the whole machine."""
+        n_c = self.term.values.shape[1]
+        if not self.term.limbs:
+            return list(range(self.start, self.start + n_c))
+        return [self.start + self.term.limbs.index(i) * n_c + j for i in limbs for j in range(n_c)]
+
+    def subsets(self) -> list[tuple[int, ...]]:
+        """Return the sets of limbs that are considered."""
+        limbs = self.term.limbs
+        if not limbs:
+            return [()]
+        return [s for n in range(1, len(limbs) + 1) for s in itertools.combinations(limbs, n)]
+
+
+@dataclass(frozen=True)
+class Found:
+    """A candidate's best form: its gain in chi2 and what is left of it after all charges."""
+
+    candidate: Candidate
+    limbs: tuple[int, ...]
+    gain: float
+    score: float
+
+    @property
+    def term(self) -> Term:
+        """The term that it would add to the machine."""
+        t = self.candidate.term
+        return blank(t.effect, self.limbs, t.constants, t.tool)
+
+
+class Search:
+    """The linear problem at a fit: residual and candidates' columns with everything already fitted projected out."""
+
+    def __init__(self, at: Fit, terms: Sequence[Term]) -> None:
+        problem = at.problem
+        machine = problem.solve(at.errors)
+        state = problem.linearise(at.errors, at.instrument, machine)
+        read = np.isfinite(state.residual)
+        w = np.sqrt(at.weights)[:, None] / at.sigma
+        candidates, start = [], 0
+        for term in terms:
+            candidates.append(Candidate(term, start))
+            start += term.n_coefficients
+        self.candidates = candidates
+        raw = self._raw(problem, at, machine, terms)
+
+        def rows(values: Array) -> Array:
+            scaled = np.where(read[..., None], values * w[..., None], 0.0)
+            return at.repeats.whiten(scaled)[read]
+
+        base = rows(np.concatenate([state.J_p * problem.scale, state.J_m], axis=2))
+        r = rows(state.residual[..., None])[:, 0]
+        n = len(problem.scale)
+        # the prior's rows: geometry moves as far as drawings leave it open, not to the ends of a flat direction
+        prior = np.concatenate([np.eye(n), np.zeros((n, base.shape[1] - n))], axis=1)
+        Q_all = np.linalg.qr(np.vstack([base, prior]))[0]
+        Q = Q_all[: len(r)]
+        columns = rows(raw)
+        self.size = np.linalg.norm(columns, axis=0)
+        columns = columns / np.maximum(self.size, 1e-300)
+        # what the base cannot follow: with the prior's rows the projection is (I - Q Q^T) on the readings' part
+        self.rest = 1.0 - np.einsum("ij,ij->j", Q.T @ columns, Q.T @ columns)
+        self.gram = columns.T @ columns - (Q.T @ columns).T @ (Q.T @ columns)
+        departure = (at.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
+        pulled = np.concatenate([r, -departure])
+        left = pulled - Q_all @ (Q_all.T @ pulled)
+        self.reach = columns.T @ left[: len(r)]
+        self.readings = len(r)
+
+    @staticmethod
+    def _raw(problem: Problem, at: Fit, machine: physics.Deformed, terms: Sequence[Term]) -> Array:
+        used = np.unique(problem.readings.rows)
+        rows = machine.rows if len(machine.rows) == 1 else machine.rows[used]
+        S = problem.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)
+        dx = problem.effect_columns(terms, machine, used, S)
+        J, _ = at.instrument.linearise(problem.readings, machine.x, dx)
+        values, _ = at.instrument.predict(problem.readings, machine.x)
+        J[:, : values.shape[1]] += reading_shift(terms, problem.body, problem.readings.rows, values)[1]
+        return J
+
+    def gain(self, columns: Sequence[int]) -> float:
+        """Return by how much columns, fitted together with all that is fitted already, lower chi2."""
+        seen = [j for j in columns if self.rest[j] > 1e-6]
+        if not seen:
+            return 0.0
+        G, b = self.gram[np.ix_(seen, seen)], self.reach[seen]
+        values, vectors = np.linalg.eigh(G)
+        keep = values > 1e-8 * values[-1]
+        along = vectors[:, keep].T @ b
+        return float(np.sum(along**2 / values[keep]))
+
+    def best(self, name: str, sets: dict[str, int]) -> Found | None:
+        """Return an effect's best form over its constants and limbs, charged for both."""
+        best: Found | None = None
+        for candidate in self.candidates:
+            if candidate.name != name:
+                continue
+            for limbs in candidate.subsets():
+                columns = candidate.columns(limbs)
+                gain = self.gain(columns)
+                # BIC for the coefficients; twice the logarithm of how many forms were looked at, for the search
+                charge = len(columns) * np.log(self.readings) + 2 * np.log(sets[name])
+                if best is None or gain - charge > best.score:
+                    best = Found(candidate, limbs, gain, gain - charge)
+        return best
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """What was found; `to_dict` gives the contract's DIAGNOSIS.json."""
+
+    verdict: str
+    baseline: Fit
+    final: Fit
+    effects: tuple[Named, ...]
+    heldout: tuple[float, float]
+    noise: tuple[float, str]
+    location: dict[str, Any]
+    rejected: list[dict[str, Any]]
+    not_tested: list[dict[str, str]]
+    robot: Robot
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the contract's DIAGNOSIS.json."""
+        return _result(self)
+
+
+@dataclass(frozen=True)
+class Named:
+    """An effect that was found, with the gain in chi2 that it brings beside all others."""
+
+    term: Term
+    std: Array
+    gain: float
+    share: float
+    alike: tuple[str, ...]
+
+
+def diagnose(robot: Robot, recording: Recording, *, progress: Progress = lambda text: None) -> Diagnosis:
+    """Find where model and recording differ, and which physics was left out.
+
+    Parameters
+    ----------
+    progress : callable
+        Told in words what is being done.
+
+    Raises
+    ------
+    InputError
+        The recording cannot be used at all: too few readings, joints at which the machine cannot stand.
+    """
+    check_units(recording, robot)
+    mechanism = load_mechanism(robot.mechanism)
+    names = mechanism.model(mechanism.full_model)
+    problem = pose_problem(robot, recording, names)
+    scale = np.array([robot.tolerance.get(n, BROAD * s) for n, s in zip(names, problem.scale, strict=True)])
+    problem = dataclasses.replace(problem, scale=scale)
+    identification.enough(mechanism, problem, recording)
+    progress("geometry")
+    rough = identification.rough(problem, mechanism, robust=True)
+    identification.check_rows(rough, recording)
+    baseline = fit(problem, Prior(), errors=rough.errors, instrument=rough.instrument)
+    terms, not_tested = library(problem)
+    sets = _sets(terms)
+    current, chosen = baseline, []
+    considered: dict[str, Found] = {}
+    for n in range(MOST_EFFECTS):
+        progress(f"search {n + 1}: {len(terms)} forms of {len(sets)} effects")
+        search = Search(current, [t for t in terms if t.effect not in {c.effect for c in chosen}])
+        ranked = sorted((f for name in sets if (f := search.best(name, sets)) is not None), key=lambda f: -f.score)
+        if n == 0:
+            considered = {f.candidate.name: f for f in ranked}
+        if not ranked or ranked[0].score < MARGIN:
+            break
+        better = _with_terms(problem, current, [*chosen, ranked[0].term])
+        if better is None:
+            break
+        current, chosen = better, list(better.problem.split(better.errors)[1])
+        current, chosen = _revised(problem, current, terms, sets, progress)
+    progress("held-out error")
+    heldout = (_held_out(baseline), _held_out(current) if chosen else float("nan"))
+    sigma = noise(current, recording)
+    left = _left(current, sigma)
+    verdict = "unexplained" if left else "missing_physics" if chosen else "adequate"
+    progress("uncertainty and rivals")
+    named = tuple(_named(problem, baseline, current, i, terms, sets) for i in range(len(chosen)))
+    fitted = current.errors[: len(mechanism.parameters)]
+    calibrated = dataclasses.replace(
+        robot, errors={p.name: float(v) for p, v in zip(mechanism.parameters, fitted, strict=True)}
+    )
+    return Diagnosis(
+        verdict=verdict,
+        baseline=baseline,
+        final=current,
+        effects=named,
+        heldout=(heldout[0], heldout[1] if chosen else heldout[0]),
+        noise=sigma,
+        location=_location(baseline, current, named),
+        rejected=_rejected(considered, named),
+        not_tested=not_tested,
+        robot=calibrated,
+    )
+
+
+# ------------------------------------------------------------------------------------------------------- candidates
+
+
+def library(problem: Problem) -> tuple[list[Term], list[dict[str, str]]]:
+    """Return every form of every effect that the recording can carry, and those it cannot with what is missing."""
+    limbs = tuple(range(1, problem.mechanism.limbs + 1))
+    terms: list[Term] = []
+    missing: list[dict[str, str]] = []
+    for name in effect_names():
+        if why := problem.body.missing(name):
+            missing.append({"name": name, "missing": why})
+            continue
+        if why := _constant(problem, name):
+            missing.append({"name": name, "missing": why})
+            continue
+        terms += [blank(name, limbs, c, tool) for c, tool in _forms(problem, name)]
+    return terms, missing
+
+
+def _constant(problem: Problem, name: str) -> str | None:
+    """Return why an effect could not show on these rows: its channel does not vary, or its columns do not exist."""
+    kernels, have, kind = load_effect(name), problem.body.channels, problem.readings.kind
+    rows = np.unique(problem.readings.rows)
+    for state, channel, words in (
+        ("approach", have.approach, "both directions of approach"),
+        ("speed", have.speed, "motion in the columns qd"),
+        ("acceleration", have.acceleration, "motion in the columns qdd"),
+        ("inertia_torque", have.acceleration, "motion in the columns qdd"),
+        ("warming", have.warming, "temperatures that differ"),
+        ("time", have.time, "times that differ"),
+    ):
+        if state in kernels.STATE and channel is not None and np.ptp(channel[rows], axis=0).max() == 0:
+            return words
+    if "payload_torque" in kernels.STATE and np.ptp(have.payload[rows]) == 0:
+        return "payloads that differ in the column payload_kg"
+    reads = [t for t in kernels.TARGETS if t == "length" or t.startswith("reading.")]
+    if reads and not any((t == "length") == (kind in ("distance", "gauge")) for t in reads):
+        return f"readings of another kind than {kind}"
+    if any(t.startswith("tool.") for t in kernels.TARGETS) and len(_tools(problem)) < 2:
+        return "readings of a second point of the platform"
+    return None
+
+
+def _tools(problem: Problem) -> list[tuple[float, ...]]:
+    used = np.unique(problem.readings.rows)
+    return [tuple(t) for t in np.unique(np.round(problem.body.tool[used], 9), axis=0).tolist()]
+
+
+def _forms(problem: Problem, name: str) -> list[tuple[tuple[float, ...], tuple[float, ...] | None]]:
+    """Return the constants (and tool point) of every form of an effect that is searched."""
+    if name == "transmission_eccentricity":
+        orders = {float(k) for k in range(1, ORDERS + 1)}
+        ratio = problem.robot.transmission.gear_ratio if problem.robot.transmission else None
+        if ratio:
+            orders |= {ratio * k for k in range(1, 6)}
+        return [((k,), None) for k in sorted(orders)]
+    if name == "zero_jump":
+        used = np.unique(problem.readings.rows)
+        clock = problem.body.channels.order if problem.body.channels.time is None else problem.body.channels.time
+        times = np.unique(clock[used])
+        edge = max(3, len(times) // 40)  # a jump needs rows on both sides
+        return [((float(t),), None) for t in times[edge : len(times) - edge]]
+    if name == "instrument_offset":
+        return [((), t) for t in _tools(problem)[1:]]
+    return [((), None)]
+
+
+def _sets(terms: Sequence[Term]) -> dict[str, int]:
+    """Return how many forms (constants times limbs) of each effect are looked at."""
+    count: dict[str, int] = {}
+    for t in terms:
+        count[t.effect] = count.get(t.effect, 0) + max(2 ** len(t.limbs) - 1, 1)
+    return count
+
+
+# -------------------------------------------------------------------------------------------------------- fitting
+
+
+def _with_terms(problem: Problem, at: Fit, terms: Sequence[Term]) -> Fit | None:
+    """Return the joint fit of geometry, instrument and effects from a fit without the last of them."""
+    raw = Search._raw(problem, at, at.problem.solve(at.errors), terms)
+    flat = np.where(np.isfinite(raw), raw, 0.0).reshape(-1, raw.shape[2])
+    scale = ROOM * np.sqrt(len(flat)) / np.maximum(np.linalg.norm(flat, axis=0), 1e-300)
+    joint = problem.with_terms(terms, scale)
+    n_p = len(problem.mechanism.parameters)
+    values = np.concatenate([t.values.ravel() for t in terms]) if terms else np.zeros(0)
+    try:
+        return fit(joint, Prior(), errors=np.concatenate([at.errors[:n_p], values]), instrument=at.instrument)
+    except NoSolutionError:
+        return None
+
+
+def _revised(
+    problem: Problem, current: Fit, terms: Sequence[Term], sets: dict[str, int], progress: Progress
+) -> tuple[Fit, list[Term]]:
+    """Look at each effect again with the others held beside it: another form or another effect may now be better."""
+    for _ in range(3):
+        chosen = list(current.problem.split(current.errors)[1])
+        changed = False
+        for i, term in enumerate(chosen):
+            others = [t for j, t in enumerate(chosen) if j != i]
+            without = _with_terms(problem, current, others) if others else _baseline_again(problem, current)
+            if without is None:
+                continue
+            search = Search(dataclasses.replace(without, sigma=current.sigma, weights=current.weights), terms)
+            ranked = [f for name in sets if (f := search.best(name, sets)) is not None]
+            best = max(ranked, key=lambda f: f.score)
+            if best.score < MARGIN:
+                current, changed = without, True
+                break
+            same = best.candidate.name == term.effect and best.limbs == term.limbs
+            if same and best.candidate.term.constants == term.constants:
+                continue
+            better = _with_terms(problem, without, [*others, best.term])
+            if better is not None and _objective(better) < _objective(current) + 1e-6:
+                current, changed = better, True
+                break
+        if not changed:
+            break
+    return current, list(current.problem.split(current.errors)[1])
+
+
+def _objective(found: Fit) -> float:
+    """Return a figure by which fits of different effects compare: readings times the log of variance, and charges."""
+    scalars = int(np.isfinite(found.residual).sum())
+    n_c = sum(t.n_coefficients for t in found.problem.split(found.errors)[1])
+    return scalars * 2 * float(np.log(found.sigma[0])) + n_c * float(np.log(scalars))
+
+
+def _baseline_again(problem: Problem, current: Fit) -> Fit:
+    n_p = len(problem.mechanism.parameters)
+    return fit(problem, Prior(), errors=current.errors[:n_p], instrument=current.instrument)
+
+
+def _held_out(full: Fit) -> float:
+    """Return the RMS of readings predicted by fits that did not see them; gross errors of the full fit left out."""
+    problem = full.problem
+    squares: list[Array] = []
+    gross = np.zeros(len(problem.readings), dtype=bool)
+    gross[full.gross] = True
+    for train, test in folds(problem.readings, problem.recording):
+        if problem.readings.subset(train).n_scalars <= full.solution.degrees + full.instrument.n_unknown:
+            continue
+        try:
+            part = fit(
+                problem.subset(train), Prior(), errors=full.errors, instrument=full.instrument, repeats=full.repeats
+            )
+        except NoSolutionError:
+            continue
+        other = problem.subset(test & ~gross)
+        r = other.residual(part.errors, part.instrument, other.poses(part.errors))[:, :3]
+        squares.append(r[np.isfinite(r)] ** 2)
+    return float(np.sqrt(np.mean(np.concatenate(squares)))) if squares else float("nan")
+
+
+# ------------------------------------------------------------------------------------------------- what is left
+
+
+def _left(current: Fit, sigma: tuple[float, str]) -> bool:
+    """Tell whether what is left is more than noise: against a noise known beforehand, and by the structure in it."""
+    known, source = sigma
+    if source != "residual" and (float(current.sigma[0]) / known) ** 2 > LACK_OF_FIT:
+        return True
+    gain, charge = max(_structures(current).values(), key=lambda v: v[0] - v[1], default=(0.0, 0.0))
+    return gain - charge > STRUCTURE
+
+
+def _structures(at: Fit) -> dict[str, tuple[float, float]]:
+    """Return, channel by channel, by how much smooth offsets of joints and readings along it lower chi2, and the charge.
+
+    The physics-free rival: any dependence on a channel that shows in a joint or in the reading.
+    """
+    problem = at.problem
+    out: dict[str, tuple[float, float]] = {}
+    search = _Smooth(at)
+    for name, basis in _bases(problem).items():
+        gain, columns = search.gain(basis)
+        out[name] = (gain, columns * float(np.log(search.readings)) + 2 * float(np.log(20)))
+    return out
+
+
+class _Smooth:
+    """Offsets of each joint and of the reading, modulated by functions of the rows."""
+
+    def __init__(self, at: Fit) -> None:
+        problem = at.problem
+        self._at, self._problem = at, problem
+        machine = problem.solve(at.errors)
+        used = np.unique(problem.readings.rows)
+        rows = machine.rows if len(machine.rows) == 1 else machine.rows[used]
+        S = problem.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)
+        self._joints = np.zeros((len(machine.x), problem.mechanism.n_x, problem.mechanism.limbs))
+        self._joints[used] = S.joints
+        self._machine = machine
+        state = problem.linearise(at.errors, at.instrument, machine)
+        self._read = np.isfinite(state.residual)
+        self._w = np.sqrt(at.weights)[:, None] / at.sigma
+        base = self._rows(np.concatenate([state.J_p * problem.scale, state.J_m], axis=2))
+        r = self._rows(state.residual[..., None])[:, 0]
+        n = len(problem.scale)
+        prior = np.concatenate([np.eye(n), np.zeros((n, base.shape[1] - n))], axis=1)
+        self._Q = np.linalg.qr(np.vstack([base, prior]))[0][: len(r)]
+        self._r = r - self._Q @ (self._Q.T @ r)
+        self.readings = len(r)
+
+    def _rows(self, values: Array) -> Array:
+        scaled = np.where(self._read[..., None], values * self._w[..., None], 0.0)
+        return self._at.repeats.whiten(scaled)[self._read]
+
+    def gain(self, basis: Array, limbs: Sequence[int] | None = None) -> tuple[float, int]:
+        """Return the gain in chi2 of basis functions (N, m) on each joint (or those of `limbs`), and their number."""
+        joints = self._joints if limbs is None else self._joints[:, :, [i - 1 for i in limbs]]
+        dx = (joints[..., None] * basis[:, None, None, :]).reshape(len(basis), joints.shape[1], -1)
+        J, _ = self._at.instrument.linearise(self._problem.readings, self._machine.x, dx)
+        A = self._rows(J)
+        size = np.linalg.norm(A, axis=0)
+        A = A / np.maximum(size, 1e-300)
+        A = A - self._Q @ (self._Q.T @ A)
+        U, s, _ = np.linalg.svd(A, full_matrices=False)
+        keep = s > 1e-6 * max(float(s[0]), 1e-12) if len(s) else s > 0
+        keep &= s > 1e-4
+        return float(np.sum((U[:, keep].T @ self._r) ** 2)), int(keep.sum())
+
+
+def _bases(problem: Problem) -> dict[str, Array]:
+    """Return functions (N, m) of each channel, of the joints and of the position, centred and of unit size."""
+    recording, body = problem.recording, problem.body
+    rows = np.unique(problem.readings.rows)
+    out: dict[str, Array] = {}
+    for name, values in recording.channels.items():
+        if name.startswith("true_"):
+            continue
+        v = np.nan_to_num(values, nan=float(np.nanmedian(values)) if np.isfinite(values).any() else 0.0)
+        if np.ptp(v[rows]) == 0:
+            continue
+        out[name] = _functions(v, rows)
+    x = np.nan_to_num(body.mechanism.forward(body.q, body.tool, body.mechanism.rows(problem.robot))[0][:, :3])
+    u = (x - x[rows].mean(axis=0)) / np.maximum(x[rows].std(axis=0), 1e-9)
+    powers = [(i, j, k) for i in range(6) for j in range(6) for k in range(6) if 3 <= i + j + k <= 5]
+    out["position"] = np.column_stack([u[:, 0] ** i * u[:, 1] ** j * u[:, 2] ** k for i, j, k in powers])[:, :24]
+    return out
+
+
+def _functions(v: Array, rows: np.ndarray) -> Array:
+    """Return functions (N, m) of a channel: itself where it has few values, powers and waves where it has many."""
+    levels = np.unique(v[rows])
+    if len(levels) <= 4:
+        return np.column_stack([(v == level).astype(float) for level in levels[1:]])
+    t = (v - v[rows].min()) / np.ptp(v[rows])
+    s = 2 * t - 1
+    waves = [f(2 * np.pi * k * t) for k in range(1, 9) for f in (np.cos, np.sin)]
+    return np.column_stack([s, s**2 - 1 / 3, s**3 - 0.6 * s, *waves])
+
+
+def _location(baseline: Fit, current: Fit, named: Sequence[Named]) -> dict[str, Any]:
+    """Return channels by their share of the misfit that geometry leaves, limbs, and both in words."""
+    found = _structures(baseline)
+    total = max(
+        float(np.nansum((baseline.residual / current.sigma) ** 2)) - float(np.isfinite(baseline.residual).sum()), 1.0
+    )
+    ratio = float((baseline.sigma[0] / current.sigma[0]) ** 2)
+    shares = {}
+    for name, (gain, charge) in found.items():
+        earned = (gain - charge) * ratio
+        if earned > 0:
+            shares[name] = (min(earned / total, 1.0), gain, charge)
+    channels = [
+        {"name": name, "p_value": float(np.exp(-max(gain - charge, 0.0) / 2)), "share": share}
+        for name, (share, gain, charge) in sorted(shares.items(), key=lambda kv: -kv[1][0])
+    ]
+    limbs = sorted({i for n in named for i in n.term.limbs})
+    if not limbs and channels:
+        smooth = _Smooth(baseline)
+        basis = _bases(baseline.problem)[str(channels[0]["name"])]
+        every = range(1, baseline.problem.mechanism.limbs + 1)
+        best, best_score = (), 0.0
+        for n in every:
+            for subset in itertools.combinations(every, n):
+                gain, k = smooth.gain(basis, subset)
+                score = gain - k * np.log(smooth.readings)
+                if score > best_score:
+                    best, best_score = subset, score
+        limbs = list(best)
+    first = channels[0]["name"] if channels else None
+    text = "what is left depends on nothing that was recorded" if first is None else f"the misfit depends on {first}"
+    if limbs:
+        text += f", at limb{'s' if len(limbs) > 1 else ''} {', '.join(map(str, limbs))}"
+    return {"channels": channels, "limbs": limbs, "region": None, "text": text}
+
+
+# ------------------------------------------------------------------------------------------------ what was found
+
+
+def _named(problem: Problem, baseline: Fit, current: Fit, i: int, terms: Sequence[Term], sets: dict[str, int]) -> Named:
+    chosen = list(current.problem.split(current.errors)[1])
+    term = chosen[i]
+    n = len(problem.names)
+    before = sum(t.n_coefficients for t in chosen[:i])
+    own = slice(n + before, n + before + term.n_coefficients)
+    C = current.covariance[own, own]
+    std = np.sqrt(np.maximum(np.diag(C), 0.0))
+    value = term.values.ravel()
+    gain = float(value @ np.linalg.pinv(C) @ value)
+    others = [t for j, t in enumerate(chosen) if j != i]
+    without = _with_terms(problem, current, others) if others else baseline
+    alike: list[str] = []
+    share = 1.0
+    if without is not None:
+        search = Search(dataclasses.replace(without, sigma=current.sigma, weights=current.weights), terms)
+        mine = search.best(term.effect, sets)
+        if mine is not None:
+            for name in sets:
+                rival = search.best(name, sets)
+                if name == term.effect or rival is None or name in {t.effect for t in others}:
+                    continue
+                if mine.gain - rival.gain < AMBIGUOUS and rival.score > mine.score - 1.5 * AMBIGUOUS:
+                    alike.append(name)
+        excess = float(baseline.sigma[0] ** 2 - current.sigma[0] ** 2)
+        share = float((without.sigma[0] ** 2 - current.sigma[0] ** 2) / excess) if excess > 0 else 0.0
+    return Named(term, std, gain, min(max(share, 0.0), 1.0), tuple(alike))
+
+
+def _rejected(considered: dict[str, Found], named: Sequence[Named]) -> list[dict[str, Any]]:
+    chosen = {n.term.effect for n in named}
+    return [
+        {
+            "name": name,
+            "gain_chi2": f.gain,
+            "why": "earns less than the charge for its coefficients and for the search"
+            if f.score < MARGIN
+            else "explains less of the same misfit than what was named"
+            if chosen
+            else "explains part of the misfit, but does not hold",
+        }
+        for name, f in sorted(considered.items(), key=lambda kv: -kv[1].gain)
+        if name not in chosen
+    ]
+
+
+def _result(found: Diagnosis) -> dict[str, Any]:
+    baseline, final = found.baseline, found.final
+    sigma, source = found.noise
+
+    def summary(at: Fit, heldout: float) -> dict[str, Any]:
+        return {
+            "train_rms_mm": at.rms(),
+            "heldout_rms_mm": heldout if np.isfinite(heldout) else None,
+            "chi2_per_dof": (float(at.sigma[0]) / sigma) ** 2,
+        }
+
+    return {
+        "schema": SCHEMA,
+        "verdict": found.verdict,
+        "summary": _summary(found),
+        "noise": {"sigma_mm": sigma, "source": source},
+        "baseline": {"model": found.baseline.problem.mechanism.full_model} | summary(baseline, found.heldout[0]),
+        "location": found.location,
+        "effects": [_effect(n) for n in found.effects],
+        "final": summary(final, found.heldout[1]),
+        "rejected": found.rejected,
+        "not_tested": found.not_tested,
+        "next_measurements": [],
+        "gross_errors": [int(final.problem.readings.line[j]) for j in final.gross],
+        "sigma_mm": sigma,
+        "physics": [term_to_dict(n.term) for n in found.effects],
+        "instrument": final.instrument.to_dict()
+        | {"setups": list(final.problem.recording.setup_names), "zero": final.problem.recording.measurement.zero},
+        "robot": robot_to_dict(found.robot),
+    }
+
+
+def _effect(found: Named) -> dict[str, Any]:
+    term, kernels = found.term, found.term.kernels
+    parameters: list[dict[str, Any]] = []
+    std = found.std.reshape(term.values.shape)
+    for r, row in enumerate(term.values):
+        limb = term.limbs[r] if term.limbs else None
+        for c, (name, unit, factor, _) in enumerate(kernels.COEFFICIENTS):
+            parameters.append(
+                {"name": name, "limb": limb, "value": row[c] / factor, "std": std[r, c] / factor, "unit": unit}
+            )
+    for value, (name, unit, factor, _) in zip(term.constants, kernels.CONSTANTS, strict=True):
+        parameters.append({"name": name, "limb": None, "value": value / factor, "std": None, "unit": unit})
+    return {
+        "name": term.effect,
+        "title": kernels.TITLE,
+        "limbs": list(term.limbs),
+        "parameters": parameters,
+        "p_value": float(np.exp(-min(found.gain, 1400.0) / 2)),
+        "gain_chi2": found.gain,
+        "share_of_excess": found.share,
+        "indistinguishable_from": list(found.alike),
+    }
+
+
+def _summary(found: Diagnosis) -> str:
+    before, after = found.heldout
+    if found.verdict == "adequate":
+        return (
+            f"Nothing is missing: what the calibrated geometry leaves, {before:.4f} mm on held-out readings, is noise. "
+            "Use the calibrated machine."
+        )
+    parts = []
+    for n in found.effects:
+        limbs = (
+            f" at limb{'s' if len(n.term.limbs) > 1 else ''} {', '.join(map(str, n.term.limbs))}"
+            if n.term.limbs
+            else ""
+        )
+        parts.append(f"{n.term.kernels.TITLE} ({n.term.effect}){limbs}")
+    if found.verdict == "missing_physics":
+        return (
+            f"Geometry alone leaves {before:.4f} mm on held-out readings. What is missing: {'; '.join(parts)}. "
+            f"With it {after:.4f} mm are left, which is noise."
+        )
+    named = f" Proven beside it: {'; '.join(parts)}." if parts else ""
+    return (
+        f"A mismatch of {rms(found.final.residual):.4f} mm is left that no registered effect explains: "
+        f"{found.location['text']}.{named}"
+    )
