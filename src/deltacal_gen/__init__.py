@@ -22,6 +22,8 @@ _HOME = {
     "commands": (
         "compensate",
         "demo",
+        "diagnose",
+        "effects",
         "identify",
         "kernels",
         "matrix",

@@ -301,6 +301,73 @@ def _show_result(found: Mapping[str, Any]) -> None:
 
 
 @app.command()
+def diagnose(
+    robot: RobotFile,
+    recording: RecordingFile,
+    output: Annotated[Path | None, typer.Option("-o", "--output", help="DIAGNOSIS.json", show_default=False)] = None,
+    strict: Annotated[bool, typer.Option("--strict", help="exit with 1 unless the verdict is adequate")] = False,
+    as_json: Json = False,
+) -> None:
+    """Find where model and recording differ, and which physics was left out."""
+    from deltacal_gen import commands
+
+    with _progress(as_json) as tell:
+        found = commands.diagnose(robot, recording, output, progress=tell)
+    if as_json:
+        _print_json(found)
+    else:
+        _show_diagnosis(found)
+        if output is not None:
+            screen.print(f"written to {output}")
+    if strict and found["verdict"] != "adequate":
+        raise typer.Exit(1)
+
+
+def _show_diagnosis(found: Mapping[str, Any]) -> None:
+    screen.print(f"[bold]{found['verdict'].replace('_', ' ')}[/bold]: {found['summary']}")
+    if found["effects"]:
+        table = Table("effect", "limb", "parameter", "value", "std", "unit")
+        for effect in found["effects"]:
+            for p in effect["parameters"]:
+                limb = "" if p["limb"] is None else str(p["limb"])
+                table.add_row(effect["name"], limb, p["name"], f"{p['value']:.6g}", _number(p["std"], 2), p["unit"])
+        screen.print(table)
+        for effect in found["effects"]:
+            if effect["indistinguishable_from"]:
+                others = ", ".join(effect["indistinguishable_from"])
+                screen.print(f"  these poses cannot tell {effect['name']} from {others}")
+    table = Table("mm, rms of the readings", "fitted", "held out", "chi2 per degree of freedom")
+    for name in ("baseline", "final"):
+        row = found[name]
+        table.add_row(
+            "geometry" if name == "baseline" else "with what was found",
+            f"{row['train_rms_mm']:.4f}",
+            _number(row["heldout_rms_mm"]),
+            f"{row['chi2_per_dof']:.2f}",
+        )
+    screen.print(table)
+    for other in found["not_tested"]:
+        screen.print(f"  not tested: {other['name']}, for want of {other['missing']}")
+    if found["gross_errors"]:
+        screen.print(f"gross errors in lines {', '.join(map(str, found['gross_errors']))}")
+
+
+@app.command()
+def effects(as_json: Json = False) -> None:
+    """List the effects that a diagnosis knows, with their parameters."""
+    from deltacal_gen import commands
+
+    found = commands.effects()
+    if as_json:
+        _print_json(found)
+        return
+    table = Table("effect", "what it is", "parameters")
+    for e in found:
+        table.add_row(e["effect"], e["title"], ", ".join(f"{p['name']} [{p['unit']}]" for p in e["parameters"]))
+    screen.print(table)
+
+
+@app.command()
 def matrix(
     robot: RobotFile,
     recording: RecordingFile,

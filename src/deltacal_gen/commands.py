@@ -11,7 +11,7 @@ import json
 import os
 import subprocess
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -25,6 +25,7 @@ from deltacal_gen.units import file_unit, to_internal
 
 if TYPE_CHECKING:
     from deltacal_gen.mechanism import Array
+    from deltacal_gen.physics import Term
 
 Source = str | Path
 Progress = Callable[[str], None]
@@ -54,8 +55,11 @@ def _result(result: Source | Mapping[str, Any]) -> Mapping[str, Any]:
         raise InputError(
             f"this is not JSON: {error.msg}.", "Give the file that identify wrote.", file=result, line=error.lineno
         ) from None
-    if not isinstance(data, dict) or not str(data.get("schema", "")).startswith("deltacal.result/"):
-        raise InputError("this is no result of identify.", "Give the file that identify wrote.", file=result)
+    schema = str(data.get("schema", "")) if isinstance(data, dict) else ""
+    if not schema.startswith(("deltacal.result/", "deltacal.diagnosis/")):
+        raise InputError(
+            "this is no result of identify or diagnose.", "Give the file that one of them wrote.", file=result
+        )
     return data
 
 
@@ -103,6 +107,27 @@ def checkout() -> Path | None:
     """Return the root of the source checkout that this package runs from, or None."""
     root = Path(__file__).resolve().parents[2]
     return root if (root / "derive" / "__main__.py").exists() and (root / "templates").is_dir() else None
+
+
+def effects() -> list[dict[str, Any]]:
+    """Return the registered effects: what each is, its parameters with units, what it reads and moves."""
+    from deltacal_gen.physics import effect_names, load_effect
+
+    return [
+        {
+            "effect": name,
+            "title": (found := load_effect(name)).TITLE,
+            "per_limb": found.PER_LIMB,
+            "parameters": [
+                {"name": n, "unit": unit, "meaning": meaning, "searched": searched}
+                for rows, searched in ((found.COEFFICIENTS, False), (found.CONSTANTS, True))
+                for n, unit, _, meaning in rows
+            ],
+            "reads": list(found.STATE),
+            "moves": list(found.TARGETS),
+        }
+        for name in effect_names()
+    ]
 
 
 def kernels(*, check: bool = False) -> bool:
@@ -190,10 +215,12 @@ def simulate(
     if not isinstance(poses, Recording) and not given.path.with_suffix(".toml").exists():
         given = dataclasses.replace(given, measurement=given.measurement.model_copy(update={"frame": "robot"}))
     errors: dict[str, float] | None = None
+    terms: Sequence[Term] = ()
     if truth is not None:
-        errors = dict(truth) if isinstance(truth, Mapping) else simulation.read_truth(truth, robot)
+        told = simulation.Truth(dict(truth)) if isinstance(truth, Mapping) else simulation.read_truth(truth, robot)
+        errors, terms = told.errors, told.terms
         errors = {n: errors.get(n, 0.0) + robot.errors.get(n, 0.0) for n in errors.keys() | robot.errors.keys()}
-    done = simulation.simulate(robot, given, errors, noise_mm=noise, rng=np.random.default_rng(seed))
+    done = simulation.simulate(robot, given, errors, noise_mm=noise, rng=np.random.default_rng(seed), terms=terms)
     if output is not None:
         write_recording(done, output)
     return done
@@ -228,6 +255,23 @@ def identify(
         robust=robust,
         progress=progress,
     ).to_dict()
+    if output is not None:
+        write_json(found, output)
+    return found
+
+
+def diagnose(
+    robot: Source | Robot,
+    recording: Source | Recording,
+    output: Source | None = None,
+    *,
+    progress: Progress = _silent,
+) -> dict[str, Any]:
+    """Find where model and recording differ, and which physics was left out; return DIAGNOSIS.json."""
+    from deltacal_gen import diagnosis
+
+    robot = _robot(robot)
+    found = diagnosis.diagnose(robot, _recording(recording, robot), progress=progress).to_dict()
     if output is not None:
         write_json(found, output)
     return found

@@ -40,7 +40,7 @@ def run(folder: Path, progress: Callable[[str], None]) -> dict[str, Any]:
     progress("compensator")
     compensation.export_c(compensation.Compensator(calibrated), folder / "compensator.c")
     progress("check against the truth")
-    check = _check(robot, calibrated, result, read_truth(source / "truth.toml", robot))
+    check = _check(robot, calibrated, result, read_truth(source / "truth.toml", robot).errors)
     progress("picture")
     picture = folder / "calibration.png"
     figures.calibration(result, picture, check)

@@ -216,7 +216,8 @@ def diagnose(robot: Robot, recording: Recording, *, progress: Progress = lambda 
     baseline = fit(problem, Prior(), errors=rough.errors, instrument=rough.instrument)
     terms, not_tested = library(problem)
     sets = _sets(terms)
-    current, chosen = baseline, []
+    current: Fit = baseline
+    chosen: list[Term] = []
     considered: dict[str, Found] = {}
     for n in range(MOST_EFFECTS):
         progress(f"search {n + 1}: {len(terms)} forms of {len(sets)} effects")
@@ -424,7 +425,7 @@ def _left(current: Fit, sigma: tuple[float, str]) -> bool:
 
 
 def _structures(at: Fit) -> dict[str, tuple[float, float]]:
-    """Return, channel by channel, by how much smooth offsets of joints and readings along it lower chi2, and the charge.
+    """Return, channel by channel, the gain in chi2 of smooth offsets of joints along it, and the charge for them.
 
     The physics-free rival: any dependence on a channel that shows in a joint or in the reading.
     """
@@ -531,7 +532,8 @@ def _location(baseline: Fit, current: Fit, named: Sequence[Named]) -> dict[str, 
         smooth = _Smooth(baseline)
         basis = _bases(baseline.problem)[str(channels[0]["name"])]
         every = range(1, baseline.problem.mechanism.limbs + 1)
-        best, best_score = (), 0.0
+        best: tuple[int, ...] = ()
+        best_score = 0.0
         for n in every:
             for subset in itertools.combinations(every, n):
                 gain, k = smooth.gain(basis, subset)

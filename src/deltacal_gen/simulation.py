@@ -6,6 +6,8 @@ The machine is solved on its closure, with no linearisation anywhere; noise come
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +16,8 @@ from pydantic import Field
 
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.measurement import KINDS, Instrument, Readings
-from deltacal_gen.mechanism import SOLVED, STATUS, Array, load_mechanism
+from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, load_mechanism
+from deltacal_gen.physics import Body, Channels, Term, blank, effect_names, load_effect, reading_shift
 from deltacal_gen.recording import Measurement, Recording
 from deltacal_gen.robot import Robot, Table, TomlFile, nearest
 from deltacal_gen.rotation import cayley_matrix, from_vector, to_vector
@@ -26,24 +29,28 @@ class _Truth(Table):
     effects: list[dict[str, Any]] = Field(default_factory=list)
 
 
-def read_truth(path: str | Path, robot: Robot) -> dict[str, float]:
-    """Return the source errors of a TRUTH.toml, in mm and rad.
+@dataclass(frozen=True)
+class Truth:
+    """What a simulated machine is: source errors [mm, rad] and effects on it."""
+
+    errors: dict[str, float]
+    terms: tuple[Term, ...] = ()
+
+
+def read_truth(path: str | Path, robot: Robot) -> Truth:
+    """Return the source errors and effects of a TRUTH.toml.
+
+    An effect is a table ``[[effects]]`` with ``name``, ``limb`` or ``limbs``, and its parameters in the units of the
+    contract, one number for all its limbs or a list with one for each.
 
     Raises
     ------
     InputError
-        A parameter that the mechanism does not have, or an effect, which the simulation does not know.
+        A parameter that the mechanism or the effect does not have, or an effect that is not registered.
     """
     file = TomlFile.read(path)
     truth = file.check(_Truth)
     mechanism = load_mechanism(robot.mechanism)
-    if truth.effects:
-        name = truth.effects[0].get("name", "?")
-        raise file.error(
-            f"the effect '{name}' cannot be simulated: no effects are registered for {mechanism.name}.",
-            "Remove the [[effects]] tables; [parameters] are simulated exactly.",
-            "effects",
-        )
     units = {p.name: p.unit for p in mechanism.parameters}
     for name in truth.parameters:
         if name not in units:
@@ -54,7 +61,49 @@ def read_truth(path: str | Path, robot: Robot) -> dict[str, float]:
                 "parameters",
                 name,
             )
-    return {name: value * to_internal(units[name]) for name, value in truth.parameters.items()}
+    errors = {name: value * to_internal(units[name]) for name, value in truth.parameters.items()}
+    return Truth(errors, tuple(_term(file, table, mechanism) for table in truth.effects))
+
+
+def _term(file: TomlFile, table: dict[str, Any], mechanism: Mechanism) -> Term:
+    given = dict(table)
+    name = given.pop("name", None)
+    if name not in effect_names():
+        near = nearest(str(name), effect_names())
+        raise file.error(
+            f"there is no effect '{name}'.",
+            f"Did you mean '{near}'?" if near else f"Registered: {', '.join(effect_names())}.",
+            "effects",
+        )
+    kernels = load_effect(name)
+    limbs = given.pop("limbs", None)
+    limb = given.pop("limb", None)
+    chosen = [limb] if limb is not None else list(limbs or range(1, mechanism.limbs + 1))
+    tool = given.pop("tool", None)
+    if any(not 1 <= i <= mechanism.limbs for i in chosen):
+        raise file.error(f"{name}: limbs are counted from 1 to {mechanism.limbs}.", "Correct limb or limbs.", "effects")
+    rows = len(chosen) if kernels.PER_LIMB else 1
+    values = np.zeros((rows, len(kernels.COEFFICIENTS)))
+    known = [*kernels.COEFFICIENTS, *kernels.CONSTANTS]
+    for key in given:
+        if key not in [k for k, *_ in known]:
+            raise file.error(
+                f"the effect '{name}' has no parameter '{key}'; it has {', '.join(k for k, *_ in known)}.",
+                "Correct the name.",
+                "effects",
+            )
+    for c, (key, _, factor, _) in enumerate(kernels.COEFFICIENTS):
+        value = np.asarray(given.get(key, 0.0), dtype=float)
+        if value.ndim and len(value) != rows:
+            raise file.error(
+                f"{name}: {key} needs one number, or one for each of {rows} limbs.", "Correct it.", "effects"
+            )
+        values[:, c] = value * factor
+    missing = [key for key, *_ in kernels.CONSTANTS if key not in given]
+    if missing:
+        raise file.error(f"the effect '{name}' needs {', '.join(missing)}.", "Add it.", "effects")
+    constants = tuple(float(given[key]) * factor for key, _, factor, _ in kernels.CONSTANTS)
+    return dataclasses.replace(blank(name, chosen, constants, tool), values=values)
 
 
 def simulate(
@@ -65,6 +114,7 @@ def simulate(
     noise_mm: float = 0.0,
     noise_rad: float = 0.0,
     rng: np.random.Generator | None = None,
+    terms: Sequence[Term] = (),
     frame: tuple[Array, Array] | None = None,
 ) -> Recording:
     """Return the recording that an instrument would make.
@@ -80,6 +130,8 @@ def simulate(
         True source errors [mm, rad]; default the robot's own.
     noise_mm, noise_rad : float
         Standard deviation per coordinate; `rng` must be given where they are not 0.
+    terms : sequence of Term
+        Effects on the machine; compliant parts are solved to their static equilibrium.
     frame : (rotation vector (3,) [rad], origin (3,) [mm]), optional
         {O} in the instrument's frame, where that is not the robot's; default drawn from `rng`, or a fixed one.
 
@@ -101,11 +153,18 @@ def simulate(
         theta, _, status = mechanism.inverse(poses.targets, tool, nominal)
         _all_solved(poses, status, "the target cannot be commanded")
         joints = robot.joint_sign * theta
-    x, status = mechanism.forward(robot.joint_sign * joints, tool, mechanism.rows(robot, true))
+    commanded = dataclasses.replace(poses, joints=joints)
+    body = Body(robot, mechanism, robot.joint_sign * joints, np.ascontiguousarray(tool), Channels.of(commanded, robot))
+    for term in terms:
+        if why := body.missing(term.effect):
+            raise InputError(f"the effect '{term.effect}' needs {why}.", "Add it.", file=poses.path)
+    machine, status = body.solve(true, terms)
     _all_solved(poses, status, "the pose cannot be simulated")
+    x = machine.x
     found = unread(poses)
     instrument = _instrument(poses, frame, rng)
     values, rotations = instrument.predict(found, x)
+    values = values + reading_shift(terms, body, found.rows, values)[0]
     if (noise_mm or noise_rad) and rng is None:
         raise ValueError("noise needs a random generator: pass rng.")
     if noise_mm and rng is not None:

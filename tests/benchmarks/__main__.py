@@ -28,8 +28,8 @@ from .works import KERNEL, NUMBA, NUMPY, OURS, WORKS, Contender, Work, disagreem
 SCALE = {"ns": 1e9, "us": 1e6, "ms": 1e3, "s": 1.0}
 SLOW = 0.3  # s; a run this long is repeated less often
 TITLE = (
-    "median (minimum). ours: the call a user writes; kernel: the part of it that computes; NumPy, Numba: by hand, Numba "
-    "one pose after the other. x: how many times faster than NumPy on the same work"
+    "median (minimum). ours: the call a user writes; kernel: the part of it that computes; NumPy, Numba: by hand, "
+    "Numba one pose after the other. x: how many times faster than NumPy on the same work"
 )
 
 
@@ -86,18 +86,22 @@ def row(name: str, work: Work, times: dict[str, list[float]]) -> dict[str, Any]:
 
 
 def table(rows: list[dict[str, Any]]) -> Table:
-    """Return the table of all works: medians, minima in brackets, and ratios of medians."""
+    """Return the table of all works: medians, minima in brackets, and ratios."""
     out = Table("work", "what", "unit", title=TITLE)
     for head in ("ours", "kernel", "NumPy", "Numba", "ours x", "kernel x", "Numba x"):
         out.add_column(head, justify="right")
     for r in rows:
         cells = [
-            f"{r['median'][c]:.3g} ({r['minimum'][c]:.3g})" if c in r["median"] else ""
+            f"{_short(r['median'][c])} ({_short(r['minimum'][c])})" if c in r["median"] else ""
             for c in (OURS, KERNEL, NUMPY, NUMBA)
         ]
         ratios = [f"{r['times_numpy'][c]:.2g}" if c in r["times_numpy"] else "" for c in (OURS, KERNEL, NUMBA)]
         out.add_row(r["work"], r["what"], r["unit"], *cells, *ratios)
     return out
+
+
+def _short(value: float) -> str:
+    return f"{value:.0f}" if value >= 100 else f"{value:.3g}"
 
 
 def main(arguments: list[str] | None = None) -> int:

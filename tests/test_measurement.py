@@ -1,0 +1,276 @@
+"""Readings and instruments: formulas by hand, derivatives by complex or finite steps, frames, pairs."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+from conftest import plausible, scattered, wanted
+from scipy.spatial.transform import Rotation
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.measurement import Instrument, Readings, align, readings, start
+from deltacal_gen.mechanism import Mechanism
+from deltacal_gen.recording import Recording
+from deltacal_gen.robot import Robot
+from deltacal_gen.rotation import cayley_matrix, from_vector, mean, to_vector
+from deltacal_gen.simulation import simulate
+
+TURN, ORIGIN = np.array([0.4, -0.3, 2.1]), np.array([900.0, -500.0, 1200.0])
+BODY = np.array([0.2, 0.5, -0.1])
+
+
+@pytest.fixture(scope="module")
+def x() -> np.ndarray:
+    """Platforms anywhere, turned by up to 0.3 rad (N, 6)."""
+    rng = np.random.default_rng(2)
+    return np.hstack([300 * rng.standard_normal((12, 3)) - [0, 0, 850], 0.3 * rng.uniform(-1, 1, (12, 3))])
+
+
+def taken(kind: str, n: int = 12) -> Readings:
+    rows = np.column_stack([np.arange(n), (np.arange(n) + 5) % n]) if kind == "distance" else np.arange(n)[:, None]
+    size = 3 if kind in ("position", "pose") else 1
+    zeros = np.zeros(n, dtype=int)
+    setup = np.arange(n) % 2 if kind in ("position", "pose") else zeros
+    rotations = np.tile(np.eye(3), (n, 1, 1)) if kind == "pose" else None
+    return Readings(kind, rows, np.zeros((n, size)), rotations, setup, np.arange(n), np.arange(n))
+
+
+def instrument(kind: str) -> Instrument:
+    """Return an instrument in general position, with two set-ups where frames are unknown."""
+    if kind == "distance":
+        return Instrument(kind, np.zeros((1, 0)), ())
+    if kind == "gauge":
+        return Instrument(kind, np.array([[300.0, -100.0, 40.0, 7.0]]), (0, 1, 2, 3))
+    frames = [np.concatenate([from_vector(s * TURN).ravel(), s * ORIGIN]) for s in (1.0, -0.5)]
+    if kind == "position":
+        return Instrument(kind, np.array(frames), tuple(range(6)))
+    bodies = [from_vector(s * BODY).ravel() for s in (1.0, 2.0)]
+    return Instrument(kind, np.hstack([np.array(frames), np.array(bodies)]), tuple(range(9)))
+
+
+KINDS = ["position", "pose", "distance", "gauge"]
+
+
+def test_a_position_is_turned_and_shifted_into_the_instrument_s_frame(x: np.ndarray) -> None:
+    values, rotations = instrument("position").predict(taken("position"), x)
+    turn = Rotation.from_rotvec(TURN)
+    assert values[::2] == pytest.approx(turn.apply(x[::2, :3]) + ORIGIN, abs=1e-10)
+    half = Rotation.from_rotvec(-0.5 * TURN)
+    assert values[1::2] == pytest.approx(half.apply(x[1::2, :3]) - 0.5 * ORIGIN, abs=1e-10)
+    assert rotations is None
+
+
+def test_a_pose_is_that_of_a_body_fixed_to_the_platform(x: np.ndarray) -> None:
+    values, rotations = instrument("pose").predict(taken("pose"), x)
+    platform = Rotation.from_matrix(cayley_matrix(x[::2, 3:]))
+    expected = Rotation.from_rotvec(TURN) * platform * Rotation.from_rotvec(BODY)
+    assert rotations[::2] == pytest.approx(expected.as_matrix(), abs=1e-13)
+    assert values == pytest.approx(instrument("position").predict(taken("position"), x)[0], abs=1e-10)
+
+
+def test_a_distance_is_between_the_points_of_its_two_rows(x: np.ndarray) -> None:
+    values, _ = instrument("distance").predict(taken("distance"), x)
+    assert values[:, 0] == pytest.approx(np.linalg.norm(np.roll(x[:, :3], -5, axis=0) - x[:, :3], axis=1), rel=1e-14)
+
+
+def test_a_gauge_measures_from_its_base_point_and_its_zero(x: np.ndarray) -> None:
+    values, _ = instrument("gauge").predict(taken("gauge"), x)
+    assert values[:, 0] == pytest.approx(np.linalg.norm(x[:, :3] - [300.0, -100.0, 40.0], axis=1) + 7.0, rel=1e-14)
+
+
+def change(kind: str, found: Readings, before: Instrument, after: Instrument, x: np.ndarray, moved: np.ndarray):
+    """Return how a reading changes: lengths, and the rotation vector between rotations."""
+    values, rotations = before.predict(found, x)
+    new_values, new_rotations = after.predict(found, moved)
+    gap = new_values - values
+    if kind == "pose":
+        gap = np.hstack([gap, to_vector(new_rotations @ np.swapaxes(rotations, 1, 2))])
+    return gap
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_readings_have_the_derivatives_they_are_said_to_have(x: np.ndarray, kind: str) -> None:
+    """By the platform's coordinates and by every unknown of every set-up: central differences, extrapolated."""
+    found, at = taken(kind), instrument(kind)
+    rng = np.random.default_rng(3)
+    direction = rng.standard_normal((12, 6, 4)) * np.array([1, 1, 1, 1e-3, 1e-3, 1e-3])[:, None]
+    J_p, J_m = at.linearise(found, x, direction)
+    size = 6 if kind == "pose" else found.values.shape[1]
+    assert J_p.shape == (12, size, 4)
+    assert J_m.shape == (12, size, at.n_unknown)
+
+    def extrapolated(step) -> np.ndarray:
+        return np.asarray((8 * (step(0.5) - step(-0.5)) - (step(1.0) - step(-1.0))) / 6)
+
+    for c in range(4):
+
+        def by_platform(h: float, c: int = c) -> np.ndarray:
+            return change(kind, found, at, at, x, x + h * direction[:, :, c])
+
+        assert J_p[:, :, c] == pytest.approx(extrapolated(by_platform), abs=1e-8)
+    for c in range(at.n_unknown):
+        unit = 1e-3 if at.unknown[c][1] == "rad" else 1.0
+
+        def by_unknown(h: float, c: int = c, unit: float = unit) -> np.ndarray:
+            step = np.zeros(at.n_unknown)
+            step[c] = h * unit
+            return change(kind, found, at, at.stepped(step), x, x) / unit
+
+        assert J_m[:, :, c] == pytest.approx(extrapolated(by_unknown), abs=1e-6)  # mm per rad at 1000 mm: 1e-9 of them
+
+
+def test_the_unknowns_have_names_and_units() -> None:
+    assert instrument("gauge").unknown == (("mx", "mm"), ("my", "mm"), ("mz", "mm"), ("dzero", "mm"))
+    assert [n for n, _ in instrument("position").unknown][:7] == ["wx_1", "wy_1", "wz_1", "tx_1", "ty_1", "tz_1", "wx_2"]
+    assert instrument("distance").unknown == ()
+
+
+def test_residuals_are_measured_minus_predicted(x: np.ndarray) -> None:
+    at = instrument("pose")
+    values, rotations = at.predict(taken("pose"), x)
+    small = 1e-3 * np.random.default_rng(1).standard_normal((12, 3))
+    measured = dataclasses.replace(taken("pose"), values=values + [1.0, 2.0, 3.0], rotations=from_vector(small) @ rotations)
+    r = at.residual(measured, x)
+    assert r[:, :3] == pytest.approx(np.tile([1.0, 2.0, 3.0], (12, 1)), abs=1e-9)
+    assert r[:, 3:] == pytest.approx(small, abs=1e-13)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_an_instrument_survives_a_result_file(kind: str, x: np.ndarray) -> None:
+    at = instrument(kind)
+    again = Instrument.from_dict(at.to_dict())
+    assert again.predict(taken(kind), x)[0] == pytest.approx(at.predict(taken(kind), x)[0], abs=0)
+    assert again.free == at.free
+
+
+def test_a_reading_of_one_setup_tells_nothing_of_another(x: np.ndarray) -> None:
+    _, J_m = instrument("position").linearise(taken("position"), x, np.zeros((12, 6, 0)))
+    assert (J_m[::2, :, 6:] == 0).all()
+    assert (J_m[1::2, :, :6] == 0).all()
+
+
+# --------------------------------------------------------------------------------------------------- the first alignment
+
+
+def recorded(robot: Robot, kind: str, errors: dict[str, float], **more: object) -> Recording:
+    given = wanted(scattered(robot, 12, 6), kind, **more)
+    return simulate(robot, given, errors, frame=(TURN, ORIGIN))
+
+
+def true_poses(robot: Robot, mechanism: Mechanism, recording: Recording, errors: dict[str, float]) -> np.ndarray:
+    rows = mechanism.rows(robot, mechanism.vector(errors))
+    tool = np.zeros(3) if recording.tool is None else recording.tool
+    return mechanism.forward(recording.joints, tool, rows)[0]
+
+
+@pytest.mark.parametrize("kind", ["position", "pose"])
+def test_an_unknown_frame_is_aligned_exactly_when_the_machine_is_known(
+    robot: Robot, mechanism: Mechanism, kind: str
+) -> None:
+    errors = plausible(mechanism, 4)
+    recording = recorded(robot, kind, errors)
+    found, poses = readings(recording), true_poses(robot, mechanism, recording, errors)
+    at = start(found, recording, robot, poses)
+    assert np.abs(at.residual(found, poses)).max() < 1e-9
+    ((turn, origin),) = at.frames()
+    assert turn == pytest.approx(TURN, abs=1e-12)
+    assert origin == pytest.approx(ORIGIN, abs=1e-9)
+
+
+def test_the_robot_s_own_frame_leaves_nothing_to_find(robot: Robot, mechanism: Mechanism) -> None:
+    recording = simulate(robot, wanted(scattered(robot, 5, 6), frame="robot"))
+    at = start(readings(recording), recording, robot, true_poses(robot, mechanism, recording, {}))
+    assert at.n_unknown == 0
+    assert np.abs(at.residual(readings(recording), true_poses(robot, mechanism, recording, {}))).max() < 1e-9
+
+
+def test_an_incremental_gauge_has_an_unknown_zero(robot: Robot, mechanism: Mechanism) -> None:
+    point = (420.0, -150.0, 40.0)
+    for zero, unknowns in (("absolute", 3), ("incremental", 4)):
+        recording = recorded(robot, "gauge", {}, base_point_mm=point, zero=zero)
+        assert (recording.measured[0, 0] == 0) == (zero == "incremental")
+        poses = true_poses(robot, mechanism, recording, {})
+        at = start(readings(recording), recording, robot, poses)
+        assert at.n_unknown == unknowns
+        assert np.abs(at.residual(readings(recording), poses)).max() < 1e-9
+
+
+def test_alignment_recovers_a_rotation_and_never_a_mirror() -> None:
+    rng = np.random.default_rng(4)
+    a = rng.standard_normal((5, 3))
+    turn = from_vector(TURN)
+    assert align(a, a @ turn.T) == pytest.approx(turn, abs=1e-13)
+    assert np.linalg.det(align(a, a * [1, 1, -1])) == pytest.approx(1.0)
+    flat = a * [1, 1, 0]
+    assert align(flat, flat @ turn.T) == pytest.approx(turn, abs=1e-13)  # three points in a plane are enough
+    assert align(a[:2], a[:2]).tolist() == np.eye(3).tolist()
+
+
+# ------------------------------------------------------------------------------------------------------- which readings
+
+
+def test_blank_readings_are_left_out_and_lines_stay_with_theirs(robot: Robot) -> None:
+    recording = recorded(robot, "position", {})
+    measured = recording.measured.copy()
+    measured[3, 1] = np.nan
+    found = readings(dataclasses.replace(recording, measured=measured))
+    assert len(found) == 11
+    assert found.line.tolist() == [2, 3, 4, *range(6, 14)]
+    with pytest.raises(InputError, match="every measured cell is blank"):
+        readings(dataclasses.replace(recording, measured=np.full((12, 3), np.nan)))
+
+
+def test_all_pairs_share_tool_point_and_setup_and_join_no_repeats(robot: Robot) -> None:
+    tool = np.array([[0.0, 0.0, 0.0]] * 6 + [[50.0, 0.0, 0.0]] * 6)
+    setup = ["a", "a", "a", "b", "b", "b"] * 2
+    pose = ["1", "1", "2", "3", "4", "5", "6", "7", "8", "9", "10", "11"]
+    recording = recorded(robot, "position", {}, tool=tool, setup=setup, pose=pose)
+    found = readings(recording, as_distance=True)
+    assert found.kind == "distance"
+    pairs = {tuple(sorted(p)) for p in found.rows.tolist()}
+    assert pairs == {(0, 2), (1, 2), (3, 4), (3, 5), (4, 5), (6, 7), (6, 8), (7, 8), (9, 10), (9, 11), (10, 11)}
+    group = {tuple(sorted(p)): int(g) for p, g in zip(found.rows.tolist(), found.group, strict=True)}
+    assert group[0, 2] == group[1, 2]  # the same two poses: repeats
+    assert len(set(group.values())) == len(pairs) - 1
+    for (a, b), value in zip(found.rows, found.values[:, 0], strict=True):
+        assert value == pytest.approx(np.linalg.norm(recording.measured[a] - recording.measured[b]))
+
+
+def test_a_rotation_read_now_and_then_counts_where_it_was_read(robot: Robot) -> None:
+    recording = recorded(robot, "pose", {})
+    measured = recording.measured.copy()
+    measured[4:, 3:] = np.nan
+    found = readings(dataclasses.replace(recording, measured=measured))
+    assert len(found) == 12
+    assert found.n_scalars == 12 * 3 + 4 * 3
+
+
+def test_kinds_that_cannot_be_used_yet_are_named(robot: Robot) -> None:
+    recording = dataclasses.replace(recorded(robot, "position", {}), kind="height")
+    with pytest.raises(InputError, match="readings of the kind 'height' cannot be used yet"):
+        readings(recording)
+
+
+# ------------------------------------------------------------------------------------------------------------ rotations
+
+
+@pytest.mark.parametrize("angle", [0.0, 1e-9, 1e-3, 1.0, 3.0, np.pi - 1e-7, np.pi])
+def test_rotation_vectors_survive_up_to_half_a_turn(angle: float) -> None:
+    v = angle * np.array([0.6, -0.48, 0.64])
+    back = to_vector(from_vector(v)[None])[0]
+    if angle == np.pi and back @ v < 0:
+        back = -back  # both signs are the same half turn
+    assert back == pytest.approx(v, abs=2e-8 if angle > 3.1 else 1e-14)
+
+
+def test_a_cayley_vector_is_twice_the_tangent_of_half_the_angle() -> None:
+    v = np.array([0.2, -0.1, 0.4])
+    angle = np.linalg.norm(v)
+    c = 2 * np.tan(angle / 2) * v / angle
+    assert cayley_matrix(c[None])[0] == pytest.approx(from_vector(v), abs=1e-15)
+
+
+def test_the_mean_of_rotations_lies_between_them() -> None:
+    assert to_vector(mean(from_vector(np.array([[0.0, 0.0, 0.1], [0.0, 0.0, 0.3]])))) == pytest.approx([0, 0, 0.2])
