@@ -129,6 +129,7 @@ class Mechanism:
     def __init__(self, tables: ModuleType) -> None:
         self._tables = tables
         self._spent = 0.0
+        self._known: dict[bytes, Array] = {}  # constants of machines seen lately: they cost as much as a hundred poses
         self.name: str = tables.NAME
         self.title: str = tables.TITLE
         self.reference: str = tables.REFERENCE
@@ -246,8 +247,7 @@ class Mechanism:
         process will make is not known, so NumPy works until it has cost as much as Numba would have: never more than
         twice the best choice.
         """
-        if self._spent > PATIENCE_S[not self._compiled_before] or poses > MANY_POSES:
-            self._spent = np.inf
+        if "compiled" in self.__dict__ or self._spent > PATIENCE_S[not self._compiled_before] or poses > MANY_POSES:
             yield self.compiled
             return
         start = time.perf_counter()
@@ -259,8 +259,15 @@ class Mechanism:
         return importlib.import_module(f"deltacal_kernels.{self.name}.statics")
 
     def _constants(self, rows: Array) -> Array:
-        k: Array = self.vectorised.constants(rows)
-        return k
+        if len(rows) > 1:
+            changing: Array = self.vectorised.constants(rows)
+            return changing
+        key = rows.tobytes()
+        if key not in self._known:
+            if len(self._known) > 16:
+                self._known.clear()
+            self._known[key] = self.vectorised.constants(rows)
+        return self._known[key]
 
     def forward(self, q: Array, tool: Array, rows: Array, near: Array | None = None) -> tuple[Array, np.ndarray]:
         """Return the exact platform pose at given joints.
