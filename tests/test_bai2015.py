@@ -99,7 +99,7 @@ def compare(
     return distance_error(attained, targets), volumetric_error(attained, targets), attained - targets
 
 
-# ---------------------------------------------------------------------------------------- the matrices of eqs. (5)-(9)
+# ----------------------------------------------------------------------------------------- the matrices of eqs. (5)-(9)
 
 
 def paper_matrices(q: np.ndarray, r: np.ndarray, tool: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -168,16 +168,14 @@ def test_scalings_are_the_same_matrix_in_other_units(robot: Robot) -> None:
     assert table * [L * DEG, 1.0, 1.0, c * DEG] == pytest.approx(in_files, abs=1e-12)
 
 
-# --------------------------------------------------------------------------------------------------------------- ranks
+# ---------------------------------------------------------------------------------------------------------------- ranks
 
 RANKS = {"42": 32, "36": 32, "32": 32, "24": 18, "18": 18, "3": 3}  # section 3.2
 
 
 @pytest.mark.parametrize("points", [1, 2, 3])
 @pytest.mark.parametrize(("model", "rank"), RANKS.items())
-def test_ranks_are_those_of_the_paper(
-    robot: Robot, mechanism: Mechanism, model: str, rank: int, points: int
-) -> None:
+def test_ranks_are_those_of_the_paper(robot: Robot, mechanism: Mechanism, model: str, rank: int, points: int) -> None:
     tools = np.array([[0.0, 0.0, -60.0], [80.0, 0.0, -60.0], [0.0, 80.0, -60.0]])[:points]
     poses = np.vstack([rings(robot, 6), scattered(robot, 8, 3)])
     given = wanted(np.tile(poses, (points, 1)), frame="robot", tool=np.repeat(tools, len(poses), axis=0))
@@ -222,7 +220,7 @@ def test_what_distances_do_not_see_moves_them_to_second_order_only(robot: Robot,
         assert change[0] < 0.05 * moved
 
 
-# ------------------------------------------------------------------------------------- Tables 3 and 4, and the procedure
+# ------------------------------------------------------------------------------------ Tables 3 and 4, and the procedure
 
 
 @pytest.mark.parametrize("model", ["18", "32"])
@@ -284,16 +282,14 @@ def test_the_offsets_come_out_of_five_poses_on_the_middle_layer(robot: Robot, me
 
 @pytest.fixture(scope="module")
 def noisy(robot: Robot, mechanism: Mechanism) -> dict[str, dict[str, Any]]:
-    """Largest errors at the 96 check poses in the form of Table 5, the tracker's noise of 0.005 mm over ten sessions."""
+    """Largest errors at the 96 check poses as in Table 5, over ten sessions with the tracker's noise of 0.005 mm."""
     out: dict[str, dict[str, Any]] = {}
     for model in ("18", "32"):
         stages: dict[str, list[tuple[float, float]]] = {"A": [], "B": [], "C": []}
         for seed in range(10):
             found = identify(robot, measuring(robot, model, 0.005, seed), model, as_distance=True)
             assert found.rough is not None
-            rough = {
-                p.name: float(v) for p, v in zip(mechanism.parameters, found.rough.errors, strict=True) if v
-            }
+            rough = {p.name: float(v) for p, v in zip(mechanism.parameters, found.rough.errors, strict=True) if v}
             for stage, errors in (("A", {}), ("B", rough), ("C", found.robot.errors)):
                 distance, volumetric, _ = compare(robot, mechanism, model, errors)
                 stages[stage].append((largest(distance), largest(volumetric)))

@@ -83,7 +83,9 @@ def test_machine_and_instrument_lie_off_the_truth_by_their_covariance(
     assert np.mean(chi2) == pytest.approx(1.0, abs=0.2)
 
 
-def test_noise_is_estimated_from_what_the_fit_leaves(robot: Robot, mechanism: Mechanism, truth: dict[str, float]) -> None:
+def test_noise_is_estimated_from_what_the_fit_leaves(
+    robot: Robot, mechanism: Mechanism, truth: dict[str, float]
+) -> None:
     recording = clean(robot, truth, "position")
     found = [
         fit(pose_problem(robot, with_noise(recording, seed), mechanism.model("18")), errors=mechanism.vector(truth))
@@ -94,7 +96,7 @@ def test_noise_is_estimated_from_what_the_fit_leaves(robot: Robot, mechanism: Me
     assert all(f.rms() < f.sigma[0] for f in found)  # the residuals have lost 24 of 117 degrees of freedom
 
 
-# --------------------------------------------------------------------------------------------------------------- steps
+# ---------------------------------------------------------------------------------------------------------------- steps
 
 
 def test_the_fit_converges_from_the_drawings(robot: Robot, mechanism: Mechanism, truth: dict[str, float]) -> None:
@@ -170,7 +172,7 @@ def test_rms_counts_lengths_only_and_each_scalar_once() -> None:
     assert np.isnan(rms(np.full((2, 3), np.nan)))
 
 
-# ------------------------------------------------------------------------------------------------------------- repeats
+# -------------------------------------------------------------------------------------------------------------- repeats
 
 
 def test_whitening_is_the_inverse_root_of_the_covariance_of_repeats() -> None:
@@ -230,7 +232,7 @@ def test_a_pose_that_was_read_fifty_times_does_not_dominate(
     assert counted > 4 * weighed
 
 
-# -------------------------------------------------------------------------------------------------------------- pieces
+# --------------------------------------------------------------------------------------------------------------- pieces
 
 
 def test_a_subset_holds_its_readings_only(robot: Robot, mechanism: Mechanism, truth: dict[str, float]) -> None:

@@ -81,7 +81,7 @@ def test_a_short_rank_is_no_condition_number() -> None:
     assert observability(np.zeros((5, 2)), 5).rank == 0
 
 
-# ------------------------------------------------------------------------------------------------ of a machine's readings
+# ---------------------------------------------------------------------------------------------- of a machine's readings
 
 
 def test_the_matrix_predicts_what_small_errors_change(robot: Robot, mechanism: Mechanism) -> None:

@@ -136,7 +136,9 @@ def test_what_the_model_leaves_out_is_fixed_at_the_robot_file(robot: Robot, eigh
     assert all(e["value"] == 0.0 and e["std"] is None for e in result["parameters"] if e["name"] in fixed)
 
 
-def test_tolerances_pin_what_the_readings_do_not(robot: Robot, mechanism: Mechanism, complete: dict[str, float]) -> None:
+def test_tolerances_pin_what_the_readings_do_not(
+    robot: Robot, mechanism: Mechanism, complete: dict[str, float]
+) -> None:
     tolerance = {p.name: 2 * p.typical for p in mechanism.parameters}
     result = identify(dataclasses.replace(robot, tolerance=tolerance), noisy(robot, complete), "42").to_dict()
     assert {e["status"] for e in result["parameters"]} == {"identified", "pinned by prior"}
@@ -326,7 +328,7 @@ def test_all_pairs_of_two_reference_points_stay_among_themselves(robot: Robot, e
     assert len(found) == 2 * 9 * 8 // 2  # Bai: 2 C(2n+1, 2)
 
 
-# ---------------------------------------------------------------------------------------------------- the rest of a result
+# ------------------------------------------------------------------------------------------------- the rest of a result
 
 
 def test_accuracy_is_given_in_the_measures_of_the_paper(robot: Robot, eighteen: dict[str, float]) -> None:

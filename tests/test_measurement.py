@@ -123,7 +123,15 @@ def test_readings_have_the_derivatives_they_are_said_to_have(x: np.ndarray, kind
 
 def test_the_unknowns_have_names_and_units() -> None:
     assert instrument("gauge").unknown == (("mx", "mm"), ("my", "mm"), ("mz", "mm"), ("dzero", "mm"))
-    assert [n for n, _ in instrument("position").unknown][:7] == ["wx_1", "wy_1", "wz_1", "tx_1", "ty_1", "tz_1", "wx_2"]
+    assert [n for n, _ in instrument("position").unknown][:7] == [
+        "wx_1",
+        "wy_1",
+        "wz_1",
+        "tx_1",
+        "ty_1",
+        "tz_1",
+        "wx_2",
+    ]
     assert instrument("distance").unknown == ()
 
 
@@ -131,7 +139,9 @@ def test_residuals_are_measured_minus_predicted(x: np.ndarray) -> None:
     at = instrument("pose")
     values, rotations = at.predict(taken("pose"), x)
     small = 1e-3 * np.random.default_rng(1).standard_normal((12, 3))
-    measured = dataclasses.replace(taken("pose"), values=values + [1.0, 2.0, 3.0], rotations=from_vector(small) @ rotations)
+    measured = dataclasses.replace(
+        taken("pose"), values=values + np.array([1.0, 2.0, 3.0]), rotations=from_vector(small) @ rotations
+    )
     r = at.residual(measured, x)
     assert r[:, :3] == pytest.approx(np.tile([1.0, 2.0, 3.0], (12, 1)), abs=1e-9)
     assert r[:, 3:] == pytest.approx(small, abs=1e-13)
@@ -151,7 +161,7 @@ def test_a_reading_of_one_setup_tells_nothing_of_another(x: np.ndarray) -> None:
     assert (J_m[1::2, :, :6] == 0).all()
 
 
-# --------------------------------------------------------------------------------------------------- the first alignment
+# -------------------------------------------------------------------------------------------------- the first alignment
 
 
 def recorded(robot: Robot, kind: str, errors: dict[str, float], **more: object) -> Recording:

@@ -136,7 +136,7 @@ def truth_file(tmp_path: Path, text: str) -> Path:
 
 def test_a_truth_file_is_read_in_mm_and_deg(tmp_path: Path, robot: Robot) -> None:
     path = truth_file(tmp_path, "[parameters]\ntheta_1 = 0.5\nL_2 = -0.2\nalpha03_3 = 0.1\n")
-    assert read_truth(path, robot) == pytest.approx({"theta_1": 0.5 * DEG, "L_2": -0.2, "alpha03_3": 0.1 * DEG})
+    assert read_truth(path, robot).errors == pytest.approx({"theta_1": 0.5 * DEG, "L_2": -0.2, "alpha03_3": 0.1 * DEG})
 
 
 def test_an_unknown_parameter_is_refused_with_its_line_and_a_guess(tmp_path: Path, robot: Robot) -> None:

@@ -33,7 +33,9 @@ def result(robot: Robot, truth: dict[str, float]) -> dict[str, Any]:
     return identify(robot, recording, "18").to_dict()
 
 
-def test_fresh_readings_are_as_good_as_their_noise(robot: Robot, truth: dict[str, float], result: dict[str, Any]) -> None:
+def test_fresh_readings_are_as_good_as_their_noise(
+    robot: Robot, truth: dict[str, float], result: dict[str, Any]
+) -> None:
     fresh = simulate(
         robot, wanted(scattered(robot, 80, 5)), truth, noise_mm=0.005, rng=np.random.default_rng(2), frame=FRAME
     )
@@ -44,7 +46,9 @@ def test_fresh_readings_are_as_good_as_their_noise(robot: Robot, truth: dict[str
     assert "iso9283" not in report  # nothing was repeated
 
 
-def test_the_worst_rows_come_first_with_their_lines(robot: Robot, truth: dict[str, float], result: dict[str, Any]) -> None:
+def test_the_worst_rows_come_first_with_their_lines(
+    robot: Robot, truth: dict[str, float], result: dict[str, Any]
+) -> None:
     fresh = simulate(robot, wanted(scattered(robot, 30, 5)), truth, frame=FRAME)
     off = fresh.measured.copy()
     off[11] += [3.0, 4.0, 0.0]
@@ -55,7 +59,9 @@ def test_the_worst_rows_come_first_with_their_lines(robot: Robot, truth: dict[st
     assert len(report["rows"]) == 10
 
 
-def test_repeats_give_the_figures_of_the_standard(robot: Robot, truth: dict[str, float], result: dict[str, Any]) -> None:
+def test_repeats_give_the_figures_of_the_standard(
+    robot: Robot, truth: dict[str, float], result: dict[str, Any]
+) -> None:
     targets = np.repeat(scattered(robot, 10, 5), 30, axis=0)
     names = [f"P{j // 30}" for j in range(300)]
     fresh = simulate(
@@ -70,7 +76,7 @@ def test_repeats_give_the_figures_of_the_standard(robot: Robot, truth: dict[str,
 
 
 def test_accuracy_and_repeatability_of_a_case_worked_by_hand() -> None:
-    attained = np.array([[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0]]) + [0.0, 0.0, 2.0]
+    attained = np.array([[1.0, 0.0, 2.0], [-1.0, 0.0, 2.0], [0.0, 1.0, 2.0], [0.0, -1.0, 2.0]])
     figures = pose_accuracy(attained, np.zeros(3))
     assert (figures.accuracy, figures.readings) == (pytest.approx(2.0), 4)
     assert figures.repeatability == pytest.approx(1.0)  # all one unit off the mean: no deviation
@@ -80,7 +86,7 @@ def test_accuracy_and_repeatability_of_a_case_worked_by_hand() -> None:
         pose_accuracy(attained[:1], np.zeros(3))
 
 
-# -------------------------------------------------------------------------------------- the measures and poses of Bai 2015
+# ----------------------------------------------------------------------------------- the measures and poses of Bai 2015
 
 
 def test_the_check_poses_are_the_paper_s(robot: Robot) -> None:
@@ -95,7 +101,9 @@ def test_the_check_poses_are_the_paper_s(robot: Robot) -> None:
 
 def test_a_circle_starts_where_it_is_told(robot: Robot) -> None:
     points = circle(workspace_of(robot), 1.0, 0.5, 4, start=np.pi / 2)
-    assert points == pytest.approx(np.array([[0, 250, -978], [-250, 0, -978], [0, -250, -978], [250, 0, -978]]), abs=1e-9)
+    assert points == pytest.approx(
+        np.array([[0, 250, -978], [-250, 0, -978], [0, -250, -978], [250, 0, -978]]), abs=1e-9
+    )
 
 
 def test_a_robot_without_a_cylinder_is_told_so(robot: Robot) -> None:

@@ -1,0 +1,150 @@
+"""Effects: loads by virtual work, static equilibrium, and columns that are its derivative."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+from deltacal_gen.demonstration import example
+from deltacal_gen.mechanism import Array, load_mechanism
+from deltacal_gen.physics import Body, Channels, Term, blank, effect_names, load_effect, reading_shift
+from deltacal_gen.robot import Robot, read_robot
+
+DELTA = load_mechanism("delta")
+N = 12
+
+
+@pytest.fixture(scope="module")
+def robot() -> Robot:
+    robot = read_robot(example() / "robot.toml")
+    rng = np.random.default_rng(3)
+    return dataclasses.replace(
+        robot, errors={p.name: float(p.typical * rng.standard_normal()) for p in DELTA.parameters}
+    )
+
+
+@pytest.fixture(scope="module")
+def body(robot: Robot) -> Body:
+    rng = np.random.default_rng(4)
+    targets = np.column_stack([rng.uniform(-300, 300, (N, 2)), rng.uniform(-950, -750, N)])
+    tool = np.where(np.arange(N)[:, None] % 2, [[60.0, 10.0, -30.0]], [[0.0, 0.0, 0.0]])
+    q, _, status = DELTA.inverse(targets, tool, DELTA.rows(robot))
+    assert (status == 0).all()
+    channels = Channels(
+        approach=rng.choice([-1.0, 1.0], (N, 3)),
+        speed=rng.uniform(-0.5, 0.5, (N, 3)),
+        acceleration=rng.uniform(-20, 20, (N, 3)),
+        warming=rng.uniform(0, 12, N),
+        time=np.linspace(0, 5000, N),
+        payload=rng.choice([0.0, 2.0, 5.0], N),
+        order=np.arange(N, dtype=float),
+    )
+    return Body(robot, DELTA, q, tool, channels)
+
+
+def work(body: Body, rows: Array, q: Array) -> Array:
+    """Return the work function sum(m g.r) of all weights (N,) at the exact pose [N mm]."""
+    x, status = DELTA.forward(q, body.tool, rows)
+    assert (status == 0).all()
+    points = DELTA.weights_at(x, q, body.tool, rows, body.masses)
+    limb = [body.masses["proximal"], body.masses["distal_rod"], body.masses["distal_rod"]]
+    masses = np.tile(np.array([*limb * 3, body.masses["platform"], 0.0]), (N, 1))
+    masses[:, -1] = body.channels.payload
+    return (masses * (points @ body.gravity)).sum(axis=1)
+
+
+def derivative(f: object, h: float) -> Array:
+    """Return the central derivative at 0 of a function of one number, to fourth order."""
+    assert callable(f)
+    return (8 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h)
+
+
+def test_loads_are_the_derivatives_of_the_work_of_gravity(body: Body, robot: Robot) -> None:
+    rows = DELTA.rows(robot)
+    x, _ = DELTA.forward(body.q, body.tool, rows)
+    loads = DELTA.loads(x, body.q, body.tool, rows, body.masses, body.gravity, body.channels.payload)
+    for i in range(3):
+        by_joint = derivative(lambda h, i=i: work(body, rows, body.q + h * np.eye(3)[i]), 1e-3)
+        assert loads.torque[:, i] == pytest.approx(by_joint, rel=1e-8, abs=1e-6)
+
+    def longer(h: float, limb: int, error: str) -> Array:
+        errors = DELTA.vector(robot.errors)
+        errors[DELTA.index[f"{error}_{limb}"]] += h
+        return work(body, DELTA.rows(robot, errors), body.q)
+
+    for limb in (1, 2, 3):
+        mean = derivative(lambda h, limb=limb: longer(h, limb, "l"), 1e-2)
+        difference = derivative(lambda h, limb=limb: longer(h, limb, "dl"), 1e-2)
+        tension = loads.tension[:, limb - 1]
+        assert tension.sum(axis=1) == pytest.approx(mean, rel=1e-7, abs=1e-7)
+        assert (tension[:, 0] - tension[:, 1]) / 2 == pytest.approx(difference, rel=1e-7, abs=1e-7)
+
+
+def test_rods_of_a_hanging_platform_are_in_tension_and_level_arms_are_pulled_down(robot: Robot) -> None:
+    level, tool, ideal = np.zeros((1, 3)), np.zeros(3), DELTA.rows(dataclasses.replace(robot, errors={}))
+    x, _ = DELTA.forward(level, tool, ideal)
+    loads = DELTA.loads(x, level, tool, ideal, {"platform": 2.0}, np.array([0, 0, -9.81]))
+    assert (loads.tension > 0).all()
+    assert (loads.torque < 0).all()
+    assert loads.pull[0, :, 0] == pytest.approx([-2.0 * 9.81 / 3] * 3)  # a third of the weight at each arm's tip
+    assert loads.moment[0] == pytest.approx([0, 0, 0], abs=1e-9)
+
+
+@pytest.mark.parametrize("name", effect_names())
+def test_columns_are_the_derivative_of_the_exact_equilibrium(name: str, body: Body, robot: Robot) -> None:
+    kernels = load_effect(name)
+    constants = tuple({"order": 3.0, "when": 2500.0}[c[0]] for c in kernels.CONSTANTS)
+    tool = (60.0, 10.0, -30.0) if name == "instrument_offset" else None
+    term = blank(name, (1, 3), constants, tool)
+    errors, every = DELTA.vector(robot.errors), np.arange(N)
+    machine, status = body.solve(errors, [term])
+    assert (status == 0).all()
+    S = DELTA.sensitivity(machine.x, machine.q, machine.tool, machine.rows)
+    columns = body.columns([term], machine, S.parameters, S.deflections, S.joints, every)
+    readings = machine.x[:, :3] + 1000.0
+    shifts = reading_shift([term], body, every[:, None], readings)[1]
+
+    def seen(coefficient: int, h: float) -> Array:
+        values = np.zeros(term.n_coefficients)
+        values[coefficient] = h
+        moved = term.with_values(values)
+        x = body.solve(errors, [moved])[0].x
+        return x[:, :3] + reading_shift([moved], body, every[:, None], x[:, :3] + 1000.0)[0]
+
+    for j in range(term.n_coefficients):
+        total = columns[:, :3, j] + shifts[:, :, j]
+        assert np.abs(total).max() > 0, "the effect moves nothing"
+        h = 0.05 / np.abs(total).max()  # moves the reading by 0.05 mm
+        numeric = derivative(lambda h, j=j: seen(j, h), h)
+        assert numeric == pytest.approx(total, rel=1e-3, abs=1e-4 * np.abs(total).max())
+
+
+def test_a_compliant_machine_is_in_equilibrium_with_its_own_loads(body: Body, robot: Robot) -> None:
+    compliance = 2e-8  # rad per N mm: about 1 deg at these torques, far more than any real joint
+    term = Term("joint_compliance", (1, 2, 3), np.full((3, 1), compliance))
+    machine, _ = body.solve(DELTA.vector(robot.errors), [term])
+    loads = DELTA.loads(
+        machine.x, machine.q, machine.tool, machine.rows, body.masses, body.gravity, body.channels.payload
+    )
+    assert machine.q == pytest.approx(body.q + compliance * loads.torque, abs=1e-12)
+
+
+def test_an_effect_without_its_channel_says_what_is_missing(body: Body, robot: Robot) -> None:
+    bare = Channels(None, None, None, None, None, np.zeros(N), np.arange(N, dtype=float))
+    assert "approach1" in str(Body(robot, DELTA, body.q, body.tool, bare).missing("backlash"))
+    assert "temp_C" in str(Body(robot, DELTA, body.q, body.tool, bare).missing("thermal_zero"))
+    massless = Body(dataclasses.replace(robot, masses=None), DELTA, body.q, body.tool, body.channels)
+    assert "[masses]" in str(massless.missing("joint_compliance"))
+    assert massless.missing("joint_scale") is None
+
+
+def test_inertia_of_a_lone_arm_is_its_moment_of_inertia_times_acceleration(body: Body, robot: Robot) -> None:
+    lone = dataclasses.replace(robot, errors={}, masses=robot.masses.model_copy(update={"distal_rod": 0.0, "platform": 0.0}))  # fmt: skip
+    still = dataclasses.replace(body.channels, speed=np.zeros((N, 3)), payload=np.zeros(N))
+    alone = Body(lone, DELTA, body.q, body.tool, still)
+    x, _ = DELTA.forward(body.q, body.tool, DELTA.rows(lone))
+    torque = alone.state(["inertia_torque"], x, body.q, DELTA.rows(lone))["inertia_torque"]
+    m, L = 1.2, 375.0
+    inertia = m * L**2 / 12 + m * (0.4 * L) ** 2  # kg mm^2, about the joint
+    assert torque == pytest.approx(-inertia * still.acceleration / 1000.0, rel=1e-5, abs=1e-3)
