@@ -36,6 +36,7 @@ MOST_EFFECTS = 3
 ORDERS = 100  # integer orders of a periodic error that are searched
 ROOM = 10.0  # mm: root mean square that an effect's coefficient may well move the readings, a prior that never pulls
 LACK_OF_FIT = 1.3  # of chi2 per degree of freedom, against a noise known beforehand
+FUNCTIONS = 6  # of a channel, that a physics-free rival may combine
 STRUCTURE = 25.0  # of chi2, beyond its charge: structure that is left in what should be noise
 Progress = Callable[[str], None]
 
@@ -235,7 +236,8 @@ def diagnose(robot: Robot, recording: Recording, *, progress: Progress = lambda 
     progress("held-out error")
     heldout = (_held_out(baseline), _held_out(current) if chosen else float("nan"))
     sigma = noise(current, recording)
-    left = _left(current, sigma)
+    structures = _structures(current)
+    left = _left(current, sigma, structures)
     verdict = "unexplained" if left else "missing_physics" if chosen else "adequate"
     progress("uncertainty and rivals")
     named = tuple(_named(problem, baseline, current, i, terms, sets) for i in range(len(chosen)))
@@ -250,7 +252,7 @@ def diagnose(robot: Robot, recording: Recording, *, progress: Progress = lambda 
         effects=named,
         heldout=(heldout[0], heldout[1] if chosen else heldout[0]),
         noise=sigma,
-        location=_location(baseline, current, named),
+        location=_location(current, structures, named, explained=not left),
         rejected=_rejected(considered, named),
         not_tested=not_tested,
         robot=calibrated,
@@ -415,31 +417,42 @@ def _held_out(full: Fit) -> float:
 # ------------------------------------------------------------------------------------------------- what is left
 
 
-def _left(current: Fit, sigma: tuple[float, str]) -> bool:
+def _left(current: Fit, sigma: tuple[float, str], structures: Sequence[Structure]) -> bool:
     """Tell whether what is left is more than noise: against a noise known beforehand, and by the structure in it."""
     known, source = sigma
     if source != "residual" and (float(current.sigma[0]) / known) ** 2 > LACK_OF_FIT:
         return True
-    gain, charge = max(_structures(current).values(), key=lambda v: v[0] - v[1], default=(0.0, 0.0))
-    return gain - charge > STRUCTURE
+    return any(f.earned > STRUCTURE for f in structures)
 
 
-def _structures(at: Fit) -> dict[str, tuple[float, float]]:
-    """Return, channel by channel, the gain in chi2 of smooth offsets of joints along it, and the charge for them.
+def _structures(at: Fit) -> list[Structure]:
+    """Return what smooth, physics-free terms along each channel explain of what a fit leaves, the strongest first.
 
-    The physics-free rival: any dependence on a channel that shows in a joint or in the reading.
+    The rival that knows no physics: any dependence on a channel that shows in the joints or in the reading.
     """
-    problem = at.problem
-    out: dict[str, tuple[float, float]] = {}
-    search = _Smooth(at)
-    for name, basis in _bases(problem).items():
-        gain, columns = search.gain(basis)
-        out[name] = (gain, columns * float(np.log(search.readings)) + 2 * float(np.log(20)))
-    return out
+    smooth = _Smooth(at)
+    found = [smooth.along(name, functions, places) for name, (functions, places) in _bases(at.problem).items()]
+    return sorted(found, key=lambda f: -f.earned)
+
+
+@dataclass(frozen=True)
+class Structure:
+    """Dependence on a channel: gain in chi2, the charge for the functions used, and where it sits if it is local."""
+
+    channel: str
+    gain: float
+    charge: float
+    used: tuple[int, ...]
+    region: tuple[tuple[float, float, float], float] | None
+
+    @property
+    def earned(self) -> float:
+        """Gain beyond the charge."""
+        return self.gain - self.charge
 
 
 class _Smooth:
-    """Offsets of each joint and of the reading, modulated by functions of the rows."""
+    """Displacements of each joint and of the reading, modulated by functions of the rows, beside all that is fitted."""
 
     def __init__(self, at: Fit) -> None:
         problem = at.problem
@@ -448,8 +461,9 @@ class _Smooth:
         used = np.unique(problem.readings.rows)
         rows = machine.rows if len(machine.rows) == 1 else machine.rows[used]
         S = problem.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)
-        self._joints = np.zeros((len(machine.x), problem.mechanism.n_x, problem.mechanism.limbs))
-        self._joints[used] = S.joints
+        self._dx = np.zeros((len(machine.x), problem.mechanism.n_x, problem.mechanism.limbs + 3))
+        self._dx[used, :, : problem.mechanism.limbs] = S.joints
+        self._dx[used, :3, problem.mechanism.limbs :] = np.eye(3)
         self._machine = machine
         state = problem.linearise(at.errors, at.instrument, machine)
         self._read = np.isfinite(state.residual)
@@ -466,86 +480,169 @@ class _Smooth:
         scaled = np.where(self._read[..., None], values * self._w[..., None], 0.0)
         return self._at.repeats.whiten(scaled)[self._read]
 
-    def gain(self, basis: Array, limbs: Sequence[int] | None = None) -> tuple[float, int]:
-        """Return the gain in chi2 of basis functions (N, m) on each joint (or those of `limbs`), and their number."""
-        joints = self._joints if limbs is None else self._joints[:, :, [i - 1 for i in limbs]]
-        dx = (joints[..., None] * basis[:, None, None, :]).reshape(len(basis), joints.shape[1], -1)
-        J, _ = self._at.instrument.linearise(self._problem.readings, self._machine.x, dx)
+    def _columns(self, functions: Array, directions: Sequence[int]) -> Array:
+        """Return projected unit columns (rows, functions, directions)."""
+        dx = self._dx[:, :, None, list(directions)] * functions[:, None, :, None]
+        J, _ = self._at.instrument.linearise(self._problem.readings, self._machine.x, dx.reshape(*dx.shape[:2], -1))
         A = self._rows(J)
-        size = np.linalg.norm(A, axis=0)
-        A = A / np.maximum(size, 1e-300)
+        A = A / np.maximum(np.linalg.norm(A, axis=0), 1e-300)
         A = A - self._Q @ (self._Q.T @ A)
-        U, s, _ = np.linalg.svd(A, full_matrices=False)
-        keep = s > 1e-6 * max(float(s[0]), 1e-12) if len(s) else s > 0
-        keep &= s > 1e-4
-        return float(np.sum((U[:, keep].T @ self._r) ** 2)), int(keep.sum())
+        return A.reshape(len(A), functions.shape[1], len(directions))
+
+    def along(
+        self, channel: str, functions: Array, places: Sequence[tuple[tuple[float, float, float], float] | None]
+    ) -> Structure:
+        """Return what the best few functions of a channel explain, each charged for its columns and its choice."""
+        directions = range(self._dx.shape[2])
+        A = self._columns(functions, directions)
+        r, gain, charge = self._r.copy(), 0.0, 0.0
+        chosen: list[int] = []
+        price = A.shape[2] * float(np.log(self.readings)) + 2 * float(np.log(max(A.shape[1], 2)))
+        taken = np.zeros((len(r), 0))
+        for _ in range(min(FUNCTIONS, A.shape[1])):
+            gains = np.array([_explained(A[:, k], r) for k in range(A.shape[1])])
+            k = int(np.argmax(gains))
+            if gains[k] < price:
+                break
+            taken = np.hstack([taken, A[:, k]])
+            Q = np.linalg.qr(taken)[0]
+            left = self._r - Q @ (Q.T @ self._r)
+            gain, charge, r = float(self._r @ self._r - left @ left), charge + price, left
+            A = A - np.einsum("ij,jkl->ikl", Q, np.einsum("ij,ikl->jkl", Q, A))
+            chosen.append(k)
+        region = places[chosen[0]] if chosen else None
+        return Structure(channel, gain, charge, tuple(chosen), region)
+
+    def limbs(self, functions: Array) -> list[int]:
+        """Return the limbs whose joints carry a dependence on functions (N, m) of a channel; none where readings do."""
+        every = range(1, self._problem.mechanism.limbs + 1)
+        A = self._columns(functions, [i - 1 for i in every])
+        best: list[int] = []
+        best_score = 0.0
+        for n in every:
+            for subset in itertools.combinations(every, n):
+                columns = A[:, :, [i - 1 for i in subset]].reshape(len(A), -1)
+                score = _explained(columns, self._r) - columns.shape[1] * float(np.log(self.readings))
+                if score > best_score:
+                    best, best_score = list(subset), score
+        seen = self._columns(functions, range(len(every), len(every) + 3)).reshape(len(A), -1)
+        as_reading = _explained(seen, self._r) - seen.shape[1] * float(np.log(self.readings))
+        return best if best_score > as_reading else []
 
 
-def _bases(problem: Problem) -> dict[str, Array]:
-    """Return functions (N, m) of each channel, of the joints and of the position, centred and of unit size."""
+def _explained(A: Array, r: Array) -> float:
+    """Return the part of |r|^2 that the columns of A explain."""
+    U, s, _ = np.linalg.svd(A, full_matrices=False)
+    keep = s > 1e-3
+    return float(np.sum((U[:, keep].T @ r) ** 2))
+
+
+_Places = list[tuple[tuple[float, float, float], float] | None]
+
+
+def _bases(problem: Problem) -> dict[str, tuple[Array, _Places]]:
+    """Return functions (N, m) of every channel, joint and of the position; of local ones, where they sit."""
     recording, body = problem.recording, problem.body
     rows = np.unique(problem.readings.rows)
-    out: dict[str, Array] = {}
-    for name, values in recording.channels.items():
-        if name.startswith("true_"):
+    out: dict[str, tuple[Array, _Places]] = {}
+    joint = "deg" if recording.joint_unit == "rad" else "mm"
+    named = {f"q{i + 1}_{joint}": q for i, q in enumerate(body.q.T)}
+    for name, values in {**recording.channels, **named}.items():
+        if name.startswith("true_") or not np.isfinite(values[rows]).any():
             continue
-        v = np.nan_to_num(values, nan=float(np.nanmedian(values)) if np.isfinite(values).any() else 0.0)
-        if np.ptp(v[rows]) == 0:
-            continue
-        out[name] = _functions(v, rows)
-    x = np.nan_to_num(body.mechanism.forward(body.q, body.tool, body.mechanism.rows(problem.robot))[0][:, :3])
-    u = (x - x[rows].mean(axis=0)) / np.maximum(x[rows].std(axis=0), 1e-9)
-    powers = [(i, j, k) for i in range(6) for j in range(6) for k in range(6) if 3 <= i + j + k <= 5]
-    out["position"] = np.column_stack([u[:, 0] ** i * u[:, 1] ** j * u[:, 2] ** k for i, j, k in powers])[:, :24]
+        v = np.nan_to_num(values, nan=float(np.nanmedian(values[rows])))
+        if np.ptp(v[rows]) > 0:
+            functions = _functions(v, rows)
+            out[name] = functions, [None] * functions.shape[1]
+    x, _ = body.mechanism.forward(body.q, body.tool, body.mechanism.rows(problem.robot))
+    x = np.nan_to_num(x[:, :3])
+    span = float(np.linalg.norm(np.ptp(x[rows], axis=0))) / 2
+    centres = [rows[0]]
+    while len(centres) < min(24, len(rows)):  # the farthest point of what is measured, again and again
+        gap = np.min([np.linalg.norm(x[rows] - x[c], axis=1) for c in centres], axis=0)
+        centres.append(rows[int(np.argmax(gap))])
+    radii = [part * span for part in (0.15, 0.25, 0.4)]
+    bumps = [np.exp(-0.5 * (np.linalg.norm(x - x[c], axis=1) / radius) ** 2) for c in centres for radius in radii]
+    places: _Places = [((float(x[c, 0]), float(x[c, 1]), float(x[c, 2])), r) for c in centres for r in radii]
+    out["position"] = np.column_stack(bumps), places
     return out
 
 
 def _functions(v: Array, rows: np.ndarray) -> Array:
-    """Return functions (N, m) of a channel: itself where it has few values, powers and waves where it has many."""
+    """Return functions (N, m) of a channel: its levels where it has few values, powers and waves where it has many."""
     levels = np.unique(v[rows])
     if len(levels) <= 4:
         return np.column_stack([(v == level).astype(float) for level in levels[1:]])
     t = (v - v[rows].min()) / np.ptp(v[rows])
     s = 2 * t - 1
-    waves = [f(2 * np.pi * k * t) for k in range(1, 9) for f in (np.cos, np.sin)]
+    most = int(np.clip(len(levels) // 4, 2, 40))
+    waves = [f(2 * np.pi * k * t) for k in range(1, most + 1) for f in (np.cos, np.sin)]
     return np.column_stack([s, s**2 - 1 / 3, s**3 - 0.6 * s, *waves])
 
 
-def _location(baseline: Fit, current: Fit, named: Sequence[Named]) -> dict[str, Any]:
-    """Return channels by their share of the misfit that geometry leaves, limbs, and both in words."""
-    found = _structures(baseline)
-    total = max(
-        float(np.nansum((baseline.residual / current.sigma) ** 2)) - float(np.isfinite(baseline.residual).sum()), 1.0
-    )
-    ratio = float((baseline.sigma[0] / current.sigma[0]) ** 2)
-    shares = {}
-    for name, (gain, charge) in found.items():
-        earned = (gain - charge) * ratio
-        if earned > 0:
-            shares[name] = (min(earned / total, 1.0), gain, charge)
-    channels = [
-        {"name": name, "p_value": float(np.exp(-max(gain - charge, 0.0) / 2)), "share": share}
-        for name, (share, gain, charge) in sorted(shares.items(), key=lambda kv: -kv[1][0])
-    ]
-    limbs = sorted({i for n in named for i in n.term.limbs})
-    if not limbs and channels:
-        smooth = _Smooth(baseline)
-        basis = _bases(baseline.problem)[str(channels[0]["name"])]
-        every = range(1, baseline.problem.mechanism.limbs + 1)
-        best: tuple[int, ...] = ()
-        best_score = 0.0
-        for n in every:
-            for subset in itertools.combinations(every, n):
-                gain, k = smooth.gain(basis, subset)
-                score = gain - k * np.log(smooth.readings)
-                if score > best_score:
-                    best, best_score = subset, score
-        limbs = list(best)
-    first = channels[0]["name"] if channels else None
-    text = "what is left depends on nothing that was recorded" if first is None else f"the misfit depends on {first}"
+_CHANNELS = {  # of the recording, for what effects read
+    "approach": "approach{}",
+    "speed": "qd{}_deg_s",
+    "acceleration": "qdd{}_deg_s2",
+    "inertia_torque": "qdd{}_deg_s2",
+    "warming": "temp_C",
+    "time": "time_s",
+    "after": "time_s",
+    "payload_torque": "payload_kg",
+    "torque": "q{}_deg",
+    "pull_v": "q{}_deg",
+    "tension_1": "q{}_deg",
+    "moment_x": "position",
+    "q": "q{}_deg",
+    "theta": "q{}_deg",
+}
+
+
+def _location(at: Fit, structures: Sequence[Structure], named: Sequence[Named], explained: bool) -> dict[str, Any]:
+    """Return channels by their share of the misfit, the limbs, the region where it is local, and all in words.
+
+    Where effects explain the misfit they say what it depends on; elsewhere the strongest structures do.
+    """
+    channels: dict[str, tuple[float, float]] = {}
+    limbs: list[int] = sorted({i for n in named for i in n.term.limbs}) if explained else []
+    region: tuple[tuple[float, float, float], float] | None = None
+    if explained:
+        for n in named:
+            for state in n.term.kernels.STATE:
+                pattern = _CHANNELS.get(state)
+                for i in n.term.limbs or (1, 2, 3):
+                    if pattern is not None:
+                        name = pattern.format(i)
+                        share = max(n.share, channels.get(name, (0.0, 1.0))[0])
+                        channels[name] = (share, float(np.exp(-min(n.gain, 1400.0) / 2)))
+    else:
+        total = float(np.nansum((at.residual / at.sigma) ** 2))
+        for f in structures:
+            if f.earned > 0:
+                channels[f.channel] = (min(f.earned / total, 1.0), float(np.exp(-min(f.earned, 1400.0) / 2)))
+        strongest = next((f for f in structures if f.earned > 0), None)
+        if strongest is not None:
+            functions, _ = _bases(at.problem)[strongest.channel]
+            limbs = _Smooth(at).limbs(functions[:, list(strongest.used)])
+            if strongest.region is not None:
+                region, limbs = strongest.region, []
+    ordered = sorted(channels.items(), key=lambda kv: -kv[1][0])
+    first = ordered[0][0] if ordered else None
+    if first is None:
+        text = "what is left depends on nothing that was recorded"
+    elif region is not None:
+        x, y, z = region[0]
+        text = f"the misfit sits in a region of the workspace around ({x:.0f}, {y:.0f}, {z:.0f}) mm"
+    else:
+        text = f"the misfit depends on {first}"
     if limbs:
         text += f", at limb{'s' if len(limbs) > 1 else ''} {', '.join(map(str, limbs))}"
-    return {"channels": channels, "limbs": limbs, "region": None, "text": text}
+    return {
+        "channels": [{"name": name, "p_value": p, "share": share} for name, (share, p) in ordered],
+        "limbs": limbs,
+        "region": None if region is None else {"centre_mm": list(region[0]), "radius_mm": region[1]},
+        "text": text,
+    }
 
 
 # ------------------------------------------------------------------------------------------------ what was found
