@@ -223,6 +223,9 @@ def identify(
     solver: Annotated[str, typer.Option(help="prior, least-squares, tsvd or ridge")] = "prior",
     truncation: Annotated[str, typer.Option(help="for tsvd: a number, gcv or discrepancy")] = "gcv",
     robust: Annotated[bool, typer.Option(help="let gross errors not move the result")] = True,
+    physics: Annotated[
+        Path | None, typer.Option(help="DIAGNOSIS.json: its effects are held", show_default=False)
+    ] = None,
     picture: Annotated[Path | None, typer.Option(help="what it found, .svg or .png", show_default=False)] = None,
     as_json: Json = False,
 ) -> None:
@@ -239,6 +242,7 @@ def identify(
             solver=solver,
             truncation=int(truncation) if truncation.isdigit() else truncation,
             robust=robust,
+            physics=physics,
             progress=tell,
         )
     if picture is not None:

@@ -239,10 +239,16 @@ def identify(
     solver: str = "prior",
     truncation: int | str = "gcv",
     robust: bool = True,
+    physics: Source | Mapping[str, Any] | None = None,
     progress: Progress = _silent,
 ) -> dict[str, Any]:
-    """Identify a robot's source errors; return RESULT.json. See `identification.identify` for the options."""
+    """Identify a robot's source errors; return RESULT.json. See `identification.identify` for the options.
+
+    `physics` is a DIAGNOSIS.json whose effects are held while geometry and frame are refitted: how a diagnosis carries
+    to another session.
+    """
     from deltacal_gen import identification
+    from deltacal_gen.physics import term_from_dict
 
     robot = _robot(robot)
     found = identification.identify(
@@ -253,6 +259,7 @@ def identify(
         solver=solver,
         truncation=truncation,
         robust=robust,
+        held=[term_from_dict(t) for t in _result(physics).get("physics", ())] if physics is not None else (),
         progress=progress,
     ).to_dict()
     if output is not None:

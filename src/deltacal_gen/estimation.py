@@ -167,14 +167,15 @@ class Problem:
         return dataclasses.replace(self, body=Body(b.robot, b.mechanism, b.q, tool, b.channels))
 
     def with_names(self, names: Sequence[str]) -> Problem:
-        """Return the problem with other free source errors, in their ordinary scale, and no effects."""
+        """Return the problem with other free source errors, in their ordinary scale, and only the effects held."""
         index = [self.mechanism.index[n] for n in names]
         return dataclasses.replace(
             self,
             names=tuple(names),
             scale=self.mechanism.typical[index],
             reference=self.reference[: len(self.mechanism.parameters)],
-            terms=(),
+            terms=self.terms if self.held else (),
+            held=True,
         )
 
     def with_terms(self, terms: Sequence[Term], scale: Array) -> Problem:

@@ -7,7 +7,7 @@ parameters of the model. Both are exact: the stages differ in what is free, not 
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -20,6 +20,7 @@ from deltacal_gen.estimation import Fit, Problem, Repeats, fit, pose_problem, rm
 from deltacal_gen.identifiability import Combination
 from deltacal_gen.measurement import Readings
 from deltacal_gen.mechanism import SOLVED, Array, Mechanism, load_mechanism
+from deltacal_gen.physics import Term, term_to_dict
 from deltacal_gen.recording import Recording, check_units
 from deltacal_gen.robot import Robot, robot_to_dict
 from deltacal_gen.solvers import TSVD, LeastSquares, Prior, Ridge, Solver
@@ -82,6 +83,7 @@ def identify(
     solver: str = "prior",
     truncation: int | str = "gcv",
     robust: bool = True,
+    held: Sequence[Term] = (),
     progress: Progress = lambda text: None,
 ) -> Identification:
     """Identify a robot's source errors from a recording.
@@ -99,6 +101,8 @@ def identify(
         For ``tsvd``.
     robust : bool
         Let a few per cent of gross errors not move the result.
+    held : sequence of Term
+        Effects that stay as a diagnosis found them, while geometry and frame are refitted.
     progress : callable
         Told in words what is being done.
 
@@ -113,9 +117,12 @@ def identify(
     """
     check_units(recording, robot)
     mechanism = load_mechanism(robot.mechanism)
-    everything = pose_problem(robot, recording, (), as_distance=as_distance)
+    everything = pose_problem(robot, recording, (), as_distance=as_distance, held=held)
     chosen = _model(mechanism, everything, recording, model)
     names = mechanism.model(chosen)
+    for term in held:
+        if why := everything.body.missing(term.effect):
+            raise InputError(f"the effect '{term.effect}' needs {why}.", "Add it.", file=recording.path)
     problem, given = _with_prior(everything.with_names(names), robot)
     rule = _solver(solver, truncation)
     if solver != "prior":
@@ -537,6 +544,7 @@ def _result(found: Identification) -> dict[str, Any]:
         "base_frame": _base_frames(found),
         "workspace": found.map,
         "iterations": len(final.history),
+        "physics": [term_to_dict(t) for t in problem.terms],
         "instrument": final.instrument.to_dict()
         | {"setups": list(problem.recording.setup_names), "zero": problem.recording.measurement.zero},
         "robot": robot_to_dict(found.robot),

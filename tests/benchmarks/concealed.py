@@ -135,7 +135,8 @@ def _errors(rng: np.random.Generator) -> dict[str, float]:
 
 def _targets(robot: Robot, n: int, rings: bool, rng: np.random.Generator) -> Array:
     space = robot.workspace
-    assert space is not None and space.radius is not None
+    assert space is not None
+    assert space.radius is not None
     if rings:
         per = int(rng.choice([8, 12, 18]))
         k = np.arange(n)
@@ -375,10 +376,10 @@ class Judge:
         search = self.search(exact)
         left, chosen, names = self.misfit(self._of(exact).readings.values), [], set()
         for _ in range(3):
-            gains = {c: search.gain([*chosen, *_all(c)]) for c in search.candidates if c.name not in names}
-            best = max(gains, key=gains.__getitem__)
+            others = [c for c in search.candidates if c.name not in names]
+            gain, _, best = max((search.gain([*chosen, *_all(c)]), i, c) for i, c in enumerate(others))
             chosen, names = [*chosen, *_all(best)], {*names, best.name}
-        return left - gains[best] > REST * search.readings
+        return left - gain > REST * search.readings
 
 
 def _all(c: Candidate) -> list[int]:
@@ -444,7 +445,7 @@ def _attempt(kind: str, names: tuple[str, ...], rng: np.random.Generator) -> Cas
     if names and not (judge.foreign(exact) if kind == "outside" else 1.4 < excess < 15 and judge.clear(exact, terms)):
         return None
     noisy, traits = _noisy(exact, sigma, rng)
-    traits += tuple(sorted(have)) + (of, f"n={n}", f"repeats={repeats}", f"tools={len(tools)}")
+    traits = (*traits, *sorted(have), of, f"n={n}", f"repeats={repeats}", f"tools={len(tools)}")
     channels, limbs = OUTSIDE[names[0]][0] if kind == "outside" else (), ()
     if kind == "outside" and names[0] not in ("local_bump", "random_walk"):
         limbs = (foreign.limb,)
@@ -633,7 +634,7 @@ def _line(label: str, found: Sequence[dict[str, Any]]) -> list[str]:
 def table(found: Sequence[dict[str, Any]]) -> Table:
     """Return the table by kind and by effect."""
     out = Table("", title="what was concealed, and what was found")
-    for head in "n|exact|limbs|alarms|verdict|< 3 std|spread|/oracle|channel|s".split("|"):
+    for head in ("n", "exact", "limbs", "alarms", "verdict", "< 3 std", "spread", "/oracle", "channel", "s"):
         out.add_column(head, justify="right")
     for kind in ORDINARY:
         if of_kind := [f for f in found if f["kind"] == kind]:
