@@ -6,6 +6,7 @@ import dataclasses
 
 import numpy as np
 import pytest
+
 from deltacal_gen.demonstration import example
 from deltacal_gen.mechanism import Array, load_mechanism
 from deltacal_gen.physics import Body, Channels, Term, blank, effect_names, load_effect, reading_shift
@@ -140,7 +141,9 @@ def test_an_effect_without_its_channel_says_what_is_missing(body: Body, robot: R
 
 
 def test_inertia_of_a_lone_arm_is_its_moment_of_inertia_times_acceleration(body: Body, robot: Robot) -> None:
-    lone = dataclasses.replace(robot, errors={}, masses=robot.masses.model_copy(update={"distal_rod": 0.0, "platform": 0.0}))  # fmt: skip
+    assert robot.masses is not None
+    only_arms = robot.masses.model_copy(update={"distal_rod": 0.0, "platform": 0.0})
+    lone = dataclasses.replace(robot, errors={}, masses=only_arms)
     still = dataclasses.replace(body.channels, speed=np.zeros((N, 3)), payload=np.zeros(N))
     alone = Body(lone, DELTA, body.q, body.tool, still)
     x, _ = DELTA.forward(body.q, body.tool, DELTA.rows(lone))

@@ -29,7 +29,7 @@ def matrix(kind: str) -> np.ndarray:
 
 KINDS = ["full rank", "wide", "deficient", "deficient and wide", "zero"]
 RANK = {"full rank": 8, "wide": 8, "deficient": 5, "deficient and wide": 5, "zero": 0}
-SOLVERS: list[Solver] = [LeastSquares(), TSVD(4), TSVD("discrepancy"), TSVD("gcv"), Prior()]
+SOLVERS: list[Solver] = [LeastSquares(), TSVD(4), TSVD("discrepancy", 1.0), TSVD("gcv"), Prior()]
 
 
 @pytest.fixture(params=KINDS)
@@ -69,7 +69,7 @@ def test_discrepancy_keeps_the_fewest_directions_that_leave_the_noise() -> None:
     U, s, Vt = np.linalg.svd(A, full_matrices=False)
     u = Vt[:3].T @ (40.0 / s[:3])  # three directions far above the noise, nothing in the others
     b = A @ u + rng.standard_normal(M)
-    got = TSVD("discrepancy").solve(A, b)
+    got = TSVD("discrepancy", 1.0).solve(A, b)
     left = [np.sum((b - U[:, :k] @ (U[:, :k].T @ b)) ** 2) for k in range(N + 1)]
     assert got.degrees == next(k for k in range(N + 1) if left[k] <= M)
     assert got.degrees <= 3
@@ -77,7 +77,7 @@ def test_discrepancy_keeps_the_fewest_directions_that_leave_the_noise() -> None:
 
 def test_discrepancy_keeps_everything_where_nothing_leaves_the_noise() -> None:
     A = matrix("full rank")
-    assert TSVD("discrepancy").solve(A, 1e3 * np.random.default_rng(2).standard_normal(M)).degrees == N
+    assert TSVD("discrepancy", 1.0).solve(A, 1e3 * np.random.default_rng(2).standard_normal(M)).degrees == N
 
 
 def test_cross_validation_of_a_truncation_is_its_formula(problem: tuple[str, np.ndarray, np.ndarray]) -> None:

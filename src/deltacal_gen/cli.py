@@ -309,6 +309,7 @@ def diagnose(
     robot: RobotFile,
     recording: RecordingFile,
     output: Annotated[Path | None, typer.Option("-o", "--output", help="DIAGNOSIS.json", show_default=False)] = None,
+    report: Annotated[Path | None, typer.Option(help="a page to read, FILE.html", show_default=False)] = None,
     strict: Annotated[bool, typer.Option("--strict", help="exit with 1 unless the verdict is adequate")] = False,
     as_json: Json = False,
 ) -> None:
@@ -316,13 +317,14 @@ def diagnose(
     from deltacal_gen import commands
 
     with _progress(as_json) as tell:
-        found = commands.diagnose(robot, recording, output, progress=tell)
+        found = commands.diagnose(robot, recording, output, report=report, progress=tell)
     if as_json:
         _print_json(found)
     else:
         _show_diagnosis(found)
-        if output is not None:
-            screen.print(f"written to {output}")
+        for path in (output, report):
+            if path is not None:
+                screen.print(f"written to {path}")
     if strict and found["verdict"] != "adequate":
         raise typer.Exit(1)
 

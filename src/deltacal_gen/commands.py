@@ -272,15 +272,24 @@ def diagnose(
     recording: Source | Recording,
     output: Source | None = None,
     *,
+    report: Source | None = None,
     progress: Progress = _silent,
 ) -> dict[str, Any]:
-    """Find where model and recording differ, and which physics was left out; return DIAGNOSIS.json."""
+    """Find where model and recording differ, and which physics was left out; return DIAGNOSIS.json.
+
+    `report` is one self-contained HTML page of the same.
+    """
     from deltacal_gen import diagnosis
 
     robot = _robot(robot)
     found = diagnosis.diagnose(robot, _recording(recording, robot), progress=progress).to_dict()
     if output is not None:
         write_json(found, output)
+    if report is not None:
+        from deltacal_gen import report as page
+
+        progress("report")
+        write_files({Path(report): page.diagnosis(found)})
     return found
 
 

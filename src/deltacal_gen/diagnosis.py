@@ -214,7 +214,8 @@ def diagnose(robot: Robot, recording: Recording, *, progress: Progress = lambda 
     progress("geometry")
     rough = identification.rough(problem, mechanism, robust=True)
     identification.check_rows(rough, recording)
-    baseline = fit(problem, Prior(), errors=rough.errors, instrument=rough.instrument)
+    # what is left out may look like gross errors where it is strongest: none is dropped before it is known
+    baseline = fit(problem, Prior(), errors=rough.errors, instrument=rough.instrument, drop_gross=False)
     terms, not_tested = library(problem)
     sets = _sets(terms)
     current: Fit = baseline
@@ -404,7 +405,12 @@ def _held_out(full: Fit) -> float:
             continue
         try:
             part = fit(
-                problem.subset(train), Prior(), errors=full.errors, instrument=full.instrument, repeats=full.repeats
+                problem.subset(train),
+                Prior(),
+                errors=full.errors,
+                instrument=full.instrument,
+                repeats=full.repeats,
+                must_converge=False,
             )
         except NoSolutionError:
             continue
@@ -718,11 +724,34 @@ def _result(found: Diagnosis) -> dict[str, Any]:
         "not_tested": found.not_tested,
         "next_measurements": [],
         "gross_errors": [int(final.problem.readings.line[j]) for j in final.gross],
+        "residuals": _residuals(found),
         "sigma_mm": sigma,
         "physics": [term_to_dict(n.term) for n in found.effects],
         "instrument": final.instrument.to_dict()
         | {"setups": list(final.problem.recording.setup_names), "zero": final.problem.recording.measurement.zero},
         "robot": robot_to_dict(found.robot),
+    }
+
+
+def _residuals(found: Diagnosis) -> dict[str, Any]:
+    """Return what every reading is off, before and after, where it was read and what the channels said there."""
+    problem = found.final.problem
+    rows = problem.readings.rows[:, 0]
+    machine = problem.solve(found.final.errors)
+    channels = {
+        name: [None if np.isnan(v) else float(v) for v in values[rows]]
+        for name, values in problem.recording.channels.items()
+        if not name.startswith("true_")
+    }
+    degrees = problem.recording.joint_unit == "rad"
+    for i, q in enumerate(problem.body.q.T):
+        channels[f"q{i + 1}_{'deg' if degrees else 'mm'}"] = (np.degrees(q) if degrees else q)[rows].tolist()
+    return {
+        "line": problem.readings.line.tolist(),
+        "position_mm": machine.x[rows, :3].tolist(),
+        "before_mm": found.baseline.residual[:, :3].tolist(),
+        "after_mm": found.final.residual[:, :3].tolist(),
+        "channels": channels,
     }
 
 

@@ -26,13 +26,14 @@ from deltacal_gen.solvers import LeastSquares, Solution, Solver
 MAX_ITERATIONS = 40
 CONVERGED = 1e-4  # of chi2: what a last step could still gain; parameters then stand within 1e-2 of their deviation
 # a direction that the data hardly see converges slowly where the model bends within its noise: no step of it matters
-PATIENCE, SETTLED = 15, 1e-2
+PATIENCE, SETTLED, UNSETTLED = 12, 5e-2, 1.0
 ESTIMATED_AT = 3  # iteration in which the weight of repeats is estimated: the fit is then close
 STEP_LIMIT = 30.0  # of an ordinary error: a longer step at once is no correction but a loss of direction
 TRIALS = 12
 SMALLEST_SIGMA = 1e-10  # mm and rad: noise below rounding is taken for this
 HUBER = 2.5  # standard deviations beyond which a reading's pull stops growing
 SPOILT = 30.0  # times the median residual: a reading so far off is named when a fit does not converge
+MOST_GROSS = 0.06  # of all readings: more than this are no errors of measurement but something left out
 GROSS = 6.0  # standard deviations beyond which a reading is listed as a gross error
 
 
@@ -228,7 +229,7 @@ class Repeats:
     With `n` readings of a pose, variance 1 within and `ratio` between poses, the pose's mean has the variance
     ``ratio + 1/n``: more readings of the same pose do not make it any surer. The rows are whitened by taking the part
     ``1 - 1/sqrt(1 + n ratio)`` of the pose's mean off each reading (quasi-demeaning, generalised least squares of a
-    random-effects model).
+    random-effects model). The noise of a single reading is ``1 + ratio``; rows come divided by the part within.
     """
 
     group: np.ndarray
@@ -246,8 +247,12 @@ class Repeats:
         return whitened
 
     @staticmethod
-    def ratio_of(residual: Array, group: np.ndarray) -> tuple[float, float, int]:
-        """Return (variance between / within, variance within, degrees of freedom within) of residuals (R, k)."""
+    def ratio_of(residual: Array, group: np.ndarray, fitted: float = 0.0) -> tuple[float, float, int]:
+        """Return (variance between / within, variance within, degrees of freedom within) of residuals (R, k).
+
+        `fitted` is the number of parameters that the means of the groups have carried.
+        """
+        residual = np.nan_to_num(residual[:, :3])
         count = np.bincount(group)
         several = count[group] > 1
         degrees = int((count[count > 1] - 1).sum()) * residual.shape[1]
@@ -257,7 +262,9 @@ class Repeats:
         np.add.at(sums, group, residual)
         means = sums / np.maximum(count, 1)[:, None]
         within = float(((residual - means[group])[several] ** 2).sum() / degrees)
-        excess = (means[count > 0] ** 2).mean() - within * (1 / count[count > 0]).mean()
+        some = count > 0
+        spare = max(some.sum() * residual.shape[1] - fitted, 1.0)
+        excess = (means[some] ** 2).sum() / spare - within * (1 / count[some]).mean()
         return float(max(excess, 0.0) / max(within, SMALLEST_SIGMA**2)), within, degrees
 
 
@@ -320,6 +327,8 @@ def fit(
     robust: bool = True,
     repeats: Repeats | None = None,
     weigh_repeats: bool = True,
+    drop_gross: bool = True,
+    must_converge: bool = True,
 ) -> Fit:
     """Fit a machine's parameters and the instrument to readings, exactly.
 
@@ -338,6 +347,10 @@ def fit(
         How repeated readings of a pose are weighed; default estimated on the way.
     weigh_repeats : bool
         Otherwise every reading counts alone.
+    drop_gross : bool
+        Give readings that prove gross errors no weight in the end, as long as they are few.
+    must_converge : bool
+        Otherwise the last state is returned when the iteration does not end.
 
     Raises
     ------
@@ -355,27 +368,36 @@ def fit(
     estimated = repeats is None and weigh_repeats
     shared = Repeats(problem.readings.group, repeats.ratio if repeats else 0.0)
     history: list[float] = []
-    degrees = float(n_m + min(len(problem.names), 1))
-    damping = 0.0
+    scalars = int(np.isfinite(instrument.residual(problem.readings, machine.x)).sum())
+    leverage = np.full(2, float(n_m + min(len(problem.names), 1)) / max(scalars, 1))
+    damping, degrees = 0.0, 0.0
     while True:
         state = problem.linearise(errors, instrument, machine)
-        sigma = _noise(state.residual, degrees, robust)
-        weights = _weights(state.residual, sigma) if robust else np.ones(len(state.residual))
+        sigma = _noise(state.residual, leverage, robust)
+        drop = drop_gross and len(history) > ESTIMATED_AT
+        weights = _weights(state.residual, sigma, drop) if robust else np.ones(len(state.residual))
         if estimated and len(history) == ESTIMATED_AT:
-            shared = Repeats(problem.readings.group, Repeats.ratio_of(state.residual, problem.readings.group)[0])
+            ratio, *_ = Repeats.ratio_of(state.residual, problem.readings.group, fitted=degrees)
+            shared = Repeats(problem.readings.group, ratio)
         A_p, A_m, b = _system(state, sigma, weights, shared, problem.scale)
         # the solver draws towards the reference: it is asked for the whole departure, not for a step
         departure = (errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
         Q = np.linalg.qr(A_m)[0] if n_m else np.zeros((len(b), 0))
         target = b + A_p @ departure
-        solution = solver.solve(A_p - Q @ (Q.T @ A_p), target - Q @ (Q.T @ target))
+        A = A_p - Q @ (Q.T @ A_p)
+        solution = solver.solve(A, target - Q @ (Q.T @ target), float(sigma[0]))
+        if len(history) == ESTIMATED_AT:
+            solver = solver.settled(solution)
         degrees = solution.degrees + n_m
+        leverage = _leverage(A, Q, solution, np.isfinite(state.residual))
         history.append(_gain(solution.u - departure, departure, A_p, Q, b, solver.weight or 0.0))
         if len(history) > (ESTIMATED_AT + 1 if estimated else 1) and history[-1] < (
             CONVERGED if len(history) < PATIENCE else SETTLED
         ):
             break
         if len(history) == MAX_ITERATIONS:
+            if not must_converge or min(history[-3:]) < UNSETTLED:
+                break
             _blame(problem, state.residual)
             raise NoSolutionError(
                 f"the fit of {len(problem.names)} parameters did not converge in {MAX_ITERATIONS} iterations: the last "
@@ -399,7 +421,7 @@ def fit(
         weights=weights,
         sigma=sigma,
         solution=solution,
-        covariance=_joint_covariance(solution, A_p, A_m, problem.scale),
+        covariance=_joint_covariance(solution, A_p, A_m, problem.scale, _shared_noise(problem, weights)),
         repeats=shared,
         history=history,
     )
@@ -425,36 +447,52 @@ def _gain(step: Array, departure: Array, A_p: Array, Q: Array, b: Array, weight:
     return abs(float(b @ b - rest @ rest + weight * (departure @ departure - whole @ whole)))
 
 
-def _noise(residual: Array, degrees: float, robust: bool) -> Array:
-    """Return the noise (k,) of lengths and of rotations, each from its own residuals, per component."""
+def _leverage(A: Array, Q: Array, solution: Solution, read: np.ndarray) -> Array:
+    """Return the part of lengths and of rotations (2,) that the fit uses up: the mean of the hat matrix's diagonal."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        weight = np.where(solution.factors > 0, np.sqrt(solution.factors) / solution.singular_values, 0.0)
+    hat = ((A @ solution.V * weight) ** 2).sum(axis=1) + (Q**2).sum(axis=1)
+    of_length = np.broadcast_to(np.arange(read.shape[1]) < 3, read.shape)[read]
+    return np.array([hat[part].mean() if part.any() else 0.0 for part in (of_length, ~of_length)])
+
+
+def _noise(residual: Array, leverage: Array, robust: bool) -> Array:
+    """Return the noise (k,) of lengths and of rotations, each from its own residuals, per component.
+
+    `leverage` (2,) is the part of each that the fit has used up.
+    """
     sigma = np.empty(residual.shape[1])
-    scalars = max(int(np.isfinite(residual).sum()), 1)
-    for part in (slice(0, 3), slice(3, 6)):
+    for part, used in ((slice(0, 3), leverage[0]), (slice(3, 6), leverage[1])):
         r = residual[:, part]
         r = r[np.isfinite(r)]
         if not r.size:
             continue
         spread = max(1.4826 * float(np.median(np.abs(r))), SMALLEST_SIGMA)
-        if robust:  # Huber's proposal 2, one step from the median: efficient on normal noise, bounded on gross errors
+        if robust:  # Huber's proposal 2 from the median: efficient on normal noise, bounded on gross errors
             for _ in range(3):
                 clipped = np.clip(r / spread, -HUBER, HUBER)
                 spread = max(spread * float(np.sqrt(np.mean(clipped**2) / 0.9775)), SMALLEST_SIGMA)
         else:
             spread = max(float(np.sqrt(np.mean(r**2))), SMALLEST_SIGMA)
-        sigma[part] = spread * np.sqrt(scalars / max(scalars - degrees, 0.1 * scalars))
+        sigma[part] = spread / np.sqrt(max(1 - used, 0.1))
     return sigma
 
 
-def _weights(residual: Array, sigma: Array) -> Array:
+def _weights(residual: Array, sigma: Array, drop: bool) -> Array:
+    """Return Huber's weights (R,); with `drop` none for gross errors, unless they are too many to be errors."""
     size = np.sqrt(np.nanmean((residual / sigma) ** 2, axis=1))
-    return np.minimum(1.0, HUBER / np.maximum(size, 1e-300))
+    weights = np.minimum(1.0, HUBER / np.maximum(size, 1e-300))
+    gross = np.nanmax(np.abs(residual) / sigma, axis=1) > GROSS
+    if drop and gross.mean() <= MOST_GROSS:
+        weights[gross] = 0.0
+    return weights
 
 
 def _system(
     state: Linearised, sigma: Array, weights: Array, shared: Repeats, scale: Array
 ) -> tuple[Array, Array, Array]:
     """Return A_p, A_m, b: rows divided by the noise, columns multiplied by the scale, unread components dropped."""
-    w = (np.sqrt(weights)[:, None] / sigma)[..., None]
+    w = (np.sqrt(weights)[:, None] / sigma)[..., None] * np.sqrt(1 + shared.ratio)
     read = np.isfinite(state.residual)
     stacked = np.concatenate([state.J_p * scale, state.J_m, state.residual[..., None]], axis=2) * w
     stacked = shared.whiten(np.where(read[..., None], stacked, 0.0))[read]
@@ -464,7 +502,8 @@ def _system(
 
 def _scalars(residual: Array, sigma: Array, weights: Array, shared: Repeats) -> Array:
     """Return the residuals as `_system` weighs them, unread components as zeros."""
-    return shared.whiten(np.where(np.isfinite(residual), residual, 0.0) * np.sqrt(weights)[:, None] / sigma)
+    rows = np.where(np.isfinite(residual), residual, 0.0) * np.sqrt(weights)[:, None] / sigma
+    return shared.whiten(rows * np.sqrt(1 + shared.ratio))
 
 
 def _damped(
@@ -491,6 +530,7 @@ def _damped(
         return float((r**2).sum() + (weight or 0.0) * (u @ u))
 
     before = objective(errors, instrument, machine.x)
+    harder = 2.0
     for _ in range(TRIALS):
         if weight is None:
             step = solution.u - departure
@@ -505,17 +545,55 @@ def _damped(
         try:
             deformed = problem.solve(trial, near=machine.x)
         except InputError:
-            damping = max(10 * damping, 1.0)
+            damping, harder = max(damping * harder, 1.0), 2 * harder
             continue
-        if weight is None or objective(trial, moved, deformed.x) <= before * (1 + 1e-12):
-            return trial, moved, deformed, damping / 10 if damping > 1e-2 else 0.0
-        damping = max(10 * damping, 1.0)
+        if weight is None:
+            return trial, moved, deformed, damping / 10
+        after = objective(trial, moved, deformed.x)
+        if after <= before * (1 + 1e-12):
+            rest = b - A_p @ step - (A_m @ m_step if len(m_step) else 0.0)
+            whole = departure + step
+            promised = float(b @ b - rest @ rest + weight * (departure @ departure - whole @ whole))
+            kept = float(np.clip((before - after) / max(promised, 1e-300), 0.0, 1.0))
+            # Nielsen 1999: ease where the linear machine keeps its promises, hold where it does not
+            return trial, moved, deformed, damping * max(1 / 3, 1 - (2 * kept - 1) ** 3)
+        damping, harder = max(damping * harder, 1.0), 2 * harder
     return errors, instrument, machine, damping  # nothing better within rounding
 
 
-def _joint_covariance(solution: Solution, A_p: Array, A_m: Array, scale: Array) -> Array:
+def _shared_noise(problem: Problem, weights: Array) -> Array | None:
+    """Return how the noise of positions enters distances made of them, (R, positions * 3), rows as in `_system`.
+
+    Two distances that share a position share its noise; None where every reading has noise of its own.
+    """
+    found = problem.readings
+    if not found.made:
+        return None
+    rows, at = np.unique(found.rows, return_inverse=True)
+    a, b = at.reshape(found.rows.shape).T
+    x = problem.poses(problem.reference)[:, :3]
+    direction = x[found.rows[:, 1]] - x[found.rows[:, 0]]
+    direction /= np.linalg.norm(direction, axis=1)[:, None]
+    # a distance has the noise of two positions along it
+    direction *= np.sqrt(weights / 2)[:, None]
+    out = np.zeros((len(found), len(rows), 3))
+    every = np.arange(len(found))
+    out[every, b] = direction
+    out[every, a] = -direction
+    return out.reshape(len(found), -1)
+
+
+def _joint_covariance(solution: Solution, A_p: Array, A_m: Array, scale: Array, shared: Array | None) -> Array:
     """Return the covariance of parameters and instrument: ``m = m* - A_m^+ A_p dp``."""
     C = solution.covariance
+    if shared is not None:
+        with np.errstate(divide="ignore", invalid="ignore"):
+            inverse_s = np.where(solution.factors > 0, solution.factors / solution.singular_values, 0.0)
+            U = np.where(solution.factors > 0, (A_p @ solution.V) / solution.singular_values, 0.0)
+        response = (solution.V * inverse_s) @ (U.T @ shared)
+        left = (solution.V * (1 - solution.factors) ** 2) @ solution.V.T if solution.rule.startswith("priors") else 0.0
+        beyond = np.eye(len(C)) - solution.V @ solution.V.T if solution.rule.startswith("priors") else 0.0
+        C = response @ response.T + left + beyond
     n, n_m = A_p.shape[1], A_m.shape[1]
     out = np.zeros((n + n_m, n + n_m))
     out[:n, :n] = C

@@ -124,7 +124,7 @@ def identify(
         if why := everything.body.missing(term.effect):
             raise InputError(f"the effect '{term.effect}' needs {why}.", "Add it.", file=recording.path)
     problem, given = _with_prior(everything.with_names(names), robot)
-    rule = _solver(solver, truncation)
+    rule = _solver(solver, truncation, recording.measurement.sigma_mm)
     if solver != "prior":
         problem = everything.with_names(names)
 
@@ -168,16 +168,16 @@ def identify(
     )
 
 
-def _solver(name: str, truncation: int | str) -> Solver:
-    solvers: dict[str, Solver] = {
-        "prior": Prior("priors"),
-        "least-squares": LeastSquares(),
-        "tsvd": TSVD(truncation),
-        "ridge": Ridge(),
+def _solver(name: str, truncation: int | str, sigma: float | None) -> Solver:
+    solvers: dict[str, Callable[[], Solver]] = {
+        "prior": lambda: Prior("priors"),
+        "least-squares": LeastSquares,
+        "tsvd": lambda: TSVD(truncation, sigma),
+        "ridge": Ridge,
     }
     if name not in solvers:
         raise UsageError(f"there is no solver '{name}'; known: {', '.join(solvers)}.")
-    return solvers[name]
+    return solvers[name]()
 
 
 def _with_prior(problem: Problem, robot: Robot) -> tuple[Problem, tuple[bool, ...]]:
@@ -276,8 +276,7 @@ def folds(found: Readings, recording: Recording, count: int = FOLDS) -> list[tup
     Distances made of positions are split by pose: a distance counts where both its poses are in the same part.
     """
     rng = np.random.default_rng(SEED)
-    made = found.kind == "distance" and recording.kind != "distance"
-    if made:
+    if found.made:
         _, pose = np.unique(recording.pose, return_inverse=True)
         ends = pose[found.rows]
         part = _parts(int(pose.max()) + 1, count, rng)[ends]
@@ -310,6 +309,7 @@ def _held_out(full: Fit, rule: Solver, robust: bool) -> float:
             instrument=full.instrument,
             robust=robust,
             repeats=full.repeats,
+            must_converge=False,
         )
         unseen = problem.readings.subset(test & ~gross)
         other = dataclasses.replace(problem, readings=unseen)
@@ -321,17 +321,24 @@ def _held_out(full: Fit, rule: Solver, robust: bool) -> float:
 # ----------------------------------------------------------------------------------------------- what is pinned
 
 
+def coordinate_sigma(found: Fit) -> float:
+    """Return the noise that a fit leaves per measured scalar [mm]; a distance made of positions holds that of two."""
+    return float(found.sigma[0]) / (np.sqrt(2.0) if found.problem.readings.made else 1.0)
+
+
 def noise(final: Fit, recording: Recording) -> tuple[float, str]:
     """Return the noise per coordinate [mm] and where it is known from: repeats, the sidecar, or what the fit leaves.
 
     Repeats count where every channel but time is the same in both readings. Whatever else happens between two
     readings of a pose adds to their spread, and what the fit leaves is an upper bound too: the smallest is believed.
     """
-    residual = float(final.sigma[0])
     found = final.problem.readings
+    residual = coordinate_sigma(final)
     channels = [
         v for name, v in sorted(recording.channels.items()) if name != "time_s" and not name.startswith("true_")
     ]
+    if found.made:
+        return min([(recording.measurement.sigma_mm or residual, "declared"), (residual, "residual")])
     if found.rows.shape[1] == 1 and channels:
         same = np.column_stack([found.group, np.nan_to_num(np.array(channels).T[found.rows[:, 0]], nan=-1e9)])
         group = np.ravel(np.unique(same, axis=0, return_inverse=True)[1])
@@ -509,7 +516,7 @@ def _result(found: Identification) -> dict[str, Any]:
                 entry["std"] = float(deviation[j] / factor)
         parameters.append(entry)
     sigma, source = found.noise
-    residual_sigma = float(final.sigma[0])
+    residual_sigma = coordinate_sigma(final)
     return {
         "schema": SCHEMA,
         "model": found.model,

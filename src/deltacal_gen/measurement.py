@@ -42,6 +42,8 @@ class Readings:
         Readings of one group stay together when readings are held out: repeats of a pose, of a pair of poses.
     line : (R,) int array
         Line in the file.
+    made : bool
+        Distances made of measured positions, which share their noise.
     """
 
     kind: str
@@ -51,6 +53,7 @@ class Readings:
     setup: np.ndarray
     group: np.ndarray
     line: np.ndarray
+    made: bool = False
 
     def __len__(self) -> int:
         return len(self.values)
@@ -142,7 +145,7 @@ def distances(positions: Readings, recording: Recording) -> Readings:
     apart = positions.group[a] != positions.group[b]  # two readings of one pose have no direction between them
     a, b, gap = a[apart], b[apart], gap[apart]
     ends = np.sort(np.column_stack([positions.group[a], positions.group[b]]), axis=1)
-    _, group = np.unique(ends, axis=0, return_inverse=True)
+    _, group = np.unique(ends[:, 0] * (positions.group.max() + 1) + ends[:, 1], return_inverse=True)
     return Readings(
         "distance",
         np.column_stack([positions.rows[a, 0], positions.rows[b, 0]]),
@@ -151,6 +154,7 @@ def distances(positions: Readings, recording: Recording) -> Readings:
         positions.setup[a],
         np.ravel(group),
         positions.line[b],
+        made=True,
     )
 
 

@@ -74,8 +74,15 @@ class Solver(Protocol):
     @property
     def weight(self) -> float | None: ...
 
-    def solve(self, A: Array, b: Array) -> Solution:
-        """Return the solution of ``min |A u - b|``, A (m, n) scaled as the module says, b (m,)."""
+    def solve(self, A: Array, b: Array, sigma: float = 1.0) -> Solution:
+        """Return the solution of ``min |A u - b|``, A (m, n) scaled as the module says, b (m,).
+
+        `sigma` is the noise [mm] by which the rows were divided.
+        """
+        ...
+
+    def settled(self, solution: Solution) -> Solver:
+        """Return the rule with its choice made as in `solution`: an iteration must not choose anew at every step."""
         ...
 
 
@@ -105,7 +112,7 @@ class LeastSquares:
         """Nothing is added."""
         return 0.0
 
-    def solve(self, A: Array, b: Array) -> Solution:
+    def solve(self, A: Array, b: Array, sigma: float = 1.0) -> Solution:
         """See `Solver`."""
 
         def rule(s: Array, c: Array, rest: float) -> tuple[Array, Array, str]:
@@ -113,6 +120,10 @@ class LeastSquares:
             return _kept(s, keep, f"least squares, {int(keep.sum())} of {len(s)} directions")
 
         return _factored(A, b, rule)
+
+    def settled(self, solution: Solution) -> Solver:
+        """Nothing was chosen."""
+        return self
 
 
 @dataclass(frozen=True)
@@ -124,36 +135,49 @@ class TSVD:
     truncation : int or {"discrepancy", "gcv"}
         How many directions to keep; or the fewest whose residual is no larger than the noise (Morozov), or the
         number that minimises generalised cross-validation (Golub, Heath, Wahba 1979).
+    noise : float, optional
+        Standard deviation of the readings [mm], known beforehand: what the discrepancy principle measures against.
+    chosen_by : str
+        Where a given number comes from, in a word.
     """
 
     truncation: int | str = "gcv"
+    noise: float | None = None
+    chosen_by: str = "given"
 
     def __post_init__(self) -> None:
         if isinstance(self.truncation, str) and self.truncation not in ("discrepancy", "gcv"):
             raise UsageError(f"truncation '{self.truncation}' is not known; give a number, 'discrepancy' or 'gcv'.")
+        if self.truncation == "discrepancy" and self.noise is None:
+            raise UsageError("the discrepancy principle needs a known noise: give sigma_mm in the sidecar.")
 
     @property
     def weight(self) -> None:
         """A truncation minimises no objective."""
 
-    def solve(self, A: Array, b: Array) -> Solution:
+    def solve(self, A: Array, b: Array, sigma: float = 1.0) -> Solution:
         """See `Solver`."""
         m = len(b)
 
         def rule(s: Array, c: Array, rest: float) -> tuple[Array, Array, str]:
-            usable = int((s > RANK_TOLERANCE * s[0]).sum())
+            usable = int((s > RANK_TOLERANCE * s[0]).sum()) if len(s) else 0
             left = rest + np.concatenate([[c @ c], c @ c - np.cumsum(c**2)])[: usable + 1]
             if isinstance(self.truncation, int):
                 k = min(self.truncation, usable)
             elif self.truncation == "discrepancy":
-                small = np.flatnonzero(left <= m)
+                small = np.flatnonzero(left <= m * ((self.noise or 0.0) / sigma) ** 2)
                 k = int(small[0]) if len(small) else usable
             else:
                 k = int(np.argmin(left / np.maximum(m - np.arange(usable + 1), 1e-300) ** 2))
-            how = "given" if isinstance(self.truncation, int) else self.truncation
+            how = self.chosen_by if isinstance(self.truncation, int) else self.truncation
             return _kept(s, np.arange(len(s)) < k, f"truncated SVD, {k} of {len(s)} directions kept ({how})")
 
         return _factored(A, b, rule)
+
+    def settled(self, solution: Solution) -> Solver:
+        """Keep as many directions as `solution` kept."""
+        how = self.chosen_by if isinstance(self.truncation, int) else self.truncation
+        return TSVD(int(solution.factors.sum()), self.noise, how)
 
 
 @dataclass(frozen=True)
@@ -167,7 +191,7 @@ class Ridge:
         """The square of the strength, where it is given."""
         return None if self.strength is None else self.strength**2
 
-    def solve(self, A: Array, b: Array) -> Solution:
+    def solve(self, A: Array, b: Array, sigma: float = 1.0) -> Solution:
         """See `Solver`."""
         m = len(b)
 
@@ -178,10 +202,18 @@ class Ridge:
                 f = s**2 / (s**2 + candidates[:, None] ** 2)
                 score = (rest + (((1 - f) * c) ** 2).sum(axis=1)) / (m - f.sum(axis=1)) ** 2
                 strength = float(candidates[int(np.argmin(score))])
-            f = s**2 / (s**2 + strength**2)
-            return f, f**2 / np.maximum(s, 1e-300) ** 2, f"ridge, strength {strength:.3g}"
+            damped = np.maximum(s**2 + strength**2, 1e-300)
+            return s**2 / damped, s**2 / damped**2, f"ridge, strength {strength:.3g}"
 
         return _factored(A, b, rule)
+
+    def settled(self, solution: Solution) -> Solver:
+        """Keep the strength that `solution` was found with."""
+        s, f = solution.singular_values, solution.factors
+        j = int(np.argmin(np.abs(f - 0.5)))
+        if not 0 < f[j] < 1:
+            return self
+        return Ridge(float(s[j] * np.sqrt(1 / f[j] - 1)))
 
 
 @dataclass(frozen=True)
@@ -198,7 +230,7 @@ class Prior:
         """One: u counts standard deviations off the prior."""
         return 1.0
 
-    def solve(self, A: Array, b: Array) -> Solution:
+    def solve(self, A: Array, b: Array, sigma: float = 1.0) -> Solution:
         """See `Solver`."""
 
         def rule(s: Array, c: Array, rest: float) -> tuple[Array, Array, str]:
@@ -207,3 +239,7 @@ class Prior:
         solution = _factored(A, b, rule)
         missing = np.eye(A.shape[1]) - solution.V @ solution.V.T  # directions beyond the rows: prior alone
         return dataclasses.replace(solution, covariance=solution.covariance + missing)
+
+    def settled(self, solution: Solution) -> Solver:
+        """Nothing was chosen."""
+        return self

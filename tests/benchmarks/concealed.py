@@ -48,7 +48,8 @@ from deltacal_gen.units import DEG
 Array = np.ndarray
 MARGIN = 40.0  # of chi2 without noise: what the truth must be ahead of every other explanation
 REST = 0.5  # of chi2 per reading: what the vocabulary must leave of physics that is not in it
-ATTEMPTS = 80
+LARGEST = 1.0  # mm: root mean square by which an effect moves the readings
+ATTEMPTS = 120
 MECHANISM = load_mechanism("delta")
 PARAMETERS = tuple(p.name for p in MECHANISM.parameters)
 TYPICAL = {"theta": 0.05 * DEG, "length": 0.1, "angle": 0.03 * DEG}  # of machined parts
@@ -66,7 +67,7 @@ OUTSIDE = {  # channel that tells best (the first) or also tells, and what the c
     "local_bump": (("position",), set()),
     "covariate": (("humidity_pct",), {"humidity"}),
     "payload_hysteresis": (("payload_kg", "time_s"), {"time", "cycle"}),
-    "cross_joint": (("position",), set()),
+    "cross_joint": (("q1_deg", "q2_deg", "q3_deg", "position"), set()),
     "thermal_lag": (("time_s", "temp_C"), {"time", "cycling"}),
     "random_walk": (("time_s",), {"time"}),
 }
@@ -327,7 +328,7 @@ class Judge:
     def misfit(self, values: Array) -> float:
         """Return chi2 that geometry and instrument leave of readings."""
         r = (values - self.plain).ravel() / self.sigma
-        return float(r @ r - np.sum((self.Q.T @ r) ** 2))
+        return float(np.sum((r - self.Q @ (self.Q.T @ r)) ** 2))
 
     def search(self, exact: Recording) -> Search:
         """Return the search for effects on readings without noise."""
@@ -436,7 +437,7 @@ def _attempt(kind: str, names: tuple[str, ...], rng: np.random.Generator) -> Cas
                     return None
                 term = term.with_values(term.values.ravel() * wanted * np.sqrt(scalars / left))
             terms.append(term)
-        if any(t.limbs and np.abs(t.values).max() > 0.1 and t.effect not in CONVENTION for t in terms):
+        if any(rms(_values(read(poses, [t])) - judge.plain) > LARGEST for t in terms if t.effect != "instrument_drift"):
             return None  # an effect that hardly shows, blown up
         late = [dataclasses.replace(t, constants=(-1.0,)) if _unplaced(t, poses) else t for t in terms]
         make = lambda at: read(at, late if at is fresh else terms)  # noqa: E731

@@ -1,7 +1,7 @@
 """Kinematics of `delta`: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 11ce0bac9ce8d87a; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both ac67a2fc9ae0144c; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -23,6 +23,7 @@ MAX_STEPS = 30
 STEP_DONE = 1e-9  # mm and rad; Newton is quadratic: after such a step the rest is rounding
 STEP_LOST = 1e5  # mm and rad; a step of this size leads nowhere
 ANGLE_STEP = 1e-3  # rad per mm: joints and rotations are asked for this much finer than lengths
+CLOSED = 1e-3  # mm^2: loops that are open by more where Newton gets stuck cannot be closed
 PIVOT_SINGULAR = 1e-9  # of the largest entry of its matrix, in mm
 COMMAND_DONE = 3e-8  # rad; after such a step a command is exact to its square: 1e-15 rad
 COMMAND_WORK = 72  # length of the scratch array of `exact_command` and `linear_command`
@@ -996,6 +997,15 @@ def _solve(A, B, columns):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
+def _stuck(F):
+    """Return what a pose is where Newton's matrix is singular: SINGULAR if its loops are closed, else UNREACHABLE."""
+    for r in range(6):
+        if not abs(F[r]) < CLOSED:
+            return UNREACHABLE
+    return SINGULAR
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
 def jacobians(x, q, tool, k, F, J_x, J_q, J_p):
     """Fill the closure F (N, 6) and its Jacobians J_x (N, 6, 6), J_q (N, 6), J_p (N, 6, 16).
 
@@ -1074,7 +1084,7 @@ def forward(q, tool, k, x, status, warm):
             for r in range(6):
                 step[r, 0] = F[r]
             if not _solve(J_x, step, 1):
-                status[n] = SINGULAR
+                status[n] = _stuck(F)
                 break
             size = 0.0
             for c in range(6):
@@ -1122,7 +1132,7 @@ def inverse(target, tool, k, x, q, status):
                     A[r, 3 + c] = J_x[r, 3 + c]
                 step[r, 0] = F[r]
             if not _solve(A, step, 1):
-                status[n] = SINGULAR
+                status[n] = _stuck(F)
                 break
             size = 0.0
             for c in range(3):

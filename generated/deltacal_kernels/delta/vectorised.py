@@ -1,7 +1,7 @@
 """Kinematics of `delta` in plain NumPy: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both 69bfebd6f727f7b8; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 77027dec091b0028; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -14,6 +14,7 @@ MAX_STEPS = 30
 STEP_DONE = 1e-9  # mm and rad; Newton is quadratic: after such a step the rest is rounding
 STEP_LOST = 1e5  # mm and rad; a step of this size leads nowhere
 ANGLE_STEP = 1e-3  # rad per mm: joints and rotations are asked for this much finer than lengths
+CLOSED = 1e-3  # mm^2: loops that are open by more where Newton gets stuck cannot be closed
 PIVOT_SINGULAR = 1e-9  # of the largest entry of its matrix, in mm
 
 
@@ -1007,7 +1008,7 @@ def forward(q, tool, k, x, status, warm):
             break
         F, J_x, _ = _closure(x[active], q[active], tool[active], _of(k, active))
         step, regular = _solve(J_x, F[:, :, None])
-        status[active[~regular]] = SINGULAR
+        status[active[~regular]] = np.where(np.abs(F[~regular]).max(axis=1, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
         active, step = active[regular], step[regular, :, 0]
         x[active] -= step
         size = np.abs(step).max(axis=1, initial=0.0)
@@ -1034,7 +1035,7 @@ def inverse(target, tool, k, x, q, status):
             A[:, r, r // 2] = J_q[:, r]
         A[:, :, 3:] = J_x[:, :, 3:]
         step, regular = _solve(A, F[:, :, None])
-        status[active[~regular]] = SINGULAR
+        status[active[~regular]] = np.where(np.abs(F[~regular]).max(axis=1, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
         active, step = active[regular], step[regular, :, 0]
         q[active] -= step[:, :3]
         x[active, 3:] -= step[:, 3:]

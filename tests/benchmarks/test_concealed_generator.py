@@ -1,0 +1,35 @@
+"""Concealed cases are the same for the same seed, hold what they claim, and are told apart from geometry."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+from tests.benchmarks.concealed import OUTSIDE, generate, jobs
+
+
+@pytest.mark.parametrize(
+    ("kind", "names"),
+    [("null", ()), ("single", ("backlash",)), ("single", ("zero_jump",)), ("outside", ("local_bump",))],
+)
+def test_a_case_is_drawn_from_its_seed(kind: str, names: tuple[str, ...]) -> None:
+    first, again = generate(kind, names, (3, 0, 0)), generate(kind, names, (3, 0, 0))
+    assert first.recording.joints.tolist() == again.recording.joints.tolist()
+    assert [t.effect for t in first.terms] == (list(names) if kind == "single" else [])
+    assert first.excess == again.excess
+    assert first.excess < 1e-6 if kind == "null" else first.excess > 1.4
+    assert first.fresh.n_rows == 100
+    channels = [c for name, c in first.recording.channels.items() if not name.startswith("true_")]
+    assert len(channels) == len(first.recording.channels)
+    assert all(np.isfinite(c).all() for c in channels)
+
+
+def test_every_kind_has_its_share() -> None:
+    work = jobs(["null", "outside"], 54, seed=2)
+    assert len(work) == 54
+    assert {names[0] for kind, names, _ in work if kind == "outside"} == set(OUTSIDE)
+    assert work == jobs(["null", "outside"], 54, seed=2)
