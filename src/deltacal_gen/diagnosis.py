@@ -20,9 +20,9 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen import identification, physics
-from deltacal_gen.errors import NoSolutionError
-from deltacal_gen.estimation import Fit, Problem, fit, pose_problem, rms
-from deltacal_gen.identification import BROAD, folds, noise
+from deltacal_gen.errors import InputError, NoSolutionError
+from deltacal_gen.estimation import Fit, Problem, fit, held_out, pose_problem, rms
+from deltacal_gen.identification import Noise, folds, noise
 from deltacal_gen.mechanism import Array, load_mechanism
 from deltacal_gen.physics import Term, blank, effect_names, load_effect, reading_shift, term_to_dict
 from deltacal_gen.recording import Recording, check_units
@@ -33,9 +33,9 @@ SCHEMA = "deltacal.diagnosis/1"
 MARGIN = 10.0  # of chi2, beyond all charges: what an effect must earn to be named
 AMBIGUOUS = 10.0  # of chi2: two explanations closer than this are not told apart
 MOST_EFFECTS = 3
+MACHINED = 5.0  # standard deviation of a source error, in ordinary ones: geometry may not strain to imitate physics
 ORDERS = 100  # integer orders of a periodic error that are searched
 ROOM = 10.0  # mm: root mean square that an effect's coefficient may well move the readings, a prior that never pulls
-LACK_OF_FIT = 1.3  # of chi2 per degree of freedom, against a noise known beforehand
 FUNCTIONS = 6  # of a channel, that a physics-free rival may combine
 STRUCTURE = 25.0  # of chi2, beyond its charge: structure that is left in what should be noise
 Progress = Callable[[str], None]
@@ -91,7 +91,8 @@ class Search:
         machine = problem.solve(at.errors)
         state = problem.linearise(at.errors, at.instrument, machine)
         read = np.isfinite(state.residual)
-        w = np.sqrt(at.weights)[:, None] / at.sigma
+        # the residual carries the influence of a reading, its columns none of it: a gross error can earn but little
+        w = np.sqrt(1 + at.repeats.ratio) / np.broadcast_to(at.sigma, state.residual.shape)
         candidates, start = [], 0
         for term in terms:
             candidates.append(Candidate(term, start))
@@ -104,7 +105,7 @@ class Search:
             return at.repeats.whiten(scaled)[read]
 
         base = rows(np.concatenate([state.J_p * problem.scale, state.J_m], axis=2))
-        r = rows(state.residual[..., None])[:, 0]
+        r = rows((state.residual * at.weights[:, None])[..., None])[:, 0]
         n = len(problem.scale)
         # the prior's rows: geometry moves as far as drawings leave it open, not to the ends of a flat direction
         prior = np.concatenate([np.eye(n), np.zeros((n, base.shape[1] - n))], axis=1)
@@ -169,7 +170,7 @@ class Diagnosis:
     final: Fit
     effects: tuple[Named, ...]
     heldout: tuple[float, float]
-    noise: tuple[float, str]
+    noise: Noise
     location: dict[str, Any]
     rejected: list[dict[str, Any]]
     not_tested: list[dict[str, str]]
@@ -208,14 +209,16 @@ def diagnose(robot: Robot, recording: Recording, *, progress: Progress = lambda 
     mechanism = load_mechanism(robot.mechanism)
     names = mechanism.model(mechanism.full_model)
     problem = pose_problem(robot, recording, names)
-    scale = np.array([robot.tolerance.get(n, BROAD * s) for n, s in zip(names, problem.scale, strict=True)])
+    scale = np.array([robot.tolerance.get(n, MACHINED * s) for n, s in zip(names, problem.scale, strict=True)])
     problem = dataclasses.replace(problem, scale=scale)
     identification.enough(mechanism, problem, recording)
     progress("geometry")
     rough = identification.rough(problem, mechanism, robust=True)
     identification.check_rows(rough, recording)
     # what is left out may look like gross errors where it is strongest: none is dropped before it is known
-    baseline = fit(problem, Prior(), errors=rough.errors, instrument=rough.instrument, drop_gross=False)
+    baseline = fit(
+        problem, Prior(), errors=rough.errors, instrument=rough.instrument, drop_gross=False, must_converge=False
+    )
     terms, not_tested = library(problem)
     sets = _sets(terms)
     current: Fit = baseline
@@ -234,11 +237,17 @@ def diagnose(robot: Robot, recording: Recording, *, progress: Progress = lambda 
             break
         current, chosen = better, list(better.problem.split(better.errors)[1])
         current, chosen = _revised(problem, current, terms, sets, progress)
+    if not chosen:
+        n_p = len(mechanism.parameters)
+        current = fit(
+            problem, Prior(), errors=baseline.errors[:n_p], instrument=baseline.instrument, must_converge=False
+        )
     progress("held-out error")
-    heldout = (_held_out(baseline), _held_out(current) if chosen else float("nan"))
-    sigma = noise(current, recording)
+    parts = folds(problem.readings, recording)
+    before = held_out(baseline, Prior(), parts)
+    heldout = (before, held_out(current, Prior(), parts) if chosen else before)
     structures = _structures(current)
-    left = _left(current, sigma, structures)
+    left = _left(current, recording, structures)
     verdict = "unexplained" if left else "missing_physics" if chosen else "adequate"
     progress("uncertainty and rivals")
     named = tuple(_named(problem, baseline, current, i, terms, sets) for i in range(len(chosen)))
@@ -251,8 +260,8 @@ def diagnose(robot: Robot, recording: Recording, *, progress: Progress = lambda 
         baseline=baseline,
         final=current,
         effects=named,
-        heldout=(heldout[0], heldout[1] if chosen else heldout[0]),
-        noise=sigma,
+        heldout=heldout,
+        noise=noise(current, recording),
         location=_location(current, structures, named, explained=not left),
         rejected=_rejected(considered, named),
         not_tested=not_tested,
@@ -347,8 +356,14 @@ def _with_terms(problem: Problem, at: Fit, terms: Sequence[Term]) -> Fit | None:
     n_p = len(problem.mechanism.parameters)
     values = np.concatenate([t.values.ravel() for t in terms]) if terms else np.zeros(0)
     try:
-        return fit(joint, Prior(), errors=np.concatenate([at.errors[:n_p], values]), instrument=at.instrument)
-    except NoSolutionError:
+        return fit(
+            joint,
+            Prior(),
+            errors=np.concatenate([at.errors[:n_p], values]),
+            instrument=at.instrument,
+            must_converge=False,
+        )
+    except (NoSolutionError, InputError):
         return None
 
 
@@ -391,44 +406,15 @@ def _objective(found: Fit) -> float:
 
 def _baseline_again(problem: Problem, current: Fit) -> Fit:
     n_p = len(problem.mechanism.parameters)
-    return fit(problem, Prior(), errors=current.errors[:n_p], instrument=current.instrument)
-
-
-def _held_out(full: Fit) -> float:
-    """Return the RMS of readings predicted by fits that did not see them; gross errors of the full fit left out."""
-    problem = full.problem
-    squares: list[Array] = []
-    gross = np.zeros(len(problem.readings), dtype=bool)
-    gross[full.gross] = True
-    for train, test in folds(problem.readings, problem.recording):
-        if problem.readings.subset(train).n_scalars <= full.solution.degrees + full.instrument.n_unknown:
-            continue
-        try:
-            part = fit(
-                problem.subset(train),
-                Prior(),
-                errors=full.errors,
-                instrument=full.instrument,
-                repeats=full.repeats,
-                must_converge=False,
-            )
-        except NoSolutionError:
-            continue
-        other = problem.subset(test & ~gross)
-        r = other.residual(part.errors, part.instrument, other.poses(part.errors))[:, :3]
-        squares.append(r[np.isfinite(r)] ** 2)
-    return float(np.sqrt(np.mean(np.concatenate(squares)))) if squares else float("nan")
+    return fit(problem, Prior(), errors=current.errors[:n_p], instrument=current.instrument, must_converge=False)
 
 
 # ------------------------------------------------------------------------------------------------- what is left
 
 
-def _left(current: Fit, sigma: tuple[float, str], structures: Sequence[Structure]) -> bool:
+def _left(current: Fit, recording: Recording, structures: Sequence[Structure]) -> bool:
     """Tell whether what is left is more than noise: against a noise known beforehand, and by the structure in it."""
-    known, source = sigma
-    if source != "residual" and (float(current.sigma[0]) / known) ** 2 > LACK_OF_FIT:
-        return True
-    return any(f.earned > STRUCTURE for f in structures)
+    return identification.lack_of_fit(current, recording) or any(f.earned > STRUCTURE for f in structures)
 
 
 def _structures(at: Fit) -> list[Structure]:
@@ -473,9 +459,9 @@ class _Smooth:
         self._machine = machine
         state = problem.linearise(at.errors, at.instrument, machine)
         self._read = np.isfinite(state.residual)
-        self._w = np.sqrt(at.weights)[:, None] / at.sigma
+        self._w = np.sqrt(1 + at.repeats.ratio) / np.broadcast_to(at.sigma, state.residual.shape)
         base = self._rows(np.concatenate([state.J_p * problem.scale, state.J_m], axis=2))
-        r = self._rows(state.residual[..., None])[:, 0]
+        r = self._rows((state.residual * at.weights[:, None])[..., None])[:, 0]
         n = len(problem.scale)
         prior = np.concatenate([np.eye(n), np.zeros((n, base.shape[1] - n))], axis=1)
         self._Q = np.linalg.qr(np.vstack([base, prior]))[0][: len(r)]
@@ -702,7 +688,7 @@ def _rejected(considered: dict[str, Found], named: Sequence[Named]) -> list[dict
 
 def _result(found: Diagnosis) -> dict[str, Any]:
     baseline, final = found.baseline, found.final
-    sigma, source = found.noise
+    sigma, source = found.noise.sigma, found.noise.source
 
     def summary(at: Fit, heldout: float) -> dict[str, Any]:
         return {
@@ -727,6 +713,7 @@ def _result(found: Diagnosis) -> dict[str, Any]:
         "residuals": _residuals(found),
         "sigma_mm": sigma,
         "physics": [term_to_dict(n.term) for n in found.effects],
+        "clock": "row" if final.problem.body.channels.time is None else "time_s",
         "instrument": final.instrument.to_dict()
         | {"setups": list(final.problem.recording.setup_names), "zero": final.problem.recording.measurement.zero},
         "robot": robot_to_dict(found.robot),

@@ -404,6 +404,7 @@ def fit(
                 f"ones promised to lower chi2 by {', '.join(f'{h:.1e}' for h in history[-3:])}. Try a smaller model, a "
                 "TSVD or priors."
             )
+        before = errors
         errors, instrument, machine, damping = _damped(
             problem,
             (errors, instrument, machine),
@@ -413,6 +414,8 @@ def fit(
             solver.weight,
             damping,
         )
+        if errors is before and len(history) > ESTIMATED_AT + 1:
+            break  # no step lowers the objective: what the linear machine still promises is not to be had
     return Fit(
         problem=problem,
         errors=errors,
@@ -425,6 +428,41 @@ def fit(
         repeats=shared,
         history=history,
     )
+
+
+def held_out(full: Fit, solver: Solver, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> float:
+    """Return the RMS [mm] of readings predicted by fits that did not see them; gross errors of the full fit left out.
+
+    Each fit starts from the full one and differs from it by less than a standard deviation, where the machine is
+    linear to far below its noise: one step is the fit.
+
+    Parameters
+    ----------
+    parts : sequence of (train, test)
+        Masks (R,) of readings.
+    """
+    problem = full.problem
+    state = problem.linearise(full.errors, full.instrument)
+    A_p, A_m, b = _system(state, full.sigma, full.weights, full.repeats, problem.scale)
+    read = np.isfinite(state.residual)
+    owner = np.repeat(np.arange(len(read)), read.sum(axis=1))
+    departure = (full.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
+    gross = np.zeros(len(read), dtype=bool)
+    gross[full.gross] = True
+    squares: list[Array] = []
+    for train, test in parts:
+        rows, test = train[owner], test & ~gross
+        if not test.any() or rows.sum() <= full.solution.degrees + full.instrument.n_unknown:
+            continue
+        Q = np.linalg.qr(A_m[rows])[0]
+        target = b[rows] + A_p[rows] @ departure
+        solution = solver.solve(A_p[rows] - Q @ (Q.T @ A_p[rows]), target - Q @ (Q.T @ target), float(full.sigma[0]))
+        step = solution.u - departure
+        m_step = np.linalg.lstsq(A_m[rows], b[rows] - A_p[rows] @ step, rcond=None)[0]
+        moved = state.J_p[test] @ (step * problem.scale) + state.J_m[test] @ m_step
+        r = (state.residual[test] - moved)[:, :3]
+        squares.append(r[np.isfinite(r)] ** 2)
+    return float(np.sqrt(np.mean(np.concatenate(squares)))) if squares else float("nan")
 
 
 def _blame(problem: Problem, residual: Array) -> None:

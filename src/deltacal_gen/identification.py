@@ -16,7 +16,7 @@ import numpy as np
 from deltacal_gen import identifiability
 from deltacal_gen.accuracy import check_poses, distance_error, largest, volumetric_error
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.estimation import Fit, Problem, Repeats, fit, pose_problem, rms
+from deltacal_gen.estimation import Fit, Problem, Repeats, fit, held_out, pose_problem, rms
 from deltacal_gen.identifiability import Combination
 from deltacal_gen.measurement import Readings
 from deltacal_gen.mechanism import SOLVED, Array, Mechanism, load_mechanism
@@ -31,6 +31,8 @@ FOLDS = 5
 SEED = 20150415  # of the folds: results do not change from run to run
 BROAD = 10.0  # standard deviation of a parameter of which nothing is known, in ordinary errors
 SPARE = 1.2  # scalar readings per unknown below which a model is not chosen unasked
+PROVEN = 4.0  # standard deviations by which one noise must exceed another to be called larger
+LEAST_EXCESS = 1.15  # of chi2 per degree of freedom: a sidecar's sigma has a digit or two
 RESOLVED = 0.5  # of a parameter's variance that comes from directions the data know better than the prior
 Progress = Callable[[str], None]
 
@@ -64,7 +66,7 @@ class Identification:
     unseen: list[Combination]
     weak: list[Combination]
     remedies: list[dict[str, Any]]
-    noise: tuple[float, str]
+    noise: Noise
     prior_given: tuple[bool, ...]
     robot: Robot
     map: dict[str, Any] | None
@@ -135,7 +137,7 @@ def identify(
     progress(f"fine stage: {len(names)} parameters of {chosen}")
     final = fit(problem, rule, errors=first.errors, instrument=first.instrument, robust=robust)
     progress(f"held-out error: {FOLDS} folds")
-    heldout = _held_out(final, rule, robust)
+    heldout = held_out(final, rule, folds(problem.readings, recording))
     progress("identifiability")
     matrix = identifiability.identification_matrix(everything.with_names(names), "typical")
     observed = identifiability.observability(matrix.H, len(np.unique(final.problem.readings.group)))
@@ -290,34 +292,6 @@ def _parts(n: int, count: int, rng: np.random.Generator) -> np.ndarray:
     return rng.permutation(np.arange(n) % count)
 
 
-def _held_out(full: Fit, rule: Solver, robust: bool) -> float:
-    """Return the RMS of readings predicted by fits that did not see them; gross errors of the full fit left out."""
-    problem = full.problem
-    squares: list[Array] = []
-    gross = np.zeros(len(problem.readings), dtype=bool)
-    gross[full.gross] = True
-    for train, test in folds(problem.readings, problem.recording):
-        if (
-            not test.any()
-            or problem.readings.subset(train).n_scalars <= full.solution.degrees + full.instrument.n_unknown
-        ):
-            continue
-        part = fit(
-            problem.subset(train),
-            rule,
-            errors=full.errors,
-            instrument=full.instrument,
-            robust=robust,
-            repeats=full.repeats,
-            must_converge=False,
-        )
-        unseen = problem.readings.subset(test & ~gross)
-        other = dataclasses.replace(problem, readings=unseen)
-        r = other.residual(part.errors, part.instrument, other.poses(part.errors))[:, :3]
-        squares.append(r[np.isfinite(r)] ** 2)
-    return float(np.sqrt(np.mean(np.concatenate(squares)))) if squares else float("nan")
-
-
 # ----------------------------------------------------------------------------------------------- what is pinned
 
 
@@ -326,32 +300,77 @@ def coordinate_sigma(found: Fit) -> float:
     return float(found.sigma[0]) / (np.sqrt(2.0) if found.problem.readings.made else 1.0)
 
 
-def noise(final: Fit, recording: Recording) -> tuple[float, str]:
-    """Return the noise per coordinate [mm] and where it is known from: repeats, the sidecar, or what the fit leaves.
+@dataclass(frozen=True)
+class Noise:
+    """Noise per measured scalar [mm], where it is known from, and the degrees of freedom of that knowledge."""
 
-    Repeats count where every channel but time is the same in both readings. Whatever else happens between two
-    readings of a pose adds to their spread, and what the fit leaves is an upper bound too: the smallest is believed.
+    sigma: float
+    source: str
+    degrees: float
+
+
+def noise(final: Fit, recording: Recording) -> Noise:
+    """Return the noise, from the sidecar, from repeats, or from what the fit leaves.
+
+    Repeats count where every channel but time is the same in both readings. A declared sigma holds unless repeats
+    contradict it: clearly smaller ones do; clearly larger ones do unless the closest of them agree with it, since what
+    happens between two readings of a pose adds to the spread of some and not of others.
     """
-    found = final.problem.readings
-    residual = coordinate_sigma(final)
+    found, residual = final.problem.readings, coordinate_sigma(final)
+    declared = recording.measurement.sigma_mm
+    if found.made:
+        return Noise(residual, "residual", np.inf) if declared is None else Noise(declared, "declared", np.inf)
+    quiet = np.setdiff1d(np.arange(len(found)), final.gross)
+    r, group = np.nan_to_num(final.residual[quiet, :3]), _repeats(found, recording)[quiet]
+    _, within, degrees = Repeats.ratio_of(r, group)
+    repeated = degrees >= 12 and within > 0
+    if declared is not None:
+        doubt = PROVEN * np.sqrt(_spread(r) / max(degrees, 1))
+        gap = np.log(within / declared**2) if repeated else 0.0
+        if abs(gap) <= doubt or (gap > 0 and _closest(r, group) < 2 * declared):
+            return Noise(declared, "declared", np.inf)
+    if repeated:
+        return Noise(float(np.sqrt(within)), "repeats", float(degrees))
+    return Noise(residual, "residual", np.inf)
+
+
+def _repeats(found: Readings, recording: Recording) -> np.ndarray:
+    """Return groups (R,) of readings of one pose with every channel but time the same."""
     channels = [
         v for name, v in sorted(recording.channels.items()) if name != "time_s" and not name.startswith("true_")
     ]
-    if found.made:
-        return min([(recording.measurement.sigma_mm or residual, "declared"), (residual, "residual")])
-    if found.rows.shape[1] == 1 and channels:
-        same = np.column_stack([found.group, np.nan_to_num(np.array(channels).T[found.rows[:, 0]], nan=-1e9)])
-        group = np.ravel(np.unique(same, axis=0, return_inverse=True)[1])
-    else:
-        group = found.group
-    _, within, degrees = Repeats.ratio_of(np.nan_to_num(final.residual[:, :3]), group)
-    known = []
-    if degrees >= 12 and 0 < within <= (1.1 * residual) ** 2:
-        known.append((float(np.sqrt(within)), "repeats"))
-    declared = recording.measurement.sigma_mm
-    if declared is not None and declared <= 1.5 * residual:
-        known.append((declared, "declared"))
-    return min(known, default=(residual, "residual"))
+    if found.rows.shape[1] != 1 or not channels:
+        return found.group
+    same = np.column_stack([found.group, np.nan_to_num(np.array(channels).T[found.rows[:, 0]], nan=-1e9)])
+    return np.ravel(np.unique(same, axis=0, return_inverse=True)[1])
+
+
+def _spread(r: Array) -> float:
+    """Return the variance of squares in units of the variance's square: 2 where noise is normal, more in its tails."""
+    squares = r[np.isfinite(r)] ** 2
+    mean = float(np.mean(squares)) + 1e-300
+    return max(float(np.mean(squares**2)) / mean**2, 3.0) - 1
+
+
+def _closest(r: Array, group: np.ndarray) -> float:
+    """Return the noise that the closest quarter of repeats speaks for, as if noise were normal [mm]."""
+    order = np.argsort(group, kind="stable")
+    together = group[order][1:] == group[order][:-1]
+    gaps = np.abs(np.diff(r[order], axis=0)[together])
+    return float(np.quantile(gaps, 0.25) / (0.3186 * np.sqrt(2.0)))
+
+
+def lack_of_fit(final: Fit, recording: Recording) -> bool:
+    """Tell whether what a fit leaves is more than a noise known beforehand, each as uncertain as it is."""
+    known = noise(final, recording)
+    if known.source == "residual":
+        return False
+    r = np.delete(final.residual[:, :3], final.gross, axis=0)
+    r = r[np.isfinite(r)] / (np.sqrt(2.0) if final.problem.readings.made else 1.0)
+    free = max(len(r) - final.solution.degrees - final.instrument.n_unknown, 1.0)
+    excess = np.log(float(r @ r) / free / known.sigma**2)
+    doubt = PROVEN * np.sqrt(_spread(r) * (1 / free + 1 / known.degrees))
+    return bool(excess > max(doubt, np.log(LEAST_EXCESS)))
 
 
 def _weak(final: Fit, n_unseen: int, units: list[str]) -> list[Combination]:
@@ -515,7 +534,7 @@ def _result(found: Identification) -> dict[str, Any]:
             if known or given:
                 entry["std"] = float(deviation[j] / factor)
         parameters.append(entry)
-    sigma, source = found.noise
+    sigma, source = found.noise.sigma, found.noise.source
     residual_sigma = coordinate_sigma(final)
     return {
         "schema": SCHEMA,

@@ -59,6 +59,9 @@ def prediction_problem(
     found = unread(recording) if found is None else found
     found, instrument = _instrument(result, recording, found)
     held = [term_from_dict(t) for t in result.get("physics", ())]
+    if result.get("clock") == "row" or recording.time_s is None:
+        # rows of another recording come after all rows of the one that a jump was found in
+        held = [dataclasses.replace(t, constants=(-np.inf,)) if t.effect == "zero_jump" else t for t in held]
     return pose_problem(robot, recording, (), found=found, held=held), instrument
 
 

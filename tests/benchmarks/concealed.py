@@ -33,7 +33,7 @@ from rich.progress import Progress
 from rich.table import Table
 
 from deltacal_gen.diagnosis import Candidate, Search, diagnose, library
-from deltacal_gen.errors import DeltacalError
+from deltacal_gen.errors import DeltacalError, NoSolutionError
 from deltacal_gen.estimation import Fit, Problem, Repeats, fit, pose_problem, rms
 from deltacal_gen.identification import BROAD, rough
 from deltacal_gen.mechanism import load_mechanism
@@ -531,12 +531,15 @@ def examine(job: tuple[str, tuple[str, ...], tuple[int, ...]]) -> dict[str, Any]
         found = diagnose(case.robot, case.recording)
         out["seconds"] = time.perf_counter() - begin
         out |= _compared(case, found)
-        best = oracle(case)
         error = _prediction_error(case, found.to_dict())
+        best = oracle(case)
         out |= {
             "to_oracle": error / best["truth"] if "truth" in best else None,
             "to_geometry": error / best["geometry"],
         }
+    except NoSolutionError as e:
+        out.setdefault("wrong" if "seconds" not in out else "no_oracle", []).append(f"exception: {e}")
+        out.setdefault("seconds", time.perf_counter() - begin)
     except Exception:
         out["wrong"].append(f"exception: {' '.join(traceback.format_exc().splitlines()[-3:])}")
         out.setdefault("seconds", time.perf_counter() - begin)
