@@ -275,7 +275,7 @@ def test_the_offsets_come_out_of_five_poses_on_the_middle_layer(robot: Robot, me
     poses = np.vstack([check_poses(robot.workspace)[:1], circle(robot.workspace, 0.5, 1.0, 5)])
     recording = simulate(robot, wanted(poses), OFFSETS)
     found = identify(robot, recording, "3", as_distance=True)
-    assert found.fit.problem.readings.n_scalars == 15
+    assert len(found.fit.problem.readings) == 15
     for name, offset in OFFSETS.items():
         assert found.robot.errors[name] == pytest.approx(offset, abs=1e-9)
 

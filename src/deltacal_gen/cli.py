@@ -232,6 +232,7 @@ def identify(
     """Identify the machine's errors from a recording."""
     from deltacal_gen import commands
 
+    commands.check_output(picture, robot, recording, ending=commands.PICTURES)
     with _progress(as_json) as tell:
         found = commands.identify(
             robot,
@@ -240,7 +241,7 @@ def identify(
             output,
             as_distance=_as_distance(as_kind),
             solver=solver,
-            truncation=int(truncation) if truncation.isdigit() else truncation,
+            truncation=int(truncation) if truncation.isdecimal() else truncation,
             robust=robust,
             physics=physics,
             progress=tell,
@@ -391,7 +392,7 @@ def matrix(
     seen = observability(found["H"], len(found["H"]))
     summary = {
         "schema": "deltacal.matrix/1",
-        "file": str(output.with_suffix(".npz")),
+        "file": str(output),
         "rows": found["H"].shape[0],
         "columns": found["H"].shape[1],
         "rank": seen.rank,

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from deltacal_gen.physics import Term
 
 Source = str | Path
+PICTURES = (".svg", ".png", ".pdf")
 Progress = Callable[[str], None]
 
 
@@ -56,11 +57,27 @@ def _result(result: Source | Mapping[str, Any]) -> Mapping[str, Any]:
             f"this is not JSON: {error.msg}.", "Give the file that identify wrote.", file=result, line=error.lineno
         ) from None
     schema = str(data.get("schema", "")) if isinstance(data, dict) else ""
-    if not schema.startswith(("deltacal.result/", "deltacal.diagnosis/")):
+    if not schema.startswith(("deltacal.result/", "deltacal.diagnosis/")) or "robot" not in data:
         raise InputError(
             "this is no result of identify or diagnose.", "Give the file that one of them wrote.", file=result
         )
     return data
+
+
+def check_output(path: Source | None, *inputs: object, ending: Sequence[str] = ()) -> None:
+    """Refuse an output that cannot be written, or that is one of the inputs, before anything is computed."""
+    if path is None:
+        return
+    target = Path(path)
+    if not str(path) or target.is_dir() or not target.name:
+        raise InputError("this is no file to write to.", "Give the name of a file.", file=target)
+    if not target.parent.is_dir():
+        raise InputError("its folder does not exist.", "Make the folder first.", file=target)
+    if ending and target.suffix not in ending:
+        raise InputError(f"its name ends with none of {', '.join(ending)}.", "Change the ending.", file=target)
+    given = [Path(i) for i in inputs if isinstance(i, str | Path)]
+    if target.resolve() in [p.resolve() for i in given for p in (i, i.with_suffix(".toml"))]:
+        raise InputError("the output would overwrite an input.", "Choose another name.", file=target)
 
 
 def write_json(data: Mapping[str, Any], path: Source) -> None:
@@ -175,6 +192,8 @@ def plan(
     """
     from deltacal_gen import planning
 
+    check_output(output, robot)
+    check_output(picture, robot, ending=PICTURES)
     robot = _robot(robot)
     found = (
         planning.plan(robot, model, **options)
@@ -210,6 +229,9 @@ def simulate(
     """
     from deltacal_gen import simulation
 
+    check_output(output, robot, poses, truth, ending=(".csv",))
+    if not (noise >= 0 and np.isfinite(noise)) or seed < 0:
+        raise UsageError("noise must be a number of mm that is not negative, and seed an integer from 0.")
     robot = _robot(robot)
     given = _recording(poses, robot, need_measured=False, allow_targets=True)
     if not isinstance(poses, Recording) and not given.path.with_suffix(".toml").exists():
@@ -220,7 +242,15 @@ def simulate(
         told = simulation.Truth(dict(truth)) if isinstance(truth, Mapping) else simulation.read_truth(truth, robot)
         errors, terms = told.errors, told.terms
         errors = {n: errors.get(n, 0.0) + robot.errors.get(n, 0.0) for n in errors.keys() | robot.errors.keys()}
-    done = simulation.simulate(robot, given, errors, noise_mm=noise, rng=np.random.default_rng(seed), terms=terms)
+    done = simulation.simulate(
+        robot,
+        given,
+        errors,
+        noise_mm=noise,
+        noise_rad=given.measurement.sigma_rad or 0.0 if noise else 0.0,
+        rng=np.random.default_rng(seed),
+        terms=terms,
+    )
     if output is not None:
         write_recording(done, output)
     return done
@@ -250,6 +280,9 @@ def identify(
     from deltacal_gen import identification
     from deltacal_gen.physics import term_from_dict
 
+    check_output(output, robot, recording, physics)
+    if physics is not None and not str(_result(physics)["schema"]).startswith("deltacal.diagnosis/"):
+        raise InputError("this is no diagnosis.", "Give the file that diagnose wrote.", file=str(physics))
     robot = _robot(robot)
     found = identification.identify(
         robot,
@@ -281,6 +314,8 @@ def diagnose(
     """
     from deltacal_gen import diagnosis
 
+    check_output(output, robot, recording)
+    check_output(report, robot, recording)
     robot = _robot(robot)
     found = diagnosis.diagnose(robot, _recording(recording, robot), progress=progress).to_dict()
     if output is not None:
@@ -306,6 +341,7 @@ def matrix(
     from deltacal_gen.estimation import pose_problem
     from deltacal_gen.identifiability import identification_matrix
 
+    check_output(output, robot, recording, ending=(".npz",))
     robot = _robot(robot)
     names = load_mechanism(robot.mechanism).model(model)
     problem = pose_problem(robot, _recording(recording, robot), names, as_distance=as_distance)
@@ -318,7 +354,7 @@ def matrix(
         "scaling": np.array(found.convention),
     }
     if output is not None:
-        path = Path(output).with_suffix(".npz")
+        path = Path(output)
         stream = io.BytesIO()
         np.savez_compressed(stream, **arrays)  # type: ignore[arg-type]
         part = path.with_name(f".{path.name}.{os.getpid()}.part")
@@ -336,6 +372,7 @@ def predict(
     """Return a recording's readings as an identified model predicts them; `output` is PREDICTED.csv."""
     from deltacal_gen import prediction
 
+    check_output(output, result, recording)
     result = _result(result)
     robot = prediction.calibrated_robot(result)
     done = prediction.predict(result, _recording(recording, robot, need_measured=False))
@@ -378,6 +415,7 @@ def compensate(
     """
     from deltacal_gen import compensation, prediction
 
+    check_output(output, result, targets)
     robot = prediction.calibrated_robot(_result(result))
     mechanism = load_mechanism(robot.mechanism)
     compensator = compensation.Compensator(robot, kind)
@@ -426,4 +464,6 @@ def demo(output: Source = "demo", progress: Progress = _silent) -> dict[str, Any
     """Run the main job on the embedded recording; write its files and a picture below `output`."""
     from deltacal_gen import demonstration
 
+    if Path(output).exists() and not Path(output).is_dir():
+        raise InputError("this is a file, and the demonstration needs a folder.", "Choose another name.", file=output)
     return demonstration.run(Path(output), progress)

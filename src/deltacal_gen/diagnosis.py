@@ -212,8 +212,10 @@ def diagnose(robot: Robot, recording: Recording, *, progress: Progress = lambda 
     scale = np.array([robot.tolerance.get(n, MACHINED * s) for n, s in zip(names, problem.scale, strict=True)])
     problem = dataclasses.replace(problem, scale=scale)
     identification.enough(mechanism, problem, recording)
+    identification.distinct(problem, recording)
     progress("geometry")
     rough = identification.rough(problem, mechanism, robust=True)
+    identification.plausible(rough, mechanism)
     identification.check_rows(rough, recording)
     # what is left out may look like gross errors where it is strongest: none is dropped before it is known
     baseline = fit(

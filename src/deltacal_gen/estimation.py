@@ -389,7 +389,11 @@ def fit(
         if len(history) == ESTIMATED_AT:
             solver = solver.settled(solution)
         degrees = solution.degrees + n_m
-        leverage = _leverage(A, Q, solution, np.isfinite(state.residual))
+        leverage = (
+            np.full(2, degrees / max(problem.readings.n_scalars, 1.0))
+            if problem.readings.made
+            else _leverage(A, Q, solution, np.isfinite(state.residual))
+        )
         history.append(_gain(solution.u - departure, departure, A_p, Q, b, solver.weight or 0.0))
         if len(history) > (ESTIMATED_AT + 1 if estimated else 1) and history[-1] < (
             CONVERGED if len(history) < PATIENCE else SETTLED
@@ -499,7 +503,7 @@ def _noise(residual: Array, leverage: Array, robust: bool) -> Array:
 
     `leverage` (2,) is the part of each that the fit has used up.
     """
-    sigma = np.empty(residual.shape[1])
+    sigma = np.ones(residual.shape[1])
     for part, used in ((slice(0, 3), leverage[0]), (slice(3, 6), leverage[1])):
         r = residual[:, part]
         r = r[np.isfinite(r)]

@@ -7,7 +7,8 @@ parameters of the model. Both are exact: the stages differ in what is free, not 
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable, Sequence
+import itertools
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,14 +16,14 @@ import numpy as np
 
 from deltacal_gen import identifiability
 from deltacal_gen.accuracy import check_poses, distance_error, largest, volumetric_error
-from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation import Fit, Problem, Repeats, fit, held_out, pose_problem, rms
 from deltacal_gen.identifiability import Combination
 from deltacal_gen.measurement import Readings
 from deltacal_gen.mechanism import SOLVED, Array, Mechanism, load_mechanism
-from deltacal_gen.physics import Term, term_to_dict
+from deltacal_gen.physics import Body, Term, term_to_dict
 from deltacal_gen.recording import Recording, check_units
-from deltacal_gen.robot import Robot, robot_to_dict
+from deltacal_gen.robot import Robot, robot_size, robot_to_dict
 from deltacal_gen.solvers import TSVD, LeastSquares, Prior, Ridge, Solver
 from deltacal_gen.units import DEG, file_unit, to_internal
 
@@ -31,8 +32,11 @@ FOLDS = 5
 SEED = 20150415  # of the folds: results do not change from run to run
 BROAD = 10.0  # standard deviation of a parameter of which nothing is known, in ordinary errors
 SPARE = 1.2  # scalar readings per unknown below which a model is not chosen unasked
+NOTHING_LEFT = 1e-12  # of a prior's variance: then the data know everything
+SPARE_READINGS = 3  # scalars beyond the unknowns, without which no noise can be told from errors
 PROVEN = 4.0  # standard deviations by which one noise must exceed another to be called larger
 LEAST_EXCESS = 1.15  # of chi2 per degree of freedom: a sidecar's sigma has a digit or two
+IMPLAUSIBLE = 0.005  # of the machine's size: more is no error of parts but of the recording
 RESOLVED = 0.5  # of a parameter's variance that comes from directions the data know better than the prior
 Progress = Callable[[str], None]
 
@@ -132,7 +136,9 @@ def identify(
 
     progress("rough stage: encoder offsets")
     before = _residual_of(problem, problem.reference)
+    distinct(everything, recording)
     first = rough(everything, mechanism, robust)
+    plausible(first, mechanism)
     check_rows(first, recording)
     progress(f"fine stage: {len(names)} parameters of {chosen}")
     final = fit(problem, rule, errors=first.errors, instrument=first.instrument, robust=robust)
@@ -202,7 +208,7 @@ def _model(mechanism: Mechanism, problem: Problem, recording: Recording, asked: 
     if asked is not None:
         mechanism.model(asked)
         name = asked if "/" in asked else f"{mechanism.name}/{asked}"
-        needed = len(mechanism.models[name]) + extra
+        needed = len(mechanism.models[name]) + extra + SPARE_READINGS
         if scalars < needed:
             raise _too_few(recording, scalars, needed, name, extra)
         return name
@@ -210,7 +216,7 @@ def _model(mechanism: Mechanism, problem: Problem, recording: Recording, asked: 
         if scalars >= SPARE * (len(mechanism.models[name]) + extra):
             return name
     smallest = by_size[-1]
-    needed = len(mechanism.models[smallest]) + extra
+    needed = len(mechanism.models[smallest]) + extra + SPARE_READINGS
     if scalars < needed:
         raise _too_few(recording, scalars, needed, smallest, extra)
     return smallest
@@ -219,7 +225,7 @@ def _model(mechanism: Mechanism, problem: Problem, recording: Recording, asked: 
 def enough(mechanism: Mechanism, problem: Problem, recording: Recording) -> None:
     """Raise an InputError where the readings cannot carry the problem's own parameters and the instrument's."""
     extra = problem.begin(problem.reference).n_unknown
-    needed = len(problem.names) + extra
+    needed = len(problem.names) + extra + SPARE_READINGS
     if problem.readings.n_scalars < needed:
         raise _too_few(recording, problem.readings.n_scalars, needed, mechanism.full_model, extra)
 
@@ -227,11 +233,87 @@ def enough(mechanism: Mechanism, problem: Problem, recording: Recording) -> None
 def _too_few(recording: Recording, scalars: int, needed: int, model: str, extra: int) -> InputError:
     of_instrument = f" and {extra} of the instrument" if extra else ""
     return InputError(
-        f"the recording holds {scalars} scalar readings; {model} has {needed - extra} parameters{of_instrument}, so at "
-        f"least {needed} are needed.",
+        f"the recording holds {scalars} independent scalar readings; {model} has {needed - extra - SPARE_READINGS} "
+        f"parameters{of_instrument}, and noise shows in no fewer than {SPARE_READINGS} more: {needed} are needed.",
         "Measure more poses (deltacal plan proposes them) or choose a smaller model with --model.",
         file=recording.path,
     )
+
+
+def distinct(problem: Problem, recording: Recording) -> None:
+    """Raise an InputError where the readings come from fewer than three different poses."""
+    used = np.unique(problem.readings.rows)
+    if len(np.unique(np.round(problem.body.q[used], 9), axis=0)) < 3:
+        raise InputError(
+            "the readings come from fewer than three different poses.",
+            "Measure poses spread over the workspace: deltacal plan proposes them.",
+            file=recording.path,
+        )
+
+
+def plausible(first: Fit, mechanism: Mechanism) -> None:
+    """Raise an InputError where the readings cannot be of this machine, and name the mistake that would explain them.
+
+    After the encoder offsets no machine is off by half a per cent of its size. The mistakes that people make are tried
+    one by one: joints counted the other way or exchanged, axes exchanged or mirrored, a column in metres, readings
+    shifted by a row, a frame that is not the robot's.
+    """
+    problem, found = first.problem, first.problem.readings
+    size = robot_size(problem.robot)
+    off = float(np.nanmedian(np.linalg.norm(first.residual[:, :3], axis=1)))
+    if off < IMPLAUSIBLE * size:
+        return
+    for words, changed in _mistakes(problem) if found.kind in ("position", "pose") else ():
+        try:
+            again = rough(changed, mechanism, robust=True)
+        except (InputError, NoSolutionError):
+            continue
+        if float(np.nanmedian(np.linalg.norm(again.residual[:, :3], axis=1))) < 0.1 * off:
+            raise InputError(
+                f"the readings are {off:.3g} mm off this machine, but agree with it if {words}.",
+                "Correct the recording, its sidecar or the robot file.",
+                file=problem.recording.path,
+            )
+    raise InputError(
+        f"the readings are {off:.3g} mm off this machine, more than any error of its parts.",
+        "Compare the robot file with the machine, and the columns of the recording with what was measured.",
+        file=problem.recording.path,
+    )
+
+
+def _mistakes(problem: Problem) -> Iterator[tuple[str, Problem]]:
+    found, body = problem.readings, problem.body
+
+    def with_values(values: Array) -> Problem:
+        return dataclasses.replace(problem, readings=dataclasses.replace(found, values=values))
+
+    def with_joints(q: Array) -> Problem:
+        return dataclasses.replace(problem, body=Body(body.robot, body.mechanism, q, body.tool, body.channels))
+
+    if problem.recording.measurement.frame == "robot":
+        free = problem.recording.measurement.model_copy(update={"frame": "unknown"})
+        yield (
+            'the instrument has a frame of its own (frame = "unknown" in the sidecar)',
+            dataclasses.replace(problem, recording=dataclasses.replace(problem.recording, measurement=free)),
+        )
+    yield "every joint counts the other way ([joints] sign)", with_joints(-body.q)
+    names = [f"q{i + 1}" for i in range(body.q.shape[1])]
+    for order in itertools.permutations(range(len(names))):
+        if list(order) != sorted(order):
+            yield f"the joints stand in the order {', '.join(names[i] for i in order)}", with_joints(body.q[:, order])
+    axes = "xyz"
+    for i, j in ((0, 1), (0, 2), (1, 2)):
+        swapped = [j if k == i else i if k == j else k for k in range(3)]
+        yield f"{axes[i]}_mm and {axes[j]}_mm are exchanged", with_values(found.values[:, swapped])
+    for i in range(3):
+        for factor, unit in ((1000.0, "metres"), (0.001, "micrometres")):
+            scale = np.where(np.arange(3) == i, factor, 1.0)
+            yield f"{axes[i]}_mm is in {unit}", with_values(found.values * scale)
+    for shift in (1, -1):
+        yield (
+            "the readings are shifted against the joints by one row",
+            with_values(np.roll(found.values, shift, axis=0)),
+        )
 
 
 def rough(problem: Problem, mechanism: Mechanism, robust: bool) -> Fit:
@@ -580,11 +662,13 @@ def _result(found: Identification) -> dict[str, Any]:
 def _share_of_data(final: Fit) -> Array:
     """Return the part (n,) of each parameter's variance that lies in directions which the data determine."""
     solution = final.solution
-    share = solution.V**2 * (1 - solution.factors)
+    left = 1 / (1 + solution.singular_values**2)  # of each direction's prior variance
+    share = solution.V**2 * left
     determined = solution.factors > 0.5
     rest = np.maximum(1 - (solution.V**2).sum(axis=1), 0.0)  # directions beyond the readings
-    result: Array = share[:, determined].sum(axis=1) / (share.sum(axis=1) + rest + 1e-300)
-    return result
+    total = share.sum(axis=1) + rest
+    result: Array = share[:, determined].sum(axis=1) / np.maximum(total, 1e-300)
+    return np.where(total < NOTHING_LEFT, 1.0, result)
 
 
 def _terms(c: Combination, mechanism: Mechanism) -> dict[str, float]:

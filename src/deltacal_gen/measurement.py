@@ -20,6 +20,7 @@ from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot
 from deltacal_gen.rotation import cayley_matrix, from_vector, mean, to_vector
 
+MOST_PAIRS = 200_000  # distances that are made of positions at once
 KINDS = ("position", "pose", "distance", "gauge")
 
 
@@ -60,7 +61,9 @@ class Readings:
 
     @property
     def n_scalars(self) -> int:
-        """Number of scalar readings taken."""
+        """Number of independent scalar readings: distances made of positions hold no more than those."""
+        if self.made:
+            return min(len(self.values), 3 * len(np.unique(self.rows)) - 6)
         turned = 0 if self.rotations is None else 3 * int(np.isfinite(self.rotations[:, 0, 0]).sum())
         return int(self.values.size) + turned
 
@@ -91,7 +94,7 @@ def readings(recording: Recording, *, as_distance: bool = False) -> Readings:
         The recording holds no reading of a kind that can be used here.
     """
     kind = recording.kind
-    _, pose = np.unique(recording.pose, return_inverse=True)
+    pose = _poses(recording)
     if kind == "distance" or (recording.pairs is not None and len(recording.pairs)):
         if recording.pairs is None or recording.pair_measured is None or recording.pair_line is None:
             raise InputError("no distances between poses are given.", "Add NAME.distances.csv.", file=recording.path)
@@ -121,6 +124,8 @@ def readings(recording: Recording, *, as_distance: bool = False) -> Readings:
         rotations = np.full((len(taken), 3, 3), np.nan)
         read = np.isfinite(vectors).all(axis=1)
         rotations[read] = from_vector(vectors[read])
+        if not read.any():
+            kind, rotations = "position", None
     found = Readings(
         kind,
         taken[:, None],
@@ -133,11 +138,28 @@ def readings(recording: Recording, *, as_distance: bool = False) -> Readings:
     return _some(recording, distances(found, recording) if as_distance and kind in ("position", "pose") else found)
 
 
+def _poses(recording: Recording) -> np.ndarray:
+    """Return the pose (N,) of each row: label and set-up or, where there are no labels, joints and tool point."""
+    plain = len(np.unique(recording.pose)) == recording.n_rows
+    if plain and recording.pairs is None:
+        tool = np.zeros((recording.n_rows, 3)) if recording.tool is None else np.nan_to_num(recording.tool)
+        key = np.round(np.column_stack([recording.joints, tool, recording.setup]), 9)
+        return np.ravel(np.unique(key, axis=0, return_inverse=True)[1])
+    _, label = np.unique(recording.pose, return_inverse=True)
+    return np.ravel(np.unique(np.column_stack([label, recording.setup]), axis=0, return_inverse=True)[1])
+
+
 def distances(positions: Readings, recording: Recording) -> Readings:
     """Return the distances of all pairs of positions that share tool point and set-up."""
     tool = np.zeros((recording.n_rows, 3)) if recording.tool is None else np.nan_to_num(recording.tool)
     _, point = np.unique(np.column_stack([tool[positions.rows[:, 0]], positions.setup]), axis=0, return_inverse=True)
     point = np.ravel(point)
+    if (count := sum(n * (n - 1) // 2 for n in np.bincount(point))) > MOST_PAIRS:
+        raise InputError(
+            f"{len(positions)} positions make {count} distances.",
+            "Use the positions themselves (they hold the same information), or fewer rows.",
+            file=recording.path,
+        )
     a, b = np.triu_indices(len(positions), 1)
     same = point[a] == point[b]
     a, b = a[same], b[same]

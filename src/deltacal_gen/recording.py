@@ -340,6 +340,14 @@ def _spreads(recording: Recording) -> Iterator[tuple[str, float, float]]:
             if rows.any():
                 spread = np.linalg.norm(np.ptp(points[rows], axis=0))
                 yield recording.columns[0], float(spread), float(np.ptp(recording.joints[rows], axis=0).max())
+    if recording.kind == "gauge":
+        rows = np.isfinite(recording.measured[:, 0])
+        if rows.any():
+            yield (
+                "gauge_mm",
+                float(np.ptp(recording.measured[rows, 0])),
+                float(np.ptp(recording.joints[rows], axis=0).max()),
+            )
     if recording.pairs is not None and recording.pair_measured is not None:
         distance = np.nan_to_num(recording.pair_measured)
         if distance.any():

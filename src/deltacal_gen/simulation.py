@@ -19,13 +19,13 @@ from deltacal_gen.measurement import KINDS, Instrument, Readings
 from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, load_mechanism
 from deltacal_gen.physics import Body, Channels, Term, blank, effect_names, load_effect, reading_shift
 from deltacal_gen.recording import Measurement, Recording
-from deltacal_gen.robot import Robot, Table, TomlFile, nearest
+from deltacal_gen.robot import Number, Robot, Table, TomlFile, nearest
 from deltacal_gen.rotation import cayley_matrix, from_vector, to_vector
 from deltacal_gen.units import DEG, to_internal
 
 
 class _Truth(Table):
-    parameters: dict[str, float] = Field(default_factory=dict)
+    parameters: dict[str, Number] = Field(default_factory=dict)
     effects: list[dict[str, Any]] = Field(default_factory=list)
 
 
@@ -62,7 +62,23 @@ def read_truth(path: str | Path, robot: Robot) -> Truth:
                 name,
             )
     errors = {name: value * to_internal(units[name]) for name, value in truth.parameters.items()}
-    return Truth(errors, tuple(_term(file, table, mechanism) for table in truth.effects))
+    return Truth(errors, tuple(_checked_term(file, table, mechanism) for table in truth.effects))
+
+
+def _checked_term(file: TomlFile, table: dict[str, Any], mechanism: Mechanism) -> Term:
+    try:
+        term = _term(file, table, mechanism)
+    except (TypeError, ValueError):
+        raise file.error(
+            f"the effect '{table.get('name')}' holds a value of the wrong type.",
+            "Give limb as an integer, limbs as a list of them, and numbers for the parameters.",
+            "effects",
+        ) from None
+    if len(set(term.limbs)) < len(term.limbs) or not np.isfinite(term.values).all():
+        raise file.error(
+            f"the effect '{term.effect}' has a limb twice or a value that is no number.", "Correct it.", "effects"
+        )
+    return term
 
 
 def _term(file: TomlFile, table: dict[str, Any], mechanism: Mechanism) -> Term:

@@ -18,7 +18,7 @@ import numpy as np
 from deltacal_gen.errors import UsageError
 from deltacal_gen.mechanism import Array
 
-RANK_TOLERANCE = 1e-10  # of the largest singular value: below it a direction is rounding
+RANK_TOLERANCE = 1e-6  # of the largest singular value: below it a direction is seen through finite errors at most
 
 
 @dataclass(frozen=True)

@@ -556,14 +556,14 @@ def _compared(case: Case, found: Any) -> dict[str, Any]:
         "verdict_ok": found.verdict == right,
         "found": [[*_short(n.term), round(n.gain, 1), list(n.alike)] for n in found.effects],
         "chi2": result["final"]["chi2_per_dof"],
-        "noise": [found.noise[0] / case.sigma, found.noise[1]],
+        "noise": [found.noise.sigma / case.sigma, found.noise.source],
         "location": [first, result["location"]["limbs"]],
         "rejected": [[r["name"], round(r["gain_chi2"], 1)] for r in result["rejected"][:3]],
         "wrong": [],
         "z": [],
     }
     if not out["verdict_ok"]:
-        out["wrong"].append(f"verdict {found.verdict}, chi2 {out['chi2']:.2f} ({found.noise[1]})")
+        out["wrong"].append(f"verdict {found.verdict}, chi2 {out['chi2']:.2f} ({found.noise.source})")
     if case.kind == "outside":
         out["channel_ok"] = first in case.channels
         out["limbs_ok"] = not case.limbs or set(result["location"]["limbs"]) == set(case.limbs)
