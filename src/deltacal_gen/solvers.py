@@ -18,7 +18,7 @@ import numpy as np
 from deltacal_gen.errors import UsageError
 from deltacal_gen.mechanism import Array
 
-RANK_TOLERANCE = 1e-6  # of the largest singular value: below it a direction is seen through finite errors at most
+WEAKEST = 1e-6  # of the largest singular value: below it a direction is seen through finite errors at most
 
 
 @dataclass(frozen=True)
@@ -105,7 +105,7 @@ def _kept(s: Array, keep: np.ndarray, words: str) -> tuple[Array, Array, str]:
 class LeastSquares:
     """Least squares of minimum norm: directions below `rcond` of the largest singular value stay at nominal."""
 
-    rcond: float = RANK_TOLERANCE
+    rcond: float = WEAKEST
 
     @property
     def weight(self) -> float:
@@ -160,7 +160,7 @@ class TSVD:
         m = len(b)
 
         def rule(s: Array, c: Array, rest: float) -> tuple[Array, Array, str]:
-            usable = int((s > RANK_TOLERANCE * s[0]).sum()) if len(s) else 0
+            usable = int((s > WEAKEST * s[0]).sum()) if len(s) else 0
             left = rest + np.concatenate([[c @ c], c @ c - np.cumsum(c**2)])[: usable + 1]
             if isinstance(self.truncation, int):
                 k = min(self.truncation, usable)
