@@ -20,6 +20,7 @@ __version__ = "0.1.0"
 
 _HOME = {
     "commands": (
+        "claims",
         "compensate",
         "demo",
         "diagnose",

@@ -126,6 +126,35 @@ def models(as_json: Json = False) -> None:
 
 
 @app.command()
+def claims(
+    paper: Annotated[str | None, typer.Option(help="one paper only, e.g. bai", show_default=False)] = None,
+    status: Annotated[str | None, typer.Option(help="one status only, e.g. contradicted", show_default=False)] = None,
+    as_json: Json = False,
+) -> None:
+    """Show what the papers claim, what the derivation gives, and the test that decides."""
+    from deltacal_gen import commands, ledger
+
+    found = commands.claims(paper=paper, status=status)
+    if as_json:
+        _print_json(found)
+        return
+    papers = {name: [c for c in found if c["paper"] == name] for name in dict.fromkeys(c["paper"] for c in found)}
+    for name, entries in papers.items():
+        table = Table(title=ledger.load_paper(name).title, title_justify="left", show_lines=True)
+        for column in ("where", "status", "claim", "printed", "correct", "evidence"):
+            table.add_column(column, overflow="fold")
+        for c in entries:
+            cells = (c["where"], c["status"], c["statement"], c["printed"], c["correct"], c["evidence"])
+            table.add_row(*map(_escaped, cells), style="bold" if c["status"] == "contradicted" else None)
+        screen.print(table)
+    counts = Table("status", *papers, box=None, padding=(0, 2))
+    for s in ledger.STATUSES:
+        counts.add_row(s, *(str(sum(c["status"] == s for c in entries)) for entries in papers.values()))
+    counts.add_row("all", *(str(len(entries)) for entries in papers.values()))
+    screen.print(counts)
+
+
+@app.command()
 def plan(
     robot: RobotFile,
     model: Annotated[str, typer.Option("--model", help="e.g. delta/18")],

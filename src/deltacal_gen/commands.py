@@ -147,6 +147,23 @@ def effects() -> list[dict[str, Any]]:
     ]
 
 
+def claims(*, paper: str | None = None, status: str | None = None) -> list[dict[str, Any]]:
+    """Return the ledger of claims, or the part of one paper or one status: what is printed, what is right, the test.
+
+    Raises
+    ------
+    UsageError
+        There is no such paper or status.
+    """
+    from deltacal_gen import ledger
+
+    if status is not None and status not in ledger.STATUSES:
+        raise UsageError(f"there is no status '{status}'; known: {', '.join(ledger.STATUSES)}.")
+    names = ledger.paper_names() if paper is None else (paper,)
+    found = (claim for name in names for claim in ledger.load_paper(name).claims)
+    return [claim.model_dump() for claim in found if status in (None, claim.status)]
+
+
 def kernels(*, check: bool = False) -> bool:
     """Derive all kernels and write them, or with `check` compare them; return whether the committed ones agree.
 

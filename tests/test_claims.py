@@ -1,0 +1,171 @@
+"""The ledger of claims: its form, its completeness, the tests it names, the command that prints it."""
+
+from __future__ import annotations
+
+import ast
+import json
+import sys
+from collections import Counter
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from deltacal_gen import cli, ledger
+from deltacal_gen.errors import InputError, UsageError
+
+ROOT = Path(__file__).resolve().parents[1]
+
+# What each paper numbers: equations, tables, and the figures that show or state numbers.
+CONTENTS = {
+    "bai": (26, 5, (4, 6, 7, 8)),
+    "mei": (35, 9, (5, 7, 8, 9, 11, 12)),
+    "savoure": (74, 2, (5, 6, 7)),
+    "traslosheros": (28, 5, (9, 10, 12)),
+}
+
+ENTRY = {
+    "where": "eq. (3)",
+    "statement": "Two and two make five.",
+    "status": "contradicted",
+    "printed": "2 + 2 = 5",
+    "correct": "2 + 2 = 4",
+    "evidence": "Counted: 4.",
+    "test": "tests/test_claims.py::test_every_claim_names_a_test",
+}
+
+
+@cache
+def functions_of(file: Path) -> frozenset[str]:
+    """Return the names of a file's test functions, without running it."""
+    found = ast.parse(file.read_text()).body
+    return frozenset(f.name for f in found if isinstance(f, ast.FunctionDef) and f.name.startswith("test_"))
+
+
+def test_no_paper_is_unknown() -> None:
+    assert set(ledger.paper_names()) <= set(CONTENTS)
+
+
+@pytest.mark.parametrize("paper", ledger.paper_names())
+def test_every_claim_names_a_test(paper: str) -> None:
+    for claim in ledger.load_paper(paper).claims:
+        file, name = claim.test.split("::")
+        assert (ROOT / file).exists(), claim
+        assert name in functions_of(ROOT / file), claim
+
+
+@pytest.mark.parametrize("paper", ledger.paper_names())
+def test_every_number_of_a_paper_has_a_claim(paper: str) -> None:
+    equations, tables, figures = CONTENTS[paper]
+    wanted = {f"eq. ({n + 1})" for n in range(equations)} | {f"Table {n + 1}" for n in range(tables)}
+    wanted |= {f"Fig. {n}" for n in figures}
+    found = {claim.where for claim in ledger.load_paper(paper).claims}
+    assert wanted <= found
+    assert not {w for w in found - wanted if w.startswith(("eq.", "Table"))}  # no number that the paper does not have
+
+
+@pytest.mark.parametrize("paper", ledger.paper_names())
+def test_no_claim_stands_twice(paper: str) -> None:
+    seen = Counter((claim.where, claim.statement) for claim in ledger.load_paper(paper).claims)
+    assert max(seen.values()) == 1
+
+
+@pytest.mark.parametrize("paper", ledger.paper_names())
+def test_what_is_contradicted_is_corrected(paper: str) -> None:
+    for claim in ledger.load_paper(paper).claims:
+        if claim.status == "contradicted":
+            assert claim.printed != claim.correct, claim
+
+
+# ------------------------------------------------------------------------------------------------- form and the command
+
+
+def write(folder: Path, *entries: dict[str, str], name: str = "euclid") -> Path:
+    """Write a paper's file; JSON strings are TOML strings."""
+    text = 'title = "Euclid, Elements"\n'
+    for entry in entries:
+        text += "\n[[claim]]\n" + "".join(f"{key} = {json.dumps(value)}\n" for key, value in entry.items())
+    path = folder / f"{name}.toml"
+    path.write_text(text)
+    return path
+
+
+@pytest.mark.parametrize(
+    ("change", "problem"),
+    [
+        ({"wher": "eq. (1)"}, r"key 'wher' is not known"),
+        ({"paper": "other"}, r"'paper' is the file's name"),
+        ({"status": "wrong"}, r"is 'wrong': one of proved, verified, contradicted"),
+        ({"where": "eq. 3"}, r"is 'eq. 3': 'eq. \(N\)', 'Table N'"),
+        ({"where": "section 3.2, end"}, r"'section N' was expected"),
+        ({"evidence": ""}, r"key 'evidence' is '': one line"),
+        ({"evidence": "one\ntwo"}, r"one line of text was expected"),
+        ({"test": "test_x"}, r"'tests/FILE.py::test_NAME' was expected"),
+    ],
+    ids=lambda value: next(iter(value)) if isinstance(value, dict) else "",
+)
+def test_a_flawed_entry_is_named_with_file_and_line(tmp_path: Path, change: dict[str, str], problem: str) -> None:
+    path = write(tmp_path, ENTRY, ENTRY | {"where": "Table 2"} | change)
+    with pytest.raises(InputError, match=problem) as caught:
+        ledger.read_paper(path)
+    assert (caught.value.file, caught.value.line) == (path, 12)
+
+
+def test_a_missing_key_is_named(tmp_path: Path) -> None:
+    path = write(tmp_path, {key: value for key, value in ENTRY.items() if key != "printed"})
+    with pytest.raises(InputError, match=r"claim 1 \(eq. \(3\)\), key 'printed' is missing"):
+        ledger.read_paper(path)
+
+
+@pytest.fixture
+def shelf(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with two papers, in place of the package's."""
+    write(tmp_path, ENTRY, ENTRY | {"where": "section 2.1", "status": "proved"})
+    write(tmp_path, ENTRY | {"status": "verified"}, name="archimedes")
+    monkeypatch.setattr(ledger, "folder", lambda: tmp_path)
+    return tmp_path
+
+
+def run(monkeypatch: pytest.MonkeyPatch, *arguments: str) -> None:
+    monkeypatch.setattr(sys, "argv", ["deltacal", "claims", *arguments])
+    monkeypatch.setattr(cli.screen, "_file", None)
+    with pytest.raises(SystemExit) as end:
+        cli.main()
+    assert not end.value.code
+
+
+@pytest.mark.usefixtures("shelf")
+def test_json_is_the_list_and_nothing_else(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    run(monkeypatch, "--json")
+    found = json.loads(capsys.readouterr().out)
+    assert [(c["paper"], c["where"]) for c in found] == [
+        ("archimedes", "eq. (3)"),
+        ("euclid", "eq. (3)"),
+        ("euclid", "section 2.1"),
+    ]
+    assert found[1] == {"paper": "euclid", **ENTRY}
+    run(monkeypatch, "--json", "--paper", "euclid", "--status", "proved")
+    assert [c["where"] for c in json.loads(capsys.readouterr().out)] == ["section 2.1"]
+
+
+@pytest.mark.usefixtures("shelf")
+def test_the_table_ends_with_counts(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    run(monkeypatch)
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split() for line in lines[-8:-4]] == [
+        ["status", "archimedes", "euclid"],
+        ["proved", "0", "1"],
+        ["verified", "1", "0"],
+        ["contradicted", "0", "1"],
+    ]
+    assert lines[-1].split() == ["all", "1", "2"]
+
+
+@pytest.mark.usefixtures("shelf")
+def test_what_does_not_exist_is_refused() -> None:
+    from deltacal_gen import claims
+
+    with pytest.raises(UsageError, match=r"no paper 'plato'; known: archimedes, euclid"):
+        claims(paper="plato")
+    with pytest.raises(UsageError, match="no status 'true'; known: proved"):
+        claims(status="true")
