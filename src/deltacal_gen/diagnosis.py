@@ -19,12 +19,12 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen import identification, physics
+from deltacal_gen import identification
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation import Fit, Problem, fit, held_out, pose_problem, rms
 from deltacal_gen.identification import Noise, folds, noise
 from deltacal_gen.mechanism import Array, load_mechanism
-from deltacal_gen.physics import Term, blank, effect_names, load_effect, reading_shift, term_to_dict
+from deltacal_gen.physics import Term, blank, effect_names, load_effect, term_to_dict
 from deltacal_gen.recording import Recording, check_units
 from deltacal_gen.robot import Robot, robot_to_dict
 from deltacal_gen.solvers import Prior
@@ -98,7 +98,7 @@ class Search:
             candidates.append(Candidate(term, start))
             start += term.n_coefficients
         self.candidates = candidates
-        raw = self._raw(problem, at, machine, terms)
+        raw = problem.term_columns(terms, at.instrument, machine)
 
         def rows(values: Array) -> Array:
             scaled = np.where(read[..., None], values * w[..., None], 0.0)
@@ -122,17 +122,6 @@ class Search:
         left = pulled - Q_all @ (Q_all.T @ pulled)
         self.reach = columns.T @ left[: len(r)]
         self.readings = len(r)
-
-    @staticmethod
-    def _raw(problem: Problem, at: Fit, machine: physics.Deformed, terms: Sequence[Term]) -> Array:
-        used = np.unique(problem.readings.rows)
-        rows = machine.rows if len(machine.rows) == 1 else machine.rows[used]
-        S = problem.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)
-        dx = problem.effect_columns(terms, machine, used, S)
-        J, _ = at.instrument.linearise(problem.readings, machine.x, dx)
-        values, _ = at.instrument.predict(problem.readings, machine.x)
-        J[:, : values.shape[1]] += reading_shift(terms, problem.body, problem.readings.rows, values)[1]
-        return J
 
     def gain(self, columns: Sequence[int]) -> float:
         """Return by how much columns, fitted together with all that is fitted already, lower chi2."""
@@ -351,7 +340,7 @@ def _sets(terms: Sequence[Term]) -> dict[str, int]:
 
 def _with_terms(problem: Problem, at: Fit, terms: Sequence[Term]) -> Fit | None:
     """Return the joint fit of geometry, instrument and effects from a fit without the last of them."""
-    raw = Search._raw(problem, at, at.problem.solve(at.errors), terms)
+    raw = problem.term_columns(terms, at.instrument, at.problem.solve(at.errors))
     flat = np.where(np.isfinite(raw), raw, 0.0).reshape(-1, raw.shape[2])
     scale = ROOM * np.sqrt(len(flat)) / np.maximum(np.linalg.norm(flat, axis=0), 1e-300)
     joint = problem.with_terms(terms, scale)

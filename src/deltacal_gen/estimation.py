@@ -154,6 +154,16 @@ class Problem:
             terms, machine, sensitivity.parameters, sensitivity.deflections, sensitivity.joints, used
         )
 
+    def term_columns(self, terms: Sequence[Term], instrument: Instrument, machine: Deformed) -> Array:
+        """Return the derivatives (R, k, n_c) of the readings by the coefficients of effects, free or not."""
+        used = np.unique(self.readings.rows)
+        rows = machine.rows if len(machine.rows) == 1 else machine.rows[used]
+        S = self.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)
+        J, _ = instrument.linearise(self.readings, machine.x, self.effect_columns(terms, machine, used, S))
+        values, _ = instrument.predict(self.readings, machine.x)
+        J[:, : values.shape[1]] += reading_shift(terms, self.body, self.readings.rows, values)[1]
+        return J
+
     def begin(self, parameters: Array) -> Instrument:
         """Return the instrument's first state for a machine with `parameters`."""
         return start(self.readings, self.recording, self.robot, self.poses(parameters))
