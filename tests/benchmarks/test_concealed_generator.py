@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
-from tests.benchmarks.concealed import OUTSIDE, generate, jobs
+from tests.benchmarks.concealed_cases import OUTSIDE, generate, plan
 
 
 @pytest.mark.parametrize(
@@ -29,7 +29,7 @@ def test_a_case_is_drawn_from_its_seed(kind: str, names: tuple[str, ...]) -> Non
 
 
 def test_every_kind_has_its_share() -> None:
-    work = jobs(["null", "outside"], 54, seed=2)
+    work = plan({"null": 40, "outside": 14}, seed=2)
     assert len(work) == 54
     assert {names[0] for kind, names, _ in work if kind == "outside"} == set(OUTSIDE)
-    assert work == jobs(["null", "outside"], 54, seed=2)
+    assert work == plan({"null": 40, "outside": 14}, seed=2)

@@ -1,0 +1,270 @@
+"""Judgement of diagnoses of concealed cases, and the table of it.
+
+Public: `examine` (draw a case, diagnose it, grade it: one entry of the report), `grade` (a DIAGNOSIS.json against the
+truth of a case), `oracle` (what an ideal fit that knows the effects reaches), `table` and `failures` (the report).
+"""
+
+from __future__ import annotations
+
+import collections
+import dataclasses
+import time
+import traceback
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from rich.table import Table
+
+from deltacal_gen.diagnosis import diagnose
+from deltacal_gen.errors import NoSolutionError
+from deltacal_gen.estimation import Fit, fit, pose_problem, rms
+from deltacal_gen.identification import BROAD, rough
+from deltacal_gen.physics import Term, term_to_dict
+from deltacal_gen.prediction import predict
+from deltacal_gen.recording import Recording
+from deltacal_gen.robot import robot_to_dict
+from deltacal_gen.solvers import Prior
+from tests.benchmarks.concealed_cases import MECHANISM, ORDINARY, PARAMETERS, Array, Case, Judge, generate, readings
+
+CONVENTION = {"joint_axis_runout", "instrument_offset"}  # parameters that are equal up to the geometry
+WIDE = 3.0  # times the ideal fit's: a standard deviation may not hide an error behind more
+RULED_OUT = 150.0  # of chi2 without noise: what the data rule out is no rival that they cannot tell apart
+VERDICT = {"null": "adequate", "outside": "unexplained"}
+
+
+# ---------------------------------------------------------------------------------------------------- what is ideal
+
+
+@dataclass(frozen=True)
+class Oracle:
+    """An ideal fit: error of its prediction [mm] with the true effects and without, and its standard deviations."""
+
+    prediction: float
+    geometry: float
+    std: tuple[Array, ...]
+
+
+def oracle(case: Case) -> Oracle:
+    """Return what geometry and the true effects, fitted to the noisy recording, reach on the fresh readings."""
+    problem = pose_problem(case.robot, case.recording, PARAMETERS)
+    problem = dataclasses.replace(problem, scale=BROAD * problem.scale)
+    first = rough(problem, MECHANISM, robust=True)
+    plain = fit(problem, Prior(), errors=first.errors, instrument=first.instrument)
+    geometry = prediction_error(case, predict(_as_result(case, plain), case.fresh))
+    if not case.terms:
+        return Oracle(geometry, geometry, ())
+    values = np.concatenate([t.values.ravel() for t in case.terms])
+    joint = problem.with_terms(case.terms, 10 * np.abs(values))
+    true = fit(joint, Prior(), errors=np.concatenate([plain.errors, values]), instrument=plain.instrument)
+    std = np.sqrt(np.diag(true.covariance))[len(PARAMETERS) : len(PARAMETERS) + len(values)]
+    ends = np.cumsum([t.n_coefficients for t in case.terms])[:-1]
+    parts = tuple(s.reshape(t.values.shape) for s, t in zip(np.split(std, ends), case.terms, strict=True))
+    return Oracle(prediction_error(case, predict(_as_result(case, true), case.fresh)), geometry, parts)
+
+
+def prediction_error(case: Case, predicted: Recording) -> float:
+    """Return the RMS error [mm] of a prediction of the fresh readings, rotations left out."""
+    return rms(readings(predicted)[:, :3] - readings(case.fresh)[:, :3])
+
+
+def _as_result(case: Case, found: Fit) -> dict[str, Any]:
+    errors, terms = found.problem.split(found.errors)
+    robot = dataclasses.replace(case.robot, errors=dict(zip(PARAMETERS, map(float, errors), strict=True)))
+    recording = case.recording
+    instrument = found.instrument.to_dict() | {
+        "setups": list(recording.setup_names),
+        "zero": recording.measurement.zero,
+    }
+    return {"robot": robot_to_dict(robot), "physics": [term_to_dict(t) for t in terms], "instrument": instrument}
+
+
+# -------------------------------------------------------------------------------------------------------- judgement
+
+
+def grade(case: Case, result: Mapping[str, Any], ideal: Oracle | None = None) -> dict[str, Any]:
+    """Return how a DIAGNOSIS.json does on a case; `wrong` says in words what is wrong with it.
+
+    Parameters
+    ----------
+    result : mapping
+        DIAGNOSIS.json.
+    ideal : Oracle, optional
+        Whose standard deviations are the measure of those of the diagnosis.
+    """
+    named = {str(e["name"]): e for e in result["effects"]}
+    location = result.get("location") or {}
+    first = next(iter(location.get("channels") or []), {}).get("name")
+    limbs = tuple(sorted(location.get("limbs") or ()))
+    wrong: list[str] = []
+    noise = result["noise"]
+    out: dict[str, Any] = {
+        "verdict": result["verdict"],
+        "verdict_ok": result["verdict"] == VERDICT.get(case.kind, "missing_physics"),
+        "found": [_said(e) for e in result["effects"]],
+        "chi2": result["final"]["chi2_per_dof"],
+        "noise": [noise["sigma_mm"] / case.sigma, noise["source"]],
+        "location": [first, list(limbs)],
+        "rejected": [[r["name"], r.get("gain_chi2")] for r in result["rejected"][:4]],
+        "wrong": wrong,
+    }
+    if not out["verdict_ok"]:
+        wrong.append(f"verdict {out['verdict']}, chi2 {out['chi2']:.2f} ({noise['source']})")
+    if case.kind == "outside":
+        out["channel_ok"] = first in case.channels
+        out["limbs_ok"] = limbs == case.limbs
+        out["located"] = out["channel_ok"] or (bool(case.limbs) and out["limbs_ok"])
+        if not out["located"]:
+            wrong.append(f"placed at {first} {limbs}, not {case.channels[0]} {case.limbs}")
+        return out
+    out["exact"] = set(named) == {t.effect for t in case.terms} and len(named) == len(result["effects"])
+    if case.kind == "null":
+        out["alarm"] = bool(named)
+    if not out["exact"]:
+        wrong.append(f"named {' + '.join(map(str, out['found'])) or 'nothing'}")
+        return out
+    if not case.terms:
+        return out
+    out["limbs_ok"] = all(tuple(named[t.effect]["limbs"]) == t.limbs for t in case.terms)
+    if not out["limbs_ok"]:
+        wrong.append(f"limbs {[named[t.effect]['limbs'] for t in case.terms]}")
+    out["z"], out["wide"] = [], []
+    for i, term in enumerate(case.terms):
+        entry = named[term.effect]
+        order = [p["value"] for p in entry["parameters"] if p["name"] == "order"]
+        if term.effect == "transmission_eccentricity" and order != [term.constants[0]]:
+            wrong.append(f"order {order}")
+        elif term.effect not in CONVENTION:
+            z, wide = _departures(term, entry, None if ideal is None else ideal.std[i])
+            out["z"] += z
+            out["wide"] += wide
+    out["ruled_out"] = _ruled_out(case, named)
+    if any(abs(z) > 3 for z in out["z"]):
+        wrong.append(f"z {[round(z, 1) for z in out['z']]}")
+    if any(w > WIDE for w in out["wide"]):
+        wrong.append(f"std {[round(w, 1) for w in out['wide']]} times the ideal")
+    if out["ruled_out"]:
+        wrong.append(f"ruled out {out['ruled_out']}")
+    return out
+
+
+def _said(entry: Mapping[str, Any]) -> list[Any]:
+    constants = [p["value"] for p in entry["parameters"] if p.get("std") is None]
+    gain = entry.get("gain_chi2")
+    return [entry["name"], entry["limbs"], constants, gain and round(gain, 1), entry["indistinguishable_from"]]
+
+
+def _departures(true: Term, entry: Mapping[str, Any], ideal: Array | None) -> tuple[list[float], list[float]]:
+    """Return (value - truth) / std, and std / the ideal fit's, of every coefficient that both have."""
+    found = {(p["name"], p["limb"]): p for p in entry["parameters"]}
+    z, wide = [], []
+    for r, row in enumerate(true.values):
+        for c, (name, _, factor, _) in enumerate(true.kernels.COEFFICIENTS):
+            p = found.get((name, true.limbs[r] if true.limbs else None))
+            if p is None or not p["std"]:
+                continue
+            z.append(float((p["value"] - row[c] / factor) / p["std"]))
+            if ideal is not None:
+                wide.append(float(p["std"] * factor / max(ideal[r, c], 1e-300)))
+    return z, wide
+
+
+def _ruled_out(case: Case, named: Mapping[str, Any]) -> list[Any]:
+    """Return the members of `indistinguishable_from` that the data do tell apart, with the loss in chi2."""
+    judge: Judge | None = None
+    out: list[Any] = []
+    for i, term in enumerate(case.terms):
+        for rival in named[term.effect]["indistinguishable_from"]:
+            judge = judge or Judge(case.robot, case.exact, case.errors, case.sigma, case.turn_sigma)
+            if (loss := judge.loss(case.exact, case.terms, i, rival)) > RULED_OUT:
+                out.append([rival, round(loss)])
+    return out
+
+
+def examine(job: tuple[str, tuple[str, ...], tuple[int, ...]], draw: Callable[..., Case] = generate) -> dict[str, Any]:
+    """Return how the diagnosis does on the case of a job (kind, names, seed) as `concealed_cases.plan` lists them."""
+    kind, names, seed = job
+    out: dict[str, Any] = {"kind": kind, "names": list(names), "seed": list(seed), "wrong": []}
+    try:
+        case = draw(*job)
+    except RuntimeError as e:
+        return out | {"skipped": str(e)}
+    truth = [[t.effect, list(t.limbs), list(t.constants)] for t in case.terms]
+    out |= {"truth": truth, "excess": case.excess, "traits": case.traits}
+    begin, processor = time.perf_counter(), time.process_time()
+    try:
+        result = diagnose(case.robot, case.recording).to_dict()
+        out |= {"seconds": time.perf_counter() - begin, "processor": time.process_time() - processor}
+        error = prediction_error(case, predict(result, case.fresh))
+        try:
+            ideal = oracle(case)
+        except NoSolutionError as e:
+            out["no_oracle"], ideal = str(e), None
+        out |= grade(case, result, ideal)
+        if ideal is not None:
+            out["to_geometry"] = error / ideal.geometry
+            out["to_oracle"] = None if case.kind == "outside" else error / ideal.prediction
+    except Exception:
+        out["wrong"] = [*out["wrong"], f"exception: {' '.join(traceback.format_exc().splitlines()[-3:])}"]
+        out.setdefault("seconds", time.perf_counter() - begin)
+    return out
+
+
+# ------------------------------------------------------------------------------------------------------------ report
+
+
+def _part(found: Sequence[dict[str, Any]], key: str) -> str:
+    values = [f[key] for f in found if f.get(key) is not None]
+    return f"{sum(map(bool, values))}/{len(values)}" if values else ""
+
+
+def _line(label: str, found: Sequence[dict[str, Any]]) -> list[str]:
+    z = np.array([v for f in found for v in f.get("z", ())])
+    wide = np.array([v for f in found for v in f.get("wide", ())])
+    ratio = [f["to_oracle"] for f in found if f.get("to_oracle")]
+    spread = float(np.diff(np.quantile(z, [0.1587, 0.8413]))[0] / 2) if len(z) > 4 else None
+    return [
+        label,
+        str(len(found)),
+        _part(found, "exact"),
+        _part(found, "limbs_ok"),
+        _part(found, "alarm"),
+        _part(found, "verdict_ok"),
+        f"{int((np.abs(z) < 3).sum())}/{len(z)}" if len(z) else "",
+        "" if spread is None else f"{spread:.2f}",
+        f"{wide.max():.1f}" if len(wide) else "",
+        str(sum(len(f.get("ruled_out") or ()) for f in found)) if len(z) else "",
+        f"{np.median(ratio):.2f}" if ratio else "",
+        _part(found, "located"),
+        f"{np.median([f['seconds'] for f in found]):.1f}",
+    ]
+
+
+def table(found: Sequence[dict[str, Any]]) -> Table:
+    """Return the table of graded cases, by kind and by effect."""
+    out = Table("", title="what was concealed, and what was found")
+    heads = "n,exact,limbs,alarms,verdict,< 3 std,spread,widest,ruled out,/oracle,located,s"
+    for head in heads.split(","):
+        out.add_column(head, justify="right")
+    for kind in ORDINARY:
+        if of_kind := [f for f in found if f["kind"] == kind]:
+            out.add_row(*_line(kind, of_kind), style="bold")
+            by_name: dict[str, list[dict[str, Any]]] = collections.defaultdict(list)
+            for f in of_kind:
+                for name in f["names"]:
+                    by_name[name].append(f)
+            for name in sorted(by_name):
+                out.add_row(*_line(f"  {name}", by_name[name]))
+    return out
+
+
+def failures(found: Sequence[dict[str, Any]]) -> Iterator[str]:
+    """Yield a line for each case that went wrong: what was true, what was found, and by what gains."""
+    for f in sorted(found, key=lambda f: (f["kind"], f["names"])):
+        if f["wrong"]:
+            yield (
+                f"{f['kind']} {f['seed']} true {f.get('truth') or f['names']} excess {f.get('excess', 0):.1f} "
+                f"{' '.join(f.get('traits', ()))}: {'; '.join(f['wrong'])}; found {f.get('found')} chi2 "
+                f"{f.get('chi2', 0):.2f} noise {f.get('noise')} at {f.get('location')}; next {f.get('rejected')}"
+            )
