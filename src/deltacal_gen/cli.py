@@ -382,6 +382,10 @@ def _show_diagnosis(found: Mapping[str, Any]) -> None:
             f"{row['chi2_per_dof']:.2f}",
         )
     screen.print(table)
+    for question in found["next_measurements"]:
+        clear = question["expected_chi2"]
+        promise = "" if clear is None else f" (expected difference in chi2: {clear:.0f})"
+        screen.print(f"  next, {question['why']}: {question['text']}{promise}")
     for other in found["not_tested"]:
         screen.print(f"  not tested: {other['name']}, for want of {other['missing']}")
     if found["gross_errors"]:

@@ -20,11 +20,12 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen import identification
+from deltacal_gen.discrimination import Question, next_measurements
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation import Fit, Problem, fit, held_out, pose_problem, rms
 from deltacal_gen.identification import Noise, folds, noise
 from deltacal_gen.mechanism import Array, load_mechanism
-from deltacal_gen.physics import Term, blank, effect_names, load_effect, term_to_dict
+from deltacal_gen.physics import Body, Term, blank, effect_names, load_effect, term_to_dict
 from deltacal_gen.recording import Recording, check_units
 from deltacal_gen.robot import Robot, robot_to_dict
 from deltacal_gen.solvers import Prior
@@ -87,7 +88,7 @@ class Search:
     """The linear problem at a fit: residual and candidates' columns with everything already fitted projected out."""
 
     def __init__(self, at: Fit, terms: Sequence[Term]) -> None:
-        problem = at.problem
+        self.at, problem = at, at.problem
         machine = problem.solve(at.errors)
         state = problem.linearise(at.errors, at.instrument, machine)
         read = np.isfinite(state.residual)
@@ -134,6 +135,12 @@ class Search:
         along = vectors[:, keep].T @ b
         return float(np.sum(along**2 / values[keep]))
 
+    def fitted(self, found: Found) -> Term:
+        """Return what was found with the coefficients that explain most."""
+        columns = found.candidate.columns(found.limbs)
+        values = np.linalg.pinv(self.gram[np.ix_(columns, columns)], rcond=1e-8, hermitian=True) @ self.reach[columns]
+        return found.term.with_values(values / self.size[columns])
+
     def best(self, name: str, sets: dict[str, int]) -> Found | None:
         """Return an effect's best form over its constants and limbs, charged for both."""
         best: Found | None = None
@@ -163,6 +170,7 @@ class Diagnosis:
     location: dict[str, Any]
     rejected: list[dict[str, Any]]
     not_tested: list[dict[str, str]]
+    next_measurements: list[dict[str, Any]]
     robot: Robot
 
     def to_dict(self) -> dict[str, Any]:
@@ -172,13 +180,23 @@ class Diagnosis:
 
 @dataclass(frozen=True)
 class Named:
-    """An effect that was found, with the gain in chi2 that it brings beside all others."""
+    """An effect that was found, with the gain in chi2 that it brings beside all others.
+
+    `rivals` explain the same misfit as well; `unrecorded` name effects that could, through a channel that was not
+    recorded or did not vary.
+    """
 
     term: Term
     std: Array
     gain: float
     share: float
-    alike: tuple[str, ...]
+    rivals: tuple[Term, ...]
+    unrecorded: tuple[str, ...]
+
+    @property
+    def alike(self) -> tuple[str, ...]:
+        """Names of the effects that the readings cannot tell from it."""
+        return (*(t.effect for t in self.rivals), *self.unrecorded)
 
 
 def diagnose(robot: Robot, recording: Recording, *, progress: Progress = lambda text: None) -> Diagnosis:
@@ -215,6 +233,7 @@ def diagnose(robot: Robot, recording: Recording, *, progress: Progress = lambda 
     current: Fit = baseline
     chosen: list[Term] = []
     considered: dict[str, Found] = {}
+    questions: list[Question] = []
     for n in range(MOST_EFFECTS):
         progress(f"search {n + 1}: {len(terms)} forms of {len(sets)} effects")
         search = Search(current, [t for t in terms if t.effect not in {c.effect for c in chosen}])
@@ -222,6 +241,8 @@ def diagnose(robot: Robot, recording: Recording, *, progress: Progress = lambda 
         if n == 0:
             considered = {f.candidate.name: f for f in ranked}
         if not ranked or ranked[0].score < MARGIN:
+            if ranked and ranked[0].score > 0:
+                questions = [Question(search.fitted(ranked[0]), proven=False)]
             break
         better = _with_terms(problem, current, [*chosen, ranked[0].term])
         if better is None:
@@ -242,6 +263,9 @@ def diagnose(robot: Robot, recording: Recording, *, progress: Progress = lambda 
     verdict = "unexplained" if left else "missing_physics" if chosen else "adequate"
     progress("uncertainty and rivals")
     named = tuple(_named(problem, baseline, current, i, terms, sets) for i in range(len(chosen)))
+    location = _location(current, structures, named, explained=not left)
+    progress("what to measure next")
+    questions = [*(Question(n.term, n.rivals, n.unrecorded) for n in named), *questions]
     fitted = current.errors[: len(mechanism.parameters)]
     calibrated = dataclasses.replace(
         robot, errors={p.name: float(v) for p, v in zip(mechanism.parameters, fitted, strict=True)}
@@ -253,9 +277,10 @@ def diagnose(robot: Robot, recording: Recording, *, progress: Progress = lambda 
         effects=named,
         heldout=heldout,
         noise=noise(current, recording),
-        location=_location(current, structures, named, explained=not left),
+        location=location,
         rejected=_rejected(considered, named),
         not_tested=not_tested,
+        next_measurements=next_measurements(current, questions, location if left else None),
         robot=calibrated,
     )
 
@@ -643,7 +668,8 @@ def _named(problem: Problem, baseline: Fit, current: Fit, i: int, terms: Sequenc
     gain = float(value @ np.linalg.pinv(C) @ value)
     others = [t for j, t in enumerate(chosen) if j != i]
     without = _with_terms(problem, current, others) if others else baseline
-    alike: list[str] = []
+    rivals: list[Term] = []
+    unrecorded: list[str] = []
     share = 1.0
     if without is not None:
         search = Search(dataclasses.replace(without, sigma=current.sigma, weights=current.weights), terms)
@@ -654,10 +680,31 @@ def _named(problem: Problem, baseline: Fit, current: Fit, i: int, terms: Sequenc
                 if name == term.effect or rival is None or name in {t.effect for t in others}:
                     continue
                 if mine.gain - rival.gain < AMBIGUOUS and rival.score > mine.score - 1.5 * AMBIGUOUS:
-                    alike.append(name)
+                    rivals.append(rival.term)
+            unrecorded = _unrecorded(search.at, mine.gain)
         excess = float(baseline.sigma[0] ** 2 - current.sigma[0] ** 2)
         share = float((without.sigma[0] ** 2 - current.sigma[0] ** 2) / excess) if excess > 0 else 0.0
-    return Named(term, std, gain, min(max(share, 0.0), 1.0), tuple(alike))
+    return Named(term, std, gain, min(max(share, 0.0), 1.0), tuple(rivals), tuple(unrecorded))
+
+
+def _unrecorded(at: Fit, gain: float) -> list[str]:
+    """Return effects of a temperature that was not recorded, or did not vary, that explain as much all the same."""
+    body = at.problem.body
+    warming = body.channels.warming
+    rows = np.unique(at.problem.readings.rows)
+    if warming is not None and (not np.isfinite(warming[rows]).all() or np.ptp(warming[rows]) > 0):
+        return []
+    warm = np.ones(len(body.q)) if warming is None else warming
+    assumed = Body(body.robot, body.mechanism, body.q, body.tool, dataclasses.replace(body.channels, warming=warm))
+    limbs = tuple(range(1, body.mechanism.limbs + 1))
+    terms = [
+        blank(name, limbs)
+        for name in effect_names()
+        if "warming" in load_effect(name).STATE and assumed.missing(name) is None
+    ]
+    search = Search(dataclasses.replace(at, problem=dataclasses.replace(at.problem, body=assumed)), terms)
+    found = [search.best(t.effect, _sets(terms)) for t in terms]
+    return [f.candidate.name for f in found if f is not None and gain - f.gain < AMBIGUOUS]
 
 
 def _rejected(considered: dict[str, Found], named: Sequence[Named]) -> list[dict[str, Any]]:
@@ -699,7 +746,7 @@ def _result(found: Diagnosis) -> dict[str, Any]:
         "final": summary(final, found.heldout[1]),
         "rejected": found.rejected,
         "not_tested": found.not_tested,
-        "next_measurements": [],
+        "next_measurements": found.next_measurements,
         "gross_errors": [int(final.problem.readings.line[j]) for j in final.gross],
         "residuals": _residuals(found),
         "sigma_mm": sigma,
