@@ -1,7 +1,8 @@
 """Closed-form positions of the simplified machine, solved from the loop closure: the seeds of Newton's method.
 
-With the small errors at zero and the platform parallel to the base, both rods of a limb obey one equation. It is
-quadratic in the position (a sphere) and, for a turning joint, linear in cos and sin of the joint angle.
+With the small errors at zero and the platform parallel to the base, the rods of a limb obey one equation. It is
+quadratic in the position (a sphere, in the plane a circle) and, for a turning joint, linear in cos and sin of its
+angle, for a sliding one quadratic.
 """
 
 from __future__ import annotations
@@ -17,8 +18,8 @@ from derive.spec import LimbMechanism
 @cache
 def simplified_closure(mechanism: LimbMechanism) -> sp.Expr:
     """Return the one closure equation of a limb with small errors and the platform's rotation at zero."""
-    rotation = [quantity.symbol for quantity in mechanism.platform[3:]]
-    zero = dict.fromkeys((*mechanism.small, *rotation), 0)
+    held = [quantity.symbol for quantity in mechanism.platform[mechanism.commanded :]]
+    zero = dict.fromkeys((*mechanism.small, *held), 0)
     steps = [(symbol, e.subs(zero)) for symbol, e in mechanism.steps]
     equations = [expand_steps(e.subs(zero), steps) for e in mechanism.loop_closure]
     for other in equations[1:]:
@@ -30,7 +31,7 @@ def simplified_closure(mechanism: LimbMechanism) -> sp.Expr:
 @cache
 def sphere(mechanism: LimbMechanism) -> tuple[sp.Matrix, sp.Expr]:
     """Return centre c and constant d of the closure as a sphere, ``|P|^2/2 - c.P + d = 0``."""
-    position = [quantity.symbol for quantity in mechanism.platform[:3]]
+    position = [quantity.symbol for quantity in mechanism.platform[: mechanism.commanded]]
     closure = simplified_closure(mechanism)
     origin = dict.fromkeys(position, 0)
     if sp.hessian(closure, position).applyfunc(sp.simplify) != sp.eye(len(position)):
@@ -39,16 +40,40 @@ def sphere(mechanism: LimbMechanism) -> tuple[sp.Matrix, sp.Expr]:
 
 
 @cache
-def inverse_turn(mechanism: LimbMechanism) -> sp.Expr:
-    r"""Return the joint angle for a given position: the closure read as ``A cos + B sin + C = 0``.
+def inverse_joint(mechanism: LimbMechanism) -> sp.Expr:
+    """Return the joint of the simplified limb for a given position; raises ValueError where none is found.
+
+    `mechanism.elbow` chooses between the two solutions of a turning joint, or of a sliding one.
+    """
+    if mechanism.seeds is not None:
+        return mechanism.seeds[mechanism.joint.symbol]
+    joint = mechanism.joint.symbol
+    closure = simplified_closure(mechanism)
+    turns = {f.args[0] for f in closure.atoms(sp.cos, sp.sin) if f.has(joint)}
+    if not turns:
+        return _slide(mechanism, closure)
+    if len(turns) > 1 or sp.diff(*turns, joint) != 1:
+        raise ValueError(f"{mechanism.name}: the simplified closure turns by {turns}, not by one joint plus an offset.")
+    return _turn(mechanism, closure, turns.pop() - joint)
+
+
+def _slide(mechanism: LimbMechanism, closure: sp.Expr) -> sp.Expr:
+    joint = mechanism.joint.symbol
+    A, B, C = (sp.diff(closure, joint, n).subs(joint, 0) / sp.factorial(n) for n in (2, 1, 0))
+    if sp.simplify(sp.diff(closure, joint, 3)) != 0 or sp.simplify(A) == 0:
+        raise ValueError(f"{mechanism.name}: the simplified closure is not quadratic in its sliding joint.")
+    half = B / (2 * A)
+    return -half + mechanism.elbow * sp.sqrt(half**2 - C / A)
+
+
+def _turn(mechanism: LimbMechanism, closure: sp.Expr, offset: sp.Expr) -> sp.Expr:
+    r"""Read the closure as ``A cos + B sin + C = 0``.
 
     ``theta = atan2(-B C + A D, -A C - B D)`` with ``D = +-sqrt(A^2 + B^2 - C^2)``. This form keeps full accuracy over
-    the workspace; the half-angle form loses six digits. The sign of `D` is the mechanism's `elbow`.
+    the workspace; the half-angle form loses six digits.
     """
-    joint = mechanism.joint.symbol
     turn, cos, sin = sp.symbols("turn cos sin", real=True)
-    offset = next(e.symbol for e in mechanism.errors if e.name == "theta")
-    closure = simplified_closure(mechanism).subs(joint, turn - offset).subs({sp.cos(turn): cos, sp.sin(turn): sin})
+    closure = closure.subs(mechanism.joint.symbol, turn - offset).subs({sp.cos(turn): cos, sp.sin(turn): sin})
     at_zero = {cos: 0, sin: 0}
     square = sp.diff(closure, cos, 2) / 2
     if sp.simplify(square - sp.diff(closure, sin, 2) / 2) != 0 or sp.simplify(sp.diff(closure, cos, sin)) != 0:

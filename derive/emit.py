@@ -9,7 +9,7 @@ import difflib
 import hashlib
 import importlib
 import pkgutil
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -83,12 +83,12 @@ def kinematics(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kerne
     """Lower a mechanism to the kernels that ``kinematics.py.jinja`` calls, by name.
 
     Keys: `newton` (closure, its Jacobians by platform and joint), `parameters` (its Jacobian by errors and
-    deflections), `sphere` and `turn` (the seeds), `constants`. What a command needs comes first, so that it reads the
-    first columns of the constants only.
+    deflections), `sphere` (or `position`) and `joint` (the seeds), `constants`. What a command needs comes first, so
+    that it reads the first columns of the constants only.
     """
     platform = [quantity.symbol for quantity in mechanism.platform]
     joint = mechanism.joint.symbol
-    varied = [quantity.symbol for quantity in (*mechanism.errors, *mechanism.deflections)]
+    varied = [quantity.symbol for quantity in mechanism.varied]
     inputs = {s: f"x[{j}]" for j, s in enumerate(platform)}
     inputs |= {s.symbol: f"tool[{j}]" for j, s in enumerate(mechanism.tool)}
     inputs |= {joint: "q"}
@@ -101,21 +101,34 @@ def kinematics(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kerne
         by = graph.derivatives(closure, [*platform, joint, *varied])
         newton += [closure, *by[: len(platform) + 1]]
         errors += by[len(platform) + 1 :]
-    centre, constant = closed_form.sphere(mechanism)
     kernels = [
         lowering.kernel(
             "newton", "per rod of one limb: closure, its derivatives by the platform, by the joint", newton
         ),
         lowering.kernel(
-            "turn", "joint of the simplified limb at a given position", [closed_form.inverse_turn(mechanism)]
+            "joint", "joint of the simplified limb at a given position", [closed_form.inverse_joint(mechanism)]
         ),
         lowering.kernel(
             "parameters", "per rod of one limb: derivatives of the closure by errors, by deflections", errors
         ),
-        lowering.kernel("sphere", "the simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d", [*centre, constant]),
+        _seed(mechanism, lowering),
         lowering.constants("constants", "what no pose changes"),
     ]
     return {kernel.name: kernel for kernel in kernels}
+
+
+def _seed(mechanism: LimbMechanism, lowering: Lowering) -> Kernel:
+    """Lower what the forward position starts from: each limb as a sphere, or the closed form that the spec gives."""
+    if mechanism.seeds is not None:
+        return lowering.kernel(
+            "position",
+            "platform of the simplified machine at a given joint",
+            [mechanism.seeds.get(quantity.symbol, sp.Integer(0)) for quantity in mechanism.platform],
+        )
+    centre, constant = closed_form.sphere(mechanism)
+    return lowering.kernel(
+        "sphere", "the simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d", [*centre, constant]
+    )
 
 
 def measurement(spec: Measurement) -> dict[str, Kernel]:
@@ -168,6 +181,28 @@ def _columns(*kernels: Kernel) -> int:
     return max(int(load[2:-1]) for kernel in kernels for _, load in kernel.loads if load.startswith("k[")) + 1
 
 
+def _tables(mechanism: LimbMechanism) -> dict[str, Any]:
+    """Return the functions of geometry that ``parameters.py.jinja`` writes, as NumPy text, and what each reads."""
+    found = {
+        "scaling": mechanism.scalings,
+        "roles": mechanism.roles,
+        "moves": mechanism.moves,
+        "limb_inertia": mechanism.limb_inertia,
+    }
+
+    def text(value: Any) -> Any:
+        if isinstance(value, Mapping):
+            return {name: text(part) for name, part in value.items()}
+        return python(sp.sympify(value)).replace("math.", "np.")
+
+    def symbols(value: Any) -> set[sp.Symbol]:
+        if isinstance(value, Mapping):
+            return set().union(*map(symbols, value.values()))
+        return set(sp.sympify(value).free_symbols)
+
+    return {"tables": text(found), "reads": {name: symbols(value) for name, value in found.items()}}
+
+
 def _environment() -> jinja2.Environment:
     return jinja2.Environment(
         loader=jinja2.FileSystemLoader(TEMPLATES),
@@ -204,7 +239,7 @@ def render() -> dict[Path, str]:
         folder = Path(mechanism.name)
         loads = statics.loads(mechanism)
         moving = kinematics(mechanism)
-        command_constants = _columns(moving["newton"], moving["turn"])
+        command_constants = _columns(moving["newton"], moving["joint"])
         contents: dict[str, dict[str, Any]] = {
             "parameters.py": {},
             "kinematics.py": {"kernels": moving | linear(mechanism), "command_constants": command_constants},
@@ -219,10 +254,7 @@ def render() -> dict[Path, str]:
             texts[folder / name] = environment.get_template(template).render(
                 mechanism=mechanism,
                 stamp=_stamp(mechanism.source, template),
-                scalings={
-                    convention: {e: python(factor) for e, factor in factors.items()}
-                    for convention, factors in mechanism.scalings.items()
-                },
+                **_tables(mechanism),
                 **context,
             )
     texts[Path("measurements/__init__.py")] = '"""What instruments report: readings and their derivatives."""\n'

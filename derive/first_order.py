@@ -11,7 +11,7 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from derive.closed_form import inverse_turn
+from derive.closed_form import inverse_joint
 from derive.graph import Graph, Steps, expand_steps
 from derive.lower import Kernel, Lowering, Text
 from derive.printer import python
@@ -28,8 +28,8 @@ def first_order(mechanism: LimbMechanism) -> tuple[Steps, list[dict[str, sp.Expr
 
     Directions: the names of the joint and of the rotation's components, and ``errors`` (errors and deflections).
     """
-    rotation = [quantity.symbol for quantity in mechanism.platform[3:]]
-    errors = [quantity.symbol for quantity in (*mechanism.errors, *mechanism.deflections)]
+    rotation = [quantity.symbol for quantity in mechanism.platform[mechanism.commanded :]]
+    errors = [quantity.symbol for quantity in mechanism.varied]
     nominal = dict.fromkeys((*rotation, *errors), sp.Integer(0))
     rates: dict[str, dict[sp.Symbol, sp.Expr]] = {
         str(s): {s: sp.Integer(1)} for s in (mechanism.joint.symbol, *rotation)
@@ -49,7 +49,7 @@ def first_order(mechanism: LimbMechanism) -> tuple[Steps, list[dict[str, sp.Expr
 
 
 def linear(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kernel]:
-    """Lower the first-order machine to kernels, by name: `linear`, `nominal_turn`, `linear_constants`.
+    """Lower the first-order machine to kernels, by name: `linear`, `nominal_joint`, `linear_constants`.
 
     `linear` has the layout of `newton`: per rod the closure's change by all errors, its derivatives by the platform
     (those by the position, which a compensator holds, are left out) and by the joint. All read the rows of parameters
@@ -57,7 +57,7 @@ def linear(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kernel]:
     """
     platform = [quantity.symbol for quantity in mechanism.platform]
     joint = mechanism.joint.symbol
-    errors = [quantity.symbol for quantity in (*mechanism.errors, *mechanism.deflections)]
+    errors = [quantity.symbol for quantity in mechanism.varied]
     inputs = {s: f"x[{j}]" for j, s in enumerate(platform)}
     inputs |= {s.symbol: f"tool[{j}]" for j, s in enumerate(mechanism.tool)}
     inputs |= {joint: "q"}
@@ -68,13 +68,13 @@ def linear(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kernel]:
     for rate in closures:
         rows += [
             rate["errors"],
-            *(sp.Integer(0) for _ in platform[:3]),
-            *(rate[str(s)] for s in platform[3:]),
+            *(sp.Integer(0) for _ in platform[: mechanism.commanded]),
+            *(rate[str(s)] for s in platform[mechanism.commanded :]),
             rate[str(joint)],
         ]
-    turn = inverse_turn(mechanism).xreplace(dict.fromkeys(errors, sp.Integer(0)))
+    joint_at = inverse_joint(mechanism).xreplace(dict.fromkeys(errors, sp.Integer(0)))
     kernels = [
-        lowering.kernel("nominal_turn", "joint of the nominal limb at a given position", [turn]),
+        lowering.kernel("nominal_joint", "joint of the nominal limb at a given position", [joint_at]),
         lowering.kernel(
             "linear",
             "per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint",

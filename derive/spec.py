@@ -14,6 +14,7 @@ import sympy as sp
 from derive.graph import Steps, expand_steps
 
 UNITS = ("mm", "rad", "1")
+COORDINATES = ("px", "py", "pz", "cx", "cy", "cz")  # of a body in space: position, Cayley vector of its rotation
 
 
 @dataclass(frozen=True)
@@ -56,7 +57,21 @@ class Quantity:
 class GeometryKey:
     """A nominal dimension: the robot file's key and the symbol that a limb sees.
 
-    `default` (internal unit, one value per limb) makes the key optional.
+    Parameters
+    ----------
+    key : str
+        As the robot file names it.
+    quantity : Quantity
+    table : str
+        Table of the robot file.
+    per_limb : bool
+        Whether every limb has its own value (one number in the file stands for all).
+    default : tuple of float, optional
+        Internal unit, one value per limb: makes the key optional.
+    positive : bool
+        Whether it is a length, which cannot be zero or negative; a coordinate can.
+    entry : int, optional
+        Which entry of a vector in the robot file (``home = [x, y, z]``) it is.
     """
 
     key: str
@@ -64,6 +79,8 @@ class GeometryKey:
     table: str = "geometry"
     per_limb: bool = False
     default: tuple[float, ...] | None = None
+    positive: bool = True
+    entry: int | None = None
 
 
 @dataclass(frozen=True)
@@ -76,32 +93,55 @@ class Weight:
 
 @dataclass(frozen=True, eq=False)
 class LimbMechanism:
-    """A platform carried by equal limbs, written once for limb i.
+    """A platform carried by equal limbs with one joint each, written once for limb i.
 
-    The closure of limb i reads ``loop_closure(x, q_i, tool, p_i) = 0``: `x` the platform (position of the reference
-    point, then the Cayley vector of its rotation), `q_i` the limb's joint, `p_i` the limb's own row of parameters:
-    nominal geometry, source errors, deflections. Everything else follows by differentiation.
+    The closure of limb i reads ``loop_closure(x, q_i, tool, p_i) = 0``: `x` the platform, `q_i` the limb's joint, `p_i`
+    the limb's own row of parameters: nominal geometry, source errors, deflections. Everything else follows by
+    differentiation.
 
     Parameters
     ----------
-    platform, tool : tuple of Quantity
+    platform : tuple of Quantity
+        What the closures solve for, as many as there are closures. Named after the six coordinates of a body in
+        space, ``px py pz`` (position of the reference point) and ``cx cy cz`` (Cayley vector of its rotation); those
+        that the machine cannot move are left out and are zero. The first ones, as many as there are joints, are what
+        a command asks for.
+    tool : tuple of Quantity
+        Reference point in {O'}, ``tx ty tz``.
     joint : Quantity
     geometry : tuple of GeometryKey
     errors : tuple of Quantity
         Source errors of one limb, actual minus nominal; in the model of all parameters, ``name_i``.
+    common : tuple of Quantity
+        Source errors that all limbs share; in the model of all parameters, ``name``.
     deflections : tuple of Quantity
         Displacements that vanish on a rigid machine: where physics that the geometry leaves out may act.
     steps : sequence of (symbol, expression)
         Named intermediate quantities, each in terms of earlier ones: the derivation as a human writes it down.
     loop_closure : tuple of sympy.Expr
-        One equation per rod, in mm^2, in terms of the steps.
+        One equation per rod, in mm^2 or mm, in terms of the steps.
     small : tuple of sympy.Symbol
         Errors set to zero for the closed-form seeds of Newton's method; the seeds keep the others.
     limb_weights, platform_weights : tuple of Weight
     masses : tuple of Quantity
         Mass symbols (kg) and dimensionless positions of centres of mass.
     elbow, assembly : {+1, -1}
-        Which of the two closed-form inverse (forward) solutions is the machine's.
+        Which of the two closed-form inverse (forward) solutions is the machine's; `elbow` may be an expression of the
+        limb's geometry, where the limbs differ.
+    seeds : mapping, optional
+        Platform coordinates in terms of the joints ``q_1 ...`` and of limb 1's parameters: the closed-form forward
+        position of the simplified machine, where its limbs are no spheres (circles) about their joints.
+    roles : mapping
+        Lengths that effects read (``derive.effects.STATE``: L, l, b) in terms of the geometry.
+    moves : mapping
+        What effects move in a limb (``derive.effects.PARTS``), each as a sum of this machine's errors and deflections:
+        {part: {name: how much of it}}. An effect applies to a machine that has all parts it moves.
+    rod : str
+        The error that lengthens a limb's rods: its conjugate load is their tension.
+    rods_per_closure : int
+        How many equal rods share the pull of one closure, where a parallelogram is written as a single rod.
+    limb_inertia : sympy.Expr
+        A limb's own inertia that turns with the joint, about its centre of mass [kg mm^2].
     models : mapping
         Name of each model to the names of its parameters.
     scalings : mapping
@@ -125,12 +165,24 @@ class LimbMechanism:
     masses: tuple[Quantity, ...]
     limb_weights: tuple[Weight, ...]
     platform_weights: tuple[Weight, ...]
-    elbow: int
+    elbow: sp.Expr | int
     assembly: int
     models: Mapping[str, tuple[str, ...]]
+    common: tuple[Quantity, ...] = ()
+    seeds: Mapping[sp.Symbol, sp.Expr] | None = None
+    roles: Mapping[str, sp.Expr] = field(default_factory=dict)
+    moves: Mapping[str, Mapping[str, sp.Expr]] = field(default_factory=dict)
+    rod: str = ""
+    rods_per_closure: int = 1
+    limb_inertia: sp.Expr = field(default_factory=lambda: sp.Integer(0))
     scalings: Mapping[str, Mapping[str, sp.Expr]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        if stray := [q.name for q in self.platform if q.name not in COORDINATES]:
+            raise ValueError(f"{self.name}: {stray} are no coordinates of a body; they are named {COORDINATES}.")
+        closures = self.limbs * len(self.loop_closure)
+        if len(self.platform) != closures:
+            raise ValueError(f"{self.name}: {closures} closures cannot hold {len(self.platform)} coordinates.")
         declared = [q.symbol for q in (*self.platform, *self.tool, self.joint, *self.limb_parameters)]
         names = [str(s) for s in declared]
         for name in names:
@@ -150,13 +202,24 @@ class LimbMechanism:
 
     @property
     def limb_parameters(self) -> tuple[Quantity, ...]:
-        """One limb's row of parameters: geometry, errors, deflections, in this order."""
-        return (*(g.quantity for g in self.geometry), *self.errors, *self.deflections)
+        """One limb's row of parameters: geometry, errors, common errors, deflections, in this order."""
+        return (*(g.quantity for g in self.geometry), *self.varied)
+
+    @property
+    def varied(self) -> tuple[Quantity, ...]:
+        """What a limb's closure is differentiated by: its errors, the common ones, deflections."""
+        return (*self.errors, *self.common, *self.deflections)
+
+    @property
+    def commanded(self) -> int:
+        """How many platform coordinates a command asks for, the first ones: as many as there are joints."""
+        return self.limbs
 
     @property
     def parameter_names(self) -> tuple[str, ...]:
-        """The model of all source errors, limb by limb."""
-        return tuple(f"{e.name}_{i}" for i in range(1, self.limbs + 1) for e in self.errors)
+        """The model of all source errors: limb by limb, then the common ones."""
+        own = (f"{e.name}_{i}" for i in range(1, self.limbs + 1) for e in self.errors)
+        return (*own, *(e.name for e in self.common))
 
 
 @dataclass(frozen=True)
@@ -204,7 +267,7 @@ class Effect:
     coefficients : tuple of Quantity
         What is fitted; all zero means that nothing is left out.
     targets : mapping
-        What is moved: ``joint``, ``error.NAME`` (a source error or a deflection of the limb), ``turn.x`` (the base,
+        What is moved: ``joint``, ``limb.PART`` (see ``derive.effects.PARTS``), ``turn.x`` (the base,
         about {O}), ``tool.x`` (the measured point, in {O'}), ``reading.x`` (a position, along the instrument's axes),
         ``length`` (a distance or a gauge length); each to its expression.
     constants : tuple of Quantity

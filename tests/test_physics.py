@@ -102,7 +102,7 @@ def test_columns_are_the_derivative_of_the_exact_equilibrium(name: str, body: Bo
     machine, status = body.solve(errors, [term])
     assert (status == 0).all()
     S = DELTA.sensitivity(machine.x, machine.q, machine.tool, machine.rows)
-    columns = body.columns([term], machine, S.parameters, S.deflections, S.joints, every)
+    columns = body.columns([term], machine, S, every)
     readings = machine.x[:, :3] + 1000.0
     shifts = reading_shift([term], body, every[:, None], readings)[1]
 

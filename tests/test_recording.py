@@ -246,7 +246,9 @@ def test_a_flaw_of_the_distances(
 
 # --- units ----------------------------------------------------------------------------------------------------------
 
-LENGTH = SimpleNamespace(key="length", unit="mm", per_limb=False, default=None, table="geometry", meaning="")
+LENGTH = SimpleNamespace(
+    key="length", unit="mm", per_limb=False, default=None, table="geometry", meaning="", positive=True, entry=None
+)
 SIZED: Any = SimpleNamespace(**vars(DELTA) | {"geometry": (LENGTH,)})
 
 

@@ -20,7 +20,13 @@ LENGTHS = ("base_radius", "platform_radius", "proximal_length", "distal_length",
 
 
 def geometry_key(key: str, unit: str = "mm", per_limb: bool = False, **other: Any) -> SimpleNamespace:
-    fields = {"default": None, "table": "geometry", "meaning": f"what {key} means"} | other
+    fields = {
+        "default": None,
+        "table": "geometry",
+        "meaning": f"what {key} means",
+        "positive": True,
+        "entry": None,
+    } | other
     return SimpleNamespace(key=key, unit=unit, per_limb=per_limb, **fields)
 
 

@@ -1,6 +1,7 @@
 """One file per effect; a file's presence is its registration (it defines ``EFFECT``).
 
-`STATE` is all that an effect may read, per pose and limb. Loads are what the weights exert by virtual work on the
+`STATE` is all that an effect may read, per pose and limb, and `PARTS` what of a limb it may move; a mechanism says in
+``roles`` and ``moves`` which of its own symbols these are. Loads are what the weights exert by virtual work on the
 closure: `torque` on the joint, `pull_v` and `pull_w` on the arm's tip along the normals of the arm, `tension_1` and
 `tension_2` in the rods, `moment_x` and `moment_y` about {O}.
 """
@@ -40,12 +41,20 @@ STATE = (
     EffectQuantity(sp.Symbol("L", real=True), "mm", 1.0, "length of the arm"),
     EffectQuantity(sp.Symbol("l", real=True), "mm", 1.0, "length of the rods"),
     EffectQuantity(sp.Symbol("b", real=True), "mm", 1.0, "radius of the base"),
-    EffectQuantity(sp.Symbol("phi", real=True), "deg", DEG, "direction of the limb"),
     EffectQuantity(sp.Symbol("y_x", real=True), "mm", 1.0, "reading along the instrument's x"),
     EffectQuantity(sp.Symbol("y_y", real=True), "mm", 1.0, "reading along the instrument's y"),
     EffectQuantity(sp.Symbol("y_z", real=True), "mm", 1.0, "reading along the instrument's z"),
     EffectQuantity(sp.Symbol("y_length", real=True), "mm", 1.0, "reading of a length"),
 )
+PARTS = {
+    "offset": "zero of the joint",
+    "arm": "length of the arm",
+    "rod": "length of the rods, mean of the pair",
+    "rod_difference": "length of the rods, rod 1 minus rod 2",
+    "outwards": "joint centre along the limb's direction, away from the base's centre",
+    "tip_v": "arm's tip normal to the arm, in its plane",
+    "tip_w": "arm's tip normal to the arm, along the joint's axis",
+}
 _BY_NAME = {s.name: s.symbol for s in STATE}
 
 

@@ -11,5 +11,5 @@ EFFECT = Effect(
     source="derive/effects/distal_compliance.py",
     per_limb=True,
     coefficients=(compliance,),
-    targets={"error.l": compliance.symbol * (one + two) / 2, "error.dl": compliance.symbol * (one - two)},
+    targets={"limb.rod": compliance.symbol * (one + two) / 2, "limb.rod_difference": compliance.symbol * (one - two)},
 )

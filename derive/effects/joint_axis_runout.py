@@ -5,7 +5,7 @@ import sympy as sp
 from derive.effects import coefficient, state
 from derive.spec import Effect
 
-theta, phi = state("theta phi")
+(theta,) = state("theta")
 cos = coefficient("cos", "mm", 1.0, "amplitude of the cosine")
 sin = coefficient("sin", "mm", 1.0, "amplitude of the sine")
 out = cos.symbol * sp.cos(theta) + sin.symbol * sp.sin(theta)
@@ -15,5 +15,5 @@ EFFECT = Effect(
     source="derive/effects/joint_axis_runout.py",
     per_limb=True,
     coefficients=(cos, sin),
-    targets={"error.ex": out * sp.cos(phi), "error.ey": out * sp.sin(phi)},
+    targets={"limb.outwards": out},
 )

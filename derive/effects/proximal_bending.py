@@ -11,5 +11,5 @@ EFFECT = Effect(
     source="derive/effects/proximal_bending.py",
     per_limb=True,
     coefficients=(compliance,),
-    targets={"error.tip_v": compliance.symbol * pull_v, "error.tip_w": compliance.symbol * pull_w},
+    targets={"limb.tip_v": compliance.symbol * pull_v, "limb.tip_w": compliance.symbol * pull_w},
 )

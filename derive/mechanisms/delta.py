@@ -167,6 +167,18 @@ MECHANISM = LimbMechanism(
         "delta/18": _names(POSITION, FRAME_FIXED),
         "delta/3": _names(("theta",)),
     },
+    roles={"L": L, "l": l, "b": b},
+    moves={
+        "offset": {"theta": sp.Integer(1)},
+        "arm": {"L": sp.Integer(1)},
+        "rod": {"l": sp.Integer(1)},
+        "rod_difference": {"dl": sp.Integer(1)},
+        "outwards": {"ex": u0[0], "ey": u0[1]},
+        "tip_v": {"tip_v": sp.Integer(1)},
+        "tip_w": {"tip_w": sp.Integer(1)},
+    },
+    rod="l",
+    limb_inertia=proximal * L**2 / 12,  # a slender rod
     scalings={
         # the unknowns of eqs. (6) and (7): L dtheta, L dalpha0, L dbeta0 in mm; the second group in rad
         "paper": {"theta": L, "alpha0": L, "beta0": L, "dl": 1 / c, "dc": 1 / c},

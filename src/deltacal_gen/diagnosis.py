@@ -774,8 +774,8 @@ def _residuals(found: Diagnosis) -> dict[str, Any]:
     return {
         "line": problem.readings.line.tolist(),
         "position_mm": machine.x[rows, :3].tolist(),
-        "before_mm": found.baseline.residual[:, :3].tolist(),
-        "after_mm": found.final.residual[:, :3].tolist(),
+        "before_mm": np.nan_to_num(found.baseline.residual[:, :3]).tolist(),
+        "after_mm": np.nan_to_num(found.final.residual[:, :3]).tolist(),
         "channels": channels,
     }
 

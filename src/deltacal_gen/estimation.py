@@ -150,9 +150,7 @@ class Problem:
         self, terms: Sequence[Term], machine: Deformed, used: np.ndarray, sensitivity: Sensitivity
     ) -> Array:
         """Return the derivatives (N, n_x, n_c) of the platform coordinates by the coefficients of effects."""
-        return self.body.columns(
-            terms, machine, sensitivity.parameters, sensitivity.deflections, sensitivity.joints, used
-        )
+        return self.body.columns(terms, machine, sensitivity, used)
 
     def term_columns(self, terms: Sequence[Term], instrument: Instrument, machine: Deformed) -> Array:
         """Return the derivatives (R, k, n_c) of the readings by the coefficients of effects, free or not."""
@@ -262,7 +260,7 @@ class Repeats:
 
         `fitted` is the number of parameters that the means of the groups have carried.
         """
-        residual = np.nan_to_num(residual[:, :3])
+        residual = np.nan_to_num(lengths(residual))
         count = np.bincount(group)
         several = count[group] > 1
         degrees = int((count[count > 1] - 1).sum()) * residual.shape[1]
@@ -324,8 +322,14 @@ class Fit:
 
 def rms(residual: Array) -> float:
     """Return the RMS of the components of length of residuals (R, k) [mm]."""
-    lengths = residual[:, :3]
-    return float(np.sqrt(np.mean(lengths[np.isfinite(lengths)] ** 2))) if np.isfinite(lengths).any() else float("nan")
+    found = lengths(residual)
+    return float(np.sqrt(np.mean(found[np.isfinite(found)] ** 2))) if np.isfinite(found).any() else float("nan")
+
+
+def lengths(residual: Array) -> Array:
+    """Return the components of length of residuals (R, k) [mm], without those along an axis that nothing reads."""
+    part = residual[:, :3]
+    return part[:, np.isfinite(part).any(axis=0)]
 
 
 def fit(
@@ -481,7 +485,7 @@ def held_out(full: Fit, solver: Solver, parts: Sequence[tuple[np.ndarray, np.nda
 
 def _blame(problem: Problem, residual: Array) -> None:
     """Raise an InputError that names the worst reading, where one stands so far out that it spoils the fit."""
-    size = np.linalg.norm(np.nan_to_num(residual[:, :3]), axis=1)
+    size = np.linalg.norm(np.nan_to_num(lengths(residual)), axis=1)
     worst, usual = int(np.argmax(size)), float(np.median(size))
     if size[worst] > SPOILT * usual:
         raise InputError(

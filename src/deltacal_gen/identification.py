@@ -17,7 +17,7 @@ import numpy as np
 from deltacal_gen import identifiability
 from deltacal_gen.accuracy import check_poses, distance_error, largest, volumetric_error
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
-from deltacal_gen.estimation import Fit, Problem, Repeats, fit, held_out, pose_problem, rms
+from deltacal_gen.estimation import Fit, Problem, Repeats, fit, held_out, lengths, pose_problem, rms
 from deltacal_gen.identifiability import Combination
 from deltacal_gen.measurement import Readings
 from deltacal_gen.mechanism import SOLVED, Array, Mechanism, load_mechanism
@@ -260,7 +260,7 @@ def plausible(first: Fit, mechanism: Mechanism) -> None:
     """
     problem, found = first.problem, first.problem.readings
     size = robot_size(problem.robot)
-    off = float(np.nanmedian(np.linalg.norm(first.residual[:, :3], axis=1)))
+    off = float(np.nanmedian(np.linalg.norm(lengths(first.residual), axis=1)))
     if off < IMPLAUSIBLE * size:
         return
     for words, changed in _mistakes(problem) if found.kind in ("position", "pose") else ():
@@ -268,7 +268,7 @@ def plausible(first: Fit, mechanism: Mechanism) -> None:
             again = rough(changed, mechanism, robust=True)
         except (InputError, NoSolutionError):
             continue
-        if float(np.nanmedian(np.linalg.norm(again.residual[:, :3], axis=1))) < 0.1 * off:
+        if float(np.nanmedian(np.linalg.norm(lengths(again.residual), axis=1))) < 0.1 * off:
             raise InputError(
                 f"the readings are {off:.3g} mm off this machine, but agree with it if {words}.",
                 "Correct the recording, its sidecar or the robot file.",
@@ -302,10 +302,11 @@ def _mistakes(problem: Problem) -> Iterator[tuple[str, Problem]]:
         if list(order) != sorted(order):
             yield f"the joints stand in the order {', '.join(names[i] for i in order)}", with_joints(body.q[:, order])
     axes = "xyz"
-    for i, j in ((0, 1), (0, 2), (1, 2)):
+    read = [c for c in found.components if c < 3]
+    for i, j in itertools.combinations(read, 2):
         swapped = [j if k == i else i if k == j else k for k in range(3)]
         yield f"{axes[i]}_mm and {axes[j]}_mm are exchanged", with_values(found.values[:, swapped])
-    for i in range(3):
+    for i in read:
         for factor, unit in ((1000.0, "metres"), (0.001, "micrometres")):
             scale = np.where(np.arange(3) == i, factor, 1.0)
             yield f"{axes[i]}_mm is in {unit}", with_values(found.values * scale)
@@ -331,8 +332,8 @@ def check_rows(first: Fit, recording: Recording) -> None:
     if found.kind not in ("position", "pose") or not 2 <= len(suspects) <= max(2, len(found) // 5):
         return
     predicted = found.values - first.residual[:, :3]
-    within = 6 * float(np.median(np.linalg.norm(first.residual[:, :3], axis=1))) + 1e-9
-    gap = np.linalg.norm(found.values[suspects][:, None] - predicted[suspects][None], axis=2)
+    within = 6 * float(np.median(np.linalg.norm(lengths(first.residual), axis=1))) + 1e-9
+    gap = np.linalg.norm(np.nan_to_num(found.values[suspects][:, None] - predicted[suspects][None]), axis=2)
     for i in range(len(suspects)):
         j = int(np.argmin(gap[i]))
         if i < j and gap[i, j] < within and gap[j, i] < within and min(gap[i, i], gap[j, j]) > 10 * within:
@@ -403,7 +404,7 @@ def noise(final: Fit, recording: Recording) -> Noise:
     if found.made:
         return Noise(residual, "residual", np.inf) if declared is None else Noise(declared, "declared", np.inf)
     quiet = np.setdiff1d(np.arange(len(found)), final.gross)
-    r, group = np.nan_to_num(final.residual[quiet, :3]), _repeats(found, recording)[quiet]
+    r, group = np.nan_to_num(lengths(final.residual[quiet])), _repeats(found, recording)[quiet]
     _, within, degrees = Repeats.ratio_of(r, group)
     repeated = degrees >= 12 and within > 0
     if declared is not None:
@@ -447,7 +448,7 @@ def lack_of_fit(final: Fit, recording: Recording) -> bool:
     known = noise(final, recording)
     if known.source == "residual":
         return False
-    r = np.delete(final.residual[:, :3], final.gross, axis=0)
+    r = np.delete(lengths(final.residual), final.gross, axis=0)
     r = r[np.isfinite(r)] / (np.sqrt(2.0) if final.problem.readings.made else 1.0)
     free = max(len(r) - final.solution.degrees - final.instrument.n_unknown, 1.0)
     excess = np.log(float(r @ r) / free / known.sigma**2)
@@ -702,7 +703,7 @@ def _accuracy(found: Identification) -> dict[str, Any] | None:
         return None
     chosen = np.setdiff1d(np.arange(len(problem.readings)), final.gross)
     chosen = chosen[problem.readings.setup[chosen] == problem.readings.setup[chosen[0]]]
-    measured, rows = problem.readings.values[chosen], problem.readings.rows[chosen, 0]
+    measured, rows = np.nan_to_num(problem.readings.values[chosen]), problem.readings.rows[chosen, 0]
     home = int(np.argmin(np.linalg.norm(measured - np.median(measured, axis=0), axis=1)))
     out: dict[str, Any] = {
         "home_line": int(problem.readings.line[chosen[home]]),
@@ -723,9 +724,10 @@ def _accuracy(found: Identification) -> dict[str, Any] | None:
 def _base_frames(found: Identification) -> list[dict[str, Any]]:
     """Return where {O} stands in the instrument's frame, set-up by set-up, with standard deviations."""
     instrument, n = found.fit.instrument, len(found.fit.problem.names)
-    if 0 not in instrument.free:
+    if 3 not in instrument.free:
         return []
-    std = np.sqrt(np.maximum(np.diag(found.fit.covariance)[n:], 0.0)).reshape(len(instrument.state), -1)
+    std = np.zeros((len(instrument.state), 9))  # zero: not estimated, because no reading depends on it
+    std[:, list(instrument.free)] = np.sqrt(np.maximum(np.diag(found.fit.covariance)[n:], 0.0)).reshape(len(std), -1)
     return [
         {
             "setup": found.fit.problem.recording.setup_names[s],

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 import importlib
+from collections.abc import Sequence
 from dataclasses import dataclass
 from types import ModuleType
 from typing import Any
@@ -35,7 +36,7 @@ class Readings:
     rows : (R, 1) or (R, 2) int array
         Rows of the recording.
     values : (R, k) array
-        Position, distance or length [mm].
+        Position, distance or length [mm]; NaN along an axis that the machine does not have.
     rotations : (R, 3, 3) array or None
         Measured rotations; NaN where only the position was read.
     setup : (R,) int array
@@ -45,6 +46,8 @@ class Readings:
         Line in the file.
     made : bool
         Distances made of measured positions, which share their noise.
+    components : tuple of int
+        Which coordinates of a body (position, rotation) a position or pose holds: in the plane, not all.
     """
 
     kind: str
@@ -55,6 +58,7 @@ class Readings:
     group: np.ndarray
     line: np.ndarray
     made: bool = False
+    components: tuple[int, ...] = (0, 1, 2, 3, 4, 5)
 
     def __len__(self) -> int:
         return len(self.values)
@@ -64,8 +68,9 @@ class Readings:
         """Number of independent scalar readings: distances made of positions hold no more than those."""
         if self.made:
             return min(len(self.values), 3 * len(np.unique(self.rows)) - 6)
-        turned = 0 if self.rotations is None else 3 * int(np.isfinite(self.rotations[:, 0, 0]).sum())
-        return int(self.values.size) + turned
+        turns = sum(c >= 3 for c in self.components)
+        turned = 0 if self.rotations is None else turns * int(np.isfinite(self.rotations[:, 0, 0]).sum())
+        return int(np.isfinite(self.values).sum()) + turned
 
     def subset(self, chosen: np.ndarray) -> Readings:
         """Return the readings of an index or mask."""
@@ -117,23 +122,40 @@ def readings(recording: Recording, *, as_distance: bool = False) -> Readings:
         raise InputError(
             f"readings of the kind '{kind}' cannot be used yet.", f"Kinds: {', '.join(KINDS)}.", file=recording.path
         )
-    taken = np.flatnonzero(np.isfinite(recording.measured[:, : 1 if kind == "gauge" else 3]).all(axis=1))
+    if kind == "gauge":
+        taken = np.flatnonzero(np.isfinite(recording.measured[:, 0]))
+        return _some(
+            recording,
+            Readings(
+                kind,
+                taken[:, None],
+                recording.measured[taken],
+                None,
+                recording.setup[taken],
+                pose[taken],
+                recording.line[taken],
+            ),
+        )
+    components = np.array(recording.components)
+    body = np.full((recording.n_rows, 6), np.nan)
+    body[:, components] = recording.measured
+    taken = np.flatnonzero(np.isfinite(body[:, components[components < 3]]).all(axis=1))
     rotations = None
     if kind == "pose":
-        vectors = recording.measured[taken, 3:6]
+        read = np.isfinite(body[np.ix_(taken, components[components >= 3])]).all(axis=1)
         rotations = np.full((len(taken), 3, 3), np.nan)
-        read = np.isfinite(vectors).all(axis=1)
-        rotations[read] = from_vector(vectors[read])
+        rotations[read] = from_vector(np.nan_to_num(body[taken, 3:])[read])
         if not read.any():
             kind, rotations = "position", None
     found = Readings(
         kind,
         taken[:, None],
-        recording.measured[taken, : 1 if kind == "gauge" else 3],
+        body[taken, :3],
         rotations,
         recording.setup[taken],
         pose[taken],
         recording.line[taken],
+        components=recording.components,
     )
     return _some(recording, distances(found, recording) if as_distance and kind in ("position", "pose") else found)
 
@@ -163,7 +185,7 @@ def distances(positions: Readings, recording: Recording) -> Readings:
     a, b = np.triu_indices(len(positions), 1)
     same = point[a] == point[b]
     a, b = a[same], b[same]
-    gap = np.linalg.norm(positions.values[b] - positions.values[a], axis=1)
+    gap = np.linalg.norm(np.nan_to_num(positions.values[b] - positions.values[a]), axis=1)
     apart = positions.group[a] != positions.group[b]  # two readings of one pose have no direction between them
     a, b, gap = a[apart], b[apart], gap[apart]
     ends = np.sort(np.column_stack([positions.group[a], positions.group[b]]), axis=1)
@@ -243,6 +265,7 @@ class Instrument:
         read = np.isfinite(found.rotations[:, 0, 0])
         gap = found.rotations[read] @ np.swapaxes(rotations[read], 1, 2)
         turned[read] = to_vector(gap)
+        turned[:, [c - 3 for c in range(3, 6) if c not in found.components]] = np.nan
         return np.hstack([r, turned])
 
     def linearise(self, found: Readings, x: Array, dx: Array) -> tuple[Array, Array]:
@@ -320,13 +343,14 @@ def start(found: Readings, recording: Recording, robot: Robot, x: Array) -> Inst
         chosen = found.setup == s
         if not chosen.any():
             continue
-        P, y = x[found.rows[chosen, 0], :3], found.values[chosen]
+        P, y = x[found.rows[chosen, 0], :3], np.nan_to_num(found.values[chosen])
         turn = align(P - P.mean(axis=0), y - y.mean(axis=0))
         state[s, :9], state[s, 9:12] = turn.ravel(), y.mean(axis=0) - turn @ P.mean(axis=0)
+    free = _unknown(found.components)
     if found.kind == "position":
-        return Instrument("position", state, () if known else tuple(range(6)))
+        return Instrument("position", state, () if known else tuple(u for u in free if u < 6))
     body = np.tile(np.eye(3).ravel(), (setups, 1))
-    instrument = Instrument("pose", np.hstack([state, body]), (6, 7, 8) if known else tuple(range(9)))
+    instrument = Instrument("pose", np.hstack([state, body]), tuple(u for u in free if u >= 6) if known else free)
     assert found.rotations is not None
     for s in range(setups):
         chosen = np.flatnonzero((found.setup == s) & np.isfinite(found.rotations[:, 0, 0]))
@@ -337,6 +361,16 @@ def start(found: Readings, recording: Recording, robot: Robot, x: Array) -> Inst
             assert predicted is not None
             body[s] = mean(np.swapaxes(predicted, 1, 2) @ part.rotations).ravel()
     return dataclasses.replace(instrument, state=np.hstack([state, body]))
+
+
+def _unknown(components: Sequence[int]) -> tuple[int, ...]:
+    """Return the unknowns of an instrument (turn x y z, shift x y z, turn of the body x y z) that show in readings.
+
+    In the plane x y an instrument turns about z and shifts along x and y.
+    """
+    if 2 in components:
+        return tuple(range(9))
+    return (2, 3, 4, 8) if 5 in components else (2, 3, 4)
 
 
 def align(a: Array, b: Array) -> Array:

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from deltacal_gen.robot import Robot
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
+COORDINATES = ("px", "py", "pz", "cx", "cy", "cz")  # of a body in space; n_x = 6
 SOLVED, UNREACHABLE, SINGULAR = 0, 1, 2
 PATIENCE_S = (1.5, 12.0)  # of NumPy before Numba is used: what loading costs, what compiling costs
 MANY_POSES = 20_000  # in one call: Numba at once
@@ -45,11 +46,16 @@ class GeometryKey:
     per_limb: bool
     default: tuple[float, ...] | None
     table: str
+    positive: bool
+    entry: int | None
 
 
 @dataclass(frozen=True)
 class Parameter:
-    """A source error of the whole machine, actual minus nominal; `typical` is the size of an ordinary one."""
+    """A source error of the whole machine, actual minus nominal; `typical` is the size of an ordinary one.
+
+    `limb` counts from 1; 0 for an error that all limbs share.
+    """
 
     name: str
     unit: str
@@ -60,7 +66,7 @@ class Parameter:
     @property
     def error(self) -> str:
         """Name without the limb."""
-        return self.name.rsplit("_", 1)[0]
+        return self.name.rsplit("_", 1)[0] if self.limb else self.name
 
 
 @dataclass(frozen=True)
@@ -69,17 +75,26 @@ class Sensitivity:
 
     Attributes
     ----------
-    parameters : (N, n_x, n_p) array
-        By the source errors, in the order of ``Mechanism.parameters`` [unit of x / mm or rad].
+    own : (N, n_x, limbs, n_e) array
+        By each limb's source errors [unit of x / mm or rad].
+    common : (N, n_x, limbs, n_s) array
+        By the errors that all limbs share, limb by limb: what each limb's share of them does.
     deflections : (N, n_x, limbs, n_d) array
         By the displacements that vanish on a rigid machine.
     joints : (N, n_x, n_q) array
         The velocity Jacobian.
     """
 
-    parameters: Array
+    own: Array
+    common: Array
     deflections: Array
     joints: Array
+
+    @cached_property
+    def parameters(self) -> Array:
+        """By the source errors, (N, n_x, n_p), in the order of ``Mechanism.parameters``."""
+        flat = self.own.reshape(*self.own.shape[:2], -1)
+        return np.concatenate([flat, self.common.sum(axis=2)], axis=2) if self.common.shape[3] else flat
 
 
 @dataclass(frozen=True)
@@ -136,13 +151,20 @@ class Mechanism:
         self.limbs: int = tables.LIMBS
         self.joint_unit: str = tables.JOINT_UNIT
         self.platform: tuple[str, ...] = tuple(name for name, _, _ in tables.PLATFORM)
+        self._at = [COORDINATES.index(name) for name in self.platform]
+        self.axes: tuple[str, ...] = tuple(name[1] for name in self.platform if name[0] == "p")
+        self.turns: tuple[str, ...] = tuple(name[1] for name in self.platform if name[0] == "c")
         self.geometry = tuple(GeometryKey(*row) for row in tables.GEOMETRY)
         self.deflections: tuple[str, ...] = tuple(name for name, _, _ in tables.DEFLECTIONS)
-        self.parameters = tuple(
+        self.errors: tuple[str, ...] = tuple(name for name, *_ in tables.ERRORS)
+        self.common: tuple[str, ...] = tuple(name for name, *_ in tables.COMMON)
+        own = (
             Parameter(f"{name}_{limb}", unit, f"limb {limb}: {meaning}", limb, typical)
             for limb in range(1, self.limbs + 1)
             for name, unit, meaning, typical in tables.ERRORS
         )
+        shared = (Parameter(name, unit, meaning, 0, typical) for name, unit, meaning, typical in tables.COMMON)
+        self.parameters = (*own, *shared)
         self.models: dict[str, tuple[str, ...]] = dict(tables.MODELS)
 
     def __repr__(self) -> str:
@@ -150,8 +172,13 @@ class Mechanism:
 
     @property
     def n_x(self) -> int:
-        """Number of platform coordinates."""
-        return len(self.platform)
+        """Number of platform coordinates: those of a body in space; what a machine cannot move stays zero."""
+        return len(COORDINATES)
+
+    @property
+    def reading_columns(self) -> tuple[bool, ...]:
+        """Which of a body's six coordinates this machine moves: what there is to measure."""
+        return tuple(name in self.platform for name in COORDINATES)
 
     @property
     def full_model(self) -> str:
@@ -210,16 +237,40 @@ class Mechanism:
             Source errors [mm, rad]; default the robot's own.
         deflections : (M, limbs, n_d) array, optional
         """
-        values = self.vector(robot.errors) if errors is None else np.asarray(errors, dtype=float)
-        values = np.atleast_2d(values).reshape(-1, self.limbs, len(self.parameters) // self.limbs)
+        values = np.atleast_2d(self.vector(robot.errors) if errors is None else np.asarray(errors, dtype=float))
         many = max(len(values), 1 if deflections is None else len(deflections))
-        out = np.zeros((many, self.limbs, len(self.geometry) + values.shape[2] + len(self.deflections)))
+        own, n_g = len(self.errors), len(self.geometry)
+        out = np.zeros((many, self.limbs, self._width))
         for j, entry in enumerate(self.geometry):
-            out[:, :, j] = robot.geometry[entry.key]
-        out[:, :, len(self.geometry) : len(self.geometry) + values.shape[2]] = values
+            value = robot.geometry[entry.key]
+            out[:, :, j] = value if entry.entry is None else value[entry.entry]
+        out[:, :, n_g : n_g + own] = values[:, : self.limbs * own].reshape(-1, self.limbs, own)
+        out[:, :, n_g + own : n_g + own + len(self.common)] = values[:, None, self.limbs * own :]
         if deflections is not None:
-            out[:, :, -len(self.deflections) :] = deflections
+            out[:, :, self._width - len(self.deflections) :] = deflections
         return out
+
+    @property
+    def _width(self) -> int:
+        return len(self.geometry) + len(self.errors) + len(self.common) + len(self.deflections)
+
+    def column(self, name: str) -> int:
+        """Return where an error or a deflection stands in a limb's row of parameters."""
+        return len(self.geometry) + (*self.errors, *self.common, *self.deflections).index(name)
+
+    def roles(self, robot: Robot) -> dict[str, Array]:
+        """Return the lengths that effects read, one value per limb or one for all [mm]."""
+        found: dict[str, Array] = self._tables.roles(robot.geometry)
+        return found
+
+    def moves(self, robot: Robot) -> dict[str, dict[str, Array]]:
+        """Return what effects move in a limb: {part: {error or deflection: how much of it}}."""
+        found: dict[str, dict[str, Array]] = self._tables.moves(robot.geometry)
+        return found
+
+    def limb_inertia(self, robot: Robot, masses: Mapping[str, float]) -> Array:
+        """Return a limb's own inertia about its centre of mass, which turns with the joint [kg mm^2]."""
+        return np.asarray(self._tables.limb_inertia(robot.geometry, masses), dtype=float)
 
     # --------------------------------------------------------------------------------------------------- kernels
 
@@ -291,14 +342,16 @@ class Mechanism:
             SOLVED, UNREACHABLE or SINGULAR, explained in `STATUS`.
         """
         q, tool = self._poses(q, self.limbs, "joints"), self._tool(tool, len(q))
-        x = np.empty((len(q), self.n_x)) if near is None else np.array(near, dtype=float)
+        x = np.empty((len(q), len(self._at))) if near is None else self._own(near)
         status = np.empty(len(q), dtype=np.int64)
         with self._kernels(len(q)) as kernels:
             kernels.forward(q, tool, self._constants(rows), x, status, near is not None)
-        return x, status
+        return self._body(x), status
 
     def inverse(self, target: Array, tool: Array, rows: Array) -> tuple[Array, Array, np.ndarray]:
         """Return the joints that bring the reference point exactly to `target` (N, 3) [mm].
+
+        A machine of fewer joints takes of the target the coordinates that it commands, the first of `platform`.
 
         Returns
         -------
@@ -308,20 +361,37 @@ class Mechanism:
         status : (N,) int array
         """
         target, tool = self._poses(target, 3, "target"), self._tool(tool, len(target))
-        q, x = np.empty((len(target), self.limbs)), np.empty((len(target), self.n_x))
+        q, x = np.empty((len(target), self.limbs)), np.empty((len(target), len(self._at)))
         status = np.empty(len(target), dtype=np.int64)
         with self._kernels(len(target)) as kernels:
-            kernels.inverse(target, tool, self._constants(rows), x, q, status)
-        return q, x, status
+            kernels.inverse(self.commanded(target), tool, self._constants(rows), x, q, status)
+        return q, self._body(x), status
+
+    def commanded(self, target: Array) -> Array:
+        """Return what a command asks for of targets (N, 3): as many coordinates as there are joints."""
+        return np.ascontiguousarray(target[:, self._at[: self.limbs]])
+
+    def _body(self, x: Array) -> Array:
+        """Return own coordinates (N, n) as those of a body in space (N, 6)."""
+        if len(self._at) == self.n_x:
+            return x
+        out = np.zeros((len(x), self.n_x))
+        out[:, self._at] = x
+        out[~np.isfinite(x).all(axis=1)] = np.nan
+        return out
+
+    def _own(self, x: Array) -> Array:
+        return np.array(x[:, self._at], dtype=float)
 
     def jacobians(self, x: Array, q: Array, tool: Array, rows: Array) -> tuple[Array, Array, Array, Array]:
-        """Return closure and Jacobians F (N, f), J_x (N, f, n_x), J_q (N, f), J_p (N, f, n_e + n_d).
+        """Return closure and Jacobians F (N, f), J_x (N, f, f), J_q (N, f), J_p (N, f, n_e + n_s + n_d).
 
-        A row depends on the joint, errors and deflections of its own limb only; J_q and J_p hold those columns.
+        J_x holds the coordinates in `platform`. A row depends on the joint, errors and deflections of its own limb
+        only, and on the common errors; J_q and J_p hold those columns.
         """
-        x, q = self._poses(x, self.n_x, "poses"), self._poses(q, self.limbs, "joints")
-        f, n_v = self._tables.EQUATIONS, len(self.parameters) // self.limbs + len(self.deflections)
-        F, J_x = np.zeros((len(x), f)), np.zeros((len(x), f, self.n_x))
+        x, q = self._own(self._poses(x, self.n_x, "poses")), self._poses(q, self.limbs, "joints")
+        f, n_v = self._tables.EQUATIONS, self._width - len(self.geometry)
+        F, J_x = np.zeros((len(x), f)), np.zeros((len(x), f, f))
         J_q, J_p = np.zeros((len(x), f)), np.zeros((len(x), f, n_v))
         with self._kernels(len(q)) as kernels:
             kernels.jacobians(x, q, self._tool(tool, len(x)), self._constants(rows), F, J_x, J_q, J_p)
@@ -329,15 +399,23 @@ class Mechanism:
 
     def sensitivity(self, x: Array, q: Array, tool: Array, rows: Array) -> Sensitivity:
         """Return the derivatives of the exact pose at N solved poses; NaN where a pose is singular."""
-        x, q = self._poses(x, self.n_x, "poses"), self._poses(q, self.limbs, "joints")
-        n_e, n_d = len(self.parameters) // self.limbs, len(self.deflections)
-        S = np.empty((len(x), self.n_x, self.limbs * (n_e + n_d)))
-        V = np.empty((len(x), self.n_x, self.limbs))
+        x, q = self._own(self._poses(x, self.n_x, "poses")), self._poses(q, self.limbs, "joints")
+        n, n_v = len(self._at), self._width - len(self.geometry)
+        S = np.empty((len(x), n, self.limbs * n_v))
+        V = np.empty((len(x), n, self.limbs))
         status = np.empty(len(x), dtype=np.int64)
         with self._kernels(len(q)) as kernels:
             kernels.sensitivity(x, q, self._tool(tool, len(x)), self._constants(rows), S, V, status)
-        by_limb = S.reshape(len(x), self.n_x, self.limbs, n_e + n_d)
-        return Sensitivity(by_limb[..., :n_e].reshape(len(x), self.n_x, -1), by_limb[..., n_e:], V)
+        if n < self.n_x:
+            S, V = self._in_space(S), self._in_space(V)
+        by_limb = S.reshape(len(x), self.n_x, self.limbs, n_v)
+        own, common, deflections = np.split(by_limb, np.cumsum([len(self.errors), len(self.common)]), axis=3)
+        return Sensitivity(own, common, deflections, V)
+
+    def _in_space(self, derivatives: Array) -> Array:
+        out = np.zeros((len(derivatives), self.n_x, derivatives.shape[2]))
+        out[:, self._at] = derivatives
+        return out
 
     def loads(
         self,
@@ -360,22 +438,23 @@ class Mechanism:
         payload : float or (N,) array
             At the reference point [kg].
         """
-        x, q = self._poses(x, self.n_x, "poses"), self._poses(q, self.limbs, "joints")
-        tool = self._tool(tool, len(x))
+        q, tool = self._poses(q, self.limbs, "joints"), self._tool(tool, len(x))
         _, J_x, J_q, J_p = self.jacobians(x, q, tool, rows)
         weights, payload = self._masses(masses), np.broadcast_to(np.asarray(payload, dtype=float), len(x))
         count = self.limbs * self._statics.LIMB_WEIGHTS + self._statics.PLATFORM_WEIGHTS
         every = np.broadcast_to(np.asarray(fields, dtype=float), (len(x), count, 3))
-        W_q, W_x, moment = self._statics.loads(x, q, tool, rows, weights, payload, every)
+        W_q, W_x, moment = self._statics.loads(self._own(x), q, tool, rows, weights, payload, every)
         multipliers = -np.linalg.solve(np.swapaxes(J_x, 1, 2), W_x[..., None])[..., 0]
         per_limb = multipliers.reshape(len(x), self.limbs, -1)
         J_limb = J_p.reshape(*per_limb.shape, -1)
         exerted = (J_q.reshape(per_limb.shape) * per_limb).sum(axis=2)
-        errors = [name for name, *_ in self._tables.ERRORS]
+        first = J_limb.shape[3] - len(self.deflections)
+        rod = self._tables.ROD
+        along = J_limb[..., self.column(rod) - len(self.geometry)] if rod else np.zeros_like(per_limb)
         return Loads(
             torque=W_q + exerted,
-            pull=(J_limb[..., len(errors) :] * per_limb[..., None]).sum(axis=2),
-            tension=J_limb[..., errors.index("l")] * per_limb,
+            pull=(J_limb[..., first:] * per_limb[..., None]).sum(axis=2),
+            tension=along * per_limb / self._tables.RODS_PER_CLOSURE,
             moment=moment,
         )
 
@@ -398,7 +477,7 @@ class Mechanism:
     def weights_at(self, x: Array, q: Array, tool: Array, rows: Array, masses: Mapping[str, float]) -> Array:
         """Return where the weights are, (N, weights, 3) [mm], in the order of the fields of `loads`."""
         tool, none = self._tool(tool, len(x)), np.zeros(len(x))
-        points: Array = self._statics.points(x, q, tool, rows, self._masses(masses), none)
+        points: Array = self._statics.points(self._own(x), q, tool, rows, self._masses(masses), none)
         return points
 
     def _masses(self, masses: Mapping[str, float]) -> Array:

@@ -20,7 +20,7 @@ import deltacal_kernels.effects
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism
+from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, Sensitivity
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot
 from deltacal_gen.units import DEG
@@ -38,6 +38,7 @@ LOADS = {
     "moment_x",
     "moment_y",
 }
+ROLES = {"L", "l", "b"}
 STEP_S = 1e-3  # of the second difference that gives the accelerations of the weights
 AXES = ("x", "y", "z")
 
@@ -172,7 +173,7 @@ class Body:
 
     def __init__(self, robot: Robot, mechanism: Mechanism, q: Array, tool: Array, channels: Channels) -> None:
         self.robot, self.mechanism, self.q, self.tool, self.channels = robot, mechanism, q, tool, channels
-        self._names = [p.error for p in mechanism.parameters if p.limb == 1]
+        self._roles, self._moves = mechanism.roles(robot), mechanism.moves(robot)
         masses = robot.masses.model_dump() if robot.masses is not None else {}
         self.gravity = np.asarray(masses.pop("gravity", (0.0, 0.0, -9.81)), dtype=float)
         self.inertia = masses.pop("proximal_inertia", None)
@@ -181,9 +182,13 @@ class Body:
     def missing(self, effect: str) -> str | None:
         """Return what an effect needs that is not there, in words; None where nothing is."""
         kernels = load_effect(effect)
-        if unknown := [t for t in kernels.TARGETS if t.startswith("error.") and t[6:] not in self._targets()]:
-            return f"{self.mechanism.name} has nothing that could move as {unknown[0][6:]}"
+        if unknown := [t for t in kernels.TARGETS if t.startswith("limb.") and t[5:] not in self._moves]:
+            return f"a part of {self.mechanism.name} that could move as the {unknown[0][5:]} of a limb"
         needs = set(kernels.STATE)
+        if absent := sorted(needs & ROLES - self._roles.keys()):
+            return f"a length of {self.mechanism.name} that plays the part of {absent[0]}"
+        if "theta" in needs and "offset" not in self._moves:
+            return f"an angle of {self.mechanism.name}'s joints"
         if needs & LOADS and self.robot.masses is None:
             return "[masses] in the robot file"
         have = self.channels
@@ -201,9 +206,6 @@ class Body:
                 return f"every cell of {words.removeprefix('the ')} (some are blank)"
         return None
 
-    def _targets(self) -> tuple[str, ...]:
-        return (*self._names, *self.mechanism.deflections)
-
     # ----------------------------------------------------------------------------------------------------- the state
 
     def state(
@@ -213,25 +215,24 @@ class Body:
         N, limbs = self.q.shape
         have, wanted = self.channels, set(names)
         out: dict[str, Array] = {}
-        geometry = self.robot.geometry
         simple: dict[str, Array | None] = {
             "q": self.q,
-            "theta": q + rows[:, :, self._column("theta")],
             "speed": have.speed,
             "acceleration": have.acceleration,
             "approach": have.approach,
             "warming": have.warming,
             "time": have.time,
-            "L": np.broadcast_to(geometry["proximal_length"], (N, limbs)) if "proximal_length" in geometry else None,
-            "l": np.broadcast_to(geometry["distal_length"], (N, limbs)) if "distal_length" in geometry else None,
-            "b": np.broadcast_to(geometry["base_radius"], (N, limbs)) if "base_radius" in geometry else None,
-            "phi": np.broadcast_to(geometry["limb_angle_deg"], (N, limbs)) if "limb_angle_deg" in geometry else None,
+            **{name: np.broadcast_to(length, (N, limbs)) for name, length in self._roles.items()},
         }
+        if "theta" in wanted:
+            offsets = self._moves["offset"].items()
+            simple["theta"] = q + sum(much * rows[:, :, self.mechanism.column(name)] for name, much in offsets)
         out |= {k: v for k, v in simple.items() if k in wanted and v is not None}
         if wanted & (LOADS - {"payload_torque", "inertia_torque"}):
             total = self.mechanism.loads(x, q, self.tool, rows, self.masses, self.gravity, have.payload)
             out |= {"torque": total.torque, "moment_x": total.moment[:, 0], "moment_y": total.moment[:, 1]}
-            out |= {name: total.tension[:, :, j] for j, name in enumerate(("tension_1", "tension_2"))}
+            # a closure may stand for both rods
+            out |= {"tension_1": total.tension[:, :, 0], "tension_2": total.tension[:, :, -1]}
             names_d = self.mechanism.deflections
             out |= {f"pull_{a}": total.pull[:, :, names_d.index(f"tip_{a}")] for a in "vw" if f"tip_{a}" in names_d}
         if "payload_torque" in wanted:
@@ -243,9 +244,6 @@ class Body:
             out |= {f"y_{a}": readings[:, j] for j, a in enumerate(AXES)} if readings.shape[1] >= 3 else {}
             out |= {"y_length": readings[:, 0]}
         return out
-
-    def _column(self, error: str) -> int:
-        return len(self.mechanism.geometry) + self._targets().index(error)
 
     def _inertia(self, x: Array, q: Array, rows: Array) -> Array:
         """Return the torque (N, n_q) of all masses times minus their acceleration [N mm].
@@ -263,8 +261,7 @@ class Body:
             at.append(self.mechanism.weights_at(pose, moved, self.tool, rows, self.masses))
         fields = -(at[0] - 2 * at[1] + at[2]) / STEP_S**2 / 1000.0  # mm/s^2 -> m/s^2
         loads = self.mechanism.loads(x, q, self.tool, rows, self.masses, fields, have.payload)
-        arm = self.masses.get("proximal", 0.0) * self.robot.geometry["proximal_length"] ** 2 / 12
-        own = float(np.ravel(arm if self.inertia is None else self.inertia)[0])  # kg mm^2
+        own = self.mechanism.limb_inertia(self.robot, self.masses) if self.inertia is None else self.inertia
         return loads.torque - own * have.acceleration / 1000.0  # kg mm^2/s^2 = 1e-3 N mm
 
     # ------------------------------------------------------------------------------------------------ deformation
@@ -289,7 +286,7 @@ class Body:
 
     @staticmethod
     def _by_limb(kernels: ModuleType) -> bool:
-        return any(t == "joint" or t.startswith("error.") for t in kernels.TARGETS)
+        return any(t == "joint" or t.startswith("limb.") for t in kernels.TARGETS)
 
     def _coefficients(self, term: Term) -> Array:
         """Return the coefficients as the kernels read them: (N * limbs, n_c), zero where a limb has none."""
@@ -361,13 +358,14 @@ class Body:
         return Deformed(x, q, tool, rows), status
 
     def _rows(self, errors: Array, shift: Mapping[str, Array]) -> Array:
-        named = {t[6:]: v for t, v in shift.items() if t.startswith("error.")}
+        parts = {t[5:]: v for t, v in shift.items() if t.startswith("limb.")}
         base = self.mechanism.rows(self.robot, errors)
-        if not named:
+        if not parts:
             return base
         rows = np.repeat(base, len(self.q), axis=0)
-        for name, value in named.items():
-            rows[:, :, self._column(name)] += value
+        for part, value in parts.items():
+            for name, much in self._moves[part].items():
+                rows[:, :, self.mechanism.column(name)] += much * value
         return rows
 
     # ---------------------------------------------------------------------------------------------------- columns
@@ -376,46 +374,46 @@ class Body:
         self,
         terms: Sequence[Term],
         body: Deformed,
-        parameters: Array,
-        deflections: Array,
-        joints: Array,
+        sensitivity: Sensitivity,
         chosen: np.ndarray,
     ) -> Array:
         """Return derivatives of the platform coordinates by all coefficients, (N, n_x, n_c), at fixed loads.
 
         Parameters
         ----------
-        parameters, deflections, joints : arrays
-            `Sensitivity` of the rows `chosen`; other rows are zero.
+        sensitivity : Sensitivity
+            Of the rows `chosen`; other rows are zero.
         """
-        N, limbs = self.q.shape
+        (N, limbs), n_x = self.q.shape, self.mechanism.n_x
         names = sorted({s for t in terms for s in t.kernels.STATE} - {"after", "y_x", "y_y", "y_z", "y_length"})
         state = self.state(names, np.nan_to_num(body.x), body.q, body.rows)
-        n_e = len(self._names)
-        S_e = parameters.reshape(len(chosen), -1, limbs, n_e)
         found = []
         for term in terms:
             kernels = term.kernels
             if not self._by_limb(kernels):
-                found.append(self._machine_columns(term, state, body, parameters.shape[1], chosen))
+                found.append(self._machine_columns(term, state, body, n_x, chosen))
                 continue
             D = kernels.jacobian(self._inputs(term, state), self._coefficients(term), term.constants)
             D = D.reshape(N, limbs, len(kernels.TARGETS), -1)[chosen]
-            out = np.zeros((len(chosen), parameters.shape[1], limbs, D.shape[-1]))
+            out = np.zeros((len(chosen), n_x, limbs, D.shape[-1]))
             for j, target in enumerate(kernels.TARGETS):
-                if target == "joint":
-                    S = joints
-                elif target[6:] in self._names:
-                    S = S_e[..., self._names.index(target[6:])]
-                else:
-                    S = deflections[..., self.mechanism.deflections.index(target[6:])]
+                S = sensitivity.joints if target == "joint" else self._along(sensitivity, target[5:])
                 out += S[..., None] * D[:, None, :, j]
             own = [i - 1 for i in term.limbs]
             part = out[:, :, own].reshape(len(chosen), out.shape[1], -1) if own else out.sum(axis=2)
             full = np.zeros((N, *part.shape[1:]))
             full[chosen] = part
             found.append(full)
-        return np.concatenate(found, axis=2) if found else np.zeros((N, parameters.shape[1], 0))
+        return np.concatenate(found, axis=2) if found else np.zeros((N, n_x, 0))
+
+    def _along(self, sensitivity: Sensitivity, part: str) -> Array:
+        """Return the derivatives of the pose by what an effect moves in a limb, (n, n_x, limbs)."""
+        every = np.concatenate([sensitivity.own, sensitivity.common, sensitivity.deflections], axis=3)
+        first = len(self.mechanism.geometry)
+        out = np.zeros(every.shape[:3])
+        for name, much in self._moves[part].items():
+            out += much * every[..., self.mechanism.column(name) - first]
+        return out
 
     def _machine_columns(
         self, term: Term, state: Mapping[str, Array], body: Deformed, n_x: int, chosen: np.ndarray

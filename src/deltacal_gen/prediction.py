@@ -45,6 +45,8 @@ def predict(result: Mapping[str, Any], recording: Recording) -> Recording:
     values = values + reading_shift(problem.terms, problem.body, problem.readings.rows, values)[0]
     if rotations is not None:
         values = np.hstack([values, to_vector(rotations)])
+    if recording.kind in ("position", "pose"):
+        values = values[:, list(recording.components)]
     if recording.kind == "gauge" and recording.measurement.zero == "incremental":
         values = values - values[0]
     if recording.kind == "distance":

@@ -40,6 +40,7 @@ from deltacal_gen.units import DEG, file_unit, to_internal
 if TYPE_CHECKING:
     from deltacal_gen.mechanism import Mechanism
 
+_POSITION = ("x_mm", "y_mm", "z_mm")
 _ROTATION = ("rx_deg", "ry_deg", "rz_deg")
 _TOOL = ("tool_x_mm", "tool_y_mm", "tool_z_mm")
 _COLUMNS = {  # of the kinds of measurement that do not depend on the machine's axes
@@ -151,8 +152,8 @@ class Recording:
         Index into the names of the instrument's set-ups.
     tool : (N, 3) array, optional
         Measured point in {O'} [mm]; nan where the robot's own tool point holds.
-    targets : (N, n_axes) array, optional
-        Wanted positions in {O} [mm], of a file without joints.
+    targets : (N, 3) array, optional
+        Wanted positions in {O} [mm], of a file without joints; zero along an axis that the machine does not have.
     contact : (N,) array of str, optional
         Which fixed point was touched; "" for none.
     contact_distances : tuple of (str, str, float)
@@ -185,6 +186,11 @@ class Recording:
     def n_rows(self) -> int:
         """Number of rows, N."""
         return len(self.joints)
+
+    @property
+    def components(self) -> tuple[int, ...]:
+        """Which of a body's six coordinates (x y z, rotation about x y z) the columns of a position or pose hold."""
+        return tuple((*_POSITION, *_ROTATION).index(name) for name in self.columns if name in _POSITION + _ROTATION)
 
     @property
     def time_s(self) -> np.ndarray | None:
@@ -249,16 +255,19 @@ def read_recording(
     sidecar = _read_sidecar(path)
     pairs, rows = _pairs_and_rows(path, rows)
     targets = None
-    axes = tuple(f"{name[1]}_mm" for name in mechanism.platform if name in ("px", "py", "pz"))
+    axes = tuple(f"{axis}_mm" for axis in mechanism.axes)
     has_joints = any(_JOINT_LIKE.match(name) for name in rows.columns)
     if allow_targets and not has_joints and set(axes) & set(rows.columns):
-        targets = rows.numbers(*axes, blank=False)
+        targets = np.zeros((len(rows.line), 3))
+        targets[:, [_POSITION.index(axis) for axis in axes]] = rows.numbers(*axes, blank=False)
         joints = np.full((len(targets), mechanism.limbs), np.nan)
         rows = rows.without(axes)
     else:
         joints = _joints(rows, mechanism)
 
-    kinds = {"position": axes, "pose": axes + _ROTATION, **_COLUMNS}
+    # a platform in the plane turns about z only; in space a tracked body has a rotation, held or not
+    turns = _ROTATION if len(axes) == 3 else tuple(f"r{axis}_deg" for axis in mechanism.turns)
+    kinds = {"position": axes, "pose": axes + turns, **_COLUMNS}
     kind = _kind(rows, sidecar.measurement.kind, kinds, pairs is not None, need_measured)
     columns = kinds[kind]
     _check_sidecar(path, kind, sidecar, rows)
@@ -759,7 +768,7 @@ def file_columns(recording: Recording) -> tuple[dict[str, Any], dict[str, Any]]:
         poses = [str(n + 1) for n in range(len(poses))]  # distances name rows by their pose
     columns: dict[str, Any] = {"pose": poses}
     if recording.targets is not None:
-        columns |= zip(("x_mm", "y_mm", "z_mm"), recording.targets.T, strict=False)
+        columns |= zip(_POSITION, recording.targets.T, strict=True)
     else:
         for i, q in enumerate(recording.joints.T):
             columns[f"q{i + 1}_{file_unit(unit)}"] = [to_file(value, unit) for value in q]

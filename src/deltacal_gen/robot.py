@@ -284,7 +284,9 @@ def _schema(mechanism: Mechanism) -> Any:
     for key in mechanism.geometry:
         fields = geometry if key.table == "geometry" else joints
         meaning = f"{key.meaning} [{file_unit(key.unit)}]"
-        fields[key.key] = (_value_type(key, limbs), Field(... if key.default is None else None, description=meaning))
+        size = sum(other.key == key.key for other in mechanism.geometry)
+        kind = _list(Number, size) if key.entry is not None else _value_type(key, limbs)
+        fields[key.key] = (kind, Field(... if key.default is None else None, description=meaning))
     names = [parameter.name for parameter in mechanism.parameters]
     absent: Any = Field({}, validate_default=True)
     return create_model(
@@ -314,7 +316,7 @@ def _limits_key(mechanism: Mechanism) -> str:
 
 def _is_length(key: GeometryKey) -> bool:
     """Whether the key is a distance, which cannot be zero or negative; coordinates (``positive = False``) can."""
-    return key.unit == "mm" and getattr(key, "positive", True)
+    return key.unit == "mm" and key.positive
 
 
 def _check_scale(file: TomlFile, mechanism: Mechanism, tables: Mapping[str, Mapping[str, Any]]) -> None:

@@ -189,6 +189,8 @@ def simulate(
         if noise_rad and rng is not None:
             rotations = from_vector(noise_rad * rng.standard_normal((len(values), 3))) @ rotations
         values = np.hstack([values, to_vector(rotations)])
+    if poses.kind in ("position", "pose"):
+        values = values[:, list(poses.components)]
     if poses.kind == "gauge" and poses.measurement.zero == "incremental":
         values = values - values[0]
     truth = {
@@ -223,7 +225,8 @@ def unread(poses: Recording) -> Readings:
     n = len(rows)
     setup = np.zeros(n, dtype=int) if poses.kind == "distance" else poses.setup
     zeros = np.zeros((n, 3 if poses.kind in ("position", "pose") else 1))
-    return Readings(poses.kind, rows, zeros, None, setup, np.arange(n), np.arange(n))
+    parts = {"components": poses.components} if poses.kind in ("position", "pose") else {}
+    return Readings(poses.kind, rows, zeros, None, setup, np.arange(n), np.arange(n), **parts)
 
 
 def _instrument(poses: Recording, frame: tuple[Array, Array] | None, rng: np.random.Generator | None) -> Instrument:
@@ -238,7 +241,8 @@ def _instrument(poses: Recording, frame: tuple[Array, Array] | None, rng: np.ran
     if frame is not None:
         turn[:], origin[:] = from_vector(frame[0]), frame[1]
     elif measurement.frame == "unknown" and rng is not None:
-        turn = from_vector(0.3 * rng.standard_normal((setups, 3)))
+        moving = np.array([1.0, 1.0, 1.0] if 2 in poses.components else [0.0, 0.0, 1.0])  # in the plane: about z
+        turn = from_vector(0.3 * rng.standard_normal((setups, 3)) * moving)
         origin = 1000.0 * rng.standard_normal((setups, 3))
     state = np.hstack([turn.reshape(setups, 9), origin])
     if poses.kind == "pose":

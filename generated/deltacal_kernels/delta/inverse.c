@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/inverse.c.jinja; sha256 of both 3c9ad95acd300a4a; SymPy 1.14.0.
+ * Template templates/mechanism/inverse.c.jinja; sha256 of both e86afcacaa087906; SymPy 1.14.0.
  *
  * The exact compensator: inverse position of the calibrated machine, by Newton on joints and platform rotation.
  * An export puts the machine's numbers before this text: DELTACAL_K[3][32], DELTACAL_TOOL[3],
@@ -241,7 +241,7 @@ static void newton(const double *x, double q, const double *tool, const double *
 }
 
 /* Joint of the simplified limb at a given position (36 operations). */
-static void turn(const double *x, double q, const double *tool, const double *k, double *out)
+static void joint(const double *x, double q, const double *tool, const double *k, double *out)
 {
     const double px = x[0];
     const double py = x[1];
@@ -348,7 +348,7 @@ int deltacal_compensate(const double target_mm[3], double joints_deg[3])
     for (c = 0; c < 6; c++)
         x[c] = c < 3 ? target_mm[c] : 0.0;
     for (i = 0; i < 3; i++) {
-        turn(x, 0.0, DELTACAL_TOOL, DELTACAL_K[i], &q[i]);
+        joint(x, 0.0, DELTACAL_TOOL, DELTACAL_K[i], &q[i]);
         if (!isfinite(q[i]))
             return DELTACAL_UNREACHABLE;
     }

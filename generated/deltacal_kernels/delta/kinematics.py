@@ -1,7 +1,7 @@
 """Kinematics of `delta`: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both ac67a2fc9ae0144c; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 7d7ee15e2683d964; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -913,7 +913,7 @@ def _sphere(x, q, tool, k, out):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _turn(x, q, tool, k, out):
+def _joint(x, q, tool, k, out):
     """Joint of the simplified limb at a given position (36 operations)."""
     px = x[0]
     py = x[1]
@@ -1119,7 +1119,7 @@ def inverse(target, tool, k, x, q, status):
             pose[c] = target[n, c]
         seeded = True
         for i in range(3):
-            _turn(pose, 0.0, tool[n], k[m, i], out)
+            _joint(pose, 0.0, tool[n], k[m, i], out)
             joints[i] = out[0]
             seeded = seeded and math.isfinite(joints[i])
         status[n] = UNREACHABLE
@@ -1289,7 +1289,7 @@ def linear_constants(p):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _nominal_turn(x, q, tool, k, i, out):
+def _nominal_joint(x, q, tool, k, i, out):
     """Joint of the nominal limb at a given position (34 operations); limb i of k, row i of out."""
     px = x[0]
     py = x[1]
@@ -1500,7 +1500,7 @@ def exact_command(target, tool, k, work, q):
         pose[3 + c] = 0.0
     status = SOLVED
     for i in range(3):
-        _turn(pose, 0.0, tool, k[i], work)
+        _joint(pose, 0.0, tool, k[i], work)
         q[i] = work[0]
         if not math.isfinite(q[i]):
             status = UNREACHABLE
@@ -1540,7 +1540,7 @@ def linear_command(target, tool, k, work, q):
     """
     status = SOLVED
     for i in range(3):
-        _nominal_turn(target, 0.0, tool, k, i, q)
+        _nominal_joint(target, 0.0, tool, k, i, q)
         if not math.isfinite(q[i]):
             status = UNREACHABLE
     if status == SOLVED:
@@ -1555,7 +1555,7 @@ def linear_command(target, tool, k, work, q):
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def exact_commands(target, tool, k, q, status):
-    """Fill joints q (N, 3) and status (N,) by `exact_command`; target and tool (N, 3), k (M, 3, :)."""
+    """Fill joints q (N, 3) and status (N,) by `exact_command`; target (N, 3) and tool (N, 3), k (M, 3, :)."""
     work = np.zeros(COMMAND_WORK)
     for n in range(target.shape[0]):
         status[n] = exact_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])
@@ -1563,7 +1563,7 @@ def exact_commands(target, tool, k, q, status):
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def linear_commands(target, tool, k, q, status):
-    """Fill joints q (N, 3) and status (N,) by `linear_command`; target and tool (N, 3), k (M, 3, :)."""
+    """Fill joints q (N, 3) and status (N,) by `linear_command`; target (N, 3) and tool (N, 3), k (M, 3, :)."""
     work = np.zeros(COMMAND_WORK)
     for n in range(target.shape[0]):
         status[n] = linear_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/linear.c.jinja; sha256 of both f426ae1ade881286; SymPy 1.14.0.
+ * Template templates/mechanism/linear.c.jinja; sha256 of both b9d8c9031f11b311; SymPy 1.14.0.
  *
  * The linear compensator: nominal joints, and the change that holds the reference point to first order in the errors.
  * An export puts the machine's numbers before this text: DELTACAL_K[3][35], DELTACAL_TOOL[3],
@@ -18,7 +18,7 @@ int deltacal_compensate(const double target_mm[3], double joints_deg[3]);
 
 
 /* Joint of the nominal limb at a given position (34 operations). */
-static void nominal_turn(const double *x, double q, const double *tool, const double *k, double *out)
+static void nominal_joint(const double *x, double q, const double *tool, const double *k, double *out)
 {
     const double px = x[0];
     const double py = x[1];
@@ -227,7 +227,7 @@ int deltacal_compensate(const double target_mm[3], double joints_deg[3])
     double q[3], change[3], turned[3], loop[3 * LIMB];
     int i;
     for (i = 0; i < 3; i++) {
-        nominal_turn(target_mm, 0.0, DELTACAL_TOOL, DELTACAL_K[i], &q[i]);
+        nominal_joint(target_mm, 0.0, DELTACAL_TOOL, DELTACAL_K[i], &q[i]);
         if (!isfinite(q[i]))
             return DELTACAL_UNREACHABLE;
     }

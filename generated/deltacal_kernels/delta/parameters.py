@@ -1,18 +1,22 @@
 """Tables of `delta`: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both ac36141642556c7d; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 36f4ad097d299c75; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
+
+import numpy as np
 
 NAME = "delta"
 TITLE = "Delta, three arms and six rods"
 REFERENCE = "Bai, Mei, Huang, Chetwynd 2015, Proc. IMechE C 230(3), 414-424"
 LIMBS = 3
 EQUATIONS = 6
+ROD = "l"
+RODS_PER_CLOSURE = 1
 JOINT_UNIT = "rad"
 
-# (name, unit, meaning) of the platform's coordinates x
+# (name, unit, meaning) of the platform's coordinates x: px py pz position, cx cy cz Cayley vector; the others are zero
 PLATFORM = (
     ("px", "mm", "reference point P, x in {O}"),
     ("py", "mm", "reference point P, y in {O}"),
@@ -22,15 +26,15 @@ PLATFORM = (
     ("cz", "rad", "Cayley vector of the platform's rotation, z"),
 )
 
-# (key of the robot file, unit, meaning, one value per limb?, default or None, table of the robot file):
-# the first columns of a limb's row of p
+# (key of the robot file, unit, meaning, one value per limb?, default or None, table of the robot file, a length?,
+# entry of a vector or None): the first columns of a limb's row of p
 GEOMETRY = (
-    ("base_radius", "mm", "b: O to B_i", False, None, "geometry"),
-    ("platform_radius", "mm", "a: O' to A_i", False, None, "geometry"),
-    ("proximal_length", "mm", "L: length of the arm", False, None, "geometry"),
-    ("distal_length", "mm", "l: length of the rods", False, None, "geometry"),
-    ("joint_spacing", "mm", "c: spacing of the two S-joints of a limb's end", False, None, "geometry"),
-    ("limb_angle_deg", "rad", "phi_i: direction of the limb about z", True, (-1.5707963267948966, 0.5235987755982989, 2.6179938779914944), "joints"),
+    ("base_radius", "mm", "b: O to B_i", False, None, "geometry", True, None),
+    ("platform_radius", "mm", "a: O' to A_i", False, None, "geometry", True, None),
+    ("proximal_length", "mm", "L: length of the arm", False, None, "geometry", True, None),
+    ("distal_length", "mm", "l: length of the rods", False, None, "geometry", True, None),
+    ("joint_spacing", "mm", "c: spacing of the two S-joints of a limb's end", False, None, "geometry", True, None),
+    ("limb_angle_deg", "rad", "phi_i: direction of the limb about z", True, (-1.5707963267948966, 0.5235987755982989, 2.6179938779914944), "joints", True, None),
 )
 
 # (name, unit, meaning, size of an ordinary error): the next columns, one source error each
@@ -49,6 +53,10 @@ ERRORS = (
     ("beta03", "rad", "beta0 minus the same error at the platform", 0.0017453292519943296),
     ("alpha2", "rad", "elbow axis turned about the arm", 0.0017453292519943296),
     ("beta2", "rad", "elbow axis turned about the normal of the arm", 0.0017453292519943296),
+)
+
+# the same, one for all limbs: the next columns, equal in every row
+COMMON = (
 )
 
 # (name, unit, meaning): the last columns, zero on a rigid machine
@@ -97,12 +105,9 @@ MODELS = {
 
 
 def scaling(convention, geometry):
-    """Return {error: factor} by which the columns of `convention` are divided; `geometry` maps symbols to mm."""
-    b = geometry["base_radius"]  # noqa: F841
-    a = geometry["platform_radius"]  # noqa: F841
-    L = geometry["proximal_length"]  # noqa: F841
-    l = geometry["distal_length"]  # noqa: F841
-    c = geometry["joint_spacing"]  # noqa: F841
+    """Return {error: factor} by which the columns of `convention` are divided; geometry maps keys to arrays."""
+    L = geometry["proximal_length"]
+    c = geometry["joint_spacing"]
     return {
         "paper": {
             "theta": L,
@@ -121,3 +126,36 @@ def scaling(convention, geometry):
             "beta2": c,
         },
     }[convention]
+
+
+def roles(geometry):
+    """Return what effects read of the geometry, by the names of their state [mm, rad]: one value, or one per limb."""
+    b = geometry["base_radius"]
+    L = geometry["proximal_length"]
+    l = geometry["distal_length"]
+    return {
+        "L": L,
+        "l": l,
+        "b": b,
+    }
+
+
+def moves(geometry):
+    """Return {what an effect moves: {error or deflection: how much of it}}: one value, or one per limb."""
+    phi = geometry["limb_angle_deg"]
+    return {
+        "offset": {"theta": 1},
+        "arm": {"L": 1},
+        "rod": {"l": 1},
+        "rod_difference": {"dl": 1},
+        "outwards": {"ex": np.cos(phi), "ey": np.sin(phi)},
+        "tip_v": {"tip_v": 1},
+        "tip_w": {"tip_w": 1},
+    }
+
+
+def limb_inertia(geometry, masses):
+    """Return a limb's own inertia about its centre of mass, which turns with the joint [kg mm^2]."""
+    L = geometry["proximal_length"]
+    proximal = masses.get("proximal", 0.0)
+    return 0.08333333333333333*(L * L)*proximal

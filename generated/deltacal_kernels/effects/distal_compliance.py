@@ -1,7 +1,7 @@
 """Rods stretch.
 
 Generated from derive/effects/distal_compliance.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 56d45cd0a6116a5b; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both ad012b4815107a0c; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): tension_1 tension_2;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -13,7 +13,7 @@ NAME = "distal_compliance"
 TITLE = "rods stretch"
 PER_LIMB = True
 STATE = ("tension_1", "tension_2", )
-TARGETS = ("error.l", "error.dl", )
+TARGETS = ("limb.rod", "limb.rod_difference", )
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("compliance", "mm/N", 1.0, "lengthening of a rod per tension"),

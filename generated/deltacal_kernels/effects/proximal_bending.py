@@ -1,7 +1,7 @@
 """Arm bends under the rods' pull.
 
 Generated from derive/effects/proximal_bending.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 1ef9cbc301a0a7dc; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both b3d731bed0beea38; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): pull_v pull_w;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -13,7 +13,7 @@ NAME = "proximal_bending"
 TITLE = "arm bends under the rods' pull"
 PER_LIMB = True
 STATE = ("pull_v", "pull_w", )
-TARGETS = ("error.tip_v", "error.tip_w", )
+TARGETS = ("limb.tip_v", "limb.tip_w", )
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("compliance", "mm/N", 1.0, "deflection of the tip per force"),
