@@ -225,8 +225,8 @@ def unread(poses: Recording) -> Readings:
     n = len(rows)
     setup = np.zeros(n, dtype=int) if poses.kind == "distance" else poses.setup
     zeros = np.zeros((n, 3 if poses.kind in ("position", "pose") else 1))
-    parts = {"components": poses.components} if poses.kind in ("position", "pose") else {}
-    return Readings(poses.kind, rows, zeros, None, setup, np.arange(n), np.arange(n), **parts)
+    components = poses.components or tuple(range(6))
+    return Readings(poses.kind, rows, zeros, None, setup, np.arange(n), np.arange(n), components=components)
 
 
 def _instrument(poses: Recording, frame: tuple[Array, Array] | None, rng: np.random.Generator | None) -> Instrument:
