@@ -107,11 +107,14 @@ def plan(
     return [out[i] for i in np.random.default_rng(seed).permutation(len(out))]
 
 
-def generate(kind: str, names: Sequence[str], seed: Sequence[int]) -> Case:
-    """Return the case of a seed: `names` are effects, or one of `OUTSIDE`, or empty."""
+def generate(kind: str, names: Sequence[str], seed: Sequence[int], by: Callable[..., Recording] = simulate) -> Case:
+    """Return the case of a seed: `names` are effects, or one of `OUTSIDE`, or empty.
+
+    `by` makes the readings, with the signature of `simulate`; amplitudes and clarity are judged on the project's own.
+    """
     for attempt in range(ATTEMPTS):
         try:
-            case = _attempt(kind, tuple(names), np.random.default_rng([*seed, attempt]))
+            case = _attempt(kind, tuple(names), np.random.default_rng([*seed, attempt]), by)
         except DeltacalError:
             continue  # a pose out of reach
         if case is not None:
@@ -447,7 +450,9 @@ def _own(search: Search, term: Term) -> list[int]:
     return [j for c in at or same for j in c.columns(term.limbs)]
 
 
-def _attempt(kind: str, names: tuple[str, ...], rng: np.random.Generator) -> Case | None:
+def _attempt(
+    kind: str, names: tuple[str, ...], rng: np.random.Generator, by: Callable[..., Recording]
+) -> Case | None:
     robot, errors = _machine(rng), _errors(rng)
     sigma, turn = round(float(rng.uniform(0.005, 0.02)), 4), round(float(rng.uniform(0.002, 0.01)), 4) * DEG
     have = {c for c, p in (("time", 0.75), ("temp", 0.6), ("payload", 0.5), ("approach", 0.6)) if rng.random() < p}
@@ -470,14 +475,20 @@ def _attempt(kind: str, names: tuple[str, ...], rng: np.random.Generator) -> Cas
     fresh = _poses(robot, measurement, 100, 1, tools, have, rng, 40.0 * n + 3600 * ("pause" in have))
     frame = int(rng.integers(2**32))
 
-    def read(at: Recording, terms: Sequence[Term] = (), foreign: Foreign | None = None, much: float = 0.0) -> Recording:
+    def read(
+        at: Recording,
+        terms: Sequence[Term] = (),
+        foreign: Foreign | None = None,
+        much: float = 0.0,
+        by: Callable[..., Recording] = simulate,
+    ) -> Recording:
         joint, shift = np.zeros((at.n_rows, 3)), np.zeros((at.n_rows, 3))
         if foreign is not None:
             in_robot = dataclasses.replace(at, kind="position", measurement=Measurement(kind="position", frame="robot"))
             joint, shift = foreign.shift(at, simulate(robot, in_robot, errors).measured, poses)
         mounted = at.measurement if base is None else at.measurement.model_copy(update={"base_point_mm": base})
         moved = dataclasses.replace(at, joints=at.joints + much * joint, measurement=mounted)
-        done = simulate(robot, moved, errors, terms=terms, rng=np.random.default_rng(frame))
+        done = by(robot, moved, errors, terms=terms, rng=np.random.default_rng(frame))
         measured = done.measured
         if foreign is not None and at.kind in OF_POSITIONS:
             measured = np.hstack([measured[:, :3] + much * shift, measured[:, 3:]])
@@ -488,13 +499,13 @@ def _attempt(kind: str, names: tuple[str, ...], rng: np.random.Generator) -> Cas
     plain = read(poses)
     judge = Judge(robot, plain, errors, sigma, turn)
     terms: list[Term] = []
-    make: Callable[[Recording], Recording] = read
+    make: Callable[..., Recording] = read
     if kind == "outside":
         x = judge.machine.x[:, :3]
         foreign, much, wanted = Foreign.draw_one(names[0], x, rng), 1.0, float(rng.uniform(2, MOST))
         for _ in range(2):
             much *= wanted * np.sqrt(judge.scalars / judge.misfit(read(poses, (), foreign, much)))
-        make = lambda at: read(at, (), foreign, much)  # noqa: E731
+        make = lambda at, by=simulate: read(at, (), foreign, much, by)  # noqa: E731
     elif names:
         for name in names:
             term = _term(name, poses, robot, tools, rng)
@@ -508,13 +519,15 @@ def _attempt(kind: str, names: tuple[str, ...], rng: np.random.Generator) -> Cas
         if any(rms(judge.departure(read(poses, [t]))) > LARGEST for t in terms if t.effect not in INSTRUMENT_ONLY):
             return None  # an effect that hardly shows, blown up
         late = [dataclasses.replace(t, constants=(-1.0,)) if _unplaced(t, poses) else t for t in terms]
-        make = lambda at: read(at, late if at is fresh else terms)  # noqa: E731
+        make = lambda at, by=simulate: read(at, late if at is fresh else terms, by=by)  # noqa: E731
     exact = make(poses)
     excess = float(np.sqrt(judge.misfit(exact) / judge.scalars))
     if kind == "outside" and not judge.foreign(exact):
         return None
     if terms and not (0.95 * LEAST < excess < 1.1 * MOST and judge.clear(exact, terms)):
         return None
+    if by is not simulate:
+        exact = make(poses, by=by)
     noisy, traits = _noisy(exact, sigma, turn, rng)
     traits = (*traits, *sorted(have), of, f"n={n}", f"repeats={repeats}", f"tools={len(tools)}")
     traits = (*traits, *(["incremental"] if measurement.zero == "incremental" else []), measurement.frame)
@@ -527,7 +540,7 @@ def _attempt(kind: str, names: tuple[str, ...], rng: np.random.Generator) -> Cas
         robot,
         noisy,
         exact,
-        make(fresh),
+        make(fresh, by=by),
         errors,
         tuple(terms),
         sigma,
