@@ -48,7 +48,7 @@ def diagnosis(found: Mapping[str, Any]) -> str:
         f"<h1>{_text(headline)}</h1>",
         f'<p class="lead">{_text(found["summary"])}</p>',
         "<h2>Before and after</h2>",
-        _figure(_bars(before, final, found["noise"]), "Root mean square of the readings, each scalar once. "
+        figure(_bars(before, final, found["noise"]), "Root mean square of the readings, each scalar once. "
                 "Held-out readings took part neither in the fit nor, pose by pose, in their repeats."),
     ]  # fmt: skip
     residuals = found["residuals"]
@@ -57,14 +57,14 @@ def diagnosis(found: Mapping[str, Any]) -> str:
         if channel is not None:
             parts += [
                 f"<h2>Against {_text(channel)}</h2>",
-                _figure(
+                figure(
                     _against(residuals, channel),
                     f"Residual along the direction in which geometry alone leaves most: {found['location']['text']}.",
                 ),
             ]
         parts += [
             "<h2>Over the workspace</h2>",
-            _figure(_map(residuals), "Size of the residual where it was measured, seen from above; one scale."),
+            figure(_map(residuals), "Size of the residual where it was measured, seen from above; one scale."),
         ]
     if found["effects"]:
         parts += ["<h2>What was found</h2>", _parameters(found["effects"])]
@@ -75,14 +75,19 @@ def diagnosis(found: Mapping[str, Any]) -> str:
     parts += ["<h2>What was considered and why it lost</h2>", _rivals(found)]
     if found["not_tested"]:
         missing = [(t["name"], t["missing"]) for t in found["not_tested"]]
-        parts += ["<h2>Not tested</h2>", _table(("effect", "what is missing"), missing)]
+        parts += ["<h2>Not tested</h2>", table(("effect", "what is missing"), missing)]
     gross = found["gross_errors"]
     words = f"Lines {', '.join(map(str, gross))}: they took next to no part in the fit." if gross else "None."
     parts += ["<h2>Gross errors</h2>", f"<p>{words}</p>"]
+    return page(f"{machine}: diagnosis", parts)
+
+
+def page(title: str, parts: Sequence[str]) -> str:
+    """Return a page of parts that are HTML already."""
     return (
         '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
-        f"<title>{_text(machine)}: diagnosis</title><style>{_CSS}</style></head>\n<body>\n"
+        f"<title>{_text(title)}</title><style>{_CSS}</style></head>\n<body>\n"
         + "\n".join(parts)
         + "\n</body></html>\n"
     )
@@ -97,7 +102,8 @@ def _text(value: object) -> str:
     return html.escape(str(value))
 
 
-def _table(head: Sequence[str], rows: Sequence[Sequence[object]]) -> str:
+def table(head: Sequence[str], rows: Sequence[Sequence[object]]) -> str:
+    """Return a table; it scrolls where the window is narrow."""
     top = "".join(f"<th>{_text(h)}</th>" for h in head)
     body = "".join(f"<tr>{''.join(map(_cell, row))}</tr>" for row in rows)
     return f'<div class="wide"><table><tr>{top}</tr>{body}</table></div>'
@@ -114,18 +120,19 @@ def _parameters(effects: Sequence[Mapping[str, Any]]) -> str:
         for e in effects
         for p in e["parameters"]
     ]  # fmt: skip
-    return _table(("effect", "limb", "parameter", "value", "one standard deviation", "unit"), rows)
+    return table(("effect", "limb", "parameter", "value", "one standard deviation", "unit"), rows)
 
 
 def _rivals(found: Mapping[str, Any]) -> str:
     rows = [(r["name"], float(r["gain_chi2"]), r["why"]) for r in found["rejected"]]
-    return _table(("effect", "gain in chi2, alone", "why it is not named"), rows) if rows else "<p>No rival.</p>"
+    return table(("effect", "gain in chi2, alone", "why it is not named"), rows) if rows else "<p>No rival.</p>"
 
 
 # --------------------------------------------------------------------------------------------------------- pictures
 
 
-def _figure(picture: Any, caption: str) -> str:
+def figure(picture: Any, caption: str) -> str:
+    """Return a Matplotlib figure as SVG whose colours follow the page's, light or dark."""
     stream = io.StringIO()
     picture.savefig(stream, format="svg", transparent=True, metadata={"Date": None})
     plt.close(picture)
