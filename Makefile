@@ -6,7 +6,7 @@ WORKERS ?= 2
 # the matrices are small: threads of the linear algebra only wait for one another
 export OPENBLAS_NUM_THREADS := 1
 
-.PHONY: demo test lint kernels bench clean
+.PHONY: demo test lint kernels bench proof clean
 
 demo: .venv/run  ## identify the embedded recording, show a table and a picture
 	$(BIN)/deltacal demo
@@ -27,8 +27,11 @@ kernels: .venv/dev  ## derive and emit the kernels
 bench: .venv/dev  ## ratios to NumPy on the same work
 	$(BIN)/python -m tests.benchmarks
 
+proof: .venv/proof  ## conceal effects, diagnose blind, grade: a table and a page in proof/
+	$(BIN)/python -m tests.proof -o proof
+
 clean:
-	rm -rf .venv dist demo .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache
+	rm -rf .venv dist demo proof .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 .venv/made:
@@ -39,6 +42,10 @@ clean:
 
 .venv/run: .venv/made pyproject.toml
 	$(BIN)/python -m pip install --quiet --editable .
+	touch $@
+
+.venv/proof: .venv/run
+	$(BIN)/python -m pip install --quiet --editable ".[proof]"
 	touch $@
 
 .venv/dev: .venv/run
