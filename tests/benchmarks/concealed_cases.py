@@ -450,9 +450,7 @@ def _own(search: Search, term: Term) -> list[int]:
     return [j for c in at or same for j in c.columns(term.limbs)]
 
 
-def _attempt(
-    kind: str, names: tuple[str, ...], rng: np.random.Generator, by: Callable[..., Recording]
-) -> Case | None:
+def _attempt(kind: str, names: tuple[str, ...], rng: np.random.Generator, by: Callable[..., Recording]) -> Case | None:
     robot, errors = _machine(rng), _errors(rng)
     sigma, turn = round(float(rng.uniform(0.005, 0.02)), 4), round(float(rng.uniform(0.002, 0.01)), 4) * DEG
     have = {c for c, p in (("time", 0.75), ("temp", 0.6), ("payload", 0.5), ("approach", 0.6)) if rng.random() < p}
