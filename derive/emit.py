@@ -135,12 +135,13 @@ def measurement(spec: Measurement) -> dict[str, Kernel]:
     """Lower a measurement to its reading and derivatives, evaluated where the instrument's increments are zero."""
     inputs = {
         s: f"{name}[:, {j}]"
-        for name, symbols in zip(_platform_names(spec), spec.platforms, strict=True)
-        for j, s in enumerate(symbols)
+        for name, platform in zip(_platform_names(spec), spec.platforms, strict=True)
+        for j, s in enumerate(platform.coordinates)
     }
     inputs |= {quantity.symbol: f"given[:, {j}]" for j, quantity in enumerate(spec.given)}
-    zero = {quantity.symbol: 0 for quantity in spec.unknown}
-    platform = [s for symbols in spec.platforms for s in symbols]
+    turns = [s for platform in spec.platforms for s in platform.turn]
+    zero = dict.fromkeys((*(quantity.symbol for quantity in spec.unknown), *turns), 0)
+    moved = [s for platform in spec.platforms for s in platform.displacement]
     unknown = [quantity.symbol for quantity in spec.unknown]
 
     def spin(symbol: sp.Symbol) -> sp.Matrix:
@@ -163,7 +164,7 @@ def measurement(spec: Measurement) -> dict[str, Kernel]:
 
     outputs = {
         "reading": [e.subs(zero) for e in spec.reading],
-        "by_platform": jacobian(platform),
+        "by_platform": jacobian(moved),
         "by_unknown": jacobian(unknown),
     }
     if spec.rotation:

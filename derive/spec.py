@@ -223,13 +223,43 @@ class LimbMechanism:
 
 
 @dataclass(frozen=True)
+class Platform:
+    """What a measurement sees of a machine: a body in space.
+
+    Parameters
+    ----------
+    position : sympy.Matrix
+        Reference point in {O}, (3, 1).
+    rotation : sympy.Matrix
+        From the platform's frame to {O}, (3, 3).
+    turn : sympy.Matrix
+        A small rotation vector about the axes of {O}, (3, 1), by which derivatives are taken: the body's rotation is
+        ``cayley(turn) * rotation`` at ``turn = 0``.
+    """
+
+    position: sp.Matrix
+    rotation: sp.Matrix
+    turn: sp.Matrix
+
+    @property
+    def coordinates(self) -> tuple[sp.Symbol, ...]:
+        """The twelve numbers of a pose, as they stand in a row of x: position, rotation row by row."""
+        return (*self.position, *self.rotation)
+
+    @property
+    def displacement(self) -> tuple[sp.Symbol, ...]:
+        """The six directions of a derivative: shift of the reference point, turn about the axes of {O}."""
+        return (*self.position, *self.turn)
+
+
+@dataclass(frozen=True)
 class Measurement:
     """What an instrument reports of the platform, and what of the instrument itself is unknown.
 
     Parameters
     ----------
-    platforms : tuple of tuple of sympy.Symbol
-        The platform coordinates that one reading depends on: one platform, or two for a distance between poses.
+    platforms : tuple of Platform
+        What one reading depends on: one platform, or two for a distance between poses.
     given : tuple of Quantity
         The present state of the instrument, in terms of which its unknowns are increments.
     unknown : tuple of Quantity
@@ -244,7 +274,7 @@ class Measurement:
     name: str
     meaning: str
     source: str
-    platforms: tuple[tuple[sp.Symbol, ...], ...]
+    platforms: tuple[Platform, ...]
     given: tuple[Quantity, ...]
     unknown: tuple[Quantity, ...]
     reading: tuple[sp.Expr, ...]

@@ -16,6 +16,7 @@ from deltacal_gen.accuracy import check_poses, circle
 from deltacal_gen.mechanism import Mechanism, load_mechanism
 from deltacal_gen.recording import Measurement, Recording
 from deltacal_gen.robot import Robot, robot_from_dict
+from deltacal_gen.rotation import cayley_vector, from_vector, to_vector
 from deltacal_gen.units import to_internal
 
 PROTOTYPE = {  # Bai 2015, Table 1; masses of an ordinary machine of this size
@@ -119,3 +120,21 @@ def wanted(
         pairs=pairs,
         pair_line=None if pairs is None else np.arange(len(pairs)) + 2,
     )
+
+
+def displaced(x: np.ndarray, by: np.ndarray) -> np.ndarray:
+    """Return poses (N, 12) shifted and turned in {O} by (N, 6) or (6,) [mm, rad]."""
+    by = np.tile(by, (len(x), 1)) if np.ndim(by) == 1 else by
+    turned = from_vector(by[:, 3:]) @ x[:, 3:].reshape(-1, 3, 3)
+    return np.hstack([x[:, :3] + by[:, :3], turned.reshape(-1, 9)])
+
+
+def displacement(x: np.ndarray, moved: np.ndarray) -> np.ndarray:
+    """Return the shift and the turn in {O} (N, 6) that lead from poses to poses (N, 12)."""
+    turn = moved[:, 3:].reshape(-1, 3, 3) @ np.swapaxes(x[:, 3:].reshape(-1, 3, 3), 1, 2)
+    return np.hstack([moved[:, :3] - x[:, :3], to_vector(turn)])
+
+
+def solved_for(x: np.ndarray) -> np.ndarray:
+    """Return the coordinates (N, 6) that a machine in space is solved for: position and Cayley vector."""
+    return np.hstack([x[:, :3], cayley_vector(x[:, 3:].reshape(-1, 3, 3))])

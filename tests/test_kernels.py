@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
-from conftest import plausible, rings, scattered
+from conftest import displaced, displacement, plausible, rings, scattered, solved_for
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from independent_delta import closure, nominal_frame, numbers, rod_ends
@@ -19,7 +19,7 @@ from scipy.spatial.transform import Rotation
 
 from deltacal_gen.mechanism import SINGULAR, SOLVED, UNREACHABLE, Mechanism, load_mechanism
 from deltacal_gen.robot import Robot
-from deltacal_gen.rotation import cayley_matrix
+from deltacal_gen.rotation import cayley_spin
 from deltacal_gen.units import DEG
 
 TOOL = np.array([30.0, -20.0, -55.0])
@@ -61,7 +61,7 @@ def test_the_rods_of_the_solved_machine_have_their_lengths(robot: Robot, mechani
     x, status = mechanism.forward(at.q, at.tool, at.rows)
     assert (status == SOLVED).all()
     for n in range(len(x)):
-        R = cayley_matrix(x[n : n + 1, 3:])[0]
+        R = x[n, 3:].reshape(3, 3)
         assert np.abs(R @ R.T - np.eye(3)).max() < 1e-14  # a rotation to begin with
         for i in range(3):
             e = {name[:-2]: value for name, value in at.errors.items() if name.endswith(f"_{i + 1}")}
@@ -94,7 +94,7 @@ def test_rod_one_lies_on_the_positive_side_of_the_joint_axis(
     """A rod of limb 2 that is longer is that of +w = (sin phi, -cos phi, 0): seen by distances, not by closures."""
     rows = mechanism.rows(robot, mechanism.vector({f"{error}_2": 1.0}))
     x, _ = mechanism.forward(np.zeros((1, 3)), np.zeros(3), rows)
-    elbow, hand, _ = rod_ends(numbers(robot.geometry), {}, x[0], np.zeros(3), np.zeros(3))
+    elbow, hand, _ = rod_ends(numbers(robot.geometry), {}, solved_for(x)[0], np.zeros(3), np.zeros(3))
     w = np.array([np.sin(30 * DEG), -np.cos(30 * DEG), 0.0])
     assert (elbow[1, 0] - elbow[1, 1]) @ w == pytest.approx(100.0)
     assert np.linalg.norm(hand[1, side] - elbow[1, side]) - 950.0 == pytest.approx(expected, abs=1e-9)
@@ -104,16 +104,16 @@ def test_a_positive_joint_angle_lifts_the_arm_and_the_platform_hangs_below(robot
     rows = mechanism.rows(robot)
     x, _ = mechanism.forward(np.deg2rad([[0.0, 0.0, 0.0], [10.0, 10.0, 10.0]]), np.zeros(3), rows)
     # arms flat: sqrt(950^2 - (200 + 375 - 51)^2) below the base
-    assert x[0] == pytest.approx([0, 0, -np.sqrt(950.0**2 - 524.0**2), 0, 0, 0], abs=1e-9)
+    assert x[0] == pytest.approx([0, 0, -np.sqrt(950.0**2 - 524.0**2), *np.eye(3).ravel()], abs=1e-9)
     assert x[1, 2] > x[0, 2] + 50
 
 
 def test_the_closure_kernel_is_the_closure_written_by_hand(machine: Solved, robot: Robot, mechanism: Mechanism) -> None:
     """Off the solution too, where nothing is zero."""
-    x = machine.x + np.array([1.0, -2.0, 3.0, 0.01, -0.02, 0.03])
+    x = displaced(machine.x, np.array([1.0, -2.0, 3.0, 0.01, -0.02, 0.03]))
     F, *_ = mechanism.jacobians(x, machine.q, machine.tool, machine.rows)
     for n in range(len(x)):
-        by_hand = closure(numbers(robot.geometry), machine.errors, x[n], machine.q[n], machine.tool[n])
+        by_hand = closure(numbers(robot.geometry), machine.errors, solved_for(x)[n], machine.q[n], machine.tool[n])
         # squares of 1e6 mm^2 are rounded at 1e-10; a sum of a dozen of them at 1e-9
         assert F[n] == pytest.approx(by_hand, rel=1e-11, abs=2e-9)
 
@@ -124,7 +124,7 @@ def test_the_closure_kernel_is_the_closure_written_by_hand(machine: Solved, robo
 def by_complex_step(robot: Robot, mechanism: Mechanism, at: Solved, n: int) -> tuple[np.ndarray, ...]:
     """Return F_x (6, 6), F_q (6, 3), F_p (6, 42) of the hand-written closure."""
     g, h = numbers(robot.geometry), COMPLEX_STEP
-    x, q, tool = at.x[n], at.q[n], at.tool[n]
+    x, q, tool = solved_for(at.x)[n], at.q[n], at.tool[n]
 
     def column(by: str, j: int) -> np.ndarray:
         xc, qc, errors = x.astype(complex), q.astype(complex), dict(at.errors)
@@ -148,6 +148,7 @@ def test_every_column_of_the_sensitivity_agrees_with_the_complex_step(
     for n in range(4):
         F_x, F_q, F_p = by_complex_step(robot, mechanism, machine, n)
         expected = -np.linalg.solve(F_x, np.hstack([F_p, F_q]))
+        expected[3:] = cayley_spin(solved_for(machine.x)[n : n + 1, 3:])[0] @ expected[3:]
         got = np.hstack([S.parameters[n], S.joints[n]])
         # column by column, relative to the column; rounding times the condition of F_x (1e4) stays below 1e-11
         for part in (slice(0, 3), slice(3, 6)):
@@ -173,7 +174,7 @@ def test_the_remainder_of_every_column_is_of_second_order(
         moved[column] += h
         x, status = mechanism.forward(machine.q, machine.tool, mechanism.rows(robot, moved))
         assert (status == SOLVED).all()
-        remainder = x - machine.x - h * S
+        remainder = displacement(machine.x, x) - h * S
         gaps.append(np.linalg.norm(remainder * [1, 1, 1, 100, 100, 100]))  # rotations at 100 mm
     order = np.log2(np.divide(gaps[:-1], gaps[1:]))
     assert order.min() > 1.9
@@ -191,7 +192,7 @@ def test_deflections_are_derivatives_too(machine: Solved, robot: Robot, mechanis
         plus, minus = (
             mechanism.forward(machine.q, machine.tool, mechanism.rows(robot, p, s * tip))[0] for s in (1, -1)
         )
-        return np.asarray((plus - minus) / (2 * h))
+        return (displacement(machine.x, plus) - displacement(machine.x, minus)) / (2 * h)
 
     for limb in range(3):
         for which in range(2):
@@ -292,10 +293,11 @@ def test_a_pose_with_all_elbows_on_one_line_is_singular(robot: Robot, mechanism:
 def test_a_warm_start_leads_to_the_same_pose(machine: Solved, mechanism: Mechanism) -> None:
     for kernels in (mechanism.compiled, mechanism.vectorised):
         k = kernels.constants(machine.rows)
-        x, status = machine.x + np.array([2.0, -1.0, 3.0, 0.01, 0.01, -0.01]), np.empty(len(machine.x), dtype=np.int64)
+        x = solved_for(machine.x) + np.array([2.0, -1.0, 3.0, 0.01, 0.01, -0.01])
+        status = np.empty(len(x), dtype=np.int64)
         kernels.forward(machine.q, machine.tool, k, x, status, True)
         assert (status == SOLVED).all()
-        assert x == pytest.approx(machine.x, abs=1e-9)
+        assert x == pytest.approx(solved_for(machine.x), abs=1e-9)
 
 
 # ---------------------------------------------------------------------------------------------- properties, any machine
@@ -334,8 +336,8 @@ def potential_energy(robot: Robot, at: Solved, x: np.ndarray, q: np.ndarray, pay
     """Return minus the sum of m g . r (N,) [N mm] of arms, half rods at either end, platform at O' and payload at P."""
     g, energy = numbers(robot.geometry), np.zeros(len(x))
     for n in range(len(x)):
-        elbow, hand, _ = rod_ends(g, at.errors, x[n], q[n], at.tool[n])
-        work = payload * x[n, :3] + MASSES["platform"] * (x[n, :3] - cayley_matrix(x[n : n + 1, 3:])[0] @ at.tool[n])
+        elbow, hand, _ = rod_ends(g, at.errors, solved_for(x)[n], q[n], at.tool[n])
+        work = payload * x[n, :3] + MASSES["platform"] * (x[n, :3] - x[n, 3:].reshape(3, 3) @ at.tool[n])
         for i in range(3):
             e = {name[:-2]: v for name, v in at.errors.items() if name.endswith(f"_{i + 1}")}
             base = g["base_radius"] * nominal_frame(i)[:, 0] + [e["ex"], e["ey"], e["ez"]]
@@ -400,7 +402,7 @@ def test_a_pull_on_a_tip_is_minus_the_slope_of_energy_along_it(
     p = mechanism.vector(machine.errors)
 
     def weight_energy(x: np.ndarray) -> np.ndarray:
-        origin = x[:, :3] - np.einsum("nij,nj->ni", cayley_matrix(x[:, 3:]), machine.tool)
+        origin = x[:, :3] - np.einsum("nij,nj->ni", x[:, 3:].reshape(-1, 3, 3), machine.tool)
         return -(2.5 * x[:, :3] + MASSES["platform"] * origin) @ GRAVITY
 
     for limb in range(3):

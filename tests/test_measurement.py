@@ -6,7 +6,7 @@ import dataclasses
 
 import numpy as np
 import pytest
-from conftest import plausible, scattered, wanted
+from conftest import displaced, plausible, scattered, wanted
 from scipy.spatial.transform import Rotation
 
 from deltacal_gen.errors import InputError
@@ -23,9 +23,10 @@ BODY = np.array([0.2, 0.5, -0.1])
 
 @pytest.fixture(scope="module")
 def x() -> np.ndarray:
-    """Platforms anywhere, turned by up to 0.3 rad (N, 6)."""
+    """Platforms anywhere, turned by anything up to half a turn (N, 12)."""
     rng = np.random.default_rng(2)
-    return np.hstack([300 * rng.standard_normal((12, 3)) - [0, 0, 850], 0.3 * rng.uniform(-1, 1, (12, 3))])
+    turned = from_vector(np.pi * rng.uniform(-0.57, 0.57, (12, 3))).reshape(-1, 9)
+    return np.hstack([300 * rng.standard_normal((12, 3)) - [0, 0, 850], turned])
 
 
 def taken(kind: str, n: int = 12) -> Readings:
@@ -64,7 +65,7 @@ def test_a_position_is_turned_and_shifted_into_the_instrument_s_frame(x: np.ndar
 
 def test_a_pose_is_that_of_a_body_fixed_to_the_platform(x: np.ndarray) -> None:
     values, rotations = instrument("pose").predict(taken("pose"), x)
-    platform = Rotation.from_matrix(cayley_matrix(x[::2, 3:]))
+    platform = Rotation.from_matrix(x[::2, 3:].reshape(-1, 3, 3))
     expected = Rotation.from_rotvec(TURN) * platform * Rotation.from_rotvec(BODY)
     assert rotations[::2] == pytest.approx(expected.as_matrix(), abs=1e-13)
     assert values == pytest.approx(instrument("position").predict(taken("position"), x)[0], abs=1e-10)
@@ -107,7 +108,7 @@ def test_readings_have_the_derivatives_they_are_said_to_have(x: np.ndarray, kind
     for c in range(4):
 
         def by_platform(h: float, c: int = c) -> np.ndarray:
-            return change(kind, found, at, at, x, x + h * direction[:, :, c])
+            return change(kind, found, at, at, x, displaced(x, h * direction[:, :, c]))
 
         assert J_p[:, :, c] == pytest.approx(extrapolated(by_platform), abs=1e-8)
     for c in range(at.n_unknown):

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import sympy as sp
 
-from derive.spec import Quantity
+from derive.spec import Platform, Quantity
+from derive.vectors import vector
 
 
-def platform(suffix: str = "") -> tuple[sp.Symbol, ...]:
-    """Return the symbols of a platform that moves in space: reference point and Cayley vector of its rotation."""
-    return sp.symbols(" ".join(f"{s}{suffix}" for s in ("px", "py", "pz", "cx", "cy", "cz")), real=True)
+def platform(suffix: str = "") -> Platform:
+    """Return a platform that moves in space: its reference point, its rotation matrix, a small further turn."""
+    position = sp.symbols(" ".join(f"p{axis}{suffix}" for axis in "xyz"), real=True)
+    rotation = sp.Matrix(3, 3, lambda r, c: sp.Symbol(f"R{r + 1}{c + 1}{suffix}", real=True))
+    return Platform(vector(*position), rotation, vector(*sp.symbols(f"sx{suffix} sy{suffix} sz{suffix}", real=True)))
 
 
 def rotation_state(name: str, meaning: str) -> tuple[sp.Matrix, tuple[Quantity, ...]]:

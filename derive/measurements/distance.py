@@ -6,10 +6,9 @@ import sympy as sp
 
 from derive.measurements import platform
 from derive.spec import Measurement
-from derive.vectors import vector
 
 A, B = platform("_a"), platform("_b")
-between = vector(*B[:3]) - vector(*A[:3])
+between = B.position - A.position
 
 MEASUREMENT = Measurement(
     name="distance",

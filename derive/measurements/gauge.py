@@ -16,7 +16,7 @@ X = platform()
 g = vector(*sp.symbols("gx gy gz", real=True))
 m = vector(*sp.symbols("mx my mz", real=True))
 zero, dzero = sp.symbols("zero dzero", real=True)
-length = vector(*X[:3]) - g - m
+length = X.position - g - m
 
 MEASUREMENT = Measurement(
     name="gauge",

@@ -1,6 +1,6 @@
 """Position and rotation in the instrument's frame; the measured body is turned from {O'} by a constant unknown D.
 
-``y = exp(w) F P + f + t`` and ``Y = exp(w) F R(c) exp(d) D``.
+``y = exp(w) F P + f + t`` and ``Y = exp(w) F R exp(d) D``.
 """
 
 from __future__ import annotations
@@ -26,5 +26,5 @@ MEASUREMENT = Measurement(
         *(Quantity(s, "rad", "turn of the measured body about the axes of {O'}") for s in d),
     ),
     reading=position.MEASUREMENT.reading,
-    rotation=(cayley(position.w), position.F, cayley(vector(*X[3:])), cayley(d), D),
+    rotation=(cayley(position.w), position.F, cayley(X.turn), X.rotation, cayley(d), D),
 )

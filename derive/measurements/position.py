@@ -24,5 +24,5 @@ MEASUREMENT = Measurement(
         *(Quantity(s, "rad", "turn of {O} about the instrument's axes") for s in w),
         *(Quantity(s, "mm", "shift of {O} along the instrument's axes") for s in t),
     ),
-    reading=tuple(cayley(w) * F * vector(*X[:3]) + f + t),
+    reading=tuple(cayley(w) * F * X.position + f + t),
 )

@@ -174,7 +174,7 @@ def _joint_range(problem: Problem) -> tuple[Array, Array]:
 
 
 def _inside(problem: Problem, x: Array) -> np.ndarray:
-    """Tell which poses (N, n_x) lie where the machine works: in its workspace, or among what was measured."""
+    """Tell which poses (N, 12) lie where the machine works: in its workspace, or among what was measured."""
     space = problem.robot.workspace
     position = np.nan_to_num(x[:, :3], nan=np.inf)
     if space is not None and space.radius is not None:

@@ -109,7 +109,7 @@ class Problem:
         return dataclasses.replace(machine, x=np.where(np.isfinite(machine.x), machine.x, 0.0))
 
     def poses(self, parameters: Array, near: Array | None = None) -> Array:
-        """Return the exact platform coordinates (N, n_x) of all rows; see `solve`."""
+        """Return the exact platform poses (N, 12) of all rows; see `solve`."""
         return self.solve(parameters, near).x
 
     def residual(self, parameters: Array, instrument: Instrument, x: Array) -> Array:

@@ -14,18 +14,19 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import deltacal_kernels
 import numpy as np
 
 from deltacal_gen.errors import UsageError
+from deltacal_gen.rotation import Array, cayley_matrix, cayley_spin, cayley_vector
 
 if TYPE_CHECKING:
     from deltacal_gen.robot import Robot
 
-Array = np.ndarray[Any, np.dtype[np.float64]]
-COORDINATES = ("px", "py", "pz", "cx", "cy", "cz")  # of a body in space; n_x = 6
+COORDINATES = ("px", "py", "pz", "cx", "cy", "cz")  # of a body in space, as the kernels solve for them
+POSE = 12  # numbers of a pose: position of the reference point, rotation matrix row by row
 SOLVED, UNREACHABLE, SINGULAR = 0, 1, 2
 PATIENCE_S = (1.5, 12.0)  # of NumPy before Numba is used: what loading costs, what compiling costs
 MANY_POSES = 20_000  # in one call: Numba at once
@@ -71,7 +72,7 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Sensitivity:
-    """Derivatives of the exact platform pose at N poses.
+    """Derivatives of the exact platform pose at N poses: shift of the reference point, turn about the axes of {O}.
 
     Attributes
     ----------
@@ -172,7 +173,7 @@ class Mechanism:
 
     @property
     def n_x(self) -> int:
-        """Number of platform coordinates: those of a body in space; what a machine cannot move stays zero."""
+        """Directions in which a body in space can move: three shifts, three turns."""
         return len(COORDINATES)
 
     @property
@@ -331,13 +332,13 @@ class Mechanism:
             Reference point in {O'} [mm].
         rows : (1, limbs, n) or (N, limbs, n) array
             See `rows`.
-        near : (N, n_x) array, optional
+        near : (N, 12) array, optional
             Poses of a machine that differs little: where to start from.
 
         Returns
         -------
-        x : (N, n_x) array
-            Position of the reference point [mm] and Cayley vector of the platform's rotation; NaN where not solved.
+        x : (N, 12) array
+            Position of the reference point [mm] and rotation matrix of the platform, row by row; NaN where not solved.
         status : (N,) int array
             SOLVED, UNREACHABLE or SINGULAR, explained in `STATUS`.
         """
@@ -356,7 +357,7 @@ class Mechanism:
         Returns
         -------
         q : (N, n_q) array
-        x : (N, n_x) array
+        x : (N, 12) array
             The pose the platform then has; a machine of three joints cannot choose its rotation.
         status : (N,) int array
         """
@@ -372,16 +373,16 @@ class Mechanism:
         return np.ascontiguousarray(target[:, self._at[: self.limbs]])
 
     def _body(self, x: Array) -> Array:
-        """Return own coordinates (N, n) as those of a body in space (N, 6)."""
-        if len(self._at) == self.n_x:
-            return x
-        out = np.zeros((len(x), self.n_x))
-        out[:, self._at] = x
-        out[~np.isfinite(x).all(axis=1)] = np.nan
-        return out
+        """Return the pose (N, 12) of a body in space by the coordinates (N, n) that the kernels solve for."""
+        full = np.zeros((len(x), self.n_x))
+        full[:, self._at] = x
+        full[~np.isfinite(x).all(axis=1)] = np.nan
+        return np.hstack([full[:, :3], cayley_matrix(full[:, 3:]).reshape(-1, 9)])
 
     def _own(self, x: Array) -> Array:
-        return np.array(x[:, self._at], dtype=float)
+        """Return the coordinates (N, n) that the kernels solve for."""
+        full = np.hstack([x[:, :3], cayley_vector(x[:, 3:].reshape(-1, 3, 3))])
+        return np.ascontiguousarray(full[:, self._at])
 
     def jacobians(self, x: Array, q: Array, tool: Array, rows: Array) -> tuple[Array, Array, Array, Array]:
         """Return closure and Jacobians F (N, f), J_x (N, f, f), J_q (N, f), J_p (N, f, n_e + n_s + n_d).
@@ -389,7 +390,7 @@ class Mechanism:
         J_x holds the coordinates in `platform`. A row depends on the joint, errors and deflections of its own limb
         only, and on the common errors; J_q and J_p hold those columns.
         """
-        x, q = self._own(self._poses(x, self.n_x, "poses")), self._poses(q, self.limbs, "joints")
+        x, q = self._own(self._poses(x, POSE, "poses")), self._poses(q, self.limbs, "joints")
         f, n_v = self._tables.EQUATIONS, self._width - len(self.geometry)
         F, J_x = np.zeros((len(x), f)), np.zeros((len(x), f, f))
         J_q, J_p = np.zeros((len(x), f)), np.zeros((len(x), f, n_v))
@@ -399,15 +400,16 @@ class Mechanism:
 
     def sensitivity(self, x: Array, q: Array, tool: Array, rows: Array) -> Sensitivity:
         """Return the derivatives of the exact pose at N solved poses; NaN where a pose is singular."""
-        x, q = self._own(self._poses(x, self.n_x, "poses")), self._poses(q, self.limbs, "joints")
+        x, q = self._own(self._poses(x, POSE, "poses")), self._poses(q, self.limbs, "joints")
         n, n_v = len(self._at), self._width - len(self.geometry)
         S = np.empty((len(x), n, self.limbs * n_v))
         V = np.empty((len(x), n, self.limbs))
         status = np.empty(len(x), dtype=np.int64)
         with self._kernels(len(q)) as kernels:
             kernels.sensitivity(x, q, self._tool(tool, len(x)), self._constants(rows), S, V, status)
-        if n < self.n_x:
-            S, V = self._in_space(S), self._in_space(V)
+        W = cayley_spin(self._in_space(x[:, :, None])[:, 3:, 0])
+        S, V = self._in_space(S), self._in_space(V)
+        S[:, 3:], V[:, 3:] = W @ S[:, 3:], W @ V[:, 3:]
         by_limb = S.reshape(len(x), self.n_x, self.limbs, n_v)
         own, common, deflections = np.split(by_limb, np.cumsum([len(self.errors), len(self.common)]), axis=3)
         return Sensitivity(own, common, deflections, V)

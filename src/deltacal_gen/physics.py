@@ -23,6 +23,7 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, Sensitivity
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot
+from deltacal_gen.rotation import cayley_matrix
 from deltacal_gen.units import DEG
 
 EQUILIBRIUM_STEPS = 25
@@ -328,7 +329,7 @@ class Body:
         ----------
         errors : (n_p,) array
             Source errors [mm, rad].
-        near : (N, n_x) array, optional
+        near : (N, 12) array, optional
             Where to start.
         """
         mechanism = self.mechanism
@@ -354,7 +355,7 @@ class Body:
         if turn.any():
             x = x.copy()
             x[:, :3] += np.cross(turn, x[:, :3])
-            x[:, 3:6] += turn  # both rotations are small: their product is far below any reading
+            x[:, 3:] = (cayley_matrix(turn) @ x[:, 3:].reshape(-1, 3, 3)).reshape(-1, 9)
         return Deformed(x, q, tool, rows), status
 
     def _rows(self, errors: Array, shift: Mapping[str, Array]) -> Array:
@@ -431,10 +432,8 @@ class Body:
             if target.startswith("turn."):
                 step = np.hstack([np.cross(unit, body.x[:, :3]), np.tile(unit, (len(out), 1))])
             else:
-                from deltacal_gen.rotation import cayley_matrix
-
                 step = np.zeros((len(out), n_x))
-                step[:, :3] = cayley_matrix(np.nan_to_num(body.x[:, 3:6]))[:, :, axis]
+                step[:, :3] = np.nan_to_num(body.x[:, 3:]).reshape(-1, 3, 3)[:, :, axis]
                 if term.tool is not None:
                     step[~self.uses(term.tool)] = 0.0
             out += step[:, :, None] * D[:, None, j, :]

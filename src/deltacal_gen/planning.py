@@ -71,7 +71,7 @@ class Poses:
         As the controller counts [rad or mm].
     targets, tool : (P, 3) arrays
         Nominal position of the reference point in {O}, and the reference point in {O'} [mm].
-    x : (P, n_x) array
+    x : (P, 12) array
         Platform coordinates of the machine as the robot file knows it [mm, Cayley].
     points : int
         Number of reference points.
@@ -699,7 +699,7 @@ def predict(task: Task, poses: Poses, sigma_mm: float) -> Prediction | None:
     Distances share the positions they lie between; their correlation is accounted for.
     """
     robot, names, count = task.robot, task.names, len(poses)
-    noise = np.zeros((count, poses.x.shape[1], 3 * count))
+    noise = np.zeros((count, 6, 3 * count))
     noise[:, :3] = np.eye(3 * count).reshape(count, 3, -1)
     scale = column_convention(robot, names, "typical")[0]
     moved = _sensitivity(robot, poses, names) * scale

@@ -5,9 +5,11 @@ SciPy's rotations take a quarter of a second to import, which a calibration from
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
-from deltacal_gen.mechanism import Array
+Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
 def cayley_matrix(c: Array) -> Array:
@@ -17,6 +19,23 @@ def cayley_matrix(c: Array) -> Array:
     K -= np.swapaxes(K, 1, 2)
     matrix: Array = np.eye(3) + (K + K @ K / 2) / (1 + (c**2).sum(axis=1) / 4)[:, None, None]
     return matrix
+
+
+def cayley_vector(matrix: Array) -> Array:
+    """Return Cayley vectors (N, 3) of rotations (N, 3, 3) by less than half a turn."""
+    axial = np.stack([matrix[:, 2, 1], matrix[:, 0, 2], matrix[:, 1, 0]], axis=1)
+    axial -= np.stack([matrix[:, 1, 2], matrix[:, 2, 0], matrix[:, 0, 1]], axis=1)
+    vector: Array = 2 * axial / (1 + np.trace(matrix, axis1=1, axis2=2))[:, None]
+    return vector
+
+
+def cayley_spin(c: Array) -> Array:
+    """Return W (N, 3, 3) by which a change of a Cayley vector turns the body: ``axial(dR R^T) = W dc``."""
+    K = np.zeros((len(c), 3, 3))
+    K[:, 2, 1], K[:, 0, 2], K[:, 1, 0] = c.T
+    K -= np.swapaxes(K, 1, 2)
+    spin: Array = (np.eye(3) + K / 2) / (1 + (c**2).sum(axis=1) / 4)[:, None, None]
+    return spin
 
 
 def from_vector(vector: Array) -> Array:

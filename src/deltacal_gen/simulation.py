@@ -20,7 +20,7 @@ from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, load_mechan
 from deltacal_gen.physics import Body, Channels, Term, blank, effect_names, load_effect, reading_shift
 from deltacal_gen.recording import Measurement, Recording
 from deltacal_gen.robot import Number, Robot, Table, TomlFile, nearest
-from deltacal_gen.rotation import cayley_matrix, from_vector, to_vector
+from deltacal_gen.rotation import from_vector, to_vector
 from deltacal_gen.units import DEG, to_internal
 
 
@@ -195,7 +195,7 @@ def simulate(
         values = values - values[0]
     truth = {
         f"true_r{axis}_deg": column / DEG
-        for axis, column in zip("xyz", to_vector(cayley_matrix(x[:, 3:6])).T, strict=True)
+        for axis, column in zip("xyz", to_vector(x[:, 3:].reshape(-1, 3, 3)).T, strict=True)
     }
     measurement = poses.measurement.model_copy(update={"kind": poses.kind})
     if noise_mm and poses.measurement.sigma_mm is None:

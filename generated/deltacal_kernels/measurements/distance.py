@@ -1,9 +1,9 @@
 """Distance between the reference points of two poses [mm].
 
 Generated from derive/measurements/distance.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both 96dd533e877b0063; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both 94c8bf19a0f05397; SymPy 1.14.0.
 
-Plain NumPy, vectorised over the readings: platform coordinates (N, 6), `given` (N, 0) the
+Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 0) the
 instrument's state: none.
 Unknowns are increments of that state: none.
 """
@@ -30,7 +30,7 @@ def reading(x_a, x_b, given):
 
 
 def by_platform(x_a, x_b, given):
-    """Return the derivatives by the platforms' coordinates (N, 1, 2, 6)."""
+    """Return the derivatives by shift and turn of the platforms in {O} (N, 1, 2, 6)."""
     px_a = x_a[:, 0]
     py_a = x_a[:, 1]
     pz_a = x_a[:, 2]

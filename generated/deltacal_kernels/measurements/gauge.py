@@ -1,9 +1,9 @@
 """Length from a point of the base to the reference point [mm].
 
 Generated from derive/measurements/gauge.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both 730f5b90b6614b7d; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both 8e76b64aaff17453; SymPy 1.14.0.
 
-Plain NumPy, vectorised over the readings: platform coordinates (N, 6), `given` (N, 4) the
+Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 4) the
 instrument's state: gx gy gz zero.
 Unknowns are increments of that state: mx my mz dzero.
 """
@@ -35,7 +35,7 @@ def reading(x, given):
 
 
 def by_platform(x, given):
-    """Return the derivatives by the platforms' coordinates (N, 1, 1, 6)."""
+    """Return the derivatives by shift and turn of the platforms in {O} (N, 1, 1, 6)."""
     px = x[:, 0]
     py = x[:, 1]
     pz = x[:, 2]

@@ -1,9 +1,9 @@
 """Position of the reference point in the instrument's frame [mm].
 
 Generated from derive/measurements/position.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both fd9a27f210f73382; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both 966f765528f10776; SymPy 1.14.0.
 
-Plain NumPy, vectorised over the readings: platform coordinates (N, 6), `given` (N, 12) the
+Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 12) the
 instrument's state: F11 F12 F13 F21 F22 F23 F31 F32 F33 fx fy fz.
 Unknowns are increments of that state: wx wy wz tx ty tz.
 """
@@ -49,7 +49,7 @@ def reading(x, given):
 
 
 def by_platform(x, given):
-    """Return the derivatives by the platforms' coordinates (N, 3, 1, 6)."""
+    """Return the derivatives by shift and turn of the platforms in {O} (N, 3, 1, 6)."""
     F11 = given[:, 0]
     F12 = given[:, 1]
     F13 = given[:, 2]
