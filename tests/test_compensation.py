@@ -180,7 +180,7 @@ def test_the_linear_command_follows_from_the_closures_jacobians(prototype: Robot
     compensator = Compensator(robot, "linear")
     points = targets(20, seed=7)
     nominal, _ = compensator.nominal_command(points)
-    x = np.hstack([points, np.zeros((20, 3))])
+    x = np.hstack([points, np.tile(np.eye(3).ravel(), (20, 1))])
     _, J_x, J_q, J_p = DELTA.jacobians(x, nominal, robot.tool, DELTA.rows(compensator.nominal))
     dp = np.hstack([DELTA.vector(robot.errors).reshape(3, -1), np.zeros((3, len(DELTA.deflections)))])
     blocks = np.zeros((20, 6, 3))

@@ -27,6 +27,7 @@ from deltacal_gen.identification import identify
 from deltacal_gen.mechanism import load_mechanism
 from deltacal_gen.recording import Measurement, Recording
 from deltacal_gen.robot import Robot, robot_from_dict, robot_to_toml
+from deltacal_gen.rotation import cayley_matrix, cayley_spin, cayley_vector
 from deltacal_gen.solvers import LeastSquares
 
 from . import by_hand, by_hand_numba
@@ -129,6 +130,16 @@ def settle() -> None:
 # ------------------------------------------------------------------------------------------------------- kinematics
 
 
+def as_pose(x: Array) -> Array:
+    """Return poses (N, 12), position and rotation matrix, by positions and Cayley vectors (N, 6)."""
+    return np.hstack([x[:, :3], cayley_matrix(x[:, 3:]).reshape(-1, 9)])
+
+
+def as_coordinates(x: Array) -> Array:
+    """Return positions and Cayley vectors (N, 6) by poses (N, 12)."""
+    return np.hstack([x[:, :3], cayley_vector(x[:, 3:].reshape(-1, 3, 3))])
+
+
 def sensitivity(n: int, *, exact: bool) -> Work:
     """Derivatives by all 42 errors: of the ideal machine's position, or of the exact pose of a machine with errors.
 
@@ -146,8 +157,15 @@ def sensitivity(n: int, *, exact: bool) -> Work:
         out[:, :, PAPER] = S.reshape(n, 6, 42)[:, :axes] / UNIT
         return out
 
+    def by_cayley(S: Array) -> Array:
+        """Turns as changes of the Cayley vector, in which the others count."""
+        return np.hstack([S[:, :3], np.linalg.solve(cayley_spin(x[:, 3:]), S[:, 3:])])
+
+    poses = as_pose(x)
     contenders = {
-        OURS: Contender(lambda: DELTA.sensitivity(x, theta, tool, rows), lambda found: in_paper(found.parameters)),
+        OURS: Contender(
+            lambda: DELTA.sensitivity(poses, theta, tool, rows), lambda found: in_paper(by_cayley(found.parameters))
+        ),
         KERNEL: Contender(
             lambda: DELTA.compiled.sensitivity(x, theta, tool, k, S_p, S_q, status),
             lambda _: in_paper(S_p.reshape(n, 6, 3, 16)[..., :14]),
@@ -219,7 +237,7 @@ def forward(n: int) -> Work:
         "ns/pose",
         n,
         {
-            OURS: Contender(lambda: DELTA.forward(theta, np.zeros(3), rows), lambda found: found[0]),
+            OURS: Contender(lambda: DELTA.forward(theta, np.zeros(3), rows), lambda found: as_coordinates(found[0])),
             KERNEL: Contender(lambda: DELTA.compiled.forward(theta, tool, k, x, status, False), lambda _: x),
             NUMPY: Contender(lambda: by_hand.in_blocks(partial(by_hand.forward, rods=rods), theta, np.empty((n, 6)))),
             NUMBA: Contender(lambda: by_hand_numba.forward(theta, rods, out), lambda _: out),
