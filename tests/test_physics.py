@@ -96,8 +96,8 @@ def test_rods_of_a_hanging_platform_are_in_tension_and_level_arms_are_pulled_dow
 def test_columns_are_the_derivative_of_the_exact_equilibrium(name: str, body: Body, robot: Robot) -> None:
     kernels = load_effect(name)
     constants = tuple({"order": 3.0, "when": 2500.0}[c[0]] for c in kernels.CONSTANTS)
-    tool = (60.0, 10.0, -30.0) if name == "instrument_offset" else None
-    term = blank(name, (1, 3), constants, tool)
+    tools = [(60.0, 10.0, -30.0)] if name == "instrument_offset" else []
+    term = blank(name, (1, 3), constants, tools)
     errors, every = DELTA.vector(robot.errors), np.arange(N)
     machine, status = body.solve(errors, [term])
     assert (status == 0).all()

@@ -85,6 +85,11 @@ class Problem:
         n_p = len(self.mechanism.parameters)
         return [self.mechanism.index[n] for n in self.names] + list(range(n_p, len(self.reference)))
 
+    def coefficients(self, i: int) -> list[int]:
+        """Return the places of an effect's coefficients among the free parameters."""
+        start = len(self.names) + sum(t.n_coefficients for t in self.terms[:i])
+        return list(range(start, start + self.terms[i].n_coefficients))
+
     def split(self, parameters: Array) -> tuple[Array, tuple[Term, ...]]:
         """Return source errors (n_p,) and the effects with their coefficients."""
         n = len(self.mechanism.parameters)
@@ -247,11 +252,12 @@ class Repeats:
         """Return rows (R, ...) with the shared part of each group taken off."""
         if self.ratio == 0:
             return values
-        count = np.bincount(self.group)
-        sums = np.zeros((len(count), *values.shape[1:]))
-        np.add.at(sums, self.group, values)
-        part = (1 - 1 / np.sqrt(1 + count * self.ratio)) / np.maximum(count, 1)
-        whitened: Array = values - (part.reshape(-1, *[1] * (values.ndim - 1)) * sums)[self.group]
+        order = np.argsort(self.group, kind="stable")
+        _, first, own, count = np.unique(self.group[order], return_index=True, return_inverse=True, return_counts=True)
+        part = (1 - 1 / np.sqrt(1 + count * self.ratio)) / count
+        sums = np.add.reduceat(values[order], first, axis=0) * part.reshape(-1, *[1] * (values.ndim - 1))
+        whitened = np.array(values, dtype=float)
+        whitened[order] -= sums[own]
         return whitened
 
     @staticmethod

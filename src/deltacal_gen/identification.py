@@ -317,10 +317,12 @@ def _mistakes(problem: Problem) -> Iterator[tuple[str, Problem]]:
         )
 
 
-def rough(problem: Problem, mechanism: Mechanism, robust: bool) -> Fit:
+def rough(problem: Problem, mechanism: Mechanism, robust: bool, must_converge: bool = True) -> Fit:
     """Fit the smallest model, the encoder offsets, starting from the robot file."""
     smallest = min(mechanism.models.values(), key=len)
-    return fit(problem.with_names(smallest), LeastSquares(), robust=robust, weigh_repeats=False)
+    return fit(
+        problem.with_names(smallest), LeastSquares(), robust=robust, weigh_repeats=False, must_converge=must_converge
+    )
 
 
 def check_rows(first: Fit, recording: Recording) -> None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import dataclasses
 import importlib
+import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -27,7 +28,7 @@ from deltacal_gen.rotation import cayley_matrix
 from deltacal_gen.units import DEG
 
 EQUILIBRIUM_STEPS = 25
-EQUILIBRIUM_DONE = 1e-9  # mm and rad: change of the pose between two steps
+EQUILIBRIUM_DONE = 1e-9  # mm and rad: change of the pose that the next step would bring
 LOADS = {
     "torque",
     "payload_torque",
@@ -42,6 +43,7 @@ LOADS = {
 ROLES = {"L", "l", "b"}
 STEP_S = 1e-3  # of the second difference that gives the accelerations of the weights
 AXES = ("x", "y", "z")
+Point = tuple[float, float, float]
 
 
 def effect_names() -> tuple[str, ...]:
@@ -66,17 +68,17 @@ class Term:
         Limbs (from 1) that have it; empty for an effect of the whole machine.
     constants : tuple of float
         Found by search: the order of a harmonic, the time of a jump.
-    values : (limbs or 1, n_c) array
+    values : (limbs, tools or 1, n_c) array
         Coefficients [mm, rad, N, s, K].
-    tool : (3,) tuple, optional
-        The tool point it acts on, of effects that displace a measured point.
+    tools : tuple of (x, y, z)
+        Tool points [mm] that have it, of an effect that displaces measured points.
     """
 
     effect: str
     limbs: tuple[int, ...]
     values: Array
     constants: tuple[float, ...] = ()
-    tool: tuple[float, ...] | None = None
+    tools: tuple[Point, ...] = ()
 
     @property
     def kernels(self) -> ModuleType:
@@ -94,18 +96,19 @@ class Term:
 
 
 def blank(
-    effect: str, limbs: Sequence[int], constants: Sequence[float] = (), tool: Sequence[float] | None = None
+    effect: str, limbs: Sequence[int], constants: Sequence[float] = (), tools: Sequence[Sequence[float]] = ()
 ) -> Term:
     """Return a term with all coefficients zero."""
     kernels = load_effect(effect)
-    rows = len(limbs) if kernels.PER_LIMB else 1
-    return Term(
-        effect,
-        tuple(limbs) if kernels.PER_LIMB else (),
-        np.zeros((rows, len(kernels.COEFFICIENTS))),
-        tuple(constants),
-        None if tool is None else tuple(float(v) for v in tool),
-    )
+    own = tuple(limbs) if kernels.PER_LIMB else ()
+    points = tuple((float(x), float(y), float(z)) for x, y, z in tools) if displaces_points(kernels) else ()
+    values = np.zeros((max(len(own), len(points), 1), len(kernels.COEFFICIENTS)))
+    return Term(effect, own, values, tuple(constants), points)
+
+
+def displaces_points(kernels: ModuleType) -> bool:
+    """Tell whether an effect acts tool point by tool point."""
+    return any(t.startswith("tool.") for t in kernels.TARGETS)
 
 
 @dataclass(frozen=True)
@@ -292,6 +295,8 @@ class Body:
     def _coefficients(self, term: Term) -> Array:
         """Return the coefficients as the kernels read them: (N * limbs, n_c), zero where a limb has none."""
         N, limbs = self.q.shape
+        if term.tools:
+            return sum(self.uses(t)[:, None] * v for t, v in zip(term.tools, term.values, strict=True))
         if not self._by_limb(term.kernels):
             return term.values
         c = np.zeros((limbs, term.values.shape[1]))
@@ -312,8 +317,6 @@ class Body:
             values = kernels.value(self._inputs(term, state), self._coefficients(term), term.constants)
             for j, target in enumerate(kernels.TARGETS):
                 value = values[:, j].reshape(N, limbs) if self._by_limb(kernels) else values[:, j]
-                if term.tool is not None:
-                    value = np.where(self.uses(term.tool), value, 0.0)
                 out[target] = out[target] + value if target in out else value
         return out
 
@@ -335,11 +338,14 @@ class Body:
         mechanism = self.mechanism
         plain = mechanism.rows(self.robot, errors)
         names = {s for t in terms for s in t.kernels.STATE} - {"after", "y_x", "y_y", "y_z", "y_length"}
-        x, status = mechanism.forward(self.q, self.tool, plain, near)
-        if not terms:
-            return Deformed(x, self.q, self.tool, plain), status
-        ok = status == SOLVED
-        q, rows, tool = self.q, plain, self.tool
+        if not terms or near is None:
+            x, status = mechanism.forward(self.q, self.tool, plain, near)
+            if not terms:
+                return Deformed(x, self.q, self.tool, plain), status
+            ok = status == SOLVED
+        else:
+            x, ok = near, np.isfinite(near).all(axis=1)
+        q, rows, tool, before = self.q, plain, self.tool, 0.0
         for _ in range(EQUILIBRIUM_STEPS):
             safe = np.where(ok[:, None], x, 0.0)
             shift = self.moved(terms, self.state(sorted(names), safe, q, rows))
@@ -349,8 +355,11 @@ class Body:
             last = x
             x, status = mechanism.forward(q, tool, rows, near=safe)
             ok = status == SOLVED
-            if not names & LOADS or np.max(np.abs((x - last)[ok]), initial=0.0) < EQUILIBRIUM_DONE:
+            step = float(np.max(np.abs((x - last)[ok]), initial=0.0))
+            # loads change by a small part of what they deform: steps shrink by a steady factor
+            if not names & LOADS or step * (min(step / before, 1.0) if before else 1.0) < EQUILIBRIUM_DONE:
                 break
+            before = step
         turn = np.column_stack([np.broadcast_to(shift.get(f"turn.{a}", 0.0), len(x)) for a in AXES])
         if turn.any():
             x = x.copy()
@@ -371,13 +380,7 @@ class Body:
 
     # ---------------------------------------------------------------------------------------------------- columns
 
-    def columns(
-        self,
-        terms: Sequence[Term],
-        body: Deformed,
-        sensitivity: Sensitivity,
-        chosen: np.ndarray,
-    ) -> Array:
+    def columns(self, terms: Sequence[Term], body: Deformed, sensitivity: Sensitivity, chosen: np.ndarray) -> Array:
         """Return derivatives of the platform coordinates by all coefficients, (N, n_x, n_c), at fixed loads.
 
         Parameters
@@ -388,24 +391,35 @@ class Body:
         (N, limbs), n_x = self.q.shape, self.mechanism.n_x
         names = sorted({s for t in terms for s in t.kernels.STATE} - {"after", "y_x", "y_y", "y_z", "y_length"})
         state = self.state(names, np.nan_to_num(body.x), body.q, body.rows)
-        found = []
-        for term in terms:
-            kernels = term.kernels
+        out = np.zeros((N, n_x, sum(t.n_coefficients for t in terms)))
+        start = 0
+        for _, group in itertools.groupby(terms, key=lambda t: (t.effect, t.limbs)):
+            forms = list(group)
+            kernels, count = forms[0].kernels, sum(t.n_coefficients for t in forms)
+            part = out[:, :, start : start + count]
+            start += count
             if not self._by_limb(kernels):
-                found.append(self._machine_columns(term, state, body, n_x, chosen))
+                part[:] = np.concatenate([self._machine_columns(t, state, body, n_x, chosen) for t in forms], axis=2)
                 continue
-            D = kernels.jacobian(self._inputs(term, state), self._coefficients(term), term.constants)
-            D = D.reshape(N, limbs, len(kernels.TARGETS), -1)[chosen]
-            out = np.zeros((len(chosen), n_x, limbs, D.shape[-1]))
+            same = None if "after" in kernels.STATE else self._inputs(forms[0], state)
+            D = np.array(
+                [
+                    kernels.jacobian(
+                        self._inputs(t, state) if same is None else same,
+                        self._coefficients(t) if t.values.any() else t.values[:1],
+                        t.constants,
+                    )
+                    for t in forms
+                ]
+            )
+            D = D.reshape(len(forms), N, limbs, len(kernels.TARGETS), -1)[:, chosen]
+            moved = np.zeros((len(chosen), n_x, len(forms), limbs, D.shape[-1]))
             for j, target in enumerate(kernels.TARGETS):
                 S = sensitivity.joints if target == "joint" else self._along(sensitivity, target[5:])
-                out += S[..., None] * D[:, None, :, j]
-            own = [i - 1 for i in term.limbs]
-            part = out[:, :, own].reshape(len(chosen), out.shape[1], -1) if own else out.sum(axis=2)
-            full = np.zeros((N, *part.shape[1:]))
-            full[chosen] = part
-            found.append(full)
-        return np.concatenate(found, axis=2) if found else np.zeros((N, n_x, 0))
+                moved += S[:, :, None, :, None] * np.moveaxis(D[:, :, :, j], 0, 1)[:, None]
+            own = [i - 1 for i in forms[0].limbs]
+            part[chosen] = (moved[:, :, :, own] if own else moved.sum(axis=3)).reshape(len(chosen), n_x, -1)
+        return out
 
     def _along(self, sensitivity: Sensitivity, part: str) -> Array:
         """Return the derivatives of the pose by what an effect moves in a limb, (n, n_x, limbs)."""
@@ -420,12 +434,11 @@ class Body:
         self, term: Term, state: Mapping[str, Array], body: Deformed, n_x: int, chosen: np.ndarray
     ) -> Array:
         kernels = term.kernels
-        n_c = len(kernels.COEFFICIENTS)
-        out = np.zeros((len(self.q), n_x, n_c))
+        out = np.zeros((len(self.q), n_x, term.n_coefficients))
         targets = [t for t in kernels.TARGETS if t[:5] in ("turn.", "tool.")]
         if not targets:
             return out  # acts on the reading
-        D = kernels.jacobian(self._inputs(term, state), term.values, term.constants)
+        D = kernels.jacobian(self._inputs(term, state), self._coefficients(term), term.constants)
         for j, target in enumerate(kernels.TARGETS):
             axis = AXES.index(target[-1])
             unit = np.eye(3)[axis]
@@ -434,9 +447,10 @@ class Body:
             else:
                 step = np.zeros((len(out), n_x))
                 step[:, :3] = np.nan_to_num(body.x[:, 3:]).reshape(-1, 3, 3)[:, :, axis]
-                if term.tool is not None:
-                    step[~self.uses(term.tool)] = 0.0
-            out += step[:, :, None] * D[:, None, j, :]
+            moved = step[:, :, None] * D[:, None, j, :]
+            if term.tools:
+                moved = np.concatenate([np.where(self.uses(t)[:, None, None], moved, 0.0) for t in term.tools], axis=2)
+            out += moved
         keep = np.zeros(len(out), dtype=bool)
         keep[chosen] = True
         out[~keep] = 0.0
@@ -502,7 +516,7 @@ def term_to_dict(term: Term) -> dict[str, Any]:
         "limbs": list(term.limbs),
         "constants": list(term.constants),
         "values": term.values.tolist(),
-        "tool": None if term.tool is None else list(term.tool),
+        "tools": [list(t) for t in term.tools],
     }
 
 
@@ -513,5 +527,5 @@ def term_from_dict(data: Mapping[str, Any]) -> Term:
         tuple(data["limbs"]),
         np.asarray(data["values"], dtype=float),
         tuple(data["constants"]),
-        None if data["tool"] is None else tuple(data["tool"]),
+        tuple((float(x), float(y), float(z)) for x, y, z in data["tools"]),
     )

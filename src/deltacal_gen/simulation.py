@@ -95,11 +95,11 @@ def _term(file: TomlFile, table: dict[str, Any], mechanism: Mechanism) -> Term:
     limbs = given.pop("limbs", None)
     limb = given.pop("limb", None)
     chosen = [limb] if limb is not None else list(limbs or range(1, mechanism.limbs + 1))
-    tool = given.pop("tool", None)
+    tools = given.pop("tools", None) or ([given.pop("tool")] if "tool" in given else [])
     if any(not 1 <= i <= mechanism.limbs for i in chosen):
         raise file.error(f"{name}: limbs are counted from 1 to {mechanism.limbs}.", "Correct limb or limbs.", "effects")
-    rows = len(chosen) if kernels.PER_LIMB else 1
-    values = np.zeros((rows, len(kernels.COEFFICIENTS)))
+    term = blank(name, chosen, (), tools)
+    rows, values = len(term.values), term.values
     known = [*kernels.COEFFICIENTS, *kernels.CONSTANTS]
     for key in given:
         if key not in [k for k, *_ in known]:
@@ -119,7 +119,7 @@ def _term(file: TomlFile, table: dict[str, Any], mechanism: Mechanism) -> Term:
     if missing:
         raise file.error(f"the effect '{name}' needs {', '.join(missing)}.", "Add it.", "effects")
     constants = tuple(float(given[key]) * factor for key, _, factor, _ in kernels.CONSTANTS)
-    return dataclasses.replace(blank(name, chosen, constants, tool), values=values)
+    return dataclasses.replace(term, constants=constants)
 
 
 def simulate(

@@ -18,7 +18,6 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.diagnosis import Search, library
 from deltacal_gen.errors import DeltacalError
 from deltacal_gen.estimation import Problem, Repeats, pose_problem, rms
 from deltacal_gen.identification import BROAD
@@ -27,6 +26,7 @@ from deltacal_gen.physics import Term, blank, effect_names, load_effect
 from deltacal_gen.recording import Measurement, Recording
 from deltacal_gen.robot import Robot, robot_from_dict
 from deltacal_gen.rotation import from_vector, to_vector
+from deltacal_gen.search import Search, library, parts
 from deltacal_gen.simulation import simulate
 from deltacal_gen.units import DEG
 
@@ -35,7 +35,7 @@ MARGIN = 40.0  # of chi2 without noise: what the truth must be ahead of every ot
 REST = 0.5  # of chi2 per reading: what the vocabulary must leave of physics that is not in it
 LARGEST = 1.0  # mm: root mean square by which an effect moves the readings
 LEAST, MOST = 1.5, 10.0  # standard deviations of noise that geometry alone leaves
-ATTEMPTS = 120
+ATTEMPTS = 40
 MECHANISM = load_mechanism("delta")
 PARAMETERS = tuple(p.name for p in MECHANISM.parameters)
 TYPICAL = {"theta": 0.05 * DEG, "length": 0.1, "angle": 0.03 * DEG}  # of machined parts
@@ -264,7 +264,6 @@ def _term(name: str, poses: Recording, robot: Robot, tools: Array, rng: np.rando
     some = int(rng.choice([1, 2, 3], p=[0.45, 0.2, 0.35]))
     limbs = tuple(sorted(int(i) for i in rng.choice([1, 2, 3], some, replace=False)))
     constants: tuple[float, ...] = ()
-    tool = None
     if name == "transmission_eccentricity":
         ratio = robot.transmission.gear_ratio if robot.transmission else None
         orders = [int(rng.integers(1, 13)), int(rng.integers(1, 101)), ratio or 1, 2 * (ratio or 1)]
@@ -272,9 +271,8 @@ def _term(name: str, poses: Recording, robot: Robot, tools: Array, rng: np.rando
     if name == "zero_jump":
         clock = poses.channels.get("time_s", np.arange(poses.n_rows, dtype=float))
         constants = (float(np.sort(clock)[int(rng.uniform(0.15, 0.85) * len(clock))]),)
-    if name == "instrument_offset":
-        tool = tools[int(rng.integers(len(tools)))]
-    term = blank(name, limbs, constants, tool)
+    moved = rng.permutation(tools)[: int(rng.integers(1, max(len(tools), 2)))]
+    term = blank(name, limbs, constants, moved)
     sizes = {"expansion_proximal": 20e-6, "expansion_distal": 10e-6, "expansion_base": 15e-6}
     values = np.array([sizes.get(c, 1e-3 * f) for c, _, f, _ in kernels.COEFFICIENTS]) * np.ones_like(term.values)
     values *= rng.uniform(0.5, 1.5, values.shape)
@@ -396,15 +394,15 @@ class Judge:
     def loss(self, exact: Recording, terms: Sequence[Term], index: int, rival: str) -> float:
         """Return what chi2 loses, without noise, where a rival stands for one of the true effects."""
         search = self.search(exact)
-        best = search.gain([j for t in terms for j in _own(search, t)])
-        others = [j for k, t in enumerate(terms) if k != index for j in _own(search, t)]
-        gains = [search.gain([*others, *_all(c)]) for c in search.candidates if c.name == rival]
+        best = search.gain([j for t in terms for j in search.where(t)])
+        others = [j for k, t in enumerate(terms) if k != index for j in search.where(t)]
+        gains = [search.gain([*others, *search.where(c)]) for c in search.terms if c.effect == rival]
         return best - max(gains, default=0.0)
 
     def clear(self, exact: Recording, terms: Sequence[Term]) -> bool:
         """Tell whether nothing but the true effects comes near the truth."""
         search = self.search(exact)
-        own = [_own(search, t) for t in terms]
+        own = [search.where(t) for t in terms]
         if not all(own):
             return False
         best = search.gain([j for columns in own for j in columns])
@@ -412,18 +410,18 @@ class Judge:
             other = [j for k, columns in enumerate(own) if k != i for j in columns]
             if search.gain(other) > best - 2 * MARGIN:
                 return False
-            for c in search.candidates:
-                same = c.name == term.effect
-                if any(c.name == t.effect for t in terms if t is not term) or (same and c.term.tool):
+            for c in search.terms:
+                same = c.effect == term.effect
+                if any(c.effect == t.effect for t in terms if t is not term) or (same and c.tools):
                     continue
-                near = c.name == "zero_jump" == term.effect  # a neighbouring time is no other explanation
-                if search.gain([*other, *_all(c)]) < best - MARGIN:
+                near = c.effect == "zero_jump" == term.effect  # a neighbouring time is no other explanation
+                if search.gain([*other, *search.where(c)]) < best - MARGIN:
                     continue
-                for limbs in c.subsets():
-                    right = same and set(limbs) >= set(term.limbs)
-                    if right and (near or c.term.constants == term.constants):
+                for part in parts(c):
+                    right = same and set(part.limbs) >= set(term.limbs)
+                    if right and (near or c.constants == term.constants):
                         continue
-                    if search.gain([*other, *c.columns(limbs)]) > best - MARGIN:
+                    if search.gain([*other, *search.where(part)]) > best - MARGIN:
                         return False
         return True
 
@@ -432,22 +430,10 @@ class Judge:
         search = self.search(exact)
         left, chosen, names = self.misfit(exact), [], set()
         for _ in range(3):
-            others = [c for c in search.candidates if c.name not in names]
-            gain, _, best = max((search.gain([*chosen, *_all(c)]), i, c) for i, c in enumerate(others))
-            chosen, names = [*chosen, *_all(best)], {*names, best.name}
+            others = [c for c in search.terms if c.effect not in names]
+            gain, _, best = max((search.gain([*chosen, *search.where(c)]), i, c) for i, c in enumerate(others))
+            chosen, names = [*chosen, *search.where(best)], {*names, best.effect}
         return left - gain > REST * search.readings
-
-
-def _all(c: Any) -> list[int]:
-    columns: list[int] = c.columns(c.term.limbs)
-    return columns
-
-
-def _own(search: Search, term: Term) -> list[int]:
-    """Return the columns of a term; of an offset that the search takes for the zero of all, those of the others."""
-    same = [c for c in search.candidates if c.name == term.effect and c.term.constants == term.constants]
-    at = [c for c in same if c.term.tool == term.tool]
-    return [j for c in at or same for j in c.columns(term.limbs)]
 
 
 def _attempt(kind: str, names: tuple[str, ...], rng: np.random.Generator, by: Callable[..., Recording]) -> Case | None:

@@ -18,7 +18,7 @@ import numpy as np
 from rich.table import Table
 
 from deltacal_gen.diagnosis import diagnose
-from deltacal_gen.errors import NoSolutionError
+from deltacal_gen.errors import DeltacalError
 from deltacal_gen.estimation import Fit, fit, pose_problem, rms
 from deltacal_gen.identification import BROAD, rough
 from deltacal_gen.physics import Term, term_to_dict
@@ -199,7 +199,7 @@ def examine(job: tuple[str, tuple[str, ...], tuple[int, ...]], draw: Callable[..
         error = prediction_error(case, predict(result, case.fresh))
         try:
             ideal = oracle(case)
-        except NoSolutionError as e:
+        except DeltacalError as e:
             out["no_oracle"], ideal = str(e), None
         out |= grade(case, result, ideal)
         if ideal is not None:

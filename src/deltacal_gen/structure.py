@@ -1,0 +1,159 @@
+"""What is left of a fit that is no noise: smooth terms along a channel or over the workspace, which know no physics.
+
+They are the rivals of every effect, and they say where a mismatch sits that no effect explains: along which channel,
+at which limbs or in the reading, in which region.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from deltacal_gen.estimation import Fit, Problem
+from deltacal_gen.mechanism import Array
+from deltacal_gen.search import Beside, gains, quantile
+
+FUNCTIONS = 6  # of a channel, that one structure may combine
+LEVELS = 4  # distinct values up to which a channel is taken as levels
+WAVES = 40  # periods over the span of a channel, at most
+CENTRES = 24  # of local functions over the workspace
+RADII = (0.15, 0.25, 0.4)  # of local functions, parts of the workspace's half span
+
+Region = tuple[tuple[float, float, float], float]
+
+
+@dataclass(frozen=True)
+class Structure:
+    """Dependence on a channel: gain in chi2, the charge for the functions used, and where it sits.
+
+    Attributes
+    ----------
+    limbs : tuple of int
+        Limbs whose joints carry it; empty where the reading does.
+    region : ((x, y, z), radius) or None
+        [mm], where it is local.
+    """
+
+    channel: str
+    gain: float
+    charge: float
+    limbs: tuple[int, ...] = ()
+    region: Region | None = None
+
+    @property
+    def earned(self) -> float:
+        """Gain beyond the charge."""
+        return self.gain - self.charge
+
+
+def structures(at: Fit) -> list[Structure]:
+    """Return what smooth terms along each channel explain of what a fit leaves, the strongest first."""
+    smooth = _Smooth(at)
+    found = [smooth.along(name, functions, places) for name, (functions, places) in _bases(at.problem).items()]
+    return sorted(found, key=lambda f: -f.earned)
+
+
+class _Smooth:
+    """Displacements of each joint and of the reading, modulated by functions of the rows, beside all that is fitted."""
+
+    def __init__(self, at: Fit) -> None:
+        problem = at.problem
+        self._beside = Beside(at)
+        machine = self._beside.machine
+        used = np.unique(problem.readings.rows)
+        rows = machine.rows if len(machine.rows) == 1 else machine.rows[used]
+        S = problem.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)
+        self._limbs = problem.mechanism.limbs
+        self._dx = np.zeros((len(machine.x), problem.mechanism.n_x, self._limbs + 3))
+        self._dx[used, :, : self._limbs] = S.joints
+        self._dx[used, :3, self._limbs :] = np.eye(3)
+
+    def _columns(self, functions: Array) -> Array:
+        """Return projected unit columns (functions, scalars, directions)."""
+        at, m = self._beside.fit, functions.shape[1]
+        dx = self._dx[:, :, None] * functions[:, None, :, None]
+        J, _ = at.instrument.linearise(at.problem.readings, self._beside.machine.x, dx.reshape(*dx.shape[:2], -1))
+        A = self._beside.rows(J)
+        A = A / np.maximum(np.linalg.norm(A, axis=0), 1e-300)
+        A -= self._beside.Q @ (self._beside.Q.T @ A)
+        return np.ascontiguousarray(np.moveaxis(A.reshape(len(A), m, -1), 0, 1))
+
+    def along(self, channel: str, functions: Array, places: Sequence[Region | None]) -> Structure:
+        """Return what the best few functions (N, m) of a channel explain, charged for columns and choice."""
+        A, r = self._columns(functions), self._beside.residual
+        price = quantile(A.shape[2], A.shape[0])
+        chosen: list[int] = []
+        taken = np.zeros((len(r), 0))
+        left, gain = r, 0.0
+        B = A
+        for _ in range(min(FUNCTIONS, len(A))):
+            each = gains(np.swapaxes(B, 1, 2) @ B, left @ B)
+            k = int(np.argmax(each))
+            if each[k] < price:
+                break
+            chosen.append(k)
+            U, s, _ = np.linalg.svd(np.hstack([taken, B[k]]), full_matrices=False)
+            taken = U[:, s > 1e-3]
+            left = r - taken @ (taken.T @ r)
+            gain = float(r @ r - left @ left)
+            B = A - taken @ (taken.T @ A)
+        limbs = self._sits(A[chosen]) if chosen else ()
+        region = places[chosen[0]] if chosen else None
+        return Structure(channel, gain, price * len(chosen), () if region is not None else limbs, region)
+
+    def _sits(self, A: Array) -> tuple[int, ...]:
+        """Return the limbs whose joints carry what functions (m, scalars, directions) explain; none: the reading."""
+        every = range(self._limbs)
+        sets = [(), *(s for n in range(1, self._limbs + 1) for s in itertools.combinations(every, n))]
+        scores = []
+        for limbs in sets:
+            own = list(limbs) or list(range(self._limbs, A.shape[2]))
+            columns = np.hstack(list(A[:, :, own]))
+            gain = gains((columns.T @ columns)[None], (self._beside.residual @ columns)[None])[0]
+            scores.append(gain - columns.shape[1] * np.log(self._beside.readings))
+        return tuple(i + 1 for i in sets[int(np.argmax(scores))])
+
+
+def _bases(problem: Problem) -> dict[str, tuple[Array, list[Region | None]]]:
+    """Return functions (N, m) of every channel, joint and of the position; of local ones, where they sit."""
+    recording, body = problem.recording, problem.body
+    rows = np.unique(problem.readings.rows)
+    out: dict[str, tuple[Array, list[Region | None]]] = {}
+    joint = "deg" if recording.joint_unit == "rad" else "mm"
+    named = {f"q{i + 1}_{joint}": q for i, q in enumerate(body.q.T)}
+    for name, values in {**recording.channels, **named}.items():
+        if name.startswith("true_") or not np.isfinite(values[rows]).any():
+            continue
+        v = np.nan_to_num(values, nan=float(np.nanmedian(values[rows])))
+        if np.ptp(v[rows]) > 0:
+            functions = _functions(v, rows)
+            out[name] = functions, [None] * functions.shape[1]
+    x, _ = body.mechanism.forward(body.q, body.tool, body.mechanism.rows(problem.robot))
+    x = np.nan_to_num(x[:, :3])
+    span = float(np.linalg.norm(np.ptp(x[rows], axis=0))) / 2
+    centres = [rows[0]]
+    while len(centres) < min(CENTRES, len(rows)):  # the farthest point of what is measured, again and again
+        gap = np.min([np.linalg.norm(x[rows] - x[c], axis=1) for c in centres], axis=0)
+        centres.append(rows[int(np.argmax(gap))])
+    places: list[Region | None] = []
+    bumps = []
+    for c, part in itertools.product(centres, RADII):
+        bumps.append(np.exp(-0.5 * (np.linalg.norm(x - x[c], axis=1) / (part * span)) ** 2))
+        places.append(((float(x[c, 0]), float(x[c, 1]), float(x[c, 2])), part * span))
+    out["position"] = np.column_stack(bumps), places
+    return out
+
+
+def _functions(v: Array, rows: np.ndarray) -> Array:
+    """Return functions (N, m) of a channel: its levels where it has few values, powers and waves where it has many."""
+    levels = np.unique(v[rows])
+    if len(levels) <= LEVELS:
+        return np.column_stack([(v == level).astype(float) for level in levels[1:]])
+    t = (v - v[rows].min()) / np.ptp(v[rows])
+    s = 2 * t - 1
+    most = int(np.clip(len(levels) // 4, 2, WAVES))
+    waves = [f(2 * np.pi * k * t) for k in range(1, most + 1) for f in (np.cos, np.sin)]
+    return np.column_stack([s, s**2 - 1 / 3, s**3 - 0.6 * s, *waves])
