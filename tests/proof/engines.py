@@ -34,11 +34,11 @@ def truth_of(robot: Robot, errors: dict[str, float], terms: Sequence[Term]) -> d
             table["limbs"] = list(term.limbs)
         for c, (name, _, factor, _) in enumerate(term.kernels.COEFFICIENTS):
             values = (term.values[:, c] / factor).tolist()
-            table[name] = values if term.limbs else values[0]
+            table[name] = values if term.limbs or term.tools else values[0]
         for value, (name, _, factor, _) in zip(term.constants, term.kernels.CONSTANTS, strict=True):
             table[name] = value / factor
-        if term.tool is not None:
-            table["tool"] = list(term.tool)
+        if term.tools:
+            table["tools"] = [list(t) for t in term.tools]
         effects.append(table)
     return {"parameters": {name: to_file(value, units[name]) for name, value in errors.items()}, "effects": effects}
 

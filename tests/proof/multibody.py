@@ -251,9 +251,10 @@ class Delta:
         out = np.zeros(3)
         for effect in self.effects:
             if effect["name"] == "instrument_offset":
-                at = effect.get("tool")
-                if at is None or np.linalg.norm(tool - np.asarray(at)) < 1e-6:
-                    out += [self.values("instrument_offset", f"offset_{axis}")[0] for axis in "xyz"]
+                offsets = np.column_stack([np.atleast_1d(effect.get(f"offset_{axis}", 0.0)) for axis in "xyz"])
+                for at, offset in zip(effect.get("tools") or [tool], offsets, strict=True):
+                    if np.linalg.norm(tool - np.asarray(at)) < 1e-6:
+                        out += offset
         return out
 
 

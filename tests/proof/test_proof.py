@@ -105,7 +105,7 @@ def term(name: str, poses: Recording) -> Term:
 
     kernels = load_effect(name)
     constants = {"order": 7.0, "when": 2000.0}
-    at = tuple(poses.tool[0]) if name == "instrument_offset" and poses.tool is not None else None
+    at = poses.tool[:2].tolist() if name == "instrument_offset" and poses.tool is not None else []
     made = blank(name, (1, 3), [constants[c] for c, *_ in kernels.CONSTANTS], at)
     sizes = [SIZE[c.split("_")[0]] * f for c, _, f, _ in kernels.COEFFICIENTS]
     if name in ("proximal_bending", "distal_compliance"):
