@@ -29,7 +29,7 @@ from deltacal_gen.recording import Recording, check_units
 from deltacal_gen.robot import Robot, robot_to_dict
 from deltacal_gen.search import Found, Search, charge, library
 from deltacal_gen.solvers import Prior
-from deltacal_gen.structure import Region, Structure, structures
+from deltacal_gen.structure import Region, Structure, smooth_columns, structures
 
 SCHEMA = "deltacal.diagnosis/1"
 MARGIN = 10.0  # of chi2, beyond all charges: what an effect must earn to be named, and what is left to be unexplained
@@ -117,6 +117,12 @@ def diagnose(robot: Robot, recording: Recording, *, progress: Progress = lambda 
     )
     terms, not_tested = library(problem)
     search, considered = _chosen(problem, baseline, terms, progress)
+    progress("what is left")
+    left = structures(search.fit)
+    unexplained = identification.lack_of_fit(search.fit, recording) or any(s.earned > MARGIN for s in left)
+    if left[0].earned > MARGIN and search.effects:
+        search = _proven(problem, search, left[0].channel)
+        left = structures(search.fit)
     current = search.fit
     # what comes near its price without earning it is no finding, but worth a measurement
     doubtful = [f.term for f in search.ranked()[:1] if 0 < f.score < MARGIN]
@@ -124,9 +130,6 @@ def diagnose(robot: Robot, recording: Recording, *, progress: Progress = lambda 
     parts = folds(problem.readings, recording)
     before = held_out(baseline, Prior(), parts)
     heldout = (before, held_out(current, Prior(), parts) if current.problem.terms else before)
-    progress("what is left")
-    left = structures(current)
-    unexplained = identification.lack_of_fit(current, recording) or any(s.earned > MARGIN for s in left)
     verdict = "unexplained" if unexplained else "missing_physics" if current.problem.terms else "adequate"
     named = _named(baseline, search)
     location = _location(current, left, named, explained=not unexplained)
@@ -229,6 +232,27 @@ def _better(problem: Problem, current: Fit, i: int, best: Found) -> Fit | None:
         return None
     other = _refitted(problem, current, [*others, best.term])
     return other if other is not None and other.sigma[0] <= current.sigma[0] * MUCH_WORSE else None
+
+
+def _proven(problem: Problem, search: Search, channel: str) -> Search:
+    """Drop the effects that do not stand beside the rest: any smooth dependence on its channel explains them as well.
+
+    What no effect explains is easily imitated in part by some that vary with the same channel.
+    """
+    while search.effects:
+        rest = smooth_columns(search.fit, channel)
+        terms = _terms(search.fit)
+        scores = []
+        for i, term in enumerate(terms):
+            beside = search.freed(i).joined(rest)
+            forms = sum(t.effect == term.effect for t in search.terms)
+            scores.append(beside.gain(beside.where(term)) - charge(term, forms))
+        worst = int(np.argmin(scores))
+        kept = None if scores[worst] > MARGIN else _refitted(problem, search.fit, terms[:worst] + terms[worst + 1 :])
+        if kept is None:
+            break
+        search = Search(kept, search.terms)
+    return search
 
 
 def _form(term: Term) -> tuple[object, ...]:

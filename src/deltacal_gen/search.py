@@ -52,16 +52,15 @@ class Beside:
         base = self.rows(np.concatenate([state.J_p * problem.scale, state.J_m], axis=2))
         n = len(problem.scale)
         # the prior's rows: geometry moves as far as drawings leave it open, not to the ends of a flat direction
-        self._base = np.vstack([base, np.eye(n, base.shape[1])])
         departure = (at.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
         self._departure = np.concatenate([departure, np.zeros(base.shape[1] - n)])
         r = self.rows((state.residual * at.weights[:, None])[..., None])[:, 0]
         self.readings = len(r)
-        self._project(self._base, np.concatenate([r, -departure]))
+        self._project(np.vstack([base, np.eye(n, base.shape[1])]), np.concatenate([r, -departure]))
 
     def _project(self, base: Array, pulled: Array) -> None:
         Q = np.linalg.qr(base)[0]
-        self._pulled = pulled
+        self._base, self._pulled = base, pulled
         self.Q: Array = Q[: self.readings]
         self.residual: Array = (pulled - Q @ (Q.T @ pulled))[: self.readings]
 
@@ -70,6 +69,13 @@ class Beside:
         own = self.fit.problem.coefficients(i)
         out = copy.copy(self)
         out._project(np.delete(self._base, own, axis=1), self._pulled + self._base[:, own] @ self._departure[own])
+        return out
+
+    def joined(self, columns: Array) -> Beside:
+        """Return the same with other whitened columns (scalars, n) fitted too, free of any prior."""
+        out = copy.copy(self)
+        free = np.zeros((len(self._base) - len(columns), columns.shape[1]))
+        out._project(np.hstack([self._base, np.vstack([columns, free])]), self._pulled)
         return out
 
     def rows(self, values: Array) -> Array:
@@ -131,6 +137,12 @@ class Search:
         out = copy.copy(self)
         out.effects = self.effects[:i] + self.effects[i + 1 :]
         out._place(self._beside.freed(i))
+        return out
+
+    def joined(self, columns: Array) -> Search:
+        """Return the search beside other whitened columns (scalars, n) that are fitted too."""
+        out = copy.copy(self)
+        out._place(self._beside.joined(columns))
         return out
 
     def of(self, body: Body, terms: Sequence[Term]) -> Search:

@@ -17,6 +17,7 @@ from deltacal_gen.mechanism import Array
 from deltacal_gen.search import Beside, gains, quantile
 
 FUNCTIONS = 6  # of a channel, that one structure may combine
+SMOOTH = 15  # functions of a channel that make any smooth dependence on it: three powers, six waves
 LEVELS = 4  # distinct values up to which a channel is taken as levels
 WAVES = 40  # periods over the span of a channel, at most
 CENTRES = 24  # of local functions over the workspace
@@ -56,6 +57,14 @@ def structures(at: Fit) -> list[Structure]:
     return sorted(found, key=lambda f: -f.earned)
 
 
+def smooth_columns(at: Fit, channel: str) -> Array:
+    """Return whitened columns (scalars, n) of any smooth dependence on a channel, of the joints and of the reading."""
+    smooth = _Smooth(at)
+    functions, _ = _bases(at.problem)[channel]
+    most = max(len(smooth.residual) // (4 * smooth.directions), 1)
+    return smooth.modulated(functions[:, : min(SMOOTH, most)])
+
+
 class _Smooth:
     """Displacements of each joint and of the reading, modulated by functions of the rows, beside all that is fitted."""
 
@@ -71,15 +80,30 @@ class _Smooth:
         self._dx[used, :, : self._limbs] = S.joints
         self._dx[used, :3, self._limbs :] = np.eye(3)
 
-    def _columns(self, functions: Array) -> Array:
-        """Return projected unit columns (functions, scalars, directions)."""
-        at, m = self._beside.fit, functions.shape[1]
+    @property
+    def residual(self) -> Array:
+        """What is left of the readings (scalars,), in standard deviations."""
+        return self._beside.residual
+
+    @property
+    def directions(self) -> int:
+        """Number of joints and axes of the reading."""
+        return int(self._dx.shape[2])
+
+    def modulated(self, functions: Array) -> Array:
+        """Return whitened unit columns (scalars, m * directions) of functions (N, m) of the rows."""
+        at = self._beside.fit
         dx = self._dx[:, :, None] * functions[:, None, :, None]
         J, _ = at.instrument.linearise(at.problem.readings, self._beside.machine.x, dx.reshape(*dx.shape[:2], -1))
         A = self._beside.rows(J)
-        A = A / np.maximum(np.linalg.norm(A, axis=0), 1e-300)
+        unit: Array = A / np.maximum(np.linalg.norm(A, axis=0), 1e-300)
+        return unit
+
+    def _columns(self, functions: Array) -> Array:
+        """Return projected unit columns (functions, scalars, directions)."""
+        A = self.modulated(functions)
         A -= self._beside.Q @ (self._beside.Q.T @ A)
-        return np.ascontiguousarray(np.moveaxis(A.reshape(len(A), m, -1), 0, 1))
+        return np.ascontiguousarray(np.moveaxis(A.reshape(len(A), functions.shape[1], -1), 0, 1))
 
     def along(self, channel: str, functions: Array, places: Sequence[Region | None]) -> Structure:
         """Return what the best few functions (N, m) of a channel explain, charged for columns and choice."""

@@ -468,7 +468,8 @@ def _attempt(kind: str, names: tuple[str, ...], rng: np.random.Generator, by: Ca
     ) -> Recording:
         joint, shift = np.zeros((at.n_rows, 3)), np.zeros((at.n_rows, 3))
         if foreign is not None:
-            in_robot = dataclasses.replace(at, kind="position", measurement=Measurement(kind="position", frame="robot"))
+            known = Measurement(kind="position", frame="robot")
+            in_robot = dataclasses.replace(at, kind="position", measurement=known, columns=("x_mm", "y_mm", "z_mm"))
             joint, shift = foreign.shift(at, simulate(robot, in_robot, errors).measured, poses)
         mounted = at.measurement if base is None else at.measurement.model_copy(update={"base_point_mm": base})
         moved = dataclasses.replace(at, joints=at.joints + much * joint, measurement=mounted)
