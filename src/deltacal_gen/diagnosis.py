@@ -21,7 +21,7 @@ import numpy as np
 from deltacal_gen import identification
 from deltacal_gen.discrimination import Question, next_measurements
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.estimation import Fit, Problem, fit, held_out, pose_problem, rms
+from deltacal_gen.estimation import Fit, Problem, fit, held_out, held_out_residuals, pose_problem, rms
 from deltacal_gen.identification import Noise, folds, noise
 from deltacal_gen.mechanism import Array, load_mechanism
 from deltacal_gen.physics import Body, Term, blank, effect_names, load_effect, term_to_dict
@@ -129,7 +129,7 @@ def diagnose(robot: Robot, recording: Recording, *, progress: Progress = lambda 
     progress("held-out error")
     parts = folds(problem.readings, recording)
     before = held_out(baseline, Prior(), parts)
-    heldout = (before, held_out(current, Prior(), parts) if current.problem.terms else before)
+    heldout = (before, _held_out(problem, search, parts) if search.effects else before)
     verdict = "unexplained" if unexplained else "missing_physics" if current.problem.terms else "adequate"
     named = _named(baseline, search)
     location = _location(current, left, named, explained=not unexplained)
@@ -253,6 +253,29 @@ def _proven(problem: Problem, search: Search, channel: str) -> Search:
             break
         search = Search(kept, search.terms)
     return search
+
+
+def _held_out(problem: Problem, search: Search, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> float:
+    """Return the RMS [mm] of readings that took part neither in a fit nor in the choice of its effects.
+
+    Each part of the readings is predicted from the others, which choose their own effects: by the same charges, in the
+    machine made linear at the final fit.
+    """
+    final = {_form(t): t for t in _terms(search.fit)}
+    found = []
+    for train, test in parts:
+        part = search.freed(*range(len(final))).within(train)
+        chosen: list[Term] = []
+        while len(chosen) < MOST_EFFECTS and (best := part.ranked()[0]).score > MARGIN:
+            chosen.append(best.term)
+            part = part.added(best.term)
+        same = {_form(t) for t in chosen} == final.keys()
+        terms = [final.get(_form(t), t) for t in chosen]
+        fitted = search.fit if same else _refitted(problem, search.fit, terms)
+        if fitted is not None:
+            found.append(held_out_residuals(fitted, Prior(), [(train, test)]))
+    errors = np.concatenate([*found, np.zeros(0)])
+    return float(np.sqrt(np.mean(errors**2))) if len(errors) else float("nan")
 
 
 def _form(term: Term) -> tuple[object, ...]:

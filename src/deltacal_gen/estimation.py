@@ -455,10 +455,16 @@ def fit(
 
 
 def held_out(full: Fit, solver: Solver, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> float:
-    """Return the RMS [mm] of readings predicted by fits that did not see them; gross errors of the full fit left out.
+    """Return the RMS [mm] of readings predicted by fits that did not see them; see `held_out_residuals`."""
+    found = held_out_residuals(full, solver, parts)
+    return float(np.sqrt(np.mean(found**2))) if len(found) else float("nan")
 
-    Each fit starts from the full one and differs from it by less than a standard deviation, where the machine is
-    linear to far below its noise: one step is the fit.
+
+def held_out_residuals(full: Fit, solver: Solver, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> Array:
+    """Return the errors (n,) [mm] of predictions by fits that did not see the readings.
+
+    Gross errors of the full fit are left out. Each fit starts from the full one and differs from it by less than a
+    standard deviation, where the machine is linear to far below its noise: one step is the fit.
 
     Parameters
     ----------
@@ -473,7 +479,7 @@ def held_out(full: Fit, solver: Solver, parts: Sequence[tuple[np.ndarray, np.nda
     departure = (full.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
     gross = np.zeros(len(read), dtype=bool)
     gross[full.gross] = True
-    squares: list[Array] = []
+    found: list[Array] = []
     for train, test in parts:
         rows, test = train[owner], test & ~gross
         if not test.any() or rows.sum() <= full.solution.degrees + full.instrument.n_unknown:
@@ -485,8 +491,8 @@ def held_out(full: Fit, solver: Solver, parts: Sequence[tuple[np.ndarray, np.nda
         m_step = np.linalg.lstsq(A_m[rows], b[rows] - A_p[rows] @ step, rcond=None)[0]
         moved = state.J_p[test] @ (step * problem.scale) + state.J_m[test] @ m_step
         r = (state.residual[test] - moved)[:, :3]
-        squares.append(r[np.isfinite(r)] ** 2)
-    return float(np.sqrt(np.mean(np.concatenate(squares)))) if squares else float("nan")
+        found.append(r[np.isfinite(r)])
+    return np.concatenate(found) if found else np.zeros(0)
 
 
 def _blame(problem: Problem, residual: Array) -> None:

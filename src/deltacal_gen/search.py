@@ -40,6 +40,8 @@ class Beside:
         What is left of the readings by the projection, in standard deviations.
     readings : int
         Number of scalars.
+    owner : (scalars,) int array
+        The reading that each belongs to.
     """
 
     def __init__(self, at: Fit) -> None:
@@ -47,6 +49,7 @@ class Beside:
         self.machine = problem.solve(at.errors)
         state = problem.linearise(at.errors, at.instrument, self.machine)
         self._read = np.isfinite(state.residual)
+        self.owner = np.nonzero(self._read)[0]
         # the residual carries the influence of a reading, columns none of it: a gross error can earn but little
         self._w = np.sqrt(1 + at.repeats.ratio) / np.broadcast_to(at.sigma, state.residual.shape)
         base = self.rows(np.concatenate([state.J_p * problem.scale, state.J_m], axis=2))
@@ -64,11 +67,20 @@ class Beside:
         self.Q: Array = Q[: self.readings]
         self.residual: Array = (pulled - Q @ (Q.T @ pulled))[: self.readings]
 
-    def freed(self, i: int) -> Beside:
-        """Return the same with an effect of the fit taken out: it stands in the readings, nothing else moves."""
-        own = self.fit.problem.coefficients(i)
+    def freed(self, *effects: int) -> Beside:
+        """Return the same with effects of the fit taken out: they stand in the readings, nothing else moves."""
+        own = [j for i in effects for j in self.fit.problem.coefficients(i)]
         out = copy.copy(self)
         out._project(np.delete(self._base, own, axis=1), self._pulled + self._base[:, own] @ self._departure[own])
+        return out
+
+    def within(self, chosen: np.ndarray) -> Beside:
+        """Return the same with some of the readings (R,) only; repeats of a pose must not be parted."""
+        out = copy.copy(self)
+        out.owner = self.owner[chosen[self.owner]]
+        keep = np.concatenate([chosen[self.owner], np.ones(len(self._base) - self.readings, dtype=bool)])
+        out.readings = len(out.owner)
+        out._project(self._base[keep], self._pulled[keep])
         return out
 
     def joined(self, columns: Array) -> Beside:
@@ -132,11 +144,24 @@ class Search:
         """Number of scalars."""
         return self._beside.readings
 
-    def freed(self, i: int) -> Search:
-        """Return the search for what could stand for an effect of the fit, all others beside it."""
+    def freed(self, *effects: int) -> Search:
+        """Return the search for what could stand for effects of the fit, all others beside it."""
         out = copy.copy(self)
-        out.effects = self.effects[:i] + self.effects[i + 1 :]
-        out._place(self._beside.freed(i))
+        out.effects = tuple(name for i, name in enumerate(self.effects) if i not in effects)
+        out._place(self._beside.freed(*effects))
+        return out
+
+    def within(self, chosen: np.ndarray) -> Search:
+        """Return the search on some of the readings (R,) only; repeats of a pose must not be parted."""
+        out = copy.copy(self)
+        out._columns = self._columns[chosen[self._beside.owner]]
+        out._place(self._beside.within(chosen))
+        return out
+
+    def added(self, term: Term) -> Search:
+        """Return the search beside one more form, fitted in the linear machine."""
+        out = self.joined(self._columns[:, self.where(term)])
+        out.effects = (*self.effects, term.effect)
         return out
 
     def joined(self, columns: Array) -> Search:
