@@ -16,7 +16,7 @@ KINDS = {
     "single": "one effect",
     "pair": "two effects",
     "null": "nothing",
-    "outside": "physics outside the vocabulary",
+    "outside": "foreign physics",
 }
 RIGHT = {
     "single": "named, with its limbs",
@@ -29,11 +29,12 @@ NOISE = ((0.0, 3.0, "up to 3"), (3.0, 6.0, "3 to 6"), (6.0, np.inf, "above 6"))
 HEADS = ("cases", "right", "wrong name", "no name", "parameter error", "within 3 std", "to ideal", "gain")
 LEGEND = (
     "Right: exactly the concealed effects with exactly their limbs and orders; where nothing is concealed, nothing "
-    "named; of physics outside the vocabulary, unexplained and located. Wrong name: a name, limb or order that is not "
-    "the case (a false alarm where nothing is concealed). No name: an effect that is there was not named. Parameter "
-    "error: median, over the effect's largest true value. Within 3 std: parameters whose error is below three of their "
-    "stated standard deviations. To ideal: prediction error of fresh readings over that of a fit that knows the "
-    "effects, median. Gain: prediction error of geometry alone over that of the diagnosis, median."
+    "named; of foreign physics, which is not in the vocabulary, unexplained and located. Wrong name: a name, limb or "
+    "order that is not the case; where nothing is concealed, a false alarm. No name: an effect that is there was not "
+    "named; foreign physics was overlooked or misplaced. Parameter error: median, over the effect's largest true "
+    "value. Within 3 std: parameters whose error is below three of their stated standard deviations. To ideal: "
+    "prediction error of fresh readings over that of a fit that knows the effects, median. Gain: prediction error of "
+    "geometry alone over that of the diagnosis, median."
 )
 INTRODUCTION = (
     "Machines with errors in all 42 parameters were simulated with physics left out of their model, or with none. "
@@ -110,7 +111,7 @@ def _tables(found: Sequence[Entry]) -> Iterator[tuple[str, str, Sequence[str], l
     )
     yield "By effect, concealed alone", "effects", ("effect", *HEADS), list(_by_name(found, "single"))
     yield (
-        "Physics outside the vocabulary",
+        "Foreign physics: not in the vocabulary of effects",
         "outside",
         ("physics", *HEADS),
         list(_by_name(found, "outside")),
