@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
-from tests.benchmarks.concealed_cases import OUTSIDE, generate, plan
+from tests.benchmarks.concealed_cases import OUTSIDE, generate, plan, readings
 
 
 @pytest.mark.parametrize(
@@ -33,3 +33,10 @@ def test_every_kind_has_its_share() -> None:
     assert len(work) == 54
     assert {names[0] for kind, names, _ in work if kind == "outside"} == set(OUTSIDE)
     assert work == plan({"null": 40, "outside": 14}, seed=2)
+
+
+def test_foreign_physics_is_concealed_in_poses_as_well() -> None:
+    case = generate("outside", ("random_walk",), (3, 3, 6))
+    assert case.exact.kind == "pose"
+    assert readings(case.exact).shape == (case.exact.n_rows, 6)
+    assert case.excess > 1.4

@@ -68,13 +68,13 @@ def examine(name: str, folder: Path, tool: str) -> dict[str, Any]:
 
 
 def _work(job: Job | str, folder: Path, tool: str, steps: str) -> dict[str, Any]:
-    name = job if isinstance(job, str) else job[0]
-    if not isinstance(job, str):
-        try:
+    name, about = (job, "") if isinstance(job, str) else (job[0], f" ({job[1]}, {job[2]} {' + '.join(job[3])})")
+    try:
+        if not isinstance(job, str):
             conceal(job, folder)
-        except (RuntimeError, multibody.NoEquilibriumError) as error:
-            return {"name": name, "skipped": f"{name} ({job[1]} {job[2]} {' + '.join(job[3])}): {error}"}
-    return {"name": name} if steps == "generate" else examine(name, folder, tool)
+        return {"name": name} if steps == "generate" else examine(name, folder, tool)
+    except Exception as error:  # a long run goes on, and says which cases it has not
+        return {"name": name, "skipped": f"{name}{about}: {type(error).__name__}: {error}"}
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -104,13 +104,14 @@ def main(arguments: list[str] | None = None) -> int:
         folder.mkdir(parents=True, exist_ok=True)
         versions = {e: multibody.version() if e == "exudyn" else "deltacal_gen" for e in engines}
         run.write_text(json.dumps({"seed": given.seed, "engines": versions}) + "\n", encoding="utf-8")
-    console, found = Console(stderr=True), []
+    console, found, skipped = Console(stderr=True), [], 0
     columns = (*Progress.get_default_columns()[:2], MofNCompleteColumn(), TimeRemainingColumn())
     with Progress(*columns, console=console) as progress, multiprocessing.Pool(given.jobs) as pool:
         task = progress.add_task(given.step if given.step != "all" else "conceal, diagnose, grade", total=len(work))
         for entry in pool.imap_unordered(partial(_work, folder=folder, tool=given.tool, steps=given.step), work):
             progress.advance(task)
             if "skipped" in entry:
+                skipped += 1
                 progress.console.print(entry["skipped"], markup=False, highlight=False)
             else:
                 found.append(entry)
@@ -119,7 +120,7 @@ def main(arguments: list[str] | None = None) -> int:
         return 0
     found.sort(key=lambda entry: entry["name"])
     command = " ".join(["python -m tests.proof", *(sys.argv[1:] if arguments is None else arguments)])
-    said = json.loads(run.read_text(encoding="utf-8")) | {"cases": len(found), "command": command}
+    said = json.loads(run.read_text(encoding="utf-8")) | {"cases": len(found), "skipped": skipped, "command": command}
     (folder / "grades.json").write_text(json.dumps({"run": said, "cases": found}, indent=1) + "\n", encoding="utf-8")
     text = report.markdown(found, said)
     (folder / "table.md").write_text(text, encoding="utf-8")

@@ -144,7 +144,8 @@ def failures(found: Sequence[Entry]) -> Iterator[str]:
 
 def _made(run: Mapping[str, Any]) -> str:
     engines = ", ".join(BY[e] if v == "deltacal_gen" else str(v) for e, v in run["engines"].items())
-    return f"{run['command']}: {run['cases']} cases, seed {run['seed']}; {engines}."
+    lost = f", {run['skipped']} more could not be drawn or graded" if run.get("skipped") else ""
+    return f"{run['command']}: {run['cases']} cases{lost}, seed {run['seed']}; {engines}."
 
 
 # ------------------------------------------------------------------------------------------------------------ page
