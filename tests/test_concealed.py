@@ -48,3 +48,17 @@ def test_identification_predicts_what_the_geometry_can(folder: Path) -> None:
         assert result["residual_sigma_mm"] == pytest.approx(truth["noise_sigma_mm"], rel=0.15)
         assert result["chi2_per_dof"] == pytest.approx(1.0, abs=0.3)
         assert len(result["gross_errors"]) == len(truth["outlier_rows"])
+
+
+@pytest.mark.parametrize("folder", FOLDERS, ids=lambda p: p.name)
+def test_diagnosis_names_what_is_concealed_at_the_right_limbs(folder: Path) -> None:
+    truth: dict[str, Any] = json.loads((folder / "truth.json").read_text(encoding="utf-8"))
+    result = dc.diagnose(folder / "robot.toml", folder / "recording.csv")
+    assert result["verdict"] in truth["verdicts"]
+    found = {e["name"]: e for e in result["effects"]}
+    if truth["kind"] != "d":  # beside what no effect explains others may be proven
+        assert sorted(found) in [sorted(s) for s in truth["acceptable_effect_sets"]]
+    for effect in truth["effects"]:
+        if effect["limbs"] and effect["name"] in found:
+            limbs = set(found[effect["name"]]["limbs"])
+            assert set(effect["limbs_required"]) <= limbs <= set(effect["limbs_allowed"])
