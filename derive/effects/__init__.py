@@ -54,6 +54,11 @@ PARTS = {
     "outwards": "joint centre along the limb's direction, away from the base's centre",
     "tip_v": "arm's tip normal to the arm, in its plane",
     "tip_w": "arm's tip normal to the arm, along the joint's axis",
+    "spacing_difference": "spacing of the rods, at the elbow minus at the platform",
+    "hand_axis_u": "axis of the platform's joints about the limb's direction, the elbow's less the platform's",
+    "hand_axis_v": "the same about the normal of the base",
+    "elbow_axis_u": "axis of the elbow's joints about the arm",
+    "elbow_axis_v": "axis of the elbow's joints about the normal of the arm",
 }
 _BY_NAME = {s.name: s.symbol for s in STATE}
 

@@ -176,6 +176,11 @@ MECHANISM = LimbMechanism(
         "outwards": {"ex": u0[0], "ey": u0[1]},
         "tip_v": {"tip_v": sp.Integer(1)},
         "tip_w": {"tip_w": sp.Integer(1)},
+        "spacing_difference": {"dc": sp.Integer(1)},
+        "hand_axis_u": {"alpha03": sp.Integer(1)},
+        "hand_axis_v": {"beta03": sp.Integer(1)},
+        "elbow_axis_u": {"alpha2": sp.Integer(1)},
+        "elbow_axis_v": {"beta2": sp.Integer(1)},
     },
     rod="l",
     limb_inertia=proximal * L**2 / 12,  # a slender rod

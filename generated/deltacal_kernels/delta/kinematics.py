@@ -1,7 +1,7 @@
 """Kinematics of `delta`: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 7d7ee15e2683d964; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 8719fdf755d86771; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 

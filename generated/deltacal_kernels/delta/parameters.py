@@ -1,7 +1,7 @@
 """Tables of `delta`: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 36f4ad097d299c75; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both c160269652ccb6b3; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 
@@ -151,6 +151,11 @@ def moves(geometry):
         "outwards": {"ex": np.cos(phi), "ey": np.sin(phi)},
         "tip_v": {"tip_v": 1},
         "tip_w": {"tip_w": 1},
+        "spacing_difference": {"dc": 1},
+        "hand_axis_u": {"alpha03": 1},
+        "hand_axis_v": {"beta03": 1},
+        "elbow_axis_u": {"alpha2": 1},
+        "elbow_axis_v": {"beta2": 1},
     }
 
 

@@ -13,6 +13,7 @@ EFFECTS = (
     "joint_compliance",
     "joint_scale",
     "latency",
+    "parallelogram_error",
     "payload_deflection",
     "proximal_bending",
     "thermal_growth",
