@@ -148,7 +148,7 @@ class Channels:
             acceleration=joints("qdd{}_" + unit + "_s2", factor),
             warming=None if temperature is None else temperature - 20.0,
             time=recording.channels.get("time_s"),
-            payload=np.zeros(recording.n_rows) if payload is None else np.nan_to_num(payload),
+            payload=np.zeros(recording.n_rows) if payload is None else payload,
             order=np.arange(recording.n_rows, dtype=float),
         )
 
@@ -193,9 +193,11 @@ class Body:
             return f"a length of {self.mechanism.name} that plays the part of {absent[0]}"
         if "theta" in needs and "offset" not in self._moves:
             return f"an angle of {self.mechanism.name}'s joints"
+        have = self.channels
         if needs & LOADS and self.robot.masses is None:
             return "[masses] in the robot file"
-        have = self.channels
+        if needs & LOADS and np.isnan(have.payload).any():
+            return "every cell of the column payload_kg (some are blank)"
         for state, channel, words in (
             ("approach", have.approach, "the columns approach1, approach2, approach3"),
             ("speed", have.speed, "the columns qd1_deg_s, qd2_deg_s, qd3_deg_s"),

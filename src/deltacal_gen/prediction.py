@@ -64,7 +64,15 @@ def prediction_problem(
     if result.get("clock") == "row" or recording.time_s is None:
         # rows of another recording come after all rows of the one that a jump was found in
         held = [dataclasses.replace(t, constants=(-np.inf,)) if t.effect == "zero_jump" else t for t in held]
-    return pose_problem(robot, recording, (), found=found, held=held), instrument
+    problem = pose_problem(robot, recording, (), found=found, held=held)
+    for term in held:
+        if why := problem.body.missing(term.effect):
+            raise InputError(
+                f"what was diagnosed ({term.effect}) needs {why}.",
+                "Add it, with the values at which the readings are to be predicted.",
+                file=recording.path,
+            )
+    return problem, instrument
 
 
 def _instrument(result: Mapping[str, Any], recording: Recording, found: Readings) -> tuple[Readings, Instrument]:

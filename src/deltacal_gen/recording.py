@@ -66,6 +66,7 @@ _SAME_JOINT = 1e-6 * DEG  # rad, and mm: joints that differ by more are not the 
 _LEAST_SPREAD = 0.01  # of readings, in machine sizes per rad of joint motion (1 rad at most)
 _MOST_SPREAD = 20.0  # in machine sizes
 _MOST_MOTION = 5.0  # in machine sizes per rad of joint motion
+_MOST_PAYLOAD = 20.0  # in moving masses of the machine: parallel robots carry a few of them
 _RADIANS = 1.6  # a column of degrees that stays within this may be in radians
 
 
@@ -160,6 +161,8 @@ class Recording:
         Known distances between fixed points [mm].
     pairs, pair_measured, pair_line : (K, 2), (K,), (K,) arrays, optional
         Rows between whose points a distance was measured, the distance [mm], its line in the file.
+    doubts : dict of str
+        Channels that were set aside, and why.
     """
 
     path: Path
@@ -181,6 +184,7 @@ class Recording:
     pairs: np.ndarray | None = None
     pair_measured: np.ndarray | None = None
     pair_line: np.ndarray | None = None
+    doubts: dict[str, str] = dataclasses.field(default_factory=dict)
 
     @property
     def n_rows(self) -> int:
@@ -230,7 +234,12 @@ class Recording:
 
 
 def read_recording(
-    path: str | Path, mechanism: Mechanism, *, need_measured: bool = True, allow_targets: bool = False
+    path: str | Path,
+    mechanism: Mechanism,
+    *,
+    need_measured: bool = True,
+    allow_targets: bool = False,
+    doubtful: bool = False,
 ) -> Recording:
     """Read a recording with its sidecar and its distances file.
 
@@ -244,6 +253,8 @@ def read_recording(
         Whether a recording without a single reading is an error.
     allow_targets : bool
         Whether positions without joints are taken as targets.
+    doubtful : bool
+        Whether channels are taken that hold values which cannot be, for `set_aside` to judge.
 
     Raises
     ------
@@ -283,7 +294,7 @@ def read_recording(
         measured=_measured(rows, kind, columns, need_measured),
         pose=np.array(pose),
         line=rows.line,
-        channels={name: values for name in rows.columns if (values := _channel(rows, name)) is not None},
+        channels={name: values for name in rows.columns if (values := _channel(rows, name, doubtful)) is not None},
         setup=setup,
         setup_names=tuple(setup_names.tolist()),
         tool=rows.numbers(*_TOOL) if set(_TOOL) & set(rows.columns) else None,
@@ -659,27 +670,55 @@ def _is_measured(recording: Recording) -> bool:
     return paired or touched or bool(np.isfinite(recording.measured).any())
 
 
-def _channel(rows: _Rows, name: str) -> np.ndarray | None:
-    """(N,) values of a channel or covariate; None for other columns, and for those that hold text only."""
+def _channel(rows: _Rows, name: str, doubtful: bool) -> np.ndarray | None:
+    """(N,) values of a channel or covariate; None for other columns, and for those that hold text only.
+
+    A value that cannot be is an error, unless `doubtful` ones are taken as they are.
+    """
     if name in _RESERVED or _JOINT.fullmatch(name):
         return None
     if not _CHANNEL.fullmatch(name) and all(_number(cell) is None for cell in rows.columns[name]):
         return None
     values = rows.numbers(name)[:, 0]
-    expected, wrong = "", np.zeros(len(values), dtype=bool)
     if _APPROACH.fullmatch(name):
         values[values == 0] = np.nan  # the direction is not known
-        expected, wrong = "1 or -1 was expected", np.abs(values) != 1
-    elif _TEMPERATURE.fullmatch(name):
-        expected, wrong = "-100 to 300 degC were expected", (values < -100) | (values > 300)
-    elif name == "payload_kg":
-        expected, wrong = "a mass cannot be negative", values < 0
-    wrong &= np.isfinite(values)
-    if wrong.any():
+    wrong, expected = _impossible(name, values)
+    if wrong.any() and not doubtful:
         row = int(np.argmax(wrong))
         problem = f"the cell holds '{rows.columns[name][row]}': {expected}."
         raise rows.error(problem, "Correct the cell, or leave it blank if it is not known.", row=row, column=name)
     return values
+
+
+def _impossible(name: str, values: np.ndarray, heaviest: float = np.inf) -> tuple[np.ndarray, str]:
+    """Which values (N,) of a channel cannot be, and what was expected in words; `heaviest` is the largest payload."""
+    if _APPROACH.fullmatch(name):
+        return np.isfinite(values) & (np.abs(values) != 1), "1 or -1 was expected"
+    if _TEMPERATURE.fullmatch(name):
+        return (values < -100) | (values > 300), "-100 to 300 degC were expected"
+    if name == "payload_kg" and (values < 0).any():
+        return values < 0, "a mass cannot be negative"
+    if name == "payload_kg":
+        return values > heaviest, f"at most {heaviest:.3g} kg were expected on arms and a platform like these"
+    return np.zeros(len(values), dtype=bool), ""
+
+
+def set_aside(recording: Recording, robot: Robot) -> Recording:
+    """Return the recording without the channels that hold values which cannot be; `doubts` says why."""
+    masses = robot.masses
+    heaviest = np.inf
+    if masses is not None:
+        limbs = recording.joints.shape[1]
+        moving = masses.platform + limbs * (masses.proximal + 2 * masses.distal_rod)
+        heaviest = _MOST_PAYLOAD * moving if moving else np.inf
+    doubts = {}
+    for name, values in recording.channels.items():
+        wrong, expected = _impossible(name, values, heaviest)
+        if wrong.any():
+            row = int(np.argmax(wrong))
+            doubts[name] = f"line {recording.line[row]} holds {values[row]:.6g}: {expected}"
+    kept = {name: values for name, values in recording.channels.items() if name not in doubts}
+    return dataclasses.replace(recording, channels=kept, doubts=doubts)
 
 
 def _check_repeats(recording: Recording, rows: _Rows) -> None:
