@@ -339,6 +339,7 @@ def diagnose(
     robot: RobotFile,
     recording: RecordingFile,
     output: Annotated[Path | None, typer.Option("-o", "--output", help="DIAGNOSIS.json", show_default=False)] = None,
+    model: Annotated[str | None, typer.Option("--model", help="default: the largest", show_default=False)] = None,
     report: Annotated[Path | None, typer.Option(help="a page to read, FILE.html", show_default=False)] = None,
     strict: Annotated[bool, typer.Option("--strict", help="exit with 1 unless the verdict is adequate")] = False,
     as_json: Json = False,
@@ -347,7 +348,7 @@ def diagnose(
     from deltacal_gen import commands
 
     with _progress(as_json) as tell:
-        found = commands.diagnose(robot, recording, output, report=report, progress=tell)
+        found = commands.diagnose(robot, recording, output, model=model, report=report, progress=tell)
     if as_json:
         _print_json(found)
     else:
@@ -387,7 +388,7 @@ def _show_diagnosis(found: Mapping[str, Any]) -> None:
         promise = "" if clear is None else f" (expected difference in chi2: {clear:.0f})"
         screen.print(f"  next, {question['why']}: {question['text']}{promise}")
     for other in found["not_tested"]:
-        screen.print(f"  not tested: {other['name']}, for want of {other['missing']}")
+        screen.print(f"  not tested: {other['name']}, for want of {_escaped(other['missing'])}")
     if found["gross_errors"]:
         screen.print(f"gross errors in lines {', '.join(map(str, found['gross_errors']))}")
 

@@ -322,19 +322,22 @@ def diagnose(
     recording: Source | Recording,
     output: Source | None = None,
     *,
+    model: str | None = None,
     report: Source | None = None,
     progress: Progress = _silent,
 ) -> dict[str, Any]:
     """Find where model and recording differ, and which physics was left out; return DIAGNOSIS.json.
 
-    `report` is one self-contained HTML page of the same.
+    `model` is the geometry that is fitted beside everything, the mechanism's largest where it is not given; `report`
+    is one self-contained HTML page of the same.
     """
     from deltacal_gen import diagnosis
 
     check_output(output, robot, recording)
     check_output(report, robot, recording)
     robot = _robot(robot)
-    found = diagnosis.diagnose(robot, _recording(recording, robot), progress=progress).to_dict()
+    given = _recording(recording, robot, doubtful=True)
+    found = diagnosis.diagnose(robot, given, model, progress=progress).to_dict()
     if output is not None:
         write_json(found, output)
     if report is not None:

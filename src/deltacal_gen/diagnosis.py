@@ -19,13 +19,13 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen import identification
-from deltacal_gen.discrimination import Question, next_measurements
+from deltacal_gen.discrimination import Question, more_poses, next_measurements
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation import Fit, Problem, fit, held_out, held_out_residuals, pose_problem, rms
 from deltacal_gen.identification import Noise, folds, noise
 from deltacal_gen.mechanism import Array, load_mechanism
 from deltacal_gen.physics import Body, Term, blank, effect_names, load_effect, term_to_dict
-from deltacal_gen.recording import Recording, check_units
+from deltacal_gen.recording import Recording, check_units, set_aside
 from deltacal_gen.robot import Robot, robot_to_dict
 from deltacal_gen.search import Found, Search, charge, library
 from deltacal_gen.solvers import Prior
@@ -40,6 +40,7 @@ MOST_EFFECTS = 3
 REVISIONS = 4
 MUCH_WORSE = 1.02  # times the noise: another form that fits so much worse in the exact machine is not taken
 MACHINED = 5.0  # standard deviation of a source error, in ordinary ones: geometry may not strain to imitate physics
+SHORT = 2.0  # times the noise: a held-out error beyond it says that the geometry itself is hardly known
 ROOM = 10.0  # mm: root mean square that an effect's coefficient may well move the readings, a prior that never pulls
 Progress = Callable[[str], None]
 
@@ -49,6 +50,7 @@ class Diagnosis:
     """What was found; `to_dict` gives the contract's DIAGNOSIS.json."""
 
     verdict: str
+    model: str
     baseline: Fit
     final: Fit
     effects: tuple[Named, ...]
@@ -59,6 +61,11 @@ class Diagnosis:
     not_tested: list[dict[str, str]]
     next_measurements: list[dict[str, Any]]
     robot: Robot
+
+    @property
+    def short(self) -> bool:
+        """Whether there are too few readings to tell a lesser effect from geometry."""
+        return self.verdict == "adequate" and not self.heldout[0] <= SHORT * self.noise.sigma
 
     def to_dict(self) -> dict[str, Any]:
         """Return the contract's DIAGNOSIS.json."""
@@ -86,11 +93,15 @@ class Named:
         return (*(t.effect for t in self.rivals), *self.unrecorded)
 
 
-def diagnose(robot: Robot, recording: Recording, *, progress: Progress = lambda text: None) -> Diagnosis:
+def diagnose(
+    robot: Robot, recording: Recording, model: str | None = None, *, progress: Progress = lambda text: None
+) -> Diagnosis:
     """Find where model and recording differ, and which physics was left out.
 
     Parameters
     ----------
+    model : str, optional
+        Geometry that is fitted first and beside everything; default the mechanism's largest.
     progress : callable
         Told in words what is being done.
 
@@ -100,13 +111,16 @@ def diagnose(robot: Robot, recording: Recording, *, progress: Progress = lambda 
         The recording cannot be used at all: too few readings, joints at which the machine cannot stand.
     """
     check_units(recording, robot)
+    recording = set_aside(recording, robot)
     mechanism = load_mechanism(robot.mechanism)
-    names = mechanism.model(mechanism.full_model)
+    model = model or mechanism.full_model
+    names = mechanism.model(model)
     problem = pose_problem(robot, recording, names)
     scale = np.array([robot.tolerance.get(n, MACHINED * s) for n, s in zip(names, problem.scale, strict=True)])
     problem = dataclasses.replace(problem, scale=scale)
     identification.enough(mechanism, problem, recording)
     identification.distinct(problem, recording)
+    identification.enough_poses(problem, model)
     progress("geometry")
     rough = identification.rough(problem, mechanism, robust=True, must_converge=False)
     identification.plausible(rough, mechanism)
@@ -131,7 +145,8 @@ def diagnose(robot: Robot, recording: Recording, *, progress: Progress = lambda 
     before = held_out(baseline, Prior(), parts)
     heldout = (before, _held_out(problem, search, parts) if search.effects else before)
     verdict = "unexplained" if unexplained else "missing_physics" if current.problem.terms else "adequate"
-    named = _named(baseline, search)
+    known = noise(current, recording)
+    named = _named(search, heldout, known.sigma)
     location = _location(current, left, named, explained=not unexplained)
     progress("what to measure next")
     questions = [
@@ -144,11 +159,12 @@ def diagnose(robot: Robot, recording: Recording, *, progress: Progress = lambda 
     )
     return Diagnosis(
         verdict=verdict,
+        model=model,
         baseline=baseline,
         final=current,
         effects=named,
         heldout=heldout,
-        noise=noise(current, recording),
+        noise=known,
         location=location,
         rejected=_rejected(considered, named),
         not_tested=not_tested,
@@ -347,11 +363,13 @@ def _location(at: Fit, left: Sequence[Structure], named: Sequence[Named], explai
 # ------------------------------------------------------------------------------------------------ what was found
 
 
-def _named(baseline: Fit, search: Search) -> tuple[Named, ...]:
-    """Return the effects of the final fit with their uncertainty, their gain beside all others, and their rivals."""
+def _named(search: Search, heldout: tuple[float, float], sigma: float) -> tuple[Named, ...]:
+    """Return the effects of the final fit with their uncertainty, their gain beside all others, and their rivals.
+
+    `heldout` is the error without and with them on readings that no fit has seen, `sigma` the noise in it [mm].
+    """
     out: list[Named] = []
     final = search.fit
-    excess = float((baseline.sigma[0] / final.sigma[0]) ** 2 - 1)
     for i, term in enumerate(_terms(final)):
         freed = search.freed(i)
         variance = np.diag(final.covariance)[final.problem.coefficients(i)]
@@ -359,10 +377,13 @@ def _named(baseline: Fit, search: Search) -> tuple[Named, ...]:
         price = charge(term, sum(t.effect == term.effect for t in search.terms))
         others = [f for f in freed.ranked() if f.term.effect != term.effect]
         rivals = tuple(f.term for f in others if f.score > gain - price - AMBIGUOUS)
-        share = min(gain / max(freed.readings * excess, gain), 1.0)
         std = np.sqrt(np.maximum(variance, 0.0))
-        out.append(Named(term, std, gain, share, rivals, _unrecorded(freed, gain - price)))
-    return tuple(out)
+        out.append(Named(term, std, gain, 1.0, rivals, _unrecorded(freed, gain - price)))
+    # of the held-out variance above noise, each in proportion to what is lost without it
+    before, after = heldout
+    removed = float(np.clip((before**2 - after**2) / max(before**2 - sigma**2, 1e-300), 0.0, 1.0))
+    total = sum(n.gain for n in out)
+    return tuple(dataclasses.replace(n, share=removed * n.gain / total) for n in out)
 
 
 def _unrecorded(freed: Search, score: float) -> tuple[str, ...]:
@@ -386,11 +407,14 @@ def _unrecorded(freed: Search, score: float) -> tuple[str, ...]:
 
 def _rejected(considered: Sequence[Found], named: Sequence[Named]) -> list[dict[str, Any]]:
     chosen = {n.term.effect for n in named}
+    alike = {name: n.term.effect for n in named for name in n.alike}
     return [
         {
             "name": f.term.effect,
             "gain_chi2": f.gain,
-            "why": "earns less than the charge for its coefficients and for the search"
+            "why": f"not told from {alike[f.term.effect]} by these poses"
+            if f.term.effect in alike
+            else "earns less than the charge for its coefficients and for the search"
             if f.score < MARGIN
             else "explains less of the same misfit than what was named"
             if chosen
@@ -417,13 +441,13 @@ def _result(found: Diagnosis) -> dict[str, Any]:
         "verdict": found.verdict,
         "summary": _summary(found),
         "noise": {"sigma_mm": sigma, "source": source},
-        "baseline": {"model": found.baseline.problem.mechanism.full_model} | summary(baseline, found.heldout[0]),
+        "baseline": {"model": found.model} | summary(baseline, found.heldout[0]),
         "location": found.location,
         "effects": [_effect(n) for n in found.effects],
         "final": summary(final, found.heldout[1]),
         "rejected": found.rejected,
         "not_tested": found.not_tested,
-        "next_measurements": found.next_measurements,
+        "next_measurements": [*found.next_measurements, *([more_poses(found.final.problem)] if found.short else [])],
         "gross_errors": [int(final.problem.readings.line[j]) for j in final.gross],
         "residuals": _residuals(found),
         "sigma_mm": sigma,
@@ -483,6 +507,13 @@ def _effect(found: Named) -> dict[str, Any]:
 
 def _summary(found: Diagnosis) -> str:
     before, after = found.heldout
+    if found.short:
+        held_out = f"{before:.4f} mm" if np.isfinite(before) else "too little to say"
+        return (
+            f"Nothing can be shown to be missing, but these poses are too few for {len(found.baseline.problem.names)} "
+            f"parameters: on held-out readings the geometry leaves {held_out}, where the noise is "
+            f"{found.noise.sigma:.4f} mm. Measure more poses."
+        )
     if found.verdict == "adequate":
         return (
             f"Nothing is missing: what the calibrated geometry leaves, {before:.4f} mm on held-out readings, is noise. "
@@ -497,9 +528,11 @@ def _summary(found: Diagnosis) -> str:
         )
         parts.append(f"{n.term.kernels.TITLE} ({n.term.effect}){limbs}")
     if found.verdict == "missing_physics":
+        open_questions = [f"{n.term.effect} from {' or '.join(n.alike)}" for n in found.effects if n.alike]
+        doubt = f" These poses cannot tell {'; '.join(open_questions)}." if open_questions else ""
         return (
             f"Geometry alone leaves {before:.4f} mm on held-out readings. What is missing: {'; '.join(parts)}. "
-            f"With it {after:.4f} mm are left, which is noise."
+            f"With it {after:.4f} mm are left, which is noise.{doubt}"
         )
     named = f" Proven beside it: {'; '.join(parts)}." if parts else ""
     return (

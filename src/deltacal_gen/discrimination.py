@@ -26,7 +26,7 @@ from deltacal_gen.units import file_unit, to_internal
 # diagnosis tells nothing apart, in 99 of 100 recordings.
 CLEAR = 40.0
 LEAST = 10.0  # of chi2: poses that promise less are not worth a trip to the machine
-MOST_POSES = 16
+FEWEST_POSES, MOST_POSES = 3, 16  # no single reading decides: it may be a gross error
 CANDIDATES = 1500  # joints and channels drawn at random, from which the poses are chosen
 WIDER = 0.1  # of the range of joints that was recorded: how far beyond it poses may go where nothing says more
 WARMER = 10.0  # K
@@ -86,9 +86,8 @@ class Candidates:
     def to_rows(self, chosen: Sequence[int]) -> list[dict[str, Any]]:
         """Return readings as rows of a recording; a distance holds the joints of both its ends."""
         recording = self.problem.recording
-        time = recording.channels.get("time_s")
-        if time is not None:
-            chosen = sorted(chosen, key=lambda j: float(time[self.ends[j, 0]]))
+        if "time_s" in self.told:
+            chosen = sorted(chosen, key=lambda j: float(recording.channels["time_s"][self.ends[j, 0]]))
         unit = recording.joint_unit
         rows = []
         for n, j in enumerate(chosen):
@@ -100,7 +99,8 @@ class Candidates:
                 row["setup"] = recording.setup_names[recording.setup[ends[0]]]
             if recording.tool is not None:
                 row |= {f"tool_{a}_mm": float(v) for a, v in zip("xyz", recording.tool[ends[0]], strict=True)}
-            row |= {name: float(recording.channels[name][ends[0]]) for name in self.told}
+            values = {name: float(recording.channels[name][ends[0]]) for name in self.told}
+            row |= {name: value for name, value in values.items() if np.isfinite(value)}
             rows.append(row)
         return rows
 
@@ -262,7 +262,7 @@ class Refutation:
 
 @dataclass(frozen=True)
 class Proposal:
-    """Readings that answer a question, and the difference in chi2 that is expected once they are taken."""
+    """Readings that answer a question, and the difference in chi2 that they are expected to make."""
 
     rows: list[dict[str, Any]]
     expected: float
@@ -309,14 +309,17 @@ def separating(at: Fit, truth: Term, rival: Term | None, beside: Sequence[Term],
     if rival is not None:
         duels.append(duel(theirs, duels[0][0].coefficients[-rival.n_coefficients :], mine))
     chosen: list[int] = []
-    while len(chosen) < min(MOST_POSES, len(base_new)) and min(d.misfit for d, *_ in duels) < CLEAR:
+    before = min(d.misfit for d, *_ in duels)
+    while len(chosen) < min(MOST_POSES, len(base_new)) and (
+        len(chosen) < FEWEST_POSES or min(d.misfit for d, *_ in duels) < before + CLEAR
+    ):
         after = np.min([d.misfit + d.gains(X, shift) for d, X, shift in duels], axis=0)
         after[chosen] = -np.inf
         best = int(np.argmax(after))
         chosen.append(best)
         for d, X, shift in duels:
             d.take(X[best], shift[best])
-    return Proposal(found.to_rows(chosen), min(d.misfit for d, *_ in duels))
+    return Proposal(found.to_rows(chosen), min(d.misfit for d, *_ in duels) - before)
 
 
 def _columns(at: Fit, problem: Problem, terms: Sequence[Term]) -> tuple[Array, Array]:
@@ -384,7 +387,7 @@ def next_measurements(
     -------
     list of dict
         `why`, `text` for people, `poses` (rows of a recording without readings), `expected_chi2`: the difference that
-        these readings and those already taken are expected to make, None where it is not known.
+        they are expected to make, None where it is not known.
     """
     rng = np.random.default_rng(SEED)
     named = [q.truth for q in questions if q.proven]
@@ -403,6 +406,15 @@ def next_measurements(
     if unexplained is not None:
         out.append(_exploring(at, unexplained, rng))
     return out
+
+
+def more_poses(problem: Problem) -> dict[str, Any]:
+    """Return the advice to measure as many poses again as there are: what a recording that is too short needs."""
+    count = len(np.unique(problem.readings.group))
+    text = (
+        f"Measure at least {count} more readings at other poses, all over the workspace: deltacal plan proposes them."
+    )
+    return {"why": "lets lesser effects show", "text": text, "poses": [], "expected_chi2": None}
 
 
 def _entry(why: str, found: Proposal, truth: Term, rival: Term | None, problem: Problem) -> dict[str, Any]:
@@ -458,7 +470,7 @@ def _exploring(at: Fit, location: Mapping[str, Any], rng: np.random.Generator) -
     else:
         along = found.problem.recording.joints[found.ends[:, 0], _joint_of(channel)]
         levels = np.linspace(along.min(initial=0.0), along.max(initial=0.0), MOST_POSES)
-        chosen = sorted({int(np.argmin(np.abs(along - level))) for level in levels}) if len(along) else []
+        chosen = list(dict.fromkeys(int(np.argmin(np.abs(along - v))) for v in levels)) if len(along) else []
         text = f"Measure these poses, evenly spread along {channel}."
     return {"why": why, "text": text, "poses": found.to_rows(chosen), "expected_chi2": None}
 

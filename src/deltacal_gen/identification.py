@@ -251,6 +251,32 @@ def distinct(problem: Problem, recording: Recording) -> None:
         )
 
 
+def enough_poses(problem: Problem, model: str) -> None:
+    """Raise an InputError where different poses, each counted once, are fewer than a model's parameters need.
+
+    Repeats of a pose show noise, but nothing of the machine: such a recording cannot be split into a part to fit and a
+    part to judge by.
+    """
+    found = problem.readings
+    each = found.values.shape[1] + (0 if found.rotations is None else 3)
+    poses = len(np.unique(np.round(problem.body.q[np.unique(found.rows)], 9), axis=0))
+    scalars = each * len(np.unique(found.group))
+    if found.rows.shape[1] == 2:
+        scalars = min(scalars, 3 * poses)
+    extra = problem.begin(problem.reference).n_unknown
+    needed = len(problem.names) + extra + SPARE_READINGS
+    if scalars < needed:
+        of_instrument = f" and {extra} of the instrument" if extra else ""
+        raise InputError(
+            f"the readings come from {poses} different poses: {scalars} scalars, each counted once, where {model} has "
+            f"{len(problem.names)} parameters{of_instrument}. The recording is too short to split: repeats show noise, "
+            "not what is missing.",
+            f"Measure enough different poses for {needed} scalars (deltacal plan proposes them), or choose a smaller "
+            "model with --model.",
+            file=problem.recording.path,
+        )
+
+
 def plausible(first: Fit, mechanism: Mechanism) -> None:
     """Raise an InputError where the readings cannot be of this machine, and name the mistake that would explain them.
 

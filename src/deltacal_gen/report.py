@@ -72,6 +72,8 @@ def diagnosis(found: Mapping[str, Any]) -> str:
             if e["indistinguishable_from"]:
                 others = ", ".join(e["indistinguishable_from"])
                 parts.append(f'<p class="note">These poses cannot tell {_text(e["name"])} from {_text(others)}.</p>')
+    if found["next_measurements"]:
+        parts += ["<h2>What to measure next</h2>", *(_question(m) for m in found["next_measurements"])]
     parts += ["<h2>What was considered and why it lost</h2>", _rivals(found)]
     if found["not_tested"]:
         missing = [(t["name"], t["missing"]) for t in found["not_tested"]]
@@ -89,6 +91,20 @@ def page(title: str, parts: Sequence[str]) -> str:
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
         f"<title>{_text(title)}</title><style>{_CSS}</style></head>\n<body>\n" + "\n".join(parts) + "\n</body></html>\n"
     )
+
+
+def _question(asked: Mapping[str, Any]) -> str:
+    """Return a proposed measurement: why, what to do, and its poses as a table."""
+    why = asked["why"][0].upper() + asked["why"][1:]
+    promise = asked["expected_chi2"]
+    if promise is not None and asked["poses"]:
+        why += f" (expected difference in chi2: {promise:.0f})"
+    text = f"<p><b>{_text(why)}.</b> {_text(asked['text'])}</p>"
+    if not asked["poses"]:
+        return text
+    names = list(dict.fromkeys(name for row in asked["poses"] for name in row))
+    rows = [["" if row.get(n) is None else row[n] for n in names] for row in asked["poses"]]
+    return f'{text}<div class="wide">{_table(names, rows)}</div>'
 
 
 def _where(effect: Mapping[str, Any]) -> str:

@@ -18,9 +18,10 @@ from functools import cache
 
 import numpy as np
 
+from deltacal_gen.discrimination import columns_read
 from deltacal_gen.estimation import Fit, Problem
 from deltacal_gen.mechanism import Array
-from deltacal_gen.physics import Body, Point, Term, blank, displaces_points, effect_names, load_effect
+from deltacal_gen.physics import LOADS, Body, Point, Term, blank, displaces_points, effect_names, load_effect
 
 CHANCE = 5e-4  # that noise alone earns a form, or a limb, its charge
 ORDERS = 100  # integer orders of a periodic error that are searched
@@ -282,15 +283,31 @@ def library(problem: Problem) -> tuple[list[Term], list[dict[str, str]]]:
     terms: list[Term] = []
     missing: list[dict[str, str]] = []
     for name in effect_names():
-        if why := problem.body.missing(name) or _constant(problem, name):
+        if why := _spoilt(problem, name) or problem.body.missing(name) or _constant(problem, name):
             missing.append({"name": name, "missing": why})
             continue
         terms += [blank(name, limbs, constants, tools) for constants in _forms(problem, name)]
     return terms, missing
 
 
+def _spoilt(problem: Problem, name: str) -> str | None:
+    """Return what is wrong with a column that an effect reads: values that cannot be, or blank cells."""
+    recording = problem.recording
+    if LOADS & set(load_effect(name).STATE) and problem.robot.masses is None:
+        return None  # the column would not help
+    rows = np.unique(problem.readings.rows)
+    for column in columns_read(problem, [blank(name, (1,))]):
+        if column in recording.doubts:
+            return f"values that can be in the column {column} ({recording.doubts[column]})"
+        values = recording.channels.get(column)
+        if values is not None and len(empty := rows[~np.isfinite(values[rows])]):
+            where = f"{len(empty)} of {len(rows)} are blank, the first in line {recording.line[empty[0]]}"
+            return f"every cell of the column {column} ({where})"
+    return None
+
+
 def _constant(problem: Problem, name: str) -> str | None:
-    """Return why an effect could not show on these rows: its channel does not vary, or its columns do not exist."""
+    """Return why an effect could not show: its channel does not vary, its columns do not exist, or it is geometry."""
     kernels, have, kind = load_effect(name), problem.body.channels, problem.readings.kind
     rows = np.unique(problem.readings.rows)
     for state, channel, words in (
@@ -310,6 +327,11 @@ def _constant(problem: Problem, name: str) -> str | None:
         return f"readings of another kind than {kind}"
     if displaces_points(kernels) and len(_tools(problem)) < 2:
         return "readings of a second point of the platform"
+    if not kernels.STATE and all(t.startswith("limb.") for t in kernels.TARGETS):
+        moves = problem.mechanism.moves(problem.robot)
+        moved = {error for t in kernels.TARGETS for error in moves[t[5:]]}
+        if {p.name for p in problem.mechanism.parameters if p.error in moved} <= set(problem.names):
+            return "a smaller model: this one fits these errors as geometry"
     return None
 
 
