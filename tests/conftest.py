@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+import sys
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small matrices: threads on
 import numpy as np
 import pytest
 
+from deltacal_gen import cli
 from deltacal_gen.accuracy import check_poses, circle
 from deltacal_gen.mechanism import Mechanism, load_mechanism
 from deltacal_gen.recording import Measurement, Recording
@@ -39,6 +41,27 @@ COLUMNS = {
     "gauge": ("gauge_mm",),
 }
 ORDINARY = {"theta": 0.3, "mm": 0.1, "rad": 0.03}  # [deg, mm, deg] standard deviations of a plausible machine's errors
+
+
+Run = Callable[..., tuple[int, str, str]]
+
+
+@pytest.fixture
+def run(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Run:
+    """Call ``deltacal`` in this process; return exit code, standard output and standard error."""
+
+    def call(*arguments: object) -> tuple[int, str, str]:
+        monkeypatch.setattr(sys, "argv", ["deltacal", *map(str, arguments)])
+        monkeypatch.setattr(cli.screen, "_file", None)
+        code = 0
+        try:
+            cli.main()
+        except SystemExit as end:
+            code = int(end.code or 0)
+        out = capsys.readouterr()
+        return code, out.out, " ".join(out.err.split())
+
+    return call
 
 
 @pytest.fixture(scope="session")

@@ -5,35 +5,15 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from deltacal_gen import cli, commands
+from deltacal_gen import commands
 from deltacal_gen.demonstration import example
 from deltacal_gen.robot import read_robot
-
-Run = Callable[..., tuple[int, str, str]]
-
-
-@pytest.fixture
-def run(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Run:
-    """Call ``deltacal`` in this process; return exit code, standard output and standard error."""
-
-    def call(*arguments: object) -> tuple[int, str, str]:
-        monkeypatch.setattr(sys, "argv", ["deltacal", *map(str, arguments)])
-        monkeypatch.setattr(cli.screen, "_file", None)
-        code = 0
-        try:
-            cli.main()
-        except SystemExit as end:
-            code = int(end.code or 0)
-        out = capsys.readouterr()
-        return code, out.out, " ".join(out.err.split())
-
-    return call
+from tests.conftest import Run
 
 
 @pytest.fixture

@@ -104,7 +104,7 @@ def _question(asked: Mapping[str, Any]) -> str:
         return text
     names = list(dict.fromkeys(name for row in asked["poses"] for name in row))
     rows = [["" if row.get(n) is None else row[n] for n in names] for row in asked["poses"]]
-    return f'{text}<div class="wide">{_table(names, rows)}</div>'
+    return text + table(names, rows)
 
 
 def _where(effect: Mapping[str, Any]) -> str:

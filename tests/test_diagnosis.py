@@ -1,0 +1,247 @@
+"""The diagnosis: each verdict, the file it writes, and what can be done with it."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from typing import Any
+
+import numpy as np
+import pytest
+
+import deltacal_gen as dc
+from deltacal_gen.errors import InputError
+from deltacal_gen.physics import effect_names
+from deltacal_gen.recording import Recording
+from deltacal_gen.robot import Robot
+from deltacal_gen.simulation import simulate
+from tests.conftest import plausible
+from tests.left_out import DELTA, POSES, SIGMA, channels, diagnosis, effect, machine, named, record
+
+WIDTH = 0.02  # deg of backlash: 0.12 mm at the platform, twelve times the noise
+NUMBER = (int, float)
+SCHEMA: dict[str, Any] = {  # contract, section 4
+    "schema": str,
+    "verdict": str,
+    "summary": str,
+    "noise": {"sigma_mm": NUMBER, "source": str},
+    "baseline": {"model": str, "train_rms_mm": NUMBER, "heldout_rms_mm": NUMBER, "chi2_per_dof": NUMBER},
+    "location": {
+        "channels": [{"name": str, "p_value": NUMBER, "share": NUMBER}],
+        "limbs": [int],
+        "region": ({"centre_mm": [NUMBER], "radius_mm": NUMBER}, None),
+        "text": str,
+    },
+    "effects": [
+        {
+            "name": str,
+            "limbs": [int],
+            "parameters": [
+                {"name": str, "limb": (int, None), "value": NUMBER, "std": (NUMBER, None), "unit": str}
+            ],
+            "p_value": NUMBER,
+            "share_of_excess": NUMBER,
+            "indistinguishable_from": [str],
+        }
+    ],
+    "final": {"train_rms_mm": NUMBER, "heldout_rms_mm": NUMBER, "chi2_per_dof": NUMBER},
+    "rejected": [{"name": str, "why": str}],
+    "next_measurements": [{"why": str, "poses": [dict]}],
+}  # fmt: skip
+
+
+def conforms(value: Any, schema: Any, where: str = "") -> None:
+    """Assert that a value has all keys and types of a schema; further keys are allowed."""
+    if isinstance(schema, dict):
+        assert isinstance(value, dict), where
+        for key, part in schema.items():
+            assert key in value, f"{where}.{key} is missing"
+            conforms(value[key], part, f"{where}.{key}")
+    elif isinstance(schema, list):
+        assert isinstance(value, list), where
+        for item in value:
+            conforms(item, schema[0], f"{where}[]")
+    elif isinstance(schema, tuple) and None in schema:
+        if value is not None:
+            conforms(value, schema[0], where)
+    else:
+        assert isinstance(value, schema), f"{where} is {value!r}"
+        assert not isinstance(value, bool), where
+
+
+@pytest.fixture(scope="module")
+def robot() -> Robot:
+    return machine(transmission={"gear_ratio": 20.5})
+
+
+@pytest.fixture(scope="module")
+def sound(robot: Robot) -> dict[str, Any]:
+    return diagnosis(robot, record(robot, of=channels(POSES, "approach", "temp")))
+
+
+@pytest.fixture(scope="module")
+def loose_recording(robot: Robot) -> Recording:
+    return record(robot, effect("backlash", (2,), WIDTH), of=channels(POSES, "approach", "temp", "time"))
+
+
+@pytest.fixture(scope="module")
+def loose(robot: Robot, loose_recording: Recording) -> dict[str, Any]:
+    return diagnosis(robot, loose_recording)
+
+
+def bumpy(recording: Recording, robot: Robot) -> tuple[Recording, np.ndarray]:
+    """Return readings moved by up to 0.3 mm around a place of the workspace, and that place."""
+    centre = np.array([250.0, 100.0, -850.0])
+    x = simulate(robot, dataclasses.replace(recording, channels={}), frame=(np.zeros(3), np.zeros(3))).measured
+    bump = np.exp(-0.5 * np.sum(((x - centre) / 90.0) ** 2, axis=1))
+    return dataclasses.replace(recording, measured=recording.measured + 0.3 * bump[:, None] * [0.6, -0.6, 0.5]), centre
+
+
+@pytest.fixture(scope="module")
+def dented(robot: Robot) -> tuple[dict[str, Any], np.ndarray]:
+    recording, centre = bumpy(record(robot, n=140, of=channels(140, "temp")), robot)
+    return diagnosis(robot, recording), centre
+
+
+# ---------------------------------------------------------------------------------------------------- the verdicts
+
+
+@pytest.mark.parametrize(("kind", "n"), [("position", POSES), ("pose", 30), ("distance", POSES), ("gauge", 130)])
+def test_where_nothing_is_missing_nothing_is_named(robot: Robot, kind: str, n: int) -> None:
+    how = {"base_point_mm": (0.0, 0.0, -1400.0)} if kind == "gauge" else {}
+    found = diagnosis(robot, record(robot, kind=kind, n=n, of=channels(n, "approach", "temp", "time"), **how))
+    assert found["verdict"] == "adequate"
+    assert found["effects"] == []
+    assert found["final"]["chi2_per_dof"] == pytest.approx(1.0, abs=0.4)
+
+
+def test_what_is_missing_is_named_with_its_limb_and_its_size(loose: dict[str, Any]) -> None:
+    assert loose["verdict"] == "missing_physics"
+    assert named(loose) == [("backlash", [2])]
+    [width] = loose["effects"][0]["parameters"]
+    assert (width["name"], width["limb"], width["unit"]) == ("width", 2, "deg")
+    assert abs(width["value"] - WIDTH) < 4 * width["std"]
+    assert width["std"] < 0.05 * WIDTH
+    assert loose["location"]["channels"][0]["name"] == "approach2"
+    assert loose["location"]["limbs"] == [2]
+    assert loose["effects"][0]["indistinguishable_from"] == []
+    assert loose["baseline"]["heldout_rms_mm"] > 3 * SIGMA
+    assert loose["final"]["heldout_rms_mm"] < 2 * SIGMA
+    assert loose["effects"][0]["share_of_excess"] > 0.95
+
+
+def test_what_no_effect_explains_is_located_and_sized(dented: tuple[dict[str, Any], np.ndarray]) -> None:
+    found, centre = dented
+    assert found["verdict"] == "unexplained"
+    assert found["location"]["channels"][0]["name"] == "position"
+    region = found["location"]["region"]
+    assert np.linalg.norm(np.array(region["centre_mm"]) - centre) < 150
+    assert 30 < region["radius_mm"] < 300
+    assert found["effects"] == []
+    assert 1.5 * SIGMA < found["baseline"]["train_rms_mm"] < 0.1
+
+
+def test_two_effects_are_both_named(robot: Robot) -> None:
+    terms = effect("backlash", (2,), WIDTH), effect("thermal_zero", (1,), 0.004)
+    found = diagnosis(robot, record(robot, *terms, n=80, of=channels(80, "approach", "temp", "time")))
+    assert found["verdict"] == "missing_physics"
+    assert sorted(named(found)) == [("backlash", [2]), ("thermal_zero", [1])]
+    shares = [e["share_of_excess"] for e in found["effects"]]
+    assert 0.95 < sum(shares) <= 1.0
+    assert min(shares) > 0.1
+
+
+@pytest.mark.parametrize("order", [7.0, 20.5, 61.5])
+def test_the_order_of_a_periodic_error_is_found_also_beyond_the_gear(robot: Robot, order: float) -> None:
+    wave = effect("transmission_eccentricity", (1, 3), 0.008, -0.006, constants=(order,))
+    found = diagnosis(robot, record(robot, wave, n=80))
+    assert named(found) == [("transmission_eccentricity", [1, 3])]
+    values = {(p["name"], p["limb"]): (p["value"], p["std"]) for p in found["effects"][0]["parameters"]}
+    assert values["order", None][0] == order
+    for limb in (1, 3):
+        for name, truth in (("cos", 0.008), ("sin", -0.006)):
+            value, std = values[name, limb]
+            assert abs(value - truth) < 4 * std
+
+
+def test_rods_that_differ_are_named_only_where_the_model_leaves_them_out(robot: Robot) -> None:
+    rods = {**plausible(DELTA, 11, DELTA.model("delta/24"), size=0.3), "dl_2": 0.6, "dc_2": 0.3}
+    made = record(robot, kind="pose", n=40, errors=rods)
+    whole = diagnosis(robot, made)
+    assert whole["verdict"] == "adequate"
+    assert "geometry" in {t["name"]: t["missing"] for t in whole["not_tested"]}["parallelogram_error"]
+
+    lesser = dc.diagnose(robot, made, model="delta/24")
+    assert lesser["baseline"]["model"] == "delta/24"
+    assert lesser["verdict"] == "missing_physics"
+    assert named(lesser) == [("parallelogram_error", [2])]
+    found = {p["name"]: (p["value"], p["std"]) for p in lesser["effects"][0]["parameters"]}
+    for name in ("dl", "dc"):
+        value, std = found[name]
+        assert abs(value - rods[f"{name}_2"]) < 4 * std
+        assert std < 0.05
+
+
+# -------------------------------------------------------------------------------------------------------- the file
+
+
+def test_the_file_keeps_the_contract(
+    sound: dict[str, Any], loose: dict[str, Any], dented: tuple[dict[str, Any], np.ndarray]
+) -> None:
+    for found in (sound, loose, dented[0]):
+        conforms(found, SCHEMA)
+        assert found["schema"] == "deltacal.diagnosis/1"
+        assert json.loads(json.dumps(found, allow_nan=False)) == found
+        assert found["baseline"]["model"] == "delta/42"
+        shares = [c["share"] for c in found["location"]["channels"]]
+        assert shares == sorted(shares, reverse=True)
+        figures = [c["p_value"] for c in found["location"]["channels"]] + [e["p_value"] for e in found["effects"]]
+        assert all(0 <= f <= 1 for f in figures + shares)
+        tested = {e["name"] for e in found["effects"]} | {r["name"] for r in found["rejected"]}
+        left_out = {t["name"] for t in found["not_tested"]}
+        assert tested | left_out == set(effect_names())
+        assert not tested & left_out
+        assert len(found["summary"]) > 40
+
+
+def test_the_same_recording_gives_the_same_file(
+    robot: Robot, loose_recording: Recording, loose: dict[str, Any]
+) -> None:
+    assert diagnosis(robot, loose_recording) == loose
+
+
+# ------------------------------------------------------------------------------------------------------ its use
+
+
+def test_a_diagnosis_predicts_fresh_readings_with_their_channels(
+    robot: Robot, loose_recording: Recording, loose: dict[str, Any]
+) -> None:
+    fresh = record(machine(), effect("backlash", (2,), WIDTH), sigma=0.0, seed=9, of=channels(POSES, "approach"))
+    geometry = dc.identify(robot, loose_recording)
+    error = {
+        name: float(np.sqrt(np.mean((dc.predict(model, fresh).measured - fresh.measured) ** 2)))
+        for name, model in (("geometry", geometry), ("diagnosis", loose))
+    }
+    assert error["diagnosis"] < 0.02
+    assert error["diagnosis"] < 0.5 * error["geometry"]
+
+
+def test_a_prediction_without_a_channel_that_the_physics_needs_says_which(
+    loose: dict[str, Any], loose_recording: Recording
+) -> None:
+    without = {name: v for name, v in loose_recording.channels.items() if not name.startswith("approach")}
+    with pytest.raises(InputError, match="approach1"):
+        dc.predict(loose, dataclasses.replace(loose_recording, channels=without))
+
+
+def test_a_diagnosis_carries_to_another_session(robot: Robot, loose: dict[str, Any]) -> None:
+    later = plausible(DELTA, 11, size=0.3) | {"theta_1": 0.004, "theta_3": -0.002}  # homed anew, tracker moved
+    second = record(
+        robot, effect("backlash", (2,), WIDTH), seed=2, errors=later, of=channels(POSES, "approach", seed=6)
+    )
+    plain = dc.identify(robot, second)
+    carried = dc.identify(robot, second, physics=loose)
+    assert carried["heldout_rms_mm"] < 2 * SIGMA
+    assert carried["heldout_rms_mm"] < 0.5 * plain["heldout_rms_mm"]
+    assert carried["chi2_per_dof"] == pytest.approx(1.0, abs=0.4)
+    assert plain["chi2_per_dof"] > 5

@@ -1,0 +1,182 @@
+"""Recordings that a diagnosis can use only in part, or not at all: what is said, and what is found all the same."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from deltacal_gen.recording import write_recording
+from deltacal_gen.robot import robot_to_toml
+from tests.conftest import Run
+from tests.left_out import POSES, channels, effect, machine, record
+
+BACKLASH = effect("backlash", (2,), 0.02)
+LOADED = ("joint_compliance", "payload_deflection", "proximal_bending", "distal_compliance", "base_compliance")
+Edit = Callable[[list[str], int], None]
+Diagnose = Callable[..., tuple[int, dict[str, Any], str, str]]
+
+
+@pytest.fixture
+def shop(tmp_path: Path) -> Path:
+    """A folder with a robot file and a recording of a machine with play in joint 2, and every channel."""
+    robot = machine()
+    (tmp_path / "robot.toml").write_text(robot_to_toml(robot))
+    of = channels(POSES, "approach", "temp", "time", "payload")
+    write_recording(record(robot, BACKLASH, of=of), tmp_path / "recording.csv")
+    return tmp_path
+
+
+@pytest.fixture
+def diagnose(run: Run, shop: Path) -> Diagnose:
+    """Run ``deltacal diagnose`` in the shop; return exit code, DIAGNOSIS.json, standard output and error."""
+
+    def call() -> tuple[int, dict[str, Any], str, str]:
+        path = shop / "diagnosis.json"
+        code, out, err = run("diagnose", shop / "robot.toml", shop / "recording.csv", "-o", path)
+        return code, json.loads(path.read_text()) if path.exists() else {}, " ".join(out.split()), err
+
+    return call
+
+
+def column(shop: Path, name: str, value: Callable[[int, str], str]) -> None:
+    """Replace the cells of a column: a function of the line in the file and of what is there."""
+    path = shop / "recording.csv"
+    rows = [row.split(",") for row in path.read_text().splitlines()]
+    c = rows[0].index(name)
+    for k, row in enumerate(rows[1:]):
+        row[c] = value(k + 2, row[c])
+    path.write_text("\n".join(",".join(row) for row in rows) + "\n")
+
+
+def not_tested(found: dict[str, Any]) -> dict[str, str]:
+    return {t["name"]: t["missing"] for t in found["not_tested"]}
+
+
+def still_found(found: dict[str, Any]) -> None:
+    assert found["verdict"] == "missing_physics"
+    assert [(e["name"], e["limbs"]) for e in found["effects"]] == [("backlash", [2])]
+
+
+def test_a_sound_recording_tests_all_that_it_can(diagnose: Diagnose) -> None:
+    code, found, _, _ = diagnose()
+    assert code == 0
+    still_found(found)
+    assert not not_tested(found).keys() & {*LOADED, "thermal_zero", "thermal_growth", "zero_drift", "friction_windup"}
+
+
+def test_a_channel_that_never_changes_tests_nothing(shop: Path, diagnose: Diagnose) -> None:
+    column(shop, "temp_C", lambda line, cell: "23.5")
+    column(shop, "payload_kg", lambda line, cell: "2")
+    code, found, out, _ = diagnose()
+    assert code == 0
+    still_found(found)
+    left_out = not_tested(found)
+    assert "differ" in left_out["thermal_zero"]
+    assert "differ" in left_out["thermal_growth"]
+    assert "payload_kg" in left_out["payload_deflection"]
+    assert "joint_compliance" not in left_out  # a constant load bends joints too
+    assert "not tested: thermal_zero" in out
+
+
+@pytest.mark.parametrize(
+    ("name", "victims"),
+    [("temp_C", ("thermal_zero", "thermal_growth")), ("time_s", ("zero_drift",)), ("payload_kg", LOADED)],
+)
+def test_a_channel_that_is_half_missing_is_not_guessed(
+    shop: Path, diagnose: Diagnose, name: str, victims: Sequence[str]
+) -> None:
+    column(shop, name, lambda line, cell: "" if line % 2 else cell)
+    code, found, out, _ = diagnose()
+    assert code == 0
+    still_found(found)
+    left_out = not_tested(found)
+    for victim in victims:
+        assert name in left_out[victim]
+        assert "blank" in left_out[victim]
+        assert f"not tested: {victim}" in out
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "victims", "expected"),
+    [
+        ("temp_C", "400", ("thermal_zero", "thermal_growth"), "degC"),
+        ("payload_kg", "1000", LOADED, "kg"),
+        ("payload_kg", "-2", LOADED, "negative"),
+    ],
+)
+def test_units_that_cannot_be_take_a_channel_out_and_say_where(
+    shop: Path, diagnose: Diagnose, name: str, value: str, victims: Sequence[str], expected: str
+) -> None:
+    column(shop, name, lambda line, cell: value if line == 9 else cell)
+    code, found, out, _ = diagnose()
+    assert code == 0
+    still_found(found)
+    left_out = not_tested(found)
+    for victim in victims:
+        for word in (name, "line 9", value, expected):
+            assert word in left_out[victim]
+    assert "line 9" in out
+
+
+def test_a_direction_that_is_none_takes_its_effects_out(shop: Path, diagnose: Diagnose) -> None:
+    column(shop, "approach2", lambda line, cell: "7" if line == 12 else cell)
+    code, found, _, _ = diagnose()
+    assert code == 0
+    assert "line 12" in not_tested(found)["backlash"]
+    assert "line 12" in not_tested(found)["friction_windup"]
+    assert found["verdict"] == "unexplained"
+    assert found["effects"] == []
+
+
+def test_without_masses_no_load_is_tested(shop: Path, diagnose: Diagnose) -> None:
+    (shop / "robot.toml").write_text(robot_to_toml(machine(masses=None)))
+    code, found, out, _ = diagnose()
+    assert code == 0
+    still_found(found)
+    for name in (*LOADED, "friction_windup"):
+        assert "[masses]" in not_tested(found)[name]
+    assert "[masses]" in out
+
+
+def shortened(shop: Path, count: int) -> None:
+    path = shop / "recording.csv"
+    path.write_text("\n".join(path.read_text().splitlines()[: count + 1]) + "\n")
+
+
+def test_too_few_readings_are_refused_with_the_number_needed(shop: Path, diagnose: Diagnose) -> None:
+    shortened(shop, 14)
+    code, found, out, err = diagnose()
+    assert code == 3
+    assert found == {}
+    assert out == ""
+    assert "recording.csv" in err
+    assert "51" in err  # 42 parameters, 6 of the frame, 3 to see noise in
+
+
+def test_many_repeats_of_few_poses_are_no_long_recording(run: Run, tmp_path: Path) -> None:
+    robot = machine()
+    joints = np.degrees(record(robot, n=10).joints)
+    made = record(robot, n=80, joints=np.tile(joints, (8, 1)), pose=[str(k % 10) for k in range(80)])
+    (tmp_path / "robot.toml").write_text(robot_to_toml(robot))
+    write_recording(made, tmp_path / "recording.csv")
+    code, out, err = run("diagnose", tmp_path / "robot.toml", tmp_path / "recording.csv")
+    assert code == 3
+    assert out == ""
+    assert "10 different poses" in err
+
+
+def test_a_short_recording_promises_no_more_than_it_can(run: Run, tmp_path: Path) -> None:
+    robot = machine()
+    (tmp_path / "robot.toml").write_text(robot_to_toml(robot))
+    write_recording(record(robot, n=17), tmp_path / "recording.csv")
+    code, out, _ = run("diagnose", tmp_path / "robot.toml", tmp_path / "recording.csv", "--json")
+    assert code == 0
+    found = json.loads(out)
+    assert found["verdict"] == "adequate"
+    assert "too few" in found["summary"]
+    assert any("poses" in m["text"] for m in found["next_measurements"])
