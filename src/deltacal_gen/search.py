@@ -233,9 +233,9 @@ def charge(term: Term, forms: int) -> float:
 @cache
 def quantile(degrees: int, forms: int) -> float:
     """Return what the largest of `forms` chi2 of so many degrees exceeds with the probability `CHANCE`, at most."""
-    from scipy.stats import chi2
+    from scipy.special import chdtri  # scipy.stats would take a second to load
 
-    return float(chi2.isf(CHANCE / forms, degrees))
+    return float(chdtri(degrees, CHANCE / forms))
 
 
 def parts(term: Term) -> list[Term]:
