@@ -20,12 +20,12 @@ import sympy as sp
 import derive.effects
 import derive.measurements
 import derive.mechanisms
-from derive import closed_form, statics
+from derive import closed_form, statics, vectors
 from derive.first_order import linear
 from derive.graph import Graph
 from derive.lower import Kernel, Lowering, Text
 from derive.printer import c99, python
-from derive.spec import Effect, EffectQuantity, LimbMechanism, Measurement
+from derive.spec import ChainMechanism, Effect, EffectQuantity, LimbMechanism, Measurement
 
 ROOT = Path(__file__).resolve().parent.parent
 TEMPLATES = ROOT / "templates"
@@ -69,9 +69,35 @@ def _registered(package: ModuleType, name: str) -> Iterator[Any]:
         yield getattr(importlib.import_module(f"{package.__name__}.{module.name}"), name)
 
 
-def mechanisms() -> Iterator[LimbMechanism]:
+def mechanisms() -> Iterator[LimbMechanism | ChainMechanism]:
     """Yield every registered mechanism: one per file in ``derive/mechanisms``."""
     return _registered(derive.mechanisms, "MECHANISM")
+
+
+def links(mechanism: ChainMechanism) -> dict[str, Kernel]:
+    """Lower a link of each convention: its rotation (9) and shift (3), then how errors and joint move it.
+
+    Each derivative is a shift of the link's origin and a turn, ``axial(dR R^T)``, both in the frame before the link:
+    the twist that the chain behind the link takes part in.
+    """
+    variables = [quantity.symbol for quantity in mechanism.joint]
+    varied = [quantity.symbol for quantity in mechanism.errors] + variables
+    inputs = {s: f"x[{j}]" for j, s in enumerate(variables)}
+    inputs |= {q.quantity.symbol: f"p[{j}]" for j, q in enumerate(mechanism.geometry)}
+    inputs |= {q.symbol: f"p[{len(mechanism.geometry) + j}]" for j, q in enumerate(mechanism.errors)}
+    found = {}
+    for convention, screws in mechanism.transforms.items():
+        rotation, shift, by_step = vectors.follow(screws)
+        twists: list[sp.Expr] = []
+        for s in varied:
+            parts = [sp.diff(added, s) * by_step[step] for step, added in mechanism.steps]
+            twists += list(sum(parts, sp.zeros(6, 1)))
+        found[convention] = Lowering(Graph(mechanism.steps), {}, inputs).kernel(
+            convention,
+            f"a link, {convention} convention: rotation, shift; shift and turn by each error, by turn and slide",
+            [*rotation, *shift, *twists],
+        )
+    return found
 
 
 def measurements() -> Iterator[Measurement]:
@@ -238,6 +264,14 @@ def render() -> dict[Path, str]:
     }
     for mechanism in found:
         folder = Path(mechanism.name)
+        texts[folder / "__init__.py"] = f'"""{mechanism.title}: tables and kernels."""\n'
+        if isinstance(mechanism, ChainMechanism):
+            files = {f"chain/{name}.py.jinja": f"{name}.py" for name in ("parameters", "links")}
+            for template, name in files.items():
+                texts[folder / name] = environment.get_template(template).render(
+                    mechanism=mechanism, kernels=links(mechanism), stamp=_stamp(mechanism.source, template)
+                )
+            continue
         loads = statics.loads(mechanism)
         moving = kinematics(mechanism)
         command_constants = _columns(moving["newton"], moving["joint"])
@@ -249,7 +283,6 @@ def render() -> dict[Path, str]:
             "inverse.c": {"kernels": kinematics(mechanism, text=c99), "constants": command_constants},
             "linear.c": {"kernels": linear(mechanism, text=c99)},
         }
-        texts[folder / "__init__.py"] = f'"""{mechanism.title}: tables and kernels."""\n'
         for name, context in contents.items():
             template = f"mechanism/{name}.jinja"
             texts[folder / name] = environment.get_template(template).render(

@@ -223,6 +223,44 @@ class LimbMechanism:
 
 
 @dataclass(frozen=True)
+class Screw:
+    """A turn about an axis of the present frame and a shift along it, either of which may be zero."""
+
+    axis: str
+    turn: sp.Expr
+    shift: sp.Expr
+
+
+@dataclass(frozen=True, eq=False)
+class ChainMechanism:
+    """An open chain, written once for a link; the runtime composes links as the robot file lists them.
+
+    Parameters
+    ----------
+    joint : tuple of Quantity
+        Variable of a turning and of a sliding joint; a link reads one of them, the other is zero.
+    geometry : tuple of GeometryKey
+        Nominal dimensions of a link.
+    errors : tuple of Quantity
+        Source errors of a link, actual minus nominal; in the model of all parameters, ``name_i``.
+    transforms : mapping
+        Convention to the screws, in terms of the steps, that lead from the frame before the link to its own.
+    steps : sequence of (symbol, expression)
+        What nominal dimension, error and joint add up to.
+    """
+
+    name: str
+    title: str
+    reference: str
+    source: str
+    joint: tuple[Quantity, Quantity]
+    geometry: tuple[GeometryKey, ...]
+    errors: tuple[Quantity, ...]
+    transforms: Mapping[str, tuple[Screw, ...]]
+    steps: Steps
+
+
+@dataclass(frozen=True)
 class Platform:
     """What a measurement sees of a machine: a body in space.
 

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import sympy as sp
+
+from derive.spec import Screw
 
 _TERMS = 9
 
@@ -47,3 +51,34 @@ def cayley(c: sp.Matrix) -> sp.Matrix:
 def turn_about_z(t: sp.Expr) -> sp.Matrix:
     """Return the rotation about z by `t`."""
     return sp.Matrix([[sp.cos(t), -sp.sin(t), 0], [sp.sin(t), sp.cos(t), 0], [0, 0, 1]])
+
+
+def turn_about_x(t: sp.Expr) -> sp.Matrix:
+    """Return the rotation about x by `t`."""
+    return sp.Matrix([[1, 0, 0], [0, sp.cos(t), -sp.sin(t)], [0, sp.sin(t), sp.cos(t)]])
+
+
+def turn_about_y(t: sp.Expr) -> sp.Matrix:
+    """Return the rotation about y by `t`."""
+    return sp.Matrix([[sp.cos(t), 0, sp.sin(t)], [0, 1, 0], [-sp.sin(t), 0, sp.cos(t)]])
+
+
+def follow(screws: Sequence[Screw]) -> tuple[sp.Matrix, sp.Matrix, dict[sp.Expr, sp.Matrix]]:
+    """Return rotation (3, 3) and shift (3, 1) of screws one after the other, and the twist (6, 1) by each variable.
+
+    A variable moves all that comes behind it as a rigid body: a turn by w shifts the end by ``w x (end - axis)``. A
+    twist is the shift of the end and the turn, in the frame before the first screw.
+    """
+    about = {"x": turn_about_x, "y": turn_about_y, "z": turn_about_z}
+    rotation, shift = sp.eye(3), sp.zeros(3, 1)
+    at: list[tuple[sp.Expr, sp.Matrix, sp.Matrix, bool]] = []  # variable, its axis, a point of it, whether it turns
+    for screw in screws:
+        axis = rotation[:, "xyz".index(screw.axis)]
+        at += [(screw.turn, axis, shift, True), (screw.shift, axis, shift, False)]
+        rotation, shift = rotation * about[screw.axis](screw.turn), shift + axis * screw.shift
+    twists = {
+        variable: sp.Matrix.vstack(axis.cross(shift - point), axis) if turns else sp.Matrix.vstack(axis, sp.zeros(3, 1))
+        for variable, axis, point, turns in at
+        if variable != 0
+    }
+    return rotation, shift, twists

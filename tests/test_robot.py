@@ -35,6 +35,7 @@ DELTA = SimpleNamespace(
     name="delta",
     limbs=3,
     joint_unit="rad",
+    links=None,
     geometry=(*(geometry_key(key) for key in LENGTHS), ANGLES),
     parameters=tuple(
         SimpleNamespace(name=f"{name}_{limb}", unit=unit, meaning="", limb=limb)
@@ -46,6 +47,7 @@ TOWERS = SimpleNamespace(
     name="towers",
     limbs=3,
     joint_unit="mm",
+    links=None,
     geometry=(geometry_key("radius"), geometry_key("arm_length", per_limb=True)),
     parameters=(),
 )

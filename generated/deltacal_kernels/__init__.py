@@ -2,4 +2,5 @@
 
 MECHANISMS = (
     "delta",
+    "serial",
 )

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.mechanism import load_mechanism, mechanism_names
+from deltacal_gen.mechanism import load_mechanism, mechanism_names, mechanism_of
 from deltacal_gen.recording import Recording, csv_text, file_columns, read_recording, write_files, write_recording
 from deltacal_gen.robot import Robot, read_robot, read_text
 from deltacal_gen.units import file_unit, to_internal
@@ -43,7 +43,7 @@ def _robot(robot: Source | Robot) -> Robot:
 def _recording(recording: Source | Recording, robot: Robot, **how: bool) -> Recording:
     if isinstance(recording, Recording):
         return recording
-    return read_recording(recording, load_mechanism(robot.mechanism), **how)
+    return read_recording(recording, mechanism_of(robot), **how)
 
 
 def _result(result: Source | Mapping[str, Any]) -> Mapping[str, Any]:
@@ -363,7 +363,7 @@ def matrix(
 
     check_output(output, robot, recording, ending=(".npz",))
     robot = _robot(robot)
-    names = load_mechanism(robot.mechanism).model(model)
+    names = mechanism_of(robot).model(model)
     problem = pose_problem(robot, _recording(recording, robot), names, as_distance=as_distance)
     found = identification_matrix(problem, scaling)
     arrays = {
@@ -437,7 +437,7 @@ def compensate(
 
     check_output(output, result, targets)
     robot = prediction.calibrated_robot(_result(result))
-    mechanism = load_mechanism(robot.mechanism)
+    mechanism = mechanism_of(robot)
     compensator = compensation.Compensator(robot, kind)
     if export is not None:
         writers = {

@@ -31,7 +31,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
-from deltacal_gen.mechanism import SOLVED, STATUS, UNREACHABLE, Array, Mechanism, load_mechanism
+from deltacal_gen.mechanism import SOLVED, STATUS, UNREACHABLE, Array, Mechanism, mechanism_of
 from deltacal_gen.recording import write_files
 from deltacal_gen.robot import Robot, Workspace, read_text
 from deltacal_gen.units import file_unit, to_internal
@@ -93,7 +93,7 @@ class Compensator:
     @cached_property
     def mechanism(self) -> Mechanism:
         """The kernels of the machine."""
-        return load_mechanism(self.robot.mechanism)
+        return mechanism_of(self.robot)
 
     @cached_property
     def nominal(self) -> Robot:

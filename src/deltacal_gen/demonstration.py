@@ -17,7 +17,7 @@ import numpy as np
 from deltacal_gen import commands, compensation, figures
 from deltacal_gen.accuracy import check_poses, workspace_of
 from deltacal_gen.measurement import align
-from deltacal_gen.mechanism import Array, load_mechanism
+from deltacal_gen.mechanism import Array, mechanism_of
 from deltacal_gen.prediction import calibrated_robot
 from deltacal_gen.recording import write_files
 from deltacal_gen.robot import Robot, read_robot, robot_to_toml
@@ -59,7 +59,7 @@ def _check(robot: Robot, calibrated: Robot, result: dict[str, Any], truth: dict[
     What the instrument cannot know is where {O} lies; the errors are taken after the best alignment of the whole set,
     which is what localising the base frame does on the floor.
     """
-    mechanism = load_mechanism(robot.mechanism)
+    mechanism = mechanism_of(robot)
     targets = check_poses(workspace_of(robot))
     true_machine = dataclasses.replace(robot, errors=truth)
     offsets = {n: v for n, v in calibrated.errors.items() if n.startswith("theta_")}

@@ -23,7 +23,7 @@ from deltacal_gen.discrimination import Question, more_poses, next_measurements
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation import Fit, Problem, fit, held_out, held_out_residuals, pose_problem, rms
 from deltacal_gen.identification import Noise, folds, noise
-from deltacal_gen.mechanism import Array, load_mechanism
+from deltacal_gen.mechanism import Array, mechanism_of
 from deltacal_gen.physics import Body, Term, blank, effect_names, load_effect, term_to_dict
 from deltacal_gen.recording import Recording, check_units, set_aside
 from deltacal_gen.robot import Robot, robot_to_dict
@@ -112,7 +112,7 @@ def diagnose(
     """
     check_units(recording, robot)
     recording = set_aside(recording, robot)
-    mechanism = load_mechanism(robot.mechanism)
+    mechanism = mechanism_of(robot)
     model = model or mechanism.full_model
     names = mechanism.model(model)
     problem = pose_problem(robot, recording, names)

@@ -17,7 +17,7 @@ import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.measurement import Instrument, Readings, readings, start
-from deltacal_gen.mechanism import Array, Mechanism, Sensitivity, load_mechanism
+from deltacal_gen.mechanism import Array, Mechanism, Sensitivity, mechanism_of
 from deltacal_gen.physics import Body, Channels, Deformed, Term, reading_shift
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot
@@ -214,7 +214,7 @@ def pose_problem(
     held: Sequence[Term] = (),
 ) -> Problem:
     """Return the estimation problem of a recording for a set of free source errors; `held` effects stay as they are."""
-    mechanism = load_mechanism(robot.mechanism)
+    mechanism = mechanism_of(robot)
     tool = np.broadcast_to(robot.tool, (recording.n_rows, 3)).copy()
     if recording.tool is not None:
         tool = np.where(np.isfinite(recording.tool), recording.tool, tool)

@@ -14,7 +14,7 @@ import numpy as np
 
 from deltacal_gen.errors import UsageError
 from deltacal_gen.estimation import Problem
-from deltacal_gen.mechanism import Array, load_mechanism
+from deltacal_gen.mechanism import Array, mechanism_of
 from deltacal_gen.robot import Robot
 from deltacal_gen.units import file_unit, to_internal
 
@@ -113,7 +113,7 @@ def column_convention(robot: Robot, names: Sequence[str], convention: str) -> tu
     """
     if convention not in CONVENTIONS:
         raise UsageError(f"there is no scaling '{convention}'; known: {', '.join(CONVENTIONS)}.")
-    mechanism = load_mechanism(robot.mechanism)
+    mechanism = mechanism_of(robot)
     columns = [mechanism.index[n] for n in names]
     units = [mechanism.parameters[j].unit for j in columns]
     if convention == "file":

@@ -20,7 +20,7 @@ from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation import Fit, Problem, Repeats, fit, held_out, lengths, pose_problem, rms
 from deltacal_gen.identifiability import Combination
 from deltacal_gen.measurement import Readings
-from deltacal_gen.mechanism import SOLVED, Array, Mechanism, load_mechanism
+from deltacal_gen.mechanism import SOLVED, Array, Mechanism, mechanism_of
 from deltacal_gen.physics import Body, Term, term_to_dict
 from deltacal_gen.recording import Recording, check_units
 from deltacal_gen.robot import Robot, robot_size, robot_to_dict
@@ -122,7 +122,7 @@ def identify(
         An unknown model or solver.
     """
     check_units(recording, robot)
-    mechanism = load_mechanism(robot.mechanism)
+    mechanism = mechanism_of(robot)
     everything = pose_problem(robot, recording, (), as_distance=as_distance, held=held)
     chosen = _model(mechanism, everything, recording, model)
     names = mechanism.model(chosen)

@@ -23,7 +23,7 @@ from deltacal_gen.errors import UsageError
 from deltacal_gen.rotation import Array, cayley_matrix, cayley_spin, cayley_vector
 
 if TYPE_CHECKING:
-    from deltacal_gen.robot import Robot
+    from deltacal_gen.robot import Link, Robot
 
 COORDINATES = ("px", "py", "pz", "cx", "cy", "cz")  # of a body in space, as the kernels solve for them
 POSE = 12  # numbers of a pose: position of the reference point, rotation matrix row by row
@@ -126,8 +126,8 @@ def mechanism_names() -> tuple[str, ...]:
 
 
 @cache
-def load_mechanism(name: str) -> Mechanism:
-    """Return a registered mechanism.
+def load_mechanism(name: str, links: tuple[Link, ...] = ()) -> Mechanism:
+    """Return a registered mechanism; an open chain is one of its `links`.
 
     Raises
     ------
@@ -136,11 +136,23 @@ def load_mechanism(name: str) -> Mechanism:
     """
     if name not in mechanism_names():
         raise UsageError(f"there is no mechanism '{name}'. Registered: {', '.join(mechanism_names())}.")
-    return Mechanism(importlib.import_module(f"deltacal_kernels.{name}.parameters"))
+    tables = importlib.import_module(f"deltacal_kernels.{name}.parameters")
+    if getattr(tables, "CHAIN", False):
+        from deltacal_gen.chain import Chain  # which builds on this module
+
+        return Chain(tables, links)
+    return Mechanism(tables)
+
+
+def mechanism_of(robot: Robot) -> Mechanism:
+    """Return the mechanism of a robot."""
+    return load_mechanism(robot.mechanism, robot.links)
 
 
 class Mechanism:
     """Tables and kernels of one machine; the robot's numbers come in by every call."""
+
+    links: tuple[Link, ...] | None = None  # of an open chain
 
     def __init__(self, tables: ModuleType) -> None:
         self._tables = tables

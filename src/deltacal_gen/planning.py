@@ -31,7 +31,7 @@ from deltacal_gen.identifiability import (
     unseen,
 )
 from deltacal_gen.measurement import Instrument, Readings
-from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, load_mechanism
+from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, mechanism_of
 from deltacal_gen.recording import Measurement, Recording, write_recording
 from deltacal_gen.robot import Robot, Workspace, to_file
 from deltacal_gen.units import file_unit
@@ -393,7 +393,7 @@ def reach(robot: Robot, targets: Array, tools: Array) -> tuple[Poses, np.ndarray
     status : (M,) array of str
         Why a target cannot be measured; "" where it can.
     """
-    mechanism = load_mechanism(robot.mechanism)
+    mechanism = mechanism_of(robot)
     targets, tools = np.atleast_2d(np.asarray(targets, dtype=float)), _tools(tools)
     nominal, known = mechanism.rows(dataclasses.replace(robot, errors={})), mechanism.rows(robot)
     theta, _, solved = mechanism.inverse(targets, tools[0], nominal)
@@ -495,7 +495,7 @@ def _sensitivity(robot: Robot, poses: Poses, names: Sequence[str]) -> Array:
 
 
 def _mechanism(robot: Robot) -> Mechanism:
-    return load_mechanism(robot.mechanism)
+    return mechanism_of(robot)
 
 
 def _readings(kind: str, poses: Poses, frame_per_point: bool = False) -> tuple[Readings, Instrument]:

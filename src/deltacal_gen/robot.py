@@ -15,10 +15,10 @@ import json
 import math
 import re
 import tomllib
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, TypeVar, get_args
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar, get_args
 
 import numpy as np
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, create_model
@@ -111,6 +111,47 @@ class Transmission(Table):
     pulley_circumference: Positive | None = None
 
 
+class _Joint(Table):
+    """One link of an open chain, as a table ``[[joint]]`` of the robot file [mm, deg, kg]."""
+
+    kind: Literal["revolute", "prismatic", "fixed", "coupled"]
+    coupling: dict[str, Number] = {}
+    convention: Literal["standard", "modified"] = "standard"
+    a: Number = 0.0
+    alpha: Number = 0.0
+    d: Number = 0.0
+    theta: Number = 0.0
+    mass: NotNegative = 0.0
+    com: Vector = (0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class Link:
+    """What a link of an open chain is, beside its dimensions.
+
+    Parameters
+    ----------
+    kind : {"revolute", "prismatic", "fixed", "coupled"}
+    convention : {"standard", "modified"}
+        Of Denavit and Hartenberg.
+    alpha : float
+        Nominal twist [rad]: whether its axes are parallel.
+    mass : float
+        [kg]
+    com : tuple of float
+        Centre of mass in the link's frame [mm].
+    coupling : tuple of (int, float)
+        Of a coupled joint: numbers of the joints, from 1, and how much of each.
+    """
+
+    kind: str
+    convention: str
+    alpha: float
+    mass: float
+    com: tuple[float, ...]
+    coupling: tuple[tuple[int, float], ...] = ()
+
+
 @dataclass(frozen=True, eq=False)
 class Robot:
     """A machine as its drawings describe it, in internal units (mm, rad, kg).
@@ -133,6 +174,8 @@ class Robot:
         Lower and upper limit of each joint as the controller counts [rad or mm].
     source : Path, optional
         The file it was read from.
+    links : tuple of Link
+        Of an open chain, from the base; empty for other mechanisms.
     """
 
     name: str
@@ -147,6 +190,7 @@ class Robot:
     joint_sign: np.ndarray
     joint_limits: np.ndarray | None
     source: Path | None = None
+    links: tuple[Link, ...] = ()
 
 
 def read_robot(path: str | Path, *, load: Loader | None = None) -> Robot:
@@ -172,10 +216,10 @@ def robot_from_dict(tables: Mapping[str, Any], *, load: Loader | None = None) ->
     return _robot(TomlFile(None, "", dict(tables)), load)
 
 
-def robot_to_dict(robot: Robot, *, load: Loader | None = None) -> dict[str, dict[str, Any]]:
+def robot_to_dict(robot: Robot, *, load: Loader | None = None) -> dict[str, Any]:
     """Tables of a complete robot file, ready for JSON or TOML [mm, deg]."""
-    mechanism = (load or _registered)(robot.mechanism)
-    tables: dict[str, dict[str, Any]] = {"robot": {"name": robot.name, "mechanism": robot.mechanism}}
+    mechanism = load(robot.mechanism) if load else _registered(robot.mechanism, robot.links)
+    tables: dict[str, Any] = {"robot": {"name": robot.name, "mechanism": robot.mechanism}}
     tables["geometry"] = {"tool": [float(value) for value in robot.tool]}
     for name, part in (("workspace", robot.workspace), ("masses", robot.masses), ("transmission", robot.transmission)):
         if part is not None:
@@ -185,7 +229,9 @@ def robot_to_dict(robot: Robot, *, load: Loader | None = None) -> dict[str, dict
         unit = mechanism.joint_unit
         limits = [[to_file(value, unit) for value in pair] for pair in robot.joint_limits]
         tables["joints"][_limits_key(mechanism)] = limits
-    for key in mechanism.geometry:
+    if robot.links:
+        tables["joint"] = [_joint_table(robot, k) for k in range(len(robot.links))]
+    for key in mechanism.geometry if not robot.links else ():
         values = [to_file(value, key.unit) for value in robot.geometry[key.key]]
         tables[key.table][key.key] = values if key.per_limb or len(values) > 1 else values[0]
     units = {parameter.name: parameter.unit for parameter in mechanism.parameters}
@@ -202,31 +248,79 @@ def robot_to_toml(robot: Robot, *, load: Loader | None = None) -> str:
 
 def robot_size(robot: Robot, *, load: Loader | None = None) -> float:
     """Sum of the machine's lengths, the mean over the limbs of each [mm]: a yardstick for plausible readings."""
+    if robot.links:  # a chain reaches as far as its links together
+        return float(np.abs(robot.geometry["a"]).sum() + np.abs(robot.geometry["d"]).sum())
     keys = (load or _registered)(robot.mechanism).geometry
     return float(sum(np.abs(robot.geometry[key.key]).mean() for key in keys if key.unit == "mm"))
 
 
-def _registered(name: str) -> Mechanism:
+def _joint_table(robot: Robot, k: int) -> dict[str, Any]:
+    link = robot.links[k]
+    table: dict[str, Any] = {"kind": link.kind, "convention": link.convention}
+    if link.coupling:
+        table["coupling"] = {str(number): much for number, much in link.coupling}
+    table |= {key: to_file(robot.geometry[key][k], unit) for key, unit in _LINK_UNITS.items()}
+    return table | {"mass": link.mass, "com": list(link.com)}
+
+
+def _registered(name: str, links: tuple[Link, ...] = ()) -> Mechanism:
     # Imported on first use, so that injected mechanisms cost no import of the kernels.
     from deltacal_gen.mechanism import load_mechanism
 
-    return load_mechanism(name)
+    return load_mechanism(name, links)
+
+
+_LINK_UNITS = {"a": "mm", "alpha": "rad", "d": "mm", "theta": "rad"}
+
+
+def _links(file: TomlFile, joints: Sequence[_Joint]) -> tuple[Link, ...]:
+    """The links of a chain; raises InputError where a coupling leads nowhere."""
+    found = []
+    for k, joint in enumerate(joints, start=1):
+        coupling = []
+        for number, much in joint.coupling.items():
+            other = int(number) if number.isdigit() else 0
+            if not 1 <= other <= len(joints) or joints[other - 1].kind not in ("revolute", "prismatic"):
+                raise file.error(
+                    f"joint {k} is coupled to '{number}', which is no revolute or prismatic joint.",
+                    "Give numbers of [[joint]] tables in this file, counted from 1.",
+                    "joint",
+                )
+            coupling.append((other, much))
+        if (joint.kind == "coupled") != bool(coupling):
+            raise file.error(
+                f"joint {k} is of the kind '{joint.kind}' and has {'a' if coupling else 'no'} coupling.",
+                'A coupling belongs to kind = "coupled", and only to it: coupling = {2 = -1.0}.',
+                "joint",
+            )
+        found.append(
+            Link(joint.kind, joint.convention, joint.alpha * to_internal("rad"), joint.mass, joint.com, tuple(coupling))
+        )
+    if found and not any(link.kind in ("revolute", "prismatic") for link in found):
+        raise file.error("the chain has no joint that moves.", "Add a revolute or prismatic one.", "joint")
+    return tuple(found)
 
 
 def _robot(file: TomlFile, load: Loader | None) -> Robot:
-    head = file.check(_Head).robot
+    named = file.check(_Head)
+    head, links = named.robot, _links(file, named.joint)
     try:
-        mechanism = (load or _registered)(head.mechanism)
+        mechanism = load(head.mechanism) if load else _registered(head.mechanism, links)
     except UsageError as error:
         raise file.error(
             f"mechanism in [robot]: {error}", "Write the name of a known mechanism.", "robot", "mechanism"
         ) from None
     said = file.check(_schema(mechanism))
     tables = {name: dict(getattr(said, name)) for name in ("geometry", "joints", "errors", "tolerance")}
-    _check_scale(file, mechanism, tables)
-
     geometry = {}
-    for key in mechanism.geometry:
+    if isinstance(mechanism.links, tuple):
+        if not links:
+            raise file.error("the chain has no links.", "Add one table [[joint]] for each, from the base.", "robot")
+        for name, kind in _LINK_UNITS.items():
+            geometry[name] = np.array([getattr(joint, name) for joint in named.joint]) * to_internal(kind)
+    else:
+        _check_scale(file, mechanism, tables)
+    for key in mechanism.geometry if not links else ():
         value = tables[key.table][key.key]
         internal = key.default if value is None else np.multiply(value, to_internal(key.unit))
         geometry[key.key] = np.atleast_1d(np.asarray(internal, dtype=float))
@@ -245,11 +339,12 @@ def _robot(file: TomlFile, load: Loader | None) -> Robot:
         errors=errors,
         tolerance=tolerance,
         workspace=said.workspace,
-        masses=said.masses,
+        masses=said.masses or (Masses() if any(link.mass for link in links) else None),
         transmission=said.transmission,
         joint_sign=np.array(tables["joints"]["sign"], dtype=float),
         joint_limits=None if limits is None else np.array(limits) * unit,
         source=file.path,
+        links=links,
     )
 
 
@@ -262,6 +357,7 @@ class _Head(BaseModel):
     """What is needed before the schema is known; all other tables wait."""
 
     robot: _Name
+    joint: tuple[_Joint, ...] = ()
 
 
 class _RobotFile(Table):
@@ -281,7 +377,7 @@ def _schema(mechanism: Mechanism) -> Any:
         "sign": (_per_limb(_Sign, limbs), (1.0,) * limbs),
         _limits_key(mechanism): (_list(_Interval, limbs), None),
     }
-    for key in mechanism.geometry:
+    for key in mechanism.geometry if mechanism.links is None else ():
         fields = geometry if key.table == "geometry" else joints
         meaning = f"{key.meaning} [{file_unit(key.unit)}]"
         size = sum(other.key == key.key for other in mechanism.geometry)
@@ -289,9 +385,11 @@ def _schema(mechanism: Mechanism) -> Any:
         fields[key.key] = (kind, Field(... if key.default is None else None, description=meaning))
     names = [parameter.name for parameter in mechanism.parameters]
     absent: Any = Field({}, validate_default=True)
+    chain: Any = {} if mechanism.links is None else {"joint": (tuple[_Joint, ...], ...)}
     return create_model(
         "RobotFile",
         __base__=_RobotFile,
+        **chain,
         geometry=(_table("geometry", geometry), ...),
         joints=(_table("joints", joints), absent),
         errors=(_table("errors", dict.fromkeys(names, (Number, None))), absent),
@@ -459,9 +557,17 @@ def _key_path(dotted: str) -> tuple[str, ...]:
     return tuple(part.strip(" \"'") for part in dotted.split("."))
 
 
-def toml_text(tables: Mapping[str, Mapping[str, Any]]) -> str:
-    """TOML text of flat tables of strings, numbers and nested lists; ``"a.b"`` names a table within a table."""
-    blocks = ([f"[{name}]", *(f"{key} = {_toml_value(v)}" for key, v in keys.items())] for name, keys in tables.items())
+def toml_text(tables: Mapping[str, Any]) -> str:
+    """TOML text of flat tables of strings, numbers and nested lists.
+
+    ``"a.b"`` names a table within a table; a list of tables is written as ``[[name]]``.
+    """
+    each = (
+        (f"[[{name}]]" if isinstance(keys, list) else f"[{name}]", table)
+        for name, keys in tables.items()
+        for table in (keys if isinstance(keys, list) else [keys])
+    )
+    blocks = ([head, *(f"{key} = {_toml_value(v)}" for key, v in table.items())] for head, table in each)
     return "\n\n".join("\n".join(block) for block in blocks) + "\n"
 
 
@@ -469,6 +575,8 @@ def _toml_value(value: Any) -> str:
     if isinstance(value, str):
         # JSON escapes what TOML wants escaped, but for DEL.
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+    if isinstance(value, Mapping):
+        return f"{{{', '.join(f'{key} = {_toml_value(item)}' for key, item in value.items())}}}"
     if isinstance(value, (list, tuple)):
         return f"[{', '.join(_toml_value(item) for item in value)}]"
     return repr(value)

@@ -16,7 +16,7 @@ from pydantic import Field
 
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.measurement import KINDS, Instrument, Readings
-from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, load_mechanism
+from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, mechanism_of
 from deltacal_gen.physics import Body, Channels, Term, blank, effect_names, load_effect, reading_shift
 from deltacal_gen.recording import Measurement, Recording
 from deltacal_gen.robot import Number, Robot, Table, TomlFile, nearest
@@ -50,7 +50,7 @@ def read_truth(path: str | Path, robot: Robot) -> Truth:
     """
     file = TomlFile.read(path)
     truth = file.check(_Truth)
-    mechanism = load_mechanism(robot.mechanism)
+    mechanism = mechanism_of(robot)
     units = {p.name: p.unit for p in mechanism.parameters}
     for name in truth.parameters:
         if name not in units:
@@ -156,7 +156,7 @@ def simulate(
     NoSolutionError
         A target or a pose cannot be reached; the message names the line.
     """
-    mechanism = load_mechanism(robot.mechanism)
+    mechanism = mechanism_of(robot)
     true = mechanism.vector(robot.errors if errors is None else errors)
     tool = np.broadcast_to(robot.tool, (poses.n_rows, 3))
     if poses.tool is not None:

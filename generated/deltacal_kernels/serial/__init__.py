@@ -1,0 +1,1 @@
+"""Open chain of revolute and prismatic joints: tables and kernels."""
