@@ -1,0 +1,176 @@
+"""Open chains: against homogeneous transforms written out here, and against numerical derivatives."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from conftest import displaced, displacement
+
+from deltacal_gen import commands
+from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.mechanism import mechanism_of
+from deltacal_gen.robot import Robot, read_robot, robot_from_dict, robot_to_dict, robot_to_toml
+from deltacal_gen.units import DEG
+
+ARM: list[dict[str, Any]] = [  # shoulder, two long links with parallel axes, a wrist of three
+    {"kind": "revolute", "alpha": 90.0, "d": 120.0, "mass": 6.0, "com": [0.0, -20.0, 0.0]},
+    {"kind": "revolute", "a": 400.0, "mass": 5.0, "com": [-180.0, 0.0, 40.0]},
+    {"kind": "revolute", "a": 350.0, "theta": -30.0, "mass": 3.0, "com": [-150.0, 0.0, 20.0]},
+    {"kind": "revolute", "alpha": 90.0, "d": 110.0, "mass": 1.0},
+    {"kind": "revolute", "alpha": -90.0, "d": 95.0},
+    {"kind": "revolute", "d": 80.0, "mass": 0.5, "com": [0.0, 5.0, -10.0]},
+]
+
+
+def robot(links: list[dict[str, Any]] = ARM, **tables: Any) -> Robot:
+    head = {"robot": {"name": "arm", "mechanism": "serial"}, "geometry": {"tool": [10.0, -5.0, 60.0]}}
+    return robot_from_dict(head | {"joint": links} | tables)
+
+
+def by_hand(r: Robot, q: np.ndarray, errors: dict[str, float]) -> np.ndarray:
+    """Return the pose (12,) at joints (n,), by 4 x 4 matrices of one pose."""
+
+    def turn(axis: int, t: float) -> np.ndarray:
+        out = np.eye(4)
+        i, j = [(1, 2), (2, 0), (0, 1)][axis]
+        out[[i, i, j, j], [i, j, i, j]] = np.cos(t), -np.sin(t), np.sin(t), np.cos(t)
+        return out
+
+    def shift(x: float, z: float) -> np.ndarray:
+        out = np.eye(4)
+        out[[0, 2], 3] = x, z
+        return out
+
+    T, readings, by_number = np.eye(4), iter(q), {}
+    for k, link in enumerate(r.links, start=1):
+        a, alpha, d, theta = (r.geometry[n][k - 1] + errors.get(f"{n}_{k}", 0.0) for n in ("a", "alpha", "d", "theta"))
+        beta = errors.get(f"beta_{k}", 0.0)
+        value = 0.0
+        if link.kind in ("revolute", "prismatic"):
+            value = by_number[k] = float(next(readings))
+        if link.kind == "coupled":
+            value = sum(much * by_number[n] for n, much in link.coupling)
+        d, theta = (d + value, theta) if link.kind == "prismatic" else (d, theta + value)
+        if link.convention == "standard":
+            T = T @ turn(2, theta) @ shift(0, d) @ shift(a, 0) @ turn(0, alpha) @ turn(1, beta)
+        else:
+            T = T @ turn(0, alpha) @ turn(1, beta) @ shift(a, 0) @ turn(2, theta) @ shift(0, d)
+    tool = r.tool + [errors.get(t, 0.0) for t in ("tx", "ty", "tz")]
+    return np.concatenate([T[:3, :3] @ tool + T[:3, 3], T[:3, :3].ravel()])
+
+
+MODIFIED = [link | {"convention": "modified"} for link in ARM]
+MIXED = [*ARM[:2], {"kind": "fixed", "a": 30.0, "alpha": 20.0}, {"kind": "coupled", "coupling": {"1": 0.5, "2": -1.0}}]
+SLIDES = [{"kind": "prismatic", "alpha": 90.0, "theta": 90.0}, {"kind": "prismatic", "alpha": -90.0}]
+
+
+@pytest.mark.parametrize("links", [ARM, MODIFIED, MIXED, SLIDES], ids=["standard", "modified", "coupled", "prismatic"])
+def test_the_pose_and_its_derivatives_are_those_of_matrices_by_hand(links: list[dict[str, Any]]) -> None:
+    r = robot(links)
+    m, rng = mechanism_of(r), np.random.default_rng(3)
+    q = rng.uniform(-2, 2, (4, m.limbs)) * (100.0 if m.joint_unit == "mm" else 1.0)
+    errors = {p.name: 3 * p.typical * rng.standard_normal() for p in m.parameters}
+    rows = m.rows(r, m.vector(errors))
+    x, status = m.forward(q, r.tool, rows)
+    assert (status == 0).all()
+    for n in range(len(q)):
+        assert x[n] == pytest.approx(by_hand(r, q[n], errors), abs=1e-10)
+    S = m.sensitivity(x, q, r.tool, rows)
+    for j, p in enumerate(m.parameters):
+        h = 1e-3 * (1.0 if p.unit == "mm" else 0.1)
+        plus, minus = (
+            np.array([by_hand(r, one, errors | {p.name: errors[p.name] + s * h}) for one in q]) for s in (1, -1)
+        )
+        slope = (displacement(x, plus) - displacement(x, minus)) / (2 * h)
+        assert S.parameters[:, :, j] == pytest.approx(slope, abs=2e-4 if p.unit == "rad" else 1e-8)
+    for j in range(m.limbs):
+        h = 1e-4
+        plus, minus = (m.forward(q + s * h * np.eye(m.limbs)[j], r.tool, rows)[0] for s in (1, -1))
+        slope = (displacement(x, plus) - displacement(x, minus)) / (2 * h)
+        assert S.joints[:, :, j] == pytest.approx(slope, abs=1e-4)
+
+
+def test_torques_are_minus_the_slope_of_potential_energy() -> None:
+    r = robot()
+    m, rng = mechanism_of(r), np.random.default_rng(5)
+    q, rows, gravity, payload = rng.uniform(-2, 2, (5, 6)), m.rows(r), np.array([0.0, 0.0, -9.81]), 2.0
+    masses = np.array([*(link.mass for link in r.links), payload])
+
+    def energy(q: np.ndarray) -> np.ndarray:
+        x, _ = m.forward(q, r.tool, rows)
+        at = m.weights_at(x, q, r.tool, rows, {"proximal": 0.0})
+        return np.asarray(-(at @ gravity) @ masses)
+
+    x, _ = m.forward(q, r.tool, rows)
+    torque = m.torques(x, q, r.tool, rows, {"proximal": 0.0}, gravity, payload)
+    assert torque[:, 0] == pytest.approx(0, abs=1e-9)  # its axis is vertical
+    for j in range(6):
+        step = 1e-3 * np.eye(6)[j]
+        slope = (8 * (energy(q + step) - energy(q - step)) - (energy(q + 2 * step) - energy(q - 2 * step))) / 12e-3
+        assert torque[:, j] == pytest.approx(-slope, abs=1e-4)
+
+
+def test_parallel_axes_have_a_beta_and_others_none() -> None:
+    names = mechanism_of(robot()).model("serial/dh")
+    assert [n for n in names if n.startswith("beta")] == ["beta_2", "beta_3"]
+    assert {"a_1", "alpha_4", "d_6", "theta_3", "tx", "tz"} <= set(names)
+
+
+def test_a_chain_survives_its_file(tmp_path: Path) -> None:
+    r = robot(MIXED, errors={"a_2": 0.25, "theta_1": 0.1, "tx": -0.5})
+    path = tmp_path / "robot.toml"
+    path.write_text(robot_to_toml(r))
+    again = read_robot(path)
+    assert again.links == r.links
+    assert again.errors == pytest.approx({"a_2": 0.25, "theta_1": 0.1 * DEG, "tx": -0.5})
+    assert robot_to_dict(again) == robot_to_dict(r)
+
+
+@pytest.mark.parametrize(
+    ("links", "message"),
+    [
+        ([], "no links"),
+        ([{"kind": "fixed"}], "no joint that moves"),
+        ([*ARM[:1], {"kind": "coupled", "coupling": {"7": 1.0}}], "coupled to '7'"),
+        ([*ARM[:1], {"kind": "coupled"}], "has no coupling"),
+        ([{"kind": "turning"}], "'kind'"),
+        ([ARM[0] | {"len": 3.0}], "'len'"),
+    ],
+)
+def test_a_flawed_chain_is_refused(links: list[dict[str, Any]], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        robot(links)
+
+
+def test_a_position_alone_does_not_command_a_chain() -> None:
+    r = robot()
+    with pytest.raises(UsageError, match="Give joints"):
+        mechanism_of(r).inverse(np.zeros((1, 3)), r.tool, mechanism_of(r).rows(r))
+
+
+def test_a_chain_is_simulated_and_identified(tmp_path: Path) -> None:
+    """Full poses up to half a turn in an unknown frame; what comes out predicts the true machine elsewhere."""
+    truth = {"a_2": 0.4, "alpha_1": 0.05, "theta_2": 0.08, "d_4": -0.3, "beta_3": 0.03, "theta_5": -0.1}
+    (tmp_path / "robot.toml").write_text(robot_to_toml(robot()))
+    lines = "\n".join(f"{k} = {v}" for k, v in truth.items())
+    (tmp_path / "truth.toml").write_text(f"[parameters]\n{lines}\n")
+    q = np.random.default_rng(7).uniform(-150, 150, (160, 6))
+    for name, part in (("poses", q[:120]), ("fresh", q[120:])):
+        header = ",".join(f"q{i}_deg" for i in range(1, 7))
+        np.savetxt(tmp_path / f"{name}.csv", part, delimiter=",", header=header, comments="")
+        (tmp_path / f"{name}.toml").write_text('[measurement]\nkind = "pose"\nframe = "unknown"\n')
+        how = {"truth": tmp_path / "truth.toml", "seed": 1, "noise": 0.01 if name == "poses" else 0.0}
+        commands.simulate(tmp_path / "robot.toml", tmp_path / f"{name}.csv", tmp_path / f"{name}_read.csv", **how)
+    found = commands.identify(tmp_path / "robot.toml", tmp_path / "poses_read.csv", output=tmp_path / "result.json")
+    assert found["train_rms_mm"] == pytest.approx(0.01, rel=0.15)
+    check = commands.validate(tmp_path / "result.json", tmp_path / "fresh_read.csv")
+    assert check["rms_mm"] < 0.01
+
+
+def test_displacements_lead_from_pose_to_pose() -> None:
+    x = np.hstack([np.zeros((1, 3)), np.eye(3).ravel()[None]])
+    step = np.array([1.0, 2.0, 3.0, 0.1, -0.2, 0.3])
+    assert displacement(x, displaced(x, step))[0] == pytest.approx(step)
