@@ -410,6 +410,10 @@ class Judge:
             other = [j for k, columns in enumerate(own) if k != i for j in columns]
             if search.gain(other) > best - 2 * MARGIN:
                 return False
+            others = [t for k, t in enumerate(terms) if k != i]
+            wider = [j for t in others for j in search.where(blank(t.effect, (1, 2, 3), t.constants, t.tools))]
+            if search.gain(wider) > best - MARGIN:
+                return False  # another effect, at more limbs, could stand for it
             for c in search.terms:
                 same = c.effect == term.effect
                 if any(c.effect == t.effect for t in terms if t is not term) or (same and c.tools):
