@@ -2,5 +2,6 @@
 
 MECHANISMS = (
     "delta",
+    "diamond",
     "serial",
 )

@@ -1,0 +1,1 @@
+"""Diamond, two arms in a plane: tables and kernels."""

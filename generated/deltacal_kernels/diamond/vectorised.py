@@ -1,0 +1,309 @@
+"""Kinematics of `diamond` in plain NumPy: Diamond, two arms in a plane.
+
+Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both e478e395094da94d; SymPy 1.14.0.
+
+The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
+small job is done before Numba would be loaded, and the compiled kernels have an independent check.
+"""
+
+import numpy as np
+
+SOLVED, UNREACHABLE, SINGULAR = 0, 1, 2
+MAX_STEPS = 30
+STEP_DONE = 1e-9  # mm and rad; Newton is quadratic: after such a step the rest is rounding
+STEP_LOST = 1e5  # mm and rad; a step of this size leads nowhere
+ANGLE_STEP = 1e-3  # rad per mm: joints and rotations are asked for this much finer than lengths
+CLOSED = 1e-3  # mm^2: loops that are open by more where Newton gets stuck cannot be closed
+PIVOT_SINGULAR = 1e-9  # of the largest entry of its matrix, in mm
+
+
+def constants(p):
+    """Return k (M, 2, 11), what no pose changes, from p (23 operations).
+
+    All rows at once.
+    """
+    k = np.zeros((p.shape[0], 2, 11))
+    base_x = p[..., 0]
+    base_y = p[..., 1]
+    L = p[..., 2]
+    l = p[..., 3]
+    side = p[..., 4]
+    theta = p[..., 5]
+    ex = p[..., 6]
+    ey = p[..., 7]
+    dL = p[..., 8]
+    dl = p[..., 9]
+    tip_v = p[..., 12]
+    B_x = base_x*side + ex
+    B_y = base_y + ey
+    s3 = L + dL
+    s6 = theta - 0.5*np.pi*(1 - side)
+    s9 = s3*side
+    s12 = -side*tip_v
+    s26 = dl + l
+    s28 = -0.5*(s26 * s26)
+    s51 = -s26
+    s59 = (side * side)
+    s60 = (s3 * s3)
+    s62 = s28 + 0.5*s59*s60
+    s66 = s59*s60
+    s71 = s3*s59
+    k[..., 0] = s6
+    k[..., 1] = s9
+    k[..., 2] = s12
+    k[..., 3] = B_x
+    k[..., 4] = B_y
+    k[..., 5] = s28
+    k[..., 6] = s62
+    k[..., 7] = s66
+    k[..., 8] = s71
+    k[..., 9] = side
+    k[..., 10] = s51
+    return k
+
+
+def _newton(x, q, tool, k):
+    """Per rod of one limb: closure, its derivatives by the platform, by the joint: (N, 4)."""
+    px = x[:, 0]
+    py = x[:, 1]
+    tx = tool[:, 0]
+    ty = tool[:, 1]
+    q = q
+    s6 = k[:, 0]
+    s9 = k[:, 1]
+    s12 = k[:, 2]
+    B_x = k[:, 3]
+    B_y = k[:, 4]
+    s28 = k[:, 5]
+    s7 = q + s6
+    s8 = np.cos(s7)
+    s11 = np.sin(s7)
+    C_x = B_x + s11*s12 + s8*s9
+    C_y = B_y + s11*s9 - s12*s8
+    A_x = px - tx
+    A_y = py - ty
+    d_x = A_x - C_x
+    d_y = A_y - C_y
+    s29 = 0.5*(d_x * d_x) + 0.5*(d_y * d_y) + s28
+    s30 = 2*d_y
+    s31 = 0.5*s30
+    s32 = 2*d_x
+    s33 = 0.5*s32
+    s46 = -s11*(s12*s31 - s33*s9) + s8*(-s12*s33 - s31*s9)
+    out = np.zeros((len(x), 4))
+    out[:, 0] = s29
+    out[:, 1] = s33
+    out[:, 2] = s31
+    out[:, 3] = s46
+    return out
+
+
+def _parameters(x, q, tool, k):
+    """Per rod of one limb: derivatives of the closure by errors, by deflections: (N, 8)."""
+    px = x[:, 0]
+    py = x[:, 1]
+    tx = tool[:, 0]
+    ty = tool[:, 1]
+    q = q
+    s6 = k[:, 0]
+    s9 = k[:, 1]
+    s12 = k[:, 2]
+    B_x = k[:, 3]
+    B_y = k[:, 4]
+    side = k[:, 9]
+    s51 = k[:, 10]
+    s7 = q + s6
+    s8 = np.cos(s7)
+    s11 = np.sin(s7)
+    C_x = B_x + s11*s12 + s8*s9
+    C_y = B_y + s11*s9 - s12*s8
+    A_x = px - tx
+    A_y = py - ty
+    d_x = A_x - C_x
+    d_y = A_y - C_y
+    s30 = 2*d_y
+    s31 = 0.5*s30
+    s32 = 2*d_x
+    s33 = 0.5*s32
+    s46 = -s11*(s12*s31 - s33*s9) + s8*(-s12*s33 - s31*s9)
+    s50 = side*(-s11*s31 - s33*s8)
+    s52 = -side*(-s11*s33 + s31*s8)
+    out = np.zeros((len(x), 8))
+    out[:, 0] = s46
+    out[:, 1] = -s33
+    out[:, 2] = -s31
+    out[:, 3] = s50
+    out[:, 4] = s51
+    out[:, 7] = s52
+    return out
+
+
+def _sphere(x, q, tool, k):
+    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d: (N, 3)."""
+    tx = tool[:, 0]
+    ty = tool[:, 1]
+    q = q
+    s6 = k[:, 0]
+    s9 = k[:, 1]
+    B_x = k[:, 3]
+    B_y = k[:, 4]
+    s28 = k[:, 5]
+    s7 = q + s6
+    s79 = B_x + s9*np.cos(s7) + tx
+    s80 = B_y + s9*np.sin(s7) + ty
+    s85 = s28 + 0.5*(s79 * s79) + 0.5*(s80 * s80)
+    out = np.zeros((len(x), 3))
+    out[:, 0] = s79
+    out[:, 1] = s80
+    out[:, 2] = s85
+    return out
+
+
+def _joint(x, q, tool, k):
+    """Joint of the simplified limb at a given position: (N, 1)."""
+    px = x[:, 0]
+    py = x[:, 1]
+    tx = tool[:, 0]
+    ty = tool[:, 1]
+    s6 = k[:, 0]
+    s9 = k[:, 1]
+    B_x = k[:, 3]
+    B_y = k[:, 4]
+    s62 = k[:, 6]
+    s66 = k[:, 7]
+    s71 = k[:, 8]
+    s53 = -B_y + py - ty
+    s54 = -B_x + px - tx
+    s55 = (s54 * s54)
+    s57 = (s53 * s53)
+    s63 = 0.5*s55 + 0.5*s57 + s62
+    s70 = np.sqrt(s55*s66 + s57*s66 - (s63 * s63))
+    s78 = -s6 + np.arctan2(s53*s63*s9 + s54*s70*s71, -s53*s70*s71 + s54*s63*s9)
+    out = np.zeros((len(x), 1))
+    out[:, 0] = s78
+    return out
+
+
+def _of(k, chosen):
+    return k[chosen] if len(k) > 1 else k
+
+
+def _closure(x, q, tool, k):
+    """Return F (N, 2), J_x (N, 2, 2) and the joints' part J_q (N, 2)."""
+    parts = [_newton(x, q[:, i], tool, k[:, i]).reshape(len(x), 1, 4) for i in range(2)]
+    rows = np.concatenate(parts, axis=1)
+    return rows[:, :, 0], rows[:, :, 1 : 3], rows[:, :, 3]
+
+
+def _solve(A, B):
+    """Return X of A X = B (N, n, m) by Gauss elimination with partial pivoting, and (N,) whether A is regular."""
+    A, B = A.copy(), B.copy()
+    n = A.shape[1]
+    smallest = PIVOT_SINGULAR * np.abs(A).max(axis=(1, 2), initial=0.0)
+    regular = np.isfinite(A).all(axis=(1, 2))
+    every = np.arange(len(A))
+    for c in range(n):
+        pivot = c + np.argmax(np.abs(A[:, c:, c]), axis=1)
+        A[every, c], A[every, pivot] = A[every, pivot], A[every, c].copy()
+        B[every, c], B[every, pivot] = B[every, pivot], B[every, c].copy()
+        regular &= np.abs(A[:, c, c]) > smallest
+        head = np.where(regular, A[:, c, c], 1.0)
+        factor = A[:, c + 1 :, c] / head[:, None]
+        A[:, c + 1 :] -= factor[:, :, None] * A[:, None, c]
+        B[:, c + 1 :] -= factor[:, :, None] * B[:, None, c]
+    for c in range(n - 1, -1, -1):
+        B[:, c] /= np.where(regular, A[:, c, c], 1.0)[:, None]
+        B[:, :c] -= A[:, :c, c, None] * B[:, None, c]
+    return B, regular
+
+
+def jacobians(x, q, tool, k, F, J_x, J_q, J_p):
+    """See ``kinematics.jacobians``."""
+    F[:], J_x[:], J_q[:] = _closure(x, q, tool, k)
+    for i in range(2):
+        rows = slice(1 * i, 1 * i + 1)
+        J_p[:, rows] = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 1, 8)
+
+
+def _meet(circle):
+    """Return where two circles (N, 2, 3) meet, (N, 2), and (N,) whether their centres lie apart.
+
+    Their difference is a line, on which the first circle is a quadratic. Where the line misses the circle its nearest
+    point is taken.
+    """
+    a = circle[:, 1] - circle[:, 0]
+    aa = (a[:, :2] ** 2).sum(axis=1)
+    apart = aa > PIVOT_SINGULAR * (circle[:, :, :2] ** 2).sum(axis=(1, 2))
+    aa = np.where(apart, aa, 1.0)
+    p = (a[:, 2] / aa)[:, None] * a[:, :2]
+    n = np.stack([-a[:, 1], a[:, 0]], axis=1)
+    half = ((p - circle[:, 0, :2]) * n).sum(axis=1)
+    rest = 0.5 * (p * p).sum(axis=1) - (circle[:, 0, :2] * p).sum(axis=1) + circle[:, 0, 2]
+    root = np.sqrt(np.maximum(half * half - 2.0 * aa * rest, 0.0))
+    t = (-half + np.where(n[:, 1] > 0.0, -1.0, 1.0) * root) / aa
+    return p + t[:, None] * n, apart
+
+
+def forward(q, tool, k, x, status, warm):
+    """See ``kinematics.forward``."""
+    status[:] = UNREACHABLE
+    if not (warm and np.isfinite(x).all()):
+        x[:] = 0.0
+        sphere = np.stack([_sphere(x, q[:, i], tool, k[:, i]) for i in range(2)], axis=1)
+        x[:, :2], apart = _meet(sphere)
+        status[~apart] = SINGULAR
+    active = np.flatnonzero(status == UNREACHABLE)
+    for _ in range(MAX_STEPS):
+        if not len(active):
+            break
+        F, J_x, _ = _closure(x[active], q[active], tool[active], _of(k, active))
+        step, regular = _solve(J_x, F[:, :, None])
+        status[active[~regular]] = np.where(np.abs(F[~regular]).max(axis=1, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        active, step = active[regular], step[regular, :, 0]
+        x[active] -= step
+        size = np.abs(step).max(axis=1, initial=0.0)
+        status[active[size < STEP_DONE]] = SOLVED
+        active = active[(size >= STEP_DONE) & (size < STEP_LOST)]
+    x[status != SOLVED] = np.nan
+
+
+def inverse(target, tool, k, x, q, status):
+    """See ``kinematics.inverse``."""
+    x[:] = 0.0
+    x[:, :2] = target
+    with np.errstate(invalid="ignore"):
+        for i in range(2):
+            q[:, i] = _joint(x, 0.0, tool, k[:, i])[:, 0]
+    status[:] = UNREACHABLE
+    active = np.flatnonzero(np.isfinite(q).all(axis=1))
+    for _ in range(MAX_STEPS):
+        if not len(active):
+            break
+        F, J_x, J_q = _closure(x[active], q[active], tool[active], _of(k, active))
+        A = np.zeros((len(active), 2, 2))
+        for r in range(2):
+            A[:, r, r // 1] = J_q[:, r]
+        A[:, :, 2:] = J_x[:, :, 2:]
+        step, regular = _solve(A, F[:, :, None])
+        status[active[~regular]] = np.where(np.abs(F[~regular]).max(axis=1, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        active, step = active[regular], step[regular, :, 0]
+        q[active] -= step[:, :2]
+        x[active, 2:] -= step[:, 2:]
+        size = np.abs(step).max(axis=1, initial=0.0)
+        status[active[size < STEP_DONE * ANGLE_STEP]] = SOLVED
+        active = active[(size >= STEP_DONE * ANGLE_STEP) & (size < STEP_LOST)]
+    x[status != SOLVED], q[status != SOLVED] = np.nan, np.nan
+
+
+def sensitivity(x, q, tool, k, S_p, S_q, status):
+    """See ``kinematics.sensitivity``."""
+    _, J_x, J_q = _closure(x, q, tool, k)
+    unit, regular = _solve(J_x, np.tile(-np.eye(2), (len(x), 1, 1)))
+    status[:] = np.where(regular, SOLVED, SINGULAR)
+    unit[~regular] = np.nan
+    for i in range(2):
+        rows = slice(1 * i, 1 * i + 1)
+        J_p = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 1, 8)
+        S_p[:, :, 8 * i : 8 * i + 8] = unit[:, :, rows] @ J_p
+        S_q[:, :, i] = (unit[:, :, rows] * J_q[:, None, rows]).sum(axis=2)
