@@ -330,7 +330,7 @@ def _columns(at: Fit, problem: Problem, terms: Sequence[Term]) -> tuple[Array, A
     machine = problem.solve(at.errors)
     taken = problem is at.problem
     if not taken:
-        values, rotations = at.instrument.predict(problem.readings, machine.x)
+        values, rotations = at.instrument.mounted(problem.mechanism, at.errors).predict(problem.readings, machine.x)
         problem = dataclasses.replace(
             problem, readings=dataclasses.replace(problem.readings, values=values, rotations=rotations)
         )

@@ -16,7 +16,7 @@ from functools import partial
 import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.measurement import Instrument, Readings, readings, start
+from deltacal_gen.measurement import Instrument, Readings, carried, readings, start
 from deltacal_gen.mechanism import Array, Mechanism, Sensitivity, mechanism_of
 from deltacal_gen.physics import Body, Channels, Deformed, Term, reading_shift
 from deltacal_gen.recording import Recording
@@ -119,6 +119,7 @@ class Problem:
 
     def residual(self, parameters: Array, instrument: Instrument, x: Array) -> Array:
         """Return measured minus predicted (R, k), effects on the reading included [mm, rad]."""
+        instrument = instrument.mounted(self.mechanism, parameters)
         r = instrument.residual(self.readings, x)
         _, terms = self.split(parameters)
         if terms:
@@ -144,9 +145,15 @@ class Problem:
         dx = np.zeros((len(machine.x), self.mechanism.n_x, len(self.names)))
         dx[used] = sensitivity.parameters[:, :, [self.mechanism.index[n] for n in self.names]]
         effects = self.effect_columns(terms, machine, used, sensitivity) if not self.held else dx[:, :, :0]
-        J_p, J_m = instrument.linearise(self.readings, machine.x, np.concatenate([dx, effects], axis=2))
+        mounted = instrument.mounted(self.mechanism, parameters)
+        J_p, J_m = mounted.linearise(self.readings, machine.x, np.concatenate([dx, effects], axis=2))
+        own = {u: p for u, p in carried(instrument.kind, self.mechanism).items() if p in self.columns}
+        if own:
+            J_p[:, :, [self.columns.index(p) for p in own.values()]] += mounted.by_unknown(
+                self.readings, machine.x, tuple(own)
+            )
         if terms and not self.held:
-            values, _ = instrument.predict(self.readings, machine.x)
+            values, _ = mounted.predict(self.readings, machine.x)
             shifted = reading_shift(terms, self.body, self.readings.rows, values)[1]
             J_p[:, : values.shape[1], len(self.names) :] += shifted
         return Linearised(self.residual(parameters, instrument, machine.x), J_p, J_m)

@@ -81,8 +81,9 @@ class Combination:
 def identification_matrix(problem: Problem, convention: str = "file") -> IdentificationMatrix:
     """Return the identification matrix of a problem, at the robot file's geometry.
 
-    Positions and poses in an unknown frame have the frame projected out of H and r, distances need none. Weights play
-    no part; rotations count in rad.
+    Positions and poses in an unknown frame have the frame projected out of H and r, distances need none. The rows of
+    an incremental gauge are differences of adjacent readings (Mei 2018, eq. 24). Weights play no part; rotations count
+    in rad.
 
     Raises
     ------
@@ -94,7 +95,9 @@ def identification_matrix(problem: Problem, convention: str = "file") -> Identif
     state = problem.linearise(problem.reference, instrument)
     read = np.isfinite(state.residual)
     J_p, J_m, r = state.J_p[read], state.J_m[read], state.residual[read]
-    if instrument.n_unknown:
+    if problem.readings.kind == "gauge" and problem.recording.measurement.zero == "incremental":
+        J_p, J_m, r = np.diff(J_p, axis=0), np.diff(J_m, axis=0)[:, :-1], np.diff(r)  # the zero falls out
+    if J_m.shape[1]:
         if len(problem.readings) * state.residual.shape[1] < instrument.n_unknown:
             Q = np.zeros((len(r), 0))
         else:

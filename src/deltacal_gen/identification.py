@@ -19,7 +19,7 @@ from deltacal_gen.accuracy import check_poses, distance_error, largest, volumetr
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation import Fit, Problem, Repeats, fit, held_out, lengths, pose_problem, rms
 from deltacal_gen.identifiability import Combination
-from deltacal_gen.measurement import Readings
+from deltacal_gen.measurement import MOUNT, Readings, carried
 from deltacal_gen.mechanism import SOLVED, Array, Mechanism, mechanism_of
 from deltacal_gen.physics import Body, Term, term_to_dict
 from deltacal_gen.recording import Recording, check_units
@@ -204,7 +204,9 @@ def _model(mechanism: Mechanism, problem: Problem, recording: Recording, asked: 
     """
     scalars = problem.readings.n_scalars
     extra = problem.begin(problem.reference).n_unknown
-    by_size = sorted(mechanism.models, key=lambda m: -len(mechanism.models[m]))
+    shown = {mechanism.parameters[p].name for p in carried(problem.readings.kind, mechanism).values()}
+    fitting = [m for m in mechanism.models if shown.issuperset(set(MOUNT) & set(mechanism.models[m]))]
+    by_size = sorted(fitting, key=lambda m: -len(mechanism.models[m]))
     if asked is not None:
         mechanism.model(asked)
         name = asked if "/" in asked else f"{mechanism.name}/{asked}"
@@ -541,7 +543,7 @@ def _pinned(problems: list[Problem], final: Fit) -> int:
         machine = p.solve(final.errors)
         same = p.readings.kind == final.instrument.kind
         instrument = final.instrument if same else p.begin(final.errors)
-        predicted, rotations = instrument.predict(p.readings, machine.x)
+        predicted, rotations = instrument.mounted(p.mechanism, final.errors).predict(p.readings, machine.x)
         ideal = dataclasses.replace(p.readings, values=predicted, rotations=rotations)
         state = dataclasses.replace(p, readings=ideal).linearise(final.errors, instrument, machine)
         sigma = np.resize(final.sigma, state.residual.shape[1])[None, :, None]

@@ -16,13 +16,14 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.mechanism import Array
+from deltacal_gen.mechanism import Array, Mechanism, mechanism_of
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot
 from deltacal_gen.rotation import cayley_matrix, from_vector, mean, to_vector
 
 MOST_PAIRS = 200_000  # distances that are made of positions at once
 KINDS = ("position", "pose", "distance", "gauge")
+MOUNT = ("mx", "my", "mz")  # a gauge's unknowns which, where they are parameters of the machine, a model frees or not
 
 
 @dataclass(frozen=True)
@@ -268,6 +269,20 @@ class Instrument:
         turned[:, [c - 3 for c in range(3, 6) if c not in found.components]] = np.nan
         return np.hstack([r, turned])
 
+    def mounted(self, mechanism: Mechanism, parameters: Array) -> Instrument:
+        """Return the instrument where the machine's own parameters (n_p,) put it."""
+        own = carried(self.kind, mechanism)
+        if not own:
+            return self
+        state = self.state.copy()
+        state[:, list(own)] += parameters[list(own.values())]
+        return dataclasses.replace(self, state=state)
+
+    def by_unknown(self, found: Readings, x: Array, chosen: Sequence[int]) -> Array:
+        """Return the derivatives (R, k, chosen) of the readings by unknowns of the kind, free or not."""
+        derivatives: Array = self._kernels.by_unknown(*self._ends(found, x), self.state[found.setup])
+        return derivatives[:, :, list(chosen)]
+
     def linearise(self, found: Readings, x: Array, dx: Array) -> tuple[Array, Array]:
         """Return the derivatives of the readings by parameters and by the instrument's unknowns.
 
@@ -286,8 +301,7 @@ class Instrument:
         J_p = sum(by_platform[:, :, e] @ dx[rows] for e, rows in enumerate(found.rows.T))
         J_m = np.zeros((*J_p.shape[:2], len(self.state), len(self.free)))
         if self.free:
-            own = self._kernels.by_unknown(*ends, given)[:, :, list(self.free)]
-            J_m[np.arange(len(found)), :, found.setup] = own
+            J_m[np.arange(len(found)), :, found.setup] = self.by_unknown(found, x, self.free)
         return J_p, J_m.reshape(*J_p.shape[:2], -1)
 
     def stepped(self, increment: Array) -> Instrument:
@@ -322,6 +336,16 @@ class Instrument:
         return Instrument(data["kind"], np.asarray(data["state"], dtype=float), tuple(data["free"]))
 
 
+def carried(kind: str, mechanism: Mechanism) -> dict[int, int]:
+    """Return which unknowns of a kind of instrument are parameters of the machine: {unknown: parameter}.
+
+    A measuring mechanism that belongs to a machine has its errors in the machine's table (Mei 2018, eq. 17).
+    """
+    if kind != "gauge":
+        return {}
+    return {u: mechanism.index[name] for u, name in enumerate(MOUNT) if name in mechanism.index}
+
+
 def start(found: Readings, recording: Recording, robot: Robot, x: Array) -> Instrument:
     """Return the instrument in its first state, from the poses x (N, 6) of the machine as known so far.
 
@@ -335,7 +359,10 @@ def start(found: Readings, recording: Recording, robot: Robot, x: Array) -> Inst
         base = recording.measurement.base_point_mm or (0.0, 0.0, 0.0)
         incremental = recording.measurement.zero == "incremental"
         state = np.array([[*base, 0.0]])
-        instrument = Instrument("gauge", state, (0, 1, 2, 3) if incremental else (0, 1, 2))
+        mechanism = mechanism_of(robot)
+        own = carried("gauge", mechanism)
+        free = tuple(u for u in range(3) if u not in own and "xyz"[u] in mechanism.axes)
+        instrument = Instrument("gauge", state, (*free, 3) if incremental else free)
         zero = float(np.median(instrument.residual(found, x))) if incremental else 0.0
         return dataclasses.replace(instrument, state=np.array([[*base, zero]]))
     state = np.tile(np.concatenate([np.eye(3).ravel(), np.zeros(3)]), (setups, 1))

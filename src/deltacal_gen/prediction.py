@@ -41,7 +41,8 @@ def predict(result: Mapping[str, Any], recording: Recording) -> Recording:
     """
     robot = calibrated_robot(result)
     problem, instrument = prediction_problem(result, robot, recording)
-    values, rotations = instrument.predict(problem.readings, problem.poses(problem.reference))
+    mounted = instrument.mounted(problem.mechanism, problem.reference)
+    values, rotations = mounted.predict(problem.readings, problem.poses(problem.reference))
     values = values + reading_shift(problem.terms, problem.body, problem.readings.rows, values)[0]
     if rotations is not None:
         values = np.hstack([values, to_vector(rotations)])

@@ -178,7 +178,7 @@ def simulate(
     _all_solved(poses, status, "the pose cannot be simulated")
     x = machine.x
     found = unread(poses)
-    instrument = _instrument(poses, frame, rng)
+    instrument = _instrument(poses, frame, rng).mounted(mechanism, true)
     values, rotations = instrument.predict(found, x)
     values = values + reading_shift(terms, body, found.rows, values)[0]
     if (noise_mm or noise_rad) and rng is None:
