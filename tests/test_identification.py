@@ -254,9 +254,13 @@ def test_joints_that_the_machine_cannot_take_are_refused_by_their_line(robot: Ro
 def test_too_few_readings_are_refused_with_the_number_needed(
     robot: Robot, eighteen: dict[str, float], model: str | None
 ) -> None:
-    needed = 27 if model == "18" else 12  # parameters, frame, and three readings to see noise in
+    needed = 24 if model == "18" else 9  # parameters and frame
+    declared = noisy(robot, eighteen).subset([0, 5])
     with pytest.raises(InputError, match=rf"holds 6 independent scalar readings; .*{needed} are needed"):
-        identify(robot, noisy(robot, eighteen).subset([0, 5]), model)
+        identify(robot, declared, model)
+    silent = dataclasses.replace(declared, measurement=declared.measurement.model_copy(update={"sigma_mm": None}))
+    with pytest.raises(InputError, match=rf"noise shows in no fewer than 3 more: {needed + 3} are needed"):
+        identify(robot, silent, model)
 
 
 def test_the_largest_model_that_the_readings_allow_is_taken(robot: Robot, eighteen: dict[str, float]) -> None:

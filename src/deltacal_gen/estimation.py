@@ -34,6 +34,7 @@ SMALLEST_SIGMA = 1e-7  # mm and rad: noise below this is rounding of what went b
 HUBER = 2.5  # standard deviations beyond which a reading's pull stops growing
 SPOILT = 30.0  # times the median residual: a reading so far off is named when a fit does not converge
 MOST_GROSS = 0.06  # of all readings: more than this are no errors of measurement but something left out
+SPARE_READINGS = 3  # scalars beyond the unknowns, without which no noise can be told from errors
 GROSS = 6.0  # standard deviations beyond which a reading is listed as a gross error
 
 
@@ -396,11 +397,13 @@ def fit(
     shared = Repeats(problem.readings.group, repeats.ratio if repeats else 0.0)
     history: list[float] = []
     scalars = int(np.isfinite(instrument.residual(problem.readings, machine.x)).sum())
+    scarce = scalars - n_m - len(problem.names) < SPARE_READINGS and problem.readings.kind != "pose"
+    known = problem.recording.measurement.sigma_mm if scarce else None
     leverage = np.full(2, float(n_m + min(len(problem.names), 1)) / max(scalars, 1))
     damping, degrees = 0.0, 0.0
     while True:
         state = problem.linearise(errors, instrument, machine)
-        sigma = _noise(state.residual, leverage, robust)
+        sigma = _noise(state.residual, leverage, robust) if known is None else np.full(state.residual.shape[1], known)
         drop = drop_gross and len(history) > ESTIMATED_AT
         weights = _weights(state.residual, sigma, drop) if robust else np.ones(len(state.residual))
         if estimated and len(history) == ESTIMATED_AT:

@@ -17,7 +17,7 @@ import numpy as np
 from deltacal_gen import identifiability
 from deltacal_gen.accuracy import check_poses, distance_error, largest, volumetric_error
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
-from deltacal_gen.estimation import Fit, Problem, Repeats, fit, held_out, lengths, pose_problem, rms
+from deltacal_gen.estimation import SPARE_READINGS, Fit, Problem, Repeats, fit, held_out, lengths, pose_problem, rms
 from deltacal_gen.identifiability import Combination
 from deltacal_gen.measurement import MOUNT, Readings, carried
 from deltacal_gen.mechanism import SOLVED, Array, Mechanism, mechanism_of
@@ -33,7 +33,6 @@ SEED = 20150415  # of the folds: results do not change from run to run
 BROAD = 10.0  # standard deviation of a parameter of which nothing is known, in ordinary errors
 SPARE = 1.2  # scalar readings per unknown below which a model is not chosen unasked
 NOTHING_LEFT = 1e-12  # of a prior's variance: then the data know everything
-SPARE_READINGS = 3  # scalars beyond the unknowns, without which no noise can be told from errors
 PROVEN = 4.0  # standard deviations by which one noise must exceed another to be called larger
 LEAST_EXCESS = 1.15  # of chi2 per degree of freedom: a sidecar's sigma has a digit or two
 IMPLAUSIBLE = 0.005  # of the machine's size: more is no error of parts but of the recording
@@ -210,33 +209,38 @@ def _model(mechanism: Mechanism, problem: Problem, recording: Recording, asked: 
     if asked is not None:
         mechanism.model(asked)
         name = asked if "/" in asked else f"{mechanism.name}/{asked}"
-        needed = len(mechanism.models[name]) + extra + SPARE_READINGS
-        if scalars < needed:
-            raise _too_few(recording, scalars, needed, name, extra)
+        _check_count(recording, scalars, len(mechanism.models[name]), extra, name, _spare(recording))
         return name
     for name in by_size:
         if scalars >= SPARE * (len(mechanism.models[name]) + extra):
             return name
     smallest = by_size[-1]
-    needed = len(mechanism.models[smallest]) + extra + SPARE_READINGS
-    if scalars < needed:
-        raise _too_few(recording, scalars, needed, smallest, extra)
+    _check_count(recording, scalars, len(mechanism.models[smallest]), extra, smallest, _spare(recording))
     return smallest
 
 
 def enough(mechanism: Mechanism, problem: Problem, recording: Recording) -> None:
     """Raise an InputError where the readings cannot carry the problem's own parameters and the instrument's."""
     extra = problem.begin(problem.reference).n_unknown
-    needed = len(problem.names) + extra + SPARE_READINGS
-    if problem.readings.n_scalars < needed:
-        raise _too_few(recording, problem.readings.n_scalars, needed, mechanism.full_model, extra)
+    scalars = problem.readings.n_scalars
+    _check_count(recording, scalars, len(problem.names), extra, mechanism.full_model, SPARE_READINGS)
 
 
-def _too_few(recording: Recording, scalars: int, needed: int, model: str, extra: int) -> InputError:
+def _spare(recording: Recording) -> int:
+    """Return how many readings beyond the unknowns a fit needs: none where the noise is known beforehand."""
+    return 0 if recording.measurement.sigma_mm is not None and recording.kind != "pose" else SPARE_READINGS
+
+
+def _check_count(recording: Recording, scalars: int, parameters: int, extra: int, model: str, spare: int) -> None:
+    """Raise an InputError where readings are fewer than the unknowns and the `spare` ones that noise shows in."""
+    needed = parameters + extra + spare
+    if scalars >= needed:
+        return
     of_instrument = f" and {extra} of the instrument" if extra else ""
-    return InputError(
-        f"the recording holds {scalars} independent scalar readings; {model} has {needed - extra - SPARE_READINGS} "
-        f"parameters{of_instrument}, and noise shows in no fewer than {SPARE_READINGS} more: {needed} are needed.",
+    shows = f", and noise shows in no fewer than {spare} more" if spare else ""
+    raise InputError(
+        f"the recording holds {scalars} independent scalar readings; {model} has {parameters} "
+        f"parameters{of_instrument}{shows}: {needed} are needed.",
         "Measure more poses (deltacal plan proposes them) or choose a smaller model with --model.",
         file=recording.path,
     )
@@ -508,10 +512,11 @@ def _remedies(final: Fit) -> list[dict[str, Any]]:
     ideas: list[tuple[str, list[Problem]]] = []
     tools = [problem.body.tool + np.array(offset) * span for offset in ((1, 0, 0), (0, 1, 0), (0, 0, -1))]
     moved = [problem.with_tool(tool) for tool in tools]
-    ideas.append((f"a second reference point, {span:.0f} mm beside the first, at the same poses", moved[:1]))
-    ideas.append(
-        (f"a second and a third reference point, {span:.0f} mm beside the first, at the same poses", moved[:2])
-    )
+    if not carried(problem.readings.kind, problem.mechanism):  # a measuring mechanism mounted anew has new errors
+        ideas.append((f"a second reference point, {span:.0f} mm beside the first, at the same poses", moved[:1]))
+        ideas.append(
+            (f"a second and a third reference point, {span:.0f} mm beside the first, at the same poses", moved[:2])
+        )
     if problem.readings.kind in ("distance", "gauge"):
         ideas.append(("the position itself at the same poses, with a tracker or a camera", [_as_positions(problem)]))
     if problem.readings.kind != "pose":
