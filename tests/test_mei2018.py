@@ -12,8 +12,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from deltacal_gen import commands, identifiability, identification
-from deltacal_gen.errors import InputError
+from deltacal_gen import commands, identifiability, identification, planning
+from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.estimation import fit, pose_problem
 from deltacal_gen.mechanism import SOLVED, UNREACHABLE, load_mechanism
 from deltacal_gen.prediction import predict
@@ -124,9 +124,9 @@ def test_compiled_and_plain_kernels_agree(robot: Robot) -> None:
     q, tool, n = mei.inverse(SIX) + 0.01 * rng.standard_normal((6, 2)), np.zeros((6, 3)), 6
     found = []
     for kernels in (DIAMOND.compiled, DIAMOND.vectorised):
-        k, x, status = kernels.constants(rows), np.empty((n, 6)), np.empty(n, dtype=np.int64)
+        k, x, status = kernels.constants(rows), np.empty((n, 2)), np.empty(n, dtype=np.int64)
         kernels.forward(q, tool, k, x, status, False)
-        S, V, solved = np.empty((n, 6, 16)), np.empty((n, 6, 2)), np.empty(n, dtype=np.int64)
+        S, V, solved = np.empty((n, 2, 16)), np.empty((n, 2, 2)), np.empty(n, dtype=np.int64)
         kernels.sensitivity(x, q, tool, k, S, V, solved)
         assert (status == SOLVED).all()
         assert (solved == SOLVED).all()
@@ -167,7 +167,7 @@ def test_the_mechanism_where_the_robot_file_knows_it(robot: Robot, poses: Record
 
 
 def test_what_no_gauge_sees(robot: Robot, poses: Recording) -> None:
-    """Nine of twelve directions: a shift of robot and mechanism together along x and y, and a turn, change no length."""
+    """Nine of twelve directions: shifts of robot and mechanism together, and a turn, change no length."""
     p = np.random.default_rng(0).uniform((-240, -782), (240, -632), (40, 2))
     blank = as_recording(poses, mei.Procedure(np.zeros((1, 2, 2)), np.zeros(0), np.zeros(0), np.zeros((1, 1, 6))))
     many = dataclasses.replace(
@@ -191,6 +191,32 @@ def test_what_no_gauge_sees(robot: Robot, poses: Recording) -> None:
         v = DIAMOND.vector(direction) / DIAMOND.typical
         basis = np.linalg.qr((space / DIAMOND.typical).T)[0]
         np.testing.assert_allclose(basis @ (basis.T @ v), v, atol=1e-8 * np.linalg.norm(v))
+
+
+def test_the_choice_of_positions(tmp_path: Path) -> None:
+    """Rule (31): kappa_1 and kappa_m of n = 3 differ by less than 1 %; the six positions are the example's."""
+    text = (EXAMPLE / "robot.toml").read_text() + "\n[errors]\nmx = 1.0\nmy = 0.5\n"
+    (tmp_path / "robot.toml").write_text(text)
+    found = commands.plan(
+        tmp_path / "robot.toml", "diamond/4", tmp_path / "poses.csv", gauge=EXAMPLE / "poses.toml", n_max=5
+    )
+    assert (found["chosen"], len(found["poses"])) == (3, 6)
+    assert found["condition"] == pytest.approx([475.342, 457.808, 484.775], abs=1e-3)
+    assert found["corrected"][0] == pytest.approx(472.348, abs=1e-3)
+    ours, example = (
+        read_recording(p, DIAMOND, need_measured=False, allow_targets=True)
+        for p in (tmp_path / "poses.csv", EXAMPLE / "poses.csv")
+    )
+    assert ours.targets is not None
+    np.testing.assert_allclose(ours.targets, example.targets, atol=1e-9)
+    assert ours.measurement == example.measurement.model_copy(update={"sigma_mm": None})
+
+
+def test_a_plan_says_what_it_needs(robot: Robot) -> None:
+    with pytest.raises(UsageError, match="needs to know where its ends are mounted"):
+        planning.plan(robot, "4", kind="gauge")
+    with pytest.raises(UsageError, match="not for a gauge"):
+        commands.plan(robot, "4", optimal=6, gauge=EXAMPLE / "poses.toml")
 
 
 # ------------------------------------------------------------------------------------------------------ identification
@@ -289,11 +315,18 @@ def test_all_rounds_at_once_with_priors_beat_the_last_round(
     assert left.mean() == pytest.approx(mei.home_error(mei.group(1), oracle.zero).mean(), rel=0.1)
 
 
-@pytest.mark.parametrize("solver", [LeastSquares(), TSVD(4), Ridge()], ids=["least squares", "TSVD", "ridge"])
-def test_other_rules_at_four_columns(robot: Robot, poses: Recording, ten_rounds: mei.Procedure, solver: Solver) -> None:
-    """TSVD at four of four directions is least squares; no rule of these knows what the prior knows."""
-    left = home_errors(robot, poses, ten_rounds, "4", solver)
-    plain = home_errors(robot, poses, ten_rounds, "4", LeastSquares())
-    if not isinstance(solver, Ridge):
-        np.testing.assert_allclose(left, plain, rtol=1e-6)
-    assert left.mean() > home_errors(robot, poses, ten_rounds, "12", Prior("priors")).mean()
+def test_rules_for_weak_directions(robot: Robot, poses: Recording) -> None:
+    """TSVD at four of four directions is least squares; none of the rules knows what a measured offset tells."""
+    rng = np.random.default_rng(2019)
+    done = mei.procedure(mei.group(1), mei.MOUNTED + 0.1 * rng.standard_normal((12, 2)), 10, rng, 12)
+    measured = dataclasses.replace(
+        robot, errors={"mx": 1.0, "my": 0.5}, tolerance=robot.tolerance | {"mx": 0.1, "my": 0.1}
+    )
+    left = {
+        name: home_errors(measured, poses, done, "4", solver)
+        for name, solver in (("least squares", LeastSquares()), ("tsvd", TSVD(4)), ("ridge", Ridge()))
+    }
+    np.testing.assert_allclose(left["tsvd"], left["least squares"], rtol=1e-6)
+    best = home_errors(measured, poses, done, "12", Prior("priors")).mean()
+    assert best < 0.5 * min(each.mean() for each in left.values())
+    assert best < 0.1 * mei.home_error(mei.group(1), done.compensated[:, -1]).mean()

@@ -158,7 +158,12 @@ def claims(
 def plan(
     robot: RobotFile,
     model: Annotated[str, typer.Option("--model", help="e.g. delta/18")],
-    kind: Annotated[str, typer.Option(help="what will be measured: distance or position")] = "distance",
+    kind: Annotated[
+        str | None, typer.Option(help="what will be measured: distance, position or gauge", show_default=False)
+    ] = None,
+    gauge: Annotated[
+        Path | None, typer.Option(help="a sidecar that says where a gauge's ends are mounted", show_default=False)
+    ] = None,
     points: Annotated[
         int | None, typer.Option(help="reference points on the platform, 1 to 3; default as the model needs")
     ] = None,
@@ -168,7 +173,9 @@ def plan(
     ] = None,
     scaling: Annotated[str, typer.Option(help="columns: paper, table, file or typical")] = "paper",
     norm: Annotated[str, typer.Option(help="of the condition number: spectral or frobenius")] = "spectral",
-    threshold: Annotated[float, typer.Option(help="relative change of the condition number, rule (21)")] = 0.01,
+    threshold: Annotated[
+        float, typer.Option(help="relative change of the condition number that the rule tolerates")
+    ] = 0.01,
     sigma: Annotated[float | None, typer.Option(help="noise, mm: predict what the poses will give")] = None,
     optimal: Annotated[
         int | None, typer.Option(help="so many D-optimal poses instead of rings", show_default=False)
@@ -185,10 +192,12 @@ def plan(
     from deltacal_gen import commands
     from deltacal_gen.units import DEG
 
+    kind = kind or ("distance" if gauge is None else "gauge")
     options: dict[str, Any] = {"kind": kind, "tools": points, "scaling": scaling, "norm": norm, "sigma_mm": sigma}
     if optimal is None:
         options |= {"start_angle": start_angle * DEG, "threshold": threshold}
         options |= {"layers": layers.split(",")} if layers else {}
+        options |= {"gauge": gauge} if gauge else {}
     found = commands.plan(robot, model, output, optimal=optimal, picture=picture, **options)
     if as_json:
         _print_json(found)

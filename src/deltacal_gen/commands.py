@@ -192,6 +192,7 @@ def plan(
     *,
     optimal: int | None = None,
     picture: Source | None = None,
+    gauge: Source | None = None,
     **options: Any,
 ) -> dict[str, Any]:
     """Return measuring poses for a model: rings by the paper's rule (21), or a D-optimal set.
@@ -204,6 +205,8 @@ def plan(
         So many D-optimal poses instead of rings.
     picture : path
         Condition number against n.
+    gauge : path
+        A sidecar with ``base_point_mm`` and ``platform_point_mm``: where the ends of a gauge are mounted.
     options
         Of `planning.plan`, or of `planning.d_optimal`.
     """
@@ -212,6 +215,10 @@ def plan(
     check_output(output, robot)
     check_output(picture, robot, ending=PICTURES)
     robot = _robot(robot)
+    if gauge is not None and optimal is not None:
+        raise UsageError("D-optimal sets are chosen for positions and distances, not for a gauge.")
+    if gauge is not None:
+        options = {"kind": "gauge", "mount": planning.read_mount(gauge), **options}
     found = (
         planning.plan(robot, model, **options)
         if optimal is None

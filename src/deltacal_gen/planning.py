@@ -1,4 +1,4 @@
-"""Where to measure: rings of poses with the paper's rule, D-optimal sets, and what can be identified at all.
+"""Where to measure: poses on the rim of the workspace, the papers' rules, D-optimal sets, identifiability.
 
 A plan is judged by the identification matrix that its recording will have: exact poses of the machine as the robot
 file knows it, commanded through the nominal inverse, and derivatives by the generated kernels. For several reference
@@ -25,14 +25,15 @@ from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.identifiability import (
     RANK_TOLERANCE,
     Combination,
+    Observability,
     base_parameters,
     column_convention,
     observability,
     unseen,
 )
-from deltacal_gen.measurement import Instrument, Readings
+from deltacal_gen.measurement import Instrument, Readings, carried
 from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, mechanism_of
-from deltacal_gen.recording import Measurement, Recording, write_recording
+from deltacal_gen.recording import Measurement, Recording, read_measurement, write_recording
 from deltacal_gen.robot import Robot, Workspace, to_file
 from deltacal_gen.units import file_unit
 
@@ -42,6 +43,7 @@ ROUGH, FINE = ("middle",), ("top", "bottom")  # Bai 2015, sections 5.1 and 5.2
 KINDS = {
     "distance": "distances between all pairs of positions of one reference point",
     "position": "positions in one unknown frame, which is projected out",
+    "gauge": "lengths from a point of the base to one of the platform, differences of adjacent poses",
 }
 NORMS = {
     "spectral": "largest singular value by the smallest",
@@ -59,6 +61,14 @@ RECURRENCE = (0.8191725134, 0.6710436067, 0.5497004779)  # powers of the root of
 OFFSETS = ((0.0, 0.0, 0.0), (0.0, 0.0, -100.0), (100.0, 0.0, 0.0))  # mm: second and third reference points, from P
 RIDGE = 1e-9  # of the information of all candidates: keeps the determinant of a poor set above zero
 STARTS = 5  # random sets from which the exchange sets out
+
+
+@dataclass(frozen=True)
+class Mount:
+    """Where a gauge's ends are nominally mounted: `base` in {O}, `platform` in {O'}, (3,) each [mm]."""
+
+    base: Array
+    platform: Array
 
 
 @dataclass(frozen=True)
@@ -91,8 +101,9 @@ class Poses:
 class Step:
     """Figures of the set with `n` poses per ring.
 
-    `change` is ``|k_n - k_(n-1)| / k_n`` of the condition number k; `indices` are O1 .. O5 as in
-    `identifiability.Observability`.
+    `change` is ``|k_n - k_(n-1)| / k_n`` of the condition number k; of a gauge, ``|k - corrected| / k``, where
+    `corrected` is the condition number with the gauge's errors of the robot file (Mei 2018: kappa_1, kappa_m).
+    `indices` are O1 .. O5 as in `identifiability.Observability`.
     """
 
     n: int
@@ -102,6 +113,7 @@ class Step:
     condition: float
     change: float
     indices: dict[str, float]
+    corrected: float | None = None
 
 
 @dataclass(frozen=True)
@@ -146,6 +158,8 @@ class Task:
         Parameters that enter the matrix; those left out because no poses can tell them from the others.
     tools : (T, 3) array
         Reference points in {O'} [mm].
+    mount : Mount or None
+        Of a gauge.
     """
 
     robot: Robot
@@ -156,18 +170,29 @@ class Task:
     names: tuple[str, ...]
     dropped: tuple[str, ...]
     tools: Array
+    mount: Mount | None
 
     def step(self, n: int, poses: Poses, before: float = math.inf) -> Step:
         """Return the figures of a set of poses; `before` is the condition number of the last smaller one."""
-        factors, _ = column_convention(self.robot, self.names, self.scaling)
-        H = _matrix(self.robot, poses, self.names, self.kind) * factors
+        nominal = dataclasses.replace(self, robot=_as_mounted(self.robot)) if self.mount else self
+        H = nominal._columns(poses)
         figures = observability(H, len(poses))
-        condition = figures.condition
-        if self.norm == "frobenius" and math.isfinite(condition):
+        condition = self._condition(figures)
+        corrected = self._condition(observability(self._columns(poses), len(poses))) if self.mount else None
+        other = before if corrected is None else corrected
+        change = abs(condition - other) / condition if math.isfinite(condition) else math.inf
+        return Step(n, len(poses), len(H), figures.rank, condition, change, figures.indices, corrected)
+
+    def _columns(self, poses: Poses) -> Array:
+        factors, _ = column_convention(self.robot, self.names, self.scaling)
+        columns: Array = _matrix(self.robot, poses, self.names, self.kind, self.mount) * factors
+        return columns
+
+    def _condition(self, figures: Observability) -> float:
+        if self.norm == "frobenius" and math.isfinite(figures.condition):
             s = figures.singular_values
-            condition = float(np.sqrt((s**2).sum() * (1 / s**2).sum()))
-        change = abs(condition - before) / condition if math.isfinite(condition) else math.inf
-        return Step(n, len(poses), len(H), figures.rank, condition, change, figures.indices)
+            return float(np.sqrt((s**2).sum() * (1 / s**2).sum()))
+        return figures.condition
 
 
 @dataclass(frozen=True)
@@ -207,7 +232,19 @@ class Plan(Task):
     @property
     def conventions(self) -> str:
         """What the figures depend on, in words."""
-        if self.method == "rings":
+        if self.method == "edges":
+            lowest = "lowest" if len(self.layers) > 1 else "chosen"
+            rule = (
+                "|k - corrected| / k, with the gauge's errors of the robot file,"
+                if self.mount
+                else "|k(n) - k(n-1)| / k(n)"
+            )
+            poses = (
+                f"n evenly spaced poses along each of {len(self.layers)} levels of the workspace, all in the same "
+                f"direction, from the highest to the {lowest}; chosen is the smallest n >= {FEWEST} at which every "
+                f"parameter shows and {rule} <= {self.threshold:g}."
+            )
+        elif self.method == "rings":
             heights = " and ".join(f"{part:.0%}" for part in self.layers)
             poses = (
                 f"Home at the centre of the cylinder and n evenly spaced poses on the rim at {heights} of the height "
@@ -254,6 +291,7 @@ class Plan(Task):
             "readings": [step.readings for step in steps],
             "rank": [step.rank for step in steps],
             "condition": [_finite(step.condition) for step in steps],
+            "corrected": [None if step.corrected is None else _finite(step.corrected) for step in steps],
             "change": [_finite(step.change) for step in steps],
             **{name: [step.indices[name] for step in steps] for name in steps[0].indices},
             "chosen": self.chosen,
@@ -287,6 +325,19 @@ class RankRow:
     smallest: float
     noise: float
     unseen: list[Combination]
+
+
+def read_mount(sidecar: str | Path) -> Mount:
+    """Return where a recording's sidecar says that the ends of its gauge are mounted."""
+    measurement = read_measurement(sidecar)
+    base, platform = measurement.base_point_mm, measurement.platform_point_mm
+    if base is None or platform is None:
+        raise InputError(
+            "the sidecar does not say where a gauge's ends are mounted.",
+            "Add base_point_mm and platform_point_mm to [measurement].",
+            file=sidecar,
+        )
+    return Mount(np.array(base), np.array(platform))
 
 
 # --------------------------------------------------------------------------------------------------- sets of targets
@@ -326,8 +377,28 @@ def rings(
     return np.vstack(sets)
 
 
+def edges(workspace: Workspace, n: int, layers: Sequence[str | float] = FINE) -> Array:
+    """Return n evenly spaced poses along each level of a planar machine's rectangle, all in the same direction.
+
+    Returns
+    -------
+    targets : (n * len(layers), 3) array
+        [mm]
+
+    References
+    ----------
+    Mei 2018, section 5 and Fig. 7; the order, which the condition number of differences depends on, is the one that
+    gives its figures.
+    """
+    x = np.linspace(-0.5, 0.5, n) * _width(workspace)
+    levels = [-(workspace.top + part * workspace.height) for part in _parts(layers)]
+    return np.vstack([np.column_stack([x, np.full(n, y), np.zeros(n)]) for y in levels])
+
+
 def grid(workspace: Workspace, layers: int = 3, radii: int = 2, angles: int = 24) -> Array:
-    """Return candidates (M, 3) that fill the cylinder evenly: layers, circles and the axis [mm]."""
+    """Return candidates (M, 3) that fill the cylinder, or the rectangle of a planar machine, evenly [mm]."""
+    if workspace.radius is None:
+        return edges(workspace, radii * angles + 1, np.linspace(0.0, 1.0, layers).tolist())
     heights = np.linspace(0.0, 1.0, layers).tolist()
     axis = [[0.0, 0.0, -(workspace.top + part * workspace.height)] for part in heights]
     inner = [
@@ -354,6 +425,12 @@ def _radius(workspace: Workspace) -> float:
     if workspace.radius is None:
         raise UsageError("poses are planned in a cylinder: the workspace needs a radius.")
     return workspace.radius
+
+
+def _width(workspace: Workspace) -> float:
+    if workspace.width is None:
+        raise UsageError("poses are planned in a rectangle: the workspace needs a width.")
+    return workspace.width
 
 
 def _parts(layers: Sequence[str | float]) -> tuple[float, ...]:
@@ -457,8 +534,15 @@ def _generic(robot: Robot, tools: Array) -> Poses:
     """Return poses without any symmetry, what can be reached of an additive recurrence in the cylinder."""
     workspace = _workspace(robot)
     u = np.outer(np.arange(1, GENERIC_POSES + 1), RECURRENCE) % 1.0
+    if len(_mechanism(robot).axes) == 2:
+        x, y = (u[:, 0] - 0.5) * _width(workspace), -(workspace.top + u[:, 2] * workspace.height)
+        return _reachable(robot, np.column_stack([x, y, np.zeros(GENERIC_POSES)]), tools)
     r, turn = _radius(workspace) * np.sqrt(u[:, 0]), 2 * np.pi * u[:, 1]
     targets = np.column_stack([r * np.cos(turn), r * np.sin(turn), -(workspace.top + u[:, 2] * workspace.height)])
+    return _reachable(robot, targets, tools)
+
+
+def _reachable(robot: Robot, targets: Array, tools: Array) -> Poses:
     reached = reach(robot, targets, tools)[1] == ""
     if reached.sum() < GENERIC_POSES / 2:
         raise NoSolutionError(
@@ -468,13 +552,41 @@ def _generic(robot: Robot, tools: Array) -> Poses:
     return reach(robot, targets[reached], tools)[0]
 
 
-def _matrix(robot: Robot, poses: Poses, names: Sequence[str], kind: str) -> Array:
-    return _read(kind, poses, _sensitivity(robot, poses, names))
+def _matrix(robot: Robot, poses: Poses, names: Sequence[str], kind: str, mount: Mount | None = None) -> Array:
+    moved = _sensitivity(robot, poses, names)
+    return _read(kind, poses, moved) if mount is None else _gauged(robot, poses, names, moved, mount)
+
+
+def _gauged(robot: Robot, poses: Poses, names: Sequence[str], moved: Array, mount: Mount) -> Array:
+    """Return differences of adjacent rows of what a gauge reads, its own errors among the parameters."""
+    mechanism = _mechanism(robot)
+    own = carried("gauge", mechanism)
+    others = tuple(u for u, axis in enumerate("xyz") if u not in own and axis in mechanism.axes)
+    rows, count = np.arange(len(poses))[:, None], len(poses)
+    found = Readings("gauge", rows, np.zeros((count, 1)), None, np.zeros(count, dtype=int), rows[:, 0], rows[:, 0])
+    instrument = Instrument("gauge", np.array([[*mount.base, 0.0]]), others)
+    instrument = instrument.mounted(mechanism, mechanism.vector(robot.errors))
+    J, J_m = instrument.linearise(found, poses.x, moved)
+    free = {
+        u: list(names).index(mechanism.parameters[p].name)
+        for u, p in own.items()
+        if mechanism.parameters[p].name in names
+    }
+    if free:
+        J[:, :, list(free.values())] += instrument.by_unknown(found, poses.x, tuple(free))
+    J, J_m = np.diff(J[:, 0], axis=0), np.diff(J_m[:, 0], axis=0)
+    return _without(J, J_m) if others else J
+
+
+def _as_mounted(robot: Robot) -> Robot:
+    """Return the robot with no errors of a gauge: as its ends are nominally mounted."""
+    own = {_mechanism(robot).parameters[p].name for p in carried("gauge", _mechanism(robot)).values()}
+    return dataclasses.replace(robot, errors={k: v for k, v in robot.errors.items() if k not in own})
 
 
 def _read(kind: str, poses: Poses, moved: Array) -> Array:
     """Return how readings change (rows, n) where the platform moves by `moved` (P, n_x, n); the frame projected out."""
-    found, instrument = _readings(kind, poses)
+    found, instrument = _readings(kind, poses, axes=3 if np.any(poses.targets[:, 2]) else 2)
     J, J_m = instrument.linearise(found, poses.x, moved)
     J = J.reshape(-1, moved.shape[2])
     return _without(J, J_m.reshape(len(J), -1)) if instrument.n_unknown else J
@@ -498,7 +610,7 @@ def _mechanism(robot: Robot) -> Mechanism:
     return mechanism_of(robot)
 
 
-def _readings(kind: str, poses: Poses, frame_per_point: bool = False) -> tuple[Readings, Instrument]:
+def _readings(kind: str, poses: Poses, frame_per_point: bool = False, axes: int = 3) -> tuple[Readings, Instrument]:
     """Return the readings that the poses will give, and the instrument that takes them, in the frame {O}."""
     count, each = len(poses), len(poses) // poses.points
     if kind == "distance":
@@ -509,7 +621,7 @@ def _readings(kind: str, poses: Poses, frame_per_point: bool = False) -> tuple[R
         rows, setup = np.arange(count)[:, None], np.repeat(np.arange(poses.points), each) * frame_per_point
         frame = np.concatenate([np.eye(3).ravel(), np.zeros(3)])
         state = np.tile(frame, (poses.points if frame_per_point else 1, 1))
-        instrument = Instrument("position", state, tuple(range(6)))
+        instrument = Instrument("position", state, tuple(range(6)) if axes == 3 else (2, 3, 4))
     empty = np.zeros((len(rows), 1 if kind == "distance" else 3))
     return Readings(kind, rows, empty, None, setup, np.arange(len(rows)), np.zeros(len(rows), dtype=int)), instrument
 
@@ -537,8 +649,11 @@ def plan(
     threshold: float = 0.01,
     n_max: int = 30,
     sigma_mm: float | None = None,
+    mount: Mount | None = None,
 ) -> Plan:
-    """Return the paper's rings of poses for n = 3 .. n_max, and the n that its rule chooses.
+    """Return the papers' poses on the rim of the workspace for n = 3 .. n_max, and the n that the rule chooses.
+
+    Rings in a cylinder (Bai 2015); for a planar machine, rows along the edges of its rectangle (Mei 2018).
 
     Where a model has parameters that no poses can tell apart, the largest model within it that has none stands for it,
     or else the parameters that a pivoted QR keeps.
@@ -564,11 +679,13 @@ def plan(
         Relative change of the condition number that the rule tolerates.
     sigma_mm : float, optional
         Noise per coordinate of a position, for the prediction.
+    mount : Mount, optional
+        Of a gauge: where its ends are.
 
     Raises
     ------
     UsageError
-        An unknown model, kind, scaling, norm or layer.
+        An unknown model, kind, scaling, norm or layer; a gauge without a mount.
     InputError
         The robot file has no workspace.
     NoSolutionError
@@ -577,16 +694,21 @@ def plan(
     References
     ----------
     Bai 2015, section 3.3, rule (21): min n subject to |k_n - k_(n-1)| / k_n <= threshold, n >= 3.
+    Mei 2018, section 5, rule (31): min n subject to |k_1 - k_m| / k_1 <= threshold, n >= 3, k_m of the corrected gauge.
     """
-    task = _task(robot, model, kind, tools, scaling, norm)
+    task = _task(robot, model, kind, tools, scaling, norm, mount)
     if n_max < FEWEST:
         raise UsageError(f"n_max is {n_max}, but a ring has at least {FEWEST} poses.")
+    planar = len(_mechanism(robot).axes) == 2
     if layers is None:
-        layers = ROUGH if len(_mechanism(robot).model(model)) <= _mechanism(robot).limbs else FINE
+        layers = ROUGH if not planar and len(_mechanism(robot).model(model)) <= _mechanism(robot).limbs else FINE
     parts = _parts(layers)
 
     def ring(n: int) -> Poses:
-        return _reached(robot, rings(_workspace(robot), n, parts, start_angle), task.tools)
+        if not planar:
+            return _reached(robot, rings(_workspace(robot), n, parts, start_angle), task.tools)
+        shift = task.tools[0] - robot.tool  # the robot's own reference point runs along the edges
+        return _reached(robot, edges(_workspace(robot), n, parts) + shift, task.tools)
 
     steps: list[Step] = []
     before = task.step(FEWEST - 1, ring(FEWEST - 1)).condition
@@ -597,7 +719,7 @@ def plan(
     poses = ring(chosen or n_max)
     return Plan(
         **vars(task),
-        method="rings",
+        method="edges" if planar else "rings",
         layers=parts,
         start_angle=start_angle,
         threshold=threshold,
@@ -605,7 +727,7 @@ def plan(
         chosen=chosen,
         settled=settled,
         poses=poses,
-        prediction=None if sigma_mm is None else predict(task, poses, sigma_mm),
+        prediction=None if sigma_mm is None or mount is not None else predict(task, poses, sigma_mm),
     )
 
 
@@ -756,17 +878,24 @@ def _task(
     tools: int | Array | Sequence[Sequence[float]] | None,
     scaling: str,
     norm: str,
+    mount: Mount | None = None,
 ) -> Task:
     for what, value, known in (("kind", kind, KINDS), ("scaling", scaling, SCALINGS), ("norm", norm, NORMS)):
         if value not in known:
             raise UsageError(f"there is no {what} '{value}'; known: {', '.join(known)}.")
     mechanism = _mechanism(robot)
     names = mechanism.model(model)
-    if tools is None:
+    if (kind == "gauge") != (mount is not None):
+        raise UsageError("a gauge, and nothing else, needs to know where its ends are mounted.")
+    if mount is not None:
+        tools = mount.platform[None]
+    elif tools is None and len(mechanism.axes) == 2:
+        tools = 1
+    elif tools is None:
         home = _reached(robot, rings(_workspace(robot), 1, ()), robot.tool)
         tools = 2 if np.abs(_sensitivity(robot, home, names)[:, 3:]).max(initial=0.0) > RANK_TOLERANCE else 1
     points = reference_points(robot, tools) if isinstance(tools, int) else _tools(tools)
-    kept = _kept(robot, names, points, kind)
+    kept = _kept(robot, names, points, kind, mount)
     return Task(
         robot=robot,
         model=model if "/" in model else f"{mechanism.name}/{model}",
@@ -776,13 +905,14 @@ def _task(
         names=tuple(name for name in names if name in kept),
         dropped=tuple(name for name in names if name not in kept),
         tools=points,
+        mount=mount,
     )
 
 
-def _kept(robot: Robot, names: Sequence[str], tools: Array, kind: str) -> set[str]:
+def _kept(robot: Robot, names: Sequence[str], tools: Array, kind: str, mount: Mount | None = None) -> set[str]:
     """Return parameters that poses can tell apart: a registered model where one fits, else those of a pivoted QR."""
     poses, typical = _generic(robot, tools), column_convention(robot, names, "typical")[0]
-    H = _matrix(robot, poses, names, kind)
+    H = _matrix(robot, poses, names, kind, mount)
     rank = observability(H * typical, len(poses)).rank
     if rank == len(names):
         return set(names)
@@ -802,7 +932,8 @@ def _finite(value: float) -> float | None:
 
 def _with_frame(task: Task, poses: Poses) -> tuple[Array, Array]:
     """Return derivatives of the positions by parameters and frames, (P, 3, n) and (P, 3, n_m), comparable in size."""
-    found, instrument = _readings("position", poses, frame_per_point=task.kind == "distance")
+    axes = len(_mechanism(task.robot).axes)
+    found, instrument = _readings("position", poses, frame_per_point=task.kind == "distance", axes=axes)
     moved = _sensitivity(task.robot, poses, task.names) * column_convention(task.robot, task.names, "typical")[0]
     J, F = instrument.linearise(found, poses.x, moved)
     return J, F / np.linalg.norm(F, axis=(0, 1))
@@ -860,21 +991,30 @@ def _log_det_with(blocks: Array, rest: np.ndarray) -> Array:
 
 def target_recording(found: Plan, path: str | Path = "poses.csv") -> Recording:
     """Return a plan's poses as a recording of targets, with nothing measured yet."""
-    count = len(found.poses)
+    count, mount = len(found.poses), found.mount
+    axes = tuple(f"{axis}_mm" for axis in _mechanism(found.robot).axes)
+    if mount is None:
+        measurement, columns = Measurement(kind="position"), axes
+    else:
+        base, end = ((float(x), float(y), float(z)) for x, y, z in (mount.base, mount.platform))
+        measurement = Measurement(
+            kind="gauge", frame="robot", zero="incremental", base_point_mm=base, platform_point_mm=end
+        )
+        columns = ("gauge_mm",)
     return Recording(
         path=Path(path),
-        kind="position",
-        measurement=Measurement(kind="position"),
+        kind=measurement.kind or "position",
+        measurement=measurement,
         joint_unit=_mechanism(found.robot).joint_unit,
         joints=found.poses.joints,
-        columns=("x_mm", "y_mm", "z_mm"),
-        measured=np.full((count, 3), np.nan),
+        columns=columns,
+        measured=np.full((count, len(columns)), np.nan),
         pose=np.arange(1, count + 1).astype(str),
         line=np.arange(2, count + 2),
         channels={},
         setup=np.zeros(count, dtype=int),
         setup_names=("1",),
-        tool=found.poses.tool,
+        tool=found.poses.tool if mount is None else None,
         targets=found.poses.targets,
     )
 

@@ -539,6 +539,17 @@ def _distances_path(path: Path) -> Path:
     return path.with_name(f"{path.stem}.distances.csv")
 
 
+def read_measurement(sidecar: str | Path) -> Measurement:
+    """Return what a sidecar, NAME.toml, says of the measurement.
+
+    Raises
+    ------
+    InputError
+        The file is missing, or a key in it is wrong.
+    """
+    return TomlFile.read(sidecar).check(_Sidecar).measurement
+
+
 def _read_sidecar(path: Path) -> _Sidecar:
     path = path.with_suffix(".toml")
     if not path.exists():
@@ -807,7 +818,8 @@ def file_columns(recording: Recording) -> tuple[dict[str, Any], dict[str, Any]]:
         poses = [str(n + 1) for n in range(len(poses))]  # distances name rows by their pose
     columns: dict[str, Any] = {"pose": poses}
     if recording.targets is not None:
-        columns |= zip(_POSITION, recording.targets.T, strict=True)
+        axes = 3 if recording.targets[:, 2].any() else 2  # in the plane there is no z
+        columns |= zip(_POSITION[:axes], recording.targets.T[:axes], strict=True)
     else:
         for i, q in enumerate(recording.joints.T):
             columns[f"q{i + 1}_{file_unit(unit)}"] = [to_file(value, unit) for value in q]
