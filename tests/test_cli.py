@@ -191,7 +191,7 @@ def test_too_few_readings_say_how_many_are_needed(run: Run, shop: Path) -> None:
     (shop / "few.toml").write_text((shop / "recording.toml").read_text())
     code, _, err = run("identify", shop / "robot.toml", shop / "few.csv", "--model", "delta/42")
     assert code == 3
-    assert "51 are needed" in err  # 42 parameters, 6 of the frame, 3 to see noise in
+    assert "48 are needed" in err  # 42 parameters, 6 of the frame; the sidecar declares the noise
 
 
 def test_an_unreachable_target_is_no_solution(run: Run, shop: Path) -> None:

@@ -15,7 +15,7 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -170,7 +170,7 @@ class Task:
     names: tuple[str, ...]
     dropped: tuple[str, ...]
     tools: Array
-    mount: Mount | None
+    mount: Mount | None = field(default=None, kw_only=True)
 
     def step(self, n: int, poses: Poses, before: float = math.inf) -> Step:
         """Return the figures of a set of poses; `before` is the condition number of the last smaller one."""
