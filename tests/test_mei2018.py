@@ -19,9 +19,10 @@ from deltacal_gen.mechanism import SOLVED, UNREACHABLE, load_mechanism
 from deltacal_gen.prediction import predict
 from deltacal_gen.recording import Recording, read_recording
 from deltacal_gen.robot import Robot, read_robot
-from deltacal_gen.simulation import simulate
+from deltacal_gen.simulation import read_truth, simulate
 from deltacal_gen.solvers import TSVD, LeastSquares, Prior, Ridge, Solver
 from deltacal_gen.units import DEG
+from tests.benchmarks import mei2018
 from tests.claims import independent_mei as mei
 
 EXAMPLE = Path(str(resources.files("deltacal_gen") / "examples/diamond"))
@@ -271,7 +272,7 @@ def _read(csv: str, measurement: str) -> Recording:
 def test_six_positions_do_not_pin_the_offsets(robot: Robot, poses: Recording) -> None:
     """With the stated noise the weak direction of condition 475 stands wholly on the prior, and is said to."""
     rng = np.random.default_rng(0)
-    recording = simulate(robot, poses, errors_of(1), noise_mm=0.015, rng=rng)
+    recording = simulate(robot, poses, errors_of(1), noise_mm=0.012, rng=rng)
     found = identification.identify(robot, recording, "diamond/4").to_dict()
     status = {p["name"]: p["status"] for p in found["parameters"]}
     assert status["theta_1"] == status["theta_2"] == status["mx"] == "pinned by prior"
@@ -333,3 +334,27 @@ def test_rules_for_weak_directions(robot: Robot, poses: Recording) -> None:
     best = home_errors(measured, poses, done, "12", Prior("priors")).mean()
     assert best < 0.5 * min(each.mean() for each in left.values())
     assert best < 0.1 * mei.home_error(mei.group(1), done.compensated[:, -1]).mean()
+
+
+def test_the_procedure_of_the_benchmark_is_the_oracles() -> None:
+    """Round by round, on the same draws of noise: offsets, the mechanism's errors, condition numbers."""
+    bench = mei2018.Bench.of_example()
+    errors = DIAMOND.vector(errors_of(1, np.zeros(2)))
+    ours = mei2018.run(bench, errors, np.tile(mei.MOUNTED, (3, 1)), 4, np.random.default_rng(7))
+    oracle = mei.procedure(mei.group(1), mei.MOUNTED, 4, np.random.default_rng(7), 3)
+    np.testing.assert_allclose(ours.taken, oracle.compensated, rtol=0, atol=1e-9)
+    np.testing.assert_allclose(ours.mechanism, oracle.mechanism, rtol=0, atol=1e-6)
+    np.testing.assert_allclose(ours.condition, oracle.condition, rtol=1e-9)
+    np.testing.assert_allclose(bench.home(errors, ours.taken[:, -1]), mei.home_error(mei.group(1), ours.taken[:, -1]))
+
+
+def test_the_example_recording_gives_its_truth_within_its_deviations(robot: Robot) -> None:
+    """Ten rounds as files: the truth lies within the deviations, which say that geometry stays with its tolerance."""
+    truth = read_truth(EXAMPLE / "truth.toml", robot).errors
+    found = commands.identify(EXAMPLE / "robot.toml", EXAMPLE / "recording.csv")
+    assert (found["model"], found["rank"]) == ("diamond/12", 9)
+    for p in found["parameters"]:
+        true = truth[p["name"]] / (DEG if p["unit"] == "deg" else 1.0)
+        assert abs(p["value"] - true) < 3 * p["std"], p
+        assert (p["status"] == "identified") == (p["name"] in ("theta_1", "theta_2", "mx", "my")), p
+    assert found["residual_sigma_mm"] == pytest.approx(0.0115, rel=0.2)
