@@ -269,15 +269,15 @@ def _read(csv: str, measurement: str) -> Recording:
         return read_recording(path, DIAMOND, need_measured=False, allow_targets=True)
 
 
-def test_six_positions_do_not_pin_the_offsets(robot: Robot, poses: Recording) -> None:
-    """With the stated noise the weak direction of condition 475 stands wholly on the prior, and is said to."""
-    rng = np.random.default_rng(0)
-    recording = simulate(robot, poses, errors_of(1), noise_mm=0.012, rng=rng)
-    found = identification.identify(robot, recording, "diamond/4").to_dict()
-    status = {p["name"]: p["status"] for p in found["parameters"]}
-    assert status["theta_1"] == status["theta_2"] == status["mx"] == "pinned by prior"
-    assert status["my"] == "identified"
-    assert {"theta_1", "theta_2", "mx"} <= set(found["unidentifiable"][0]["terms"])
+def test_six_positions_hardly_pin_the_offsets(robot: Robot, poses: Recording) -> None:
+    """With the stated noise the weak direction of condition 475 is half prior, and its deviations say so."""
+    recording = simulate(robot, poses, errors_of(1), noise_mm=0.012, rng=np.random.default_rng(0))
+    found = identification.identify(robot, recording, "diamond/4")
+    left = {p["name"]: p for p in found.to_dict()["parameters"]}
+    assert all(0.3 < left[f"theta_{i}"]["std"] < 0.767 for i in (1, 2))  # deg; 0.767 is what 2 mm of the prior allow
+    assert 0.8 < left["mx"]["std"] < 2.0
+    assert left["my"]["std"] < 0.15
+    assert abs(left["theta_1"]["value"] - 2.0) < 3 * left["theta_1"]["std"]
 
 
 def test_fewer_positions_than_unknowns_are_refused(robot: Robot, poses: Recording) -> None:
