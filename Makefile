@@ -8,7 +8,7 @@ export OPENBLAS_NUM_THREADS := 1
 
 .PHONY: demo test lint kernels bench proof clean
 
-demo: .venv/run  ## identify the embedded recording, show a table and a picture
+demo: .venv/run  ## find what is concealed in an embedded recording; page and picture in demo/
 	$(BIN)/deltacal demo
 
 test: .venv/dev lint  ## lint, types, import rules, kernels, tests

@@ -31,6 +31,7 @@ ROOT = Path(__file__).resolve().parent.parent
 TEMPLATES = ROOT / "templates"
 GENERATED = ROOT / "generated" / "deltacal_kernels"
 COMMAND = "deltacal kernels"
+KNOWN_BEFORE = {"q", "approach", "warming", "time", "after"}  # what a controller knows before it moves
 
 
 def effects() -> Iterator[Effect]:
@@ -38,8 +39,10 @@ def effects() -> Iterator[Effect]:
     return _registered(derive.effects, "EFFECT")
 
 
-def effect(spec: Effect) -> tuple[list[EffectQuantity], dict[str, Kernel]]:
+def effect(spec: Effect, text: Text = python) -> tuple[list[EffectQuantity], dict[str, Kernel]]:
     """Return the state that an effect reads, and its deformation and derivatives as kernels.
+
+    In Python they read many rows at once, in C one.
 
     Raises
     ------
@@ -51,15 +54,18 @@ def effect(spec: Effect) -> tuple[list[EffectQuantity], dict[str, Kernel]]:
     for target, e in spec.targets.items():
         if e.subs({c.symbol: 0 for c in spec.coefficients}) != 0:
             raise ValueError(f"effect {spec.name}: {target} does not vanish where all coefficients are zero.")
-    inputs = {s.symbol: f"s[:, {j}]" for j, s in enumerate(states)}
-    inputs |= {c.symbol: f"c[:, {j}]" for j, c in enumerate(spec.coefficients)}
+    rows = ":, " if text is python else ""
+    # a coefficient may be called cos, which in C would hide the function
+    own = {c.symbol: c.symbol if text is python else sp.Symbol(f"c_{c.name}", real=True) for c in spec.coefficients}
+    inputs = {s.symbol: f"s[{rows}{j}]" for j, s in enumerate(states)}
+    inputs |= {own[c.symbol]: f"c[{rows}{j}]" for j, c in enumerate(spec.coefficients)}
     inputs |= {c.symbol: f"constants[{j}]" for j, c in enumerate(spec.constants)}
-    lowering = Lowering(Graph(), {}, inputs)
-    values = list(spec.targets.values())
+    lowering = Lowering(Graph(), {}, inputs, text=text)
+    values = [e.xreplace(own) for e in spec.targets.values()]
     return states, {
         "value": lowering.kernel("value", "value", values),
         "jacobian": lowering.kernel(
-            "jacobian", "jacobian", [sp.diff(e, c.symbol) for e in values for c in spec.coefficients]
+            "jacobian", "jacobian", [sp.diff(e, own[c.symbol]) for e in values for c in spec.coefficients]
         ),
     }
 
@@ -305,11 +311,14 @@ def render() -> dict[Path, str]:
         effects=found_effects, command=COMMAND
     )
     for physics in found_effects:
-        template = "effect.py.jinja"
-        states, lowered = effect(physics)
-        texts[Path("effects") / f"{physics.name}.py"] = environment.get_template(template).render(
-            effect=physics, states=states, kernels=lowered, stamp=_stamp(physics.source, template)
-        )
+        for ending, text in (("py", python), ("c", c99)):
+            states, lowered = effect(physics, text)
+            if ending == "c" and not (set(physics.targets) == {"joint"} and {s.name for s in states} <= KNOWN_BEFORE):
+                continue
+            template = f"effect.{ending}.jinja"
+            texts[Path("effects") / f"{physics.name}.{ending}"] = environment.get_template(template).render(
+                effect=physics, states=states, kernels=lowered, stamp=_stamp(physics.source, template)
+            )
     return texts
 
 

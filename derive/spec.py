@@ -340,6 +340,8 @@ class Effect:
         ``length`` (a distance or a gauge length); each to its expression.
     constants : tuple of Quantity
         Numbers that are searched, not fitted: the order of a harmonic, the time of a jump.
+    advice : str
+        What someone who maintains the machine does about it.
     """
 
     name: str
@@ -349,6 +351,7 @@ class Effect:
     coefficients: tuple[EffectQuantity, ...]
     targets: Mapping[str, sp.Expr]
     constants: tuple[EffectQuantity, ...] = ()
+    advice: str = ""
 
 
 @dataclass(frozen=True)

@@ -225,14 +225,6 @@ def test_models_lists_every_parameter_with_unit_and_meaning(run: Run) -> None:
     assert len(delta["models"]["delta/32"]) == 32
 
 
-def test_demo_ends_with_a_table_and_a_picture(run: Run, tmp_path: Path) -> None:
-    code, out, _ = run("demo", "-o", tmp_path / "demo")
-    assert code == 0
-    assert "identified" in out
-    assert (tmp_path / "demo" / "calibration.png").stat().st_size > 20_000
-    assert read_robot(tmp_path / "demo" / "calibrated.toml").errors
-
-
 def test_kernels_outside_a_checkout_say_so(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(commands, "checkout", lambda: None)
     code, _, err = run("kernels")

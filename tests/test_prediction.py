@@ -13,6 +13,7 @@ from conftest import plausible, rings, scattered, wanted
 from deltacal_gen.errors import InputError
 from deltacal_gen.identification import identify
 from deltacal_gen.mechanism import Mechanism
+from deltacal_gen.physics import Term, blank, load_effect, term_to_dict
 from deltacal_gen.prediction import calibrated_robot, predict, residual
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot
@@ -116,3 +117,67 @@ def test_residuals_are_measured_minus_predicted(
     assert residual(results["position"], off, readings(off)) == pytest.approx(
         np.tile([0.1, 0.2, 0.3], (6, 1)), abs=1e-6
     )
+
+
+# --- with the effects of a diagnosis ----------------------------------------------------------------------------------
+
+
+def with_effects(result: dict[str, Any], *terms: Term, clock: str = "time_s") -> dict[str, Any]:
+    """Return a result as a diagnosis with these effects would be."""
+    return result | {"physics": [term_to_dict(t) for t in terms], "clock": clock}
+
+
+def effect(name: str, value: float, limbs: tuple[int, ...] = (2,), constants: tuple[float, ...] = ()) -> Term:
+    bare = blank(name, limbs, constants)
+    factors = [factor for _, _, factor, _ in load_effect(name).COEFFICIENTS]
+    return bare.with_values(value * np.array(factors) * np.ones_like(bare.values))
+
+
+def told(n: int) -> dict[str, np.ndarray]:
+    rng = np.random.default_rng(12)
+    names = ("approach1", "approach2", "approach3")
+    found = {name: rng.choice([-1.0, 1.0], n) for name in names}
+    return found | {"temp_C": rng.uniform(18, 30, n), "time_s": np.linspace(0, 3600, n)}
+
+
+@pytest.mark.parametrize("kind", ["position", "pose", "distance", "gauge"])
+def test_a_diagnosis_predicts_its_effects_from_the_channels(
+    robot: Robot, truth: dict[str, float], results: dict[str, dict[str, Any]], kind: str
+) -> None:
+    terms = (effect("backlash", 0.1), effect("thermal_zero", 0.01, (1, 3)), effect("instrument_scale", 50.0))
+    more: dict[str, Any] = {"pairs": np.array([[0, 1], [2, 5], [3, 1]])} if kind == "distance" else {}
+    more |= {"base_point_mm": (300.0, 10.0, -20.0)} if kind == "gauge" else {}
+    poses = wanted(scattered(robot, 6, 8), kind, channels=told(6), **more)
+    fresh = simulate(robot, poses, truth, frame=FRAME, terms=terms)
+    result = results[kind if kind in results else "position"]
+    done = predict(with_effects(result, *terms), fresh)
+    measured_then, predicted = (r.pair_measured if kind == "distance" else r.measured for r in (fresh, done))
+    assert predicted == pytest.approx(measured_then, abs=1e-6)
+    without = predict(result, fresh)
+    assert np.abs((without.pair_measured if kind == "distance" else without.measured) - measured_then).max() > 0.05
+
+
+@pytest.mark.parametrize(
+    ("name", "missing"),
+    [("backlash", "approach2"), ("thermal_zero", "temp_C"), ("zero_drift", "time_s"), ("thermal_growth", "temp_C")],
+)
+def test_a_channel_that_is_not_given_is_asked_for(
+    robot: Robot, truth: dict[str, float], results: dict[str, dict[str, Any]], name: str, missing: str
+) -> None:
+    fresh = measured(robot, truth, "position", scattered(robot, 6, 8), channels=told(6))
+    channels = {k: v for k, v in fresh.channels.items() if k != missing}
+    found = with_effects(results["position"], effect(name, 1e-5))
+    predict(found, fresh)
+    with pytest.raises(InputError, match=rf"what was diagnosed \({name}\) needs the column.*{missing}"):
+        predict(found, dataclasses.replace(fresh, channels=channels))
+
+
+def test_a_jump_that_was_found_by_its_row_is_past(
+    robot: Robot, truth: dict[str, float], results: dict[str, dict[str, Any]]
+) -> None:
+    jump = effect("zero_jump", 0.1, constants=(30.0,))
+    fresh = measured(robot, truth, "position", scattered(robot, 6, 8), channels={"time_s": np.zeros(6)})
+    after = predict(with_effects(results["position"], jump, clock="row"), fresh).measured
+    before = predict(with_effects(results["position"], jump), fresh).measured
+    assert before == pytest.approx(fresh.measured, abs=1e-6)
+    assert np.abs(after - before).max() > 0.3

@@ -8,6 +8,8 @@ width = coefficient("width", "deg", DEG, "the full gap")
 EFFECT = Effect(
     name="backlash",
     title="play, flips with the direction of approach",
+    advice="Look for play in the gearbox and its couplings, and take it out. Until then command by the direction "
+    "of approach, or always arrive from the same side.",
     source="derive/effects/backlash.py",
     per_limb=True,
     coefficients=(width,),

@@ -9,6 +9,8 @@ cy = coefficient("compliance_y", "deg/Nm", DEG / 1000, "tilt about y per moment 
 EFFECT = Effect(
     name="base_compliance",
     title="frame tilts under the moving weight",
+    advice="Check the frame's fixing and stiffness. Until then command by the payload, or calibrate with the "
+    "payload that is carried.",
     source="derive/effects/base_compliance.py",
     per_limb=False,
     coefficients=(cx, cy),

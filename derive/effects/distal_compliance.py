@@ -8,6 +8,7 @@ compliance = coefficient("compliance", "mm/N", 1.0, "lengthening of a rod per te
 EFFECT = Effect(
     name="distal_compliance",
     title="rods stretch",
+    advice="Check the rods and their ball joints for softness. Until then command by the payload.",
     source="derive/effects/distal_compliance.py",
     per_limb=True,
     coefficients=(compliance,),

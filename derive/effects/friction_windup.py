@@ -10,6 +10,8 @@ compliance = coefficient("compliance", "deg/Nm", DEG / 1000, "windup per torque"
 EFFECT = Effect(
     name="friction_windup",
     title="friction winds the joint up, by direction and load",
+    advice="Look for friction in the joint and for a soft transmission behind it. Until then command by "
+    "direction of approach and payload.",
     source="derive/effects/friction_windup.py",
     per_limb=True,
     coefficients=(compliance,),

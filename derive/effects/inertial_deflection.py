@@ -8,6 +8,8 @@ compliance = coefficient("compliance", "deg/Nm", DEG / 1000, "twist per torque o
 EFFECT = Effect(
     name="inertial_deflection",
     title="joint twists with acceleration",
+    advice="Let the machine settle before it is measured or grips, or accelerate less. The transmission gives "
+    "way to inertia.",
     source="derive/effects/inertial_deflection.py",
     per_limb=True,
     coefficients=(compliance,),

@@ -8,6 +8,8 @@ x, y, z = (coefficient(f"rate_{a}", "mm/h", 1.0, f"drift along the instrument's 
 EFFECT = Effect(
     name="instrument_drift",
     title="the instrument drifts",
+    advice="The machine is not at fault. Let the instrument warm up, fix its stand, and measure a fixed point "
+    "again and again.",
     source="derive/effects/instrument_drift.py",
     per_limb=False,
     coefficients=(x, y, z),

@@ -7,6 +7,8 @@ x, y, z = (coefficient(f"offset_{a}", "mm", 1.0, f"offset along {a} of {{O'}}") 
 EFFECT = Effect(
     name="instrument_offset",
     title="a measured point is not where it is said to be",
+    advice="The machine is not at fault. Measure again where this reflector or probe sits on the platform, and "
+    "correct tool_x_mm ... in the recording.",
     source="derive/effects/instrument_offset.py",
     per_limb=False,
     coefficients=(x, y, z),

@@ -8,6 +8,8 @@ scale = coefficient("scale", "ppm", 1e-6, "error of the length scale")
 EFFECT = Effect(
     name="instrument_scale",
     title="the instrument's length scale is wrong",
+    advice="The machine is not at fault, unless it is warmer than its drawing. Hold the instrument against a "
+    "length that is known.",
     source="derive/effects/instrument_scale.py",
     per_limb=False,
     coefficients=(scale,),

@@ -12,6 +12,7 @@ out = cos.symbol * sp.cos(theta) + sin.symbol * sp.sin(theta)
 EFFECT = Effect(
     name="joint_axis_runout",
     title="the joint's centre orbits with its angle",
+    advice="Check the bearings of the joint axis. The error repeats exactly, so that the corrected commands undo it.",
     source="derive/effects/joint_axis_runout.py",
     per_limb=True,
     coefficients=(cos, sin),

@@ -8,6 +8,8 @@ compliance = coefficient("compliance", "deg/Nm", DEG / 1000, "twist per static t
 EFFECT = Effect(
     name="joint_compliance",
     title="joint or gearbox twists under the load",
+    advice="Check the gearbox and its fixing for softness. The deflection repeats with the load, so that "
+    "commands by the payload undo it.",
     source="derive/effects/joint_compliance.py",
     per_limb=True,
     coefficients=(compliance,),

@@ -8,6 +8,7 @@ scale = coefficient("scale", "1", 1.0, "error of the scale")
 EFFECT = Effect(
     name="joint_scale",
     title="gear ratio or encoder scale is off",
+    advice="Check the gear ratio and the encoder's counts per turn in the controller, and correct them there.",
     source="derive/effects/joint_scale.py",
     per_limb=True,
     coefficients=(scale,),

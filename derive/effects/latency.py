@@ -8,6 +8,8 @@ delay = coefficient("delay", "s", 1.0, "time by which the position lags")
 EFFECT = Effect(
     name="latency",
     title="the position lags the joints",
+    advice="Joints and positions are not of the same instant. Synchronise the instrument's trigger with the "
+    "controller, or measure at rest.",
     source="derive/effects/latency.py",
     per_limb=False,
     coefficients=(delay,),

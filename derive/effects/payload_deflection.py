@@ -8,6 +8,8 @@ compliance = coefficient("compliance", "deg/Nm", DEG / 1000, "twist per torque o
 EFFECT = Effect(
     name="payload_deflection",
     title="joint twists under the payload",
+    advice="Check the gearbox and its fixing for softness. The deflection repeats with the payload, so that "
+    "commands by it undo it.",
     source="derive/effects/payload_deflection.py",
     per_limb=True,
     coefficients=(compliance,),

@@ -8,6 +8,8 @@ compliance = coefficient("compliance", "mm/N", 1.0, "deflection of the tip per f
 EFFECT = Effect(
     name="proximal_bending",
     title="arm bends under the rods' pull",
+    advice="Check the arm and its clamping for cracks and loose screws. The bending repeats with the load, so "
+    "that commands by the payload undo it.",
     source="derive/effects/proximal_bending.py",
     per_limb=True,
     coefficients=(compliance,),

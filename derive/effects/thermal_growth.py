@@ -10,6 +10,7 @@ base = coefficient("expansion_base", "1/K", 1.0, "expansion of the base")
 EFFECT = Effect(
     name="thermal_growth",
     title="links and base grow with temperature",
+    advice="Measure and work at one temperature, or command by the temperature of the links.",
     source="derive/effects/thermal_growth.py",
     per_limb=False,
     coefficients=(proximal, distal, base),

@@ -8,6 +8,8 @@ drift = coefficient("drift", "deg/K", DEG, "drift of the zero")
 EFFECT = Effect(
     name="thermal_zero",
     title="joint zero moves with temperature",
+    advice="Look for what moves the encoder or its coupling with heat. Until then command by the temperature, or "
+    "home again when it has changed.",
     source="derive/effects/thermal_zero.py",
     per_limb=True,
     coefficients=(drift,),

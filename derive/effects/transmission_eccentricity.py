@@ -12,6 +12,8 @@ order = coefficient("order", "1", 1.0, "periods per turn of the joint")
 EFFECT = Effect(
     name="transmission_eccentricity",
     title="periodic error of the transmission",
+    advice="Check the gear or encoder disc that turns so often for eccentricity. The error repeats exactly, so "
+    "that the corrected commands undo it.",
     source="derive/effects/transmission_eccentricity.py",
     per_limb=True,
     coefficients=(cos, sin),

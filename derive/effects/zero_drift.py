@@ -8,6 +8,8 @@ rate = coefficient("rate", "deg/h", DEG, "drift of the zero per hour")
 EFFECT = Effect(
     name="zero_drift",
     title="joint zero moves with time",
+    advice="Look for a slipping coupling or an encoder that drifts. Home the joint often until it is found: a "
+    "drift cannot be foretold.",
     source="derive/effects/zero_drift.py",
     per_limb=True,
     coefficients=(rate,),

@@ -9,6 +9,8 @@ when = coefficient("when", "s", 1.0, "time of the jump; the row, where there is 
 EFFECT = Effect(
     name="zero_jump",
     title="joint zero jumps once",
+    advice="Look for a coupling that slipped or a collision at that time, tighten it, and home the joint. What "
+    "was taught before is off by the jump.",
     source="derive/effects/zero_jump.py",
     per_limb=True,
     coefficients=(size,),

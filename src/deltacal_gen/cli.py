@@ -34,7 +34,10 @@ aside = Console(stderr=True, highlight=False)
 
 RobotFile = Annotated[Path, typer.Argument(metavar="ROBOT", help="robot file (TOML)", show_default=False)]
 RecordingFile = Annotated[Path, typer.Argument(metavar="RECORDING", help="recording (CSV)", show_default=False)]
-ResultFile = Annotated[Path, typer.Argument(metavar="RESULT", help="RESULT.json of identify", show_default=False)]
+ResultFile = Annotated[
+    Path,
+    typer.Argument(metavar="RESULT", help="of identify, or DIAGNOSIS.json of diagnose", show_default=False),
+]
 Json = Annotated[bool, typer.Option("--json", help="print the JSON and nothing else")]
 Model = Annotated[str | None, typer.Option("--model", help="e.g. delta/32 or 32", show_default=False)]
 As = Annotated[str | None, typer.Option("--as", help="'distance': use the distances of all pairs of positions")]
@@ -73,7 +76,7 @@ def demo(
     output: Annotated[Path, typer.Option("-o", "--output", help="folder for the files it makes")] = Path("demo"),
     as_json: Json = False,
 ) -> None:
-    """Run the main job end to end on an embedded recording."""
+    """Run the main job end to end on an embedded recording with a concealed effect."""
     from deltacal_gen import commands
 
     with _progress(as_json) as tell:
@@ -81,15 +84,28 @@ def demo(
     if as_json:
         _print_json(found)
         return
-    _show_result(found["result"])
-    table = Table(title="The same machine at 96 poses that no fit has seen, against the truth", title_justify="left")
-    table.add_column("model of the machine")
-    for column in ("rms, mm", "largest, mm"):
-        table.add_column(column, justify="right")
+    result, diagnosis = found["result"], found["diagnosis"]
+    screen.print(
+        f"[bold]1. Geometry alone[/bold], {result['model']}: {result['readings']['scalars']} readings, held-out error "
+        f"{_number(result['heldout_rms_mm'])} mm; the instrument's noise is {result['sigma_mm']:.4f} mm."
+    )
+    screen.print("[bold]2. Diagnosis[/bold]:", end=" ")
+    _show_diagnosis(diagnosis)
+    told = "; ".join(
+        f"{t['name']} at joint {p['limb']}, {p['name']} {p['value']:g} {p['unit']}"
+        for t in found["truth"]
+        for p in t["parameters"]
+    )
+    screen.print(f"[bold]3. The truth[/bold], read only now: {told}.")
+    screen.print("The true machine, commanded by each model of it, with payloads and in directions drawn at random:")
+    table = Table("commanded by", f"rms of {found['check'][0]['poses']} poses, mm", "largest, mm")
     for row in found["check"]:
-        table.add_row(row["machine"], f"{row['rms_mm']:.4f}", f"{row['worst_mm']:.4f}")
+        table.add_row(row["model"], f"{row['rms_mm']:.4f}", f"{row['worst_mm']:.4f}")
     screen.print(table)
-    screen.print(f"Look at {found['picture']}; the calibrated machine is in {found['files'][0]}.")
+    files = found["files"]
+    screen.print(f"Open {files['diagnosis.html']} (picture: {files['diagnosis.svg']}).")
+    screen.print(f"Commands for the controller are in {files['command.c']}; for targets of your own:")
+    screen.print(f"  deltacal compensate {files['diagnosis.json']} TARGETS.csv -o JOINTS.csv")
 
 
 @app.command()
@@ -455,7 +471,7 @@ def matrix(
 def compensate(
     result: ResultFile,
     targets: Annotated[
-        Path | None, typer.Argument(metavar="TARGETS", help="x_mm, y_mm, z_mm (CSV)", show_default=False)
+        Path | None, typer.Argument(metavar="TARGETS", help="x_mm, y_mm, z_mm, channels (CSV)", show_default=False)
     ] = None,
     output: Annotated[
         Path | None, typer.Option("-o", "--output", help="JOINTS.csv, or the export", show_default=False)
@@ -465,19 +481,25 @@ def compensate(
     worst: Annotated[float, typer.Option(help="what a table may leave, mm")] = 0.01,
     as_json: Json = False,
 ) -> None:
-    """Correct joint commands, or export the compensator."""
+    """Correct joint commands, or export the compensator; of a diagnosis with its effects, channel by channel."""
     from deltacal_gen import commands
 
-    joints = commands.compensate(result, targets, output, kind=kind, export=export, worst_mm=worst)
+    assumed: list[str] = []
+    joints = commands.compensate(result, targets, output, kind=kind, export=export, worst_mm=worst, tell=assumed.append)
     if as_json:
-        _print_json({"schema": "deltacal.joints/1", "kind": kind, "export": export, "joints": joints})
-    elif export is not None:
+        _print_json(
+            {"schema": "deltacal.joints/1", "kind": kind, "export": export, "joints": joints, "assumed": assumed}
+        )
+        return
+    if export is not None:
         screen.print(f"{kind} compensator written to {output}; what it leaves is stated in the file")
     elif output is not None:
         screen.print(f"{len(joints)} commands written to {output}")
     else:
         for row in joints:
             screen.print("  ".join(f"{v:12.6f}" for v in row))
+    for words in assumed:
+        screen.print(f"  {_escaped(words)}")
 
 
 @app.command()

@@ -394,9 +394,11 @@ def matrix(
 
 
 def predict(
-    result: Source | Mapping[str, Any], recording: Source | Recording, output: Source | None = None
+    result: Source | Mapping[str, Any],
+    recording: Source | Recording,
+    output: Source | None = None,
 ) -> Recording:
-    """Return a recording's readings as an identified model predicts them; `output` is PREDICTED.csv."""
+    """Return a recording's readings as an identified or diagnosed model predicts them; `output` is PREDICTED.csv."""
     from deltacal_gen import prediction
 
     check_output(output, result, recording)
@@ -426,30 +428,42 @@ def compensate(
     kind: str = "exact",
     export: str | None = None,
     worst_mm: float = 0.01,
+    channels: Mapping[str, Array | float] | None = None,
+    tell: Progress = _silent,
 ) -> Array:
     """Return corrected joint commands (N, n_q) [deg or mm] for targets (N, 3) [mm], or export the compensator.
 
     Parameters
     ----------
+    result : path or mapping
+        RESULT.json, or DIAGNOSIS.json: then the commands include the effects that were found.
     targets : path or (N, 3) array
-        A CSV with ``x_mm, y_mm, z_mm`` in {O} (and tool columns), or positions. Not needed with `export`.
+        A CSV with ``x_mm, y_mm, z_mm`` in {O} (tool columns and channels too), or positions. Not needed with `export`.
     output : path
         JOINTS.csv; with `export` the compensator's own file.
     kind : {"exact", "linear"}
     export : {"c", "table"}, optional
     worst_mm : float
         Of a table: what it may leave.
+    channels : mapping of (N,) arrays or numbers, optional
+        Beside an array of targets, what the effects depend on, by the names of a recording's columns:
+        ``temp_C, payload_kg, time_s, approach1`` ...
+    tell : callable
+        Told in words what was assumed where a channel is not given.
     """
-    from deltacal_gen import compensation, prediction
+    from deltacal_gen import compensation, exports, prediction
 
     check_output(output, result, targets)
-    robot = prediction.calibrated_robot(_result(result))
+    result = _result(result)
+    robot = prediction.calibrated_robot(result)
     mechanism = mechanism_of(robot)
-    compensator = compensation.Compensator(robot, kind)
+    terms = prediction.known_effects(result, timed=True)
+    compensator = compensation.Compensator(robot, kind, terms)
     if export is not None:
+        spans = exports.spans(result)
         writers = {
-            "c": lambda path: compensation.export_c(compensator, path),
-            "table": lambda path: compensation.export_table(compensator, path, worst_mm=worst_mm),
+            "c": lambda path: exports.export_c(compensator, path, spans),
+            "table": lambda path: exports.export_table(compensator, path, spans, worst_mm=worst_mm),
         }
         if export not in writers:
             raise UsageError(f"there is no export '{export}' for {robot.mechanism}; known: {', '.join(writers)}.")
@@ -461,6 +475,7 @@ def compensate(
         raise UsageError("give the targets: a CSV with x_mm, y_mm, z_mm.")
     recording: Recording | None = None
     tool = None
+    columns = dict(channels or {})
     if isinstance(targets, str | Path):
         recording = _recording(targets, robot, need_measured=False, allow_targets=True)
         if recording.targets is None:
@@ -468,21 +483,22 @@ def compensate(
                 "the file gives joints, not targets.", "Give the columns x_mm, y_mm, z_mm and no joints.", file=targets
             )
         positions = recording.targets
+        columns |= recording.channels
         if recording.tool is not None:
             tool = np.where(np.isfinite(recording.tool), recording.tool, robot.tool)
     else:
         positions = np.asarray(targets, dtype=float)
-    joints = compensator.joints(positions, tool)
+    at, assumed = compensator.channels(columns, len(positions))
+    for words in assumed:
+        tell(words)
+    joints = compensator.joints(positions, tool, at)
     if output is not None:
-        if recording is None:
-            columns: dict[str, Any] = {}
-        else:
-            columns = {"pose": recording.pose.tolist()}
-        columns |= {
+        table: dict[str, Any] = {} if recording is None else {"pose": recording.pose.tolist()}
+        table |= {
             f"q{i + 1}_{file_unit(mechanism.joint_unit)}": q / to_internal(mechanism.joint_unit)
             for i, q in enumerate(joints.T)
         }
-        write_files({Path(output): csv_text(columns)})
+        write_files({Path(output): csv_text(table)})
     in_files: Array = joints / to_internal(mechanism.joint_unit)
     return in_files
 

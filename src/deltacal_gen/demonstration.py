@@ -1,27 +1,32 @@
-"""The main job on an embedded recording: identify, look, compensate, and hold the outcome against the truth.
+"""The main job on an embedded recording: identify, see the misfit, diagnose, compensate, and only then the truth.
 
-The recording was made by ``deltacal simulate`` from ``examples/delta``: robot.toml, poses.csv, truth.toml, with
-``--noise 0.005 --seed 2015``. The truth is read only after everything has been identified.
+A packaging Delta was measured by a laser tracker in one morning: 150 poses, three payloads, a hall that warms up, the
+direction in which each joint arrived. ``examples/gearbox/truth.toml`` says what was concealed in it and with which
+command; it is read after everything else is written.
 """
 
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from importlib import resources
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from deltacal_gen import commands, compensation, figures
+from deltacal_gen import commands, exports, figures
 from deltacal_gen.accuracy import check_poses, workspace_of
+from deltacal_gen.compensation import Compensator
 from deltacal_gen.measurement import align
-from deltacal_gen.mechanism import Array, mechanism_of
-from deltacal_gen.prediction import calibrated_robot
+from deltacal_gen.mechanism import Array
+from deltacal_gen.physics import Term
+from deltacal_gen.prediction import calibrated_robot, known_effects
 from deltacal_gen.recording import write_files
-from deltacal_gen.robot import Robot, read_robot, robot_to_toml
+from deltacal_gen.robot import read_robot, robot_to_toml
 from deltacal_gen.simulation import read_truth
+
+SEED = 7  # of the channels at the check poses
 
 
 def example(name: str = "delta") -> Path:
@@ -30,56 +35,75 @@ def example(name: str = "delta") -> Path:
 
 
 def run(folder: Path, progress: Callable[[str], None]) -> dict[str, Any]:
-    """Run the demonstration; return the result, the check against the truth and the files made below `folder`."""
+    """Run the demonstration; return what was found, the check against the truth, and the files made below `folder`."""
     folder.mkdir(parents=True, exist_ok=True)
-    source = example()
-    robot = read_robot(source / "robot.toml")
-    result = commands.identify(robot, source / "recording.csv", output=folder / "result.json", progress=progress)
-    calibrated = calibrated_robot(result)
-    write_files({folder / "calibrated.toml": robot_to_toml(calibrated)})
-    progress("compensator")
-    compensation.export_c(compensation.Compensator(calibrated), folder / "compensator.c")
-    progress("check against the truth")
-    check = _check(robot, calibrated, result, read_truth(source / "truth.toml", robot).errors)
+    source = example("gearbox")
+    robot, recording = read_robot(source / "robot.toml"), source / "recording.csv"
+    files = {
+        name: folder / name
+        for name in ("result.json", "diagnosis.json", "diagnosis.html", "diagnosis.svg", "calibrated.toml", "command.c")
+    }
+    result = commands.identify(robot, recording, output=files["result.json"], progress=progress)
+    found = commands.diagnose(
+        robot, recording, files["diagnosis.json"], report=files["diagnosis.html"], progress=progress
+    )
     progress("picture")
-    picture = folder / "calibration.png"
-    figures.calibration(result, picture, check)
+    figures.diagnosis(found, files["diagnosis.svg"])
+    progress("compensator")
+    machine = calibrated_robot(found)
+    write_files({files["calibrated.toml"]: robot_to_toml(machine)})
+    compensator = Compensator(machine, terms=tuple(known_effects(found, timed=True)))
+    exports.export_c(compensator, files["command.c"], exports.spans(found))
+    progress("check against the truth")
+    truth = read_truth(source / "truth.toml", robot)
+    commanders = (
+        ("robot file", Compensator(robot)),
+        (f"{result['model']}, geometry alone", Compensator(calibrated_robot(result))),
+        ("geometry and " + " and ".join(e["name"] for e in found["effects"]), compensator),
+    )
     return {
-        "schema": "deltacal.demo/1",
+        "schema": "deltacal.demo/2",
         "result": result,
-        "check": [{k: v for k, v in row.items() if k != "errors_mm"} for row in check],
-        "picture": str(picture),
-        "files": [str(folder / name) for name in ("calibrated.toml", "result.json", "compensator.c")],
+        "diagnosis": found,
+        "truth": [_in_files(t) for t in truth.terms],
+        "check": _check(Compensator(dataclasses.replace(robot, errors=truth.errors), terms=truth.terms), commanders),
+        "files": {name: str(path) for name, path in files.items()},
     }
 
 
-def _check(robot: Robot, calibrated: Robot, result: dict[str, Any], truth: dict[str, float]) -> list[dict[str, Any]]:
+def _in_files(term: Term) -> dict[str, Any]:
+    """Return a concealed effect as truth files write it."""
+    factors = {name: (unit, factor) for name, unit, factor, _ in term.kernels.COEFFICIENTS}
+    return {
+        "name": term.effect,
+        "limbs": list(term.limbs),
+        "parameters": [
+            {"name": name, "limb": limb, "value": float(value / factor), "unit": unit}
+            for limb, row in zip(term.limbs or (None,), term.values, strict=True)
+            for (name, (unit, factor)), value in zip(factors.items(), row, strict=True)
+        ],
+    }
+
+
+def _check(truth: Compensator, commanders: Sequence[tuple[str, Compensator]]) -> list[dict[str, Any]]:
     """Return where the true machine stands when it is commanded by each model of it, off the wanted check poses.
 
-    What the instrument cannot know is where {O} lies; the errors are taken after the best alignment of the whole set,
-    which is what localising the base frame does on the floor.
+    Every pose is reached under a payload and temperature of the recording's ranges and in random directions. What the
+    instrument cannot know is where {O} lies; the errors are taken after the best alignment of the whole set, which is
+    what localising the base frame does on the floor.
     """
-    mechanism = mechanism_of(robot)
-    targets = check_poses(workspace_of(robot))
-    true_machine = dataclasses.replace(robot, errors=truth)
-    offsets = {n: v for n, v in calibrated.errors.items() if n.startswith("theta_")}
-    machines = (
-        ("robot file", robot),
-        ("encoder offsets alone", dataclasses.replace(robot, errors=offsets)),
-        (result["model"], calibrated),
-    )
+    robot = truth.robot
+    targets = np.repeat(check_poses(workspace_of(robot)), 4, axis=0)
+    rng, n = np.random.default_rng(SEED), len(targets)
+    columns = {"payload_kg": rng.uniform(0.0, 3.0, n), "temp_C": rng.uniform(20.0, 25.0, n), "time_s": np.zeros(n)}
+    columns |= {f"approach{i + 1}": rng.choice([-1.0, 1.0], n) for i in range(truth.mechanism.limbs)}
     rows = []
-    for name, machine in machines:
-        joints, _, _ = mechanism.inverse(targets, robot.tool, mechanism.rows(machine))
-        reached, _ = mechanism.forward(joints, robot.tool, mechanism.rows(true_machine))
-        errors = np.linalg.norm(_aligned(reached[:, :3], targets), axis=1)
+    for name, commander in commanders:
+        joints, _ = commander.command(targets, None, commander.channels(columns, n)[0])
+        reached, _ = truth.reached(joints, None, truth.channels(columns, n)[0])
+        errors = np.linalg.norm(_aligned(reached, targets), axis=1)
         rows.append(
-            {
-                "machine": name,
-                "rms_mm": float(np.sqrt(np.mean(errors**2))),
-                "worst_mm": float(errors.max()),
-                "errors_mm": errors.tolist(),
-            }
+            {"model": name, "rms_mm": float(np.sqrt(np.mean(errors**2))), "worst_mm": float(errors.max()), "poses": n}
         )
     return rows
 

@@ -127,30 +127,93 @@ class Channels:
     payload: Array
     order: Array
 
+    def subset(self, rows: np.ndarray) -> Channels:
+        """Return the channels at these rows."""
+        fields = dataclasses.fields(self)
+        picked: dict[str, Any] = {f.name: None if (v := getattr(self, f.name)) is None else v[rows] for f in fields}
+        return Channels(**picked)
+
     @staticmethod
     def of(recording: Recording, robot: Robot) -> Channels:
         """Read the channels of a recording; joint channels are turned as the geometry counts."""
-        n = recording.joints.shape[1]
+        return Channels.from_columns(recording.channels, recording.joints.shape, robot, recording.joint_unit)
+
+    @staticmethod
+    def from_columns(
+        columns: Mapping[str, Array], shape: tuple[int, ...], robot: Robot, joint_unit: str = "rad"
+    ) -> Channels:
+        """Read channels from columns (N,) as files name them; `shape` is (N, n_q)."""
+        rows, n = shape
 
         def joints(pattern: str, factor: float) -> Array | None:
-            found = [recording.channels.get(pattern.format(i + 1)) for i in range(n)]
+            found = [columns.get(pattern.format(i + 1)) for i in range(n)]
             if any(f is None for f in found):
                 return None
             return np.column_stack([factor * s * f for s, f in zip(robot.joint_sign, found, strict=True)])
 
-        angular = recording.joint_unit == "rad"
-        unit, factor = ("deg", DEG) if angular else ("mm", 1.0)
-        temperature = recording.channels.get("temp_C")
-        payload = recording.channels.get("payload_kg")
+        unit, factor = ("deg", DEG) if joint_unit == "rad" else ("mm", 1.0)
+        temperature, payload = columns.get("temp_C"), columns.get("payload_kg")
         return Channels(
             approach=joints("approach{}", 1.0),
             speed=joints("qd{}_" + unit + "_s", factor),
             acceleration=joints("qdd{}_" + unit + "_s2", factor),
             warming=None if temperature is None else temperature - 20.0,
-            time=recording.channels.get("time_s"),
-            payload=np.zeros(recording.n_rows) if payload is None else payload,
-            order=np.arange(recording.n_rows, dtype=float),
+            time=columns.get("time_s"),
+            payload=np.zeros(rows) if payload is None else payload,
+            order=np.arange(rows, dtype=float),
         )
+
+
+# field of Channels, its columns, what in an effect's state reads it, what is assumed where it is not given
+_ASSUMED = (
+    ("approach", "approach{}", {"approach"}, "the middle of the play is assumed, half of it is left either way"),
+    ("speed", "qd{}", {"speed"}, "a machine at rest is assumed"),
+    ("acceleration", "qdd{}", {"acceleration", "inertia_torque"}, "a machine at rest is assumed"),
+    ("warming", "temp_C", {"warming"}, "20 degC is assumed"),
+    ("time", "time_s", {"time"}, "the start of the recording is assumed, before any drift"),
+    ("time", "time_s", {"after"}, "a time after the jump is assumed"),
+    ("payload", "payload_kg", LOADS - {"inertia_torque"}, "no payload is assumed"),
+)
+
+
+def complete_channels(
+    columns: Mapping[str, Array], shape: tuple[int, int], robot: Robot, joint_unit: str, terms: Sequence[Term]
+) -> tuple[Channels, list[str]]:
+    """Return channels that lack nothing but perhaps the time, and in words what was assumed for which effects.
+
+    Parameters
+    ----------
+    columns : mapping of (N,) arrays
+        By the names of a recording's channels, in their units; nan where not given.
+    shape : (N, n_q)
+
+    Raises
+    ------
+    InputError
+        Some rows have a time and some have none.
+    """
+    n, limbs = shape
+    have = Channels.from_columns(columns, shape, robot, joint_unit)
+    said: list[str] = []
+    filled: dict[str, Any] = {}
+    for field, column, states, assumed in _ASSUMED:
+        value: Array | None = getattr(have, field) if field != "payload" else columns.get("payload_kg")
+        value = np.full((n, limbs) if "{}" in column else (n,), np.nan) if value is None else value
+        filled[field] = np.nan_to_num(value)
+        users = [t.effect for t in terms if states & set(t.kernels.STATE)]
+        blank = np.isnan(value).reshape(n, -1).any(axis=1)
+        if users and blank.any():
+            name = f"{column.format(1)} ... {column.format(limbs)}" if "{}" in column else column
+            where = "not given" if blank.all() else f"blank in {blank.sum()} of {n} rows"
+            said.append(f"{name} {where}: {assumed} ({', '.join(users)})")
+            if column == "time_s" and not blank.all():
+                raise InputError(
+                    "some rows have a time and some have none.",
+                    "Fill in all cells, or leave the column out.",
+                    column=column,
+                )
+    time = None if have.time is None or np.isnan(have.time).all() else have.time
+    return Channels(**filled | {"time": time}, order=have.order), said
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.estimation import Problem, pose_problem
 from deltacal_gen.measurement import Instrument, Readings
 from deltacal_gen.mechanism import Array
-from deltacal_gen.physics import reading_shift, term_from_dict
+from deltacal_gen.physics import Term, reading_shift, term_from_dict
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot, robot_from_dict
 from deltacal_gen.rotation import to_vector
@@ -24,7 +24,24 @@ def calibrated_robot(result: Mapping[str, Any]) -> Robot:
     return robot_from_dict(result["robot"])
 
 
-def predict(result: Mapping[str, Any], recording: Recording) -> Recording:
+def known_effects(result: Mapping[str, Any], *, timed: bool) -> list[Term]:
+    """Return the effects of a DIAGNOSIS.json (none of a RESULT.json) as they act on other readings.
+
+    Parameters
+    ----------
+    timed : bool
+        Whether the other readings tell their time. Without it, and where a jump was found by its row, they come after
+        all rows that the jump was found in.
+    """
+    held = [term_from_dict(t) for t in result.get("physics", ())]
+    if result.get("clock") == "row" or not timed:
+        held = [dataclasses.replace(t, constants=(-np.inf,)) if t.effect == "zero_jump" else t for t in held]
+    return held
+
+
+def predict(
+    result: Mapping[str, Any], recording: Recording
+) -> Recording:
     """Return the recording with its measured cells as the identified model predicts them.
 
     Parameters
@@ -37,7 +54,8 @@ def predict(result: Mapping[str, Any], recording: Recording) -> Recording:
     Raises
     ------
     InputError
-        A set-up of the recording whose frame the result does not know, or a pose that cannot be.
+        A set-up of the recording whose frame the result does not know, a channel that an effect reads and that is not
+        given, or a pose that cannot be.
     """
     robot = calibrated_robot(result)
     problem, instrument = prediction_problem(result, robot, recording)
@@ -56,15 +74,15 @@ def predict(result: Mapping[str, Any], recording: Recording) -> Recording:
 
 
 def prediction_problem(
-    result: Mapping[str, Any], robot: Robot, recording: Recording, found: Readings | None = None
+    result: Mapping[str, Any],
+    robot: Robot,
+    recording: Recording,
+    found: Readings | None = None,
 ) -> tuple[Problem, Instrument]:
     """Return the problem of a recording with nothing free, and the instrument that a result knows for it."""
     found = unread(recording) if found is None else found
     found, instrument = _instrument(result, recording, found)
-    held = [term_from_dict(t) for t in result.get("physics", ())]
-    if result.get("clock") == "row" or recording.time_s is None:
-        # rows of another recording come after all rows of the one that a jump was found in
-        held = [dataclasses.replace(t, constants=(-np.inf,)) if t.effect == "zero_jump" else t for t in held]
+    held = known_effects(result, timed=recording.time_s is not None)
     problem = pose_problem(robot, recording, (), found=found, held=held)
     for term in held:
         if why := problem.body.missing(term.effect):
@@ -111,7 +129,9 @@ def _setups(recording: Recording) -> int:
     return int(recording.setup.max()) + 1
 
 
-def residual(result: Mapping[str, Any], recording: Recording, found: Readings) -> Array:
+def residual(
+    result: Mapping[str, Any], recording: Recording, found: Readings
+) -> Array:
     """Return measured minus predicted (R, k) of readings that the result has not seen [mm, rad]."""
     problem, instrument = prediction_problem(result, calibrated_robot(result), recording, found)
     return problem.residual(problem.reference, instrument, problem.poses(problem.reference))

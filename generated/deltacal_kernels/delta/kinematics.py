@@ -1,7 +1,7 @@
 """Kinematics of `delta`: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 8719fdf755d86771; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both d4ed91e439ac769e; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -1551,14 +1551,6 @@ def linear_command(target, tool, k, work, q):
     for i in range(3):
         q[i] = q[i] - work[60 + i] if status == SOLVED else np.nan
     return status
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def exact_commands(target, tool, k, q, status):
-    """Fill joints q (N, 3) and status (N,) by `exact_command`; target (N, 3) and tool (N, 3), k (M, 3, :)."""
-    work = np.zeros(COMMAND_WORK)
-    for n in range(target.shape[0]):
-        status[n] = exact_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])
 
 
 @njit(cache=True, nogil=True, error_model="numpy")

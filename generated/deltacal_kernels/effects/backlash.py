@@ -1,7 +1,7 @@
 """Play, flips with the direction of approach.
 
 Generated from derive/effects/backlash.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 771f29a0c9d86c98; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 7651928df1f5866c; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): approach;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -11,6 +11,7 @@ import numpy as np
 
 NAME = "backlash"
 TITLE = "play, flips with the direction of approach"
+ADVICE = "Look for play in the gearbox and its couplings, and take it out. Until then command by the direction of approach, or always arrive from the same side."
 PER_LIMB = True
 STATE = ("approach", )
 TARGETS = ("joint", )

@@ -1,7 +1,7 @@
 """Frame tilts under the moving weight.
 
 Generated from derive/effects/base_compliance.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both ccf7db9e1835c80e; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both c9935c57bc70bd8e; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): moment_x moment_y;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
@@ -11,6 +11,7 @@ import numpy as np
 
 NAME = "base_compliance"
 TITLE = "frame tilts under the moving weight"
+ADVICE = "Check the frame's fixing and stiffness. Until then command by the payload, or calibrate with the payload that is carried."
 PER_LIMB = False
 STATE = ("moment_x", "moment_y", )
 TARGETS = ("turn.x", "turn.y", )

@@ -1,7 +1,7 @@
 """Rods stretch.
 
 Generated from derive/effects/distal_compliance.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both ad012b4815107a0c; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 2c83dff94b2f5f4f; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): tension_1 tension_2;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -11,6 +11,7 @@ import numpy as np
 
 NAME = "distal_compliance"
 TITLE = "rods stretch"
+ADVICE = "Check the rods and their ball joints for softness. Until then command by the payload."
 PER_LIMB = True
 STATE = ("tension_1", "tension_2", )
 TARGETS = ("limb.rod", "limb.rod_difference", )

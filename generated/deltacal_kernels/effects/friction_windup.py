@@ -1,7 +1,7 @@
 """Friction winds the joint up, by direction and load.
 
 Generated from derive/effects/friction_windup.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both cc26ef6e54833e78; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both d305e965678d59cc; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): approach torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -11,6 +11,7 @@ import numpy as np
 
 NAME = "friction_windup"
 TITLE = "friction winds the joint up, by direction and load"
+ADVICE = "Look for friction in the joint and for a soft transmission behind it. Until then command by direction of approach and payload."
 PER_LIMB = True
 STATE = ("approach", "torque", )
 TARGETS = ("joint", )

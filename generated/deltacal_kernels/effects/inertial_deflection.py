@@ -1,7 +1,7 @@
 """Joint twists with acceleration.
 
 Generated from derive/effects/inertial_deflection.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both fb43a98d5f69d38c; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 533f6d3221d693df; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): inertia_torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -11,6 +11,7 @@ import numpy as np
 
 NAME = "inertial_deflection"
 TITLE = "joint twists with acceleration"
+ADVICE = "Let the machine settle before it is measured or grips, or accelerate less. The transmission gives way to inertia."
 PER_LIMB = True
 STATE = ("inertia_torque", )
 TARGETS = ("joint", )

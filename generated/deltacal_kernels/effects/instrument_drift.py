@@ -1,7 +1,7 @@
 """The instrument drifts.
 
 Generated from derive/effects/instrument_drift.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both eb279cc31c1ce506; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 07f7de37d3ec784b; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): time;
 coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.
@@ -11,6 +11,7 @@ import numpy as np
 
 NAME = "instrument_drift"
 TITLE = "the instrument drifts"
+ADVICE = "The machine is not at fault. Let the instrument warm up, fix its stand, and measure a fixed point again and again."
 PER_LIMB = False
 STATE = ("time", )
 TARGETS = ("reading.x", "reading.y", "reading.z", )

@@ -1,7 +1,7 @@
 """A measured point is not where it is said to be.
 
 Generated from derive/effects/instrument_offset.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 7eb6f0adc4ed305b; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 7f90938398c8c00d; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
 coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.
@@ -11,6 +11,7 @@ import numpy as np
 
 NAME = "instrument_offset"
 TITLE = "a measured point is not where it is said to be"
+ADVICE = "The machine is not at fault. Measure again where this reflector or probe sits on the platform, and correct tool_x_mm ... in the recording."
 PER_LIMB = False
 STATE = ()
 TARGETS = ("tool.x", "tool.y", "tool.z", )

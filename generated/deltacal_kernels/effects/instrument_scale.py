@@ -1,7 +1,7 @@
 """The instrument's length scale is wrong.
 
 Generated from derive/effects/instrument_scale.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both bd635e89dc7fa8c8; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 3b661468c8afc1d2; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 4): y_x y_y y_z y_length;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -11,6 +11,7 @@ import numpy as np
 
 NAME = "instrument_scale"
 TITLE = "the instrument's length scale is wrong"
+ADVICE = "The machine is not at fault, unless it is warmer than its drawing. Hold the instrument against a length that is known."
 PER_LIMB = False
 STATE = ("y_x", "y_y", "y_z", "y_length", )
 TARGETS = ("reading.x", "reading.y", "reading.z", "length", )

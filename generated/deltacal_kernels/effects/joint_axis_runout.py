@@ -1,7 +1,7 @@
 """The joint's centre orbits with its angle.
 
 Generated from derive/effects/joint_axis_runout.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both b55085d0a961de3c; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both bf0ee19cd5974f21; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): theta;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
@@ -11,6 +11,7 @@ import numpy as np
 
 NAME = "joint_axis_runout"
 TITLE = "the joint's centre orbits with its angle"
+ADVICE = "Check the bearings of the joint axis. The error repeats exactly, so that the corrected commands undo it."
 PER_LIMB = True
 STATE = ("theta", )
 TARGETS = ("limb.outwards", )

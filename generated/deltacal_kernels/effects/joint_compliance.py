@@ -1,7 +1,7 @@
 """Joint or gearbox twists under the load.
 
 Generated from derive/effects/joint_compliance.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 2b5c07c2a717b07f; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 8a0afd110ea5e912; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -11,6 +11,7 @@ import numpy as np
 
 NAME = "joint_compliance"
 TITLE = "joint or gearbox twists under the load"
+ADVICE = "Check the gearbox and its fixing for softness. The deflection repeats with the load, so that commands by the payload undo it."
 PER_LIMB = True
 STATE = ("torque", )
 TARGETS = ("joint", )

@@ -1,7 +1,7 @@
 """Gear ratio or encoder scale is off.
 
 Generated from derive/effects/joint_scale.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 2fea5cb737717f0d; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 7dbc2f64c4da34fd; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): q;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -11,6 +11,7 @@ import numpy as np
 
 NAME = "joint_scale"
 TITLE = "gear ratio or encoder scale is off"
+ADVICE = "Check the gear ratio and the encoder's counts per turn in the controller, and correct them there."
 PER_LIMB = True
 STATE = ("q", )
 TARGETS = ("joint", )

@@ -1,7 +1,7 @@
 """The position lags the joints.
 
 Generated from derive/effects/latency.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both bc37c9db81a22309; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both bce7fb7d885d1c36; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): speed acceleration;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -11,6 +11,7 @@ import numpy as np
 
 NAME = "latency"
 TITLE = "the position lags the joints"
+ADVICE = "Joints and positions are not of the same instant. Synchronise the instrument's trigger with the controller, or measure at rest."
 PER_LIMB = False
 STATE = ("speed", "acceleration", )
 TARGETS = ("joint", )

@@ -1,7 +1,7 @@
 """Joint twists under the payload.
 
 Generated from derive/effects/payload_deflection.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 696e524a306862b9; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both ecbbfe00ab89347c; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): payload_torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -11,6 +11,7 @@ import numpy as np
 
 NAME = "payload_deflection"
 TITLE = "joint twists under the payload"
+ADVICE = "Check the gearbox and its fixing for softness. The deflection repeats with the payload, so that commands by it undo it."
 PER_LIMB = True
 STATE = ("payload_torque", )
 TARGETS = ("joint", )

@@ -1,7 +1,7 @@
 """Arm bends under the rods' pull.
 
 Generated from derive/effects/proximal_bending.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both b3d731bed0beea38; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 356ec9d0df04bfe1; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): pull_v pull_w;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -11,6 +11,7 @@ import numpy as np
 
 NAME = "proximal_bending"
 TITLE = "arm bends under the rods' pull"
+ADVICE = "Check the arm and its clamping for cracks and loose screws. The bending repeats with the load, so that commands by the payload undo it."
 PER_LIMB = True
 STATE = ("pull_v", "pull_w", )
 TARGETS = ("limb.tip_v", "limb.tip_w", )

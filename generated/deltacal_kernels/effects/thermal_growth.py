@@ -1,7 +1,7 @@
 """Links and base grow with temperature.
 
 Generated from derive/effects/thermal_growth.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 6e9b5133baedaa73; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 2ecbf8321326b440; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 4): warming L l b;
 coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.
@@ -11,6 +11,7 @@ import numpy as np
 
 NAME = "thermal_growth"
 TITLE = "links and base grow with temperature"
+ADVICE = "Measure and work at one temperature, or command by the temperature of the links."
 PER_LIMB = False
 STATE = ("warming", "L", "l", "b", )
 TARGETS = ("limb.arm", "limb.rod", "limb.outwards", )

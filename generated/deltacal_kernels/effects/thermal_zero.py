@@ -1,7 +1,7 @@
 """Joint zero moves with temperature.
 
 Generated from derive/effects/thermal_zero.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 51034d344e4cb16b; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both efac638aa9331b66; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): warming;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -11,6 +11,7 @@ import numpy as np
 
 NAME = "thermal_zero"
 TITLE = "joint zero moves with temperature"
+ADVICE = "Look for what moves the encoder or its coupling with heat. Until then command by the temperature, or home again when it has changed."
 PER_LIMB = True
 STATE = ("warming", )
 TARGETS = ("joint", )

@@ -1,7 +1,7 @@
 """Periodic error of the transmission.
 
 Generated from derive/effects/transmission_eccentricity.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 7cce7c2b5176f07c; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 84a86d7645cc3298; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): q;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
@@ -11,6 +11,7 @@ import numpy as np
 
 NAME = "transmission_eccentricity"
 TITLE = "periodic error of the transmission"
+ADVICE = "Check the gear or encoder disc that turns so often for eccentricity. The error repeats exactly, so that the corrected commands undo it."
 PER_LIMB = True
 STATE = ("q", )
 TARGETS = ("joint", )

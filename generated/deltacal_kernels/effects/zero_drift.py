@@ -1,7 +1,7 @@
 """Joint zero moves with time.
 
 Generated from derive/effects/zero_drift.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both c6a692e1fd47c786; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 89bfe5c05d72665f; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): time;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -11,6 +11,7 @@ import numpy as np
 
 NAME = "zero_drift"
 TITLE = "joint zero moves with time"
+ADVICE = "Look for a slipping coupling or an encoder that drifts. Home the joint often until it is found: a drift cannot be foretold."
 PER_LIMB = True
 STATE = ("time", )
 TARGETS = ("joint", )

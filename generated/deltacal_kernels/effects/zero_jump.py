@@ -1,7 +1,7 @@
 """Joint zero jumps once.
 
 Generated from derive/effects/zero_jump.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both ba221b5aa2f0e9f5; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 2fe0334971560d26; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): after;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -11,6 +11,7 @@ import numpy as np
 
 NAME = "zero_jump"
 TITLE = "joint zero jumps once"
+ADVICE = "Look for a coupling that slipped or a collision at that time, tighten it, and home the joint. What was taught before is off by the jump."
 PER_LIMB = True
 STATE = ("after", )
 TARGETS = ("joint", )

@@ -1,0 +1,17 @@
+/*
+ * Generated from derive/effects/transmission_eccentricity.py by "deltacal kernels". Do not edit.
+ * Template templates/effect.c.jinja; sha256 of both 697eb8da7b73cad1; SymPy 1.14.0.
+ *
+ * Periodic error of the transmission: by how much the joint is moved [rad or mm].
+ * State s: q; units mm, rad, N, s, K.
+ */
+static double transmission_eccentricity(const double *s, const double *c, const double *constants)
+{
+    const double q = s[0];
+    const double c_cos = c[0];
+    const double c_sin = c[1];
+    const double order = constants[0];
+    const double s0 = order*q;
+    const double s5 = c_cos*cos(s0) + c_sin*sin(s0);
+    return s5;
+}

@@ -1,0 +1,309 @@
+"""Compensation of a machine with effects: exact inversion, assumptions said aloud, the way from a diagnosis."""
+
+from __future__ import annotations
+
+import ctypes
+import dataclasses
+import json
+import math
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import plausible, scattered, wanted
+
+from deltacal_gen import commands
+from deltacal_gen.compensation import SETTLED_MM, Compensator
+from deltacal_gen.diagnosis import diagnose
+from deltacal_gen.errors import InputError, NoSolutionError, UsageError
+from deltacal_gen.exports import Spans, export_c, export_table, read_table, spans
+from deltacal_gen.mechanism import SOLVED, UNREACHABLE, Mechanism
+from deltacal_gen.physics import Term, blank, effect_names, load_effect
+from deltacal_gen.robot import Masses, Robot
+from deltacal_gen.simulation import simulate
+from deltacal_gen.units import DEG
+
+SIZES = {  # of each effect's coefficients in the files' units: what moves a tool point by tenths of a millimetre
+    "joint_compliance": 0.01,
+    "payload_deflection": 0.01,
+    "inertial_deflection": 0.005,
+    "proximal_bending": 0.01,
+    "distal_compliance": 0.005,
+    "base_compliance": 0.002,
+    "transmission_eccentricity": 0.05,
+    "joint_scale": 1e-3,
+    "backlash": 0.1,
+    "friction_windup": 0.005,
+    "thermal_growth": 2e-5,
+    "thermal_zero": 0.003,
+    "zero_drift": 0.03,
+    "zero_jump": 0.05,
+    "latency": 1e-3,
+    "joint_axis_runout": 0.1,
+}
+CONSTANTS = {"transmission_eccentricity": (20.0,), "zero_jump": (3600.0,)}
+OVER = Spans(warming=(-2.0, 15.0), payload=(0.0, 3.0), time=(0.0, 2.0))
+
+
+def term(name: str, size: float | None = None, limbs: tuple[int, ...] = (1, 2, 3)) -> Term:
+    bare = blank(name, limbs, CONSTANTS.get(name, ()))
+    factors = np.array([factor for _, _, factor, _ in load_effect(name).COEFFICIENTS])
+    value = SIZES[name] if size is None else size
+    return bare.with_values(value * factors * np.ones_like(bare.values))
+
+
+def channels(n: int, seed: int = 0) -> dict[str, np.ndarray]:
+    rng = np.random.default_rng(seed)
+    out = {"temp_C": rng.uniform(18, 35, n), "payload_kg": rng.uniform(0, 3, n), "time_s": rng.uniform(0, 7200, n)}
+    for i in (1, 2, 3):
+        out[f"approach{i}"] = rng.choice([-1.0, 1.0], n)
+        out[f"qd{i}_deg_s"] = rng.uniform(-100, 100, n)
+        out[f"qdd{i}_deg_s2"] = rng.uniform(-1000, 1000, n)
+    return out
+
+
+@pytest.fixture(scope="module")
+def machine(robot: Robot, mechanism: Mechanism) -> Robot:
+    masses = Masses(proximal=1.2, proximal_com=0.4, distal_rod=0.15, platform=0.8)
+    return dataclasses.replace(
+        robot, masses=masses, errors=plausible(mechanism, 3), joint_sign=np.array([1.0, -1.0, 1.0])
+    )
+
+
+# --- exact inversion ------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", SIZES)
+def test_the_command_brings_the_machine_with_the_effect_to_the_target(machine: Robot, name: str) -> None:
+    targets = scattered(machine, 60, 1)
+    compensator = Compensator(machine, terms=(term(name),))
+    at, assumed = compensator.channels(channels(60), 60)
+    assert assumed == []
+    joints, status = compensator.command(targets, None, at)
+    assert (status == SOLVED).all()
+    assert np.abs(compensator.reached(joints, None, at)[0] - targets).max() < 2 * SETTLED_MM
+    geometry_alone = Compensator(machine).command(targets)[0]
+    assert np.abs(compensator.reached(geometry_alone, None, at)[0] - targets).max() > 0.05
+
+
+def test_all_effects_at_once_at_another_tool_point(machine: Robot) -> None:
+    targets = scattered(machine, 60, 2)
+    tool = np.array([20.0, -30.0, -60.0])
+    compensator = Compensator(machine, terms=tuple(term(name, 0.3 * size) for name, size in SIZES.items()))
+    at, _ = compensator.channels(channels(60), 60)
+    assert np.abs(compensator.leftover(targets, tool, at)).max() < 2 * SETTLED_MM
+
+
+def test_every_effect_is_of_the_machine_or_of_the_instrument() -> None:
+    assert {n for n in effect_names() if n not in SIZES} == {
+        "instrument_drift",
+        "instrument_offset",
+        "instrument_scale",
+    }
+
+
+def test_the_instruments_effects_change_no_command(machine: Robot) -> None:
+    drift = blank("instrument_drift", ()).with_values(np.array([0.1, 0.2, 0.3]))
+    compensator = Compensator(machine, terms=(drift,))
+    targets = scattered(machine, 5, 1)
+    assert np.array_equal(compensator.command(targets)[0], Compensator(machine).command(targets)[0])
+    assert compensator.channels({}, 5)[1] == [
+        "instrument_drift belongs to the instrument: no command is changed for it"
+    ]
+
+
+def test_what_is_not_given_is_assumed_aloud(machine: Robot) -> None:
+    names = ("backlash", "joint_compliance", "thermal_zero", "zero_drift", "zero_jump", "inertial_deflection")
+    compensator = Compensator(machine, terms=tuple(map(term, names)))
+    at, assumed = compensator.channels({}, 4)
+    text = "\n".join(assumed)
+    for words in (
+        r"approach1 \.\.\. approach3 not given: .*middle of the play.*\(backlash\)",
+        r"temp_C not given: 20 degC is assumed \(thermal_zero\)",
+        r"payload_kg not given: no payload is assumed \(joint_compliance\)",
+        r"time_s not given: .*before any drift \(zero_drift\)",
+        r"time_s not given: a time after the jump is assumed \(zero_jump\)",
+        r"qdd1 \.\.\. qdd3 not given: a machine at rest is assumed \(inertial_deflection\)",
+    ):
+        assert re.search(words, text), words
+    # and it is what is said: the same as giving these values
+    given = {"temp_C": 20.0, "payload_kg": 0.0, "time_s": 1e9} | {f"approach{i}": 0.0 for i in (1, 2, 3)}
+    jumped = Compensator(machine, terms=tuple(t for t in compensator.terms if t.effect != "zero_drift"))
+    targets = scattered(machine, 4, 3)
+    stated, _ = jumped.channels(given, 4)
+    assert np.abs(jumped.command(targets, None, stated)[0] - jumped.command(targets)[0]).max() < 1e-14
+    assert np.array_equal(compensator.command(targets, None, at)[0], compensator.command(targets)[0])
+    blank_cell = np.array([25.0, np.nan, 25.0, np.nan])
+    assert (
+        "temp_C blank in 2 of 4 rows: 20 degC is assumed (thermal_zero)"
+        in compensator.channels({"temp_C": blank_cell}, 4)[1]
+    )
+    with pytest.raises(InputError, match="some rows have a time and some have none"):
+        compensator.channels({"time_s": blank_cell}, 4)
+
+
+def test_targets_out_of_reach_stay_so(machine: Robot) -> None:
+    compensator = Compensator(machine, terms=(term("joint_compliance"),))
+    targets = np.vstack([scattered(machine, 2, 1), [[0.0, 0.0, -5000.0]]])
+    joints, status = compensator.command(targets)
+    assert status.tolist() == [SOLVED, SOLVED, UNREACHABLE]
+    assert np.isnan(joints[2]).all()
+    with pytest.raises(NoSolutionError, match="target 3"):
+        compensator.joints(targets)
+
+
+def test_what_knows_geometry_only_says_so(machine: Robot) -> None:
+    with pytest.raises(UsageError, match="linear compensator knows geometry only, not backlash"):
+        Compensator(machine, "linear", (term("backlash"),))
+    with pytest.raises(UsageError, match=r"export C or a table for a machine with backlash"):
+        Compensator(machine, terms=(term("backlash"),)).servo()
+    without_masses = dataclasses.replace(machine, masses=None)
+    with pytest.raises(InputError, match=r"'joint_compliance' needs \[masses\]"):
+        Compensator(without_masses, terms=(term("joint_compliance"),)).command(scattered(machine, 2, 1))
+
+
+# --- from a recording to the corrected machine ----------------------------------------------------------------------
+
+CASES = {  # concealed effect, and the size of the error that it makes at the worst target [mm]
+    "temperature": ("thermal_zero", 0.006, (1, 3)),
+    "payload": ("joint_compliance", 0.02, (1, 2, 3)),
+    "direction": ("backlash", 0.08, (2,)),
+}
+
+
+READS = {
+    "thermal_zero": ("temp_C",),
+    "joint_compliance": ("payload_kg",),
+    "backlash": ("approach1", "approach2", "approach3"),
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_the_machine_meets_its_targets_once_it_is_diagnosed(
+    machine: Robot, mechanism: Mechanism, case: str, tmp_path: Path
+) -> None:
+    """Conceal an effect, diagnose it, command the true machine: what is left at new targets is parameter error."""
+    name, size, limbs = CASES[case]
+    nominal = dataclasses.replace(machine, errors={})
+    truth, true_term = plausible(mechanism, 8), term(name, size, limbs)
+    used = READS[name]
+    given = {k: v for k, v in channels(90, 4).items() if k in used}
+    poses = wanted(scattered(machine, 90, 4), frame="robot", channels=given)
+    sigma = 0.005
+    recording = simulate(nominal, poses, truth, noise_mm=sigma, rng=np.random.default_rng(5), terms=(true_term,))
+    found = json.loads(json.dumps(diagnose(nominal, recording).to_dict()))
+    assert [e["name"] for e in found["effects"]] == [name]
+
+    targets = scattered(machine, 40, 6)
+    now = {k: v for k, v in channels(40, 7).items() if k in used}
+    joints = commands.compensate(found, targets, channels=now)
+    calibrated_only = commands.compensate(found | {"physics": []}, targets)
+    true_machine = Compensator(dataclasses.replace(machine, errors=truth), terms=(true_term,))
+    at, _ = true_machine.channels(now, 40)
+    error = np.linalg.norm(true_machine.reached(joints * DEG, None, at)[0] - targets, axis=1)
+    without = np.linalg.norm(true_machine.reached(calibrated_only * DEG, None, at)[0] - targets, axis=1)
+    assert np.sqrt(np.mean(error**2)) < 1.5 * sigma  # 270 readings, 45 unknowns: 0.7 sigma per point at an ideal fit
+    assert np.sqrt(np.mean(without**2)) > 10 * sigma
+
+    # the same by files: channels of the targets file are read
+    columns = {"x_mm": targets[:, 0], "y_mm": targets[:, 1], "z_mm": targets[:, 2], **now}
+    lines = [",".join(columns), *(",".join(repr(float(v)) for v in row) for row in zip(*columns.values(), strict=True))]
+    (tmp_path / "targets.csv").write_text("\n".join(lines) + "\n")
+    said: list[str] = []
+    from_file = commands.compensate(found, tmp_path / "targets.csv", tell=said.append)
+    assert np.abs(from_file - joints).max() < 1e-12
+    assert said == []
+    commands.compensate(found, targets, tell=said.append)
+    assert len(said) == 1
+    assert spans(found).items().keys() == {"temperature": {"warming"}, "payload": {"payload"}, "direction": set()}[case]
+
+
+# --- exports --------------------------------------------------------------------------------------------------------
+
+COMPILER = shutil.which("gcc") or shutil.which("cc") or shutil.which("clang")
+SETS = [
+    ("backlash", "thermal_zero", "zero_drift", "zero_jump"),  # closed forms alone
+    ("transmission_eccentricity", "joint_scale", "joint_compliance"),
+    ("thermal_growth", "proximal_bending", "base_compliance", "backlash"),
+    ("latency", "inertial_deflection"),  # nothing of a machine at rest
+]
+
+
+class At(ctypes.Structure):
+    _fields_ = (
+        ("temp_C", ctypes.c_double),
+        ("payload_kg", ctypes.c_double),
+        ("time_s", ctypes.c_double),
+        ("approach", ctypes.c_double * 3),
+    )
+
+
+def at_rest(n: int) -> dict[str, np.ndarray]:
+    return {k: v for k, v in channels(n, 9).items() if not k.startswith("qd")}
+
+
+def after_the_jump(terms: tuple[Term, ...]) -> tuple[Term, ...]:
+    return tuple(dataclasses.replace(t, constants=(-math.inf,)) if t.effect == "zero_jump" else t for t in terms)
+
+
+@pytest.mark.skipif(COMPILER is None, reason="no C compiler on this machine")
+@pytest.mark.parametrize("names", SETS, ids="+".join)
+def test_the_exported_c_leaves_what_it_states(machine: Robot, names: tuple[str, ...], tmp_path: Path) -> None:
+    terms = tuple(map(term, names))
+    source = tmp_path / "command.c"
+    left = export_c(Compensator(machine, terms=terms), source, OVER)
+    text = source.read_text(encoding="utf-8")
+    stated = float(re.findall(r"Error left  (\S+) mm", text)[1])
+    assert left.worst_mm <= stated < 0.02
+    library = source.with_suffix(".so")
+    flags = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-O2", "-shared", "-fPIC")
+    subprocess.run([str(COMPILER), *flags, "-o", str(library), str(source), "-lm"], check=True)
+    function = ctypes.CDLL(str(library)).deltacal_command
+
+    targets, given = scattered(machine, 200, 8), at_rest(200)
+    joints = np.zeros((200, 3))
+    for j, target in enumerate(targets):
+        approach = (ctypes.c_double * 3)(*(given[f"approach{i}"][j] for i in (1, 2, 3)))
+        at = At(given["temp_C"][j], given["payload_kg"][j], given["time_s"][j], approach)
+        out = (ctypes.c_double * 3)()
+        assert function((ctypes.c_double * 3)(*target), ctypes.byref(at), out) == SOLVED
+        joints[j] = out
+    true_machine = Compensator(machine, terms=after_the_jump(terms))
+    channels_then, _ = true_machine.channels(given, 200)
+    error = np.linalg.norm(true_machine.reached(joints * DEG, None, channels_then)[0] - targets, axis=1)
+    assert error.max() <= max(stated, 1e-9)
+    untouched = (ctypes.c_double * 3)(7.0, 7.0, 7.0)
+    far = (ctypes.c_double * 3)(0.0, 0.0, -5000.0)
+    assert function(far, ctypes.byref(At(20.0, 0.0, 0.0, (ctypes.c_double * 3)())), untouched) == UNREACHABLE
+    assert list(untouched) == [7.0, 7.0, 7.0]
+
+
+def test_a_table_holds_the_channels_too(machine: Robot, tmp_path: Path) -> None:
+    terms = (term("thermal_zero"), term("joint_compliance"), term("backlash", limbs=(2,)))
+    compensator = Compensator(machine, terms=terms)
+    written = export_table(compensator, tmp_path / "table.csv", OVER, step_mm=60.0)
+    table = read_table(tmp_path / "table.csv")
+    assert table.columns == ((), ("approach2",), ("payload",), ("warming",))
+    assert np.array_equal(table.corrections, written.corrections)
+    given = at_rest(1000)
+    values = {"warming": given["temp_C"] - 20.0, "payload": given["payload_kg"], "approach2": given["approach2"]}
+    targets = scattered(machine, 1000, 8)
+    correction, status = table.correction(targets, values)
+    assert (status == SOLVED).all()
+    at, _ = compensator.channels(given, 1000)
+    joints = compensator.nominal_command(targets)[0] + correction
+    error = np.linalg.norm(compensator.reached(joints, None, at)[0] - targets, axis=1)
+    assert 0.2 * table.worst_mm < error.max() <= table.worst_mm
+    at_reference = compensator.nominal_command(targets)[0] + table.correction(targets)[0]
+    missed = np.linalg.norm(compensator.reached(at_reference, None, at)[0] - targets, axis=1)
+    assert missed.max() > 10 * table.worst_mm
+
+
+def test_a_table_that_no_grid_makes_good_enough_is_refused(machine: Robot, tmp_path: Path) -> None:
+    compensator = Compensator(machine, terms=(term("friction_windup", 0.05),))
+    with pytest.raises(NoSolutionError, match="not linear enough in the channels"):
+        export_table(compensator, tmp_path / "table.csv", OVER, worst_mm=0.002)
+    assert not list(tmp_path.iterdir())
