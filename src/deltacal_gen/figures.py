@@ -1,11 +1,13 @@
-"""Pictures of a calibration: quiet, with units, readable on their own.
+"""Pictures of calibrations and diagnoses: quiet, with units, readable on their own.
 
 Matplotlib is imported here and only when a picture is asked for; no window is ever opened.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +19,11 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+
+from deltacal_gen.mechanism import Array, load_mechanism
+from deltacal_gen.physics import Body, Channels, reading_shift, term_from_dict
+from deltacal_gen.robot import robot_from_dict
+from deltacal_gen.units import file_unit, to_internal
 
 INK, MUTED, BEFORE, AFTER = "#1c2733", "#6b7885", "#c8553d", "#2a6f97"
 STYLE: dict[Any, Any] = {
@@ -165,3 +172,214 @@ def _workspace(axes: Axes, result: Mapping[str, Any]) -> None:
         dots, ax=axes, orientation="horizontal", shrink=0.7, label="standard deviation of the position, mm"
     )
     axes.set_title("How well the tool position is known, layer by layer", pad=22)
+
+
+# ------------------------------------------------------------------------------------------------------- diagnosis
+
+_LABELS = {
+    "time_s": "time, s",
+    "temp_C": "temperature, °C",
+    "payload_kg": "payload, kg",
+    "position": "position",
+}
+_JOINT = re.compile(r"(?P<what>approach|qdd|qd|q)(?P<joint>\d+)(_(?P<unit>\w+))?")
+_JOINT_WORDS = {"q": "joint {}", "qd": "speed of joint {}", "qdd": "acceleration of joint {}"}
+_JOINT_UNITS = {"deg": "deg", "mm": "mm", "deg_s": "deg/s", "mm_s": "mm/s", "deg_s2": "deg/s²", "mm_s2": "mm/s²"}
+_RANDOM = 0  # seed of the jitter that lets equal values of a channel be seen side by side
+
+
+def channel_label(name: str) -> str:
+    """Return a channel as a reader knows it, with its unit."""
+    found = _JOINT.fullmatch(name)
+    if found is None:
+        return _LABELS.get(name, name)
+    if found["what"] == "approach":
+        return f"direction in which joint {found['joint']} last moved"
+    words = _JOINT_WORDS[found["what"]].format(found["joint"])
+    return f"{words}, {_JOINT_UNITS.get(found['unit'] or '', found['unit'])}"
+
+
+@dataclass(frozen=True)
+class Seen:
+    """Residuals of a DIAGNOSIS.json as one number per reading, where the cause is seen best.
+
+    without, after (R,): the strongest effect switched off (what geometry alone leaves, where none was found), and with
+    all that was found.
+    """
+
+    without: Array
+    after: Array
+    label: str
+    title: str
+
+
+def seen(found: Mapping[str, Any]) -> Seen:
+    """Return residuals as the error of the joint that is at fault, else along the direction in which most is left.
+
+    Geometry that is fitted without an effect follows part of it. What the effect does shows undistorted as a partial
+    residual: what is left in the end, and what the effect adds there.
+    """
+    residuals = found["residuals"]
+    before, after = (np.array(residuals[k], dtype=float) for k in ("before_mm", "after_mm"))
+    title = "geometry alone"
+    strongest = max(range(len(found["effects"])), key=lambda i: found["effects"][i]["share_of_excess"], default=None)
+    limbs = found["location"]["limbs"] if strongest is None else found["effects"][strongest]["limbs"]
+    if strongest is not None and (added := contribution(found, strongest)) is not None:
+        before, title = after + added, f"without {found['effects'][strongest]['name'].replace('_', ' ')}"
+    if before.shape[1] == 1:
+        return Seen(before[:, 0], after[:, 0], "residual, mm", title)
+    if len(limbs) == 1 and _one_frame(found):
+        unit = load_mechanism(found["robot"]["robot"]["mechanism"]).joint_unit
+        at_joint = _at_joints(found)[:, limbs[0] - 1] / to_internal(unit)
+        label = f"error of joint {limbs[0]}, {file_unit(unit)}"
+        return Seen((at_joint * before).sum(axis=1), (at_joint * after).sum(axis=1), label, title)
+    centred = np.nan_to_num(before - np.nanmedian(before, axis=0))
+    along = np.linalg.svd(centred, full_matrices=False)[2][0]
+    return Seen(before @ along, after @ along, "residual where most is left, mm", title)
+
+
+def _one_frame(found: Mapping[str, Any]) -> bool:
+    return found["instrument"]["kind"] in ("position", "pose") and len(found["instrument"]["setups"]) == 1
+
+
+def contribution(found: Mapping[str, Any], effect: int) -> Array | None:
+    """Return what an effect adds to the readings (R, 3) [mm], or None where the readings are of another kind."""
+    if not _one_frame(found):
+        return None
+    body, errors = body_of(found)
+    terms = [term_from_dict(t) for t in found["physics"]]
+    others = [t for i, t in enumerate(terms) if i != effect]
+    if any(body.missing(t.effect) for t in terms):
+        return None
+    with_it, without = body.solve(errors, terms)[0].x[:, :3], body.solve(errors, others)[0].x[:, :3]
+    turn, origin = np.split(np.array(found["instrument"]["state"][0][:12]), [9])
+    read = [x @ turn.reshape(3, 3).T + origin for x in (with_it, without)]
+    rows = np.arange(len(with_it))[:, None]
+    shifted = [r + reading_shift(t, body, rows, r)[0] for r, t in zip(read, (terms, others), strict=True)]
+    out: Array = shifted[0] - shifted[1]
+    return out
+
+
+def body_of(found: Mapping[str, Any]) -> tuple[Body, Array]:
+    """Return the calibrated machine of a DIAGNOSIS.json at its readings, and its source errors."""
+    robot = robot_from_dict(found["robot"])
+    mechanism = load_mechanism(robot.mechanism)
+    unit = mechanism.joint_unit
+    columns = {k: np.array([np.nan if v is None else v for v in c]) for k, c in found["residuals"]["channels"].items()}
+    q = np.column_stack([columns[f"q{i + 1}_{file_unit(unit)}"] for i in range(mechanism.limbs)]) * to_internal(unit)
+    tool = np.ascontiguousarray(np.broadcast_to(robot.tool, (len(q), 3)))
+    channels = Channels.from_columns(columns, q.shape, robot, unit)
+    return Body(robot, mechanism, q, tool, channels), mechanism.vector(robot.errors)
+
+
+def _at_joints(found: Mapping[str, Any]) -> Array:
+    """Return what turns a position's residual into errors of the joints, (R, n_q, 3), at the calibrated machine."""
+    body, errors = body_of(found)
+    machine, _ = body.solve(errors, ())
+    speed = body.mechanism.sensitivity(machine.x, machine.q, machine.tool, machine.rows).joints[:, :3]
+    turn = np.array(found["instrument"]["state"][0][:9]).reshape(3, 3)  # of {O} in the instrument's frame
+    out: Array = np.linalg.pinv(speed) @ turn.T
+    return out
+
+
+def main_channel(found: Mapping[str, Any]) -> str | None:
+    """Return the recorded channel that matters most, or None."""
+    known = found["residuals"]["channels"]
+    return next((c["name"] for c in found["location"]["channels"] if c["name"] in known), None)
+
+
+def against(axes: Axes, found: Mapping[str, Any], channel: str, *, after: bool) -> None:
+    """Draw what is left against a channel, on the scale of what geometry alone leaves."""
+    picked = seen(found)
+    values = np.array([np.nan if v is None else v for v in found["residuals"]["channels"][channel]])
+    levels = np.unique(values[np.isfinite(values)])
+    few = len(levels) <= 5
+    jitter = np.random.default_rng(_RANDOM).uniform(-0.09, 0.09, len(values)) * (
+        np.diff(levels).min() if len(levels) > 1 else 1
+    )
+    axes.axhline(0, color=MUTED, lw=0.8)
+    y = picked.after if after else picked.without
+    axes.plot(values + (jitter if few else 0.0), y, "o", ms=3.2, mew=0, alpha=0.75, color=AFTER if after else BEFORE)
+    _limits(axes, picked)
+    axes.set_xlabel(channel_label(channel))
+    axes.set_ylabel(picked.label)
+    if few:
+        words = {-1.0: "-1, decreasing", 1.0: "+1, increasing"} if channel.startswith("approach") else {}
+        axes.set_xticks(levels, [words.get(float(v), f"{v:g}") for v in levels])
+
+
+def _limits(axes: Axes, picked: Seen) -> None:
+    """Set the scale so that nearly all of both states fits; gross errors do not stretch it."""
+    size = np.abs(np.concatenate([picked.without, picked.after]))
+    top = 1.25 * float(np.nanpercentile(size, 98)) or 1.0
+    axes.set_ylim(-top, top)
+
+
+def bubbles(axes: Axes, found: Mapping[str, Any], *, after: bool) -> None:
+    """Draw how much is left where, seen from above: the size of a disc is the size of the residual."""
+    residuals = found["residuals"]
+    at = np.array(residuals["position_mm"])
+    size = {k: np.linalg.norm(np.array(residuals[k], dtype=float), axis=1) for k in ("before_mm", "after_mm")}
+    top = float(np.nanpercentile(size["before_mm"], 98)) or 1.0
+    shown = np.minimum(size["after_mm" if after else "before_mm"], 1.3 * top)
+    colour = AFTER if after else BEFORE
+    axes.scatter(at[:, 0], at[:, 1], s=130 * shown / top, color=colour, alpha=0.55, linewidths=0)
+    axes.set_aspect("equal")
+    axes.margins(0.12)
+    axes.set_xlabel("x, mm")
+    axes.set_ylabel("y, mm")
+    key = float(f"{top:.1g}")
+    axes.scatter([], [], s=130 * key / top, color=colour, alpha=0.55, linewidths=0, label=f"{key:g} mm")
+    axes.legend(frameon=False, loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.1, handletextpad=0.2)
+
+
+def bars(axes: Axes, found: Mapping[str, Any]) -> None:
+    """Draw the error on held-out readings before and after, against the noise."""
+    rows = [("geometry alone", found["baseline"], AFTER if found["verdict"] == "adequate" else BEFORE)]
+    if found["effects"]:
+        rows.append(("with what was found", found["final"], AFTER))
+    values = [r["heldout_rms_mm"] if r["heldout_rms_mm"] is not None else r["train_rms_mm"] for _, r, _ in rows]
+    axes.barh([r[0] for r in rows], values, color=[r[2] for r in rows], height=0.55)
+    axes.invert_yaxis()
+    axes.set_xlim(0, 1.25 * max(*values, found["noise"]["sigma_mm"]))
+    for i, value in enumerate(values):
+        right = max(value, found["noise"]["sigma_mm"])  # clear of the line
+        axes.annotate(f"{value:.4f}", (right, i), (5, 0), textcoords="offset points", va="center")
+    axes.axvline(found["noise"]["sigma_mm"], color=INK, lw=1, ls="--")
+    axes.set_ylim(len(rows) - 0.45, -0.8)
+    noise = (found["noise"]["sigma_mm"], -0.5)
+    axes.annotate("noise", noise, (5, 0), textcoords="offset points", va="center", color=MUTED)
+    axes.set_xlabel("rms on held-out readings, mm")
+    axes.tick_params(axis="y", length=0)
+
+
+def diagnosis(found: Mapping[str, Any], path: str | Path) -> None:
+    """Draw a DIAGNOSIS.json on one sheet: before and after, against the channel that matters and over the workspace."""
+    channel = main_channel(found)
+    with mpl.rc_context(STYLE):
+        sheet, axes = plt.subplots(1, 3, figsize=(11, 3.5), constrained_layout=True, width_ratios=(1, 1, 1.05))
+        if channel is None:
+            bubbles(axes[0], found, after=False)
+            bubbles(axes[1], found, after=True)
+        else:
+            against(axes[0], found, channel, after=False)
+            against(axes[1], found, channel, after=True)
+            axes[1].set_ylabel("")
+        axes[0].set_title("geometry alone" if channel is None else seen(found).title)
+        axes[1].set_title("with what was found")
+        bars(axes[2], found)
+        title = {
+            "adequate": "nothing is missing",
+            "missing_physics": "; ".join(named(e) for e in found["effects"]),
+            "unexplained": "a mismatch that no known effect explains",
+        }[found["verdict"]]
+        sheet.suptitle(f"{found['robot']['robot']['name']}: {title}", x=0.01, ha="left", fontsize=12)
+        save(sheet, path)
+
+
+def named(effect: Mapping[str, Any]) -> str:
+    """Return an effect and where it sits."""
+    limbs = effect["limbs"]
+    numbers = " and ".join(filter(None, (", ".join(map(str, limbs[:-1])), str(limbs[-1])))) if limbs else ""
+    where = f" at joint{'s' if len(limbs) > 1 else ''} {numbers}" if limbs else ""
+    return f"{effect['name'].replace('_', ' ')}{where}"

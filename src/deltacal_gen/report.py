@@ -1,152 +1,264 @@
-"""Pages to read: one self-contained HTML file, no script, no network, for light and dark screens and for print."""
+"""Pages to read: one self-contained HTML file, no script, no network, for light and dark screens and for print.
+
+Layout and colours are in ``pages/``: one stylesheet and one base for all pages. Pictures are Matplotlib's, with its
+colours replaced by the stylesheet's.
+"""
 
 from __future__ import annotations
 
 import html
 import io
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from importlib import resources
 from typing import Any
 
+import jinja2
 import numpy as np
 
+from deltacal_gen import figures
 from deltacal_gen.figures import AFTER, BEFORE, INK, MUTED, STYLE, mpl, plt
+from deltacal_gen.mechanism import load_mechanism
+from deltacal_gen.physics import load_effect
 
 _COLOURS = {INK: "var(--ink)", MUTED: "var(--muted)", BEFORE: "var(--before)", AFTER: "var(--after)"}
-_CSS = """
-:root { --ink: #1c2733; --muted: #66727e; --paper: #fdfdfb; --line: #d9dee2; --before: #c8553d; --after: #2a6f97; }
-@media (prefers-color-scheme: dark) {
-  :root { --ink: #e6eaee; --muted: #94a1ad; --paper: #14191e; --line: #333d46; --before: #e88a72; --after: #74b4d8; }
+_NUMERIC = {"value ± standard deviation", "gain in chi²", "value"}
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+_VERDICTS = {
+    "adequate": "nothing is missing",
+    "missing_physics": "missing physics found",
+    "unexplained": "unexplained mismatch",
 }
-* { box-sizing: border-box; }
-body { margin: 0 auto; max-width: 62rem; padding: 2rem 1.2rem 4rem; background: var(--paper); color: var(--ink);
-  font: 16px/1.5 system-ui, "Segoe UI", "DejaVu Sans", sans-serif; }
-h1 { font-size: 1.5rem; line-height: 1.25; margin: 0.2rem 0 0.8rem; }
-h2 { font-size: 1.05rem; margin: 2.2rem 0 0.5rem; }
-.verdict { letter-spacing: 0.06em; text-transform: uppercase; font-size: 0.8rem; color: var(--muted); margin: 0; }
-.lead { font-size: 1.1rem; max-width: 46rem; }
-figure { margin: 0.8rem 0; } figure svg { width: 100%; height: auto; display: block; }
-figcaption, .note { color: var(--muted); font-size: 0.88rem; max-width: 46rem; }
-.wide { overflow-x: auto; }
-table { border-collapse: collapse; font-size: 0.92rem; } th { color: var(--muted); font-weight: 500; text-align: left; }
-th, td { padding: 0.25rem 1.1rem 0.25rem 0; border-bottom: 1px solid var(--line); vertical-align: top; }
-td.n { text-align: right; font-variant-numeric: tabular-nums; }
-@media print { body { max-width: none; padding: 0; } figure, table { break-inside: avoid; } }
-"""
+_NOISE = {
+    "repeats": "from repeated poses",
+    "declared": "as the recording declares it",
+    "residual": "from what the fit leaves",
+}
 
 
 def diagnosis(found: Mapping[str, Any]) -> str:
     """Return the page of a DIAGNOSIS.json."""
     machine = found["robot"]["robot"]["name"]
-    headline = {
-        "adequate": "Nothing is missing: geometry explains the readings",
-        "missing_physics": "Found: " + "; ".join(_where(e) for e in found["effects"]),
-        "unexplained": "A mismatch that no known effect explains",
-    }[found["verdict"]]
-    before, final = found["baseline"], found["final"]
-    parts = [
-        f'<p class="verdict">{_text(machine)}: {_text(found["verdict"].replace("_", " "))}</p>',
-        f"<h1>{_text(headline)}</h1>",
-        f'<p class="lead">{_text(found["summary"])}</p>',
-        "<h2>Before and after</h2>",
-        figure(_bars(before, final, found["noise"]), "Root mean square of the readings, each scalar once. "
-                "Held-out readings took part neither in the fit nor, pose by pose, in their repeats."),
-    ]  # fmt: skip
-    residuals = found["residuals"]
-    if residuals["before_mm"] and len(residuals["before_mm"][0]) == 3:
-        channel = next((c["name"] for c in found["location"]["channels"] if c["name"] in residuals["channels"]), None)
-        if channel is not None:
-            parts += [
-                f"<h2>Against {_text(channel)}</h2>",
-                figure(
-                    _against(residuals, channel),
-                    f"Residual along the direction in which geometry alone leaves most: {found['location']['text']}.",
-                ),
-            ]
-        parts += [
-            "<h2>Over the workspace</h2>",
-            figure(_map(residuals), "Size of the residual where it was measured, seen from above; one scale."),
-        ]
-    if found["effects"]:
-        parts += ["<h2>What was found</h2>", _parameters(found["effects"])]
-        for e in found["effects"]:
-            if e["indistinguishable_from"]:
-                others = ", ".join(e["indistinguishable_from"])
-                parts.append(f'<p class="note">These poses cannot tell {_text(e["name"])} from {_text(others)}.</p>')
-    if found["next_measurements"]:
-        parts += ["<h2>What to measure next</h2>", *(_question(m) for m in found["next_measurements"])]
-    parts += ["<h2>What was considered and why it lost</h2>", _rivals(found)]
-    if found["not_tested"]:
-        missing = [(t["name"], t["missing"]) for t in found["not_tested"]]
-        parts += ["<h2>Not tested</h2>", table(("effect", "what is missing"), missing)]
-    gross = found["gross_errors"]
-    words = f"Lines {', '.join(map(str, gross))}: they took next to no part in the fit." if gross else "None."
-    parts += ["<h2>Gross errors</h2>", f"<p>{words}</p>"]
-    return page(f"{machine}: diagnosis", parts)
+    channel = figures.main_channel(found)
+    left = "with what was found" if found["effects"] else "what geometry leaves"
+    before = {"map": "geometry alone", "channel": figures.seen(found).title} if found["effects"] else {}
+    calm = found["verdict"] == "adequate"
+    positions = len(found["residuals"]["before_mm"][0]) == 3
+    return _rendered(
+        "diagnosis",
+        title=f"{machine}: diagnosis",
+        machine=machine,
+        found=found,
+        verdict=_VERDICTS[found["verdict"]],
+        headline=_headline(found),
+        lead=_lead(found),
+        steps=_steps(found),
+        improvement={"title": "", "svg": _svg(partial(figures.bars, found=found), (4.4, 1.6))},
+        noise=_NOISE[found["noise"]["source"]],
+        location=_sentence(found["location"]["text"]),
+        channel=_pair(
+            partial(figures.against, found=found, channel=channel), before.get("channel"), left, (3.9, 2.7), calm
+        )
+        if channel is not None
+        else [],
+        map=_pair(partial(figures.bubbles, found=found), before.get("map"), left, (3.9, 3.8), calm)
+        if positions
+        else [],
+        effects=_effects(found),
+        parameters=[_parameter(e, p) for e in found["effects"] for p in e["parameters"]],
+        rejected=[(_spaced(r["name"]), f"{r['gain_chi2']:.0f}", r["why"]) for r in found["rejected"]],
+        next=[_question(n) for n in found["next_measurements"]],
+        not_tested=[(_spaced(t["name"]), t.get("why") or t.get("missing", "")) for t in found["not_tested"]],
+        gross=", ".join(map(str, found["gross_errors"])),
+        readings=len(found["residuals"]["line"]),
+        geometry=len(load_mechanism(found["robot"]["robot"]["mechanism"]).models[found["baseline"]["model"]]),
+    )
 
 
 def page(title: str, parts: Sequence[str]) -> str:
     """Return a page of parts that are HTML already."""
-    return (
-        '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">'
-        f"<title>{_text(title)}</title><style>{_CSS}</style></head>\n<body>\n" + "\n".join(parts) + "\n</body></html>\n"
-    )
-
-
-def _question(asked: Mapping[str, Any]) -> str:
-    """Return a proposed measurement: why, what to do, and its poses as a table."""
-    why = asked["why"][0].upper() + asked["why"][1:]
-    promise = asked["expected_chi2"]
-    if promise is not None and asked["poses"]:
-        why += f" (expected difference in chi2: {promise:.0f})"
-    text = f"<p><b>{_text(why)}.</b> {_text(asked['text'])}</p>"
-    if not asked["poses"]:
-        return text
-    names = list(dict.fromkeys(name for row in asked["poses"] for name in row))
-    rows = [["" if row.get(n) is None else row[n] for n in names] for row in asked["poses"]]
-    return text + table(names, rows)
-
-
-def _where(effect: Mapping[str, Any]) -> str:
-    limbs = effect["limbs"]
-    return effect["title"] + (f", limb{'s' if len(limbs) > 1 else ''} {', '.join(map(str, limbs))}" if limbs else "")
-
-
-def _text(value: object) -> str:
-    return html.escape(str(value))
-
-
-def table(head: Sequence[str], rows: Sequence[Sequence[object]]) -> str:
-    """Return a table; it scrolls where the window is narrow."""
-    top = "".join(f"<th>{_text(h)}</th>" for h in head)
-    body = "".join(f"<tr>{''.join(map(_cell, row))}</tr>" for row in rows)
-    return f'<div class="wide"><table><tr>{top}</tr>{body}</table></div>'
-
-
-def _cell(value: object) -> str:
-    return f'<td class="n">{value:.5g}</td>' if isinstance(value, float) else f"<td>{_text(value)}</td>"
-
-
-def _parameters(effects: Sequence[Mapping[str, Any]]) -> str:
-    rows = [
-        (e["name"], "" if p["limb"] is None else str(p["limb"]), p["name"], float(p["value"]),
-         "" if p["std"] is None else f"± {p['std']:.2g}", p["unit"])
-        for e in effects
-        for p in e["parameters"]
-    ]  # fmt: skip
-    return table(("effect", "limb", "parameter", "value", "one standard deviation", "unit"), rows)
-
-
-def _rivals(found: Mapping[str, Any]) -> str:
-    rows = [(r["name"], float(r["gain_chi2"]), r["why"]) for r in found["rejected"]]
-    return table(("effect", "gain in chi2, alone", "why it is not named"), rows) if rows else "<p>No rival.</p>"
-
-
-# --------------------------------------------------------------------------------------------------------- pictures
+    return _rendered("parts", title=title, parts=parts)
 
 
 def figure(picture: Any, caption: str) -> str:
-    """Return a Matplotlib figure as SVG whose colours follow the page's, light or dark."""
+    """Return a Matplotlib figure as SVG whose colours and type follow the page's, with its caption; it is closed."""
+    return f"<figure>{_inline(picture)}<figcaption>{html.escape(caption)}</figcaption></figure>"
+
+
+def _rendered(template: str, **content: Any) -> str:
+    folder = resources.files("deltacal_gen") / "pages"
+    files = {f.name: f.read_text(encoding="utf-8") for f in folder.iterdir() if f.name.endswith(".jinja")}
+    environment = jinja2.Environment(
+        loader=jinja2.DictLoader(files),
+        undefined=jinja2.StrictUndefined,
+        autoescape=True,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    style = (folder / "style.css").read_text(encoding="utf-8")
+    return environment.get_template(f"{template}.html.jinja").render(style=style, numeric=_NUMERIC, **content)
+
+
+# ------------------------------------------------------------------------------------------------------- in words
+
+
+def measured(value: float, std: float | None) -> str:
+    """Return a value with its standard deviation, to two digits of that."""
+    if std is None or not std > 0:
+        return f"{value:.6g}"
+    power = math.floor(math.log10(max(abs(value), std)))
+    if power < -3:
+        shown = measured(value / 10.0**power, std / 10.0**power)
+        return f"({shown})·10{str(power).translate(_RAISED)}"
+    digits = max(1 - math.floor(math.log10(std)), 0)
+    return f"{value:.{digits}f} ± {std:.{digits}f}"
+
+
+def _spaced(name: str) -> str:
+    """Return a name of the vocabulary as words."""
+    return name.replace("_", " ")
+
+
+def _sentence(text: str) -> str:
+    return text[:1].upper() + text[1:]
+
+
+def _headline(found: Mapping[str, Any]) -> str:
+    effects = found["effects"]
+    if found["verdict"] == "adequate":
+        return "The calibrated geometry explains these readings"
+    if found["verdict"] == "unexplained":
+        beside = f" beside {' and '.join(figures.named(e) for e in effects)}" if effects else ""
+        return f"Something{beside} that no known effect explains"
+    return _sentence(" and ".join(figures.named(e) for e in effects))
+
+
+def _lead(found: Mapping[str, Any]) -> str:
+    """Return what was found in two sentences."""
+    sigma, (before, after) = found["noise"]["sigma_mm"], (_heldout(found[k]) for k in ("baseline", "final"))
+    if found["verdict"] == "adequate":
+        return f"What the geometry leaves on held-out readings, {before:.4f} mm, is noise. Nothing else was found."
+    if found["verdict"] == "unexplained":
+        return (
+            f"Geometry alone leaves {before:.4f} mm on held-out readings, {after:.4f} mm are left in the end, and the "
+            f"noise is {sigma:.4f} mm. {_sentence(found['location']['text'])}."
+        )
+    parts = "; ".join(_in_numbers(e) for e in found["effects"])
+    return (
+        f"{_sentence(parts)}. With it the error on held-out readings falls from {before:.4f} mm to {after:.4f} mm; "
+        f"the noise is {sigma:.4f} mm."
+    )
+
+
+def _heldout(fit: Mapping[str, Any]) -> float:
+    value = fit["heldout_rms_mm"]
+    return float(fit["train_rms_mm"] if value is None else value)
+
+
+def _in_numbers(effect: Mapping[str, Any]) -> str:
+    """Return an effect in plain words with its values; their range where there are many."""
+    by_name: dict[str, list[Mapping[str, Any]]] = {}
+    for p in effect["parameters"]:
+        by_name.setdefault(p["name"], []).append(p)
+    words = []
+    for name, of in by_name.items():
+        unit = "" if of[0]["unit"] == "1" else f" {of[0]['unit']}"
+        low, high = (f(p["value"] for p in of) for f in (min, max))
+        value = measured(of[0]["value"], of[0]["std"]) if len(of) == 1 else f"{low:.3g} to {high:.3g}"
+        words.append(f"{_spaced(name)} {value}{unit}")
+    return f"{effect['title']}, {', '.join(words)}"
+
+
+def _steps(found: Mapping[str, Any]) -> list[dict[str, str]]:
+    """Return what to do now, with the command where there is one."""
+    steps: list[dict[str, str]] = []
+    for effect in found["effects"]:
+        advice = load_effect(effect["name"]).ADVICE
+        steps.append({"text": f"{_sentence(figures.named(effect))}: {advice}", "command": ""})
+    on_machine = [e for e in found["effects"] if not _reads_only(e["name"])]
+    if found["verdict"] == "unexplained":
+        steps.append(
+            {"text": "Do not extrapolate: the corrected commands hold only as far as the maps below.", "command": ""}
+        )
+    for question in found["next_measurements"][:2]:
+        steps.append({"text": f"{question['text']} This {question['why']}.", "command": ""})
+    what = "with these effects" if on_machine else "of the calibrated geometry"
+    steps.append(
+        {
+            "text": f"Corrected commands {what}:",
+            "command": "deltacal compensate DIAGNOSIS.json targets.csv -o joints.csv",
+        }
+    )
+    return steps
+
+
+def _reads_only(name: str) -> bool:
+    return all(t == "length" or t.startswith(("reading.", "tool.")) for t in load_effect(name).TARGETS)
+
+
+def _parameter(effect: Mapping[str, Any], p: Mapping[str, Any]) -> tuple[str, ...]:
+    joint = "" if p["limb"] is None else str(p["limb"])
+    return (
+        _spaced(effect["name"]),
+        joint,
+        _spaced(p["name"]),
+        measured(p["value"], p["std"]),
+        "" if p["unit"] == "1" else p["unit"],
+    )
+
+
+def _question(n: Mapping[str, Any]) -> dict[str, Any]:
+    columns = tuple(dict.fromkeys(key for pose in n["poses"] for key in pose))
+    expected = n.get("expected_chi2")
+    return {
+        "why": _sentence(n["why"]),
+        "text": n.get("text", ""),
+        "expected": f"{expected:.0f}" if expected else "",
+        "columns": columns,
+        "rows": [tuple(pose.get(c, "") for c in columns) for pose in n["poses"]],
+    }
+
+
+def _effects(found: Mapping[str, Any]) -> list[dict[str, str]]:
+    moves = _moves(found)
+    return [
+        {
+            "name": _spaced(e["name"]),
+            "title": e["title"],
+            "moves": f"{size:.2f}" if size else "",
+            "alike": ", ".join(map(_spaced, e["indistinguishable_from"])),
+        }
+        for e, size in zip(found["effects"], moves, strict=True)
+    ]
+
+
+def _moves(found: Mapping[str, Any]) -> list[float]:
+    """Return by how much each effect moves what is read at most [mm]; 0 where that is not known."""
+    parts = [figures.contribution(found, i) for i in range(len(found["effects"]))]
+    return [0.0 if p is None else float(np.nanmax(np.linalg.norm(p, axis=1))) for p in parts]
+
+
+# ------------------------------------------------------------------------------------------------------- pictures
+
+
+def _pair(
+    draw: Callable[..., None], before: str | None, after: str, size: tuple[float, float], calm: bool
+) -> list[dict[str, str]]:
+    """Return the panels of both states with their titles, or of the one there is: calm where nothing is amiss."""
+    states = [(False, before), (True, after)] if before is not None else [(calm, after)]
+    return [{"title": str(title), "svg": _svg(partial(draw, after=state), size)} for state, title in states]
+
+
+def _svg(draw: Callable[[Any], None], size: tuple[float, float]) -> str:
+    """Return a picture of one panel as SVG that takes its colours and its type from the page."""
+    with mpl.rc_context({**STYLE, "font.size": 9.5, "axes.labelsize": 9.5}):
+        picture, axes = plt.subplots(figsize=size, constrained_layout=True)
+        draw(axes)
+        return _inline(picture)
+
+
+def _inline(picture: Any) -> str:
     stream = io.StringIO()
     picture.savefig(stream, format="svg", transparent=True, metadata={"Date": None})
     plt.close(picture)
@@ -154,62 +266,4 @@ def figure(picture: Any, caption: str) -> str:
     svg = svg[svg.index("<svg") :]
     for colour, variable in _COLOURS.items():
         svg = svg.replace(colour, variable)
-    return f"<figure>{svg}<figcaption>{_text(caption)}</figcaption></figure>"
-
-
-def _bars(before: Mapping[str, Any], final: Mapping[str, Any], noise: Mapping[str, Any]) -> Any:
-    rows = [
-        ("geometry, fitted", before["train_rms_mm"], BEFORE),
-        ("geometry, held out", before["heldout_rms_mm"], BEFORE),
-    ]
-    rows += [("with what was found, fitted", final["train_rms_mm"], AFTER)]
-    rows += [("with what was found, held out", final["heldout_rms_mm"], AFTER)]
-    shown = [r for r in rows if r[1] is not None]
-    with mpl.rc_context(STYLE):
-        picture, axes = plt.subplots(figsize=(8, 1.9), constrained_layout=True)
-        axes.barh([r[0] for r in shown], [r[1] for r in shown], color=[r[2] for r in shown], height=0.62)
-        axes.invert_yaxis()
-        top = max(r[1] for r in shown)
-        for i, r in enumerate(shown):
-            axes.text(r[1] + 0.01 * top, i, f"{r[1]:.4f}", va="center")
-        axes.set_xlim(0, 1.12 * top)
-        axes.axvline(noise["sigma_mm"], color=MUTED, lw=1, ls="--")
-        axes.set_xlabel(f"mm; dashed: noise {noise['sigma_mm']:.4f} mm ({noise['source']})")
-    return picture
-
-
-def _against(residuals: Mapping[str, Any], channel: str) -> Any:
-    before, after = (np.array(residuals[k], dtype=float) for k in ("before_mm", "after_mm"))
-    values = np.array([np.nan if v is None else v for v in residuals["channels"][channel]])
-    along = np.linalg.svd(np.nan_to_num(before - np.nanmedian(before, axis=0)), full_matrices=False)[2][0]
-    levels = np.unique(values[np.isfinite(values)])
-    rng = np.random.default_rng(0)
-    spread = rng.uniform(-0.08, 0.08, len(values)) * (np.ptp(levels) or 1) if len(levels) <= 5 else 0.0
-    with mpl.rc_context(STYLE):
-        picture, axes = plt.subplots(1, 2, figsize=(8, 2.9), sharey=True, constrained_layout=True)
-        for a, r, colour, name in (
-            (axes[0], before, BEFORE, "geometry alone"),
-            (axes[1], after, AFTER, "with what was found"),
-        ):
-            a.plot(values + spread, r @ along, ".", ms=4, color=colour)
-            a.axhline(0, color=MUTED, lw=0.8)
-            a.set_title(name)
-            a.set_xlabel(channel)
-        axes[0].set_ylabel("residual, mm")
-    return picture
-
-
-def _map(residuals: Mapping[str, Any]) -> Any:
-    at = np.array(residuals["position_mm"])
-    before, after = (np.linalg.norm(np.array(residuals[k], dtype=float), axis=1) for k in ("before_mm", "after_mm"))
-    top = float(np.nanpercentile(before, 98))
-    with mpl.rc_context(STYLE):
-        picture, axes = plt.subplots(1, 2, figsize=(8, 3.7), sharey=True, constrained_layout=True)
-        for a, size, name in ((axes[0], before, "geometry alone"), (axes[1], after, "with what was found")):
-            dots = a.scatter(at[:, 0], at[:, 1], c=size, s=16, cmap="viridis", vmin=0, vmax=top)
-            a.set_aspect("equal")
-            a.set_title(name)
-            a.set_xlabel("x in {O}, mm")
-        axes[0].set_ylabel("y in {O}, mm")
-        picture.colorbar(dots, ax=axes, label="residual, mm", shrink=0.85)
-    return picture
+    return svg.replace("'DejaVu Sans'", "inherit")

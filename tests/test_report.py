@@ -1,0 +1,145 @@
+"""Pages: self-contained, escaped, and they say what a diagnosis says, whatever its verdict and kind of readings."""
+
+from __future__ import annotations
+
+import copy
+import json
+import re
+from typing import Any
+
+import numpy as np
+import pytest
+
+from deltacal_gen import commands, figures, report
+from deltacal_gen.demonstration import example
+from deltacal_gen.physics import effect_names, load_effect
+
+
+@pytest.fixture(scope="module")
+def diagnosed() -> dict[str, Any]:
+    folder = example("gearbox")
+    found = commands.diagnose(folder / "robot.toml", folder / "recording.csv")
+    done: dict[str, Any] = json.loads(json.dumps(found))
+    return done
+
+
+@pytest.fixture
+def found(diagnosed: dict[str, Any]) -> dict[str, Any]:
+    return copy.deepcopy(diagnosed)
+
+
+def without_effects(found: dict[str, Any], verdict: str) -> dict[str, Any]:
+    nothing: dict[str, Any] = {"effects": [], "physics": [], "verdict": verdict}
+    nothing["location"] = {"channels": [], "limbs": [], "region": None, "text": "what is left depends on nothing"}
+    return found | nothing
+
+
+def words(page: str) -> str:
+    """Return what a reader sees of a page."""
+    return " ".join(re.sub(r"<style>.*?</style>|<[^>]*>", " ", page, flags=re.S).split())
+
+
+def assert_self_contained(page: str) -> None:
+    assert page.startswith("<!doctype html>")
+    assert not re.search(r"<script|<link|<img|@import|\bsrc=|url\((?!#)", page)
+    assert not [a for a in re.findall(r'(?:href|xlink:href)="([^"]*)"', page) if not a.startswith("#")]
+    for colour in (figures.INK, figures.MUTED, figures.BEFORE, figures.AFTER):  # all of them follow the page's
+        assert colour not in page.split("</style>", 1)[1]
+    assert "prefers-color-scheme: dark" in page
+
+
+def test_the_page_says_what_was_found_and_what_to_do(found: dict[str, Any]) -> None:
+    page = report.diagnosis(found)
+    assert_self_contained(page)
+    text = words(page)
+    (p,) = found["effects"][0]["parameters"]
+    assert "Backlash at joint 2" in text
+    assert load_effect("backlash").ADVICE in text
+    assert text.count(report.measured(p["value"], p["std"])) == 2  # in the sentence and in the table
+    assert f"{found['baseline']['heldout_rms_mm']:.4f}" in text
+    for rival in found["rejected"]:
+        assert rival["name"].replace("_", " ") in text
+    for other in found["not_tested"]:
+        assert other["name"].replace("_", " ") in text
+    assert page.count("<svg") == 5  # the bars, the channel and the map, before and after
+
+
+def test_what_the_effect_does_is_shown_on_the_joint_that_has_it(found: dict[str, Any]) -> None:
+    picked = figures.seen(found)
+    assert (picked.label, picked.title) == ("error of joint 2, deg", "without backlash")
+    approach = np.array(found["residuals"]["channels"]["approach2"])
+    half = found["effects"][0]["parameters"][0]["value"] / 2
+    assert picked.without[approach > 0].mean() == pytest.approx(-half, abs=0.001)
+    assert picked.without[approach < 0].mean() == pytest.approx(half, abs=0.001)
+    assert np.abs(picked.after).max() < 0.4 * half
+
+
+@pytest.mark.parametrize("verdict", ["adequate", "unexplained"])
+def test_a_page_without_effects(found: dict[str, Any], verdict: str) -> None:
+    page = report.diagnosis(without_effects(found, verdict))
+    assert_self_contained(page)
+    assert "What was found" not in words(page)
+    assert page.count("<svg") == 2
+
+
+def test_what_to_measure_next_is_a_table_to_type_in(found: dict[str, Any]) -> None:
+    poses = [{"pose": "next1", "q1_deg": 1.25, "payload_kg": 3.0}, {"pose": "next2", "q1_deg": -7.5, "payload_kg": 0.0}]
+    found["next_measurements"] = [
+        {"why": "separates A from B", "text": "Measure these.", "poses": poses, "expected_chi2": 81.4}
+    ]
+    text = words(report.diagnosis(found))
+    assert "Separates A from B. Measure these. Expected difference in chi²: 81." in text
+    assert "pose q1_deg payload_kg next1 1.25 3.0 next2 -7.5 0.0" in text
+
+
+def test_what_is_written_in_files_is_not_code(found: dict[str, Any]) -> None:
+    found["robot"]["robot"]["name"] = "<script>cell</script> & co"
+    found["gross_errors"] = [7]
+    page = report.diagnosis(found)
+    assert_self_contained(page)
+    assert "&lt;script&gt;cell" in page
+    assert "line 7 of the recording" in words(page)
+
+
+def test_readings_of_one_number_have_no_map(found: dict[str, Any]) -> None:
+    residuals = found["residuals"]
+    for key in ("before_mm", "after_mm"):
+        residuals[key] = [row[:1] for row in residuals[key]]
+    found["instrument"]["kind"] = "distance"
+    page = report.diagnosis(found)
+    assert "Over the workspace" not in words(page)
+    assert figures.seen(found).label == "residual, mm"
+
+
+@pytest.mark.parametrize(
+    ("value", "std", "shown"),
+    [
+        (0.0501545, 0.000361, "0.05015 ± 0.00036"),
+        (-12.3456, 1.7, "-12.3 ± 1.7"),
+        (12345.6, 170.0, "12346 ± 170"),
+        (1.17e-5, 2.3e-7, "(1.170 ± 0.023)·10⁻⁵"),
+        (3.0, None, "3"),
+    ],
+)
+def test_values_carry_two_digits_of_their_deviation(value: float, std: float | None, shown: str) -> None:
+    assert report.measured(value, std) == shown
+
+
+def test_every_effect_comes_with_advice() -> None:
+    for name in effect_names():
+        assert load_effect(name).ADVICE.endswith("."), name
+
+
+def test_channels_have_names_for_readers() -> None:
+    assert figures.channel_label("approach2") == "direction in which joint 2 last moved"
+    assert figures.channel_label("qd3_deg_s") == "speed of joint 3, deg/s"
+    assert figures.channel_label("q1_mm") == "joint 1, mm"
+    assert figures.channel_label("temp_C") == "temperature, °C"
+    assert figures.channel_label("humidity") == "humidity"
+
+
+def test_one_sheet_as_a_file(found: dict[str, Any], tmp_path: Any) -> None:
+    for name, data in {"a.svg": found, "b.svg": found, "c.svg": without_effects(found, "adequate")}.items():
+        figures.diagnosis(data, tmp_path / name)
+    assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b.svg").read_bytes()
+    assert "cell 7: nothing is missing" in (tmp_path / "c.svg").read_text()
