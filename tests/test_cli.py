@@ -12,7 +12,6 @@ import pytest
 
 from deltacal_gen import commands
 from deltacal_gen.demonstration import example
-from deltacal_gen.robot import read_robot
 from tests.conftest import Run
 
 

@@ -43,6 +43,7 @@ SIZES = {  # of each effect's coefficients in the files' units: what moves a too
     "zero_jump": 0.05,
     "latency": 1e-3,
     "joint_axis_runout": 0.1,
+    "parallelogram_error": 0.1,
 }
 CONSTANTS = {"transmission_eccentricity": (20.0,), "zero_jump": (3600.0,)}
 OVER = Spans(warming=(-2.0, 15.0), payload=(0.0, 3.0), time=(0.0, 2.0))

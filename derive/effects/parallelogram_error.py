@@ -17,6 +17,7 @@ parts = {
 EFFECT = Effect(
     name="parallelogram_error",
     title="rods, spacings or axes of a parallelogram differ",
+    advice="Geometry, not physics: identify with the full model, which takes these errors into the commands.",
     source="derive/effects/parallelogram_error.py",
     per_limb=True,
     coefficients=tuple(parts.values()),

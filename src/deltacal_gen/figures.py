@@ -20,7 +20,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from deltacal_gen.mechanism import Array, load_mechanism
+from deltacal_gen.mechanism import Array, mechanism_of
 from deltacal_gen.physics import Body, Channels, reading_shift, term_from_dict
 from deltacal_gen.robot import robot_from_dict
 from deltacal_gen.units import file_unit, to_internal
@@ -229,7 +229,7 @@ def seen(found: Mapping[str, Any]) -> Seen:
     if before.shape[1] == 1:
         return Seen(before[:, 0], after[:, 0], "residual, mm", title)
     if len(limbs) == 1 and _one_frame(found):
-        unit = load_mechanism(found["robot"]["robot"]["mechanism"]).joint_unit
+        unit = mechanism_of(robot_from_dict(found["robot"])).joint_unit
         at_joint = _at_joints(found)[:, limbs[0] - 1] / to_internal(unit)
         label = f"error of joint {limbs[0]}, {file_unit(unit)}"
         return Seen((at_joint * before).sum(axis=1), (at_joint * after).sum(axis=1), label, title)
@@ -263,7 +263,7 @@ def contribution(found: Mapping[str, Any], effect: int) -> Array | None:
 def body_of(found: Mapping[str, Any]) -> tuple[Body, Array]:
     """Return the calibrated machine of a DIAGNOSIS.json at its readings, and its source errors."""
     robot = robot_from_dict(found["robot"])
-    mechanism = load_mechanism(robot.mechanism)
+    mechanism = mechanism_of(robot)
     unit = mechanism.joint_unit
     columns = {k: np.array([np.nan if v is None else v for v in c]) for k, c in found["residuals"]["channels"].items()}
     q = np.column_stack([columns[f"q{i + 1}_{file_unit(unit)}"] for i in range(mechanism.limbs)]) * to_internal(unit)

@@ -39,9 +39,7 @@ def known_effects(result: Mapping[str, Any], *, timed: bool) -> list[Term]:
     return held
 
 
-def predict(
-    result: Mapping[str, Any], recording: Recording
-) -> Recording:
+def predict(result: Mapping[str, Any], recording: Recording) -> Recording:
     """Return the recording with its measured cells as the identified model predicts them.
 
     Parameters
@@ -129,9 +127,7 @@ def _setups(recording: Recording) -> int:
     return int(recording.setup.max()) + 1
 
 
-def residual(
-    result: Mapping[str, Any], recording: Recording, found: Readings
-) -> Array:
+def residual(result: Mapping[str, Any], recording: Recording, found: Readings) -> Array:
     """Return measured minus predicted (R, k) of readings that the result has not seen [mm, rad]."""
     problem, instrument = prediction_problem(result, calibrated_robot(result), recording, found)
     return problem.residual(problem.reference, instrument, problem.poses(problem.reference))

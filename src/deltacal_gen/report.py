@@ -19,8 +19,9 @@ import numpy as np
 
 from deltacal_gen import figures
 from deltacal_gen.figures import AFTER, BEFORE, INK, MUTED, STYLE, mpl, plt
-from deltacal_gen.mechanism import load_mechanism
+from deltacal_gen.mechanism import mechanism_of
 from deltacal_gen.physics import load_effect
+from deltacal_gen.robot import robot_from_dict
 
 _COLOURS = {INK: "var(--ink)", MUTED: "var(--muted)", BEFORE: "var(--before)", AFTER: "var(--after)"}
 _NUMERIC = {"value ± standard deviation", "gain in chi²", "value"}
@@ -72,7 +73,7 @@ def diagnosis(found: Mapping[str, Any]) -> str:
         not_tested=[(_spaced(t["name"]), t.get("why") or t.get("missing", "")) for t in found["not_tested"]],
         gross=", ".join(map(str, found["gross_errors"])),
         readings=len(found["residuals"]["line"]),
-        geometry=len(load_mechanism(found["robot"]["robot"]["mechanism"]).models[found["baseline"]["model"]]),
+        geometry=len(mechanism_of(robot_from_dict(found["robot"])).models[found["baseline"]["model"]]),
     )
 
 

@@ -1,7 +1,7 @@
 """Rods, spacings or axes of a parallelogram differ.
 
 Generated from derive/effects/parallelogram_error.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both cd43de3a646aebf4; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both a26e3881962e1f8a; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
 coefficients c (M or 1, 6); constants, one number each. Units mm, rad, N, s, K.
@@ -11,7 +11,7 @@ import numpy as np
 
 NAME = "parallelogram_error"
 TITLE = "rods, spacings or axes of a parallelogram differ"
-ADVICE = ""
+ADVICE = "Geometry, not physics: identify with the full model, which takes these errors into the commands."
 PER_LIMB = True
 STATE = ()
 TARGETS = ("limb.rod_difference", "limb.spacing_difference", "limb.hand_axis_u", "limb.hand_axis_v", "limb.elbow_axis_u", "limb.elbow_axis_v", )
