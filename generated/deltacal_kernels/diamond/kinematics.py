@@ -1,7 +1,7 @@
 """Kinematics of `diamond`: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 6edb56eda52bbfd2; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 9ff47652253d0927; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -664,14 +664,6 @@ def linear_command(target, tool, k, work, q):
     for i in range(2):
         q[i] = q[i] - work[8 + i] if status == SOLVED else np.nan
     return status
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def exact_commands(target, tool, k, q, status):
-    """Fill joints q (N, 2) and status (N,) by `exact_command`; target (N, 2) and tool (N, 3), k (M, 2, :)."""
-    work = np.zeros(COMMAND_WORK)
-    for n in range(target.shape[0]):
-        status[n] = exact_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
