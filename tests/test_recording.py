@@ -253,7 +253,7 @@ def test_a_flaw_of_the_distances(
 LENGTH = SimpleNamespace(
     key="length", unit="mm", per_limb=False, default=None, table="geometry", meaning="", positive=True, entry=None
 )
-SIZED: Any = SimpleNamespace(**vars(DELTA) | {"geometry": (LENGTH,)})
+SIZED: Any = SimpleNamespace(**vars(DELTA) | {"geometry": (LENGTH,), "links": None})
 
 
 @pytest.mark.parametrize(

@@ -152,7 +152,8 @@ def test_the_engines_joint_reactions_are_the_static_torques() -> None:
 
 
 @engine
-@pytest.mark.parametrize("name", effect_names())
+# parallelogram_error is geometry: the engine has it among its own errors, held against ours above
+@pytest.mark.parametrize("name", [n for n in effect_names() if n != "parallelogram_error"])
 def test_an_effect_moves_the_engines_machine_as_the_simulator_says(name: str) -> None:
     rng = np.random.default_rng(3)
     robot, errors = machine(rng)
