@@ -13,6 +13,7 @@ import sympy as sp
 
 from derive.graph import expand_steps
 from derive.spec import LimbMechanism
+from derive.vectors import angle
 
 
 @cache
@@ -37,6 +38,24 @@ def sphere(mechanism: LimbMechanism) -> tuple[sp.Matrix, sp.Expr]:
     if sp.hessian(closure, position).applyfunc(sp.simplify) != sp.eye(len(position)):
         raise ValueError(f"{mechanism.name}: the simplified closure is no sphere in the position.")
     return sp.Matrix([-sp.diff(closure, p).subs(origin) for p in position]), closure.subs(origin)
+
+
+def start_of_inverse(mechanism: LimbMechanism) -> list[sp.Expr]:
+    """Return the joint of the simplified limb for a given position, then the coordinates that no command asks for.
+
+    Where the limbs are spheres the latter are rotations, which are zero, and left out.
+    """
+    joint = inverse_joint(mechanism)
+    if mechanism.seeds is None:
+        return [joint]
+    return [joint, *(e.xreplace({mechanism.joint.symbol: joint}) for e in uncommanded(mechanism).values())]
+
+
+def uncommanded(mechanism: LimbMechanism) -> dict[sp.Symbol, sp.Expr]:
+    """Return the coordinates that no command asks for, of the simplified machine, in terms of the joint."""
+    seeds = mechanism.seeds or {}
+    held = (quantity.symbol for quantity in mechanism.platform[mechanism.commanded :])
+    return {s: expand_steps(sp.sympify(seeds.get(s, 0)), mechanism.steps) for s in held}
 
 
 @cache
@@ -67,11 +86,7 @@ def _slide(mechanism: LimbMechanism, closure: sp.Expr) -> sp.Expr:
 
 
 def _turn(mechanism: LimbMechanism, closure: sp.Expr, offset: sp.Expr) -> sp.Expr:
-    r"""Read the closure as ``A cos + B sin + C = 0``.
-
-    ``theta = atan2(-B C + A D, -A C - B D)`` with ``D = +-sqrt(A^2 + B^2 - C^2)``. This form keeps full accuracy over
-    the workspace; the half-angle form loses six digits.
-    """
+    """Read the closure as ``A cos + B sin + C = 0``."""
     turn, cos, sin = sp.symbols("turn cos sin", real=True)
     closure = closure.subs(mechanism.joint.symbol, turn - offset).subs({sp.cos(turn): cos, sp.sin(turn): sin})
     at_zero = {cos: 0, sin: 0}
@@ -79,6 +94,4 @@ def _turn(mechanism: LimbMechanism, closure: sp.Expr, offset: sp.Expr) -> sp.Exp
     if sp.simplify(square - sp.diff(closure, sin, 2) / 2) != 0 or sp.simplify(sp.diff(closure, cos, sin)) != 0:
         raise ValueError(f"{mechanism.name}: the simplified closure is not linear in cos and sin of the joint.")
     A, B = sp.diff(closure, cos).subs(at_zero), sp.diff(closure, sin).subs(at_zero)
-    C = closure.subs(at_zero) + square
-    D = mechanism.elbow * sp.sqrt(A**2 + B**2 - C**2)
-    return sp.atan2(-B * C + A * D, -A * C - B * D) - offset
+    return angle(A, B, closure.subs(at_zero) + square, mechanism.elbow) - offset

@@ -135,10 +135,13 @@ def kinematics(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kerne
         errors += by[len(platform) + 1 :]
     kernels = [
         lowering.kernel(
-            "newton", "per rod of one limb: closure, its derivatives by the platform, by the joint", newton
+            "newton", "per rod of one limb: closure, its derivatives by the platform, by the joint", newton, dense=True
         ),
         lowering.kernel(
-            "joint", "joint of the simplified limb at a given position", [closed_form.inverse_joint(mechanism)]
+            "joint",
+            "joint of the simplified limb at a given position, then the platform's coordinates that follow from it",
+            closed_form.start_of_inverse(mechanism),
+            dense=True,
         ),
         lowering.kernel(
             "parameters", "per rod of one limb: derivatives of the closure by errors, by deflections", errors

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from derive.closed_form import inverse_joint
+from derive.closed_form import inverse_joint, uncommanded
 from derive.graph import Graph, Steps, expand_steps
 from derive.lower import Kernel, Lowering, Text
 from derive.printer import python
@@ -30,7 +30,10 @@ def first_order(mechanism: LimbMechanism) -> tuple[Steps, list[dict[str, sp.Expr
     """
     rotation = [quantity.symbol for quantity in mechanism.platform[mechanism.commanded :]]
     errors = [quantity.symbol for quantity in mechanism.varied]
-    nominal = dict.fromkeys((*rotation, *errors), sp.Integer(0))
+    nominal: dict[sp.Symbol, sp.Expr] = dict.fromkeys(errors, sp.Integer(0))
+    seeds = {s: e.xreplace(nominal) for s, e in uncommanded(mechanism).items() if e != 0}
+    started = [(sp.Symbol(f"nominal_{s}", real=True), e) for s, e in seeds.items()]
+    nominal |= dict.fromkeys(rotation, sp.Integer(0)) | dict(zip(seeds, (s for s, _ in started), strict=True))
     rates: dict[str, dict[sp.Symbol, sp.Expr]] = {
         str(s): {s: sp.Integer(1)} for s in (mechanism.joint.symbol, *rotation)
     }
@@ -45,7 +48,7 @@ def first_order(mechanism: LimbMechanism) -> tuple[Steps, list[dict[str, sp.Expr
                 known[symbol] = sp.Symbol(f"{symbol}_{direction}", real=True)
                 steps.append((known[symbol], rate))
     closures = [{d: _rate(e, known, nominal) for d, known in rates.items()} for e in mechanism.loop_closure]
-    return steps, closures
+    return [*started, *steps], closures
 
 
 def linear(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kernel]:
@@ -64,11 +67,11 @@ def linear(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kernel]:
     parameters = {s.symbol: f"p[{j}]" for j, s in enumerate(mechanism.limb_parameters)}
     steps, closures = first_order(mechanism)
     lowering = Lowering(Graph(steps, invariant=parameters), parameters, inputs, text=text)
-    rows: list[sp.Expr] = []
+    rows: list[sp.Expr | None] = []
     for rate in closures:
         rows += [
             rate["errors"],
-            *(sp.Integer(0) for _ in platform[: mechanism.commanded]),
+            *(None for _ in platform[: mechanism.commanded]),
             *(rate[str(s)] for s in platform[mechanism.commanded :]),
             rate[str(joint)],
         ]
@@ -79,6 +82,7 @@ def linear(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kernel]:
             "linear",
             "per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint",
             rows,
+            dense=True,
         ),
         lowering.constants("linear_constants", "what `linear` reads that no pose changes"),
     ]

@@ -7,7 +7,7 @@ by the kernel `constants`, into an array `k`; the kernels that run per pose read
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
@@ -68,15 +68,22 @@ class Lowering:
         self._constant, self._text = constant, text
         self._shared: dict[sp.Symbol, str] = {}
 
-    def kernel(self, name: str, meaning: str, outputs: Sequence[sp.Expr]) -> Kernel:
-        """Lower `outputs`; one that is identically zero is not stored."""
-        leaves = [self._graph.add(e) for e in outputs]
+    def kernel(self, name: str, meaning: str, outputs: Sequence[sp.Expr | None], *, dense: bool = False) -> Kernel:
+        """Lower `outputs`.
+
+        One that is identically zero is stored only where `dense`, for callers whose array has been used before; None,
+        which nobody reads, is never stored.
+        """
+        leaves = [self._graph.add(e) for e in outputs if e is not None]
+        stored = [j for j, e in enumerate(outputs) if e is not None]
         moving = {s: e for s, e in self._graph.needed(leaves).items() if not self._graph.is_invariant(s)}
         for expr in (*moving.values(), *leaves):
             for symbol in sorted(expr.free_symbols, key=str):
                 if self._graph.is_invariant(symbol) and symbol not in self._shared:
                     self._shared[symbol] = self._constant.format(len(self._shared))
-        return self._straight(name, meaning, {**self._inputs, **self._shared}, moving, leaves)
+        lowered = self._straight(name, meaning, {**self._inputs, **self._shared}, moving, leaves)
+        stores = tuple((stored[j], value) for j, value in lowered.stores if dense or leaves[j] != 0)
+        return replace(lowered, stores=stores, length=len(outputs))
 
     def constants(self, name: str, meaning: str) -> Kernel:
         """Lower the invariants that the kernels so far have asked for; call this last."""
@@ -100,7 +107,7 @@ class Lowering:
             meaning=meaning,
             loads=tuple((str(s), load) for s, load in sources.items() if s in used),
             statements=tuple((str(s), self._text(e)) for s, e in nodes.items()),
-            stores=tuple((j, self._text(e)) for j, e in enumerate(leaves) if e != 0),
+            stores=tuple((j, self._text(e)) for j, e in enumerate(leaves)),
             length=len(leaves),
             operations=int(sum(sp.count_ops(e) for e in (*nodes.values(), *leaves))),
         )

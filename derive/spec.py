@@ -33,7 +33,8 @@ class Quantity:
         Size of an ordinary manufacturing or assembly error, in `unit`. It scales columns, so that a rank or a
         condition number compares like with like; it never enters an equation.
     label : str, optional
-        Public name where the symbol's is taken (the error `L` of the length `L`).
+        Public name where the symbol's is taken (the error `L` of the length `L`). In the name of a limb's error ``{i}``
+        stands for the limb, which otherwise follows the name: ``bx_{i}1`` is ``bx_21`` of limb 2.
     """
 
     symbol: sp.Symbol
@@ -51,6 +52,10 @@ class Quantity:
     @property
     def name(self) -> str:
         return self.label or str(self.symbol)
+
+    def name_of(self, limb: int) -> str:
+        """Return the name of a limb's own one, counted from 1."""
+        return self.name.replace("{i}", str(limb)) if "{i}" in self.name else f"{self.name}_{limb}"
 
 
 @dataclass(frozen=True)
@@ -146,6 +151,9 @@ class LimbMechanism:
         Name of each model to the names of its parameters.
     scalings : mapping
         Convention to {error name: factor}, by which a column of that error is *divided*; expressions in the geometry.
+    of : str
+        Name of the mechanism whose robot files this is another description of: the same geometry, other source errors.
+        Its models are named after that mechanism.
     """
 
     name: str
@@ -176,6 +184,7 @@ class LimbMechanism:
     rods_per_closure: int = 1
     limb_inertia: sp.Expr = field(default_factory=lambda: sp.Integer(0))
     scalings: Mapping[str, Mapping[str, sp.Expr]] = field(default_factory=dict)
+    of: str = ""
 
     def __post_init__(self) -> None:
         if stray := [q.name for q in self.platform if q.name not in COORDINATES]:
@@ -218,7 +227,7 @@ class LimbMechanism:
     @property
     def parameter_names(self) -> tuple[str, ...]:
         """The model of all source errors: limb by limb, then the common ones."""
-        own = (f"{e.name}_{i}" for i in range(1, self.limbs + 1) for e in self.errors)
+        own = (e.name_of(i) for i in range(1, self.limbs + 1) for e in self.errors)
         return (*own, *(e.name for e in self.common))
 
 

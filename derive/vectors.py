@@ -82,3 +82,13 @@ def follow(screws: Sequence[Screw]) -> tuple[sp.Matrix, sp.Matrix, dict[sp.Expr,
         if variable != 0
     }
     return rotation, shift, twists
+
+
+def angle(A: sp.Expr, B: sp.Expr, C: sp.Expr, side: int) -> sp.Expr:
+    r"""Return the angle with ``A cos + B sin + C = 0``; `side`, +1 or -1, chooses between the two.
+
+    ``atan2(-B C + A D, -A C - B D)`` with ``D = +-sqrt(A^2 + B^2 - C^2)``: full accuracy for every angle, where the
+    half-angle form loses six digits.
+    """
+    D = side * sp.sqrt(A**2 + B**2 - C**2)
+    return sp.atan2(-B * C + A * D, -A * C - B * D)

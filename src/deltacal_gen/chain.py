@@ -48,6 +48,7 @@ class Chain(Mechanism):
         self._tables, self.links = tables, links
         self._kernels_of_a_link = importlib.import_module(f"deltacal_kernels.{tables.NAME}.links")
         self.name, self.title, self.reference = tables.NAME, tables.TITLE, tables.REFERENCE
+        self.machine = self.name
         self._moving = [k for k, link in enumerate(links) if link.kind in ("revolute", "prismatic")]
         self.limbs = len(self._moving)
         kinds = {links[k].kind for k in self._moving}
@@ -63,11 +64,14 @@ class Chain(Mechanism):
         self.common = TOOL
         self.deflections = ()
         own = tuple(
-            Parameter(f"{name}_{k + 1}", unit, f"joint {k + 1}: {meaning}", k + 1, typical)
+            Parameter(f"{name}_{k + 1}", unit, f"joint {k + 1}: {meaning}", k + 1, typical, name)
             for k in range(len(links))
             for name, unit, meaning, typical in tables.ERRORS
         )
-        self.parameters = (*own, *(Parameter(t, "mm", f"tool point, {t[1]} of the last frame", 0, 1.0) for t in TOOL))
+        self.parameters = (
+            *own,
+            *(Parameter(t, "mm", f"tool point, {t[1]} of the last frame", 0, 1.0, t) for t in TOOL),
+        )
         free = [p.name for p in own if not p.name.startswith("beta_") or self._parallel(p.limb - 1)]
         self.models = {f"{self.name}/dh": (*free, *TOOL)}
 

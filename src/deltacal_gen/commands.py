@@ -20,7 +20,7 @@ import numpy as np
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.mechanism import load_mechanism, mechanism_names, mechanism_of
 from deltacal_gen.recording import Recording, csv_text, file_columns, read_recording, write_files, write_recording
-from deltacal_gen.robot import Robot, read_robot, read_text
+from deltacal_gen.robot import Robot, for_model, for_names, read_robot, read_text
 from deltacal_gen.units import file_unit, to_internal
 
 if TYPE_CHECKING:
@@ -93,6 +93,7 @@ def models() -> list[dict[str, Any]]:
     return [
         {
             "mechanism": m.name,
+            "of": m.machine,
             "title": m.title,
             "reference": m.reference,
             "models": {name: list(names) for name, names in m.models.items()},
@@ -214,7 +215,7 @@ def plan(
 
     check_output(output, robot)
     check_output(picture, robot, ending=PICTURES)
-    robot = _robot(robot)
+    robot = for_model(_robot(robot), model)
     if gauge is not None and optimal is not None:
         raise UsageError("D-optimal sets are chosen for positions and distances, not for a gauge.")
     if gauge is not None:
@@ -263,6 +264,7 @@ def simulate(
     errors: dict[str, float] | None = None
     terms: Sequence[Term] = ()
     if truth is not None:
+        robot = for_names(robot, truth if isinstance(truth, Mapping) else simulation.truth_names(truth))
         told = simulation.Truth(dict(truth)) if isinstance(truth, Mapping) else simulation.read_truth(truth, robot)
         errors, terms = told.errors, told.terms
         errors = {n: errors.get(n, 0.0) + robot.errors.get(n, 0.0) for n in errors.keys() | robot.errors.keys()}
@@ -369,7 +371,7 @@ def matrix(
     from deltacal_gen.identifiability import identification_matrix
 
     check_output(output, robot, recording, ending=(".npz",))
-    robot = _robot(robot)
+    robot = for_model(_robot(robot), model)
     names = mechanism_of(robot).model(model)
     problem = pose_problem(robot, _recording(recording, robot), names, as_distance=as_distance)
     found = identification_matrix(problem, scaling)

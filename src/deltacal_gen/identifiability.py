@@ -234,3 +234,42 @@ def base_parameters(H: Array, names: Sequence[str], typical: Array) -> tuple[lis
         for c in range(H.shape[1] - rank)
     }
     return kept, dropped
+
+
+@dataclass(frozen=True)
+class BaseParameter:
+    """A parameter together with those that act through it: what the readings determine of them.
+
+    Attributes
+    ----------
+    name : str
+        Of the parameter that the pivoted QR keeps.
+    terms : dict
+        Parameter to its factor in the combination, 1 for `name` itself [mm, rad].
+    text : str
+        The combination in words, in mm and deg.
+    """
+
+    name: str
+    terms: dict[str, float]
+    text: str
+
+
+def base(H: Array, names: Sequence[str], units: Sequence[str], typical: Array) -> list[BaseParameter]:
+    """Return the base parameters of H (rows, n), per mm and rad, in the order of `names`; see `base_parameters`."""
+    kept, dropped = base_parameters(H, names, typical)
+    unit = dict(zip(names, units, strict=True))
+    found = []
+    for name in sorted(kept, key=list(names).index):
+        terms = {name: 1.0} | {n: factors[name] for n, factors in dropped.items() if name in factors}
+        found.append(BaseParameter(name, terms, _sum(terms, unit)))
+    return found
+
+
+def _sum(terms: dict[str, float], units: dict[str, str]) -> str:
+    out, first = "", next(iter(terms))
+    for name, factor in terms.items():
+        value = factor * to_internal(units[name]) / to_internal(units[first])
+        size = "" if abs(abs(value) - 1) < 1e-6 else f"{abs(value):.4g} "
+        out += name if name == first else f" {'-' if value < 0 else '+'} {size}{name}"
+    return out

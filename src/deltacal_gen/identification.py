@@ -23,7 +23,7 @@ from deltacal_gen.measurement import MOUNT, Readings, carried
 from deltacal_gen.mechanism import SOLVED, Array, Mechanism, mechanism_of
 from deltacal_gen.physics import Body, Term, term_to_dict
 from deltacal_gen.recording import Recording, check_units
-from deltacal_gen.robot import Robot, robot_size, robot_to_dict
+from deltacal_gen.robot import Robot, for_model, robot_size, robot_to_dict
 from deltacal_gen.solvers import TSVD, LeastSquares, Prior, Ridge, Solver
 from deltacal_gen.units import DEG, file_unit, to_internal
 
@@ -56,6 +56,8 @@ class Identification:
         At the robot file's machine, columns in ordinary errors.
     unseen, weak : list of Combination
         What no reading sees, and what the readings see less well than a broad prior.
+    base : list of BaseParameter
+        What the readings determine, parameter by parameter with those that act through it.
     remedies : list of dict
         Extra measurements and how many of the free directions each pins.
     """
@@ -68,6 +70,7 @@ class Identification:
     observability: identifiability.Observability
     unseen: list[Combination]
     weak: list[Combination]
+    base: list[identifiability.BaseParameter]
     remedies: list[dict[str, Any]]
     noise: Noise
     prior_given: tuple[bool, ...]
@@ -120,6 +123,8 @@ def identify(
     UsageError
         An unknown model or solver.
     """
+    if model is not None:
+        robot = for_model(robot, model)
     check_units(recording, robot)
     mechanism = mechanism_of(robot)
     everything = pose_problem(robot, recording, (), as_distance=as_distance, held=held)
@@ -167,6 +172,7 @@ def identify(
         observability=observed,
         unseen=unseen,
         weak=weak,
+        base=identifiability.base(per_unit, names, units, typical) if unseen else [],
         remedies=_remedies(final) if unseen or weak else [],
         noise=noise(final, recording),
         prior_given=given,
@@ -208,7 +214,7 @@ def _model(mechanism: Mechanism, problem: Problem, recording: Recording, asked: 
     by_size = sorted(fitting, key=lambda m: -len(mechanism.models[m]))
     if asked is not None:
         mechanism.model(asked)
-        name = asked if "/" in asked else f"{mechanism.name}/{asked}"
+        name = mechanism.full_name(asked)
         _check_count(recording, scalars, len(mechanism.models[name]), extra, name, _spare(recording))
         return name
     for name in by_size:
@@ -668,6 +674,7 @@ def _result(found: Identification) -> dict[str, Any]:
             for seen, part in (("not at all", found.unseen), ("less than noise", found.weak))
             for c in part
         ],
+        "base": _base(found),
         "next_measurements": found.remedies,
         "regularisation": _regularisation(found),
         "readings": {
@@ -693,6 +700,27 @@ def _result(found: Identification) -> dict[str, Any]:
         | {"setups": list(problem.recording.setup_names), "zero": problem.recording.measurement.zero},
         "robot": robot_to_dict(found.robot),
     }
+
+
+def _base(found: Identification) -> list[dict[str, Any]]:
+    """Return the base parameters with values and standard deviations, where single parameters have none."""
+    problem, n = found.fit.problem, len(found.fit.problem.names)
+    values = (found.fit.errors - problem.reference)[problem.columns[:n]]
+    entries = []
+    for b in found.base:
+        unit = problem.mechanism.parameters[problem.mechanism.index[b.name]].unit
+        share = np.array([b.terms.get(name, 0.0) for name in problem.names])
+        std = float(np.sqrt(max(share @ found.fit.covariance[:n, :n] @ share, 0.0)))
+        entries.append(
+            {
+                "name": b.name,
+                "combination": b.text,
+                "value": float(share @ values) / to_internal(unit),
+                "std": std / to_internal(unit),
+                "unit": file_unit(unit),
+            }
+        )
+    return entries
 
 
 def _share_of_data(final: Fit) -> Array:

@@ -55,7 +55,7 @@ class GeometryKey:
 class Parameter:
     """A source error of the whole machine, actual minus nominal; `typical` is the size of an ordinary one.
 
-    `limb` counts from 1; 0 for an error that all limbs share.
+    `limb` counts from 1; 0 for an error that all limbs share. `error` is the name without the limb.
     """
 
     name: str
@@ -63,11 +63,7 @@ class Parameter:
     meaning: str
     limb: int
     typical: float
-
-    @property
-    def error(self) -> str:
-        """Name without the limb."""
-        return self.name.rsplit("_", 1)[0] if self.limb else self.name
+    error: str
 
 
 @dataclass(frozen=True)
@@ -149,6 +145,13 @@ def mechanism_of(robot: Robot) -> Mechanism:
     return load_mechanism(robot.mechanism, robot.links)
 
 
+def described(mechanism: Mechanism) -> tuple[Mechanism, ...]:
+    """Return the mechanisms that share a mechanism's robot files: one geometry, different source errors."""
+    tables = {name: importlib.import_module(f"deltacal_kernels.{name}.parameters") for name in mechanism_names()}
+    alike = [name for name, table in tables.items() if getattr(table, "MACHINE", name) == mechanism.machine]
+    return tuple(map(load_mechanism, alike)) if mechanism.links is None else (mechanism,)
+
+
 class Mechanism:
     """Tables and kernels of one machine; the robot's numbers come in by every call."""
 
@@ -159,6 +162,7 @@ class Mechanism:
         self._spent = 0.0
         self._known: dict[bytes, Array] = {}  # constants of machines seen lately: they cost as much as a hundred poses
         self.name: str = tables.NAME
+        self.machine: str = tables.MACHINE
         self.title: str = tables.TITLE
         self.reference: str = tables.REFERENCE
         self.limbs: int = tables.LIMBS
@@ -172,11 +176,11 @@ class Mechanism:
         self.errors: tuple[str, ...] = tuple(name for name, *_ in tables.ERRORS)
         self.common: tuple[str, ...] = tuple(name for name, *_ in tables.COMMON)
         own = (
-            Parameter(f"{name}_{limb}", unit, f"limb {limb}: {meaning}", limb, typical)
+            Parameter(names[limb - 1], unit, f"limb {limb}: {meaning}", limb, typical, name)
             for limb in range(1, self.limbs + 1)
-            for name, unit, meaning, typical in tables.ERRORS
+            for name, unit, meaning, typical, names in tables.ERRORS
         )
-        shared = (Parameter(name, unit, meaning, 0, typical) for name, unit, meaning, typical in tables.COMMON)
+        shared = (Parameter(name, unit, meaning, 0, typical, name) for name, unit, meaning, typical in tables.COMMON)
         self.parameters = (*own, *shared)
         self.models: dict[str, tuple[str, ...]] = dict(tables.MODELS)
 
@@ -216,12 +220,16 @@ class Mechanism:
         UsageError
             The mechanism has no such model; the message lists those it has.
         """
-        full = name if "/" in name else f"{self.name}/{name}"
+        full = self.full_name(name)
         if full not in self.models:
             near = difflib.get_close_matches(full, self.models, n=1)
             hint = f" Did you mean {near[0]}?" if near else ""
             raise UsageError(f"{self.name} has no model '{name}'; it has {', '.join(self.models)}.{hint}")
         return self.models[full]
+
+    def full_name(self, model: str) -> str:
+        """Return ``delta/18`` for ``18``."""
+        return model if "/" in model else f"{self.machine}/{model}"
 
     def vector(self, errors: Mapping[str, float]) -> Array:
         """Return source errors as a vector (n_p,) in the order of `parameters`; those not given are 0."""
@@ -257,7 +265,7 @@ class Mechanism:
         for j, entry in enumerate(self.geometry):
             value = robot.geometry[entry.key]
             out[:, :, j] = value if entry.entry is None else value[entry.entry]
-        out[:, :, n_g : n_g + own] = values[:, : self.limbs * own].reshape(-1, self.limbs, own)
+        out[:, :, n_g : n_g + own] = values[:, : self.limbs * own].reshape(len(values), self.limbs, own)
         out[:, :, n_g + own : n_g + own + len(self.common)] = values[:, None, self.limbs * own :]
         if deflections is not None:
             out[:, :, self._width - len(self.deflections) :] = deflections

@@ -898,7 +898,7 @@ def _task(
     kept = _kept(robot, names, points, kind, mount)
     return Task(
         robot=robot,
-        model=model if "/" in model else f"{mechanism.name}/{model}",
+        model=mechanism.full_name(model),
         kind=kind,
         scaling=scaling,
         norm=norm,

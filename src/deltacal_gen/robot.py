@@ -10,6 +10,7 @@ a recording as well.
 
 from __future__ import annotations
 
+import dataclasses
 import difflib
 import json
 import math
@@ -254,6 +255,41 @@ def robot_size(robot: Robot, *, load: Loader | None = None) -> float:
     return float(sum(np.abs(robot.geometry[key.key]).mean() for key in keys if key.unit == "mm"))
 
 
+def for_model(robot: Robot, model: str) -> Robot:
+    """Return the robot as the mechanism that has `model`: a machine may be described by other source errors.
+
+    Tolerances of errors that this mechanism does not have are left out.
+
+    Raises
+    ------
+    UsageError
+        The robot's own errors are not among those of the model's mechanism.
+    """
+    return _described(robot, model, lambda m: m.full_name(model) in m.models)
+
+
+def for_names(robot: Robot, names: Iterable[str]) -> Robot:
+    """Return the robot as the mechanism that has these source errors; as it is where none has. See `for_model`."""
+    wanted = set(names)
+    return _described(robot, ", ".join(sorted(wanted)), lambda m: wanted <= m.index.keys())
+
+
+def _described(robot: Robot, what: str, fits: Callable[[Mechanism], bool]) -> Robot:
+    from deltacal_gen.mechanism import described
+
+    mechanism = _registered(robot.mechanism, robot.links)
+    other = mechanism if fits(mechanism) else next(filter(fits, described(mechanism)), mechanism)
+    if foreign := sorted(name for name, value in robot.errors.items() if value and name not in other.index):
+        raise UsageError(
+            f"{what}: {other.name} has no {foreign[0]}, which the robot file names; errors of two kinds mix."
+        )
+    errors, tolerance = (
+        {name: value for name, value in table.items() if name in other.index}
+        for table in (robot.errors, robot.tolerance)
+    )
+    return dataclasses.replace(robot, mechanism=other.name, errors=errors, tolerance=tolerance)
+
+
 def _joint_table(robot: Robot, k: int) -> dict[str, Any]:
     link = robot.links[k]
     table: dict[str, Any] = {"kind": link.kind, "convention": link.convention}
@@ -310,6 +346,8 @@ def _robot(file: TomlFile, load: Loader | None) -> Robot:
         raise file.error(
             f"mechanism in [robot]: {error}", "Write the name of a known mechanism.", "robot", "mechanism"
         ) from None
+    if load is None:
+        mechanism = _of_errors(file, mechanism)
     said = file.check(_schema(mechanism))
     tables = {name: dict(getattr(said, name)) for name in ("geometry", "joints", "errors", "tolerance")}
     geometry = {}
@@ -333,7 +371,7 @@ def _robot(file: TomlFile, load: Loader | None) -> Robot:
     )
     return Robot(
         name=head.name,
-        mechanism=head.mechanism,
+        mechanism=mechanism.name,
         geometry=geometry,
         tool=np.array(tables["geometry"]["tool"], dtype=float),
         errors=errors,
@@ -346,6 +384,17 @@ def _robot(file: TomlFile, load: Loader | None) -> Robot:
         source=file.path,
         links=links,
     )
+
+
+def _of_errors(file: TomlFile, mechanism: Mechanism) -> Mechanism:
+    """Return which description of the machine has the errors and tolerances that a robot file names."""
+    from deltacal_gen.mechanism import described
+
+    tables = (file.data.get(name, {}) for name in ("errors", "tolerance"))
+    names = {name for table in tables if isinstance(table, dict) for name in table}
+    if names <= mechanism.index.keys():
+        return mechanism
+    return next((m for m in described(mechanism) if names <= m.index.keys()), mechanism)
 
 
 class _Name(Table):

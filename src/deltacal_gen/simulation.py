@@ -65,6 +65,11 @@ def read_truth(path: str | Path, robot: Robot) -> Truth:
     return Truth(errors, tuple(_checked_term(file, table, mechanism) for table in truth.effects))
 
 
+def truth_names(path: str | Path) -> tuple[str, ...]:
+    """Return the source errors that a TRUTH.toml names, right or wrong: they tell which description of a machine."""
+    return tuple(TomlFile.read(path).check(_Truth).parameters)
+
+
 def _checked_term(file: TomlFile, table: dict[str, Any], mechanism: Mechanism) -> Term:
     try:
         term = _term(file, table, mechanism)

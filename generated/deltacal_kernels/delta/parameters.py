@@ -1,13 +1,14 @@
 """Tables of `delta`: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both c160269652ccb6b3; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 541ea8a7a0bfce4d; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 
 import numpy as np
 
 NAME = "delta"
+MACHINE = "delta"  # whose robot files these are the source errors of
 TITLE = "Delta, three arms and six rods"
 REFERENCE = "Bai, Mei, Huang, Chetwynd 2015, Proc. IMechE C 230(3), 414-424"
 LIMBS = 3
@@ -37,22 +38,22 @@ GEOMETRY = (
     ("limb_angle_deg", "rad", "phi_i: direction of the limb about z", True, (-1.5707963267948966, 0.5235987755982989, 2.6179938779914944), "joints", True, None),
 )
 
-# (name, unit, meaning, size of an ordinary error): the next columns, one source error each
+# (name, unit, meaning, size of an ordinary error, names limb by limb): the next columns, one source error each
 ERRORS = (
-    ("theta", "rad", "encoder offset of the joint", 0.017453292519943295),
-    ("ex", "mm", "base point minus platform point, x in {O}", 0.1),
-    ("ey", "mm", "base point minus platform point, y in {O}", 0.1),
-    ("ez", "mm", "base point minus platform point, z in {O}", 0.1),
-    ("L", "mm", "arm length", 0.1),
-    ("alpha0", "rad", "joint axis turned about u0 (the limb's direction)", 0.0017453292519943296),
-    ("beta0", "rad", "joint axis turned about v0 (the vertical)", 0.0017453292519943296),
-    ("l", "mm", "rod length, mean of the pair", 0.1),
-    ("dl", "mm", "rod length, rod 1 minus rod 2", 0.1),
-    ("dc", "mm", "joint spacing, elbow minus platform", 0.1),
-    ("alpha03", "rad", "alpha0 minus the same error at the platform", 0.0017453292519943296),
-    ("beta03", "rad", "beta0 minus the same error at the platform", 0.0017453292519943296),
-    ("alpha2", "rad", "elbow axis turned about the arm", 0.0017453292519943296),
-    ("beta2", "rad", "elbow axis turned about the normal of the arm", 0.0017453292519943296),
+    ("theta", "rad", "encoder offset of the joint", 0.017453292519943295, ("theta_1", "theta_2", "theta_3",)),
+    ("ex", "mm", "base point minus platform point, x in {O}", 0.1, ("ex_1", "ex_2", "ex_3",)),
+    ("ey", "mm", "base point minus platform point, y in {O}", 0.1, ("ey_1", "ey_2", "ey_3",)),
+    ("ez", "mm", "base point minus platform point, z in {O}", 0.1, ("ez_1", "ez_2", "ez_3",)),
+    ("L", "mm", "arm length", 0.1, ("L_1", "L_2", "L_3",)),
+    ("alpha0", "rad", "joint axis turned about u0 (the limb's direction)", 0.0017453292519943296, ("alpha0_1", "alpha0_2", "alpha0_3",)),
+    ("beta0", "rad", "joint axis turned about v0 (the vertical)", 0.0017453292519943296, ("beta0_1", "beta0_2", "beta0_3",)),
+    ("l", "mm", "rod length, mean of the pair", 0.1, ("l_1", "l_2", "l_3",)),
+    ("dl", "mm", "rod length, rod 1 minus rod 2", 0.1, ("dl_1", "dl_2", "dl_3",)),
+    ("dc", "mm", "joint spacing, elbow minus platform", 0.1, ("dc_1", "dc_2", "dc_3",)),
+    ("alpha03", "rad", "alpha0 minus the same error at the platform", 0.0017453292519943296, ("alpha03_1", "alpha03_2", "alpha03_3",)),
+    ("beta03", "rad", "beta0 minus the same error at the platform", 0.0017453292519943296, ("beta03_1", "beta03_2", "beta03_3",)),
+    ("alpha2", "rad", "elbow axis turned about the arm", 0.0017453292519943296, ("alpha2_1", "alpha2_2", "alpha2_3",)),
+    ("beta2", "rad", "elbow axis turned about the normal of the arm", 0.0017453292519943296, ("beta2_1", "beta2_2", "beta2_3",)),
 )
 
 # the same, one for all limbs: the next columns, equal in every row

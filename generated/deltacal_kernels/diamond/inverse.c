@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/inverse.c.jinja; sha256 of both 4468e6e28faecf97; SymPy 1.14.0.
+ * Template templates/mechanism/inverse.c.jinja; sha256 of both 5d1e8359951c6c9f; SymPy 1.14.0.
  *
  * The exact compensator: inverse position of the calibrated machine, by Newton on joints and platform rotation.
  * An export puts the machine's numbers before this text: DELTACAL_K[2][9], DELTACAL_TOOL[3],
@@ -55,7 +55,7 @@ static void newton(const double *x, double q, const double *tool, const double *
     out[3] = s46;
 }
 
-/* Joint of the simplified limb at a given position (29 operations). */
+/* Joint of the simplified limb at a given position, then the platform's coordinates that follow from it (29 operations). */
 static void joint(const double *x, double q, const double *tool, const double *k, double *out)
 {
     const double px = x[0];
@@ -153,12 +153,13 @@ static int hold(double loop[2 * LIMB], double joints[2], double rotation[1])
 
 int deltacal_compensate(const double target_mm[2], double joints_deg[2])
 {
-    double x[2], q[2], change[2], turned[1], loop[2 * LIMB];
+    double x[2], q[2], change[2], start[1], turned[1], loop[2 * LIMB];
     int i, c, steps;
     for (c = 0; c < 2; c++)
         x[c] = c < 2 ? target_mm[c] : 0.0;
     for (i = 0; i < 2; i++) {
-        joint(x, 0.0, DELTACAL_TOOL, DELTACAL_K[i], &q[i]);
+        joint(x, 0.0, DELTACAL_TOOL, DELTACAL_K[i], start);
+        q[i] = start[0];
         if (!isfinite(q[i]))
             return DELTACAL_UNREACHABLE;
     }

@@ -1,7 +1,7 @@
 """Kinematics of `diamond`: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 9ff47652253d0927; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 958e6d1d448bb2e2; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -171,7 +171,7 @@ def _sphere(x, q, tool, k, out):
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def _joint(x, q, tool, k, out):
-    """Joint of the simplified limb at a given position (29 operations)."""
+    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it (29 operations)."""
     px = x[0]
     py = x[1]
     tx = tool[0]
@@ -264,15 +264,15 @@ def jacobians(x, q, tool, k, F, J_x, J_q, J_p):
     Rows 1 i .. 1 i + 0 belong to limb i and depend on its own joint, errors and deflections only:
     J_q and J_p hold the derivatives by those.
     """
-    out = np.zeros(8)
+    out, by_errors = np.zeros(4), np.zeros(8)
     for n in range(x.shape[0]):
         m = n if k.shape[0] > 1 else 0
         _closure(x[n], q[n], tool[n], k[m], out, F[n], J_x[n], J_q[n])
         for i in range(2):
-            _parameters(x[n], q[n, i], tool[n], k[m, i], out)
+            _parameters(x[n], q[n, i], tool[n], k[m, i], by_errors)
             for j in range(1):
                 for c in range(8):
-                    J_p[n, 1 * i + j, c] = out[8 * j + c]
+                    J_p[n, 1 * i + j, c] = by_errors[8 * j + c]
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -356,7 +356,7 @@ def inverse(target, tool, k, x, q, status):
     A = np.empty((2, 2))
     step = np.empty((2, 1))
     out = np.zeros(4)
-    pose, joints = np.zeros(2), np.empty(2)
+    pose, joints, start = np.zeros(2), np.empty(2), np.zeros(1)
     for n in range(target.shape[0]):
         m = n if k.shape[0] > 1 else 0
         pose[:] = 0.0
@@ -364,8 +364,8 @@ def inverse(target, tool, k, x, q, status):
             pose[c] = target[n, c]
         seeded = True
         for i in range(2):
-            _joint(pose, 0.0, tool[n], k[m, i], out)
-            joints[i] = out[0]
+            _joint(pose, 0.0, tool[n], k[m, i], start)
+            joints[i] = start[0]
             seeded = seeded and math.isfinite(joints[i])
         status[n] = UNREACHABLE
         for _ in range(MAX_STEPS if seeded else 0):

@@ -1,11 +1,12 @@
 """Tables of `diamond`: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both b3459c732c849881; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both a6719e4ed817e0c0; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 
 NAME = "diamond"
+MACHINE = "diamond"  # whose robot files these are the source errors of
 TITLE = "Diamond, two arms in a plane"
 REFERENCE = "Mei, Zang, Ding, Xie, Zhang, Strojniski vestnik 63(12), 715-724"
 LIMBS = 2
@@ -30,13 +31,13 @@ GEOMETRY = (
     ("side", "1", "on which side of {O} the limb stands, +1 at +x", True, (1.0, -1.0), "joints", True, None),
 )
 
-# (name, unit, meaning, size of an ordinary error): the next columns, one source error each
+# (name, unit, meaning, size of an ordinary error, names limb by limb): the next columns, one source error each
 ERRORS = (
-    ("theta", "rad", "zero offset of the joint", 0.017453292519943295),
-    ("ex", "mm", "base point, x", 0.1),
-    ("ey", "mm", "base point, y", 0.1),
-    ("L", "mm", "arm length", 0.1),
-    ("l", "mm", "length of the distal link", 0.1),
+    ("theta", "rad", "zero offset of the joint", 0.017453292519943295, ("theta_1", "theta_2",)),
+    ("ex", "mm", "base point, x", 0.1, ("ex_1", "ex_2",)),
+    ("ey", "mm", "base point, y", 0.1, ("ey_1", "ey_2",)),
+    ("L", "mm", "arm length", 0.1, ("L_1", "L_2",)),
+    ("l", "mm", "length of the distal link", 0.1, ("l_1", "l_2",)),
 )
 
 # the same, one for all limbs: the next columns, equal in every row

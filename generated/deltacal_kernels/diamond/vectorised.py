@@ -1,7 +1,7 @@
 """Kinematics of `diamond` in plain NumPy: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both e478e395094da94d; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 3bf771f32727adaf; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -161,7 +161,7 @@ def _sphere(x, q, tool, k):
 
 
 def _joint(x, q, tool, k):
-    """Joint of the simplified limb at a given position: (N, 1)."""
+    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it: (N, 1)."""
     px = x[:, 0]
     py = x[:, 1]
     tx = tool[:, 0]
@@ -274,7 +274,8 @@ def inverse(target, tool, k, x, q, status):
     x[:, :2] = target
     with np.errstate(invalid="ignore"):
         for i in range(2):
-            q[:, i] = _joint(x, 0.0, tool, k[:, i])[:, 0]
+            start = _joint(x, 0.0, tool, k[:, i])
+            q[:, i] = start[:, 0]
     status[:] = UNREACHABLE
     active = np.flatnonzero(np.isfinite(q).all(axis=1))
     for _ in range(MAX_STEPS):

@@ -1,0 +1,113 @@
+r"""The Delta with the complete geometry of its six rods: 51 source errors (Savoure 2006, section II.B).
+
+Frame, dimensions and joints are those of ``delta``. Limb i has the local basis (x, y, z) = (joint axis w0, limb's
+direction u0, up): the paper's (u_i, v_i, z). With finite errors::
+
+    elbow       A_ij = b u0 + exp(beta_i) [w0 u0 v0] Rx(q) ((+-c/2, L, 0) + (ax, ay, az)_ij)
+    platform    B_ij = P + R (a u0 +- c/2 w0 - tool + (bx, by, bz)_ij)
+    closure     (|B_ij - A_ij|^2 - (l + l_ij)^2) / 2 = 0           + for rod 1, - for rod 2
+
+`beta` is a rotation vector in {O} about the joint's centre; `a` counts in the arm, `b` in the platform. Of the errors
+of B_ij and of the joint's centre only the difference is seen, eq. (13): `b` stands for it and acts at the platform.
+To first order this is eq. (12) with its first sign corrected.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import sympy as sp
+
+from derive.mechanisms import delta
+from derive.mechanisms.delta import (
+    NOMINAL_FRAME,
+    L,
+    P,
+    a,
+    b,
+    body,
+    c,
+    cx,
+    cy,
+    cz,
+    distal_rod,
+    l,
+    payload,
+    proximal,
+    proximal_com,
+    q,
+    tip_v,
+    tip_w,
+    tool,
+    u0,
+    w0,
+)
+from derive.spec import Quantity, Weight
+from derive.vectors import cayley, rotation_vector, vector
+
+beta = vector(*sp.symbols("betax betay betaz", real=True))
+steps: list[tuple[sp.Symbol, sp.Expr]] = []
+
+
+def step(name: str, value: sp.Matrix) -> sp.Matrix:
+    """Name the entries of a vector or matrix; the derivation goes on with the names."""
+    symbols = sp.Matrix(*value.shape, lambda r, k: sp.Symbol(f"{name}_{r + 1}{k + 1}", real=True))
+    steps.extend(zip(symbols, value, strict=True))
+    return symbols
+
+
+def errors_of(rod: int) -> tuple[sp.Matrix, sp.Matrix, sp.Symbol]:
+    """Return the errors of the rod's end in the platform, of its end in the arm, and of its length."""
+    by_name = [sp.Symbol(f"{name}{rod}", real=True) for name in ("bx", "by", "bz", "ax", "ay", "az", "dl")]
+    return vector(*by_name[:3]), vector(*by_name[3:6]), by_name[6]
+
+
+# [w0 u0 v0]: the joint's axis, the limb's direction, up
+F = step("F", rotation_vector(beta) * sp.Matrix.hstack(NOMINAL_FRAME[:, 2], NOMINAL_FRAME[:, 0], NOMINAL_FRAME[:, 1]))
+turn = sp.Matrix([[1, 0, 0], [0, sp.cos(q), -sp.sin(q)], [0, sp.sin(q), sp.cos(q)]])
+R1, R = step("R1", F * turn), step("R", cayley(vector(cx, cy, cz)))
+base = b * u0
+tip = vector(tip_w, 0, tip_v)  # a bent arm: along the joint's axis, normal to the arm
+
+closures, elbows, hands, errors = [], [], [], []
+for j, side in ((1, 1), (2, -1)):
+    in_platform, in_arm, dl = errors_of(j)
+    lever = step(f"g{j}", vector(side * c / 2, L, 0) + in_arm + tip)
+    hand = step(f"h{j}", a * u0 + side * c / 2 * w0 + in_platform)
+    elbows.append(step(f"A{j}", base + R1 * lever))
+    hands.append(step(f"B{j}", P + R * (hand - tool)))
+    rod = step(f"d{j}", hands[-1] - elbows[-1])
+    closures.append((rod.dot(rod) - (l + dl) ** 2) / 2)
+    for place, symbols, where in (("b", in_platform, "B in the platform"), ("a", in_arm, "A in the arm")):
+        errors += [
+            Quantity(s, "mm", f"rod {j}: {where}, {axis}", typical=delta._length, label=f"{place}{axis}_{{i}}{j}")
+            for axis, s in zip("xyz", symbols, strict=True)
+        ]
+    errors.append(Quantity(dl, "mm", f"length of rod {j}", typical=delta._length, label=f"l_{{i}}{j}"))
+errors += [
+    Quantity(s, "rad", f"joint's axis and zero turned about {axis} of {{O}}", typical=delta._angle)
+    for axis, s in zip("xyz", beta, strict=True)
+]
+
+MECHANISM = replace(
+    delta.MECHANISM,
+    name="complete_delta",
+    title="Delta, complete geometry of the six rods",
+    reference="Savoure, Maurine, Corbel, Krut 2006, ICRA, 769-776",
+    source="derive/mechanisms/complete_delta.py",
+    errors=tuple(errors),
+    steps=tuple(steps),
+    loop_closure=tuple(closures),
+    small=(*(e.symbol for e in errors), tip_v, tip_w),
+    limb_weights=(
+        Weight(proximal, base + proximal_com * R1 * vector(0, L, 0)),
+        *(Weight(distal_rod / 2, end) for end in (*elbows, *hands)),  # half of either rod at either end
+    ),
+    platform_weights=(Weight(body, P - R * tool), Weight(payload, P)),
+    models={"delta/51": tuple(e.name_of(i) for i in (1, 2, 3) for e in errors)},
+    roles={},
+    moves={},
+    rod="",
+    scalings={"paper": {}, "table": {}},
+    of="delta",
+)

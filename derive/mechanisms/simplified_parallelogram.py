@@ -1,0 +1,35 @@
+r"""The planar parallelogram as its controller sees it: one virtual rod, no turn (Savoure 2006, III.A.1).
+
+Frame and dimensions are those of ``planar_parallelogram``; the closure is eq. (34), with the tool below O_p::
+
+    P = (b1x - a1x, 0) + l1 (sin, -cos)(q + q0) + (0, -h) + tool        alpha = 0
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import sympy as sp
+
+from derive.mechanisms import planar_parallelogram as complete
+from derive.mechanisms.planar_parallelogram import a1x, b1x, cz, dl1, h, l1, px, py, q, q0, tx, ty
+from derive.spec import Quantity
+
+x = b1x - a1x + (l1 + dl1) * sp.sin(q + q0) + tx
+y = -(l1 + dl1) * sp.cos(q + q0) - h + ty
+
+MECHANISM = replace(
+    complete.MECHANISM,
+    name="simplified_parallelogram",
+    title="Planar parallelogram, simplified: one virtual rod",
+    source="derive/mechanisms/simplified_parallelogram.py",
+    common=(
+        Quantity(q0, "rad", "encoder offset of the joint", typical=complete._angle),
+        Quantity(dl1, "mm", "length of the virtual rod", typical=complete._length, label="l1"),
+    ),
+    steps=(),
+    loop_closure=(px - x, py - y, cz),
+    seeds={px: x, py: y, cz: sp.Integer(0), q: sp.asin((px + a1x - b1x - tx) / (l1 + dl1)) - q0},  # eq. (35)
+    models={"planar_parallelogram/2": ("q0", "l1")},
+    of="planar_parallelogram",
+)

@@ -1,0 +1,1 @@
+"""Delta, complete geometry of the six rods: tables and kernels."""

@@ -1,0 +1,1 @@
+"""Planar parallelogram, one joint: tables and kernels."""

@@ -1,0 +1,428 @@
+"""Kinematics of `planar_parallelogram` in plain NumPy: Planar parallelogram, one joint.
+
+Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 896d8586217541c6; SymPy 1.14.0.
+
+The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
+small job is done before Numba would be loaded, and the compiled kernels have an independent check.
+"""
+
+import numpy as np
+
+SOLVED, UNREACHABLE, SINGULAR = 0, 1, 2
+MAX_STEPS = 30
+STEP_DONE = 1e-9  # mm and rad; Newton is quadratic: after such a step the rest is rounding
+STEP_LOST = 1e5  # mm and rad; a step of this size leads nowhere
+ANGLE_STEP = 1e-3  # rad per mm: joints and rotations are asked for this much finer than lengths
+CLOSED = 1e-3  # mm^2: loops that are open by more where Newton gets stuck cannot be closed
+PIVOT_SINGULAR = 1e-9  # of the largest entry of its matrix, in mm
+
+
+def constants(p):
+    """Return k (M, 1, 28), what no pose changes, from p (91 operations).
+
+    All rows at once.
+    """
+    k = np.zeros((p.shape[0], 1, 28))
+    a1x = p[..., 0]
+    a2x = p[..., 1]
+    a2y = p[..., 2]
+    b1x = p[..., 3]
+    b2x = p[..., 4]
+    b2y = p[..., 5]
+    l1 = p[..., 6]
+    l2 = p[..., 7]
+    h = p[..., 8]
+    q0 = p[..., 9]
+    da1x = p[..., 10]
+    da2x = p[..., 11]
+    da2y = p[..., 12]
+    db1x = p[..., 13]
+    db2x = p[..., 14]
+    db2y = p[..., 15]
+    dl1 = p[..., 16]
+    dl2 = p[..., 17]
+    A1_x = -a1x - da1x
+    A2_x = a2x + da2x
+    A2_y = a2y + da2y
+    b1_x = -b1x - db1x
+    b2_x = b2x + db2x
+    b2_y = b2y + db2y
+    s7 = dl1 + l1
+    s67 = dl2 + l2
+    s69 = -0.5*(s67 * s67)
+    s101 = -s67
+    s102 = (1.0 / s7)
+    s103 = -A1_x + b1_x
+    s108 = (1.0 / (s7 * s7))
+    s116 = -2*b2_y
+    s120 = -2*b2_x*s7
+    s122 = 2*b1_x*s7
+    s124 = -2*A1_x*b2_y + 2*A2_x*b2_y + 2*A2_y*b1_x - 2*A2_y*b2_x
+    s130 = -2*b1_x
+    s133 = 2*A1_x*b2_x
+    s134 = 2*b2_x
+    s136 = -2*b2_y*s7
+    s138 = -2*A1_x*b1_x + 2*A2_x*b1_x - 2*A2_x*b2_x - 2*A2_y*b2_y + s133
+    s143 = (b2_x * b2_x)
+    s144 = (b2_y * b2_y)
+    s145 = (A1_x * A1_x)
+    s146 = (b1_x * b1_x)
+    s147 = (dl2 * dl2)
+    s148 = (l2 * l2)
+    s149 = (s7 * s7)
+    s151 = -2*dl2*l2
+    s152 = -2*A1_x*A2_x
+    s153 = -2*A2_x
+    s155 = -2*b1_x*b2_x
+    s156 = 2*A1_x
+    s158 = 2*A2_y*s7
+    s160 = (A2_x * A2_x) + (A2_y * A2_y) + s143 + s144 + s145 + s146 - s147 - s148 + s151 + s152 + s155
+    s195 = -2*A2_y
+    k[..., 0] = h
+    k[..., 1] = q0
+    k[..., 2] = s7
+    k[..., 3] = b1_x
+    k[..., 4] = b2_x
+    k[..., 5] = b2_y
+    k[..., 6] = A2_x
+    k[..., 7] = A2_y
+    k[..., 8] = A1_x
+    k[..., 9] = s69
+    k[..., 10] = s103
+    k[..., 11] = s102
+    k[..., 12] = s108
+    k[..., 13] = s116
+    k[..., 14] = s120
+    k[..., 15] = s122
+    k[..., 16] = s124
+    k[..., 17] = s130
+    k[..., 18] = s134
+    k[..., 19] = s136
+    k[..., 20] = s138
+    k[..., 21] = s149
+    k[..., 22] = s153
+    k[..., 23] = s156
+    k[..., 24] = s158
+    k[..., 25] = s160
+    k[..., 26] = s101
+    k[..., 27] = s195
+    return k
+
+
+def _newton(x, q, tool, k):
+    """Per rod of one limb: closure, its derivatives by the platform, by the joint: (N, 15)."""
+    px = x[:, 0]
+    py = x[:, 1]
+    cz = x[:, 2]
+    tx = tool[:, 0]
+    ty = tool[:, 1]
+    q = q
+    h = k[:, 0]
+    q0 = k[:, 1]
+    s7 = k[:, 2]
+    b1_x = k[:, 3]
+    b2_x = k[:, 4]
+    b2_y = k[:, 5]
+    A2_x = k[:, 6]
+    A2_y = k[:, 7]
+    A1_x = k[:, 8]
+    s69 = k[:, 9]
+    C_y = -h + ty
+    s8 = q + q0
+    r1_x = s7*np.sin(s8)
+    r1_y = -s7*np.cos(s8)
+    s13 = (cz * cz)
+    s15 = 0.25*s13 + 1
+    s16 = (1.0 / s15)
+    s18 = -0.5*s13*s16 + 1
+    s19 = b1_x - tx
+    B1_x = C_y*cz*s16 + px + s18*s19
+    B1_y = -C_y*s18 + cz*s16*s19 + py
+    s26 = b2_x - tx
+    s28 = -C_y + b2_y
+    B2_x = -cz*s16*s28 + px + s18*s26
+    B2_y = cz*s16*s26 + py + s18*s28
+    r2_x = -A2_x + B2_x
+    r2_y = -A2_y + B2_y
+    s36 = -A1_x + B1_x - r1_x
+    s40 = -0.5*s16
+    s41 = -0.5*s13
+    s45 = (1.0 / (s15 * s15))
+    s49 = 2*cz
+    s51 = C_y*s16 + s49*(s19*s40 - 0.25*s45*(C_y*cz + s19*s41))
+    s52 = B1_y - r1_y
+    s62 = s16*s19 + s49*(-C_y*s40 - 0.25*s45*(-C_y*s41 + cz*s19))
+    s70 = 0.5*(r2_x * r2_x) + 0.5*(r2_y * r2_y) + s69
+    s71 = 2*r2_y
+    s72 = 0.5*s71
+    s73 = 2*r2_x
+    s74 = 0.5*s73
+    s91 = s26*s74 + s28*s72
+    s98 = s49*(s40*s91 - 0.25*s45*(cz*s26*s72 - cz*s28*s74 + s41*s91))
+    s99 = s16*s26*s72 - s16*s28*s74 + s98
+    out = np.zeros((len(x), 15))
+    out[:, 0] = s36
+    out[:, 1] = 1
+    out[:, 2] = 0
+    out[:, 3] = s51
+    out[:, 4] = r1_y
+    out[:, 5] = s52
+    out[:, 6] = 0
+    out[:, 7] = 1
+    out[:, 8] = s62
+    out[:, 9] = -r1_x
+    out[:, 10] = s70
+    out[:, 11] = s74
+    out[:, 12] = s72
+    out[:, 13] = s99
+    out[:, 14] = 0
+    return out
+
+
+def _parameters(x, q, tool, k):
+    """Per rod of one limb: derivatives of the closure by errors, by deflections: (N, 27)."""
+    px = x[:, 0]
+    py = x[:, 1]
+    cz = x[:, 2]
+    tx = tool[:, 0]
+    ty = tool[:, 1]
+    q = q
+    h = k[:, 0]
+    q0 = k[:, 1]
+    s7 = k[:, 2]
+    b2_x = k[:, 4]
+    b2_y = k[:, 5]
+    A2_x = k[:, 6]
+    A2_y = k[:, 7]
+    s101 = k[:, 26]
+    C_y = -h + ty
+    s8 = q + q0
+    s9 = np.sin(s8)
+    r1_x = s7*s9
+    s11 = np.cos(s8)
+    r1_y = -s11*s7
+    s13 = (cz * cz)
+    s16 = (1.0 / (0.25*s13 + 1))
+    s18 = -0.5*s13*s16 + 1
+    s26 = b2_x - tx
+    s28 = -C_y + b2_y
+    B2_x = -cz*s16*s28 + px + s18*s26
+    B2_y = cz*s16*s26 + py + s18*s28
+    r2_x = -A2_x + B2_x
+    r2_y = -A2_y + B2_y
+    s37 = cz*s16
+    s71 = 2*r2_y
+    s72 = 0.5*s71
+    s73 = 2*r2_x
+    s74 = 0.5*s73
+    s87 = s18*s72 - s37*s74
+    s90 = s18*s74 + s37*s72
+    out = np.zeros((len(x), 27))
+    out[:, 0] = r1_y
+    out[:, 1] = 1
+    out[:, 4] = -s18
+    out[:, 7] = -s9
+    out[:, 9] = -r1_x
+    out[:, 13] = -s37
+    out[:, 16] = s11
+    out[:, 20] = -s74
+    out[:, 21] = -s72
+    out[:, 23] = s90
+    out[:, 24] = s87
+    out[:, 26] = s101
+    return out
+
+
+def _position(x, q, tool, k):
+    """Platform of the simplified machine at a given joint: (N, 3)."""
+    tx = tool[:, 0]
+    ty = tool[:, 1]
+    q = q
+    h = k[:, 0]
+    q0 = k[:, 1]
+    s7 = k[:, 2]
+    b1_x = k[:, 3]
+    A1_x = k[:, 8]
+    s116 = k[:, 13]
+    s124 = k[:, 16]
+    s130 = k[:, 17]
+    s134 = k[:, 18]
+    s138 = k[:, 20]
+    s153 = k[:, 22]
+    s156 = k[:, 23]
+    s160 = k[:, 25]
+    s195 = k[:, 27]
+    C_y = -h + ty
+    s8 = q + q0
+    r1_x = s7*np.sin(s8)
+    r1_y = -s7*np.cos(s8)
+    s19 = b1_x - tx
+    s185 = r1_x*s130 + r1_x*s134 - r1_y*s116 + s138
+    s190 = r1_x*s116 + r1_y*s130 + r1_y*s134 + s124
+    s198 = (r1_x * r1_x) + r1_x*s153 + r1_x*s156 + (r1_y * r1_y) + r1_y*s195 + s160
+    s201 = np.sqrt((s185 * s185) + (s190 * s190) - (s198 * s198))
+    s204 = s185*s201 - s190*s198
+    s208 = -s185*s198 - s190*s201
+    s211 = 1/np.sqrt((s204 * s204) + (s208 * s208))
+    s214 = A1_x - C_y*s204*s211 + r1_x - s19*s208*s211
+    s217 = C_y*s208*s211 + r1_y - s19*s204*s211
+    s221 = 2*np.tan(0.5*np.arctan2(s204, s208))
+    out = np.zeros((len(x), 3))
+    out[:, 0] = s214
+    out[:, 1] = s217
+    out[:, 2] = s221
+    return out
+
+
+def _joint(x, q, tool, k):
+    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it: (N, 3)."""
+    px = x[:, 0]
+    tx = tool[:, 0]
+    ty = tool[:, 1]
+    h = k[:, 0]
+    q0 = k[:, 1]
+    s7 = k[:, 2]
+    b1_x = k[:, 3]
+    s103 = k[:, 10]
+    s102 = k[:, 11]
+    s108 = k[:, 12]
+    s116 = k[:, 13]
+    s120 = k[:, 14]
+    s122 = k[:, 15]
+    s124 = k[:, 16]
+    s130 = k[:, 17]
+    s134 = k[:, 18]
+    s136 = k[:, 19]
+    s138 = k[:, 20]
+    s149 = k[:, 21]
+    s153 = k[:, 22]
+    s156 = k[:, 23]
+    s158 = k[:, 24]
+    s160 = k[:, 25]
+    C_y = -h + ty
+    s104 = px + s103 - tx
+    s107 = -q0 + np.asin(s102*s104)
+    s109 = (s104 * s104)
+    s111 = -s108*s109 + 1
+    s112 = np.sqrt(s111)
+    s125 = s104*s116 + s112*s120 + s112*s122 + s124
+    s139 = s104*s130 + s104*s134 + s112*s136 + s138
+    s161 = s104*s153 + s104*s156 + s109 + s111*s149 + s112*s158 + s160
+    s164 = np.sqrt((s125 * s125) + (s139 * s139) - (s161 * s161))
+    s167 = -s125*s161 + s139*s164
+    s171 = -s125*s164 - s139*s161
+    s174 = 1/np.sqrt((s167 * s167) + (s171 * s171))
+    s177 = C_y*s171*s174 - s112*s7 - s167*s174*(b1_x - tx)
+    s181 = 2*np.tan(0.5*np.arctan2(s167, s171))
+    out = np.zeros((len(x), 3))
+    out[:, 0] = s107
+    out[:, 1] = s177
+    out[:, 2] = s181
+    return out
+
+
+def _of(k, chosen):
+    return k[chosen] if len(k) > 1 else k
+
+
+def _closure(x, q, tool, k):
+    """Return F (N, 3), J_x (N, 3, 3) and the joints' part J_q (N, 3)."""
+    parts = [_newton(x, q[:, i], tool, k[:, i]).reshape(len(x), 3, 5) for i in range(1)]
+    rows = np.concatenate(parts, axis=1)
+    return rows[:, :, 0], rows[:, :, 1 : 4], rows[:, :, 4]
+
+
+def _solve(A, B):
+    """Return X of A X = B (N, n, m) by Gauss elimination with partial pivoting, and (N,) whether A is regular."""
+    A, B = A.copy(), B.copy()
+    n = A.shape[1]
+    smallest = PIVOT_SINGULAR * np.abs(A).max(axis=(1, 2), initial=0.0)
+    regular = np.isfinite(A).all(axis=(1, 2))
+    every = np.arange(len(A))
+    for c in range(n):
+        pivot = c + np.argmax(np.abs(A[:, c:, c]), axis=1)
+        A[every, c], A[every, pivot] = A[every, pivot], A[every, c].copy()
+        B[every, c], B[every, pivot] = B[every, pivot], B[every, c].copy()
+        regular &= np.abs(A[:, c, c]) > smallest
+        head = np.where(regular, A[:, c, c], 1.0)
+        factor = A[:, c + 1 :, c] / head[:, None]
+        A[:, c + 1 :] -= factor[:, :, None] * A[:, None, c]
+        B[:, c + 1 :] -= factor[:, :, None] * B[:, None, c]
+    for c in range(n - 1, -1, -1):
+        B[:, c] /= np.where(regular, A[:, c, c], 1.0)[:, None]
+        B[:, :c] -= A[:, :c, c, None] * B[:, None, c]
+    return B, regular
+
+
+def jacobians(x, q, tool, k, F, J_x, J_q, J_p):
+    """See ``kinematics.jacobians``."""
+    F[:], J_x[:], J_q[:] = _closure(x, q, tool, k)
+    for i in range(1):
+        rows = slice(3 * i, 3 * i + 3)
+        J_p[:, rows] = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 3, 9)
+
+
+def forward(q, tool, k, x, status, warm):
+    """See ``kinematics.forward``."""
+    status[:] = UNREACHABLE
+    if not (warm and np.isfinite(x).all()):
+        x[:] = 0.0
+        with np.errstate(invalid="ignore"):
+            x[:] = _position(x, q[:, 0], tool, k[:, 0])
+    active = np.flatnonzero(status == UNREACHABLE)
+    for _ in range(MAX_STEPS):
+        if not len(active):
+            break
+        F, J_x, _ = _closure(x[active], q[active], tool[active], _of(k, active))
+        step, regular = _solve(J_x, F[:, :, None])
+        status[active[~regular]] = np.where(np.abs(F[~regular]).max(axis=1, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        active, step = active[regular], step[regular, :, 0]
+        x[active] -= step
+        size = np.abs(step).max(axis=1, initial=0.0)
+        status[active[size < STEP_DONE]] = SOLVED
+        active = active[(size >= STEP_DONE) & (size < STEP_LOST)]
+    x[status != SOLVED] = np.nan
+
+
+def inverse(target, tool, k, x, q, status):
+    """See ``kinematics.inverse``."""
+    x[:] = 0.0
+    x[:, :1] = target
+    with np.errstate(invalid="ignore"):
+        for i in range(1):
+            start = _joint(x, 0.0, tool, k[:, i])
+            q[:, i] = start[:, 0]
+        x[:, 1:] = start[:, 1:]
+    status[:] = UNREACHABLE
+    active = np.flatnonzero(np.isfinite(q).all(axis=1))
+    for _ in range(MAX_STEPS):
+        if not len(active):
+            break
+        F, J_x, J_q = _closure(x[active], q[active], tool[active], _of(k, active))
+        A = np.zeros((len(active), 3, 3))
+        for r in range(3):
+            A[:, r, r // 3] = J_q[:, r]
+        A[:, :, 1:] = J_x[:, :, 1:]
+        step, regular = _solve(A, F[:, :, None])
+        status[active[~regular]] = np.where(np.abs(F[~regular]).max(axis=1, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        active, step = active[regular], step[regular, :, 0]
+        q[active] -= step[:, :1]
+        x[active, 1:] -= step[:, 1:]
+        size = np.abs(step).max(axis=1, initial=0.0)
+        status[active[size < STEP_DONE * ANGLE_STEP]] = SOLVED
+        active = active[(size >= STEP_DONE * ANGLE_STEP) & (size < STEP_LOST)]
+    x[status != SOLVED], q[status != SOLVED] = np.nan, np.nan
+
+
+def sensitivity(x, q, tool, k, S_p, S_q, status):
+    """See ``kinematics.sensitivity``."""
+    _, J_x, J_q = _closure(x, q, tool, k)
+    unit, regular = _solve(J_x, np.tile(-np.eye(3), (len(x), 1, 1)))
+    status[:] = np.where(regular, SOLVED, SINGULAR)
+    unit[~regular] = np.nan
+    for i in range(1):
+        rows = slice(3 * i, 3 * i + 3)
+        J_p = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 3, 9)
+        S_p[:, :, 9 * i : 9 * i + 9] = unit[:, :, rows] @ J_p
+        S_q[:, :, i] = (unit[:, :, rows] * J_q[:, None, rows]).sum(axis=2)

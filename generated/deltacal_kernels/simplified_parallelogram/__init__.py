@@ -1,0 +1,1 @@
+"""Planar parallelogram, simplified: one virtual rod: tables and kernels."""

@@ -1,0 +1,242 @@
+"""Kinematics of `simplified_parallelogram` in plain NumPy: Planar parallelogram, simplified: one virtual rod.
+
+Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both a7d8e7d981e2c6b4; SymPy 1.14.0.
+
+The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
+small job is done before Numba would be loaded, and the compiled kernels have an independent check.
+"""
+
+import numpy as np
+
+SOLVED, UNREACHABLE, SINGULAR = 0, 1, 2
+MAX_STEPS = 30
+STEP_DONE = 1e-9  # mm and rad; Newton is quadratic: after such a step the rest is rounding
+STEP_LOST = 1e5  # mm and rad; a step of this size leads nowhere
+ANGLE_STEP = 1e-3  # rad per mm: joints and rotations are asked for this much finer than lengths
+CLOSED = 1e-3  # mm^2: loops that are open by more where Newton gets stuck cannot be closed
+PIVOT_SINGULAR = 1e-9  # of the largest entry of its matrix, in mm
+
+
+def constants(p):
+    """Return k (M, 1, 6), what no pose changes, from p (5 operations).
+
+    All rows at once.
+    """
+    k = np.zeros((p.shape[0], 1, 6))
+    a1x = p[..., 0]
+    b1x = p[..., 3]
+    l1 = p[..., 6]
+    h = p[..., 8]
+    q0 = p[..., 9]
+    dl1 = p[..., 10]
+    s0 = dl1 + l1
+    s4 = a1x - b1x
+    s9 = (1.0 / s0)
+    s14 = (1.0 / (s0 * s0))
+    k[..., 0] = q0
+    k[..., 1] = s0
+    k[..., 2] = s4
+    k[..., 3] = h
+    k[..., 4] = s9
+    k[..., 5] = s14
+    return k
+
+
+def _newton(x, q, tool, k):
+    """Per rod of one limb: closure, its derivatives by the platform, by the joint: (N, 15)."""
+    px = x[:, 0]
+    py = x[:, 1]
+    cz = x[:, 2]
+    tx = tool[:, 0]
+    ty = tool[:, 1]
+    q = q
+    q0 = k[:, 0]
+    s0 = k[:, 1]
+    s4 = k[:, 2]
+    h = k[:, 3]
+    s1 = q + q0
+    s3 = -s0*np.sin(s1)
+    s5 = px + s3 + s4 - tx
+    s7 = -s0*np.cos(s1)
+    s8 = h + py - s7 - ty
+    out = np.zeros((len(x), 15))
+    out[:, 0] = s5
+    out[:, 1] = 1
+    out[:, 2] = 0
+    out[:, 3] = 0
+    out[:, 4] = s7
+    out[:, 5] = s8
+    out[:, 6] = 0
+    out[:, 7] = 1
+    out[:, 8] = 0
+    out[:, 9] = s3
+    out[:, 10] = cz
+    out[:, 11] = 0
+    out[:, 12] = 0
+    out[:, 13] = 1
+    out[:, 14] = 0
+    return out
+
+
+def _parameters(x, q, tool, k):
+    """Per rod of one limb: derivatives of the closure by errors, by deflections: (N, 6)."""
+    q = q
+    q0 = k[:, 0]
+    s0 = k[:, 1]
+    s1 = q + q0
+    s2 = np.sin(s1)
+    s3 = -s0*s2
+    s6 = np.cos(s1)
+    s7 = -s0*s6
+    out = np.zeros((len(x), 6))
+    out[:, 0] = s7
+    out[:, 1] = -s2
+    out[:, 2] = s3
+    out[:, 3] = s6
+    return out
+
+
+def _position(x, q, tool, k):
+    """Platform of the simplified machine at a given joint: (N, 3)."""
+    tx = tool[:, 0]
+    ty = tool[:, 1]
+    q = q
+    q0 = k[:, 0]
+    s0 = k[:, 1]
+    s4 = k[:, 2]
+    h = k[:, 3]
+    s1 = q + q0
+    s21 = s0*np.sin(s1) - s4 + tx
+    s22 = -h - s0*np.cos(s1) + ty
+    out = np.zeros((len(x), 3))
+    out[:, 0] = s21
+    out[:, 1] = s22
+    return out
+
+
+def _joint(x, q, tool, k):
+    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it: (N, 3)."""
+    px = x[:, 0]
+    tx = tool[:, 0]
+    ty = tool[:, 1]
+    q0 = k[:, 0]
+    s0 = k[:, 1]
+    s4 = k[:, 2]
+    h = k[:, 3]
+    s9 = k[:, 4]
+    s14 = k[:, 5]
+    s10 = px + s4 - tx
+    s13 = -q0 + np.asin(s10*s9)
+    s20 = -h - s0*np.sqrt(-(s10 * s10)*s14 + 1) + ty
+    out = np.zeros((len(x), 3))
+    out[:, 0] = s13
+    out[:, 1] = s20
+    out[:, 2] = 0
+    return out
+
+
+def _of(k, chosen):
+    return k[chosen] if len(k) > 1 else k
+
+
+def _closure(x, q, tool, k):
+    """Return F (N, 3), J_x (N, 3, 3) and the joints' part J_q (N, 3)."""
+    parts = [_newton(x, q[:, i], tool, k[:, i]).reshape(len(x), 3, 5) for i in range(1)]
+    rows = np.concatenate(parts, axis=1)
+    return rows[:, :, 0], rows[:, :, 1 : 4], rows[:, :, 4]
+
+
+def _solve(A, B):
+    """Return X of A X = B (N, n, m) by Gauss elimination with partial pivoting, and (N,) whether A is regular."""
+    A, B = A.copy(), B.copy()
+    n = A.shape[1]
+    smallest = PIVOT_SINGULAR * np.abs(A).max(axis=(1, 2), initial=0.0)
+    regular = np.isfinite(A).all(axis=(1, 2))
+    every = np.arange(len(A))
+    for c in range(n):
+        pivot = c + np.argmax(np.abs(A[:, c:, c]), axis=1)
+        A[every, c], A[every, pivot] = A[every, pivot], A[every, c].copy()
+        B[every, c], B[every, pivot] = B[every, pivot], B[every, c].copy()
+        regular &= np.abs(A[:, c, c]) > smallest
+        head = np.where(regular, A[:, c, c], 1.0)
+        factor = A[:, c + 1 :, c] / head[:, None]
+        A[:, c + 1 :] -= factor[:, :, None] * A[:, None, c]
+        B[:, c + 1 :] -= factor[:, :, None] * B[:, None, c]
+    for c in range(n - 1, -1, -1):
+        B[:, c] /= np.where(regular, A[:, c, c], 1.0)[:, None]
+        B[:, :c] -= A[:, :c, c, None] * B[:, None, c]
+    return B, regular
+
+
+def jacobians(x, q, tool, k, F, J_x, J_q, J_p):
+    """See ``kinematics.jacobians``."""
+    F[:], J_x[:], J_q[:] = _closure(x, q, tool, k)
+    for i in range(1):
+        rows = slice(3 * i, 3 * i + 3)
+        J_p[:, rows] = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 3, 2)
+
+
+def forward(q, tool, k, x, status, warm):
+    """See ``kinematics.forward``."""
+    status[:] = UNREACHABLE
+    if not (warm and np.isfinite(x).all()):
+        x[:] = 0.0
+        with np.errstate(invalid="ignore"):
+            x[:] = _position(x, q[:, 0], tool, k[:, 0])
+    active = np.flatnonzero(status == UNREACHABLE)
+    for _ in range(MAX_STEPS):
+        if not len(active):
+            break
+        F, J_x, _ = _closure(x[active], q[active], tool[active], _of(k, active))
+        step, regular = _solve(J_x, F[:, :, None])
+        status[active[~regular]] = np.where(np.abs(F[~regular]).max(axis=1, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        active, step = active[regular], step[regular, :, 0]
+        x[active] -= step
+        size = np.abs(step).max(axis=1, initial=0.0)
+        status[active[size < STEP_DONE]] = SOLVED
+        active = active[(size >= STEP_DONE) & (size < STEP_LOST)]
+    x[status != SOLVED] = np.nan
+
+
+def inverse(target, tool, k, x, q, status):
+    """See ``kinematics.inverse``."""
+    x[:] = 0.0
+    x[:, :1] = target
+    with np.errstate(invalid="ignore"):
+        for i in range(1):
+            start = _joint(x, 0.0, tool, k[:, i])
+            q[:, i] = start[:, 0]
+        x[:, 1:] = start[:, 1:]
+    status[:] = UNREACHABLE
+    active = np.flatnonzero(np.isfinite(q).all(axis=1))
+    for _ in range(MAX_STEPS):
+        if not len(active):
+            break
+        F, J_x, J_q = _closure(x[active], q[active], tool[active], _of(k, active))
+        A = np.zeros((len(active), 3, 3))
+        for r in range(3):
+            A[:, r, r // 3] = J_q[:, r]
+        A[:, :, 1:] = J_x[:, :, 1:]
+        step, regular = _solve(A, F[:, :, None])
+        status[active[~regular]] = np.where(np.abs(F[~regular]).max(axis=1, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        active, step = active[regular], step[regular, :, 0]
+        q[active] -= step[:, :1]
+        x[active, 1:] -= step[:, 1:]
+        size = np.abs(step).max(axis=1, initial=0.0)
+        status[active[size < STEP_DONE * ANGLE_STEP]] = SOLVED
+        active = active[(size >= STEP_DONE * ANGLE_STEP) & (size < STEP_LOST)]
+    x[status != SOLVED], q[status != SOLVED] = np.nan, np.nan
+
+
+def sensitivity(x, q, tool, k, S_p, S_q, status):
+    """See ``kinematics.sensitivity``."""
+    _, J_x, J_q = _closure(x, q, tool, k)
+    unit, regular = _solve(J_x, np.tile(-np.eye(3), (len(x), 1, 1)))
+    status[:] = np.where(regular, SOLVED, SINGULAR)
+    unit[~regular] = np.nan
+    for i in range(1):
+        rows = slice(3 * i, 3 * i + 3)
+        J_p = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 3, 2)
+        S_p[:, :, 2 * i : 2 * i + 2] = unit[:, :, rows] @ J_p
+        S_q[:, :, i] = (unit[:, :, rows] * J_q[:, None, rows]).sum(axis=2)
