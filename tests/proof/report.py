@@ -101,35 +101,36 @@ def _by_name(found: Sequence[Entry], kind: str) -> Iterator[list[str]]:
         yield [name.replace("_", " "), *_numbers([f for f in of_kind if name in f["names"]])]
 
 
-def _tables(found: Sequence[Entry]) -> Iterator[tuple[str, str, Sequence[str], list[list[str]]]]:
-    yield "By what is concealed", "kinds", ("concealed", "simulated by", *HEADS), list(_by_kind(found))
+def _tables(found: Sequence[Entry]) -> Iterator[tuple[str, bool, Sequence[str], list[list[str]]]]:
+    """Yield title, whether it is one for those who want to know more, heads and rows of every table."""
+    yield "By what is concealed", False, ("concealed", "simulated by", *HEADS), list(_by_kind(found))
     yield (
         "By signal over noise: what geometry alone leaves, in standard deviations of the noise; one or two effects",
-        "noise",
+        False,
         ("signal over noise", *HEADS),
         list(_by_noise(found)),
     )
-    yield "By effect, concealed alone", "effects", ("effect", *HEADS), list(_by_name(found, "single"))
+    yield "By effect, concealed alone", True, ("effect", *HEADS), list(_by_name(found, "single"))
     yield (
         "Foreign physics: not in the vocabulary of effects",
-        "outside",
+        True,
         ("physics", *HEADS),
         list(_by_name(found, "outside")),
     )
 
 
 def markdown(found: Sequence[Entry], run: Mapping[str, Any]) -> str:
-    """Return the tables as Markdown, with what made them."""
+    """Return the tables as Markdown, as the README quotes them, with what made them."""
     out = [_made(run), ""]
-    for title, _, heads, rows in _tables(found):
-        used = [j for j in range(len(heads)) if any(row[j] for row in rows)]
+    for title, folded, heads, rows in _tables(found):
         if not rows:
             continue
-        out += [f"{title}:", ""]
+        used = [j for j in range(len(heads)) if any(row[j] for row in rows)]
+        out += [f"<details><summary>{title}</summary>" if folded else f"{title}:", ""]
         out.append("| " + " | ".join(heads[j] for j in used) + " |")
         out.append("| " + " | ".join("---" if heads[j] not in HEADS else "---:" for j in used) + " |")
         out += ["| " + " | ".join(row[j] for j in used) + " |" for row in rows]
-        out.append("")
+        out += ["", "</details>", ""] if folded else [""]
     return "\n".join([*out, LEGEND, ""])
 
 
