@@ -511,6 +511,7 @@ def predict(
 ) -> None:
     """Predict the readings of other joints, in the instrument's frame."""
     from deltacal_gen import commands
+    from deltacal_gen.prediction import CORRECTED
 
     done = commands.predict(result, recording, output)
     rows = done.n_rows if done.pairs is None else len(done.pairs)
@@ -518,6 +519,12 @@ def predict(
         _print_json({"schema": "deltacal.prediction/1", "file": str(output), "kind": done.kind, "readings": rows})
     else:
         screen.print(f"{rows} readings of the kind {done.kind} predicted in {output}")
+        share = done.channels.get(CORRECTED)
+        if share is not None and (share < 1).any():
+            screen.print(
+                f"{(share < 1).sum()} of {len(share)} rows lie outside what was measured for the smooth correction; it "
+                f"fades there and at {(share == 0).sum()} of them nothing is corrected (column {CORRECTED})"
+            )
 
 
 @app.command()

@@ -403,9 +403,11 @@ def fit(
     damping, degrees = 0.0, 0.0
     while True:
         state = problem.linearise(errors, instrument, machine)
-        sigma = _noise(state.residual, leverage, robust) if known is None else np.full(state.residual.shape[1], known)
+        sigma = (
+            robust_sigma(state.residual, leverage, robust) if known is None else np.full(state.residual.shape[1], known)
+        )
         drop = drop_gross and len(history) > ESTIMATED_AT
-        weights = _weights(state.residual, sigma, drop) if robust else np.ones(len(state.residual))
+        weights = robust_weights(state.residual, sigma, drop) if robust else np.ones(len(state.residual))
         if estimated and len(history) == ESTIMATED_AT:
             ratio, *_ = Repeats.ratio_of(state.residual, problem.readings.group, fitted=degrees)
             shared = Repeats(problem.readings.group, ratio)
@@ -534,7 +536,7 @@ def _leverage(A: Array, Q: Array, solution: Solution, read: np.ndarray) -> Array
     return np.array([hat[part].mean() if part.any() else 0.0 for part in (of_length, ~of_length)])
 
 
-def _noise(residual: Array, leverage: Array, robust: bool) -> Array:
+def robust_sigma(residual: Array, leverage: Array, robust: bool) -> Array:
     """Return the noise (k,) of lengths and of rotations, each from its own residuals, per component.
 
     `leverage` (2,) is the part of each that the fit has used up.
@@ -556,7 +558,7 @@ def _noise(residual: Array, leverage: Array, robust: bool) -> Array:
     return sigma
 
 
-def _weights(residual: Array, sigma: Array, drop: bool) -> Array:
+def robust_weights(residual: Array, sigma: Array, drop: bool) -> Array:
     """Return Huber's weights (R,); with `drop` none for gross errors, unless they are too many to be errors."""
     size = np.sqrt(np.nanmean((residual / sigma) ** 2, axis=1))
     weights = np.minimum(1.0, HUBER / np.maximum(size, 1e-300))

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from deltacal_gen.correction import Smooth, variable
 from deltacal_gen.errors import InputError
 from deltacal_gen.estimation import Problem, pose_problem
 from deltacal_gen.measurement import Instrument, Readings
@@ -15,8 +16,10 @@ from deltacal_gen.mechanism import Array
 from deltacal_gen.physics import Term, reading_shift, term_from_dict
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot, robot_from_dict
-from deltacal_gen.rotation import to_vector
+from deltacal_gen.rotation import from_vector, to_vector
 from deltacal_gen.simulation import unread
+
+CORRECTED = "correction_share"  # channel of a prediction
 
 
 def calibrated_robot(result: Mapping[str, Any]) -> Robot:
@@ -45,9 +48,15 @@ def predict(result: Mapping[str, Any], recording: Recording) -> Recording:
     Parameters
     ----------
     result : mapping
-        RESULT.json of `identify`.
+        RESULT.json of `identify` or DIAGNOSIS.json.
     recording : Recording
         Joints, tool points and channels; its measured cells are not read.
+
+    Returns
+    -------
+    Recording
+        Where a diagnosis has a smooth correction, the channel `correction_share` says which part of it holds in each
+        row: 1 where readings like it were measured, 0 far from them, where nothing is corrected.
 
     Raises
     ------
@@ -57,9 +66,16 @@ def predict(result: Mapping[str, Any], recording: Recording) -> Recording:
     """
     robot = calibrated_robot(result)
     problem, instrument = prediction_problem(result, robot, recording)
-    mounted = instrument.mounted(problem.mechanism, problem.reference)
-    values, rotations = mounted.predict(problem.readings, problem.poses(problem.reference))
-    values = values + reading_shift(problem.terms, problem.body, problem.readings.rows, values)[0]
+    x = problem.poses(problem.reference)
+    values, rotations = _read(problem, instrument, x)
+    if result.get("correction"):
+        share, corrected, seen, moved = _corrected(result, recording, x)
+        other, turned = _read(corrected, seen, moved)
+        each = share[problem.readings.rows].min(axis=1)[:, None]
+        values = values + each * (other - values)
+        if rotations is not None and turned is not None:
+            rotations = from_vector(each * to_vector(turned @ np.swapaxes(rotations, 1, 2))) @ rotations
+        recording = dataclasses.replace(recording, channels=recording.channels | {CORRECTED: share})
     if rotations is not None:
         values = np.hstack([values, to_vector(rotations)])
     if recording.kind in ("position", "pose"):
@@ -69,6 +85,36 @@ def predict(result: Mapping[str, Any], recording: Recording) -> Recording:
     if recording.kind == "distance":
         return dataclasses.replace(recording, pair_measured=values[:, 0])
     return dataclasses.replace(recording, measured=values)
+
+
+def _read(problem: Problem, instrument: Instrument, x: Array) -> tuple[Array, Array | None]:
+    values, rotations = instrument.predict(problem.readings, x)
+    return values + reading_shift(problem.terms, problem.body, problem.readings.rows, values)[0], rotations
+
+
+def _corrected(
+    result: Mapping[str, Any], recording: Recording, x: Array, found: Readings | None = None
+) -> tuple[Array, Problem, Instrument, Array]:
+    """Return which part (N,) of a smooth correction holds in each row, and all that a reading with it comes from.
+
+    `x` are the poses without it.
+    """
+    beside = result | result["correction"]["machine"]
+    smooth = Smooth.from_dict(result["correction"]["smooth"])
+    robot = calibrated_robot(beside)
+    values = variable(smooth.variable, recording, robot.joint_sign * recording.joints, x)
+    values = np.full((len(x), smooth.knots.shape[1]), np.nan) if values is None else values
+    moved = np.nan_to_num(smooth.displacement(values))
+    if smooth.limbs:
+        joints = recording.joints.copy()
+        own = [i - 1 for i in smooth.limbs]
+        joints[:, own] += np.broadcast_to(robot.joint_sign, joints.shape)[:, own] * moved
+        recording = dataclasses.replace(recording, joints=joints)
+    problem, instrument = prediction_problem(beside, robot, recording, found)
+    x = problem.poses(problem.reference)
+    if not smooth.limbs:
+        x = np.hstack([x[:, :3] + moved, x[:, 3:]])
+    return smooth.share(values), problem, instrument, x
 
 
 def prediction_problem(
@@ -130,4 +176,9 @@ def _setups(recording: Recording) -> int:
 def residual(result: Mapping[str, Any], recording: Recording, found: Readings) -> Array:
     """Return measured minus predicted (R, k) of readings that the result has not seen [mm, rad]."""
     problem, instrument = prediction_problem(result, calibrated_robot(result), recording, found)
-    return problem.residual(problem.reference, instrument, problem.poses(problem.reference))
+    x = problem.poses(problem.reference)
+    r = problem.residual(problem.reference, instrument, x)
+    if result.get("correction"):
+        share, other, seen, moved = _corrected(result, recording, x, found)
+        r += share[found.rows].min(axis=1)[:, None] * (other.residual(other.reference, seen, moved) - r)
+    return r

@@ -14,6 +14,7 @@ import numpy as np
 
 from deltacal_gen.estimation import Fit, Problem
 from deltacal_gen.mechanism import Array
+from deltacal_gen.physics import Deformed
 from deltacal_gen.search import Beside, gains, quantile
 
 FUNCTIONS = 6  # of a channel, that one structure may combine
@@ -65,20 +66,26 @@ def smooth_columns(at: Fit, channel: str) -> Array:
     return smooth.modulated(functions[:, : min(SMOOTH, most)])
 
 
+def displacements(problem: Problem, machine: Deformed) -> Array:
+    """Return the derivatives (N, n_x, limbs + 3) of the pose by each joint and by a shift along each axis of {O}."""
+    used = np.unique(problem.readings.rows)
+    rows = machine.rows if len(machine.rows) == 1 else machine.rows[used]
+    S = problem.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)
+    limbs = problem.mechanism.limbs
+    dx = np.zeros((len(machine.x), problem.mechanism.n_x, limbs + 3))
+    dx[used, :, :limbs] = S.joints
+    dx[used, :3, limbs:] = np.eye(3)
+    return dx
+
+
 class _Smooth:
     """Displacements of each joint and of the reading, modulated by functions of the rows, beside all that is fitted."""
 
     def __init__(self, at: Fit) -> None:
         problem = at.problem
         self._beside = Beside(at)
-        machine = self._beside.machine
-        used = np.unique(problem.readings.rows)
-        rows = machine.rows if len(machine.rows) == 1 else machine.rows[used]
-        S = problem.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)
         self._limbs = problem.mechanism.limbs
-        self._dx = np.zeros((len(machine.x), problem.mechanism.n_x, self._limbs + 3))
-        self._dx[used, :, : self._limbs] = S.joints
-        self._dx[used, :3, self._limbs :] = np.eye(3)
+        self._dx = displacements(problem, self._beside.machine)
 
     @property
     def residual(self) -> Array:
