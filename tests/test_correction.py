@@ -1,0 +1,126 @@
+"""What no effect explains: corrected as far as held-out poses bear it out, and only where there were readings."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from typing import Any
+
+import numpy as np
+import pytest
+
+import deltacal_gen as dc
+from deltacal_gen.correction import Smooth, correct
+from deltacal_gen.diagnosis import diagnose
+from deltacal_gen.identification import folds
+from deltacal_gen.prediction import CORRECTED
+from deltacal_gen.recording import Recording
+from deltacal_gen.robot import Robot
+from deltacal_gen.simulation import simulate
+from deltacal_gen.structure import Structure
+from deltacal_gen.units import DEG
+from tests.conftest import plausible
+from tests.left_out import DELTA, FRAME, SIGMA, channels, diagnosis, machine, record
+
+POSES = 140
+LIMB = 1  # the second
+
+
+def swollen(robot: Robot, seed: int, sigma: float = SIGMA) -> Recording:
+    """Return readings of a machine whose second joint errs with the humidity, not in proportion to it."""
+    of = channels(POSES, "humidity", "temp", "time", seed=seed)
+    plain = record(robot, n=POSES, seed=seed, sigma=0.0, of=of, declared=False)
+    joints = plain.joints.copy()
+    joints[:, LIMB] += 0.01 * DEG * np.sin((of["humidity"] - 45) / 6)
+    read = simulate(robot, dataclasses.replace(plain, joints=joints), plausible(DELTA, 11, size=0.3), frame=FRAME)
+    noise = sigma * np.random.default_rng(seed).standard_normal((POSES, 3))
+    return dataclasses.replace(plain, measured=read.measured + noise)
+
+
+def dented(robot: Robot, seed: int, sigma: float = SIGMA) -> Recording:
+    """Return readings moved by up to 0.3 mm around a place of the workspace."""
+    plain = record(robot, n=POSES, seed=seed, sigma=sigma, declared=False)
+    x = simulate(robot, dataclasses.replace(plain, channels={}), frame=(np.zeros(3), np.zeros(3))).measured
+    bump = np.exp(-0.5 * np.sum(((x - [250.0, 100.0, -850.0]) / 90.0) ** 2, axis=1))
+    return dataclasses.replace(plain, measured=plain.measured + 0.3 * bump[:, None] * [0.6, -0.6, 0.5])
+
+
+@pytest.fixture(scope="module")
+def robot() -> Robot:
+    return machine()
+
+
+@pytest.fixture(scope="module")
+def humid(robot: Robot) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads(json.dumps(diagnosis(robot, swollen(robot, 1)), allow_nan=False))
+    return found
+
+
+def error(found: dict[str, Any], fresh: Recording) -> float:
+    return float(np.sqrt(np.mean((dc.predict(found, fresh).measured - fresh.measured) ** 2)))
+
+
+def without(found: dict[str, Any]) -> dict[str, Any]:
+    return found | {"correction": None}
+
+
+def test_a_dependence_on_a_channel_is_corrected_at_its_joint(robot: Robot, humid: dict[str, Any]) -> None:
+    assert humid["verdict"] == "unexplained"
+    made = humid["correction"]
+    assert made["depends_on"] == ["humidity"]
+    assert made["limbs"] == [LIMB + 1]
+    assert made["heldout_rms_mm"]["before"] > 3 * SIGMA
+    assert made["heldout_rms_mm"]["after"] < 1.2 * SIGMA
+    assert made["share_of_excess"] > 0.9
+    assert "by the channel humidity" in humid["summary"]
+    fresh = swollen(robot, 9, sigma=0.0)
+    assert error(humid, fresh) < 0.2 * error(without(humid), fresh)
+
+
+def test_a_local_misfit_is_corrected_where_it_sits(robot: Robot) -> None:
+    found = diagnosis(robot, dented(robot, 1))
+    assert found["verdict"] == "unexplained"
+    assert found["correction"]["depends_on"] == ["position"]
+    assert found["correction"]["limbs"] == []
+    fresh = dented(robot, 9, sigma=0.0)
+    assert error(found, fresh) < 0.65 * error(without(found), fresh)
+
+
+def test_beyond_what_was_measured_nothing_is_corrected(robot: Robot, humid: dict[str, Any]) -> None:
+    fresh = swollen(robot, 9, sigma=0.0)
+    seen = np.array(humid["correction"]["smooth"]["knots"])
+    for value in (seen.max() + 100.0, seen.min() - 100.0, np.nan):
+        dry = dataclasses.replace(fresh, channels=fresh.channels | {"humidity": np.full(POSES, value)})
+        plain = dc.predict(without(humid), dry)
+        done = dc.predict(humid, dry)
+        assert (done.channels[CORRECTED] == 0).all()
+        assert done.measured == pytest.approx(plain.measured, abs=1e-9)
+        assert CORRECTED not in plain.channels
+    lost = dataclasses.replace(fresh, channels={k: v for k, v in fresh.channels.items() if k != "humidity"})
+    assert (dc.predict(humid, lost).channels[CORRECTED] == 0).all()
+    inside = dc.predict(humid, swollen(robot, 1)).channels[CORRECTED]
+    assert inside == pytest.approx(1.0, abs=1e-12)
+
+
+def test_a_validation_uses_the_correction_too(robot: Robot, humid: dict[str, Any]) -> None:
+    fresh = swollen(robot, 9, sigma=0.0)
+    assert dc.validate(humid, fresh)["rms_mm"] == pytest.approx(error(humid, fresh), rel=1e-9)
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_noise_is_not_corrected(robot: Robot, seed: int) -> None:
+    """Also where it is made to try: of all that is held out, none is predicted better."""
+    recording = record(robot, n=POSES, seed=seed, of=channels(POSES, "humidity", "temp"))
+    found = diagnose(robot, recording)
+    assert found.verdict == "adequate"
+    assert found.to_dict()["correction"] is None
+    tried = [Structure(name, 1.0, 0.0, limbs) for name, limbs in (("humidity", (2,)), ("position", ()), ("temp_C", ()))]
+    assert correct(found.final, tried, folds(found.final.problem.readings, recording)) is None
+
+
+def test_a_function_fades_over_its_length() -> None:
+    made = Smooth("temp_C", (1,), np.array([[20.0], [21.0], [22.0]]), 2.0, 0.5, np.ones((3, 1)))
+    share = made.share(np.array([[20.0], [21.3], [22.5], [24.5], [40.0], [np.nan]]))
+    assert share == pytest.approx([1.0, 1.0, 1.0, np.exp(-0.5), 0.0, 0.0], abs=1e-7)
+    assert made.displacement(np.array([[21.0], [np.nan]])) == pytest.approx(np.array([[1 + 2 * np.exp(-1 / 8)], [0.0]]))
+    assert Smooth.from_dict(json.loads(json.dumps(made.to_dict()))).to_dict() == made.to_dict()
