@@ -152,7 +152,7 @@ def _made(run: Mapping[str, Any]) -> str:
 # ------------------------------------------------------------------------------------------------------------ page
 
 _CSS = """
-.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(19rem, 100%), 1fr)); gap: 0 2rem; }
+.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(24rem, 100%), 1fr)); gap: 0 2rem; }
 .answers { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(13rem, 100%), 1fr)); gap: 0.4rem 2rem; }
 .answers p { margin: 0.3rem 0; color: var(--muted); } .answers b { display: block; font-size: 1.7rem; color: var(--ink);
   font-weight: 600; font-variant-numeric: tabular-nums; }
