@@ -190,22 +190,22 @@ def measurement(spec: Measurement) -> dict[str, Kernel]:
             before = before * factor.subs(zero)
         return sp.zeros(3, 1)
 
+    graph = Graph(spec.steps)
+
     def jacobian(by: list[sp.Symbol]) -> list[sp.Expr]:
-        rows = [[sp.diff(e, s) for s in by] for e in spec.reading]
+        rows = [graph.derivatives(e, by) for e in spec.reading]
         if spec.rotation:
             spins = [spin(s) for s in by]
             rows += [[column[k] for column in spins] for k in range(3)]
-        return [e.subs(zero) for row in rows for e in row]
+        return [e for row in rows for e in row]
 
-    outputs = {
-        "reading": [e.subs(zero) for e in spec.reading],
-        "by_platform": jacobian(moved),
-        "by_unknown": jacobian(unknown),
-    }
+    outputs = {"reading": list(spec.reading), "by_platform": jacobian(moved), "by_unknown": jacobian(unknown)}
     if spec.rotation:
-        outputs["rotation"] = list(sp.prod([sp.eye(3), *spec.rotation]).subs(zero))
-    lowering = Lowering(Graph(), {}, inputs)
-    return {name: lowering.kernel(name, name, exprs) for name, exprs in outputs.items()}
+        outputs["rotation"] = list(sp.prod([sp.eye(3), *spec.rotation]))
+    lowered = {name: [graph.add(e) for e in exprs] for name, exprs in outputs.items()}
+    graph, values = graph.at(zero)
+    lowering = Lowering(graph, {}, inputs)
+    return {name: lowering.kernel(name, name, [e.xreplace(values) for e in leaves]) for name, leaves in lowered.items()}
 
 
 def _platform_names(spec: Measurement) -> tuple[str, ...]:

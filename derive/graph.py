@@ -128,6 +128,14 @@ class Graph:
                 result.append(gradient.get(symbol, sp.Integer(0)))
         return result
 
+    def at(self, values: Mapping[sp.Symbol, sp.Expr]) -> tuple[Graph, dict[sp.Symbol, sp.Expr]]:
+        """Return the graph with some inputs at fixed values, and what each of this graph's nodes is in it."""
+        fixed = Graph(invariant=self._invariant - set(self.nodes))
+        known = dict(values)
+        for symbol, expr in self.nodes.items():
+            known[symbol] = fixed.add(expr.xreplace(known))
+        return fixed, known
+
     def needed(self, outputs: Iterable[sp.Expr], known: Iterable[sp.Symbol] = ()) -> dict[sp.Symbol, sp.Expr]:
         """Return the nodes that `outputs` need, in order of evaluation, without those `known` already."""
         live = set().union(*(e.free_symbols for e in outputs)) - set(known)

@@ -316,6 +316,8 @@ class Measurement:
     rotation : tuple of sympy.Matrix
         A measured rotation as a product of rotations (3, 3). Its derivatives are the spins ``axial(dR R^T)``: three
         more rows of the Jacobians.
+    steps : sequence of (symbol, expression)
+        Named quantities between the platform and the reading, none in terms of another.
     """
 
     name: str
@@ -326,6 +328,7 @@ class Measurement:
     unknown: tuple[Quantity, ...]
     reading: tuple[sp.Expr, ...]
     rotation: tuple[sp.Matrix, ...] = ()
+    steps: Steps = ()
 
 
 @dataclass(frozen=True)

@@ -20,13 +20,10 @@ from deltacal_gen.recording import Recording, check_units, read_recording, write
 from deltacal_gen.robot import robot_from_dict
 from deltacal_gen.units import DEG
 
-DELTA: Any = SimpleNamespace(
-    name="delta", limbs=3, joint_unit="rad", axes=("x", "y", "z"), turns=("x", "y", "z"), parameters=()
-)
-TOWERS: Any = SimpleNamespace(
-    name="linear_delta", limbs=3, joint_unit="mm", axes=("x", "y", "z"), turns=("x", "y", "z"), parameters=()
-)
-PLANAR: Any = SimpleNamespace(name="diamond", limbs=2, joint_unit="rad", axes=("x", "y"), turns=(), parameters=())
+SPACE: Any = {"axes": ("x", "y", "z"), "turns": ("x", "y", "z"), "parameters": (), "geometry": ()}
+DELTA: Any = SimpleNamespace(name="delta", limbs=3, joint_unit="rad", **SPACE)
+TOWERS: Any = SimpleNamespace(name="linear_delta", limbs=3, joint_unit="mm", **SPACE)
+PLANAR: Any = SimpleNamespace(name="diamond", limbs=2, joint_unit="rad", **SPACE | {"axes": ("x", "y"), "turns": ()})
 
 HEADER = "pose,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm"
 ROWS = ("a,10,20,30,1,2,-700", "b,-10,20,30,300,2,-750", "c,10,-40,5,,,")

@@ -5,6 +5,7 @@ MECHANISMS = (
     "delta",
     "diamond",
     "planar_parallelogram",
+    "robotennis",
     "serial",
     "simplified_parallelogram",
 )

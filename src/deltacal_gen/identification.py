@@ -441,6 +441,8 @@ def noise(final: Fit, recording: Recording) -> Noise:
     """
     found, residual = final.problem.readings, coordinate_sigma(final)
     declared = recording.measurement.sigma_mm
+    if found.kind == "sphere" and declared is None and recording.measurement.sigma_px is not None:
+        declared = recording.measurement.sigma_px * final.instrument.scale
     if found.made:
         return Noise(residual, "residual", np.inf) if declared is None else Noise(declared, "declared", np.inf)
     quiet = np.setdiff1d(np.arange(len(found)), final.gross)

@@ -15,14 +15,16 @@ from typing import Any
 
 import numpy as np
 
+from deltacal_gen import sphere
 from deltacal_gen.errors import InputError
 from deltacal_gen.mechanism import Array, Mechanism, mechanism_of
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot
 from deltacal_gen.rotation import cayley_matrix, from_vector, mean, to_vector
+from deltacal_gen.units import DEG
 
 MOST_PAIRS = 200_000  # distances that are made of positions at once
-KINDS = ("position", "pose", "distance", "gauge")
+KINDS = ("position", "pose", "distance", "gauge", "sphere")
 MOUNT = ("mx", "my", "mz")  # a gauge's unknowns which, where they are parameters of the machine, a model frees or not
 
 
@@ -33,11 +35,11 @@ class Readings:
     Attributes
     ----------
     kind : str
-        position, pose, distance or gauge.
+        position, pose, distance, gauge or sphere.
     rows : (R, 1) or (R, 2) int array
         Rows of the recording.
     values : (R, k) array
-        Position, distance or length [mm]; NaN along an axis that the machine does not have.
+        Position, distance or length [mm], NaN along an axis that the machine does not have; extremes of an image [px].
     rotations : (R, 3, 3) array or None
         Measured rotations; NaN where only the position was read.
     setup : (R,) int array
@@ -123,8 +125,8 @@ def readings(recording: Recording, *, as_distance: bool = False) -> Readings:
         raise InputError(
             f"readings of the kind '{kind}' cannot be used yet.", f"Kinds: {', '.join(KINDS)}.", file=recording.path
         )
-    if kind == "gauge":
-        taken = np.flatnonzero(np.isfinite(recording.measured[:, 0]))
+    if kind in ("gauge", "sphere"):
+        taken = np.flatnonzero(np.isfinite(recording.measured).all(axis=1))
         return _some(
             recording,
             Readings(
@@ -223,11 +225,18 @@ class Instrument:
     state : (S, g) array
     free : tuple of int
         Which unknowns of the kind are estimated; none of them in a frame that is known.
+    scale : float
+        What one unit of the reading is at the platform [mm]: of images, a pixel at the ball's distance. Residuals and
+        derivatives come multiplied by it.
+    home : tuple of float
+        From where positions count [mm], in {O}.
     """
 
     kind: str
     state: Array
     free: tuple[int, ...]
+    scale: float = 1.0
+    home: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     @property
     def _kernels(self) -> ModuleType:
@@ -248,7 +257,11 @@ class Instrument:
         )
 
     def _ends(self, found: Readings, x: Array) -> tuple[Array, ...]:
-        return tuple(x[rows] for rows in found.rows.T)
+        ends = tuple(x[rows] for rows in found.rows.T)
+        if any(self.home):
+            for end in ends:
+                end[:, :3] -= self.home
+        return ends
 
     def predict(self, found: Readings, x: Array) -> tuple[Array, Array | None]:
         """Return predicted values (R, k) and, for poses, rotations (R, 3, 3), at platform coordinates x (N, 6)."""
@@ -259,7 +272,7 @@ class Instrument:
     def residual(self, found: Readings, x: Array) -> Array:
         """Return measured minus predicted, (R, k): mm, and the rotation vector between the rotations in rad."""
         values, rotations = self.predict(found, x)
-        r = found.values - values
+        r = self.scale * (found.values - values)
         if rotations is None or found.rotations is None:
             return r
         turned = np.full((len(found), 3), np.nan)
@@ -280,7 +293,7 @@ class Instrument:
 
     def by_unknown(self, found: Readings, x: Array, chosen: Sequence[int]) -> Array:
         """Return the derivatives (R, k, chosen) of the readings by unknowns of the kind, free or not."""
-        derivatives: Array = self._kernels.by_unknown(*self._ends(found, x), self.state[found.setup])
+        derivatives: Array = self.scale * self._kernels.by_unknown(*self._ends(found, x), self.state[found.setup])
         return derivatives[:, :, list(chosen)]
 
     def linearise(self, found: Readings, x: Array, dx: Array) -> tuple[Array, Array]:
@@ -298,7 +311,7 @@ class Instrument:
         """
         ends, given = self._ends(found, x), self.state[found.setup]
         by_platform = self._kernels.by_platform(*ends, given)
-        J_p = sum(by_platform[:, :, e] @ dx[rows] for e, rows in enumerate(found.rows.T))
+        J_p = self.scale * sum(by_platform[:, :, e] @ dx[rows] for e, rows in enumerate(found.rows.T))
         J_m = np.zeros((*J_p.shape[:2], len(self.state), len(self.free)))
         if self.free:
             J_m[np.arange(len(found)), :, found.setup] = self.by_unknown(found, x, self.free)
@@ -316,6 +329,8 @@ class Instrument:
             return dataclasses.replace(self, state=state)
         state[:, :9] = (cayley_matrix(step[:, :3]) @ state[:, :9].reshape(-1, 3, 3)).reshape(-1, 9)
         state[:, 9:12] += step[:, 3:6]
+        if self.kind == "sphere":
+            state[:, sphere.DISTORTION] += step[:, 6]
         if self.kind == "pose":
             state[:, 12:] = (cayley_matrix(step[:, 6:9]) @ state[:, 12:].reshape(-1, 3, 3)).reshape(-1, 9)
         return dataclasses.replace(self, state=state)
@@ -328,12 +343,24 @@ class Instrument:
 
     def to_dict(self) -> dict[str, Any]:
         """Return the state for a result file."""
-        return {"kind": self.kind, "state": self.state.tolist(), "free": list(self.free)}
+        return {
+            "kind": self.kind,
+            "state": self.state.tolist(),
+            "free": list(self.free),
+            "scale": self.scale,
+            "home": list(self.home),
+        }
 
     @staticmethod
     def from_dict(data: dict[str, Any]) -> Instrument:
         """Return the instrument of a result file."""
-        return Instrument(data["kind"], np.asarray(data["state"], dtype=float), tuple(data["free"]))
+        return Instrument(
+            data["kind"],
+            np.asarray(data["state"], dtype=float),
+            tuple(data["free"]),
+            data.get("scale", 1.0),
+            tuple(data.get("home", (0.0, 0.0, 0.0))),
+        )
 
 
 def carried(kind: str, mechanism: Mechanism) -> dict[int, int]:
@@ -349,10 +376,11 @@ def carried(kind: str, mechanism: Mechanism) -> dict[int, int]:
 def start(found: Readings, recording: Recording, robot: Robot, x: Array) -> Instrument:
     """Return the instrument in its first state, from the poses x (N, 6) of the machine as known so far.
 
-    Frames are aligned set-up by set-up (Kabsch); a gauge stands where the sidecar says.
+    Frames are aligned set-up by set-up (Kabsch); a gauge stands where the sidecar says. Positions that count from the
+    robot's home have their origin there.
     """
     known = recording.measurement.frame == "robot"
-    setups = int(recording.setup.max()) + 1 if found.kind in ("position", "pose") else 1
+    setups = int(recording.setup.max()) + 1 if found.kind in ("position", "pose", "sphere") else 1
     if found.kind == "distance":
         return Instrument("distance", np.zeros((1, 0)), ())
     if found.kind == "gauge":
@@ -365,6 +393,9 @@ def start(found: Readings, recording: Recording, robot: Robot, x: Array) -> Inst
         instrument = Instrument("gauge", state, (*free, 3) if incremental else free)
         zero = float(np.median(instrument.residual(found, x))) if incremental else 0.0
         return dataclasses.replace(instrument, state=np.array([[*base, zero]]))
+    if found.kind == "sphere":
+        return _camera(found, recording, x, setups, known)
+    home = home_of(recording, robot)
     state = np.tile(np.concatenate([np.eye(3).ravel(), np.zeros(3)]), (setups, 1))
     for s in range(setups) if not known else ():
         chosen = found.setup == s
@@ -372,12 +403,18 @@ def start(found: Readings, recording: Recording, robot: Robot, x: Array) -> Inst
             continue
         P, y = x[found.rows[chosen, 0], :3], np.nan_to_num(found.values[chosen])
         turn = align(P - P.mean(axis=0), y - y.mean(axis=0))
-        state[s, :9], state[s, 9:12] = turn.ravel(), y.mean(axis=0) - turn @ P.mean(axis=0)
+        state[s, :9] = turn.ravel()
+        if not any(home):
+            state[s, 9:12] = y.mean(axis=0) - turn @ P.mean(axis=0)
     free = _unknown(found.components)
+    if any(home):
+        free = tuple(u for u in free if not 3 <= u < 6)
     if found.kind == "position":
-        return Instrument("position", state, () if known else tuple(u for u in free if u < 6))
+        return Instrument("position", state, () if known else tuple(u for u in free if u < 6), home=home)
     body = np.tile(np.eye(3).ravel(), (setups, 1))
-    instrument = Instrument("pose", np.hstack([state, body]), tuple(u for u in free if u >= 6) if known else free)
+    instrument = Instrument(
+        "pose", np.hstack([state, body]), tuple(u for u in free if u >= 6) if known else free, home=home
+    )
     assert found.rotations is not None
     for s in range(setups):
         chosen = np.flatnonzero((found.setup == s) & np.isfinite(found.rotations[:, 0, 0]))
@@ -388,6 +425,34 @@ def start(found: Readings, recording: Recording, robot: Robot, x: Array) -> Inst
             assert predicted is not None
             body[s] = mean(np.swapaxes(predicted, 1, 2) @ part.rotations).ravel()
     return dataclasses.replace(instrument, state=np.hstack([state, body]))
+
+
+def home_of(recording: Recording, robot: Robot) -> tuple[float, float, float]:
+    """Return the home [mm] from which incremental positions count; {O} itself where they are absolute."""
+    if recording.measurement.zero != "incremental" or "home" not in robot.geometry:
+        return 0.0, 0.0, 0.0
+    x, y, z = robot.geometry["home"].tolist()
+    return x, y, z
+
+
+def _camera(found: Readings, recording: Recording, x: Array, setups: int, known: bool) -> Instrument:
+    """Return a camera that sees a ball; where the ball stands is unknown in any case, the camera's rotation may be.
+
+    `rotation_deg` turns the axes of {O'} into the camera's.
+    """
+    camera = recording.measurement.camera
+    assert camera is not None
+    seen = sphere.centres(found.values, camera)
+    nominal = from_vector(np.asarray(camera.rotation_deg) * DEG).T
+    state = []
+    for s in range(setups):
+        chosen = found.setup == s
+        P, c = x[found.rows[chosen, 0], :3], seen[chosen]
+        turn = nominal if known or not chosen.any() else align(P.mean(axis=0) - P, c - c.mean(axis=0))
+        ball = (P + c @ turn).mean(axis=0) if chosen.any() else np.zeros(3)
+        state.append(sphere.state(camera, turn, ball, sphere.order(found.values)))
+    scale = float(np.median(seen[:, 2])) / np.sqrt(camera.fx_px * camera.fy_px)
+    return Instrument("sphere", np.array(state), (3, 4, 5) if known else tuple(range(6)), scale)
 
 
 def _unknown(components: Sequence[int]) -> tuple[int, ...]:

@@ -571,7 +571,7 @@ def reading_shift(terms: Sequence[Term], body: Body, rows: np.ndarray, values: A
 
 
 def _acts(target: str, k: int) -> bool:
-    return target.startswith("reading.") if k >= 3 else target == "length"
+    return {3: target.startswith("reading."), 1: target == "length"}.get(k, False)  # k = 4: the image of a ball
 
 
 def term_to_dict(term: Term) -> dict[str, Any]:

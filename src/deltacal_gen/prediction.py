@@ -11,7 +11,7 @@ import numpy as np
 from deltacal_gen.correction import Smooth, variable
 from deltacal_gen.errors import InputError
 from deltacal_gen.estimation import Problem, pose_problem
-from deltacal_gen.measurement import Instrument, Readings
+from deltacal_gen.measurement import Instrument, Readings, home_of
 from deltacal_gen.mechanism import Array
 from deltacal_gen.physics import Term, reading_shift, term_from_dict
 from deltacal_gen.recording import Recording
@@ -125,7 +125,7 @@ def prediction_problem(
 ) -> tuple[Problem, Instrument]:
     """Return the problem of a recording with nothing free, and the instrument that a result knows for it."""
     found = unread(recording) if found is None else found
-    found, instrument = _instrument(result, recording, found)
+    found, instrument = _instrument(result, robot, recording, found)
     held = known_effects(result, timed=recording.time_s is not None)
     problem = pose_problem(robot, recording, (), found=found, held=held)
     for term in held:
@@ -138,15 +138,18 @@ def prediction_problem(
     return problem, instrument
 
 
-def _instrument(result: Mapping[str, Any], recording: Recording, found: Readings) -> tuple[Readings, Instrument]:
+def _instrument(
+    result: Mapping[str, Any], robot: Robot, recording: Recording, found: Readings
+) -> tuple[Readings, Instrument]:
     known = result["instrument"]
     instrument = Instrument.from_dict(known)
     if found.kind == "distance":
         return found, Instrument("distance", np.zeros((1, 0)), ())
     if recording.measurement.frame == "robot" and found.kind == "position":
-        return found, Instrument("position", np.array([[*np.eye(3).ravel(), 0.0, 0.0, 0.0]] * _setups(recording)), ())
+        state = np.array([[*np.eye(3).ravel(), 0.0, 0.0, 0.0]] * _setups(recording))
+        return found, Instrument("position", state, (), home=home_of(recording, robot))
     if found.kind == "position" and instrument.kind == "pose":
-        instrument = Instrument("position", instrument.state[:, :12], ())
+        instrument = Instrument("position", instrument.state[:, :12], (), home=instrument.home)
     if found.kind == "gauge" and instrument.kind != "gauge" and recording.measurement.base_point_mm is not None:
         instrument = Instrument("gauge", np.array([[*recording.measurement.base_point_mm, 0.0]]), ())
     if found.kind != instrument.kind:

@@ -67,6 +67,7 @@ _LEAST_SPREAD = 0.01  # of readings, in machine sizes per rad of joint motion (1
 _MOST_SPREAD = 20.0  # in machine sizes
 _MOST_MOTION = 5.0  # in machine sizes per rad of joint motion
 _MOST_PAYLOAD = 20.0  # in moving masses of the machine: parallel robots carry a few of them
+_HOME = 0.1  # of the spread of positions: further from zero the first row is not at the home
 _RADIANS = 1.6  # a column of degrees that stays within this may be in radians
 
 
@@ -306,6 +307,8 @@ def read_recording(
         recording = _with_pairs(recording, pairs, rows, need_measured and kind == "distance")
     else:
         _check_repeats(recording, rows)
+    if need_measured and recording.measurement.zero == "incremental" and _has_home(mechanism):
+        _check_home(recording)
     if need_measured and not _is_measured(recording):
         raise InputError("no row holds a reading.", f"Fill in {', '.join(columns)}.", file=path)
     return recording
@@ -747,6 +750,40 @@ def _check_repeats(recording: Recording, rows: _Rows) -> None:
                 row=row,
                 column="pose",
             )
+
+
+def _has_home(mechanism: Mechanism) -> bool:
+    return any(key.key == "home" for key in mechanism.geometry)
+
+
+def _check_home(recording: Recording) -> None:
+    """Increments count from the first row, which stands at the home."""
+    found = recording.joints[0]
+    if np.abs(found).max() > _SAME_JOINT:
+        joint = int(np.argmax(np.abs(found)))
+        unit = file_unit(recording.joint_unit)
+        raise InputError(
+            f'zero = "incremental": joints count from the home, yet the first row reads '
+            f"{to_file(found[joint], recording.joint_unit):.6g} {unit}.",
+            'Put the home, with joints 0, into the first row, or say zero = "absolute" in the sidecar.',
+            file=recording.path,
+            line=int(recording.line[0]),
+            column=f"q{joint + 1}_{unit}",
+        )
+    if recording.kind != "position" or recording.measurement.frame != "robot":
+        return
+    axes = recording.measured
+    spread = float(np.ptp(axes[np.isfinite(axes).all(axis=1)], axis=0).max(initial=0.0))
+    axis = int(np.argmax(np.abs(np.nan_to_num(axes[0]))))
+    if abs(np.nan_to_num(axes[0, axis])) > _HOME * spread:
+        raise InputError(
+            f'zero = "incremental": readings count from the home, yet the first row, with joints 0, reads '
+            f"{axes[0, axis]:.6g} mm.",
+            'Put the home into the first row, or say zero = "absolute" in the sidecar.',
+            file=recording.path,
+            line=int(recording.line[0]),
+            column=recording.columns[axis],
+        )
 
 
 def _with_pairs(recording: Recording, pairs: _Rows, rows: _Rows, need_measured: bool) -> Recording:

@@ -14,14 +14,17 @@ from typing import Any
 import numpy as np
 from pydantic import Field
 
+from deltacal_gen import sphere
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.measurement import KINDS, Instrument, Readings
+from deltacal_gen.measurement import KINDS, Instrument, Readings, home_of
 from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, mechanism_of
 from deltacal_gen.physics import Body, Channels, Term, blank, effect_names, load_effect, reading_shift
 from deltacal_gen.recording import Measurement, Recording
 from deltacal_gen.robot import Number, Robot, Table, TomlFile, nearest
 from deltacal_gen.rotation import from_vector, to_vector
 from deltacal_gen.units import DEG, to_internal
+
+VISIBLE = 0.9  # part of the half image that a simulated ball stays in
 
 
 class _Truth(Table):
@@ -150,7 +153,7 @@ def simulate(
     errors : dict, optional
         True source errors [mm, rad]; default the robot's own.
     noise_mm, noise_rad : float
-        Standard deviation per coordinate; `rng` must be given where they are not 0.
+        Standard deviation per coordinate, of images at the ball; `rng` must be given where they are not 0.
     terms : sequence of Term
         Effects on the machine; compliant parts are solved to their static equilibrium.
     frame : (rotation vector (3,) [rad], origin (3,) [mm]), optional
@@ -183,13 +186,13 @@ def simulate(
     _all_solved(poses, status, "the pose cannot be simulated")
     x = machine.x
     found = unread(poses)
-    instrument = _instrument(poses, frame, rng).mounted(mechanism, true)
+    instrument = _instrument(poses, robot, x, frame, rng).mounted(mechanism, true)
     values, rotations = instrument.predict(found, x)
     values = values + reading_shift(terms, body, found.rows, values)[0]
     if (noise_mm or noise_rad) and rng is None:
         raise ValueError("noise needs a random generator: pass rng.")
     if noise_mm and rng is not None:
-        values = values + noise_mm * rng.standard_normal(values.shape)
+        values = values + noise_mm / instrument.scale * rng.standard_normal(values.shape)
     if rotations is not None:
         if noise_rad and rng is not None:
             rotations = from_vector(noise_rad * rng.standard_normal((len(values), 3))) @ rotations
@@ -229,12 +232,14 @@ def unread(poses: Recording) -> Readings:
         rows = np.arange(poses.n_rows)[:, None]
     n = len(rows)
     setup = np.zeros(n, dtype=int) if poses.kind == "distance" else poses.setup
-    zeros = np.zeros((n, 3 if poses.kind in ("position", "pose") else 1))
+    zeros = np.zeros((n, {"position": 3, "pose": 3, "sphere": 4}.get(poses.kind, 1)))
     components = poses.components or tuple(range(6))
     return Readings(poses.kind, rows, zeros, None, setup, np.arange(n), np.arange(n), components=components)
 
 
-def _instrument(poses: Recording, frame: tuple[Array, Array] | None, rng: np.random.Generator | None) -> Instrument:
+def _instrument(
+    poses: Recording, robot: Robot, x: Array, frame: tuple[Array, Array] | None, rng: np.random.Generator | None
+) -> Instrument:
     """Return the instrument that will read: in the robot's frame, in the one given, or in one drawn at random."""
     if poses.kind == "distance":
         return Instrument("distance", np.zeros((1, 0)), ())
@@ -242,6 +247,8 @@ def _instrument(poses: Recording, frame: tuple[Array, Array] | None, rng: np.ran
     if poses.kind == "gauge":
         return Instrument("gauge", np.array([[*(measurement.base_point_mm or (0.0, 0.0, 0.0)), 0.0]]), ())
     setups = int(poses.setup.max()) + 1
+    if poses.kind == "sphere":
+        return _camera(poses, x, setups, rng)
     turn, origin = np.tile(np.eye(3), (setups, 1, 1)), np.zeros((setups, 3))
     if frame is not None:
         turn[:], origin[:] = from_vector(frame[0]), frame[1]
@@ -249,10 +256,32 @@ def _instrument(poses: Recording, frame: tuple[Array, Array] | None, rng: np.ran
         moving = np.array([1.0, 1.0, 1.0] if 2 in poses.components else [0.0, 0.0, 1.0])  # in the plane: about z
         turn = from_vector(0.3 * rng.standard_normal((setups, 3)) * moving)
         origin = 1000.0 * rng.standard_normal((setups, 3))
+    home = home_of(poses, robot)
+    if any(home):
+        origin[:] = 0.0
     state = np.hstack([turn.reshape(setups, 9), origin])
     if poses.kind == "pose":
         state = np.hstack([state, np.swapaxes(turn, 1, 2).reshape(setups, 9)])  # rotations about the instrument's axes
-    return Instrument(poses.kind, state, ())
+    return Instrument(poses.kind, state, (), home=home)
+
+
+def _camera(poses: Recording, x: Array, setups: int, rng: np.random.Generator | None) -> Instrument:
+    """Return a camera whose ball stands on its axis, as near as all poses still see the whole of it.
+
+    Where the frame is unknown the camera is mounted some degrees off the sidecar's rotation.
+    """
+    camera = poses.measurement.camera
+    assert camera is not None  # the recording was read
+    off = 0.03 * rng.standard_normal(3) if rng is not None and poses.measurement.frame == "unknown" else np.zeros(3)
+    turn = from_vector(off) @ from_vector(np.asarray(camera.rotation_deg) * DEG).T
+    P = x[:, :3] @ turn.T
+    away = P - (P.max(axis=0) + P.min(axis=0)) / 2
+    slope = VISIBLE * np.array([camera.cx_px / camera.fx_px, camera.cy_px / camera.fy_px])  # the centre is about half
+    reach = (np.abs(away[:, :2]) + 2 * camera.ball_radius_mm) / slope
+    depth = max(float((reach + away[:, 2:]).max()), 4 * camera.ball_radius_mm + float(away[:, 2].max()))
+    ball = turn.T @ ((P.max(axis=0) + P.min(axis=0)) / 2 + [0, 0, depth])
+    state = np.tile(sphere.state(camera, turn, ball), (setups, 1))
+    return Instrument("sphere", state, (), depth / np.sqrt(camera.fx_px * camera.fy_px))
 
 
 def _all_solved(poses: Recording, status: np.ndarray, what: str) -> None:

@@ -40,15 +40,15 @@ def by_platform(x_a, x_b, given):
     s0 = -px_a + px_b
     s2 = -py_a + py_b
     s4 = -pz_a + pz_b
-    s8 = 1/np.sqrt((s0 * s0) + (s2 * s2) + (s4 * s4))
-    s9 = -s0*s8
-    s10 = -s2*s8
-    s11 = -s4*s8
+    s9 = (0.5)/np.sqrt((s0 * s0) + (s2 * s2) + (s4 * s4))
+    s11 = 2*s4*s9
+    s13 = 2*s2*s9
+    s15 = 2*s0*s9
     out = np.zeros((len(x_a), 12))
-    out[:, 0] = s9
-    out[:, 1] = s10
-    out[:, 2] = s11
-    out[:, 6] = -s9
-    out[:, 7] = -s10
-    out[:, 8] = -s11
+    out[:, 0] = -s15
+    out[:, 1] = -s13
+    out[:, 2] = -s11
+    out[:, 6] = s15
+    out[:, 7] = s13
+    out[:, 8] = s11
     return out.reshape(-1, 1, 2, 6)

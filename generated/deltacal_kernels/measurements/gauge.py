@@ -45,13 +45,13 @@ def by_platform(x, given):
     s0 = -gx + px
     s2 = -gy + py
     s4 = -gz + pz
-    s9 = 1/np.sqrt((s0 * s0) + (s2 * s2) + (s4 * s4))
-    s10 = s0*s9
-    s11 = s2*s9
-    s12 = s4*s9
+    s10 = (0.5)/np.sqrt((s0 * s0) + (s2 * s2) + (s4 * s4))
+    s12 = 2*s10*s4
+    s14 = 2*s10*s2
+    s16 = 2*s0*s10
     out = np.zeros((len(x), 6))
-    out[:, 0] = s10
-    out[:, 1] = s11
+    out[:, 0] = s16
+    out[:, 1] = s14
     out[:, 2] = s12
     return out.reshape(-1, 1, 1, 6)
 
@@ -67,13 +67,13 @@ def by_unknown(x, given):
     s0 = -gx + px
     s2 = -gy + py
     s4 = -gz + pz
-    s9 = 1/np.sqrt((s0 * s0) + (s2 * s2) + (s4 * s4))
-    s10 = s0*s9
-    s11 = s2*s9
-    s12 = s4*s9
+    s10 = (0.5)/np.sqrt((s0 * s0) + (s2 * s2) + (s4 * s4))
+    s12 = 2*s10*s4
+    s14 = 2*s10*s2
+    s16 = 2*s0*s10
     out = np.zeros((len(x), 4))
-    out[:, 0] = -s10
-    out[:, 1] = -s11
+    out[:, 0] = -s16
+    out[:, 1] = -s14
     out[:, 2] = -s12
     out[:, 3] = 1
     return out.reshape(-1, 1, 4)

@@ -39,12 +39,12 @@ def reading(x, given):
     fy = given[:, 10]
     fz = given[:, 11]
     s3 = F11*px + F12*py + F13*pz + fx
-    s7 = F21*px + F22*py + F23*pz + fy
-    s11 = F31*px + F32*py + F33*pz + fz
+    s14 = F21*px + F22*py + F23*pz + fy
+    s16 = F31*px + F32*py + F33*pz + fz
     out = np.zeros((len(x), 3))
     out[:, 0] = s3
-    out[:, 1] = s7
-    out[:, 2] = s11
+    out[:, 1] = s14
+    out[:, 2] = s16
     return out
 
 
@@ -86,17 +86,17 @@ def by_unknown(x, given):
     F31 = given[:, 6]
     F32 = given[:, 7]
     F33 = given[:, 8]
-    s12 = F31*px + F32*py + F33*pz
-    s13 = -F21*px - F22*py - F23*pz
-    s14 = F11*px + F12*py + F13*pz
+    s9 = F31*px + F32*py + F33*pz
+    s11 = F21*px + F22*py + F23*pz
+    s12 = F11*px + F12*py + F13*pz
     out = np.zeros((len(x), 18))
-    out[:, 1] = s12
-    out[:, 2] = s13
+    out[:, 1] = s9
+    out[:, 2] = -s11
     out[:, 3] = 1
-    out[:, 6] = -s12
-    out[:, 8] = s14
+    out[:, 6] = -s9
+    out[:, 8] = s12
     out[:, 10] = 1
-    out[:, 12] = -s13
-    out[:, 13] = -s14
+    out[:, 12] = s11
+    out[:, 13] = -s12
     out[:, 17] = 1
     return out.reshape(-1, 3, 6)

@@ -1,0 +1,1 @@
+"""RoboTennis, three arms with rods as single links, incremental home: tables and kernels."""
