@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from conftest import plausible, rings, scattered, wanted
 
+from deltacal_gen import iso9283
 from deltacal_gen.accuracy import check_poses, circle, distance_error, largest, volumetric_error, workspace_of
 from deltacal_gen.errors import InputError
 from deltacal_gen.identification import identify
@@ -16,7 +17,7 @@ from deltacal_gen.mechanism import Mechanism
 from deltacal_gen.robot import Robot
 from deltacal_gen.rotation import from_vector
 from deltacal_gen.simulation import simulate
-from deltacal_gen.validation import pose_accuracy, validate
+from deltacal_gen.validation import validate
 
 FRAME = (np.array([0.1, -0.2, 0.9]), np.array([900.0, -500.0, 1200.0]))
 
@@ -77,13 +78,13 @@ def test_repeats_give_the_figures_of_the_standard(
 
 def test_accuracy_and_repeatability_of_a_case_worked_by_hand() -> None:
     attained = np.array([[1.0, 0.0, 2.0], [-1.0, 0.0, 2.0], [0.0, 1.0, 2.0], [0.0, -1.0, 2.0]])
-    figures = pose_accuracy(attained, np.zeros(3))
+    figures = iso9283.pose(attained, np.zeros(3))
     assert (figures.accuracy, figures.readings) == (pytest.approx(2.0), 4)
     assert figures.repeatability == pytest.approx(1.0)  # all one unit off the mean: no deviation
-    two = pose_accuracy(np.array([[0.0, 0.0, 0.0], [0.0, 0.0, 4.0]]), np.array([3.0, 0.0, 2.0]))
+    two = iso9283.pose(np.array([[0.0, 0.0, 0.0], [0.0, 0.0, 4.0]]), np.array([3.0, 0.0, 2.0]))
     assert (two.accuracy, two.repeatability) == (pytest.approx(3.0), pytest.approx(2.0))
-    with pytest.raises(ValueError, match="at least two readings"):
-        pose_accuracy(attained[:1], np.zeros(3))
+    with pytest.raises(ValueError, match="at least two visits"):
+        iso9283.pose(attained[:1], np.zeros(3))
 
 
 # ----------------------------------------------------------------------------------- the measures and poses of Bai 2015

@@ -7,48 +7,20 @@ mean. They need repeats of a pose; at fewer than two readings they are not given
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from deltacal_gen import iso9283
 from deltacal_gen.estimation import rms
-from deltacal_gen.measurement import readings
+from deltacal_gen.measurement import Readings, readings
 from deltacal_gen.mechanism import Array
 from deltacal_gen.prediction import calibrated_robot, residual
 from deltacal_gen.recording import Recording
 
-__all__ = ["PoseAccuracy", "calibrated_robot", "pose_accuracy", "validate"]
-
-
-@dataclass(frozen=True)
-class PoseAccuracy:
-    """ISO 9283 figures of one pose [mm], from `readings` attained positions."""
-
-    accuracy: float
-    repeatability: float
-    readings: int
-
-
-def pose_accuracy(attained: Array, wanted: Array) -> PoseAccuracy:
-    """Return accuracy and repeatability of attained positions (n, 3) of one wanted position (3,) [mm].
-
-    Raises
-    ------
-    ValueError
-        Fewer than two readings.
-
-    References
-    ----------
-    ISO 9283:1998, 7.2.1 and 7.2.2.
-    """
-    if len(attained) < 2:
-        raise ValueError("pose accuracy needs at least two readings of a pose.")
-    mean = attained.mean(axis=0)
-    spread = np.linalg.norm(attained - mean, axis=1)
-    deviation = float(np.sqrt(np.sum((spread - spread.mean()) ** 2) / (len(attained) - 1)))
-    return PoseAccuracy(float(np.linalg.norm(mean - wanted)), float(spread.mean() + 3 * deviation), len(attained))
+__all__ = ["calibrated_robot", "validate"]
 
 
 def validate(result: Mapping[str, Any], recording: Recording) -> dict[str, Any]:
@@ -79,7 +51,7 @@ def validate(result: Mapping[str, Any], recording: Recording) -> dict[str, Any]:
     if found.kind in ("position", "pose"):
         several = [g for g, n in enumerate(np.bincount(found.group)) if n > 1]
         figures = [
-            pose_accuracy(r[found.group == g, :3], np.zeros(3))
+            iso9283.pose(r[found.group == g, :3], np.zeros(3))
             for g in several  # residuals: attained minus wanted
         ]
         if figures:
@@ -89,6 +61,25 @@ def validate(result: Mapping[str, Any], recording: Recording) -> dict[str, Any]:
                 "AP_max_mm": float(np.max([f.accuracy for f in figures])),
                 "RP_mean_mm": float(np.mean([f.repeatability for f in figures])),
                 "RP_max_mm": float(np.max([f.repeatability for f in figures])),
+                **_distances(found, r, several),
                 "note": "wanted is what the calibrated model predicts at the joints commanded",
             }
     return out
+
+
+def _distances(found: Readings, r: Array, several: list[int]) -> dict[str, float]:
+    """Return the distance accuracy between neighbouring repeated poses that were visited equally often."""
+    figures = []
+    for a, b in itertools.pairwise(several):
+        first, second = found.group == a, found.group == b
+        if first.sum() == second.sum():
+            at, to = found.values[first], found.values[second]
+            wanted = np.linalg.norm((to - r[second, :3]).mean(axis=0) - (at - r[first, :3]).mean(axis=0))
+            figures.append(iso9283.distance(at, to, float(wanted)))
+    if not figures:
+        return {}
+    return {
+        "AD_mean_mm": float(np.mean([abs(f.accuracy) for f in figures])),
+        "AD_max_mm": float(np.max([abs(f.accuracy) for f in figures])),
+        "RD_max_mm": float(np.max([f.repeatability for f in figures])),
+    }

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from deltacal_gen import iso9283
 from tests.claims import independent_traslosheros as own
 from tests.claims.independent_traslosheros import BALL, CALIBRATED, NOMINAL
 
@@ -602,8 +603,8 @@ def test_repeatabilities_are_coherent() -> None:
 
 
 def test_cycles_of_the_standard() -> None:
-    standard = 30  # ISO 9283:1998, pose accuracy and repeatability, and distance accuracy
-    assert standard != 25
+    assert iso9283.CYCLES == 30  # ISO 9283:1998, pose accuracy and repeatability, and distance accuracy
+    assert iso9283.CYCLES != 25
 
 
 def test_encoder_resolution() -> None:
@@ -799,17 +800,17 @@ def test_speed_fits_the_workspace() -> None:
 
 
 def test_appendix_repeatability() -> None:
-    from deltacal_gen.validation import pose_accuracy
-
     x = np.random.default_rng(6).normal(size=(25, 3)) * NOISE
-    assert own.repeatability(x) == pytest.approx(pose_accuracy(x, np.zeros(3)).repeatability, rel=1e-12)
+    assert own.repeatability(x) == pytest.approx(iso9283.pose(x, np.zeros(3)).repeatability, rel=1e-12)
     assert own.repeatability(x + 100) == pytest.approx(own.repeatability(x), rel=1e-9)
     assert own.repeatability(3 * x) == pytest.approx(3 * own.repeatability(x), rel=1e-9)
 
 
 def test_appendix_distance_accuracy() -> None:
     """The bars take the sign, which ISO 9283 keeps: too short and too long are the same then."""
-    long = np.mean([100.2, 100.4]) - 100
-    short = np.mean([99.8, 99.6]) - 100
-    assert long == pytest.approx(-short)
-    assert abs(long) == pytest.approx(abs(short))
+    origin, along = np.zeros((2, 3)), np.array([[1.0, 0, 0]])
+    long = iso9283.distance(origin, np.array([[100.2], [100.4]]) * along, 100)
+    short = iso9283.distance(origin, np.array([[99.8], [99.6]]) * along, 100)
+    assert long.accuracy == pytest.approx(0.3)
+    assert long.accuracy == pytest.approx(-short.accuracy)
+    assert long.repeatability == pytest.approx(3 * np.sqrt(0.02))
