@@ -88,7 +88,7 @@ def predict(result: Mapping[str, Any], recording: Recording) -> Recording:
 
 
 def _read(problem: Problem, instrument: Instrument, x: Array) -> tuple[Array, Array | None]:
-    values, rotations = instrument.predict(problem.readings, x)
+    values, rotations = instrument.mounted(problem.mechanism, problem.reference).predict(problem.readings, x)
     return values + reading_shift(problem.terms, problem.body, problem.readings.rows, values)[0], rotations
 
 
