@@ -368,12 +368,16 @@ class Effect:
 
 @dataclass(frozen=True)
 class EffectQuantity:
-    """A coefficient, constant or state of an effect; `factor` leads from the files' unit to mm, rad, N, s and K."""
+    """A coefficient, constant or state of an effect; `factor` leads from the files' unit to mm, rad, N, s and K.
+
+    A quantity `of_joint` is in deg and Nm where the joint turns; where it slides, in mm and N.
+    """
 
     symbol: sp.Symbol
     unit: str
     factor: float
     meaning: str
+    of_joint: bool = False
 
     @property
     def name(self) -> str:

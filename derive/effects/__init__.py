@@ -19,6 +19,7 @@ DEG = math.pi / 180
 STATE = (
     EffectQuantity(sp.Symbol("q", real=True), "deg", DEG, "joint as the controller reports it"),
     EffectQuantity(sp.Symbol("theta", real=True), "deg", DEG, "joint as the geometry sees it"),
+    EffectQuantity(sp.Symbol("turn", real=True), "deg", DEG, "turn of the joint; of its pulley, where it slides"),
     EffectQuantity(sp.Symbol("speed", real=True), "deg/s", DEG, "joint speed"),
     EffectQuantity(sp.Symbol("acceleration", real=True), "deg/s^2", DEG, "joint acceleration"),
     EffectQuantity(sp.Symbol("approach", real=True), "1", 1.0, "direction in which the joint last moved, +1 or -1"),
@@ -45,6 +46,8 @@ STATE = (
     EffectQuantity(sp.Symbol("y_y", real=True), "mm", 1.0, "reading along the instrument's y"),
     EffectQuantity(sp.Symbol("y_z", real=True), "mm", 1.0, "reading along the instrument's z"),
     EffectQuantity(sp.Symbol("y_length", real=True), "mm", 1.0, "reading of a length"),
+    EffectQuantity(sp.Symbol("p_x", real=True), "mm", 1.0, "reference point, x in {O}"),
+    EffectQuantity(sp.Symbol("p_y", real=True), "mm", 1.0, "reference point, y in {O}"),
 )
 PARTS = {
     "offset": "zero of the joint",
@@ -59,6 +62,9 @@ PARTS = {
     "hand_axis_v": "the same about the normal of the base",
     "elbow_axis_u": "axis of the elbow's joints about the arm",
     "elbow_axis_v": "axis of the elbow's joints about the normal of the arm",
+    "pair_difference": "rod 1 minus rod 2, where the platform tilts by it",
+    "lean_radial": "axis of a sliding joint, outwards",
+    "lean_tangential": "axis of a sliding joint, counter-clockwise",
 }
 _BY_NAME = {s.name: s.symbol for s in STATE}
 
@@ -71,3 +77,12 @@ def state(names: str) -> tuple[sp.Symbol, ...]:
 def coefficient(name: str, unit: str, factor: float, meaning: str) -> EffectQuantity:
     """Return a coefficient: its unit in files, the factor to mm, rad, N and s, and what it is."""
     return EffectQuantity(sp.Symbol(name, real=True), unit, factor, meaning)
+
+
+def joint_coefficient(name: str, per: str, meaning: str) -> EffectQuantity:
+    """Return a coefficient that moves a joint `per` Nm, K or h (per nothing: ``""``).
+
+    It is in deg and Nm where the joint turns; where it slides, read mm and N.
+    """
+    unit, factor = (f"deg/{per}", DEG / 1000 if per == "Nm" else DEG) if per else ("deg", DEG)
+    return EffectQuantity(sp.Symbol(name, real=True), unit, factor, meaning, of_joint=True)

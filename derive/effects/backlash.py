@@ -1,10 +1,10 @@
 """The joint lies on either side of its play: ``theta = q - approach width / 2``."""
 
-from derive.effects import DEG, coefficient, state
+from derive.effects import joint_coefficient, state
 from derive.spec import Effect
 
 (approach,) = state("approach")
-width = coefficient("width", "deg", DEG, "the full gap")
+width = joint_coefficient("width", "", "the full gap")
 EFFECT = Effect(
     name="backlash",
     title="play, flips with the direction of approach",

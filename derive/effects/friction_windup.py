@@ -2,11 +2,11 @@
 
 import sympy as sp
 
-from derive.effects import DEG, coefficient, state
+from derive.effects import joint_coefficient, state
 from derive.spec import Effect
 
 approach, torque = state("approach torque")
-compliance = coefficient("compliance", "deg/Nm", DEG / 1000, "windup per torque")
+compliance = joint_coefficient("compliance", "Nm", "windup per torque")
 EFFECT = Effect(
     name="friction_windup",
     title="friction winds the joint up, by direction and load",

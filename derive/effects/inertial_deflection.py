@@ -1,10 +1,10 @@
 """The joint twists under the masses times minus their acceleration: ``theta = q + compliance torque``."""
 
-from derive.effects import DEG, coefficient, state
+from derive.effects import joint_coefficient, state
 from derive.spec import Effect
 
 (torque,) = state("inertia_torque")
-compliance = coefficient("compliance", "deg/Nm", DEG / 1000, "twist per torque of inertia")
+compliance = joint_coefficient("compliance", "Nm", "twist per torque of inertia")
 EFFECT = Effect(
     name="inertial_deflection",
     title="joint twists with acceleration",

@@ -1,10 +1,10 @@
 """The joint or its gearbox twists under the static torque of all weights: ``theta = q + compliance torque``."""
 
-from derive.effects import DEG, coefficient, state
+from derive.effects import joint_coefficient, state
 from derive.spec import Effect
 
 (torque,) = state("torque")
-compliance = coefficient("compliance", "deg/Nm", DEG / 1000, "twist per static torque")
+compliance = joint_coefficient("compliance", "Nm", "twist per static torque")
 EFFECT = Effect(
     name="joint_compliance",
     title="joint or gearbox twists under the load",

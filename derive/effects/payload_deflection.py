@@ -1,10 +1,10 @@
 """The joint twists under the payload's torque only: ``theta = q + compliance torque_of_the_payload``."""
 
-from derive.effects import DEG, coefficient, state
+from derive.effects import joint_coefficient, state
 from derive.spec import Effect
 
 (torque,) = state("payload_torque")
-compliance = coefficient("compliance", "deg/Nm", DEG / 1000, "twist per torque of the payload")
+compliance = joint_coefficient("compliance", "Nm", "twist per torque of the payload")
 EFFECT = Effect(
     name="payload_deflection",
     title="joint twists under the payload",

@@ -1,13 +1,16 @@
-"""Periodic error of the joint angle, `order` periods per turn: ``theta = q + cos cos(k q) + sin sin(k q)``."""
+"""Periodic error of the joint, `order` periods per turn: ``theta = q + cos cos(k q) + sin sin(k q)``.
+
+Where the joint slides, the turn is that of the pulley that drives its belt.
+"""
 
 import sympy as sp
 
-from derive.effects import DEG, coefficient, state
+from derive.effects import coefficient, joint_coefficient, state
 from derive.spec import Effect
 
-(q,) = state("q")
-cos = coefficient("cos", "deg", DEG, "amplitude of the cosine")
-sin = coefficient("sin", "deg", DEG, "amplitude of the sine")
+(turn,) = state("turn")
+cos = joint_coefficient("cos", "", "amplitude of the cosine")
+sin = joint_coefficient("sin", "", "amplitude of the sine")
 order = coefficient("order", "1", 1.0, "periods per turn of the joint")
 EFFECT = Effect(
     name="transmission_eccentricity",
@@ -18,5 +21,5 @@ EFFECT = Effect(
     per_limb=True,
     coefficients=(cos, sin),
     constants=(order,),
-    targets={"joint": cos.symbol * sp.cos(order.symbol * q) + sin.symbol * sp.sin(order.symbol * q)},
+    targets={"joint": cos.symbol * sp.cos(order.symbol * turn) + sin.symbol * sp.sin(order.symbol * turn)},
 )

@@ -1,10 +1,10 @@
 """The joint's zero moves with time: ``theta = q + rate t / 3600``."""
 
-from derive.effects import DEG, coefficient, state
+from derive.effects import joint_coefficient, state
 from derive.spec import Effect
 
 (time,) = state("time")
-rate = coefficient("rate", "deg/h", DEG, "drift of the zero per hour")
+rate = joint_coefficient("rate", "h", "drift of the zero per hour")
 EFFECT = Effect(
     name="zero_drift",
     title="joint zero moves with time",

@@ -1,10 +1,10 @@
 """The joint's zero jumps once: ``theta = q + size`` from the jump on."""
 
-from derive.effects import DEG, coefficient, state
+from derive.effects import coefficient, joint_coefficient, state
 from derive.spec import Effect
 
 (after,) = state("after")
-size = coefficient("size", "deg", DEG, "size of the jump")
+size = joint_coefficient("size", "", "size of the jump")
 when = coefficient("when", "s", 1.0, "time of the jump; the row, where there is no time")
 EFFECT = Effect(
     name="zero_jump",

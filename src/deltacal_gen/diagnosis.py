@@ -26,7 +26,7 @@ from deltacal_gen.estimation import Fit, Problem, fit, held_out, held_out_residu
 from deltacal_gen.identification import Noise, folds, noise
 from deltacal_gen.measurement import Instrument
 from deltacal_gen.mechanism import Array, mechanism_of
-from deltacal_gen.physics import Body, Term, blank, effect_names, load_effect, term_to_dict
+from deltacal_gen.physics import Body, Term, blank, coefficients, effect_names, load_effect, term_to_dict
 from deltacal_gen.recording import Recording, check_units, set_aside
 from deltacal_gen.robot import Robot, robot_to_dict
 from deltacal_gen.search import Found, Search, charge, library
@@ -447,7 +447,7 @@ def _result(found: Diagnosis) -> dict[str, Any]:
         "noise": {"sigma_mm": sigma, "source": source},
         "baseline": {"model": found.model} | summary(baseline, found.heldout[0]),
         "location": found.location,
-        "effects": [_effect(n) for n in found.effects],
+        "effects": [_effect(n, final.problem.recording.joint_unit) for n in found.effects],
         "final": summary(final, found.heldout[1]),
         "rejected": found.rejected,
         "not_tested": found.not_tested,
@@ -516,14 +516,14 @@ def _residuals(found: Diagnosis) -> dict[str, Any]:
     }
 
 
-def _effect(found: Named) -> dict[str, Any]:
+def _effect(found: Named, joint_unit: str) -> dict[str, Any]:
     term, kernels = found.term, found.term.kernels
     parameters: list[dict[str, Any]] = []
     std = found.std.reshape(term.values.shape)
     for r, row in enumerate(term.values):
         limb = term.limbs[r] if term.limbs else None
         point = {"tool_mm": list(term.tools[r])} if term.tools else {}
-        for c, (name, unit, factor, _) in enumerate(kernels.COEFFICIENTS):
+        for c, (name, unit, factor) in enumerate(coefficients(term.effect, joint_unit)):
             known = {"value": float(row[c] / factor), "std": float(std[r, c] / factor), "unit": unit}
             parameters.append({"name": name, "limb": limb} | known | point)
     for value, (name, unit, factor, _) in zip(term.constants, kernels.CONSTANTS, strict=True):

@@ -16,7 +16,7 @@ from functools import partial
 import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.measurement import Instrument, Readings, carried, readings, start
+from deltacal_gen.measurement import BOTH, Instrument, Readings, carried, readings, start
 from deltacal_gen.mechanism import Array, Mechanism, Sensitivity, mechanism_of
 from deltacal_gen.physics import Body, Channels, Deformed, Term, reading_shift
 from deltacal_gen.recording import Recording
@@ -35,6 +35,8 @@ HUBER = 2.5  # standard deviations beyond which a reading's pull stops growing
 SPOILT = 30.0  # times the median residual: a reading so far off is named when a fit does not converge
 MOST_GROSS = 0.06  # of all readings: more than this are no errors of measurement but something left out
 SPARE_READINGS = 3  # scalars beyond the unknowns, without which no noise can be told from errors
+USUAL_NOISE = (0.02, 0.1)  # mm: of a bed probe, of a caliper on a printed object
+USUAL_COUNTS = 3  # readings that this knowledge is worth
 GROSS = 6.0  # standard deviations beyond which a reading is listed as a gross error
 
 
@@ -125,7 +127,7 @@ class Problem:
         _, terms = self.split(parameters)
         if terms:
             values, _ = instrument.predict(self.readings, x)
-            r[:, : values.shape[1]] -= reading_shift(terms, self.body, self.readings.rows, values)[0]
+            r[:, : values.shape[1]] -= reading_shift(terms, self.body, self.readings, values, x)[0]
         return r
 
     def linearise(self, parameters: Array, instrument: Instrument, machine: Deformed | None = None) -> Linearised:
@@ -155,7 +157,7 @@ class Problem:
             )
         if terms and not self.held:
             values, _ = mounted.predict(self.readings, machine.x)
-            shifted = reading_shift(terms, self.body, self.readings.rows, values)[1]
+            shifted = reading_shift(terms, self.body, self.readings, values, machine.x)[1]
             J_p[:, : values.shape[1], len(self.names) :] += shifted
         return Linearised(self.residual(parameters, instrument, machine.x), J_p, J_m)
 
@@ -172,7 +174,7 @@ class Problem:
         S = self.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)
         J, _ = instrument.linearise(self.readings, machine.x, self.effect_columns(terms, machine, used, S))
         values, _ = instrument.predict(self.readings, machine.x)
-        J[:, : values.shape[1]] += reading_shift(terms, self.body, self.readings.rows, values)[1]
+        J[:, : values.shape[1]] += reading_shift(terms, self.body, self.readings, values, machine.x)[1]
         return J
 
     def begin(self, parameters: Array) -> Instrument:
@@ -399,12 +401,15 @@ def fit(
     scalars = int(np.isfinite(instrument.residual(problem.readings, machine.x)).sum())
     scarce = scalars - n_m - len(problem.names) < SPARE_READINGS and problem.readings.kind != "pose"
     known = problem.recording.measurement.sigma_mm if scarce else None
+    groups = problem.readings.noise_groups(6)
     leverage = np.full(2, float(n_m + min(len(problem.names), 1)) / max(scalars, 1))
     damping, degrees = 0.0, 0.0
     while True:
         state = problem.linearise(errors, instrument, machine)
         sigma = (
-            robust_sigma(state.residual, leverage, robust) if known is None else np.full(state.residual.shape[1], known)
+            robust_sigma(state.residual, leverage, robust, problem.readings)
+            if known is None
+            else np.full(state.residual.shape[1], known)
         )
         drop = drop_gross and len(history) > ESTIMATED_AT
         weights = robust_weights(state.residual, sigma, drop) if robust else np.ones(len(state.residual))
@@ -424,7 +429,7 @@ def fit(
         leverage = (
             np.full(2, degrees / max(problem.readings.n_scalars, 1.0))
             if problem.readings.made
-            else _leverage(A, Q, solution, np.isfinite(state.residual))
+            else _leverage(A, Q, solution, np.isfinite(state.residual), groups)
         )
         history.append(_gain(solution.u - departure, departure, A_p, Q, b, solver.weight or 0.0))
         if len(history) > (ESTIMATED_AT + 1 if estimated else 1) and history[-1] < (
@@ -527,22 +532,23 @@ def _gain(step: Array, departure: Array, A_p: Array, Q: Array, b: Array, weight:
     return abs(float(b @ b - rest @ rest + weight * (departure @ departure - whole @ whole)))
 
 
-def _leverage(A: Array, Q: Array, solution: Solution, read: np.ndarray) -> Array:
-    """Return the part of lengths and of rotations (2,) that the fit uses up: the mean of the hat matrix's diagonal."""
+def _leverage(A: Array, Q: Array, solution: Solution, read: np.ndarray, groups: np.ndarray) -> Array:
+    """Return the part of each group's readings (2,) that the fit uses up: the mean of the hat matrix's diagonal."""
     with np.errstate(divide="ignore", invalid="ignore"):
         weight = np.where(solution.factors > 0, np.sqrt(solution.factors) / solution.singular_values, 0.0)
     hat = ((A @ solution.V * weight) ** 2).sum(axis=1) + (Q**2).sum(axis=1)
-    of_length = np.broadcast_to(np.arange(read.shape[1]) < 3, read.shape)[read]
-    return np.array([hat[part].mean() if part.any() else 0.0 for part in (of_length, ~of_length)])
+    second = np.broadcast_to(groups[: read.shape[1]] == 1, read.shape)[read]
+    return np.array([hat[part].mean() if part.any() else 0.0 for part in (~second, second)])
 
 
-def robust_sigma(residual: Array, leverage: Array, robust: bool) -> Array:
-    """Return the noise (k,) of lengths and of rotations, each from its own residuals, per component.
+def robust_sigma(residual: Array, leverage: Array, robust: bool, found: Readings) -> Array:
+    """Return the noise (k,) of each group of columns (lengths and rotations, heights and distances) from its residuals.
 
     `leverage` (2,) is the part of each that the fit has used up.
     """
-    sigma = np.ones(residual.shape[1])
-    for part, used in ((slice(0, 3), leverage[0]), (slice(3, 6), leverage[1])):
+    sigma, groups = np.ones(residual.shape[1]), found.noise_groups(residual.shape[1])
+    for group, used in enumerate(leverage):
+        part = groups == group
         r = residual[:, part]
         r = r[np.isfinite(r)]
         if not r.size:
@@ -555,6 +561,11 @@ def robust_sigma(residual: Array, leverage: Array, robust: bool) -> Array:
         else:
             spread = max(float(np.sqrt(np.mean(r**2))), SMALLEST_SIGMA)
         sigma[part] = spread / np.sqrt(max(1 - used, 0.1))
+        if found.kind == BOTH:
+            # a few readings of one kind can be met exactly at the other's cost: what such instruments read guards them
+            free = len(r) * max(1 - used, 0.1)
+            usual = USUAL_NOISE[group]
+            sigma[part] = np.sqrt((free * sigma[part] ** 2 + USUAL_COUNTS * usual**2) / (free + USUAL_COUNTS))
     return sigma
 
 

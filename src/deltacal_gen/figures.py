@@ -20,6 +20,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from deltacal_gen.measurement import Readings
 from deltacal_gen.mechanism import Array, mechanism_of
 from deltacal_gen.physics import Body, Channels, reading_shift, term_from_dict
 from deltacal_gen.robot import robot_from_dict
@@ -254,8 +255,9 @@ def contribution(found: Mapping[str, Any], effect: int) -> Array | None:
     with_it, without = body.solve(errors, terms)[0].x[:, :3], body.solve(errors, others)[0].x[:, :3]
     turn, origin = np.split(np.array(found["instrument"]["state"][0][:12]), [9])
     read = [x @ turn.reshape(3, 3).T + origin for x in (with_it, without)]
-    rows = np.arange(len(with_it))[:, None]
-    shifted = [r + reading_shift(t, body, rows, r)[0] for r, t in zip(read, (terms, others), strict=True)]
+    every = np.arange(len(with_it))
+    positions = Readings("position", every[:, None], with_it, None, 0 * every, every, every)
+    shifted = [r + reading_shift(t, body, positions, r, with_it)[0] for r, t in zip(read, (terms, others), strict=True)]
     out: Array = shifted[0] - shifted[1]
     return out
 

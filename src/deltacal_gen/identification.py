@@ -19,7 +19,7 @@ from deltacal_gen.accuracy import check_poses, distance_error, largest, volumetr
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation import SPARE_READINGS, Fit, Problem, Repeats, fit, held_out, lengths, pose_problem, rms
 from deltacal_gen.identifiability import Combination
-from deltacal_gen.measurement import MOUNT, Readings, carried
+from deltacal_gen.measurement import BOTH, MOUNT, Readings, carried
 from deltacal_gen.mechanism import SOLVED, Array, Mechanism, mechanism_of
 from deltacal_gen.physics import Body, Term, term_to_dict
 from deltacal_gen.recording import Recording, check_units
@@ -31,8 +31,9 @@ SCHEMA = "deltacal.result/1"
 FOLDS = 5
 SEED = 20150415  # of the folds: results do not change from run to run
 BROAD = 10.0  # standard deviation of a parameter of which nothing is known, in ordinary errors
-SPARE = 1.2  # scalar readings per unknown below which a model is not chosen unasked
+SPARE = 1.15  # scalar readings per unknown below which a model is not chosen unasked: firmware fits 6 to 7 heights
 NOTHING_LEFT = 1e-12  # of a prior's variance: then the data know everything
+SPARE_HEIGHTS = 1  # of probed heights and printed distances, whose noise is roughly known
 PROVEN = 4.0  # standard deviations by which one noise must exceed another to be called larger
 LEAST_EXCESS = 1.15  # of chi2 per degree of freedom: a sidecar's sigma has a digit or two
 IMPLAUSIBLE = 0.005  # of the machine's size: more is no error of parts but of the recording
@@ -234,6 +235,8 @@ def enough(mechanism: Mechanism, problem: Problem, recording: Recording) -> None
 
 def _spare(recording: Recording) -> int:
     """Return how many readings beyond the unknowns a fit needs: none where the noise is known beforehand."""
+    if recording.kind == "height":
+        return SPARE_HEIGHTS
     return 0 if recording.measurement.sigma_mm is not None and recording.kind != "pose" else SPARE_READINGS
 
 
@@ -270,7 +273,7 @@ def enough_poses(problem: Problem, model: str) -> None:
     part to judge by.
     """
     found = problem.readings
-    each = found.values.shape[1] + (0 if found.rotations is None else 3)
+    each = 1 if found.kind == BOTH else found.values.shape[1] + (0 if found.rotations is None else 3)
     poses = len(np.unique(np.round(problem.body.q[np.unique(found.rows)], 9), axis=0))
     scalars = each * len(np.unique(found.group))
     if found.rows.shape[1] == 2:
@@ -298,7 +301,7 @@ def plausible(first: Fit, mechanism: Mechanism) -> None:
     """
     problem, found = first.problem, first.problem.readings
     size = robot_size(problem.robot)
-    off = float(np.nanmedian(np.linalg.norm(lengths(first.residual), axis=1)))
+    off = float(np.median(np.linalg.norm(np.nan_to_num(lengths(first.residual)), axis=1)))
     if off < IMPLAUSIBLE * size:
         return
     for words, changed in _mistakes(problem) if found.kind in ("position", "pose") else ():
@@ -306,7 +309,7 @@ def plausible(first: Fit, mechanism: Mechanism) -> None:
             again = rough(changed, mechanism, robust=True)
         except (InputError, NoSolutionError):
             continue
-        if float(np.nanmedian(np.linalg.norm(lengths(again.residual), axis=1))) < 0.1 * off:
+        if float(np.median(np.linalg.norm(np.nan_to_num(lengths(again.residual)), axis=1))) < 0.1 * off:
             raise InputError(
                 f"the readings are {off:.3g} mm off this machine, but agree with it if {words}.",
                 "Correct the recording, its sidecar or the robot file.",
@@ -490,7 +493,7 @@ def lack_of_fit(final: Fit, recording: Recording) -> bool:
     known = noise(final, recording)
     if known.source == "residual":
         return False
-    r = np.delete(lengths(final.residual), final.gross, axis=0)
+    r = np.delete(lengths(final.residual / final.sigma) * final.sigma[0], final.gross, axis=0)
     r = r[np.isfinite(r)] / (np.sqrt(2.0) if final.problem.readings.made else 1.0)
     free = max(len(r) - final.solution.degrees - final.instrument.n_unknown, 1.0)
     excess = np.log(float(r @ r) / free / known.sigma**2)

@@ -24,8 +24,20 @@ from deltacal_gen.rotation import cayley_matrix, from_vector, mean, to_vector
 from deltacal_gen.units import DEG
 
 MOST_PAIRS = 200_000  # distances that are made of positions at once
-KINDS = ("position", "pose", "distance", "gauge", "sphere")
 MOUNT = ("mx", "my", "mz")  # a gauge's unknowns which, where they are parameters of the machine, a model frees or not
+BOTH = "height and distance"  # of a printer: the bed was probed, and a printed object measured
+KINDS = ("position", "pose", "distance", "gauge", "sphere", "height", BOTH)
+FRAMELESS = ("distance", "height", BOTH)  # the instrument itself has nothing unknown
+_AXES = {"reading.x": 0, "reading.y": 1, "reading.z": 2}
+_TARGETS = {  # what of a reading effects may move, by column
+    "position": _AXES,
+    "pose": _AXES,
+    "distance": {"length": 0},
+    "gauge": {"length": 0},
+    "sphere": {},
+    "height": {"height": 0},
+    BOTH: {"height": 0, "length": 1},
+}
 
 
 @dataclass(frozen=True)
@@ -35,11 +47,12 @@ class Readings:
     Attributes
     ----------
     kind : str
-        position, pose, distance, gauge or sphere.
+        One of `KINDS`.
     rows : (R, 1) or (R, 2) int array
-        Rows of the recording.
+        Rows of the recording; of a height among distances, its row twice.
     values : (R, k) array
-        Position, distance or length [mm], NaN along an axis that the machine does not have; extremes of an image [px].
+        Position, distance, length or height [mm]; extremes of an image [px]. NaN along an axis that the machine does not
+        have, and in a height's row for the distance (or the other way round), where both were measured.
     rotations : (R, 3, 3) array or None
         Measured rotations; NaN where only the position was read.
     setup : (R,) int array
@@ -65,6 +78,15 @@ class Readings:
 
     def __len__(self) -> int:
         return len(self.values)
+
+    @property
+    def targets(self) -> dict[str, int]:
+        """Columns of `values` by what effects on the reading move."""
+        return _TARGETS[self.kind]
+
+    def noise_groups(self, columns: int) -> np.ndarray:
+        """Return which noise each column (columns,) of a residual has: lengths and rotations, heights and distances."""
+        return np.arange(2) if self.kind == BOTH else (np.arange(columns) >= 3).astype(int)
 
     @property
     def n_scalars(self) -> int:
@@ -103,6 +125,8 @@ def readings(recording: Recording, *, as_distance: bool = False) -> Readings:
     """
     kind = recording.kind
     pose = _poses(recording)
+    if kind == "height":
+        return _some(recording, _heights(recording, pose))
     if kind == "distance" or (recording.pairs is not None and len(recording.pairs)):
         if recording.pairs is None or recording.pair_measured is None or recording.pair_line is None:
             raise InputError("no distances between poses are given.", "Add NAME.distances.csv.", file=recording.path)
@@ -161,6 +185,32 @@ def readings(recording: Recording, *, as_distance: bool = False) -> Readings:
         components=recording.components,
     )
     return _some(recording, distances(found, recording) if as_distance and kind in ("position", "pose") else found)
+
+
+def _heights(recording: Recording, pose: np.ndarray) -> Readings:
+    """Return the heights and, where distances were measured too, both."""
+    taken = np.flatnonzero(np.isfinite(recording.measured[:, 0]))
+    heights, zeros = recording.measured[taken], np.zeros(len(taken), dtype=int)
+    if recording.pairs is None or recording.pair_measured is None or recording.pair_line is None:
+        return Readings("height", taken[:, None], heights, None, zeros, pose[taken], recording.line[taken])
+    pairs = np.flatnonzero(np.isfinite(recording.pair_measured))
+    return both(
+        recording,
+        taken,
+        pairs,
+        np.concatenate([heights[:, 0], recording.pair_measured[pairs]]),
+        np.concatenate([recording.line[taken], recording.pair_line[pairs]]),
+    )
+
+
+def both(recording: Recording, rows: np.ndarray, pairs: np.ndarray, values: Array, line: np.ndarray) -> Readings:
+    """Return readings of height at some rows and of distance between some pairs; `values`, `line` in this order."""
+    assert recording.pairs is not None
+    ends = np.concatenate([np.column_stack([rows, rows]), recording.pairs[pairs]])
+    table = np.full((len(ends), 2), np.nan)
+    table[np.arange(len(ends)), (ends[:, 0] != ends[:, 1]).astype(int)] = values
+    _, group = np.unique(np.sort(_poses(recording)[ends], axis=1), axis=0, return_inverse=True)
+    return Readings(BOTH, ends, table, None, np.zeros(len(ends), dtype=int), np.ravel(group), line)
 
 
 def _poses(recording: Recording) -> np.ndarray:
@@ -240,7 +290,7 @@ class Instrument:
 
     @property
     def _kernels(self) -> ModuleType:
-        return importlib.import_module(f"deltacal_kernels.measurements.{self.kind}")
+        return _kernels(self.kind)
 
     @property
     def n_unknown(self) -> int:
@@ -250,7 +300,7 @@ class Instrument:
     @property
     def unknown(self) -> tuple[tuple[str, str], ...]:
         """Name and unit of each unknown, set-up by set-up."""
-        named = [self._kernels.UNKNOWN[j] for j in self.free]
+        named = [self._kernels.UNKNOWN[j] for j in self.free] if self.free else []
         several = len(self.state) > 1
         return tuple(
             (f"{name}_{s + 1}" if several else name, unit) for s in range(len(self.state)) for name, unit, _ in named
@@ -263,8 +313,26 @@ class Instrument:
                 end[:, :3] -= self.home
         return ends
 
+    @staticmethod
+    def _split(found: Readings) -> tuple[tuple[int, np.ndarray, Instrument, Readings], ...]:
+        """Return heights and distances apart: column, place of each reading, and an instrument for them alone."""
+        height = found.rows[:, 0] == found.rows[:, 1]
+        out = []
+        for column, kind in enumerate(("height", "distance")):
+            at = np.flatnonzero(height == (kind == "height"))
+            part = found.subset(at)
+            rows = part.rows[:, :1] if kind == "height" else part.rows
+            alone = dataclasses.replace(part, kind=kind, rows=rows, values=part.values[:, [column]])
+            out.append((column, at, frameless(kind), alone))
+        return tuple(out)
+
     def predict(self, found: Readings, x: Array) -> tuple[Array, Array | None]:
         """Return predicted values (R, k) and, for poses, rotations (R, 3, 3), at platform coordinates x (N, 6)."""
+        if self.kind == BOTH:
+            apart = np.full((len(found), 2), np.nan)
+            for column, at, instrument, part in self._split(found):
+                apart[at, column] = instrument.predict(part, x)[0][:, 0]
+            return apart, None
         ends, given = self._ends(found, x), self.state[found.setup]
         values: Array = self._kernels.reading(*ends, given)
         return values, self._kernels.rotation(*ends, given) if self.kind == "pose" else None
@@ -309,6 +377,11 @@ class Instrument:
         J_p : (R, k, n) array
         J_m : (R, k, n_unknown) array
         """
+        if self.kind == BOTH:
+            J = np.zeros((len(found), 2, dx.shape[2]))
+            for column, at, instrument, part in self._split(found):
+                J[at, column] = instrument.linearise(part, x, dx)[0][:, 0]
+            return J, np.zeros((len(found), 2, 0))
         ends, given = self._ends(found, x), self.state[found.setup]
         by_platform = self._kernels.by_platform(*ends, given)
         J_p = self.scale * sum(by_platform[:, :, e] @ dx[rows] for e, rows in enumerate(found.rows.T))
@@ -373,6 +446,15 @@ def carried(kind: str, mechanism: Mechanism) -> dict[int, int]:
     return {u: mechanism.index[name] for u, name in enumerate(MOUNT) if name in mechanism.index}
 
 
+def _kernels(kind: str) -> ModuleType:
+    return importlib.import_module(f"deltacal_kernels.measurements.{kind}")
+
+
+def frameless(kind: str) -> Instrument:
+    """Return the instrument of a kind that has nothing unknown."""
+    return Instrument(kind, np.zeros((1, 0)), ())
+
+
 def start(found: Readings, recording: Recording, robot: Robot, x: Array) -> Instrument:
     """Return the instrument in its first state, from the poses x (N, 6) of the machine as known so far.
 
@@ -381,8 +463,8 @@ def start(found: Readings, recording: Recording, robot: Robot, x: Array) -> Inst
     """
     known = recording.measurement.frame == "robot"
     setups = int(recording.setup.max()) + 1 if found.kind in ("position", "pose", "sphere") else 1
-    if found.kind == "distance":
-        return Instrument("distance", np.zeros((1, 0)), ())
+    if found.kind in FRAMELESS:
+        return frameless(found.kind)
     if found.kind == "gauge":
         base = recording.measurement.base_point_mm or (0.0, 0.0, 0.0)
         incremental = recording.measurement.zero == "incremental"

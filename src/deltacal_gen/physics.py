@@ -21,11 +21,12 @@ import deltacal_kernels.effects
 import numpy as np
 
 from deltacal_gen.errors import InputError
+from deltacal_gen.measurement import Readings
 from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, Sensitivity
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot
 from deltacal_gen.rotation import cayley_matrix
-from deltacal_gen.units import DEG
+from deltacal_gen.units import DEG, of_sliding
 
 EQUILIBRIUM_STEPS = 25
 EQUILIBRIUM_DONE = 1e-9  # mm and rad: change of the pose that the next step would bring
@@ -41,6 +42,7 @@ LOADS = {
     "moment_y",
 }
 ROLES = {"L", "l", "b"}
+OF_READING = {"after", "y_x", "y_y", "y_z", "y_length", "p_x", "p_y"}  # what no state of a limb is
 STEP_S = 1e-3  # of the second difference that gives the accelerations of the weights
 AXES = ("x", "y", "z")
 Point = tuple[float, float, float]
@@ -240,7 +242,7 @@ class Body:
 
     def __init__(self, robot: Robot, mechanism: Mechanism, q: Array, tool: Array, channels: Channels) -> None:
         self.robot, self.mechanism, self.q, self.tool, self.channels = robot, mechanism, q, tool, channels
-        self._roles, self._moves = mechanism.roles(robot), mechanism.moves(robot)
+        self.roles, self._moves = mechanism.roles(robot), mechanism.moves(robot)
         masses = robot.masses.model_dump() if robot.masses is not None else {}
         self.gravity = np.asarray(masses.pop("gravity", (0.0, 0.0, -9.81)), dtype=float)
         self.inertia = masses.pop("proximal_inertia", None)
@@ -252,10 +254,12 @@ class Body:
         if unknown := [t for t in kernels.TARGETS if t.startswith("limb.") and t[5:] not in self._moves]:
             return f"a part of {self.mechanism.name} that could move as the {unknown[0][5:]} of a limb"
         needs = set(kernels.STATE)
-        if absent := sorted(needs & ROLES - self._roles.keys()):
+        if absent := sorted(needs & ROLES - self.roles.keys()):
             return f"a length of {self.mechanism.name} that plays the part of {absent[0]}"
         if "theta" in needs and "offset" not in self._moves:
             return f"an angle of {self.mechanism.name}'s joints"
+        if "turn" in needs and self._turn() is None:
+            return "pulley_circumference in [transmission]"
         have = self.channels
         if needs & LOADS and self.robot.masses is None:
             return "[masses] in the robot file"
@@ -286,12 +290,13 @@ class Body:
         out: dict[str, Array] = {}
         simple: dict[str, Array | None] = {
             "q": self.q,
+            "turn": self._turn(),
             "speed": have.speed,
             "acceleration": have.acceleration,
             "approach": have.approach,
             "warming": have.warming,
             "time": have.time,
-            **{name: np.broadcast_to(length, (N, limbs)) for name, length in self._roles.items()},
+            **{name: np.broadcast_to(length, (N, limbs)) for name, length in self.roles.items()},
         }
         if "theta" in wanted:
             offsets = self._moves["offset"].items()
@@ -313,6 +318,14 @@ class Body:
             out |= {f"y_{a}": readings[:, j] for j, a in enumerate(AXES)} if readings.shape[1] >= 3 else {}
             out |= {"y_length": readings[:, 0]}
         return out
+
+    def _turn(self) -> Array | None:
+        """Return the turn of each joint (N, n_q) [rad]; of a sliding one, that of the pulley which drives its belt."""
+        if self.mechanism.joint_unit == "rad":
+            return self.q
+        have = self.robot.transmission
+        around = have.pulley_circumference if have is not None else None
+        return None if around is None else self.q * (2 * np.pi / around)
 
     def _inertia(self, x: Array, q: Array, rows: Array) -> Array:
         """Return the torque (N, n_q) of all masses times minus their acceleration [N mm].
@@ -402,7 +415,7 @@ class Body:
         """
         mechanism = self.mechanism
         plain = mechanism.rows(self.robot, errors)
-        names = {s for t in terms for s in t.kernels.STATE} - {"after", "y_x", "y_y", "y_z", "y_length"}
+        names = {s for t in terms for s in t.kernels.STATE} - OF_READING
         if not terms or near is None:
             x, status = mechanism.forward(self.q, self.tool, plain, near)
             if not terms:
@@ -454,7 +467,7 @@ class Body:
             Of the rows `chosen`; other rows are zero.
         """
         (N, limbs), n_x = self.q.shape, self.mechanism.n_x
-        names = sorted({s for t in terms for s in t.kernels.STATE} - {"after", "y_x", "y_y", "y_z", "y_length"})
+        names = sorted({s for t in terms for s in t.kernels.STATE} - OF_READING)
         state = self.state(names, np.nan_to_num(body.x), body.q, body.rows)
         out = np.zeros((N, n_x, sum(t.n_coefficients for t in terms)))
         start = 0
@@ -534,44 +547,56 @@ class Body:
             )
 
 
-def reading_shift(terms: Sequence[Term], body: Body, rows: np.ndarray, values: Array) -> tuple[Array, Array]:
+def reading_shift(terms: Sequence[Term], body: Body, found: Readings, values: Array, x: Array) -> tuple[Array, Array]:
     """Return what effects on the reading add to predicted readings (R, k), and the derivatives (R, k, n_c).
 
     Parameters
     ----------
-    rows : (R, 1 or 2) int array
-        Rows of the recording of each reading.
+    found : Readings
+        Which rows of the recording, and what of them.
     values : (R, k) array
         Readings as predicted without these effects.
+    x : (N, 12) array
+        Poses of the machine.
     """
     R, k = values.shape
     added, parts = np.zeros((R, k)), []
+    columns, rows = found.targets, found.rows[:, 0]
     for term in terms:
         kernels = term.kernels
-        n_c = term.n_coefficients
-        own = np.zeros((R, k, n_c))
-        on = [j for j, t in enumerate(kernels.TARGETS) if _acts(t, k)]
+        own = np.zeros((R, k, term.n_coefficients))
+        on = [(j, columns[t]) for j, t in enumerate(kernels.TARGETS) if t in columns]
         if on and not Body._by_limb(kernels):
-            state: dict[str, Array] = {f"y_{a}": values[:, j] if k >= 3 else np.zeros(R) for j, a in enumerate(AXES)}
-            state["y_length"] = values[:, 0]
+            # a column that this kind of reading does not have is read by no target that acts here
+            state = dict.fromkeys(("y_x", "y_y", "y_z", "y_length"), np.zeros(R))
+            state |= {f"y_{t.rpartition('.')[2]}": values[:, c] for t, c in columns.items()}
+            state |= {f"p_{a}": x[rows, j] for j, a in enumerate(AXES)}
+            state |= {name: np.full(R, np.mean(length)) for name, length in body.roles.items()}
             if body.channels.time is not None:
-                state["time"] = body.channels.time[rows[:, 0]]
+                state["time"] = body.channels.time[rows]
             if set(kernels.STATE) <= state.keys():
                 s = np.column_stack([state[n] for n in kernels.STATE]) if kernels.STATE else np.zeros((R, 0))
                 value, D = (
                     kernels.value(s, term.values, term.constants),
                     kernels.jacobian(s, term.values, term.constants),
                 )
-                for j in on:
-                    row = AXES.index(kernels.TARGETS[j][-1]) if k >= 3 else 0
-                    added[:, row] += value[:, j]
-                    own[:, row] += D[:, j]
+                for j, column in on:
+                    added[:, column] += value[:, j]
+                    own[:, column] += D[:, j]
         parts.append(own)
     return added, np.concatenate(parts, axis=2) if parts else np.zeros((R, k, 0))
 
 
-def _acts(target: str, k: int) -> bool:
-    return {3: target.startswith("reading."), 1: target == "length"}.get(k, False)  # k = 4: the image of a ball
+def coefficients(effect: str, joint_unit: str) -> tuple[tuple[str, str, float], ...]:
+    """Return name, unit in files and factor to the unit inside of an effect's coefficients.
+
+    Those of a joint depend on whether it turns or slides (`joint_unit` rad or mm).
+    """
+    kernels = load_effect(effect)
+    return tuple(
+        (name, *(of_sliding(unit) if joint_unit == "mm" and name in kernels.OF_JOINT else (unit, factor)))
+        for name, unit, factor, _ in kernels.COEFFICIENTS
+    )
 
 
 def term_to_dict(term: Term) -> dict[str, Any]:

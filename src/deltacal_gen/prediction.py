@@ -11,13 +11,13 @@ import numpy as np
 from deltacal_gen.correction import Smooth, variable
 from deltacal_gen.errors import InputError
 from deltacal_gen.estimation import Problem, pose_problem
-from deltacal_gen.measurement import Instrument, Readings, home_of
+from deltacal_gen.measurement import FRAMELESS, Instrument, Readings, frameless, home_of
 from deltacal_gen.mechanism import Array
 from deltacal_gen.physics import Term, reading_shift, term_from_dict
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot, robot_from_dict
 from deltacal_gen.rotation import from_vector, to_vector
-from deltacal_gen.simulation import unread
+from deltacal_gen.simulation import unread, with_values
 
 CORRECTED = "correction_share"  # channel of a prediction
 
@@ -82,14 +82,12 @@ def predict(result: Mapping[str, Any], recording: Recording) -> Recording:
         values = values[:, list(recording.components)]
     if recording.kind == "gauge" and recording.measurement.zero == "incremental":
         values = values - values[0]
-    if recording.kind == "distance":
-        return dataclasses.replace(recording, pair_measured=values[:, 0])
-    return dataclasses.replace(recording, measured=values)
+    return with_values(recording, problem.readings, values)
 
 
 def _read(problem: Problem, instrument: Instrument, x: Array) -> tuple[Array, Array | None]:
     values, rotations = instrument.mounted(problem.mechanism, problem.reference).predict(problem.readings, x)
-    return values + reading_shift(problem.terms, problem.body, problem.readings.rows, values)[0], rotations
+    return values + reading_shift(problem.terms, problem.body, problem.readings, values, x)[0], rotations
 
 
 def _corrected(
@@ -143,8 +141,8 @@ def _instrument(
 ) -> tuple[Readings, Instrument]:
     known = result["instrument"]
     instrument = Instrument.from_dict(known)
-    if found.kind == "distance":
-        return found, Instrument("distance", np.zeros((1, 0)), ())
+    if found.kind in FRAMELESS:
+        return found, frameless(found.kind)
     if recording.measurement.frame == "robot" and found.kind == "position":
         state = np.array([[*np.eye(3).ravel(), 0.0, 0.0, 0.0]] * _setups(recording))
         return found, Instrument("position", state, (), home=home_of(recording, robot))

@@ -322,8 +322,8 @@ def _constant(problem: Problem, name: str) -> str | None:
             return words
     if "payload_torque" in kernels.STATE and np.ptp(have.payload[rows]) == 0:
         return "payloads that differ in the column payload_kg"
-    reads = [t for t in kernels.TARGETS if t == "length" or t.startswith("reading.")]
-    if reads and not any((t == "length") == (kind in ("distance", "gauge")) for t in reads):
+    reads = [t for t in kernels.TARGETS if t in ("length", "height") or t.startswith("reading.")]
+    if reads and not any(t in problem.readings.targets for t in reads):
         return f"readings of another kind than {kind}"
     if displaces_points(kernels) and len(_tools(problem)) < 2:
         return "readings of a second point of the platform"

@@ -16,9 +16,9 @@ from pydantic import Field
 
 from deltacal_gen import sphere
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.measurement import KINDS, Instrument, Readings, home_of
+from deltacal_gen.measurement import BOTH, FRAMELESS, KINDS, Instrument, Readings, both, frameless, home_of
 from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, mechanism_of
-from deltacal_gen.physics import Body, Channels, Term, blank, effect_names, load_effect, reading_shift
+from deltacal_gen.physics import Body, Channels, Term, blank, coefficients, effect_names, load_effect, reading_shift
 from deltacal_gen.recording import Measurement, Recording
 from deltacal_gen.robot import Number, Robot, Table, TomlFile, nearest
 from deltacal_gen.rotation import from_vector, to_vector
@@ -116,7 +116,7 @@ def _term(file: TomlFile, table: dict[str, Any], mechanism: Mechanism) -> Term:
                 "Correct the name.",
                 "effects",
             )
-    for c, (key, _, factor, _) in enumerate(kernels.COEFFICIENTS):
+    for c, (key, _, factor) in enumerate(coefficients(name, mechanism.joint_unit)):
         value = np.asarray(given.get(key, 0.0), dtype=float)
         if value.ndim and len(value) != rows:
             raise file.error(
@@ -188,7 +188,7 @@ def simulate(
     found = unread(poses)
     instrument = _instrument(poses, robot, x, frame, rng).mounted(mechanism, true)
     values, rotations = instrument.predict(found, x)
-    values = values + reading_shift(terms, body, found.rows, values)[0]
+    values = values + reading_shift(terms, body, found, values, x)[0]
     if (noise_mm or noise_rad) and rng is None:
         raise ValueError("noise needs a random generator: pass rng.")
     if noise_mm and rng is not None:
@@ -211,19 +211,35 @@ def simulate(
     done = dataclasses.replace(
         poses, joints=joints, targets=None, measurement=measurement, channels={**poses.channels, **truth}
     )
-    if poses.kind == "distance":
-        return dataclasses.replace(done, pair_measured=values[:, 0])
-    return dataclasses.replace(done, measured=values)
+    return with_values(done, found, values)
+
+
+def with_values(recording: Recording, found: Readings, values: Array) -> Recording:
+    """Return a recording whose measured cells hold `values` (R, k) of all readings that `unread` lists."""
+    if found.kind == "distance":
+        return dataclasses.replace(recording, pair_measured=values[:, 0])
+    if found.kind != BOTH:
+        return dataclasses.replace(recording, measured=values)
+    height = found.rows[:, 0] == found.rows[:, 1]
+    measured = np.full((recording.n_rows, 1), np.nan)
+    measured[found.rows[height, 0], 0] = values[height, 0]
+    return dataclasses.replace(recording, measured=measured, pair_measured=values[~height, 1])
 
 
 def unread(poses: Recording) -> Readings:
-    """Return the readings that would be taken: every row, or every pair."""
+    """Return the readings that would be taken: every row, or every pair; heights at the rows that no pair names."""
     if poses.kind not in KINDS:
         raise InputError(
             f"readings of the kind '{poses.kind}' cannot be simulated yet.",
             f"Kinds: {', '.join(KINDS)}.",
             file=poses.path,
         )
+    if poses.kind == "height" and poses.pairs is not None:
+        own = np.isfinite(poses.measured[:, 0])
+        own[np.setdiff1d(np.arange(poses.n_rows), poses.pairs)] = True
+        rows, pairs = np.flatnonzero(own), np.arange(len(poses.pairs))
+        count = len(rows) + len(pairs)
+        return both(poses, rows, pairs, np.zeros(count), np.arange(count))
     if poses.kind == "distance":
         if poses.pairs is None:
             raise InputError("no pairs of poses are given.", "Add NAME.distances.csv.", file=poses.path)
@@ -241,8 +257,8 @@ def _instrument(
     poses: Recording, robot: Robot, x: Array, frame: tuple[Array, Array] | None, rng: np.random.Generator | None
 ) -> Instrument:
     """Return the instrument that will read: in the robot's frame, in the one given, or in one drawn at random."""
-    if poses.kind == "distance":
-        return Instrument("distance", np.zeros((1, 0)), ())
+    if poses.kind in FRAMELESS:
+        return frameless(BOTH if poses.kind == "height" and poses.pairs is not None else poses.kind)
     measurement: Measurement = poses.measurement
     if poses.kind == "gauge":
         return Instrument("gauge", np.array([[*(measurement.base_point_mm or (0.0, 0.0, 0.0)), 0.0]]), ())

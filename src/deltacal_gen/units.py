@@ -21,3 +21,8 @@ def file_unit(unit: str) -> str:
 def to_internal(unit: str) -> float:
     """Factor from the file's unit to the internal one, e.g. ``to_internal("rad") == pi / 180``."""
     return _PER_FILE_UNIT[unit]
+
+
+def of_sliding(unit: str) -> tuple[str, float]:
+    """Unit in files, and factor to the internal one, of what moves a sliding joint: read mm for deg and N for Nm."""
+    return unit.replace("deg", "mm").replace("Nm", "N"), 1.0

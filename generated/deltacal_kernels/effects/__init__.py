@@ -3,7 +3,9 @@
 EFFECTS = (
     "backlash",
     "base_compliance",
+    "bed_shape",
     "distal_compliance",
+    "effector_tilt",
     "friction_windup",
     "inertial_deflection",
     "instrument_drift",
@@ -18,6 +20,7 @@ EFFECTS = (
     "proximal_bending",
     "thermal_growth",
     "thermal_zero",
+    "tower_lean",
     "transmission_eccentricity",
     "zero_drift",
     "zero_jump",

@@ -1,7 +1,7 @@
 """Frame tilts under the moving weight.
 
 Generated from derive/effects/base_compliance.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both c9935c57bc70bd8e; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both dac4f560ad8ca64f; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): moment_x moment_y;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
@@ -20,6 +20,8 @@ COEFFICIENTS = (
     ("compliance_x", "deg/Nm", 1.7453292519943296e-05, "tilt about x per moment about x"),
     ("compliance_y", "deg/Nm", 1.7453292519943296e-05, "tilt about y per moment about y"),
 )
+# of these a joint that slides has mm for deg and N for Nm
+OF_JOINT = ()
 CONSTANTS = (
 )
 

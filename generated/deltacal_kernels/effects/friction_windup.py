@@ -1,7 +1,7 @@
 """Friction winds the joint up, by direction and load.
 
 Generated from derive/effects/friction_windup.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both d305e965678d59cc; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 139722c1f49e1aae; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): approach torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -19,6 +19,8 @@ TARGETS = ("joint", )
 COEFFICIENTS = (
     ("compliance", "deg/Nm", 1.7453292519943296e-05, "windup per torque"),
 )
+# of these a joint that slides has mm for deg and N for Nm
+OF_JOINT = ("compliance", )
 CONSTANTS = (
 )
 

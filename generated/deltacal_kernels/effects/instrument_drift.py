@@ -1,7 +1,7 @@
 """The instrument drifts.
 
 Generated from derive/effects/instrument_drift.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 07f7de37d3ec784b; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both b5abcb5b84b7a6dd; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): time;
 coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.
@@ -21,6 +21,8 @@ COEFFICIENTS = (
     ("rate_y", "mm/h", 1.0, "drift along the instrument's y"),
     ("rate_z", "mm/h", 1.0, "drift along the instrument's z"),
 )
+# of these a joint that slides has mm for deg and N for Nm
+OF_JOINT = ()
 CONSTANTS = (
 )
 

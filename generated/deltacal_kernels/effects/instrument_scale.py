@@ -1,7 +1,7 @@
 """The instrument's length scale is wrong.
 
 Generated from derive/effects/instrument_scale.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 3b661468c8afc1d2; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 0e7524221fdbb5ab; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 4): y_x y_y y_z y_length;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -19,6 +19,8 @@ TARGETS = ("reading.x", "reading.y", "reading.z", "length", )
 COEFFICIENTS = (
     ("scale", "ppm", 1e-06, "error of the length scale"),
 )
+# of these a joint that slides has mm for deg and N for Nm
+OF_JOINT = ()
 CONSTANTS = (
 )
 

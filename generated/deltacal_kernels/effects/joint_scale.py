@@ -1,7 +1,7 @@
 """Gear ratio or encoder scale is off.
 
 Generated from derive/effects/joint_scale.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 7dbc2f64c4da34fd; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 8e522644e56b14bb; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): q;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -19,6 +19,8 @@ TARGETS = ("joint", )
 COEFFICIENTS = (
     ("scale", "1", 1.0, "error of the scale"),
 )
+# of these a joint that slides has mm for deg and N for Nm
+OF_JOINT = ()
 CONSTANTS = (
 )
 

@@ -1,7 +1,7 @@
 """The position lags the joints.
 
 Generated from derive/effects/latency.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both bce7fb7d885d1c36; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both c73a8bcd1f0f40d0; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): speed acceleration;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -19,6 +19,8 @@ TARGETS = ("joint", )
 COEFFICIENTS = (
     ("delay", "s", 1.0, "time by which the position lags"),
 )
+# of these a joint that slides has mm for deg and N for Nm
+OF_JOINT = ()
 CONSTANTS = (
 )
 

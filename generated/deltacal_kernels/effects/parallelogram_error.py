@@ -1,7 +1,7 @@
 """Rods, spacings or axes of a parallelogram differ.
 
 Generated from derive/effects/parallelogram_error.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both a26e3881962e1f8a; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both e709423f76909ddb; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
 coefficients c (M or 1, 6); constants, one number each. Units mm, rad, N, s, K.
@@ -24,6 +24,8 @@ COEFFICIENTS = (
     ("alpha2", "deg", 0.017453292519943295, "elbow axis turned about the arm"),
     ("beta2", "deg", 0.017453292519943295, "elbow axis turned about the normal of the arm"),
 )
+# of these a joint that slides has mm for deg and N for Nm
+OF_JOINT = ()
 CONSTANTS = (
 )
 

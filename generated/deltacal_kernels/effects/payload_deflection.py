@@ -1,7 +1,7 @@
 """Joint twists under the payload.
 
 Generated from derive/effects/payload_deflection.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both ecbbfe00ab89347c; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both ffa549678ee1be63; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): payload_torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -19,6 +19,8 @@ TARGETS = ("joint", )
 COEFFICIENTS = (
     ("compliance", "deg/Nm", 1.7453292519943296e-05, "twist per torque of the payload"),
 )
+# of these a joint that slides has mm for deg and N for Nm
+OF_JOINT = ("compliance", )
 CONSTANTS = (
 )
 

@@ -1,7 +1,7 @@
 """Arm bends under the rods' pull.
 
 Generated from derive/effects/proximal_bending.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 356ec9d0df04bfe1; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 5efb24ba38916c2e; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): pull_v pull_w;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -19,6 +19,8 @@ TARGETS = ("limb.tip_v", "limb.tip_w", )
 COEFFICIENTS = (
     ("compliance", "mm/N", 1.0, "deflection of the tip per force"),
 )
+# of these a joint that slides has mm for deg and N for Nm
+OF_JOINT = ()
 CONSTANTS = (
 )
 

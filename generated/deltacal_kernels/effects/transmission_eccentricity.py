@@ -1,9 +1,9 @@
 """Periodic error of the transmission.
 
 Generated from derive/effects/transmission_eccentricity.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 84a86d7645cc3298; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 60771b77b07663c6; SymPy 1.14.0.
 
-Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): q;
+Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): turn;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
 """
 
@@ -13,13 +13,15 @@ NAME = "transmission_eccentricity"
 TITLE = "periodic error of the transmission"
 ADVICE = "Check the gear or encoder disc that turns so often for eccentricity. The error repeats exactly, so that the corrected commands undo it."
 PER_LIMB = True
-STATE = ("q", )
+STATE = ("turn", )
 TARGETS = ("joint", )
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("cos", "deg", 0.017453292519943295, "amplitude of the cosine"),
     ("sin", "deg", 0.017453292519943295, "amplitude of the sine"),
 )
+# of these a joint that slides has mm for deg and N for Nm
+OF_JOINT = ("cos", "sin", )
 CONSTANTS = (
     ("order", "1", 1.0, "periods per turn of the joint"),
 )
@@ -27,11 +29,11 @@ CONSTANTS = (
 
 def value(s, c, constants=()):
     """Return by how much each target is moved, (M, 1)."""
-    q = s[:, 0]
+    turn = s[:, 0]
     cos = c[:, 0]
     sin = c[:, 1]
     order = constants[0]
-    s0 = order*q
+    s0 = order*turn
     s5 = cos*np.cos(s0) + sin*np.sin(s0)
     out = np.zeros((len(s), 1))
     out[:, 0] = s5
@@ -40,9 +42,9 @@ def value(s, c, constants=()):
 
 def jacobian(s, c, constants=()):
     """Return the derivatives of `value` by the coefficients, (M, 1, 2)."""
-    q = s[:, 0]
+    turn = s[:, 0]
     order = constants[0]
-    s0 = order*q
+    s0 = order*turn
     s1 = np.cos(s0)
     s3 = np.sin(s0)
     out = np.zeros((len(s), 2))

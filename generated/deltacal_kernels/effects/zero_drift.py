@@ -1,7 +1,7 @@
 """Joint zero moves with time.
 
 Generated from derive/effects/zero_drift.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 89bfe5c05d72665f; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both a42f289e15465dad; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): time;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -19,6 +19,8 @@ TARGETS = ("joint", )
 COEFFICIENTS = (
     ("rate", "deg/h", 0.017453292519943295, "drift of the zero per hour"),
 )
+# of these a joint that slides has mm for deg and N for Nm
+OF_JOINT = ("rate", )
 CONSTANTS = (
 )
 

@@ -1,7 +1,7 @@
 """Joint zero jumps once.
 
 Generated from derive/effects/zero_jump.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 2fe0334971560d26; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both eca174460c151ce9; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): after;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -19,6 +19,8 @@ TARGETS = ("joint", )
 COEFFICIENTS = (
     ("size", "deg", 0.017453292519943295, "size of the jump"),
 )
+# of these a joint that slides has mm for deg and N for Nm
+OF_JOINT = ("size", )
 CONSTANTS = (
     ("when", "s", 1.0, "time of the jump; the row, where there is no time"),
 )

@@ -1,0 +1,15 @@
+"""Geometry that the model in use leaves out: rods of a pair differ, so the effector tilts from place to place."""
+
+from derive.effects import coefficient
+from derive.spec import Effect
+
+dl = coefficient("dl", "mm", 1.0, "length of rod 1 minus rod 2")
+EFFECT = Effect(
+    name="effector_tilt",
+    title="rods of a pair differ and tilt the effector",
+    source="derive/effects/effector_tilt.py",
+    advice="Geometry, not physics: make the two rods of each pair equally long, on a jig or by exchanging rods.",
+    per_limb=True,
+    coefficients=(dl,),
+    targets={"limb.pair_difference": dl.symbol},
+)

@@ -1,0 +1,21 @@
+"""Height of the reference point above the bed, the plane z = 0 of {O}: no unknown of the instrument.
+
+A bed that is mounted askew is a change of the machine's endstops and frame; one that is not flat is an effect.
+"""
+
+from __future__ import annotations
+
+from derive.measurements import platform
+from derive.spec import Measurement
+
+X = platform()
+
+MEASUREMENT = Measurement(
+    name="height",
+    meaning="height of the reference point above the bed [mm]",
+    source="derive/measurements/height.py",
+    platforms=(X,),
+    given=(),
+    unknown=(),
+    reading=(X.position[2],),
+)

@@ -1,0 +1,40 @@
+"""Rods of a pair differ and tilt the effector.
+
+Generated from derive/effects/effector_tilt.py by "deltacal kernels". Do not edit.
+Template templates/effect.py.jinja; sha256 of both 8c82c9f43f40f5f8; SymPy 1.14.0.
+
+Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
+coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
+"""
+
+import numpy as np
+
+NAME = "effector_tilt"
+TITLE = "rods of a pair differ and tilt the effector"
+ADVICE = "Geometry, not physics: make the two rods of each pair equally long, on a jig or by exchanging rods."
+PER_LIMB = True
+STATE = ()
+TARGETS = ("limb.pair_difference", )
+# (name, unit in files, factor to the unit inside, meaning)
+COEFFICIENTS = (
+    ("dl", "mm", 1.0, "length of rod 1 minus rod 2"),
+)
+# of these a joint that slides has mm for deg and N for Nm
+OF_JOINT = ()
+CONSTANTS = (
+)
+
+
+def value(s, c, constants=()):
+    """Return by how much each target is moved, (M, 1)."""
+    dl = c[:, 0]
+    out = np.zeros((len(s), 1))
+    out[:, 0] = dl
+    return out
+
+
+def jacobian(s, c, constants=()):
+    """Return the derivatives of `value` by the coefficients, (M, 1, 1)."""
+    out = np.zeros((len(s), 1))
+    out[:, 0] = 1
+    return out.reshape(len(s), 1, 1)

@@ -1,0 +1,1 @@
+"""Linear delta, three towers and six rods: tables and kernels."""
