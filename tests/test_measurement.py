@@ -259,8 +259,8 @@ def test_a_rotation_read_now_and_then_counts_where_it_was_read(robot: Robot) -> 
 
 
 def test_kinds_that_cannot_be_used_yet_are_named(robot: Robot) -> None:
-    recording = dataclasses.replace(recorded(robot, "position", {}), kind="height")
-    with pytest.raises(InputError, match="readings of the kind 'height' cannot be used yet"):
+    recording = dataclasses.replace(recorded(robot, "position", {}), kind="contact")
+    with pytest.raises(InputError, match="readings of the kind 'contact' cannot be used yet"):
         readings(recording)
 
 

@@ -21,11 +21,14 @@ __version__ = "0.1.0"
 _HOME = {
     "commands": (
         "claims",
+        "compare",
         "compensate",
         "demo",
         "diagnose",
         "effects",
         "identify",
+        "import_klipper",
+        "import_rrf",
         "kernels",
         "matrix",
         "models",

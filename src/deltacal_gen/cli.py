@@ -477,7 +477,9 @@ def compensate(
         Path | None, typer.Option("-o", "--output", help="JOINTS.csv, or the export", show_default=False)
     ] = None,
     kind: Annotated[str, typer.Option(help="exact or linear")] = "exact",
-    export: Annotated[str | None, typer.Option(help="c or table: the compensator itself", show_default=False)] = None,
+    export: Annotated[
+        str | None, typer.Option(help="c, table, klipper or rrf: the compensator itself", show_default=False)
+    ] = None,
     worst: Annotated[float, typer.Option(help="what a table may leave, mm")] = 0.01,
     as_json: Json = False,
 ) -> None:
@@ -492,7 +494,8 @@ def compensate(
         )
         return
     if export is not None:
-        screen.print(f"{kind} compensator written to {output}; what it leaves is stated in the file")
+        what = f"{export} lines" if export in ("klipper", "rrf") else f"{kind} compensator"
+        screen.print(f"{what} written to {output}; what it leaves is stated in the file")
     elif output is not None:
         screen.print(f"{len(joints)} commands written to {output}")
     else:
@@ -596,6 +599,66 @@ def camera_measure(
     balls = camera.record(table, camera.read_camera(camera_file), output)
     blur = sorted(b.blur for b in balls)[len(balls) // 2]
     screen.print(f"{len(balls)} images measured, blur {blur:.2f} px\nwritten to {output}")
+
+
+@app.command()
+def compare(
+    before: Annotated[Path, typer.Argument(metavar="RESULT_A", help="RESULT.json of the earlier session")],
+    after: Annotated[Path, typer.Argument(metavar="RESULT_B", help="RESULT.json of the later session")],
+    output: Annotated[Path | None, typer.Option("-o", "--output", help="COMPARISON.json", show_default=False)] = None,
+    as_json: Json = False,
+) -> None:
+    """Say what changed between two sessions of one machine, by parameter, and what did not."""
+    from deltacal_gen import commands
+
+    found = commands.compare(before, after, output)
+    if as_json:
+        _print_json(found)
+        return
+    table = Table("parameter", "before", "after", "change", "std", "unit", "")
+    for verdict in ("changed", "unchanged", "unknown"):
+        for e in found[verdict]:
+            numbers = (_number(e[k]) for k in ("before", "after", "change", "std"))
+            table.add_row(e["name"], *numbers, e["unit"], verdict)
+    screen.print(table)
+    screen.print(_escaped(found["summary"]))
+
+
+@app.command("import")
+def import_(
+    kind: Annotated[str, typer.Argument(metavar="KIND", help="klipper or rrf")],
+    files: Annotated[list[Path], typer.Argument(metavar="FILE...", help="printer.cfg; or config.g and heightmap.csv")],
+    output: Annotated[Path, typer.Option("-o", "--output", help="folder for robot.toml and recordings")],
+    as_json: Json = False,
+) -> None:
+    """Make a robot file and recordings from what a printer's firmware keeps."""
+    from deltacal_gen import commands
+
+    importers: dict[str, tuple[Callable[..., Any], int]] = {
+        "klipper": (commands.import_klipper, 1),
+        "rrf": (commands.import_rrf, 2),
+    }
+    if kind not in importers:
+        raise typer.BadParameter(f"there is no import '{kind}'; known: {', '.join(importers)}", param_hint="KIND")
+    read, count = importers[kind]
+    if len(files) != count:
+        raise typer.BadParameter(f"{kind} takes {count} file{'s' if count > 1 else ''}", param_hint="FILE")
+    found = read(*files, output)
+    names = [f"{name}.csv" for name in found.recordings]
+    if as_json:
+        _print_json(
+            {
+                "schema": "deltacal.import/1",
+                "folder": str(output),
+                "robot": "robot.toml",
+                "recordings": names,
+                "warnings": list(found.warnings),
+            }
+        )
+        return
+    for warning in found.warnings:
+        aside.print(_escaped(f"warning: {warning}"))
+    screen.print(f"robot.toml, {', '.join(names)} written to {output}")
 
 
 def main() -> None:

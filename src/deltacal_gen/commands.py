@@ -24,6 +24,7 @@ from deltacal_gen.robot import Robot, for_model, for_names, read_robot, read_tex
 from deltacal_gen.units import file_unit, to_internal
 
 if TYPE_CHECKING:
+    from deltacal_gen.imports import Imported
     from deltacal_gen.mechanism import Array
     from deltacal_gen.physics import Term
 
@@ -444,7 +445,8 @@ def compensate(
     output : path
         JOINTS.csv; with `export` the compensator's own file.
     kind : {"exact", "linear"}
-    export : {"c", "table"}, optional
+    export : {"c", "table", "klipper", "rrf"}, optional
+        The last two: a printer's own lines, see `firmware`.
     worst_mm : float
         Of a table: what it may leave.
     channels : mapping of (N,) arrays or numbers, optional
@@ -453,7 +455,7 @@ def compensate(
     tell : callable
         Told in words what was assumed where a channel is not given.
     """
-    from deltacal_gen import compensation, exports, prediction
+    from deltacal_gen import compensation, exports, firmware, prediction
 
     check_output(output, result, targets)
     result = _result(result)
@@ -466,6 +468,8 @@ def compensate(
         writers = {
             "c": lambda path: exports.export_c(compensator, path, spans),
             "table": lambda path: exports.export_table(compensator, path, spans, worst_mm=worst_mm),
+            "klipper": lambda path: firmware.export_firmware(robot, "klipper", path, [t.effect for t in terms]),
+            "rrf": lambda path: firmware.export_firmware(robot, "rrf", path, [t.effect for t in terms]),
         }
         if export not in writers:
             raise UsageError(f"there is no export '{export}' for {robot.mechanism}; known: {', '.join(writers)}.")
@@ -503,6 +507,33 @@ def compensate(
         write_files({Path(output): csv_text(table)})
     in_files: Array = joints / to_internal(mechanism.joint_unit)
     return in_files
+
+
+def compare(
+    before: Source | Mapping[str, Any], after: Source | Mapping[str, Any], output: Source | None = None
+) -> dict[str, Any]:
+    """Return what changed between two sessions of one machine, by parameter with its uncertainty; see `comparison`."""
+    from deltacal_gen import comparison
+
+    check_output(output, before, after)
+    found = comparison.compare(_result(before), _result(after))
+    if output is not None:
+        write_json(found, output)
+    return found
+
+
+def import_klipper(path: Source, output: Source | None = None) -> Imported:
+    """Return a robot and recordings of a Klipper printer.cfg; see `imports.import_klipper`."""
+    from deltacal_gen import imports
+
+    return imports.import_klipper(path, output)
+
+
+def import_rrf(config: Source, height_map: Source, output: Source | None = None) -> Imported:
+    """Return a robot and a recording of RepRapFirmware's config.g and height map; see `imports.import_rrf`."""
+    from deltacal_gen import imports
+
+    return imports.import_rrf(config, height_map, output)
 
 
 def demo(output: Source = "demo", progress: Progress = _silent) -> dict[str, Any]:

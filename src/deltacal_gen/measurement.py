@@ -51,8 +51,8 @@ class Readings:
     rows : (R, 1) or (R, 2) int array
         Rows of the recording; of a height among distances, its row twice.
     values : (R, k) array
-        Position, distance, length or height [mm]; extremes of an image [px]. NaN along an axis that the machine does not
-        have, and in a height's row for the distance (or the other way round), where both were measured.
+        Position, distance, length or height [mm]; extremes of an image [px]. NaN along an axis that the machine does
+        not have, and in a height's row for the distance (or the other way round), where both were measured.
     rotations : (R, 3, 3) array or None
         Measured rotations; NaN where only the position was read.
     setup : (R,) int array

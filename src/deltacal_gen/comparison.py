@@ -1,0 +1,141 @@
+"""Two sessions of one machine: what changed between them, by parameter, and what did not.
+
+Results hold actual minus robot file; sessions of a printer often start from different files, so what differs between
+the files counts too. A change is called one when noise would rarely make the largest of so many differences.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from scipy.special import ndtri
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.mechanism import Array, Mechanism, mechanism_of
+from deltacal_gen.robot import Robot, robot_from_dict
+from deltacal_gen.units import file_unit, to_internal
+
+SCHEMA = "deltacal.comparison/1"
+CHANCE = 0.01  # that noise alone makes any of all parameters look changed
+NUDGE = 1e-3  # mm and rad: by which a dimension and an error are moved to see whether they are one
+
+
+def compare(before: Mapping[str, Any], after: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what changed from one result of `identify` to another of the same machine.
+
+    Returns
+    -------
+    dict
+        ``schema, summary, changed, unchanged, unknown``: lists of parameters with ``name, before, after, change, std,
+        unit``; `before` and `after` are errors relative to the first robot file. *unknown* are those of which a
+        session says nothing.
+
+    Raises
+    ------
+    InputError
+        Results of different mechanisms, or without parameters.
+    """
+    for result in (before, after):
+        if "parameters" not in result:
+            raise InputError("this is no result of identify.", "Give two files that identify wrote.")
+    first, second = (robot_from_dict(r["robot"]) for r in (before, after))
+    if first.mechanism != second.mechanism:
+        raise InputError(
+            f"the results are of different machines: {first.mechanism} and {second.mechanism}.",
+            "Give two sessions of one machine.",
+        )
+    mechanism = mechanism_of(first)
+    files = _between_files(mechanism, first, second)
+    told = [{p["name"]: p for p in r["parameters"]} for r in (before, after)]
+    entries = []
+    for p in mechanism.parameters:
+        a, b = (t[p.name] for t in told)
+        shift = files.get(p.name, 0.0) / to_internal(p.unit)
+        free = [x["status"] != "fixed" for x in (a, b)]
+        if not any(free) and shift == 0:
+            continue
+        known = all(x["std"] is not None or not f for x, f in zip((a, b), free, strict=True))
+        std = float(np.hypot(a["std"] or 0.0, b["std"] or 0.0)) if known else None
+        change = b["value"] + shift - a["value"]
+        entries.append(
+            {
+                "name": p.name,
+                "before": a["value"],
+                "after": b["value"] + shift,
+                "change": change,
+                "std": std,
+                "unit": file_unit(p.unit),
+            }
+        )
+    tested = [e for e in entries if e["std"] is not None]
+    limit = float(-ndtri(CHANCE / 2 / max(len(tested), 1)))
+    changed = [e for e in tested if abs(e["change"]) > limit * e["std"]]
+    unchanged = [e for e in tested if e not in changed]
+    unknown = [e for e in entries if e["std"] is None]
+    changed.sort(key=lambda e: -abs(e["change"]) / max(e["std"], 1e-300))
+    return {
+        "schema": SCHEMA,
+        "summary": _summary(changed, unchanged, unknown, limit),
+        "limit_std": limit,
+        "changed": changed,
+        "unchanged": unchanged,
+        "unknown": unknown,
+    }
+
+
+def _summary(
+    changed: list[dict[str, Any]], same: list[dict[str, Any]], unknown: list[dict[str, Any]], limit: float
+) -> str:
+    parts = [f"{e['name']} moved {e['change']:+.4g} +- {e['std']:.2g} {e['unit']}" for e in changed]
+    text = "; ".join(parts) if parts else "Nothing moved that these sessions can see"
+    if same:
+        text += f"; the other {len(same)} stayed within {limit:.1f} standard deviations of what they were"
+    if unknown:
+        text += f"; of {', '.join(e['name'] for e in unknown)} these readings say nothing"
+    return text + "."
+
+
+def _between_files(mechanism: Mechanism, first: Robot, second: Robot) -> dict[str, float]:
+    """Return what the second robot file has more than the first, as source errors (internal units).
+
+    A dimension and an error are one where moving either moves the machine alike.
+
+    Raises
+    ------
+    InputError
+        The files differ in a dimension that is no source error.
+    """
+    out: dict[str, float] = {}
+    for key, value in first.geometry.items():
+        gap = np.broadcast_to(second.geometry[key] - value, (mechanism.limbs,))
+        if not gap.any():
+            continue
+        errors = _same_as(mechanism, first, key)
+        if errors is None:
+            raise InputError(
+                f"the robot files differ in {key}, which no parameter of the model carries.",
+                "Identify both sessions from the same robot file.",
+            )
+        out |= dict(zip(errors, gap.tolist(), strict=False))
+    return out
+
+
+def _same_as(mechanism: Mechanism, robot: Robot, key: str) -> list[str] | None:
+    """Return the errors, limb by limb or the one of all limbs, that a dimension of the robot file is part of."""
+    rows = mechanism.rows(robot)
+
+    def moved(column: int) -> Array:
+        other = rows.copy()
+        other[:, :, column] += NUDGE
+        constants: Array = mechanism.vectorised.constants(other)
+        return constants
+
+    at = next(j for j, entry in enumerate(mechanism.geometry) if entry.key == key)
+    target = moved(at)
+    own = mechanism.geometry[at].per_limb
+    for name in (*mechanism.errors, *mechanism.common) if own else (*mechanism.common, *mechanism.errors):
+        if np.allclose(moved(mechanism.column(name)), target, rtol=1e-12, atol=1e-9):
+            return [name] if name in mechanism.common else [f"{name}_{i + 1}" for i in range(mechanism.limbs)]
+    return None

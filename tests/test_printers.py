@@ -1,0 +1,262 @@
+"""What printer owners do: import what firmware keeps, calibrate, write it back, compare two sessions."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from conftest import Run
+from test_linear_delta import LINEAR, PRINTER, grid, plausible, recording
+
+from deltacal_gen import InputError, UsageError, commands
+from deltacal_gen.firmware import firmware_lines
+from deltacal_gen.identification import identify
+from deltacal_gen.imports import import_klipper, import_rrf
+from deltacal_gen.mechanism import Array
+from deltacal_gen.robot import Robot, robot_from_dict
+from deltacal_gen.simulation import simulate
+from deltacal_gen.units import DEG
+
+Spoil = Callable[[Array, list[Any]], tuple[Array, list[Any]]]
+STEP = 40.0 / (200 * 16)
+Z_OFFSET = 1.5
+
+
+@pytest.fixture(scope="module")
+def printer() -> Robot:
+    return robot_from_dict(PRINTER | {"transmission": {"pulley_circumference": 40.0}})
+
+
+@pytest.fixture
+def rng() -> np.random.Generator:
+    return np.random.default_rng(5)
+
+
+def joints(robot: Robot, targets: Array, errors: dict[str, float] | None = None) -> Array:
+    return LINEAR.inverse(targets, robot.tool, LINEAR.rows(robot, LINEAR.vector(errors or {})))[0]
+
+
+def printer_cfg(robot: Robot, heights: Array, distances: list[tuple[float, Array, Array]], mesh: str = "") -> str:
+    """Return a configuration as Klipper saves it; positions in motor steps."""
+    g = robot.geometry
+    lines = ["[mcu]", "serial: /dev/tty", "", "[printer]", "kinematics: delta  # of course", "max_velocity: 300", ""]
+    for tower in "abc":
+        lines += [f"[stepper_{tower}]", "rotation_distance: 40", "microsteps: 16", ""]
+    lines += ["[probe]", "x_offset: 2.0", "", "#*# <---------------------- SAVE_CONFIG ---------------------->"]
+    saved = ["[printer]", f"delta_radius = {g['radius'][0]:.6f}", ""]
+    for i, tower in enumerate("abc"):
+        saved += [
+            f"[stepper_{tower}]",
+            f"angle = {g['tower_angle'][i] / DEG:.6f}",
+            f"arm_length = {g['arm_length'][i]:.6f}",
+            f"position_endstop = {g['endstop'][i]:.6f}",
+            "",
+        ]
+    saved += ["[probe]", f"z_offset = {Z_OFFSET:.3f}", "", "[delta_calibrate]"]
+
+    def steps(q: Array) -> str:
+        return ",".join(f"{v:.3f}" for v in q / STEP)
+
+    for k, q in enumerate(heights):
+        saved += [f"height{k} = {Z_OFFSET}", f"height{k}_pos = {steps(q)}"]
+    for k, (length, a, b) in enumerate(distances):
+        saved += [f"distance{k} = {length}", f"distance{k}_pos1 = {steps(a)}", f"distance{k}_pos2 = {steps(b)}"]
+    return "\n".join([*lines, *(f"#*# {line}" for line in [*saved, "", mesh] for line in line.split("\n"))]) + "\n"
+
+
+def object_points() -> list[tuple[Array, Array]]:
+    around = np.radians(np.arange(0, 360, 60))
+    out = 65.0 * np.column_stack([np.cos(around), np.sin(around), 0 * around]) + [0, 0, 1.0]
+    return [(np.array([0, 0, 1.0]), p) for p in out] + [(out[k], out[k - 1]) for k in range(6)]
+
+
+def session(robot: Robot) -> tuple[Array, list[tuple[float, Array, Array]]]:
+    heights = joints(robot, grid(80, 40, Z_OFFSET))
+    distances = [(round(float(np.linalg.norm(b - a)), 4), *joints(robot, np.array([a, b]))) for a, b in object_points()]
+    return heights, distances
+
+
+def test_a_klipper_session_comes_back_as_it_was(tmp_path: Path, printer: Robot) -> None:
+    heights, distances = session(printer)
+    file = tmp_path / "printer.cfg"
+    file.write_text(printer_cfg(printer, heights, distances))
+    got = import_klipper(file, tmp_path / "out")
+    assert not got.warnings
+    for key in ("radius", "arm_length", "tower_angle", "endstop"):
+        assert got.robot.geometry[key] == pytest.approx(printer.geometry[key], abs=1e-5), key
+    back = got.recordings["recording"]
+    assert back.joints[: len(heights)] == pytest.approx(heights, abs=1e-5)
+    assert back.pair_measured == pytest.approx([d[0] for d in distances])
+    found = commands.identify(tmp_path / "out" / "robot.toml", tmp_path / "out" / "recording.csv", "9")
+    assert found["readings"]["kind"] == "height and distance"
+    assert found["train_rms_mm"] < 1e-3
+
+
+def test_a_mesh_is_what_the_probe_met(tmp_path: Path, printer: Robot) -> None:
+    """Carriages computed back put the nozzle where the probe fired, less the probe's own offset."""
+    rng = np.random.default_rng(1)
+    z = 0.1 * rng.standard_normal((5, 5))
+    points = "\n".join("\t " + ", ".join(f"{v:.6f}" for v in row) for row in z)
+    mesh = f"[bed_mesh default]\nversion = 1\npoints =\n{points}\nx_count = 5\ny_count = 5\n" + "\n".join(
+        f"{m}_{a} = {s}80.0" for m, s in (("min", "-"), ("max", "")) for a in "xy"
+    )
+    file = tmp_path / "printer.cfg"
+    file.write_text(printer_cfg(printer, *session(printer), mesh))
+    got = import_klipper(file)
+    found = got.recordings["mesh_default"]
+    x = LINEAR.forward(found.joints, got.robot.tool, LINEAR.rows(got.robot))[0][:, :3]
+    axis = np.linspace(-80, 80, 5)
+    inside = np.hypot(*np.meshgrid(axis, axis)) <= 80
+    assert len(x) == inside.sum() == 13
+    assert x[:, 0] == pytest.approx(np.meshgrid(axis, axis)[0][inside] - 2.0, abs=1e-6)
+    assert x[:, 2] == pytest.approx(z[inside] + Z_OFFSET, abs=1e-5)
+    assert (found.measured == Z_OFFSET).all()
+
+
+@pytest.mark.parametrize(
+    ("spoil", "message"),
+    [
+        (lambda h, d: (h, [*d[:3], d[2], *d[4:]]), "one line was entered twice"),
+        (lambda h, d: (h, [(d[0][0] / 10, *d[0][1:]), *d[1:]]), "no geometry allows that"),
+        (lambda h, d: (h * [1.0, 4.0, 1.0], d), "the rods do not reach"),
+    ],
+)
+def test_mistakes_are_caught_before_any_fit(spoil: Spoil, message: str, tmp_path: Path, printer: Robot) -> None:
+    file = tmp_path / "printer.cfg"
+    file.write_text(printer_cfg(printer, *spoil(*session(printer))))
+    with pytest.raises(InputError, match=message):
+        import_klipper(file)
+
+
+def test_exchanged_distances_are_named(tmp_path: Path, printer: Robot) -> None:
+    heights, distances = session(printer)
+    far = joints(printer, np.array([[-70.0, 0, 1], [70.0, 0, 1]]))
+    distances.append((140.0, *far))
+    distances[3], distances[12] = (distances[12][0], *distances[3][1:]), (distances[3][0], *distances[12][1:])
+    file = tmp_path / "printer.cfg"
+    file.write_text(printer_cfg(printer, heights, distances))
+    with pytest.raises(InputError, match="agrees with distance12: the two are exchanged"):
+        import_klipper(file)
+
+
+def test_endstops_edited_after_probing_and_absurd_arms_are_warned_of(tmp_path: Path, printer: Robot) -> None:
+    heights, _ = session(printer)
+    file = tmp_path / "printer.cfg"
+    edited = printer.geometry | {"endstop": printer.geometry["endstop"] + 5.0}
+    file.write_text(printer_cfg(dataclasses.replace(printer, geometry=edited), heights, []))
+    assert "off by 5.000 mm alike" in import_klipper(file).warnings[0]
+    absurd = printer.geometry | {"arm_length": np.array([225.0, 391.0, 214.0])}
+    file.write_text(printer_cfg(dataclasses.replace(printer, geometry=absurd), heights[:0], session(printer)[1]))
+    with pytest.raises(InputError):
+        import_klipper(file)
+
+
+def test_files_that_are_something_else_say_so(tmp_path: Path, printer: Robot) -> None:
+    file = tmp_path / "printer.cfg"
+    file.write_text("[printer]\nkinematics: corexy\n")
+    with pytest.raises(InputError, match="no delta printer"):
+        import_klipper(file)
+    file.write_text(printer_cfg(printer, *session(printer)).replace("microsteps: 16", ""))
+    with pytest.raises(InputError, match="does not say how long a step is"):
+        import_klipper(file)
+
+
+def test_a_map_of_reprapfirmware(tmp_path: Path, run: Run) -> None:
+    config, chart = tmp_path / "config.g", tmp_path / "heightmap.csv"
+    config.write_text("M665 R130 L270 B90 H300 X-0.5 Y0.25 ; delta\nM666 X-0.4 Y0.1 Z0.3\nG31 P500 X0 Y10 Z2.5\n")
+    chart.write_text(
+        "RepRapFirmware height map file v2 generated at 2026-01-01 00:00, mean error 0.0, deviation 0.1\n"
+        "xmin,xmax,ymin,ymax,radius,xspacing,yspacing,xnum,ynum\n-40.00,40.10,-40.00,40.10,45.00,40.00,40.00,3,3\n"
+        "      0,  0.100,      0\n -0.050,  0.000,  0.025\n      0, -0.110,      0\n"
+    )
+    code, out, _ = run("import", "rrf", config, chart, "-o", tmp_path / "out", "--json")
+    assert code == 0
+    assert json.loads(out)["recordings"] == ["recording.csv"]
+    got = import_rrf(config, chart)
+    assert got.robot.geometry["tower_angle"] / DEG == pytest.approx([209.5, 330.25, 90.0])
+    assert got.robot.geometry["endstop"] == pytest.approx([299.6, 300.1, 300.3])
+    found = got.recordings["recording"]
+    x = LINEAR.forward(found.joints, got.robot.tool, LINEAR.rows(got.robot))[0][:, :3]
+    assert x[:, 2] - 2.5 == pytest.approx([0.1, -0.05, 0.0, 0.025, -0.11], abs=1e-6)
+    assert x[0, :2] == pytest.approx([0, -50.0], abs=1e-6)
+
+
+@pytest.mark.parametrize("kind", ["klipper", "rrf"])
+def test_firmware_gets_back_what_it_can_carry(
+    kind: str, tmp_path: Path, printer: Robot, rng: np.random.Generator
+) -> None:
+    """A machine that firmware can describe goes there and back exactly."""
+    errors = plausible(rng, LINEAR.model("linear_delta/9"))
+    lines = firmware_lines(dataclasses.replace(printer, errors=errors), kind)
+    assert not lines.not_carried
+    assert lines.left_worst_mm < 1e-5
+    if kind == "klipper":
+        file = tmp_path / "printer.cfg"
+        bare = printer_cfg(printer, *session(printer)).split("#*# [printer]")[0]
+        steps = ",".join(f"{v:.3f}" for v in joints(printer, np.array([[0, 0, 0.0]]), errors)[0] / STEP)
+        file.write_text(f"{bare}\n{lines.text}\n[delta_calibrate]\nheight0: 0\nheight0_pos: {steps}\n")
+        got = import_klipper(file).robot
+    else:
+        config, chart = tmp_path / "config.g", tmp_path / "map.csv"
+        config.write_text(lines.text)
+        chart.write_text("height map\nxmin,xmax,ymin,ymax,radius,xspacing,yspacing,xnum,ynum\n0,1,0,1,1,1,1,1,1\n0.0\n")
+        got = import_rrf(config, chart).robot
+    q = joints(printer, grid(80, 40, 20.0), errors)
+    x = LINEAR.forward(q, got.tool, LINEAR.rows(got))[0][:, :3]
+    assert x == pytest.approx(grid(80, 40, 20.0), abs=2e-3)
+
+
+def test_firmware_lines_say_what_they_cannot_carry(printer: Robot) -> None:
+    leaning = dataclasses.replace(printer, errors={"lean_radial_1": 0.3 * DEG, "scale_2": 0.001})
+    lines = firmware_lines(leaning, "klipper", ["transmission_eccentricity"])
+    assert lines.left_worst_mm > 0.005
+    assert f"{lines.left_worst_mm:.4f} mm" in lines.text
+    assert "lean_radial_1 = +0.3000 deg" in lines.text
+    assert "multiply rotation_distance of stepper_b by 1.001000" in lines.text
+    assert "the effect transmission_eccentricity" in lines.text
+    with pytest.raises(UsageError):
+        firmware_lines(printer, "marlin")
+
+
+# ------------------------------------------------------------------------------------------------------- two sessions
+
+
+def test_what_changed_is_named_and_the_rest_is_not(printer: Robot, rng: np.random.Generator) -> None:
+    targets = rng.uniform([-80, -80, 0], [80, 80, 80], (60, 3))
+    truth = plausible(rng, LINEAR.model("linear_delta/9"))
+    poses = recording(printer, targets, "position")
+    later = truth | {"endstop_2": truth["endstop_2"] + 0.2}
+    first, second = (
+        identify(printer, simulate(printer, poses, t, noise_mm=0.01, rng=rng), "9").to_dict() for t in (truth, later)
+    )
+    found = commands.compare(first, second)
+    assert [e["name"] for e in found["changed"]] == ["endstop_2"]
+    assert found["changed"][0]["change"] == pytest.approx(0.2, abs=0.03)
+    assert "endstop_2 moved +0.2" in found["summary"]
+    assert len(found["unchanged"]) == 8
+
+
+def test_sessions_from_different_robot_files_are_compared_by_the_machine(
+    printer: Robot, rng: np.random.Generator
+) -> None:
+    """Firmware saves a new geometry after every session: what the file took over is no change."""
+    targets = rng.uniform([-80, -80, 0], [80, 80, 80], (60, 3))
+    truth = plausible(rng, LINEAR.model("linear_delta/9"))
+    done = simulate(printer, recording(printer, targets, "position"), truth, noise_mm=0.01, rng=rng)
+    moved = dataclasses.replace(
+        printer,
+        geometry=printer.geometry
+        | {"radius": printer.geometry["radius"] + 0.3, "arm_length": printer.geometry["arm_length"] + 0.2},
+    )
+    first, second = (identify(robot, done, "9").to_dict() for robot in (printer, moved))
+    found = commands.compare(first, second)
+    assert not found["changed"]
+    assert {e["name"] for e in found["unchanged"]} == set(LINEAR.model("linear_delta/9"))
+    other = dataclasses.replace(printer, geometry=printer.geometry | {"rod_spacing": np.array([60.0])})
+    with pytest.raises(InputError, match="rod_spacing"):
+        commands.compare(first, identify(other, done, "9").to_dict())
