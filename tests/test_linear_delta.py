@@ -225,6 +225,18 @@ def test_seven_heights_carry_six_parameters(printer: Robot, rng: np.random.Gener
     assert found["train_rms_mm"] < 0.03
 
 
+def test_a_session_of_seven_heights_names_no_physics_and_says_why(printer: Robot, rng: np.random.Generator) -> None:
+    """A bent belt pulley is in the readings all the same; six parameters of seven readings take it over."""
+    angles = np.radians([0, 60, 120, 180, 240, 300])
+    points = np.vstack([[0, 0, 0], np.column_stack([90 * np.cos(angles), 90 * np.sin(angles), 0 * angles])])
+    term = blank("transmission_eccentricity", (2,), (1.0,)).with_values(np.array([0.1, 0.1]))
+    done = simulate(printer, recording(printer, points), {}, noise_mm=0.01, rng=rng, terms=[term])
+    found = commands.diagnose(printer, done)
+    assert (found["verdict"], found["effects"], found["baseline"]["model"]) == ("adequate", [], "linear_delta/6")
+    assert "7 readings carry the 6 parameters of linear_delta/6 and leave 1 to judge by" in found["summary"]
+    assert all("at least 24 readings" in t["missing"] for t in found["not_tested"])
+
+
 def test_heights_and_distances_count_each_with_its_own_noise(printer: Robot, rng: np.random.Generator) -> None:
     heights = grid(90, 30)
     printed = rng.uniform([-70, -70, 2], [70, 70, 30], (40, 3))

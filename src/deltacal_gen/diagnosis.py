@@ -22,9 +22,9 @@ from deltacal_gen import identification
 from deltacal_gen.correction import Correction, correct
 from deltacal_gen.discrimination import Question, more_poses, next_measurements
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.estimation import Fit, Problem, fit, held_out, held_out_residuals, pose_problem, rms
+from deltacal_gen.estimation import SPARE_READINGS, Fit, Problem, fit, held_out, held_out_residuals, pose_problem, rms
 from deltacal_gen.identification import Noise, folds, noise
-from deltacal_gen.measurement import Instrument
+from deltacal_gen.measurement import BOTH, Instrument
 from deltacal_gen.mechanism import Array, mechanism_of
 from deltacal_gen.physics import Body, Term, blank, coefficients, effect_names, load_effect, term_to_dict
 from deltacal_gen.recording import Recording, check_units, set_aside
@@ -64,6 +64,7 @@ class Diagnosis:
     next_measurements: list[dict[str, Any]]
     robot: Robot
     correction: Correction | None = None
+    lean: bool = False
 
     @property
     def short(self) -> bool:
@@ -116,14 +117,16 @@ def diagnose(
     check_units(recording, robot)
     recording = set_aside(recording, robot)
     mechanism = mechanism_of(robot)
-    model = model or mechanism.full_model
+    lean = model is None and _lean(robot, recording)
+    model = lean or model or mechanism.full_model
     names = mechanism.model(model)
     problem = pose_problem(robot, recording, names)
     scale = np.array([robot.tolerance.get(n, MACHINED * s) for n, s in zip(names, problem.scale, strict=True)])
     problem = dataclasses.replace(problem, scale=scale)
-    identification.enough(mechanism, problem, recording)
     identification.distinct(problem, recording)
-    identification.enough_poses(problem, model)
+    if not lean:
+        identification.enough(mechanism, problem, recording)
+        identification.enough_poses(problem, model)
     progress("geometry")
     rough = identification.rough(problem, mechanism, robust=True, must_converge=False)
     identification.plausible(rough, mechanism)
@@ -132,11 +135,13 @@ def diagnose(
     baseline = fit(
         problem, Prior(), errors=rough.errors, instrument=rough.instrument, drop_gross=False, must_converge=False
     )
-    terms, not_tested = library(problem)
+    terms, not_tested = library(problem) if not lean else ([], _untested(problem))
     search, considered = _chosen(problem, baseline, terms, progress)
     progress("what is left")
     left = structures(search.fit)
-    unexplained = identification.lack_of_fit(search.fit, recording) or any(s.earned > MARGIN for s in left)
+    unexplained = not lean and (
+        identification.lack_of_fit(search.fit, recording) or any(s.earned > MARGIN for s in left)
+    )
     if left[0].earned > MARGIN and search.effects:
         search = _proven(problem, search, left[0].channel)
         left = structures(search.fit)
@@ -174,7 +179,29 @@ def diagnose(
         next_measurements=next_measurements(current, questions, location if unexplained else None),
         robot=calibrated,
         correction=correct(current, left, parts) if unexplained else None,
+        lean=bool(lean),
     )
+
+
+def _lean(robot: Robot, recording: Recording) -> str | None:
+    """Return the model of a printer's own session, whose few heights carry firmware's parameters and nothing else.
+
+    None where the readings carry the full geometry, beside which effects can be told.
+    """
+    mechanism = mechanism_of(robot)
+    problem = pose_problem(robot, recording, ())
+    full = len(mechanism.model(mechanism.full_model)) + SPARE_READINGS
+    if problem.readings.kind not in ("height", BOTH) or problem.readings.n_scalars >= full:
+        return None
+    return identification.chosen_model(mechanism, problem, recording, None)
+
+
+def _untested(problem: Problem) -> list[dict[str, str]]:
+    full = len(problem.mechanism.model(problem.mechanism.full_model)) + SPARE_READINGS
+    why = (
+        f"at least {full} readings, of which there are {problem.readings.n_scalars}: fewer cannot tell it from geometry"
+    )
+    return [{"name": name, "missing": why} for name in effect_names()]
 
 
 # -------------------------------------------------------------------------------------------------- what is named
@@ -542,6 +569,13 @@ def _effect(found: Named, joint_unit: str) -> dict[str, Any]:
 
 def _summary(found: Diagnosis) -> str:
     before, after = found.heldout
+    if found.lean:
+        scalars, count = found.final.problem.readings.n_scalars, len(found.final.problem.names)
+        return (
+            f"No physics can be named: {scalars} readings carry the {count} parameters of {found.model} and leave "
+            f"{scalars - count} to judge by; whatever is missing, the parameters take over. The fit leaves "
+            f"{found.final.rms():.4f} mm. Probe a mesh over the whole bed, and measure distances on a printed object."
+        )
     if found.short:
         held_out = f"{before:.4f} mm" if np.isfinite(before) else "too little to say"
         return (

@@ -129,7 +129,7 @@ def identify(
     check_units(recording, robot)
     mechanism = mechanism_of(robot)
     everything = pose_problem(robot, recording, (), as_distance=as_distance, held=held)
-    chosen = _model(mechanism, everything, recording, model)
+    chosen = chosen_model(mechanism, everything, recording, model)
     names = mechanism.model(chosen)
     for term in held:
         if why := everything.body.missing(term.effect):
@@ -200,7 +200,7 @@ def _with_prior(problem: Problem, robot: Robot) -> tuple[Problem, tuple[bool, ..
     return dataclasses.replace(problem, scale=sd), given
 
 
-def _model(mechanism: Mechanism, problem: Problem, recording: Recording, asked: str | None) -> str:
+def chosen_model(mechanism: Mechanism, problem: Problem, recording: Recording, asked: str | None) -> str:
     """Return the model asked for, or the largest that the readings allow.
 
     Raises
