@@ -260,3 +260,30 @@ def test_sessions_from_different_robot_files_are_compared_by_the_machine(
     other = dataclasses.replace(printer, geometry=printer.geometry | {"rod_spacing": np.array([60.0])})
     with pytest.raises(InputError, match="rod_spacing"):
         commands.compare(first, identify(other, done, "9").to_dict())
+
+
+# ------------------------------------------------------------------------------------------------------ flat but wrong
+
+
+def test_flat_but_wrong_is_said_in_numbers_and_one_distance_settles_it(
+    printer: Robot, rng: np.random.Generator
+) -> None:
+    heights = simulate(printer, recording(printer, grid(80, 40)), {}, noise_mm=0.02, rng=rng)
+    found = identify(printer, heights).to_dict()
+    first = found["next_measurements"][0]
+    assert first["measurement"].startswith("print two marks")
+    assert first["open_mm"] > 0.2
+    ends = np.array([[-80.0, 0, 0], [80.0, 0, 0], [0, -80.0, 0], [0, 80.0, 0]])
+    both = recording(printer, np.vstack([grid(80, 40), ends]), pairs=np.array([[13, 14], [15, 16]]))
+    settled = identify(printer, simulate(printer, both, {}, noise_mm=0.02, rng=rng)).to_dict()
+    left = [m["open_mm"] for m in settled["next_measurements"]]
+    assert not left or left[0] < 0.7 * first["open_mm"]
+
+
+def test_known_rods_leave_less_open(printer: Robot, rng: np.random.Generator) -> None:
+    poses = recording(printer, grid(80, 40))
+    heights = simulate(printer, poses, {}, noise_mm=0.02, rng=rng)
+    callipers = {f"arm_{i}": 0.05 for i in (1, 2, 3)} | {f"radius_{i}": 0.05 for i in (1, 2, 3)}
+    known = dataclasses.replace(printer, tolerance=callipers)
+    open_mm = [identify(r, heights).to_dict()["next_measurements"][0]["open_mm"] for r in (printer, known)]
+    assert open_mm[1] < open_mm[0]

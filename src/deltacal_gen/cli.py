@@ -332,7 +332,8 @@ def _show_result(found: Mapping[str, Any]) -> None:
         if len(found["unidentifiable"]) > len(shown):
             screen.print(f"  - and {len(found['unidentifiable']) - len(shown)} more, in the result file")
     for m in found["next_measurements"][:2]:
-        screen.print(f"  + {m['measurement']} would pin {m['pins']} of the {m['of']} free directions")
+        pins = "" if "open_mm" in m else f" would pin {m['pins']} of the {m['of']} free directions"
+        screen.print(f"  + {m['measurement']}{pins}")
     if found["gross_errors"]:
         screen.print(f"gross errors in lines {', '.join(map(str, found['gross_errors']))}: they took next to no part")
     if found["accuracy"]:

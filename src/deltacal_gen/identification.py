@@ -17,7 +17,18 @@ import numpy as np
 from deltacal_gen import identifiability
 from deltacal_gen.accuracy import check_poses, distance_error, largest, volumetric_error
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
-from deltacal_gen.estimation import SPARE_READINGS, Fit, Problem, Repeats, fit, held_out, lengths, pose_problem, rms
+from deltacal_gen.estimation import (
+    SPARE_READINGS,
+    USUAL_NOISE,
+    Fit,
+    Problem,
+    Repeats,
+    fit,
+    held_out,
+    lengths,
+    pose_problem,
+    rms,
+)
 from deltacal_gen.identifiability import Combination
 from deltacal_gen.measurement import BOTH, MOUNT, Readings, carried
 from deltacal_gen.mechanism import SOLVED, Array, Mechanism, mechanism_of
@@ -174,7 +185,11 @@ def identify(
         unseen=unseen,
         weak=weak,
         base=identifiability.base(per_unit, names, units, typical) if unseen else [],
-        remedies=_remedies(final) if unseen or weak else [],
+        remedies=printed(final)
+        if problem.readings.kind in ("height", BOTH)
+        else _remedies(final)
+        if unseen or weak
+        else [],
         noise=noise(final, recording),
         prior_given=given,
         robot=calibrated,
@@ -540,6 +555,55 @@ def _remedies(final: Fit) -> list[dict[str, Any]]:
         for gain, text in sorted(gains, key=lambda g: -g[0])
         if gain > 0
     ]
+
+
+def printed(final: Fit) -> list[dict[str, Any]]:
+    """Return the one or two distances to print and measure that settle what probed heights leave open.
+
+    Heights make a bed flat; the size of what is printed over it hangs on arms, radius and towers that they hardly see.
+    All source errors count here, free or not, each with its prior: `[tolerance]`, or a broad one. What a distance may
+    be off by is told with the change of the machine that goes along with it.
+    """
+    robot, mechanism = final.problem.robot, final.problem.mechanism
+    names = mechanism.model(mechanism.full_model)
+    every, _ = _with_prior(final.problem.with_names(names), robot)
+    state = every.linearise(final.errors, final.instrument)
+    A = np.nan_to_num(state.J_p * every.scale / final.sigma[None, :, None]).reshape(-1, len(names))
+    C = np.linalg.inv(A.T @ A + np.eye(len(names))) * np.outer(every.scale, every.scale)
+    reach = every.body.solve(final.errors, ())[0].x[np.unique(every.readings.rows)]
+    wide = float(np.max(np.linalg.norm(reach[:, :2], axis=1)))
+    turns = np.arange(0, 180, 30) * DEG
+    ends = wide * np.column_stack([np.cos(turns), np.sin(turns), 0 * turns])
+    points = np.concatenate([-ends, ends])
+    points[:, 2] = np.median(reach[:, 2])
+    rows = mechanism.rows(robot, final.errors)
+    q, x, status = mechanism.inverse(points, robot.tool, rows)
+    if (status != SOLVED).any():
+        return []
+    dx = mechanism.sensitivity(x, q, robot.tool, rows).parameters[:, :3, every.columns]
+    n = len(turns)
+    J = np.einsum("ni,nij->nj", ends / wide, dx[n:] - dx[:n])
+    chosen: list[dict[str, Any]] = []
+    while len(chosen) < 2:
+        std = np.sqrt(np.einsum("ni,ij,nj->n", J, C, J))
+        k = int(np.argmax(std))
+        if std[k] < 2 * USUAL_NOISE[1]:
+            break
+        along = C @ J[k] / std[k]
+        size = np.abs(along) / mechanism.typical[every.columns]
+        told = [
+            f"{names[j]} {along[j] / to_internal(unit):+.2g} {file_unit(unit)}"
+            for j in np.argsort(-size)[:4]
+            for unit in [mechanism.parameters[mechanism.index[names[j]]].unit]
+        ]
+        text = (
+            f"print two marks {2 * wide:.0f} mm apart through the centre, {turns[k] / DEG:.0f} deg from x, and measure "
+            f"their distance: the heights leave it open by {std[k]:.2g} mm, with a bed as flat ({', '.join(told)})"
+        )
+        chosen.append({"measurement": text, "pins": 1, "of": len(names), "open_mm": float(std[k])})
+        gain = C @ J[k]
+        C = C - np.outer(gain, gain) / (std[k] ** 2 + USUAL_NOISE[1] ** 2)
+    return chosen
 
 
 def _as_positions(problem: Problem) -> Problem:

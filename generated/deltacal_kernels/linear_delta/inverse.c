@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/inverse.c.jinja; sha256 of both e6478942251b78ba; SymPy 1.14.0.
+ * Template templates/mechanism/inverse.c.jinja; sha256 of both bd13458391dd7f91; SymPy 1.14.0.
  *
  * The exact compensator: inverse position of the calibrated machine, by Newton on joints and platform rotation.
  * An export puts the machine's numbers before this text: DELTACAL_K[3][21], DELTACAL_TOOL[3],
@@ -206,7 +206,7 @@ static void newton(const double *x, double q, const double *tool, const double *
     out[15] = s617;
 }
 
-/* Joint of the simplified limb at a given position (22 operations). */
+/* Joint of the simplified limb at a given position, then the platform's coordinates that follow from it (22 operations). */
 static void joint(const double *x, double q, const double *tool, const double *k, double *out)
 {
     const double px = x[0];
@@ -303,12 +303,13 @@ static int hold(double loop[3 * LIMB], double joints[3], double rotation[3])
 
 int deltacal_compensate(const double target_mm[3], double joints_mm[3])
 {
-    double x[6], q[3], change[3], turned[3], loop[3 * LIMB];
+    double x[6], q[3], change[3], start[1], turned[3], loop[3 * LIMB];
     int i, c, steps;
     for (c = 0; c < 6; c++)
         x[c] = c < 3 ? target_mm[c] : 0.0;
     for (i = 0; i < 3; i++) {
-        joint(x, 0.0, DELTACAL_TOOL, DELTACAL_K[i], &q[i]);
+        joint(x, 0.0, DELTACAL_TOOL, DELTACAL_K[i], start);
+        q[i] = start[0];
         if (!isfinite(q[i]))
             return DELTACAL_UNREACHABLE;
     }

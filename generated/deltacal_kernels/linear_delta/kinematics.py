@@ -1,7 +1,7 @@
 """Kinematics of `linear_delta`: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both de5bf71a521bab54; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both fc3c48a5bde0aed7; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -552,7 +552,7 @@ def _sphere(x, q, tool, k, out):
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def _joint(x, q, tool, k, out):
-    """Joint of the simplified limb at a given position (22 operations)."""
+    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it (22 operations)."""
     px = x[0]
     py = x[1]
     pz = x[2]
@@ -644,15 +644,15 @@ def jacobians(x, q, tool, k, F, J_x, J_q, J_p):
     Rows 2 i .. 2 i + 1 belong to limb i and depend on its own joint, errors and deflections only:
     J_q and J_p hold the derivatives by those.
     """
-    out = np.zeros(18)
+    out, by_errors = np.zeros(16), np.zeros(18)
     for n in range(x.shape[0]):
         m = n if k.shape[0] > 1 else 0
         _closure(x[n], q[n], tool[n], k[m], out, F[n], J_x[n], J_q[n])
         for i in range(3):
-            _parameters(x[n], q[n, i], tool[n], k[m, i], out)
+            _parameters(x[n], q[n, i], tool[n], k[m, i], by_errors)
             for j in range(2):
                 for c in range(9):
-                    J_p[n, 2 * i + j, c] = out[9 * j + c]
+                    J_p[n, 2 * i + j, c] = by_errors[9 * j + c]
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -743,7 +743,7 @@ def inverse(target, tool, k, x, q, status):
     A = np.empty((6, 6))
     step = np.empty((6, 1))
     out = np.zeros(16)
-    pose, joints = np.zeros(6), np.empty(3)
+    pose, joints, start = np.zeros(6), np.empty(3), np.zeros(1)
     for n in range(target.shape[0]):
         m = n if k.shape[0] > 1 else 0
         pose[:] = 0.0
@@ -751,8 +751,8 @@ def inverse(target, tool, k, x, q, status):
             pose[c] = target[n, c]
         seeded = True
         for i in range(3):
-            _joint(pose, 0.0, tool[n], k[m, i], out)
-            joints[i] = out[0]
+            _joint(pose, 0.0, tool[n], k[m, i], start)
+            joints[i] = start[0]
             seeded = seeded and math.isfinite(joints[i])
         status[n] = UNREACHABLE
         for _ in range(MAX_STEPS if seeded else 0):

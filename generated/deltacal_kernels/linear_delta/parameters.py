@@ -1,11 +1,12 @@
 """Tables of `linear_delta`: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 1cbadf0b747ad8b7; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 4f3cfa623ede325d; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 
 NAME = "linear_delta"
+MACHINE = "linear_delta"  # whose robot files these are the source errors of
 TITLE = "Linear delta, three towers and six rods"
 REFERENCE = "contract, section 1; Klipper, klippy/kinematics/delta.py; RepRapFirmware, LinearDeltaKinematics"
 LIMBS = 3
@@ -35,16 +36,16 @@ GEOMETRY = (
     ("rod_spacing", "mm", "spacing of the two rods of a pair; only `dl` needs it", False, (50.0,), "geometry", True, None),
 )
 
-# (name, unit, meaning, size of an ordinary error): the next columns, one source error each
+# (name, unit, meaning, size of an ordinary error, names limb by limb): the next columns, one source error each
 ERRORS = (
-    ("endstop", "mm", "height of the endstop", 1.0),
-    ("arm", "mm", "rod length, mean of the pair", 0.3),
-    ("radius", "mm", "radius of this tower, beside what all share", 0.3),
-    ("angle", "rad", "direction of the tower about z", 0.003490658503988659),
-    ("lean_radial", "rad", "lean of the tower outwards, about its foot", 0.003490658503988659),
-    ("lean_tangential", "rad", "lean of the tower counter-clockwise, about its foot", 0.003490658503988659),
-    ("scale", "1", "true way of the carriage per counted way, less 1", 0.0003),
-    ("dl", "mm", "rod length, rod 1 minus rod 2", 0.3),
+    ("endstop", "mm", "height of the endstop", 1.0, ("endstop_1", "endstop_2", "endstop_3",)),
+    ("arm", "mm", "rod length, mean of the pair", 0.3, ("arm_1", "arm_2", "arm_3",)),
+    ("radius", "mm", "radius of this tower, beside what all share", 0.3, ("radius_1", "radius_2", "radius_3",)),
+    ("angle", "rad", "direction of the tower about z", 0.003490658503988659, ("angle_1", "angle_2", "angle_3",)),
+    ("lean_radial", "rad", "lean of the tower outwards, about its foot", 0.003490658503988659, ("lean_radial_1", "lean_radial_2", "lean_radial_3",)),
+    ("lean_tangential", "rad", "lean of the tower counter-clockwise, about its foot", 0.003490658503988659, ("lean_tangential_1", "lean_tangential_2", "lean_tangential_3",)),
+    ("scale", "1", "true way of the carriage per counted way, less 1", 0.0003, ("scale_1", "scale_2", "scale_3",)),
+    ("dl", "mm", "rod length, rod 1 minus rod 2", 0.3, ("dl_1", "dl_2", "dl_3",)),
 )
 
 # the same, one for all limbs: the next columns, equal in every row

@@ -1,7 +1,7 @@
 """Kinematics of `linear_delta` in plain NumPy: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both 6f5e7dd413ff1469; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 9d047466c43b1427; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -542,7 +542,7 @@ def _sphere(x, q, tool, k):
 
 
 def _joint(x, q, tool, k):
-    """Joint of the simplified limb at a given position: (N, 1)."""
+    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it: (N, 1)."""
     px = x[:, 0]
     py = x[:, 1]
     pz = x[:, 2]
@@ -655,7 +655,8 @@ def inverse(target, tool, k, x, q, status):
     x[:, :3] = target
     with np.errstate(invalid="ignore"):
         for i in range(3):
-            q[:, i] = _joint(x, 0.0, tool, k[:, i])[:, 0]
+            start = _joint(x, 0.0, tool, k[:, i])
+            q[:, i] = start[:, 0]
     status[:] = UNREACHABLE
     active = np.flatnonzero(np.isfinite(q).all(axis=1))
     for _ in range(MAX_STEPS):
