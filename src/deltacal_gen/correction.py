@@ -148,7 +148,7 @@ def correct(at: Fit, left: Sequence[Structure], parts: Sequence[tuple[np.ndarray
         return None
     # what is left out looked like gross errors where it is strongest
     r = first.errors(first.step(chosen, set()), chosen)
-    linear = _Linear(at, parts, robust_weights(r, robust_sigma(r, np.zeros(2), robust=True), drop=True))
+    linear = _Linear(at, parts, robust_weights(r, robust_sigma(r, np.zeros(2), True, at.problem.readings), drop=True))
     options = linear.options(variables)
     # every part is predicted by what the other parts choose and fit
     without, corrected = [], []
