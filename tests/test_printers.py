@@ -262,6 +262,46 @@ def test_sessions_from_different_robot_files_are_compared_by_the_machine(
         commands.compare(first, identify(other, done, "9").to_dict())
 
 
+def test_a_session_from_the_file_calibrated_before_shows_only_what_moved(
+    printer: Robot, rng: np.random.Generator
+) -> None:
+    """The second result counts from the first one's robot; what that robot holds already is no change."""
+    targets = rng.uniform([-80, -80, 0], [80, 80, 80], (60, 3))
+    truth = plausible(rng, LINEAR.model("linear_delta/9"))
+    moved = truth | {"endstop_2": truth["endstop_2"] + 0.2}
+    poses = recording(printer, targets, "position")
+    before, after = (simulate(printer, poses, t, noise_mm=0.01, rng=rng) for t in (truth, moved))
+    first = identify(printer, before, "9")
+    found = commands.compare(first.to_dict(), identify(first.robot, after, "9").to_dict())
+    assert [e["name"] for e in found["changed"]] == ["endstop_2"]
+    assert found["changed"][0]["change"] == pytest.approx(0.2, abs=0.03)
+
+
+def test_six_parameters_of_firmware_are_enough_where_the_rest_is_known_from_before(
+    printer: Robot, rng: np.random.Generator
+) -> None:
+    """What firmware cannot fit is held from the earlier session, whatever geometry the later robot file has."""
+    names = LINEAR.model("linear_delta/21")
+    truth = plausible(rng, names)
+    truth |= {n: 4 * truth[n] for n in names if n.startswith(("lean", "radius_"))}
+    six = LINEAR.model("linear_delta/6")
+    later = truth | {n: truth.get(n, 0.0) + float(rng.normal(0, 0.2 if "angle" not in n else 1e-3)) for n in six}
+    poses = recording(printer, grid(100, 20))
+    sessions = [simulate(printer, poses, t, noise_mm=0.01, rng=rng) for t in (truth, later)]
+    diagnosis = commands.diagnose(printer, sessions[0])
+    longer = printer.geometry["arm_length"] + 0.3  # firmware saved other arms in between
+    saved = dataclasses.replace(printer, geometry=printer.geometry | {"arm_length": longer})
+    alone = commands.identify(printer, sessions[1], "6")
+    held = commands.identify(printer, sessions[1], "6", physics=diagnosis)
+    elsewhere = commands.identify(saved, sessions[1], "6", physics=diagnosis)
+    assert held["train_rms_mm"] < 0.013 < 2 * 0.013 < alone["train_rms_mm"]
+    assert elsewhere["train_rms_mm"] == pytest.approx(held["train_rms_mm"], rel=1e-3)
+    told = {p["name"]: p for p in elsewhere["parameters"]}
+    kept = {p["name"]: p for p in held["parameters"]}
+    assert told["arm_1"]["status"] == "fixed"
+    assert told["arm_1"]["value"] == pytest.approx(kept["arm_1"]["value"] - 0.3)
+
+
 # ------------------------------------------------------------------------------------------------------ flat but wrong
 
 

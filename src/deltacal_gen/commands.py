@@ -302,13 +302,15 @@ def identify(
     """Identify a robot's source errors; return RESULT.json. See `identification.identify` for the options.
 
     `physics` is a DIAGNOSIS.json whose effects are held while geometry and frame are refitted: how a diagnosis carries
-    to another session.
+    to another session. Source errors that the model leaves out are held too, as the diagnosis has them.
     """
     from deltacal_gen import identification
     from deltacal_gen.physics import term_from_dict
+    from deltacal_gen.robot import robot_from_dict
 
     check_output(output, robot, recording, physics)
-    if physics is not None and not str(_result(physics)["schema"]).startswith("deltacal.diagnosis/"):
+    diagnosis = None if physics is None else _result(physics)
+    if diagnosis is not None and not str(diagnosis["schema"]).startswith("deltacal.diagnosis/"):
         raise InputError("this is no diagnosis.", "Give the file that diagnose wrote.", file=str(physics))
     robot = _robot(robot)
     found = identification.identify(
@@ -319,7 +321,8 @@ def identify(
         solver=solver,
         truncation=truncation,
         robust=robust,
-        held=[term_from_dict(t) for t in _result(physics).get("physics", ())] if physics is not None else (),
+        held=[] if diagnosis is None else [term_from_dict(t) for t in diagnosis.get("physics", ())],
+        machine=None if diagnosis is None else robot_from_dict(diagnosis["robot"]),
         progress=progress,
     ).to_dict()
     if output is not None:

@@ -47,23 +47,29 @@ def compare(before: Mapping[str, Any], after: Mapping[str, Any]) -> dict[str, An
             "Give two sessions of one machine.",
         )
     mechanism = mechanism_of(first)
-    files = _between_files(mechanism, first, second)
+    files, other = between(mechanism, first, second)
+    if other:
+        raise InputError(
+            f"the robot files differ in {', '.join(other)}, which no parameter of the model carries.",
+            "Identify both sessions from the same robot file.",
+        )
     told = [{p["name"]: p for p in r["parameters"]} for r in (before, after)]
     entries = []
     for p in mechanism.parameters:
         a, b = (t[p.name] for t in told)
-        shift = files.get(p.name, 0.0) / to_internal(p.unit)
+        # the robots hold all that is known; a file that was calibrated before has a part of it in its own table
+        gap = files.get(p.name, 0.0) + second.errors.get(p.name, 0.0) - first.errors.get(p.name, 0.0)
         free = [x["status"] != "fixed" for x in (a, b)]
-        if not any(free) and shift == 0:
+        if not any(free) and gap == 0:
             continue
         known = all(x["std"] is not None or not f for x, f in zip((a, b), free, strict=True))
         std = float(np.hypot(a["std"] or 0.0, b["std"] or 0.0)) if known else None
-        change = b["value"] + shift - a["value"]
+        change = gap / to_internal(p.unit)
         entries.append(
             {
                 "name": p.name,
                 "before": a["value"],
-                "after": b["value"] + shift,
+                "after": a["value"] + change,
                 "change": change,
                 "std": std,
                 "unit": file_unit(p.unit),
@@ -97,29 +103,32 @@ def _summary(
     return text + "."
 
 
-def _between_files(mechanism: Mechanism, first: Robot, second: Robot) -> dict[str, float]:
-    """Return what the second robot file has more than the first, as source errors (internal units).
+def between(mechanism: Mechanism, first: Robot, second: Robot) -> tuple[dict[str, float], list[str]]:
+    """Return what the second robot's dimensions have more than the first's, and which differences cannot be said so.
 
     A dimension and an error are one where moving either moves the machine alike.
 
-    Raises
-    ------
-    InputError
-        The files differ in a dimension that is no source error.
+    Returns
+    -------
+    errors : dict
+        By name of a source error (internal units).
+    other : list of str
+        Keys of dimensions that differ and are no source error.
     """
     out: dict[str, float] = {}
+    other: list[str] = []
     for key, value in first.geometry.items():
-        gap = np.broadcast_to(second.geometry[key] - value, (mechanism.limbs,))
+        gap = second.geometry[key] - value
         if not gap.any():
             continue
-        errors = _same_as(mechanism, first, key)
-        if errors is None:
-            raise InputError(
-                f"the robot files differ in {key}, which no parameter of the model carries.",
-                "Identify both sessions from the same robot file.",
-            )
-        out |= dict(zip(errors, gap.tolist(), strict=False))
-    return out
+        errors = [f"{key}_{k + 1}" for k in range(len(gap))] if first.links else _same_as(mechanism, first, key)
+        gaps = np.broadcast_to(gap, (len(errors),)).tolist() if errors else []
+        found = {name: g for name, g in zip(errors or (), gaps, strict=True) if g}
+        if not errors or not found.keys() <= mechanism.index.keys():
+            other.append(key)
+        else:
+            out |= found
+    return out, other
 
 
 def _same_as(mechanism: Mechanism, robot: Robot, key: str) -> list[str] | None:
@@ -132,7 +141,9 @@ def _same_as(mechanism: Mechanism, robot: Robot, key: str) -> list[str] | None:
         constants: Array = mechanism.vectorised.constants(other)
         return constants
 
-    at = next(j for j, entry in enumerate(mechanism.geometry) if entry.key == key)
+    at, *more = (j for j, entry in enumerate(mechanism.geometry) if entry.key == key)
+    if more:
+        return None
     target = moved(at)
     own = mechanism.geometry[at].per_limb
     for name in (*mechanism.errors, *mechanism.common) if own else (*mechanism.common, *mechanism.errors):

@@ -16,6 +16,7 @@ import numpy as np
 
 from deltacal_gen import identifiability
 from deltacal_gen.accuracy import check_poses, distance_error, largest, volumetric_error
+from deltacal_gen.comparison import between
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation import (
     SPARE_READINGS,
@@ -72,6 +73,8 @@ class Identification:
         What the readings determine, parameter by parameter with those that act through it.
     remedies : list of dict
         Extra measurements and how many of the free directions each pins.
+    in_file : (n_p,) array
+        Source errors of the robot file, from which those found count.
     """
 
     model: str
@@ -87,6 +90,7 @@ class Identification:
     noise: Noise
     prior_given: tuple[bool, ...]
     robot: Robot
+    in_file: Array
     map: dict[str, Any] | None
 
     def to_dict(self) -> dict[str, Any]:
@@ -104,6 +108,7 @@ def identify(
     truncation: int | str = "gcv",
     robust: bool = True,
     held: Sequence[Term] = (),
+    machine: Robot | None = None,
     progress: Progress = lambda text: None,
 ) -> Identification:
     """Identify a robot's source errors from a recording.
@@ -123,6 +128,9 @@ def identify(
         Let a few per cent of gross errors not move the result.
     held : sequence of Term
         Effects that stay as a diagnosis found them, while geometry and frame are refitted.
+    machine : Robot, optional
+        The machine as it was calibrated in another session: source errors that the model leaves out stay as they are
+        there.
     progress : callable
         Told in words what is being done.
 
@@ -141,7 +149,10 @@ def identify(
     mechanism = mechanism_of(robot)
     everything = pose_problem(robot, recording, (), as_distance=as_distance, held=held)
     chosen = chosen_model(mechanism, everything, recording, model)
-    names = mechanism.model(chosen)
+    names, in_file = mechanism.model(chosen), mechanism.vector(robot.errors)
+    if machine is not None and len(names) < len(mechanism.parameters):
+        robot = dataclasses.replace(robot, errors=_left_out(mechanism, robot, machine, names))
+        everything = pose_problem(robot, recording, (), as_distance=as_distance, held=held)
     for term in held:
         if why := everything.body.missing(term.effect):
             raise InputError(f"the effect '{term.effect}' needs {why}.", "Add it.", file=recording.path)
@@ -193,8 +204,22 @@ def identify(
         noise=noise(final, recording),
         prior_given=given,
         robot=calibrated,
+        in_file=in_file,
         map=uncertainty_map(final, calibrated),
     )
+
+
+def _left_out(mechanism: Mechanism, robot: Robot, machine: Robot, names: Sequence[str]) -> dict[str, float]:
+    """Return a robot's source errors with those that a model leaves out as another session of the machine has them."""
+    if machine.mechanism != robot.mechanism:
+        raise InputError(
+            f"the diagnosis is of another machine: {machine.mechanism}, where the robot file says {robot.mechanism}.",
+            "Give the diagnosis of an earlier session of this machine.",
+        )
+    known, _ = between(mechanism, robot, machine)
+    for name, value in machine.errors.items():
+        known[name] = known.get(name, 0.0) + value
+    return {n: v for n, v in known.items() if n not in names} | {n: v for n, v in robot.errors.items() if n in names}
 
 
 def _solver(name: str, truncation: int | str, sigma: float | None) -> Solver:
@@ -715,7 +740,7 @@ def _result(found: Identification) -> dict[str, Any]:
     parameters = []
     for p in mechanism.parameters:
         factor = to_internal(p.unit)
-        value = float(final.errors[mechanism.index[p.name]] - problem.reference[mechanism.index[p.name]])
+        value = float(final.errors[mechanism.index[p.name]] - found.in_file[mechanism.index[p.name]])
         entry: dict[str, Any] = {"name": p.name, "value": value / factor, "std": None, "unit": file_unit(p.unit)}
         if p.name not in names:
             entry["status"] = "fixed"

@@ -1,0 +1,114 @@
+"""Delta printers in a folder: what calibration leaves beside firmware's fit, and whether one session predicts another.
+
+    python -m tests.benchmarks.printers FOLDER
+
+Every ``robot.toml`` of a linear delta under FOLDER with its ``recording.csv`` counts; recordings whose names are alike
+up to ``-sNN`` and ``-meshN`` are sessions of one machine. From session to session everything is held but what firmware
+fits (`linear_delta/6`), as the diagnosis of the earlier one has it.
+"""
+
+from __future__ import annotations
+
+import argparse
+import itertools
+import re
+from collections import defaultdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from deltacal_gen import commands, read_robot
+from deltacal_gen.errors import DeltacalError
+
+SESSION = re.compile(r"-s\d+(-mesh\d+)?$")
+FIRMWARE = ("6", "9")  # without and with distances
+BAR = 1.3  # held over own fit
+
+
+def row(folder: Path) -> dict[str, Any]:
+    """Return what a printer's recording comes to: rms [mm] as saved, by firmware's parameters, and by diagnosis."""
+    robot, recording = folder / "robot.toml", folder / "recording.csv"
+    with_distances = recording.with_suffix(".distances.csv").exists()
+    firmware = commands.identify(robot, recording, FIRMWARE[with_distances])
+    found = commands.diagnose(robot, recording)
+    return {
+        "name": folder.name,
+        "readings": firmware["readings"]["scalars"],
+        "distances": with_distances,
+        "saved": firmware["before_rms_mm"],
+        "firmware": firmware["train_rms_mm"],
+        "model": found["baseline"]["model"],
+        "fit": found["final"]["train_rms_mm"],
+        "heldout": found["final"]["heldout_rms_mm"],
+        "verdict": found["verdict"],
+        "effects": [e["name"] for e in found["effects"]],
+        "gross": len(found["gross_errors"]),
+        "diagnosis": found,
+    }
+
+
+def carried(earlier: dict[str, Any], later: Path) -> dict[str, float]:
+    """Return the rms [mm] of a later session: from the earlier one, with the same model fitted anew, by firmware."""
+    robot, recording = later / "robot.toml", later / "recording.csv"
+    held = commands.identify(robot, recording, FIRMWARE[0], physics=earlier["diagnosis"])
+    own = commands.identify(robot, recording, earlier["model"])
+    return {
+        "held": held["train_rms_mm"],
+        "own": own["train_rms_mm"],
+        "firmware": commands.identify(robot, recording, FIRMWARE[0])["train_rms_mm"],
+        "readings": held["readings"]["scalars"],
+    }
+
+
+def main() -> None:
+    """Print both tables."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", type=Path)
+    found = sorted(p.parent for p in parser.parse_args().folder.rglob("robot.toml"))
+    folders = [f for f in found if read_robot(f / "robot.toml").mechanism == "linear_delta"]
+    rows = {}
+    print(
+        "| recording | readings | as saved | firmware's fit | diagnosis | model | held out | verdict |\n"
+        + 8 * "|---"
+        + "|"
+    )
+    for folder in folders:
+        try:
+            r = rows[folder] = row(folder)
+        except DeltacalError as error:
+            print(f"| {folder.name} | {error} |")
+            continue
+        named = f": {', '.join(r['effects'])}" if r["effects"] else ""
+        rms = " | ".join(f"{r[k]:.4f}" for k in ("saved", "firmware", "fit"))
+        print(
+            f"| {r['name']} | {r['readings']}{' with distances' if r['distances'] else ''} | {rms} | {r['model']} | "
+            f"{r['heldout']:.4f} | {r['verdict']}{named} |",
+            flush=True,
+        )
+    machines: dict[str, list[Path]] = defaultdict(list)
+    for folder in rows:
+        if "-mesh" in folder.name:
+            machines[SESSION.sub("", folder.name)].append(folder)
+    pairs = [pair for sessions in machines.values() for pair in itertools.combinations(sessions, 2)]
+    print("\n| earlier | later | readings | held | own fit | firmware alone | held / own |\n" + 7 * "|---" + "|")
+    ratios = defaultdict(list)
+    for earlier, later in pairs:
+        try:
+            c = carried(rows[earlier], later)
+        except DeltacalError as error:
+            print(f"| {earlier.name} | {later.name} | {error} |")
+            continue
+        ratio = c["held"] / c["own"]
+        ratios[c["readings"] >= 29].append(ratio)
+        rms = " | ".join(f"{c[k]:.4f}" for k in ("held", "own", "firmware"))
+        print(f"| {earlier.name} | {later.name} | {c['readings']} | {rms} | {ratio:.2f} |", flush=True)
+    for many, values in sorted(ratios.items()):
+        print(
+            f"meshes of {'29 readings and more' if many else 'fewer than 29 readings'}: {len(values)} pairs, median ratio "
+            f"{np.median(values):.2f}, {np.mean(np.array(values) <= BAR):.0%} within {BAR}"
+        )
+
+
+if __name__ == "__main__":
+    main()
