@@ -97,6 +97,25 @@ def test_a_klipper_session_comes_back_as_it_was(tmp_path: Path, printer: Robot) 
     assert found["train_rms_mm"] < 1e-3
 
 
+def test_the_saved_block_alone_tells_the_length_of_a_step(tmp_path: Path, printer: Robot) -> None:
+    """Also where the endstops were edited afterwards; but only a step that there is, of a pulley with whole teeth."""
+    heights, distances = session(printer)
+    edited = dataclasses.replace(printer, geometry=printer.geometry | {"endstop": printer.geometry["endstop"] + 12.0})
+
+    def saved(robot: Robot, heights: Array) -> Path:
+        text = printer_cfg(robot, heights, distances)
+        file = tmp_path / "saved.txt"
+        file.write_text("".join(line for line in text.splitlines(keepends=True) if line.startswith("#*#")))
+        return file
+
+    for robot in (printer, edited):
+        found = import_klipper(saved(robot, heights))
+        assert found.recordings["recording"].joints[: len(heights)] == pytest.approx(heights, abs=STEP)
+        assert any("0.0125 mm" in w and "40 mm a turn" in w for w in found.warnings)
+    with pytest.raises(InputError, match="usual pulley"):
+        import_klipper(saved(printer, heights / 1.02))
+
+
 def test_a_mesh_is_what_the_probe_met(tmp_path: Path, printer: Robot) -> None:
     """Carriages computed back put the nozzle where the probe fired, less the probe's own offset."""
     rng = np.random.default_rng(1)
@@ -161,7 +180,8 @@ def test_files_that_are_something_else_say_so(tmp_path: Path, printer: Robot) ->
     file.write_text("[printer]\nkinematics: corexy\n")
     with pytest.raises(InputError, match="no delta printer"):
         import_klipper(file)
-    file.write_text(printer_cfg(printer, *session(printer)).replace("microsteps: 16", ""))
+    heights, distances = session(printer)
+    file.write_text(printer_cfg(printer, heights[:0], distances).replace("microsteps: 16", ""))
     with pytest.raises(InputError, match="does not say how long a step is"):
         import_klipper(file)
 

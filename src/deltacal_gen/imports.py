@@ -9,6 +9,7 @@ geometry that stands beside it, so it is worth as much as that geometry was in f
 from __future__ import annotations
 
 import configparser
+import itertools
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -26,10 +27,13 @@ TOWERS = ("stepper_a", "stepper_b", "stepper_c")
 ROUNDED = 1e-3  # of the bed's radius: a map's limits are written with a digit or two
 ANGLES = (210.0, 330.0, 90.0)  # of the towers, where the file does not say [deg]
 FULL_STEPS = 200.0  # of a motor's turn
+PITCH = 2.0  # mm of belt per tooth
+USUAL_TEETH = range(15, 30)  # of a pulley; twice as many are half the microsteps
 PULLEY = 40.0  # mm of belt per motor turn: 20 teeth of 2 mm, the usual one, where RepRapFirmware does not say
 ABSURD = 0.05  # of a distance: no geometry of the printer's parts is so far off
 DOUBTFUL = 1.0  # mm: a printed distance so far off the printer's own geometry is looked at again
 EDITED = 1.0  # mm: heights that all are so far off alike were probed with other endstops
+CLEARLY = 2.0  # by which the step that fits must fit better than the next
 SPREAD = 0.02  # by which the arms of one printer may differ
 
 
@@ -71,7 +75,11 @@ def import_klipper(path: str | Path, output: str | Path | None = None) -> Import
     recordings: dict[str, Recording] = {}
     heights, distances = file.heights(), file.distances()
     if heights or distances:
-        step = np.array([file.step(tower) for tower in TOWERS])
+        given = [file.step(tower) for tower in TOWERS]
+        step = np.array([v for v in given if v is not None])
+        if len(step) < len(given):
+            usual, said = _usual_step(robot, heights, path)
+            step, warnings = np.full(3, usual), (*warnings, said)
         recordings["recording"] = _session(path, heights, distances, step)
         warnings += _check_heights(robot, recordings["recording"]) + _check_distances(robot, recordings["recording"])
     for name, points, z in file.meshes():
@@ -174,6 +182,40 @@ def _session(path: Path, heights: list[_Height], distances: list[_Distance], ste
         }
     instrument = "bed probe (heights); caliper on a printed object (distances)" if distances else "bed probe"
     return _recording(path, np.array(positions) * step, measured, instrument, **pairs)
+
+
+def _usual_step(robot: Robot, heights: list[_Height], path: Path) -> tuple[float, str]:
+    """Return the step [mm] of a usual pulley and driver that puts the probed points at their heights, and a word on it.
+
+    Steps of different pulleys lie 3 % and more apart, which bends the bed by millimetres: one fits, or none.
+
+    Raises
+    ------
+    InputError
+        There are no heights to tell by, or no usual step or more than one fits.
+    """
+    remedy = "Give the whole printer.cfg, with rotation_distance and microsteps (or step_distance)."
+    problem = "the positions are in motor steps, but [stepper_a] does not say how long a step is"
+    if not heights:
+        raise InputError(f"{problem}, and there are no heights to tell by.", remedy, file=path)
+    mechanism, rows = load_mechanism(robot.mechanism), load_mechanism(robot.mechanism).rows(robot)
+    positions, z = np.array([h.position for h in heights]), np.array([h.z for h in heights])
+    fitting = []
+    for teeth, doubled in itertools.product(USUAL_TEETH, range(-1, 9)):
+        step = PITCH * teeth / (FULL_STEPS * 2.0**doubled)
+        x, status = mechanism.forward(positions * step, robot.tool, rows)
+        if (status == SOLVED).all():  # by their shape alone: endstops are edited after the probing
+            fitting.append((float(np.ptp(x[:, 2] - z)), step, PITCH * teeth))
+    fitting.sort()
+    if not fitting or fitting[0][0] > EDITED:
+        raise InputError(f"{problem}, and that of no usual pulley fits.", remedy, file=path)
+    if len(fitting) > 1 and fitting[1][0] < CLEARLY * fitting[0][0]:
+        raise InputError(f"{problem}, and those of two usual pulleys fit.", remedy, file=path)
+    _, step, belt = fitting[0]
+    return step, (
+        f"the file does not say how long a motor step is; {step:g} mm puts the probed points at their heights, as of a "
+        f"pulley of {belt:g} mm a turn. Add pulley_circumference to [transmission] of robot.toml if you know it."
+    )
 
 
 def _map(robot: Robot, nozzle: Array, z: Array, trigger: float, path: Path) -> Recording:
@@ -378,19 +420,15 @@ class _Klipper:
             return [first if v is None else v for v in found]
         return [d if v is None else v for v, d in zip(found, default, strict=True)]
 
-    def step(self, tower: str) -> float:
-        """Return mm of belt per step of a tower's motor."""
+    def step(self, tower: str) -> float | None:
+        """Return mm of belt per step of a tower's motor; None where the file does not say."""
         if (old := self.optional(tower, "step_distance")) is not None:
             return old
         given = {k: self.optional(tower, k) for k in ("rotation_distance", "microsteps", "full_steps_per_rotation")}
         given = {k: v if v is not None else self.optional("stepper_a", k) for k, v in given.items()}
         belt, micro = given["rotation_distance"], given["microsteps"]
         if belt is None or micro is None:
-            raise InputError(
-                f"the positions are in motor steps, but [{tower}] does not say how long a step is.",
-                "Give the whole printer.cfg, with rotation_distance and microsteps (or step_distance).",
-                file=self.path,
-            )
+            return None
         gears = self.sections.get(tower, {}).get("gear_ratio", "")
         ratio = np.prod([float(a) / float(b) for a, b in re.findall(r"([\d.]+)\s*:\s*([\d.]+)", gears)] or [1.0])
         return float(belt / ((given["full_steps_per_rotation"] or FULL_STEPS) * micro * ratio))

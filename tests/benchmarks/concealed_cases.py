@@ -18,13 +18,14 @@ from typing import Any
 
 import numpy as np
 
+from deltacal_gen.demonstration import example
 from deltacal_gen.errors import DeltacalError
 from deltacal_gen.estimation import Problem, Repeats, pose_problem, rms
 from deltacal_gen.identification import BROAD
 from deltacal_gen.mechanism import load_mechanism
 from deltacal_gen.physics import Term, blank, effect_names, load_effect
 from deltacal_gen.recording import Measurement, Recording
-from deltacal_gen.robot import Robot, robot_from_dict
+from deltacal_gen.robot import Robot, read_robot, robot_from_dict
 from deltacal_gen.rotation import from_vector, to_vector
 from deltacal_gen.search import Search, library, parts
 from deltacal_gen.simulation import simulate
@@ -57,7 +58,13 @@ OUTSIDE = {  # channel that tells best (the first) or also tells, and what the c
     "thermal_lag": (("time_s", "temp_C"), {"time", "cycling"}),
     "random_walk": (("time_s",), {"time"}),
 }
-ORDINARY = {"null": 40, "single": 3 * len(effect_names()), "pair": 20, "outside": 2 * len(OUTSIDE)}
+MOVED = load_mechanism("delta").moves(read_robot(example() / "robot.toml"))
+SHOWN = tuple(  # effects on parts that a Delta has, and on what a tracker reads
+    name
+    for name in effect_names()
+    if all(t[5:] in MOVED if t.startswith("limb.") else t != "height" for t in load_effect(name).TARGETS)
+)
+ORDINARY = {"null": 40, "single": 3 * len(SHOWN), "pair": 20, "outside": 2 * len(OUTSIDE)}
 INSTRUMENT_ONLY = {"instrument_drift"}  # not seen in lengths
 OF_POSITIONS = {"position", "pose"}
 
@@ -98,7 +105,7 @@ def plan(
     for kind, count in counts.items():
         number = list(ORDINARY).index(kind)
         rng = np.random.default_rng([seed, number])
-        pool = list(OUTSIDE) if kind == "outside" else list(only or effect_names())
+        pool = list(OUTSIDE) if kind == "outside" else list(only or SHOWN)
         for i in range(count):
             names: tuple[str, ...] = () if kind == "null" else (pool[i % len(pool)],)
             if kind == "pair":

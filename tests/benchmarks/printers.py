@@ -24,6 +24,7 @@ from deltacal_gen.errors import DeltacalError
 SESSION = re.compile(r"-s\d+(-mesh\d+)?$")
 FIRMWARE = ("6", "9")  # without and with distances
 BAR = 1.3  # held over own fit
+MANY = 29  # readings of a mesh: with fewer, a fit of its own takes a good part of the noise away
 
 
 def row(folder: Path) -> dict[str, Any]:
@@ -100,14 +101,13 @@ def main() -> None:
             print(f"| {earlier.name} | {later.name} | {error} |")
             continue
         ratio = c["held"] / c["own"]
-        ratios[c["readings"] >= 29].append(ratio)
+        ratios[c["readings"] >= MANY].append(ratio)
         rms = " | ".join(f"{c[k]:.4f}" for k in ("held", "own", "firmware"))
         print(f"| {earlier.name} | {later.name} | {c['readings']} | {rms} | {ratio:.2f} |", flush=True)
     for many, values in sorted(ratios.items()):
-        print(
-            f"meshes of {'29 readings and more' if many else 'fewer than 29 readings'}: {len(values)} pairs, median ratio "
-            f"{np.median(values):.2f}, {np.mean(np.array(values) <= BAR):.0%} within {BAR}"
-        )
+        size = f"{MANY} readings and more" if many else f"fewer than {MANY} readings"
+        within = np.mean(np.array(values) <= BAR)
+        print(f"meshes of {size}: {len(values)} pairs, median ratio {np.median(values):.2f}, {within:.0%} within {BAR}")
 
 
 if __name__ == "__main__":
