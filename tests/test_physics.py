@@ -154,3 +154,11 @@ def test_inertia_of_a_lone_arm_is_its_moment_of_inertia_times_acceleration(body:
     m, L = 1.2, 375.0
     inertia = m * L**2 / 12 + m * (0.4 * L) ** 2  # kg mm^2, about the joint
     assert torque == pytest.approx(-inertia * still.acceleration / 1000.0, rel=1e-5, abs=1e-3)
+
+
+def test_thermometers_of_parts_stand_for_the_machine(robot: Robot) -> None:
+    parts = {"temp_base_C": np.array([20.0, 22.0]), "temp_arms_C": np.array([22.0, 26.0])}
+    of_parts = Channels.from_columns(parts, (2, 3), robot)
+    assert of_parts.warming == pytest.approx([1.0, 4.0])
+    of_machine = Channels.from_columns(parts | {"temp_C": np.array([25.0, 25.0])}, (2, 3), robot)
+    assert of_machine.warming == pytest.approx([5.0, 5.0])

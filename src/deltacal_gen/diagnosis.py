@@ -246,7 +246,7 @@ def _refitted(problem: Problem, at: Fit, terms: Sequence[Term], drop_gross: bool
     n_p = len(problem.mechanism.parameters)
     errors, joint = at.errors[:n_p], problem
     if terms:
-        columns = problem.term_columns(terms, at.instrument, at.problem.solve(at.errors))
+        columns = problem.term_columns(terms, at.errors, at.instrument, at.problem.solve(at.errors))
         flat = np.where(np.isfinite(columns), columns, 0.0).reshape(-1, columns.shape[2])
         scale = ROOM * np.sqrt(len(flat)) / np.maximum(np.linalg.norm(flat, axis=0), 1e-300)
         joint = problem.with_terms(terms, scale)

@@ -337,7 +337,7 @@ def _columns(at: Fit, problem: Problem, terms: Sequence[Term]) -> tuple[Array, A
     state = problem.linearise(at.errors, at.instrument, machine)
     n = len(problem.names)
     base = np.concatenate([state.J_p[:, :, :n] * problem.scale[:n], state.J_m], axis=2)
-    effects = problem.term_columns(terms, at.instrument, machine)
+    effects = problem.term_columns(terms, at.errors, at.instrument, machine)
     both = np.concatenate([base, effects], axis=2) / at.sigma[:, None]
     if taken:
         both *= np.sqrt(at.weights * (1 + at.repeats.ratio))[:, None, None]

@@ -167,8 +167,11 @@ class Problem:
         """Return the derivatives (N, n_x, n_c) of the platform coordinates by the coefficients of effects."""
         return self.body.columns(terms, machine, sensitivity, used)
 
-    def term_columns(self, terms: Sequence[Term], instrument: Instrument, machine: Deformed) -> Array:
+    def term_columns(
+        self, terms: Sequence[Term], parameters: Array, instrument: Instrument, machine: Deformed
+    ) -> Array:
         """Return the derivatives (R, k, n_c) of the readings by the coefficients of effects, free or not."""
+        instrument = instrument.mounted(self.mechanism, parameters)
         used = np.unique(self.readings.rows)
         rows = machine.rows if len(machine.rows) == 1 else machine.rows[used]
         S = self.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)

@@ -78,8 +78,9 @@ def import_klipper(path: str | Path, output: str | Path | None = None) -> Import
         given = [file.step(tower) for tower in TOWERS]
         step = np.array([v for v in given if v is not None])
         if len(step) < len(given):
-            usual, said = _usual_step(robot, heights, path)
+            usual, belt, said = _usual_step(robot, heights, path)
             step, warnings = np.full(3, usual), (*warnings, said)
+            robot = _robot(path.stem, geometry, belt, path)
         recordings["recording"] = _session(path, heights, distances, step)
         warnings += _check_heights(robot, recordings["recording"]) + _check_distances(robot, recordings["recording"])
     for name, points, z in file.meshes():
@@ -184,8 +185,8 @@ def _session(path: Path, heights: list[_Height], distances: list[_Distance], ste
     return _recording(path, np.array(positions) * step, measured, instrument, **pairs)
 
 
-def _usual_step(robot: Robot, heights: list[_Height], path: Path) -> tuple[float, str]:
-    """Return the step [mm] of a usual pulley and driver that puts the probed points at their heights, and a word on it.
+def _usual_step(robot: Robot, heights: list[_Height], path: Path) -> tuple[float, float, str]:
+    """Return the step [mm] of a usual pulley that puts the probed points at their heights, its turn [mm], and a word.
 
     Steps of different pulleys lie 3 % and more apart, which bends the bed by millimetres: one fits, or none.
 
@@ -212,9 +213,11 @@ def _usual_step(robot: Robot, heights: list[_Height], path: Path) -> tuple[float
     if len(fitting) > 1 and fitting[1][0] < CLEARLY * fitting[0][0]:
         raise InputError(f"{problem}, and those of two usual pulleys fit.", remedy, file=path)
     _, step, belt = fitting[0]
-    return step, (
+    return (
+        step,
+        belt,
         f"the file does not say how long a motor step is; {step:g} mm puts the probed points at their heights, as of a "
-        f"pulley of {belt:g} mm a turn. Add pulley_circumference to [transmission] of robot.toml if you know it."
+        f"pulley of {belt:g} mm a turn, which is taken. Correct pulley_circumference in robot.toml if it is another.",
     )
 
 

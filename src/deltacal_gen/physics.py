@@ -23,7 +23,7 @@ import numpy as np
 from deltacal_gen.errors import InputError
 from deltacal_gen.measurement import Readings
 from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, Sensitivity
-from deltacal_gen.recording import Recording
+from deltacal_gen.recording import TEMPERATURE, Recording
 from deltacal_gen.robot import Robot
 from deltacal_gen.rotation import cayley_matrix
 from deltacal_gen.units import DEG, of_sliding
@@ -154,7 +154,7 @@ class Channels:
             return np.column_stack([factor * s * f for s, f in zip(robot.joint_sign, found, strict=True)])
 
         unit, factor = ("deg", DEG) if joint_unit == "rad" else ("mm", 1.0)
-        temperature, payload = columns.get("temp_C"), columns.get("payload_kg")
+        temperature, payload = _temperature(columns), columns.get("payload_kg")
         return Channels(
             approach=joints("approach{}", 1.0),
             speed=joints("qd{}_" + unit + "_s", factor),
@@ -164,6 +164,12 @@ class Channels:
             payload=np.zeros(rows) if payload is None else payload,
             order=np.arange(rows, dtype=float),
         )
+
+
+def _temperature(columns: Mapping[str, Array]) -> Array | None:
+    """Return the machine's temperature [degC]: `temp_C` or, where parts have thermometers instead, their mean."""
+    parts = [v for name, v in sorted(columns.items()) if TEMPERATURE.fullmatch(name)]
+    return columns.get("temp_C", np.mean(parts, axis=0) if parts else None)
 
 
 # field of Channels, its columns, what in an effect's state reads it, what is assumed where it is not given
@@ -265,14 +271,17 @@ class Body:
             return "[masses] in the robot file"
         if needs & LOADS and np.isnan(have.payload).any():
             return "every cell of the column payload_kg (some are blank)"
-        for state, channel, words in (
-            ("approach", have.approach, "the columns approach1, approach2, approach3"),
-            ("speed", have.speed, "the columns qd1_deg_s, qd2_deg_s, qd3_deg_s"),
-            ("acceleration", have.acceleration, "the columns qdd1_deg_s2, qdd2_deg_s2, qdd3_deg_s2"),
-            ("inertia_torque", have.acceleration, "the columns qdd1_deg_s2, qdd2_deg_s2, qdd3_deg_s2"),
-            ("warming", have.warming, "the column temp_C"),
-            ("time", have.time, "the column time_s"),
+        unit = "deg" if self.mechanism.joint_unit == "rad" else "mm"
+        for state, channel, pattern in (
+            ("approach", have.approach, "approach{}"),
+            ("speed", have.speed, f"qd{{}}_{unit}_s"),
+            ("acceleration", have.acceleration, f"qdd{{}}_{unit}_s2"),
+            ("inertia_torque", have.acceleration, f"qdd{{}}_{unit}_s2"),
+            ("warming", have.warming, "temp_C"),
+            ("time", have.time, "time_s"),
         ):
+            columns = [pattern.format(j + 1) for j in range(self.q.shape[1])] if "{" in pattern else [pattern]
+            words = f"the column{'s' if len(columns) > 1 else ''} {', '.join(columns)}"
             if state in needs and channel is None:
                 return words
             if state in needs and channel is not None and np.isnan(channel).any():

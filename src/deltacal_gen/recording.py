@@ -58,8 +58,8 @@ _JOINT_LIKE = re.compile(r"q\d", re.IGNORECASE)  # meant as joints, though perha
 _JOINT_OF_END = re.compile(r"q\d+[ab]_(deg|mm|rad)")
 _END = re.compile(r"(?P<stem>.+?)_?(?P<end>[ab])(?P<unit>(_[A-Za-z]+\d?)*)")  # q1a_deg, payload_a_kg, approach1b
 _APPROACH = re.compile(r"approach\d+")
-_TEMPERATURE = re.compile(r"temp_(\w+_)?C")
-_CHANNEL = re.compile(rf"time_s|payload_kg|{_TEMPERATURE.pattern}|{_APPROACH.pattern}|qdd?\d+_\w+")
+TEMPERATURE = re.compile(r"temp_(\w+_)?C")
+_CHANNEL = re.compile(rf"time_s|payload_kg|{TEMPERATURE.pattern}|{_APPROACH.pattern}|qdd?\d+_\w+")
 _DECIMAL_COMMA = re.compile(r"[-+]?\d+,\d+")
 
 _SAME_JOINT = 1e-6 * DEG  # rad, and mm: joints that differ by more are not the same pose
@@ -708,7 +708,7 @@ def _impossible(name: str, values: np.ndarray, heaviest: float = np.inf) -> tupl
     """Which values (N,) of a channel cannot be, and what was expected in words; `heaviest` is the largest payload."""
     if _APPROACH.fullmatch(name):
         return np.isfinite(values) & (np.abs(values) != 1), "1 or -1 was expected"
-    if _TEMPERATURE.fullmatch(name):
+    if TEMPERATURE.fullmatch(name):
         return (values < -100) | (values > 300), "-100 to 300 degC were expected"
     if name == "payload_kg" and (values < 0).any():
         return values < 0, "a mass cannot be negative"

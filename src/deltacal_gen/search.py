@@ -128,7 +128,7 @@ class Search:
 
     def _compete(self, beside: Beside, problem: Problem, terms: Sequence[Term]) -> None:
         self.terms = tuple(terms)
-        columns = beside.rows(problem.term_columns(terms, beside.fit.instrument, beside.machine))
+        columns = beside.rows(problem.term_columns(terms, beside.fit.errors, beside.fit.instrument, beside.machine))
         self._size = np.maximum(np.linalg.norm(columns, axis=0), 1e-300)
         self._columns = columns / self._size
         starts = np.cumsum([0, *(t.n_coefficients for t in terms)])[:-1].tolist()
