@@ -20,6 +20,7 @@ __version__ = "0.1.0"
 
 _HOME = {
     "commands": (
+        "batch",
         "claims",
         "compare",
         "compensate",
@@ -35,6 +36,7 @@ _HOME = {
         "plan",
         "predict",
         "simulate",
+        "study",
         "validate",
     ),
     "compensation": ("Compensator",),

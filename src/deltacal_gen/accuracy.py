@@ -77,3 +77,12 @@ def volumetric_error(actual: Array, wanted: Array, home: int = 0, turn: Array | 
 def largest(errors: Sequence[float] | Array) -> float:
     """Return the largest absolute error."""
     return float(np.max(np.abs(errors), initial=0.0))
+
+
+def without_motion(J: Array, points: Array) -> Array:
+    """Return displacements (3 N, n) of points (N, 3) less the rigid motion that fits each column best."""
+    turns = np.cross(np.eye(3)[None], points[:, None]).transpose(0, 2, 1)
+    rigid = np.concatenate([np.tile(np.eye(3), (len(points), 1, 1)), turns], axis=2).reshape(-1, 6)
+    Q = np.linalg.qr(rigid)[0]
+    out: Array = J - Q @ (Q.T @ J)
+    return out

@@ -140,6 +140,8 @@ class Chain(Mechanism):
     def forward(self, q: Array, tool: Array, rows: Array, near: Array | None = None) -> tuple[Array, np.ndarray]:
         """Return the pose (N, 12) of the tool point and the last frame; every pose is SOLVED."""
         q, tool = self._poses(q, self.limbs, "joints"), self._tool(tool, len(q))
+        if len(rows) not in (1, len(q)):
+            rows = np.repeat(rows, len(q) // len(rows), axis=0)
         placed = self._placed(q, rows)
         R, p = placed.rotation[-1], placed.origin[-1]
         point = p + np.einsum("nij,nj->ni", R, tool + rows[:, 0, -3:])

@@ -53,6 +53,17 @@ def _progress(quiet: bool) -> Iterator[Callable[[str], None]]:
         yield lambda text: status.update(text)
 
 
+@contextmanager
+def _counting(quiet: bool) -> Iterator[Callable[[int, int, str], None]]:
+    """Show tasks done and the time left on the error stream; nothing when the output is JSON or no terminal."""
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+    columns = (BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(), TextColumn("{task.description}"))
+    with Progress(*columns, console=aside, disable=quiet or not aside.is_terminal, transient=True) as progress:
+        bar = progress.add_task("", total=None)
+        yield lambda done, total, label: progress.update(bar, completed=done, total=total, description=label)
+
+
 def _as_distance(value: str | None) -> bool:
     if value not in (None, "distance"):
         raise typer.BadParameter("only 'distance' is known", param_hint="--as")
@@ -660,6 +671,133 @@ def import_(
     for warning in found.warnings:
         aside.print(_escaped(f"warning: {warning}"))
     screen.print(f"robot.toml, {', '.join(names)} written to {output}")
+
+
+Workers = Annotated[int | None, typer.Option("--workers", min=1, help="local processes; default one per core")]
+Cluster = Annotated[str | None, typer.Option("--cluster", metavar="ADDRESS", help="Dask scheduler, tcp://HOST:PORT")]
+
+
+@app.command()
+def study(
+    robot: RobotFile,
+    plan_file: Annotated[Path, typer.Option("--plan", metavar="PLAN", help="poses or targets (CSV), with a sidecar")],
+    output: Annotated[Path | None, typer.Option("-o", "--output", help="STUDY.json", show_default=False)] = None,
+    report: Annotated[Path | None, typer.Option("--report", help="page (HTML)", show_default=False)] = None,
+    model: Model = None,
+    machine: Annotated[str | None, typer.Option("--machine", help="model of what machines are wrong in")] = None,
+    trials: Annotated[int, typer.Option("--trials", help="machines to be simulated and calibrated")] = 1000,
+    noise: Annotated[
+        float | None, typer.Option("--noise", help="of the instrument [mm]; default the sidecar's")
+    ] = None,
+    suspects: Annotated[
+        list[Path] | None,
+        typer.Option("--suspect", metavar="TRUTH", help="effects that may be there (TOML); repeatable"),
+    ] = None,
+    diagnoses: Annotated[int, typer.Option("--diagnoses", help="recordings in which each suspicion is concealed")] = 10,
+    seed: Annotated[int, typer.Option("--seed")] = 0,
+    workers: Workers = None,
+    cluster: Cluster = None,
+    directory: Annotated[
+        Path | None, typer.Option("--run", metavar="DIR", help="keep results there, to resume")
+    ] = None,
+    as_json: Json = False,
+) -> None:
+    """Say what a measuring plan will give, before anyone measures."""
+    from deltacal_gen import commands
+
+    with _counting(as_json) as told:
+        found = commands.study(
+            robot,
+            plan_file,
+            output,
+            model=model,
+            machine=machine,
+            trials=trials,
+            noise=noise,
+            suspects=suspects or (),
+            diagnoses=diagnoses,
+            seed=seed,
+            workers=workers,
+            cluster=cluster,
+            directory=directory,
+            report=report,
+            told=told,
+        )
+    if as_json:
+        _print_json(found)
+        return
+    position, advice = found["position"], found["advice"]
+    table = Table("position over the workspace, mm", "rms", "95 % of machines", "largest, 95 %", "predicted rms")
+    for name, words in (("before", "as built"), ("after", f"calibrated, {found['model']}")):
+        p = position[name]
+        expected = f"{p['predicted_rms_mm']:.4f}" if "predicted_rms_mm" in p else ""
+        table.add_row(words, f"{p['rms_mm']:.4f}", f"{p['p95_mm']:.4f}", f"{p['worst_p95_mm']:.4f}", expected)
+    screen.print(table)
+    table = Table("parameter", "drawn", "std", "predicted", "unit")
+    for p in found["parameters"]:
+        table.add_row(p["name"], *(_number(p[k], 3) for k in ("drawn_std", "std", "predicted_std")), p["unit"])
+    screen.print(table)
+    for s in found["suspects"]:
+        words = " and ".join(f"{e['name']} {' '.join(map(str, e['limbs']))}".strip() for e in s["effects"]) or "nothing"
+        low, high = s["interval"]
+        screen.print(
+            f"{words} concealed: said so in {s['named_right']} of {s['recordings']} recordings "
+            f"(95 %: {low:.0%} to {high:.0%})"
+        )
+        for why in s["failed"]:
+            screen.print(f"  not simulated: {_escaped(why)}")
+    for c in found["channels_wanted"]:
+        screen.print(f"{c['name']} cannot be found without {_escaped(c['missing'])}")
+    screen.print(f"Twice the measuring takes {advice['doubling']:.0%} off the error.")
+    for g in advice["add"]:
+        screen.print(f"{g['add']}: {g['gain']:.0%} off")
+    if found["lost"]:
+        screen.print(f"{found['lost']} machines could not be simulated or calibrated, and are not counted")
+    for path in (output, report):
+        if path is not None:
+            screen.print(f"written to {path}")
+
+
+@app.command()
+def batch(
+    folder: Annotated[Path, typer.Argument(metavar="DIR", help="folder with a folder for each machine")],
+    directory: Annotated[
+        Path, typer.Option("-o", "--output", metavar="RUN", help="run directory; resumed if it is there")
+    ],
+    action: Annotated[str, typer.Option("--do", help="diagnose, identify or validate")] = "diagnose",
+    model: Model = None,
+    machine: Annotated[
+        str | None, typer.Option("--machine", metavar="REGEX", help="paths with the same match are of one machine")
+    ] = None,
+    workers: Workers = None,
+    cluster: Cluster = None,
+    as_json: Json = False,
+) -> None:
+    """Identify, validate or diagnose many recordings; what is done is not done again."""
+    from deltacal_gen import commands
+
+    with _counting(as_json) as told:
+        found = commands.batch(
+            folder, directory, action, model=model, machine=machine, workers=workers, cluster=cluster, told=told
+        )
+    if as_json:
+        _print_json(found)
+        return
+    rows, failed = found["rows"], [r for r in found["rows"] if r["error"] is not None]
+    columns = [c for c in rows[0].keys() - {"machine", "error"}] if rows else []
+    columns = [c for c in dict.fromkeys(k for r in rows for k in r) if c in columns or c == "recording"]
+    table = Table(*[c.replace("_", " ") for c in columns])
+    for r in rows:
+        cells = [r.get(c) for c in columns]
+        table.add_row(*[_number(c) if isinstance(c, float) else str(c if c is not None else "") for c in cells])
+    screen.print(table)
+    for change in found["changed"]:
+        screen.print(
+            f"[bold]{_escaped(change['to'])}[/bold] after {_escaped(change['from'])}: {_escaped(change['text'])}"
+        )
+    for r in failed:
+        screen.print(f"failed: {_escaped(r['recording'])}: {_escaped(r['error'])}")
+    screen.print(f"{len(rows) - len(failed)} of {len(rows)} recordings done; table.csv and index.html in {directory}")
 
 
 def main() -> None:

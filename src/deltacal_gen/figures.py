@@ -385,3 +385,66 @@ def named(effect: Mapping[str, Any]) -> str:
     numbers = " and ".join(filter(None, (", ".join(map(str, limbs[:-1])), str(limbs[-1])))) if limbs else ""
     where = f" at joint{'s' if len(limbs) > 1 else ''} {numbers}" if limbs else ""
     return f"{effect['name'].replace('_', ' ')}{where}"
+
+
+# ------------------------------------------------------------------------------------------------- studies and fleets
+
+
+def before_and_after(axes: Axes, found: Mapping[str, Any]) -> None:
+    """Draw how the position error of a study's machines is spread, as built and calibrated."""
+    for k, (name, words, colour) in enumerate((("before", "as built", BEFORE), ("after", "calibrated", AFTER))):
+        told = found["position"][name]["histogram"]
+        edges, count = np.array(told["edges_mm"]), np.array(told["count"], dtype=float)
+        axes.stairs(count / count.max(), edges, fill=True, color=colour, alpha=0.8)
+        middle = found["position"][name]["median_mm"]
+        text = f"{words}: {middle:.3g} mm"
+        axes.annotate(
+            text, (middle, 1.0), (0, 5), textcoords="offset points", ha=("right", "left")[k == 0], color=colour
+        )
+    axes.set_xscale("log")
+    axes.set_ylim(0, 1.25)
+    axes.set_yticks([])
+    axes.spines["left"].set_visible(False)
+    axes.set_xlabel("position error of a machine over the workspace (rms; the median is written), mm")
+
+
+def enough(axes: Axes, found: Mapping[str, Any]) -> None:
+    """Draw the position error against how much is measured."""
+    times = [e["times"] for e in found["advice"]["enough"]]
+    rms = [e["rms_mm"] for e in found["advice"]["enough"]]
+    axes.plot(times, rms, "o-", color=AFTER, ms=4)
+    axes.plot([1.0], [rms[times.index(1.0)]], "o", color=AFTER, ms=9)
+    axes.annotate("this plan", (1.0, rms[times.index(1.0)]), (8, 6), textcoords="offset points", color=INK)
+    axes.set_xscale("log", base=2)
+    axes.set_xticks(times, [f"{t:g}" for t in times])
+    axes.set_ylim(0, 1.15 * max(rms))
+    axes.set_xlabel("times the plan's readings")
+    axes.set_ylabel("position error, mm")
+
+
+def scatter(axes: Axes, found: Mapping[str, Any]) -> None:
+    """Draw what a study leaves unknown of each parameter, as part of what was drawn."""
+    told = [p for p in found["parameters"] if p["drawn_std"] > 0]
+    part = [p["std"] / p["drawn_std"] for p in told]
+    expected = [p["predicted_std"] / p["drawn_std"] for p in told]
+    axes.bar(range(len(told)), part, color=AFTER, width=0.7, label="simulated")
+    axes.plot(range(len(told)), expected, "_", color=INK, ms=8, mew=1.5, label="predicted")
+    axes.axhline(1.0, color=MUTED, lw=1, ls="--")
+    axes.set_xticks(range(len(told)), [p["name"] for p in told], rotation=90, fontsize=8)
+    axes.set_ylabel("std after / drawn with")
+    axes.legend(frameon=False, fontsize=8)
+
+
+def fleet(axes: Axes, rows: Sequence[Mapping[str, Any]]) -> None:
+    """Draw the errors of many recordings before and after, one line each."""
+    for k, row in enumerate(rows):
+        if row.get("before_mm") and row.get("after_mm"):
+            axes.plot([row["before_mm"], row["after_mm"]], [k, k], color=MUTED, lw=0.8)
+            axes.plot([row["before_mm"]], [k], "o", color=BEFORE, ms=3.5)
+        if row.get("after_mm"):
+            axes.plot([row["after_mm"]], [k], "o", color=AFTER, ms=3.5)
+    axes.set_xscale("log")
+    axes.set_ylim(len(rows) - 0.5, -0.5)
+    axes.set_yticks(range(len(rows)), [str(r["recording"]).removesuffix("/recording.csv") for r in rows], fontsize=7)
+    axes.tick_params(axis="y", length=0)
+    axes.set_xlabel("error before (red) and after (blue), mm")

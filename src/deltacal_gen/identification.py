@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen import identifiability
-from deltacal_gen.accuracy import check_poses, distance_error, largest, volumetric_error
+from deltacal_gen.accuracy import check_poses, distance_error, largest, volumetric_error, without_motion
 from deltacal_gen.comparison import between
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation import (
@@ -702,11 +702,7 @@ def uncertainty_map(final: Fit, robot: Robot) -> dict[str, Any] | None:
         J = np.concatenate([J_p, J_m], axis=2)
         C = final.covariance[np.ix_([*range(n), *keep], [*range(n), *keep])]
     else:
-        P = x[ok, :3]
-        rigid = np.concatenate([np.tile(np.eye(3), (len(P), 1, 1)), -_cross(P)], axis=2).reshape(-1, 6)
-        Q = np.linalg.qr(rigid)[0]
-        flat = dx[:, :3].reshape(-1, n)
-        J = (flat - Q @ (Q.T @ flat)).reshape(-1, 3, n)
+        J = without_motion(dx[:, :3].reshape(-1, n), x[ok, :3]).reshape(-1, 3, n)
         C = final.covariance[:n, :n]
     std = np.sqrt(np.maximum(np.einsum("nij,jk,nik->ni", J, C, J), 0.0))
     norm = np.linalg.norm(std, axis=1)
@@ -718,12 +714,6 @@ def uncertainty_map(final: Fit, robot: Robot) -> dict[str, Any] | None:
         "points": [{"target_mm": t.tolist(), "std_mm": s.tolist()} for t, s in zip(targets[ok], std, strict=True)],
         "unreachable": int((~ok).sum()),
     }
-
-
-def _cross(P: Array) -> Array:
-    out = np.zeros((len(P), 3, 3))
-    out[:, 0, 1], out[:, 0, 2], out[:, 1, 2] = -P[:, 2], P[:, 1], -P[:, 0]
-    return out - np.swapaxes(out, 1, 2)
 
 
 # -------------------------------------------------------------------------------------------------- RESULT.json

@@ -10,6 +10,7 @@ import importlib
 import time
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import cache, cached_property
 from pathlib import Path
@@ -150,6 +151,19 @@ def described(mechanism: Mechanism) -> tuple[Mechanism, ...]:
     tables = {name: importlib.import_module(f"deltacal_kernels.{name}.parameters") for name in mechanism_names()}
     alike = [name for name, table in tables.items() if getattr(table, "MACHINE", name) == mechanism.machine]
     return tuple(map(load_mechanism, alike)) if mechanism.links is None else (mechanism,)
+
+
+_compiled_only: ContextVar[bool] = ContextVar("compiled_only", default=False)
+
+
+@contextmanager
+def compiled_only() -> Iterator[None]:
+    """Compute with compiled kernels alone: not even the last digits depend on what a process did before."""
+    before = _compiled_only.set(True)
+    try:
+        yield
+    finally:
+        _compiled_only.reset(before)
 
 
 class Mechanism:
@@ -319,7 +333,12 @@ class Mechanism:
         process will make is not known, so NumPy works until it has cost as much as Numba would have: never more than
         twice the best choice.
         """
-        if "compiled" in self.__dict__ or self._spent > PATIENCE_S[not self._compiled_before] or poses > MANY_POSES:
+        if (
+            _compiled_only.get()
+            or "compiled" in self.__dict__
+            or self._spent > PATIENCE_S[not self._compiled_before]
+            or poses > MANY_POSES
+        ):
             yield self.compiled
             return
         start = time.perf_counter()
@@ -350,8 +369,8 @@ class Mechanism:
             Joints [rad or mm].
         tool : (3,) or (N, 3) array
             Reference point in {O'} [mm].
-        rows : (1, limbs, n) or (N, limbs, n) array
-            See `rows`.
+        rows : (M, limbs, n) array
+            See `rows`; each of M machines stands at N / M joints one after another.
         near : (N, 12) array, optional
             Poses of a machine that differs little: where to start from.
 
@@ -365,8 +384,11 @@ class Mechanism:
         q, tool = self._poses(q, self.limbs, "joints"), self._tool(tool, len(q))
         x = np.empty((len(q), len(self._at))) if near is None else self._own(near)
         status = np.empty(len(q), dtype=np.int64)
+        constants = self._constants(rows)
+        if len(rows) not in (1, len(q)):
+            constants = np.repeat(constants, len(q) // len(rows), axis=0)
         with self._kernels(len(q)) as kernels:
-            kernels.forward(q, tool, self._constants(rows), x, status, near is not None)
+            kernels.forward(q, tool, constants, x, status, near is not None)
         return self._body(x), status
 
     def inverse(self, target: Array, tool: Array, rows: Array) -> tuple[Array, Array, np.ndarray]:

@@ -847,6 +847,22 @@ def write_recording(recording: Recording, path: str | Path) -> None:
     write_files(files | {path: csv_text(columns)})
 
 
+def is_recording(path: Path) -> bool:
+    """Tell whether a table holds joints and at least one reading; its values are not judged."""
+    read = {*_POSITION, *_ROTATION, *sum(_COLUMNS.values(), ()), "contact"}
+    try:
+        with path.open(encoding="utf-8-sig", newline="") as file:
+            rows = csv.reader(line for line in file if not line.startswith("#"))
+            header = [name.strip() for name in next(rows, [])]
+            if not any(_JOINT.fullmatch(name) or _JOINT_OF_END.fullmatch(name) for name in header):
+                return False
+            at = [k for k, name in enumerate(header) if name in read]
+            some = any(len(row) > k and row[k].strip() for row in rows for k in at)
+    except (OSError, UnicodeDecodeError, csv.Error):
+        return False
+    return some or path.with_suffix(".distances.csv").exists()
+
+
 def file_columns(recording: Recording) -> tuple[dict[str, Any], dict[str, Any]]:
     """Columns of the recording and of its distances, in the units of the files."""
     unit = recording.joint_unit

@@ -77,6 +77,101 @@ def diagnosis(found: Mapping[str, Any]) -> str:
     )
 
 
+def study(found: Mapping[str, Any]) -> str:
+    """Return the page of a STUDY.json."""
+    position, advice = found["position"], found["advice"]
+    before, after = position["before"], position["after"]
+    lead = (
+        f"As built, machines of these tolerances are {before['rms_mm']:.3f} mm off over the workspace. Calibrated "
+        f"by this plan, 95 % of them come within {after['p95_mm']:.4f} mm, and their worst point within "
+        f"{after['worst_p95_mm']:.4f} mm."
+    )
+    return _rendered(
+        "study",
+        title=f"{found['robot']['robot']['name']}: study of a plan",
+        machine=found["robot"]["robot"]["name"],
+        found=found,
+        headline=f"This plan leaves {after['rms_mm']:.4f} mm",
+        lead=lead,
+        steps=_study_steps(found),
+        errors=_svg(partial(figures.before_and_after, found=found), (7.4, 2.6)),
+        positions=[
+            (words, f"{p['rms_mm']:.4f}", f"{p['p95_mm']:.4f}", f"{p['worst_p95_mm']:.4f}", expected)
+            for words, p, expected in (
+                ("as built", before, ""),
+                ("calibrated", after, f"{after['predicted_rms_mm']:.4f}"),
+            )
+        ],
+        enough=_svg(partial(figures.enough, found=found), (7.4, 2.4)),
+        gains=[(_sentence(g["add"]), f"{g['rms_mm']:.4f}", f"{g['gain']:.0%}") for g in advice["add"]],
+        suspects=[_suspect(s) for s in found["suspects"]],
+        parameters=_svg(partial(figures.scatter, found=found), (7.4, 3.0)),
+        rows=[
+            (p["name"], *(f"{p[k]:.3g}" for k in ("drawn_std", "std", "predicted_std", "bias")), p["unit"])
+            for p in found["parameters"]
+        ],
+    )
+
+
+def _study_steps(found: Mapping[str, Any]) -> list[str]:
+    advice = found["advice"]
+    steps = []
+    if advice["worth"]:
+        steps.append(f"More measuring pays: twice as many readings take {advice['doubling']:.0%} off the error.")
+    else:
+        steps.append(f"This is enough: twice as many readings would take no more than {advice['doubling']:.0%} off.")
+    if advice["add"]:
+        best = advice["add"][0]
+        steps.append(f"What helps most beside that is {best['add']}: {best['gain']:.0%} off.")
+    for c in found["channels_wanted"]:
+        steps.append(f"To find {_spaced(c['name'])} at all, the plan needs {c['missing']}.")
+    for s in found["suspects"]:
+        if s["effects"] and s["interval"][0] < 0.5 and s["next"]:
+            steps.append(f"To be surer of {_concealed(s)}: {s['next'][0]}")
+    return steps
+
+
+def _concealed(suspect: Mapping[str, Any]) -> str:
+    words = [f"{_spaced(e['name'])} {', '.join(map(str, e['limbs']))}".strip() for e in suspect["effects"]]
+    return " and ".join(words) or "nothing"
+
+
+def _suspect(s: Mapping[str, Any]) -> tuple[str, ...]:
+    low, high = s["interval"]
+    instead = "; ".join(f"{words} ({count})" for words, count in s["instead"].items()) or "-"
+    figures_mm = [f"{s[k]:.4f}" if s[k] is not None else "-" for k in ("before_mm", "after_mm")]
+    return (
+        _concealed(s),
+        str(s["recordings"]),
+        str(s["named_right"]),
+        f"{low:.0%} to {high:.0%}",
+        instead,
+        *figures_mm,
+    )
+
+
+def batch(found: Mapping[str, Any]) -> str:
+    """Return the page over many recordings."""
+    rows, failed = found["rows"], [(r["recording"], r["error"]) for r in found["rows"] if r["error"] is not None]
+    columns = [c for c in dict.fromkeys(k for r in rows for k in r) if c not in ("machine", "error")]
+    done = [r for r in rows if r["error"] is None]
+    return _rendered(
+        "batch",
+        title=f"{len(rows)} recordings",
+        found=found,
+        headline=f"{len(done)} of {len(rows)} recordings done",
+        picture=_svg(partial(figures.fleet, rows=done), (7.4, 0.8 + 0.16 * len(done))) if done else "",
+        failed=failed,
+        changed=[(c["machine"], c["from"], c["to"], c["text"]) for c in found["changed"]],
+        columns=[_spaced(c).removesuffix(" mm") + (", mm" if c.endswith("_mm") else "") for c in columns],
+        rows=[[_cell(r.get(c)) for c in columns] for r in rows],
+    )
+
+
+def _cell(value: Any) -> str:
+    return "" if value is None else f"{value:.4f}" if isinstance(value, float) else str(value)
+
+
 def page(title: str, parts: Sequence[str]) -> str:
     """Return a page of parts that are HTML already."""
     return _rendered("parts", title=title, parts=parts)

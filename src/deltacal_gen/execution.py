@@ -1,0 +1,298 @@
+"""Many independent tasks on any executor: what is done is kept, what fails is listed, and workers change no result.
+
+A task is a module's function and arguments that can be pickled; its result is JSON. Its key is a hash of all that the
+result depends on, so that a run directory holds each result once, can be stopped, copied and resumed anywhere. Random
+numbers belong to the task, not to the worker. No more tasks are in flight than keep the workers busy.
+"""
+
+from __future__ import annotations
+
+import concurrent.futures
+import hashlib
+import json
+import multiprocessing
+import os
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from concurrent.futures import Executor, Future, ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from deltacal_gen.errors import DeltacalError, InputError
+from deltacal_gen.mechanism import compiled_only
+
+AHEAD = 2  # tasks in flight per worker: one at work, one waiting
+LIVES = 3  # workers that may end over one task before it counts as failed
+CONNECT_S = 5.0  # for a scheduler to answer
+FOLDER = "tasks"
+
+Told = Callable[[int, int, str], None]
+
+
+@dataclass(frozen=True)
+class Task:
+    """What is to be done.
+
+    Attributes
+    ----------
+    key : str
+        Hash of all that the result depends on; see `content_key`.
+    label : str
+        For people.
+    arguments : callable
+        Returns the function's arguments when the task's turn comes, so that what waits takes no memory.
+    """
+
+    key: str
+    label: str
+    arguments: Callable[[], tuple[Any, ...]]
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What became of a task: its result, or in words why there is none."""
+
+    key: str
+    label: str
+    result: dict[str, Any] | None
+    error: str | None = None
+
+
+def content_key(*parts: object) -> str:
+    """Return a hash of JSON-like parts and bytes."""
+    digest = hashlib.sha256()
+    for part in parts:
+        data = part if isinstance(part, bytes) else json.dumps(part, sort_keys=True, default=str).encode()
+        digest.update(len(data).to_bytes(8, "big") + data)
+    return digest.hexdigest()[:32]
+
+
+def run(
+    function: Callable[..., dict[str, Any]],
+    tasks: Iterable[Task],
+    *,
+    total: int,
+    workers: int | None = None,
+    cluster: str | None = None,
+    directory: str | Path | None = None,
+    told: Told = lambda done, total, label: None,
+) -> Iterator[Outcome]:
+    """Do tasks and yield their outcomes in the order of the tasks, whatever the order in which they end.
+
+    Parameters
+    ----------
+    function : callable
+        Of a module, so that a worker can import it.
+    tasks : iterable of Task
+        Read as workers become free.
+    total : int
+        How many there are, for the progress.
+    workers : int, optional
+        Local processes; default one per core, and with 1 everything is done in this process.
+    cluster : str, optional
+        Address of a Dask scheduler, ``tcp://HOST:PORT``, instead of local processes.
+    directory : path, optional
+        Results are kept there and not made again. A failure of the input is a result; one of a worker is tried again
+        by the next run.
+    told : callable
+        Called with tasks done, `total` and the label of the one that has just ended.
+
+    Raises
+    ------
+    InputError
+        No scheduler answers at `cluster`, or the directory cannot be written.
+    """
+    store = None if directory is None else Store(Path(directory))
+    with _pool(workers, cluster) as pool:
+        yield from _Run(function, pool, store, total, told).outcomes(iter(tasks))
+
+
+class Store:
+    """Results by key, each a file that is complete or not there."""
+
+    def __init__(self, directory: Path) -> None:
+        self.folder = directory / FOLDER
+        try:
+            self.folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise InputError(f"cannot be made: {error.strerror}.", "Choose another folder.", file=directory) from None
+
+    def get(self, key: str) -> dict[str, Any] | None:
+        """Return ``result`` and ``error`` of a task that was done, or None."""
+        try:
+            data: dict[str, Any] = json.loads((self.folder / f"{key}.json").read_text(encoding="utf-8"))
+        except (OSError, json.JSONDecodeError):
+            return None
+        return data
+
+    def put(self, outcome: Outcome) -> None:
+        """Keep an outcome."""
+        file = self.folder / f"{outcome.key}.json"
+        whole = file.with_suffix(f".{os.getpid()}")
+        whole.write_text(json.dumps({"result": outcome.result, "error": outcome.error}), encoding="utf-8")
+        whole.replace(file)
+
+
+@dataclass(frozen=True)
+class _Pool:
+    """An executor that can be made anew after its processes have ended."""
+
+    make: Callable[[], Executor] | None
+    width: int
+
+
+@contextmanager
+def _pool(workers: int | None, cluster: str | None) -> Iterator[_Pool]:
+    if cluster is not None:
+        with _dask(cluster) as pool:
+            yield pool
+        return
+    count = workers if workers is not None else os.cpu_count() or 1
+    if count <= 1:
+        yield _Pool(None, 1)
+        return
+    # a core to each worker: matrices here are small, and threads of the linear algebra would only wait for one another
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    context = multiprocessing.get_context("spawn")
+    yield _Pool(lambda: ProcessPoolExecutor(count, mp_context=context), count)
+
+
+@contextmanager
+def _dask(address: str) -> Iterator[_Pool]:
+    try:
+        from distributed import Client
+    except ImportError:
+        raise InputError(
+            "a cluster needs Dask, which is not installed.",
+            "pip install 'deltacal_gen[cluster]', or leave --cluster out.",
+        ) from None
+    try:
+        client = Client(address, timeout=CONNECT_S, set_as_default=False)
+    except (OSError, ValueError, TimeoutError) as error:
+        raise InputError(
+            f"no scheduler answers at {address} within {CONNECT_S:g} s ({type(error).__name__}).",
+            "Start one (dask scheduler), or give its address: tcp://HOST:PORT. What was done before is kept.",
+        ) from None
+    try:
+        width = sum(client.nthreads().values())
+        yield _Pool(lambda: client.get_executor(pure=False), max(width, 1))
+    finally:
+        client.close()
+
+
+def attempt(function: Callable[..., dict[str, Any]], arguments: tuple[Any, ...]) -> dict[str, Any]:
+    """Return result and error of a task; runs on the worker."""
+    try:
+        with compiled_only():
+            return {"result": function(*arguments), "error": None, "kept": True}
+    except DeltacalError as error:
+        return {"result": None, "error": str(error), "kept": True}
+    except Exception as error:  # one recording must not end a fleet's night
+        return {"result": None, "error": f"{type(error).__name__}: {error}", "kept": False}
+
+
+class _Run:
+    def __init__(
+        self,
+        function: Callable[..., dict[str, Any]],
+        pool: _Pool,
+        store: Store | None,
+        total: int,
+        told: Told,
+    ) -> None:
+        self.function, self.pool, self.store, self.total, self.told = function, pool, store, total, told
+        self.ended = 0
+
+    def outcomes(self, tasks: Iterator[Task]) -> Iterator[Outcome]:
+        if self.pool.make is None:
+            for task in tasks:
+                known = self._known(task)
+                yield known or self._close(task, attempt(self.function, task.arguments()))
+            return
+        yield from self._in_order(tasks)
+
+    def _known(self, task: Task) -> Outcome | None:
+        data = None if self.store is None else self.store.get(task.key)
+        if data is None:
+            return None
+        self._tell(task.label)
+        return Outcome(task.key, task.label, data["result"], data["error"])
+
+    def _close(self, task: Task, said: Mapping[str, Any]) -> Outcome:
+        outcome = Outcome(task.key, task.label, said["result"], said["error"])
+        if self.store is not None and said["kept"]:
+            self.store.put(outcome)
+        self._tell(task.label)
+        return outcome
+
+    def _tell(self, label: str) -> None:
+        self.ended += 1
+        self.told(self.ended, self.total, label)
+
+    def _in_order(self, tasks: Iterator[Task]) -> Iterator[Outcome]:
+        """Keep the workers busy, and yield outcomes by the order of the tasks."""
+        assert self.pool.make is not None
+        executor = self.pool.make()
+        flying: dict[Future[dict[str, Any]], tuple[int, Task]] = {}
+        waiting: list[tuple[int, Task]] = []  # whose worker ended
+        deaths: dict[str, int] = {}
+        done: dict[int, Outcome] = {}
+        upcoming, following = enumerate(tasks), 0
+        more = True
+        try:
+            while True:
+                # results that wait for an earlier one count too: memory stays bounded
+                while len(flying) < AHEAD * self.pool.width and (waiting or (more and len(done) < 8 * self.pool.width)):
+                    number, task = waiting.pop(0) if waiting else next(upcoming, (None, None))
+                    if number is None or task is None:
+                        more = False
+                        break
+                    if task.key not in deaths and (known := self._known(task)) is not None:
+                        done[number] = known
+                        continue
+                    flying[executor.submit(attempt, self.function, task.arguments())] = (number, task)
+                while following in done:
+                    yield done.pop(following)
+                    following += 1
+                if not flying:
+                    if not more and not waiting:
+                        return
+                    continue
+                ready, _ = concurrent.futures.wait(flying, return_when=concurrent.futures.FIRST_COMPLETED)
+                broken = False
+                for future in ready:
+                    number, task = flying.pop(future)
+                    try:
+                        done[number] = self._close(task, future.result())
+                    except BrokenProcessPool:
+                        broken = True
+                        waiting.append((number, task))
+                    except Exception as error:  # of the cluster: a worker lost for good, a result that cannot travel
+                        said = {"result": None, "error": f"{type(error).__name__}: {error}", "kept": False}
+                        done[number] = self._close(task, said)
+                if broken:
+                    waiting += flying.values()
+                    flying.clear()
+                    executor.shutdown(wait=False)
+                    executor = self.pool.make()
+                    waiting = self._survivors(sorted(waiting, key=lambda w: w[0]), deaths, done)
+        finally:
+            for future in flying:
+                future.cancel()
+            executor.shutdown(wait=False)
+
+    def _survivors(
+        self, waiting: list[tuple[int, Task]], deaths: dict[str, int], done: dict[int, Outcome]
+    ) -> list[tuple[int, Task]]:
+        """Return the tasks to be tried again after a worker ended; which one ended it is not known."""
+        left = []
+        for number, task in waiting:
+            deaths[task.key] = deaths.get(task.key, 0) + 1
+            if deaths[task.key] >= LIVES * AHEAD:
+                words = "the worker ended every time: out of memory, or killed"
+                done[number] = self._close(task, {"result": None, "error": words, "kept": False})
+            else:
+                left.append((number, task))
+        return left

@@ -1,0 +1,639 @@
+"""What a measuring plan will give, before anyone measures: Monte Carlo over machines, noise and suspected effects.
+
+A machine of a study has source errors drawn from the robot file's tolerances (an ordinary manufacturing error where
+it names none). It is simulated exactly, calibrated by Gauss-Newton whose Jacobian is that of the nominal machine,
+factored once for all, and judged over the workspace after the best alignment of the map as a whole: what stays when a
+workpiece has been located. Beside the simulated scatter stands what the covariance predicts for the linear problem.
+Suspected effects are concealed in recordings of such machines, which the diagnosis then sees as any other recording.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from scipy.linalg import cho_factor, cho_solve
+
+from deltacal_gen import planning
+from deltacal_gen.accuracy import check_poses, without_motion
+from deltacal_gen.diagnosis import diagnose
+from deltacal_gen.errors import InputError, NoSolutionError
+from deltacal_gen.estimation import Problem, pose_problem
+from deltacal_gen.execution import Outcome, Task, Told, content_key, run
+from deltacal_gen.identification import BROAD
+from deltacal_gen.measurement import Readings, carried
+from deltacal_gen.mechanism import SOLVED, Array, compiled_only
+from deltacal_gen.physics import Body, Channels, Term, term_to_dict
+from deltacal_gen.recording import Recording
+from deltacal_gen.robot import Robot, robot_to_dict
+from deltacal_gen.rotation import from_vector
+from deltacal_gen.simulation import simulate
+from deltacal_gen.units import file_unit, to_internal
+
+SCHEMA = "deltacal.study/1"
+CHUNK = 250  # machines of a task, whatever the number of workers
+STEPS = 12  # of Gauss-Newton with the nominal Jacobian, at most
+DONE = 0.05  # standard deviations: by which the last step may still change a parameter; a next one would be a tenth
+NEARBY = 100.0  # mm: the second reference point from the first
+TIMES = (0.5, 1.0, 2.0, 4.0, 8.0)  # the plan's readings
+WORTH = 0.1  # of the error: what twice the measuring must take away to be worth it
+SURE = 1.96  # standard deviations of an interval that holds 95 %
+
+
+@dataclass(frozen=True)
+class Study:
+    """A robot, a plan of poses, and what is unknown of the machine.
+
+    Attributes
+    ----------
+    robot : Robot
+        The machine as drawn, with tolerances.
+    poses : Recording
+        Joints or targets, kind and channels of the measurement; its readings are not looked at.
+    names : tuple of str
+        Source errors that the calibration frees.
+    errors : tuple of str
+        Source errors that machines have.
+    sigma, turn_sigma : float
+        Noise per coordinate [mm] and of rotations [rad].
+    suspects : tuple of tuple of Term
+        Each what one machine has beside its geometry.
+    seed : int
+    """
+
+    robot: Robot
+    poses: Recording
+    names: tuple[str, ...]
+    errors: tuple[str, ...]
+    sigma: float
+    turn_sigma: float = 0.0
+    suspects: tuple[tuple[Term, ...], ...] = ()
+    seed: int = 0
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return the fields alone: a worker works out the rest itself."""
+        return {f.name: getattr(self, f.name) for f in dataclasses.fields(self)}
+
+    def __setstate__(self, state: Mapping[str, Any]) -> None:
+        self.__dict__.update(state)
+
+    @cached_property
+    def problem(self) -> Problem:
+        """The calibration of the plan's recording, read from the nominal machine without noise."""
+        nominal = dataclasses.replace(self.robot, errors={})
+        problem = pose_problem(nominal, simulate(nominal, self.poses), self.names)
+        prior = [self.robot.tolerance.get(n, BROAD * s) for n, s in zip(self.names, problem.scale, strict=True)]
+        return dataclasses.replace(problem, scale=np.array(prior))
+
+    @cached_property
+    def spread(self) -> Array:
+        """Standard deviations (n_p,) of the source errors of machines; 0 for those that they do not have."""
+        mechanism = self.problem.mechanism
+        named = [
+            self.robot.tolerance.get(p.name, t) for p, t in zip(mechanism.parameters, mechanism.typical, strict=True)
+        ]
+        return np.where([p.name in self.errors for p in mechanism.parameters], named, 0.0)
+
+    @cached_property
+    def linear(self) -> Linear:
+        """The plan's linear problem at the nominal machine."""
+        return Linear.of(self, self.problem)
+
+    @cached_property
+    def check(self) -> tuple[Array, Array]:
+        """Joints (C, n_q) and nominal poses (C, 12) at which the machine is judged; the plan's, without a workspace."""
+        problem, workspace = self.problem, self.robot.workspace
+        if workspace is None:
+            return problem.body.q, problem.poses(problem.reference)
+        targets = check_poses(workspace) if workspace.radius is not None else planning.grid(workspace, 3, 2, 8)
+        rows = problem.mechanism.rows(problem.robot)
+        q, x, status = problem.mechanism.inverse(targets, problem.body.tool[0], rows)
+        return q[status == SOLVED], x[status == SOLVED]
+
+    @cached_property
+    def over_workspace(self) -> Array:
+        """Derivatives (3 C, n_p) of the judged positions by all source errors, a rigid motion of the map taken off."""
+        q, x = self.check
+        mechanism = self.problem.mechanism
+        S = mechanism.sensitivity(x, q, self.problem.body.tool[0], mechanism.rows(self.problem.robot)).parameters
+        flat = S[:, :3].reshape(-1, S.shape[2])
+        return flat if self.known_frame else without_motion(flat, x[:, :3])
+
+    @property
+    def known_frame(self) -> bool:
+        """Whether the instrument stands in the robot's frame, so that nothing has to be aligned."""
+        return (
+            self.problem.readings.kind in ("position", "pose") and not self.problem.begin(self.problem.reference).free
+        )
+
+    def noise(self, columns: int) -> Array:
+        """Return the noise (columns,) of a reading: lengths [mm], then rotations [rad]."""
+        return np.array([self.sigma] * min(columns, 3) + [self.turn_sigma or self.sigma] * max(columns - 3, 0))
+
+    def fingerprint(self) -> str:
+        """Return a hash of all that the study's results depend on."""
+        p = self.poses
+        arrays = (p.joints, p.targets, p.tool, p.setup, p.pairs, p.pose, *p.channels.values())
+        return content_key(
+            SCHEMA,
+            robot_to_dict(self.robot),
+            p.kind,
+            p.measurement.model_dump(),
+            list(p.channels),
+            [None if a is None else np.asarray(a).tolist() for a in arrays],
+            [self.names, self.errors, self.sigma, self.turn_sigma, self.seed],
+            [[term_to_dict(t) for t in terms] for terms in self.suspects],
+        )
+
+
+@dataclass(frozen=True)
+class Linear:
+    """Readings by unknowns in units of their noise, and the solution as identify's rule has it.
+
+    Attributes
+    ----------
+    J : (M, n + m) array
+        By the n free source errors and the m unknowns of the instrument.
+    whole : (M, n_p) array
+        The same readings by all source errors of the mechanism.
+    prior : (n + m,) array
+        Inverse variance of each unknown; 0 of the instrument's.
+    covariance : (n + m, n + m) array
+    """
+
+    J: Array
+    whole: Array
+    prior: Array
+    covariance: Array
+
+    @staticmethod
+    def of(study: Study, problem: Problem) -> Linear:
+        """Return the linear problem of a plan."""
+        J, whole = rows_of(study, problem)
+        prior = np.concatenate([1 / problem.scale**2, np.zeros(J.shape[1] - len(problem.names))])
+        return Linear(J, whole, prior, _inverse(J.T @ J + np.diag(prior)))
+
+    def of_estimate(self, spread: Array, columns: Sequence[int]) -> Array:
+        """Return the second moments (n_p, n_p) of estimate minus truth, machines drawn with `spread` (n_p,)."""
+        gain = np.zeros((self.whole.shape[1], len(self.J)))
+        gain[columns] = (self.covariance @ self.J.T)[: len(columns)]
+        drawn = (gain @ self.whole - np.eye(len(spread))) * spread
+        moments: Array = gain @ gain.T + drawn @ drawn.T
+        return moments
+
+
+def rows_of(study: Study, problem: Problem) -> tuple[Array, Array]:
+    """Return a problem's readings by its unknowns (M, n + m) and by all source errors (M, n_p), in units of noise."""
+    everything = problem.with_names([p.name for p in problem.mechanism.parameters])
+    state = everything.linearise(problem.reference, problem.begin(problem.reference))
+    both = np.concatenate([state.J_p, state.J_m], axis=2) / study.noise(state.J_p.shape[1])[:, None]
+    flat, n_p = np.nan_to_num(both).reshape(-1, both.shape[2]), len(problem.mechanism.parameters)
+    return np.hstack([flat[:, problem.columns], flat[:, n_p:]]), flat[:, :n_p]
+
+
+def _inverse(information: Array) -> Array:
+    scale = 1 / np.sqrt(np.diag(information))
+    inverse: Array = cho_solve(cho_factor(information * scale * scale[:, None]), np.eye(len(scale)))
+    return inverse * scale * scale[:, None]
+
+
+# ---------------------------------------------------------------------------------------------- machines, by the chunk
+
+
+def machines(study: Study, index: int, count: int) -> dict[str, Any]:
+    """Simulate and calibrate machines; the random numbers belong to the chunk's index.
+
+    Returns
+    -------
+    dict
+        ``count``; sums and sums of squares of estimate minus truth by parameter; ``before`` and ``after``: root mean
+        square and largest position error over the workspace of each machine [mm]; ``lost``: machines that could not be
+        simulated or did not converge.
+    """
+    rng = np.random.default_rng([study.seed, 0, index])
+    problem, mechanism, columns = study.problem, study.problem.mechanism, study.problem.columns
+    truth = rng.standard_normal((count, len(study.spread))) * study.spread
+    found, x_true = _read(study, truth, rng)
+    estimate, settled = _calibrate(study, found, x_true, count)
+    off = (estimate - truth)[:, columns]
+    q, nominal = study.check
+    tool = problem.body.tool[0]
+    home = np.tile(nominal, (count, 1))
+
+    def stand(errors: Array) -> Array:
+        x, _ = mechanism.forward(np.tile(q, (count, 1)), tool, mechanism.rows(problem.robot, errors), home)
+        return x[:, :3].reshape(count, len(q), 3)
+
+    actual = stand(truth)
+    before = _apart(nominal[None, :, :3], actual, study.known_frame)
+    after = _apart(stand(estimate), actual, study.known_frame)
+    ok = settled & np.isfinite(after).all(axis=1) & np.isfinite(before).all(axis=1)
+    return {
+        "count": int(ok.sum()),
+        "lost": int(count - ok.sum()),
+        "sum": off[ok].sum(axis=0).tolist(),
+        "squares": (off[ok] ** 2).sum(axis=0).tolist(),
+        "before": _figures(before[ok]),
+        "after": _figures(after[ok]),
+    }
+
+
+def _figures(error: Array) -> list[list[float]]:
+    return np.column_stack([np.sqrt((error**2).mean(axis=1)), error.max(axis=1, initial=0.0)]).tolist()
+
+
+def _read(study: Study, truth: Array, rng: np.random.Generator) -> tuple[Readings, Array]:
+    """Return the readings of machines one after another, each with set-ups of its own, and their poses."""
+    problem, count = study.problem, len(truth)
+    found, n = problem.readings, len(problem.body.q)
+    x = _stand(study, truth, None)
+    instrument = _several(study, count, truth)
+    setups = int(found.setup.max()) + 1
+    each = np.repeat(np.arange(count), len(found))
+    stacked = dataclasses.replace(
+        found,
+        rows=np.tile(found.rows, (count, 1)) + n * each[:, None],
+        values=np.tile(found.values, (count, 1)),
+        rotations=None if found.rotations is None else np.tile(found.rotations, (count, 1, 1)),
+        setup=np.tile(found.setup, count) + setups * each,
+        group=np.tile(found.group, count),
+        line=np.tile(found.line, count),
+    )
+    values, rotations = instrument.predict(stacked, x)
+    values = values + study.sigma / instrument.scale * rng.standard_normal(values.shape)
+    values[np.isnan(stacked.values)] = np.nan
+    if rotations is not None and found.rotations is not None:
+        rotations = from_vector(study.turn_sigma * rng.standard_normal((len(values), 3))) @ rotations
+    return dataclasses.replace(stacked, values=values, rotations=rotations), x
+
+
+def _stand(study: Study, errors: Array, near: Array | None) -> Array:
+    """Return the poses (T N, 12) of machines with source errors (T, n_p) at the plan's joints."""
+    problem = study.problem
+    body, count = problem.body, len(errors)
+    rows = problem.mechanism.rows(problem.robot, errors)
+    x, _ = problem.mechanism.forward(np.tile(body.q, (count, 1)), np.tile(body.tool, (count, 1)), rows, near)
+    return x
+
+
+def _several(study: Study, count: int, errors: Array) -> Any:
+    """Return the plan's instrument once for each machine, mounted as the machine's own errors have it."""
+    problem = study.problem
+    one = problem.begin(problem.reference)
+    state = np.tile(one.state, (count, 1))
+    for unknown, parameter in carried(one.kind, problem.mechanism).items():
+        state[:, unknown] += np.repeat(errors[:, parameter], len(one.state))
+    return dataclasses.replace(one, state=state)
+
+
+def _calibrate(study: Study, found: Readings, near: Array, count: int) -> tuple[Array, np.ndarray]:
+    """Return the estimated source errors (T, n_p) of machines, and which of them have settled."""
+    problem, linear = study.problem, study.linear
+    columns, n, n_p = problem.columns, len(problem.names), len(study.spread)
+    factor = linear.covariance
+    deviation = np.sqrt(np.diag(linear.covariance)[:n])
+    u = np.zeros((count, len(factor)))
+    errors = np.zeros((count, n_p))
+    free = np.zeros((count, n_p))
+    instrument = _several(study, count, free)
+    settled = np.zeros(count, dtype=bool)
+    x: Array | None = None
+    for _ in range(STEPS):
+        x = _stand(study, errors, near if x is None else x)
+        mounted = instrument
+        for unknown, parameter in carried(instrument.kind, problem.mechanism).items():
+            state = mounted.state.copy()
+            state[:, unknown] += np.repeat(errors[:, parameter], len(state) // count)
+            mounted = dataclasses.replace(mounted, state=state)
+        r = mounted.residual(found, np.nan_to_num(x))
+        r = np.nan_to_num(r / study.noise(r.shape[1])).reshape(count, -1)
+        step = (r @ linear.J - linear.prior * u) @ factor
+        u += step
+        errors[:, columns] = u[:, :n]
+        if u.shape[1] > n:
+            instrument = instrument.stepped(step[:, n:])
+        settled = (np.abs(step[:, :n]) < DONE * deviation).all(axis=1)
+        if settled.all():
+            break
+    return errors, settled & np.isfinite(u).all(axis=1)
+
+
+def _apart(wanted: Array, actual: Array, known_frame: bool) -> Array:
+    """Return distances (T, C) between two maps (T, C, 3) [mm], the first turned and shifted onto the second."""
+    wanted = np.broadcast_to(wanted, actual.shape)
+    if known_frame:
+        return np.asarray(np.linalg.norm(actual - wanted, axis=2))
+    a, b = (np.nan_to_num(v - v.mean(axis=1, keepdims=True)) for v in (wanted, actual))
+    U, _, Vt = np.linalg.svd(np.swapaxes(b, 1, 2) @ a)
+    U[:, :, 2] *= np.sign(np.linalg.det(U @ Vt))[:, None]
+    gap = np.linalg.norm(b - a @ np.swapaxes(U @ Vt, 1, 2), axis=2)
+    gap[~np.isfinite(actual).all(axis=(1, 2)) | ~np.isfinite(wanted).all(axis=(1, 2))] = np.nan
+    return np.asarray(gap)
+
+
+# ------------------------------------------------------------------------------------------------- suspected effects
+
+
+def concealed(study: Study, suspect: int, trial: int) -> dict[str, Any]:
+    """Conceal a suspect in a recording of the plan and diagnose it; suspect -1 conceals nothing."""
+    rng = np.random.default_rng([study.seed, 1 + suspect + 1, trial])
+    terms = () if suspect < 0 else study.suspects[suspect]
+    drawn = rng.standard_normal(len(study.spread)) * study.spread
+    names = [p.name for p in study.problem.mechanism.parameters]
+    errors = {n: float(v) for n, v in zip(names, drawn, strict=True) if v}
+    recording = simulate(
+        study.robot, study.poses, errors, noise_mm=study.sigma, noise_rad=study.turn_sigma, rng=rng, terms=terms
+    )
+    channels = {k: v for k, v in recording.channels.items() if not k.startswith("true_")}
+    found = diagnose(study.robot, dataclasses.replace(recording, channels=channels)).to_dict()
+    named = [(e["name"], tuple(e["limbs"])) for e in found["effects"]]
+    wanted = sorted((t.effect, t.limbs) for t in terms)
+    alike = {n for e in found["effects"] for n in e["indistinguishable_from"]}
+    return {
+        "right": sorted(named) == wanted,
+        "among": bool(wanted) and {n for n, _ in wanted} <= {n for n, _ in named} | alike,
+        "named": [[name, list(limbs)] for name, limbs in named],
+        "verdict": found["verdict"],
+        "before_mm": found["baseline"]["heldout_rms_mm"],
+        "after_mm": found["final"]["heldout_rms_mm"],
+        "next": [n["text"] for n in found["next_measurements"] if "text" in n],
+    }
+
+
+# ------------------------------------------------------------------------------------------------------------ advice
+
+
+def _rms(study: Study, information: Array) -> float:
+    """Return the position error over the workspace [mm] that information (n + m, n + m) leaves of a drawn machine."""
+    columns, n = study.problem.columns, len(study.names)
+    C = np.diag(study.spread**2)
+    C[np.ix_(columns, columns)] = _inverse(information)[:n, :n]
+    W = study.over_workspace
+    return float(np.sqrt(np.einsum("ij,jk,ik->", W, C, W) / (len(W) / 3)))
+
+
+def _informed(study: Study) -> Array:
+    """Return what is known of the free errors before measuring, as information (n + m, n + m)."""
+    problem = study.problem
+    sd = np.where(study.spread[problem.columns] > 0, study.spread[problem.columns], problem.scale)
+    return np.diag(np.concatenate([1 / sd**2, np.zeros(len(study.linear.prior) - len(sd))]))
+
+
+def advice(study: Study) -> dict[str, Any]:
+    """Return what more of the same, another pose or a second reference point would leave by the linear problem."""
+    known, J = _informed(study), study.linear.J
+    read = J.T @ J
+    now = _rms(study, known + read)
+    enough = [{"times": t, "rms_mm": _rms(study, known + t * read)} for t in TIMES]
+    gains: list[dict[str, Any]] = []
+    for words, more in _ideas(study):
+        left = _rms(study, known + read + more)
+        gains.append({"add": words, "rms_mm": left, "gain": 1 - left / now})
+    gains.sort(key=lambda g: g["rms_mm"])
+    doubling = 1 - enough[2]["rms_mm"] / now
+    return {"rms_mm": now, "enough": enough, "doubling": doubling, "worth": bool(doubling > WORTH), "add": gains}
+
+
+def _ideas(study: Study) -> list[tuple[str, Array]]:
+    """Return measurements that could be added, with their information (n + m, n + m)."""
+    problem = study.problem
+    ideas = []
+    if problem.readings.kind in ("position", "distance", "gauge") and "z" in problem.mechanism.axes:
+        moved = problem.with_tool(problem.body.tool + np.array([NEARBY, 0.0, 0.0]))
+        ideas.append(
+            (f"a second reference point {NEARBY:.0f} mm beside the first, at the same poses", _added(study, moved))
+        )
+    if problem.readings.kind in ("position", "pose", "gauge") and study.robot.workspace is not None:
+        q, x = study.check
+        one = dataclasses.replace(
+            problem.recording,
+            joints=problem.robot.joint_sign * q,
+            targets=None,
+            **_rows(problem.recording, len(q)),
+        )
+        extra = pose_problem(problem.robot, simulate(problem.robot, one), study.names)
+        J, _ = rows_of(study, dataclasses.replace(extra, scale=problem.scale))
+        by_pose = np.zeros((len(q), len(J) // len(q), len(study.linear.prior)))
+        by_pose[:, :, : J.shape[1]] = J.reshape(len(q), -1, J.shape[1])
+        base = _informed(study) + study.linear.J.T @ study.linear.J
+        left = [_rms(study, base + B.T @ B) for B in by_pose]
+        best = int(np.argmin(left))
+        at = ", ".join(f"{v:.0f}" for v in x[best, :3])
+        ideas.append((f"one more pose, at ({at}) mm", by_pose[best].T @ by_pose[best]))
+    return ideas
+
+
+def _rows(recording: Recording, n: int) -> dict[str, Any]:
+    """Return the fields of a recording of n fresh poses of the same kind, in the first set-up."""
+    return {
+        "measured": np.full((n, recording.measured.shape[1]), np.nan),
+        "pose": np.arange(1, n + 1).astype(str),
+        "line": np.arange(2, n + 2),
+        "setup": np.zeros(n, dtype=int),
+        "tool": None if recording.tool is None else np.tile(recording.tool[0], (n, 1)),
+        "channels": {},
+        "pairs": None,
+        "pair_measured": None,
+        "pair_line": None,
+    }
+
+
+def _added(study: Study, problem: Problem) -> Array:
+    J, _ = rows_of(study, problem)
+    added: Array = J.T @ J
+    return added
+
+
+def channels_wanted(study: Study) -> list[dict[str, str]]:
+    """Return what the plan does not record and a suspected effect needs."""
+    p = study.problem
+    body = Body(study.robot, p.mechanism, p.body.q, p.body.tool, Channels.of(study.poses, study.robot))
+    wanted = []
+    for terms in study.suspects:
+        for term in terms:
+            if (why := body.missing(term.effect)) is not None:
+                wanted.append({"name": term.effect, "missing": why})
+    return wanted
+
+
+# ------------------------------------------------------------------------------------------------------------ all of it
+
+
+def work(study: Study, what: str, *numbers: int) -> dict[str, Any]:
+    """Do a task of a study; runs on a worker."""
+    return machines(study, *numbers) if what == "machines" else concealed(study, *numbers)
+
+
+def tasks(study: Study, trials: int, diagnoses: int) -> list[Task]:
+    """Return the tasks of a study."""
+    mark = study.fingerprint()
+    jobs: list[tuple[Any, ...]] = []
+    for index in range(math.ceil(trials / CHUNK)):
+        jobs.append(("machines", index, min(CHUNK, trials - index * CHUNK)))
+    for suspect in range(-1, len(study.suspects)):
+        jobs += [("concealed", suspect, trial) for trial in range(diagnoses)] if study.suspects else []
+    return [
+        Task(content_key(mark, job), f"{job[0]} {job[1] + 1}", lambda job=job: (study, *job))  # type: ignore[misc]
+        for job in jobs
+    ]
+
+
+def conduct(
+    study: Study,
+    trials: int = 1000,
+    diagnoses: int = 10,
+    *,
+    workers: int | None = None,
+    cluster: str | None = None,
+    directory: str | Path | None = None,
+    told: Told = lambda done, total, label: None,
+) -> dict[str, Any]:
+    """Conduct a study; see `execution.run` for workers, cluster and directory.
+
+    Raises
+    ------
+    InputError
+        The plan carries fewer readings than the calibration has unknowns, or cannot be reached; no scheduler answers.
+    """
+    with compiled_only():
+        return _conduct(study, trials, diagnoses, workers, cluster, directory, told)
+
+
+def _conduct(
+    study: Study,
+    trials: int,
+    diagnoses: int,
+    workers: int | None,
+    cluster: str | None,
+    directory: str | Path | None,
+    told: Told,
+) -> dict[str, Any]:
+    scalars, unknowns = study.problem.readings.n_scalars, study.linear.J.shape[1]
+    if scalars < unknowns:
+        raise InputError(
+            f"the plan has {scalars} scalar readings for {unknowns} unknowns.",
+            "Add poses, or free fewer parameters with --model.",
+            file=study.poses.path,
+        )
+    todo = tasks(study, trials, diagnoses)
+    done = list(run(work, todo, total=len(todo), workers=workers, cluster=cluster, directory=directory, told=told))
+    chunks = math.ceil(trials / CHUNK)
+    for outcome in done[:chunks]:
+        if outcome.result is None:
+            raise NoSolutionError(f"{outcome.label}: {outcome.error}")
+    return _summed(study, [o.result for o in done[:chunks] if o.result is not None], done[chunks:], diagnoses)
+
+
+def _summed(
+    study: Study, chunks: Sequence[Mapping[str, Any]], diagnosed: Sequence[Outcome], diagnoses: int
+) -> dict[str, Any]:
+    problem, linear = study.problem, study.linear
+    mechanism, n = problem.mechanism, len(study.names)
+    count = sum(c["count"] for c in chunks)
+    if count == 0:
+        raise NoSolutionError("no machine of the study could be simulated and calibrated: its errors are too large.")
+    mean = np.sum([c["sum"] for c in chunks], axis=0) / count
+    scatter = np.sqrt(np.sum([c["squares"] for c in chunks], axis=0) / count)
+    moments = linear.of_estimate(study.spread, problem.columns)
+    stated = np.sqrt(np.diag(linear.covariance)[:n])
+    predicted = np.sqrt(np.diag(moments)[problem.columns])
+    parameters = []
+    for k, name in enumerate(study.names):
+        p = mechanism.parameters[mechanism.index[name]]
+        factor = to_internal(p.unit)
+        parameters.append(
+            {
+                "name": name,
+                "unit": file_unit(p.unit),
+                "drawn_std": float(study.spread[mechanism.index[name]] / factor),
+                "std": float(scatter[k] / factor),
+                "bias": float(mean[k] / factor),
+                "predicted_std": float(predicted[k] / factor),
+                "stated_std": float(stated[k] / factor),
+            }
+        )
+    W = study.over_workspace
+    expected = float(np.sqrt(np.einsum("ij,jk,ik->", W, moments, W) / (len(W) / 3)))
+    return {
+        "schema": SCHEMA,
+        "robot": robot_to_dict(study.robot),
+        "kind": problem.readings.kind,
+        "readings": problem.readings.n_scalars,
+        "poses": problem.recording.n_rows,
+        "sigma_mm": study.sigma,
+        "machines": count,
+        "lost": sum(c["lost"] for c in chunks),
+        "seed": study.seed,
+        "parameters": parameters,
+        "position": {
+            "aligned": not study.known_frame,
+            "points": len(study.check[0]),
+            "before": _spread([c["before"] for c in chunks]),
+            "after": _spread([c["after"] for c in chunks]) | {"predicted_rms_mm": expected},
+        },
+        "suspects": _told(study, diagnosed, diagnoses),
+        "channels_wanted": channels_wanted(study),
+        "advice": advice(study),
+    }
+
+
+def _spread(parts: Sequence[Sequence[Sequence[float]]]) -> dict[str, Any]:
+    """Return root mean square over all machines, and quantiles of the machines' own figures [mm]."""
+    rms, worst = np.array([f for part in parts for f in part]).T
+    edges = np.geomspace(max(float(rms.min()), 1e-12), max(float(rms.max()), 2e-12), 31)
+    return {
+        "rms_mm": float(np.sqrt(np.mean(rms**2))),
+        "median_mm": float(np.median(rms)),
+        "p95_mm": float(np.quantile(rms, 0.95)),
+        "worst_median_mm": float(np.median(worst)),
+        "worst_p95_mm": float(np.quantile(worst, 0.95)),
+        "histogram": {"edges_mm": edges.tolist(), "count": np.histogram(rms, edges)[0].tolist()},
+    }
+
+
+def _told(study: Study, outcomes: Sequence[Outcome], each: int) -> list[dict[str, Any]]:
+    """Return suspect by suspect how often it was named."""
+    if not outcomes:
+        return []
+    told = []
+    for k, terms in enumerate([(), *study.suspects]):
+        mine = outcomes[k * each : (k + 1) * each]
+        good = [o.result for o in mine if o.result is not None]
+        right = sum(r["right"] for r in good)
+        others: dict[str, int] = {}
+        for r in good:
+            if not r["right"]:
+                words = ", ".join(f"{n} {limbs}" for n, limbs in r["named"]) or r["verdict"]
+                others[words] = others.get(words, 0) + 1
+        low, high = _wilson(right, len(good))
+        told.append(
+            {
+                "effects": [{"name": t.effect, "limbs": list(t.limbs)} for t in terms],
+                "recordings": len(good),
+                "named_right": right,
+                "named_among_equals": sum(r["among"] for r in good),
+                "chance": right / len(good) if good else None,
+                "interval": [low, high],
+                "instead": others,
+                "before_mm": float(np.median([r["before_mm"] for r in good])) if good else None,
+                "after_mm": float(np.median([r["after_mm"] for r in good])) if good else None,
+                "next": sorted({t for r in good if not r["right"] for t in r["next"]})[:3],
+                "failed": sorted({o.error for o in mine if o.error is not None}),
+            }
+        )
+    return told
+
+
+def _wilson(right: int, of: int) -> tuple[float, float]:
+    """Return the 95 % interval of a chance that came true `right` times of so many."""
+    if of == 0:
+        return 0.0, 1.0
+    p, z = right / of, SURE**2 / of
+    middle, half = (p + z / 2) / (1 + z), math.sqrt(p * (1 - p) * z + z**2 / 4) / (1 + z)
+    return max(middle - half, 0.0), min(middle + half, 1.0)
