@@ -784,8 +784,7 @@ def batch(
         _print_json(found)
         return
     rows, failed = found["rows"], [r for r in found["rows"] if r["error"] is not None]
-    columns = [c for c in rows[0].keys() - {"machine", "error"}] if rows else []
-    columns = [c for c in dict.fromkeys(k for r in rows for k in r) if c in columns or c == "recording"]
+    columns = [c for c in dict.fromkeys(k for r in rows for k in r) if c not in ("machine", "error")]
     table = Table(*[c.replace("_", " ") for c in columns])
     for r in rows:
         cells = [r.get(c) for c in columns]
