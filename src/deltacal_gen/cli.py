@@ -17,7 +17,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the matrices are small: th
 
 import typer
 from rich.console import Console
-from rich.table import Table
+from rich.table import Column, Table
 
 from deltacal_gen.errors import DeltacalError
 
@@ -785,7 +785,7 @@ def batch(
         return
     rows, failed = found["rows"], [r for r in found["rows"] if r["error"] is not None]
     columns = [c for c in dict.fromkeys(k for r in rows for k in r) if c not in ("machine", "error")]
-    table = Table(*[c.replace("_", " ") for c in columns])
+    table = Table(*[Column(c.replace("_", " "), overflow="fold") for c in columns])
     for r in rows:
         cells = [r.get(c) for c in columns]
         table.add_row(*[_number(c) if isinstance(c, float) else str(c if c is not None else "") for c in cells])

@@ -850,17 +850,21 @@ def write_recording(recording: Recording, path: str | Path) -> None:
 def is_recording(path: Path) -> bool:
     """Tell whether a table holds joints and at least one reading; its values are not judged."""
     read = {*_POSITION, *_ROTATION, *sum(_COLUMNS.values(), ()), "contact"}
-    try:
-        with path.open(encoding="utf-8-sig", newline="") as file:
+
+    def filled(table: Path, joints: bool) -> bool:
+        with table.open(encoding="utf-8-sig", newline="") as file:
             rows = csv.reader(line for line in file if not line.startswith("#"))
             header = [name.strip() for name in next(rows, [])]
-            if not any(_JOINT.fullmatch(name) or _JOINT_OF_END.fullmatch(name) for name in header):
-                return False
+            if joints and not any(_JOINT.fullmatch(name) or _JOINT_OF_END.fullmatch(name) for name in header):
+                raise csv.Error("no joints")
             at = [k for k, name in enumerate(header) if name in read]
-            some = any(len(row) > k and row[k].strip() for row in rows for k in at)
+            return any(len(row) > k and row[k].strip() for row in rows for k in at)
+
+    distances = path.with_suffix(".distances.csv")
+    try:
+        return filled(path, True) or (distances.exists() and filled(distances, False))
     except (OSError, UnicodeDecodeError, csv.Error):
         return False
-    return some or path.with_suffix(".distances.csv").exists()
 
 
 def file_columns(recording: Recording) -> tuple[dict[str, Any], dict[str, Any]]:
