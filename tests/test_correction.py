@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import deltacal_gen as dc
+from deltacal_gen.accuracy import volumetric_error
 from deltacal_gen.correction import Smooth, correct
 from deltacal_gen.diagnosis import diagnose
 from deltacal_gen.identification import folds
@@ -124,3 +125,21 @@ def test_a_function_fades_over_its_length() -> None:
     assert share == pytest.approx([1.0, 1.0, 1.0, np.exp(-0.5), 0.0, 0.0], abs=1e-7)
     assert made.displacement(np.array([[21.0], [np.nan]])) == pytest.approx(np.array([[1 + 2 * np.exp(-1 / 8)], [0.0]]))
     assert Smooth.from_dict(json.loads(json.dumps(made.to_dict()))).to_dict() == made.to_dict()
+
+
+def test_commands_undo_the_correction_too(robot: Robot, humid: dict[str, Any]) -> None:
+    """On the true machine: the joint that swells is commanded less."""
+    rng = np.random.default_rng(31)
+    targets = np.column_stack([rng.uniform(-250, 250, (20, 2)), rng.uniform(-930, -780, 20)])
+    humidity = rng.uniform(*np.quantile(humid["correction"]["smooth"]["knots"], [0.2, 0.8]), 20)
+    said: list[str] = []
+    off = []
+    for known in (humid, without(humid)):
+        joints = dc.compensate(known, targets, channels={"humidity": humidity}, tell=said.append) * DEG
+        joints[:, LIMB] += 0.01 * DEG * np.sin((humidity - 45) / 6)
+        x, _ = DELTA.forward(joints, robot.tool, DELTA.rows(robot, DELTA.vector(plausible(DELTA, 11, size=0.3))))
+        off.append(float(np.sqrt(np.mean(volumetric_error(x[:, :3], targets) ** 2))))  # {O} is known but for a motion
+    assert off[0] < 0.3 * off[1]
+    assert not any("smooth correction" in words for words in said)
+    dc.compensate(humid, targets[:2], channels={"humidity": np.array([1e4, 1e4])}, tell=said.append)
+    assert "2 of 2 targets lie outside" in said[-1]

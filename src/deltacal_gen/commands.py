@@ -483,6 +483,8 @@ def compensate(
             raise UsageError(f"there is no export '{export}' for {robot.mechanism}; known: {', '.join(writers)}.")
         if output is None:
             raise UsageError("an export needs the file to write: give -o FILE.")
+        if result.get("correction"):
+            tell("the smooth correction is not part of an export; compensate targets instead")
         writers[export](output)
         return np.zeros((0, mechanism.limbs))
     if targets is None:
@@ -506,6 +508,13 @@ def compensate(
     for words in assumed:
         tell(words)
     joints = compensator.joints(positions, tool, at)
+    if result.get("correction"):
+        if result["instrument"]["kind"] in ("position", "pose"):
+            joints, share = prediction.corrected_joints(result, joints, tool, columns)
+            if (outside := share < 0.5).any():
+                tell(f"{outside.sum()} of {len(share)} targets lie outside what the smooth correction was made of")
+        else:
+            tell("the smooth correction is not part of these commands: it was made of readings that know no position")
     if output is not None:
         table: dict[str, Any] = {} if recording is None else {"pose": recording.pose.tolist()}
         table |= {

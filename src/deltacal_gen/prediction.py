@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,14 +13,16 @@ from deltacal_gen.correction import Smooth, variable
 from deltacal_gen.errors import InputError
 from deltacal_gen.estimation import Problem, pose_problem
 from deltacal_gen.measurement import FRAMELESS, Instrument, Readings, frameless, home_of
-from deltacal_gen.mechanism import Array
+from deltacal_gen.mechanism import Array, mechanism_of
 from deltacal_gen.physics import Term, reading_shift, term_from_dict
-from deltacal_gen.recording import Recording
+from deltacal_gen.recording import Measurement, Recording
 from deltacal_gen.robot import Robot, robot_from_dict
 from deltacal_gen.rotation import from_vector, to_vector
 from deltacal_gen.simulation import unread, with_values
 
 CORRECTED = "correction_share"  # channel of a prediction
+COMMAND_STEPS = 20
+COMMAND_SETTLED_MM = 1e-7  # by which a command with a smooth correction may still miss
 
 
 def calibrated_robot(result: Mapping[str, Any]) -> Robot:
@@ -83,6 +86,60 @@ def predict(result: Mapping[str, Any], recording: Recording) -> Recording:
     if recording.kind == "gauge" and recording.measurement.zero == "incremental":
         values = values - values[0]
     return with_values(recording, problem.readings, values)
+
+
+def corrected_joints(
+    result: Mapping[str, Any], joints: Array, tool: Array | None, channels: Mapping[str, Array | float]
+) -> tuple[Array, Array]:
+    """Return commands (N, n_q) that undo a smooth correction too, and which part (N,) of it they undo.
+
+    Parameters
+    ----------
+    joints : (N, n_q) array
+        Commands that bring the machine to its targets but for the correction, as the controller counts.
+    tool : (3,) or (N, 3) array, optional
+    channels : mapping of (N,) arrays or numbers
+        Of each command, by the names of the recording's columns.
+
+    Notes
+    -----
+    Newton's method with the Jacobian of the machine without the correction, on positions as the instrument reads them:
+    both descriptions of the machine are fitted in that frame.
+    """
+    robot, n = calibrated_robot(result), len(joints)
+    mechanism = mechanism_of(robot)
+    commands = Recording(
+        path=Path("targets"),
+        kind="position",
+        measurement=Measurement(kind="position", frame="unknown"),
+        joint_unit=mechanism.joint_unit,
+        joints=joints,
+        columns=tuple(f"{axis}_mm" for axis in mechanism.axes),
+        measured=np.full((n, len(mechanism.axes)), np.nan),
+        pose=np.arange(1, n + 1).astype(str),
+        line=np.arange(2, n + 2),
+        channels={k: np.broadcast_to(np.asarray(v, dtype=float), (n,)) for k, v in channels.items()},
+        setup=np.zeros(n, dtype=int),
+        setup_names=(result["instrument"]["setups"][0],),
+        tool=None if tool is None else np.broadcast_to(tool, (n, 3)),
+    )
+    problem, instrument = prediction_problem(result, robot, commands)
+    rows = mechanism.rows(robot)
+    wanted, _ = _read(problem, instrument, problem.poses(problem.reference))
+    turn, tool = instrument.state[0, :9].reshape(3, 3), problem.body.tool
+    for _ in range(COMMAND_STEPS):
+        at = dataclasses.replace(commands, joints=joints)
+        plain, seen = prediction_problem(result, robot, at)
+        x = plain.poses(plain.reference)
+        reached, _ = _read(plain, seen, x)
+        share, beside, other, moved = _corrected(result, at, x)
+        reached = reached + share[:, None] * (_read(beside, other, moved)[0] - reached)
+        miss = mechanism.commanded((reached - wanted) @ turn)
+        speed = mechanism.commanded(mechanism.sensitivity(x, plain.body.q, tool, rows).joints)
+        joints = joints - robot.joint_sign * np.linalg.solve(speed, miss[..., None])[..., 0]
+        if np.abs(miss).max() < COMMAND_SETTLED_MM:
+            break
+    return joints, share
 
 
 def _read(problem: Problem, instrument: Instrument, x: Array) -> tuple[Array, Array | None]:
