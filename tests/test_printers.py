@@ -18,7 +18,8 @@ from deltacal_gen.firmware import firmware_lines
 from deltacal_gen.identification import identify
 from deltacal_gen.imports import import_klipper, import_rrf
 from deltacal_gen.mechanism import Array
-from deltacal_gen.robot import Robot, robot_from_dict
+from deltacal_gen.recording import write_recording
+from deltacal_gen.robot import Robot, robot_from_dict, robot_to_toml
 from deltacal_gen.simulation import simulate
 from deltacal_gen.units import DEG
 
@@ -295,6 +296,24 @@ def test_a_session_from_the_file_calibrated_before_shows_only_what_moved(
     found = commands.compare(first.to_dict(), identify(first.robot, after, "9").to_dict())
     assert [e["name"] for e in found["changed"]] == ["endstop_2"]
     assert found["changed"][0]["change"] == pytest.approx(0.2, abs=0.03)
+
+
+def test_what_firmware_would_fit_stands_beside(
+    tmp_path: Path, printer: Robot, rng: np.random.Generator, run: Run
+) -> None:
+    truth = plausible(rng, LINEAR.model("linear_delta/21"))
+    heights = simulate(printer, recording(printer, grid(100, 20)), truth, noise_mm=0.01, rng=rng)
+    found = commands.identify(printer, heights)
+    beside = found["firmware"]
+    assert found["model"] == "linear_delta/21"
+    assert beside["model"] == "linear_delta/6"
+    assert beside["train_rms_mm"] == pytest.approx(commands.identify(printer, heights, "6")["train_rms_mm"])
+    assert found["heldout_rms_mm"] < beside["heldout_rms_mm"]
+    assert "firmware" not in commands.identify(printer, heights, "6")
+    (tmp_path / "robot.toml").write_text(robot_to_toml(printer))
+    write_recording(heights, tmp_path / "mesh.csv")
+    _, text, _ = run("identify", tmp_path / "robot.toml", tmp_path / "mesh.csv")
+    assert "what firmware fits (linear_delta/6)" in " ".join(text.split())
 
 
 def test_six_parameters_of_firmware_are_enough_where_the_rest_is_known_from_before(

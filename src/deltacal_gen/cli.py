@@ -366,6 +366,11 @@ def _show_result(found: Mapping[str, Any]) -> None:
         f"after {found['train_rms_mm']:.4f} mm, [bold]held-out {_number(held)} mm[/bold] "
         f"(noise {found['sigma_mm']:.4f}, {found['sigma_source']})"
     )
+    if beside := found.get("firmware"):
+        screen.print(
+            f"beside it, what firmware fits ({beside['model']}): {beside['train_rms_mm']:.4f} mm, "
+            f"held-out {_number(beside['heldout_rms_mm'])} mm"
+        )
     chi2 = found["chi2_per_dof"]
     if chi2 is not None and chi2 > 2 and found["sigma_source"] != "residual":
         screen.print("What is left stands above the noise: this geometry does not explain all of these readings.")

@@ -309,7 +309,7 @@ def identify(
     `physics` is a DIAGNOSIS.json whose effects are held while geometry and frame are refitted: how a diagnosis carries
     to another session. Source errors that the model leaves out are held too, as the diagnosis has them.
     """
-    from deltacal_gen import identification
+    from deltacal_gen import firmware, identification
     from deltacal_gen.physics import term_from_dict
     from deltacal_gen.robot import robot_from_dict
 
@@ -318,9 +318,10 @@ def identify(
     if diagnosis is not None and not str(diagnosis["schema"]).startswith("deltacal.diagnosis/"):
         raise InputError("this is no diagnosis.", "Give the file that diagnose wrote.", file=str(physics))
     robot = _robot(robot)
+    given = _recording(recording, robot)
     found = identification.identify(
         robot,
-        _recording(recording, robot),
+        given,
         model,
         as_distance=as_distance,
         solver=solver,
@@ -330,6 +331,12 @@ def identify(
         machine=None if diagnosis is None else robot_from_dict(diagnosis["robot"]),
         progress=progress,
     ).to_dict()
+    if model is None and diagnosis is None and robot.mechanism == firmware.MODEL.partition("/")[0]:
+        known = firmware.FROM_HEIGHTS if given.pairs is None else firmware.MODEL
+        if known != found["model"]:
+            progress(f"what firmware would fit: {known}")
+            beside = identification.identify(robot, given, known, solver=solver, robust=robust).to_dict()
+            found["firmware"] = {key: beside[key] for key in ("model", "train_rms_mm", "heldout_rms_mm")}
     if output is not None:
         write_json(found, output)
     return found

@@ -22,6 +22,7 @@ from deltacal_gen.solvers import LeastSquares
 from deltacal_gen.units import DEG, file_unit, to_internal
 
 MODEL = "linear_delta/9"  # what Klipper and RepRapFirmware describe
+FROM_HEIGHTS = "linear_delta/6"  # what they fit to heights alone
 PRINTED = 0.6  # of the radius: the printed volume's, where the robot file gives no workspace
 NEGLIGIBLE = 1e-9  # of a parameter, internal units
 LAYERS = (0.0, 0.2, 0.4)  # of the endstop's height
