@@ -24,11 +24,22 @@ TOOL = ("tx", "ty", "tz")
 
 @dataclass(frozen=True)
 class _Placed:
-    """Links in the base frame: rotation (N, 3, 3), origin (N, 3) and the twists (N, 6, n_e + 2) of each."""
+    """Links in the base frame: rotation (N, 3, 3) and origin (N, 3) of each, and of the frame before it.
 
+    `local` holds the twists (N, 6, n_e + 2) of each link in the frame before it.
+    """
+
+    q: Array
+    rows: Array
+    before: list[Array]
     rotation: list[Array]
     origin: list[Array]
-    twists: list[Array]
+    local: list[Array]
+
+    def twists(self, k: int, columns: slice | list[int]) -> Array:
+        """Return twists (N, 6, columns) of link k along the base's axes."""
+        R, chosen = self.before[k], self.local[k][:, :, columns]
+        return np.concatenate([R @ chosen[:, :3], R @ chosen[:, 3:]], axis=1)
 
 
 class Chain(Mechanism):
@@ -51,6 +62,7 @@ class Chain(Mechanism):
         self.machine = self.name
         self._moving = [k for k, link in enumerate(links) if link.kind in ("revolute", "prismatic")]
         self.limbs = len(self._moving)
+        self._last: _Placed | None = None
         kinds = {links[k].kind for k in self._moving}
         if len(kinds) > 1:
             raise UsageError("a chain of revolute and prismatic joints together is not supported yet.")
@@ -127,14 +139,19 @@ class Chain(Mechanism):
         return out
 
     def _placed(self, q: Array, rows: Array) -> _Placed:
-        variables, placed = self._variables(q), _Placed([], [], [])
+        last = self._last  # forward, derivatives and loads of one state come one after the other
+        if last is not None and np.array_equal(last.q, q) and np.array_equal(last.rows, rows):
+            return last
+        variables, placed = self._variables(q), _Placed(q.copy(), rows.copy(), [], [], [], [])
         R, p = np.broadcast_to(np.eye(3), (len(q), 3, 3)), np.zeros((len(q), 3))
         for k, link in enumerate(self.links):
-            turn, shift, twists = self._kernels_of_a_link.link(link.convention, variables[:, k], rows[:, k])
-            placed.twists.append(np.concatenate([R @ twists[:, :3], R @ twists[:, 3:]], axis=1))
-            R, p = R @ turn, p + np.einsum("nij,nj->ni", R, shift)
+            turn, shift, local = self._kernels_of_a_link.link(link.convention, variables[:, k], rows[:, k])
+            placed.before.append(R)
+            R, p = R @ turn, p + (R @ shift[:, :, None])[:, :, 0]
+            placed.local.append(local)
             placed.rotation.append(R)
             placed.origin.append(p)
+        self._last = placed
         return placed
 
     def forward(self, q: Array, tool: Array, rows: Array, near: Array | None = None) -> tuple[Array, np.ndarray]:
@@ -164,7 +181,7 @@ class Chain(Mechanism):
         own = np.zeros((len(q), 6, len(self.links), n_e))
         joints = np.zeros((len(q), 6, self.limbs))
         for k, link in enumerate(self.links):
-            moved = _at(placed.twists[k], placed.origin[k], x[:, :3])
+            moved = _at(placed.twists(k, slice(None)), placed.origin[k], x[:, :3])
             own[:, :, k] = moved[:, :, :n_e]
             for j, much in self._drives(k):
                 joints[:, :, j] += much * moved[:, :, n_e + int(link.kind == "prismatic")]
@@ -200,18 +217,21 @@ class Chain(Mechanism):
         every = np.broadcast_to(np.asarray(fields, dtype=float), points.shape)
         weighs = np.array([link.mass if masses else 0.0 for link in self.links])
         force = every * np.column_stack([*(np.full(len(q), m) for m in weighs), carried])[:, :, None]
+        moment = np.cross(points, force)
+        # of a link and all behind it, the payload last: force, and moment about {O}
+        behind = [np.cumsum(v[:, ::-1], axis=1)[:, ::-1] for v in (force, moment)]
         torque, n_e = np.zeros((len(q), self.limbs)), len(self.errors)
         for k, link in enumerate(self.links):
             driven = self._drives(k)
             if not driven:
                 continue
-            twist = placed.twists[k][:, :, n_e + int(link.kind == "prismatic")][:, :, None]
-            for w in range(k, len(self.links) + 1):  # this link and all behind it, the payload last
-                work = (_at(twist, placed.origin[k], points[:, w])[:, :3, 0] * force[:, w]).sum(axis=1)
-                for j, much in driven:
-                    torque[:, j] += much * work
+            F, M = (v[:, k] for v in behind)
+            twist = placed.twists(k, [n_e + int(link.kind == "prismatic")])[:, :, 0]
+            work = (twist[:, :3] * F + twist[:, 3:] * (M - np.cross(placed.origin[k], F))).sum(axis=1)
+            for j, much in driven:
+                torque[:, j] += much * work
         none = np.zeros((len(q), self.limbs, 1))
-        return Loads(torque, none[:, :, :0], none, np.cross(points, force).sum(axis=1))
+        return Loads(torque, none[:, :, :0], none, moment.sum(axis=1))
 
     def weights_at(self, x: Array, q: Array, tool: Array, rows: Array, masses: Mapping[str, float]) -> Array:
         """Return where the weights are, (N, links + 1, 3) [mm]: each link's centre of mass, and the payload."""
@@ -222,5 +242,8 @@ class Chain(Mechanism):
 
 def _at(twists: Array, origin: Array, point: Array) -> Array:
     """Return twists (N, 6, n) given at `origin` as they move another `point` of the same body (N, 3)."""
-    lever = np.cross(twists[:, 3:], (point - origin)[:, :, None], axis=1)
-    return np.concatenate([twists[:, :3] + lever, twists[:, 3:]], axis=1)
+    out = twists.copy()
+    arm = (point - origin)[:, :, None]
+    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        out[:, i] += twists[:, 3 + j] * arm[:, k] - twists[:, 3 + k] * arm[:, j]
+    return out
