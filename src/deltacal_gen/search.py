@@ -117,13 +117,13 @@ class Search:
 
     Attributes
     ----------
-    effects : tuple of str
-        Names of the effects that are fitted: they do not compete.
+    effects : tuple of (str, tuple of float)
+        Effects that are fitted, with their constants: they do not compete. Of a periodic error, other orders do.
     """
 
     def __init__(self, at: Fit, terms: Sequence[Term]) -> None:
         self.fit = at
-        self.effects = tuple(t.effect for t in at.problem.terms)
+        self.effects = tuple(map(_key, at.problem.terms))
         self._compete(Beside(at), at.problem, terms)
 
     def _compete(self, beside: Beside, problem: Problem, terms: Sequence[Term]) -> None:
@@ -148,7 +148,7 @@ class Search:
     def freed(self, *effects: int) -> Search:
         """Return the search for what could stand for effects of the fit, all others beside it."""
         out = copy.copy(self)
-        out.effects = tuple(name for i, name in enumerate(self.effects) if i not in effects)
+        out.effects = tuple(key for i, key in enumerate(self.effects) if i not in effects)
         out._place(self._beside.freed(*effects))
         return out
 
@@ -162,7 +162,7 @@ class Search:
     def added(self, term: Term) -> Search:
         """Return the search beside one more form, fitted in the linear machine."""
         out = self.joined(self._columns[:, self.where(term)])
-        out.effects = (*self.effects, term.effect)
+        out.effects = (*self.effects, _key(term))
         return out
 
     def joined(self, columns: Array) -> Search:
@@ -200,25 +200,38 @@ class Search:
     def best(self, name: str) -> Found:
         """Return an effect's best form over its constants, limbs and tool points, charged for the choice."""
         forms = [t for t in self.terms if t.effect == name]
+        free = [j for j, t in enumerate(forms) if _key(t) not in self.effects]
         first, count = self._start[_key(forms[0])], forms[0].n_coefficients
         span = slice(first, first + count * len(forms))
-        C = np.moveaxis(self._columns[:, span].reshape(self.readings, len(forms), count), 0, 2)
-        inside = np.moveaxis(self._inside[:, span].reshape(-1, len(forms), count), 0, 2)
+        C = np.moveaxis(self._columns[:, span].reshape(self.readings, len(forms), count)[:, free], 0, 2)
+        inside = np.moveaxis(self._inside[:, span].reshape(-1, len(forms), count)[:, free], 0, 2)
         G = C @ np.swapaxes(C, 1, 2) - inside @ np.swapaxes(inside, 1, 2)
-        b = self._reach[span].reshape(-1, count)
-        found = []
-        for part in parts(forms[0]):
+        b = self._reach[span].reshape(-1, count)[free]
+        most = gains(G, b)  # no part of a form explains more than the whole
+        found: list[Found] = []
+        for part in reversed(parts(forms[0])):
+            price = charge(part, len(forms))
+            some = np.flatnonzero(most - price > (found[-1].score if found else -np.inf))
+            if not len(some):
+                continue
             own = _offsets(forms[0], part)
-            each = gains(G[:, own][:, :, own], b[:, own])
+            each = gains(G[some][:, own][:, :, own], b[some][:, own])
             k = int(np.argmax(each))
-            form = dataclasses.replace(part, constants=forms[k].constants)
-            found.append(Found(form, float(each[k]), float(each[k]) - charge(form, len(forms))))
-        return max(found, key=lambda f: f.score)
+            if not found or float(each[k]) - price > found[-1].score:
+                form = dataclasses.replace(part, constants=forms[free[some[k]]].constants)
+                found.append(Found(form, float(each[k]), float(each[k]) - price))
+        return found[-1]
 
     def ranked(self) -> list[Found]:
         """Return the best form of every effect that is not fitted, the best first."""
-        names = dict.fromkeys(t.effect for t in self.terms if t.effect not in self.effects)
+        taken = {name for name, _ in self.effects if not several(name)}
+        names = dict.fromkeys(t.effect for t in self.terms if t.effect not in taken)
         return sorted(map(self.best, names), key=lambda f: -f.score)
+
+
+def several(effect: str) -> bool:
+    """Tell whether a machine may have an effect more than once: periodic errors of different orders."""
+    return any(name == "order" for name, *_ in load_effect(effect).CONSTANTS)
 
 
 def charge(term: Term, forms: int) -> float:
