@@ -170,11 +170,11 @@ def correct(at: Fit, left: Sequence[Structure], parts: Sequence[tuple[np.ndarray
     n, m = len(at.problem.scale), at.instrument.n_unknown
     errors = at.errors.copy()
     errors[at.problem.columns] += step[:n] * at.problem.scale
-    source, terms = at.problem.split(errors)
+    source, _ = at.problem.split(errors)
     return Correction(
         smooth=option.smooth(step[n + m :]),
         errors=source[: len(at.problem.mechanism.parameters)],
-        terms=terms,
+        terms=at.problem.acting(errors),
         instrument=at.instrument.stepped(step[n : n + m]),
         heldout=(rms(before), rms(after)),
         size=rms(linear.errors(linear.step(None, set()), None) - linear.errors(step, option)),

@@ -31,7 +31,9 @@ from deltacal_gen.recording import Recording, check_units, set_aside
 from deltacal_gen.robot import Robot, robot_to_dict
 from deltacal_gen.search import Found, Search, charge, library
 from deltacal_gen.solvers import Prior
+from deltacal_gen.spectrum import EFFECT, Spectrum, periodic
 from deltacal_gen.structure import Region, Structure, smooth_columns, structures
+from deltacal_gen.units import DEG
 
 SCHEMA = "deltacal.diagnosis/1"
 MARGIN = 10.0  # of chi2, beyond all charges: what an effect must earn to be named, and what is left to be unexplained
@@ -39,6 +41,8 @@ MARGIN = 10.0  # of chi2, beyond all charges: what an effect must earn to be nam
 # twice its root, and two such deviations are allowed
 AMBIGUOUS = 10.0 + 4 * 10.0**0.5
 MOST_EFFECTS = 3
+MOST_POSES = 1000  # that the search looks at, drawn at random: they show what is there; the fit uses all
+SEED = 2013
 REVISIONS = 4
 MUCH_WORSE = 1.02  # times the noise: another form that fits so much worse in the exact machine is not taken
 MACHINED = 5.0  # standard deviation of a source error, in ordinary ones: geometry may not strain to imitate physics
@@ -64,6 +68,7 @@ class Diagnosis:
     next_measurements: list[dict[str, Any]]
     robot: Robot
     correction: Correction | None = None
+    spectrum: Spectrum | None = None
     lean: bool = False
 
     @property
@@ -128,34 +133,50 @@ def diagnose(
         identification.enough(mechanism, problem, recording)
         identification.enough_poses(problem, model)
     progress("geometry")
-    rough = identification.rough(problem, mechanism, robust=True, must_converge=False)
+    some = _drawn(problem)
+    rough = identification.rough(some, mechanism, robust=True, must_converge=False)
     identification.plausible(rough, mechanism)
     identification.check_rows(rough, recording)
     # what is left out may look like gross errors where it is strongest: none is dropped before it is known
-    baseline = fit(
-        problem, Prior(), errors=rough.errors, instrument=rough.instrument, drop_gross=False, must_converge=False
-    )
-    terms, not_tested = library(problem) if not lean else ([], _untested(problem))
-    search, considered = _chosen(problem, baseline, terms, progress)
+    first = fit(some, Prior(), errors=rough.errors, instrument=rough.instrument, drop_gross=False, must_converge=False)
+    terms, not_tested = library(some) if not lean else ([], _untested(problem))
+    search, considered = _chosen(some, first, terms, progress)
     progress("what is left")
     left = structures(search.fit)
-    unexplained = not lean and (
-        identification.lack_of_fit(search.fit, recording) or any(s.earned > MARGIN for s in left)
-    )
+    parts = folds(some.readings, some.recording)
+
+    def short_of_noise() -> bool:
+        return identification.lack_of_fit(search.fit, some.recording) or any(s.earned > MARGIN for s in left)
+
+    unexplained = not lean and short_of_noise()
+    spectrum = None
+    if unexplained:
+        progress("periodic errors of many orders")
+        spectrum = _spectrum(some, search, parts)
+    if spectrum is not None:
+        some = dataclasses.replace(some, held=spectrum.terms)
+        others = [t for t in _terms(search.fit) if t.effect != EFFECT]
+        beside = _refitted(some, search.fit, others)
+        if beside is not None:
+            search, considered = _chosen(some, beside, [t for t in terms if t.effect != EFFECT], progress)
+            left = structures(search.fit)
+            unexplained = short_of_noise()
     if left[0].earned > MARGIN and search.effects:
-        search = _proven(problem, search, left[0].channel)
+        search = _proven(some, search, left[0].channel)
         left = structures(search.fit)
-    current = search.fit
     # what comes near its price without earning it is no finding, but worth a measurement
     doubtful = [f.term for f in search.ranked()[:1] if 0 < f.score < MARGIN]
     progress("held-out error")
-    parts = folds(problem.readings, recording)
-    before = held_out(baseline, Prior(), parts)
-    heldout = (before, _held_out(problem, search, parts) if search.effects else before)
-    verdict = "unexplained" if unexplained else "missing_physics" if current.problem.terms else "adequate"
+    before = held_out(first, Prior(), parts)
+    after = _held_out(some, search, parts) if search.effects and spectrum is None else before
+    progress(f"fit of all {len(problem.readings)} readings")
+    baseline, current, spectrum = _of_all(problem, first, search.fit, spectrum)
+    heldout = (before, after if spectrum is None else spectrum.heldout[1])
+    named_any = current.problem.terms or current.problem.held
+    verdict = "unexplained" if unexplained else "missing_physics" if named_any else "adequate"
     known = noise(current, recording)
-    named = _named(search, heldout, known.sigma)
-    location = _location(current, left, named, explained=not unexplained)
+    named = _named(search, current, heldout, known.sigma, spectrum)
+    location = _location(search.fit, left, named, spectrum, explained=not unexplained)
     progress("what to measure next")
     questions = [
         *(Question(n.term, n.rivals, n.unrecorded) for n in named),
@@ -174,11 +195,12 @@ def diagnose(
         heldout=heldout,
         noise=known,
         location=location,
-        rejected=_rejected(considered, named),
+        rejected=_rejected(considered, named, spectrum),
         not_tested=not_tested,
-        next_measurements=next_measurements(current, questions, location if unexplained else None),
+        next_measurements=next_measurements(search.fit, questions, location if unexplained else None),
         robot=calibrated,
-        correction=correct(current, left, parts) if unexplained else None,
+        correction=correct(search.fit, left, parts) if unexplained else None,
+        spectrum=spectrum,
         lean=bool(lean),
     )
 
@@ -202,6 +224,50 @@ def _untested(problem: Problem) -> list[dict[str, str]]:
         f"at least {full} readings, of which there are {problem.readings.n_scalars}: fewer cannot tell it from geometry"
     )
     return [{"name": name, "missing": why} for name in effect_names()]
+
+
+def _drawn(problem: Problem) -> Problem:
+    """Return the problem with some of its poses where they are many, all readings of a pose or none."""
+    found, body = problem.readings, problem.body
+    groups = np.unique(found.group)
+    if len(groups) <= MOST_POSES:
+        return problem
+    drawn = np.random.default_rng(SEED).choice(groups, MOST_POSES, replace=False)
+    part = found.subset(np.flatnonzero(np.isin(found.group, drawn)))
+    rows = np.unique(part.rows)
+    _, group = np.unique(part.group, return_inverse=True)
+    return dataclasses.replace(
+        problem,
+        recording=problem.recording.subset(rows),
+        readings=dataclasses.replace(part, rows=np.searchsorted(rows, part.rows), group=group),
+        body=Body(body.robot, body.mechanism, body.q[rows], body.tool[rows], body.channels.subset(rows)),
+    )
+
+
+def _of_all(problem: Problem, first: Fit, found: Fit, spectrum: Spectrum | None) -> tuple[Fit, Fit, Spectrum | None]:
+    """Return the fit of the geometry to all readings, the fit with what was found, and the spectrum as all have it."""
+    if first.problem.body is problem.body and spectrum is None:
+        return first, found, None
+    geometry = dataclasses.replace(problem, held=())
+    baseline = first if first.problem.body is problem.body else _refitted(geometry, first, [])
+    terms = _terms(found)
+    final = _refitted(dataclasses.replace(problem, held=spectrum.terms if spectrum else ()), found, terms)
+    if spectrum is not None and final is not None:
+        spectrum = periodic(final, folds(problem.readings, problem.recording), spectrum) or spectrum
+        final = _refitted(dataclasses.replace(problem, held=spectrum.terms), final, terms, drop_gross=True)
+    if baseline is None or final is None:
+        raise NoSolutionError("the fit of all readings did not converge, though that of a part did.")
+    return baseline, final, spectrum
+
+
+def _spectrum(problem: Problem, search: Search, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> Spectrum | None:
+    """Return periodic errors of many orders where they predict readings better than the few that were found."""
+    terms = _terms(search.fit)
+    beside = _refitted(problem, search.fit, [t for t in terms if t.effect != EFFECT])
+    found = None if beside is None else periodic(beside, parts)
+    if found is None or found.heldout[1] >= held_out(search.fit, Prior(), parts):
+        return None
+    return found
 
 
 # -------------------------------------------------------------------------------------------------- what is named
@@ -246,7 +312,9 @@ def _refitted(problem: Problem, at: Fit, terms: Sequence[Term], drop_gross: bool
     n_p = len(problem.mechanism.parameters)
     errors, joint = at.errors[:n_p], problem
     if terms:
-        columns = problem.term_columns(terms, at.errors, at.instrument, at.problem.solve(at.errors))
+        same = at.problem.body is problem.body
+        machine = at.problem.solve(at.errors) if same else problem.solve(errors)
+        columns = problem.term_columns(terms, at.errors, at.instrument, machine)
         flat = np.where(np.isfinite(columns), columns, 0.0).reshape(-1, columns.shape[2])
         scale = ROOM * np.sqrt(len(flat)) / np.maximum(np.linalg.norm(flat, axis=0), 1e-300)
         joint = problem.with_terms(terms, scale)
@@ -347,7 +415,9 @@ _CHANNELS = {  # of the recording, for what effects read
 }
 
 
-def _location(at: Fit, left: Sequence[Structure], named: Sequence[Named], explained: bool) -> dict[str, Any]:
+def _location(
+    at: Fit, left: Sequence[Structure], named: Sequence[Named], spectrum: Spectrum | None, explained: bool
+) -> dict[str, Any]:
     """Return channels by their share of the misfit, the limbs, the region where it is local, and all in words.
 
     Where effects explain the misfit they say what it depends on; elsewhere the strongest structures do.
@@ -356,7 +426,11 @@ def _location(at: Fit, left: Sequence[Structure], named: Sequence[Named], explai
     limbs: list[int] = []
     region: Region | None = None
     if explained:
-        limbs = sorted({i for n in named for i in n.term.limbs})
+        periodic_at = spectrum.gains if spectrum is not None else {}
+        limbs = sorted({i for n in named for i in n.term.limbs} | set(periodic_at))
+        for i, gain in periodic_at.items():
+            share = gain / (sum(periodic_at.values()) + sum(n.gain for n in named))
+            channels[f"q{i}_deg"] = (share, float(np.exp(-min(gain, 1400.0) / 2)))
         for n in named:
             for state in n.term.kernels.STATE:
                 pattern = _CHANNELS.get(state)
@@ -394,13 +468,14 @@ def _location(at: Fit, left: Sequence[Structure], named: Sequence[Named], explai
 # ------------------------------------------------------------------------------------------------ what was found
 
 
-def _named(search: Search, heldout: tuple[float, float], sigma: float) -> tuple[Named, ...]:
+def _named(
+    search: Search, final: Fit, heldout: tuple[float, float], sigma: float, spectrum: Spectrum | None
+) -> tuple[Named, ...]:
     """Return the effects of the final fit with their uncertainty, their gain beside all others, and their rivals.
 
     `heldout` is the error without and with them on readings that no fit has seen, `sigma` the noise in it [mm].
     """
     out: list[Named] = []
-    final = search.fit
     for i, term in enumerate(_terms(final)):
         freed = search.freed(i)
         variance = np.diag(final.covariance)[final.problem.coefficients(i)]
@@ -413,7 +488,7 @@ def _named(search: Search, heldout: tuple[float, float], sigma: float) -> tuple[
     # of the held-out variance above noise, each in proportion to what is lost without it
     before, after = heldout
     removed = float(np.clip((before**2 - after**2) / max(before**2 - sigma**2, 1e-300), 0.0, 1.0))
-    total = sum(n.gain for n in out)
+    total = sum(n.gain for n in out) + (sum(spectrum.gains.values()) if spectrum else 0.0)
     return tuple(dataclasses.replace(n, share=removed * n.gain / total) for n in out)
 
 
@@ -436,8 +511,8 @@ def _unrecorded(freed: Search, score: float) -> tuple[str, ...]:
     return tuple(f.term.effect for f in found if f.score > score - AMBIGUOUS)
 
 
-def _rejected(considered: Sequence[Found], named: Sequence[Named]) -> list[dict[str, Any]]:
-    chosen = {n.term.effect for n in named}
+def _rejected(considered: Sequence[Found], named: Sequence[Named], spectrum: Spectrum | None) -> list[dict[str, Any]]:
+    chosen = {n.term.effect for n in named} | ({EFFECT} if spectrum is not None else set())
     alike = {name: n.term.effect for n in named for name in n.alike}
     return [
         {
@@ -474,7 +549,10 @@ def _result(found: Diagnosis) -> dict[str, Any]:
         "noise": {"sigma_mm": sigma, "source": source},
         "baseline": {"model": found.model} | summary(baseline, found.heldout[0]),
         "location": found.location,
-        "effects": [_effect(n, final.problem.recording.joint_unit) for n in found.effects],
+        "effects": [
+            *([_periodic(found, found.spectrum)] if found.spectrum is not None else []),
+            *(_effect(n, final.problem.recording.joint_unit) for n in found.effects),
+        ],
         "final": summary(final, found.heldout[1]),
         "rejected": found.rejected,
         "not_tested": found.not_tested,
@@ -483,7 +561,8 @@ def _result(found: Diagnosis) -> dict[str, Any]:
         "correction": _correction(found),
         "residuals": _residuals(found),
         "sigma_mm": sigma,
-        "physics": [term_to_dict(n.term) for n in found.effects],
+        "physics": [term_to_dict(t) for t in final.problem.acting(final.errors)],
+        "seen": None if found.spectrum is None else _seen(found.spectrum),
         "clock": "row" if final.problem.body.channels.time is None else "time_s",
         "instrument": _instrument(found, final.instrument),
         "robot": robot_to_dict(found.robot),
@@ -567,6 +646,37 @@ def _effect(found: Named, joint_unit: str) -> dict[str, Any]:
     }
 
 
+def _periodic(found: Diagnosis, spectrum: Spectrum) -> dict[str, Any]:
+    """Return the entry of periodic errors of many orders: what they come to, joint by joint."""
+    kernels, gain = load_effect(EFFECT), sum(spectrum.gains.values())
+    before, after = found.heldout
+    removed = (before**2 - after**2) / max(before**2 - found.noise.sigma**2, 1e-300)
+    return {
+        "name": EFFECT,
+        "title": kernels.TITLE,
+        "limbs": list(spectrum.limbs),
+        "parameters": [
+            {"name": "rms", "limb": j, "value": v / DEG, "std": spectrum.std[j] / DEG, "unit": "deg"}
+            for j, v in spectrum.rms.items()
+        ]
+        + [{"name": "corner", "limb": None, "value": spectrum.corner, "std": None, "unit": "1"}],
+        "orders": [1, len(spectrum.terms)],
+        "p_value": float(np.exp(-min(gain, 1400.0) / 2)),
+        "gain_chi2": gain,
+        "gain_by_limb": {str(j): g for j, g in spectrum.gains.items()},
+        "share_of_excess": float(np.clip(removed, 0.0, 1.0)) * gain / (gain + sum(n.gain for n in found.effects)),
+        "indistinguishable_from": [],
+    }
+
+
+def _seen(spectrum: Spectrum) -> dict[str, Any]:
+    """Return between which angles of the turn each joint was read, and how near to them its error is still known."""
+    return {
+        "within_deg": 180.0 / spectrum.corner,
+        "joints": [{"limb": j, "angles_deg": [list(span) for span in spans]} for j, spans in spectrum.seen.items()],
+    }
+
+
 def _summary(found: Diagnosis) -> str:
     before, after = found.heldout
     if found.lean:
@@ -589,6 +699,9 @@ def _summary(found: Diagnosis) -> str:
             "Use the calibrated machine."
         )
     parts = []
+    if found.spectrum is not None:
+        joints = ", ".join(map(str, found.spectrum.limbs))
+        parts.append(f"{load_effect(EFFECT).TITLE} of many orders ({EFFECT}) at joints {joints}")
     for n in found.effects:
         limbs = (
             f" at limb{'s' if len(n.term.limbs) > 1 else ''} {', '.join(map(str, n.term.limbs))}"

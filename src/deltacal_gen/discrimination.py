@@ -154,8 +154,7 @@ def candidates(at: Fit, terms: Sequence[Term], rng: np.random.Generator) -> Cand
         dataclasses.replace(Channels.of(rows, robot), order=np.full(CANDIDATES, float(recording.n_rows))),
     )
     whole = dataclasses.replace(problem, recording=rows, body=body, readings=unread(rows))
-    errors, on = whole.split(at.errors)
-    machine, status = body.solve(errors, on)
+    machine, status = body.solve(whole.split(at.errors)[0], whole.acting(at.errors))
     fit_for_use = (status == SOLVED) & _inside(problem, machine.x)
     able = np.flatnonzero(fit_for_use[whole.readings.rows].all(axis=1))
     whole = whole.subset(able)

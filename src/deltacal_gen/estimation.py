@@ -18,7 +18,7 @@ import numpy as np
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.measurement import BOTH, Instrument, Readings, carried, readings, start
 from deltacal_gen.mechanism import Array, Mechanism, Sensitivity, mechanism_of
-from deltacal_gen.physics import Body, Channels, Deformed, Term, reading_shift
+from deltacal_gen.physics import Body, Channels, Deformed, Term, of_reading, reading_shift
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot
 from deltacal_gen.solvers import LeastSquares, Solution, Solver
@@ -58,7 +58,7 @@ class Problem:
     Attributes
     ----------
     names : tuple of str
-        Free source errors; the coefficients of effects are free too, unless `held`.
+        Free source errors; the coefficients of `terms` are free too.
     scale : (n,) array
         Ordinary size of each free parameter, or the standard deviation of its prior [mm, rad, N, s, K].
     reference : (n_p,) array
@@ -66,9 +66,9 @@ class Problem:
     body : Body
         The robot at the rows of the recording.
     terms : tuple of Term
-        Effects on the machine.
-    held : bool
-        Whether the terms keep their coefficients.
+        Effects on the machine whose coefficients are free.
+    held : tuple of Term
+        Effects on it that stay as they are.
     """
 
     robot: Robot
@@ -80,7 +80,7 @@ class Problem:
     reference: Array
     body: Body
     terms: tuple[Term, ...] = ()
-    held: bool = False
+    held: tuple[Term, ...] = ()
 
     @property
     def columns(self) -> list[int]:
@@ -94,14 +94,18 @@ class Problem:
         return list(range(start, start + self.terms[i].n_coefficients))
 
     def split(self, parameters: Array) -> tuple[Array, tuple[Term, ...]]:
-        """Return source errors (n_p,) and the effects with their coefficients."""
+        """Return source errors (n_p,) and the free effects with their coefficients."""
         n = len(self.mechanism.parameters)
         errors, rest = parameters[:n], parameters[n:]
-        if self.held or not self.terms:
-            return errors, self.terms
+        if not self.terms:
+            return errors, ()
         ends = np.cumsum([t.n_coefficients for t in self.terms])
         parts = np.split(rest, ends[:-1])
         return errors, tuple(t.with_values(v) for t, v in zip(self.terms, parts, strict=True))
+
+    def acting(self, parameters: Array) -> tuple[Term, ...]:
+        """Return all effects on the machine with their coefficients, the free ones first."""
+        return (*self.split(parameters)[1], *self.held)
 
     def solve(self, parameters: Array, near: Array | None = None) -> Deformed:
         """Return the machine in equilibrium at all rows; `near` is the poses of a machine that differs little.
@@ -111,8 +115,7 @@ class Problem:
         InputError
             A row that readings refer to has no pose: out of reach or singular.
         """
-        errors, terms = self.split(parameters)
-        machine, status = self.body.solve(errors, terms, near)
+        machine, status = self.body.solve(*self.split(parameters), near, self.held)
         self.body.check(status, np.unique(self.readings.rows), self.recording)
         return dataclasses.replace(machine, x=np.where(np.isfinite(machine.x), machine.x, 0.0))
 
@@ -124,8 +127,7 @@ class Problem:
         """Return measured minus predicted (R, k), effects on the reading included [mm, rad]."""
         instrument = instrument.mounted(self.mechanism, parameters)
         r = instrument.residual(self.readings, x)
-        _, terms = self.split(parameters)
-        if terms:
+        if terms := of_reading(self.acting(parameters)):
             values, _ = instrument.predict(self.readings, x)
             r[:, : values.shape[1]] -= reading_shift(terms, self.body, self.readings, values, x)[0]
         return r
@@ -147,7 +149,7 @@ class Problem:
             )
         dx = np.zeros((len(machine.x), self.mechanism.n_x, len(self.names)))
         dx[used] = sensitivity.parameters[:, :, [self.mechanism.index[n] for n in self.names]]
-        effects = self.effect_columns(terms, machine, used, sensitivity) if not self.held else dx[:, :, :0]
+        effects = self.effect_columns(terms, machine, used, sensitivity)
         mounted = instrument.mounted(self.mechanism, parameters)
         J_p, J_m = mounted.linearise(self.readings, machine.x, np.concatenate([dx, effects], axis=2))
         own = {u: p for u, p in carried(instrument.kind, self.mechanism).items() if p in self.columns}
@@ -155,7 +157,7 @@ class Problem:
             J_p[:, :, [self.columns.index(p) for p in own.values()]] += mounted.by_unknown(
                 self.readings, machine.x, tuple(own)
             )
-        if terms and not self.held:
+        if terms:
             values, _ = mounted.predict(self.readings, machine.x)
             shifted = reading_shift(terms, self.body, self.readings, values, machine.x)[1]
             J_p[:, : values.shape[1], len(self.names) :] += shifted
@@ -201,8 +203,7 @@ class Problem:
             names=tuple(names),
             scale=self.mechanism.typical[index],
             reference=self.reference[: len(self.mechanism.parameters)],
-            terms=self.terms if self.held else (),
-            held=True,
+            terms=(),
         )
 
     def with_terms(self, terms: Sequence[Term], scale: Array) -> Problem:
@@ -211,7 +212,6 @@ class Problem:
         return dataclasses.replace(
             self,
             terms=tuple(terms),
-            held=False,
             reference=np.concatenate([self.reference[:n_p], np.zeros(len(scale))]),
             scale=np.concatenate([self.scale[:n], scale]),
         )
@@ -243,8 +243,7 @@ def pose_problem(
         scale=mechanism.typical[[mechanism.index[n] for n in names]],
         reference=mechanism.vector(robot.errors),
         body=Body(robot, mechanism, q, tool, Channels.of(recording, robot)),
-        terms=tuple(held),
-        held=True,
+        held=tuple(held),
     )
 
 

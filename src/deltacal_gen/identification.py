@@ -779,7 +779,7 @@ def _result(found: Identification) -> dict[str, Any]:
         "base_frame": _base_frames(found),
         "workspace": found.map,
         "iterations": len(final.history),
-        "physics": [term_to_dict(t) for t in problem.terms],
+        "physics": [term_to_dict(t) for t in problem.held],
         "instrument": final.instrument.to_dict()
         | {"setups": list(problem.recording.setup_names), "zero": problem.recording.measurement.zero},
         "robot": robot_to_dict(found.robot),

@@ -251,6 +251,7 @@ class Body:
         self.roles, self._moves = mechanism.roles(robot), mechanism.moves(robot)
         masses = robot.masses.model_dump() if robot.masses is not None else {}
         self.gravity = np.asarray(masses.pop("gravity", (0.0, 0.0, -9.81)), dtype=float)
+        self._held: tuple[tuple[int, ...], tuple[Term, ...], dict[str, Array]] | None = None
         self.inertia = masses.pop("proximal_inertia", None)
         self.masses: dict[str, float] = {k: v for k, v in masses.items() if v is not None}
 
@@ -412,7 +413,9 @@ class Body:
         mask: np.ndarray = np.linalg.norm(self.tool - np.asarray(tool), axis=1) < 1e-6
         return mask
 
-    def solve(self, errors: Array, terms: Sequence[Term], near: Array | None = None) -> tuple[Deformed, np.ndarray]:
+    def solve(
+        self, errors: Array, terms: Sequence[Term], near: Array | None = None, held: tuple[Term, ...] = ()
+    ) -> tuple[Deformed, np.ndarray]:
         """Return the machine in static equilibrium with all effects on it, and the status (N,) of each row.
 
         Parameters
@@ -421,13 +424,22 @@ class Body:
             Source errors [mm, rad].
         near : (N, 12) array, optional
             Where to start.
+        held : tuple of Term
+            Effects beside `terms` that do not change from call to call.
         """
         mechanism = self.mechanism
         plain = mechanism.rows(self.robot, errors)
-        names = {s for t in terms for s in t.kernels.STATE} - OF_READING
-        if not terms or near is None:
+        # joints as reported and channels do not change with the pose
+        terms, held = (*terms, *(t for t in held if _follows(t))), tuple(t for t in held if not _follows(t))
+        key = tuple(map(id, held))
+        if self._held is None or self._held[0] != key:
+            self._held = key, held, self._steady(held, plain)
+        unchanged = _together(self._held[2], self._steady([t for t in terms if not _follows(t)], plain))
+        varying = [t for t in terms if _follows(t)]
+        names = _read_by(varying)
+        if not (terms or held) or near is None:
             x, status = mechanism.forward(self.q, self.tool, plain, near)
-            if not terms:
+            if not (terms or held):
                 return Deformed(x, self.q, self.tool, plain), status
             ok = status == SOLVED
         else:
@@ -435,7 +447,7 @@ class Body:
         q, rows, tool, before = self.q, plain, self.tool, 0.0
         for _ in range(EQUILIBRIUM_STEPS):
             safe = np.where(ok[:, None], x, 0.0)
-            shift = self.moved(terms, self.state(sorted(names), safe, q, rows))
+            shift = _together(unchanged, self.moved(varying, self.state(sorted(names), safe, q, rows)))
             q = self.q + shift.get("joint", 0.0)
             rows = self._rows(errors, shift)
             tool = self.tool + np.column_stack([np.broadcast_to(shift.get(f"tool.{a}", 0.0), len(x)) for a in AXES])
@@ -453,6 +465,10 @@ class Body:
             x[:, :3] += np.cross(turn, x[:, :3])
             x[:, 3:] = (cayley_matrix(turn) @ x[:, 3:].reshape(-1, 3, 3)).reshape(-1, 9)
         return Deformed(x, q, tool, rows), status
+
+    def _steady(self, terms: Sequence[Term], rows: Array) -> dict[str, Array]:
+        """Return the displacement of every target by effects of the reported joints and of channels alone."""
+        return self.moved(terms, self.state(sorted(_read_by(terms)), np.zeros((len(self.q), 12)), self.q, rows))
 
     def _rows(self, errors: Array, shift: Mapping[str, Array]) -> Array:
         parts = {t[5:]: v for t, v in shift.items() if t.startswith("limb.")}
@@ -476,7 +492,7 @@ class Body:
             Of the rows `chosen`; other rows are zero.
         """
         (N, limbs), n_x = self.q.shape, self.mechanism.n_x
-        names = sorted({s for t in terms for s in t.kernels.STATE} - OF_READING)
+        names = sorted(_read_by(terms))
         state = self.state(names, np.nan_to_num(body.x), body.q, body.rows)
         out = np.zeros((N, n_x, sum(t.n_coefficients for t in terms)))
         start = 0
@@ -554,6 +570,31 @@ class Body:
                 file=recording.path,
                 line=int(recording.line[bad[0]]),
             )
+
+
+def _follows(term: Term) -> bool:
+    """Tell whether an effect reads what changes with the pose."""
+    return bool({*term.kernels.STATE} & (LOADS | {"theta"}))
+
+
+def _together(a: Mapping[str, Array], b: Mapping[str, Array]) -> dict[str, Array]:
+    """Return the sum of displacements, target by target."""
+    out = dict(a)
+    for target, value in b.items():
+        out[target] = out[target] + value if target in out else value
+    return out
+
+
+def of_reading(terms: Sequence[Term]) -> tuple[Term, ...]:
+    """Return the effects that act on the reading itself."""
+    return tuple(
+        t for t in terms if any(not x.startswith(("joint", "limb.", "turn.", "tool.")) for x in t.kernels.TARGETS)
+    )
+
+
+def _read_by(terms: Sequence[Term]) -> set[str]:
+    """Return what effects read of the machine."""
+    return {s for t in terms for s in t.kernels.STATE} - OF_READING
 
 
 def reading_shift(terms: Sequence[Term], body: Body, found: Readings, values: Array, x: Array) -> tuple[Array, Array]:

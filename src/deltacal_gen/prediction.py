@@ -14,7 +14,7 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.estimation import Problem, pose_problem
 from deltacal_gen.measurement import FRAMELESS, Instrument, Readings, frameless, home_of
 from deltacal_gen.mechanism import Array, mechanism_of
-from deltacal_gen.physics import Term, reading_shift, term_from_dict
+from deltacal_gen.physics import Term, of_reading, reading_shift, term_from_dict
 from deltacal_gen.recording import Measurement, Recording
 from deltacal_gen.robot import Robot, robot_from_dict
 from deltacal_gen.rotation import from_vector, to_vector
@@ -144,7 +144,7 @@ def corrected_joints(
 
 def _read(problem: Problem, instrument: Instrument, x: Array) -> tuple[Array, Array | None]:
     values, rotations = instrument.mounted(problem.mechanism, problem.reference).predict(problem.readings, x)
-    return values + reading_shift(problem.terms, problem.body, problem.readings, values, x)[0], rotations
+    return values + reading_shift(of_reading(problem.held), problem.body, problem.readings, values, x)[0], rotations
 
 
 def _corrected(

@@ -87,9 +87,14 @@ class Solver(Protocol):
 
 
 def _factored(A: Array, b: Array, rule: Callable[[Array, Array, float], tuple[Array, Array, str]]) -> Solution:
+    whole = float(b @ b)
+    n = A.shape[1]
+    if len(A) > 2 * (n + 1):  # the triangle of a tall matrix has the same singular values and products with b
+        R = np.asarray(np.linalg.qr(np.column_stack([A, b]), mode="r"))
+        A, b = R[:, :n], R[:, n]
     U, s, Vt = np.linalg.svd(A, full_matrices=False)
     c = U.T @ b
-    rest = float(b @ b - c @ c)
+    rest = whole - float(c @ c)
     factors, variance, words = rule(s, c, max(rest, 0.0))
     with np.errstate(divide="ignore", invalid="ignore"):
         amplitude = np.where(factors > 0, factors * c / s, 0.0)
