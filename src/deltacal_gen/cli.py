@@ -325,6 +325,14 @@ def identify(
 
 def _show_result(found: Mapping[str, Any]) -> None:
     """Print a result: errors before and after, parameters, what is not pinned, one line to end with."""
+    for joint in found.get("never_seen", ()):
+        where = ", ".join(f"{a:.0f} to {b:.0f}" for a, b in joint["angles_deg"])
+        screen.print(
+            f"joint {joint['limb']} stands in {joint['readings']} readings at angles that the diagnosis never saw "
+            f"({where} deg within the turn): its periodic error is not corrected there"
+        )
+    for effect in found.get("physics_not_held", ()):
+        screen.print(f"{effect['name']} of the diagnosed session is not held: this one lacks {effect['missing']}")
     counts = {
         s: sum(p["status"] == s for p in found["parameters"]) for s in ("identified", "pinned by prior", "not pinned")
     }

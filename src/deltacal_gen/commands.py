@@ -307,9 +307,10 @@ def identify(
     """Identify a robot's source errors; return RESULT.json. See `identification.identify` for the options.
 
     `physics` is a DIAGNOSIS.json whose effects are held while geometry and frame are refitted: how a diagnosis carries
-    to another session. Source errors that the model leaves out are held too, as the diagnosis has them.
+    to another session. Source errors that the model leaves out are held too, as the diagnosis has them. `never_seen`
+    of the result says which joints stand where the readings of the diagnosis never were.
     """
-    from deltacal_gen import firmware, identification
+    from deltacal_gen import firmware, identification, spectrum
     from deltacal_gen.physics import term_from_dict
     from deltacal_gen.robot import robot_from_dict
 
@@ -337,6 +338,8 @@ def identify(
             progress(f"what firmware would fit: {known}")
             beside = identification.identify(robot, given, known, solver=solver, robust=robust).to_dict()
             found["firmware"] = {key: beside[key] for key in ("model", "train_rms_mm", "heldout_rms_mm")}
+    if diagnosis is not None:
+        found["never_seen"] = spectrum.never_seen(diagnosis.get("seen"), robot.joint_sign * given.joints)
     if output is not None:
         write_json(found, output)
     return found

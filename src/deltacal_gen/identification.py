@@ -33,7 +33,7 @@ from deltacal_gen.estimation import (
 from deltacal_gen.identifiability import Combination
 from deltacal_gen.measurement import BOTH, MOUNT, Readings, carried
 from deltacal_gen.mechanism import SOLVED, Array, Mechanism, mechanism_of
-from deltacal_gen.physics import Body, Term, term_to_dict
+from deltacal_gen.physics import Body, Term, of_reading, term_to_dict
 from deltacal_gen.recording import Recording, check_units
 from deltacal_gen.robot import Robot, for_model, robot_size, robot_to_dict
 from deltacal_gen.solvers import TSVD, LeastSquares, Prior, Ridge, Solver
@@ -75,6 +75,8 @@ class Identification:
         Extra measurements and how many of the free directions each pins.
     in_file : (n_p,) array
         Source errors of the robot file, from which those found count.
+    not_held : list of dict
+        Effects that belong to the session they were found in, and what this one lacks for them.
     """
 
     model: str
@@ -91,6 +93,7 @@ class Identification:
     prior_given: tuple[bool, ...]
     robot: Robot
     in_file: Array
+    not_held: list[dict[str, str]]
     map: dict[str, Any] | None
 
     def to_dict(self) -> dict[str, Any]:
@@ -147,15 +150,14 @@ def identify(
         robot = for_model(robot, model)
     check_units(recording, robot)
     mechanism = mechanism_of(robot)
-    everything = pose_problem(robot, recording, (), as_distance=as_distance, held=held)
+    everything = pose_problem(robot, recording, (), as_distance=as_distance)
+    held, not_held = _carried(everything, held)
+    everything = dataclasses.replace(everything, held=held)
     chosen = chosen_model(mechanism, everything, recording, model)
     names, in_file = mechanism.model(chosen), mechanism.vector(robot.errors)
     if machine is not None and len(names) < len(mechanism.parameters):
         robot = dataclasses.replace(robot, errors=_left_out(mechanism, robot, machine, names))
         everything = pose_problem(robot, recording, (), as_distance=as_distance, held=held)
-    for term in held:
-        if why := everything.body.missing(term.effect):
-            raise InputError(f"the effect '{term.effect}' needs {why}.", "Add it.", file=recording.path)
     problem, given = _with_prior(everything.with_names(names), robot)
     rule = _solver(solver, truncation, recording.measurement.sigma_mm)
     if solver != "prior":
@@ -205,8 +207,31 @@ def identify(
         prior_given=given,
         robot=calibrated,
         in_file=in_file,
+        not_held=not_held,
         map=uncertainty_map(final, calibrated),
     )
+
+
+def _carried(problem: Problem, held: Sequence[Term]) -> tuple[tuple[Term, ...], list[dict[str, str]]]:
+    """Return the effects that a recording can hold, and those of another session that it cannot, with what is missing.
+
+    What the instrument did, or what went with the time of a session, is not the machine's.
+
+    Raises
+    ------
+    InputError
+        An effect of the machine needs a channel that is not there.
+    """
+    can, cannot = [], []
+    for term in held:
+        why = problem.body.missing(term.effect)
+        if why is None:
+            can.append(term)
+        elif of_reading([term]) or {"time", "after"} & set(term.kernels.STATE):
+            cannot.append({"name": term.effect, "missing": why})
+        else:
+            raise InputError(f"the effect '{term.effect}' needs {why}.", "Add it.", file=problem.recording.path)
+    return tuple(can), cannot
 
 
 def _left_out(mechanism: Mechanism, robot: Robot, machine: Robot, names: Sequence[str]) -> dict[str, float]:
@@ -432,7 +457,8 @@ def check_rows(first: Fit, recording: Recording) -> None:
 
 def _residual_of(problem: Problem, errors: Array) -> Array:
     """Return the residual of a machine with given errors, the instrument alone fitted."""
-    return fit(problem.with_names(()), LeastSquares(), errors=errors, weigh_repeats=False).residual
+    free = problem.with_names(())
+    return fit(free, LeastSquares(), errors=errors, weigh_repeats=False, must_converge=False).residual
 
 
 # ------------------------------------------------------------------------------------------------------- held out
@@ -780,6 +806,7 @@ def _result(found: Identification) -> dict[str, Any]:
         "workspace": found.map,
         "iterations": len(final.history),
         "physics": [term_to_dict(t) for t in problem.held],
+        "physics_not_held": found.not_held,
         "instrument": final.instrument.to_dict()
         | {"setups": list(problem.recording.setup_names), "zero": problem.recording.measurement.zero},
         "robot": robot_to_dict(found.robot),

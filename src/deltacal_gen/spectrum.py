@@ -11,9 +11,10 @@ to nothing: it does not extrapolate.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -119,6 +120,28 @@ def seen(turn: Array, corner: float) -> list[tuple[float, float]]:
     gaps = np.flatnonzero(np.diff(angle) > 180.0 / corner)
     first, last = angle[np.concatenate([[0], gaps + 1])], angle[np.concatenate([gaps, [-1]])]
     return [(float(a), float(b)) for a, b in zip(first, last, strict=True)]
+
+
+def never_seen(known: Mapping[str, Any] | None, turns: Array) -> list[dict[str, Any]]:
+    """Return the joints that stand at angles where the readings of a diagnosis never were, how often and where.
+
+    Parameters
+    ----------
+    known : mapping, optional
+        `seen` of a DIAGNOSIS.json.
+    turns : (N, n_q) array
+        Joints [rad].
+    """
+    out: list[dict[str, Any]] = []
+    if known is None:
+        return out
+    for joint in known["joints"]:
+        turn = turns[:, joint["limb"] - 1]
+        far = unseen(turn, joint["angles_deg"], known["within_deg"])
+        if far.any():
+            where = seen(turn[far], 180.0 / known["within_deg"])
+            out.append({"limb": joint["limb"], "readings": int(far.sum()), "angles_deg": [list(w) for w in where]})
+    return out
 
 
 def unseen(turn: Array, intervals: Sequence[Sequence[float]], within: float) -> np.ndarray:
