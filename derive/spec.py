@@ -141,14 +141,17 @@ class LimbMechanism:
     moves : mapping
         What effects move in a limb (``derive.effects.PARTS``), each as a sum of this machine's errors and deflections:
         {part: {name: how much of it}}. An effect applies to a machine that has all parts it moves.
-    rod : str
-        The error that lengthens a limb's rods: its conjugate load is their tension.
+    rods : tuple of str
+        The errors that lengthen a limb's rods: their conjugate loads are the tensions.
+    layers : (int, int)
+        Where the layers of the workspace lie along z (y of a planar machine): the first at ``layers[0] * top``, the
+        others from there towards ``layers[1]``. (-1, -1): below the base; (1, -1): above a bed, counted downwards.
     rods_per_closure : int
         How many equal rods share the pull of one closure, where a parallelogram is written as a single rod.
     limb_inertia : sympy.Expr
         A limb's own inertia that turns with the joint, about its centre of mass [kg mm^2].
     models : mapping
-        Name of each model to the names of its parameters.
+        Name of each model to the names of its parameters; the first stands for the whole machine.
     scalings : mapping
         Convention to {error name: factor}, by which a column of that error is *divided*; expressions in the geometry.
     of : str
@@ -180,7 +183,8 @@ class LimbMechanism:
     seeds: Mapping[sp.Symbol, sp.Expr] | None = None
     roles: Mapping[str, sp.Expr] = field(default_factory=dict)
     moves: Mapping[str, Mapping[str, sp.Expr]] = field(default_factory=dict)
-    rod: str = ""
+    rods: tuple[str, ...] = ()
+    layers: tuple[int, int] = (-1, -1)
     rods_per_closure: int = 1
     limb_inertia: sp.Expr = field(default_factory=lambda: sp.Integer(0))
     scalings: Mapping[str, Mapping[str, sp.Expr]] = field(default_factory=dict)

@@ -328,7 +328,7 @@ def test_calls_that_make_no_sense(robot: Robot) -> None:
         planning.plan(robot, "18", tools=4)
     with pytest.raises(UsageError, match="n_max is 2"):
         planning.plan(robot, "18", n_max=2)
-    with pytest.raises(InputError, match=r"Add a table \[workspace\]"):
+    with pytest.raises(InputError, match=r"no \[workspace\] with top, radius and height"):
         planning.plan(dataclasses.replace(robot, workspace=None), "18")
     wide = robot_from_dict(TABLES | {"workspace": {"top": 728.0, "radius": 1100.0, "height": 250.0}})
     with pytest.raises(NoSolutionError, match="out of reach"):

@@ -36,6 +36,9 @@ DELTA = SimpleNamespace(
     limbs=3,
     joint_unit="rad",
     links=None,
+    machine="delta",
+    axes=("x", "y", "z"),
+    layers=(-1, -1),
     geometry=(*(geometry_key(key) for key in LENGTHS), ANGLES),
     parameters=tuple(
         SimpleNamespace(name=f"{name}_{limb}", unit=unit, meaning="", limb=limb)

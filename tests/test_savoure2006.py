@@ -17,7 +17,7 @@ from deltacal_gen.identifiability import observability, unseen
 from deltacal_gen.identification import identify
 from deltacal_gen.mechanism import SOLVED, UNREACHABLE, Mechanism, load_mechanism
 from deltacal_gen.recording import Recording, read_recording
-from deltacal_gen.robot import Robot, for_model, for_names, read_robot, robot_from_dict, robot_to_dict
+from deltacal_gen.robot import Masses, Robot, for_model, for_names, read_robot, robot_from_dict, robot_to_dict
 from deltacal_gen.simulation import read_truth, simulate, truth_names
 
 sys.path.insert(0, str(Path(__file__).parent / "claims"))
@@ -39,6 +39,7 @@ from independent_savoure import (
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from tests.benchmarks.savoure2006 import remaining
+from tests.test_compensation_effects import SIZES, channels, term
 
 LENGTHS = (0.0, 100.0, 200.0)
 IRREGULAR = np.array([0.02, 1.0, -1.0, 30.0, -2.0, 0.0, -40.0, 1.0, -2.0])
@@ -351,3 +352,22 @@ def test_errors_of_one_kind_name_the_description(tmp_path: Path) -> None:
     assert truth_names(truth) == ("l_11",)
     with pytest.raises(UsageError, match=r"complete_delta has no theta_1"):
         for_model(dataclasses.replace(robot, errors={"theta_1": 0.1}), "51")
+
+
+@pytest.mark.parametrize("name", SIZES)
+def test_effects_move_both_descriptions_alike(robot: Robot, name: str) -> None:
+    """At nominal geometry the Delta of 42 errors and that of 51 are one machine, whatever its physics."""
+    masses = Masses(proximal=1.2, proximal_com=0.4, distal_rod=0.15, platform=0.8)
+    bai = Compensator(dataclasses.replace(robot, masses=masses), terms=(term(name),))
+    savoure = Compensator(for_model(bai.robot, "delta/51"), terms=(term(name),))
+    q = np.random.default_rng(1).uniform(-0.6, 0.3, (12, 3))
+    tool = np.array([30.0, -20.0, -80.0])
+    at, _ = bai.channels(channels(12), 12)
+    (one, _), (other, _), (rigid, _) = (
+        bai.reached(q, tool, at),
+        savoure.reached(q, tool, at),
+        Compensator(robot).reached(q, tool),
+    )
+    moved = np.abs(one - rigid).max()
+    assert moved > 0.05
+    assert np.abs(one - other).max() < 2e-3 * moved  # the second order of parts that turn

@@ -62,6 +62,12 @@ def errors_of(rod: int) -> tuple[sp.Matrix, sp.Matrix, sp.Symbol]:
     return vector(*by_name[:3]), vector(*by_name[3:6]), by_name[6]
 
 
+def pair(name: str, much: sp.Expr | int = 1, *, opposite: bool = False) -> dict[str, sp.Expr]:
+    """Return how much an error of both rods moves, in opposite directions where asked."""
+    return {f"{name}_{{i}}{j}": sp.sympify(much) * (-1 if opposite and j == 2 else 1) for j in (1, 2)}
+
+
+half = sp.Rational(1, 2)
 # [w0 u0 v0]: the joint's axis, the limb's direction, up
 F = step("F", rotation_vector(beta) * sp.Matrix.hstack(NOMINAL_FRAME[:, 2], NOMINAL_FRAME[:, 0], NOMINAL_FRAME[:, 1]))
 turn = sp.Matrix([[1, 0, 0], [0, sp.cos(q), -sp.sin(q)], [0, sp.sin(q), sp.cos(q)]])
@@ -105,9 +111,21 @@ MECHANISM = replace(
     ),
     platform_weights=(Weight(body, P - R * tool), Weight(payload, P)),
     models={"delta/51": tuple(e.name_of(i) for i in (1, 2, 3) for e in errors)},
-    roles={},
-    moves={},
-    rod="",
+    moves={
+        "offset": {"betax": w0[0], "betay": w0[1]},
+        "arm": pair("ay"),
+        "rod": pair("l"),
+        "rod_difference": pair("l", half, opposite=True),
+        "outwards": pair("bx", -u0[0]) | pair("by", -u0[1]),  # b stands for B in the platform less the joint's centre
+        "tip_v": {"tip_v": sp.Integer(1)},
+        "tip_w": {"tip_w": sp.Integer(1)},
+        "spacing_difference": pair("ax", half, opposite=True),
+        "hand_axis_u": pair("bz", c / 2, opposite=True),
+        "hand_axis_v": pair("bx", -c / 2 * u0[0], opposite=True) | pair("by", -c / 2 * u0[1], opposite=True),
+        "elbow_axis_u": pair("az", -c / 2, opposite=True),
+        "elbow_axis_v": pair("ay", c / 2, opposite=True),
+    },
+    rods=("l_{i}1", "l_{i}2"),
     scalings={"paper": {}, "table": {}},
     of="delta",
 )

@@ -182,7 +182,7 @@ MECHANISM = LimbMechanism(
         "elbow_axis_u": {"alpha2": sp.Integer(1)},
         "elbow_axis_v": {"beta2": sp.Integer(1)},
     },
-    rod="l",
+    rods=("l",),
     limb_inertia=proximal * L**2 / 12,  # a slender rod
     scalings={
         # the unknowns of eqs. (6) and (7): L dtheta, L dalpha0, L dbeta0 in mm; the second group in rad

@@ -128,7 +128,7 @@ MECHANISM = LimbMechanism(
         "outwards": {"ex": side},
         "tip_v": {"tip_v": sp.Integer(1)},
     },
-    rod="l",
+    rods=("l",),
     limb_inertia=proximal * L**2 / 12,  # a slender rod
     scalings={"paper": {"theta": L}, "table": {"theta": L}},  # the unknowns of eqs. (12) and (28)
 )

@@ -162,5 +162,6 @@ MECHANISM = LimbMechanism(
         "lean_radial": {"lean_radial": sp.Integer(1)},
         "lean_tangential": {"lean_tangential": sp.Integer(1)},
     },
-    rod="arm",
+    layers=(1, -1),
+    rods=("arm",),
 )

@@ -117,4 +117,5 @@ MECHANISM = LimbMechanism(
     models={
         "planar_parallelogram/9": ("q0", "a1x", "a2x", "a2y", "b1x", "b2x", "b2y", "l1", "l2"),
     },
+    scalings={"paper": {}, "table": {}},  # mm and rad
 )

@@ -11,7 +11,8 @@ stands for one::
 
 Positions P count from the home where the robot file puts it: ``P = home + Pi``, with Pi what an incremental instrument
 reads, while the effector stands at ``P + p0``. So p0 is how far the home lies from where the robot file says, the
-paper's P_0 less the nominal one. H and phi are nominal: H enters as ``h - H`` only, so no reading tells the two apart.
+paper's P_0 less the nominal one. The paper keeps H_i and phi_i at their nominal values, and so does its model of 15. H
+enters as ``h - H`` only, so no reading tells the two apart; phi_i can be found (``robotennis/18``).
 """
 
 from __future__ import annotations
@@ -25,18 +26,16 @@ DEG = sp.pi / 180
 
 px, py, pz, tx, ty, tz, q = sp.symbols("px py pz tx ty tz q", real=True)
 a, b, h, H, phi, hx, hy, hz = sp.symbols("a b h H phi hx hy hz", real=True)
-da, db, dh, theta0, px0, py0, pz0 = sp.symbols("da db dh theta0 px0 py0 pz0", real=True)
+da, db, dh, theta0, dphi, dH = sp.symbols("da db dh theta0 dphi dH", real=True)
+px0, py0, pz0 = sp.symbols("px0 py0 pz0", real=True)
 tip_v, tip_w = sp.symbols("tip_v tip_w", real=True)
 proximal, proximal_com, distal_rod, body, payload = sp.symbols(
     "proximal proximal_com distal_rod platform payload", real=True
 )
 
-u, z = vector(sp.cos(phi), sp.sin(phi), 0), vector(0, 0, 1)
+z = vector(0, 0, 1)
 P, tool = vector(px, py, pz), vector(tx, ty, tz)
 theta = q + theta0
-along = sp.cos(theta) * u + sp.sin(theta) * z
-normal = -sp.sin(theta) * u + sp.cos(theta) * z
-
 steps: list[tuple[sp.Symbol, sp.Expr]] = []
 
 
@@ -47,13 +46,17 @@ def step(name: str, value: sp.Matrix) -> sp.Matrix:
     return symbols
 
 
-A = step("A", H * u)
-arm = step("arm", along)
+u = step("u", vector(sp.cos(phi + dphi), sp.sin(phi + dphi), 0))
+A = step("A", (H + dH) * u)
+arm = step("arm", sp.cos(theta) * u + sp.sin(theta) * z)
+normal = -sp.sin(theta) * u + sp.cos(theta) * z
 B = step("B", A + (a + da) * arm + tip_v * normal + tip_w * u.cross(z))
 centre = step("centre", P + vector(px0, py0, pz0) - tool)  # of the effector: the tool point is what is read
 C = step("C", centre + (h + dh) * u)
 rod = step("rod", C - B)
 
+LIMBS = tuple(f"{e}_{i}" for i in (1, 2, 3) for e in ("a", "b", "h", "theta0"))
+HOME = ("px0", "py0", "pz0")
 _angle, _length = float(DEG), 1.0  # ordinary errors of a machine built in a workshop, and of its homing [rad, mm]
 MECHANISM = LimbMechanism(
     name="robotennis",
@@ -94,6 +97,8 @@ MECHANISM = LimbMechanism(
         Quantity(db, "mm", "forearm length", typical=_length, label="b"),
         Quantity(dh, "mm", "effector radius less base radius", typical=_length, label="h"),
         Quantity(theta0, "rad", "joint angle at the home", typical=_angle),
+        Quantity(dphi, "rad", "direction of the limb about z", typical=_angle, label="phi"),
+        Quantity(dH, "mm", "base radius", typical=_length, label="H"),
     ),
     common=(
         Quantity(px0, "mm", "position of the home, x in {O}", typical=10 * _length),
@@ -122,8 +127,10 @@ MECHANISM = LimbMechanism(
     elbow=1,
     assembly=1,
     models={
-        "robotennis/15": (*(f"{e}_{i}" for i in (1, 2, 3) for e in ("a", "b", "h", "theta0")), "px0", "py0", "pz0"),
-        "robotennis/12": tuple(f"{e}_{i}" for i in (1, 2, 3) for e in ("a", "b", "h", "theta0")),
+        "robotennis/15": (*LIMBS, *HOME),
+        "robotennis/21": (*LIMBS, *HOME, *(f"{e}_{i}" for e in ("phi", "H") for i in (1, 2, 3))),
+        "robotennis/18": (*LIMBS, *HOME, *(f"phi_{i}" for i in (1, 2, 3))),
+        "robotennis/12": LIMBS,
         "robotennis/3": ("theta0_1", "theta0_2", "theta0_3"),
     },
     roles={"L": a, "l": b, "b": H},
@@ -136,7 +143,9 @@ MECHANISM = LimbMechanism(
         "tip_v": {"tip_v": sp.Integer(1)},
         "tip_w": {"tip_w": sp.Integer(1)},
     },
-    rod="b",
+    rods=("b",),
+    layers=(1, 1),
     rods_per_closure=2,
     limb_inertia=proximal * a**2 / 12,  # a slender rod
+    scalings={"paper": {}, "table": {}},  # mm and rad
 )

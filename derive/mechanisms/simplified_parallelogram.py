@@ -32,4 +32,5 @@ MECHANISM = replace(
     seeds={px: x, py: y, cz: sp.Integer(0), q: sp.asin((px + a1x - b1x - tx) / (l1 + dl1)) - q0},  # eq. (35)
     models={"planar_parallelogram/2": ("q0", "l1")},
     of="planar_parallelogram",
+    scalings={"paper": {}, "table": {}},  # mm and rad
 )

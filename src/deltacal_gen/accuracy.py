@@ -8,22 +8,27 @@ import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.measurement import align
-from deltacal_gen.mechanism import Array
+from deltacal_gen.mechanism import Array, mechanism_of
 from deltacal_gen.robot import Robot, Workspace
 
 
 def workspace_of(robot: Robot) -> Workspace:
-    """Return the robot's cylinder.
+    """Return where the robot works.
 
     Raises
     ------
     InputError
-        The robot file has no workspace with a radius.
+        The robot file does not say.
     """
-    if robot.workspace is None or robot.workspace.radius is None:
+    if robot.workspace is None:
+        mechanism = mechanism_of(robot)
+        if len(mechanism.axes) == 3:
+            shape, keys = "cylinder", "top, radius and height"
+        else:
+            shape, keys = ("rectangle", "top, width and height") if mechanism.limbs > 1 else ("stroke", "width")
         raise InputError(
-            "the robot file has no [workspace] with top, radius and height.",
-            "Add the cylinder in which the machine works.",
+            f"the robot file has no [workspace] with {keys}.",
+            f"Add the {shape} in which the machine works.",
             file=robot.source,
         )
     return robot.workspace
@@ -35,7 +40,7 @@ def circle(workspace: Workspace, depth: float, part: float, n: int, start: float
     Parameters
     ----------
     depth : float
-        0 at the top layer, 1 at the bottom.
+        0 at the first layer, 1 at the last.
     part : float
         Of the cylinder's radius.
     start : float
@@ -43,18 +48,21 @@ def circle(workspace: Workspace, depth: float, part: float, n: int, start: float
     """
     angle = start + 2 * np.pi * np.arange(n) / n
     radius = part * (workspace.radius or 0.0)
-    z = -workspace.top - depth * workspace.height
-    return np.column_stack([radius * np.cos(angle), radius * np.sin(angle), np.full(n, z)])
+    return workspace.place(radius * np.column_stack([np.cos(angle), np.sin(angle)]), depth)
 
 
 def check_poses(workspace: Workspace, per_circle: int = 16) -> Array:
     """Return the paper's check poses (1 + 6 per_circle, 3): home, then circles of half and full radius in three layers.
 
-    With 16 to a circle these are the 96 poses of Bai 2015, section 5.2, beside the home at the cylinder's centre.
+    With 16 to a circle these are the 96 poses of Bai 2015, section 5.2, beside the home at the cylinder's centre. As
+    many, evenly spaced along three levels, for a planar machine.
     """
-    home = np.array([[0.0, 0.0, -workspace.top - workspace.height / 2]])
-    rings = [circle(workspace, depth, part, per_circle) for depth in (0.0, 0.5, 1.0) for part in (0.5, 1.0)]
-    return np.vstack([home, *rings])
+    depths = (0.0, 0.5, 1.0)
+    if workspace.radius is None:
+        x = np.linspace(-0.5, 0.5, 2 * per_circle) * (workspace.width or 0.0)
+        return np.vstack([workspace.home, *(workspace.place(x, depth) for depth in depths)])
+    rings = [circle(workspace, depth, part, per_circle) for depth in depths for part in (0.5, 1.0)]
+    return np.vstack([workspace.home, *rings])
 
 
 def distance_error(actual: Array, wanted: Array, home: int = 0) -> Array:

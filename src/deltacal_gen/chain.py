@@ -68,6 +68,7 @@ class Chain(Mechanism):
             raise UsageError("a chain of revolute and prismatic joints together is not supported yet.")
         self.joint_unit = "mm" if kinds == {"prismatic"} else "rad"
         self.platform = ("px", "py", "pz", "cx", "cy", "cz")
+        self.layers = (1, -1)  # a workspace stands on the base plane
         self.axes = self.turns = ("x", "y", "z")
         self.geometry = tuple(
             GeometryKey(key, unit, meaning, True, None, "joint", False, None) for key, unit, meaning in tables.GEOMETRY

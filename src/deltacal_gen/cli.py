@@ -198,7 +198,10 @@ def plan(
     layers: Annotated[
         str | None, typer.Option(help="of the rings: top,middle,bottom; default as the paper", show_default=False)
     ] = None,
-    scaling: Annotated[str, typer.Option(help="columns: paper, table, file or typical")] = "paper",
+    scaling: Annotated[
+        str | None,
+        typer.Option(help="columns: paper, table, file or typical; default the paper's", show_default=False),
+    ] = None,
     norm: Annotated[str, typer.Option(help="of the condition number: spectral or frobenius")] = "spectral",
     threshold: Annotated[
         float, typer.Option(help="relative change of the condition number that the rule tolerates")

@@ -531,6 +531,8 @@ def compensate(
             f"q{i + 1}_{file_unit(mechanism.joint_unit)}": q / to_internal(mechanism.joint_unit)
             for i, q in enumerate(joints.T)
         }
+        if tool is not None:  # so that the file can be simulated, or measured, as it stands
+            table |= {f"tool_{axis}_mm": values for axis, values in zip("xyz", tool.T, strict=True)}
         write_files({Path(output): csv_text(table)})
     in_files: Array = joints / to_internal(mechanism.joint_unit)
     return in_files

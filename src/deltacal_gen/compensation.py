@@ -26,6 +26,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from deltacal_gen.accuracy import workspace_of
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.mechanism import SINGULAR, SOLVED, STATUS, UNREACHABLE, Array, Mechanism, mechanism_of
 from deltacal_gen.physics import Body, Channels, Deformed, Term, complete_channels, term_to_dict
@@ -313,9 +314,15 @@ class Compensator:
         return x[:, :3], status
 
     def leftover(self, targets: Array, tool: Array | None = None, channels: Channels | None = None) -> Array:
-        """Return the position error (N, 3) [mm] that the compensated machine has left; NaN where not solved."""
+        """Return the position error (N, n_q) [mm] that the compensated machine has left; NaN where not solved."""
         targets, tool = self._targets(targets, tool)
-        return self.reached(self.command(targets, tool, channels)[0], tool, channels)[0] - targets
+        return self.missed(self.command(targets, tool, channels)[0], targets, tool, channels)
+
+    def missed(
+        self, joints: Array, targets: Array, tool: Array | None = None, channels: Channels | None = None
+    ) -> Array:
+        """Return how far commands lead off their targets, (N, n_q) [mm]: along the coordinates that are commanded."""
+        return self.mechanism.commanded(self.reached(joints, tool, channels)[0] - targets)
 
     def round_trip(self) -> RoundTrip:
         """Return what the commands leave over the robot's workspace.
@@ -323,16 +330,16 @@ class Compensator:
         Raises
         ------
         InputError
-            The robot file gives no cylindrical workspace.
+            The robot file gives no workspace.
         NoSolutionError
             The machine reaches no point of it.
         """
-        targets = workspace_points(cylinder(self.robot))
+        targets = workspace_points(workspace_of(self.robot))
         error = np.linalg.norm(self.leftover(targets), axis=1)
         if np.isnan(error).all():
             raise NoSolutionError(
                 "no point of the workspace is within the machine's reach. "
-                "Check [workspace] and the lengths in [geometry]; top is counted downwards from the base plane."
+                "Check [workspace] and the lengths in [geometry]; top is counted from the base plane."
             )
         return RoundTrip(largest(error), len(targets), int(np.isnan(error).sum()))
 
@@ -369,27 +376,16 @@ def largest(errors: Array) -> float:
     return float(np.nan_to_num(errors).max(initial=0.0))
 
 
-def cylinder(robot: Robot) -> tuple[float, float, float]:
-    """Return radius, lowest and highest z of the workspace [mm]; raises InputError where the robot has none."""
-    space: Workspace | None = robot.workspace
-    if space is None or space.radius is None:
-        raise InputError(
-            "the robot has no [workspace] with top, radius and height, over which the export could state its error.",
-            "Add the cylinder in which the machine works.",
-            file=robot.source,
-        )
-    return space.radius, -space.top - space.height, -space.top
-
-
-def workspace_points(space: tuple[float, float, float]) -> Array:
-    """Return points of a cylinder, (N, 3): random ones, and circles on the rim and half way in three layers."""
-    radius, low, high = space
+def workspace_points(space: Workspace) -> Array:
+    """Return points of a workspace, (N, 3): random ones; then its axis, and circles on the rim and half way, or a row,
+    in three layers."""
     rng = np.random.default_rng(_SEED)
-    r, turn = radius * np.sqrt(rng.random(_RANDOM_POINTS)), 2 * np.pi * rng.random(_RANDOM_POINTS)
-    z = low + (high - low) * rng.random(_RANDOM_POINTS)
-    circles = list(
-        itertools.product((radius, radius / 2), np.radians(np.arange(0, 360, 15)), (low, (low + high) / 2, high))
-    )
-    axis = [(0.0, 0.0, level) for level in (low, (low + high) / 2, high)]
-    r, turn, z = np.vstack([np.column_stack([r, turn, z]), circles, axis]).T
-    return np.column_stack([r * np.cos(turn), r * np.sin(turn), z])
+    n, layers = _RANDOM_POINTS, (0.0, 0.5, 1.0)
+    if space.radius is None:
+        x = (space.width or 0.0) * np.concatenate([rng.uniform(-0.5, 0.5, n), np.tile(np.linspace(-0.5, 0.5, 25), 3)])
+        return space.place(x, np.concatenate([rng.random(n), np.repeat(layers, 25)]))
+    r, turn = space.radius * np.sqrt(rng.random(n)), 2 * np.pi * rng.random(n)
+    circles = itertools.product((space.radius, space.radius / 2), np.radians(np.arange(0, 360, 15)), layers)
+    axis = [(0.0, 0.0, layer) for layer in layers]
+    r, turn, part = np.vstack([np.column_stack([r, turn, rng.random(n)]), list(circles), axis]).T
+    return space.place(np.column_stack([r * np.cos(turn), r * np.sin(turn)]), part)

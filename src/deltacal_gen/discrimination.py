@@ -176,10 +176,8 @@ def _inside(problem: Problem, x: Array) -> np.ndarray:
     """Tell which poses (N, 12) lie where the machine works: in its workspace, or among what was measured."""
     space = problem.robot.workspace
     position = np.nan_to_num(x[:, :3], nan=np.inf)
-    if space is not None and space.radius is not None:
-        depth = -position[:, 2] - space.top
-        flat = np.hypot(position[:, 0], position[:, 1])
-        inside: np.ndarray = (flat <= space.radius) & (depth >= 0) & (depth <= space.height)
+    if space is not None:
+        inside: np.ndarray = space.holds(position)
         return inside
     seen = problem.poses(problem.reference)[np.unique(problem.readings.rows), :3]
     between: np.ndarray = ((position >= seen.min(axis=0)) & (position <= seen.max(axis=0))).all(axis=1)

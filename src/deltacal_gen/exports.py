@@ -25,7 +25,8 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.compensation import Compensator, RoundTrip, cylinder, largest, workspace_points
+from deltacal_gen.accuracy import workspace_of
+from deltacal_gen.compensation import Compensator, RoundTrip, largest, workspace_points
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.mechanism import POSE, SOLVED, UNREACHABLE, Array
 from deltacal_gen.physics import LOADS, Body, Channels, Term
@@ -40,6 +41,11 @@ TABLE_DECIMALS = 7  # of a correction in deg or mm: at a metre, 2e-6 mm
 DEGREE = 6  # of the polynomials over the workspace: 84 coefficients
 TURNS = 12  # of the fixed point in C: an effect of the joint angle that steepens by a tenth is then known to 1e-12
 _SOURCE = {"exact": "inverse.c", "linear": "linear.c"}
+_IN = {  # what a target is, by how many coordinates are commanded
+    1: "x of the reference point P in the robot frame {O}; y and z are not read",
+    2: "x, y of the reference point P in the robot frame {O}; z is not read",
+    3: "reference point P in the robot frame {O}",
+}
 _MARGIN = 1.05  # a stated error over the measured one
 _CHUNK = 100_000  # points evaluated at once
 _SEED = 20151  # of the channels' random values: the same machine always gets the same statement
@@ -232,13 +238,13 @@ class _Live:
 
     @staticmethod
     def of(compensator: Compensator, over: Spans) -> _Live:
-        radius, low, high = cylinder(compensator.robot)
-        centre, half = np.array([0.0, 0.0, (low + high) / 2]), np.array([radius, radius, (high - low) / 2])
+        centre, half = workspace_of(compensator.robot).box
+        half = np.where(half > 0, half, 1.0)
         powers = np.array([e for e in itertools.product(range(DEGREE + 1), repeat=3) if sum(e) <= DEGREE])
         known = tuple(t for t in compensator.effects if _c_effect(t).is_file())
         others = [t for t in compensator.effects if not _c_effect(t).is_file()]
         columns = _columns(others, over)
-        points = workspace_points(cylinder(compensator.robot))[::3]
+        points = workspace_points(workspace_of(compensator.robot))[::3]
         rigid = replace(compensator, terms=()).command(points)[0] * compensator.robot.joint_sign
         found = _taken_apart(compensator, points, columns, over, known, rigid)
         solved = np.isfinite(found).all(axis=(1, 2))
@@ -266,12 +272,11 @@ class _Live:
     @cached_property
     def left(self) -> RoundTrip:
         """What the file leaves at random points of the workspace and random values of the channels."""
-        points = workspace_points(cylinder(self.compensator.robot))
+        points = workspace_points(workspace_of(self.compensator.robot))
         every = _columns(self.compensator.effects, self.over)
         values = _drawn(every, self.over, len(points))
         at = _channels(self.compensator, len(points), values)
-        reached = self.compensator.reached(self.command(points, values), None, at)[0]
-        error = np.linalg.norm(reached - points, axis=1)
+        error = np.linalg.norm(self.compensator.missed(self.command(points, values), points, None, at), axis=1)
         return RoundTrip(largest(error), len(points), int(np.isnan(error).sum()))
 
 
@@ -414,16 +419,16 @@ def _c_header(compensator: Compensator, left: RoundTrip, unit: str, live: _Live 
     if live is not None:
         yield from _c_effects(live)
     yield ""
-    yield "In          target_mm: reference point P in the robot frame {O}: origin at the base centre, z up [mm]"
+    yield f"In          target_mm: {_IN[mechanism.limbs if len(mechanism.axes) == 2 else 3]} [mm]"
     yield f"Out         joints_{unit}: what to command, as the controller counts [{unit}]; not checked for joint limits"
     yield "Returns     0 solved; 1 out of reach; 2 singular; joints are written only for 0"
     yield ""
     yield f"Usage       double joints[{limbs}];"
-    yield "            const double target[3] = { 0.0, 0.0, -850.0 };"
+    yield f"            const double target[3] = {{ {_c_numbers(workspace_of(robot).home)} }};"
     yield "            if (deltacal_compensate(target, joints) == 0) { ... }"
     yield "Build       C99 with the mathematics library. No memory is allocated and no state is kept: safe from any"
     yield "            thread. Not with -ffast-math, which drops the test for targets out of reach."
-    checks = np.round(workspace_points(cylinder(robot))[[-3, -7, -70]], 3)
+    checks = np.round(workspace_points(workspace_of(robot))[[-3, -7, -70]], 3)
     joints, status = compensator.command(checks)
     yield ""
     yield "To check after installation:"
@@ -596,6 +601,11 @@ def export_table(
     distance, trilinear interpolation errs by a sum of one term per axis, each largest half way between nodes: the
     largest norm of such a sum is found at one of these middles.
     """
+    if len(compensator.mechanism.axes) < 3:
+        raise UsageError(
+            f"a table is made for machines that move in space, and {compensator.mechanism.machine} moves in a plane. "
+            "Export the C source, or write the joints of your targets: deltacal compensate RESULT TARGETS -o JOINTS."
+        )
     over = over or Spans()
     compensator = _after_jumps(compensator)
     compensator.round_trip()  # a workspace out of reach is refused here
@@ -623,8 +633,7 @@ def _fine_enough(compensator: Compensator, over: Spans, worst_mm: float) -> Tabl
             f"what the effects ask for is not linear enough in the channels: to first order {floor:g} mm are left, so "
             f"no table leaves {worst_mm:g} mm. Allow a larger worst error, or export the C source."
         )
-    radius, low, high = cylinder(compensator.robot)
-    step = max(2 * radius, high - low) / 4
+    step = workspace_of(compensator.robot).box[1].max() / 2
     while True:
         table = _sampled(compensator, over, step, at_most=worst_mm)
         if table.worst_mm <= worst_mm and not table.missed:
@@ -635,7 +644,7 @@ def _fine_enough(compensator: Compensator, over: Spans, worst_mm: float) -> Tabl
 
 def _floor(compensator: Compensator, over: Spans) -> float:
     """Return what columns leave where they need no interpolation, as it would be stated [mm]."""
-    points = workspace_points(cylinder(compensator.robot))[::7]
+    points = workspace_points(workspace_of(compensator.robot))[::7]
     columns = _columns(compensator.effects, over)
     values = _drawn(columns, over, len(points))
     sign = compensator.robot.joint_sign
@@ -643,16 +652,17 @@ def _floor(compensator: Compensator, over: Spans) -> float:
     found = _taken_apart(compensator, points, columns, over, (), q)
     for k, column in enumerate(columns):
         q = q + np.reshape(_factor(column, values), (-1, 1)) * found[:, k]
-    reached = compensator.reached(q * sign, None, _channels(compensator, len(points), values))[0]
-    return _stated(largest(np.linalg.norm(reached - points, axis=1)))
+    at = _channels(compensator, len(points), values)
+    return _stated(largest(np.linalg.norm(compensator.missed(q * sign, points, None, at), axis=1)))
 
 
 def _sampled(compensator: Compensator, over: Spans, step_mm: float, at_most: float | None = None) -> TableCompensator:
     """Return the table whose steps are `step_mm` or a little less."""
     if not step_mm > 0.0:
         raise UsageError(f"the step of a table is {step_mm:g} mm, but must be above 0.")
-    radius, low, high = cylinder(compensator.robot)
-    origin, extent = np.array([-radius, -radius, low]), np.array([2 * radius, 2 * radius, high - low])
+    space = workspace_of(compensator.robot)
+    centre, half = space.box
+    origin, extent = centre - half, 2 * half
     cells = np.maximum(np.ceil(extent / step_mm - 1e-9).astype(int), 1)
     columns = _columns(compensator.effects, over)
     if np.prod(cells + 1.0) * len(columns) > LARGEST_TABLE:
@@ -685,7 +695,7 @@ def _sampled(compensator: Compensator, over: Spans, step_mm: float, at_most: flo
         tool=np.array(compensator.robot.tool, dtype=float),
         columns=columns,
     )
-    left = _table_errors(table, compensator, over, radius)
+    left = _table_errors(table, compensator, over, space.radius or 0.0)
     return replace(table, worst_mm=_stated(left.worst_mm), missed=left.missed)
 
 
@@ -697,7 +707,7 @@ def _table_errors(table: TableCompensator, compensator: Compensator, over: Spans
     middles = [table.origin[i] + 0.5 * table.step[i] * np.arange(2 * n - 1) for i, n in enumerate(table.nodes)]
     used = _used(table, radius)
     lattice = np.stack(np.meshgrid(*middles, indexing="ij"), axis=-1)[used]
-    points = np.vstack([workspace_points(cylinder(compensator.robot)), lattice.reshape(-1, 3)])
+    points = np.vstack([workspace_points(workspace_of(compensator.robot)), lattice.reshape(-1, 3)])
     inside = np.hypot(points[:, 0], points[:, 1]) <= radius * (1 + 1e-12)
     worst, missed = 0.0, 0
     for start in range(0, len(points), _CHUNK):
@@ -705,7 +715,7 @@ def _table_errors(table: TableCompensator, compensator: Compensator, over: Spans
         values = _drawn(_columns(compensator.effects, over), over, len(part))
         joints = compensator.nominal_command(part)[0] + table.correction(part, values)[0]
         at = _channels(compensator, len(part), values)
-        error = np.linalg.norm(compensator.reached(joints, None, at)[0] - part, axis=1)
+        error = np.linalg.norm(compensator.missed(joints, part, None, at), axis=1)
         worst = max(worst, largest(error))
         missed += int((np.isnan(error) & inside[start : start + _CHUNK]).sum())
     return RoundTrip(worst, len(points), missed)

@@ -18,6 +18,7 @@ from deltacal_gen.mechanism import Array, mechanism_of
 from deltacal_gen.robot import Robot
 from deltacal_gen.units import file_unit, to_internal
 
+TOLD, MOST_TOLD = 1e-3, 8  # of the largest share: what is told by name, and how many at most
 RANK_TOLERANCE = 1e-9
 CONVENTIONS = ("file", "paper", "table", "typical")
 
@@ -176,7 +177,8 @@ def combinations(basis: Array, names: Sequence[str], units: Sequence[str], typic
     for row in rows:
         row = row / row[np.argmax(np.abs(row))]
         terms = {names[j]: float(row[j] * typical[j]) for j in np.argsort(-np.abs(row)) if abs(row[j]) > 1e-6}
-        found.append(Combination(terms, _words(terms, dict(zip(names, units, strict=True)))))
+        shown = min(int((np.abs(row) > TOLD).sum()), MOST_TOLD)
+        found.append(Combination(terms, _words(terms, dict(zip(names, units, strict=True)), shown)))
     return found
 
 
@@ -197,15 +199,15 @@ def _reduced(basis: Array) -> Array:
     return rows
 
 
-def _words(terms: dict[str, float], units: dict[str, str]) -> str:
+def _words(terms: dict[str, float], units: dict[str, str], count: int) -> str:
     parts = [
         f"{name} by {value / to_internal(units[name]):+.3g} {file_unit(units[name])}" for name, value in terms.items()
     ]
     if len(parts) == 1:
         return f"{next(iter(terms))} moves no reading at all"
-    shown = parts[:8]
-    rest = f" and {len(parts) - 8} smaller shares" if len(parts) > 8 else ""
-    return f"{', '.join(shown[:-1])} and {shown[-1]}{rest}, moved together, change no reading"
+    rest = len(parts) - count
+    shown = parts[:count] + [f"{rest} smaller share{'s'[: rest > 1]}"] * (rest > 0)
+    return f"{', '.join(shown[:-1])} and {shown[-1]}, moved together, change no reading"
 
 
 def base_parameters(H: Array, names: Sequence[str], typical: Array) -> tuple[list[str], dict[str, dict[str, float]]]:

@@ -277,7 +277,8 @@ def chosen_model(mechanism: Mechanism, problem: Problem, recording: Recording, a
     extra = problem.begin(problem.reference).n_unknown
     shown = {mechanism.parameters[p].name for p in carried(problem.readings.kind, mechanism).values()}
     fitting = [m for m in mechanism.models if shown.issuperset(set(MOUNT) & set(mechanism.models[m]))]
-    by_size = sorted(fitting, key=lambda m: -len(mechanism.models[m]))
+    whole = len(mechanism.model(mechanism.full_model))
+    by_size = sorted((m for m in fitting if len(mechanism.models[m]) <= whole), key=lambda m: -len(mechanism.models[m]))
     if asked is not None:
         mechanism.model(asked)
         name = mechanism.full_name(asked)
@@ -596,7 +597,7 @@ def _remedies(final: Fit) -> list[dict[str, Any]]:
         )
     if problem.readings.kind in ("distance", "gauge"):
         ideas.append(("the position itself at the same poses, with a tracker or a camera", [_as_positions(problem)]))
-    if problem.readings.kind != "pose":
+    if problem.readings.kind != "pose" and problem.mechanism.turns:
         full = _as_positions(problem)
         three = [full.with_tool(full.body.tool + np.array(o) * span) for o in ((0, 0, 0), (1, 0, 0), (0, 1, 0))]
         ideas.append(("the platform's rotation (kind pose) at the same poses", three))
@@ -699,7 +700,7 @@ def uncertainty_map(final: Fit, robot: Robot) -> dict[str, Any] | None:
     gauge lengths know no frame: of the position after the best alignment of the map as a whole. What the data do not
     pin enters with its prior. The point of the platform is that of the first reading.
     """
-    if robot.workspace is None or robot.workspace.radius is None:
+    if robot.workspace is None:
         return None
     problem = final.problem
     mechanism, n = problem.mechanism, len(problem.names)

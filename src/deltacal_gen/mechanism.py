@@ -181,6 +181,7 @@ class Mechanism:
         self.reference: str = tables.REFERENCE
         self.limbs: int = tables.LIMBS
         self.joint_unit: str = tables.JOINT_UNIT
+        self.layers: tuple[int, int] = tables.LAYERS
         self.platform: tuple[str, ...] = tuple(name for name, _, _ in tables.PLATFORM)
         self._at = [COORDINATES.index(name) for name in self.platform]
         self.axes: tuple[str, ...] = tuple(name[1] for name in self.platform if name[0] == "p")
@@ -213,8 +214,8 @@ class Mechanism:
 
     @property
     def full_model(self) -> str:
-        """Name of the model of all source errors."""
-        return max(self.models, key=lambda m: len(self.models[m]))
+        """Name of the model that stands for the whole machine unless another is asked for: the first of the table."""
+        return next(iter(self.models))
 
     @cached_property
     def index(self) -> dict[str, int]:
@@ -257,8 +258,16 @@ class Mechanism:
         try:
             factors = self._tables.scaling(convention, {key: float(v[0]) for key, v in robot.geometry.items()})
         except KeyError:
-            raise UsageError(f"{self.name} has no scaling '{convention}'; it has paper and table.") from None
+            raise UsageError(f"{self.name} has no scaling '{convention}'; leave it out.") from None
         return np.array([factors.get(self.parameters[self.index[n]].error, 1.0) for n in names])
+
+    def has_scaling(self, convention: str, robot: Robot) -> bool:
+        """Tell whether a paper gives the columns of this machine another scale."""
+        try:
+            self.scaling(convention, robot, ())
+        except UsageError:
+            return False
+        return True
 
     # ------------------------------------------------------------------ from robots to the rows the kernels read
 
@@ -493,8 +502,8 @@ class Mechanism:
         J_limb = J_p.reshape(*per_limb.shape, -1)
         exerted = (J_q.reshape(per_limb.shape) * per_limb).sum(axis=2)
         first = J_limb.shape[3] - len(self.deflections)
-        rod = self._tables.ROD
-        along = J_limb[..., self.column(rod) - len(self.geometry)] if rod else np.zeros_like(per_limb)
+        rods = [self.column(rod) - len(self.geometry) for rod in self._tables.RODS]
+        along = J_limb[..., rods].sum(axis=3)  # a closure knows its own rod only
         return Loads(
             torque=W_q + exerted,
             pull=(J_limb[..., first:] * per_limb[..., None]).sum(axis=2),

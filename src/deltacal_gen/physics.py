@@ -257,14 +257,9 @@ class Body:
 
     def missing(self, effect: str) -> str | None:
         """Return what an effect needs that is not there, in words; None where nothing is."""
-        kernels = load_effect(effect)
-        if unknown := [t for t in kernels.TARGETS if t.startswith("limb.") and t[5:] not in self._moves]:
-            return f"a part of {self.mechanism.name} that could move as the {unknown[0][5:]} of a limb"
-        needs = set(kernels.STATE)
-        if absent := sorted(needs & ROLES - self.roles.keys()):
-            return f"a length of {self.mechanism.name} that plays the part of {absent[0]}"
-        if "theta" in needs and "offset" not in self._moves:
-            return f"an angle of {self.mechanism.name}'s joints"
+        if why := self.foreign(effect):
+            return why
+        needs = set(load_effect(effect).STATE)
         if "turn" in needs and self._turn() is None:
             return "pulley_circumference in [transmission]"
         have = self.channels
@@ -288,6 +283,15 @@ class Body:
             if state in needs and channel is not None and np.isnan(channel).any():
                 return f"every cell of {words.removeprefix('the ')} (some are blank)"
         return None
+
+    def foreign(self, effect: str) -> str | None:
+        """Return the part that an effect moves or reads and this mechanism does not have; None where it has all."""
+        kernels = load_effect(effect)
+        parts = [t[5:] for t in kernels.TARGETS if t.startswith("limb.") and t[5:] not in self._moves]
+        parts += sorted(set(kernels.STATE) & ROLES - self.roles.keys())
+        if "theta" in kernels.STATE and "offset" not in self._moves:
+            parts.append("angle of a joint")
+        return f"a machine that has a part {parts[0]}; {self.mechanism.name} has none" if parts else None
 
     # ----------------------------------------------------------------------------------------------------- the state
 

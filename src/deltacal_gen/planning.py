@@ -21,6 +21,7 @@ from typing import Any
 
 import numpy as np
 
+from deltacal_gen.accuracy import workspace_of
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.identifiability import (
     RANK_TOLERANCE,
@@ -239,10 +240,15 @@ class Plan(Task):
                 if self.mount
                 else "|k(n) - k(n-1)| / k(n)"
             )
+            along = (
+                f"each of {len(self.layers)} levels of the workspace, all in the same direction, from the highest to "
+                f"the {lowest}"
+                if _mechanism(self.robot).limbs > 1
+                else "the stroke"
+            )
             poses = (
-                f"n evenly spaced poses along each of {len(self.layers)} levels of the workspace, all in the same "
-                f"direction, from the highest to the {lowest}; chosen is the smallest n >= {FEWEST} at which every "
-                f"parameter shows and {rule} <= {self.threshold:g}."
+                f"n evenly spaced poses along {along}; chosen is the smallest n >= {FEWEST} at which every parameter "
+                f"shows and {rule} <= {self.threshold:g}."
             )
         elif self.method == "rings":
             heights = " and ".join(f"{part:.0%}" for part in self.layers)
@@ -370,15 +376,14 @@ def rings(
     """
     turn = start_angle + 2 * np.pi * np.arange(n) / n
     rim = _radius(workspace) * np.column_stack([np.cos(turn), np.sin(turn)])
-    heights = [-(workspace.top + part * workspace.height) for part in _parts(layers)]
-    sets = [np.column_stack([rim, np.full(n, z)]) for z in heights]
-    if home:
-        sets.insert(0, np.array([[0.0, 0.0, -(workspace.top + workspace.height / 2)]]))
-    return np.vstack(sets)
+    sets = [workspace.place(rim, part) for part in _parts(layers)]
+    return np.vstack([workspace.home, *sets] if home else sets)
 
 
 def edges(workspace: Workspace, n: int, layers: Sequence[str | float] = FINE) -> Array:
     """Return n evenly spaced poses along each level of a planar machine's rectangle, all in the same direction.
+
+    A stroke is a single level.
 
     Returns
     -------
@@ -391,8 +396,7 @@ def edges(workspace: Workspace, n: int, layers: Sequence[str | float] = FINE) ->
     gives its figures.
     """
     x = np.linspace(-0.5, 0.5, n) * _width(workspace)
-    levels = [-(workspace.top + part * workspace.height) for part in _parts(layers)]
-    return np.vstack([np.column_stack([x, np.full(n, y), np.zeros(n)]) for y in levels])
+    return np.vstack([workspace.place(x, part) for part in (_parts(layers) if workspace.height else (0.0,))])
 
 
 def grid(workspace: Workspace, layers: int = 3, radii: int = 2, angles: int = 24) -> Array:
@@ -400,7 +404,7 @@ def grid(workspace: Workspace, layers: int = 3, radii: int = 2, angles: int = 24
     if workspace.radius is None:
         return edges(workspace, radii * angles + 1, np.linspace(0.0, 1.0, layers).tolist())
     heights = np.linspace(0.0, 1.0, layers).tolist()
-    axis = [[0.0, 0.0, -(workspace.top + part * workspace.height)] for part in heights]
+    axis = workspace.place(np.zeros((layers, 2)), heights)
     inner = [
         rings(workspace.model_copy(update={"radius": _radius(workspace) * k / radii}), angles, heights, home=False)
         for k in range(1, radii + 1)
@@ -438,16 +442,6 @@ def _parts(layers: Sequence[str | float]) -> tuple[float, ...]:
         if layer not in LAYERS if isinstance(layer, str) else not 0 <= layer <= 1:
             raise UsageError(f"there is no layer '{layer}'; write {', '.join(LAYERS)} or a part of the height, 0 to 1.")
     return tuple(LAYERS[layer] if isinstance(layer, str) else float(layer) for layer in layers)
-
-
-def _workspace(robot: Robot) -> Workspace:
-    if robot.workspace is None:
-        raise InputError(
-            "planning needs to know where the machine works.",
-            "Add a table [workspace] with top, radius and height.",
-            file=robot.source,
-        )
-    return robot.workspace
 
 
 # ------------------------------------------------------------------------------------- the matrix of a set of targets
@@ -532,14 +526,12 @@ def _reached(robot: Robot, targets: Array, tools: Array) -> Poses:
 
 def _generic(robot: Robot, tools: Array) -> Poses:
     """Return poses without any symmetry, what can be reached of an additive recurrence in the cylinder."""
-    workspace = _workspace(robot)
+    workspace = workspace_of(robot)
     u = np.outer(np.arange(1, GENERIC_POSES + 1), RECURRENCE) % 1.0
     if len(_mechanism(robot).axes) == 2:
-        x, y = (u[:, 0] - 0.5) * _width(workspace), -(workspace.top + u[:, 2] * workspace.height)
-        return _reachable(robot, np.column_stack([x, y, np.zeros(GENERIC_POSES)]), tools)
+        return _reachable(robot, workspace.place((u[:, 0] - 0.5) * _width(workspace), u[:, 2]), tools)
     r, turn = _radius(workspace) * np.sqrt(u[:, 0]), 2 * np.pi * u[:, 1]
-    targets = np.column_stack([r * np.cos(turn), r * np.sin(turn), -(workspace.top + u[:, 2] * workspace.height)])
-    return _reachable(robot, targets, tools)
+    return _reachable(robot, workspace.place(np.column_stack([r * np.cos(turn), r * np.sin(turn)]), u[:, 2]), tools)
 
 
 def _reachable(robot: Robot, targets: Array, tools: Array) -> Poses:
@@ -644,7 +636,7 @@ def plan(
     tools: int | Array | Sequence[Sequence[float]] | None = None,
     layers: Sequence[str | float] | None = None,
     start_angle: float = 0.0,
-    scaling: str = "paper",
+    scaling: str | None = None,
     norm: str = "spectral",
     threshold: float = 0.01,
     n_max: int = 30,
@@ -672,7 +664,8 @@ def plan(
     start_angle : float
         [rad]
     scaling : str
-        ``paper``, ``table``, ``file`` or ``typical``: see `identifiability.IdentificationMatrix`.
+        ``paper``, ``table``, ``file`` or ``typical``: see `identifiability.IdentificationMatrix`. By default the
+        paper's, or ``typical`` where no paper has one.
     norm : str
         Of the condition number: ``spectral`` or ``frobenius``.
     threshold : float
@@ -706,9 +699,9 @@ def plan(
 
     def ring(n: int) -> Poses:
         if not planar:
-            return _reached(robot, rings(_workspace(robot), n, parts, start_angle), task.tools)
+            return _reached(robot, rings(workspace_of(robot), n, parts, start_angle), task.tools)
         shift = task.tools[0] - robot.tool  # the robot's own reference point runs along the edges
-        return _reached(robot, edges(_workspace(robot), n, parts) + shift, task.tools)
+        return _reached(robot, edges(workspace_of(robot), n, parts) + shift, task.tools)
 
     steps: list[Step] = []
     before = task.step(FEWEST - 1, ring(FEWEST - 1)).condition
@@ -747,7 +740,7 @@ def d_optimal(
     candidates: Array | None = None,
     kind: str = "distance",
     tools: int | Array | Sequence[Sequence[float]] | None = None,
-    scaling: str = "paper",
+    scaling: str | None = None,
     norm: str = "spectral",
     sigma_mm: float | None = None,
     rng: np.random.Generator | None = None,
@@ -779,7 +772,7 @@ def d_optimal(
     Fedorov 1972, Theory of Optimal Experiments, on exact D-optimal designs.
     """
     task = _task(robot, model, kind, tools, scaling, norm)
-    wanted = grid(_workspace(robot)) if candidates is None else np.atleast_2d(np.asarray(candidates, dtype=float))
+    wanted = grid(workspace_of(robot)) if candidates is None else np.atleast_2d(np.asarray(candidates, dtype=float))
     wanted = np.unique(wanted, axis=0)
     wanted = wanted[reach(robot, wanted, task.tools)[1] == ""]
     if len(wanted) < count:
@@ -830,7 +823,7 @@ def predict(task: Task, poses: Poses, sigma_mm: float) -> Prediction | None:
     if observability(H, count).rank < len(names):
         return None
     response = sigma_mm * np.linalg.pinv(H) @ noise
-    over = grid(_workspace(robot))
+    over = grid(workspace_of(robot))
     over = over[reach(robot, over, task.tools[:1])[1] == ""]
     at = _reached(robot, over, task.tools[:1])
     tool = _read("position", at, _sensitivity(robot, at, names) * scale)
@@ -876,14 +869,16 @@ def _task(
     model: str,
     kind: str,
     tools: int | Array | Sequence[Sequence[float]] | None,
-    scaling: str,
+    scaling: str | None,
     norm: str,
     mount: Mount | None = None,
 ) -> Task:
+    mechanism = _mechanism(robot)
+    if scaling is None:
+        scaling = "paper" if mechanism.has_scaling("paper", robot) else "typical"
     for what, value, known in (("kind", kind, KINDS), ("scaling", scaling, SCALINGS), ("norm", norm, NORMS)):
         if value not in known:
             raise UsageError(f"there is no {what} '{value}'; known: {', '.join(known)}.")
-    mechanism = _mechanism(robot)
     names = mechanism.model(model)
     if (kind == "gauge") != (mount is not None):
         raise UsageError("a gauge, and nothing else, needs to know where its ends are mounted.")
@@ -892,7 +887,7 @@ def _task(
     elif tools is None and len(mechanism.axes) == 2:
         tools = 1
     elif tools is None:
-        home = _reached(robot, rings(_workspace(robot), 1, ()), robot.tool)
+        home = _reached(robot, rings(workspace_of(robot), 1, ()), robot.tool)
         tools = 2 if np.abs(_sensitivity(robot, home, names)[:, 3:]).max(initial=0.0) > RANK_TOLERANCE else 1
     points = reference_points(robot, tools) if isinstance(tools, int) else _tools(tools)
     kept = _kept(robot, names, points, kind, mount)

@@ -271,7 +271,8 @@ def read_recording(
     has_joints = any(_JOINT_LIKE.match(name) for name in rows.columns)
     if allow_targets and not has_joints and set(axes) & set(rows.columns):
         targets = np.zeros((len(rows.line), 3))
-        targets[:, [_POSITION.index(axis) for axis in axes]] = rows.numbers(*axes, blank=False)
+        given = [axis for n, axis in enumerate(axes) if n < mechanism.limbs or axis in rows.columns]
+        targets[:, [_POSITION.index(axis) for axis in given]] = rows.numbers(*given, blank=False)
         joints = np.full((len(targets), mechanism.limbs), np.nan)
         rows = rows.without(axes)
     else:
@@ -875,7 +876,7 @@ def file_columns(recording: Recording) -> tuple[dict[str, Any], dict[str, Any]]:
         poses = [str(n + 1) for n in range(len(poses))]  # distances name rows by their pose
     columns: dict[str, Any] = {"pose": poses}
     if recording.targets is not None:
-        axes = 3 if recording.targets[:, 2].any() else 2  # in the plane there is no z
+        axes = 3 if "z_mm" in recording.columns or recording.targets[:, 2].any() else 2  # in the plane there is no z
         columns |= zip(_POSITION[:axes], recording.targets.T[:axes], strict=True)
     else:
         for i, q in enumerate(recording.joints.T):

@@ -22,7 +22,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar, get_args
 
 import numpy as np
-from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, create_model
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    PrivateAttr,
+    ValidationError,
+    create_model,
+)
 
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.units import file_unit, to_internal
@@ -76,15 +85,62 @@ _Interval: Any = Annotated[_list(Number, 2), AfterValidator(_is_interval)]
 
 
 class Workspace(Table):
-    """Where the machine works: a cylinder, or a rectangle for planar machines [mm].
+    """Where the machine works [mm]: a cylinder about z; for planar machines a rectangle; for a single joint a stroke.
 
-    `top` is the distance from the base plane to the top layer; `radius` (or `width`) and `height` are its size.
+    `top` is the distance from the base plane to the first layer, `radius` (or `width`) and `height` are its size; a
+    stroke, along x, has a width only. On which side of the base the layers lie is the mechanism's.
     """
 
-    top: Positive
+    top: Positive | None = None
     radius: Positive | None = None
     width: Positive | None = None
-    height: Positive
+    height: Positive | None = None
+    _layers: tuple[int, int] = PrivateAttr(default=(-1, -1))
+
+    def of(self, mechanism: Mechanism) -> Workspace:
+        """Return the workspace on that side of the base where this mechanism has it."""
+        placed = self.model_copy()
+        placed._layers = mechanism.layers
+        return placed
+
+    @property
+    def levels(self) -> tuple[float, float]:
+        """Where the first layer and the last one lie along z, or along y of a rectangle."""
+        side, way = self._layers
+        first = side * (self.top or 0.0)
+        return first, first + way * (self.height or 0.0)
+
+    def place(self, across: Any, part: Any) -> np.ndarray[Any, np.dtype[np.float64]]:
+        """Return positions (N, 3) in {O}: `across` (N, 2) of a cylinder, or (N,) along x, at parts of the height."""
+        first, last = self.levels
+        level = first + np.asarray(part, dtype=float) * (last - first)
+        across = np.asarray(across, dtype=float)
+        if self.radius is not None:
+            return np.column_stack([across, np.broadcast_to(level, len(across))])
+        return np.column_stack([across, np.broadcast_to(level, len(across)), np.zeros(len(across))])
+
+    @property
+    def home(self) -> np.ndarray[Any, np.dtype[np.float64]]:
+        """Its centre, (3,)."""
+        centre: np.ndarray[Any, np.dtype[np.float64]] = self.place(np.zeros((1, 2) if self.radius else 1), 0.5)[0]
+        return centre
+
+    @property
+    def box(self) -> tuple[np.ndarray[Any, np.dtype[np.float64]], np.ndarray[Any, np.dtype[np.float64]]]:
+        """Its centre and its half size, (3,) each; no size along axes in which the machine does not move."""
+        half = (self.height or 0.0) / 2
+        if self.radius is not None:
+            return self.home, np.array([self.radius, self.radius, half])
+        return self.home, np.array([(self.width or 0.0) / 2, half, 0.0])
+
+    def holds(self, positions: np.ndarray[Any, np.dtype[np.float64]]) -> np.ndarray[Any, np.dtype[np.bool_]]:
+        """Tell which positions (N, 3) lie within."""
+        centre, half = self.box
+        across = np.hypot(*positions[:, :2].T) <= self.radius if self.radius is not None else True
+        inside = np.abs(positions - centre) <= half
+        if self.top is None:  # of a stroke only x counts
+            return np.asarray(inside[:, 0])
+        return np.asarray(across & inside.all(axis=1))
 
 
 class Masses(Table):
@@ -376,7 +432,7 @@ def _robot(file: TomlFile, load: Loader | None) -> Robot:
         tool=np.array(tables["geometry"]["tool"], dtype=float),
         errors=errors,
         tolerance=tolerance,
-        workspace=said.workspace,
+        workspace=_workspace(file, said.workspace, mechanism),
         masses=said.masses or (Masses() if any(link.mass for link in links) else None),
         transmission=said.transmission,
         joint_sign=np.array(tables["joints"]["sign"], dtype=float),
@@ -384,6 +440,34 @@ def _robot(file: TomlFile, load: Loader | None) -> Robot:
         source=file.path,
         links=links,
     )
+
+
+def _workspace(file: TomlFile, said: Workspace | None, mechanism: Mechanism) -> Workspace | None:
+    """Return a workspace that suits the mechanism; raises InputError where it has another shape."""
+    if said is None:
+        return None
+    given = said.model_fields_set
+    if len(mechanism.axes) == 3:
+        shape, needed, known = "a cylinder", ("top", "radius", "height"), 3
+    elif mechanism.limbs > 1:
+        shape, needed, known = "a rectangle", ("top", "width", "height"), 3
+    else:  # height and depth follow from the stroke
+        shape, needed, known = "a stroke", ("width", "top", "height"), 1
+    for key in needed[:known]:
+        if key not in given:
+            raise file.error(
+                f"'{key}' in [workspace] is missing; that of {mechanism.machine} is {shape}.",
+                f"Give {', '.join(needed[:known])} in mm.",
+                "workspace",
+            )
+    for key in sorted(given - set(needed)):
+        raise file.error(
+            f"'{key}' in [workspace] means nothing here; that of {mechanism.machine} is {shape}.",
+            f"Give {', '.join(needed[:known])} in mm.",
+            "workspace",
+            key,
+        )
+    return said.of(mechanism)
 
 
 def _of_errors(file: TomlFile, mechanism: Mechanism) -> Mechanism:

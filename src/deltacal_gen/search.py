@@ -291,11 +291,16 @@ def gains(G: Array, b: Array) -> Array:
 
 
 def library(problem: Problem) -> tuple[list[Term], list[dict[str, str]]]:
-    """Return every form of every effect that the recording can carry, and those it cannot with what is missing."""
+    """Return every form of every effect that the recording can carry, and those it cannot with what is missing.
+
+    Effects of parts that the mechanism does not have are neither.
+    """
     limbs, tools = tuple(range(1, problem.mechanism.limbs + 1)), _tools(problem)
     terms: list[Term] = []
     missing: list[dict[str, str]] = []
     for name in effect_names():
+        if problem.body.foreign(name):
+            continue
         if why := _spoilt(problem, name) or problem.body.missing(name) or _constant(problem, name):
             missing.append({"name": name, "missing": why})
             continue

@@ -1,7 +1,7 @@
 """Kinematics of `complete_delta`: Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 94c205fb23d8139b; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 338a75ae7afa1660; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 

@@ -1,9 +1,11 @@
 """Tables of `complete_delta`: Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both c07f451011b5835b; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 55bb1521038299b6; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
+
+import numpy as np
 
 NAME = "complete_delta"
 MACHINE = "delta"  # whose robot files these are the source errors of
@@ -11,9 +13,10 @@ TITLE = "Delta, complete geometry of the six rods"
 REFERENCE = "Savoure, Maurine, Corbel, Krut 2006, ICRA, 769-776"
 LIMBS = 3
 EQUATIONS = 6
-ROD = ""
+RODS = ("l_{i}1", "l_{i}2",)
 RODS_PER_CLOSURE = 1
 JOINT_UNIT = "rad"
+LAYERS = (-1, -1)  # of the workspace: sign of the first one's height, direction to the others
 
 # (name, unit, meaning) of the platform's coordinates x: px py pz position, cx cy cz Cayley vector; the others are zero
 PLATFORM = (
@@ -98,13 +101,33 @@ def scaling(convention, geometry):
 
 def roles(geometry):
     """Return what effects read of the geometry, by the names of their state [mm, rad]: one value, or one per limb."""
+    b = geometry["base_radius"]
+    L = geometry["proximal_length"]
+    l = geometry["distal_length"]
     return {
+        "L": L,
+        "l": l,
+        "b": b,
     }
 
 
 def moves(geometry):
     """Return {what an effect moves: {error or deflection: how much of it}}: one value, or one per limb."""
+    c = geometry["joint_spacing"]
+    phi = geometry["limb_angle_deg"]
     return {
+        "offset": {"betax": np.sin(phi), "betay": -np.cos(phi)},
+        "arm": {"ay_{i}1": 1, "ay_{i}2": 1},
+        "rod": {"l_{i}1": 1, "l_{i}2": 1},
+        "rod_difference": {"l_{i}1": 0.5, "l_{i}2": -0.5},
+        "outwards": {"bx_{i}1": -np.cos(phi), "bx_{i}2": -np.cos(phi), "by_{i}1": -np.sin(phi), "by_{i}2": -np.sin(phi)},
+        "tip_v": {"tip_v": 1},
+        "tip_w": {"tip_w": 1},
+        "spacing_difference": {"ax_{i}1": 0.5, "ax_{i}2": -0.5},
+        "hand_axis_u": {"bz_{i}1": 0.5*c, "bz_{i}2": -0.5*c},
+        "hand_axis_v": {"bx_{i}1": -0.5*c*np.cos(phi), "bx_{i}2": 0.5*c*np.cos(phi), "by_{i}1": -0.5*c*np.sin(phi), "by_{i}2": 0.5*c*np.sin(phi)},
+        "elbow_axis_u": {"az_{i}1": -0.5*c, "az_{i}2": 0.5*c},
+        "elbow_axis_v": {"ay_{i}1": 0.5*c, "ay_{i}2": -0.5*c},
     }
 
 

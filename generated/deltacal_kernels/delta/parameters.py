@@ -1,7 +1,7 @@
 """Tables of `delta`: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 541ea8a7a0bfce4d; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both eee469948438369f; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 
@@ -13,9 +13,10 @@ TITLE = "Delta, three arms and six rods"
 REFERENCE = "Bai, Mei, Huang, Chetwynd 2015, Proc. IMechE C 230(3), 414-424"
 LIMBS = 3
 EQUATIONS = 6
-ROD = "l"
+RODS = ("l",)
 RODS_PER_CLOSURE = 1
 JOINT_UNIT = "rad"
+LAYERS = (-1, -1)  # of the workspace: sign of the first one's height, direction to the others
 
 # (name, unit, meaning) of the platform's coordinates x: px py pz position, cx cy cz Cayley vector; the others are zero
 PLATFORM = (

@@ -1,7 +1,7 @@
 """Tables of `diamond`: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both a6719e4ed817e0c0; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both d9a9c267972356df; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 
@@ -11,9 +11,10 @@ TITLE = "Diamond, two arms in a plane"
 REFERENCE = "Mei, Zang, Ding, Xie, Zhang, Strojniski vestnik 63(12), 715-724"
 LIMBS = 2
 EQUATIONS = 2
-ROD = "l"
+RODS = ("l",)
 RODS_PER_CLOSURE = 1
 JOINT_UNIT = "rad"
+LAYERS = (-1, -1)  # of the workspace: sign of the first one's height, direction to the others
 
 # (name, unit, meaning) of the platform's coordinates x: px py pz position, cx cy cz Cayley vector; the others are zero
 PLATFORM = (

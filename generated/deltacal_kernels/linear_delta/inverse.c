@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/inverse.c.jinja; sha256 of both bd13458391dd7f91; SymPy 1.14.0.
+ * Template templates/mechanism/inverse.c.jinja; sha256 of both dcd864489cbb28f5; SymPy 1.14.0.
  *
  * The exact compensator: inverse position of the calibrated machine, by Newton on joints and platform rotation.
  * An export puts the machine's numbers before this text: DELTACAL_K[3][21], DELTACAL_TOOL[3],

@@ -1,7 +1,7 @@
 """Kinematics of `linear_delta`: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both fc3c48a5bde0aed7; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 6b4bf825866a1cef; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 

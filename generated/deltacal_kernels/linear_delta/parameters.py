@@ -1,7 +1,7 @@
 """Tables of `linear_delta`: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 4f3cfa623ede325d; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 7dd0818f5fc2ac74; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 
@@ -11,9 +11,10 @@ TITLE = "Linear delta, three towers and six rods"
 REFERENCE = "contract, section 1; Klipper, klippy/kinematics/delta.py; RepRapFirmware, LinearDeltaKinematics"
 LIMBS = 3
 EQUATIONS = 6
-ROD = "arm"
+RODS = ("arm",)
 RODS_PER_CLOSURE = 1
 JOINT_UNIT = "mm"
+LAYERS = (1, -1)  # of the workspace: sign of the first one's height, direction to the others
 
 # (name, unit, meaning) of the platform's coordinates x: px py pz position, cx cy cz Cayley vector; the others are zero
 PLATFORM = (

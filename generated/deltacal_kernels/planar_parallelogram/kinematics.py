@@ -1,7 +1,7 @@
 """Kinematics of `planar_parallelogram`: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 77d3e83b77f3917d; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 02855ad6eb6c500e; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/inverse.c.jinja; sha256 of both 832395c0c1666d2d; SymPy 1.14.0.
+ * Template templates/mechanism/inverse.c.jinja; sha256 of both 45f9f24aa5936808; SymPy 1.14.0.
  *
  * The exact compensator: inverse position of the calibrated machine, by Newton on joints and platform rotation.
  * An export puts the machine's numbers before this text: DELTACAL_K[3][22], DELTACAL_TOOL[3],
@@ -31,50 +31,50 @@ static void newton(const double *x, double q, const double *tool, const double *
     const double ty = tool[1];
     const double tz = tool[2];
     const double theta0 = k[0];
-    const double s0 = k[1];
-    const double s2 = k[2];
-    const double s9 = k[3];
-    const double s12 = k[4];
-    const double s14 = k[5];
-    const double s18 = k[6];
-    const double s20 = k[7];
+    const double u_x = k[1];
+    const double u_y = k[2];
+    const double s11 = k[3];
+    const double s14 = k[4];
+    const double s16 = k[5];
+    const double s20 = k[6];
+    const double s22 = k[7];
     const double tip_v = k[8];
     const double px0 = k[9];
     const double py0 = k[10];
     const double pz0 = k[11];
-    const double s29 = k[12];
-    const double s31 = k[13];
-    const double s44 = k[14];
-    const double s4 = q + theta0;
-    const double s5 = cos(s4);
-    const double arm_x = s0*s5;
-    const double arm_y = s2*s5;
-    const double arm_z = sin(s4);
-    const double B_x = arm_x*s9 + arm_z*s12 + s14;
-    const double B_y = arm_y*s9 + arm_z*s18 + s20;
-    const double B_z = arm_z*s9 + s5*tip_v;
+    const double s31 = k[12];
+    const double s33 = k[13];
+    const double s46 = k[14];
+    const double s6 = q + theta0;
+    const double s7 = cos(s6);
+    const double arm_x = s7*u_x;
+    const double arm_y = s7*u_y;
+    const double s10 = sin(s6);
+    const double B_x = arm_x*s11 + s10*s14 + s16;
+    const double B_y = arm_y*s11 + s10*s20 + s22;
+    const double B_z = s10*s11 + s7*tip_v;
     const double centre_x = px + px0 - tx;
     const double centre_y = py + py0 - ty;
     const double centre_z = pz + pz0 - tz;
-    const double C_x = centre_x + s29;
-    const double C_y = centre_y + s31;
+    const double C_x = centre_x + s31;
+    const double C_y = centre_y + s33;
     const double rod_x = -B_x + C_x;
     const double rod_y = -B_y + C_y;
     const double rod_z = -B_z + centre_z;
-    const double s45 = (1.0/2.0)*(rod_x * rod_x) + (1.0/2.0)*(rod_y * rod_y) + (1.0/2.0)*(rod_z * rod_z) + s44;
-    const double s46 = 2*rod_z;
-    const double s47 = (1.0/2.0)*s46;
-    const double s48 = 2*rod_y;
+    const double s47 = (1.0/2.0)*(rod_x * rod_x) + (1.0/2.0)*(rod_y * rod_y) + (1.0/2.0)*(rod_z * rod_z) + s46;
+    const double s48 = 2*rod_z;
     const double s49 = (1.0/2.0)*s48;
-    const double s50 = 2*rod_x;
+    const double s50 = 2*rod_y;
     const double s51 = (1.0/2.0)*s50;
-    const double s71 = -arm_z*(-s0*s51*s9 - s2*s49*s9 - s47*tip_v);
-    const double s72 = s5*(-s12*s51 - s18*s49 - s47*s9) + s71;
-    out[0] = s45;
-    out[1] = s51;
-    out[2] = s49;
-    out[3] = s47;
-    out[4] = s72;
+    const double s52 = 2*rod_x;
+    const double s53 = (1.0/2.0)*s52;
+    const double s73 = -s10*(-s11*s51*u_y - s11*s53*u_x - s49*tip_v);
+    const double s74 = s7*(-s11*s49 - s14*s53 - s20*s51) + s73;
+    out[0] = s47;
+    out[1] = s53;
+    out[2] = s51;
+    out[3] = s49;
+    out[4] = s74;
 }
 
 /* Joint of the simplified limb at a given position, then the platform's coordinates that follow from it (35 operations). */
@@ -88,23 +88,23 @@ static void joint(const double *x, double q, const double *tool, const double *k
     const double tz = tool[2];
     const double theta0 = k[0];
     const double pz0 = k[11];
-    const double s85 = k[15];
-    const double s87 = k[16];
-    const double s89 = k[17];
-    const double s91 = k[18];
-    const double s106 = k[19];
-    const double s113 = k[20];
-    const double s118 = k[21];
+    const double s96 = k[15];
+    const double s98 = k[16];
+    const double s100 = k[17];
+    const double s102 = k[18];
+    const double s117 = k[19];
+    const double s124 = k[20];
+    const double s129 = k[21];
     const double centre_z = pz + pz0 - tz;
-    const double s86 = px + s85 - tx;
-    const double s90 = py + s89 - ty;
-    const double s93 = s86*s87 + s90*s91;
-    const double s95 = (centre_z * centre_z);
-    const double s107 = s106 + (1.0/2.0)*(s86 * s86) + (1.0/2.0)*(s90 * s90) + (1.0/2.0)*s95;
-    const double s116 = sqrt(-(s107 * s107) + s113*s95 + (s93 * s93));
-    const double s125 = -theta0 + atan2(centre_z*s107*s118 + s116*s93, centre_z*s116*s118 - s107*s93);
+    const double s97 = px + s96 - tx;
+    const double s101 = py + s100 - ty;
+    const double s104 = s101*s102 + s97*s98;
+    const double s106 = (centre_z * centre_z);
+    const double s118 = (1.0/2.0)*(s101 * s101) + (1.0/2.0)*s106 + s117 + (1.0/2.0)*(s97 * s97);
+    const double s127 = sqrt((s104 * s104) + s106*s124 - (s118 * s118));
+    const double s136 = -theta0 + atan2(centre_z*s118*s129 + s104*s127, centre_z*s127*s129 - s104*s118);
     (void)(q);
-    out[0] = s125;
+    out[0] = s136;
 }
 
 #define ROD 5 /* per rod: closure, its derivatives by the position (3), by the rotation (0), by the joint */

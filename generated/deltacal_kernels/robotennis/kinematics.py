@@ -1,13 +1,13 @@
 """Kinematics of `robotennis`: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both f832e1387a2532d1; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 3dc07f3fa6c87df8; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
 x (N, 3)  platform: px py pz
 q (N, 3)  joints        tool (N, 3)  reference point in {O'}
-p (M, 3, 17)  one row of parameters per limb: a b h H phi hx hy hz a b h theta0 px0 py0 pz0 tip_v tip_w
+p (M, 3, 19)  one row of parameters per limb: a b h H phi hx hy hz a b h theta0 phi H px0 py0 pz0 tip_v tip_w
 k (M, 3, 23)  what `constants` makes of p; M is 1 (one machine) or N (parameters that change from pose to pose)
 
 Kernels allocate nothing per pose and never raise: `status` says what became of each pose.
@@ -31,7 +31,7 @@ COMMAND_CONSTANTS = 22  # `exact_command` reads these first columns of k only
 
 
 def constants(p):
-    """Return k (M, 3, 23), what no pose changes, from p (44 operations).
+    """Return k (M, 3, 23), what no pose changes, from p (46 operations).
 
     Plain NumPy over all rows at once: it runs once per machine, and compiling it would take longer than running it.
     """
@@ -45,57 +45,61 @@ def constants(p):
     db = p[..., 9]
     dh = p[..., 10]
     theta0 = p[..., 11]
-    px0 = p[..., 12]
-    py0 = p[..., 13]
-    pz0 = p[..., 14]
-    tip_v = p[..., 15]
-    tip_w = p[..., 16]
-    s0 = np.cos(phi)
-    A_x = H*s0
-    s2 = np.sin(phi)
-    A_y = H*s2
-    s9 = a + da
-    s12 = -s0*tip_v
-    s14 = A_x + s2*tip_w
-    s18 = -s2*tip_v
-    s20 = A_y - s0*tip_w
-    s28 = dh + h
-    s29 = s0*s28
-    s31 = s2*s28
-    s42 = b + db
-    s44 = -0.5*(s42 * s42)
-    s75 = -s42
-    s85 = -A_x + px0 + s29
-    s87 = -s0*s9
-    s89 = -A_y + py0 + s31
-    s91 = -s2*s9
-    s106 = s44 + 0.5*(s9 * s9)*((s0 * s0) + (s2 * s2))
-    s111 = -2*a - 2*da
-    s113 = 0.25*(s111 * s111)
-    s118 = -0.5*s111
+    dphi = p[..., 12]
+    dH = p[..., 13]
+    px0 = p[..., 14]
+    py0 = p[..., 15]
+    pz0 = p[..., 16]
+    tip_v = p[..., 17]
+    tip_w = p[..., 18]
+    s0 = dphi + phi
+    u_x = np.cos(s0)
+    u_y = np.sin(s0)
+    s3 = H + dH
+    A_x = s3*u_x
+    A_y = s3*u_y
+    s11 = a + da
+    s14 = -tip_v*u_x
+    s16 = A_x + tip_w*u_y
+    s20 = -tip_v*u_y
+    s22 = A_y - tip_w*u_x
+    s30 = dh + h
+    s31 = s30*u_x
+    s33 = s30*u_y
+    s44 = b + db
+    s46 = -0.5*(s44 * s44)
+    s77 = -s44
+    s96 = -A_x + px0 + s31
+    s98 = -s11*u_x
+    s100 = -A_y + py0 + s33
+    s102 = -s11*u_y
+    s117 = 0.5*(s11 * s11)*((u_x * u_x) + (u_y * u_y)) + s46
+    s122 = -2*a - 2*da
+    s124 = 0.25*(s122 * s122)
+    s129 = -0.5*s122
     k[..., 0] = theta0
-    k[..., 1] = s0
-    k[..., 2] = s2
-    k[..., 3] = s9
-    k[..., 4] = s12
-    k[..., 5] = s14
-    k[..., 6] = s18
-    k[..., 7] = s20
+    k[..., 1] = u_x
+    k[..., 2] = u_y
+    k[..., 3] = s11
+    k[..., 4] = s14
+    k[..., 5] = s16
+    k[..., 6] = s20
+    k[..., 7] = s22
     k[..., 8] = tip_v
     k[..., 9] = px0
     k[..., 10] = py0
     k[..., 11] = pz0
-    k[..., 12] = s29
-    k[..., 13] = s31
-    k[..., 14] = s44
-    k[..., 15] = s85
-    k[..., 16] = s87
-    k[..., 17] = s89
-    k[..., 18] = s91
-    k[..., 19] = s106
-    k[..., 20] = s113
-    k[..., 21] = s118
-    k[..., 22] = s75
+    k[..., 12] = s31
+    k[..., 13] = s33
+    k[..., 14] = s46
+    k[..., 15] = s96
+    k[..., 16] = s98
+    k[..., 17] = s100
+    k[..., 18] = s102
+    k[..., 19] = s117
+    k[..., 20] = s124
+    k[..., 21] = s129
+    k[..., 22] = s77
     return k
 
 
@@ -110,55 +114,55 @@ def _newton(x, q, tool, k, out):
     tz = tool[2]
     q = q
     theta0 = k[0]
-    s0 = k[1]
-    s2 = k[2]
-    s9 = k[3]
-    s12 = k[4]
-    s14 = k[5]
-    s18 = k[6]
-    s20 = k[7]
+    u_x = k[1]
+    u_y = k[2]
+    s11 = k[3]
+    s14 = k[4]
+    s16 = k[5]
+    s20 = k[6]
+    s22 = k[7]
     tip_v = k[8]
     px0 = k[9]
     py0 = k[10]
     pz0 = k[11]
-    s29 = k[12]
-    s31 = k[13]
-    s44 = k[14]
-    s4 = q + theta0
-    s5 = math.cos(s4)
-    arm_x = s0*s5
-    arm_y = s2*s5
-    arm_z = math.sin(s4)
-    B_x = arm_x*s9 + arm_z*s12 + s14
-    B_y = arm_y*s9 + arm_z*s18 + s20
-    B_z = arm_z*s9 + s5*tip_v
+    s31 = k[12]
+    s33 = k[13]
+    s46 = k[14]
+    s6 = q + theta0
+    s7 = math.cos(s6)
+    arm_x = s7*u_x
+    arm_y = s7*u_y
+    s10 = math.sin(s6)
+    B_x = arm_x*s11 + s10*s14 + s16
+    B_y = arm_y*s11 + s10*s20 + s22
+    B_z = s10*s11 + s7*tip_v
     centre_x = px + px0 - tx
     centre_y = py + py0 - ty
     centre_z = pz + pz0 - tz
-    C_x = centre_x + s29
-    C_y = centre_y + s31
+    C_x = centre_x + s31
+    C_y = centre_y + s33
     rod_x = -B_x + C_x
     rod_y = -B_y + C_y
     rod_z = -B_z + centre_z
-    s45 = 0.5*(rod_x * rod_x) + 0.5*(rod_y * rod_y) + 0.5*(rod_z * rod_z) + s44
-    s46 = 2*rod_z
-    s47 = 0.5*s46
-    s48 = 2*rod_y
+    s47 = 0.5*(rod_x * rod_x) + 0.5*(rod_y * rod_y) + 0.5*(rod_z * rod_z) + s46
+    s48 = 2*rod_z
     s49 = 0.5*s48
-    s50 = 2*rod_x
+    s50 = 2*rod_y
     s51 = 0.5*s50
-    s71 = -arm_z*(-s0*s51*s9 - s2*s49*s9 - s47*tip_v)
-    s72 = s5*(-s12*s51 - s18*s49 - s47*s9) + s71
-    out[0] = s45
-    out[1] = s51
-    out[2] = s49
-    out[3] = s47
-    out[4] = s72
+    s52 = 2*rod_x
+    s53 = 0.5*s52
+    s73 = -s10*(-s11*s51*u_y - s11*s53*u_x - s49*tip_v)
+    s74 = s7*(-s11*s49 - s14*s53 - s20*s51) + s73
+    out[0] = s47
+    out[1] = s53
+    out[2] = s51
+    out[3] = s49
+    out[4] = s74
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def _parameters(x, q, tool, k, out):
-    """Per rod of one limb: derivatives of the closure by errors, by deflections (70 operations)."""
+    """Per rod of one limb: derivatives of the closure by errors, by deflections (94 operations)."""
     px = x[0]
     py = x[1]
     pz = x[2]
@@ -167,57 +171,67 @@ def _parameters(x, q, tool, k, out):
     tz = tool[2]
     q = q
     theta0 = k[0]
-    s0 = k[1]
-    s2 = k[2]
-    s9 = k[3]
-    s12 = k[4]
-    s14 = k[5]
-    s18 = k[6]
-    s20 = k[7]
+    u_x = k[1]
+    u_y = k[2]
+    s11 = k[3]
+    s14 = k[4]
+    s16 = k[5]
+    s20 = k[6]
+    s22 = k[7]
     tip_v = k[8]
     px0 = k[9]
     py0 = k[10]
     pz0 = k[11]
-    s29 = k[12]
-    s31 = k[13]
-    s75 = k[22]
-    s4 = q + theta0
-    s5 = math.cos(s4)
-    arm_x = s0*s5
-    arm_y = s2*s5
-    arm_z = math.sin(s4)
-    B_x = arm_x*s9 + arm_z*s12 + s14
-    B_y = arm_y*s9 + arm_z*s18 + s20
-    B_z = arm_z*s9 + s5*tip_v
+    s31 = k[12]
+    s33 = k[13]
+    s77 = k[22]
+    s6 = q + theta0
+    s7 = math.cos(s6)
+    arm_x = s7*u_x
+    arm_y = s7*u_y
+    s10 = math.sin(s6)
+    B_x = arm_x*s11 + s10*s14 + s16
+    B_y = arm_y*s11 + s10*s20 + s22
+    B_z = s10*s11 + s7*tip_v
     centre_x = px + px0 - tx
     centre_y = py + py0 - ty
     centre_z = pz + pz0 - tz
-    C_x = centre_x + s29
-    C_y = centre_y + s31
+    C_x = centre_x + s31
+    C_y = centre_y + s33
     rod_x = -B_x + C_x
     rod_y = -B_y + C_y
     rod_z = -B_z + centre_z
-    s46 = 2*rod_z
-    s47 = 0.5*s46
-    s48 = 2*rod_y
+    s48 = 2*rod_z
     s49 = 0.5*s48
-    s50 = 2*rod_x
+    s50 = 2*rod_y
     s51 = 0.5*s50
-    s71 = -arm_z*(-s0*s51*s9 - s2*s49*s9 - s47*tip_v)
-    s72 = s5*(-s12*s51 - s18*s49 - s47*s9) + s71
-    s73 = -arm_x*s51 - arm_y*s49 - arm_z*s47
-    s78 = s0*s51 + s2*s49
-    s81 = arm_z*s0*s51 + arm_z*s2*s49 - s47*s5
-    s84 = s0*s49 - s2*s51
-    out[0] = s73
-    out[1] = s75
-    out[2] = s78
-    out[3] = s72
-    out[4] = s51
-    out[5] = s49
-    out[6] = s47
-    out[7] = s81
-    out[8] = s84
+    s52 = 2*rod_x
+    s53 = 0.5*s52
+    s59 = -s10*s51
+    s60 = -s11*s51
+    s63 = -s10*s53
+    s64 = -s11*s53
+    s73 = -s10*(-s49*tip_v + s60*u_y + s64*u_x)
+    s74 = s7*(-s11*s49 - s14*s53 - s20*s51) + s73
+    s75 = -arm_x*s53 - arm_y*s51 - s10*s49
+    s80 = s51*u_y + s53*u_x
+    s86 = -s20*s63
+    s87 = s60*s7*u_x
+    s88 = -s64*s7*u_y
+    s89 = s14*s59 - s16*s51 + s22*s53 + s31*s51 - s33*s53 + s86 + s87 + s88
+    s92 = -s49*s7 - s59*u_y - s63*u_x
+    s95 = s51*u_x - s53*u_y
+    out[0] = s75
+    out[1] = s77
+    out[2] = s80
+    out[3] = s74
+    out[4] = s89
+    out[5] = -s80
+    out[6] = s53
+    out[7] = s51
+    out[8] = s49
+    out[9] = s92
+    out[10] = s95
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -228,24 +242,23 @@ def _sphere(x, q, tool, k, out):
     tz = tool[2]
     q = q
     theta0 = k[0]
-    s9 = k[3]
+    s11 = k[3]
     pz0 = k[11]
-    s44 = k[14]
-    s85 = k[15]
-    s87 = k[16]
-    s89 = k[17]
-    s91 = k[18]
-    s4 = q + theta0
-    s5 = math.cos(s4)
-    arm_z = math.sin(s4)
-    s127 = -s5*s87 - s85 + tx
-    s129 = -s5*s91 - s89 + ty
-    s130 = arm_z*s9 - pz0 + tz
-    s137 = 0.5*(s127 * s127) + 0.5*(s129 * s129) + 0.5*(s130 * s130) + s44
-    out[0] = s127
-    out[1] = s129
-    out[2] = s130
-    out[3] = s137
+    s46 = k[14]
+    s96 = k[15]
+    s98 = k[16]
+    s100 = k[17]
+    s102 = k[18]
+    s6 = q + theta0
+    s7 = math.cos(s6)
+    s138 = -s7*s98 - s96 + tx
+    s140 = -s100 - s102*s7 + ty
+    s141 = -pz0 + s11*math.sin(s6) + tz
+    s148 = 0.5*(s138 * s138) + 0.5*(s140 * s140) + 0.5*(s141 * s141) + s46
+    out[0] = s138
+    out[1] = s140
+    out[2] = s141
+    out[3] = s148
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -259,22 +272,22 @@ def _joint(x, q, tool, k, out):
     tz = tool[2]
     theta0 = k[0]
     pz0 = k[11]
-    s85 = k[15]
-    s87 = k[16]
-    s89 = k[17]
-    s91 = k[18]
-    s106 = k[19]
-    s113 = k[20]
-    s118 = k[21]
+    s96 = k[15]
+    s98 = k[16]
+    s100 = k[17]
+    s102 = k[18]
+    s117 = k[19]
+    s124 = k[20]
+    s129 = k[21]
     centre_z = pz + pz0 - tz
-    s86 = px + s85 - tx
-    s90 = py + s89 - ty
-    s93 = s86*s87 + s90*s91
-    s95 = (centre_z * centre_z)
-    s107 = s106 + 0.5*(s86 * s86) + 0.5*(s90 * s90) + 0.5*s95
-    s116 = math.sqrt(-(s107 * s107) + s113*s95 + (s93 * s93))
-    s125 = -theta0 + math.atan2(centre_z*s107*s118 + s116*s93, centre_z*s116*s118 - s107*s93)
-    out[0] = s125
+    s97 = px + s96 - tx
+    s101 = py + s100 - ty
+    s104 = s101*s102 + s97*s98
+    s106 = (centre_z * centre_z)
+    s118 = 0.5*(s101 * s101) + 0.5*s106 + s117 + 0.5*(s97 * s97)
+    s127 = math.sqrt((s104 * s104) + s106*s124 - (s118 * s118))
+    s136 = -theta0 + math.atan2(centre_z*s118*s129 + s104*s127, centre_z*s127*s129 - s104*s118)
+    out[0] = s136
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -343,20 +356,20 @@ def _stuck(F):
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def jacobians(x, q, tool, k, F, J_x, J_q, J_p):
-    """Fill the closure F (N, 3) and its Jacobians J_x (N, 3, 3), J_q (N, 3), J_p (N, 3, 9).
+    """Fill the closure F (N, 3) and its Jacobians J_x (N, 3, 3), J_q (N, 3), J_p (N, 3, 11).
 
     Rows 1 i .. 1 i + 0 belong to limb i and depend on its own joint, errors and deflections only:
     J_q and J_p hold the derivatives by those.
     """
-    out, by_errors = np.zeros(5), np.zeros(9)
+    out, by_errors = np.zeros(5), np.zeros(11)
     for n in range(x.shape[0]):
         m = n if k.shape[0] > 1 else 0
         _closure(x[n], q[n], tool[n], k[m], out, F[n], J_x[n], J_q[n])
         for i in range(3):
             _parameters(x[n], q[n, i], tool[n], k[m, i], by_errors)
             for j in range(1):
-                for c in range(9):
-                    J_p[n, 1 * i + j, c] = by_errors[9 * j + c]
+                for c in range(11):
+                    J_p[n, 1 * i + j, c] = by_errors[11 * j + c]
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -490,7 +503,7 @@ def inverse(target, tool, k, x, q, status):
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def sensitivity(x, q, tool, k, S_p, S_q, status):
-    """Fill the derivatives of the exact pose: S_p (N, 3, 27) by errors and deflections, S_q (N, 3, 3) by joints.
+    """Fill the derivatives of the exact pose: S_p (N, 3, 33) by errors and deflections, S_q (N, 3, 3) by joints.
 
     ``J_x S = -J``. Columns of S_p run limb by limb. S_q is the velocity Jacobian.
     """
@@ -498,7 +511,7 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
     J_x = np.empty((3, 3))
     unit = np.empty((3, 3))
     out = np.zeros(5)
-    J_p = np.zeros(9)
+    J_p = np.zeros(11)
     for n in range(x.shape[0]):
         m = n if k.shape[0] > 1 else 0
         _closure(x[n], q[n], tool[n], k[m], out, F, J_x, J_q)
@@ -509,11 +522,11 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
         for i in range(3):
             _parameters(x[n], q[n, i], tool[n], k[m, i], J_p)
             for r in range(3):
-                for c in range(9):
+                for c in range(11):
                     total = 0.0
                     for j in range(1):
-                        total += unit[r, 1 * i + j] * J_p[9 * j + c]
-                    S_p[n, r, 9 * i + c] = total if status[n] == SOLVED else np.nan
+                        total += unit[r, 1 * i + j] * J_p[11 * j + c]
+                    S_p[n, r, 11 * i + c] = total if status[n] == SOLVED else np.nan
                 total = 0.0
                 for j in range(1):
                     total += unit[r, 1 * i + j] * J_q[1 * i + j]
@@ -521,11 +534,11 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
 
 
 def linear_constants(p):
-    """Return k (M, 3, 26), what `linear` reads that no pose changes, from p (38 operations).
+    """Return k (M, 3, 28), what `linear` reads that no pose changes, from p (55 operations).
 
     p is that of the calibrated machine: its geometry is taken as nominal, its errors as what to compensate.
     """
-    k = np.zeros((p.shape[0], 3, 26))
+    k = np.zeros((p.shape[0], 3, 28))
     a = p[..., 0]
     b = p[..., 1]
     h = p[..., 2]
@@ -535,58 +548,67 @@ def linear_constants(p):
     db = p[..., 9]
     dh = p[..., 10]
     theta0 = p[..., 11]
-    px0 = p[..., 12]
-    py0 = p[..., 13]
-    pz0 = p[..., 14]
-    tip_v = p[..., 15]
-    tip_w = p[..., 16]
-    s0 = np.cos(phi)
-    A_x = H*s0
-    s2 = np.sin(phi)
-    A_y = H*s2
-    s8 = -s0*theta0
-    s12 = -s2*theta0
-    s22 = s2*tip_w
-    s23 = -s0*tip_v
-    s31 = -s0*tip_w
-    s32 = -s2*tip_v
-    s44 = h*s0
-    C_x_errors = dh*s0 + px0
-    s48 = h*s2
-    C_y_errors = dh*s2 + py0
-    s58 = -A_x + s44
-    s60 = -a*s0
-    s62 = -A_y + s48
-    s64 = -a*s2
-    s76 = (a * a)
-    s81 = -0.5*(b * b) + 0.5*s76*((s0 * s0) + (s2 * s2))
-    s97 = -b*db
-    k[..., 0] = s58
-    k[..., 1] = s60
-    k[..., 2] = s62
-    k[..., 3] = s64
-    k[..., 4] = s81
-    k[..., 5] = s76
+    dphi = p[..., 12]
+    dH = p[..., 13]
+    px0 = p[..., 14]
+    py0 = p[..., 15]
+    pz0 = p[..., 16]
+    tip_v = p[..., 17]
+    tip_w = p[..., 18]
+    u_x = np.cos(phi)
+    s1 = np.sin(phi)
+    u_x_errors = -dphi*s1
+    u_y = np.sin(phi)
+    u_y_errors = dphi*u_x
+    A_x = H*u_x
+    A_x_errors = H*u_x_errors + dH*u_x
+    A_y = H*u_y
+    A_y_errors = H*u_y_errors + dH*u_y
+    s18 = -theta0*u_x
+    s24 = -theta0*u_y
+    s34 = -tip_v*u_x
+    s36 = A_x_errors + tip_w*u_y
+    s44 = -tip_v*u_y
+    s46 = A_y_errors - tip_w*u_x
+    s57 = h*u_x
+    C_x_errors = dh*u_x + h*u_x_errors + px0
+    s62 = h*u_y
+    C_y_errors = dh*u_y + h*u_y_errors + py0
+    s73 = -A_x + s57
+    s75 = -a*u_x
+    s79 = -H*s1 + h*s1
+    s81 = -a*s1
+    s93 = (a * a)
+    s98 = -0.5*(b * b) + 0.5*s93*((s1 * s1) + (u_x * u_x))
+    s114 = -b*db
+    k[..., 0] = s73
+    k[..., 1] = s75
+    k[..., 2] = s79
+    k[..., 3] = s81
+    k[..., 4] = s98
+    k[..., 5] = s93
     k[..., 6] = a
-    k[..., 7] = s0
-    k[..., 8] = s8
-    k[..., 9] = s2
-    k[..., 10] = s12
-    k[..., 11] = theta0
-    k[..., 12] = A_x
-    k[..., 13] = da
-    k[..., 14] = s23
-    k[..., 15] = s22
-    k[..., 16] = A_y
-    k[..., 17] = s32
-    k[..., 18] = s31
-    k[..., 19] = tip_v
-    k[..., 20] = s44
-    k[..., 21] = s48
-    k[..., 22] = C_x_errors
-    k[..., 23] = C_y_errors
-    k[..., 24] = pz0
-    k[..., 25] = s97
+    k[..., 7] = u_x
+    k[..., 8] = u_x_errors
+    k[..., 9] = s18
+    k[..., 10] = u_y
+    k[..., 11] = u_y_errors
+    k[..., 12] = s24
+    k[..., 13] = theta0
+    k[..., 14] = A_x
+    k[..., 15] = da
+    k[..., 16] = s34
+    k[..., 17] = s36
+    k[..., 18] = A_y
+    k[..., 19] = s44
+    k[..., 20] = s46
+    k[..., 21] = tip_v
+    k[..., 22] = s57
+    k[..., 23] = s62
+    k[..., 24] = C_x_errors
+    k[..., 25] = C_y_errors
+    k[..., 26] = pz0
+    k[..., 27] = s114
     return k
 
 
@@ -599,28 +621,28 @@ def _nominal_joint(x, q, tool, k, i, out):
     tx = tool[0]
     ty = tool[1]
     tz = tool[2]
-    s58 = k[i, 0]
-    s60 = k[i, 1]
-    s62 = k[i, 2]
-    s64 = k[i, 3]
-    s81 = k[i, 4]
-    s76 = k[i, 5]
+    s73 = k[i, 0]
+    s75 = k[i, 1]
+    s79 = k[i, 2]
+    s81 = k[i, 3]
+    s98 = k[i, 4]
+    s93 = k[i, 5]
     a = k[i, 6]
     centre_z = pz - tz
-    s59 = px + s58 - tx
-    s63 = py + s62 - ty
-    s66 = s59*s60 + s63*s64
-    s68 = (centre_z * centre_z)
-    s82 = 0.5*(s59 * s59) + 0.5*(s63 * s63) + 0.5*s68 + s81
-    s86 = math.sqrt((s66 * s66) + s68*s76 - (s82 * s82))
-    s93 = math.atan2(a*centre_z*s82 + s66*s86, a*centre_z*s86 - s66*s82)
+    s74 = px + s73 - tx
+    s80 = py + s79 - ty
+    s83 = s74*s75 + s80*s81
+    s85 = (centre_z * centre_z)
+    s99 = 0.5*(s74 * s74) + 0.5*(s80 * s80) + 0.5*s85 + s98
+    s103 = math.sqrt((s83 * s83) + s85*s93 - (s99 * s99))
+    s110 = math.atan2(a*centre_z*s99 + s103*s83, a*centre_z*s103 - s83*s99)
     row = 1 * i
-    out[row + 0] = s93
+    out[row + 0] = s110
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def _linear(x, q, tool, k, i, out):
-    """Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (61 operations); limb i of k, row i of out."""
+    """Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (63 operations); limb i of k, row i of out."""
     px = x[0]
     py = x[1]
     pz = x[2]
@@ -628,60 +650,60 @@ def _linear(x, q, tool, k, i, out):
     ty = tool[1]
     tz = tool[2]
     a = k[i, 6]
-    s0 = k[i, 7]
-    s8 = k[i, 8]
-    s2 = k[i, 9]
-    s12 = k[i, 10]
-    theta0 = k[i, 11]
-    A_x = k[i, 12]
-    da = k[i, 13]
-    s23 = k[i, 14]
-    s22 = k[i, 15]
-    A_y = k[i, 16]
-    s32 = k[i, 17]
-    s31 = k[i, 18]
-    tip_v = k[i, 19]
-    s44 = k[i, 20]
-    s48 = k[i, 21]
-    C_x_errors = k[i, 22]
-    C_y_errors = k[i, 23]
-    pz0 = k[i, 24]
-    s97 = k[i, 25]
-    s4 = math.cos(q)
-    arm_x = s0*s4
-    s6 = math.sin(q)
-    arm_x_q = -s0*s6
-    arm_x_errors = s6*s8
-    arm_y = s2*s4
-    arm_y_q = -s2*s6
-    arm_y_errors = s12*s6
-    arm_z = math.sin(q)
-    arm_z_q = math.cos(q)
-    arm_z_errors = s4*theta0
+    u_x = k[i, 7]
+    u_x_errors = k[i, 8]
+    s18 = k[i, 9]
+    u_y = k[i, 10]
+    u_y_errors = k[i, 11]
+    s24 = k[i, 12]
+    theta0 = k[i, 13]
+    A_x = k[i, 14]
+    da = k[i, 15]
+    s34 = k[i, 16]
+    s36 = k[i, 17]
+    A_y = k[i, 18]
+    s44 = k[i, 19]
+    s46 = k[i, 20]
+    tip_v = k[i, 21]
+    s57 = k[i, 22]
+    s62 = k[i, 23]
+    C_x_errors = k[i, 24]
+    C_y_errors = k[i, 25]
+    pz0 = k[i, 26]
+    s114 = k[i, 27]
+    s13 = math.cos(q)
+    arm_x = s13*u_x
+    s15 = math.sin(q)
+    arm_x_q = -s15*u_x
+    arm_x_errors = s13*u_x_errors + s15*s18
+    arm_y = s13*u_y
+    arm_y_q = -s15*u_y
+    arm_y_errors = s13*u_y_errors + s15*s24
+    arm_z_errors = s13*theta0
     B_x = A_x + a*arm_x
     B_x_q = a*arm_x_q
-    B_x_errors = a*arm_x_errors + arm_x*da + s22 + s23*s6
+    B_x_errors = a*arm_x_errors + arm_x*da + s15*s34 + s36
     B_y = A_y + a*arm_y
     B_y_q = a*arm_y_q
-    B_y_errors = a*arm_y_errors + arm_y*da + s31 + s32*s6
-    B_z_q = a*arm_z_q
-    B_z_errors = a*arm_z_errors + arm_z*da + s4*tip_v
+    B_y_errors = a*arm_y_errors + arm_y*da + s15*s44 + s46
+    B_z_q = a*s13
+    B_z_errors = a*arm_z_errors + da*s15 + s13*tip_v
     centre_x = px - tx
     centre_y = py - ty
     centre_z = pz - tz
-    C_x = centre_x + s44
-    C_y = centre_y + s48
+    C_x = centre_x + s57
+    C_y = centre_y + s62
     rod_x = -B_x + C_x
     rod_x_errors = -B_x_errors + C_x_errors
     rod_y = -B_y + C_y
     rod_y_errors = -B_y_errors + C_y_errors
-    rod_z = -a*arm_z + centre_z
+    rod_z = -a*s15 + centre_z
     rod_z_errors = -B_z_errors + pz0
-    s98 = rod_x*rod_x_errors + rod_y*rod_y_errors + rod_z*rod_z_errors + s97
-    s102 = -B_x_q*rod_x - B_y_q*rod_y - B_z_q*rod_z
+    s115 = rod_x*rod_x_errors + rod_y*rod_y_errors + rod_z*rod_z_errors + s114
+    s119 = -B_x_q*rod_x - B_y_q*rod_y - B_z_q*rod_z
     row = 5 * i
-    out[row + 0] = s98
-    out[row + 4] = s102
+    out[row + 0] = s115
+    out[row + 4] = s119
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -796,7 +818,7 @@ def linear_command(target, tool, k, work, q):
     """Fill the joints q (3,) that bring the reference point to target (3,) to first order in the errors; return the status.
 
     Bai's eqs. (23) and (25): the nominal joints of the target, and the change that keeps the reference point where it
-    is, to first order, when the errors appear. tool (3,), k (3, 26) from `linear_constants`, scratch work
+    is, to first order, when the errors appear. tool (3,), k (3, 28) from `linear_constants`, scratch work
     (COMMAND_WORK,). q is NaN unless SOLVED.
     """
     status = SOLVED

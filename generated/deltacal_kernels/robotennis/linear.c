@@ -1,9 +1,9 @@
 /*
  * Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/linear.c.jinja; sha256 of both b35c3b637e641907; SymPy 1.14.0.
+ * Template templates/mechanism/linear.c.jinja; sha256 of both dfa2981985b08e3b; SymPy 1.14.0.
  *
  * The linear compensator: nominal joints, and the change that holds the reference point to first order in the errors.
- * An export puts the machine's numbers before this text: DELTACAL_K[3][26], DELTACAL_TOOL[3],
+ * An export puts the machine's numbers before this text: DELTACAL_K[3][28], DELTACAL_TOOL[3],
  * DELTACAL_SIGN[3]. Inside: mm and rad.
  */
 #include <math.h>
@@ -26,26 +26,26 @@ static void nominal_joint(const double *x, double q, const double *tool, const d
     const double tx = tool[0];
     const double ty = tool[1];
     const double tz = tool[2];
-    const double s58 = k[0];
-    const double s60 = k[1];
-    const double s62 = k[2];
-    const double s64 = k[3];
-    const double s81 = k[4];
-    const double s76 = k[5];
+    const double s73 = k[0];
+    const double s75 = k[1];
+    const double s79 = k[2];
+    const double s81 = k[3];
+    const double s98 = k[4];
+    const double s93 = k[5];
     const double a = k[6];
     const double centre_z = pz - tz;
-    const double s59 = px + s58 - tx;
-    const double s63 = py + s62 - ty;
-    const double s66 = s59*s60 + s63*s64;
-    const double s68 = (centre_z * centre_z);
-    const double s82 = (1.0/2.0)*(s59 * s59) + (1.0/2.0)*(s63 * s63) + (1.0/2.0)*s68 + s81;
-    const double s86 = sqrt((s66 * s66) + s68*s76 - (s82 * s82));
-    const double s93 = atan2(a*centre_z*s82 + s66*s86, a*centre_z*s86 - s66*s82);
+    const double s74 = px + s73 - tx;
+    const double s80 = py + s79 - ty;
+    const double s83 = s74*s75 + s80*s81;
+    const double s85 = (centre_z * centre_z);
+    const double s99 = (1.0/2.0)*(s74 * s74) + (1.0/2.0)*(s80 * s80) + (1.0/2.0)*s85 + s98;
+    const double s103 = sqrt((s83 * s83) + s85*s93 - (s99 * s99));
+    const double s110 = atan2(a*centre_z*s99 + s103*s83, a*centre_z*s103 - s83*s99);
     (void)(q);
-    out[0] = s93;
+    out[0] = s110;
 }
 
-/* Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (61 operations). */
+/* Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (63 operations). */
 static void linear(const double *x, double q, const double *tool, const double *k, double *out)
 {
     const double px = x[0];
@@ -55,59 +55,59 @@ static void linear(const double *x, double q, const double *tool, const double *
     const double ty = tool[1];
     const double tz = tool[2];
     const double a = k[6];
-    const double s0 = k[7];
-    const double s8 = k[8];
-    const double s2 = k[9];
-    const double s12 = k[10];
-    const double theta0 = k[11];
-    const double A_x = k[12];
-    const double da = k[13];
-    const double s23 = k[14];
-    const double s22 = k[15];
-    const double A_y = k[16];
-    const double s32 = k[17];
-    const double s31 = k[18];
-    const double tip_v = k[19];
-    const double s44 = k[20];
-    const double s48 = k[21];
-    const double C_x_errors = k[22];
-    const double C_y_errors = k[23];
-    const double pz0 = k[24];
-    const double s97 = k[25];
-    const double s4 = cos(q);
-    const double arm_x = s0*s4;
-    const double s6 = sin(q);
-    const double arm_x_q = -s0*s6;
-    const double arm_x_errors = s6*s8;
-    const double arm_y = s2*s4;
-    const double arm_y_q = -s2*s6;
-    const double arm_y_errors = s12*s6;
-    const double arm_z = sin(q);
-    const double arm_z_q = cos(q);
-    const double arm_z_errors = s4*theta0;
+    const double u_x = k[7];
+    const double u_x_errors = k[8];
+    const double s18 = k[9];
+    const double u_y = k[10];
+    const double u_y_errors = k[11];
+    const double s24 = k[12];
+    const double theta0 = k[13];
+    const double A_x = k[14];
+    const double da = k[15];
+    const double s34 = k[16];
+    const double s36 = k[17];
+    const double A_y = k[18];
+    const double s44 = k[19];
+    const double s46 = k[20];
+    const double tip_v = k[21];
+    const double s57 = k[22];
+    const double s62 = k[23];
+    const double C_x_errors = k[24];
+    const double C_y_errors = k[25];
+    const double pz0 = k[26];
+    const double s114 = k[27];
+    const double s13 = cos(q);
+    const double arm_x = s13*u_x;
+    const double s15 = sin(q);
+    const double arm_x_q = -s15*u_x;
+    const double arm_x_errors = s13*u_x_errors + s15*s18;
+    const double arm_y = s13*u_y;
+    const double arm_y_q = -s15*u_y;
+    const double arm_y_errors = s13*u_y_errors + s15*s24;
+    const double arm_z_errors = s13*theta0;
     const double B_x = A_x + a*arm_x;
     const double B_x_q = a*arm_x_q;
-    const double B_x_errors = a*arm_x_errors + arm_x*da + s22 + s23*s6;
+    const double B_x_errors = a*arm_x_errors + arm_x*da + s15*s34 + s36;
     const double B_y = A_y + a*arm_y;
     const double B_y_q = a*arm_y_q;
-    const double B_y_errors = a*arm_y_errors + arm_y*da + s31 + s32*s6;
-    const double B_z_q = a*arm_z_q;
-    const double B_z_errors = a*arm_z_errors + arm_z*da + s4*tip_v;
+    const double B_y_errors = a*arm_y_errors + arm_y*da + s15*s44 + s46;
+    const double B_z_q = a*s13;
+    const double B_z_errors = a*arm_z_errors + da*s15 + s13*tip_v;
     const double centre_x = px - tx;
     const double centre_y = py - ty;
     const double centre_z = pz - tz;
-    const double C_x = centre_x + s44;
-    const double C_y = centre_y + s48;
+    const double C_x = centre_x + s57;
+    const double C_y = centre_y + s62;
     const double rod_x = -B_x + C_x;
     const double rod_x_errors = -B_x_errors + C_x_errors;
     const double rod_y = -B_y + C_y;
     const double rod_y_errors = -B_y_errors + C_y_errors;
-    const double rod_z = -a*arm_z + centre_z;
+    const double rod_z = -a*s15 + centre_z;
     const double rod_z_errors = -B_z_errors + pz0;
-    const double s98 = rod_x*rod_x_errors + rod_y*rod_y_errors + rod_z*rod_z_errors + s97;
-    const double s102 = -B_x_q*rod_x - B_y_q*rod_y - B_z_q*rod_z;
-    out[0] = s98;
-    out[4] = s102;
+    const double s115 = rod_x*rod_x_errors + rod_y*rod_y_errors + rod_z*rod_z_errors + s114;
+    const double s119 = -B_x_q*rod_x - B_y_q*rod_y - B_z_q*rod_z;
+    out[0] = s115;
+    out[4] = s119;
 }
 
 #define ROD 5 /* per rod: closure, its derivatives by the position (3), by the rotation (0), by the joint */

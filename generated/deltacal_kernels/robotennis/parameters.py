@@ -1,7 +1,7 @@
 """Tables of `robotennis`: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both c09011d9f98c689b; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 48eb4b5538f6e554; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 
@@ -11,9 +11,10 @@ TITLE = "RoboTennis, three arms with rods as single links, incremental home"
 REFERENCE = "Traslosheros, Sebastian, Torrijos, Carelli, Castillo 2013, Sensors 13(8), 9941-9965"
 LIMBS = 3
 EQUATIONS = 3
-ROD = "b"
+RODS = ("b",)
 RODS_PER_CLOSURE = 2
 JOINT_UNIT = "rad"
+LAYERS = (1, 1)  # of the workspace: sign of the first one's height, direction to the others
 
 # (name, unit, meaning) of the platform's coordinates x: px py pz position, cx cy cz Cayley vector; the others are zero
 PLATFORM = (
@@ -41,6 +42,8 @@ ERRORS = (
     ("b", "mm", "forearm length", 1.0, ("b_1", "b_2", "b_3",)),
     ("h", "mm", "effector radius less base radius", 1.0, ("h_1", "h_2", "h_3",)),
     ("theta0", "rad", "joint angle at the home", 0.017453292519943295, ("theta0_1", "theta0_2", "theta0_3",)),
+    ("phi", "rad", "direction of the limb about z", 0.017453292519943295, ("phi_1", "phi_2", "phi_3",)),
+    ("H", "mm", "base radius", 1.0, ("H_1", "H_2", "H_3",)),
 )
 
 # the same, one for all limbs: the next columns, equal in every row
@@ -70,6 +73,14 @@ MODELS = {
 "a_1", "b_1", "h_1", "theta0_1", "a_2", "b_2", "h_2", "theta0_2", "a_3", "b_3", "h_3", "theta0_3", "px0", "py0",
 "pz0",
     ),
+    "robotennis/21": (
+"a_1", "b_1", "h_1", "theta0_1", "a_2", "b_2", "h_2", "theta0_2", "a_3", "b_3", "h_3", "theta0_3", "px0", "py0",
+"pz0", "phi_1", "phi_2", "phi_3", "H_1", "H_2", "H_3",
+    ),
+    "robotennis/18": (
+"a_1", "b_1", "h_1", "theta0_1", "a_2", "b_2", "h_2", "theta0_2", "a_3", "b_3", "h_3", "theta0_3", "px0", "py0",
+"pz0", "phi_1", "phi_2", "phi_3",
+    ),
     "robotennis/12": (
 "a_1", "b_1", "h_1", "theta0_1", "a_2", "b_2", "h_2", "theta0_2", "a_3", "b_3", "h_3", "theta0_3",
     ),
@@ -82,6 +93,10 @@ MODELS = {
 def scaling(convention, geometry):
     """Return {error: factor} by which the columns of `convention` are divided; geometry maps keys to arrays."""
     return {
+        "paper": {
+        },
+        "table": {
+        },
     }[convention]
 
 

@@ -1,7 +1,7 @@
 """Kinematics of `robotennis` in plain NumPy: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both a451481c801c4ecf; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 41e16797414f21ed; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -19,7 +19,7 @@ PIVOT_SINGULAR = 1e-9  # of the largest entry of its matrix, in mm
 
 
 def constants(p):
-    """Return k (M, 3, 23), what no pose changes, from p (44 operations).
+    """Return k (M, 3, 23), what no pose changes, from p (46 operations).
 
     All rows at once.
     """
@@ -33,57 +33,61 @@ def constants(p):
     db = p[..., 9]
     dh = p[..., 10]
     theta0 = p[..., 11]
-    px0 = p[..., 12]
-    py0 = p[..., 13]
-    pz0 = p[..., 14]
-    tip_v = p[..., 15]
-    tip_w = p[..., 16]
-    s0 = np.cos(phi)
-    A_x = H*s0
-    s2 = np.sin(phi)
-    A_y = H*s2
-    s9 = a + da
-    s12 = -s0*tip_v
-    s14 = A_x + s2*tip_w
-    s18 = -s2*tip_v
-    s20 = A_y - s0*tip_w
-    s28 = dh + h
-    s29 = s0*s28
-    s31 = s2*s28
-    s42 = b + db
-    s44 = -0.5*(s42 * s42)
-    s75 = -s42
-    s85 = -A_x + px0 + s29
-    s87 = -s0*s9
-    s89 = -A_y + py0 + s31
-    s91 = -s2*s9
-    s106 = s44 + 0.5*(s9 * s9)*((s0 * s0) + (s2 * s2))
-    s111 = -2*a - 2*da
-    s113 = 0.25*(s111 * s111)
-    s118 = -0.5*s111
+    dphi = p[..., 12]
+    dH = p[..., 13]
+    px0 = p[..., 14]
+    py0 = p[..., 15]
+    pz0 = p[..., 16]
+    tip_v = p[..., 17]
+    tip_w = p[..., 18]
+    s0 = dphi + phi
+    u_x = np.cos(s0)
+    u_y = np.sin(s0)
+    s3 = H + dH
+    A_x = s3*u_x
+    A_y = s3*u_y
+    s11 = a + da
+    s14 = -tip_v*u_x
+    s16 = A_x + tip_w*u_y
+    s20 = -tip_v*u_y
+    s22 = A_y - tip_w*u_x
+    s30 = dh + h
+    s31 = s30*u_x
+    s33 = s30*u_y
+    s44 = b + db
+    s46 = -0.5*(s44 * s44)
+    s77 = -s44
+    s96 = -A_x + px0 + s31
+    s98 = -s11*u_x
+    s100 = -A_y + py0 + s33
+    s102 = -s11*u_y
+    s117 = 0.5*(s11 * s11)*((u_x * u_x) + (u_y * u_y)) + s46
+    s122 = -2*a - 2*da
+    s124 = 0.25*(s122 * s122)
+    s129 = -0.5*s122
     k[..., 0] = theta0
-    k[..., 1] = s0
-    k[..., 2] = s2
-    k[..., 3] = s9
-    k[..., 4] = s12
-    k[..., 5] = s14
-    k[..., 6] = s18
-    k[..., 7] = s20
+    k[..., 1] = u_x
+    k[..., 2] = u_y
+    k[..., 3] = s11
+    k[..., 4] = s14
+    k[..., 5] = s16
+    k[..., 6] = s20
+    k[..., 7] = s22
     k[..., 8] = tip_v
     k[..., 9] = px0
     k[..., 10] = py0
     k[..., 11] = pz0
-    k[..., 12] = s29
-    k[..., 13] = s31
-    k[..., 14] = s44
-    k[..., 15] = s85
-    k[..., 16] = s87
-    k[..., 17] = s89
-    k[..., 18] = s91
-    k[..., 19] = s106
-    k[..., 20] = s113
-    k[..., 21] = s118
-    k[..., 22] = s75
+    k[..., 12] = s31
+    k[..., 13] = s33
+    k[..., 14] = s46
+    k[..., 15] = s96
+    k[..., 16] = s98
+    k[..., 17] = s100
+    k[..., 18] = s102
+    k[..., 19] = s117
+    k[..., 20] = s124
+    k[..., 21] = s129
+    k[..., 22] = s77
     return k
 
 
@@ -97,56 +101,56 @@ def _newton(x, q, tool, k):
     tz = tool[:, 2]
     q = q
     theta0 = k[:, 0]
-    s0 = k[:, 1]
-    s2 = k[:, 2]
-    s9 = k[:, 3]
-    s12 = k[:, 4]
-    s14 = k[:, 5]
-    s18 = k[:, 6]
-    s20 = k[:, 7]
+    u_x = k[:, 1]
+    u_y = k[:, 2]
+    s11 = k[:, 3]
+    s14 = k[:, 4]
+    s16 = k[:, 5]
+    s20 = k[:, 6]
+    s22 = k[:, 7]
     tip_v = k[:, 8]
     px0 = k[:, 9]
     py0 = k[:, 10]
     pz0 = k[:, 11]
-    s29 = k[:, 12]
-    s31 = k[:, 13]
-    s44 = k[:, 14]
-    s4 = q + theta0
-    s5 = np.cos(s4)
-    arm_x = s0*s5
-    arm_y = s2*s5
-    arm_z = np.sin(s4)
-    B_x = arm_x*s9 + arm_z*s12 + s14
-    B_y = arm_y*s9 + arm_z*s18 + s20
-    B_z = arm_z*s9 + s5*tip_v
+    s31 = k[:, 12]
+    s33 = k[:, 13]
+    s46 = k[:, 14]
+    s6 = q + theta0
+    s7 = np.cos(s6)
+    arm_x = s7*u_x
+    arm_y = s7*u_y
+    s10 = np.sin(s6)
+    B_x = arm_x*s11 + s10*s14 + s16
+    B_y = arm_y*s11 + s10*s20 + s22
+    B_z = s10*s11 + s7*tip_v
     centre_x = px + px0 - tx
     centre_y = py + py0 - ty
     centre_z = pz + pz0 - tz
-    C_x = centre_x + s29
-    C_y = centre_y + s31
+    C_x = centre_x + s31
+    C_y = centre_y + s33
     rod_x = -B_x + C_x
     rod_y = -B_y + C_y
     rod_z = -B_z + centre_z
-    s45 = 0.5*(rod_x * rod_x) + 0.5*(rod_y * rod_y) + 0.5*(rod_z * rod_z) + s44
-    s46 = 2*rod_z
-    s47 = 0.5*s46
-    s48 = 2*rod_y
+    s47 = 0.5*(rod_x * rod_x) + 0.5*(rod_y * rod_y) + 0.5*(rod_z * rod_z) + s46
+    s48 = 2*rod_z
     s49 = 0.5*s48
-    s50 = 2*rod_x
+    s50 = 2*rod_y
     s51 = 0.5*s50
-    s71 = -arm_z*(-s0*s51*s9 - s2*s49*s9 - s47*tip_v)
-    s72 = s5*(-s12*s51 - s18*s49 - s47*s9) + s71
+    s52 = 2*rod_x
+    s53 = 0.5*s52
+    s73 = -s10*(-s11*s51*u_y - s11*s53*u_x - s49*tip_v)
+    s74 = s7*(-s11*s49 - s14*s53 - s20*s51) + s73
     out = np.zeros((len(x), 5))
-    out[:, 0] = s45
-    out[:, 1] = s51
-    out[:, 2] = s49
-    out[:, 3] = s47
-    out[:, 4] = s72
+    out[:, 0] = s47
+    out[:, 1] = s53
+    out[:, 2] = s51
+    out[:, 3] = s49
+    out[:, 4] = s74
     return out
 
 
 def _parameters(x, q, tool, k):
-    """Per rod of one limb: derivatives of the closure by errors, by deflections: (N, 9)."""
+    """Per rod of one limb: derivatives of the closure by errors, by deflections: (N, 11)."""
     px = x[:, 0]
     py = x[:, 1]
     pz = x[:, 2]
@@ -155,58 +159,68 @@ def _parameters(x, q, tool, k):
     tz = tool[:, 2]
     q = q
     theta0 = k[:, 0]
-    s0 = k[:, 1]
-    s2 = k[:, 2]
-    s9 = k[:, 3]
-    s12 = k[:, 4]
-    s14 = k[:, 5]
-    s18 = k[:, 6]
-    s20 = k[:, 7]
+    u_x = k[:, 1]
+    u_y = k[:, 2]
+    s11 = k[:, 3]
+    s14 = k[:, 4]
+    s16 = k[:, 5]
+    s20 = k[:, 6]
+    s22 = k[:, 7]
     tip_v = k[:, 8]
     px0 = k[:, 9]
     py0 = k[:, 10]
     pz0 = k[:, 11]
-    s29 = k[:, 12]
-    s31 = k[:, 13]
-    s75 = k[:, 22]
-    s4 = q + theta0
-    s5 = np.cos(s4)
-    arm_x = s0*s5
-    arm_y = s2*s5
-    arm_z = np.sin(s4)
-    B_x = arm_x*s9 + arm_z*s12 + s14
-    B_y = arm_y*s9 + arm_z*s18 + s20
-    B_z = arm_z*s9 + s5*tip_v
+    s31 = k[:, 12]
+    s33 = k[:, 13]
+    s77 = k[:, 22]
+    s6 = q + theta0
+    s7 = np.cos(s6)
+    arm_x = s7*u_x
+    arm_y = s7*u_y
+    s10 = np.sin(s6)
+    B_x = arm_x*s11 + s10*s14 + s16
+    B_y = arm_y*s11 + s10*s20 + s22
+    B_z = s10*s11 + s7*tip_v
     centre_x = px + px0 - tx
     centre_y = py + py0 - ty
     centre_z = pz + pz0 - tz
-    C_x = centre_x + s29
-    C_y = centre_y + s31
+    C_x = centre_x + s31
+    C_y = centre_y + s33
     rod_x = -B_x + C_x
     rod_y = -B_y + C_y
     rod_z = -B_z + centre_z
-    s46 = 2*rod_z
-    s47 = 0.5*s46
-    s48 = 2*rod_y
+    s48 = 2*rod_z
     s49 = 0.5*s48
-    s50 = 2*rod_x
+    s50 = 2*rod_y
     s51 = 0.5*s50
-    s71 = -arm_z*(-s0*s51*s9 - s2*s49*s9 - s47*tip_v)
-    s72 = s5*(-s12*s51 - s18*s49 - s47*s9) + s71
-    s73 = -arm_x*s51 - arm_y*s49 - arm_z*s47
-    s78 = s0*s51 + s2*s49
-    s81 = arm_z*s0*s51 + arm_z*s2*s49 - s47*s5
-    s84 = s0*s49 - s2*s51
-    out = np.zeros((len(x), 9))
-    out[:, 0] = s73
-    out[:, 1] = s75
-    out[:, 2] = s78
-    out[:, 3] = s72
-    out[:, 4] = s51
-    out[:, 5] = s49
-    out[:, 6] = s47
-    out[:, 7] = s81
-    out[:, 8] = s84
+    s52 = 2*rod_x
+    s53 = 0.5*s52
+    s59 = -s10*s51
+    s60 = -s11*s51
+    s63 = -s10*s53
+    s64 = -s11*s53
+    s73 = -s10*(-s49*tip_v + s60*u_y + s64*u_x)
+    s74 = s7*(-s11*s49 - s14*s53 - s20*s51) + s73
+    s75 = -arm_x*s53 - arm_y*s51 - s10*s49
+    s80 = s51*u_y + s53*u_x
+    s86 = -s20*s63
+    s87 = s60*s7*u_x
+    s88 = -s64*s7*u_y
+    s89 = s14*s59 - s16*s51 + s22*s53 + s31*s51 - s33*s53 + s86 + s87 + s88
+    s92 = -s49*s7 - s59*u_y - s63*u_x
+    s95 = s51*u_x - s53*u_y
+    out = np.zeros((len(x), 11))
+    out[:, 0] = s75
+    out[:, 1] = s77
+    out[:, 2] = s80
+    out[:, 3] = s74
+    out[:, 4] = s89
+    out[:, 5] = -s80
+    out[:, 6] = s53
+    out[:, 7] = s51
+    out[:, 8] = s49
+    out[:, 9] = s92
+    out[:, 10] = s95
     return out
 
 
@@ -217,25 +231,24 @@ def _sphere(x, q, tool, k):
     tz = tool[:, 2]
     q = q
     theta0 = k[:, 0]
-    s9 = k[:, 3]
+    s11 = k[:, 3]
     pz0 = k[:, 11]
-    s44 = k[:, 14]
-    s85 = k[:, 15]
-    s87 = k[:, 16]
-    s89 = k[:, 17]
-    s91 = k[:, 18]
-    s4 = q + theta0
-    s5 = np.cos(s4)
-    arm_z = np.sin(s4)
-    s127 = -s5*s87 - s85 + tx
-    s129 = -s5*s91 - s89 + ty
-    s130 = arm_z*s9 - pz0 + tz
-    s137 = 0.5*(s127 * s127) + 0.5*(s129 * s129) + 0.5*(s130 * s130) + s44
+    s46 = k[:, 14]
+    s96 = k[:, 15]
+    s98 = k[:, 16]
+    s100 = k[:, 17]
+    s102 = k[:, 18]
+    s6 = q + theta0
+    s7 = np.cos(s6)
+    s138 = -s7*s98 - s96 + tx
+    s140 = -s100 - s102*s7 + ty
+    s141 = -pz0 + s11*np.sin(s6) + tz
+    s148 = 0.5*(s138 * s138) + 0.5*(s140 * s140) + 0.5*(s141 * s141) + s46
     out = np.zeros((len(x), 4))
-    out[:, 0] = s127
-    out[:, 1] = s129
-    out[:, 2] = s130
-    out[:, 3] = s137
+    out[:, 0] = s138
+    out[:, 1] = s140
+    out[:, 2] = s141
+    out[:, 3] = s148
     return out
 
 
@@ -249,23 +262,23 @@ def _joint(x, q, tool, k):
     tz = tool[:, 2]
     theta0 = k[:, 0]
     pz0 = k[:, 11]
-    s85 = k[:, 15]
-    s87 = k[:, 16]
-    s89 = k[:, 17]
-    s91 = k[:, 18]
-    s106 = k[:, 19]
-    s113 = k[:, 20]
-    s118 = k[:, 21]
+    s96 = k[:, 15]
+    s98 = k[:, 16]
+    s100 = k[:, 17]
+    s102 = k[:, 18]
+    s117 = k[:, 19]
+    s124 = k[:, 20]
+    s129 = k[:, 21]
     centre_z = pz + pz0 - tz
-    s86 = px + s85 - tx
-    s90 = py + s89 - ty
-    s93 = s86*s87 + s90*s91
-    s95 = (centre_z * centre_z)
-    s107 = s106 + 0.5*(s86 * s86) + 0.5*(s90 * s90) + 0.5*s95
-    s116 = np.sqrt(-(s107 * s107) + s113*s95 + (s93 * s93))
-    s125 = -theta0 + np.arctan2(centre_z*s107*s118 + s116*s93, centre_z*s116*s118 - s107*s93)
+    s97 = px + s96 - tx
+    s101 = py + s100 - ty
+    s104 = s101*s102 + s97*s98
+    s106 = (centre_z * centre_z)
+    s118 = 0.5*(s101 * s101) + 0.5*s106 + s117 + 0.5*(s97 * s97)
+    s127 = np.sqrt((s104 * s104) + s106*s124 - (s118 * s118))
+    s136 = -theta0 + np.arctan2(centre_z*s118*s129 + s104*s127, centre_z*s127*s129 - s104*s118)
     out = np.zeros((len(x), 1))
-    out[:, 0] = s125
+    out[:, 0] = s136
     return out
 
 
@@ -307,7 +320,7 @@ def jacobians(x, q, tool, k, F, J_x, J_q, J_p):
     F[:], J_x[:], J_q[:] = _closure(x, q, tool, k)
     for i in range(3):
         rows = slice(1 * i, 1 * i + 1)
-        J_p[:, rows] = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 1, 9)
+        J_p[:, rows] = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 1, 11)
 
 
 def _meet(sphere):
@@ -390,6 +403,6 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
     unit[~regular] = np.nan
     for i in range(3):
         rows = slice(1 * i, 1 * i + 1)
-        J_p = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 1, 9)
-        S_p[:, :, 9 * i : 9 * i + 9] = unit[:, :, rows] @ J_p
+        J_p = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 1, 11)
+        S_p[:, :, 11 * i : 11 * i + 11] = unit[:, :, rows] @ J_p
         S_q[:, :, i] = (unit[:, :, rows] * J_q[:, None, rows]).sum(axis=2)

@@ -1,7 +1,7 @@
 """Kinematics of `simplified_parallelogram`: Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 9e21b6ebcf2064aa; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 879a3b286b3322d4; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 

@@ -1,7 +1,7 @@
 """Tables of `simplified_parallelogram`: Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both e6e465c177953f52; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both adc556625659f3b1; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 
@@ -11,9 +11,10 @@ TITLE = "Planar parallelogram, simplified: one virtual rod"
 REFERENCE = "Savoure, Maurine, Corbel, Krut 2006, ICRA, 769-776"
 LIMBS = 1
 EQUATIONS = 3
-ROD = ""
+RODS = ()
 RODS_PER_CLOSURE = 1
 JOINT_UNIT = "rad"
+LAYERS = (-1, -1)  # of the workspace: sign of the first one's height, direction to the others
 
 # (name, unit, meaning) of the platform's coordinates x: px py pz position, cx cy cz Cayley vector; the others are zero
 PLATFORM = (
@@ -65,6 +66,10 @@ MODELS = {
 def scaling(convention, geometry):
     """Return {error: factor} by which the columns of `convention` are divided; geometry maps keys to arrays."""
     return {
+        "paper": {
+        },
+        "table": {
+        },
     }[convention]
 
 

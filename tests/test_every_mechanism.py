@@ -1,0 +1,99 @@
+"""The same commands, from the command line, for every mechanism: its example from drawing to corrected commands."""
+
+from __future__ import annotations
+
+import csv
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from deltacal_gen import cli
+from deltacal_gen.demonstration import example
+from deltacal_gen.mechanism import load_mechanism, mechanism_names
+
+CASES = {  # folder of the example, model, noise [mm]
+    "delta": ("delta", "delta/42", 0.01),
+    "complete_delta": ("delta", "delta/51", 0.01),
+    "diamond": ("diamond", "diamond/4", 0.002),
+    "linear_delta": ("linear_delta", "linear_delta/21", 0.01),
+    "planar_parallelogram": ("planar_parallelogram", "planar_parallelogram/9", 0.003),
+    "robotennis": ("robotennis", "robotennis/15", 0.005),
+    "simplified_parallelogram": ("planar_parallelogram", "planar_parallelogram/2", 0.003),
+}
+COMPILER = shutil.which("cc")
+
+
+def test_every_mechanism_has_an_example() -> None:
+    chains = {"serial"}  # whose poses are joints: they are planned and corrected otherwise
+    assert set(CASES) == set(mechanism_names()) - chains
+
+
+@pytest.fixture
+def run(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Any:
+    def command(*arguments: object, code: int = 0) -> str:
+        monkeypatch.setattr(sys, "argv", ["deltacal", *map(str, arguments)])
+        with pytest.raises(SystemExit) as end:
+            cli.main()
+        said = capsys.readouterr()
+        assert int(end.value.code or 0) == code, said.err
+        return said.out if code == 0 else said.err
+
+    return command
+
+
+def without_repeats(poses: Path, folder: Path) -> Path:
+    """A copy of a file of poses in which each stands once: repeats tell of noise, and take time."""
+    head, *rows = poses.read_text().splitlines()
+    (folder / "poses.csv").write_text("\n".join([head, *dict.fromkeys(rows)]) + "\n")
+    shutil.copy(poses.with_suffix(".toml"), folder / "poses.toml")
+    return folder / "poses.csv"
+
+
+def table(path: Path, *columns: str) -> np.ndarray:
+    with path.open() as file:
+        rows = list(csv.DictReader(file))
+    return np.array([[float(row[c]) for c in columns] for row in rows])
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_from_drawing_to_corrected_commands(name: str, run: Any, tmp_path: Path) -> None:
+    """simulate, identify, matrix, plan, validate, predict, compensate; the true machine then meets its targets."""
+    folder, model, noise = CASES[name]
+    robot, poses, truth = (example(f"{folder}/{file}") for file in ("robot.toml", "poses.csv", "truth.toml"))
+    poses = without_repeats(poses, tmp_path)
+    simplified = name.startswith("simplified")  # its two errors cannot hold all that the example's machine has
+    recording, result, targets = (tmp_path / file for file in ("recording.csv", "result.json", "targets.csv"))
+    run("simulate", robot, poses, "-o", recording, "--truth", truth, "--noise", noise, "--seed", 4)
+    found = json.loads(run("identify", robot, recording, "--model", model, "-o", result, "--json"))
+    assert found["model"] == model
+    assert found["heldout_rms_mm"] < found["before_rms_mm"] / (1 if simplified else 20)
+    run("matrix", robot, recording, "--model", model, "-o", tmp_path / "H.npz")
+    H = np.load(tmp_path / "H.npz")
+    assert H["H"].shape == (len(H["r"]), len(H["names"]))
+    assert list(H["names"]) == [p["name"] for p in found["parameters"] if p["status"] != "fixed"]
+    assert "chosen" in run("plan", robot, "--model", model, "-o", targets)
+    assert "noise" in run("validate", result, recording)
+    run("predict", result, recording, "-o", tmp_path / "predicted.csv")
+    measured = [c for c in recording.read_text().splitlines()[0].split(",") if c in ("x_mm", "y_mm", "z_mm", "gauge_mm")]
+    missed = table(tmp_path / "predicted.csv", *measured) - table(recording, *measured)
+    assert np.sqrt(np.mean(missed**2)) < found["before_rms_mm"] if simplified else 3 * noise
+    wanted = [f"{axis}_mm" for axis in load_mechanism(name).axes][: load_mechanism(name).limbs]
+    run("compensate", result, targets, "-o", tmp_path / "joints.csv")
+    for file in ("joints.toml", "targets.toml"):
+        (tmp_path / file).write_text('[measurement]\nkind = "position"\nframe = "robot"\n')
+    run("simulate", robot, tmp_path / "joints.csv", "-o", tmp_path / "reached.csv", "--truth", truth)
+    run("simulate", robot, targets, "-o", tmp_path / "uncorrected.csv", "--truth", truth)
+    corrected, plain = (
+        table(tmp_path / file, *wanted) - table(targets, *wanted) for file in ("reached.csv", "uncorrected.csv")
+    )
+    assert np.abs(corrected).max() < np.abs(plain).max() / (2 if simplified else 10)
+    run("compensate", result, "--export", "c", "-o", tmp_path / "command.c")
+    if COMPILER:
+        built = [COMPILER, "-std=c99", "-Wall", "-Wextra", "-Werror", "-c", "command.c"]
+        assert subprocess.run(built, cwd=tmp_path, check=False).returncode == 0
