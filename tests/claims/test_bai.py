@@ -500,6 +500,38 @@ def test_n_equal_to_3_and_4_on_two_layers() -> None:
         assert (bai.rank(bai.H(poses, bai.MODEL_32, POINTS[:2])) == 32) is full
 
 
+def test_model_18_is_not_that_of_the_orientation() -> None:
+    """The name stands for two sets of 18 errors without a common one."""
+    turning = {f"{e}_{i}" for e in bai.ORIENTATION for i in (1, 2, 3)}
+    assert len(turning) == len(bai.MODEL_18) == 18
+    assert turning.isdisjoint(bai.MODEL_18)
+    assert set(bai.MODEL_18) == set(bai.entries(bai.TABLE_3))
+
+
+def test_two_translations_give_the_full_rank(rng: np.random.Generator) -> None:
+    """Poses in one plane, horizontal or vertical, pin all 18 and all 32; they do it worse."""
+    spread = bai.condition(bai.H(bai.fine_poses(9, 1.3), bai.MODEL_18))
+    for axis, at in ((2, bai.HOME[2]), (1, 37.0)):
+        poses = bai.scattered(30, rng)
+        poses[:, axis] = at
+        H = bai.H(poses, bai.MODEL_18)
+        assert bai.rank(H) == 18
+        assert bai.condition(H) > 3 * spread
+        assert bai.rank(bai.H(poses, bai.MODEL_32)) == 32
+
+
+def test_poses_on_the_boundary_inform_most() -> None:
+    for names, points in ((bai.MODEL_18, (None,)), (bai.MODEL_32, POINTS[:2])):
+        found = []
+        for radius in (500.0, 400.0, 300.0, 200.0, 100.0):
+            r = np.vstack([bai.HOME, bai.ring(9, 0.0, 1.3, radius), bai.ring(9, 1.0, 1.3, radius)])
+            H = bai.H(r, names, points)
+            found.append((bai.condition(H), np.linalg.svd(H, compute_uv=False)[len(names) - 1]))
+        assert all(inner[0] > outer[0] and inner[1] < outer[1] for outer, inner in pairwise(found))
+        if names == bai.MODEL_18:
+            assert np.allclose([k for k, _ in found], [83.3, 122.0, 181.8, 299.0, 760.0], rtol=1e-3)
+
+
 # ------------------------------------------------------------------------------------------ section 4: compensation
 
 

@@ -630,3 +630,23 @@ def test_table_9() -> None:
     assert largest[1] < TABLE_9[1][0] - 1
     assert largest[2] > TABLE_9[2][0]
     assert max(after for _, after in TABLE_9) < 0.85
+
+
+def test_error_of_the_lower_joint() -> None:
+    """d leads from O_2 to P: an error of O_2 on the platform is minus that of d, and eq. (19) needs it so."""
+    r, c, d, do1, do2 = (sp.Matrix(sp.symbols(f"{n}x {n}y", real=True)) for n in ("r", "c", "d", "o1", "o2"))
+    O_1, O_2 = c, r - d
+    dc, dd = (O_1 + do1) - c, r - (O_2 + do2) - d  # c' - c and d' - d, the platform where it was
+    assert sp.expand(dc - do1) == sp.zeros(2, 1)
+    assert sp.expand(dd + do2) == sp.zeros(2, 1)
+    assert sp.expand((O_2 + do2 - O_1 - do1) - (O_2 - O_1) + (dc + dd)) == sp.zeros(2, 1)  # dr_M = dc + dd
+
+
+def test_identifiability_does_not_fall_with_the_geometry() -> None:
+    """Table 6: no larger condition number in groups 1 to 3, whose geometric errors are ten times those of 4 to 6."""
+    printed = np.array([472.47, 472.49, 472.49, 472.50, 472.51, 472.50])
+    assert printed[:3].mean() < printed[3:].mean()
+    assert printed[:3].max() < printed[3:].min()
+    for large, small in ((1, 4), (2, 5), (3, 6)):
+        ratio = noise_free(large).condition[0, 1:] / noise_free(small).condition[0, 1:]
+        assert np.abs(ratio - 1).max() < 5e-4  # through the identified dr_M alone

@@ -814,3 +814,9 @@ def test_appendix_distance_accuracy() -> None:
     assert long.accuracy == pytest.approx(0.3)
     assert long.accuracy == pytest.approx(-short.accuracy)
     assert long.repeatability == pytest.approx(3 * np.sqrt(0.02))
+
+
+def test_scatter_of_x_and_y() -> None:
+    one, mean = 0.038 / 0.014, 0.0049 / 0.0025
+    assert one == pytest.approx(2.71, abs=0.01)
+    assert mean == pytest.approx(1.96, abs=0.01)
