@@ -31,7 +31,7 @@ ROOT = Path(__file__).resolve().parent.parent
 TEMPLATES = ROOT / "templates"
 GENERATED = ROOT / "generated" / "deltacal_kernels"
 COMMAND = "deltacal kernels"
-KNOWN_BEFORE = {"q", "approach", "warming", "time", "after"}  # what a controller knows before it moves
+KNOWN_BEFORE = {"q", "turn", "approach", "warming", "time", "after"}  # what a controller knows before it moves
 
 
 def effects() -> Iterator[Effect]:

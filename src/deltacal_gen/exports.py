@@ -329,7 +329,7 @@ def _c_command(live: _Live, unit: str) -> str:
     factors = {"warming": "(at->temp_C - 20.0)", "payload": "at->payload_kg", "time": "(at->time_s / 3600.0)"}
     factors |= {f"approach{i + 1}": f"at->approach[{i}]" for i in range(limbs)}
     state = {"q": "q[{i}]", "approach": "DELTACAL_SIGN[{i}] * at->approach[{i}]", "warming": "at->temp_C - 20.0"}
-    state |= {"time": "at->time_s", "after": "1.0"}
+    state |= {"time": "at->time_s", "after": "1.0", "turn": f"q[{{i}}] * {_turned(live.compensator)!r}"}
     body = [
         "int deltacal_command(const double target_mm[3], const struct deltacal_channels *at,",
         f"                     double joints_{unit}[{limbs}])",
@@ -393,6 +393,13 @@ def _c_command(live: _Live, unit: str) -> str:
         "};",
     ]
     return "\n".join([*interface, "", *sources, *tables, "", *body]) + "\n"
+
+
+def _turned(compensator: Compensator) -> float:
+    """Return by how much a joint's motor or pulley turns per unit of the joint [rad per rad or mm]."""
+    transmission = compensator.robot.transmission
+    around = transmission.pulley_circumference if transmission is not None else None
+    return 2 * math.pi / around if compensator.mechanism.joint_unit == "mm" and around else 1.0
 
 
 def _c_each(target: str, values: Sequence[str]) -> str:
