@@ -29,6 +29,7 @@ _HOME = {
         "effects",
         "identify",
         "import_klipper",
+        "import_points",
         "import_rrf",
         "kernels",
         "matrix",

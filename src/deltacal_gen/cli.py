@@ -654,31 +654,40 @@ def compare(
 
 @app.command("import")
 def import_(
-    kind: Annotated[str, typer.Argument(metavar="KIND", help="klipper or rrf")],
-    files: Annotated[list[Path], typer.Argument(metavar="FILE...", help="printer.cfg; or config.g and heightmap.csv")],
+    kind: Annotated[str, typer.Argument(metavar="KIND", help="klipper, rrf or points")],
+    files: Annotated[
+        list[Path],
+        typer.Argument(
+            metavar="FILE...",
+            help="printer.cfg; config.g and heightmap.csv; a tracker's list of points, a table of joints, ROBOT.toml",
+        ),
+    ],
     output: Annotated[Path, typer.Option("-o", "--output", help="folder for robot.toml and recordings")],
     as_json: Json = False,
 ) -> None:
-    """Make a robot file and recordings from what a printer's firmware keeps."""
+    """Make recordings, and a robot file, from what a printer's firmware or a tracker's software keeps."""
     from deltacal_gen import commands
 
-    importers: dict[str, tuple[Callable[..., Any], int]] = {
-        "klipper": (commands.import_klipper, 1),
-        "rrf": (commands.import_rrf, 2),
+    importers: dict[str, tuple[Callable[..., Any], tuple[int, ...]]] = {
+        "klipper": (commands.import_klipper, (1,)),
+        "rrf": (commands.import_rrf, (2,)),
+        "points": (commands.import_points, (2, 3)),
     }
     if kind not in importers:
         raise typer.BadParameter(f"there is no import '{kind}'; known: {', '.join(importers)}", param_hint="KIND")
-    read, count = importers[kind]
-    if len(files) != count:
-        raise typer.BadParameter(f"{kind} takes {count} file{'s' if count > 1 else ''}", param_hint="FILE")
-    found = read(*files, output)
+    read, counts = importers[kind]
+    if len(files) not in counts:
+        raise typer.BadParameter(
+            f"{kind} takes {' or '.join(map(str, counts))} file{'s' if counts[-1] > 1 else ''}", param_hint="FILE"
+        )
+    found = read(*files, output=output)
     names = [f"{name}.csv" for name in found.recordings]
     if as_json:
         _print_json(
             {
                 "schema": "deltacal.import/1",
                 "folder": str(output),
-                "robot": "robot.toml",
+                "robot": "robot.toml" if found.robot is not None else None,
                 "recordings": names,
                 "warnings": list(found.warnings),
             }
@@ -686,7 +695,8 @@ def import_(
         return
     for warning in found.warnings:
         aside.print(_escaped(f"warning: {warning}"))
-    screen.print(f"robot.toml, {', '.join(names)} written to {output}")
+    written = [*(["robot.toml"] if found.robot is not None else []), *names]
+    screen.print(f"{', '.join(written)} written to {output}")
 
 
 Workers = Annotated[int | None, typer.Option("--workers", min=1, help="local processes; default one per core")]

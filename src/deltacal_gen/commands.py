@@ -311,7 +311,7 @@ def identify(
     of the result says which joints stand where the readings of the diagnosis never were.
     """
     from deltacal_gen import firmware, identification, spectrum
-    from deltacal_gen.physics import term_from_dict
+    from deltacal_gen.prediction import known_effects
     from deltacal_gen.robot import robot_from_dict
 
     check_output(output, robot, recording, physics)
@@ -328,7 +328,7 @@ def identify(
         solver=solver,
         truncation=truncation,
         robust=robust,
-        held=[] if diagnosis is None else [term_from_dict(t) for t in diagnosis.get("physics", ())],
+        held=[] if diagnosis is None else known_effects(diagnosis, timed=given.time_s is not None),
         machine=None if diagnosis is None else robot_from_dict(diagnosis["robot"]),
         progress=progress,
     ).to_dict()
@@ -563,6 +563,15 @@ def import_rrf(config: Source, height_map: Source, output: Source | None = None)
     from deltacal_gen import imports
 
     return imports.import_rrf(config, height_map, output)
+
+
+def import_points(
+    points: Source, joints: Source, robot: Source | None = None, output: Source | None = None
+) -> Imported:
+    """Return a recording of a tracker's list of points and a table of joints; see `points.import_points`."""
+    from deltacal_gen import points as lists
+
+    return lists.import_points(points, joints, robot, output)
 
 
 def demo(output: Source = "demo", progress: Progress = _silent) -> dict[str, Any]:

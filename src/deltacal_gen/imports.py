@@ -39,9 +39,9 @@ SPREAD = 0.02  # by which the arms of one printer may differ
 
 @dataclass(frozen=True)
 class Imported:
-    """A robot, its recordings by name, and what a user should know before using them."""
+    """A robot where it is known, its recordings by name, and what a user should know before using them."""
 
-    robot: Robot
+    robot: Robot | None
     recordings: dict[str, Recording]
     warnings: tuple[str, ...] = field(default=())
 
@@ -249,16 +249,22 @@ def _done(
             "Run DELTA_CALIBRATE or BED_MESH_CALIBRATE and SAVE_CONFIG, and give the file again.",
             file=path,
         )
+    return write_import(Imported(robot, recordings, warnings), output)
+
+
+def write_import(found: Imported, output: str | Path | None) -> Imported:
+    """Write robot.toml and the recordings into a folder, where there is one; return what was imported."""
     if output is not None:
         folder = Path(output)
         try:
             folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
             raise InputError(f"the folder cannot be made: {error.strerror}.", "Choose another.", file=folder) from None
-        write_files({folder / "robot.toml": robot_to_toml(robot)})
-        for name, recording in recordings.items():
+        if found.robot is not None:
+            write_files({folder / "robot.toml": robot_to_toml(found.robot)})
+        for name, recording in found.recordings.items():
             write_recording(recording, folder / f"{name}.csv")
-    return Imported(robot, recordings, warnings)
+    return found
 
 
 # ----------------------------------------------------------------------------------------------- mistakes users make

@@ -26,6 +26,8 @@ from deltacal_gen.physics import LOADS, Body, Point, Term, blank, displaces_poin
 CHANCE = 5e-4  # that noise alone earns a form, or a limb, its charge
 ORDERS = 100  # integer orders of a periodic error that are searched
 HARMONICS = 5  # multiples of the gear ratio that are searched
+ROUNDING = 1e-9  # of the largest column of an effect: less is no effect at all
+MOST_TIMES = 300  # of a jump that are searched
 UNSEEN = 1e-6  # part of a column's square beside the base: less is a combination of what is fitted
 SMALLEST = 1e-8  # of the largest eigenvalue: below it columns are combinations of one another
 
@@ -129,7 +131,12 @@ class Search:
     def _compete(self, beside: Beside, problem: Problem, terms: Sequence[Term]) -> None:
         self.terms = tuple(terms)
         columns = beside.rows(problem.term_columns(terms, beside.fit.errors, beside.fit.instrument, beside.machine))
-        self._size = np.maximum(np.linalg.norm(columns, axis=0), 1e-300)
+        self._size = np.linalg.norm(columns, axis=0)
+        owner = np.concatenate([[t.effect] * t.n_coefficients for t in terms]) if terms else np.zeros(0, dtype=str)
+        for name in np.unique(owner):  # rounding is no lever: a joint that bears nothing has nothing to twist by
+            own = owner == name
+            columns[:, own] *= self._size[own] > ROUNDING * self._size[own].max()
+        self._size = np.maximum(self._size, 1e-300)
         self._columns = columns / self._size
         starts = np.cumsum([0, *(t.n_coefficients for t in terms)])[:-1].tolist()
         self._start = dict(zip(map(_key, terms), starts, strict=True))
@@ -371,5 +378,7 @@ def _forms(problem: Problem, name: str) -> list[tuple[float, ...]]:
         clock = problem.body.channels.order if problem.body.channels.time is None else problem.body.channels.time
         times = np.unique(clock[used])
         edge = max(3, len(times) // 40)  # a jump needs rows on both sides
-        return [(float(t),) for t in times[edge : len(times) - edge]]
+        inside = times[edge : len(times) - edge]
+        step = -(-len(inside) // MOST_TIMES)
+        return [(float(t),) for t in inside[step // 2 :: step]] if len(inside) else []
     return [()]
