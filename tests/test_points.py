@@ -55,7 +55,7 @@ def test_groups_are_set_ups_and_a_point_that_comes_again_is_a_repeat(tmp_path: P
     [
         ("A,P1,1,2,3\n", JOINTS.replace(" [deg]", ""), "unit of a joint"),
         ("A,P5,1,2,3\n", JOINTS, "no point of the list"),
-        ("A,P1,2\n", JOINTS, "a line has 3 cells"),
+        ("A P1 1 2 3\nA P2 2\n", JOINTS, "a line has 3 cells"),
         ("group,point,X,Y,Z\nA,P1,1,x,3\n", JOINTS, "'x' is no number"),
         ("group,point,X,Y\nA,P1,1,2\n", JOINTS, "no column with Z"),
         ("A,P1,1,2,3\n", JOINTS + "P1,1,1,1,0\n", "comes twice"),

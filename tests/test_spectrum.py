@@ -1,0 +1,121 @@
+"""Periodic errors of many orders: found, sized, carried to other poses; nothing where there is nothing."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from test_serial import robot
+
+from deltacal_gen import commands
+from deltacal_gen.estimation import Fit, fit, pose_problem
+from deltacal_gen.identification import folds
+from deltacal_gen.mechanism import mechanism_of
+from deltacal_gen.physics import Term
+from deltacal_gen.recording import read_recording
+from deltacal_gen.robot import robot_to_toml
+from deltacal_gen.solvers import Prior
+from deltacal_gen.spectrum import EFFECT, Spectrum, never_seen, periodic, seen, unseen
+from deltacal_gen.units import DEG
+
+ORDERS = (2, 5, 9, 14, 20)
+JOINTS = (2, 3)
+NOISE = 0.01
+
+
+def amplitudes() -> dict[int, np.ndarray]:
+    """Return cosine and sine [deg] of each order at each joint: a hundredth of a degree altogether."""
+    rng = np.random.default_rng(11)
+    return {k: 0.004 * rng.standard_normal((len(JOINTS), 2)) for k in ORDERS}
+
+
+def taken(folder: Path, name: str, noise: float, concealed: bool, seed: int, span: float = 170.0) -> Path:
+    """Write a recording of 250 poses of the arm of `test_serial` in an unknown frame."""
+    (folder / "robot.toml").write_text(robot_to_toml(robot()))
+    text = "[parameters]\na_2 = 0.2\ntheta_3 = 0.05\n"
+    for k, c in amplitudes().items() if concealed else ():
+        text += f'[[effects]]\nname = "{EFFECT}"\nlimbs = {list(JOINTS)}\norder = {k}\n'
+        text += f"cos = {c[:, 0].tolist()}\nsin = {c[:, 1].tolist()}\n"
+    (folder / "truth.toml").write_text(text)
+    q = np.random.default_rng(seed).uniform(-span, span, (250, 6))
+    header = ",".join(f"q{i}_deg" for i in range(1, 7))
+    np.savetxt(folder / f"{name}.csv", q, delimiter=",", header=header, comments="")
+    (folder / f"{name}.toml").write_text('[measurement]\nkind = "pose"\nframe = "unknown"\n')
+    out = folder / f"{name}_read.csv"
+    commands.simulate(
+        folder / "robot.toml", folder / f"{name}.csv", out, truth=folder / "truth.toml", noise=noise, seed=seed
+    )
+    return out
+
+
+def geometry(path: Path) -> Fit:
+    mechanism = mechanism_of(r := robot())
+    problem = pose_problem(r, read_recording(path, mechanism), mechanism.model("serial/dh"))
+    return fit(problem, Prior(), must_converge=False)
+
+
+def found_in(at: Fit) -> Spectrum | None:
+    return periodic(at, folds(at.problem.readings, at.problem.recording))
+
+
+@pytest.fixture(scope="module")
+def found(tmp_path_factory: pytest.TempPathFactory) -> Spectrum:
+    found = found_in(geometry(taken(tmp_path_factory.mktemp("arm"), "poses", NOISE, concealed=True, seed=1)))
+    assert found is not None
+    return found
+
+
+def test_the_joints_and_the_size_of_their_errors_are_found(found: Spectrum) -> None:
+    assert found.limbs == JOINTS
+    for j, limb in enumerate(JOINTS):
+        true = np.sqrt(sum((c[j] ** 2).sum() / 2 for c in amplitudes().values())) * DEG
+        assert found.rms[limb] == pytest.approx(true, rel=0.2)
+    assert found.heldout[1] < 0.6 * found.heldout[0]
+
+
+def test_the_error_is_known_to_the_standard_deviation_that_is_stated(found: Spectrum) -> None:
+    angle = np.random.default_rng(2).uniform(-170, 170, 300) * DEG
+
+    def error(j: int, of: dict[int, np.ndarray]) -> np.ndarray:
+        each = [c[j, 0] * np.cos(k * angle) + c[j, 1] * np.sin(k * angle) for k, c in of.items()]
+        return np.sum(each, axis=0)
+
+    for j, limb in enumerate(JOINTS):
+        true = error(j, {k: c * DEG for k, c in amplitudes().items()})
+        as_found = error(j, {int(t.constants[0]): t.values for t in found.terms})
+        off = as_found - true
+        off -= off.mean()  # a constant is the joint's zero
+        assert 0.5 < np.std(off) / found.std[limb] < 1.6
+
+
+def test_nothing_is_found_where_there_is_nothing(tmp_path: Path) -> None:
+    assert found_in(geometry(taken(tmp_path, "poses", NOISE, concealed=False, seed=3))) is None
+
+
+def test_joints_that_hardly_turn_show_no_period(tmp_path: Path) -> None:
+    at = geometry(taken(tmp_path, "poses", NOISE, concealed=True, seed=4, span=50.0))
+    assert found_in(at) is None
+
+
+def test_angles_that_were_never_seen_are_told() -> None:
+    turn = np.array([-10.0, -8.0, -6.0, 90.0, 95.0, 370.0]) * DEG
+    spans = seen(turn, corner=30.0)
+    assert spans == [(10.0, 10.0), (90.0, 95.0), (350.0, 354.0)]
+    far = unseen(np.array([352.0, 0.0, 12.0, 92.0, 200.0]) * DEG, spans, within=5.0)
+    assert far.tolist() == [False, True, False, False, True]
+    known: dict[str, Any] = {"within_deg": 5.0, "joints": [{"limb": 2, "angles_deg": [list(s) for s in spans]}]}
+    told = never_seen(known, np.array([[0.0, 200.0], [0.0, 90.0]]) * DEG)
+    assert told == [{"limb": 2, "readings": 1, "angles_deg": [[200.0, 200.0]]}]
+    assert never_seen(None, np.zeros((1, 6))) == []
+
+
+def test_a_held_effect_moves_the_machine_as_a_free_one_does(tmp_path: Path) -> None:
+    at = geometry(taken(tmp_path, "poses", 0.0, concealed=False, seed=5))
+    term = Term(EFFECT, (2,), np.array([[1e-4, -2e-4]]), (7.0,))
+    body = at.problem.body
+    free, _ = body.solve(at.errors, (term,))
+    held, _ = body.solve(at.errors, (), held=(term,))
+    assert held.x == pytest.approx(free.x)
+    assert held.q[:, 1] != pytest.approx(body.q[:, 1], abs=1e-5)
