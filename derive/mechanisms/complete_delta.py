@@ -43,17 +43,12 @@ from derive.mechanisms.delta import (
     w0,
 )
 from derive.spec import Quantity, Weight
+from derive.steps import Derivation
 from derive.vectors import cayley, rotation_vector, vector
 
 beta = vector(*sp.symbols("betax betay betaz", real=True))
-steps: list[tuple[sp.Symbol, sp.Expr]] = []
-
-
-def step(name: str, value: sp.Matrix) -> sp.Matrix:
-    """Name the entries of a vector or matrix; the derivation goes on with the names."""
-    symbols = sp.Matrix(*value.shape, lambda r, k: sp.Symbol(f"{name}_{r + 1}{k + 1}", real=True))
-    steps.extend(zip(symbols, value, strict=True))
-    return symbols
+steps = Derivation()
+step = steps.step
 
 
 def errors_of(rod: int) -> tuple[sp.Matrix, sp.Matrix, sp.Symbol]:
@@ -102,7 +97,7 @@ MECHANISM = replace(
     reference="Savoure, Maurine, Corbel, Krut 2006, ICRA, 769-776",
     source="derive/mechanisms/complete_delta.py",
     errors=tuple(errors),
-    steps=tuple(steps),
+    steps=steps,
     loop_closure=tuple(closures),
     small=(*(e.symbol for e in errors), tip_v, tip_w),
     limb_weights=(

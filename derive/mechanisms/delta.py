@@ -21,6 +21,7 @@ from __future__ import annotations
 import sympy as sp
 
 from derive.spec import GeometryKey, LimbMechanism, Quantity, Weight
+from derive.steps import Derivation
 from derive.vectors import cayley, rotation_vector, turn_about_z, vector
 
 DEG = sp.pi / 180
@@ -40,21 +41,8 @@ w0 = u0.cross(v0)
 NOMINAL_FRAME = sp.Matrix.hstack(u0, v0, w0)
 
 P, tool = vector(px, py, pz), vector(tx, ty, tz)
-steps: list[tuple[sp.Symbol, sp.Expr]] = []
-
-
-def step(name: str, value: sp.Matrix) -> sp.Matrix:
-    """Name the components of a vector or matrix; the derivation goes on with the names."""
-    rows, columns = value.shape
-    labels = "xyz" if columns == 1 else None
-    symbols = sp.Matrix(
-        rows,
-        columns,
-        lambda r, c: sp.Symbol(f"{name}_{labels[r]}" if labels else f"{name}_{r + 1}{c + 1}", real=True),
-    )
-    steps.extend(zip(symbols, value, strict=True))
-    return symbols
-
+steps = Derivation()
+step = steps.step
 
 # what no pose changes
 R0 = step("R0", NOMINAL_FRAME * rotation_vector(vector(alpha0, beta0, 0)))
@@ -142,7 +130,7 @@ MECHANISM = LimbMechanism(
         Quantity(tip_v, "mm", "arm tip displaced normal to the arm, in its plane"),
         Quantity(tip_w, "mm", "arm tip displaced normal to the arm, along the joint axis"),
     ),
-    steps=tuple(steps),
+    steps=steps,
     loop_closure=(closure(+1), closure(-1)),
     small=(alpha0, beta0, dl, dc, alpha03, beta03, alpha2, beta2, tip_v, tip_w),
     masses=(

@@ -19,6 +19,7 @@ from __future__ import annotations
 import sympy as sp
 
 from derive.spec import GeometryKey, LimbMechanism, Quantity, Weight
+from derive.steps import Derivation
 from derive.vectors import vector
 
 px, py, q, tx, ty, tz = sp.symbols("px py q tx ty tz", real=True)
@@ -32,15 +33,8 @@ proximal, proximal_com, distal_rod, body, payload = sp.symbols(
 # from the limb's own direction, so that no reading of limb 2 jumps where it passes 180 deg
 turn = q + theta - sp.pi * (1 - side) / 2
 arm, normal = side * vector(sp.cos(turn), sp.sin(turn), 0), side * vector(-sp.sin(turn), sp.cos(turn), 0)
-steps: list[tuple[sp.Symbol, sp.Expr]] = []
-
-
-def step(name: str, value: sp.Matrix) -> sp.Matrix:
-    """Name the components in the plane; the derivation goes on with the names."""
-    symbols = sp.symbols(f"{name}_x {name}_y", real=True)
-    steps.extend(zip(symbols, value[:2], strict=True))
-    return vector(*symbols, 0)
-
+steps = Derivation()
+step = steps.step
 
 P, tool = vector(px, py, 0), vector(tx, ty, tz)
 B = step("B", vector(side * base_x + ex, base_y + ey, 0))
@@ -97,7 +91,7 @@ MECHANISM = LimbMechanism(
         Quantity(my, "mm", "measuring mechanism, both ends together, y", typical=1.0),
     ),
     deflections=(Quantity(tip_v, "mm", "arm tip displaced normal to the arm"),),
-    steps=tuple(steps),
+    steps=steps,
     loop_closure=((rod.dot(rod) - (l + dl) ** 2) / 2,),
     small=(tip_v,),
     masses=(

@@ -18,19 +18,14 @@ from __future__ import annotations
 import sympy as sp
 
 from derive.spec import GeometryKey, LimbMechanism, Quantity
+from derive.steps import Derivation
 from derive.vectors import angle, cayley, vector
 
 px, py, cz, q, tx, ty, tz = sp.symbols("px py cz q tx ty tz", real=True)
 a1x, a2x, a2y, b1x, b2x, b2y, l1, l2, h = sp.symbols("a1x a2x a2y b1x b2x b2y l1 l2 h", real=True)
 q0, da1x, da2x, da2y, db1x, db2x, db2y, dl1, dl2 = sp.symbols("q0 da1x da2x da2y db1x db2x db2y dl1 dl2", real=True)
-steps: list[tuple[sp.Symbol, sp.Expr]] = []
-
-
-def step(name: str, value: sp.Matrix) -> sp.Matrix:
-    """Name the components in the plane; the derivation goes on with the names."""
-    symbols = sp.symbols(f"{name}_x {name}_y", real=True)
-    steps.extend(zip(symbols, value[:2], strict=True))
-    return vector(*symbols, 0)
+steps = Derivation()
+step = steps.step
 
 
 def turn(cos: sp.Expr, sin: sp.Expr) -> sp.Matrix:
@@ -100,7 +95,7 @@ MECHANISM = LimbMechanism(
         Quantity(dl2, "mm", "length of the other rod", typical=_length, label="l2"),
     ),
     deflections=(),
-    steps=tuple(steps),
+    steps=steps,
     loop_closure=(driven[0], driven[1], (other.dot(other) - length_2**2) / 2),
     small=(),
     masses=(),

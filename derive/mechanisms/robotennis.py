@@ -20,6 +20,7 @@ from __future__ import annotations
 import sympy as sp
 
 from derive.spec import GeometryKey, LimbMechanism, Quantity, Weight
+from derive.steps import Derivation
 from derive.vectors import vector
 
 DEG = sp.pi / 180
@@ -36,15 +37,9 @@ proximal, proximal_com, distal_rod, body, payload = sp.symbols(
 z = vector(0, 0, 1)
 P, tool = vector(px, py, pz), vector(tx, ty, tz)
 theta = q + theta0
-steps: list[tuple[sp.Symbol, sp.Expr]] = []
 
-
-def step(name: str, value: sp.Matrix) -> sp.Matrix:
-    """Name the components of a vector; the derivation goes on with the names."""
-    symbols = vector(*(sp.Symbol(f"{name}_{axis}", real=True) for axis in "xyz"))
-    steps.extend(zip(symbols, value, strict=True))
-    return symbols
-
+steps = Derivation()
+step = steps.step
 
 u = step("u", vector(sp.cos(phi + dphi), sp.sin(phi + dphi), 0))
 A = step("A", (H + dH) * u)
@@ -109,7 +104,7 @@ MECHANISM = LimbMechanism(
         Quantity(tip_v, "mm", "arm tip displaced normal to the arm, in its plane"),
         Quantity(tip_w, "mm", "arm tip displaced normal to the arm, along the joint axis"),
     ),
-    steps=tuple(steps),
+    steps=steps,
     loop_closure=((rod.dot(rod) - (b + db) ** 2) / 2,),
     small=(tip_v, tip_w),
     masses=(
