@@ -25,6 +25,7 @@ from __future__ import annotations
 import sympy as sp
 
 from derive.spec import GeometryKey, LimbMechanism, Quantity, Weight
+from derive.steps import Derivation
 from derive.vectors import cayley, rotation_vector, vector
 
 DEG = float(sp.pi) / 180
@@ -37,26 +38,11 @@ dr, endstop, arm, radius, angle, lean_radial, lean_tangential, scale, dl = sp.sy
 )
 carriage, rod_mass, body, payload = sp.symbols("carriage distal_rod platform payload", real=True)
 
-steps: list[tuple[sp.Symbol, sp.Expr]] = []
-
-
-def step(name: str, value: sp.Matrix | sp.Expr) -> sp.Matrix | sp.Expr:
-    """Name an intermediate quantity, component by component; the derivation goes on with the names."""
-    if not isinstance(value, sp.MatrixBase):
-        steps.append((sp.Symbol(name, real=True), value))
-        return steps[-1][0]
-    rows, columns = value.shape
-    symbols = [
-        sp.Symbol(f"{name}_{'xyz'[i]}" if columns == 1 else f"{name}_{i + 1}{j + 1}", real=True)
-        for i in range(rows)
-        for j in range(columns)
-    ]
-    steps.extend(zip(symbols, list(value), strict=True))
-    return sp.Matrix(rows, columns, symbols)
-
+steps = Derivation()
+step = steps.step
 
 P, tool = vector(px, py, pz), vector(tx, ty, tz)
-u = vector(step("u1", sp.cos(phi + angle)), step("u2", sp.sin(phi + angle)), 0)
+u = step("u", vector(sp.cos(phi + angle), sp.sin(phi + angle), 0))
 t = vector(-u[1], u[0], 0)
 length, out = step("arm_0", l + arm), step("r_0", r + dr + radius)
 axis = step("axis", rotation_vector(lean_radial * t - lean_tangential * u)[:, 2])
@@ -130,7 +116,7 @@ MECHANISM = LimbMechanism(
     ),
     common=(Quantity(dr, "mm", "radius, all towers", typical=0.3, label="radius"),),
     deflections=(),
-    steps=tuple(steps),
+    steps=steps,
     loop_closure=(closure(+1), closure(-1)),
     small=(lean_radial, lean_tangential, dl),
     masses=(
