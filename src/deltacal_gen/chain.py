@@ -155,6 +155,13 @@ class Chain(Mechanism):
         self._last = placed
         return placed
 
+    def frames(self, q: Array, rows: Array) -> tuple[Array, Array]:
+        """Return the frames of the base and of every link: origins (N, n + 1, 3) and rotations (N, n + 1, 3, 3)."""
+        placed = self._placed(self._poses(q, self.limbs, "joints"), rows)
+        origins = np.stack([np.zeros((len(q), 3)), *placed.origin], axis=1)
+        rotations = np.stack([np.broadcast_to(np.eye(3), (len(q), 3, 3)), *placed.rotation], axis=1)
+        return origins, rotations
+
     def forward(self, q: Array, tool: Array, rows: Array, near: Array | None = None) -> tuple[Array, np.ndarray]:
         """Return the pose (N, 12) of the tool point and the last frame; every pose is SOLVED."""
         q, tool = self._poses(q, self.limbs, "joints"), self._tool(tool, len(q))

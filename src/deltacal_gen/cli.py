@@ -131,6 +131,26 @@ def kernels(
 
 
 @app.command()
+def derivation(
+    output: Annotated[Path, typer.Option("-o", "--output", help="FILE.html or FILE.md; a folder with --all")],
+    model: Annotated[
+        str | None, typer.Argument(metavar="MODEL", help="e.g. delta/42, delta or backlash", show_default=False)
+    ] = None,
+    every: Annotated[bool, typer.Option("--all", help="all models and effects, with an index")] = False,
+    as_json: Json = False,
+) -> None:
+    """Write the report for reviewers: every equation, its source, its checks (from a source checkout)."""
+    from deltacal_gen import commands
+
+    with _progress(as_json) as tell:
+        found = commands.derivation(model, output, every=every, progress=tell)
+    if as_json:
+        _print_json(found)
+    else:
+        screen.print(f"{len(found['files'])} file{'s' if len(found['files']) > 1 else ''}; open {found['files'][0]}")
+
+
+@app.command()
 def models(as_json: Json = False) -> None:
     """List the mechanisms, their models and their parameters."""
     from deltacal_gen import commands

@@ -171,6 +171,65 @@ def claims(*, paper: str | None = None, status: str | None = None) -> list[dict[
     return [claim.model_dump() for claim in found if status in (None, claim.status)]
 
 
+def _deriving(elsewhere: str) -> Path:
+    """Return the root of the checkout in which to derive; raises UsageError where there is none, or no SymPy."""
+    root = checkout()
+    if root is None:
+        raise UsageError(elsewhere)
+    if subprocess.run([sys.executable, "-c", "import sympy, jinja2"], capture_output=True).returncode:
+        raise UsageError("deriving needs SymPy and Jinja: pip install 'sympy>=1.14,<1.15' jinja2.")
+    return root
+
+
+def derivation(
+    model: str | None, output: Source, *, every: bool = False, progress: Progress = _silent
+) -> dict[str, Any]:
+    """Write the report of a derivation for reviewers; return what was written.
+
+    Parameters
+    ----------
+    model : str
+        A model (``delta/42``), a mechanism (its largest model) or an effect.
+    output : path
+        ``.html`` or ``.md``, whose pictures are written beside it; with `every` a folder for all reports in HTML and
+        an index.
+    every : bool
+        All models of all mechanisms, and all effects.
+
+    Raises
+    ------
+    UsageError
+        No such model; or this is no source checkout, or SymPy is not installed.
+    """
+    from deltacal_gen import derivation as reports
+    from deltacal_gen import report
+
+    if (model is None) != every:
+        raise UsageError("give a model, a mechanism or an effect, or else --all.")
+    root = _deriving("reports are made from a source checkout; this is an installed package.")
+    folder = Path(output)
+    if not every:
+        check_output(output, ending=reports.FORMATS)
+        chosen = [reports.subject(str(model))]
+    elif folder.exists() and not folder.is_dir():
+        raise InputError("this is a file, and the reports need a folder.", "Choose another name.", file=folder)
+    else:
+        folder.mkdir(parents=True, exist_ok=True)
+        chosen = reports.subjects()
+    written: list[Path] = []
+    done = []
+    for one, template, found in reports.derivations(chosen, root, progress):
+        files = reports.files(folder / f"{one.stem}.html" if every else folder, template, found)
+        write_files(files)
+        written += files
+        done.append((one, found))
+    if every:
+        page = report.page_of("contents", title="Derivations", **reports.index(done, ".html"))
+        write_files({folder / "index.html": page})
+        written.insert(0, folder / "index.html")
+    return {"schema": "deltacal.derivation/1", "files": [str(path) for path in written]}
+
+
 def kernels(*, check: bool = False) -> bool:
     """Derive all kernels and write them, or with `check` compare them; return whether the committed ones agree.
 
@@ -181,14 +240,8 @@ def kernels(*, check: bool = False) -> bool:
     UsageError
         This is no source checkout, or SymPy is not installed.
     """
-    root = checkout()
-    if root is None:
-        raise UsageError(
-            "kernels are derived from a source checkout; this is an installed package, whose kernels are done."
-        )
+    root = _deriving("kernels are derived from a source checkout; those of an installed package are done.")
     command = [sys.executable, "-m", "derive", *(["--check"] if check else [])]
-    if subprocess.run([sys.executable, "-c", "import sympy, jinja2"], capture_output=True).returncode:
-        raise UsageError("deriving needs SymPy and Jinja: pip install 'sympy>=1.14,<1.15' jinja2.")
     return subprocess.run(command, cwd=root, env={**os.environ, "PYTHONHASHSEED": "0"}).returncode == 0
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import html
 import io
 import math
+import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from importlib import resources
@@ -24,6 +25,7 @@ from deltacal_gen.physics import load_effect
 from deltacal_gen.robot import robot_from_dict
 
 _COLOURS = {INK: "var(--ink)", MUTED: "var(--muted)", BEFORE: "var(--before)", AFTER: "var(--after)"}
+_PAPER = {"var(--card)": "#ffffff", "var(--paper)": "#ffffff", "var(--good)": "#2c7a4b", "var(--bad)": "#b8472f"}
 _NUMERIC = {"value ± standard deviation", "gain in chi²", "value"}
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _VERDICTS = {
@@ -182,18 +184,59 @@ def figure(picture: Any, caption: str) -> str:
     return f"<figure>{_inline(picture)}<figcaption>{html.escape(caption)}</figcaption></figure>"
 
 
+def picture(draw: Callable[[Any], None], size: tuple[float, float]) -> str:
+    """Return a picture of one panel, which `draw` makes, as SVG that takes its colours and its type from the page."""
+    return _svg(draw, size)
+
+
+def power(value: float) -> str:
+    """Return a number as a reader writes a small one: 3.1·10⁻⁵; 0 for zero."""
+    if value == 0 or not math.isfinite(value):
+        return f"{value:g}"
+    exponent = math.floor(math.log10(abs(value)))
+    if -2 <= exponent < 4:
+        return f"{value:.2g}"
+    return f"{value / 10.0**exponent:.1f}·10{str(exponent).translate(_RAISED)}"
+
+
+def page_of(template: str, **content: Any) -> str:
+    """Return a page by the name of its template."""
+    return _rendered(template, **content)
+
+
+def markdown(template: str, **content: Any) -> str:
+    """Return a text by the name of its Markdown template."""
+    text = _environment(".md.jinja", autoescape=False).get_template(f"{template}.md.jinja").render(**content)
+    return re.sub(r"\n{3,}", "\n\n", text).strip() + "\n"
+
+
+def standalone(svg: str) -> str:
+    """Return a picture of a page as a file of its own: the page's colours on paper."""
+    colours = {variable: colour for colour, variable in _COLOURS.items()} | _PAPER
+    for variable, colour in colours.items():
+        svg = svg.replace(variable, colour)
+    return svg + "\n"
+
+
 def _rendered(template: str, **content: Any) -> str:
-    folder = resources.files("deltacal_gen") / "pages"
-    files = {f.name: f.read_text(encoding="utf-8") for f in folder.iterdir() if f.name.endswith(".jinja")}
-    environment = jinja2.Environment(
+    style = (_pages() / "style.css").read_text(encoding="utf-8")
+    page = _environment(".html.jinja", autoescape=True).get_template(f"{template}.html.jinja")
+    return page.render(style=style, numeric=_NUMERIC, **content)
+
+
+def _pages() -> Any:
+    return resources.files("deltacal_gen") / "pages"
+
+
+def _environment(ending: str, *, autoescape: bool) -> jinja2.Environment:
+    files = {f.name: f.read_text(encoding="utf-8") for f in _pages().iterdir() if f.name.endswith(ending)}
+    return jinja2.Environment(
         loader=jinja2.DictLoader(files),
         undefined=jinja2.StrictUndefined,
-        autoescape=True,
+        autoescape=autoescape,
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    style = (folder / "style.css").read_text(encoding="utf-8")
-    return environment.get_template(f"{template}.html.jinja").render(style=style, numeric=_NUMERIC, **content)
 
 
 # ------------------------------------------------------------------------------------------------------- in words

@@ -1,0 +1,234 @@
+r"""Which errors no reading sees, in closed form: the null space of the first-order closure over all poses at once.
+
+Where the simplified limb is a sphere about ``c(q)`` (see `closed_form`), every pose of every limb is
+``P = c(q) + rho n`` with a free joint q and a free unit vector n. Errors v, together with a motion of the frame in
+which the instrument reads (shift t, turn w) and a constant turn k of the platform, are not seen if the closure's
+first-order change vanishes at all of them::
+
+    J_p v + J_x (t + w x P, k) = 0        for all q and n
+
+That is a polynomial in cos q, sin q (or q) and n; each of its coefficients, modulo ``cos^2 + sin^2 = n.n = 1``, is a
+linear equation in v, t, w and k over the field of the geometry's symbols. No pose is chosen and no tolerance either.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import sympy as sp
+
+from derive import closed_form
+from derive.first_order import first_order
+from derive.graph import expand_steps
+from derive.spec import LimbMechanism
+
+Numbers = Mapping[str, Sequence[float]]
+
+
+def exact_angle(value: float) -> sp.Expr | None:
+    """Return an angle as a rational multiple of pi with a denominator up to 36, or None."""
+    ratio = sp.Rational(str(round(value / float(sp.pi), 12))).limit_denominator(36)
+    return ratio * sp.pi if abs(float(ratio * sp.pi) - value) < 1e-9 else None
+
+
+def _limb_values(mechanism: LimbMechanism, limb: int, numbers: Numbers) -> dict[sp.Symbol, sp.Expr] | None:
+    """Return what is put for a limb's geometry: exact angles and sides; lengths stay symbols, of the limb if theirs."""
+    found: dict[sp.Symbol, sp.Expr] = {}
+    for entry in mechanism.geometry:
+        symbol, given = entry.quantity.symbol, numbers[entry.key]
+        own = given[limb - 1] if entry.per_limb else given[0]
+        if entry.quantity.unit == "rad":
+            angle = exact_angle(own)
+            if angle is None:
+                return None
+            found[symbol] = angle
+        elif entry.quantity.unit == "1":
+            found[symbol] = sp.nsimplify(own)
+        elif entry.per_limb and len(set(given)) > 1:
+            found[symbol] = sp.Symbol(f"{symbol}_{limb}", positive=True)
+        else:
+            found[symbol] = sp.Symbol(str(symbol), positive=True)
+    return found
+
+
+def equations(
+    mechanism: LimbMechanism, numbers: Numbers
+) -> tuple[list[sp.Symbol], list[sp.Symbol], list[sp.Expr]] | None:
+    """Return the unknown errors, the unknown motions and the linear equations they obey; None where there is no sphere.
+
+    Parameters
+    ----------
+    numbers : mapping
+        Key of the robot file to the limbs' values [mm, rad]: which angles the limbs stand at, which lengths are equal.
+    """
+    try:
+        centre, constant = closed_form.sphere(mechanism)
+    except ValueError:
+        return None
+    dimension = mechanism.commanded
+    steps, rates = first_order(mechanism)
+    position = [quantity.symbol for quantity in mechanism.platform[:dimension]]
+    turning = [quantity.symbol for quantity in mechanism.platform[dimension:]]
+    q = mechanism.joint.symbol
+    gone = dict.fromkeys((*(s.symbol for s in mechanism.deflections), *(s.symbol for s in mechanism.tool)), 0)
+    nominal = dict.fromkeys((s.symbol for s in mechanism.varied), 0)
+    n = sp.symbols("n_x n_y n_z", real=True)[:dimension]
+    cos, sin = sp.symbols("cos sin", real=True)
+    shift = sp.Matrix(sp.symbols("t_x t_y t_z", real=True)[:dimension])
+    w = sp.Matrix(sp.symbols("w_x w_y w_z", real=True))
+    k = sp.symbols("k_x k_y k_z", real=True)[: len(turning)]
+    names = {quantity.symbol: sp.Symbol(quantity.name) for quantity in mechanism.common}
+    closures = [
+        (
+            expand_steps(rate.get("errors", sp.Integer(0)), steps).xreplace(gone),
+            [expand_steps(rate.get(str(s), sp.Integer(0)), steps).xreplace(gone) for s in turning],
+        )
+        for rate in rates
+    ]
+    found: list[sp.Expr] = []
+    for limb in range(1, mechanism.limbs + 1):
+        values = _limb_values(mechanism, limb, numbers)
+        if values is None:
+            return None
+        at = centre.subs(nominal | gone).subs(values)
+        square = sp.expand(sp.expand(at.dot(at) - 2 * constant.subs(nominal | gone).subs(values), trig=True))
+        rho = sp.sqrt(sp.factor(sp.trigsimp(square)))
+        P = at + rho * sp.Matrix(n)
+        where = dict(zip(position, P, strict=True))
+        flat = w[2] * sp.Matrix([-P[1], P[0]]) if dimension == 2 else sp.zeros(dimension, 1)
+        moved = shift + (w.cross(P) if dimension == 3 else flat)
+        own = {e.symbol: sp.Symbol(e.name_of(limb)) for e in mechanism.errors} | names
+        for errors, turns in closures:
+            change = errors.xreplace(values).xreplace(where).xreplace(own) + rho * sp.Matrix(n).dot(moved)
+            change += sum(j.xreplace(values).xreplace(where) * turn for j, turn in zip(turns, k, strict=True))
+            change = sp.expand(sp.expand(change, trig=True).subs({sp.cos(q): cos, sp.sin(q): sin}))
+            free = (cos, sin, *n) if change.has(cos) or change.has(sin) else (q, *n)
+            found += _coefficients(change, free, {n[-1]: 1 - sum(e**2 for e in n[:-1]), sin: 1 - cos**2})
+    every = [sp.Symbol(name) for name in mechanism.parameter_names]
+    used = set().union(*(e.free_symbols for e in found))
+    motions = [s for s in (*shift, *w, *k) if s in used]
+    return every, motions, found
+
+
+def _coefficients(change: sp.Expr, free: Sequence[sp.Symbol], squares: Mapping[sp.Symbol, sp.Expr]) -> list[sp.Expr]:
+    """Return the coefficients of a polynomial in the free variables, whose squares obey a relation."""
+    reduced: dict[tuple[int, ...], sp.Expr] = {}
+    todo = list(sp.Poly(change, *free).terms())
+    while todo:
+        powers, coefficient = todo.pop()
+        place = next((j for j, s in enumerate(free) if powers[j] >= 2 and s in squares), None)
+        if place is None:
+            reduced[powers] = reduced.get(powers, sp.Integer(0)) + coefficient
+            continue
+        rest = sp.Integer(1)
+        for j, s in enumerate(free):
+            rest *= s ** (powers[j] - 2 * (j == place))
+        todo += sp.Poly(coefficient * rest * squares[free[place]], *free).terms()
+    return [e for c in reduced.values() if (e := sp.expand(c)) != 0]
+
+
+class _Number:
+    """``a + b sqrt(d)`` with a, b rational functions of the geometry: what angles of 30 or 45 deg leave."""
+
+    __slots__ = ("a", "b", "d")
+
+    def __init__(self, a: Any, b: Any, d: int) -> None:
+        self.a, self.b, self.d = a, b, d
+
+    def __bool__(self) -> bool:
+        return bool(self.a or self.b)
+
+    def __sub__(self, other: _Number) -> _Number:
+        return _Number(self.a - other.a, self.b - other.b, self.d)
+
+    def __mul__(self, other: _Number) -> _Number:
+        a = self.a * other.a + (self.b * other.b * self.d if self.b and other.b else 0)
+        return _Number(a, self.a * other.b + self.b * other.a, self.d)
+
+    def __truediv__(self, other: _Number) -> _Number:
+        if not other.b:
+            return _Number(self.a / other.a, self.b / other.a, self.d)
+        norm = other.a**2 - other.b**2 * self.d
+        return self * _Number(other.a / norm, -other.b / norm, self.d)
+
+    @property
+    def size(self) -> int:
+        """How long it is."""
+        return sum(len(e.numer.terms()) + len(e.denom.terms()) for e in (self.a, self.b) if e)
+
+
+_Row = dict[int, _Number]
+
+
+def null_space(
+    errors: Sequence[sp.Symbol],
+    motions: Sequence[sp.Symbol],
+    found: Sequence[sp.Expr],
+    held: Iterable[sp.Symbol] = (),
+) -> list[dict[str, sp.Expr]] | None:
+    """Return a basis of the errors that some motion makes invisible; None where more than one square root occurs.
+
+    Exact elimination; equations are short, and pivots are taken where they stay so. Unknowns that are `held` are zero.
+    """
+    columns = {s: j for j, s in enumerate((*motions, *errors))}
+    halves = {r for e in found for r in e.atoms(sp.Pow) if r.exp.is_Rational and r.exp.q == 2}
+    lengths = sorted({r.base for r in halves if not r.base.is_Integer}, key=str)  # their roots are lengths themselves
+    symbols_of = {base: sp.Symbol(f"root_{j}", positive=True) for j, base in enumerate(lengths)}
+    found = [e.xreplace({r: symbols_of[r.base] ** (2 * r.exp) for r in halves if r.base in symbols_of}) for e in found]
+    roots = {sp.sqrt(r.base) for r in halves if r.base.is_Integer}
+    if len(roots) > 1:
+        return None
+    root, mark = next(iter(roots), sp.Integer(1)), sp.Symbol("root")
+    symbols = sorted(set().union(*(e.free_symbols for e in found)) - set(columns) - set(held), key=str)
+    field = sp.QQ.frac_field(*symbols) if symbols else sp.QQ.frac_field(sp.Symbol("one"))
+    zero, d = field.zero, int(root**2)
+
+    def number(e: sp.Expr) -> _Number:
+        e = sp.expand(e).subs(root, mark) if root != 1 else e
+        return _Number(field.from_sympy(e.coeff(mark, 0)), field.from_sympy(e.coeff(mark, 1)), d)
+
+    rows = []
+    for e in found:
+        row = {columns[s]: number(sp.diff(e, s)) for s in e.free_symbols if s in columns}
+        rows.append({j: value for j, value in row.items() if value})
+    solved = _eliminated(rows, len(motions))
+    basis: list[_Row] = []
+    for free in (j for j in range(len(columns)) if j not in solved):
+        vector = {j: _Number(zero, zero, d) - row[free] for j, row in solved.items() if free in row}
+        vector[free] = _Number(field.one, zero, d)
+        basis.append({j: value for j, value in vector.items() if j >= len(motions)})
+    names, back = list(columns), {s: sp.sqrt(base) for base, s in symbols_of.items()}
+    return [
+        {
+            str(names[j]): (field.to_sympy(value.a) + field.to_sympy(value.b) * root).xreplace(back)
+            for j, value in sorted(row.items())
+        }
+        for row in _eliminated([row for row in basis if row], 0).values()
+    ]
+
+
+def _eliminated(rows: list[_Row], first: int) -> dict[int, _Row]:
+    """Return the rows solved for one column each; columns before `first` are solved for where they can be."""
+    todo = [row for row in rows if row]
+    solved: dict[int, _Row] = {}
+    while todo:
+        pick = min(
+            ((j >= first, len(row), value.size, j, n) for n, row in enumerate(todo) for j, value in row.items()),
+        )
+        column, row = pick[3], todo.pop(pick[4])
+        pivot = row[column]
+        row = {j: value / pivot for j, value in row.items()}
+        todo = [other for other in (_without(other, column, row) for other in todo) if other]
+        solved = {j: _without(other, column, row) for j, other in solved.items()} | {column: row}
+    return solved
+
+
+def _without(row: _Row, column: int, solved: _Row) -> _Row:
+    if column not in row:
+        return row
+    much = row[column]
+    out = dict(row)
+    for j, value in solved.items():
+        out[j] = (out[j] if j in out else _Number(much.a * 0, much.a * 0, much.d)) - much * value
+    return {j: value for j, value in out.items() if value}

@@ -1,0 +1,307 @@
+"""What a derivation is checked by, in numbers, on one machine: seeded, so that the same sources give the same figures.
+
+Poses are drawn at random from the robot file's workspace, else from the joints about a pose that the machine can take.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from deltacal_gen.identifiability import RANK_TOLERANCE, Combination, unseen
+from deltacal_gen.measurement import MOUNT, Instrument, Readings, frameless
+from deltacal_gen.mechanism import SOLVED, Array, Mechanism, mechanism_of
+from deltacal_gen.robot import Robot, robot_size
+from deltacal_gen.rotation import to_vector
+
+SEED = 1
+POSES = 160
+SWING = 0.5  # rad to either side of the middle pose, where there is no workspace
+SLIDE = 0.08  # of the machine's size, for sliding joints
+HALVINGS = 9  # of the step, for orders of convergence
+OFFSETS = ((0.0, 0.0, 0.0), (0.0, 0.0, -150.0), (150.0, 0.0, 0.0))  # reference points on the platform [mm]
+
+
+@dataclass(frozen=True)
+class Poses:
+    """Joints (N, n_q), solved poses (N, 12) and the tool point (3,) that they belong to."""
+
+    q: Array
+    x: Array
+    tool: Array
+
+
+@dataclass(frozen=True)
+class Order:
+    """How what first order leaves shrinks with the step: 2 where the derivative is right."""
+
+    by: str
+    steps: Array
+    gaps: Array
+
+    @property
+    def order(self) -> float:
+        """Least slope between steps, of those that rounding does not spoil."""
+        clear = self.gaps > 1e-9 * max(float(self.gaps[0]), 1e-3)
+        slopes = np.log2(self.gaps[:-1] / np.maximum(self.gaps[1:], 1e-300))[clear[1:]]
+        return float(np.median(slopes)) if len(slopes) else float("inf")
+
+
+@dataclass(frozen=True)
+class Rank:
+    """What poses without any symmetry see of a model by one kind of measurement.
+
+    `smallest` and `noise`: the smallest singular value that counts and the largest that does not, by the largest.
+    """
+
+    kind: str
+    points: int
+    rank: int
+    columns: int
+    smallest: float
+    noise: float
+    unseen: tuple[Combination, ...]
+    motions: str
+
+
+def middle(robot: Robot) -> Poses:
+    """Return the pose in the middle of the workspace, or of the joints."""
+    mechanism = mechanism_of(robot)
+    rows, tool = mechanism.rows(robot), robot.tool
+    space = robot.workspace
+    if space is not None and not robot.links:
+        depth = -(space.top + space.height / 2)
+        target = np.zeros((1, 3))
+        target[0, 2 if "z" in mechanism.axes else 1] = depth
+        q, x, status = mechanism.inverse(target, tool, rows)
+        if status[0] == SOLVED:
+            return Poses(q, x, tool)
+    q = np.zeros((1, mechanism.limbs))
+    if robot.joint_limits is not None:
+        q[0] = robot.joint_sign * robot.joint_limits.mean(axis=1)
+    elif mechanism.joint_unit == "mm":
+        q[:] = 0.2 * robot_size(robot)
+    if robot.links:
+        q[0] = 0.35 * (-1.0) ** np.arange(mechanism.limbs)
+    x, _ = mechanism.forward(q, tool, rows)
+    return Poses(q, x, tool)
+
+
+def spread(robot: Robot, count: int = POSES) -> Poses:
+    """Return poses without any symmetry that the machine can take."""
+    mechanism, rng = mechanism_of(robot), np.random.default_rng(SEED)
+    rows, space = mechanism.rows(robot), robot.workspace
+    if space is not None and not robot.links:
+        u = rng.random((count, 3))
+        depth = -(space.top + u[:, 2] * space.height)
+        if space.radius is not None:
+            r, turn = space.radius * np.sqrt(u[:, 0]), 2 * np.pi * u[:, 1]
+            targets = np.column_stack([r * np.cos(turn), r * np.sin(turn), depth])
+        else:
+            width = space.width or 0.0
+            targets = np.column_stack([(u[:, 0] - 0.5) * width, depth, np.zeros(count)])
+        q, x, status = mechanism.inverse(targets, robot.tool, rows)
+        good = status == SOLVED
+        if good.sum() > count / 2:
+            return Poses(q[good], x[good], robot.tool)
+    about = middle(robot).q
+    size = SWING if mechanism.joint_unit == "rad" else SLIDE * robot_size(robot)
+    q = about + rng.uniform(-size, size, (count, mechanism.limbs))
+    x, status = mechanism.forward(q, robot.tool, rows)
+    good = status == SOLVED
+    return Poses(q[good], x[good], robot.tool)
+
+
+def at_tool(robot: Robot, poses: Poses, offset: Sequence[float]) -> Poses:
+    """Return the same joints with another reference point on the platform."""
+    mechanism, tool = mechanism_of(robot), poses.tool + np.array(offset)
+    if "z" not in mechanism.axes:
+        tool = poses.tool + np.array([offset[0], offset[2], 0.0])
+    x, _ = mechanism.forward(poses.q, tool, mechanism.rows(robot))
+    return Poses(poses.q, x, tool)
+
+
+def moved(x: Array, to: Array) -> Array:
+    """Return the shift and the turn in {O} (N, 6) that lead from poses to poses (N, 12)."""
+    turn = to[:, 3:].reshape(-1, 3, 3) @ np.swapaxes(x[:, 3:].reshape(-1, 3, 3), 1, 2)
+    return np.hstack([to[:, :3] - x[:, :3], to_vector(turn)])
+
+
+def orders(robot: Robot, poses: Poses) -> list[Order]:
+    """Return the orders of the pose's derivatives by errors, joints and deflections along a random direction."""
+    mechanism, rng = mechanism_of(robot), np.random.default_rng(SEED + 1)
+    rows = mechanism.rows(robot)
+    S = mechanism.sensitivity(poses.x, poses.q, poses.tool, rows)
+    lever = 100.0  # mm: at which a turn counts as a shift
+    size = np.array([1.0, 1.0, 1.0, lever, lever, lever])
+
+    errors = mechanism.typical * rng.standard_normal(len(mechanism.parameters))
+    joints = (0.01 if mechanism.joint_unit == "rad" else 5.0) * rng.standard_normal(mechanism.limbs)
+    bent = rng.standard_normal((1, mechanism.limbs, len(mechanism.deflections)))
+    base = mechanism.vector(robot.errors)
+
+    def gap(step: float, by: str) -> float:
+        if by == "joints":
+            x, _ = mechanism.forward(poses.q + step * joints, poses.tool, rows, near=poses.x)
+            first = S.joints @ joints
+        elif by == "deflections":
+            changed = mechanism.rows(robot, base, step * bent)
+            x, _ = mechanism.forward(poses.q, poses.tool, changed, near=poses.x)
+            first = np.einsum("nxld,ld->nx", S.deflections, bent[0])
+        else:
+            changed = mechanism.rows(robot, base + step * errors)
+            x, _ = mechanism.forward(poses.q, poses.tool, changed, near=poses.x)
+            first = S.parameters @ errors
+        left = (moved(poses.x, x) - step * first) * size
+        return float(np.sqrt(np.nanmean(np.sum(left**2, axis=1))))
+
+    steps: Array = 8.0 * 0.5 ** np.arange(HALVINGS, dtype=float)
+    names = ["source errors", "joints", *(["deflections"] if mechanism.deflections else [])]
+    return [Order(by, steps, np.array([gap(float(s), by) for s in steps])) for by in names]
+
+
+def linear_against_exact(robot: Robot, poses: Poses, names: Sequence[str]) -> tuple[Array, Array]:
+    """Return how far ordinary errors of a model move each pose, and what first order leaves of it (N, 3) [mm]."""
+    mechanism, rng = mechanism_of(robot), np.random.default_rng(SEED + 2)
+    errors = np.zeros(len(mechanism.parameters))
+    for name in names:
+        j = mechanism.index[name]
+        errors[j] = mechanism.typical[j] * rng.standard_normal()
+    S = mechanism.sensitivity(poses.x, poses.q, poses.tool, mechanism.rows(robot)).parameters
+    rows = mechanism.rows(robot, mechanism.vector(robot.errors) + errors)
+    x, _ = mechanism.forward(poses.q, poses.tool, rows, near=poses.x)
+    exact = x[:, :3] - poses.x[:, :3]
+    return exact, exact - S[:, :3] @ errors
+
+
+# ------------------------------------------------------------------------------------------------------------- ranks
+
+
+def identification(robot: Robot, sets: Sequence[Poses], names: Sequence[str], kind: str) -> Array:
+    """Return the rows by which a kind of measurement sees parameters at poses, its own unknowns projected out.
+
+    `kind` is a kind of measurement, or ``position in the robot's frame``; angles of a pose count at 100 mm.
+    """
+    mechanism = mechanism_of(robot)
+    x = np.vstack([s.x for s in sets])
+    S = np.vstack([_sensitivity(robot, s) for s in sets])[:, :, [mechanism.index[n] for n in names]]
+    count, each = len(x), len(sets[0].x)
+    own, zeros = np.arange(count)[:, None], np.zeros(count, dtype=int)
+    frame = np.concatenate([np.eye(3).ravel(), np.zeros(3)])
+    flat = "z" not in mechanism.axes
+    plane = (2, 3, 4) if flat else (0, 1, 2, 3, 4, 5)
+    rotations = None
+    if kind == "distance":
+        a, b = np.triu_indices(each, 1)
+        few = np.random.default_rng(SEED + 3).permutation(len(a))[:2000]
+        own = np.vstack([np.column_stack([a[few], b[few]]) + k * each for k in range(len(sets))])
+        zeros, instrument = np.zeros(len(own), dtype=int), frameless("distance")
+    elif kind == "height":
+        instrument = frameless("height")
+    elif kind == "gauge":
+        mount = np.array([[*_base_point(robot, x), 0.0]])
+        instrument = Instrument("gauge", mount, tuple(u for u in range(3) if not (flat and u == 2)))
+    elif kind == "pose":
+        turn = (8,) if flat else (6, 7, 8)
+        rotations = x[:, 3:].reshape(-1, 3, 3)
+        instrument = Instrument("pose", np.array([[*frame, *np.eye(3).ravel()]]), (*plane, *turn))
+    else:
+        instrument = Instrument("position", frame[None], plane if kind == "position" else ())
+    reading = "position" if kind.startswith("position") else kind
+    found = Readings(reading, own, np.zeros((len(own), 3)), rotations, zeros, np.arange(len(own)), zeros)
+    J, nuisance = instrument.linearise(found, x, S)
+    if kind == "gauge" and (free := [names.index(m) for m in MOUNT if m in names]):
+        J[:, :, free] += instrument.by_unknown(found, x, tuple(range(len(free))))
+    if kind == "pose":
+        J[:, 3:], nuisance[:, 3:] = 100.0 * J[:, 3:], 100.0 * nuisance[:, 3:]
+    J, nuisance = J.reshape(-1, J.shape[2]), nuisance.reshape(J.shape[0] * J.shape[1], -1)
+    if nuisance.shape[1]:
+        U, s, _ = np.linalg.svd(nuisance, full_matrices=False)
+        Q = U[:, s > 1e-10 * s[0]]
+        J = J - Q @ (Q.T @ J)
+    return np.asarray(J)
+
+
+def _sensitivity(robot: Robot, poses: Poses) -> Array:
+    mechanism = mechanism_of(robot)
+    return mechanism.sensitivity(poses.x, poses.q, poses.tool, mechanism.rows(robot)).parameters
+
+
+def _base_point(robot: Robot, x: Array) -> Array:
+    """Return a point beside the workspace to which a gauge may be fixed [mm]."""
+    span = np.ptp(x[:, :3], axis=0)
+    point: Array = x[:, :3].mean(axis=0) + np.array([0.9, 0.4, 0.0]) * span.max()
+    return point if "z" in mechanism_of(robot).axes else point * [1.0, 1.0, 0.0]
+
+
+def kinds(mechanism: Mechanism) -> list[tuple[str, str, int, str]]:
+    """Return what is looked at: kind, in words, reference points, and the motions that its unknowns make invisible."""
+    found = [
+        ("position in the robot's frame", "positions, frame known", 1, "frame of the robot"),
+        ("position", "positions, frame unknown", 1, "unknown frame"),
+        ("position", "positions, frame unknown", len(OFFSETS), "unknown frame, several points"),
+        ("distance", "distances between poses", 1, "unknown frame"),
+        ("distance", "distances between poses", len(OFFSETS), "unknown frame"),
+        ("gauge", "gauge between base and platform", 1, ""),
+    ]
+    if any(axis in mechanism.turns for axis in "xyz"):
+        found.insert(3, ("pose", "poses, frame and body unknown", 1, "unknown frame"))
+    if "z" in mechanism.axes:
+        found.append(("height", "heights over a flat bed", 1, ""))
+    return found
+
+
+def ranks(robot: Robot, poses: Poses, names: Sequence[str]) -> list[Rank]:
+    """Return rank and null space of a model by each kind of measurement."""
+    mechanism = mechanism_of(robot)
+    typical = mechanism.typical[[mechanism.index[n] for n in names]]
+    units = [mechanism.parameters[mechanism.index[n]].unit for n in names]
+    out = []
+    for kind, words, points, motions in kinds(mechanism):
+        sets = [at_tool(robot, poses, offset) for offset in OFFSETS[:points]]
+        H = identification(robot, sets, list(names), kind)
+        s = np.linalg.svd(np.linalg.qr(H * typical, mode="r"), compute_uv=False)
+        top = s[0] if len(s) and s[0] > 0 else 1.0
+        rank = int((s > RANK_TOLERANCE * top).sum())
+        out.append(
+            Rank(
+                words,
+                points,
+                rank,
+                len(names),
+                float(s[rank - 1] / top) if rank else 0.0,
+                float(s[rank] / top) if rank < len(s) else 0.0,
+                tuple(unseen(H, names, units, typical)),
+                motions,
+            )
+        )
+    return out
+
+
+def condition_by_count(robot: Robot, poses: Poses, names: Sequence[str]) -> tuple[list[int], Array, int]:
+    """Return numbers of poses, the condition number of what can be seen at each, and its rank.
+
+    Positions of three reference points in an unknown frame, nested random sets, columns in ordinary errors; infinite
+    while a set sees less than all of it.
+    """
+    mechanism = mechanism_of(robot)
+    typical = mechanism.typical[[mechanism.index[n] for n in names]]
+    sets = [at_tool(robot, poses, offset) for offset in OFFSETS]
+
+    def values(count: int) -> Array:
+        some = [dataclasses.replace(s, q=s.q[:count], x=s.x[:count]) for s in sets]
+        s = np.linalg.svd(identification(robot, some, list(names), "position") * typical, compute_uv=False)
+        return np.asarray(s)
+
+    whole = values(len(poses.x))
+    rank = int((whole > RANK_TOLERANCE * whole[0]).sum())
+    counts = [n for n in (3, 4, 5, 6, 7, 8, 10, 12, 15, 20, 25, 30, 40, 60, 80, 120) if n <= len(poses.x)]
+    conditions = []
+    for n in counts:
+        s = values(n)
+        seen = len(s) >= rank and s[rank - 1] > RANK_TOLERANCE * s[0]
+        conditions.append(s[0] / s[rank - 1] if seen else np.inf)
+    return counts, np.array(conditions), rank

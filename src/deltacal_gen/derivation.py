@@ -1,0 +1,672 @@
+"""Reports of a derivation, for reviewers: from the closure equations to the committed kernels, and what checks them.
+
+The mathematics comes from ``derive.account``, which runs in a process of its own: nothing here knows SymPy. Beside it
+stand the claims of the papers, ranks and numerical checks that are computed when the report is made, and the sources
+themselves, so that every equation leads to its line without a network. A report says nothing of when or where it was
+made: the same sources and versions give the same bytes.
+"""
+
+from __future__ import annotations
+
+import ast
+import hashlib
+import importlib.metadata
+import json
+import os
+import platform
+import re
+import subprocess
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache, partial
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from deltacal_gen import checks, ledger, report, sketch
+from deltacal_gen.chain import Chain
+from deltacal_gen.errors import UsageError
+from deltacal_gen.figures import AFTER, BEFORE, MUTED
+from deltacal_gen.identifiability import RANK_TOLERANCE
+from deltacal_gen.mechanism import COORDINATES, Mechanism, load_mechanism, mechanism_names, mechanism_of
+from deltacal_gen.physics import ROLES, effect_names, load_effect
+from deltacal_gen.robot import Robot, for_model, read_robot
+from deltacal_gen.rotation import cayley_vector
+from deltacal_gen.units import file_unit, to_internal
+
+KERNELS = "generated/deltacal_kernels"
+VERSIONS = ("numpy", "scipy", "matplotlib")
+
+
+# ------------------------------------------------------------------------------------------------------ what there is
+
+
+@dataclass(frozen=True)
+class Subject:
+    """What a report is on: a model of a mechanism, or an effect.
+
+    Attributes
+    ----------
+    name : str
+        ``delta/42`` or ``backlash``.
+    mechanism : str
+        Registered name; empty for an effect.
+    """
+
+    name: str
+    mechanism: str
+
+    @property
+    def stem(self) -> str:
+        """Name of its file."""
+        return self.name.replace("/", "-") if self.mechanism else f"effect-{self.name}"
+
+
+def subjects() -> list[Subject]:
+    """Return all models of all mechanisms, and all effects."""
+    models = [Subject(model, name) for name in mechanism_names() for model in _models(name)]
+    return [*models, *(Subject(name, "") for name in effect_names())]
+
+
+def subject(name: str) -> Subject:
+    """Return what `name` means: a model, a mechanism (then its largest model) or an effect.
+
+    Raises
+    ------
+    UsageError
+        There is no such thing.
+    """
+    every = subjects()
+    named = [s for s in every if s.name == name] or [s for s in every if s.mechanism == name]
+    if not named:
+        known = ", ".join(s.name for s in every)
+        raise UsageError(f"there is no model, mechanism or effect '{name}'; known: {known}.")
+    return named[0]
+
+
+@cache
+def _models(mechanism: str) -> tuple[str, ...]:
+    """Return the models of a mechanism; those of a chain are its robot file's."""
+    robot = example(mechanism)
+    return tuple(mechanism_of(robot).models if robot is not None else load_mechanism(mechanism).models)
+
+
+@cache
+def example(mechanism: str) -> Robot | None:
+    """Return the machine of an example's robot file as a mechanism describes it, or None where there is no example."""
+    tables = importlib.import_module(f"deltacal_kernels.{mechanism}.parameters")
+    machine = getattr(tables, "MACHINE", mechanism)
+    folder = Path(str(resources.files("deltacal_gen") / "examples"))
+    for file in sorted(folder.glob("*/robot.toml"), key=lambda f: (f.parent.name != machine, f.parent.name)):
+        robot = read_robot(file)
+        if robot.mechanism == mechanism:
+            return robot
+        if robot.mechanism == machine:
+            return for_model(robot, next(iter(load_mechanism(mechanism).models)))
+    return None
+
+
+# ------------------------------------------------------------------------------------------------------- the accounts
+
+
+def accounts(requests: Sequence[Mapping[str, Any]], root: Path) -> Iterator[dict[str, Any]]:
+    """Yield what `derive.account` answers, request by request; it works while the caller does."""
+    command = [sys.executable, "-m", "derive.account"]
+    environment = {**os.environ, "PYTHONHASHSEED": "0"}
+    with subprocess.Popen(
+        command, cwd=root, env=environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, encoding="utf-8"
+    ) as process:
+        assert process.stdin is not None
+        assert process.stdout is not None
+        process.stdin.write(json.dumps(list(requests)))
+        process.stdin.close()
+        for line in process.stdout:
+            yield json.loads(line)
+    if process.returncode:
+        raise RuntimeError("the derivation's account ended early; its message is above.")
+
+
+def request(one: Subject) -> dict[str, Any]:
+    """Return what to ask for: the machine's numbers at one pose, so that it can be drawn."""
+    if not one.mechanism:
+        return {"effect": one.name}
+    asked: dict[str, Any] = {"mechanism": one.mechanism}
+    robot = example(one.mechanism)
+    if robot is None or robot.links:
+        return asked
+    mechanism, pose = mechanism_of(robot), checks.middle(robot)
+    body = np.concatenate([pose.x[0, :3], cayley_vector(pose.x[:, 3:].reshape(-1, 3, 3))[0]])
+    asked["at"] = {
+        "x": [float(body[COORDINATES.index(name)]) for name in mechanism.platform],
+        "q": pose.q[0].tolist(),
+        "tool": np.asarray(robot.tool).tolist(),
+        "rows": mechanism.rows(robot)[0].tolist(),
+    }
+    asked["numbers"] = {key: np.asarray(values).tolist() for key, values in robot.geometry.items()}
+    return asked
+
+
+# -------------------------------------------------------------------------------------------------------- the sources
+
+
+class Sources:
+    """The files of the checkout that a report leads to, and the lines it leads to in them.
+
+    Parameters
+    ----------
+    root : path
+        Of the checkout.
+    """
+
+    def __init__(self, root: Path) -> None:
+        self.root = root
+        self._texts: dict[str, str] = {}
+        self._wanted: dict[str, set[int]] = {}
+
+    def text(self, file: str) -> str:
+        """Return a file's text."""
+        if file not in self._texts:
+            self._texts[file] = (self.root / file).read_text(encoding="utf-8")
+        return self._texts[file]
+
+    def at(self, file: str, line: int) -> dict[str, Any]:
+        """Return a place to lead to: its text, and the name of its anchor."""
+        self._wanted.setdefault(file, set()).add(line)
+        return {"text": f"{file}:{line}", "anchor": _anchor(file, line)}
+
+    def functions(self, file: str) -> dict[str, ast.FunctionDef]:
+        """Return the functions of a file."""
+        tree = ast.parse(self.text(file))
+        return {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)}
+
+    def listings(self) -> list[dict[str, Any]]:
+        """Return what the report embeds: a mechanism or an effect whole, of other files the functions in question."""
+        found = []
+        for file in sorted(self._wanted):
+            lines, wanted = self.text(file).splitlines(), sorted(self._wanted[file])
+            spans = [(1, len(lines))]
+            if not file.startswith(("derive/mechanisms", "derive/effects", "derive/measurements")):
+                nodes = self.functions(file).values()
+                every = [(node.lineno, node.end_lineno or node.lineno) for node in nodes]
+                spans = [(a, b) for a, b in every if any(a <= line <= b for line in wanted)]
+            found.append(
+                {
+                    "file": file,
+                    "parts": [
+                        [
+                            {"number": n, "text": lines[n - 1], "anchor": _anchor(file, n) if n in wanted else ""}
+                            for n in range(a, b + 1)
+                        ]
+                        for a, b in spans
+                    ],
+                }
+            )
+        return found
+
+    def digest(self, file: str) -> str:
+        """Return the SHA-256 of a file's bytes."""
+        return hashlib.sha256(self.text(file).encode()).hexdigest()
+
+
+def _anchor(file: str, line: int) -> str:
+    return f"{re.sub(r'[^a-z0-9]+', '-', file.lower())}-{line}"
+
+
+@dataclass(frozen=True)
+class Kernel:
+    """A straight-line function of the generated package, counted in its committed text.
+
+    `operations`: of its statements, common subexpressions once; `written_out`: of its outputs with every name replaced
+    by what it stands for, down to the inputs.
+    """
+
+    name: str
+    file: str
+    line: int
+    meaning: str
+    outputs: int
+    operations: int
+    written_out: int
+    assigned: Mapping[str, int]
+
+
+def kernels(sources: Sources, file: str) -> list[Kernel]:
+    """Return the straight-line functions of a generated file; constants count in what reads them."""
+    shared: dict[str, int] = {}
+    found = []
+    for name, node in sources.functions(file).items():
+        out = {"constants": "k", "linear_constants": "k"}.get(name, "out")
+        if any(isinstance(s, ast.For | ast.While | ast.If) for s in node.body):
+            continue
+        sizes: dict[str, int] = {}
+        assigned: dict[str, int] = {}
+        operations = outputs = written_out = 0
+        for statement in node.body:
+            if not isinstance(statement, ast.Assign):
+                continue
+            own, whole = _size(statement.value, sizes, shared if out == "out" else {})
+            operations += own
+            target = statement.targets[0]
+            if isinstance(target, ast.Name):
+                sizes[target.id] = whole
+                assigned[target.id] = statement.lineno
+            elif isinstance(target, ast.Subscript) and isinstance(target.value, ast.Name) and target.value.id == out:
+                outputs += 1
+                written_out += whole
+                if out == "k":
+                    shared[_index(target)] = whole
+        if outputs and operations:
+            doc = (ast.get_docstring(node) or "").split("\n")[0].split(" (")[0].rstrip(".")
+            found.append(Kernel(name, file, node.lineno, doc, outputs, operations, written_out, assigned))
+    return found
+
+
+def _index(node: ast.Subscript) -> str:
+    return ast.unparse(node.slice).split(", ")[-1].rstrip(")")
+
+
+def _size(node: ast.expr, sizes: Mapping[str, int], shared: Mapping[str, int]) -> tuple[int, int]:
+    """Return the operations of an expression as it stands, and with its names written out."""
+    own = whole = 0
+    for part in ast.walk(node):
+        if isinstance(part, ast.BinOp | ast.Call) or (isinstance(part, ast.UnaryOp) and isinstance(part.op, ast.USub)):
+            own += 1
+        elif isinstance(part, ast.Name):
+            whole += sizes.get(part.id, 0)
+        elif isinstance(part, ast.Subscript) and isinstance(part.value, ast.Name) and part.value.id == "k":
+            whole += shared.get(_index(part), 0)
+    return own, own + whole
+
+
+# --------------------------------------------------------------------------------------------------------- the report
+
+
+def content(one: Subject, account: Mapping[str, Any], root: Path, measurements: Sequence[Mapping[str, Any]]) -> dict:
+    """Return all that a report of a model shows, for either format.
+
+    Parameters
+    ----------
+    account : mapping
+        What `derive.account` says of the mechanism.
+    measurements : sequence of mapping
+        What it says of the kinds of measurement.
+    """
+    sources, robot = Sources(root), example(one.mechanism)
+    found: dict[str, Any] = {
+        "subject": one.name,
+        "mechanism": one.mechanism,
+        "what": account["title"],
+        "reference": account["reference"],
+        "conventions": account["docstring"],
+        "robot": robot.name if robot is not None else None,
+        "account": account,
+        "rank_tolerance": RANK_TOLERANCE,
+    }
+    for part in (
+        *account["steps"],
+        *account.get("where", ()),
+        *account.get("rotations", ()),
+        *account.get("links", ()),
+    ):
+        part["at"] = sources.at(**part["place"])
+    for part in (*account.get("closures", ()), *account.get("weights", ()), *account.get("seeds", ())):
+        part["at"] = sources.at(**part["place"]) if part["place"] else None
+    files = [f"{KERNELS}/{one.mechanism}/{name}.py" for name in ("kinematics", "statics", "links")]
+    used = [k for file in files if (root / file).exists() for k in kernels(sources, file)]
+    for step in account["steps"]:
+        step["ends"] = _ends(step, used, sources)
+    found["kernels"] = [
+        {
+            "name": k.name.lstrip("_"),
+            "meaning": k.meaning,
+            "outputs": k.outputs,
+            "operations": k.operations,
+            "written_out": k.written_out,
+            "at": sources.at(k.file, k.line),
+        }
+        for k in used
+    ]
+    found["measurements"] = [{**m, "at": sources.at(**m["place"])} for m in measurements]
+    found["claims"] = _claims(account["reference"])
+    found["effects"] = _effects(one.mechanism)
+    if robot is not None:
+        robot = for_model(robot, one.name) if not robot.links else robot
+        found |= _in_numbers(one, robot, account)
+    else:
+        found |= {"machine": None, "tables": _tables(account, None, (), None), "checks": None, "ranks": []}
+    found["dimensions"] = _dimensions(account)
+    found["listings_"] = sources.listings()
+    written = [account["source"], "derive/graph.py", "derive/lower.py", "derive/vectors.py", "derive/emit.py"]
+    found["provenance"] = _provenance(one, sources, [*written, *(f for f in files if (root / f).exists())], account)
+    return found
+
+
+def _dimensions(account: Mapping[str, Any]) -> str:
+    if account["kind"] != "limbs":
+        return ""
+    limbs, tables = account["limbs"], account["tables"]
+    f, x = limbs * len(account["closures"]), len(tables["platform"])
+    own, common = len(tables["errors"]), len(tables["common"])
+    p = limbs * own + common
+    per_limb = own + common + len(tables["deflections"])
+    return (
+        f"F has {f} entries, x {x}, q {limbs} and p {p}; J_x is {f} by {x}, J_q {f} by {limbs}, J_p {f} by {p}. A row "
+        f"of them holds what its own limb moves: {x} + 1 + {per_limb} derivatives"
+    )
+
+
+def _ends(step: Mapping[str, Any], used: Sequence[Kernel], sources: Sources) -> dict[str, Any] | None:
+    """Return where the generated code evaluates a step, or None where it is an input under another name."""
+    for kernel in used:
+        lines = [kernel.assigned[name] for name in step["entries"] if name in kernel.assigned]
+        if lines:
+            return {"kernel": kernel.name.lstrip("_"), **sources.at(kernel.file, min(lines))}
+    return None
+
+
+def _in_numbers(one: Subject, robot: Robot, account: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what one machine shows: its drawing, nominal values, ranks and checks."""
+    mechanism, poses = mechanism_of(robot), checks.spread(robot)
+    names = mechanism.models[one.name]
+    return {
+        "machine": _drawn(robot, account),
+        "tables": _tables(account, robot, names, mechanism),
+        "ranks": _ranks(one, robot, poses, names, account),
+        "checks": _checked(robot, poses, names),
+    }
+
+
+def _drawn(robot: Robot, account: Mapping[str, Any]) -> str:
+    mechanism = mechanism_of(robot)
+    if account.get("drawing"):
+        return sketch.machine(account["drawing"], mechanism.axes)
+    assert isinstance(mechanism, Chain)
+    pose = checks.middle(robot)
+    origins, rotations = mechanism.frames(pose.q, mechanism.rows(robot))
+    return sketch.chain(origins[0], rotations[0], pose.x[0, :3])
+
+
+def _tables(
+    account: Mapping[str, Any], robot: Robot | None, names: Sequence[str], mechanism: Mechanism | None
+) -> list[dict[str, Any]]:
+    """Return the tables of parameters: symbol, name, unit, nominal value or ordinary error, meaning."""
+    words = {
+        "platform": "Platform: what the closures are solved for",
+        "joint": "Joint",
+        "tool": "Reference point",
+        "geometry": "Nominal geometry",
+        "errors": "Source errors of a limb" if account["kind"] == "limbs" else "Source errors of a link",
+        "common": "Source errors that all limbs share",
+        "deflections": "Deflections: zero on a rigid machine, moved by effects",
+        "masses": "Masses",
+    }
+    found = []
+    for key, title in words.items():
+        rows = account["tables"].get(key)
+        if not rows:
+            continue
+        value = {"geometry": "nominal", "errors": "ordinary error", "common": "ordinary error"}.get(key)
+        shown = []
+        for row in rows:
+            unit = "" if row["unit"] == "1" else file_unit(row["unit"])
+            cell = ""
+            if key == "geometry" and robot is not None:
+                cell = ", ".join(
+                    dict.fromkeys(f"{v / to_internal(row['unit']):.6g}" for v in robot.geometry[row["key"]])
+                )
+            elif value:
+                cell = f"{row['typical'] / to_internal(row['unit']):.3g}"
+            name = row.get("key", row["name"])
+            in_model = ""
+            if key in ("errors", "common") and mechanism is not None:
+                own = [p.name for p in mechanism.parameters if p.error == row["name"]]
+                count = sum(n in names for n in own)
+                in_model = "all" if count == len(own) else f"{count} of {len(own)}" if count else "no"
+            shown.append({**row, "unit": unit, "value": cell, "name": name, "in_model": in_model})
+        found.append({"title": title, "value": value, "rows": shown, "model": key in ("errors", "common")})
+    return found
+
+
+def _ranks(
+    one: Subject, robot: Robot, poses: checks.Poses, names: Sequence[str], account: Mapping[str, Any]
+) -> list[dict[str, Any]]:
+    """Return ranks with what is unseen: in closed form where that is all of it, else in words."""
+    closed = (account.get("unseen") or {}).get(one.name, {})
+    found = []
+    for rank in checks.ranks(robot, poses, names):
+        free = rank.columns - rank.rank
+        basis = closed.get(rank.motions)
+        found.append(
+            {
+                "kind": rank.kind,
+                "points": rank.points,
+                "rank": rank.rank,
+                "columns": rank.columns,
+                "free": free,
+                "smallest": report.power(rank.smallest),
+                "noise": report.power(rank.noise),
+                "motions": rank.motions,
+                "closed": basis if basis is not None and len(basis) == free and free else None,
+                "closed_rank": None if basis is None else rank.columns - len(basis),
+                "words": [c.text for c in rank.unseen],
+            }
+        )
+    return found
+
+
+def _checked(robot: Robot, poses: checks.Poses, names: Sequence[str]) -> dict[str, Any]:
+    mechanism = mechanism_of(robot)
+    orders = checks.orders(robot, poses)
+    exact, left = checks.linear_against_exact(robot, poses, names)
+    sizes = [np.linalg.norm(v, axis=1) for v in (exact, left)]
+    counts, conditions, rank = checks.condition_by_count(robot, poses, names)
+    shown = (0, 1) if "y" in mechanism.axes else (0, 2)
+    return {
+        "poses": len(poses.x),
+        "orders": [{"by": o.by, "order": f"{o.order:.3f}", "gap": f"{o.gaps[-1] * 1000:.2g}"} for o in orders],
+        "orders_picture": report.picture(partial(_orders, found=orders), (4.4, 3.0)),
+        "moved": f"{np.sqrt(np.mean(sizes[0] ** 2)):.3f}",
+        "left": f"{np.sqrt(np.mean(sizes[1] ** 2)) * 1000:.2g}",
+        "largest": f"{sizes[1].max() * 1000:.2g}",
+        "share": f"{100 * np.sqrt(np.mean(sizes[1] ** 2) / np.mean(sizes[0] ** 2)):.2g}",
+        "map_picture": report.picture(partial(_map, x=poses.x, left=sizes[1], plane=shown), (4.4, 3.9)),
+        "condition_rank": rank,
+        "condition_columns": len(names),
+        "condition_first": next((n for n, c in zip(counts, conditions, strict=True) if np.isfinite(c)), None),
+        "condition_last": f"{conditions[-1]:.3g}",
+        "condition_count": counts[-1],
+        "condition_picture": report.picture(partial(_conditions, counts=counts, values=conditions), (4.4, 3.0)),
+    }
+
+
+def _orders(axes: Axes, found: Sequence[checks.Order]) -> None:
+    for order, colour in zip(found, (AFTER, BEFORE, MUTED), strict=False):
+        axes.loglog(order.steps, np.maximum(order.gaps, 1e-13), "o-", ms=3.5, lw=1.2, color=colour, label=order.by)
+    steps = found[0].steps
+    axes.loglog(steps, found[0].gaps[0] * 2.5 * (steps / steps[0]) ** 2, "--", lw=0.9, color=MUTED, label="slope 2")
+    axes.set_xlabel("step, in ordinary errors")
+    axes.set_ylabel("left by first order, mm")
+    axes.legend(frameon=False)
+
+
+def _map(axes: Axes, x: np.ndarray, left: np.ndarray, plane: tuple[int, int]) -> None:
+    i, j = plane
+    top = float(left.max()) or 1.0
+    axes.scatter(x[:, i], x[:, j], s=150 * left / top, color=AFTER, alpha=0.55, linewidths=0)
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.margins(0.12)
+    axes.set_xlabel(f"{'xyz'[i]}, mm")
+    axes.set_ylabel(f"{'xyz'[j]}, mm")
+    axes.scatter([], [], s=150, color=AFTER, alpha=0.55, linewidths=0, label=f"{top * 1000:.2g} µm")
+    axes.legend(frameon=False, loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.1, handletextpad=0.2)
+
+
+def _conditions(axes: Axes, counts: Sequence[int], values: np.ndarray) -> None:
+    axes.loglog(counts, values, "o-", ms=3.5, lw=1.2, color=AFTER)
+    axes.set_xticks([3, 5, 10, 20, 40, 80], ["3", "5", "10", "20", "40", "80"])
+    axes.minorticks_off()
+    axes.set_xlabel("poses n, each with three reference points")
+    axes.set_ylabel("condition number")
+
+
+def _claims(reference: str) -> dict[str, Any] | None:
+    """Return the ledger's entries on the paper that a mechanism is of: its file is named by the first author."""
+    author = reference.split(",")[0].split(" ")[0].lower()
+    if author not in ledger.paper_names():
+        return None
+    paper = ledger.load_paper(author)
+    claims = [c.model_dump() for c in paper.claims]
+    return {
+        "title": paper.title,
+        "counts": [(s, sum(c["status"] == s for c in claims)) for s in ledger.STATUSES],
+        "equations": [c for c in claims if c["where"].startswith("eq.")],
+        "others": [c for c in claims if not c["where"].startswith("eq.")],
+        "corrected": [c for c in claims if c["status"] == "contradicted"],
+        "conventions": [c for c in claims if c["status"] == "convention-dependent"],
+    }
+
+
+def applies(effect: str, mechanism: str) -> list[str]:
+    """Return what a mechanism lacks that an effect needs; nothing where it applies."""
+    kernels_of_it = load_effect(effect)
+    tables = importlib.import_module(f"deltacal_kernels.{mechanism}.parameters")
+    chain = getattr(tables, "CHAIN", False)
+    robot = example(mechanism)
+    moves = {} if chain or robot is None else mechanism_of(robot).moves(robot)
+    roles = {} if chain or robot is None else mechanism_of(robot).roles(robot)
+    lacks = [t[5:] for t in kernels_of_it.TARGETS if t.startswith("limb.") and t[5:] not in moves]
+    lacks += sorted(set(kernels_of_it.STATE) & ROLES - set(roles))
+    if "theta" in kernels_of_it.STATE and "offset" not in moves:
+        lacks.append("offset")
+    return lacks
+
+
+def _effects(mechanism: str) -> list[dict[str, Any]]:
+    found = []
+    for name in effect_names():
+        effect = load_effect(name)
+        lacks = applies(name, mechanism)
+        found.append(
+            {
+                "name": name,
+                "title": effect.TITLE,
+                "targets": ", ".join(effect.TARGETS),
+                "reads": ", ".join(effect.STATE) or "nothing",
+                "lacks": ", ".join(lacks),
+            }
+        )
+    return found
+
+
+def _provenance(one: Subject, sources: Sources, files: Sequence[str], account: Mapping[str, Any]) -> dict[str, Any]:
+    versions = [("Python", platform.python_version()), ("SymPy", account["sympy"])]
+    versions += [(name, importlib.metadata.version(name)) for name in VERSIONS]
+    return {
+        "command": f"deltacal derivation {one.name} -o",
+        "versions": versions,
+        "files": [{"file": file, "sha256": sources.digest(file)} for file in files],
+        "seed": checks.SEED,
+    }
+
+
+def effect_content(one: Subject, account: Mapping[str, Any], root: Path) -> dict[str, Any]:
+    """Return all that a report of an effect shows."""
+    sources = Sources(root)
+    file = f"{KERNELS}/effects/{one.name}.py"
+    for target in account["targets"]:
+        target["at"] = sources.at(**target["place"])
+    used = kernels(sources, file)
+    return {
+        "subject": one.name,
+        "what": account["title"],
+        "account": account,
+        "conventions": account["docstring"],
+        "kernels": [
+            {
+                "name": k.name,
+                "meaning": k.meaning,
+                "outputs": k.outputs,
+                "operations": k.operations,
+                "written_out": k.written_out,
+                "at": sources.at(k.file, k.line),
+            }
+            for k in used
+        ],
+        "machines": [
+            {"name": name, "title": _title(name), "lacks": ", ".join(applies(one.name, name))}
+            for name in mechanism_names()
+        ],
+        "listings_": sources.listings(),
+        "provenance": _provenance(one, sources, [account["source"], "derive/effects/__init__.py", file], account),
+    }
+
+
+def _title(mechanism: str) -> str:
+    title: str = importlib.import_module(f"deltacal_kernels.{mechanism}.parameters").TITLE
+    return title
+
+
+# ---------------------------------------------------------------------------------------------------------- the files
+
+FORMATS = (".html", ".md")
+PICTURES = {"machine": "machine", "orders": "orders_picture", "map": "map_picture", "condition": "condition_picture"}
+
+
+def files(path: Path, template: str, found: Mapping[str, Any]) -> dict[Path, str]:
+    """Return a report as files: one page of HTML, or Markdown with its pictures beside it."""
+    if path.suffix == ".html":
+        return {path: report.page_of(template, title=f"{found['subject']}: derivation", **found)}
+    named = {key: path.with_name(f"{path.stem}-{key}.svg") for key in PICTURES}
+    svg = {**(found.get("checks") or {}), "machine": found.get("machine")}
+    drawn = {named[key]: report.standalone(svg[of]) for key, of in PICTURES.items() if svg.get(of)}
+    pictures = {key: file.name for key, file in named.items()}
+    return {path: report.markdown(template, pictures=pictures, **found), **drawn}
+
+
+def derivations(
+    chosen: Sequence[Subject], root: Path, progress: Callable[[str], None]
+) -> Iterator[tuple[Subject, str, dict[str, Any]]]:
+    """Yield each subject's template and content; SymPy works on the next one meanwhile."""
+    kinds = sorted(p.stem for p in (root / "derive" / "measurements").glob("[a-z]*.py"))
+    wanted: dict[str, dict[str, Any]] = {}
+    for one in chosen:
+        wanted.setdefault(one.mechanism or one.name, request(one))
+    asked = [{"measurement": kind} for kind in kinds] if any(one.mechanism for one in chosen) else []
+    answers = accounts([*asked, *wanted.values()], root)
+    measurements = [next(answers) for _ in asked]
+    done = 0
+    for key in wanted:
+        progress(f"{key}: equations")
+        account = next(answers)
+        for one in (one for one in chosen if (one.mechanism or one.name) == key):
+            done += 1
+            progress(f"{one.name} ({done} of {len(chosen)}): ranks and checks")
+            if one.mechanism:
+                yield one, "derivation", content(one, account, root, measurements)
+            else:
+                yield one, "effect", effect_content(one, account, root)
+    for _ in answers:  # the process ends
+        raise AssertionError("more answers than requests")
+
+
+def index(found: Sequence[tuple[Subject, dict[str, Any]]], ending: str) -> dict[str, Any]:
+    """Return what the page that leads to all reports shows."""
+    machines: dict[str, dict[str, Any]] = {}
+    effects = []
+    for one, data in found:
+        file = f"{one.stem}{ending}"
+        if not one.mechanism:
+            effects.append({"name": one.name, "file": file, "title": data["what"]})
+            continue
+        machine = machines.setdefault(
+            one.mechanism,
+            {"title": data["what"], "reference": data["reference"], "drawing": data["machine"], "models": []},
+        )
+        seen = next((r["rank"] for r in data["ranks"] if r["motions"] == "unknown frame"), None)
+        columns = data["ranks"][0]["columns"] if data["ranks"] else 0
+        machine["models"].append({"name": one.name, "file": file, "parameters": columns, "rank": seen})
+    return {"machines": list(machines.values()), "effects": effects}
