@@ -565,11 +565,14 @@ def seeds(exact: LimbMechanism, written: Written) -> list[dict[str, Any]]:
     return found
 
 
-# what an instrument cannot tell from errors: a motion of its frame (t, w), a constant turn k of the platform
+# what an instrument cannot tell from errors: a motion of its frame (t, w), a turn k + m P of the platform
+SHIFT, TURN, PLATFORM = ("t_x", "t_y", "t_z"), ("w_x", "w_y", "w_z"), ("k_x", "k_y", "k_z")
 MOTIONS = {
-    "unknown frame": "twk",  # one point, or the body's rotation up to a constant
-    "unknown frame, several points": "tw",  # the platform turns with the frame
-    "frame of the robot": "k",
+    "frame of the robot": (*PLATFORM, "m"),
+    "unknown frame, one point": (*SHIFT, *TURN, *PLATFORM, "m"),
+    "unknown frame, several points": (*SHIFT, *TURN),  # the platform turns with the frame
+    "unknown frame and body": (*SHIFT, *TURN, *PLATFORM),
+    "flat bed": ("t_x", "t_y", "w_z", *PLATFORM, "m"),
 }
 
 
@@ -592,8 +595,8 @@ def unseen_of(exact: LimbMechanism, written: Written, numbers: unseen.Numbers) -
     for model, names in exact.models.items():
         chosen = [s for s in errors if s.name in names]
         for kind, free in MOTIONS.items():
-            moving, rows = [s for s in motions if s.name[0] in free], found
-            if free == "tw":
+            moving, rows = [s for s in motions if s.name in free], found
+            if kind == "unknown frame, several points":
                 turns = {sp.Symbol(f"k{s.name[1:]}", real=True): s for s in moving if s.name[0] == "w"}
                 moving = [s for s in moving if s.name[0] == "t" or s in (turns[k] for k in turns if k in motions)]
                 rows = [e.subs(turns) for e in found]

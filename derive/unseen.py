@@ -2,13 +2,13 @@ r"""Which errors no reading sees, in closed form: the null space of the first-or
 
 Where the simplified limb is a sphere about ``c(q)`` (see `closed_form`), every pose of every limb is
 ``P = c(q) + rho n`` with a free joint q and a free unit vector n. Errors v, together with a motion of the frame in
-which the instrument reads (shift t, turn w) and a constant turn k of the platform, are not seen if the closure's
-first-order change vanishes at all of them::
+which the instrument reads (shift t, turn w) and a turn k + m P of the platform that it does not read, are not seen if
+the closure's first-order change vanishes at all of them::
 
-    J_p v + J_x (t + w x P, k) = 0        for all q and n
+    J_p v + J_x (t + w x P, k + m P) = 0        for all q and n
 
 That is a polynomial in cos q, sin q (or q) and n; each of its coefficients, modulo ``cos^2 + sin^2 = n.n = 1``, is a
-linear equation in v, t, w and k over the field of the geometry's symbols. No pose is chosen and no tolerance either.
+linear equation in v, t, w, k and m over the field of the geometry's symbols. No pose is chosen and no tolerance either.
 """
 
 from __future__ import annotations
@@ -77,7 +77,8 @@ def equations(
     cos, sin = sp.symbols("cos sin", real=True)
     shift = sp.Matrix(sp.symbols("t_x t_y t_z", real=True)[:dimension])
     w = sp.Matrix(sp.symbols("w_x w_y w_z", real=True))
-    k = sp.symbols("k_x k_y k_z", real=True)[: len(turning)]
+    k = [sp.Symbol(f"k_{s.name[1:]}", real=True) for s in turning]
+    m = sp.Symbol("m", real=True)
     names = {quantity.symbol: sp.Symbol(quantity.name) for quantity in mechanism.common}
     closures = [
         (
@@ -101,13 +102,15 @@ def equations(
         own = {e.symbol: sp.Symbol(e.name_of(limb)) for e in mechanism.errors} | names
         for errors, turns in closures:
             change = errors.xreplace(values).xreplace(where).xreplace(own) + rho * sp.Matrix(n).dot(moved)
-            change += sum(j.xreplace(values).xreplace(where) * turn for j, turn in zip(turns, k, strict=True))
+            by = [j.xreplace(values).xreplace(where) for j in turns]
+            turned = [c + (m * P[j] if len(k) == 3 else 0) for j, c in enumerate(k)]
+            change += sum(slope * turn for slope, turn in zip(by, turned, strict=True))
             change = sp.expand(sp.expand(change, trig=True).subs({sp.cos(q): cos, sp.sin(q): sin}))
             free = (cos, sin, *n) if change.has(cos) or change.has(sin) else (q, *n)
             found += _coefficients(change, free, {n[-1]: 1 - sum(e**2 for e in n[:-1]), sin: 1 - cos**2})
     every = [sp.Symbol(name) for name in mechanism.parameter_names]
     used = set().union(*(e.free_symbols for e in found))
-    motions = [s for s in (*shift, *w, *k) if s in used]
+    motions = [s for s in (*shift, *w, *k, m) if s in used]
     return every, motions, found
 
 

@@ -239,18 +239,19 @@ def _base_point(robot: Robot, x: Array) -> Array:
 
 def kinds(mechanism: Mechanism) -> list[tuple[str, str, int, str]]:
     """Return what is looked at: kind, in words, reference points, and the motions that its unknowns make invisible."""
+    one = "unknown frame, one point"
     found = [
-        ("position in the robot's frame", "positions, frame known", 1, "frame of the robot"),
-        ("position", "positions, frame unknown", 1, "unknown frame"),
-        ("position", "positions, frame unknown", len(OFFSETS), "unknown frame, several points"),
-        ("distance", "distances between poses", 1, "unknown frame"),
-        ("distance", "distances between poses", len(OFFSETS), "unknown frame"),
-        ("gauge", "gauge between base and platform", 1, ""),
+        ("position in the robot's frame", "positions in a known frame", 1, "frame of the robot"),
+        ("position", "positions in an unknown frame", 1, one),
+        ("position", "positions in an unknown frame", len(OFFSETS), "unknown frame, several points"),
+        ("distance", "distances between poses", 1, one),
+        ("distance", "distances between poses", len(OFFSETS), one),
+        ("gauge", "gauge between base and platform", 1, one),
     ]
-    if any(axis in mechanism.turns for axis in "xyz"):
-        found.insert(3, ("pose", "poses, frame and body unknown", 1, "unknown frame"))
+    if mechanism.turns:
+        found.insert(3, ("pose", "poses, frame and body unknown", 1, "unknown frame and body"))
     if "z" in mechanism.axes:
-        found.append(("height", "heights over a flat bed", 1, ""))
+        found.append(("height", "heights over a flat bed", 1, "flat bed"))
     return found
 
 

@@ -436,10 +436,11 @@ def _ranks(
 ) -> list[dict[str, Any]]:
     """Return ranks with what is unseen: in closed form where that is all of it, else in words."""
     closed = (account.get("unseen") or {}).get(one.name, {})
-    found = []
+    found: list[dict[str, Any]] = []
     for rank in checks.ranks(robot, poses, names):
         free = rank.columns - rank.rank
         basis = closed.get(rank.motions)
+        same = [r for r in found if r["motions"] == rank.motions and r["closed"] and r["free"] == free]
         found.append(
             {
                 "kind": rank.kind,
@@ -453,6 +454,7 @@ def _ranks(
                 "closed": basis if basis is not None and len(basis) == free and free else None,
                 "closed_rank": None if basis is None else rank.columns - len(basis),
                 "words": [c.text for c in rank.unseen],
+                "same_as": same[0]["kind"] if same else None,
             }
         )
     return found
@@ -666,7 +668,7 @@ def index(found: Sequence[tuple[Subject, dict[str, Any]]], ending: str) -> dict[
             one.mechanism,
             {"title": data["what"], "reference": data["reference"], "drawing": data["machine"], "models": []},
         )
-        seen = next((r["rank"] for r in data["ranks"] if r["motions"] == "unknown frame"), None)
+        seen = next((r["rank"] for r in data["ranks"] if r["motions"] == "unknown frame, one point"), None)
         columns = data["ranks"][0]["columns"] if data["ranks"] else 0
         machine["models"].append({"name": one.name, "file": file, "parameters": columns, "rank": seen})
     return {"machines": list(machines.values()), "effects": effects}
