@@ -525,7 +525,7 @@ def limb_mechanism(exact: LimbMechanism, written: Written, request: Mapping[str,
         "steps": steps,
         "closures": closures,
         "implicit": implicit(any(q.name.startswith("c") for q in machine.platform)),
-        "statics": statics(bool(machine.deflections or machine.rod)) if weights else [],
+        "statics": statics(bool(machine.deflections or machine.rods)) if weights else [],
         "weights": weights,
         "seeds": seeds(exact, written),
         "moves": {

@@ -71,12 +71,8 @@ def middle(robot: Robot) -> Poses:
     """Return the pose in the middle of the workspace, or of the joints."""
     mechanism = mechanism_of(robot)
     rows, tool = mechanism.rows(robot), robot.tool
-    space = robot.workspace
-    if space is not None and not robot.links:
-        depth = -(space.top + space.height / 2)
-        target = np.zeros((1, 3))
-        target[0, 2 if "z" in mechanism.axes else 1] = depth
-        q, x, status = mechanism.inverse(target, tool, rows)
+    if (targets := _targets(robot, np.full((1, 3), 0.5))) is not None:
+        q, x, status = mechanism.inverse(targets, tool, rows)
         if status[0] == SOLVED:
             return Poses(q, x, tool)
     q = np.zeros((1, mechanism.limbs))
@@ -90,19 +86,27 @@ def middle(robot: Robot) -> Poses:
     return Poses(q, x, tool)
 
 
+def _targets(robot: Robot, u: Array) -> Array | None:
+    """Return points (N, 3) of the workspace, or None; `u` (N, 3) fills the unit cube, 0.5 is the middle."""
+    space = robot.workspace
+    if space is None or robot.links:
+        return None
+    first, last = space.levels
+    level = first + (last - first) * u[:, 2]
+    if space.radius is None:
+        across = (u[:, 0] - 0.5) * (space.width or 0.0)
+        return np.column_stack([across, level, np.zeros(len(u))])
+    # the middle of the cube is the cylinder's axis
+    x, y = 2 * u[:, 0] - 1, 2 * u[:, 1] - 1
+    to_disc = np.maximum(np.abs(x), np.abs(y)) / np.maximum(np.hypot(x, y), 1e-12)
+    return np.column_stack([space.radius * x * to_disc, space.radius * y * to_disc, level])
+
+
 def spread(robot: Robot, count: int = POSES) -> Poses:
     """Return poses without any symmetry that the machine can take."""
     mechanism, rng = mechanism_of(robot), np.random.default_rng(SEED)
-    rows, space = mechanism.rows(robot), robot.workspace
-    if space is not None and not robot.links:
-        u = rng.random((count, 3))
-        depth = -(space.top + u[:, 2] * space.height)
-        if space.radius is not None:
-            r, turn = space.radius * np.sqrt(u[:, 0]), 2 * np.pi * u[:, 1]
-            targets = np.column_stack([r * np.cos(turn), r * np.sin(turn), depth])
-        else:
-            width = space.width or 0.0
-            targets = np.column_stack([(u[:, 0] - 0.5) * width, depth, np.zeros(count)])
+    rows = mechanism.rows(robot)
+    if (targets := _targets(robot, rng.random((count, 3)))) is not None:
         q, x, status = mechanism.inverse(targets, robot.tool, rows)
         good = status == SOLVED
         if good.sum() > count / 2:

@@ -1,7 +1,7 @@
 """Tables of `complete_delta`: Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 55bb1521038299b6; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both de06d5b398d0ba45; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 

@@ -1,7 +1,7 @@
 """Kinematics of `delta`: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 877d4fe405a39e0c; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 7cd9f04e1b83bcda; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 

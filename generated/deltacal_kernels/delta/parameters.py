@@ -1,7 +1,7 @@
 """Tables of `delta`: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both eee469948438369f; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both ffa71ee3e3a8ae33; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 

@@ -1,7 +1,7 @@
 """Kinematics of `diamond`: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both b1c50586e4b65ee0; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 857c157ad9acd2c4; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 

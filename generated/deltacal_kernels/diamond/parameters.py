@@ -1,7 +1,7 @@
 """Tables of `diamond`: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both d9a9c267972356df; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both bb09f667ce2f1b5e; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/inverse.c.jinja; sha256 of both dcd864489cbb28f5; SymPy 1.14.0.
+ * Template templates/mechanism/inverse.c.jinja; sha256 of both 91b7d6bbb3be7050; SymPy 1.14.0.
  *
  * The exact compensator: inverse position of the calibrated machine, by Newton on joints and platform rotation.
  * An export puts the machine's numbers before this text: DELTACAL_K[3][21], DELTACAL_TOOL[3],
@@ -42,8 +42,8 @@ static void newton(const double *x, double q, const double *tool, const double *
     const double axis_z = k[6];
     const double s106 = k[7];
     const double s109 = k[8];
-    const double u1 = k[9];
-    const double u2 = k[10];
+    const double u_x = k[9];
+    const double u_y = k[10];
     const double s128 = k[11];
     const double s150 = k[12];
     const double s516 = k[13];
@@ -88,9 +88,9 @@ static void newton(const double *x, double q, const double *tool, const double *
     const double d_x = A_x - C_x;
     const double d_y = A_y - C_y;
     const double d_z = A_z - C_z;
-    const double s_x = s128*(-R_11*u2 + R_12*u1 + u2);
-    const double s_y = s128*(-R_21*u2 + R_22*u1 - u1);
-    const double s_z = s128*(-R_31*u2 + R_32*u1);
+    const double s_x = s128*(-R_11*u_y + R_12*u_x + u_y);
+    const double s_y = s128*(-R_21*u_y + R_22*u_x - u_x);
+    const double s_z = s128*(-R_31*u_y + R_32*u_x);
     const double s138 = d_x + s_x;
     const double s141 = d_y + s_y;
     const double s144 = d_z + s_z;
@@ -108,29 +108,29 @@ static void newton(const double *x, double q, const double *tool, const double *
     const double s182 = -s155*tz;
     const double s188 = -s157*tz;
     const double s196 = s176*s78;
-    const double s198 = s110*s153 + s159*u1;
+    const double s198 = s110*s153 + s159*u_x;
     const double s199 = s198*s78;
-    const double s201 = s107*s153 - s159*u2;
+    const double s201 = s107*s153 - s159*u_y;
     const double s203 = s201*s78;
     const double s205 = s182*s78;
     const double s206 = s199 + s205;
     const double s207 = (1.0/2.0)*cz;
     const double s208 = (1.0/2.0)*cy;
-    const double s211 = s110*s155 + s165*u1;
+    const double s211 = s110*s155 + s165*u_x;
     const double s212 = s211*s93;
     const double s213 = s211*s78;
-    const double s216 = s107*s155 - s165*u2;
+    const double s216 = s107*s155 - s165*u_y;
     const double s217 = s216*s90;
     const double s218 = s216*s78;
     const double s219 = s188*s88;
     const double s220 = s188*s78;
     const double s221 = s203 + s220;
     const double s222 = (1.0/2.0)*cx;
-    const double s225 = s110*s157 + s170*u1;
+    const double s225 = s110*s157 + s170*u_x;
     const double s226 = s225*s85;
     const double s227 = s225*s78;
     const double s228 = s218 + s227;
-    const double s231 = s107*s157 - s170*u2;
+    const double s231 = s107*s157 - s170*u_y;
     const double s232 = s231*s81;
     const double s233 = s231*s78;
     const double s238 = s101*s198 + s103*s176 + s182*s97 + s201*s99 + s212 + s217 + s219 + s226 + s232;
@@ -160,26 +160,26 @@ static void newton(const double *x, double q, const double *tool, const double *
     const double s548 = -s521*tz;
     const double s554 = -s523*tz;
     const double s562 = s542*s78;
-    const double s564 = s110*s519 + s525*u1;
+    const double s564 = s110*s519 + s525*u_x;
     const double s565 = s564*s78;
-    const double s567 = s107*s519 - s525*u2;
+    const double s567 = s107*s519 - s525*u_y;
     const double s569 = s567*s78;
     const double s571 = s548*s78;
     const double s572 = s565 + s571;
-    const double s575 = s110*s521 + s531*u1;
+    const double s575 = s110*s521 + s531*u_x;
     const double s576 = s575*s93;
     const double s577 = s575*s78;
-    const double s580 = s107*s521 - s531*u2;
+    const double s580 = s107*s521 - s531*u_y;
     const double s581 = s580*s90;
     const double s582 = s580*s78;
     const double s583 = s554*s88;
     const double s584 = s554*s78;
     const double s585 = s569 + s584;
-    const double s588 = s110*s523 + s536*u1;
+    const double s588 = s110*s523 + s536*u_x;
     const double s589 = s588*s85;
     const double s590 = s588*s78;
     const double s591 = s582 + s590;
-    const double s594 = s107*s523 - s536*u2;
+    const double s594 = s107*s523 - s536*u_y;
     const double s595 = s594*s81;
     const double s596 = s594*s78;
     const double s601 = s101*s564 + s103*s542 + s548*s97 + s567*s99 + s576 + s581 + s583 + s589 + s595;

@@ -1,7 +1,7 @@
 """Tables of `linear_delta`: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 7dd0818f5fc2ac74; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 1ce967c79eb56925; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 

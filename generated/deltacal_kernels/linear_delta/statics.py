@@ -1,7 +1,7 @@
 """Generalised loads of `linear_delta`: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/statics.py.jinja; sha256 of both b7b1e2408a72266a; SymPy 1.14.0.
+Template templates/mechanism/statics.py.jinja; sha256 of both db5ad580f5670955; SymPy 1.14.0.
 
 Plain NumPy over all poses at once. masses: carriage distal_rod platform; payload (N,) in kg at the
 reference point. Every weight has its own acceleration field [m/s^2]: gravity for all, or minus its own acceleration.
@@ -51,13 +51,13 @@ def _limb(x, q, tool, p, masses, fields):
     f2y = fields[:, 7]
     f2z = fields[:, 8]
     s0 = angle + phi
-    u1 = np.cos(s0)
-    u2 = np.sin(s0)
+    u_x = np.cos(s0)
+    u_y = np.sin(s0)
     arm_0 = arm + l
     r_0 = dr + r + radius
-    s7 = lean_radial*u1 - lean_tangential*u2
+    s7 = lean_radial*u_x - lean_tangential*u_y
     s8 = (s7 * s7)
-    s11 = -lean_radial*u2 - lean_tangential*u1
+    s11 = -lean_radial*u_y - lean_tangential*u_x
     s12 = (s11 * s11)
     s13 = s12 + s8
     s21 = s13*(s13*(s13*(2.8114572543455206e-15*s12 + 2.8114572543455206e-15*s8 - 7.647163731819816e-13) + 1.6059043836821613e-10) - 2.505210838544172e-08)
@@ -73,8 +73,8 @@ def _limb(x, q, tool, p, masses, fields):
     s60 = scale + 1
     s62 = -q*s60 + h/axis_z
     s64 = a + r_0
-    C_x = axis_x*s62 + s64*u1
-    C_y = axis_y*s62 + s64*u2
+    C_x = axis_x*s62 + s64*u_x
+    C_y = axis_y*s62 + s64*u_y
     C_z = axis_z*s62
     s71 = (cx * cx)
     s73 = (cy * cy)
@@ -105,8 +105,8 @@ def _limb(x, q, tool, p, masses, fields):
     R_32 = s101*s78
     s103 = s79 + s92
     R_33 = s103*s78 + 1
-    s107 = a*u1 - tx
-    s110 = a*u2 - ty
+    s107 = a*u_x - tx
+    s110 = a*u_y - ty
     A_x = R_11*s107 + R_12*s110 - R_13*tz + px
     A_y = R_21*s107 + R_22*s110 - R_23*tz + py
     A_z = R_31*s107 + R_32*s110 - R_33*tz + pz
@@ -195,13 +195,13 @@ def _limb_points(x, q, tool, p, masses):
     scale = p[:, 12]
     dr = p[:, 14]
     s0 = angle + phi
-    u1 = np.cos(s0)
-    u2 = np.sin(s0)
+    u_x = np.cos(s0)
+    u_y = np.sin(s0)
     arm_0 = arm + l
     r_0 = dr + r + radius
-    s7 = lean_radial*u1 - lean_tangential*u2
+    s7 = lean_radial*u_x - lean_tangential*u_y
     s8 = (s7 * s7)
-    s11 = -lean_radial*u2 - lean_tangential*u1
+    s11 = -lean_radial*u_y - lean_tangential*u_x
     s12 = (s11 * s11)
     s13 = s12 + s8
     s21 = s13*(s13*(s13*(2.8114572543455206e-15*s12 + 2.8114572543455206e-15*s8 - 7.647163731819816e-13) + 1.6059043836821613e-10) - 2.505210838544172e-08)
@@ -216,8 +216,8 @@ def _limb_points(x, q, tool, p, masses):
     h = endstop + home + np.sqrt((arm_0 * arm_0) - (r_0 * r_0))
     s62 = -q*(scale + 1) + h/axis_z
     s64 = a + r_0
-    C_x = axis_x*s62 + s64*u1
-    C_y = axis_y*s62 + s64*u2
+    C_x = axis_x*s62 + s64*u_x
+    C_y = axis_y*s62 + s64*u_y
     C_z = axis_z*s62
     s71 = (cx * cx)
     s73 = (cy * cy)
@@ -238,8 +238,8 @@ def _limb_points(x, q, tool, p, masses):
     R_31 = s78*(-cy + s87)
     R_32 = s78*(cx + s96)
     R_33 = s78*(s79 + s92) + 1
-    s107 = a*u1 - tx
-    s110 = a*u2 - ty
+    s107 = a*u_x - tx
+    s110 = a*u_y - ty
     A_x = R_11*s107 + R_12*s110 - R_13*tz + px
     A_y = R_21*s107 + R_22*s110 - R_23*tz + py
     A_z = R_31*s107 + R_32*s110 - R_33*tz + pz

@@ -1,7 +1,7 @@
 """Kinematics of `planar_parallelogram`: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 02855ad6eb6c500e; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both a03a66a7e4c8d758; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -269,12 +269,12 @@ def _position(x, q, tool, k, out):
     r1_x = s7*math.sin(s8)
     r1_y = -s7*math.cos(s8)
     s19 = b1_x - tx
-    s185 = r1_x*s130 + r1_x*s134 - r1_y*s116 + s138
-    s190 = r1_x*s116 + r1_y*s130 + r1_y*s134 + s124
+    s185 = r1_x*s116 + r1_y*s130 + r1_y*s134 + s124
+    s190 = r1_x*s130 + r1_x*s134 - r1_y*s116 + s138
     s198 = (r1_x * r1_x) + r1_x*s153 + r1_x*s156 + (r1_y * r1_y) + r1_y*s195 + s160
     s201 = math.sqrt((s185 * s185) + (s190 * s190) - (s198 * s198))
-    s204 = s185*s201 - s190*s198
-    s208 = -s185*s198 - s190*s201
+    s204 = -s185*s198 + s190*s201
+    s208 = -s185*s201 - s190*s198
     s211 = 1/math.sqrt((s204 * s204) + (s208 * s208))
     s214 = A1_x - C_y*s204*s211 + r1_x - s19*s208*s211
     s217 = C_y*s208*s211 + r1_y - s19*s204*s211
@@ -681,19 +681,19 @@ def _linear(x, q, tool, k, i, out):
     s85 = 0.25*s83 + 1
     s86 = (1.0 / s85)
     s88 = -0.5*s83*s86 + 1
-    s94 = (1.0 / (s85 * s85))
-    s96 = 0.25*(nominal_cz * nominal_cz * nominal_cz)*s94 - nominal_cz*s86
-    B1_x_cz = -0.5*C_y*s83*s94 + C_y*s86 - s62*s96
+    s95 = (1.0 / (s85 * s85))
+    s97 = 0.25*(nominal_cz * nominal_cz * nominal_cz)*s95 - nominal_cz*s86
+    B1_x_cz = -0.5*C_y*s83*s95 + C_y*s86 - s62*s97
     B1_x_errors = -db1x*s88
-    B1_y_cz = -C_y*s96 + 0.5*s62*s83*s94 - s62*s86
+    B1_y_cz = -C_y*s97 + 0.5*s62*s83*s95 - s62*s86
     B1_y_errors = -db1x*nominal_cz*s86
     s110 = b2x - tx
     s112 = -C_y + b2y
     B2_x = -nominal_cz*s112*s86 + px + s110*s88
-    B2_x_cz = s110*s96 + 0.5*s112*s83*s94 - s112*s86
+    B2_x_cz = s110*s97 + 0.5*s112*s83*s95 - s112*s86
     B2_x_errors = db2x*s88 - db2y*nominal_cz*s86
     B2_y = nominal_cz*s110*s86 + nominal_py + s112*s88
-    B2_y_cz = -0.5*s110*s83*s94 + s110*s86 + s112*s96
+    B2_y_cz = -0.5*s110*s83*s95 + s110*s86 + s112*s97
     B2_y_errors = db2x*nominal_cz*s86 + db2y*s88
     r2_x = B2_x - a2x
     r2_x_errors = B2_x_errors - da2x

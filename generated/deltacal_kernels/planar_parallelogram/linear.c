@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/linear.c.jinja; sha256 of both 12a62dec9ada5e40; SymPy 1.14.0.
+ * Template templates/mechanism/linear.c.jinja; sha256 of both 7453b73799483892; SymPy 1.14.0.
  *
  * The linear compensator: nominal joints, and the change that holds the reference point to first order in the errors.
  * An export puts the machine's numbers before this text: DELTACAL_K[1][28], DELTACAL_TOOL[3],
@@ -82,19 +82,19 @@ static void linear(const double *x, double q, const double *tool, const double *
     const double s85 = (1.0/4.0)*s83 + 1;
     const double s86 = 1.0/s85;
     const double s88 = -1.0/2.0*s83*s86 + 1;
-    const double s94 = (1.0 / (s85 * s85));
-    const double s96 = (1.0/4.0)*(nominal_cz * nominal_cz * nominal_cz)*s94 - nominal_cz*s86;
-    const double B1_x_cz = -1.0/2.0*C_y*s83*s94 + C_y*s86 - s62*s96;
+    const double s95 = (1.0 / (s85 * s85));
+    const double s97 = (1.0/4.0)*(nominal_cz * nominal_cz * nominal_cz)*s95 - nominal_cz*s86;
+    const double B1_x_cz = -1.0/2.0*C_y*s83*s95 + C_y*s86 - s62*s97;
     const double B1_x_errors = -db1x*s88;
-    const double B1_y_cz = -C_y*s96 + (1.0/2.0)*s62*s83*s94 - s62*s86;
+    const double B1_y_cz = -C_y*s97 + (1.0/2.0)*s62*s83*s95 - s62*s86;
     const double B1_y_errors = -db1x*nominal_cz*s86;
     const double s110 = b2x - tx;
     const double s112 = -C_y + b2y;
     const double B2_x = -nominal_cz*s112*s86 + px + s110*s88;
-    const double B2_x_cz = s110*s96 + (1.0/2.0)*s112*s83*s94 - s112*s86;
+    const double B2_x_cz = s110*s97 + (1.0/2.0)*s112*s83*s95 - s112*s86;
     const double B2_x_errors = db2x*s88 - db2y*nominal_cz*s86;
     const double B2_y = nominal_cz*s110*s86 + nominal_py + s112*s88;
-    const double B2_y_cz = -1.0/2.0*s110*s83*s94 + s110*s86 + s112*s96;
+    const double B2_y_cz = -1.0/2.0*s110*s83*s95 + s110*s86 + s112*s97;
     const double B2_y_errors = db2x*nominal_cz*s86 + db2y*s88;
     const double r2_x = B2_x - a2x;
     const double r2_x_errors = B2_x_errors - da2x;

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/inverse.c.jinja; sha256 of both 45f9f24aa5936808; SymPy 1.14.0.
+ * Template templates/mechanism/inverse.c.jinja; sha256 of both b5ffd6976bef3e72; SymPy 1.14.0.
  *
  * The exact compensator: inverse position of the calibrated machine, by Newton on joints and platform rotation.
  * An export puts the machine's numbers before this text: DELTACAL_K[3][22], DELTACAL_TOOL[3],
@@ -49,10 +49,10 @@ static void newton(const double *x, double q, const double *tool, const double *
     const double s7 = cos(s6);
     const double arm_x = s7*u_x;
     const double arm_y = s7*u_y;
-    const double s10 = sin(s6);
-    const double B_x = arm_x*s11 + s10*s14 + s16;
-    const double B_y = arm_y*s11 + s10*s20 + s22;
-    const double B_z = s10*s11 + s7*tip_v;
+    const double arm_z = sin(s6);
+    const double B_x = arm_x*s11 + arm_z*s14 + s16;
+    const double B_y = arm_y*s11 + arm_z*s20 + s22;
+    const double B_z = arm_z*s11 + s7*tip_v;
     const double centre_x = px + px0 - tx;
     const double centre_y = py + py0 - ty;
     const double centre_z = pz + pz0 - tz;
@@ -68,7 +68,7 @@ static void newton(const double *x, double q, const double *tool, const double *
     const double s51 = (1.0/2.0)*s50;
     const double s52 = 2*rod_x;
     const double s53 = (1.0/2.0)*s52;
-    const double s73 = -s10*(-s11*s51*u_y - s11*s53*u_x - s49*tip_v);
+    const double s73 = -arm_z*(-s11*s51*u_y - s11*s53*u_x - s49*tip_v);
     const double s74 = s7*(-s11*s49 - s14*s53 - s20*s51) + s73;
     out[0] = s47;
     out[1] = s53;

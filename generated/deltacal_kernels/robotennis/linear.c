@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/linear.c.jinja; sha256 of both dfa2981985b08e3b; SymPy 1.14.0.
+ * Template templates/mechanism/linear.c.jinja; sha256 of both 1c989d065fcce3c6; SymPy 1.14.0.
  *
  * The linear compensator: nominal joints, and the change that holds the reference point to first order in the errors.
  * An export puts the machine's numbers before this text: DELTACAL_K[3][28], DELTACAL_TOOL[3],
@@ -26,26 +26,26 @@ static void nominal_joint(const double *x, double q, const double *tool, const d
     const double tx = tool[0];
     const double ty = tool[1];
     const double tz = tool[2];
-    const double s73 = k[0];
-    const double s75 = k[1];
-    const double s79 = k[2];
-    const double s81 = k[3];
-    const double s98 = k[4];
-    const double s93 = k[5];
+    const double s75 = k[0];
+    const double s77 = k[1];
+    const double s81 = k[2];
+    const double s83 = k[3];
+    const double s100 = k[4];
+    const double s95 = k[5];
     const double a = k[6];
     const double centre_z = pz - tz;
-    const double s74 = px + s73 - tx;
-    const double s80 = py + s79 - ty;
-    const double s83 = s74*s75 + s80*s81;
-    const double s85 = (centre_z * centre_z);
-    const double s99 = (1.0/2.0)*(s74 * s74) + (1.0/2.0)*(s80 * s80) + (1.0/2.0)*s85 + s98;
-    const double s103 = sqrt((s83 * s83) + s85*s93 - (s99 * s99));
-    const double s110 = atan2(a*centre_z*s99 + s103*s83, a*centre_z*s103 - s83*s99);
+    const double s76 = px + s75 - tx;
+    const double s82 = py + s81 - ty;
+    const double s85 = s76*s77 + s82*s83;
+    const double s87 = (centre_z * centre_z);
+    const double s101 = s100 + (1.0/2.0)*(s76 * s76) + (1.0/2.0)*(s82 * s82) + (1.0/2.0)*s87;
+    const double s105 = sqrt(-(s101 * s101) + (s85 * s85) + s87*s95);
+    const double s112 = atan2(a*centre_z*s101 + s105*s85, a*centre_z*s105 - s101*s85);
     (void)(q);
-    out[0] = s110;
+    out[0] = s112;
 }
 
-/* Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (63 operations). */
+/* Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (65 operations). */
 static void linear(const double *x, double q, const double *tool, const double *k, double *out)
 {
     const double px = x[0];
@@ -64,18 +64,18 @@ static void linear(const double *x, double q, const double *tool, const double *
     const double theta0 = k[13];
     const double A_x = k[14];
     const double da = k[15];
-    const double s34 = k[16];
-    const double s36 = k[17];
+    const double s36 = k[16];
+    const double s38 = k[17];
     const double A_y = k[18];
-    const double s44 = k[19];
-    const double s46 = k[20];
+    const double s46 = k[19];
+    const double s48 = k[20];
     const double tip_v = k[21];
-    const double s57 = k[22];
-    const double s62 = k[23];
+    const double s59 = k[22];
+    const double s64 = k[23];
     const double C_x_errors = k[24];
     const double C_y_errors = k[25];
     const double pz0 = k[26];
-    const double s114 = k[27];
+    const double s116 = k[27];
     const double s13 = cos(q);
     const double arm_x = s13*u_x;
     const double s15 = sin(q);
@@ -84,30 +84,33 @@ static void linear(const double *x, double q, const double *tool, const double *
     const double arm_y = s13*u_y;
     const double arm_y_q = -s15*u_y;
     const double arm_y_errors = s13*u_y_errors + s15*s24;
+    const double arm_z = sin(q);
+    const double arm_z_q = cos(q);
     const double arm_z_errors = s13*theta0;
     const double B_x = A_x + a*arm_x;
     const double B_x_q = a*arm_x_q;
-    const double B_x_errors = a*arm_x_errors + arm_x*da + s15*s34 + s36;
+    const double B_x_errors = a*arm_x_errors + arm_x*da + s15*s36 + s38;
     const double B_y = A_y + a*arm_y;
     const double B_y_q = a*arm_y_q;
-    const double B_y_errors = a*arm_y_errors + arm_y*da + s15*s44 + s46;
-    const double B_z_q = a*s13;
-    const double B_z_errors = a*arm_z_errors + da*s15 + s13*tip_v;
+    const double B_y_errors = a*arm_y_errors + arm_y*da + s15*s46 + s48;
+    const double B_z = a*arm_z;
+    const double B_z_q = a*arm_z_q;
+    const double B_z_errors = a*arm_z_errors + arm_z*da + s13*tip_v;
     const double centre_x = px - tx;
     const double centre_y = py - ty;
     const double centre_z = pz - tz;
-    const double C_x = centre_x + s57;
-    const double C_y = centre_y + s62;
+    const double C_x = centre_x + s59;
+    const double C_y = centre_y + s64;
     const double rod_x = -B_x + C_x;
     const double rod_x_errors = -B_x_errors + C_x_errors;
     const double rod_y = -B_y + C_y;
     const double rod_y_errors = -B_y_errors + C_y_errors;
-    const double rod_z = -a*s15 + centre_z;
+    const double rod_z = -B_z + centre_z;
     const double rod_z_errors = -B_z_errors + pz0;
-    const double s115 = rod_x*rod_x_errors + rod_y*rod_y_errors + rod_z*rod_z_errors + s114;
-    const double s119 = -B_x_q*rod_x - B_y_q*rod_y - B_z_q*rod_z;
-    out[0] = s115;
-    out[4] = s119;
+    const double s117 = rod_x*rod_x_errors + rod_y*rod_y_errors + rod_z*rod_z_errors + s116;
+    const double s121 = -B_x_q*rod_x - B_y_q*rod_y - B_z_q*rod_z;
+    out[0] = s117;
+    out[4] = s121;
 }
 
 #define ROD 5 /* per rod: closure, its derivatives by the position (3), by the rotation (0), by the joint */

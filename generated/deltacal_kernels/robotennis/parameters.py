@@ -1,7 +1,7 @@
 """Tables of `robotennis`: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 48eb4b5538f6e554; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 703f31b8c0e6b252; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 

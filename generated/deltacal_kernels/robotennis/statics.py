@@ -1,7 +1,7 @@
 """Generalised loads of `robotennis`: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/statics.py.jinja; sha256 of both e6f0f1dc9fdba8b2; SymPy 1.14.0.
+Template templates/mechanism/statics.py.jinja; sha256 of both eb58c47a83b083ae; SymPy 1.14.0.
 
 Plain NumPy over all poses at once. masses: proximal proximal_com distal_rod platform; payload (N,) in kg at the
 reference point. Every weight has its own acceleration field [m/s^2]: gravity for all, or minus its own acceleration.
@@ -59,11 +59,11 @@ def _limb(x, q, tool, p, masses, fields):
     s7 = np.cos(s6)
     arm_x = s7*u_x
     arm_y = s7*u_y
-    s10 = np.sin(s6)
+    arm_z = np.sin(s6)
     s11 = a + da
-    B_x = A_x + arm_x*s11 - s10*tip_v*u_x + tip_w*u_y
-    B_y = A_y + arm_y*s11 - s10*tip_v*u_y - tip_w*u_x
-    B_z = s10*s11 + s7*tip_v
+    B_x = A_x + arm_x*s11 - arm_z*tip_v*u_x + tip_w*u_y
+    B_y = A_y + arm_y*s11 - arm_z*tip_v*u_y - tip_w*u_x
+    B_z = arm_z*s11 + s7*tip_v
     centre_x = px + px0 - tx
     centre_y = py + py0 - ty
     centre_z = pz + pz0 - tz
@@ -72,31 +72,30 @@ def _limb(x, q, tool, p, masses, fields):
     C_y = centre_y + s26*u_y
     s45 = A_x + arm_x*proximal_com*s11
     s48 = A_y + arm_y*proximal_com*s11
-    s50 = proximal_com*s10*s11
-    s57 = proximal_com*s11
-    s74 = distal_rod*f2z
-    s76 = distal_rod*f2y
-    s78 = distal_rod*f2x
-    s80 = distal_rod*f1z
-    s82 = distal_rod*f1y
-    s84 = distal_rod*f1x
-    s121 = u_x*(f0x*proximal*s57 + s11*s84)
-    s124 = -s10*(s121 + s80*tip_v + u_y*(f0y*proximal*s57 + s11*s82))
-    s125 = s124 + s7*(f0z*proximal*s57 + s11*s80 - s82*tip_v*u_y - s84*tip_v*u_x)
-    s153 = proximal*(-f0y*s50 + f0z*s48)
-    s154 = distal_rod*(B_y*f1z - B_z*f1y) + distal_rod*(C_y*f2z - centre_z*f2y) + s153
-    s166 = proximal*(f0x*s50 - f0z*s45)
-    s167 = distal_rod*(-B_x*f1z + B_z*f1x) + distal_rod*(-C_x*f2z + centre_z*f2x) + s166
-    s179 = proximal*(-f0x*s48 + f0y*s45)
-    s180 = distal_rod*(B_x*f1y - B_y*f1x) + distal_rod*(C_x*f2y - C_y*f2x) + s179
+    s64 = proximal_com*s11
+    s75 = distal_rod*f2z
+    s77 = distal_rod*f2y
+    s79 = distal_rod*f2x
+    s81 = distal_rod*f1z
+    s83 = distal_rod*f1y
+    s85 = distal_rod*f1x
+    s117 = s7*(f0z*proximal*proximal_com*s11 + s11*s81 - s83*tip_v*u_y - s85*tip_v*u_x)
+    s122 = u_x*(f0x*proximal*s64 + s11*s85)
+    s126 = -arm_z*(s122 + s81*tip_v + u_y*(f0y*proximal*s64 + s11*s83)) + s117
+    s154 = proximal*(-arm_z*f0y*proximal_com*s11 + f0z*s48)
+    s155 = distal_rod*(B_y*f1z - B_z*f1y) + distal_rod*(C_y*f2z - centre_z*f2y) + s154
+    s167 = proximal*(arm_z*f0x*proximal_com*s11 - f0z*s45)
+    s168 = distal_rod*(-B_x*f1z + B_z*f1x) + distal_rod*(-C_x*f2z + centre_z*f2x) + s167
+    s180 = proximal*(-f0x*s48 + f0y*s45)
+    s181 = distal_rod*(B_x*f1y - B_y*f1x) + distal_rod*(C_x*f2y - C_y*f2x) + s180
     out = np.zeros((len(x), 7))
-    out[:, 0] = s125
-    out[:, 1] = s78
-    out[:, 2] = s76
-    out[:, 3] = s74
-    out[:, 4] = s154
-    out[:, 5] = s167
-    out[:, 6] = s180
+    out[:, 0] = s126
+    out[:, 1] = s79
+    out[:, 2] = s77
+    out[:, 3] = s75
+    out[:, 4] = s155
+    out[:, 5] = s168
+    out[:, 6] = s181
     return out
 
 
@@ -134,11 +133,11 @@ def _limb_points(x, q, tool, p, masses):
     s7 = np.cos(s6)
     arm_x = s7*u_x
     arm_y = s7*u_y
-    s10 = np.sin(s6)
+    arm_z = np.sin(s6)
     s11 = a + da
-    B_x = A_x + arm_x*s11 - s10*tip_v*u_x + tip_w*u_y
-    B_y = A_y + arm_y*s11 - s10*tip_v*u_y - tip_w*u_x
-    B_z = s10*s11 + s7*tip_v
+    B_x = A_x + arm_x*s11 - arm_z*tip_v*u_x + tip_w*u_y
+    B_y = A_y + arm_y*s11 - arm_z*tip_v*u_y - tip_w*u_x
+    B_z = arm_z*s11 + s7*tip_v
     centre_x = px + px0 - tx
     centre_y = py + py0 - ty
     centre_z = pz + pz0 - tz
@@ -147,11 +146,11 @@ def _limb_points(x, q, tool, p, masses):
     C_y = centre_y + s26*u_y
     s45 = A_x + arm_x*proximal_com*s11
     s48 = A_y + arm_y*proximal_com*s11
-    s50 = proximal_com*s10*s11
+    s55 = arm_z*proximal_com*s11
     out = np.zeros((len(x), 9))
     out[:, 0] = s45
     out[:, 1] = s48
-    out[:, 2] = s50
+    out[:, 2] = s55
     out[:, 3] = B_x
     out[:, 4] = B_y
     out[:, 5] = B_z
