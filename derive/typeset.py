@@ -178,7 +178,7 @@ def name(text: str, *, bold: bool = False) -> Math:
         return row(letter("Δ"), name(text[1:]))
     if text in _GREEK or len(text) == 1:
         return letter(text, bold=bold)
-    if text.isupper() and "_" in text:  # a constant of a file
+    if re.fullmatch(r"[A-Z]{2,}(_[A-Z]+)+", text):  # a constant of a file
         return letter(text.lower().replace("_", " "), bold=bold)
     head, _, tail = text.partition("_")
     index = [tail] if tail else []

@@ -31,6 +31,7 @@ _HOME = {
         "import_klipper",
         "import_points",
         "import_rrf",
+        "derivation",
         "kernels",
         "matrix",
         "models",

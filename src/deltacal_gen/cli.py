@@ -315,6 +315,7 @@ def identify(
         Path | None, typer.Option(help="DIAGNOSIS.json: its effects are held", show_default=False)
     ] = None,
     picture: Annotated[Path | None, typer.Option(help="what it found, .svg or .png", show_default=False)] = None,
+    report: Annotated[Path | None, typer.Option(help="a page to read, .html", show_default=False)] = None,
     as_json: Json = False,
 ) -> None:
     """Identify the machine's errors from a recording."""
@@ -332,6 +333,7 @@ def identify(
             truncation=int(truncation) if truncation.isdecimal() else truncation,
             robust=robust,
             physics=physics,
+            report=report,
             progress=tell,
         )
     if picture is not None:

@@ -201,7 +201,7 @@ def derivation(
     UsageError
         No such model; or this is no source checkout, or SymPy is not installed.
     """
-    from deltacal_gen import derivation as reports
+    from deltacal_gen import derivations as reports
     from deltacal_gen import report
 
     if (model is None) != every:
@@ -355,9 +355,12 @@ def identify(
     truncation: int | str = "gcv",
     robust: bool = True,
     physics: Source | Mapping[str, Any] | None = None,
+    report: Source | None = None,
     progress: Progress = _silent,
 ) -> dict[str, Any]:
     """Identify a robot's source errors; return RESULT.json. See `identification.identify` for the options.
+
+    `report` is one self-contained HTML page of the same.
 
     `physics` is a DIAGNOSIS.json whose effects are held while geometry and frame are refitted: how a diagnosis carries
     to another session. Source errors that the model leaves out are held too, as the diagnosis has them. `never_seen`
@@ -368,6 +371,7 @@ def identify(
     from deltacal_gen.robot import robot_from_dict
 
     check_output(output, robot, recording, physics)
+    check_output(report, robot, recording, physics)
     diagnosis = None if physics is None else _result(physics)
     if diagnosis is not None and not str(diagnosis["schema"]).startswith("deltacal.diagnosis/"):
         raise InputError("this is no diagnosis.", "Give the file that diagnose wrote.", file=str(physics))
@@ -395,6 +399,10 @@ def identify(
         found["never_seen"] = spectrum.never_seen(diagnosis.get("seen"), robot.joint_sign * given.joints)
     if output is not None:
         write_json(found, output)
+    if report is not None:
+        from deltacal_gen import report as page
+
+        write_files({Path(report): page.calibration(found)})
     return found
 
 

@@ -62,13 +62,13 @@ def calibration(result: Mapping[str, Any], path: str | Path, check: Sequence[Map
     """
     with mpl.rc_context(STYLE):
         figure, axes = plt.subplots(2, 2, figsize=(10, 7.2), constrained_layout=True)
-        _stages(axes[0, 0], result)
+        stages(axes[0, 0], result)
         if check:
             _check(axes[0, 1], check)
         else:
-            _readings(axes[0, 1], result)
-        _parameters(axes[1, 0], result)
-        _workspace(axes[1, 1], result)
+            readings(axes[0, 1], result)
+        parameters(axes[1, 0], result)
+        workspace(axes[1, 1], result)
         name = result["robot"]["robot"]["name"]
         held = result["heldout_rms_mm"]
         figure.suptitle(
@@ -81,7 +81,8 @@ def calibration(result: Mapping[str, Any], path: str | Path, check: Sequence[Map
         save(figure, path)
 
 
-def _stages(axes: Axes, result: Mapping[str, Any]) -> None:
+def stages(axes: Axes, result: Mapping[str, Any]) -> None:
+    """Draw the rms of the readings stage by stage, against the noise."""
     bars = [("robot file", result["before_rms_mm"], BEFORE)]
     for stage in result["stages"]:
         name = "encoder offsets" if stage["stage"] == "rough" else result["model"]
@@ -112,7 +113,8 @@ def _check(axes: Axes, check: Sequence[Mapping[str, Any]]) -> None:
     axes.legend(frameon=False, loc="upper center", bbox_to_anchor=(0.5, -0.18), ncols=3)
 
 
-def _readings(axes: Axes, result: Mapping[str, Any]) -> None:
+def readings(axes: Axes, result: Mapping[str, Any]) -> None:
+    """Draw the singular values of the identification matrix, and where they stop counting."""
     s = np.array(result["singular_values"])
     axes.semilogy(np.arange(1, len(s) + 1), np.maximum(s / s[0], 1e-17), ".", color=AFTER)
     axes.axhline(result["rank_tolerance"], color=MUTED, lw=1, ls="--")
@@ -122,7 +124,8 @@ def _readings(axes: Axes, result: Mapping[str, Any]) -> None:
     axes.set_title(f"The readings see {result['rank']} of {len(s)} directions")
 
 
-def _parameters(axes: Axes, result: Mapping[str, Any]) -> None:
+def parameters(axes: Axes, result: Mapping[str, Any]) -> None:
+    """Draw the clearest parameters with two standard deviations."""
     shown = [p for p in result["parameters"] if p["status"] in ("identified", "pinned by prior") and p["std"]]
     shown = sorted(shown, key=lambda p: -abs(p["value"]) / p["std"])[:14]
     title = "Parameters found, with 2 standard deviations"
@@ -143,7 +146,8 @@ def _parameters(axes: Axes, result: Mapping[str, Any]) -> None:
     axes.set_title(title)
 
 
-def _workspace(axes: Axes, result: Mapping[str, Any]) -> None:
+def workspace(axes: Axes, result: Mapping[str, Any]) -> None:
+    """Draw the standard deviation of the tool position over the workspace."""
     found = result["workspace"]
     if not found:
         axes.text(0.5, 0.5, "the robot file has no workspace", ha="center", va="center", color=MUTED)

@@ -174,6 +174,33 @@ def _cell(value: Any) -> str:
     return "" if value is None else f"{value:.4f}" if isinstance(value, float) else str(value)
 
 
+def calibration(found: Mapping[str, Any]) -> str:
+    """Return the page of a RESULT.json."""
+    machine, held = found["robot"]["robot"]["name"], found["heldout_rms_mm"]
+    after = held if held is not None else found["train_rms_mm"]
+    seen = "on readings that took no part in the fit" if held is not None else "on the readings of the fit"
+    panels = [(figures.stages, (4.6, 2.6)), (figures.readings, (4.6, 2.6)), (figures.parameters, (4.6, 3.9))]
+    if found["workspace"]:
+        panels.append((figures.workspace, (4.6, 3.2)))
+    return _rendered(
+        "calibration",
+        title=f"{machine}: calibration",
+        machine=machine,
+        found=found,
+        headline=f"{machine}: {found['before_rms_mm']:.3f} mm before, {after:.4f} mm after",
+        lead=f"As the robot file has it, the machine is off by {found['before_rms_mm']:.3f} mm rms; calibrated as "
+        f"{found['model']}, by {after:.4f} mm {seen}. The noise is {found['sigma_mm']:.4f} mm, "
+        f"{_NOISE[found['sigma_source']]}.",
+        pictures=[{"title": "", "svg": _svg(partial(draw, result=found), size)} for draw, size in panels],
+        parameters=[
+            (p["name"], measured(p["value"], p["std"]), "" if p["unit"] == "1" else p["unit"], p["status"])
+            for p in found["parameters"]
+            if p["status"] != "fixed"
+        ],
+        gross=", ".join(map(str, found["gross_errors"])),
+    )
+
+
 def page(title: str, parts: Sequence[str]) -> str:
     """Return a page of parts that are HTML already."""
     return _rendered("parts", title=title, parts=parts)
@@ -399,7 +426,9 @@ def _svg(draw: Callable[[Any], None], size: tuple[float, float]) -> str:
 
 def _inline(picture: Any) -> str:
     stream = io.StringIO()
-    picture.savefig(stream, format="svg", transparent=True, metadata={"Date": None})
+    picture.savefig(
+        stream, format="svg", transparent=True, metadata=dict.fromkeys(("Date", "Creator", "Format", "Type"))
+    )
     plt.close(picture)
     svg = stream.getvalue()
     svg = svg[svg.index("<svg") :]

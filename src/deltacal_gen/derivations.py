@@ -191,7 +191,8 @@ class Sources:
             spans = [(1, len(lines))]
             if not file.startswith(("derive/mechanisms", "derive/effects", "derive/measurements")):
                 nodes = self.functions(file).values()
-                every = [(node.lineno, node.end_lineno or node.lineno) for node in nodes]
+                first = [min([node.lineno, *(d.lineno for d in node.decorator_list)]) for node in nodes]
+                every = [(a, node.end_lineno or a) for a, node in zip(first, nodes, strict=True)]
                 spans = [(a, b) for a, b in every if any(a <= line <= b for line in wanted)]
             found.append(
                 {

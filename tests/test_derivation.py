@@ -1,0 +1,304 @@
+"""Reports of a derivation: complete, equal to what is lowered, the same bytes every time, and readable in a browser."""
+
+from __future__ import annotations
+
+import importlib
+import json
+import math
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+import deltacal_gen as dc
+from deltacal_gen import checks, derivations
+from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.mechanism import mechanism_names, mechanism_of
+from deltacal_gen.physics import effect_names
+from derive import emit, typeset, unseen
+from derive.account import Written, answer, plain
+from derive.spec import LimbMechanism
+from derive.steps import Derivation
+from derive.written import exactly, opaque
+
+ROOT = Path(__file__).resolve().parents[1]
+MACHINES = [m.name for m in emit.mechanisms() if isinstance(m, LimbMechanism)]
+
+
+@pytest.fixture(scope="module")
+def written() -> dict[str, Written]:
+    with opaque():
+        modules = {name: importlib.import_module(f"derive.mechanisms.{name}") for name in MACHINES}
+    return {name: Written(module.MECHANISM, module) for name, module in modules.items()}
+
+
+def numbers(symbols: set[sp.Symbol]) -> dict[sp.Symbol, float]:
+    rng = np.random.default_rng(7)
+    return {s: float(rng.uniform(0.2, 0.5)) for s in sorted(symbols, key=str)}
+
+
+def value(e: sp.Expr, at: Mapping[sp.Symbol, float]) -> float:
+    return float(sp.N(exactly(e).xreplace({s: sp.Float(v) for s, v in at.items()})))
+
+
+# ---------------------------------------------------------------------------------------------- what is shown is so
+
+
+@pytest.mark.parametrize("name", MACHINES)
+def test_every_step_is_shown_as_it_is_lowered(name: str, written: dict[str, Written]) -> None:
+    machine, exact = written[name], importlib.import_module(f"derive.mechanisms.{name}").MECHANISM
+    assert isinstance(exact.steps, Derivation) or not exact.steps, "steps without lines cannot be led to"
+    lowered, names = dict(exact.steps), list(machine.steps.written)
+    for n, step in enumerate(names):
+        symbols = machine.steps.written[step]
+        if not isinstance(symbols, sp.MatrixBase):
+            continue
+        form = machine.reader(names[:n]).read(machine.value(step))
+        at = numbers(set().union(*(e.free_symbols for e in form.explicit())) | set(symbols))
+        at |= dict.fromkeys((s for s in at if s in machine.defined and s not in lowered), 0.0)  # zero in the plane
+        for s, shown in zip(symbols, form.explicit(), strict=True):
+            own = lowered.get(s, sp.Integer(0))
+            assert value(shown, at) == pytest.approx(value(own, at), abs=1e-12), (step, s)
+
+
+@pytest.mark.parametrize("name", ["delta", "diamond", "planar_parallelogram", "robotennis"])
+def test_differentials_are_those_of_the_steps(name: str, written: dict[str, Written]) -> None:
+    machine = written[name]
+    for n, step in enumerate(names := list(machine.steps.written)):
+        definition = machine.value(step)
+        machine.step(step, names[:n])  # finds out what nothing changes
+        if not isinstance(definition, sp.MatrixBase):
+            continue
+        form = machine.reader(names[:n]).read(definition)
+        change = machine.change(form, names[:n])
+        shown = sp.zeros(*definition.shape) if change is None else change.explicit()
+        at = numbers(set().union(*(e.free_symbols for e in (*shown, *definition))) | set(machine.varied.values()))
+        moving = {s: d for s, d in machine.varied.items() if str(s).rpartition("_")[0] not in machine.fixed}
+        rotations = {sp.Symbol(f"d {f}", real=True): f for f in definition.atoms(AppliedUndef)}
+        for d, f in rotations.items():
+            turned = exactly(f)
+            at[d] = sum(
+                value(sp.diff(turned, s), at) * at.get(moving[s], 0.3) for s in turned.free_symbols & set(moving)
+            )
+        for e, formula in list(zip(definition, shown, strict=True))[::4]:  # of a matrix the diagonal
+            whole = exactly(e)
+            known = {s: at.setdefault(s, 0.3) for s in whole.free_symbols}
+            slope = sum(value(sp.diff(whole, s), known) * at.setdefault(moving[s], 0.3) for s in known if s in moving)
+            assert value(formula, at) == pytest.approx(slope, abs=1e-9), (step, formula)
+
+
+@pytest.mark.parametrize("name", ["diamond", "robotennis"])
+def test_null_spaces_in_closed_form_are_unseen_by_readings(name: str) -> None:
+    exact = importlib.import_module(f"derive.mechanisms.{name}").MECHANISM
+    robot = derivations.example(name)
+    assert robot is not None
+    mechanism, poses = mechanism_of(robot), checks.spread(robot, 40)
+    found = unseen.equations(exact, {key: v.tolist() for key, v in robot.geometry.items()})
+    assert found is not None
+    errors, motions, rows = found
+    basis = unseen.null_space(errors, motions, rows)
+    every = [p.name for p in mechanism.parameters]
+    H = checks.identification(robot, [poses], every, "position")
+    s = np.linalg.svd(H * mechanism.typical, compute_uv=False)
+    assert basis is not None
+    assert len(basis) == len(every) - int((s > 1e-9 * s[0]).sum())
+    geometry = {
+        sp.Symbol(str(g.quantity.symbol), positive=True): float(robot.geometry[g.key][0]) for g in exact.geometry
+    }
+    for vector in basis:
+        v = np.array([float(sp.N(vector.get(n, sp.Integer(0)).xreplace(geometry))) for n in every])
+        assert np.abs(H @ v).max() < 1e-9 * np.abs(H).max() * np.abs(v).max()
+
+
+def test_a_root_of_another_kind_leaves_the_null_space_to_numbers() -> None:
+    x, y = sp.symbols("x y")
+    assert unseen.null_space([x, y], [], [sp.sqrt(2) * x + sp.sqrt(3) * y]) is None
+    (vector,) = unseen.null_space([x, y], [], [sp.sqrt(3) * x - 3 * y]) or [{}]
+    assert sp.simplify(vector["x"] * sp.sqrt(3) - 3 * vector["y"]) == 0
+
+
+def test_kernels_are_counted_as_they_stand_and_written_out(tmp_path: Path) -> None:
+    text = "def constants(p):\n    a = p[0]\n    k[..., 0] = a * a\n\n\ndef _f(x, k, out):\n    b = k[0]\n"
+    text += "    c = b + x\n    out[0] = c * c\n    out[1] = -c\n"
+    (tmp_path / "k.py").write_text(text)
+    first, second = derivations.kernels(derivations.Sources(tmp_path), "k.py")
+    assert (first.outputs, first.operations, first.written_out) == (1, 1, 1)
+    assert (second.outputs, second.operations, second.written_out) == (2, 3, 5 + 3)
+
+
+# ------------------------------------------------------------------------------------------------------- typesetting
+
+
+@pytest.mark.parametrize(
+    ("text", "latex"),
+    [
+        ("alpha03", r"{\alpha}_{03}"),
+        ("px", "{p}_{x}"),
+        ("R1_11", r"{R}_{1,\,11}"),
+        ("dl", r"\Delta l"),
+        ("base_x", r"{\mathrm{base}}_{x}"),
+    ],
+)
+def test_names_are_typeset(text: str, latex: str) -> None:
+    assert typeset.name(text).latex == latex
+
+
+def test_expressions_are_typeset_in_both_languages() -> None:
+    x, y = sp.symbols("x y", real=True)
+    shown = typeset.expression(-x / 2 + sp.sqrt(x**2 + 1) / (y - 1) ** 2 - 3 * sp.cos(x + y) ** 2)
+    assert shown.latex.startswith(r"\frac{\sqrt{{x}^{2}+1}}{{\left(y-1\right)}^{2}}")
+    tree = ElementTree.fromstring(shown.mathml)
+    assert [e.tag for e in tree.iter()].count("mfrac") == 2
+    assert "".join(tree.itertext()).replace("\u2062", "").endswith("−3cos2(x+y)")
+
+
+def formulas(data: Any) -> Iterator[dict[str, str]]:
+    if isinstance(data, dict) and data.keys() == {"mathml", "latex"}:
+        yield data
+    elif isinstance(data, dict | list):
+        for part in data.values() if isinstance(data, dict) else data:
+            yield from formulas(part)
+
+
+@pytest.mark.parametrize("asked", [*({"measurement": m.name} for m in emit.measurements()), {"mechanism": "serial"}])
+def test_formulas_are_well_formed(asked: dict[str, str]) -> None:
+    found = list(formulas(plain(answer(asked))))
+    assert found
+    for f in found:
+        ElementTree.fromstring(f"<math>{f['mathml']}</math>")
+        assert f["latex"].count("{") == f["latex"].count("}")
+
+
+@pytest.mark.parametrize("effect", [e.name for e in emit.effects()])
+def test_accounts_of_effects_are_complete(effect: str) -> None:
+    spec = next(e for e in emit.effects() if e.name == effect)
+    found = answer({"effect": effect})
+    assert [t["target"] for t in found["targets"]] == list(spec.targets)
+    assert all(len(t["columns"]) == len(spec.coefficients) for t in found["targets"])
+    assert {r["name"] for r in (*found["coefficients"], *found["constants"])} == {
+        c.name for c in (*spec.coefficients, *spec.constants)
+    }
+
+
+# -------------------------------------------------------------------------------------------------------- whole pages
+
+
+@pytest.fixture(scope="module")
+def pages(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with a report of a machine in both formats, and of an effect."""
+    folder = tmp_path_factory.mktemp("reports")
+    chosen = [derivations.subject(name) for name in ("diamond/12", "backlash")]
+    for one, template, found in derivations.derivations(chosen, ROOT, lambda text: None):
+        for ending in derivations.FORMATS:
+            for path, text in derivations.files(folder / f"{one.stem}{ending}", template, found).items():
+                path.write_text(text, encoding="utf-8")
+    return folder
+
+
+def test_a_report_is_complete(pages: Path) -> None:
+    exact = importlib.import_module("derive.mechanisms.diamond").MECHANISM
+    html, md = ((pages / f"diamond-12.{ending}").read_text(encoding="utf-8") for ending in ("html", "md"))
+    account = plain(answer({"mechanism": "diamond"}))
+    for part in (*account["steps"], *account["where"]):
+        assert part["formula"]["mathml"] in html
+        assert part["formula"]["latex"] in md
+        assert f"{part['place']['file']}:{part['place']['line']}" in md
+    for closure in account["closures"]:
+        assert closure["equation"]["mathml"] in html
+        assert closure["differential_equation"]["latex"] in md
+    tables = (exact.platform, exact.tool, exact.errors, exact.common, exact.deflections, exact.masses)
+    for quantity in (q for rows in tables for q in rows):
+        assert f"<code>{quantity.name}</code>" in html
+        assert f"`{quantity.name}`" in md
+        assert quantity.meaning in md
+    for entry in exact.geometry:
+        assert f"`{entry.key}`" in md
+    from deltacal_gen import ledger
+
+    for claim in ledger.load_paper("mei").claims:
+        assert claim.test in html
+        assert claim.test in md
+    for name in ("machine", "orders", "map", "condition"):
+        svg = (pages / f"diamond-12-{name}.svg").read_text(encoding="utf-8")
+        ElementTree.fromstring(svg)
+        assert "var(" not in svg
+
+
+def test_every_link_of_a_page_leads_somewhere(pages: Path) -> None:
+    for page in pages.glob("*.html"):
+        text = page.read_text(encoding="utf-8")
+        anchors = set(re.findall(r'id="([^"]+)"', text))
+        links = re.findall(r'href="([^"]+)"', text)
+        assert links
+        assert {link for link in links if link.lstrip("#") not in anchors} == set()
+
+
+def test_lines_that_steps_lead_to_make_them(pages: Path) -> None:
+    text = (pages / "diamond-12.md").read_text(encoding="utf-8")
+    places = re.findall(r"`(derive/mechanisms/diamond\.py):(\d+)` → `\w+` `(generated/[\w/.]+):(\d+)`", text)
+    assert len(places) >= 3
+    for source, line, kernel, assigned in places:
+        made = (ROOT / source).read_text().splitlines()[int(line) - 1]
+        name = re.search(r'step\("(\w+)"', made)
+        assert name is not None
+        assert (ROOT / kernel).read_text().splitlines()[int(assigned) - 1].strip().startswith(f"{name[1]}_")
+
+
+def test_a_report_is_the_same_bytes_anywhere(pages: Path, tmp_path: Path) -> None:
+    command = f"import deltacal_gen as dc; dc.derivation('diamond/12', r'{tmp_path / 'other.html'}')"
+    elsewhere = {"PYTHONPATH": os.pathsep.join(sys.path), "PYTHONHASHSEED": "11", "TZ": "Asia/Tokyo"}
+    subprocess.run([sys.executable, "-c", command], check=True, cwd=tmp_path, env={**os.environ, **elsewhere})
+    text = (pages / "diamond-12.html").read_bytes()
+    assert (tmp_path / "other.html").read_bytes() == text
+    assert str(ROOT).encode() not in text
+    assert re.search(rb"https?://(?!www\.w3\.org/)", text) is None
+    assert b"<script" not in text
+
+
+def test_the_index_names_every_model_and_effect() -> None:
+    names = {s.name for s in derivations.subjects()}
+    assert names >= set(effect_names())
+    for name in mechanism_names():
+        assert any(s.mechanism == name for s in derivations.subjects()), name
+    assert {"delta/42", "delta/51", "diamond/12", "planar_parallelogram/9", "robotennis/15", "serial/dh"} <= names
+    assert len({s.stem for s in derivations.subjects()}) == len(derivations.subjects())
+
+
+@pytest.mark.parametrize("name", mechanism_names())
+def test_derivatives_converge_on_every_example(name: str) -> None:
+    robot = derivations.example(name)
+    assert robot is not None, f"{name} has no example, so that its report has no numbers"
+    for order in checks.orders(robot, checks.spread(robot, 20)):
+        assert order.order == pytest.approx(2.0, abs=0.06), order.by
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "words"),
+    [
+        (("nothing/3", "a.html"), UsageError, "there is no model, mechanism or effect 'nothing/3'"),
+        ((None, "a.html"), UsageError, "give a model"),
+        (("diamond", "a.pdf"), InputError, "ends with none of .html, .md"),
+    ],
+)
+def test_what_cannot_be_made_is_said(
+    arguments: tuple[Any, ...], error: type[Exception], words: str, tmp_path: Path
+) -> None:
+    with pytest.raises(error, match=re.escape(words)):
+        dc.derivation(arguments[0], tmp_path / arguments[1])
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_command_says_what_it_wrote(run: Any, tmp_path: Path) -> None:
+    code, out, _ = run("derivation", "zero_jump", "-o", tmp_path / "effect.md", "--json")
+    assert code == 0
+    assert json.loads(out)["files"] == [str(tmp_path / "effect.md")]
+    assert math.isclose((tmp_path / "effect.md").read_text().count("```math"), 4, abs_tol=3)
