@@ -131,6 +131,45 @@ def test_an_unknown_rotation_of_the_camera_is_found(robot: Any, tmp_path: Path) 
     assert result["instrument"]["free"] == [0, 1, 2]  # no shift: readings count from the home
 
 
+@pytest.mark.parametrize(
+    "change",
+    [{"home": np.array([0.0, 0.0, 300.0])}, {"home": np.array([0.0, 0.0, -750.0])}, {"arm_length": np.array([400.0])}],
+    ids=["home", "mirrored", "arm"],
+)
+def test_a_start_from_which_newton_goes_astray_is_refused(robot: Any, tmp_path: Path, change: dict[str, Any]) -> None:
+    """Section 5.4: the method may converge to a useless set, so the result is tested."""
+    recording = simulated(robot, tmp_path, INCREMENTS, noise=0.02)
+    other = dataclasses.replace(robot, geometry=robot.geometry | change)
+    with pytest.raises(InputError, match="mm off this machine") as caught:
+        dc.identify(other, recording)
+    assert caught.value.exit_code == 3
+    assert "Compare the robot file with the machine" in caught.value.remedy
+
+
+def test_fewer_poses_than_unknowns_are_refused(robot: Any, tmp_path: Path) -> None:
+    recording = simulated(robot, tmp_path, INCREMENTS, n=4)
+    with pytest.raises(InputError, match=r"robotennis/15 has 15 parameters") as caught:
+        dc.identify(robot, recording, "robotennis/15")
+    assert caught.value.exit_code == 3
+    assert caught.value.remedy
+
+
+def test_five_poses_carry_fifteen_parameters(robot: Any, tmp_path: Path) -> None:
+    """The home among them; four see 12 of 15. The paper says six."""
+    from deltacal_gen.estimation import fit, pose_problem
+    from deltacal_gen.identifiability import identification_matrix, observability
+    from deltacal_gen.solvers import LeastSquares
+
+    recording = read_recording(simulated(robot, tmp_path, INCREMENTS), load_mechanism("robotennis"))
+    names = load_mechanism("robotennis").model("robotennis/15")
+    problems = {n: pose_problem(robot, recording.subset(np.arange(n)), names) for n in (4, 5)}
+    ranks = [observability(identification_matrix(p, "typical").H, n).rank for n, p in problems.items()]
+    assert ranks == [12, 15]
+    found = fit(problems[5], LeastSquares(), robust=False, weigh_repeats=False).errors
+    wanted = load_mechanism("robotennis").vector(table_1())
+    assert np.abs(found - wanted).max() < 1e-6
+
+
 def test_standard_deviations_cover_the_truth(robot: Any, tmp_path: Path) -> None:
     result = dc.identify(robot, simulated(robot, tmp_path, INCREMENTS, noise=0.02))
     truth = table_1()
@@ -189,6 +228,16 @@ def test_the_first_row_must_be_the_home(
     with pytest.raises(InputError, match=text) as caught:
         dc.identify(robot, recording)
     assert (caught.value.line, caught.value.column, caught.value.exit_code) == (2, column, 3)
+
+
+def test_which_set_tracks_better_is_not_a_matter_of_truth(robot: Any) -> None:
+    """Table 5: some 1 % apart, the nominal set ahead whichever is the truth; the printed gain has the other sign."""
+    from tests.benchmarks import traslosheros2013 as paper
+
+    sets = [paper.rows(robot), paper.rows(robot, {n: float(v) for n, v in table_1().items()})]
+    for true in sets:
+        nominal, calibrated = (paper.track(true, s, 1000, np.random.default_rng(5), tests=4, n=200) for s in sets)
+        assert 0.005 < (calibrated - nominal) / calibrated < 0.015
 
 
 # ---------------------------------------------------------------------------------------------- the ball in the camera
