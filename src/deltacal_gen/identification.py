@@ -31,7 +31,7 @@ from deltacal_gen.estimation import (
     rms,
 )
 from deltacal_gen.identifiability import Combination
-from deltacal_gen.measurement import BOTH, MOUNT, Readings, carried
+from deltacal_gen.measurement import BOTH, CONTACT, MOUNT, Readings, carried, contacts
 from deltacal_gen.mechanism import SOLVED, Array, Mechanism, mechanism_of
 from deltacal_gen.physics import Body, Term, of_reading, term_to_dict
 from deltacal_gen.recording import Recording, check_units
@@ -804,6 +804,7 @@ def _result(found: Identification) -> dict[str, Any]:
         "stages": _stages(found),
         "accuracy": _accuracy(found),
         "base_frame": _base_frames(found),
+        "contacts": _contacts(found),
         "workspace": found.map,
         "iterations": len(final.history),
         "physics": [term_to_dict(t) for t in problem.held],
@@ -896,10 +897,21 @@ def _accuracy(found: Identification) -> dict[str, Any] | None:
     return out
 
 
+def _contacts(found: Identification) -> list[dict[str, Any]]:
+    """Return where the points that were touched are in {O}."""
+    instrument = found.fit.instrument
+    if instrument.kind != CONTACT:
+        return []
+    names = contacts(found.fit.problem.recording)
+    return [
+        {"name": str(n), "position_mm": (-t).tolist()} for n, t in zip(names, instrument.state[:, 9:12], strict=True)
+    ]
+
+
 def _base_frames(found: Identification) -> list[dict[str, Any]]:
     """Return where {O} stands in the instrument's frame, set-up by set-up, with standard deviations."""
     instrument, n = found.fit.instrument, len(found.fit.problem.names)
-    if 3 not in instrument.free:
+    if 3 not in instrument.free or instrument.kind == CONTACT:
         return []
     std = np.zeros((len(instrument.state), 9))  # zero: not estimated, because no reading depends on it
     std[:, list(instrument.free)] = np.sqrt(np.maximum(np.diag(found.fit.covariance)[n:], 0.0)).reshape(len(std), -1)

@@ -24,9 +24,11 @@ from deltacal_gen.rotation import cayley_matrix, from_vector, mean, to_vector
 from deltacal_gen.units import DEG
 
 MOST_PAIRS = 200_000  # distances that are made of positions at once
+TIE_STEPS = 4  # each squares what a known distance is off
 MOUNT = ("mx", "my", "mz")  # a gauge's unknowns which, where they are parameters of the machine, a model frees or not
 BOTH = "height and distance"  # of a printer: the bed was probed, and a printed object measured
-KINDS = ("position", "pose", "distance", "gauge", "sphere", "height", BOTH)
+CONTACT = "contact"  # a position in a frame of its own: that of the point that is touched, where it reads zero
+KINDS = ("position", "pose", "distance", "gauge", "sphere", CONTACT, "height", BOTH)
 FRAMELESS = ("distance", "height", BOTH)  # the instrument itself has nothing unknown
 _AXES = {"reading.x": 0, "reading.y": 1, "reading.z": 2}
 _TARGETS = {  # what of a reading effects may move, by column
@@ -35,6 +37,7 @@ _TARGETS = {  # what of a reading effects may move, by column
     "distance": {"length": 0},
     "gauge": {"length": 0},
     "sphere": {},
+    CONTACT: {},
     "height": {"height": 0},
     BOTH: {"height": 0, "length": 1},
 }
@@ -56,6 +59,7 @@ class Readings:
     rotations : (R, 3, 3) array or None
         Measured rotations; NaN where only the position was read.
     setup : (R,) int array
+        Set-up of the instrument; of contacts, the point that is touched.
     group : (R,) int array
         Readings of one group stay together when readings are held out: repeats of a pose, of a pair of poses.
     line : (R,) int array
@@ -149,6 +153,21 @@ def readings(recording: Recording, *, as_distance: bool = False) -> Readings:
         raise InputError(
             f"readings of the kind '{kind}' cannot be used yet.", f"Kinds: {', '.join(KINDS)}.", file=recording.path
         )
+    if kind == CONTACT:
+        assert recording.contact is not None
+        taken = np.flatnonzero(recording.contact != "")
+        return _some(
+            recording,
+            Readings(
+                kind,
+                taken[:, None],
+                np.zeros((len(taken), 3)),
+                None,
+                np.searchsorted(contacts(recording), recording.contact[taken]),
+                pose[taken],
+                recording.line[taken],
+            ),
+        )
     if kind in ("gauge", "sphere"):
         taken = np.flatnonzero(np.isfinite(recording.measured).all(axis=1))
         return _some(
@@ -185,6 +204,12 @@ def readings(recording: Recording, *, as_distance: bool = False) -> Readings:
         components=recording.components,
     )
     return _some(recording, distances(found, recording) if as_distance and kind in ("position", "pose") else found)
+
+
+def contacts(recording: Recording) -> np.ndarray:
+    """Return the names of the points that are touched, in the order of an instrument's state."""
+    assert recording.contact is not None
+    return np.unique(recording.contact[recording.contact != ""])
 
 
 def _heights(recording: Recording, pose: np.ndarray) -> Readings:
@@ -280,6 +305,8 @@ class Instrument:
         derivatives come multiplied by it.
     home : tuple of float
         From where positions count [mm], in {O}.
+    ties : tuple of (int, int, float)
+        Known distances [mm] between the origins of two rows of the state: they leave so many unknowns fewer.
     """
 
     kind: str
@@ -287,6 +314,7 @@ class Instrument:
     free: tuple[int, ...]
     scale: float = 1.0
     home: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    ties: tuple[tuple[int, int, float], ...] = ()
 
     @property
     def _kernels(self) -> ModuleType:
@@ -295,7 +323,7 @@ class Instrument:
     @property
     def n_unknown(self) -> int:
         """Number of unknowns, all set-ups together."""
-        return len(self.free) * len(self.state)
+        return len(self.free) * len(self.state) - len(self.ties)
 
     @property
     def unknown(self) -> tuple[tuple[str, str], ...]:
@@ -388,13 +416,40 @@ class Instrument:
         J_m = np.zeros((*J_p.shape[:2], len(self.state), len(self.free)))
         if self.free:
             J_m[np.arange(len(found)), :, found.setup] = self.by_unknown(found, x, self.free)
-        return J_p, J_m.reshape(*J_p.shape[:2], -1)
+        J_m = J_m.reshape(*J_p.shape[:2], -1)
+        return J_p, J_m @ self._loose() if self.ties else J_m
+
+    def _tied(self) -> tuple[Array, Array]:
+        """Return the derivatives (ties, 3 rows) of tied distances by the origins, and by how much they are off."""
+        slope, off = np.zeros((len(self.ties), len(self.state), 3)), np.zeros(len(self.ties))
+        for i, (a, b, distance) in enumerate(self.ties):
+            gap = self.state[b, 9:12] - self.state[a, 9:12]
+            length = max(float(np.linalg.norm(gap)), 1e-12)
+            slope[i, b], slope[i, a], off[i] = gap / length, -gap / length, length - distance
+        return slope.reshape(len(self.ties), -1), off
+
+    def _loose(self) -> Array:
+        """Return the directions (3 rows, n_unknown) of the origins that keep tied distances."""
+        directions: Array = np.linalg.svd(self._tied()[0])[2][len(self.ties) :].T
+        return directions
+
+    def tied(self) -> Instrument:
+        """Return the instrument with its origins moved, as little as need be, to the known distances."""
+        out = self
+        for _ in range(TIE_STEPS if self.ties else 0):
+            slope, off = out._tied()
+            state = out.state.copy()
+            state[:, 9:12] -= (np.linalg.pinv(slope) @ off).reshape(-1, 3)
+            out = dataclasses.replace(out, state=state)
+        return out
 
     def stepped(self, increment: Array) -> Instrument:
         """Return the instrument after an increment (n_unknown,) of its unknowns."""
         if not self.n_unknown:
             return self
         step = np.zeros((len(self.state), len(self._kernels.UNKNOWN)))
+        if self.ties:
+            increment = self._loose() @ increment
         step[:, list(self.free)] = np.asarray(increment).reshape(len(self.state), -1)
         state = self.state.copy()
         if self.kind == "gauge":
@@ -406,7 +461,7 @@ class Instrument:
             state[:, sphere.DISTORTION] += step[:, 6]
         if self.kind == "pose":
             state[:, 12:] = (cayley_matrix(step[:, 6:9]) @ state[:, 12:].reshape(-1, 3, 3)).reshape(-1, 9)
-        return dataclasses.replace(self, state=state)
+        return dataclasses.replace(self, state=state).tied()
 
     def frames(self) -> list[tuple[Array, Array]]:
         """Return per set-up the rotation vector [rad] and the origin [mm] of {O} in the instrument's frame."""
@@ -422,6 +477,7 @@ class Instrument:
             "free": list(self.free),
             "scale": self.scale,
             "home": list(self.home),
+            "ties": [list(tie) for tie in self.ties],
         }
 
     @staticmethod
@@ -433,6 +489,7 @@ class Instrument:
             tuple(data["free"]),
             data.get("scale", 1.0),
             tuple(data.get("home", (0.0, 0.0, 0.0))),
+            tuple((int(a), int(b), float(d)) for a, b, d in data.get("ties", ())),
         )
 
 
@@ -447,7 +504,7 @@ def carried(kind: str, mechanism: Mechanism) -> dict[int, int]:
 
 
 def _kernels(kind: str) -> ModuleType:
-    return importlib.import_module(f"deltacal_kernels.measurements.{kind}")
+    return importlib.import_module(f"deltacal_kernels.measurements.{'position' if kind == CONTACT else kind}")
 
 
 def frameless(kind: str) -> Instrument:
@@ -465,6 +522,8 @@ def start(found: Readings, recording: Recording, robot: Robot, x: Array) -> Inst
     setups = int(recording.setup.max()) + 1 if found.kind in ("position", "pose", "sphere") else 1
     if found.kind in FRAMELESS:
         return frameless(found.kind)
+    if found.kind == CONTACT:
+        return _touched(found, recording, x)
     if found.kind == "gauge":
         base = recording.measurement.base_point_mm or (0.0, 0.0, 0.0)
         incremental = recording.measurement.zero == "incremental"
@@ -507,6 +566,15 @@ def start(found: Readings, recording: Recording, robot: Robot, x: Array) -> Inst
             assert predicted is not None
             body[s] = mean(np.swapaxes(predicted, 1, 2) @ part.rotations).ravel()
     return dataclasses.replace(instrument, state=np.hstack([state, body]))
+
+
+def _touched(found: Readings, recording: Recording, x: Array) -> Instrument:
+    """Return the points that are touched: a frame each, along the axes of {O}, in which the point reads zero."""
+    names = contacts(recording).tolist()
+    at = [x[found.rows[found.setup == s, 0], :3] for s in range(len(names))]
+    state = [[*np.eye(3).ravel(), *(-P.mean(axis=0) if len(P) else np.zeros(3))] for P in at]
+    ties = tuple((names.index(a), names.index(b), d) for a, b, d in recording.contact_distances)
+    return Instrument(CONTACT, np.array(state), (3, 4, 5), ties=ties).tied()
 
 
 def home_of(recording: Recording, robot: Robot) -> tuple[float, float, float]:

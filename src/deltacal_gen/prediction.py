@@ -12,7 +12,7 @@ import numpy as np
 from deltacal_gen.correction import Smooth, variable
 from deltacal_gen.errors import InputError
 from deltacal_gen.estimation import Problem, pose_problem
-from deltacal_gen.measurement import FRAMELESS, Instrument, Readings, frameless, home_of
+from deltacal_gen.measurement import CONTACT, FRAMELESS, Instrument, Readings, frameless, home_of, start
 from deltacal_gen.mechanism import Array, mechanism_of
 from deltacal_gen.physics import Term, of_reading, reading_shift, term_from_dict
 from deltacal_gen.recording import Measurement, Recording
@@ -200,6 +200,10 @@ def _instrument(
     instrument = Instrument.from_dict(known)
     if found.kind in FRAMELESS:
         return found, frameless(found.kind)
+    if found.kind == CONTACT:  # where the points are is unknown in every session
+        held = known_effects(result, timed=recording.time_s is not None)
+        problem = pose_problem(robot, recording, (), found=found, held=held)
+        return found, start(found, recording, robot, problem.poses(problem.reference))
     if recording.measurement.frame == "robot" and found.kind == "position":
         state = np.array([[*np.eye(3).ravel(), 0.0, 0.0, 0.0]] * _setups(recording))
         return found, Instrument("position", state, (), home=home_of(recording, robot))
