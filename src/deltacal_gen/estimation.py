@@ -16,7 +16,7 @@ from functools import partial
 import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.measurement import BOTH, Instrument, Readings, carried, readings, start
+from deltacal_gen.measurement import BOTH, CONTACT, Instrument, Readings, carried, readings, start
 from deltacal_gen.mechanism import Array, Mechanism, Sensitivity, mechanism_of
 from deltacal_gen.physics import Body, Channels, Deformed, Term, of_reading, reading_shift
 from deltacal_gen.recording import Recording
@@ -640,6 +640,9 @@ def _damped(
         except InputError:
             damping, harder = max(damping * harder, 1.0), 2 * harder
             continue
+        if moved.kind == CONTACT:  # what was touched turns with the machine, along an arc that no linear step follows
+            off = whitened(problem.residual(trial, moved, deformed.x)).ravel()
+            moved = instrument.stepped(m_step + np.linalg.lstsq(A_m, off, rcond=None)[0])
         if weight is None:
             return trial, moved, deformed, damping / 10
         after = objective(trial, moved, deformed.x)

@@ -1,0 +1,78 @@
+"""Calibration from joints alone: a ball in sockets, no instrument."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from test_serial import by_hand, robot
+
+from deltacal_gen import commands
+from deltacal_gen.errors import InputError
+from deltacal_gen.mechanism import mechanism_of
+from deltacal_gen.recording import read_recording
+from deltacal_gen.robot import robot_to_toml
+from deltacal_gen.units import DEG
+
+TRUTH = {"a_2": 0.4, "theta_2": 0.08 * DEG, "d_4": -0.3, "theta_5": -0.1 * DEG, "tx": 0.5, "tz": -0.4}
+TOUCHES = 20
+SOCKETS = {
+    "front0": (430.0, 60.0, 120.0),
+    "front1": (430.0, 110.0, 120.0),
+    "left0": (-60.0, 420.0, 200.0),
+    "left1": (-60.0, 420.0, 250.0),
+    "high0": (300.0, -250.0, 420.0),
+    "high1": (335.35533906, -214.64466094, 420.0),
+}
+
+
+def touched(folder: Path, sockets: dict[str, tuple[float, float, float]], sigma: float, seed: int) -> Path:
+    """Write joints at which the true arm's ball sits in each socket, `TOUCHES` times from all sides."""
+    r = robot()
+    rng, lines = np.random.default_rng(seed), ["contact," + ",".join(f"q{i}_deg" for i in range(1, 7))]
+    (folder / "robot.toml").write_text(robot_to_toml(r))
+    m = mechanism_of(r)
+    rows = m.rows(r, m.vector(TRUTH))
+    for name, at in sockets.items():
+        q = rng.uniform(-2.5, 2.5, (120, 6))
+        for _ in range(40):  # Newton's method, all draws at once; those that do not get there are left out
+            x, _ = m.forward(q, r.tool, rows)
+            slope = m.sensitivity(x, q, r.tool, rows).joints[:, :3]
+            step = (np.linalg.pinv(slope) @ (np.array(at) - x[:, :3])[:, :, None])[:, :, 0]
+            q = q + np.clip(step, -0.3, 0.3)
+        there = q[np.abs(step).max(axis=1) < 1e-12][:TOUCHES]
+        assert len(there) == TOUCHES
+        assert by_hand(r, there[0], TRUTH)[:3] == pytest.approx(at, abs=1e-6)
+        for one in there + sigma * rng.standard_normal(there.shape):
+            lines.append(name + "," + ",".join(repr(float(v)) for v in one / DEG))
+    path = folder / "ball.csv"
+    path.write_text("\n".join(lines) + "\n")
+    pairs = ", ".join(f'["{n}", "{n[:-1]}1", 50.0]' for n in sockets if n.endswith("0"))
+    path.with_suffix(".toml").write_text(f'[measurement]\nkind = "contact"\n[contacts]\ndistance_mm = [{pairs}]\n')
+    return path
+
+
+def test_a_ball_in_sockets_calibrates_an_arm(tmp_path: Path) -> None:
+    path = touched(tmp_path, SOCKETS, sigma=2e-6, seed=1)
+    result = commands.identify(tmp_path / "robot.toml", path, output=tmp_path / "result.json")
+    assert result["model"] == "serial/dh"
+    assert result["train_rms_mm"] < 0.01
+    at = {c["name"]: np.array(c["position_mm"]) for c in result["contacts"]}
+    for name in SOCKETS:
+        if name.endswith("0"):
+            assert np.linalg.norm(at[name] - at[name[:-1] + "1"]) == pytest.approx(50.0, abs=1e-9)
+    # the arm's place on the table is not seen, distances between sockets are
+    across = np.linalg.norm(at["front0"] - at["left0"])
+    assert across == pytest.approx(np.linalg.norm(np.subtract(SOCKETS["front0"], SOCKETS["left0"])), abs=0.05)
+    elsewhere = touched(tmp_path, {"new0": (200.0, 400.0, 300.0), "new1": (200.0, 450.0, 300.0)}, sigma=2e-6, seed=2)
+    assert commands.validate(tmp_path / "result.json", elsewhere)["rms_mm"] < 0.02
+
+
+def test_contacts_need_their_names(tmp_path: Path) -> None:
+    path = touched(tmp_path, {"a0": (430.0, 60.0, 120.0), "a1": (430.0, 110.0, 120.0)}, sigma=0.0, seed=3)
+    path.with_suffix(".toml").write_text(
+        '[measurement]\nkind = "contact"\n[contacts]\ndistance_mm = [["a0", "b", 50.0]]\n'
+    )
+    with pytest.raises(InputError, match="'b'"):
+        read_recording(path, mechanism_of(robot()))
