@@ -258,12 +258,6 @@ def test_a_rotation_read_now_and_then_counts_where_it_was_read(robot: Robot) -> 
     assert found.n_scalars == 12 * 3 + 4 * 3
 
 
-def test_kinds_that_cannot_be_used_yet_are_named(robot: Robot) -> None:
-    recording = dataclasses.replace(recorded(robot, "position", {}), kind="contact")
-    with pytest.raises(InputError, match="readings of the kind 'contact' cannot be used yet"):
-        readings(recording)
-
-
 # ------------------------------------------------------------------------------------------------------------ rotations
 
 

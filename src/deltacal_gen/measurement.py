@@ -28,7 +28,6 @@ TIE_STEPS = 4  # each squares what a known distance is off
 MOUNT = ("mx", "my", "mz")  # a gauge's unknowns which, where they are parameters of the machine, a model frees or not
 BOTH = "height and distance"  # of a printer: the bed was probed, and a printed object measured
 CONTACT = "contact"  # a position in a frame of its own: that of the point that is touched, where it reads zero
-KINDS = ("position", "pose", "distance", "gauge", "sphere", CONTACT, "height", BOTH)
 FRAMELESS = ("distance", "height", BOTH)  # the instrument itself has nothing unknown
 _AXES = {"reading.x": 0, "reading.y": 1, "reading.z": 2}
 _TARGETS = {  # what of a reading effects may move, by column
@@ -50,7 +49,7 @@ class Readings:
     Attributes
     ----------
     kind : str
-        One of `KINDS`.
+        As in a recording, or `BOTH`.
     rows : (R, 1) or (R, 2) int array
         Rows of the recording; of a height among distances, its row twice.
     values : (R, k) array
@@ -148,10 +147,6 @@ def readings(recording: Recording, *, as_distance: bool = False) -> Readings:
                 np.ravel(group),
                 recording.pair_line[taken],
             ),
-        )
-    if kind not in KINDS:
-        raise InputError(
-            f"readings of the kind '{kind}' cannot be used yet.", f"Kinds: {', '.join(KINDS)}.", file=recording.path
         )
     if kind == CONTACT:
         assert recording.contact is not None

@@ -16,7 +16,7 @@ from pydantic import Field
 
 from deltacal_gen import sphere
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.measurement import BOTH, CONTACT, FRAMELESS, KINDS, Instrument, Readings, both, frameless, home_of
+from deltacal_gen.measurement import BOTH, CONTACT, FRAMELESS, Instrument, Readings, both, frameless, home_of
 from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, mechanism_of
 from deltacal_gen.physics import Body, Channels, Term, blank, coefficients, effect_names, load_effect, reading_shift
 from deltacal_gen.recording import Measurement, Recording
@@ -228,10 +228,10 @@ def with_values(recording: Recording, found: Readings, values: Array) -> Recordi
 
 def unread(poses: Recording) -> Readings:
     """Return the readings that would be taken: every row, or every pair; heights at the rows that no pair names."""
-    if poses.kind not in KINDS or poses.kind == CONTACT:
+    if poses.kind == CONTACT:
         raise InputError(
-            f"readings of the kind '{poses.kind}' cannot be simulated yet.",
-            f"Kinds: {', '.join(k for k in KINDS if k != CONTACT)}.",
+            "a contact reads nothing that could be simulated or predicted: its joints are the reading.",
+            'Ask for the kind position, with frame = "robot" in the sidecar.',
             file=poses.path,
         )
     if poses.kind == "height" and poses.pairs is not None:
