@@ -22,7 +22,7 @@ from deltacal_gen.demonstration import example
 from deltacal_gen.errors import DeltacalError
 from deltacal_gen.estimation import Problem, Repeats, pose_problem, rms
 from deltacal_gen.identification import BROAD
-from deltacal_gen.mechanism import load_mechanism
+from deltacal_gen.mechanism import compiled_only, load_mechanism
 from deltacal_gen.physics import Term, blank, effect_names, load_effect
 from deltacal_gen.recording import Measurement, Recording
 from deltacal_gen.robot import Robot, read_robot, robot_from_dict
@@ -114,6 +114,7 @@ def plan(
     return [out[i] for i in np.random.default_rng(seed).permutation(len(out))]
 
 
+@compiled_only()
 def generate(kind: str, names: Sequence[str], seed: Sequence[int], by: Callable[..., Recording] = simulate) -> Case:
     """Return the case of a seed: `names` are effects, or one of `OUTSIDE`, or empty.
 
