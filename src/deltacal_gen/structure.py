@@ -106,32 +106,32 @@ class _Smooth:
         unit: Array = A / np.maximum(np.linalg.norm(A, axis=0), 1e-300)
         return unit
 
-    def _columns(self, functions: Array) -> Array:
-        """Return projected unit columns (functions, scalars, directions)."""
-        A = self.modulated(functions)
-        A -= self._beside.Q @ (self._beside.Q.T @ A)
-        return np.ascontiguousarray(np.moveaxis(A.reshape(len(A), functions.shape[1], -1), 0, 1))
-
     def along(self, channel: str, functions: Array, places: Sequence[Region | None]) -> Structure:
         """Return what the best few functions (N, m) of a channel explain, charged for columns and choice."""
-        A, r = self._columns(functions), self._beside.residual
-        price = quantile(A.shape[2], A.shape[0])
+        A, r, count = self.modulated(functions), self._beside.residual, functions.shape[1]
+        A -= self._beside.Q @ (self._beside.Q.T @ A)
+        apart = A.reshape(len(A), count, -1)
+        price = quantile(apart.shape[2], count)
+        # products of what is left of the columns when chosen ones are taken out: only they change
+        G = np.array([apart[:, k].T @ apart[:, k] for k in range(count)])
+        b = (r @ A).reshape(count, -1)
         chosen: list[int] = []
         taken = np.zeros((len(r), 0))
         left, gain = r, 0.0
-        B = A
-        for _ in range(min(FUNCTIONS, len(A))):
-            each = gains(np.swapaxes(B, 1, 2) @ B, left @ B)
+        for _ in range(min(FUNCTIONS, count)):
+            each = gains(G, b)
             k = int(np.argmax(each))
             if each[k] < price:
                 break
             chosen.append(k)
-            U, s, _ = np.linalg.svd(np.hstack([taken, B[k]]), full_matrices=False)
-            taken = U[:, s > 1e-3]
-            left = r - taken @ (taken.T @ r)
+            U, s, _ = np.linalg.svd(apart[:, k] - taken @ (taken.T @ apart[:, k]), full_matrices=False)
+            U = U[:, s > 1e-3]
+            shares, along = (U.T @ A).reshape(U.shape[1], count, -1), U.T @ left
+            G -= np.einsum("umi,umj->mij", shares, shares)
+            b -= np.einsum("umi,u->mi", shares, along)
+            taken, left = np.hstack([taken, U]), left - U @ along
             gain = float(r @ r - left @ left)
-            B = A - taken @ (taken.T @ A)
-        limbs = self._sits(A[chosen]) if chosen else ()
+        limbs = self._sits(np.moveaxis(apart[:, chosen], 1, 0)) if chosen else ()
         region = places[chosen[0]] if chosen else None
         return Structure(channel, gain, price * len(chosen), () if region is not None else limbs, region)
 
