@@ -38,8 +38,9 @@ class _Placed:
 
     def twists(self, k: int, columns: slice | list[int]) -> Array:
         """Return twists (N, 6, columns) of link k along the base's axes."""
-        R, chosen = self.before[k], self.local[k][:, :, columns]
-        return np.concatenate([R @ chosen[:, :3], R @ chosen[:, 3:]], axis=1)
+        rows = np.swapaxes(self.local[k], 1, 2)[:, columns]  # as they lie in memory
+        turned = rows.reshape(len(rows), -1, 3) @ np.swapaxes(self.before[k], 1, 2)
+        return np.swapaxes(turned.reshape(rows.shape), 1, 2)
 
 
 class Chain(Mechanism):
@@ -148,7 +149,7 @@ class Chain(Mechanism):
         for k, link in enumerate(self.links):
             turn, shift, local = self._kernels_of_a_link.link(link.convention, variables[:, k], rows[:, k])
             placed.before.append(R)
-            R, p = R @ turn, p + (R @ shift[:, :, None])[:, :, 0]
+            R, p = R @ turn, p + np.einsum("nij,nj->ni", R, shift)
             placed.local.append(local)
             placed.rotation.append(R)
             placed.origin.append(p)

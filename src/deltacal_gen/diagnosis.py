@@ -41,7 +41,7 @@ MARGIN = 10.0  # of chi2, beyond all charges: what an effect must earn to be nam
 # twice its root, and two such deviations are allowed
 AMBIGUOUS = 10.0 + 4 * 10.0**0.5
 MOST_EFFECTS = 3
-MOST_POSES = 1000  # that the search looks at, drawn at random: they show what is there; the fit uses all
+MOST_POSES = 700  # that the search looks at, drawn at random: they show what is there; the fit uses all
 SEED = 2013
 REVISIONS = 4
 MUCH_WORSE = 1.02  # times the noise: another form that fits so much worse in the exact machine is not taken
