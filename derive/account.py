@@ -591,19 +591,21 @@ def unseen_of(exact: LimbMechanism, written: Written, numbers: unseen.Numbers) -
             return _with_limb(base, shown[name][1])
         return ts.expression(own[name], written.symbols)
 
+    try:
+        whole = unseen.NullSpace(errors, motions, found)
+    except ValueError:
+        return None
     out: dict[str, Any] = {}
     for model, names in exact.models.items():
         chosen = [s for s in errors if s.name in names]
         for kind, free in MOTIONS.items():
-            moving, rows = [s for s in motions if s.name in free], found
+            moving, tied = [s for s in motions if s.name in free], {}
             if kind == "unknown frame, several points":
-                turns = {sp.Symbol(f"k{s.name[1:]}", real=True): s for s in moving if s.name[0] == "w"}
-                moving = [s for s in moving if s.name[0] == "t" or s in (turns[k] for k in turns if k in motions)]
-                rows = [e.subs(turns) for e in found]
-            held = [s for s in (*errors, *motions) if s not in chosen and s not in moving]
-            basis = unseen.null_space(chosen, moving, rows, held)
-            if basis is None:
-                return None
+                by_name = {s.name: s for s in motions}
+                pairs = [(by_name.get(k), by_name.get(w)) for k, w in zip(PLATFORM, TURN, strict=True)]
+                tied = {k: w for k, w in pairs if k is not None and w is not None}
+                moving = [s for s in moving if s.name in SHIFT or s in tied.values()]
+            basis = whole.of(chosen, moving, tied)
             out.setdefault(model, {})[kind] = [
                 {
                     "names": list(vector),

@@ -13,7 +13,7 @@ linear equation in v, t, w, k and m over the field of the geometry's symbols. No
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import sympy as sp
@@ -164,51 +164,98 @@ class _Number:
 _Row = dict[int, _Number]
 
 
-def null_space(
-    errors: Sequence[sp.Symbol],
-    motions: Sequence[sp.Symbol],
-    found: Sequence[sp.Expr],
-    held: Iterable[sp.Symbol] = (),
-) -> list[dict[str, sp.Expr]] | None:
-    """Return a basis of the errors that some motion makes invisible; None where more than one square root occurs.
+class NullSpace:
+    """All errors and motions that the equations allow; models and instruments are parts of it.
 
-    Exact elimination; equations are short, and pivots are taken where they stay so. Unknowns that are `held` are zero.
+    Exact elimination, once; equations are short, and pivots are taken where they stay so.
+
+    Parameters
+    ----------
+    errors, motions, found
+        Of `equations`.
+
+    Raises
+    ------
+    ValueError
+        More than one square root occurs.
     """
-    columns = {s: j for j, s in enumerate((*motions, *errors))}
-    halves = {r for e in found for r in e.atoms(sp.Pow) if r.exp.is_Rational and r.exp.q == 2}
-    lengths = sorted({r.base for r in halves if not r.base.is_Integer}, key=str)  # their roots are lengths themselves
-    symbols_of = {base: sp.Symbol(f"root_{j}", positive=True) for j, base in enumerate(lengths)}
-    found = [e.xreplace({r: symbols_of[r.base] ** (2 * r.exp) for r in halves if r.base in symbols_of}) for e in found]
-    roots = {sp.sqrt(r.base) for r in halves if r.base.is_Integer}
-    if len(roots) > 1:
-        return None
-    root, mark = next(iter(roots), sp.Integer(1)), sp.Symbol("root")
-    symbols = sorted(set().union(*(e.free_symbols for e in found)) - set(columns) - set(held), key=str)
-    field = sp.QQ.frac_field(*symbols) if symbols else sp.QQ.frac_field(sp.Symbol("one"))
-    zero, d = field.zero, int(root**2)
 
-    def number(e: sp.Expr) -> _Number:
-        e = sp.expand(e).subs(root, mark) if root != 1 else e
-        return _Number(field.from_sympy(e.coeff(mark, 0)), field.from_sympy(e.coeff(mark, 1)), d)
+    def __init__(self, errors: Sequence[sp.Symbol], motions: Sequence[sp.Symbol], found: Sequence[sp.Expr]) -> None:
+        self._columns = {s: j for j, s in enumerate((*motions, *errors))}
+        self._first = len(motions)
+        halves = {r for e in found for r in e.atoms(sp.Pow) if r.exp.is_Rational and r.exp.q == 2}
+        lengths = sorted({r.base for r in halves if not r.base.is_Integer}, key=str)  # their roots are lengths too
+        named = {base: sp.Symbol(f"root_{j}", positive=True) for j, base in enumerate(lengths)}
+        found = [e.xreplace({r: named[r.base] ** (2 * r.exp) for r in halves if r.base in named}) for e in found]
+        roots = {sp.sqrt(r.base) for r in halves if r.base.is_Integer}
+        if len(roots) > 1:
+            raise ValueError("more than one square root occurs.")
+        self._root = next(iter(roots), sp.Integer(1))
+        self._back = {s: sp.sqrt(base) for base, s in named.items()}
+        symbols = sorted(set().union(*(e.free_symbols for e in found)) - set(self._columns), key=str)
+        self._field = sp.QQ.frac_field(*symbols) if symbols else sp.QQ.frac_field(sp.Symbol("one"))
+        rows = []
+        for e in found:
+            slopes = {s: sp.diff(e, s) for s in e.free_symbols if s in self._columns}
+            rows.append({self._columns[s]: n for s, slope in slopes.items() if (n := self._number(slope))})
+        self._basis = self._solutions(_eliminated(rows, self._first), len(self._columns))
 
-    rows = []
-    for e in found:
-        row = {columns[s]: number(sp.diff(e, s)) for s in e.free_symbols if s in columns}
-        rows.append({j: value for j, value in row.items() if value})
-    solved = _eliminated(rows, len(motions))
-    basis: list[_Row] = []
-    for free in (j for j in range(len(columns)) if j not in solved):
-        vector = {j: _Number(zero, zero, d) - row[free] for j, row in solved.items() if free in row}
-        vector[free] = _Number(field.one, zero, d)
-        basis.append({j: value for j, value in vector.items() if j >= len(motions)})
-    names, back = list(columns), {s: sp.sqrt(base) for base, s in symbols_of.items()}
-    return [
-        {
-            str(names[j]): (field.to_sympy(value.a) + field.to_sympy(value.b) * root).xreplace(back)
-            for j, value in sorted(row.items())
-        }
-        for row in _eliminated([row for row in basis if row], 0).values()
-    ]
+    def _number(self, e: sp.Expr) -> _Number:
+        mark = sp.Symbol("root")
+        e = sp.expand(e).subs(self._root, mark) if self._root != 1 else e
+        a, b = (self._field.from_sympy(e.coeff(mark, n)) for n in (0, 1))
+        return _Number(a, b, int(self._root**2))
+
+    def _solutions(self, solved: dict[int, _Row], count: int) -> list[_Row]:
+        """Return a basis of what solved equations in `count` unknowns leave free."""
+        zero, one = (_Number(n, self._field.zero, int(self._root**2)) for n in (self._field.zero, self._field.one))
+        basis: list[_Row] = []
+        for free in (j for j in range(count) if j not in solved):
+            basis.append({j: zero - row[free] for j, row in solved.items() if free in row} | {free: one})
+        return basis
+
+    def of(
+        self, errors: Sequence[sp.Symbol], motions: Sequence[sp.Symbol], tied: Mapping[sp.Symbol, sp.Symbol]
+    ) -> list[dict[str, sp.Expr]]:
+        """Return a basis of the errors of a model that some of the motions make invisible.
+
+        Motions that are `tied` to others are equal to them; all other unknowns are zero.
+        """
+        free = {*errors, *motions, *tied}
+        conditions: list[_Row] = []
+        for s, j in self._columns.items():
+            if s not in free:
+                conditions.append({n: row[j] for n, row in enumerate(self._basis) if j in row})
+        for s, to in tied.items():
+            left, right = self._columns[s], self._columns[to]
+            both = [(n, row.get(left), row.get(right)) for n, row in enumerate(self._basis)]
+            zero = _Number(self._field.zero, self._field.zero, int(self._root**2))
+            conditions.append({n: e for n, a, b in both if (e := (a or zero) - (b or zero))})
+        kept = self._solutions(_eliminated(conditions, 0), len(self._basis))
+        vectors = []
+        for combination in kept:
+            vector: _Row = {}
+            for n, much in combination.items():
+                vector = _plus(vector, much, self._basis[n])
+            vectors.append({j: e for j, e in vector.items() if j >= self._first})
+        names = list(self._columns)
+        return [
+            {str(names[j]): self._expression(value) for j, value in sorted(row.items())}
+            for row in _eliminated(vectors, 0).values()
+        ]
+
+    def _expression(self, value: _Number) -> sp.Expr:
+        a, b = self._field.to_sympy(value.a), self._field.to_sympy(value.b)
+        return (a + b * self._root).xreplace(self._back)
+
+
+def _plus(row: _Row, much: _Number, other: _Row) -> _Row:
+    """Return a row and so much of another one."""
+    out = dict(row)
+    zero = much - much
+    for j, value in other.items():
+        out[j] = out.get(j, zero) - (zero - much) * value
+    return {j: value for j, value in out.items() if value}
 
 
 def _eliminated(rows: list[_Row], first: int) -> dict[int, _Row]:
@@ -228,10 +275,4 @@ def _eliminated(rows: list[_Row], first: int) -> dict[int, _Row]:
 
 
 def _without(row: _Row, column: int, solved: _Row) -> _Row:
-    if column not in row:
-        return row
-    much = row[column]
-    out = dict(row)
-    for j, value in solved.items():
-        out[j] = (out[j] if j in out else _Number(much.a * 0, much.a * 0, much.d)) - much * value
-    return {j: value for j, value in out.items() if value}
+    return _plus(row, row[column] - row[column] - row[column], solved) if column in row else row

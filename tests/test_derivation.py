@@ -105,11 +105,10 @@ def test_null_spaces_in_closed_form_are_unseen_by_readings(name: str) -> None:
     found = unseen.equations(exact, {key: v.tolist() for key, v in robot.geometry.items()})
     assert found is not None
     errors, motions, rows = found
-    basis = unseen.null_space(errors, motions, rows)
+    basis = unseen.NullSpace(errors, motions, rows).of(errors, motions, {})
     every = [p.name for p in mechanism.parameters]
     H = checks.identification(robot, [poses], every, "position")
     s = np.linalg.svd(H * mechanism.typical, compute_uv=False)
-    assert basis is not None
     assert len(basis) == len(every) - int((s > 1e-9 * s[0]).sum())
     geometry = {
         sp.Symbol(str(g.quantity.symbol), positive=True): float(robot.geometry[g.key][0]) for g in exact.geometry
@@ -121,8 +120,9 @@ def test_null_spaces_in_closed_form_are_unseen_by_readings(name: str) -> None:
 
 def test_a_root_of_another_kind_leaves_the_null_space_to_numbers() -> None:
     x, y = sp.symbols("x y")
-    assert unseen.null_space([x, y], [], [sp.sqrt(2) * x + sp.sqrt(3) * y]) is None
-    (vector,) = unseen.null_space([x, y], [], [sp.sqrt(3) * x - 3 * y]) or [{}]
+    with pytest.raises(ValueError, match="square root"):
+        unseen.NullSpace([x, y], [], [sp.sqrt(2) * x + sp.sqrt(3) * y])
+    (vector,) = unseen.NullSpace([x, y], [], [sp.sqrt(3) * x - 3 * y]).of([x, y], [], {})
     assert sp.simplify(vector["x"] * sp.sqrt(3) - 3 * vector["y"]) == 0
 
 
