@@ -21,6 +21,7 @@ import derive.effects
 import derive.measurements
 import derive.mechanisms
 from derive import closed_form, statics, vectors
+from derive.blocks import Blocks, blocks, nominal, turn_by_change
 from derive.first_order import linear
 from derive.graph import Graph
 from derive.lower import Kernel, Lowering, Text
@@ -111,7 +112,7 @@ def measurements() -> Iterator[Measurement]:
     return _registered(derive.measurements, "MEASUREMENT")
 
 
-def kinematics(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kernel]:
+def kinematics(mechanism: LimbMechanism, text: Text = python) -> tuple[dict[str, Kernel], Blocks | None]:
     """Lower a mechanism to the kernels that ``kinematics.py.jinja`` calls, by name.
 
     Keys: `newton` (closure, its Jacobians by platform and joint), `parameters` (its Jacobian by errors and
@@ -147,23 +148,26 @@ def kinematics(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kerne
             "parameters", "per rod of one limb: derivatives of the closure by errors, by deflections", errors
         ),
         _seed(mechanism, lowering),
-        lowering.constants("constants", "what no pose changes"),
     ]
-    return {kernel.name: kernel for kernel in kernels}
+    if turns := turn_by_change(mechanism):
+        kernels.append(lowering.kernel("spin", "turn about the axes of {O} by the Cayley vector", turns, dense=True))
+    batch = blocks(mechanism, *_seeds(mechanism), lowering, graph) if text is python else None
+    kernels.append(lowering.constants("constants", "what no pose changes"))
+    return {kernel.name: kernel for kernel in kernels}, batch
 
 
 def _seed(mechanism: LimbMechanism, lowering: Lowering) -> Kernel:
     """Lower what the forward position starts from: each limb as a sphere, or the closed form that the spec gives."""
+    return lowering.kernel("position" if mechanism.seeds is not None else "sphere", *_seeds(mechanism))
+
+
+def _seeds(mechanism: LimbMechanism) -> tuple[str, list[sp.Expr]]:
+    """Return what the forward position starts from, its meaning and expressions."""
     if mechanism.seeds is not None:
-        return lowering.kernel(
-            "position",
-            "platform of the simplified machine at a given joint",
-            [mechanism.seeds.get(quantity.symbol, sp.Integer(0)) for quantity in mechanism.platform],
-        )
+        position = [mechanism.seeds.get(quantity.symbol, sp.Integer(0)) for quantity in mechanism.platform]
+        return "platform of the simplified machine at a given joint", position
     centre, constant = closed_form.sphere(mechanism)
-    return lowering.kernel(
-        "sphere", "the simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d", [*centre, constant]
-    )
+    return "the simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d", [*centre, constant]
 
 
 def measurement(spec: Measurement) -> dict[str, Kernel]:
@@ -269,7 +273,8 @@ def render() -> dict[Path, str]:
     environment = _environment()
     found = list(mechanisms())
     texts = {
-        Path("__init__.py"): environment.get_template("__init__.py.jinja").render(mechanisms=found, command=COMMAND)
+        Path(name): environment.get_template(f"{name}.jinja").render(mechanisms=found, command=COMMAND)
+        for name in ("__init__.py", "elementary.py")
     }
     for mechanism in found:
         folder = Path(mechanism.name)
@@ -282,14 +287,19 @@ def render() -> dict[Path, str]:
                 )
             continue
         loads = statics.loads(mechanism)
-        moving = kinematics(mechanism)
+        moving, batch = kinematics(mechanism)
         command_constants = _columns(moving["newton"], moving["joint"])
         contents: dict[str, dict[str, Any]] = {
             "parameters.py": {},
-            "kinematics.py": {"kernels": moving | linear(mechanism), "command_constants": command_constants},
+            "kinematics.py": {
+                "kernels": moving,
+                "blocks": batch,
+                "nominal": nominal(mechanism, batch) if batch else None,
+            },
+            "servo.py": {"kernels": moving | linear(mechanism), "command_constants": command_constants},
             "vectorised.py": {"kernels": moving},
             "statics.py": {"kernels": loads},
-            "inverse.c": {"kernels": kinematics(mechanism, text=c99), "constants": command_constants},
+            "inverse.c": {"kernels": kinematics(mechanism, text=c99)[0], "constants": command_constants},
             "linear.c": {"kernels": linear(mechanism, text=c99)},
         }
         for name, context in contents.items():

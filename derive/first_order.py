@@ -23,32 +23,37 @@ def _rate(expr: sp.Expr, rates: Mapping[sp.Symbol, sp.Expr], nominal: Mapping[sp
     return sp.Add(*(sp.diff(expr, s).xreplace(nominal) * rates[s] for s in moving))
 
 
-def first_order(mechanism: LimbMechanism) -> tuple[Steps, list[dict[str, sp.Expr]]]:
+Directions = Mapping[str, Mapping[sp.Symbol, sp.Expr]]
+
+
+def first_order(mechanism: LimbMechanism, directions: Directions) -> tuple[Steps, list[dict[str, sp.Expr]]]:
     """Return the steps at nominal geometry with their rates, and the rates of each closure by direction.
 
-    Directions: the names of the joint and of the rotation's components, and ``errors`` (errors and deflections).
+    A direction is the rates of inputs along it, by its name.
     """
     rotation = [quantity.symbol for quantity in mechanism.platform[mechanism.commanded :]]
-    errors = [quantity.symbol for quantity in mechanism.varied]
-    nominal: dict[sp.Symbol, sp.Expr] = dict.fromkeys(errors, sp.Integer(0))
+    nominal: dict[sp.Symbol, sp.Expr] = {quantity.symbol: sp.Integer(0) for quantity in mechanism.varied}
     seeds = {s: e.xreplace(nominal) for s, e in uncommanded(mechanism).items() if e != 0}
     started = [(sp.Symbol(f"nominal_{s}", real=True), e) for s, e in seeds.items()]
     nominal |= dict.fromkeys(rotation, sp.Integer(0)) | dict(zip(seeds, (s for s, _ in started), strict=True))
-    rates: dict[str, dict[sp.Symbol, sp.Expr]] = {
-        str(s): {s: sp.Integer(1)} for s in (mechanism.joint.symbol, *rotation)
-    }
-    rates["errors"] = {s: s for s in errors}
+    rates = {name: dict(start) for name, start in directions.items()}
     steps: list[tuple[sp.Symbol, sp.Expr]] = []
     for symbol, expr in mechanism.steps:
-        at = expr.xreplace(nominal)
-        # what vanishes on every nominal machine (the rods of a pair are parallel) is zero, not a rounding error
-        steps.append((symbol, sp.Integer(0) if sp.expand(expand_steps(at, steps)) == 0 else at))
+        steps.append((symbol, vanishing(expr.xreplace(nominal), steps)))
         for direction, known in rates.items():
-            if (rate := _rate(expr, known, nominal)) != 0:
+            if (rate := vanishing(_rate(expr, known, nominal), steps)) != 0:
                 known[symbol] = sp.Symbol(f"{symbol}_{direction}", real=True)
                 steps.append((known[symbol], rate))
     closures = [{d: _rate(e, known, nominal) for d, known in rates.items()} for e in mechanism.loop_closure]
     return [*started, *steps], closures
+
+
+def vanishing(expr: sp.Expr, steps: Steps) -> sp.Expr:
+    """Return 0 for what is identically zero, the expression for what is not.
+
+    What vanishes on every nominal machine (the rods of a pair are parallel) is zero, not a rounding error.
+    """
+    return sp.Integer(0) if expr != 0 and sp.expand(expand_steps(expr, steps)) == 0 else expr
 
 
 def linear(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kernel]:
@@ -65,7 +70,8 @@ def linear(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kernel]:
     inputs |= {s.symbol: f"tool[{j}]" for j, s in enumerate(mechanism.tool)}
     inputs |= {joint: "q"}
     parameters = {s.symbol: f"p[{j}]" for j, s in enumerate(mechanism.limb_parameters)}
-    steps, closures = first_order(mechanism)
+    directions = {str(s): {s: sp.Integer(1)} for s in (joint, *platform[mechanism.commanded :])}
+    steps, closures = first_order(mechanism, directions | {"errors": {s: s for s in errors}})
     lowering = Lowering(Graph(steps, invariant=parameters), parameters, inputs, text=text)
     rows: list[sp.Expr | None] = []
     for rate in closures:

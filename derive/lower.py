@@ -76,7 +76,9 @@ class Lowering:
         """
         leaves = [self._graph.add(e) for e in outputs if e is not None]
         stored = [j for j, e in enumerate(outputs) if e is not None]
-        moving = {s: e for s, e in self._graph.needed(leaves).items() if not self._graph.is_invariant(s)}
+        moving = {
+            s: e for s, e in self._graph.needed(leaves, known=self._inputs).items() if not self._graph.is_invariant(s)
+        }
         for expr in (*moving.values(), *leaves):
             for symbol in sorted(expr.free_symbols, key=str):
                 if self._graph.is_invariant(symbol) and symbol not in self._shared:
@@ -84,6 +86,12 @@ class Lowering:
         lowered = self._straight(name, meaning, {**self._inputs, **self._shared}, moving, leaves)
         stores = tuple((stored[j], value) for j, value in lowered.stores if dense or leaves[j] != 0)
         return replace(lowered, stores=stores, length=len(outputs))
+
+    def over(self, inputs: Mapping[sp.Symbol, str]) -> Lowering:
+        """Return the lowering of the same graph with other inputs, steps among them; the invariants are shared."""
+        other = Lowering(self._graph, self._parameters, inputs, self._constant, self._text)
+        other._shared = self._shared
+        return other
 
     def constants(self, name: str, meaning: str) -> Kernel:
         """Lower the invariants that the kernels so far have asked for; call this last."""

@@ -300,6 +300,78 @@ def test_a_warm_start_leads_to_the_same_pose(machine: Solved, mechanism: Mechani
         assert x == pytest.approx(solved_for(machine.x), abs=1e-9)
 
 
+# ------------------------------------------------------------------------------------------------- batches of machines
+
+
+@pytest.mark.parametrize("name", ["delta", "complete_delta"])
+def test_sensitivity_of_the_nominal_machine(robot: Robot, name: str) -> None:
+    """Derived to first order, it is the exact one where all errors are zero."""
+    mechanism = load_mechanism(name)
+    n, rows = 70, mechanism.rows(robot, np.zeros(len(mechanism.parameters)))
+    q, x, _ = mechanism.inverse(scattered(robot, n, 3), TOOL, rows)
+    exact = mechanism.sensitivity(x, q, TOOL, rows).parameters[:, :3]
+    S = np.empty((n, 3, len(mechanism.parameters)))
+    k, at = mechanism.compiled.nominal_constants(rows), np.ascontiguousarray(x[:, :3])
+    assert mechanism.compiled.nominal_sensitivity(at, q, TOOL[None], k, S)
+    assert pytest.approx(exact, abs=1e-12 * np.abs(exact).max()) == S
+
+
+def test_rows_of_distances_contract_the_sensitivity(robot: Robot, mechanism: Mechanism) -> None:
+    n, rows, columns = 9, mechanism.rows(robot, np.zeros(42)), np.arange(3, 40, 2)
+    q, x, _ = mechanism.inverse(scattered(robot, n, 3), TOOL, rows)
+    at = np.ascontiguousarray(x[:, :3])
+    H = np.empty((n * (n - 1) // 2, len(columns)))
+    k = mechanism.compiled.nominal_constants(rows)
+    assert mechanism.compiled.distance_rows(at, q, TOOL[None], k, columns, H)
+    S = mechanism.sensitivity(x, q, TOOL, rows).parameters[:, :3][:, :, columns]
+    a, b = np.triu_indices(n, 1)
+    along = (at[b] - at[a]) / np.linalg.norm(at[b] - at[a], axis=1)[:, None]
+    expected = np.einsum("nc,ncj->nj", along, S[b] - S[a])
+    assert pytest.approx(expected, abs=1e-11 * np.abs(expected).max()) == H
+
+
+@pytest.mark.parametrize("each", [1, 7, 40])
+def test_machines_that_share_a_call_do_not_see_one_another(robot: Robot, mechanism: Mechanism, each: int) -> None:
+    """Blocks of unequal fill, poses out of reach among them: to the last bit what each pose alone would give."""
+    kernels, machines = mechanism.compiled, 3
+    errors = np.array([mechanism.vector(plausible(mechanism, s)) for s in range(machines)])
+    k = kernels.constants(mechanism.rows(robot, errors))
+    target = scattered(robot, machines * each, 5)
+    target[0] = [3000.0, 0.0, -800.0]
+    n = len(target)
+    q, x, status = np.empty((n, 3)), np.empty((n, 6)), np.empty(n, dtype=np.int64)
+    kernels.inverse(target, TOOL[None], k, x, q, status)
+    assert status[0] == UNREACHABLE
+    assert (status[1:] == SOLVED).all()
+    q[0] = 0.1
+    kernels.forward(q, TOOL[None], k, x, status, False)
+    for m in range(0, n, max(n // 5, 1)):
+        alone, of = np.empty((1, 6)), np.empty(1, dtype=np.int64)
+        kernels.forward(q[m : m + 1], TOOL[None], k[m // each : m // each + 1], alone, of, False)
+        assert (alone == x[m]).all()
+
+
+def test_the_simplified_machine_is_closed_form(robot: Robot, mechanism: Mechanism) -> None:
+    """Errors that leave the platform parallel: Newton finds nothing to add."""
+    errors = {n: v for n, v in plausible(mechanism, 4).items() if n.split("_")[0] in ("theta", "ex", "ez", "L", "l")}
+    rows, n = mechanism.rows(robot, mechanism.vector(errors)), 40
+    k, target = mechanism.compiled.constants(rows), scattered(robot, n, 6)
+    target[3] = [0.0, 0.0, -2000.0]
+    found = []
+    for inverse, forward in (
+        (mechanism.compiled.simplified_inverse, mechanism.compiled.simplified_forward),
+        (mechanism.vectorised.inverse, lambda *a: mechanism.vectorised.forward(*a, False)),
+    ):
+        q, x, status = np.empty((n, 3)), np.empty((n, 6)), np.empty(n, dtype=np.int64)
+        inverse(target, np.tile(TOOL, (n, 1)), k, x, q, status)
+        again, of = np.empty((n, 6)), np.empty(n, dtype=np.int64)
+        forward(np.nan_to_num(q, nan=0.3), np.tile(TOOL, (n, 1)), k, again, of)
+        found.append((q, x, status, again, of))
+    for compiled, plain in zip(*found, strict=True):
+        np.testing.assert_allclose(compiled, plain, rtol=0, atol=1e-11)
+    assert found[0][2][3] == UNREACHABLE
+
+
 # ---------------------------------------------------------------------------------------------- properties, any machine
 
 MACHINES = st.integers(min_value=0, max_value=2**31)

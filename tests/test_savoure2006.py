@@ -74,9 +74,9 @@ def test_the_forward_position_is_closed(backend: str, h: float, errors: np.ndarr
     if backend == "vectorised":
         seed = mechanism.vectorised._position(np.zeros((len(q), 3)), q[:, 0], tool, k[:, 0])
     else:
-        seed = np.zeros((len(q), 3))
-        for n in range(len(q)):
-            mechanism.compiled._position(seed[n], q[n, 0], tool[n], k[0, 0], seed[n])
+        seed, status = np.zeros((len(q), 3)), np.empty(len(q), dtype=np.int64)
+        mechanism.compiled.simplified_forward(q, tool, k, seed, status)
+        assert (status == SOLVED).all()
     expected = np.array([planar_pose(angle, NOMINAL + errors, h) for angle in CONFIGURATIONS])
     assert np.allclose(seed[:, :2], expected[:, :2], atol=1e-9)
     assert np.allclose(2 * np.arctan(seed[:, 2] / 2), expected[:, 2], atol=1e-12)

@@ -133,7 +133,7 @@ class Compensator:
 
     @cached_property
     def _kernels(self) -> Any:
-        return self.mechanism.compiled
+        return self.mechanism.servo
 
     @cached_property
     def _constants(self) -> Array:

@@ -21,7 +21,7 @@ import deltacal_kernels
 import numpy as np
 
 from deltacal_gen.errors import UsageError
-from deltacal_gen.rotation import Array, cayley_matrix, cayley_spin, cayley_vector
+from deltacal_gen.rotation import Array, cayley_matrix, cayley_vector
 
 if TYPE_CHECKING:
     from deltacal_gen.robot import Link, Robot
@@ -324,6 +324,11 @@ class Mechanism:
         return importlib.import_module(f"deltacal_kernels.{self.name}.kinematics")
 
     @cached_property
+    def servo(self) -> ModuleType:
+        """Commands of one pose, for loops that Numba compiles."""
+        return importlib.import_module(f"deltacal_kernels.{self.name}.servo")
+
+    @cached_property
     def vectorised(self) -> ModuleType:
         """The same kernels in plain NumPy."""
         return importlib.import_module(f"deltacal_kernels.{self.name}.vectorised")
@@ -332,7 +337,7 @@ class Mechanism:
     def _compiled_before(self) -> bool:
         """Whether Numba's cache beside the kernels holds them."""
         folder = Path(deltacal_kernels.__file__).parent / self.name / "__pycache__"
-        return any(folder.glob("kinematics.forward-*.nbi"))
+        return any(folder.glob("kinematics._forward-*.nbi"))
 
     @contextmanager
     def _kernels(self, poses: int) -> Iterator[ModuleType]:
@@ -390,14 +395,17 @@ class Mechanism:
         status : (N,) int array
             SOLVED, UNREACHABLE or SINGULAR, explained in `STATUS`.
         """
-        q, tool = self._poses(q, self.limbs, "joints"), self._tool(tool, len(q))
+        q = self._poses(q, self.limbs, "joints")
         x = np.empty((len(q), len(self._at))) if near is None else self._own(near)
         status = np.empty(len(q), dtype=np.int64)
-        constants = self._constants(rows)
-        if len(rows) not in (1, len(q)):
-            constants = np.repeat(constants, len(q) // len(rows), axis=0)
         with self._kernels(len(q)) as kernels:
-            kernels.forward(q, tool, constants, x, status, near is not None)
+            if kernels is self.vectorised:
+                every = self._tool(tool, len(q))
+                kernels.forward(q, every, self._pose_by_pose(rows, len(q)), x, status, near is not None)
+            elif self._simplified(rows):
+                kernels.simplified_forward(q, self._tools(tool), self._constants(rows), x, status)
+            else:
+                kernels.forward(q, self._tools(tool), self._constants(rows), x, status, near is not None)
         return self._body(x), status
 
     def inverse(self, target: Array, tool: Array, rows: Array) -> tuple[Array, Array, np.ndarray]:
@@ -412,12 +420,25 @@ class Mechanism:
             The pose the platform then has; a machine of three joints cannot choose its rotation.
         status : (N,) int array
         """
-        target, tool = self._poses(target, 3, "target"), self._tool(tool, len(target))
+        target = self._poses(target, 3, "target")
         q, x = np.empty((len(target), self.limbs)), np.empty((len(target), len(self._at)))
         status = np.empty(len(target), dtype=np.int64)
         with self._kernels(len(target)) as kernels:
-            kernels.inverse(self.commanded(target), tool, self._constants(rows), x, q, status)
+            plain, solve = kernels is self.vectorised, kernels.inverse
+            if not plain and self._simplified(rows):
+                solve = getattr(kernels, "simplified_inverse", solve)  # where the inverse, too, is closed form
+            tool = self._tool(tool, len(target)) if plain else self._tools(tool)
+            solve(self.commanded(target), tool, self._constants(rows), x, q, status)
         return q, self._body(x), status
+
+    def _pose_by_pose(self, rows: Array, poses: int) -> Array:
+        """Return the constants as the plain kernels read them: of one machine, or of one for every pose."""
+        constants = self._constants(rows)
+        return constants if len(rows) in (1, poses) else np.repeat(constants, poses // len(rows), axis=0)
+
+    def _simplified(self, rows: Array) -> bool:
+        """Tell whether all positions of the machine are closed form."""
+        return not rows[:, :, self._tables.SMALL].any()
 
     def commanded(self, target: Array) -> Array:
         """Return what a command asks for of targets (N, 3): as many coordinates as there are joints."""
@@ -445,8 +466,7 @@ class Mechanism:
         f, n_v = self._tables.EQUATIONS, self._width - len(self.geometry)
         F, J_x = np.zeros((len(x), f)), np.zeros((len(x), f, f))
         J_q, J_p = np.zeros((len(x), f)), np.zeros((len(x), f, n_v))
-        with self._kernels(len(q)) as kernels:
-            kernels.jacobians(x, q, self._tool(tool, len(x)), self._constants(rows), F, J_x, J_q, J_p)
+        self.vectorised.jacobians(x, q, self._tool(tool, len(x)), self._constants(rows), F, J_x, J_q, J_p)
         return F, J_x, J_q, J_p
 
     def sensitivity(self, x: Array, q: Array, tool: Array, rows: Array) -> Sensitivity:
@@ -457,15 +477,16 @@ class Mechanism:
         V = np.empty((len(x), n, self.limbs))
         status = np.empty(len(x), dtype=np.int64)
         with self._kernels(len(q)) as kernels:
-            kernels.sensitivity(x, q, self._tool(tool, len(x)), self._constants(rows), S, V, status)
-        W = cayley_spin(self._in_space(x[:, :, None])[:, 3:, 0])
+            tool = self._tool(tool, len(q)) if kernels is self.vectorised else self._tools(tool)
+            kernels.sensitivity(x, q, tool, self._constants(rows), S, V, status)
         S, V = self._in_space(S), self._in_space(V)
-        S[:, 3:], V[:, 3:] = W @ S[:, 3:], W @ V[:, 3:]
         by_limb = S.reshape(len(x), self.n_x, self.limbs, n_v)
         own, common, deflections = np.split(by_limb, np.cumsum([len(self.errors), len(self.common)]), axis=3)
         return Sensitivity(own, common, deflections, V)
 
     def _in_space(self, derivatives: Array) -> Array:
+        if len(self._at) == self.n_x:
+            return derivatives
         out = np.zeros((len(derivatives), self.n_x, derivatives.shape[2]))
         out[:, self._at] = derivatives
         return out
@@ -542,6 +563,11 @@ class Mechanism:
         if out.ndim != 2 or out.shape[1] != columns:
             raise ValueError(f"{what} have the shape {out.shape}, but must have (N, {columns}).")
         return out
+
+    @staticmethod
+    def _tools(tool: Array) -> Array:
+        """Return tools (N or 1, 3) as the compiled kernels read them."""
+        return np.ascontiguousarray(np.atleast_2d(tool), dtype=float)
 
     @staticmethod
     def _tool(tool: Array, n: int) -> Array:

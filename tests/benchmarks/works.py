@@ -168,7 +168,7 @@ def sensitivity(n: int, *, exact: bool) -> Work:
         ),
         KERNEL: Contender(
             lambda: DELTA.compiled.sensitivity(x, theta, tool, k, S_p, S_q, status),
-            lambda _: in_paper(S_p.reshape(n, 6, 3, 16)[..., :14]),
+            lambda _: in_paper(by_cayley(S_p.reshape(n, 6, 3, 16)[..., :14].reshape(n, 6, 42))),
         ),
     }
     if exact:

@@ -1,16 +1,17 @@
-"""Kinematics of `complete_delta`: Delta, complete geometry of the six rods.
+"""Kinematics of `complete_delta`, many poses at once: Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both b162fba828d40a53; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both f38982e8c69b2a41; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
 x (N, 6)  platform: px py pz cx cy cz
-q (N, 3)  joints        tool (N, 3)  reference point in {O'}
+q (N, 3)  joints        tool (N or 1, 3)  reference point in {O'}
 p (M, 3, 25)  one row of parameters per limb: b a L l c phi bx_{i}1 by_{i}1 bz_{i}1 ax_{i}1 ay_{i}1 az_{i}1 l_{i}1 bx_{i}2 by_{i}2 bz_{i}2 ax_{i}2 ay_{i}2 az_{i}2 l_{i}2 betax betay betaz tip_v tip_w
-k (M, 3, 73)  what `constants` makes of p; M is 1 (one machine) or N (parameters that change from pose to pose)
+k (M, 3, 77)  what `constants` makes of p; each of the M machines has N / M of the poses, one after the other
 
-Kernels allocate nothing per pose and never raise: `status` says what became of each pose.
+Poses are taken in blocks of up to 32, side by side: a loop over `lane` runs over the poses of a block. What is poorly
+conditioned or converges slowly is left to the plain kernels of ``vectorised.py``. `status` says what became of each pose.
 """
 
 import math
@@ -18,573 +19,629 @@ import math
 import numpy as np
 from numba import njit
 
-SOLVED, UNREACHABLE, SINGULAR = 0, 1, 2
-MAX_STEPS = 30
-STEP_DONE = 1e-9  # mm and rad; Newton is quadratic: after such a step the rest is rounding
-STEP_LOST = 1e5  # mm and rad; a step of this size leads nowhere
-ANGLE_STEP = 1e-3  # rad per mm: joints and rotations are asked for this much finer than lengths
-CLOSED = 1e-3  # mm^2: loops that are open by more where Newton gets stuck cannot be closed
-PIVOT_SINGULAR = 1e-9  # of the largest entry of its matrix, in mm
-COMMAND_DONE = 3e-8  # rad; after such a step a command is exact to its square: 1e-15 rad
-COMMAND_WORK = 72  # length of the scratch array of `exact_command` and `linear_command`
-COMMAND_CONSTANTS = 31  # `exact_command` reads these first columns of k only
+from deltacal_kernels.elementary import arcsine, arctangent, cosine, scratch, sine, tangent, wide
+
+from . import vectorised
+from .vectorised import SINGULAR, SOLVED, UNREACHABLE, constants, jacobians
+
+LANES = 32
+OPEN = -1  # a pose that is left to the plain kernels
+MAX_STEPS = 8
+STEP_DONE = 1e-6  # mm; Newton is quadratic: after such a step a length of 1000 mm is exact to 1e-15 mm
+TURN_DONE = 3e-8  # rad
+WORK = 11808  # length of the scratch array
+CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
+APART = 1e-3  # squared sine between the centres' directions
+fast = njit(cache=True, nogil=True, error_model="numpy", fastmath={"contract"})
 
 
-def constants(p):
-    """Return k (M, 3, 73), what no pose changes, from p (468 operations).
-
-    Plain NumPy over all rows at once: it runs once per machine, and compiling it would take longer than running it.
-    """
-    k = np.zeros((p.shape[0], 3, 73))
-    b = p[..., 0]
-    a = p[..., 1]
-    L = p[..., 2]
-    l = p[..., 3]
-    c = p[..., 4]
-    phi = p[..., 5]
-    bx1 = p[..., 6]
-    by1 = p[..., 7]
-    bz1 = p[..., 8]
-    ax1 = p[..., 9]
-    ay1 = p[..., 10]
-    az1 = p[..., 11]
-    dl1 = p[..., 12]
-    bx2 = p[..., 13]
-    by2 = p[..., 14]
-    bz2 = p[..., 15]
-    ax2 = p[..., 16]
-    ay2 = p[..., 17]
-    az2 = p[..., 18]
-    dl2 = p[..., 19]
-    betax = p[..., 20]
-    betay = p[..., 21]
-    betaz = p[..., 22]
-    tip_v = p[..., 23]
-    tip_w = p[..., 24]
-    s0 = (betay * betay)
-    s1 = (betax * betax)
-    s2 = (betaz * betaz)
-    s3 = s0 + s1 + s2
-    s7 = 1.5619206968586225e-16*s0 + 1.5619206968586225e-16*s1 + 1.5619206968586225e-16*s2 - 4.779477332387385e-14
-    s9 = s3*s7 + 1.1470745597729725e-11
-    s11 = s3*s9 - 2.08767569878681e-09
-    s13 = s11*s3 + 2.755731922398589e-07
-    s15 = s13*s3 - 2.48015873015873e-05
-    s17 = s15*s3 + 0.001388888888888889
-    s19 = s17*s3 - 0.041666666666666664
-    s21 = s19*s3 + 0.5
-    s22 = -s0*s21
-    s23 = -s2*s21
-    s24 = s22 + s23 + 1
-    s25 = np.sin(phi)
-    s30 = 2.8114572543455206e-15*s0 + 2.8114572543455206e-15*s1 + 2.8114572543455206e-15*s2 - 7.647163731819816e-13
-    s32 = s3*s30 + 1.6059043836821613e-10
-    s34 = s3*s32 - 2.505210838544172e-08
-    s36 = s3*s34 + 2.7557319223985893e-06
-    s38 = s3*s36 - 0.0001984126984126984
-    s40 = s3*s38 + 0.008333333333333333
-    s42 = s3*s40 - 0.16666666666666666
-    s44 = s3*s42 + 1
-    s45 = -betaz*s44
-    s46 = betax*betay*s21
-    s47 = s45 + s46
-    s48 = np.cos(phi)
-    F_11 = s24*s25 - s47*s48
-    F_12 = s24*s48 + s25*s47
-    s54 = betay*s44
-    s55 = betax*betaz*s21
-    F_13 = s54 + s55
-    s57 = -s45 + s46
-    s59 = -s1*s21
-    s60 = s23 + s59 + 1
-    F_21 = s25*s57 - s48*s60
-    F_22 = s25*s60 + s48*s57
-    s66 = -betax*s44
-    s67 = betay*betaz*s21
-    F_23 = s66 + s67
-    s69 = -s54 + s55
-    s71 = -s66 + s67
-    F_31 = s25*s69 - s48*s71
-    F_32 = s25*s71 + s48*s69
-    F_33 = s22 + s59 + 1
-    s133 = 0.5*c
-    g1_x = ax1 + s133 + tip_w
-    g1_y = L + ay1
-    g1_z = az1 + tip_v
-    s137 = a*s48
-    s138 = 0.5*c*s25
-    h1_x = bx1 + s137 + s138
-    s140 = a*s25
-    s141 = -0.5*c*s48
-    h1_y = by1 + s140 + s141
-    s146 = b*s48
-    s147 = F_11*g1_x + s146
-    s152 = b*s25
-    s153 = F_21*g1_x + s152
-    s155 = F_31*g1_x
-    g2_x = ax2 - s133 + tip_w
-    g2_y = L + ay2
-    g2_z = az2 + tip_v
-    h2_x = bx2 + s137 - s138
-    h2_y = by2 + s140 - s141
-    s185 = F_11*g2_x + s146
-    s190 = F_21*g2_x + s152
-    s192 = F_31*g2_x
-    s220 = dl1 + l
-    s222 = -0.5*(s220 * s220)
-    s355 = 2*betay
-    s356 = 2*betax
-    s357 = 2*betaz
-    s358 = betaz*s21
-    s359 = betax*s21
-    s360 = betax*betaz
-    s361 = betay*s21
-    s362 = betay*betaz
-    s363 = betax*betay
-    s368 = -s220
-    s383 = s3*(s3*(s3*(2.8114572543455206e-15*s3*s356 + s30*s356) + s32*s356) + s34*s356)
-    s390 = s3*(s3*(s3*(s356*s36 + s383) + s356*s38) + s356*s40) + s356*s42
-    s391 = betay*s390
-    s403 = s13*s356
-    s404 = s3*(s11*s356 + s3*(s3*(1.5619206968586225e-16*s3*s356 + s356*s7) + s356*s9)) + s403
-    s413 = s19*s356 + s3*(s17*s356 + s3*(s15*s356 + s3*s404))
-    s415 = s358 + s360*s413
-    s416 = -s391 + s415
-    s419 = -betax*s390 - s44
-    s420 = s362*s413
-    s421 = -s419 + s420
-    s423 = s25*s416 - s421*s48
-    s424 = g1_x*s423
-    s426 = -betaz*s390
-    s428 = s361 + s363*s413
-    s429 = -s426 + s428
-    s431 = -s2*s413
-    s434 = -s1*s413 - s21*s356
-    s435 = s431 + s434
-    s437 = s25*s429 - s435*s48
-    s438 = g1_x*s437
-    s440 = -s0*s413
-    s441 = s431 + s440
-    s443 = s426 + s428
-    s445 = s25*s441 - s443*s48
-    s446 = g1_x*s445
-    s450 = s25*s421 + s416*s48
-    s452 = s434 + s440
-    s456 = s25*s435 + s429*s48
-    s458 = s419 + s420
-    s462 = s25*s443 + s441*s48
-    s464 = s391 + s415
-    s481 = s3*(s3*(s3*(2.8114572543455206e-15*s3*s355 + s30*s355) + s32*s355) + s34*s355)
-    s488 = s3*(s3*(s3*(s355*s36 + s481) + s355*s38) + s355*s40) + s355*s42
-    s490 = betay*s488 + s44
-    s502 = s13*s355
-    s503 = s3*(s11*s355 + s3*(s3*(1.5619206968586225e-16*s3*s355 + s355*s7) + s355*s9)) + s502
-    s512 = s19*s355 + s3*(s17*s355 + s3*(s15*s355 + s3*s503))
-    s513 = s360*s512
-    s514 = -s490 + s513
-    s516 = -betax*s488
-    s518 = s358 + s362*s512
-    s519 = -s516 + s518
-    s521 = s25*s514 - s48*s519
-    s522 = g1_x*s521
-    s524 = -betaz*s488
-    s526 = s359 + s363*s512
-    s527 = -s524 + s526
-    s529 = -s2*s512
-    s530 = -s1*s512
-    s531 = s529 + s530
-    s533 = s25*s527 - s48*s531
-    s534 = g1_x*s533
-    s538 = -s0*s512 - s21*s355
-    s539 = s529 + s538
-    s541 = s524 + s526
-    s543 = s25*s539 - s48*s541
-    s544 = g1_x*s543
-    s548 = s25*s519 + s48*s514
-    s550 = s530 + s538
-    s554 = s25*s531 + s48*s527
-    s556 = s516 + s518
-    s560 = s25*s541 + s48*s539
-    s562 = s490 + s513
-    s579 = s3*(s3*(s3*(2.8114572543455206e-15*s3*s357 + s30*s357) + s32*s357) + s34*s357)
-    s586 = s3*(s3*(s3*(s357*s36 + s579) + s357*s38) + s357*s40) + s357*s42
-    s587 = betay*s586
-    s599 = s13*s357
-    s600 = s3*(s11*s357 + s3*(s3*(1.5619206968586225e-16*s3*s357 + s357*s7) + s357*s9)) + s599
-    s609 = s19*s357 + s3*(s17*s357 + s3*(s15*s357 + s3*s600))
-    s611 = s359 + s360*s609
-    s612 = -s587 + s611
-    s614 = -betax*s586
-    s616 = s361 + s362*s609
-    s617 = -s614 + s616
-    s619 = s25*s612 - s48*s617
-    s620 = g1_x*s619
-    s623 = -betaz*s586 - s44
-    s624 = s363*s609
-    s625 = -s623 + s624
-    s629 = -s2*s609 - s21*s357
-    s630 = -s1*s609
-    s631 = s629 + s630
-    s633 = s25*s625 - s48*s631
-    s634 = g1_x*s633
-    s636 = -s0*s609
-    s637 = s629 + s636
-    s639 = s623 + s624
-    s641 = s25*s637 - s48*s639
-    s642 = g1_x*s641
-    s646 = s25*s617 + s48*s612
-    s648 = s630 + s636
-    s652 = s25*s631 + s48*s625
-    s654 = s614 + s616
-    s658 = s25*s639 + s48*s637
-    s660 = s587 + s611
-    s669 = dl2 + l
-    s671 = -0.5*(s669 * s669)
-    s799 = -s669
-    s800 = g2_x*s423
-    s802 = g2_x*s437
-    s804 = g2_x*s445
-    s813 = g2_x*s521
-    s815 = g2_x*s533
-    s817 = g2_x*s543
-    s826 = g2_x*s619
-    s828 = g2_x*s633
-    s830 = g2_x*s641
-    s839 = s137 - s146
-    s841 = -L*s48
-    s843 = s140 - s152
-    s845 = -L*s25
-    s857 = -0.5*(l * l)
-    s858 = (L * L)
-    s863 = s857 + 0.5*s858*((s25 * s25) + (s48 * s48))
-    k[..., 0] = F_12
-    k[..., 1] = F_13
-    k[..., 2] = F_22
-    k[..., 3] = F_23
-    k[..., 4] = F_32
-    k[..., 5] = F_33
-    k[..., 6] = g1_y
-    k[..., 7] = g1_z
-    k[..., 8] = s147
-    k[..., 9] = s153
-    k[..., 10] = s155
-    k[..., 11] = h1_x
-    k[..., 12] = h1_y
-    k[..., 13] = bz1
-    k[..., 14] = g2_y
-    k[..., 15] = g2_z
-    k[..., 16] = s185
-    k[..., 17] = s190
-    k[..., 18] = s192
-    k[..., 19] = h2_x
-    k[..., 20] = h2_y
-    k[..., 21] = bz2
-    k[..., 22] = s222
-    k[..., 23] = s671
-    k[..., 24] = s839
-    k[..., 25] = s841
-    k[..., 26] = s843
-    k[..., 27] = s845
-    k[..., 28] = s863
-    k[..., 29] = s858
-    k[..., 30] = L
-    k[..., 31] = F_31
-    k[..., 32] = F_21
-    k[..., 33] = F_11
-    k[..., 34] = s424
-    k[..., 35] = s438
-    k[..., 36] = s446
-    k[..., 37] = s450
-    k[..., 38] = s452
-    k[..., 39] = s456
-    k[..., 40] = s458
-    k[..., 41] = s462
-    k[..., 42] = s464
-    k[..., 43] = s522
-    k[..., 44] = s534
-    k[..., 45] = s544
-    k[..., 46] = s548
-    k[..., 47] = s550
-    k[..., 48] = s554
-    k[..., 49] = s556
-    k[..., 50] = s560
-    k[..., 51] = s562
-    k[..., 52] = s620
-    k[..., 53] = s634
-    k[..., 54] = s642
-    k[..., 55] = s646
-    k[..., 56] = s648
-    k[..., 57] = s652
-    k[..., 58] = s654
-    k[..., 59] = s658
-    k[..., 60] = s660
-    k[..., 61] = s800
-    k[..., 62] = s802
-    k[..., 63] = s804
-    k[..., 64] = s813
-    k[..., 65] = s815
-    k[..., 66] = s817
-    k[..., 67] = s826
-    k[..., 68] = s828
-    k[..., 69] = s830
-    k[..., 70] = s368
-    k[..., 71] = s799
-    k[..., 72] = s857
-    return k
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def _newton(x, q, tool, k, out):
-    """Per rod of one limb: closure, its derivatives by the platform, by the joint (395 operations)."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    cx = x[3]
-    cy = x[4]
-    cz = x[5]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    q = q
+@fast
+def _early(w, k, n):
+    """What moves with a joint only; then the simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (67 operations)."""
+    wide()
     F_12 = k[0]
     F_13 = k[1]
     F_22 = k[2]
     F_23 = k[3]
     F_32 = k[4]
     F_33 = k[5]
-    g1_y = k[6]
-    g1_z = k[7]
+    g1_21 = k[6]
+    g1_31 = k[7]
     s147 = k[8]
     s153 = k[9]
     s155 = k[10]
-    h1_x = k[11]
-    h1_y = k[12]
+    h1_11 = k[11]
+    h1_21 = k[12]
     bz1 = k[13]
-    g2_y = k[14]
-    g2_z = k[15]
+    g2_21 = k[14]
+    g2_31 = k[15]
     s185 = k[16]
     s190 = k[17]
     s192 = k[18]
-    h2_x = k[19]
-    h2_y = k[20]
+    h2_11 = k[19]
+    h2_21 = k[20]
     bz2 = k[21]
-    s222 = k[22]
-    s671 = k[23]
-    s78 = math.cos(q)
-    s80 = math.sin(q)
-    R1_12 = F_12*s78 + F_13*s80
-    R1_13 = -F_12*s80 + F_13*s78
-    R1_22 = F_22*s78 + F_23*s80
-    R1_23 = -F_22*s80 + F_23*s78
-    R1_32 = F_32*s78 + F_33*s80
-    R1_33 = -F_32*s80 + F_33*s78
-    s98 = (cx * cx)
-    s100 = (cy * cy)
-    s102 = (cz * cz)
-    s104 = 0.25*s100 + 0.25*s102 + 0.25*s98 + 1
-    s105 = (1.0 / s104)
-    s106 = -0.5*s100
-    s107 = -0.5*s102
-    s108 = s106 + s107
-    R_11 = s105*s108 + 1
-    s111 = 0.5*cx*cy
-    s112 = -cz + s111
-    R_12 = s105*s112
-    s114 = 0.5*cx*cz
-    s115 = cy + s114
-    R_13 = s105*s115
-    s117 = cz + s111
-    R_21 = s105*s117
-    s119 = -0.5*s98
-    s120 = s107 + s119
-    R_22 = s105*s120 + 1
-    s123 = 0.5*cy*cz
-    s124 = -cx + s123
-    R_23 = s105*s124
-    s126 = -cy + s114
-    R_31 = s105*s126
-    s128 = cx + s123
-    R_32 = s105*s128
-    s130 = s106 + s119
-    R_33 = s105*s130 + 1
-    A1_x = R1_12*g1_y + R1_13*g1_z + s147
-    A1_y = R1_22*g1_y + R1_23*g1_z + s153
-    A1_z = R1_32*g1_y + R1_33*g1_z + s155
-    s159 = h1_x - tx
-    s161 = h1_y - ty
-    s163 = bz1 - tz
-    B1_x = R_11*s159 + R_12*s161 + R_13*s163 + px
-    B1_y = R_21*s159 + R_22*s161 + R_23*s163 + py
-    B1_z = R_31*s159 + R_32*s161 + R_33*s163 + pz
-    d1_x = -A1_x + B1_x
-    d1_y = -A1_y + B1_y
-    d1_z = -A1_z + B1_z
-    A2_x = R1_12*g2_y + R1_13*g2_z + s185
-    A2_y = R1_22*g2_y + R1_23*g2_z + s190
-    A2_z = R1_32*g2_y + R1_33*g2_z + s192
-    s196 = h2_x - tx
-    s198 = h2_y - ty
-    s200 = bz2 - tz
-    B2_x = R_11*s196 + R_12*s198 + R_13*s200 + px
-    B2_y = R_21*s196 + R_22*s198 + R_23*s200 + py
-    B2_z = R_31*s196 + R_32*s198 + R_33*s200 + pz
-    d2_x = -A2_x + B2_x
-    d2_y = -A2_y + B2_y
-    d2_z = -A2_z + B2_z
-    s223 = 0.5*(d1_x * d1_x) + 0.5*(d1_y * d1_y) + 0.5*(d1_z * d1_z) + s222
-    s224 = 2*d1_z
-    s225 = 0.5*s224
-    s226 = 2*d1_y
-    s227 = 0.5*s226
-    s228 = 2*d1_x
-    s229 = 0.5*s228
-    s230 = s163*s225
-    s232 = s161*s225
-    s234 = s159*s225
-    s236 = s163*s227
-    s238 = s161*s227
-    s240 = s159*s227
-    s242 = s163*s229
-    s245 = s161*s229
-    s248 = s159*s229
-    s251 = -g1_z*s225
-    s253 = -g1_y*s225
-    s255 = -g1_z*s227
-    s257 = -g1_y*s227
-    s259 = -g1_z*s229
-    s261 = -g1_y*s229
-    s264 = s105*s230
-    s266 = s105*s232
-    s268 = s105*s234
-    s270 = s105*s236
-    s271 = s266 + s270
-    s272 = 0.5*cz
-    s273 = 0.5*cy
-    s276 = s120*s238
-    s277 = s105*s238
-    s280 = s117*s240
-    s281 = s105*s240
-    s282 = s115*s242
-    s283 = s105*s242
-    s284 = s268 + s283
-    s285 = 0.5*cx
-    s288 = s112*s245
-    s289 = s105*s245
-    s290 = s281 + s289
-    s293 = s108*s248
-    s294 = s105*s248
-    s299 = s124*s236 + s126*s234 + s128*s232 + s130*s230 + s276 + s280 + s282 + s288 + s293
-    s300 = (1.0 / (s104 * s104))
-    s302 = -0.25*s299*s300
-    s304 = 2*cz
-    s307 = 2*cy
-    s310 = 2*cx
-    s335 = s78*(-F_12*s259 + F_13*s261 - F_22*s255 + F_23*s257 - F_32*s251 + F_33*s253)
-    s338 = F_12*s261 + F_13*s259 + F_22*s257 + F_23*s255 + F_32*s253 + F_33*s251
-    s342 = s266 - s270 + s272*s284 + s273*s290 + s310*(-0.5*s264 - 0.5*s277 + s302)
-    s343 = -s268 + s271*s272 + s283 + s285*s290 + s307*(-0.5*s264 - 0.5*s294 + s302)
-    s344 = s271*s273 + s281 + s284*s285 - s289 + s304*(-0.5*s277 - 0.5*s294 + s302)
-    s351 = s335 - s338*s80
-    s672 = 0.5*(d2_x * d2_x) + 0.5*(d2_y * d2_y) + 0.5*(d2_z * d2_z) + s671
-    s673 = 2*d2_z
-    s674 = 0.5*s673
-    s675 = 2*d2_y
-    s676 = 0.5*s675
-    s677 = 2*d2_x
-    s678 = 0.5*s677
-    s679 = s200*s674
-    s681 = s198*s674
-    s683 = s196*s674
-    s685 = s200*s676
-    s687 = s198*s676
-    s689 = s196*s676
-    s691 = s200*s678
-    s694 = s198*s678
-    s697 = s196*s678
-    s700 = -g2_z*s674
-    s702 = -g2_y*s674
-    s704 = -g2_z*s676
-    s706 = -g2_y*s676
-    s708 = -g2_z*s678
-    s710 = -g2_y*s678
-    s713 = s105*s679
-    s715 = s105*s681
-    s717 = s105*s683
-    s719 = s105*s685
-    s720 = s715 + s719
-    s723 = s120*s687
-    s724 = s105*s687
-    s727 = s117*s689
-    s728 = s105*s689
-    s729 = s115*s691
-    s730 = s105*s691
-    s731 = s717 + s730
-    s734 = s112*s694
-    s735 = s105*s694
-    s736 = s728 + s735
-    s739 = s108*s697
-    s740 = s105*s697
-    s745 = s124*s685 + s126*s683 + s128*s681 + s130*s679 + s723 + s727 + s729 + s734 + s739
-    s747 = -0.25*s300*s745
-    s777 = s78*(-F_12*s708 + F_13*s710 - F_22*s704 + F_23*s706 - F_32*s700 + F_33*s702)
-    s780 = F_12*s710 + F_13*s708 + F_22*s706 + F_23*s704 + F_32*s702 + F_33*s700
-    s784 = s272*s731 + s273*s736 + s310*(-0.5*s713 - 0.5*s724 + s747) + s715 - s719
-    s785 = s272*s720 + s285*s736 + s307*(-0.5*s713 - 0.5*s740 + s747) - s717 + s730
-    s786 = s273*s720 + s285*s731 + s304*(-0.5*s724 - 0.5*s740 + s747) + s728 - s735
-    s793 = s777 - s780*s80
-    out[0] = s223
-    out[1] = s229
-    out[2] = s227
-    out[3] = s225
-    out[4] = s342
-    out[5] = s343
-    out[6] = s344
-    out[7] = s351
-    out[8] = s672
-    out[9] = s678
-    out[10] = s676
-    out[11] = s674
-    out[12] = s784
-    out[13] = s785
-    out[14] = s786
-    out[15] = s793
+    s839 = k[24]
+    s841 = k[25]
+    s843 = k[26]
+    s845 = k[27]
+    L = k[30]
+    s857 = k[72]
+    for lane in range(n):
+        q = w[0 + lane]
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        s78 = cosine(q)
+        s80 = sine(q)
+        R1_12 = F_12*s78 + F_13*s80
+        R1_13 = -F_12*s80 + F_13*s78
+        R1_22 = F_22*s78 + F_23*s80
+        R1_23 = -F_22*s80 + F_23*s78
+        R1_32 = F_32*s78 + F_33*s80
+        R1_33 = -F_32*s80 + F_33*s78
+        A1_11 = R1_12*g1_21 + R1_13*g1_31 + s147
+        A1_21 = R1_22*g1_21 + R1_23*g1_31 + s153
+        A1_31 = R1_32*g1_21 + R1_33*g1_31 + s155
+        s159 = h1_11 - tx
+        s161 = h1_21 - ty
+        s163 = bz1 - tz
+        A2_11 = R1_12*g2_21 + R1_13*g2_31 + s185
+        A2_21 = R1_22*g2_21 + R1_23*g2_31 + s190
+        A2_31 = R1_32*g2_21 + R1_33*g2_31 + s192
+        s196 = h2_11 - tx
+        s198 = h2_21 - ty
+        s200 = bz2 - tz
+        s877 = -s78*s841 - s839 + tx
+        s879 = -s78*s845 - s843 + ty
+        s881 = L*s80 + tz
+        s888 = s857 + 0.5*(s877 * s877) + 0.5*(s879 * s879) + 0.5*(s881 * s881)
+        w[1120 + lane] = s159
+        w[1152 + lane] = s161
+        w[1184 + lane] = s163
+        w[1216 + lane] = A1_11
+        w[1248 + lane] = A1_21
+        w[1280 + lane] = A1_31
+        w[1312 + lane] = s196
+        w[1344 + lane] = s198
+        w[1376 + lane] = s200
+        w[1408 + lane] = A2_11
+        w[1440 + lane] = A2_21
+        w[1472 + lane] = A2_31
+        w[1504 + lane] = s877
+        w[1536 + lane] = s879
+        w[1568 + lane] = s881
+        w[1600 + lane] = s888
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _parameters(x, q, tool, k, out):
-    """Per rod of one limb: derivatives of the closure by errors, by deflections (375 operations)."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    cx = x[3]
-    cy = x[4]
-    cz = x[5]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    q = q
+@fast
+def _rows(w, k, n):
+    """Equations of a limb, their derivatives by shift and turn of the platform (142 operations)."""
+    wide()
+    s904 = k[73]
+    s1142 = k[74]
+    for lane in range(n):
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        R_11 = w[320 + lane]
+        R_12 = w[352 + lane]
+        R_13 = w[384 + lane]
+        R_21 = w[416 + lane]
+        R_22 = w[448 + lane]
+        R_23 = w[480 + lane]
+        R_31 = w[512 + lane]
+        R_32 = w[544 + lane]
+        R_33 = w[576 + lane]
+        s159 = w[1120 + lane]
+        s161 = w[1152 + lane]
+        s163 = w[1184 + lane]
+        A1_11 = w[1216 + lane]
+        A1_21 = w[1248 + lane]
+        A1_31 = w[1280 + lane]
+        s196 = w[1312 + lane]
+        s198 = w[1344 + lane]
+        s200 = w[1376 + lane]
+        A2_11 = w[1408 + lane]
+        A2_21 = w[1440 + lane]
+        A2_31 = w[1472 + lane]
+        s160 = R_11*s159
+        s162 = R_12*s161
+        s164 = R_13*s163
+        B1_11 = px + s160 + s162 + s164
+        s166 = R_21*s159
+        s167 = R_22*s161
+        s168 = R_23*s163
+        B1_21 = py + s166 + s167 + s168
+        s170 = R_31*s159
+        s171 = R_32*s161
+        s172 = R_33*s163
+        B1_31 = pz + s170 + s171 + s172
+        d1_11 = -A1_11 + B1_11
+        d1_21 = -A1_21 + B1_21
+        d1_31 = -A1_31 + B1_31
+        s197 = R_11*s196
+        s199 = R_12*s198
+        s201 = R_13*s200
+        B2_11 = px + s197 + s199 + s201
+        s203 = R_21*s196
+        s204 = R_22*s198
+        s205 = R_23*s200
+        B2_21 = py + s203 + s204 + s205
+        s207 = R_31*s196
+        s208 = R_32*s198
+        s209 = R_33*s200
+        B2_31 = pz + s207 + s208 + s209
+        d2_11 = -A2_11 + B2_11
+        d2_21 = -A2_21 + B2_21
+        d2_31 = -A2_31 + B2_31
+        s896 = 0.25*(d1_11 * d1_11)
+        s897 = 0.25*(d1_21 * d1_21)
+        s898 = 0.25*(d1_31 * d1_31)
+        s899 = 0.25*(d2_11 * d2_11)
+        s900 = 0.25*(d2_21 * d2_21)
+        s901 = 0.25*(d2_31 * d2_31)
+        s905 = s896 + s897 + s898 + s899 + s900 + s901 + s904
+        s1143 = s1142 + s896 + s897 + s898 - s899 - s900 - s901
+        s1268 = 0.5*d1_11
+        s1269 = 0.5*d2_11
+        s1270 = s1268 + s1269
+        s1271 = 0.5*d1_21
+        s1272 = 0.5*d2_21
+        s1273 = s1271 + s1272
+        s1274 = 0.5*d1_31
+        s1275 = 0.5*d2_31
+        s1276 = s1274 + s1275
+        s1277 = -s170 - s171 - s172
+        s1278 = 0.5*d1_21*s1277
+        s1279 = s166 + s167 + s168
+        s1280 = 0.5*d1_31*s1279
+        s1281 = -s207 - s208 - s209
+        s1282 = 0.5*d2_21*s1281
+        s1283 = s203 + s204 + s205
+        s1284 = 0.5*d2_31*s1283
+        s1285 = s1278 + s1280 + s1282 + s1284
+        s1286 = -0.5*d1_11*s1277
+        s1287 = -s160 - s162 - s164
+        s1288 = 0.5*d1_31*s1287
+        s1289 = -0.5*d2_11*s1281
+        s1290 = -s197 - s199 - s201
+        s1291 = 0.5*d2_31*s1290
+        s1292 = s1286 + s1288 + s1289 + s1291
+        s1293 = -0.5*d1_11*s1279
+        s1294 = -0.5*d1_21*s1287
+        s1295 = -0.5*d2_11*s1283
+        s1296 = -0.5*d2_21*s1290
+        s1297 = s1293 + s1294 + s1295 + s1296
+        s1298 = s1268 - s1269
+        s1299 = s1271 - s1272
+        s1300 = s1274 - s1275
+        s1301 = s1278 + s1280 - s1282 - s1284
+        s1302 = s1286 + s1288 - s1289 - s1291
+        s1303 = s1293 + s1294 - s1295 - s1296
+        w[608 + lane] = s905
+        w[640 + lane] = s1270
+        w[672 + lane] = s1273
+        w[704 + lane] = s1276
+        w[736 + lane] = s1285
+        w[768 + lane] = s1292
+        w[800 + lane] = s1297
+        w[864 + lane] = s1143
+        w[896 + lane] = s1298
+        w[928 + lane] = s1299
+        w[960 + lane] = s1300
+        w[992 + lane] = s1301
+        w[1024 + lane] = s1302
+        w[1056 + lane] = s1303
+
+
+@fast
+def _step(w, n):
+    """Newton's step of the platform; how far the equations are from dependent (289 operations)."""
+    wide()
+    for lane in range(n):
+        F00 = w[608 + lane]
+        J00_0 = w[640 + lane]
+        J00_1 = w[672 + lane]
+        J00_2 = w[704 + lane]
+        J00_3 = w[736 + lane]
+        J00_4 = w[768 + lane]
+        J00_5 = w[800 + lane]
+        F01 = w[864 + lane]
+        J01_0 = w[896 + lane]
+        J01_1 = w[928 + lane]
+        J01_2 = w[960 + lane]
+        J01_3 = w[992 + lane]
+        J01_4 = w[1024 + lane]
+        J01_5 = w[1056 + lane]
+        F10 = w[3936 + lane]
+        J10_0 = w[3968 + lane]
+        J10_1 = w[4000 + lane]
+        J10_2 = w[4032 + lane]
+        J10_3 = w[4064 + lane]
+        J10_4 = w[4096 + lane]
+        J10_5 = w[4128 + lane]
+        F11 = w[4192 + lane]
+        J11_0 = w[4224 + lane]
+        J11_1 = w[4256 + lane]
+        J11_2 = w[4288 + lane]
+        J11_3 = w[4320 + lane]
+        J11_4 = w[4352 + lane]
+        J11_5 = w[4384 + lane]
+        F20 = w[7264 + lane]
+        J20_0 = w[7296 + lane]
+        J20_1 = w[7328 + lane]
+        J20_2 = w[7360 + lane]
+        J20_3 = w[7392 + lane]
+        J20_4 = w[7424 + lane]
+        J20_5 = w[7456 + lane]
+        F21 = w[7520 + lane]
+        J21_0 = w[7552 + lane]
+        J21_1 = w[7584 + lane]
+        J21_2 = w[7616 + lane]
+        J21_3 = w[7648 + lane]
+        J21_4 = w[7680 + lane]
+        J21_5 = w[7712 + lane]
+        G_cof_00 = J10_1*J20_2 - J10_2*J20_1
+        G_cof_01 = -J10_0*J20_2 + J10_2*J20_0
+        G_cof_02 = J10_0*J20_1 - J10_1*J20_0
+        G_cof_10 = -J00_1*J20_2 + J00_2*J20_1
+        G_cof_11 = J00_0*J20_2 - J00_2*J20_0
+        G_cof_12 = -J00_0*J20_1 + J00_1*J20_0
+        G_cof_20 = J00_1*J10_2 - J00_2*J10_1
+        G_cof_21 = -J00_0*J10_2 + J00_2*J10_0
+        G_cof_22 = J00_0*J10_1 - J00_1*J10_0
+        G_det_00 = G_cof_00*J00_0 + G_cof_01*J00_1 + G_cof_02*J00_2
+        G_by_00 = (1.0 / G_det_00)
+        G_inv_00 = G_by_00*G_cof_00
+        G_inv_01 = G_by_00*G_cof_10
+        G_inv_02 = G_by_00*G_cof_20
+        G_inv_10 = G_by_00*G_cof_01
+        G_inv_11 = G_by_00*G_cof_11
+        G_inv_12 = G_by_00*G_cof_21
+        G_inv_20 = G_by_00*G_cof_02
+        G_inv_21 = G_by_00*G_cof_12
+        G_inv_22 = G_by_00*G_cof_22
+        u_00 = F00*G_inv_00 + F10*G_inv_01 + F20*G_inv_02
+        u_10 = F00*G_inv_10 + F10*G_inv_11 + F20*G_inv_12
+        u_20 = F00*G_inv_20 + F10*G_inv_21 + F20*G_inv_22
+        U_00 = G_inv_00*J00_3 + G_inv_01*J10_3 + G_inv_02*J20_3
+        U_01 = G_inv_00*J00_4 + G_inv_01*J10_4 + G_inv_02*J20_4
+        U_02 = G_inv_00*J00_5 + G_inv_01*J10_5 + G_inv_02*J20_5
+        U_10 = G_inv_10*J00_3 + G_inv_11*J10_3 + G_inv_12*J20_3
+        U_11 = G_inv_10*J00_4 + G_inv_11*J10_4 + G_inv_12*J20_4
+        U_12 = G_inv_10*J00_5 + G_inv_11*J10_5 + G_inv_12*J20_5
+        U_20 = G_inv_20*J00_3 + G_inv_21*J10_3 + G_inv_22*J20_3
+        U_21 = G_inv_20*J00_4 + G_inv_21*J10_4 + G_inv_22*J20_4
+        U_22 = G_inv_20*J00_5 + G_inv_21*J10_5 + G_inv_22*J20_5
+        S_00 = -J01_0*U_00 - J01_1*U_10 - J01_2*U_20 + J01_3
+        S_01 = -J01_0*U_01 - J01_1*U_11 - J01_2*U_21 + J01_4
+        S_02 = -J01_0*U_02 - J01_1*U_12 - J01_2*U_22 + J01_5
+        S_10 = -J11_0*U_00 - J11_1*U_10 - J11_2*U_20 + J11_3
+        S_11 = -J11_0*U_01 - J11_1*U_11 - J11_2*U_21 + J11_4
+        S_12 = -J11_0*U_02 - J11_1*U_12 - J11_2*U_22 + J11_5
+        S_20 = -J21_0*U_00 - J21_1*U_10 - J21_2*U_20 + J21_3
+        S_21 = -J21_0*U_01 - J21_1*U_11 - J21_2*U_21 + J21_4
+        S_22 = -J21_0*U_02 - J21_1*U_12 - J21_2*U_22 + J21_5
+        Si_cof_00 = S_11*S_22 - S_12*S_21
+        Si_cof_01 = -S_10*S_22 + S_12*S_20
+        Si_cof_02 = S_10*S_21 - S_11*S_20
+        Si_cof_10 = -S_01*S_22 + S_02*S_21
+        Si_cof_11 = S_00*S_22 - S_02*S_20
+        Si_cof_12 = -S_00*S_21 + S_01*S_20
+        Si_cof_20 = S_01*S_12 - S_02*S_11
+        Si_cof_21 = -S_00*S_12 + S_02*S_10
+        Si_cof_22 = S_00*S_11 - S_01*S_10
+        Si_det_00 = S_00*Si_cof_00 + S_01*Si_cof_01 + S_02*Si_cof_02
+        Si_by_00 = (1.0 / Si_det_00)
+        Si_inv_00 = Si_by_00*Si_cof_00
+        Si_inv_01 = Si_by_00*Si_cof_10
+        Si_inv_02 = Si_by_00*Si_cof_20
+        Si_inv_10 = Si_by_00*Si_cof_01
+        Si_inv_11 = Si_by_00*Si_cof_11
+        Si_inv_12 = Si_by_00*Si_cof_21
+        Si_inv_20 = Si_by_00*Si_cof_02
+        Si_inv_21 = Si_by_00*Si_cof_12
+        Si_inv_22 = Si_by_00*Si_cof_22
+        s169 = F01 - J01_0*u_00 - J01_1*u_10 - J01_2*u_20
+        s174 = F11 - J11_0*u_00 - J11_1*u_10 - J11_2*u_20
+        s179 = F21 - J21_0*u_00 - J21_1*u_10 - J21_2*u_20
+        w_00 = Si_inv_00*s169 + Si_inv_01*s174 + Si_inv_02*s179
+        w_10 = Si_inv_10*s169 + Si_inv_11*s174 + Si_inv_12*s179
+        w_20 = Si_inv_20*s169 + Si_inv_21*s174 + Si_inv_22*s179
+        s193 = -U_00*w_00 - U_01*w_10 - U_02*w_20 + u_00
+        s197 = -U_10*w_00 - U_11*w_10 - U_12*w_20 + u_10
+        s201 = -U_20*w_00 - U_21*w_10 - U_22*w_20 + u_20
+        s210 = (J10_0 * J10_0) + (J10_1 * J10_1) + (J10_2 * J10_2)
+        s214 = (J20_0 * J20_0) + (J20_1 * J20_1) + (J20_2 * J20_2)
+        s216 = (G_det_00 * G_det_00) - 1.0e-12*s210*s214*((J00_0 * J00_0) + (J00_1 * J00_1) + (J00_2 * J00_2))
+        s225 = (J11_3 * J11_3) + (J11_4 * J11_4) + (J11_5 * J11_5)
+        s229 = (J21_3 * J21_3) + (J21_4 * J21_4) + (J21_5 * J21_5)
+        s231 = (Si_det_00 * Si_det_00) - 1.0e-12*s225*s229*((J01_3 * J01_3) + (J01_4 * J01_4) + (J01_5 * J01_5))
+        w[9984 + lane] = s193
+        w[10016 + lane] = s197
+        w[10048 + lane] = s201
+        w[10080 + lane] = w_00
+        w[10112 + lane] = w_10
+        w[10144 + lane] = w_20
+        w[10176 + lane] = s216
+        w[10208 + lane] = s231
+
+
+@fast
+def _sphere(w, k, n):
+    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (19 operations)."""
+    wide()
+    s839 = k[24]
+    s841 = k[25]
+    s843 = k[26]
+    s845 = k[27]
+    L = k[30]
+    s857 = k[72]
+    for lane in range(n):
+        q = w[0 + lane]
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        s78 = cosine(q)
+        s877 = -s78*s841 - s839 + tx
+        s879 = -s78*s845 - s843 + ty
+        s881 = L*sine(q) + tz
+        s888 = s857 + 0.5*(s877 * s877) + 0.5*(s879 * s879) + 0.5*(s881 * s881)
+        w[1504 + lane] = s877
+        w[1536 + lane] = s879
+        w[1568 + lane] = s881
+        w[1600 + lane] = s888
+
+
+@fast
+def _start(w, k, n):
+    """Joint of the simplified limb at a given position (34 operations)."""
+    wide()
+    s839 = k[24]
+    s841 = k[25]
+    s843 = k[26]
+    s845 = k[27]
+    s863 = k[28]
+    s858 = k[29]
+    L = k[30]
+    for lane in range(n):
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        s840 = px + s839 - tx
+        s844 = py + s843 - ty
+        s847 = s840*s841 + s844*s845
+        s849 = pz - tz
+        s850 = (s849 * s849)
+        s864 = 0.5*(s840 * s840) + 0.5*(s844 * s844) + 0.5*s850 + s863
+        s868 = math.sqrt((s847 * s847) + s850*s858 - (s864 * s864))
+        s875 = arctangent(L*s849*s864 - s847*s868, -L*s849*s868 - s847*s864)
+        w[1632 + lane] = s875
+
+
+@fast
+def _more(w, k, n):
+    """What else derivatives by joint and errors read of it (38 operations)."""
+    wide()
     F_12 = k[0]
     F_13 = k[1]
     F_22 = k[2]
     F_23 = k[3]
     F_32 = k[4]
     F_33 = k[5]
-    g1_y = k[6]
-    g1_z = k[7]
-    s147 = k[8]
-    s153 = k[9]
-    s155 = k[10]
-    h1_x = k[11]
-    h1_y = k[12]
-    bz1 = k[13]
-    g2_y = k[14]
-    g2_z = k[15]
-    s185 = k[16]
-    s190 = k[17]
-    s192 = k[18]
-    h2_x = k[19]
-    h2_y = k[20]
-    bz2 = k[21]
+    g1_21 = k[6]
+    g1_31 = k[7]
+    g2_21 = k[14]
+    g2_31 = k[15]
+    for lane in range(n):
+        q = w[0 + lane]
+        s78 = cosine(q)
+        s80 = sine(q)
+        R1_12 = F_12*s78 + F_13*s80
+        R1_13 = -F_12*s80 + F_13*s78
+        R1_22 = F_22*s78 + F_23*s80
+        R1_23 = -F_22*s80 + F_23*s78
+        R1_32 = F_32*s78 + F_33*s80
+        R1_33 = -F_32*s80 + F_33*s78
+        s1306 = R1_12*g1_31 - R1_13*g1_21
+        s1310 = R1_22*g1_31 - R1_23*g1_21
+        s1314 = R1_32*g1_31 - R1_33*g1_21
+        s1318 = R1_12*g2_31 - R1_13*g2_21
+        s1322 = R1_22*g2_31 - R1_23*g2_21
+        s1326 = R1_32*g2_31 - R1_33*g2_21
+        w[1664 + lane] = R1_33
+        w[1696 + lane] = R1_32
+        w[1728 + lane] = R1_23
+        w[1760 + lane] = R1_22
+        w[1792 + lane] = R1_13
+        w[1824 + lane] = R1_12
+        w[1856 + lane] = s80
+        w[1888 + lane] = s78
+        w[1920 + lane] = s1306
+        w[1952 + lane] = s1310
+        w[1984 + lane] = s1314
+        w[2016 + lane] = s1318
+        w[2048 + lane] = s1322
+        w[2080 + lane] = s1326
+
+
+@fast
+def _joints(w, k, n):
+    """Derivatives of a limb's equations by its joint (64 operations)."""
+    wide()
+    for lane in range(n):
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        R_11 = w[320 + lane]
+        R_12 = w[352 + lane]
+        R_13 = w[384 + lane]
+        R_21 = w[416 + lane]
+        R_22 = w[448 + lane]
+        R_23 = w[480 + lane]
+        R_31 = w[512 + lane]
+        R_32 = w[544 + lane]
+        R_33 = w[576 + lane]
+        s159 = w[1120 + lane]
+        s161 = w[1152 + lane]
+        s163 = w[1184 + lane]
+        A1_11 = w[1216 + lane]
+        A1_21 = w[1248 + lane]
+        A1_31 = w[1280 + lane]
+        s196 = w[1312 + lane]
+        s198 = w[1344 + lane]
+        s200 = w[1376 + lane]
+        A2_11 = w[1408 + lane]
+        A2_21 = w[1440 + lane]
+        A2_31 = w[1472 + lane]
+        s1306 = w[1920 + lane]
+        s1310 = w[1952 + lane]
+        s1314 = w[1984 + lane]
+        s1318 = w[2016 + lane]
+        s1322 = w[2048 + lane]
+        s1326 = w[2080 + lane]
+        B1_11 = R_11*s159 + R_12*s161 + R_13*s163 + px
+        B1_21 = R_21*s159 + R_22*s161 + R_23*s163 + py
+        B1_31 = R_31*s159 + R_32*s161 + R_33*s163 + pz
+        d1_11 = -A1_11 + B1_11
+        d1_21 = -A1_21 + B1_21
+        d1_31 = -A1_31 + B1_31
+        B2_11 = R_11*s196 + R_12*s198 + R_13*s200 + px
+        B2_21 = R_21*s196 + R_22*s198 + R_23*s200 + py
+        B2_31 = R_31*s196 + R_32*s198 + R_33*s200 + pz
+        d2_11 = -A2_11 + B2_11
+        d2_21 = -A2_21 + B2_21
+        d2_31 = -A2_31 + B2_31
+        s1307 = 0.5*d1_11*s1306
+        s1311 = 0.5*d1_21*s1310
+        s1315 = 0.5*d1_31*s1314
+        s1319 = 0.5*d2_11*s1318
+        s1323 = 0.5*d2_21*s1322
+        s1327 = 0.5*d2_31*s1326
+        s1328 = s1307 + s1311 + s1315 + s1319 + s1323 + s1327
+        s1329 = s1307 + s1311 + s1315 - s1319 - s1323 - s1327
+        w[832 + lane] = s1328
+        w[1088 + lane] = s1329
+
+
+@fast
+def _command(w, n):
+    """Newton's step of joints and rotation; how far the equations are from dependent (158 operations)."""
+    wide()
+    for lane in range(n):
+        F00 = w[608 + lane]
+        J00_0 = w[640 + lane]
+        J00_1 = w[672 + lane]
+        J00_2 = w[704 + lane]
+        J00_3 = w[736 + lane]
+        J00_4 = w[768 + lane]
+        J00_5 = w[800 + lane]
+        Q00 = w[832 + lane]
+        F01 = w[864 + lane]
+        J01_3 = w[992 + lane]
+        J01_4 = w[1024 + lane]
+        J01_5 = w[1056 + lane]
+        Q01 = w[1088 + lane]
+        F10 = w[3936 + lane]
+        J10_0 = w[3968 + lane]
+        J10_1 = w[4000 + lane]
+        J10_2 = w[4032 + lane]
+        J10_3 = w[4064 + lane]
+        J10_4 = w[4096 + lane]
+        J10_5 = w[4128 + lane]
+        Q10 = w[4160 + lane]
+        F11 = w[4192 + lane]
+        J11_3 = w[4320 + lane]
+        J11_4 = w[4352 + lane]
+        J11_5 = w[4384 + lane]
+        Q11 = w[4416 + lane]
+        F20 = w[7264 + lane]
+        J20_0 = w[7296 + lane]
+        J20_1 = w[7328 + lane]
+        J20_2 = w[7360 + lane]
+        J20_3 = w[7392 + lane]
+        J20_4 = w[7424 + lane]
+        J20_5 = w[7456 + lane]
+        Q20 = w[7488 + lane]
+        F21 = w[7520 + lane]
+        J21_3 = w[7648 + lane]
+        J21_4 = w[7680 + lane]
+        J21_5 = w[7712 + lane]
+        Q21 = w[7744 + lane]
+        by_00 = (1.0 / Q00)
+        by_10 = (1.0 / Q10)
+        by_20 = (1.0 / Q20)
+        ratio_00 = Q01*by_00
+        ratio_10 = Q11*by_10
+        ratio_20 = Q21*by_20
+        E_00 = -J00_3*ratio_00 + J01_3
+        E_01 = -J00_4*ratio_00 + J01_4
+        E_02 = -J00_5*ratio_00 + J01_5
+        E_10 = -J10_3*ratio_10 + J11_3
+        E_11 = -J10_4*ratio_10 + J11_4
+        E_12 = -J10_5*ratio_10 + J11_5
+        E_20 = -J20_3*ratio_20 + J21_3
+        E_21 = -J20_4*ratio_20 + J21_4
+        E_22 = -J20_5*ratio_20 + J21_5
+        Ei_cof_00 = E_11*E_22 - E_12*E_21
+        Ei_cof_01 = -E_10*E_22 + E_12*E_20
+        Ei_cof_02 = E_10*E_21 - E_11*E_20
+        Ei_cof_10 = -E_01*E_22 + E_02*E_21
+        Ei_cof_11 = E_00*E_22 - E_02*E_20
+        Ei_cof_12 = -E_00*E_21 + E_01*E_20
+        Ei_cof_20 = E_01*E_12 - E_02*E_11
+        Ei_cof_21 = -E_00*E_12 + E_02*E_10
+        Ei_cof_22 = E_00*E_11 - E_01*E_10
+        Ei_det_00 = E_00*Ei_cof_00 + E_01*Ei_cof_01 + E_02*Ei_cof_02
+        Ei_by_00 = (1.0 / Ei_det_00)
+        Ei_inv_00 = Ei_by_00*Ei_cof_00
+        Ei_inv_01 = Ei_by_00*Ei_cof_10
+        Ei_inv_02 = Ei_by_00*Ei_cof_20
+        Ei_inv_10 = Ei_by_00*Ei_cof_01
+        Ei_inv_11 = Ei_by_00*Ei_cof_11
+        Ei_inv_12 = Ei_by_00*Ei_cof_21
+        Ei_inv_20 = Ei_by_00*Ei_cof_02
+        Ei_inv_21 = Ei_by_00*Ei_cof_12
+        Ei_inv_22 = Ei_by_00*Ei_cof_22
+        s66 = -F00*ratio_00 + F01
+        s69 = -F10*ratio_10 + F11
+        s72 = -F20*ratio_20 + F21
+        w_00 = Ei_inv_00*s66 + Ei_inv_01*s69 + Ei_inv_02*s72
+        w_10 = Ei_inv_10*s66 + Ei_inv_11*s69 + Ei_inv_12*s72
+        w_20 = Ei_inv_20*s66 + Ei_inv_21*s69 + Ei_inv_22*s72
+        s87 = by_00*(F00 - J00_3*w_00 - J00_4*w_10 - J00_5*w_20)
+        s92 = by_10*(F10 - J10_3*w_00 - J10_4*w_10 - J10_5*w_20)
+        s97 = by_20*(F20 - J20_3*w_00 - J20_4*w_10 - J20_5*w_20)
+        s106 = (E_10 * E_10) + (E_11 * E_11) + (E_12 * E_12)
+        s110 = (E_20 * E_20) + (E_21 * E_21) + (E_22 * E_22)
+        s112 = (Ei_det_00 * Ei_det_00) - 1.0e-12*s106*s110*((E_00 * E_00) + (E_01 * E_01) + (E_02 * E_02))
+        s120 = -1.0e-12*(J00_0 * J00_0) - 1.0e-12*(J00_1 * J00_1) - 1.0e-12*(J00_2 * J00_2) + (Q00 * Q00)
+        s128 = -1.0e-12*(J10_0 * J10_0) - 1.0e-12*(J10_1 * J10_1) - 1.0e-12*(J10_2 * J10_2) + (Q10 * Q10)
+        s136 = -1.0e-12*(J20_0 * J20_0) - 1.0e-12*(J20_1 * J20_1) - 1.0e-12*(J20_2 * J20_2) + (Q20 * Q20)
+        w[11488 + lane] = s87
+        w[11520 + lane] = s92
+        w[11552 + lane] = s97
+        w[11584 + lane] = w_00
+        w[11616 + lane] = w_10
+        w[11648 + lane] = w_20
+        w[11680 + lane] = s112
+        w[11712 + lane] = s120
+        w[11744 + lane] = s128
+        w[11776 + lane] = s136
+
+
+@fast
+def _errors(w, k, n):
+    """Derivatives of a limb's equations by errors, by deflections (347 operations)."""
+    wide()
+    g1_21 = k[6]
+    g1_31 = k[7]
+    g2_21 = k[14]
+    g2_31 = k[15]
     F_31 = k[31]
     F_21 = k[32]
     F_11 = k[33]
@@ -624,858 +681,1754 @@ def _parameters(x, q, tool, k, out):
     s826 = k[67]
     s828 = k[68]
     s830 = k[69]
-    s368 = k[70]
-    s799 = k[71]
-    s78 = math.cos(q)
-    s80 = math.sin(q)
-    R1_12 = F_12*s78 + F_13*s80
-    R1_13 = -F_12*s80 + F_13*s78
-    R1_22 = F_22*s78 + F_23*s80
-    R1_23 = -F_22*s80 + F_23*s78
-    R1_32 = F_32*s78 + F_33*s80
-    R1_33 = -F_32*s80 + F_33*s78
-    s98 = (cx * cx)
-    s100 = (cy * cy)
-    s102 = (cz * cz)
-    s105 = (1.0 / (0.25*s100 + 0.25*s102 + 0.25*s98 + 1))
-    s106 = -0.5*s100
-    s107 = -0.5*s102
-    R_11 = s105*(s106 + s107) + 1
-    s111 = 0.5*cx*cy
-    R_12 = s105*(-cz + s111)
-    s114 = 0.5*cx*cz
-    R_13 = s105*(cy + s114)
-    R_21 = s105*(cz + s111)
-    s119 = -0.5*s98
-    R_22 = s105*(s107 + s119) + 1
-    s123 = 0.5*cy*cz
-    R_23 = s105*(-cx + s123)
-    R_31 = s105*(-cy + s114)
-    R_32 = s105*(cx + s123)
-    R_33 = s105*(s106 + s119) + 1
-    A1_x = R1_12*g1_y + R1_13*g1_z + s147
-    A1_y = R1_22*g1_y + R1_23*g1_z + s153
-    A1_z = R1_32*g1_y + R1_33*g1_z + s155
-    s159 = h1_x - tx
-    s161 = h1_y - ty
-    s163 = bz1 - tz
-    B1_x = R_11*s159 + R_12*s161 + R_13*s163 + px
-    B1_y = R_21*s159 + R_22*s161 + R_23*s163 + py
-    B1_z = R_31*s159 + R_32*s161 + R_33*s163 + pz
-    d1_x = -A1_x + B1_x
-    d1_y = -A1_y + B1_y
-    d1_z = -A1_z + B1_z
-    A2_x = R1_12*g2_y + R1_13*g2_z + s185
-    A2_y = R1_22*g2_y + R1_23*g2_z + s190
-    A2_z = R1_32*g2_y + R1_33*g2_z + s192
-    s196 = h2_x - tx
-    s198 = h2_y - ty
-    s200 = bz2 - tz
-    B2_x = R_11*s196 + R_12*s198 + R_13*s200 + px
-    B2_y = R_21*s196 + R_22*s198 + R_23*s200 + py
-    B2_z = R_31*s196 + R_32*s198 + R_33*s200 + pz
-    d2_x = -A2_x + B2_x
-    d2_y = -A2_y + B2_y
-    d2_z = -A2_z + B2_z
-    s224 = 2*d1_z
-    s225 = 0.5*s224
-    s226 = 2*d1_y
-    s227 = 0.5*s226
-    s228 = 2*d1_x
-    s229 = 0.5*s228
-    s244 = R_13*s229 + R_23*s227 + R_33*s225
-    s247 = R_12*s229 + R_22*s227 + R_32*s225
-    s250 = R_11*s229 + R_21*s227 + R_31*s225
-    s251 = -g1_z*s225
-    s253 = -g1_y*s225
-    s255 = -g1_z*s227
-    s257 = -g1_y*s227
-    s259 = -g1_z*s229
-    s261 = -g1_y*s229
-    s340 = -R1_13*s229 - R1_23*s227 - R1_33*s225
-    s341 = -R1_12*s229 - R1_22*s227 - R1_32*s225
-    s345 = -s251*s80 + s253*s78
-    s346 = s251*s78 + s253*s80
-    s347 = -s255*s80 + s257*s78
-    s348 = s255*s78 + s257*s80
-    s349 = -s259*s80 + s261*s78
-    s350 = s259*s78 + s261*s80
-    s367 = -F_11*s229 - F_21*s227 - F_31*s225
-    s453 = s346*s452
-    s457 = s347*s456
-    s459 = s348*s458
-    s463 = s349*s462
-    s465 = s350*s464
-    s466 = -s225*s424 - s227*s438 - s229*s446 + s345*s450 + s453 + s457 + s459 + s463 + s465
-    s551 = s346*s550
-    s555 = s347*s554
-    s557 = s348*s556
-    s561 = s349*s560
-    s563 = s350*s562
-    s564 = -s225*s522 - s227*s534 - s229*s544 + s345*s548 + s551 + s555 + s557 + s561 + s563
-    s649 = s346*s648
-    s653 = s347*s652
-    s655 = s348*s654
-    s659 = s349*s658
-    s661 = s350*s660
-    s662 = -s225*s620 - s227*s634 - s229*s642 + s345*s646 + s649 + s653 + s655 + s659 + s661
-    s673 = 2*d2_z
-    s674 = 0.5*s673
-    s675 = 2*d2_y
-    s676 = 0.5*s675
-    s677 = 2*d2_x
-    s678 = 0.5*s677
-    s693 = R_13*s678 + R_23*s676 + R_33*s674
-    s696 = R_12*s678 + R_22*s676 + R_32*s674
-    s699 = R_11*s678 + R_21*s676 + R_31*s674
-    s700 = -g2_z*s674
-    s702 = -g2_y*s674
-    s704 = -g2_z*s676
-    s706 = -g2_y*s676
-    s708 = -g2_z*s678
-    s710 = -g2_y*s678
-    s782 = -R1_13*s678 - R1_23*s676 - R1_33*s674
-    s783 = -R1_12*s678 - R1_22*s676 - R1_32*s674
-    s787 = -s700*s80 + s702*s78
-    s788 = s700*s78 + s702*s80
-    s789 = -s704*s80 + s706*s78
-    s790 = s704*s78 + s706*s80
-    s791 = -s708*s80 + s710*s78
-    s792 = s708*s78 + s710*s80
-    s798 = -F_11*s678 - F_21*s676 - F_31*s674
-    s807 = s452*s788
-    s808 = s456*s789
-    s809 = s458*s790
-    s810 = s462*s791
-    s811 = s464*s792
-    s812 = s450*s787 - s674*s800 - s676*s802 - s678*s804 + s807 + s808 + s809 + s810 + s811
-    s820 = s550*s788
-    s821 = s554*s789
-    s822 = s556*s790
-    s823 = s560*s791
-    s824 = s562*s792
-    s825 = s548*s787 - s674*s813 - s676*s815 - s678*s817 + s820 + s821 + s822 + s823 + s824
-    s833 = s648*s788
-    s834 = s652*s789
-    s835 = s654*s790
-    s836 = s658*s791
-    s837 = s660*s792
-    s838 = s646*s787 - s674*s826 - s676*s828 - s678*s830 + s833 + s834 + s835 + s836 + s837
-    out[0] = s250
-    out[1] = s247
-    out[2] = s244
-    out[3] = s367
-    out[4] = s341
-    out[5] = s340
-    out[6] = s368
-    out[14] = s466
-    out[15] = s564
-    out[16] = s662
-    out[17] = s340
-    out[18] = s367
-    out[26] = s699
-    out[27] = s696
-    out[28] = s693
-    out[29] = s798
-    out[30] = s783
-    out[31] = s782
-    out[32] = s799
-    out[33] = s812
-    out[34] = s825
-    out[35] = s838
-    out[36] = s782
-    out[37] = s798
+    s1094 = k[75]
+    s1100 = k[76]
+    for lane in range(n):
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        R_11 = w[320 + lane]
+        R_12 = w[352 + lane]
+        R_13 = w[384 + lane]
+        R_21 = w[416 + lane]
+        R_22 = w[448 + lane]
+        R_23 = w[480 + lane]
+        R_31 = w[512 + lane]
+        R_32 = w[544 + lane]
+        R_33 = w[576 + lane]
+        s159 = w[1120 + lane]
+        s161 = w[1152 + lane]
+        s163 = w[1184 + lane]
+        A1_11 = w[1216 + lane]
+        A1_21 = w[1248 + lane]
+        A1_31 = w[1280 + lane]
+        s196 = w[1312 + lane]
+        s198 = w[1344 + lane]
+        s200 = w[1376 + lane]
+        A2_11 = w[1408 + lane]
+        A2_21 = w[1440 + lane]
+        A2_31 = w[1472 + lane]
+        R1_33 = w[1664 + lane]
+        R1_32 = w[1696 + lane]
+        R1_23 = w[1728 + lane]
+        R1_22 = w[1760 + lane]
+        R1_13 = w[1792 + lane]
+        R1_12 = w[1824 + lane]
+        s80 = w[1856 + lane]
+        s78 = w[1888 + lane]
+        B1_11 = R_11*s159 + R_12*s161 + R_13*s163 + px
+        B1_21 = R_21*s159 + R_22*s161 + R_23*s163 + py
+        B1_31 = R_31*s159 + R_32*s161 + R_33*s163 + pz
+        d1_11 = -A1_11 + B1_11
+        d1_21 = -A1_21 + B1_21
+        d1_31 = -A1_31 + B1_31
+        B2_11 = R_11*s196 + R_12*s198 + R_13*s200 + px
+        B2_21 = R_21*s196 + R_22*s198 + R_23*s200 + py
+        B2_31 = R_31*s196 + R_32*s198 + R_33*s200 + pz
+        d2_11 = -A2_11 + B2_11
+        d2_21 = -A2_21 + B2_21
+        d2_31 = -A2_31 + B2_31
+        s906 = 0.5*d2_31
+        s907 = 0.5*d2_21
+        s908 = 0.5*d2_11
+        s909 = 0.5*d1_31
+        s910 = 0.5*d1_21
+        s911 = 0.5*d1_11
+        s926 = R_13*s908 + R_23*s907 + R_33*s906
+        s929 = R_12*s908 + R_22*s907 + R_32*s906
+        s932 = R_11*s908 + R_21*s907 + R_31*s906
+        s933 = -g2_31*s906
+        s935 = -g2_21*s906
+        s937 = -g2_31*s907
+        s939 = -g2_21*s907
+        s941 = -g2_31*s908
+        s943 = -g2_21*s908
+        s959 = R_13*s911 + R_23*s910 + R_33*s909
+        s962 = R_12*s911 + R_22*s910 + R_32*s909
+        s965 = R_11*s911 + R_21*s910 + R_31*s909
+        s966 = -g1_31*s909
+        s968 = -g1_21*s909
+        s970 = -g1_31*s910
+        s972 = -g1_21*s910
+        s974 = -g1_31*s911
+        s976 = -g1_21*s911
+        s1029 = s933 + s966
+        s1034 = s935 + s968
+        s1039 = s937 + s970
+        s1044 = s939 + s972
+        s1049 = s941 + s974
+        s1054 = s943 + s976
+        s1069 = -R1_13*s908 - R1_23*s907 - R1_33*s906
+        s1070 = -R1_12*s908 - R1_22*s907 - R1_32*s906
+        s1071 = -R1_13*s911 - R1_23*s910 - R1_33*s909
+        s1072 = -R1_12*s911 - R1_22*s910 - R1_32*s909
+        s1076 = -s1029*s80 + s1034*s78
+        s1077 = s1029*s78 + s1034*s80
+        s1078 = -s1039*s80 + s1044*s78
+        s1079 = s1039*s78 + s1044*s80
+        s1080 = -s1049*s80 + s1054*s78
+        s1081 = s1049*s78 + s1054*s80
+        s1089 = -F_31*s909
+        s1090 = -F_21*s910
+        s1091 = -F_11*s911
+        s1092 = s1089 + s1090 + s1091
+        s1095 = -F_31*s906
+        s1096 = -F_21*s907
+        s1097 = -F_11*s908
+        s1098 = s1095 + s1096 + s1097
+        s1101 = -s800*s906
+        s1102 = -s802*s907
+        s1103 = -s804*s908
+        s1104 = -s424*s909
+        s1105 = -s438*s910
+        s1106 = -s446*s911
+        s1108 = s1077*s452
+        s1109 = s1078*s456
+        s1110 = s1079*s458
+        s1111 = s1080*s462
+        s1112 = s1081*s464
+        s1113 = s1076*s450 + s1101 + s1102 + s1103 + s1104 + s1105 + s1106 + s1108 + s1109 + s1110 + s1111 + s1112
+        s1114 = -s813*s906
+        s1115 = -s815*s907
+        s1116 = -s817*s908
+        s1117 = -s522*s909
+        s1118 = -s534*s910
+        s1119 = -s544*s911
+        s1121 = s1077*s550
+        s1122 = s1078*s554
+        s1123 = s1079*s556
+        s1124 = s1080*s560
+        s1125 = s1081*s562
+        s1126 = s1076*s548 + s1114 + s1115 + s1116 + s1117 + s1118 + s1119 + s1121 + s1122 + s1123 + s1124 + s1125
+        s1127 = -s826*s906
+        s1128 = -s828*s907
+        s1129 = -s830*s908
+        s1130 = -s620*s909
+        s1131 = -s634*s910
+        s1132 = -s642*s911
+        s1134 = s1077*s648
+        s1135 = s1078*s652
+        s1136 = s1079*s654
+        s1137 = s1080*s658
+        s1138 = s1081*s660
+        s1139 = s1076*s646 + s1127 + s1128 + s1129 + s1130 + s1131 + s1132 + s1134 + s1135 + s1136 + s1137 + s1138
+        s1140 = s1069 + s1071
+        s1141 = s1089 + s1090 + s1091 + s1095 + s1096 + s1097
+        s1195 = -s933 + s966
+        s1200 = -s935 + s968
+        s1205 = -s937 + s970
+        s1210 = -s939 + s972
+        s1215 = -s941 + s974
+        s1220 = -s943 + s976
+        s1238 = -s1195*s80 + s1200*s78
+        s1239 = s1195*s78 + s1200*s80
+        s1240 = -s1205*s80 + s1210*s78
+        s1241 = s1205*s78 + s1210*s80
+        s1242 = -s1215*s80 + s1220*s78
+        s1243 = s1215*s78 + s1220*s80
+        s1246 = s1239*s452
+        s1247 = s1240*s456
+        s1248 = s1241*s458
+        s1249 = s1242*s462
+        s1250 = s1243*s464
+        s1251 = -s1101 - s1102 - s1103 + s1104 + s1105 + s1106 + s1238*s450 + s1246 + s1247 + s1248 + s1249 + s1250
+        s1253 = s1239*s550
+        s1254 = s1240*s554
+        s1255 = s1241*s556
+        s1256 = s1242*s560
+        s1257 = s1243*s562
+        s1258 = -s1114 - s1115 - s1116 + s1117 + s1118 + s1119 + s1238*s548 + s1253 + s1254 + s1255 + s1256 + s1257
+        s1260 = s1239*s648
+        s1261 = s1240*s652
+        s1262 = s1241*s654
+        s1263 = s1242*s658
+        s1264 = s1243*s660
+        s1265 = -s1127 - s1128 - s1129 + s1130 + s1131 + s1132 + s1238*s646 + s1260 + s1261 + s1262 + s1263 + s1264
+        s1266 = -s1069 + s1071
+        s1267 = s1089 + s1090 + s1091 - s1095 - s1096 - s1097
+        w[2112 + lane] = s965
+        w[2144 + lane] = s962
+        w[2176 + lane] = s959
+        w[2208 + lane] = s1092
+        w[2240 + lane] = s1072
+        w[2272 + lane] = s1071
+        w[2304 + lane] = s1094
+        w[2336 + lane] = s932
+        w[2368 + lane] = s929
+        w[2400 + lane] = s926
+        w[2432 + lane] = s1098
+        w[2464 + lane] = s1070
+        w[2496 + lane] = s1069
+        w[2528 + lane] = s1100
+        w[2560 + lane] = s1113
+        w[2592 + lane] = s1126
+        w[2624 + lane] = s1139
+        w[2656 + lane] = s1140
+        w[2688 + lane] = s1141
+        w[2720 + lane] = s965
+        w[2752 + lane] = s962
+        w[2784 + lane] = s959
+        w[2816 + lane] = s1092
+        w[2848 + lane] = s1072
+        w[2880 + lane] = s1071
+        w[2912 + lane] = s1094
+        w[2944 + lane] = -s932
+        w[2976 + lane] = -s929
+        w[3008 + lane] = -s926
+        w[3040 + lane] = -s1098
+        w[3072 + lane] = -s1070
+        w[3104 + lane] = -s1069
+        w[3136 + lane] = -s1100
+        w[3168 + lane] = s1251
+        w[3200 + lane] = s1258
+        w[3232 + lane] = s1265
+        w[3264 + lane] = s1266
+        w[3296 + lane] = s1267
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _sphere(x, q, tool, k, out):
-    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (19 operations)."""
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    q = q
-    s839 = k[24]
-    s841 = k[25]
-    s843 = k[26]
-    s845 = k[27]
-    L = k[30]
-    s857 = k[72]
-    s78 = math.cos(q)
-    s877 = -s78*s841 - s839 + tx
-    s879 = -s78*s845 - s843 + ty
-    s881 = L*math.sin(q) + tz
-    s888 = s857 + 0.5*(s877 * s877) + 0.5*(s879 * s879) + 0.5*(s881 * s881)
-    out[0] = s877
-    out[1] = s879
-    out[2] = s881
-    out[3] = s888
+@fast
+def _inverse_of_rows(w, n):
+    """Minus the inverse of the derivatives, row by row; how far the equations are from dependent (439 operations)."""
+    wide()
+    for lane in range(n):
+        J00_0 = w[640 + lane]
+        J00_1 = w[672 + lane]
+        J00_2 = w[704 + lane]
+        J00_3 = w[736 + lane]
+        J00_4 = w[768 + lane]
+        J00_5 = w[800 + lane]
+        J01_0 = w[896 + lane]
+        J01_1 = w[928 + lane]
+        J01_2 = w[960 + lane]
+        J01_3 = w[992 + lane]
+        J01_4 = w[1024 + lane]
+        J01_5 = w[1056 + lane]
+        J10_0 = w[3968 + lane]
+        J10_1 = w[4000 + lane]
+        J10_2 = w[4032 + lane]
+        J10_3 = w[4064 + lane]
+        J10_4 = w[4096 + lane]
+        J10_5 = w[4128 + lane]
+        J11_0 = w[4224 + lane]
+        J11_1 = w[4256 + lane]
+        J11_2 = w[4288 + lane]
+        J11_3 = w[4320 + lane]
+        J11_4 = w[4352 + lane]
+        J11_5 = w[4384 + lane]
+        J20_0 = w[7296 + lane]
+        J20_1 = w[7328 + lane]
+        J20_2 = w[7360 + lane]
+        J20_3 = w[7392 + lane]
+        J20_4 = w[7424 + lane]
+        J20_5 = w[7456 + lane]
+        J21_0 = w[7552 + lane]
+        J21_1 = w[7584 + lane]
+        J21_2 = w[7616 + lane]
+        J21_3 = w[7648 + lane]
+        J21_4 = w[7680 + lane]
+        J21_5 = w[7712 + lane]
+        G_cof_00 = J10_1*J20_2 - J10_2*J20_1
+        G_cof_01 = -J10_0*J20_2 + J10_2*J20_0
+        G_cof_02 = J10_0*J20_1 - J10_1*J20_0
+        G_cof_10 = -J00_1*J20_2 + J00_2*J20_1
+        G_cof_11 = J00_0*J20_2 - J00_2*J20_0
+        G_cof_12 = -J00_0*J20_1 + J00_1*J20_0
+        G_cof_20 = J00_1*J10_2 - J00_2*J10_1
+        G_cof_21 = -J00_0*J10_2 + J00_2*J10_0
+        G_cof_22 = J00_0*J10_1 - J00_1*J10_0
+        G_det_00 = G_cof_00*J00_0 + G_cof_01*J00_1 + G_cof_02*J00_2
+        G_by_00 = (1.0 / G_det_00)
+        G_inv_00 = G_by_00*G_cof_00
+        G_inv_01 = G_by_00*G_cof_10
+        G_inv_02 = G_by_00*G_cof_20
+        G_inv_10 = G_by_00*G_cof_01
+        G_inv_11 = G_by_00*G_cof_11
+        G_inv_12 = G_by_00*G_cof_21
+        G_inv_20 = G_by_00*G_cof_02
+        G_inv_21 = G_by_00*G_cof_12
+        G_inv_22 = G_by_00*G_cof_22
+        U_00 = G_inv_00*J00_3 + G_inv_01*J10_3 + G_inv_02*J20_3
+        U_01 = G_inv_00*J00_4 + G_inv_01*J10_4 + G_inv_02*J20_4
+        U_02 = G_inv_00*J00_5 + G_inv_01*J10_5 + G_inv_02*J20_5
+        U_10 = G_inv_10*J00_3 + G_inv_11*J10_3 + G_inv_12*J20_3
+        U_11 = G_inv_10*J00_4 + G_inv_11*J10_4 + G_inv_12*J20_4
+        U_12 = G_inv_10*J00_5 + G_inv_11*J10_5 + G_inv_12*J20_5
+        U_20 = G_inv_20*J00_3 + G_inv_21*J10_3 + G_inv_22*J20_3
+        U_21 = G_inv_20*J00_4 + G_inv_21*J10_4 + G_inv_22*J20_4
+        U_22 = G_inv_20*J00_5 + G_inv_21*J10_5 + G_inv_22*J20_5
+        S_00 = -J01_0*U_00 - J01_1*U_10 - J01_2*U_20 + J01_3
+        S_01 = -J01_0*U_01 - J01_1*U_11 - J01_2*U_21 + J01_4
+        S_02 = -J01_0*U_02 - J01_1*U_12 - J01_2*U_22 + J01_5
+        S_10 = -J11_0*U_00 - J11_1*U_10 - J11_2*U_20 + J11_3
+        S_11 = -J11_0*U_01 - J11_1*U_11 - J11_2*U_21 + J11_4
+        S_12 = -J11_0*U_02 - J11_1*U_12 - J11_2*U_22 + J11_5
+        S_20 = -J21_0*U_00 - J21_1*U_10 - J21_2*U_20 + J21_3
+        S_21 = -J21_0*U_01 - J21_1*U_11 - J21_2*U_21 + J21_4
+        S_22 = -J21_0*U_02 - J21_1*U_12 - J21_2*U_22 + J21_5
+        Si_cof_00 = S_11*S_22 - S_12*S_21
+        Si_cof_01 = -S_10*S_22 + S_12*S_20
+        Si_cof_02 = S_10*S_21 - S_11*S_20
+        Si_cof_10 = -S_01*S_22 + S_02*S_21
+        Si_cof_11 = S_00*S_22 - S_02*S_20
+        Si_cof_12 = -S_00*S_21 + S_01*S_20
+        Si_cof_20 = S_01*S_12 - S_02*S_11
+        Si_cof_21 = -S_00*S_12 + S_02*S_10
+        Si_cof_22 = S_00*S_11 - S_01*S_10
+        Si_det_00 = S_00*Si_cof_00 + S_01*Si_cof_01 + S_02*Si_cof_02
+        Si_by_00 = (1.0 / Si_det_00)
+        Si_inv_00 = Si_by_00*Si_cof_00
+        Si_inv_01 = Si_by_00*Si_cof_10
+        Si_inv_02 = Si_by_00*Si_cof_20
+        Si_inv_10 = Si_by_00*Si_cof_01
+        Si_inv_11 = Si_by_00*Si_cof_11
+        Si_inv_12 = Si_by_00*Si_cof_21
+        Si_inv_20 = Si_by_00*Si_cof_02
+        Si_inv_21 = Si_by_00*Si_cof_12
+        Si_inv_22 = Si_by_00*Si_cof_22
+        s193 = -J01_0*Si_inv_00 - J11_0*Si_inv_01 - J21_0*Si_inv_02
+        s198 = -J01_1*Si_inv_00 - J11_1*Si_inv_01 - J21_1*Si_inv_02
+        s203 = -J01_2*Si_inv_00 - J11_2*Si_inv_01 - J21_2*Si_inv_02
+        V_00 = G_inv_00*s193 + G_inv_10*s198 + G_inv_20*s203
+        V_01 = G_inv_01*s193 + G_inv_11*s198 + G_inv_21*s203
+        V_02 = G_inv_02*s193 + G_inv_12*s198 + G_inv_22*s203
+        s217 = -J01_0*Si_inv_10 - J11_0*Si_inv_11 - J21_0*Si_inv_12
+        s222 = -J01_1*Si_inv_10 - J11_1*Si_inv_11 - J21_1*Si_inv_12
+        s227 = -J01_2*Si_inv_10 - J11_2*Si_inv_11 - J21_2*Si_inv_12
+        V_10 = G_inv_00*s217 + G_inv_10*s222 + G_inv_20*s227
+        V_11 = G_inv_01*s217 + G_inv_11*s222 + G_inv_21*s227
+        V_12 = G_inv_02*s217 + G_inv_12*s222 + G_inv_22*s227
+        s241 = -J01_0*Si_inv_20 - J11_0*Si_inv_21 - J21_0*Si_inv_22
+        s246 = -J01_1*Si_inv_20 - J11_1*Si_inv_21 - J21_1*Si_inv_22
+        s251 = -J01_2*Si_inv_20 - J11_2*Si_inv_21 - J21_2*Si_inv_22
+        V_20 = G_inv_00*s241 + G_inv_10*s246 + G_inv_20*s251
+        V_21 = G_inv_01*s241 + G_inv_11*s246 + G_inv_21*s251
+        V_22 = G_inv_02*s241 + G_inv_12*s246 + G_inv_22*s251
+        s265 = -G_inv_00 + U_00*V_00 + U_01*V_10 + U_02*V_20
+        s269 = -G_inv_01 + U_00*V_01 + U_01*V_11 + U_02*V_21
+        s273 = -G_inv_02 + U_00*V_02 + U_01*V_12 + U_02*V_22
+        s277 = Si_inv_00*U_00 + Si_inv_10*U_01 + Si_inv_20*U_02
+        s281 = Si_inv_01*U_00 + Si_inv_11*U_01 + Si_inv_21*U_02
+        s285 = Si_inv_02*U_00 + Si_inv_12*U_01 + Si_inv_22*U_02
+        s289 = -G_inv_10 + U_10*V_00 + U_11*V_10 + U_12*V_20
+        s293 = -G_inv_11 + U_10*V_01 + U_11*V_11 + U_12*V_21
+        s297 = -G_inv_12 + U_10*V_02 + U_11*V_12 + U_12*V_22
+        s301 = Si_inv_00*U_10 + Si_inv_10*U_11 + Si_inv_20*U_12
+        s305 = Si_inv_01*U_10 + Si_inv_11*U_11 + Si_inv_21*U_12
+        s309 = Si_inv_02*U_10 + Si_inv_12*U_11 + Si_inv_22*U_12
+        s313 = -G_inv_20 + U_20*V_00 + U_21*V_10 + U_22*V_20
+        s317 = -G_inv_21 + U_20*V_01 + U_21*V_11 + U_22*V_21
+        s321 = -G_inv_22 + U_20*V_02 + U_21*V_12 + U_22*V_22
+        s325 = Si_inv_00*U_20 + Si_inv_10*U_21 + Si_inv_20*U_22
+        s329 = Si_inv_01*U_20 + Si_inv_11*U_21 + Si_inv_21*U_22
+        s333 = Si_inv_02*U_20 + Si_inv_12*U_21 + Si_inv_22*U_22
+        s342 = (J10_0 * J10_0) + (J10_1 * J10_1) + (J10_2 * J10_2)
+        s346 = (J20_0 * J20_0) + (J20_1 * J20_1) + (J20_2 * J20_2)
+        s348 = (G_det_00 * G_det_00) - 1.0e-12*s342*s346*((J00_0 * J00_0) + (J00_1 * J00_1) + (J00_2 * J00_2))
+        s357 = (J11_3 * J11_3) + (J11_4 * J11_4) + (J11_5 * J11_5)
+        s361 = (J21_3 * J21_3) + (J21_4 * J21_4) + (J21_5 * J21_5)
+        s363 = (Si_det_00 * Si_det_00) - 1.0e-12*s357*s361*((J01_3 * J01_3) + (J01_4 * J01_4) + (J01_5 * J01_5))
+        w[10272 + lane] = s265
+        w[10304 + lane] = s269
+        w[10336 + lane] = s273
+        w[10368 + lane] = s277
+        w[10400 + lane] = s281
+        w[10432 + lane] = s285
+        w[10464 + lane] = s289
+        w[10496 + lane] = s293
+        w[10528 + lane] = s297
+        w[10560 + lane] = s301
+        w[10592 + lane] = s305
+        w[10624 + lane] = s309
+        w[10656 + lane] = s313
+        w[10688 + lane] = s317
+        w[10720 + lane] = s321
+        w[10752 + lane] = s325
+        w[10784 + lane] = s329
+        w[10816 + lane] = s333
+        w[10848 + lane] = -V_00
+        w[10880 + lane] = -V_01
+        w[10912 + lane] = -V_02
+        w[10944 + lane] = -Si_inv_00
+        w[10976 + lane] = -Si_inv_01
+        w[11008 + lane] = -Si_inv_02
+        w[11040 + lane] = -V_10
+        w[11072 + lane] = -V_11
+        w[11104 + lane] = -V_12
+        w[11136 + lane] = -Si_inv_10
+        w[11168 + lane] = -Si_inv_11
+        w[11200 + lane] = -Si_inv_12
+        w[11232 + lane] = -V_20
+        w[11264 + lane] = -V_21
+        w[11296 + lane] = -V_22
+        w[11328 + lane] = -Si_inv_20
+        w[11360 + lane] = -Si_inv_21
+        w[11392 + lane] = -Si_inv_22
+        w[11424 + lane] = s348
+        w[11456 + lane] = s363
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _joint(x, q, tool, k, out):
-    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it (34 operations)."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    s839 = k[24]
-    s841 = k[25]
-    s843 = k[26]
-    s845 = k[27]
-    s863 = k[28]
-    s858 = k[29]
-    L = k[30]
-    s840 = px + s839 - tx
-    s844 = py + s843 - ty
-    s847 = s840*s841 + s844*s845
-    s849 = pz - tz
-    s850 = (s849 * s849)
-    s864 = 0.5*(s840 * s840) + 0.5*(s844 * s844) + 0.5*s850 + s863
-    s868 = math.sqrt((s847 * s847) + s850*s858 - (s864 * s864))
-    s875 = math.atan2(L*s849*s864 - s847*s868, -L*s849*s868 - s847*s864)
-    out[0] = s875
+@fast
+def _move(w, n):
+    """The platform after a step, and its rotation matrix (95 operations)."""
+    wide()
+    for lane in range(n):
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        cx = w[224 + lane]
+        cy = w[256 + lane]
+        cz = w[288 + lane]
+        y0 = w[9984 + lane]
+        y1 = w[10016 + lane]
+        y2 = w[10048 + lane]
+        y3 = w[10080 + lane]
+        y4 = w[10112 + lane]
+        y5 = w[10144 + lane]
+        going = w[10240 + lane]
+        new_00 = -going*y0 + px
+        new_10 = -going*y1 + py
+        new_20 = -going*y2 + pz
+        s10 = 0.5*cz
+        s11 = 0.25*cx*cy
+        s14 = -0.5*cy
+        s15 = 0.25*cx*cz
+        new_30 = cx - going*(y3*(0.25*(cx * cx) + 1) + y4*(s10 + s11) + y5*(s14 + s15))
+        s27 = 0.5*cx
+        s28 = 0.25*cy*cz
+        new_40 = cy - going*(y3*(-s10 + s11) + y4*(0.25*(cy * cy) + 1) + y5*(s27 + s28))
+        new_50 = cz - going*(y3*(-s14 + s15) + y4*(-s27 + s28) + y5*(0.25*(cz * cz) + 1))
+        s45 = (new_30 * new_30)
+        s47 = (new_40 * new_40)
+        s49 = (new_50 * new_50)
+        s52 = (1.0 / (0.25*s45 + 0.25*s47 + 0.25*s49 + 1))
+        s53 = -0.5*s47
+        s54 = -0.5*s49
+        s57 = s52*(s53 + s54) + 1
+        s58 = 0.5*new_30*new_40
+        s60 = s52*(-new_50 + s58)
+        s61 = 0.5*new_30*new_50
+        s63 = s52*(new_40 + s61)
+        s65 = s52*(new_50 + s58)
+        s66 = -0.5*s45
+        s69 = s52*(s54 + s66) + 1
+        s70 = 0.5*new_40*new_50
+        s72 = s52*(-new_30 + s70)
+        s74 = s52*(-new_40 + s61)
+        s76 = s52*(new_30 + s70)
+        s79 = s52*(s53 + s66) + 1
+        w[128 + lane] = new_00
+        w[3456 + lane] = new_00
+        w[6784 + lane] = new_00
+        w[160 + lane] = new_10
+        w[3488 + lane] = new_10
+        w[6816 + lane] = new_10
+        w[192 + lane] = new_20
+        w[3520 + lane] = new_20
+        w[6848 + lane] = new_20
+        w[224 + lane] = new_30
+        w[256 + lane] = new_40
+        w[288 + lane] = new_50
+        w[320 + lane] = s57
+        w[3648 + lane] = s57
+        w[6976 + lane] = s57
+        w[352 + lane] = s60
+        w[3680 + lane] = s60
+        w[7008 + lane] = s60
+        w[384 + lane] = s63
+        w[3712 + lane] = s63
+        w[7040 + lane] = s63
+        w[416 + lane] = s65
+        w[3744 + lane] = s65
+        w[7072 + lane] = s65
+        w[448 + lane] = s69
+        w[3776 + lane] = s69
+        w[7104 + lane] = s69
+        w[480 + lane] = s72
+        w[3808 + lane] = s72
+        w[7136 + lane] = s72
+        w[512 + lane] = s74
+        w[3840 + lane] = s74
+        w[7168 + lane] = s74
+        w[544 + lane] = s76
+        w[3872 + lane] = s76
+        w[7200 + lane] = s76
+        w[576 + lane] = s79
+        w[3904 + lane] = s79
+        w[7232 + lane] = s79
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _closure(x, q, tool, k, out, F, J_x, J_q):
-    """Fill closure F (6,), J_x (6, 6) and the joints' part J_q (6,) of one pose; k (3, :), out scratch."""
-    for i in range(3):
-        _newton(x, q[i], tool, k[i], out)
-        for j in range(2):
-            row, start = 2 * i + j, 8 * j
-            F[row] = out[start]
-            for c in range(6):
-                J_x[row, c] = out[start + 1 + c]
-            J_q[row] = out[start + 7]
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def _solve(A, B, columns):
-    """Solve A X = B in place by Gauss elimination with partial pivoting; X takes the place of B.
-
-    Returns False where a pivot falls below PIVOT_SINGULAR of the largest entry of A: then A is singular to that tolerance.
-    """
-    largest = 0.0
-    for r in range(6):
-        for c in range(6):
-            largest = max(largest, abs(A[r, c]))
-    for c in range(6):
-        pivot = c
-        for r in range(c + 1, 6):
-            if abs(A[r, c]) > abs(A[pivot, c]):
-                pivot = r
-        if not abs(A[pivot, c]) > PIVOT_SINGULAR * largest:
-            return False
-        if pivot != c:
-            for j in range(c, 6):
-                A[c, j], A[pivot, j] = A[pivot, j], A[c, j]
-            for j in range(columns):
-                B[c, j], B[pivot, j] = B[pivot, j], B[c, j]
-        inverse = 1.0 / A[c, c]
-        for r in range(c + 1, 6):
-            factor = A[r, c] * inverse
-            if factor != 0.0:
-                for j in range(c + 1, 6):
-                    A[r, j] -= factor * A[c, j]
-                for j in range(columns):
-                    B[r, j] -= factor * B[c, j]
-    for c in range(5, -1, -1):
-        inverse = 1.0 / A[c, c]
-        for j in range(columns):
-            B[c, j] *= inverse
-        for r in range(c):
-            factor = A[r, c]
-            if factor != 0.0:
-                for j in range(columns):
-                    B[r, j] -= factor * B[c, j]
-    return True
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def _stuck(F):
-    """Return what a pose is where Newton's matrix is singular: SINGULAR if its loops are closed, else UNREACHABLE."""
-    for r in range(6):
-        if not abs(F[r]) < CLOSED:
-            return UNREACHABLE
-    return SINGULAR
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def jacobians(x, q, tool, k, F, J_x, J_q, J_p):
-    """Fill the closure F (N, 6) and its Jacobians J_x (N, 6, 6), J_q (N, 6), J_p (N, 6, 19).
-
-    Rows 2 i .. 2 i + 1 belong to limb i and depend on its own joint, errors and deflections only:
-    J_q and J_p hold the derivatives by those.
-    """
-    out, by_errors = np.zeros(16), np.zeros(38)
-    for n in range(x.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        _closure(x[n], q[n], tool[n], k[m], out, F[n], J_x[n], J_q[n])
-        for i in range(3):
-            _parameters(x[n], q[n, i], tool[n], k[m, i], by_errors)
-            for j in range(2):
-                for c in range(19):
-                    J_p[n, 2 * i + j, c] = by_errors[19 * j + c]
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def _meet(sphere, pose):
-    """Put the position where three spheres meet into pose[:3]; False where their centres lie on one line.
+@fast
+def _meet(w, n):
+    """Put the platform where three spheres meet.
 
     Differences of the spheres are planes; two planes are a line, on which the first sphere is a quadratic. Where the
     line misses the sphere its nearest point is taken: the exact machine may still reach what the simplified one
     cannot.
     """
-    ax, ay, az = sphere[1, 0] - sphere[0, 0], sphere[1, 1] - sphere[0, 1], sphere[1, 2] - sphere[0, 2]
-    bx, by, bz = sphere[2, 0] - sphere[0, 0], sphere[2, 1] - sphere[0, 1], sphere[2, 2] - sphere[0, 2]
-    da, db = sphere[1, 3] - sphere[0, 3], sphere[2, 3] - sphere[0, 3]
-    nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-    nn = nx * nx + ny * ny + nz * nz
-    aa = ax * ax + ay * ay + az * az
-    bb = bx * bx + by * by + bz * bz
-    if not nn > PIVOT_SINGULAR * aa * bb:
-        return False
-    # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
-    ab = ax * bx + ay * by + az * bz
-    u = (da * bb - db * ab) / nn
-    v = (db * aa - da * ab) / nn
-    px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
-    # |P + t n|^2 / 2 - c.(P + t n) + d = 0
-    half = (px * nx + py * ny + pz * nz) - (sphere[0, 0] * nx + sphere[0, 1] * ny + sphere[0, 2] * nz)
-    rest = 0.5 * (px * px + py * py + pz * pz) - (sphere[0, 0] * px + sphere[0, 1] * py + sphere[0, 2] * pz) + sphere[0, 3]
-    root = math.sqrt(max(half * half - 2.0 * nn * rest, 0.0))
-    sign = -1.0 if nz > 0.0 else 1.0
-    t = (-half + sign * root) / nn
-    pose[0], pose[1], pose[2] = px + t * nx, py + t * ny, pz + t * nz
-    return True
+    wide()
+    for lane in range(n):
+        ox, oy, oz, od = w[1504 + lane], w[1536 + lane], w[1568 + lane], w[1600 + lane]
+        ax, ay, az, ad = w[4832 + lane], w[4864 + lane], w[4896 + lane], w[4928 + lane]
+        bx, by, bz, bd = w[8160 + lane], w[8192 + lane], w[8224 + lane], w[8256 + lane]
+        ax, ay, az, da = ax - ox, ay - oy, az - oz, ad - od
+        bx, by, bz, db = bx - ox, by - oy, bz - oz, bd - od
+        nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+        aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
+        nn = nx * nx + ny * ny + nz * nz
+        inverse = 1.0 / nn
+        # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
+        u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
+        px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
+        # |P + t n|^2 / 2 - c.(P + t n) + d = 0
+        half = ((px - ox) * nx + (py - oy) * ny + (pz - oz) * nz) * inverse
+        rest = 0.5 * (px * px + py * py + pz * pz) - (ox * px + oy * py + oz * pz) + od
+        square = half * half - 2.0 * rest * inverse
+        good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
+        w[10240 + lane] = 0.0 if good else 1.0
+        root = math.sqrt(square if square > 0.0 else 0.0)
+        t = (-root if nz > 0.0 else root) - half
+        w[128 + lane] = px + t * nx
+        w[160 + lane] = py + t * ny
+        w[192 + lane] = pz + t * nz
+        w[224 + lane] = 0.0
+        w[256 + lane] = 0.0
+        w[288 + lane] = 0.0
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@fast
+def _settle(w, n):
+    """Mark the poses for which this step was the last; return how many go on."""
+    wide()
+    left = 0
+    for lane in range(n):
+        done = (w[10176 + lane] > 0.0)
+        done = done & (w[10208 + lane] > 0.0)
+        done = done & (abs(w[9984 + lane]) < STEP_DONE)
+        done = done & (abs(w[10016 + lane]) < STEP_DONE)
+        done = done & (abs(w[10048 + lane]) < STEP_DONE)
+        done = done & (abs(w[10080 + lane]) < TURN_DONE)
+        done = done & (abs(w[10112 + lane]) < TURN_DONE)
+        done = done & (abs(w[10144 + lane]) < TURN_DONE)
+        going = 0.0 if done | (w[10240 + lane] == 0.0) else 1.0
+        w[10240 + lane] = going
+        left += 1 if going == 1.0 else 0
+    return left
+
+
+@fast
+def _settle_joints(w, n):
+    """Mark the poses for which this step was the last; return how many go on."""
+    wide()
+    left = 0
+    for lane in range(n):
+        done = (w[11680 + lane] > 0.0)
+        done = done & (w[11712 + lane] > 0.0)
+        done = done & (w[11744 + lane] > 0.0)
+        done = done & (w[11776 + lane] > 0.0)
+        done = done & (abs(w[11488 + lane]) < TURN_DONE)
+        done = done & (abs(w[11520 + lane]) < TURN_DONE)
+        done = done & (abs(w[11552 + lane]) < TURN_DONE)
+
+        done = done & (abs(w[11584 + lane]) < TURN_DONE)
+        done = done & (abs(w[11616 + lane]) < TURN_DONE)
+        done = done & (abs(w[11648 + lane]) < TURN_DONE)
+        going = 0.0 if done | (w[10240 + lane] == 0.0) else 1.0
+        w[10240 + lane] = going
+        left += 1 if going == 1.0 else 0
+    return left
+
+
+@fast
+def _begin(w, n):
+    """Let all poses go."""
+    for lane in range(n):
+        w[10240 + lane] = 1.0
+        w[9984 + lane] = 0.0
+        w[10016 + lane] = 0.0
+        w[10048 + lane] = 0.0
+        w[10080 + lane] = 0.0
+        w[10112 + lane] = 0.0
+        w[10144 + lane] = 0.0
+
+
+@fast
+def _started(w, n):
+    """Take joints, and coordinates that no command asks for, from the simplified machine."""
+    for lane in range(n):
+        w[10240 + lane] = 0.0 if (abs(w[1632 + lane]) < math.inf) & (abs(w[4960 + lane]) < math.inf) & (abs(w[8288 + lane]) < math.inf) else 1.0
+        w[0 + lane] = w[1632 + lane]
+        w[3328 + lane] = w[4960 + lane]
+        w[6656 + lane] = w[8288 + lane]
+        w[224 + lane] = 0.0
+        w[256 + lane] = 0.0
+        w[288 + lane] = 0.0
+
+
+@fast
+def _turn_joints(w, n):
+    """Move the joints by a step; what it does to the platform is left to `_move`."""
+    for lane in range(n):
+        going = w[10240 + lane]
+        w[0 + lane] -= going * w[11488 + lane]
+        w[3328 + lane] -= going * w[11520 + lane]
+        w[6656 + lane] -= going * w[11552 + lane]
+        w[10080 + lane] = w[11584 + lane]
+        w[10112 + lane] = w[11616 + lane]
+        w[10144 + lane] = w[11648 + lane]
+
+@fast
+def _load(q, w, first, last, n):
+    """Put joints of poses side by side, the last one again for the rest of `n`."""
+    wide()
+    for lane in range(n):
+        m = min(first + lane, last)
+        w[0 + lane] = q[m, 0]
+        w[3328 + lane] = q[m, 1]
+        w[6656 + lane] = q[m, 2]
+
+
+@fast
+def _hold(tool, w, first, last, n):
+    """Put tools of poses side by side, like `_load`."""
+    wide()
+    for lane in range(n):
+        m = min(first + lane, last)
+        at = tool[m, 0]
+        w[32 + lane] = at
+        w[3360 + lane] = at
+        w[6688 + lane] = at
+        at = tool[m, 1]
+        w[64 + lane] = at
+        w[3392 + lane] = at
+        w[6720 + lane] = at
+        at = tool[m, 2]
+        w[96 + lane] = at
+        w[3424 + lane] = at
+        w[6752 + lane] = at
+
+
+@fast
+def _place(x, w, first, last, n):
+    """Put platform poses side by side, like `_load`."""
+    wide()
+    for lane in range(n):
+        m = min(first + lane, last)
+        w[128 + lane] = x[m, 0]
+        w[160 + lane] = x[m, 1]
+        w[192 + lane] = x[m, 2]
+        w[224 + lane] = x[m, 3]
+        w[256 + lane] = x[m, 4]
+        w[288 + lane] = x[m, 5]
+
+
+@fast
+def _unload(w, x, status, first, last):
+    """Write the platform's poses, and what became of them; return how many are left open."""
+    wide()
+    left = 0
+    for lane in range(last - first + 1):
+        x[first + lane, 0] = w[128 + lane]
+        x[first + lane, 1] = w[160 + lane]
+        x[first + lane, 2] = w[192 + lane]
+        x[first + lane, 3] = w[224 + lane]
+        x[first + lane, 4] = w[256 + lane]
+        x[first + lane, 5] = w[288 + lane]
+        is_open = w[10240 + lane] != 0.0
+        status[first + lane] = OPEN if is_open else SOLVED
+        left += 1 if is_open else 0
+    return left
+
+
+@fast
+def _unload_joints(w, q, first, last):
+    wide()
+    for lane in range(last - first + 1):
+        q[first + lane, 0] = w[0 + lane]
+        q[first + lane, 1] = w[3328 + lane]
+        q[first + lane, 2] = w[6656 + lane]
+
+
+@fast
+def _forward(q, tool, k, x, status, warm, w):
+    w_1 = w[0:3328]
+    w_2 = w[3328:6656]
+    w_3 = w[6656:9984]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        k_3 = k[m, 2]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(q, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _early(w_1, k_1, n)
+            _early(w_2, k_2, n)
+            _early(w_3, k_3, n)
+            if warm:
+                _place(x, w, first, last, n)
+            else:
+                _meet(w, n)
+            _begin(w, n)
+            _move(w, n)
+            for _ in range(MAX_STEPS):
+                _rows(w_1, k_1, n)
+                _rows(w_2, k_2, n)
+                _rows(w_3, k_3, n)
+                _step(w, n)
+                _move(w, n)
+                if _settle(w, n) == 0:
+                    break
+            left += _unload(w, x, status, first, last)
+    return left
+
+
+def _of(values, chosen, poses):
+    """Return what belongs to the chosen poses of constants or tools, of which there may be fewer than poses."""
+    return values[chosen // (poses // len(values))]
+
+
 def forward(q, tool, k, x, status, warm):
     """Fill x (N, 6) with the exact platform pose at the joints q, by Newton from the simplified machine, or from x where warm.
 
     status (N,): SOLVED, UNREACHABLE (no platform pose closes all loops) or SINGULAR; x is NaN unless SOLVED.
     """
-    F, J_q = np.empty(6), np.empty(6)
-    J_x = np.empty((6, 6))
-    step = np.empty((6, 1))
-    out = np.zeros(16)
-    pose = np.zeros(6)
-    sphere = np.empty((3, 4))
-    for n in range(q.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        seeded = True
-        for c in range(6):
-            pose[c] = x[n, c] if warm else 0.0
-            seeded = seeded and math.isfinite(pose[c])
-        if not (warm and seeded):
-            pose[:] = 0.0
-            for i in range(3):
-                _sphere(pose, q[n, i], tool[n], k[m, i], sphere[i])
-            seeded = _meet(sphere, pose)
-        status[n] = UNREACHABLE if seeded else SINGULAR
-        for _ in range(MAX_STEPS if seeded else 0):
-            _closure(pose, q[n], tool[n], k[m], out, F, J_x, J_q)
-            for r in range(6):
-                step[r, 0] = F[r]
-            if not _solve(J_x, step, 1):
-                status[n] = _stuck(F)
-                break
-            size = 0.0
-            for c in range(6):
-                pose[c] -= step[c, 0]
-                size = max(size, abs(step[c, 0]))
-            if size < STEP_DONE:
-                status[n] = SOLVED
-                break
-            if not size < STEP_LOST:
-                break
-        for c in range(6):
-            x[n, c] = pose[c] if status[n] == SOLVED else np.nan
+    given = x.copy() if warm else x
+    if _forward(q, tool, k, x, status, warm, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        of, found = np.zeros(len(left), dtype=np.int64), given[left]
+        vectorised.forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, warm)
+        x[left], status[left] = found, of
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@fast
+def _inverse(target, tool, k, x, q, status, w):
+    w_1 = w[0:3328]
+    w_2 = w[3328:6656]
+    w_3 = w[6656:9984]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        k_3 = k[m, 2]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(target, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _aim(w, n)
+            _start(w_1, k_1, n)
+            _start(w_2, k_2, n)
+            _start(w_3, k_3, n)
+            _started(w, n)
+            _begin(w, n)
+            _move(w, n)
+            for _ in range(MAX_STEPS):
+                _early(w_1, k_1, n)
+                _more(w_1, k_1, n)
+                _rows(w_1, k_1, n)
+                _joints(w_1, k_1, n)
+                _early(w_2, k_2, n)
+                _more(w_2, k_2, n)
+                _rows(w_2, k_2, n)
+                _joints(w_2, k_2, n)
+                _early(w_3, k_3, n)
+                _more(w_3, k_3, n)
+                _rows(w_3, k_3, n)
+                _joints(w_3, k_3, n)
+                _command(w, n)
+                _turn_joints(w, n)
+                _move(w, n)
+                if _settle_joints(w, n) == 0:
+                    break
+            left += _unload(w, x, status, first, last)
+            _unload_joints(w, q, first, last)
+    return left
+
+
 def inverse(target, tool, k, x, q, status):
     """Fill the joints q (N, 3) that bring the reference point to target (N, 3), and the pose x (N, 6) it then has.
 
     Newton on the joints and the platform's rotation from the simplified machine. status as in `forward`; UNREACHABLE
     where the target lies beyond the reach of a limb.
     """
-    F, J_q = np.empty(6), np.empty(6)
-    J_x = np.empty((6, 6))
-    A = np.empty((6, 6))
-    step = np.empty((6, 1))
-    out = np.zeros(16)
-    pose, joints, start = np.zeros(6), np.empty(3), np.zeros(1)
-    for n in range(target.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        pose[:] = 0.0
-        for c in range(3):
-            pose[c] = target[n, c]
-        seeded = True
-        for i in range(3):
-            _joint(pose, 0.0, tool[n], k[m, i], start)
-            joints[i] = start[0]
-            seeded = seeded and math.isfinite(joints[i])
-        status[n] = UNREACHABLE
-        for _ in range(MAX_STEPS if seeded else 0):
-            _closure(pose, joints, tool[n], k[m], out, F, J_x, J_q)
-            A[:] = 0.0
-            for r in range(6):
-                A[r, r // 2] = J_q[r]
-                for c in range(3):
-                    A[r, 3 + c] = J_x[r, 3 + c]
-                step[r, 0] = F[r]
-            if not _solve(A, step, 1):
-                status[n] = _stuck(F)
-                break
-            size = 0.0
-            for c in range(3):
-                joints[c] -= step[c, 0]
-                size = max(size, abs(step[c, 0]))
-            for c in range(3):
-                pose[3 + c] -= step[3 + c, 0]
-                size = max(size, abs(step[3 + c, 0]))
-            if size < STEP_DONE * ANGLE_STEP:
-                status[n] = SOLVED
-                break
-            if not size < STEP_LOST:
-                break
-        for c in range(3):
-            q[n, c] = joints[c] if status[n] == SOLVED else np.nan
-        for c in range(6):
-            x[n, c] = pose[c] if status[n] == SOLVED else np.nan
+    if _inverse(target, tool, k, x, q, status, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        found, joints, of = np.empty((len(left), 6)), np.empty((len(left), 3)), np.zeros(len(left), dtype=np.int64)
+        vectorised.inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
+        x[left], q[left], status[left] = found, joints, of
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@fast
+def _simplified_forward(q, tool, k, x, status, w):
+    w_1 = w[0:3328]
+    w_2 = w[3328:6656]
+    w_3 = w[6656:9984]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        k_3 = k[m, 2]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(q, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _sphere(w_1, k_1, n)
+            _sphere(w_2, k_2, n)
+            _sphere(w_3, k_3, n)
+            _meet(w, n)
+            left += _unload(w, x, status, first, last)
+    return left
+
+
+def simplified_forward(q, tool, k, x, status):
+    """`forward` of the simplified machine, in closed form: exact where bx1, by1, bz1, ax1, ay1, az1, dl1, bx2, by2, bz2, ax2, ay2, az2, dl2, betax, betay, betaz, tip_v, tip_w are zero."""
+    if _simplified_forward(q, tool, k, x, status, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        found, of = np.empty((len(left), 6)), np.empty(len(left), dtype=np.int64)
+        forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, False)
+        x[left], status[left] = found, of
+
+
+@fast
+def _simplified_inverse(target, tool, k, x, q, status, w):
+    w_1 = w[0:3328]
+    w_2 = w[3328:6656]
+    w_3 = w[6656:9984]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        k_3 = k[m, 2]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(target, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _aim(w, n)
+            _start(w_1, k_1, n)
+            _start(w_2, k_2, n)
+            _start(w_3, k_3, n)
+            _started(w, n)
+            left += _unload(w, x, status, first, last)
+            _unload_joints(w, q, first, last)
+    return left
+
+
+def simplified_inverse(target, tool, k, x, q, status):
+    """`inverse` of the simplified machine, in closed form; see `simplified_forward`."""
+    if _simplified_inverse(target, tool, k, x, q, status, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        found, joints, of = np.empty((len(left), 6)), np.empty((len(left), 3)), np.empty(len(left), dtype=np.int64)
+        inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
+        x[left], q[left], status[left] = found, joints, of
+
+
+@fast
+def _aim(w, n):
+    """Put targets, which were loaded as joints, where the limbs read the platform."""
+    for lane in range(n):
+        at = w[0 + lane]
+        w[128 + lane] = at
+        w[3456 + lane] = at
+        w[6784 + lane] = at
+        at = w[3328 + lane]
+        w[160 + lane] = at
+        w[3488 + lane] = at
+        w[6816 + lane] = at
+        at = w[6656 + lane]
+        w[192 + lane] = at
+        w[3520 + lane] = at
+        w[6848 + lane] = at
+
+
+@fast
+def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
+    w_1 = w[0:3328]
+    w_2 = w[3328:6656]
+    w_3 = w[6656:9984]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        k_3 = k[m, 2]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(q, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _place(x, w, first, last, n)
+            _begin(w, n)
+            _move(w, n)
+            _early(w_1, k_1, n)
+            _more(w_1, k_1, n)
+            _rows(w_1, k_1, n)
+            _joints(w_1, k_1, n)
+            _errors(w_1, k_1, n)
+            _early(w_2, k_2, n)
+            _more(w_2, k_2, n)
+            _rows(w_2, k_2, n)
+            _joints(w_2, k_2, n)
+            _errors(w_2, k_2, n)
+            _early(w_3, k_3, n)
+            _more(w_3, k_3, n)
+            _rows(w_3, k_3, n)
+            _joints(w_3, k_3, n)
+            _errors(w_3, k_3, n)
+            _inverse_of_rows(w, n)
+            left += _products(w, S_p, S_q, status, first, last)
+    return left
+
+
+@fast
+def _products(w, S_p, S_q, status, first, last):
+    """Multiply the inverse and the derivatives by errors and joints, pose by pose; return how many are left open."""
+    wide()
+    left = 0
+    for lane in range(last - first + 1):
+        m = first + lane
+        e_0_0 = w[2112 + lane]
+        e_0_1 = w[2144 + lane]
+        e_0_2 = w[2176 + lane]
+        e_0_3 = w[2208 + lane]
+        e_0_4 = w[2240 + lane]
+        e_0_5 = w[2272 + lane]
+        e_0_6 = w[2304 + lane]
+        e_0_7 = w[2336 + lane]
+        e_0_8 = w[2368 + lane]
+        e_0_9 = w[2400 + lane]
+        e_0_10 = w[2432 + lane]
+        e_0_11 = w[2464 + lane]
+        e_0_12 = w[2496 + lane]
+        e_0_13 = w[2528 + lane]
+        e_0_14 = w[2560 + lane]
+        e_0_15 = w[2592 + lane]
+        e_0_16 = w[2624 + lane]
+        e_0_17 = w[2656 + lane]
+        e_0_18 = w[2688 + lane]
+        q_0 = w[832 + lane]
+        e_1_0 = w[2720 + lane]
+        e_1_1 = w[2752 + lane]
+        e_1_2 = w[2784 + lane]
+        e_1_3 = w[2816 + lane]
+        e_1_4 = w[2848 + lane]
+        e_1_5 = w[2880 + lane]
+        e_1_6 = w[2912 + lane]
+        e_1_7 = w[2944 + lane]
+        e_1_8 = w[2976 + lane]
+        e_1_9 = w[3008 + lane]
+        e_1_10 = w[3040 + lane]
+        e_1_11 = w[3072 + lane]
+        e_1_12 = w[3104 + lane]
+        e_1_13 = w[3136 + lane]
+        e_1_14 = w[3168 + lane]
+        e_1_15 = w[3200 + lane]
+        e_1_16 = w[3232 + lane]
+        e_1_17 = w[3264 + lane]
+        e_1_18 = w[3296 + lane]
+        q_1 = w[1088 + lane]
+        for r in range(6):
+            a_0 = w[192 * r + (10272 + lane)]
+            a_1 = w[192 * r + (10368 + lane)]
+            S_p[m, r, 0] = a_0 * e_0_0 + a_1 * e_1_0
+            S_p[m, r, 1] = a_0 * e_0_1 + a_1 * e_1_1
+            S_p[m, r, 2] = a_0 * e_0_2 + a_1 * e_1_2
+            S_p[m, r, 3] = a_0 * e_0_3 + a_1 * e_1_3
+            S_p[m, r, 4] = a_0 * e_0_4 + a_1 * e_1_4
+            S_p[m, r, 5] = a_0 * e_0_5 + a_1 * e_1_5
+            S_p[m, r, 6] = a_0 * e_0_6 + a_1 * e_1_6
+            S_p[m, r, 7] = a_0 * e_0_7 + a_1 * e_1_7
+            S_p[m, r, 8] = a_0 * e_0_8 + a_1 * e_1_8
+            S_p[m, r, 9] = a_0 * e_0_9 + a_1 * e_1_9
+            S_p[m, r, 10] = a_0 * e_0_10 + a_1 * e_1_10
+            S_p[m, r, 11] = a_0 * e_0_11 + a_1 * e_1_11
+            S_p[m, r, 12] = a_0 * e_0_12 + a_1 * e_1_12
+            S_p[m, r, 13] = a_0 * e_0_13 + a_1 * e_1_13
+            S_p[m, r, 14] = a_0 * e_0_14 + a_1 * e_1_14
+            S_p[m, r, 15] = a_0 * e_0_15 + a_1 * e_1_15
+            S_p[m, r, 16] = a_0 * e_0_16 + a_1 * e_1_16
+            S_p[m, r, 17] = a_0 * e_0_17 + a_1 * e_1_17
+            S_p[m, r, 18] = a_0 * e_0_18 + a_1 * e_1_18
+            S_q[m, r, 0] = a_0 * q_0 + a_1 * q_1
+        e_0_0 = w[5440 + lane]
+        e_0_1 = w[5472 + lane]
+        e_0_2 = w[5504 + lane]
+        e_0_3 = w[5536 + lane]
+        e_0_4 = w[5568 + lane]
+        e_0_5 = w[5600 + lane]
+        e_0_6 = w[5632 + lane]
+        e_0_7 = w[5664 + lane]
+        e_0_8 = w[5696 + lane]
+        e_0_9 = w[5728 + lane]
+        e_0_10 = w[5760 + lane]
+        e_0_11 = w[5792 + lane]
+        e_0_12 = w[5824 + lane]
+        e_0_13 = w[5856 + lane]
+        e_0_14 = w[5888 + lane]
+        e_0_15 = w[5920 + lane]
+        e_0_16 = w[5952 + lane]
+        e_0_17 = w[5984 + lane]
+        e_0_18 = w[6016 + lane]
+        q_0 = w[4160 + lane]
+        e_1_0 = w[6048 + lane]
+        e_1_1 = w[6080 + lane]
+        e_1_2 = w[6112 + lane]
+        e_1_3 = w[6144 + lane]
+        e_1_4 = w[6176 + lane]
+        e_1_5 = w[6208 + lane]
+        e_1_6 = w[6240 + lane]
+        e_1_7 = w[6272 + lane]
+        e_1_8 = w[6304 + lane]
+        e_1_9 = w[6336 + lane]
+        e_1_10 = w[6368 + lane]
+        e_1_11 = w[6400 + lane]
+        e_1_12 = w[6432 + lane]
+        e_1_13 = w[6464 + lane]
+        e_1_14 = w[6496 + lane]
+        e_1_15 = w[6528 + lane]
+        e_1_16 = w[6560 + lane]
+        e_1_17 = w[6592 + lane]
+        e_1_18 = w[6624 + lane]
+        q_1 = w[4416 + lane]
+        for r in range(6):
+            a_0 = w[192 * r + (10304 + lane)]
+            a_1 = w[192 * r + (10400 + lane)]
+            S_p[m, r, 19] = a_0 * e_0_0 + a_1 * e_1_0
+            S_p[m, r, 20] = a_0 * e_0_1 + a_1 * e_1_1
+            S_p[m, r, 21] = a_0 * e_0_2 + a_1 * e_1_2
+            S_p[m, r, 22] = a_0 * e_0_3 + a_1 * e_1_3
+            S_p[m, r, 23] = a_0 * e_0_4 + a_1 * e_1_4
+            S_p[m, r, 24] = a_0 * e_0_5 + a_1 * e_1_5
+            S_p[m, r, 25] = a_0 * e_0_6 + a_1 * e_1_6
+            S_p[m, r, 26] = a_0 * e_0_7 + a_1 * e_1_7
+            S_p[m, r, 27] = a_0 * e_0_8 + a_1 * e_1_8
+            S_p[m, r, 28] = a_0 * e_0_9 + a_1 * e_1_9
+            S_p[m, r, 29] = a_0 * e_0_10 + a_1 * e_1_10
+            S_p[m, r, 30] = a_0 * e_0_11 + a_1 * e_1_11
+            S_p[m, r, 31] = a_0 * e_0_12 + a_1 * e_1_12
+            S_p[m, r, 32] = a_0 * e_0_13 + a_1 * e_1_13
+            S_p[m, r, 33] = a_0 * e_0_14 + a_1 * e_1_14
+            S_p[m, r, 34] = a_0 * e_0_15 + a_1 * e_1_15
+            S_p[m, r, 35] = a_0 * e_0_16 + a_1 * e_1_16
+            S_p[m, r, 36] = a_0 * e_0_17 + a_1 * e_1_17
+            S_p[m, r, 37] = a_0 * e_0_18 + a_1 * e_1_18
+            S_q[m, r, 1] = a_0 * q_0 + a_1 * q_1
+        e_0_0 = w[8768 + lane]
+        e_0_1 = w[8800 + lane]
+        e_0_2 = w[8832 + lane]
+        e_0_3 = w[8864 + lane]
+        e_0_4 = w[8896 + lane]
+        e_0_5 = w[8928 + lane]
+        e_0_6 = w[8960 + lane]
+        e_0_7 = w[8992 + lane]
+        e_0_8 = w[9024 + lane]
+        e_0_9 = w[9056 + lane]
+        e_0_10 = w[9088 + lane]
+        e_0_11 = w[9120 + lane]
+        e_0_12 = w[9152 + lane]
+        e_0_13 = w[9184 + lane]
+        e_0_14 = w[9216 + lane]
+        e_0_15 = w[9248 + lane]
+        e_0_16 = w[9280 + lane]
+        e_0_17 = w[9312 + lane]
+        e_0_18 = w[9344 + lane]
+        q_0 = w[7488 + lane]
+        e_1_0 = w[9376 + lane]
+        e_1_1 = w[9408 + lane]
+        e_1_2 = w[9440 + lane]
+        e_1_3 = w[9472 + lane]
+        e_1_4 = w[9504 + lane]
+        e_1_5 = w[9536 + lane]
+        e_1_6 = w[9568 + lane]
+        e_1_7 = w[9600 + lane]
+        e_1_8 = w[9632 + lane]
+        e_1_9 = w[9664 + lane]
+        e_1_10 = w[9696 + lane]
+        e_1_11 = w[9728 + lane]
+        e_1_12 = w[9760 + lane]
+        e_1_13 = w[9792 + lane]
+        e_1_14 = w[9824 + lane]
+        e_1_15 = w[9856 + lane]
+        e_1_16 = w[9888 + lane]
+        e_1_17 = w[9920 + lane]
+        e_1_18 = w[9952 + lane]
+        q_1 = w[7744 + lane]
+        for r in range(6):
+            a_0 = w[192 * r + (10336 + lane)]
+            a_1 = w[192 * r + (10432 + lane)]
+            S_p[m, r, 38] = a_0 * e_0_0 + a_1 * e_1_0
+            S_p[m, r, 39] = a_0 * e_0_1 + a_1 * e_1_1
+            S_p[m, r, 40] = a_0 * e_0_2 + a_1 * e_1_2
+            S_p[m, r, 41] = a_0 * e_0_3 + a_1 * e_1_3
+            S_p[m, r, 42] = a_0 * e_0_4 + a_1 * e_1_4
+            S_p[m, r, 43] = a_0 * e_0_5 + a_1 * e_1_5
+            S_p[m, r, 44] = a_0 * e_0_6 + a_1 * e_1_6
+            S_p[m, r, 45] = a_0 * e_0_7 + a_1 * e_1_7
+            S_p[m, r, 46] = a_0 * e_0_8 + a_1 * e_1_8
+            S_p[m, r, 47] = a_0 * e_0_9 + a_1 * e_1_9
+            S_p[m, r, 48] = a_0 * e_0_10 + a_1 * e_1_10
+            S_p[m, r, 49] = a_0 * e_0_11 + a_1 * e_1_11
+            S_p[m, r, 50] = a_0 * e_0_12 + a_1 * e_1_12
+            S_p[m, r, 51] = a_0 * e_0_13 + a_1 * e_1_13
+            S_p[m, r, 52] = a_0 * e_0_14 + a_1 * e_1_14
+            S_p[m, r, 53] = a_0 * e_0_15 + a_1 * e_1_15
+            S_p[m, r, 54] = a_0 * e_0_16 + a_1 * e_1_16
+            S_p[m, r, 55] = a_0 * e_0_17 + a_1 * e_1_17
+            S_p[m, r, 56] = a_0 * e_0_18 + a_1 * e_1_18
+            S_q[m, r, 2] = a_0 * q_0 + a_1 * q_1
+        regular = True
+        regular = regular & (w[11424 + lane] > 0.0)
+        regular = regular & (w[11456 + lane] > 0.0)
+        status[m] = SOLVED if regular else OPEN
+        left += 0 if regular else 1
+    return left
+
+
 def sensitivity(x, q, tool, k, S_p, S_q, status):
     """Fill the derivatives of the exact pose: S_p (N, 6, 57) by errors and deflections, S_q (N, 6, 3) by joints.
 
-    ``J_x S = -J``. Columns of S_p run limb by limb. S_q is the velocity Jacobian.
+    Rows are px, py, pz, then turns of the platform about the axes of {O}. Columns of S_p run limb by limb. S_q is the velocity
+    Jacobian.
     """
-    F, J_q = np.empty(6), np.empty(6)
-    J_x = np.empty((6, 6))
-    unit = np.empty((6, 6))
-    out = np.zeros(16)
-    J_p = np.zeros(38)
-    for n in range(x.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        _closure(x[n], q[n], tool[n], k[m], out, F, J_x, J_q)
-        unit[:] = 0.0
-        for r in range(6):
-            unit[r, r] = -1.0
-        status[n] = SOLVED if _solve(J_x, unit, 6) else SINGULAR
-        for i in range(3):
-            _parameters(x[n], q[n, i], tool[n], k[m, i], J_p)
-            for r in range(6):
-                for c in range(19):
-                    total = 0.0
-                    for j in range(2):
-                        total += unit[r, 2 * i + j] * J_p[19 * j + c]
-                    S_p[n, r, 19 * i + c] = total if status[n] == SOLVED else np.nan
-                total = 0.0
-                for j in range(2):
-                    total += unit[r, 2 * i + j] * J_q[2 * i + j]
-                S_q[n, r, i] = total if status[n] == SOLVED else np.nan
+    if _sensitivity(x, q, tool, k, S_p, S_q, status, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        by_errors, by_joints, of = np.empty((len(left), 6, 57)), np.empty((len(left), 6, 3)), np.zeros(len(left), dtype=np.int64)
+        vectorised.sensitivity(x[left], q[left], _of(tool, left, len(status)), _of(k, left, len(status)), by_errors, by_joints, of)
+        S_p[left], S_q[left], status[left] = by_errors, by_joints, of
 
 
-def linear_constants(p):
-    """Return k (M, 3, 40), what `linear` reads that no pose changes, from p (77 operations).
+def nominal_constants(p):
+    """Return k (M, 3, 24), what `nominal_sensitivity` reads that no pose changes, from p (38 operations).
 
-    p is that of the calibrated machine: its geometry is taken as nominal, its errors as what to compensate.
+    p is that of the nominal machine; errors and deflections in it play no part.
     """
-    k = np.zeros((p.shape[0], 3, 40))
+    k = np.zeros((p.shape[0], 3, 24))
     b = p[..., 0]
     a = p[..., 1]
     L = p[..., 2]
     l = p[..., 3]
     c = p[..., 4]
     phi = p[..., 5]
-    bx1 = p[..., 6]
-    by1 = p[..., 7]
-    bz1 = p[..., 8]
-    ax1 = p[..., 9]
-    ay1 = p[..., 10]
-    az1 = p[..., 11]
-    dl1 = p[..., 12]
-    bx2 = p[..., 13]
-    by2 = p[..., 14]
-    bz2 = p[..., 15]
-    ax2 = p[..., 16]
-    ay2 = p[..., 17]
-    az2 = p[..., 18]
-    dl2 = p[..., 19]
-    betax = p[..., 20]
-    betay = p[..., 21]
-    betaz = p[..., 22]
-    tip_v = p[..., 23]
-    tip_w = p[..., 24]
     F_11 = np.sin(phi)
-    s1 = np.cos(phi)
-    F_11_errors = betaz*s1
+    F_11_betaz = np.cos(phi)
     F_12 = np.cos(phi)
-    F_12_errors = -F_11*betaz
-    F_21_errors = F_11*betaz
+    F_21_betaz = np.sin(phi)
     F_22 = np.sin(phi)
-    F_22_errors = betaz*s1
-    F_31_errors = -F_11*betay - betax*s1
-    F_32_errors = F_11*betax - betay*s1
-    g1_x = 0.5*c
-    g1_x_errors = ax1 + tip_w
-    g1_z_errors = az1 + tip_v
-    s37 = a*s1
-    s38 = 0.5*F_11*c
-    h1_x = s37 + s38
-    s40 = F_11*a
-    s41 = -0.5*c*s1
-    h1_y = s40 + s41
-    s45 = b*s1
-    s46 = F_11*g1_x + s45
-    s54 = F_11*g1_x_errors + F_11_errors*g1_x
-    s58 = F_11*b
-    s59 = -g1_x*s1 + s58
-    s67 = F_21_errors*g1_x - g1_x_errors*s1
-    s71 = F_31_errors*g1_x
-    g2_x = -0.5*c
-    g2_x_errors = ax2 + tip_w
-    g2_z_errors = az2 + tip_v
-    h2_x = s37 - s38
-    h2_y = s40 - s41
-    s93 = F_11*g2_x + s45
-    s99 = F_11*g2_x_errors + F_11_errors*g2_x
-    s102 = -g2_x*s1 + s58
-    s108 = F_21_errors*g2_x - g2_x_errors*s1
-    s110 = F_31_errors*g2_x
-    s125 = s37 - s45
-    s127 = -L*s1
-    s129 = s40 - s58
-    s131 = -F_11*L
-    s143 = (L * L)
-    s148 = -0.5*(l * l) + 0.5*s143*((F_11 * F_11) + (s1 * s1))
-    s164 = -dl1*l
-    s182 = -dl2*l
-    k[..., 0] = s125
-    k[..., 1] = s127
-    k[..., 2] = s129
-    k[..., 3] = s131
-    k[..., 4] = s148
-    k[..., 5] = s143
+    F_22_betaz = np.cos(phi)
+    F_32_betax = np.sin(phi)
+    g1_11 = 0.5*c
+    s22 = F_11_betaz*a
+    s23 = 0.5*F_11*c
+    h1_11 = s22 + s23
+    s25 = F_11*a
+    s26 = -0.5*F_11_betaz*c
+    h1_21 = s25 + s26
+    s28 = F_11*g1_11
+    s30 = F_11_betaz*b
+    s31 = s28 + s30
+    s34 = F_11_betaz*g1_11
+    s38 = F_11*b
+    s39 = -s34 + s38
+    s41 = F_21_betaz*g1_11
+    g2_11 = -0.5*c
+    h2_11 = s22 - s23
+    h2_21 = s25 - s26
+    s59 = F_11*g2_11
+    s60 = s30 + s59
+    s62 = F_11_betaz*g2_11
+    s64 = s38 - s62
+    s66 = F_21_betaz*g2_11
+    s105 = -0.5*F_11
+    s107 = 0.5*F_11_betaz
+    s118 = -0.5*l
+    k[..., 0] = F_12
+    k[..., 1] = F_11
+    k[..., 2] = F_22
+    k[..., 3] = F_22_betaz
+    k[..., 4] = F_32_betax
+    k[..., 5] = F_11_betaz
     k[..., 6] = L
-    k[..., 7] = F_12
-    k[..., 8] = F_12_errors
-    k[..., 9] = betay
-    k[..., 10] = F_22
-    k[..., 11] = F_22_errors
-    k[..., 12] = betax
-    k[..., 13] = F_32_errors
-    k[..., 14] = s46
-    k[..., 15] = ay1
-    k[..., 16] = g1_z_errors
-    k[..., 17] = s54
+    k[..., 7] = s31
+    k[..., 8] = s34
+    k[..., 9] = s39
+    k[..., 10] = s41
+    k[..., 11] = s28
+    k[..., 12] = h1_11
+    k[..., 13] = h1_21
+    k[..., 14] = s60
+    k[..., 15] = s62
+    k[..., 16] = s64
+    k[..., 17] = s66
     k[..., 18] = s59
-    k[..., 19] = s67
-    k[..., 20] = s71
-    k[..., 21] = h1_x
-    k[..., 22] = h1_y
-    k[..., 23] = bx1
-    k[..., 24] = by1
-    k[..., 25] = bz1
-    k[..., 26] = s93
-    k[..., 27] = ay2
-    k[..., 28] = g2_z_errors
-    k[..., 29] = s99
-    k[..., 30] = s102
-    k[..., 31] = s108
-    k[..., 32] = s110
-    k[..., 33] = h2_x
-    k[..., 34] = h2_y
-    k[..., 35] = bx2
-    k[..., 36] = by2
-    k[..., 37] = bz2
-    k[..., 38] = s164
-    k[..., 39] = s182
+    k[..., 19] = h2_11
+    k[..., 20] = h2_21
+    k[..., 21] = s105
+    k[..., 22] = s107
+    k[..., 23] = s118
     return k
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _nominal_joint(x, q, tool, k, i, out):
-    """Joint of the nominal limb at a given position (34 operations); limb i of k, row i of out."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    s125 = k[i, 0]
-    s127 = k[i, 1]
-    s129 = k[i, 2]
-    s131 = k[i, 3]
-    s148 = k[i, 4]
-    s143 = k[i, 5]
-    L = k[i, 6]
-    B1_z = pz - tz
-    s126 = px + s125 - tx
-    s130 = py + s129 - ty
-    s133 = s126*s127 + s130*s131
-    s135 = (B1_z * B1_z)
-    s149 = 0.5*(s126 * s126) + 0.5*(s130 * s130) + 0.5*s135 + s148
-    s153 = math.sqrt((s133 * s133) + s135*s143 - (s149 * s149))
-    s160 = math.atan2(B1_z*L*s149 - s133*s153, -B1_z*L*s153 - s133*s149)
-    row = 1 * i
-    out[row + 0] = s160
+@fast
+def _nominal(w, k, n):
+    """Equations of a nominal limb by platform and errors (207 operations)."""
+    wide()
+    F_12 = k[0]
+    F_11 = k[1]
+    F_22 = k[2]
+    F_22_betaz = k[3]
+    F_32_betax = k[4]
+    F_11_betaz = k[5]
+    L = k[6]
+    s31 = k[7]
+    s34 = k[8]
+    s39 = k[9]
+    s41 = k[10]
+    s28 = k[11]
+    h1_11 = k[12]
+    h1_21 = k[13]
+    s60 = k[14]
+    s62 = k[15]
+    s64 = k[16]
+    s66 = k[17]
+    s59 = k[18]
+    h2_11 = k[19]
+    h2_21 = k[20]
+    s105 = k[21]
+    s107 = k[22]
+    s118 = k[23]
+    for lane in range(n):
+        q = w[0 + lane]
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        s7 = cosine(q)
+        s8 = F_12*s7
+        s9 = sine(q)
+        R1_12_betaz = -F_11*s7
+        s11 = -F_12*s9
+        s13 = F_22*s7
+        R1_22_betaz = F_22_betaz*s7
+        s15 = -F_22*s9
+        R1_32_betax = F_32_betax*s7
+        R1_32_betay = -F_11_betaz*s7
+        s29 = L*s8
+        A1_11 = s29 + s31
+        s33 = L*s9
+        s35 = L*R1_12_betaz
+        A1_11_betaz = s34 + s35
+        s37 = L*s13
+        A1_21 = s37 + s39
+        s42 = L*R1_22_betaz
+        A1_21_betaz = s41 + s42
+        s44 = L*R1_32_betax
+        A1_31_betax = -s34 + s44
+        s46 = L*R1_32_betay
+        A1_31_betay = -s28 + s46
+        s48 = h1_11 - tx
+        s49 = h1_21 - ty
+        B1_11 = px + s48
+        B1_21 = py + s49
+        B1_31 = pz - tz
+        d1_11 = -A1_11 + B1_11
+        d1_21 = -A1_21 + B1_21
+        d1_31 = B1_31 - s33
+        A2_11 = s29 + s60
+        A2_11_betaz = s35 + s62
+        A2_21 = s37 + s64
+        A2_21_betaz = s42 + s66
+        A2_31_betax = s44 - s62
+        A2_31_betay = s46 - s59
+        s70 = h2_11 - tx
+        s71 = h2_21 - ty
+        B2_11 = px + s70
+        B2_21 = py + s71
+        B2_31 = pz - tz
+        d2_11 = -A2_11 + B2_11
+        d2_21 = -A2_21 + B2_21
+        d2_31 = B2_31 - s33
+        s78 = 0.5*d1_11
+        s79 = 0.5*d2_11
+        s80 = s78 + s79
+        s81 = 0.5*d1_21
+        s82 = 0.5*d2_21
+        s83 = s81 + s82
+        s84 = 0.5*d1_31
+        s85 = 0.5*d2_31
+        s86 = s84 + s85
+        s87 = 0.5*d1_21*tz
+        s88 = 0.5*d1_31*s49
+        s89 = 0.5*d2_21*tz
+        s90 = 0.5*d2_31*s71
+        s91 = s87 + s88 + s89 + s90
+        s92 = -0.5*d1_11*tz
+        s93 = -0.5*d1_31*s48
+        s94 = -0.5*d2_11*tz
+        s95 = -0.5*d2_31*s70
+        s96 = s92 + s93 + s94 + s95
+        s97 = -0.5*d1_11*s49
+        s98 = 0.5*d1_21*s48
+        s99 = -0.5*d2_11*s71
+        s100 = 0.5*d2_21*s70
+        s101 = s100 + s97 + s98 + s99
+        s102 = s87 + s88 - s89 - s90
+        s103 = s92 + s93 - s94 - s95
+        s104 = -s100 + s97 + s98 - s99
+        s109 = d1_11*s105 + d1_21*s107
+        s113 = -0.5*d1_11*s8 - 0.5*d1_21*s13 - 0.5*d1_31*s9
+        s117 = -0.5*d1_11*s11 - 0.5*d1_21*s15 - 0.5*d1_31*s7
+        s121 = d2_11*s105 + d2_21*s107
+        s125 = -0.5*d2_11*s8 - 0.5*d2_21*s13 - 0.5*d2_31*s9
+        s129 = -0.5*d2_11*s11 - 0.5*d2_21*s15 - 0.5*d2_31*s7
+        s130 = 0.5*d1_21*s33
+        s131 = -0.5*A1_31_betax*d1_31
+        s132 = 0.5*d2_21*s33
+        s133 = -0.5*A2_31_betax*d2_31
+        s134 = s130 + s131 + s132 + s133
+        s135 = -0.5*d1_11*s33
+        s136 = -0.5*A1_31_betay*d1_31
+        s137 = -0.5*d2_11*s33
+        s138 = -0.5*A2_31_betay*d2_31
+        s139 = s135 + s136 + s137 + s138
+        s140 = -0.5*A1_11_betaz*d1_11
+        s141 = -0.5*A1_21_betaz*d1_21
+        s142 = -0.5*A2_11_betaz*d2_11
+        s143 = -0.5*A2_21_betaz*d2_21
+        s144 = s140 + s141 + s142 + s143
+        s145 = s130 + s131 - s132 - s133
+        s146 = s135 + s136 - s137 - s138
+        s147 = s140 + s141 - s142 - s143
+        w[640 + lane] = s80
+        w[672 + lane] = s83
+        w[704 + lane] = s86
+        w[736 + lane] = s91
+        w[768 + lane] = s96
+        w[800 + lane] = s101
+        w[992 + lane] = s102
+        w[1024 + lane] = s103
+        w[1056 + lane] = s104
+        w[2112 + lane] = s78
+        w[2144 + lane] = s81
+        w[2176 + lane] = s84
+        w[2208 + lane] = s109
+        w[2240 + lane] = s113
+        w[2272 + lane] = s117
+        w[2304 + lane] = s118
+        w[2336 + lane] = s79
+        w[2368 + lane] = s82
+        w[2400 + lane] = s85
+        w[2432 + lane] = s121
+        w[2464 + lane] = s125
+        w[2496 + lane] = s129
+        w[2528 + lane] = s118
+        w[2560 + lane] = s134
+        w[2592 + lane] = s139
+        w[2624 + lane] = s144
+        w[2720 + lane] = s78
+        w[2752 + lane] = s81
+        w[2784 + lane] = s84
+        w[2816 + lane] = s109
+        w[2848 + lane] = s113
+        w[2880 + lane] = s117
+        w[2912 + lane] = s118
+        w[2944 + lane] = -s79
+        w[2976 + lane] = -s82
+        w[3008 + lane] = -s85
+        w[3040 + lane] = -s121
+        w[3072 + lane] = -s125
+        w[3104 + lane] = -s129
+        w[3136 + lane] = -s118
+        w[3168 + lane] = s145
+        w[3200 + lane] = s146
+        w[3232 + lane] = s147
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _linear(x, q, tool, k, i, out):
-    """Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (124 operations); limb i of k, row i of out."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    L = k[i, 6]
-    F_12 = k[i, 7]
-    F_12_errors = k[i, 8]
-    betay = k[i, 9]
-    F_22 = k[i, 10]
-    F_22_errors = k[i, 11]
-    betax = k[i, 12]
-    F_32_errors = k[i, 13]
-    s46 = k[i, 14]
-    ay1 = k[i, 15]
-    g1_z_errors = k[i, 16]
-    s54 = k[i, 17]
-    s59 = k[i, 18]
-    s67 = k[i, 19]
-    s71 = k[i, 20]
-    h1_x = k[i, 21]
-    h1_y = k[i, 22]
-    bx1 = k[i, 23]
-    by1 = k[i, 24]
-    bz1 = k[i, 25]
-    s93 = k[i, 26]
-    ay2 = k[i, 27]
-    g2_z_errors = k[i, 28]
-    s99 = k[i, 29]
-    s102 = k[i, 30]
-    s108 = k[i, 31]
-    s110 = k[i, 32]
-    h2_x = k[i, 33]
-    h2_y = k[i, 34]
-    bx2 = k[i, 35]
-    by2 = k[i, 36]
-    bz2 = k[i, 37]
-    s164 = k[i, 38]
-    s182 = k[i, 39]
-    s14 = math.cos(q)
-    s15 = F_12*s14
-    s16 = math.sin(q)
-    s17 = -F_12*s16
-    R1_12_errors = F_12_errors*s14 + betay*s16
-    s24 = F_22*s14
-    s25 = -F_22*s16
-    R1_22_errors = F_22_errors*s14 - betax*s16
-    R1_32_errors = F_32_errors*s14
-    s44 = L*s15
-    A1_x = s44 + s46
-    s48 = L*s17
-    s52 = L*R1_12_errors
-    A1_x_errors = ay1*s15 + g1_z_errors*s17 + s52 + s54
-    s57 = L*s24
-    A1_y = s57 + s59
-    s61 = L*s25
-    s65 = L*R1_22_errors
-    A1_y_errors = ay1*s24 + g1_z_errors*s25 + s65 + s67
-    s69 = L*s16
-    s70 = L*s14
-    s73 = L*R1_32_errors
-    A1_z_errors = ay1*s16 + g1_z_errors*s14 + s71 + s73
-    s76 = h1_x - tx
-    s77 = h1_y - ty
-    B1_x = px + s76
-    B1_y = py + s77
-    B1_z = pz - tz
-    d1_x = -A1_x + B1_x
-    d1_x_errors = -A1_x_errors + bx1
-    d1_y = -A1_y + B1_y
-    d1_y_errors = -A1_y_errors + by1
-    d1_z = B1_z - s69
-    d1_z_errors = -A1_z_errors + bz1
-    A2_x = s44 + s93
-    A2_x_errors = ay2*s15 + g2_z_errors*s17 + s52 + s99
-    A2_y = s102 + s57
-    A2_y_errors = ay2*s24 + g2_z_errors*s25 + s108 + s65
-    A2_z_errors = ay2*s16 + g2_z_errors*s14 + s110 + s73
-    s114 = h2_x - tx
-    s115 = h2_y - ty
-    B2_x = px + s114
-    B2_y = py + s115
-    B2_z = pz - tz
-    d2_x = -A2_x + B2_x
-    d2_x_errors = -A2_x_errors + bx2
-    d2_y = -A2_y + B2_y
-    d2_y_errors = -A2_y_errors + by2
-    d2_z = B2_z - s69
-    d2_z_errors = -A2_z_errors + bz2
-    s165 = d1_x*d1_x_errors + d1_y*d1_y_errors + d1_z*d1_z_errors + s164
-    s168 = d1_y*tz + d1_z*s77
-    s171 = -d1_x*tz - d1_z*s76
-    s174 = -d1_x*s77 + d1_y*s76
-    s178 = -d1_x*s48 - d1_y*s61 - d1_z*s70
-    s183 = d2_x*d2_x_errors + d2_y*d2_y_errors + d2_z*d2_z_errors + s182
-    s186 = d2_y*tz + d2_z*s115
-    s189 = -d2_x*tz - d2_z*s114
-    s192 = -d2_x*s115 + d2_y*s114
-    s196 = -d2_x*s48 - d2_y*s61 - d2_z*s70
-    row = 16 * i
-    out[row + 0] = s165
-    out[row + 4] = s168
-    out[row + 5] = s171
-    out[row + 6] = s174
-    out[row + 7] = s178
-    out[row + 8] = s183
-    out[row + 12] = s186
-    out[row + 13] = s189
-    out[row + 14] = s192
-    out[row + 15] = s196
+@fast
+def _nominal_inverse(w, n):
+    """Minus the inverse of the derivatives, its rows of the position; how far the equations are from dependent (223 operations)."""
+    wide()
+    for lane in range(n):
+        J00_0 = w[640 + lane]
+        J10_0 = w[3968 + lane]
+        J20_0 = w[7296 + lane]
+        J00_1 = w[672 + lane]
+        J10_1 = w[4000 + lane]
+        J20_1 = w[7328 + lane]
+        J00_2 = w[704 + lane]
+        J10_2 = w[4032 + lane]
+        J20_2 = w[7360 + lane]
+        J00_3 = w[736 + lane]
+        J10_3 = w[4064 + lane]
+        J20_3 = w[7392 + lane]
+        J00_4 = w[768 + lane]
+        J10_4 = w[4096 + lane]
+        J20_4 = w[7424 + lane]
+        J00_5 = w[800 + lane]
+        J10_5 = w[4128 + lane]
+        J20_5 = w[7456 + lane]
+        J01_3 = w[992 + lane]
+        J11_3 = w[4320 + lane]
+        J21_3 = w[7648 + lane]
+        J01_4 = w[1024 + lane]
+        J11_4 = w[4352 + lane]
+        J21_4 = w[7680 + lane]
+        J01_5 = w[1056 + lane]
+        J11_5 = w[4384 + lane]
+        J21_5 = w[7712 + lane]
+        G_cof_00 = J10_1*J20_2 - J10_2*J20_1
+        G_cof_01 = -J10_0*J20_2 + J10_2*J20_0
+        G_cof_02 = J10_0*J20_1 - J10_1*J20_0
+        G_cof_10 = -J00_1*J20_2 + J00_2*J20_1
+        G_cof_11 = J00_0*J20_2 - J00_2*J20_0
+        G_cof_12 = -J00_0*J20_1 + J00_1*J20_0
+        G_cof_20 = J00_1*J10_2 - J00_2*J10_1
+        G_cof_21 = -J00_0*J10_2 + J00_2*J10_0
+        G_cof_22 = J00_0*J10_1 - J00_1*J10_0
+        G_det_00 = G_cof_00*J00_0 + G_cof_01*J00_1 + G_cof_02*J00_2
+        G_by_00 = (1.0 / G_det_00)
+        G_inv_00 = G_by_00*G_cof_00
+        G_inv_01 = G_by_00*G_cof_10
+        G_inv_02 = G_by_00*G_cof_20
+        G_inv_10 = G_by_00*G_cof_01
+        G_inv_11 = G_by_00*G_cof_11
+        G_inv_12 = G_by_00*G_cof_21
+        G_inv_20 = G_by_00*G_cof_02
+        G_inv_21 = G_by_00*G_cof_12
+        G_inv_22 = G_by_00*G_cof_22
+        U_00 = G_inv_00*J00_3 + G_inv_01*J10_3 + G_inv_02*J20_3
+        U_01 = G_inv_00*J00_4 + G_inv_01*J10_4 + G_inv_02*J20_4
+        U_02 = G_inv_00*J00_5 + G_inv_01*J10_5 + G_inv_02*J20_5
+        U_10 = G_inv_10*J00_3 + G_inv_11*J10_3 + G_inv_12*J20_3
+        U_11 = G_inv_10*J00_4 + G_inv_11*J10_4 + G_inv_12*J20_4
+        U_12 = G_inv_10*J00_5 + G_inv_11*J10_5 + G_inv_12*J20_5
+        U_20 = G_inv_20*J00_3 + G_inv_21*J10_3 + G_inv_22*J20_3
+        U_21 = G_inv_20*J00_4 + G_inv_21*J10_4 + G_inv_22*J20_4
+        U_22 = G_inv_20*J00_5 + G_inv_21*J10_5 + G_inv_22*J20_5
+        Si_cof_00 = J11_4*J21_5 - J11_5*J21_4
+        Si_cof_01 = -J11_3*J21_5 + J11_5*J21_3
+        Si_cof_02 = J11_3*J21_4 - J11_4*J21_3
+        Si_cof_10 = -J01_4*J21_5 + J01_5*J21_4
+        Si_cof_11 = J01_3*J21_5 - J01_5*J21_3
+        Si_cof_12 = -J01_3*J21_4 + J01_4*J21_3
+        Si_cof_20 = J01_4*J11_5 - J01_5*J11_4
+        Si_cof_21 = -J01_3*J11_5 + J01_5*J11_3
+        Si_cof_22 = J01_3*J11_4 - J01_4*J11_3
+        Si_det_00 = J01_3*Si_cof_00 + J01_4*Si_cof_01 + J01_5*Si_cof_02
+        Si_by_00 = (1.0 / Si_det_00)
+        Si_inv_00 = Si_by_00*Si_cof_00
+        Si_inv_01 = Si_by_00*Si_cof_10
+        Si_inv_02 = Si_by_00*Si_cof_20
+        Si_inv_10 = Si_by_00*Si_cof_01
+        Si_inv_11 = Si_by_00*Si_cof_11
+        Si_inv_12 = Si_by_00*Si_cof_21
+        Si_inv_20 = Si_by_00*Si_cof_02
+        Si_inv_21 = Si_by_00*Si_cof_12
+        Si_inv_22 = Si_by_00*Si_cof_22
+        s121 = Si_inv_00*U_00 + Si_inv_10*U_01 + Si_inv_20*U_02
+        s125 = Si_inv_01*U_00 + Si_inv_11*U_01 + Si_inv_21*U_02
+        s129 = Si_inv_02*U_00 + Si_inv_12*U_01 + Si_inv_22*U_02
+        s133 = Si_inv_00*U_10 + Si_inv_10*U_11 + Si_inv_20*U_12
+        s137 = Si_inv_01*U_10 + Si_inv_11*U_11 + Si_inv_21*U_12
+        s141 = Si_inv_02*U_10 + Si_inv_12*U_11 + Si_inv_22*U_12
+        s145 = Si_inv_00*U_20 + Si_inv_10*U_21 + Si_inv_20*U_22
+        s149 = Si_inv_01*U_20 + Si_inv_11*U_21 + Si_inv_21*U_22
+        s153 = Si_inv_02*U_20 + Si_inv_12*U_21 + Si_inv_22*U_22
+        s162 = (J10_0 * J10_0) + (J10_1 * J10_1) + (J10_2 * J10_2)
+        s166 = (J20_0 * J20_0) + (J20_1 * J20_1) + (J20_2 * J20_2)
+        s168 = (G_det_00 * G_det_00) - 1.0e-12*s162*s166*((J00_0 * J00_0) + (J00_1 * J00_1) + (J00_2 * J00_2))
+        s177 = (J11_3 * J11_3) + (J11_4 * J11_4) + (J11_5 * J11_5)
+        s181 = (J21_3 * J21_3) + (J21_4 * J21_4) + (J21_5 * J21_5)
+        s183 = (Si_det_00 * Si_det_00) - 1.0e-12*s177*s181*((J01_3 * J01_3) + (J01_4 * J01_4) + (J01_5 * J01_5))
+        w[10272 + lane] = -G_inv_00
+        w[10304 + lane] = -G_inv_01
+        w[10336 + lane] = -G_inv_02
+        w[10368 + lane] = s121
+        w[10400 + lane] = s125
+        w[10432 + lane] = s129
+        w[10464 + lane] = -G_inv_10
+        w[10496 + lane] = -G_inv_11
+        w[10528 + lane] = -G_inv_12
+        w[10560 + lane] = s133
+        w[10592 + lane] = s137
+        w[10624 + lane] = s141
+        w[10656 + lane] = -G_inv_20
+        w[10688 + lane] = -G_inv_21
+        w[10720 + lane] = -G_inv_22
+        w[10752 + lane] = s145
+        w[10784 + lane] = s149
+        w[10816 + lane] = s153
+        w[10848 + lane] = s168
+        w[10880 + lane] = s183
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _hold(work):
-    """Solve for the changes of joints and rotation that undo the closures while the reference point stays in place.
+@fast
+def _nominal_products(w, S, first, last):
+    """Multiply the inverse and the derivatives by the errors where they do not vanish; False where a pose is not regular."""
+    wide()
+    regular = True
+    for lane in range(last - first + 1):
+        m = first + lane
+        e_0_0 = w[2112 + lane]
+        e_0_1 = w[2144 + lane]
+        e_0_2 = w[2176 + lane]
+        e_0_3 = w[2208 + lane]
+        e_0_4 = w[2240 + lane]
+        e_0_5 = w[2272 + lane]
+        e_0_6 = w[2304 + lane]
+        e_0_7 = w[2336 + lane]
+        e_0_8 = w[2368 + lane]
+        e_0_9 = w[2400 + lane]
+        e_0_10 = w[2432 + lane]
+        e_0_11 = w[2464 + lane]
+        e_0_12 = w[2496 + lane]
+        e_0_13 = w[2528 + lane]
+        e_0_14 = w[2560 + lane]
+        e_0_15 = w[2592 + lane]
+        e_0_16 = w[2624 + lane]
+        e_1_0 = w[2720 + lane]
+        e_1_1 = w[2752 + lane]
+        e_1_2 = w[2784 + lane]
+        e_1_3 = w[2816 + lane]
+        e_1_4 = w[2848 + lane]
+        e_1_5 = w[2880 + lane]
+        e_1_6 = w[2912 + lane]
+        e_1_7 = w[2944 + lane]
+        e_1_8 = w[2976 + lane]
+        e_1_9 = w[3008 + lane]
+        e_1_10 = w[3040 + lane]
+        e_1_11 = w[3072 + lane]
+        e_1_12 = w[3104 + lane]
+        e_1_13 = w[3136 + lane]
+        e_1_14 = w[3168 + lane]
+        e_1_15 = w[3200 + lane]
+        e_1_16 = w[3232 + lane]
+        for r in range(3):
+            a_0 = w[192 * r + (10272 + lane)]
+            a_1 = w[192 * r + (10368 + lane)]
+            S[m, r, 0] = a_0 * e_0_0 + a_1 * e_1_0
+            S[m, r, 1] = a_0 * e_0_1 + a_1 * e_1_1
+            S[m, r, 2] = a_0 * e_0_2 + a_1 * e_1_2
+            S[m, r, 3] = a_0 * e_0_3 + a_1 * e_1_3
+            S[m, r, 4] = a_0 * e_0_4 + a_1 * e_1_4
+            S[m, r, 5] = a_0 * e_0_5 + a_1 * e_1_5
+            S[m, r, 6] = a_0 * e_0_6 + a_1 * e_1_6
+            S[m, r, 7] = a_0 * e_0_7 + a_1 * e_1_7
+            S[m, r, 8] = a_0 * e_0_8 + a_1 * e_1_8
+            S[m, r, 9] = a_0 * e_0_9 + a_1 * e_1_9
+            S[m, r, 10] = a_0 * e_0_10 + a_1 * e_1_10
+            S[m, r, 11] = a_0 * e_0_11 + a_1 * e_1_11
+            S[m, r, 12] = a_0 * e_0_12 + a_1 * e_1_12
+            S[m, r, 13] = a_0 * e_0_13 + a_1 * e_1_13
+            S[m, r, 14] = a_0 * e_0_14 + a_1 * e_1_14
+            S[m, r, 15] = a_0 * e_0_15 + a_1 * e_1_15
+            S[m, r, 16] = a_0 * e_0_16 + a_1 * e_1_16
+        e_0_0 = w[5440 + lane]
+        e_0_1 = w[5472 + lane]
+        e_0_2 = w[5504 + lane]
+        e_0_3 = w[5536 + lane]
+        e_0_4 = w[5568 + lane]
+        e_0_5 = w[5600 + lane]
+        e_0_6 = w[5632 + lane]
+        e_0_7 = w[5664 + lane]
+        e_0_8 = w[5696 + lane]
+        e_0_9 = w[5728 + lane]
+        e_0_10 = w[5760 + lane]
+        e_0_11 = w[5792 + lane]
+        e_0_12 = w[5824 + lane]
+        e_0_13 = w[5856 + lane]
+        e_0_14 = w[5888 + lane]
+        e_0_15 = w[5920 + lane]
+        e_0_16 = w[5952 + lane]
+        e_1_0 = w[6048 + lane]
+        e_1_1 = w[6080 + lane]
+        e_1_2 = w[6112 + lane]
+        e_1_3 = w[6144 + lane]
+        e_1_4 = w[6176 + lane]
+        e_1_5 = w[6208 + lane]
+        e_1_6 = w[6240 + lane]
+        e_1_7 = w[6272 + lane]
+        e_1_8 = w[6304 + lane]
+        e_1_9 = w[6336 + lane]
+        e_1_10 = w[6368 + lane]
+        e_1_11 = w[6400 + lane]
+        e_1_12 = w[6432 + lane]
+        e_1_13 = w[6464 + lane]
+        e_1_14 = w[6496 + lane]
+        e_1_15 = w[6528 + lane]
+        e_1_16 = w[6560 + lane]
+        for r in range(3):
+            a_0 = w[192 * r + (10304 + lane)]
+            a_1 = w[192 * r + (10400 + lane)]
+            S[m, r, 17] = a_0 * e_0_0 + a_1 * e_1_0
+            S[m, r, 18] = a_0 * e_0_1 + a_1 * e_1_1
+            S[m, r, 19] = a_0 * e_0_2 + a_1 * e_1_2
+            S[m, r, 20] = a_0 * e_0_3 + a_1 * e_1_3
+            S[m, r, 21] = a_0 * e_0_4 + a_1 * e_1_4
+            S[m, r, 22] = a_0 * e_0_5 + a_1 * e_1_5
+            S[m, r, 23] = a_0 * e_0_6 + a_1 * e_1_6
+            S[m, r, 24] = a_0 * e_0_7 + a_1 * e_1_7
+            S[m, r, 25] = a_0 * e_0_8 + a_1 * e_1_8
+            S[m, r, 26] = a_0 * e_0_9 + a_1 * e_1_9
+            S[m, r, 27] = a_0 * e_0_10 + a_1 * e_1_10
+            S[m, r, 28] = a_0 * e_0_11 + a_1 * e_1_11
+            S[m, r, 29] = a_0 * e_0_12 + a_1 * e_1_12
+            S[m, r, 30] = a_0 * e_0_13 + a_1 * e_1_13
+            S[m, r, 31] = a_0 * e_0_14 + a_1 * e_1_14
+            S[m, r, 32] = a_0 * e_0_15 + a_1 * e_1_15
+            S[m, r, 33] = a_0 * e_0_16 + a_1 * e_1_16
+        e_0_0 = w[8768 + lane]
+        e_0_1 = w[8800 + lane]
+        e_0_2 = w[8832 + lane]
+        e_0_3 = w[8864 + lane]
+        e_0_4 = w[8896 + lane]
+        e_0_5 = w[8928 + lane]
+        e_0_6 = w[8960 + lane]
+        e_0_7 = w[8992 + lane]
+        e_0_8 = w[9024 + lane]
+        e_0_9 = w[9056 + lane]
+        e_0_10 = w[9088 + lane]
+        e_0_11 = w[9120 + lane]
+        e_0_12 = w[9152 + lane]
+        e_0_13 = w[9184 + lane]
+        e_0_14 = w[9216 + lane]
+        e_0_15 = w[9248 + lane]
+        e_0_16 = w[9280 + lane]
+        e_1_0 = w[9376 + lane]
+        e_1_1 = w[9408 + lane]
+        e_1_2 = w[9440 + lane]
+        e_1_3 = w[9472 + lane]
+        e_1_4 = w[9504 + lane]
+        e_1_5 = w[9536 + lane]
+        e_1_6 = w[9568 + lane]
+        e_1_7 = w[9600 + lane]
+        e_1_8 = w[9632 + lane]
+        e_1_9 = w[9664 + lane]
+        e_1_10 = w[9696 + lane]
+        e_1_11 = w[9728 + lane]
+        e_1_12 = w[9760 + lane]
+        e_1_13 = w[9792 + lane]
+        e_1_14 = w[9824 + lane]
+        e_1_15 = w[9856 + lane]
+        e_1_16 = w[9888 + lane]
+        for r in range(3):
+            a_0 = w[192 * r + (10336 + lane)]
+            a_1 = w[192 * r + (10432 + lane)]
+            S[m, r, 34] = a_0 * e_0_0 + a_1 * e_1_0
+            S[m, r, 35] = a_0 * e_0_1 + a_1 * e_1_1
+            S[m, r, 36] = a_0 * e_0_2 + a_1 * e_1_2
+            S[m, r, 37] = a_0 * e_0_3 + a_1 * e_1_3
+            S[m, r, 38] = a_0 * e_0_4 + a_1 * e_1_4
+            S[m, r, 39] = a_0 * e_0_5 + a_1 * e_1_5
+            S[m, r, 40] = a_0 * e_0_6 + a_1 * e_1_6
+            S[m, r, 41] = a_0 * e_0_7 + a_1 * e_1_7
+            S[m, r, 42] = a_0 * e_0_8 + a_1 * e_1_8
+            S[m, r, 43] = a_0 * e_0_9 + a_1 * e_1_9
+            S[m, r, 44] = a_0 * e_0_10 + a_1 * e_1_10
+            S[m, r, 45] = a_0 * e_0_11 + a_1 * e_1_11
+            S[m, r, 46] = a_0 * e_0_12 + a_1 * e_1_12
+            S[m, r, 47] = a_0 * e_0_13 + a_1 * e_1_13
+            S[m, r, 48] = a_0 * e_0_14 + a_1 * e_1_14
+            S[m, r, 49] = a_0 * e_0_15 + a_1 * e_1_15
+            S[m, r, 50] = a_0 * e_0_16 + a_1 * e_1_16
+        regular = regular & (w[10848 + lane] > 0.0)
+        regular = regular & (w[10880 + lane] > 0.0)
+    return regular
 
-    work: per rod closure, its derivatives by the platform and by the joint; then room for the reduced equations; then
-    the changes. A limb's joint is eliminated with the rod that feels it most; what is left are 3 equations for the
-    rotation. Returns False where a joint is felt by no rod of its limb, or the rotation is not held.
+
+@fast
+def _nominal_sensitivity(x, q, tool, k, S, w):
+    w_1 = w[0:3328]
+    w_2 = w[3328:6656]
+    w_3 = w[6656:9984]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    poses, regular = q.size // 3, True
+    k_1, k_2, k_3 = k[0, 0], k[0, 1], k[0, 2]
+    for first in range(0, poses, LANES):
+        last = min(first + LANES, poses) - 1
+        n = (last - first + 8) // 8 * 8
+        _load(x, w, first, last, n)
+        if len(tool) > 1:
+            _hold(tool, w, first, last, n)
+        _aim(w, n)
+        _load(q, w, first, last, n)
+        _nominal(w_1, k_1, n)
+        _nominal(w_2, k_2, n)
+        _nominal(w_3, k_3, n)
+        _nominal_inverse(w, n)
+        regular = _nominal_products(w, S, first, last) & regular
+    return regular
+
+
+def nominal_sensitivity(x, q, tool, k, S):
+    """Fill S (N, 3, 51) with the derivatives of the nominal machine's position by its errors, limb by limb.
+
+    x (N, 3) is the position of the reference point, q (N, 3) the joints there, tool (N, 3), k from `nominal_constants`.
+    False where the machine is singular at one of the poses, or nearly so. With the errors of one limb in the order of
+    ``parameters.ERRORS``.
     """
-    largest = 0.0
-    for row in range(6):
-        for c in range(4, 8):
-            largest = max(largest, abs(work[8 * row + c]))
-    smallest = PIVOT_SINGULAR * largest
-    target = 48
-    for i in range(3):
-        best = 16 * i
-        for j in range(1, 2):
-            if abs(work[16 * i + 8 * j + 7]) > abs(work[best + 7]):
-                best = 16 * i + 8 * j
-        if not abs(work[best + 7]) > smallest:
-            return False
-        inverse = 1.0 / work[best + 7]
-        for j in range(2):
-            rod = 16 * i + 8 * j
-            if rod != best:
-                factor = work[rod + 7] * inverse
-                for c in range(3):
-                    work[target + c] = work[rod + 4 + c] - factor * work[best + 4 + c]
-                work[target + 3] = work[rod] - factor * work[best]
-                target += 4
-        # the joint's own equation, left to the end: closure and rotation over the joint's derivative
+    return _nominal_sensitivity(x, q, tool, k, S, scratch(WORK))
+
+
+@fast
+def _along(x, C, H):
+    """Fill the rows of all pairs: along the line from one position to the other, the difference of their derivatives."""
+    wide()
+    poses, row = x.shape[0], 0
+    for a in range(poses):
+        for b in range(a + 1, poses):
+            n_0 = x[b, 0] - x[a, 0]
+            n_1 = x[b, 1] - x[a, 1]
+            n_2 = x[b, 2] - x[a, 2]
+            by = 1.0 / math.sqrt(n_0 * n_0 + n_1 * n_1 + n_2 * n_2)
+            for j in range(H.shape[1]):
+                H[row, j] = by * (n_0 * (C[b, 0, j] - C[a, 0, j]) + n_1 * (C[b, 1, j] - C[a, 1, j]) + n_2 * (C[b, 2, j] - C[a, 2, j]))
+            row += 1
+
+
+@fast
+def _distance_rows(x, q, tool, k, columns, H, S, C, w):
+    regular = _nominal_sensitivity(x, q, tool, k, S, w)
+    for m in range(C.shape[0]):
         for c in range(3):
-            work[16 * i + 4 + c] = work[best + 4 + c] * inverse
-        work[60 + i] = work[best] * inverse
-    for c in range(3):
-        pivot = 48 + 4 * c
-        for r in range(c + 1, 3):
-            if abs(work[48 + 4 * r + c]) > abs(work[pivot + c]):
-                pivot = 48 + 4 * r
-        row = 48 + 4 * c
-        if not abs(work[pivot + c]) > smallest:
-            return False
-        if pivot != row:
-            for j in range(c, 4):
-                work[row + j], work[pivot + j] = work[pivot + j], work[row + j]
-        inverse = 1.0 / work[row + c]
-        for r in range(c + 1, 3):
-            below = 48 + 4 * r
-            factor = work[below + c] * inverse
-            for j in range(c + 1, 4):
-                work[below + j] -= factor * work[row + j]
-    for c in range(2, -1, -1):
-        row = 48 + 4 * c
-        total = work[row + 3]
-        for j in range(c + 1, 3):
-            total -= work[row + j] * work[63 + j]
-        work[63 + c] = total / work[row + c]
-    for i in range(3):
-        for c in range(3):
-            work[60 + i] -= work[16 * i + 4 + c] * work[63 + c]
-    return True
+            for j in range(columns.size):
+                C[m, c, j] = S[m, c, columns[j]]
+    _along(x, C, H)
+    return regular
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def exact_command(target, tool, k, work, q):
-    """Fill the joints q (3,) that bring the reference point to target (3,); return the status.
+def distance_rows(x, q, tool, k, columns, H):
+    """Fill the identification matrix H (N (N - 1) / 2, n) of the distances of all pairs of positions, first with second and so on.
 
-    `inverse` for one pose, to be called from a servo loop: tool (3,), k (3, :), scratch work (COMMAND_WORK,).
-    q is NaN unless SOLVED.
+    x, q, tool, k as in `nominal_sensitivity`; columns (n,) of its errors. The sensitivities are contracted pose by pose
+    and not returned. False as there.
     """
-    pose = work[66:]
-    for c in range(3):
-        pose[c] = target[c]
-    for c in range(3):
-        pose[3 + c] = 0.0
-    status = SOLVED
-    for i in range(3):
-        _joint(pose, 0.0, tool, k[i], work)
-        q[i] = work[0]
-        if not math.isfinite(q[i]):
-            status = UNREACHABLE
-    if status == SOLVED:
-        status = UNREACHABLE
-        for _ in range(MAX_STEPS):
-            for i in range(3):
-                _newton(pose, q[i], tool, k[i], work[16 * i : 16 * (i + 1)])
-            if not _hold(work):
-                status = SINGULAR
-                break
-            size = 0.0
-            for i in range(3):
-                q[i] -= work[60 + i]
-                size = max(size, abs(work[60 + i]))
-            for c in range(3):
-                pose[3 + c] -= work[63 + c]
-                size = max(size, abs(work[63 + c]))
-            if size < COMMAND_DONE:
-                status = SOLVED
-                break
-            if not size < STEP_LOST:
-                break
-    if status != SOLVED:
-        for i in range(3):
-            q[i] = np.nan
-    return status
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def linear_command(target, tool, k, work, q):
-    """Fill the joints q (3,) that bring the reference point to target (3,) to first order in the errors; return the status.
-
-    Bai's eqs. (23) and (25): the nominal joints of the target, and the change that keeps the reference point where it
-    is, to first order, when the errors appear. tool (3,), k (3, 40) from `linear_constants`, scratch work
-    (COMMAND_WORK,). q is NaN unless SOLVED.
-    """
-    status = SOLVED
-    for i in range(3):
-        _nominal_joint(target, 0.0, tool, k, i, q)
-        if not math.isfinite(q[i]):
-            status = UNREACHABLE
-    if status == SOLVED:
-        for i in range(3):
-            _linear(target, q[i], tool, k, i, work)
-        if not _hold(work):
-            status = SINGULAR
-    for i in range(3):
-        q[i] = q[i] - work[60 + i] if status == SOLVED else np.nan
-    return status
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def linear_commands(target, tool, k, q, status):
-    """Fill joints q (N, 3) and status (N,) by `linear_command`; target (N, 3) and tool (N, 3), k (M, 3, :)."""
-    work = np.zeros(COMMAND_WORK)
-    for n in range(target.shape[0]):
-        status[n] = linear_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])
+    poses, n = len(x), columns.size
+    work = scratch(3 * poses * (51 + n))
+    S = work[: 153 * poses].reshape(poses, 3, 51)
+    C = work[153 * poses :].reshape(poses, 3, n)
+    return _distance_rows(x, q, tool, k, columns, H, S, C, scratch(WORK))

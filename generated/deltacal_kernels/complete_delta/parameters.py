@@ -1,7 +1,7 @@
 """Tables of `complete_delta`: Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both de06d5b398d0ba45; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both d148d2e3225a6206; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 
@@ -69,6 +69,9 @@ DEFLECTIONS = (
     ("tip_v", "mm", "arm tip displaced normal to the arm, in its plane"),
     ("tip_w", "mm", "arm tip displaced normal to the arm, along the joint axis"),
 )
+
+# columns of a limb's row of p that are zero on the simplified machine, whose positions are closed form
+SMALL = (6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, )
 
 # (name, meaning) of what `statics` reads as masses
 MASSES = (

@@ -1,16 +1,17 @@
-"""Kinematics of `delta`: Delta, three arms and six rods.
+"""Kinematics of `delta`, many poses at once: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 7cd9f04e1b83bcda; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 84fedfd4ecf47687; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
 x (N, 6)  platform: px py pz cx cy cz
-q (N, 3)  joints        tool (N, 3)  reference point in {O'}
+q (N, 3)  joints        tool (N or 1, 3)  reference point in {O'}
 p (M, 3, 22)  one row of parameters per limb: b a L l c phi theta ex ey ez L alpha0 beta0 l dl dc alpha03 beta03 alpha2 beta2 tip_v tip_w
-k (M, 3, 85)  what `constants` makes of p; M is 1 (one machine) or N (parameters that change from pose to pose)
+k (M, 3, 91)  what `constants` makes of p; each of the M machines has N / M of the poses, one after the other
 
-Kernels allocate nothing per pose and never raise: `status` says what became of each pose.
+Poses are taken in blocks of up to 32, side by side: a loop over `lane` runs over the poses of a block. What is poorly
+conditioned or converges slowly is left to the plain kernels of ``vectorised.py``. `status` says what became of each pose.
 """
 
 import math
@@ -18,375 +19,26 @@ import math
 import numpy as np
 from numba import njit
 
-SOLVED, UNREACHABLE, SINGULAR = 0, 1, 2
-MAX_STEPS = 30
-STEP_DONE = 1e-9  # mm and rad; Newton is quadratic: after such a step the rest is rounding
-STEP_LOST = 1e5  # mm and rad; a step of this size leads nowhere
-ANGLE_STEP = 1e-3  # rad per mm: joints and rotations are asked for this much finer than lengths
-CLOSED = 1e-3  # mm^2: loops that are open by more where Newton gets stuck cannot be closed
-PIVOT_SINGULAR = 1e-9  # of the largest entry of its matrix, in mm
-COMMAND_DONE = 3e-8  # rad; after such a step a command is exact to its square: 1e-15 rad
-COMMAND_WORK = 72  # length of the scratch array of `exact_command` and `linear_command`
-COMMAND_CONSTANTS = 32  # `exact_command` reads these first columns of k only
+from deltacal_kernels.elementary import arcsine, arctangent, cosine, scratch, sine, tangent, wide
+
+from . import vectorised
+from .vectorised import SINGULAR, SOLVED, UNREACHABLE, constants, jacobians
+
+LANES = 32
+OPEN = -1  # a pose that is left to the plain kernels
+MAX_STEPS = 8
+STEP_DONE = 1e-6  # mm; Newton is quadratic: after such a step a length of 1000 mm is exact to 1e-15 mm
+TURN_DONE = 3e-8  # rad
+WORK = 10848  # length of the scratch array
+CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
+APART = 1e-3  # squared sine between the centres' directions
+fast = njit(cache=True, nogil=True, error_model="numpy", fastmath={"contract"})
 
 
-def constants(p):
-    """Return k (M, 3, 85), what no pose changes, from p (753 operations).
-
-    Plain NumPy over all rows at once: it runs once per machine, and compiling it would take longer than running it.
-    """
-    k = np.zeros((p.shape[0], 3, 85))
-    b = p[..., 0]
-    a = p[..., 1]
-    L = p[..., 2]
-    l = p[..., 3]
-    c = p[..., 4]
-    phi = p[..., 5]
-    theta = p[..., 6]
-    ex = p[..., 7]
-    ey = p[..., 8]
-    ez = p[..., 9]
-    dL = p[..., 10]
-    alpha0 = p[..., 11]
-    beta0 = p[..., 12]
-    dl_mean = p[..., 13]
-    dl = p[..., 14]
-    dc = p[..., 15]
-    alpha03 = p[..., 16]
-    beta03 = p[..., 17]
-    alpha2 = p[..., 18]
-    beta2 = p[..., 19]
-    tip_v = p[..., 20]
-    tip_w = p[..., 21]
-    s0 = (beta0 * beta0)
-    s1 = (alpha0 * alpha0)
-    s2 = s0 + s1
-    s5 = 1.5619206968586225e-16*s0 + 1.5619206968586225e-16*s1 - 4.779477332387385e-14
-    s7 = s2*s5 + 1.1470745597729725e-11
-    s9 = s2*s7 - 2.08767569878681e-09
-    s11 = s2*s9 + 2.755731922398589e-07
-    s13 = s11*s2 - 2.48015873015873e-05
-    s15 = s13*s2 + 0.001388888888888889
-    s17 = s15*s2 - 0.041666666666666664
-    s19 = s17*s2 + 0.5
-    s20 = -s0*s19
-    s21 = s20 + 1
-    s22 = np.cos(phi)
-    s26 = 2.8114572543455206e-15*s0 + 2.8114572543455206e-15*s1 - 7.647163731819816e-13
-    s28 = s2*s26 + 1.6059043836821613e-10
-    s30 = s2*s28 - 2.505210838544172e-08
-    s32 = s2*s30 + 2.7557319223985893e-06
-    s34 = s2*s32 - 0.0001984126984126984
-    s36 = s2*s34 + 0.008333333333333333
-    s38 = s2*s36 - 0.16666666666666666
-    s40 = s2*s38 + 1
-    s41 = np.sin(phi)
-    s42 = -beta0*s40*s41
-    R0_11 = s21*s22 + s42
-    R0_12 = alpha0*beta0*s19*s22 + alpha0*s40*s41
-    s47 = -s1*s19
-    s48 = s20 + s47 + 1
-    s50 = beta0*s22*s40
-    R0_13 = s41*s48 + s50
-    R0_21 = s21*s41 + s50
-    R0_22 = alpha0*beta0*s19*s41 - alpha0*s22*s40
-    R0_23 = -s22*s48 - s42
-    R0_31 = alpha0*beta0*s19
-    R0_32 = s47 + 1
-    R0_33 = -alpha0*s40
-    s62 = (alpha2 * alpha2)
-    s63 = (beta2 * beta2)
-    s64 = s62 + s63
-    s67 = 2.8114572543455206e-15*s62 + 2.8114572543455206e-15*s63 - 7.647163731819816e-13
-    s69 = s64*s67 + 1.6059043836821613e-10
-    s71 = s64*s69 - 2.505210838544172e-08
-    s73 = s64*s71 + 2.7557319223985893e-06
-    s75 = s64*s73 - 0.0001984126984126984
-    s77 = s64*s75 + 0.008333333333333333
-    s79 = s64*s77 - 0.16666666666666666
-    s81 = s64*s79 + 1
-    s82 = 0.5*c
-    s84 = 0.5*dc + s82
-    g_x = beta2*s81*s84
-    g_y = -alpha2*s81*s84
-    s89 = 1.5619206968586225e-16*s62 + 1.5619206968586225e-16*s63 - 4.779477332387385e-14
-    s91 = s64*s89 + 1.1470745597729725e-11
-    s93 = s64*s91 - 2.08767569878681e-09
-    s95 = s64*s93 + 2.755731922398589e-07
-    s97 = s64*s95 - 2.48015873015873e-05
-    s99 = s64*s97 + 0.001388888888888889
-    s101 = s64*s99 - 0.041666666666666664
-    s103 = s101*s64 + 0.5
-    s106 = -s103*s62 - s103*s63 + 1
-    g_z = s106*s84
-    s108 = alpha0 - alpha03
-    s109 = (s108 * s108)
-    s110 = beta0 - beta03
-    s111 = (s110 * s110)
-    s112 = s109 + s111
-    s115 = 1.5619206968586225e-16*s109 + 1.5619206968586225e-16*s111 - 4.779477332387385e-14
-    s117 = s112*s115 + 1.1470745597729725e-11
-    s119 = s112*s117 - 2.08767569878681e-09
-    s121 = s112*s119 + 2.755731922398589e-07
-    s123 = s112*s121 - 2.48015873015873e-05
-    s125 = s112*s123 + 0.001388888888888889
-    s127 = s112*s125 - 0.041666666666666664
-    s129 = s112*s127 + 0.5
-    s132 = -(s108 * s108)*s129 - (s110 * s110)*s129 + 1
-    s136 = 2.8114572543455206e-15*s109 + 2.8114572543455206e-15*s111 - 7.647163731819816e-13
-    s138 = s112*s136 + 1.6059043836821613e-10
-    s140 = s112*s138 - 2.505210838544172e-08
-    s142 = s112*s140 + 2.7557319223985893e-06
-    s144 = s112*s142 - 0.0001984126984126984
-    s146 = s112*s144 + 0.008333333333333333
-    s148 = s112*s146 - 0.16666666666666666
-    s150 = s112*s148 + 1
-    h_x = 0.5*c*(s110*s150*s22 + s132*s41)
-    h_y = 0.5*c*(s110*s150*s41 - s132*s22)
-    h_z = -0.5*c*s108*s150
-    s159 = b*s22
-    B_x = ex + s159
-    s161 = b*s41
-    B_y = ey + s161
-    s219 = L + dL
-    s223 = B_x + R0_13*tip_w
-    s228 = B_y + R0_23*tip_w
-    s233 = R0_33*tip_w + ez
-    s235 = a*s22
-    s238 = a*s41
-    s253 = R0_13*g_z
-    s257 = R0_23*g_z
-    s261 = R0_33*g_z
-    s290 = 0.5*dl
-    s291 = dl_mean + l + s290
-    s293 = -0.5*(s291 * s291)
-    s456 = -0.5*c*s108
-    s457 = 2*s108
-    s458 = 2*s110
-    s463 = s110*s41
-    s467 = s110*s22
-    s468 = 2*beta0
-    s469 = 2*alpha0
-    s470 = 2*alpha2
-    s471 = 2*beta2
-    s472 = -s81*s84
-    s473 = -alpha2*s84
-    s475 = beta2*s84
-    s477 = -s40*s41
-    s478 = -beta0*s41
-    s480 = s22*s40
-    s481 = beta0*s22
-    s484 = alpha0*beta0
-    s485 = -alpha0*s22
-    s488 = alpha0*beta0*s41
-    s489 = alpha0*s41
-    s492 = alpha0*beta0*s22
-    s507 = s112*(s112*(s112*(2.8114572543455206e-15*s112*s457 + s136*s457) + s138*s457) + s140*s457)
-    s514 = s112*(s112*(s112*(s142*s457 + s507) + s144*s457) + s146*s457) + s148*s457
-    s516 = -0.5*c*s150 + s456*s514
-    s532 = s112*(s112*(s112*(1.5619206968586225e-16*s112*s457 + s115*s457) + s117*s457) + s119*s457)
-    s539 = s112*(s112*(s112*(s121*s457 + s532) + s123*s457) + s125*s457) + s127*s457
-    s543 = -2*s108*s129 - s109*s539 - s111*s539
-    s547 = s82*(-s22*s543 + s463*s514)
-    s552 = s82*(s41*s543 + s467*s514)
-    s568 = s2*(s2*(s2*(2.8114572543455206e-15*s2*s469 + s26*s469) + s28*s469) + s30*s469)
-    s575 = s2*(s2*(s2*(s32*s469 + s568) + s34*s469) + s36*s469) + s38*s469
-    s577 = -alpha0*s575 - s40
-    s578 = g_z*s577
-    s580 = s478*s575
-    s592 = s11*s469
-    s593 = s2*(s2*(s2*(1.5619206968586225e-16*s2*s469 + s469*s5) + s469*s7) + s469*s9) + s592
-    s602 = s17*s469 + s2*(s15*s469 + s2*(s13*s469 + s2*s593))
-    s603 = -s0*s602
-    s606 = -s1*s602 - s19*s469
-    s607 = s603 + s606
-    s609 = -s22*s607 - s580
-    s610 = g_z*s609
-    s613 = s481*s575
-    s614 = s41*s607 + s613
-    s615 = g_z*s614
-    s617 = s577*tip_w
-    s619 = s609*tip_w
-    s621 = s614*tip_w
-    s624 = beta0*s19 + s484*s602
-    s628 = s41*s603 + s613
-    s634 = beta0*s19*s41 - s480 + s485*s575 + s488*s602
-    s637 = s22*s603 + s580
-    s643 = beta0*s19*s22 - s477 + s489*s575 + s492*s602
-    s660 = s112*(s112*(s112*(2.8114572543455206e-15*s112*s458 + s136*s458) + s138*s458) + s140*s458)
-    s667 = s112*(s112*(s112*(s142*s458 + s660) + s144*s458) + s146*s458) + s148*s458
-    s668 = s456*s667
-    s684 = s112*(s112*(s112*(1.5619206968586225e-16*s112*s458 + s115*s458) + s117*s458) + s119*s458)
-    s691 = s112*(s112*(s112*(s121*s458 + s684) + s123*s458) + s125*s458) + s127*s458
-    s695 = -s109*s691 - 2*s110*s129 - s111*s691
-    s700 = s82*(s150*s41 - s22*s695 + s463*s667)
-    s706 = s82*(s150*s22 + s41*s695 + s467*s667)
-    s722 = s2*(s2*(s2*(2.8114572543455206e-15*s2*s468 + s26*s468) + s28*s468) + s30*s468)
-    s729 = s2*(s2*(s2*(s32*s468 + s722) + s34*s468) + s36*s468) + s38*s468
-    s730 = -alpha0*s729
-    s731 = g_z*s730
-    s734 = s477 + s478*s729
-    s747 = s11*s468
-    s748 = s2*(s2*(s2*(1.5619206968586225e-16*s2*s468 + s468*s5) + s468*s7) + s468*s9) + s747
-    s757 = s17*s468 + s2*(s15*s468 + s2*(s13*s468 + s2*s748))
-    s759 = -s0*s757 - s19*s468
-    s760 = -s1*s757
-    s761 = s759 + s760
-    s763 = -s22*s761 - s734
-    s764 = g_z*s763
-    s768 = s480 + s481*s729
-    s769 = s41*s761 + s768
-    s770 = g_z*s769
-    s772 = s730*tip_w
-    s774 = s763*tip_w
-    s776 = s769*tip_w
-    s779 = alpha0*s19 + s484*s757
-    s783 = s41*s759 + s768
-    s788 = alpha0*s19*s41 + s485*s729 + s488*s757
-    s791 = s22*s759 + s734
-    s796 = alpha0*s19*s22 + s489*s729 + s492*s757
-    s799 = -s291
-    s800 = 0.5*s799
-    s801 = 0.5*s106
-    s802 = R0_33*s801
-    s804 = -0.5*alpha2*s81
-    s806 = 0.5*beta2*s81
-    s808 = R0_23*s801
-    s810 = R0_13*s801
-    s828 = s64*(s470*s93 + s64*(s470*s91 + s64*(1.5619206968586225e-16*s470*s64 + s470*s89)))
-    s836 = s101*s470 + s64*(s470*s99 + s64*(s470*s97 + s64*(s470*s95 + s828)))
-    s842 = s84*(-s103*s470 - s62*s836 - s63*s836)
-    s843 = R0_33*s842
-    s859 = s64*(s470*s71 + s64*(s470*s69 + s64*(2.8114572543455206e-15*s470*s64 + s470*s67)))
-    s866 = s470*s79 + s64*(s470*s77 + s64*(s470*s75 + s64*(s470*s73 + s859)))
-    s868 = s472 + s473*s866
-    s870 = s475*s866
-    s872 = R0_23*s842
-    s874 = R0_13*s842
-    s890 = s64*(s471*s93 + s64*(s471*s91 + s64*(1.5619206968586225e-16*s471*s64 + s471*s89)))
-    s898 = s101*s471 + s64*(s471*s99 + s64*(s471*s97 + s64*(s471*s95 + s890)))
-    s904 = s84*(-s103*s471 - s62*s898 - s63*s898)
-    s905 = R0_33*s904
-    s921 = s64*(s471*s71 + s64*(s471*s69 + s64*(2.8114572543455206e-15*s471*s64 + s471*s67)))
-    s928 = s471*s79 + s64*(s471*s77 + s64*(s471*s75 + s64*(s471*s73 + s921)))
-    s929 = s473*s928
-    s932 = -s472 + s475*s928
-    s934 = R0_23*s904
-    s936 = R0_13*s904
-    s952 = dl_mean + l - s290
-    s954 = -0.5*(s952 * s952)
-    s1140 = -s952
-    s1141 = -0.5*s1140
-    s1166 = -ex - s159 + s235
-    s1168 = -s219*s22
-    s1170 = -ey - s161 + s238
-    s1172 = -s219*s41
-    s1185 = -0.5*((dl_mean + l) * (dl_mean + l))
-    s1191 = s1185 + 0.5*(s219 * s219)*((s22 * s22) + (s41 * s41))
-    s1196 = -2*L - 2*dL
-    s1198 = 0.25*(s1196 * s1196)
-    s1203 = -0.5*s1196
-    k[..., 0] = theta
-    k[..., 1] = R0_11
-    k[..., 2] = R0_12
-    k[..., 3] = R0_21
-    k[..., 4] = R0_22
-    k[..., 5] = R0_31
-    k[..., 6] = R0_32
-    k[..., 7] = s219
-    k[..., 8] = tip_v
-    k[..., 9] = s223
-    k[..., 10] = s228
-    k[..., 11] = s233
-    k[..., 12] = s235
-    k[..., 13] = s238
-    k[..., 14] = g_x
-    k[..., 15] = g_y
-    k[..., 16] = s253
-    k[..., 17] = s257
-    k[..., 18] = s261
-    k[..., 19] = h_x
-    k[..., 20] = h_y
-    k[..., 21] = h_z
-    k[..., 22] = s293
-    k[..., 23] = s954
-    k[..., 24] = s1166
-    k[..., 25] = s1168
-    k[..., 26] = s1170
-    k[..., 27] = s1172
-    k[..., 28] = ez
-    k[..., 29] = s1191
-    k[..., 30] = s1198
-    k[..., 31] = s1203
-    k[..., 32] = s516
-    k[..., 33] = s547
-    k[..., 34] = s552
-    k[..., 35] = s578
-    k[..., 36] = s610
-    k[..., 37] = s615
-    k[..., 38] = s617
-    k[..., 39] = s619
-    k[..., 40] = s621
-    k[..., 41] = s624
-    k[..., 42] = s606
-    k[..., 43] = s628
-    k[..., 44] = s634
-    k[..., 45] = s637
-    k[..., 46] = s643
-    k[..., 47] = s668
-    k[..., 48] = s700
-    k[..., 49] = s706
-    k[..., 50] = s731
-    k[..., 51] = s764
-    k[..., 52] = s770
-    k[..., 53] = s772
-    k[..., 54] = s774
-    k[..., 55] = s776
-    k[..., 56] = s779
-    k[..., 57] = s760
-    k[..., 58] = s783
-    k[..., 59] = s788
-    k[..., 60] = s791
-    k[..., 61] = s796
-    k[..., 62] = s802
-    k[..., 63] = s804
-    k[..., 64] = s806
-    k[..., 65] = s808
-    k[..., 66] = s810
-    k[..., 67] = s843
-    k[..., 68] = s868
-    k[..., 69] = s870
-    k[..., 70] = s872
-    k[..., 71] = s874
-    k[..., 72] = s905
-    k[..., 73] = s929
-    k[..., 74] = s932
-    k[..., 75] = s934
-    k[..., 76] = s936
-    k[..., 77] = R0_33
-    k[..., 78] = R0_23
-    k[..., 79] = R0_13
-    k[..., 80] = s799
-    k[..., 81] = s800
-    k[..., 82] = s1140
-    k[..., 83] = s1141
-    k[..., 84] = s1185
-    return k
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def _newton(x, q, tool, k, out):
-    """Per rod of one limb: closure, its derivatives by the platform, by the joint (452 operations)."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    cx = x[3]
-    cy = x[4]
-    cz = x[5]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    q = q
+@fast
+def _early(w, k, n):
+    """What moves with a joint only; then the simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (65 operations)."""
+    wide()
     theta = k[0]
     R0_11 = k[1]
     R0_12 = k[2]
@@ -406,207 +58,331 @@ def _newton(x, q, tool, k, out):
     s253 = k[16]
     s257 = k[17]
     s261 = k[18]
+    s1166 = k[24]
+    s1168 = k[25]
+    s1170 = k[26]
+    s1172 = k[27]
+    ez = k[28]
+    s1185 = k[84]
+    for lane in range(n):
+        q = w[0 + lane]
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        s163 = q + theta
+        s164 = cosine(s163)
+        s166 = sine(s163)
+        R1_11 = R0_11*s164 + R0_12*s166
+        R1_12 = -R0_11*s166 + R0_12*s164
+        R1_21 = R0_21*s164 + R0_22*s166
+        R1_22 = -R0_21*s166 + R0_22*s164
+        R1_31 = R0_31*s164 + R0_32*s166
+        R1_32 = -R0_31*s166 + R0_32*s164
+        C_x = R1_11*s219 + R1_12*tip_v + s223
+        C_y = R1_21*s219 + R1_22*tip_v + s228
+        C_z = R1_31*s219 + R1_32*tip_v + s233
+        s236 = s235 - tx
+        s239 = s238 - ty
+        c1_x = R1_11*g_x + R1_12*g_y + s253
+        c1_y = R1_21*g_x + R1_22*g_y + s257
+        c1_z = R1_31*g_x + R1_32*g_y + s261
+        s1212 = -s1166 - s1168*s164 + tx
+        s1214 = -s1170 - s1172*s164 + ty
+        s1216 = ez + s166*s219 + tz
+        s1223 = s1185 + 0.5*(s1212 * s1212) + 0.5*(s1214 * s1214) + 0.5*(s1216 * s1216)
+        w[1120 + lane] = s236
+        w[1152 + lane] = s239
+        w[1184 + lane] = C_x
+        w[1216 + lane] = C_y
+        w[1248 + lane] = C_z
+        w[1280 + lane] = c1_x
+        w[1312 + lane] = c1_y
+        w[1344 + lane] = c1_z
+        w[1376 + lane] = s1212
+        w[1408 + lane] = s1214
+        w[1440 + lane] = s1216
+        w[1472 + lane] = s1223
+
+
+@fast
+def _rows(w, k, n):
+    """Equations of a limb, their derivatives by shift and turn of the platform (116 operations)."""
+    wide()
     h_x = k[19]
     h_y = k[20]
     h_z = k[21]
-    s293 = k[22]
-    s954 = k[23]
-    s163 = q + theta
-    s164 = math.cos(s163)
-    s166 = math.sin(s163)
-    R1_11 = R0_11*s164 + R0_12*s166
-    R1_12 = -R0_11*s166 + R0_12*s164
-    R1_21 = R0_21*s164 + R0_22*s166
-    R1_22 = -R0_21*s166 + R0_22*s164
-    R1_31 = R0_31*s164 + R0_32*s166
-    R1_32 = -R0_31*s166 + R0_32*s164
-    s184 = (cx * cx)
-    s186 = (cy * cy)
-    s188 = (cz * cz)
-    s190 = 0.25*s184 + 0.25*s186 + 0.25*s188 + 1
-    s191 = (1.0 / s190)
-    s192 = -0.5*s186
-    s193 = -0.5*s188
-    s194 = s192 + s193
-    R_11 = s191*s194 + 1
-    s197 = 0.5*cx*cy
-    s198 = -cz + s197
-    R_12 = s191*s198
-    s200 = 0.5*cx*cz
-    s201 = cy + s200
-    R_13 = s191*s201
-    s203 = cz + s197
-    R_21 = s191*s203
-    s205 = -0.5*s184
-    s206 = s193 + s205
-    R_22 = s191*s206 + 1
-    s209 = 0.5*cy*cz
-    s210 = -cx + s209
-    R_23 = s191*s210
-    s212 = -cy + s200
-    R_31 = s191*s212
-    s214 = cx + s209
-    R_32 = s191*s214
-    s216 = s192 + s205
-    R_33 = s191*s216 + 1
-    C_x = R1_11*s219 + R1_12*tip_v + s223
-    C_y = R1_21*s219 + R1_22*tip_v + s228
-    C_z = R1_31*s219 + R1_32*tip_v + s233
-    s236 = s235 - tx
-    s239 = s238 - ty
-    A_x = R_11*s236 + R_12*s239 - R_13*tz + px
-    A_y = R_21*s236 + R_22*s239 - R_23*tz + py
-    A_z = R_31*s236 + R_32*s239 - R_33*tz + pz
-    c1_x = R1_11*g_x + R1_12*g_y + s253
-    c1_y = R1_21*g_x + R1_22*g_y + s257
-    c1_z = R1_31*g_x + R1_32*g_y + s261
-    a1_x = R_11*h_x + R_12*h_y + R_13*h_z
-    a1_y = R_21*h_x + R_22*h_y + R_23*h_z
-    a1_z = R_31*h_x + R_32*h_y + R_33*h_z
-    d_x = A_x - C_x
-    d_y = A_y - C_y
-    d_z = A_z - C_z
-    s_x = a1_x - c1_x
-    s_y = a1_y - c1_y
-    s_z = a1_z - c1_z
-    s281 = d_x + s_x
-    s284 = d_y + s_y
-    s287 = d_z + s_z
-    s294 = 0.5*(s281 * s281) + 0.5*(s284 * s284) + 0.5*(s287 * s287) + s293
-    s295 = 2*s287
-    s296 = 0.5*s295
-    s297 = 2*s284
-    s298 = 0.5*s297
-    s299 = 2*s281
-    s300 = 0.5*s299
-    s348 = h_z*s296 - s296*tz
-    s350 = s191*s348
-    s351 = h_y*s296 + s239*s296
-    s353 = s191*s351
-    s354 = h_x*s296 + s236*s296
-    s356 = s191*s354
-    s357 = h_z*s298 - s298*tz
-    s359 = s191*s357
-    s360 = s353 + s359
-    s361 = 0.5*cz
-    s362 = 0.5*cy
-    s365 = h_y*s298 + s239*s298
-    s366 = s206*s365
-    s367 = s191*s365
-    s370 = h_x*s298 + s236*s298
-    s371 = s203*s370
-    s372 = s191*s370
-    s373 = h_z*s300 - s300*tz
-    s374 = s201*s373
-    s375 = s191*s373
-    s376 = s356 + s375
-    s377 = 0.5*cx
-    s380 = h_y*s300 + s239*s300
-    s381 = s198*s380
-    s382 = s191*s380
-    s383 = s372 + s382
-    s386 = h_x*s300 + s236*s300
-    s387 = s194*s386
-    s388 = s191*s386
-    s393 = s210*s357 + s212*s354 + s214*s351 + s216*s348 + s366 + s371 + s374 + s381 + s387
-    s394 = (1.0 / (s190 * s190))
-    s396 = -0.25*s393*s394
-    s398 = 2*cz
-    s401 = 2*cy
-    s404 = 2*cx
-    s406 = -g_y*s296 - s296*tip_v
-    s411 = -g_x*s296 - s219*s296
-    s416 = -g_y*s298 - s298*tip_v
-    s421 = -g_x*s298 - s219*s298
-    s426 = -g_y*s300 - s300*tip_v
-    s431 = -g_x*s300 - s219*s300
-    s435 = s164*(-R0_11*s426 + R0_12*s431 - R0_21*s416 + R0_22*s421 - R0_31*s406 + R0_32*s411)
-    s438 = R0_11*s431 + R0_12*s426 + R0_21*s421 + R0_22*s416 + R0_31*s411 + R0_32*s406
-    s440 = -s166*s438 + s435
-    s444 = s353 - s359 + s361*s376 + s362*s383 + s404*(-0.5*s350 - 0.5*s367 + s396)
-    s445 = -s356 + s360*s361 + s375 + s377*s383 + s401*(-0.5*s350 - 0.5*s388 + s396)
-    s446 = s360*s362 + s372 + s376*s377 - s382 + s398*(-0.5*s367 - 0.5*s388 + s396)
-    s943 = d_x - s_x
-    s946 = d_y - s_y
-    s949 = d_z - s_z
-    s955 = 0.5*(s943 * s943) + 0.5*(s946 * s946) + 0.5*(s949 * s949) + s954
-    s956 = 2*s949
-    s957 = 0.5*s956
-    s958 = 2*s946
-    s959 = 0.5*s958
-    s960 = 2*s943
-    s961 = 0.5*s960
-    s1009 = -h_z*s957 - s957*tz
-    s1011 = s1009*s191
-    s1012 = -h_y*s957 + s239*s957
-    s1014 = s1012*s191
-    s1015 = -h_x*s957 + s236*s957
-    s1017 = s1015*s191
-    s1018 = -h_z*s959 - s959*tz
-    s1020 = s1018*s191
-    s1021 = s1014 + s1020
-    s1024 = -h_y*s959 + s239*s959
-    s1025 = s1024*s206
-    s1026 = s1024*s191
-    s1029 = -h_x*s959 + s236*s959
-    s1030 = s1029*s203
-    s1031 = s1029*s191
-    s1032 = -h_z*s961 - s961*tz
-    s1033 = s1032*s201
-    s1034 = s1032*s191
-    s1035 = s1017 + s1034
-    s1038 = -h_y*s961 + s239*s961
-    s1039 = s1038*s198
-    s1040 = s1038*s191
-    s1041 = s1031 + s1040
-    s1044 = -h_x*s961 + s236*s961
-    s1045 = s1044*s194
-    s1046 = s1044*s191
-    s1051 = s1009*s216 + s1012*s214 + s1015*s212 + s1018*s210 + s1025 + s1030 + s1033 + s1039 + s1045
-    s1053 = -0.25*s1051*s394
-    s1060 = g_y*s957 - s957*tip_v
-    s1065 = g_x*s957 - s219*s957
-    s1070 = g_y*s959 - s959*tip_v
-    s1075 = g_x*s959 - s219*s959
-    s1080 = g_y*s961 - s961*tip_v
-    s1085 = g_x*s961 - s219*s961
-    s1089 = s164*(-R0_11*s1080 + R0_12*s1085 - R0_21*s1070 + R0_22*s1075 - R0_31*s1060 + R0_32*s1065)
-    s1092 = R0_11*s1085 + R0_12*s1080 + R0_21*s1075 + R0_22*s1070 + R0_31*s1065 + R0_32*s1060
-    s1094 = s1089 - s1092*s166
-    s1098 = s1014 - s1020 + s1035*s361 + s1041*s362 + s404*(-0.5*s1011 - 0.5*s1026 + s1053)
-    s1099 = -s1017 + s1021*s361 + s1034 + s1041*s377 + s401*(-0.5*s1011 - 0.5*s1046 + s1053)
-    s1100 = s1021*s362 + s1031 + s1035*s377 - s1040 + s398*(-0.5*s1026 - 0.5*s1046 + s1053)
-    out[0] = s294
-    out[1] = s300
-    out[2] = s298
-    out[3] = s296
-    out[4] = s444
-    out[5] = s445
-    out[6] = s446
-    out[7] = s440
-    out[8] = s955
-    out[9] = s961
-    out[10] = s959
-    out[11] = s957
-    out[12] = s1098
-    out[13] = s1099
-    out[14] = s1100
-    out[15] = s1094
+    s1246 = k[85]
+    s1492 = k[86]
+    for lane in range(n):
+        tz = w[96 + lane]
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        R_11 = w[320 + lane]
+        R_12 = w[352 + lane]
+        R_13 = w[384 + lane]
+        R_21 = w[416 + lane]
+        R_22 = w[448 + lane]
+        R_23 = w[480 + lane]
+        R_31 = w[512 + lane]
+        R_32 = w[544 + lane]
+        R_33 = w[576 + lane]
+        s236 = w[1120 + lane]
+        s239 = w[1152 + lane]
+        C_x = w[1184 + lane]
+        C_y = w[1216 + lane]
+        C_z = w[1248 + lane]
+        c1_x = w[1280 + lane]
+        c1_y = w[1312 + lane]
+        c1_z = w[1344 + lane]
+        s237 = R_11*s236
+        s240 = R_12*s239
+        s241 = -R_13*tz
+        A_x = px + s237 + s240 + s241
+        s243 = R_21*s236
+        s244 = R_22*s239
+        s245 = -R_23*tz
+        A_y = py + s243 + s244 + s245
+        s247 = R_31*s236
+        s248 = R_32*s239
+        s249 = -R_33*tz
+        A_z = pz + s247 + s248 + s249
+        a1_x = R_11*h_x + R_12*h_y + R_13*h_z
+        a1_y = R_21*h_x + R_22*h_y + R_23*h_z
+        a1_z = R_31*h_x + R_32*h_y + R_33*h_z
+        d_x = A_x - C_x
+        d_y = A_y - C_y
+        d_z = A_z - C_z
+        s_x = a1_x - c1_x
+        s_y = a1_y - c1_y
+        s_z = a1_z - c1_z
+        s1234 = 0.5*(s_x * s_x)
+        s1236 = 0.5*(s_y * s_y)
+        s1238 = 0.5*(s_z * s_z)
+        s1247 = 0.5*(d_x * d_x) + 0.5*(d_y * d_y) + 0.5*(d_z * d_z) + s1234 + s1236 + s1238 + s1246
+        s1493 = d_x*s_x + d_y*s_y + d_z*s_z + s1492
+        s1718 = -s247 - s248 - s249
+        s1720 = s243 + s244 + s245
+        s1724 = a1_y*s_z - a1_z*s_y + d_y*s1718 + d_z*s1720
+        s1726 = -s237 - s240 - s241
+        s1730 = -a1_x*s_z + a1_z*s_x - d_x*s1718 + d_z*s1726
+        s1735 = a1_x*s_y - a1_y*s_x - d_x*s1720 - d_y*s1726
+        s1740 = a1_y*d_z - a1_z*d_y + s1718*s_y + s1720*s_z
+        s1745 = -a1_x*d_z + a1_z*d_x - s1718*s_x + s1726*s_z
+        s1750 = a1_x*d_y - a1_y*d_x - s1720*s_x - s1726*s_y
+        w[608 + lane] = s1247
+        w[640 + lane] = d_x
+        w[672 + lane] = d_y
+        w[704 + lane] = d_z
+        w[736 + lane] = s1724
+        w[768 + lane] = s1730
+        w[800 + lane] = s1735
+        w[864 + lane] = s1493
+        w[896 + lane] = s_x
+        w[928 + lane] = s_y
+        w[960 + lane] = s_z
+        w[992 + lane] = s1740
+        w[1024 + lane] = s1745
+        w[1056 + lane] = s1750
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _parameters(x, q, tool, k, out):
-    """Per rod of one limb: derivatives of the closure by errors, by deflections (540 operations)."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    cx = x[3]
-    cy = x[4]
-    cz = x[5]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    q = q
+@fast
+def _step(w, n):
+    """Newton's step of the platform; how far the equations are from dependent (289 operations)."""
+    wide()
+    for lane in range(n):
+        F00 = w[608 + lane]
+        J00_0 = w[640 + lane]
+        J00_1 = w[672 + lane]
+        J00_2 = w[704 + lane]
+        J00_3 = w[736 + lane]
+        J00_4 = w[768 + lane]
+        J00_5 = w[800 + lane]
+        F01 = w[864 + lane]
+        J01_0 = w[896 + lane]
+        J01_1 = w[928 + lane]
+        J01_2 = w[960 + lane]
+        J01_3 = w[992 + lane]
+        J01_4 = w[1024 + lane]
+        J01_5 = w[1056 + lane]
+        F10 = w[3616 + lane]
+        J10_0 = w[3648 + lane]
+        J10_1 = w[3680 + lane]
+        J10_2 = w[3712 + lane]
+        J10_3 = w[3744 + lane]
+        J10_4 = w[3776 + lane]
+        J10_5 = w[3808 + lane]
+        F11 = w[3872 + lane]
+        J11_0 = w[3904 + lane]
+        J11_1 = w[3936 + lane]
+        J11_2 = w[3968 + lane]
+        J11_3 = w[4000 + lane]
+        J11_4 = w[4032 + lane]
+        J11_5 = w[4064 + lane]
+        F20 = w[6624 + lane]
+        J20_0 = w[6656 + lane]
+        J20_1 = w[6688 + lane]
+        J20_2 = w[6720 + lane]
+        J20_3 = w[6752 + lane]
+        J20_4 = w[6784 + lane]
+        J20_5 = w[6816 + lane]
+        F21 = w[6880 + lane]
+        J21_0 = w[6912 + lane]
+        J21_1 = w[6944 + lane]
+        J21_2 = w[6976 + lane]
+        J21_3 = w[7008 + lane]
+        J21_4 = w[7040 + lane]
+        J21_5 = w[7072 + lane]
+        G_cof_00 = J10_1*J20_2 - J10_2*J20_1
+        G_cof_01 = -J10_0*J20_2 + J10_2*J20_0
+        G_cof_02 = J10_0*J20_1 - J10_1*J20_0
+        G_cof_10 = -J00_1*J20_2 + J00_2*J20_1
+        G_cof_11 = J00_0*J20_2 - J00_2*J20_0
+        G_cof_12 = -J00_0*J20_1 + J00_1*J20_0
+        G_cof_20 = J00_1*J10_2 - J00_2*J10_1
+        G_cof_21 = -J00_0*J10_2 + J00_2*J10_0
+        G_cof_22 = J00_0*J10_1 - J00_1*J10_0
+        G_det_00 = G_cof_00*J00_0 + G_cof_01*J00_1 + G_cof_02*J00_2
+        G_by_00 = (1.0 / G_det_00)
+        G_inv_00 = G_by_00*G_cof_00
+        G_inv_01 = G_by_00*G_cof_10
+        G_inv_02 = G_by_00*G_cof_20
+        G_inv_10 = G_by_00*G_cof_01
+        G_inv_11 = G_by_00*G_cof_11
+        G_inv_12 = G_by_00*G_cof_21
+        G_inv_20 = G_by_00*G_cof_02
+        G_inv_21 = G_by_00*G_cof_12
+        G_inv_22 = G_by_00*G_cof_22
+        u_00 = F00*G_inv_00 + F10*G_inv_01 + F20*G_inv_02
+        u_10 = F00*G_inv_10 + F10*G_inv_11 + F20*G_inv_12
+        u_20 = F00*G_inv_20 + F10*G_inv_21 + F20*G_inv_22
+        U_00 = G_inv_00*J00_3 + G_inv_01*J10_3 + G_inv_02*J20_3
+        U_01 = G_inv_00*J00_4 + G_inv_01*J10_4 + G_inv_02*J20_4
+        U_02 = G_inv_00*J00_5 + G_inv_01*J10_5 + G_inv_02*J20_5
+        U_10 = G_inv_10*J00_3 + G_inv_11*J10_3 + G_inv_12*J20_3
+        U_11 = G_inv_10*J00_4 + G_inv_11*J10_4 + G_inv_12*J20_4
+        U_12 = G_inv_10*J00_5 + G_inv_11*J10_5 + G_inv_12*J20_5
+        U_20 = G_inv_20*J00_3 + G_inv_21*J10_3 + G_inv_22*J20_3
+        U_21 = G_inv_20*J00_4 + G_inv_21*J10_4 + G_inv_22*J20_4
+        U_22 = G_inv_20*J00_5 + G_inv_21*J10_5 + G_inv_22*J20_5
+        S_00 = -J01_0*U_00 - J01_1*U_10 - J01_2*U_20 + J01_3
+        S_01 = -J01_0*U_01 - J01_1*U_11 - J01_2*U_21 + J01_4
+        S_02 = -J01_0*U_02 - J01_1*U_12 - J01_2*U_22 + J01_5
+        S_10 = -J11_0*U_00 - J11_1*U_10 - J11_2*U_20 + J11_3
+        S_11 = -J11_0*U_01 - J11_1*U_11 - J11_2*U_21 + J11_4
+        S_12 = -J11_0*U_02 - J11_1*U_12 - J11_2*U_22 + J11_5
+        S_20 = -J21_0*U_00 - J21_1*U_10 - J21_2*U_20 + J21_3
+        S_21 = -J21_0*U_01 - J21_1*U_11 - J21_2*U_21 + J21_4
+        S_22 = -J21_0*U_02 - J21_1*U_12 - J21_2*U_22 + J21_5
+        Si_cof_00 = S_11*S_22 - S_12*S_21
+        Si_cof_01 = -S_10*S_22 + S_12*S_20
+        Si_cof_02 = S_10*S_21 - S_11*S_20
+        Si_cof_10 = -S_01*S_22 + S_02*S_21
+        Si_cof_11 = S_00*S_22 - S_02*S_20
+        Si_cof_12 = -S_00*S_21 + S_01*S_20
+        Si_cof_20 = S_01*S_12 - S_02*S_11
+        Si_cof_21 = -S_00*S_12 + S_02*S_10
+        Si_cof_22 = S_00*S_11 - S_01*S_10
+        Si_det_00 = S_00*Si_cof_00 + S_01*Si_cof_01 + S_02*Si_cof_02
+        Si_by_00 = (1.0 / Si_det_00)
+        Si_inv_00 = Si_by_00*Si_cof_00
+        Si_inv_01 = Si_by_00*Si_cof_10
+        Si_inv_02 = Si_by_00*Si_cof_20
+        Si_inv_10 = Si_by_00*Si_cof_01
+        Si_inv_11 = Si_by_00*Si_cof_11
+        Si_inv_12 = Si_by_00*Si_cof_21
+        Si_inv_20 = Si_by_00*Si_cof_02
+        Si_inv_21 = Si_by_00*Si_cof_12
+        Si_inv_22 = Si_by_00*Si_cof_22
+        s169 = F01 - J01_0*u_00 - J01_1*u_10 - J01_2*u_20
+        s174 = F11 - J11_0*u_00 - J11_1*u_10 - J11_2*u_20
+        s179 = F21 - J21_0*u_00 - J21_1*u_10 - J21_2*u_20
+        w_00 = Si_inv_00*s169 + Si_inv_01*s174 + Si_inv_02*s179
+        w_10 = Si_inv_10*s169 + Si_inv_11*s174 + Si_inv_12*s179
+        w_20 = Si_inv_20*s169 + Si_inv_21*s174 + Si_inv_22*s179
+        s193 = -U_00*w_00 - U_01*w_10 - U_02*w_20 + u_00
+        s197 = -U_10*w_00 - U_11*w_10 - U_12*w_20 + u_10
+        s201 = -U_20*w_00 - U_21*w_10 - U_22*w_20 + u_20
+        s210 = (J10_0 * J10_0) + (J10_1 * J10_1) + (J10_2 * J10_2)
+        s214 = (J20_0 * J20_0) + (J20_1 * J20_1) + (J20_2 * J20_2)
+        s216 = (G_det_00 * G_det_00) - 1.0e-12*s210*s214*((J00_0 * J00_0) + (J00_1 * J00_1) + (J00_2 * J00_2))
+        s225 = (J11_3 * J11_3) + (J11_4 * J11_4) + (J11_5 * J11_5)
+        s229 = (J21_3 * J21_3) + (J21_4 * J21_4) + (J21_5 * J21_5)
+        s231 = (Si_det_00 * Si_det_00) - 1.0e-12*s225*s229*((J01_3 * J01_3) + (J01_4 * J01_4) + (J01_5 * J01_5))
+        w[9024 + lane] = s193
+        w[9056 + lane] = s197
+        w[9088 + lane] = s201
+        w[9120 + lane] = w_00
+        w[9152 + lane] = w_10
+        w[9184 + lane] = w_20
+        w[9216 + lane] = s216
+        w[9248 + lane] = s231
+
+
+@fast
+def _sphere(w, k, n):
+    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (21 operations)."""
+    wide()
+    theta = k[0]
+    s219 = k[7]
+    s1166 = k[24]
+    s1168 = k[25]
+    s1170 = k[26]
+    s1172 = k[27]
+    ez = k[28]
+    s1185 = k[84]
+    for lane in range(n):
+        q = w[0 + lane]
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        s163 = q + theta
+        s164 = cosine(s163)
+        s1212 = -s1166 - s1168*s164 + tx
+        s1214 = -s1170 - s1172*s164 + ty
+        s1216 = ez + s219*sine(s163) + tz
+        s1223 = s1185 + 0.5*(s1212 * s1212) + 0.5*(s1214 * s1214) + 0.5*(s1216 * s1216)
+        w[1376 + lane] = s1212
+        w[1408 + lane] = s1214
+        w[1440 + lane] = s1216
+        w[1472 + lane] = s1223
+
+
+@fast
+def _start(w, k, n):
+    """Joint of the simplified limb at a given position (36 operations)."""
+    wide()
+    theta = k[0]
+    s1166 = k[24]
+    s1168 = k[25]
+    s1170 = k[26]
+    s1172 = k[27]
+    ez = k[28]
+    s1191 = k[29]
+    s1198 = k[30]
+    s1203 = k[31]
+    for lane in range(n):
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        s1167 = px + s1166 - tx
+        s1171 = py + s1170 - ty
+        s1174 = s1167*s1168 + s1171*s1172
+        s1176 = -ez + pz - tz
+        s1177 = (s1176 * s1176)
+        s1192 = 0.5*(s1167 * s1167) + 0.5*(s1171 * s1171) + 0.5*s1177 + s1191
+        s1201 = math.sqrt((s1174 * s1174) + s1177*s1198 - (s1192 * s1192))
+        s1210 = -theta + arctangent(-s1174*s1201 + s1176*s1192*s1203, -s1174*s1192 - s1176*s1201*s1203)
+        w[1504 + lane] = s1210
+
+
+@fast
+def _more(w, k, n):
+    """What else derivatives by joint and errors read of it (39 operations)."""
+    wide()
     theta = k[0]
     R0_11 = k[1]
     R0_12 = k[2]
@@ -616,16 +392,214 @@ def _parameters(x, q, tool, k, out):
     R0_32 = k[6]
     s219 = k[7]
     tip_v = k[8]
-    s223 = k[9]
-    s228 = k[10]
-    s233 = k[11]
-    s235 = k[12]
-    s238 = k[13]
     g_x = k[14]
     g_y = k[15]
-    s253 = k[16]
-    s257 = k[17]
-    s261 = k[18]
+    for lane in range(n):
+        q = w[0 + lane]
+        s163 = q + theta
+        s164 = cosine(s163)
+        s166 = sine(s163)
+        R1_11 = R0_11*s164 + R0_12*s166
+        R1_12 = -R0_11*s166 + R0_12*s164
+        R1_21 = R0_21*s164 + R0_22*s166
+        R1_22 = -R0_21*s166 + R0_22*s164
+        R1_31 = R0_31*s164 + R0_32*s166
+        R1_32 = -R0_31*s166 + R0_32*s164
+        s1753 = R1_11*tip_v - R1_12*s219
+        s1757 = R1_21*tip_v - R1_22*s219
+        s1761 = R1_31*tip_v - R1_32*s219
+        s1765 = R1_11*g_y - R1_12*g_x
+        s1769 = R1_21*g_y - R1_22*g_x
+        s1773 = R1_31*g_y - R1_32*g_x
+        w[1536 + lane] = R1_32
+        w[1568 + lane] = R1_31
+        w[1600 + lane] = R1_22
+        w[1632 + lane] = R1_21
+        w[1664 + lane] = R1_12
+        w[1696 + lane] = R1_11
+        w[1728 + lane] = s166
+        w[1760 + lane] = s164
+        w[1792 + lane] = s1753
+        w[1824 + lane] = s1757
+        w[1856 + lane] = s1761
+        w[1888 + lane] = s1765
+        w[1920 + lane] = s1769
+        w[1952 + lane] = s1773
+
+
+@fast
+def _joints(w, k, n):
+    """Derivatives of a limb's equations by its joint (61 operations)."""
+    wide()
+    h_x = k[19]
+    h_y = k[20]
+    h_z = k[21]
+    for lane in range(n):
+        tz = w[96 + lane]
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        R_11 = w[320 + lane]
+        R_12 = w[352 + lane]
+        R_13 = w[384 + lane]
+        R_21 = w[416 + lane]
+        R_22 = w[448 + lane]
+        R_23 = w[480 + lane]
+        R_31 = w[512 + lane]
+        R_32 = w[544 + lane]
+        R_33 = w[576 + lane]
+        s236 = w[1120 + lane]
+        s239 = w[1152 + lane]
+        C_x = w[1184 + lane]
+        C_y = w[1216 + lane]
+        C_z = w[1248 + lane]
+        c1_x = w[1280 + lane]
+        c1_y = w[1312 + lane]
+        c1_z = w[1344 + lane]
+        s1753 = w[1792 + lane]
+        s1757 = w[1824 + lane]
+        s1761 = w[1856 + lane]
+        s1765 = w[1888 + lane]
+        s1769 = w[1920 + lane]
+        s1773 = w[1952 + lane]
+        A_x = R_11*s236 + R_12*s239 - R_13*tz + px
+        A_y = R_21*s236 + R_22*s239 - R_23*tz + py
+        A_z = R_31*s236 + R_32*s239 - R_33*tz + pz
+        a1_x = R_11*h_x + R_12*h_y + R_13*h_z
+        a1_y = R_21*h_x + R_22*h_y + R_23*h_z
+        a1_z = R_31*h_x + R_32*h_y + R_33*h_z
+        d_x = A_x - C_x
+        d_y = A_y - C_y
+        d_z = A_z - C_z
+        s_x = a1_x - c1_x
+        s_y = a1_y - c1_y
+        s_z = a1_z - c1_z
+        s1775 = d_x*s1753 + d_y*s1757 + d_z*s1761 + s1765*s_x + s1769*s_y + s1773*s_z
+        s1782 = d_x*s1765 + d_y*s1769 + d_z*s1773 + s1753*s_x + s1757*s_y + s1761*s_z
+        w[832 + lane] = s1775
+        w[1088 + lane] = s1782
+
+
+@fast
+def _command(w, n):
+    """Newton's step of joints and rotation; how far the equations are from dependent (158 operations)."""
+    wide()
+    for lane in range(n):
+        F00 = w[608 + lane]
+        J00_0 = w[640 + lane]
+        J00_1 = w[672 + lane]
+        J00_2 = w[704 + lane]
+        J00_3 = w[736 + lane]
+        J00_4 = w[768 + lane]
+        J00_5 = w[800 + lane]
+        Q00 = w[832 + lane]
+        F01 = w[864 + lane]
+        J01_3 = w[992 + lane]
+        J01_4 = w[1024 + lane]
+        J01_5 = w[1056 + lane]
+        Q01 = w[1088 + lane]
+        F10 = w[3616 + lane]
+        J10_0 = w[3648 + lane]
+        J10_1 = w[3680 + lane]
+        J10_2 = w[3712 + lane]
+        J10_3 = w[3744 + lane]
+        J10_4 = w[3776 + lane]
+        J10_5 = w[3808 + lane]
+        Q10 = w[3840 + lane]
+        F11 = w[3872 + lane]
+        J11_3 = w[4000 + lane]
+        J11_4 = w[4032 + lane]
+        J11_5 = w[4064 + lane]
+        Q11 = w[4096 + lane]
+        F20 = w[6624 + lane]
+        J20_0 = w[6656 + lane]
+        J20_1 = w[6688 + lane]
+        J20_2 = w[6720 + lane]
+        J20_3 = w[6752 + lane]
+        J20_4 = w[6784 + lane]
+        J20_5 = w[6816 + lane]
+        Q20 = w[6848 + lane]
+        F21 = w[6880 + lane]
+        J21_3 = w[7008 + lane]
+        J21_4 = w[7040 + lane]
+        J21_5 = w[7072 + lane]
+        Q21 = w[7104 + lane]
+        by_00 = (1.0 / Q00)
+        by_10 = (1.0 / Q10)
+        by_20 = (1.0 / Q20)
+        ratio_00 = Q01*by_00
+        ratio_10 = Q11*by_10
+        ratio_20 = Q21*by_20
+        E_00 = -J00_3*ratio_00 + J01_3
+        E_01 = -J00_4*ratio_00 + J01_4
+        E_02 = -J00_5*ratio_00 + J01_5
+        E_10 = -J10_3*ratio_10 + J11_3
+        E_11 = -J10_4*ratio_10 + J11_4
+        E_12 = -J10_5*ratio_10 + J11_5
+        E_20 = -J20_3*ratio_20 + J21_3
+        E_21 = -J20_4*ratio_20 + J21_4
+        E_22 = -J20_5*ratio_20 + J21_5
+        Ei_cof_00 = E_11*E_22 - E_12*E_21
+        Ei_cof_01 = -E_10*E_22 + E_12*E_20
+        Ei_cof_02 = E_10*E_21 - E_11*E_20
+        Ei_cof_10 = -E_01*E_22 + E_02*E_21
+        Ei_cof_11 = E_00*E_22 - E_02*E_20
+        Ei_cof_12 = -E_00*E_21 + E_01*E_20
+        Ei_cof_20 = E_01*E_12 - E_02*E_11
+        Ei_cof_21 = -E_00*E_12 + E_02*E_10
+        Ei_cof_22 = E_00*E_11 - E_01*E_10
+        Ei_det_00 = E_00*Ei_cof_00 + E_01*Ei_cof_01 + E_02*Ei_cof_02
+        Ei_by_00 = (1.0 / Ei_det_00)
+        Ei_inv_00 = Ei_by_00*Ei_cof_00
+        Ei_inv_01 = Ei_by_00*Ei_cof_10
+        Ei_inv_02 = Ei_by_00*Ei_cof_20
+        Ei_inv_10 = Ei_by_00*Ei_cof_01
+        Ei_inv_11 = Ei_by_00*Ei_cof_11
+        Ei_inv_12 = Ei_by_00*Ei_cof_21
+        Ei_inv_20 = Ei_by_00*Ei_cof_02
+        Ei_inv_21 = Ei_by_00*Ei_cof_12
+        Ei_inv_22 = Ei_by_00*Ei_cof_22
+        s66 = -F00*ratio_00 + F01
+        s69 = -F10*ratio_10 + F11
+        s72 = -F20*ratio_20 + F21
+        w_00 = Ei_inv_00*s66 + Ei_inv_01*s69 + Ei_inv_02*s72
+        w_10 = Ei_inv_10*s66 + Ei_inv_11*s69 + Ei_inv_12*s72
+        w_20 = Ei_inv_20*s66 + Ei_inv_21*s69 + Ei_inv_22*s72
+        s87 = by_00*(F00 - J00_3*w_00 - J00_4*w_10 - J00_5*w_20)
+        s92 = by_10*(F10 - J10_3*w_00 - J10_4*w_10 - J10_5*w_20)
+        s97 = by_20*(F20 - J20_3*w_00 - J20_4*w_10 - J20_5*w_20)
+        s106 = (E_10 * E_10) + (E_11 * E_11) + (E_12 * E_12)
+        s110 = (E_20 * E_20) + (E_21 * E_21) + (E_22 * E_22)
+        s112 = (Ei_det_00 * Ei_det_00) - 1.0e-12*s106*s110*((E_00 * E_00) + (E_01 * E_01) + (E_02 * E_02))
+        s120 = -1.0e-12*(J00_0 * J00_0) - 1.0e-12*(J00_1 * J00_1) - 1.0e-12*(J00_2 * J00_2) + (Q00 * Q00)
+        s128 = -1.0e-12*(J10_0 * J10_0) - 1.0e-12*(J10_1 * J10_1) - 1.0e-12*(J10_2 * J10_2) + (Q10 * Q10)
+        s136 = -1.0e-12*(J20_0 * J20_0) - 1.0e-12*(J20_1 * J20_1) - 1.0e-12*(J20_2 * J20_2) + (Q20 * Q20)
+        w[10528 + lane] = s87
+        w[10560 + lane] = s92
+        w[10592 + lane] = s97
+        w[10624 + lane] = w_00
+        w[10656 + lane] = w_10
+        w[10688 + lane] = w_20
+        w[10720 + lane] = s112
+        w[10752 + lane] = s120
+        w[10784 + lane] = s128
+        w[10816 + lane] = s136
+
+
+@fast
+def _errors(w, k, n):
+    """Derivatives of a limb's equations by errors, by deflections (488 operations)."""
+    wide()
+    R0_11 = k[1]
+    R0_12 = k[2]
+    R0_21 = k[3]
+    R0_22 = k[4]
+    R0_31 = k[5]
+    R0_32 = k[6]
+    s219 = k[7]
+    tip_v = k[8]
+    g_x = k[14]
+    g_y = k[15]
     h_x = k[19]
     h_y = k[20]
     h_z = k[21]
@@ -677,885 +651,1579 @@ def _parameters(x, q, tool, k, out):
     R0_33 = k[77]
     R0_23 = k[78]
     R0_13 = k[79]
-    s799 = k[80]
-    s800 = k[81]
-    s1140 = k[82]
-    s1141 = k[83]
-    s163 = q + theta
-    s164 = math.cos(s163)
-    s166 = math.sin(s163)
-    R1_11 = R0_11*s164 + R0_12*s166
-    R1_12 = -R0_11*s166 + R0_12*s164
-    R1_21 = R0_21*s164 + R0_22*s166
-    R1_22 = -R0_21*s166 + R0_22*s164
-    R1_31 = R0_31*s164 + R0_32*s166
-    R1_32 = -R0_31*s166 + R0_32*s164
-    s184 = (cx * cx)
-    s186 = (cy * cy)
-    s188 = (cz * cz)
-    s191 = (1.0 / (0.25*s184 + 0.25*s186 + 0.25*s188 + 1))
-    s192 = -0.5*s186
-    s193 = -0.5*s188
-    R_11 = s191*(s192 + s193) + 1
-    s197 = 0.5*cx*cy
-    R_12 = s191*(-cz + s197)
-    s200 = 0.5*cx*cz
-    R_13 = s191*(cy + s200)
-    R_21 = s191*(cz + s197)
-    s205 = -0.5*s184
-    R_22 = s191*(s193 + s205) + 1
-    s209 = 0.5*cy*cz
-    R_23 = s191*(-cx + s209)
-    R_31 = s191*(-cy + s200)
-    R_32 = s191*(cx + s209)
-    R_33 = s191*(s192 + s205) + 1
-    C_x = R1_11*s219 + R1_12*tip_v + s223
-    C_y = R1_21*s219 + R1_22*tip_v + s228
-    C_z = R1_31*s219 + R1_32*tip_v + s233
-    s236 = s235 - tx
-    s239 = s238 - ty
-    A_x = R_11*s236 + R_12*s239 - R_13*tz + px
-    A_y = R_21*s236 + R_22*s239 - R_23*tz + py
-    A_z = R_31*s236 + R_32*s239 - R_33*tz + pz
-    c1_x = R1_11*g_x + R1_12*g_y + s253
-    c1_y = R1_21*g_x + R1_22*g_y + s257
-    c1_z = R1_31*g_x + R1_32*g_y + s261
-    a1_x = R_11*h_x + R_12*h_y + R_13*h_z
-    a1_y = R_21*h_x + R_22*h_y + R_23*h_z
-    a1_z = R_31*h_x + R_32*h_y + R_33*h_z
-    d_x = A_x - C_x
-    d_y = A_y - C_y
-    d_z = A_z - C_z
-    s_x = a1_x - c1_x
-    s_y = a1_y - c1_y
-    s_z = a1_z - c1_z
-    s296 = d_z + s_z
-    s298 = d_y + s_y
-    s300 = d_x + s_x
-    s339 = R_12*s300 + R_22*s298 + R_32*s296
-    s341 = R_11*s300 + R_21*s298 + R_31*s296
-    s406 = -g_y*s296 - s296*tip_v
-    s411 = -g_x*s296 - s219*s296
-    s416 = -g_y*s298 - s298*tip_v
-    s421 = -g_x*s298 - s219*s298
-    s426 = -g_y*s300 - s300*tip_v
-    s431 = -g_x*s300 - s219*s300
-    s435 = s164*(-R0_11*s426 + R0_12*s431 - R0_21*s416 + R0_22*s421 - R0_31*s406 + R0_32*s411)
-    s438 = R0_11*s431 + R0_12*s426 + R0_21*s421 + R0_22*s416 + R0_31*s411 + R0_32*s406
-    s440 = -s166*s438 + s435
-    s441 = R_13*s300 + R_23*s298 + R_33*s296
-    s442 = -R1_12*s300 - R1_22*s298 - R1_32*s296
-    s443 = -R1_11*s300 - R1_21*s298 - R1_31*s296
-    s447 = s164*s411 - s166*s406
-    s448 = s164*s406 + s166*s411
-    s449 = s164*s421 - s166*s416
-    s450 = s164*s416 + s166*s421
-    s451 = s164*s431 - s166*s426
-    s452 = s164*s426 + s166*s431
-    s517 = s441*s516
-    s548 = s339*s547
-    s553 = s341*s552
-    s579 = -s296*s578
-    s611 = -s298*s610
-    s616 = -s300*s615
-    s618 = -s296*s617
-    s620 = -s298*s619
-    s622 = -s300*s621
-    s625 = s447*s624
-    s626 = s448*s606
-    s629 = s449*s628
-    s635 = s450*s634
-    s638 = s451*s637
-    s644 = s452*s643
-    s645 = s517 + s548 + s553 + s579 + s611 + s616 + s618 + s620 + s622 + s625 + s626 + s629 + s635 + s638 + s644
-    s669 = s441*s668
-    s701 = s339*s700
-    s707 = s341*s706
-    s732 = -s296*s731
-    s765 = -s298*s764
-    s771 = -s300*s770
-    s773 = -s296*s772
-    s775 = -s298*s774
-    s777 = -s300*s776
-    s780 = s447*s779
-    s781 = s448*s760
-    s784 = s449*s783
-    s789 = s450*s788
-    s792 = s451*s791
-    s797 = s452*s796
-    s798 = s669 + s701 + s707 + s732 + s765 + s771 + s773 + s775 + s777 + s780 + s781 + s784 + s789 + s792 + s797
-    s812 = -s296*s802 - s298*s808 - s300*s810 + s442*s804 + s443*s806
-    s813 = -s517 - s548 - s553
-    s814 = -s669 - s701 - s707
-    s876 = -s296*s843 - s298*s872 - s300*s874 + s442*s868 + s443*s870
-    s938 = -s296*s905 - s298*s934 - s300*s936 + s442*s929 + s443*s932
-    s942 = -R0_13*s300 - R0_23*s298 - R0_33*s296
-    s957 = d_z - s_z
-    s959 = d_y - s_y
-    s961 = d_x - s_x
-    s1000 = R_12*s961 + R_22*s959 + R_32*s957
-    s1002 = R_11*s961 + R_21*s959 + R_31*s957
-    s1060 = g_y*s957 - s957*tip_v
-    s1065 = g_x*s957 - s219*s957
-    s1070 = g_y*s959 - s959*tip_v
-    s1075 = g_x*s959 - s219*s959
-    s1080 = g_y*s961 - s961*tip_v
-    s1085 = g_x*s961 - s219*s961
-    s1089 = s164*(-R0_11*s1080 + R0_12*s1085 - R0_21*s1070 + R0_22*s1075 - R0_31*s1060 + R0_32*s1065)
-    s1092 = R0_11*s1085 + R0_12*s1080 + R0_21*s1075 + R0_22*s1070 + R0_31*s1065 + R0_32*s1060
-    s1094 = s1089 - s1092*s166
-    s1095 = -R_13*s961 - R_23*s959 - R_33*s957
-    s1096 = R1_12*s961 + R1_22*s959 + R1_32*s957
-    s1097 = R1_11*s961 + R1_21*s959 + R1_31*s957
-    s1101 = -s1060*s166 + s1065*s164
-    s1102 = s1060*s164 + s1065*s166
-    s1103 = -s1070*s166 + s1075*s164
-    s1104 = s1070*s164 + s1075*s166
-    s1105 = -s1080*s166 + s1085*s164
-    s1106 = s1080*s164 + s1085*s166
-    s1108 = s1095*s516
-    s1109 = -s1000*s547
-    s1110 = -s1002*s552
-    s1111 = s578*s957
-    s1112 = s610*s959
-    s1113 = s615*s961
-    s1114 = -s617*s957
-    s1115 = -s619*s959
-    s1116 = -s621*s961
-    s1117 = s1101*s624
-    s1118 = s1102*s606
-    s1119 = s1103*s628
-    s1120 = s1104*s634
-    s1121 = s1105*s637
-    s1122 = s1106*s643
-    s1123 = s1108 + s1109 + s1110 + s1111 + s1112 + s1113 + s1114 + s1115 + s1116 + s1117 + s1118 + s1119 + s1120 + s1121 + s1122
-    s1124 = s1095*s668
-    s1125 = -s1000*s700
-    s1126 = -s1002*s706
-    s1127 = s731*s957
-    s1128 = s764*s959
-    s1129 = s770*s961
-    s1130 = -s772*s957
-    s1131 = -s774*s959
-    s1132 = -s776*s961
-    s1133 = s1101*s779
-    s1134 = s1102*s760
-    s1135 = s1103*s783
-    s1136 = s1104*s788
-    s1137 = s1105*s791
-    s1138 = s1106*s796
-    s1139 = s1124 + s1125 + s1126 + s1127 + s1128 + s1129 + s1130 + s1131 + s1132 + s1133 + s1134 + s1135 + s1136 + s1137 + s1138
-    s1147 = s1096*s804 + s1097*s806 + s802*s957 + s808*s959 + s810*s961
-    s1148 = -s1108 - s1109 - s1110
-    s1149 = -s1124 - s1125 - s1126
-    s1155 = s1096*s868 + s1097*s870 + s843*s957 + s872*s959 + s874*s961
-    s1161 = s1096*s929 + s1097*s932 + s905*s957 + s934*s959 + s936*s961
-    s1165 = -R0_13*s961 - R0_23*s959 - R0_33*s957
-    out[0] = s440
-    out[1] = -s300
-    out[2] = -s298
-    out[3] = -s296
-    out[4] = s443
-    out[5] = s645
-    out[6] = s798
-    out[7] = s799
-    out[8] = s800
-    out[9] = s812
-    out[10] = s813
-    out[11] = s814
-    out[12] = s876
-    out[13] = s938
-    out[14] = s442
-    out[15] = s942
-    out[16] = s1094
-    out[17] = -s961
-    out[18] = -s959
-    out[19] = -s957
-    out[20] = -s1097
-    out[21] = s1123
-    out[22] = s1139
-    out[23] = s1140
-    out[24] = s1141
-    out[25] = s1147
-    out[26] = s1148
-    out[27] = s1149
-    out[28] = s1155
-    out[29] = s1161
-    out[30] = -s1096
-    out[31] = s1165
+    s1461 = k[87]
+    s1462 = k[88]
+    s290 = k[89]
+    s1693 = k[90]
+    for lane in range(n):
+        tz = w[96 + lane]
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        R_11 = w[320 + lane]
+        R_12 = w[352 + lane]
+        R_13 = w[384 + lane]
+        R_21 = w[416 + lane]
+        R_22 = w[448 + lane]
+        R_23 = w[480 + lane]
+        R_31 = w[512 + lane]
+        R_32 = w[544 + lane]
+        R_33 = w[576 + lane]
+        s236 = w[1120 + lane]
+        s239 = w[1152 + lane]
+        C_x = w[1184 + lane]
+        C_y = w[1216 + lane]
+        C_z = w[1248 + lane]
+        c1_x = w[1280 + lane]
+        c1_y = w[1312 + lane]
+        c1_z = w[1344 + lane]
+        R1_32 = w[1536 + lane]
+        R1_31 = w[1568 + lane]
+        R1_22 = w[1600 + lane]
+        R1_21 = w[1632 + lane]
+        R1_12 = w[1664 + lane]
+        R1_11 = w[1696 + lane]
+        s166 = w[1728 + lane]
+        s164 = w[1760 + lane]
+        A_x = R_11*s236 + R_12*s239 - R_13*tz + px
+        A_y = R_21*s236 + R_22*s239 - R_23*tz + py
+        A_z = R_31*s236 + R_32*s239 - R_33*tz + pz
+        a1_x = R_11*h_x + R_12*h_y + R_13*h_z
+        a1_y = R_21*h_x + R_22*h_y + R_23*h_z
+        a1_z = R_31*h_x + R_32*h_y + R_33*h_z
+        d_x = A_x - C_x
+        d_y = A_y - C_y
+        d_z = A_z - C_z
+        s_x = a1_x - c1_x
+        s_y = a1_y - c1_y
+        s_z = a1_z - c1_z
+        s1248 = 2*s_z
+        s1249 = 0.5*s1248
+        s1250 = 2*s_y
+        s1251 = 0.5*s1250
+        s1252 = 2*s_x
+        s1253 = 0.5*s1252
+        s1254 = 2*d_z
+        s1255 = 0.5*s1254
+        s1256 = 2*d_y
+        s1257 = 0.5*s1256
+        s1258 = 2*d_x
+        s1259 = 0.5*s1258
+        s1373 = -g_y*s1249 - s1255*tip_v
+        s1378 = -g_x*s1249 - s1255*s219
+        s1383 = -g_y*s1251 - s1257*tip_v
+        s1388 = -g_x*s1251 - s1257*s219
+        s1393 = -g_y*s1253 - s1259*tip_v
+        s1398 = -g_x*s1253 - s1259*s219
+        s1402 = s164*(-R0_11*s1393 + R0_12*s1398 - R0_21*s1383 + R0_22*s1388 - R0_31*s1373 + R0_32*s1378)
+        s1405 = R0_11*s1398 + R0_12*s1393 + R0_21*s1388 + R0_22*s1383 + R0_31*s1378 + R0_32*s1373
+        s1407 = s1402 - s1405*s166
+        s1408 = R_13*s1253 + R_23*s1251 + R_33*s1249
+        s1409 = R_12*s1253 + R_22*s1251 + R_32*s1249
+        s1410 = R_11*s1253 + R_21*s1251 + R_31*s1249
+        s1411 = -R1_12*s1253 - R1_22*s1251 - R1_32*s1249
+        s1412 = -R1_11*s1253 - R1_21*s1251 - R1_31*s1249
+        s1414 = -R1_12*s1259 - R1_22*s1257 - R1_32*s1255
+        s1415 = -R1_11*s1259 - R1_21*s1257 - R1_31*s1255
+        s1419 = -s1373*s166 + s1378*s164
+        s1420 = s1373*s164 + s1378*s166
+        s1421 = -s1383*s166 + s1388*s164
+        s1422 = s1383*s164 + s1388*s166
+        s1423 = -s1393*s166 + s1398*s164
+        s1424 = s1393*s164 + s1398*s166
+        s1428 = s1408*s516
+        s1429 = s1409*s547
+        s1430 = s1410*s552
+        s1431 = -s1249*s578
+        s1432 = -s1251*s610
+        s1433 = -s1253*s615
+        s1434 = -s1255*s617
+        s1435 = -s1257*s619
+        s1436 = -s1259*s621
+        s1437 = s1419*s624
+        s1438 = s1420*s606
+        s1439 = s1421*s628
+        s1440 = s1422*s634
+        s1441 = s1423*s637
+        s1442 = s1424*s643
+        s1443 = s1428 + s1429 + s1430 + s1431 + s1432 + s1433 + s1434 + s1435 + s1436 + s1437 + s1438 + s1439 + s1440 + s1441 + s1442
+        s1444 = s1408*s668
+        s1445 = s1409*s700
+        s1446 = s1410*s706
+        s1447 = -s1249*s731
+        s1448 = -s1251*s764
+        s1449 = -s1253*s770
+        s1450 = -s1255*s772
+        s1451 = -s1257*s774
+        s1452 = -s1259*s776
+        s1453 = s1419*s779
+        s1454 = s1420*s760
+        s1455 = s1421*s783
+        s1456 = s1422*s788
+        s1457 = s1423*s791
+        s1458 = s1424*s796
+        s1459 = s1444 + s1445 + s1446 + s1447 + s1448 + s1449 + s1450 + s1451 + s1452 + s1453 + s1454 + s1455 + s1456 + s1457 + s1458
+        s1468 = -s1249*s802 - s1251*s808 - s1253*s810 + s1411*s804 + s1412*s806
+        s1469 = -s1428 - s1429 - s1430
+        s1470 = -s1444 - s1445 - s1446
+        s1476 = -s1249*s843 - s1251*s872 - s1253*s874 + s1411*s868 + s1412*s870
+        s1482 = -s1249*s905 - s1251*s934 - s1253*s936 + s1411*s929 + s1412*s932
+        s1486 = -R0_13*s1259 - R0_23*s1257 - R0_33*s1255
+        s1607 = -d_z*g_y - s_z*tip_v
+        s1612 = -d_z*g_x - s219*s_z
+        s1617 = -d_y*g_y - s_y*tip_v
+        s1622 = -d_y*g_x - s219*s_y
+        s1627 = -d_x*g_y - s_x*tip_v
+        s1632 = -d_x*g_x - s219*s_x
+        s1636 = s164*(-R0_11*s1627 + R0_12*s1632 - R0_21*s1617 + R0_22*s1622 - R0_31*s1607 + R0_32*s1612)
+        s1639 = R0_11*s1632 + R0_12*s1627 + R0_21*s1622 + R0_22*s1617 + R0_31*s1612 + R0_32*s1607
+        s1641 = s1636 - s1639*s166
+        s1642 = R_13*d_x + R_23*d_y + R_33*d_z
+        s1643 = R_12*d_x + R_22*d_y + R_32*d_z
+        s1644 = R_11*d_x + R_21*d_y + R_31*d_z
+        s1645 = -R1_12*d_x - R1_22*d_y - R1_32*d_z
+        s1646 = -R1_11*d_x - R1_21*d_y - R1_31*d_z
+        s1648 = -R1_12*s_x - R1_22*s_y - R1_32*s_z
+        s1649 = -R1_11*s_x - R1_21*s_y - R1_31*s_z
+        s1653 = -s1607*s166 + s1612*s164
+        s1654 = s1607*s164 + s1612*s166
+        s1655 = -s1617*s166 + s1622*s164
+        s1656 = s1617*s164 + s1622*s166
+        s1657 = -s1627*s166 + s1632*s164
+        s1658 = s1627*s164 + s1632*s166
+        s1661 = s1642*s516
+        s1662 = s1643*s547
+        s1663 = s1644*s552
+        s1664 = -d_z*s578
+        s1665 = -d_y*s610
+        s1666 = -d_x*s615
+        s1667 = -s617*s_z
+        s1668 = -s619*s_y
+        s1669 = -s621*s_x
+        s1670 = s1653*s624
+        s1671 = s1654*s606
+        s1672 = s1655*s628
+        s1673 = s1656*s634
+        s1674 = s1657*s637
+        s1675 = s1658*s643
+        s1676 = s1661 + s1662 + s1663 + s1664 + s1665 + s1666 + s1667 + s1668 + s1669 + s1670 + s1671 + s1672 + s1673 + s1674 + s1675
+        s1677 = s1642*s668
+        s1678 = s1643*s700
+        s1679 = s1644*s706
+        s1680 = -d_z*s731
+        s1681 = -d_y*s764
+        s1682 = -d_x*s770
+        s1683 = -s772*s_z
+        s1684 = -s774*s_y
+        s1685 = -s776*s_x
+        s1686 = s1653*s779
+        s1687 = s1654*s760
+        s1688 = s1655*s783
+        s1689 = s1656*s788
+        s1690 = s1657*s791
+        s1691 = s1658*s796
+        s1692 = s1677 + s1678 + s1679 + s1680 + s1681 + s1682 + s1683 + s1684 + s1685 + s1686 + s1687 + s1688 + s1689 + s1690 + s1691
+        s1699 = -d_x*s810 - d_y*s808 - d_z*s802 + s1645*s804 + s1646*s806
+        s1700 = -s1661 - s1662 - s1663
+        s1701 = -s1677 - s1678 - s1679
+        s1707 = -d_x*s874 - d_y*s872 - d_z*s843 + s1645*s868 + s1646*s870
+        s1713 = -d_x*s936 - d_y*s934 - d_z*s905 + s1645*s929 + s1646*s932
+        s1717 = -R0_13*s_x - R0_23*s_y - R0_33*s_z
+        w[1984 + lane] = s1407
+        w[2016 + lane] = -s1259
+        w[2048 + lane] = -s1257
+        w[2080 + lane] = -s1255
+        w[2112 + lane] = s1415
+        w[2144 + lane] = s1443
+        w[2176 + lane] = s1459
+        w[2208 + lane] = s1461
+        w[2240 + lane] = s1462
+        w[2272 + lane] = s1468
+        w[2304 + lane] = s1469
+        w[2336 + lane] = s1470
+        w[2368 + lane] = s1476
+        w[2400 + lane] = s1482
+        w[2432 + lane] = s1414
+        w[2464 + lane] = s1486
+        w[2496 + lane] = s1641
+        w[2528 + lane] = -s_x
+        w[2560 + lane] = -s_y
+        w[2592 + lane] = -s_z
+        w[2624 + lane] = s1649
+        w[2656 + lane] = s1676
+        w[2688 + lane] = s1692
+        w[2720 + lane] = -s290
+        w[2752 + lane] = s1693
+        w[2784 + lane] = s1699
+        w[2816 + lane] = s1700
+        w[2848 + lane] = s1701
+        w[2880 + lane] = s1707
+        w[2912 + lane] = s1713
+        w[2944 + lane] = s1648
+        w[2976 + lane] = s1717
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _sphere(x, q, tool, k, out):
-    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (21 operations)."""
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    q = q
-    theta = k[0]
-    s219 = k[7]
-    s1166 = k[24]
-    s1168 = k[25]
-    s1170 = k[26]
-    s1172 = k[27]
-    ez = k[28]
-    s1185 = k[84]
-    s163 = q + theta
-    s164 = math.cos(s163)
-    s1212 = -s1166 - s1168*s164 + tx
-    s1214 = -s1170 - s1172*s164 + ty
-    s1216 = ez + s219*math.sin(s163) + tz
-    s1223 = s1185 + 0.5*(s1212 * s1212) + 0.5*(s1214 * s1214) + 0.5*(s1216 * s1216)
-    out[0] = s1212
-    out[1] = s1214
-    out[2] = s1216
-    out[3] = s1223
+@fast
+def _inverse_of_rows(w, n):
+    """Minus the inverse of the derivatives, row by row; how far the equations are from dependent (439 operations)."""
+    wide()
+    for lane in range(n):
+        J00_0 = w[640 + lane]
+        J00_1 = w[672 + lane]
+        J00_2 = w[704 + lane]
+        J00_3 = w[736 + lane]
+        J00_4 = w[768 + lane]
+        J00_5 = w[800 + lane]
+        J01_0 = w[896 + lane]
+        J01_1 = w[928 + lane]
+        J01_2 = w[960 + lane]
+        J01_3 = w[992 + lane]
+        J01_4 = w[1024 + lane]
+        J01_5 = w[1056 + lane]
+        J10_0 = w[3648 + lane]
+        J10_1 = w[3680 + lane]
+        J10_2 = w[3712 + lane]
+        J10_3 = w[3744 + lane]
+        J10_4 = w[3776 + lane]
+        J10_5 = w[3808 + lane]
+        J11_0 = w[3904 + lane]
+        J11_1 = w[3936 + lane]
+        J11_2 = w[3968 + lane]
+        J11_3 = w[4000 + lane]
+        J11_4 = w[4032 + lane]
+        J11_5 = w[4064 + lane]
+        J20_0 = w[6656 + lane]
+        J20_1 = w[6688 + lane]
+        J20_2 = w[6720 + lane]
+        J20_3 = w[6752 + lane]
+        J20_4 = w[6784 + lane]
+        J20_5 = w[6816 + lane]
+        J21_0 = w[6912 + lane]
+        J21_1 = w[6944 + lane]
+        J21_2 = w[6976 + lane]
+        J21_3 = w[7008 + lane]
+        J21_4 = w[7040 + lane]
+        J21_5 = w[7072 + lane]
+        G_cof_00 = J10_1*J20_2 - J10_2*J20_1
+        G_cof_01 = -J10_0*J20_2 + J10_2*J20_0
+        G_cof_02 = J10_0*J20_1 - J10_1*J20_0
+        G_cof_10 = -J00_1*J20_2 + J00_2*J20_1
+        G_cof_11 = J00_0*J20_2 - J00_2*J20_0
+        G_cof_12 = -J00_0*J20_1 + J00_1*J20_0
+        G_cof_20 = J00_1*J10_2 - J00_2*J10_1
+        G_cof_21 = -J00_0*J10_2 + J00_2*J10_0
+        G_cof_22 = J00_0*J10_1 - J00_1*J10_0
+        G_det_00 = G_cof_00*J00_0 + G_cof_01*J00_1 + G_cof_02*J00_2
+        G_by_00 = (1.0 / G_det_00)
+        G_inv_00 = G_by_00*G_cof_00
+        G_inv_01 = G_by_00*G_cof_10
+        G_inv_02 = G_by_00*G_cof_20
+        G_inv_10 = G_by_00*G_cof_01
+        G_inv_11 = G_by_00*G_cof_11
+        G_inv_12 = G_by_00*G_cof_21
+        G_inv_20 = G_by_00*G_cof_02
+        G_inv_21 = G_by_00*G_cof_12
+        G_inv_22 = G_by_00*G_cof_22
+        U_00 = G_inv_00*J00_3 + G_inv_01*J10_3 + G_inv_02*J20_3
+        U_01 = G_inv_00*J00_4 + G_inv_01*J10_4 + G_inv_02*J20_4
+        U_02 = G_inv_00*J00_5 + G_inv_01*J10_5 + G_inv_02*J20_5
+        U_10 = G_inv_10*J00_3 + G_inv_11*J10_3 + G_inv_12*J20_3
+        U_11 = G_inv_10*J00_4 + G_inv_11*J10_4 + G_inv_12*J20_4
+        U_12 = G_inv_10*J00_5 + G_inv_11*J10_5 + G_inv_12*J20_5
+        U_20 = G_inv_20*J00_3 + G_inv_21*J10_3 + G_inv_22*J20_3
+        U_21 = G_inv_20*J00_4 + G_inv_21*J10_4 + G_inv_22*J20_4
+        U_22 = G_inv_20*J00_5 + G_inv_21*J10_5 + G_inv_22*J20_5
+        S_00 = -J01_0*U_00 - J01_1*U_10 - J01_2*U_20 + J01_3
+        S_01 = -J01_0*U_01 - J01_1*U_11 - J01_2*U_21 + J01_4
+        S_02 = -J01_0*U_02 - J01_1*U_12 - J01_2*U_22 + J01_5
+        S_10 = -J11_0*U_00 - J11_1*U_10 - J11_2*U_20 + J11_3
+        S_11 = -J11_0*U_01 - J11_1*U_11 - J11_2*U_21 + J11_4
+        S_12 = -J11_0*U_02 - J11_1*U_12 - J11_2*U_22 + J11_5
+        S_20 = -J21_0*U_00 - J21_1*U_10 - J21_2*U_20 + J21_3
+        S_21 = -J21_0*U_01 - J21_1*U_11 - J21_2*U_21 + J21_4
+        S_22 = -J21_0*U_02 - J21_1*U_12 - J21_2*U_22 + J21_5
+        Si_cof_00 = S_11*S_22 - S_12*S_21
+        Si_cof_01 = -S_10*S_22 + S_12*S_20
+        Si_cof_02 = S_10*S_21 - S_11*S_20
+        Si_cof_10 = -S_01*S_22 + S_02*S_21
+        Si_cof_11 = S_00*S_22 - S_02*S_20
+        Si_cof_12 = -S_00*S_21 + S_01*S_20
+        Si_cof_20 = S_01*S_12 - S_02*S_11
+        Si_cof_21 = -S_00*S_12 + S_02*S_10
+        Si_cof_22 = S_00*S_11 - S_01*S_10
+        Si_det_00 = S_00*Si_cof_00 + S_01*Si_cof_01 + S_02*Si_cof_02
+        Si_by_00 = (1.0 / Si_det_00)
+        Si_inv_00 = Si_by_00*Si_cof_00
+        Si_inv_01 = Si_by_00*Si_cof_10
+        Si_inv_02 = Si_by_00*Si_cof_20
+        Si_inv_10 = Si_by_00*Si_cof_01
+        Si_inv_11 = Si_by_00*Si_cof_11
+        Si_inv_12 = Si_by_00*Si_cof_21
+        Si_inv_20 = Si_by_00*Si_cof_02
+        Si_inv_21 = Si_by_00*Si_cof_12
+        Si_inv_22 = Si_by_00*Si_cof_22
+        s193 = -J01_0*Si_inv_00 - J11_0*Si_inv_01 - J21_0*Si_inv_02
+        s198 = -J01_1*Si_inv_00 - J11_1*Si_inv_01 - J21_1*Si_inv_02
+        s203 = -J01_2*Si_inv_00 - J11_2*Si_inv_01 - J21_2*Si_inv_02
+        V_00 = G_inv_00*s193 + G_inv_10*s198 + G_inv_20*s203
+        V_01 = G_inv_01*s193 + G_inv_11*s198 + G_inv_21*s203
+        V_02 = G_inv_02*s193 + G_inv_12*s198 + G_inv_22*s203
+        s217 = -J01_0*Si_inv_10 - J11_0*Si_inv_11 - J21_0*Si_inv_12
+        s222 = -J01_1*Si_inv_10 - J11_1*Si_inv_11 - J21_1*Si_inv_12
+        s227 = -J01_2*Si_inv_10 - J11_2*Si_inv_11 - J21_2*Si_inv_12
+        V_10 = G_inv_00*s217 + G_inv_10*s222 + G_inv_20*s227
+        V_11 = G_inv_01*s217 + G_inv_11*s222 + G_inv_21*s227
+        V_12 = G_inv_02*s217 + G_inv_12*s222 + G_inv_22*s227
+        s241 = -J01_0*Si_inv_20 - J11_0*Si_inv_21 - J21_0*Si_inv_22
+        s246 = -J01_1*Si_inv_20 - J11_1*Si_inv_21 - J21_1*Si_inv_22
+        s251 = -J01_2*Si_inv_20 - J11_2*Si_inv_21 - J21_2*Si_inv_22
+        V_20 = G_inv_00*s241 + G_inv_10*s246 + G_inv_20*s251
+        V_21 = G_inv_01*s241 + G_inv_11*s246 + G_inv_21*s251
+        V_22 = G_inv_02*s241 + G_inv_12*s246 + G_inv_22*s251
+        s265 = -G_inv_00 + U_00*V_00 + U_01*V_10 + U_02*V_20
+        s269 = -G_inv_01 + U_00*V_01 + U_01*V_11 + U_02*V_21
+        s273 = -G_inv_02 + U_00*V_02 + U_01*V_12 + U_02*V_22
+        s277 = Si_inv_00*U_00 + Si_inv_10*U_01 + Si_inv_20*U_02
+        s281 = Si_inv_01*U_00 + Si_inv_11*U_01 + Si_inv_21*U_02
+        s285 = Si_inv_02*U_00 + Si_inv_12*U_01 + Si_inv_22*U_02
+        s289 = -G_inv_10 + U_10*V_00 + U_11*V_10 + U_12*V_20
+        s293 = -G_inv_11 + U_10*V_01 + U_11*V_11 + U_12*V_21
+        s297 = -G_inv_12 + U_10*V_02 + U_11*V_12 + U_12*V_22
+        s301 = Si_inv_00*U_10 + Si_inv_10*U_11 + Si_inv_20*U_12
+        s305 = Si_inv_01*U_10 + Si_inv_11*U_11 + Si_inv_21*U_12
+        s309 = Si_inv_02*U_10 + Si_inv_12*U_11 + Si_inv_22*U_12
+        s313 = -G_inv_20 + U_20*V_00 + U_21*V_10 + U_22*V_20
+        s317 = -G_inv_21 + U_20*V_01 + U_21*V_11 + U_22*V_21
+        s321 = -G_inv_22 + U_20*V_02 + U_21*V_12 + U_22*V_22
+        s325 = Si_inv_00*U_20 + Si_inv_10*U_21 + Si_inv_20*U_22
+        s329 = Si_inv_01*U_20 + Si_inv_11*U_21 + Si_inv_21*U_22
+        s333 = Si_inv_02*U_20 + Si_inv_12*U_21 + Si_inv_22*U_22
+        s342 = (J10_0 * J10_0) + (J10_1 * J10_1) + (J10_2 * J10_2)
+        s346 = (J20_0 * J20_0) + (J20_1 * J20_1) + (J20_2 * J20_2)
+        s348 = (G_det_00 * G_det_00) - 1.0e-12*s342*s346*((J00_0 * J00_0) + (J00_1 * J00_1) + (J00_2 * J00_2))
+        s357 = (J11_3 * J11_3) + (J11_4 * J11_4) + (J11_5 * J11_5)
+        s361 = (J21_3 * J21_3) + (J21_4 * J21_4) + (J21_5 * J21_5)
+        s363 = (Si_det_00 * Si_det_00) - 1.0e-12*s357*s361*((J01_3 * J01_3) + (J01_4 * J01_4) + (J01_5 * J01_5))
+        w[9312 + lane] = s265
+        w[9344 + lane] = s269
+        w[9376 + lane] = s273
+        w[9408 + lane] = s277
+        w[9440 + lane] = s281
+        w[9472 + lane] = s285
+        w[9504 + lane] = s289
+        w[9536 + lane] = s293
+        w[9568 + lane] = s297
+        w[9600 + lane] = s301
+        w[9632 + lane] = s305
+        w[9664 + lane] = s309
+        w[9696 + lane] = s313
+        w[9728 + lane] = s317
+        w[9760 + lane] = s321
+        w[9792 + lane] = s325
+        w[9824 + lane] = s329
+        w[9856 + lane] = s333
+        w[9888 + lane] = -V_00
+        w[9920 + lane] = -V_01
+        w[9952 + lane] = -V_02
+        w[9984 + lane] = -Si_inv_00
+        w[10016 + lane] = -Si_inv_01
+        w[10048 + lane] = -Si_inv_02
+        w[10080 + lane] = -V_10
+        w[10112 + lane] = -V_11
+        w[10144 + lane] = -V_12
+        w[10176 + lane] = -Si_inv_10
+        w[10208 + lane] = -Si_inv_11
+        w[10240 + lane] = -Si_inv_12
+        w[10272 + lane] = -V_20
+        w[10304 + lane] = -V_21
+        w[10336 + lane] = -V_22
+        w[10368 + lane] = -Si_inv_20
+        w[10400 + lane] = -Si_inv_21
+        w[10432 + lane] = -Si_inv_22
+        w[10464 + lane] = s348
+        w[10496 + lane] = s363
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _joint(x, q, tool, k, out):
-    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it (36 operations)."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    theta = k[0]
-    s1166 = k[24]
-    s1168 = k[25]
-    s1170 = k[26]
-    s1172 = k[27]
-    ez = k[28]
-    s1191 = k[29]
-    s1198 = k[30]
-    s1203 = k[31]
-    s1167 = px + s1166 - tx
-    s1171 = py + s1170 - ty
-    s1174 = s1167*s1168 + s1171*s1172
-    s1176 = -ez + pz - tz
-    s1177 = (s1176 * s1176)
-    s1192 = 0.5*(s1167 * s1167) + 0.5*(s1171 * s1171) + 0.5*s1177 + s1191
-    s1201 = math.sqrt((s1174 * s1174) + s1177*s1198 - (s1192 * s1192))
-    s1210 = -theta + math.atan2(-s1174*s1201 + s1176*s1192*s1203, -s1174*s1192 - s1176*s1201*s1203)
-    out[0] = s1210
+@fast
+def _move(w, n):
+    """The platform after a step, and its rotation matrix (95 operations)."""
+    wide()
+    for lane in range(n):
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        cx = w[224 + lane]
+        cy = w[256 + lane]
+        cz = w[288 + lane]
+        y0 = w[9024 + lane]
+        y1 = w[9056 + lane]
+        y2 = w[9088 + lane]
+        y3 = w[9120 + lane]
+        y4 = w[9152 + lane]
+        y5 = w[9184 + lane]
+        going = w[9280 + lane]
+        new_00 = -going*y0 + px
+        new_10 = -going*y1 + py
+        new_20 = -going*y2 + pz
+        s10 = 0.5*cz
+        s11 = 0.25*cx*cy
+        s14 = -0.5*cy
+        s15 = 0.25*cx*cz
+        new_30 = cx - going*(y3*(0.25*(cx * cx) + 1) + y4*(s10 + s11) + y5*(s14 + s15))
+        s27 = 0.5*cx
+        s28 = 0.25*cy*cz
+        new_40 = cy - going*(y3*(-s10 + s11) + y4*(0.25*(cy * cy) + 1) + y5*(s27 + s28))
+        new_50 = cz - going*(y3*(-s14 + s15) + y4*(-s27 + s28) + y5*(0.25*(cz * cz) + 1))
+        s45 = (new_30 * new_30)
+        s47 = (new_40 * new_40)
+        s49 = (new_50 * new_50)
+        s52 = (1.0 / (0.25*s45 + 0.25*s47 + 0.25*s49 + 1))
+        s53 = -0.5*s47
+        s54 = -0.5*s49
+        s57 = s52*(s53 + s54) + 1
+        s58 = 0.5*new_30*new_40
+        s60 = s52*(-new_50 + s58)
+        s61 = 0.5*new_30*new_50
+        s63 = s52*(new_40 + s61)
+        s65 = s52*(new_50 + s58)
+        s66 = -0.5*s45
+        s69 = s52*(s54 + s66) + 1
+        s70 = 0.5*new_40*new_50
+        s72 = s52*(-new_30 + s70)
+        s74 = s52*(-new_40 + s61)
+        s76 = s52*(new_30 + s70)
+        s79 = s52*(s53 + s66) + 1
+        w[128 + lane] = new_00
+        w[3136 + lane] = new_00
+        w[6144 + lane] = new_00
+        w[160 + lane] = new_10
+        w[3168 + lane] = new_10
+        w[6176 + lane] = new_10
+        w[192 + lane] = new_20
+        w[3200 + lane] = new_20
+        w[6208 + lane] = new_20
+        w[224 + lane] = new_30
+        w[256 + lane] = new_40
+        w[288 + lane] = new_50
+        w[320 + lane] = s57
+        w[3328 + lane] = s57
+        w[6336 + lane] = s57
+        w[352 + lane] = s60
+        w[3360 + lane] = s60
+        w[6368 + lane] = s60
+        w[384 + lane] = s63
+        w[3392 + lane] = s63
+        w[6400 + lane] = s63
+        w[416 + lane] = s65
+        w[3424 + lane] = s65
+        w[6432 + lane] = s65
+        w[448 + lane] = s69
+        w[3456 + lane] = s69
+        w[6464 + lane] = s69
+        w[480 + lane] = s72
+        w[3488 + lane] = s72
+        w[6496 + lane] = s72
+        w[512 + lane] = s74
+        w[3520 + lane] = s74
+        w[6528 + lane] = s74
+        w[544 + lane] = s76
+        w[3552 + lane] = s76
+        w[6560 + lane] = s76
+        w[576 + lane] = s79
+        w[3584 + lane] = s79
+        w[6592 + lane] = s79
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _closure(x, q, tool, k, out, F, J_x, J_q):
-    """Fill closure F (6,), J_x (6, 6) and the joints' part J_q (6,) of one pose; k (3, :), out scratch."""
-    for i in range(3):
-        _newton(x, q[i], tool, k[i], out)
-        for j in range(2):
-            row, start = 2 * i + j, 8 * j
-            F[row] = out[start]
-            for c in range(6):
-                J_x[row, c] = out[start + 1 + c]
-            J_q[row] = out[start + 7]
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def _solve(A, B, columns):
-    """Solve A X = B in place by Gauss elimination with partial pivoting; X takes the place of B.
-
-    Returns False where a pivot falls below PIVOT_SINGULAR of the largest entry of A: then A is singular to that tolerance.
-    """
-    largest = 0.0
-    for r in range(6):
-        for c in range(6):
-            largest = max(largest, abs(A[r, c]))
-    for c in range(6):
-        pivot = c
-        for r in range(c + 1, 6):
-            if abs(A[r, c]) > abs(A[pivot, c]):
-                pivot = r
-        if not abs(A[pivot, c]) > PIVOT_SINGULAR * largest:
-            return False
-        if pivot != c:
-            for j in range(c, 6):
-                A[c, j], A[pivot, j] = A[pivot, j], A[c, j]
-            for j in range(columns):
-                B[c, j], B[pivot, j] = B[pivot, j], B[c, j]
-        inverse = 1.0 / A[c, c]
-        for r in range(c + 1, 6):
-            factor = A[r, c] * inverse
-            if factor != 0.0:
-                for j in range(c + 1, 6):
-                    A[r, j] -= factor * A[c, j]
-                for j in range(columns):
-                    B[r, j] -= factor * B[c, j]
-    for c in range(5, -1, -1):
-        inverse = 1.0 / A[c, c]
-        for j in range(columns):
-            B[c, j] *= inverse
-        for r in range(c):
-            factor = A[r, c]
-            if factor != 0.0:
-                for j in range(columns):
-                    B[r, j] -= factor * B[c, j]
-    return True
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def _stuck(F):
-    """Return what a pose is where Newton's matrix is singular: SINGULAR if its loops are closed, else UNREACHABLE."""
-    for r in range(6):
-        if not abs(F[r]) < CLOSED:
-            return UNREACHABLE
-    return SINGULAR
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def jacobians(x, q, tool, k, F, J_x, J_q, J_p):
-    """Fill the closure F (N, 6) and its Jacobians J_x (N, 6, 6), J_q (N, 6), J_p (N, 6, 16).
-
-    Rows 2 i .. 2 i + 1 belong to limb i and depend on its own joint, errors and deflections only:
-    J_q and J_p hold the derivatives by those.
-    """
-    out, by_errors = np.zeros(16), np.zeros(32)
-    for n in range(x.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        _closure(x[n], q[n], tool[n], k[m], out, F[n], J_x[n], J_q[n])
-        for i in range(3):
-            _parameters(x[n], q[n, i], tool[n], k[m, i], by_errors)
-            for j in range(2):
-                for c in range(16):
-                    J_p[n, 2 * i + j, c] = by_errors[16 * j + c]
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def _meet(sphere, pose):
-    """Put the position where three spheres meet into pose[:3]; False where their centres lie on one line.
+@fast
+def _meet(w, n):
+    """Put the platform where three spheres meet.
 
     Differences of the spheres are planes; two planes are a line, on which the first sphere is a quadratic. Where the
     line misses the sphere its nearest point is taken: the exact machine may still reach what the simplified one
     cannot.
     """
-    ax, ay, az = sphere[1, 0] - sphere[0, 0], sphere[1, 1] - sphere[0, 1], sphere[1, 2] - sphere[0, 2]
-    bx, by, bz = sphere[2, 0] - sphere[0, 0], sphere[2, 1] - sphere[0, 1], sphere[2, 2] - sphere[0, 2]
-    da, db = sphere[1, 3] - sphere[0, 3], sphere[2, 3] - sphere[0, 3]
-    nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-    nn = nx * nx + ny * ny + nz * nz
-    aa = ax * ax + ay * ay + az * az
-    bb = bx * bx + by * by + bz * bz
-    if not nn > PIVOT_SINGULAR * aa * bb:
-        return False
-    # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
-    ab = ax * bx + ay * by + az * bz
-    u = (da * bb - db * ab) / nn
-    v = (db * aa - da * ab) / nn
-    px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
-    # |P + t n|^2 / 2 - c.(P + t n) + d = 0
-    half = (px * nx + py * ny + pz * nz) - (sphere[0, 0] * nx + sphere[0, 1] * ny + sphere[0, 2] * nz)
-    rest = 0.5 * (px * px + py * py + pz * pz) - (sphere[0, 0] * px + sphere[0, 1] * py + sphere[0, 2] * pz) + sphere[0, 3]
-    root = math.sqrt(max(half * half - 2.0 * nn * rest, 0.0))
-    sign = -1.0 if nz > 0.0 else 1.0
-    t = (-half + sign * root) / nn
-    pose[0], pose[1], pose[2] = px + t * nx, py + t * ny, pz + t * nz
-    return True
+    wide()
+    for lane in range(n):
+        ox, oy, oz, od = w[1376 + lane], w[1408 + lane], w[1440 + lane], w[1472 + lane]
+        ax, ay, az, ad = w[4384 + lane], w[4416 + lane], w[4448 + lane], w[4480 + lane]
+        bx, by, bz, bd = w[7392 + lane], w[7424 + lane], w[7456 + lane], w[7488 + lane]
+        ax, ay, az, da = ax - ox, ay - oy, az - oz, ad - od
+        bx, by, bz, db = bx - ox, by - oy, bz - oz, bd - od
+        nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+        aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
+        nn = nx * nx + ny * ny + nz * nz
+        inverse = 1.0 / nn
+        # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
+        u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
+        px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
+        # |P + t n|^2 / 2 - c.(P + t n) + d = 0
+        half = ((px - ox) * nx + (py - oy) * ny + (pz - oz) * nz) * inverse
+        rest = 0.5 * (px * px + py * py + pz * pz) - (ox * px + oy * py + oz * pz) + od
+        square = half * half - 2.0 * rest * inverse
+        good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
+        w[9280 + lane] = 0.0 if good else 1.0
+        root = math.sqrt(square if square > 0.0 else 0.0)
+        t = (-root if nz > 0.0 else root) - half
+        w[128 + lane] = px + t * nx
+        w[160 + lane] = py + t * ny
+        w[192 + lane] = pz + t * nz
+        w[224 + lane] = 0.0
+        w[256 + lane] = 0.0
+        w[288 + lane] = 0.0
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@fast
+def _settle(w, n):
+    """Mark the poses for which this step was the last; return how many go on."""
+    wide()
+    left = 0
+    for lane in range(n):
+        done = (w[9216 + lane] > 0.0)
+        done = done & (w[9248 + lane] > 0.0)
+        done = done & (abs(w[9024 + lane]) < STEP_DONE)
+        done = done & (abs(w[9056 + lane]) < STEP_DONE)
+        done = done & (abs(w[9088 + lane]) < STEP_DONE)
+        done = done & (abs(w[9120 + lane]) < TURN_DONE)
+        done = done & (abs(w[9152 + lane]) < TURN_DONE)
+        done = done & (abs(w[9184 + lane]) < TURN_DONE)
+        going = 0.0 if done | (w[9280 + lane] == 0.0) else 1.0
+        w[9280 + lane] = going
+        left += 1 if going == 1.0 else 0
+    return left
+
+
+@fast
+def _settle_joints(w, n):
+    """Mark the poses for which this step was the last; return how many go on."""
+    wide()
+    left = 0
+    for lane in range(n):
+        done = (w[10720 + lane] > 0.0)
+        done = done & (w[10752 + lane] > 0.0)
+        done = done & (w[10784 + lane] > 0.0)
+        done = done & (w[10816 + lane] > 0.0)
+        done = done & (abs(w[10528 + lane]) < TURN_DONE)
+        done = done & (abs(w[10560 + lane]) < TURN_DONE)
+        done = done & (abs(w[10592 + lane]) < TURN_DONE)
+
+        done = done & (abs(w[10624 + lane]) < TURN_DONE)
+        done = done & (abs(w[10656 + lane]) < TURN_DONE)
+        done = done & (abs(w[10688 + lane]) < TURN_DONE)
+        going = 0.0 if done | (w[9280 + lane] == 0.0) else 1.0
+        w[9280 + lane] = going
+        left += 1 if going == 1.0 else 0
+    return left
+
+
+@fast
+def _begin(w, n):
+    """Let all poses go."""
+    for lane in range(n):
+        w[9280 + lane] = 1.0
+        w[9024 + lane] = 0.0
+        w[9056 + lane] = 0.0
+        w[9088 + lane] = 0.0
+        w[9120 + lane] = 0.0
+        w[9152 + lane] = 0.0
+        w[9184 + lane] = 0.0
+
+
+@fast
+def _started(w, n):
+    """Take joints, and coordinates that no command asks for, from the simplified machine."""
+    for lane in range(n):
+        w[9280 + lane] = 0.0 if (abs(w[1504 + lane]) < math.inf) & (abs(w[4512 + lane]) < math.inf) & (abs(w[7520 + lane]) < math.inf) else 1.0
+        w[0 + lane] = w[1504 + lane]
+        w[3008 + lane] = w[4512 + lane]
+        w[6016 + lane] = w[7520 + lane]
+        w[224 + lane] = 0.0
+        w[256 + lane] = 0.0
+        w[288 + lane] = 0.0
+
+
+@fast
+def _turn_joints(w, n):
+    """Move the joints by a step; what it does to the platform is left to `_move`."""
+    for lane in range(n):
+        going = w[9280 + lane]
+        w[0 + lane] -= going * w[10528 + lane]
+        w[3008 + lane] -= going * w[10560 + lane]
+        w[6016 + lane] -= going * w[10592 + lane]
+        w[9120 + lane] = w[10624 + lane]
+        w[9152 + lane] = w[10656 + lane]
+        w[9184 + lane] = w[10688 + lane]
+
+@fast
+def _load(q, w, first, last, n):
+    """Put joints of poses side by side, the last one again for the rest of `n`."""
+    wide()
+    for lane in range(n):
+        m = min(first + lane, last)
+        w[0 + lane] = q[m, 0]
+        w[3008 + lane] = q[m, 1]
+        w[6016 + lane] = q[m, 2]
+
+
+@fast
+def _hold(tool, w, first, last, n):
+    """Put tools of poses side by side, like `_load`."""
+    wide()
+    for lane in range(n):
+        m = min(first + lane, last)
+        at = tool[m, 0]
+        w[32 + lane] = at
+        w[3040 + lane] = at
+        w[6048 + lane] = at
+        at = tool[m, 1]
+        w[64 + lane] = at
+        w[3072 + lane] = at
+        w[6080 + lane] = at
+        at = tool[m, 2]
+        w[96 + lane] = at
+        w[3104 + lane] = at
+        w[6112 + lane] = at
+
+
+@fast
+def _place(x, w, first, last, n):
+    """Put platform poses side by side, like `_load`."""
+    wide()
+    for lane in range(n):
+        m = min(first + lane, last)
+        w[128 + lane] = x[m, 0]
+        w[160 + lane] = x[m, 1]
+        w[192 + lane] = x[m, 2]
+        w[224 + lane] = x[m, 3]
+        w[256 + lane] = x[m, 4]
+        w[288 + lane] = x[m, 5]
+
+
+@fast
+def _unload(w, x, status, first, last):
+    """Write the platform's poses, and what became of them; return how many are left open."""
+    wide()
+    left = 0
+    for lane in range(last - first + 1):
+        x[first + lane, 0] = w[128 + lane]
+        x[first + lane, 1] = w[160 + lane]
+        x[first + lane, 2] = w[192 + lane]
+        x[first + lane, 3] = w[224 + lane]
+        x[first + lane, 4] = w[256 + lane]
+        x[first + lane, 5] = w[288 + lane]
+        is_open = w[9280 + lane] != 0.0
+        status[first + lane] = OPEN if is_open else SOLVED
+        left += 1 if is_open else 0
+    return left
+
+
+@fast
+def _unload_joints(w, q, first, last):
+    wide()
+    for lane in range(last - first + 1):
+        q[first + lane, 0] = w[0 + lane]
+        q[first + lane, 1] = w[3008 + lane]
+        q[first + lane, 2] = w[6016 + lane]
+
+
+@fast
+def _forward(q, tool, k, x, status, warm, w):
+    w_1 = w[0:3008]
+    w_2 = w[3008:6016]
+    w_3 = w[6016:9024]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        k_3 = k[m, 2]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(q, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _early(w_1, k_1, n)
+            _early(w_2, k_2, n)
+            _early(w_3, k_3, n)
+            if warm:
+                _place(x, w, first, last, n)
+            else:
+                _meet(w, n)
+            _begin(w, n)
+            _move(w, n)
+            for _ in range(MAX_STEPS):
+                _rows(w_1, k_1, n)
+                _rows(w_2, k_2, n)
+                _rows(w_3, k_3, n)
+                _step(w, n)
+                _move(w, n)
+                if _settle(w, n) == 0:
+                    break
+            left += _unload(w, x, status, first, last)
+    return left
+
+
+def _of(values, chosen, poses):
+    """Return what belongs to the chosen poses of constants or tools, of which there may be fewer than poses."""
+    return values[chosen // (poses // len(values))]
+
+
 def forward(q, tool, k, x, status, warm):
     """Fill x (N, 6) with the exact platform pose at the joints q, by Newton from the simplified machine, or from x where warm.
 
     status (N,): SOLVED, UNREACHABLE (no platform pose closes all loops) or SINGULAR; x is NaN unless SOLVED.
     """
-    F, J_q = np.empty(6), np.empty(6)
-    J_x = np.empty((6, 6))
-    step = np.empty((6, 1))
-    out = np.zeros(16)
-    pose = np.zeros(6)
-    sphere = np.empty((3, 4))
-    for n in range(q.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        seeded = True
-        for c in range(6):
-            pose[c] = x[n, c] if warm else 0.0
-            seeded = seeded and math.isfinite(pose[c])
-        if not (warm and seeded):
-            pose[:] = 0.0
-            for i in range(3):
-                _sphere(pose, q[n, i], tool[n], k[m, i], sphere[i])
-            seeded = _meet(sphere, pose)
-        status[n] = UNREACHABLE if seeded else SINGULAR
-        for _ in range(MAX_STEPS if seeded else 0):
-            _closure(pose, q[n], tool[n], k[m], out, F, J_x, J_q)
-            for r in range(6):
-                step[r, 0] = F[r]
-            if not _solve(J_x, step, 1):
-                status[n] = _stuck(F)
-                break
-            size = 0.0
-            for c in range(6):
-                pose[c] -= step[c, 0]
-                size = max(size, abs(step[c, 0]))
-            if size < STEP_DONE:
-                status[n] = SOLVED
-                break
-            if not size < STEP_LOST:
-                break
-        for c in range(6):
-            x[n, c] = pose[c] if status[n] == SOLVED else np.nan
+    given = x.copy() if warm else x
+    if _forward(q, tool, k, x, status, warm, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        of, found = np.zeros(len(left), dtype=np.int64), given[left]
+        vectorised.forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, warm)
+        x[left], status[left] = found, of
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@fast
+def _inverse(target, tool, k, x, q, status, w):
+    w_1 = w[0:3008]
+    w_2 = w[3008:6016]
+    w_3 = w[6016:9024]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        k_3 = k[m, 2]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(target, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _aim(w, n)
+            _start(w_1, k_1, n)
+            _start(w_2, k_2, n)
+            _start(w_3, k_3, n)
+            _started(w, n)
+            _begin(w, n)
+            _move(w, n)
+            for _ in range(MAX_STEPS):
+                _early(w_1, k_1, n)
+                _more(w_1, k_1, n)
+                _rows(w_1, k_1, n)
+                _joints(w_1, k_1, n)
+                _early(w_2, k_2, n)
+                _more(w_2, k_2, n)
+                _rows(w_2, k_2, n)
+                _joints(w_2, k_2, n)
+                _early(w_3, k_3, n)
+                _more(w_3, k_3, n)
+                _rows(w_3, k_3, n)
+                _joints(w_3, k_3, n)
+                _command(w, n)
+                _turn_joints(w, n)
+                _move(w, n)
+                if _settle_joints(w, n) == 0:
+                    break
+            left += _unload(w, x, status, first, last)
+            _unload_joints(w, q, first, last)
+    return left
+
+
 def inverse(target, tool, k, x, q, status):
     """Fill the joints q (N, 3) that bring the reference point to target (N, 3), and the pose x (N, 6) it then has.
 
     Newton on the joints and the platform's rotation from the simplified machine. status as in `forward`; UNREACHABLE
     where the target lies beyond the reach of a limb.
     """
-    F, J_q = np.empty(6), np.empty(6)
-    J_x = np.empty((6, 6))
-    A = np.empty((6, 6))
-    step = np.empty((6, 1))
-    out = np.zeros(16)
-    pose, joints, start = np.zeros(6), np.empty(3), np.zeros(1)
-    for n in range(target.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        pose[:] = 0.0
-        for c in range(3):
-            pose[c] = target[n, c]
-        seeded = True
-        for i in range(3):
-            _joint(pose, 0.0, tool[n], k[m, i], start)
-            joints[i] = start[0]
-            seeded = seeded and math.isfinite(joints[i])
-        status[n] = UNREACHABLE
-        for _ in range(MAX_STEPS if seeded else 0):
-            _closure(pose, joints, tool[n], k[m], out, F, J_x, J_q)
-            A[:] = 0.0
-            for r in range(6):
-                A[r, r // 2] = J_q[r]
-                for c in range(3):
-                    A[r, 3 + c] = J_x[r, 3 + c]
-                step[r, 0] = F[r]
-            if not _solve(A, step, 1):
-                status[n] = _stuck(F)
-                break
-            size = 0.0
-            for c in range(3):
-                joints[c] -= step[c, 0]
-                size = max(size, abs(step[c, 0]))
-            for c in range(3):
-                pose[3 + c] -= step[3 + c, 0]
-                size = max(size, abs(step[3 + c, 0]))
-            if size < STEP_DONE * ANGLE_STEP:
-                status[n] = SOLVED
-                break
-            if not size < STEP_LOST:
-                break
-        for c in range(3):
-            q[n, c] = joints[c] if status[n] == SOLVED else np.nan
-        for c in range(6):
-            x[n, c] = pose[c] if status[n] == SOLVED else np.nan
+    if _inverse(target, tool, k, x, q, status, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        found, joints, of = np.empty((len(left), 6)), np.empty((len(left), 3)), np.zeros(len(left), dtype=np.int64)
+        vectorised.inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
+        x[left], q[left], status[left] = found, joints, of
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@fast
+def _simplified_forward(q, tool, k, x, status, w):
+    w_1 = w[0:3008]
+    w_2 = w[3008:6016]
+    w_3 = w[6016:9024]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        k_3 = k[m, 2]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(q, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _sphere(w_1, k_1, n)
+            _sphere(w_2, k_2, n)
+            _sphere(w_3, k_3, n)
+            _meet(w, n)
+            left += _unload(w, x, status, first, last)
+    return left
+
+
+def simplified_forward(q, tool, k, x, status):
+    """`forward` of the simplified machine, in closed form: exact where alpha0, beta0, dl, dc, alpha03, beta03, alpha2, beta2, tip_v, tip_w are zero."""
+    if _simplified_forward(q, tool, k, x, status, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        found, of = np.empty((len(left), 6)), np.empty(len(left), dtype=np.int64)
+        forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, False)
+        x[left], status[left] = found, of
+
+
+@fast
+def _simplified_inverse(target, tool, k, x, q, status, w):
+    w_1 = w[0:3008]
+    w_2 = w[3008:6016]
+    w_3 = w[6016:9024]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        k_3 = k[m, 2]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(target, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _aim(w, n)
+            _start(w_1, k_1, n)
+            _start(w_2, k_2, n)
+            _start(w_3, k_3, n)
+            _started(w, n)
+            left += _unload(w, x, status, first, last)
+            _unload_joints(w, q, first, last)
+    return left
+
+
+def simplified_inverse(target, tool, k, x, q, status):
+    """`inverse` of the simplified machine, in closed form; see `simplified_forward`."""
+    if _simplified_inverse(target, tool, k, x, q, status, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        found, joints, of = np.empty((len(left), 6)), np.empty((len(left), 3)), np.empty(len(left), dtype=np.int64)
+        inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
+        x[left], q[left], status[left] = found, joints, of
+
+
+@fast
+def _aim(w, n):
+    """Put targets, which were loaded as joints, where the limbs read the platform."""
+    for lane in range(n):
+        at = w[0 + lane]
+        w[128 + lane] = at
+        w[3136 + lane] = at
+        w[6144 + lane] = at
+        at = w[3008 + lane]
+        w[160 + lane] = at
+        w[3168 + lane] = at
+        w[6176 + lane] = at
+        at = w[6016 + lane]
+        w[192 + lane] = at
+        w[3200 + lane] = at
+        w[6208 + lane] = at
+
+
+@fast
+def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
+    w_1 = w[0:3008]
+    w_2 = w[3008:6016]
+    w_3 = w[6016:9024]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        k_3 = k[m, 2]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(q, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _place(x, w, first, last, n)
+            _begin(w, n)
+            _move(w, n)
+            _early(w_1, k_1, n)
+            _more(w_1, k_1, n)
+            _rows(w_1, k_1, n)
+            _joints(w_1, k_1, n)
+            _errors(w_1, k_1, n)
+            _early(w_2, k_2, n)
+            _more(w_2, k_2, n)
+            _rows(w_2, k_2, n)
+            _joints(w_2, k_2, n)
+            _errors(w_2, k_2, n)
+            _early(w_3, k_3, n)
+            _more(w_3, k_3, n)
+            _rows(w_3, k_3, n)
+            _joints(w_3, k_3, n)
+            _errors(w_3, k_3, n)
+            _inverse_of_rows(w, n)
+            left += _products(w, S_p, S_q, status, first, last)
+    return left
+
+
+@fast
+def _products(w, S_p, S_q, status, first, last):
+    """Multiply the inverse and the derivatives by errors and joints, pose by pose; return how many are left open."""
+    wide()
+    left = 0
+    for lane in range(last - first + 1):
+        m = first + lane
+        e_0_0 = w[1984 + lane]
+        e_0_1 = w[2016 + lane]
+        e_0_2 = w[2048 + lane]
+        e_0_3 = w[2080 + lane]
+        e_0_4 = w[2112 + lane]
+        e_0_5 = w[2144 + lane]
+        e_0_6 = w[2176 + lane]
+        e_0_7 = w[2208 + lane]
+        e_0_8 = w[2240 + lane]
+        e_0_9 = w[2272 + lane]
+        e_0_10 = w[2304 + lane]
+        e_0_11 = w[2336 + lane]
+        e_0_12 = w[2368 + lane]
+        e_0_13 = w[2400 + lane]
+        e_0_14 = w[2432 + lane]
+        e_0_15 = w[2464 + lane]
+        q_0 = w[832 + lane]
+        e_1_0 = w[2496 + lane]
+        e_1_1 = w[2528 + lane]
+        e_1_2 = w[2560 + lane]
+        e_1_3 = w[2592 + lane]
+        e_1_4 = w[2624 + lane]
+        e_1_5 = w[2656 + lane]
+        e_1_6 = w[2688 + lane]
+        e_1_7 = w[2720 + lane]
+        e_1_8 = w[2752 + lane]
+        e_1_9 = w[2784 + lane]
+        e_1_10 = w[2816 + lane]
+        e_1_11 = w[2848 + lane]
+        e_1_12 = w[2880 + lane]
+        e_1_13 = w[2912 + lane]
+        e_1_14 = w[2944 + lane]
+        e_1_15 = w[2976 + lane]
+        q_1 = w[1088 + lane]
+        for r in range(6):
+            a_0 = w[192 * r + (9312 + lane)]
+            a_1 = w[192 * r + (9408 + lane)]
+            S_p[m, r, 0] = a_0 * e_0_0 + a_1 * e_1_0
+            S_p[m, r, 1] = a_0 * e_0_1 + a_1 * e_1_1
+            S_p[m, r, 2] = a_0 * e_0_2 + a_1 * e_1_2
+            S_p[m, r, 3] = a_0 * e_0_3 + a_1 * e_1_3
+            S_p[m, r, 4] = a_0 * e_0_4 + a_1 * e_1_4
+            S_p[m, r, 5] = a_0 * e_0_5 + a_1 * e_1_5
+            S_p[m, r, 6] = a_0 * e_0_6 + a_1 * e_1_6
+            S_p[m, r, 7] = a_0 * e_0_7 + a_1 * e_1_7
+            S_p[m, r, 8] = a_0 * e_0_8 + a_1 * e_1_8
+            S_p[m, r, 9] = a_0 * e_0_9 + a_1 * e_1_9
+            S_p[m, r, 10] = a_0 * e_0_10 + a_1 * e_1_10
+            S_p[m, r, 11] = a_0 * e_0_11 + a_1 * e_1_11
+            S_p[m, r, 12] = a_0 * e_0_12 + a_1 * e_1_12
+            S_p[m, r, 13] = a_0 * e_0_13 + a_1 * e_1_13
+            S_p[m, r, 14] = a_0 * e_0_14 + a_1 * e_1_14
+            S_p[m, r, 15] = a_0 * e_0_15 + a_1 * e_1_15
+            S_q[m, r, 0] = a_0 * q_0 + a_1 * q_1
+        e_0_0 = w[4992 + lane]
+        e_0_1 = w[5024 + lane]
+        e_0_2 = w[5056 + lane]
+        e_0_3 = w[5088 + lane]
+        e_0_4 = w[5120 + lane]
+        e_0_5 = w[5152 + lane]
+        e_0_6 = w[5184 + lane]
+        e_0_7 = w[5216 + lane]
+        e_0_8 = w[5248 + lane]
+        e_0_9 = w[5280 + lane]
+        e_0_10 = w[5312 + lane]
+        e_0_11 = w[5344 + lane]
+        e_0_12 = w[5376 + lane]
+        e_0_13 = w[5408 + lane]
+        e_0_14 = w[5440 + lane]
+        e_0_15 = w[5472 + lane]
+        q_0 = w[3840 + lane]
+        e_1_0 = w[5504 + lane]
+        e_1_1 = w[5536 + lane]
+        e_1_2 = w[5568 + lane]
+        e_1_3 = w[5600 + lane]
+        e_1_4 = w[5632 + lane]
+        e_1_5 = w[5664 + lane]
+        e_1_6 = w[5696 + lane]
+        e_1_7 = w[5728 + lane]
+        e_1_8 = w[5760 + lane]
+        e_1_9 = w[5792 + lane]
+        e_1_10 = w[5824 + lane]
+        e_1_11 = w[5856 + lane]
+        e_1_12 = w[5888 + lane]
+        e_1_13 = w[5920 + lane]
+        e_1_14 = w[5952 + lane]
+        e_1_15 = w[5984 + lane]
+        q_1 = w[4096 + lane]
+        for r in range(6):
+            a_0 = w[192 * r + (9344 + lane)]
+            a_1 = w[192 * r + (9440 + lane)]
+            S_p[m, r, 16] = a_0 * e_0_0 + a_1 * e_1_0
+            S_p[m, r, 17] = a_0 * e_0_1 + a_1 * e_1_1
+            S_p[m, r, 18] = a_0 * e_0_2 + a_1 * e_1_2
+            S_p[m, r, 19] = a_0 * e_0_3 + a_1 * e_1_3
+            S_p[m, r, 20] = a_0 * e_0_4 + a_1 * e_1_4
+            S_p[m, r, 21] = a_0 * e_0_5 + a_1 * e_1_5
+            S_p[m, r, 22] = a_0 * e_0_6 + a_1 * e_1_6
+            S_p[m, r, 23] = a_0 * e_0_7 + a_1 * e_1_7
+            S_p[m, r, 24] = a_0 * e_0_8 + a_1 * e_1_8
+            S_p[m, r, 25] = a_0 * e_0_9 + a_1 * e_1_9
+            S_p[m, r, 26] = a_0 * e_0_10 + a_1 * e_1_10
+            S_p[m, r, 27] = a_0 * e_0_11 + a_1 * e_1_11
+            S_p[m, r, 28] = a_0 * e_0_12 + a_1 * e_1_12
+            S_p[m, r, 29] = a_0 * e_0_13 + a_1 * e_1_13
+            S_p[m, r, 30] = a_0 * e_0_14 + a_1 * e_1_14
+            S_p[m, r, 31] = a_0 * e_0_15 + a_1 * e_1_15
+            S_q[m, r, 1] = a_0 * q_0 + a_1 * q_1
+        e_0_0 = w[8000 + lane]
+        e_0_1 = w[8032 + lane]
+        e_0_2 = w[8064 + lane]
+        e_0_3 = w[8096 + lane]
+        e_0_4 = w[8128 + lane]
+        e_0_5 = w[8160 + lane]
+        e_0_6 = w[8192 + lane]
+        e_0_7 = w[8224 + lane]
+        e_0_8 = w[8256 + lane]
+        e_0_9 = w[8288 + lane]
+        e_0_10 = w[8320 + lane]
+        e_0_11 = w[8352 + lane]
+        e_0_12 = w[8384 + lane]
+        e_0_13 = w[8416 + lane]
+        e_0_14 = w[8448 + lane]
+        e_0_15 = w[8480 + lane]
+        q_0 = w[6848 + lane]
+        e_1_0 = w[8512 + lane]
+        e_1_1 = w[8544 + lane]
+        e_1_2 = w[8576 + lane]
+        e_1_3 = w[8608 + lane]
+        e_1_4 = w[8640 + lane]
+        e_1_5 = w[8672 + lane]
+        e_1_6 = w[8704 + lane]
+        e_1_7 = w[8736 + lane]
+        e_1_8 = w[8768 + lane]
+        e_1_9 = w[8800 + lane]
+        e_1_10 = w[8832 + lane]
+        e_1_11 = w[8864 + lane]
+        e_1_12 = w[8896 + lane]
+        e_1_13 = w[8928 + lane]
+        e_1_14 = w[8960 + lane]
+        e_1_15 = w[8992 + lane]
+        q_1 = w[7104 + lane]
+        for r in range(6):
+            a_0 = w[192 * r + (9376 + lane)]
+            a_1 = w[192 * r + (9472 + lane)]
+            S_p[m, r, 32] = a_0 * e_0_0 + a_1 * e_1_0
+            S_p[m, r, 33] = a_0 * e_0_1 + a_1 * e_1_1
+            S_p[m, r, 34] = a_0 * e_0_2 + a_1 * e_1_2
+            S_p[m, r, 35] = a_0 * e_0_3 + a_1 * e_1_3
+            S_p[m, r, 36] = a_0 * e_0_4 + a_1 * e_1_4
+            S_p[m, r, 37] = a_0 * e_0_5 + a_1 * e_1_5
+            S_p[m, r, 38] = a_0 * e_0_6 + a_1 * e_1_6
+            S_p[m, r, 39] = a_0 * e_0_7 + a_1 * e_1_7
+            S_p[m, r, 40] = a_0 * e_0_8 + a_1 * e_1_8
+            S_p[m, r, 41] = a_0 * e_0_9 + a_1 * e_1_9
+            S_p[m, r, 42] = a_0 * e_0_10 + a_1 * e_1_10
+            S_p[m, r, 43] = a_0 * e_0_11 + a_1 * e_1_11
+            S_p[m, r, 44] = a_0 * e_0_12 + a_1 * e_1_12
+            S_p[m, r, 45] = a_0 * e_0_13 + a_1 * e_1_13
+            S_p[m, r, 46] = a_0 * e_0_14 + a_1 * e_1_14
+            S_p[m, r, 47] = a_0 * e_0_15 + a_1 * e_1_15
+            S_q[m, r, 2] = a_0 * q_0 + a_1 * q_1
+        regular = True
+        regular = regular & (w[10464 + lane] > 0.0)
+        regular = regular & (w[10496 + lane] > 0.0)
+        status[m] = SOLVED if regular else OPEN
+        left += 0 if regular else 1
+    return left
+
+
 def sensitivity(x, q, tool, k, S_p, S_q, status):
     """Fill the derivatives of the exact pose: S_p (N, 6, 48) by errors and deflections, S_q (N, 6, 3) by joints.
 
-    ``J_x S = -J``. Columns of S_p run limb by limb. S_q is the velocity Jacobian.
+    Rows are px, py, pz, then turns of the platform about the axes of {O}. Columns of S_p run limb by limb. S_q is the velocity
+    Jacobian.
     """
-    F, J_q = np.empty(6), np.empty(6)
-    J_x = np.empty((6, 6))
-    unit = np.empty((6, 6))
-    out = np.zeros(16)
-    J_p = np.zeros(32)
-    for n in range(x.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        _closure(x[n], q[n], tool[n], k[m], out, F, J_x, J_q)
-        unit[:] = 0.0
-        for r in range(6):
-            unit[r, r] = -1.0
-        status[n] = SOLVED if _solve(J_x, unit, 6) else SINGULAR
-        for i in range(3):
-            _parameters(x[n], q[n, i], tool[n], k[m, i], J_p)
-            for r in range(6):
-                for c in range(16):
-                    total = 0.0
-                    for j in range(2):
-                        total += unit[r, 2 * i + j] * J_p[16 * j + c]
-                    S_p[n, r, 16 * i + c] = total if status[n] == SOLVED else np.nan
-                total = 0.0
-                for j in range(2):
-                    total += unit[r, 2 * i + j] * J_q[2 * i + j]
-                S_q[n, r, i] = total if status[n] == SOLVED else np.nan
+    if _sensitivity(x, q, tool, k, S_p, S_q, status, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        by_errors, by_joints, of = np.empty((len(left), 6, 48)), np.empty((len(left), 6, 3)), np.zeros(len(left), dtype=np.int64)
+        vectorised.sensitivity(x[left], q[left], _of(tool, left, len(status)), _of(k, left, len(status)), by_errors, by_joints, of)
+        S_p[left], S_q[left], status[left] = by_errors, by_joints, of
 
 
-def linear_constants(p):
-    """Return k (M, 3, 35), what `linear` reads that no pose changes, from p (81 operations).
+def nominal_constants(p):
+    """Return k (M, 3, 21), what `nominal_sensitivity` reads that no pose changes, from p (30 operations).
 
-    p is that of the calibrated machine: its geometry is taken as nominal, its errors as what to compensate.
+    p is that of the nominal machine; errors and deflections in it play no part.
     """
-    k = np.zeros((p.shape[0], 3, 35))
+    k = np.zeros((p.shape[0], 3, 21))
     b = p[..., 0]
     a = p[..., 1]
     L = p[..., 2]
     l = p[..., 3]
     c = p[..., 4]
     phi = p[..., 5]
-    theta = p[..., 6]
-    ex = p[..., 7]
-    ey = p[..., 8]
-    ez = p[..., 9]
-    dL = p[..., 10]
-    alpha0 = p[..., 11]
-    beta0 = p[..., 12]
-    dl_mean = p[..., 13]
-    dl = p[..., 14]
-    dc = p[..., 15]
-    alpha03 = p[..., 16]
-    beta03 = p[..., 17]
-    alpha2 = p[..., 18]
-    beta2 = p[..., 19]
-    tip_v = p[..., 20]
-    tip_w = p[..., 21]
     R0_11 = np.cos(phi)
     s1 = np.sin(phi)
-    R0_11_errors = -beta0*s1
-    R0_12_errors = alpha0*s1
+    R0_12_alpha0 = np.sin(phi)
     R0_13 = np.sin(phi)
-    R0_13_errors = R0_11*beta0
     R0_21 = np.sin(phi)
-    R0_21_errors = R0_11*beta0
-    R0_22_errors = -R0_11*alpha0
-    R0_23_errors = beta0*s1
-    g_x_errors = 0.5*beta2*c
-    g_y_errors = -0.5*alpha2*c
-    g_z = 0.5*c
-    g_z_errors = 0.5*dc
+    R0_21_beta0 = np.cos(phi)
+    g_x_beta2 = 0.5*c
+    g_y_alpha2 = -0.5*c
     h_x = 0.5*c*s1
-    h_x_errors = 0.5*R0_11*beta0*c - 0.5*R0_11*beta03*c
+    h_x_beta03 = -0.5*R0_11*c
     h_y = -0.5*R0_11*c
-    h_y_errors = 0.5*beta0*c*s1 - 0.5*beta03*c*s1
-    h_z_errors = -0.5*alpha0*c + 0.5*alpha03*c
+    h_y_beta03 = -0.5*c*s1
+    h_z_alpha03 = 0.5*c
     B_x = R0_11*b
     B_y = b*s1
-    s58 = R0_13*tip_w + ex
-    s67 = -R0_11*tip_w + ey
-    s75 = R0_11*a
-    s77 = a*s1
-    s87 = R0_13*g_z_errors + R0_13_errors*g_z
-    s94 = -R0_11*g_z_errors + R0_23_errors*g_z
-    s98 = -alpha0*g_z
-    s106 = -B_x + s75
-    s108 = -L*R0_11
-    s110 = -B_y + s77
-    s112 = -L*s1
-    s124 = (L * L)
-    s129 = -0.5*(l * l) + 0.5*s124*((R0_11 * R0_11) + (s1 * s1))
-    s148 = -dl_mean*l
-    s149 = -0.5*dl*l
-    s150 = s148 + s149
-    s169 = s148 - s149
-    k[..., 0] = s106
-    k[..., 1] = s108
-    k[..., 2] = s110
-    k[..., 3] = s112
-    k[..., 4] = s129
-    k[..., 5] = s124
-    k[..., 6] = L
-    k[..., 7] = R0_11
-    k[..., 8] = R0_11_errors
-    k[..., 9] = R0_12_errors
-    k[..., 10] = theta
-    k[..., 11] = R0_21
-    k[..., 12] = R0_21_errors
-    k[..., 13] = R0_22_errors
-    k[..., 14] = B_x
-    k[..., 15] = dL
-    k[..., 16] = tip_v
-    k[..., 17] = s58
-    k[..., 18] = B_y
-    k[..., 19] = s67
-    k[..., 20] = ez
-    k[..., 21] = s75
-    k[..., 22] = s77
-    k[..., 23] = g_x_errors
-    k[..., 24] = g_y_errors
-    k[..., 25] = s87
-    k[..., 26] = s94
-    k[..., 27] = s98
-    k[..., 28] = h_x_errors
-    k[..., 29] = h_y_errors
-    k[..., 30] = h_z_errors
-    k[..., 31] = s150
-    k[..., 32] = h_y
-    k[..., 33] = h_x
-    k[..., 34] = s169
+    s47 = R0_11*a
+    s49 = a*s1
+    c1_x_dc = 0.5*R0_13
+    c1_y_dc = -0.5*R0_11
+    s97 = -0.5*l
+    k[..., 0] = R0_11
+    k[..., 1] = R0_12_alpha0
+    k[..., 2] = s1
+    k[..., 3] = R0_21
+    k[..., 4] = R0_21_beta0
+    k[..., 5] = L
+    k[..., 6] = B_x
+    k[..., 7] = B_y
+    k[..., 8] = s47
+    k[..., 9] = s49
+    k[..., 10] = g_y_alpha2
+    k[..., 11] = g_x_beta2
+    k[..., 12] = h_y
+    k[..., 13] = h_x
+    k[..., 14] = c1_x_dc
+    k[..., 15] = c1_y_dc
+    k[..., 16] = h_z_alpha03
+    k[..., 17] = h_x_beta03
+    k[..., 18] = h_y_beta03
+    k[..., 19] = l
+    k[..., 20] = s97
     return k
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _nominal_joint(x, q, tool, k, i, out):
-    """Joint of the nominal limb at a given position (34 operations); limb i of k, row i of out."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    s106 = k[i, 0]
-    s108 = k[i, 1]
-    s110 = k[i, 2]
-    s112 = k[i, 3]
-    s129 = k[i, 4]
-    s124 = k[i, 5]
-    L = k[i, 6]
-    A_z = pz - tz
-    s107 = px + s106 - tx
-    s111 = py + s110 - ty
-    s114 = s107*s108 + s111*s112
-    s116 = (A_z * A_z)
-    s130 = 0.5*(s107 * s107) + 0.5*(s111 * s111) + 0.5*s116 + s129
-    s134 = math.sqrt((s114 * s114) + s116*s124 - (s130 * s130))
-    s141 = math.atan2(A_z*L*s130 - s114*s134, -A_z*L*s134 - s114*s130)
-    row = 1 * i
-    out[row + 0] = s141
+@fast
+def _nominal(w, k, n):
+    """Equations of a nominal limb by platform and errors (100 operations)."""
+    wide()
+    R0_11 = k[0]
+    R0_12_alpha0 = k[1]
+    s1 = k[2]
+    R0_21 = k[3]
+    R0_21_beta0 = k[4]
+    L = k[5]
+    B_x = k[6]
+    B_y = k[7]
+    s47 = k[8]
+    s49 = k[9]
+    g_y_alpha2 = k[10]
+    g_x_beta2 = k[11]
+    h_y = k[12]
+    h_x = k[13]
+    c1_x_dc = k[14]
+    c1_y_dc = k[15]
+    h_z_alpha03 = k[16]
+    h_x_beta03 = k[17]
+    h_y_beta03 = k[18]
+    l = k[19]
+    s97 = k[20]
+    for lane in range(n):
+        q = w[0 + lane]
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        s21 = cosine(q)
+        s22 = R0_11*s21
+        s23 = sine(q)
+        s24 = -R0_11*s23
+        R1_11_alpha0 = R0_12_alpha0*s23
+        R1_11_beta0 = -s1*s21
+        s29 = R0_21*s21
+        s30 = -R0_21*s23
+        R1_21_alpha0 = -R0_11*s23
+        R1_21_beta0 = R0_21_beta0*s21
+        C_x = B_x + L*s22
+        C_x_theta = L*s24
+        C_x_alpha0 = L*R1_11_alpha0
+        C_x_beta0 = L*R1_11_beta0
+        C_y = B_y + L*s29
+        C_y_theta = L*s30
+        C_y_alpha0 = L*R1_21_alpha0
+        C_y_beta0 = L*R1_21_beta0
+        C_z_theta = L*s21
+        s48 = s47 - tx
+        s50 = s49 - ty
+        A_x = px + s48
+        A_y = py + s50
+        A_z = pz - tz
+        c1_x_alpha2 = g_y_alpha2*s24
+        c1_x_beta2 = g_x_beta2*s22
+        c1_y_alpha2 = g_y_alpha2*s30
+        c1_y_beta2 = g_x_beta2*s29
+        c1_z_alpha2 = g_y_alpha2*s21
+        c1_z_beta2 = g_x_beta2*s23
+        d_x = A_x - C_x
+        d_y = A_y - C_y
+        d_z = A_z - L*s23
+        s71 = d_y*tz + d_z*s50
+        s74 = -d_x*tz - d_z*s48
+        s77 = -d_x*s50 + d_y*s48
+        s78 = d_z*h_y
+        s79 = -d_z*h_x
+        s82 = -d_x*h_y + d_y*h_x
+        s86 = -C_x_theta*d_x - C_y_theta*d_y - C_z_theta*d_z
+        s90 = -d_x*s22 - d_y*s29 - d_z*s23
+        s93 = -C_x_alpha0*d_x - C_y_alpha0*d_y
+        s96 = -C_x_beta0*d_x - C_y_beta0*d_y
+        s100 = -c1_x_dc*d_x - c1_y_dc*d_y
+        s101 = d_z*h_z_alpha03
+        s104 = d_x*h_x_beta03 + d_y*h_y_beta03
+        s108 = -c1_x_alpha2*d_x - c1_y_alpha2*d_y - c1_z_alpha2*d_z
+        s112 = -c1_x_beta2*d_x - c1_y_beta2*d_y - c1_z_beta2*d_z
+        w[640 + lane] = d_x
+        w[672 + lane] = d_y
+        w[704 + lane] = d_z
+        w[736 + lane] = s71
+        w[768 + lane] = s74
+        w[800 + lane] = s77
+        w[992 + lane] = s78
+        w[1024 + lane] = s79
+        w[1056 + lane] = s82
+        w[1984 + lane] = s86
+        w[2016 + lane] = -d_x
+        w[2048 + lane] = -d_y
+        w[2080 + lane] = -d_z
+        w[2112 + lane] = s90
+        w[2144 + lane] = s93
+        w[2176 + lane] = s96
+        w[2208 + lane] = -l
+        w[2752 + lane] = s97
+        w[2784 + lane] = s100
+        w[2816 + lane] = s101
+        w[2848 + lane] = s104
+        w[2880 + lane] = s108
+        w[2912 + lane] = s112
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _linear(x, q, tool, k, i, out):
-    """Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (124 operations); limb i of k, row i of out."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    L = k[i, 6]
-    R0_11 = k[i, 7]
-    R0_11_errors = k[i, 8]
-    R0_12_errors = k[i, 9]
-    theta = k[i, 10]
-    R0_21 = k[i, 11]
-    R0_21_errors = k[i, 12]
-    R0_22_errors = k[i, 13]
-    B_x = k[i, 14]
-    dL = k[i, 15]
-    tip_v = k[i, 16]
-    s58 = k[i, 17]
-    B_y = k[i, 18]
-    s67 = k[i, 19]
-    ez = k[i, 20]
-    s75 = k[i, 21]
-    s77 = k[i, 22]
-    g_x_errors = k[i, 23]
-    g_y_errors = k[i, 24]
-    s87 = k[i, 25]
-    s94 = k[i, 26]
-    s98 = k[i, 27]
-    h_x_errors = k[i, 28]
-    h_y_errors = k[i, 29]
-    h_z_errors = k[i, 30]
-    s150 = k[i, 31]
-    h_y = k[i, 32]
-    h_x = k[i, 33]
-    s169 = k[i, 34]
-    s27 = math.cos(q)
-    s28 = R0_11*s27
-    s29 = math.sin(q)
-    s30 = -R0_11*s29
-    R1_11_errors = R0_11_errors*s27 + R0_12_errors*s29 + s30*theta
-    s39 = R0_21*s27
-    s40 = -R0_21*s29
-    R1_21_errors = R0_21_errors*s27 + R0_22_errors*s29 + s40*theta
-    R1_31_errors = s27*theta
-    C_x = B_x + L*s28
-    C_x_q = L*s30
-    C_x_errors = L*R1_11_errors + dL*s28 + s30*tip_v + s58
-    C_y = B_y + L*s39
-    C_y_q = L*s40
-    C_y_errors = L*R1_21_errors + dL*s39 + s40*tip_v + s67
-    C_z_q = L*s27
-    C_z_errors = L*R1_31_errors + dL*s29 + ez + s27*tip_v
-    s76 = s75 - tx
-    s78 = s77 - ty
-    A_x = px + s76
-    A_y = py + s78
-    A_z = pz - tz
-    c1_x_errors = g_x_errors*s28 + g_y_errors*s30 + s87
-    c1_y_errors = g_x_errors*s39 + g_y_errors*s40 + s94
-    c1_z_errors = g_x_errors*s29 + g_y_errors*s27 + s98
-    d_x = A_x - C_x
-    d_y = A_y - C_y
-    d_z = A_z - L*s29
-    s_x_errors = -c1_x_errors + h_x_errors
-    s_y_errors = -c1_y_errors + h_y_errors
-    s_z_errors = -c1_z_errors + h_z_errors
-    s142 = -C_x_errors*d_x
-    s143 = -C_y_errors*d_y
-    s144 = -C_z_errors*d_z
-    s145 = d_x*s_x_errors
-    s146 = d_y*s_y_errors
-    s147 = d_z*s_z_errors
-    s151 = s142 + s143 + s144 + s145 + s146 + s147 + s150
-    s152 = d_y*tz
-    s153 = d_z*s78
-    s154 = d_z*h_y
-    s155 = s152 + s153 + s154
-    s156 = -d_x*tz
-    s157 = -d_z*s76
-    s158 = -d_z*h_x
-    s159 = s156 + s157 + s158
-    s160 = -d_x*s78
-    s161 = d_y*s76
-    s162 = -d_x*h_y
-    s163 = d_y*h_x
-    s164 = s160 + s161 + s162 + s163
-    s168 = -C_x_q*d_x - C_y_q*d_y - C_z_q*d_z
-    s170 = s142 + s143 + s144 - s145 - s146 - s147 + s169
-    s171 = s152 + s153 - s154
-    s172 = s156 + s157 - s158
-    s173 = s160 + s161 - s162 - s163
-    row = 16 * i
-    out[row + 0] = s151
-    out[row + 4] = s155
-    out[row + 5] = s159
-    out[row + 6] = s164
-    out[row + 7] = s168
-    out[row + 8] = s170
-    out[row + 12] = s171
-    out[row + 13] = s172
-    out[row + 14] = s173
-    out[row + 15] = s168
+@fast
+def _nominal_inverse(w, n):
+    """Minus the inverse of the derivatives, its rows of the position; how far the equations are from dependent (223 operations)."""
+    wide()
+    for lane in range(n):
+        J00_0 = w[640 + lane]
+        J10_0 = w[3648 + lane]
+        J20_0 = w[6656 + lane]
+        J00_1 = w[672 + lane]
+        J10_1 = w[3680 + lane]
+        J20_1 = w[6688 + lane]
+        J00_2 = w[704 + lane]
+        J10_2 = w[3712 + lane]
+        J20_2 = w[6720 + lane]
+        J00_3 = w[736 + lane]
+        J10_3 = w[3744 + lane]
+        J20_3 = w[6752 + lane]
+        J00_4 = w[768 + lane]
+        J10_4 = w[3776 + lane]
+        J20_4 = w[6784 + lane]
+        J00_5 = w[800 + lane]
+        J10_5 = w[3808 + lane]
+        J20_5 = w[6816 + lane]
+        J01_3 = w[992 + lane]
+        J11_3 = w[4000 + lane]
+        J21_3 = w[7008 + lane]
+        J01_4 = w[1024 + lane]
+        J11_4 = w[4032 + lane]
+        J21_4 = w[7040 + lane]
+        J01_5 = w[1056 + lane]
+        J11_5 = w[4064 + lane]
+        J21_5 = w[7072 + lane]
+        G_cof_00 = J10_1*J20_2 - J10_2*J20_1
+        G_cof_01 = -J10_0*J20_2 + J10_2*J20_0
+        G_cof_02 = J10_0*J20_1 - J10_1*J20_0
+        G_cof_10 = -J00_1*J20_2 + J00_2*J20_1
+        G_cof_11 = J00_0*J20_2 - J00_2*J20_0
+        G_cof_12 = -J00_0*J20_1 + J00_1*J20_0
+        G_cof_20 = J00_1*J10_2 - J00_2*J10_1
+        G_cof_21 = -J00_0*J10_2 + J00_2*J10_0
+        G_cof_22 = J00_0*J10_1 - J00_1*J10_0
+        G_det_00 = G_cof_00*J00_0 + G_cof_01*J00_1 + G_cof_02*J00_2
+        G_by_00 = (1.0 / G_det_00)
+        G_inv_00 = G_by_00*G_cof_00
+        G_inv_01 = G_by_00*G_cof_10
+        G_inv_02 = G_by_00*G_cof_20
+        G_inv_10 = G_by_00*G_cof_01
+        G_inv_11 = G_by_00*G_cof_11
+        G_inv_12 = G_by_00*G_cof_21
+        G_inv_20 = G_by_00*G_cof_02
+        G_inv_21 = G_by_00*G_cof_12
+        G_inv_22 = G_by_00*G_cof_22
+        U_00 = G_inv_00*J00_3 + G_inv_01*J10_3 + G_inv_02*J20_3
+        U_01 = G_inv_00*J00_4 + G_inv_01*J10_4 + G_inv_02*J20_4
+        U_02 = G_inv_00*J00_5 + G_inv_01*J10_5 + G_inv_02*J20_5
+        U_10 = G_inv_10*J00_3 + G_inv_11*J10_3 + G_inv_12*J20_3
+        U_11 = G_inv_10*J00_4 + G_inv_11*J10_4 + G_inv_12*J20_4
+        U_12 = G_inv_10*J00_5 + G_inv_11*J10_5 + G_inv_12*J20_5
+        U_20 = G_inv_20*J00_3 + G_inv_21*J10_3 + G_inv_22*J20_3
+        U_21 = G_inv_20*J00_4 + G_inv_21*J10_4 + G_inv_22*J20_4
+        U_22 = G_inv_20*J00_5 + G_inv_21*J10_5 + G_inv_22*J20_5
+        Si_cof_00 = J11_4*J21_5 - J11_5*J21_4
+        Si_cof_01 = -J11_3*J21_5 + J11_5*J21_3
+        Si_cof_02 = J11_3*J21_4 - J11_4*J21_3
+        Si_cof_10 = -J01_4*J21_5 + J01_5*J21_4
+        Si_cof_11 = J01_3*J21_5 - J01_5*J21_3
+        Si_cof_12 = -J01_3*J21_4 + J01_4*J21_3
+        Si_cof_20 = J01_4*J11_5 - J01_5*J11_4
+        Si_cof_21 = -J01_3*J11_5 + J01_5*J11_3
+        Si_cof_22 = J01_3*J11_4 - J01_4*J11_3
+        Si_det_00 = J01_3*Si_cof_00 + J01_4*Si_cof_01 + J01_5*Si_cof_02
+        Si_by_00 = (1.0 / Si_det_00)
+        Si_inv_00 = Si_by_00*Si_cof_00
+        Si_inv_01 = Si_by_00*Si_cof_10
+        Si_inv_02 = Si_by_00*Si_cof_20
+        Si_inv_10 = Si_by_00*Si_cof_01
+        Si_inv_11 = Si_by_00*Si_cof_11
+        Si_inv_12 = Si_by_00*Si_cof_21
+        Si_inv_20 = Si_by_00*Si_cof_02
+        Si_inv_21 = Si_by_00*Si_cof_12
+        Si_inv_22 = Si_by_00*Si_cof_22
+        s121 = Si_inv_00*U_00 + Si_inv_10*U_01 + Si_inv_20*U_02
+        s125 = Si_inv_01*U_00 + Si_inv_11*U_01 + Si_inv_21*U_02
+        s129 = Si_inv_02*U_00 + Si_inv_12*U_01 + Si_inv_22*U_02
+        s133 = Si_inv_00*U_10 + Si_inv_10*U_11 + Si_inv_20*U_12
+        s137 = Si_inv_01*U_10 + Si_inv_11*U_11 + Si_inv_21*U_12
+        s141 = Si_inv_02*U_10 + Si_inv_12*U_11 + Si_inv_22*U_12
+        s145 = Si_inv_00*U_20 + Si_inv_10*U_21 + Si_inv_20*U_22
+        s149 = Si_inv_01*U_20 + Si_inv_11*U_21 + Si_inv_21*U_22
+        s153 = Si_inv_02*U_20 + Si_inv_12*U_21 + Si_inv_22*U_22
+        s162 = (J10_0 * J10_0) + (J10_1 * J10_1) + (J10_2 * J10_2)
+        s166 = (J20_0 * J20_0) + (J20_1 * J20_1) + (J20_2 * J20_2)
+        s168 = (G_det_00 * G_det_00) - 1.0e-12*s162*s166*((J00_0 * J00_0) + (J00_1 * J00_1) + (J00_2 * J00_2))
+        s177 = (J11_3 * J11_3) + (J11_4 * J11_4) + (J11_5 * J11_5)
+        s181 = (J21_3 * J21_3) + (J21_4 * J21_4) + (J21_5 * J21_5)
+        s183 = (Si_det_00 * Si_det_00) - 1.0e-12*s177*s181*((J01_3 * J01_3) + (J01_4 * J01_4) + (J01_5 * J01_5))
+        w[9312 + lane] = -G_inv_00
+        w[9344 + lane] = -G_inv_01
+        w[9376 + lane] = -G_inv_02
+        w[9408 + lane] = s121
+        w[9440 + lane] = s125
+        w[9472 + lane] = s129
+        w[9504 + lane] = -G_inv_10
+        w[9536 + lane] = -G_inv_11
+        w[9568 + lane] = -G_inv_12
+        w[9600 + lane] = s133
+        w[9632 + lane] = s137
+        w[9664 + lane] = s141
+        w[9696 + lane] = -G_inv_20
+        w[9728 + lane] = -G_inv_21
+        w[9760 + lane] = -G_inv_22
+        w[9792 + lane] = s145
+        w[9824 + lane] = s149
+        w[9856 + lane] = s153
+        w[9888 + lane] = s168
+        w[9920 + lane] = s183
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _hold(work):
-    """Solve for the changes of joints and rotation that undo the closures while the reference point stays in place.
+@fast
+def _nominal_products(w, S, first, last):
+    """Multiply the inverse and the derivatives by the errors where they do not vanish; False where a pose is not regular."""
+    wide()
+    regular = True
+    for lane in range(last - first + 1):
+        m = first + lane
+        e_0_0 = w[1984 + lane]
+        e_0_1 = w[2016 + lane]
+        e_0_2 = w[2048 + lane]
+        e_0_3 = w[2080 + lane]
+        e_0_4 = w[2112 + lane]
+        e_0_5 = w[2144 + lane]
+        e_0_6 = w[2176 + lane]
+        e_0_7 = w[2208 + lane]
+        e_1_8 = w[2752 + lane]
+        e_1_9 = w[2784 + lane]
+        e_1_10 = w[2816 + lane]
+        e_1_11 = w[2848 + lane]
+        e_1_12 = w[2880 + lane]
+        e_1_13 = w[2912 + lane]
+        for r in range(3):
+            a_0 = w[192 * r + (9312 + lane)]
+            a_1 = w[192 * r + (9408 + lane)]
+            S[m, r, 0] = a_0 * e_0_0
+            S[m, r, 1] = a_0 * e_0_1
+            S[m, r, 2] = a_0 * e_0_2
+            S[m, r, 3] = a_0 * e_0_3
+            S[m, r, 4] = a_0 * e_0_4
+            S[m, r, 5] = a_0 * e_0_5
+            S[m, r, 6] = a_0 * e_0_6
+            S[m, r, 7] = a_0 * e_0_7
+            S[m, r, 8] = a_1 * e_1_8
+            S[m, r, 9] = a_1 * e_1_9
+            S[m, r, 10] = a_1 * e_1_10
+            S[m, r, 11] = a_1 * e_1_11
+            S[m, r, 12] = a_1 * e_1_12
+            S[m, r, 13] = a_1 * e_1_13
+        e_0_0 = w[4992 + lane]
+        e_0_1 = w[5024 + lane]
+        e_0_2 = w[5056 + lane]
+        e_0_3 = w[5088 + lane]
+        e_0_4 = w[5120 + lane]
+        e_0_5 = w[5152 + lane]
+        e_0_6 = w[5184 + lane]
+        e_0_7 = w[5216 + lane]
+        e_1_8 = w[5760 + lane]
+        e_1_9 = w[5792 + lane]
+        e_1_10 = w[5824 + lane]
+        e_1_11 = w[5856 + lane]
+        e_1_12 = w[5888 + lane]
+        e_1_13 = w[5920 + lane]
+        for r in range(3):
+            a_0 = w[192 * r + (9344 + lane)]
+            a_1 = w[192 * r + (9440 + lane)]
+            S[m, r, 14] = a_0 * e_0_0
+            S[m, r, 15] = a_0 * e_0_1
+            S[m, r, 16] = a_0 * e_0_2
+            S[m, r, 17] = a_0 * e_0_3
+            S[m, r, 18] = a_0 * e_0_4
+            S[m, r, 19] = a_0 * e_0_5
+            S[m, r, 20] = a_0 * e_0_6
+            S[m, r, 21] = a_0 * e_0_7
+            S[m, r, 22] = a_1 * e_1_8
+            S[m, r, 23] = a_1 * e_1_9
+            S[m, r, 24] = a_1 * e_1_10
+            S[m, r, 25] = a_1 * e_1_11
+            S[m, r, 26] = a_1 * e_1_12
+            S[m, r, 27] = a_1 * e_1_13
+        e_0_0 = w[8000 + lane]
+        e_0_1 = w[8032 + lane]
+        e_0_2 = w[8064 + lane]
+        e_0_3 = w[8096 + lane]
+        e_0_4 = w[8128 + lane]
+        e_0_5 = w[8160 + lane]
+        e_0_6 = w[8192 + lane]
+        e_0_7 = w[8224 + lane]
+        e_1_8 = w[8768 + lane]
+        e_1_9 = w[8800 + lane]
+        e_1_10 = w[8832 + lane]
+        e_1_11 = w[8864 + lane]
+        e_1_12 = w[8896 + lane]
+        e_1_13 = w[8928 + lane]
+        for r in range(3):
+            a_0 = w[192 * r + (9376 + lane)]
+            a_1 = w[192 * r + (9472 + lane)]
+            S[m, r, 28] = a_0 * e_0_0
+            S[m, r, 29] = a_0 * e_0_1
+            S[m, r, 30] = a_0 * e_0_2
+            S[m, r, 31] = a_0 * e_0_3
+            S[m, r, 32] = a_0 * e_0_4
+            S[m, r, 33] = a_0 * e_0_5
+            S[m, r, 34] = a_0 * e_0_6
+            S[m, r, 35] = a_0 * e_0_7
+            S[m, r, 36] = a_1 * e_1_8
+            S[m, r, 37] = a_1 * e_1_9
+            S[m, r, 38] = a_1 * e_1_10
+            S[m, r, 39] = a_1 * e_1_11
+            S[m, r, 40] = a_1 * e_1_12
+            S[m, r, 41] = a_1 * e_1_13
+        regular = regular & (w[9888 + lane] > 0.0)
+        regular = regular & (w[9920 + lane] > 0.0)
+    return regular
 
-    work: per rod closure, its derivatives by the platform and by the joint; then room for the reduced equations; then
-    the changes. A limb's joint is eliminated with the rod that feels it most; what is left are 3 equations for the
-    rotation. Returns False where a joint is felt by no rod of its limb, or the rotation is not held.
+
+@fast
+def _nominal_sensitivity(x, q, tool, k, S, w):
+    w_1 = w[0:3008]
+    w_2 = w[3008:6016]
+    w_3 = w[6016:9024]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    poses, regular = q.size // 3, True
+    k_1, k_2, k_3 = k[0, 0], k[0, 1], k[0, 2]
+    for first in range(0, poses, LANES):
+        last = min(first + LANES, poses) - 1
+        n = (last - first + 8) // 8 * 8
+        _load(x, w, first, last, n)
+        if len(tool) > 1:
+            _hold(tool, w, first, last, n)
+        _aim(w, n)
+        _load(q, w, first, last, n)
+        _nominal(w_1, k_1, n)
+        _nominal(w_2, k_2, n)
+        _nominal(w_3, k_3, n)
+        _nominal_inverse(w, n)
+        regular = _nominal_products(w, S, first, last) & regular
+    return regular
+
+
+def nominal_sensitivity(x, q, tool, k, S):
+    """Fill S (N, 3, 42) with the derivatives of the nominal machine's position by its errors, limb by limb.
+
+    x (N, 3) is the position of the reference point, q (N, 3) the joints there, tool (N, 3), k from `nominal_constants`.
+    False where the machine is singular at one of the poses, or nearly so. With the errors of one limb in the order of
+    ``parameters.ERRORS``.
     """
-    largest = 0.0
-    for row in range(6):
-        for c in range(4, 8):
-            largest = max(largest, abs(work[8 * row + c]))
-    smallest = PIVOT_SINGULAR * largest
-    target = 48
-    for i in range(3):
-        best = 16 * i
-        for j in range(1, 2):
-            if abs(work[16 * i + 8 * j + 7]) > abs(work[best + 7]):
-                best = 16 * i + 8 * j
-        if not abs(work[best + 7]) > smallest:
-            return False
-        inverse = 1.0 / work[best + 7]
-        for j in range(2):
-            rod = 16 * i + 8 * j
-            if rod != best:
-                factor = work[rod + 7] * inverse
-                for c in range(3):
-                    work[target + c] = work[rod + 4 + c] - factor * work[best + 4 + c]
-                work[target + 3] = work[rod] - factor * work[best]
-                target += 4
-        # the joint's own equation, left to the end: closure and rotation over the joint's derivative
+    return _nominal_sensitivity(x, q, tool, k, S, scratch(WORK))
+
+
+@fast
+def _along(x, C, H):
+    """Fill the rows of all pairs: along the line from one position to the other, the difference of their derivatives."""
+    wide()
+    poses, row = x.shape[0], 0
+    for a in range(poses):
+        for b in range(a + 1, poses):
+            n_0 = x[b, 0] - x[a, 0]
+            n_1 = x[b, 1] - x[a, 1]
+            n_2 = x[b, 2] - x[a, 2]
+            by = 1.0 / math.sqrt(n_0 * n_0 + n_1 * n_1 + n_2 * n_2)
+            for j in range(H.shape[1]):
+                H[row, j] = by * (n_0 * (C[b, 0, j] - C[a, 0, j]) + n_1 * (C[b, 1, j] - C[a, 1, j]) + n_2 * (C[b, 2, j] - C[a, 2, j]))
+            row += 1
+
+
+@fast
+def _distance_rows(x, q, tool, k, columns, H, S, C, w):
+    regular = _nominal_sensitivity(x, q, tool, k, S, w)
+    for m in range(C.shape[0]):
         for c in range(3):
-            work[16 * i + 4 + c] = work[best + 4 + c] * inverse
-        work[60 + i] = work[best] * inverse
-    for c in range(3):
-        pivot = 48 + 4 * c
-        for r in range(c + 1, 3):
-            if abs(work[48 + 4 * r + c]) > abs(work[pivot + c]):
-                pivot = 48 + 4 * r
-        row = 48 + 4 * c
-        if not abs(work[pivot + c]) > smallest:
-            return False
-        if pivot != row:
-            for j in range(c, 4):
-                work[row + j], work[pivot + j] = work[pivot + j], work[row + j]
-        inverse = 1.0 / work[row + c]
-        for r in range(c + 1, 3):
-            below = 48 + 4 * r
-            factor = work[below + c] * inverse
-            for j in range(c + 1, 4):
-                work[below + j] -= factor * work[row + j]
-    for c in range(2, -1, -1):
-        row = 48 + 4 * c
-        total = work[row + 3]
-        for j in range(c + 1, 3):
-            total -= work[row + j] * work[63 + j]
-        work[63 + c] = total / work[row + c]
-    for i in range(3):
-        for c in range(3):
-            work[60 + i] -= work[16 * i + 4 + c] * work[63 + c]
-    return True
+            for j in range(columns.size):
+                C[m, c, j] = S[m, c, columns[j]]
+    _along(x, C, H)
+    return regular
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def exact_command(target, tool, k, work, q):
-    """Fill the joints q (3,) that bring the reference point to target (3,); return the status.
+def distance_rows(x, q, tool, k, columns, H):
+    """Fill the identification matrix H (N (N - 1) / 2, n) of the distances of all pairs of positions, first with second and so on.
 
-    `inverse` for one pose, to be called from a servo loop: tool (3,), k (3, :), scratch work (COMMAND_WORK,).
-    q is NaN unless SOLVED.
+    x, q, tool, k as in `nominal_sensitivity`; columns (n,) of its errors. The sensitivities are contracted pose by pose
+    and not returned. False as there.
     """
-    pose = work[66:]
-    for c in range(3):
-        pose[c] = target[c]
-    for c in range(3):
-        pose[3 + c] = 0.0
-    status = SOLVED
-    for i in range(3):
-        _joint(pose, 0.0, tool, k[i], work)
-        q[i] = work[0]
-        if not math.isfinite(q[i]):
-            status = UNREACHABLE
-    if status == SOLVED:
-        status = UNREACHABLE
-        for _ in range(MAX_STEPS):
-            for i in range(3):
-                _newton(pose, q[i], tool, k[i], work[16 * i : 16 * (i + 1)])
-            if not _hold(work):
-                status = SINGULAR
-                break
-            size = 0.0
-            for i in range(3):
-                q[i] -= work[60 + i]
-                size = max(size, abs(work[60 + i]))
-            for c in range(3):
-                pose[3 + c] -= work[63 + c]
-                size = max(size, abs(work[63 + c]))
-            if size < COMMAND_DONE:
-                status = SOLVED
-                break
-            if not size < STEP_LOST:
-                break
-    if status != SOLVED:
-        for i in range(3):
-            q[i] = np.nan
-    return status
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def linear_command(target, tool, k, work, q):
-    """Fill the joints q (3,) that bring the reference point to target (3,) to first order in the errors; return the status.
-
-    Bai's eqs. (23) and (25): the nominal joints of the target, and the change that keeps the reference point where it
-    is, to first order, when the errors appear. tool (3,), k (3, 35) from `linear_constants`, scratch work
-    (COMMAND_WORK,). q is NaN unless SOLVED.
-    """
-    status = SOLVED
-    for i in range(3):
-        _nominal_joint(target, 0.0, tool, k, i, q)
-        if not math.isfinite(q[i]):
-            status = UNREACHABLE
-    if status == SOLVED:
-        for i in range(3):
-            _linear(target, q[i], tool, k, i, work)
-        if not _hold(work):
-            status = SINGULAR
-    for i in range(3):
-        q[i] = q[i] - work[60 + i] if status == SOLVED else np.nan
-    return status
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def linear_commands(target, tool, k, q, status):
-    """Fill joints q (N, 3) and status (N,) by `linear_command`; target (N, 3) and tool (N, 3), k (M, 3, :)."""
-    work = np.zeros(COMMAND_WORK)
-    for n in range(target.shape[0]):
-        status[n] = linear_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])
+    poses, n = len(x), columns.size
+    work = scratch(3 * poses * (42 + n))
+    S = work[: 126 * poses].reshape(poses, 3, 42)
+    C = work[126 * poses :].reshape(poses, 3, n)
+    return _distance_rows(x, q, tool, k, columns, H, S, C, scratch(WORK))

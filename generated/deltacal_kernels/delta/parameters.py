@@ -1,7 +1,7 @@
 """Tables of `delta`: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both ffa71ee3e3a8ae33; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both d04d6410cca30681; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 
@@ -66,6 +66,9 @@ DEFLECTIONS = (
     ("tip_v", "mm", "arm tip displaced normal to the arm, in its plane"),
     ("tip_w", "mm", "arm tip displaced normal to the arm, along the joint axis"),
 )
+
+# columns of a limb's row of p that are zero on the simplified machine, whose positions are closed form
+SMALL = (11, 12, 14, 15, 16, 17, 18, 19, 20, 21, )
 
 # (name, meaning) of what `statics` reads as masses
 MASSES = (

@@ -1,7 +1,7 @@
 """Kinematics of `delta` in plain NumPy: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both d82df8203e4ffdd0; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 29caeda54589a4b3; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -19,11 +19,11 @@ PIVOT_SINGULAR = 1e-9  # of the largest entry of its matrix, in mm
 
 
 def constants(p):
-    """Return k (M, 3, 85), what no pose changes, from p (753 operations).
+    """Return k (M, 3, 91), what no pose changes, from p (778 operations).
 
     All rows at once.
     """
-    k = np.zeros((p.shape[0], 3, 85))
+    k = np.zeros((p.shape[0], 3, 91))
     b = p[..., 0]
     a = p[..., 1]
     L = p[..., 2]
@@ -274,6 +274,11 @@ def constants(p):
     s1196 = -2*L - 2*dL
     s1198 = 0.25*(s1196 * s1196)
     s1203 = -0.5*s1196
+    s1246 = -0.125*(dl * dl) - 0.5*(dl_mean * dl_mean) - dl_mean*l - 0.5*(l * l)
+    s1461 = -dl_mean - l
+    s1462 = -0.25*dl
+    s1492 = -0.5*dl*dl_mean - 0.5*dl*l
+    s1693 = -0.5*dl_mean - 0.5*l
     k[..., 0] = theta
     k[..., 1] = R0_11
     k[..., 2] = R0_12
@@ -359,6 +364,12 @@ def constants(p):
     k[..., 82] = s1140
     k[..., 83] = s1141
     k[..., 84] = s1185
+    k[..., 85] = s1246
+    k[..., 86] = s1492
+    k[..., 87] = s1461
+    k[..., 88] = s1462
+    k[..., 89] = s290
+    k[..., 90] = s1693
     return k
 
 
@@ -933,6 +944,28 @@ def _joint(x, q, tool, k):
     return out
 
 
+def _spin(x):
+    """Turn about the axes of {O} by the Cayley vector: (N, 9)."""
+    cx = x[:, 3]
+    cy = x[:, 4]
+    cz = x[:, 5]
+    s191 = (1.0 / (0.25*(cx * cx) + 0.25*(cy * cy) + 0.25*(cz * cz) + 1))
+    s1224 = -0.5*cz*s191
+    s1225 = 0.5*cy*s191
+    s1226 = -0.5*cx*s191
+    out = np.zeros((len(x), 9))
+    out[:, 0] = s191
+    out[:, 1] = s1224
+    out[:, 2] = s1225
+    out[:, 3] = -s1224
+    out[:, 4] = s191
+    out[:, 5] = s1226
+    out[:, 6] = -s1225
+    out[:, 7] = -s1226
+    out[:, 8] = s191
+    return out
+
+
 def _of(k, chosen):
     return k[chosen] if len(k) > 1 else k
 
@@ -1057,3 +1090,5 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
         J_p = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 2, 16)
         S_p[:, :, 16 * i : 16 * i + 16] = unit[:, :, rows] @ J_p
         S_q[:, :, i] = (unit[:, :, rows] * J_q[:, None, rows]).sum(axis=2)
+    W = _spin(x).reshape(-1, 3, 3)
+    S_p[:, 3:], S_q[:, 3:] = W @ S_p[:, 3:], W @ S_q[:, 3:]

@@ -1,16 +1,17 @@
-"""Kinematics of `diamond`: Diamond, two arms in a plane.
+"""Kinematics of `diamond`, many poses at once: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 857c157ad9acd2c4; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 4004bc8d873488b6; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
 x (N, 2)  platform: px py
-q (N, 2)  joints        tool (N, 3)  reference point in {O'}
+q (N, 2)  joints        tool (N or 1, 3)  reference point in {O'}
 p (M, 2, 13)  one row of parameters per limb: base_x base_y L l side theta ex ey L l mx my tip_v
-k (M, 2, 11)  what `constants` makes of p; M is 1 (one machine) or N (parameters that change from pose to pose)
+k (M, 2, 11)  what `constants` makes of p; each of the M machines has N / M of the poses, one after the other
 
-Kernels allocate nothing per pose and never raise: `status` says what became of each pose.
+Poses are taken in blocks of up to 32, side by side: a loop over `lane` runs over the poses of a block. What is poorly
+conditioned or converges slowly is left to the plain kernels of ``vectorised.py``. `status` says what became of each pose.
 """
 
 import math
@@ -18,164 +19,126 @@ import math
 import numpy as np
 from numba import njit
 
-SOLVED, UNREACHABLE, SINGULAR = 0, 1, 2
-MAX_STEPS = 30
-STEP_DONE = 1e-9  # mm and rad; Newton is quadratic: after such a step the rest is rounding
-STEP_LOST = 1e5  # mm and rad; a step of this size leads nowhere
-ANGLE_STEP = 1e-3  # rad per mm: joints and rotations are asked for this much finer than lengths
-CLOSED = 1e-3  # mm^2: loops that are open by more where Newton gets stuck cannot be closed
-PIVOT_SINGULAR = 1e-9  # of the largest entry of its matrix, in mm
-COMMAND_DONE = 3e-8  # rad; after such a step a command is exact to its square: 1e-15 rad
-COMMAND_WORK = 12  # length of the scratch array of `exact_command` and `linear_command`
-COMMAND_CONSTANTS = 9  # `exact_command` reads these first columns of k only
+from deltacal_kernels.elementary import arcsine, arctangent, cosine, scratch, sine, tangent, wide
+
+from . import vectorised
+from .vectorised import SINGULAR, SOLVED, UNREACHABLE, constants, jacobians
+
+LANES = 32
+OPEN = -1  # a pose that is left to the plain kernels
+MAX_STEPS = 8
+STEP_DONE = 1e-6  # mm; Newton is quadratic: after such a step a length of 1000 mm is exact to 1e-15 mm
+TURN_DONE = 3e-8  # rad
+WORK = 2208  # length of the scratch array
+CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
+APART = 1e-3  # squared sine between the centres' directions
+fast = njit(cache=True, nogil=True, error_model="numpy", fastmath={"contract"})
 
 
-def constants(p):
-    """Return k (M, 2, 11), what no pose changes, from p (23 operations).
-
-    Plain NumPy over all rows at once: it runs once per machine, and compiling it would take longer than running it.
-    """
-    k = np.zeros((p.shape[0], 2, 11))
-    base_x = p[..., 0]
-    base_y = p[..., 1]
-    L = p[..., 2]
-    l = p[..., 3]
-    side = p[..., 4]
-    theta = p[..., 5]
-    ex = p[..., 6]
-    ey = p[..., 7]
-    dL = p[..., 8]
-    dl = p[..., 9]
-    tip_v = p[..., 12]
-    B_x = base_x*side + ex
-    B_y = base_y + ey
-    s3 = L + dL
-    s6 = theta - 0.5*np.pi*(1 - side)
-    s9 = s3*side
-    s12 = -side*tip_v
-    s26 = dl + l
-    s28 = -0.5*(s26 * s26)
-    s51 = -s26
-    s59 = (side * side)
-    s60 = (s3 * s3)
-    s62 = s28 + 0.5*s59*s60
-    s66 = s59*s60
-    s71 = s3*s59
-    k[..., 0] = s6
-    k[..., 1] = s9
-    k[..., 2] = s12
-    k[..., 3] = B_x
-    k[..., 4] = B_y
-    k[..., 5] = s28
-    k[..., 6] = s62
-    k[..., 7] = s66
-    k[..., 8] = s71
-    k[..., 9] = side
-    k[..., 10] = s51
-    return k
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def _newton(x, q, tool, k, out):
-    """Per rod of one limb: closure, its derivatives by the platform, by the joint (35 operations)."""
-    px = x[0]
-    py = x[1]
-    tx = tool[0]
-    ty = tool[1]
-    q = q
+@fast
+def _early(w, k, n):
+    """What moves with a joint only; then the simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (21 operations)."""
+    wide()
     s6 = k[0]
     s9 = k[1]
     s12 = k[2]
     B_x = k[3]
     B_y = k[4]
     s28 = k[5]
-    s7 = q + s6
-    s8 = math.cos(s7)
-    s11 = math.sin(s7)
-    C_x = B_x + s11*s12 + s8*s9
-    C_y = B_y + s11*s9 - s12*s8
-    A_x = px - tx
-    A_y = py - ty
-    d_x = A_x - C_x
-    d_y = A_y - C_y
-    s29 = 0.5*(d_x * d_x) + 0.5*(d_y * d_y) + s28
-    s30 = 2*d_y
-    s31 = 0.5*s30
-    s32 = 2*d_x
-    s33 = 0.5*s32
-    s46 = -s11*(s12*s31 - s33*s9) + s8*(-s12*s33 - s31*s9)
-    out[0] = s29
-    out[1] = s33
-    out[2] = s31
-    out[3] = s46
+    for lane in range(n):
+        q = w[0 + lane]
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        s7 = q + s6
+        s8 = cosine(s7)
+        s10 = s8*s9
+        s11 = sine(s7)
+        C_x = B_x + s10 + s11*s12
+        s16 = s11*s9
+        C_y = B_y - s12*s8 + s16
+        s79 = B_x + s10 + tx
+        s80 = B_y + s16 + ty
+        s85 = s28 + 0.5*(s79 * s79) + 0.5*(s80 * s80)
+        w[320 + lane] = C_x
+        w[352 + lane] = C_y
+        w[384 + lane] = s79
+        w[416 + lane] = s80
+        w[448 + lane] = s85
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _parameters(x, q, tool, k, out):
-    """Per rod of one limb: derivatives of the closure by errors, by deflections (41 operations)."""
-    px = x[0]
-    py = x[1]
-    tx = tool[0]
-    ty = tool[1]
-    q = q
-    s6 = k[0]
-    s9 = k[1]
-    s12 = k[2]
-    B_x = k[3]
-    B_y = k[4]
-    side = k[9]
-    s51 = k[10]
-    s7 = q + s6
-    s8 = math.cos(s7)
-    s11 = math.sin(s7)
-    C_x = B_x + s11*s12 + s8*s9
-    C_y = B_y + s11*s9 - s12*s8
-    A_x = px - tx
-    A_y = py - ty
-    d_x = A_x - C_x
-    d_y = A_y - C_y
-    s30 = 2*d_y
-    s31 = 0.5*s30
-    s32 = 2*d_x
-    s33 = 0.5*s32
-    s46 = -s11*(s12*s31 - s33*s9) + s8*(-s12*s33 - s31*s9)
-    s50 = side*(-s11*s31 - s33*s8)
-    s52 = -side*(-s11*s33 + s31*s8)
-    out[0] = s46
-    out[1] = -s33
-    out[2] = -s31
-    out[3] = s50
-    out[4] = s51
-    out[7] = s52
+@fast
+def _rows(w, k, n):
+    """Equations of a limb, their derivatives by shift and turn of the platform (10 operations)."""
+    wide()
+    s28 = k[5]
+    for lane in range(n):
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        px = w[128 + lane]
+        py = w[160 + lane]
+        C_x = w[320 + lane]
+        C_y = w[352 + lane]
+        A_x = px - tx
+        A_y = py - ty
+        d_x = A_x - C_x
+        d_y = A_y - C_y
+        s29 = 0.5*(d_x * d_x) + 0.5*(d_y * d_y) + s28
+        w[192 + lane] = s29
+        w[224 + lane] = d_x
+        w[256 + lane] = d_y
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _sphere(x, q, tool, k, out):
+@fast
+def _step(w, n):
+    """Newton's step of the platform; how far the equations are from dependent (26 operations)."""
+    wide()
+    for lane in range(n):
+        F00 = w[192 + lane]
+        J00_0 = w[224 + lane]
+        J00_1 = w[256 + lane]
+        F10 = w[1088 + lane]
+        J10_0 = w[1120 + lane]
+        J10_1 = w[1152 + lane]
+        G_det_00 = J00_0*J10_1 - J00_1*J10_0
+        G_by_00 = (1.0 / G_det_00)
+        G_inv_00 = G_by_00*J10_1
+        G_inv_01 = -G_by_00*J00_1
+        G_inv_10 = -G_by_00*J10_0
+        G_inv_11 = G_by_00*J00_0
+        u_00 = F00*G_inv_00 + F10*G_inv_01
+        u_10 = F00*G_inv_10 + F10*G_inv_11
+        s22 = (G_det_00 * G_det_00) - 1.0e-12*((J00_0 * J00_0) + (J00_1 * J00_1))*((J10_0 * J10_0) + (J10_1 * J10_1))
+        w[1792 + lane] = u_00
+        w[1824 + lane] = u_10
+        w[1856 + lane] = s22
+
+
+@fast
+def _sphere(w, k, n):
     """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (15 operations)."""
-    tx = tool[0]
-    ty = tool[1]
-    q = q
+    wide()
     s6 = k[0]
     s9 = k[1]
     B_x = k[3]
     B_y = k[4]
     s28 = k[5]
-    s7 = q + s6
-    s79 = B_x + s9*math.cos(s7) + tx
-    s80 = B_y + s9*math.sin(s7) + ty
-    s85 = s28 + 0.5*(s79 * s79) + 0.5*(s80 * s80)
-    out[0] = s79
-    out[1] = s80
-    out[2] = s85
+    for lane in range(n):
+        q = w[0 + lane]
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        s7 = q + s6
+        s79 = B_x + s9*cosine(s7) + tx
+        s80 = B_y + s9*sine(s7) + ty
+        s85 = s28 + 0.5*(s79 * s79) + 0.5*(s80 * s80)
+        w[384 + lane] = s79
+        w[416 + lane] = s80
+        w[448 + lane] = s85
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _joint(x, q, tool, k, out):
-    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it (29 operations)."""
-    px = x[0]
-    py = x[1]
-    tx = tool[0]
-    ty = tool[1]
+@fast
+def _start(w, k, n):
+    """Joint of the simplified limb at a given position (29 operations)."""
+    wide()
     s6 = k[0]
     s9 = k[1]
     B_x = k[3]
@@ -183,492 +146,793 @@ def _joint(x, q, tool, k, out):
     s62 = k[6]
     s66 = k[7]
     s71 = k[8]
-    s53 = -B_y + py - ty
-    s54 = -B_x + px - tx
-    s55 = (s54 * s54)
-    s57 = (s53 * s53)
-    s63 = 0.5*s55 + 0.5*s57 + s62
-    s70 = math.sqrt(s55*s66 + s57*s66 - (s63 * s63))
-    s78 = -s6 + math.atan2(s53*s63*s9 + s54*s70*s71, -s53*s70*s71 + s54*s63*s9)
-    out[0] = s78
+    for lane in range(n):
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        px = w[128 + lane]
+        py = w[160 + lane]
+        s53 = -B_y + py - ty
+        s54 = -B_x + px - tx
+        s55 = (s54 * s54)
+        s57 = (s53 * s53)
+        s63 = 0.5*s55 + 0.5*s57 + s62
+        s70 = math.sqrt(s55*s66 + s57*s66 - (s63 * s63))
+        s78 = -s6 + arctangent(s53*s63*s9 + s54*s70*s71, -s53*s70*s71 + s54*s63*s9)
+        w[480 + lane] = s78
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _closure(x, q, tool, k, out, F, J_x, J_q):
-    """Fill closure F (2,), J_x (2, 2) and the joints' part J_q (2,) of one pose; k (2, :), out scratch."""
-    for i in range(2):
-        _newton(x, q[i], tool, k[i], out)
-        for j in range(1):
-            row, start = 1 * i + j, 4 * j
-            F[row] = out[start]
-            for c in range(2):
-                J_x[row, c] = out[start + 1 + c]
-            J_q[row] = out[start + 3]
+@fast
+def _more(w, k, n):
+    """What else derivatives by joint and errors read of it (10 operations)."""
+    wide()
+    s6 = k[0]
+    s9 = k[1]
+    s12 = k[2]
+    for lane in range(n):
+        q = w[0 + lane]
+        s7 = q + s6
+        s8 = cosine(s7)
+        s11 = sine(s7)
+        s86 = s11*s9 - s12*s8
+        s88 = -s11*s12 - s8*s9
+        w[512 + lane] = s11
+        w[544 + lane] = s8
+        w[576 + lane] = s86
+        w[608 + lane] = s88
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _solve(A, B, columns):
-    """Solve A X = B in place by Gauss elimination with partial pivoting; X takes the place of B.
-
-    Returns False where a pivot falls below PIVOT_SINGULAR of the largest entry of A: then A is singular to that tolerance.
-    """
-    largest = 0.0
-    for r in range(2):
-        for c in range(2):
-            largest = max(largest, abs(A[r, c]))
-    for c in range(2):
-        pivot = c
-        for r in range(c + 1, 2):
-            if abs(A[r, c]) > abs(A[pivot, c]):
-                pivot = r
-        if not abs(A[pivot, c]) > PIVOT_SINGULAR * largest:
-            return False
-        if pivot != c:
-            for j in range(c, 2):
-                A[c, j], A[pivot, j] = A[pivot, j], A[c, j]
-            for j in range(columns):
-                B[c, j], B[pivot, j] = B[pivot, j], B[c, j]
-        inverse = 1.0 / A[c, c]
-        for r in range(c + 1, 2):
-            factor = A[r, c] * inverse
-            if factor != 0.0:
-                for j in range(c + 1, 2):
-                    A[r, j] -= factor * A[c, j]
-                for j in range(columns):
-                    B[r, j] -= factor * B[c, j]
-    for c in range(1, -1, -1):
-        inverse = 1.0 / A[c, c]
-        for j in range(columns):
-            B[c, j] *= inverse
-        for r in range(c):
-            factor = A[r, c]
-            if factor != 0.0:
-                for j in range(columns):
-                    B[r, j] -= factor * B[c, j]
-    return True
+@fast
+def _joints(w, k, n):
+    """Derivatives of a limb's equations by its joint (7 operations)."""
+    wide()
+    for lane in range(n):
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        px = w[128 + lane]
+        py = w[160 + lane]
+        C_x = w[320 + lane]
+        C_y = w[352 + lane]
+        s86 = w[576 + lane]
+        s88 = w[608 + lane]
+        A_x = px - tx
+        A_y = py - ty
+        d_x = A_x - C_x
+        d_y = A_y - C_y
+        s90 = d_x*s86 + d_y*s88
+        w[288 + lane] = s90
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _stuck(F):
-    """Return what a pose is where Newton's matrix is singular: SINGULAR if its loops are closed, else UNREACHABLE."""
-    for r in range(2):
-        if not abs(F[r]) < CLOSED:
-            return UNREACHABLE
-    return SINGULAR
+@fast
+def _command(w, n):
+    """Newton's step of joints and rotation; how far the equations are from dependent (16 operations)."""
+    wide()
+    for lane in range(n):
+        F00 = w[192 + lane]
+        J00_0 = w[224 + lane]
+        J00_1 = w[256 + lane]
+        Q00 = w[288 + lane]
+        F10 = w[1088 + lane]
+        J10_0 = w[1120 + lane]
+        J10_1 = w[1152 + lane]
+        Q10 = w[1184 + lane]
+        s1 = F00/Q00
+        s3 = F10/Q10
+        s9 = -1.0e-12*(J00_0 * J00_0) - 1.0e-12*(J00_1 * J00_1) + (Q00 * Q00)
+        s15 = -1.0e-12*(J10_0 * J10_0) - 1.0e-12*(J10_1 * J10_1) + (Q10 * Q10)
+        w[2080 + lane] = s1
+        w[2112 + lane] = s3
+        w[2144 + lane] = s9
+        w[2176 + lane] = s15
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def jacobians(x, q, tool, k, F, J_x, J_q, J_p):
-    """Fill the closure F (N, 2) and its Jacobians J_x (N, 2, 2), J_q (N, 2), J_p (N, 2, 8).
+@fast
+def _errors(w, k, n):
+    """Derivatives of a limb's equations by errors, by deflections (30 operations)."""
+    wide()
+    s9 = k[1]
+    s12 = k[2]
+    side = k[9]
+    s51 = k[10]
+    for lane in range(n):
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        px = w[128 + lane]
+        py = w[160 + lane]
+        C_x = w[320 + lane]
+        C_y = w[352 + lane]
+        s11 = w[512 + lane]
+        s8 = w[544 + lane]
+        A_x = px - tx
+        A_y = py - ty
+        d_x = A_x - C_x
+        d_y = A_y - C_y
+        s30 = 2*d_y
+        s31 = 0.5*s30
+        s32 = 2*d_x
+        s33 = 0.5*s32
+        s46 = -s11*(s12*s31 - s33*s9) + s8*(-s12*s33 - s31*s9)
+        s50 = side*(-s11*s31 - s33*s8)
+        s52 = -side*(-s11*s33 + s31*s8)
+        w[640 + lane] = s46
+        w[672 + lane] = -s33
+        w[704 + lane] = -s31
+        w[736 + lane] = s50
+        w[768 + lane] = s51
+        w[800 + lane] = 0
+        w[832 + lane] = 0
+        w[864 + lane] = s52
 
-    Rows 1 i .. 1 i + 0 belong to limb i and depend on its own joint, errors and deflections only:
-    J_q and J_p hold the derivatives by those.
-    """
-    out, by_errors = np.zeros(4), np.zeros(8)
-    for n in range(x.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        _closure(x[n], q[n], tool[n], k[m], out, F[n], J_x[n], J_q[n])
-        for i in range(2):
-            _parameters(x[n], q[n, i], tool[n], k[m, i], by_errors)
-            for j in range(1):
-                for c in range(8):
-                    J_p[n, 1 * i + j, c] = by_errors[8 * j + c]
+
+@fast
+def _inverse_of_rows(w, n):
+    """Minus the inverse of the derivatives, row by row; how far the equations are from dependent (24 operations)."""
+    wide()
+    for lane in range(n):
+        J00_0 = w[224 + lane]
+        J00_1 = w[256 + lane]
+        J10_0 = w[1120 + lane]
+        J10_1 = w[1152 + lane]
+        G_det_00 = J00_0*J10_1 - J00_1*J10_0
+        G_by_00 = (1.0 / G_det_00)
+        G_inv_00 = G_by_00*J10_1
+        G_inv_01 = -G_by_00*J00_1
+        G_inv_10 = -G_by_00*J10_0
+        G_inv_11 = G_by_00*J00_0
+        s22 = (G_det_00 * G_det_00) - 1.0e-12*((J00_0 * J00_0) + (J00_1 * J00_1))*((J10_0 * J10_0) + (J10_1 * J10_1))
+        w[1920 + lane] = -G_inv_00
+        w[1952 + lane] = -G_inv_01
+        w[1984 + lane] = -G_inv_10
+        w[2016 + lane] = -G_inv_11
+        w[2048 + lane] = s22
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _meet(circle, pose):
-    """Put the point where two circles meet into pose[:2]; False where their centres coincide.
+@fast
+def _move(w, n):
+    """The platform after a step, and its rotation matrix (4 operations)."""
+    wide()
+    for lane in range(n):
+        px = w[128 + lane]
+        py = w[160 + lane]
+        y0 = w[1792 + lane]
+        y1 = w[1824 + lane]
+        going = w[1888 + lane]
+        new_00 = -going*y0 + px
+        new_10 = -going*y1 + py
+        w[128 + lane] = new_00
+        w[1024 + lane] = new_00
+        w[160 + lane] = new_10
+        w[1056 + lane] = new_10
+
+
+@fast
+def _meet(w, n):
+    """Put the platform where two circles meet.
 
     Their difference is a line, on which the first circle is a quadratic. Where the line misses the circle its nearest
     point is taken: the exact machine may still reach what the simplified one cannot.
     """
-    ax, ay = circle[1, 0] - circle[0, 0], circle[1, 1] - circle[0, 1]
-    aa = ax * ax + ay * ay
-    size = circle[0, 0] ** 2 + circle[0, 1] ** 2 + circle[1, 0] ** 2 + circle[1, 1] ** 2
-    if not aa > PIVOT_SINGULAR * size:
-        return False
-    along = (circle[1, 2] - circle[0, 2]) / aa
-    px, py = along * ax, along * ay
-    nx, ny = -ay, ax
-    # |P + t n|^2 / 2 - c.(P + t n) + d = 0
-    half = (px * nx + py * ny) - (circle[0, 0] * nx + circle[0, 1] * ny)
-    rest = 0.5 * (px * px + py * py) - (circle[0, 0] * px + circle[0, 1] * py) + circle[0, 2]
-    root = math.sqrt(max(half * half - 2.0 * aa * rest, 0.0))
-    sign = -1.0 if ny > 0.0 else 1.0
-    t = (-half + sign * root) / aa
-    pose[0], pose[1] = px + t * nx, py + t * ny
-    return True
+    wide()
+    for lane in range(n):
+        ox, oy, od = w[384 + lane], w[416 + lane], w[448 + lane]
+        ax, ay, ad = w[1280 + lane], w[1312 + lane], w[1344 + lane]
+        ax, ay, da = ax - ox, ay - oy, ad - od
+        nn = ax * ax + ay * ay
+        inverse = 1.0 / nn
+        px, py = da * inverse * ax, da * inverse * ay
+        # |P + t n|^2 / 2 - c.(P + t n) + d = 0 with n = (-ay, ax)
+        half = ((py - oy) * ax - (px - ox) * ay) * inverse
+        rest = 0.5 * (px * px + py * py) - (ox * px + oy * py) + od
+        square = half * half - 2.0 * rest * inverse
+        good = (square * nn > CLEAR * CLEAR) & (nn > 1.0)
+        w[1888 + lane] = 0.0 if good else 1.0
+        root = math.sqrt(square if square > 0.0 else 0.0)
+        t = (-root if ax > 0.0 else root) - half
+        w[128 + lane] = px - t * ay
+        w[160 + lane] = py + t * ax
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@fast
+def _settle(w, n):
+    """Mark the poses for which this step was the last; return how many go on."""
+    wide()
+    left = 0
+    for lane in range(n):
+        done = (w[1856 + lane] > 0.0)
+        done = done & (abs(w[1792 + lane]) < STEP_DONE)
+        done = done & (abs(w[1824 + lane]) < STEP_DONE)
+
+        going = 0.0 if done | (w[1888 + lane] == 0.0) else 1.0
+        w[1888 + lane] = going
+        left += 1 if going == 1.0 else 0
+    return left
+
+
+@fast
+def _settle_joints(w, n):
+    """Mark the poses for which this step was the last; return how many go on."""
+    wide()
+    left = 0
+    for lane in range(n):
+        done = (w[2144 + lane] > 0.0)
+        done = done & (w[2176 + lane] > 0.0)
+        done = done & (abs(w[2080 + lane]) < TURN_DONE)
+        done = done & (abs(w[2112 + lane]) < TURN_DONE)
+
+
+        going = 0.0 if done | (w[1888 + lane] == 0.0) else 1.0
+        w[1888 + lane] = going
+        left += 1 if going == 1.0 else 0
+    return left
+
+
+@fast
+def _begin(w, n):
+    """Let all poses go."""
+    for lane in range(n):
+        w[1888 + lane] = 1.0
+        w[1792 + lane] = 0.0
+        w[1824 + lane] = 0.0
+
+
+@fast
+def _started(w, n):
+    """Take joints, and coordinates that no command asks for, from the simplified machine."""
+    for lane in range(n):
+        w[1888 + lane] = 0.0 if (abs(w[480 + lane]) < math.inf) & (abs(w[1376 + lane]) < math.inf) else 1.0
+        w[0 + lane] = w[480 + lane]
+        w[896 + lane] = w[1376 + lane]
+
+
+@fast
+def _turn_joints(w, n):
+    """Move the joints by a step; what it does to the platform is left to `_move`."""
+    for lane in range(n):
+        going = w[1888 + lane]
+        w[0 + lane] -= going * w[2080 + lane]
+        w[896 + lane] -= going * w[2112 + lane]
+
+@fast
+def _load(q, w, first, last, n):
+    """Put joints of poses side by side, the last one again for the rest of `n`."""
+    wide()
+    for lane in range(n):
+        m = min(first + lane, last)
+        w[0 + lane] = q[m, 0]
+        w[896 + lane] = q[m, 1]
+
+
+@fast
+def _hold(tool, w, first, last, n):
+    """Put tools of poses side by side, like `_load`."""
+    wide()
+    for lane in range(n):
+        m = min(first + lane, last)
+        at = tool[m, 0]
+        w[32 + lane] = at
+        w[928 + lane] = at
+        at = tool[m, 1]
+        w[64 + lane] = at
+        w[960 + lane] = at
+        at = tool[m, 2]
+        w[96 + lane] = at
+        w[992 + lane] = at
+
+
+@fast
+def _place(x, w, first, last, n):
+    """Put platform poses side by side, like `_load`."""
+    wide()
+    for lane in range(n):
+        m = min(first + lane, last)
+        w[128 + lane] = x[m, 0]
+        w[160 + lane] = x[m, 1]
+
+
+@fast
+def _unload(w, x, status, first, last):
+    """Write the platform's poses, and what became of them; return how many are left open."""
+    wide()
+    left = 0
+    for lane in range(last - first + 1):
+        x[first + lane, 0] = w[128 + lane]
+        x[first + lane, 1] = w[160 + lane]
+        is_open = w[1888 + lane] != 0.0
+        status[first + lane] = OPEN if is_open else SOLVED
+        left += 1 if is_open else 0
+    return left
+
+
+@fast
+def _unload_joints(w, q, first, last):
+    wide()
+    for lane in range(last - first + 1):
+        q[first + lane, 0] = w[0 + lane]
+        q[first + lane, 1] = w[896 + lane]
+
+
+@fast
+def _forward(q, tool, k, x, status, warm, w):
+    w_1 = w[0:896]
+    w_2 = w[896:1792]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(q, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _early(w_1, k_1, n)
+            _early(w_2, k_2, n)
+            if warm:
+                _place(x, w, first, last, n)
+            else:
+                _meet(w, n)
+            _begin(w, n)
+            _move(w, n)
+            for _ in range(MAX_STEPS):
+                _rows(w_1, k_1, n)
+                _rows(w_2, k_2, n)
+                _step(w, n)
+                _move(w, n)
+                if _settle(w, n) == 0:
+                    break
+            left += _unload(w, x, status, first, last)
+    return left
+
+
+def _of(values, chosen, poses):
+    """Return what belongs to the chosen poses of constants or tools, of which there may be fewer than poses."""
+    return values[chosen // (poses // len(values))]
+
+
 def forward(q, tool, k, x, status, warm):
     """Fill x (N, 2) with the exact platform pose at the joints q, by Newton from the simplified machine, or from x where warm.
 
     status (N,): SOLVED, UNREACHABLE (no platform pose closes all loops) or SINGULAR; x is NaN unless SOLVED.
     """
-    F, J_q = np.empty(2), np.empty(2)
-    J_x = np.empty((2, 2))
-    step = np.empty((2, 1))
-    out = np.zeros(4)
-    pose = np.zeros(2)
-    sphere = np.empty((2, 3))
-    for n in range(q.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        seeded = True
-        for c in range(2):
-            pose[c] = x[n, c] if warm else 0.0
-            seeded = seeded and math.isfinite(pose[c])
-        if not (warm and seeded):
-            pose[:] = 0.0
-            for i in range(2):
-                _sphere(pose, q[n, i], tool[n], k[m, i], sphere[i])
-            seeded = _meet(sphere, pose)
-        status[n] = UNREACHABLE if seeded else SINGULAR
-        for _ in range(MAX_STEPS if seeded else 0):
-            _closure(pose, q[n], tool[n], k[m], out, F, J_x, J_q)
-            for r in range(2):
-                step[r, 0] = F[r]
-            if not _solve(J_x, step, 1):
-                status[n] = _stuck(F)
-                break
-            size = 0.0
-            for c in range(2):
-                pose[c] -= step[c, 0]
-                size = max(size, abs(step[c, 0]))
-            if size < STEP_DONE:
-                status[n] = SOLVED
-                break
-            if not size < STEP_LOST:
-                break
-        for c in range(2):
-            x[n, c] = pose[c] if status[n] == SOLVED else np.nan
+    given = x.copy() if warm else x
+    if _forward(q, tool, k, x, status, warm, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        of, found = np.zeros(len(left), dtype=np.int64), given[left]
+        vectorised.forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, warm)
+        x[left], status[left] = found, of
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@fast
+def _inverse(target, tool, k, x, q, status, w):
+    w_1 = w[0:896]
+    w_2 = w[896:1792]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(target, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _aim(w, n)
+            _start(w_1, k_1, n)
+            _start(w_2, k_2, n)
+            _started(w, n)
+            _begin(w, n)
+            _move(w, n)
+            for _ in range(MAX_STEPS):
+                _early(w_1, k_1, n)
+                _more(w_1, k_1, n)
+                _rows(w_1, k_1, n)
+                _joints(w_1, k_1, n)
+                _early(w_2, k_2, n)
+                _more(w_2, k_2, n)
+                _rows(w_2, k_2, n)
+                _joints(w_2, k_2, n)
+                _command(w, n)
+                _turn_joints(w, n)
+                _move(w, n)
+                if _settle_joints(w, n) == 0:
+                    break
+            left += _unload(w, x, status, first, last)
+            _unload_joints(w, q, first, last)
+    return left
+
+
 def inverse(target, tool, k, x, q, status):
     """Fill the joints q (N, 2) that bring the reference point to target (N, 2), and the pose x (N, 2) it then has.
 
     Newton on the joints and the platform's rotation from the simplified machine. status as in `forward`; UNREACHABLE
     where the target lies beyond the reach of a limb.
     """
-    F, J_q = np.empty(2), np.empty(2)
-    J_x = np.empty((2, 2))
-    A = np.empty((2, 2))
-    step = np.empty((2, 1))
-    out = np.zeros(4)
-    pose, joints, start = np.zeros(2), np.empty(2), np.zeros(1)
-    for n in range(target.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        pose[:] = 0.0
-        for c in range(2):
-            pose[c] = target[n, c]
-        seeded = True
-        for i in range(2):
-            _joint(pose, 0.0, tool[n], k[m, i], start)
-            joints[i] = start[0]
-            seeded = seeded and math.isfinite(joints[i])
-        status[n] = UNREACHABLE
-        for _ in range(MAX_STEPS if seeded else 0):
-            _closure(pose, joints, tool[n], k[m], out, F, J_x, J_q)
-            A[:] = 0.0
-            for r in range(2):
-                A[r, r // 1] = J_q[r]
-                for c in range(0):
-                    A[r, 2 + c] = J_x[r, 2 + c]
-                step[r, 0] = F[r]
-            if not _solve(A, step, 1):
-                status[n] = _stuck(F)
-                break
-            size = 0.0
-            for c in range(2):
-                joints[c] -= step[c, 0]
-                size = max(size, abs(step[c, 0]))
-            for c in range(0):
-                pose[2 + c] -= step[2 + c, 0]
-                size = max(size, abs(step[2 + c, 0]))
-            if size < STEP_DONE * ANGLE_STEP:
-                status[n] = SOLVED
-                break
-            if not size < STEP_LOST:
-                break
-        for c in range(2):
-            q[n, c] = joints[c] if status[n] == SOLVED else np.nan
-        for c in range(2):
-            x[n, c] = pose[c] if status[n] == SOLVED else np.nan
+    if _inverse(target, tool, k, x, q, status, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        found, joints, of = np.empty((len(left), 2)), np.empty((len(left), 2)), np.zeros(len(left), dtype=np.int64)
+        vectorised.inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
+        x[left], q[left], status[left] = found, joints, of
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@fast
+def _simplified_forward(q, tool, k, x, status, w):
+    w_1 = w[0:896]
+    w_2 = w[896:1792]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(q, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _sphere(w_1, k_1, n)
+            _sphere(w_2, k_2, n)
+            _meet(w, n)
+            left += _unload(w, x, status, first, last)
+    return left
+
+
+def simplified_forward(q, tool, k, x, status):
+    """`forward` of the simplified machine, in closed form: exact where tip_v are zero."""
+    if _simplified_forward(q, tool, k, x, status, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        found, of = np.empty((len(left), 2)), np.empty(len(left), dtype=np.int64)
+        forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, False)
+        x[left], status[left] = found, of
+
+
+@fast
+def _simplified_inverse(target, tool, k, x, q, status, w):
+    w_1 = w[0:896]
+    w_2 = w[896:1792]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(target, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _aim(w, n)
+            _start(w_1, k_1, n)
+            _start(w_2, k_2, n)
+            _started(w, n)
+            left += _unload(w, x, status, first, last)
+            _unload_joints(w, q, first, last)
+    return left
+
+
+def simplified_inverse(target, tool, k, x, q, status):
+    """`inverse` of the simplified machine, in closed form; see `simplified_forward`."""
+    if _simplified_inverse(target, tool, k, x, q, status, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        found, joints, of = np.empty((len(left), 2)), np.empty((len(left), 2)), np.empty(len(left), dtype=np.int64)
+        inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
+        x[left], q[left], status[left] = found, joints, of
+
+
+@fast
+def _aim(w, n):
+    """Put targets, which were loaded as joints, where the limbs read the platform."""
+    for lane in range(n):
+        at = w[0 + lane]
+        w[128 + lane] = at
+        w[1024 + lane] = at
+        at = w[896 + lane]
+        w[160 + lane] = at
+        w[1056 + lane] = at
+
+
+@fast
+def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
+    w_1 = w[0:896]
+    w_2 = w[896:1792]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(q, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _place(x, w, first, last, n)
+            _begin(w, n)
+            _move(w, n)
+            _early(w_1, k_1, n)
+            _more(w_1, k_1, n)
+            _rows(w_1, k_1, n)
+            _joints(w_1, k_1, n)
+            _errors(w_1, k_1, n)
+            _early(w_2, k_2, n)
+            _more(w_2, k_2, n)
+            _rows(w_2, k_2, n)
+            _joints(w_2, k_2, n)
+            _errors(w_2, k_2, n)
+            _inverse_of_rows(w, n)
+            left += _products(w, S_p, S_q, status, first, last)
+    return left
+
+
+@fast
+def _products(w, S_p, S_q, status, first, last):
+    """Multiply the inverse and the derivatives by errors and joints, pose by pose; return how many are left open."""
+    wide()
+    left = 0
+    for lane in range(last - first + 1):
+        m = first + lane
+        e_0_0 = w[640 + lane]
+        e_0_1 = w[672 + lane]
+        e_0_2 = w[704 + lane]
+        e_0_3 = w[736 + lane]
+        e_0_4 = w[768 + lane]
+        e_0_5 = w[800 + lane]
+        e_0_6 = w[832 + lane]
+        e_0_7 = w[864 + lane]
+        q_0 = w[288 + lane]
+        for r in range(2):
+            a_0 = w[64 * r + (1920 + lane)]
+            S_p[m, r, 0] = a_0 * e_0_0
+            S_p[m, r, 1] = a_0 * e_0_1
+            S_p[m, r, 2] = a_0 * e_0_2
+            S_p[m, r, 3] = a_0 * e_0_3
+            S_p[m, r, 4] = a_0 * e_0_4
+            S_p[m, r, 5] = a_0 * e_0_5
+            S_p[m, r, 6] = a_0 * e_0_6
+            S_p[m, r, 7] = a_0 * e_0_7
+            S_q[m, r, 0] = a_0 * q_0
+        e_0_0 = w[1536 + lane]
+        e_0_1 = w[1568 + lane]
+        e_0_2 = w[1600 + lane]
+        e_0_3 = w[1632 + lane]
+        e_0_4 = w[1664 + lane]
+        e_0_5 = w[1696 + lane]
+        e_0_6 = w[1728 + lane]
+        e_0_7 = w[1760 + lane]
+        q_0 = w[1184 + lane]
+        for r in range(2):
+            a_0 = w[64 * r + (1952 + lane)]
+            S_p[m, r, 8] = a_0 * e_0_0
+            S_p[m, r, 9] = a_0 * e_0_1
+            S_p[m, r, 10] = a_0 * e_0_2
+            S_p[m, r, 11] = a_0 * e_0_3
+            S_p[m, r, 12] = a_0 * e_0_4
+            S_p[m, r, 13] = a_0 * e_0_5
+            S_p[m, r, 14] = a_0 * e_0_6
+            S_p[m, r, 15] = a_0 * e_0_7
+            S_q[m, r, 1] = a_0 * q_0
+        regular = True
+        regular = regular & (w[2048 + lane] > 0.0)
+        status[m] = SOLVED if regular else OPEN
+        left += 0 if regular else 1
+    return left
+
+
 def sensitivity(x, q, tool, k, S_p, S_q, status):
     """Fill the derivatives of the exact pose: S_p (N, 2, 16) by errors and deflections, S_q (N, 2, 2) by joints.
 
-    ``J_x S = -J``. Columns of S_p run limb by limb. S_q is the velocity Jacobian.
+    Rows are px, py, then turns of the platform about the axes of {O}. Columns of S_p run limb by limb. S_q is the velocity
+    Jacobian.
     """
-    F, J_q = np.empty(2), np.empty(2)
-    J_x = np.empty((2, 2))
-    unit = np.empty((2, 2))
-    out = np.zeros(4)
-    J_p = np.zeros(8)
-    for n in range(x.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        _closure(x[n], q[n], tool[n], k[m], out, F, J_x, J_q)
-        unit[:] = 0.0
-        for r in range(2):
-            unit[r, r] = -1.0
-        status[n] = SOLVED if _solve(J_x, unit, 2) else SINGULAR
-        for i in range(2):
-            _parameters(x[n], q[n, i], tool[n], k[m, i], J_p)
-            for r in range(2):
-                for c in range(8):
-                    total = 0.0
-                    for j in range(1):
-                        total += unit[r, 1 * i + j] * J_p[8 * j + c]
-                    S_p[n, r, 8 * i + c] = total if status[n] == SOLVED else np.nan
-                total = 0.0
-                for j in range(1):
-                    total += unit[r, 1 * i + j] * J_q[1 * i + j]
-                S_q[n, r, i] = total if status[n] == SOLVED else np.nan
+    if _sensitivity(x, q, tool, k, S_p, S_q, status, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        by_errors, by_joints, of = np.empty((len(left), 2, 16)), np.empty((len(left), 2, 2)), np.zeros(len(left), dtype=np.int64)
+        vectorised.sensitivity(x[left], q[left], _of(tool, left, len(status)), _of(k, left, len(status)), by_errors, by_joints, of)
+        S_p[left], S_q[left], status[left] = by_errors, by_joints, of
 
 
-def linear_constants(p):
-    """Return k (M, 2, 13), what `linear` reads that no pose changes, from p (23 operations).
+def nominal_constants(p):
+    """Return k (M, 2, 6), what `nominal_sensitivity` reads that no pose changes, from p (6 operations).
 
-    p is that of the calibrated machine: its geometry is taken as nominal, its errors as what to compensate.
+    p is that of the nominal machine; errors and deflections in it play no part.
     """
-    k = np.zeros((p.shape[0], 2, 13))
+    k = np.zeros((p.shape[0], 2, 6))
     base_x = p[..., 0]
     base_y = p[..., 1]
     L = p[..., 2]
     l = p[..., 3]
     side = p[..., 4]
-    theta = p[..., 5]
-    ex = p[..., 6]
-    ey = p[..., 7]
-    dL = p[..., 8]
-    dl = p[..., 9]
-    tip_v = p[..., 12]
     B_x = base_x*side
     s2 = -0.5*np.pi*(1 - side)
     s5 = L*side
-    s10 = dL*side
-    s12 = -side*tip_v
-    s14 = -L*side*theta
-    s35 = (L * L)
-    s36 = (side * side)
-    s38 = -0.5*(l * l) + 0.5*s35*s36
-    s42 = s35*s36
-    s47 = L*s36
-    s57 = -dl*l
-    k[..., 0] = base_y
-    k[..., 1] = B_x
-    k[..., 2] = s38
-    k[..., 3] = s5
-    k[..., 4] = s42
-    k[..., 5] = s47
-    k[..., 6] = s2
-    k[..., 7] = s10
-    k[..., 8] = s12
-    k[..., 9] = s14
-    k[..., 10] = ex
-    k[..., 11] = ey
-    k[..., 12] = s57
+    k[..., 0] = s2
+    k[..., 1] = s5
+    k[..., 2] = B_x
+    k[..., 3] = side
+    k[..., 4] = base_y
+    k[..., 5] = l
     return k
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _nominal_joint(x, q, tool, k, i, out):
-    """Joint of the nominal limb at a given position (29 operations); limb i of k, row i of out."""
-    px = x[0]
-    py = x[1]
-    tx = tool[0]
-    ty = tool[1]
-    base_y = k[i, 0]
-    B_x = k[i, 1]
-    s38 = k[i, 2]
-    s5 = k[i, 3]
-    s42 = k[i, 4]
-    s47 = k[i, 5]
-    s2 = k[i, 6]
-    s27 = -base_y + py - ty
-    s28 = -B_x + px - tx
-    s29 = (s28 * s28)
-    s31 = (s27 * s27)
-    s39 = 0.5*s29 + 0.5*s31 + s38
-    s46 = math.sqrt(s29*s42 + s31*s42 - (s39 * s39))
-    s54 = -s2 + math.atan2(s27*s39*s5 + s28*s46*s47, -s27*s46*s47 + s28*s39*s5)
-    row = 1 * i
-    out[row + 0] = s54
+@fast
+def _nominal(w, k, n):
+    """Equations of a nominal limb by platform and errors (26 operations)."""
+    wide()
+    s2 = k[0]
+    s5 = k[1]
+    B_x = k[2]
+    side = k[3]
+    base_y = k[4]
+    l = k[5]
+    for lane in range(n):
+        q = w[0 + lane]
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        px = w[128 + lane]
+        py = w[160 + lane]
+        s3 = q + s2
+        s4 = cosine(s3)
+        C_x = B_x + s4*s5
+        s8 = sine(s3)
+        C_x_theta = -s5*s8
+        C_x_dL = s4*side
+        C_y = -C_x_theta + base_y
+        C_y_theta = s4*s5
+        C_y_dL = s8*side
+        A_x = px - tx
+        A_y = py - ty
+        d_x = A_x - C_x
+        d_y = A_y - C_y
+        s20 = -C_x_theta*d_x - C_y_theta*d_y
+        s23 = -C_x_dL*d_x - C_y_dL*d_y
+        w[224 + lane] = d_x
+        w[256 + lane] = d_y
+        w[640 + lane] = s20
+        w[672 + lane] = -d_x
+        w[704 + lane] = -d_y
+        w[736 + lane] = s23
+        w[768 + lane] = -l
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _linear(x, q, tool, k, i, out):
-    """Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (33 operations); limb i of k, row i of out."""
-    px = x[0]
-    py = x[1]
-    tx = tool[0]
-    ty = tool[1]
-    base_y = k[i, 0]
-    B_x = k[i, 1]
-    s5 = k[i, 3]
-    s2 = k[i, 6]
-    s10 = k[i, 7]
-    s12 = k[i, 8]
-    s14 = k[i, 9]
-    ex = k[i, 10]
-    ey = k[i, 11]
-    s57 = k[i, 12]
-    s3 = q + s2
-    s4 = math.cos(s3)
-    C_x = B_x + s4*s5
-    s8 = math.sin(s3)
-    C_x_q = -s5*s8
-    C_x_errors = ex + s10*s4 + s12*s8 + s14*s8
-    C_y = -C_x_q + base_y
-    C_y_q = s4*s5
-    C_y_errors = ey + s10*s8 - s12*s4 - s14*s4
-    A_x = px - tx
-    A_y = py - ty
-    d_x = A_x - C_x
-    d_y = A_y - C_y
-    s58 = -C_x_errors*d_x - C_y_errors*d_y + s57
-    s61 = -C_x_q*d_x - C_y_q*d_y
-    row = 4 * i
-    out[row + 0] = s58
-    out[row + 3] = s61
+@fast
+def _nominal_inverse(w, n):
+    """Minus the inverse of the derivatives, its rows of the position; how far the equations are from dependent (24 operations)."""
+    wide()
+    for lane in range(n):
+        J00_0 = w[224 + lane]
+        J10_0 = w[1120 + lane]
+        J00_1 = w[256 + lane]
+        J10_1 = w[1152 + lane]
+        G_det_00 = J00_0*J10_1 - J00_1*J10_0
+        G_by_00 = (1.0 / G_det_00)
+        G_inv_00 = G_by_00*J10_1
+        G_inv_01 = -G_by_00*J00_1
+        G_inv_10 = -G_by_00*J10_0
+        G_inv_11 = G_by_00*J00_0
+        s16 = (G_det_00 * G_det_00) - 1.0e-12*((J00_0 * J00_0) + (J00_1 * J00_1))*((J10_0 * J10_0) + (J10_1 * J10_1))
+        w[1920 + lane] = -G_inv_00
+        w[1952 + lane] = -G_inv_01
+        w[1984 + lane] = -G_inv_10
+        w[2016 + lane] = -G_inv_11
+        w[2048 + lane] = s16
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _hold(work):
-    """Solve for the changes of joints and rotation that undo the closures while the reference point stays in place.
+@fast
+def _nominal_products(w, S, first, last):
+    """Multiply the inverse and the derivatives by the errors where they do not vanish; False where a pose is not regular."""
+    wide()
+    regular = True
+    for lane in range(last - first + 1):
+        m = first + lane
+        e_0_0 = w[640 + lane]
+        e_0_1 = w[672 + lane]
+        e_0_2 = w[704 + lane]
+        e_0_3 = w[736 + lane]
+        e_0_4 = w[768 + lane]
+        for r in range(2):
+            a_0 = w[64 * r + (1920 + lane)]
+            S[m, r, 0] = a_0 * e_0_0
+            S[m, r, 1] = a_0 * e_0_1
+            S[m, r, 2] = a_0 * e_0_2
+            S[m, r, 3] = a_0 * e_0_3
+            S[m, r, 4] = a_0 * e_0_4
+            S[m, r, 5] = 0.0
+            S[m, r, 6] = 0.0
+        e_0_0 = w[1536 + lane]
+        e_0_1 = w[1568 + lane]
+        e_0_2 = w[1600 + lane]
+        e_0_3 = w[1632 + lane]
+        e_0_4 = w[1664 + lane]
+        for r in range(2):
+            a_0 = w[64 * r + (1952 + lane)]
+            S[m, r, 7] = a_0 * e_0_0
+            S[m, r, 8] = a_0 * e_0_1
+            S[m, r, 9] = a_0 * e_0_2
+            S[m, r, 10] = a_0 * e_0_3
+            S[m, r, 11] = a_0 * e_0_4
+            S[m, r, 12] = 0.0
+            S[m, r, 13] = 0.0
+        regular = regular & (w[2048 + lane] > 0.0)
+    return regular
 
-    work: per rod closure, its derivatives by the platform and by the joint; then room for the reduced equations; then
-    the changes. A limb's joint is eliminated with the rod that feels it most; what is left are 0 equations for the
-    rotation. Returns False where a joint is felt by no rod of its limb, or the rotation is not held.
+
+@fast
+def _nominal_sensitivity(x, q, tool, k, S, w):
+    w_1 = w[0:896]
+    w_2 = w[896:1792]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    poses, regular = q.size // 2, True
+    k_1, k_2 = k[0, 0], k[0, 1]
+    for first in range(0, poses, LANES):
+        last = min(first + LANES, poses) - 1
+        n = (last - first + 8) // 8 * 8
+        _load(x, w, first, last, n)
+        if len(tool) > 1:
+            _hold(tool, w, first, last, n)
+        _aim(w, n)
+        _load(q, w, first, last, n)
+        _nominal(w_1, k_1, n)
+        _nominal(w_2, k_2, n)
+        _nominal_inverse(w, n)
+        regular = _nominal_products(w, S, first, last) & regular
+    return regular
+
+
+def nominal_sensitivity(x, q, tool, k, S):
+    """Fill S (N, 2, 14) with the derivatives of the nominal machine's position by its errors, limb by limb.
+
+    x (N, 2) is the position of the reference point, q (N, 2) the joints there, tool (N, 3), k from `nominal_constants`.
+    False where the machine is singular at one of the poses, or nearly so. With the errors of one limb in the order of
+    ``parameters.ERRORS``, then ``COMMON``.
     """
-    largest = 0.0
-    for row in range(2):
-        for c in range(3, 4):
-            largest = max(largest, abs(work[4 * row + c]))
-    smallest = PIVOT_SINGULAR * largest
-    target = 8
-    for i in range(2):
-        best = 4 * i
-        for j in range(1, 1):
-            if abs(work[4 * i + 4 * j + 3]) > abs(work[best + 3]):
-                best = 4 * i + 4 * j
-        if not abs(work[best + 3]) > smallest:
-            return False
-        inverse = 1.0 / work[best + 3]
-        for j in range(1):
-            rod = 4 * i + 4 * j
-            if rod != best:
-                factor = work[rod + 3] * inverse
-                for c in range(0):
-                    work[target + c] = work[rod + 3 + c] - factor * work[best + 3 + c]
-                work[target + 0] = work[rod] - factor * work[best]
-                target += 1
-        # the joint's own equation, left to the end: closure and rotation over the joint's derivative
-        for c in range(0):
-            work[4 * i + 3 + c] = work[best + 3 + c] * inverse
-        work[8 + i] = work[best] * inverse
-    for c in range(0):
-        pivot = 8 + 1 * c
-        for r in range(c + 1, 0):
-            if abs(work[8 + 1 * r + c]) > abs(work[pivot + c]):
-                pivot = 8 + 1 * r
-        row = 8 + 1 * c
-        if not abs(work[pivot + c]) > smallest:
-            return False
-        if pivot != row:
-            for j in range(c, 1):
-                work[row + j], work[pivot + j] = work[pivot + j], work[row + j]
-        inverse = 1.0 / work[row + c]
-        for r in range(c + 1, 0):
-            below = 8 + 1 * r
-            factor = work[below + c] * inverse
-            for j in range(c + 1, 1):
-                work[below + j] -= factor * work[row + j]
-    for c in range(-1, -1, -1):
-        row = 8 + 1 * c
-        total = work[row + 0]
-        for j in range(c + 1, 0):
-            total -= work[row + j] * work[10 + j]
-        work[10 + c] = total / work[row + c]
-    for i in range(2):
-        for c in range(0):
-            work[8 + i] -= work[4 * i + 3 + c] * work[10 + c]
-    return True
+    return _nominal_sensitivity(x, q, tool, k, S, scratch(WORK))
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def exact_command(target, tool, k, work, q):
-    """Fill the joints q (2,) that bring the reference point to target (2,); return the status.
+@fast
+def _along(x, C, H):
+    """Fill the rows of all pairs: along the line from one position to the other, the difference of their derivatives."""
+    wide()
+    poses, row = x.shape[0], 0
+    for a in range(poses):
+        for b in range(a + 1, poses):
+            n_0 = x[b, 0] - x[a, 0]
+            n_1 = x[b, 1] - x[a, 1]
+            by = 1.0 / math.sqrt(n_0 * n_0 + n_1 * n_1)
+            for j in range(H.shape[1]):
+                H[row, j] = by * (n_0 * (C[b, 0, j] - C[a, 0, j]) + n_1 * (C[b, 1, j] - C[a, 1, j]))
+            row += 1
 
-    `inverse` for one pose, to be called from a servo loop: tool (3,), k (2, :), scratch work (COMMAND_WORK,).
-    q is NaN unless SOLVED.
+
+@fast
+def _distance_rows(x, q, tool, k, columns, H, S, C, w):
+    regular = _nominal_sensitivity(x, q, tool, k, S, w)
+    for m in range(C.shape[0]):
+        for c in range(2):
+            for j in range(columns.size):
+                C[m, c, j] = S[m, c, columns[j]]
+    _along(x, C, H)
+    return regular
+
+
+def distance_rows(x, q, tool, k, columns, H):
+    """Fill the identification matrix H (N (N - 1) / 2, n) of the distances of all pairs of positions, first with second and so on.
+
+    x, q, tool, k as in `nominal_sensitivity`; columns (n,) of its errors. The sensitivities are contracted pose by pose
+    and not returned. False as there.
     """
-    pose = work[10:]
-    for c in range(2):
-        pose[c] = target[c]
-    for c in range(0):
-        pose[2 + c] = 0.0
-    status = SOLVED
-    for i in range(2):
-        _joint(pose, 0.0, tool, k[i], work)
-        q[i] = work[0]
-        if not math.isfinite(q[i]):
-            status = UNREACHABLE
-    if status == SOLVED:
-        status = UNREACHABLE
-        for _ in range(MAX_STEPS):
-            for i in range(2):
-                _newton(pose, q[i], tool, k[i], work[4 * i : 4 * (i + 1)])
-            if not _hold(work):
-                status = SINGULAR
-                break
-            size = 0.0
-            for i in range(2):
-                q[i] -= work[8 + i]
-                size = max(size, abs(work[8 + i]))
-            for c in range(0):
-                pose[2 + c] -= work[10 + c]
-                size = max(size, abs(work[10 + c]))
-            if size < COMMAND_DONE:
-                status = SOLVED
-                break
-            if not size < STEP_LOST:
-                break
-    if status != SOLVED:
-        for i in range(2):
-            q[i] = np.nan
-    return status
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def linear_command(target, tool, k, work, q):
-    """Fill the joints q (2,) that bring the reference point to target (2,) to first order in the errors; return the status.
-
-    Bai's eqs. (23) and (25): the nominal joints of the target, and the change that keeps the reference point where it
-    is, to first order, when the errors appear. tool (3,), k (2, 13) from `linear_constants`, scratch work
-    (COMMAND_WORK,). q is NaN unless SOLVED.
-    """
-    status = SOLVED
-    for i in range(2):
-        _nominal_joint(target, 0.0, tool, k, i, q)
-        if not math.isfinite(q[i]):
-            status = UNREACHABLE
-    if status == SOLVED:
-        for i in range(2):
-            _linear(target, q[i], tool, k, i, work)
-        if not _hold(work):
-            status = SINGULAR
-    for i in range(2):
-        q[i] = q[i] - work[8 + i] if status == SOLVED else np.nan
-    return status
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def linear_commands(target, tool, k, q, status):
-    """Fill joints q (N, 2) and status (N,) by `linear_command`; target (N, 2) and tool (N, 3), k (M, 2, :)."""
-    work = np.zeros(COMMAND_WORK)
-    for n in range(target.shape[0]):
-        status[n] = linear_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])
+    poses, n = len(x), columns.size
+    work = scratch(2 * poses * (14 + n))
+    S = work[: 28 * poses].reshape(poses, 2, 14)
+    C = work[28 * poses :].reshape(poses, 2, n)
+    return _distance_rows(x, q, tool, k, columns, H, S, C, scratch(WORK))

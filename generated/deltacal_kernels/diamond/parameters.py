@@ -1,7 +1,7 @@
 """Tables of `diamond`: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both bb09f667ce2f1b5e; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 6c1a315316d1dc16; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 
@@ -51,6 +51,9 @@ COMMON = (
 DEFLECTIONS = (
     ("tip_v", "mm", "arm tip displaced normal to the arm"),
 )
+
+# columns of a limb's row of p that are zero on the simplified machine, whose positions are closed form
+SMALL = (12, )
 
 # (name, meaning) of what `statics` reads as masses
 MASSES = (

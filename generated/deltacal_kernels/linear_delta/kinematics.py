@@ -1,16 +1,17 @@
-"""Kinematics of `linear_delta`: Linear delta, three towers and six rods.
+"""Kinematics of `linear_delta`, many poses at once: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 3cb1ec9eac90550d; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both f6b90e25fd0fce51; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
 x (N, 6)  platform: px py pz cx cy cz
-q (N, 3)  joints        tool (N, 3)  reference point in {O'}
+q (N, 3)  joints        tool (N or 1, 3)  reference point in {O'}
 p (M, 3, 15)  one row of parameters per limb: r l phi home a c endstop arm radius angle lean_radial lean_tangential scale dl radius
-k (M, 3, 40)  what `constants` makes of p; M is 1 (one machine) or N (parameters that change from pose to pose)
+k (M, 3, 51)  what `constants` makes of p; each of the M machines has N / M of the poses, one after the other
 
-Kernels allocate nothing per pose and never raise: `status` says what became of each pose.
+Poses are taken in blocks of up to 32, side by side: a loop over `lane` runs over the poses of a block. What is poorly
+conditioned or converges slowly is left to the plain kernels of ``vectorised.py``. `status` says what became of each pose.
 """
 
 import math
@@ -18,197 +19,26 @@ import math
 import numpy as np
 from numba import njit
 
-SOLVED, UNREACHABLE, SINGULAR = 0, 1, 2
-MAX_STEPS = 30
-STEP_DONE = 1e-9  # mm and rad; Newton is quadratic: after such a step the rest is rounding
-STEP_LOST = 1e5  # mm and rad; a step of this size leads nowhere
-ANGLE_STEP = 1e-3  # rad per mm: joints and rotations are asked for this much finer than lengths
-CLOSED = 1e-3  # mm^2: loops that are open by more where Newton gets stuck cannot be closed
-PIVOT_SINGULAR = 1e-9  # of the largest entry of its matrix, in mm
-COMMAND_DONE = 3e-8  # rad; after such a step a command is exact to its square: 1e-15 rad
-COMMAND_WORK = 72  # length of the scratch array of `exact_command` and `linear_command`
-COMMAND_CONSTANTS = 21  # `exact_command` reads these first columns of k only
+from deltacal_kernels.elementary import arcsine, arctangent, cosine, scratch, sine, tangent, wide
+
+from . import vectorised
+from .vectorised import SINGULAR, SOLVED, UNREACHABLE, constants, jacobians
+
+LANES = 32
+OPEN = -1  # a pose that is left to the plain kernels
+MAX_STEPS = 8
+STEP_DONE = 1e-6  # mm; Newton is quadratic: after such a step a length of 1000 mm is exact to 1e-15 mm
+TURN_DONE = 3e-8  # rad
+WORK = 7968  # length of the scratch array
+CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
+APART = 1e-3  # squared sine between the centres' directions
+fast = njit(cache=True, nogil=True, error_model="numpy", fastmath={"contract"})
 
 
-def constants(p):
-    """Return k (M, 3, 40), what no pose changes, from p (351 operations).
-
-    Plain NumPy over all rows at once: it runs once per machine, and compiling it would take longer than running it.
-    """
-    k = np.zeros((p.shape[0], 3, 40))
-    r = p[..., 0]
-    l = p[..., 1]
-    phi = p[..., 2]
-    home = p[..., 3]
-    a = p[..., 4]
-    c = p[..., 5]
-    endstop = p[..., 6]
-    arm = p[..., 7]
-    radius = p[..., 8]
-    angle = p[..., 9]
-    lean_radial = p[..., 10]
-    lean_tangential = p[..., 11]
-    scale = p[..., 12]
-    dl = p[..., 13]
-    dr = p[..., 14]
-    s0 = angle + phi
-    u_x = np.cos(s0)
-    u_y = np.sin(s0)
-    arm_0 = arm + l
-    r_0 = dr + r + radius
-    s7 = lean_radial*u_x - lean_tangential*u_y
-    s8 = (s7 * s7)
-    s11 = -lean_radial*u_y - lean_tangential*u_x
-    s12 = (s11 * s11)
-    s13 = s12 + s8
-    s16 = 2.8114572543455206e-15*s12 + 2.8114572543455206e-15*s8 - 7.647163731819816e-13
-    s18 = s13*s16 + 1.6059043836821613e-10
-    s20 = s13*s18 - 2.505210838544172e-08
-    s22 = s13*s20 + 2.7557319223985893e-06
-    s24 = s13*s22 - 0.0001984126984126984
-    s26 = s13*s24 + 0.008333333333333333
-    s28 = s13*s26 - 0.16666666666666666
-    s30 = s13*s28 + 1
-    axis_x = s30*s7
-    axis_y = -s11*s30
-    s35 = 1.5619206968586225e-16*s12 + 1.5619206968586225e-16*s8 - 4.779477332387385e-14
-    s37 = s13*s35 + 1.1470745597729725e-11
-    s39 = s13*s37 - 2.08767569878681e-09
-    s41 = s13*s39 + 2.755731922398589e-07
-    s43 = s13*s41 - 2.48015873015873e-05
-    s45 = s13*s43 + 0.001388888888888889
-    s47 = s13*s45 - 0.041666666666666664
-    s49 = s13*s47 + 0.5
-    axis_z = -(s11 * s11)*s49 - s49*(s7 * s7) + 1
-    s53 = (arm_0 * arm_0)
-    s55 = -(r_0 * r_0) + s53
-    h = endstop + home + np.sqrt(s55)
-    s58 = (1.0 / axis_z)
-    s59 = h*s58
-    s60 = scale + 1
-    s64 = a + r_0
-    s65 = s64*u_x
-    s68 = s64*u_y
-    s106 = a*u_x
-    s109 = a*u_y
-    s128 = 0.5*c
-    s147 = 0.5*dl
-    s148 = arm_0 + s147
-    s150 = -0.5*(s148 * s148)
-    s268 = -2*s49*s7
-    s269 = 2*s11
-    s270 = 2*s7
-    s271 = -2*s11*s49
-    s273 = (0.5)/np.sqrt(s55)
-    s276 = (1.0 / (axis_z * axis_z))
-    s278 = -s148
-    s280 = 2*arm_0*s273*s58
-    s286 = -2*r_0*s273*s58
-    s293 = -s269*s7
-    s294 = s11*s270
-    s295 = s293 + s294
-    s311 = s13*(s13*(s13*(1.5619206968586225e-16*s293 + 1.5619206968586225e-16*s294) + s295*s35) + s295*s37) + s295*s39
-    s319 = s13*(s13*(s13*(s13*s311 + s295*s41) + s295*s43) + s295*s45) + s295*s47
-    s326 = s11*s268 - s12*s319 - s271*s7 - s319*s8
-    s344 = s13*(s13*(s13*(2.8114572543455206e-15*s293 + 2.8114572543455206e-15*s294) + s16*s295) + s18*s295) + s20*s295
-    s352 = s13*(s13*(s13*(s13*s344 + s22*s295) + s24*s295) + s26*s295) + s28*s295
-    s354 = axis_x - s11*s352
-    s358 = -axis_y + s352*s7
-    s361 = -h*s276*s326
-    s364 = -s269*u_y
-    s365 = s270*u_x
-    s366 = s364 + s365
-    s382 = s13*(s13*(s13*(1.5619206968586225e-16*s364 + 1.5619206968586225e-16*s365) + s35*s366) + s366*s37) + s366*s39
-    s390 = s13*(s13*(s13*(s13*s382 + s366*s41) + s366*s43) + s366*s45) + s366*s47
-    s397 = -s12*s390 + s268*u_x - s271*u_y - s390*s8
-    s399 = s30*u_y
-    s415 = s13*(s13*(s13*(2.8114572543455206e-15*s364 + 2.8114572543455206e-15*s365) + s16*s366) + s18*s366) + s20*s366
-    s423 = s13*(s13*(s13*(s13*s415 + s22*s366) + s24*s366) + s26*s366) + s28*s366
-    s425 = -s11*s423 + s399
-    s428 = s30*u_x
-    s429 = s423*s7 + s428
-    s432 = -h*s276*s397
-    s435 = -s269*u_x
-    s436 = -s270*u_y
-    s437 = s435 + s436
-    s453 = s13*(s13*(s13*(1.5619206968586225e-16*s435 + 1.5619206968586225e-16*s436) + s35*s437) + s37*s437) + s39*s437
-    s461 = s13*(s13*(s13*(s13*s453 + s41*s437) + s43*s437) + s437*s45) + s437*s47
-    s468 = -s12*s461 - s268*u_y - s271*u_x - s461*s8
-    s485 = s13*(s13*(s13*(2.8114572543455206e-15*s435 + 2.8114572543455206e-15*s436) + s16*s437) + s18*s437) + s20*s437
-    s493 = s13*(s13*(s13*(s13*s485 + s22*s437) + s24*s437) + s26*s437) + s28*s437
-    s495 = -s11*s493 + s428
-    s498 = -s399 + s493*s7
-    s501 = -h*s276*s468
-    s504 = 0.5*s278
-    s514 = arm_0 - s147
-    s516 = -0.5*(s514 * s514)
-    s628 = -s514
-    s656 = -0.5*s628
-    s657 = (1.0 / (s60 * s60))
-    s658 = a + dr + r + radius
-    s660 = s106 - s658*u_x
-    s665 = s109 - s658*u_y
-    s672 = -0.5*s53
-    s674 = -2*s657
-    s678 = 2*scale + 2
-    s680 = 0.25*(s678 * s678)/s60**4
-    s684 = -0.5*s657*s678
-    k[..., 0] = s60
-    k[..., 1] = s59
-    k[..., 2] = axis_x
-    k[..., 3] = s65
-    k[..., 4] = axis_y
-    k[..., 5] = s68
-    k[..., 6] = axis_z
-    k[..., 7] = s106
-    k[..., 8] = s109
-    k[..., 9] = u_x
-    k[..., 10] = u_y
-    k[..., 11] = s128
-    k[..., 12] = s150
-    k[..., 13] = s516
-    k[..., 14] = s660
-    k[..., 15] = s665
-    k[..., 16] = h
-    k[..., 17] = s672
-    k[..., 18] = s674
-    k[..., 19] = s680
-    k[..., 20] = s684
-    k[..., 21] = s58
-    k[..., 22] = s280
-    k[..., 23] = s278
-    k[..., 24] = s286
-    k[..., 25] = s326
-    k[..., 26] = s354
-    k[..., 27] = s358
-    k[..., 28] = s361
-    k[..., 29] = s397
-    k[..., 30] = s425
-    k[..., 31] = s429
-    k[..., 32] = s432
-    k[..., 33] = s468
-    k[..., 34] = s495
-    k[..., 35] = s498
-    k[..., 36] = s501
-    k[..., 37] = s628
-    k[..., 38] = s504
-    k[..., 39] = s656
-    return k
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def _newton(x, q, tool, k, out):
-    """Per rod of one limb: closure, its derivatives by the platform, by the joint (334 operations)."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    cx = x[3]
-    cy = x[4]
-    cz = x[5]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    q = q
+@fast
+def _early(w, k, n):
+    """What moves with a joint only; then the simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (23 operations)."""
+    wide()
     s60 = k[0]
     s59 = k[1]
     axis_x = k[2]
@@ -218,185 +48,466 @@ def _newton(x, q, tool, k, out):
     axis_z = k[6]
     s106 = k[7]
     s109 = k[8]
-    u_x = k[9]
-    u_y = k[10]
+    s660 = k[14]
+    s665 = k[15]
+    h = k[16]
+    s672 = k[17]
+    for lane in range(n):
+        q = w[0 + lane]
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        s61 = -q*s60
+        s62 = s59 + s61
+        C_x = axis_x*s62 + s65
+        C_y = axis_y*s62 + s68
+        C_z = axis_z*s62
+        s107 = s106 - tx
+        s110 = s109 - ty
+        s687 = -s660 + tx
+        s688 = -s665 + ty
+        s689 = h + s61 + tz
+        s696 = s672 + 0.5*(s687 * s687) + 0.5*(s688 * s688) + 0.5*(s689 * s689)
+        w[1120 + lane] = s107
+        w[1152 + lane] = s110
+        w[1184 + lane] = C_x
+        w[1216 + lane] = C_y
+        w[1248 + lane] = C_z
+        w[1280 + lane] = s687
+        w[1312 + lane] = s688
+        w[1344 + lane] = s689
+        w[1376 + lane] = s696
+
+
+@fast
+def _rows(w, k, n):
+    """Equations of a limb, their derivatives by shift and turn of the platform (124 operations)."""
+    wide()
+    u1 = k[9]
+    u2 = k[10]
     s128 = k[11]
-    s150 = k[12]
-    s516 = k[13]
-    s62 = -q*s60 + s59
-    C_x = axis_x*s62 + s65
-    C_y = axis_y*s62 + s68
-    C_z = axis_z*s62
-    s71 = (cx * cx)
-    s73 = (cy * cy)
-    s75 = (cz * cz)
-    s77 = 0.25*s71 + 0.25*s73 + 0.25*s75 + 1
-    s78 = (1.0 / s77)
-    s79 = -0.5*s73
-    s80 = -0.5*s75
-    s81 = s79 + s80
-    R_11 = s78*s81 + 1
-    s84 = 0.5*cx*cy
-    s85 = -cz + s84
-    R_12 = s78*s85
-    s87 = 0.5*cx*cz
-    s88 = cy + s87
-    R_13 = s78*s88
-    s90 = cz + s84
-    R_21 = s78*s90
-    s92 = -0.5*s71
-    s93 = s80 + s92
-    R_22 = s78*s93 + 1
-    s96 = 0.5*cy*cz
-    s97 = -cx + s96
-    R_23 = s78*s97
-    s99 = -cy + s87
-    R_31 = s78*s99
-    s101 = cx + s96
-    R_32 = s101*s78
-    s103 = s79 + s92
-    R_33 = s103*s78 + 1
-    s107 = s106 - tx
-    s110 = s109 - ty
-    A_x = R_11*s107 + R_12*s110 - R_13*tz + px
-    A_y = R_21*s107 + R_22*s110 - R_23*tz + py
-    A_z = R_31*s107 + R_32*s110 - R_33*tz + pz
-    d_x = A_x - C_x
-    d_y = A_y - C_y
-    d_z = A_z - C_z
-    s_x = s128*(-R_11*u_y + R_12*u_x + u_y)
-    s_y = s128*(-R_21*u_y + R_22*u_x - u_x)
-    s_z = s128*(-R_31*u_y + R_32*u_x)
-    s138 = d_x + s_x
-    s141 = d_y + s_y
-    s144 = d_z + s_z
-    s151 = 0.5*(s138 * s138) + 0.5*(s141 * s141) + 0.5*(s144 * s144) + s150
-    s152 = 2*s144
-    s153 = 0.5*s152
-    s154 = 2*s141
-    s155 = 0.5*s154
-    s156 = 2*s138
-    s157 = 0.5*s156
-    s159 = s128*s153
-    s165 = s128*s155
-    s170 = s128*s157
-    s176 = -s153*tz
-    s182 = -s155*tz
-    s188 = -s157*tz
-    s196 = s176*s78
-    s198 = s110*s153 + s159*u_x
-    s199 = s198*s78
-    s201 = s107*s153 - s159*u_y
-    s203 = s201*s78
-    s205 = s182*s78
-    s206 = s199 + s205
-    s207 = 0.5*cz
-    s208 = 0.5*cy
-    s211 = s110*s155 + s165*u_x
-    s212 = s211*s93
-    s213 = s211*s78
-    s216 = s107*s155 - s165*u_y
-    s217 = s216*s90
-    s218 = s216*s78
-    s219 = s188*s88
-    s220 = s188*s78
-    s221 = s203 + s220
-    s222 = 0.5*cx
-    s225 = s110*s157 + s170*u_x
-    s226 = s225*s85
-    s227 = s225*s78
-    s228 = s218 + s227
-    s231 = s107*s157 - s170*u_y
-    s232 = s231*s81
-    s233 = s231*s78
-    s238 = s101*s198 + s103*s176 + s182*s97 + s201*s99 + s212 + s217 + s219 + s226 + s232
-    s239 = (1.0 / (s77 * s77))
-    s241 = -0.25*s238*s239
-    s243 = 2*cz
-    s246 = 2*cy
-    s249 = 2*cx
-    s258 = -s60*(-axis_x*s157 - axis_y*s155 - axis_z*s153)
-    s264 = s199 - s205 + s207*s221 + s208*s228 + s249*(-0.5*s196 - 0.5*s213 + s241)
-    s265 = -s203 + s206*s207 + s220 + s222*s228 + s246*(-0.5*s196 - 0.5*s233 + s241)
-    s266 = s206*s208 + s218 + s221*s222 - s227 + s243*(-0.5*s213 - 0.5*s233 + s241)
-    s505 = d_x - s_x
-    s508 = d_y - s_y
-    s511 = d_z - s_z
-    s517 = 0.5*(s505 * s505) + 0.5*(s508 * s508) + 0.5*(s511 * s511) + s516
-    s518 = 2*s511
-    s519 = 0.5*s518
-    s520 = 2*s508
-    s521 = 0.5*s520
-    s522 = 2*s505
-    s523 = 0.5*s522
-    s525 = -s128*s519
-    s531 = -s128*s521
-    s536 = -s128*s523
-    s542 = -s519*tz
-    s548 = -s521*tz
-    s554 = -s523*tz
-    s562 = s542*s78
-    s564 = s110*s519 + s525*u_x
-    s565 = s564*s78
-    s567 = s107*s519 - s525*u_y
-    s569 = s567*s78
-    s571 = s548*s78
-    s572 = s565 + s571
-    s575 = s110*s521 + s531*u_x
-    s576 = s575*s93
-    s577 = s575*s78
-    s580 = s107*s521 - s531*u_y
-    s581 = s580*s90
-    s582 = s580*s78
-    s583 = s554*s88
-    s584 = s554*s78
-    s585 = s569 + s584
-    s588 = s110*s523 + s536*u_x
-    s589 = s588*s85
-    s590 = s588*s78
-    s591 = s582 + s590
-    s594 = s107*s523 - s536*u_y
-    s595 = s594*s81
-    s596 = s594*s78
-    s601 = s101*s564 + s103*s542 + s548*s97 + s567*s99 + s576 + s581 + s583 + s589 + s595
-    s603 = -0.25*s239*s601
-    s617 = -s60*(-axis_x*s523 - axis_y*s521 - axis_z*s519)
-    s623 = s207*s585 + s208*s591 + s249*(-0.5*s562 - 0.5*s577 + s603) + s565 - s571
-    s624 = s207*s572 + s222*s591 + s246*(-0.5*s562 - 0.5*s596 + s603) - s569 + s584
-    s625 = s208*s572 + s222*s585 + s243*(-0.5*s577 - 0.5*s596 + s603) + s582 - s590
-    out[0] = s151
-    out[1] = s157
-    out[2] = s155
-    out[3] = s153
-    out[4] = s264
-    out[5] = s265
-    out[6] = s266
-    out[7] = s258
-    out[8] = s517
-    out[9] = s523
-    out[10] = s521
-    out[11] = s519
-    out[12] = s623
-    out[13] = s624
-    out[14] = s625
-    out[15] = s617
+    s714 = k[40]
+    s864 = k[41]
+    s1001 = k[42]
+    s1003 = k[43]
+    for lane in range(n):
+        tz = w[96 + lane]
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        R_11 = w[320 + lane]
+        R_12 = w[352 + lane]
+        R_13 = w[384 + lane]
+        R_21 = w[416 + lane]
+        R_22 = w[448 + lane]
+        R_23 = w[480 + lane]
+        R_31 = w[512 + lane]
+        R_32 = w[544 + lane]
+        R_33 = w[576 + lane]
+        s107 = w[1120 + lane]
+        s110 = w[1152 + lane]
+        C_x = w[1184 + lane]
+        C_y = w[1216 + lane]
+        C_z = w[1248 + lane]
+        s108 = R_11*s107
+        s111 = R_12*s110
+        s112 = -R_13*tz
+        A_x = px + s108 + s111 + s112
+        s114 = R_21*s107
+        s115 = R_22*s110
+        s116 = -R_23*tz
+        A_y = py + s114 + s115 + s116
+        s118 = R_31*s107
+        s119 = R_32*s110
+        s120 = -R_33*tz
+        A_z = pz + s118 + s119 + s120
+        d_x = A_x - C_x
+        d_y = A_y - C_y
+        d_z = A_z - C_z
+        s_x = s128*(-R_11*u2 + R_12*u1 + u2)
+        s_y = s128*(-R_21*u2 + R_22*u1 - u1)
+        s_z = s128*(-R_31*u2 + R_32*u1)
+        s707 = 0.5*(s_x * s_x)
+        s709 = 0.5*(s_y * s_y)
+        s711 = 0.5*(s_z * s_z)
+        s715 = 0.5*(d_x * d_x) + 0.5*(d_y * d_y) + 0.5*(d_z * d_z) + s707 + s709 + s711 + s714
+        s865 = d_x*s_x + d_y*s_y + d_z*s_z + s864
+        s997 = -s118 - s119 - s120
+        s999 = s114 + s115 + s116
+        s1005 = R_31*s1001 + R_32*s1003
+        s1009 = -R_21*s1001 - R_22*s1003
+        s1011 = d_y*s997 + d_z*s999 + s1005*s_y + s1009*s_z
+        s1013 = -s108 - s111 - s112
+        s1018 = R_11*s1001 + R_12*s1003
+        s1020 = -d_x*s997 + d_z*s1013 - s1005*s_x + s1018*s_z
+        s1025 = -d_x*s999 - d_y*s1013 - s1009*s_x - s1018*s_y
+        s1030 = d_y*s1005 + d_z*s1009 + s997*s_y + s999*s_z
+        s1035 = -d_x*s1005 + d_z*s1018 + s1013*s_z - s997*s_x
+        s1040 = -d_x*s1009 - d_y*s1018 - s1013*s_y - s999*s_x
+        w[608 + lane] = s715
+        w[640 + lane] = d_x
+        w[672 + lane] = d_y
+        w[704 + lane] = d_z
+        w[736 + lane] = s1011
+        w[768 + lane] = s1020
+        w[800 + lane] = s1025
+        w[864 + lane] = s865
+        w[896 + lane] = s_x
+        w[928 + lane] = s_y
+        w[960 + lane] = s_z
+        w[992 + lane] = s1030
+        w[1024 + lane] = s1035
+        w[1056 + lane] = s1040
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _parameters(x, q, tool, k, out):
-    """Per rod of one limb: derivatives of the closure by errors, by deflections (260 operations)."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    cx = x[3]
-    cy = x[4]
-    cz = x[5]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    q = q
+@fast
+def _step(w, n):
+    """Newton's step of the platform; how far the equations are from dependent (289 operations)."""
+    wide()
+    for lane in range(n):
+        F00 = w[608 + lane]
+        J00_0 = w[640 + lane]
+        J00_1 = w[672 + lane]
+        J00_2 = w[704 + lane]
+        J00_3 = w[736 + lane]
+        J00_4 = w[768 + lane]
+        J00_5 = w[800 + lane]
+        F01 = w[864 + lane]
+        J01_0 = w[896 + lane]
+        J01_1 = w[928 + lane]
+        J01_2 = w[960 + lane]
+        J01_3 = w[992 + lane]
+        J01_4 = w[1024 + lane]
+        J01_5 = w[1056 + lane]
+        F10 = w[2656 + lane]
+        J10_0 = w[2688 + lane]
+        J10_1 = w[2720 + lane]
+        J10_2 = w[2752 + lane]
+        J10_3 = w[2784 + lane]
+        J10_4 = w[2816 + lane]
+        J10_5 = w[2848 + lane]
+        F11 = w[2912 + lane]
+        J11_0 = w[2944 + lane]
+        J11_1 = w[2976 + lane]
+        J11_2 = w[3008 + lane]
+        J11_3 = w[3040 + lane]
+        J11_4 = w[3072 + lane]
+        J11_5 = w[3104 + lane]
+        F20 = w[4704 + lane]
+        J20_0 = w[4736 + lane]
+        J20_1 = w[4768 + lane]
+        J20_2 = w[4800 + lane]
+        J20_3 = w[4832 + lane]
+        J20_4 = w[4864 + lane]
+        J20_5 = w[4896 + lane]
+        F21 = w[4960 + lane]
+        J21_0 = w[4992 + lane]
+        J21_1 = w[5024 + lane]
+        J21_2 = w[5056 + lane]
+        J21_3 = w[5088 + lane]
+        J21_4 = w[5120 + lane]
+        J21_5 = w[5152 + lane]
+        G_cof_00 = J10_1*J20_2 - J10_2*J20_1
+        G_cof_01 = -J10_0*J20_2 + J10_2*J20_0
+        G_cof_02 = J10_0*J20_1 - J10_1*J20_0
+        G_cof_10 = -J00_1*J20_2 + J00_2*J20_1
+        G_cof_11 = J00_0*J20_2 - J00_2*J20_0
+        G_cof_12 = -J00_0*J20_1 + J00_1*J20_0
+        G_cof_20 = J00_1*J10_2 - J00_2*J10_1
+        G_cof_21 = -J00_0*J10_2 + J00_2*J10_0
+        G_cof_22 = J00_0*J10_1 - J00_1*J10_0
+        G_det_00 = G_cof_00*J00_0 + G_cof_01*J00_1 + G_cof_02*J00_2
+        G_by_00 = (1.0 / G_det_00)
+        G_inv_00 = G_by_00*G_cof_00
+        G_inv_01 = G_by_00*G_cof_10
+        G_inv_02 = G_by_00*G_cof_20
+        G_inv_10 = G_by_00*G_cof_01
+        G_inv_11 = G_by_00*G_cof_11
+        G_inv_12 = G_by_00*G_cof_21
+        G_inv_20 = G_by_00*G_cof_02
+        G_inv_21 = G_by_00*G_cof_12
+        G_inv_22 = G_by_00*G_cof_22
+        u_00 = F00*G_inv_00 + F10*G_inv_01 + F20*G_inv_02
+        u_10 = F00*G_inv_10 + F10*G_inv_11 + F20*G_inv_12
+        u_20 = F00*G_inv_20 + F10*G_inv_21 + F20*G_inv_22
+        U_00 = G_inv_00*J00_3 + G_inv_01*J10_3 + G_inv_02*J20_3
+        U_01 = G_inv_00*J00_4 + G_inv_01*J10_4 + G_inv_02*J20_4
+        U_02 = G_inv_00*J00_5 + G_inv_01*J10_5 + G_inv_02*J20_5
+        U_10 = G_inv_10*J00_3 + G_inv_11*J10_3 + G_inv_12*J20_3
+        U_11 = G_inv_10*J00_4 + G_inv_11*J10_4 + G_inv_12*J20_4
+        U_12 = G_inv_10*J00_5 + G_inv_11*J10_5 + G_inv_12*J20_5
+        U_20 = G_inv_20*J00_3 + G_inv_21*J10_3 + G_inv_22*J20_3
+        U_21 = G_inv_20*J00_4 + G_inv_21*J10_4 + G_inv_22*J20_4
+        U_22 = G_inv_20*J00_5 + G_inv_21*J10_5 + G_inv_22*J20_5
+        S_00 = -J01_0*U_00 - J01_1*U_10 - J01_2*U_20 + J01_3
+        S_01 = -J01_0*U_01 - J01_1*U_11 - J01_2*U_21 + J01_4
+        S_02 = -J01_0*U_02 - J01_1*U_12 - J01_2*U_22 + J01_5
+        S_10 = -J11_0*U_00 - J11_1*U_10 - J11_2*U_20 + J11_3
+        S_11 = -J11_0*U_01 - J11_1*U_11 - J11_2*U_21 + J11_4
+        S_12 = -J11_0*U_02 - J11_1*U_12 - J11_2*U_22 + J11_5
+        S_20 = -J21_0*U_00 - J21_1*U_10 - J21_2*U_20 + J21_3
+        S_21 = -J21_0*U_01 - J21_1*U_11 - J21_2*U_21 + J21_4
+        S_22 = -J21_0*U_02 - J21_1*U_12 - J21_2*U_22 + J21_5
+        Si_cof_00 = S_11*S_22 - S_12*S_21
+        Si_cof_01 = -S_10*S_22 + S_12*S_20
+        Si_cof_02 = S_10*S_21 - S_11*S_20
+        Si_cof_10 = -S_01*S_22 + S_02*S_21
+        Si_cof_11 = S_00*S_22 - S_02*S_20
+        Si_cof_12 = -S_00*S_21 + S_01*S_20
+        Si_cof_20 = S_01*S_12 - S_02*S_11
+        Si_cof_21 = -S_00*S_12 + S_02*S_10
+        Si_cof_22 = S_00*S_11 - S_01*S_10
+        Si_det_00 = S_00*Si_cof_00 + S_01*Si_cof_01 + S_02*Si_cof_02
+        Si_by_00 = (1.0 / Si_det_00)
+        Si_inv_00 = Si_by_00*Si_cof_00
+        Si_inv_01 = Si_by_00*Si_cof_10
+        Si_inv_02 = Si_by_00*Si_cof_20
+        Si_inv_10 = Si_by_00*Si_cof_01
+        Si_inv_11 = Si_by_00*Si_cof_11
+        Si_inv_12 = Si_by_00*Si_cof_21
+        Si_inv_20 = Si_by_00*Si_cof_02
+        Si_inv_21 = Si_by_00*Si_cof_12
+        Si_inv_22 = Si_by_00*Si_cof_22
+        s169 = F01 - J01_0*u_00 - J01_1*u_10 - J01_2*u_20
+        s174 = F11 - J11_0*u_00 - J11_1*u_10 - J11_2*u_20
+        s179 = F21 - J21_0*u_00 - J21_1*u_10 - J21_2*u_20
+        w_00 = Si_inv_00*s169 + Si_inv_01*s174 + Si_inv_02*s179
+        w_10 = Si_inv_10*s169 + Si_inv_11*s174 + Si_inv_12*s179
+        w_20 = Si_inv_20*s169 + Si_inv_21*s174 + Si_inv_22*s179
+        s193 = -U_00*w_00 - U_01*w_10 - U_02*w_20 + u_00
+        s197 = -U_10*w_00 - U_11*w_10 - U_12*w_20 + u_10
+        s201 = -U_20*w_00 - U_21*w_10 - U_22*w_20 + u_20
+        s210 = (J10_0 * J10_0) + (J10_1 * J10_1) + (J10_2 * J10_2)
+        s214 = (J20_0 * J20_0) + (J20_1 * J20_1) + (J20_2 * J20_2)
+        s216 = (G_det_00 * G_det_00) - 1.0e-12*s210*s214*((J00_0 * J00_0) + (J00_1 * J00_1) + (J00_2 * J00_2))
+        s225 = (J11_3 * J11_3) + (J11_4 * J11_4) + (J11_5 * J11_5)
+        s229 = (J21_3 * J21_3) + (J21_4 * J21_4) + (J21_5 * J21_5)
+        s231 = (Si_det_00 * Si_det_00) - 1.0e-12*s225*s229*((J01_3 * J01_3) + (J01_4 * J01_4) + (J01_5 * J01_5))
+        w[6144 + lane] = s193
+        w[6176 + lane] = s197
+        w[6208 + lane] = s201
+        w[6240 + lane] = w_00
+        w[6272 + lane] = w_10
+        w[6304 + lane] = w_20
+        w[6336 + lane] = s216
+        w[6368 + lane] = s231
+
+
+@fast
+def _sphere(w, k, n):
+    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (14 operations)."""
+    wide()
+    s60 = k[0]
+    s660 = k[14]
+    s665 = k[15]
+    h = k[16]
+    s672 = k[17]
+    for lane in range(n):
+        q = w[0 + lane]
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        s687 = -s660 + tx
+        s688 = -s665 + ty
+        s689 = h - q*s60 + tz
+        s696 = s672 + 0.5*(s687 * s687) + 0.5*(s688 * s688) + 0.5*(s689 * s689)
+        w[1280 + lane] = s687
+        w[1312 + lane] = s688
+        w[1344 + lane] = s689
+        w[1376 + lane] = s696
+
+
+@fast
+def _start(w, k, n):
+    """Joint of the simplified limb at a given position (22 operations)."""
+    wide()
+    s660 = k[14]
+    s665 = k[15]
+    h = k[16]
+    s672 = k[17]
+    s674 = k[18]
+    s680 = k[19]
+    s684 = k[20]
+    for lane in range(n):
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        s669 = -h + pz - tz
+        s670 = (s669 * s669)
+        s673 = 0.5*s670 + s672 + 0.5*((px + s660 - tx) * (px + s660 - tx)) + 0.5*((py + s665 - ty) * (py + s665 - ty))
+        s686 = s669*s684 - math.sqrt(s670*s680 + s673*s674)
+        w[1408 + lane] = s686
+
+
+@fast
+def _more(w, k, n):
+    """What else derivatives by joint and errors read of it (2 operations)."""
+    wide()
     s60 = k[0]
     s59 = k[1]
+    for lane in range(n):
+        q = w[0 + lane]
+        s62 = -q*s60 + s59
+        w[1440 + lane] = s62
+
+
+@fast
+def _joints(w, k, n):
+    """Derivatives of a limb's equations by its joint (45 operations)."""
+    wide()
+    u1 = k[9]
+    u2 = k[10]
+    s128 = k[11]
+    s1041 = k[44]
+    s1043 = k[45]
+    s1045 = k[46]
+    for lane in range(n):
+        tz = w[96 + lane]
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        R_11 = w[320 + lane]
+        R_12 = w[352 + lane]
+        R_13 = w[384 + lane]
+        R_21 = w[416 + lane]
+        R_22 = w[448 + lane]
+        R_23 = w[480 + lane]
+        R_31 = w[512 + lane]
+        R_32 = w[544 + lane]
+        R_33 = w[576 + lane]
+        s107 = w[1120 + lane]
+        s110 = w[1152 + lane]
+        C_x = w[1184 + lane]
+        C_y = w[1216 + lane]
+        C_z = w[1248 + lane]
+        A_x = R_11*s107 + R_12*s110 - R_13*tz + px
+        A_y = R_21*s107 + R_22*s110 - R_23*tz + py
+        A_z = R_31*s107 + R_32*s110 - R_33*tz + pz
+        d_x = A_x - C_x
+        d_y = A_y - C_y
+        d_z = A_z - C_z
+        s_x = s128*(-R_11*u2 + R_12*u1 + u2)
+        s_y = s128*(-R_21*u2 + R_22*u1 - u1)
+        s_z = s128*(-R_31*u2 + R_32*u1)
+        s1047 = d_x*s1041 + d_y*s1043 + d_z*s1045
+        s1051 = s1041*s_x + s1043*s_y + s1045*s_z
+        w[832 + lane] = s1047
+        w[1088 + lane] = s1051
+
+
+@fast
+def _command(w, n):
+    """Newton's step of joints and rotation; how far the equations are from dependent (158 operations)."""
+    wide()
+    for lane in range(n):
+        F00 = w[608 + lane]
+        J00_0 = w[640 + lane]
+        J00_1 = w[672 + lane]
+        J00_2 = w[704 + lane]
+        J00_3 = w[736 + lane]
+        J00_4 = w[768 + lane]
+        J00_5 = w[800 + lane]
+        Q00 = w[832 + lane]
+        F01 = w[864 + lane]
+        J01_3 = w[992 + lane]
+        J01_4 = w[1024 + lane]
+        J01_5 = w[1056 + lane]
+        Q01 = w[1088 + lane]
+        F10 = w[2656 + lane]
+        J10_0 = w[2688 + lane]
+        J10_1 = w[2720 + lane]
+        J10_2 = w[2752 + lane]
+        J10_3 = w[2784 + lane]
+        J10_4 = w[2816 + lane]
+        J10_5 = w[2848 + lane]
+        Q10 = w[2880 + lane]
+        F11 = w[2912 + lane]
+        J11_3 = w[3040 + lane]
+        J11_4 = w[3072 + lane]
+        J11_5 = w[3104 + lane]
+        Q11 = w[3136 + lane]
+        F20 = w[4704 + lane]
+        J20_0 = w[4736 + lane]
+        J20_1 = w[4768 + lane]
+        J20_2 = w[4800 + lane]
+        J20_3 = w[4832 + lane]
+        J20_4 = w[4864 + lane]
+        J20_5 = w[4896 + lane]
+        Q20 = w[4928 + lane]
+        F21 = w[4960 + lane]
+        J21_3 = w[5088 + lane]
+        J21_4 = w[5120 + lane]
+        J21_5 = w[5152 + lane]
+        Q21 = w[5184 + lane]
+        by_00 = (1.0 / Q00)
+        by_10 = (1.0 / Q10)
+        by_20 = (1.0 / Q20)
+        ratio_00 = Q01*by_00
+        ratio_10 = Q11*by_10
+        ratio_20 = Q21*by_20
+        E_00 = -J00_3*ratio_00 + J01_3
+        E_01 = -J00_4*ratio_00 + J01_4
+        E_02 = -J00_5*ratio_00 + J01_5
+        E_10 = -J10_3*ratio_10 + J11_3
+        E_11 = -J10_4*ratio_10 + J11_4
+        E_12 = -J10_5*ratio_10 + J11_5
+        E_20 = -J20_3*ratio_20 + J21_3
+        E_21 = -J20_4*ratio_20 + J21_4
+        E_22 = -J20_5*ratio_20 + J21_5
+        Ei_cof_00 = E_11*E_22 - E_12*E_21
+        Ei_cof_01 = -E_10*E_22 + E_12*E_20
+        Ei_cof_02 = E_10*E_21 - E_11*E_20
+        Ei_cof_10 = -E_01*E_22 + E_02*E_21
+        Ei_cof_11 = E_00*E_22 - E_02*E_20
+        Ei_cof_12 = -E_00*E_21 + E_01*E_20
+        Ei_cof_20 = E_01*E_12 - E_02*E_11
+        Ei_cof_21 = -E_00*E_12 + E_02*E_10
+        Ei_cof_22 = E_00*E_11 - E_01*E_10
+        Ei_det_00 = E_00*Ei_cof_00 + E_01*Ei_cof_01 + E_02*Ei_cof_02
+        Ei_by_00 = (1.0 / Ei_det_00)
+        Ei_inv_00 = Ei_by_00*Ei_cof_00
+        Ei_inv_01 = Ei_by_00*Ei_cof_10
+        Ei_inv_02 = Ei_by_00*Ei_cof_20
+        Ei_inv_10 = Ei_by_00*Ei_cof_01
+        Ei_inv_11 = Ei_by_00*Ei_cof_11
+        Ei_inv_12 = Ei_by_00*Ei_cof_21
+        Ei_inv_20 = Ei_by_00*Ei_cof_02
+        Ei_inv_21 = Ei_by_00*Ei_cof_12
+        Ei_inv_22 = Ei_by_00*Ei_cof_22
+        s66 = -F00*ratio_00 + F01
+        s69 = -F10*ratio_10 + F11
+        s72 = -F20*ratio_20 + F21
+        w_00 = Ei_inv_00*s66 + Ei_inv_01*s69 + Ei_inv_02*s72
+        w_10 = Ei_inv_10*s66 + Ei_inv_11*s69 + Ei_inv_12*s72
+        w_20 = Ei_inv_20*s66 + Ei_inv_21*s69 + Ei_inv_22*s72
+        s87 = by_00*(F00 - J00_3*w_00 - J00_4*w_10 - J00_5*w_20)
+        s92 = by_10*(F10 - J10_3*w_00 - J10_4*w_10 - J10_5*w_20)
+        s97 = by_20*(F20 - J20_3*w_00 - J20_4*w_10 - J20_5*w_20)
+        s106 = (E_10 * E_10) + (E_11 * E_11) + (E_12 * E_12)
+        s110 = (E_20 * E_20) + (E_21 * E_21) + (E_22 * E_22)
+        s112 = (Ei_det_00 * Ei_det_00) - 1.0e-12*s106*s110*((E_00 * E_00) + (E_01 * E_01) + (E_02 * E_02))
+        s120 = -1.0e-12*(J00_0 * J00_0) - 1.0e-12*(J00_1 * J00_1) - 1.0e-12*(J00_2 * J00_2) + (Q00 * Q00)
+        s128 = -1.0e-12*(J10_0 * J10_0) - 1.0e-12*(J10_1 * J10_1) - 1.0e-12*(J10_2 * J10_2) + (Q10 * Q10)
+        s136 = -1.0e-12*(J20_0 * J20_0) - 1.0e-12*(J20_1 * J20_1) - 1.0e-12*(J20_2 * J20_2) + (Q20 * Q20)
+        w[7648 + lane] = s87
+        w[7680 + lane] = s92
+        w[7712 + lane] = s97
+        w[7744 + lane] = w_00
+        w[7776 + lane] = w_10
+        w[7808 + lane] = w_20
+        w[7840 + lane] = s112
+        w[7872 + lane] = s120
+        w[7904 + lane] = s128
+        w[7936 + lane] = s136
+
+
+@fast
+def _errors(w, k, n):
+    """Derivatives of a limb's equations by errors, by deflections (211 operations)."""
+    wide()
     axis_x = k[2]
     s65 = k[3]
     axis_y = k[4]
@@ -404,12 +515,11 @@ def _parameters(x, q, tool, k, out):
     axis_z = k[6]
     s106 = k[7]
     s109 = k[8]
-    u_x = k[9]
-    u_y = k[10]
+    u1 = k[9]
+    u2 = k[10]
     s128 = k[11]
     s58 = k[21]
     s280 = k[22]
-    s278 = k[23]
     s286 = k[24]
     s326 = k[25]
     s354 = k[26]
@@ -423,705 +533,1352 @@ def _parameters(x, q, tool, k, out):
     s495 = k[34]
     s498 = k[35]
     s501 = k[36]
-    s628 = k[37]
-    s504 = k[38]
-    s656 = k[39]
-    s62 = -q*s60 + s59
-    C_x = axis_x*s62 + s65
-    C_y = axis_y*s62 + s68
-    C_z = axis_z*s62
-    s71 = (cx * cx)
-    s73 = (cy * cy)
-    s75 = (cz * cz)
-    s78 = (1.0 / (0.25*s71 + 0.25*s73 + 0.25*s75 + 1))
-    s79 = -0.5*s73
-    s80 = -0.5*s75
-    R_11 = s78*(s79 + s80) + 1
-    s84 = 0.5*cx*cy
-    R_12 = s78*(-cz + s84)
-    s87 = 0.5*cx*cz
-    R_13 = s78*(cy + s87)
-    R_21 = s78*(cz + s84)
-    s92 = -0.5*s71
-    R_22 = s78*(s80 + s92) + 1
-    s96 = 0.5*cy*cz
-    R_23 = s78*(-cx + s96)
-    R_31 = s78*(-cy + s87)
-    R_32 = s78*(cx + s96)
-    R_33 = s78*(s79 + s92) + 1
-    s107 = s106 - tx
-    s110 = s109 - ty
-    A_x = R_11*s107 + R_12*s110 - R_13*tz + px
-    A_y = R_21*s107 + R_22*s110 - R_23*tz + py
-    A_z = R_31*s107 + R_32*s110 - R_33*tz + pz
-    d_x = A_x - C_x
-    d_y = A_y - C_y
-    d_z = A_z - C_z
-    s_x = s128*(-R_11*u_y + R_12*u_x + u_y)
-    s_y = s128*(-R_21*u_y + R_22*u_x - u_x)
-    s_z = s128*(-R_31*u_y + R_32*u_x)
-    s153 = d_z + s_z
-    s155 = d_y + s_y
-    s157 = d_x + s_x
-    s159 = s128*s153
-    s165 = s128*s155
-    s170 = s128*s157
-    s251 = -s153*s62
-    s253 = -s155*s62
-    s255 = -s157*s62
-    s257 = -axis_x*s157 - axis_y*s155 - axis_z*s153
-    s259 = -q*s257
-    s277 = s257*s58
-    s282 = s257*s280 + s278
-    s288 = -s155*u_y - s157*u_x + s257*s286
-    s289 = u_x*(-R_11*s170 - R_21*s165 - R_31*s159 + s170)
-    s290 = -u_y*(R_12*s170 + R_22*s165 + R_32*s159 - s165)
-    s291 = s106*(R_12*s157 + R_22*s155 + R_32*s153)
-    s292 = -s109*(R_11*s157 + R_21*s155 + R_31*s153)
-    s356 = s157*s68
-    s359 = s255*s358
-    s362 = s257*s361
-    s363 = -s155*s65 + s251*s326 + s253*s354 + s289 + s290 + s291 + s292 + s356 + s359 + s362
-    s434 = s251*s397 + s253*s425 + s255*s429 + s257*s432
-    s503 = s251*s468 + s253*s495 + s255*s498 + s257*s501
-    s519 = d_z - s_z
-    s521 = d_y - s_y
-    s523 = d_x - s_x
-    s525 = -s128*s519
-    s531 = -s128*s521
-    s536 = -s128*s523
-    s610 = -s519*s62
-    s612 = -s521*s62
-    s614 = -s523*s62
-    s616 = -axis_x*s523 - axis_y*s521 - axis_z*s519
-    s618 = -q*s616
-    s627 = s58*s616
-    s630 = s280*s616 + s628
-    s634 = s286*s616 - s521*u_y - s523*u_x
-    s635 = u_x*(-R_11*s536 - R_21*s531 - R_31*s525 + s536)
-    s636 = -u_y*(R_12*s536 + R_22*s531 + R_32*s525 - s531)
-    s637 = s106*(R_12*s523 + R_22*s521 + R_32*s519)
-    s638 = -s109*(R_11*s523 + R_21*s521 + R_31*s519)
-    s642 = s523*s68
-    s643 = s358*s614
-    s644 = s361*s616
-    s645 = s326*s610 + s354*s612 - s521*s65 + s635 + s636 + s637 + s638 + s642 + s643 + s644
-    s650 = s397*s610 + s425*s612 + s429*s614 + s432*s616
-    s655 = s468*s610 + s495*s612 + s498*s614 + s501*s616
-    out[0] = s277
-    out[1] = s282
-    out[2] = s288
-    out[3] = s363
-    out[4] = s434
-    out[5] = s503
-    out[6] = s259
-    out[7] = s504
-    out[8] = s288
-    out[9] = s627
-    out[10] = s630
-    out[11] = s634
-    out[12] = s645
-    out[13] = s650
-    out[14] = s655
-    out[15] = s618
-    out[16] = s656
-    out[17] = s634
+    s832 = k[47]
+    s147 = k[48]
+    s860 = k[49]
+    s968 = k[50]
+    for lane in range(n):
+        q = w[0 + lane]
+        tz = w[96 + lane]
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        R_11 = w[320 + lane]
+        R_12 = w[352 + lane]
+        R_13 = w[384 + lane]
+        R_21 = w[416 + lane]
+        R_22 = w[448 + lane]
+        R_23 = w[480 + lane]
+        R_31 = w[512 + lane]
+        R_32 = w[544 + lane]
+        R_33 = w[576 + lane]
+        s107 = w[1120 + lane]
+        s110 = w[1152 + lane]
+        C_x = w[1184 + lane]
+        C_y = w[1216 + lane]
+        C_z = w[1248 + lane]
+        s62 = w[1440 + lane]
+        A_x = R_11*s107 + R_12*s110 - R_13*tz + px
+        A_y = R_21*s107 + R_22*s110 - R_23*tz + py
+        A_z = R_31*s107 + R_32*s110 - R_33*tz + pz
+        d_x = A_x - C_x
+        d_y = A_y - C_y
+        d_z = A_z - C_z
+        s_x = s128*(-R_11*u2 + R_12*u1 + u2)
+        s_y = s128*(-R_21*u2 + R_22*u1 - u1)
+        s_z = s128*(-R_31*u2 + R_32*u1)
+        s716 = 2*s_z
+        s718 = 2*s_y
+        s720 = 2*s_x
+        s722 = 2*d_z
+        s723 = 0.5*s722
+        s724 = 2*d_y
+        s725 = 0.5*s724
+        s726 = 2*d_x
+        s727 = 0.5*s726
+        s729 = 0.5*s128*s716
+        s735 = 0.5*s128*s718
+        s740 = 0.5*s128*s720
+        s814 = -s62*s723
+        s816 = -s62*s725
+        s818 = -s62*s727
+        s820 = -axis_x*s727 - axis_y*s725 - axis_z*s723
+        s822 = -q*s820
+        s831 = s58*s820
+        s834 = s280*s820 + s832
+        s838 = s286*s820 - s725*u2 - s727*u1
+        s839 = u1*(-R_11*s740 - R_21*s735 - R_31*s729 + s740)
+        s840 = -u2*(R_12*s740 + R_22*s735 + R_32*s729 - s735)
+        s841 = s106*(R_12*s727 + R_22*s725 + R_32*s723)
+        s842 = -s109*(R_11*s727 + R_21*s725 + R_31*s723)
+        s846 = s68*s727
+        s847 = s358*s818
+        s848 = s361*s820
+        s849 = s326*s814 + s354*s816 - s65*s725 + s839 + s840 + s841 + s842 + s846 + s847 + s848
+        s854 = s397*s814 + s425*s816 + s429*s818 + s432*s820
+        s859 = s468*s814 + s495*s816 + s498*s818 + s501*s820
+        s867 = d_z*s128
+        s873 = d_y*s128
+        s878 = d_x*s128
+        s952 = -s62*s_z
+        s954 = -s62*s_y
+        s956 = -s62*s_x
+        s958 = -axis_x*s_x - axis_y*s_y - axis_z*s_z
+        s960 = -q*s958
+        s969 = s58*s958
+        s971 = -s147 + s280*s958
+        s975 = s286*s958 - s_x*u1 - s_y*u2
+        s976 = u1*(-R_11*s878 - R_21*s873 - R_31*s867 + s878)
+        s977 = -u2*(R_12*s878 + R_22*s873 + R_32*s867 - s873)
+        s978 = s106*(R_12*s_x + R_22*s_y + R_32*s_z)
+        s979 = -s109*(R_11*s_x + R_21*s_y + R_31*s_z)
+        s983 = s68*s_x
+        s984 = s358*s956
+        s985 = s361*s958
+        s986 = s326*s952 + s354*s954 - s65*s_y + s976 + s977 + s978 + s979 + s983 + s984 + s985
+        s991 = s397*s952 + s425*s954 + s429*s956 + s432*s958
+        s996 = s468*s952 + s495*s954 + s498*s956 + s501*s958
+        w[1472 + lane] = s831
+        w[1504 + lane] = s834
+        w[1536 + lane] = s838
+        w[1568 + lane] = s849
+        w[1600 + lane] = s854
+        w[1632 + lane] = s859
+        w[1664 + lane] = s822
+        w[1696 + lane] = s860
+        w[1728 + lane] = s838
+        w[1760 + lane] = s969
+        w[1792 + lane] = s971
+        w[1824 + lane] = s975
+        w[1856 + lane] = s986
+        w[1888 + lane] = s991
+        w[1920 + lane] = s996
+        w[1952 + lane] = s960
+        w[1984 + lane] = s968
+        w[2016 + lane] = s975
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _sphere(x, q, tool, k, out):
-    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (14 operations)."""
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    q = q
-    s60 = k[0]
-    s660 = k[14]
-    s665 = k[15]
-    h = k[16]
-    s672 = k[17]
-    s687 = -s660 + tx
-    s688 = -s665 + ty
-    s689 = h - q*s60 + tz
-    s696 = s672 + 0.5*(s687 * s687) + 0.5*(s688 * s688) + 0.5*(s689 * s689)
-    out[0] = s687
-    out[1] = s688
-    out[2] = s689
-    out[3] = s696
+@fast
+def _inverse_of_rows(w, n):
+    """Minus the inverse of the derivatives, row by row; how far the equations are from dependent (439 operations)."""
+    wide()
+    for lane in range(n):
+        J00_0 = w[640 + lane]
+        J00_1 = w[672 + lane]
+        J00_2 = w[704 + lane]
+        J00_3 = w[736 + lane]
+        J00_4 = w[768 + lane]
+        J00_5 = w[800 + lane]
+        J01_0 = w[896 + lane]
+        J01_1 = w[928 + lane]
+        J01_2 = w[960 + lane]
+        J01_3 = w[992 + lane]
+        J01_4 = w[1024 + lane]
+        J01_5 = w[1056 + lane]
+        J10_0 = w[2688 + lane]
+        J10_1 = w[2720 + lane]
+        J10_2 = w[2752 + lane]
+        J10_3 = w[2784 + lane]
+        J10_4 = w[2816 + lane]
+        J10_5 = w[2848 + lane]
+        J11_0 = w[2944 + lane]
+        J11_1 = w[2976 + lane]
+        J11_2 = w[3008 + lane]
+        J11_3 = w[3040 + lane]
+        J11_4 = w[3072 + lane]
+        J11_5 = w[3104 + lane]
+        J20_0 = w[4736 + lane]
+        J20_1 = w[4768 + lane]
+        J20_2 = w[4800 + lane]
+        J20_3 = w[4832 + lane]
+        J20_4 = w[4864 + lane]
+        J20_5 = w[4896 + lane]
+        J21_0 = w[4992 + lane]
+        J21_1 = w[5024 + lane]
+        J21_2 = w[5056 + lane]
+        J21_3 = w[5088 + lane]
+        J21_4 = w[5120 + lane]
+        J21_5 = w[5152 + lane]
+        G_cof_00 = J10_1*J20_2 - J10_2*J20_1
+        G_cof_01 = -J10_0*J20_2 + J10_2*J20_0
+        G_cof_02 = J10_0*J20_1 - J10_1*J20_0
+        G_cof_10 = -J00_1*J20_2 + J00_2*J20_1
+        G_cof_11 = J00_0*J20_2 - J00_2*J20_0
+        G_cof_12 = -J00_0*J20_1 + J00_1*J20_0
+        G_cof_20 = J00_1*J10_2 - J00_2*J10_1
+        G_cof_21 = -J00_0*J10_2 + J00_2*J10_0
+        G_cof_22 = J00_0*J10_1 - J00_1*J10_0
+        G_det_00 = G_cof_00*J00_0 + G_cof_01*J00_1 + G_cof_02*J00_2
+        G_by_00 = (1.0 / G_det_00)
+        G_inv_00 = G_by_00*G_cof_00
+        G_inv_01 = G_by_00*G_cof_10
+        G_inv_02 = G_by_00*G_cof_20
+        G_inv_10 = G_by_00*G_cof_01
+        G_inv_11 = G_by_00*G_cof_11
+        G_inv_12 = G_by_00*G_cof_21
+        G_inv_20 = G_by_00*G_cof_02
+        G_inv_21 = G_by_00*G_cof_12
+        G_inv_22 = G_by_00*G_cof_22
+        U_00 = G_inv_00*J00_3 + G_inv_01*J10_3 + G_inv_02*J20_3
+        U_01 = G_inv_00*J00_4 + G_inv_01*J10_4 + G_inv_02*J20_4
+        U_02 = G_inv_00*J00_5 + G_inv_01*J10_5 + G_inv_02*J20_5
+        U_10 = G_inv_10*J00_3 + G_inv_11*J10_3 + G_inv_12*J20_3
+        U_11 = G_inv_10*J00_4 + G_inv_11*J10_4 + G_inv_12*J20_4
+        U_12 = G_inv_10*J00_5 + G_inv_11*J10_5 + G_inv_12*J20_5
+        U_20 = G_inv_20*J00_3 + G_inv_21*J10_3 + G_inv_22*J20_3
+        U_21 = G_inv_20*J00_4 + G_inv_21*J10_4 + G_inv_22*J20_4
+        U_22 = G_inv_20*J00_5 + G_inv_21*J10_5 + G_inv_22*J20_5
+        S_00 = -J01_0*U_00 - J01_1*U_10 - J01_2*U_20 + J01_3
+        S_01 = -J01_0*U_01 - J01_1*U_11 - J01_2*U_21 + J01_4
+        S_02 = -J01_0*U_02 - J01_1*U_12 - J01_2*U_22 + J01_5
+        S_10 = -J11_0*U_00 - J11_1*U_10 - J11_2*U_20 + J11_3
+        S_11 = -J11_0*U_01 - J11_1*U_11 - J11_2*U_21 + J11_4
+        S_12 = -J11_0*U_02 - J11_1*U_12 - J11_2*U_22 + J11_5
+        S_20 = -J21_0*U_00 - J21_1*U_10 - J21_2*U_20 + J21_3
+        S_21 = -J21_0*U_01 - J21_1*U_11 - J21_2*U_21 + J21_4
+        S_22 = -J21_0*U_02 - J21_1*U_12 - J21_2*U_22 + J21_5
+        Si_cof_00 = S_11*S_22 - S_12*S_21
+        Si_cof_01 = -S_10*S_22 + S_12*S_20
+        Si_cof_02 = S_10*S_21 - S_11*S_20
+        Si_cof_10 = -S_01*S_22 + S_02*S_21
+        Si_cof_11 = S_00*S_22 - S_02*S_20
+        Si_cof_12 = -S_00*S_21 + S_01*S_20
+        Si_cof_20 = S_01*S_12 - S_02*S_11
+        Si_cof_21 = -S_00*S_12 + S_02*S_10
+        Si_cof_22 = S_00*S_11 - S_01*S_10
+        Si_det_00 = S_00*Si_cof_00 + S_01*Si_cof_01 + S_02*Si_cof_02
+        Si_by_00 = (1.0 / Si_det_00)
+        Si_inv_00 = Si_by_00*Si_cof_00
+        Si_inv_01 = Si_by_00*Si_cof_10
+        Si_inv_02 = Si_by_00*Si_cof_20
+        Si_inv_10 = Si_by_00*Si_cof_01
+        Si_inv_11 = Si_by_00*Si_cof_11
+        Si_inv_12 = Si_by_00*Si_cof_21
+        Si_inv_20 = Si_by_00*Si_cof_02
+        Si_inv_21 = Si_by_00*Si_cof_12
+        Si_inv_22 = Si_by_00*Si_cof_22
+        s193 = -J01_0*Si_inv_00 - J11_0*Si_inv_01 - J21_0*Si_inv_02
+        s198 = -J01_1*Si_inv_00 - J11_1*Si_inv_01 - J21_1*Si_inv_02
+        s203 = -J01_2*Si_inv_00 - J11_2*Si_inv_01 - J21_2*Si_inv_02
+        V_00 = G_inv_00*s193 + G_inv_10*s198 + G_inv_20*s203
+        V_01 = G_inv_01*s193 + G_inv_11*s198 + G_inv_21*s203
+        V_02 = G_inv_02*s193 + G_inv_12*s198 + G_inv_22*s203
+        s217 = -J01_0*Si_inv_10 - J11_0*Si_inv_11 - J21_0*Si_inv_12
+        s222 = -J01_1*Si_inv_10 - J11_1*Si_inv_11 - J21_1*Si_inv_12
+        s227 = -J01_2*Si_inv_10 - J11_2*Si_inv_11 - J21_2*Si_inv_12
+        V_10 = G_inv_00*s217 + G_inv_10*s222 + G_inv_20*s227
+        V_11 = G_inv_01*s217 + G_inv_11*s222 + G_inv_21*s227
+        V_12 = G_inv_02*s217 + G_inv_12*s222 + G_inv_22*s227
+        s241 = -J01_0*Si_inv_20 - J11_0*Si_inv_21 - J21_0*Si_inv_22
+        s246 = -J01_1*Si_inv_20 - J11_1*Si_inv_21 - J21_1*Si_inv_22
+        s251 = -J01_2*Si_inv_20 - J11_2*Si_inv_21 - J21_2*Si_inv_22
+        V_20 = G_inv_00*s241 + G_inv_10*s246 + G_inv_20*s251
+        V_21 = G_inv_01*s241 + G_inv_11*s246 + G_inv_21*s251
+        V_22 = G_inv_02*s241 + G_inv_12*s246 + G_inv_22*s251
+        s265 = -G_inv_00 + U_00*V_00 + U_01*V_10 + U_02*V_20
+        s269 = -G_inv_01 + U_00*V_01 + U_01*V_11 + U_02*V_21
+        s273 = -G_inv_02 + U_00*V_02 + U_01*V_12 + U_02*V_22
+        s277 = Si_inv_00*U_00 + Si_inv_10*U_01 + Si_inv_20*U_02
+        s281 = Si_inv_01*U_00 + Si_inv_11*U_01 + Si_inv_21*U_02
+        s285 = Si_inv_02*U_00 + Si_inv_12*U_01 + Si_inv_22*U_02
+        s289 = -G_inv_10 + U_10*V_00 + U_11*V_10 + U_12*V_20
+        s293 = -G_inv_11 + U_10*V_01 + U_11*V_11 + U_12*V_21
+        s297 = -G_inv_12 + U_10*V_02 + U_11*V_12 + U_12*V_22
+        s301 = Si_inv_00*U_10 + Si_inv_10*U_11 + Si_inv_20*U_12
+        s305 = Si_inv_01*U_10 + Si_inv_11*U_11 + Si_inv_21*U_12
+        s309 = Si_inv_02*U_10 + Si_inv_12*U_11 + Si_inv_22*U_12
+        s313 = -G_inv_20 + U_20*V_00 + U_21*V_10 + U_22*V_20
+        s317 = -G_inv_21 + U_20*V_01 + U_21*V_11 + U_22*V_21
+        s321 = -G_inv_22 + U_20*V_02 + U_21*V_12 + U_22*V_22
+        s325 = Si_inv_00*U_20 + Si_inv_10*U_21 + Si_inv_20*U_22
+        s329 = Si_inv_01*U_20 + Si_inv_11*U_21 + Si_inv_21*U_22
+        s333 = Si_inv_02*U_20 + Si_inv_12*U_21 + Si_inv_22*U_22
+        s342 = (J10_0 * J10_0) + (J10_1 * J10_1) + (J10_2 * J10_2)
+        s346 = (J20_0 * J20_0) + (J20_1 * J20_1) + (J20_2 * J20_2)
+        s348 = (G_det_00 * G_det_00) - 1.0e-12*s342*s346*((J00_0 * J00_0) + (J00_1 * J00_1) + (J00_2 * J00_2))
+        s357 = (J11_3 * J11_3) + (J11_4 * J11_4) + (J11_5 * J11_5)
+        s361 = (J21_3 * J21_3) + (J21_4 * J21_4) + (J21_5 * J21_5)
+        s363 = (Si_det_00 * Si_det_00) - 1.0e-12*s357*s361*((J01_3 * J01_3) + (J01_4 * J01_4) + (J01_5 * J01_5))
+        w[6432 + lane] = s265
+        w[6464 + lane] = s269
+        w[6496 + lane] = s273
+        w[6528 + lane] = s277
+        w[6560 + lane] = s281
+        w[6592 + lane] = s285
+        w[6624 + lane] = s289
+        w[6656 + lane] = s293
+        w[6688 + lane] = s297
+        w[6720 + lane] = s301
+        w[6752 + lane] = s305
+        w[6784 + lane] = s309
+        w[6816 + lane] = s313
+        w[6848 + lane] = s317
+        w[6880 + lane] = s321
+        w[6912 + lane] = s325
+        w[6944 + lane] = s329
+        w[6976 + lane] = s333
+        w[7008 + lane] = -V_00
+        w[7040 + lane] = -V_01
+        w[7072 + lane] = -V_02
+        w[7104 + lane] = -Si_inv_00
+        w[7136 + lane] = -Si_inv_01
+        w[7168 + lane] = -Si_inv_02
+        w[7200 + lane] = -V_10
+        w[7232 + lane] = -V_11
+        w[7264 + lane] = -V_12
+        w[7296 + lane] = -Si_inv_10
+        w[7328 + lane] = -Si_inv_11
+        w[7360 + lane] = -Si_inv_12
+        w[7392 + lane] = -V_20
+        w[7424 + lane] = -V_21
+        w[7456 + lane] = -V_22
+        w[7488 + lane] = -Si_inv_20
+        w[7520 + lane] = -Si_inv_21
+        w[7552 + lane] = -Si_inv_22
+        w[7584 + lane] = s348
+        w[7616 + lane] = s363
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _joint(x, q, tool, k, out):
-    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it (22 operations)."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    s660 = k[14]
-    s665 = k[15]
-    h = k[16]
-    s672 = k[17]
-    s674 = k[18]
-    s680 = k[19]
-    s684 = k[20]
-    s669 = -h + pz - tz
-    s670 = (s669 * s669)
-    s673 = 0.5*s670 + s672 + 0.5*((px + s660 - tx) * (px + s660 - tx)) + 0.5*((py + s665 - ty) * (py + s665 - ty))
-    s686 = s669*s684 - math.sqrt(s670*s680 + s673*s674)
-    out[0] = s686
+@fast
+def _move(w, n):
+    """The platform after a step, and its rotation matrix (95 operations)."""
+    wide()
+    for lane in range(n):
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        cx = w[224 + lane]
+        cy = w[256 + lane]
+        cz = w[288 + lane]
+        y0 = w[6144 + lane]
+        y1 = w[6176 + lane]
+        y2 = w[6208 + lane]
+        y3 = w[6240 + lane]
+        y4 = w[6272 + lane]
+        y5 = w[6304 + lane]
+        going = w[6400 + lane]
+        new_00 = -going*y0 + px
+        new_10 = -going*y1 + py
+        new_20 = -going*y2 + pz
+        s10 = 0.5*cz
+        s11 = 0.25*cx*cy
+        s14 = -0.5*cy
+        s15 = 0.25*cx*cz
+        new_30 = cx - going*(y3*(0.25*(cx * cx) + 1) + y4*(s10 + s11) + y5*(s14 + s15))
+        s27 = 0.5*cx
+        s28 = 0.25*cy*cz
+        new_40 = cy - going*(y3*(-s10 + s11) + y4*(0.25*(cy * cy) + 1) + y5*(s27 + s28))
+        new_50 = cz - going*(y3*(-s14 + s15) + y4*(-s27 + s28) + y5*(0.25*(cz * cz) + 1))
+        s45 = (new_30 * new_30)
+        s47 = (new_40 * new_40)
+        s49 = (new_50 * new_50)
+        s52 = (1.0 / (0.25*s45 + 0.25*s47 + 0.25*s49 + 1))
+        s53 = -0.5*s47
+        s54 = -0.5*s49
+        s57 = s52*(s53 + s54) + 1
+        s58 = 0.5*new_30*new_40
+        s60 = s52*(-new_50 + s58)
+        s61 = 0.5*new_30*new_50
+        s63 = s52*(new_40 + s61)
+        s65 = s52*(new_50 + s58)
+        s66 = -0.5*s45
+        s69 = s52*(s54 + s66) + 1
+        s70 = 0.5*new_40*new_50
+        s72 = s52*(-new_30 + s70)
+        s74 = s52*(-new_40 + s61)
+        s76 = s52*(new_30 + s70)
+        s79 = s52*(s53 + s66) + 1
+        w[128 + lane] = new_00
+        w[2176 + lane] = new_00
+        w[4224 + lane] = new_00
+        w[160 + lane] = new_10
+        w[2208 + lane] = new_10
+        w[4256 + lane] = new_10
+        w[192 + lane] = new_20
+        w[2240 + lane] = new_20
+        w[4288 + lane] = new_20
+        w[224 + lane] = new_30
+        w[256 + lane] = new_40
+        w[288 + lane] = new_50
+        w[320 + lane] = s57
+        w[2368 + lane] = s57
+        w[4416 + lane] = s57
+        w[352 + lane] = s60
+        w[2400 + lane] = s60
+        w[4448 + lane] = s60
+        w[384 + lane] = s63
+        w[2432 + lane] = s63
+        w[4480 + lane] = s63
+        w[416 + lane] = s65
+        w[2464 + lane] = s65
+        w[4512 + lane] = s65
+        w[448 + lane] = s69
+        w[2496 + lane] = s69
+        w[4544 + lane] = s69
+        w[480 + lane] = s72
+        w[2528 + lane] = s72
+        w[4576 + lane] = s72
+        w[512 + lane] = s74
+        w[2560 + lane] = s74
+        w[4608 + lane] = s74
+        w[544 + lane] = s76
+        w[2592 + lane] = s76
+        w[4640 + lane] = s76
+        w[576 + lane] = s79
+        w[2624 + lane] = s79
+        w[4672 + lane] = s79
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _closure(x, q, tool, k, out, F, J_x, J_q):
-    """Fill closure F (6,), J_x (6, 6) and the joints' part J_q (6,) of one pose; k (3, :), out scratch."""
-    for i in range(3):
-        _newton(x, q[i], tool, k[i], out)
-        for j in range(2):
-            row, start = 2 * i + j, 8 * j
-            F[row] = out[start]
-            for c in range(6):
-                J_x[row, c] = out[start + 1 + c]
-            J_q[row] = out[start + 7]
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def _solve(A, B, columns):
-    """Solve A X = B in place by Gauss elimination with partial pivoting; X takes the place of B.
-
-    Returns False where a pivot falls below PIVOT_SINGULAR of the largest entry of A: then A is singular to that tolerance.
-    """
-    largest = 0.0
-    for r in range(6):
-        for c in range(6):
-            largest = max(largest, abs(A[r, c]))
-    for c in range(6):
-        pivot = c
-        for r in range(c + 1, 6):
-            if abs(A[r, c]) > abs(A[pivot, c]):
-                pivot = r
-        if not abs(A[pivot, c]) > PIVOT_SINGULAR * largest:
-            return False
-        if pivot != c:
-            for j in range(c, 6):
-                A[c, j], A[pivot, j] = A[pivot, j], A[c, j]
-            for j in range(columns):
-                B[c, j], B[pivot, j] = B[pivot, j], B[c, j]
-        inverse = 1.0 / A[c, c]
-        for r in range(c + 1, 6):
-            factor = A[r, c] * inverse
-            if factor != 0.0:
-                for j in range(c + 1, 6):
-                    A[r, j] -= factor * A[c, j]
-                for j in range(columns):
-                    B[r, j] -= factor * B[c, j]
-    for c in range(5, -1, -1):
-        inverse = 1.0 / A[c, c]
-        for j in range(columns):
-            B[c, j] *= inverse
-        for r in range(c):
-            factor = A[r, c]
-            if factor != 0.0:
-                for j in range(columns):
-                    B[r, j] -= factor * B[c, j]
-    return True
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def _stuck(F):
-    """Return what a pose is where Newton's matrix is singular: SINGULAR if its loops are closed, else UNREACHABLE."""
-    for r in range(6):
-        if not abs(F[r]) < CLOSED:
-            return UNREACHABLE
-    return SINGULAR
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def jacobians(x, q, tool, k, F, J_x, J_q, J_p):
-    """Fill the closure F (N, 6) and its Jacobians J_x (N, 6, 6), J_q (N, 6), J_p (N, 6, 9).
-
-    Rows 2 i .. 2 i + 1 belong to limb i and depend on its own joint, errors and deflections only:
-    J_q and J_p hold the derivatives by those.
-    """
-    out, by_errors = np.zeros(16), np.zeros(18)
-    for n in range(x.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        _closure(x[n], q[n], tool[n], k[m], out, F[n], J_x[n], J_q[n])
-        for i in range(3):
-            _parameters(x[n], q[n, i], tool[n], k[m, i], by_errors)
-            for j in range(2):
-                for c in range(9):
-                    J_p[n, 2 * i + j, c] = by_errors[9 * j + c]
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def _meet(sphere, pose):
-    """Put the position where three spheres meet into pose[:3]; False where their centres lie on one line.
+@fast
+def _meet(w, n):
+    """Put the platform where three spheres meet.
 
     Differences of the spheres are planes; two planes are a line, on which the first sphere is a quadratic. Where the
     line misses the sphere its nearest point is taken: the exact machine may still reach what the simplified one
     cannot.
     """
-    ax, ay, az = sphere[1, 0] - sphere[0, 0], sphere[1, 1] - sphere[0, 1], sphere[1, 2] - sphere[0, 2]
-    bx, by, bz = sphere[2, 0] - sphere[0, 0], sphere[2, 1] - sphere[0, 1], sphere[2, 2] - sphere[0, 2]
-    da, db = sphere[1, 3] - sphere[0, 3], sphere[2, 3] - sphere[0, 3]
-    nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-    nn = nx * nx + ny * ny + nz * nz
-    aa = ax * ax + ay * ay + az * az
-    bb = bx * bx + by * by + bz * bz
-    if not nn > PIVOT_SINGULAR * aa * bb:
-        return False
-    # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
-    ab = ax * bx + ay * by + az * bz
-    u = (da * bb - db * ab) / nn
-    v = (db * aa - da * ab) / nn
-    px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
-    # |P + t n|^2 / 2 - c.(P + t n) + d = 0
-    half = (px * nx + py * ny + pz * nz) - (sphere[0, 0] * nx + sphere[0, 1] * ny + sphere[0, 2] * nz)
-    rest = 0.5 * (px * px + py * py + pz * pz) - (sphere[0, 0] * px + sphere[0, 1] * py + sphere[0, 2] * pz) + sphere[0, 3]
-    root = math.sqrt(max(half * half - 2.0 * nn * rest, 0.0))
-    sign = -1.0 if nz > 0.0 else 1.0
-    t = (-half + sign * root) / nn
-    pose[0], pose[1], pose[2] = px + t * nx, py + t * ny, pz + t * nz
-    return True
+    wide()
+    for lane in range(n):
+        ox, oy, oz, od = w[1280 + lane], w[1312 + lane], w[1344 + lane], w[1376 + lane]
+        ax, ay, az, ad = w[3328 + lane], w[3360 + lane], w[3392 + lane], w[3424 + lane]
+        bx, by, bz, bd = w[5376 + lane], w[5408 + lane], w[5440 + lane], w[5472 + lane]
+        ax, ay, az, da = ax - ox, ay - oy, az - oz, ad - od
+        bx, by, bz, db = bx - ox, by - oy, bz - oz, bd - od
+        nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+        aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
+        nn = nx * nx + ny * ny + nz * nz
+        inverse = 1.0 / nn
+        # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
+        u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
+        px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
+        # |P + t n|^2 / 2 - c.(P + t n) + d = 0
+        half = ((px - ox) * nx + (py - oy) * ny + (pz - oz) * nz) * inverse
+        rest = 0.5 * (px * px + py * py + pz * pz) - (ox * px + oy * py + oz * pz) + od
+        square = half * half - 2.0 * rest * inverse
+        good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
+        w[6400 + lane] = 0.0 if good else 1.0
+        root = math.sqrt(square if square > 0.0 else 0.0)
+        t = (-root if nz > 0.0 else root) - half
+        w[128 + lane] = px + t * nx
+        w[160 + lane] = py + t * ny
+        w[192 + lane] = pz + t * nz
+        w[224 + lane] = 0.0
+        w[256 + lane] = 0.0
+        w[288 + lane] = 0.0
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@fast
+def _settle(w, n):
+    """Mark the poses for which this step was the last; return how many go on."""
+    wide()
+    left = 0
+    for lane in range(n):
+        done = (w[6336 + lane] > 0.0)
+        done = done & (w[6368 + lane] > 0.0)
+        done = done & (abs(w[6144 + lane]) < STEP_DONE)
+        done = done & (abs(w[6176 + lane]) < STEP_DONE)
+        done = done & (abs(w[6208 + lane]) < STEP_DONE)
+        done = done & (abs(w[6240 + lane]) < TURN_DONE)
+        done = done & (abs(w[6272 + lane]) < TURN_DONE)
+        done = done & (abs(w[6304 + lane]) < TURN_DONE)
+        going = 0.0 if done | (w[6400 + lane] == 0.0) else 1.0
+        w[6400 + lane] = going
+        left += 1 if going == 1.0 else 0
+    return left
+
+
+@fast
+def _settle_joints(w, n):
+    """Mark the poses for which this step was the last; return how many go on."""
+    wide()
+    left = 0
+    for lane in range(n):
+        done = (w[7840 + lane] > 0.0)
+        done = done & (w[7872 + lane] > 0.0)
+        done = done & (w[7904 + lane] > 0.0)
+        done = done & (w[7936 + lane] > 0.0)
+        done = done & (abs(w[7648 + lane]) < STEP_DONE)
+        done = done & (abs(w[7680 + lane]) < STEP_DONE)
+        done = done & (abs(w[7712 + lane]) < STEP_DONE)
+
+        done = done & (abs(w[7744 + lane]) < TURN_DONE)
+        done = done & (abs(w[7776 + lane]) < TURN_DONE)
+        done = done & (abs(w[7808 + lane]) < TURN_DONE)
+        going = 0.0 if done | (w[6400 + lane] == 0.0) else 1.0
+        w[6400 + lane] = going
+        left += 1 if going == 1.0 else 0
+    return left
+
+
+@fast
+def _begin(w, n):
+    """Let all poses go."""
+    for lane in range(n):
+        w[6400 + lane] = 1.0
+        w[6144 + lane] = 0.0
+        w[6176 + lane] = 0.0
+        w[6208 + lane] = 0.0
+        w[6240 + lane] = 0.0
+        w[6272 + lane] = 0.0
+        w[6304 + lane] = 0.0
+
+
+@fast
+def _started(w, n):
+    """Take joints, and coordinates that no command asks for, from the simplified machine."""
+    for lane in range(n):
+        w[6400 + lane] = 0.0 if (abs(w[1408 + lane]) < math.inf) & (abs(w[3456 + lane]) < math.inf) & (abs(w[5504 + lane]) < math.inf) else 1.0
+        w[0 + lane] = w[1408 + lane]
+        w[2048 + lane] = w[3456 + lane]
+        w[4096 + lane] = w[5504 + lane]
+        w[224 + lane] = 0.0
+        w[256 + lane] = 0.0
+        w[288 + lane] = 0.0
+
+
+@fast
+def _turn_joints(w, n):
+    """Move the joints by a step; what it does to the platform is left to `_move`."""
+    for lane in range(n):
+        going = w[6400 + lane]
+        w[0 + lane] -= going * w[7648 + lane]
+        w[2048 + lane] -= going * w[7680 + lane]
+        w[4096 + lane] -= going * w[7712 + lane]
+        w[6240 + lane] = w[7744 + lane]
+        w[6272 + lane] = w[7776 + lane]
+        w[6304 + lane] = w[7808 + lane]
+
+@fast
+def _load(q, w, first, last, n):
+    """Put joints of poses side by side, the last one again for the rest of `n`."""
+    wide()
+    for lane in range(n):
+        m = min(first + lane, last)
+        w[0 + lane] = q[m, 0]
+        w[2048 + lane] = q[m, 1]
+        w[4096 + lane] = q[m, 2]
+
+
+@fast
+def _hold(tool, w, first, last, n):
+    """Put tools of poses side by side, like `_load`."""
+    wide()
+    for lane in range(n):
+        m = min(first + lane, last)
+        at = tool[m, 0]
+        w[32 + lane] = at
+        w[2080 + lane] = at
+        w[4128 + lane] = at
+        at = tool[m, 1]
+        w[64 + lane] = at
+        w[2112 + lane] = at
+        w[4160 + lane] = at
+        at = tool[m, 2]
+        w[96 + lane] = at
+        w[2144 + lane] = at
+        w[4192 + lane] = at
+
+
+@fast
+def _place(x, w, first, last, n):
+    """Put platform poses side by side, like `_load`."""
+    wide()
+    for lane in range(n):
+        m = min(first + lane, last)
+        w[128 + lane] = x[m, 0]
+        w[160 + lane] = x[m, 1]
+        w[192 + lane] = x[m, 2]
+        w[224 + lane] = x[m, 3]
+        w[256 + lane] = x[m, 4]
+        w[288 + lane] = x[m, 5]
+
+
+@fast
+def _unload(w, x, status, first, last):
+    """Write the platform's poses, and what became of them; return how many are left open."""
+    wide()
+    left = 0
+    for lane in range(last - first + 1):
+        x[first + lane, 0] = w[128 + lane]
+        x[first + lane, 1] = w[160 + lane]
+        x[first + lane, 2] = w[192 + lane]
+        x[first + lane, 3] = w[224 + lane]
+        x[first + lane, 4] = w[256 + lane]
+        x[first + lane, 5] = w[288 + lane]
+        is_open = w[6400 + lane] != 0.0
+        status[first + lane] = OPEN if is_open else SOLVED
+        left += 1 if is_open else 0
+    return left
+
+
+@fast
+def _unload_joints(w, q, first, last):
+    wide()
+    for lane in range(last - first + 1):
+        q[first + lane, 0] = w[0 + lane]
+        q[first + lane, 1] = w[2048 + lane]
+        q[first + lane, 2] = w[4096 + lane]
+
+
+@fast
+def _forward(q, tool, k, x, status, warm, w):
+    w_1 = w[0:2048]
+    w_2 = w[2048:4096]
+    w_3 = w[4096:6144]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        k_3 = k[m, 2]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(q, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _early(w_1, k_1, n)
+            _early(w_2, k_2, n)
+            _early(w_3, k_3, n)
+            if warm:
+                _place(x, w, first, last, n)
+            else:
+                _meet(w, n)
+            _begin(w, n)
+            _move(w, n)
+            for _ in range(MAX_STEPS):
+                _rows(w_1, k_1, n)
+                _rows(w_2, k_2, n)
+                _rows(w_3, k_3, n)
+                _step(w, n)
+                _move(w, n)
+                if _settle(w, n) == 0:
+                    break
+            left += _unload(w, x, status, first, last)
+    return left
+
+
+def _of(values, chosen, poses):
+    """Return what belongs to the chosen poses of constants or tools, of which there may be fewer than poses."""
+    return values[chosen // (poses // len(values))]
+
+
 def forward(q, tool, k, x, status, warm):
     """Fill x (N, 6) with the exact platform pose at the joints q, by Newton from the simplified machine, or from x where warm.
 
     status (N,): SOLVED, UNREACHABLE (no platform pose closes all loops) or SINGULAR; x is NaN unless SOLVED.
     """
-    F, J_q = np.empty(6), np.empty(6)
-    J_x = np.empty((6, 6))
-    step = np.empty((6, 1))
-    out = np.zeros(16)
-    pose = np.zeros(6)
-    sphere = np.empty((3, 4))
-    for n in range(q.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        seeded = True
-        for c in range(6):
-            pose[c] = x[n, c] if warm else 0.0
-            seeded = seeded and math.isfinite(pose[c])
-        if not (warm and seeded):
-            pose[:] = 0.0
-            for i in range(3):
-                _sphere(pose, q[n, i], tool[n], k[m, i], sphere[i])
-            seeded = _meet(sphere, pose)
-        status[n] = UNREACHABLE if seeded else SINGULAR
-        for _ in range(MAX_STEPS if seeded else 0):
-            _closure(pose, q[n], tool[n], k[m], out, F, J_x, J_q)
-            for r in range(6):
-                step[r, 0] = F[r]
-            if not _solve(J_x, step, 1):
-                status[n] = _stuck(F)
-                break
-            size = 0.0
-            for c in range(6):
-                pose[c] -= step[c, 0]
-                size = max(size, abs(step[c, 0]))
-            if size < STEP_DONE:
-                status[n] = SOLVED
-                break
-            if not size < STEP_LOST:
-                break
-        for c in range(6):
-            x[n, c] = pose[c] if status[n] == SOLVED else np.nan
+    given = x.copy() if warm else x
+    if _forward(q, tool, k, x, status, warm, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        of, found = np.zeros(len(left), dtype=np.int64), given[left]
+        vectorised.forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, warm)
+        x[left], status[left] = found, of
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@fast
+def _inverse(target, tool, k, x, q, status, w):
+    w_1 = w[0:2048]
+    w_2 = w[2048:4096]
+    w_3 = w[4096:6144]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        k_3 = k[m, 2]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(target, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _aim(w, n)
+            _start(w_1, k_1, n)
+            _start(w_2, k_2, n)
+            _start(w_3, k_3, n)
+            _started(w, n)
+            _begin(w, n)
+            _move(w, n)
+            for _ in range(MAX_STEPS):
+                _early(w_1, k_1, n)
+                _more(w_1, k_1, n)
+                _rows(w_1, k_1, n)
+                _joints(w_1, k_1, n)
+                _early(w_2, k_2, n)
+                _more(w_2, k_2, n)
+                _rows(w_2, k_2, n)
+                _joints(w_2, k_2, n)
+                _early(w_3, k_3, n)
+                _more(w_3, k_3, n)
+                _rows(w_3, k_3, n)
+                _joints(w_3, k_3, n)
+                _command(w, n)
+                _turn_joints(w, n)
+                _move(w, n)
+                if _settle_joints(w, n) == 0:
+                    break
+            left += _unload(w, x, status, first, last)
+            _unload_joints(w, q, first, last)
+    return left
+
+
 def inverse(target, tool, k, x, q, status):
     """Fill the joints q (N, 3) that bring the reference point to target (N, 3), and the pose x (N, 6) it then has.
 
     Newton on the joints and the platform's rotation from the simplified machine. status as in `forward`; UNREACHABLE
     where the target lies beyond the reach of a limb.
     """
-    F, J_q = np.empty(6), np.empty(6)
-    J_x = np.empty((6, 6))
-    A = np.empty((6, 6))
-    step = np.empty((6, 1))
-    out = np.zeros(16)
-    pose, joints, start = np.zeros(6), np.empty(3), np.zeros(1)
-    for n in range(target.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        pose[:] = 0.0
-        for c in range(3):
-            pose[c] = target[n, c]
-        seeded = True
-        for i in range(3):
-            _joint(pose, 0.0, tool[n], k[m, i], start)
-            joints[i] = start[0]
-            seeded = seeded and math.isfinite(joints[i])
-        status[n] = UNREACHABLE
-        for _ in range(MAX_STEPS if seeded else 0):
-            _closure(pose, joints, tool[n], k[m], out, F, J_x, J_q)
-            A[:] = 0.0
-            for r in range(6):
-                A[r, r // 2] = J_q[r]
-                for c in range(3):
-                    A[r, 3 + c] = J_x[r, 3 + c]
-                step[r, 0] = F[r]
-            if not _solve(A, step, 1):
-                status[n] = _stuck(F)
-                break
-            size = 0.0
-            for c in range(3):
-                joints[c] -= step[c, 0]
-                size = max(size, abs(step[c, 0]))
-            for c in range(3):
-                pose[3 + c] -= step[3 + c, 0]
-                size = max(size, abs(step[3 + c, 0]))
-            if size < STEP_DONE * ANGLE_STEP:
-                status[n] = SOLVED
-                break
-            if not size < STEP_LOST:
-                break
-        for c in range(3):
-            q[n, c] = joints[c] if status[n] == SOLVED else np.nan
-        for c in range(6):
-            x[n, c] = pose[c] if status[n] == SOLVED else np.nan
+    if _inverse(target, tool, k, x, q, status, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        found, joints, of = np.empty((len(left), 6)), np.empty((len(left), 3)), np.zeros(len(left), dtype=np.int64)
+        vectorised.inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
+        x[left], q[left], status[left] = found, joints, of
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@fast
+def _simplified_forward(q, tool, k, x, status, w):
+    w_1 = w[0:2048]
+    w_2 = w[2048:4096]
+    w_3 = w[4096:6144]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        k_3 = k[m, 2]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(q, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _sphere(w_1, k_1, n)
+            _sphere(w_2, k_2, n)
+            _sphere(w_3, k_3, n)
+            _meet(w, n)
+            left += _unload(w, x, status, first, last)
+    return left
+
+
+def simplified_forward(q, tool, k, x, status):
+    """`forward` of the simplified machine, in closed form: exact where lean_radial, lean_tangential, dl are zero."""
+    if _simplified_forward(q, tool, k, x, status, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        found, of = np.empty((len(left), 6)), np.empty(len(left), dtype=np.int64)
+        forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, False)
+        x[left], status[left] = found, of
+
+
+@fast
+def _simplified_inverse(target, tool, k, x, q, status, w):
+    w_1 = w[0:2048]
+    w_2 = w[2048:4096]
+    w_3 = w[4096:6144]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        k_3 = k[m, 2]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(target, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _aim(w, n)
+            _start(w_1, k_1, n)
+            _start(w_2, k_2, n)
+            _start(w_3, k_3, n)
+            _started(w, n)
+            left += _unload(w, x, status, first, last)
+            _unload_joints(w, q, first, last)
+    return left
+
+
+def simplified_inverse(target, tool, k, x, q, status):
+    """`inverse` of the simplified machine, in closed form; see `simplified_forward`."""
+    if _simplified_inverse(target, tool, k, x, q, status, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        found, joints, of = np.empty((len(left), 6)), np.empty((len(left), 3)), np.empty(len(left), dtype=np.int64)
+        inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
+        x[left], q[left], status[left] = found, joints, of
+
+
+@fast
+def _aim(w, n):
+    """Put targets, which were loaded as joints, where the limbs read the platform."""
+    for lane in range(n):
+        at = w[0 + lane]
+        w[128 + lane] = at
+        w[2176 + lane] = at
+        w[4224 + lane] = at
+        at = w[2048 + lane]
+        w[160 + lane] = at
+        w[2208 + lane] = at
+        w[4256 + lane] = at
+        at = w[4096 + lane]
+        w[192 + lane] = at
+        w[2240 + lane] = at
+        w[4288 + lane] = at
+
+
+@fast
+def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
+    w_1 = w[0:2048]
+    w_2 = w[2048:4096]
+    w_3 = w[4096:6144]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        k_3 = k[m, 2]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(q, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _place(x, w, first, last, n)
+            _begin(w, n)
+            _move(w, n)
+            _early(w_1, k_1, n)
+            _more(w_1, k_1, n)
+            _rows(w_1, k_1, n)
+            _joints(w_1, k_1, n)
+            _errors(w_1, k_1, n)
+            _early(w_2, k_2, n)
+            _more(w_2, k_2, n)
+            _rows(w_2, k_2, n)
+            _joints(w_2, k_2, n)
+            _errors(w_2, k_2, n)
+            _early(w_3, k_3, n)
+            _more(w_3, k_3, n)
+            _rows(w_3, k_3, n)
+            _joints(w_3, k_3, n)
+            _errors(w_3, k_3, n)
+            _inverse_of_rows(w, n)
+            left += _products(w, S_p, S_q, status, first, last)
+    return left
+
+
+@fast
+def _products(w, S_p, S_q, status, first, last):
+    """Multiply the inverse and the derivatives by errors and joints, pose by pose; return how many are left open."""
+    wide()
+    left = 0
+    for lane in range(last - first + 1):
+        m = first + lane
+        e_0_0 = w[1472 + lane]
+        e_0_1 = w[1504 + lane]
+        e_0_2 = w[1536 + lane]
+        e_0_3 = w[1568 + lane]
+        e_0_4 = w[1600 + lane]
+        e_0_5 = w[1632 + lane]
+        e_0_6 = w[1664 + lane]
+        e_0_7 = w[1696 + lane]
+        e_0_8 = w[1728 + lane]
+        q_0 = w[832 + lane]
+        e_1_0 = w[1760 + lane]
+        e_1_1 = w[1792 + lane]
+        e_1_2 = w[1824 + lane]
+        e_1_3 = w[1856 + lane]
+        e_1_4 = w[1888 + lane]
+        e_1_5 = w[1920 + lane]
+        e_1_6 = w[1952 + lane]
+        e_1_7 = w[1984 + lane]
+        e_1_8 = w[2016 + lane]
+        q_1 = w[1088 + lane]
+        for r in range(6):
+            a_0 = w[192 * r + (6432 + lane)]
+            a_1 = w[192 * r + (6528 + lane)]
+            S_p[m, r, 0] = a_0 * e_0_0 + a_1 * e_1_0
+            S_p[m, r, 1] = a_0 * e_0_1 + a_1 * e_1_1
+            S_p[m, r, 2] = a_0 * e_0_2 + a_1 * e_1_2
+            S_p[m, r, 3] = a_0 * e_0_3 + a_1 * e_1_3
+            S_p[m, r, 4] = a_0 * e_0_4 + a_1 * e_1_4
+            S_p[m, r, 5] = a_0 * e_0_5 + a_1 * e_1_5
+            S_p[m, r, 6] = a_0 * e_0_6 + a_1 * e_1_6
+            S_p[m, r, 7] = a_0 * e_0_7 + a_1 * e_1_7
+            S_p[m, r, 8] = a_0 * e_0_8 + a_1 * e_1_8
+            S_q[m, r, 0] = a_0 * q_0 + a_1 * q_1
+        e_0_0 = w[3520 + lane]
+        e_0_1 = w[3552 + lane]
+        e_0_2 = w[3584 + lane]
+        e_0_3 = w[3616 + lane]
+        e_0_4 = w[3648 + lane]
+        e_0_5 = w[3680 + lane]
+        e_0_6 = w[3712 + lane]
+        e_0_7 = w[3744 + lane]
+        e_0_8 = w[3776 + lane]
+        q_0 = w[2880 + lane]
+        e_1_0 = w[3808 + lane]
+        e_1_1 = w[3840 + lane]
+        e_1_2 = w[3872 + lane]
+        e_1_3 = w[3904 + lane]
+        e_1_4 = w[3936 + lane]
+        e_1_5 = w[3968 + lane]
+        e_1_6 = w[4000 + lane]
+        e_1_7 = w[4032 + lane]
+        e_1_8 = w[4064 + lane]
+        q_1 = w[3136 + lane]
+        for r in range(6):
+            a_0 = w[192 * r + (6464 + lane)]
+            a_1 = w[192 * r + (6560 + lane)]
+            S_p[m, r, 9] = a_0 * e_0_0 + a_1 * e_1_0
+            S_p[m, r, 10] = a_0 * e_0_1 + a_1 * e_1_1
+            S_p[m, r, 11] = a_0 * e_0_2 + a_1 * e_1_2
+            S_p[m, r, 12] = a_0 * e_0_3 + a_1 * e_1_3
+            S_p[m, r, 13] = a_0 * e_0_4 + a_1 * e_1_4
+            S_p[m, r, 14] = a_0 * e_0_5 + a_1 * e_1_5
+            S_p[m, r, 15] = a_0 * e_0_6 + a_1 * e_1_6
+            S_p[m, r, 16] = a_0 * e_0_7 + a_1 * e_1_7
+            S_p[m, r, 17] = a_0 * e_0_8 + a_1 * e_1_8
+            S_q[m, r, 1] = a_0 * q_0 + a_1 * q_1
+        e_0_0 = w[5568 + lane]
+        e_0_1 = w[5600 + lane]
+        e_0_2 = w[5632 + lane]
+        e_0_3 = w[5664 + lane]
+        e_0_4 = w[5696 + lane]
+        e_0_5 = w[5728 + lane]
+        e_0_6 = w[5760 + lane]
+        e_0_7 = w[5792 + lane]
+        e_0_8 = w[5824 + lane]
+        q_0 = w[4928 + lane]
+        e_1_0 = w[5856 + lane]
+        e_1_1 = w[5888 + lane]
+        e_1_2 = w[5920 + lane]
+        e_1_3 = w[5952 + lane]
+        e_1_4 = w[5984 + lane]
+        e_1_5 = w[6016 + lane]
+        e_1_6 = w[6048 + lane]
+        e_1_7 = w[6080 + lane]
+        e_1_8 = w[6112 + lane]
+        q_1 = w[5184 + lane]
+        for r in range(6):
+            a_0 = w[192 * r + (6496 + lane)]
+            a_1 = w[192 * r + (6592 + lane)]
+            S_p[m, r, 18] = a_0 * e_0_0 + a_1 * e_1_0
+            S_p[m, r, 19] = a_0 * e_0_1 + a_1 * e_1_1
+            S_p[m, r, 20] = a_0 * e_0_2 + a_1 * e_1_2
+            S_p[m, r, 21] = a_0 * e_0_3 + a_1 * e_1_3
+            S_p[m, r, 22] = a_0 * e_0_4 + a_1 * e_1_4
+            S_p[m, r, 23] = a_0 * e_0_5 + a_1 * e_1_5
+            S_p[m, r, 24] = a_0 * e_0_6 + a_1 * e_1_6
+            S_p[m, r, 25] = a_0 * e_0_7 + a_1 * e_1_7
+            S_p[m, r, 26] = a_0 * e_0_8 + a_1 * e_1_8
+            S_q[m, r, 2] = a_0 * q_0 + a_1 * q_1
+        regular = True
+        regular = regular & (w[7584 + lane] > 0.0)
+        regular = regular & (w[7616 + lane] > 0.0)
+        status[m] = SOLVED if regular else OPEN
+        left += 0 if regular else 1
+    return left
+
+
 def sensitivity(x, q, tool, k, S_p, S_q, status):
     """Fill the derivatives of the exact pose: S_p (N, 6, 27) by errors and deflections, S_q (N, 6, 3) by joints.
 
-    ``J_x S = -J``. Columns of S_p run limb by limb. S_q is the velocity Jacobian.
+    Rows are px, py, pz, then turns of the platform about the axes of {O}. Columns of S_p run limb by limb. S_q is the velocity
+    Jacobian.
     """
-    F, J_q = np.empty(6), np.empty(6)
-    J_x = np.empty((6, 6))
-    unit = np.empty((6, 6))
-    out = np.zeros(16)
-    J_p = np.zeros(18)
-    for n in range(x.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        _closure(x[n], q[n], tool[n], k[m], out, F, J_x, J_q)
-        unit[:] = 0.0
-        for r in range(6):
-            unit[r, r] = -1.0
-        status[n] = SOLVED if _solve(J_x, unit, 6) else SINGULAR
-        for i in range(3):
-            _parameters(x[n], q[n, i], tool[n], k[m, i], J_p)
-            for r in range(6):
-                for c in range(9):
-                    total = 0.0
-                    for j in range(2):
-                        total += unit[r, 2 * i + j] * J_p[9 * j + c]
-                    S_p[n, r, 9 * i + c] = total if status[n] == SOLVED else np.nan
-                total = 0.0
-                for j in range(2):
-                    total += unit[r, 2 * i + j] * J_q[2 * i + j]
-                S_q[n, r, i] = total if status[n] == SOLVED else np.nan
+    if _sensitivity(x, q, tool, k, S_p, S_q, status, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        by_errors, by_joints, of = np.empty((len(left), 6, 27)), np.empty((len(left), 6, 3)), np.zeros(len(left), dtype=np.int64)
+        vectorised.sensitivity(x[left], q[left], _of(tool, left, len(status)), _of(k, left, len(status)), by_errors, by_joints, of)
+        S_p[left], S_q[left], status[left] = by_errors, by_joints, of
 
 
-def linear_constants(p):
-    """Return k (M, 3, 22), what `linear` reads that no pose changes, from p (62 operations).
+def nominal_constants(p):
+    """Return k (M, 3, 18), what `nominal_sensitivity` reads that no pose changes, from p (43 operations).
 
-    p is that of the calibrated machine: its geometry is taken as nominal, its errors as what to compensate.
+    p is that of the nominal machine; errors and deflections in it play no part.
     """
-    k = np.zeros((p.shape[0], 3, 22))
+    k = np.zeros((p.shape[0], 3, 18))
     r = p[..., 0]
     l = p[..., 1]
     phi = p[..., 2]
     home = p[..., 3]
     a = p[..., 4]
     c = p[..., 5]
-    endstop = p[..., 6]
-    arm = p[..., 7]
-    radius = p[..., 8]
-    angle = p[..., 9]
-    lean_radial = p[..., 10]
-    lean_tangential = p[..., 11]
-    scale = p[..., 12]
-    dl = p[..., 13]
-    dr = p[..., 14]
-    u_x = np.cos(phi)
+    u1 = np.cos(phi)
     s1 = np.sin(phi)
-    u_x_errors = -angle*s1
-    u_y = np.sin(phi)
-    u_y_errors = angle*u_x
-    r_0_errors = dr + radius
-    axis_x_errors = lean_radial*u_x - lean_tangential*u_y
-    axis_y_errors = lean_radial*u_y + lean_tangential*u_x
-    s12 = (l * l)
-    s14 = -(r * r) + s12
-    h = home + np.sqrt(s14)
-    s17 = 1/np.sqrt(s14)
-    h_errors = arm*l*s17 + endstop - r*r_0_errors*s17
-    s22 = a + r
-    s23 = s22*u_x
-    s27 = r_0_errors*u_x + s22*u_x_errors
-    s29 = s22*u_y
-    s33 = r_0_errors*u_y + s22*u_y_errors
-    s37 = a*u_x
-    s39 = a*u_y
-    s42 = a*u_x_errors
-    s44 = a*u_y_errors
-    s_x_cz = -0.5*c*u_x
-    s_y_cz = -0.5*c*u_y
-    s_z_cx = 0.5*c*u_x
-    s_z_cy = 0.5*c*u_y
-    s55 = -s23 + s37
-    s60 = a*s1 - s1*s22
-    s69 = -arm*l
-    s70 = -0.5*dl*l
-    s71 = s69 + s70
-    s86 = s69 - s70
-    k[..., 0] = s55
-    k[..., 1] = s60
-    k[..., 2] = s12
-    k[..., 3] = h
-    k[..., 4] = axis_x_errors
-    k[..., 5] = s27
-    k[..., 6] = axis_y_errors
-    k[..., 7] = s33
-    k[..., 8] = scale
-    k[..., 9] = h_errors
-    k[..., 10] = s37
-    k[..., 11] = s39
-    k[..., 12] = s23
-    k[..., 13] = s42
-    k[..., 14] = s29
-    k[..., 15] = s44
-    k[..., 16] = s71
-    k[..., 17] = s_z_cx
-    k[..., 18] = s_z_cy
-    k[..., 19] = s_x_cz
-    k[..., 20] = s_y_cz
-    k[..., 21] = s86
+    u2 = np.sin(phi)
+    u2_angle = np.cos(phi)
+    s6 = (l * l) - (r * r)
+    h = home + np.sqrt(s6)
+    s9 = 1/np.sqrt(s6)
+    h_arm = l*s9
+    h_radius = -r*s9
+    h_dr = -r*s9
+    s14 = a + r
+    s15 = s14*u1
+    C_x_angle = -s1*s14
+    s19 = s14*u2
+    C_y_angle = s14*u2_angle
+    s23 = a*u1
+    s25 = a*u2
+    d_x_angle = -C_x_angle - a*s1
+    d_y_angle = -C_y_angle + a*u2_angle
+    s_x_cz = -0.5*c*u1
+    s_y_cz = -0.5*c*u2
+    s_z_cx = 0.5*c*u1
+    s_z_cy = 0.5*c*u2
+    s73 = -0.5*l
+    k[..., 0] = h
+    k[..., 1] = u1
+    k[..., 2] = u2
+    k[..., 3] = s23
+    k[..., 4] = s25
+    k[..., 5] = s15
+    k[..., 6] = s19
+    k[..., 7] = s_z_cx
+    k[..., 8] = s_z_cy
+    k[..., 9] = s_x_cz
+    k[..., 10] = s_y_cz
+    k[..., 11] = h_arm
+    k[..., 12] = l
+    k[..., 13] = h_radius
+    k[..., 14] = d_x_angle
+    k[..., 15] = d_y_angle
+    k[..., 16] = h_dr
+    k[..., 17] = s73
     return k
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _nominal_joint(x, q, tool, k, i, out):
-    """Joint of the nominal limb at a given position (13 operations); limb i of k, row i of out."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    s55 = k[i, 0]
-    s60 = k[i, 1]
-    s12 = k[i, 2]
-    h = k[i, 3]
-    s64 = math.sqrt(s12 - ((px + s55 - tx) * (px + s55 - tx)) - ((py + s60 - ty) * (py + s60 - ty)))
-    s65 = h - pz - s64 + tz
-    row = 1 * i
-    out[row + 0] = s65
+@fast
+def _nominal(w, k, n):
+    """Equations of a nominal limb by platform and errors (55 operations)."""
+    wide()
+    h = k[0]
+    u1 = k[1]
+    u2 = k[2]
+    s23 = k[3]
+    s25 = k[4]
+    s15 = k[5]
+    s19 = k[6]
+    s_z_cx = k[7]
+    s_z_cy = k[8]
+    s_x_cz = k[9]
+    s_y_cz = k[10]
+    h_arm = k[11]
+    l = k[12]
+    h_radius = k[13]
+    d_x_angle = k[14]
+    d_y_angle = k[15]
+    h_dr = k[16]
+    s73 = k[17]
+    for lane in range(n):
+        q = w[0 + lane]
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        s13 = h - q
+        C_x_lean_radial = s13*u1
+        C_x_lean_tangential = -s13*u2
+        C_y_lean_radial = s13*u2
+        C_y_lean_tangential = s13*u1
+        s24 = s23 - tx
+        s26 = s25 - ty
+        A_x = px + s24
+        A_y = py + s26
+        A_z = pz - tz
+        d_x = A_x - s15
+        d_y = A_y - s19
+        d_z = A_z - s13
+        s43 = d_y*tz + d_z*s26
+        s46 = -d_x*tz - d_z*s24
+        s49 = -d_x*s26 + d_y*s24
+        s50 = d_z*s_z_cx
+        s51 = d_z*s_z_cy
+        s54 = d_x*s_x_cz + d_y*s_y_cz
+        s56 = -d_z*h_arm - l
+        s57 = -d_x*u1
+        s58 = -d_y*u2
+        s60 = -d_z*h_radius + s57 + s58
+        s63 = d_x*d_x_angle + d_y*d_y_angle
+        s66 = -C_x_lean_radial*d_x - C_y_lean_radial*d_y
+        s69 = -C_x_lean_tangential*d_x - C_y_lean_tangential*d_y
+        s70 = d_z*q
+        s72 = -d_z*h_dr + s57 + s58
+        w[640 + lane] = d_x
+        w[672 + lane] = d_y
+        w[704 + lane] = d_z
+        w[736 + lane] = s43
+        w[768 + lane] = s46
+        w[800 + lane] = s49
+        w[992 + lane] = s50
+        w[1024 + lane] = s51
+        w[1056 + lane] = s54
+        w[1472 + lane] = -d_z
+        w[1504 + lane] = s56
+        w[1536 + lane] = s60
+        w[1568 + lane] = s63
+        w[1600 + lane] = s66
+        w[1632 + lane] = s69
+        w[1664 + lane] = s70
+        w[1728 + lane] = s72
+        w[1984 + lane] = s73
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _linear(x, q, tool, k, i, out):
-    """Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (54 operations); limb i of k, row i of out."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    h = k[i, 3]
-    axis_x_errors = k[i, 4]
-    s27 = k[i, 5]
-    axis_y_errors = k[i, 6]
-    s33 = k[i, 7]
-    scale = k[i, 8]
-    h_errors = k[i, 9]
-    s37 = k[i, 10]
-    s39 = k[i, 11]
-    s23 = k[i, 12]
-    s42 = k[i, 13]
-    s29 = k[i, 14]
-    s44 = k[i, 15]
-    s71 = k[i, 16]
-    s_z_cx = k[i, 17]
-    s_z_cy = k[i, 18]
-    s_x_cz = k[i, 19]
-    s_y_cz = k[i, 20]
-    s86 = k[i, 21]
-    s21 = h - q
-    C_x_errors = axis_x_errors*s21 + s27
-    C_y_errors = axis_y_errors*s21 + s33
-    C_z_errors = h_errors - q*scale
-    s38 = s37 - tx
-    s40 = s39 - ty
-    A_x = px + s38
-    A_y = py + s40
-    A_z = pz - tz
-    d_x = A_x - s23
-    d_x_errors = -C_x_errors + s42
-    d_y = A_y - s29
-    d_y_errors = -C_y_errors + s44
-    d_z = A_z - s21
-    s66 = d_x*d_x_errors
-    s67 = d_y*d_y_errors
-    s68 = -C_z_errors*d_z
-    s72 = s66 + s67 + s68 + s71
-    s73 = d_y*tz
-    s74 = d_z*s40
-    s75 = d_z*s_z_cx
-    s76 = s73 + s74 + s75
-    s77 = -d_x*tz
-    s78 = -d_z*s38
-    s79 = d_z*s_z_cy
-    s80 = s77 + s78 + s79
-    s81 = -d_x*s40
-    s82 = d_y*s38
-    s83 = d_x*s_x_cz
-    s84 = d_y*s_y_cz
-    s85 = s81 + s82 + s83 + s84
-    s87 = s66 + s67 + s68 + s86
-    s88 = s73 + s74 - s75
-    s89 = s77 + s78 - s79
-    s90 = s81 + s82 - s83 - s84
-    row = 16 * i
-    out[row + 0] = s72
-    out[row + 4] = s76
-    out[row + 5] = s80
-    out[row + 6] = s85
-    out[row + 7] = d_z
-    out[row + 8] = s87
-    out[row + 12] = s88
-    out[row + 13] = s89
-    out[row + 14] = s90
-    out[row + 15] = d_z
+@fast
+def _nominal_inverse(w, n):
+    """Minus the inverse of the derivatives, its rows of the position; how far the equations are from dependent (223 operations)."""
+    wide()
+    for lane in range(n):
+        J00_0 = w[640 + lane]
+        J10_0 = w[2688 + lane]
+        J20_0 = w[4736 + lane]
+        J00_1 = w[672 + lane]
+        J10_1 = w[2720 + lane]
+        J20_1 = w[4768 + lane]
+        J00_2 = w[704 + lane]
+        J10_2 = w[2752 + lane]
+        J20_2 = w[4800 + lane]
+        J00_3 = w[736 + lane]
+        J10_3 = w[2784 + lane]
+        J20_3 = w[4832 + lane]
+        J00_4 = w[768 + lane]
+        J10_4 = w[2816 + lane]
+        J20_4 = w[4864 + lane]
+        J00_5 = w[800 + lane]
+        J10_5 = w[2848 + lane]
+        J20_5 = w[4896 + lane]
+        J01_3 = w[992 + lane]
+        J11_3 = w[3040 + lane]
+        J21_3 = w[5088 + lane]
+        J01_4 = w[1024 + lane]
+        J11_4 = w[3072 + lane]
+        J21_4 = w[5120 + lane]
+        J01_5 = w[1056 + lane]
+        J11_5 = w[3104 + lane]
+        J21_5 = w[5152 + lane]
+        G_cof_00 = J10_1*J20_2 - J10_2*J20_1
+        G_cof_01 = -J10_0*J20_2 + J10_2*J20_0
+        G_cof_02 = J10_0*J20_1 - J10_1*J20_0
+        G_cof_10 = -J00_1*J20_2 + J00_2*J20_1
+        G_cof_11 = J00_0*J20_2 - J00_2*J20_0
+        G_cof_12 = -J00_0*J20_1 + J00_1*J20_0
+        G_cof_20 = J00_1*J10_2 - J00_2*J10_1
+        G_cof_21 = -J00_0*J10_2 + J00_2*J10_0
+        G_cof_22 = J00_0*J10_1 - J00_1*J10_0
+        G_det_00 = G_cof_00*J00_0 + G_cof_01*J00_1 + G_cof_02*J00_2
+        G_by_00 = (1.0 / G_det_00)
+        G_inv_00 = G_by_00*G_cof_00
+        G_inv_01 = G_by_00*G_cof_10
+        G_inv_02 = G_by_00*G_cof_20
+        G_inv_10 = G_by_00*G_cof_01
+        G_inv_11 = G_by_00*G_cof_11
+        G_inv_12 = G_by_00*G_cof_21
+        G_inv_20 = G_by_00*G_cof_02
+        G_inv_21 = G_by_00*G_cof_12
+        G_inv_22 = G_by_00*G_cof_22
+        U_00 = G_inv_00*J00_3 + G_inv_01*J10_3 + G_inv_02*J20_3
+        U_01 = G_inv_00*J00_4 + G_inv_01*J10_4 + G_inv_02*J20_4
+        U_02 = G_inv_00*J00_5 + G_inv_01*J10_5 + G_inv_02*J20_5
+        U_10 = G_inv_10*J00_3 + G_inv_11*J10_3 + G_inv_12*J20_3
+        U_11 = G_inv_10*J00_4 + G_inv_11*J10_4 + G_inv_12*J20_4
+        U_12 = G_inv_10*J00_5 + G_inv_11*J10_5 + G_inv_12*J20_5
+        U_20 = G_inv_20*J00_3 + G_inv_21*J10_3 + G_inv_22*J20_3
+        U_21 = G_inv_20*J00_4 + G_inv_21*J10_4 + G_inv_22*J20_4
+        U_22 = G_inv_20*J00_5 + G_inv_21*J10_5 + G_inv_22*J20_5
+        Si_cof_00 = J11_4*J21_5 - J11_5*J21_4
+        Si_cof_01 = -J11_3*J21_5 + J11_5*J21_3
+        Si_cof_02 = J11_3*J21_4 - J11_4*J21_3
+        Si_cof_10 = -J01_4*J21_5 + J01_5*J21_4
+        Si_cof_11 = J01_3*J21_5 - J01_5*J21_3
+        Si_cof_12 = -J01_3*J21_4 + J01_4*J21_3
+        Si_cof_20 = J01_4*J11_5 - J01_5*J11_4
+        Si_cof_21 = -J01_3*J11_5 + J01_5*J11_3
+        Si_cof_22 = J01_3*J11_4 - J01_4*J11_3
+        Si_det_00 = J01_3*Si_cof_00 + J01_4*Si_cof_01 + J01_5*Si_cof_02
+        Si_by_00 = (1.0 / Si_det_00)
+        Si_inv_00 = Si_by_00*Si_cof_00
+        Si_inv_01 = Si_by_00*Si_cof_10
+        Si_inv_02 = Si_by_00*Si_cof_20
+        Si_inv_10 = Si_by_00*Si_cof_01
+        Si_inv_11 = Si_by_00*Si_cof_11
+        Si_inv_12 = Si_by_00*Si_cof_21
+        Si_inv_20 = Si_by_00*Si_cof_02
+        Si_inv_21 = Si_by_00*Si_cof_12
+        Si_inv_22 = Si_by_00*Si_cof_22
+        s121 = Si_inv_00*U_00 + Si_inv_10*U_01 + Si_inv_20*U_02
+        s125 = Si_inv_01*U_00 + Si_inv_11*U_01 + Si_inv_21*U_02
+        s129 = Si_inv_02*U_00 + Si_inv_12*U_01 + Si_inv_22*U_02
+        s133 = Si_inv_00*U_10 + Si_inv_10*U_11 + Si_inv_20*U_12
+        s137 = Si_inv_01*U_10 + Si_inv_11*U_11 + Si_inv_21*U_12
+        s141 = Si_inv_02*U_10 + Si_inv_12*U_11 + Si_inv_22*U_12
+        s145 = Si_inv_00*U_20 + Si_inv_10*U_21 + Si_inv_20*U_22
+        s149 = Si_inv_01*U_20 + Si_inv_11*U_21 + Si_inv_21*U_22
+        s153 = Si_inv_02*U_20 + Si_inv_12*U_21 + Si_inv_22*U_22
+        s162 = (J10_0 * J10_0) + (J10_1 * J10_1) + (J10_2 * J10_2)
+        s166 = (J20_0 * J20_0) + (J20_1 * J20_1) + (J20_2 * J20_2)
+        s168 = (G_det_00 * G_det_00) - 1.0e-12*s162*s166*((J00_0 * J00_0) + (J00_1 * J00_1) + (J00_2 * J00_2))
+        s177 = (J11_3 * J11_3) + (J11_4 * J11_4) + (J11_5 * J11_5)
+        s181 = (J21_3 * J21_3) + (J21_4 * J21_4) + (J21_5 * J21_5)
+        s183 = (Si_det_00 * Si_det_00) - 1.0e-12*s177*s181*((J01_3 * J01_3) + (J01_4 * J01_4) + (J01_5 * J01_5))
+        w[6432 + lane] = -G_inv_00
+        w[6464 + lane] = -G_inv_01
+        w[6496 + lane] = -G_inv_02
+        w[6528 + lane] = s121
+        w[6560 + lane] = s125
+        w[6592 + lane] = s129
+        w[6624 + lane] = -G_inv_10
+        w[6656 + lane] = -G_inv_11
+        w[6688 + lane] = -G_inv_12
+        w[6720 + lane] = s133
+        w[6752 + lane] = s137
+        w[6784 + lane] = s141
+        w[6816 + lane] = -G_inv_20
+        w[6848 + lane] = -G_inv_21
+        w[6880 + lane] = -G_inv_22
+        w[6912 + lane] = s145
+        w[6944 + lane] = s149
+        w[6976 + lane] = s153
+        w[7008 + lane] = s168
+        w[7040 + lane] = s183
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _hold(work):
-    """Solve for the changes of joints and rotation that undo the closures while the reference point stays in place.
+@fast
+def _nominal_products(w, S, first, last):
+    """Multiply the inverse and the derivatives by the errors where they do not vanish; False where a pose is not regular."""
+    wide()
+    regular = True
+    for lane in range(last - first + 1):
+        m = first + lane
+        e_0_0 = w[1472 + lane]
+        e_0_1 = w[1504 + lane]
+        e_0_2 = w[1536 + lane]
+        e_0_3 = w[1568 + lane]
+        e_0_4 = w[1600 + lane]
+        e_0_5 = w[1632 + lane]
+        e_0_6 = w[1664 + lane]
+        e_1_7 = w[1984 + lane]
+        e_0_8 = w[1728 + lane]
+        for r in range(3):
+            a_0 = w[192 * r + (6432 + lane)]
+            a_1 = w[192 * r + (6528 + lane)]
+            S[m, r, 0] = a_0 * e_0_0
+            S[m, r, 1] = a_0 * e_0_1
+            S[m, r, 2] = a_0 * e_0_2
+            S[m, r, 3] = a_0 * e_0_3
+            S[m, r, 4] = a_0 * e_0_4
+            S[m, r, 5] = a_0 * e_0_5
+            S[m, r, 6] = a_0 * e_0_6
+            S[m, r, 7] = a_1 * e_1_7
+            S[m, r, 8] = a_0 * e_0_8
+        e_0_0 = w[3520 + lane]
+        e_0_1 = w[3552 + lane]
+        e_0_2 = w[3584 + lane]
+        e_0_3 = w[3616 + lane]
+        e_0_4 = w[3648 + lane]
+        e_0_5 = w[3680 + lane]
+        e_0_6 = w[3712 + lane]
+        e_1_7 = w[4032 + lane]
+        e_0_8 = w[3776 + lane]
+        for r in range(3):
+            a_0 = w[192 * r + (6464 + lane)]
+            a_1 = w[192 * r + (6560 + lane)]
+            S[m, r, 9] = a_0 * e_0_0
+            S[m, r, 10] = a_0 * e_0_1
+            S[m, r, 11] = a_0 * e_0_2
+            S[m, r, 12] = a_0 * e_0_3
+            S[m, r, 13] = a_0 * e_0_4
+            S[m, r, 14] = a_0 * e_0_5
+            S[m, r, 15] = a_0 * e_0_6
+            S[m, r, 16] = a_1 * e_1_7
+            S[m, r, 17] = a_0 * e_0_8
+        e_0_0 = w[5568 + lane]
+        e_0_1 = w[5600 + lane]
+        e_0_2 = w[5632 + lane]
+        e_0_3 = w[5664 + lane]
+        e_0_4 = w[5696 + lane]
+        e_0_5 = w[5728 + lane]
+        e_0_6 = w[5760 + lane]
+        e_1_7 = w[6080 + lane]
+        e_0_8 = w[5824 + lane]
+        for r in range(3):
+            a_0 = w[192 * r + (6496 + lane)]
+            a_1 = w[192 * r + (6592 + lane)]
+            S[m, r, 18] = a_0 * e_0_0
+            S[m, r, 19] = a_0 * e_0_1
+            S[m, r, 20] = a_0 * e_0_2
+            S[m, r, 21] = a_0 * e_0_3
+            S[m, r, 22] = a_0 * e_0_4
+            S[m, r, 23] = a_0 * e_0_5
+            S[m, r, 24] = a_0 * e_0_6
+            S[m, r, 25] = a_1 * e_1_7
+            S[m, r, 26] = a_0 * e_0_8
+        regular = regular & (w[7008 + lane] > 0.0)
+        regular = regular & (w[7040 + lane] > 0.0)
+    return regular
 
-    work: per rod closure, its derivatives by the platform and by the joint; then room for the reduced equations; then
-    the changes. A limb's joint is eliminated with the rod that feels it most; what is left are 3 equations for the
-    rotation. Returns False where a joint is felt by no rod of its limb, or the rotation is not held.
+
+@fast
+def _nominal_sensitivity(x, q, tool, k, S, w):
+    w_1 = w[0:2048]
+    w_2 = w[2048:4096]
+    w_3 = w[4096:6144]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    poses, regular = q.size // 3, True
+    k_1, k_2, k_3 = k[0, 0], k[0, 1], k[0, 2]
+    for first in range(0, poses, LANES):
+        last = min(first + LANES, poses) - 1
+        n = (last - first + 8) // 8 * 8
+        _load(x, w, first, last, n)
+        if len(tool) > 1:
+            _hold(tool, w, first, last, n)
+        _aim(w, n)
+        _load(q, w, first, last, n)
+        _nominal(w_1, k_1, n)
+        _nominal(w_2, k_2, n)
+        _nominal(w_3, k_3, n)
+        _nominal_inverse(w, n)
+        regular = _nominal_products(w, S, first, last) & regular
+    return regular
+
+
+def nominal_sensitivity(x, q, tool, k, S):
+    """Fill S (N, 3, 27) with the derivatives of the nominal machine's position by its errors, limb by limb.
+
+    x (N, 3) is the position of the reference point, q (N, 3) the joints there, tool (N, 3), k from `nominal_constants`.
+    False where the machine is singular at one of the poses, or nearly so. With the errors of one limb in the order of
+    ``parameters.ERRORS``, then ``COMMON``.
     """
-    largest = 0.0
-    for row in range(6):
-        for c in range(4, 8):
-            largest = max(largest, abs(work[8 * row + c]))
-    smallest = PIVOT_SINGULAR * largest
-    target = 48
-    for i in range(3):
-        best = 16 * i
-        for j in range(1, 2):
-            if abs(work[16 * i + 8 * j + 7]) > abs(work[best + 7]):
-                best = 16 * i + 8 * j
-        if not abs(work[best + 7]) > smallest:
-            return False
-        inverse = 1.0 / work[best + 7]
-        for j in range(2):
-            rod = 16 * i + 8 * j
-            if rod != best:
-                factor = work[rod + 7] * inverse
-                for c in range(3):
-                    work[target + c] = work[rod + 4 + c] - factor * work[best + 4 + c]
-                work[target + 3] = work[rod] - factor * work[best]
-                target += 4
-        # the joint's own equation, left to the end: closure and rotation over the joint's derivative
+    return _nominal_sensitivity(x, q, tool, k, S, scratch(WORK))
+
+
+@fast
+def _along(x, C, H):
+    """Fill the rows of all pairs: along the line from one position to the other, the difference of their derivatives."""
+    wide()
+    poses, row = x.shape[0], 0
+    for a in range(poses):
+        for b in range(a + 1, poses):
+            n_0 = x[b, 0] - x[a, 0]
+            n_1 = x[b, 1] - x[a, 1]
+            n_2 = x[b, 2] - x[a, 2]
+            by = 1.0 / math.sqrt(n_0 * n_0 + n_1 * n_1 + n_2 * n_2)
+            for j in range(H.shape[1]):
+                H[row, j] = by * (n_0 * (C[b, 0, j] - C[a, 0, j]) + n_1 * (C[b, 1, j] - C[a, 1, j]) + n_2 * (C[b, 2, j] - C[a, 2, j]))
+            row += 1
+
+
+@fast
+def _distance_rows(x, q, tool, k, columns, H, S, C, w):
+    regular = _nominal_sensitivity(x, q, tool, k, S, w)
+    for m in range(C.shape[0]):
         for c in range(3):
-            work[16 * i + 4 + c] = work[best + 4 + c] * inverse
-        work[60 + i] = work[best] * inverse
-    for c in range(3):
-        pivot = 48 + 4 * c
-        for r in range(c + 1, 3):
-            if abs(work[48 + 4 * r + c]) > abs(work[pivot + c]):
-                pivot = 48 + 4 * r
-        row = 48 + 4 * c
-        if not abs(work[pivot + c]) > smallest:
-            return False
-        if pivot != row:
-            for j in range(c, 4):
-                work[row + j], work[pivot + j] = work[pivot + j], work[row + j]
-        inverse = 1.0 / work[row + c]
-        for r in range(c + 1, 3):
-            below = 48 + 4 * r
-            factor = work[below + c] * inverse
-            for j in range(c + 1, 4):
-                work[below + j] -= factor * work[row + j]
-    for c in range(2, -1, -1):
-        row = 48 + 4 * c
-        total = work[row + 3]
-        for j in range(c + 1, 3):
-            total -= work[row + j] * work[63 + j]
-        work[63 + c] = total / work[row + c]
-    for i in range(3):
-        for c in range(3):
-            work[60 + i] -= work[16 * i + 4 + c] * work[63 + c]
-    return True
+            for j in range(columns.size):
+                C[m, c, j] = S[m, c, columns[j]]
+    _along(x, C, H)
+    return regular
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def exact_command(target, tool, k, work, q):
-    """Fill the joints q (3,) that bring the reference point to target (3,); return the status.
+def distance_rows(x, q, tool, k, columns, H):
+    """Fill the identification matrix H (N (N - 1) / 2, n) of the distances of all pairs of positions, first with second and so on.
 
-    `inverse` for one pose, to be called from a servo loop: tool (3,), k (3, :), scratch work (COMMAND_WORK,).
-    q is NaN unless SOLVED.
+    x, q, tool, k as in `nominal_sensitivity`; columns (n,) of its errors. The sensitivities are contracted pose by pose
+    and not returned. False as there.
     """
-    pose = work[66:]
-    for c in range(3):
-        pose[c] = target[c]
-    for c in range(3):
-        pose[3 + c] = 0.0
-    status = SOLVED
-    for i in range(3):
-        _joint(pose, 0.0, tool, k[i], work)
-        q[i] = work[0]
-        if not math.isfinite(q[i]):
-            status = UNREACHABLE
-    if status == SOLVED:
-        status = UNREACHABLE
-        for _ in range(MAX_STEPS):
-            for i in range(3):
-                _newton(pose, q[i], tool, k[i], work[16 * i : 16 * (i + 1)])
-            if not _hold(work):
-                status = SINGULAR
-                break
-            size = 0.0
-            for i in range(3):
-                q[i] -= work[60 + i]
-                size = max(size, abs(work[60 + i]))
-            for c in range(3):
-                pose[3 + c] -= work[63 + c]
-                size = max(size, abs(work[63 + c]))
-            if size < COMMAND_DONE:
-                status = SOLVED
-                break
-            if not size < STEP_LOST:
-                break
-    if status != SOLVED:
-        for i in range(3):
-            q[i] = np.nan
-    return status
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def linear_command(target, tool, k, work, q):
-    """Fill the joints q (3,) that bring the reference point to target (3,) to first order in the errors; return the status.
-
-    Bai's eqs. (23) and (25): the nominal joints of the target, and the change that keeps the reference point where it
-    is, to first order, when the errors appear. tool (3,), k (3, 22) from `linear_constants`, scratch work
-    (COMMAND_WORK,). q is NaN unless SOLVED.
-    """
-    status = SOLVED
-    for i in range(3):
-        _nominal_joint(target, 0.0, tool, k, i, q)
-        if not math.isfinite(q[i]):
-            status = UNREACHABLE
-    if status == SOLVED:
-        for i in range(3):
-            _linear(target, q[i], tool, k, i, work)
-        if not _hold(work):
-            status = SINGULAR
-    for i in range(3):
-        q[i] = q[i] - work[60 + i] if status == SOLVED else np.nan
-    return status
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def linear_commands(target, tool, k, q, status):
-    """Fill joints q (N, 3) and status (N,) by `linear_command`; target (N, 3) and tool (N, 3), k (M, 3, :)."""
-    work = np.zeros(COMMAND_WORK)
-    for n in range(target.shape[0]):
-        status[n] = linear_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])
+    poses, n = len(x), columns.size
+    work = scratch(3 * poses * (27 + n))
+    S = work[: 81 * poses].reshape(poses, 3, 27)
+    C = work[81 * poses :].reshape(poses, 3, n)
+    return _distance_rows(x, q, tool, k, columns, H, S, C, scratch(WORK))

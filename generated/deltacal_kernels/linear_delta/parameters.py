@@ -1,7 +1,7 @@
 """Tables of `linear_delta`: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 1ce967c79eb56925; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both e81423d2bd65e493; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 
@@ -57,6 +57,9 @@ COMMON = (
 # (name, unit, meaning): the last columns, zero on a rigid machine
 DEFLECTIONS = (
 )
+
+# columns of a limb's row of p that are zero on the simplified machine, whose positions are closed form
+SMALL = (10, 11, 13, )
 
 # (name, meaning) of what `statics` reads as masses
 MASSES = (

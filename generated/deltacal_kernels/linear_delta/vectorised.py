@@ -1,7 +1,7 @@
 """Kinematics of `linear_delta` in plain NumPy: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both 08885813ec36caa0; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 304c4adc5db441e3; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -19,11 +19,11 @@ PIVOT_SINGULAR = 1e-9  # of the largest entry of its matrix, in mm
 
 
 def constants(p):
-    """Return k (M, 3, 40), what no pose changes, from p (351 operations).
+    """Return k (M, 3, 51), what no pose changes, from p (371 operations).
 
     All rows at once.
     """
-    k = np.zeros((p.shape[0], 3, 40))
+    k = np.zeros((p.shape[0], 3, 51))
     r = p[..., 0]
     l = p[..., 1]
     phi = p[..., 2]
@@ -40,13 +40,13 @@ def constants(p):
     dl = p[..., 13]
     dr = p[..., 14]
     s0 = angle + phi
-    u_x = np.cos(s0)
-    u_y = np.sin(s0)
+    u1 = np.cos(s0)
+    u2 = np.sin(s0)
     arm_0 = arm + l
     r_0 = dr + r + radius
-    s7 = lean_radial*u_x - lean_tangential*u_y
+    s7 = lean_radial*u1 - lean_tangential*u2
     s8 = (s7 * s7)
-    s11 = -lean_radial*u_y - lean_tangential*u_x
+    s11 = -lean_radial*u2 - lean_tangential*u1
     s12 = (s11 * s11)
     s13 = s12 + s8
     s16 = 2.8114572543455206e-15*s12 + 2.8114572543455206e-15*s8 - 7.647163731819816e-13
@@ -75,10 +75,10 @@ def constants(p):
     s59 = h*s58
     s60 = scale + 1
     s64 = a + r_0
-    s65 = s64*u_x
-    s68 = s64*u_y
-    s106 = a*u_x
-    s109 = a*u_y
+    s65 = s64*u1
+    s68 = s64*u2
+    s106 = a*u1
+    s109 = a*u2
     s128 = 0.5*c
     s147 = 0.5*dl
     s148 = arm_0 + s147
@@ -88,9 +88,10 @@ def constants(p):
     s270 = 2*s7
     s271 = -2*s11*s49
     s273 = (0.5)/np.sqrt(s55)
+    s274 = 2*arm_0
     s276 = (1.0 / (axis_z * axis_z))
     s278 = -s148
-    s280 = 2*arm_0*s273*s58
+    s280 = s273*s274*s58
     s286 = -2*r_0*s273*s58
     s293 = -s269*s7
     s294 = s11*s270
@@ -103,25 +104,25 @@ def constants(p):
     s354 = axis_x - s11*s352
     s358 = -axis_y + s352*s7
     s361 = -h*s276*s326
-    s364 = -s269*u_y
-    s365 = s270*u_x
+    s364 = -s269*u2
+    s365 = s270*u1
     s366 = s364 + s365
     s382 = s13*(s13*(s13*(1.5619206968586225e-16*s364 + 1.5619206968586225e-16*s365) + s35*s366) + s366*s37) + s366*s39
     s390 = s13*(s13*(s13*(s13*s382 + s366*s41) + s366*s43) + s366*s45) + s366*s47
-    s397 = -s12*s390 + s268*u_x - s271*u_y - s390*s8
-    s399 = s30*u_y
+    s397 = -s12*s390 + s268*u1 - s271*u2 - s390*s8
+    s399 = s30*u2
     s415 = s13*(s13*(s13*(2.8114572543455206e-15*s364 + 2.8114572543455206e-15*s365) + s16*s366) + s18*s366) + s20*s366
     s423 = s13*(s13*(s13*(s13*s415 + s22*s366) + s24*s366) + s26*s366) + s28*s366
     s425 = -s11*s423 + s399
-    s428 = s30*u_x
+    s428 = s30*u1
     s429 = s423*s7 + s428
     s432 = -h*s276*s397
-    s435 = -s269*u_x
-    s436 = -s270*u_y
+    s435 = -s269*u1
+    s436 = -s270*u2
     s437 = s435 + s436
     s453 = s13*(s13*(s13*(1.5619206968586225e-16*s435 + 1.5619206968586225e-16*s436) + s35*s437) + s37*s437) + s39*s437
     s461 = s13*(s13*(s13*(s13*s453 + s41*s437) + s43*s437) + s437*s45) + s437*s47
-    s468 = -s12*s461 - s268*u_y - s271*u_x - s461*s8
+    s468 = -s12*s461 - s268*u2 - s271*u1 - s461*s8
     s485 = s13*(s13*(s13*(2.8114572543455206e-15*s435 + 2.8114572543455206e-15*s436) + s16*s437) + s18*s437) + s20*s437
     s493 = s13*(s13*(s13*(s13*s485 + s22*s437) + s24*s437) + s26*s437) + s28*s437
     s495 = -s11*s493 + s428
@@ -134,13 +135,23 @@ def constants(p):
     s656 = -0.5*s628
     s657 = (1.0 / (s60 * s60))
     s658 = a + dr + r + radius
-    s660 = s106 - s658*u_x
-    s665 = s109 - s658*u_y
+    s660 = s106 - s658*u1
+    s665 = s109 - s658*u2
     s672 = -0.5*s53
     s674 = -2*s657
     s678 = 2*scale + 2
     s680 = 0.25*(s678 * s678)/s60**4
     s684 = -0.5*s657*s678
+    s714 = -0.125*(dl * dl) + s672
+    s832 = -0.5*s274
+    s860 = -0.25*dl
+    s864 = -0.5*arm_0*dl
+    s968 = -0.5*arm_0
+    s1001 = 0.5*c*u2
+    s1003 = -0.5*c*u1
+    s1041 = axis_x*s60
+    s1043 = axis_y*s60
+    s1045 = axis_z*s60
     k[..., 0] = s60
     k[..., 1] = s59
     k[..., 2] = axis_x
@@ -150,8 +161,8 @@ def constants(p):
     k[..., 6] = axis_z
     k[..., 7] = s106
     k[..., 8] = s109
-    k[..., 9] = u_x
-    k[..., 10] = u_y
+    k[..., 9] = u1
+    k[..., 10] = u2
     k[..., 11] = s128
     k[..., 12] = s150
     k[..., 13] = s516
@@ -181,6 +192,17 @@ def constants(p):
     k[..., 37] = s628
     k[..., 38] = s504
     k[..., 39] = s656
+    k[..., 40] = s714
+    k[..., 41] = s864
+    k[..., 42] = s1001
+    k[..., 43] = s1003
+    k[..., 44] = s1041
+    k[..., 45] = s1043
+    k[..., 46] = s1045
+    k[..., 47] = s832
+    k[..., 48] = s147
+    k[..., 49] = s860
+    k[..., 50] = s968
     return k
 
 
@@ -205,8 +227,8 @@ def _newton(x, q, tool, k):
     axis_z = k[:, 6]
     s106 = k[:, 7]
     s109 = k[:, 8]
-    u_x = k[:, 9]
-    u_y = k[:, 10]
+    u1 = k[:, 9]
+    u2 = k[:, 10]
     s128 = k[:, 11]
     s150 = k[:, 12]
     s516 = k[:, 13]
@@ -251,9 +273,9 @@ def _newton(x, q, tool, k):
     d_x = A_x - C_x
     d_y = A_y - C_y
     d_z = A_z - C_z
-    s_x = s128*(-R_11*u_y + R_12*u_x + u_y)
-    s_y = s128*(-R_21*u_y + R_22*u_x - u_x)
-    s_z = s128*(-R_31*u_y + R_32*u_x)
+    s_x = s128*(-R_11*u2 + R_12*u1 + u2)
+    s_y = s128*(-R_21*u2 + R_22*u1 - u1)
+    s_z = s128*(-R_31*u2 + R_32*u1)
     s138 = d_x + s_x
     s141 = d_y + s_y
     s144 = d_z + s_z
@@ -271,29 +293,29 @@ def _newton(x, q, tool, k):
     s182 = -s155*tz
     s188 = -s157*tz
     s196 = s176*s78
-    s198 = s110*s153 + s159*u_x
+    s198 = s110*s153 + s159*u1
     s199 = s198*s78
-    s201 = s107*s153 - s159*u_y
+    s201 = s107*s153 - s159*u2
     s203 = s201*s78
     s205 = s182*s78
     s206 = s199 + s205
     s207 = 0.5*cz
     s208 = 0.5*cy
-    s211 = s110*s155 + s165*u_x
+    s211 = s110*s155 + s165*u1
     s212 = s211*s93
     s213 = s211*s78
-    s216 = s107*s155 - s165*u_y
+    s216 = s107*s155 - s165*u2
     s217 = s216*s90
     s218 = s216*s78
     s219 = s188*s88
     s220 = s188*s78
     s221 = s203 + s220
     s222 = 0.5*cx
-    s225 = s110*s157 + s170*u_x
+    s225 = s110*s157 + s170*u1
     s226 = s225*s85
     s227 = s225*s78
     s228 = s218 + s227
-    s231 = s107*s157 - s170*u_y
+    s231 = s107*s157 - s170*u2
     s232 = s231*s81
     s233 = s231*s78
     s238 = s101*s198 + s103*s176 + s182*s97 + s201*s99 + s212 + s217 + s219 + s226 + s232
@@ -323,26 +345,26 @@ def _newton(x, q, tool, k):
     s548 = -s521*tz
     s554 = -s523*tz
     s562 = s542*s78
-    s564 = s110*s519 + s525*u_x
+    s564 = s110*s519 + s525*u1
     s565 = s564*s78
-    s567 = s107*s519 - s525*u_y
+    s567 = s107*s519 - s525*u2
     s569 = s567*s78
     s571 = s548*s78
     s572 = s565 + s571
-    s575 = s110*s521 + s531*u_x
+    s575 = s110*s521 + s531*u1
     s576 = s575*s93
     s577 = s575*s78
-    s580 = s107*s521 - s531*u_y
+    s580 = s107*s521 - s531*u2
     s581 = s580*s90
     s582 = s580*s78
     s583 = s554*s88
     s584 = s554*s78
     s585 = s569 + s584
-    s588 = s110*s523 + s536*u_x
+    s588 = s110*s523 + s536*u1
     s589 = s588*s85
     s590 = s588*s78
     s591 = s582 + s590
-    s594 = s107*s523 - s536*u_y
+    s594 = s107*s523 - s536*u2
     s595 = s594*s81
     s596 = s594*s78
     s601 = s101*s564 + s103*s542 + s548*s97 + s567*s99 + s576 + s581 + s583 + s589 + s595
@@ -392,8 +414,8 @@ def _parameters(x, q, tool, k):
     axis_z = k[:, 6]
     s106 = k[:, 7]
     s109 = k[:, 8]
-    u_x = k[:, 9]
-    u_y = k[:, 10]
+    u1 = k[:, 9]
+    u2 = k[:, 10]
     s128 = k[:, 11]
     s58 = k[:, 21]
     s280 = k[:, 22]
@@ -445,9 +467,9 @@ def _parameters(x, q, tool, k):
     d_x = A_x - C_x
     d_y = A_y - C_y
     d_z = A_z - C_z
-    s_x = s128*(-R_11*u_y + R_12*u_x + u_y)
-    s_y = s128*(-R_21*u_y + R_22*u_x - u_x)
-    s_z = s128*(-R_31*u_y + R_32*u_x)
+    s_x = s128*(-R_11*u2 + R_12*u1 + u2)
+    s_y = s128*(-R_21*u2 + R_22*u1 - u1)
+    s_z = s128*(-R_31*u2 + R_32*u1)
     s153 = d_z + s_z
     s155 = d_y + s_y
     s157 = d_x + s_x
@@ -461,9 +483,9 @@ def _parameters(x, q, tool, k):
     s259 = -q*s257
     s277 = s257*s58
     s282 = s257*s280 + s278
-    s288 = -s155*u_y - s157*u_x + s257*s286
-    s289 = u_x*(-R_11*s170 - R_21*s165 - R_31*s159 + s170)
-    s290 = -u_y*(R_12*s170 + R_22*s165 + R_32*s159 - s165)
+    s288 = -s155*u2 - s157*u1 + s257*s286
+    s289 = u1*(-R_11*s170 - R_21*s165 - R_31*s159 + s170)
+    s290 = -u2*(R_12*s170 + R_22*s165 + R_32*s159 - s165)
     s291 = s106*(R_12*s157 + R_22*s155 + R_32*s153)
     s292 = -s109*(R_11*s157 + R_21*s155 + R_31*s153)
     s356 = s157*s68
@@ -485,9 +507,9 @@ def _parameters(x, q, tool, k):
     s618 = -q*s616
     s627 = s58*s616
     s630 = s280*s616 + s628
-    s634 = s286*s616 - s521*u_y - s523*u_x
-    s635 = u_x*(-R_11*s536 - R_21*s531 - R_31*s525 + s536)
-    s636 = -u_y*(R_12*s536 + R_22*s531 + R_32*s525 - s531)
+    s634 = s286*s616 - s521*u2 - s523*u1
+    s635 = u1*(-R_11*s536 - R_21*s531 - R_31*s525 + s536)
+    s636 = -u2*(R_12*s536 + R_22*s531 + R_32*s525 - s531)
     s637 = s106*(R_12*s523 + R_22*s521 + R_32*s519)
     s638 = -s109*(R_11*s523 + R_21*s521 + R_31*s519)
     s642 = s523*s68
@@ -562,6 +584,28 @@ def _joint(x, q, tool, k):
     s686 = s669*s684 - np.sqrt(s670*s680 + s673*s674)
     out = np.zeros((len(x), 1))
     out[:, 0] = s686
+    return out
+
+
+def _spin(x):
+    """Turn about the axes of {O} by the Cayley vector: (N, 9)."""
+    cx = x[:, 3]
+    cy = x[:, 4]
+    cz = x[:, 5]
+    s78 = (1.0 / (0.25*(cx * cx) + 0.25*(cy * cy) + 0.25*(cz * cz) + 1))
+    s697 = -0.5*cz*s78
+    s698 = 0.5*cy*s78
+    s699 = -0.5*cx*s78
+    out = np.zeros((len(x), 9))
+    out[:, 0] = s78
+    out[:, 1] = s697
+    out[:, 2] = s698
+    out[:, 3] = -s697
+    out[:, 4] = s78
+    out[:, 5] = s699
+    out[:, 6] = -s698
+    out[:, 7] = -s699
+    out[:, 8] = s78
     return out
 
 
@@ -689,3 +733,5 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
         J_p = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 2, 9)
         S_p[:, :, 9 * i : 9 * i + 9] = unit[:, :, rows] @ J_p
         S_q[:, :, i] = (unit[:, :, rows] * J_q[:, None, rows]).sum(axis=2)
+    W = _spin(x).reshape(-1, 3, 3)
+    S_p[:, 3:], S_q[:, 3:] = W @ S_p[:, 3:], W @ S_q[:, 3:]

@@ -1,16 +1,17 @@
-"""Kinematics of `planar_parallelogram`: Planar parallelogram, one joint.
+"""Kinematics of `planar_parallelogram`, many poses at once: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both a03a66a7e4c8d758; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both f4dec0c108aba403; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
 x (N, 3)  platform: px py cz
-q (N, 1)  joints        tool (N, 3)  reference point in {O'}
+q (N, 1)  joints        tool (N or 1, 3)  reference point in {O'}
 p (M, 1, 18)  one row of parameters per limb: a1x a2x a2y b1x b2x b2y l1 l2 h q0 a1x a2x a2y b1x b2x b2y l1 l2
-k (M, 1, 28)  what `constants` makes of p; M is 1 (one machine) or N (parameters that change from pose to pose)
+k (M, 1, 28)  what `constants` makes of p; each of the M machines has N / M of the poses, one after the other
 
-Kernels allocate nothing per pose and never raise: `status` says what became of each pose.
+Poses are taken in blocks of up to 32, side by side: a loop over `lane` runs over the poses of a block. What is poorly
+conditioned or converges slowly is left to the plain kernels of ``vectorised.py``. `status` says what became of each pose.
 """
 
 import math
@@ -18,238 +19,178 @@ import math
 import numpy as np
 from numba import njit
 
-SOLVED, UNREACHABLE, SINGULAR = 0, 1, 2
-MAX_STEPS = 30
-STEP_DONE = 1e-9  # mm and rad; Newton is quadratic: after such a step the rest is rounding
-STEP_LOST = 1e5  # mm and rad; a step of this size leads nowhere
-ANGLE_STEP = 1e-3  # rad per mm: joints and rotations are asked for this much finer than lengths
-CLOSED = 1e-3  # mm^2: loops that are open by more where Newton gets stuck cannot be closed
-PIVOT_SINGULAR = 1e-9  # of the largest entry of its matrix, in mm
-COMMAND_DONE = 3e-8  # rad; after such a step a command is exact to its square: 1e-15 rad
-COMMAND_WORK = 27  # length of the scratch array of `exact_command` and `linear_command`
-COMMAND_CONSTANTS = 26  # `exact_command` reads these first columns of k only
+from deltacal_kernels.elementary import arcsine, arctangent, cosine, scratch, sine, tangent, wide
+
+from . import vectorised
+from .vectorised import SINGULAR, SOLVED, UNREACHABLE, constants, jacobians
+
+LANES = 32
+OPEN = -1  # a pose that is left to the plain kernels
+MAX_STEPS = 8
+STEP_DONE = 1e-6  # mm; Newton is quadratic: after such a step a length of 1000 mm is exact to 1e-15 mm
+TURN_DONE = 3e-8  # rad
+WORK = 2624  # length of the scratch array
+CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
+APART = 1e-3  # squared sine between the centres' directions
+fast = njit(cache=True, nogil=True, error_model="numpy", fastmath={"contract"})
 
 
-def constants(p):
-    """Return k (M, 1, 28), what no pose changes, from p (91 operations).
-
-    Plain NumPy over all rows at once: it runs once per machine, and compiling it would take longer than running it.
-    """
-    k = np.zeros((p.shape[0], 1, 28))
-    a1x = p[..., 0]
-    a2x = p[..., 1]
-    a2y = p[..., 2]
-    b1x = p[..., 3]
-    b2x = p[..., 4]
-    b2y = p[..., 5]
-    l1 = p[..., 6]
-    l2 = p[..., 7]
-    h = p[..., 8]
-    q0 = p[..., 9]
-    da1x = p[..., 10]
-    da2x = p[..., 11]
-    da2y = p[..., 12]
-    db1x = p[..., 13]
-    db2x = p[..., 14]
-    db2y = p[..., 15]
-    dl1 = p[..., 16]
-    dl2 = p[..., 17]
-    A1_x = -a1x - da1x
-    A2_x = a2x + da2x
-    A2_y = a2y + da2y
-    b1_x = -b1x - db1x
-    b2_x = b2x + db2x
-    b2_y = b2y + db2y
-    s7 = dl1 + l1
-    s67 = dl2 + l2
-    s69 = -0.5*(s67 * s67)
-    s101 = -s67
-    s102 = (1.0 / s7)
-    s103 = -A1_x + b1_x
-    s108 = (1.0 / (s7 * s7))
-    s116 = -2*b2_y
-    s120 = -2*b2_x*s7
-    s122 = 2*b1_x*s7
-    s124 = -2*A1_x*b2_y + 2*A2_x*b2_y + 2*A2_y*b1_x - 2*A2_y*b2_x
-    s130 = -2*b1_x
-    s133 = 2*A1_x*b2_x
-    s134 = 2*b2_x
-    s136 = -2*b2_y*s7
-    s138 = -2*A1_x*b1_x + 2*A2_x*b1_x - 2*A2_x*b2_x - 2*A2_y*b2_y + s133
-    s143 = (b2_x * b2_x)
-    s144 = (b2_y * b2_y)
-    s145 = (A1_x * A1_x)
-    s146 = (b1_x * b1_x)
-    s147 = (dl2 * dl2)
-    s148 = (l2 * l2)
-    s149 = (s7 * s7)
-    s151 = -2*dl2*l2
-    s152 = -2*A1_x*A2_x
-    s153 = -2*A2_x
-    s155 = -2*b1_x*b2_x
-    s156 = 2*A1_x
-    s158 = 2*A2_y*s7
-    s160 = (A2_x * A2_x) + (A2_y * A2_y) + s143 + s144 + s145 + s146 - s147 - s148 + s151 + s152 + s155
-    s195 = -2*A2_y
-    k[..., 0] = h
-    k[..., 1] = q0
-    k[..., 2] = s7
-    k[..., 3] = b1_x
-    k[..., 4] = b2_x
-    k[..., 5] = b2_y
-    k[..., 6] = A2_x
-    k[..., 7] = A2_y
-    k[..., 8] = A1_x
-    k[..., 9] = s69
-    k[..., 10] = s103
-    k[..., 11] = s102
-    k[..., 12] = s108
-    k[..., 13] = s116
-    k[..., 14] = s120
-    k[..., 15] = s122
-    k[..., 16] = s124
-    k[..., 17] = s130
-    k[..., 18] = s134
-    k[..., 19] = s136
-    k[..., 20] = s138
-    k[..., 21] = s149
-    k[..., 22] = s153
-    k[..., 23] = s156
-    k[..., 24] = s158
-    k[..., 25] = s160
-    k[..., 26] = s101
-    k[..., 27] = s195
-    return k
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def _newton(x, q, tool, k, out):
-    """Per rod of one limb: closure, its derivatives by the platform, by the joint (102 operations)."""
-    px = x[0]
-    py = x[1]
-    cz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    q = q
+@fast
+def _early(w, k, n):
+    """What moves with a joint only; then platform of the simplified machine at a given joint (69 operations)."""
+    wide()
     h = k[0]
     q0 = k[1]
     s7 = k[2]
     b1_x = k[3]
     b2_x = k[4]
     b2_y = k[5]
+    A1_x = k[8]
+    s116 = k[13]
+    s124 = k[16]
+    s130 = k[17]
+    s134 = k[18]
+    s138 = k[20]
+    s153 = k[22]
+    s156 = k[23]
+    s160 = k[25]
+    s195 = k[27]
+    for lane in range(n):
+        q = w[0 + lane]
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        C_y = -h + ty
+        s8 = q + q0
+        r1_x = s7*sine(s8)
+        r1_y = -s7*cosine(s8)
+        s19 = b1_x - tx
+        s26 = b2_x - tx
+        s28 = -C_y + b2_y
+        s185 = r1_x*s130 + r1_x*s134 - r1_y*s116 + s138
+        s190 = r1_x*s116 + r1_y*s130 + r1_y*s134 + s124
+        s198 = (r1_x * r1_x) + r1_x*s153 + r1_x*s156 + (r1_y * r1_y) + r1_y*s195 + s160
+        s201 = math.sqrt((s185 * s185) + (s190 * s190) - (s198 * s198))
+        s204 = s185*s201 - s190*s198
+        s208 = -s185*s198 - s190*s201
+        s211 = 1/math.sqrt((s204 * s204) + (s208 * s208))
+        s214 = A1_x - C_y*s204*s211 + r1_x - s19*s208*s211
+        s217 = C_y*s208*s211 + r1_y - s19*s204*s211
+        s221 = 2*tangent(0.5*arctangent(s204, s208))
+        w[704 + lane] = s19
+        w[736 + lane] = C_y
+        w[768 + lane] = s26
+        w[800 + lane] = s28
+        w[832 + lane] = r1_x
+        w[864 + lane] = r1_y
+        w[896 + lane] = s214
+        w[928 + lane] = s217
+        w[960 + lane] = s221
+
+
+@fast
+def _rows(w, k, n):
+    """Equations of a limb, their derivatives by shift and turn of the platform (80 operations)."""
+    wide()
     A2_x = k[6]
     A2_y = k[7]
     A1_x = k[8]
     s69 = k[9]
-    C_y = -h + ty
-    s8 = q + q0
-    r1_x = s7*math.sin(s8)
-    r1_y = -s7*math.cos(s8)
-    s13 = (cz * cz)
-    s15 = 0.25*s13 + 1
-    s16 = (1.0 / s15)
-    s18 = -0.5*s13*s16 + 1
-    s19 = b1_x - tx
-    B1_x = C_y*cz*s16 + px + s18*s19
-    B1_y = -C_y*s18 + cz*s16*s19 + py
-    s26 = b2_x - tx
-    s28 = -C_y + b2_y
-    B2_x = -cz*s16*s28 + px + s18*s26
-    B2_y = cz*s16*s26 + py + s18*s28
-    r2_x = -A2_x + B2_x
-    r2_y = -A2_y + B2_y
-    s36 = -A1_x + B1_x - r1_x
-    s40 = -0.5*s16
-    s41 = -0.5*s13
-    s45 = (1.0 / (s15 * s15))
-    s49 = 2*cz
-    s51 = C_y*s16 + s49*(s19*s40 - 0.25*s45*(C_y*cz + s19*s41))
-    s52 = B1_y - r1_y
-    s62 = s16*s19 + s49*(-C_y*s40 - 0.25*s45*(-C_y*s41 + cz*s19))
-    s70 = 0.5*(r2_x * r2_x) + 0.5*(r2_y * r2_y) + s69
-    s71 = 2*r2_y
-    s72 = 0.5*s71
-    s73 = 2*r2_x
-    s74 = 0.5*s73
-    s91 = s26*s74 + s28*s72
-    s98 = s49*(s40*s91 - 0.25*s45*(cz*s26*s72 - cz*s28*s74 + s41*s91))
-    s99 = s16*s26*s72 - s16*s28*s74 + s98
-    out[0] = s36
-    out[1] = 1
-    out[2] = 0
-    out[3] = s51
-    out[4] = r1_y
-    out[5] = s52
-    out[6] = 0
-    out[7] = 1
-    out[8] = s62
-    out[9] = -r1_x
-    out[10] = s70
-    out[11] = s74
-    out[12] = s72
-    out[13] = s99
-    out[14] = 0
+    for lane in range(n):
+        px = w[128 + lane]
+        py = w[160 + lane]
+        cz = w[192 + lane]
+        s19 = w[704 + lane]
+        C_y = w[736 + lane]
+        s26 = w[768 + lane]
+        s28 = w[800 + lane]
+        r1_x = w[832 + lane]
+        r1_y = w[864 + lane]
+        s13 = (cz * cz)
+        s15 = 0.25*s13 + 1
+        s16 = (1.0 / s15)
+        s18 = -0.5*s13*s16 + 1
+        B1_x = C_y*cz*s16 + px + s18*s19
+        B1_y = -C_y*s18 + cz*s16*s19 + py
+        B2_x = -cz*s16*s28 + px + s18*s26
+        B2_y = cz*s16*s26 + py + s18*s28
+        r2_x = -A2_x + B2_x
+        r2_y = -A2_y + B2_y
+        s36 = -A1_x + B1_x - r1_x
+        s45 = (1.0 / (s15 * s15))
+        s52 = B1_y - r1_y
+        s70 = 0.5*(r2_x * r2_x) + 0.5*(r2_y * r2_y) + s69
+        s224 = 0.25*(cz * cz * cz)*s45 - cz*s16
+        s228 = s15*(-0.5*C_y*s13*s45 + C_y*s16 + s19*s224)
+        s232 = s15*(-C_y*s224 - 0.5*s13*s19*s45 + s16*s19)
+        s240 = r2_y*s15*(-0.5*s13*s26*s45 + s16*s26 + s224*s28)
+        s241 = r2_x*s15*(0.5*s13*s28*s45 - s16*s28 + s224*s26) + s240
+        w[224 + lane] = s36
+        w[256 + lane] = 1
+        w[288 + lane] = 0
+        w[320 + lane] = s228
+        w[384 + lane] = s52
+        w[416 + lane] = 0
+        w[448 + lane] = 1
+        w[480 + lane] = s232
+        w[544 + lane] = s70
+        w[576 + lane] = r2_x
+        w[608 + lane] = r2_y
+        w[640 + lane] = s241
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _parameters(x, q, tool, k, out):
-    """Per rod of one limb: derivatives of the closure by errors, by deflections (45 operations)."""
-    px = x[0]
-    py = x[1]
-    cz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    q = q
-    h = k[0]
-    q0 = k[1]
-    s7 = k[2]
-    b2_x = k[4]
-    b2_y = k[5]
-    A2_x = k[6]
-    A2_y = k[7]
-    s101 = k[26]
-    C_y = -h + ty
-    s8 = q + q0
-    s9 = math.sin(s8)
-    r1_x = s7*s9
-    s11 = math.cos(s8)
-    r1_y = -s11*s7
-    s13 = (cz * cz)
-    s16 = (1.0 / (0.25*s13 + 1))
-    s18 = -0.5*s13*s16 + 1
-    s26 = b2_x - tx
-    s28 = -C_y + b2_y
-    B2_x = -cz*s16*s28 + px + s18*s26
-    B2_y = cz*s16*s26 + py + s18*s28
-    r2_x = -A2_x + B2_x
-    r2_y = -A2_y + B2_y
-    s37 = cz*s16
-    s71 = 2*r2_y
-    s72 = 0.5*s71
-    s73 = 2*r2_x
-    s74 = 0.5*s73
-    s87 = s18*s72 - s37*s74
-    s90 = s18*s74 + s37*s72
-    out[0] = r1_y
-    out[1] = 1
-    out[4] = -s18
-    out[7] = -s9
-    out[9] = -r1_x
-    out[13] = -s37
-    out[16] = s11
-    out[20] = -s74
-    out[21] = -s72
-    out[23] = s90
-    out[24] = s87
-    out[26] = s101
+@fast
+def _step(w, n):
+    """Newton's step of the platform; how far the equations are from dependent (77 operations)."""
+    wide()
+    for lane in range(n):
+        F00 = w[224 + lane]
+        J00_0 = w[256 + lane]
+        J00_1 = w[288 + lane]
+        J00_2 = w[320 + lane]
+        F01 = w[384 + lane]
+        J01_0 = w[416 + lane]
+        J01_1 = w[448 + lane]
+        J01_2 = w[480 + lane]
+        F02 = w[544 + lane]
+        J02_0 = w[576 + lane]
+        J02_1 = w[608 + lane]
+        J02_2 = w[640 + lane]
+        G_cof_00 = J01_1*J02_2 - J01_2*J02_1
+        G_cof_01 = -J01_0*J02_2 + J01_2*J02_0
+        G_cof_02 = J01_0*J02_1 - J01_1*J02_0
+        G_cof_10 = -J00_1*J02_2 + J00_2*J02_1
+        G_cof_11 = J00_0*J02_2 - J00_2*J02_0
+        G_cof_12 = -J00_0*J02_1 + J00_1*J02_0
+        G_cof_20 = J00_1*J01_2 - J00_2*J01_1
+        G_cof_21 = -J00_0*J01_2 + J00_2*J01_0
+        G_cof_22 = J00_0*J01_1 - J00_1*J01_0
+        G_det_00 = G_cof_00*J00_0 + G_cof_01*J00_1 + G_cof_02*J00_2
+        G_by_00 = (1.0 / G_det_00)
+        G_inv_00 = G_by_00*G_cof_00
+        G_inv_01 = G_by_00*G_cof_10
+        G_inv_02 = G_by_00*G_cof_20
+        G_inv_10 = G_by_00*G_cof_01
+        G_inv_11 = G_by_00*G_cof_11
+        G_inv_12 = G_by_00*G_cof_21
+        G_inv_20 = G_by_00*G_cof_02
+        G_inv_21 = G_by_00*G_cof_12
+        G_inv_22 = G_by_00*G_cof_22
+        u_00 = F00*G_inv_00 + F01*G_inv_01 + F02*G_inv_02
+        u_10 = F00*G_inv_10 + F01*G_inv_11 + F02*G_inv_12
+        u_20 = F00*G_inv_20 + F01*G_inv_21 + F02*G_inv_22
+        s61 = (J01_0 * J01_0) + (J01_1 * J01_1) + (J01_2 * J01_2)
+        s65 = (J02_0 * J02_0) + (J02_1 * J02_1) + (J02_2 * J02_2)
+        s67 = (G_det_00 * G_det_00) - 1.0e-12*s61*s65*((J00_0 * J00_0) + (J00_1 * J00_1) + (J00_2 * J00_2))
+        w[2016 + lane] = u_00
+        w[2048 + lane] = u_10
+        w[2080 + lane] = u_20
+        w[2112 + lane] = s67
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _position(x, q, tool, k, out):
+@fast
+def _sphere(w, k, n):
     """Platform of the simplified machine at a given joint (67 operations)."""
-    tx = tool[0]
-    ty = tool[1]
-    q = q
+    wide()
     h = k[0]
     q0 = k[1]
     s7 = k[2]
@@ -264,32 +205,34 @@ def _position(x, q, tool, k, out):
     s156 = k[23]
     s160 = k[25]
     s195 = k[27]
-    C_y = -h + ty
-    s8 = q + q0
-    r1_x = s7*math.sin(s8)
-    r1_y = -s7*math.cos(s8)
-    s19 = b1_x - tx
-    s185 = r1_x*s116 + r1_y*s130 + r1_y*s134 + s124
-    s190 = r1_x*s130 + r1_x*s134 - r1_y*s116 + s138
-    s198 = (r1_x * r1_x) + r1_x*s153 + r1_x*s156 + (r1_y * r1_y) + r1_y*s195 + s160
-    s201 = math.sqrt((s185 * s185) + (s190 * s190) - (s198 * s198))
-    s204 = -s185*s198 + s190*s201
-    s208 = -s185*s201 - s190*s198
-    s211 = 1/math.sqrt((s204 * s204) + (s208 * s208))
-    s214 = A1_x - C_y*s204*s211 + r1_x - s19*s208*s211
-    s217 = C_y*s208*s211 + r1_y - s19*s204*s211
-    s221 = 2*math.tan(0.5*math.atan2(s204, s208))
-    out[0] = s214
-    out[1] = s217
-    out[2] = s221
+    for lane in range(n):
+        q = w[0 + lane]
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        C_y = -h + ty
+        s8 = q + q0
+        r1_x = s7*sine(s8)
+        r1_y = -s7*cosine(s8)
+        s19 = b1_x - tx
+        s185 = r1_x*s130 + r1_x*s134 - r1_y*s116 + s138
+        s190 = r1_x*s116 + r1_y*s130 + r1_y*s134 + s124
+        s198 = (r1_x * r1_x) + r1_x*s153 + r1_x*s156 + (r1_y * r1_y) + r1_y*s195 + s160
+        s201 = math.sqrt((s185 * s185) + (s190 * s190) - (s198 * s198))
+        s204 = s185*s201 - s190*s198
+        s208 = -s185*s198 - s190*s201
+        s211 = 1/math.sqrt((s204 * s204) + (s208 * s208))
+        s214 = A1_x - C_y*s204*s211 + r1_x - s19*s208*s211
+        s217 = C_y*s208*s211 + r1_y - s19*s204*s211
+        s221 = 2*tangent(0.5*arctangent(s204, s208))
+        w[896 + lane] = s214
+        w[928 + lane] = s217
+        w[960 + lane] = s221
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _joint(x, q, tool, k, out):
-    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it (64 operations)."""
-    px = x[0]
-    tx = tool[0]
-    ty = tool[1]
+@fast
+def _start(w, k, n):
+    """Joint of the simplified limb at a given position (64 operations)."""
+    wide()
     h = k[0]
     q0 = k[1]
     s7 = k[2]
@@ -310,549 +253,591 @@ def _joint(x, q, tool, k, out):
     s156 = k[23]
     s158 = k[24]
     s160 = k[25]
-    C_y = -h + ty
-    s104 = px + s103 - tx
-    s107 = -q0 + math.asin(s102*s104)
-    s109 = (s104 * s104)
-    s111 = -s108*s109 + 1
-    s112 = math.sqrt(s111)
-    s125 = s104*s116 + s112*s120 + s112*s122 + s124
-    s139 = s104*s130 + s104*s134 + s112*s136 + s138
-    s161 = s104*s153 + s104*s156 + s109 + s111*s149 + s112*s158 + s160
-    s164 = math.sqrt((s125 * s125) + (s139 * s139) - (s161 * s161))
-    s167 = -s125*s161 + s139*s164
-    s171 = -s125*s164 - s139*s161
-    s174 = 1/math.sqrt((s167 * s167) + (s171 * s171))
-    s177 = C_y*s171*s174 - s112*s7 - s167*s174*(b1_x - tx)
-    s181 = 2*math.tan(0.5*math.atan2(s167, s171))
-    out[0] = s107
-    out[1] = s177
-    out[2] = s181
+    for lane in range(n):
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        px = w[128 + lane]
+        C_y = -h + ty
+        s104 = px + s103 - tx
+        s107 = -q0 + arcsine(s102*s104)
+        s109 = (s104 * s104)
+        s111 = -s108*s109 + 1
+        s112 = math.sqrt(s111)
+        s125 = s104*s116 + s112*s120 + s112*s122 + s124
+        s139 = s104*s130 + s104*s134 + s112*s136 + s138
+        s161 = s104*s153 + s104*s156 + s109 + s111*s149 + s112*s158 + s160
+        s164 = math.sqrt((s125 * s125) + (s139 * s139) - (s161 * s161))
+        s167 = -s125*s161 + s139*s164
+        s171 = -s125*s164 - s139*s161
+        s174 = 1/math.sqrt((s167 * s167) + (s171 * s171))
+        s177 = C_y*s171*s174 - s112*s7 - s167*s174*(b1_x - tx)
+        s181 = 2*tangent(0.5*arctangent(s167, s171))
+        w[992 + lane] = s107
+        w[1024 + lane] = s177
+        w[1056 + lane] = s181
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _closure(x, q, tool, k, out, F, J_x, J_q):
-    """Fill closure F (3,), J_x (3, 3) and the joints' part J_q (3,) of one pose; k (1, :), out scratch."""
-    for i in range(1):
-        _newton(x, q[i], tool, k[i], out)
-        for j in range(3):
-            row, start = 3 * i + j, 5 * j
-            F[row] = out[start]
-            for c in range(3):
-                J_x[row, c] = out[start + 1 + c]
-            J_q[row] = out[start + 4]
+@fast
+def _more(w, k, n):
+    """What else derivatives by joint and errors read of it (3 operations)."""
+    wide()
+    q0 = k[1]
+    for lane in range(n):
+        q = w[0 + lane]
+        s8 = q + q0
+        s9 = sine(s8)
+        s11 = cosine(s8)
+        w[1088 + lane] = s9
+        w[1120 + lane] = s11
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _solve(A, B, columns):
-    """Solve A X = B in place by Gauss elimination with partial pivoting; X takes the place of B.
-
-    Returns False where a pivot falls below PIVOT_SINGULAR of the largest entry of A: then A is singular to that tolerance.
-    """
-    largest = 0.0
-    for r in range(3):
-        for c in range(3):
-            largest = max(largest, abs(A[r, c]))
-    for c in range(3):
-        pivot = c
-        for r in range(c + 1, 3):
-            if abs(A[r, c]) > abs(A[pivot, c]):
-                pivot = r
-        if not abs(A[pivot, c]) > PIVOT_SINGULAR * largest:
-            return False
-        if pivot != c:
-            for j in range(c, 3):
-                A[c, j], A[pivot, j] = A[pivot, j], A[c, j]
-            for j in range(columns):
-                B[c, j], B[pivot, j] = B[pivot, j], B[c, j]
-        inverse = 1.0 / A[c, c]
-        for r in range(c + 1, 3):
-            factor = A[r, c] * inverse
-            if factor != 0.0:
-                for j in range(c + 1, 3):
-                    A[r, j] -= factor * A[c, j]
-                for j in range(columns):
-                    B[r, j] -= factor * B[c, j]
-    for c in range(2, -1, -1):
-        inverse = 1.0 / A[c, c]
-        for j in range(columns):
-            B[c, j] *= inverse
-        for r in range(c):
-            factor = A[r, c]
-            if factor != 0.0:
-                for j in range(columns):
-                    B[r, j] -= factor * B[c, j]
-    return True
+@fast
+def _joints(w, k, n):
+    """Derivatives of a limb's equations by its joint (1 operations)."""
+    wide()
+    for lane in range(n):
+        r1_x = w[832 + lane]
+        r1_y = w[864 + lane]
+        w[352 + lane] = r1_y
+        w[512 + lane] = -r1_x
+        w[672 + lane] = 0
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _stuck(F):
-    """Return what a pose is where Newton's matrix is singular: SINGULAR if its loops are closed, else UNREACHABLE."""
-    for r in range(3):
-        if not abs(F[r]) < CLOSED:
-            return UNREACHABLE
-    return SINGULAR
+@fast
+def _command(w, n):
+    """Newton's step of joints and rotation; how far the equations are from dependent (77 operations)."""
+    wide()
+    for lane in range(n):
+        F00 = w[224 + lane]
+        J00_1 = w[288 + lane]
+        J00_2 = w[320 + lane]
+        Q00 = w[352 + lane]
+        F01 = w[384 + lane]
+        J01_1 = w[448 + lane]
+        J01_2 = w[480 + lane]
+        Q01 = w[512 + lane]
+        F02 = w[544 + lane]
+        J02_1 = w[608 + lane]
+        J02_2 = w[640 + lane]
+        Q02 = w[672 + lane]
+        Ai_cof_00 = J01_1*J02_2 - J01_2*J02_1
+        Ai_cof_01 = J01_2*Q02 - J02_2*Q01
+        Ai_cof_02 = -J01_1*Q02 + J02_1*Q01
+        Ai_cof_10 = -J00_1*J02_2 + J00_2*J02_1
+        Ai_cof_11 = -J00_2*Q02 + J02_2*Q00
+        Ai_cof_12 = J00_1*Q02 - J02_1*Q00
+        Ai_cof_20 = J00_1*J01_2 - J00_2*J01_1
+        Ai_cof_21 = J00_2*Q01 - J01_2*Q00
+        Ai_cof_22 = -J00_1*Q01 + J01_1*Q00
+        Ai_det_00 = Ai_cof_00*Q00 + Ai_cof_01*J00_1 + Ai_cof_02*J00_2
+        Ai_by_00 = (1.0 / Ai_det_00)
+        Ai_inv_00 = Ai_by_00*Ai_cof_00
+        Ai_inv_01 = Ai_by_00*Ai_cof_10
+        Ai_inv_02 = Ai_by_00*Ai_cof_20
+        Ai_inv_10 = Ai_by_00*Ai_cof_01
+        Ai_inv_11 = Ai_by_00*Ai_cof_11
+        Ai_inv_12 = Ai_by_00*Ai_cof_21
+        Ai_inv_20 = Ai_by_00*Ai_cof_02
+        Ai_inv_21 = Ai_by_00*Ai_cof_12
+        Ai_inv_22 = Ai_by_00*Ai_cof_22
+        s44 = Ai_inv_00*F00 + Ai_inv_01*F01 + Ai_inv_02*F02
+        s48 = Ai_inv_10*F00 + Ai_inv_11*F01 + Ai_inv_12*F02
+        s52 = Ai_inv_20*F00 + Ai_inv_21*F01 + Ai_inv_22*F02
+        s61 = (J01_1 * J01_1) + (J01_2 * J01_2) + (Q01 * Q01)
+        s65 = (J02_1 * J02_1) + (J02_2 * J02_2) + (Q02 * Q02)
+        s67 = (Ai_det_00 * Ai_det_00) - 1.0e-12*s61*s65*((J00_1 * J00_1) + (J00_2 * J00_2) + (Q00 * Q00))
+        w[2496 + lane] = s44
+        w[2528 + lane] = s48
+        w[2560 + lane] = s52
+        w[2592 + lane] = s67
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def jacobians(x, q, tool, k, F, J_x, J_q, J_p):
-    """Fill the closure F (N, 3) and its Jacobians J_x (N, 3, 3), J_q (N, 3), J_p (N, 3, 9).
+@fast
+def _errors(w, k, n):
+    """Derivatives of a limb's equations by errors, by deflections (36 operations)."""
+    wide()
+    A2_x = k[6]
+    A2_y = k[7]
+    s101 = k[26]
+    for lane in range(n):
+        px = w[128 + lane]
+        py = w[160 + lane]
+        cz = w[192 + lane]
+        s26 = w[768 + lane]
+        s28 = w[800 + lane]
+        r1_x = w[832 + lane]
+        r1_y = w[864 + lane]
+        s9 = w[1088 + lane]
+        s11 = w[1120 + lane]
+        s13 = (cz * cz)
+        s16 = (1.0 / (0.25*s13 + 1))
+        s18 = -0.5*s13*s16 + 1
+        B2_x = -cz*s16*s28 + px + s18*s26
+        B2_y = cz*s16*s26 + py + s18*s28
+        r2_x = -A2_x + B2_x
+        r2_y = -A2_y + B2_y
+        s37 = cz*s16
+        s71 = 2*r2_y
+        s72 = 0.5*s71
+        s73 = 2*r2_x
+        s74 = 0.5*s73
+        s87 = s18*s72 - s37*s74
+        s90 = s18*s74 + s37*s72
+        w[1152 + lane] = r1_y
+        w[1184 + lane] = 1
+        w[1216 + lane] = 0
+        w[1248 + lane] = 0
+        w[1280 + lane] = -s18
+        w[1312 + lane] = 0
+        w[1344 + lane] = 0
+        w[1376 + lane] = -s9
+        w[1408 + lane] = 0
+        w[1440 + lane] = -r1_x
+        w[1472 + lane] = 0
+        w[1504 + lane] = 0
+        w[1536 + lane] = 0
+        w[1568 + lane] = -s37
+        w[1600 + lane] = 0
+        w[1632 + lane] = 0
+        w[1664 + lane] = s11
+        w[1696 + lane] = 0
+        w[1728 + lane] = 0
+        w[1760 + lane] = 0
+        w[1792 + lane] = -s74
+        w[1824 + lane] = -s72
+        w[1856 + lane] = 0
+        w[1888 + lane] = s90
+        w[1920 + lane] = s87
+        w[1952 + lane] = 0
+        w[1984 + lane] = s101
 
-    Rows 3 i .. 3 i + 2 belong to limb i and depend on its own joint, errors and deflections only:
-    J_q and J_p hold the derivatives by those.
-    """
-    out, by_errors = np.zeros(15), np.zeros(27)
-    for n in range(x.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        _closure(x[n], q[n], tool[n], k[m], out, F[n], J_x[n], J_q[n])
-        for i in range(1):
-            _parameters(x[n], q[n, i], tool[n], k[m, i], by_errors)
-            for j in range(3):
-                for c in range(9):
-                    J_p[n, 3 * i + j, c] = by_errors[9 * j + c]
+
+@fast
+def _inverse_of_rows(w, n):
+    """Minus the inverse of the derivatives, row by row; how far the equations are from dependent (71 operations)."""
+    wide()
+    for lane in range(n):
+        J00_0 = w[256 + lane]
+        J00_1 = w[288 + lane]
+        J00_2 = w[320 + lane]
+        J01_0 = w[416 + lane]
+        J01_1 = w[448 + lane]
+        J01_2 = w[480 + lane]
+        J02_0 = w[576 + lane]
+        J02_1 = w[608 + lane]
+        J02_2 = w[640 + lane]
+        G_cof_00 = J01_1*J02_2 - J01_2*J02_1
+        G_cof_01 = -J01_0*J02_2 + J01_2*J02_0
+        G_cof_02 = J01_0*J02_1 - J01_1*J02_0
+        G_cof_10 = -J00_1*J02_2 + J00_2*J02_1
+        G_cof_11 = J00_0*J02_2 - J00_2*J02_0
+        G_cof_12 = -J00_0*J02_1 + J00_1*J02_0
+        G_cof_20 = J00_1*J01_2 - J00_2*J01_1
+        G_cof_21 = -J00_0*J01_2 + J00_2*J01_0
+        G_cof_22 = J00_0*J01_1 - J00_1*J01_0
+        G_det_00 = G_cof_00*J00_0 + G_cof_01*J00_1 + G_cof_02*J00_2
+        G_by_00 = (1.0 / G_det_00)
+        G_inv_00 = G_by_00*G_cof_00
+        G_inv_01 = G_by_00*G_cof_10
+        G_inv_02 = G_by_00*G_cof_20
+        G_inv_10 = G_by_00*G_cof_01
+        G_inv_11 = G_by_00*G_cof_11
+        G_inv_12 = G_by_00*G_cof_21
+        G_inv_20 = G_by_00*G_cof_02
+        G_inv_21 = G_by_00*G_cof_12
+        G_inv_22 = G_by_00*G_cof_22
+        s61 = (J01_0 * J01_0) + (J01_1 * J01_1) + (J01_2 * J01_2)
+        s65 = (J02_0 * J02_0) + (J02_1 * J02_1) + (J02_2 * J02_2)
+        s67 = (G_det_00 * G_det_00) - 1.0e-12*s61*s65*((J00_0 * J00_0) + (J00_1 * J00_1) + (J00_2 * J00_2))
+        w[2176 + lane] = -G_inv_00
+        w[2208 + lane] = -G_inv_01
+        w[2240 + lane] = -G_inv_02
+        w[2272 + lane] = -G_inv_10
+        w[2304 + lane] = -G_inv_11
+        w[2336 + lane] = -G_inv_12
+        w[2368 + lane] = -G_inv_20
+        w[2400 + lane] = -G_inv_21
+        w[2432 + lane] = -G_inv_22
+        w[2464 + lane] = s67
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@fast
+def _move(w, n):
+    """The platform after a step, and its rotation matrix (10 operations)."""
+    wide()
+    for lane in range(n):
+        px = w[128 + lane]
+        py = w[160 + lane]
+        cz = w[192 + lane]
+        y0 = w[2016 + lane]
+        y1 = w[2048 + lane]
+        y2 = w[2080 + lane]
+        going = w[2144 + lane]
+        new_00 = -going*y0 + px
+        new_10 = -going*y1 + py
+        new_20 = cz - going*y2*(0.25*(cz * cz) + 1)
+        w[128 + lane] = new_00
+        w[160 + lane] = new_10
+        w[192 + lane] = new_20
+
+
+@fast
+def _meet(w, n):
+    """Put the platform where the closed form has it."""
+    for lane in range(n):
+        w[128 + lane] = w[896 + lane]
+        w[160 + lane] = w[928 + lane]
+        w[192 + lane] = w[960 + lane]
+        w[2144 + lane] = 0.0 if (abs(w[896 + lane]) < math.inf) & (abs(w[928 + lane]) < math.inf) & (abs(w[960 + lane]) < math.inf) else 1.0
+
+
+@fast
+def _settle(w, n):
+    """Mark the poses for which this step was the last; return how many go on."""
+    wide()
+    left = 0
+    for lane in range(n):
+        done = (w[2112 + lane] > 0.0)
+        done = done & (abs(w[2016 + lane]) < STEP_DONE)
+        done = done & (abs(w[2048 + lane]) < STEP_DONE)
+        done = done & (abs(w[2080 + lane]) < TURN_DONE)
+        going = 0.0 if done | (w[2144 + lane] == 0.0) else 1.0
+        w[2144 + lane] = going
+        left += 1 if going == 1.0 else 0
+    return left
+
+
+@fast
+def _settle_joints(w, n):
+    """Mark the poses for which this step was the last; return how many go on."""
+    wide()
+    left = 0
+    for lane in range(n):
+        done = (w[2592 + lane] > 0.0)
+        done = done & (abs(w[2496 + lane]) < TURN_DONE)
+        done = done & (abs(w[2528 + lane]) < STEP_DONE)
+        done = done & (abs(w[2560 + lane]) < TURN_DONE)
+        going = 0.0 if done | (w[2144 + lane] == 0.0) else 1.0
+        w[2144 + lane] = going
+        left += 1 if going == 1.0 else 0
+    return left
+
+
+@fast
+def _begin(w, n):
+    """Let all poses go."""
+    for lane in range(n):
+        w[2144 + lane] = 1.0
+        w[2016 + lane] = 0.0
+        w[2048 + lane] = 0.0
+        w[2080 + lane] = 0.0
+
+
+@fast
+def _started(w, n):
+    """Take joints, and coordinates that no command asks for, from the simplified machine."""
+    for lane in range(n):
+        w[2144 + lane] = 0.0 if (abs(w[992 + lane]) < math.inf) else 1.0
+        w[0 + lane] = w[992 + lane]
+        w[160 + lane] = w[1024 + lane]
+        w[192 + lane] = w[1056 + lane]
+
+
+@fast
+def _turn_joints(w, n):
+    """Move the joints by a step; what it does to the platform is left to `_move`."""
+    for lane in range(n):
+        going = w[2144 + lane]
+        w[0 + lane] -= going * w[2496 + lane]
+        w[2048 + lane] = w[2528 + lane]
+        w[2080 + lane] = w[2560 + lane]
+
+@fast
+def _load(q, w, first, last, n):
+    """Put joints of poses side by side, the last one again for the rest of `n`."""
+    wide()
+    for lane in range(n):
+        m = min(first + lane, last)
+        w[0 + lane] = q[m, 0]
+
+
+@fast
+def _hold(tool, w, first, last, n):
+    """Put tools of poses side by side, like `_load`."""
+    wide()
+    for lane in range(n):
+        m = min(first + lane, last)
+        at = tool[m, 0]
+        w[32 + lane] = at
+        at = tool[m, 1]
+        w[64 + lane] = at
+        at = tool[m, 2]
+        w[96 + lane] = at
+
+
+@fast
+def _place(x, w, first, last, n):
+    """Put platform poses side by side, like `_load`."""
+    wide()
+    for lane in range(n):
+        m = min(first + lane, last)
+        w[128 + lane] = x[m, 0]
+        w[160 + lane] = x[m, 1]
+        w[192 + lane] = x[m, 2]
+
+
+@fast
+def _unload(w, x, status, first, last):
+    """Write the platform's poses, and what became of them; return how many are left open."""
+    wide()
+    left = 0
+    for lane in range(last - first + 1):
+        x[first + lane, 0] = w[128 + lane]
+        x[first + lane, 1] = w[160 + lane]
+        x[first + lane, 2] = w[192 + lane]
+        is_open = w[2144 + lane] != 0.0
+        status[first + lane] = OPEN if is_open else SOLVED
+        left += 1 if is_open else 0
+    return left
+
+
+@fast
+def _unload_joints(w, q, first, last):
+    wide()
+    for lane in range(last - first + 1):
+        q[first + lane, 0] = w[0 + lane]
+
+
+@fast
+def _forward(q, tool, k, x, status, warm, w):
+    w_1 = w[0:2016]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(q, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _early(w_1, k_1, n)
+            if warm:
+                _place(x, w, first, last, n)
+            else:
+                _meet(w, n)
+            _begin(w, n)
+            _move(w, n)
+            for _ in range(MAX_STEPS):
+                _rows(w_1, k_1, n)
+                _step(w, n)
+                _move(w, n)
+                if _settle(w, n) == 0:
+                    break
+            left += _unload(w, x, status, first, last)
+    return left
+
+
+def _of(values, chosen, poses):
+    """Return what belongs to the chosen poses of constants or tools, of which there may be fewer than poses."""
+    return values[chosen // (poses // len(values))]
+
+
 def forward(q, tool, k, x, status, warm):
     """Fill x (N, 3) with the exact platform pose at the joints q, by Newton from the simplified machine, or from x where warm.
 
     status (N,): SOLVED, UNREACHABLE (no platform pose closes all loops) or SINGULAR; x is NaN unless SOLVED.
     """
-    F, J_q = np.empty(3), np.empty(3)
-    J_x = np.empty((3, 3))
-    step = np.empty((3, 1))
-    out = np.zeros(15)
-    pose = np.zeros(3)
-    for n in range(q.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        seeded = True
-        for c in range(3):
-            pose[c] = x[n, c] if warm else 0.0
-            seeded = seeded and math.isfinite(pose[c])
-        if not (warm and seeded):
-            pose[:] = 0.0
-            _position(pose, q[n, 0], tool[n], k[m, 0], pose)
-            seeded = np.isfinite(pose).all()
-        status[n] = UNREACHABLE
-        for _ in range(MAX_STEPS if seeded else 0):
-            _closure(pose, q[n], tool[n], k[m], out, F, J_x, J_q)
-            for r in range(3):
-                step[r, 0] = F[r]
-            if not _solve(J_x, step, 1):
-                status[n] = _stuck(F)
-                break
-            size = 0.0
-            for c in range(3):
-                pose[c] -= step[c, 0]
-                size = max(size, abs(step[c, 0]))
-            if size < STEP_DONE:
-                status[n] = SOLVED
-                break
-            if not size < STEP_LOST:
-                break
-        for c in range(3):
-            x[n, c] = pose[c] if status[n] == SOLVED else np.nan
+    given = x.copy() if warm else x
+    if _forward(q, tool, k, x, status, warm, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        of, found = np.zeros(len(left), dtype=np.int64), given[left]
+        vectorised.forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, warm)
+        x[left], status[left] = found, of
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@fast
+def _inverse(target, tool, k, x, q, status, w):
+    w_1 = w[0:2016]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(target, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _aim(w, n)
+            _start(w_1, k_1, n)
+            _started(w, n)
+            _begin(w, n)
+            _move(w, n)
+            for _ in range(MAX_STEPS):
+                _early(w_1, k_1, n)
+                _more(w_1, k_1, n)
+                _rows(w_1, k_1, n)
+                _joints(w_1, k_1, n)
+                _command(w, n)
+                _turn_joints(w, n)
+                _move(w, n)
+                if _settle_joints(w, n) == 0:
+                    break
+            left += _unload(w, x, status, first, last)
+            _unload_joints(w, q, first, last)
+    return left
+
+
 def inverse(target, tool, k, x, q, status):
     """Fill the joints q (N, 1) that bring the reference point to target (N, 1), and the pose x (N, 3) it then has.
 
     Newton on the joints and the platform's rotation from the simplified machine. status as in `forward`; UNREACHABLE
     where the target lies beyond the reach of a limb.
     """
-    F, J_q = np.empty(3), np.empty(3)
-    J_x = np.empty((3, 3))
-    A = np.empty((3, 3))
-    step = np.empty((3, 1))
-    out = np.zeros(15)
-    pose, joints, start = np.zeros(3), np.empty(1), np.zeros(3)
-    for n in range(target.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        pose[:] = 0.0
-        for c in range(1):
-            pose[c] = target[n, c]
-        seeded = True
-        for i in range(1):
-            _joint(pose, 0.0, tool[n], k[m, i], start)
-            joints[i] = start[0]
-            seeded = seeded and math.isfinite(joints[i])
-        pose[1] = start[1]
-        pose[2] = start[2]
-        status[n] = UNREACHABLE
-        for _ in range(MAX_STEPS if seeded else 0):
-            _closure(pose, joints, tool[n], k[m], out, F, J_x, J_q)
-            A[:] = 0.0
-            for r in range(3):
-                A[r, r // 3] = J_q[r]
-                for c in range(2):
-                    A[r, 1 + c] = J_x[r, 1 + c]
-                step[r, 0] = F[r]
-            if not _solve(A, step, 1):
-                status[n] = _stuck(F)
-                break
-            size = 0.0
-            for c in range(1):
-                joints[c] -= step[c, 0]
-                size = max(size, abs(step[c, 0]))
-            for c in range(2):
-                pose[1 + c] -= step[1 + c, 0]
-                size = max(size, abs(step[1 + c, 0]))
-            if size < STEP_DONE * ANGLE_STEP:
-                status[n] = SOLVED
-                break
-            if not size < STEP_LOST:
-                break
-        for c in range(1):
-            q[n, c] = joints[c] if status[n] == SOLVED else np.nan
-        for c in range(3):
-            x[n, c] = pose[c] if status[n] == SOLVED else np.nan
+    if _inverse(target, tool, k, x, q, status, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        found, joints, of = np.empty((len(left), 3)), np.empty((len(left), 1)), np.zeros(len(left), dtype=np.int64)
+        vectorised.inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
+        x[left], q[left], status[left] = found, joints, of
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@fast
+def _simplified_forward(q, tool, k, x, status, w):
+    w_1 = w[0:2016]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(q, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _sphere(w_1, k_1, n)
+            _meet(w, n)
+            left += _unload(w, x, status, first, last)
+    return left
+
+
+def simplified_forward(q, tool, k, x, status):
+    """`forward` of the simplified machine, in closed form: exact where (nothing) are zero."""
+    if _simplified_forward(q, tool, k, x, status, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        found, of = np.empty((len(left), 3)), np.empty(len(left), dtype=np.int64)
+        forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, False)
+        x[left], status[left] = found, of
+
+
+@fast
+def _aim(w, n):
+    """Put targets, which were loaded as joints, where the limbs read the platform."""
+    for lane in range(n):
+        at = w[0 + lane]
+        w[128 + lane] = at
+
+
+@fast
+def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
+    w_1 = w[0:2016]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(q, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _place(x, w, first, last, n)
+            _begin(w, n)
+            _move(w, n)
+            _early(w_1, k_1, n)
+            _more(w_1, k_1, n)
+            _rows(w_1, k_1, n)
+            _joints(w_1, k_1, n)
+            _errors(w_1, k_1, n)
+            _inverse_of_rows(w, n)
+            left += _products(w, S_p, S_q, status, first, last)
+    return left
+
+
+@fast
+def _products(w, S_p, S_q, status, first, last):
+    """Multiply the inverse and the derivatives by errors and joints, pose by pose; return how many are left open."""
+    wide()
+    left = 0
+    for lane in range(last - first + 1):
+        m = first + lane
+        e_0_0 = w[1152 + lane]
+        e_0_1 = w[1184 + lane]
+        e_0_2 = w[1216 + lane]
+        e_0_3 = w[1248 + lane]
+        e_0_4 = w[1280 + lane]
+        e_0_5 = w[1312 + lane]
+        e_0_6 = w[1344 + lane]
+        e_0_7 = w[1376 + lane]
+        e_0_8 = w[1408 + lane]
+        q_0 = w[352 + lane]
+        e_1_0 = w[1440 + lane]
+        e_1_1 = w[1472 + lane]
+        e_1_2 = w[1504 + lane]
+        e_1_3 = w[1536 + lane]
+        e_1_4 = w[1568 + lane]
+        e_1_5 = w[1600 + lane]
+        e_1_6 = w[1632 + lane]
+        e_1_7 = w[1664 + lane]
+        e_1_8 = w[1696 + lane]
+        q_1 = w[512 + lane]
+        e_2_0 = w[1728 + lane]
+        e_2_1 = w[1760 + lane]
+        e_2_2 = w[1792 + lane]
+        e_2_3 = w[1824 + lane]
+        e_2_4 = w[1856 + lane]
+        e_2_5 = w[1888 + lane]
+        e_2_6 = w[1920 + lane]
+        e_2_7 = w[1952 + lane]
+        e_2_8 = w[1984 + lane]
+        q_2 = w[672 + lane]
+        for r in range(3):
+            a_0 = w[96 * r + (2176 + lane)]
+            a_1 = w[96 * r + (2208 + lane)]
+            a_2 = w[96 * r + (2240 + lane)]
+            S_p[m, r, 0] = a_0 * e_0_0 + a_1 * e_1_0 + a_2 * e_2_0
+            S_p[m, r, 1] = a_0 * e_0_1 + a_1 * e_1_1 + a_2 * e_2_1
+            S_p[m, r, 2] = a_0 * e_0_2 + a_1 * e_1_2 + a_2 * e_2_2
+            S_p[m, r, 3] = a_0 * e_0_3 + a_1 * e_1_3 + a_2 * e_2_3
+            S_p[m, r, 4] = a_0 * e_0_4 + a_1 * e_1_4 + a_2 * e_2_4
+            S_p[m, r, 5] = a_0 * e_0_5 + a_1 * e_1_5 + a_2 * e_2_5
+            S_p[m, r, 6] = a_0 * e_0_6 + a_1 * e_1_6 + a_2 * e_2_6
+            S_p[m, r, 7] = a_0 * e_0_7 + a_1 * e_1_7 + a_2 * e_2_7
+            S_p[m, r, 8] = a_0 * e_0_8 + a_1 * e_1_8 + a_2 * e_2_8
+            S_q[m, r, 0] = a_0 * q_0 + a_1 * q_1 + a_2 * q_2
+        regular = True
+        regular = regular & (w[2464 + lane] > 0.0)
+        status[m] = SOLVED if regular else OPEN
+        left += 0 if regular else 1
+    return left
+
+
 def sensitivity(x, q, tool, k, S_p, S_q, status):
     """Fill the derivatives of the exact pose: S_p (N, 3, 9) by errors and deflections, S_q (N, 3, 1) by joints.
 
-    ``J_x S = -J``. Columns of S_p run limb by limb. S_q is the velocity Jacobian.
+    Rows are px, py, then turns of the platform about the axes of {O}. Columns of S_p run limb by limb. S_q is the velocity
+    Jacobian.
     """
-    F, J_q = np.empty(3), np.empty(3)
-    J_x = np.empty((3, 3))
-    unit = np.empty((3, 3))
-    out = np.zeros(15)
-    J_p = np.zeros(27)
-    for n in range(x.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        _closure(x[n], q[n], tool[n], k[m], out, F, J_x, J_q)
-        unit[:] = 0.0
-        for r in range(3):
-            unit[r, r] = -1.0
-        status[n] = SOLVED if _solve(J_x, unit, 3) else SINGULAR
-        for i in range(1):
-            _parameters(x[n], q[n, i], tool[n], k[m, i], J_p)
-            for r in range(3):
-                for c in range(9):
-                    total = 0.0
-                    for j in range(3):
-                        total += unit[r, 3 * i + j] * J_p[9 * j + c]
-                    S_p[n, r, 9 * i + c] = total if status[n] == SOLVED else np.nan
-                total = 0.0
-                for j in range(3):
-                    total += unit[r, 3 * i + j] * J_q[3 * i + j]
-                S_q[n, r, i] = total if status[n] == SOLVED else np.nan
-
-
-def linear_constants(p):
-    """Return k (M, 1, 28), what `linear` reads that no pose changes, from p (68 operations).
-
-    p is that of the calibrated machine: its geometry is taken as nominal, its errors as what to compensate.
-    """
-    k = np.zeros((p.shape[0], 1, 28))
-    a1x = p[..., 0]
-    a2x = p[..., 1]
-    a2y = p[..., 2]
-    b1x = p[..., 3]
-    b2x = p[..., 4]
-    b2y = p[..., 5]
-    l1 = p[..., 6]
-    l2 = p[..., 7]
-    h = p[..., 8]
-    q0 = p[..., 9]
-    da1x = p[..., 10]
-    da2x = p[..., 11]
-    da2y = p[..., 12]
-    db1x = p[..., 13]
-    db2x = p[..., 14]
-    db2y = p[..., 15]
-    dl1 = p[..., 16]
-    dl2 = p[..., 17]
-    s6 = -2*b1x*l1
-    s8 = -2*b2x*l1
-    s11 = -2*b2y*l1
-    s13 = 2*a1x*b2y + 2*a2x*b2y - 2*a2y*b1x - 2*a2y*b2x
-    s20 = -2*a2y*b2y
-    s24 = -2*a1x*b1x - 2*a1x*b2x - 2*a2x*b1x - 2*a2x*b2x + s20
-    s31 = (b2x * b2x)
-    s32 = (b2y * b2y)
-    s33 = (l2 * l2)
-    s34 = (l1 * l1)
-    s39 = 2*a1x*a2x
-    s40 = 2*b1x*b2x
-    s41 = -2*a1x*l1
-    s43 = -2*a2x*l1
-    s45 = 2*a2y*l1
-    s47 = (a1x * a1x) + (a2x * a2x) + (a2y * a2y) + (b1x * b1x) + s31 + s32 - s33 + s39 + s40
-    s75 = l1*q0
-    s136 = (1.0 / l1)
-    s137 = a1x - b1x
-    s145 = -dl2*l2
-    k[..., 0] = s137
-    k[..., 1] = s136
-    k[..., 2] = l1
-    k[..., 3] = s6
-    k[..., 4] = s8
-    k[..., 5] = s11
-    k[..., 6] = s13
-    k[..., 7] = s24
-    k[..., 8] = s34
-    k[..., 9] = s41
-    k[..., 10] = s43
-    k[..., 11] = s45
-    k[..., 12] = s47
-    k[..., 13] = b1x
-    k[..., 14] = h
-    k[..., 15] = dl1
-    k[..., 16] = s75
-    k[..., 17] = db1x
-    k[..., 18] = b2x
-    k[..., 19] = b2y
-    k[..., 20] = db2x
-    k[..., 21] = db2y
-    k[..., 22] = a2x
-    k[..., 23] = da2x
-    k[..., 24] = a2y
-    k[..., 25] = da2y
-    k[..., 26] = da1x
-    k[..., 27] = s145
-    return k
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def _nominal_joint(x, q, tool, k, i, out):
-    """Joint of the nominal limb at a given position (4 operations); limb i of k, row i of out."""
-    px = x[0]
-    tx = tool[0]
-    s137 = k[i, 0]
-    s136 = k[i, 1]
-    s140 = math.asin(s136*(px + s137 - tx))
-    row = 1 * i
-    out[row + 0] = s140
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def _linear(x, q, tool, k, i, out):
-    """Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (151 operations); limb i of k, row i of out."""
-    px = x[0]
-    tx = tool[0]
-    ty = tool[1]
-    l1 = k[i, 2]
-    s6 = k[i, 3]
-    s8 = k[i, 4]
-    s11 = k[i, 5]
-    s13 = k[i, 6]
-    s24 = k[i, 7]
-    s34 = k[i, 8]
-    s41 = k[i, 9]
-    s43 = k[i, 10]
-    s45 = k[i, 11]
-    s47 = k[i, 12]
-    b1x = k[i, 13]
-    h = k[i, 14]
-    dl1 = k[i, 15]
-    s75 = k[i, 16]
-    db1x = k[i, 17]
-    b2x = k[i, 18]
-    b2y = k[i, 19]
-    db2x = k[i, 20]
-    db2y = k[i, 21]
-    a2x = k[i, 22]
-    da2x = k[i, 23]
-    a2y = k[i, 24]
-    da2y = k[i, 25]
-    da1x = k[i, 26]
-    s145 = k[i, 27]
-    s0 = math.cos(q)
-    s10 = math.sin(q)
-    s14 = s0*s6 + s0*s8 + s10*s11 + s13
-    s25 = s0*s11 - s10*s6 - s10*s8 + s24
-    s48 = (s0 * s0)*s34 + s0*s45 + (s10 * s10)*s34 + s10*s41 + s10*s43 + s47
-    s51 = math.sqrt((s14 * s14) + (s25 * s25) - (s48 * s48))
-    s54 = -s14*s48 + s25*s51
-    s58 = -s14*s51 - s25*s48
-    s61 = 1/math.sqrt((s54 * s54) + (s58 * s58))
-    s62 = b1x + tx
-    nominal_py = -l1*s0 + s54*s61*s62 + s58*s61*(-h + ty)
-    nominal_cz = 2*math.tan(0.5*math.atan2(s54, s58))
-    C_y = -h + ty
-    r1_x_q = l1*s0
-    r1_x_errors = dl1*s10 + s0*s75
-    r1_y_q = l1*s10
-    r1_y_errors = -dl1*s0 + s10*s75
-    s83 = (nominal_cz * nominal_cz)
-    s85 = 0.25*s83 + 1
-    s86 = (1.0 / s85)
-    s88 = -0.5*s83*s86 + 1
-    s95 = (1.0 / (s85 * s85))
-    s97 = 0.25*(nominal_cz * nominal_cz * nominal_cz)*s95 - nominal_cz*s86
-    B1_x_cz = -0.5*C_y*s83*s95 + C_y*s86 - s62*s97
-    B1_x_errors = -db1x*s88
-    B1_y_cz = -C_y*s97 + 0.5*s62*s83*s95 - s62*s86
-    B1_y_errors = -db1x*nominal_cz*s86
-    s110 = b2x - tx
-    s112 = -C_y + b2y
-    B2_x = -nominal_cz*s112*s86 + px + s110*s88
-    B2_x_cz = s110*s97 + 0.5*s112*s83*s95 - s112*s86
-    B2_x_errors = db2x*s88 - db2y*nominal_cz*s86
-    B2_y = nominal_cz*s110*s86 + nominal_py + s112*s88
-    B2_y_cz = -0.5*s110*s83*s95 + s110*s86 + s112*s97
-    B2_y_errors = db2x*nominal_cz*s86 + db2y*s88
-    r2_x = B2_x - a2x
-    r2_x_errors = B2_x_errors - da2x
-    r2_y = B2_y - a2y
-    r2_y_errors = B2_y_errors - da2y
-    s141 = B1_x_errors + da1x - r1_x_errors
-    s142 = B1_y_errors - r1_y_errors
-    s146 = r2_x*r2_x_errors + r2_y*r2_y_errors + s145
-    s149 = B2_x_cz*r2_x + B2_y_cz*r2_y
-    row = 15 * i
-    out[row + 0] = s141
-    out[row + 2] = 0
-    out[row + 3] = B1_x_cz
-    out[row + 4] = -r1_x_q
-    out[row + 5] = s142
-    out[row + 7] = 1
-    out[row + 8] = B1_y_cz
-    out[row + 9] = -r1_y_q
-    out[row + 10] = s146
-    out[row + 12] = r2_y
-    out[row + 13] = s149
-    out[row + 14] = 0
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def _hold(work):
-    """Solve for the changes of joints and rotation that undo the closures while the reference point stays in place.
-
-    work: per rod closure, its derivatives by the platform and by the joint; then room for the reduced equations; then
-    the changes. A limb's joint is eliminated with the rod that feels it most; what is left are 2 equations for the
-    rotation. Returns False where a joint is felt by no rod of its limb, or the rotation is not held.
-    """
-    largest = 0.0
-    for row in range(3):
-        for c in range(2, 5):
-            largest = max(largest, abs(work[5 * row + c]))
-    smallest = PIVOT_SINGULAR * largest
-    target = 15
-    for i in range(1):
-        best = 15 * i
-        for j in range(1, 3):
-            if abs(work[15 * i + 5 * j + 4]) > abs(work[best + 4]):
-                best = 15 * i + 5 * j
-        if not abs(work[best + 4]) > smallest:
-            return False
-        inverse = 1.0 / work[best + 4]
-        for j in range(3):
-            rod = 15 * i + 5 * j
-            if rod != best:
-                factor = work[rod + 4] * inverse
-                for c in range(2):
-                    work[target + c] = work[rod + 2 + c] - factor * work[best + 2 + c]
-                work[target + 2] = work[rod] - factor * work[best]
-                target += 3
-        # the joint's own equation, left to the end: closure and rotation over the joint's derivative
-        for c in range(2):
-            work[15 * i + 2 + c] = work[best + 2 + c] * inverse
-        work[21 + i] = work[best] * inverse
-    for c in range(2):
-        pivot = 15 + 3 * c
-        for r in range(c + 1, 2):
-            if abs(work[15 + 3 * r + c]) > abs(work[pivot + c]):
-                pivot = 15 + 3 * r
-        row = 15 + 3 * c
-        if not abs(work[pivot + c]) > smallest:
-            return False
-        if pivot != row:
-            for j in range(c, 3):
-                work[row + j], work[pivot + j] = work[pivot + j], work[row + j]
-        inverse = 1.0 / work[row + c]
-        for r in range(c + 1, 2):
-            below = 15 + 3 * r
-            factor = work[below + c] * inverse
-            for j in range(c + 1, 3):
-                work[below + j] -= factor * work[row + j]
-    for c in range(1, -1, -1):
-        row = 15 + 3 * c
-        total = work[row + 2]
-        for j in range(c + 1, 2):
-            total -= work[row + j] * work[22 + j]
-        work[22 + c] = total / work[row + c]
-    for i in range(1):
-        for c in range(2):
-            work[21 + i] -= work[15 * i + 2 + c] * work[22 + c]
-    return True
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def exact_command(target, tool, k, work, q):
-    """Fill the joints q (1,) that bring the reference point to target (1,); return the status.
-
-    `inverse` for one pose, to be called from a servo loop: tool (3,), k (1, :), scratch work (COMMAND_WORK,).
-    q is NaN unless SOLVED.
-    """
-    pose = work[24:]
-    for c in range(1):
-        pose[c] = target[c]
-    for c in range(2):
-        pose[1 + c] = 0.0
-    status = SOLVED
-    for i in range(1):
-        _joint(pose, 0.0, tool, k[i], work)
-        q[i] = work[0]
-        if not math.isfinite(q[i]):
-            status = UNREACHABLE
-    pose[1] = work[1]
-    pose[2] = work[2]
-    if status == SOLVED:
-        status = UNREACHABLE
-        for _ in range(MAX_STEPS):
-            for i in range(1):
-                _newton(pose, q[i], tool, k[i], work[15 * i : 15 * (i + 1)])
-            if not _hold(work):
-                status = SINGULAR
-                break
-            size = 0.0
-            for i in range(1):
-                q[i] -= work[21 + i]
-                size = max(size, abs(work[21 + i]))
-            for c in range(2):
-                pose[1 + c] -= work[22 + c]
-                size = max(size, abs(work[22 + c]))
-            if size < COMMAND_DONE:
-                status = SOLVED
-                break
-            if not size < STEP_LOST:
-                break
-    if status != SOLVED:
-        for i in range(1):
-            q[i] = np.nan
-    return status
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def linear_command(target, tool, k, work, q):
-    """Fill the joints q (1,) that bring the reference point to target (1,) to first order in the errors; return the status.
-
-    Bai's eqs. (23) and (25): the nominal joints of the target, and the change that keeps the reference point where it
-    is, to first order, when the errors appear. tool (3,), k (1, 28) from `linear_constants`, scratch work
-    (COMMAND_WORK,). q is NaN unless SOLVED.
-    """
-    status = SOLVED
-    for i in range(1):
-        _nominal_joint(target, 0.0, tool, k, i, q)
-        if not math.isfinite(q[i]):
-            status = UNREACHABLE
-    if status == SOLVED:
-        for i in range(1):
-            _linear(target, q[i], tool, k, i, work)
-        if not _hold(work):
-            status = SINGULAR
-    for i in range(1):
-        q[i] = q[i] - work[21 + i] if status == SOLVED else np.nan
-    return status
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def linear_commands(target, tool, k, q, status):
-    """Fill joints q (N, 1) and status (N,) by `linear_command`; target (N, 1) and tool (N, 3), k (M, 1, :)."""
-    work = np.zeros(COMMAND_WORK)
-    for n in range(target.shape[0]):
-        status[n] = linear_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])
+    if _sensitivity(x, q, tool, k, S_p, S_q, status, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        by_errors, by_joints, of = np.empty((len(left), 3, 9)), np.empty((len(left), 3, 1)), np.zeros(len(left), dtype=np.int64)
+        vectorised.sensitivity(x[left], q[left], _of(tool, left, len(status)), _of(k, left, len(status)), by_errors, by_joints, of)
+        S_p[left], S_q[left], status[left] = by_errors, by_joints, of

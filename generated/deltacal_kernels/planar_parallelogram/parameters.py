@@ -1,7 +1,7 @@
 """Tables of `planar_parallelogram`: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 582284be958589fa; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 1a9697a911cf32e9; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 
@@ -57,6 +57,9 @@ COMMON = (
 # (name, unit, meaning): the last columns, zero on a rigid machine
 DEFLECTIONS = (
 )
+
+# columns of a limb's row of p that are zero on the simplified machine, whose positions are closed form
+SMALL = ()
 
 # (name, meaning) of what `statics` reads as masses
 MASSES = (

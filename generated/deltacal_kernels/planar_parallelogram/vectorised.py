@@ -1,7 +1,7 @@
 """Kinematics of `planar_parallelogram` in plain NumPy: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both bb352b4a5bd345ac; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 91d8abfd18aabc00; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -258,12 +258,12 @@ def _position(x, q, tool, k):
     r1_x = s7*np.sin(s8)
     r1_y = -s7*np.cos(s8)
     s19 = b1_x - tx
-    s185 = r1_x*s116 + r1_y*s130 + r1_y*s134 + s124
-    s190 = r1_x*s130 + r1_x*s134 - r1_y*s116 + s138
+    s185 = r1_x*s130 + r1_x*s134 - r1_y*s116 + s138
+    s190 = r1_x*s116 + r1_y*s130 + r1_y*s134 + s124
     s198 = (r1_x * r1_x) + r1_x*s153 + r1_x*s156 + (r1_y * r1_y) + r1_y*s195 + s160
     s201 = np.sqrt((s185 * s185) + (s190 * s190) - (s198 * s198))
-    s204 = -s185*s198 + s190*s201
-    s208 = -s185*s201 - s190*s198
+    s204 = s185*s201 - s190*s198
+    s208 = -s185*s198 - s190*s201
     s211 = 1/np.sqrt((s204 * s204) + (s208 * s208))
     s214 = A1_x - C_y*s204*s211 + r1_x - s19*s208*s211
     s217 = C_y*s208*s211 + r1_y - s19*s204*s211
@@ -319,6 +319,15 @@ def _joint(x, q, tool, k):
     out[:, 0] = s107
     out[:, 1] = s177
     out[:, 2] = s181
+    return out
+
+
+def _spin(x):
+    """Turn about the axes of {O} by the Cayley vector: (N, 1)."""
+    cz = x[:, 2]
+    s16 = (1.0 / (0.25*(cz * cz) + 1))
+    out = np.zeros((len(x), 1))
+    out[:, 0] = s16
     return out
 
 
@@ -426,3 +435,5 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
         J_p = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 3, 9)
         S_p[:, :, 9 * i : 9 * i + 9] = unit[:, :, rows] @ J_p
         S_q[:, :, i] = (unit[:, :, rows] * J_q[:, None, rows]).sum(axis=2)
+    W = _spin(x).reshape(-1, 1, 1)
+    S_p[:, 2:], S_q[:, 2:] = W @ S_p[:, 2:], W @ S_q[:, 2:]

@@ -1,16 +1,17 @@
-"""Kinematics of `robotennis`: RoboTennis, three arms with rods as single links, incremental home.
+"""Kinematics of `robotennis`, many poses at once: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both dfde342b6775dda4; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 60fc89f59bded8a4; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
 x (N, 3)  platform: px py pz
-q (N, 3)  joints        tool (N, 3)  reference point in {O'}
+q (N, 3)  joints        tool (N or 1, 3)  reference point in {O'}
 p (M, 3, 19)  one row of parameters per limb: a b h H phi hx hy hz a b h theta0 phi H px0 py0 pz0 tip_v tip_w
-k (M, 3, 23)  what `constants` makes of p; M is 1 (one machine) or N (parameters that change from pose to pose)
+k (M, 3, 23)  what `constants` makes of p; each of the M machines has N / M of the poses, one after the other
 
-Kernels allocate nothing per pose and never raise: `status` says what became of each pose.
+Poses are taken in blocks of up to 32, side by side: a loop over `lane` runs over the poses of a block. What is poorly
+conditioned or converges slowly is left to the plain kernels of ``vectorised.py``. `status` says what became of each pose.
 """
 
 import math
@@ -18,101 +19,26 @@ import math
 import numpy as np
 from numba import njit
 
-SOLVED, UNREACHABLE, SINGULAR = 0, 1, 2
-MAX_STEPS = 30
-STEP_DONE = 1e-9  # mm and rad; Newton is quadratic: after such a step the rest is rounding
-STEP_LOST = 1e5  # mm and rad; a step of this size leads nowhere
-ANGLE_STEP = 1e-3  # rad per mm: joints and rotations are asked for this much finer than lengths
-CLOSED = 1e-3  # mm^2: loops that are open by more where Newton gets stuck cannot be closed
-PIVOT_SINGULAR = 1e-9  # of the largest entry of its matrix, in mm
-COMMAND_DONE = 3e-8  # rad; after such a step a command is exact to its square: 1e-15 rad
-COMMAND_WORK = 21  # length of the scratch array of `exact_command` and `linear_command`
-COMMAND_CONSTANTS = 22  # `exact_command` reads these first columns of k only
+from deltacal_kernels.elementary import arcsine, arctangent, cosine, scratch, sine, tangent, wide
+
+from . import vectorised
+from .vectorised import SINGULAR, SOLVED, UNREACHABLE, constants, jacobians
+
+LANES = 32
+OPEN = -1  # a pose that is left to the plain kernels
+MAX_STEPS = 8
+STEP_DONE = 1e-6  # mm; Newton is quadratic: after such a step a length of 1000 mm is exact to 1e-15 mm
+TURN_DONE = 3e-8  # rad
+WORK = 4320  # length of the scratch array
+CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
+APART = 1e-3  # squared sine between the centres' directions
+fast = njit(cache=True, nogil=True, error_model="numpy", fastmath={"contract"})
 
 
-def constants(p):
-    """Return k (M, 3, 23), what no pose changes, from p (46 operations).
-
-    Plain NumPy over all rows at once: it runs once per machine, and compiling it would take longer than running it.
-    """
-    k = np.zeros((p.shape[0], 3, 23))
-    a = p[..., 0]
-    b = p[..., 1]
-    h = p[..., 2]
-    H = p[..., 3]
-    phi = p[..., 4]
-    da = p[..., 8]
-    db = p[..., 9]
-    dh = p[..., 10]
-    theta0 = p[..., 11]
-    dphi = p[..., 12]
-    dH = p[..., 13]
-    px0 = p[..., 14]
-    py0 = p[..., 15]
-    pz0 = p[..., 16]
-    tip_v = p[..., 17]
-    tip_w = p[..., 18]
-    s0 = dphi + phi
-    u_x = np.cos(s0)
-    u_y = np.sin(s0)
-    s3 = H + dH
-    A_x = s3*u_x
-    A_y = s3*u_y
-    s11 = a + da
-    s14 = -tip_v*u_x
-    s16 = A_x + tip_w*u_y
-    s20 = -tip_v*u_y
-    s22 = A_y - tip_w*u_x
-    s30 = dh + h
-    s31 = s30*u_x
-    s33 = s30*u_y
-    s44 = b + db
-    s46 = -0.5*(s44 * s44)
-    s77 = -s44
-    s96 = -A_x + px0 + s31
-    s98 = -s11*u_x
-    s100 = -A_y + py0 + s33
-    s102 = -s11*u_y
-    s117 = 0.5*(s11 * s11)*((u_x * u_x) + (u_y * u_y)) + s46
-    s122 = -2*a - 2*da
-    s124 = 0.25*(s122 * s122)
-    s129 = -0.5*s122
-    k[..., 0] = theta0
-    k[..., 1] = u_x
-    k[..., 2] = u_y
-    k[..., 3] = s11
-    k[..., 4] = s14
-    k[..., 5] = s16
-    k[..., 6] = s20
-    k[..., 7] = s22
-    k[..., 8] = tip_v
-    k[..., 9] = px0
-    k[..., 10] = py0
-    k[..., 11] = pz0
-    k[..., 12] = s31
-    k[..., 13] = s33
-    k[..., 14] = s46
-    k[..., 15] = s96
-    k[..., 16] = s98
-    k[..., 17] = s100
-    k[..., 18] = s102
-    k[..., 19] = s117
-    k[..., 20] = s124
-    k[..., 21] = s129
-    k[..., 22] = s77
-    return k
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def _newton(x, q, tool, k, out):
-    """Per rod of one limb: closure, its derivatives by the platform, by the joint (60 operations)."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    q = q
+@fast
+def _early(w, k, n):
+    """What moves with a joint only; then the simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (33 operations)."""
+    wide()
     theta0 = k[0]
     u_x = k[1]
     u_y = k[2]
@@ -122,55 +48,287 @@ def _newton(x, q, tool, k, out):
     s20 = k[6]
     s22 = k[7]
     tip_v = k[8]
+    pz0 = k[11]
+    s46 = k[14]
+    s96 = k[15]
+    s98 = k[16]
+    s100 = k[17]
+    s102 = k[18]
+    for lane in range(n):
+        q = w[0 + lane]
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        s6 = q + theta0
+        s7 = cosine(s6)
+        arm_x = s7*u_x
+        arm_y = s7*u_y
+        s10 = sine(s6)
+        B_x = arm_x*s11 + s10*s14 + s16
+        B_y = arm_y*s11 + s10*s20 + s22
+        s24 = s10*s11
+        B_z = s24 + s7*tip_v
+        s138 = -s7*s98 - s96 + tx
+        s140 = -s100 - s102*s7 + ty
+        s141 = -pz0 + s24 + tz
+        s148 = 0.5*(s138 * s138) + 0.5*(s140 * s140) + 0.5*(s141 * s141) + s46
+        w[384 + lane] = B_x
+        w[416 + lane] = B_y
+        w[448 + lane] = B_z
+        w[480 + lane] = s138
+        w[512 + lane] = s140
+        w[544 + lane] = s141
+        w[576 + lane] = s148
+
+
+@fast
+def _rows(w, k, n):
+    """Equations of a limb, their derivatives by shift and turn of the platform (20 operations)."""
+    wide()
     px0 = k[9]
     py0 = k[10]
     pz0 = k[11]
     s31 = k[12]
     s33 = k[13]
     s46 = k[14]
-    s6 = q + theta0
-    s7 = math.cos(s6)
-    arm_x = s7*u_x
-    arm_y = s7*u_y
-    arm_z = math.sin(s6)
-    B_x = arm_x*s11 + arm_z*s14 + s16
-    B_y = arm_y*s11 + arm_z*s20 + s22
-    B_z = arm_z*s11 + s7*tip_v
-    centre_x = px + px0 - tx
-    centre_y = py + py0 - ty
-    centre_z = pz + pz0 - tz
-    C_x = centre_x + s31
-    C_y = centre_y + s33
-    rod_x = -B_x + C_x
-    rod_y = -B_y + C_y
-    rod_z = -B_z + centre_z
-    s47 = 0.5*(rod_x * rod_x) + 0.5*(rod_y * rod_y) + 0.5*(rod_z * rod_z) + s46
-    s48 = 2*rod_z
-    s49 = 0.5*s48
-    s50 = 2*rod_y
-    s51 = 0.5*s50
-    s52 = 2*rod_x
-    s53 = 0.5*s52
-    s73 = -arm_z*(-s11*s51*u_y - s11*s53*u_x - s49*tip_v)
-    s74 = s7*(-s11*s49 - s14*s53 - s20*s51) + s73
-    out[0] = s47
-    out[1] = s53
-    out[2] = s51
-    out[3] = s49
-    out[4] = s74
+    for lane in range(n):
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        B_x = w[384 + lane]
+        B_y = w[416 + lane]
+        B_z = w[448 + lane]
+        centre_x = px + px0 - tx
+        centre_y = py + py0 - ty
+        centre_z = pz + pz0 - tz
+        C_x = centre_x + s31
+        C_y = centre_y + s33
+        rod_x = -B_x + C_x
+        rod_y = -B_y + C_y
+        rod_z = -B_z + centre_z
+        s47 = 0.5*(rod_x * rod_x) + 0.5*(rod_y * rod_y) + 0.5*(rod_z * rod_z) + s46
+        w[224 + lane] = s47
+        w[256 + lane] = rod_x
+        w[288 + lane] = rod_y
+        w[320 + lane] = rod_z
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _parameters(x, q, tool, k, out):
-    """Per rod of one limb: derivatives of the closure by errors, by deflections (94 operations)."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    q = q
+@fast
+def _step(w, n):
+    """Newton's step of the platform; how far the equations are from dependent (77 operations)."""
+    wide()
+    for lane in range(n):
+        F00 = w[224 + lane]
+        J00_0 = w[256 + lane]
+        J00_1 = w[288 + lane]
+        J00_2 = w[320 + lane]
+        F10 = w[1440 + lane]
+        J10_0 = w[1472 + lane]
+        J10_1 = w[1504 + lane]
+        J10_2 = w[1536 + lane]
+        F20 = w[2656 + lane]
+        J20_0 = w[2688 + lane]
+        J20_1 = w[2720 + lane]
+        J20_2 = w[2752 + lane]
+        G_cof_00 = J10_1*J20_2 - J10_2*J20_1
+        G_cof_01 = -J10_0*J20_2 + J10_2*J20_0
+        G_cof_02 = J10_0*J20_1 - J10_1*J20_0
+        G_cof_10 = -J00_1*J20_2 + J00_2*J20_1
+        G_cof_11 = J00_0*J20_2 - J00_2*J20_0
+        G_cof_12 = -J00_0*J20_1 + J00_1*J20_0
+        G_cof_20 = J00_1*J10_2 - J00_2*J10_1
+        G_cof_21 = -J00_0*J10_2 + J00_2*J10_0
+        G_cof_22 = J00_0*J10_1 - J00_1*J10_0
+        G_det_00 = G_cof_00*J00_0 + G_cof_01*J00_1 + G_cof_02*J00_2
+        G_by_00 = (1.0 / G_det_00)
+        G_inv_00 = G_by_00*G_cof_00
+        G_inv_01 = G_by_00*G_cof_10
+        G_inv_02 = G_by_00*G_cof_20
+        G_inv_10 = G_by_00*G_cof_01
+        G_inv_11 = G_by_00*G_cof_11
+        G_inv_12 = G_by_00*G_cof_21
+        G_inv_20 = G_by_00*G_cof_02
+        G_inv_21 = G_by_00*G_cof_12
+        G_inv_22 = G_by_00*G_cof_22
+        u_00 = F00*G_inv_00 + F10*G_inv_01 + F20*G_inv_02
+        u_10 = F00*G_inv_10 + F10*G_inv_11 + F20*G_inv_12
+        u_20 = F00*G_inv_20 + F10*G_inv_21 + F20*G_inv_22
+        s61 = (J10_0 * J10_0) + (J10_1 * J10_1) + (J10_2 * J10_2)
+        s65 = (J20_0 * J20_0) + (J20_1 * J20_1) + (J20_2 * J20_2)
+        s67 = (G_det_00 * G_det_00) - 1.0e-12*s61*s65*((J00_0 * J00_0) + (J00_1 * J00_1) + (J00_2 * J00_2))
+        w[3648 + lane] = u_00
+        w[3680 + lane] = u_10
+        w[3712 + lane] = u_20
+        w[3744 + lane] = s67
+
+
+@fast
+def _sphere(w, k, n):
+    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (21 operations)."""
+    wide()
     theta0 = k[0]
+    s11 = k[3]
+    pz0 = k[11]
+    s46 = k[14]
+    s96 = k[15]
+    s98 = k[16]
+    s100 = k[17]
+    s102 = k[18]
+    for lane in range(n):
+        q = w[0 + lane]
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        s6 = q + theta0
+        s7 = cosine(s6)
+        s138 = -s7*s98 - s96 + tx
+        s140 = -s100 - s102*s7 + ty
+        s141 = -pz0 + s11*sine(s6) + tz
+        s148 = 0.5*(s138 * s138) + 0.5*(s140 * s140) + 0.5*(s141 * s141) + s46
+        w[480 + lane] = s138
+        w[512 + lane] = s140
+        w[544 + lane] = s141
+        w[576 + lane] = s148
+
+
+@fast
+def _start(w, k, n):
+    """Joint of the simplified limb at a given position (35 operations)."""
+    wide()
+    theta0 = k[0]
+    pz0 = k[11]
+    s96 = k[15]
+    s98 = k[16]
+    s100 = k[17]
+    s102 = k[18]
+    s117 = k[19]
+    s124 = k[20]
+    s129 = k[21]
+    for lane in range(n):
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        centre_z = pz + pz0 - tz
+        s97 = px + s96 - tx
+        s101 = py + s100 - ty
+        s104 = s101*s102 + s97*s98
+        s106 = (centre_z * centre_z)
+        s118 = 0.5*(s101 * s101) + 0.5*s106 + s117 + 0.5*(s97 * s97)
+        s127 = math.sqrt((s104 * s104) + s106*s124 - (s118 * s118))
+        s136 = -theta0 + arctangent(centre_z*s118*s129 + s104*s127, centre_z*s127*s129 - s104*s118)
+        w[608 + lane] = s136
+
+
+@fast
+def _more(w, k, n):
+    """What else derivatives by joint and errors read of it (16 operations)."""
+    wide()
+    theta0 = k[0]
+    u_x = k[1]
+    u_y = k[2]
+    s11 = k[3]
+    s14 = k[4]
+    s20 = k[6]
+    tip_v = k[8]
+    s98 = k[16]
+    s102 = k[18]
+    for lane in range(n):
+        q = w[0 + lane]
+        s6 = q + theta0
+        s7 = cosine(s6)
+        arm_x = s7*u_x
+        arm_y = s7*u_y
+        s10 = sine(s6)
+        s151 = -s10*s98 - s14*s7
+        s155 = -s10*s102 - s20*s7
+        s159 = s10*tip_v - s11*s7
+        w[640 + lane] = s7
+        w[672 + lane] = s10
+        w[704 + lane] = arm_y
+        w[736 + lane] = arm_x
+        w[768 + lane] = s151
+        w[800 + lane] = s155
+        w[832 + lane] = s159
+
+
+@fast
+def _joints(w, k, n):
+    """Derivatives of a limb's equations by its joint (16 operations)."""
+    wide()
+    px0 = k[9]
+    py0 = k[10]
+    pz0 = k[11]
+    s31 = k[12]
+    s33 = k[13]
+    for lane in range(n):
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        B_x = w[384 + lane]
+        B_y = w[416 + lane]
+        B_z = w[448 + lane]
+        s151 = w[768 + lane]
+        s155 = w[800 + lane]
+        s159 = w[832 + lane]
+        centre_x = px + px0 - tx
+        centre_y = py + py0 - ty
+        centre_z = pz + pz0 - tz
+        C_x = centre_x + s31
+        C_y = centre_y + s33
+        rod_x = -B_x + C_x
+        rod_y = -B_y + C_y
+        rod_z = -B_z + centre_z
+        s161 = rod_x*s151 + rod_y*s155 + rod_z*s159
+        w[352 + lane] = s161
+
+
+@fast
+def _command(w, n):
+    """Newton's step of joints and rotation; how far the equations are from dependent (33 operations)."""
+    wide()
+    for lane in range(n):
+        F00 = w[224 + lane]
+        J00_0 = w[256 + lane]
+        J00_1 = w[288 + lane]
+        J00_2 = w[320 + lane]
+        Q00 = w[352 + lane]
+        F10 = w[1440 + lane]
+        J10_0 = w[1472 + lane]
+        J10_1 = w[1504 + lane]
+        J10_2 = w[1536 + lane]
+        Q10 = w[1568 + lane]
+        F20 = w[2656 + lane]
+        J20_0 = w[2688 + lane]
+        J20_1 = w[2720 + lane]
+        J20_2 = w[2752 + lane]
+        Q20 = w[2784 + lane]
+        s1 = F00/Q00
+        s3 = F10/Q10
+        s5 = F20/Q20
+        s13 = -1.0e-12*(J00_0 * J00_0) - 1.0e-12*(J00_1 * J00_1) - 1.0e-12*(J00_2 * J00_2) + (Q00 * Q00)
+        s21 = -1.0e-12*(J10_0 * J10_0) - 1.0e-12*(J10_1 * J10_1) - 1.0e-12*(J10_2 * J10_2) + (Q10 * Q10)
+        s29 = -1.0e-12*(J20_0 * J20_0) - 1.0e-12*(J20_1 * J20_1) - 1.0e-12*(J20_2 * J20_2) + (Q20 * Q20)
+        w[4128 + lane] = s1
+        w[4160 + lane] = s3
+        w[4192 + lane] = s5
+        w[4224 + lane] = s13
+        w[4256 + lane] = s21
+        w[4288 + lane] = s29
+
+
+@fast
+def _errors(w, k, n):
+    """Derivatives of a limb's equations by errors, by deflections (78 operations)."""
+    wide()
     u_x = k[1]
     u_y = k[2]
     s11 = k[3]
@@ -185,664 +343,961 @@ def _parameters(x, q, tool, k, out):
     s31 = k[12]
     s33 = k[13]
     s77 = k[22]
-    s6 = q + theta0
-    s7 = math.cos(s6)
-    arm_x = s7*u_x
-    arm_y = s7*u_y
-    arm_z = math.sin(s6)
-    B_x = arm_x*s11 + arm_z*s14 + s16
-    B_y = arm_y*s11 + arm_z*s20 + s22
-    B_z = arm_z*s11 + s7*tip_v
-    centre_x = px + px0 - tx
-    centre_y = py + py0 - ty
-    centre_z = pz + pz0 - tz
-    C_x = centre_x + s31
-    C_y = centre_y + s33
-    rod_x = -B_x + C_x
-    rod_y = -B_y + C_y
-    rod_z = -B_z + centre_z
-    s48 = 2*rod_z
-    s49 = 0.5*s48
-    s50 = 2*rod_y
-    s51 = 0.5*s50
-    s52 = 2*rod_x
-    s53 = 0.5*s52
-    s59 = -arm_z*s51
-    s60 = -s11*s51
-    s63 = -arm_z*s53
-    s64 = -s11*s53
-    s73 = -arm_z*(-s49*tip_v + s60*u_y + s64*u_x)
-    s74 = s7*(-s11*s49 - s14*s53 - s20*s51) + s73
-    s75 = -arm_x*s53 - arm_y*s51 - arm_z*s49
-    s80 = s51*u_y + s53*u_x
-    s86 = -s20*s63
-    s87 = s60*s7*u_x
-    s88 = -s64*s7*u_y
-    s89 = s14*s59 - s16*s51 + s22*s53 + s31*s51 - s33*s53 + s86 + s87 + s88
-    s92 = -s49*s7 - s59*u_y - s63*u_x
-    s95 = s51*u_x - s53*u_y
-    out[0] = s75
-    out[1] = s77
-    out[2] = s80
-    out[3] = s74
-    out[4] = s89
-    out[5] = -s80
-    out[6] = s53
-    out[7] = s51
-    out[8] = s49
-    out[9] = s92
-    out[10] = s95
+    for lane in range(n):
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        B_x = w[384 + lane]
+        B_y = w[416 + lane]
+        B_z = w[448 + lane]
+        s7 = w[640 + lane]
+        s10 = w[672 + lane]
+        arm_y = w[704 + lane]
+        arm_x = w[736 + lane]
+        centre_x = px + px0 - tx
+        centre_y = py + py0 - ty
+        centre_z = pz + pz0 - tz
+        C_x = centre_x + s31
+        C_y = centre_y + s33
+        rod_x = -B_x + C_x
+        rod_y = -B_y + C_y
+        rod_z = -B_z + centre_z
+        s48 = 2*rod_z
+        s49 = 0.5*s48
+        s50 = 2*rod_y
+        s51 = 0.5*s50
+        s52 = 2*rod_x
+        s53 = 0.5*s52
+        s59 = -s10*s51
+        s60 = -s11*s51
+        s63 = -s10*s53
+        s64 = -s11*s53
+        s73 = -s10*(-s49*tip_v + s60*u_y + s64*u_x)
+        s74 = s7*(-s11*s49 - s14*s53 - s20*s51) + s73
+        s75 = -arm_x*s53 - arm_y*s51 - s10*s49
+        s80 = s51*u_y + s53*u_x
+        s86 = -s20*s63
+        s87 = s60*s7*u_x
+        s88 = -s64*s7*u_y
+        s89 = s14*s59 - s16*s51 + s22*s53 + s31*s51 - s33*s53 + s86 + s87 + s88
+        s92 = -s49*s7 - s59*u_y - s63*u_x
+        s95 = s51*u_x - s53*u_y
+        w[864 + lane] = s75
+        w[896 + lane] = s77
+        w[928 + lane] = s80
+        w[960 + lane] = s74
+        w[992 + lane] = s89
+        w[1024 + lane] = -s80
+        w[1056 + lane] = s53
+        w[1088 + lane] = s51
+        w[1120 + lane] = s49
+        w[1152 + lane] = s92
+        w[1184 + lane] = s95
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _sphere(x, q, tool, k, out):
-    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (21 operations)."""
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    q = q
-    theta0 = k[0]
-    s11 = k[3]
-    pz0 = k[11]
-    s46 = k[14]
-    s96 = k[15]
-    s98 = k[16]
-    s100 = k[17]
-    s102 = k[18]
-    s6 = q + theta0
-    s7 = math.cos(s6)
-    arm_z = math.sin(s6)
-    s138 = -s7*s98 - s96 + tx
-    s140 = -s100 - s102*s7 + ty
-    s141 = arm_z*s11 - pz0 + tz
-    s148 = 0.5*(s138 * s138) + 0.5*(s140 * s140) + 0.5*(s141 * s141) + s46
-    out[0] = s138
-    out[1] = s140
-    out[2] = s141
-    out[3] = s148
+@fast
+def _inverse_of_rows(w, n):
+    """Minus the inverse of the derivatives, row by row; how far the equations are from dependent (71 operations)."""
+    wide()
+    for lane in range(n):
+        J00_0 = w[256 + lane]
+        J00_1 = w[288 + lane]
+        J00_2 = w[320 + lane]
+        J10_0 = w[1472 + lane]
+        J10_1 = w[1504 + lane]
+        J10_2 = w[1536 + lane]
+        J20_0 = w[2688 + lane]
+        J20_1 = w[2720 + lane]
+        J20_2 = w[2752 + lane]
+        G_cof_00 = J10_1*J20_2 - J10_2*J20_1
+        G_cof_01 = -J10_0*J20_2 + J10_2*J20_0
+        G_cof_02 = J10_0*J20_1 - J10_1*J20_0
+        G_cof_10 = -J00_1*J20_2 + J00_2*J20_1
+        G_cof_11 = J00_0*J20_2 - J00_2*J20_0
+        G_cof_12 = -J00_0*J20_1 + J00_1*J20_0
+        G_cof_20 = J00_1*J10_2 - J00_2*J10_1
+        G_cof_21 = -J00_0*J10_2 + J00_2*J10_0
+        G_cof_22 = J00_0*J10_1 - J00_1*J10_0
+        G_det_00 = G_cof_00*J00_0 + G_cof_01*J00_1 + G_cof_02*J00_2
+        G_by_00 = (1.0 / G_det_00)
+        G_inv_00 = G_by_00*G_cof_00
+        G_inv_01 = G_by_00*G_cof_10
+        G_inv_02 = G_by_00*G_cof_20
+        G_inv_10 = G_by_00*G_cof_01
+        G_inv_11 = G_by_00*G_cof_11
+        G_inv_12 = G_by_00*G_cof_21
+        G_inv_20 = G_by_00*G_cof_02
+        G_inv_21 = G_by_00*G_cof_12
+        G_inv_22 = G_by_00*G_cof_22
+        s61 = (J10_0 * J10_0) + (J10_1 * J10_1) + (J10_2 * J10_2)
+        s65 = (J20_0 * J20_0) + (J20_1 * J20_1) + (J20_2 * J20_2)
+        s67 = (G_det_00 * G_det_00) - 1.0e-12*s61*s65*((J00_0 * J00_0) + (J00_1 * J00_1) + (J00_2 * J00_2))
+        w[3808 + lane] = -G_inv_00
+        w[3840 + lane] = -G_inv_01
+        w[3872 + lane] = -G_inv_02
+        w[3904 + lane] = -G_inv_10
+        w[3936 + lane] = -G_inv_11
+        w[3968 + lane] = -G_inv_12
+        w[4000 + lane] = -G_inv_20
+        w[4032 + lane] = -G_inv_21
+        w[4064 + lane] = -G_inv_22
+        w[4096 + lane] = s67
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _joint(x, q, tool, k, out):
-    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it (35 operations)."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    theta0 = k[0]
-    pz0 = k[11]
-    s96 = k[15]
-    s98 = k[16]
-    s100 = k[17]
-    s102 = k[18]
-    s117 = k[19]
-    s124 = k[20]
-    s129 = k[21]
-    centre_z = pz + pz0 - tz
-    s97 = px + s96 - tx
-    s101 = py + s100 - ty
-    s104 = s101*s102 + s97*s98
-    s106 = (centre_z * centre_z)
-    s118 = 0.5*(s101 * s101) + 0.5*s106 + s117 + 0.5*(s97 * s97)
-    s127 = math.sqrt((s104 * s104) + s106*s124 - (s118 * s118))
-    s136 = -theta0 + math.atan2(centre_z*s118*s129 + s104*s127, centre_z*s127*s129 - s104*s118)
-    out[0] = s136
+@fast
+def _move(w, n):
+    """The platform after a step, and its rotation matrix (6 operations)."""
+    wide()
+    for lane in range(n):
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        y0 = w[3648 + lane]
+        y1 = w[3680 + lane]
+        y2 = w[3712 + lane]
+        going = w[3776 + lane]
+        new_00 = -going*y0 + px
+        new_10 = -going*y1 + py
+        new_20 = -going*y2 + pz
+        w[128 + lane] = new_00
+        w[1344 + lane] = new_00
+        w[2560 + lane] = new_00
+        w[160 + lane] = new_10
+        w[1376 + lane] = new_10
+        w[2592 + lane] = new_10
+        w[192 + lane] = new_20
+        w[1408 + lane] = new_20
+        w[2624 + lane] = new_20
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _closure(x, q, tool, k, out, F, J_x, J_q):
-    """Fill closure F (3,), J_x (3, 3) and the joints' part J_q (3,) of one pose; k (3, :), out scratch."""
-    for i in range(3):
-        _newton(x, q[i], tool, k[i], out)
-        for j in range(1):
-            row, start = 1 * i + j, 5 * j
-            F[row] = out[start]
-            for c in range(3):
-                J_x[row, c] = out[start + 1 + c]
-            J_q[row] = out[start + 4]
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def _solve(A, B, columns):
-    """Solve A X = B in place by Gauss elimination with partial pivoting; X takes the place of B.
-
-    Returns False where a pivot falls below PIVOT_SINGULAR of the largest entry of A: then A is singular to that tolerance.
-    """
-    largest = 0.0
-    for r in range(3):
-        for c in range(3):
-            largest = max(largest, abs(A[r, c]))
-    for c in range(3):
-        pivot = c
-        for r in range(c + 1, 3):
-            if abs(A[r, c]) > abs(A[pivot, c]):
-                pivot = r
-        if not abs(A[pivot, c]) > PIVOT_SINGULAR * largest:
-            return False
-        if pivot != c:
-            for j in range(c, 3):
-                A[c, j], A[pivot, j] = A[pivot, j], A[c, j]
-            for j in range(columns):
-                B[c, j], B[pivot, j] = B[pivot, j], B[c, j]
-        inverse = 1.0 / A[c, c]
-        for r in range(c + 1, 3):
-            factor = A[r, c] * inverse
-            if factor != 0.0:
-                for j in range(c + 1, 3):
-                    A[r, j] -= factor * A[c, j]
-                for j in range(columns):
-                    B[r, j] -= factor * B[c, j]
-    for c in range(2, -1, -1):
-        inverse = 1.0 / A[c, c]
-        for j in range(columns):
-            B[c, j] *= inverse
-        for r in range(c):
-            factor = A[r, c]
-            if factor != 0.0:
-                for j in range(columns):
-                    B[r, j] -= factor * B[c, j]
-    return True
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def _stuck(F):
-    """Return what a pose is where Newton's matrix is singular: SINGULAR if its loops are closed, else UNREACHABLE."""
-    for r in range(3):
-        if not abs(F[r]) < CLOSED:
-            return UNREACHABLE
-    return SINGULAR
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def jacobians(x, q, tool, k, F, J_x, J_q, J_p):
-    """Fill the closure F (N, 3) and its Jacobians J_x (N, 3, 3), J_q (N, 3), J_p (N, 3, 11).
-
-    Rows 1 i .. 1 i + 0 belong to limb i and depend on its own joint, errors and deflections only:
-    J_q and J_p hold the derivatives by those.
-    """
-    out, by_errors = np.zeros(5), np.zeros(11)
-    for n in range(x.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        _closure(x[n], q[n], tool[n], k[m], out, F[n], J_x[n], J_q[n])
-        for i in range(3):
-            _parameters(x[n], q[n, i], tool[n], k[m, i], by_errors)
-            for j in range(1):
-                for c in range(11):
-                    J_p[n, 1 * i + j, c] = by_errors[11 * j + c]
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def _meet(sphere, pose):
-    """Put the position where three spheres meet into pose[:3]; False where their centres lie on one line.
+@fast
+def _meet(w, n):
+    """Put the platform where three spheres meet.
 
     Differences of the spheres are planes; two planes are a line, on which the first sphere is a quadratic. Where the
     line misses the sphere its nearest point is taken: the exact machine may still reach what the simplified one
     cannot.
     """
-    ax, ay, az = sphere[1, 0] - sphere[0, 0], sphere[1, 1] - sphere[0, 1], sphere[1, 2] - sphere[0, 2]
-    bx, by, bz = sphere[2, 0] - sphere[0, 0], sphere[2, 1] - sphere[0, 1], sphere[2, 2] - sphere[0, 2]
-    da, db = sphere[1, 3] - sphere[0, 3], sphere[2, 3] - sphere[0, 3]
-    nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-    nn = nx * nx + ny * ny + nz * nz
-    aa = ax * ax + ay * ay + az * az
-    bb = bx * bx + by * by + bz * bz
-    if not nn > PIVOT_SINGULAR * aa * bb:
-        return False
-    # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
-    ab = ax * bx + ay * by + az * bz
-    u = (da * bb - db * ab) / nn
-    v = (db * aa - da * ab) / nn
-    px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
-    # |P + t n|^2 / 2 - c.(P + t n) + d = 0
-    half = (px * nx + py * ny + pz * nz) - (sphere[0, 0] * nx + sphere[0, 1] * ny + sphere[0, 2] * nz)
-    rest = 0.5 * (px * px + py * py + pz * pz) - (sphere[0, 0] * px + sphere[0, 1] * py + sphere[0, 2] * pz) + sphere[0, 3]
-    root = math.sqrt(max(half * half - 2.0 * nn * rest, 0.0))
-    sign = 1.0 if nz > 0.0 else -1.0
-    t = (-half + sign * root) / nn
-    pose[0], pose[1], pose[2] = px + t * nx, py + t * ny, pz + t * nz
-    return True
+    wide()
+    for lane in range(n):
+        ox, oy, oz, od = w[480 + lane], w[512 + lane], w[544 + lane], w[576 + lane]
+        ax, ay, az, ad = w[1696 + lane], w[1728 + lane], w[1760 + lane], w[1792 + lane]
+        bx, by, bz, bd = w[2912 + lane], w[2944 + lane], w[2976 + lane], w[3008 + lane]
+        ax, ay, az, da = ax - ox, ay - oy, az - oz, ad - od
+        bx, by, bz, db = bx - ox, by - oy, bz - oz, bd - od
+        nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+        aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
+        nn = nx * nx + ny * ny + nz * nz
+        inverse = 1.0 / nn
+        # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
+        u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
+        px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
+        # |P + t n|^2 / 2 - c.(P + t n) + d = 0
+        half = ((px - ox) * nx + (py - oy) * ny + (pz - oz) * nz) * inverse
+        rest = 0.5 * (px * px + py * py + pz * pz) - (ox * px + oy * py + oz * pz) + od
+        square = half * half - 2.0 * rest * inverse
+        good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
+        w[3776 + lane] = 0.0 if good else 1.0
+        root = math.sqrt(square if square > 0.0 else 0.0)
+        t = (root if nz > 0.0 else -root) - half
+        w[128 + lane] = px + t * nx
+        w[160 + lane] = py + t * ny
+        w[192 + lane] = pz + t * nz
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@fast
+def _settle(w, n):
+    """Mark the poses for which this step was the last; return how many go on."""
+    wide()
+    left = 0
+    for lane in range(n):
+        done = (w[3744 + lane] > 0.0)
+        done = done & (abs(w[3648 + lane]) < STEP_DONE)
+        done = done & (abs(w[3680 + lane]) < STEP_DONE)
+        done = done & (abs(w[3712 + lane]) < STEP_DONE)
+
+        going = 0.0 if done | (w[3776 + lane] == 0.0) else 1.0
+        w[3776 + lane] = going
+        left += 1 if going == 1.0 else 0
+    return left
+
+
+@fast
+def _settle_joints(w, n):
+    """Mark the poses for which this step was the last; return how many go on."""
+    wide()
+    left = 0
+    for lane in range(n):
+        done = (w[4224 + lane] > 0.0)
+        done = done & (w[4256 + lane] > 0.0)
+        done = done & (w[4288 + lane] > 0.0)
+        done = done & (abs(w[4128 + lane]) < TURN_DONE)
+        done = done & (abs(w[4160 + lane]) < TURN_DONE)
+        done = done & (abs(w[4192 + lane]) < TURN_DONE)
+
+
+        going = 0.0 if done | (w[3776 + lane] == 0.0) else 1.0
+        w[3776 + lane] = going
+        left += 1 if going == 1.0 else 0
+    return left
+
+
+@fast
+def _begin(w, n):
+    """Let all poses go."""
+    for lane in range(n):
+        w[3776 + lane] = 1.0
+        w[3648 + lane] = 0.0
+        w[3680 + lane] = 0.0
+        w[3712 + lane] = 0.0
+
+
+@fast
+def _started(w, n):
+    """Take joints, and coordinates that no command asks for, from the simplified machine."""
+    for lane in range(n):
+        w[3776 + lane] = 0.0 if (abs(w[608 + lane]) < math.inf) & (abs(w[1824 + lane]) < math.inf) & (abs(w[3040 + lane]) < math.inf) else 1.0
+        w[0 + lane] = w[608 + lane]
+        w[1216 + lane] = w[1824 + lane]
+        w[2432 + lane] = w[3040 + lane]
+
+
+@fast
+def _turn_joints(w, n):
+    """Move the joints by a step; what it does to the platform is left to `_move`."""
+    for lane in range(n):
+        going = w[3776 + lane]
+        w[0 + lane] -= going * w[4128 + lane]
+        w[1216 + lane] -= going * w[4160 + lane]
+        w[2432 + lane] -= going * w[4192 + lane]
+
+@fast
+def _load(q, w, first, last, n):
+    """Put joints of poses side by side, the last one again for the rest of `n`."""
+    wide()
+    for lane in range(n):
+        m = min(first + lane, last)
+        w[0 + lane] = q[m, 0]
+        w[1216 + lane] = q[m, 1]
+        w[2432 + lane] = q[m, 2]
+
+
+@fast
+def _hold(tool, w, first, last, n):
+    """Put tools of poses side by side, like `_load`."""
+    wide()
+    for lane in range(n):
+        m = min(first + lane, last)
+        at = tool[m, 0]
+        w[32 + lane] = at
+        w[1248 + lane] = at
+        w[2464 + lane] = at
+        at = tool[m, 1]
+        w[64 + lane] = at
+        w[1280 + lane] = at
+        w[2496 + lane] = at
+        at = tool[m, 2]
+        w[96 + lane] = at
+        w[1312 + lane] = at
+        w[2528 + lane] = at
+
+
+@fast
+def _place(x, w, first, last, n):
+    """Put platform poses side by side, like `_load`."""
+    wide()
+    for lane in range(n):
+        m = min(first + lane, last)
+        w[128 + lane] = x[m, 0]
+        w[160 + lane] = x[m, 1]
+        w[192 + lane] = x[m, 2]
+
+
+@fast
+def _unload(w, x, status, first, last):
+    """Write the platform's poses, and what became of them; return how many are left open."""
+    wide()
+    left = 0
+    for lane in range(last - first + 1):
+        x[first + lane, 0] = w[128 + lane]
+        x[first + lane, 1] = w[160 + lane]
+        x[first + lane, 2] = w[192 + lane]
+        is_open = w[3776 + lane] != 0.0
+        status[first + lane] = OPEN if is_open else SOLVED
+        left += 1 if is_open else 0
+    return left
+
+
+@fast
+def _unload_joints(w, q, first, last):
+    wide()
+    for lane in range(last - first + 1):
+        q[first + lane, 0] = w[0 + lane]
+        q[first + lane, 1] = w[1216 + lane]
+        q[first + lane, 2] = w[2432 + lane]
+
+
+@fast
+def _forward(q, tool, k, x, status, warm, w):
+    w_1 = w[0:1216]
+    w_2 = w[1216:2432]
+    w_3 = w[2432:3648]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        k_3 = k[m, 2]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(q, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _early(w_1, k_1, n)
+            _early(w_2, k_2, n)
+            _early(w_3, k_3, n)
+            if warm:
+                _place(x, w, first, last, n)
+            else:
+                _meet(w, n)
+            _begin(w, n)
+            _move(w, n)
+            for _ in range(MAX_STEPS):
+                _rows(w_1, k_1, n)
+                _rows(w_2, k_2, n)
+                _rows(w_3, k_3, n)
+                _step(w, n)
+                _move(w, n)
+                if _settle(w, n) == 0:
+                    break
+            left += _unload(w, x, status, first, last)
+    return left
+
+
+def _of(values, chosen, poses):
+    """Return what belongs to the chosen poses of constants or tools, of which there may be fewer than poses."""
+    return values[chosen // (poses // len(values))]
+
+
 def forward(q, tool, k, x, status, warm):
     """Fill x (N, 3) with the exact platform pose at the joints q, by Newton from the simplified machine, or from x where warm.
 
     status (N,): SOLVED, UNREACHABLE (no platform pose closes all loops) or SINGULAR; x is NaN unless SOLVED.
     """
-    F, J_q = np.empty(3), np.empty(3)
-    J_x = np.empty((3, 3))
-    step = np.empty((3, 1))
-    out = np.zeros(5)
-    pose = np.zeros(3)
-    sphere = np.empty((3, 4))
-    for n in range(q.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        seeded = True
-        for c in range(3):
-            pose[c] = x[n, c] if warm else 0.0
-            seeded = seeded and math.isfinite(pose[c])
-        if not (warm and seeded):
-            pose[:] = 0.0
-            for i in range(3):
-                _sphere(pose, q[n, i], tool[n], k[m, i], sphere[i])
-            seeded = _meet(sphere, pose)
-        status[n] = UNREACHABLE if seeded else SINGULAR
-        for _ in range(MAX_STEPS if seeded else 0):
-            _closure(pose, q[n], tool[n], k[m], out, F, J_x, J_q)
-            for r in range(3):
-                step[r, 0] = F[r]
-            if not _solve(J_x, step, 1):
-                status[n] = _stuck(F)
-                break
-            size = 0.0
-            for c in range(3):
-                pose[c] -= step[c, 0]
-                size = max(size, abs(step[c, 0]))
-            if size < STEP_DONE:
-                status[n] = SOLVED
-                break
-            if not size < STEP_LOST:
-                break
-        for c in range(3):
-            x[n, c] = pose[c] if status[n] == SOLVED else np.nan
+    given = x.copy() if warm else x
+    if _forward(q, tool, k, x, status, warm, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        of, found = np.zeros(len(left), dtype=np.int64), given[left]
+        vectorised.forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, warm)
+        x[left], status[left] = found, of
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@fast
+def _inverse(target, tool, k, x, q, status, w):
+    w_1 = w[0:1216]
+    w_2 = w[1216:2432]
+    w_3 = w[2432:3648]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        k_3 = k[m, 2]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(target, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _aim(w, n)
+            _start(w_1, k_1, n)
+            _start(w_2, k_2, n)
+            _start(w_3, k_3, n)
+            _started(w, n)
+            _begin(w, n)
+            _move(w, n)
+            for _ in range(MAX_STEPS):
+                _early(w_1, k_1, n)
+                _more(w_1, k_1, n)
+                _rows(w_1, k_1, n)
+                _joints(w_1, k_1, n)
+                _early(w_2, k_2, n)
+                _more(w_2, k_2, n)
+                _rows(w_2, k_2, n)
+                _joints(w_2, k_2, n)
+                _early(w_3, k_3, n)
+                _more(w_3, k_3, n)
+                _rows(w_3, k_3, n)
+                _joints(w_3, k_3, n)
+                _command(w, n)
+                _turn_joints(w, n)
+                _move(w, n)
+                if _settle_joints(w, n) == 0:
+                    break
+            left += _unload(w, x, status, first, last)
+            _unload_joints(w, q, first, last)
+    return left
+
+
 def inverse(target, tool, k, x, q, status):
     """Fill the joints q (N, 3) that bring the reference point to target (N, 3), and the pose x (N, 3) it then has.
 
     Newton on the joints and the platform's rotation from the simplified machine. status as in `forward`; UNREACHABLE
     where the target lies beyond the reach of a limb.
     """
-    F, J_q = np.empty(3), np.empty(3)
-    J_x = np.empty((3, 3))
-    A = np.empty((3, 3))
-    step = np.empty((3, 1))
-    out = np.zeros(5)
-    pose, joints, start = np.zeros(3), np.empty(3), np.zeros(1)
-    for n in range(target.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        pose[:] = 0.0
-        for c in range(3):
-            pose[c] = target[n, c]
-        seeded = True
-        for i in range(3):
-            _joint(pose, 0.0, tool[n], k[m, i], start)
-            joints[i] = start[0]
-            seeded = seeded and math.isfinite(joints[i])
-        status[n] = UNREACHABLE
-        for _ in range(MAX_STEPS if seeded else 0):
-            _closure(pose, joints, tool[n], k[m], out, F, J_x, J_q)
-            A[:] = 0.0
-            for r in range(3):
-                A[r, r // 1] = J_q[r]
-                for c in range(0):
-                    A[r, 3 + c] = J_x[r, 3 + c]
-                step[r, 0] = F[r]
-            if not _solve(A, step, 1):
-                status[n] = _stuck(F)
-                break
-            size = 0.0
-            for c in range(3):
-                joints[c] -= step[c, 0]
-                size = max(size, abs(step[c, 0]))
-            for c in range(0):
-                pose[3 + c] -= step[3 + c, 0]
-                size = max(size, abs(step[3 + c, 0]))
-            if size < STEP_DONE * ANGLE_STEP:
-                status[n] = SOLVED
-                break
-            if not size < STEP_LOST:
-                break
-        for c in range(3):
-            q[n, c] = joints[c] if status[n] == SOLVED else np.nan
-        for c in range(3):
-            x[n, c] = pose[c] if status[n] == SOLVED else np.nan
+    if _inverse(target, tool, k, x, q, status, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        found, joints, of = np.empty((len(left), 3)), np.empty((len(left), 3)), np.zeros(len(left), dtype=np.int64)
+        vectorised.inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
+        x[left], q[left], status[left] = found, joints, of
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@fast
+def _simplified_forward(q, tool, k, x, status, w):
+    w_1 = w[0:1216]
+    w_2 = w[1216:2432]
+    w_3 = w[2432:3648]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        k_3 = k[m, 2]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(q, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _sphere(w_1, k_1, n)
+            _sphere(w_2, k_2, n)
+            _sphere(w_3, k_3, n)
+            _meet(w, n)
+            left += _unload(w, x, status, first, last)
+    return left
+
+
+def simplified_forward(q, tool, k, x, status):
+    """`forward` of the simplified machine, in closed form: exact where tip_v, tip_w are zero."""
+    if _simplified_forward(q, tool, k, x, status, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        found, of = np.empty((len(left), 3)), np.empty(len(left), dtype=np.int64)
+        forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, False)
+        x[left], status[left] = found, of
+
+
+@fast
+def _simplified_inverse(target, tool, k, x, q, status, w):
+    w_1 = w[0:1216]
+    w_2 = w[1216:2432]
+    w_3 = w[2432:3648]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        k_3 = k[m, 2]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(target, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _aim(w, n)
+            _start(w_1, k_1, n)
+            _start(w_2, k_2, n)
+            _start(w_3, k_3, n)
+            _started(w, n)
+            left += _unload(w, x, status, first, last)
+            _unload_joints(w, q, first, last)
+    return left
+
+
+def simplified_inverse(target, tool, k, x, q, status):
+    """`inverse` of the simplified machine, in closed form; see `simplified_forward`."""
+    if _simplified_inverse(target, tool, k, x, q, status, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        found, joints, of = np.empty((len(left), 3)), np.empty((len(left), 3)), np.empty(len(left), dtype=np.int64)
+        inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
+        x[left], q[left], status[left] = found, joints, of
+
+
+@fast
+def _aim(w, n):
+    """Put targets, which were loaded as joints, where the limbs read the platform."""
+    for lane in range(n):
+        at = w[0 + lane]
+        w[128 + lane] = at
+        w[1344 + lane] = at
+        w[2560 + lane] = at
+        at = w[1216 + lane]
+        w[160 + lane] = at
+        w[1376 + lane] = at
+        w[2592 + lane] = at
+        at = w[2432 + lane]
+        w[192 + lane] = at
+        w[1408 + lane] = at
+        w[2624 + lane] = at
+
+
+@fast
+def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
+    w_1 = w[0:1216]
+    w_2 = w[1216:2432]
+    w_3 = w[2432:3648]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    left, machines = 0, k.shape[0]
+    each = status.size // machines
+    for m in range(machines):
+        k_1 = k[m, 0]
+        k_2 = k[m, 1]
+        k_3 = k[m, 2]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            _load(q, w, first, last, n)
+            if len(tool) > 1:
+                _hold(tool, w, first, last, n)
+            _place(x, w, first, last, n)
+            _begin(w, n)
+            _move(w, n)
+            _early(w_1, k_1, n)
+            _more(w_1, k_1, n)
+            _rows(w_1, k_1, n)
+            _joints(w_1, k_1, n)
+            _errors(w_1, k_1, n)
+            _early(w_2, k_2, n)
+            _more(w_2, k_2, n)
+            _rows(w_2, k_2, n)
+            _joints(w_2, k_2, n)
+            _errors(w_2, k_2, n)
+            _early(w_3, k_3, n)
+            _more(w_3, k_3, n)
+            _rows(w_3, k_3, n)
+            _joints(w_3, k_3, n)
+            _errors(w_3, k_3, n)
+            _inverse_of_rows(w, n)
+            left += _products(w, S_p, S_q, status, first, last)
+    return left
+
+
+@fast
+def _products(w, S_p, S_q, status, first, last):
+    """Multiply the inverse and the derivatives by errors and joints, pose by pose; return how many are left open."""
+    wide()
+    left = 0
+    for lane in range(last - first + 1):
+        m = first + lane
+        e_0_0 = w[864 + lane]
+        e_0_1 = w[896 + lane]
+        e_0_2 = w[928 + lane]
+        e_0_3 = w[960 + lane]
+        e_0_4 = w[992 + lane]
+        e_0_5 = w[1024 + lane]
+        e_0_6 = w[1056 + lane]
+        e_0_7 = w[1088 + lane]
+        e_0_8 = w[1120 + lane]
+        e_0_9 = w[1152 + lane]
+        e_0_10 = w[1184 + lane]
+        q_0 = w[352 + lane]
+        for r in range(3):
+            a_0 = w[96 * r + (3808 + lane)]
+            S_p[m, r, 0] = a_0 * e_0_0
+            S_p[m, r, 1] = a_0 * e_0_1
+            S_p[m, r, 2] = a_0 * e_0_2
+            S_p[m, r, 3] = a_0 * e_0_3
+            S_p[m, r, 4] = a_0 * e_0_4
+            S_p[m, r, 5] = a_0 * e_0_5
+            S_p[m, r, 6] = a_0 * e_0_6
+            S_p[m, r, 7] = a_0 * e_0_7
+            S_p[m, r, 8] = a_0 * e_0_8
+            S_p[m, r, 9] = a_0 * e_0_9
+            S_p[m, r, 10] = a_0 * e_0_10
+            S_q[m, r, 0] = a_0 * q_0
+        e_0_0 = w[2080 + lane]
+        e_0_1 = w[2112 + lane]
+        e_0_2 = w[2144 + lane]
+        e_0_3 = w[2176 + lane]
+        e_0_4 = w[2208 + lane]
+        e_0_5 = w[2240 + lane]
+        e_0_6 = w[2272 + lane]
+        e_0_7 = w[2304 + lane]
+        e_0_8 = w[2336 + lane]
+        e_0_9 = w[2368 + lane]
+        e_0_10 = w[2400 + lane]
+        q_0 = w[1568 + lane]
+        for r in range(3):
+            a_0 = w[96 * r + (3840 + lane)]
+            S_p[m, r, 11] = a_0 * e_0_0
+            S_p[m, r, 12] = a_0 * e_0_1
+            S_p[m, r, 13] = a_0 * e_0_2
+            S_p[m, r, 14] = a_0 * e_0_3
+            S_p[m, r, 15] = a_0 * e_0_4
+            S_p[m, r, 16] = a_0 * e_0_5
+            S_p[m, r, 17] = a_0 * e_0_6
+            S_p[m, r, 18] = a_0 * e_0_7
+            S_p[m, r, 19] = a_0 * e_0_8
+            S_p[m, r, 20] = a_0 * e_0_9
+            S_p[m, r, 21] = a_0 * e_0_10
+            S_q[m, r, 1] = a_0 * q_0
+        e_0_0 = w[3296 + lane]
+        e_0_1 = w[3328 + lane]
+        e_0_2 = w[3360 + lane]
+        e_0_3 = w[3392 + lane]
+        e_0_4 = w[3424 + lane]
+        e_0_5 = w[3456 + lane]
+        e_0_6 = w[3488 + lane]
+        e_0_7 = w[3520 + lane]
+        e_0_8 = w[3552 + lane]
+        e_0_9 = w[3584 + lane]
+        e_0_10 = w[3616 + lane]
+        q_0 = w[2784 + lane]
+        for r in range(3):
+            a_0 = w[96 * r + (3872 + lane)]
+            S_p[m, r, 22] = a_0 * e_0_0
+            S_p[m, r, 23] = a_0 * e_0_1
+            S_p[m, r, 24] = a_0 * e_0_2
+            S_p[m, r, 25] = a_0 * e_0_3
+            S_p[m, r, 26] = a_0 * e_0_4
+            S_p[m, r, 27] = a_0 * e_0_5
+            S_p[m, r, 28] = a_0 * e_0_6
+            S_p[m, r, 29] = a_0 * e_0_7
+            S_p[m, r, 30] = a_0 * e_0_8
+            S_p[m, r, 31] = a_0 * e_0_9
+            S_p[m, r, 32] = a_0 * e_0_10
+            S_q[m, r, 2] = a_0 * q_0
+        regular = True
+        regular = regular & (w[4096 + lane] > 0.0)
+        status[m] = SOLVED if regular else OPEN
+        left += 0 if regular else 1
+    return left
+
+
 def sensitivity(x, q, tool, k, S_p, S_q, status):
     """Fill the derivatives of the exact pose: S_p (N, 3, 33) by errors and deflections, S_q (N, 3, 3) by joints.
 
-    ``J_x S = -J``. Columns of S_p run limb by limb. S_q is the velocity Jacobian.
+    Rows are px, py, pz, then turns of the platform about the axes of {O}. Columns of S_p run limb by limb. S_q is the velocity
+    Jacobian.
     """
-    F, J_q = np.empty(3), np.empty(3)
-    J_x = np.empty((3, 3))
-    unit = np.empty((3, 3))
-    out = np.zeros(5)
-    J_p = np.zeros(11)
-    for n in range(x.shape[0]):
-        m = n if k.shape[0] > 1 else 0
-        _closure(x[n], q[n], tool[n], k[m], out, F, J_x, J_q)
-        unit[:] = 0.0
-        for r in range(3):
-            unit[r, r] = -1.0
-        status[n] = SOLVED if _solve(J_x, unit, 3) else SINGULAR
-        for i in range(3):
-            _parameters(x[n], q[n, i], tool[n], k[m, i], J_p)
-            for r in range(3):
-                for c in range(11):
-                    total = 0.0
-                    for j in range(1):
-                        total += unit[r, 1 * i + j] * J_p[11 * j + c]
-                    S_p[n, r, 11 * i + c] = total if status[n] == SOLVED else np.nan
-                total = 0.0
-                for j in range(1):
-                    total += unit[r, 1 * i + j] * J_q[1 * i + j]
-                S_q[n, r, i] = total if status[n] == SOLVED else np.nan
+    if _sensitivity(x, q, tool, k, S_p, S_q, status, scratch(WORK)):
+        left = np.flatnonzero(status == OPEN)
+        by_errors, by_joints, of = np.empty((len(left), 3, 33)), np.empty((len(left), 3, 3)), np.zeros(len(left), dtype=np.int64)
+        vectorised.sensitivity(x[left], q[left], _of(tool, left, len(status)), _of(k, left, len(status)), by_errors, by_joints, of)
+        S_p[left], S_q[left], status[left] = by_errors, by_joints, of
 
 
-def linear_constants(p):
-    """Return k (M, 3, 28), what `linear` reads that no pose changes, from p (55 operations).
+def nominal_constants(p):
+    """Return k (M, 3, 14), what `nominal_sensitivity` reads that no pose changes, from p (14 operations).
 
-    p is that of the calibrated machine: its geometry is taken as nominal, its errors as what to compensate.
+    p is that of the nominal machine; errors and deflections in it play no part.
     """
-    k = np.zeros((p.shape[0], 3, 28))
+    k = np.zeros((p.shape[0], 3, 14))
     a = p[..., 0]
     b = p[..., 1]
     h = p[..., 2]
     H = p[..., 3]
     phi = p[..., 4]
-    da = p[..., 8]
-    db = p[..., 9]
-    dh = p[..., 10]
-    theta0 = p[..., 11]
-    dphi = p[..., 12]
-    dH = p[..., 13]
-    px0 = p[..., 14]
-    py0 = p[..., 15]
-    pz0 = p[..., 16]
-    tip_v = p[..., 17]
-    tip_w = p[..., 18]
     u_x = np.cos(phi)
     s1 = np.sin(phi)
-    u_x_errors = -dphi*s1
     u_y = np.sin(phi)
-    u_y_errors = dphi*u_x
+    u_y_dphi = np.cos(phi)
     A_x = H*u_x
-    A_x_errors = H*u_x_errors + dH*u_x
+    A_x_dphi = -H*s1
     A_y = H*u_y
-    A_y_errors = H*u_y_errors + dH*u_y
-    s18 = -theta0*u_x
-    s24 = -theta0*u_y
-    s36 = -tip_v*u_x
-    s38 = A_x_errors + tip_w*u_y
-    s46 = -tip_v*u_y
-    s48 = A_y_errors - tip_w*u_x
-    s59 = h*u_x
-    C_x_errors = dh*u_x + h*u_x_errors + px0
-    s64 = h*u_y
-    C_y_errors = dh*u_y + h*u_y_errors + py0
-    s75 = -A_x + s59
-    s77 = -a*u_x
-    s81 = -H*s1 + h*s1
-    s83 = -a*s1
-    s95 = (a * a)
-    s100 = -0.5*(b * b) + 0.5*s95*((s1 * s1) + (u_x * u_x))
-    s116 = -b*db
-    k[..., 0] = s75
-    k[..., 1] = s77
-    k[..., 2] = s81
-    k[..., 3] = s83
-    k[..., 4] = s100
-    k[..., 5] = s95
-    k[..., 6] = a
-    k[..., 7] = u_x
-    k[..., 8] = u_x_errors
-    k[..., 9] = s18
-    k[..., 10] = u_y
-    k[..., 11] = u_y_errors
-    k[..., 12] = s24
-    k[..., 13] = theta0
-    k[..., 14] = A_x
-    k[..., 15] = da
-    k[..., 16] = s36
-    k[..., 17] = s38
-    k[..., 18] = A_y
-    k[..., 19] = s46
-    k[..., 20] = s48
-    k[..., 21] = tip_v
-    k[..., 22] = s59
-    k[..., 23] = s64
-    k[..., 24] = C_x_errors
-    k[..., 25] = C_y_errors
-    k[..., 26] = pz0
-    k[..., 27] = s116
+    A_y_dphi = H*u_y_dphi
+    s31 = h*u_x
+    C_x_dphi = -h*s1
+    s34 = h*u_y
+    C_y_dphi = h*u_y_dphi
+    k[..., 0] = u_x
+    k[..., 1] = s1
+    k[..., 2] = u_y
+    k[..., 3] = u_y_dphi
+    k[..., 4] = a
+    k[..., 5] = A_x
+    k[..., 6] = A_x_dphi
+    k[..., 7] = A_y
+    k[..., 8] = A_y_dphi
+    k[..., 9] = s31
+    k[..., 10] = s34
+    k[..., 11] = C_x_dphi
+    k[..., 12] = C_y_dphi
+    k[..., 13] = b
     return k
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _nominal_joint(x, q, tool, k, i, out):
-    """Joint of the nominal limb at a given position (33 operations); limb i of k, row i of out."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    s75 = k[i, 0]
-    s77 = k[i, 1]
-    s81 = k[i, 2]
-    s83 = k[i, 3]
-    s100 = k[i, 4]
-    s95 = k[i, 5]
-    a = k[i, 6]
-    centre_z = pz - tz
-    s76 = px + s75 - tx
-    s82 = py + s81 - ty
-    s85 = s76*s77 + s82*s83
-    s87 = (centre_z * centre_z)
-    s101 = s100 + 0.5*(s76 * s76) + 0.5*(s82 * s82) + 0.5*s87
-    s105 = math.sqrt(-(s101 * s101) + (s85 * s85) + s87*s95)
-    s112 = math.atan2(a*centre_z*s101 + s105*s85, a*centre_z*s105 - s101*s85)
-    row = 1 * i
-    out[row + 0] = s112
+@fast
+def _nominal(w, k, n):
+    """Equations of a nominal limb by platform and errors (53 operations)."""
+    wide()
+    u_x = k[0]
+    s1 = k[1]
+    u_y = k[2]
+    u_y_dphi = k[3]
+    a = k[4]
+    A_x = k[5]
+    A_x_dphi = k[6]
+    A_y = k[7]
+    A_y_dphi = k[8]
+    s31 = k[9]
+    s34 = k[10]
+    C_x_dphi = k[11]
+    C_y_dphi = k[12]
+    b = k[13]
+    for lane in range(n):
+        q = w[0 + lane]
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        s8 = cosine(q)
+        arm_x = s8*u_x
+        s10 = sine(q)
+        arm_x_theta0 = -s10*u_x
+        arm_x_dphi = -s1*s8
+        arm_y = s8*u_y
+        arm_y_theta0 = -s10*u_y
+        arm_y_dphi = s8*u_y_dphi
+        B_x = A_x + a*arm_x
+        B_x_theta0 = a*arm_x_theta0
+        B_x_dphi = A_x_dphi + a*arm_x_dphi
+        B_y = A_y + a*arm_y
+        B_y_theta0 = a*arm_y_theta0
+        B_y_dphi = A_y_dphi + a*arm_y_dphi
+        B_z_theta0 = a*s8
+        centre_x = px - tx
+        centre_y = py - ty
+        centre_z = pz - tz
+        C_x = centre_x + s31
+        C_y = centre_y + s34
+        rod_x = -B_x + C_x
+        rod_x_dphi = -B_x_dphi + C_x_dphi
+        rod_y = -B_y + C_y
+        rod_y_dphi = -B_y_dphi + C_y_dphi
+        rod_z = -a*s10 + centre_z
+        s45 = -arm_x*rod_x - arm_y*rod_y - rod_z*s10
+        s48 = rod_x*u_x + rod_y*u_y
+        s52 = -B_x_theta0*rod_x - B_y_theta0*rod_y - B_z_theta0*rod_z
+        s55 = rod_x*rod_x_dphi + rod_y*rod_y_dphi
+        w[256 + lane] = rod_x
+        w[288 + lane] = rod_y
+        w[320 + lane] = rod_z
+        w[864 + lane] = s45
+        w[896 + lane] = -b
+        w[928 + lane] = s48
+        w[960 + lane] = s52
+        w[992 + lane] = s55
+        w[1024 + lane] = -s48
+        w[1056 + lane] = rod_x
+        w[1088 + lane] = rod_y
+        w[1120 + lane] = rod_z
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _linear(x, q, tool, k, i, out):
-    """Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (65 operations); limb i of k, row i of out."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    a = k[i, 6]
-    u_x = k[i, 7]
-    u_x_errors = k[i, 8]
-    s18 = k[i, 9]
-    u_y = k[i, 10]
-    u_y_errors = k[i, 11]
-    s24 = k[i, 12]
-    theta0 = k[i, 13]
-    A_x = k[i, 14]
-    da = k[i, 15]
-    s36 = k[i, 16]
-    s38 = k[i, 17]
-    A_y = k[i, 18]
-    s46 = k[i, 19]
-    s48 = k[i, 20]
-    tip_v = k[i, 21]
-    s59 = k[i, 22]
-    s64 = k[i, 23]
-    C_x_errors = k[i, 24]
-    C_y_errors = k[i, 25]
-    pz0 = k[i, 26]
-    s116 = k[i, 27]
-    s13 = math.cos(q)
-    arm_x = s13*u_x
-    s15 = math.sin(q)
-    arm_x_q = -s15*u_x
-    arm_x_errors = s13*u_x_errors + s15*s18
-    arm_y = s13*u_y
-    arm_y_q = -s15*u_y
-    arm_y_errors = s13*u_y_errors + s15*s24
-    arm_z = math.sin(q)
-    arm_z_q = math.cos(q)
-    arm_z_errors = s13*theta0
-    B_x = A_x + a*arm_x
-    B_x_q = a*arm_x_q
-    B_x_errors = a*arm_x_errors + arm_x*da + s15*s36 + s38
-    B_y = A_y + a*arm_y
-    B_y_q = a*arm_y_q
-    B_y_errors = a*arm_y_errors + arm_y*da + s15*s46 + s48
-    B_z = a*arm_z
-    B_z_q = a*arm_z_q
-    B_z_errors = a*arm_z_errors + arm_z*da + s13*tip_v
-    centre_x = px - tx
-    centre_y = py - ty
-    centre_z = pz - tz
-    C_x = centre_x + s59
-    C_y = centre_y + s64
-    rod_x = -B_x + C_x
-    rod_x_errors = -B_x_errors + C_x_errors
-    rod_y = -B_y + C_y
-    rod_y_errors = -B_y_errors + C_y_errors
-    rod_z = -B_z + centre_z
-    rod_z_errors = -B_z_errors + pz0
-    s117 = rod_x*rod_x_errors + rod_y*rod_y_errors + rod_z*rod_z_errors + s116
-    s121 = -B_x_q*rod_x - B_y_q*rod_y - B_z_q*rod_z
-    row = 5 * i
-    out[row + 0] = s117
-    out[row + 4] = s121
+@fast
+def _nominal_inverse(w, n):
+    """Minus the inverse of the derivatives, its rows of the position; how far the equations are from dependent (71 operations)."""
+    wide()
+    for lane in range(n):
+        J00_0 = w[256 + lane]
+        J10_0 = w[1472 + lane]
+        J20_0 = w[2688 + lane]
+        J00_1 = w[288 + lane]
+        J10_1 = w[1504 + lane]
+        J20_1 = w[2720 + lane]
+        J00_2 = w[320 + lane]
+        J10_2 = w[1536 + lane]
+        J20_2 = w[2752 + lane]
+        G_cof_00 = J10_1*J20_2 - J10_2*J20_1
+        G_cof_01 = -J10_0*J20_2 + J10_2*J20_0
+        G_cof_02 = J10_0*J20_1 - J10_1*J20_0
+        G_cof_10 = -J00_1*J20_2 + J00_2*J20_1
+        G_cof_11 = J00_0*J20_2 - J00_2*J20_0
+        G_cof_12 = -J00_0*J20_1 + J00_1*J20_0
+        G_cof_20 = J00_1*J10_2 - J00_2*J10_1
+        G_cof_21 = -J00_0*J10_2 + J00_2*J10_0
+        G_cof_22 = J00_0*J10_1 - J00_1*J10_0
+        G_det_00 = G_cof_00*J00_0 + G_cof_01*J00_1 + G_cof_02*J00_2
+        G_by_00 = (1.0 / G_det_00)
+        G_inv_00 = G_by_00*G_cof_00
+        G_inv_01 = G_by_00*G_cof_10
+        G_inv_02 = G_by_00*G_cof_20
+        G_inv_10 = G_by_00*G_cof_01
+        G_inv_11 = G_by_00*G_cof_11
+        G_inv_12 = G_by_00*G_cof_21
+        G_inv_20 = G_by_00*G_cof_02
+        G_inv_21 = G_by_00*G_cof_12
+        G_inv_22 = G_by_00*G_cof_22
+        s49 = (J10_0 * J10_0) + (J10_1 * J10_1) + (J10_2 * J10_2)
+        s53 = (J20_0 * J20_0) + (J20_1 * J20_1) + (J20_2 * J20_2)
+        s55 = (G_det_00 * G_det_00) - 1.0e-12*s49*s53*((J00_0 * J00_0) + (J00_1 * J00_1) + (J00_2 * J00_2))
+        w[3808 + lane] = -G_inv_00
+        w[3840 + lane] = -G_inv_01
+        w[3872 + lane] = -G_inv_02
+        w[3904 + lane] = -G_inv_10
+        w[3936 + lane] = -G_inv_11
+        w[3968 + lane] = -G_inv_12
+        w[4000 + lane] = -G_inv_20
+        w[4032 + lane] = -G_inv_21
+        w[4064 + lane] = -G_inv_22
+        w[4096 + lane] = s55
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _hold(work):
-    """Solve for the changes of joints and rotation that undo the closures while the reference point stays in place.
+@fast
+def _nominal_products(w, S, first, last):
+    """Multiply the inverse and the derivatives by the errors where they do not vanish; False where a pose is not regular."""
+    wide()
+    regular = True
+    for lane in range(last - first + 1):
+        m = first + lane
+        e_0_0 = w[864 + lane]
+        e_0_1 = w[896 + lane]
+        e_0_2 = w[928 + lane]
+        e_0_3 = w[960 + lane]
+        e_0_4 = w[992 + lane]
+        e_0_5 = w[1024 + lane]
+        e_0_6 = w[1056 + lane]
+        e_0_7 = w[1088 + lane]
+        e_0_8 = w[1120 + lane]
+        for r in range(3):
+            a_0 = w[96 * r + (3808 + lane)]
+            S[m, r, 0] = a_0 * e_0_0
+            S[m, r, 1] = a_0 * e_0_1
+            S[m, r, 2] = a_0 * e_0_2
+            S[m, r, 3] = a_0 * e_0_3
+            S[m, r, 4] = a_0 * e_0_4
+            S[m, r, 5] = a_0 * e_0_5
+            S[m, r, 6] = a_0 * e_0_6
+            S[m, r, 7] = a_0 * e_0_7
+            S[m, r, 8] = a_0 * e_0_8
+        e_0_0 = w[2080 + lane]
+        e_0_1 = w[2112 + lane]
+        e_0_2 = w[2144 + lane]
+        e_0_3 = w[2176 + lane]
+        e_0_4 = w[2208 + lane]
+        e_0_5 = w[2240 + lane]
+        e_0_6 = w[2272 + lane]
+        e_0_7 = w[2304 + lane]
+        e_0_8 = w[2336 + lane]
+        for r in range(3):
+            a_0 = w[96 * r + (3840 + lane)]
+            S[m, r, 9] = a_0 * e_0_0
+            S[m, r, 10] = a_0 * e_0_1
+            S[m, r, 11] = a_0 * e_0_2
+            S[m, r, 12] = a_0 * e_0_3
+            S[m, r, 13] = a_0 * e_0_4
+            S[m, r, 14] = a_0 * e_0_5
+            S[m, r, 15] = a_0 * e_0_6
+            S[m, r, 16] = a_0 * e_0_7
+            S[m, r, 17] = a_0 * e_0_8
+        e_0_0 = w[3296 + lane]
+        e_0_1 = w[3328 + lane]
+        e_0_2 = w[3360 + lane]
+        e_0_3 = w[3392 + lane]
+        e_0_4 = w[3424 + lane]
+        e_0_5 = w[3456 + lane]
+        e_0_6 = w[3488 + lane]
+        e_0_7 = w[3520 + lane]
+        e_0_8 = w[3552 + lane]
+        for r in range(3):
+            a_0 = w[96 * r + (3872 + lane)]
+            S[m, r, 18] = a_0 * e_0_0
+            S[m, r, 19] = a_0 * e_0_1
+            S[m, r, 20] = a_0 * e_0_2
+            S[m, r, 21] = a_0 * e_0_3
+            S[m, r, 22] = a_0 * e_0_4
+            S[m, r, 23] = a_0 * e_0_5
+            S[m, r, 24] = a_0 * e_0_6
+            S[m, r, 25] = a_0 * e_0_7
+            S[m, r, 26] = a_0 * e_0_8
+        regular = regular & (w[4096 + lane] > 0.0)
+    return regular
 
-    work: per rod closure, its derivatives by the platform and by the joint; then room for the reduced equations; then
-    the changes. A limb's joint is eliminated with the rod that feels it most; what is left are 0 equations for the
-    rotation. Returns False where a joint is felt by no rod of its limb, or the rotation is not held.
+
+@fast
+def _nominal_sensitivity(x, q, tool, k, S, w):
+    w_1 = w[0:1216]
+    w_2 = w[1216:2432]
+    w_3 = w[2432:3648]
+    if len(tool) == 1:
+        _hold(tool, w, 0, 0, LANES)
+    poses, regular = q.size // 3, True
+    k_1, k_2, k_3 = k[0, 0], k[0, 1], k[0, 2]
+    for first in range(0, poses, LANES):
+        last = min(first + LANES, poses) - 1
+        n = (last - first + 8) // 8 * 8
+        _load(x, w, first, last, n)
+        if len(tool) > 1:
+            _hold(tool, w, first, last, n)
+        _aim(w, n)
+        _load(q, w, first, last, n)
+        _nominal(w_1, k_1, n)
+        _nominal(w_2, k_2, n)
+        _nominal(w_3, k_3, n)
+        _nominal_inverse(w, n)
+        regular = _nominal_products(w, S, first, last) & regular
+    return regular
+
+
+def nominal_sensitivity(x, q, tool, k, S):
+    """Fill S (N, 3, 27) with the derivatives of the nominal machine's position by its errors, limb by limb.
+
+    x (N, 3) is the position of the reference point, q (N, 3) the joints there, tool (N, 3), k from `nominal_constants`.
+    False where the machine is singular at one of the poses, or nearly so. With the errors of one limb in the order of
+    ``parameters.ERRORS``, then ``COMMON``.
     """
-    largest = 0.0
-    for row in range(3):
-        for c in range(4, 5):
-            largest = max(largest, abs(work[5 * row + c]))
-    smallest = PIVOT_SINGULAR * largest
-    target = 15
-    for i in range(3):
-        best = 5 * i
-        for j in range(1, 1):
-            if abs(work[5 * i + 5 * j + 4]) > abs(work[best + 4]):
-                best = 5 * i + 5 * j
-        if not abs(work[best + 4]) > smallest:
-            return False
-        inverse = 1.0 / work[best + 4]
-        for j in range(1):
-            rod = 5 * i + 5 * j
-            if rod != best:
-                factor = work[rod + 4] * inverse
-                for c in range(0):
-                    work[target + c] = work[rod + 4 + c] - factor * work[best + 4 + c]
-                work[target + 0] = work[rod] - factor * work[best]
-                target += 1
-        # the joint's own equation, left to the end: closure and rotation over the joint's derivative
-        for c in range(0):
-            work[5 * i + 4 + c] = work[best + 4 + c] * inverse
-        work[15 + i] = work[best] * inverse
-    for c in range(0):
-        pivot = 15 + 1 * c
-        for r in range(c + 1, 0):
-            if abs(work[15 + 1 * r + c]) > abs(work[pivot + c]):
-                pivot = 15 + 1 * r
-        row = 15 + 1 * c
-        if not abs(work[pivot + c]) > smallest:
-            return False
-        if pivot != row:
-            for j in range(c, 1):
-                work[row + j], work[pivot + j] = work[pivot + j], work[row + j]
-        inverse = 1.0 / work[row + c]
-        for r in range(c + 1, 0):
-            below = 15 + 1 * r
-            factor = work[below + c] * inverse
-            for j in range(c + 1, 1):
-                work[below + j] -= factor * work[row + j]
-    for c in range(-1, -1, -1):
-        row = 15 + 1 * c
-        total = work[row + 0]
-        for j in range(c + 1, 0):
-            total -= work[row + j] * work[18 + j]
-        work[18 + c] = total / work[row + c]
-    for i in range(3):
-        for c in range(0):
-            work[15 + i] -= work[5 * i + 4 + c] * work[18 + c]
-    return True
+    return _nominal_sensitivity(x, q, tool, k, S, scratch(WORK))
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def exact_command(target, tool, k, work, q):
-    """Fill the joints q (3,) that bring the reference point to target (3,); return the status.
+@fast
+def _along(x, C, H):
+    """Fill the rows of all pairs: along the line from one position to the other, the difference of their derivatives."""
+    wide()
+    poses, row = x.shape[0], 0
+    for a in range(poses):
+        for b in range(a + 1, poses):
+            n_0 = x[b, 0] - x[a, 0]
+            n_1 = x[b, 1] - x[a, 1]
+            n_2 = x[b, 2] - x[a, 2]
+            by = 1.0 / math.sqrt(n_0 * n_0 + n_1 * n_1 + n_2 * n_2)
+            for j in range(H.shape[1]):
+                H[row, j] = by * (n_0 * (C[b, 0, j] - C[a, 0, j]) + n_1 * (C[b, 1, j] - C[a, 1, j]) + n_2 * (C[b, 2, j] - C[a, 2, j]))
+            row += 1
 
-    `inverse` for one pose, to be called from a servo loop: tool (3,), k (3, :), scratch work (COMMAND_WORK,).
-    q is NaN unless SOLVED.
+
+@fast
+def _distance_rows(x, q, tool, k, columns, H, S, C, w):
+    regular = _nominal_sensitivity(x, q, tool, k, S, w)
+    for m in range(C.shape[0]):
+        for c in range(3):
+            for j in range(columns.size):
+                C[m, c, j] = S[m, c, columns[j]]
+    _along(x, C, H)
+    return regular
+
+
+def distance_rows(x, q, tool, k, columns, H):
+    """Fill the identification matrix H (N (N - 1) / 2, n) of the distances of all pairs of positions, first with second and so on.
+
+    x, q, tool, k as in `nominal_sensitivity`; columns (n,) of its errors. The sensitivities are contracted pose by pose
+    and not returned. False as there.
     """
-    pose = work[18:]
-    for c in range(3):
-        pose[c] = target[c]
-    for c in range(0):
-        pose[3 + c] = 0.0
-    status = SOLVED
-    for i in range(3):
-        _joint(pose, 0.0, tool, k[i], work)
-        q[i] = work[0]
-        if not math.isfinite(q[i]):
-            status = UNREACHABLE
-    if status == SOLVED:
-        status = UNREACHABLE
-        for _ in range(MAX_STEPS):
-            for i in range(3):
-                _newton(pose, q[i], tool, k[i], work[5 * i : 5 * (i + 1)])
-            if not _hold(work):
-                status = SINGULAR
-                break
-            size = 0.0
-            for i in range(3):
-                q[i] -= work[15 + i]
-                size = max(size, abs(work[15 + i]))
-            for c in range(0):
-                pose[3 + c] -= work[18 + c]
-                size = max(size, abs(work[18 + c]))
-            if size < COMMAND_DONE:
-                status = SOLVED
-                break
-            if not size < STEP_LOST:
-                break
-    if status != SOLVED:
-        for i in range(3):
-            q[i] = np.nan
-    return status
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def linear_command(target, tool, k, work, q):
-    """Fill the joints q (3,) that bring the reference point to target (3,) to first order in the errors; return the status.
-
-    Bai's eqs. (23) and (25): the nominal joints of the target, and the change that keeps the reference point where it
-    is, to first order, when the errors appear. tool (3,), k (3, 28) from `linear_constants`, scratch work
-    (COMMAND_WORK,). q is NaN unless SOLVED.
-    """
-    status = SOLVED
-    for i in range(3):
-        _nominal_joint(target, 0.0, tool, k, i, q)
-        if not math.isfinite(q[i]):
-            status = UNREACHABLE
-    if status == SOLVED:
-        for i in range(3):
-            _linear(target, q[i], tool, k, i, work)
-        if not _hold(work):
-            status = SINGULAR
-    for i in range(3):
-        q[i] = q[i] - work[15 + i] if status == SOLVED else np.nan
-    return status
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def linear_commands(target, tool, k, q, status):
-    """Fill joints q (N, 3) and status (N,) by `linear_command`; target (N, 3) and tool (N, 3), k (M, 3, :)."""
-    work = np.zeros(COMMAND_WORK)
-    for n in range(target.shape[0]):
-        status[n] = linear_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])
+    poses, n = len(x), columns.size
+    work = scratch(3 * poses * (27 + n))
+    S = work[: 81 * poses].reshape(poses, 3, 27)
+    C = work[81 * poses :].reshape(poses, 3, n)
+    return _distance_rows(x, q, tool, k, columns, H, S, C, scratch(WORK))

@@ -1,7 +1,7 @@
 """Tables of `robotennis`: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 703f31b8c0e6b252; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both bfebfe4868dce6aa; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 
@@ -58,6 +58,9 @@ DEFLECTIONS = (
     ("tip_v", "mm", "arm tip displaced normal to the arm, in its plane"),
     ("tip_w", "mm", "arm tip displaced normal to the arm, along the joint axis"),
 )
+
+# columns of a limb's row of p that are zero on the simplified machine, whose positions are closed form
+SMALL = (17, 18, )
 
 # (name, meaning) of what `statics` reads as masses
 MASSES = (

@@ -1,7 +1,7 @@
 """Tables of `simplified_parallelogram`: Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both adc556625659f3b1; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 76b6a3ae1c74775e; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 
@@ -50,6 +50,9 @@ COMMON = (
 # (name, unit, meaning): the last columns, zero on a rigid machine
 DEFLECTIONS = (
 )
+
+# columns of a limb's row of p that are zero on the simplified machine, whose positions are closed form
+SMALL = ()
 
 # (name, meaning) of what `statics` reads as masses
 MASSES = (

@@ -1,7 +1,7 @@
 """Kinematics of `simplified_parallelogram` in plain NumPy: Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both 7b2ba428597b4f21; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 2ec4339555b8417b; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -136,6 +136,15 @@ def _joint(x, q, tool, k):
     return out
 
 
+def _spin(x):
+    """Turn about the axes of {O} by the Cayley vector: (N, 1)."""
+    cz = x[:, 2]
+    s26 = (1.0 / (0.25*(cz * cz) + 1))
+    out = np.zeros((len(x), 1))
+    out[:, 0] = s26
+    return out
+
+
 def _of(k, chosen):
     return k[chosen] if len(k) > 1 else k
 
@@ -240,3 +249,5 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
         J_p = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 3, 2)
         S_p[:, :, 2 * i : 2 * i + 2] = unit[:, :, rows] @ J_p
         S_q[:, :, i] = (unit[:, :, rows] * J_q[:, None, rows]).sum(axis=2)
+    W = _spin(x).reshape(-1, 1, 1)
+    S_p[:, 2:], S_q[:, 2:] = W @ S_p[:, 2:], W @ S_q[:, 2:]

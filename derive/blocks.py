@@ -1,0 +1,483 @@
+"""The kernels of a batch: many poses of one machine side by side, in the shape that compilers turn into SIMD code.
+
+Poses are taken in blocks. Every quantity is a *lane array*, one number per pose of the block, and all lane arrays lie
+in one flat scratch array at offsets known when the kernels are written. A kernel is a straight line of statements in
+a loop over the poses, without branches and without calls that the compiler cannot look into. The limbs of a machine
+run through the same kernel, each in its own region of the scratch array.
+
+What the scalar kernels leave to elimination with pivoting is closed form here: the mean of a limb's two closures
+holds the position, their difference the rotation, and blocks of at most three equations are solved by cofactors.
+Derivatives are taken by turns of the platform about the axes of {O}, forwards along the steps, where a rotation
+matrix gives cross products. Poses for which the closed form is poor, or Newton slow, are left to the plain kernels.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from derive import closed_form
+from derive.first_order import first_order, vanishing
+from derive.graph import Graph, Steps
+from derive.lower import Kernel, Lowering
+from derive.spec import LimbMechanism
+from derive.vectors import cayley, skew
+
+LANES = 32  # poses of a block: what it computes with stays in the first cache
+REGULAR = 1e-6  # determinant of a system over the product of its rows' lengths: below it is left to elimination
+FAR = "; how far the equations are from dependent"
+
+
+@dataclass(frozen=True)
+class Blocks:
+    """Kernels over lanes, by name, and where their quantities stand.
+
+    Attributes
+    ----------
+    limb : mapping
+        Name of a group of lane arrays to its first one, in the region of a limb.
+    shared : mapping
+        The same for what all limbs share, counted from the start of the scratch array.
+    stride, total : int
+        Lane arrays of a limb's region, and of everything.
+    rows : tuple of tuple of int
+        Row of the system for each limb and each of its closures.
+    turned, matrix : int
+        Coordinates of the platform that are turns; entries of its rotation matrix among the lane arrays.
+    checks, held : int
+        Of how many systems `step`, and `command`, say how far they are from dependent.
+    paired : bool
+        Whether the rows of a limb are mean and half the difference of two closures.
+    """
+
+    kernels: Mapping[str, Kernel]
+    limb: Mapping[str, int]
+    shared: Mapping[str, int]
+    stride: int
+    total: int
+    rows: tuple[tuple[int, ...], ...]
+    turned: int
+    matrix: int
+    checks: int
+    held: int
+    paired: bool
+    lanes: int = LANES
+
+
+def supported(mechanism: LimbMechanism) -> bool:
+    """Tell whether the machine's equations fall into blocks of at most three."""
+    rods = len(mechanism.loop_closure)
+    return mechanism.limbs <= 3 and (rods == 2 or mechanism.limbs * rods <= 3)
+
+
+def _rotation_steps(mechanism: LimbMechanism) -> dict[sp.Symbol, tuple[int, int]]:
+    """Return the steps that are the entries of the platform's rotation matrix."""
+    entries = list(cayley(_rotation(mechanism)))
+    return {s: divmod(entries.index(e), 3) for s, e in mechanism.steps if e in entries and e.free_symbols}
+
+
+def _rotation(mechanism: LimbMechanism) -> sp.Matrix:
+    """Return the Cayley vector of the platform's rotation; a component that does not move is zero."""
+    found = {str(quantity.symbol): quantity.symbol for quantity in mechanism.platform}
+    return sp.Matrix([found.get(name, sp.Integer(0)) for name in ("cx", "cy", "cz")])
+
+
+def _turns(mechanism: LimbMechanism) -> list[int]:
+    """Return the axes about which the platform turns."""
+    return [j for j, s in enumerate(_rotation(mechanism)) if s != 0]
+
+
+def change_by_turn(mechanism: LimbMechanism) -> sp.Matrix:
+    """Return dc/dw (3, 3): how the Cayley vector changes when the platform turns about the axes of {O}."""
+    c = _rotation(mechanism)
+    return sp.eye(3) - skew(c) / 2 + c * c.T / 4
+
+
+def turn_by_change(mechanism: LimbMechanism) -> list[sp.Expr]:
+    """Return dw/dc, row by row, of the axes about which the platform turns: the inverse of `change_by_turn`."""
+    c, axes = _rotation(mechanism), _turns(mechanism)
+    return list(((sp.eye(3) + skew(c) / 2) / (1 + c.dot(c) / 4)).extract(axes, axes))
+
+
+def _rates(mechanism: LimbMechanism, start: Mapping[sp.Symbol, sp.Expr], turn: int | None) -> list[sp.Expr]:
+    """Return the rates of the closures, rod by rod, along a direction, forwards through the steps."""
+    entries = _rotation_steps(mechanism)
+    named = {at: s for s, at in entries.items()}
+    R = sp.Matrix(3, 3, lambda r, c: named.get((r, c), 0))
+    spun = skew(sp.eye(3)[:, turn]) * R if turn is not None else sp.zeros(3, 3)
+    known = dict(start)
+    for symbol, expr in mechanism.steps:
+        rate = spun[entries[symbol]] if turn is not None and symbol in entries else _rate(expr, known)
+        if rate != 0:
+            known[symbol] = rate
+    return [_rate(e, known) for e in _rows(mechanism)]
+
+
+def _rate(expr: sp.Expr, rates: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+    return sp.Add(*(sp.diff(expr, s) * rates[s] for s in sorted(expr.free_symbols & set(rates), key=str)))
+
+
+def _rows(mechanism: LimbMechanism) -> list[sp.Expr]:
+    """Return the equations of a limb: mean and half the difference of a pair of rods, or its closures as they are."""
+    if len(mechanism.loop_closure) != 2:
+        return list(mechanism.loop_closure)
+    first, second = mechanism.loop_closure
+    return [sp.expand((first + second) / 2), sp.expand((first - second) / 2)]
+
+
+def _named(steps: list[tuple[sp.Symbol, sp.Expr]], name: str, values: sp.Matrix) -> sp.Matrix:
+    symbols = sp.Matrix(*values.shape, lambda r, c: sp.Symbol(f"{name}_{r}{c}", real=True))
+    steps.extend(zip(symbols, values, strict=True))
+    return symbols
+
+
+def _inverse(steps: list[tuple[sp.Symbol, sp.Expr]], name: str, A: sp.Matrix) -> tuple[sp.Matrix, sp.Expr]:
+    """Return the inverse of A by cofactors, and how far its rows are from dependent (positive: far enough)."""
+    cofactors = _named(steps, f"{name}_cof", A.cofactor_matrix())
+    det = _named(steps, f"{name}_det", sp.Matrix([A[0, :].dot(cofactors[0, :])]))[0]
+    by = _named(steps, f"{name}_by", sp.Matrix([1 / det]))[0]
+    size = sp.Mul(*(A[r, :].dot(A[r, :]) for r in range(A.rows)))
+    return _named(steps, f"{name}_inv", cofactors.T * by), det**2 - REGULAR**2 * size
+
+
+def _felt(by_joint: sp.Expr, by_platform: sp.Matrix) -> sp.Expr:
+    """Return how far an equation is from not feeling its joint (positive: far enough)."""
+    return by_joint**2 - REGULAR**2 * by_platform.dot(by_platform)
+
+
+class _Region:
+    """Lane arrays one after the other."""
+
+    def __init__(self, start: int = 0) -> None:
+        self.at: dict[str, int] = {}
+        self.next = start
+
+    def take(self, name: str, count: int) -> int:
+        self.at[name], self.next = self.next, self.next + count
+        return self.at[name]
+
+
+def lane(slot: int) -> str:
+    """Return the text of a lane array's entry."""
+    return f"w[{slot * LANES} + lane]"
+
+
+def _lanes(symbols: Iterable[sp.Symbol], start: int) -> dict[sp.Symbol, str]:
+    return {s: lane(start + j) for j, s in enumerate(symbols)}
+
+
+def blocks(mechanism: LimbMechanism, seed: str, seeds: Sequence[sp.Expr], lowering: Lowering, graph: Graph) -> Blocks:
+    """Lower a mechanism to kernels over lanes.
+
+    Parameters
+    ----------
+    seed : str
+        What `seeds` mean: what the forward position starts from.
+    lowering, graph
+        Of the mechanism's other kernels, with which these share what no pose changes.
+
+    Raises
+    ------
+    ValueError
+        The machine's equations do not fall into blocks of at most three.
+    """
+    if not supported(mechanism):
+        raise ValueError(f"{mechanism.name}: its equations do not fall into blocks of at most three.")
+    limbs, rods = mechanism.limbs, len(mechanism.loop_closure)
+    n_x, paired = len(mechanism.platform), rods == 2
+    platform = [quantity.symbol for quantity in mechanism.platform]
+    tool = [quantity.symbol for quantity in mechanism.tool]
+    varied = [quantity.symbol for quantity in mechanism.varied]
+    joint = mechanism.joint.symbol
+    entries = list(_rotation_steps(mechanism))
+    turns = _turns(mechanism)
+
+    region = _Region()
+    inputs = _lanes([joint], region.take("q", 1))
+    inputs |= _lanes(tool, region.take("tool", len(tool)))
+    inputs |= _lanes(platform, region.take("x", n_x))
+    inputs |= _lanes(entries, region.take("R", len(entries)))
+    region.take("rows", rods * (n_x + 2))
+
+    # a limb: its equations, their derivatives by shift, turn and joint; then what of it moves with the joint only
+    shifts = [_rates(mechanism, {s: sp.Integer(1)}, None) for s in platform[: n_x - len(turns)]]
+    change = change_by_turn(mechanism)
+    moved = [(m, c) for m, c in enumerate(_rotation(mechanism)) if c != 0]
+    spins = [_rates(mechanism, {c: change[m, k] for m, c in moved}, k) for k in turns]
+    by_joint = _rates(mechanism, {joint: sp.Integer(1)}, None)
+    rows = _rows(mechanism)
+    newton: list[sp.Expr | None] = []
+    joints: list[sp.Expr] = []
+    errors: list[sp.Expr] = []
+    for j, row in enumerate(rows):
+        newton += [row, *(rate[j] for rate in (*shifts, *spins)), None]
+        joints += [*[None] * (n_x + 1), by_joint[j]]
+        errors += graph.derivatives(row, varied)
+    late = set(platform) | set(entries)
+    early = _early(graph, [graph.add(e) for e in newton if e is not None], late, inputs)
+    starts = closed_form.start_of_inverse(mechanism)
+    more = _early(graph, [graph.add(e) for e in (*joints, *errors) if e is not None], late, inputs)
+    more = [s for s in more if s not in early]
+    held = region.take("early", len(early))
+    region.take("seed", len(seeds))
+    region.take("start", len(starts))
+    further = region.take("more", len(more))
+    region.take("errors", rods * len(varied))
+    plain = lowering.over(inputs)
+    kernels = {
+        "sphere": plain.kernel("sphere", seed, seeds, dense=True),
+        "early": plain.kernel("early", f"what moves with a joint only; then {seed}", [*early, *seeds], dense=True),
+        "more": plain.kernel("more", "what else derivatives by joint and errors read of it", more, dense=True),
+        "start": plain.kernel("start", "joint of the simplified limb at a given position", starts, dense=True),
+    }
+    with_early = lowering.over(inputs | _lanes(early, held) | _lanes(more, further))
+    kernels["rows"] = with_early.kernel(
+        "rows", "equations of a limb, their derivatives by shift and turn of the platform", newton, dense=True
+    )
+    kernels["joints"] = with_early.kernel(
+        "joints", "derivatives of a limb's equations by its joint", joints, dense=True
+    )
+    kernels["errors"] = with_early.kernel(
+        "errors", "derivatives of a limb's equations by errors, by deflections", errors, dense=True
+    )
+
+    stride = region.next
+    common = _Region(limbs * stride)
+    order = tuple(tuple(j * limbs + i if paired else rods * i + j for j in range(rods)) for i in range(limbs))
+    solved = _System(mechanism, region.at, stride, order, paired, common)
+    return Blocks(
+        kernels=kernels | solved.kernels,
+        limb=region.at,
+        shared=common.at,
+        stride=stride,
+        total=common.next,
+        rows=order,
+        turned=len(turns),
+        matrix=len(entries),
+        checks=common.at["going"] - common.at["regular"],
+        held=solved.held,
+        paired=paired,
+    )
+
+
+def _early(
+    graph: Graph, wanted: Sequence[sp.Expr], late: set[sp.Symbol], inputs: Mapping[sp.Symbol, str]
+) -> list[sp.Symbol]:
+    """Return the nodes that do not move with the platform and that `wanted`, or nodes that do, are made of."""
+    nodes = graph.needed(wanted, known=inputs)
+    moving = set(late)
+    found: dict[sp.Symbol, None] = {}
+    for symbol, expr in nodes.items():
+        if expr.free_symbols & moving:
+            moving.add(symbol)
+    for expr in (*(nodes[s] for s in nodes if s in moving), *wanted):
+        for s in sorted(expr.free_symbols, key=str):
+            if s in nodes and s not in moving and not graph.is_invariant(s):
+                found[s] = None
+    return list(found)
+
+
+@dataclass(frozen=True)
+class Nominal:
+    """Kernels of the nominal machine's sensitivity, by name.
+
+    Attributes
+    ----------
+    runs : tuple of (int, int, tuple of int)
+        First error, error after the last, and the equations of a limb that these change.
+    """
+
+    kernels: Mapping[str, Kernel]
+    errors: int
+    positions: int
+    runs: tuple[tuple[int, int, tuple[int, ...]], ...]
+
+
+def nominal(mechanism: LimbMechanism, layout: Blocks) -> Nominal | None:
+    """Lower the sensitivity of the nominal machine's position by its errors, in the places of the exact one.
+
+    Rods of a pair are parallel then, which leaves most derivatives of their difference zero. Kernels: `nominal` (a
+    limb's equations by platform and errors; those stored are the ones that do not vanish), `nominal_inverse`,
+    `nominal_constants`. None where the closed-form positions turn the platform.
+    """
+    if mechanism.seeds is not None:
+        return None
+    limbs, rods = mechanism.limbs, len(mechanism.loop_closure)
+    n_x, f, a = len(mechanism.platform), limbs * rods, limbs
+    platform = [quantity.symbol for quantity in mechanism.platform]
+    errors = [quantity.symbol for quantity in (*mechanism.errors, *mechanism.common)]
+    steps, closures = first_order(mechanism, {str(s): {s: sp.Integer(1)} for s in (*platform, *errors)})
+    rates = {}
+    for s in (*platform, *errors):
+        values = [rate[str(s)] for rate in closures]
+        if rods == 2:
+            values = [(values[0] + values[1]) / 2, (values[0] - values[1]) / 2]
+        zero = {symbol: e for symbol, e in steps if e == 0}
+        rates[s] = [vanishing(sp.expand(e.xreplace(zero)), steps) for e in values]
+
+    inputs = _lanes([mechanism.joint.symbol], layout.limb["q"])
+    inputs |= _lanes([quantity.symbol for quantity in mechanism.tool], layout.limb["tool"])
+    inputs |= _lanes(platform[: mechanism.commanded], layout.limb["x"])
+    parameters = {quantity.symbol: f"p[{j}]" for j, quantity in enumerate(mechanism.limb_parameters)}
+    lowering = Lowering(Graph(steps, invariant=parameters), parameters, inputs)
+    start, width = layout.limb["rows"], len(mechanism.varied)
+    places: dict[int, sp.Expr] = {}
+    read: dict[sp.Symbol, str] = {}
+    J = sp.zeros(f, n_x)
+    for j in range(rods):
+        for c, s in enumerate(platform):
+            slot = start + j * (n_x + 2) + 1 + c
+            if rates[s][j] != 0:
+                places[slot - start] = rates[s][j]
+                for i in range(limbs):
+                    J[layout.rows[i][j], c] = sp.Symbol(f"J{i}{j}_{c}", real=True)
+                    read[J[layout.rows[i][j], c]] = lane(i * layout.stride + slot)
+        for e, s in enumerate(errors):
+            if rates[s][j] != 0:
+                places[layout.limb["errors"] - start + j * width + e] = rates[s][j]
+    outputs = [places.get(j) for j in range(max(places) + 1)]
+
+    solved: list[tuple[sp.Symbol, sp.Expr]] = []
+    G, far = _inverse(solved, "G", J[:a, :a])
+    block, checks = -G, [far]
+    if f > a:
+        U = _named(solved, "U", G * J[:a, a:])
+        S = _named(solved, "S", J[a:, a:] - J[a:, :a] * U)
+        Si, far = _inverse(solved, "Si", S)
+        lower = _named(solved, "V", -Si * J[a:, :a] * G)
+        block = sp.Matrix.hstack(U * lower - G, U * Si)
+        checks.append(far)
+    kernels = [
+        lowering.kernel("nominal", "equations of a nominal limb by platform and errors", outputs),
+        Lowering(Graph(solved), {}, read).kernel(
+            "nominal_inverse",
+            f"minus the inverse of the derivatives, its rows of the position{FAR}",
+            [*block, *checks],
+            dense=True,
+        ),
+        lowering.constants("nominal_constants", "what `nominal_sensitivity` reads that no pose changes"),
+    ]
+    felt = [tuple(j for j in range(rods) if rates[s][j] != 0) for s in errors]
+    first = [e for e in range(len(errors)) if e == 0 or felt[e] != felt[e - 1]]
+    runs = tuple((e, end, felt[e]) for e, end in zip(first, [*first[1:], len(errors)], strict=True))
+    return Nominal({kernel.name: kernel for kernel in kernels}, len(errors), block.rows, runs)
+
+
+class _System:
+    """The equations of all limbs together: Newton's step forwards and backwards, the inverse, the platform's motion."""
+
+    def __init__(
+        self,
+        mechanism: LimbMechanism,
+        limb: Mapping[str, int],
+        stride: int,
+        order: tuple[tuple[int, ...], ...],
+        paired: bool,
+        common: _Region,
+    ) -> None:
+        limbs, rods = mechanism.limbs, len(mechanism.loop_closure)
+        n_x, f = len(mechanism.platform), mechanism.limbs * len(mechanism.loop_closure)
+        a = limbs if paired else f  # equations, and coordinates, of the first block
+        self.kernels: dict[str, Kernel] = {}
+        F, J, J_q = sp.zeros(f, 1), sp.zeros(f, n_x), sp.zeros(f, 1)
+        read: dict[sp.Symbol, str] = {}
+        for i in range(limbs):
+            for j in range(rods):
+                names = sp.symbols([f"F{i}{j}", *(f"J{i}{j}_{c}" for c in range(n_x)), f"Q{i}{j}"], real=True)
+                read |= _lanes(names, i * stride + limb["rows"] + j * (n_x + 2))
+                row = order[i][j]
+                F[row], J[row, :], J_q[row] = names[0], sp.Matrix([names[1:-1]]), names[-1]
+        step = common.take("step", n_x)
+        common.take("regular", 2 if f > a else 1)
+        common.take("going", 1)
+
+        steps: list[tuple[sp.Symbol, sp.Expr]] = []
+        G, far = _inverse(steps, "G", J[:a, :a])
+        first = _named(steps, "u", G * F[:a, :])
+        checks = [far]
+        if f > a:
+            U = _named(steps, "U", G * J[:a, a:])
+            S = _named(steps, "S", J[a:, a:] - J[a:, :a] * U)
+            Si, _ = _inverse(steps, "Si", S)
+            det = next(s for s, _ in steps if str(s) == "Si_det_00")
+            checks.append(det**2 - REGULAR**2 * sp.Mul(*(J[r, a:].dot(J[r, a:]) for r in range(a, f))))
+            turned = _named(steps, "w", Si * (F[a:, :] - J[a:, :a] * first))
+            moved = first - U * turned
+            self._lower("step", f"Newton's step of the platform{FAR}", steps, read, [*moved, *turned, *checks])
+            lower = _named(steps, "V", -Si * J[a:, :a] * G)
+            block = sp.Matrix.vstack(sp.Matrix.hstack(U * lower - G, U * Si), sp.Matrix.hstack(-lower, -Si))
+        else:
+            self._lower("step", f"Newton's step of the platform{FAR}", steps, read, [*first, *checks])
+            block = -G
+        common.take("inverse", n_x * f + len(checks))
+        self._lower("inverse", f"minus the inverse of the derivatives, row by row{FAR}", steps, read, [*block, *checks])
+        self._command(mechanism, F, J, J_q, read, common, paired)
+        self._move(mechanism, limb, step, common)
+
+    def _command(
+        self,
+        mechanism: LimbMechanism,
+        F: sp.Matrix,
+        J: sp.Matrix,
+        J_q: sp.Matrix,
+        read: Mapping[sp.Symbol, str],
+        common: _Region,
+        paired: bool,
+    ) -> None:
+        """Lower Newton's step of an inverse position: each limb's joint is eliminated by its first equation."""
+        limbs, rods = mechanism.limbs, len(mechanism.loop_closure)
+        n_x, n_c = len(mechanism.platform), mechanism.commanded
+        common.take("change", n_x)
+        steps: list[tuple[sp.Symbol, sp.Expr]] = []
+        if paired:
+            by = _named(steps, "by", sp.Matrix([1 / J_q[i] for i in range(limbs)]))
+            ratio = _named(steps, "ratio", sp.Matrix([J_q[limbs + i] * by[i] for i in range(limbs)]))
+            E = J[limbs:, n_c:] - sp.diag(*ratio) * J[:limbs, n_c:]
+            E = _named(steps, "E", E)
+            rest = sp.Matrix([F[limbs + i] - ratio[i] * F[i] for i in range(limbs)])
+            Ei, far = _inverse(steps, "Ei", E)
+            turned = _named(steps, "w", Ei * rest)
+            joints = [by[i] * (F[i] - J[i, n_c:].dot(turned)) for i in range(limbs)]
+            outputs = [*joints, *turned, far, *(_felt(J_q[i], J[i, :n_c]) for i in range(limbs))]
+        elif rods == 1:
+            outputs = [*(F[i] / J_q[i] for i in range(limbs)), *(_felt(J_q[i], J[i, :]) for i in range(limbs))]
+        else:
+            A = sp.Matrix.hstack(sp.Matrix([J_q[r] for r in range(n_x)]), J[:, n_c:])
+            Ai, far = _inverse(steps, "Ai", A)
+            outputs = [*(Ai * F), far]
+        self.held = len(outputs) - n_x
+        common.take("held", self.held)
+        self._lower("command", f"Newton's step of joints and rotation{FAR}", steps, read, outputs)
+
+    def _move(self, mechanism: LimbMechanism, limb: Mapping[str, int], step: int, common: _Region) -> None:
+        """Lower the step's effect on the platform: x as it is or less the step, and its rotation matrix."""
+        platform = [quantity.symbol for quantity in mechanism.platform]
+        turns = _turns(mechanism)
+        n_p = len(platform) - len(turns)
+        y = sp.symbols([f"y{j}" for j in range(len(platform))], real=True)
+        going = sp.Symbol("going", real=True)
+        read = _lanes(platform, limb["x"]) | _lanes(y, step) | _lanes([going], common.at["going"])
+        steps: list[tuple[sp.Symbol, sp.Expr]] = []
+        turn = sp.Matrix([y[n_p + turns.index(k)] if k in turns else 0 for k in range(3)])
+        changed = change_by_turn(mechanism) * turn
+        new = [s - going * y[j] for j, s in enumerate(platform[:n_p])]
+        new += [s - going * changed[k] for s, k in zip(platform[n_p:], turns, strict=True)]
+        # the rotation matrix after the step
+        moved = dict(zip(platform, _named(steps, "new", sp.Matrix(new)), strict=True))
+        matrix = cayley(_rotation(mechanism).xreplace(moved))
+        entries = _rotation_steps(mechanism)
+        self._lower(
+            "move",
+            "the platform after a step, and its rotation matrix",
+            steps,
+            read,
+            [*moved.values(), *(matrix[entries[s]] for s in entries)],
+        )
+
+    def _lower(
+        self, name: str, meaning: str, steps: Steps, read: Mapping[sp.Symbol, str], outputs: Sequence[sp.Expr]
+    ) -> None:
+        graph = Graph(steps)
+        self.kernels[name] = Lowering(graph, {}, read).kernel(name, meaning, outputs, dense=True)
