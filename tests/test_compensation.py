@@ -212,6 +212,9 @@ def test_the_servo_function_runs_in_a_compiled_loop(prototype: Robot, kind: str)
     q = np.empty((50, 3))
     assert loop(points, servo.tool, servo.constants, servo.work, q) == SOLVED
     assert np.abs(servo.sign * q - compensator.command(points)[0]).max() < 1e-13
+    alone = [servo.call(*point, servo.state) for point in points.tolist()]
+    assert np.abs(alone - compensator.command(points)[0]).max() < 1e-13
+    assert np.isnan(servo.call(0.0, 0.0, -2000.0, servo.state)).all()
     out = np.empty(3)
     far = np.array([0.0, 0.0, -2000.0])
     assert command(far, servo.tool, servo.constants, servo.work, out) == UNREACHABLE

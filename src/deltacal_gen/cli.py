@@ -122,10 +122,14 @@ def demo(
 @app.command()
 def kernels(
     check: Annotated[bool, typer.Option("--check", help="write nothing; fail if the committed kernels differ")] = False,
+    warm: Annotated[bool, typer.Option("--warm", help="derive nothing; compile everything ahead")] = False,
 ) -> None:
-    """Derive the models and emit the kernel package (from a source checkout)."""
+    """Derive the models and emit the kernel package (from a source checkout), or compile it ahead (anywhere)."""
     from deltacal_gen import commands
 
+    if warm:
+        commands.warm(lambda name, seconds: screen.print(f"{seconds:7.2f} s  {name}"))
+        return
     if not commands.kernels(check=check):
         raise typer.Exit(1)
 

@@ -50,13 +50,15 @@ class RoundTrip(NamedTuple):
 
 
 class Servo(NamedTuple):
-    """A compensator for a compiled loop; see `Compensator.servo`."""
+    """A compensator of one pose, for a compiled loop or for single calls from Python; see `Compensator.servo`."""
 
     command: Callable[..., int]
     constants: Array
     tool: Array
     sign: Array
     work: Array
+    call: Callable[..., tuple[float, ...]]
+    state: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -150,7 +152,8 @@ class Compensator:
         Servo
             ``status = command(target, tool, constants, work, q)`` fills `q` (n_q,) for a `target` (3,) [mm] and
             allocates nothing; ``sign * q`` is what the controller counts [rad or mm]. `work` is scratch, one per
-            thread.
+            thread. From Python, where every array costs more than the command, ``q1, q2, q3 = call(x, y, z, state)``;
+            they are what the controller counts, and NaN where there is no command. `state`, too, is one per thread.
 
         Notes
         -----
@@ -179,7 +182,12 @@ class Compensator:
         function = kernels.exact_command if self.kind == "exact" else kernels.linear_command
         work = np.zeros(kernels.COMMAND_WORK)
         sign = np.array(self.robot.joint_sign, dtype=float)
-        return Servo(function, self._constants[0].copy(), np.array(self.robot.tool, dtype=float), sign, work)
+        call = kernels.exact_joints if self.kind == "exact" else kernels.linear_joints
+        constants, tool = self._constants[0].copy(), np.array(self.robot.tool, dtype=float)
+        read = constants[:, : kernels.COMMAND_CONSTANTS] if self.kind == "exact" else constants
+        joints, target = np.zeros(self.mechanism.limbs), np.zeros(self.mechanism.limbs)
+        state = np.concatenate([target, tool, joints, sign, work, read.ravel()])
+        return Servo(function, constants, tool, sign, work, call, state)
 
     def channels(self, columns: Mapping[str, Array | float], n: int) -> tuple[Channels, list[str]]:
         """Return what the effects read beside the target, for n commands, and in words what had to be assumed.

@@ -647,6 +647,8 @@ def _damped(
             return trial, moved, deformed, damping / 10
         after = objective(trial, moved, deformed.x)
         if after <= before * (1 + 1e-12):
+            if after > before * (1 - 1e-12):
+                break  # nothing better within rounding, whatever the linear machine promises
             rest = b - A_p @ step - (A_m @ m_step if len(m_step) else 0.0)
             whole = departure + step
             promised = float(b @ b - rest @ rest + weight * (departure @ departure - whole @ whole))
@@ -654,7 +656,7 @@ def _damped(
             # Nielsen 1999: ease where the linear machine keeps its promises, hold where it does not
             return trial, moved, deformed, damping * max(1 / 3, 1 - (2 * kept - 1) ** 3)
         damping, harder = max(damping * harder, 1.0), 2 * harder
-    return errors, instrument, machine, damping  # nothing better within rounding
+    return errors, instrument, machine, damping
 
 
 def _shared_noise(problem: Problem, weights: Array) -> Array | None:

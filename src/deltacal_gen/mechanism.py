@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import deltacal_kernels
 import numpy as np
@@ -338,6 +338,51 @@ class Mechanism:
         """Whether Numba's cache beside the kernels holds them."""
         folder = Path(deltacal_kernels.__file__).parent / self.name / "__pycache__"
         return any(folder.glob("kinematics._forward-*.nbi"))
+
+    def compile(self) -> Iterator[tuple[str, float]]:
+        """Compile all kernels, or load them from Numba's cache; yield each one's name and how long it took [s].
+
+        Compiled code is kept on disk beside the kernels (or in the user's cache folder where that cannot be written),
+        and found by any process as long as the kernels' text stays the same.
+        """
+        n_v, n_x = self._width - len(self.geometry), len(self._at)
+        rows, one, command = np.ones((1, self.limbs, self._width)), np.ones((1, self.limbs)), np.ones(self.limbs)
+        x, status, tool, q = np.ones((1, n_x)), np.empty(1, dtype=np.int64), np.ones((1, 3)), one.copy()
+        S, V = np.empty((1, n_x, self.limbs * n_v)), np.empty((1, n_x, self.limbs))
+        batch, servo = self.compiled, self.servo
+        k, linear = batch.constants(rows), servo.linear_constants(rows)
+        exact = np.ascontiguousarray(k[0])
+        positions = n_x - len(self.turns)
+        work = np.zeros(servo.COMMAND_WORK)
+
+        def state(constants: Array) -> Array:
+            return np.concatenate([command, tool[0], command, command, work, constants.ravel()])
+
+        todo: list[tuple[ModuleType, str, Sequence[Any]]] = [
+            (batch, "forward", (q, tool, k, x, status, False)),
+            (batch, "inverse", (one, tool, k, x, q, status)),
+            (batch, "simplified_forward", (q, tool, k, x, status)),
+            (batch, "simplified_inverse", (one, tool, k, x, q, status)),
+            (batch, "sensitivity", (x, q, tool, k, S, V, status)),
+            (servo, "exact_command", (command, tool[0], exact, work, q[0])),
+            (servo, "exact_joints", (*command, state(k[0, :, : servo.COMMAND_CONSTANTS]))),
+            (servo, "linear_command", (command, tool[0], linear[0].copy(), work, q[0])),
+            (servo, "linear_joints", (*command, state(linear[0]))),
+            (servo, "linear_commands", (one, tool, linear, q, status)),
+        ]
+        if hasattr(batch, "nominal_sensitivity"):
+            nominal, n_e = batch.nominal_constants(rows), len(self.errors) + len(self.common)
+            all_columns = np.arange(self.limbs * n_e)
+            todo += [
+                (batch, "nominal_sensitivity", (one, q, tool, nominal, np.empty((1, positions, len(all_columns))))),
+                (batch, "distance_rows", (one, q, tool, nominal, all_columns, np.empty((0, len(all_columns))))),
+            ]
+        for module, name, arguments in todo:
+            if hasattr(module, name):
+                start = time.perf_counter()
+                with np.errstate(all="ignore"):
+                    getattr(module, name)(*arguments)
+                yield f"{self.name}.{name}", time.perf_counter() - start
 
     @contextmanager
     def _kernels(self, poses: int) -> Iterator[ModuleType]:

@@ -68,6 +68,49 @@ def sensitivity(theta, r, out):
                 row[0], row[1], row[2], row[3], row[4], row[5] = H, H * w, -H * rod[2], H * u, -H * v1, H * u1
 
 
+@njit(cache=True, error_model="numpy")
+def _sensitivity_at(theta, r, offset, out):
+    """Fill C of eq. (8) for a point off the platform's centre: turns move it by their cross product with the offset."""
+    sensitivity(theta, r, out)
+    for n in range(theta.shape[0]):
+        limbs = (
+            _limb(0, theta[n, 0], r[n, 0], r[n, 1], r[n, 2]),
+            _limb(1, theta[n, 1], r[n, 0], r[n, 1], r[n, 2]),
+            _limb(2, theta[n, 2], r[n, 0], r[n, 1], r[n, 2]),
+        )
+        m = (_cross(limbs[1][1], limbs[2][1]), _cross(limbs[2][1], limbs[0][1]), _cross(limbs[0][1], limbs[1][1]))
+        by_m = 1 / _dot(limbs[0][1], m[0])
+        for i in range(3):
+            rod, _, _, (u, w, u1), (v1, _, _) = limbs[i]
+            added = _cross(m[i], offset)
+            for x in range(3):
+                a, row = added[x] * by_m, out[n, x, 24 + 6 * i : 30 + 6 * i]
+                row[0] += a
+                row[1] += a * w
+                row[2] -= a * rod[2]
+                row[3] += a * u
+                row[4] -= a * v1
+                row[5] += a * u1
+
+
+@njit(cache=True, error_model="numpy")
+def identification_matrix(theta, r, offset, columns, C, H):
+    """Fill H (n (n - 1) / 2, columns) of eq. (14) for all pairs of poses; C (n, 3, 42) is scratch."""
+    _sensitivity_at(theta, r, offset, C)
+    row = 0
+    for a in range(r.shape[0]):
+        for b in range(a + 1, r.shape[0]):
+            gx, gy, gz = r[b, 0] - r[a, 0], r[b, 1] - r[a, 1], r[b, 2] - r[a, 2]
+            by = 1 / math.sqrt(gx * gx + gy * gy + gz * gz)
+            gx, gy, gz = gx * by, gy * by, gz * by
+            for k in range(columns.shape[0]):
+                j = columns[k]
+                H[row, k] = (
+                    gx * (C[b, 0, j] - C[a, 0, j]) + gy * (C[b, 1, j] - C[a, 1, j]) + gz * (C[b, 2, j] - C[a, 2, j])
+                )
+            row += 1
+
+
 @njit(cache=True, error_model="numpy", inline="always")
 def _joint(i, x, y, z):
     dx, dy = x - E * C[i], y - E * S[i]

@@ -22,7 +22,6 @@ from numba import njit
 from deltacal_gen import commands
 from deltacal_gen.compensation import Compensator
 from deltacal_gen.estimation import fit, pose_problem
-from deltacal_gen.identifiability import identification_matrix
 from deltacal_gen.identification import identify
 from deltacal_gen.mechanism import load_mechanism
 from deltacal_gen.recording import Measurement, Recording
@@ -147,9 +146,12 @@ def sensitivity(n: int, *, exact: bool) -> Work:
     """
     settle()
     r, p = positions(n), errors() if exact else np.zeros(42)
-    theta, rods, slopes = by_hand.ideal_inverse(r), by_hand.machine(paper(p)), by_hand.machine_derivatives(paper(p))
+    theta = np.ascontiguousarray(by_hand.ideal_inverse(r))
+    rods, slopes = by_hand.machine(paper(p)), by_hand.machine_derivatives(paper(p))
     x, rows, tool = by_hand.forward(theta, rods), DELTA.rows(ROBOT, p), np.zeros((n, 3))
-    k, axes = DELTA.compiled.constants(rows), 6 if exact else 3
+    axes, kernels = 6 if exact else 3, DELTA.compiled
+    k = kernels.constants(rows) if exact else kernels.nominal_constants(rows)
+    S, point = np.empty((n, 3, 42)), np.zeros((1, 3))
     S_p, S_q, status = np.empty((n, 6, 48)), np.empty((n, 6, 3)), np.empty(n, dtype=np.int64)
 
     def in_paper(S: Array) -> Array:
@@ -166,11 +168,17 @@ def sensitivity(n: int, *, exact: bool) -> Work:
         OURS: Contender(
             lambda: DELTA.sensitivity(poses, theta, tool, rows), lambda found: in_paper(by_cayley(found.parameters))
         ),
-        KERNEL: Contender(
-            lambda: DELTA.compiled.sensitivity(x, theta, tool, k, S_p, S_q, status),
-            lambda _: in_paper(by_cayley(S_p.reshape(n, 6, 3, 16)[..., :14].reshape(n, 6, 42))),
-        ),
     }
+    if exact:
+        contenders[KERNEL] = Contender(
+            lambda: kernels.sensitivity(x, theta, point, k, S_p, S_q, status),
+            lambda _: in_paper(by_cayley(S_p.reshape(n, 6, 3, 16)[..., :14].reshape(n, 6, 42))),
+        )
+    else:
+        contenders[KERNEL] = Contender(
+            lambda: kernels.nominal_sensitivity(r, theta, point, k, S),
+            lambda _: np.stack([S[:, :, j] / UNIT[j] for j in np.argsort(PAPER)], axis=2),
+        )
     if exact:
         one = lambda: by_hand.exact_sensitivity(theta, x, rods, slopes)  # noqa: E731
         contenders[NUMPY] = Contender(one, lambda S: in_paper(S * UNIT.reshape(3, 14)))
@@ -186,18 +194,25 @@ def matrix(n: int) -> Work:
     """H of model 32 from the distances of all pairs of n poses."""
     settle()
     r = rings(n)
-    theta = by_hand.ideal_inverse(r)
+    theta = np.ascontiguousarray(by_hand.ideal_inverse(r))
     recording = recorded(theta, [(POINT, r + POINT)])
-    problem = pose_problem(ROBOT, recording, DELTA.model("32"), as_distance=True)
     whole = partial(commands.matrix, ROBOT, recording, "32", as_distance=True, scaling="paper")
+    chosen, at, H = [DELTA.index[name] for name in DELTA.model("32")], r + POINT, np.empty((n * (n - 1) // 2, 32))
+    k, kept, wanted = DELTA.compiled.nominal_constants(DELTA.rows(ROBOT)), np.array(chosen), np.array(columns("32"))
+    C, out = np.empty((n, 3, 42)), np.empty_like(H)
     return Work(
         f"identification matrix, {n} poses, {n * (n - 1) // 2} x 32",
         "us",
         1,
         {
             OURS: Contender(whole, lambda found: found["H"]),
-            KERNEL: Contender(lambda: identification_matrix(problem, "paper"), lambda found: found.H),
+            KERNEL: Contender(
+                lambda: DELTA.compiled.distance_rows(at, theta, POINT[None], k, kept, H), lambda _: H / UNIT[chosen]
+            ),
             NUMPY: Contender(lambda: by_hand.identification_matrix(theta, r, POINT, columns("32"))),
+            NUMBA: Contender(
+                lambda: by_hand_numba.identification_matrix(theta, r, POINT, wanted, C, out), lambda _: out
+            ),
         },
     )
 
@@ -206,7 +221,19 @@ def ideal(n: int, *, forward: bool) -> Work:
     """Positions or joints of the ideal machine; the package solves all six rods, by hand it is a closed form."""
     settle()
     r = positions(n)
-    theta, p, out = by_hand.ideal_inverse(r), DELTA.rows(ROBOT), np.empty((n, 3))
+    theta, p, out = np.ascontiguousarray(by_hand.ideal_inverse(r)), DELTA.rows(ROBOT), np.empty((n, 3))
+    kernels, point, x, q, status = (
+        DELTA.compiled,
+        np.zeros((1, 3)),
+        np.empty((n, 6)),
+        np.empty((n, 3)),
+        np.empty(n, int),
+    )
+    k = kernels.constants(p)
+    kernel = {
+        True: Contender(lambda: kernels.simplified_forward(theta, point, k, x, status), lambda _: x[:, :3]),
+        False: Contender(lambda: kernels.simplified_inverse(r, point, k, x, q, status), lambda _: q),
+    }
     ours = {
         True: Contender(lambda: DELTA.forward(theta, np.zeros(3), p), lambda found: found[0][:, :3]),
         False: Contender(lambda: DELTA.inverse(r, np.zeros(3), p), lambda found: found[0]),
@@ -219,6 +246,7 @@ def ideal(n: int, *, forward: bool) -> Work:
         n,
         {
             OURS: ours[forward],
+            KERNEL: kernel[forward],
             NUMPY: Contender(lambda: by_hand.in_blocks(numpy, given, np.empty((n, 3)))),
             NUMBA: Contender(lambda: numba(given, out), lambda _: out),
         },
@@ -228,9 +256,9 @@ def ideal(n: int, *, forward: bool) -> Work:
 def forward(n: int) -> Work:
     """Exact poses of one machine with errors."""
     settle()
-    theta, p = by_hand.ideal_inverse(positions(n)), errors()
+    theta, p = np.ascontiguousarray(by_hand.ideal_inverse(positions(n))), errors()
     rods, rows = by_hand.machine(paper(p)), DELTA.rows(ROBOT, p)
-    k, tool, status = DELTA.compiled.constants(rows), np.zeros((n, 3)), np.empty(n, dtype=np.int64)
+    k, tool, status = DELTA.compiled.constants(rows), np.zeros((1, 3)), np.empty(n, dtype=np.int64)
     x, out = np.empty((n, 6)), np.empty((n, 6))
     return Work(
         f"exact forward position, {n} poses",
@@ -272,7 +300,7 @@ def servo(n: int, *, kind: str) -> Work:
     else:
         numpy = partial(by_hand.inverse, rods=by_hand.machine(p))
     contenders = {
-        OURS: Contender(lambda: loop(target, one.tool, one.constants, one.work, q), lambda _: q),
+        KERNEL: Contender(lambda: loop(target, one.tool, one.constants, one.work, q), lambda _: q),
         NUMPY: Contender(lambda: by_hand.in_blocks(numpy, target, np.empty((n, 3)))),
     }
     if kind == "linear":
@@ -286,11 +314,20 @@ def call(n: int, *, kind: str) -> Work:
     target, p = positions(1), paper(errors())
     compensator, rods = Compensator(calibrated(), kind), by_hand.machine(p)
     numpy = {"linear": lambda: by_hand.command(target, p), "exact": lambda: by_hand.inverse(target, rods)}
+    servo, out, at = compensator.servo(), np.empty((1, 3)), target[0].tolist()
+    numba = (
+        {NUMBA: Contender(lambda: by_hand_numba.commands(target, p, out), lambda _: out[0])} if kind == "linear" else {}
+    )
     return Work(
         f"compensator, {'eq. (23)' if kind == 'linear' else kind}, one per Python call",
         "us/call",
         1,
-        {OURS: Contender(lambda: compensator.command(target), lambda found: found[0]), NUMPY: Contender(numpy[kind])},
+        {
+            OURS: Contender(lambda: compensator.command(target), lambda found: found[0]),
+            KERNEL: Contender(lambda: servo.call(*at, servo.state), np.atleast_2d),
+            NUMPY: Contender(numpy[kind]),
+            **numba,
+        },
         tolerance=1e-9,
     )
 

@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `delta`, Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 930a05eae923f058; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both ac1bcecf3e955808; SymPy 1.14.0.
 
 Scalar code without allocation, to be called from loops that Numba compiles. Lengths in mm, angles in rad.
 """
@@ -642,3 +642,33 @@ def linear_commands(target, tool, k, q, status):
     work = np.zeros(COMMAND_WORK)
     for n in range(target.shape[0]):
         status[n] = linear_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def exact_joints(px, py, pz, state):
+    """Return the joints of `exact_command` for a target, as the controller counts them; NaN where there are none.
+
+    For calls from Python, which pay for every array: state holds the target, tool (3,), joints, signs (3,), scratch
+    (COMMAND_WORK,) and k (3, COMMAND_CONSTANTS), one after the other.
+    """
+    state[0] = px
+    state[1] = py
+    state[2] = pz
+    q = state[6:9]
+    exact_command(state[:3], state[3:6], state[84:].reshape((3, COMMAND_CONSTANTS)), state[12:84], q)
+    return q[0] * state[9], q[1] * state[10], q[2] * state[11], 
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def linear_joints(px, py, pz, state):
+    """Return the joints of `linear_command` for a target, as the controller counts them; NaN where there are none.
+
+    For calls from Python, which pay for every array: state holds the target, tool (3,), joints, signs (3,), scratch
+    (COMMAND_WORK,) and k (3, 35), one after the other.
+    """
+    state[0] = px
+    state[1] = py
+    state[2] = pz
+    q = state[6:9]
+    linear_command(state[:3], state[3:6], state[84:].reshape((3, 35)), state[12:84], q)
+    return q[0] * state[9], q[1] * state[10], q[2] * state[11], 

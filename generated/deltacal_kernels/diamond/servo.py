@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `diamond`, Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 31e9c55e136c3da5; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both f37f25acd1cd4ea1; SymPy 1.14.0.
 
 Scalar code without allocation, to be called from loops that Numba compiles. Lengths in mm, angles in rad.
 """
@@ -320,3 +320,31 @@ def linear_commands(target, tool, k, q, status):
     work = np.zeros(COMMAND_WORK)
     for n in range(target.shape[0]):
         status[n] = linear_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def exact_joints(px, py, state):
+    """Return the joints of `exact_command` for a target, as the controller counts them; NaN where there are none.
+
+    For calls from Python, which pay for every array: state holds the target, tool (3,), joints, signs (2,), scratch
+    (COMMAND_WORK,) and k (2, COMMAND_CONSTANTS), one after the other.
+    """
+    state[0] = px
+    state[1] = py
+    q = state[5:7]
+    exact_command(state[:2], state[2:5], state[21:].reshape((2, COMMAND_CONSTANTS)), state[9:21], q)
+    return q[0] * state[7], q[1] * state[8], 
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def linear_joints(px, py, state):
+    """Return the joints of `linear_command` for a target, as the controller counts them; NaN where there are none.
+
+    For calls from Python, which pay for every array: state holds the target, tool (3,), joints, signs (2,), scratch
+    (COMMAND_WORK,) and k (2, 13), one after the other.
+    """
+    state[0] = px
+    state[1] = py
+    q = state[5:7]
+    linear_command(state[:2], state[2:5], state[21:].reshape((2, 13)), state[9:21], q)
+    return q[0] * state[7], q[1] * state[8], 

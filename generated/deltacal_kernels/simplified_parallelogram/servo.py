@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `simplified_parallelogram`, Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both f0c6716db5aaf2fe; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 52b190fe25d16389; SymPy 1.14.0.
 
 Scalar code without allocation, to be called from loops that Numba compiles. Lengths in mm, angles in rad.
 """
@@ -272,3 +272,29 @@ def linear_commands(target, tool, k, q, status):
     work = np.zeros(COMMAND_WORK)
     for n in range(target.shape[0]):
         status[n] = linear_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def exact_joints(px, state):
+    """Return the joints of `exact_command` for a target, as the controller counts them; NaN where there are none.
+
+    For calls from Python, which pay for every array: state holds the target, tool (3,), joints, signs (1,), scratch
+    (COMMAND_WORK,) and k (1, COMMAND_CONSTANTS), one after the other.
+    """
+    state[0] = px
+    q = state[4:5]
+    exact_command(state[:1], state[1:4], state[33:].reshape((1, COMMAND_CONSTANTS)), state[6:33], q)
+    return q[0] * state[5], 
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def linear_joints(px, state):
+    """Return the joints of `linear_command` for a target, as the controller counts them; NaN where there are none.
+
+    For calls from Python, which pay for every array: state holds the target, tool (3,), joints, signs (1,), scratch
+    (COMMAND_WORK,) and k (1, 5), one after the other.
+    """
+    state[0] = px
+    q = state[4:5]
+    linear_command(state[:1], state[1:4], state[33:].reshape((1, 5)), state[6:33], q)
+    return q[0] * state[5], 
