@@ -26,11 +26,18 @@ def _rate(expr: sp.Expr, rates: Mapping[sp.Symbol, sp.Expr], nominal: Mapping[sp
 Directions = Mapping[str, Mapping[sp.Symbol, sp.Expr]]
 
 
-def first_order(mechanism: LimbMechanism, directions: Directions) -> tuple[Steps, list[dict[str, sp.Expr]]]:
+def first_order(
+    mechanism: LimbMechanism, directions: Directions | None = None
+) -> tuple[Steps, list[dict[str, sp.Expr]]]:
     """Return the steps at nominal geometry with their rates, and the rates of each closure by direction.
 
-    A direction is the rates of inputs along it, by its name.
+    A direction is the rates of inputs along it, by its name; default the joint, each uncommanded coordinate of the
+    platform, and ``errors``: all errors and deflections at once.
     """
+    if directions is None:
+        single = (mechanism.joint.symbol, *(quantity.symbol for quantity in mechanism.platform[mechanism.commanded :]))
+        together = {quantity.symbol: quantity.symbol for quantity in mechanism.varied}
+        directions = {str(s): {s: sp.Integer(1)} for s in single} | {"errors": together}
     rotation = [quantity.symbol for quantity in mechanism.platform[mechanism.commanded :]]
     nominal: dict[sp.Symbol, sp.Expr] = {quantity.symbol: sp.Integer(0) for quantity in mechanism.varied}
     seeds = {s: e.xreplace(nominal) for s, e in uncommanded(mechanism).items() if e != 0}
@@ -70,8 +77,7 @@ def linear(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kernel]:
     inputs |= {s.symbol: f"tool[{j}]" for j, s in enumerate(mechanism.tool)}
     inputs |= {joint: "q"}
     parameters = {s.symbol: f"p[{j}]" for j, s in enumerate(mechanism.limb_parameters)}
-    directions = {str(s): {s: sp.Integer(1)} for s in (joint, *platform[mechanism.commanded :])}
-    steps, closures = first_order(mechanism, directions | {"errors": {s: s for s in errors}})
+    steps, closures = first_order(mechanism)
     lowering = Lowering(Graph(steps, invariant=parameters), parameters, inputs, text=text)
     rows: list[sp.Expr | None] = []
     for rate in closures:

@@ -171,7 +171,6 @@ def claims(*, paper: str | None = None, status: str | None = None) -> list[dict[
     return [claim.model_dump() for claim in found if status in (None, claim.status)]
 
 
-<<<<<<< HEAD
 def _deriving(elsewhere: str) -> Path:
     """Return the root of the checkout in which to derive; raises UsageError where there is none, or no SymPy."""
     root = checkout()
@@ -229,7 +228,8 @@ def derivation(
         write_files({folder / "index.html": page})
         written.insert(0, folder / "index.html")
     return {"schema": "deltacal.derivation/1", "files": [str(path) for path in written]}
-=======
+
+
 def warm(progress: Callable[[str, float], None] = lambda name, seconds: None) -> dict[str, float]:
     """Compile the kernels of all mechanisms ahead; return the seconds of each, and tell them as they are done."""
     spent: dict[str, float] = {}
@@ -239,7 +239,6 @@ def warm(progress: Callable[[str, float], None] = lambda name, seconds: None) ->
                 spent[kernel] = seconds
                 progress(kernel, seconds)
     return spent
->>>>>>> e47a90f (Kernels compiled ahead by deltacal kernels --warm; a command per Python call without arrays; benchmarks against scalar Numba; a fit ends where no step lowers the objective beyond rounding)
 
 
 def kernels(*, check: bool = False) -> bool:

@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `diamond`, Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both f37f25acd1cd4ea1; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 5da59ab5030ff9fa; SymPy 1.14.0.
 
 Scalar code without allocation, to be called from loops that Numba compiles. Lengths in mm, angles in rad.
 """

@@ -1,7 +1,7 @@
 """Kinematics of `linear_delta`, many poses at once: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both f6b90e25fd0fce51; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 3c62fe3b9acf95ab; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -83,8 +83,8 @@ def _early(w, k, n):
 def _rows(w, k, n):
     """Equations of a limb, their derivatives by shift and turn of the platform (124 operations)."""
     wide()
-    u1 = k[9]
-    u2 = k[10]
+    u_x = k[9]
+    u_y = k[10]
     s128 = k[11]
     s714 = k[40]
     s864 = k[41]
@@ -124,9 +124,9 @@ def _rows(w, k, n):
         d_x = A_x - C_x
         d_y = A_y - C_y
         d_z = A_z - C_z
-        s_x = s128*(-R_11*u2 + R_12*u1 + u2)
-        s_y = s128*(-R_21*u2 + R_22*u1 - u1)
-        s_z = s128*(-R_31*u2 + R_32*u1)
+        s_x = s128*(-R_11*u_y + R_12*u_x + u_y)
+        s_y = s128*(-R_21*u_y + R_22*u_x - u_x)
+        s_z = s128*(-R_31*u_y + R_32*u_x)
         s707 = 0.5*(s_x * s_x)
         s709 = 0.5*(s_y * s_y)
         s711 = 0.5*(s_z * s_z)
@@ -358,8 +358,8 @@ def _more(w, k, n):
 def _joints(w, k, n):
     """Derivatives of a limb's equations by its joint (45 operations)."""
     wide()
-    u1 = k[9]
-    u2 = k[10]
+    u_x = k[9]
+    u_y = k[10]
     s128 = k[11]
     s1041 = k[44]
     s1043 = k[45]
@@ -389,9 +389,9 @@ def _joints(w, k, n):
         d_x = A_x - C_x
         d_y = A_y - C_y
         d_z = A_z - C_z
-        s_x = s128*(-R_11*u2 + R_12*u1 + u2)
-        s_y = s128*(-R_21*u2 + R_22*u1 - u1)
-        s_z = s128*(-R_31*u2 + R_32*u1)
+        s_x = s128*(-R_11*u_y + R_12*u_x + u_y)
+        s_y = s128*(-R_21*u_y + R_22*u_x - u_x)
+        s_z = s128*(-R_31*u_y + R_32*u_x)
         s1047 = d_x*s1041 + d_y*s1043 + d_z*s1045
         s1051 = s1041*s_x + s1043*s_y + s1045*s_z
         w[832 + lane] = s1047
@@ -515,8 +515,8 @@ def _errors(w, k, n):
     axis_z = k[6]
     s106 = k[7]
     s109 = k[8]
-    u1 = k[9]
-    u2 = k[10]
+    u_x = k[9]
+    u_y = k[10]
     s128 = k[11]
     s58 = k[21]
     s280 = k[22]
@@ -564,9 +564,9 @@ def _errors(w, k, n):
         d_x = A_x - C_x
         d_y = A_y - C_y
         d_z = A_z - C_z
-        s_x = s128*(-R_11*u2 + R_12*u1 + u2)
-        s_y = s128*(-R_21*u2 + R_22*u1 - u1)
-        s_z = s128*(-R_31*u2 + R_32*u1)
+        s_x = s128*(-R_11*u_y + R_12*u_x + u_y)
+        s_y = s128*(-R_21*u_y + R_22*u_x - u_x)
+        s_z = s128*(-R_31*u_y + R_32*u_x)
         s716 = 2*s_z
         s718 = 2*s_y
         s720 = 2*s_x
@@ -586,9 +586,9 @@ def _errors(w, k, n):
         s822 = -q*s820
         s831 = s58*s820
         s834 = s280*s820 + s832
-        s838 = s286*s820 - s725*u2 - s727*u1
-        s839 = u1*(-R_11*s740 - R_21*s735 - R_31*s729 + s740)
-        s840 = -u2*(R_12*s740 + R_22*s735 + R_32*s729 - s735)
+        s838 = s286*s820 - s725*u_y - s727*u_x
+        s839 = u_x*(-R_11*s740 - R_21*s735 - R_31*s729 + s740)
+        s840 = -u_y*(R_12*s740 + R_22*s735 + R_32*s729 - s735)
         s841 = s106*(R_12*s727 + R_22*s725 + R_32*s723)
         s842 = -s109*(R_11*s727 + R_21*s725 + R_31*s723)
         s846 = s68*s727
@@ -607,9 +607,9 @@ def _errors(w, k, n):
         s960 = -q*s958
         s969 = s58*s958
         s971 = -s147 + s280*s958
-        s975 = s286*s958 - s_x*u1 - s_y*u2
-        s976 = u1*(-R_11*s878 - R_21*s873 - R_31*s867 + s878)
-        s977 = -u2*(R_12*s878 + R_22*s873 + R_32*s867 - s873)
+        s975 = s286*s958 - s_x*u_x - s_y*u_y
+        s976 = u_x*(-R_11*s878 - R_21*s873 - R_31*s867 + s878)
+        s977 = -u_y*(R_12*s878 + R_22*s873 + R_32*s867 - s873)
         s978 = s106*(R_12*s_x + R_22*s_y + R_32*s_z)
         s979 = -s109*(R_11*s_x + R_21*s_y + R_31*s_z)
         s983 = s68*s_x
@@ -1493,10 +1493,10 @@ def nominal_constants(p):
     home = p[..., 3]
     a = p[..., 4]
     c = p[..., 5]
-    u1 = np.cos(phi)
+    u_x = np.cos(phi)
     s1 = np.sin(phi)
-    u2 = np.sin(phi)
-    u2_angle = np.cos(phi)
+    u_y = np.sin(phi)
+    u_y_angle = np.cos(phi)
     s6 = (l * l) - (r * r)
     h = home + np.sqrt(s6)
     s9 = 1/np.sqrt(s6)
@@ -1504,22 +1504,22 @@ def nominal_constants(p):
     h_radius = -r*s9
     h_dr = -r*s9
     s14 = a + r
-    s15 = s14*u1
+    s15 = s14*u_x
     C_x_angle = -s1*s14
-    s19 = s14*u2
-    C_y_angle = s14*u2_angle
-    s23 = a*u1
-    s25 = a*u2
+    s19 = s14*u_y
+    C_y_angle = s14*u_y_angle
+    s23 = a*u_x
+    s25 = a*u_y
     d_x_angle = -C_x_angle - a*s1
-    d_y_angle = -C_y_angle + a*u2_angle
-    s_x_cz = -0.5*c*u1
-    s_y_cz = -0.5*c*u2
-    s_z_cx = 0.5*c*u1
-    s_z_cy = 0.5*c*u2
+    d_y_angle = -C_y_angle + a*u_y_angle
+    s_x_cz = -0.5*c*u_x
+    s_y_cz = -0.5*c*u_y
+    s_z_cx = 0.5*c*u_x
+    s_z_cy = 0.5*c*u_y
     s73 = -0.5*l
     k[..., 0] = h
-    k[..., 1] = u1
-    k[..., 2] = u2
+    k[..., 1] = u_x
+    k[..., 2] = u_y
     k[..., 3] = s23
     k[..., 4] = s25
     k[..., 5] = s15
@@ -1543,8 +1543,8 @@ def _nominal(w, k, n):
     """Equations of a nominal limb by platform and errors (55 operations)."""
     wide()
     h = k[0]
-    u1 = k[1]
-    u2 = k[2]
+    u_x = k[1]
+    u_y = k[2]
     s23 = k[3]
     s25 = k[4]
     s15 = k[5]
@@ -1569,10 +1569,10 @@ def _nominal(w, k, n):
         py = w[160 + lane]
         pz = w[192 + lane]
         s13 = h - q
-        C_x_lean_radial = s13*u1
-        C_x_lean_tangential = -s13*u2
-        C_y_lean_radial = s13*u2
-        C_y_lean_tangential = s13*u1
+        C_x_lean_radial = s13*u_x
+        C_x_lean_tangential = -s13*u_y
+        C_y_lean_radial = s13*u_y
+        C_y_lean_tangential = s13*u_x
         s24 = s23 - tx
         s26 = s25 - ty
         A_x = px + s24
@@ -1588,8 +1588,8 @@ def _nominal(w, k, n):
         s51 = d_z*s_z_cy
         s54 = d_x*s_x_cz + d_y*s_y_cz
         s56 = -d_z*h_arm - l
-        s57 = -d_x*u1
-        s58 = -d_y*u2
+        s57 = -d_x*u_x
+        s58 = -d_y*u_y
         s60 = -d_z*h_radius + s57 + s58
         s63 = d_x*d_x_angle + d_y*d_y_angle
         s66 = -C_x_lean_radial*d_x - C_y_lean_radial*d_y

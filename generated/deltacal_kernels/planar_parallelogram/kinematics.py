@@ -1,7 +1,7 @@
 """Kinematics of `planar_parallelogram`, many poses at once: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both f4dec0c108aba403; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 3cc723de5373ae7c; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -66,12 +66,12 @@ def _early(w, k, n):
         s19 = b1_x - tx
         s26 = b2_x - tx
         s28 = -C_y + b2_y
-        s185 = r1_x*s130 + r1_x*s134 - r1_y*s116 + s138
-        s190 = r1_x*s116 + r1_y*s130 + r1_y*s134 + s124
+        s185 = r1_x*s116 + r1_y*s130 + r1_y*s134 + s124
+        s190 = r1_x*s130 + r1_x*s134 - r1_y*s116 + s138
         s198 = (r1_x * r1_x) + r1_x*s153 + r1_x*s156 + (r1_y * r1_y) + r1_y*s195 + s160
         s201 = math.sqrt((s185 * s185) + (s190 * s190) - (s198 * s198))
-        s204 = s185*s201 - s190*s198
-        s208 = -s185*s198 - s190*s201
+        s204 = -s185*s198 + s190*s201
+        s208 = -s185*s201 - s190*s198
         s211 = 1/math.sqrt((s204 * s204) + (s208 * s208))
         s214 = A1_x - C_y*s204*s211 + r1_x - s19*s208*s211
         s217 = C_y*s208*s211 + r1_y - s19*s204*s211
@@ -214,12 +214,12 @@ def _sphere(w, k, n):
         r1_x = s7*sine(s8)
         r1_y = -s7*cosine(s8)
         s19 = b1_x - tx
-        s185 = r1_x*s130 + r1_x*s134 - r1_y*s116 + s138
-        s190 = r1_x*s116 + r1_y*s130 + r1_y*s134 + s124
+        s185 = r1_x*s116 + r1_y*s130 + r1_y*s134 + s124
+        s190 = r1_x*s130 + r1_x*s134 - r1_y*s116 + s138
         s198 = (r1_x * r1_x) + r1_x*s153 + r1_x*s156 + (r1_y * r1_y) + r1_y*s195 + s160
         s201 = math.sqrt((s185 * s185) + (s190 * s190) - (s198 * s198))
-        s204 = s185*s201 - s190*s198
-        s208 = -s185*s198 - s190*s201
+        s204 = -s185*s198 + s190*s201
+        s208 = -s185*s201 - s190*s198
         s211 = 1/math.sqrt((s204 * s204) + (s208 * s208))
         s214 = A1_x - C_y*s204*s211 + r1_x - s19*s208*s211
         s217 = C_y*s208*s211 + r1_y - s19*s204*s211

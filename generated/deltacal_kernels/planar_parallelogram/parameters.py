@@ -1,7 +1,7 @@
 """Tables of `planar_parallelogram`: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 1a9697a911cf32e9; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both bec193fdcdaf16d5; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 

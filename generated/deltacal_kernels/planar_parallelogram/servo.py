@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `planar_parallelogram`, Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both fb1a6104d8fd9597; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 889107f4a48b6c92; SymPy 1.14.0.
 
 Scalar code without allocation, to be called from loops that Numba compiles. Lengths in mm, angles in rad.
 """
@@ -273,19 +273,19 @@ def _linear(x, q, tool, k, i, out):
     s85 = 0.25*s83 + 1
     s86 = (1.0 / s85)
     s88 = -0.5*s83*s86 + 1
-    s94 = (1.0 / (s85 * s85))
-    s96 = 0.25*(nominal_cz * nominal_cz * nominal_cz)*s94 - nominal_cz*s86
-    B1_x_cz = -0.5*C_y*s83*s94 + C_y*s86 - s62*s96
+    s95 = (1.0 / (s85 * s85))
+    s97 = 0.25*(nominal_cz * nominal_cz * nominal_cz)*s95 - nominal_cz*s86
+    B1_x_cz = -0.5*C_y*s83*s95 + C_y*s86 - s62*s97
     B1_x_errors = -db1x*s88
-    B1_y_cz = -C_y*s96 + 0.5*s62*s83*s94 - s62*s86
+    B1_y_cz = -C_y*s97 + 0.5*s62*s83*s95 - s62*s86
     B1_y_errors = -db1x*nominal_cz*s86
     s110 = b2x - tx
     s112 = -C_y + b2y
     B2_x = -nominal_cz*s112*s86 + px + s110*s88
-    B2_x_cz = s110*s96 + 0.5*s112*s83*s94 - s112*s86
+    B2_x_cz = s110*s97 + 0.5*s112*s83*s95 - s112*s86
     B2_x_errors = db2x*s88 - db2y*nominal_cz*s86
     B2_y = nominal_cz*s110*s86 + nominal_py + s112*s88
-    B2_y_cz = -0.5*s110*s83*s94 + s110*s86 + s112*s96
+    B2_y_cz = -0.5*s110*s83*s95 + s110*s86 + s112*s97
     B2_y_errors = db2x*nominal_cz*s86 + db2y*s88
     r2_x = B2_x - a2x
     r2_x_errors = B2_x_errors - da2x

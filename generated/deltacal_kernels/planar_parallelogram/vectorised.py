@@ -1,7 +1,7 @@
 """Kinematics of `planar_parallelogram` in plain NumPy: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both 91d8abfd18aabc00; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both bd084d516af9ef43; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -258,12 +258,12 @@ def _position(x, q, tool, k):
     r1_x = s7*np.sin(s8)
     r1_y = -s7*np.cos(s8)
     s19 = b1_x - tx
-    s185 = r1_x*s130 + r1_x*s134 - r1_y*s116 + s138
-    s190 = r1_x*s116 + r1_y*s130 + r1_y*s134 + s124
+    s185 = r1_x*s116 + r1_y*s130 + r1_y*s134 + s124
+    s190 = r1_x*s130 + r1_x*s134 - r1_y*s116 + s138
     s198 = (r1_x * r1_x) + r1_x*s153 + r1_x*s156 + (r1_y * r1_y) + r1_y*s195 + s160
     s201 = np.sqrt((s185 * s185) + (s190 * s190) - (s198 * s198))
-    s204 = s185*s201 - s190*s198
-    s208 = -s185*s198 - s190*s201
+    s204 = -s185*s198 + s190*s201
+    s208 = -s185*s201 - s190*s198
     s211 = 1/np.sqrt((s204 * s204) + (s208 * s208))
     s214 = A1_x - C_y*s204*s211 + r1_x - s19*s208*s211
     s217 = C_y*s208*s211 + r1_y - s19*s204*s211

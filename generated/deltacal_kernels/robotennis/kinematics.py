@@ -1,7 +1,7 @@
 """Kinematics of `robotennis`, many poses at once: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 60fc89f59bded8a4; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 109cf7e1503e7f71; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -63,10 +63,10 @@ def _early(w, k, n):
         s7 = cosine(s6)
         arm_x = s7*u_x
         arm_y = s7*u_y
-        s10 = sine(s6)
-        B_x = arm_x*s11 + s10*s14 + s16
-        B_y = arm_y*s11 + s10*s20 + s22
-        s24 = s10*s11
+        arm_z = sine(s6)
+        B_x = arm_x*s11 + arm_z*s14 + s16
+        B_y = arm_y*s11 + arm_z*s20 + s22
+        s24 = arm_z*s11
         B_z = s24 + s7*tip_v
         s138 = -s7*s98 - s96 + tx
         s140 = -s100 - s102*s7 + ty
@@ -184,9 +184,10 @@ def _sphere(w, k, n):
         tz = w[96 + lane]
         s6 = q + theta0
         s7 = cosine(s6)
+        arm_z = sine(s6)
         s138 = -s7*s98 - s96 + tx
         s140 = -s100 - s102*s7 + ty
-        s141 = -pz0 + s11*sine(s6) + tz
+        s141 = arm_z*s11 - pz0 + tz
         s148 = 0.5*(s138 * s138) + 0.5*(s140 * s140) + 0.5*(s141 * s141) + s46
         w[480 + lane] = s138
         w[512 + lane] = s140
@@ -244,12 +245,12 @@ def _more(w, k, n):
         s7 = cosine(s6)
         arm_x = s7*u_x
         arm_y = s7*u_y
-        s10 = sine(s6)
-        s151 = -s10*s98 - s14*s7
-        s155 = -s10*s102 - s20*s7
-        s159 = s10*tip_v - s11*s7
+        arm_z = sine(s6)
+        s151 = -arm_z*s98 - s14*s7
+        s155 = -arm_z*s102 - s20*s7
+        s159 = arm_z*tip_v - s11*s7
         w[640 + lane] = s7
-        w[672 + lane] = s10
+        w[672 + lane] = arm_z
         w[704 + lane] = arm_y
         w[736 + lane] = arm_x
         w[768 + lane] = s151
@@ -354,7 +355,7 @@ def _errors(w, k, n):
         B_y = w[416 + lane]
         B_z = w[448 + lane]
         s7 = w[640 + lane]
-        s10 = w[672 + lane]
+        arm_z = w[672 + lane]
         arm_y = w[704 + lane]
         arm_x = w[736 + lane]
         centre_x = px + px0 - tx
@@ -371,13 +372,13 @@ def _errors(w, k, n):
         s51 = 0.5*s50
         s52 = 2*rod_x
         s53 = 0.5*s52
-        s59 = -s10*s51
+        s59 = -arm_z*s51
         s60 = -s11*s51
-        s63 = -s10*s53
+        s63 = -arm_z*s53
         s64 = -s11*s53
-        s73 = -s10*(-s49*tip_v + s60*u_y + s64*u_x)
+        s73 = -arm_z*(-s49*tip_v + s60*u_y + s64*u_x)
         s74 = s7*(-s11*s49 - s14*s53 - s20*s51) + s73
-        s75 = -arm_x*s53 - arm_y*s51 - s10*s49
+        s75 = -arm_x*s53 - arm_y*s51 - arm_z*s49
         s80 = s51*u_y + s53*u_x
         s86 = -s20*s63
         s87 = s60*s7*u_x
@@ -1018,9 +1019,9 @@ def nominal_constants(p):
     A_x_dphi = -H*s1
     A_y = H*u_y
     A_y_dphi = H*u_y_dphi
-    s31 = h*u_x
+    s33 = h*u_x
     C_x_dphi = -h*s1
-    s34 = h*u_y
+    s36 = h*u_y
     C_y_dphi = h*u_y_dphi
     k[..., 0] = u_x
     k[..., 1] = s1
@@ -1031,8 +1032,8 @@ def nominal_constants(p):
     k[..., 6] = A_x_dphi
     k[..., 7] = A_y
     k[..., 8] = A_y_dphi
-    k[..., 9] = s31
-    k[..., 10] = s34
+    k[..., 9] = s33
+    k[..., 10] = s36
     k[..., 11] = C_x_dphi
     k[..., 12] = C_y_dphi
     k[..., 13] = b
@@ -1041,7 +1042,7 @@ def nominal_constants(p):
 
 @fast
 def _nominal(w, k, n):
-    """Equations of a nominal limb by platform and errors (53 operations)."""
+    """Equations of a nominal limb by platform and errors (55 operations)."""
     wide()
     u_x = k[0]
     s1 = k[1]
@@ -1052,8 +1053,8 @@ def _nominal(w, k, n):
     A_x_dphi = k[6]
     A_y = k[7]
     A_y_dphi = k[8]
-    s31 = k[9]
-    s34 = k[10]
+    s33 = k[9]
+    s36 = k[10]
     C_x_dphi = k[11]
     C_y_dphi = k[12]
     b = k[13]
@@ -1073,36 +1074,39 @@ def _nominal(w, k, n):
         arm_y = s8*u_y
         arm_y_theta0 = -s10*u_y
         arm_y_dphi = s8*u_y_dphi
+        arm_z = sine(q)
+        arm_z_theta0 = cosine(q)
         B_x = A_x + a*arm_x
         B_x_theta0 = a*arm_x_theta0
         B_x_dphi = A_x_dphi + a*arm_x_dphi
         B_y = A_y + a*arm_y
         B_y_theta0 = a*arm_y_theta0
         B_y_dphi = A_y_dphi + a*arm_y_dphi
-        B_z_theta0 = a*s8
+        B_z = a*arm_z
+        B_z_theta0 = a*arm_z_theta0
         centre_x = px - tx
         centre_y = py - ty
         centre_z = pz - tz
-        C_x = centre_x + s31
-        C_y = centre_y + s34
+        C_x = centre_x + s33
+        C_y = centre_y + s36
         rod_x = -B_x + C_x
         rod_x_dphi = -B_x_dphi + C_x_dphi
         rod_y = -B_y + C_y
         rod_y_dphi = -B_y_dphi + C_y_dphi
-        rod_z = -a*s10 + centre_z
-        s45 = -arm_x*rod_x - arm_y*rod_y - rod_z*s10
-        s48 = rod_x*u_x + rod_y*u_y
-        s52 = -B_x_theta0*rod_x - B_y_theta0*rod_y - B_z_theta0*rod_z
-        s55 = rod_x*rod_x_dphi + rod_y*rod_y_dphi
+        rod_z = -B_z + centre_z
+        s47 = -arm_x*rod_x - arm_y*rod_y - arm_z*rod_z
+        s50 = rod_x*u_x + rod_y*u_y
+        s54 = -B_x_theta0*rod_x - B_y_theta0*rod_y - B_z_theta0*rod_z
+        s57 = rod_x*rod_x_dphi + rod_y*rod_y_dphi
         w[256 + lane] = rod_x
         w[288 + lane] = rod_y
         w[320 + lane] = rod_z
-        w[864 + lane] = s45
+        w[864 + lane] = s47
         w[896 + lane] = -b
-        w[928 + lane] = s48
-        w[960 + lane] = s52
-        w[992 + lane] = s55
-        w[1024 + lane] = -s48
+        w[928 + lane] = s50
+        w[960 + lane] = s54
+        w[992 + lane] = s57
+        w[1024 + lane] = -s50
         w[1056 + lane] = rod_x
         w[1088 + lane] = rod_y
         w[1120 + lane] = rod_z

@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `robotennis`, RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 5e7891fb9d10b678; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 0f0bd43363bce29f; SymPy 1.14.0.
 
 Scalar code without allocation, to be called from loops that Numba compiles. Lengths in mm, angles in rad.
 """
@@ -47,10 +47,10 @@ def _newton(x, q, tool, k, out):
     s7 = math.cos(s6)
     arm_x = s7*u_x
     arm_y = s7*u_y
-    s10 = math.sin(s6)
-    B_x = arm_x*s11 + s10*s14 + s16
-    B_y = arm_y*s11 + s10*s20 + s22
-    B_z = s10*s11 + s7*tip_v
+    arm_z = math.sin(s6)
+    B_x = arm_x*s11 + arm_z*s14 + s16
+    B_y = arm_y*s11 + arm_z*s20 + s22
+    B_z = arm_z*s11 + s7*tip_v
     centre_x = px + px0 - tx
     centre_y = py + py0 - ty
     centre_z = pz + pz0 - tz
@@ -66,7 +66,7 @@ def _newton(x, q, tool, k, out):
     s51 = 0.5*s50
     s52 = 2*rod_x
     s53 = 0.5*s52
-    s73 = -s10*(-s11*s51*u_y - s11*s53*u_x - s49*tip_v)
+    s73 = -arm_z*(-s11*s51*u_y - s11*s53*u_x - s49*tip_v)
     s74 = s7*(-s11*s49 - s14*s53 - s20*s51) + s73
     out[0] = s47
     out[1] = s53
@@ -137,27 +137,27 @@ def linear_constants(p):
     A_y_errors = H*u_y_errors + dH*u_y
     s18 = -theta0*u_x
     s24 = -theta0*u_y
-    s34 = -tip_v*u_x
-    s36 = A_x_errors + tip_w*u_y
-    s44 = -tip_v*u_y
-    s46 = A_y_errors - tip_w*u_x
-    s57 = h*u_x
+    s36 = -tip_v*u_x
+    s38 = A_x_errors + tip_w*u_y
+    s46 = -tip_v*u_y
+    s48 = A_y_errors - tip_w*u_x
+    s59 = h*u_x
     C_x_errors = dh*u_x + h*u_x_errors + px0
-    s62 = h*u_y
+    s64 = h*u_y
     C_y_errors = dh*u_y + h*u_y_errors + py0
-    s73 = -A_x + s57
-    s75 = -a*u_x
-    s79 = -H*s1 + h*s1
-    s81 = -a*s1
-    s93 = (a * a)
-    s98 = -0.5*(b * b) + 0.5*s93*((s1 * s1) + (u_x * u_x))
-    s114 = -b*db
-    k[..., 0] = s73
-    k[..., 1] = s75
-    k[..., 2] = s79
-    k[..., 3] = s81
-    k[..., 4] = s98
-    k[..., 5] = s93
+    s75 = -A_x + s59
+    s77 = -a*u_x
+    s81 = -H*s1 + h*s1
+    s83 = -a*s1
+    s95 = (a * a)
+    s100 = -0.5*(b * b) + 0.5*s95*((s1 * s1) + (u_x * u_x))
+    s116 = -b*db
+    k[..., 0] = s75
+    k[..., 1] = s77
+    k[..., 2] = s81
+    k[..., 3] = s83
+    k[..., 4] = s100
+    k[..., 5] = s95
     k[..., 6] = a
     k[..., 7] = u_x
     k[..., 8] = u_x_errors
@@ -168,18 +168,18 @@ def linear_constants(p):
     k[..., 13] = theta0
     k[..., 14] = A_x
     k[..., 15] = da
-    k[..., 16] = s34
-    k[..., 17] = s36
+    k[..., 16] = s36
+    k[..., 17] = s38
     k[..., 18] = A_y
-    k[..., 19] = s44
-    k[..., 20] = s46
+    k[..., 19] = s46
+    k[..., 20] = s48
     k[..., 21] = tip_v
-    k[..., 22] = s57
-    k[..., 23] = s62
+    k[..., 22] = s59
+    k[..., 23] = s64
     k[..., 24] = C_x_errors
     k[..., 25] = C_y_errors
     k[..., 26] = pz0
-    k[..., 27] = s114
+    k[..., 27] = s116
     return k
 
 
@@ -192,28 +192,28 @@ def _nominal_joint(x, q, tool, k, i, out):
     tx = tool[0]
     ty = tool[1]
     tz = tool[2]
-    s73 = k[i, 0]
-    s75 = k[i, 1]
-    s79 = k[i, 2]
-    s81 = k[i, 3]
-    s98 = k[i, 4]
-    s93 = k[i, 5]
+    s75 = k[i, 0]
+    s77 = k[i, 1]
+    s81 = k[i, 2]
+    s83 = k[i, 3]
+    s100 = k[i, 4]
+    s95 = k[i, 5]
     a = k[i, 6]
     centre_z = pz - tz
-    s74 = px + s73 - tx
-    s80 = py + s79 - ty
-    s83 = s74*s75 + s80*s81
-    s85 = (centre_z * centre_z)
-    s99 = 0.5*(s74 * s74) + 0.5*(s80 * s80) + 0.5*s85 + s98
-    s103 = math.sqrt((s83 * s83) + s85*s93 - (s99 * s99))
-    s110 = math.atan2(a*centre_z*s99 + s103*s83, a*centre_z*s103 - s83*s99)
+    s76 = px + s75 - tx
+    s82 = py + s81 - ty
+    s85 = s76*s77 + s82*s83
+    s87 = (centre_z * centre_z)
+    s101 = s100 + 0.5*(s76 * s76) + 0.5*(s82 * s82) + 0.5*s87
+    s105 = math.sqrt(-(s101 * s101) + (s85 * s85) + s87*s95)
+    s112 = math.atan2(a*centre_z*s101 + s105*s85, a*centre_z*s105 - s101*s85)
     row = 1 * i
-    out[row + 0] = s110
+    out[row + 0] = s112
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def _linear(x, q, tool, k, i, out):
-    """Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (63 operations); limb i of k, row i of out."""
+    """Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (65 operations); limb i of k, row i of out."""
     px = x[0]
     py = x[1]
     pz = x[2]
@@ -230,18 +230,18 @@ def _linear(x, q, tool, k, i, out):
     theta0 = k[i, 13]
     A_x = k[i, 14]
     da = k[i, 15]
-    s34 = k[i, 16]
-    s36 = k[i, 17]
+    s36 = k[i, 16]
+    s38 = k[i, 17]
     A_y = k[i, 18]
-    s44 = k[i, 19]
-    s46 = k[i, 20]
+    s46 = k[i, 19]
+    s48 = k[i, 20]
     tip_v = k[i, 21]
-    s57 = k[i, 22]
-    s62 = k[i, 23]
+    s59 = k[i, 22]
+    s64 = k[i, 23]
     C_x_errors = k[i, 24]
     C_y_errors = k[i, 25]
     pz0 = k[i, 26]
-    s114 = k[i, 27]
+    s116 = k[i, 27]
     s13 = math.cos(q)
     arm_x = s13*u_x
     s15 = math.sin(q)
@@ -250,31 +250,34 @@ def _linear(x, q, tool, k, i, out):
     arm_y = s13*u_y
     arm_y_q = -s15*u_y
     arm_y_errors = s13*u_y_errors + s15*s24
+    arm_z = math.sin(q)
+    arm_z_q = math.cos(q)
     arm_z_errors = s13*theta0
     B_x = A_x + a*arm_x
     B_x_q = a*arm_x_q
-    B_x_errors = a*arm_x_errors + arm_x*da + s15*s34 + s36
+    B_x_errors = a*arm_x_errors + arm_x*da + s15*s36 + s38
     B_y = A_y + a*arm_y
     B_y_q = a*arm_y_q
-    B_y_errors = a*arm_y_errors + arm_y*da + s15*s44 + s46
-    B_z_q = a*s13
-    B_z_errors = a*arm_z_errors + da*s15 + s13*tip_v
+    B_y_errors = a*arm_y_errors + arm_y*da + s15*s46 + s48
+    B_z = a*arm_z
+    B_z_q = a*arm_z_q
+    B_z_errors = a*arm_z_errors + arm_z*da + s13*tip_v
     centre_x = px - tx
     centre_y = py - ty
     centre_z = pz - tz
-    C_x = centre_x + s57
-    C_y = centre_y + s62
+    C_x = centre_x + s59
+    C_y = centre_y + s64
     rod_x = -B_x + C_x
     rod_x_errors = -B_x_errors + C_x_errors
     rod_y = -B_y + C_y
     rod_y_errors = -B_y_errors + C_y_errors
-    rod_z = -a*s15 + centre_z
+    rod_z = -B_z + centre_z
     rod_z_errors = -B_z_errors + pz0
-    s115 = rod_x*rod_x_errors + rod_y*rod_y_errors + rod_z*rod_z_errors + s114
-    s119 = -B_x_q*rod_x - B_y_q*rod_y - B_z_q*rod_z
+    s117 = rod_x*rod_x_errors + rod_y*rod_y_errors + rod_z*rod_z_errors + s116
+    s121 = -B_x_q*rod_x - B_y_q*rod_y - B_z_q*rod_z
     row = 5 * i
-    out[row + 0] = s115
-    out[row + 4] = s119
+    out[row + 0] = s117
+    out[row + 4] = s121
 
 
 @njit(cache=True, nogil=True, error_model="numpy")

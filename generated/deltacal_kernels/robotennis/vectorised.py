@@ -1,7 +1,7 @@
 """Kinematics of `robotennis` in plain NumPy: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both 82f4ebc2b6e9ed7f; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both a43fda1b72a5a676; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -119,10 +119,10 @@ def _newton(x, q, tool, k):
     s7 = np.cos(s6)
     arm_x = s7*u_x
     arm_y = s7*u_y
-    s10 = np.sin(s6)
-    B_x = arm_x*s11 + s10*s14 + s16
-    B_y = arm_y*s11 + s10*s20 + s22
-    B_z = s10*s11 + s7*tip_v
+    arm_z = np.sin(s6)
+    B_x = arm_x*s11 + arm_z*s14 + s16
+    B_y = arm_y*s11 + arm_z*s20 + s22
+    B_z = arm_z*s11 + s7*tip_v
     centre_x = px + px0 - tx
     centre_y = py + py0 - ty
     centre_z = pz + pz0 - tz
@@ -138,7 +138,7 @@ def _newton(x, q, tool, k):
     s51 = 0.5*s50
     s52 = 2*rod_x
     s53 = 0.5*s52
-    s73 = -s10*(-s11*s51*u_y - s11*s53*u_x - s49*tip_v)
+    s73 = -arm_z*(-s11*s51*u_y - s11*s53*u_x - s49*tip_v)
     s74 = s7*(-s11*s49 - s14*s53 - s20*s51) + s73
     out = np.zeros((len(x), 5))
     out[:, 0] = s47
@@ -177,10 +177,10 @@ def _parameters(x, q, tool, k):
     s7 = np.cos(s6)
     arm_x = s7*u_x
     arm_y = s7*u_y
-    s10 = np.sin(s6)
-    B_x = arm_x*s11 + s10*s14 + s16
-    B_y = arm_y*s11 + s10*s20 + s22
-    B_z = s10*s11 + s7*tip_v
+    arm_z = np.sin(s6)
+    B_x = arm_x*s11 + arm_z*s14 + s16
+    B_y = arm_y*s11 + arm_z*s20 + s22
+    B_z = arm_z*s11 + s7*tip_v
     centre_x = px + px0 - tx
     centre_y = py + py0 - ty
     centre_z = pz + pz0 - tz
@@ -195,13 +195,13 @@ def _parameters(x, q, tool, k):
     s51 = 0.5*s50
     s52 = 2*rod_x
     s53 = 0.5*s52
-    s59 = -s10*s51
+    s59 = -arm_z*s51
     s60 = -s11*s51
-    s63 = -s10*s53
+    s63 = -arm_z*s53
     s64 = -s11*s53
-    s73 = -s10*(-s49*tip_v + s60*u_y + s64*u_x)
+    s73 = -arm_z*(-s49*tip_v + s60*u_y + s64*u_x)
     s74 = s7*(-s11*s49 - s14*s53 - s20*s51) + s73
-    s75 = -arm_x*s53 - arm_y*s51 - s10*s49
+    s75 = -arm_x*s53 - arm_y*s51 - arm_z*s49
     s80 = s51*u_y + s53*u_x
     s86 = -s20*s63
     s87 = s60*s7*u_x
@@ -240,9 +240,10 @@ def _sphere(x, q, tool, k):
     s102 = k[:, 18]
     s6 = q + theta0
     s7 = np.cos(s6)
+    arm_z = np.sin(s6)
     s138 = -s7*s98 - s96 + tx
     s140 = -s100 - s102*s7 + ty
-    s141 = -pz0 + s11*np.sin(s6) + tz
+    s141 = arm_z*s11 - pz0 + tz
     s148 = 0.5*(s138 * s138) + 0.5*(s140 * s140) + 0.5*(s141 * s141) + s46
     out = np.zeros((len(x), 4))
     out[:, 0] = s138
