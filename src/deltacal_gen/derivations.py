@@ -316,8 +316,9 @@ def content(one: Subject, account: Mapping[str, Any], root: Path, measurements: 
         part["at"] = sources.at(**part["place"])
     for part in (*account.get("closures", ()), *account.get("weights", ()), *account.get("seeds", ())):
         part["at"] = sources.at(**part["place"]) if part["place"] else None
-    files = [f"{KERNELS}/{one.mechanism}/{name}.py" for name in ("kinematics", "statics", "links")]
-    used = [k for file in files if (root / file).exists() for k in kernels(sources, file)]
+    files = [f"{KERNELS}/{one.mechanism}/{name}.py" for name in ("vectorised", "servo", "statics", "links")]
+    every = [k for file in files if (root / file).exists() for k in kernels(sources, file)]
+    used = list({k.name: k for k in reversed(every)}.values())[::-1]  # what stands in two files, from the first
     for step in account["steps"]:
         step["ends"] = _ends(step, used, sources)
     found["kernels"] = [
