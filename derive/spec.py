@@ -345,7 +345,7 @@ class Effect:
     Parameters
     ----------
     name, title : str
-        The contract's name, and what it is in plain words.
+        Name in files, and what it is in plain words.
     per_limb : bool
         Whether every limb has its own coefficients.
     coefficients : tuple of Quantity

@@ -1,6 +1,6 @@
 r"""The Delta with all six rods: three arms, each carrying the platform by a pair of rods (R-(SS)^2).
 
-Frames (Bai 2015, section 2; contract, section 1). {O} lies at the base centre, z up. Limb i points along
+Frames (Bai 2015, section 2). {O} lies at the base centre, z up. Limb i points along
 ``u0 = (cos phi, sin phi, 0)``; ``v0 = z``; ``w0 = u0 x v0`` is the nominal axis of the joint, and rod 1 lies on its
 positive side. ``theta = q + theta_i`` is the angle the geometry sees; 0 puts the arm along u0, positive lifts it.
 

@@ -1,6 +1,6 @@
 r"""The linear delta of printers: three upright towers, carriages on belts, a pair of rods from each to the effector.
 
-Frame (contract, section 1): {O} lies on the nominal bed plane, z up. Tower i stands in the direction
+Frame: {O} lies on the nominal bed plane, z up. Tower i stands in the direction
 ``u = (cos angle, sin angle, 0)``; ``t = z x u`` is the direction of its pair of rods, rod 1 lies on the positive side.
 The joint `q` is the carriage's way down from its endstop. All values are actual ones, nominal plus error::
 
@@ -70,7 +70,7 @@ TOWER = ("endstop", "arm", "radius", "angle", "lean_radial", "lean_tangential", 
 MECHANISM = LimbMechanism(
     name="linear_delta",
     title="Linear delta, three towers and six rods",
-    reference="contract, section 1; Klipper, klippy/kinematics/delta.py; RepRapFirmware, LinearDeltaKinematics",
+    reference="Klipper, klippy/kinematics/delta.py; RepRapFirmware, LinearDeltaKinematics",
     source="derive/mechanisms/linear_delta.py",
     limbs=3,
     platform=(

@@ -8,7 +8,7 @@ Units: mm, rad, kg.
 NAME = "linear_delta"
 MACHINE = "linear_delta"  # whose robot files these are the source errors of
 TITLE = "Linear delta, three towers and six rods"
-REFERENCE = "contract, section 1; Klipper, klippy/kinematics/delta.py; RepRapFirmware, LinearDeltaKinematics"
+REFERENCE = "Klipper, klippy/kinematics/delta.py; RepRapFirmware, LinearDeltaKinematics"
 LIMBS = 3
 EQUATIONS = 6
 RODS = ("arm",)
