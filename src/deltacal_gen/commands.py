@@ -24,6 +24,7 @@ from deltacal_gen.robot import Robot, for_model, for_names, read_robot, read_tex
 from deltacal_gen.units import file_unit, to_internal
 
 if TYPE_CHECKING:
+    from deltacal_gen.execution import Told
     from deltacal_gen.imports import Imported
     from deltacal_gen.mechanism import Array
     from deltacal_gen.physics import Term
@@ -31,7 +32,6 @@ if TYPE_CHECKING:
 Source = str | Path
 PICTURES = (".svg", ".png", ".pdf")
 Progress = Callable[[str], None]
-Told = Callable[[int, int, str], None]  # tasks done, of how many, which
 
 
 def _silent(text: str) -> None:

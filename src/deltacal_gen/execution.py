@@ -8,6 +8,7 @@ numbers belong to the task, not to the worker. No more tasks are in flight than 
 from __future__ import annotations
 
 import concurrent.futures
+import functools
 import hashlib
 import json
 import multiprocessing
@@ -20,6 +21,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import deltacal_kernels
+
+import deltacal_gen
 from deltacal_gen.errors import DeltacalError, InputError
 from deltacal_gen.mechanism import compiled_only
 
@@ -60,9 +64,20 @@ class Outcome:
     error: str | None = None
 
 
-def content_key(*parts: object) -> str:
-    """Return a hash of JSON-like parts and bytes."""
+@functools.cache
+def code_digest() -> str:
+    """Return a hash of this package and of its kernels: what other code has made is not taken for done."""
     digest = hashlib.sha256()
+    for package in (deltacal_gen, deltacal_kernels):
+        root = Path(str(package.__file__)).parent
+        for file in sorted(root.rglob("*.py")):
+            digest.update(file.relative_to(root).as_posix().encode() + file.read_bytes())
+    return digest.hexdigest()
+
+
+def content_key(*parts: object) -> str:
+    """Return a hash of JSON-like parts and bytes, and of the code."""
+    digest = hashlib.sha256(code_digest().encode())
     for part in parts:
         data = part if isinstance(part, bytes) else json.dumps(part, sort_keys=True, default=str).encode()
         digest.update(len(data).to_bytes(8, "big") + data)

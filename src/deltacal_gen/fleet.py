@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from deltacal_gen import __version__, commands
+from deltacal_gen import commands
 from deltacal_gen.comparison import compare
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.execution import Outcome, Store, Task, Told, content_key, run
@@ -141,7 +141,7 @@ def conduct(
 
     def tasks() -> Iterator[Task]:
         for job in todo:
-            key = content_key(SCHEMA, __version__, action, model, sorted((n, c.hex()) for n, c in _read(job).items()))
+            key = content_key(SCHEMA, action, model, sorted((n, c.hex()) for n, c in _read(job).items()))
             keys[job.label] = key
             yield Task(key, job.label, functools.partial(_arguments, action, model, job))
 

@@ -349,13 +349,14 @@ def _steps(found: Mapping[str, Any]) -> list[dict[str, str]]:
         )
     for question in found["next_measurements"][:2]:
         steps.append({"text": f"{question['text']} This {question['why']}.", "command": ""})
-    what = "with these effects" if on_machine else "of the calibrated geometry"
-    steps.append(
-        {
-            "text": f"Corrected commands {what}:",
-            "command": "deltacal compensate DIAGNOSIS.json targets.csv -o joints.csv",
-        }
-    )
+    if "joint" not in found["robot"]:  # an open chain is not commanded by the position alone
+        what = "with these effects" if on_machine else "of the calibrated geometry"
+        steps.append(
+            {
+                "text": f"Corrected commands {what}:",
+                "command": "deltacal compensate DIAGNOSIS.json targets.csv -o joints.csv",
+            }
+        )
     return steps
 
 

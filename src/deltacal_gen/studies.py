@@ -27,7 +27,7 @@ from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation import Problem, pose_problem
 from deltacal_gen.execution import Outcome, Task, Told, content_key, run
 from deltacal_gen.identification import BROAD
-from deltacal_gen.measurement import Readings, carried
+from deltacal_gen.measurement import Instrument, Readings, carried
 from deltacal_gen.mechanism import SOLVED, Array, compiled_only
 from deltacal_gen.physics import Body, Channels, Term, term_to_dict
 from deltacal_gen.recording import Recording
@@ -253,7 +253,7 @@ def _read(study: Study, truth: Array, rng: np.random.Generator) -> tuple[Reading
     problem, count = study.problem, len(truth)
     found, n = problem.readings, len(problem.body.q)
     x = _stand(study, truth, None)
-    instrument = _several(study, count, truth)
+    instrument = _mounted(study, _several(study, count), truth)
     setups = int(found.setup.max()) + 1
     each = np.repeat(np.arange(count), len(found))
     stacked = dataclasses.replace(
@@ -282,14 +282,18 @@ def _stand(study: Study, errors: Array, near: Array | None) -> Array:
     return x
 
 
-def _several(study: Study, count: int, errors: Array) -> Any:
-    """Return the plan's instrument once for each machine, mounted as the machine's own errors have it."""
-    problem = study.problem
-    one = problem.begin(problem.reference)
-    state = np.tile(one.state, (count, 1))
-    for unknown, parameter in carried(one.kind, problem.mechanism).items():
-        state[:, unknown] += np.repeat(errors[:, parameter], len(one.state))
-    return dataclasses.replace(one, state=state)
+def _several(study: Study, count: int) -> Instrument:
+    """Return the plan's instrument once for each machine."""
+    one = study.problem.begin(study.problem.reference)
+    return dataclasses.replace(one, state=np.tile(one.state, (count, 1)))
+
+
+def _mounted(study: Study, instrument: Instrument, errors: Array) -> Instrument:
+    """Return the instruments of machines where the machines' own errors (T, n_p) put them."""
+    state = instrument.state.copy()
+    for unknown, parameter in carried(instrument.kind, study.problem.mechanism).items():
+        state[:, unknown] += np.repeat(errors[:, parameter], len(state) // len(errors))
+    return dataclasses.replace(instrument, state=state)
 
 
 def _calibrate(study: Study, found: Readings, near: Array, count: int) -> tuple[Array, np.ndarray]:
@@ -300,25 +304,19 @@ def _calibrate(study: Study, found: Readings, near: Array, count: int) -> tuple[
     deviation = np.sqrt(np.diag(linear.covariance)[:n])
     u = np.zeros((count, len(factor)))
     errors = np.zeros((count, n_p))
-    free = np.zeros((count, n_p))
-    instrument = _several(study, count, free)
-    settled = np.zeros(count, dtype=bool)
+    instrument = _several(study, count)
+    settled: np.ndarray = np.zeros(count, dtype=bool)
     x: Array | None = None
     for _ in range(STEPS):
         x = _stand(study, errors, near if x is None else x)
-        mounted = instrument
-        for unknown, parameter in carried(instrument.kind, problem.mechanism).items():
-            state = mounted.state.copy()
-            state[:, unknown] += np.repeat(errors[:, parameter], len(state) // count)
-            mounted = dataclasses.replace(mounted, state=state)
-        r = mounted.residual(found, np.nan_to_num(x))
+        r = _mounted(study, instrument, errors).residual(found, np.nan_to_num(x))
         r = np.nan_to_num(r / study.noise(r.shape[1])).reshape(count, -1)
         step = (r @ linear.J - linear.prior * u) @ factor
         u += step
         errors[:, columns] = u[:, :n]
         if u.shape[1] > n:
             instrument = instrument.stepped(step[:, n:])
-        settled = (np.abs(step[:, :n]) < DONE * deviation).all(axis=1)
+        settled = np.all(np.abs(step[:, :n]) < DONE * deviation, axis=1)
         if settled.all():
             break
     return errors, settled & np.isfinite(u).all(axis=1)

@@ -87,6 +87,12 @@ def main() -> None:
             f"{r['heldout']:.4f} | {r['verdict']}{named} |",
             flush=True,
         )
+    groups: dict[str, list[dict[str, Any]]] = defaultdict(list)
+    for r in rows.values():
+        groups["heights and distances" if r["distances"] else f"{min(r['readings'], MANY)} heights"].append(r)
+    for words, group in sorted(groups.items()):
+        middle = ", ".join(f"{k} {np.median([r[k] for r in group]):.4f}" for k in ("saved", "firmware", "fit"))
+        print(f"{words}{' and more' if words.startswith(str(MANY)) else ''}: {len(group)} recordings, medians {middle}")
     machines: dict[str, list[Path]] = defaultdict(list)
     for folder in rows:
         if "-mesh" in folder.name:
