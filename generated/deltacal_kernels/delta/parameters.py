@@ -1,7 +1,7 @@
 """Tables of `delta`: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 3d42d17384e59ba7; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 27166c8c3d4d42d9; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 

@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `delta`, Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 92aa46724cc03311; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 3c8db672b4314643; SymPy 1.14.0.
 
 Scalar code without allocation, to be called from loops that Numba compiles. Lengths in mm, angles in rad.
 """

@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `linear_delta`, Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 21ee4764ef4522e3; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 7d7856bcdc44934e; SymPy 1.14.0.
 
 Scalar code without allocation, to be called from loops that Numba compiles. Lengths in mm, angles in rad.
 """
