@@ -97,7 +97,7 @@ def record(
         terms=terms,
         frame=FRAME,
     )
-    measurement = done.measurement.model_copy(update={"sigma_mm": sigma if declared else None})
+    measurement = dataclasses.replace(done.measurement, sigma_mm=sigma if declared else None)
     kept = {name: v for name, v in done.channels.items() if not name.startswith("true_")}
     return dataclasses.replace(done, measurement=measurement, channels=kept)
 

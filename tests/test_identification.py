@@ -80,7 +80,7 @@ def test_a_gauge_is_found_where_it_is_and_not_where_the_sidecar_says(robot: Robo
     truth = plausible(mechanism, 3, mechanism.model("18"))
     poses = np.vstack([poses_of(robot), scattered(robot, 60, 9)])
     recording = simulate(robot, asked(robot, "gauge", poses), truth)
-    nominal = recording.measurement.model_copy(update={"base_point_mm": (421.5, -152.0, 39.0)})
+    nominal = dataclasses.replace(recording.measurement, base_point_mm=(421.5, -152.0, 39.0))
     found = identify(robot, dataclasses.replace(recording, measurement=nominal), "18")
     fresh = simulate(robot, asked(robot, "gauge", scattered(robot, 25, 77)), truth)
     assert values(predict(found.to_dict(), fresh)) == pytest.approx(values(fresh), abs=1e-6)
@@ -258,7 +258,7 @@ def test_too_few_readings_are_refused_with_the_number_needed(
     declared = noisy(robot, eighteen).subset([0, 5])
     with pytest.raises(InputError, match=rf"holds 6 independent scalar readings; .*{needed} are needed"):
         identify(robot, declared, model)
-    silent = dataclasses.replace(declared, measurement=declared.measurement.model_copy(update={"sigma_mm": None}))
+    silent = dataclasses.replace(declared, measurement=dataclasses.replace(declared.measurement, sigma_mm=None))
     with pytest.raises(InputError, match=rf"noise shows in no fewer than 3 more: {needed + 3} are needed"):
         identify(robot, silent, model)
 

@@ -69,7 +69,7 @@ def as_recording(poses: Recording, done: mei.Procedure, seed: int = 0) -> Record
         pose=np.arange(1, n + 1).astype(str),
         line=np.arange(2, n + 2),
         setup=np.zeros(n, dtype=int),
-        measurement=poses.measurement.model_copy(update={"sigma_mm": None}),
+        measurement=dataclasses.replace(poses.measurement, sigma_mm=None),
     )
 
 
@@ -213,7 +213,7 @@ def test_the_choice_of_positions(tmp_path: Path) -> None:
     )
     assert ours.targets is not None
     np.testing.assert_allclose(ours.targets, example.targets, atol=1e-9)
-    assert ours.measurement == example.measurement.model_copy(update={"sigma_mm": None})
+    assert ours.measurement == dataclasses.replace(example.measurement, sigma_mm=None)
 
 
 def test_a_plan_says_what_it_needs(robot: Robot) -> None:
@@ -241,7 +241,7 @@ def test_errors_before_calibration(robot: Robot, number: int) -> None:
 def test_exact_readings_give_back_what_they_see(robot: Robot, poses: Recording) -> None:
     truth = errors_of(4) | {n: 0.0 for n in errors_of(4) if n[0] in "eLl"}
     recording = simulate(robot, poses, truth)
-    free = dataclasses.replace(recording, measurement=recording.measurement.model_copy(update={"sigma_mm": 1e-6}))
+    free = dataclasses.replace(recording, measurement=dataclasses.replace(recording.measurement, sigma_mm=1e-6))
     found = identification.identify(robot, free, "diamond/4", solver="least-squares", robust=False)
     np.testing.assert_allclose(found.fit.errors, DIAMOND.vector(truth), rtol=0, atol=1e-8)
     again = predict(found.to_dict(), free)

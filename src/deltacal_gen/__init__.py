@@ -19,6 +19,7 @@ from typing import Any
 __version__ = "0.1.0"
 
 _HOME = {
+    "arrays": ("estimate", "nominal"),
     "commands": (
         "batch",
         "claims",
@@ -45,8 +46,9 @@ _HOME = {
     "errors": ("DeltacalError", "InputError", "NoSolutionError", "UsageError"),
     "exports": ("export_c", "export_table", "read_table"),
     "mechanism": ("Mechanism", "load_mechanism"),
-    "recording": ("Recording", "read_recording", "write_recording"),
-    "robot": ("Robot", "read_robot", "robot_to_toml"),
+    "inputs": ("Recording", "Robot"),
+    "recording": ("read_recording", "write_recording"),
+    "robot": ("read_robot", "robot_to_toml"),
     "solvers": ("LeastSquares", "Prior", "Ridge", "TSVD"),
 }
 _WHERE = {name: module for module, names in _HOME.items() for name in names}

@@ -14,8 +14,8 @@ from types import ModuleType
 import numpy as np
 
 from deltacal_gen.errors import UsageError
+from deltacal_gen.inputs import Link, Robot
 from deltacal_gen.mechanism import POSE, SOLVED, GeometryKey, Loads, Mechanism, Parameter, Sensitivity
-from deltacal_gen.robot import Link, Robot
 from deltacal_gen.rotation import Array
 
 PARALLEL = 1e-6  # rad: axes that are closer to parallel have no common normal to speak of

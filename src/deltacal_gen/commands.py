@@ -330,7 +330,7 @@ def simulate(
     robot = _robot(robot)
     given = _recording(poses, robot, need_measured=False, allow_targets=True)
     if not isinstance(poses, Recording) and not given.path.with_suffix(".toml").exists():
-        given = dataclasses.replace(given, measurement=given.measurement.model_copy(update={"frame": "robot"}))
+        given = dataclasses.replace(given, measurement=dataclasses.replace(given.measurement, frame="robot"))
     errors: dict[str, float] | None = None
     terms: Sequence[Term] = ()
     if truth is not None:

@@ -134,8 +134,8 @@ def diagnose(
         identification.enough_poses(problem, model)
     progress("geometry")
     some = _drawn(problem)
-    rough = identification.rough(some, mechanism, robust=True, must_converge=False)
-    identification.plausible(rough, mechanism)
+    rough = identification.rough(some, must_converge=False)
+    identification.plausible(rough)
     identification.check_rows(rough, recording)
     # what is left out may look like gross errors where it is strongest: none is dropped before it is known
     first = fit(some, Prior(), errors=rough.errors, instrument=rough.instrument, drop_gross=False, must_converge=False)

@@ -16,11 +16,10 @@ from functools import partial
 import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError
+from deltacal_gen.inputs import Recording, Robot
 from deltacal_gen.measurement import BOTH, CONTACT, Instrument, Readings, carried, readings, start
 from deltacal_gen.mechanism import Array, Mechanism, Sensitivity, mechanism_of
 from deltacal_gen.physics import Body, Channels, Deformed, Term, of_reading, reading_shift
-from deltacal_gen.recording import Recording
-from deltacal_gen.robot import Robot
 from deltacal_gen.solvers import LeastSquares, Solution, Solver
 
 MAX_ITERATIONS = 40
@@ -328,6 +327,12 @@ class Fit:
     history: list[float] = field(default_factory=list)
 
     @property
+    def parameters(self) -> dict[str, float]:
+        """The free source errors by name [mm, rad]."""
+        names = self.problem.names
+        return dict(zip(names, self.errors[self.problem.columns[: len(names)]].tolist(), strict=True))
+
+    @property
     def gross(self) -> np.ndarray:
         """Readings (indices) so far off that they are gross errors, not noise."""
         size = np.nanmax(np.abs(self.residual) / self.sigma, axis=1)
@@ -470,6 +475,14 @@ def fit(
         covariance=_joint_covariance(solution, A_p, A_m, problem.scale, _shared_noise(problem, weights)),
         repeats=shared,
         history=history,
+    )
+
+
+def rough(problem: Problem, robust: bool = True, must_converge: bool = True) -> Fit:
+    """Fit the mechanism's smallest model, the encoder offsets, starting from the robot file."""
+    smallest = min(problem.mechanism.models.values(), key=len)
+    return fit(
+        problem.with_names(smallest), LeastSquares(), robust=robust, weigh_repeats=False, must_converge=must_converge
     )
 
 

@@ -29,6 +29,7 @@ from deltacal_gen.estimation import (
     lengths,
     pose_problem,
     rms,
+    rough,
 )
 from deltacal_gen.identifiability import Combination
 from deltacal_gen.measurement import BOTH, CONTACT, MOUNT, Readings, carried, contacts
@@ -166,8 +167,8 @@ def identify(
     progress("rough stage: encoder offsets")
     before = _residual_of(problem, problem.reference)
     distinct(everything, recording)
-    first = rough(everything, mechanism, robust)
-    plausible(first, mechanism)
+    first = rough(everything, robust)
+    plausible(first)
     check_rows(first, recording)
     progress(f"fine stage: {len(names)} parameters of {chosen}")
     final = fit(problem, rule, errors=first.errors, instrument=first.instrument, robust=robust)
@@ -358,7 +359,7 @@ def enough_poses(problem: Problem, model: str) -> None:
         )
 
 
-def plausible(first: Fit, mechanism: Mechanism) -> None:
+def plausible(first: Fit) -> None:
     """Raise an InputError where the readings cannot be of this machine, and name the mistake that would explain them.
 
     After the encoder offsets no machine is off by half a per cent of its size. The mistakes that people make are tried
@@ -372,7 +373,7 @@ def plausible(first: Fit, mechanism: Mechanism) -> None:
         return
     for words, changed in _mistakes(problem) if found.kind in ("position", "pose") else ():
         try:
-            again = rough(changed, mechanism, robust=True)
+            again = rough(changed)
         except (InputError, NoSolutionError):
             continue
         if float(np.median(np.linalg.norm(np.nan_to_num(lengths(again.residual)), axis=1))) < 0.1 * off:
@@ -398,7 +399,7 @@ def _mistakes(problem: Problem) -> Iterator[tuple[str, Problem]]:
         return dataclasses.replace(problem, body=Body(body.robot, body.mechanism, q, body.tool, body.channels))
 
     if problem.recording.measurement.frame == "robot":
-        free = problem.recording.measurement.model_copy(update={"frame": "unknown"})
+        free = dataclasses.replace(problem.recording.measurement, frame="unknown")
         yield (
             'the instrument has a frame of its own (frame = "unknown" in the sidecar)',
             dataclasses.replace(problem, recording=dataclasses.replace(problem.recording, measurement=free)),
@@ -422,14 +423,6 @@ def _mistakes(problem: Problem) -> Iterator[tuple[str, Problem]]:
             "the readings are shifted against the joints by one row",
             with_values(np.roll(found.values, shift, axis=0)),
         )
-
-
-def rough(problem: Problem, mechanism: Mechanism, robust: bool, must_converge: bool = True) -> Fit:
-    """Fit the smallest model, the encoder offsets, starting from the robot file."""
-    smallest = min(mechanism.models.values(), key=len)
-    return fit(
-        problem.with_names(smallest), LeastSquares(), robust=robust, weigh_repeats=False, must_converge=must_converge
-    )
 
 
 def check_rows(first: Fit, recording: Recording) -> None:

@@ -17,9 +17,8 @@ import numpy as np
 
 from deltacal_gen import sphere
 from deltacal_gen.errors import InputError
+from deltacal_gen.inputs import Recording, Robot
 from deltacal_gen.mechanism import Array, Mechanism, mechanism_of
-from deltacal_gen.recording import Recording
-from deltacal_gen.robot import Robot
 from deltacal_gen.rotation import cayley_matrix, from_vector, mean, to_vector
 from deltacal_gen.units import DEG
 

@@ -24,7 +24,7 @@ from deltacal_gen.errors import UsageError
 from deltacal_gen.rotation import Array, cayley_matrix, cayley_vector
 
 if TYPE_CHECKING:
-    from deltacal_gen.robot import Link, Robot
+    from deltacal_gen.inputs import Link, Robot
 
 COORDINATES = ("px", "py", "pz", "cx", "cy", "cz")  # of a body in space, as the kernels solve for them
 POSE = 12  # numbers of a pose: position of the reference point, rotation matrix row by row

@@ -21,10 +21,9 @@ import deltacal_kernels.effects
 import numpy as np
 
 from deltacal_gen.errors import InputError
+from deltacal_gen.inputs import TEMPERATURE, Recording, Robot
 from deltacal_gen.measurement import Readings
 from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, Sensitivity
-from deltacal_gen.recording import TEMPERATURE, Recording
-from deltacal_gen.robot import Robot
 from deltacal_gen.rotation import cayley_matrix
 from deltacal_gen.units import DEG, of_sliding
 

@@ -22,10 +22,10 @@ import numpy as np
 from pydantic import BeforeValidator
 
 from deltacal_gen.errors import InputError
+from deltacal_gen.inputs import POSITION, ROTATION, TEMPERATURE, Measurement, Recording, Robot
 from deltacal_gen.robot import (
     Number,
     Positive,
-    Robot,
     Table,
     TomlFile,
     Vector,
@@ -40,8 +40,6 @@ from deltacal_gen.units import DEG, file_unit, to_internal
 if TYPE_CHECKING:
     from deltacal_gen.mechanism import Mechanism
 
-_POSITION = ("x_mm", "y_mm", "z_mm")
-_ROTATION = ("rx_deg", "ry_deg", "rz_deg")
 _TOOL = ("tool_x_mm", "tool_y_mm", "tool_z_mm")
 _COLUMNS = {  # of the kinds of measurement that do not depend on the machine's axes
     "distance": ("distance_mm",),
@@ -50,7 +48,7 @@ _COLUMNS = {  # of the kinds of measurement that do not depend on the machine's 
     "height": ("height_mm",),
     "sphere": ("u1_px", "u2_px", "v1_px", "v2_px"),
 }
-_RESERVED = {"x_mm", "y_mm", "z_mm", *_ROTATION, *_TOOL, "pose", "setup", *sum(_COLUMNS.values(), ())}
+_RESERVED = {"x_mm", "y_mm", "z_mm", *ROTATION, *_TOOL, "pose", "setup", *sum(_COLUMNS.values(), ())}
 _ONE_SETUP = ("1",)  # name of the only set-up, where the file names none
 
 _JOINT = re.compile(r"q\d+_(deg|mm)")
@@ -58,7 +56,6 @@ _JOINT_LIKE = re.compile(r"q\d", re.IGNORECASE)  # meant as joints, though perha
 _JOINT_OF_END = re.compile(r"q\d+[ab]_(deg|mm|rad)")
 _END = re.compile(r"(?P<stem>.+?)_?(?P<end>[ab])(?P<unit>(_[A-Za-z]+\d?)*)")  # q1a_deg, payload_a_kg, approach1b
 _APPROACH = re.compile(r"approach\d+")
-TEMPERATURE = re.compile(r"temp_(\w+_)?C")
 _CHANNEL = re.compile(rf"time_s|payload_kg|{TEMPERATURE.pattern}|{_APPROACH.pattern}|qdd?\d+_\w+")
 _DECIMAL_COMMA = re.compile(r"[-+]?\d+,\d+")
 
@@ -88,12 +85,8 @@ def _kind_name(value: object) -> object:
     return "sphere" if value in ("sphere image", "sphere_image") else value
 
 
-class Measurement(Table):
-    """What the sidecar says about the measurement, in the units of the names; None where it does not say.
-
-    `sigma_*` are standard deviations per coordinate. The points of a gauge are `base_point_mm`, in {O} as nominally
-    mounted, and `platform_point_mm`, in {O'}. With ``zero = "incremental"`` readings count from the first row.
-    """
+class _Measurement(Table):
+    """The table [measurement] of a sidecar, of which `Measurement` is made."""
 
     kind: Annotated[
         Literal["position", "pose", "distance", "gauge", "contact", "height", "sphere"] | None,
@@ -109,126 +102,15 @@ class Measurement(Table):
     platform_point_mm: Vector | None = None
     camera: Camera | None = None
 
-    @property
-    def sigma_rad(self) -> float | None:
-        """Standard deviation of measured angles [rad]."""
-        return None if self.sigma_deg is None else self.sigma_deg * DEG
-
 
 class _Contacts(Table):
     distance_mm: tuple[tuple[str, str, Positive], ...] = ()
 
 
 class _Sidecar(Table):
-    measurement: Measurement = Measurement()
+    measurement: _Measurement = _Measurement()
     camera: Camera | None = None
     contacts: _Contacts = _Contacts()
-
-
-@dataclass(frozen=True, eq=False)
-class Recording:
-    """Readings of one machine, row by row.
-
-    Parameters
-    ----------
-    path : Path
-    kind : str
-        position, pose, distance, gauge, contact, height or sphere.
-    measurement : Measurement
-    joint_unit : str
-        ``"rad"`` or ``"mm"``.
-    joints : (N, n_q) array
-        Joints as the controller reports them [joint_unit]; nan where the file gives `targets` instead.
-    columns : tuple of str
-        Names of the measured columns in the file; their order is that of `measured`.
-    measured : (N, n_y) array
-        Readings [mm, rad or px], nan where not measured; n_y = 0 for the kinds distance and contact.
-    pose : (N,) array of str
-        Label of the pose; rows that share it are repeats.
-    line : (N,) array of int
-        Line in the file (row, counted from 1, of a Parquet file).
-    channels : dict of (N,) arrays
-        Every other numeric column, by its name and in its unit there; nan where not measured. Columns of other
-        kinds of measurement are not among them.
-    setup, setup_names : (N,) array of int, tuple of str
-        Index into the names of the instrument's set-ups.
-    tool : (N, 3) array, optional
-        Measured point in {O'} [mm]; nan where the robot's own tool point holds.
-    targets : (N, 3) array, optional
-        Wanted positions in {O} [mm], of a file without joints; zero along an axis that the machine does not have.
-    contact : (N,) array of str, optional
-        Which fixed point was touched; "" for none.
-    contact_distances : tuple of (str, str, float)
-        Known distances between fixed points [mm].
-    pairs, pair_measured, pair_line : (K, 2), (K,), (K,) arrays, optional
-        Rows between whose points a distance was measured, the distance [mm], its line in the file.
-    doubts : dict of str
-        Channels that were set aside, and why.
-    """
-
-    path: Path
-    kind: str
-    measurement: Measurement
-    joint_unit: str
-    joints: np.ndarray
-    columns: tuple[str, ...]
-    measured: np.ndarray
-    pose: np.ndarray
-    line: np.ndarray
-    channels: dict[str, np.ndarray]
-    setup: np.ndarray
-    setup_names: tuple[str, ...]
-    tool: np.ndarray | None = None
-    targets: np.ndarray | None = None
-    contact: np.ndarray | None = None
-    contact_distances: tuple[tuple[str, str, float], ...] = ()
-    pairs: np.ndarray | None = None
-    pair_measured: np.ndarray | None = None
-    pair_line: np.ndarray | None = None
-    doubts: dict[str, str] = dataclasses.field(default_factory=dict)
-
-    @property
-    def n_rows(self) -> int:
-        """Number of rows, N."""
-        return len(self.joints)
-
-    @property
-    def components(self) -> tuple[int, ...]:
-        """Which of a body's six coordinates (x y z, rotation about x y z) the columns of a position or pose hold."""
-        return tuple((*_POSITION, *_ROTATION).index(name) for name in self.columns if name in _POSITION + _ROTATION)
-
-    @property
-    def time_s(self) -> np.ndarray | None:
-        """(N,) time [s], or None."""
-        return self.channels.get("time_s")
-
-    @property
-    def payload_kg(self) -> np.ndarray | None:
-        """(N,) payload [kg], or None."""
-        return self.channels.get("payload_kg")
-
-    def subset(self, rows: np.ndarray | Sequence[int] | slice) -> Recording:
-        """The recording with these rows only (indices, mask or slice); pairs keep both their rows or go."""
-        rows = np.arange(self.n_rows)[rows]
-        per_row = ("joints", "measured", "pose", "line", "setup", "tool", "targets", "contact")
-        picked: dict[str, Any] = {name: None if (a := getattr(self, name)) is None else a[rows] for name in per_row}
-        channels = {name: values[rows] for name, values in self.channels.items()}
-        part = dataclasses.replace(self, channels=channels, **picked)
-        if self.pairs is None:
-            return part
-        position = np.full(self.n_rows, -1)
-        position[rows] = np.arange(len(rows))
-        pairs = position[self.pairs]
-        return dataclasses.replace(part, pairs=pairs).subset_pairs((pairs >= 0).all(axis=1))
-
-    def subset_pairs(self, pair_rows: np.ndarray | Sequence[int] | slice) -> Recording:
-        """The recording with these distances only (indices, mask or slice), all rows kept."""
-        if self.pairs is None or self.pair_measured is None or self.pair_line is None:
-            raise ValueError("this recording holds no distances between rows")
-        k = np.arange(len(self.pairs))[pair_rows]
-        return dataclasses.replace(
-            self, pairs=self.pairs[k], pair_measured=self.pair_measured[k], pair_line=self.pair_line[k]
-        )
 
 
 # --- reading --------------------------------------------------------------------------------------------------------
@@ -265,6 +147,7 @@ def read_recording(
     path = Path(path)
     rows = _read_parquet(path) if path.suffix == ".parquet" else _read_csv(path)
     sidecar = _read_sidecar(path)
+    measurement = _said(sidecar)
     pairs, rows = _pairs_and_rows(path, rows)
     targets = None
     axes = tuple(f"{axis}_mm" for axis in mechanism.axes)
@@ -272,24 +155,24 @@ def read_recording(
     if allow_targets and not has_joints and set(axes) & set(rows.columns):
         targets = np.zeros((len(rows.line), 3))
         given = [axis for n, axis in enumerate(axes) if n < mechanism.limbs or axis in rows.columns]
-        targets[:, [_POSITION.index(axis) for axis in given]] = rows.numbers(*given, blank=False)
+        targets[:, [POSITION.index(axis) for axis in given]] = rows.numbers(*given, blank=False)
         joints = np.full((len(targets), mechanism.limbs), np.nan)
         rows = rows.without(axes)
     else:
         joints = _joints(rows, mechanism)
 
     # a platform in the plane turns about z only; in space a tracked body has a rotation, held or not
-    turns = _ROTATION if len(axes) == 3 else tuple(f"r{axis}_deg" for axis in mechanism.turns)
+    turns = ROTATION if len(axes) == 3 else tuple(f"r{axis}_deg" for axis in mechanism.turns)
     kinds = {"position": axes, "pose": axes + turns, **_COLUMNS}
-    kind = _kind(rows, sidecar.measurement.kind, kinds, pairs is not None, need_measured)
+    kind = _kind(rows, measurement.kind, kinds, pairs is not None, need_measured)
     columns = kinds[kind]
-    _check_sidecar(path, kind, sidecar, rows)
+    _check_sidecar(path, kind, measurement, sidecar.contacts, rows)
     pose = rows.labels("pose") or [str(n + 1) for n in range(len(joints))]
     setup_names, setup = np.unique(rows.labels("setup", blank=False) or _ONE_SETUP * len(joints), return_inverse=True)
     recording = Recording(
         path=path,
         kind=kind,
-        measurement=sidecar.measurement,
+        measurement=measurement,
         joint_unit=mechanism.joint_unit,
         joints=joints,
         columns=columns,
@@ -358,7 +241,7 @@ def check_units(recording: Recording, robot: Robot, *, load: Callable[[str], Mec
 def _spreads(recording: Recording) -> Iterator[tuple[str, float, float]]:
     """Column, spread of its readings [mm] and largest motion of a joint between them [joint_unit]."""
     if recording.kind in ("position", "pose"):
-        points = recording.measured[:, [name not in _ROTATION for name in recording.columns]]
+        points = recording.measured[:, [name not in ROTATION for name in recording.columns]]
         for setup in np.unique(recording.setup):  # each set-up has a frame of its own
             rows = (recording.setup == setup) & np.isfinite(points).all(axis=1)
             if rows.any():
@@ -551,36 +434,38 @@ def read_measurement(sidecar: str | Path) -> Measurement:
     InputError
         The file is missing, or a key in it is wrong.
     """
-    return TomlFile.read(sidecar).check(_Sidecar).measurement
+    return _said(TomlFile.read(sidecar).check(_Sidecar))
 
 
 def _read_sidecar(path: Path) -> _Sidecar:
     path = path.with_suffix(".toml")
     if not path.exists():
         return _Sidecar()
-    sidecar = TomlFile.read(path).check(_Sidecar)
-    if sidecar.camera is None:
-        return sidecar
-    return sidecar.model_copy(update={"measurement": sidecar.measurement.model_copy(update={"camera": sidecar.camera})})
+    return TomlFile.read(path).check(_Sidecar)
 
 
-def _check_sidecar(path: Path, kind: str, sidecar: _Sidecar, rows: _Rows) -> None:
+def _said(sidecar: _Sidecar) -> Measurement:
+    said = Measurement(**dict(sidecar.measurement))
+    return said if sidecar.camera is None else dataclasses.replace(said, camera=sidecar.camera)
+
+
+def _check_sidecar(path: Path, kind: str, said: Measurement, contacts: _Contacts, rows: _Rows) -> None:
     """What the kind needs is there, and the contacts named have been touched."""
     file = path.with_suffix(".toml")
-    if kind == "gauge" and sidecar.measurement.base_point_mm is None:
+    if kind == "gauge" and said.base_point_mm is None:
         raise InputError(
             "a gauge needs the point of the base that it is fixed to.",
             "Add base_point_mm = [x, y, z] to [measurement].",
             file=file,
         )
-    if kind == "sphere" and sidecar.measurement.camera is None:
+    if kind == "sphere" and said.camera is None:
         raise InputError(
             "images of a sphere need the camera.",
             "Add [measurement.camera] with fx_px, fy_px, cx_px, cy_px and ball_radius_mm.",
             file=file,
         )
     touched = set(rows.columns.get("contact", ()))
-    for a, b, _ in sidecar.contacts.distance_mm if touched else ():
+    for a, b, _ in contacts.distance_mm if touched else ():
         if unknown := {a, b} - touched:
             raise InputError(
                 f"[contacts] distance_mm names '{min(unknown)}', which no row has in its column 'contact'.",
@@ -633,7 +518,7 @@ def _kind(
 ) -> str:
     """Kind of the recording: what the sidecar says, checked against the columns, or what the columns say."""
     present = {kind: names for kind, names in kinds.items() if any(name in rows.columns for name in names)}
-    if not set(_ROTATION) & set(rows.columns):
+    if not set(ROTATION) & set(rows.columns):
         present.pop("pose", None)
     if "distance" in (said, *present) and not paired:
         name = _distances_path(rows.path).name
@@ -674,9 +559,9 @@ def _measured(rows: _Rows, kind: str, columns: tuple[str, ...], need_measured: b
     if not need_measured and not set(columns) & set(rows.columns):
         return np.full((len(rows.line), len(columns)), np.nan)
     # A tracker may read a point without its rotation, but not part of a point.
-    parts = ([name for name in columns if name not in _ROTATION], [name for name in columns if name in _ROTATION])
+    parts = ([name for name in columns if name not in ROTATION], [name for name in columns if name in ROTATION])
     values = np.hstack([rows.numbers(*names) for names in parts if names])
-    return values * [DEG if name in _ROTATION else 1.0 for name in columns]
+    return values * [DEG if name in ROTATION else 1.0 for name in columns]
 
 
 def _is_measured(recording: Recording) -> bool:
@@ -850,7 +735,7 @@ def write_recording(recording: Recording, path: str | Path) -> None:
 
 def is_recording(path: Path) -> bool:
     """Tell whether a table holds joints and at least one reading; its values are not judged."""
-    read = {*_POSITION, *_ROTATION, *sum(_COLUMNS.values(), ()), "contact"}
+    read = {*POSITION, *ROTATION, *sum(_COLUMNS.values(), ()), "contact"}
 
     def filled(table: Path, joints: bool) -> bool:
         with table.open(encoding="utf-8-sig", newline="") as file:
@@ -877,12 +762,12 @@ def file_columns(recording: Recording) -> tuple[dict[str, Any], dict[str, Any]]:
     columns: dict[str, Any] = {"pose": poses}
     if recording.targets is not None:
         axes = 3 if "z_mm" in recording.columns or recording.targets[:, 2].any() else 2  # in the plane there is no z
-        columns |= zip(_POSITION[:axes], recording.targets.T[:axes], strict=True)
+        columns |= zip(POSITION[:axes], recording.targets.T[:axes], strict=True)
     else:
         for i, q in enumerate(recording.joints.T):
             columns[f"q{i + 1}_{file_unit(unit)}"] = [to_file(value, unit) for value in q]
         for name, values in zip(recording.columns, recording.measured.T, strict=False):
-            columns[name] = [to_file(value, "rad" if name in _ROTATION else "mm") for value in values]
+            columns[name] = [to_file(value, "rad" if name in ROTATION else "mm") for value in values]
     if recording.contact is not None:
         columns["contact"] = recording.contact.tolist()
     if recording.setup_names != _ONE_SETUP:
@@ -897,9 +782,10 @@ def file_columns(recording: Recording) -> tuple[dict[str, Any], dict[str, Any]]:
 
 
 def _sidecar_text(recording: Recording) -> str:
-    said = recording.measurement.model_dump(exclude_defaults=True, exclude={"camera"})
-    tables = {"measurement": {"kind": recording.kind, "frame": recording.measurement.frame} | said}
-    tables["measurement"]["kind"] = recording.kind
+    fields = dataclasses.fields(Measurement)
+    said = {f.name: value for f in fields if (value := getattr(recording.measurement, f.name)) != f.default}
+    said.pop("camera", None)
+    tables = {"measurement": {"kind": recording.kind, "frame": "unknown"} | said | {"kind": recording.kind}}
     if recording.measurement.camera is not None:
         tables["measurement.camera"] = recording.measurement.camera.model_dump()
     if recording.contact_distances:

@@ -34,6 +34,7 @@ from pydantic import (
 )
 
 from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.inputs import Link, Robot
 from deltacal_gen.units import file_unit, to_internal
 
 if TYPE_CHECKING:
@@ -180,74 +181,6 @@ class _Joint(Table):
     theta: Number = 0.0
     mass: NotNegative = 0.0
     com: Vector = (0.0, 0.0, 0.0)
-
-
-@dataclass(frozen=True)
-class Link:
-    """What a link of an open chain is, beside its dimensions.
-
-    Parameters
-    ----------
-    kind : {"revolute", "prismatic", "fixed", "coupled"}
-    convention : {"standard", "modified"}
-        Of Denavit and Hartenberg.
-    alpha : float
-        Nominal twist [rad]: whether its axes are parallel.
-    mass : float
-        [kg]
-    com : tuple of float
-        Centre of mass in the link's frame [mm].
-    coupling : tuple of (int, float)
-        Of a coupled joint: numbers of the joints, from 1, and how much of each.
-    """
-
-    kind: str
-    convention: str
-    alpha: float
-    mass: float
-    com: tuple[float, ...]
-    coupling: tuple[tuple[int, float], ...] = ()
-
-
-@dataclass(frozen=True, eq=False)
-class Robot:
-    """A machine as its drawings describe it, in internal units (mm, rad, kg).
-
-    Parameters
-    ----------
-    name, mechanism : str
-        The machine's own name, and the name of the mechanism it is an instance of.
-    geometry : dict of (limbs,) or (n,) arrays
-        Values by their key in the file; one per limb where the mechanism says so, else length 1 [mm or rad].
-    tool : (3,) array
-        Reference point P in {O'} [mm].
-    errors, tolerance : dict of float
-        Actual minus nominal values of parameters, and their standard deviations [mm, rad or 1].
-    workspace, masses, transmission : optional
-        None where the file does not say.
-    joint_sign : (limbs,) array
-        -1 where the controller counts against the mechanism's positive direction.
-    joint_limits : (limbs, 2) array, optional
-        Lower and upper limit of each joint as the controller counts [rad or mm].
-    source : Path, optional
-        The file it was read from.
-    links : tuple of Link
-        Of an open chain, from the base; empty for other mechanisms.
-    """
-
-    name: str
-    mechanism: str
-    geometry: dict[str, np.ndarray]
-    tool: np.ndarray
-    errors: dict[str, float]
-    tolerance: dict[str, float]
-    workspace: Workspace | None
-    masses: Masses | None
-    transmission: Transmission | None
-    joint_sign: np.ndarray
-    joint_limits: np.ndarray | None
-    source: Path | None = None
-    links: tuple[Link, ...] = ()
 
 
 def read_robot(path: str | Path, *, load: Loader | None = None) -> Robot:

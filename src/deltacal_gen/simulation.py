@@ -205,9 +205,9 @@ def simulate(
         f"true_r{axis}_deg": column / DEG
         for axis, column in zip("xyz", to_vector(x[:, 3:].reshape(-1, 3, 3)).T, strict=True)
     }
-    measurement = poses.measurement.model_copy(update={"kind": poses.kind})
+    measurement = dataclasses.replace(poses.measurement, kind=poses.kind)
     if noise_mm and poses.measurement.sigma_mm is None:
-        measurement = measurement.model_copy(update={"sigma_mm": noise_mm})
+        measurement = dataclasses.replace(measurement, sigma_mm=noise_mm)
     done = dataclasses.replace(
         poses, joints=joints, targets=None, measurement=measurement, channels={**poses.channels, **truth}
     )

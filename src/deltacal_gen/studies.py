@@ -144,7 +144,7 @@ class Study:
             SCHEMA,
             robot_to_dict(self.robot),
             p.kind,
-            p.measurement.model_dump(),
+            dataclasses.asdict(p.measurement),
             list(p.channels),
             [None if a is None else np.asarray(a).tolist() for a in arrays],
             [self.names, self.errors, self.sigma, self.turn_sigma, self.seed],

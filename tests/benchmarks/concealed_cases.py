@@ -483,7 +483,7 @@ def _attempt(kind: str, names: tuple[str, ...], rng: np.random.Generator, by: Ca
             known = Measurement(kind="position", frame="robot")
             in_robot = dataclasses.replace(at, kind="position", measurement=known, columns=("x_mm", "y_mm", "z_mm"))
             joint, shift = foreign.shift(at, simulate(robot, in_robot, errors).measured, poses)
-        mounted = at.measurement if base is None else at.measurement.model_copy(update={"base_point_mm": base})
+        mounted = at.measurement if base is None else dataclasses.replace(at.measurement, base_point_mm=base)
         moved = dataclasses.replace(at, joints=at.joints + much * joint, measurement=mounted)
         done = by(robot, moved, errors, terms=terms, rng=np.random.default_rng(frame))
         measured = done.measured
@@ -585,7 +585,7 @@ def _noisy(exact: Recording, sigma: float, turn: float, rng: np.random.Generator
         noisy = noisy - noisy[0]
     measurement = exact.measurement
     if rng.random() < 0.5:
-        measurement = measurement.model_copy(update={"sigma_mm": sigma})
+        measurement = dataclasses.replace(measurement, sigma_mm=sigma)
         traits.append("declared")
     if exact.pair_measured is not None:
         return dataclasses.replace(exact, pair_measured=noisy[:, 0], measurement=measurement), tuple(traits)

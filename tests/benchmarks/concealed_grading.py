@@ -26,7 +26,7 @@ from deltacal_gen.prediction import predict
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import robot_to_dict
 from deltacal_gen.solvers import Prior
-from tests.benchmarks.concealed_cases import MECHANISM, ORDINARY, PARAMETERS, Array, Case, Judge, generate, readings
+from tests.benchmarks.concealed_cases import ORDINARY, PARAMETERS, Array, Case, Judge, generate, readings
 
 CONVENTION = {"joint_axis_runout", "instrument_offset"}  # parameters that are equal up to the geometry
 WIDE = 3.0  # times the ideal fit's: a standard deviation may not hide an error behind more
@@ -50,7 +50,7 @@ def oracle(case: Case) -> Oracle:
     """Return what geometry and the true effects, fitted to the noisy recording, reach on the fresh readings."""
     problem = pose_problem(case.robot, case.recording, PARAMETERS)
     problem = dataclasses.replace(problem, scale=BROAD * problem.scale)
-    first = rough(problem, MECHANISM, robust=True, must_converge=False)
+    first = rough(problem, must_converge=False)
     plain = fit(problem, Prior(), errors=first.errors, instrument=first.instrument)
     geometry = prediction_error(case, predict(_as_result(case, plain), case.fresh))
     if not case.terms:

@@ -120,7 +120,7 @@ def observable(robot: Robot, truth: dict[str, float], rng: np.random.Generator) 
     with_more = Table("parameters", "frame of the camera", "rank", "condition", title="Identifiability, 300 poses")
     for model, words in (("15", "a b h theta0, P0"), ("18", "and phi"), ("21", "and phi, H")):
         for frame in ("robot", "unknown"):
-            read = dataclasses.replace(recording, measurement=recording.measurement.model_copy(update={"frame": frame}))
+            read = dataclasses.replace(recording, measurement=dataclasses.replace(recording.measurement, frame=frame))
             rank, known, _ = figures(f"robotennis/{model}", read)
             with_more.add_row(f"{model}: {words}", frame, f"{rank} of {model}", known)
     fewest = Table("poses, the home among them", "rank", "condition", title="Least number of poses (paper: 6)")

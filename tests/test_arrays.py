@@ -1,0 +1,146 @@
+"""Arrays in, parameters out: the fit of ``identify`` by a path that imports NumPy alone."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import deltacal_gen
+from deltacal_gen import estimate, nominal
+from deltacal_gen.arrays import recorded
+from deltacal_gen.demonstration import example
+from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.identification import identify
+from deltacal_gen.mechanism import load_mechanism
+from deltacal_gen.recording import read_recording
+from deltacal_gen.robot import Robot, read_robot
+from tests.conftest import PROTOTYPE, plausible, rings
+from tests.test_every_mechanism import CASES
+
+SIGMA = 0.005  # mm
+BESIDE = np.array([60.0, -20.0, -40.0])  # a second reference point [mm]
+FIRST_RESULT = """
+import sys
+before = set(sys.modules)
+import json
+import numpy as np
+from deltacal_gen import estimate, nominal
+data = np.load(sys.argv[1])
+found = estimate(nominal("delta", json.loads(sys.argv[2])), "32", data["joints"], data["measured"], tool=data["tool"],
+                 as_distance=True)
+packages = {name.partition(".")[0] for name in sys.modules.keys() - before}
+print(json.dumps({"packages": sorted(packages - sys.stdlib_module_names), "parameters": found.parameters}))
+"""
+
+
+@pytest.fixture(scope="module")
+def measured(robot: Robot) -> dict[str, np.ndarray]:
+    """Two points of the platform read at 19 poses of a machine with errors."""
+    mechanism, rng = load_mechanism("delta"), np.random.default_rng(7)
+    joints, _, _ = mechanism.inverse(rings(robot, 9), np.zeros(3), mechanism.rows(robot))
+    errors = mechanism.vector(plausible(mechanism, 5, mechanism.model("32")))
+    joints, tool = np.tile(joints, (2, 1)), np.repeat([np.zeros(3), BESIDE], len(joints), axis=0)
+    x, _ = mechanism.forward(joints, tool, mechanism.rows(robot, errors))
+    return {"joints": joints, "tool": tool, "measured": x[:, :3] + SIGMA * rng.standard_normal((len(x), 3))}
+
+
+def test_a_first_result_needs_numpy_and_the_kernels_alone(measured: dict[str, np.ndarray], tmp_path: Path) -> None:
+    np.savez(tmp_path / "data.npz", **measured)
+    arguments = [str(tmp_path / "data.npz"), json.dumps(PROTOTYPE["geometry"])]
+    done = subprocess.run([sys.executable, "-c", FIRST_RESULT, *arguments], capture_output=True, text=True, check=True)
+    found = json.loads(done.stdout)
+    assert found["packages"] == ["deltacal_gen", "deltacal_kernels", "numpy"]
+    here = estimate(
+        nominal("delta", PROTOTYPE["geometry"]),
+        "32",
+        measured["joints"],
+        measured["measured"],
+        tool=measured["tool"],
+        as_distance=True,
+    )
+    assert list(found["parameters"]) == list(here.parameters)
+    deviation = np.sqrt(np.diag(here.covariance))
+    gap = np.subtract(list(found["parameters"].values()), list(here.parameters.values()))
+    assert (np.abs(gap) < 1e-3 * deviation).all()
+
+
+@pytest.mark.parametrize("as_distance", [False, True])
+def test_the_parameters_are_those_of_identify(robot: Robot, measured: dict[str, np.ndarray], as_distance: bool) -> None:
+    given = dict(measured)
+    joints, values = given.pop("joints"), given.pop("measured")
+    plain = nominal("delta", PROTOTYPE["geometry"])
+    ours = estimate(plain, "delta/18", joints, values, as_distance=as_distance, **given)
+    thorough = identify(
+        robot, recorded(robot, joints, values, **given), "18", as_distance=as_distance, solver="least-squares"
+    )
+    deviation = np.sqrt(np.diag(ours.covariance)[:18])
+    gap = (ours.errors - thorough.fit.errors)[ours.problem.columns]
+    assert list(ours.parameters) == list(load_mechanism("delta").model("18"))
+    assert (np.abs(gap) < 1e-3 * deviation).all()
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_every_mechanism_finds_a_machine_that_reads_alike(name: str, tmp_path: Path) -> None:
+    """Positions of the example's poses, without noise, on a machine with errors of the model."""
+    folder, model, _ = CASES[name]
+    drawn = dataclasses.replace(read_robot(example(f"{folder}/robot.toml")), mechanism=name, errors={}, tolerance={})
+    mechanism, rng = load_mechanism(name), np.random.default_rng(3)
+    poses = read_recording(example(f"{folder}/poses.csv"), mechanism, need_measured=False, allow_targets=True)
+    joints = poses.joints
+    if poses.targets is not None:
+        joints, _, _ = mechanism.inverse(poses.targets, np.zeros(3), mechanism.rows(drawn))
+    joints = np.unique(joints, axis=0)
+    free = np.isin([p.name for p in mechanism.parameters], mechanism.model(model))
+    errors = np.where(free, 0.3 * mechanism.typical * rng.standard_normal(len(free)), 0.0)
+    x, _ = mechanism.forward(joints, np.zeros(3), mechanism.rows(drawn, errors))
+    geometry = {k.key: drawn.geometry[k.key] * (180 / np.pi if k.unit == "rad" else 1) for k in mechanism.geometry}
+    positions = x[:, ["xyz".index(axis) for axis in mechanism.axes]]
+    plain = nominal(name, geometry)
+    found = estimate(plain, model, joints, positions, frame="robot", robust=False)
+    assert np.abs(found.residual[np.isfinite(found.residual)]).max() < 1e-5
+    pairs = np.column_stack([np.arange(len(x)), np.roll(np.arange(len(x)), 1)])
+    lengths = np.linalg.norm(x[pairs[:, 1], :3] - x[pairs[:, 0], :3], axis=1)
+    found = estimate(plain, model, joints, lengths, pairs=pairs, robust=False)
+    assert np.abs(found.residual).max() < 1e-5
+
+
+@pytest.mark.parametrize(
+    ("changed", "says"),
+    [
+        ({"joints": np.zeros((19, 2))}, r"joints have the shape \(19, 2\); \(N, 3\)"),
+        ({"measured": np.zeros((18, 3))}, r"measured has the shape \(18, 3\); \(19, 3\)"),
+        ({"measured": np.zeros(2), "pairs": [[0, 1], [2, 19]]}, "whole numbers below 19"),
+        ({"tool": np.zeros((3, 3))}, r"tool has the shape \(3, 3\)"),
+        ({"model": "17"}, "delta has no model '17'"),
+    ],
+)
+def test_what_does_not_go_together_is_said(changed: dict[str, object], says: str) -> None:
+    given: dict[str, object] = {"model": "18", "joints": np.zeros((19, 3)), "measured": np.ones((19, 3))} | changed
+    with pytest.raises(UsageError, match=says):
+        estimate(nominal("delta", PROTOTYPE["geometry"]), **given)
+
+
+def test_dimensions_are_named() -> None:
+    geometry = dict(PROTOTYPE["geometry"])
+    with pytest.raises(UsageError, match="no dimension 'arm'"):
+        nominal("delta", geometry | {"arm": 1.0})
+    with pytest.raises(UsageError, match="one finite number or 3 of them"):
+        nominal("delta", geometry | {"limb_angle_deg": [0.0, 120.0]})
+    del geometry["distal_length"]
+    with pytest.raises(UsageError, match=r"'distal_length' of delta is missing: .* \[mm\]"):
+        nominal("delta", geometry)
+    with pytest.raises(UsageError, match="made of links"):
+        nominal("serial", {})
+    with pytest.raises(InputError, match="nothing to fit"):
+        estimate(nominal("delta", PROTOTYPE["geometry"]), "18", np.zeros((19, 3)), np.full((19, 3), np.nan))
+
+
+def test_names_of_the_package_are_found() -> None:
+    assert {"estimate", "nominal"} <= set(deltacal_gen.__all__)
+    assert deltacal_gen.Robot is Robot
