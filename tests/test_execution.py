@@ -116,6 +116,38 @@ def test_no_more_tasks_are_made_than_the_workers_need() -> None:
     outcomes.close()  # type: ignore[attr-defined]
 
 
+def forever(n: int, folder: str) -> dict[str, Any]:
+    (Path(folder) / f"{os.getpid()}.pid").touch()
+    time.sleep(600)
+    return square(n)
+
+
+def ended(process: int) -> bool:
+    """Tell whether a process is gone, or dead and not yet fetched by who inherited it."""
+    try:
+        return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] in "ZX"
+    except OSError:
+        return True
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
+@pytest.mark.parametrize("stop", [signal.SIGKILL, signal.SIGINT])
+def test_workers_end_with_the_process_that_has_started_them(tmp_path: Path, stop: signal.Signals) -> None:
+    code = f"import test_execution as t; list(t.run(t.forever, t.numbered(4, {str(tmp_path)!r}), total=4, workers=2))"
+    here = {**os.environ, "PYTHONPATH": os.pathsep.join([str(Path(__file__).parent), *sys.path])}
+    process = subprocess.Popen([sys.executable, "-c", code], env=here, stderr=subprocess.PIPE)
+    until = time.monotonic() + 60
+    while len(found := list(tmp_path.glob("*.pid"))) < 2 and time.monotonic() < until:
+        time.sleep(0.02)
+    process.send_signal(stop)
+    _, said = process.communicate(timeout=20)
+    while not all(ended(int(f.stem)) for f in found) and time.monotonic() < until:
+        time.sleep(0.02)
+    assert len(found) == 2
+    assert all(ended(int(f.stem)) for f in found)
+    assert said.count(b"Traceback") <= 1, "workers say nothing"
+
+
 # ------------------------------------------------------------------------------------------------------------ a cluster
 
 

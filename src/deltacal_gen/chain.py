@@ -173,6 +173,10 @@ class Chain(Mechanism):
         point = p + np.einsum("nij,nj->ni", R, tool + rows[:, 0, -3:])
         return np.hstack([point, R.reshape(-1, 9)]), np.full(len(q), SOLVED)
 
+    def positions(self, q: Array, tool: Array, rows: Array) -> Array:
+        """Return the positions (N, 3) of the tool point [mm]."""
+        return self.forward(q, tool, rows)[0][:, :3]
+
     def inverse(self, target: Array, tool: Array, rows: Array) -> tuple[Array, Array, np.ndarray]:
         """Raise UsageError: a position alone does not say how a chain shall stand."""
         raise UsageError(

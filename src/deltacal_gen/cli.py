@@ -59,9 +59,13 @@ def _counting(quiet: bool) -> Iterator[Callable[[int, int, str], None]]:
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
     columns = (BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(), TextColumn("{task.description}"))
-    with Progress(*columns, console=aside, disable=quiet or not aside.is_terminal, transient=True) as progress:
+    hidden = quiet or not aside.is_terminal
+    # drawn when a task has ended, not by a thread: a process of one thread can be forked into workers
+    with Progress(*columns, console=aside, disable=hidden, transient=True, auto_refresh=False) as progress:
         bar = progress.add_task("", total=None)
-        yield lambda done, total, label: progress.update(bar, completed=done, total=total, description=label)
+        yield lambda done, total, label: progress.update(
+            bar, completed=done, total=total, description=label, refresh=True
+        )
 
 
 def _as_distance(value: str | None) -> bool:

@@ -13,11 +13,15 @@ import hashlib
 import json
 import multiprocessing
 import os
+import signal
+import sys
+import threading
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass
+from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
@@ -150,6 +154,39 @@ class Store:
         whole.replace(file)
 
 
+class _Processes(ProcessPoolExecutor):
+    """Local processes that end when this one closes a pipe that they watch, or ends itself, however it does."""
+
+    def __init__(self, count: int) -> None:
+        context = multiprocessing.get_context("fork" if _alone() else "spawn")
+        watched, self._held = context.Pipe(duplex=False)
+        super().__init__(count, mp_context=context, initializer=_begin, initargs=(watched, self._held))
+
+    def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
+        """End the processes at once, whatever they are doing, and the threads that served them."""
+        self._held.close()
+        super().shutdown(cancel_futures=True)
+
+
+def _alone() -> bool:
+    """Tell whether this process can be forked safely: no other thread, of Python or not, may hold a lock."""
+    return sys.platform == "linux" and len(os.listdir("/proc/self/task")) == 1
+
+
+def _begin(watched: Connection, held: Connection) -> None:
+    """Begin a worker: what the keyboard sends is for the process that has started it."""
+    held.close()
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_end_with, args=(watched,), daemon=True).start()
+
+
+def _end_with(watched: Connection) -> None:
+    try:
+        watched.recv_bytes()
+    except EOFError:
+        os._exit(1)
+
+
 @dataclass(frozen=True)
 class _Pool:
     """An executor that can be made anew after its processes have ended."""
@@ -170,8 +207,7 @@ def _pool(workers: int | None, cluster: str | None) -> Iterator[_Pool]:
         return
     # a core to each worker: matrices here are small, and threads of the linear algebra would only wait for one another
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    context = multiprocessing.get_context("spawn")
-    yield _Pool(lambda: ProcessPoolExecutor(count, mp_context=context), count)
+    yield _Pool(lambda: _Processes(count), count)
 
 
 @contextmanager

@@ -440,6 +440,19 @@ class Mechanism:
         status : (N,) int array
             SOLVED, UNREACHABLE or SINGULAR, explained in `STATUS`.
         """
+        x, status = self._solved(q, tool, rows, near)
+        return self._body(x), status
+
+    def positions(self, q: Array, tool: Array, rows: Array) -> Array:
+        """Return the exact positions (N, 3) of the reference point [mm], NaN where not solved; see `forward`."""
+        x, _ = self._solved(q, tool, rows, None)
+        out = np.zeros((len(x), self.n_x))
+        out[:, self._at] = x
+        out[np.isnan(x[:, 0])] = np.nan
+        return out[:, :3]
+
+    def _solved(self, q: Array, tool: Array, rows: Array, near: Array | None) -> tuple[Array, np.ndarray]:
+        """Return the coordinates (N, n) that the kernels solve for, and their status."""
         q = self._poses(q, self.limbs, "joints")
         x = np.empty((len(q), len(self._at))) if near is None else self._own(near)
         status = np.empty(len(q), dtype=np.int64)
@@ -451,7 +464,7 @@ class Mechanism:
                 kernels.simplified_forward(q, self._tools(tool), self._constants(rows), x, status)
             else:
                 kernels.forward(q, self._tools(tool), self._constants(rows), x, status, near is not None)
-        return self._body(x), status
+        return x, status
 
     def inverse(self, target: Array, tool: Array, rows: Array) -> tuple[Array, Array, np.ndarray]:
         """Return the joints that bring the reference point exactly to `target` (N, 3) [mm].
@@ -493,7 +506,7 @@ class Mechanism:
         """Return the pose (N, 12) of a body in space by the coordinates (N, n) that the kernels solve for."""
         full = np.zeros((len(x), self.n_x))
         full[:, self._at] = x
-        full[~np.isfinite(x).all(axis=1)] = np.nan
+        full[~np.isfinite(x @ np.ones(x.shape[1]))] = np.nan
         return np.hstack([full[:, :3], cayley_matrix(full[:, 3:]).reshape(-1, 9)])
 
     def _own(self, x: Array) -> Array:

@@ -117,6 +117,11 @@ class Study:
         return q[status == SOLVED], x[status == SOLVED]
 
     @cached_property
+    def home(self) -> Array:
+        """Poses (N, 12) of the nominal machine at the plan's joints."""
+        return self.problem.poses(self.problem.reference)
+
+    @cached_property
     def over_workspace(self) -> Array:
         """Derivatives (3 C, n_p) of the judged positions by all source errors, a rigid motion of the map taken off."""
         q, x = self.check
@@ -125,12 +130,15 @@ class Study:
         flat = S[:, :3].reshape(-1, S.shape[2])
         return flat if self.known_frame else without_motion(flat, x[:, :3])
 
+    @cached_property
+    def instrument(self) -> Instrument:
+        """The instrument as it stands before the first machine is measured."""
+        return self.problem.begin(self.problem.reference)
+
     @property
     def known_frame(self) -> bool:
         """Whether the instrument stands in the robot's frame, so that nothing has to be aligned."""
-        return (
-            self.problem.readings.kind in ("position", "pose") and not self.problem.begin(self.problem.reference).free
-        )
+        return self.problem.readings.kind in ("position", "pose") and not self.instrument.free
 
     def noise(self, columns: int) -> Array:
         """Return the noise (columns,) of a reading: lengths [mm], then rotations [rad]."""
@@ -217,23 +225,14 @@ def machines(study: Study, index: int, count: int) -> dict[str, Any]:
         simulated or did not converge.
     """
     rng = np.random.default_rng([study.seed, 0, index])
-    problem, mechanism, columns = study.problem, study.problem.mechanism, study.problem.columns
     truth = rng.standard_normal((count, len(study.spread))) * study.spread
-    found, x_true = _read(study, truth, rng)
-    estimate, settled = _calibrate(study, found, x_true, count)
-    off = (estimate - truth)[:, columns]
-    q, nominal = study.check
-    tool = problem.body.tool[0]
-    home = np.tile(nominal, (count, 1))
-
-    def stand(errors: Array) -> Array:
-        x, _ = mechanism.forward(np.tile(q, (count, 1)), tool, mechanism.rows(problem.robot, errors), home)
-        return x[:, :3].reshape(count, len(q), 3)
-
-    actual = stand(truth)
-    before = _apart(nominal[None, :, :3], actual, study.known_frame)
-    after = _apart(stand(estimate), actual, study.known_frame)
-    ok = settled & np.isfinite(after).all(axis=1) & np.isfinite(before).all(axis=1)
+    x = _stand(study, truth, None)
+    estimate, settled = _calibrate(study, _read(study, truth, x, rng), x)
+    off = (estimate - truth)[:, study.problem.columns]
+    actual = _map(study, truth)
+    before = _apart(study.check[1][None, :, :3], actual, study.known_frame)
+    after = _apart(_map(study, estimate), actual, study.known_frame)
+    ok = settled & np.isfinite(x).all(axis=(1, 2)) & np.isfinite(after).all(axis=1)
     return {
         "count": int(ok.sum()),
         "lost": int(count - ok.sum()),
@@ -248,44 +247,52 @@ def _figures(error: Array) -> list[list[float]]:
     return np.column_stack([np.sqrt((error**2).mean(axis=1)), error.max(axis=1, initial=0.0)]).tolist()
 
 
-def _read(study: Study, truth: Array, rng: np.random.Generator) -> tuple[Readings, Array]:
-    """Return the readings of machines one after another, each with set-ups of its own, and their poses."""
-    problem, count = study.problem, len(truth)
-    found, n = problem.readings, len(problem.body.q)
-    x = _stand(study, truth, None)
-    instrument = _mounted(study, _several(study, count), truth)
-    setups = int(found.setup.max()) + 1
-    each = np.repeat(np.arange(count), len(found))
-    stacked = dataclasses.replace(
+def _stand(study: Study, errors: Array, near: Array | None) -> Array:
+    """Return the poses (T, N, 12) of machines with source errors (T, n_p) at the plan's joints."""
+    problem, body, count = study.problem, study.problem.body, len(errors)
+    rows = problem.mechanism.rows(problem.robot, errors)
+    close = None if near is None else near.reshape(-1, near.shape[2])
+    x, _ = problem.mechanism.forward(np.tile(body.q, (count, 1)), np.tile(body.tool, (count, 1)), rows, close)
+    return x.reshape(count, len(body.q), -1)
+
+
+def _map(study: Study, errors: Array) -> Array:
+    """Return the positions (T, C, 3) at which machines are judged."""
+    problem, (q, _) = study.problem, study.check
+    rows = problem.mechanism.rows(problem.robot, errors)
+    x = problem.mechanism.positions(np.tile(q, (len(errors), 1)), problem.body.tool[0], rows)
+    return x.reshape(len(errors), len(q), 3)
+
+
+def _stacked(study: Study, count: int) -> Readings:
+    """Return the plan's readings of machines one after another, each with set-ups of its own."""
+    found, each = study.problem.readings, np.repeat(np.arange(count), len(study.problem.readings))
+    return dataclasses.replace(
         found,
-        rows=np.tile(found.rows, (count, 1)) + n * each[:, None],
+        rows=np.tile(found.rows, (count, 1)) + len(study.problem.body.q) * each[:, None],
         values=np.tile(found.values, (count, 1)),
         rotations=None if found.rotations is None else np.tile(found.rotations, (count, 1, 1)),
-        setup=np.tile(found.setup, count) + setups * each,
+        setup=np.tile(found.setup, count) + (int(found.setup.max()) + 1) * each,
         group=np.tile(found.group, count),
         line=np.tile(found.line, count),
     )
-    values, rotations = instrument.predict(stacked, x)
+
+
+def _read(study: Study, truth: Array, x: Array, rng: np.random.Generator) -> Readings:
+    """Return what is read of machines with source errors (T, n_p) at their poses (T, N, 12)."""
+    stacked = _stacked(study, len(truth))
+    instrument = _mounted(study, _several(study, len(truth)), truth)
+    values, rotations = instrument.predict(stacked, x.reshape(-1, x.shape[2]))
     values = values + study.sigma / instrument.scale * rng.standard_normal(values.shape)
     values[np.isnan(stacked.values)] = np.nan
-    if rotations is not None and found.rotations is not None:
+    if rotations is not None and stacked.rotations is not None:
         rotations = from_vector(study.turn_sigma * rng.standard_normal((len(values), 3))) @ rotations
-    return dataclasses.replace(stacked, values=values, rotations=rotations), x
-
-
-def _stand(study: Study, errors: Array, near: Array | None) -> Array:
-    """Return the poses (T N, 12) of machines with source errors (T, n_p) at the plan's joints."""
-    problem = study.problem
-    body, count = problem.body, len(errors)
-    rows = problem.mechanism.rows(problem.robot, errors)
-    x, _ = problem.mechanism.forward(np.tile(body.q, (count, 1)), np.tile(body.tool, (count, 1)), rows, near)
-    return x
+    return dataclasses.replace(stacked, values=values, rotations=rotations)
 
 
 def _several(study: Study, count: int) -> Instrument:
     """Return the plan's instrument once for each machine."""
-    one = study.problem.begin(study.problem.reference)
-    return dataclasses.replace(one, state=np.tile(one.state, (count, 1)))
+    return dataclasses.replace(study.instrument, state=np.tile(study.instrument.state, (count, 1)))
 
 
 def _mounted(study: Study, instrument: Instrument, errors: Array) -> Instrument:
@@ -296,43 +303,54 @@ def _mounted(study: Study, instrument: Instrument, errors: Array) -> Instrument:
     return dataclasses.replace(instrument, state=state)
 
 
-def _calibrate(study: Study, found: Readings, near: Array, count: int) -> tuple[Array, np.ndarray]:
-    """Return the estimated source errors (T, n_p) of machines, and which of them have settled."""
+def _calibrate(study: Study, found: Readings, near: Array) -> tuple[Array, np.ndarray]:
+    """Return the estimated source errors (T, n_p) of machines that stand at (T, N, 12), and which have settled."""
     problem, linear = study.problem, study.linear
-    columns, n, n_p = problem.columns, len(problem.names), len(study.spread)
-    factor = linear.covariance
+    columns, n, count = problem.columns, len(problem.names), len(near)
     deviation = np.sqrt(np.diag(linear.covariance)[:n])
-    u = np.zeros((count, len(factor)))
-    errors = np.zeros((count, n_p))
+    u = np.zeros((count, len(linear.covariance)))
+    errors = np.zeros((count, len(study.spread)))
     instrument = _several(study, count)
-    settled: np.ndarray = np.zeros(count, dtype=bool)
-    x: Array | None = None
-    for _ in range(STEPS):
-        x = _stand(study, errors, near if x is None else x)
-        r = _mounted(study, instrument, errors).residual(found, np.nan_to_num(x))
-        r = np.nan_to_num(r / study.noise(r.shape[1])).reshape(count, -1)
-        step = (r @ linear.J - linear.prior * u) @ factor
-        u += step
-        errors[:, columns] = u[:, :n]
-        if u.shape[1] > n:
-            instrument = instrument.stepped(step[:, n:])
-        settled = np.all(np.abs(step[:, :n]) < DONE * deviation, axis=1)
-        if settled.all():
+    left = np.arange(count)  # machines that have not settled
+    x = np.broadcast_to(study.home, near.shape)
+    for number in range(STEPS):
+        if number:
+            x = _stand(study, errors[left], near[left] if number == 1 else x)
+        r = _mounted(study, instrument, errors[left]).residual(found, np.nan_to_num(x).reshape(-1, x.shape[2]))
+        r = np.nan_to_num(r / study.noise(r.shape[1])).reshape(len(left), -1)
+        step = (r @ linear.J - linear.prior * u[left]) @ linear.covariance
+        u[left] += step
+        errors[left[:, None], columns] = u[left, :n]
+        instrument = instrument.stepped(step[:, n:])
+        closed = np.isfinite(x).all(axis=(1, 2))
+        on = ~(closed & np.all(np.abs(step[:, :n]) < DONE * deviation, axis=1))
+        left, x = left[on], x[on]
+        if not len(left):
             break
-    return errors, settled & np.isfinite(u).all(axis=1)
+        if not on.all():
+            again = np.repeat(on, len(problem.readings))
+            turned = None if found.rotations is None else found.rotations[again]
+            found = dataclasses.replace(_stacked(study, len(left)), values=found.values[again], rotations=turned)
+            state = instrument.state[np.repeat(on, len(instrument.state) // len(on))]
+            instrument = dataclasses.replace(instrument, state=state)
+    return errors, ~np.isin(np.arange(count), left)
 
 
 def _apart(wanted: Array, actual: Array, known_frame: bool) -> Array:
-    """Return distances (T, C) between two maps (T, C, 3) [mm], the first turned and shifted onto the second."""
-    wanted = np.broadcast_to(wanted, actual.shape)
-    if known_frame:
-        return np.asarray(np.linalg.norm(actual - wanted, axis=2))
-    a, b = (np.nan_to_num(v - v.mean(axis=1, keepdims=True)) for v in (wanted, actual))
-    U, _, Vt = np.linalg.svd(np.swapaxes(b, 1, 2) @ a)
-    U[:, :, 2] *= np.sign(np.linalg.det(U @ Vt))[:, None]
-    gap = np.linalg.norm(b - a @ np.swapaxes(U @ Vt, 1, 2), axis=2)
-    gap[~np.isfinite(actual).all(axis=(1, 2)) | ~np.isfinite(wanted).all(axis=(1, 2))] = np.nan
-    return np.asarray(gap)
+    """Return distances (T, C) between two maps (T, C, 3) [mm], the first turned and shifted onto the second.
+
+    Those of a map with a point that could not be reached are NaN.
+    """
+    if not known_frame:
+        centre = np.full(actual.shape[1], 1 / actual.shape[1])
+        wanted, actual = wanted - (centre @ wanted)[:, None], actual - (centre @ actual)[:, None]
+        product = np.swapaxes(actual, 1, 2) @ wanted
+        product[~np.isfinite(product.sum(axis=(1, 2)))] = 0.0  # NaN stays in the maps
+        U, _, Vt = np.linalg.svd(product)
+        U[:, :, 2] *= np.sign(np.linalg.det(U @ Vt))[:, None]
+        wanted = wanted @ np.swapaxes(U @ Vt, 1, 2)
+    gap = actual - wanted
+    return np.asarray(np.sqrt(np.einsum("tcj,tcj->tc", gap, gap)))
 
 
 # ------------------------------------------------------------------------------------------------- suspected effects
@@ -463,21 +481,31 @@ def channels_wanted(study: Study) -> list[dict[str, str]]:
 # ------------------------------------------------------------------------------------------------------------ all of it
 
 
-def work(study: Study, what: str, *numbers: int) -> dict[str, Any]:
-    """Do a task of a study; runs on a worker."""
-    return machines(study, *numbers) if what == "machines" else concealed(study, *numbers)
+_met: dict[str, Study] = {}
 
 
-def tasks(study: Study, trials: int, diagnoses: int) -> list[Task]:
-    """Return the tasks of a study."""
-    mark = study.fingerprint()
+def _once(study: Study, mark: str) -> Study:
+    """Return the study of a fingerprint as this process first met it: what its tasks share is worked out once."""
+    if mark not in _met:
+        _met.clear()
+        _met[mark] = study
+    return _met[mark]
+
+
+def work(study: Study, mark: str, what: str, *numbers: int) -> dict[str, Any]:
+    """Do a task of the study of a fingerprint; runs on a worker."""
+    return (machines if what == "machines" else concealed)(_once(study, mark), *numbers)
+
+
+def tasks(study: Study, mark: str, trials: int, diagnoses: int) -> list[Task]:
+    """Return the tasks of the study of a fingerprint."""
     jobs: list[tuple[Any, ...]] = []
     for index in range(math.ceil(trials / CHUNK)):
         jobs.append(("machines", index, min(CHUNK, trials - index * CHUNK)))
     for suspect in range(-1, len(study.suspects)):
         jobs += [("concealed", suspect, trial) for trial in range(diagnoses)] if study.suspects else []
     return [
-        Task(content_key(mark, job), f"{job[0]} {job[1] + 1}", lambda job=job: (study, *job))  # type: ignore[misc]
+        Task(content_key(mark, job), f"{job[0]} {job[1] + 1}", lambda job=job: (study, mark, *job))  # type: ignore[misc]
         for job in jobs
     ]
 
@@ -519,13 +547,20 @@ def _conduct(
             "Add poses, or free fewer parameters with --model.",
             file=study.poses.path,
         )
-    todo = tasks(study, trials, diagnoses)
-    done = list(run(work, todo, total=len(todo), workers=workers, cluster=cluster, directory=directory, told=told))
+    mark = study.fingerprint()
+    study = _once(study, mark)
+    study.check  # worked out before processes are forked, which then have it  # noqa: B018
+    todo = tasks(study, mark, trials, diagnoses)
+    outcomes = run(work, todo, total=len(todo), workers=workers, cluster=cluster, directory=directory, told=told)
+    done = [next(outcomes)]
+    more = advice(study)  # while the workers are at work
+    done += outcomes
     chunks = math.ceil(trials / CHUNK)
     for outcome in done[:chunks]:
         if outcome.result is None:
             raise NoSolutionError(f"{outcome.label}: {outcome.error}")
-    return _summed(study, [o.result for o in done[:chunks] if o.result is not None], done[chunks:], diagnoses)
+    found = _summed(study, [o.result for o in done[:chunks] if o.result is not None], done[chunks:], diagnoses)
+    return found | {"advice": more}
 
 
 def _summed(
@@ -577,7 +612,6 @@ def _summed(
         },
         "suspects": _told(study, diagnosed, diagnoses),
         "channels_wanted": channels_wanted(study),
-        "advice": advice(study),
     }
 
 
