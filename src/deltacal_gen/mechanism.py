@@ -13,12 +13,12 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import cache, cached_property
-from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 import deltacal_kernels
 import numpy as np
+from deltacal_kernels import compiled
 
 from deltacal_gen.errors import UsageError
 from deltacal_gen.rotation import Array, cayley_matrix, cayley_vector
@@ -335,15 +335,14 @@ class Mechanism:
 
     @cached_property
     def _compiled_before(self) -> bool:
-        """Whether Numba's cache beside the kernels holds them."""
-        folder = Path(deltacal_kernels.__file__).parent / self.name / "__pycache__"
-        return any(folder.glob("kinematics._forward-*.nbi"))
+        """Whether their compiled code is on the disk."""
+        return compiled.found(compiled.PACKAGE / self.name, "kinematics._forward")
 
     def compile(self) -> Iterator[tuple[str, float]]:
         """Compile all kernels, or load them from Numba's cache; yield each one's name and how long it took [s].
 
-        Compiled code is kept on disk beside the kernels (or in the user's cache folder where that cannot be written),
-        and found by any process as long as the kernels' text stays the same.
+        Compiled code is kept on disk as ``deltacal_kernels.compiled`` says, and found by any process as long as the
+        kernels' text stays the same.
         """
         n_v, n_x = self._width - len(self.geometry), len(self._at)
         rows, one, command = np.ones((1, self.limbs, self._width)), np.ones((1, self.limbs)), np.ones(self.limbs)
@@ -395,8 +394,8 @@ class Mechanism:
         if (
             _compiled_only.get()
             or "compiled" in self.__dict__
-            or self._spent > PATIENCE_S[not self._compiled_before]
             or poses > MANY_POSES
+            or (self._spent > PATIENCE_S[0] and self._spent > PATIENCE_S[not self._compiled_before])
         ):
             yield self.compiled
             return

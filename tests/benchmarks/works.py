@@ -410,14 +410,13 @@ def _place() -> tempfile.TemporaryDirectory[str]:
     table = np.hstack([np.degrees(theta), at])
     np.savetxt(folder / "recording.csv", table, "%.12g", ",", header=head, comments="")
     package = Path(deltacal_kernels.__file__).parent
-    shutil.copytree(package, folder / package.name, ignore=shutil.ignore_patterns("*.nbi", "*.nbc"))
+    shutil.copytree(package, folder / package.name, ignore=shutil.ignore_patterns("__pycache__"))
     return place
 
 
 def _empty_cache() -> None:
-    for pattern in ("*.nbi", "*.nbc"):
-        for path in Path(_place().name).rglob(pattern):
-            path.unlink()
+    for path in Path(_place().name).rglob("*.nbc"):
+        path.unlink()
 
 
 def _process(*command: str | Path) -> str:

@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `complete_delta`, Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 97a81bec0cf6f602; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both b779cdd40b88fa71; SymPy 1.14.0.
 
 Scalar code without allocation, to be called from loops that Numba compiles. Lengths in mm, angles in rad.
 """
@@ -9,7 +9,8 @@ Scalar code without allocation, to be called from loops that Numba compiles. Len
 import math
 
 import numpy as np
-from numba import njit
+
+from deltacal_kernels.compiled import kernel
 
 from .vectorised import MAX_STEPS, PIVOT_SINGULAR, SINGULAR, SOLVED, STEP_LOST, UNREACHABLE
 
@@ -18,7 +19,7 @@ COMMAND_WORK = 72  # length of the scratch array of `exact_command` and `linear_
 COMMAND_CONSTANTS = 31  # `exact_command` reads these first columns of k only
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _newton(x, q, tool, k, out):
     """Per rod of one limb: closure, its derivatives by the platform, by the joint (395 operations)."""
     px = x[0]
@@ -235,7 +236,7 @@ def _newton(x, q, tool, k, out):
     out[15] = s793
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _joint(x, q, tool, k, out):
     """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it (34 operations)."""
     px = x[0]
@@ -380,7 +381,7 @@ def linear_constants(p):
     return k
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _nominal_joint(x, q, tool, k, i, out):
     """Joint of the nominal limb at a given position (34 operations); limb i of k, row i of out."""
     px = x[0]
@@ -408,7 +409,7 @@ def _nominal_joint(x, q, tool, k, i, out):
     out[row + 0] = s160
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _linear(x, q, tool, k, i, out):
     """Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (124 operations); limb i of k, row i of out."""
     px = x[0]
@@ -524,7 +525,7 @@ def _linear(x, q, tool, k, i, out):
     out[row + 15] = s196
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _hold(work):
     """Solve for the changes of joints and rotation that undo the closures while the reference point stays in place.
 
@@ -587,7 +588,7 @@ def _hold(work):
     return True
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def exact_command(target, tool, k, work, q):
     """Fill the joints q (3,) that bring the reference point to target (3,); return the status.
 
@@ -631,7 +632,7 @@ def exact_command(target, tool, k, work, q):
     return status
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def linear_command(target, tool, k, work, q):
     """Fill the joints q (3,) that bring the reference point to target (3,) to first order in the errors; return the status.
 
@@ -654,7 +655,7 @@ def linear_command(target, tool, k, work, q):
     return status
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def linear_commands(target, tool, k, q, status):
     """Fill joints q (N, 3) and status (N,) by `linear_command`; target (N, 3) and tool (N, 3), k (M, 3, :)."""
     work = np.zeros(COMMAND_WORK)
@@ -662,7 +663,7 @@ def linear_commands(target, tool, k, q, status):
         status[n] = linear_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def exact_joints(px, py, pz, state):
     """Return the joints of `exact_command` for a target, as the controller counts them; NaN where there are none.
 
@@ -677,7 +678,7 @@ def exact_joints(px, py, pz, state):
     return q[0] * state[9], q[1] * state[10], q[2] * state[11], 
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def linear_joints(px, py, pz, state):
     """Return the joints of `linear_command` for a target, as the controller counts them; NaN where there are none.
 

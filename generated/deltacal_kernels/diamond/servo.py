@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `diamond`, Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 5da59ab5030ff9fa; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 47f475370bdbef70; SymPy 1.14.0.
 
 Scalar code without allocation, to be called from loops that Numba compiles. Lengths in mm, angles in rad.
 """
@@ -9,7 +9,8 @@ Scalar code without allocation, to be called from loops that Numba compiles. Len
 import math
 
 import numpy as np
-from numba import njit
+
+from deltacal_kernels.compiled import kernel
 
 from .vectorised import MAX_STEPS, PIVOT_SINGULAR, SINGULAR, SOLVED, STEP_LOST, UNREACHABLE
 
@@ -18,7 +19,7 @@ COMMAND_WORK = 12  # length of the scratch array of `exact_command` and `linear_
 COMMAND_CONSTANTS = 9  # `exact_command` reads these first columns of k only
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _newton(x, q, tool, k, out):
     """Per rod of one limb: closure, its derivatives by the platform, by the joint (35 operations)."""
     px = x[0]
@@ -53,7 +54,7 @@ def _newton(x, q, tool, k, out):
     out[3] = s46
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _joint(x, q, tool, k, out):
     """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it (29 operations)."""
     px = x[0]
@@ -122,7 +123,7 @@ def linear_constants(p):
     return k
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _nominal_joint(x, q, tool, k, i, out):
     """Joint of the nominal limb at a given position (29 operations); limb i of k, row i of out."""
     px = x[0]
@@ -147,7 +148,7 @@ def _nominal_joint(x, q, tool, k, i, out):
     out[row + 0] = s54
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _linear(x, q, tool, k, i, out):
     """Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (33 operations); limb i of k, row i of out."""
     px = x[0]
@@ -184,7 +185,7 @@ def _linear(x, q, tool, k, i, out):
     out[row + 3] = s61
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _hold(work):
     """Solve for the changes of joints and rotation that undo the closures while the reference point stays in place.
 
@@ -247,7 +248,7 @@ def _hold(work):
     return True
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def exact_command(target, tool, k, work, q):
     """Fill the joints q (2,) that bring the reference point to target (2,); return the status.
 
@@ -291,7 +292,7 @@ def exact_command(target, tool, k, work, q):
     return status
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def linear_command(target, tool, k, work, q):
     """Fill the joints q (2,) that bring the reference point to target (2,) to first order in the errors; return the status.
 
@@ -314,7 +315,7 @@ def linear_command(target, tool, k, work, q):
     return status
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def linear_commands(target, tool, k, q, status):
     """Fill joints q (N, 2) and status (N,) by `linear_command`; target (N, 2) and tool (N, 3), k (M, 2, :)."""
     work = np.zeros(COMMAND_WORK)
@@ -322,7 +323,7 @@ def linear_commands(target, tool, k, q, status):
         status[n] = linear_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def exact_joints(px, py, state):
     """Return the joints of `exact_command` for a target, as the controller counts them; NaN where there are none.
 
@@ -336,7 +337,7 @@ def exact_joints(px, py, state):
     return q[0] * state[7], q[1] * state[8], 
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def linear_joints(px, py, state):
     """Return the joints of `linear_command` for a target, as the controller counts them; NaN where there are none.
 

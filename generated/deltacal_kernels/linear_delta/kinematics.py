@@ -1,7 +1,7 @@
 """Kinematics of `linear_delta`, many poses at once: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 6c34d718e3cc2dea; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 886bf5acbf50a4e5; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -17,8 +17,8 @@ conditioned or converges slowly is left to the plain kernels of ``vectorised.py`
 import math
 
 import numpy as np
-from numba import njit
 
+from deltacal_kernels.compiled import kernel
 from deltacal_kernels.elementary import arcsine, arctangent, cosine, scratch, sine, tangent, wide
 
 from . import vectorised
@@ -32,7 +32,7 @@ TURN_DONE = 3e-8  # rad
 WORK = 7968  # length of the scratch array
 CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
 APART = 1e-3  # squared sine between the centres' directions
-fast = njit(cache=True, nogil=True, error_model="numpy", fastmath={"contract"})
+fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
 @fast

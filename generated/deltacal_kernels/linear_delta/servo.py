@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `linear_delta`, Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 7d7856bcdc44934e; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 49cff534bd9c3e50; SymPy 1.14.0.
 
 Scalar code without allocation, to be called from loops that Numba compiles. Lengths in mm, angles in rad.
 """
@@ -9,7 +9,8 @@ Scalar code without allocation, to be called from loops that Numba compiles. Len
 import math
 
 import numpy as np
-from numba import njit
+
+from deltacal_kernels.compiled import kernel
 
 from .vectorised import MAX_STEPS, PIVOT_SINGULAR, SINGULAR, SOLVED, STEP_LOST, UNREACHABLE
 
@@ -18,7 +19,7 @@ COMMAND_WORK = 72  # length of the scratch array of `exact_command` and `linear_
 COMMAND_CONSTANTS = 21  # `exact_command` reads these first columns of k only
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _newton(x, q, tool, k, out):
     """Per rod of one limb: closure, its derivatives by the platform, by the joint (334 operations)."""
     px = x[0]
@@ -204,7 +205,7 @@ def _newton(x, q, tool, k, out):
     out[15] = s617
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _joint(x, q, tool, k, out):
     """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it (22 operations)."""
     px = x[0]
@@ -305,7 +306,7 @@ def linear_constants(p):
     return k
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _nominal_joint(x, q, tool, k, i, out):
     """Joint of the nominal limb at a given position (13 operations); limb i of k, row i of out."""
     px = x[0]
@@ -324,7 +325,7 @@ def _nominal_joint(x, q, tool, k, i, out):
     out[row + 0] = s65
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _linear(x, q, tool, k, i, out):
     """Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (54 operations); limb i of k, row i of out."""
     px = x[0]
@@ -400,7 +401,7 @@ def _linear(x, q, tool, k, i, out):
     out[row + 15] = d_z
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _hold(work):
     """Solve for the changes of joints and rotation that undo the closures while the reference point stays in place.
 
@@ -463,7 +464,7 @@ def _hold(work):
     return True
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def exact_command(target, tool, k, work, q):
     """Fill the joints q (3,) that bring the reference point to target (3,); return the status.
 
@@ -507,7 +508,7 @@ def exact_command(target, tool, k, work, q):
     return status
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def linear_command(target, tool, k, work, q):
     """Fill the joints q (3,) that bring the reference point to target (3,) to first order in the errors; return the status.
 
@@ -530,7 +531,7 @@ def linear_command(target, tool, k, work, q):
     return status
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def linear_commands(target, tool, k, q, status):
     """Fill joints q (N, 3) and status (N,) by `linear_command`; target (N, 3) and tool (N, 3), k (M, 3, :)."""
     work = np.zeros(COMMAND_WORK)
@@ -538,7 +539,7 @@ def linear_commands(target, tool, k, q, status):
         status[n] = linear_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def exact_joints(px, py, pz, state):
     """Return the joints of `exact_command` for a target, as the controller counts them; NaN where there are none.
 
@@ -553,7 +554,7 @@ def exact_joints(px, py, pz, state):
     return q[0] * state[9], q[1] * state[10], q[2] * state[11], 
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def linear_joints(px, py, pz, state):
     """Return the joints of `linear_command` for a target, as the controller counts them; NaN where there are none.
 

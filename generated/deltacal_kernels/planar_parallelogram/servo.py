@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `planar_parallelogram`, Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 889107f4a48b6c92; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both f17bcfb7a688d8ca; SymPy 1.14.0.
 
 Scalar code without allocation, to be called from loops that Numba compiles. Lengths in mm, angles in rad.
 """
@@ -9,7 +9,8 @@ Scalar code without allocation, to be called from loops that Numba compiles. Len
 import math
 
 import numpy as np
-from numba import njit
+
+from deltacal_kernels.compiled import kernel
 
 from .vectorised import MAX_STEPS, PIVOT_SINGULAR, SINGULAR, SOLVED, STEP_LOST, UNREACHABLE
 
@@ -18,7 +19,7 @@ COMMAND_WORK = 27  # length of the scratch array of `exact_command` and `linear_
 COMMAND_CONSTANTS = 26  # `exact_command` reads these first columns of k only
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _newton(x, q, tool, k, out):
     """Per rod of one limb: closure, its derivatives by the platform, by the joint (102 operations)."""
     px = x[0]
@@ -87,7 +88,7 @@ def _newton(x, q, tool, k, out):
     out[14] = 0
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _joint(x, q, tool, k, out):
     """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it (64 operations)."""
     px = x[0]
@@ -208,7 +209,7 @@ def linear_constants(p):
     return k
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _nominal_joint(x, q, tool, k, i, out):
     """Joint of the nominal limb at a given position (4 operations); limb i of k, row i of out."""
     px = x[0]
@@ -220,7 +221,7 @@ def _nominal_joint(x, q, tool, k, i, out):
     out[row + 0] = s140
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _linear(x, q, tool, k, i, out):
     """Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (151 operations); limb i of k, row i of out."""
     px = x[0]
@@ -310,7 +311,7 @@ def _linear(x, q, tool, k, i, out):
     out[row + 14] = 0
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _hold(work):
     """Solve for the changes of joints and rotation that undo the closures while the reference point stays in place.
 
@@ -373,7 +374,7 @@ def _hold(work):
     return True
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def exact_command(target, tool, k, work, q):
     """Fill the joints q (1,) that bring the reference point to target (1,); return the status.
 
@@ -419,7 +420,7 @@ def exact_command(target, tool, k, work, q):
     return status
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def linear_command(target, tool, k, work, q):
     """Fill the joints q (1,) that bring the reference point to target (1,) to first order in the errors; return the status.
 
@@ -442,7 +443,7 @@ def linear_command(target, tool, k, work, q):
     return status
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def linear_commands(target, tool, k, q, status):
     """Fill joints q (N, 1) and status (N,) by `linear_command`; target (N, 1) and tool (N, 3), k (M, 1, :)."""
     work = np.zeros(COMMAND_WORK)
@@ -450,7 +451,7 @@ def linear_commands(target, tool, k, q, status):
         status[n] = linear_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def exact_joints(px, state):
     """Return the joints of `exact_command` for a target, as the controller counts them; NaN where there are none.
 
@@ -463,7 +464,7 @@ def exact_joints(px, state):
     return q[0] * state[5], 
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def linear_joints(px, state):
     """Return the joints of `linear_command` for a target, as the controller counts them; NaN where there are none.
 

@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `robotennis`, RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 0f0bd43363bce29f; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 551ce77364038b50; SymPy 1.14.0.
 
 Scalar code without allocation, to be called from loops that Numba compiles. Lengths in mm, angles in rad.
 """
@@ -9,7 +9,8 @@ Scalar code without allocation, to be called from loops that Numba compiles. Len
 import math
 
 import numpy as np
-from numba import njit
+
+from deltacal_kernels.compiled import kernel
 
 from .vectorised import MAX_STEPS, PIVOT_SINGULAR, SINGULAR, SOLVED, STEP_LOST, UNREACHABLE
 
@@ -18,7 +19,7 @@ COMMAND_WORK = 21  # length of the scratch array of `exact_command` and `linear_
 COMMAND_CONSTANTS = 22  # `exact_command` reads these first columns of k only
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _newton(x, q, tool, k, out):
     """Per rod of one limb: closure, its derivatives by the platform, by the joint (60 operations)."""
     px = x[0]
@@ -75,7 +76,7 @@ def _newton(x, q, tool, k, out):
     out[4] = s74
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _joint(x, q, tool, k, out):
     """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it (35 operations)."""
     px = x[0]
@@ -183,7 +184,7 @@ def linear_constants(p):
     return k
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _nominal_joint(x, q, tool, k, i, out):
     """Joint of the nominal limb at a given position (33 operations); limb i of k, row i of out."""
     px = x[0]
@@ -211,7 +212,7 @@ def _nominal_joint(x, q, tool, k, i, out):
     out[row + 0] = s112
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _linear(x, q, tool, k, i, out):
     """Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (65 operations); limb i of k, row i of out."""
     px = x[0]
@@ -280,7 +281,7 @@ def _linear(x, q, tool, k, i, out):
     out[row + 4] = s121
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def _hold(work):
     """Solve for the changes of joints and rotation that undo the closures while the reference point stays in place.
 
@@ -343,7 +344,7 @@ def _hold(work):
     return True
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def exact_command(target, tool, k, work, q):
     """Fill the joints q (3,) that bring the reference point to target (3,); return the status.
 
@@ -387,7 +388,7 @@ def exact_command(target, tool, k, work, q):
     return status
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def linear_command(target, tool, k, work, q):
     """Fill the joints q (3,) that bring the reference point to target (3,) to first order in the errors; return the status.
 
@@ -410,7 +411,7 @@ def linear_command(target, tool, k, work, q):
     return status
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def linear_commands(target, tool, k, q, status):
     """Fill joints q (N, 3) and status (N,) by `linear_command`; target (N, 3) and tool (N, 3), k (M, 3, :)."""
     work = np.zeros(COMMAND_WORK)
@@ -418,7 +419,7 @@ def linear_commands(target, tool, k, q, status):
         status[n] = linear_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def exact_joints(px, py, pz, state):
     """Return the joints of `exact_command` for a target, as the controller counts them; NaN where there are none.
 
@@ -433,7 +434,7 @@ def exact_joints(px, py, pz, state):
     return q[0] * state[9], q[1] * state[10], q[2] * state[11], 
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@kernel(nogil=True, error_model="numpy")
 def linear_joints(px, py, pz, state):
     """Return the joints of `linear_command` for a target, as the controller counts them; NaN where there are none.
 
