@@ -85,7 +85,7 @@ def test_the_parameters_are_those_of_identify(robot: Robot, measured: dict[str, 
     assert (np.abs(gap) < 1e-3 * deviation).all()
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", [name for name in CASES if name != "serial"])  # a chain needs its file
 def test_every_mechanism_finds_a_machine_that_reads_alike(name: str, tmp_path: Path) -> None:
     """Positions of the example's poses, without noise, on a machine with errors of the model."""
     folder, model, _ = CASES[name]

@@ -16,7 +16,8 @@ import pytest
 from deltacal_gen import cli
 from deltacal_gen.demonstration import example
 from deltacal_gen.measurement import align
-from deltacal_gen.mechanism import load_mechanism
+from deltacal_gen.mechanism import mechanism_of
+from deltacal_gen.robot import read_robot
 
 CASES = {  # folder of the example, model, noise [mm]
     "delta": ("delta", "delta/42", 0.01),
@@ -25,6 +26,7 @@ CASES = {  # folder of the example, model, noise [mm]
     "linear_delta": ("linear_delta", "linear_delta/21", 0.01),
     "planar_parallelogram": ("planar_parallelogram", "planar_parallelogram/9", 0.003),
     "robotennis": ("robotennis", "robotennis/15", 0.005),
+    "serial": ("serial", "serial/dh", 0.02),
     "simplified_parallelogram": ("planar_parallelogram", "planar_parallelogram/2", 0.003),
 }
 COMPILER = shutil.which("cc")
@@ -89,17 +91,23 @@ def test_from_drawing_to_corrected_commands(name: str, run: Any, tmp_path: Path)
     ]
     missed = table(tmp_path / "predicted.csv", *measured) - table(recording, *measured)
     assert np.sqrt(np.mean(missed**2)) < (found["before_rms_mm"] if simplified else 3 * noise)
-    wanted = [f"{axis}_mm" for axis in load_mechanism(name).axes][: load_mechanism(name).limbs]
+    machine = mechanism_of(read_robot(robot))
+    axes = [f"{axis}_mm" for axis in machine.axes][: machine.limbs]
     run("compensate", result, targets, "-o", tmp_path / "joints.csv")
     for file in ("joints.toml", "targets.toml"):
         (tmp_path / file).write_text('[measurement]\nkind = "position"\nframe = "robot"\n')
     run("simulate", robot, tmp_path / "joints.csv", "-o", tmp_path / "reached.csv", "--truth", truth)
     run("simulate", robot, targets, "-o", tmp_path / "uncorrected.csv", "--truth", truth)
+    run("simulate", robot, targets, "-o", tmp_path / "wanted.csv")
     corrected, plain = (
-        off_target(table(tmp_path / file, *wanted), table(targets, *wanted))
+        off_target(table(tmp_path / file, *axes), table(tmp_path / "wanted.csv", *axes))
         for file in ("reached.csv", "uncorrected.csv")
     )
     assert corrected < plain / (1 if simplified else 10)
+    if machine.links is not None:
+        said = run("compensate", result, "--export", "c", "-o", tmp_path / "command.c", code=2)
+        assert "how it stands is part of every command" in " ".join(said.split())
+        return
     run("compensate", result, "--export", "c", "-o", tmp_path / "command.c")
     if COMPILER:
         built = [COMPILER, "-std=c99", "-Wall", "-Wextra", "-Werror", "-c", "command.c"]

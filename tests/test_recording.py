@@ -20,7 +20,7 @@ from deltacal_gen.recording import Recording, check_units, read_recording, write
 from deltacal_gen.robot import robot_from_dict
 from deltacal_gen.units import DEG
 
-SPACE: Any = {"axes": ("x", "y", "z"), "turns": ("x", "y", "z"), "parameters": (), "geometry": ()}
+SPACE: Any = {"axes": ("x", "y", "z"), "turns": ("x", "y", "z"), "parameters": (), "geometry": (), "links": None}
 DELTA: Any = SimpleNamespace(name="delta", limbs=3, joint_unit="rad", **SPACE)
 TOWERS: Any = SimpleNamespace(name="linear_delta", limbs=3, joint_unit="mm", **SPACE)
 PLANAR: Any = SimpleNamespace(name="diamond", limbs=2, joint_unit="rad", **SPACE | {"axes": ("x", "y"), "turns": ()})

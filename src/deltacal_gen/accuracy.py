@@ -6,10 +6,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.measurement import align
-from deltacal_gen.mechanism import Array, mechanism_of
+from deltacal_gen.mechanism import SOLVED, Array, mechanism_of
 from deltacal_gen.robot import Robot, Workspace
+
+FULL_TURN = np.pi  # rad: as far as a joint turns either way whose limits nobody gave
 
 
 def workspace_of(robot: Robot) -> Workspace:
@@ -63,6 +65,78 @@ def check_poses(workspace: Workspace, per_circle: int = 16) -> Array:
         return np.vstack([workspace.home, *(workspace.place(x, depth) for depth in depths)])
     rings = [circle(workspace, depth, part, per_circle) for depth in depths for part in (0.5, 1.0)]
     return np.vstack([workspace.home, *rings])
+
+
+def joint_spread(robot: Robot, count: int) -> Array:
+    """Return joints (count, n_q) of an open chain, as the controller counts, spread evenly over their ranges.
+
+    An additive recurrence, without any symmetry; left out is what leads the tool point outside the workspace, if the
+    robot file gives one. A turning joint without limits makes half a turn either way.
+
+    Raises
+    ------
+    InputError
+        A sliding joint has no limits.
+    NoSolutionError
+        Hardly any joints lead into the workspace.
+    """
+    mechanism = mechanism_of(robot)
+    limits = robot.joint_limits
+    if limits is None:
+        if "mm" in mechanism.joint_units:
+            raise InputError(
+                "a plan needs to know how far the sliding joints move.",
+                "Add limits to [joints] in the robot file.",
+                file=robot.source,
+            )
+        limits = np.tile([-FULL_TURN, FULL_TURN], (mechanism.limbs, 1))
+    root = np.max(np.roots([1.0, *[0.0] * (mechanism.limbs - 1), -1.0, -1.0]).real)  # of x^(n+1) = x + 1
+    for many in (1, 4, 16, 64):
+        u = np.outer(np.arange(1, many * count + 1), root ** -np.arange(1.0, mechanism.limbs + 1)) % 1.0
+        joints = limits[:, 0] + u * np.diff(limits, axis=1)[:, 0]
+        if robot.workspace is None:
+            return joints
+        x, _ = mechanism.forward(robot.joint_sign * joints, robot.tool, mechanism.rows(robot))
+        joints = joints[robot.workspace.holds(x[:, :3])]
+        if len(joints) >= count:
+            return joints[:count]
+    raise NoSolutionError(
+        f"only {len(joints)} of {many * count} joints spread over their limits lead into the workspace. "
+        "Check [workspace] and the limits of the joints."
+    )
+
+
+def check_joints(robot: Robot, tool: Array, errors: Array | None = None) -> tuple[Array, Array, Array, np.ndarray]:
+    """Return at which joints a machine is judged over its workspace, where they lead, and which targets it reaches.
+
+    Parameters
+    ----------
+    tool : (3,) array
+        Reference point in {O'} [mm].
+    errors : (n_p,) array, optional
+        Source errors of the machine; default the robot's own.
+
+    Returns
+    -------
+    q, x : (N, n_q) and (N, 12) arrays
+        Joints as the geometry counts, and poses; of the targets that are reached.
+    targets : (M, 3) array
+        Of `check_poses`; of an open chain where as many joints of `joint_spread` lead.
+    reached : (M,) array of bool
+
+    Raises
+    ------
+    InputError
+        The robot file has no workspace.
+    """
+    mechanism, space = mechanism_of(robot), workspace_of(robot)
+    rows, targets = mechanism.rows(robot, errors), check_poses(space)
+    if mechanism.links is not None:
+        q = robot.joint_sign * joint_spread(robot, len(targets))
+        x, status = mechanism.forward(q, tool, rows)
+        return q, x, x[:, :3], status == SOLVED
+    q, x, status = mechanism.inverse(targets, tool, rows)
+    return q[status == SOLVED], x[status == SOLVED], targets, status == SOLVED
 
 
 def distance_error(actual: Array, wanted: Array, home: int = 0) -> Array:

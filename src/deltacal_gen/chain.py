@@ -7,7 +7,7 @@ the link's. Forward position is explicit, so there is nothing to solve and no po
 from __future__ import annotations
 
 import importlib
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from types import ModuleType
 
@@ -15,11 +15,18 @@ import numpy as np
 
 from deltacal_gen.errors import UsageError
 from deltacal_gen.inputs import Link, Robot
-from deltacal_gen.mechanism import POSE, SOLVED, GeometryKey, Loads, Mechanism, Parameter, Sensitivity
-from deltacal_gen.rotation import Array
+from deltacal_gen.mechanism import POSE, SOLVED, UNREACHABLE, GeometryKey, Loads, Mechanism, Parameter, Sensitivity
+from deltacal_gen.rotation import Array, to_vector
 
 PARALLEL = 1e-6  # rad: axes that are closer to parallel have no common normal to speak of
 TOOL = ("tx", "ty", "tz")
+RANK = 1e-6  # of the largest: a smaller singular value of the joints' Jacobian is a direction that is not commanded
+MOST_LEVER = 50.0  # joints turn at most so many times as far as the last frame: a wrist near its singularity stays
+FARTHEST = 0.3  # rad: a step of a joint; a slide's is that much of the chain's reach
+NEWTON_STEPS = 40
+THERE_TURNED = 1e-6  # rad: of ways to stand, those that miss the rotation by more than the best one are none
+THERE_MM, THERE = 1e-9, 1e-11  # a pose is met; joints (rad, and part of the reach) no longer move
+STARTS = 16  # joints from which a pose is sought where nothing says how the chain stands
 
 
 @dataclass(frozen=True)
@@ -177,11 +184,150 @@ class Chain(Mechanism):
         """Return the positions (N, 3) of the tool point [mm]."""
         return self.forward(q, tool, rows)[0][:, :3]
 
-    def inverse(self, target: Array, tool: Array, rows: Array) -> tuple[Array, Array, np.ndarray]:
-        """Raise UsageError: a position alone does not say how a chain shall stand."""
-        raise UsageError(
-            "a position alone does not say how an open chain shall stand. Give joints: a recording instead of targets."
-        )
+    def commanded(self, target: Array) -> Array:
+        """Return targets (N, 3) or (N, 12) as they are: which directions the joints command depends on the pose."""
+        return target
+
+    def inverse(
+        self, target: Array, tool: Array, rows: Array, limits: Array | None = None
+    ) -> tuple[Array, Array, np.ndarray]:
+        """Return joints that bring the tool point and the last frame to poses (N, 12), or three joints to positions.
+
+        Of the many ways in which a chain can stand, the first pose takes the one nearest to joints zero, every other
+        the one nearest to the pose before it; within the joints' `limits` (n_q, 2) where there is one.
+
+        Raises
+        ------
+        UsageError
+            A position alone, of a chain of more than three joints: it does not say how the chain shall stand.
+        """
+        target, tool = np.asarray(target, dtype=float), self._tool(tool, len(target))
+        if target.shape[1] != POSE and self.limbs > 3:
+            raise UsageError(
+                "a position alone does not say how an open chain shall stand. "
+                "Give joints, or the rotation too: rx_deg, ry_deg, rz_deg."
+            )
+        roots = np.modf(np.outer(np.arange(STARTS), np.sqrt([2, 3, 5, 7, 11, 13, 17, 19, 23, 29][: self.limbs])))[0]
+        low, high = (-np.pi, np.pi) if limits is None else np.clip(limits.T / self._sizes(rows), -np.pi, np.pi)
+        starts = (low + (high - low) * roots) * self._sizes(rows)
+        starts[0] = np.clip(0.0, low, high) * self._sizes(rows)
+        every = np.tile(starts, (len(target), 1))
+        repeated = np.repeat(target, STARTS, axis=0), np.repeat(tool, STARTS, axis=0)
+        q, status = self.follow(repeated[0], every, repeated[1], rows)
+        reached, _ = self.forward(np.nan_to_num(q), repeated[1], rows)
+        turned = np.abs(self.missed(reached, repeated[0])[:, 3:]).max(axis=1, initial=0.0).reshape(-1, STARTS)
+        q, status = q.reshape(len(target), STARTS, -1), status.reshape(len(target), STARTS)
+        best_turn = np.where(status == SOLVED, turned, np.inf).min(axis=1, keepdims=True)
+        status[turned > best_turn + THERE_TURNED] = UNREACHABLE  # a wrist that got stuck
+        turning = np.array([self.links[k].kind == "revolute" for k in self._moving])
+        found, last = np.full((len(target), self.limbs), np.nan), starts[0]
+        for n, (ways, ok) in enumerate(zip(q, status == SOLVED, strict=True)):
+            near = np.where(turning, last + (ways - last + np.pi) % (2 * np.pi) - np.pi, ways)
+            if limits is not None:
+                for once in (2 * np.pi, -2 * np.pi):
+                    inside = turning & (near + once >= limits[:, 0]) & (near + once <= limits[:, 1])
+                    near = np.where(inside & ((near < limits[:, 0]) | (near > limits[:, 1])), near + once, near)
+            far = np.abs((near - last) / self._sizes(rows)).max(axis=1)
+            beyond = 0.0 if limits is None else ((near < limits[:, 0]) | (near > limits[:, 1])).any(axis=1)
+            best = int(np.argmin(np.where(ok, far + 100.0 * beyond, np.inf)))
+            if ok[best]:
+                found[n] = last = near[best]
+        solved = np.isfinite(found).all(axis=1)
+        x, _ = self.forward(np.nan_to_num(found), tool, rows)
+        return found, np.where(solved[:, None], x, np.nan), np.where(solved, SOLVED, UNREACHABLE)
+
+    def follow(
+        self,
+        target: Array,
+        near: Array,
+        tool: Array,
+        rows: Array,
+        drawn: Array | None = None,
+        reach: Callable[[Array, np.ndarray], tuple[Array, np.ndarray]] | None = None,
+    ) -> tuple[Array, np.ndarray]:
+        """Return joints (N, n_q) that bring a machine to poses (N, 12) or positions (N, 3), starting from `near`.
+
+        The position comes first; the joints that are left over turn the last frame as far as they can. Where a chain
+        commands fewer directions than the target has, the others stay as they come, and near a singularity of the
+        wrist the last frame is left as it is rather than turned by joints that move `MOST_LEVER` times as far.
+
+        Parameters
+        ----------
+        rows, drawn : (1, links, n) arrays
+            Of the machine and, where that is another one, of the chain as drawn: what an error alone would let the
+            joints move (out of the plane of a planar arm, say) is not commanded.
+        reach : callable, optional
+            Poses (N, 12) and status (N,) of a machine with effects at joints of some of the targets, given with their
+            indices.
+
+        Notes
+        -----
+        Newton's method with the Jacobian of the machine without effects. Two levels of priority by the projection of
+        the second into the null space of the first (Siciliano, Slotine 1991).
+        """
+        q, status = np.array(near, dtype=float), np.full(len(target), UNREACHABLE)
+        sizes, directions = self._sizes(rows), self._directions(rows if drawn is None else drawn)
+        open_ = np.arange(len(q))
+        for _ in range(NEWTON_STEPS):
+            if not len(open_):
+                break
+            x, reached = self.forward(q[open_], tool[open_], rows)
+            slope = self.sensitivity(x, q[open_], tool[open_], rows).joints * sizes
+            if reach is not None:
+                x, reached = reach(q[open_], open_)
+            miss = self.missed(x, target[open_])
+            if directions < 3 and drawn is not None:
+                own, _ = self.forward(q[open_], tool[open_], drawn)
+                commanded = self.sensitivity(own, q[open_], tool[open_], drawn).joints[:, :3] * sizes
+                basis = np.linalg.svd(commanded)[0][:, :, :directions]
+                within = basis @ np.swapaxes(basis, 1, 2)
+                slope[:, :3], miss[:, :3] = within @ slope[:, :3], np.einsum("nij,nj->ni", within, miss[:, :3])
+            step, off, rank = _prioritised(slope, miss, directions)
+            ended = (np.abs(off).max(axis=1) < THERE_MM) & (np.abs(step).max(axis=1) < THERE)
+            # on the rim of its reach a chain has lost a direction, and what is missing lies along it
+            ended &= (rank == directions) | (np.abs(miss[:, :3]).max(axis=1) < THERE_MM)
+            wrong = reached != SOLVED
+            status[open_[wrong]] = reached[wrong]
+            status[open_[ended & ~wrong]] = SOLVED
+            going = ~(ended | wrong)
+            longest = np.abs(step[going]).max(axis=1, initial=FARTHEST)[:, None]
+            open_ = open_[going]
+            q[open_] += sizes * step[going] * (FARTHEST / longest)
+        return np.where((status == SOLVED)[:, None], q, np.nan), status
+
+    def undo(self, moved: Array, x: Array, q: Array, tool: Array, rows: Array) -> Array:
+        """Return the change of the joints (N, n_q) that undoes a small displacement `moved` of the pose.
+
+        A shift (N, 3) is undone without turning the last frame, as far as the joints can; see `follow`.
+        """
+        sizes = self._sizes(rows)
+        whole = np.hstack([moved, np.zeros((len(moved), 6 - moved.shape[1]))])
+        slope = self.sensitivity(x, q, tool, rows).joints * sizes
+        change: Array = -sizes * _prioritised(slope, whole, self._directions(rows))[0]
+        return change
+
+    @staticmethod
+    def missed(x: Array, target: Array) -> Array:
+        """Return the shift, and the turn where a target (N, 3) or (N, 12) has one, that lead from poses to targets."""
+        shift = target[:, :3] - x[:, :3]
+        if target.shape[1] == 3:
+            return shift
+        turn = target[:, 3:].reshape(-1, 3, 3) @ np.swapaxes(x[:, 3:].reshape(-1, 3, 3), 1, 2)
+        return np.hstack([shift, to_vector(turn)])
+
+    def _sizes(self, rows: Array) -> Array:
+        """Return what a step of each joint is compared with, (n_q,): 1 rad, and of a slide the chain's reach [mm]."""
+        lengths = [j for j, key in enumerate(self.geometry) if key.unit == "mm"]
+        reach = float(np.abs(rows[0][:, lengths]).sum()) or 1000.0
+        return np.array([reach if self.links[k].kind == "prismatic" else 1.0 for k in self._moving])
+
+    def _directions(self, rows: Array) -> int:
+        """Return in how many directions the joints move the tool point, at joints without any symmetry."""
+        q = self._sizes(rows)[None] * np.modf(np.sqrt([2, 3, 5, 7, 11, 13, 17, 19, 23, 29][: self.limbs]))[0]
+        tool = np.array([[50.0, 70.0, 110.0]])
+        x, _ = self.forward(q, tool, rows)
+        slope = self.sensitivity(x, q, tool, rows).joints[0, :3] * self._sizes(rows)
+        return int(np.linalg.matrix_rank(slope, RANK * np.abs(slope).max()))
 
     def jacobians(self, x: Array, q: Array, tool: Array, rows: Array) -> tuple[Array, Array, Array, Array]:
         """Raise UsageError: a chain's closure is its forward position; see `sensitivity`."""
@@ -251,6 +397,26 @@ class Chain(Mechanism):
         placed = self._placed(self._poses(q, self.limbs, "joints"), rows)
         at = [p + R @ np.array(link.com) for p, R, link in zip(placed.origin, placed.rotation, self.links, strict=True)]
         return np.stack([*at, x[:, :3]], axis=1)
+
+
+def _prioritised(slope: Array, miss: Array, directions: int) -> tuple[Array, Array, np.ndarray]:
+    """Return steps (N, n), what of the missing shift the joints command (N, 3), and in how many directions (N,)."""
+    U, s, Vt = np.linalg.svd(slope[:, :3])
+    held = (s > RANK * s[:, :1]) & (np.arange(s.shape[1]) < directions)
+    k, V = s.shape[1], np.swapaxes(Vt, 1, 2)
+    along = np.einsum("nij,ni->nj", U[:, :, :k], miss[:, :3]) * held
+    step = np.einsum("nij,nj->ni", V[:, :, :k], along / np.where(held, s, 1.0))
+    if miss.shape[1] > 3:
+        used = np.concatenate([held, np.zeros((len(s), V.shape[2] - k), dtype=bool)], axis=1)
+        left = V * ~used[:, None]
+        turned = slope[:, 3:] @ left
+        U2, s2, V2 = np.linalg.svd(turned, full_matrices=False)
+        held2 = s2 > 1.0 / MOST_LEVER
+        rest = miss[:, 3:] - np.einsum("nij,nj->ni", slope[:, 3:], step)
+        part = np.einsum("nij,ni->nj", U2, rest) * held2 / np.where(held2, s2, 1.0)
+        step = step + np.einsum("nij,nj->ni", left, np.einsum("nji,nj->ni", V2, part))
+    off = np.einsum("nij,nj->ni", U[:, :, :k], along)
+    return step, off, held.sum(axis=1)
 
 
 def _at(twists: Array, origin: Array, point: Array) -> Array:

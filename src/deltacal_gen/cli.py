@@ -214,7 +214,7 @@ def plan(
     robot: RobotFile,
     model: Annotated[str, typer.Option("--model", help="e.g. delta/18")],
     kind: Annotated[
-        str | None, typer.Option(help="what will be measured: distance, position or gauge", show_default=False)
+        str | None, typer.Option(help="what will be measured: distance, position, pose or gauge", show_default=False)
     ] = None,
     gauge: Annotated[
         Path | None, typer.Option(help="a sidecar that says where a gauge's ends are mounted", show_default=False)
@@ -250,7 +250,7 @@ def plan(
     from deltacal_gen import commands
     from deltacal_gen.units import DEG
 
-    kind = kind or ("distance" if gauge is None else "gauge")
+    kind = kind or (None if gauge is None else "gauge")
     options: dict[str, Any] = {"kind": kind, "tools": points, "scaling": scaling, "norm": norm, "sigma_mm": sigma}
     if optimal is None:
         options |= {"start_angle": start_angle * DEG, "threshold": threshold}
@@ -529,7 +529,12 @@ def matrix(
 def compensate(
     result: ResultFile,
     targets: Annotated[
-        Path | None, typer.Argument(metavar="TARGETS", help="x_mm, y_mm, z_mm, channels (CSV)", show_default=False)
+        Path | None,
+        typer.Argument(
+            metavar="TARGETS",
+            help="x_mm, y_mm, z_mm, channels (CSV); of a chain joints, or rx_deg ... too",
+            show_default=False,
+        ),
     ] = None,
     output: Annotated[
         Path | None, typer.Option("-o", "--output", help="JOINTS.csv, or the export", show_default=False)

@@ -21,7 +21,8 @@ from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.mechanism import load_mechanism, mechanism_names, mechanism_of
 from deltacal_gen.recording import Recording, csv_text, file_columns, read_recording, write_files, write_recording
 from deltacal_gen.robot import Robot, for_model, for_names, read_robot, read_text
-from deltacal_gen.units import file_unit, to_internal
+from deltacal_gen.rotation import from_vector
+from deltacal_gen.units import DEG, file_unit, to_internal
 
 if TYPE_CHECKING:
     from deltacal_gen.execution import Told
@@ -532,6 +533,8 @@ def compensate(
         RESULT.json, or DIAGNOSIS.json: then the commands include the effects that were found.
     targets : path or (N, 3) array
         A CSV with ``x_mm, y_mm, z_mm`` in {O} (tool columns and channels too), or positions. Not needed with `export`.
+        Of an open chain ``rx_deg, ry_deg, rz_deg`` beside, or an array (N, 6); or a CSV with joints instead, the
+        program as it is: wanted is where the chain as drawn stands at them, and it goes on standing so.
     output : path
         JOINTS.csv; with `export` the compensator's own file.
     kind : {"exact", "linear"}
@@ -563,6 +566,7 @@ def compensate(
         }
         if export not in writers:
             raise UsageError(f"there is no export '{export}' for {robot.mechanism}; known: {', '.join(writers)}.")
+        compensator.needs_loops(f"export '{export}'")
         if output is None:
             raise UsageError("an export needs the file to write: give -o FILE.")
         if result.get("correction"):
@@ -572,24 +576,39 @@ def compensate(
     if targets is None:
         raise UsageError("give the targets: a CSV with x_mm, y_mm, z_mm.")
     recording: Recording | None = None
-    tool = None
+    tool = near = None
     columns = dict(channels or {})
     if isinstance(targets, str | Path):
         recording = _recording(targets, robot, need_measured=False, allow_targets=True)
-        if recording.targets is None:
+        if recording.tool is not None:
+            tool = np.where(np.isfinite(recording.tool), recording.tool, robot.tool)
+        if recording.targets is not None:
+            positions = recording.targets
+        elif mechanism.links is None:
             raise InputError(
                 "the file gives joints, not targets.", "Give the columns x_mm, y_mm, z_mm and no joints.", file=targets
             )
-        positions = recording.targets
+        else:
+            near = recording.joints
+            positions, _ = compensation.Compensator(compensator.nominal).pose(near, tool)
+            if np.isfinite(recording.measured).any():
+                tell("readings of the file are not read: wanted is where the chain as drawn stands at its joints")
         columns |= recording.channels
-        if recording.tool is not None:
-            tool = np.where(np.isfinite(recording.tool), recording.tool, robot.tool)
     else:
         positions = np.asarray(targets, dtype=float)
+        if mechanism.links is not None and positions.ndim == 2 and positions.shape[1] == 6:
+            positions = np.hstack([positions[:, :3], from_vector(positions[:, 3:] * DEG).reshape(-1, 9)])
     at, assumed = compensator.channels(columns, len(positions))
     for words in assumed:
         tell(words)
-    joints = compensator.joints(positions, tool, at)
+    joints = compensator.joints(positions, tool, at, near)
+    if positions.shape[1] > 3:
+        turned = np.linalg.norm(compensator.missed(joints, positions, tool, at)[:, 3:], axis=1) / DEG
+        if (off := turned > compensation.TURNED_DEG).any():
+            why = "it has fewer than six joints" if mechanism.limbs < 6 else "it is near singular there"
+            tell(
+                f"{off.sum()} of {len(off)} commands leave the last frame turned by up to {turned.max():.2g} deg: {why}"
+            )
     if result.get("correction"):
         if result["instrument"]["kind"] in ("position", "pose"):
             joints, share = prediction.corrected_joints(result, joints, tool, columns)
@@ -704,7 +723,6 @@ def study(
     """
     from deltacal_gen import simulation, studies
     from deltacal_gen.identification import chosen_model
-    from deltacal_gen.units import DEG
 
     check_output(output, robot, plan, *suspects)
     check_output(report, robot, plan, *suspects)

@@ -27,13 +27,25 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from deltacal_gen.accuracy import workspace_of
+from deltacal_gen.chain import Chain
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
-from deltacal_gen.mechanism import SINGULAR, SOLVED, STATUS, UNREACHABLE, Array, Mechanism, mechanism_of
+from deltacal_gen.mechanism import (
+    POSE,
+    SINGULAR,
+    SOLVED,
+    STATUS,
+    UNREACHABLE,
+    Array,
+    Mechanism,
+    mechanism_of,
+    nominal_joints,
+)
 from deltacal_gen.physics import Body, Channels, Deformed, Term, complete_channels, term_to_dict
 from deltacal_gen.robot import Robot, Workspace
 from deltacal_gen.units import file_unit, to_internal
 
 KINDS = ("exact", "linear")
+TURNED_DEG = 1e-6  # a rotation of an open chain that a command leaves by more than this is told
 SETTLED_MM = 1e-9  # how near to the target a machine with effects is brought
 _STEPS = 60  # of Newton's method with the rigid machine's Jacobian: what effects add to it slows the last digits only
 _RANDOM_POINTS = 2000
@@ -172,6 +184,7 @@ class Compensator:
         UsageError
             The machine has effects, which this function does not know.
         """
+        self.needs_loops("compiled function")
         if self.effects:
             raise UsageError(
                 "the compiled function knows geometry only; export C or a table for a machine with "
@@ -203,19 +216,34 @@ class Compensator:
         said = [f"{t.effect} belongs to the instrument: no command is changed for it" for t in self.instrument]
         return at, said + assumed
 
+    def needs_loops(self, what: str) -> None:
+        """Raise UsageError for an open chain, which has no inverse in closed form to be written out."""
+        if self.mechanism.links is not None:
+            raise UsageError(
+                f"there is no {what} for an open chain: how it stands is part of every command. "
+                "Give targets: joints, or x_mm ... rz_deg, and their commands come as a table."
+            )
+
     def command(
-        self, targets: Array, tool: Array | None = None, channels: Channels | None = None
+        self,
+        targets: Array,
+        tool: Array | None = None,
+        channels: Channels | None = None,
+        near: Array | None = None,
     ) -> tuple[Array, np.ndarray]:
         """Return corrected joint commands.
 
         Parameters
         ----------
         targets : (N, 3) array
-            Where the reference point is wanted, in {O} [mm].
+            Where the reference point is wanted, in {O} [mm]; of an open chain poses (N, 12) too, rotations row by row.
         tool : (3,) or (N, 3) array, optional
             Reference point in {O'} [mm]; default the robot's.
         channels : Channels, optional
             Payload, temperature and so on of each command; see `channels`, whose assumptions are the default.
+        near : (N, n_q) array, optional
+            Of an open chain, joints at which it stands nominally, as the controller counts; default those of
+            `nominal_command`.
 
         Returns
         -------
@@ -225,6 +253,8 @@ class Compensator:
             SOLVED, UNREACHABLE or SINGULAR of `deltacal_gen.mechanism`, explained in its `STATUS`.
         """
         targets, tool = self._targets(targets, tool)
+        if isinstance(self.mechanism, Chain):
+            return self._led(self.mechanism, targets, tool, channels, near)
         if self.kind == "exact":
             q, _, status = self.mechanism.inverse(targets, tool, self._rows)
         else:
@@ -233,6 +263,28 @@ class Compensator:
         if self.effects:
             q, status = self._with_effects(targets, tool, channels, q, status)
         return q * self.robot.joint_sign, status
+
+    def _led(
+        self, chain: Chain, targets: Array, tool: Array, channels: Channels | None, near: Array | None
+    ) -> tuple[Array, np.ndarray]:
+        """Return corrected commands of an open chain; see `command`."""
+        status = np.full(len(targets), SOLVED)
+        if near is None:
+            near, status = self.nominal_command(targets, tool)
+        start, drawn = np.nan_to_num(near) * self.robot.joint_sign, chain.rows(self.nominal)
+
+        def reach(q: Array, rows: np.ndarray) -> tuple[Array, np.ndarray]:
+            machine, reached = self._machine(q, tool[rows], None if channels is None else channels.subset(rows))
+            return machine.x, reached
+
+        if self.kind == "linear":
+            x, _ = chain.forward(start, tool, drawn)
+            moved = chain.sensitivity(x, start, tool, drawn).parameters @ chain.vector(self.robot.errors)
+            q = start + chain.undo(moved, x, start, tool, drawn)
+        else:
+            q, followed = chain.follow(targets, start, tool, self._rows, drawn, reach if self.effects else None)
+            status = np.where(status == SOLVED, followed, status)
+        return np.where((status == SOLVED)[:, None], q * self.robot.joint_sign, np.nan), status
 
     def _with_effects(
         self, targets: Array, tool: Array, channels: Channels | None, q: Array, status: np.ndarray
@@ -274,7 +326,13 @@ class Compensator:
                 raise InputError(f"the effect '{term.effect}' needs {why}.", "Add it.", file=self.robot.source)
         return body.solve(self.mechanism.vector(self.robot.errors), effects)
 
-    def joints(self, targets: Array, tool: Array | None = None, channels: Channels | None = None) -> Array:
+    def joints(
+        self,
+        targets: Array,
+        tool: Array | None = None,
+        channels: Channels | None = None,
+        near: Array | None = None,
+    ) -> Array:
         """Return corrected joint commands (N, n_q) [rad or mm], all of them within the joints' limits.
 
         Raises
@@ -283,7 +341,7 @@ class Compensator:
             A target is out of reach, singular, or asks a joint beyond its limits; the message names the first ones.
         """
         targets, tool = self._targets(targets, tool)
-        joints, status = self.command(targets, tool, channels)
+        joints, status = self.command(targets, tool, channels, near)
         beyond = self.beyond_limits(joints)
         if flaws := [self._flaw(n, targets[n], joints[n], status[n], beyond[n]) for n in _failed(status, beyond)]:
             more = f"\n  and {len(flaws) - _NAMED} more" if len(flaws) > _NAMED else ""
@@ -305,21 +363,27 @@ class Compensator:
     def nominal_command(self, targets: Array, tool: Array | None = None) -> tuple[Array, np.ndarray]:
         """Return what the uncompensated controller commands, like `command`."""
         targets, tool = self._targets(targets, tool)
-        q, _, status = self.mechanism.inverse(targets, tool, self.mechanism.rows(self.nominal))
+        q, status = nominal_joints(self.robot, targets, tool)
         return q * self.robot.joint_sign, status
 
     def reached(
         self, joints: Array, tool: Array | None = None, channels: Channels | None = None
     ) -> tuple[Array, np.ndarray]:
         """Return where the calibrated machine really goes, (N, 3) [mm], and the status (N,), at joint commands."""
+        x, status = self.pose(joints, tool, channels)
+        return x[:, :3], status
+
+    def pose(
+        self, joints: Array, tool: Array | None = None, channels: Channels | None = None
+    ) -> tuple[Array, np.ndarray]:
+        """Return the pose (N, 12) that the calibrated machine really has, and the status (N,), at joint commands."""
         q = np.asarray(joints, dtype=float) * self.robot.joint_sign
         tool = np.asarray(self.robot.tool if tool is None else tool, dtype=float)
         if self.effects:
             every = np.ascontiguousarray(np.broadcast_to(tool, (len(q), 3)))
             machine, status = self._machine(q, every, channels)
-            return machine.x[:, :3], status
-        x, status = self.mechanism.forward(q, tool, self._rows)
-        return x[:, :3], status
+            return machine.x, status
+        return self.mechanism.forward(q, tool, self._rows)
 
     def leftover(self, targets: Array, tool: Array | None = None, channels: Channels | None = None) -> Array:
         """Return the position error (N, n_q) [mm] that the compensated machine has left; NaN where not solved."""
@@ -329,8 +393,14 @@ class Compensator:
     def missed(
         self, joints: Array, targets: Array, tool: Array | None = None, channels: Channels | None = None
     ) -> Array:
-        """Return how far commands lead off their targets, (N, n_q) [mm]: along the coordinates that are commanded."""
-        return self.mechanism.commanded(self.reached(joints, tool, channels)[0] - targets)
+        """Return how far commands lead off their targets, (N, n_q) [mm]: along the coordinates that are commanded.
+
+        Of an open chain (N, 3), or (N, 6) with the rotation [rad] where the targets are poses.
+        """
+        x, _ = self.pose(joints, tool, channels)
+        if isinstance(self.mechanism, Chain):
+            return -self.mechanism.missed(x, np.asarray(targets, dtype=float))
+        return self.mechanism.commanded(x[:, :3] - targets)
 
     def round_trip(self) -> RoundTrip:
         """Return what the commands leave over the robot's workspace.
@@ -353,13 +423,15 @@ class Compensator:
 
     def _targets(self, targets: Array, tool: Array | None) -> tuple[Array, Array]:
         targets = np.ascontiguousarray(targets, dtype=float)
-        if targets.ndim != 2 or targets.shape[1] != 3:
-            raise ValueError(f"targets have the shape {targets.shape}, but must have (N, 3).")
+        shapes = (3,) if self.mechanism.links is None else (3, POSE)
+        if targets.ndim != 2 or targets.shape[1] not in shapes:
+            wanted = " or ".join(f"(N, {n})" for n in shapes)
+            raise ValueError(f"targets have the shape {targets.shape}, but must have {wanted}.")
         tool = np.asarray(self.robot.tool if tool is None else tool, dtype=float)
-        return targets, np.ascontiguousarray(np.broadcast_to(tool, targets.shape))
+        return targets, np.ascontiguousarray(np.broadcast_to(tool, (len(targets), 3)))
 
     def _flaw(self, n: int, target: Array, joints: Array, status: int, beyond: np.ndarray) -> str:
-        where = f"target {n + 1} ({', '.join(f'{v:g}' for v in target)} mm)"
+        where = f"target {n + 1} ({', '.join(f'{v:g}' for v in target[:3])} mm)"
         if status != SOLVED:
             return f"{where}: {STATUS[int(status)]}"
         unit, limits = self.mechanism.joint_unit, self.robot.joint_limits

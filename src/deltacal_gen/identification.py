@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen import identifiability
-from deltacal_gen.accuracy import check_poses, distance_error, largest, volumetric_error, without_motion
+from deltacal_gen.accuracy import check_joints, distance_error, largest, volumetric_error, without_motion
 from deltacal_gen.comparison import between
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation import (
@@ -697,14 +697,11 @@ def uncertainty_map(final: Fit, robot: Robot) -> dict[str, Any] | None:
         return None
     problem = final.problem
     mechanism, n = problem.mechanism, len(problem.names)
-    targets = check_poses(robot.workspace)
-    rows = mechanism.rows(robot)
     tool = problem.body.tool[problem.readings.rows[0, 0]]
-    q, x, status = mechanism.inverse(targets, tool, rows)
-    ok = status == SOLVED
+    q, x, targets, ok = check_joints(robot, tool)
     if not ok.any():
         return None
-    dx = mechanism.sensitivity(x[ok], q[ok], tool, rows).parameters[:, :, problem.columns]
+    dx = mechanism.sensitivity(x, q, tool, mechanism.rows(robot)).parameters[:, :, problem.columns]
     if final.instrument.kind in ("position", "pose"):
         grid = Readings(
             "position",
@@ -717,12 +714,12 @@ def uncertainty_map(final: Fit, robot: Robot) -> dict[str, Any] | None:
         )
         frame = dataclasses.replace(final.instrument, kind="position", state=final.instrument.state[:, :12])
         columns = tuple(c for c in final.instrument.free if c < 6)
-        J_p, J_m = dataclasses.replace(frame, free=columns).linearise(grid, x[ok], dx)
+        J_p, J_m = dataclasses.replace(frame, free=columns).linearise(grid, x, dx)
         keep = [n + s * len(final.instrument.free) + j for s in range(len(frame.state)) for j in range(len(columns))]
         J = np.concatenate([J_p, J_m], axis=2)
         C = final.covariance[np.ix_([*range(n), *keep], [*range(n), *keep])]
     else:
-        J = without_motion(dx[:, :3].reshape(-1, n), x[ok, :3]).reshape(-1, 3, n)
+        J = without_motion(dx[:, :3].reshape(-1, n), x[:, :3]).reshape(-1, 3, n)
         C = final.covariance[:n, :n]
     std = np.sqrt(np.maximum(np.einsum("nij,jk,nik->ni", J, C, J), 0.0))
     norm = np.linalg.norm(std, axis=1)

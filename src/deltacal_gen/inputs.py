@@ -93,6 +93,13 @@ class Robot:
     source: Path | None = None
     links: tuple[Link, ...] = ()
 
+    @property
+    def geometric_limits(self) -> np.ndarray | None:
+        """Limits of the joints (limbs, 2) as the geometry counts them, or None."""
+        if self.joint_limits is None:
+            return None
+        return np.sort(self.joint_limits * self.joint_sign[:, None], axis=1)
+
 
 @dataclass(frozen=True)
 class Measurement:
@@ -149,7 +156,8 @@ class Recording:
     tool : (N, 3) array, optional
         Measured point in {O'} [mm]; nan where the robot's own tool point holds.
     targets : (N, 3) array, optional
-        Wanted positions in {O} [mm], of a file without joints; zero along an axis that the machine does not have.
+        Wanted positions in {O} [mm], of a file without joints; zero along an axis that the machine does not have. Of an
+        open chain poses (N, 12) where the file gives rotations.
     contact : (N,) array of str, optional
         Which fixed point was touched; "" for none.
     contact_distances : tuple of (str, str, float)

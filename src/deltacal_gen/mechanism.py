@@ -5,6 +5,7 @@ Shapes and units are checked here; the kernels below neither check nor raise. In
 
 from __future__ import annotations
 
+import dataclasses
 import difflib
 import importlib
 import time
@@ -146,6 +147,26 @@ def mechanism_of(robot: Robot) -> Mechanism:
     return load_mechanism(robot.mechanism, robot.links)
 
 
+def nominal_joints(robot: Robot, targets: Array, tool: Array) -> tuple[Array, np.ndarray]:
+    """Return the joints (N, n_q) that a controller commands which believes the drawing, as the geometry counts them.
+
+    Parameters
+    ----------
+    targets : (N, 3) array, or (N, 12) of an open chain
+        See `Mechanism.inverse`.
+
+    Returns
+    -------
+    q : (N, n_q) array
+    status : (N,) int array
+    """
+    mechanism = mechanism_of(robot)
+    rows = mechanism.rows(dataclasses.replace(robot, errors={}))
+    limits = {} if mechanism.links is None else {"limits": robot.geometric_limits}  # a chain can stand in many ways
+    q, _, status = mechanism.inverse(targets, tool, rows, **limits)
+    return q, status
+
+
 def described(mechanism: Mechanism) -> tuple[Mechanism, ...]:
     """Return the mechanisms that share a mechanism's robot files: one geometry, different source errors."""
     tables = {name: importlib.import_module(f"deltacal_kernels.{name}.parameters") for name in mechanism_names()}
@@ -201,6 +222,11 @@ class Mechanism:
 
     def __repr__(self) -> str:
         return f"<Mechanism {self.name}: {len(self.parameters)} source errors>"
+
+    @property
+    def joint_units(self) -> tuple[str, ...]:
+        """Unit of each joint, rad or mm."""
+        return (self.joint_unit,) * self.limbs
 
     @property
     def n_x(self) -> int:
@@ -496,6 +522,11 @@ class Mechanism:
     def _simplified(self, rows: Array) -> bool:
         """Tell whether all positions of the machine are closed form."""
         return not rows[:, :, self._tables.SMALL].any()
+
+    def undo(self, moved: Array, x: Array, q: Array, tool: Array, rows: Array) -> Array:
+        """Return the change of the joints (N, n_q) that undoes a shift `moved` (N, 3) of the reference point."""
+        speed = self.commanded(self.sensitivity(x, q, tool, rows).joints)
+        return np.asarray(np.linalg.solve(speed, -self.commanded(moved)[..., None])[..., 0])
 
     def commanded(self, target: Array) -> Array:
         """Return what a command asks for of targets (N, 3): as many coordinates as there are joints."""

@@ -3,7 +3,10 @@
 A plan is judged by the identification matrix that its recording will have: exact poses of the machine as the robot
 file knows it, commanded through the nominal inverse, and derivatives by the generated kernels. For several reference
 points the machine runs through the same joints once for each. Distances are those of all pairs of one reference
-point, positions are in one unknown frame, which is projected out.
+point, positions and poses are in one unknown frame, which is projected out.
+
+An open chain has no rim to run along: its poses are joints, drawn evenly from their ranges and taken one by one, each
+the one that adds most to the information.
 
 Condition numbers depend on three conventions, each of which can be chosen and is said in the result: the scaling of
 the columns, the norm (``spectral``: largest by smallest singular value; ``frobenius``: the norm of the matrix times
@@ -21,7 +24,7 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.accuracy import workspace_of
+from deltacal_gen.accuracy import joint_spread, workspace_of
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.identifiability import (
     RANK_TOLERANCE,
@@ -44,6 +47,8 @@ ROUGH, FINE = ("middle",), ("top", "bottom")  # Bai 2015, sections 5.1 and 5.2
 KINDS = {
     "distance": "distances between all pairs of positions of one reference point",
     "position": "positions in one unknown frame, which is projected out",
+    "pose": "positions and rotations in one unknown frame and of one unknown body, which are projected out; a turn of "
+    "1 rad counts as 100 mm",
     "gauge": "lengths from a point of the base to one of the platform, differences of adjacent poses",
 }
 NORMS = {
@@ -60,6 +65,8 @@ FEWEST = 3  # poses of a ring: rule (21)
 GENERIC_POSES = 60  # without any symmetry, for what poses can see at all
 RECURRENCE = (0.8191725134, 0.6710436067, 0.5497004779)  # powers of the root of x^4 = x + 1: evenly spread points
 OFFSETS = ((0.0, 0.0, 0.0), (0.0, 0.0, -100.0), (100.0, 0.0, 0.0))  # mm: second and third reference points, from P
+TURN_MM = 100.0  # at which a measured turn of 1 rad counts as a shift: what 6D trackers read, 0.01 mm beside 0.006 deg
+CANDIDATES = 400  # joints of an open chain
 RIDGE = 1e-9  # of the information of all candidates: keeps the determinant of a poor set above zero
 STARTS = 5  # random sets from which the exchange sets out
 
@@ -81,7 +88,8 @@ class Poses:
     joints : (P, n_q) array
         As the controller counts [rad or mm].
     targets, tool : (P, 3) arrays
-        Nominal position of the reference point in {O}, and the reference point in {O'} [mm].
+        Nominal position of the reference point in {O}, and the reference point in {O'} [mm]. Of an open chain the
+        joints are what is wanted, and the targets where they lead.
     x : (P, 12) array
         Platform coordinates of the machine as the robot file knows it [mm, Cayley].
     points : int
@@ -203,7 +211,7 @@ class Plan(Task):
     Attributes
     ----------
     method : str
-        ``rings`` or ``d-optimal``.
+        ``rings``, ``edges``, ``joints`` or ``d-optimal``.
     layers : tuple of float
         Parts of the workspace's height below its top; empty for a D-optimal set.
     start_angle : float
@@ -257,6 +265,12 @@ class Plan(Task):
                 f"below its top, the first at {math.degrees(self.start_angle):g} deg about z; chosen is the smallest "
                 f"n >= {FEWEST} with |k(n) - k(n-1)| / k(n) <= {self.threshold:g}, settled the smallest n from which "
                 "on that holds."
+            )
+        elif self.method == "joints":
+            poses = (
+                f"{_spread_of(self.robot)}, {self.steps[0].n} of them chosen for the largest determinant of the "
+                "information on the model, the frame eliminated, then one by one what adds most to it; chosen is the "
+                f"smallest n with |k(n) - k(n-1)| / k(n) <= {self.threshold:g}. Collisions are not looked for."
             )
         else:
             poses = (
@@ -399,6 +413,20 @@ def edges(workspace: Workspace, n: int, layers: Sequence[str | float] = FINE) ->
     return np.vstack([workspace.place(x, part) for part in (_parts(layers) if workspace.height else (0.0,))])
 
 
+def _spread_of(robot: Robot) -> str:
+    """Say what `joint_spread` draws from, in words."""
+    ranges = "within their limits" if robot.joint_limits is not None else "over full turns, as the file gives no limits"
+    where = " and the workspace" if robot.workspace is not None else ""
+    return f"{CANDIDATES} joints spread evenly {ranges}{where}"
+
+
+def candidates_of(robot: Robot) -> Array:
+    """Return what poses are chosen from: positions (M, 3) of `grid`, or joints (M, n_q) of an open chain."""
+    if mechanism_of(robot).links is not None:
+        return joint_spread(robot, CANDIDATES)
+    return grid(workspace_of(robot))
+
+
 def grid(workspace: Workspace, layers: int = 3, radii: int = 2, angles: int = 24) -> Array:
     """Return candidates (M, 3) that fill the cylinder, or the rectangle of a planar machine, evenly [mm]."""
     if workspace.radius is None:
@@ -453,7 +481,7 @@ def reach(robot: Robot, targets: Array, tools: Array) -> tuple[Poses, np.ndarray
     Parameters
     ----------
     targets : (M, 3) array
-        In {O} [mm].
+        In {O} [mm]; of an open chain joints (M, n_q), as the controller counts.
     tools : (T, 3) array
         Reference points in {O'} [mm]; the others are where the first one's joints bring them.
 
@@ -467,7 +495,12 @@ def reach(robot: Robot, targets: Array, tools: Array) -> tuple[Poses, np.ndarray
     mechanism = mechanism_of(robot)
     targets, tools = np.atleast_2d(np.asarray(targets, dtype=float)), _tools(tools)
     nominal, known = mechanism.rows(dataclasses.replace(robot, errors={})), mechanism.rows(robot)
-    theta, _, solved = mechanism.inverse(targets, tools[0], nominal)
+    if mechanism.links is None:
+        theta, _, solved = mechanism.inverse(targets, tools[0], nominal)
+    else:
+        theta = robot.joint_sign * targets
+        at, solved = mechanism.forward(theta, tools[0], nominal)
+        targets = at[:, :3]
     why = np.array([STATUS[int(s)] if s != SOLVED else "" for s in solved], dtype=object)
     joints = robot.joint_sign * theta
     if robot.joint_limits is not None:
@@ -526,6 +559,8 @@ def _reached(robot: Robot, targets: Array, tools: Array) -> Poses:
 
 def _generic(robot: Robot, tools: Array) -> Poses:
     """Return poses without any symmetry, what can be reached of an additive recurrence in the cylinder."""
+    if _mechanism(robot).links is not None:
+        return _reached(robot, joint_spread(robot, GENERIC_POSES), tools)
     workspace = workspace_of(robot)
     u = np.outer(np.arange(1, GENERIC_POSES + 1), RECURRENCE) % 1.0
     if len(_mechanism(robot).axes) == 2:
@@ -579,9 +614,17 @@ def _as_mounted(robot: Robot) -> Robot:
 def _read(kind: str, poses: Poses, moved: Array) -> Array:
     """Return how readings change (rows, n) where the platform moves by `moved` (P, n_x, n); the frame projected out."""
     found, instrument = _readings(kind, poses, axes=3 if np.any(poses.targets[:, 2]) else 2)
-    J, J_m = instrument.linearise(found, poses.x, moved)
+    J, J_m = _linearise(found, instrument, poses.x, moved)
     J = J.reshape(-1, moved.shape[2])
     return _without(J, J_m.reshape(len(J), -1)) if instrument.n_unknown else J
+
+
+def _linearise(found: Readings, instrument: Instrument, x: Array, moved: Array) -> tuple[Array, Array]:
+    """Return derivatives of readings by parameters and by the instrument's unknowns, turns as shifts of `TURN_MM`."""
+    J, J_m = instrument.linearise(found, x, moved)
+    for derivatives in (J, J_m) if found.kind == "pose" else ():
+        derivatives[:, 3:] *= TURN_MM
+    return J, J_m
 
 
 def _without(J: Array, nuisance: Array) -> Array:
@@ -611,9 +654,11 @@ def _readings(kind: str, poses: Poses, frame_per_point: bool = False, axes: int 
         setup, instrument = np.zeros(len(rows), dtype=int), Instrument("distance", np.zeros((1, 0)), ())
     else:
         rows, setup = np.arange(count)[:, None], np.repeat(np.arange(poses.points), each) * frame_per_point
-        frame = np.concatenate([np.eye(3).ravel(), np.zeros(3)])
-        state = np.tile(frame, (poses.points if frame_per_point else 1, 1))
-        instrument = Instrument("position", state, tuple(range(6)) if axes == 3 else (2, 3, 4))
+        body = [*np.eye(3).ravel()] if kind == "pose" else []
+        state = np.tile([*np.eye(3).ravel(), 0.0, 0.0, 0.0, *body], (poses.points if frame_per_point else 1, 1))
+        unknowns = 9 if kind == "pose" else 6
+        free = tuple(u for u in (range(9) if axes == 3 else (2, 3, 4, 8)) if u < unknowns)
+        instrument = Instrument(kind, state, free)
     empty = np.zeros((len(rows), 1 if kind == "distance" else 3))
     return Readings(kind, rows, empty, None, setup, np.arange(len(rows)), np.zeros(len(rows), dtype=int)), instrument
 
@@ -632,7 +677,7 @@ def plan(
     robot: Robot,
     model: str,
     *,
-    kind: str = "distance",
+    kind: str | None = None,
     tools: int | Array | Sequence[Sequence[float]] | None = None,
     layers: Sequence[str | float] | None = None,
     start_angle: float = 0.0,
@@ -645,7 +690,8 @@ def plan(
 ) -> Plan:
     """Return the papers' poses on the rim of the workspace for n = 3 .. n_max, and the n that the rule chooses.
 
-    Rings in a cylinder (Bai 2015); for a planar machine, rows along the edges of its rectangle (Mei 2018).
+    Rings in a cylinder (Bai 2015); for a planar machine, rows along the edges of its rectangle (Mei 2018); for an open
+    chain joints out of `joint_spread`, from as many as the model needs.
 
     Where a model has parameters that no poses can tell apart, the largest model within it that has none stands for it,
     or else the parameters that a pivoted QR keeps.
@@ -654,11 +700,11 @@ def plan(
     ----------
     model : str
         ``delta/18`` or ``18``.
-    kind : str
-        ``distance`` or ``position``.
+    kind : str, optional
+        ``distance``, ``position`` or ``pose``; by default distances, and positions of an open chain.
     tools : (T, 3) array or int, optional
         Reference points in {O'} [mm], or how many of `reference_points`. By default one, or two where the model's
-        parameters turn the platform.
+        parameters turn the platform and no pose is read; one of an open chain.
     layers : sequence, optional
         See `rings`. By default the middle one for a model with no more parameters than joints, else top and bottom.
     start_angle : float
@@ -692,6 +738,8 @@ def plan(
     task = _task(robot, model, kind, tools, scaling, norm, mount)
     if n_max < FEWEST:
         raise UsageError(f"n_max is {n_max}, but a ring has at least {FEWEST} poses.")
+    if _mechanism(robot).links is not None:
+        return _chain_plan(task, threshold, n_max, sigma_mm)
     planar = len(_mechanism(robot).axes) == 2
     if layers is None:
         layers = ROUGH if not planar and len(_mechanism(robot).model(model)) <= _mechanism(robot).limbs else FINE
@@ -724,6 +772,51 @@ def plan(
     )
 
 
+def _chain_plan(task: Task, threshold: float, n_max: int, sigma_mm: float | None) -> Plan:
+    """Return joints of an open chain: as many as the model needs by exchange, then one by one what adds most."""
+    wanted = joint_spread(task.robot, CANDIDATES)
+    whole, frame = _bases(task, _reached(task.robot, wanted, task.tools))
+    fewest = max(FEWEST, _fewest(task, whole))
+    if fewest >= n_max:
+        raise UsageError(
+            f"{task.model} needs {fewest} poses at the least, more than {n_max}: ask for fewer parameters."
+        )
+    picked = _exchange(whole, frame, fewest, np.random.default_rng(0)).tolist()
+    steps: list[Step] = []
+    before = math.inf
+    for n in range(fewest, n_max + 1):
+        if n > fewest:
+            gain = _log_det_with(whole, np.array(picked)) - _log_det_with(frame, np.array(picked))
+            gain[picked] = -math.inf
+            picked.append(int(np.argmax(gain)))
+        steps.append(task.step(n, _reached(task.robot, wanted[picked], task.tools), before))
+        before = steps[-1].condition
+    chosen, settled = rule([step.n for step in steps], [step.change for step in steps], threshold)
+    poses = _reached(task.robot, wanted[picked[: chosen or n_max]], task.tools)
+    return Plan(
+        **vars(task),
+        method="joints",
+        layers=(),
+        start_angle=0.0,
+        threshold=threshold,
+        steps=tuple(steps),
+        chosen=chosen,
+        settled=settled,
+        poses=poses,
+        prediction=None if sigma_mm is None else predict(task, poses, sigma_mm),
+    )
+
+
+def _fewest(task: Task, whole: Array) -> int:
+    """Return how many positions carry the unknowns that the candidates' blocks (M, k, rank) can see."""
+    return -(-whole.shape[2] // _scalars(task))
+
+
+def _scalars(task: Task) -> int:
+    """Return how many coordinates are read at one position."""
+    return (6 if task.kind == "pose" else 3) * len(task.tools)
+
+
 def rule(n: Sequence[int], change: Sequence[float], threshold: float) -> tuple[int | None, int | None]:
     """Return the first n whose change is within the threshold, and the first from which on all are (or None)."""
     within = [bool(c <= threshold) for c in change]
@@ -738,7 +831,7 @@ def d_optimal(
     count: int,
     *,
     candidates: Array | None = None,
-    kind: str = "distance",
+    kind: str | None = None,
     tools: int | Array | Sequence[Sequence[float]] | None = None,
     scaling: str | None = None,
     norm: str = "spectral",
@@ -756,7 +849,8 @@ def d_optimal(
     count : int
         Number of positions; each is measured once per reference point.
     candidates : (M, 3) array, optional
-        Positions of the first reference point in {O} [mm], default `grid`; what cannot be reached is left out.
+        Positions of the first reference point in {O} [mm], default `grid`; what cannot be reached is left out. Of an
+        open chain joints (M, n_q), as the controller counts, default `joint_spread`.
     rng : Generator, optional
         Draws the sets from which the exchange sets out; default a fixed one.
 
@@ -772,17 +866,16 @@ def d_optimal(
     Fedorov 1972, Theory of Optimal Experiments, on exact D-optimal designs.
     """
     task = _task(robot, model, kind, tools, scaling, norm)
-    wanted = grid(workspace_of(robot)) if candidates is None else np.atleast_2d(np.asarray(candidates, dtype=float))
+    wanted = candidates_of(robot) if candidates is None else np.atleast_2d(np.asarray(candidates, dtype=float))
     wanted = np.unique(wanted, axis=0)
     wanted = wanted[reach(robot, wanted, task.tools)[1] == ""]
     if len(wanted) < count:
         raise NoSolutionError(f"only {len(wanted)} of the candidates can be reached, but {count} positions are wanted.")
     whole, frame = _bases(task, _reached(robot, wanted, task.tools))
-    unknowns, scalars = whole.shape[2], 3 * len(task.tools)
-    if count * scalars < unknowns:
+    if count < _fewest(task, whole):
         raise UsageError(
-            f"{count} positions give {count * scalars} coordinates, but {task.model} and the frame have {unknowns} "
-            f"unknowns that can be seen: plan at least {-(-unknowns // scalars)} positions."
+            f"{count} positions give {count * _scalars(task)} coordinates, but {task.model} and the frame have "
+            f"{whole.shape[2]} unknowns that can be seen: plan at least {_fewest(task, whole)} positions."
         )
     picked = np.sort(_exchange(whole, frame, count, np.random.default_rng(0) if rng is None else rng))
     poses = _reached(robot, wanted[picked], task.tools)
@@ -814,8 +907,10 @@ def predict(task: Task, poses: Poses, sigma_mm: float) -> Prediction | None:
     Distances share the positions they lie between; their correlation is accounted for.
     """
     robot, names, count = task.robot, task.names, len(poses)
-    noise = np.zeros((count, 6, 3 * count))
-    noise[:, :3] = np.eye(3 * count).reshape(count, 3, -1)
+    read = 6 if task.kind == "pose" else 3  # coordinates
+    noise = np.zeros((count, 6, read * count))
+    noise[:, :read] = np.eye(read * count).reshape(count, read, -1)
+    noise[:, 3:] /= TURN_MM
     scale = column_convention(robot, names, "typical")[0]
     moved = _sensitivity(robot, poses, names) * scale
     both = _read(task.kind, poses, np.concatenate([moved, noise], axis=2))
@@ -823,7 +918,7 @@ def predict(task: Task, poses: Poses, sigma_mm: float) -> Prediction | None:
     if observability(H, count).rank < len(names):
         return None
     response = sigma_mm * np.linalg.pinv(H) @ noise
-    over = grid(workspace_of(robot))
+    over = candidates_of(robot)
     over = over[reach(robot, over, task.tools[:1])[1] == ""]
     at = _reached(robot, over, task.tools[:1])
     tool = _read("position", at, _sensitivity(robot, at, names) * scale)
@@ -867,13 +962,15 @@ def rank_table(robot: Robot, kind: str = "distance") -> list[RankRow]:
 def _task(
     robot: Robot,
     model: str,
-    kind: str,
+    kind: str | None,
     tools: int | Array | Sequence[Sequence[float]] | None,
     scaling: str | None,
     norm: str,
     mount: Mount | None = None,
 ) -> Task:
     mechanism = _mechanism(robot)
+    if kind is None:
+        kind = "distance" if mechanism.links is None else "position"
     if scaling is None:
         scaling = "paper" if mechanism.has_scaling("paper", robot) else "typical"
     for what, value, known in (("kind", kind, KINDS), ("scaling", scaling, SCALINGS), ("norm", norm, NORMS)):
@@ -884,7 +981,7 @@ def _task(
         raise UsageError("a gauge, and nothing else, needs to know where its ends are mounted.")
     if mount is not None:
         tools = mount.platform[None]
-    elif tools is None and len(mechanism.axes) == 2:
+    elif tools is None and (len(mechanism.axes) == 2 or mechanism.links is not None or kind == "pose"):
         tools = 1
     elif tools is None:
         home = _reached(robot, rings(workspace_of(robot), 1, ()), robot.tool)
@@ -926,11 +1023,15 @@ def _finite(value: float) -> float | None:
 
 
 def _with_frame(task: Task, poses: Poses) -> tuple[Array, Array]:
-    """Return derivatives of the positions by parameters and frames, (P, 3, n) and (P, 3, n_m), comparable in size."""
+    """Return derivatives of the readings by parameters and frames, (P, k, n) and (P, k, n_m), comparable in size.
+
+    Three coordinates of a position (distances lie between positions), six of a pose.
+    """
     axes = len(_mechanism(task.robot).axes)
-    found, instrument = _readings("position", poses, frame_per_point=task.kind == "distance", axes=axes)
+    kind = "pose" if task.kind == "pose" else "position"
+    found, instrument = _readings(kind, poses, frame_per_point=task.kind == "distance", axes=axes)
     moved = _sensitivity(task.robot, poses, task.names) * column_convention(task.robot, task.names, "typical")[0]
-    J, F = instrument.linearise(found, poses.x, moved)
+    J, F = _linearise(found, instrument, poses.x, moved)
     return J, F / np.linalg.norm(F, axis=(0, 1))
 
 
@@ -985,10 +1086,12 @@ def _log_det_with(blocks: Array, rest: np.ndarray) -> Array:
 
 
 def target_recording(found: Plan, path: str | Path = "poses.csv") -> Recording:
-    """Return a plan's poses as a recording of targets, with nothing measured yet."""
-    count, mount = len(found.poses), found.mount
-    axes = tuple(f"{axis}_mm" for axis in _mechanism(found.robot).axes)
-    if mount is None:
+    """Return a plan's poses as a recording of targets, or of a chain's joints, with nothing measured yet."""
+    count, mount, mechanism = len(found.poses), found.mount, _mechanism(found.robot)
+    axes = tuple(f"{axis}_mm" for axis in mechanism.axes)
+    if found.kind == "pose":
+        measurement, columns = Measurement(kind="pose"), axes + tuple(f"r{axis}_deg" for axis in mechanism.turns)
+    elif mount is None:
         measurement, columns = Measurement(kind="position"), axes
     else:
         base, end = ((float(x), float(y), float(z)) for x, y, z in (mount.base, mount.platform))
@@ -1000,7 +1103,7 @@ def target_recording(found: Plan, path: str | Path = "poses.csv") -> Recording:
         path=Path(path),
         kind=measurement.kind or "position",
         measurement=measurement,
-        joint_unit=_mechanism(found.robot).joint_unit,
+        joint_unit=mechanism.joint_unit,
         joints=found.poses.joints,
         columns=columns,
         measured=np.full((count, len(columns)), np.nan),
@@ -1010,7 +1113,7 @@ def target_recording(found: Plan, path: str | Path = "poses.csv") -> Recording:
         setup=np.zeros(count, dtype=int),
         setup_names=("1",),
         tool=found.poses.tool if mount is None else None,
-        targets=found.poses.targets,
+        targets=found.poses.targets if mechanism.links is None else None,
     )
 
 

@@ -134,10 +134,9 @@ def corrected_joints(
         reached, _ = _read(plain, seen, x)
         share, beside, other, moved = _corrected(result, at, x)
         reached = reached + share[:, None] * (_read(beside, other, moved)[0] - reached)
-        miss = mechanism.commanded((reached - wanted) @ turn)
-        speed = mechanism.commanded(mechanism.sensitivity(x, plain.body.q, tool, rows).joints)
-        joints = joints - robot.joint_sign * np.linalg.solve(speed, miss[..., None])[..., 0]
-        if np.abs(miss).max() < COMMAND_SETTLED_MM:
+        miss = (reached - wanted) @ turn
+        joints = joints + robot.joint_sign * mechanism.undo(miss, x, plain.body.q, tool, rows)
+        if np.abs(mechanism.commanded(miss)).max() < COMMAND_SETTLED_MM:
             break
     return joints, share
 

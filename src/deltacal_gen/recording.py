@@ -35,6 +35,7 @@ from deltacal_gen.robot import (
     to_file,
     toml_text,
 )
+from deltacal_gen.rotation import from_vector, to_vector
 from deltacal_gen.units import DEG, file_unit, to_internal
 
 if TYPE_CHECKING:
@@ -157,7 +158,17 @@ def read_recording(
         given = [axis for n, axis in enumerate(axes) if n < mechanism.limbs or axis in rows.columns]
         targets[:, [POSITION.index(axis) for axis in given]] = rows.numbers(*given, blank=False)
         joints = np.full((len(targets), mechanism.limbs), np.nan)
-        rows = rows.without(axes)
+        turned = mechanism.links is not None and set(ROTATION) & set(rows.columns)
+        if turned:
+            rotations = from_vector(rows.numbers(*ROTATION, blank=False) * DEG)
+            targets = np.hstack([targets, rotations.reshape(-1, 9)])
+        elif mechanism.links is not None and mechanism.limbs > 3:
+            raise rows.error(
+                "a position alone does not say how an open chain shall stand.",
+                "Add rx_deg, ry_deg, rz_deg (a rotation vector of the last frame in {O}), or give joints instead.",
+                column=axes[0],
+            )
+        rows = rows.without((*axes, *ROTATION) if turned else axes)
     else:
         joints = _joints(rows, mechanism)
 
@@ -763,6 +774,9 @@ def file_columns(recording: Recording) -> tuple[dict[str, Any], dict[str, Any]]:
     if recording.targets is not None:
         axes = 3 if "z_mm" in recording.columns or recording.targets[:, 2].any() else 2  # in the plane there is no z
         columns |= zip(POSITION[:axes], recording.targets.T[:axes], strict=True)
+        if recording.targets.shape[1] > 3:
+            turned = to_vector(recording.targets[:, 3:].reshape(-1, 3, 3)) / DEG
+            columns |= zip(ROTATION, turned.T, strict=True)
     else:
         for i, q in enumerate(recording.joints.T):
             columns[f"q{i + 1}_{file_unit(unit)}"] = [to_file(value, unit) for value in q]

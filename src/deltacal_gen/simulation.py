@@ -17,7 +17,7 @@ from pydantic import Field
 from deltacal_gen import sphere
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.measurement import BOTH, CONTACT, FRAMELESS, Instrument, Readings, both, frameless, home_of
-from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, mechanism_of
+from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, mechanism_of, nominal_joints
 from deltacal_gen.physics import Body, Channels, Term, blank, coefficients, effect_names, load_effect, reading_shift
 from deltacal_gen.recording import Measurement, Recording
 from deltacal_gen.robot import Number, Robot, Table, TomlFile, nearest
@@ -173,8 +173,7 @@ def simulate(
         tool = np.broadcast_to(np.asarray(poses.measurement.platform_point_mm), (poses.n_rows, 3))
     joints = poses.joints
     if poses.targets is not None:
-        nominal = mechanism.rows(dataclasses.replace(robot, errors={}))
-        theta, _, status = mechanism.inverse(poses.targets, tool, nominal)
+        theta, status = nominal_joints(robot, poses.targets, tool)
         _all_solved(poses, status, "the target cannot be commanded")
         joints = robot.joint_sign * theta
     commanded = dataclasses.replace(poses, joints=joints)

@@ -20,15 +20,14 @@ from typing import Any
 import numpy as np
 from scipy.linalg import cho_factor, cho_solve
 
-from deltacal_gen import planning
-from deltacal_gen.accuracy import check_poses, without_motion
+from deltacal_gen.accuracy import check_joints, without_motion
 from deltacal_gen.diagnosis import diagnose
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation import Problem, pose_problem
 from deltacal_gen.execution import Outcome, Task, Told, content_key, run
 from deltacal_gen.identification import BROAD
 from deltacal_gen.measurement import Instrument, Readings, carried
-from deltacal_gen.mechanism import SOLVED, Array, compiled_only
+from deltacal_gen.mechanism import Array, compiled_only
 from deltacal_gen.physics import Body, Channels, Term, term_to_dict
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot, robot_to_dict
@@ -108,13 +107,11 @@ class Study:
     @cached_property
     def check(self) -> tuple[Array, Array]:
         """Joints (C, n_q) and nominal poses (C, 12) at which the machine is judged; the plan's, without a workspace."""
-        problem, workspace = self.problem, self.robot.workspace
-        if workspace is None:
+        problem = self.problem
+        if self.robot.workspace is None:
             return problem.body.q, problem.poses(problem.reference)
-        targets = check_poses(workspace) if workspace.radius is not None else planning.grid(workspace, 3, 2, 8)
-        rows = problem.mechanism.rows(problem.robot)
-        q, x, status = problem.mechanism.inverse(targets, problem.body.tool[0], rows)
-        return q[status == SOLVED], x[status == SOLVED]
+        q, x, *_ = check_joints(problem.robot, problem.body.tool[0])
+        return q, x
 
     @cached_property
     def home(self) -> Array:
