@@ -83,7 +83,7 @@ def test_what_is_done_is_not_done_again_and_a_workers_failure_is(tmp_path: Path)
 
 def test_a_result_that_was_cut_off_is_made_again(tmp_path: Path) -> None:
     list(run(square, numbered(2), total=2, workers=1, directory=tmp_path))
-    file = next((tmp_path / "tasks").glob("*.json"))
+    file = next((tmp_path / "tasks").rglob("*.json"))
     file.write_text(file.read_text()[:5])
     assert squares(run(square, numbered(2), total=2, workers=1, directory=tmp_path)) == [0, 1]
     assert json.loads(file.read_text())["error"] is None
@@ -114,6 +114,52 @@ def test_no_more_tasks_are_made_than_the_workers_need() -> None:
     next(outcomes)
     assert len(made) <= 4 + 16
     outcomes.close()  # type: ignore[attr-defined]
+
+
+def one_slow(n: int) -> dict[str, Any]:
+    time.sleep(1.0 if n == 0 else 0.0)
+    return square(n)
+
+
+def test_a_long_task_holds_up_only_what_a_directory_does_not_keep(tmp_path: Path) -> None:
+    ended: list[str] = []
+    for directory in (None, tmp_path):
+        ended.clear()
+        outcomes = run(
+            one_slow,
+            numbered(40),
+            total=40,
+            workers=2,
+            directory=directory,
+            told=lambda d, t, label: ended.append(label),
+        )
+        assert squares(outcomes) == [n * n for n in range(40)]
+        assert (ended.index("0") > 30) == (directory is not None)
+
+
+def test_a_task_whose_files_have_gone_fails_alone() -> None:
+    def gone() -> tuple[Any, ...]:
+        raise InputError("cannot be read.", "Look at the file.")
+
+    for workers in (1, 2):
+        found = list(run(square, [*numbered(2), Task("x", "gone", gone)], total=3, workers=workers))
+        assert squares(found) == [0, 1, None]
+        assert "cannot be read" in str(found[2].error)
+
+
+def test_a_directory_that_cannot_be_written_is_said(tmp_path: Path) -> None:
+    (tmp_path / "tasks").write_text("a file")
+    for workers in (1, 2):
+        with pytest.raises(InputError, match="cannot be made"):
+            list(run(square, numbered(3), total=3, workers=workers, directory=tmp_path))
+    (tmp_path / "tasks").unlink()
+    (tmp_path / "tasks").mkdir()
+    for start in "0123456789abcdef":
+        for more in "0123456789abcdef":
+            (tmp_path / "tasks" / (start + more)).write_text("a file")
+    for workers in (1, 2):
+        with pytest.raises(InputError, match="a result cannot be written"):
+            list(run(square, numbered(3), total=3, workers=workers, directory=tmp_path))
 
 
 def forever(n: int, folder: str) -> dict[str, Any]:
@@ -158,7 +204,7 @@ def test_an_address_without_a_scheduler_is_said_in_seconds(tmp_path: Path) -> No
     with pytest.raises(InputError, match=r"no scheduler answers at tcp://127\.0\.0\.1:9"):
         list(run(square, numbered(4), total=4, cluster="tcp://127.0.0.1:9", directory=tmp_path))
     assert time.monotonic() - start < 30
-    assert len(list((tmp_path / "tasks").iterdir())) == 2
+    assert len(list((tmp_path / "tasks").rglob("*.json"))) == 2
 
 
 @pytest.fixture

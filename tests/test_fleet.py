@@ -10,13 +10,16 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from conftest import Run
-from test_linear_delta import PRINTER, grid, plausible, recording
+from test_linear_delta import LINEAR, PRINTER, grid, plausible, recording
+from test_printers import joints, printer_cfg
 
 from deltacal_gen import InputError, UsageError, commands, fleet
+from deltacal_gen import report as pages
 from deltacal_gen.recording import write_recording
 from deltacal_gen.robot import robot_from_dict, robot_to_toml
 from deltacal_gen.simulation import simulate
@@ -92,18 +95,65 @@ def test_validation_needs_a_result_and_says_so(shop: Path, tmp_path: Path) -> No
 
 
 def test_a_pattern_says_which_recordings_are_of_one_machine(shop: Path) -> None:
-    found = fleet.jobs(shop, machine=r"printer-[12]")
+    found = fleet.find(shop, machine=r"printer-[12]")
     assert [j.machine for j in found] == ["printer-1", "printer-1", "printer-2", "printer-2", "printer-3", "printer-3"]
-    assert {j.machine for j in fleet.jobs(shop, machine="printer")} == {"printer"}
+    assert {j.machine for j in fleet.find(shop, machine="printer")} == {"printer"}
 
 
 def test_mistakes(shop: Path, tmp_path: Path) -> None:
     with pytest.raises(InputError, match="no recording beside"):
-        fleet.jobs(tmp_path)
+        fleet.find(tmp_path)
     with pytest.raises(UsageError, match="no action 'fix'"):
-        fleet.jobs(shop, "fix")
+        fleet.find(shop, "fix")
     with pytest.raises(UsageError, match="no regular expression"):
-        fleet.jobs(shop, machine="(")
+        fleet.find(shop, machine="(")
+
+
+def test_what_firmware_and_trackers_keep_is_imported(tmp_path: Path) -> None:
+    robot = robot_from_dict(PRINTER | {"transmission": {"pulley_circumference": 40.0}})
+    rng = np.random.default_rng(3)
+    q = joints(robot, grid(90, 30)) + rng.normal(scale=0.01, size=(len(grid(90, 30)), 3))
+    top = tmp_path / "shop"
+    for name in ("klipper", "duet", "tracker", "lonely"):
+        (top / name).mkdir(parents=True)
+    (top / "klipper" / "printer.cfg").write_text(printer_cfg(robot, q, []))
+    (top / "klipper" / "other.cfg").write_text("[printer]\nkinematics: cartesian\n#*# [bed_mesh default]\n")
+    config = "M665 R130 L270 B90 H300\nM666 X0 Y0 Z0\nG31 P500 X0 Y0 Z2.5\n"
+    rows = "\n".join(",".join(f"{v:.3f}" for v in row) for row in rng.normal(scale=0.1, size=(6, 6)))
+    chart = (
+        "RepRapFirmware height map file v2 generated at 2026-01-01 00:00, mean error 0.0, deviation 0.1\n"
+        f"xmin,xmax,ymin,ymax,radius,xspacing,yspacing,xnum,ynum\n-50,50,-50,50,80,20,20,6,6\n{rows}\n"
+    )
+    (top / "duet" / "config.g").write_text(config)
+    (top / "duet" / "heightmap.csv").write_text(chart)
+    (top / "lonely" / "heightmap.csv").write_text(chart)
+    (top / "tracker" / "robot.toml").write_text(robot_to_toml(robot))
+    x = LINEAR.forward(q, robot.tool, LINEAR.rows(robot))[0][:, :3]
+    points = [f"A P{k} " + " ".join(f"{v:.4f}" for v in p) for k, p in enumerate(x)]
+    table = [f"P{k}," + ",".join(f"{v:.4f}" for v in p) for k, p in enumerate(q)]
+    (top / "tracker" / "points.txt").write_text("\n".join(points) + "\n")
+    (top / "tracker" / "joints.csv").write_text("\n".join(["point,q1_mm,q2_mm,q3_mm", *table]) + "\n")
+    (top / "klipper" / "again").symlink_to(top)  # links may go round in circles
+    found = fleet.conduct(top, tmp_path / "run", "identify", workers=1)
+    by_name = {r["recording"]: r for r in found["rows"]}
+    assert list(by_name) == ["duet/heightmap.csv", "klipper/printer.cfg", "lonely/heightmap.csv", "tracker/points.txt"]
+    assert "config.g" in by_name.pop("lonely/heightmap.csv")["error"]
+    assert all(r["error"] is None for r in by_name.values())
+    assert by_name["klipper/printer.cfg"]["after_mm"] < 0.05
+
+
+def test_of_very_many_the_page_shows_the_distribution_and_the_worst() -> None:
+    rows: list[dict[str, Any]] = []
+    for k in range(2000):
+        rows.append({"recording": f"m{k}/r.csv", "machine": f"m{k}", "before_mm": 1.0, "after_mm": k / 1000})
+    for k in range(900):
+        rows.append({"recording": f"bad{k}/r.csv", "machine": f"bad{k}", "error": "nothing in it"})
+    rows = [{"error": None} | r for r in rows]
+    page = pages.batch({"action": "identify", "rows": rows, "changed": []})
+    assert len(page) < 400_000
+    assert "m1999/r.csv" in page
+    assert "m7/r.csv" not in page
+    assert "bad0/r.csv, bad1/r.csv, bad2/r.csv and 897 more" in page
 
 
 def test_killed_twice_and_resumed_twice_the_table_is_the_same(shop: Path, tmp_path: Path) -> None:
@@ -112,11 +162,11 @@ def test_killed_twice_and_resumed_twice_the_table_is_the_same(shop: Path, tmp_pa
     command += ["-o", str(tmp_path / "run"), "--workers", "1"]
     for done in (1, 3):
         process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=os.environ)
-        while len(list(tmp_path.glob("run/tasks/*.json"))) < done and process.poll() is None:
+        while len(list(tmp_path.glob("run/tasks/*/*.json"))) < done and process.poll() is None:
             time.sleep(0.005)
         process.send_signal(signal.SIGKILL)
         process.wait()
-    made = {f.name: f.stat().st_mtime_ns for f in (tmp_path / "run" / "tasks").glob("*.json")}
+    made = {f.name: f.stat().st_mtime_ns for f in (tmp_path / "run" / "tasks").rglob("*.json")}
     assert len(made) >= 3
     shutil.copytree(tmp_path / "run", tmp_path / "elsewhere")
     again = fleet.conduct(shop, tmp_path / "elsewhere", "identify", model="9", workers=1)

@@ -108,7 +108,7 @@ def test_workers_change_nothing_and_a_run_is_resumed(robot: Robot, plan: Path, t
     alone = commands.study(robot, plan, model="18", trials=260, workers=1, directory=tmp_path / "run")
     both = commands.study(robot, plan, model="18", trials=260, workers=2)
     assert json.dumps(alone) == json.dumps(both)
-    kept = sorted((tmp_path / "run" / "tasks").iterdir())
+    kept = sorted((tmp_path / "run" / "tasks").rglob("*.json"))
     kept[0].unlink()
     again = commands.study(robot, plan, model="18", trials=260, workers=1, directory=tmp_path / "run")
     assert json.dumps(again) == json.dumps(alone)

@@ -29,6 +29,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
+MOST_LINES = 60  # of a table on the screen
 screen = Console(highlight=False)
 aside = Console(stderr=True, highlight=False)
 
@@ -836,6 +837,7 @@ def batch(
 ) -> None:
     """Identify, validate or diagnose many recordings; what is done is not done again."""
     from deltacal_gen import commands
+    from deltacal_gen.fleet import ASIDE, alike, worst
 
     with _counting(as_json) as told:
         found = commands.batch(
@@ -844,20 +846,26 @@ def batch(
     if as_json:
         _print_json(found)
         return
-    rows, failed = found["rows"], [r for r in found["rows"] if r["error"] is not None]
-    columns = [c for c in dict.fromkeys(k for r in rows for k in r) if c not in ("machine", "error")]
+    rows, done = found["rows"], [r for r in found["rows"] if r["error"] is None]
+    columns = [c for c in dict.fromkeys(k for r in rows for k in r) if c not in ASIDE]
     table = Table(*[Column(c.replace("_", " "), overflow="fold") for c in columns])
-    for r in rows:
+    for r in worst(rows, MOST_LINES):
         cells = [r.get(c) for c in columns]
         table.add_row(*[_number(c) if isinstance(c, float) else str(c if c is not None else "") for c in cells])
     screen.print(table)
-    for change in found["changed"]:
+    if len(rows) > MOST_LINES:
+        screen.print(f"These are the {MOST_LINES} with the largest errors.")
+    for change in found["changed"][:MOST_LINES]:
         screen.print(
             f"[bold]{_escaped(change['to'])}[/bold] after {_escaped(change['from'])}: {_escaped(change['text'])}"
         )
-    for r in failed:
-        screen.print(f"failed: {_escaped(r['recording'])}: {_escaped(r['error'])}")
-    screen.print(f"{len(rows) - len(failed)} of {len(rows)} recordings done; table.csv and index.html in {directory}")
+    if len(found["changed"]) > MOST_LINES:
+        screen.print(f"{len(found['changed']) - MOST_LINES} more comparisons are in {directory / 'index.html'}")
+    for names, why in alike([(r["recording"], r["error"]) for r in rows if r["error"] is not None])[:MOST_LINES]:
+        screen.print(f"failed: {_escaped(names)}: {_escaped(why)}")
+    for names, what in alike([(r["recording"], r["warnings"]) for r in rows if r.get("warnings")])[:MOST_LINES]:
+        screen.print(f"warning: {_escaped(names)}: {_escaped(what)}")
+    screen.print(f"{len(done)} of {len(rows)} recordings done; table.csv and index.html in {directory}")
 
 
 def main() -> None:

@@ -32,6 +32,7 @@ from deltacal_gen.errors import DeltacalError, InputError
 from deltacal_gen.mechanism import compiled_only
 
 AHEAD = 2  # tasks in flight per worker: one at work, one waiting
+HELD = 8  # results per worker that wait in memory for an earlier one
 LIVES = 3  # workers that may end over one task before it counts as failed
 CONNECT_S = 5.0  # for a scheduler to answer
 FOLDER = "tasks"
@@ -132,7 +133,7 @@ class Store:
     """Results by key, each a file that is complete or not there."""
 
     def __init__(self, directory: Path) -> None:
-        self.folder = directory / FOLDER
+        self.folder = directory / FOLDER  # and in it 256 folders: 10^5 files in one are slow on network drives
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
@@ -141,17 +142,37 @@ class Store:
     def get(self, key: str) -> dict[str, Any] | None:
         """Return ``result`` and ``error`` of a task that was done, or None."""
         try:
-            data: dict[str, Any] = json.loads((self.folder / f"{key}.json").read_text(encoding="utf-8"))
+            data: dict[str, Any] = json.loads(self._file(key).read_text(encoding="utf-8"))
         except (OSError, json.JSONDecodeError):
             return None
         return data
 
+    def outcome(self, task: Task) -> Outcome | None:
+        """Return the outcome of a task that was done, or None."""
+        data = self.get(task.key)
+        return None if data is None else Outcome(task.key, task.label, data["result"], data["error"])
+
+    def has(self, key: str) -> bool:
+        """Tell whether a task was done."""
+        return self._file(key).exists()
+
     def put(self, outcome: Outcome) -> None:
         """Keep an outcome."""
-        file = self.folder / f"{outcome.key}.json"
+        file = self._file(outcome.key)
         whole = file.with_suffix(f".{os.getpid()}")
-        whole.write_text(json.dumps({"result": outcome.result, "error": outcome.error}), encoding="utf-8")
-        whole.replace(file)
+        try:
+            file.parent.mkdir(exist_ok=True)
+            whole.write_text(json.dumps({"result": outcome.result, "error": outcome.error}), encoding="utf-8")
+            whole.replace(file)
+        except OSError as error:
+            raise InputError(
+                f"a result cannot be written: {error.strerror}.",
+                "What was done before is kept; run again when there is room, or where it may be written.",
+                file=self.folder,
+            ) from None
+
+    def _file(self, key: str) -> Path:
+        return self.folder / key[:2] / f"{key}.json"
 
 
 class _Processes(ProcessPoolExecutor):
@@ -259,17 +280,22 @@ class _Run:
     def outcomes(self, tasks: Iterator[Task]) -> Iterator[Outcome]:
         if self.pool.make is None:
             for task in tasks:
-                known = self._known(task)
-                yield known or self._close(task, attempt(self.function, task.arguments()))
+                yield self._known(task) or self._close(task, self._done_here(task))
             return
         yield from self._in_order(tasks)
 
+    def _done_here(self, task: Task) -> dict[str, Any]:
+        try:
+            arguments = task.arguments()
+        except DeltacalError as error:  # a file that has gone, or cannot be read
+            return {"result": None, "error": str(error), "kept": False}
+        return attempt(self.function, arguments)
+
     def _known(self, task: Task) -> Outcome | None:
-        data = None if self.store is None else self.store.get(task.key)
-        if data is None:
-            return None
-        self._tell(task.label)
-        return Outcome(task.key, task.label, data["result"], data["error"])
+        outcome = None if self.store is None else self.store.outcome(task)
+        if outcome is not None:
+            self._tell(task.label)
+        return outcome
 
     def _close(self, task: Task, said: Mapping[str, Any]) -> Outcome:
         outcome = Outcome(task.key, task.label, said["result"], said["error"])
@@ -290,22 +316,34 @@ class _Run:
         waiting: list[tuple[int, Task]] = []  # whose worker ended
         deaths: dict[str, int] = {}
         done: dict[int, Outcome] = {}
+        kept: dict[int, Task] = {}  # done, and in the directory until its turn: a long task holds nobody up
         upcoming, following = enumerate(tasks), 0
-        more = True
+        more, most = True, HELD * self.pool.width
+
+        def end(number: int, task: Task, outcome: Outcome) -> None:
+            if number != following and self.store is not None and self.store.has(task.key):
+                kept[number] = task
+            else:
+                done[number] = outcome
+
         try:
             while True:
-                # results that wait for an earlier one count too: memory stays bounded
-                while len(flying) < AHEAD * self.pool.width and (waiting or (more and len(done) < 8 * self.pool.width)):
+                while len(flying) < AHEAD * self.pool.width and (waiting or (more and len(done) < most)):
                     number, task = waiting.pop(0) if waiting else next(upcoming, (None, None))
                     if number is None or task is None:
                         more = False
                         break
                     if task.key not in deaths and (known := self._known(task)) is not None:
-                        done[number] = known
+                        end(number, task, known)
                         continue
-                    flying[executor.submit(attempt, self.function, task.arguments())] = (number, task)
-                while following in done:
-                    yield done.pop(following)
+                    try:
+                        arguments = task.arguments()
+                    except DeltacalError as error:
+                        done[number] = self._close(task, {"result": None, "error": str(error), "kept": False})
+                        continue
+                    flying[executor.submit(attempt, self.function, arguments)] = (number, task)
+                while following in done or following in kept:
+                    yield done.pop(following) if following in done else self._kept(kept.pop(following))
                     following += 1
                 if not flying:
                     if not more and not waiting:
@@ -316,10 +354,12 @@ class _Run:
                 for future in ready:
                     number, task = flying.pop(future)
                     try:
-                        done[number] = self._close(task, future.result())
+                        end(number, task, self._close(task, future.result()))
                     except BrokenProcessPool:
                         broken = True
                         waiting.append((number, task))
+                    except DeltacalError:  # the directory cannot be written
+                        raise
                     except Exception as error:  # of the cluster: a worker lost for good, a result that cannot travel
                         said = {"result": None, "error": f"{type(error).__name__}: {error}", "kept": False}
                         done[number] = self._close(task, said)
@@ -333,6 +373,13 @@ class _Run:
             for future in flying:
                 future.cancel()
             executor.shutdown(wait=False)
+
+    def _kept(self, task: Task) -> Outcome:
+        assert self.store is not None
+        outcome = self.store.outcome(task)
+        if outcome is None:
+            raise InputError("a result that was there is gone.", "Run again.", file=self.store.folder)
+        return outcome
 
     def _survivors(
         self, waiting: list[tuple[int, Task]], deaths: dict[str, int], done: dict[int, Outcome]

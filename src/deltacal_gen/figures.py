@@ -19,6 +19,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import PercentFormatter
 
 from deltacal_gen.measurement import Readings
 from deltacal_gen.mechanism import Array, mechanism_of
@@ -452,3 +453,31 @@ def fleet(axes: Axes, rows: Sequence[Mapping[str, Any]]) -> None:
     axes.set_yticks(range(len(rows)), [str(r["recording"]).removesuffix("/recording.csv") for r in rows], fontsize=7)
     axes.tick_params(axis="y", length=0)
     axes.set_xlabel("error before (red) and after (blue), mm")
+
+
+def fleet_distribution(axes: Axes, rows: Sequence[Mapping[str, Any]]) -> None:
+    """Draw which share of many recordings has an error below a given one, before and after."""
+    for key, color, words in (("before_mm", BEFORE, "before"), ("after_mm", AFTER, "after")):
+        errors = np.sort([r[key] for r in rows if r.get(key)])
+        if len(errors):
+            axes.step(errors, np.arange(1, len(errors) + 1) / len(errors), color=color, where="post", label=words)
+    axes.set_xscale("log")
+    axes.set_ylim(0, 1)
+    axes.yaxis.set_major_formatter(PercentFormatter(1.0, decimals=0))
+    axes.set_xlabel("error, mm")
+    axes.set_ylabel("recordings below it")
+    axes.legend(frameon=False, loc="upper left")
+
+
+def chances(axes: Axes, suspects: Sequence[tuple[str, Mapping[str, Any]]]) -> None:
+    """Draw how often each suspicion was named right, with the 95 % interval of the chance."""
+    for k, (_, s) in enumerate(suspects):
+        axes.plot(s["interval"], [k, k], color=MUTED, lw=1.5)
+        if s["chance"] is not None:
+            axes.plot([s["chance"]], [k], "o", color=AFTER, ms=5)
+    axes.set_xlim(-0.02, 1.02)
+    axes.set_ylim(len(suspects) - 0.5, -0.5)
+    axes.set_yticks(range(len(suspects)), [name for name, _ in suspects])
+    axes.tick_params(axis="y", length=0)
+    axes.xaxis.set_major_formatter(PercentFormatter(1.0, decimals=0))
+    axes.set_xlabel("said so; the line holds the chance with 95 %")

@@ -1,17 +1,20 @@
 """Many recordings at once: identify, validate or diagnose all that lie in a folder; resumable, one table, one page.
 
 A machine is a folder with a ``robot.toml``; its recordings are the tables beside it that hold joints and readings.
-A task carries the files themselves, so that a worker needs no common file system, and is named by their content: what
-was done with the same files is not done again, wherever the run directory has been copied to.
+Where there are none, what a printer's firmware or a tracker keeps is imported first. A task carries the files
+themselves, so that a worker needs no common file system, and is named by their content: what was done with the same
+files is not done again, wherever the run directory has been copied to.
 """
 
 from __future__ import annotations
 
 import functools
 import json
+import os
 import re
 import tempfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -20,6 +23,7 @@ from deltacal_gen import commands
 from deltacal_gen.comparison import compare
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.execution import Outcome, Store, Task, Told, content_key, run
+from deltacal_gen.points import is_table_of_joints
 from deltacal_gen.recording import csv_text, is_recording, write_files
 
 SCHEMA = "deltacal.batch/1"
@@ -27,6 +31,17 @@ ACTIONS = ("diagnose", "identify", "validate")
 ROBOT = "robot.toml"
 RESULT = "result.json"  # beside the robot: what its recordings are validated against
 LAST = "last.json"  # which task each recording was, the last time that all were done
+CONFIGS = ("config-override.g", "config.g")  # of RepRapFirmware: M500 writes the first, which then holds
+ASIDE = ("machine", "error", "warnings")  # of a row, told apart from the table
+FEW = 3  # recordings that are named where many have the same to say
+IMPORTS: Mapping[str, Callable[..., Any]] = {
+    "klipper": commands.import_klipper,
+    "rrf": commands.import_rrf,
+    "points": commands.import_points,
+}
+LOOKED_AT = 1_000_000  # bytes of a text, to tell what it is
+
+Contents = Mapping[str, bytes]
 
 
 @dataclass(frozen=True)
@@ -36,24 +51,35 @@ class Job:
     Attributes
     ----------
     label : str
-        Path of the recording below the folder.
+        Path of the recording below the folder, and what of the file it is where that holds several.
     machine : str
         Recordings of one machine share it.
-    files : dict of Path
-        By the name that the worker gives them.
+    contents : callable
+        Returns the files by the name that the worker gives them.
+    refused : str or None
+        Why it is not done.
+    warnings : tuple of str
+        Of its import.
     """
 
     label: str
     machine: str
-    files: Mapping[str, Path]
-
-    def contents(self) -> dict[str, bytes]:
-        """Return the files' contents by name."""
-        return {name: path.read_bytes() for name, path in self.files.items()}
+    contents: Callable[[], Contents]
+    refused: str | None = None
+    warnings: tuple[str, ...] = ()
 
 
-def jobs(folder: str | Path, action: str = "diagnose", machine: str | None = None) -> list[Job]:
-    """Return the recordings of a folder, in the order of their paths.
+@dataclass(frozen=True)
+class Session:
+    """What firmware or a tracker keeps of a machine, to be imported: recordings of which only the import knows."""
+
+    label: str
+    kind: str
+    files: Mapping[str, Path]  # by the name that the worker gives them, in the order of the import's arguments
+
+
+def find(folder: str | Path, action: str = "diagnose", machine: str | None = None) -> list[Job | Session]:
+    """Return what a folder holds, in the order of the paths; links are followed.
 
     Parameters
     ----------
@@ -63,56 +89,152 @@ def jobs(folder: str | Path, action: str = "diagnose", machine: str | None = Non
     Raises
     ------
     InputError
-        There is no recording beside a robot.toml.
+        There is neither a recording beside a robot.toml nor anything that can be imported.
     UsageError
         No such action, or no regular expression.
     """
     folder = Path(folder)
     if action not in ACTIONS:
         raise UsageError(f"there is no action '{action}'; known: {', '.join(ACTIONS)}.")
-    try:
-        pattern = None if machine is None else re.compile(machine)
-    except re.error as error:
-        raise UsageError(f"--machine is no regular expression: {error}.") from None
-    found = []
-    for robot in sorted(folder.rglob(ROBOT)):
-        for table in sorted(robot.parent.glob("*.csv")):
-            if table.name.endswith(".distances.csv") or not is_recording(table):
-                continue
+    _machine_of("", machine)
+    found: list[Job | Session] = []
+    for place in _folders(folder):
+        tables = [t for t in sorted(place.glob("*.csv")) if not t.name.endswith(".distances.csv")]
+        recordings = [t for t in tables if is_recording(t)]
+        robot = place / ROBOT
+        for table in recordings:
             label = table.relative_to(folder).as_posix()
             files = {ROBOT: robot, "recording.csv": table}
             for ending in (".toml", ".distances.csv"):
                 if table.with_suffix(ending).exists():
                     files[f"recording{ending}"] = table.with_suffix(ending)
+            refused = None if robot.exists() else f"there is no {ROBOT} beside it."
             if action == "validate":
-                files[RESULT] = robot.parent / RESULT
-            match = None if pattern is None else pattern.search(label)
-            found.append(Job(label, match[0] if match else robot.parent.relative_to(folder).as_posix(), files))
-    if not found:
+                files[RESULT] = place / RESULT
+                if not files[RESULT].exists():
+                    refused = f"there is no {RESULT} beside it, which identify or diagnose write."
+            found.append(Job(label, _machine_of(label, machine), functools.partial(_contents, files), refused))
+        if not recordings:
+            found += _sessions(folder, place, tables)
+    if not any(isinstance(f, Session) or f.refused is None for f in found):
+        first = next((f for f in found if isinstance(f, Job)), None)
         raise InputError(
-            f"there is no recording beside a {ROBOT}.",
-            f"Give a folder in which each machine has a folder with {ROBOT} and its recordings.",
+            f"there is no recording beside a {ROBOT}, and nothing that can be imported."
+            if first is None
+            else f"nothing can be done: {first.label}: {first.refused}",
+            f"Give a folder in which each machine has a folder with {ROBOT} and its recordings, or with what its "
+            "firmware keeps.",
             file=folder,
         )
     return found
 
 
-def do(action: str, model: str | None, files: Mapping[str, bytes]) -> dict[str, Any]:
+def _folders(top: Path) -> Iterator[Path]:
+    """Yield a folder and all below it, each once, whatever links there are."""
+    met = set()
+    for path, names, _ in os.walk(top, followlinks=True):
+        known = os.stat(path)
+        if (known.st_dev, known.st_ino) in met:
+            names.clear()
+            continue
+        met.add((known.st_dev, known.st_ino))
+        names[:] = sorted(n for n in names if not n.startswith("."))
+        yield Path(path)
+
+
+def _machine_of(label: str, pattern: str | None) -> str:
+    """Return the machine of a recording: its folder, or what a pattern finds; each map of a printer is its own."""
+    path, _, part = label.partition(":")
+    try:
+        match = None if pattern is None else re.search(pattern, path)
+    except re.error as error:
+        raise UsageError(f"--machine is no regular expression: {error}.") from None
+    name = match[0] if match else Path(path).parent.as_posix()
+    return f"{name} {part}" if part not in ("", "recording") else name
+
+
+def _sessions(folder: Path, place: Path, tables: Sequence[Path]) -> Iterator[Job | Session]:
+    """Yield what can be imported of the files of one folder, and what of them lacks its other half."""
+
+    def label(path: Path) -> str:
+        return path.relative_to(folder).as_posix()
+
+    for path in sorted(p for p in place.iterdir() if p.suffix in (".cfg", ".txt")):
+        text = _beginning(path)
+        if "#*#" in text and "delta_radius" in text:  # Klipper's saved block, of a delta
+            yield Session(label(path), "klipper", {path.name: path})
+    config = next((place / c for c in CONFIGS if "M665" in _beginning(place / c)), None)
+    for table in tables:
+        if _beginning(table).startswith("RepRapFirmware height map"):
+            if config is None:
+                why = (
+                    "a height map alone does not say where the carriages were: config.g with its M665 is not beside it."
+                )
+                yield Job(label(table), place.relative_to(folder).as_posix(), dict, why)
+            else:
+                yield Session(label(table), "rrf", {config.name: config, table.name: table})
+    if (place / ROBOT).exists():
+        lists = [p for p in sorted(place.iterdir()) if p.suffix in (".csv", ".txt", ".tsv", ".asc")]
+        joints = [p for p in lists if is_table_of_joints(p)]
+        if len(lists) == 2 and len(joints) == 1:
+            points = next(p for p in lists if p not in joints)
+            files = {points.name: points, joints[0].name: joints[0], ROBOT: place / ROBOT}
+            yield Session(label(points), "points", files)
+
+
+def _beginning(path: Path) -> str:
+    try:
+        with path.open("rb") as file:
+            return file.read(LOOKED_AT).decode("utf-8", errors="replace")
+    except OSError:
+        return ""
+
+
+def unpack(kind: str, files: Contents) -> dict[str, Any]:
+    """Import a session in a folder of its own; runs on a worker.
+
+    Returns
+    -------
+    dict
+        ``recordings``: by name, the files as a job has them, as text; ``warnings`` of the import.
+    """
+    with tempfile.TemporaryDirectory() as temporary:
+        folder, out = Path(temporary), Path(temporary) / "imported"
+        for name, content in files.items():
+            (folder / name).write_bytes(content)
+        with _own_names():
+            made = IMPORTS[kind](*(folder / name for name in files), output=out)
+        recordings = {}
+        for name in made.recordings:
+            ends = (".csv", ".toml", ".distances.csv")
+            parts = {f"recording{e}": (out / f"{name}{e}") for e in ends if (out / f"{name}{e}").exists()}
+            recordings[name] = {n: p.read_text(encoding="utf-8") for n, p in {ROBOT: out / ROBOT, **parts}.items()}
+        return {"recordings": recordings, "warnings": list(made.warnings)}
+
+
+@contextmanager
+def _own_names() -> Iterator[None]:
+    """Name files in errors as the user knows them: by their names, not by where a worker has put them."""
+    try:
+        yield
+    except InputError as error:
+        file = None if error.file is None else Path(str(error.file)).name
+        raise InputError(error.problem, error.remedy, file=file, line=error.line, column=error.column) from None
+
+
+def do(action: str, model: str | None, files: Contents) -> dict[str, Any]:
     """Do one task in a folder of its own; runs on a worker."""
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)
         for name, content in files.items():
             (folder / name).write_bytes(content)
         robot, recording = folder / ROBOT, folder / "recording.csv"
-        try:
+        with _own_names():
             if action == "validate":
                 return commands.validate(folder / RESULT, recording)
             if action == "identify":
                 return commands.identify(robot, recording, model)
             return commands.diagnose(robot, recording, model=model)
-        except InputError as error:
-            file = None if error.file is None else Path(str(error.file)).name
-            raise InputError(error.problem, error.remedy, file=file, line=error.line, column=error.column) from None
 
 
 def conduct(
@@ -135,28 +257,27 @@ def conduct(
         ``changed``: machine by machine what moved since the recording before, and since the last time.
     """
     directory = Path(directory)
-    todo = jobs(folder, action, machine)
     store = Store(directory)
+    where: dict[str, Any] = {"workers": workers, "cluster": cluster, "directory": directory, "told": told}
+    todo = list(_unpacked(Path(folder), find(folder, action, machine), action, machine, store, where))
+    open_ = [job for job in todo if job.refused is None]
     keys: dict[str, str] = {}
 
     def tasks() -> Iterator[Task]:
-        for job in todo:
-            key = content_key(SCHEMA, action, model, sorted((n, c.hex()) for n, c in _read(job).items()))
-            keys[job.label] = key
-            yield Task(key, job.label, functools.partial(_arguments, action, model, job))
+        for job in open_:
+            key = keys[job.label] = _key(job.contents, action, model)
+            yield Task(key, job.label, lambda job=job: (action, model, job.contents()))  # type: ignore[misc]
 
+    outcomes = run(do, tasks(), total=len(open_), **where)
     rows = []
-    for job, outcome in zip(
-        todo,
-        run(do, tasks(), total=len(todo), workers=workers, cluster=cluster, directory=directory, told=told),
-        strict=True,
-    ):
+    for job in todo:
+        outcome = Outcome("", job.label, None, job.refused) if job.refused is not None else next(outcomes)
         rows.append(_row(job, outcome))
     found = {
         "schema": SCHEMA,
         "action": action,
         "rows": rows,
-        "changed": _changed(todo, keys, store, _last(directory)),
+        "changed": _changed(open_, keys, store, _last(directory)),
     }
     columns = list(dict.fromkeys(name for row in rows for name in row))
     table = {c: ["" if row.get(c) is None else row[c] for row in rows] for c in columns}
@@ -170,21 +291,64 @@ def conduct(
     return found
 
 
-def _read(job: Job) -> dict[str, bytes]:
+def _unpacked(
+    folder: Path,
+    found: Sequence[Job | Session],
+    action: str,
+    machine: str | None,
+    store: Store,
+    where: Mapping[str, Any],
+) -> Iterator[Job]:
+    """Yield all jobs, those of sessions as their import names them."""
+    sessions = [f for f in found if isinstance(f, Session)]
+
+    def tasks() -> Iterator[Task]:
+        for session in sessions:
+            key = _key(functools.partial(_contents, session.files), "import", session.kind)
+            yield Task(key, session.label, functools.partial(_imported_from, session))
+
+    outcomes = run(unpack, tasks(), total=len(sessions), **where)
+    for item in found:
+        if isinstance(item, Job):
+            yield item
+            continue
+        outcome = next(outcomes)
+        if outcome.result is None:
+            yield Job(item.label, _machine_of(item.label, machine), dict, outcome.error)
+            continue
+        beside = {RESULT: (folder / item.label).parent / RESULT} if action == "validate" else {}
+        for name in outcome.result["recordings"]:
+            label = item.label if name == "recording" else f"{item.label}:{name}"
+            contents = functools.partial(_of_session, store, outcome.key, name, beside)
+            yield Job(label, _machine_of(label, machine), contents, warnings=tuple(outcome.result["warnings"]))
+
+
+def _imported_from(session: Session) -> tuple[str, Contents]:
+    return session.kind, _contents(session.files)
+
+
+def _of_session(store: Store, key: str, name: str, beside: Mapping[str, Path]) -> Contents:
+    """Return the files of an imported recording, which the run directory keeps."""
+    kept = store.get(key)
+    if kept is None:
+        raise InputError("a result that was there is gone.", "Run again.", file=store.folder)
+    texts: dict[str, str] = kept["result"]["recordings"][name]
+    return {n: t.encode() for n, t in texts.items()} | dict(_contents(beside))
+
+
+def _contents(files: Mapping[str, Path]) -> Contents:
     try:
-        return job.contents()
+        return {name: path.read_bytes() for name, path in files.items()}
     except OSError as error:
-        raise InputError(
-            f"cannot be read: {error.strerror}.",
-            f"Put {RESULT}, which identify or diagnose wrote, beside the robot."
-            if RESULT in str(error.filename)
-            else "",
-            file=error.filename,
-        ) from None
+        raise InputError(f"cannot be read: {error.strerror}.", "Look at the file.", file=error.filename) from None
 
 
-def _arguments(action: str, model: str | None, job: Job) -> tuple[str, str | None, dict[str, bytes]]:
-    return action, model, job.contents()
+def _key(contents: Callable[[], Contents], *more: str | None) -> str:
+    """Return the key of a task with these files; files that cannot be read fail when its turn comes."""
+    try:
+        return content_key(SCHEMA, *more, sorted((name, c.hex()) for name, c in contents().items()))
+    except InputError as error:
+        return content_key(SCHEMA, *more, str(error))
 
 
 def _row(job: Job, outcome: Outcome) -> dict[str, Any]:
@@ -213,7 +377,29 @@ def _row(job: Job, outcome: Outcome) -> dict[str, Any]:
         }
     else:
         row |= {"after_mm": r["rms_mm"], "worst_mm": r["worst_mm"], "chi2_per_dof": r["chi2_per_dof"]}
-    return row | {"error": None}
+    return row | {"error": None} | ({"warnings": " ".join(job.warnings)} if job.warnings else {})
+
+
+# ------------------------------------------------------------------------------------------------------ for readers
+
+
+def worst(rows: Sequence[Mapping[str, Any]], most: int) -> list[Mapping[str, Any]]:
+    """Return the rows of a batch, in their order; of too many, those with the largest errors first."""
+    if len(rows) <= most:
+        return list(rows)
+    done = [r for r in rows if r["error"] is None]
+    return sorted(done, key=lambda r: -(r.get("after_mm") or 0.0))[:most]
+
+
+def alike(said: Sequence[tuple[str, str]]) -> list[tuple[str, str]]:
+    """Return recordings of which the same is said, together: (the first of them and how many more, what is said)."""
+    by_text: dict[str, list[str]] = {}
+    for name, text in said:
+        by_text.setdefault(text, []).append(name)
+    return [
+        (", ".join(names[:FEW]) + (f" and {len(names) - FEW} more" if len(names) > FEW else ""), text)
+        for text, names in by_text.items()
+    ]
 
 
 # ------------------------------------------------------------------------------------------------------ what changed

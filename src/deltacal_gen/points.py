@@ -142,6 +142,14 @@ def import_points(
     return write_import(Imported(machine, {"recording": recording}, tuple(warnings)), output)
 
 
+def is_table_of_joints(path: Path) -> bool:
+    """Tell whether a file has columns of joints; its values are not judged."""
+    try:
+        return any(_JOINT.fullmatch(_plain(head)[0]) for head in _table(path).header)
+    except InputError:
+        return False
+
+
 def _points(path: Path) -> tuple[list[str], list[str], Array, list[int]]:
     """Return groups, names, positions (N, 3) [mm] and lines of a list of points."""
     table = _table(path)

@@ -20,12 +20,15 @@ import numpy as np
 
 from deltacal_gen import figures
 from deltacal_gen.figures import AFTER, BEFORE, INK, MUTED, STYLE, mpl, plt
+from deltacal_gen.fleet import ASIDE, alike, worst
 from deltacal_gen.mechanism import mechanism_of
 from deltacal_gen.physics import load_effect
 from deltacal_gen.robot import robot_from_dict
 
 _COLOURS = {INK: "var(--ink)", MUTED: "var(--muted)", BEFORE: "var(--before)", AFTER: "var(--after)"}
 _PAPER = {"var(--card)": "#ffffff", "var(--paper)": "#ffffff", "var(--good)": "#2c7a4b", "var(--bad)": "#b8472f"}
+MOST_DRAWN = 60  # recordings of a batch, each with its line; of more, their distribution
+MOST_ROWS = 500  # of a table on a page: 10^5 would be 20 MB, which no browser likes
 _NUMERIC = {"value ± standard deviation", "gain in chi²", "value"}
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _VERDICTS = {
@@ -107,6 +110,10 @@ def study(found: Mapping[str, Any]) -> str:
         enough=_svg(partial(figures.enough, found=found), (7.4, 2.4)),
         gains=[(_sentence(g["add"]), f"{g['rms_mm']:.4f}", f"{g['gain']:.0%}") for g in advice["add"]],
         suspects=[_suspect(s) for s in found["suspects"]],
+        chances=_svg(
+            partial(figures.chances, suspects=[(_concealed(s), s) for s in found["suspects"]]),
+            (7.4, 0.9 + 0.3 * len(found["suspects"])),
+        ),
         parameters=_svg(partial(figures.scatter, found=found), (7.4, 3.0)),
         rows=[
             (p["name"], *(f"{p[k]:.3g}" for k in ("drawn_std", "std", "predicted_std", "bias")), p["unit"])
@@ -153,20 +160,31 @@ def _suspect(s: Mapping[str, Any]) -> tuple[str, ...]:
 
 
 def batch(found: Mapping[str, Any]) -> str:
-    """Return the page over many recordings."""
-    rows, failed = found["rows"], [(r["recording"], r["error"]) for r in found["rows"] if r["error"] is not None]
-    columns = [c for c in dict.fromkeys(k for r in rows for k in r) if c not in ("machine", "error")]
+    """Return the page over many recordings; of very many, over their distribution and the worst."""
+    rows, failed = found["rows"], [r for r in found["rows"] if r["error"] is not None]
+    columns = [c for c in dict.fromkeys(k for r in rows for k in r) if c not in ASIDE]
     done = [r for r in rows if r["error"] is None]
+    picture = ""
+    if len(done) > MOST_DRAWN:
+        picture = _svg(partial(figures.fleet_distribution, rows=done), (7.4, 3.2))
+    elif done:
+        picture = _svg(partial(figures.fleet, rows=done), (7.4, 0.8 + 0.16 * len(done)))
+    changed = [(c["machine"], c["from"], c["to"], c["text"]) for c in found["changed"]]
+    shown = worst(rows, MOST_ROWS)
     return _rendered(
         "batch",
         title=f"{len(rows)} recordings",
         found=found,
         headline=f"{len(done)} of {len(rows)} recordings done",
-        picture=_svg(partial(figures.fleet, rows=done), (7.4, 0.8 + 0.16 * len(done))) if done else "",
-        failed=failed,
-        changed=[(c["machine"], c["from"], c["to"], c["text"]) for c in found["changed"]],
+        picture=picture,
+        distribution=len(done) > MOST_DRAWN,
+        failed=alike([(r["recording"], r["error"]) for r in failed])[:MOST_ROWS],
+        warnings=alike([(r["recording"], r["warnings"]) for r in rows if r.get("warnings")])[:MOST_ROWS],
+        changed=changed[:MOST_ROWS],
         columns=[_spaced(c).removesuffix(" mm") + (", mm" if c.endswith("_mm") else "") for c in columns],
-        rows=[[_cell(r.get(c)) for c in columns] for r in rows],
+        rows=[[_cell(r.get(c)) for c in columns] for r in shown],
+        left_out=len(rows) - len(shown),
+        unchanged=len(changed) - MOST_ROWS,
     )
 
 
