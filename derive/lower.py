@@ -6,6 +6,7 @@ by the kernel `constants`, into an array `k`; the kernels that run per pose read
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -40,6 +41,25 @@ class Kernel:
     stores: tuple[tuple[int, str], ...]
     length: int
     operations: int
+
+    def of_limb(self, i: int) -> Kernel:
+        """Return the kernel with names of its own, for text in which several limbs stand side by side.
+
+        What is loaded from the platform or the tool is the same for all limbs and keeps its name.
+        """
+        shared = {target for target, load in self.loads if load[0] in "xt"}
+        own = {name for name, _ in (*self.loads, *self.statements)} - shared
+        name = re.compile(r"\b(" + "|".join(sorted(own, key=len, reverse=True)) + r")\b")
+
+        def renamed(text: str) -> str:
+            return name.sub(rf"\1_{i}", text)
+
+        return replace(
+            self,
+            loads=tuple((renamed(target) if target in own else target, load) for target, load in self.loads),
+            statements=tuple((renamed(target), renamed(value)) for target, value in self.statements),
+            stores=tuple((j, renamed(value)) for j, value in self.stores),
+        )
 
 
 class Lowering:

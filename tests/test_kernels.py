@@ -357,19 +357,33 @@ def test_the_simplified_machine_is_closed_form(robot: Robot, mechanism: Mechanis
     rows, n = mechanism.rows(robot, mechanism.vector(errors)), 40
     k, target = mechanism.compiled.constants(rows), scattered(robot, n, 6)
     target[3] = [0.0, 0.0, -2000.0]
-    found = []
-    for inverse, forward in (
-        (mechanism.compiled.simplified_inverse, mechanism.compiled.simplified_forward),
-        (mechanism.vectorised.inverse, lambda *a: mechanism.vectorised.forward(*a, False)),
-    ):
-        q, x, status = np.empty((n, 3)), np.empty((n, 6)), np.empty(n, dtype=np.int64)
-        inverse(target, np.tile(TOOL, (n, 1)), k, x, q, status)
-        again, of = np.empty((n, 6)), np.empty(n, dtype=np.int64)
-        forward(np.nan_to_num(q, nan=0.3), np.tile(TOOL, (n, 1)), k, again, of)
-        found.append((q, x, status, again, of))
-    for compiled, plain in zip(*found, strict=True):
-        np.testing.assert_allclose(compiled, plain, rtol=0, atol=1e-11)
-    assert found[0][2][3] == UNREACHABLE
+    q, x, status, again, of = np.empty((n, 3)), np.empty((n, 3)), np.empty(n, int), np.empty((n, 6)), np.empty(n, int)
+    for tool in (TOOL[None], np.tile(TOOL, (n, 1))):
+        mechanism.compiled.simplified_inverse(target, tool, k, q, status)
+        assert status[3] == UNREACHABLE
+        mechanism.compiled.simplified_forward(np.nan_to_num(q, nan=0.3), tool, k, x, of)
+        plain, pose, alike = np.empty((n, 3)), np.empty((n, 6)), np.empty(n, int)
+        mechanism.vectorised.inverse(target, np.tile(TOOL, (n, 1)), k, pose, plain, alike)
+        np.testing.assert_allclose(q, plain, rtol=0, atol=1e-14)
+        assert (status == alike).all()
+        mechanism.vectorised.forward(np.nan_to_num(q, nan=0.3), np.tile(TOOL, (n, 1)), k, again, alike, False)
+        np.testing.assert_allclose(np.hstack([x, 0 * x]), again, rtol=0, atol=1e-11)
+        assert (of == alike).all()
+
+
+def test_the_simplified_machine_stands_alone_as_in_company(robot: Robot, mechanism: Mechanism) -> None:
+    """To the last bit: what a pose gives does not depend on how many there are."""
+    n, k = 21, mechanism.compiled.constants(mechanism.rows(robot, np.zeros(42)))
+    target = scattered(robot, n, 6)
+    q, x, status = np.empty((n, 3)), np.empty((n, 3)), np.empty(n, int)
+    mechanism.compiled.simplified_inverse(target, TOOL[None], k, q, status)
+    mechanism.compiled.simplified_forward(q, TOOL[None], k, x, status)
+    for m in range(n):
+        alone, at, of = np.empty((1, 3)), np.empty((1, 3)), np.empty(1, int)
+        mechanism.compiled.simplified_inverse(target[m : m + 1], TOOL[None], k, alone, of)
+        assert (alone == q[m]).all()
+        mechanism.compiled.simplified_forward(alone, TOOL[None], k, at, of)
+        assert (at == x[m]).all()
 
 
 # ---------------------------------------------------------------------------------------------- properties, any machine

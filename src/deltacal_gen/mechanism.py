@@ -386,8 +386,8 @@ class Mechanism:
         todo: list[tuple[ModuleType, str, Sequence[Any]]] = [
             (batch, "forward", (q, tool, k, x, status, False)),
             (batch, "inverse", (one, tool, k, x, q, status)),
-            (batch, "simplified_forward", (q, tool, k, x, status)),
-            (batch, "simplified_inverse", (one, tool, k, x, q, status)),
+            (batch, "simplified_forward", (q, tool, k, x[:, : batch.SIMPLIFIED].copy(), status)),
+            (batch, "simplified_inverse", (one, tool, k, q, status)),
             (batch, "sensitivity", (x, q, tool, k, S, V, status)),
             (servo, "exact_command", (command, tool[0], exact, work, q[0])),
             (servo, "exact_joints", (*command, state(k[0, :, : servo.COMMAND_CONSTANTS]))),
@@ -472,23 +472,24 @@ class Mechanism:
         """Return the exact positions (N, 3) of the reference point [mm], NaN where not solved; see `forward`."""
         x, _ = self._solved(q, tool, rows, None)
         out = np.zeros((len(x), self.n_x))
-        out[:, self._at] = x
+        out[:, self._at[: x.shape[1]]] = x
         out[np.isnan(x[:, 0])] = np.nan
         return out[:, :3]
 
     def _solved(self, q: Array, tool: Array, rows: Array, near: Array | None) -> tuple[Array, np.ndarray]:
         """Return the coordinates (N, n) that the kernels solve for, and their status."""
         q = self._poses(q, self.limbs, "joints")
-        x = np.empty((len(q), len(self._at))) if near is None else self._own(near)
         status = np.empty(len(q), dtype=np.int64)
         with self._kernels(len(q)) as kernels:
-            if kernels is self.vectorised:
-                every = self._tool(tool, len(q))
-                kernels.forward(q, every, self._pose_by_pose(rows, len(q)), x, status, near is not None)
-            elif self._simplified(rows):
+            plain = kernels is self.vectorised
+            if not plain and self._simplified(rows):
+                x = np.empty((len(q), kernels.SIMPLIFIED))
                 kernels.simplified_forward(q, self._tools(tool), self._constants(rows), x, status)
             else:
-                kernels.forward(q, self._tools(tool), self._constants(rows), x, status, near is not None)
+                x = np.empty((len(q), len(self._at))) if near is None else self._own(near)
+                constants = self._pose_by_pose(rows, len(q)) if plain else self._constants(rows)
+                tool = self._tool(tool, len(q)) if plain else self._tools(tool)
+                kernels.forward(q, tool, constants, x, status, near is not None)
         return x, status
 
     def inverse(self, target: Array, tool: Array, rows: Array) -> tuple[Array, Array, np.ndarray]:
@@ -504,14 +505,18 @@ class Mechanism:
         status : (N,) int array
         """
         target = self._poses(target, 3, "target")
-        q, x = np.empty((len(target), self.limbs)), np.empty((len(target), len(self._at)))
-        status = np.empty(len(target), dtype=np.int64)
+        q, status = np.empty((len(target), self.limbs)), np.empty(len(target), dtype=np.int64)
+        x = self.commanded(target)
         with self._kernels(len(target)) as kernels:
-            plain, solve = kernels is self.vectorised, kernels.inverse
-            if not plain and self._simplified(rows):
-                solve = getattr(kernels, "simplified_inverse", solve)  # where the inverse, too, is closed form
+            plain = kernels is self.vectorised
             tool = self._tool(tool, len(target)) if plain else self._tools(tool)
-            solve(self.commanded(target), tool, self._constants(rows), x, q, status)
+            if not plain and hasattr(kernels, "simplified_inverse") and self._simplified(rows):
+                kernels.simplified_inverse(x, tool, self._constants(rows), q, status)
+                if not (solved := status == SOLVED).all():
+                    x = np.where(solved[:, None], x, np.nan)
+            else:
+                x, asked = np.empty((len(target), len(self._at))), x
+                kernels.inverse(asked, tool, self._constants(rows), x, q, status)
         return q, self._body(x), status
 
     def _pose_by_pose(self, rows: Array, poses: int) -> Array:
@@ -533,11 +538,18 @@ class Mechanism:
         return np.ascontiguousarray(target[:, self._at[: self.limbs]])
 
     def _body(self, x: Array) -> Array:
-        """Return the pose (N, 12) of a body in space by the coordinates (N, n) that the kernels solve for."""
-        full = np.zeros((len(x), self.n_x))
-        full[:, self._at] = x
-        full[~np.isfinite(x @ np.ones(x.shape[1]))] = np.nan
-        return np.hstack([full[:, :3], cayley_matrix(full[:, 3:]).reshape(-1, 9)])
+        """Return the pose (N, 12) of a body in space by the coordinates that kernels solve for, or the first ones."""
+        at = self._at[: x.shape[1]]
+        out = np.empty((len(x), POSE))
+        if max(at) < 3:
+            out[:] = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
+            out[:, at] = x
+        else:
+            full = np.zeros((len(x), self.n_x))
+            full[:, at] = x
+            out[:, :3], out[:, 3:] = full[:, :3], cayley_matrix(full[:, 3:]).reshape(-1, 9)
+        out[~np.isfinite(x @ np.ones(x.shape[1]))] = np.nan
+        return out
 
     def _own(self, x: Array) -> Array:
         """Return the coordinates (N, n) that the kernels solve for."""

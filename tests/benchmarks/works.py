@@ -222,17 +222,12 @@ def ideal(n: int, *, forward: bool) -> Work:
     settle()
     r = positions(n)
     theta, p, out = np.ascontiguousarray(by_hand.ideal_inverse(r)), DELTA.rows(ROBOT), np.empty((n, 3))
-    kernels, point, x, q, status = (
-        DELTA.compiled,
-        np.zeros((1, 3)),
-        np.empty((n, 6)),
-        np.empty((n, 3)),
-        np.empty(n, int),
-    )
+    kernels, point, x, q = DELTA.compiled, np.zeros((1, 3)), np.empty((n, 3)), np.empty((n, 3))
+    status = np.empty(n, dtype=np.int64)
     k = kernels.constants(p)
     kernel = {
-        True: Contender(lambda: kernels.simplified_forward(theta, point, k, x, status), lambda _: x[:, :3]),
-        False: Contender(lambda: kernels.simplified_inverse(r, point, k, x, q, status), lambda _: q),
+        True: Contender(lambda: kernels.simplified_forward(theta, point, k, x, status), lambda _: x),
+        False: Contender(lambda: kernels.simplified_inverse(r, point, k, q, status), lambda _: q),
     }
     ours = {
         True: Contender(lambda: DELTA.forward(theta, np.zeros(3), p), lambda found: found[0][:, :3]),

@@ -1,7 +1,7 @@
 """Kinematics of `complete_delta`, many poses at once: Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both d7ace854eddf1202; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 5c7748eece0b5c28; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -32,6 +32,7 @@ TURN_DONE = 3e-8  # rad
 WORK = 11808  # length of the scratch array
 CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
 APART = 1e-3  # squared sine between the centres' directions
+SIMPLIFIED = 3  # coordinates that `simplified_forward` gives: the others are zero
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
@@ -366,32 +367,6 @@ def _step(w, n):
         w[10144 + lane] = w_20
         w[10176 + lane] = s216
         w[10208 + lane] = s231
-
-
-@fast
-def _sphere(w, k, n):
-    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (19 operations)."""
-    wide()
-    s839 = k[24]
-    s841 = k[25]
-    s843 = k[26]
-    s845 = k[27]
-    L = k[30]
-    s857 = k[72]
-    for lane in range(n):
-        q = w[0 + lane]
-        tx = w[32 + lane]
-        ty = w[64 + lane]
-        tz = w[96 + lane]
-        s78 = cosine(q)
-        s877 = -s78*s841 - s839 + tx
-        s879 = -s78*s845 - s843 + ty
-        s881 = L*sine(q) + tz
-        s888 = s857 + 0.5*(s877 * s877) + 0.5*(s879 * s879) + 0.5*(s881 * s881)
-        w[1504 + lane] = s877
-        w[1536 + lane] = s879
-        w[1568 + lane] = s881
-        w[1600 + lane] = s888
 
 
 @fast
@@ -1159,19 +1134,15 @@ def _move(w, n):
 
 @fast
 def _meet(w, n):
-    """Put the platform where three spheres meet.
-
-    Differences of the spheres are planes; two planes are a line, on which the first sphere is a quadratic. Where the
-    line misses the sphere its nearest point is taken: the exact machine may still reach what the simplified one
-    cannot.
-    """
+    """Put the platform where the simplified machine has it."""
     wide()
     for lane in range(n):
-        ox, oy, oz, od = w[1504 + lane], w[1536 + lane], w[1568 + lane], w[1600 + lane]
-        ax, ay, az, ad = w[4832 + lane], w[4864 + lane], w[4896 + lane], w[4928 + lane]
-        bx, by, bz, bd = w[8160 + lane], w[8192 + lane], w[8224 + lane], w[8256 + lane]
-        ax, ay, az, da = ax - ox, ay - oy, az - oz, ad - od
-        bx, by, bz, db = bx - ox, by - oy, bz - oz, bd - od
+        c_00, c_01, c_02, c_03 = w[1504 + lane], w[1536 + lane], w[1568 + lane], w[1600 + lane]
+        c_10, c_11, c_12, c_13 = w[4832 + lane], w[4864 + lane], w[4896 + lane], w[4928 + lane]
+        c_20, c_21, c_22, c_23 = w[8160 + lane], w[8192 + lane], w[8224 + lane], w[8256 + lane]
+        # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
+        ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
+        bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
         nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
         aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
         nn = nx * nx + ny * ny + nz * nz
@@ -1180,16 +1151,18 @@ def _meet(w, n):
         u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
         px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
         # |P + t n|^2 / 2 - c.(P + t n) + d = 0
-        half = ((px - ox) * nx + (py - oy) * ny + (pz - oz) * nz) * inverse
-        rest = 0.5 * (px * px + py * py + pz * pz) - (ox * px + oy * py + oz * pz) + od
+        half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
+        rest = 0.5 * (px * px + py * py + pz * pz) - (c_00 * px + c_01 * py + c_02 * pz) + c_03
         square = half * half - 2.0 * rest * inverse
         good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
-        w[10240 + lane] = 0.0 if good else 1.0
-        root = math.sqrt(square if square > 0.0 else 0.0)
+        root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
+        # the exact machine may still reach what the simplified one cannot
         t = (-root if nz > 0.0 else root) - half
-        w[128 + lane] = px + t * nx
-        w[160 + lane] = py + t * ny
-        w[192 + lane] = pz + t * nz
+        p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
+        w[10240 + lane] = 0.0 if good else 1.0
+        w[128 + lane] = p_0
+        w[160 + lane] = p_1
+        w[192 + lane] = p_2
         w[224 + lane] = 0.0
         w[256 + lane] = 0.0
         w[288 + lane] = 0.0
@@ -1469,77 +1442,186 @@ def inverse(target, tool, k, x, q, status):
 
 
 @fast
-def _simplified_forward(q, tool, k, x, status, w):
-    w_1 = w[0:3328]
-    w_2 = w[3328:6656]
-    w_3 = w[6656:9984]
-    if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
-    left, machines = 0, k.shape[0]
-    each = status.size // machines
-    for m in range(machines):
-        k_1 = k[m, 0]
-        k_2 = k[m, 1]
-        k_3 = k[m, 2]
-        for first in range(m * each, (m + 1) * each, LANES):
-            last = min(first + LANES, (m + 1) * each) - 1
-            n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
-            if len(tool) > 1:
-                _hold(tool, w, first, last, n)
-            _sphere(w_1, k_1, n)
-            _sphere(w_2, k_2, n)
-            _sphere(w_3, k_3, n)
-            _meet(w, n)
-            left += _unload(w, x, status, first, last)
+def _simplified_forward(q, tool, k, x, status):
+    wide()
+    q_m, x_m = q.reshape(q.size), x.reshape(x.size)
+    left, runs = 0, max(k.shape[0], tool.shape[0])
+    each = status.size // runs
+    for m in range(runs):
+        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
+        tx = held[0]
+        ty = held[1]
+        tz = held[2]
+        s839_0 = own[0, 24]
+        s841_0 = own[0, 25]
+        s843_0 = own[0, 26]
+        s845_0 = own[0, 27]
+        L_0 = own[0, 30]
+        s857_0 = own[0, 72]
+        s839_1 = own[1, 24]
+        s841_1 = own[1, 25]
+        s843_1 = own[1, 26]
+        s845_1 = own[1, 27]
+        L_1 = own[1, 30]
+        s857_1 = own[1, 72]
+        s839_2 = own[2, 24]
+        s841_2 = own[2, 25]
+        s843_2 = own[2, 26]
+        s845_2 = own[2, 27]
+        L_2 = own[2, 30]
+        s857_2 = own[2, 72]
+        q_n, x_n, of = q_m[3 * each * m :], x_m[3 * each * m :], status[each * m :]
+        for n in range(each):
+            q_0 = q_n[3 * n + 0]
+            s78_0 = cosine(q_0)
+            s877_0 = -s78_0*s841_0 - s839_0 + tx
+            s879_0 = -s78_0*s845_0 - s843_0 + ty
+            s881_0 = L_0*sine(q_0) + tz
+            s888_0 = s857_0 + 0.5*(s877_0 * s877_0) + 0.5*(s879_0 * s879_0) + 0.5*(s881_0 * s881_0)
+            c_00 = s877_0
+            c_01 = s879_0
+            c_02 = s881_0
+            c_03 = s888_0
+            q_1 = q_n[3 * n + 1]
+            s78_1 = cosine(q_1)
+            s877_1 = -s78_1*s841_1 - s839_1 + tx
+            s879_1 = -s78_1*s845_1 - s843_1 + ty
+            s881_1 = L_1*sine(q_1) + tz
+            s888_1 = s857_1 + 0.5*(s877_1 * s877_1) + 0.5*(s879_1 * s879_1) + 0.5*(s881_1 * s881_1)
+            c_10 = s877_1
+            c_11 = s879_1
+            c_12 = s881_1
+            c_13 = s888_1
+            q_2 = q_n[3 * n + 2]
+            s78_2 = cosine(q_2)
+            s877_2 = -s78_2*s841_2 - s839_2 + tx
+            s879_2 = -s78_2*s845_2 - s843_2 + ty
+            s881_2 = L_2*sine(q_2) + tz
+            s888_2 = s857_2 + 0.5*(s877_2 * s877_2) + 0.5*(s879_2 * s879_2) + 0.5*(s881_2 * s881_2)
+            c_20 = s877_2
+            c_21 = s879_2
+            c_22 = s881_2
+            c_23 = s888_2
+            # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
+            ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
+            bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
+            nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+            aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
+            nn = nx * nx + ny * ny + nz * nz
+            inverse = 1.0 / nn
+            # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
+            u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
+            px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
+            # |P + t n|^2 / 2 - c.(P + t n) + d = 0
+            half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
+            rest = 0.5 * (px * px + py * py + pz * pz) - (c_00 * px + c_01 * py + c_02 * pz) + c_03
+            square = half * half - 2.0 * rest * inverse
+            good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
+            root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
+            # the exact machine may still reach what the simplified one cannot
+            t = (-root if nz > 0.0 else root) - half
+            p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
+            x_n[3 * n + 0] = p_0
+            x_n[3 * n + 1] = p_1
+            x_n[3 * n + 2] = p_2
+            of[n] = SOLVED if good else OPEN
+            left += 0 if good else 1
     return left
 
 
 def simplified_forward(q, tool, k, x, status):
-    """`forward` of the simplified machine, in closed form: exact where bx1, by1, bz1, ax1, ay1, az1, dl1, bx2, by2, bz2, ax2, ay2, az2, dl2, betax, betay, betaz, tip_v, tip_w are zero."""
-    if _simplified_forward(q, tool, k, x, status, scratch(WORK)):
+    """Fill x (N, 3) with the platform of the simplified machine, in closed form: exact where bx1, by1, bz1, ax1, ay1, az1, dl1, bx2, by2, bz2, ax2, ay2, az2, dl2, betax, betay, betaz, tip_v, tip_w are zero.
+
+    It does not turn, so that x is the position of the reference point.
+    status as in `forward`.
+    """
+    if _simplified_forward(q, tool, k, x, status):
         left = np.flatnonzero(status == OPEN)
-        found, of = np.empty((len(left), 6)), np.empty(len(left), dtype=np.int64)
+        found, of = np.empty((len(left), 6)), np.empty(len(left), dtype=status.dtype)
         forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, False)
-        x[left], status[left] = found, of
+        x[left], status[left] = found[:, :3], of
 
 
 @fast
-def _simplified_inverse(target, tool, k, x, q, status, w):
-    w_1 = w[0:3328]
-    w_2 = w[3328:6656]
-    w_3 = w[6656:9984]
-    if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
-    left, machines = 0, k.shape[0]
-    each = status.size // machines
-    for m in range(machines):
-        k_1 = k[m, 0]
-        k_2 = k[m, 1]
-        k_3 = k[m, 2]
-        for first in range(m * each, (m + 1) * each, LANES):
-            last = min(first + LANES, (m + 1) * each) - 1
-            n = (last - first + 8) // 8 * 8
-            _load(target, w, first, last, n)
-            if len(tool) > 1:
-                _hold(tool, w, first, last, n)
-            _aim(w, n)
-            _start(w_1, k_1, n)
-            _start(w_2, k_2, n)
-            _start(w_3, k_3, n)
-            _started(w, n)
-            left += _unload(w, x, status, first, last)
-            _unload_joints(w, q, first, last)
+def _simplified_inverse(target, tool, k, q, status):
+    wide()
+    target_m, q_m = target.reshape(target.size), q.reshape(q.size)
+    left, runs = 0, max(k.shape[0], tool.shape[0])
+    each = status.size // runs
+    for m in range(runs):
+        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
+        tx = held[0]
+        ty = held[1]
+        tz = held[2]
+        s839_0 = own[0, 24]
+        s841_0 = own[0, 25]
+        s843_0 = own[0, 26]
+        s845_0 = own[0, 27]
+        s863_0 = own[0, 28]
+        s858_0 = own[0, 29]
+        L_0 = own[0, 30]
+        s839_1 = own[1, 24]
+        s841_1 = own[1, 25]
+        s843_1 = own[1, 26]
+        s845_1 = own[1, 27]
+        s863_1 = own[1, 28]
+        s858_1 = own[1, 29]
+        L_1 = own[1, 30]
+        s839_2 = own[2, 24]
+        s841_2 = own[2, 25]
+        s843_2 = own[2, 26]
+        s845_2 = own[2, 27]
+        s863_2 = own[2, 28]
+        s858_2 = own[2, 29]
+        L_2 = own[2, 30]
+        at, q_n, of = target_m[3 * each * m :], q_m[3 * each * m :], status[each * m :]
+        for n in range(each):
+            px = at[3 * n + 0]
+            py = at[3 * n + 1]
+            pz = at[3 * n + 2]
+            s840_0 = px + s839_0 - tx
+            s844_0 = py + s843_0 - ty
+            s847_0 = s840_0*s841_0 + s844_0*s845_0
+            s849_0 = pz - tz
+            s850_0 = (s849_0 * s849_0)
+            s864_0 = 0.5*(s840_0 * s840_0) + 0.5*(s844_0 * s844_0) + 0.5*s850_0 + s863_0
+            s868_0 = math.sqrt((s847_0 * s847_0) + s850_0*s858_0 - (s864_0 * s864_0))
+            s875_0 = arctangent(L_0*s849_0*s864_0 - s847_0*s868_0, -L_0*s849_0*s868_0 - s847_0*s864_0)
+            q_00 = s875_0
+            s840_1 = px + s839_1 - tx
+            s844_1 = py + s843_1 - ty
+            s847_1 = s840_1*s841_1 + s844_1*s845_1
+            s849_1 = pz - tz
+            s850_1 = (s849_1 * s849_1)
+            s864_1 = 0.5*(s840_1 * s840_1) + 0.5*(s844_1 * s844_1) + 0.5*s850_1 + s863_1
+            s868_1 = math.sqrt((s847_1 * s847_1) + s850_1*s858_1 - (s864_1 * s864_1))
+            s875_1 = arctangent(L_1*s849_1*s864_1 - s847_1*s868_1, -L_1*s849_1*s868_1 - s847_1*s864_1)
+            q_10 = s875_1
+            s840_2 = px + s839_2 - tx
+            s844_2 = py + s843_2 - ty
+            s847_2 = s840_2*s841_2 + s844_2*s845_2
+            s849_2 = pz - tz
+            s850_2 = (s849_2 * s849_2)
+            s864_2 = 0.5*(s840_2 * s840_2) + 0.5*(s844_2 * s844_2) + 0.5*s850_2 + s863_2
+            s868_2 = math.sqrt((s847_2 * s847_2) + s850_2*s858_2 - (s864_2 * s864_2))
+            s875_2 = arctangent(L_2*s849_2*s864_2 - s847_2*s868_2, -L_2*s849_2*s868_2 - s847_2*s864_2)
+            q_20 = s875_2
+            good = (abs(q_00) < math.inf) & (abs(q_10) < math.inf) & (abs(q_20) < math.inf)
+            q_n[3 * n + 0] = q_00
+            q_n[3 * n + 1] = q_10
+            q_n[3 * n + 2] = q_20
+            of[n] = SOLVED if good else OPEN
+            left += 0 if good else 1
     return left
 
 
-def simplified_inverse(target, tool, k, x, q, status):
-    """`inverse` of the simplified machine, in closed form; see `simplified_forward`."""
-    if _simplified_inverse(target, tool, k, x, q, status, scratch(WORK)):
+def simplified_inverse(target, tool, k, q, status):
+    """Fill the joints q (N, 3) of the simplified machine, in closed form; see `simplified_forward` and `inverse`."""
+    if _simplified_inverse(target, tool, k, q, status):
         left = np.flatnonzero(status == OPEN)
-        found, joints, of = np.empty((len(left), 6)), np.empty((len(left), 3)), np.empty(len(left), dtype=np.int64)
+        found, joints, of = np.empty((len(left), 6)), np.empty((len(left), 3)), np.empty(len(left), dtype=status.dtype)
         inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
-        x[left], q[left], status[left] = found, joints, of
+        q[left], status[left] = joints, of
 
 
 @fast

@@ -1,7 +1,7 @@
 """Kinematics of `delta`, many poses at once: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 6d2bf20b4ec1514e; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 533a95981a7b6a44; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -32,6 +32,7 @@ TURN_DONE = 3e-8  # rad
 WORK = 10848  # length of the scratch array
 CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
 APART = 1e-3  # squared sine between the centres' directions
+SIMPLIFIED = 3  # coordinates that `simplified_forward` gives: the others are zero
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
@@ -317,35 +318,6 @@ def _step(w, n):
         w[9184 + lane] = w_20
         w[9216 + lane] = s216
         w[9248 + lane] = s231
-
-
-@fast
-def _sphere(w, k, n):
-    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (21 operations)."""
-    wide()
-    theta = k[0]
-    s219 = k[7]
-    s1166 = k[24]
-    s1168 = k[25]
-    s1170 = k[26]
-    s1172 = k[27]
-    ez = k[28]
-    s1185 = k[84]
-    for lane in range(n):
-        q = w[0 + lane]
-        tx = w[32 + lane]
-        ty = w[64 + lane]
-        tz = w[96 + lane]
-        s163 = q + theta
-        s164 = cosine(s163)
-        s1212 = -s1166 - s1168*s164 + tx
-        s1214 = -s1170 - s1172*s164 + ty
-        s1216 = ez + s219*sine(s163) + tz
-        s1223 = s1185 + 0.5*(s1212 * s1212) + 0.5*(s1214 * s1214) + 0.5*(s1216 * s1216)
-        w[1376 + lane] = s1212
-        w[1408 + lane] = s1214
-        w[1440 + lane] = s1216
-        w[1472 + lane] = s1223
 
 
 @fast
@@ -1136,19 +1108,15 @@ def _move(w, n):
 
 @fast
 def _meet(w, n):
-    """Put the platform where three spheres meet.
-
-    Differences of the spheres are planes; two planes are a line, on which the first sphere is a quadratic. Where the
-    line misses the sphere its nearest point is taken: the exact machine may still reach what the simplified one
-    cannot.
-    """
+    """Put the platform where the simplified machine has it."""
     wide()
     for lane in range(n):
-        ox, oy, oz, od = w[1376 + lane], w[1408 + lane], w[1440 + lane], w[1472 + lane]
-        ax, ay, az, ad = w[4384 + lane], w[4416 + lane], w[4448 + lane], w[4480 + lane]
-        bx, by, bz, bd = w[7392 + lane], w[7424 + lane], w[7456 + lane], w[7488 + lane]
-        ax, ay, az, da = ax - ox, ay - oy, az - oz, ad - od
-        bx, by, bz, db = bx - ox, by - oy, bz - oz, bd - od
+        c_00, c_01, c_02, c_03 = w[1376 + lane], w[1408 + lane], w[1440 + lane], w[1472 + lane]
+        c_10, c_11, c_12, c_13 = w[4384 + lane], w[4416 + lane], w[4448 + lane], w[4480 + lane]
+        c_20, c_21, c_22, c_23 = w[7392 + lane], w[7424 + lane], w[7456 + lane], w[7488 + lane]
+        # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
+        ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
+        bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
         nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
         aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
         nn = nx * nx + ny * ny + nz * nz
@@ -1157,16 +1125,18 @@ def _meet(w, n):
         u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
         px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
         # |P + t n|^2 / 2 - c.(P + t n) + d = 0
-        half = ((px - ox) * nx + (py - oy) * ny + (pz - oz) * nz) * inverse
-        rest = 0.5 * (px * px + py * py + pz * pz) - (ox * px + oy * py + oz * pz) + od
+        half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
+        rest = 0.5 * (px * px + py * py + pz * pz) - (c_00 * px + c_01 * py + c_02 * pz) + c_03
         square = half * half - 2.0 * rest * inverse
         good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
-        w[9280 + lane] = 0.0 if good else 1.0
-        root = math.sqrt(square if square > 0.0 else 0.0)
+        root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
+        # the exact machine may still reach what the simplified one cannot
         t = (-root if nz > 0.0 else root) - half
-        w[128 + lane] = px + t * nx
-        w[160 + lane] = py + t * ny
-        w[192 + lane] = pz + t * nz
+        p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
+        w[9280 + lane] = 0.0 if good else 1.0
+        w[128 + lane] = p_0
+        w[160 + lane] = p_1
+        w[192 + lane] = p_2
         w[224 + lane] = 0.0
         w[256 + lane] = 0.0
         w[288 + lane] = 0.0
@@ -1446,77 +1416,201 @@ def inverse(target, tool, k, x, q, status):
 
 
 @fast
-def _simplified_forward(q, tool, k, x, status, w):
-    w_1 = w[0:3008]
-    w_2 = w[3008:6016]
-    w_3 = w[6016:9024]
-    if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
-    left, machines = 0, k.shape[0]
-    each = status.size // machines
-    for m in range(machines):
-        k_1 = k[m, 0]
-        k_2 = k[m, 1]
-        k_3 = k[m, 2]
-        for first in range(m * each, (m + 1) * each, LANES):
-            last = min(first + LANES, (m + 1) * each) - 1
-            n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
-            if len(tool) > 1:
-                _hold(tool, w, first, last, n)
-            _sphere(w_1, k_1, n)
-            _sphere(w_2, k_2, n)
-            _sphere(w_3, k_3, n)
-            _meet(w, n)
-            left += _unload(w, x, status, first, last)
+def _simplified_forward(q, tool, k, x, status):
+    wide()
+    q_m, x_m = q.reshape(q.size), x.reshape(x.size)
+    left, runs = 0, max(k.shape[0], tool.shape[0])
+    each = status.size // runs
+    for m in range(runs):
+        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
+        tx = held[0]
+        ty = held[1]
+        tz = held[2]
+        theta_0 = own[0, 0]
+        s219_0 = own[0, 7]
+        s1166_0 = own[0, 24]
+        s1168_0 = own[0, 25]
+        s1170_0 = own[0, 26]
+        s1172_0 = own[0, 27]
+        ez_0 = own[0, 28]
+        s1185_0 = own[0, 84]
+        theta_1 = own[1, 0]
+        s219_1 = own[1, 7]
+        s1166_1 = own[1, 24]
+        s1168_1 = own[1, 25]
+        s1170_1 = own[1, 26]
+        s1172_1 = own[1, 27]
+        ez_1 = own[1, 28]
+        s1185_1 = own[1, 84]
+        theta_2 = own[2, 0]
+        s219_2 = own[2, 7]
+        s1166_2 = own[2, 24]
+        s1168_2 = own[2, 25]
+        s1170_2 = own[2, 26]
+        s1172_2 = own[2, 27]
+        ez_2 = own[2, 28]
+        s1185_2 = own[2, 84]
+        q_n, x_n, of = q_m[3 * each * m :], x_m[3 * each * m :], status[each * m :]
+        for n in range(each):
+            q_0 = q_n[3 * n + 0]
+            s163_0 = q_0 + theta_0
+            s164_0 = cosine(s163_0)
+            s1212_0 = -s1166_0 - s1168_0*s164_0 + tx
+            s1214_0 = -s1170_0 - s1172_0*s164_0 + ty
+            s1216_0 = ez_0 + s219_0*sine(s163_0) + tz
+            s1223_0 = s1185_0 + 0.5*(s1212_0 * s1212_0) + 0.5*(s1214_0 * s1214_0) + 0.5*(s1216_0 * s1216_0)
+            c_00 = s1212_0
+            c_01 = s1214_0
+            c_02 = s1216_0
+            c_03 = s1223_0
+            q_1 = q_n[3 * n + 1]
+            s163_1 = q_1 + theta_1
+            s164_1 = cosine(s163_1)
+            s1212_1 = -s1166_1 - s1168_1*s164_1 + tx
+            s1214_1 = -s1170_1 - s1172_1*s164_1 + ty
+            s1216_1 = ez_1 + s219_1*sine(s163_1) + tz
+            s1223_1 = s1185_1 + 0.5*(s1212_1 * s1212_1) + 0.5*(s1214_1 * s1214_1) + 0.5*(s1216_1 * s1216_1)
+            c_10 = s1212_1
+            c_11 = s1214_1
+            c_12 = s1216_1
+            c_13 = s1223_1
+            q_2 = q_n[3 * n + 2]
+            s163_2 = q_2 + theta_2
+            s164_2 = cosine(s163_2)
+            s1212_2 = -s1166_2 - s1168_2*s164_2 + tx
+            s1214_2 = -s1170_2 - s1172_2*s164_2 + ty
+            s1216_2 = ez_2 + s219_2*sine(s163_2) + tz
+            s1223_2 = s1185_2 + 0.5*(s1212_2 * s1212_2) + 0.5*(s1214_2 * s1214_2) + 0.5*(s1216_2 * s1216_2)
+            c_20 = s1212_2
+            c_21 = s1214_2
+            c_22 = s1216_2
+            c_23 = s1223_2
+            # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
+            ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
+            bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
+            nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+            aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
+            nn = nx * nx + ny * ny + nz * nz
+            inverse = 1.0 / nn
+            # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
+            u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
+            px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
+            # |P + t n|^2 / 2 - c.(P + t n) + d = 0
+            half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
+            rest = 0.5 * (px * px + py * py + pz * pz) - (c_00 * px + c_01 * py + c_02 * pz) + c_03
+            square = half * half - 2.0 * rest * inverse
+            good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
+            root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
+            # the exact machine may still reach what the simplified one cannot
+            t = (-root if nz > 0.0 else root) - half
+            p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
+            x_n[3 * n + 0] = p_0
+            x_n[3 * n + 1] = p_1
+            x_n[3 * n + 2] = p_2
+            of[n] = SOLVED if good else OPEN
+            left += 0 if good else 1
     return left
 
 
 def simplified_forward(q, tool, k, x, status):
-    """`forward` of the simplified machine, in closed form: exact where alpha0, beta0, dl, dc, alpha03, beta03, alpha2, beta2, tip_v, tip_w are zero."""
-    if _simplified_forward(q, tool, k, x, status, scratch(WORK)):
+    """Fill x (N, 3) with the platform of the simplified machine, in closed form: exact where alpha0, beta0, dl, dc, alpha03, beta03, alpha2, beta2, tip_v, tip_w are zero.
+
+    It does not turn, so that x is the position of the reference point.
+    status as in `forward`.
+    """
+    if _simplified_forward(q, tool, k, x, status):
         left = np.flatnonzero(status == OPEN)
-        found, of = np.empty((len(left), 6)), np.empty(len(left), dtype=np.int64)
+        found, of = np.empty((len(left), 6)), np.empty(len(left), dtype=status.dtype)
         forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, False)
-        x[left], status[left] = found, of
+        x[left], status[left] = found[:, :3], of
 
 
 @fast
-def _simplified_inverse(target, tool, k, x, q, status, w):
-    w_1 = w[0:3008]
-    w_2 = w[3008:6016]
-    w_3 = w[6016:9024]
-    if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
-    left, machines = 0, k.shape[0]
-    each = status.size // machines
-    for m in range(machines):
-        k_1 = k[m, 0]
-        k_2 = k[m, 1]
-        k_3 = k[m, 2]
-        for first in range(m * each, (m + 1) * each, LANES):
-            last = min(first + LANES, (m + 1) * each) - 1
-            n = (last - first + 8) // 8 * 8
-            _load(target, w, first, last, n)
-            if len(tool) > 1:
-                _hold(tool, w, first, last, n)
-            _aim(w, n)
-            _start(w_1, k_1, n)
-            _start(w_2, k_2, n)
-            _start(w_3, k_3, n)
-            _started(w, n)
-            left += _unload(w, x, status, first, last)
-            _unload_joints(w, q, first, last)
+def _simplified_inverse(target, tool, k, q, status):
+    wide()
+    target_m, q_m = target.reshape(target.size), q.reshape(q.size)
+    left, runs = 0, max(k.shape[0], tool.shape[0])
+    each = status.size // runs
+    for m in range(runs):
+        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
+        tx = held[0]
+        ty = held[1]
+        tz = held[2]
+        theta_0 = own[0, 0]
+        s1166_0 = own[0, 24]
+        s1168_0 = own[0, 25]
+        s1170_0 = own[0, 26]
+        s1172_0 = own[0, 27]
+        ez_0 = own[0, 28]
+        s1191_0 = own[0, 29]
+        s1198_0 = own[0, 30]
+        s1203_0 = own[0, 31]
+        theta_1 = own[1, 0]
+        s1166_1 = own[1, 24]
+        s1168_1 = own[1, 25]
+        s1170_1 = own[1, 26]
+        s1172_1 = own[1, 27]
+        ez_1 = own[1, 28]
+        s1191_1 = own[1, 29]
+        s1198_1 = own[1, 30]
+        s1203_1 = own[1, 31]
+        theta_2 = own[2, 0]
+        s1166_2 = own[2, 24]
+        s1168_2 = own[2, 25]
+        s1170_2 = own[2, 26]
+        s1172_2 = own[2, 27]
+        ez_2 = own[2, 28]
+        s1191_2 = own[2, 29]
+        s1198_2 = own[2, 30]
+        s1203_2 = own[2, 31]
+        at, q_n, of = target_m[3 * each * m :], q_m[3 * each * m :], status[each * m :]
+        for n in range(each):
+            px = at[3 * n + 0]
+            py = at[3 * n + 1]
+            pz = at[3 * n + 2]
+            s1167_0 = px + s1166_0 - tx
+            s1171_0 = py + s1170_0 - ty
+            s1174_0 = s1167_0*s1168_0 + s1171_0*s1172_0
+            s1176_0 = -ez_0 + pz - tz
+            s1177_0 = (s1176_0 * s1176_0)
+            s1192_0 = 0.5*(s1167_0 * s1167_0) + 0.5*(s1171_0 * s1171_0) + 0.5*s1177_0 + s1191_0
+            s1201_0 = math.sqrt((s1174_0 * s1174_0) + s1177_0*s1198_0 - (s1192_0 * s1192_0))
+            s1210_0 = -theta_0 + arctangent(-s1174_0*s1201_0 + s1176_0*s1192_0*s1203_0, -s1174_0*s1192_0 - s1176_0*s1201_0*s1203_0)
+            q_00 = s1210_0
+            s1167_1 = px + s1166_1 - tx
+            s1171_1 = py + s1170_1 - ty
+            s1174_1 = s1167_1*s1168_1 + s1171_1*s1172_1
+            s1176_1 = -ez_1 + pz - tz
+            s1177_1 = (s1176_1 * s1176_1)
+            s1192_1 = 0.5*(s1167_1 * s1167_1) + 0.5*(s1171_1 * s1171_1) + 0.5*s1177_1 + s1191_1
+            s1201_1 = math.sqrt((s1174_1 * s1174_1) + s1177_1*s1198_1 - (s1192_1 * s1192_1))
+            s1210_1 = -theta_1 + arctangent(-s1174_1*s1201_1 + s1176_1*s1192_1*s1203_1, -s1174_1*s1192_1 - s1176_1*s1201_1*s1203_1)
+            q_10 = s1210_1
+            s1167_2 = px + s1166_2 - tx
+            s1171_2 = py + s1170_2 - ty
+            s1174_2 = s1167_2*s1168_2 + s1171_2*s1172_2
+            s1176_2 = -ez_2 + pz - tz
+            s1177_2 = (s1176_2 * s1176_2)
+            s1192_2 = 0.5*(s1167_2 * s1167_2) + 0.5*(s1171_2 * s1171_2) + 0.5*s1177_2 + s1191_2
+            s1201_2 = math.sqrt((s1174_2 * s1174_2) + s1177_2*s1198_2 - (s1192_2 * s1192_2))
+            s1210_2 = -theta_2 + arctangent(-s1174_2*s1201_2 + s1176_2*s1192_2*s1203_2, -s1174_2*s1192_2 - s1176_2*s1201_2*s1203_2)
+            q_20 = s1210_2
+            good = (abs(q_00) < math.inf) & (abs(q_10) < math.inf) & (abs(q_20) < math.inf)
+            q_n[3 * n + 0] = q_00
+            q_n[3 * n + 1] = q_10
+            q_n[3 * n + 2] = q_20
+            of[n] = SOLVED if good else OPEN
+            left += 0 if good else 1
     return left
 
 
-def simplified_inverse(target, tool, k, x, q, status):
-    """`inverse` of the simplified machine, in closed form; see `simplified_forward`."""
-    if _simplified_inverse(target, tool, k, x, q, status, scratch(WORK)):
+def simplified_inverse(target, tool, k, q, status):
+    """Fill the joints q (N, 3) of the simplified machine, in closed form; see `simplified_forward` and `inverse`."""
+    if _simplified_inverse(target, tool, k, q, status):
         left = np.flatnonzero(status == OPEN)
-        found, joints, of = np.empty((len(left), 6)), np.empty((len(left), 3)), np.empty(len(left), dtype=np.int64)
+        found, joints, of = np.empty((len(left), 6)), np.empty((len(left), 3)), np.empty(len(left), dtype=status.dtype)
         inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
-        x[left], q[left], status[left] = found, joints, of
+        q[left], status[left] = joints, of
 
 
 @fast

@@ -1,7 +1,7 @@
 """Kinematics of `diamond`, many poses at once: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 9351952655a3154c; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 33eb3eb2ed2cb9ba; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -32,6 +32,7 @@ TURN_DONE = 3e-8  # rad
 WORK = 2208  # length of the scratch array
 CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
 APART = 1e-3  # squared sine between the centres' directions
+SIMPLIFIED = 2  # coordinates that `simplified_forward` gives: the others are zero
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
@@ -111,28 +112,6 @@ def _step(w, n):
         w[1792 + lane] = u_00
         w[1824 + lane] = u_10
         w[1856 + lane] = s22
-
-
-@fast
-def _sphere(w, k, n):
-    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (15 operations)."""
-    wide()
-    s6 = k[0]
-    s9 = k[1]
-    B_x = k[3]
-    B_y = k[4]
-    s28 = k[5]
-    for lane in range(n):
-        q = w[0 + lane]
-        tx = w[32 + lane]
-        ty = w[64 + lane]
-        s7 = q + s6
-        s79 = B_x + s9*cosine(s7) + tx
-        s80 = B_y + s9*sine(s7) + ty
-        s85 = s28 + 0.5*(s79 * s79) + 0.5*(s80 * s80)
-        w[384 + lane] = s79
-        w[416 + lane] = s80
-        w[448 + lane] = s85
 
 
 @fast
@@ -306,29 +285,28 @@ def _move(w, n):
 
 @fast
 def _meet(w, n):
-    """Put the platform where two circles meet.
-
-    Their difference is a line, on which the first circle is a quadratic. Where the line misses the circle its nearest
-    point is taken: the exact machine may still reach what the simplified one cannot.
-    """
+    """Put the platform where the simplified machine has it."""
     wide()
     for lane in range(n):
-        ox, oy, od = w[384 + lane], w[416 + lane], w[448 + lane]
-        ax, ay, ad = w[1280 + lane], w[1312 + lane], w[1344 + lane]
-        ax, ay, da = ax - ox, ay - oy, ad - od
+        c_00, c_01, c_02 = w[384 + lane], w[416 + lane], w[448 + lane]
+        c_10, c_11, c_12 = w[1280 + lane], w[1312 + lane], w[1344 + lane]
+        # two circles: their difference is a line, on which the first circle is a quadratic
+        ax, ay, da = c_10 - c_00, c_11 - c_01, c_12 - c_02
         nn = ax * ax + ay * ay
         inverse = 1.0 / nn
         px, py = da * inverse * ax, da * inverse * ay
         # |P + t n|^2 / 2 - c.(P + t n) + d = 0 with n = (-ay, ax)
-        half = ((py - oy) * ax - (px - ox) * ay) * inverse
-        rest = 0.5 * (px * px + py * py) - (ox * px + oy * py) + od
+        half = ((py - c_01) * ax - (px - c_00) * ay) * inverse
+        rest = 0.5 * (px * px + py * py) - (c_00 * px + c_01 * py) + c_02
         square = half * half - 2.0 * rest * inverse
         good = (square * nn > CLEAR * CLEAR) & (nn > 1.0)
-        w[1888 + lane] = 0.0 if good else 1.0
-        root = math.sqrt(square if square > 0.0 else 0.0)
+        root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the circle its nearest point is taken:
+        # the exact machine may still reach what the simplified one cannot
         t = (-root if ax > 0.0 else root) - half
-        w[128 + lane] = px - t * ay
-        w[160 + lane] = py + t * ax
+        p_0, p_1 = px - t * ay, py + t * ax
+        w[1888 + lane] = 0.0 if good else 1.0
+        w[128 + lane] = p_0
+        w[160 + lane] = p_1
 
 
 @fast
@@ -560,71 +538,136 @@ def inverse(target, tool, k, x, q, status):
 
 
 @fast
-def _simplified_forward(q, tool, k, x, status, w):
-    w_1 = w[0:896]
-    w_2 = w[896:1792]
-    if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
-    left, machines = 0, k.shape[0]
-    each = status.size // machines
-    for m in range(machines):
-        k_1 = k[m, 0]
-        k_2 = k[m, 1]
-        for first in range(m * each, (m + 1) * each, LANES):
-            last = min(first + LANES, (m + 1) * each) - 1
-            n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
-            if len(tool) > 1:
-                _hold(tool, w, first, last, n)
-            _sphere(w_1, k_1, n)
-            _sphere(w_2, k_2, n)
-            _meet(w, n)
-            left += _unload(w, x, status, first, last)
+def _simplified_forward(q, tool, k, x, status):
+    wide()
+    q_m, x_m = q.reshape(q.size), x.reshape(x.size)
+    left, runs = 0, max(k.shape[0], tool.shape[0])
+    each = status.size // runs
+    for m in range(runs):
+        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
+        tx = held[0]
+        ty = held[1]
+        s6_0 = own[0, 0]
+        s9_0 = own[0, 1]
+        B_x_0 = own[0, 3]
+        B_y_0 = own[0, 4]
+        s28_0 = own[0, 5]
+        s6_1 = own[1, 0]
+        s9_1 = own[1, 1]
+        B_x_1 = own[1, 3]
+        B_y_1 = own[1, 4]
+        s28_1 = own[1, 5]
+        q_n, x_n, of = q_m[2 * each * m :], x_m[2 * each * m :], status[each * m :]
+        for n in range(each):
+            q_0 = q_n[2 * n + 0]
+            s7_0 = q_0 + s6_0
+            s79_0 = B_x_0 + s9_0*cosine(s7_0) + tx
+            s80_0 = B_y_0 + s9_0*sine(s7_0) + ty
+            s85_0 = s28_0 + 0.5*(s79_0 * s79_0) + 0.5*(s80_0 * s80_0)
+            c_00 = s79_0
+            c_01 = s80_0
+            c_02 = s85_0
+            q_1 = q_n[2 * n + 1]
+            s7_1 = q_1 + s6_1
+            s79_1 = B_x_1 + s9_1*cosine(s7_1) + tx
+            s80_1 = B_y_1 + s9_1*sine(s7_1) + ty
+            s85_1 = s28_1 + 0.5*(s79_1 * s79_1) + 0.5*(s80_1 * s80_1)
+            c_10 = s79_1
+            c_11 = s80_1
+            c_12 = s85_1
+            # two circles: their difference is a line, on which the first circle is a quadratic
+            ax, ay, da = c_10 - c_00, c_11 - c_01, c_12 - c_02
+            nn = ax * ax + ay * ay
+            inverse = 1.0 / nn
+            px, py = da * inverse * ax, da * inverse * ay
+            # |P + t n|^2 / 2 - c.(P + t n) + d = 0 with n = (-ay, ax)
+            half = ((py - c_01) * ax - (px - c_00) * ay) * inverse
+            rest = 0.5 * (px * px + py * py) - (c_00 * px + c_01 * py) + c_02
+            square = half * half - 2.0 * rest * inverse
+            good = (square * nn > CLEAR * CLEAR) & (nn > 1.0)
+            root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the circle its nearest point is taken:
+            # the exact machine may still reach what the simplified one cannot
+            t = (-root if ax > 0.0 else root) - half
+            p_0, p_1 = px - t * ay, py + t * ax
+            x_n[2 * n + 0] = p_0
+            x_n[2 * n + 1] = p_1
+            of[n] = SOLVED if good else OPEN
+            left += 0 if good else 1
     return left
 
 
 def simplified_forward(q, tool, k, x, status):
-    """`forward` of the simplified machine, in closed form: exact where tip_v are zero."""
-    if _simplified_forward(q, tool, k, x, status, scratch(WORK)):
+    """Fill x (N, 2) with the platform of the simplified machine, in closed form: exact where tip_v are zero.
+
+    It does not turn, so that x is the position of the reference point.
+    status as in `forward`.
+    """
+    if _simplified_forward(q, tool, k, x, status):
         left = np.flatnonzero(status == OPEN)
-        found, of = np.empty((len(left), 2)), np.empty(len(left), dtype=np.int64)
+        found, of = np.empty((len(left), 2)), np.empty(len(left), dtype=status.dtype)
         forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, False)
-        x[left], status[left] = found, of
+        x[left], status[left] = found[:, :2], of
 
 
 @fast
-def _simplified_inverse(target, tool, k, x, q, status, w):
-    w_1 = w[0:896]
-    w_2 = w[896:1792]
-    if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
-    left, machines = 0, k.shape[0]
-    each = status.size // machines
-    for m in range(machines):
-        k_1 = k[m, 0]
-        k_2 = k[m, 1]
-        for first in range(m * each, (m + 1) * each, LANES):
-            last = min(first + LANES, (m + 1) * each) - 1
-            n = (last - first + 8) // 8 * 8
-            _load(target, w, first, last, n)
-            if len(tool) > 1:
-                _hold(tool, w, first, last, n)
-            _aim(w, n)
-            _start(w_1, k_1, n)
-            _start(w_2, k_2, n)
-            _started(w, n)
-            left += _unload(w, x, status, first, last)
-            _unload_joints(w, q, first, last)
+def _simplified_inverse(target, tool, k, q, status):
+    wide()
+    target_m, q_m = target.reshape(target.size), q.reshape(q.size)
+    left, runs = 0, max(k.shape[0], tool.shape[0])
+    each = status.size // runs
+    for m in range(runs):
+        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
+        tx = held[0]
+        ty = held[1]
+        s6_0 = own[0, 0]
+        s9_0 = own[0, 1]
+        B_x_0 = own[0, 3]
+        B_y_0 = own[0, 4]
+        s62_0 = own[0, 6]
+        s66_0 = own[0, 7]
+        s71_0 = own[0, 8]
+        s6_1 = own[1, 0]
+        s9_1 = own[1, 1]
+        B_x_1 = own[1, 3]
+        B_y_1 = own[1, 4]
+        s62_1 = own[1, 6]
+        s66_1 = own[1, 7]
+        s71_1 = own[1, 8]
+        at, q_n, of = target_m[2 * each * m :], q_m[2 * each * m :], status[each * m :]
+        for n in range(each):
+            px = at[2 * n + 0]
+            py = at[2 * n + 1]
+            s53_0 = -B_y_0 + py - ty
+            s54_0 = -B_x_0 + px - tx
+            s55_0 = (s54_0 * s54_0)
+            s57_0 = (s53_0 * s53_0)
+            s63_0 = 0.5*s55_0 + 0.5*s57_0 + s62_0
+            s70_0 = math.sqrt(s55_0*s66_0 + s57_0*s66_0 - (s63_0 * s63_0))
+            s78_0 = -s6_0 + arctangent(s53_0*s63_0*s9_0 + s54_0*s70_0*s71_0, -s53_0*s70_0*s71_0 + s54_0*s63_0*s9_0)
+            q_00 = s78_0
+            s53_1 = -B_y_1 + py - ty
+            s54_1 = -B_x_1 + px - tx
+            s55_1 = (s54_1 * s54_1)
+            s57_1 = (s53_1 * s53_1)
+            s63_1 = 0.5*s55_1 + 0.5*s57_1 + s62_1
+            s70_1 = math.sqrt(s55_1*s66_1 + s57_1*s66_1 - (s63_1 * s63_1))
+            s78_1 = -s6_1 + arctangent(s53_1*s63_1*s9_1 + s54_1*s70_1*s71_1, -s53_1*s70_1*s71_1 + s54_1*s63_1*s9_1)
+            q_10 = s78_1
+            good = (abs(q_00) < math.inf) & (abs(q_10) < math.inf)
+            q_n[2 * n + 0] = q_00
+            q_n[2 * n + 1] = q_10
+            of[n] = SOLVED if good else OPEN
+            left += 0 if good else 1
     return left
 
 
-def simplified_inverse(target, tool, k, x, q, status):
-    """`inverse` of the simplified machine, in closed form; see `simplified_forward`."""
-    if _simplified_inverse(target, tool, k, x, q, status, scratch(WORK)):
+def simplified_inverse(target, tool, k, q, status):
+    """Fill the joints q (N, 2) of the simplified machine, in closed form; see `simplified_forward` and `inverse`."""
+    if _simplified_inverse(target, tool, k, q, status):
         left = np.flatnonzero(status == OPEN)
-        found, joints, of = np.empty((len(left), 2)), np.empty((len(left), 2)), np.empty(len(left), dtype=np.int64)
+        found, joints, of = np.empty((len(left), 2)), np.empty((len(left), 2)), np.empty(len(left), dtype=status.dtype)
         inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
-        x[left], q[left], status[left] = found, joints, of
+        q[left], status[left] = joints, of
 
 
 @fast

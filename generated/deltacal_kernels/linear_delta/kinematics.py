@@ -1,7 +1,7 @@
 """Kinematics of `linear_delta`, many poses at once: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 886bf5acbf50a4e5; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both b55443e4ef60f645; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -32,6 +32,7 @@ TURN_DONE = 3e-8  # rad
 WORK = 7968  # length of the scratch array
 CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
 APART = 1e-3  # squared sine between the centres' directions
+SIMPLIFIED = 3  # coordinates that `simplified_forward` gives: the others are zero
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
@@ -291,30 +292,6 @@ def _step(w, n):
         w[6304 + lane] = w_20
         w[6336 + lane] = s216
         w[6368 + lane] = s231
-
-
-@fast
-def _sphere(w, k, n):
-    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (14 operations)."""
-    wide()
-    s60 = k[0]
-    s660 = k[14]
-    s665 = k[15]
-    h = k[16]
-    s672 = k[17]
-    for lane in range(n):
-        q = w[0 + lane]
-        tx = w[32 + lane]
-        ty = w[64 + lane]
-        tz = w[96 + lane]
-        s687 = -s660 + tx
-        s688 = -s665 + ty
-        s689 = h - q*s60 + tz
-        s696 = s672 + 0.5*(s687 * s687) + 0.5*(s688 * s688) + 0.5*(s689 * s689)
-        w[1280 + lane] = s687
-        w[1312 + lane] = s688
-        w[1344 + lane] = s689
-        w[1376 + lane] = s696
 
 
 @fast
@@ -911,19 +888,15 @@ def _move(w, n):
 
 @fast
 def _meet(w, n):
-    """Put the platform where three spheres meet.
-
-    Differences of the spheres are planes; two planes are a line, on which the first sphere is a quadratic. Where the
-    line misses the sphere its nearest point is taken: the exact machine may still reach what the simplified one
-    cannot.
-    """
+    """Put the platform where the simplified machine has it."""
     wide()
     for lane in range(n):
-        ox, oy, oz, od = w[1280 + lane], w[1312 + lane], w[1344 + lane], w[1376 + lane]
-        ax, ay, az, ad = w[3328 + lane], w[3360 + lane], w[3392 + lane], w[3424 + lane]
-        bx, by, bz, bd = w[5376 + lane], w[5408 + lane], w[5440 + lane], w[5472 + lane]
-        ax, ay, az, da = ax - ox, ay - oy, az - oz, ad - od
-        bx, by, bz, db = bx - ox, by - oy, bz - oz, bd - od
+        c_00, c_01, c_02, c_03 = w[1280 + lane], w[1312 + lane], w[1344 + lane], w[1376 + lane]
+        c_10, c_11, c_12, c_13 = w[3328 + lane], w[3360 + lane], w[3392 + lane], w[3424 + lane]
+        c_20, c_21, c_22, c_23 = w[5376 + lane], w[5408 + lane], w[5440 + lane], w[5472 + lane]
+        # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
+        ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
+        bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
         nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
         aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
         nn = nx * nx + ny * ny + nz * nz
@@ -932,16 +905,18 @@ def _meet(w, n):
         u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
         px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
         # |P + t n|^2 / 2 - c.(P + t n) + d = 0
-        half = ((px - ox) * nx + (py - oy) * ny + (pz - oz) * nz) * inverse
-        rest = 0.5 * (px * px + py * py + pz * pz) - (ox * px + oy * py + oz * pz) + od
+        half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
+        rest = 0.5 * (px * px + py * py + pz * pz) - (c_00 * px + c_01 * py + c_02 * pz) + c_03
         square = half * half - 2.0 * rest * inverse
         good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
-        w[6400 + lane] = 0.0 if good else 1.0
-        root = math.sqrt(square if square > 0.0 else 0.0)
+        root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
+        # the exact machine may still reach what the simplified one cannot
         t = (-root if nz > 0.0 else root) - half
-        w[128 + lane] = px + t * nx
-        w[160 + lane] = py + t * ny
-        w[192 + lane] = pz + t * nz
+        p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
+        w[6400 + lane] = 0.0 if good else 1.0
+        w[128 + lane] = p_0
+        w[160 + lane] = p_1
+        w[192 + lane] = p_2
         w[224 + lane] = 0.0
         w[256 + lane] = 0.0
         w[288 + lane] = 0.0
@@ -1221,77 +1196,168 @@ def inverse(target, tool, k, x, q, status):
 
 
 @fast
-def _simplified_forward(q, tool, k, x, status, w):
-    w_1 = w[0:2048]
-    w_2 = w[2048:4096]
-    w_3 = w[4096:6144]
-    if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
-    left, machines = 0, k.shape[0]
-    each = status.size // machines
-    for m in range(machines):
-        k_1 = k[m, 0]
-        k_2 = k[m, 1]
-        k_3 = k[m, 2]
-        for first in range(m * each, (m + 1) * each, LANES):
-            last = min(first + LANES, (m + 1) * each) - 1
-            n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
-            if len(tool) > 1:
-                _hold(tool, w, first, last, n)
-            _sphere(w_1, k_1, n)
-            _sphere(w_2, k_2, n)
-            _sphere(w_3, k_3, n)
-            _meet(w, n)
-            left += _unload(w, x, status, first, last)
+def _simplified_forward(q, tool, k, x, status):
+    wide()
+    q_m, x_m = q.reshape(q.size), x.reshape(x.size)
+    left, runs = 0, max(k.shape[0], tool.shape[0])
+    each = status.size // runs
+    for m in range(runs):
+        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
+        tx = held[0]
+        ty = held[1]
+        tz = held[2]
+        s60_0 = own[0, 0]
+        s660_0 = own[0, 14]
+        s665_0 = own[0, 15]
+        h_0 = own[0, 16]
+        s672_0 = own[0, 17]
+        s60_1 = own[1, 0]
+        s660_1 = own[1, 14]
+        s665_1 = own[1, 15]
+        h_1 = own[1, 16]
+        s672_1 = own[1, 17]
+        s60_2 = own[2, 0]
+        s660_2 = own[2, 14]
+        s665_2 = own[2, 15]
+        h_2 = own[2, 16]
+        s672_2 = own[2, 17]
+        q_n, x_n, of = q_m[3 * each * m :], x_m[3 * each * m :], status[each * m :]
+        for n in range(each):
+            q_0 = q_n[3 * n + 0]
+            s687_0 = -s660_0 + tx
+            s688_0 = -s665_0 + ty
+            s689_0 = h_0 - q_0*s60_0 + tz
+            s696_0 = s672_0 + 0.5*(s687_0 * s687_0) + 0.5*(s688_0 * s688_0) + 0.5*(s689_0 * s689_0)
+            c_00 = s687_0
+            c_01 = s688_0
+            c_02 = s689_0
+            c_03 = s696_0
+            q_1 = q_n[3 * n + 1]
+            s687_1 = -s660_1 + tx
+            s688_1 = -s665_1 + ty
+            s689_1 = h_1 - q_1*s60_1 + tz
+            s696_1 = s672_1 + 0.5*(s687_1 * s687_1) + 0.5*(s688_1 * s688_1) + 0.5*(s689_1 * s689_1)
+            c_10 = s687_1
+            c_11 = s688_1
+            c_12 = s689_1
+            c_13 = s696_1
+            q_2 = q_n[3 * n + 2]
+            s687_2 = -s660_2 + tx
+            s688_2 = -s665_2 + ty
+            s689_2 = h_2 - q_2*s60_2 + tz
+            s696_2 = s672_2 + 0.5*(s687_2 * s687_2) + 0.5*(s688_2 * s688_2) + 0.5*(s689_2 * s689_2)
+            c_20 = s687_2
+            c_21 = s688_2
+            c_22 = s689_2
+            c_23 = s696_2
+            # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
+            ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
+            bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
+            nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+            aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
+            nn = nx * nx + ny * ny + nz * nz
+            inverse = 1.0 / nn
+            # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
+            u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
+            px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
+            # |P + t n|^2 / 2 - c.(P + t n) + d = 0
+            half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
+            rest = 0.5 * (px * px + py * py + pz * pz) - (c_00 * px + c_01 * py + c_02 * pz) + c_03
+            square = half * half - 2.0 * rest * inverse
+            good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
+            root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
+            # the exact machine may still reach what the simplified one cannot
+            t = (-root if nz > 0.0 else root) - half
+            p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
+            x_n[3 * n + 0] = p_0
+            x_n[3 * n + 1] = p_1
+            x_n[3 * n + 2] = p_2
+            of[n] = SOLVED if good else OPEN
+            left += 0 if good else 1
     return left
 
 
 def simplified_forward(q, tool, k, x, status):
-    """`forward` of the simplified machine, in closed form: exact where lean_radial, lean_tangential, dl are zero."""
-    if _simplified_forward(q, tool, k, x, status, scratch(WORK)):
+    """Fill x (N, 3) with the platform of the simplified machine, in closed form: exact where lean_radial, lean_tangential, dl are zero.
+
+    It does not turn, so that x is the position of the reference point.
+    status as in `forward`.
+    """
+    if _simplified_forward(q, tool, k, x, status):
         left = np.flatnonzero(status == OPEN)
-        found, of = np.empty((len(left), 6)), np.empty(len(left), dtype=np.int64)
+        found, of = np.empty((len(left), 6)), np.empty(len(left), dtype=status.dtype)
         forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, False)
-        x[left], status[left] = found, of
+        x[left], status[left] = found[:, :3], of
 
 
 @fast
-def _simplified_inverse(target, tool, k, x, q, status, w):
-    w_1 = w[0:2048]
-    w_2 = w[2048:4096]
-    w_3 = w[4096:6144]
-    if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
-    left, machines = 0, k.shape[0]
-    each = status.size // machines
-    for m in range(machines):
-        k_1 = k[m, 0]
-        k_2 = k[m, 1]
-        k_3 = k[m, 2]
-        for first in range(m * each, (m + 1) * each, LANES):
-            last = min(first + LANES, (m + 1) * each) - 1
-            n = (last - first + 8) // 8 * 8
-            _load(target, w, first, last, n)
-            if len(tool) > 1:
-                _hold(tool, w, first, last, n)
-            _aim(w, n)
-            _start(w_1, k_1, n)
-            _start(w_2, k_2, n)
-            _start(w_3, k_3, n)
-            _started(w, n)
-            left += _unload(w, x, status, first, last)
-            _unload_joints(w, q, first, last)
+def _simplified_inverse(target, tool, k, q, status):
+    wide()
+    target_m, q_m = target.reshape(target.size), q.reshape(q.size)
+    left, runs = 0, max(k.shape[0], tool.shape[0])
+    each = status.size // runs
+    for m in range(runs):
+        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
+        tx = held[0]
+        ty = held[1]
+        tz = held[2]
+        s660_0 = own[0, 14]
+        s665_0 = own[0, 15]
+        h_0 = own[0, 16]
+        s672_0 = own[0, 17]
+        s674_0 = own[0, 18]
+        s680_0 = own[0, 19]
+        s684_0 = own[0, 20]
+        s660_1 = own[1, 14]
+        s665_1 = own[1, 15]
+        h_1 = own[1, 16]
+        s672_1 = own[1, 17]
+        s674_1 = own[1, 18]
+        s680_1 = own[1, 19]
+        s684_1 = own[1, 20]
+        s660_2 = own[2, 14]
+        s665_2 = own[2, 15]
+        h_2 = own[2, 16]
+        s672_2 = own[2, 17]
+        s674_2 = own[2, 18]
+        s680_2 = own[2, 19]
+        s684_2 = own[2, 20]
+        at, q_n, of = target_m[3 * each * m :], q_m[3 * each * m :], status[each * m :]
+        for n in range(each):
+            px = at[3 * n + 0]
+            py = at[3 * n + 1]
+            pz = at[3 * n + 2]
+            s669_0 = -h_0 + pz - tz
+            s670_0 = (s669_0 * s669_0)
+            s673_0 = 0.5*s670_0 + s672_0 + 0.5*((px + s660_0 - tx) * (px + s660_0 - tx)) + 0.5*((py + s665_0 - ty) * (py + s665_0 - ty))
+            s686_0 = s669_0*s684_0 - math.sqrt(s670_0*s680_0 + s673_0*s674_0)
+            q_00 = s686_0
+            s669_1 = -h_1 + pz - tz
+            s670_1 = (s669_1 * s669_1)
+            s673_1 = 0.5*s670_1 + s672_1 + 0.5*((px + s660_1 - tx) * (px + s660_1 - tx)) + 0.5*((py + s665_1 - ty) * (py + s665_1 - ty))
+            s686_1 = s669_1*s684_1 - math.sqrt(s670_1*s680_1 + s673_1*s674_1)
+            q_10 = s686_1
+            s669_2 = -h_2 + pz - tz
+            s670_2 = (s669_2 * s669_2)
+            s673_2 = 0.5*s670_2 + s672_2 + 0.5*((px + s660_2 - tx) * (px + s660_2 - tx)) + 0.5*((py + s665_2 - ty) * (py + s665_2 - ty))
+            s686_2 = s669_2*s684_2 - math.sqrt(s670_2*s680_2 + s673_2*s674_2)
+            q_20 = s686_2
+            good = (abs(q_00) < math.inf) & (abs(q_10) < math.inf) & (abs(q_20) < math.inf)
+            q_n[3 * n + 0] = q_00
+            q_n[3 * n + 1] = q_10
+            q_n[3 * n + 2] = q_20
+            of[n] = SOLVED if good else OPEN
+            left += 0 if good else 1
     return left
 
 
-def simplified_inverse(target, tool, k, x, q, status):
-    """`inverse` of the simplified machine, in closed form; see `simplified_forward`."""
-    if _simplified_inverse(target, tool, k, x, q, status, scratch(WORK)):
+def simplified_inverse(target, tool, k, q, status):
+    """Fill the joints q (N, 3) of the simplified machine, in closed form; see `simplified_forward` and `inverse`."""
+    if _simplified_inverse(target, tool, k, q, status):
         left = np.flatnonzero(status == OPEN)
-        found, joints, of = np.empty((len(left), 6)), np.empty((len(left), 3)), np.empty(len(left), dtype=np.int64)
+        found, joints, of = np.empty((len(left), 6)), np.empty((len(left), 3)), np.empty(len(left), dtype=status.dtype)
         inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
-        x[left], q[left], status[left] = found, joints, of
+        q[left], status[left] = joints, of
 
 
 @fast

@@ -1,7 +1,7 @@
 """Kinematics of `planar_parallelogram`, many poses at once: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 2a5db85f71235ee4; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both ea0f1e4725a24cef; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -32,6 +32,7 @@ TURN_DONE = 3e-8  # rad
 WORK = 2624  # length of the scratch array
 CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
 APART = 1e-3  # squared sine between the centres' directions
+SIMPLIFIED = 3  # coordinates that `simplified_forward` gives: the others are zero
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
@@ -185,48 +186,6 @@ def _step(w, n):
         w[2048 + lane] = u_10
         w[2080 + lane] = u_20
         w[2112 + lane] = s67
-
-
-@fast
-def _sphere(w, k, n):
-    """Platform of the simplified machine at a given joint (67 operations)."""
-    wide()
-    h = k[0]
-    q0 = k[1]
-    s7 = k[2]
-    b1_x = k[3]
-    A1_x = k[8]
-    s116 = k[13]
-    s124 = k[16]
-    s130 = k[17]
-    s134 = k[18]
-    s138 = k[20]
-    s153 = k[22]
-    s156 = k[23]
-    s160 = k[25]
-    s195 = k[27]
-    for lane in range(n):
-        q = w[0 + lane]
-        tx = w[32 + lane]
-        ty = w[64 + lane]
-        C_y = -h + ty
-        s8 = q + q0
-        r1_x = s7*sine(s8)
-        r1_y = -s7*cosine(s8)
-        s19 = b1_x - tx
-        s185 = r1_x*s116 + r1_y*s130 + r1_y*s134 + s124
-        s190 = r1_x*s130 + r1_x*s134 - r1_y*s116 + s138
-        s198 = (r1_x * r1_x) + r1_x*s153 + r1_x*s156 + (r1_y * r1_y) + r1_y*s195 + s160
-        s201 = math.sqrt((s185 * s185) + (s190 * s190) - (s198 * s198))
-        s204 = -s185*s198 + s190*s201
-        s208 = -s185*s201 - s190*s198
-        s211 = 1/math.sqrt((s204 * s204) + (s208 * s208))
-        s214 = A1_x - C_y*s204*s211 + r1_x - s19*s208*s211
-        s217 = C_y*s208*s211 + r1_y - s19*s204*s211
-        s221 = 2*tangent(0.5*arctangent(s204, s208))
-        w[896 + lane] = s214
-        w[928 + lane] = s217
-        w[960 + lane] = s221
 
 
 @fast
@@ -483,12 +442,17 @@ def _move(w, n):
 
 @fast
 def _meet(w, n):
-    """Put the platform where the closed form has it."""
+    """Put the platform where the simplified machine has it."""
+    wide()
     for lane in range(n):
-        w[128 + lane] = w[896 + lane]
-        w[160 + lane] = w[928 + lane]
-        w[192 + lane] = w[960 + lane]
-        w[2144 + lane] = 0.0 if (abs(w[896 + lane]) < math.inf) & (abs(w[928 + lane]) < math.inf) & (abs(w[960 + lane]) < math.inf) else 1.0
+        p_0 = w[896 + lane]
+        p_1 = w[928 + lane]
+        p_2 = w[960 + lane]
+        good = (abs(p_0) < math.inf) & (abs(p_1) < math.inf) & (abs(p_2) < math.inf)
+        w[2144 + lane] = 0.0 if good else 1.0
+        w[128 + lane] = p_0
+        w[160 + lane] = p_1
+        w[192 + lane] = p_2
 
 
 @fast
@@ -707,33 +671,69 @@ def inverse(target, tool, k, x, q, status):
 
 
 @fast
-def _simplified_forward(q, tool, k, x, status, w):
-    w_1 = w[0:2016]
-    if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
-    left, machines = 0, k.shape[0]
-    each = status.size // machines
-    for m in range(machines):
-        k_1 = k[m, 0]
-        for first in range(m * each, (m + 1) * each, LANES):
-            last = min(first + LANES, (m + 1) * each) - 1
-            n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
-            if len(tool) > 1:
-                _hold(tool, w, first, last, n)
-            _sphere(w_1, k_1, n)
-            _meet(w, n)
-            left += _unload(w, x, status, first, last)
+def _simplified_forward(q, tool, k, x, status):
+    wide()
+    q_m, x_m = q.reshape(q.size), x.reshape(x.size)
+    left, runs = 0, max(k.shape[0], tool.shape[0])
+    each = status.size // runs
+    for m in range(runs):
+        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
+        tx = held[0]
+        ty = held[1]
+        h_0 = own[0, 0]
+        q0_0 = own[0, 1]
+        s7_0 = own[0, 2]
+        b1_x_0 = own[0, 3]
+        A1_x_0 = own[0, 8]
+        s116_0 = own[0, 13]
+        s124_0 = own[0, 16]
+        s130_0 = own[0, 17]
+        s134_0 = own[0, 18]
+        s138_0 = own[0, 20]
+        s153_0 = own[0, 22]
+        s156_0 = own[0, 23]
+        s160_0 = own[0, 25]
+        s195_0 = own[0, 27]
+        q_n, x_n, of = q_m[1 * each * m :], x_m[3 * each * m :], status[each * m :]
+        for n in range(each):
+            q_0 = q_n[1 * n + 0]
+            C_y_0 = -h_0 + ty
+            s8_0 = q_0 + q0_0
+            r1_x_0 = s7_0*sine(s8_0)
+            r1_y_0 = -s7_0*cosine(s8_0)
+            s19_0 = b1_x_0 - tx
+            s185_0 = r1_x_0*s116_0 + r1_y_0*s130_0 + r1_y_0*s134_0 + s124_0
+            s190_0 = r1_x_0*s130_0 + r1_x_0*s134_0 - r1_y_0*s116_0 + s138_0
+            s198_0 = (r1_x_0 * r1_x_0) + r1_x_0*s153_0 + r1_x_0*s156_0 + (r1_y_0 * r1_y_0) + r1_y_0*s195_0 + s160_0
+            s201_0 = math.sqrt((s185_0 * s185_0) + (s190_0 * s190_0) - (s198_0 * s198_0))
+            s204_0 = -s185_0*s198_0 + s190_0*s201_0
+            s208_0 = -s185_0*s201_0 - s190_0*s198_0
+            s211_0 = 1/math.sqrt((s204_0 * s204_0) + (s208_0 * s208_0))
+            s214_0 = A1_x_0 - C_y_0*s204_0*s211_0 + r1_x_0 - s19_0*s208_0*s211_0
+            s217_0 = C_y_0*s208_0*s211_0 + r1_y_0 - s19_0*s204_0*s211_0
+            s221_0 = 2*tangent(0.5*arctangent(s204_0, s208_0))
+            p_0 = s214_0
+            p_1 = s217_0
+            p_2 = s221_0
+            good = (abs(p_0) < math.inf) & (abs(p_1) < math.inf) & (abs(p_2) < math.inf)
+            x_n[3 * n + 0] = p_0
+            x_n[3 * n + 1] = p_1
+            x_n[3 * n + 2] = p_2
+            of[n] = SOLVED if good else OPEN
+            left += 0 if good else 1
     return left
 
 
 def simplified_forward(q, tool, k, x, status):
-    """`forward` of the simplified machine, in closed form: exact where (nothing) are zero."""
-    if _simplified_forward(q, tool, k, x, status, scratch(WORK)):
+    """Fill x (N, 3) with the platform of the simplified machine, in closed form: exact where (nothing) are zero.
+
+    status as in `forward`.
+    """
+    if _simplified_forward(q, tool, k, x, status):
         left = np.flatnonzero(status == OPEN)
-        found, of = np.empty((len(left), 3)), np.empty(len(left), dtype=np.int64)
+        found, of = np.empty((len(left), 3)), np.empty(len(left), dtype=status.dtype)
         forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, False)
-        x[left], status[left] = found, of
+        x[left], status[left] = found[:, :3], of
 
 
 @fast

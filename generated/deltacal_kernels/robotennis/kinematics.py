@@ -1,7 +1,7 @@
 """Kinematics of `robotennis`, many poses at once: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 4534bf64d1aa50ff; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 09cd5203f4afca2a; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -32,6 +32,7 @@ TURN_DONE = 3e-8  # rad
 WORK = 4320  # length of the scratch array
 CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
 APART = 1e-3  # squared sine between the centres' directions
+SIMPLIFIED = 3  # coordinates that `simplified_forward` gives: the others are zero
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
@@ -163,36 +164,6 @@ def _step(w, n):
         w[3680 + lane] = u_10
         w[3712 + lane] = u_20
         w[3744 + lane] = s67
-
-
-@fast
-def _sphere(w, k, n):
-    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (21 operations)."""
-    wide()
-    theta0 = k[0]
-    s11 = k[3]
-    pz0 = k[11]
-    s46 = k[14]
-    s96 = k[15]
-    s98 = k[16]
-    s100 = k[17]
-    s102 = k[18]
-    for lane in range(n):
-        q = w[0 + lane]
-        tx = w[32 + lane]
-        ty = w[64 + lane]
-        tz = w[96 + lane]
-        s6 = q + theta0
-        s7 = cosine(s6)
-        arm_z = sine(s6)
-        s138 = -s7*s98 - s96 + tx
-        s140 = -s100 - s102*s7 + ty
-        s141 = arm_z*s11 - pz0 + tz
-        s148 = 0.5*(s138 * s138) + 0.5*(s140 * s140) + 0.5*(s141 * s141) + s46
-        w[480 + lane] = s138
-        w[512 + lane] = s140
-        w[544 + lane] = s141
-        w[576 + lane] = s148
 
 
 @fast
@@ -476,19 +447,15 @@ def _move(w, n):
 
 @fast
 def _meet(w, n):
-    """Put the platform where three spheres meet.
-
-    Differences of the spheres are planes; two planes are a line, on which the first sphere is a quadratic. Where the
-    line misses the sphere its nearest point is taken: the exact machine may still reach what the simplified one
-    cannot.
-    """
+    """Put the platform where the simplified machine has it."""
     wide()
     for lane in range(n):
-        ox, oy, oz, od = w[480 + lane], w[512 + lane], w[544 + lane], w[576 + lane]
-        ax, ay, az, ad = w[1696 + lane], w[1728 + lane], w[1760 + lane], w[1792 + lane]
-        bx, by, bz, bd = w[2912 + lane], w[2944 + lane], w[2976 + lane], w[3008 + lane]
-        ax, ay, az, da = ax - ox, ay - oy, az - oz, ad - od
-        bx, by, bz, db = bx - ox, by - oy, bz - oz, bd - od
+        c_00, c_01, c_02, c_03 = w[480 + lane], w[512 + lane], w[544 + lane], w[576 + lane]
+        c_10, c_11, c_12, c_13 = w[1696 + lane], w[1728 + lane], w[1760 + lane], w[1792 + lane]
+        c_20, c_21, c_22, c_23 = w[2912 + lane], w[2944 + lane], w[2976 + lane], w[3008 + lane]
+        # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
+        ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
+        bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
         nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
         aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
         nn = nx * nx + ny * ny + nz * nz
@@ -497,16 +464,18 @@ def _meet(w, n):
         u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
         px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
         # |P + t n|^2 / 2 - c.(P + t n) + d = 0
-        half = ((px - ox) * nx + (py - oy) * ny + (pz - oz) * nz) * inverse
-        rest = 0.5 * (px * px + py * py + pz * pz) - (ox * px + oy * py + oz * pz) + od
+        half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
+        rest = 0.5 * (px * px + py * py + pz * pz) - (c_00 * px + c_01 * py + c_02 * pz) + c_03
         square = half * half - 2.0 * rest * inverse
         good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
-        w[3776 + lane] = 0.0 if good else 1.0
-        root = math.sqrt(square if square > 0.0 else 0.0)
+        root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
+        # the exact machine may still reach what the simplified one cannot
         t = (root if nz > 0.0 else -root) - half
-        w[128 + lane] = px + t * nx
-        w[160 + lane] = py + t * ny
-        w[192 + lane] = pz + t * nz
+        p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
+        w[3776 + lane] = 0.0 if good else 1.0
+        w[128 + lane] = p_0
+        w[160 + lane] = p_1
+        w[192 + lane] = p_2
 
 
 @fast
@@ -762,77 +731,204 @@ def inverse(target, tool, k, x, q, status):
 
 
 @fast
-def _simplified_forward(q, tool, k, x, status, w):
-    w_1 = w[0:1216]
-    w_2 = w[1216:2432]
-    w_3 = w[2432:3648]
-    if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
-    left, machines = 0, k.shape[0]
-    each = status.size // machines
-    for m in range(machines):
-        k_1 = k[m, 0]
-        k_2 = k[m, 1]
-        k_3 = k[m, 2]
-        for first in range(m * each, (m + 1) * each, LANES):
-            last = min(first + LANES, (m + 1) * each) - 1
-            n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
-            if len(tool) > 1:
-                _hold(tool, w, first, last, n)
-            _sphere(w_1, k_1, n)
-            _sphere(w_2, k_2, n)
-            _sphere(w_3, k_3, n)
-            _meet(w, n)
-            left += _unload(w, x, status, first, last)
+def _simplified_forward(q, tool, k, x, status):
+    wide()
+    q_m, x_m = q.reshape(q.size), x.reshape(x.size)
+    left, runs = 0, max(k.shape[0], tool.shape[0])
+    each = status.size // runs
+    for m in range(runs):
+        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
+        tx = held[0]
+        ty = held[1]
+        tz = held[2]
+        theta0_0 = own[0, 0]
+        s11_0 = own[0, 3]
+        pz0_0 = own[0, 11]
+        s46_0 = own[0, 14]
+        s96_0 = own[0, 15]
+        s98_0 = own[0, 16]
+        s100_0 = own[0, 17]
+        s102_0 = own[0, 18]
+        theta0_1 = own[1, 0]
+        s11_1 = own[1, 3]
+        pz0_1 = own[1, 11]
+        s46_1 = own[1, 14]
+        s96_1 = own[1, 15]
+        s98_1 = own[1, 16]
+        s100_1 = own[1, 17]
+        s102_1 = own[1, 18]
+        theta0_2 = own[2, 0]
+        s11_2 = own[2, 3]
+        pz0_2 = own[2, 11]
+        s46_2 = own[2, 14]
+        s96_2 = own[2, 15]
+        s98_2 = own[2, 16]
+        s100_2 = own[2, 17]
+        s102_2 = own[2, 18]
+        q_n, x_n, of = q_m[3 * each * m :], x_m[3 * each * m :], status[each * m :]
+        for n in range(each):
+            q_0 = q_n[3 * n + 0]
+            s6_0 = q_0 + theta0_0
+            s7_0 = cosine(s6_0)
+            arm_z_0 = sine(s6_0)
+            s138_0 = -s7_0*s98_0 - s96_0 + tx
+            s140_0 = -s100_0 - s102_0*s7_0 + ty
+            s141_0 = arm_z_0*s11_0 - pz0_0 + tz
+            s148_0 = 0.5*(s138_0 * s138_0) + 0.5*(s140_0 * s140_0) + 0.5*(s141_0 * s141_0) + s46_0
+            c_00 = s138_0
+            c_01 = s140_0
+            c_02 = s141_0
+            c_03 = s148_0
+            q_1 = q_n[3 * n + 1]
+            s6_1 = q_1 + theta0_1
+            s7_1 = cosine(s6_1)
+            arm_z_1 = sine(s6_1)
+            s138_1 = -s7_1*s98_1 - s96_1 + tx
+            s140_1 = -s100_1 - s102_1*s7_1 + ty
+            s141_1 = arm_z_1*s11_1 - pz0_1 + tz
+            s148_1 = 0.5*(s138_1 * s138_1) + 0.5*(s140_1 * s140_1) + 0.5*(s141_1 * s141_1) + s46_1
+            c_10 = s138_1
+            c_11 = s140_1
+            c_12 = s141_1
+            c_13 = s148_1
+            q_2 = q_n[3 * n + 2]
+            s6_2 = q_2 + theta0_2
+            s7_2 = cosine(s6_2)
+            arm_z_2 = sine(s6_2)
+            s138_2 = -s7_2*s98_2 - s96_2 + tx
+            s140_2 = -s100_2 - s102_2*s7_2 + ty
+            s141_2 = arm_z_2*s11_2 - pz0_2 + tz
+            s148_2 = 0.5*(s138_2 * s138_2) + 0.5*(s140_2 * s140_2) + 0.5*(s141_2 * s141_2) + s46_2
+            c_20 = s138_2
+            c_21 = s140_2
+            c_22 = s141_2
+            c_23 = s148_2
+            # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
+            ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
+            bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
+            nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+            aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
+            nn = nx * nx + ny * ny + nz * nz
+            inverse = 1.0 / nn
+            # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
+            u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
+            px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
+            # |P + t n|^2 / 2 - c.(P + t n) + d = 0
+            half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
+            rest = 0.5 * (px * px + py * py + pz * pz) - (c_00 * px + c_01 * py + c_02 * pz) + c_03
+            square = half * half - 2.0 * rest * inverse
+            good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
+            root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
+            # the exact machine may still reach what the simplified one cannot
+            t = (root if nz > 0.0 else -root) - half
+            p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
+            x_n[3 * n + 0] = p_0
+            x_n[3 * n + 1] = p_1
+            x_n[3 * n + 2] = p_2
+            of[n] = SOLVED if good else OPEN
+            left += 0 if good else 1
     return left
 
 
 def simplified_forward(q, tool, k, x, status):
-    """`forward` of the simplified machine, in closed form: exact where tip_v, tip_w are zero."""
-    if _simplified_forward(q, tool, k, x, status, scratch(WORK)):
+    """Fill x (N, 3) with the platform of the simplified machine, in closed form: exact where tip_v, tip_w are zero.
+
+    It does not turn, so that x is the position of the reference point.
+    status as in `forward`.
+    """
+    if _simplified_forward(q, tool, k, x, status):
         left = np.flatnonzero(status == OPEN)
-        found, of = np.empty((len(left), 3)), np.empty(len(left), dtype=np.int64)
+        found, of = np.empty((len(left), 3)), np.empty(len(left), dtype=status.dtype)
         forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, False)
-        x[left], status[left] = found, of
+        x[left], status[left] = found[:, :3], of
 
 
 @fast
-def _simplified_inverse(target, tool, k, x, q, status, w):
-    w_1 = w[0:1216]
-    w_2 = w[1216:2432]
-    w_3 = w[2432:3648]
-    if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
-    left, machines = 0, k.shape[0]
-    each = status.size // machines
-    for m in range(machines):
-        k_1 = k[m, 0]
-        k_2 = k[m, 1]
-        k_3 = k[m, 2]
-        for first in range(m * each, (m + 1) * each, LANES):
-            last = min(first + LANES, (m + 1) * each) - 1
-            n = (last - first + 8) // 8 * 8
-            _load(target, w, first, last, n)
-            if len(tool) > 1:
-                _hold(tool, w, first, last, n)
-            _aim(w, n)
-            _start(w_1, k_1, n)
-            _start(w_2, k_2, n)
-            _start(w_3, k_3, n)
-            _started(w, n)
-            left += _unload(w, x, status, first, last)
-            _unload_joints(w, q, first, last)
+def _simplified_inverse(target, tool, k, q, status):
+    wide()
+    target_m, q_m = target.reshape(target.size), q.reshape(q.size)
+    left, runs = 0, max(k.shape[0], tool.shape[0])
+    each = status.size // runs
+    for m in range(runs):
+        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
+        tx = held[0]
+        ty = held[1]
+        tz = held[2]
+        theta0_0 = own[0, 0]
+        pz0_0 = own[0, 11]
+        s96_0 = own[0, 15]
+        s98_0 = own[0, 16]
+        s100_0 = own[0, 17]
+        s102_0 = own[0, 18]
+        s117_0 = own[0, 19]
+        s124_0 = own[0, 20]
+        s129_0 = own[0, 21]
+        theta0_1 = own[1, 0]
+        pz0_1 = own[1, 11]
+        s96_1 = own[1, 15]
+        s98_1 = own[1, 16]
+        s100_1 = own[1, 17]
+        s102_1 = own[1, 18]
+        s117_1 = own[1, 19]
+        s124_1 = own[1, 20]
+        s129_1 = own[1, 21]
+        theta0_2 = own[2, 0]
+        pz0_2 = own[2, 11]
+        s96_2 = own[2, 15]
+        s98_2 = own[2, 16]
+        s100_2 = own[2, 17]
+        s102_2 = own[2, 18]
+        s117_2 = own[2, 19]
+        s124_2 = own[2, 20]
+        s129_2 = own[2, 21]
+        at, q_n, of = target_m[3 * each * m :], q_m[3 * each * m :], status[each * m :]
+        for n in range(each):
+            px = at[3 * n + 0]
+            py = at[3 * n + 1]
+            pz = at[3 * n + 2]
+            centre_z_0 = pz + pz0_0 - tz
+            s97_0 = px + s96_0 - tx
+            s101_0 = py + s100_0 - ty
+            s104_0 = s101_0*s102_0 + s97_0*s98_0
+            s106_0 = (centre_z_0 * centre_z_0)
+            s118_0 = 0.5*(s101_0 * s101_0) + 0.5*s106_0 + s117_0 + 0.5*(s97_0 * s97_0)
+            s127_0 = math.sqrt((s104_0 * s104_0) + s106_0*s124_0 - (s118_0 * s118_0))
+            s136_0 = -theta0_0 + arctangent(centre_z_0*s118_0*s129_0 + s104_0*s127_0, centre_z_0*s127_0*s129_0 - s104_0*s118_0)
+            q_00 = s136_0
+            centre_z_1 = pz + pz0_1 - tz
+            s97_1 = px + s96_1 - tx
+            s101_1 = py + s100_1 - ty
+            s104_1 = s101_1*s102_1 + s97_1*s98_1
+            s106_1 = (centre_z_1 * centre_z_1)
+            s118_1 = 0.5*(s101_1 * s101_1) + 0.5*s106_1 + s117_1 + 0.5*(s97_1 * s97_1)
+            s127_1 = math.sqrt((s104_1 * s104_1) + s106_1*s124_1 - (s118_1 * s118_1))
+            s136_1 = -theta0_1 + arctangent(centre_z_1*s118_1*s129_1 + s104_1*s127_1, centre_z_1*s127_1*s129_1 - s104_1*s118_1)
+            q_10 = s136_1
+            centre_z_2 = pz + pz0_2 - tz
+            s97_2 = px + s96_2 - tx
+            s101_2 = py + s100_2 - ty
+            s104_2 = s101_2*s102_2 + s97_2*s98_2
+            s106_2 = (centre_z_2 * centre_z_2)
+            s118_2 = 0.5*(s101_2 * s101_2) + 0.5*s106_2 + s117_2 + 0.5*(s97_2 * s97_2)
+            s127_2 = math.sqrt((s104_2 * s104_2) + s106_2*s124_2 - (s118_2 * s118_2))
+            s136_2 = -theta0_2 + arctangent(centre_z_2*s118_2*s129_2 + s104_2*s127_2, centre_z_2*s127_2*s129_2 - s104_2*s118_2)
+            q_20 = s136_2
+            good = (abs(q_00) < math.inf) & (abs(q_10) < math.inf) & (abs(q_20) < math.inf)
+            q_n[3 * n + 0] = q_00
+            q_n[3 * n + 1] = q_10
+            q_n[3 * n + 2] = q_20
+            of[n] = SOLVED if good else OPEN
+            left += 0 if good else 1
     return left
 
 
-def simplified_inverse(target, tool, k, x, q, status):
-    """`inverse` of the simplified machine, in closed form; see `simplified_forward`."""
-    if _simplified_inverse(target, tool, k, x, q, status, scratch(WORK)):
+def simplified_inverse(target, tool, k, q, status):
+    """Fill the joints q (N, 3) of the simplified machine, in closed form; see `simplified_forward` and `inverse`."""
+    if _simplified_inverse(target, tool, k, q, status):
         left = np.flatnonzero(status == OPEN)
-        found, joints, of = np.empty((len(left), 3)), np.empty((len(left), 3)), np.empty(len(left), dtype=np.int64)
+        found, joints, of = np.empty((len(left), 3)), np.empty((len(left), 3)), np.empty(len(left), dtype=status.dtype)
         inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
-        x[left], q[left], status[left] = found, joints, of
+        q[left], status[left] = joints, of
 
 
 @fast

@@ -1,7 +1,7 @@
 """Kinematics of `simplified_parallelogram`, many poses at once: Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both d2ea7ae9df926c1d; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 5129792d5abfc31f; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -32,6 +32,7 @@ TURN_DONE = 3e-8  # rad
 WORK = 1824  # length of the scratch array
 CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
 APART = 1e-3  # squared sine between the centres' directions
+SIMPLIFIED = 3  # coordinates that `simplified_forward` gives: the others are zero
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
@@ -137,26 +138,6 @@ def _step(w, n):
         w[1248 + lane] = u_10
         w[1280 + lane] = u_20
         w[1312 + lane] = s67
-
-
-@fast
-def _sphere(w, k, n):
-    """Platform of the simplified machine at a given joint (9 operations)."""
-    wide()
-    q0 = k[0]
-    s0 = k[1]
-    s4 = k[2]
-    h = k[3]
-    for lane in range(n):
-        q = w[0 + lane]
-        tx = w[32 + lane]
-        ty = w[64 + lane]
-        s1 = q + q0
-        s21 = s0*sine(s1) - s4 + tx
-        s22 = -h - s0*cosine(s1) + ty
-        w[768 + lane] = s21
-        w[800 + lane] = s22
-        w[832 + lane] = 0
 
 
 @fast
@@ -344,12 +325,17 @@ def _move(w, n):
 
 @fast
 def _meet(w, n):
-    """Put the platform where the closed form has it."""
+    """Put the platform where the simplified machine has it."""
+    wide()
     for lane in range(n):
-        w[128 + lane] = w[768 + lane]
-        w[160 + lane] = w[800 + lane]
-        w[192 + lane] = w[832 + lane]
-        w[1344 + lane] = 0.0 if (abs(w[768 + lane]) < math.inf) & (abs(w[800 + lane]) < math.inf) & (abs(w[832 + lane]) < math.inf) else 1.0
+        p_0 = w[768 + lane]
+        p_1 = w[800 + lane]
+        p_2 = w[832 + lane]
+        good = (abs(p_0) < math.inf) & (abs(p_1) < math.inf) & (abs(p_2) < math.inf)
+        w[1344 + lane] = 0.0 if good else 1.0
+        w[128 + lane] = p_0
+        w[160 + lane] = p_1
+        w[192 + lane] = p_2
 
 
 @fast
@@ -568,33 +554,46 @@ def inverse(target, tool, k, x, q, status):
 
 
 @fast
-def _simplified_forward(q, tool, k, x, status, w):
-    w_1 = w[0:1216]
-    if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
-    left, machines = 0, k.shape[0]
-    each = status.size // machines
-    for m in range(machines):
-        k_1 = k[m, 0]
-        for first in range(m * each, (m + 1) * each, LANES):
-            last = min(first + LANES, (m + 1) * each) - 1
-            n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
-            if len(tool) > 1:
-                _hold(tool, w, first, last, n)
-            _sphere(w_1, k_1, n)
-            _meet(w, n)
-            left += _unload(w, x, status, first, last)
+def _simplified_forward(q, tool, k, x, status):
+    wide()
+    q_m, x_m = q.reshape(q.size), x.reshape(x.size)
+    left, runs = 0, max(k.shape[0], tool.shape[0])
+    each = status.size // runs
+    for m in range(runs):
+        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
+        tx = held[0]
+        ty = held[1]
+        q0_0 = own[0, 0]
+        s0_0 = own[0, 1]
+        s4_0 = own[0, 2]
+        h_0 = own[0, 3]
+        q_n, x_n, of = q_m[1 * each * m :], x_m[3 * each * m :], status[each * m :]
+        for n in range(each):
+            q_0 = q_n[1 * n + 0]
+            s1_0 = q_0 + q0_0
+            s21_0 = s0_0*sine(s1_0) - s4_0 + tx
+            s22_0 = -h_0 - s0_0*cosine(s1_0) + ty
+            p_0 = s21_0
+            p_1 = s22_0
+            good = (abs(p_0) < math.inf) & (abs(p_1) < math.inf) & (abs(p_2) < math.inf)
+            x_n[3 * n + 0] = p_0
+            x_n[3 * n + 1] = p_1
+            x_n[3 * n + 2] = p_2
+            of[n] = SOLVED if good else OPEN
+            left += 0 if good else 1
     return left
 
 
 def simplified_forward(q, tool, k, x, status):
-    """`forward` of the simplified machine, in closed form: exact where (nothing) are zero."""
-    if _simplified_forward(q, tool, k, x, status, scratch(WORK)):
+    """Fill x (N, 3) with the platform of the simplified machine, in closed form: exact where (nothing) are zero.
+
+    status as in `forward`.
+    """
+    if _simplified_forward(q, tool, k, x, status):
         left = np.flatnonzero(status == OPEN)
-        found, of = np.empty((len(left), 3)), np.empty(len(left), dtype=np.int64)
+        found, of = np.empty((len(left), 3)), np.empty(len(left), dtype=status.dtype)
         forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, False)
-        x[left], status[left] = found, of
+        x[left], status[left] = found[:, :3], of
 
 
 @fast
