@@ -12,10 +12,11 @@ import numpy as np
 import pytest
 
 import deltacal_gen
-from deltacal_gen import estimate, nominal
+from deltacal_gen import PoseSet, estimate, nominal
 from deltacal_gen.arrays import recorded
+from deltacal_gen.compensation import Compensator
 from deltacal_gen.demonstration import example
-from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.identification import identify
 from deltacal_gen.mechanism import load_mechanism
 from deltacal_gen.recording import read_recording
@@ -30,7 +31,7 @@ import sys
 before = set(sys.modules)
 import json
 import numpy as np
-from deltacal_gen import estimate, nominal
+from deltacal_gen import PoseSet, estimate, nominal
 data = np.load(sys.argv[1])
 found = estimate(nominal("delta", json.loads(sys.argv[2])), "32", data["joints"], data["measured"], tool=data["tool"],
                  as_distance=True)
@@ -144,3 +145,81 @@ def test_dimensions_are_named() -> None:
 def test_names_of_the_package_are_found() -> None:
     assert {"estimate", "nominal"} <= set(deltacal_gen.__all__)
     assert deltacal_gen.Robot is Robot
+
+
+@pytest.fixture(scope="module")
+def poses(robot: Robot, measured: dict[str, np.ndarray]) -> PoseSet:
+    return PoseSet(robot, measured["joints"], tool=measured["tool"])
+
+
+def small(n: int, size: float = 0.01) -> np.ndarray:
+    """Source errors (n, 42) of machines, a fraction of ordinary ones."""
+    typical = load_mechanism("delta").typical
+    return size * typical * np.random.default_rng(11).standard_normal((n, len(typical)))
+
+
+def test_many_machines_stand_where_each_of_them_stands(poses: PoseSet) -> None:
+    errors, mechanism = small(3, 1.0), load_mechanism("delta")
+    joints = poses.joints + 0.001 * np.arange(3)[:, None, None]
+    for given, all_at_once in ((None, poses.positions(errors)), (joints, poses.positions(errors, joints))):
+        for t, p in enumerate(errors):
+            q = poses.joints if given is None else given[t]
+            x, _ = mechanism.forward(q, poses.tool, mechanism.rows(poses.robot, p))
+            np.testing.assert_allclose(all_at_once[t], x[:, :3], rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize("kind", ["distances of positions", "distances", "positions"])
+def test_small_errors_are_found_in_one_step(poses: PoseSet, kind: str) -> None:
+    """What is left of errors a hundred times smaller than ordinary ones is of second order."""
+    mechanism = load_mechanism("delta")
+    pairs = np.column_stack(np.triu_indices(19, 1))
+    linear = {
+        "distances of positions": lambda: poses.linear("32", as_distance=True),
+        "distances": lambda: poses.linear("18", pairs=pairs),
+        "positions": lambda: poses.linear("36", frame="robot"),
+    }[kind]()
+    free = np.isin([p.name for p in mechanism.parameters], linear.names)
+    errors = np.where(free, small(200), 0.0)
+    positions = poses.positions(errors)
+    gap = positions[:, pairs[:, 1]] - positions[:, pairs[:, 0]]
+    found = linear.estimate(np.linalg.norm(gap, axis=2) if kind == "distances" else positions)
+    whole = linear.whole(found)
+    assert whole.shape == errors.shape
+    assert not whole[:, ~free].any()
+    left = (whole - errors)[:, free]
+    assert np.sqrt((left**2).mean()) < 0.2 * np.sqrt((errors[:, free] ** 2).mean())
+    seen = (poses.positions(whole) - positions).std(axis=1)
+    assert np.median(seen) < 1e-3 * np.median((positions - poses.positions(0 * errors[0])).std(axis=1))
+
+
+def test_the_factor_that_is_kept_is_that_of_the_least_squares(poses: PoseSet) -> None:
+    linear = poses.linear("32", as_distance=True)
+    rng = np.random.default_rng(2)
+    measured = poses.positions(np.zeros(42)) + SIGMA * rng.standard_normal((150, 38, 3))
+    found = linear.estimate(measured)
+    nominal_lengths = linear._lengths(poses.positions(np.zeros(42)))[:, 0]
+    for t in (0, 149):
+        rest = linear._lengths(measured[t : t + 1])[:, 0] - nominal_lengths
+        wanted = np.linalg.lstsq(linear.matrix, rest, rcond=None)[0]
+        np.testing.assert_allclose(found[t], wanted, rtol=1e-6, atol=1e-9 * np.abs(wanted).max())
+
+
+def test_commands_are_those_of_the_linear_compensator(robot: Robot, poses: PoseSet) -> None:
+    targets = rings(robot, 9)
+    q, _, _ = load_mechanism("delta").inverse(targets, np.zeros(3), load_mechanism("delta").rows(robot))
+    errors, check = small(2, 1.0), PoseSet(robot, q)
+    names = [p.name for p in load_mechanism("delta").parameters]
+    for p, joints in zip(errors, check.commands(errors), strict=True):
+        machine = dataclasses.replace(robot, errors=dict(zip(names, p.tolist(), strict=True)))
+        wanted, _ = Compensator(machine, "linear").command(targets)
+        np.testing.assert_allclose(joints, wanted, rtol=0, atol=1e-10)
+
+
+def test_pose_sets_say_what_they_cannot(robot: Robot, poses: PoseSet) -> None:
+    with pytest.raises(UsageError, match="unknown frame are not linear"):
+        poses.linear("18")
+    with pytest.raises(UsageError, match=r"shape \(3,\)"):
+        PoseSet(robot, np.zeros(3))
+    short = nominal("delta", PROTOTYPE["geometry"] | {"distal_length": 300.0})
+    with pytest.raises(NoSolutionError, match="row 1 the machine is out of reach"):
+        PoseSet(short, [[-1.2, -1.2, -1.2], [0.0, 0.0, 0.0]])

@@ -19,7 +19,7 @@ from typing import Any
 __version__ = "0.1.0"
 
 _HOME = {
-    "arrays": ("estimate", "nominal"),
+    "arrays": ("PoseSet", "estimate", "nominal"),
     "commands": (
         "batch",
         "claims",

@@ -140,9 +140,14 @@ def check_joints(robot: Robot, tool: Array, errors: Array | None = None) -> tupl
 
 
 def distance_error(actual: Array, wanted: Array, home: int = 0) -> Array:
-    """Return the error (N,) of each point's distance from home [mm]: the same in every frame."""
-    from_home: Array = np.linalg.norm(actual - actual[home], axis=1) - np.linalg.norm(wanted - wanted[home], axis=1)
-    return from_home
+    """Return the error (..., N) of the distances of points (..., N, 3) from home [mm]: the same in every frame."""
+
+    def from_home(points: Array) -> Array:
+        gap = points - points[..., home : home + 1, :]
+        return np.asarray(np.sqrt(np.einsum("...i,...i->...", gap, gap)))
+
+    error: Array = from_home(actual) - from_home(wanted)
+    return error
 
 
 def volumetric_error(actual: Array, wanted: Array, home: int = 0, turn: Array | None = None) -> Array:

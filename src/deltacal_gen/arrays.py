@@ -13,19 +13,21 @@ be loaded (see `deltacal_gen.mechanism`)::
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from deltacal_gen.errors import UsageError
-from deltacal_gen.estimation import Fit, fit, pose_problem, rough
+from deltacal_gen.errors import NoSolutionError, UsageError
+from deltacal_gen.estimation import Fit, Problem, fit, pose_problem, rough
 from deltacal_gen.inputs import POSITION, Measurement, Recording, Robot
-from deltacal_gen.mechanism import Array, load_mechanism, mechanism_of
-from deltacal_gen.solvers import LeastSquares, Solver
+from deltacal_gen.mechanism import SOLVED, STATUS, Array, load_mechanism, mechanism_of
+from deltacal_gen.solvers import Factored, LeastSquares, Solver
 from deltacal_gen.units import file_unit, to_internal
 
 GIVEN = Path("arrays")  # stands in messages where a file's name would
+MACHINES = 128  # at once: their readings stay in the cache
 
 
 def nominal(mechanism: str, geometry: Mapping[str, ArrayLike], tool: ArrayLike = (0.0, 0.0, 0.0)) -> Robot:
@@ -187,6 +189,158 @@ def estimate(
     names = everything.mechanism.model(model)
     rule = LeastSquares() if solver is None else solver
     return fit(everything.with_names(names), rule, errors=first.errors, instrument=first.instrument, robust=robust)
+
+
+class PoseSet:
+    """Poses at which many machines of one drawing are measured, corrected or judged.
+
+    What depends on the poses alone is computed once: derivatives of the machine as drawn, and the factor of a linear
+    identification. Another machine costs its exact positions and a product of matrices::
+
+        poses = PoseSet(robot, joints)
+        linear = poses.linear("18", as_distance=True)
+        found = linear.estimate(poses.positions(errors) + noise)    # (T, n) of T machines
+
+    Parameters
+    ----------
+    robot : Robot
+        As drawn.
+    joints : (N, n_q) array
+        In the mechanism's positive direction [rad or mm].
+    tool : (3,) or (N, 3) array, optional
+        Measured points in {O'} [mm]; default the robot's own.
+
+    Raises
+    ------
+    UsageError
+        Arrays whose shapes do not go together.
+    NoSolutionError
+        Joints at which the machine cannot stand.
+    """
+
+    def __init__(self, robot: Robot, joints: ArrayLike, *, tool: ArrayLike | None = None) -> None:
+        self.robot, self.mechanism = robot, mechanism_of(robot)
+        self.joints = np.asarray(joints, dtype=float)
+        if self.joints.ndim != 2 or self.joints.shape[1] != self.mechanism.limbs:
+            raise UsageError(f"joints have the shape {self.joints.shape}; (N, {self.mechanism.limbs}) was expected.")
+        self.tool = _points(robot.tool if tool is None else tool, len(self.joints), "tool")
+        self._x, status = self.mechanism.forward(self.joints, self.tool, self.mechanism.rows(robot))
+        if (status != SOLVED).any():
+            row = int(np.argmax(status != SOLVED))
+            raise NoSolutionError(f"at the joints of row {row} the machine is {STATUS[int(status[row])]}.")
+
+    def positions(self, errors: ArrayLike, joints: Array | None = None) -> Array:
+        """Return exact positions (T, N, 3) [mm] of machines with source errors (T, n_p); NaN where there is none.
+
+        `joints` (T, N, n_q) are each machine's own; default those of the set.
+        """
+        errors = np.atleast_2d(np.asarray(errors, dtype=float))
+        every = np.broadcast_to(self.joints if joints is None else joints, (len(errors), *self.joints.shape))
+        tool = self.tool[0] if (self.tool == self.tool[0]).all() else np.tile(self.tool, (len(errors), 1))
+        rows = self.mechanism.rows(self.robot, errors)
+        return self.mechanism.positions(every.reshape(-1, self.mechanism.limbs), tool, rows).reshape(
+            *every.shape[:2], 3
+        )
+
+    @cached_property
+    def corrections(self) -> Array:
+        """Change of the joints by each error (N, n_q, n_p) that leaves the point in place: Bai 2015, eq. (23)."""
+        found = self.mechanism.sensitivity(self._x, self.joints, self.tool, self.mechanism.rows(self.robot))
+        axes = ["xyz".index(axis) for axis in self.mechanism.axes]
+        kept: Array = -np.linalg.pinv(found.joints[:, axes]) @ found.parameters[:, axes]
+        return kept
+
+    def commands(self, errors: ArrayLike) -> Array:
+        """Return the joints (T, N, n_q) that bring machines with source errors (T, n_p) here, to first order."""
+        errors = np.atleast_2d(np.asarray(errors, dtype=float)) - self.mechanism.vector(self.robot.errors)
+        flat = self.corrections.reshape(-1, self.corrections.shape[2])
+        return self.joints + (errors @ flat.T).reshape(len(errors), *self.joints.shape)
+
+    def linear(
+        self,
+        model: str,
+        *,
+        pairs: ArrayLike | None = None,
+        as_distance: bool = False,
+        frame: str = "unknown",
+    ) -> LinearFit:
+        """Return the linear identification of machines measured at these poses; see `estimate` for the parameters.
+
+        Raises
+        ------
+        UsageError
+            An unknown model; positions in an unknown frame, which no linear step can find.
+        """
+        positions = self._x[:, ["xyz".index(axis) for axis in self.mechanism.axes]]
+        measured = positions if pairs is None else np.ones(len(np.asarray(pairs)))
+        recording = recorded(self.robot, self.joints, measured, pairs=pairs, tool=self.tool, frame=frame)
+        problem = pose_problem(self.robot, recording, self.mechanism.model(model), as_distance=as_distance)
+        return LinearFit(problem, made=as_distance and pairs is None)
+
+
+class LinearFit:
+    """Identification in one linear step from the machine as drawn, its factor kept for any number of machines.
+
+    Attributes
+    ----------
+    names : tuple of str
+        The source errors found.
+    matrix : (M, n) array
+        Readings by source errors, the identification matrix [mm / mm or rad].
+    gain : (n, M) array
+        Its inverse in the least squares sense; directions that no reading sees stay at the drawing's values.
+    """
+
+    def __init__(self, problem: Problem, made: bool) -> None:
+        instrument = problem.begin(problem.reference)
+        if instrument.free:
+            raise UsageError('positions in an unknown frame are not linear: give as_distance=True or frame="robot".')
+        state, x = problem.linearise(problem.reference, instrument), problem.poses(problem.reference)
+        self.names, self.columns = problem.names, problem.columns
+        self._from, self._parameters = problem.reference[self.columns], len(problem.reference)
+        read = np.isfinite(problem.readings.values)
+        self.matrix = state.J_p[read]
+        self.gain = problem.scale[:, None] * Factored(self.matrix * problem.scale, np.zeros(len(self.names))).gain
+        self._nominal = instrument.predict(problem.readings, x)[0][read]
+        self._ends = problem.readings.rows.T if made else None
+
+    def estimate(self, measured: ArrayLike) -> Array:
+        """Return the source errors (T, n) [mm, rad] of machines, in the order of `names`.
+
+        Parameters
+        ----------
+        measured : (T, N, axes or 3) or (T, K) array
+            What was measured of each machine: positions, or the distances of the pairs [mm].
+        """
+        measured = np.asarray(measured, dtype=float)
+        out = np.empty((len(measured), len(self.names)))
+        for first in range(0, len(measured), MACHINES):
+            some = slice(first, first + MACHINES)
+            values = (
+                self._lengths(measured[some])
+                if self._ends is not None
+                else measured[some].reshape(-1, len(self._nominal)).T
+            )
+            out[some] = (self.gain @ (values - self._nominal[:, None])).T
+        return out + self._from
+
+    def whole(self, found: Array) -> Array:
+        """Return estimates (T, n) as all source errors of the mechanism (T, n_p)."""
+        out = np.zeros((len(found), self._parameters))
+        out[:, self.columns] = found
+        return out
+
+    def _lengths(self, positions: Array) -> Array:
+        """Return the distances (M, T) of positions (T, N, k): the machines last, so that rows are copied whole."""
+        assert self._ends is not None
+        a, b = self._ends
+        square = np.zeros((len(a), len(positions)))
+        for along in np.ascontiguousarray(positions.transpose(2, 1, 0)):
+            gap = along[b]
+            gap -= along[a]
+            gap *= gap
+            square += gap
+        return np.sqrt(square, out=square)
 
 
 def _points(values: ArrayLike, rows: int, what: str) -> Array:

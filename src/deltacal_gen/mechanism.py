@@ -32,6 +32,7 @@ POSE = 12  # numbers of a pose: position of the reference point, rotation matrix
 SOLVED, UNREACHABLE, SINGULAR = 0, 1, 2
 PATIENCE_S = (1.5, 12.0)  # of NumPy before Numba is used: what loading costs, what compiling costs
 MANY_POSES = 20_000  # in one call: Numba at once
+KNOWN, KNOWN_BYTES = 16, 20_000_000  # sets of constants that are kept, and how large all of them may become
 STATUS = {
     SOLVED: "solved",
     UNREACHABLE: "out of reach: no pose of the platform closes all loops",
@@ -434,12 +435,10 @@ class Mechanism:
         return importlib.import_module(f"deltacal_kernels.{self.name}.statics")
 
     def _constants(self, rows: Array) -> Array:
-        if len(rows) > 1:
-            changing: Array = self.vectorised.constants(rows)
-            return changing
         key = rows.tobytes()
         if key not in self._known:
-            if len(self._known) > 16:
+            kept = list(self._known.values())
+            if len(kept) > KNOWN or sum(k.nbytes for k in kept) > KNOWN_BYTES:
                 self._known.clear()
             self._known[key] = self.vectorised.constants(rows)
         return self._known[key]
@@ -471,6 +470,8 @@ class Mechanism:
     def positions(self, q: Array, tool: Array, rows: Array) -> Array:
         """Return the exact positions (N, 3) of the reference point [mm], NaN where not solved; see `forward`."""
         x, _ = self._solved(q, tool, rows, None)
+        if self._at[:3] == [0, 1, 2]:
+            return x[:, :3]
         out = np.zeros((len(x), self.n_x))
         out[:, self._at[: x.shape[1]]] = x
         out[np.isnan(x[:, 0])] = np.nan

@@ -11,6 +11,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Protocol
 
 import numpy as np
@@ -63,6 +64,55 @@ class Solution:
     def degrees(self) -> float:
         """Effective number of parameters that the data determine."""
         return float(self.factors.sum())
+
+
+@dataclass(frozen=True)
+class Factored:
+    """Linear least squares with the factor kept: one matrix, many right-hand sides.
+
+    Parameters
+    ----------
+    J : (m, n) array
+        Rows divided by their noise.
+    prior : (n,) array
+        Inverse variance of each unknown; 0 where nothing is known of it.
+
+    Attributes
+    ----------
+    covariance : (n, n) array
+        Of the unknowns, for rows of unit variance. Directions that neither rows nor prior determine stay as they are.
+    gain : (n, m) array
+        By which a right-hand side is multiplied.
+    """
+
+    J: Array
+    prior: Array
+
+    @cached_property
+    def _inverse(self) -> tuple[Array, Array]:
+        whole = np.vstack([self.J, np.diag(np.sqrt(self.prior))[self.prior > 0]])
+        size = np.sqrt((whole**2).sum(axis=0))
+        size = np.where(size > 0, size, 1.0)  # columns of one length: the condition number is then the least
+        U, s, Vt = np.linalg.svd(whole / size, full_matrices=False)
+        kept = s > WEAKEST * s[0] if len(s) else s > 0
+        back = Vt[kept].T / (s[kept] * size[:, None])
+        return back @ back.T, back @ U[: len(self.J), kept].T
+
+    @property
+    def covariance(self) -> Array:
+        return self._inverse[0]
+
+    @property
+    def gain(self) -> Array:
+        return self._inverse[1]
+
+    def step(self, residual: Array, u: Array | None = None) -> Array:
+        """Return by how much (T, n) the unknowns move for residuals (T, m), the prior drawing them back from u (T, n).
+
+        One step solves a linear problem; more of them, with residuals of the exact machine, an almost linear one.
+        """
+        step: Array = residual @ self.gain.T
+        return step if u is None else step - (self.prior * u) @ self.covariance
 
 
 class Solver(Protocol):

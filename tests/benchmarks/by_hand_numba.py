@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numba import njit
 
-from .by_hand import ARM, DONE, PHI, PLATFORM, ROD, E
+from .by_hand import ARM, BASE, DONE, FRAMES, PHI, PLATFORM, ROD, SPACING, E
 
 C, S = tuple(np.cos(PHI).tolist()), tuple(np.sin(PHI).tolist())
 
@@ -242,3 +242,98 @@ def _solve(A):
         A[c, 6] /= A[c, c]
         for r in range(c):
             A[r, 6] -= A[r, c] * A[c, 6]
+
+
+@njit(cache=True, error_model="numpy", inline="always")
+def _turned(a, b):
+    """Return the columns of the rotation by the rotation vector (a, b, 0)."""
+    t = math.sqrt(a * a + b * b)
+    s, c = (math.sin(t) / t, (1 - math.cos(t)) / (t * t)) if t > 1e-8 else (1.0, 0.5)
+    return (
+        (1 - c * b * b, c * a * b, -s * b),
+        (c * a * b, 1 - c * a * a, s * a),
+        (s * b, -s * a, 1 - c * (a * a + b * b)),
+    )
+
+
+@njit(cache=True, error_model="numpy")
+def machine(p, offset, rods):
+    """Fill the table (6, 14) of ``by_hand.machine``."""
+    for i in range(3):
+        F, f, g = FRAMES[i], p[8 * i : 8 * i + 8], p[24 + 6 * i : 30 + 6 * i]
+        alpha0, beta0 = f[5] / ARM, f[6] / ARM
+        R, elbow, hand = _turned(alpha0, beta0), _turned(g[4], g[5])[2], _turned(alpha0 - g[2], beta0 - g[3])[2]
+        for j in range(2):
+            side = 0.5 - j
+            wide = side * SPACING * (1 + g[1])
+            tip = (ARM + f[4] + wide * elbow[0], wide * elbow[1], wide * elbow[2])
+            row = rods[2 * i + j]
+            for x in range(3):
+                u = F[x, 0] * R[0][0] + F[x, 1] * R[0][1] + F[x, 2] * R[0][2]
+                v = F[x, 0] * R[1][0] + F[x, 1] * R[1][1] + F[x, 2] * R[1][2]
+                w = F[x, 0] * R[2][0] + F[x, 1] * R[2][1] + F[x, 2] * R[2][2]
+                row[x], row[3 + x] = u * tip[0] + v * tip[1], v * tip[0] - u * tip[1]
+                row[6 + x] = BASE * F[x, 0] + f[1 + x] + w * tip[2]
+                row[9 + x] = PLATFORM * F[x, 0] - offset[x]
+                row[9 + x] += side * SPACING * (F[x, 0] * hand[0] + F[x, 1] * hand[1] + F[x, 2] * hand[2])
+            row[12], row[13] = ROD + f[7] + side * SPACING * g[0], f[0] / ARM
+
+
+@njit(cache=True, error_model="numpy")
+def _worst(x, wanted):
+    """Return the largest error of the distances from home, the first pose."""
+    worst = 0.0
+    for n in range(1, len(x)):
+        a, b = x[n, :3] - x[0, :3], wanted[n] - wanted[0]
+        worst = max(worst, abs(math.sqrt(_dot(a, a)) - math.sqrt(_dot(b, b))))
+    return worst
+
+
+@njit(cache=True, error_model="numpy")
+def trials(theta, r, offsets, columns, check, joints, errors, noise, gain, out):
+    """Identify machines one after the other, from the distances of their measured positions.
+
+    Parameters
+    ----------
+    theta, r : (n, 3) arrays
+        Measuring poses of the ideal machine.
+    offsets : (points, 3) array
+    check, joints : (97, 3) arrays
+        Where machines are judged.
+    errors : (T, 42) array
+    noise : (T, points, n, 3) array
+    gain : (columns, M) array
+        Least squares inverse of the identification matrix; empty to build the matrix and solve by SVD in each trial.
+    out : (T, 2) array
+        Largest distance error before and after.
+    """
+    n, points, m = len(theta), len(offsets), len(columns)
+    per = n * (n - 1) // 2
+    rods, x, C = np.empty((6, 14)), np.empty((n, 6)), np.empty((n, 3, 42))
+    H, d, zero = np.empty((points * per, m)), np.empty(points * per), np.zeros(3)
+    y, q, p = np.empty((len(check), 6)), np.empty((len(check), 3)), np.zeros(42)
+    for t in range(len(errors)):
+        for k in range(points):
+            machine(errors[t], offsets[k], rods)
+            forward(theta, rods, x)
+            row = k * per
+            for a in range(n):
+                for b in range(a + 1, n):
+                    was = now = 0.0
+                    for c in range(3):
+                        gap = x[b, c] + noise[t, k, b, c] - x[a, c] - noise[t, k, a, c]
+                        now += gap * gap
+                        was += (r[b, c] - r[a, c]) ** 2
+                    d[row] = math.sqrt(now) - math.sqrt(was)
+                    row += 1
+            if len(gain) == 0:
+                identification_matrix(theta, r, offsets[k], columns, C, H[k * per : (k + 1) * per])
+        found = np.linalg.lstsq(H, d)[0] if len(gain) == 0 else gain @ d
+        for k in range(m):
+            p[columns[k]] = found[k]
+        machine(errors[t], zero, rods)
+        forward(joints, rods, y)
+        out[t, 0] = _worst(y, check)
+        commands(check, p, q)
+        forward(q, rods, y)
+        out[t, 1] = _worst(y, check)

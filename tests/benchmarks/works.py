@@ -19,7 +19,8 @@ import deltacal_kernels
 import numpy as np
 from numba import njit
 
-from deltacal_gen import commands
+from deltacal_gen import PoseSet, commands
+from deltacal_gen.accuracy import check_poses, distance_error
 from deltacal_gen.compensation import Compensator
 from deltacal_gen.estimation import fit, pose_problem
 from deltacal_gen.identification import identify
@@ -36,6 +37,7 @@ OURS, KERNEL, NUMPY, NUMBA = "ours", "kernel", "NumPy", "Numba"  # a user's call
 MM = 1e-6  # agreement of lengths, and of angles times lengths
 POINT = np.array([60.0, -20.0, -40.0])  # a reference point beside the centre of the platform [mm]
 SIGMA = 0.005  # mm; a laser tracker
+POSES = 19  # of a calibration: home and the paper's rings
 DELTA = load_mechanism("delta")
 ROBOT = robot_from_dict(
     {
@@ -391,6 +393,68 @@ def reach(p: Array) -> Array:
     return by_hand.forward(by_hand.ideal_inverse(positions(50, seed=4)), by_hand.machine(p))[:, :3]
 
 
+# ------------------------------------------------------------------------------------------------------ many machines
+
+
+def trials(count: int, *, model: str, kept: bool) -> Work:
+    """Errors of `count` machines, noise, exact poses; the paper's matrix; eq. (23) and exact poses before and after.
+
+    By hand the matrix is built and solved by SVD for each machine, or its inverse is `kept`; the package keeps it.
+    """
+    offsets = np.array([np.zeros(3)] if model == "18" else [np.zeros(3), POINT])
+    rng = np.random.default_rng(6)
+    free = np.isin([p.name for p in DELTA.parameters], DELTA.model(model))
+    errors = np.where(free, 0.3 * DELTA.typical * rng.standard_normal((count, len(free))), 0.0)
+    noise = SIGMA * rng.standard_normal((count, len(offsets), POSES, 3))
+    r = rings(POSES)
+    theta = np.ascontiguousarray(by_hand.ideal_inverse(r))
+    assert ROBOT.workspace is not None
+    target = check_poses(ROBOT.workspace)
+    joints = np.ascontiguousarray(by_hand.ideal_inverse(target))
+    p = np.empty((count, 42))
+    p[:, PAPER] = errors * UNIT
+    wanted, (i, j) = np.array(columns(model)), np.triu_indices(POSES, 1)
+
+    def ours() -> Array:
+        poses = PoseSet(ROBOT, np.tile(theta, (len(offsets), 1)), tool=np.repeat(offsets, POSES, axis=0))
+        linear, check = poses.linear(model, as_distance=True), PoseSet(ROBOT, joints)
+        found = linear.estimate(poses.positions(errors) + noise.reshape(count, -1, 3))
+        before = check.positions(errors)
+        after = check.positions(errors, check.commands(linear.whole(found)))
+        return np.stack([np.abs(distance_error(x, target)).max(axis=1) for x in (before, after)], axis=1)
+
+    def matrix() -> Array:
+        return np.concatenate([by_hand.identification_matrix(theta, r, at, wanted) for at in offsets])
+
+    def numpy() -> Array:
+        out, gain = np.empty((count, 2)), np.linalg.pinv(matrix())
+        for t in range(count):
+            read = [by_hand.forward(theta, by_hand.machine(p[t], at), at)[:, :3] for at in offsets]
+            rest = [
+                np.linalg.norm(y[j] - y[i], axis=1) - np.linalg.norm(r[j] - r[i], axis=1)
+                for y in np.add(read, noise[t])
+            ]
+            rest = np.concatenate(rest)
+            found = np.zeros(42)
+            found[wanted] = gain @ rest if kept else np.linalg.lstsq(matrix(), rest, rcond=None)[0]
+            rods = by_hand.machine(p[t])
+            for stage, q in enumerate((joints, by_hand.command(target, found))):
+                out[t, stage] = np.abs(distance_error(by_hand.forward(q, rods)[:, :3], target)).max()
+        return out
+
+    def numba() -> Array:
+        out, gain = np.empty((count, 2)), np.linalg.pinv(matrix()) if kept else np.empty((0, 0))
+        by_hand_numba.trials(theta, r, offsets, wanted, target, joints, p, noise, gain, out)
+        return out
+
+    return Work(
+        f"identification, model {model}, of each of {count} machines, {'factor kept' if kept else 'SVD each time'}",
+        "us/machine",
+        count,
+        {KERNEL: Contender(ours), NUMPY: Contender(numpy), NUMBA: Contender(numba)},
+    )
+
+
 # -------------------------------------------------------------------------------------------------------- cold start
 
 
@@ -494,8 +558,12 @@ WORKS: dict[str, tuple[Callable[[int], Work], tuple[int, int, int]]] = {
     "W4py_linear": (partial(call, kind="linear"), (1, 1, 1)),
     "W5": (forward, (100_000, 20_000, 30)),
     "W5s": (forward, (19, 19, 7)),
-    "W6_18": (partial(identification, model="18"), (19, 19, 19)),
-    "W6_32": (partial(identification, model="32"), (19, 19, 19)),
+    "W6_18": (partial(trials, model="18", kept=False), (1000, 200, 3)),
+    "W6_32": (partial(trials, model="32", kept=False), (1000, 200, 3)),
+    "W6_18kept": (partial(trials, model="18", kept=True), (1000, 200, 3)),
+    "W6_32kept": (partial(trials, model="32", kept=True), (1000, 200, 3)),
+    "exact_18": (partial(identification, model="18"), (19, 19, 19)),
+    "exact_32": (partial(identification, model="32"), (19, 19, 19)),
     "W7_cold": (partial(start, what="identification", cold=True), (1, 1, 1)),
     "W7_warm": (partial(start, what="identification", cold=False), (1, 1, 1)),
     "W7cli_cold": (partial(start, what="deltacal identify", cold=True), (1, 1, 1)),

@@ -1906,13 +1906,14 @@ def nominal_constants(p):
 
     p is that of the nominal machine; errors and deflections in it play no part.
     """
-    k = np.zeros((p.shape[0], 3, 24))
-    b = p[..., 0]
-    a = p[..., 1]
-    L = p[..., 2]
-    l = p[..., 3]
-    c = p[..., 4]
-    phi = p[..., 5]
+    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
+    k = np.zeros((24, p.shape[1], 3))
+    b = p[0]
+    a = p[1]
+    L = p[2]
+    l = p[3]
+    c = p[4]
+    phi = p[5]
     F_11 = np.sin(phi)
     F_11_betaz = np.cos(phi)
     F_12 = np.cos(phi)
@@ -1945,31 +1946,31 @@ def nominal_constants(p):
     s105 = -0.5*F_11
     s107 = 0.5*F_11_betaz
     s118 = -0.5*l
-    k[..., 0] = F_12
-    k[..., 1] = F_11
-    k[..., 2] = F_22
-    k[..., 3] = F_22_betaz
-    k[..., 4] = F_32_betax
-    k[..., 5] = F_11_betaz
-    k[..., 6] = L
-    k[..., 7] = s31
-    k[..., 8] = s34
-    k[..., 9] = s39
-    k[..., 10] = s41
-    k[..., 11] = s28
-    k[..., 12] = h1_x
-    k[..., 13] = h1_y
-    k[..., 14] = s60
-    k[..., 15] = s62
-    k[..., 16] = s64
-    k[..., 17] = s66
-    k[..., 18] = s59
-    k[..., 19] = h2_x
-    k[..., 20] = h2_y
-    k[..., 21] = s105
-    k[..., 22] = s107
-    k[..., 23] = s118
-    return k
+    k[0] = F_12
+    k[1] = F_11
+    k[2] = F_22
+    k[3] = F_22_betaz
+    k[4] = F_32_betax
+    k[5] = F_11_betaz
+    k[6] = L
+    k[7] = s31
+    k[8] = s34
+    k[9] = s39
+    k[10] = s41
+    k[11] = s28
+    k[12] = h1_x
+    k[13] = h1_y
+    k[14] = s60
+    k[15] = s62
+    k[16] = s64
+    k[17] = s66
+    k[18] = s59
+    k[19] = h2_x
+    k[20] = h2_y
+    k[21] = s105
+    k[22] = s107
+    k[23] = s118
+    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
 @fast

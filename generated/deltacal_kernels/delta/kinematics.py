@@ -1868,13 +1868,14 @@ def nominal_constants(p):
 
     p is that of the nominal machine; errors and deflections in it play no part.
     """
-    k = np.zeros((p.shape[0], 3, 21))
-    b = p[..., 0]
-    a = p[..., 1]
-    L = p[..., 2]
-    l = p[..., 3]
-    c = p[..., 4]
-    phi = p[..., 5]
+    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
+    k = np.zeros((21, p.shape[1], 3))
+    b = p[0]
+    a = p[1]
+    L = p[2]
+    l = p[3]
+    c = p[4]
+    phi = p[5]
     R0_11 = np.cos(phi)
     s1 = np.sin(phi)
     R0_12_alpha0 = np.sin(phi)
@@ -1895,28 +1896,28 @@ def nominal_constants(p):
     c1_x_dc = 0.5*R0_13
     c1_y_dc = -0.5*R0_11
     s97 = -0.5*l
-    k[..., 0] = R0_11
-    k[..., 1] = R0_12_alpha0
-    k[..., 2] = s1
-    k[..., 3] = R0_21
-    k[..., 4] = R0_21_beta0
-    k[..., 5] = L
-    k[..., 6] = B_x
-    k[..., 7] = B_y
-    k[..., 8] = s47
-    k[..., 9] = s49
-    k[..., 10] = g_y_alpha2
-    k[..., 11] = g_x_beta2
-    k[..., 12] = h_y
-    k[..., 13] = h_x
-    k[..., 14] = c1_x_dc
-    k[..., 15] = c1_y_dc
-    k[..., 16] = h_z_alpha03
-    k[..., 17] = h_x_beta03
-    k[..., 18] = h_y_beta03
-    k[..., 19] = l
-    k[..., 20] = s97
-    return k
+    k[0] = R0_11
+    k[1] = R0_12_alpha0
+    k[2] = s1
+    k[3] = R0_21
+    k[4] = R0_21_beta0
+    k[5] = L
+    k[6] = B_x
+    k[7] = B_y
+    k[8] = s47
+    k[9] = s49
+    k[10] = g_y_alpha2
+    k[11] = g_x_beta2
+    k[12] = h_y
+    k[13] = h_x
+    k[14] = c1_x_dc
+    k[15] = c1_y_dc
+    k[16] = h_z_alpha03
+    k[17] = h_x_beta03
+    k[18] = h_y_beta03
+    k[19] = l
+    k[20] = s97
+    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
 @fast

@@ -789,22 +789,23 @@ def nominal_constants(p):
 
     p is that of the nominal machine; errors and deflections in it play no part.
     """
-    k = np.zeros((p.shape[0], 2, 6))
-    base_x = p[..., 0]
-    base_y = p[..., 1]
-    L = p[..., 2]
-    l = p[..., 3]
-    side = p[..., 4]
+    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
+    k = np.zeros((6, p.shape[1], 2))
+    base_x = p[0]
+    base_y = p[1]
+    L = p[2]
+    l = p[3]
+    side = p[4]
     B_x = base_x*side
     s2 = -0.5*np.pi*(1 - side)
     s5 = L*side
-    k[..., 0] = s2
-    k[..., 1] = s5
-    k[..., 2] = B_x
-    k[..., 3] = side
-    k[..., 4] = base_y
-    k[..., 5] = l
-    return k
+    k[0] = s2
+    k[1] = s5
+    k[2] = B_x
+    k[3] = side
+    k[4] = base_y
+    k[5] = l
+    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
 @fast

@@ -83,18 +83,19 @@ def linear_constants(p):
 
     p is that of the calibrated machine: its geometry is taken as nominal, its errors as what to compensate.
     """
-    k = np.zeros((p.shape[0], 2, 13))
-    base_x = p[..., 0]
-    base_y = p[..., 1]
-    L = p[..., 2]
-    l = p[..., 3]
-    side = p[..., 4]
-    theta = p[..., 5]
-    ex = p[..., 6]
-    ey = p[..., 7]
-    dL = p[..., 8]
-    dl = p[..., 9]
-    tip_v = p[..., 12]
+    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
+    k = np.zeros((13, p.shape[1], 2))
+    base_x = p[0]
+    base_y = p[1]
+    L = p[2]
+    l = p[3]
+    side = p[4]
+    theta = p[5]
+    ex = p[6]
+    ey = p[7]
+    dL = p[8]
+    dl = p[9]
+    tip_v = p[12]
     B_x = base_x*side
     s2 = -0.5*np.pi*(1 - side)
     s5 = L*side
@@ -107,20 +108,20 @@ def linear_constants(p):
     s42 = s35*s36
     s47 = L*s36
     s57 = -dl*l
-    k[..., 0] = base_y
-    k[..., 1] = B_x
-    k[..., 2] = s38
-    k[..., 3] = s5
-    k[..., 4] = s42
-    k[..., 5] = s47
-    k[..., 6] = s2
-    k[..., 7] = s10
-    k[..., 8] = s12
-    k[..., 9] = s14
-    k[..., 10] = ex
-    k[..., 11] = ey
-    k[..., 12] = s57
-    return k
+    k[0] = base_y
+    k[1] = B_x
+    k[2] = s38
+    k[3] = s5
+    k[4] = s42
+    k[5] = s47
+    k[6] = s2
+    k[7] = s10
+    k[8] = s12
+    k[9] = s14
+    k[10] = ex
+    k[11] = ey
+    k[12] = s57
+    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
 @kernel(nogil=True, error_model="numpy")

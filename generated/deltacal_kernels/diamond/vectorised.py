@@ -23,18 +23,19 @@ def constants(p):
 
     All rows at once.
     """
-    k = np.zeros((p.shape[0], 2, 11))
-    base_x = p[..., 0]
-    base_y = p[..., 1]
-    L = p[..., 2]
-    l = p[..., 3]
-    side = p[..., 4]
-    theta = p[..., 5]
-    ex = p[..., 6]
-    ey = p[..., 7]
-    dL = p[..., 8]
-    dl = p[..., 9]
-    tip_v = p[..., 12]
+    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
+    k = np.zeros((11, p.shape[1], 2))
+    base_x = p[0]
+    base_y = p[1]
+    L = p[2]
+    l = p[3]
+    side = p[4]
+    theta = p[5]
+    ex = p[6]
+    ey = p[7]
+    dL = p[8]
+    dl = p[9]
+    tip_v = p[12]
     B_x = base_x*side + ex
     B_y = base_y + ey
     s3 = L + dL
@@ -49,18 +50,18 @@ def constants(p):
     s62 = s28 + 0.5*s59*s60
     s66 = s59*s60
     s71 = s3*s59
-    k[..., 0] = s6
-    k[..., 1] = s9
-    k[..., 2] = s12
-    k[..., 3] = B_x
-    k[..., 4] = B_y
-    k[..., 5] = s28
-    k[..., 6] = s62
-    k[..., 7] = s66
-    k[..., 8] = s71
-    k[..., 9] = side
-    k[..., 10] = s51
-    return k
+    k[0] = s6
+    k[1] = s9
+    k[2] = s12
+    k[3] = B_x
+    k[4] = B_y
+    k[5] = s28
+    k[6] = s62
+    k[7] = s66
+    k[8] = s71
+    k[9] = side
+    k[10] = s51
+    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
 def _newton(x, q, tool, k):

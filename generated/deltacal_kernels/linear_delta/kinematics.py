@@ -1552,13 +1552,14 @@ def nominal_constants(p):
 
     p is that of the nominal machine; errors and deflections in it play no part.
     """
-    k = np.zeros((p.shape[0], 3, 18))
-    r = p[..., 0]
-    l = p[..., 1]
-    phi = p[..., 2]
-    home = p[..., 3]
-    a = p[..., 4]
-    c = p[..., 5]
+    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
+    k = np.zeros((18, p.shape[1], 3))
+    r = p[0]
+    l = p[1]
+    phi = p[2]
+    home = p[3]
+    a = p[4]
+    c = p[5]
     u_x = np.cos(phi)
     s1 = np.sin(phi)
     u_y = np.sin(phi)
@@ -1583,25 +1584,25 @@ def nominal_constants(p):
     s_z_cx = 0.5*c*u_x
     s_z_cy = 0.5*c*u_y
     s73 = -0.5*l
-    k[..., 0] = h
-    k[..., 1] = u_x
-    k[..., 2] = u_y
-    k[..., 3] = s23
-    k[..., 4] = s25
-    k[..., 5] = s15
-    k[..., 6] = s19
-    k[..., 7] = s_z_cx
-    k[..., 8] = s_z_cy
-    k[..., 9] = s_x_cz
-    k[..., 10] = s_y_cz
-    k[..., 11] = h_arm
-    k[..., 12] = l
-    k[..., 13] = h_radius
-    k[..., 14] = d_x_angle
-    k[..., 15] = d_y_angle
-    k[..., 16] = h_dr
-    k[..., 17] = s73
-    return k
+    k[0] = h
+    k[1] = u_x
+    k[2] = u_y
+    k[3] = s23
+    k[4] = s25
+    k[5] = s15
+    k[6] = s19
+    k[7] = s_z_cx
+    k[8] = s_z_cy
+    k[9] = s_x_cz
+    k[10] = s_y_cz
+    k[11] = h_arm
+    k[12] = l
+    k[13] = h_radius
+    k[14] = d_x_angle
+    k[15] = d_y_angle
+    k[16] = h_dr
+    k[17] = s73
+    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
 @fast

@@ -233,22 +233,23 @@ def linear_constants(p):
 
     p is that of the calibrated machine: its geometry is taken as nominal, its errors as what to compensate.
     """
-    k = np.zeros((p.shape[0], 3, 22))
-    r = p[..., 0]
-    l = p[..., 1]
-    phi = p[..., 2]
-    home = p[..., 3]
-    a = p[..., 4]
-    c = p[..., 5]
-    endstop = p[..., 6]
-    arm = p[..., 7]
-    radius = p[..., 8]
-    angle = p[..., 9]
-    lean_radial = p[..., 10]
-    lean_tangential = p[..., 11]
-    scale = p[..., 12]
-    dl = p[..., 13]
-    dr = p[..., 14]
+    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
+    k = np.zeros((22, p.shape[1], 3))
+    r = p[0]
+    l = p[1]
+    phi = p[2]
+    home = p[3]
+    a = p[4]
+    c = p[5]
+    endstop = p[6]
+    arm = p[7]
+    radius = p[8]
+    angle = p[9]
+    lean_radial = p[10]
+    lean_tangential = p[11]
+    scale = p[12]
+    dl = p[13]
+    dr = p[14]
     u_x = np.cos(phi)
     s1 = np.sin(phi)
     u_x_errors = -angle*s1
@@ -281,29 +282,29 @@ def linear_constants(p):
     s70 = -0.5*dl*l
     s71 = s69 + s70
     s86 = s69 - s70
-    k[..., 0] = s55
-    k[..., 1] = s60
-    k[..., 2] = s12
-    k[..., 3] = h
-    k[..., 4] = axis_x_errors
-    k[..., 5] = s27
-    k[..., 6] = axis_y_errors
-    k[..., 7] = s33
-    k[..., 8] = scale
-    k[..., 9] = h_errors
-    k[..., 10] = s37
-    k[..., 11] = s39
-    k[..., 12] = s23
-    k[..., 13] = s42
-    k[..., 14] = s29
-    k[..., 15] = s44
-    k[..., 16] = s71
-    k[..., 17] = s_z_cx
-    k[..., 18] = s_z_cy
-    k[..., 19] = s_x_cz
-    k[..., 20] = s_y_cz
-    k[..., 21] = s86
-    return k
+    k[0] = s55
+    k[1] = s60
+    k[2] = s12
+    k[3] = h
+    k[4] = axis_x_errors
+    k[5] = s27
+    k[6] = axis_y_errors
+    k[7] = s33
+    k[8] = scale
+    k[9] = h_errors
+    k[10] = s37
+    k[11] = s39
+    k[12] = s23
+    k[13] = s42
+    k[14] = s29
+    k[15] = s44
+    k[16] = s71
+    k[17] = s_z_cx
+    k[18] = s_z_cy
+    k[19] = s_x_cz
+    k[20] = s_y_cz
+    k[21] = s86
+    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
 @kernel(nogil=True, error_model="numpy")

@@ -1101,12 +1101,13 @@ def nominal_constants(p):
 
     p is that of the nominal machine; errors and deflections in it play no part.
     """
-    k = np.zeros((p.shape[0], 3, 14))
-    a = p[..., 0]
-    b = p[..., 1]
-    h = p[..., 2]
-    H = p[..., 3]
-    phi = p[..., 4]
+    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
+    k = np.zeros((14, p.shape[1], 3))
+    a = p[0]
+    b = p[1]
+    h = p[2]
+    H = p[3]
+    phi = p[4]
     u_x = np.cos(phi)
     s1 = np.sin(phi)
     u_y = np.sin(phi)
@@ -1119,21 +1120,21 @@ def nominal_constants(p):
     C_x_dphi = -h*s1
     s36 = h*u_y
     C_y_dphi = h*u_y_dphi
-    k[..., 0] = u_x
-    k[..., 1] = s1
-    k[..., 2] = u_y
-    k[..., 3] = u_y_dphi
-    k[..., 4] = a
-    k[..., 5] = A_x
-    k[..., 6] = A_x_dphi
-    k[..., 7] = A_y
-    k[..., 8] = A_y_dphi
-    k[..., 9] = s33
-    k[..., 10] = s36
-    k[..., 11] = C_x_dphi
-    k[..., 12] = C_y_dphi
-    k[..., 13] = b
-    return k
+    k[0] = u_x
+    k[1] = s1
+    k[2] = u_y
+    k[3] = u_y_dphi
+    k[4] = a
+    k[5] = A_x
+    k[6] = A_x_dphi
+    k[7] = A_y
+    k[8] = A_y_dphi
+    k[9] = s33
+    k[10] = s36
+    k[11] = C_x_dphi
+    k[12] = C_y_dphi
+    k[13] = b
+    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
 @fast

@@ -110,23 +110,24 @@ def linear_constants(p):
 
     p is that of the calibrated machine: its geometry is taken as nominal, its errors as what to compensate.
     """
-    k = np.zeros((p.shape[0], 3, 28))
-    a = p[..., 0]
-    b = p[..., 1]
-    h = p[..., 2]
-    H = p[..., 3]
-    phi = p[..., 4]
-    da = p[..., 8]
-    db = p[..., 9]
-    dh = p[..., 10]
-    theta0 = p[..., 11]
-    dphi = p[..., 12]
-    dH = p[..., 13]
-    px0 = p[..., 14]
-    py0 = p[..., 15]
-    pz0 = p[..., 16]
-    tip_v = p[..., 17]
-    tip_w = p[..., 18]
+    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
+    k = np.zeros((28, p.shape[1], 3))
+    a = p[0]
+    b = p[1]
+    h = p[2]
+    H = p[3]
+    phi = p[4]
+    da = p[8]
+    db = p[9]
+    dh = p[10]
+    theta0 = p[11]
+    dphi = p[12]
+    dH = p[13]
+    px0 = p[14]
+    py0 = p[15]
+    pz0 = p[16]
+    tip_v = p[17]
+    tip_w = p[18]
     u_x = np.cos(phi)
     s1 = np.sin(phi)
     u_x_errors = -dphi*s1
@@ -153,35 +154,35 @@ def linear_constants(p):
     s95 = (a * a)
     s100 = -0.5*(b * b) + 0.5*s95*((s1 * s1) + (u_x * u_x))
     s116 = -b*db
-    k[..., 0] = s75
-    k[..., 1] = s77
-    k[..., 2] = s81
-    k[..., 3] = s83
-    k[..., 4] = s100
-    k[..., 5] = s95
-    k[..., 6] = a
-    k[..., 7] = u_x
-    k[..., 8] = u_x_errors
-    k[..., 9] = s18
-    k[..., 10] = u_y
-    k[..., 11] = u_y_errors
-    k[..., 12] = s24
-    k[..., 13] = theta0
-    k[..., 14] = A_x
-    k[..., 15] = da
-    k[..., 16] = s36
-    k[..., 17] = s38
-    k[..., 18] = A_y
-    k[..., 19] = s46
-    k[..., 20] = s48
-    k[..., 21] = tip_v
-    k[..., 22] = s59
-    k[..., 23] = s64
-    k[..., 24] = C_x_errors
-    k[..., 25] = C_y_errors
-    k[..., 26] = pz0
-    k[..., 27] = s116
-    return k
+    k[0] = s75
+    k[1] = s77
+    k[2] = s81
+    k[3] = s83
+    k[4] = s100
+    k[5] = s95
+    k[6] = a
+    k[7] = u_x
+    k[8] = u_x_errors
+    k[9] = s18
+    k[10] = u_y
+    k[11] = u_y_errors
+    k[12] = s24
+    k[13] = theta0
+    k[14] = A_x
+    k[15] = da
+    k[16] = s36
+    k[17] = s38
+    k[18] = A_y
+    k[19] = s46
+    k[20] = s48
+    k[21] = tip_v
+    k[22] = s59
+    k[23] = s64
+    k[24] = C_x_errors
+    k[25] = C_y_errors
+    k[26] = pz0
+    k[27] = s116
+    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
 @kernel(nogil=True, error_model="numpy")

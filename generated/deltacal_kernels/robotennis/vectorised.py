@@ -23,23 +23,24 @@ def constants(p):
 
     All rows at once.
     """
-    k = np.zeros((p.shape[0], 3, 23))
-    a = p[..., 0]
-    b = p[..., 1]
-    h = p[..., 2]
-    H = p[..., 3]
-    phi = p[..., 4]
-    da = p[..., 8]
-    db = p[..., 9]
-    dh = p[..., 10]
-    theta0 = p[..., 11]
-    dphi = p[..., 12]
-    dH = p[..., 13]
-    px0 = p[..., 14]
-    py0 = p[..., 15]
-    pz0 = p[..., 16]
-    tip_v = p[..., 17]
-    tip_w = p[..., 18]
+    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
+    k = np.zeros((23, p.shape[1], 3))
+    a = p[0]
+    b = p[1]
+    h = p[2]
+    H = p[3]
+    phi = p[4]
+    da = p[8]
+    db = p[9]
+    dh = p[10]
+    theta0 = p[11]
+    dphi = p[12]
+    dH = p[13]
+    px0 = p[14]
+    py0 = p[15]
+    pz0 = p[16]
+    tip_v = p[17]
+    tip_w = p[18]
     s0 = dphi + phi
     u_x = np.cos(s0)
     u_y = np.sin(s0)
@@ -65,30 +66,30 @@ def constants(p):
     s122 = -2*a - 2*da
     s124 = 0.25*(s122 * s122)
     s129 = -0.5*s122
-    k[..., 0] = theta0
-    k[..., 1] = u_x
-    k[..., 2] = u_y
-    k[..., 3] = s11
-    k[..., 4] = s14
-    k[..., 5] = s16
-    k[..., 6] = s20
-    k[..., 7] = s22
-    k[..., 8] = tip_v
-    k[..., 9] = px0
-    k[..., 10] = py0
-    k[..., 11] = pz0
-    k[..., 12] = s31
-    k[..., 13] = s33
-    k[..., 14] = s46
-    k[..., 15] = s96
-    k[..., 16] = s98
-    k[..., 17] = s100
-    k[..., 18] = s102
-    k[..., 19] = s117
-    k[..., 20] = s124
-    k[..., 21] = s129
-    k[..., 22] = s77
-    return k
+    k[0] = theta0
+    k[1] = u_x
+    k[2] = u_y
+    k[3] = s11
+    k[4] = s14
+    k[5] = s16
+    k[6] = s20
+    k[7] = s22
+    k[8] = tip_v
+    k[9] = px0
+    k[10] = py0
+    k[11] = pz0
+    k[12] = s31
+    k[13] = s33
+    k[14] = s46
+    k[15] = s96
+    k[16] = s98
+    k[17] = s100
+    k[18] = s102
+    k[19] = s117
+    k[20] = s124
+    k[21] = s129
+    k[22] = s77
+    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
 def _newton(x, q, tool, k):

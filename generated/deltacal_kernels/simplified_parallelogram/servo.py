@@ -79,21 +79,22 @@ def linear_constants(p):
 
     p is that of the calibrated machine: its geometry is taken as nominal, its errors as what to compensate.
     """
-    k = np.zeros((p.shape[0], 1, 5))
-    a1x = p[..., 0]
-    b1x = p[..., 3]
-    l1 = p[..., 6]
-    q0 = p[..., 9]
-    dl1 = p[..., 10]
+    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
+    k = np.zeros((5, p.shape[1], 1))
+    a1x = p[0]
+    b1x = p[3]
+    l1 = p[6]
+    q0 = p[9]
+    dl1 = p[10]
     s3 = (1.0 / l1)
     s4 = a1x - b1x
     s10 = -l1*q0
-    k[..., 0] = s4
-    k[..., 1] = s3
-    k[..., 2] = l1
-    k[..., 3] = dl1
-    k[..., 4] = s10
-    return k
+    k[0] = s4
+    k[1] = s3
+    k[2] = l1
+    k[3] = dl1
+    k[4] = s10
+    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
 @kernel(nogil=True, error_model="numpy")

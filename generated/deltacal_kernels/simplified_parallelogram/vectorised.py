@@ -23,24 +23,25 @@ def constants(p):
 
     All rows at once.
     """
-    k = np.zeros((p.shape[0], 1, 6))
-    a1x = p[..., 0]
-    b1x = p[..., 3]
-    l1 = p[..., 6]
-    h = p[..., 8]
-    q0 = p[..., 9]
-    dl1 = p[..., 10]
+    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
+    k = np.zeros((6, p.shape[1], 1))
+    a1x = p[0]
+    b1x = p[3]
+    l1 = p[6]
+    h = p[8]
+    q0 = p[9]
+    dl1 = p[10]
     s0 = dl1 + l1
     s4 = a1x - b1x
     s9 = (1.0 / s0)
     s14 = (1.0 / (s0 * s0))
-    k[..., 0] = q0
-    k[..., 1] = s0
-    k[..., 2] = s4
-    k[..., 3] = h
-    k[..., 4] = s9
-    k[..., 5] = s14
-    return k
+    k[0] = q0
+    k[1] = s0
+    k[2] = s4
+    k[3] = h
+    k[4] = s9
+    k[5] = s14
+    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
 def _newton(x, q, tool, k):
