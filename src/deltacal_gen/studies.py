@@ -33,6 +33,7 @@ from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot, robot_to_dict
 from deltacal_gen.rotation import from_vector
 from deltacal_gen.simulation import simulate
+from deltacal_gen.solvers import Factored
 from deltacal_gen.units import file_unit, to_internal
 
 SCHEMA = "deltacal.study/1"
@@ -158,36 +159,28 @@ class Study:
 
 
 @dataclass(frozen=True)
-class Linear:
-    """Readings by unknowns in units of their noise, and the solution as identify's rule has it.
+class Linear(Factored):
+    """Readings by the n free source errors and the m unknowns of the instrument, in units of their noise.
 
     Attributes
     ----------
-    J : (M, n + m) array
-        By the n free source errors and the m unknowns of the instrument.
     whole : (M, n_p) array
         The same readings by all source errors of the mechanism.
-    prior : (n + m,) array
-        Inverse variance of each unknown; 0 of the instrument's.
-    covariance : (n + m, n + m) array
     """
 
-    J: Array
     whole: Array
-    prior: Array
-    covariance: Array
 
     @staticmethod
     def of(study: Study, problem: Problem) -> Linear:
         """Return the linear problem of a plan."""
         J, whole = rows_of(study, problem)
         prior = np.concatenate([1 / problem.scale**2, np.zeros(J.shape[1] - len(problem.names))])
-        return Linear(J, whole, prior, _inverse(J.T @ J + np.diag(prior)))
+        return Linear(J, prior, whole)
 
     def of_estimate(self, spread: Array, columns: Sequence[int]) -> Array:
         """Return the second moments (n_p, n_p) of estimate minus truth, machines drawn with `spread` (n_p,)."""
         gain = np.zeros((self.whole.shape[1], len(self.J)))
-        gain[columns] = (self.covariance @ self.J.T)[: len(columns)]
+        gain[columns] = self.gain[: len(columns)]
         drawn = (gain @ self.whole - np.eye(len(spread))) * spread
         moments: Array = gain @ gain.T + drawn @ drawn.T
         return moments
@@ -315,7 +308,7 @@ def _calibrate(study: Study, found: Readings, near: Array) -> tuple[Array, np.nd
             x = _stand(study, errors[left], near[left] if number == 1 else x)
         r = _mounted(study, instrument, errors[left]).residual(found, np.nan_to_num(x).reshape(-1, x.shape[2]))
         r = np.nan_to_num(r / study.noise(r.shape[1])).reshape(len(left), -1)
-        step = (r @ linear.J - linear.prior * u[left]) @ linear.covariance
+        step = linear.step(r, u[left])
         u[left] += step
         errors[left[:, None], columns] = u[left, :n]
         instrument = instrument.stepped(step[:, n:])
