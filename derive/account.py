@@ -21,9 +21,10 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 import derive.effects
-from derive import closed_form, emit, unseen, vectors
+from derive import blocks, closed_form, emit, notation, statics, unseen, vectors
 from derive import typeset as ts
 from derive.drawing import drawing
+from derive.graph import Graph
 from derive.spec import ChainMechanism, Effect, EffectQuantity, LimbMechanism, Measurement, Quantity
 from derive.steps import Derivation
 from derive.typeset import Math
@@ -136,6 +137,12 @@ def place(path: str, line: int) -> dict[str, Any]:
 def _of(function: Callable[..., Any]) -> dict[str, Any]:
     function = inspect.unwrap(function)
     return place(f"derive/{Path(inspect.getsourcefile(function) or '').name}", inspect.getsourcelines(function)[1])
+
+
+def _in_template(template: str, text: str) -> dict[str, Any]:
+    """Return where a template begins a function."""
+    lines = (ROOT / template).read_text(encoding="utf-8").splitlines()
+    return place(template, next(n for n, line in enumerate(lines, start=1) if line.startswith(text)))
 
 
 # --------------------------------------------------------------------------------------------- a machine of limbs
@@ -524,17 +531,42 @@ def limb_mechanism(exact: LimbMechanism, written: Written, request: Mapping[str,
         "rotations": rotations_used(written.rotations),
         "steps": steps,
         "closures": closures,
-        "implicit": implicit(any(q.name.startswith("c") for q in machine.platform)),
-        "statics": statics(bool(machine.deflections or machine.rods)) if weights else [],
+        "implicit": implicit(
+            any(q.name.startswith("c") for q in machine.platform),
+            place(written.lines.path, written.lines.keyword("loop_closure")),
+        ),
+        "gradient": {"place": _of(Graph.gradient), "ends": ["newton", "parameters"]},
+        "statics": virtual_work(bool(machine.deflections or machine.rods)) if weights else [],
         "weights": weights,
         "seeds": seeds(exact, written),
-        "moves": {
-            part: [{"name": n, "much": written.scalar(sp.sympify(e))} for n, e in how.items()]
-            for part, how in machine.moves.items()
-        },
+        "moves": _moves(written),
         "drawing": drawing(exact, written, request["at"]) if request.get("at") else None,
         "unseen": unseen_of(exact, written, numbers) if numbers else None,
     }
+
+
+def _moves(written: Written) -> list[dict[str, Any]]:
+    """Return which errors and deflections an effect's parts are on this machine, and how much of each."""
+    machine = written.mechanism
+    own = {q.name: q.symbol for q in (*machine.errors, *machine.common, *machine.deflections)}
+    found = []
+    for part, how in machine.moves.items():
+        moved = ts.words(part)
+        sides = [
+            ts.equation(
+                ts.row(ts.letter("Δ"), written.scalar(own[n])), ts.row(_times(written, e), ts.letter("Δ"), moved)
+            )
+            for n, e in how.items()
+        ]
+        found.append(
+            {"part": part, "meaning": derive.effects.PARTS.get(part, part), "formula": ts.separated(sides, ",")}
+        )
+    return found
+
+
+def _times(written: Written, e: sp.Expr) -> Math:
+    e = sp.sympify(e)
+    return ts.EMPTY if e == 1 else ts.op("−") if e == -1 else written.scalar(e) + ts.thin()
 
 
 def _head(spec: LimbMechanism | ChainMechanism, module: ModuleType) -> dict[str, Any]:
@@ -609,10 +641,9 @@ def unseen_of(exact: LimbMechanism, written: Written, numbers: unseen.Numbers) -
             out.setdefault(model, {})[kind] = [
                 {
                     "names": list(vector),
-                    "formula": ts.separated(
-                        (ts.equation(symbol(n), ts.expression(tidy(e), written.symbols)) for n, e in vector.items()),
-                        ",",
-                    ),
+                    "entries": [
+                        ts.equation(symbol(n), ts.expression(tidy(e), written.symbols)) for n, e in vector.items()
+                    ],
                 }
                 for vector in basis
             ]
@@ -634,8 +665,11 @@ def _by(matrix: str, by: str) -> Math:
     return ts.sub(ts.letter(matrix, bold=True), ts.letter(by))
 
 
-def implicit(turns: bool) -> list[dict[str, Any]]:
-    """Return the implicit function theorem on the closures, which every machine of limbs goes through."""
+def implicit(turns: bool, closed_at: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Return the implicit function theorem on the closures, which every machine of limbs goes through.
+
+    `ends`: the generated functions that evaluate a step.
+    """
     F, x, q, p, d = *(ts.letter(n, bold=True) for n in "Fxqp"), ts.words("d")
     J = {n: _by("J", n) for n in "xqp"}
     closed = ts.equation(ts.row(F, ts.brackets(ts.separated((x, q, p)))), ts.letter("0", bold=True))
@@ -653,13 +687,30 @@ def implicit(turns: bool) -> list[dict[str, Any]]:
         ts.equation(V, ts.row(ts.op("−"), inverse, J["q"])),
     )
     found = [
-        {"formula": closed, "text": "All closures of all limbs together, with as many equations as coordinates in x."},
-        {"formula": jacobians, "text": "Built on the graph of the steps above: one sweep backwards from each closure."},
-        {"formula": total, "text": "On the machine the closures stay zero."},
-        {"formula": solved, "text": "The implicit function theorem: where the first matrix is regular,"},
+        {
+            "formula": closed,
+            "text": "All closures of all limbs together, with as many equations as coordinates in x.",
+            "place": closed_at,
+            "ends": ["newton"],
+        },
+        {
+            "formula": jacobians,
+            "text": "Built on the graph of the steps above: one sweep backwards from each closure.",
+            "place": _of(Graph.derivatives),
+            "ends": ["newton", "parameters", "jacobians"],
+        },
+        {"formula": total, "text": "On the machine the closures stay zero.", "place": None, "ends": ["jacobians"]},
+        {
+            "formula": solved,
+            "text": "The implicit function theorem: where the first matrix is regular,",
+            "place": None,
+            "ends": ["sensitivity"],
+        },
         {
             "formula": matrices,
             "text": "with the sensitivity S by the errors and the velocity Jacobian V by the joints.",
+            "place": _in_template("templates/mechanism/vectorised.py.jinja", "def sensitivity"),
+            "ends": ["sensitivity"],
         },
     ]
     if turns:
@@ -667,11 +718,12 @@ def implicit(turns: bool) -> list[dict[str, Any]]:
         above = ts.row(ts.letter("I", bold=True), ts.op("+"), ts.frac(one, two), cross(c))
         below = ts.row(one, ts.op("+"), ts.frac(one, ts.number(4)), ts.sup(ts.brackets(c, "||"), two))
         text = "A change of the Cayley vector as a turn about the axes of {O}, which is what the sensitivities give."
-        found.append({"formula": ts.equation(ts.row(d, phi), ts.row(ts.frac(above, below), d, c)), "text": text})
+        turn = ts.equation(ts.row(d, phi), ts.row(ts.frac(above, below), d, c))
+        found.append({"formula": turn, "text": text, "place": _of(blocks.turn_by_change), "ends": ["spin"]})
     return found
 
 
-def statics(deflections: bool) -> list[dict[str, Any]]:
+def virtual_work(deflections: bool) -> list[dict[str, Any]]:
     """Return what weights exert on the joints, by virtual work on the closures."""
     m, g, r, x, q = ts.letter("m"), *(ts.letter(n, bold=True) for n in "grxq")
     W, J = {n: _by("W", n) for n in "qx"}, {n: _by("J", n) for n in "xqp"}
@@ -680,14 +732,29 @@ def statics(deflections: bool) -> list[dict[str, Any]]:
     held = ts.equation(ts.row(ts.sup(J["x"], top), mu), ts.row(ts.op("−"), W["x"]))
     torque = ts.equation(tau, ts.row(W["q"], ts.op("+"), ts.sup(J["q"], top), mu))
     found = [
-        {"formula": ts.separated(sums, ","), "text": "Generalised loads of the weights listed below."},
-        {"formula": held, "text": "Equilibrium of the platform gives the multipliers of the closures."},
-        {"formula": torque, "text": "What the loads exert on each joint, positive along its positive direction."},
+        {
+            "formula": ts.separated(sums, ","),
+            "text": "Generalised loads of the weights listed below.",
+            "place": _of(statics.loads),
+            "ends": ["limb", "platform"],
+        },
+        {
+            "formula": held,
+            "text": "Equilibrium of the platform gives the multipliers of the closures.",
+            "place": None,
+            "ends": ["Mechanism.loads"],
+        },
+        {
+            "formula": torque,
+            "text": "What the loads exert on each joint, positive along its positive direction.",
+            "place": None,
+            "ends": ["Mechanism.loads"],
+        },
     ]
     if deflections:
         load = ts.equation(ts.sub(ts.letter("f"), ts.letter("p")), ts.row(ts.sup(J["p"], top), mu))
         text = "The load conjugate to an error or deflection p: the pull on an arm's tip, the tension of a rod."
-        found.append({"formula": load, "text": text})
+        found.append({"formula": load, "text": text, "place": None, "ends": ["Mechanism.loads"]})
     return found
 
 
@@ -731,11 +798,12 @@ def chain_mechanism(spec: ChainMechanism, module: ModuleType) -> dict[str, Any]:
                     for by, twist in twists.items()
                 ],
                 "place": place(spec.source, lines.keyword("transforms")),
-                "of": _of(vectors.follow),
+                "ends": [convention],
             }
         )
     return {
         "kind": "chain",
+        "gradient": {"place": _of(vectors.follow), "ends": list(spec.transforms)},
         **_head(spec, module),
         "tables": {
             "joint": table(spec.joint, look),
@@ -748,6 +816,7 @@ def chain_mechanism(spec: ChainMechanism, module: ModuleType) -> dict[str, Any]:
         "where": [],
         "rotations": [],
         "steps": steps,
+        "moves": [],
         "links": links,
     }
 
@@ -818,12 +887,15 @@ def reaches(targets: set[str], states: set[str]) -> list[dict[str, Any]]:
         text = "The pose moves by the machine's velocity Jacobian V and sensitivity S at the deformed pose."
         if states & {"torque", "payload_torque", "inertia_torque", "pull_v", "pull_w", "tension_1", "tension_2"}:
             text += " Loads are those of the deformed machine, found by iteration to static equilibrium."
-        found.append({"formula": ts.equation(slope, ts.separated(terms, "+")), "text": text})
+        moving = ts.equation(slope, ts.separated(terms, "+"))
+        found.append({"formula": moving, "text": text, "place": None, "ends": ["Body.columns"]})
         reading = ts.equation(ts.frac(ts.row(d, y), ts.row(d, c)), ts.row(_partial(y, x), slope))
-        found.append({"formula": reading, "text": "The reading moves with the pose, as the instrument sees it."})
+        text = "The reading moves with the pose, as the instrument sees it."
+        found.append({"formula": reading, "text": text, "place": None, "ends": ["Instrument.linearise"]})
     if any(t.startswith("reading.") or t in ("length", "height") for t in targets):
         reading = ts.equation(ts.frac(ts.row(d, y), ts.row(d, c)), moved("reading"))
-        found.append({"formula": reading, "text": "It acts on the reading itself; no pose and no command changes."})
+        text = "It acts on the reading itself; no pose and no command changes."
+        found.append({"formula": reading, "text": text, "place": None, "ends": ["reading_shift"]})
     return found
 
 
@@ -895,7 +967,14 @@ def _length(e: sp.Expr, reader: Reader) -> Math:
 
 
 def answer(request: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the account that a request asks for by ``mechanism``, ``effect`` or ``measurement``."""
+    """Return the account that a request asks for.
+
+    Of a ``mechanism``, an ``effect`` or a ``measurement``; ``texts`` are read, and ``reaches`` are targets of effects.
+    """
+    if "texts" in request:
+        return {"texts": [notation.read(text) for text in request["texts"]]}
+    if "reaches" in request:
+        return {"chain": reaches(set(request["reaches"]), {"torque"})}
     kind, name = next((k, request[k]) for k in ("mechanism", "effect", "measurement") if k in request)
     if kind == "effect":
         module = importlib.import_module(f"derive.effects.{name}")

@@ -24,6 +24,11 @@ for (const e of document.querySelectorAll('body *')) {
 }
 return [document.documentElement.scrollWidth - window.innerWidth, wide];
 """
+PAPER = 672  # px of CSS: A4 within the margins of the stylesheet
+BEYOND_PAPER = """
+return [...document.querySelectorAll('body *')].filter(e => !e.closest('svg') && e.getBoundingClientRect().right >
+  window.innerWidth + 1).map(e => e.outerHTML.slice(0, 90));
+"""
 EMPTY = """
 return [...document.querySelectorAll('math')].filter(e => !e.closest('details:not([open])')).map(
   e => e.getBoundingClientRect()).filter(r => !(r.width > 2 && r.height > 5)).length;
@@ -85,3 +90,15 @@ def test_pages_are_readable(kind: str, browser: Any, pages: dict[str, Path]) -> 
         assert browser.execute_script(EMPTY) == 0
         if kind in ("derivation", "effect"):
             assert browser.execute_script("return document.querySelectorAll('math').length") > 5
+
+
+@pytest.mark.parametrize("kind", ["calibration", "diagnosis", "derivation", "effect", "contents"])
+def test_pages_fit_on_paper(kind: str, browser: Any, pages: dict[str, Path]) -> None:
+    browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    metrics = {"width": PAPER, "height": 900, "deviceScaleFactor": 1, "mobile": False}
+    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
+    try:
+        browser.get(pages[kind].as_uri())
+        assert browser.execute_script(BEYOND_PAPER) == []
+    finally:
+        browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})

@@ -39,10 +39,24 @@ from deltacal_gen.rotation import cayley_vector
 from deltacal_gen.units import file_unit, to_internal
 
 KERNELS = "generated/deltacal_kernels"
+RUNTIME = tuple(f"src/deltacal_gen/{name}.py" for name in ("mechanism", "physics", "measurement", "chain"))
 VERSIONS = ("numpy", "scipy", "matplotlib")
 
 
 # ------------------------------------------------------------------------------------------------------ what there is
+
+
+@dataclass(frozen=True)
+class Common:
+    """What `derive.account` says of all that reports of machines have in common.
+
+    `chain`: how an effect reaches a reading; `formulas`: the words and formulas, in turn, of a text of the ledger.
+    """
+
+    measurements: Sequence[Mapping[str, Any]]
+    effects: Sequence[Mapping[str, Any]]
+    chain: Sequence[Mapping[str, Any]]
+    formulas: Mapping[str, Sequence[Any]]
 
 
 @dataclass(frozen=True)
@@ -176,12 +190,17 @@ class Sources:
     def at(self, file: str, line: int) -> dict[str, Any]:
         """Return a place to lead to: its text, and the name of its anchor."""
         self._wanted.setdefault(file, set()).add(line)
-        return {"text": f"{file}:{line}", "anchor": _anchor(file, line)}
+        return {"file": file, "line": line, "text": f"{file}:{line}", "anchor": _anchor(file, line)}
 
     def functions(self, file: str) -> dict[str, ast.FunctionDef]:
-        """Return the functions of a file."""
-        tree = ast.parse(self.text(file))
-        return {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)}
+        """Return the functions of a file, those of a class by ``Class.name``."""
+        found = {}
+        for node in ast.parse(self.text(file)).body:
+            if isinstance(node, ast.FunctionDef):
+                found[node.name] = node
+            elif isinstance(node, ast.ClassDef):
+                found |= {f"{node.name}.{f.name}": f for f in node.body if isinstance(f, ast.FunctionDef)}
+        return found
 
     def listings(self) -> list[dict[str, Any]]:
         """Return what the report embeds: a mechanism or an effect whole, of other files the functions in question."""
@@ -189,7 +208,9 @@ class Sources:
         for file in sorted(self._wanted):
             lines, wanted = self.text(file).splitlines(), sorted(self._wanted[file])
             spans = [(1, len(lines))]
-            if not file.startswith(("derive/mechanisms", "derive/effects", "derive/measurements")):
+            if file.endswith(".jinja"):
+                spans = [(n, _paragraphs(lines, n)) for n in wanted]
+            elif not file.startswith(("derive/mechanisms", "derive/effects", "derive/measurements")):
                 nodes = self.functions(file).values()
                 first = [min([node.lineno, *(d.lineno for d in node.decorator_list)]) for node in nodes]
                 every = [(a, node.end_lineno or a) for a, node in zip(first, nodes, strict=True)]
@@ -213,8 +234,24 @@ class Sources:
         return hashlib.sha256(self.text(file).encode()).hexdigest()
 
 
+def _paragraphs(lines: Sequence[str], first: int) -> int:
+    """Return the last line of a function in a template: two empty lines follow it."""
+    return next(
+        (n for n in range(first, len(lines) - 1) if not lines[n].strip() and not lines[n + 1].strip()), len(lines)
+    )
+
+
 def _anchor(file: str, line: int) -> str:
     return f"{re.sub(r'[^a-z0-9]+', '-', file.lower())}-{line}"
+
+
+@dataclass(frozen=True)
+class Assigned:
+    """A named value in a kernel: its line, its operations as they stand and written out."""
+
+    line: int
+    operations: int
+    written_out: int
 
 
 @dataclass(frozen=True)
@@ -232,7 +269,7 @@ class Kernel:
     outputs: int
     operations: int
     written_out: int
-    assigned: Mapping[str, int]
+    assigned: Mapping[str, Assigned]
 
 
 def kernels(sources: Sources, file: str) -> list[Kernel]:
@@ -244,17 +281,19 @@ def kernels(sources: Sources, file: str) -> list[Kernel]:
         if any(isinstance(s, ast.For | ast.While | ast.If) for s in node.body):
             continue
         sizes: dict[str, int] = {}
-        assigned: dict[str, int] = {}
+        assigned: dict[str, Assigned] = {}
         operations = outputs = written_out = 0
         for statement in node.body:
             if not isinstance(statement, ast.Assign):
                 continue
+            target = statement.targets[0]
+            if isinstance(target, ast.Name) and target.id == out:
+                continue  # makes the array
             own, whole = _size(statement.value, sizes, shared if out == "out" else {})
             operations += own
-            target = statement.targets[0]
             if isinstance(target, ast.Name):
                 sizes[target.id] = whole
-                assigned[target.id] = statement.lineno
+                assigned[target.id] = Assigned(statement.lineno, own, whole)
             elif isinstance(target, ast.Subscript) and isinstance(target.value, ast.Name) and target.value.id == out:
                 outputs += 1
                 written_out += whole
@@ -264,6 +303,20 @@ def kernels(sources: Sources, file: str) -> list[Kernel]:
             doc = (ast.get_docstring(node) or "").split("\n")[0].split(" (")[0].rstrip(".")
             found.append(Kernel(name, file, node.lineno, doc, outputs, operations, written_out, assigned))
     return found
+
+
+def _table_of(used: Sequence[Kernel], sources: Sources) -> list[dict[str, Any]]:
+    return [
+        {
+            "name": k.name.lstrip("_"),
+            "meaning": k.meaning,
+            "outputs": k.outputs,
+            "operations": k.operations,
+            "written_out": k.written_out,
+            "at": sources.at(k.file, k.line),
+        }
+        for k in used
+    ]
 
 
 def _index(node: ast.Subscript) -> str:
@@ -286,17 +339,17 @@ def _size(node: ast.expr, sizes: Mapping[str, int], shared: Mapping[str, int]) -
 # --------------------------------------------------------------------------------------------------------- the report
 
 
-def content(one: Subject, account: Mapping[str, Any], root: Path, measurements: Sequence[Mapping[str, Any]]) -> dict:
+def content(one: Subject, account: Mapping[str, Any], root: Path, common: Common) -> dict:
     """Return all that a report of a model shows, for either format.
 
     Parameters
     ----------
     account : mapping
         What `derive.account` says of the mechanism.
-    measurements : sequence of mapping
-        What it says of the kinds of measurement.
+    common : Common
+        What it says of measurements, effects and the papers.
     """
-    sources, robot = Sources(root), example(one.mechanism)
+    sources, robot, account = Sources(root), example(one.mechanism), dict(account)
     found: dict[str, Any] = {
         "subject": one.name,
         "mechanism": one.mechanism,
@@ -311,7 +364,6 @@ def content(one: Subject, account: Mapping[str, Any], root: Path, measurements: 
         *account["steps"],
         *account.get("where", ()),
         *account.get("rotations", ()),
-        *account.get("links", ()),
     ):
         part["at"] = sources.at(**part["place"])
     for part in (*account.get("closures", ()), *account.get("weights", ()), *account.get("seeds", ())):
@@ -321,20 +373,15 @@ def content(one: Subject, account: Mapping[str, Any], root: Path, measurements: 
     used = list({k.name: k for k in reversed(every)}.values())[::-1]  # what stands in two files, from the first
     for step in account["steps"]:
         step["ends"] = _ends(step, used, sources)
-    found["kernels"] = [
-        {
-            "name": k.name.lstrip("_"),
-            "meaning": k.meaning,
-            "outputs": k.outputs,
-            "operations": k.operations,
-            "written_out": k.written_out,
-            "at": sources.at(k.file, k.line),
-        }
-        for k in used
-    ]
-    found["measurements"] = [{**m, "at": sources.at(**m["place"])} for m in measurements]
-    found["claims"] = _claims(account["reference"])
-    found["effects"] = _effects(one.mechanism)
+    folder = f"{KERNELS}/{one.mechanism}"
+    for key in ("implicit", "statics", "links"):
+        account[key] = [_led(part, used, sources, folder) for part in account.get(key, ())]
+    account["gradient"] = _led(account["gradient"], used, sources, folder)
+    found["kernels"] = _table_of(used, sources)
+    found["measurements"] = [{**m, "at": sources.at(**m["place"])} for m in common.measurements]
+    found["claims"] = _claims(account["reference"], common.formulas)
+    found["effects"] = [_effect_on(e, one.mechanism, sources) for e in common.effects]
+    found["effect_chain"] = [_led(part, used, sources, folder) for part in common.chain]
     if robot is not None:
         robot = for_model(robot, one.name) if not robot.links else robot
         found |= _in_numbers(one, robot, account)
@@ -364,10 +411,32 @@ def _dimensions(account: Mapping[str, Any]) -> str:
 def _ends(step: Mapping[str, Any], used: Sequence[Kernel], sources: Sources) -> dict[str, Any] | None:
     """Return where the generated code evaluates a step, or None where it is an input under another name."""
     for kernel in used:
-        lines = [kernel.assigned[name] for name in step["entries"] if name in kernel.assigned]
-        if lines:
-            return {"kernel": kernel.name.lstrip("_"), **sources.at(kernel.file, min(lines))}
+        found = [kernel.assigned[name] for name in step["entries"] if name in kernel.assigned]
+        if found:
+            return {
+                "kernel": kernel.name.lstrip("_"),
+                "operations": sum(a.operations for a in found),
+                "written_out": sum(a.written_out for a in found),
+                **sources.at(kernel.file, min(a.line for a in found)),
+            }
     return None
+
+
+def _led(part: Mapping[str, Any], used: Sequence[Kernel], sources: Sources, folder: str) -> dict[str, Any]:
+    """Return where a formula is made, and the functions in which it ends: kernels with their operations."""
+    ends: list[dict[str, Any]] = []
+    for name in part["ends"]:
+        kernel = next((k for k in used if k.name.lstrip("_") == name), None)
+        if kernel is not None:
+            counts = {"operations": kernel.operations, "written_out": kernel.written_out}
+            ends.append({"kernel": name, **counts, **sources.at(kernel.file, kernel.line)})
+            continue
+        for file in (f"{folder}/vectorised.py", f"{folder}/links.py", *RUNTIME):
+            functions = sources.functions(file) if (sources.root / file).exists() else {}
+            if name in functions:
+                ends.append({"kernel": name, "operations": None, **sources.at(file, functions[name].lineno)})
+                break
+    return {**part, "at": sources.at(**part["place"]) if part.get("place") else None, "led": ends}
 
 
 def _in_numbers(one: Subject, robot: Robot, account: Mapping[str, Any]) -> dict[str, Any]:
@@ -517,13 +586,16 @@ def _conditions(axes: Axes, counts: Sequence[int], values: np.ndarray) -> None:
     axes.set_ylabel("condition number")
 
 
-def _claims(reference: str) -> dict[str, Any] | None:
+def _claims(reference: str, formulas: Mapping[str, Sequence[Any]]) -> dict[str, Any] | None:
     """Return the ledger's entries on the paper that a mechanism is of: its file is named by the first author."""
     author = reference.split(",")[0].split(" ")[0].lower()
     if author not in ledger.paper_names():
         return None
     paper = ledger.load_paper(author)
-    claims = [c.model_dump() for c in paper.claims]
+    claims = [
+        {**c.model_dump(), "sides": {key: _said(formulas[getattr(c, key)]) for key in ("printed", "correct")}}
+        for c in paper.claims
+    ]
     return {
         "title": paper.title,
         "counts": [(s, sum(c["status"] == s for c in claims)) for s in ledger.STATUSES],
@@ -532,6 +604,11 @@ def _claims(reference: str) -> dict[str, Any] | None:
         "corrected": [c for c in claims if c["status"] == "contradicted"],
         "conventions": [c for c in claims if c["status"] == "convention-dependent"],
     }
+
+
+def _said(parts: Sequence[Any]) -> dict[str, Any]:
+    """Return a text of the ledger, and whether it is formulas alone, which are set larger than in a sentence."""
+    return {"parts": parts, "alone": all(not isinstance(p, str) or not re.search(r"[A-Za-z]", p) for p in parts)}
 
 
 def applies(effect: str, mechanism: str) -> list[str]:
@@ -549,21 +626,25 @@ def applies(effect: str, mechanism: str) -> list[str]:
     return lacks
 
 
-def _effects(mechanism: str) -> list[dict[str, Any]]:
-    found = []
-    for name in effect_names():
-        effect = load_effect(name)
-        lacks = applies(name, mechanism)
-        found.append(
-            {
-                "name": name,
-                "title": effect.TITLE,
-                "targets": ", ".join(effect.TARGETS),
-                "reads": ", ".join(effect.STATE) or "nothing",
-                "lacks": ", ".join(lacks),
-            }
-        )
-    return found
+def _effect_on(account: Mapping[str, Any], mechanism: str, sources: Sources) -> dict[str, Any]:
+    """Return an effect on a machine: its deformation, what it reads, the kernels it ends in, or what is lacking."""
+    name = account["name"]
+    effect, lacks = load_effect(name), applies(name, mechanism)
+    file = f"{KERNELS}/effects/{name}.py"
+    return {
+        "name": name,
+        "title": effect.TITLE,
+        "formulas": [] if lacks else [t["formula"] for t in account["targets"]],
+        "reads": ", ".join(effect.STATE) or "nothing",
+        "lacks": ", ".join(lacks),
+        "at": None if lacks else sources.at(**account["targets"][0]["place"]),
+        "led": []
+        if lacks
+        else [
+            {"kernel": k.name, "operations": k.operations, "written_out": k.written_out, **sources.at(k.file, k.line)}
+            for k in kernels(sources, file)
+        ],
+    }
 
 
 def _provenance(one: Subject, sources: Sources, files: Sequence[str], account: Mapping[str, Any]) -> dict[str, Any]:
@@ -584,22 +665,13 @@ def effect_content(one: Subject, account: Mapping[str, Any], root: Path) -> dict
     for target in account["targets"]:
         target["at"] = sources.at(**target["place"])
     used = kernels(sources, file)
+    account = {**account, "chain": [_led(part, used, sources, KERNELS) for part in account["chain"]]}
     return {
         "subject": one.name,
         "what": account["title"],
         "account": account,
         "conventions": account["docstring"],
-        "kernels": [
-            {
-                "name": k.name,
-                "meaning": k.meaning,
-                "outputs": k.outputs,
-                "operations": k.operations,
-                "written_out": k.written_out,
-                "at": sources.at(k.file, k.line),
-            }
-            for k in used
-        ],
+        "kernels": _table_of(used, sources),
         "machines": [
             {"name": name, "title": _title(name), "lacks": ", ".join(applies(one.name, name))}
             for name in mechanism_names()
@@ -639,9 +711,21 @@ def derivations(
     wanted: dict[str, dict[str, Any]] = {}
     for one in chosen:
         wanted.setdefault(one.mechanism or one.name, request(one))
-    asked = [{"measurement": kind} for kind in kinds] if any(one.mechanism for one in chosen) else []
+    common = Common((), (), (), {})
+    asked: list[dict[str, Any]] = []
+    texts = sorted(
+        {t for p in ledger.paper_names() for c in ledger.load_paper(p).claims for t in (c.printed, c.correct)}
+    )
+    if any(one.mechanism for one in chosen):
+        asked += [{"measurement": kind} for kind in kinds]
+        asked += [{"effect": name} for name in effect_names()]
+        asked += [{"texts": texts}, {"reaches": ["joint", "limb.part", "turn.axis", "tool.axis", "reading.axis"]}]
     answers = accounts([*asked, *wanted.values()], root)
-    measurements = [next(answers) for _ in asked]
+    if asked:
+        progress("measurements, effects, papers")
+        first = [next(answers) for _ in asked]
+        formulas = dict(zip(texts, first[-2]["texts"], strict=True))
+        common = Common(first[: len(kinds)], first[len(kinds) : -2], first[-1]["chain"], formulas)
     done = 0
     for key in wanted:
         progress(f"{key}: equations")
@@ -650,7 +734,7 @@ def derivations(
             done += 1
             progress(f"{one.name} ({done} of {len(chosen)}): ranks and checks")
             if one.mechanism:
-                yield one, "derivation", content(one, account, root, measurements)
+                yield one, "derivation", content(one, account, root, common)
             else:
                 yield one, "effect", effect_content(one, account, root)
     for _ in answers:  # the process ends

@@ -17,6 +17,7 @@ from typing import Any
 
 import jinja2
 import numpy as np
+from markupsafe import Markup
 
 from deltacal_gen import figures
 from deltacal_gen.figures import AFTER, BEFORE, INK, MUTED, STYLE, mpl, plt
@@ -275,13 +276,20 @@ def _pages() -> Any:
 
 def _environment(ending: str, *, autoescape: bool) -> jinja2.Environment:
     files = {f.name: f.read_text(encoding="utf-8") for f in _pages().iterdir() if f.name.endswith(ending)}
-    return jinja2.Environment(
+    environment = jinja2.Environment(
         loader=jinja2.DictLoader(files),
         undefined=jinja2.StrictUndefined,
         autoescape=autoescape,
         trim_blocks=True,
         lstrip_blocks=True,
     )
+    environment.filters["breakable"] = _breakable
+    return environment
+
+
+def _breakable(text: str) -> Markup:
+    """Return a path or a dotted name that may break behind its separators, so that no column is as wide as it."""
+    return Markup(re.sub(r"(::|[/_])", r"\1<wbr>", html.escape(text)))
 
 
 # ------------------------------------------------------------------------------------------------------- in words
