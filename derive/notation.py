@@ -170,7 +170,8 @@ def _pieces(tokens: Sequence[_Token]) -> list[list[_Token]]:
         depth += (token.kind == "open") - (token.kind == "close")
         bars += token.text == "|"
         between = token.space and n + 1 < len(tokens) and tokens[n + 1].space
-        if long and parts[-1] and depth == 0 and bars % 2 == 0 and between and token.text in ("=", "+", "-"):
+        begun = bool(parts[-1]) and parts[-1][-1].kind != "dots"
+        if long and begun and depth == 0 and bars % 2 == 0 and between and token.text in ("=", "+", "-"):
             parts.append([])
         parts[-1].append(token)
     return parts
