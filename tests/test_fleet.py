@@ -79,6 +79,26 @@ def test_what_changed_since_the_last_time(shop: Path, tmp_path: Path) -> None:
     assert [r["error"] is None for r in first["rows"]].count(False) == 1
 
 
+def test_a_diagnosis_says_which_part_has_moved(shop: Path, tmp_path: Path) -> None:
+    one = tmp_path / "shop"
+    shutil.copytree(shop / "printer-2", one / "printer-2")
+    found = fleet.conduct(one, tmp_path / "run", model="6", workers=1)
+    assert [r["verdict"] for r in found["rows"]] == ["adequate", "adequate"]
+    (change,) = found["changed"]
+    assert change["text"].startswith("still adequate; held out ")
+    assert "mm. endstop_1 moved +0." in change["text"]
+
+
+def test_an_effect_that_has_grown_is_said() -> None:
+    def diagnosis(width: float) -> dict[str, Any]:
+        part = {"name": "width", "limb": 1, "value": width, "std": 0.001, "unit": "deg"}
+        effect = {"name": "backlash", "limbs": [1], "parameters": [part]}
+        return {"verdict": "missing_physics", "effects": [effect], "final": {"heldout_rms_mm": 0.01}}
+
+    assert "width of backlash was 0.02, is 0.03 +- 0.0014 deg" in fleet._moved(diagnosis(0.02), diagnosis(0.03))
+    assert "width" not in fleet._moved(diagnosis(0.02), diagnosis(0.022))
+
+
 def test_validation_needs_a_result_and_says_so(shop: Path, tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"result\.json"):
         fleet.conduct(shop, tmp_path / "run", "validate", workers=1)

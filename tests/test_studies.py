@@ -123,6 +123,18 @@ def test_measuring_more_leaves_less(made: Study) -> None:
     assert all(0 < g["rms_mm"] < told["rms_mm"] for g in told["add"])
 
 
+def test_what_is_advised_gives_what_is_said(made: Study, plan: Path, tmp_path: Path) -> None:
+    gain = next(g for g in studies.advice(made)["add"] if g["add"].startswith("one more pose"))
+    at = re.search(r"\((.*)\)", gain["add"])
+    assert at is not None
+    further = tmp_path / "plan.csv"
+    further.write_text(f"{plan.read_text()}{at[1].replace(' ', '')}\n")
+    further.with_suffix(".toml").write_text(plan.with_suffix(".toml").read_text())
+    poses = read_recording(further, made.problem.mechanism, need_measured=False, allow_targets=True)
+    after = studies.conduct(dataclasses.replace(made, poses=poses), 1000, workers=1)["position"]["after"]
+    assert after["rms_mm"] == pytest.approx(gain["rms_mm"], rel=0.03)
+
+
 def test_a_suspicion_is_concealed_and_looked_for(robot: Robot, plan: Path, tmp_path: Path, run: Run) -> None:
     several = tmp_path / "plan.csv"
     first, *targets = plan.read_text().splitlines()

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import functools
 import json
+import math
 import os
 import re
 import tempfile
@@ -21,7 +22,7 @@ from typing import Any
 
 from deltacal_gen import commands
 from deltacal_gen.comparison import compare
-from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.errors import DeltacalError, InputError, UsageError
 from deltacal_gen.execution import Outcome, Store, Task, Told, content_key, run
 from deltacal_gen.points import is_table_of_joints
 from deltacal_gen.recording import csv_text, is_recording, write_files
@@ -30,6 +31,7 @@ SCHEMA = "deltacal.batch/1"
 ACTIONS = ("diagnose", "identify", "validate")
 ROBOT = "robot.toml"
 RESULT = "result.json"  # beside the robot: what its recordings are validated against
+GEOMETRY = "geometry"  # of a diagnosis that found nothing else: the calibration, to be compared with others
 LAST = "last.json"  # which task each recording was, the last time that all were done
 CONFIGS = ("config-override.g", "config.g")  # of RepRapFirmware: M500 writes the first, which then holds
 ASIDE = ("machine", "error", "warnings")  # of a row, told apart from the table
@@ -39,6 +41,7 @@ IMPORTS: Mapping[str, Callable[..., Any]] = {
     "rrf": commands.import_rrf,
     "points": commands.import_points,
 }
+CLEAR = 3.0  # standard deviations by which an effect has changed
 LOOKED_AT = 1_000_000  # bytes of a text, to tell what it is
 
 Contents = Mapping[str, bytes]
@@ -234,7 +237,14 @@ def do(action: str, model: str | None, files: Contents) -> dict[str, Any]:
                 return commands.validate(folder / RESULT, recording)
             if action == "identify":
                 return commands.identify(robot, recording, model)
-            return commands.diagnose(robot, recording, model=model)
+            found = commands.diagnose(robot, recording, model=model)
+            if found["verdict"] == "adequate":  # else what is left out would be taken for parts that moved
+                try:
+                    calibrated = commands.identify(robot, recording, model)
+                except DeltacalError:
+                    return found
+                found |= {GEOMETRY: {key: calibrated[key] for key in ("robot", "parameters")}}
+            return found
 
 
 def conduct(
@@ -448,6 +458,26 @@ def _moved(old: Mapping[str, Any], new: Mapping[str, Any]) -> str:
         gone, come = (sorted(set(a) - set(b)) for a, b in (names, names[::-1]))
         parts = [f"{old['verdict']} became {new['verdict']}"] if old["verdict"] != new["verdict"] else []
         parts += [f"{name} appeared" for name in come] + [f"{name} is gone" for name in gone]
+        parts += [
+            f"{name} of {effect} was {was:.4g}, is {now:.4g} +- {std:.2g} {unit}"
+            for effect, name, was, now, std, unit in _grown(old, new)
+        ]
         said = "; ".join(parts) or f"still {new['verdict']}"
-        return f"{said}; held out {old['final']['heldout_rms_mm']:.4f} -> {new['final']['heldout_rms_mm']:.4f} mm."
+        text = f"{said}; held out {old['final']['heldout_rms_mm']:.4f} -> {new['final']['heldout_rms_mm']:.4f} mm."
+        return f"{text} {_moved(old[GEOMETRY], new[GEOMETRY])}" if GEOMETRY in old and GEOMETRY in new else text
     return f"error {old.get('rms_mm', 0.0):.4f} -> {new.get('rms_mm', 0.0):.4f} mm."
+
+
+def _grown(old: Mapping[str, Any], new: Mapping[str, Any]) -> list[tuple[str, str, float, float, float, str]]:
+    """Return the parameters of effects in both diagnoses that differ by more than noise explains."""
+    was = {(e["name"], tuple(e["limbs"]), p["name"], p["limb"]): p for e in old["effects"] for p in e["parameters"]}
+    out = []
+    for e in new["effects"]:
+        for p in e["parameters"]:
+            before = was.get((e["name"], tuple(e["limbs"]), p["name"], p["limb"]))
+            if before is None:
+                continue
+            std = math.hypot(before["std"], p["std"])
+            if abs(p["value"] - before["value"]) > CLEAR * std:
+                out.append((e["name"], p["name"], before["value"], p["value"], std, p["unit"]))
+    return out

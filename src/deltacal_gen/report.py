@@ -92,6 +92,7 @@ def study(found: Mapping[str, Any]) -> str:
         f"by this plan, 95 % of them come within {after['p95_mm']:.4f} mm, and their worst point within "
         f"{after['worst_p95_mm']:.4f} mm."
     )
+    tried = [s for s in found["suspects"] if s["recordings"]]
     return _rendered(
         "study",
         title=f"{found['robot']['robot']['name']}: study of a plan",
@@ -111,10 +112,8 @@ def study(found: Mapping[str, Any]) -> str:
         enough=_svg(partial(figures.enough, found=found), (7.4, 2.4)),
         gains=[(_sentence(g["add"]), f"{g['rms_mm']:.4f}", f"{g['gain']:.0%}") for g in advice["add"]],
         suspects=[_suspect(s) for s in found["suspects"]],
-        chances=_svg(
-            partial(figures.chances, suspects=[(_concealed(s), s) for s in found["suspects"]]),
-            (7.4, 0.9 + 0.3 * len(found["suspects"])),
-        ),
+        chances=tried
+        and _svg(partial(figures.chances, suspects=[(_concealed(s), s) for s in tried]), (7.4, 0.9 + 0.3 * len(tried))),
         parameters=_svg(partial(figures.scatter, found=found), (7.4, 3.0)),
         rows=[
             (p["name"], *(f"{p[k]:.3g}" for k in ("drawn_std", "std", "predicted_std", "bias")), p["unit"])
@@ -170,7 +169,7 @@ def batch(found: Mapping[str, Any]) -> str:
         picture = _svg(partial(figures.fleet_distribution, rows=done), (7.4, 3.2))
     elif done:
         picture = _svg(partial(figures.fleet, rows=done), (7.4, 0.8 + 0.16 * len(done)))
-    changed = [(c["machine"], c["from"], c["to"], c["text"]) for c in found["changed"]]
+    changed = [(c["machine"], f"{c['to']} after {c['from']}: {c['text']}") for c in found["changed"]]
     shown = worst(rows, MOST_ROWS)
     return _rendered(
         "batch",
@@ -179,8 +178,11 @@ def batch(found: Mapping[str, Any]) -> str:
         headline=f"{len(done)} of {len(rows)} recordings done",
         picture=picture,
         distribution=len(done) > MOST_DRAWN,
-        failed=alike([(r["recording"], r["error"]) for r in failed])[:MOST_ROWS],
-        warnings=alike([(r["recording"], r["warnings"]) for r in rows if r.get("warnings")])[:MOST_ROWS],
+        failed=[both[::-1] for both in alike([(r["recording"], r["error"]) for r in failed])[:MOST_ROWS]],
+        warnings=[
+            both[::-1]
+            for both in alike([(r["recording"], r["warnings"]) for r in rows if r.get("warnings")])[:MOST_ROWS]
+        ],
         changed=changed[:MOST_ROWS],
         columns=[_spaced(c).removesuffix(" mm") + (", mm" if c.endswith("_mm") else "") for c in columns],
         rows=[[_cell(r.get(c)) for c in columns] for r in shown],

@@ -177,6 +177,16 @@ class Linear(Factored):
         prior = np.concatenate([1 / problem.scale**2, np.zeros(J.shape[1] - len(problem.names))])
         return Linear(J, prior, whole)
 
+    def and_more(self, J: Array, whole: Array) -> Linear:
+        """Return the linear problem with further readings."""
+        J, whole = np.vstack([self.J, J]), np.vstack([self.whole, whole])
+        return Linear(J, whole, self.prior, _inverse(J.T @ J + np.diag(self.prior)))
+
+    def times(self, factor: float) -> Linear:
+        """Return the linear problem of so many times the readings."""
+        J = math.sqrt(factor) * self.J
+        return Linear(J, math.sqrt(factor) * self.whole, self.prior, _inverse(J.T @ J + np.diag(self.prior)))
+
     def of_estimate(self, spread: Array, columns: Sequence[int]) -> Array:
         """Return the second moments (n_p, n_p) of estimate minus truth, machines drawn with `spread` (n_p,)."""
         gain = np.zeros((self.whole.shape[1], len(self.J)))
@@ -375,46 +385,34 @@ def concealed(study: Study, suspect: int, trial: int) -> dict[str, Any]:
 # ------------------------------------------------------------------------------------------------------------ advice
 
 
-def _rms(study: Study, information: Array) -> float:
-    """Return the position error over the workspace [mm] that information (n + m, n + m) leaves of a drawn machine."""
-    columns, n = study.problem.columns, len(study.names)
-    C = np.diag(study.spread**2)
-    C[np.ix_(columns, columns)] = _inverse(information)[:n, :n]
+def _rms(study: Study, linear: Linear) -> float:
+    """Return the position error over the workspace [mm] that a calibration leaves, machines drawn as the study does."""
+    moments = linear.of_estimate(study.spread, study.problem.columns)
     W = study.over_workspace
-    return float(np.sqrt(np.einsum("ij,jk,ik->", W, C, W) / (len(W) / 3)))
-
-
-def _informed(study: Study) -> Array:
-    """Return what is known of the free errors before measuring, as information (n + m, n + m)."""
-    problem = study.problem
-    sd = np.where(study.spread[problem.columns] > 0, study.spread[problem.columns], problem.scale)
-    return np.diag(np.concatenate([1 / sd**2, np.zeros(len(study.linear.prior) - len(sd))]))
+    return float(np.sqrt(np.einsum("ij,ij->", W @ moments, W) / (len(W) / 3)))
 
 
 def advice(study: Study) -> dict[str, Any]:
     """Return what more of the same, another pose or a second reference point would leave by the linear problem."""
-    known, J = _informed(study), study.linear.J
-    read = J.T @ J
-    now = _rms(study, known + read)
-    enough = [{"times": t, "rms_mm": _rms(study, known + t * read)} for t in TIMES]
+    now = _rms(study, study.linear)
+    enough = [{"times": t, "rms_mm": _rms(study, study.linear.times(t))} for t in TIMES]
     gains: list[dict[str, Any]] = []
     for words, more in _ideas(study):
-        left = _rms(study, known + read + more)
+        left = _rms(study, more)
         gains.append({"add": words, "rms_mm": left, "gain": 1 - left / now})
     gains.sort(key=lambda g: g["rms_mm"])
     doubling = 1 - enough[2]["rms_mm"] / now
     return {"rms_mm": now, "enough": enough, "doubling": doubling, "worth": bool(doubling > WORTH), "add": gains}
 
 
-def _ideas(study: Study) -> list[tuple[str, Array]]:
-    """Return measurements that could be added, with their information (n + m, n + m)."""
-    problem = study.problem
+def _ideas(study: Study) -> list[tuple[str, Linear]]:
+    """Return measurements that could be added, each with the linear problem of plan and addition."""
+    problem, linear = study.problem, study.linear
     ideas = []
     if problem.readings.kind in ("position", "distance", "gauge") and "z" in problem.mechanism.axes:
         moved = problem.with_tool(problem.body.tool + np.array([NEARBY, 0.0, 0.0]))
-        ideas.append(
-            (f"a second reference point {NEARBY:.0f} mm beside the first, at the same poses", _added(study, moved))
-        )
+        words = f"a second reference point {NEARBY:.0f} mm beside the first, at the same poses"
+        ideas.append((words, linear.and_more(*rows_of(study, moved))))
     if problem.readings.kind in ("position", "pose", "gauge") and study.robot.workspace is not None:
         q, x = study.check
         one = dataclasses.replace(
@@ -424,14 +422,16 @@ def _ideas(study: Study) -> list[tuple[str, Array]]:
             **_rows(problem.recording, len(q)),
         )
         extra = pose_problem(problem.robot, simulate(problem.robot, one), study.names)
-        J, _ = rows_of(study, dataclasses.replace(extra, scale=problem.scale))
-        by_pose = np.zeros((len(q), len(J) // len(q), len(study.linear.prior)))
-        by_pose[:, :, : J.shape[1]] = J.reshape(len(q), -1, J.shape[1])
-        base = _informed(study) + study.linear.J.T @ study.linear.J
-        left = [_rms(study, base + B.T @ B) for B in by_pose]
-        best = int(np.argmin(left))
+        J, whole = (
+            rows.reshape(len(q), -1, rows.shape[1])
+            for rows in rows_of(study, dataclasses.replace(extra, scale=problem.scale))
+        )
+        further = np.zeros((*J.shape[:2], len(linear.prior)))  # read in the first set-up of the instrument
+        further[:, :, : J.shape[2]] = J
+        better = [linear.and_more(*both) for both in zip(further, whole, strict=True)]
+        best = int(np.argmin([_rms(study, more) for more in better]))
         at = ", ".join(f"{v:.0f}" for v in x[best, :3])
-        ideas.append((f"one more pose, at ({at}) mm", by_pose[best].T @ by_pose[best]))
+        ideas.append((f"one more pose, at ({at}) mm", better[best]))
     return ideas
 
 
@@ -448,12 +448,6 @@ def _rows(recording: Recording, n: int) -> dict[str, Any]:
         "pair_measured": None,
         "pair_line": None,
     }
-
-
-def _added(study: Study, problem: Problem) -> Array:
-    J, _ = rows_of(study, problem)
-    added: Array = J.T @ J
-    return added
 
 
 def channels_wanted(study: Study) -> list[dict[str, str]]:
@@ -581,8 +575,6 @@ def _summed(
                 "stated_std": float(stated[k] / factor),
             }
         )
-    W = study.over_workspace
-    expected = float(np.sqrt(np.einsum("ij,jk,ik->", W, moments, W) / (len(W) / 3)))
     return {
         "schema": SCHEMA,
         "robot": robot_to_dict(study.robot),
@@ -598,7 +590,7 @@ def _summed(
             "aligned": not study.known_frame,
             "points": len(study.check[0]),
             "before": _spread([c["before"] for c in chunks]),
-            "after": _spread([c["after"] for c in chunks]) | {"predicted_rms_mm": expected},
+            "after": _spread([c["after"] for c in chunks]) | {"predicted_rms_mm": _rms(study, linear)},
         },
         "suspects": _told(study, diagnosed, diagnoses),
         "channels_wanted": channels_wanted(study),
