@@ -179,13 +179,11 @@ class Linear(Factored):
 
     def and_more(self, J: Array, whole: Array) -> Linear:
         """Return the linear problem with further readings."""
-        J, whole = np.vstack([self.J, J]), np.vstack([self.whole, whole])
-        return Linear(J, whole, self.prior, _inverse(J.T @ J + np.diag(self.prior)))
+        return Linear(np.vstack([self.J, J]), self.prior, np.vstack([self.whole, whole]))
 
     def times(self, factor: float) -> Linear:
         """Return the linear problem of so many times the readings."""
-        J = math.sqrt(factor) * self.J
-        return Linear(J, math.sqrt(factor) * self.whole, self.prior, _inverse(J.T @ J + np.diag(self.prior)))
+        return Linear(math.sqrt(factor) * self.J, self.prior, math.sqrt(factor) * self.whole)
 
     def of_estimate(self, spread: Array, columns: Sequence[int]) -> Array:
         """Return the second moments (n_p, n_p) of estimate minus truth, machines drawn with `spread` (n_p,)."""
