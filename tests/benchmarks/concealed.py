@@ -1,6 +1,6 @@
 """Concealed recordings: what the diagnosis names on machines of which it knows nothing, against what is the case.
 
-``python -m tests.benchmarks.concealed [--null N] [--single N] [--pair N] [--outside N] [--seed S] [--json F]``
+``python -m tests.benchmarks.concealed [--null N] [--single N] [--pair N] [--outside N] [--seed S] [--machine M]``
 
 Cases are those of `concealed_cases`, judged as `concealed_grading` does. With ``--json`` every case is written as soon
 as it is done, and a run that was interrupted goes on where it stopped.
@@ -25,6 +25,9 @@ from rich.progress import MofNCompleteColumn, Progress, TimeRemainingColumn
 from deltacal_gen.physics import effect_names
 from tests.benchmarks.concealed_cases import ORDINARY, plan
 from tests.benchmarks.concealed_grading import examine, failures, table
+from tests.benchmarks.concealed_machines import MACHINES
+
+PARTS = ("kind", "names", "seed", "machine")  # of a job, as `concealed_cases.plan` lists them
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -36,17 +39,18 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--jobs", type=int, default=2, help="processes")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--json", type=Path, metavar="FILE", help="one line for each case; those there are not redone")
+    parser.add_argument("--machine", choices=MACHINES, default="delta")
     given = parser.parse_args(arguments)
     only = [name for name in given.only.split(",") if name]
     if unknown := set(only) - set(effect_names()):
         parser.error(f"no such effect: {', '.join(sorted(unknown))}")
-    work = plan({kind: getattr(given, kind) for kind in ORDINARY}, given.seed, only)
+    work = plan({kind: getattr(given, kind) for kind in ORDINARY}, given.seed, only, given.machine)
     done: dict[str, dict[str, Any]] = {}
     if given.json is not None and given.json.exists():
         lines = given.json.read_text(encoding="utf-8").splitlines()
         done = {_key(entry): entry for entry in map(json.loads, lines)}
-    found = [done[key] for job in work if (key := _key(dict(zip(("kind", "names", "seed"), job, strict=True)))) in done]
-    left = [job for job in work if _key(dict(zip(("kind", "names", "seed"), job, strict=True))) not in done]
+    found = [done[key] for job in work if (key := _key(dict(zip(PARTS, job, strict=True)))) in done]
+    left = [job for job in work if _key(dict(zip(PARTS, job, strict=True))) not in done]
     errors = Console(stderr=True)
     columns = (*Progress.get_default_columns()[:2], MofNCompleteColumn(), TimeRemainingColumn())
     with Progress(*columns, console=errors) as progress, multiprocessing.Pool(given.jobs) as pool:
@@ -68,7 +72,7 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 def _key(entry: dict[str, Any]) -> str:
-    return json.dumps([entry["kind"], list(entry["names"]), list(entry["seed"])])
+    return json.dumps([entry["kind"], list(entry["names"]), list(entry["seed"]), entry["machine"]])
 
 
 if __name__ == "__main__":

@@ -18,18 +18,18 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.demonstration import example
 from deltacal_gen.errors import DeltacalError
 from deltacal_gen.estimation import Problem, Repeats, pose_problem, rms
 from deltacal_gen.identification import BROAD
-from deltacal_gen.mechanism import compiled_only, load_mechanism
-from deltacal_gen.physics import Term, blank, effect_names, load_effect
+from deltacal_gen.mechanism import compiled_only, load_mechanism, mechanism_of
+from deltacal_gen.physics import Term, blank, coefficients, load_effect
 from deltacal_gen.recording import Measurement, Recording
-from deltacal_gen.robot import Robot, read_robot, robot_from_dict
+from deltacal_gen.robot import Robot
 from deltacal_gen.rotation import from_vector, to_vector
 from deltacal_gen.search import Search, library, parts
 from deltacal_gen.simulation import simulate
-from deltacal_gen.units import DEG
+from deltacal_gen.units import DEG, file_unit, to_internal
+from tests.benchmarks import concealed_machines as machines
 
 Array = np.ndarray
 MARGIN = 40.0  # of chi2 without noise: what the truth must be ahead of every other explanation
@@ -38,8 +38,6 @@ LARGEST = 1.0  # mm: root mean square by which an effect moves the readings
 LEAST, MOST = 1.5, 10.0  # standard deviations of noise that geometry alone leaves
 ATTEMPTS = 40
 MECHANISM = load_mechanism("delta")
-PARAMETERS = tuple(p.name for p in MECHANISM.parameters)
-TYPICAL = {"theta": 0.05 * DEG, "length": 0.1, "angle": 0.03 * DEG}  # of machined parts
 NEEDS = {  # channels of a recording, by what an effect reads
     "approach": "approach",
     "speed": "motion",
@@ -58,13 +56,7 @@ OUTSIDE = {  # channel that tells best (the first) or also tells, and what the c
     "thermal_lag": (("time_s", "temp_C"), {"time", "cycling"}),
     "random_walk": (("time_s",), {"time"}),
 }
-MOVED = load_mechanism("delta").moves(read_robot(example() / "robot.toml"))
-SHOWN = tuple(  # effects on parts that a Delta has, and on what a tracker reads
-    name
-    for name in effect_names()
-    if all(t[5:] in MOVED if t.startswith("limb.") else t != "height" for t in load_effect(name).TARGETS)
-)
-ORDINARY = {"null": 40, "single": 3 * len(SHOWN), "pair": 20, "outside": 2 * len(OUTSIDE)}
+ORDINARY = {"null": 40, "single": 3 * len(machines.shown("delta")), "pair": 20, "outside": 2 * len(OUTSIDE)}
 INSTRUMENT_ONLY = {"instrument_drift"}  # not seen in lengths
 OF_POSITIONS = {"position", "pose"}
 
@@ -90,9 +82,9 @@ class Case:
 
 
 def plan(
-    counts: Mapping[str, int], seed: int, only: Sequence[str] = ()
-) -> list[tuple[str, tuple[str, ...], tuple[int, ...]]]:
-    """Return what is to be drawn, shuffled: (kind, names, seed) of each case, the arguments of `generate`.
+    counts: Mapping[str, int], seed: int, only: Sequence[str] = (), machine: str = "delta"
+) -> list[tuple[str, tuple[str, ...], tuple[int, ...], str]]:
+    """Return what is to be drawn, shuffled: (kind, names, seed, machine) of each case, the arguments of `generate`.
 
     Parameters
     ----------
@@ -100,29 +92,37 @@ def plan(
         How many cases of each kind (null, single, pair, outside).
     only : sequence of str
         Names of effects to which singles and pairs are restricted; default all.
+    machine : str
+        One of `concealed_machines.MACHINES`.
     """
     out = []
     for kind, count in counts.items():
         number = list(ORDINARY).index(kind)
         rng = np.random.default_rng([seed, number])
-        pool = list(OUTSIDE) if kind == "outside" else list(only or SHOWN)
+        pool = list(OUTSIDE) if kind == "outside" else [n for n in machines.shown(machine) if not only or n in only]
         for i in range(count):
             names: tuple[str, ...] = () if kind == "null" else (pool[i % len(pool)],)
             if kind == "pair":
                 names = tuple(str(n) for n in rng.choice(pool, 2, replace=False))
-            out.append((kind, names, (seed, number, i)))
+            out.append((kind, names, (seed, number, i), machine))
     return [out[i] for i in np.random.default_rng(seed).permutation(len(out))]
 
 
 @compiled_only()
-def generate(kind: str, names: Sequence[str], seed: Sequence[int], by: Callable[..., Recording] = simulate) -> Case:
+def generate(
+    kind: str,
+    names: Sequence[str],
+    seed: Sequence[int],
+    machine: str = "delta",
+    by: Callable[..., Recording] = simulate,
+) -> Case:
     """Return the case of a seed: `names` are effects, or one of `OUTSIDE`, or empty.
 
     `by` makes the readings, with the signature of `simulate`; amplitudes and clarity are judged on the project's own.
     """
     for attempt in range(ATTEMPTS):
         try:
-            case = _attempt(kind, tuple(names), np.random.default_rng([*seed, attempt]), by)
+            case = _attempt(kind, tuple(names), np.random.default_rng([*seed, attempt]), machine, by)
         except DeltacalError:
             continue  # a pose out of reach
         if case is not None:
@@ -133,54 +133,10 @@ def generate(kind: str, names: Sequence[str], seed: Sequence[int], by: Callable[
 # ----------------------------------------------------------------------------------------------- machine and recording
 
 
-def _machine(rng: np.random.Generator) -> Robot:
-    s = rng.choice([0.55, 0.8, 1.0, 1.2])
-    sizes = {"base_radius": 200, "platform_radius": 51, "proximal_length": 375, "distal_length": 950}
-    tables: dict[str, Any] = {
-        "robot": {"name": "delta", "mechanism": "delta"},
-        "geometry": {k: round(float(v * s * rng.uniform(0.97, 1.03)), 1) for k, v in sizes.items()}
-        | {"joint_spacing": round(float(100 * s), 1), "tool": [0.0, 0.0, 0.0]},
-        "workspace": {"top": 728.0 * s, "radius": 480.0 * s, "height": 250.0 * s},
-        "masses": {
-            "proximal": round(float(1.2 * s * rng.uniform(0.7, 1.4)), 3),
-            "proximal_com": round(float(rng.uniform(0.35, 0.5)), 3),
-            "distal_rod": round(float(0.15 * s * rng.uniform(0.7, 1.4)), 3),
-            "platform": round(float(0.8 * s * rng.uniform(0.7, 1.4)), 3),
-        },
-    }
-    if rng.random() < 0.4:
-        tables["transmission"] = {"gear_ratio": float(rng.choice([16.0, 20.0, 21.0, 33.0, 50.5]))}
-    return robot_from_dict(tables)
-
-
-def _errors(rng: np.random.Generator) -> dict[str, float]:
-    def size(name: str, unit: str) -> float:
-        return TYPICAL["theta" if name.startswith("theta") else "length" if unit == "mm" else "angle"]
-
-    return {p.name: float(size(p.name, p.unit) * rng.standard_normal()) for p in MECHANISM.parameters}
-
-
-def _targets(robot: Robot, n: int, rings: bool, rng: np.random.Generator) -> Array:
-    space = robot.workspace
-    assert space is not None
-    assert space.radius is not None
-    if rings:
-        per = int(rng.choice([8, 12, 18]))
-        k = np.arange(n)
-        layers = int(rng.integers(3, 6))
-        count = max(int(np.ceil(n / per / layers)), 1)
-        radius = space.radius * (1 + (k // per) % count) / count
-        angle = 2 * np.pi * (k % per) / per + rng.uniform(0, 1)
-        height = np.minimum((k // (per * count)) / max(layers - 1, 1), 1.0)
-    else:
-        radius, angle = space.radius * np.sqrt(rng.random(n)), 2 * np.pi * rng.random(n)
-        height = rng.random(n)
-    return np.column_stack([radius * np.cos(angle), radius * np.sin(angle), -space.top - space.height * height])
-
-
-def _channels(n: int, have: set[str], rng: np.random.Generator, start: float) -> dict[str, Array]:
+def _channels(n: int, have: set[str], robot: Robot, rng: np.random.Generator, start: float) -> dict[str, Array]:
     """Return channels as a shop records them, of a session that starts `start` seconds after the instrument's."""
     out: dict[str, Array] = {}
+    joints = range(1, mechanism_of(robot).limbs + 1)
     t = start + np.cumsum(rng.uniform(15, 40, n))
     if "pause" in have:  # lunch
         t += 3600.0 * (np.arange(n) > n * rng.uniform(0.3, 0.7))
@@ -204,10 +160,11 @@ def _channels(n: int, have: set[str], rng: np.random.Generator, start: float) ->
         out["payload_kg"] = rng.choice(chosen, n)
     if "approach" in have:
         forward = rng.choice([0.5, 0.5, 0.2, 0.85])
-        out |= {f"approach{i}": np.where(rng.random(n) < forward, 1.0, -1.0) for i in (1, 2, 3)}
+        out |= {f"approach{i}": np.where(rng.random(n) < forward, 1.0, -1.0) for i in joints}
     if "motion" in have:
-        out |= {f"qd{i}_deg_s": np.round(60 * rng.standard_normal(n), 2) for i in (1, 2, 3)}
-        out |= {f"qdd{i}_deg_s2": np.round(800 * rng.standard_normal(n), 1) for i in (1, 2, 3)}
+        unit = file_unit(mechanism_of(robot).joint_unit)
+        out |= {f"qd{i}_{unit}_s": np.round(60 * rng.standard_normal(n), 2) for i in joints}
+        out |= {f"qdd{i}_{unit}_s2": np.round(800 * rng.standard_normal(n), 1) for i in joints}
     if "humidity" in have:
         out["humidity_pct"] = np.round(45 + 8 * np.sin(2 * np.pi * t / 3700 + rng.uniform(0, 6)) + rng.normal(0, 3, n))
     return out
@@ -227,11 +184,7 @@ def _poses(
     kind = str(measurement.kind)
     single = -(-n // repeats)
     tool = tools[rng.integers(len(tools), size=single)]
-    theta, _, status = MECHANISM.inverse(
-        _targets(robot, single, rng.random() < 0.5, rng), tool, MECHANISM.rows(robot, np.zeros(len(PARAMETERS)))
-    )
-    if (status != 0).any():
-        raise RuntimeError("the workspace is larger than the machine's reach")
+    theta, mechanism = machines.joints_of_poses(robot, single, tool, rng), mechanism_of(robot)
     which = np.tile(np.arange(single), repeats)[:n]
     if rng.random() < 0.6:
         which = rng.permutation(which)
@@ -241,19 +194,22 @@ def _poses(
         drawn = rng.integers(n, size=(4 * k, 2))
         pairs = np.unique(np.sort(drawn[which[drawn[:, 0]] != which[drawn[:, 1]]], axis=1), axis=0)
         pairs = rng.permutation(pairs)[:k]
-    columns = {"distance": (), "gauge": ("gauge_mm",), "position": ("x_mm", "y_mm", "z_mm")}
+    at = tuple(f"{axis}_mm" for axis in mechanism.axes)
+    turned = (*at, *(f"r{axis}_deg" for axis in mechanism.turns))
+    columns = {"distance": (), "gauge": ("gauge_mm",), "position": at, "pose": turned}
+    unit = to_internal(mechanism.joint_unit)
     setups = 2 if "setups" in have else 1
     return Recording(
         path=Path("recording.csv"),
         kind=kind,
         measurement=measurement,
-        joint_unit="rad",
-        joints=np.round(theta[which] / DEG, 2 if "round" in have else 6) * DEG,
-        columns=columns.get(kind, ("x_mm", "y_mm", "z_mm", "rx_deg", "ry_deg", "rz_deg")),
+        joint_unit=mechanism.joint_unit,
+        joints=np.round(theta[which] / unit, 2 if "round" in have else 6) * unit,
+        columns=columns[kind],
         measured=np.zeros((n, 0)),
         pose=np.array([str(i) for i in range(n)] if kind == "distance" else [str(i + 1) for i in which]),
         line=np.arange(n) + 2,
-        channels=_channels(n, have, rng, start),
+        channels=_channels(n, have, robot, rng, start),
         setup=(np.arange(n) * setups) // n,
         setup_names=tuple(str(i + 1) for i in range(setups)),
         tool=tool[which] if len(tools) > 1 else None,
@@ -268,9 +224,10 @@ def _poses(
 
 def _term(name: str, poses: Recording, robot: Robot, tools: Array, rng: np.random.Generator) -> Term:
     """Return an effect with coefficients of about the right proportions."""
-    kernels = load_effect(name)
-    some = int(rng.choice([1, 2, 3], p=[0.45, 0.2, 0.35]))
-    limbs = tuple(sorted(int(i) for i in rng.choice([1, 2, 3], some, replace=False)))
+    mechanism = mechanism_of(robot)
+    most = mechanism.limbs
+    some = min(int(rng.choice([1, 2, 3], p=[0.45, 0.2, 0.35])), most)
+    limbs = tuple(sorted(int(i) for i in rng.choice(range(1, most + 1), some, replace=False)))
     constants: tuple[float, ...] = ()
     if name == "transmission_eccentricity":
         ratio = robot.transmission.gear_ratio if robot.transmission else None
@@ -282,9 +239,10 @@ def _term(name: str, poses: Recording, robot: Robot, tools: Array, rng: np.rando
     moved = rng.permutation(tools)[: int(rng.integers(1, max(len(tools), 2)))]
     term = blank(name, limbs, constants, moved)
     sizes = {"expansion_proximal": 20e-6, "expansion_distal": 10e-6, "expansion_base": 15e-6}
-    values = np.array([sizes.get(c, 1e-3 * f) for c, _, f, _ in kernels.COEFFICIENTS]) * np.ones_like(term.values)
+    known = coefficients(name, mechanism.joint_unit)
+    values = np.array([sizes.get(c, 1e-3 * f) for c, _, f in known]) * np.ones_like(term.values)
     values *= rng.uniform(0.5, 1.5, values.shape)
-    if name not in {"thermal_growth", "latency", "backlash"} and not any("compl" in c[0] for c in kernels.COEFFICIENTS):
+    if name not in {"thermal_growth", "latency", "backlash"} and not any("compl" in c[0] for c in known):
         values *= rng.choice([-1.0, 1.0], values.shape)
     return dataclasses.replace(term, values=values)
 
@@ -304,11 +262,12 @@ class Foreign:
     walk: Array
     direction: Array
     centre: Array
+    axes: tuple[str, ...]
 
     def shift(self, rec: Recording, x: Array, first: Recording) -> tuple[Array, Array]:
         """Return the errors of joints (N, 3) and of readings (N, 3) at positions x in {O}."""
         c, n = rec.channels, rec.n_rows
-        joint, reading = np.zeros((n, 3)), np.zeros((n, 3))
+        joint, reading = np.zeros(rec.joints.shape), np.zeros((n, 3))
         t = c.get("time_s", np.arange(n))
         i = self.limb - 1
         if self.name == "square_wave":
@@ -327,7 +286,7 @@ class Foreign:
                 last[k] = last[k] or last[k - 1]
             joint[:, i] = np.where(last < 0, 1.0, 0.0) * p * (p.max() - p) / 2
         elif self.name == "cross_joint":
-            other = rec.joints[:, (i + 1 + (self.draw[0] > 0.5)) % 3]
+            other = rec.joints[:, (i + 1 + (self.draw[0] > 0.5)) % rec.joints.shape[1]]
             joint[:, i] = np.cos((3 + 4 * self.draw[1]) * other + 6 * self.draw[2])
         elif self.name == "thermal_lag":
             lag, tau = np.empty(n), 900 + 600 * self.draw[0]
@@ -338,19 +297,20 @@ class Foreign:
         elif self.name == "random_walk":
             at = np.minimum(np.searchsorted(first.channels["time_s"], t), len(self.walk) - 1)
             reading = 100 * self.walk[at] / np.sqrt(len(self.walk))
-        return 1e-3 * DEG * joint, 1e-3 * reading
+        return 1e-3 * to_internal(rec.joint_unit) * joint, 1e-3 * reading[:, : len(self.axes)]
 
     @classmethod
-    def draw_one(cls, name: str, x: Array, rng: np.random.Generator) -> Foreign:
+    def draw_one(cls, name: str, x: Array, robot: Robot, rng: np.random.Generator) -> Foreign:
         """Return one at random."""
-        direction = rng.standard_normal(3)
+        mechanism, direction = mechanism_of(robot), rng.standard_normal(3)
         return cls(
             name,
-            int(rng.integers(1, 4)),
+            int(rng.integers(1, mechanism.limbs + 1)),
             tuple(rng.random(3)),
             np.cumsum(rng.standard_normal((len(x), 3)), axis=0),
             direction / np.linalg.norm(direction),
             x[int(rng.integers(len(x)))],
+            mechanism.axes,
         )
 
 
@@ -361,25 +321,28 @@ class Judge:
     """
 
     def __init__(self, robot: Robot, exact: Recording, errors: Mapping[str, float], sigma: float, turn: float) -> None:
-        self.robot, self.errors = robot, MECHANISM.vector(errors)
+        self.robot, mechanism = robot, mechanism_of(robot)
+        self.names = tuple(p.name for p in mechanism.parameters)
+        self.errors = mechanism.vector(errors)
         self.problem = self._of(exact)
         self.instrument = self.problem.begin(self.errors)
         self.machine = self.problem.solve(self.errors)
         state = self.problem.linearise(self.errors, self.instrument, self.machine)
         self.sigma = np.array([sigma] * 3 + [turn] * 3)[: state.residual.shape[1]]
-        n, A = len(PARAMETERS), np.concatenate([state.J_p * self.problem.scale, state.J_m], axis=2)
+        n, A = len(self.names), np.concatenate([state.J_p * self.problem.scale, state.J_m], axis=2)
         A = (A / self.sigma[:, None]).reshape(-1, A.shape[2])
-        self.scalars = len(A)
+        self.scalars = readings(exact).size
         prior = np.concatenate([np.eye(n), np.zeros((n, A.shape[1] - n))], axis=1)
         self.Q = np.linalg.qr(np.vstack([A, prior]))[0][: len(A)]
 
     def _of(self, recording: Recording) -> Problem:
-        problem = pose_problem(self.robot, recording, PARAMETERS)
+        problem = pose_problem(self.robot, recording, self.names)
         return dataclasses.replace(problem, scale=BROAD * problem.scale)
 
     def departure(self, recording: Recording) -> Array:
         """Return what another recording of the same poses reads beyond this machine (R, k) [mm, rad]."""
-        return self._of(recording).residual(self.errors, self.instrument, self.machine.x)
+        off = self._of(recording).residual(self.errors, self.instrument, self.machine.x)
+        return np.nan_to_num(off)  # a planar machine reads not all coordinates
 
     def misfit(self, recording: Recording) -> float:
         """Return chi2 that geometry and instrument leave of a recording of the same poses."""
@@ -419,7 +382,8 @@ class Judge:
             if search.gain(other) > best - 2 * MARGIN:
                 return False
             others = [t for k, t in enumerate(terms) if k != i]
-            wider = [j for t in others for j in search.where(blank(t.effect, (1, 2, 3), t.constants, t.tools))]
+            limbs = range(1, mechanism_of(self.robot).limbs + 1)
+            wider = [j for t in others for j in search.where(blank(t.effect, limbs, t.constants, t.tools))]
             if search.gain(wider) > best - MARGIN:
                 return False  # another effect, at more limbs, could stand for it
             for c in search.terms:
@@ -448,8 +412,11 @@ class Judge:
         return left - gain > REST * search.readings
 
 
-def _attempt(kind: str, names: tuple[str, ...], rng: np.random.Generator, by: Callable[..., Recording]) -> Case | None:
-    robot, errors = _machine(rng), _errors(rng)
+def _attempt(
+    kind: str, names: tuple[str, ...], rng: np.random.Generator, machine: str, by: Callable[..., Recording]
+) -> Case | None:
+    robot = machines.draw(machine, rng)
+    errors, mechanism = machines.ordinary_errors(robot, rng), mechanism_of(robot)
     sigma, turn = round(float(rng.uniform(0.005, 0.02)), 4), round(float(rng.uniform(0.002, 0.01)), 4) * DEG
     have = {c for c, p in (("time", 0.75), ("temp", 0.6), ("payload", 0.5), ("approach", 0.6)) if rng.random() < p}
     have |= {c for c, p in (("motion", 0.25), ("humidity", 0.15), ("room", 0.1)) if rng.random() < p}
@@ -458,12 +425,13 @@ def _attempt(kind: str, names: tuple[str, ...], rng: np.random.Generator, by: Ca
         have |= OUTSIDE[names[0]][1]
     else:
         have |= {NEEDS[s] for name in names for s in load_effect(name).STATE if s in NEEDS}
-    measurement, base = _measurement(kind, names, rng)
+    measurement, base = _measurement(kind, names, machines.kinds(mechanism), rng)
     of = str(measurement.kind)
     have -= set() if of in OF_POSITIONS else {"setups"}
     several = "instrument_offset" in names or rng.random() < 0.3
-    size = robot.geometry["platform_radius"][0]
+    size = robot.geometry.get("platform_radius", (50.0,))[0]
     tools = np.round(rng.uniform(-1, 1, (int(rng.integers(2, 5)) if several else 1, 3)) * [size, size, 30], 3)
+    tools[:, [axis not in mechanism.axes for axis in "xyz"]] = 0.0
     n = int(np.exp(rng.uniform(np.log(180 if of == "gauge" else 60), np.log(400))))
     start = float(rng.uniform(0, 60))
     repeats = int(rng.choice([1, 1, 1, 2, 3])) if n > 120 else 1
@@ -478,17 +446,21 @@ def _attempt(kind: str, names: tuple[str, ...], rng: np.random.Generator, by: Ca
         much: float = 0.0,
         by: Callable[..., Recording] = simulate,
     ) -> Recording:
-        joint, shift = np.zeros((at.n_rows, 3)), np.zeros((at.n_rows, 3))
+        joint, shift = np.zeros(at.joints.shape), np.zeros((at.n_rows, len(mechanism.axes)))
         if foreign is not None:
             known = Measurement(kind="position", frame="robot")
-            in_robot = dataclasses.replace(at, kind="position", measurement=known, columns=("x_mm", "y_mm", "z_mm"))
-            joint, shift = foreign.shift(at, simulate(robot, in_robot, errors).measured, poses)
+            columns = tuple(f"{axis}_mm" for axis in mechanism.axes)
+            in_robot = dataclasses.replace(at, kind="position", measurement=known, columns=columns)
+            x = np.zeros((at.n_rows, 3))
+            x[:, : len(columns)] = simulate(robot, in_robot, errors).measured
+            joint, shift = foreign.shift(at, x, poses)
         mounted = at.measurement if base is None else dataclasses.replace(at.measurement, base_point_mm=base)
         moved = dataclasses.replace(at, joints=at.joints + much * joint, measurement=mounted)
         done = by(robot, moved, errors, terms=terms, rng=np.random.default_rng(frame))
         measured = done.measured
         if foreign is not None and at.kind in OF_POSITIONS:
-            measured = np.hstack([measured[:, :3] + much * shift, measured[:, 3:]])
+            k = shift.shape[1]
+            measured = np.hstack([measured[:, :k] + much * shift, measured[:, k:]])
         return dataclasses.replace(
             done, joints=at.joints, channels=at.channels, measurement=at.measurement, measured=measured
         )
@@ -499,7 +471,7 @@ def _attempt(kind: str, names: tuple[str, ...], rng: np.random.Generator, by: Ca
     make: Callable[..., Recording] = read
     if kind == "outside":
         x = judge.machine.x[:, :3]
-        foreign, much, wanted = Foreign.draw_one(names[0], x, rng), 1.0, float(rng.uniform(2, MOST))
+        foreign, much, wanted = Foreign.draw_one(names[0], x, robot, rng), 1.0, float(rng.uniform(2, MOST))
         for _ in range(2):
             much *= wanted * np.sqrt(judge.scalars / judge.misfit(read(poses, (), foreign, much)))
         make = lambda at, by=simulate: read(at, (), foreign, much, by)  # noqa: E731
@@ -549,11 +521,14 @@ def _attempt(kind: str, names: tuple[str, ...], rng: np.random.Generator, by: Ca
     )
 
 
-def _measurement(kind: str, names: Sequence[str], rng: np.random.Generator) -> tuple[Measurement, Any]:
-    """Return the sidecar, and where the base point of a gauge really is."""
-    of = str(rng.choice(["position", "pose", "distance", "gauge"], p=[0.66, 0.1, 0.16, 0.08]))
+def _measurement(
+    kind: str, names: Sequence[str], share: Mapping[str, float], rng: np.random.Generator
+) -> tuple[Measurement, Any]:
+    """Return the sidecar, and where the base point of a gauge really is; `share` is how often a kind is drawn."""
+    of = str(rng.choice(list(share), p=list(share.values())))
     if kind == "outside" or INSTRUMENT_ONLY & set(names):
-        of = str(rng.choice(["position", "pose"], p=[0.85, 0.15]))
+        seen = [of for of in share if of in OF_POSITIONS]
+        of = str(rng.choice(seen, p=[0.85, 0.15] if len(seen) == 2 else [1.0]))
     frame = "robot" if of in OF_POSITIONS and rng.random() < 0.1 else "unknown"
     if of != "gauge":
         return Measurement(kind=of, frame=frame), None
@@ -577,8 +552,9 @@ def _noisy(exact: Recording, sigma: float, turn: float, rng: np.random.Generator
         bad = rng.choice(len(values), max(int(rng.uniform(0.01, 0.04) * len(values)), 1), replace=False)
         noise[bad] += rng.choice([-1, 1], (len(bad), values.shape[1])) * rng.uniform(10, 60, (len(bad), 1))
         traits.append("outliers")
-    noisy = values + sigma * noise
-    if exact.kind == "pose":
+    sigmas = [sigma if column.endswith("_mm") else turn for column in exact.columns] or [sigma]
+    noisy = values + np.asarray(sigmas) * noise
+    if exact.kind == "pose" and len(sigmas) == 6:
         turned = from_vector(turn * noise[:, 3:]) @ from_vector(values[:, 3:])
         noisy = np.hstack([noisy[:, :3], to_vector(turned)])
     if exact.measurement.zero == "incremental":

@@ -21,12 +21,13 @@ from deltacal_gen.diagnosis import diagnose
 from deltacal_gen.errors import DeltacalError
 from deltacal_gen.estimation import Fit, fit, pose_problem, rms
 from deltacal_gen.identification import BROAD, rough
-from deltacal_gen.physics import Term, term_to_dict
+from deltacal_gen.mechanism import mechanism_of
+from deltacal_gen.physics import Term, coefficients, term_to_dict
 from deltacal_gen.prediction import predict
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import robot_to_dict
 from deltacal_gen.solvers import Prior
-from tests.benchmarks.concealed_cases import ORDINARY, PARAMETERS, Array, Case, Judge, generate, readings
+from tests.benchmarks.concealed_cases import ORDINARY, Array, Case, Judge, generate, readings
 
 CONVENTION = {"joint_axis_runout", "instrument_offset"}  # parameters that are equal up to the geometry
 WIDE = 3.0  # times the ideal fit's: a standard deviation may not hide an error behind more
@@ -48,7 +49,9 @@ class Oracle:
 
 def oracle(case: Case) -> Oracle:
     """Return what geometry and the true effects, fitted to the noisy recording, reach on the fresh readings."""
-    problem = pose_problem(case.robot, case.recording, PARAMETERS)
+    mechanism = mechanism_of(case.robot)
+    n = len(mechanism.parameters)
+    problem = pose_problem(case.robot, case.recording, [p.name for p in mechanism.parameters])
     problem = dataclasses.replace(problem, scale=BROAD * problem.scale)
     first = rough(problem, must_converge=False)
     plain = fit(problem, Prior(), errors=first.errors, instrument=first.instrument)
@@ -58,7 +61,7 @@ def oracle(case: Case) -> Oracle:
     values = np.concatenate([t.values.ravel() for t in case.terms])
     joint = problem.with_terms(case.terms, 10 * np.abs(values))
     true = fit(joint, Prior(), errors=np.concatenate([plain.errors, values]), instrument=plain.instrument)
-    std = np.sqrt(np.diag(true.covariance))[len(PARAMETERS) : len(PARAMETERS) + len(values)]
+    std = np.sqrt(np.diag(true.covariance))[n : n + len(values)]
     ends = np.cumsum([t.n_coefficients for t in case.terms])[:-1]
     parts = tuple(s.reshape(t.values.shape) for s, t in zip(np.split(std, ends), case.terms, strict=True))
     return Oracle(prediction_error(case, predict(_as_result(case, true), case.fresh)), geometry, parts)
@@ -66,12 +69,13 @@ def oracle(case: Case) -> Oracle:
 
 def prediction_error(case: Case, predicted: Recording) -> float:
     """Return the RMS error [mm] of a prediction of the fresh readings, rotations left out."""
-    return rms(readings(predicted)[:, :3] - readings(case.fresh)[:, :3])
+    k = len(mechanism_of(case.robot).axes)
+    return rms(readings(predicted)[:, :k] - readings(case.fresh)[:, :k])
 
 
 def _as_result(case: Case, found: Fit) -> dict[str, Any]:
     errors, terms = found.problem.split(found.errors)
-    robot = dataclasses.replace(case.robot, errors=dict(zip(PARAMETERS, map(float, errors), strict=True)))
+    robot = dataclasses.replace(case.robot, errors=dict(zip(found.problem.names, map(float, errors), strict=True)))
     recording = case.recording
     instrument = found.instrument.to_dict() | {
         "setups": list(recording.setup_names),
@@ -136,7 +140,7 @@ def grade(case: Case, result: Mapping[str, Any], ideal: Oracle | None = None) ->
         if term.effect == "transmission_eccentricity" and order != [term.constants[0]]:
             wrong.append(f"order {order}")
         elif term.effect not in CONVENTION:
-            z, wide = _departures(term, entry, None if ideal is None else ideal.std[i])
+            z, wide = _departures(term, entry, None if ideal is None else ideal.std[i], case.recording.joint_unit)
             out["z"] += z
             out["wide"] += wide
     out["ruled_out"] = _ruled_out(case, named)
@@ -155,12 +159,14 @@ def _said(entry: Mapping[str, Any]) -> list[Any]:
     return [entry["name"], entry["limbs"], constants, gain and round(gain, 1), entry["indistinguishable_from"]]
 
 
-def _departures(true: Term, entry: Mapping[str, Any], ideal: Array | None) -> tuple[list[float], list[float]]:
+def _departures(
+    true: Term, entry: Mapping[str, Any], ideal: Array | None, joint_unit: str
+) -> tuple[list[float], list[float]]:
     """Return (value - truth) / std, and std / the ideal fit's, of every coefficient that both have."""
     found = {(p["name"], p["limb"]): p for p in entry["parameters"]}
     z, wide = [], []
     for r, row in enumerate(true.values):
-        for c, (name, _, factor, _) in enumerate(true.kernels.COEFFICIENTS):
+        for c, (name, _, factor) in enumerate(coefficients(true.effect, joint_unit)):
             p = found.get((name, true.limbs[r] if true.limbs else None))
             if p is None or not p["std"]:
                 continue
@@ -182,10 +188,13 @@ def _ruled_out(case: Case, named: Mapping[str, Any]) -> list[Any]:
     return out
 
 
-def examine(job: tuple[str, tuple[str, ...], tuple[int, ...]], draw: Callable[..., Case] = generate) -> dict[str, Any]:
-    """Return how the diagnosis does on the case of a job (kind, names, seed) as `concealed_cases.plan` lists them."""
-    kind, names, seed = job
-    out: dict[str, Any] = {"kind": kind, "names": list(names), "seed": list(seed), "wrong": []}
+Job = tuple[str, tuple[str, ...], tuple[int, ...], str]  # kind, names, seed, machine: see `concealed_cases.plan`
+
+
+def examine(job: Job, draw: Callable[..., Case] = generate) -> dict[str, Any]:
+    """Return how the diagnosis does on the case of a job."""
+    kind, names, seed, machine = job
+    out: dict[str, Any] = {"kind": kind, "names": list(names), "seed": list(seed), "machine": machine, "wrong": []}
     try:
         case = draw(*job)
     except RuntimeError as e:

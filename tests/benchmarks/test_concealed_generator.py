@@ -31,7 +31,7 @@ def test_a_case_is_drawn_from_its_seed(kind: str, names: tuple[str, ...]) -> Non
 def test_every_kind_has_its_share() -> None:
     work = plan({"null": 40, "outside": 14}, seed=2)
     assert len(work) == 54
-    assert {names[0] for kind, names, _ in work if kind == "outside"} == set(OUTSIDE)
+    assert {names[0] for kind, names, *_ in work if kind == "outside"} == set(OUTSIDE)
     assert work == plan({"null": 40, "outside": 14}, seed=2)
 
 

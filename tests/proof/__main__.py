@@ -53,8 +53,8 @@ def jobs(cases: int, engines: list[str], seed: int) -> list[Job]:
 @compiled_only()
 def conceal(job: Job, folder: Path) -> None:
     """Draw the case of a job and write its files."""
-    name, engine, kind, names, seed = job
-    case = generate(kind, names, seed, ENGINES[engine])
+    name, engine, *of = job
+    case = generate(*of, by=ENGINES[engine])
     try:
         ideal = oracle(case)
     except NoSolutionError:
