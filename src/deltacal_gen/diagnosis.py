@@ -22,7 +22,7 @@ from deltacal_gen import identification
 from deltacal_gen.correction import Correction, correct
 from deltacal_gen.discrimination import Question, more_poses, next_measurements
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.estimation import SPARE_READINGS, Fit, Problem, fit, held_out, held_out_residuals, pose_problem, rms
+from deltacal_gen.estimation import SPARE_READINGS, Fit, Problem, fit, held_out, held_out_errors, pose_problem, rms
 from deltacal_gen.identification import Noise, folds, noise
 from deltacal_gen.measurement import BOTH, Instrument
 from deltacal_gen.mechanism import Array, mechanism_of
@@ -48,6 +48,7 @@ MUCH_WORSE = 1.02  # times the noise: another form that fits so much worse in th
 MACHINED = 5.0  # standard deviation of a source error, in ordinary ones: geometry may not strain to imitate physics
 SHORT = 2.0  # times the noise: a held-out error beyond it says that the geometry itself is hardly known
 ROOM = 10.0  # mm: root mean square that an effect's coefficient may well move the readings, a prior that never pulls
+BORNE_OUT = 2.0  # standard deviations by which held-out readings must speak for what is named
 Progress = Callable[[str], None]
 
 
@@ -140,10 +141,15 @@ def diagnose(
     # what is left out may look like gross errors where it is strongest: none is dropped before it is known
     first = fit(some, Prior(), errors=rough.errors, instrument=rough.instrument, drop_gross=False, must_converge=False)
     terms, not_tested = library(some) if not lean else ([], _untested(problem))
-    search, considered = _chosen(some, first, terms, progress)
-    progress("what is left")
-    left = structures(search.fit)
     parts = folds(some.readings, some.recording)
+    search, considered = _chosen(some, first, terms, progress)
+    progress("held-out error")
+    without, tested = held_out_errors(first, Prior(), parts), search
+    predicted = _held_out(some, search, parts) if search.effects else without
+    if search.effects and not _borne_out(without / first.sigma, predicted / first.sigma):
+        search = Search(first, terms)
+    progress("what is left")
+    search, left = _settled(some, search)
 
     def short_of_noise() -> bool:
         return identification.lack_of_fit(search.fit, some.recording) or any(s.earned > MARGIN for s in left)
@@ -159,16 +165,16 @@ def diagnose(
         beside = _refitted(some, search.fit, others)
         if beside is not None:
             search, considered = _chosen(some, beside, [t for t in terms if t.effect != EFFECT], progress)
-            left = structures(search.fit)
+            search, left = _settled(some, search)
             unexplained = short_of_noise()
     if left[0].earned > MARGIN and search.effects:
-        search = _proven(some, search, left[0].channel)
+        search = _proven(some, search, smooth_columns(search.fit, left[0].channel))
         left = structures(search.fit)
     # what comes near its price without earning it is no finding, but worth a measurement
     doubtful = [f.term for f in search.ranked()[:1] if 0 < f.score < MARGIN]
-    progress("held-out error")
-    before = held_out(first, Prior(), parts)
-    after = _held_out(some, search, parts) if search.effects and spectrum is None else before
+    before = after = rms(without)
+    if search.effects and spectrum is None:
+        after = rms(predicted if search is tested else _held_out(some, search, parts))
     progress(f"fit of all {len(problem.readings)} readings")
     baseline, current, spectrum = _of_all(problem, first, search.fit, spectrum)
     heldout = (before, after if spectrum is None else spectrum.heldout[1])
@@ -294,10 +300,24 @@ def _chosen(problem: Problem, baseline: Fit, terms: Sequence[Term], progress: Pr
         search = _revised(problem, Search(better, terms))
         if search.effects == named:
             break  # it did not hold
-    if len(search.fit.gross):
-        final = _refitted(problem, search.fit, _terms(search.fit), drop_gross=True)
-        search = search if final is None else Search(final, terms)
     return search, considered
+
+
+def _settled(problem: Problem, search: Search) -> tuple[Search, list[Structure]]:
+    """Return the search without gross errors, and what it leaves.
+
+    They are dropped only where nothing is left with them: readings that lie off together, in a region or for a time,
+    are no gross errors but what the model does not know. For that, none counts more than an ordinary reading that is
+    just off: the squares of Huber's weights bound what each adds to a gain.
+    """
+    left = structures(dataclasses.replace(search.fit, weights=search.fit.weights**2))
+    if left[0].earned > MARGIN or not len(search.fit.gross):
+        return search, left
+    final = _refitted(problem, search.fit, _terms(search.fit), drop_gross=True)
+    if final is None:
+        return search, left
+    search = _proven(problem, Search(final, search.terms))
+    return search, structures(search.fit)
 
 
 def _terms(at: Fit) -> list[Term]:
@@ -349,35 +369,50 @@ def _better(problem: Problem, current: Fit, i: int, best: Found) -> Fit | None:
     return other if other is not None and other.sigma[0] <= current.sigma[0] * MUCH_WORSE else None
 
 
-def _proven(problem: Problem, search: Search, channel: str) -> Search:
-    """Drop the effects that do not stand beside the rest: any smooth dependence on its channel explains them as well.
+def _proven(problem: Problem, search: Search, rest: Array | None = None) -> Search:
+    """Drop the effects that do not earn their price, or do not beside the rest, columns that explain them as well.
 
     What no effect explains is easily imitated in part by some that vary with the same channel.
     """
+    drop_gross = not search.fit.weights.all()
     while search.effects:
-        rest = smooth_columns(search.fit, channel)
         terms = _terms(search.fit)
         scores = []
         for i, term in enumerate(terms):
-            beside = search.freed(i).joined(rest)
+            beside = search.freed(i) if rest is None else search.freed(i).joined(rest)
             forms = sum(t.effect == term.effect for t in search.terms)
             scores.append(beside.gain(beside.where(term)) - charge(term, forms))
         worst = int(np.argmin(scores))
-        kept = None if scores[worst] > MARGIN else _refitted(problem, search.fit, terms[:worst] + terms[worst + 1 :])
+        if scores[worst] > MARGIN:
+            break
+        kept = _refitted(problem, search.fit, terms[:worst] + terms[worst + 1 :], drop_gross=drop_gross)
         if kept is None:
             break
         search = Search(kept, search.terms)
     return search
 
 
-def _held_out(problem: Problem, search: Search, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> float:
-    """Return the RMS [mm] of readings that took part neither in a fit nor in the choice of its effects.
+def _borne_out(before: Array, after: Array) -> bool:
+    """Tell whether readings held out lie nearer to their prediction after than before, (R, k) in standard deviations.
+
+    Each counts by the part of its square that goes or comes, which no gross error outweighs.
+    """
+    a, b = np.nansum(before**2, axis=1), np.nansum(after**2, axis=1)
+    seen = np.isfinite(before).any(axis=1) & np.isfinite(after).any(axis=1) & (a + b > 0)
+    gone = (a[seen] - b[seen]) / (a[seen] + b[seen])
+    if len(gone) < 2:
+        return False
+    return bool(gone.mean() > BORNE_OUT * gone.std(ddof=1) / np.sqrt(len(gone)))
+
+
+def _held_out(problem: Problem, search: Search, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> Array:
+    """Return the errors (R, k) [mm, rad] of readings that took part neither in a fit nor in the choice of its effects.
 
     Each part of the readings is predicted from the others, which choose their own effects: by the same charges, in the
     machine made linear at the final fit.
     """
     final = {_form(t): t for t in _terms(search.fit)}
-    found = []
+    out = held_out_errors(search.fit, Prior(), [])
     for train, test in parts:
         part = search.freed(*range(len(final))).within(train)
         chosen: list[Term] = []
@@ -388,9 +423,8 @@ def _held_out(problem: Problem, search: Search, parts: Sequence[tuple[np.ndarray
         terms = [final.get(_form(t), t) for t in chosen]
         fitted = search.fit if same else _refitted(problem, search.fit, terms)
         if fitted is not None:
-            found.append(held_out_residuals(fitted, Prior(), [(train, test)]))
-    errors = np.concatenate([*found, np.zeros(0)])
-    return float(np.sqrt(np.mean(errors**2))) if len(errors) else float("nan")
+            out[test] = held_out_errors(fitted, Prior(), [(train, test)])[test]
+    return out
 
 
 def _form(term: Term) -> tuple[object, ...]:

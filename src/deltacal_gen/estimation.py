@@ -487,15 +487,14 @@ def rough(problem: Problem, robust: bool = True, must_converge: bool = True) -> 
 
 
 def held_out(full: Fit, solver: Solver, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> float:
-    """Return the RMS [mm] of readings predicted by fits that did not see them; see `held_out_residuals`."""
-    found = held_out_residuals(full, solver, parts)
-    return float(np.sqrt(np.mean(found**2))) if len(found) else float("nan")
+    """Return the RMS [mm] of readings predicted by fits that did not see them; see `held_out_errors`."""
+    return rms(held_out_errors(full, solver, parts))
 
 
-def held_out_residuals(full: Fit, solver: Solver, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> Array:
-    """Return the errors (n,) [mm] of predictions by fits that did not see the readings.
+def held_out_errors(full: Fit, solver: Solver, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> Array:
+    """Return the errors (R, k) [mm, rad] of predictions by fits that did not see the readings; nan where there is none.
 
-    Gross errors of the full fit are left out. Each fit starts from the full one and differs from it by less than a
+    Gross errors of the full fit are not predicted. Each fit starts from the full one and differs from it by less than a
     standard deviation, where the machine is linear to far below its noise: one step is the fit.
 
     Parameters
@@ -511,7 +510,7 @@ def held_out_residuals(full: Fit, solver: Solver, parts: Sequence[tuple[np.ndarr
     departure = (full.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
     gross = np.zeros(len(read), dtype=bool)
     gross[full.gross] = True
-    found: list[Array] = []
+    out = np.full(state.residual.shape, np.nan)
     for train, test in parts:
         rows, test = train[owner], test & ~gross
         if not test.any() or rows.sum() <= full.solution.degrees + full.instrument.n_unknown:
@@ -522,9 +521,8 @@ def held_out_residuals(full: Fit, solver: Solver, parts: Sequence[tuple[np.ndarr
         step = solution.u - departure
         m_step = np.linalg.lstsq(A_m[rows], b[rows] - A_p[rows] @ step, rcond=None)[0]
         moved = state.J_p[test] @ (step * problem.scale) + state.J_m[test] @ m_step
-        r = (state.residual[test] - moved)[:, :3]
-        found.append(r[np.isfinite(r)])
-    return np.concatenate(found) if found else np.zeros(0)
+        out[test] = state.residual[test] - moved
+    return out
 
 
 def _blame(problem: Problem, residual: Array) -> None:
