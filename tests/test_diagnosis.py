@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import deltacal_gen as dc
+from deltacal_gen.diagnosis import _borne_out
 from deltacal_gen.errors import InputError
 from deltacal_gen.physics import effect_names
 from deltacal_gen.recording import Recording
@@ -89,12 +90,12 @@ def loose(robot: Robot, loose_recording: Recording) -> dict[str, Any]:
     return diagnosis(robot, loose_recording)
 
 
-def bumpy(recording: Recording, robot: Robot) -> tuple[Recording, np.ndarray]:
-    """Return readings moved by up to 0.3 mm around a place of the workspace, and that place."""
+def bumpy(recording: Recording, robot: Robot, reach: float = 90.0, much: float = 0.3) -> tuple[Recording, np.ndarray]:
+    """Return readings moved by up to `much` mm around a place of the workspace, and that place."""
     centre = np.array([250.0, 100.0, -850.0])
     x = simulate(robot, dataclasses.replace(recording, channels={}), frame=(np.zeros(3), np.zeros(3))).measured
-    bump = np.exp(-0.5 * np.sum(((x - centre) / 90.0) ** 2, axis=1))
-    return dataclasses.replace(recording, measured=recording.measured + 0.3 * bump[:, None] * [0.6, -0.6, 0.5]), centre
+    bump = np.exp(-0.5 * np.sum(((x - centre) / reach) ** 2, axis=1))
+    return dataclasses.replace(recording, measured=recording.measured + much * bump[:, None] * [0.6, -0.6, 0.5]), centre
 
 
 @pytest.fixture(scope="module")
@@ -139,6 +140,22 @@ def test_what_no_effect_explains_is_located_and_sized(dented: tuple[dict[str, An
     assert 30 < region["radius_mm"] < 300
     assert found["effects"] == []
     assert 1.5 * SIGMA < found["baseline"]["train_rms_mm"] < 0.1
+
+
+def test_readings_that_lie_off_together_are_no_gross_errors(robot: Robot) -> None:
+    recording, centre = bumpy(record(robot, n=140, of=channels(140, "temp", "approach")), robot, reach=60.0, much=2.0)
+    found = diagnosis(robot, recording)
+    assert found["verdict"] == "unexplained"
+    assert found["effects"] == []
+    assert np.linalg.norm(np.array(found["location"]["region"]["centre_mm"]) - centre) < 150
+
+
+@pytest.mark.parametrize(("better", "borne_out"), [(0.9, True), (1.0, False), (1.1, False)])
+def test_held_out_readings_speak_for_what_is_named_or_do_not(better: float, borne_out: bool) -> None:
+    before = np.random.default_rng(0).standard_normal((60, 3))
+    after = better * before
+    after[:2] = 100.0, np.nan  # a gross error outweighs nothing, and what is not predicted does not count
+    assert _borne_out(before, after) is borne_out
 
 
 def test_two_effects_are_both_named(robot: Robot) -> None:
