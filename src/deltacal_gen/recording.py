@@ -8,9 +8,11 @@ complete. Joints and measured quantities are converted to mm and rad; the other 
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import dataclasses
 import io
+import itertools
 import os
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -147,7 +149,51 @@ def read_recording(
     """
     path = Path(path)
     rows = _read_parquet(path) if path.suffix == ".parquet" else _read_csv(path)
-    sidecar = _read_sidecar(path)
+    flags = {"need_measured": need_measured, "allow_targets": allow_targets, "doubtful": doubtful}
+    return _recording(path, rows, _read_sidecar(path), mechanism, **flags)
+
+
+def read_blocks(
+    path: str | Path,
+    mechanism: Mechanism,
+    rows: int,
+    *,
+    need_measured: bool = True,
+    allow_targets: bool = False,
+) -> Iterator[Recording]:
+    """Read a recording of any length, so many rows at a time; see `read_recording`.
+
+    What concerns rows far apart (repeats, labels that stand twice) is judged within a block only.
+
+    Raises
+    ------
+    InputError
+        As `read_recording`; and for distances between rows, several set-ups, or positions that count from a first row:
+        those need the whole recording.
+    """
+    path = Path(path)
+    sidecar, done = _read_sidecar(path), 0
+    for block in _parquet_blocks(path, rows) if path.suffix == ".parquet" else _csv_blocks(path, rows):
+        part = _recording(path, block, sidecar, mechanism, need_measured, allow_targets, doubtful=False)
+        if part.pairs is not None or len(part.setup_names) > 1 or part.measurement.zero == "incremental":
+            what = "distances between rows" if part.pairs is not None else "several set-ups or an incremental zero"
+            raise InputError(f"{what} cannot be read in blocks.", "Read the recording as a whole.", file=path)
+        if "pose" not in block.columns:
+            part = dataclasses.replace(part, pose=np.arange(done + 1, done + part.n_rows + 1).astype(str))
+        done += part.n_rows
+        yield part
+
+
+def _recording(
+    path: Path,
+    rows: _Rows,
+    sidecar: _Sidecar,
+    mechanism: Mechanism,
+    need_measured: bool,
+    allow_targets: bool,
+    doubtful: bool,
+) -> Recording:
+    """Return the rows of a file as a recording."""
     measurement = _said(sidecar)
     pairs, rows = _pairs_and_rows(path, rows)
     targets = None
@@ -328,7 +374,12 @@ class _Rows:
 
     def _column(self, name: str) -> np.ndarray:
         values = np.full(len(self.line), np.nan)
-        for row, cell in enumerate(self.columns[name]):
+        cells = self.columns[name]
+        with contextlib.suppress(ValueError):  # the usual column at once; others cell by cell, to name the wrong one
+            values = np.array([float(cell) if cell else np.nan for cell in cells])
+            if np.isfinite(values).sum() == sum(map(bool, cells)) and not any("_" in cell for cell in cells):
+                return values
+        for row, cell in enumerate(cells):
             if not cell:
                 continue
             value = _number(cell)
@@ -353,8 +404,35 @@ def _number(cell: str) -> float | None:
 
 
 def _read_csv(path: Path) -> _Rows:
-    lines = read_text(path).split("\n")
-    kept = [(n, line) for n, line in enumerate(lines, start=1) if line.strip() and not line.startswith("#")]
+    return _csv_rows(path, list(_lines(read_text(path).split("\n"))))
+
+
+def _lines(text: Iterable[str]) -> Iterator[tuple[int, str]]:
+    """Yield the lines that hold cells, numbered as in the file."""
+    return ((n, line) for n, line in enumerate(text, start=1) if line.strip() and not line.startswith("#"))
+
+
+def _csv_blocks(path: Path, rows: int) -> Iterator[_Rows]:
+    try:
+        with path.open(encoding="utf-8-sig") as file:
+            lines = _lines(line.rstrip("\n") for line in file)
+            head = list(itertools.islice(lines, 1))
+            block = list(itertools.islice(lines, rows))
+            while True:
+                while sum(line.count('"') for _, line in block) % 2 and (more := next(lines, None)):
+                    block.append(more)  # a cell goes on in the next line
+                yield _csv_rows(path, head + block)
+                block = list(itertools.islice(lines, rows))
+                if not block:
+                    return
+    except OSError as error:
+        raise InputError(f"the file cannot be read: {error.strerror}.", "Check the path.", file=path) from None
+    except UnicodeDecodeError:
+        raise InputError("the file is not UTF-8 text.", "Save the file as text in UTF-8.", file=path) from None
+
+
+def _csv_rows(path: Path, kept: list[tuple[int, str]]) -> _Rows:
+    """Return lines, the header first, as cells."""
     if not kept:
         raise InputError("the file is empty.", "Give a header and one row per reading.", file=path)
     header_line, first = kept[0]
@@ -394,6 +472,10 @@ def _read_csv(path: Path) -> _Rows:
 
 
 def _read_parquet(path: Path) -> _Rows:
+    return next(_parquet_blocks(path, None))
+
+
+def _parquet_blocks(path: Path, rows: int | None) -> Iterator[_Rows]:
     try:
         import pyarrow as pa
         import pyarrow.parquet as pq
@@ -403,18 +485,24 @@ def _read_parquet(path: Path) -> _Rows:
             "Install it (pip install pyarrow), or save the file as CSV.",
             file=path,
         ) from None
+    done = 0
     try:
         with pq.ParquetFile(path) as file:
-            table = file.read()
-        cells = [["" if cell is None else str(cell).strip() for cell in column.to_pylist()] for column in table.columns]
+            whole = rows is None or not file.metadata.num_rows
+            for batch in [file.read()] if whole else file.iter_batches(rows):
+                names, count = batch.schema.names, batch.num_rows
+                _check_header(path, names, None)
+                if not count:
+                    raise InputError("there is no row.", "Add one row per reading.", file=path)
+                columns = {
+                    name: ["" if cell is None else str(cell).strip() for cell in column.to_pylist()]
+                    for name, column in zip(names, batch.columns, strict=True)
+                }
+                yield _Rows(path, columns, np.arange(done + 1, done + count + 1), None)
+                done += count
     except (OSError, ValueError, pa.ArrowException) as error:
         reason = str(error).splitlines()[0] if str(error) else type(error).__name__
         raise InputError(f"this is not a readable Parquet file: {reason}.", "Save it again.", file=path) from None
-    _check_header(path, table.column_names, None)
-    if not table.num_rows:
-        raise InputError("there is no row.", "Add one row per reading.", file=path)
-    columns = dict(zip(table.column_names, cells, strict=True))
-    return _Rows(path, columns, np.arange(1, table.num_rows + 1), None)
 
 
 def _check_header(path: Path, header: Sequence[str], line: int | None) -> None:
@@ -742,6 +830,38 @@ def write_recording(recording: Recording, path: str | Path) -> None:
             file=distances,
         )
     write_files(files | {path: csv_text(columns)})
+
+
+def write_blocks(parts: Iterable[Recording], path: str | Path) -> int:
+    """Write the parts of a recording one after the other, as CSV with its sidecar; return the number of rows.
+
+    The files appear when all is written.
+
+    Raises
+    ------
+    InputError
+        A file cannot be written; see also `write_recording`.
+    """
+    path, done = Path(path), 0
+    if path.suffix != ".csv" or _distances_path(path).exists():
+        raise InputError("recordings are written as CSV, and no distances may lie beside it.", "Rename.", file=path)
+    staged = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        with staged.open("w", encoding="utf-8", newline="") as file:
+            for part in parts:
+                text = csv_text(file_columns(part)[0])
+                file.write(text if not done else text.partition("\n")[2])
+                done += part.n_rows
+                sidecar = _sidecar_text(part)
+        write_files({path.with_suffix(".toml"): sidecar})
+        os.replace(staged, path)
+    except OSError as error:
+        raise InputError(
+            f"the file cannot be written: {error.strerror}.", "Check the folder and the space on the disk.", file=path
+        ) from None
+    finally:
+        staged.unlink(missing_ok=True)
+    return done
 
 
 def is_recording(path: Path) -> bool:

@@ -268,9 +268,8 @@ def _instrument(
     if frame is not None:
         turn[:], origin[:] = from_vector(frame[0]), frame[1]
     elif measurement.frame == "unknown" and rng is not None:
-        moving = np.array([1.0, 1.0, 1.0] if 2 in poses.components else [0.0, 0.0, 1.0])  # in the plane: about z
-        turn = from_vector(0.3 * rng.standard_normal((setups, 3)) * moving)
-        origin = 1000.0 * rng.standard_normal((setups, 3))
+        vectors, origin = drawn_frames(poses, setups, rng)
+        turn = from_vector(vectors)
     home = home_of(poses, robot)
     if any(home):
         origin[:] = 0.0
@@ -278,6 +277,12 @@ def _instrument(
     if poses.kind == "pose":
         state = np.hstack([state, np.swapaxes(turn, 1, 2).reshape(setups, 9)])  # rotations about the instrument's axes
     return Instrument(poses.kind, state, (), home=home)
+
+
+def drawn_frames(poses: Recording, setups: int, rng: np.random.Generator) -> tuple[Array, Array]:
+    """Return where instruments of unknown frame stand: rotation vectors (setups, 3) [rad] and origins (setups, 3)."""
+    moving = np.array([1.0, 1.0, 1.0] if 2 in poses.components else [0.0, 0.0, 1.0])  # in the plane: about z
+    return 0.3 * rng.standard_normal((setups, 3)) * moving, 1000.0 * rng.standard_normal((setups, 3))
 
 
 def _camera(poses: Recording, x: Array, setups: int, rng: np.random.Generator | None) -> Instrument:

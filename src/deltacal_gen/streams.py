@@ -1,0 +1,180 @@
+"""Recordings of any length, some rows at a time: simulated, identified and predicted within a fixed memory.
+
+Readings of one set-up, on machines without effects: what a row reads then depends on that row alone. The
+identification is the fit of ``identify`` without its search for gross errors: in every pass over the file the rows
+are reduced, block by block, to the triangle of their QR decomposition, which holds all that the fit asks of them.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from deltacal_gen import prediction, simulation
+from deltacal_gen.errors import InputError, NoSolutionError
+from deltacal_gen.estimation import Problem, pose_problem
+from deltacal_gen.inputs import Recording, Robot
+from deltacal_gen.measurement import Instrument
+from deltacal_gen.mechanism import Array, mechanism_of
+from deltacal_gen.recording import read_blocks, write_blocks
+from deltacal_gen.robot import robot_to_dict
+from deltacal_gen.solvers import LeastSquares
+
+ROWS = 10_000  # of a block: the derivatives of its poses take some 25 MB
+PASSES = 8  # over the file, at most
+DONE = 0.01  # standard deviations: by which the last pass may still change a parameter
+
+
+@dataclass(frozen=True)
+class Streamed:
+    """A machine fitted to a recording that was read in blocks.
+
+    Attributes
+    ----------
+    errors : (n_p,) array
+        All source errors of the mechanism [mm, rad].
+    covariance : (n + n_m, n + n_m) array
+        Of the free parameters and the instrument's unknowns [mm, rad].
+    sigma : float
+        Noise per coordinate, from the residuals [mm].
+    rows, passes : int
+    """
+
+    robot: Robot
+    names: tuple[str, ...]
+    errors: Array
+    instrument: Instrument
+    setups: tuple[str, ...]
+    covariance: Array
+    sigma: float
+    rows: int
+    passes: int
+
+    @property
+    def parameters(self) -> dict[str, float]:
+        """The free source errors by name [mm, rad]."""
+        index = mechanism_of(self.robot).index
+        return {name: float(self.errors[index[name]]) for name in self.names}
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return what `predict` reads of a RESULT.json: the calibrated robot and the instrument."""
+        named = {p.name: float(v) for p, v in zip(mechanism_of(self.robot).parameters, self.errors, strict=True) if v}
+        return {
+            "robot": robot_to_dict(dataclasses.replace(self.robot, errors=named)),
+            "instrument": self.instrument.to_dict() | {"setups": list(self.setups)},
+        }
+
+
+def simulate(
+    robot: Robot,
+    poses: str | Path,
+    output: str | Path,
+    errors: Mapping[str, float] | None = None,
+    *,
+    noise_mm: float = 0.0,
+    rng: np.random.Generator | None = None,
+    frame: tuple[Array, Array] | None = None,
+    rows: int = ROWS,
+) -> int:
+    """Simulate a recording file to another, `rows` at a time; return the number of rows. See `simulation.simulate`.
+
+    An unknown frame of the instrument that is not given is drawn first, as for a recording that is read whole.
+
+    Raises
+    ------
+    InputError, NoSolutionError
+        As `recording.read_blocks` and `simulation.simulate`.
+    """
+    mechanism, true = mechanism_of(robot), None if errors is None else dict(errors)
+
+    def parts() -> Iterator[Recording]:
+        seen = frame
+        for part in read_blocks(poses, mechanism, rows, need_measured=False, allow_targets=True):
+            if seen is None and part.kind == "position" and part.measurement.frame == "unknown" and rng is not None:
+                turn, origin = simulation.drawn_frames(part, 1, rng)
+                seen = turn[0], origin[0]
+            yield simulation.simulate(robot, part, true, noise_mm=noise_mm, rng=rng, frame=seen)
+
+    return write_blocks(parts(), output)
+
+
+def identify(robot: Robot, recording: str | Path, model: str, *, rows: int = ROWS, passes: int = PASSES) -> Streamed:
+    """Identify a machine by least squares from a recording file, `rows` at a time.
+
+    Parameters
+    ----------
+    model : str
+        ``delta/32`` or ``32``.
+    passes : int
+        Steps of Gauss-Newton, each over the file, at most; one is the linear identification.
+
+    Raises
+    ------
+    InputError
+        As `recording.read_blocks`, or a kind other than position.
+    NoSolutionError
+        Several passes were allowed and did not settle.
+    """
+    mechanism = mechanism_of(robot)
+    names, errors = mechanism.model(model), mechanism.vector(robot.errors)
+    instrument: Instrument | None = None
+    number, settled = 0, False
+    while not settled and number < passes:
+        number += 1
+        triangle: Array | None = None
+        count = scalars = 0
+        for part in read_blocks(recording, mechanism, rows):
+            if part.kind != "position":
+                raise InputError(
+                    f"only positions are identified in blocks, these readings are of the kind {part.kind}.",
+                    "Identify them as a whole.",
+                    file=recording,
+                )
+            problem = pose_problem(robot, part, names)
+            instrument = problem.begin(errors) if instrument is None else instrument
+            triangle = _reduced(problem, errors, instrument, triangle)
+            count, setups = count + part.n_rows, part.setup_names
+            scalars += problem.readings.n_scalars
+        assert triangle is not None
+        assert instrument is not None
+        n = len(names)
+        scale = np.concatenate([problem.scale, np.ones(triangle.shape[1] - 1 - n)])
+        solution = LeastSquares().solve(triangle[:, :-1], triangle[:, -1])
+        left = float(triangle[:, -1] @ triangle[:, -1] - solution.c @ solution.c)
+        noise = float(np.sqrt(max(left, 0.0) / max(scalars - solution.degrees, 1.0)))
+        step = solution.u * scale
+        errors[problem.columns] += step[:n]
+        instrument = instrument.stepped(step[n:])
+        deviation = noise * np.sqrt(np.diag(solution.covariance))
+        settled = bool((np.abs(solution.u) <= DONE * deviation).all())
+    if not settled and passes > 1:
+        raise NoSolutionError(f"the fit did not settle in {passes} passes over {recording}. Use a smaller model.")
+    assert instrument is not None
+    covariance = noise**2 * solution.covariance * np.outer(scale, scale)
+    return Streamed(robot, names, errors, instrument, setups, covariance, noise, count, number)
+
+
+def predict(result: Mapping[str, Any], recording: str | Path, output: str | Path, *, rows: int = ROWS) -> int:
+    """Predict the readings of a recording file into another, `rows` at a time; see `prediction.predict`.
+
+    Raises
+    ------
+    InputError
+        As `recording.read_blocks` and `prediction.predict`.
+    """
+    robot = prediction.calibrated_robot(result)
+    blocks = read_blocks(recording, mechanism_of(robot), rows, need_measured=False)
+    return write_blocks((prediction.predict(result, part) for part in blocks), output)
+
+
+def _reduced(problem: Problem, errors: Array, instrument: Instrument, triangle: Array | None) -> Array:
+    """Return the triangle (n + 1, n + 1) of all rows so far: columns in ordinary sizes, then the residual."""
+    state = problem.linearise(errors, instrument)
+    read = np.isfinite(state.residual)
+    block = np.column_stack([state.J_p[read] * problem.scale, state.J_m[read], state.residual[read]])
+    return np.asarray(np.linalg.qr(block if triangle is None else np.vstack([triangle, block]), mode="r"))

@@ -1,0 +1,140 @@
+"""Recordings read in blocks: the same numbers as read whole, in a memory that does not grow with the rows."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.csv
+import pyarrow.parquet as pq
+import pytest
+
+from deltacal_gen import prediction, streams
+from deltacal_gen.errors import InputError
+from deltacal_gen.identification import identify
+from deltacal_gen.mechanism import load_mechanism
+from deltacal_gen.recording import read_blocks, read_recording
+from deltacal_gen.robot import Robot, robot_to_toml
+from deltacal_gen.simulation import simulate
+from tests.conftest import plausible, scattered
+
+NOISE = 0.02  # mm
+DELTA = load_mechanism("delta")
+
+
+def targets(robot: Robot, path: Path, n: int, frame: str = "unknown") -> Path:
+    np.savetxt(path, scattered(robot, n, 5), "%.9g", ",", header="x_mm,y_mm,z_mm", comments="")
+    path.with_suffix(".toml").write_text(f'[measurement]\nkind = "position"\nframe = "{frame}"\n')
+    return path
+
+
+def as_parquet(path: Path) -> Path:
+    pq.write_table(pa.csv.read_csv(path), path.with_suffix(".parquet"))
+    return path.with_suffix(".parquet")
+
+
+@pytest.fixture(scope="module")
+def errors() -> dict[str, float]:
+    return plausible(DELTA, 4, DELTA.model("18"))
+
+
+@pytest.mark.parametrize("kind", ["csv", "parquet"])
+def test_blocks_are_the_recording(robot: Robot, errors: dict[str, float], tmp_path: Path, kind: str) -> None:
+    """137 rows in blocks of 50: simulated, identified and predicted as when they are read whole."""
+    poses = targets(robot, tmp_path / "poses.csv", 137)
+    poses = as_parquet(poses) if kind == "parquet" else poses
+    out = tmp_path / "recording.csv"
+    done = streams.simulate(robot, poses, out, errors, noise_mm=NOISE, rng=np.random.default_rng(3), rows=50)
+    assert done == 137
+    given = read_recording(poses, DELTA, need_measured=False, allow_targets=True)
+    whole = simulate(robot, given, errors, noise_mm=NOISE, rng=np.random.default_rng(3))
+    found = read_recording(out, DELTA)
+    np.testing.assert_allclose(found.measured, whole.measured, rtol=0, atol=1e-9)
+    np.testing.assert_allclose(found.joints, whole.joints, rtol=0, atol=1e-12)
+    assert found.pose.tolist() == whole.pose.tolist()
+
+    fitted = streams.identify(robot, as_parquet(out) if kind == "parquet" else out, "18", rows=50)
+    thorough = identify(robot, found, "18", solver="least-squares", robust=False)
+    deviation = np.sqrt(np.diag(fitted.covariance)[:18])
+    values = np.array(list(fitted.parameters.values()))
+    assert fitted.rows == 137
+    assert (np.abs(values - thorough.fit.errors[thorough.fit.problem.columns]) < 0.02 * deviation).all()
+    assert fitted.sigma == pytest.approx(NOISE, rel=0.2)
+    np.testing.assert_allclose(deviation, np.sqrt(np.diag(thorough.fit.covariance)[:18]), rtol=0.2)
+
+    assert streams.predict(fitted.to_dict(), out, tmp_path / "predicted.csv", rows=50) == 137
+    predicted = read_recording(tmp_path / "predicted.csv", DELTA).measured
+    np.testing.assert_allclose(predicted, prediction.predict(fitted.to_dict(), found).measured, rtol=0, atol=1e-9)
+    assert np.std(predicted - found.measured) < 1.2 * NOISE
+
+
+def test_one_pass_is_the_linear_identification(robot: Robot, tmp_path: Path) -> None:
+    poses = targets(robot, tmp_path / "poses.csv", 60, frame="robot")
+    small = {name: 0.01 * value for name, value in plausible(DELTA, 4, DELTA.model("18")).items()}
+    streams.simulate(robot, poses, tmp_path / "recording.csv", small)
+    found = streams.identify(robot, tmp_path / "recording.csv", "18", rows=25, passes=1)
+    assert found.passes == 1
+    left = np.subtract(list(found.parameters.values()), [small[name] for name in found.names])
+    assert np.abs(left).max() < 1e-2 * np.abs(list(small.values())).max()
+
+
+def test_what_needs_the_whole_recording_is_refused(robot: Robot, tmp_path: Path) -> None:
+    path = tmp_path / "recording.csv"
+    path.write_text("q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm,setup\n1,2,3,4,5,-900,a\n2,3,4,5,6,-900,b\n")
+    with pytest.raises(InputError, match="several set-ups"):
+        list(read_blocks(path, DELTA, 10))
+    path.write_text("q1_deg,q2_deg,q3_deg,gauge_mm\n1,2,3,4\n")
+    path.with_suffix(".toml").write_text("[measurement]\nbase_point_mm = [0, 0, 0]\n")
+    with pytest.raises(InputError, match="of the kind gauge"):
+        streams.identify(robot, path, "18")
+    for text, says in (("", "empty"), ("q1_deg,q2_deg\n", "no row"), ("q1_deg\n1,2\n", "2 cells")):
+        path.write_text(text)
+        with pytest.raises(InputError, match=says):
+            list(read_blocks(path, DELTA, 10))
+    with pytest.raises(InputError, match="cannot be read"):
+        list(read_blocks(tmp_path / "none.csv", DELTA, 10))
+
+
+def test_a_cell_may_go_on_where_a_block_ends(tmp_path: Path) -> None:
+    path = tmp_path / "recording.csv"
+    path.write_text('pose,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm\n"a\nb",1,2,3,4,5,-900\nc,2,3,4,5,6,-900\n')
+    blocks = list(read_blocks(path, DELTA, 1))
+    assert [part.pose.tolist() for part in blocks] == [["ab"], ["c"]]
+    assert [part.line.tolist() for part in blocks] == [[3], [4]]
+
+
+PROGRAM = """
+import json, resource, sys
+import numpy as np
+from pathlib import Path
+from deltacal_gen import mechanism, streams
+from deltacal_gen.robot import read_robot
+folder, rows = Path(sys.argv[1]), int(sys.argv[2])
+robot = read_robot(folder / "robot.toml")
+mechanism.PATIENCE_S = (np.inf, np.inf)  # loading Numba takes memory, whatever the rows
+peak = []
+for name in sys.argv[3:]:
+    streams.simulate(robot, folder / name, folder / "recording.csv", {"L_1": 0.1}, rows=rows)
+    found = streams.identify(robot, folder / "recording.csv", "18", rows=rows, passes=1)
+    streams.predict(found.to_dict(), folder / "recording.csv", folder / "predicted.csv", rows=rows)
+    peak.append(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
+print(json.dumps(peak))
+"""
+
+
+def test_memory_does_not_grow_with_the_rows(robot: Robot, tmp_path: Path) -> None:
+    """Resident memory after two blocks, and after eight [KiB]."""
+    (tmp_path / "robot.toml").write_text(robot_to_toml(robot))
+    for name, n in (("few", 1000), ("many", 4000)):
+        as_parquet(targets(robot, tmp_path / f"{name}.csv", n))
+    files = ["few.parquet", "many.csv", "many.parquet"]
+    done = subprocess.run(
+        [sys.executable, "-c", PROGRAM, str(tmp_path), "500", *files], capture_output=True, text=True, check=True
+    )
+    peak = json.loads(done.stdout)
+    whole = 4000 * 6 * 48 * 8 / 1024  # the derivatives of all poses at once
+    assert peak[2] - peak[0] < whole / 4
