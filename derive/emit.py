@@ -32,6 +32,7 @@ ROOT = Path(__file__).resolve().parent.parent
 TEMPLATES = ROOT / "templates"
 GENERATED = ROOT / "generated" / "deltacal_kernels"
 COMMAND = "deltacal kernels"
+SIZES = Path("sizes.csv")
 KNOWN_BEFORE = {"q", "turn", "approach", "warming", "time", "after"}  # what a controller knows before it moves
 
 
@@ -158,7 +159,7 @@ def kinematics(mechanism: LimbMechanism, text: Text = python) -> tuple[dict[str,
 
 def _seed(mechanism: LimbMechanism, lowering: Lowering) -> Kernel:
     """Lower what the forward position starts from: each limb as a sphere, or the closed form that the spec gives."""
-    return lowering.kernel("position" if mechanism.seeds is not None else "sphere", *_seeds(mechanism))
+    return lowering.kernel("position" if mechanism.seeds is not None else "sphere", *_seeds(mechanism), dense=True)
 
 
 def _seeds(mechanism: LimbMechanism) -> tuple[str, list[sp.Expr]]:
@@ -332,12 +333,19 @@ def render() -> dict[Path, str]:
             texts[Path("effects") / f"{physics.name}.{ending}"] = environment.get_template(template).render(
                 effect=physics, states=states, kernels=lowered, stamp=_stamp(physics.source, template)
             )
+    texts[SIZES] = sizes(texts)
     return texts
+
+
+def sizes(texts: Mapping[Path, str]) -> str:
+    """Return the table of how large each file is, so that growth is seen in every change."""
+    rows = [f"{path.as_posix()},{text.count(chr(10))},{len(text.encode())}" for path, text in sorted(texts.items())]
+    return "\n".join(["file,lines,bytes", *rows]) + "\n"
 
 
 def committed() -> dict[Path, str]:
     """Return what stands in ``generated/`` now."""
-    found = (path for path in sorted(GENERATED.rglob("*")) if path.suffix in {".py", ".c"})
+    found = (path for path in sorted(GENERATED.rglob("*")) if path.suffix in {".py", ".c", ".csv"})
     return {path.relative_to(GENERATED): path.read_text(encoding="utf-8") for path in found}
 
 

@@ -291,3 +291,8 @@ def test_committed_kernels_name_their_source_and_are_of_this_derivation() -> Non
             assert digest == emit._digest(emit.ROOT / source, emit.ROOT / template), path
             seen += 1
     assert seen >= 8
+
+
+def test_the_table_of_sizes_is_of_these_files() -> None:
+    found = emit.committed()
+    assert found.pop(emit.SIZES) == emit.sizes(found)

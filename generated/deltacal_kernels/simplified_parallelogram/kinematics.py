@@ -575,6 +575,7 @@ def _simplified_forward(q, tool, k, x, status):
             s22_0 = -h_0 - s0_0*cosine(s1_0) + ty
             p_0 = s21_0
             p_1 = s22_0
+            p_2 = 0
             good = (abs(p_0) < math.inf) & (abs(p_1) < math.inf) & (abs(p_2) < math.inf)
             x_n[3 * n + 0] = p_0
             x_n[3 * n + 1] = p_1

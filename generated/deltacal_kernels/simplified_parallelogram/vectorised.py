@@ -113,6 +113,7 @@ def _position(x, q, tool, k):
     out = np.zeros((len(x), 3))
     out[:, 0] = s21
     out[:, 1] = s22
+    out[:, 2] = 0
     return out
 
 
