@@ -10,7 +10,6 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from scipy.special import ndtri
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.mechanism import Array, Mechanism, mechanism_of
@@ -53,6 +52,8 @@ def compare(before: Mapping[str, Any], after: Mapping[str, Any]) -> dict[str, An
             f"the robot files differ in {', '.join(other)}, which no parameter of the model carries.",
             "Identify both sessions from the same robot file.",
         )
+    from scipy.special import ndtri  # half of a command's start, of which few compare
+
     told = [{p["name"]: p for p in r["parameters"]} for r in (before, after)]
     entries = []
     for p in mechanism.parameters:

@@ -430,7 +430,6 @@ def _changed(
     changed = []
     before: dict[str, Job] = {}
     for job in todo:
-        new = store.get(keys[job.label])
         pairs = []
         if job.machine in before:
             pairs.append((before[job.machine].label, keys[before[job.machine].label]))
@@ -438,7 +437,7 @@ def _changed(
             pairs.append((f"{job.label}, last time", last[job.label]))
         before[job.machine] = job
         for label, key in pairs:
-            old = store.get(key)
+            old, new = store.get(key), store.get(keys[job.label])
             if old is None or new is None or old["result"] is None or new["result"] is None:
                 continue
             changed.append(

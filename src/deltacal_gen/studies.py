@@ -18,10 +18,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from scipy.linalg import cho_factor, cho_solve
 
 from deltacal_gen.accuracy import check_joints, without_motion
-from deltacal_gen.diagnosis import diagnose
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation import Problem, pose_problem
 from deltacal_gen.execution import Outcome, Task, Told, content_key, run
@@ -37,7 +35,7 @@ from deltacal_gen.solvers import Factored
 from deltacal_gen.units import file_unit, to_internal
 
 SCHEMA = "deltacal.study/1"
-CHUNK = 250  # machines of a task, whatever the number of workers
+CHUNK = 500  # machines of a task, whatever the number of workers
 STEPS = 12  # of Gauss-Newton with the nominal Jacobian, at most
 DONE = 0.05  # standard deviations: by which the last step may still change a parameter; a next one would be a tenth
 NEARBY = 100.0  # mm: the second reference point from the first
@@ -203,12 +201,6 @@ def rows_of(study: Study, problem: Problem) -> tuple[Array, Array]:
     return np.hstack([flat[:, problem.columns], flat[:, n_p:]]), flat[:, :n_p]
 
 
-def _inverse(information: Array) -> Array:
-    scale = 1 / np.sqrt(np.diag(information))
-    inverse: Array = cho_solve(cho_factor(information * scale * scale[:, None]), np.eye(len(scale)))
-    return inverse * scale * scale[:, None]
-
-
 # ---------------------------------------------------------------------------------------------- machines, by the chunk
 
 
@@ -356,6 +348,8 @@ def _apart(wanted: Array, actual: Array, known_frame: bool) -> Array:
 
 def concealed(study: Study, suspect: int, trial: int) -> dict[str, Any]:
     """Conceal a suspect in a recording of the plan and diagnose it; suspect -1 conceals nothing."""
+    from deltacal_gen.diagnosis import diagnose  # as long to load as a hundred machines to calibrate
+
     rng = np.random.default_rng([study.seed, 1 + suspect + 1, trial])
     terms = () if suspect < 0 else study.suspects[suspect]
     drawn = rng.standard_normal(len(study.spread)) * study.spread
