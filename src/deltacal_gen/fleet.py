@@ -9,6 +9,7 @@ files is not done again, wherever the run directory has been copied to.
 from __future__ import annotations
 
 import functools
+import hashlib
 import json
 import math
 import os
@@ -32,7 +33,7 @@ ACTIONS = ("diagnose", "identify", "validate")
 ROBOT = "robot.toml"
 RESULT = "result.json"  # beside the robot: what its recordings are validated against
 GEOMETRY = "geometry"  # of a diagnosis that found nothing else: the calibration, to be compared with others
-LAST = "last.json"  # which task each recording was, the last time that all were done
+LAST = "last.json"  # which files each recording was and which task, the last time that all were done
 CONFIGS = ("config-override.g", "config.g")  # of RepRapFirmware: M500 writes the first, which then holds
 ASIDE = ("machine", "error", "warnings")  # of a row, told apart from the table
 FEW = 3  # recordings that are named where many have the same to say
@@ -272,10 +273,12 @@ def conduct(
     todo = list(_unpacked(Path(folder), find(folder, action, machine), action, machine, store, where))
     open_ = [job for job in todo if job.refused is None]
     keys: dict[str, str] = {}
+    files: dict[str, str] = {}
 
     def tasks() -> Iterator[Task]:
         for job in open_:
-            key = keys[job.label] = _key(job.contents, action, model)
+            key, files[job.label] = _key(job.contents, action, model)
+            keys[job.label] = key
             yield Task(key, job.label, lambda job=job: (action, model, job.contents()))  # type: ignore[misc]
 
     outcomes = run(do, tasks(), total=len(open_), **where)
@@ -287,7 +290,7 @@ def conduct(
         "schema": SCHEMA,
         "action": action,
         "rows": rows,
-        "changed": _changed(open_, keys, store, _last(directory)),
+        "changed": _changed(open_, keys, files, store, _last(directory)),
     }
     columns = list(dict.fromkeys(name for row in rows for name in row))
     table = {c: ["" if row.get(c) is None else row[c] for row in rows] for c in columns}
@@ -295,7 +298,7 @@ def conduct(
         {
             directory / "table.csv": csv_text(table),
             directory / "batch.json": json.dumps(found, indent=1) + "\n",
-            directory / LAST: json.dumps(keys, indent=1) + "\n",
+            directory / LAST: json.dumps({n: [files[n], keys[n]] for n in keys}, indent=1) + "\n",
         }
     )
     return found
@@ -314,7 +317,7 @@ def _unpacked(
 
     def tasks() -> Iterator[Task]:
         for session in sessions:
-            key = _key(functools.partial(_contents, session.files), "import", session.kind)
+            key, _ = _key(functools.partial(_contents, session.files), "import", session.kind)
             yield Task(key, session.label, functools.partial(_imported_from, session))
 
     outcomes = run(unpack, tasks(), total=len(sessions), **where)
@@ -353,12 +356,15 @@ def _contents(files: Mapping[str, Path]) -> Contents:
         raise InputError(f"cannot be read: {error.strerror}.", "Look at the file.", file=error.filename) from None
 
 
-def _key(contents: Callable[[], Contents], *more: str | None) -> str:
-    """Return the key of a task with these files; files that cannot be read fail when its turn comes."""
+def _key(contents: Callable[[], Contents], *more: str | None) -> tuple[str, str]:
+    """Return the key of a task with these files, and a hash of the files; unreadable ones fail in their turn."""
+    digest = hashlib.sha256()
     try:
-        return content_key(SCHEMA, *more, sorted((name, c.hex()) for name, c in contents().items()))
+        for name, content in sorted(contents().items()):
+            digest.update(f"{name} {len(content)} ".encode() + content)
     except InputError as error:
-        return content_key(SCHEMA, *more, str(error))
+        digest.update(str(error).encode())
+    return content_key(SCHEMA, *more, digest.hexdigest()), digest.hexdigest()[:32]
 
 
 def _row(job: Job, outcome: Outcome) -> dict[str, Any]:
@@ -415,16 +421,20 @@ def alike(said: Sequence[tuple[str, str]]) -> list[tuple[str, str]]:
 # ------------------------------------------------------------------------------------------------------ what changed
 
 
-def _last(directory: Path) -> dict[str, str]:
+def _last(directory: Path) -> dict[str, tuple[str, str]]:
     try:
-        known: dict[str, str] = json.loads((directory / LAST).read_text(encoding="utf-8"))
+        known: dict[str, tuple[str, str]] = json.loads((directory / LAST).read_text(encoding="utf-8"))
     except (OSError, json.JSONDecodeError):
         return {}
     return known
 
 
 def _changed(
-    todo: Sequence[Job], keys: Mapping[str, str], store: Store, last: Mapping[str, str]
+    todo: Sequence[Job],
+    keys: Mapping[str, str],
+    files: Mapping[str, str],
+    store: Store,
+    last: Mapping[str, tuple[str, str]],
 ) -> list[dict[str, str]]:
     """Return what moved, machine by machine: from one recording to the next, and since the last time."""
     changed = []
@@ -433,8 +443,9 @@ def _changed(
         pairs = []
         if job.machine in before:
             pairs.append((before[job.machine].label, keys[before[job.machine].label]))
-        if last.get(job.label, keys[job.label]) != keys[job.label]:
-            pairs.append((f"{job.label}, last time", last[job.label]))
+        was, task = last.get(job.label, (files[job.label], ""))
+        if was != files[job.label]:  # other files; the same ones done by other code are no change
+            pairs.append((f"{job.label}, last time", task))
         before[job.machine] = job
         for label, key in pairs:
             old, new = store.get(key), store.get(keys[job.label])
