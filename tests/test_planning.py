@@ -11,13 +11,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from deltacal_gen import planning
+from deltacal_gen import planning, singularities
+from deltacal_gen.demonstration import example
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation import pose_problem
 from deltacal_gen.identifiability import identification_matrix
 from deltacal_gen.mechanism import SOLVED, load_mechanism
 from deltacal_gen.recording import read_recording
-from deltacal_gen.robot import Robot, robot_from_dict
+from deltacal_gen.robot import Robot, read_robot, robot_from_dict
 from deltacal_gen.simulation import simulate
 from deltacal_gen.units import DEG
 
@@ -335,3 +336,55 @@ def test_calls_that_make_no_sense(robot: Robot) -> None:
         planning.plan(wide, "18")
     with pytest.raises(NoSolutionError, match="of 60 points spread over its workspace"):
         planning.rank_table(robot_from_dict(TABLES | {"workspace": {"top": 1500.0, "radius": 500.0, "height": 250.0}}))
+
+
+# ---------------------------------------------------------------------------------------------------- singularities
+
+
+def example_robot(name: str) -> Robot:
+    return read_robot(example(name) / "robot.toml")
+
+
+def test_the_nearest_singularity_of_a_diamond_is_a_stretched_limb() -> None:
+    machine = example_robot("diamond")
+    sizes = {key: float(machine.geometry[key][0]) for key in ("base_x", "proximal_length", "distal_length")}
+    longest = sizes["proximal_length"] + sizes["distal_length"]
+    x = np.linspace(-0.6, 0.6, 9) * longest
+    targets = np.column_stack([x, -np.sqrt((0.93 * longest) ** 2 - x**2), 0 * x])
+    base = np.array([[sizes["base_x"], 0, 0], [-sizes["base_x"], 0, 0]])
+    left = (longest - np.linalg.norm(targets[:, None] - base, axis=2)).min(axis=1)
+    found = singularities.distance(machine, targets, 150.0)
+    near = (left > 0) & (left < 150)
+    assert near.sum() > 3
+    np.testing.assert_allclose(found[near], left[near], rtol=0.02, atol=0.5)
+    assert (found[left <= 0] == 0).all()
+
+
+def test_poses_near_singularities_are_as_far_as_asked() -> None:
+    machine = example_robot("robotennis")
+    found = planning.plan(machine, "robotennis/15", kind="position", singular=(50.0, 100.0), n_max=12, threshold=0.1)
+    assert found.method == "singular"
+    assert found.chosen is not None
+    targets = singularities.near(machine, (50.0, 100.0), 12, np.random.default_rng(0))
+    assert np.array_equal(found.poses.targets[: found.chosen], targets[: found.chosen])
+    away = singularities.distance(machine, targets, 150.0)
+    assert ((away > 49) & (away < 101)).all()
+    out = targets + 102 * _unit(targets - [0, 0, targets[:, 2].mean()])
+    status = load_mechanism("robotennis").inverse(out, machine.tool, load_mechanism("robotennis").rows(machine))[2]
+    assert (status != SOLVED).mean() > 0.3  # of most, what is near is the edge of what can be reached
+    best = planning.d_optimal(machine, "robotennis/15", 8, kind="position", singular=(50.0, 100.0))
+    assert singularities.distance(machine, best.poses.targets, 150.0).max() < 101
+
+
+def _unit(v: np.ndarray) -> np.ndarray:
+    return np.asarray(v / np.linalg.norm(v, axis=1, keepdims=True))
+
+
+@pytest.mark.parametrize(
+    ("name", "model"), [("serial", "serial/dh"), ("planar_parallelogram", "planar_parallelogram/9")]
+)
+def test_positions_do_not_say_that_these_are_singular(name: str, model: str) -> None:
+    with pytest.raises(UsageError, match="need a parallel machine"):
+        planning.plan(example_robot(name), model, singular=(50.0, 100.0))
+    with pytest.raises(UsageError, match="the lesser first"):
+        planning.plan(example_robot("robotennis"), "robotennis/15", singular=(100.0, 50.0))

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from conftest import PROTOTYPE, wanted
 
+import deltacal_gen as dc
 from deltacal_gen.compensation import Compensator
 from deltacal_gen.demonstration import example
 from deltacal_gen.errors import UsageError
@@ -371,3 +372,22 @@ def test_effects_move_both_descriptions_alike(robot: Robot, name: str) -> None:
     moved = np.abs(one - rigid).max()
     assert moved > 0.05
     assert np.abs(one - other).max() < 2e-3 * moved  # the second order of parts that turn
+
+
+def test_a_base_and_rods_that_grow_move_the_parallelogram_as_longer_ones_do(tmp_path: Path) -> None:
+    robot = read_robot(example("planar_parallelogram") / "robot.toml")
+    poses = tmp_path / "poses.csv"
+    poses.write_text("q1_deg,temp_C\n" + "".join(f"{q},45\n" for q in range(-40, 41, 10)))
+    poses.with_suffix(".toml").write_text('[measurement]\nkind = "position"\nframe = "robot"\n')
+    growth = {"proximal": 12e-6, "distal": 20e-6, "base": 8e-6}
+    lines = "\n".join(f"expansion_{part} = {much}" for part, much in growth.items())
+    (tmp_path / "warm.toml").write_text(f'[[effects]]\nname = "thermal_growth"\n{lines}\n')
+    (tmp_path / "cold.toml").write_text("[parameters]\n")
+    longer = {"l1": 950 * 25 * growth["proximal"], "l2": 950 * 25 * growth["distal"]}
+    longer |= dict.fromkeys(("a1x", "a2x"), 125 * 25 * growth["base"])
+    warm, cold, still = (
+        dc.simulate(robot, poses, truth=truth).measured
+        for truth in (tmp_path / "warm.toml", longer, tmp_path / "cold.toml")
+    )
+    assert np.abs(warm - cold).max() < 1e-9
+    assert np.abs(warm - still).max() > 0.2

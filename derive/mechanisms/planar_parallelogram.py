@@ -109,6 +109,13 @@ MECHANISM = LimbMechanism(
         cz: 2 * sp.tan(alpha / 2),
         q: sp.asin((px - C[0] - A_1[0] + b_1[0]) / length_1) - q0,  # eq. (35)
     },
+    roles={"L": l1, "l": l2, "b": (a1x + a2x) / 2},
+    moves={  # the driven rod is the arm; a base that grows takes A_1 and A_2 apart, up to a shift of the frame
+        "offset": {"q0": sp.Integer(1)},
+        "arm": {"l1": sp.Integer(1)},
+        "rod": {"l2": sp.Integer(1)},
+        "outwards": {"a1x": sp.Integer(1), "a2x": sp.Integer(1)},
+    },
     models={
         "planar_parallelogram/9": ("q0", "a1x", "a2x", "a2y", "b1x", "b2x", "b2y", "l1", "l2"),
     },

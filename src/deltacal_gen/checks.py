@@ -11,9 +11,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from deltacal_gen import sphere
 from deltacal_gen.identifiability import RANK_TOLERANCE, Combination, unseen
-from deltacal_gen.measurement import MOUNT, Instrument, Readings, frameless
+from deltacal_gen.measurement import CONTACT, MOUNT, Instrument, Readings, frameless
 from deltacal_gen.mechanism import SOLVED, Array, Mechanism, mechanism_of
+from deltacal_gen.recording import Camera
 from deltacal_gen.robot import Robot, robot_size
 from deltacal_gen.rotation import to_vector
 
@@ -22,6 +24,11 @@ POSES = 160
 SWING = 0.5  # rad to either side of the middle pose, where there is no workspace
 SLIDE = 0.08  # of the machine's size, for sliding joints
 HALVINGS = 9  # of the step, for orders of convergence
+SOCKETS = 40  # fixed points that are touched
+STANDS = 4  # ways in which an open chain touches each of them
+TOUCHES = 12  # Newton steps to a fixed point
+TOUCHED = 1e-9  # mm off a fixed point
+CAMERA = Camera(fx_px=1500.0, fy_px=1500.0, cx_px=640.0, cy_px=512.0, ball_radius_mm=20.0)
 OFFSETS = ((0.0, 0.0, 0.0), (0.0, 0.0, -150.0), (150.0, 0.0, 0.0))  # reference points on the platform [mm]
 
 
@@ -128,6 +135,28 @@ def at_tool(robot: Robot, poses: Poses, offset: Sequence[float]) -> Poses:
     return Poses(poses.q, x, tool)
 
 
+def touching(robot: Robot, poses: Poses) -> list[Poses]:
+    """Return poses that bring several points of the platform, or one in several ways, to the same fixed points.
+
+    A machine whose joints are its platform's freedoms touches a point in one way only: it brings another point there.
+    """
+    mechanism, rows = mechanism_of(robot), mechanism_of(robot).rows(robot)
+    sockets, rng = poses.x[:SOCKETS, :3], np.random.default_rng(SEED + 4)
+    chain = mechanism.links is not None
+    sets, reached = [], np.ones(len(sockets), dtype=bool)
+    for n in range(STANDS if chain else len(OFFSETS)):
+        tool = poses.tool if chain else at_tool(robot, poses, OFFSETS[n]).tool
+        q = poses.q[:SOCKETS] + (rng.uniform(-SWING, SWING, (len(sockets), mechanism.limbs)) if chain and n else 0.0)
+        for _ in range(TOUCHES):
+            x, _ = mechanism.forward(q, tool, rows)
+            slope = mechanism.sensitivity(x, q, tool, rows).joints[:, :3]
+            q = q + (np.linalg.pinv(np.nan_to_num(slope)) @ (sockets - x[:, :3])[..., None])[..., 0]
+        x, status = mechanism.forward(q, tool, rows)
+        reached &= (status == SOLVED) & (np.linalg.norm(x[:, :3] - sockets, axis=1) < TOUCHED)
+        sets.append(Poses(q, x, tool))
+    return [Poses(s.q[reached], s.x[reached], s.tool) for s in sets]
+
+
 def moved(x: Array, to: Array) -> Array:
     """Return the shift and the turn in {O} (N, 6) that lead from poses to poses (N, 12)."""
     turn = to[:, 3:].reshape(-1, 3, 3) @ np.swapaxes(x[:, 3:].reshape(-1, 3, 3), 1, 2)
@@ -205,6 +234,13 @@ def identification(robot: Robot, sets: Sequence[Poses], names: Sequence[str], ki
         zeros, instrument = np.zeros(len(own), dtype=int), frameless("distance")
     elif kind == "height":
         instrument = frameless("height")
+    elif kind == CONTACT:
+        zeros = np.tile(np.arange(each), len(sets))
+        origins = np.column_stack([np.tile(np.eye(3).ravel(), (each, 1)), -sets[0].x[:, :3]])
+        instrument = Instrument(CONTACT, origins, (3, 4) if flat else (3, 4, 5))
+    elif kind == "sphere":
+        own, instrument = _seen(x)
+        zeros = np.zeros(len(own), dtype=int)
     elif kind == "gauge":
         mount = np.array([[*_base_point(robot, x), 0.0]])
         instrument = Instrument("gauge", mount, tuple(u for u in range(3) if not (flat and u == 2)))
@@ -215,7 +251,8 @@ def identification(robot: Robot, sets: Sequence[Poses], names: Sequence[str], ki
     else:
         instrument = Instrument("position", frame[None], plane if kind == "position" else ())
     reading = "position" if kind.startswith("position") else kind
-    found = Readings(reading, own, np.zeros((len(own), 3)), rotations, zeros, np.arange(len(own)), zeros)
+    width = 4 if kind == "sphere" else 3
+    found = Readings(reading, own, np.zeros((len(own), width)), rotations, zeros, np.arange(len(own)), zeros)
     J, nuisance = instrument.linearise(found, x, S)
     if kind == "gauge" and (free := [names.index(m) for m in MOUNT if m in names]):
         J[:, :, free] += instrument.by_unknown(found, x, tuple(range(len(free))))
@@ -227,6 +264,22 @@ def identification(robot: Robot, sets: Sequence[Poses], names: Sequence[str], ki
         Q = U[:, s > 1e-10 * s[0]]
         J = J - Q @ (Q.T @ J)
     return np.asarray(J)
+
+
+def _seen(x: Array) -> tuple[np.ndarray, Instrument]:
+    """Return the poses (rows, 1) at which a camera on the platform sees a ball well, and the camera.
+
+    It looks along z of the platform, and the ball stands where the middle of the poses looks.
+    """
+    along = x[:, 3:].reshape(-1, 3, 3)[:, :, 2]
+    middle = along.mean(axis=0) / np.linalg.norm(along.mean(axis=0))
+    far = 2.0 * float(np.ptp(x[:, :3], axis=0).max()) + 20.0 * CAMERA.ball_radius_mm
+    ball = x[:, :3].mean(axis=0) + far * middle
+    depth = np.einsum("ni,ni->n", along, ball - x[:, :3])
+    own = np.flatnonzero(depth > 0.5 * np.linalg.norm(ball - x[:, :3], axis=1))
+    return own[:, None], Instrument(
+        "sphere", sphere.state(CAMERA, np.eye(3), ball)[None], tuple(range(6)), far / CAMERA.fx_px
+    )
 
 
 def _sensitivity(robot: Robot, poses: Poses) -> Array:
@@ -254,8 +307,13 @@ def kinds(mechanism: Mechanism) -> list[tuple[str, str, int, str]]:
     ]
     if mechanism.turns:
         found.insert(3, ("pose", "poses, frame and body unknown", 1, "unknown frame and body"))
+    if mechanism.links is not None:
+        found.append((CONTACT, f"contacts with fixed points, each in {STANDS} ways", 1, one))
+    elif mechanism.limbs == len(mechanism.axes):
+        found.append((CONTACT, "contacts with fixed points", len(OFFSETS), "unknown frame, several points"))
     if "z" in mechanism.axes:
         found.append(("height", "heights over a flat bed", 1, "flat bed"))
+        found.append(("sphere", "images of a ball, camera and ball unknown", 1, one))
     return found
 
 
@@ -267,6 +325,8 @@ def ranks(robot: Robot, poses: Poses, names: Sequence[str]) -> list[Rank]:
     out = []
     for kind, words, points, motions in kinds(mechanism):
         sets = [at_tool(robot, poses, offset) for offset in OFFSETS[:points]]
+        if kind == CONTACT:
+            sets = touching(robot, poses)
         H = identification(robot, sets, list(names), kind)
         s = np.linalg.svd(np.linalg.qr(H * typical, mode="r"), compute_uv=False)
         top = s[0] if len(s) and s[0] > 0 else 1.0

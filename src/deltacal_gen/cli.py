@@ -239,6 +239,14 @@ def plan(
     optimal: Annotated[
         int | None, typer.Option(help="so many D-optimal poses instead of rings", show_default=False)
     ] = None,
+    singular: Annotated[
+        tuple[float, float] | None,
+        typer.Option(
+            metavar="FROM TO",
+            help="poses so far from the nearest singularity, mm, instead of rings: 50 100",
+            show_default=False,
+        ),
+    ] = None,
     output: Annotated[
         Path | None, typer.Option("-o", "--output", help="targets as a CSV for simulate", show_default=False)
     ] = None,
@@ -253,6 +261,7 @@ def plan(
 
     kind = kind or (None if gauge is None else "gauge")
     options: dict[str, Any] = {"kind": kind, "tools": points, "scaling": scaling, "norm": norm, "sigma_mm": sigma}
+    options |= {"singular": singular} if singular is not None else {}
     if optimal is None:
         options |= {"start_angle": start_angle * DEG, "threshold": threshold}
         options |= {"layers": layers.split(",")} if layers else {}

@@ -169,7 +169,8 @@ def workspace(axes: Axes, result: Mapping[str, Any]) -> None:
             vmin=0,
             vmax=size.max(),
         )
-        axes.text(k * span, points[:, 1].max() * 1.25, f"z = {z:.0f} mm", ha="center", fontsize=8, color=MUTED)
+        if len(layers) > 1:  # a planar machine has none
+            axes.text(k * span, points[:, 1].max() * 1.25, f"z = {z:.0f} mm", ha="center", fontsize=8, color=MUTED)
     axes.set_aspect("equal")
     axes.set_xticks([])
     axes.set_yticks([])
@@ -177,7 +178,7 @@ def workspace(axes: Axes, result: Mapping[str, Any]) -> None:
     axes.figure.colorbar(
         dots, ax=axes, orientation="horizontal", shrink=0.7, label="standard deviation of the position, mm"
     )
-    axes.set_title("How well the tool position is known, layer by layer", pad=22)
+    axes.set_title("How well the tool position is known" + (", layer by layer" if len(layers) > 1 else ""), pad=22)
 
 
 # ------------------------------------------------------------------------------------------------------- diagnosis

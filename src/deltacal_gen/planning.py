@@ -24,6 +24,7 @@ from typing import Any
 
 import numpy as np
 
+from deltacal_gen import singularities
 from deltacal_gen.accuracy import joint_spread, workspace_of
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.identifiability import (
@@ -66,7 +67,7 @@ GENERIC_POSES = 60  # without any symmetry, for what poses can see at all
 RECURRENCE = (0.8191725134, 0.6710436067, 0.5497004779)  # powers of the root of x^4 = x + 1: evenly spread points
 OFFSETS = ((0.0, 0.0, 0.0), (0.0, 0.0, -100.0), (100.0, 0.0, 0.0))  # mm: second and third reference points, from P
 TURN_MM = 100.0  # at which a measured turn of 1 rad counts as a shift: what 6D trackers read, 0.01 mm beside 0.006 deg
-CANDIDATES = 400  # joints of an open chain
+CANDIDATES = 400  # joints of an open chain, positions near singularities
 RIDGE = 1e-9  # of the information of all candidates: keeps the determinant of a poor set above zero
 STARTS = 5  # random sets from which the exchange sets out
 
@@ -211,7 +212,7 @@ class Plan(Task):
     Attributes
     ----------
     method : str
-        ``rings``, ``edges``, ``joints`` or ``d-optimal``.
+        ``rings``, ``edges``, ``joints``, ``singular`` or ``d-optimal``.
     layers : tuple of float
         Parts of the workspace's height below its top; empty for a D-optimal set.
     start_angle : float
@@ -265,6 +266,11 @@ class Plan(Task):
                 f"below its top, the first at {math.degrees(self.start_angle):g} deg about z; chosen is the smallest "
                 f"n >= {FEWEST} with |k(n) - k(n-1)| / k(n) <= {self.threshold:g}, settled the smallest n from which "
                 "on that holds."
+            )
+        elif self.method == "singular":
+            poses = (
+                "n positions drawn at random of those whose nearest singularity is as far as was asked for; chosen is "
+                f"the smallest n with |k(n) - k(n-1)| / k(n) <= {self.threshold:g}."
             )
         elif self.method == "joints":
             poses = (
@@ -687,6 +693,7 @@ def plan(
     n_max: int = 30,
     sigma_mm: float | None = None,
     mount: Mount | None = None,
+    singular: tuple[float, float] | None = None,
 ) -> Plan:
     """Return the papers' poses on the rim of the workspace for n = 3 .. n_max, and the n that the rule chooses.
 
@@ -720,6 +727,9 @@ def plan(
         Noise per coordinate of a position, for the prediction.
     mount : Mount, optional
         Of a gauge: where its ends are.
+    singular : (float, float), optional
+        Instead of rings positions drawn at random whose nearest singularity is so far away, from .. to [mm]
+        (Traslosheros 2013, section 4: 50 to 100 mm).
 
     Raises
     ------
@@ -738,14 +748,19 @@ def plan(
     task = _task(robot, model, kind, tools, scaling, norm, mount)
     if n_max < FEWEST:
         raise UsageError(f"n_max is {n_max}, but a ring has at least {FEWEST} poses.")
+    drawn = None if singular is None else singularities.near(robot, singular, n_max, np.random.default_rng(0))
     if _mechanism(robot).links is not None:
         return _chain_plan(task, threshold, n_max, sigma_mm)
     planar = len(_mechanism(robot).axes) == 2
+    if drawn is not None:
+        layers = ()
     if layers is None:
         layers = ROUGH if not planar and len(_mechanism(robot).model(model)) <= _mechanism(robot).limbs else FINE
     parts = _parts(layers)
 
     def ring(n: int) -> Poses:
+        if drawn is not None:
+            return _reached(robot, drawn[:n], task.tools)
         if not planar:
             return _reached(robot, rings(workspace_of(robot), n, parts, start_angle), task.tools)
         shift = task.tools[0] - robot.tool  # the robot's own reference point runs along the edges
@@ -760,7 +775,7 @@ def plan(
     poses = ring(chosen or n_max)
     return Plan(
         **vars(task),
-        method="edges" if planar else "rings",
+        method="singular" if drawn is not None else "edges" if planar else "rings",
         layers=parts,
         start_angle=start_angle,
         threshold=threshold,
@@ -831,6 +846,7 @@ def d_optimal(
     count: int,
     *,
     candidates: Array | None = None,
+    singular: tuple[float, float] | None = None,
     kind: str | None = None,
     tools: int | Array | Sequence[Sequence[float]] | None = None,
     scaling: str | None = None,
@@ -851,6 +867,8 @@ def d_optimal(
     candidates : (M, 3) array, optional
         Positions of the first reference point in {O} [mm], default `grid`; what cannot be reached is left out. Of an
         open chain joints (M, n_q), as the controller counts, default `joint_spread`.
+    singular : (float, float), optional
+        Candidates are positions whose nearest singularity is so far away, from .. to [mm]; see `plan`.
     rng : Generator, optional
         Draws the sets from which the exchange sets out; default a fixed one.
 
@@ -866,6 +884,8 @@ def d_optimal(
     Fedorov 1972, Theory of Optimal Experiments, on exact D-optimal designs.
     """
     task = _task(robot, model, kind, tools, scaling, norm)
+    if singular is not None:
+        candidates = singularities.near(robot, singular, CANDIDATES, np.random.default_rng(0))
     wanted = candidates_of(robot) if candidates is None else np.atleast_2d(np.asarray(candidates, dtype=float))
     wanted = np.unique(wanted, axis=0)
     wanted = wanted[reach(robot, wanted, task.tools)[1] == ""]

@@ -1,7 +1,7 @@
 """Tables of `planar_parallelogram`: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both bec193fdcdaf16d5; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 6e3b1da395b6f3ee; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 
@@ -85,13 +85,24 @@ def scaling(convention, geometry):
 
 def roles(geometry):
     """Return what effects read of the geometry, by the names of their state [mm, rad]: one value, or one per limb."""
+    a1x = geometry["a1x"]
+    a2x = geometry["a2x"]
+    l1 = geometry["l1"]
+    l2 = geometry["l2"]
     return {
+        "L": l1,
+        "l": l2,
+        "b": 0.5*a1x + 0.5*a2x,
     }
 
 
 def moves(geometry):
     """Return {what an effect moves: {error or deflection: how much of it}}: one value, or one per limb."""
     return {
+        "offset": {"q0": 1},
+        "arm": {"l1": 1},
+        "rod": {"l2": 1},
+        "outwards": {"a1x": 1, "a2x": 1},
     }
 
 

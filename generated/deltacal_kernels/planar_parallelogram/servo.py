@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `planar_parallelogram`, Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both f17bcfb7a688d8ca; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both a8183660bc08a7c2; SymPy 1.14.0.
 
 Scalar code without allocation, to be called from loops that Numba compiles. Lengths in mm, angles in rad.
 """

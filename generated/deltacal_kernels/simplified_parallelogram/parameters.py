@@ -1,7 +1,7 @@
 """Tables of `simplified_parallelogram`: Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 76b6a3ae1c74775e; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 4d61943b98f9145a; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 
@@ -78,13 +78,17 @@ def scaling(convention, geometry):
 
 def roles(geometry):
     """Return what effects read of the geometry, by the names of their state [mm, rad]: one value, or one per limb."""
+    l1 = geometry["l1"]
     return {
+        "L": l1,
     }
 
 
 def moves(geometry):
     """Return {what an effect moves: {error or deflection: how much of it}}: one value, or one per limb."""
     return {
+        "offset": {"q0": 1},
+        "arm": {"l1": 1},
     }
 
 

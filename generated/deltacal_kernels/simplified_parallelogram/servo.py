@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `simplified_parallelogram`, Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 664f8dbc8217def8; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 51599eef9519bb44; SymPy 1.14.0.
 
 Scalar code without allocation, to be called from loops that Numba compiles. Lengths in mm, angles in rad.
 """
