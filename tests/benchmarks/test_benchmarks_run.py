@@ -9,6 +9,9 @@ import pytest
 
 # by the name that `python -m tests.benchmarks` uses: Numba's cache holds the names of modules
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+from deltacal_kernels import compiled
+
+from tests.benchmarks import compile
 from tests.benchmarks.works import WORKS, disagreement, works
 
 QUICK = [name for name in WORKS if not name.endswith("_cold") and "command" not in name]
@@ -18,3 +21,11 @@ QUICK = [name for name in WORKS if not name.endswith("_cold") and "command" not 
 def test_all_contenders_agree(name: str) -> None:
     [(_, work)] = works([name], size=2)
     assert all(much <= 1 for much in disagreement(work).values())
+
+
+def test_the_table_of_compile_times_names_modules_that_exist() -> None:
+    for row in compile.read():
+        assert (compiled.PACKAGE / row["module"]).exists(), (
+            f"{row['module']} is gone: run tests.benchmarks.compile --write"
+        )
+        assert float(row["seconds"]) > 0

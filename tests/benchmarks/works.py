@@ -22,11 +22,12 @@ from numba import njit
 from deltacal_gen import PoseSet, commands
 from deltacal_gen.accuracy import check_poses, distance_error
 from deltacal_gen.compensation import Compensator
+from deltacal_gen.demonstration import example
 from deltacal_gen.estimation import fit, pose_problem
 from deltacal_gen.identification import identify
-from deltacal_gen.mechanism import load_mechanism
-from deltacal_gen.recording import Measurement, Recording
-from deltacal_gen.robot import Robot, robot_from_dict, robot_to_toml
+from deltacal_gen.mechanism import load_mechanism, mechanism_names
+from deltacal_gen.recording import Measurement, Recording, read_recording
+from deltacal_gen.robot import Robot, read_robot, robot_from_dict, robot_to_toml
 from deltacal_gen.rotation import cayley_matrix, cayley_spin, cayley_vector
 from deltacal_gen.solvers import LeastSquares
 
@@ -267,6 +268,43 @@ def forward(n: int) -> Work:
             NUMPY: Contender(lambda: by_hand.in_blocks(partial(by_hand.forward, rods=rods), theta, np.empty((n, 6)))),
             NUMBA: Contender(lambda: by_hand_numba.forward(theta, rods, out), lambda _: out),
         },
+    )
+
+
+def every_mechanism(n: int, *, name: str, derivatives: bool) -> Work:
+    """Exact poses of a mechanism's example with errors, or their derivatives, beside the package's own plain NumPy."""
+    mechanism = load_mechanism(name)
+    robot = dataclasses.replace(
+        read_robot(example(f"{mechanism.machine}/robot.toml")), mechanism=name, errors={}, tolerance={}
+    )
+    given = read_recording(
+        example(f"{mechanism.machine}/poses.csv"), mechanism, need_measured=False, allow_targets=True
+    )
+    rng, q = np.random.default_rng(8), given.joints
+    if given.targets is not None:
+        q, _, _ = mechanism.inverse(given.targets, np.zeros(3), mechanism.rows(robot))
+    q = np.resize(q, (n, mechanism.limbs)) + 1e-3 * rng.standard_normal((n, mechanism.limbs))
+    p = 0.1 * mechanism.typical * rng.standard_normal(len(mechanism.typical))
+    k, n_x = mechanism.vectorised.constants(mechanism.rows(robot, p)), len(mechanism.platform)
+    one, every, status = np.zeros((1, 3)), np.zeros((n, 3)), np.empty(n, dtype=np.int64)
+    fast, plain, x = mechanism.compiled, mechanism.vectorised, np.empty((n, n_x))
+    plain.forward(q, every, k, x, status, False)
+    if not derivatives:
+        mine, theirs = np.empty_like(x), np.empty_like(x)
+        kernel = Contender(lambda: fast.forward(q, one, k, mine, status, False), lambda _: mine)
+        numpy = Contender(lambda: plain.forward(q, every, k, theirs, status, False), lambda _: theirs)
+    else:
+        width = len(mechanism.errors) + len(mechanism.common) + len(mechanism.deflections)
+        S, T = (np.empty((n, n_x, mechanism.limbs * width)) for _ in range(2))
+        V, W = (np.empty((n, n_x, mechanism.limbs)) for _ in range(2))
+        kernel = Contender(lambda: fast.sensitivity(x, q, one, k, S, V, status), lambda _: np.dstack([S, V]))
+        numpy = Contender(lambda: plain.sensitivity(x, q, every, k, T, W, status), lambda _: np.dstack([T, W]))
+    return Work(
+        f"{name}, {'sensitivity' if derivatives else 'exact forward position'}, {n} poses",
+        "ns/pose",
+        n,
+        {KERNEL: kernel, NUMPY: numpy},
+        tolerance=1e-6 * (1000.0 if derivatives else 1.0),  # columns in rad are as large as the machine
     )
 
 
@@ -570,6 +608,12 @@ WORKS: dict[str, tuple[Callable[[int], Work], tuple[int, int, int]]] = {
     "W7cli_warm": (partial(start, what="deltacal identify", cold=False), (1, 1, 1)),
     "W7command_cold": (partial(start, what="command", cold=True), (1, 1, 1)),
     "W7command_warm": (partial(start, what="command", cold=False), (1, 1, 1)),
+}
+WORKS |= {
+    f"{what}_{name}": (partial(every_mechanism, name=name, derivatives=what == "sensitivity"), (2000, 2000, 9))
+    for name in mechanism_names()
+    if load_mechanism(name).links is None
+    for what in ("forward", "sensitivity")
 }
 
 
