@@ -527,10 +527,14 @@ def _process(*command: str | Path) -> str:
 
 
 _API = """
-import json
-from deltacal_gen import commands
-found = commands.identify("robot.toml", "recording.csv", "18", as_distance=True)
-print(json.dumps({"parameters": found["parameters"]}))
+import json, sys
+import numpy as np
+from deltacal_gen import estimate, nominal
+table = np.loadtxt("recording.csv", delimiter=",", skiprows=1)
+robot = nominal("delta", json.loads(sys.argv[1]))
+found = estimate(robot, "18", np.radians(table[:, :3]), table[:, 3:6], as_distance=True)
+told = [{"name": name, "value": value, "unit": "rad or mm"} for name, value in found.parameters.items()]
+print(json.dumps({"parameters": told}))
 """
 _COMMAND = """
 import json, sys
@@ -556,7 +560,8 @@ def start(n: int, *, what: str, cold: bool) -> Work:
         numpy = Contender(partial(_process, python, by_numpy, "command", *given), _numbers)
         tolerance = 1e-4  # rad; by hand it is eq. (23)
     else:
-        program: tuple[str | Path, ...] = (python, "-c", _API)
+        geometry = {key: float(value[0]) for key, value in ROBOT.geometry.items() if len(value) == 1}
+        program: tuple[str | Path, ...] = (python, "-c", _API, json.dumps(geometry))
         if what == "deltacal identify":
             tool = Path(sys.executable).with_name("deltacal")
             program = (
