@@ -204,6 +204,8 @@ def test_an_address_without_a_scheduler_is_said_in_seconds(tmp_path: Path) -> No
     with pytest.raises(InputError, match=r"no scheduler answers at tcp://127\.0\.0\.1:9"):
         list(run(square, numbered(4), total=4, cluster="tcp://127.0.0.1:9", directory=tmp_path))
     assert time.monotonic() - start < 30
+    with pytest.raises(InputError, match="'nonsense' is no address"):
+        list(run(square, numbered(4), total=4, cluster="nonsense"))
     assert len(list((tmp_path / "tasks").rglob("*.json"))) == 2
 
 

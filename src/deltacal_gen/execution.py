@@ -240,6 +240,8 @@ def _dask(address: str) -> Iterator[_Pool]:
             "a cluster needs Dask, which is not installed.",
             "pip install 'deltacal_gen[cluster]', or leave --cluster out.",
         ) from None
+    if "://" not in address:
+        raise InputError(f"'{address}' is no address of a scheduler.", "Give tcp://HOST:PORT.")
     try:
         client = Client(address, timeout=CONNECT_S, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:
