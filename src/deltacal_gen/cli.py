@@ -64,9 +64,13 @@ def _counting(quiet: bool) -> Iterator[Callable[[int, int, str], None]]:
     # drawn when a task has ended, not by a thread: a process of one thread can be forked into workers
     with Progress(*columns, console=aside, disable=hidden, transient=True, auto_refresh=False) as progress:
         bar = progress.add_task("", total=None)
-        yield lambda done, total, label: progress.update(
-            bar, completed=done, total=total, description=label, refresh=True
-        )
+        try:
+            yield lambda done, total, label: progress.update(
+                bar, completed=done, total=total, description=label, refresh=True
+            )
+        except KeyboardInterrupt:
+            aside.print("stopped; what a run directory holds is kept, and the same command goes on from there")
+            raise
 
 
 def _as_distance(value: str | None) -> bool:
