@@ -65,13 +65,23 @@ def by_hand(r: Robot, q: np.ndarray, errors: dict[str, float]) -> np.ndarray:
 MODIFIED = [link | {"convention": "modified"} for link in ARM]
 MIXED = [*ARM[:2], {"kind": "fixed", "a": 30.0, "alpha": 20.0}, {"kind": "coupled", "coupling": {"1": 0.5, "2": -1.0}}]
 SLIDES = [{"kind": "prismatic", "alpha": 90.0, "theta": 90.0}, {"kind": "prismatic", "alpha": -90.0}]
+SCARA = [
+    {"kind": "revolute", "a": 300.0, "d": 400.0, "mass": 8.0, "com": [-120.0, 0.0, 0.0]},
+    {"kind": "revolute", "a": 250.0, "alpha": 180.0, "mass": 5.0, "com": [-100.0, 0.0, 30.0]},
+    {"kind": "prismatic", "mass": 1.5},
+    {"kind": "revolute", "d": 60.0, "mass": 0.5},
+]
 
 
-@pytest.mark.parametrize("links", [ARM, MODIFIED, MIXED, SLIDES], ids=["standard", "modified", "coupled", "prismatic"])
+@pytest.mark.parametrize(
+    "links",
+    [ARM, MODIFIED, MIXED, SLIDES, SCARA],
+    ids=["standard", "modified", "coupled", "prismatic", "scara"],
+)
 def test_the_pose_and_its_derivatives_are_those_of_matrices_by_hand(links: list[dict[str, Any]]) -> None:
     r = robot(links)
     m, rng = mechanism_of(r), np.random.default_rng(3)
-    q = rng.uniform(-2, 2, (4, m.limbs)) * (100.0 if m.joint_unit == "mm" else 1.0)
+    q = rng.uniform(-2, 2, (4, m.limbs)) * [100.0 if unit == "mm" else 1.0 for unit in m.joint_units]
     errors = {p.name: 3 * p.typical * rng.standard_normal() for p in m.parameters}
     rows = m.rows(r, m.vector(errors))
     x, status = m.forward(q, r.tool, rows)

@@ -71,10 +71,8 @@ class Chain(Mechanism):
         self._moving = [k for k, link in enumerate(links) if link.kind in ("revolute", "prismatic")]
         self.limbs = len(self._moving)
         self._last: _Placed | None = None
-        kinds = {links[k].kind for k in self._moving}
-        if len(kinds) > 1:
-            raise UsageError("a chain of revolute and prismatic joints together is not supported yet.")
-        self.joint_unit = "mm" if kinds == {"prismatic"} else "rad"
+        units = ["mm" if links[k].kind == "prismatic" else "rad" for k in self._moving]
+        self.joint_unit = ",".join(units) if len(set(units)) > 1 else units[0] if units else "rad"
         self.platform = ("px", "py", "pz", "cx", "cy", "cz")
         self.layers = (1, -1)  # a workspace stands on the base plane
         self.axes = self.turns = ("x", "y", "z")

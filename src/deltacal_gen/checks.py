@@ -88,9 +88,14 @@ def middle(robot: Robot) -> Poses:
     elif mechanism.joint_unit == "mm":
         q[:] = 0.2 * robot_size(robot)
     if robot.links:
-        q[0] = 0.35 * (-1.0) ** np.arange(mechanism.limbs)
+        q[0] = 0.35 * (-1.0) ** np.arange(mechanism.limbs) * _size(robot, 1.0, 0.2 * robot_size(robot))
     x, _ = mechanism.forward(q, tool, rows)
     return Poses(q, x, tool)
+
+
+def _size(robot: Robot, turn: float, slide: float) -> Array:
+    """Return a size for each joint (n_q,), by whether it turns or slides."""
+    return np.array([turn if unit == "rad" else slide for unit in mechanism_of(robot).joint_units])
 
 
 def _targets(robot: Robot, u: Array) -> Array | None:
@@ -119,7 +124,7 @@ def spread(robot: Robot, count: int = POSES) -> Poses:
         if good.sum() > count / 2:
             return Poses(q[good], x[good], robot.tool)
     about = middle(robot).q
-    size = SWING if mechanism.joint_unit == "rad" else SLIDE * robot_size(robot)
+    size = _size(robot, SWING, SLIDE * robot_size(robot))
     q = about + rng.uniform(-size, size, (count, mechanism.limbs))
     x, status = mechanism.forward(q, robot.tool, rows)
     good = status == SOLVED
@@ -172,7 +177,7 @@ def orders(robot: Robot, poses: Poses) -> list[Order]:
     size = np.array([1.0, 1.0, 1.0, lever, lever, lever])
 
     errors = mechanism.typical * rng.standard_normal(len(mechanism.parameters))
-    joints = (0.01 if mechanism.joint_unit == "rad" else 5.0) * rng.standard_normal(mechanism.limbs)
+    joints = _size(robot, 0.01, 5.0) * rng.standard_normal(mechanism.limbs)
     bent = rng.standard_normal((1, mechanism.limbs, len(mechanism.deflections)))
     base = mechanism.vector(robot.errors)
 

@@ -22,7 +22,7 @@ from deltacal_gen.mechanism import load_mechanism, mechanism_names, mechanism_of
 from deltacal_gen.recording import Recording, csv_text, file_columns, read_recording, write_files, write_recording
 from deltacal_gen.robot import Robot, for_model, for_names, read_robot, read_text
 from deltacal_gen.rotation import from_vector
-from deltacal_gen.units import DEG, file_unit, to_internal
+from deltacal_gen.units import DEG, file_unit, joint_factors, joint_names, to_internal
 
 if TYPE_CHECKING:
     from deltacal_gen.execution import Told
@@ -616,16 +616,14 @@ def compensate(
                 tell(f"{outside.sum()} of {len(share)} targets lie outside what the smooth correction was made of")
         else:
             tell("the smooth correction is not part of these commands: it was made of readings that know no position")
+    factors = joint_factors(mechanism.joint_unit, mechanism.limbs)
     if output is not None:
         table: dict[str, Any] = {} if recording is None else {"pose": recording.pose.tolist()}
-        table |= {
-            f"q{i + 1}_{file_unit(mechanism.joint_unit)}": q / to_internal(mechanism.joint_unit)
-            for i, q in enumerate(joints.T)
-        }
+        table |= zip(joint_names(mechanism.joint_unit, mechanism.limbs), (joints / factors).T, strict=True)
         if tool is not None:  # so that the file can be simulated, or measured, as it stands
             table |= {f"tool_{axis}_mm": values for axis, values in zip("xyz", tool.T, strict=True)}
         write_files({Path(output): csv_text(table)})
-    in_files: Array = joints / to_internal(mechanism.joint_unit)
+    in_files: Array = joints / factors
     return in_files
 
 

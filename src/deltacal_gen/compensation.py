@@ -434,9 +434,10 @@ class Compensator:
         where = f"target {n + 1} ({', '.join(f'{v:g}' for v in target[:3])} mm)"
         if status != SOLVED:
             return f"{where}: {STATUS[int(status)]}"
-        unit, limits = self.mechanism.joint_unit, self.robot.joint_limits
+        limits = self.robot.joint_limits
         assert limits is not None  # or nothing would be beyond them
         i = int(np.flatnonzero(beyond)[0])
+        unit = self.mechanism.joint_units[i]
         value, lower, upper = (v / to_internal(unit) for v in (joints[i], *limits[i]))
         allowed = f"its limits are {lower:g} to {upper:g} {file_unit(unit)}"
         return f"{where}: joint {i + 1} would go to {value:.4f}, but {allowed}"

@@ -22,7 +22,7 @@ from deltacal_gen.physics import Term
 from deltacal_gen.recording import Recording
 from deltacal_gen.search import Beside
 from deltacal_gen.structure import Structure, displacements
-from deltacal_gen.units import DEG
+from deltacal_gen.units import joint_factors, joint_names
 
 CANDIDATES = 3  # structures that are tried, the strongest first
 KNOTS = 32
@@ -125,10 +125,8 @@ def variable(name: str, recording: Recording, q: Array, x: Array) -> Array | Non
         return x[:, :3]
     if name in recording.channels:
         return recording.channels[name][:, None]
-    unit = DEG if recording.joint_unit == "rad" else 1.0
-    suffix = "deg" if recording.joint_unit == "rad" else "mm"
-    joints = {f"q{i + 1}_{suffix}": values[:, None] / unit for i, values in enumerate(q.T)}
-    return joints.get(name)
+    names, unit = joint_names(recording.joint_unit, q.shape[1]), joint_factors(recording.joint_unit, q.shape[1])
+    return dict(zip(names, (q / unit).T[:, :, None], strict=True)).get(name)
 
 
 def correct(at: Fit, left: Sequence[Structure], parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> Correction | None:

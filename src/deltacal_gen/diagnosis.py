@@ -26,14 +26,14 @@ from deltacal_gen.estimation import SPARE_READINGS, Fit, Problem, fit, held_out,
 from deltacal_gen.identification import Noise, folds, noise
 from deltacal_gen.measurement import BOTH, Instrument
 from deltacal_gen.mechanism import Array, mechanism_of
-from deltacal_gen.physics import Body, Term, blank, coefficients, effect_names, load_effect, term_to_dict
+from deltacal_gen.physics import Body, Term, blank, effect_names, load_effect, row_coefficients, term_to_dict
 from deltacal_gen.recording import Recording, check_units, set_aside
 from deltacal_gen.robot import Robot, robot_to_dict
 from deltacal_gen.search import Found, Search, charge, library
 from deltacal_gen.solvers import Prior
 from deltacal_gen.spectrum import EFFECT, Spectrum, periodic
 from deltacal_gen.structure import Region, Structure, smooth_columns, structures
-from deltacal_gen.units import DEG
+from deltacal_gen.units import DEG, joint_factors, joint_names
 
 SCHEMA = "deltacal.diagnosis/1"
 MARGIN = 10.0  # of chi2, beyond all charges: what an effect must earn to be named, and what is left to be unexplained
@@ -644,9 +644,8 @@ def _residuals(found: Diagnosis) -> dict[str, Any]:
         for name, values in problem.recording.channels.items()
         if not name.startswith("true_")
     }
-    degrees = problem.recording.joint_unit == "rad"
-    for i, q in enumerate(problem.body.q.T):
-        channels[f"q{i + 1}_{'deg' if degrees else 'mm'}"] = (np.degrees(q) if degrees else q)[rows].tolist()
+    unit, q = problem.recording.joint_unit, problem.body.q[rows]
+    channels |= zip(joint_names(unit, q.shape[1]), (q / joint_factors(unit, q.shape[1])).T.tolist(), strict=True)
     return {
         "line": problem.readings.line.tolist(),
         "position_mm": machine.x[rows, :3].tolist(),
@@ -660,10 +659,10 @@ def _effect(found: Named, joint_unit: str) -> dict[str, Any]:
     term, kernels = found.term, found.term.kernels
     parameters: list[dict[str, Any]] = []
     std = found.std.reshape(term.values.shape)
-    for r, row in enumerate(term.values):
+    for r, (row, units) in enumerate(zip(term.values, row_coefficients(term, joint_unit), strict=True)):
         limb = term.limbs[r] if term.limbs else None
         point = {"tool_mm": list(term.tools[r])} if term.tools else {}
-        for c, (name, unit, factor) in enumerate(coefficients(term.effect, joint_unit)):
+        for c, (name, unit, factor) in enumerate(units):
             known = {"value": float(row[c] / factor), "std": float(std[r, c] / factor), "unit": unit}
             parameters.append({"name": name, "limb": limb} | known | point)
     for value, (name, unit, factor, _) in zip(term.constants, kernels.CONSTANTS, strict=True):

@@ -16,11 +16,12 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.estimation import Fit, Problem
+from deltacal_gen.inputs import Recording
 from deltacal_gen.mechanism import SOLVED, Array
 from deltacal_gen.physics import LOADS, Body, Channels, Term
 from deltacal_gen.robot import to_file
 from deltacal_gen.simulation import unread
-from deltacal_gen.units import file_unit, to_internal
+from deltacal_gen.units import joint_factors, joint_names, of_joints
 
 # Of chi2. A difference D between two explanations scatters by 2 sqrt(D): at 40 it stays above 10, below which a
 # diagnosis tells nothing apart, in 99 of 100 recordings.
@@ -50,13 +51,12 @@ COMMANDED = ("approach", "payload", "qd")  # channels that whoever measures sets
 
 def columns_read(problem: Problem, terms: Sequence[Term]) -> list[str]:
     """Return the columns of a recording that effects read, beside the joints."""
-    unit = file_unit(problem.recording.joint_unit)
+    unit, limbs = problem.recording.joint_unit, problem.mechanism.limbs
     found: dict[str, None] = {}
     for term in terms:
         for state in term.kernels.STATE:
             if state in STATES:
-                limbs = range(1, problem.mechanism.limbs + 1)
-                found |= dict.fromkeys(STATES[state].format(i=i, unit=unit) for i in limbs)
+                found |= dict.fromkeys(joint_names(unit, limbs, STATES[state]))
     return list(found)
 
 
@@ -88,13 +88,12 @@ class Candidates:
         recording = self.problem.recording
         if "time_s" in self.told:
             chosen = sorted(chosen, key=lambda j: float(recording.channels["time_s"][self.ends[j, 0]]))
-        unit = recording.joint_unit
         rows = []
         for n, j in enumerate(chosen):
             row: dict[str, Any] = {"pose": f"next{n + 1}"}
             ends = self.ends[j].tolist()
             for end, k in zip(("a", "b") if len(ends) == 2 else ("",), ends, strict=True):
-                row |= {f"q{i + 1}{end}_{file_unit(unit)}": _short(q, unit) for i, q in enumerate(recording.joints[k])}
+                row |= _joints(recording, k, end)
             if len(recording.setup_names) > 1:
                 row["setup"] = recording.setup_names[recording.setup[ends[0]]]
             if recording.tool is not None:
@@ -105,8 +104,14 @@ class Candidates:
         return rows
 
 
-def _short(value: float, unit: str) -> float:
-    return round(to_file(float(value), unit), DECIMALS)
+def _joints(recording: Recording, row: int, end: str = "") -> dict[str, float]:
+    """Return the joints of a row by their columns, of one end of a distance; shortened."""
+    q, unit = recording.joints[row], recording.joint_unit
+    names = joint_names(unit, len(q), f"q{{i}}{end}_{{unit}}")
+    return {
+        name: round(to_file(float(v), u), DECIMALS)
+        for name, v, u in zip(names, q, of_joints(unit, len(q)), strict=True)
+    }
 
 
 def candidates(at: Fit, terms: Sequence[Term], rng: np.random.Generator) -> Candidates:
@@ -122,7 +127,7 @@ def candidates(at: Fit, terms: Sequence[Term], rng: np.random.Generator) -> Cand
     if two:
         like[1::2] = like[::2]  # channels and measured point hold for both ends
     lower, upper = _joint_range(problem)
-    unit = to_internal(recording.joint_unit)
+    unit = np.array(joint_factors(recording.joint_unit, len(lower)))
     joints = lower + rng.random((CANDIDATES, len(lower))) * (upper - lower)
     joints = np.round(joints / unit, DECIMALS) * unit
     channels = {name: values[like].copy() for name, values in recording.channels.items()}
@@ -489,11 +494,8 @@ def _repeated(problem: Problem, channel: str) -> list[dict[str, Any]]:
     while len(far) < REPEATED:
         gap = np.min([np.linalg.norm(recording.joints[used] - recording.joints[k], axis=1) for k in far], axis=0)
         far.append(used[int(np.argmax(gap))])
-    unit = file_unit(recording.joint_unit)
     return [
-        {"pose": f"next{n + 1}"}
-        | {f"q{i + 1}_{unit}": _short(q, recording.joint_unit) for i, q in enumerate(recording.joints[k])}
-        | {channel: float(level)}
+        {"pose": f"next{n + 1}"} | _joints(recording, k) | {channel: float(level)}
         for level in levels
         for n, k in enumerate(far)
     ]

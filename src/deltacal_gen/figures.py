@@ -25,7 +25,7 @@ from deltacal_gen.measurement import Readings
 from deltacal_gen.mechanism import Array, mechanism_of
 from deltacal_gen.physics import Body, Channels, reading_shift, term_from_dict
 from deltacal_gen.robot import robot_from_dict
-from deltacal_gen.units import file_unit, to_internal
+from deltacal_gen.units import file_unit, joint_factors, joint_names, to_internal
 
 INK, MUTED, BEFORE, AFTER = "#1c2733", "#6b7885", "#c8553d", "#2a6f97"
 STYLE: dict[Any, Any] = {
@@ -236,7 +236,7 @@ def seen(found: Mapping[str, Any]) -> Seen:
     if before.shape[1] == 1:
         return Seen(before[:, 0], after[:, 0], "residual, mm", title)
     if len(limbs) == 1 and _one_frame(found):
-        unit = mechanism_of(robot_from_dict(found["robot"])).joint_unit
+        unit = mechanism_of(robot_from_dict(found["robot"])).joint_units[limbs[0] - 1]
         at_joint = _at_joints(found)[:, limbs[0] - 1] / to_internal(unit)
         label = f"error of joint {limbs[0]}, {file_unit(unit)}"
         return Seen((at_joint * before).sum(axis=1), (at_joint * after).sum(axis=1), label, title)
@@ -274,7 +274,8 @@ def body_of(found: Mapping[str, Any]) -> tuple[Body, Array]:
     mechanism = mechanism_of(robot)
     unit = mechanism.joint_unit
     columns = {k: np.array([np.nan if v is None else v for v in c]) for k, c in found["residuals"]["channels"].items()}
-    q = np.column_stack([columns[f"q{i + 1}_{file_unit(unit)}"] for i in range(mechanism.limbs)]) * to_internal(unit)
+    n = mechanism.limbs
+    q = np.column_stack([columns[name] for name in joint_names(unit, n)]) * joint_factors(unit, n)
     tool = np.ascontiguousarray(np.broadcast_to(robot.tool, (len(q), 3)))
     channels = Channels.from_columns(columns, q.shape, robot, unit)
     return Body(robot, mechanism, q, tool, channels), mechanism.vector(robot.errors)

@@ -137,7 +137,7 @@ class Recording:
         position, pose, distance, gauge, contact, height or sphere.
     measurement : Measurement
     joint_unit : str
-        ``"rad"`` or ``"mm"``.
+        ``"rad"`` or ``"mm"``; of a chain with both, one by one: ``"rad,rad,mm"``.
     joints : (N, n_q) array
         Joints as the controller reports them [joint_unit]; nan where the file gives `targets` instead.
     columns : tuple of str

@@ -23,6 +23,7 @@ from deltacal_kernels import compiled
 
 from deltacal_gen.errors import UsageError
 from deltacal_gen.rotation import Array, cayley_matrix, cayley_vector
+from deltacal_gen.units import of_joints
 
 if TYPE_CHECKING:
     from deltacal_gen.inputs import Link, Robot
@@ -227,7 +228,7 @@ class Mechanism:
     @property
     def joint_units(self) -> tuple[str, ...]:
         """Unit of each joint, rad or mm."""
-        return (self.joint_unit,) * self.limbs
+        return tuple(of_joints(self.joint_unit, self.limbs))
 
     @property
     def n_x(self) -> int:

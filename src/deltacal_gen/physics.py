@@ -25,7 +25,7 @@ from deltacal_gen.inputs import TEMPERATURE, Recording, Robot
 from deltacal_gen.measurement import Readings
 from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, Sensitivity
 from deltacal_gen.rotation import cayley_matrix
-from deltacal_gen.units import DEG, of_sliding
+from deltacal_gen.units import joint_factors, joint_names, of_joints, of_sliding
 
 EQUILIBRIUM_STEPS = 25
 EQUILIBRIUM_DONE = 1e-9  # mm and rad: change of the pose that the next step would bring
@@ -146,18 +146,18 @@ class Channels:
         """Read channels from columns (N,) as files name them; `shape` is (N, n_q)."""
         rows, n = shape
 
-        def joints(pattern: str, factor: float) -> Array | None:
-            found = [columns.get(pattern.format(i + 1)) for i in range(n)]
+        def joints(pattern: str, factors: Sequence[float]) -> Array | None:
+            found = [columns.get(name) for name in joint_names(joint_unit, n, pattern)]
             if any(f is None for f in found):
                 return None
-            return np.column_stack([factor * s * f for s, f in zip(robot.joint_sign, found, strict=True)])
+            return np.column_stack([c * s * f for c, s, f in zip(factors, robot.joint_sign, found, strict=True)])
 
-        unit, factor = ("deg", DEG) if joint_unit == "rad" else ("mm", 1.0)
+        per_s, plain = joint_factors(joint_unit, n), [1.0] * n
         temperature, payload = _temperature(columns), columns.get("payload_kg")
         return Channels(
-            approach=joints("approach{}", 1.0),
-            speed=joints("qd{}_" + unit + "_s", factor),
-            acceleration=joints("qdd{}_" + unit + "_s2", factor),
+            approach=joints("approach{i}", plain),
+            speed=joints("qd{i}_{unit}_s", per_s),
+            acceleration=joints("qdd{i}_{unit}_s2", per_s),
             warming=None if temperature is None else temperature - 20.0,
             time=columns.get("time_s"),
             payload=np.zeros(rows) if payload is None else payload,
@@ -266,16 +266,16 @@ class Body:
             return "[masses] in the robot file"
         if needs & LOADS and np.isnan(have.payload).any():
             return "every cell of the column payload_kg (some are blank)"
-        unit = "deg" if self.mechanism.joint_unit == "rad" else "mm"
         for state, channel, pattern in (
-            ("approach", have.approach, "approach{}"),
-            ("speed", have.speed, f"qd{{}}_{unit}_s"),
-            ("acceleration", have.acceleration, f"qdd{{}}_{unit}_s2"),
-            ("inertia_torque", have.acceleration, f"qdd{{}}_{unit}_s2"),
+            ("approach", have.approach, "approach{i}"),
+            ("speed", have.speed, "qd{i}_{unit}_s"),
+            ("acceleration", have.acceleration, "qdd{i}_{unit}_s2"),
+            ("inertia_torque", have.acceleration, "qdd{i}_{unit}_s2"),
             ("warming", have.warming, "temp_C"),
             ("time", have.time, "time_s"),
         ):
-            columns = [pattern.format(j + 1) for j in range(self.q.shape[1])] if "{" in pattern else [pattern]
+            every = joint_names(self.mechanism.joint_unit, self.q.shape[1], pattern)
+            columns = every if "{" in pattern else [pattern]
             words = f"the column{'s' if len(columns) > 1 else ''} {', '.join(columns)}"
             if state in needs and channel is None:
                 return words
@@ -333,12 +333,16 @@ class Body:
         return out
 
     def _turn(self) -> Array | None:
-        """Return the turn of each joint (N, n_q) [rad]; of a sliding one, that of the pulley which drives its belt."""
-        if self.mechanism.joint_unit == "rad":
-            return self.q
-        have = self.robot.transmission
+        """Return the turn of each joint (N, n_q) [rad]; of a sliding one, that of the pulley which drives its belt.
+
+        None where all joints slide and nothing says how far a pulley takes them; among turning ones such a joint has no
+        turn, 0.
+        """
+        have, slides = self.robot.transmission, np.array([u == "mm" for u in self.mechanism.joint_units])
         around = have.pulley_circumference if have is not None else None
-        return None if around is None else self.q * (2 * np.pi / around)
+        if slides.all() and around is None:
+            return None
+        return np.where(slides, self.q * (0.0 if around is None else 2 * np.pi / around), self.q)
 
     def _inertia(self, x: Array, q: Array, rows: Array) -> Array:
         """Return the torque (N, n_q) of all masses times minus their acceleration [N mm].
@@ -650,6 +654,19 @@ def coefficients(effect: str, joint_unit: str) -> tuple[tuple[str, str, float], 
         (name, *(of_sliding(unit) if joint_unit == "mm" and name in kernels.OF_JOINT else (unit, factor)))
         for name, unit, factor, _ in kernels.COEFFICIENTS
     )
+
+
+def row_coefficients(term: Term, joint_unit: str) -> list[tuple[tuple[str, str, float], ...]]:
+    """Return `coefficients` for each row of a term's values: a limb's, where its joint says in what they count."""
+    units = of_joints(joint_unit, max(term.limbs, default=1))
+    return [
+        coefficients(term.effect, units[term.limbs[r] - 1] if term.limbs else units[0]) for r in range(len(term.values))
+    ]
+
+
+def row_factors(term: Term, joint_unit: str) -> Array:
+    """Return the factors (rows, n_c) from files' units to those inside of a term's values."""
+    return np.array([[factor for _, _, factor in row] for row in row_coefficients(term, joint_unit)])
 
 
 def term_to_dict(term: Term) -> dict[str, Any]:

@@ -293,8 +293,9 @@ class Plan(Task):
     def to_dict(self) -> dict[str, Any]:
         """Return the plan for JSON, in mm and deg; null stands for what is infinite or not there."""
         mechanism = _mechanism(self.robot)
-        joints = [[to_file(q, mechanism.joint_unit) for q in row] for row in self.poses.joints]
-        pose = ("target_mm", "tool_mm", f"joints_{file_unit(mechanism.joint_unit)}")
+        units = mechanism.joint_units
+        joints = [[to_file(q, unit) for q, unit in zip(row, units, strict=True)] for row in self.poses.joints]
+        pose = ("target_mm", "tool_mm", f"joints_{file_unit(units[0])}" if len(set(units)) == 1 else "joints")
         steps = self.steps
         return {
             "schema": SCHEMA,

@@ -38,7 +38,7 @@ from deltacal_gen.robot import (
     toml_text,
 )
 from deltacal_gen.rotation import from_vector, to_vector
-from deltacal_gen.units import DEG, file_unit, to_internal
+from deltacal_gen.units import DEG, file_unit, joint_factors, joint_names, of_joints
 
 if TYPE_CHECKING:
     from deltacal_gen.mechanism import Mechanism
@@ -263,8 +263,9 @@ def check_units(recording: Recording, robot: Robot, *, load: Callable[[str], Mec
     InputError
         Joints look like radians or motor angles, or positions or distances like metres or micrometres.
     """
-    q, turning = recording.joints, recording.joint_unit == "rad"
-    if turning and (far := np.argwhere(np.abs(q) > 360 * DEG)).size:
+    q = recording.joints
+    turning = np.array([unit == "rad" for unit in of_joints(recording.joint_unit, q.shape[1])])
+    if (far := np.argwhere(turning & (np.abs(q) > 360 * DEG))).size:
         row, joint = far[0]
         raise InputError(
             f"the joint reads {q[row, joint] / DEG:.6g} deg, more than a full turn either way.",
@@ -274,16 +275,15 @@ def check_units(recording: Recording, robot: Robot, *, load: Callable[[str], Mec
             column=f"q{joint + 1}_deg",
         )
     size = robot_size(robot, load=load)
-    small_angles = turning and (np.abs(q) <= _RADIANS * DEG).all()
-    for column, spread, motion in _spreads(recording):
-        turn = motion if turning else motion / size
+    small_angles = turning.any() and (np.abs(q[:, turning]) <= _RADIANS * DEG).all()
+    for column, spread, turn in _spreads(recording, q / np.where(turning, 1.0, size)):
         what = f"the readings spread over {spread:.4g} mm"
         if small_angles and spread > size * max(_MOST_MOTION * turn, _LEAST_SPREAD):
             raise InputError(
                 f"{what}, yet no joint reads more than {_RADIANS} deg: the joints look like radians.",
                 "Convert them to degrees.",
                 file=recording.path,
-                column="q1_deg",
+                column=f"q{int(np.argmax(turning)) + 1}_deg",
             )
         if spread > _MOST_SPREAD * size or spread < _LEAST_SPREAD * size * min(turn, 1.0):
             unit, factor = ("micrometres", "Divide by") if spread > size else ("metres", "Multiply by")
@@ -295,27 +295,27 @@ def check_units(recording: Recording, robot: Robot, *, load: Callable[[str], Mec
             )
 
 
-def _spreads(recording: Recording) -> Iterator[tuple[str, float, float]]:
-    """Column, spread of its readings [mm] and largest motion of a joint between them [joint_unit]."""
+def _spreads(recording: Recording, joints: np.ndarray) -> Iterator[tuple[str, float, float]]:
+    """Column, spread of its readings [mm] and largest motion of a joint (N, n_q) between them."""
     if recording.kind in ("position", "pose"):
         points = recording.measured[:, [name not in ROTATION for name in recording.columns]]
         for setup in np.unique(recording.setup):  # each set-up has a frame of its own
             rows = (recording.setup == setup) & np.isfinite(points).all(axis=1)
             if rows.any():
                 spread = np.linalg.norm(np.ptp(points[rows], axis=0))
-                yield recording.columns[0], float(spread), float(np.ptp(recording.joints[rows], axis=0).max())
+                yield recording.columns[0], float(spread), float(np.ptp(joints[rows], axis=0).max())
     if recording.kind == "gauge":
         rows = np.isfinite(recording.measured[:, 0])
         if rows.any():
             yield (
                 "gauge_mm",
                 float(np.ptp(recording.measured[rows, 0])),
-                float(np.ptp(recording.joints[rows], axis=0).max()),
+                float(np.ptp(joints[rows], axis=0).max()),
             )
     if recording.pairs is not None and recording.pair_measured is not None:
         distance = np.nan_to_num(recording.pair_measured)
         if distance.any():
-            a, b = recording.joints[recording.pairs[np.argmax(distance)]]
+            a, b = joints[recording.pairs[np.argmax(distance)]]
             yield "distance_mm", float(distance.max()), float(np.abs(a - b).max())
 
 
@@ -600,8 +600,8 @@ def _pairs_and_rows(path: Path, rows: _Rows) -> tuple[_Rows | None, _Rows]:
 
 
 def _joints(rows: _Rows, mechanism: Mechanism) -> np.ndarray:
-    names = [f"q{i + 1}_{file_unit(mechanism.joint_unit)}" for i in range(mechanism.limbs)]
-    joints = rows.numbers(*names, blank=False) * to_internal(mechanism.joint_unit)
+    names = joint_names(mechanism.joint_unit, mechanism.limbs)
+    joints = rows.numbers(*names, blank=False) * joint_factors(mechanism.joint_unit, mechanism.limbs)
     for name in rows.columns:
         if _JOINT.fullmatch(name) and name not in names:
             raise rows.error(
@@ -746,14 +746,14 @@ def _check_home(recording: Recording) -> None:
     found = recording.joints[0]
     if np.abs(found).max() > _SAME_JOINT:
         joint = int(np.argmax(np.abs(found)))
-        unit = file_unit(recording.joint_unit)
+        unit = of_joints(recording.joint_unit, len(found))[joint]
         raise InputError(
             f'zero = "incremental": joints count from the home, yet the first row reads '
-            f"{to_file(found[joint], recording.joint_unit):.6g} {unit}.",
+            f"{to_file(found[joint], unit):.6g} {file_unit(unit)}.",
             'Put the home, with joints 0, into the first row, or say zero = "absolute" in the sidecar.',
             file=recording.path,
             line=int(recording.line[0]),
-            column=f"q{joint + 1}_{unit}",
+            column=f"q{joint + 1}_{file_unit(unit)}",
         )
     if recording.kind != "position" or recording.measurement.frame != "robot":
         return
@@ -886,7 +886,6 @@ def is_recording(path: Path) -> bool:
 
 def file_columns(recording: Recording) -> tuple[dict[str, Any], dict[str, Any]]:
     """Columns of the recording and of its distances, in the units of the files."""
-    unit = recording.joint_unit
     poses = recording.pose.tolist()
     if recording.pairs is not None and len(set(poses)) < len(poses):
         poses = [str(n + 1) for n in range(len(poses))]  # distances name rows by their pose
@@ -898,8 +897,9 @@ def file_columns(recording: Recording) -> tuple[dict[str, Any], dict[str, Any]]:
             turned = to_vector(recording.targets[:, 3:].reshape(-1, 3, 3)) / DEG
             columns |= zip(ROTATION, turned.T, strict=True)
     else:
-        for i, q in enumerate(recording.joints.T):
-            columns[f"q{i + 1}_{file_unit(unit)}"] = [to_file(value, unit) for value in q]
+        unit, count = recording.joint_unit, recording.joints.shape[1]
+        each = zip(joint_names(unit, count), of_joints(unit, count), recording.joints.T, strict=True)
+        columns |= {name: [to_file(value, u) for value in q] for name, u, q in each}
         for name, values in zip(recording.columns, recording.measured.T, strict=False):
             columns[name] = [to_file(value, "rad" if name in ROTATION else "mm") for value in values]
     if recording.contact is not None:

@@ -35,7 +35,7 @@ from pydantic import (
 
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.inputs import Link, Robot
-from deltacal_gen.units import file_unit, to_internal
+from deltacal_gen.units import file_unit, joint_factors, of_joints, to_internal
 
 if TYPE_CHECKING:
     from deltacal_gen.mechanism import GeometryKey, Mechanism
@@ -216,8 +216,8 @@ def robot_to_dict(robot: Robot, *, load: Loader | None = None) -> dict[str, Any]
             tables[name] = part.model_dump(mode="json", exclude_none=True)
     tables["joints"] = {"sign": [int(sign) for sign in robot.joint_sign]}
     if robot.joint_limits is not None:
-        unit = mechanism.joint_unit
-        limits = [[to_file(value, unit) for value in pair] for pair in robot.joint_limits]
+        joints = zip(robot.joint_limits, of_joints(mechanism.joint_unit, mechanism.limbs), strict=True)
+        limits = [[to_file(value, unit) for value in pair] for pair, unit in joints]
         tables["joints"][_limits_key(mechanism)] = limits
     if robot.links:
         tables["joint"] = [_joint_table(robot, k) for k in range(len(robot.links))]
@@ -351,7 +351,6 @@ def _robot(file: TomlFile, load: Loader | None) -> Robot:
         value = tables[key.table][key.key]
         internal = key.default if value is None else np.multiply(value, to_internal(key.unit))
         geometry[key.key] = np.atleast_1d(np.asarray(internal, dtype=float))
-    unit = to_internal(mechanism.joint_unit)
     limits = tables["joints"][_limits_key(mechanism)]
     factors = {parameter.name: to_internal(parameter.unit) for parameter in mechanism.parameters}
     errors, tolerance = (
@@ -369,7 +368,7 @@ def _robot(file: TomlFile, load: Loader | None) -> Robot:
         masses=said.masses or (Masses() if any(link.mass for link in links) else None),
         transmission=said.transmission,
         joint_sign=np.array(tables["joints"]["sign"], dtype=float),
-        joint_limits=None if limits is None else np.array(limits) * unit,
+        joint_limits=None if limits is None else np.array(limits) * _factors(mechanism),
         source=file.path,
         links=links,
     )
@@ -475,7 +474,13 @@ def _value_type(key: GeometryKey, limbs: int) -> Any:
 
 
 def _limits_key(mechanism: Mechanism) -> str:
-    return f"limits_{file_unit(mechanism.joint_unit)}"
+    """Return ``limits_deg`` or ``limits_mm``; of a chain with both kinds of joints ``limits``, each in its own unit."""
+    units = set(of_joints(mechanism.joint_unit, mechanism.limbs))
+    return f"limits_{file_unit(units.pop())}" if len(units) == 1 else "limits"
+
+
+def _factors(mechanism: Mechanism) -> np.ndarray:
+    return np.array([joint_factors(mechanism.joint_unit, mechanism.limbs)]).T
 
 
 def _is_length(key: GeometryKey) -> bool:

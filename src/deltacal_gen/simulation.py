@@ -18,7 +18,7 @@ from deltacal_gen import sphere
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.measurement import BOTH, CONTACT, FRAMELESS, Instrument, Readings, both, frameless, home_of
 from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, mechanism_of, nominal_joints
-from deltacal_gen.physics import Body, Channels, Term, blank, coefficients, effect_names, load_effect, reading_shift
+from deltacal_gen.physics import Body, Channels, Term, blank, effect_names, load_effect, reading_shift, row_factors
 from deltacal_gen.recording import Measurement, Recording
 from deltacal_gen.robot import Number, Robot, Table, TomlFile, nearest
 from deltacal_gen.rotation import from_vector, to_vector
@@ -116,13 +116,14 @@ def _term(file: TomlFile, table: dict[str, Any], mechanism: Mechanism) -> Term:
                 "Correct the name.",
                 "effects",
             )
-    for c, (key, _, factor) in enumerate(coefficients(name, mechanism.joint_unit)):
+    factors = row_factors(term, mechanism.joint_unit)
+    for c, (key, *_) in enumerate(kernels.COEFFICIENTS):
         value = np.asarray(given.get(key, 0.0), dtype=float)
         if value.ndim and len(value) != rows:
             raise file.error(
                 f"{name}: {key} needs one number, or one for each of {rows} limbs.", "Correct it.", "effects"
             )
-        values[:, c] = value * factor
+        values[:, c] = value * factors[:, c]
     missing = [key for key, *_ in kernels.CONSTANTS if key not in given]
     if missing:
         raise file.error(f"the effect '{name}' needs {', '.join(missing)}.", "Add it.", "effects")

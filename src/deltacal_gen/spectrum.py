@@ -81,10 +81,11 @@ def periodic(at: Fit, parts: Sequence[tuple[np.ndarray, np.ndarray]], known: Spe
     """
     problem = at.problem
     rows = problem.readings.rows
-    if problem.mechanism.joint_unit != "rad" or rows.shape[1] != 1:
+    if rows.shape[1] != 1:
         return None
     turns = problem.body.q[rows[:, 0]]
-    limbs = [j + 1 for j, span in enumerate(np.ptp(turns, axis=0)) if span > LEAST_TURN]
+    turning = [unit == "rad" for unit in problem.mechanism.joint_units]
+    limbs = [j + 1 for j, span in enumerate(np.ptp(turns, axis=0)) if turning[j] and span > LEAST_TURN]
     if not limbs:
         return None
     linear = _Linear(at, turns, limbs, parts, known)

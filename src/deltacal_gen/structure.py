@@ -16,6 +16,7 @@ from deltacal_gen.estimation import Fit, Problem
 from deltacal_gen.mechanism import Array
 from deltacal_gen.physics import Deformed
 from deltacal_gen.search import Beside, gains, quantile
+from deltacal_gen.units import joint_names
 
 FUNCTIONS = 6  # of a channel, that one structure may combine
 SMOOTH = 15  # functions of a channel that make any smooth dependence on it: three powers, six waves
@@ -153,8 +154,7 @@ def _bases(problem: Problem) -> dict[str, tuple[Array, list[Region | None]]]:
     recording, body = problem.recording, problem.body
     rows = np.unique(problem.readings.rows)
     out: dict[str, tuple[Array, list[Region | None]]] = {}
-    joint = "deg" if recording.joint_unit == "rad" else "mm"
-    named = {f"q{i + 1}_{joint}": q for i, q in enumerate(body.q.T)}
+    named = dict(zip(joint_names(recording.joint_unit, body.q.shape[1]), body.q.T, strict=True))
     for name, values in {**recording.channels, **named}.items():
         if name.startswith("true_") or not np.isfinite(values[rows]).any():
             continue

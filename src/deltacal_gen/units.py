@@ -23,6 +23,22 @@ def to_internal(unit: str) -> float:
     return _PER_FILE_UNIT[unit]
 
 
+def of_joints(unit: str, joints: int) -> list[str]:
+    """Return the unit of each joint: `unit` is that of all of them, or lists them one by one, with commas."""
+    each = unit.split(",")
+    return each if len(each) > 1 else each * joints
+
+
+def joint_names(unit: str, joints: int, pattern: str = "q{i}_{unit}") -> list[str]:
+    """Return the columns of the joints in files, as ``q1_deg, q2_deg, q3_mm``."""
+    return [pattern.format(i=i, unit=file_unit(u)) for i, u in enumerate(of_joints(unit, joints), start=1)]
+
+
+def joint_factors(unit: str, joints: int) -> list[float]:
+    """Return the factor of each joint from the file's unit to the internal one."""
+    return [to_internal(u) for u in of_joints(unit, joints)]
+
+
 def of_sliding(unit: str) -> tuple[str, float]:
     """Unit in files, and factor to the internal one, of what moves a sliding joint: read mm for deg and N for Nm."""
     return unit.replace("deg", "mm").replace("Nm", "N"), 1.0
