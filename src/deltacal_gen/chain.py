@@ -31,9 +31,10 @@ STARTS = 16  # joints from which a pose is sought where nothing says how the cha
 
 @dataclass(frozen=True)
 class _Placed:
-    """Links in the base frame: rotation (N, 3, 3) and origin (N, 3) of each, and of the frame before it.
+    """Links in the base frame: rotation (3, 3, N) and origin (3, N) of each, and rotation of the frame before it.
 
-    `local` holds the twists (N, 6, n_e + 2) of each link in the frame before it.
+    Poses stand last, as NumPy runs fastest over them. `local` holds the twists (n_e + 2, 2, 3, N) of each link, its
+    origin's shift and its turn, in the frame before.
     """
 
     q: Array
@@ -43,11 +44,9 @@ class _Placed:
     origin: list[Array]
     local: list[Array]
 
-    def twists(self, k: int, columns: slice | list[int]) -> Array:
-        """Return twists (N, 6, columns) of link k along the base's axes."""
-        rows = np.swapaxes(self.local[k], 1, 2)[:, columns]  # as they lie in memory
-        turned = rows.reshape(len(rows), -1, 3) @ np.swapaxes(self.before[k], 1, 2)
-        return np.swapaxes(turned.reshape(rows.shape), 1, 2)
+    def twists(self, k: int, chosen: slice) -> Array:
+        """Return twists (n, 2, 3, N) of link k along the base's axes."""
+        return _turned(self.before[k], self.local[k][chosen])
 
 
 class Chain(Mechanism):
@@ -135,14 +134,14 @@ class Chain(Mechanism):
     # -------------------------------------------------------------------------------------------------- kinematics
 
     def _variables(self, q: Array) -> Array:
-        """Return each link's variable (N, links, 2): its turn and its slide."""
-        out = np.zeros((len(q), len(self.links), 2))
+        """Return each link's variable (links, 2, N): its turn and its slide."""
+        out = np.zeros((len(self.links), 2, len(q)))
         by_number = {k + 1: q[:, j] for j, k in enumerate(self._moving)}
         for k, link in enumerate(self.links):
             value = by_number.get(k + 1, np.zeros(len(q)))
             if link.kind == "coupled":
                 value = np.asarray(sum(much * by_number[number] for number, much in link.coupling))
-            out[:, k, int(link.kind == "prismatic")] = value
+            out[k, int(link.kind == "prismatic")] = value
         return out
 
     def _placed(self, q: Array, rows: Array) -> _Placed:
@@ -150,11 +149,12 @@ class Chain(Mechanism):
         if last is not None and np.array_equal(last.q, q) and np.array_equal(last.rows, rows):
             return last
         variables, placed = self._variables(q), _Placed(q.copy(), rows.copy(), [], [], [], [])
-        R, p = np.broadcast_to(np.eye(3), (len(q), 3, 3)), np.zeros((len(q), 3))
+        R, p = np.broadcast_to(np.eye(3)[:, :, None], (3, 3, len(q))), np.zeros((3, len(q)))
         for k, link in enumerate(self.links):
-            turn, shift, local = self._kernels_of_a_link.link(link.convention, variables[:, k], rows[:, k])
+            turn, shift, local = self._kernels_of_a_link.link(link.convention, variables[k], rows[:, k].T)
             placed.before.append(R)
-            R, p = R @ turn, p + np.einsum("nij,nj->ni", R, shift)
+            p = p + _turned(R, shift)
+            R = sum(R[:, j, None] * turn[j] for j in range(3))
             placed.local.append(local)
             placed.rotation.append(R)
             placed.origin.append(p)
@@ -164,19 +164,20 @@ class Chain(Mechanism):
     def frames(self, q: Array, rows: Array) -> tuple[Array, Array]:
         """Return the frames of the base and of every link: origins (N, n + 1, 3) and rotations (N, n + 1, 3, 3)."""
         placed = self._placed(self._poses(q, self.limbs, "joints"), rows)
-        origins = np.stack([np.zeros((len(q), 3)), *placed.origin], axis=1)
-        rotations = np.stack([np.broadcast_to(np.eye(3), (len(q), 3, 3)), *placed.rotation], axis=1)
-        return origins, rotations
+        origins = np.stack([np.zeros((3, len(q))), *placed.origin])
+        rotations = np.stack([np.broadcast_to(np.eye(3)[:, :, None], (3, 3, len(q))), *placed.rotation])
+        return np.moveaxis(origins, -1, 0), np.moveaxis(rotations, -1, 0)
 
     def forward(self, q: Array, tool: Array, rows: Array, near: Array | None = None) -> tuple[Array, np.ndarray]:
         """Return the pose (N, 12) of the tool point and the last frame; every pose is SOLVED."""
         q, tool = self._poses(q, self.limbs, "joints"), self._tool(tool, len(q))
         if len(rows) not in (1, len(q)):
             rows = np.repeat(rows, len(q) // len(rows), axis=0)
-        placed = self._placed(q, rows)
-        R, p = placed.rotation[-1], placed.origin[-1]
-        point = p + np.einsum("nij,nj->ni", R, tool + rows[:, 0, -3:])
-        return np.hstack([point, R.reshape(-1, 9)]), np.full(len(q), SOLVED)
+        placed, x = self._placed(q, rows), np.empty((len(q), POSE))
+        R = placed.rotation[-1]
+        x[:, :3] = (placed.origin[-1] + _turned(R, (tool + rows[:, 0, -3:]).T)).T
+        x[:, 3:] = R.reshape(9, -1).T
+        return x, np.full(len(q), SOLVED)
 
     def positions(self, q: Array, tool: Array, rows: Array) -> Array:
         """Return the positions (N, 3) of the tool point [mm]."""
@@ -334,17 +335,23 @@ class Chain(Mechanism):
     def sensitivity(self, x: Array, q: Array, tool: Array, rows: Array) -> Sensitivity:
         """Return the derivatives of the exact pose at N poses: each twist moves all that comes behind its link."""
         x, q = self._poses(x, POSE, "poses"), self._poses(q, self.limbs, "joints")
-        placed, n_e = self._placed(q, rows), len(self.errors)
-        own = np.zeros((len(q), 6, len(self.links), n_e))
-        joints = np.zeros((len(q), 6, self.limbs))
+        placed, n_e, point = self._placed(q, rows), len(self.errors), x[:, :3].T
+        own = np.empty((6, len(self.links), n_e, len(q)))
+        joints = np.zeros((6, self.limbs, len(q)))
         for k, link in enumerate(self.links):
-            moved = _at(placed.twists(k, slice(None)), placed.origin[k], x[:, :3])
-            own[:, :, k] = moved[:, :, :n_e]
+            twists = placed.twists(k, slice(None))
+            turns = twists[:, 1]
+            shifts = twists[:, 0] + _cross(turns, point - placed.origin[k])
+            own[:3, k], own[3:, k] = (np.swapaxes(moved[:n_e], 0, 1) for moved in (shifts, turns))
+            c = n_e + int(link.kind == "prismatic")
             for j, much in self._drives(k):
-                joints[:, :, j] += much * moved[:, :, n_e + int(link.kind == "prismatic")]
-        common = np.zeros((len(q), 6, len(self.links), 3))
-        common[:, :3, 0] = placed.rotation[-1]
-        return Sensitivity(own, common, np.zeros((len(q), 6, self.limbs, 0)), joints)
+                joints[:3, j] += much * shifts[c]
+                joints[3:, j] += much * turns[c]
+        common = np.zeros((6, len(self.links), 3, len(q)))
+        common[:3, 0] = placed.rotation[-1]
+        none = np.zeros((len(q), 6, self.limbs, 0))
+        by_joints = np.ascontiguousarray(np.moveaxis(joints, -1, 0))
+        return Sensitivity(np.moveaxis(own, -1, 0), np.moveaxis(common, -1, 0), none, by_joints)
 
     def _drives(self, k: int) -> list[tuple[int, float]]:
         """Return which joints move link k, and by how much each."""
@@ -368,33 +375,34 @@ class Chain(Mechanism):
 
         `masses` is read for whether there are any: an empty mapping asks for the payload alone.
         """
-        q = self._poses(q, self.limbs, "joints")
-        placed, carried = self._placed(q, rows), np.broadcast_to(np.asarray(payload, dtype=float), len(q))
-        points = self.weights_at(x, q, tool, rows, masses)
-        every = np.broadcast_to(np.asarray(fields, dtype=float), points.shape)
-        weighs = np.array([link.mass if masses else 0.0 for link in self.links])
-        force = every * np.column_stack([*(np.full(len(q), m) for m in weighs), carried])[:, :, None]
-        moment = np.cross(points, force)
+        q, point = self._poses(q, self.limbs, "joints"), x[:, :3].T
+        placed, n_e = self._placed(q, rows), len(self.errors)
+        every = np.asarray(fields, dtype=float).reshape(len(q) if np.ndim(fields) == 3 else 1, -1, 3).transpose(1, 2, 0)
         # of a link and all behind it, the payload last: force, and moment about {O}
-        behind = [np.cumsum(v[:, ::-1], axis=1)[:, ::-1] for v in (force, moment)]
-        torque, n_e = np.zeros((len(q), self.limbs)), len(self.errors)
-        for k, link in enumerate(self.links):
-            driven = self._drives(k)
+        F = np.broadcast_to(np.asarray(payload, dtype=float), len(q)) * every[-1]
+        M, torque = _cross(point, F), np.zeros((self.limbs, len(q)))
+        for k, link in reversed(list(enumerate(self.links))):
+            if masses and link.mass:
+                weight = link.mass * every[k if len(every) > 1 else 0]
+                F, M = F + weight, M + _cross(self._centre(placed, k), weight)
+            driven, c = self._drives(k), n_e + int(link.kind == "prismatic")
             if not driven:
                 continue
-            F, M = (v[:, k] for v in behind)
-            twist = placed.twists(k, [n_e + int(link.kind == "prismatic")])[:, :, 0]
-            work = (twist[:, :3] * F + twist[:, 3:] * (M - np.cross(placed.origin[k], F))).sum(axis=1)
+            shift, turn = placed.twists(k, slice(c, c + 1))[0]
+            work = (shift * F).sum(axis=0) + (turn * (M - _cross(placed.origin[k], F))).sum(axis=0)
             for j, much in driven:
-                torque[:, j] += much * work
+                torque[j] += much * work
         none = np.zeros((len(q), self.limbs, 1))
-        return Loads(torque, none[:, :, :0], none, moment.sum(axis=1))
+        return Loads(np.ascontiguousarray(torque.T), none[:, :, :0], none, np.ascontiguousarray(M.T))
 
     def weights_at(self, x: Array, q: Array, tool: Array, rows: Array, masses: Mapping[str, float]) -> Array:
         """Return where the weights are, (N, links + 1, 3) [mm]: each link's centre of mass, and the payload."""
         placed = self._placed(self._poses(q, self.limbs, "joints"), rows)
-        at = [p + R @ np.array(link.com) for p, R, link in zip(placed.origin, placed.rotation, self.links, strict=True)]
-        return np.stack([*at, x[:, :3]], axis=1)
+        return np.stack([*(self._centre(placed, k).T for k in range(len(self.links))), x[:, :3]], axis=1)
+
+    def _centre(self, placed: _Placed, k: int) -> Array:
+        """Return where link k has its centre of mass, (3, N) [mm]."""
+        return placed.origin[k] + _turned(placed.rotation[k], np.array(self.links[k].com)[:, None])
 
 
 def _prioritised(slope: Array, miss: Array, directions: int) -> tuple[Array, Array, np.ndarray]:
@@ -417,10 +425,16 @@ def _prioritised(slope: Array, miss: Array, directions: int) -> tuple[Array, Arr
     return step, off, held.sum(axis=1)
 
 
-def _at(twists: Array, origin: Array, point: Array) -> Array:
-    """Return twists (N, 6, n) given at `origin` as they move another `point` of the same body (N, 3)."""
-    out = twists.copy()
-    arm = (point - origin)[:, :, None]
+def _turned(rotation: Array, vectors: Array) -> Array:
+    """Return vectors (..., 3, N) turned by rotations (3, 3, N)."""
+    parts = (rotation[:, j] * vectors[..., j, None, :] for j in range(3))
+    out: Array = sum(parts, start=next(parts))
+    return out
+
+
+def _cross(a: Array, b: Array) -> Array:
+    """Return the vector products of vectors (..., 3, N) and (3, N) or (3, 1)."""
+    out = np.empty(np.broadcast_shapes(a.shape, b.shape))
     for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        out[:, i] += twists[:, 3 + j] * arm[:, k] - twists[:, 3 + k] * arm[:, j]
+        out[..., i, :] = a[..., j, :] * b[k] - a[..., k, :] * b[j]
     return out

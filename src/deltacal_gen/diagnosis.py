@@ -168,8 +168,9 @@ def diagnose(
             search, left = _settled(some, search)
             unexplained = short_of_noise()
     if left[0].earned > MARGIN and search.effects:
-        search = _proven(some, search, smooth_columns(search.fit, left[0].channel))
-        left = structures(search.fit)
+        proven = _proven(some, search, smooth_columns(search.fit, left[0].channel))
+        left = left if proven is search else structures(proven.fit)
+        search = proven
     # what comes near its price without earning it is no finding, but worth a measurement
     doubtful = [f.term for f in search.ranked()[:1] if 0 < f.score < MARGIN]
     before = after = rms(without)

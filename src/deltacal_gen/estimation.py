@@ -26,7 +26,7 @@ MAX_ITERATIONS = 40
 CONVERGED = 1e-4  # of chi2: what a last step could still gain; parameters then stand within 1e-2 of their deviation
 # a direction that the data hardly see converges slowly where the model bends within its noise: no step of it matters
 PATIENCE, SETTLED, UNSETTLED = 12, 5e-2, 1.0
-ESTIMATED_AT = 3  # iteration in which the weight of repeats is estimated: the fit is then close
+ESTIMATED_AT = 3  # iteration in which at the latest the weight of repeats is estimated: the fit is then close
 STEP_LIMIT = 30.0  # of an ordinary error: a longer step at once is no correction but a loss of direction
 TRIALS = 12
 SMALLEST_SIGMA = 1e-7  # mm and rad: noise below this is rounding of what went before, not of a reading
@@ -410,7 +410,7 @@ def fit(
     known = problem.recording.measurement.sigma_mm if scarce else None
     groups = problem.readings.noise_groups(6)
     leverage = np.full(2, float(n_m + min(len(problem.names), 1)) / max(scalars, 1))
-    damping, degrees = 0.0, 0.0
+    damping, degrees, close = 0.0, 0.0, ESTIMATED_AT
     while True:
         state = problem.linearise(errors, instrument, machine)
         sigma = (
@@ -418,9 +418,11 @@ def fit(
             if known is None
             else np.full(state.residual.shape[1], known)
         )
-        drop = drop_gross and len(history) > ESTIMATED_AT
+        if len(history) < close and history and history[-1] < UNSETTLED:
+            close = len(history)
+        drop = drop_gross and len(history) > close
         weights = robust_weights(state.residual, sigma, drop) if robust else np.ones(len(state.residual))
-        if estimated and len(history) == ESTIMATED_AT:
+        if estimated and len(history) == close:
             ratio, *_ = Repeats.ratio_of(state.residual, problem.readings.group, fitted=degrees)
             shared = Repeats(problem.readings.group, ratio)
         A_p, A_m, b = _system(state, sigma, weights, shared, problem.scale)
@@ -430,7 +432,7 @@ def fit(
         target = b + A_p @ departure
         A = A_p - Q @ (Q.T @ A_p)
         solution = solver.solve(A, target - Q @ (Q.T @ target), float(sigma[0]))
-        if len(history) == ESTIMATED_AT:
+        if len(history) == close:
             solver = solver.settled(solution)
         degrees = solution.degrees + n_m
         leverage = (
@@ -439,7 +441,7 @@ def fit(
             else _leverage(A, Q, solution, np.isfinite(state.residual), groups)
         )
         history.append(_gain(solution.u - departure, departure, A_p, Q, b, solver.weight or 0.0))
-        if len(history) > (ESTIMATED_AT + 1 if estimated else 1) and history[-1] < (
+        if len(history) > (close + 1 if estimated else 1) and history[-1] < (
             CONVERGED if len(history) < PATIENCE else SETTLED
         ):
             break
@@ -462,7 +464,7 @@ def fit(
             solver.weight,
             damping,
         )
-        if errors is before and len(history) > ESTIMATED_AT + 1:
+        if errors is before and len(history) > close + 1:
             break  # no step lowers the objective: what the linear machine still promises is not to be had
     return Fit(
         problem=problem,

@@ -19,6 +19,7 @@ import numpy as np
 from deltacal_gen.errors import UsageError
 from deltacal_gen.mechanism import Array
 
+BLOCK = 1024  # rows of a tall matrix that are factored at once
 WEAKEST = 1e-6  # of the largest singular value: below it a direction is seen through finite errors at most
 
 
@@ -136,11 +137,20 @@ class Solver(Protocol):
         ...
 
 
+def triangle(A: Array) -> Array:
+    """Return R (n, n) of a tall matrix's QR factorisation, in blocks of rows that stay in the processor's cache."""
+    n, blocks = A.shape[1], len(A) // BLOCK
+    if blocks < 2 or 2 * n > BLOCK:
+        return np.asarray(np.linalg.qr(A, mode="r"))
+    of_blocks = np.asarray(np.linalg.qr(A[: blocks * BLOCK].reshape(blocks, BLOCK, n), mode="r"))
+    return np.asarray(np.linalg.qr(np.vstack([of_blocks.reshape(-1, n), A[blocks * BLOCK :]]), mode="r"))
+
+
 def _factored(A: Array, b: Array, rule: Callable[[Array, Array, float], tuple[Array, Array, str]]) -> Solution:
     whole = float(b @ b)
     n = A.shape[1]
     if len(A) > 2 * (n + 1):  # the triangle of a tall matrix has the same singular values and products with b
-        R = np.asarray(np.linalg.qr(np.column_stack([A, b]), mode="r"))
+        R = triangle(np.column_stack([A, b]))
         A, b = R[:, :n], R[:, n]
     U, s, Vt = np.linalg.svd(A, full_matrices=False)
     c = U.T @ b

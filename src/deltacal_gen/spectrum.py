@@ -156,7 +156,7 @@ def unseen(turn: Array, intervals: Sequence[Sequence[float]], within: float) -> 
 
 def _waves(angle: Array) -> Array:
     """Return cosine and sine of every order (N, 2 orders)."""
-    step = np.exp(1j * angle)[:, None] ** np.arange(1, ORDERS + 1)
+    step = np.multiply.accumulate(np.repeat(np.exp(1j * angle)[:, None], ORDERS, axis=1), axis=1)
     out: Array = np.stack([step.real, step.imag], axis=2).reshape(len(angle), -1)
     return out
 
