@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -14,6 +15,7 @@ from conftest import Run
 from test_linear_delta import LINEAR, PRINTER, grid, plausible, recording
 
 from deltacal_gen import InputError, UsageError, commands
+from deltacal_gen.comparison import flattered
 from deltacal_gen.firmware import firmware_lines
 from deltacal_gen.identification import identify
 from deltacal_gen.imports import import_klipper, import_rrf
@@ -366,3 +368,23 @@ def test_known_rods_leave_less_open(printer: Robot, rng: np.random.Generator) ->
     known = dataclasses.replace(printer, tolerance=callipers)
     open_mm = [identify(r, heights).to_dict()["next_measurements"][0]["open_mm"] for r in (printer, known)]
     assert open_mm[1] < open_mm[0]
+
+
+def test_a_fit_of_few_heights_says_by_how_much_its_residual_flatters(rng: np.random.Generator) -> None:
+    """The factor it states is the one that noise alone shows, by 400 fits of as many parameters to pure noise."""
+    readings, parameters = 13, 9
+    A, noise = rng.standard_normal((readings, parameters)), rng.standard_normal((readings, 400))
+    left = noise - A @ np.linalg.lstsq(A, noise, rcond=None)[0]
+    said = flattered(
+        {
+            "degrees_of_freedom": float(readings - parameters),
+            "readings": {"scalars": readings},
+            "train_rms_mm": float(np.sqrt(np.mean(left**2))),
+        }
+    )
+    assert "13 readings less 9.0 parameters leave 4.0 degrees of freedom" in said
+    assert float(re.search(r"noise of ([\d.]+) mm", said)[1]) == pytest.approx(1.0, abs=0.05)  # type: ignore[index]
+    assert "1.8 times" in said
+    few = {"degrees_of_freedom": 0.4, "readings": {"scalars": 7}, "train_rms_mm": 0.01}
+    assert "says nothing of the noise" in flattered(few)
+    assert flattered(few | {"degrees_of_freedom": 90.0, "readings": {"scalars": 100}}) == ""

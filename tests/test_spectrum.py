@@ -17,7 +17,7 @@ from deltacal_gen.physics import Term
 from deltacal_gen.recording import read_recording
 from deltacal_gen.robot import robot_to_toml
 from deltacal_gen.solvers import Prior
-from deltacal_gen.spectrum import EFFECT, Spectrum, never_seen, periodic, seen, unseen
+from deltacal_gen.spectrum import EFFECT, Spectrum, never_seen, periodic, seen, unseen, words
 from deltacal_gen.units import DEG
 
 ORDERS = (2, 5, 9, 14, 20)
@@ -109,6 +109,7 @@ def test_angles_that_were_never_seen_are_told() -> None:
     told = never_seen(known, np.array([[0.0, 200.0], [0.0, 90.0]]) * DEG)
     assert told == [{"limb": 2, "readings": 1, "angles_deg": [[200.0, 200.0]]}]
     assert never_seen(None, np.zeros((1, 6))) == []
+    assert words(told[0]).startswith(f"joint {told[0]['limb']} stands in {told[0]['readings']} readings at angles")
 
 
 def test_a_held_effect_moves_the_machine_as_a_free_one_does(tmp_path: Path) -> None:

@@ -372,12 +372,10 @@ def identify(
 
 def _show_result(found: Mapping[str, Any]) -> None:
     """Print a result: errors before and after, parameters, what is not pinned, one line to end with."""
+    from deltacal_gen.spectrum import words
+
     for joint in found.get("never_seen", ()):
-        where = ", ".join(f"{a:.0f} to {b:.0f}" for a, b in joint["angles_deg"])
-        screen.print(
-            f"joint {joint['limb']} stands in {joint['readings']} readings at angles that the diagnosis never saw "
-            f"({where} deg within the turn): its periodic error is not corrected there"
-        )
+        screen.print(words(joint))
     for effect in found.get("physics_not_held", ()):
         screen.print(f"{effect['name']} of the diagnosed session is not held: this one lacks {effect['missing']}")
     counts = {
@@ -421,6 +419,10 @@ def _show_result(found: Mapping[str, Any]) -> None:
         f"after {found['train_rms_mm']:.4f} mm, [bold]held-out {_number(held)} mm[/bold] "
         f"(noise {found['sigma_mm']:.4f}, {found['sigma_source']})"
     )
+    from deltacal_gen.comparison import flattered
+
+    if words_of_few := flattered(found):
+        screen.print(words_of_few)
     if beside := found.get("firmware"):
         screen.print(
             f"beside it, what firmware fits ({beside['model']}): {beside['train_rms_mm']:.4f} mm, "
@@ -593,12 +595,16 @@ def predict(
     from deltacal_gen import commands
     from deltacal_gen.prediction import CORRECTED
 
-    done = commands.predict(result, recording, output)
+    told: list[str] = []
+    done = commands.predict(result, recording, output, tell=told.append)
     rows = done.n_rows if done.pairs is None else len(done.pairs)
     if as_json:
-        _print_json({"schema": "deltacal.prediction/1", "file": str(output), "kind": done.kind, "readings": rows})
+        summary = {"schema": "deltacal.prediction/1", "file": str(output), "kind": done.kind, "readings": rows}
+        _print_json(summary | {"told": told})
     else:
         screen.print(f"{rows} readings of the kind {done.kind} predicted in {output}")
+        for words in told:
+            screen.print(words)
         share = done.channels.get(CORRECTED)
         if share is not None and (share < 1).any():
             screen.print(
@@ -611,6 +617,7 @@ def predict(
 def validate(result: ResultFile, recording: RecordingFile, as_json: Json = False) -> None:
     """Hold a calibrated model against readings that it has not seen."""
     from deltacal_gen import commands
+    from deltacal_gen.spectrum import words
 
     found = commands.validate(result, recording)
     if as_json:
@@ -620,6 +627,8 @@ def validate(result: ResultFile, recording: RecordingFile, as_json: Json = False
         f"{found['readings']} readings: rms {found['rms_mm']:.4f} mm, largest {found['worst_mm']:.4f} mm "
         f"(noise {found['sigma_mm']:.4f} mm)"
     )
+    for joint in found["never_seen"]:
+        screen.print(words(joint))
     if "iso9283" in found:
         iso = found["iso9283"]
         screen.print(

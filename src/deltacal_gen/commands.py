@@ -495,14 +495,22 @@ def predict(
     result: Source | Mapping[str, Any],
     recording: Source | Recording,
     output: Source | None = None,
+    *,
+    tell: Progress = _silent,
 ) -> Recording:
-    """Return a recording's readings as an identified or diagnosed model predicts them; `output` is PREDICTED.csv."""
-    from deltacal_gen import prediction
+    """Return a recording's readings as an identified or diagnosed model predicts them; `output` is PREDICTED.csv.
+
+    `tell` is told in words which joints stand at angles that the diagnosis never saw.
+    """
+    from deltacal_gen import prediction, spectrum
 
     check_output(output, result, recording)
     result = _result(result)
     robot = prediction.calibrated_robot(result)
-    done = prediction.predict(result, _recording(recording, robot, need_measured=False))
+    given = _recording(recording, robot, need_measured=False)
+    for joint in spectrum.never_seen(result.get("seen"), robot.joint_sign * given.joints):
+        tell(spectrum.words(joint))
+    done = prediction.predict(result, given)
     if output is not None:
         columns, pairs = file_columns(done)
         write_files({Path(output): csv_text(pairs or columns)})

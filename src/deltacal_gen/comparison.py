@@ -17,6 +17,7 @@ from deltacal_gen.robot import Robot, robot_from_dict
 from deltacal_gen.units import file_unit, to_internal
 
 SCHEMA = "deltacal.comparison/1"
+FEW = 0.5  # of the readings: a fit that leaves fewer to judge it by takes a good part of the noise away
 CHANCE = 0.01  # that noise alone makes any of all parameters look changed
 NUDGE = 1e-3  # mm and rad: by which a dimension and an error are moved to see whether they are one
 
@@ -84,7 +85,8 @@ def compare(before: Mapping[str, Any], after: Mapping[str, Any]) -> dict[str, An
     changed.sort(key=lambda e: -abs(e["change"]) / max(e["std"], 1e-300))
     return {
         "schema": SCHEMA,
-        "summary": _summary(changed, unchanged, unknown, limit),
+        "summary": _summary(changed, unchanged, unknown, limit)
+        + "".join(f" {words}" for words in map(flattered, (before, after)) if words),
         "limit_std": limit,
         "changed": changed,
         "unchanged": unchanged,
@@ -102,6 +104,21 @@ def _summary(
     if unknown:
         text += f"; of {', '.join(e['name'] for e in unknown)} these readings say nothing"
     return text + "."
+
+
+def flattered(result: Mapping[str, Any]) -> str:
+    """Say by how much the residual of a result understates the noise, where its readings are few; else nothing."""
+    left = result.get("degrees_of_freedom")
+    if left is None or left > FEW * (readings := result["readings"]["scalars"]):
+        return ""
+    said = f"{readings} readings less {readings - left:.1f} parameters leave {max(left, 0):.1f} degrees of freedom"
+    if left < 1:
+        return f"{said}: the residual of {result['train_rms_mm']:.3g} mm says nothing of the noise."
+    part, rms = float(np.sqrt(left / readings)), result["train_rms_mm"]
+    return (
+        f"{said}: noise of {rms / part:.3g} mm leaves a residual of {rms:.3g} mm, "
+        f"and the next session of an unchanged machine, predicted from this one, at least {1 / part:.2g} times as much."
+    )
 
 
 def between(mechanism: Mechanism, first: Robot, second: Robot) -> tuple[dict[str, float], list[str]]:

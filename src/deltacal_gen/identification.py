@@ -784,6 +784,7 @@ def _result(found: Identification) -> dict[str, Any]:
             "poses": len(np.unique(problem.recording.pose)),
         },
         "before_rms_mm": found.before_rms,
+        "degrees_of_freedom": freedom(final),
         "train_rms_mm": final.rms(),
         "heldout_rms_mm": found.heldout_rms if np.isfinite(found.heldout_rms) else None,
         "sigma_mm": sigma,
@@ -803,6 +804,11 @@ def _result(found: Identification) -> dict[str, Any]:
         | {"setups": list(problem.recording.setup_names), "zero": problem.recording.measurement.zero},
         "robot": robot_to_dict(found.robot),
     }
+
+
+def freedom(final: Fit) -> float:
+    """Return how many scalar readings a fit leaves to judge it by: all, less what the data determine."""
+    return float(final.problem.readings.n_scalars - final.solution.degrees - final.instrument.n_unknown)
 
 
 def _base(found: Identification) -> list[dict[str, Any]]:

@@ -145,6 +145,15 @@ def never_seen(known: Mapping[str, Any] | None, turns: Array) -> list[dict[str, 
     return out
 
 
+def words(joint: Mapping[str, Any]) -> str:
+    """Return an entry of `never_seen` in words."""
+    where = ", ".join(f"{a:.0f} to {b:.0f}" for a, b in joint["angles_deg"])
+    return (
+        f"joint {joint['limb']} stands in {joint['readings']} readings at angles that the diagnosis never saw "
+        f"({where} deg within the turn): its periodic error is not corrected there"
+    )
+
+
 def unseen(turn: Array, intervals: Sequence[Sequence[float]], within: float) -> np.ndarray:
     """Tell which turns (N,) [rad] are farther than `within` [deg] from all angles that were seen."""
     angle = np.degrees(turn)[:, None] % 360.0

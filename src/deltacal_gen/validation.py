@@ -19,6 +19,7 @@ from deltacal_gen.measurement import Readings, readings
 from deltacal_gen.mechanism import Array
 from deltacal_gen.prediction import calibrated_robot, residual
 from deltacal_gen.recording import Recording
+from deltacal_gen.spectrum import never_seen
 
 __all__ = ["calibrated_robot", "validate"]
 
@@ -29,8 +30,9 @@ def validate(result: Mapping[str, Any], recording: Recording) -> dict[str, Any]:
     Returns
     -------
     dict
-        ``schema, readings, rms_mm, worst_mm, sigma_mm, chi2_per_dof, rows`` (worst first: line, error) and, where a
-        pose was read at least twice, ``iso9283``.
+        ``schema, readings, rms_mm, worst_mm, sigma_mm, chi2_per_dof, never_seen`` (joints that stand at angles which
+        the diagnosis never saw), ``rows`` (worst first: line, error) and, where a pose was read at least twice,
+        ``iso9283``.
     """
     found = readings(recording)
     r = residual(result, recording, found)
@@ -46,6 +48,7 @@ def validate(result: Mapping[str, Any], recording: Recording) -> dict[str, Any]:
         "worst_mm": float(size.max()),
         "sigma_mm": sigma,
         "chi2_per_dof": (error / sigma) ** 2 if sigma > 0 else None,
+        "never_seen": never_seen(result.get("seen"), calibrated_robot(result).joint_sign * recording.joints),
         "rows": [{"line": int(found.line[j]), "error_mm": float(size[j])} for j in order],
     }
     if found.kind in ("position", "pose"):
