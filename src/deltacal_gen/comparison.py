@@ -39,7 +39,10 @@ def compare(before: Mapping[str, Any], after: Mapping[str, Any]) -> dict[str, An
     """
     for result in (before, after):
         if "parameters" not in result:
-            raise InputError("this is no result of identify.", "Give two files that identify wrote.")
+            raise InputError(
+                "this is no result of identify.",
+                "Give two files that identify wrote; of a diagnosed session: identify --physics DIAGNOSIS.json.",
+            )
     first, second = (robot_from_dict(r["robot"]) for r in (before, after))
     if first.mechanism != second.mechanism:
         raise InputError(
