@@ -9,7 +9,6 @@ L dbeta0, dl; then per limb dl/c, dc/c, dalpha03, dbeta03, dalpha2, dbeta2 [mm, 
 from __future__ import annotations
 
 import sys
-from functools import cache
 
 import numpy as np
 
@@ -46,7 +45,8 @@ def ideal_inverse(r):
 
 def ideal_forward(theta):
     """Return the positions (N, 3) at joints (N, 3): where three spheres about the elbows meet, the lower point."""
-    reach, z = E + ARM * np.cos(theta.T), ARM * np.sin(theta.T)
+    theta = np.ascontiguousarray(theta.T)  # joint by joint: NumPy keeps the order of what it reads
+    reach, z = E + ARM * np.cos(theta), ARM * np.sin(theta)
     x, y = CPHI * reach, SPHI * reach
     ax, ay, az, bx, by, bz = x[1] - x[0], y[1] - y[0], z[1] - z[0], x[2] - x[0], y[2] - y[0], z[2] - z[0]
     nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
@@ -79,7 +79,8 @@ def _inverse(rows):
 
 def _factors(theta, r):
     """Return rods, B_r (8, 3, N) and B_e (6, 3, N) of eqs. (6) and (7); axes: component, limb, pose."""
-    sin, cos = np.sin(theta.T), np.cos(theta.T)
+    theta = np.ascontiguousarray(theta.T)
+    sin, cos = np.sin(theta), np.cos(theta)
     reach = E + ARM * cos
     rod = np.stack([r[:, 0] - CPHI * reach, r[:, 1] - SPHI * reach, r[:, 2] - ARM * sin]) / ROD
     ru, rw = CPHI * rod[0] + SPHI * rod[1], SPHI * rod[0] - CPHI * rod[1]
@@ -105,21 +106,15 @@ def sensitivity(theta, r, out, offset=(0.0, 0.0, 0.0)):
         if np.any(offset):
             H += _cross(M, offset)
         own = out[part]
-        own[..., :24].reshape(-1, 3, 3, 8)[:] = _products(G, B_r)
-        own[..., 24:].reshape(-1, 3, 3, 6)[:] = _products(H, B_e)
+        _products(G, B_r, own[..., :24].reshape(-1, 3, 3, 8))
+        _products(H, B_e, own[..., 24:].reshape(-1, 3, 3, 6))
     return out
 
 
-@cache
-def _scratch(*shape):
-    return np.empty(shape)  # kept: the pages of a fresh array cost more than the product
-
-
-def _products(G, B):
-    """Return G (3, limb, N) times B (b, limb, N) as (N, 3, limb x b)."""
-    product = _scratch(3, 3, len(B), BLOCK)[..., : B.shape[-1]]
-    np.multiply(G[:, :, None], B.swapaxes(0, 1), out=product)
-    return product.transpose(3, 0, 1, 2)
+def _products(G, B, out):
+    """Fill out (N, 3, limb, b) with G (3, limb, N) times B (b, limb, N), pose by pose as it lies in memory."""
+    G, B = np.ascontiguousarray(G.transpose(2, 0, 1)), np.ascontiguousarray(B.transpose(2, 1, 0))
+    np.multiply(G[..., None], B[:, None], out=out)
 
 
 def identification_matrix(theta, r, offset, columns):

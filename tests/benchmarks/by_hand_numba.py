@@ -94,19 +94,24 @@ def _sensitivity_at(theta, r, offset, out):
 
 
 @njit(cache=True, error_model="numpy")
-def identification_matrix(theta, r, offset, columns, C, H):
-    """Fill H (n (n - 1) / 2, columns) of eq. (14) for all pairs of poses; C (n, 3, 42) is scratch."""
+def identification_matrix(theta, r, offset, columns, C, chosen, H):
+    """Fill H (n (n - 1) / 2, columns) of eq. (14) for all pairs; C (n, 3, 42), chosen (n, 3, columns): scratch."""
     _sensitivity_at(theta, r, offset, C)
+    for n in range(r.shape[0]):
+        for x in range(3):
+            for k in range(columns.shape[0]):
+                chosen[n, x, k] = C[n, x, columns[k]]
     row = 0
     for a in range(r.shape[0]):
         for b in range(a + 1, r.shape[0]):
             gx, gy, gz = r[b, 0] - r[a, 0], r[b, 1] - r[a, 1], r[b, 2] - r[a, 2]
             by = 1 / math.sqrt(gx * gx + gy * gy + gz * gz)
             gx, gy, gz = gx * by, gy * by, gz * by
-            for k in range(columns.shape[0]):
-                j = columns[k]
+            for k in range(H.shape[1]):
                 H[row, k] = (
-                    gx * (C[b, 0, j] - C[a, 0, j]) + gy * (C[b, 1, j] - C[a, 1, j]) + gz * (C[b, 2, j] - C[a, 2, j])
+                    gx * (chosen[b, 0, k] - chosen[a, 0, k])
+                    + gy * (chosen[b, 1, k] - chosen[a, 1, k])
+                    + gz * (chosen[b, 2, k] - chosen[a, 2, k])
                 )
             row += 1
 
@@ -310,7 +315,8 @@ def trials(theta, r, offsets, columns, check, joints, errors, noise, gain, out):
     n, points, m = len(theta), len(offsets), len(columns)
     per = n * (n - 1) // 2
     rods, x, C = np.empty((6, 14)), np.empty((n, 6)), np.empty((n, 3, 42))
-    H, d, zero = np.empty((points * per, m)), np.empty(points * per), np.zeros(3)
+    H, d, chosen = np.empty((points * per, m)), np.empty(points * per), np.empty((n, 3, m))
+    zero = np.zeros(3)
     y, q, p = np.empty((len(check), 6)), np.empty((len(check), 3)), np.zeros(42)
     for t in range(len(errors)):
         for k in range(points):
@@ -327,7 +333,7 @@ def trials(theta, r, offsets, columns, check, joints, errors, noise, gain, out):
                     d[row] = math.sqrt(now) - math.sqrt(was)
                     row += 1
             if len(gain) == 0:
-                identification_matrix(theta, r, offsets[k], columns, C, H[k * per : (k + 1) * per])
+                identification_matrix(theta, r, offsets[k], columns, C, chosen, H[k * per : (k + 1) * per])
         found = np.linalg.lstsq(H, d)[0] if len(gain) == 0 else gain @ d
         for k in range(m):
             p[columns[k]] = found[k]

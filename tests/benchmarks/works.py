@@ -202,7 +202,7 @@ def matrix(n: int) -> Work:
     whole = partial(commands.matrix, ROBOT, recording, "32", as_distance=True, scaling="paper")
     chosen, at, H = [DELTA.index[name] for name in DELTA.model("32")], r + POINT, np.empty((n * (n - 1) // 2, 32))
     k, kept, wanted = DELTA.compiled.nominal_constants(DELTA.rows(ROBOT)), np.array(chosen), np.array(columns("32"))
-    C, out = np.empty((n, 3, 42)), np.empty_like(H)
+    C, part, out = np.empty((n, 3, 42)), np.empty((n, 3, len(chosen))), np.empty_like(H)
     return Work(
         f"identification matrix, {n} poses, {n * (n - 1) // 2} x 32",
         "us",
@@ -214,7 +214,7 @@ def matrix(n: int) -> Work:
             ),
             NUMPY: Contender(lambda: by_hand.identification_matrix(theta, r, POINT, columns("32"))),
             NUMBA: Contender(
-                lambda: by_hand_numba.identification_matrix(theta, r, POINT, wanted, C, out), lambda _: out
+                lambda: by_hand_numba.identification_matrix(theta, r, POINT, wanted, C, part, out), lambda _: out
             ),
         },
     )
