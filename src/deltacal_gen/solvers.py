@@ -67,6 +67,14 @@ class Solution:
         return float(self.factors.sum())
 
 
+def settled(diagonal: Array) -> Array:
+    """Return what to add to the diagonal of normal equations so that a column of zeros has the solution zero.
+
+    Others change by a part of 1e-12.
+    """
+    return np.where(diagonal > 0, 1e-12 * diagonal, 1.0)
+
+
 @dataclass(frozen=True)
 class Factored:
     """Linear least squares with the factor kept: one matrix, many right-hand sides.
