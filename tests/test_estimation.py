@@ -234,6 +234,23 @@ def test_a_pose_that_was_read_fifty_times_does_not_dominate(
     assert counted > 4 * weighed
 
 
+def test_a_gross_error_says_nothing_of_what_readings_of_a_pose_share(
+    robot: Robot, mechanism: Mechanism, truth: dict[str, float]
+) -> None:
+    """One at a pose that was read once would else pass for an error of poses."""
+    poses = np.vstack([rings(robot, 9), scattered(robot, 40, 4)])
+    row = np.repeat(np.arange(len(poses)), 1 + np.arange(len(poses)) % 2)
+    recording = simulate(robot, wanted(poses[row], pose=[f"P{r}" for r in row]), truth, frame=FRAME)
+    noise = 0.01 * np.random.default_rng(12).standard_normal((len(row), 3))
+    noise[[0, 30]] += 1.0  # both of poses that were read once
+    found = fit(
+        pose_problem(robot, dataclasses.replace(recording, measured=recording.measured + noise), mechanism.model("18")),
+        errors=mechanism.vector(truth),
+    )
+    assert found.gross.tolist() == [0, 30]
+    assert found.repeats.ratio < 0.3
+
+
 # --------------------------------------------------------------------------------------------------------------- pieces
 
 

@@ -169,8 +169,9 @@ def diagnose(
             unexplained = short_of_noise()
     if left[0].earned > MARGIN and search.effects:
         proven = _proven(some, search, smooth_columns(search.fit, left[0].channel))
-        left = left if proven is search else structures(proven.fit)
-        search = proven
+        if proven is not search:
+            search, left = proven, structures(proven.fit)
+            unexplained = not lean and short_of_noise()
     # what comes near its price without earning it is no finding, but worth a measurement
     doubtful = [f.term for f in search.ranked()[:1] if 0 < f.score < MARGIN]
     before = after = rms(without)
@@ -296,8 +297,8 @@ def _chosen(problem: Problem, baseline: Fit, terms: Sequence[Term], progress: Pr
         if not ranked or ranked[0].score < MARGIN:
             break
         better = _refitted(problem, search.fit, [*_terms(search.fit), ranked[0].term])
-        if better is None:
-            break
+        if better is None or better.sigma[0] > search.fit.sigma[0] * MUCH_WORSE:
+            break  # it did not converge
         search = _revised(problem, Search(better, terms))
         if search.effects == named:
             break  # it did not hold

@@ -423,7 +423,9 @@ def fit(
         drop = drop_gross and len(history) > close
         weights = robust_weights(state.residual, sigma, drop) if robust else np.ones(len(state.residual))
         if estimated and len(history) == close:
-            ratio, *_ = Repeats.ratio_of(state.residual, problem.readings.group, fitted=degrees)
+            quiet = robust_weights(state.residual, sigma, drop=True) > 0  # gross errors say nothing of poses
+            group = problem.readings.group[quiet]
+            ratio, *_ = Repeats.ratio_of(state.residual[quiet], group, fitted=degrees)
             shared = Repeats(problem.readings.group, ratio)
         A_p, A_m, b = _system(state, sigma, weights, shared, problem.scale)
         # the solver draws towards the reference: it is asked for the whole departure, not for a step
