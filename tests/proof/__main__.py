@@ -34,11 +34,11 @@ from tests.proof.grading import TOOL, answer, judge
 
 SHARES = {"null": 0.25, "single": 0.45, "pair": 0.15, "outside": 0.15}
 DEFAULT_CASES = 100
-Job = tuple[str, str, str, tuple[str, ...], tuple[int, ...]]
+Job = tuple[str, str, str, tuple[str, ...], tuple[int, ...], str]
 
 
 def jobs(cases: int, engines: list[str], seed: int) -> list[Job]:
-    """Return what is to be drawn, (name, engine, kind, names, seed): as many of each engine, of seeds of their own."""
+    """Return what is to be drawn, (name, engine, kind, names, seed, machine): as many of each engine, of seeds of their own."""
     drawn = []
     for engine in engines:
         part = cases // len(engines)

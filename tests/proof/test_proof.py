@@ -227,7 +227,7 @@ def test_engines_take_cases_of_their_own_in_turn() -> None:
     work = jobs(40, ["own", "exudyn"], 1)
     assert [name for name, *_ in work] == [f"c{i:03d}" for i in range(1, 41)]
     assert [engine for _, engine, *_ in work[:4]] == ["own", "exudyn", "own", "exudyn"]
-    assert len({seed for *_, seed in work}) == 40
+    assert len({seed for *_, seed, _ in work}) == 40
     assert work == jobs(40, ["own", "exudyn"], 1)
     assert {kind for _, _, kind, *_ in work} == {"null", "single", "pair", "outside"}
 
