@@ -38,7 +38,7 @@ Job = tuple[str, str, str, tuple[str, ...], tuple[int, ...], str]
 
 
 def jobs(cases: int, engines: list[str], seed: int) -> list[Job]:
-    """Return what is to be drawn, (name, engine, kind, names, seed, machine): as many of each engine, of seeds of their own."""
+    """Return what is to be drawn, (name, engine, kind, names, seed, machine): as many of each engine."""
     drawn = []
     for engine in engines:
         part = cases // len(engines)
