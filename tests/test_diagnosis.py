@@ -12,6 +12,7 @@ import pytest
 import deltacal_gen as dc
 from deltacal_gen.diagnosis import _borne_out
 from deltacal_gen.errors import InputError
+from deltacal_gen.mechanism import compiled_only
 from deltacal_gen.physics import effect_names
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot
@@ -221,10 +222,9 @@ def test_the_file_keeps_the_contract(
         assert len(found["summary"]) > 40
 
 
-def test_the_same_recording_gives_the_same_file(
-    robot: Robot, loose_recording: Recording, loose: dict[str, Any]
-) -> None:
-    assert diagnosis(robot, loose_recording) == loose
+def test_the_same_recording_gives_the_same_file(robot: Robot, loose_recording: Recording) -> None:
+    with compiled_only():  # else the kernels may change on the way, and with them the last digits
+        assert diagnosis(robot, loose_recording) == diagnosis(robot, loose_recording)
 
 
 # ------------------------------------------------------------------------------------------------------ its use
