@@ -72,7 +72,7 @@ def supported(mechanism: LimbMechanism) -> bool:
     return mechanism.limbs <= 3 and (rods == 2 or mechanism.limbs * rods <= 3)
 
 
-def _rotation_steps(mechanism: LimbMechanism) -> dict[sp.Symbol, tuple[int, int]]:
+def rotation_steps(mechanism: LimbMechanism) -> dict[sp.Symbol, tuple[int, int]]:
     """Return the steps that are the entries of the platform's rotation matrix."""
     entries = list(cayley(_rotation(mechanism)))
     return {s: divmod(entries.index(e), 3) for s, e in mechanism.steps if e in entries and e.free_symbols}
@@ -103,7 +103,7 @@ def turn_by_change(mechanism: LimbMechanism) -> list[sp.Expr]:
 
 def _rates(mechanism: LimbMechanism, start: Mapping[sp.Symbol, sp.Expr], turn: int | None) -> list[sp.Expr]:
     """Return the rates of the closures, rod by rod, along a direction, forwards through the steps."""
-    entries = _rotation_steps(mechanism)
+    entries = rotation_steps(mechanism)
     named = {at: s for s, at in entries.items()}
     R = sp.Matrix(3, 3, lambda r, c: named.get((r, c), 0))
     spun = skew(sp.eye(3)[:, turn]) * R if turn is not None else sp.zeros(3, 3)
@@ -127,24 +127,86 @@ def _rows(mechanism: LimbMechanism) -> list[sp.Expr]:
     return [sp.expand((first + second) / 2), sp.expand((first - second) / 2)]
 
 
+def equations(mechanism: LimbMechanism) -> list[list[sp.Expr]]:
+    """Return a limb's equations, each with its derivatives by shifts, by turns of the platform and by the joint."""
+    shifts = [_rates(mechanism, {q.symbol: sp.Integer(1)}, None) for q in mechanism.platform if q.name[0] == "p"]
+    change = change_by_turn(mechanism)
+    changed = [(m, c) for m, c in enumerate(_rotation(mechanism)) if c != 0]
+    spins = [_rates(mechanism, {c: change[m, k] for m, c in changed}, k) for k in _turns(mechanism)]
+    by_joint = _rates(mechanism, {mechanism.joint.symbol: sp.Integer(1)}, None)
+    return [list(row) for row in zip(_rows(mechanism), *shifts, *spins, by_joint, strict=True)]
+
+
+def of_rows(rates: Sequence[sp.Expr], steps: Steps) -> list[sp.Expr]:
+    """Return the rates of a nominal limb's equations, see `_rows`, by those of its closures."""
+    values = list(rates)
+    if len(values) == 2:
+        values = [(values[0] + values[1]) / 2, (values[0] - values[1]) / 2]
+    zero = {symbol: e for symbol, e in steps if e == 0}
+    return [sp.expand(e.xreplace(zero)) for e in values]
+
+
 def _named(steps: list[tuple[sp.Symbol, sp.Expr]], name: str, values: sp.Matrix) -> sp.Matrix:
     symbols = sp.Matrix(*values.shape, lambda r, c: sp.Symbol(f"{name}_{r}{c}", real=True))
     steps.extend(zip(symbols, values, strict=True))
     return symbols
 
 
-def _inverse(steps: list[tuple[sp.Symbol, sp.Expr]], name: str, A: sp.Matrix) -> tuple[sp.Matrix, sp.Expr]:
-    """Return the inverse of A by cofactors, and how far its rows are from dependent (positive: far enough)."""
+def _cofactors(steps: list[tuple[sp.Symbol, sp.Expr]], name: str, A: sp.Matrix) -> tuple[sp.Matrix, sp.Expr, sp.Expr]:
+    """Return the cofactors of A, one over its determinant, and how far its rows are from dependent."""
     cofactors = _named(steps, f"{name}_cof", A.cofactor_matrix())
     det = _named(steps, f"{name}_det", sp.Matrix([A[0, :].dot(cofactors[0, :])]))[0]
     by = _named(steps, f"{name}_by", sp.Matrix([1 / det]))[0]
-    size = sp.Mul(*(A[r, :].dot(A[r, :]) for r in range(A.rows)))
-    return _named(steps, f"{name}_inv", cofactors.T * by), det**2 - REGULAR**2 * size
+    return cofactors, by, det**2 - REGULAR**2 * sp.Mul(*(A[r, :].dot(A[r, :]) for r in range(A.rows)))
 
 
-def _felt(by_joint: sp.Expr, by_platform: sp.Matrix) -> sp.Expr:
+def _inverse(steps: list[tuple[sp.Symbol, sp.Expr]], name: str, A: sp.Matrix) -> tuple[sp.Matrix, sp.Expr]:
+    """Return the inverse of A by cofactors, and how far its rows are from dependent."""
+    cofactors, by, far = _cofactors(steps, name, A)
+    return _named(steps, f"{name}_inv", cofactors.T * by), far
+
+
+def felt(by_joint: sp.Expr, by_platform: sp.Matrix) -> sp.Expr:
     """Return how far an equation is from not feeling its joint (positive: far enough)."""
     return by_joint**2 - REGULAR**2 * by_platform.dot(by_platform)
+
+
+def held(
+    F: sp.Matrix, J: sp.Matrix, J_q: sp.Matrix, joints: int, commanded: int, paired: bool
+) -> tuple[list[tuple[sp.Symbol, sp.Expr]], list[sp.Expr]]:
+    """Return the steps to a solution of ``J_q dq + J dx = F`` where the commanded coordinates stay, then the solution.
+
+    Each limb's joint is eliminated by its first equation; where that leaves equations, what comes last is how far they
+    are from dependent.
+    """
+    steps: list[tuple[sp.Symbol, sp.Expr]] = []
+    if paired:
+        by = _named(steps, "by", sp.Matrix([1 / J_q[i] for i in range(joints)]))
+        ratio = _named(steps, "ratio", sp.Matrix([J_q[joints + i] * by[i] for i in range(joints)]))
+        E = _named(steps, "E", J[joints:, commanded:] - sp.diag(*ratio) * J[:joints, commanded:])
+        rest = sp.Matrix([F[joints + i] - ratio[i] * F[i] for i in range(joints)])
+        cofactors, by_det, far = _cofactors(steps, "E", E)
+        turned = _named(steps, "w", by_det * (cofactors.T * rest))
+        return steps, [*(by[i] * (F[i] - J[i, commanded:].dot(turned)) for i in range(joints)), *turned, far]
+    if F.rows == joints:
+        return steps, [F[i] / J_q[i] for i in range(joints)]
+    cofactors, by_det, far = _cofactors(steps, "A", sp.Matrix.hstack(J_q, J[:, commanded:]))
+    return steps, [*(by_det * (cofactors.T * F)), far]
+
+
+def motion(mechanism: LimbMechanism, step: Sequence[sp.Expr]) -> tuple[list[tuple[sp.Symbol, sp.Expr]], list[sp.Expr]]:
+    """Return the steps to the platform after a step, then the platform and what moves of its rotation matrix."""
+    platform = [quantity.symbol for quantity in mechanism.platform]
+    turns = _turns(mechanism)
+    n_p = len(platform) - len(turns)
+    steps: list[tuple[sp.Symbol, sp.Expr]] = []
+    turn = sp.Matrix([step[n_p + turns.index(k)] if k in turns else 0 for k in range(3)])
+    changed = change_by_turn(mechanism) * turn
+    new = [s - step[j] for j, s in enumerate(platform[:n_p])]
+    new += [s - changed[k] for s, k in zip(platform[n_p:], turns, strict=True)]
+    after = dict(zip(platform, _named(steps, "new", sp.Matrix(new)), strict=True))
+    matrix = cayley(_rotation(mechanism).xreplace(after))
+    return steps, [*after.values(), *(matrix[at] for at in rotation_steps(mechanism).values())]
 
 
 class _Region:
@@ -191,7 +253,7 @@ def blocks(mechanism: LimbMechanism, seed: str, seeds: Sequence[sp.Expr], loweri
     tool = [quantity.symbol for quantity in mechanism.tool]
     varied = [quantity.symbol for quantity in mechanism.varied]
     joint = mechanism.joint.symbol
-    entries = list(_rotation_steps(mechanism))
+    entries = list(rotation_steps(mechanism))
     turns = _turns(mechanism)
 
     region = _Region()
@@ -202,37 +264,31 @@ def blocks(mechanism: LimbMechanism, seed: str, seeds: Sequence[sp.Expr], loweri
     region.take("rows", rods * (n_x + 2))
 
     # a limb: its equations, their derivatives by shift, turn and joint; then what of it moves with the joint only
-    shifts = [_rates(mechanism, {s: sp.Integer(1)}, None) for s in platform[: n_x - len(turns)]]
-    change = change_by_turn(mechanism)
-    moved = [(m, c) for m, c in enumerate(_rotation(mechanism)) if c != 0]
-    spins = [_rates(mechanism, {c: change[m, k] for m, c in moved}, k) for k in turns]
-    by_joint = _rates(mechanism, {joint: sp.Integer(1)}, None)
-    rows = _rows(mechanism)
+    rows = equations(mechanism)
     newton: list[sp.Expr | None] = []
     joints: list[sp.Expr] = []
     errors: list[sp.Expr] = []
-    for j, row in enumerate(rows):
-        newton += [row, *(rate[j] for rate in (*shifts, *spins)), None]
-        joints += [*[None] * (n_x + 1), by_joint[j]]
+    for row, *by_platform, by_joint in rows:
+        newton += [row, *by_platform, None]
+        joints += [*[None] * (n_x + 1), by_joint]
         errors += graph.derivatives(row, varied)
     late = set(platform) | set(entries)
     early = _early(graph, [graph.add(e) for e in newton if e is not None], late, inputs)
     starts = closed_form.start_of_inverse(mechanism)
     more = _early(graph, [graph.add(e) for e in (*joints, *errors) if e is not None], late, inputs)
     more = [s for s in more if s not in early]
-    held = region.take("early", len(early))
+    kept = region.take("early", len(early))
     region.take("seed", len(seeds))
     region.take("start", len(starts))
     further = region.take("more", len(more))
     region.take("errors", rods * len(varied))
     plain = lowering.over(inputs)
     kernels = {
-        "sphere": plain.kernel("sphere", seed, seeds, dense=True),
         "early": plain.kernel("early", f"what moves with a joint only; then {seed}", [*early, *seeds], dense=True),
         "more": plain.kernel("more", "what else derivatives by joint and errors read of it", more, dense=True),
         "start": plain.kernel("start", "joint of the simplified limb at a given position", starts, dense=True),
     }
-    with_early = lowering.over(inputs | _lanes(early, held) | _lanes(more, further))
+    with_early = lowering.over(inputs | _lanes(early, kept) | _lanes(more, further))
     kernels["rows"] = with_early.kernel(
         "rows", "equations of a limb, their derivatives by shift and turn of the platform", newton, dense=True
     )
@@ -311,11 +367,7 @@ def nominal(mechanism: LimbMechanism, layout: Blocks) -> Nominal | None:
     steps, closures = first_order(mechanism, {str(s): {s: sp.Integer(1)} for s in (*platform, *errors)})
     rates = {}
     for s in (*platform, *errors):
-        values = [rate[str(s)] for rate in closures]
-        if rods == 2:
-            values = [(values[0] + values[1]) / 2, (values[0] - values[1]) / 2]
-        zero = {symbol: e for symbol, e in steps if e == 0}
-        rates[s] = [vanishing(sp.expand(e.xreplace(zero)), steps) for e in values]
+        rates[s] = [vanishing(e, steps) for e in of_rows([rate[str(s)] for rate in closures], steps)]
 
     inputs = _lanes([mechanism.joint.symbol], layout.limb["q"])
     inputs |= _lanes([quantity.symbol for quantity in mechanism.tool], layout.limb["tool"])
@@ -426,54 +478,28 @@ class _System:
         common: _Region,
         paired: bool,
     ) -> None:
-        """Lower Newton's step of an inverse position: each limb's joint is eliminated by its first equation."""
-        limbs, rods = mechanism.limbs, len(mechanism.loop_closure)
-        n_x, n_c = len(mechanism.platform), mechanism.commanded
-        common.take("change", n_x)
-        steps: list[tuple[sp.Symbol, sp.Expr]] = []
-        if paired:
-            by = _named(steps, "by", sp.Matrix([1 / J_q[i] for i in range(limbs)]))
-            ratio = _named(steps, "ratio", sp.Matrix([J_q[limbs + i] * by[i] for i in range(limbs)]))
-            E = J[limbs:, n_c:] - sp.diag(*ratio) * J[:limbs, n_c:]
-            E = _named(steps, "E", E)
-            rest = sp.Matrix([F[limbs + i] - ratio[i] * F[i] for i in range(limbs)])
-            Ei, far = _inverse(steps, "Ei", E)
-            turned = _named(steps, "w", Ei * rest)
-            joints = [by[i] * (F[i] - J[i, n_c:].dot(turned)) for i in range(limbs)]
-            outputs = [*joints, *turned, far, *(_felt(J_q[i], J[i, :n_c]) for i in range(limbs))]
-        elif rods == 1:
-            outputs = [*(F[i] / J_q[i] for i in range(limbs)), *(_felt(J_q[i], J[i, :]) for i in range(limbs))]
-        else:
-            A = sp.Matrix.hstack(sp.Matrix([J_q[r] for r in range(n_x)]), J[:, n_c:])
-            Ai, far = _inverse(steps, "Ai", A)
-            outputs = [*(Ai * F), far]
-        self.held = len(outputs) - n_x
+        """Lower Newton's step of an inverse position."""
+        common.take("change", len(mechanism.platform))
+        steps, outputs = held(F, J, J_q, mechanism.limbs, mechanism.commanded, paired)
+        if len(mechanism.loop_closure) <= 2:
+            outputs += [felt(J_q[i], J[i, : mechanism.commanded]) for i in range(mechanism.limbs)]
+        self.held = len(outputs) - len(mechanism.platform)
         common.take("held", self.held)
         self._lower("command", f"Newton's step of joints and rotation{FAR}", steps, read, outputs)
 
     def _move(self, mechanism: LimbMechanism, limb: Mapping[str, int], step: int, common: _Region) -> None:
         """Lower the step's effect on the platform: x as it is or less the step, and its rotation matrix."""
         platform = [quantity.symbol for quantity in mechanism.platform]
-        turns = _turns(mechanism)
-        n_p = len(platform) - len(turns)
         y = sp.symbols([f"y{j}" for j in range(len(platform))], real=True)
         going = sp.Symbol("going", real=True)
         read = _lanes(platform, limb["x"]) | _lanes(y, step) | _lanes([going], common.at["going"])
-        steps: list[tuple[sp.Symbol, sp.Expr]] = []
-        turn = sp.Matrix([y[n_p + turns.index(k)] if k in turns else 0 for k in range(3)])
-        changed = change_by_turn(mechanism) * turn
-        new = [s - going * y[j] for j, s in enumerate(platform[:n_p])]
-        new += [s - going * changed[k] for s, k in zip(platform[n_p:], turns, strict=True)]
-        # the rotation matrix after the step
-        moved = dict(zip(platform, _named(steps, "new", sp.Matrix(new)), strict=True))
-        matrix = cayley(_rotation(mechanism).xreplace(moved))
-        entries = _rotation_steps(mechanism)
+        steps, outputs = motion(mechanism, [going * s for s in y])
         self._lower(
             "move",
             "the platform after a step, and its rotation matrix",
             steps,
             read,
-            [*moved.values(), *(matrix[entries[s]] for s in entries)],
+            outputs,
         )
 
     def _lower(

@@ -20,7 +20,7 @@ import sympy as sp
 import derive.effects
 import derive.measurements
 import derive.mechanisms
-from derive import closed_form, statics, vectors
+from derive import closed_form, servo, statics, vectors
 from derive.blocks import Blocks, blocks, nominal, turn_by_change
 from derive.first_order import linear
 from derive.graph import Graph
@@ -297,7 +297,12 @@ def render() -> dict[Path, str]:
                 "blocks": batch,
                 "nominal": nominal(mechanism, batch) if batch else None,
             },
-            "servo.py": {"kernels": moving | linear(mechanism), "command_constants": command_constants},
+            "servo.py": {
+                "exact": servo.exact(mechanism),
+                "linear": servo.linear(mechanism),
+                "exported": linear(mechanism),
+                "command_constants": command_constants,
+            },
             "vectorised.py": {"kernels": moving},
             "statics.py": {"kernels": loads},
             "inverse.c": {"kernels": kinematics(mechanism, text=c99)[0], "constants": command_constants},

@@ -8,6 +8,7 @@ themselves, all at once. Rates pass from step to step by the chain rule, up to t
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cache
 
 import sympy as sp
 
@@ -24,6 +25,12 @@ def _rate(expr: sp.Expr, rates: Mapping[sp.Symbol, sp.Expr], nominal: Mapping[sp
 
 
 Directions = Mapping[str, Mapping[sp.Symbol, sp.Expr]]
+
+
+@cache
+def to_all_errors(mechanism: LimbMechanism) -> tuple[Steps, list[dict[str, sp.Expr]]]:
+    """Return `first_order` along its default directions."""
+    return first_order(mechanism)
 
 
 def first_order(
@@ -77,7 +84,7 @@ def linear(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kernel]:
     inputs |= {s.symbol: f"tool[{j}]" for j, s in enumerate(mechanism.tool)}
     inputs |= {joint: "q"}
     parameters = {s.symbol: f"p[{j}]" for j, s in enumerate(mechanism.limb_parameters)}
-    steps, closures = first_order(mechanism)
+    steps, closures = to_all_errors(mechanism)
     lowering = Lowering(Graph(steps, invariant=parameters), parameters, inputs, text=text)
     rows: list[sp.Expr | None] = []
     for rate in closures:

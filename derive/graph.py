@@ -34,6 +34,7 @@ class Graph:
         self._alias: dict[sp.Symbol, sp.Expr] = {}
         self._partials: dict[sp.Symbol, list[tuple[sp.Symbol, sp.Expr]]] = {}
         self._tangents: dict[sp.Symbol, dict[sp.Symbol, sp.Expr]] = {}
+        self._forms: dict[sp.Symbol, dict[sp.Expr, sp.Expr]] = {}
         for symbol, expr in steps:
             shallow = self._shallow(sp.sympify(expr))
             if self._is_leaf(shallow):
@@ -128,6 +129,33 @@ class Graph:
                 result.append(gradient.get(symbol, sp.Integer(0)))
         return result
 
+    def affine(self, expr: sp.Expr) -> dict[sp.Expr, sp.Expr] | None:
+        """Return a sum's coefficients, which no pose changes, by what moves, and its constant part by 1.
+
+        What moves are inputs and nodes that are no such sums themselves. None where `expr` is none.
+        """
+        if self.is_invariant(expr):
+            return {sp.Integer(1): expr}
+        if expr.is_Symbol:
+            if expr not in self._forms:
+                of_node = self.affine(self.nodes[expr]) if expr in self.nodes else None
+                self._forms[expr] = of_node if of_node is not None else {expr: sp.Integer(1)}
+            return self._forms[expr]
+        if isinstance(expr, sp.Mul):
+            moving = [arg for arg in expr.args if not self.is_invariant(arg)]
+            form = self.affine(moving[0]) if len(moving) == 1 else None
+            factor = sp.Mul(*(arg for arg in expr.args if self.is_invariant(arg)))
+            return None if form is None else {atom: e * factor for atom, e in form.items()}
+        if not isinstance(expr, sp.Add):
+            return None
+        total: dict[sp.Expr, sp.Expr] = {}
+        for form in map(self.affine, expr.args):
+            if form is None:
+                return None
+            for atom, e in form.items():
+                total[atom] = total.get(atom, sp.Integer(0)) + e
+        return total
+
     def at(self, values: Mapping[sp.Symbol, sp.Expr]) -> tuple[Graph, dict[sp.Symbol, sp.Expr]]:
         """Return the graph with some inputs at fixed values, and what each of this graph's nodes is in it."""
         fixed = Graph(invariant=self._invariant - set(self.nodes))
@@ -145,6 +173,28 @@ class Graph:
                 chosen[symbol] = expr
                 live |= expr.free_symbols - set(known)
         return dict(reversed(list(chosen.items())))
+
+
+def collected(steps: Steps, invariant: Iterable[sp.Symbol]) -> list[tuple[sp.Symbol, sp.Expr]]:
+    """Return the steps with those that are linear in what moves written so: few products, and more that is fixed.
+
+    An arm's point, say, through a chain of rotations, becomes ``a cos q + b sin q + c``.
+    """
+    graph = Graph(steps, invariant)
+    nodes = dict(graph.nodes)
+    names = {symbol for symbol, _ in steps}
+    for symbol in nodes:
+        form = graph.affine(nodes[symbol]) if symbol in names and not graph.is_invariant(symbol) else None
+        if form is not None:
+            nodes[symbol] = sp.Add(*(sp.factor_terms(sp.expand(e)) * atom for atom, e in form.items()))
+    aliases = {symbol: graph._alias[symbol] for symbol, _ in steps if symbol not in nodes}
+    live = (names & set(nodes)).union(*(e.free_symbols for e in aliases.values()))
+    for symbol in reversed(list(nodes)):
+        if symbol in live:
+            live |= nodes[symbol].free_symbols
+    own = {s: s if s in names else sp.Symbol(f"by_{s}", real=True) for s in nodes}  # the next graph numbers its own
+    kept = [(own[s], e.xreplace(own)) for s, e in nodes.items() if s in live]
+    return [*kept, *((s, e.xreplace(own)) for s, e in aliases.items())]
 
 
 def expand_steps(expr: sp.Expr, steps: Steps) -> sp.Expr:

@@ -198,27 +198,30 @@ def test_the_linear_command_follows_from_the_closures_jacobians(prototype: Robot
 def test_the_servo_function_runs_in_a_compiled_loop(prototype: Robot, kind: str) -> None:
     signed = replace(prototype, errors=drawn(8), joint_sign=np.array([1.0, -1.0, -1.0]))
     compensator = Compensator(signed, kind)
-    servo = compensator.servo()
-    command = servo.command
+    command, state = compensator.servo()
 
     @njit
-    def loop(points: Any, tool: Any, constants: Any, work: Any, q: Any) -> int:
-        worst = 0
+    def loop(points: Any, state: Any, q: Any) -> None:
         for n in range(len(points)):
-            worst = max(worst, command(points[n], tool, constants, work, q[n]))
-        return worst
+            q[n, 0], q[n, 1], q[n, 2] = command(points[n, 0], points[n, 1], points[n, 2], state)
 
     points = targets(50)
     q = np.empty((50, 3))
-    assert loop(points, servo.tool, servo.constants, servo.work, q) == SOLVED
-    assert np.abs(servo.sign * q - compensator.command(points)[0]).max() < 1e-13
-    alone = [servo.call(*point, servo.state) for point in points.tolist()]
+    loop(points, state, q)
+    assert np.abs(q - compensator.command(points)[0]).max() < 1e-13
+    alone = [command(*point, state) for point in points.tolist()]
     assert np.abs(alone - compensator.command(points)[0]).max() < 1e-13
-    assert np.isnan(servo.call(0.0, 0.0, -2000.0, servo.state)).all()
-    out = np.empty(3)
-    far = np.array([0.0, 0.0, -2000.0])
-    assert command(far, servo.tool, servo.constants, servo.work, out) == UNREACHABLE
-    assert np.isnan(out).all()
+    assert np.isnan(command(0.0, 0.0, -2000.0, state)).all()
+
+
+def test_the_linear_change_is_what_the_linear_command_adds(prototype: Robot) -> None:
+    """For a controller that has nominal joints already."""
+    signed = replace(prototype, errors=drawn(8), joint_sign=np.array([1.0, -1.0, -1.0]))
+    compensator, points = Compensator(signed, "linear"), targets(20)
+    nominal = Compensator(replace(signed, errors={}), "linear").command(points)[0]
+    change, (_, state) = compensator.mechanism.servo.linear_change, compensator.servo()
+    for point, q, expected in zip(points, nominal, compensator.command(points)[0], strict=True):
+        assert change(*point, *q, state) == pytest.approx(expected - q, abs=1e-14)
 
 
 @pytest.mark.parametrize("kind", KINDS)

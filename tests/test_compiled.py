@@ -127,4 +127,4 @@ def test_kernels_are_compiled_ahead(run: Run, monkeypatch: pytest.MonkeyPatch) -
     assert {f"{KERNEL}.{name}" for name in ("forward", "inverse", "sensitivity")} <= {name for *_, name in told}
     assert all(unit == "s" and float(seconds) >= 0 for seconds, unit, _ in told)
     assert compiled.found(compiled.PACKAGE / KERNEL, "kinematics._forward")
-    assert compiled.found(compiled.PACKAGE / KERNEL, "servo.exact_joints")
+    assert compiled.found(compiled.PACKAGE / KERNEL, "servo.exact_command")

@@ -10,20 +10,34 @@ import math
 import threading
 
 import numpy as np
+from llvmlite import ir
 from numba import njit, types
+from numba.core import cgutils
 from numba.extending import intrinsic
 
 ROUND = 6755399441055744.0  # 1.5 * 2^52: what is added and taken away again leaves an integer
 _kept = threading.local()
 
 
+def aligned(size):
+    """Return an array (size,) of zeros on a boundary of the widest registers."""
+    room = np.zeros(size + 8)
+    start = -room.ctypes.data % 64 // 8
+    return room[start : start + size]
+
+
+def copied(values):
+    """Return a copy of an array (size,), `aligned`."""
+    found = aligned(len(values))
+    found[:] = values
+    return found
+
+
 def scratch(size):
-    """Return an array (size,) that this thread keeps for later calls, on a boundary of the widest registers."""
+    """Return an array (size,) that this thread keeps for later calls, `aligned`."""
     kept = _kept.__dict__
     if size not in kept:
-        room = np.zeros(size + 8)
-        start = -room.ctypes.data % 64 // 8
-        kept[size] = room[start : start + size]
+        kept[size] = aligned(size)
     return kept[size]
 
 
@@ -41,6 +55,67 @@ def wide(_context):
         return context.get_dummy_value()
 
     return types.none(), codegen
+
+
+def _transposed(builder, columns):
+    """Return the eight rows of eight columns: vectors of eight numbers."""
+    for apart, order in ((1, (0, 8, 2, 10, 4, 12, 6, 14)), (2, (0, 1, 8, 9, 4, 5, 12, 13)), (4, (0, 1, 2, 3, 8, 9, 10, 11))):
+        pairs = [(columns[j], columns[j + apart]) for j in range(8) if not j & apart]
+        first, second = ([builder.shuffle_vector(*p, _numbers(k + s for k in order)) for p in pairs] for s in (0, apart))
+        columns = [(second if j & apart else first)[j // (2 * apart) * apart + j % apart] for j in range(8)]
+    return columns
+
+
+def _numbers(values):
+    values = list(values)
+    return ir.Constant(ir.VectorType(ir.IntType(32), len(values)), values)
+
+
+@intrinsic(prefer_literal=True)
+def outer(_context, out, at, pitch, width, rows, w, factors, step, values, lanes, count):
+    """Multiply factors and values of eight poses side by side, and write the products pose by pose.
+
+    ``out[at + pose * pitch + r * width + c]`` becomes the sum of ``w[factors[j] + r * step + pose]`` times
+    ``w[values[j] + c * lanes + pose]`` over j, for ``r < rows``, ``c < count`` (up to 8). Compilers write such arrays
+    number by number; here eight values of a pose are brought into one register, where they stay for all rows.
+    """
+    if not isinstance(count, types.IntegerLiteral) or not isinstance(lanes, types.IntegerLiteral):
+        return None
+    many, apart, vector, contract = count.literal_value, lanes.literal_value, ir.VectorType(ir.DoubleType(), 8), ("contract",)
+
+    def codegen(context, builder, signature, arguments):
+        out, at, pitch, width, rows, w, factors, step, values = arguments[:9]
+        data = [context.make_array(signature.args[j])(context, builder, arguments[j]).data for j in (0, 5)]
+        nothing = ir.Constant(vector, ir.Undefined)
+
+        def place(array, *offsets):
+            total = offsets[0]
+            for offset in offsets[1:]:
+                total = builder.add(total, offset if isinstance(offset, ir.Value) else ir.Constant(total.type, offset))
+            return builder.gep(data[array], [total])
+
+        def column(j, c):
+            start = place(1, builder.extract_value(values, j), c * apart)
+            return builder.load(builder.bitcast(start, vector.as_pointer()), align=8)
+
+        terms = range(len(signature.args[6]))
+        turned = [_transposed(builder, [column(j, c) if c < many else nothing for c in range(8)]) for j in terms]
+        with cgutils.for_range(builder, rows) as loop:
+            for pose in range(8):
+                total = None
+                for j in terms:
+                    factor = place(1, builder.extract_value(factors, j), builder.mul(loop.index, step), pose)
+                    factor = builder.insert_element(nothing, builder.load(factor), ir.Constant(ir.IntType(32), 0))
+                    factor = builder.shuffle_vector(factor, nothing, _numbers([0] * 8))
+                    term = builder.fmul(factor, turned[j][pose], flags=contract)
+                    total = term if total is None else builder.fadd(total, term, flags=contract)
+                total = builder.shuffle_vector(total, nothing, _numbers(range(many)))
+                row = builder.mul(loop.index, width)
+                start = place(0, at, row, builder.mul(pitch, ir.Constant(pitch.type, pose)))
+                builder.store(total, builder.bitcast(start, total.type.as_pointer()), align=8)
+        return context.get_dummy_value()
+
+    return types.none(out, at, pitch, width, rows, w, factors, step, values, lanes, count), codegen
 
 
 @njit(error_model="numpy", fastmath={"contract"})

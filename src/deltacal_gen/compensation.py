@@ -64,12 +64,7 @@ class RoundTrip(NamedTuple):
 class Servo(NamedTuple):
     """A compensator of one pose, for a compiled loop or for single calls from Python; see `Compensator.servo`."""
 
-    command: Callable[..., int]
-    constants: Array
-    tool: Array
-    sign: Array
-    work: Array
-    call: Callable[..., tuple[float, ...]]
+    command: Callable[..., tuple[float, ...]]
     state: Array
 
 
@@ -151,10 +146,16 @@ class Compensator:
 
     @cached_property
     def _constants(self) -> Array:
-        """What no target changes, as the kernels of one command read it."""
+        """What no target changes, as the C source reads it."""
         if self.kind == "linear":
             return np.asarray(self._kernels.linear_constants(self._rows))
         return np.asarray(self.mechanism.vectorised.constants(self._rows))
+
+    @cached_property
+    def _state(self) -> Array:
+        """The machine as the kernels of one command read it, and room for their scratch: every call takes a copy."""
+        state = getattr(self._kernels, f"{self.kind}_state")
+        return np.asarray(state(self._rows[0], self.robot.tool, self.robot.joint_sign))
 
     def servo(self) -> Servo:
         """Return the compensator of one pose, for a loop that Numba compiles.
@@ -162,22 +163,20 @@ class Compensator:
         Returns
         -------
         Servo
-            ``status = command(target, tool, constants, work, q)`` fills `q` (n_q,) for a `target` (3,) [mm] and
-            allocates nothing; ``sign * q`` is what the controller counts [rad or mm]. `work` is scratch, one per
-            thread. From Python, where every array costs more than the command, ``q1, q2, q3 = call(x, y, z, state)``;
-            they are what the controller counts, and NaN where there is no command. `state`, too, is one per thread.
+            ``q1, q2, q3 = command(x, y, z, state)`` from a target [mm], as the controller counts joints [rad or mm];
+            NaN where there is no command. Numbers in and out, in compiled loops and from Python: an array, or a part
+            of one, would cost more than the command. `state` is the machine and scratch: one per thread.
 
         Notes
         -----
-        With `target` (N, 3) and `q` (N, 3)::
+        With `targets` (N, 3) and `q` (N, 3)::
 
-            servo = Compensator(robot).servo()
-            command = servo.command
+            command, state = Compensator(robot).servo()
 
             @njit
-            def loop(targets, tool, constants, work, q):
+            def loop(targets, state, q):
                 for n in range(len(targets)):
-                    command(targets[n], tool, constants, work, q[n])
+                    q[n, 0], q[n, 1], q[n, 2] = command(targets[n, 0], targets[n, 1], targets[n, 2], state)
 
         Raises
         ------
@@ -191,16 +190,7 @@ class Compensator:
                 + ", ".join(t.effect for t in self.effects)
                 + "."
             )
-        kernels = self._kernels
-        function = kernels.exact_command if self.kind == "exact" else kernels.linear_command
-        work = np.zeros(kernels.COMMAND_WORK)
-        sign = np.array(self.robot.joint_sign, dtype=float)
-        call = kernels.exact_joints if self.kind == "exact" else kernels.linear_joints
-        constants, tool = self._constants[0].copy(), np.array(self.robot.tool, dtype=float)
-        read = constants[:, : kernels.COMMAND_CONSTANTS] if self.kind == "exact" else constants
-        joints, target = np.zeros(self.mechanism.limbs), np.zeros(self.mechanism.limbs)
-        state = np.concatenate([target, tool, joints, sign, work, read.ravel()])
-        return Servo(function, constants, tool, sign, work, call, state)
+        return Servo(getattr(self._kernels, f"{self.kind}_command"), self._kernels.copied(self._state))
 
     def channels(self, columns: Mapping[str, Array | float], n: int) -> tuple[Channels, list[str]]:
         """Return what the effects read beside the target, for n commands, and in words what had to be assumed.
@@ -259,7 +249,8 @@ class Compensator:
             q, _, status = self.mechanism.inverse(targets, tool, self._rows)
         else:
             q, status = np.empty((len(targets), self.mechanism.limbs)), np.empty(len(targets), dtype=np.int64)
-            self._kernels.linear_commands(self.mechanism.commanded(targets), tool, self._constants, q, status)
+            state = self._kernels.copied(self._state)
+            self._kernels.linear_commands(self.mechanism.commanded(targets), tool, state, q, status)
         if self.effects:
             q, status = self._with_effects(targets, tool, channels, q, status)
         return q * self.robot.joint_sign, status

@@ -273,20 +273,27 @@ class Kernel:
 
 
 def kernels(sources: Sources, file: str) -> list[Kernel]:
-    """Return the straight-line functions of a generated file; constants count in what reads them."""
+    """Return the straight-line functions of a generated file, of one limb too; constants count in what reads them."""
     shared: dict[str, int] = {}
+    constants: dict[tuple[str, str], int] = {}  # of commands of one pose, by kind and name: they lie in w with all else
     found = []
     for name, node in sources.functions(file).items():
-        out = {"constants": "k", "linear_constants": "k"}.get(name, "out")
-        if any(isinstance(s, ast.For | ast.While | ast.If) for s in node.body):
+        kind = name.lstrip("_").split("_")[0]
+        inside = [a.arg for a in node.args.args][:1] == ["w"]
+        out = "k" if name.endswith("constants") else "w" if inside else "out"
+        body = [s for part in node.body for s in (part.body if inside and isinstance(part, ast.For) else [part])]
+        if any(isinstance(s, ast.For | ast.While | ast.If) for s in body):
             continue
         sizes: dict[str, int] = {}
         assigned: dict[str, Assigned] = {}
         operations = outputs = written_out = 0
-        for statement in node.body:
+        for statement in body:
             if not isinstance(statement, ast.Assign):
                 continue
             target = statement.targets[0]
+            if inside and isinstance(target, ast.Name) and isinstance(statement.value, ast.Subscript):
+                sizes[target.id] = constants.get((kind, target.id), 0)
+                continue  # reads a place of w
             if isinstance(target, ast.Name) and target.id == out:
                 continue  # makes the array
             own, whole = _size(statement.value, sizes, shared if out == "out" else {})
@@ -299,6 +306,8 @@ def kernels(sources: Sources, file: str) -> list[Kernel]:
                 written_out += whole
                 if out == "k":
                     shared[_index(target)] = whole
+                    if name.startswith("_") and isinstance(statement.value, ast.Name):
+                        constants[kind, statement.value.id] = whole
         if outputs and operations:
             doc = (ast.get_docstring(node) or "").split("\n")[0].split(" (")[0].rstrip(".")
             found.append(Kernel(name, file, node.lineno, doc, outputs, operations, written_out, assigned))

@@ -377,24 +377,17 @@ class Mechanism:
         x, status, tool, q = np.ones((1, n_x)), np.empty(1, dtype=np.int64), np.ones((1, 3)), one.copy()
         S, V = np.empty((1, n_x, self.limbs * n_v)), np.empty((1, n_x, self.limbs))
         batch, servo = self.compiled, self.servo
-        k, linear = batch.constants(rows), servo.linear_constants(rows)
-        exact = np.ascontiguousarray(k[0])
-        positions = n_x - len(self.turns)
-        work = np.zeros(servo.COMMAND_WORK)
-
-        def state(constants: Array) -> Array:
-            return np.concatenate([command, tool[0], command, command, work, constants.ravel()])
-
+        k, positions, sign = batch.constants(rows), n_x - len(self.turns), np.ones(self.limbs)
+        exact, linear = servo.exact_state(rows[0], tool[0], sign), servo.linear_state(rows[0], tool[0], sign)
         todo: list[tuple[ModuleType, str, Sequence[Any]]] = [
             (batch, "forward", (q, tool, k, x, status, False)),
             (batch, "inverse", (one, tool, k, x, q, status)),
             (batch, "simplified_forward", (q, tool, k, x[:, : batch.SIMPLIFIED].copy(), status)),
             (batch, "simplified_inverse", (one, tool, k, q, status)),
             (batch, "sensitivity", (x, q, tool, k, S, V, status)),
-            (servo, "exact_command", (command, tool[0], exact, work, q[0])),
-            (servo, "exact_joints", (*command, state(k[0, :, : servo.COMMAND_CONSTANTS]))),
-            (servo, "linear_command", (command, tool[0], linear[0].copy(), work, q[0])),
-            (servo, "linear_joints", (*command, state(linear[0]))),
+            (servo, "exact_command", (*command, exact)),
+            (servo, "linear_command", (*command, linear)),
+            (servo, "linear_change", (*command, *command, linear)),
             (servo, "linear_commands", (one, tool, linear, q, status)),
         ]
         if hasattr(batch, "nominal_sensitivity"):

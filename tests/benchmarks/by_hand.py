@@ -128,14 +128,19 @@ def identification_matrix(theta, r, offset, columns):
     return along[j, i] + along[i, j]
 
 
-def command(target, p):
-    """Return joints (N, 3) [rad] that bring the reference point to target (N, 3) to first order, eq. (23)."""
-    theta = ideal_inverse(target)
-    rod, B_r, B_e = _factors(theta, target)
+def change(theta, r, p):
+    """Return what eq. (23) adds to the joints theta (N, 3) [rad] of the ideal machine at positions r (N, 3)."""
+    rod, B_r, B_e = _factors(theta, r)
     _, AM = _turning(rod)
     along = (B_r * p[:24].reshape(3, 8).T[..., None]).sum(axis=0)
     turned = (B_e * p[24:].reshape(3, 6).T[..., None]).sum(axis=0)
-    return theta - ((along - (AM * turned).sum(axis=1)) / (ARM * B_r[0])).T
+    return ((AM * turned).sum(axis=1) - along).T / (ARM * B_r[0]).T
+
+
+def command(target, p):
+    """Return joints (N, 3) [rad] that bring the reference point to target (N, 3) to first order."""
+    theta = ideal_inverse(target)
+    return theta + change(theta, target, p)
 
 
 # ----------------------------------------------------------------------------------------------- the exact machine

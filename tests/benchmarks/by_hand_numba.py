@@ -158,12 +158,11 @@ def ideal_forward(theta, r):
 
 
 @njit(cache=True, error_model="numpy")
-def commands(target, p, q):
-    """Fill the joints q (N, 3) of eq. (23) at targets (N, 3)."""
-    for n in range(target.shape[0]):
-        x, y, z = target[n, 0], target[n, 1], target[n, 2]
-        t0, t1, t2 = _joint(0, x, y, z), _joint(1, x, y, z), _joint(2, x, y, z)
-        limbs = (_limb(0, t0, x, y, z), _limb(1, t1, x, y, z), _limb(2, t2, x, y, z))
+def changes(theta, r, p, dq):
+    """Fill dq (N, 3) with what eq. (23) adds to the joints theta (N, 3) at positions r (N, 3)."""
+    for n in range(theta.shape[0]):
+        x, y, z = r[n, 0], r[n, 1], r[n, 2]
+        limbs = (_limb(0, theta[n, 0], x, y, z), _limb(1, theta[n, 1], x, y, z), _limb(2, theta[n, 2], x, y, z))
         m = (_cross(limbs[1][1], limbs[2][1]), _cross(limbs[2][1], limbs[0][1]), _cross(limbs[0][1], limbs[1][1]))
         by_m = 1 / _dot(limbs[0][1], m[0])
         e0 = e1 = e2 = 0.0
@@ -177,7 +176,18 @@ def commands(target, p, q):
             f = p[8 * i : 8 * i + 8]
             along = f[0] * v1 + f[1] * rod[0] + f[2] * rod[1] + f[3] * rod[2] + f[4] * u1
             along += (f[5] * s - f[6] * c) * w + f[7] - (arm[0] * e0 + arm[1] * e1 + arm[2] * e2)
-            q[n, i] = (t0, t1, t2)[i] - along / (ARM * v1)
+            dq[n, i] = -along / (ARM * v1)
+
+
+@njit(cache=True, error_model="numpy")
+def commands(target, p, q):
+    """Fill the joints q (N, 3) that eq. (23) gives at targets (N, 3)."""
+    ideal_inverse(target, q)
+    dq = np.empty_like(q)
+    changes(q, target, p, dq)
+    for n in range(q.shape[0]):
+        for i in range(3):
+            q[n, i] += dq[n, i]
 
 
 @njit(cache=True, error_model="numpy")

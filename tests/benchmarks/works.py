@@ -318,53 +318,65 @@ def calibrated() -> Robot:
     )
 
 
-def servo(n: int, *, kind: str) -> Work:
-    """Commands of the compensator, one set point after the other in a compiled loop."""
-    target, p = positions(n), paper(errors())
-    compensator, q, out = Compensator(calibrated(), kind), np.empty((n, 3)), np.empty((n, 3))
-    one = compensator.servo()
-    step = one.command
+def servo(n: int) -> Work:
+    """Commands of the exact compensator, one set point after the other in a compiled loop."""
+    target, q = positions(n), np.empty((n, 3))
+    one, rods = Compensator(calibrated(), "exact").servo(), by_hand.machine(paper(errors()))
+    command = one.command
 
     @njit
-    def loop(target: Array, tool: Array, constants: Array, work: Array, q: Array) -> None:
+    def loop(target: Array, state: Array, q: Array) -> None:
         for n in range(len(target)):
-            step(target[n], tool, constants, work, q[n])
+            q[n, 0], q[n, 1], q[n, 2] = command(target[n, 0], target[n, 1], target[n, 2], state)
 
-    if kind == "linear":
-        numpy: Callable[..., Array] = partial(by_hand.command, p=p)
-    else:
-        numpy = partial(by_hand.inverse, rods=by_hand.machine(p))
     contenders = {
-        KERNEL: Contender(lambda: loop(target, one.tool, one.constants, one.work, q), lambda _: q),
-        NUMPY: Contender(lambda: by_hand.in_blocks(numpy, target, np.empty((n, 3)))),
+        KERNEL: Contender(lambda: loop(target, one.state, q), lambda _: q),
+        NUMPY: Contender(lambda: by_hand.in_blocks(partial(by_hand.inverse, rods=rods), target, np.empty((n, 3)))),
     }
-    if kind == "linear":
-        contenders[NUMBA] = Contender(lambda: by_hand_numba.commands(target, p, out), lambda _: out)
-    rule = "eq. (23)" if kind == "linear" else "exact"
-    return Work(f"compensator, {rule}, compiled loop of {n}", "ns/set point", n, contenders, tolerance=1e-9)
+    return Work(f"compensator, exact, compiled loop of {n}", "ns/set point", n, contenders, tolerance=1e-9)
+
+
+def linear(n: int) -> Work:
+    """What eq. (23) adds to the nominal joints, one set point after the other in a compiled loop."""
+    target, p, out = positions(n), paper(errors()), np.empty((n, 3))
+    theta, added, one = by_hand.ideal_inverse(target).copy(), np.empty((n, 3)), Compensator(calibrated(), "linear")
+    change, state = one.mechanism.servo.linear_change, one.servo().state
+
+    @njit
+    def loop(target: Array, theta: Array, state: Array, added: Array) -> None:
+        for n in range(len(target)):
+            x, y, z, q1, q2, q3 = target[n, 0], target[n, 1], target[n, 2], theta[n, 0], theta[n, 1], theta[n, 2]
+            added[n, 0], added[n, 1], added[n, 2] = change(x, y, z, q1, q2, q3, state)
+
+    contenders = {
+        KERNEL: Contender(lambda: loop(target, theta, state, added), lambda _: added),
+        NUMPY: Contender(lambda: by_hand.change(theta, target, p)),
+        NUMBA: Contender(lambda: by_hand_numba.changes(theta, target, p, out), lambda _: out),
+    }
+    return Work(f"compensator, eq. (23), compiled loop of {n}", "ns/set point", n, contenders, tolerance=1e-9)
 
 
 def call(n: int, *, kind: str) -> Work:
-    """Commands of the compensator, one set point per Python call."""
+    """One set point per Python call: the exact command, or what eq. (23) adds to the nominal joints."""
     target, p = positions(1), paper(errors())
-    compensator, rods = Compensator(calibrated(), kind), by_hand.machine(p)
-    numpy = {"linear": lambda: by_hand.command(target, p), "exact": lambda: by_hand.inverse(target, rods)}
+    compensator, rods, theta = Compensator(calibrated(), kind), by_hand.machine(p), by_hand.ideal_inverse(target).copy()
     servo, out, at = compensator.servo(), np.empty((1, 3)), target[0].tolist()
-    numba = (
-        {NUMBA: Contender(lambda: by_hand_numba.commands(target, p, out), lambda _: out[0])} if kind == "linear" else {}
-    )
-    return Work(
-        f"compensator, {'eq. (23)' if kind == 'linear' else kind}, one per Python call",
-        "us/call",
-        1,
-        {
+    if kind == "exact":
+        contenders = {
             OURS: Contender(lambda: compensator.command(target), lambda found: found[0]),
-            KERNEL: Contender(lambda: servo.call(*at, servo.state), np.atleast_2d),
-            NUMPY: Contender(numpy[kind]),
-            **numba,
-        },
-        tolerance=1e-9,
-    )
+            KERNEL: Contender(lambda: servo.command(*at, servo.state), np.atleast_2d),
+            NUMPY: Contender(lambda: by_hand.inverse(target, rods)),
+        }
+    else:
+        joints, state, added = theta[0].tolist(), servo.state, compensator.mechanism.servo.linear_change
+        contenders = {
+            OURS: Contender(lambda: compensator.command(target), lambda found: found[0] - theta),
+            KERNEL: Contender(lambda: added(*at, *joints, state), np.atleast_2d),
+            NUMPY: Contender(lambda: by_hand.change(theta, target, p)),
+            NUMBA: Contender(lambda: by_hand_numba.changes(theta, target, p, out), lambda _: out),
+        }
+    name = {"linear": "eq. (23)"}.get(kind, kind)
+    return Work(f"compensator, {name}, one per Python call", "us/call", 1, contenders, tolerance=1e-9)
 
 
 # ---------------------------------------------------------------------------------------------------- identification
@@ -595,8 +607,8 @@ WORKS: dict[str, tuple[Callable[[int], Work], tuple[int, int, int]]] = {
     "W2_200": (matrix, (200, 200, 9)),
     "W3ik": (partial(ideal, forward=False), (100_000, 20_000, 30)),
     "W3fk": (partial(ideal, forward=True), (100_000, 20_000, 30)),
-    "W4exact": (partial(servo, kind="exact"), (100_000, 20_000, 30)),
-    "W4linear": (partial(servo, kind="linear"), (100_000, 20_000, 30)),
+    "W4exact": (servo, (100_000, 20_000, 30)),
+    "W4linear": (linear, (100_000, 20_000, 30)),
     "W4py_exact": (partial(call, kind="exact"), (1, 1, 1)),
     "W4py_linear": (partial(call, kind="linear"), (1, 1, 1)),
     "W5": (forward, (100_000, 20_000, 30)),

@@ -1,9 +1,12 @@
 """Commands of one pose for a servo loop: `complete_delta`, Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both b779cdd40b88fa71; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 48ea4d40ded74253; SymPy 1.14.0.
 
-Scalar code without allocation, to be called from loops that Numba compiles. Lengths in mm, angles in rad.
+Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
+than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`
+and `linear_state` make, `copied` for every thread: loops over `lane` run over the limbs, the last of them again so that
+they are 4.
 """
 
 import math
@@ -11,256 +14,315 @@ import math
 import numpy as np
 
 from deltacal_kernels.compiled import kernel
+from deltacal_kernels.elementary import aligned, arcsine, arctangent, copied, cosine, sine, tangent
 
-from .vectorised import MAX_STEPS, PIVOT_SINGULAR, SINGULAR, SOLVED, STEP_LOST, UNREACHABLE
+from .vectorised import MAX_STEPS, SINGULAR, SOLVED, STEP_LOST, UNREACHABLE
 
 COMMAND_DONE = 3e-8  # rad; after such a step a command is exact to its square: 1e-15 rad
-COMMAND_WORK = 72  # length of the scratch array of `exact_command` and `linear_command`
-COMMAND_CONSTANTS = 31  # `exact_command` reads these first columns of k only
+COMMAND_CONSTANTS = 31  # what is exported reads these first columns of `vectorised.constants` only
+LANES = np.int64(4)  # no literal: a loop whose end is known beforehand is unrolled, and not turned into SIMD code
+fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
-@kernel(nogil=True, error_model="numpy")
-def _newton(x, q, tool, k, out):
-    """Per rod of one limb: closure, its derivatives by the platform, by the joint (395 operations)."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    cx = x[3]
-    cy = x[4]
-    cz = x[5]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    q = q
-    F_12 = k[0]
-    F_13 = k[1]
-    F_22 = k[2]
-    F_23 = k[3]
-    F_32 = k[4]
-    F_33 = k[5]
-    g1_y = k[6]
-    g1_z = k[7]
-    s147 = k[8]
-    s153 = k[9]
-    s155 = k[10]
-    h1_x = k[11]
-    h1_y = k[12]
-    bz1 = k[13]
-    g2_y = k[14]
-    g2_z = k[15]
-    s185 = k[16]
-    s190 = k[17]
-    s192 = k[18]
-    h2_x = k[19]
-    h2_y = k[20]
-    bz2 = k[21]
-    s222 = k[22]
-    s671 = k[23]
-    s78 = math.cos(q)
-    s80 = math.sin(q)
-    R1_12 = F_12*s78 + F_13*s80
-    R1_13 = -F_12*s80 + F_13*s78
-    R1_22 = F_22*s78 + F_23*s80
-    R1_23 = -F_22*s80 + F_23*s78
-    R1_32 = F_32*s78 + F_33*s80
-    R1_33 = -F_32*s80 + F_33*s78
-    s98 = (cx * cx)
-    s100 = (cy * cy)
-    s102 = (cz * cz)
-    s104 = 0.25*s100 + 0.25*s102 + 0.25*s98 + 1
-    s105 = (1.0 / s104)
-    s106 = -0.5*s100
-    s107 = -0.5*s102
-    s108 = s106 + s107
-    R_11 = s105*s108 + 1
-    s111 = 0.5*cx*cy
-    s112 = -cz + s111
-    R_12 = s105*s112
-    s114 = 0.5*cx*cz
-    s115 = cy + s114
-    R_13 = s105*s115
-    s117 = cz + s111
-    R_21 = s105*s117
-    s119 = -0.5*s98
-    s120 = s107 + s119
-    R_22 = s105*s120 + 1
-    s123 = 0.5*cy*cz
-    s124 = -cx + s123
-    R_23 = s105*s124
-    s126 = -cy + s114
-    R_31 = s105*s126
-    s128 = cx + s123
-    R_32 = s105*s128
-    s130 = s106 + s119
-    R_33 = s105*s130 + 1
-    A1_x = R1_12*g1_y + R1_13*g1_z + s147
-    A1_y = R1_22*g1_y + R1_23*g1_z + s153
-    A1_z = R1_32*g1_y + R1_33*g1_z + s155
-    s159 = h1_x - tx
-    s161 = h1_y - ty
-    s163 = bz1 - tz
-    B1_x = R_11*s159 + R_12*s161 + R_13*s163 + px
-    B1_y = R_21*s159 + R_22*s161 + R_23*s163 + py
-    B1_z = R_31*s159 + R_32*s161 + R_33*s163 + pz
-    d1_x = -A1_x + B1_x
-    d1_y = -A1_y + B1_y
-    d1_z = -A1_z + B1_z
-    A2_x = R1_12*g2_y + R1_13*g2_z + s185
-    A2_y = R1_22*g2_y + R1_23*g2_z + s190
-    A2_z = R1_32*g2_y + R1_33*g2_z + s192
-    s196 = h2_x - tx
-    s198 = h2_y - ty
-    s200 = bz2 - tz
-    B2_x = R_11*s196 + R_12*s198 + R_13*s200 + px
-    B2_y = R_21*s196 + R_22*s198 + R_23*s200 + py
-    B2_z = R_31*s196 + R_32*s198 + R_33*s200 + pz
-    d2_x = -A2_x + B2_x
-    d2_y = -A2_y + B2_y
-    d2_z = -A2_z + B2_z
-    s223 = 0.5*(d1_x * d1_x) + 0.5*(d1_y * d1_y) + 0.5*(d1_z * d1_z) + s222
-    s224 = 2*d1_z
-    s225 = 0.5*s224
-    s226 = 2*d1_y
-    s227 = 0.5*s226
-    s228 = 2*d1_x
-    s229 = 0.5*s228
-    s230 = s163*s225
-    s232 = s161*s225
-    s234 = s159*s225
-    s236 = s163*s227
-    s238 = s161*s227
-    s240 = s159*s227
-    s242 = s163*s229
-    s245 = s161*s229
-    s248 = s159*s229
-    s251 = -g1_z*s225
-    s253 = -g1_y*s225
-    s255 = -g1_z*s227
-    s257 = -g1_y*s227
-    s259 = -g1_z*s229
-    s261 = -g1_y*s229
-    s264 = s105*s230
-    s266 = s105*s232
-    s268 = s105*s234
-    s270 = s105*s236
-    s271 = s266 + s270
-    s272 = 0.5*cz
-    s273 = 0.5*cy
-    s276 = s120*s238
-    s277 = s105*s238
-    s280 = s117*s240
-    s281 = s105*s240
-    s282 = s115*s242
-    s283 = s105*s242
-    s284 = s268 + s283
-    s285 = 0.5*cx
-    s288 = s112*s245
-    s289 = s105*s245
-    s290 = s281 + s289
-    s293 = s108*s248
-    s294 = s105*s248
-    s299 = s124*s236 + s126*s234 + s128*s232 + s130*s230 + s276 + s280 + s282 + s288 + s293
-    s300 = (1.0 / (s104 * s104))
-    s302 = -0.25*s299*s300
-    s304 = 2*cz
-    s307 = 2*cy
-    s310 = 2*cx
-    s335 = s78*(-F_12*s259 + F_13*s261 - F_22*s255 + F_23*s257 - F_32*s251 + F_33*s253)
-    s338 = F_12*s261 + F_13*s259 + F_22*s257 + F_23*s255 + F_32*s253 + F_33*s251
-    s342 = s266 - s270 + s272*s284 + s273*s290 + s310*(-0.5*s264 - 0.5*s277 + s302)
-    s343 = -s268 + s271*s272 + s283 + s285*s290 + s307*(-0.5*s264 - 0.5*s294 + s302)
-    s344 = s271*s273 + s281 + s284*s285 - s289 + s304*(-0.5*s277 - 0.5*s294 + s302)
-    s351 = s335 - s338*s80
-    s672 = 0.5*(d2_x * d2_x) + 0.5*(d2_y * d2_y) + 0.5*(d2_z * d2_z) + s671
-    s673 = 2*d2_z
-    s674 = 0.5*s673
-    s675 = 2*d2_y
-    s676 = 0.5*s675
-    s677 = 2*d2_x
-    s678 = 0.5*s677
-    s679 = s200*s674
-    s681 = s198*s674
-    s683 = s196*s674
-    s685 = s200*s676
-    s687 = s198*s676
-    s689 = s196*s676
-    s691 = s200*s678
-    s694 = s198*s678
-    s697 = s196*s678
-    s700 = -g2_z*s674
-    s702 = -g2_y*s674
-    s704 = -g2_z*s676
-    s706 = -g2_y*s676
-    s708 = -g2_z*s678
-    s710 = -g2_y*s678
-    s713 = s105*s679
-    s715 = s105*s681
-    s717 = s105*s683
-    s719 = s105*s685
-    s720 = s715 + s719
-    s723 = s120*s687
-    s724 = s105*s687
-    s727 = s117*s689
-    s728 = s105*s689
-    s729 = s115*s691
-    s730 = s105*s691
-    s731 = s717 + s730
-    s734 = s112*s694
-    s735 = s105*s694
-    s736 = s728 + s735
-    s739 = s108*s697
-    s740 = s105*s697
-    s745 = s124*s685 + s126*s683 + s128*s681 + s130*s679 + s723 + s727 + s729 + s734 + s739
-    s747 = -0.25*s300*s745
-    s777 = s78*(-F_12*s708 + F_13*s710 - F_22*s704 + F_23*s706 - F_32*s700 + F_33*s702)
-    s780 = F_12*s710 + F_13*s708 + F_22*s706 + F_23*s704 + F_32*s702 + F_33*s700
-    s784 = s272*s731 + s273*s736 + s310*(-0.5*s713 - 0.5*s724 + s747) + s715 - s719
-    s785 = s272*s720 + s285*s736 + s307*(-0.5*s713 - 0.5*s740 + s747) - s717 + s730
-    s786 = s273*s720 + s285*s731 + s304*(-0.5*s724 - 0.5*s740 + s747) + s728 - s735
-    s793 = s777 - s780*s80
-    out[0] = s223
-    out[1] = s229
-    out[2] = s227
-    out[3] = s225
-    out[4] = s342
-    out[5] = s343
-    out[6] = s344
-    out[7] = s351
-    out[8] = s672
-    out[9] = s678
-    out[10] = s676
-    out[11] = s674
-    out[12] = s784
-    out[13] = s785
-    out[14] = s786
-    out[15] = s793
+def _exact_constants(p):
+    """Return k (M, 3, 31), what no target changes, from p (180 operations).
+
+    p is that of the calibrated machine.
+    """
+    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
+    k = np.zeros((31, p.shape[1], 3))
+    b = p[0]
+    a = p[1]
+    L = p[2]
+    l = p[3]
+    c = p[4]
+    phi = p[5]
+    bx1 = p[6]
+    by1 = p[7]
+    bz1 = p[8]
+    ax1 = p[9]
+    ay1 = p[10]
+    az1 = p[11]
+    dl1 = p[12]
+    bx2 = p[13]
+    by2 = p[14]
+    bz2 = p[15]
+    ax2 = p[16]
+    ay2 = p[17]
+    az2 = p[18]
+    dl2 = p[19]
+    betax = p[20]
+    betay = p[21]
+    betaz = p[22]
+    tip_v = p[23]
+    tip_w = p[24]
+    s0 = (betay * betay)
+    s1 = (betax * betax)
+    s2 = (betaz * betaz)
+    s3 = s0 + s1 + s2
+    s10 = s3*(s3*(1.5619206968586225e-16*s0 + 1.5619206968586225e-16*s1 + 1.5619206968586225e-16*s2 - 4.779477332387385e-14) + 1.1470745597729725e-11)
+    s18 = s3*(s3*(s3*(s3*(s10 - 2.08767569878681e-09) + 2.755731922398589e-07) - 2.48015873015873e-05) + 0.001388888888888889)
+    s21 = s3*(s18 - 0.041666666666666664) + 0.5
+    s22 = -s0*s21
+    s23 = -s2*s21
+    s24 = s22 + s23 + 1
+    s25 = np.sin(phi)
+    s33 = s3*(s3*(2.8114572543455206e-15*s0 + 2.8114572543455206e-15*s1 + 2.8114572543455206e-15*s2 - 7.647163731819816e-13) + 1.6059043836821613e-10)
+    s41 = s3*(s3*(s3*(s3*(s33 - 2.505210838544172e-08) + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333)
+    s44 = s3*(s41 - 0.16666666666666666) + 1
+    s45 = -betaz*s44
+    s46 = betax*betay*s21
+    s47 = s45 + s46
+    s48 = np.cos(phi)
+    F_11 = s24*s25 - s47*s48
+    F_12 = s24*s48 + s25*s47
+    s54 = betay*s44
+    s55 = betax*betaz*s21
+    F_13 = s54 + s55
+    s57 = -s45 + s46
+    s59 = -s1*s21
+    s60 = s23 + s59 + 1
+    F_21 = s25*s57 - s48*s60
+    F_22 = s25*s60 + s48*s57
+    s66 = -betax*s44
+    s67 = betay*betaz*s21
+    F_23 = s66 + s67
+    s69 = -s54 + s55
+    s71 = -s66 + s67
+    F_31 = s25*s69 - s48*s71
+    F_32 = s25*s71 + s48*s69
+    F_33 = s22 + s59 + 1
+    s133 = 0.5*c
+    g1_x = ax1 + s133 + tip_w
+    g1_y = L + ay1
+    g1_z = az1 + tip_v
+    s137 = a*s48
+    s138 = 0.5*c*s25
+    h1_x = bx1 + s137 + s138
+    s140 = a*s25
+    s141 = -0.5*c*s48
+    h1_y = by1 + s140 + s141
+    s146 = b*s48
+    s147 = F_11*g1_x + s146
+    s152 = b*s25
+    s153 = F_21*g1_x + s152
+    s155 = F_31*g1_x
+    g2_x = ax2 - s133 + tip_w
+    g2_y = L + ay2
+    g2_z = az2 + tip_v
+    h2_x = bx2 + s137 - s138
+    h2_y = by2 + s140 - s141
+    s185 = F_11*g2_x + s146
+    s190 = F_21*g2_x + s152
+    s192 = F_31*g2_x
+    s214 = s137 - s146
+    s216 = -L*s48
+    s218 = s140 - s152
+    s220 = -L*s25
+    s232 = -0.5*(l * l)
+    s233 = (L * L)
+    s238 = s232 + 0.5*s233*((s25 * s25) + (s48 * s48))
+    s252 = -0.25*(dl1 * dl1)
+    s254 = -0.25*(dl2 * dl2)
+    s267 = -0.5*dl1*l
+    s268 = -0.5*dl2*l
+    s269 = s232 + s252 + s254 + s267 + s268
+    s317 = s252 - s254 + s267 - s268
+    k[0] = s214
+    k[1] = s216
+    k[2] = s218
+    k[3] = s220
+    k[4] = s238
+    k[5] = s233
+    k[6] = L
+    k[7] = F_12
+    k[8] = F_13
+    k[9] = F_22
+    k[10] = F_23
+    k[11] = F_32
+    k[12] = F_33
+    k[13] = g1_y
+    k[14] = g1_z
+    k[15] = s147
+    k[16] = s153
+    k[17] = s155
+    k[18] = h1_x
+    k[19] = h1_y
+    k[20] = bz1
+    k[21] = g2_y
+    k[22] = g2_z
+    k[23] = s185
+    k[24] = s190
+    k[25] = s192
+    k[26] = h2_x
+    k[27] = h2_y
+    k[28] = bz2
+    k[29] = s269
+    k[30] = s317
+    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
-@kernel(nogil=True, error_model="numpy")
-def _joint(x, q, tool, k, out):
-    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it (34 operations)."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    s839 = k[24]
-    s841 = k[25]
-    s843 = k[26]
-    s845 = k[27]
-    s863 = k[28]
-    s858 = k[29]
-    L = k[30]
-    s840 = px + s839 - tx
-    s844 = py + s843 - ty
-    s847 = s840*s841 + s844*s845
-    s849 = pz - tz
-    s850 = (s849 * s849)
-    s864 = 0.5*(s840 * s840) + 0.5*(s844 * s844) + 0.5*s850 + s863
-    s868 = math.sqrt((s847 * s847) + s850*s858 - (s864 * s864))
-    s875 = math.atan2(L*s849*s864 - s847*s868, -L*s849*s868 - s847*s864)
-    out[0] = s875
+def _linear_constants(p):
+    """Return k (M, 3, 39), what no target changes, from p (122 operations).
+
+    p is that of the calibrated machine: its geometry is taken as nominal, its errors as what to compensate.
+    """
+    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
+    k = np.zeros((39, p.shape[1], 3))
+    b = p[0]
+    a = p[1]
+    L = p[2]
+    l = p[3]
+    c = p[4]
+    phi = p[5]
+    bx1 = p[6]
+    by1 = p[7]
+    bz1 = p[8]
+    ax1 = p[9]
+    ay1 = p[10]
+    az1 = p[11]
+    dl1 = p[12]
+    bx2 = p[13]
+    by2 = p[14]
+    bz2 = p[15]
+    ax2 = p[16]
+    ay2 = p[17]
+    az2 = p[18]
+    dl2 = p[19]
+    betax = p[20]
+    betay = p[21]
+    betaz = p[22]
+    tip_v = p[23]
+    tip_w = p[24]
+    F_11 = np.sin(phi)
+    by_s1 = np.cos(phi)
+    F_11_errors = betaz*by_s1
+    F_12 = np.cos(phi)
+    F_12_errors = -F_11*betaz
+    F_21_errors = F_11*betaz
+    F_22 = np.sin(phi)
+    F_22_errors = betaz*by_s1
+    by_s8 = -betax*by_s1
+    by_s9 = -F_11*betay
+    F_31_errors = by_s8 + by_s9
+    by_s11 = F_11*betax
+    by_s12 = -betay*by_s1
+    F_32_errors = by_s11 + by_s12
+    g1_x = 0.5*c
+    g1_x_errors = ax1 + tip_w
+    g1_z_errors = az1 + tip_v
+    by_s35 = a*by_s1
+    by_s36 = 0.5*F_11*c
+    h1_x = by_s35 + by_s36
+    by_s38 = F_11*a
+    by_s39 = -0.5*by_s1*c
+    h1_y = by_s38 + by_s39
+    by_s41 = F_11*g1_x
+    by_s43 = b*by_s1
+    by_s44 = by_s41 + by_s43
+    s44 = F_12*L
+    by_s47 = F_11*g1_x_errors
+    by_s48 = F_11_errors*g1_x
+    by_s52 = by_s47 + by_s48
+    s52 = F_12_errors*L
+    s53 = F_12*ay1 + s52
+    s55 = L*betay
+    s57 = -F_12*g1_z_errors + s55
+    by_s54 = -by_s1*g1_x
+    by_s56 = F_11*b
+    by_s57 = by_s54 + by_s56
+    s63 = F_22*L
+    by_s60 = -by_s1*g1_x_errors
+    by_s61 = F_21_errors*g1_x
+    by_s65 = by_s60 + by_s61
+    s71 = F_22_errors*L
+    s72 = F_22*ay1 + s71
+    s75 = L*betax
+    s76 = F_22*g1_z_errors + s75
+    by_s69 = F_31_errors*g1_x
+    s83 = F_32_errors*L
+    s84 = g1_z_errors + s83
+    s92 = -by_s44 + h1_x
+    s94 = bx1 - by_s52
+    s96 = -by_s57 + h1_y
+    s98 = by1 - by_s65
+    s101 = -by_s69 + bz1
+    g2_x = -0.5*c
+    g2_x_errors = ax2 + tip_w
+    g2_z_errors = az2 + tip_v
+    h2_x = by_s35 - by_s36
+    h2_y = by_s38 - by_s39
+    by_s90 = F_11*g2_x
+    by_s91 = by_s43 + by_s90
+    by_s93 = F_11*g2_x_errors
+    by_s94 = F_11_errors*g2_x
+    by_s97 = by_s93 + by_s94
+    s115 = F_12*ay2 + s52
+    s118 = -F_12*g2_z_errors + s55
+    by_s99 = -by_s1*g2_x
+    by_s100 = by_s56 + by_s99
+    by_s102 = -by_s1*g2_x_errors
+    by_s103 = F_21_errors*g2_x
+    by_s106 = by_s102 + by_s103
+    s128 = F_22*ay2 + s71
+    s131 = F_22*g2_z_errors + s75
+    by_s108 = F_31_errors*g2_x
+    s136 = g2_z_errors + s83
+    s144 = -by_s91 + h2_x
+    s146 = bx2 - by_s97
+    s148 = -by_s100 + h2_y
+    s150 = by2 - by_s106
+    s153 = -by_s108 + bz2
+    s155 = by_s35 - by_s43
+    s157 = -L*by_s1
+    s159 = by_s38 - by_s56
+    s161 = -F_11*L
+    s173 = (L * L)
+    s178 = -0.5*(l * l) + 0.5*s173*((F_11 * F_11) + (by_s1 * by_s1))
+    s205 = -0.5*dl1*l
+    s206 = -0.5*dl2*l
+    s207 = s205 + s206
+    s231 = s205 - s206
+    k[0] = s155
+    k[1] = s157
+    k[2] = s159
+    k[3] = s161
+    k[4] = s178
+    k[5] = s173
+    k[6] = L
+    k[7] = F_12
+    k[8] = F_22
+    k[9] = s44
+    k[10] = s53
+    k[11] = s57
+    k[12] = s63
+    k[13] = s72
+    k[14] = s76
+    k[15] = ay1
+    k[16] = s84
+    k[17] = h1_x
+    k[18] = h1_y
+    k[19] = s92
+    k[20] = s94
+    k[21] = s96
+    k[22] = s98
+    k[23] = s101
+    k[24] = s115
+    k[25] = s118
+    k[26] = s128
+    k[27] = s131
+    k[28] = ay2
+    k[29] = s136
+    k[30] = h2_x
+    k[31] = h2_y
+    k[32] = s144
+    k[33] = s146
+    k[34] = s148
+    k[35] = s150
+    k[36] = s153
+    k[37] = s207
+    k[38] = s231
+    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
 def linear_constants(p):
@@ -382,313 +444,659 @@ def linear_constants(p):
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
-@kernel(nogil=True, error_model="numpy")
-def _nominal_joint(x, q, tool, k, i, out):
-    """Joint of the nominal limb at a given position (34 operations); limb i of k, row i of out."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    s125 = k[i, 0]
-    s127 = k[i, 1]
-    s129 = k[i, 2]
-    s131 = k[i, 3]
-    s148 = k[i, 4]
-    s143 = k[i, 5]
-    L = k[i, 6]
-    B1_z = pz - tz
-    s126 = px + s125 - tx
-    s130 = py + s129 - ty
-    s133 = s126*s127 + s130*s131
-    s135 = (B1_z * B1_z)
-    s149 = 0.5*(s126 * s126) + 0.5*(s130 * s130) + 0.5*s135 + s148
-    s153 = math.sqrt((s133 * s133) + s135*s143 - (s149 * s149))
-    s160 = math.atan2(B1_z*L*s149 - s133*s153, -B1_z*L*s153 - s133*s149)
-    row = 1 * i
-    out[row + 0] = s160
+def exact_state(p, tool, sign):
+    """Return the array w of `exact_command` for a machine: p (3, 25), tool (3,), sign (3,) of the controller's joints."""
+    w = aligned(228)
+    w[20:23], w[24:27] = tool, sign
+    k = _exact_constants(p[None])[0]
+    w[104:228].reshape(-1, 4)[:] = np.pad(k, ((0, 1), (0, 0)), mode="edge").T
+    return w
 
 
-@kernel(nogil=True, error_model="numpy")
-def _linear(x, q, tool, k, i, out):
-    """Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (124 operations); limb i of k, row i of out."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    L = k[i, 6]
-    F_12 = k[i, 7]
-    F_12_errors = k[i, 8]
-    betay = k[i, 9]
-    F_22 = k[i, 10]
-    F_22_errors = k[i, 11]
-    betax = k[i, 12]
-    F_32_errors = k[i, 13]
-    s46 = k[i, 14]
-    ay1 = k[i, 15]
-    g1_z_errors = k[i, 16]
-    s54 = k[i, 17]
-    s59 = k[i, 18]
-    s67 = k[i, 19]
-    s71 = k[i, 20]
-    h1_x = k[i, 21]
-    h1_y = k[i, 22]
-    bx1 = k[i, 23]
-    by1 = k[i, 24]
-    bz1 = k[i, 25]
-    s93 = k[i, 26]
-    ay2 = k[i, 27]
-    g2_z_errors = k[i, 28]
-    s99 = k[i, 29]
-    s102 = k[i, 30]
-    s108 = k[i, 31]
-    s110 = k[i, 32]
-    h2_x = k[i, 33]
-    h2_y = k[i, 34]
-    bx2 = k[i, 35]
-    by2 = k[i, 36]
-    bz2 = k[i, 37]
-    s164 = k[i, 38]
-    s182 = k[i, 39]
-    s14 = math.cos(q)
-    s15 = F_12*s14
-    s16 = math.sin(q)
-    s17 = -F_12*s16
-    R1_12_errors = F_12_errors*s14 + betay*s16
-    s24 = F_22*s14
-    s25 = -F_22*s16
-    R1_22_errors = F_22_errors*s14 - betax*s16
-    R1_32_errors = F_32_errors*s14
-    s44 = L*s15
-    A1_x = s44 + s46
-    s48 = L*s17
-    s52 = L*R1_12_errors
-    A1_x_errors = ay1*s15 + g1_z_errors*s17 + s52 + s54
-    s57 = L*s24
-    A1_y = s57 + s59
-    s61 = L*s25
-    s65 = L*R1_22_errors
-    A1_y_errors = ay1*s24 + g1_z_errors*s25 + s65 + s67
-    s69 = L*s16
-    s70 = L*s14
-    s73 = L*R1_32_errors
-    A1_z_errors = ay1*s16 + g1_z_errors*s14 + s71 + s73
-    s76 = h1_x - tx
-    s77 = h1_y - ty
-    B1_x = px + s76
-    B1_y = py + s77
-    B1_z = pz - tz
-    d1_x = -A1_x + B1_x
-    d1_x_errors = -A1_x_errors + bx1
-    d1_y = -A1_y + B1_y
-    d1_y_errors = -A1_y_errors + by1
-    d1_z = B1_z - s69
-    d1_z_errors = -A1_z_errors + bz1
-    A2_x = s44 + s93
-    A2_x_errors = ay2*s15 + g2_z_errors*s17 + s52 + s99
-    A2_y = s102 + s57
-    A2_y_errors = ay2*s24 + g2_z_errors*s25 + s108 + s65
-    A2_z_errors = ay2*s16 + g2_z_errors*s14 + s110 + s73
-    s114 = h2_x - tx
-    s115 = h2_y - ty
-    B2_x = px + s114
-    B2_y = py + s115
-    B2_z = pz - tz
-    d2_x = -A2_x + B2_x
-    d2_x_errors = -A2_x_errors + bx2
-    d2_y = -A2_y + B2_y
-    d2_y_errors = -A2_y_errors + by2
-    d2_z = B2_z - s69
-    d2_z_errors = -A2_z_errors + bz2
-    s165 = d1_x*d1_x_errors + d1_y*d1_y_errors + d1_z*d1_z_errors + s164
-    s168 = d1_y*tz + d1_z*s77
-    s171 = -d1_x*tz - d1_z*s76
-    s174 = -d1_x*s77 + d1_y*s76
-    s178 = -d1_x*s48 - d1_y*s61 - d1_z*s70
-    s183 = d2_x*d2_x_errors + d2_y*d2_y_errors + d2_z*d2_z_errors + s182
-    s186 = d2_y*tz + d2_z*s115
-    s189 = -d2_x*tz - d2_z*s114
-    s192 = -d2_x*s115 + d2_y*s114
-    s196 = -d2_x*s48 - d2_y*s61 - d2_z*s70
-    row = 16 * i
-    out[row + 0] = s165
-    out[row + 4] = s168
-    out[row + 5] = s171
-    out[row + 6] = s174
-    out[row + 7] = s178
-    out[row + 8] = s183
-    out[row + 12] = s186
-    out[row + 13] = s189
-    out[row + 14] = s192
-    out[row + 15] = s196
+def linear_state(p, tool, sign):
+    """Return the array w of `linear_command` for a machine: p (3, 25), tool (3,), sign (3,) of the controller's joints."""
+    w = aligned(260)
+    w[20:23], w[24:27] = tool, sign
+    k = _linear_constants(p[None])[0]
+    w[104:260].reshape(-1, 4)[:] = np.pad(k, ((0, 1), (0, 0)), mode="edge").T
+    return w
 
 
-@kernel(nogil=True, error_model="numpy")
-def _hold(work):
-    """Solve for the changes of joints and rotation that undo the closures while the reference point stays in place.
-
-    work: per rod closure, its derivatives by the platform and by the joint; then room for the reduced equations; then
-    the changes. A limb's joint is eliminated with the rod that feels it most; what is left are 3 equations for the
-    rotation. Returns False where a joint is felt by no rod of its limb, or the rotation is not held.
-    """
-    largest = 0.0
-    for row in range(6):
-        for c in range(4, 8):
-            largest = max(largest, abs(work[8 * row + c]))
-    smallest = PIVOT_SINGULAR * largest
-    target = 48
-    for i in range(3):
-        best = 16 * i
-        for j in range(1, 2):
-            if abs(work[16 * i + 8 * j + 7]) > abs(work[best + 7]):
-                best = 16 * i + 8 * j
-        if not abs(work[best + 7]) > smallest:
-            return False
-        inverse = 1.0 / work[best + 7]
-        for j in range(2):
-            rod = 16 * i + 8 * j
-            if rod != best:
-                factor = work[rod + 7] * inverse
-                for c in range(3):
-                    work[target + c] = work[rod + 4 + c] - factor * work[best + 4 + c]
-                work[target + 3] = work[rod] - factor * work[best]
-                target += 4
-        # the joint's own equation, left to the end: closure and rotation over the joint's derivative
-        for c in range(3):
-            work[16 * i + 4 + c] = work[best + 4 + c] * inverse
-        work[60 + i] = work[best] * inverse
-    for c in range(3):
-        pivot = 48 + 4 * c
-        for r in range(c + 1, 3):
-            if abs(work[48 + 4 * r + c]) > abs(work[pivot + c]):
-                pivot = 48 + 4 * r
-        row = 48 + 4 * c
-        if not abs(work[pivot + c]) > smallest:
-            return False
-        if pivot != row:
-            for j in range(c, 4):
-                work[row + j], work[pivot + j] = work[pivot + j], work[row + j]
-        inverse = 1.0 / work[row + c]
-        for r in range(c + 1, 3):
-            below = 48 + 4 * r
-            factor = work[below + c] * inverse
-            for j in range(c + 1, 4):
-                work[below + j] -= factor * work[row + j]
-    for c in range(2, -1, -1):
-        row = 48 + 4 * c
-        total = work[row + 3]
-        for j in range(c + 1, 3):
-            total -= work[row + j] * work[63 + j]
-        work[63 + c] = total / work[row + c]
-    for i in range(3):
-        for c in range(3):
-            work[60 + i] -= work[16 * i + 4 + c] * work[63 + c]
-    return True
+@fast
+def _exact_joint(w, lanes):
+    """Joint of the simplified limb at the target, then the platform's coordinates that follow from it (34 operations)."""
+    px = w[0]
+    py = w[1]
+    pz = w[2]
+    tx = w[20]
+    ty = w[21]
+    tz = w[22]
+    for lane in range(lanes):
+        s214 = w[104 + lane]
+        s216 = w[108 + lane]
+        s218 = w[112 + lane]
+        s220 = w[116 + lane]
+        s238 = w[120 + lane]
+        s233 = w[124 + lane]
+        L = w[128 + lane]
+        s215 = px + s214 - tx
+        s219 = py + s218 - ty
+        s222 = s215*s216 + s219*s220
+        s224 = pz - tz
+        s225 = (s224 * s224)
+        s239 = 0.5*(s215 * s215) + 0.5*(s219 * s219) + 0.5*s225 + s238
+        s243 = math.sqrt((s222 * s222) + s225*s233 - (s239 * s239))
+        s250 = arctangent(L*s224*s239 - s222*s243, -L*s224*s243 - s222*s239)
+        w[36 + lane] = s250
 
 
-@kernel(nogil=True, error_model="numpy")
-def exact_command(target, tool, k, work, q):
-    """Fill the joints q (3,) that bring the reference point to target (3,); return the status.
+@fast
+def _exact_rows(w, lanes):
+    """Equations of a limb, their derivatives by turns of the platform and by the joint (241 operations)."""
+    px = w[0]
+    py = w[1]
+    pz = w[2]
+    R_11 = w[8]
+    R_12 = w[9]
+    R_13 = w[10]
+    R_21 = w[11]
+    R_22 = w[12]
+    R_23 = w[13]
+    R_31 = w[14]
+    R_32 = w[15]
+    R_33 = w[16]
+    tx = w[20]
+    ty = w[21]
+    tz = w[22]
+    for lane in range(lanes):
+        F_12 = w[132 + lane]
+        F_13 = w[136 + lane]
+        F_22 = w[140 + lane]
+        F_23 = w[144 + lane]
+        F_32 = w[148 + lane]
+        F_33 = w[152 + lane]
+        g1_y = w[156 + lane]
+        g1_z = w[160 + lane]
+        s147 = w[164 + lane]
+        s153 = w[168 + lane]
+        s155 = w[172 + lane]
+        h1_x = w[176 + lane]
+        h1_y = w[180 + lane]
+        bz1 = w[184 + lane]
+        g2_y = w[188 + lane]
+        g2_z = w[192 + lane]
+        s185 = w[196 + lane]
+        s190 = w[200 + lane]
+        s192 = w[204 + lane]
+        h2_x = w[208 + lane]
+        h2_y = w[212 + lane]
+        bz2 = w[216 + lane]
+        s269 = w[220 + lane]
+        s317 = w[224 + lane]
+        q = w[36 + lane]
+        s78 = cosine(q)
+        s80 = sine(q)
+        R1_12 = F_12*s78 + F_13*s80
+        R1_13 = -F_12*s80 + F_13*s78
+        R1_22 = F_22*s78 + F_23*s80
+        R1_23 = -F_22*s80 + F_23*s78
+        R1_32 = F_32*s78 + F_33*s80
+        R1_33 = -F_32*s80 + F_33*s78
+        A1_x = R1_12*g1_y + R1_13*g1_z + s147
+        A1_y = R1_22*g1_y + R1_23*g1_z + s153
+        A1_z = R1_32*g1_y + R1_33*g1_z + s155
+        s159 = h1_x - tx
+        s160 = R_11*s159
+        s161 = h1_y - ty
+        s162 = R_12*s161
+        s163 = bz1 - tz
+        s164 = R_13*s163
+        B1_x = px + s160 + s162 + s164
+        s166 = R_21*s159
+        s167 = R_22*s161
+        s168 = R_23*s163
+        B1_y = py + s166 + s167 + s168
+        s170 = R_31*s159
+        s171 = R_32*s161
+        s172 = R_33*s163
+        B1_z = pz + s170 + s171 + s172
+        d1_x = -A1_x + B1_x
+        d1_y = -A1_y + B1_y
+        d1_z = -A1_z + B1_z
+        A2_x = R1_12*g2_y + R1_13*g2_z + s185
+        A2_y = R1_22*g2_y + R1_23*g2_z + s190
+        A2_z = R1_32*g2_y + R1_33*g2_z + s192
+        s196 = h2_x - tx
+        s197 = R_11*s196
+        s198 = h2_y - ty
+        s199 = R_12*s198
+        s200 = bz2 - tz
+        s201 = R_13*s200
+        B2_x = px + s197 + s199 + s201
+        s203 = R_21*s196
+        s204 = R_22*s198
+        s205 = R_23*s200
+        B2_y = py + s203 + s204 + s205
+        s207 = R_31*s196
+        s208 = R_32*s198
+        s209 = R_33*s200
+        B2_z = pz + s207 + s208 + s209
+        d2_x = -A2_x + B2_x
+        d2_y = -A2_y + B2_y
+        d2_z = -A2_z + B2_z
+        s256 = 0.25*(d1_x * d1_x)
+        s258 = 0.25*(d1_y * d1_y)
+        s260 = 0.25*(d1_z * d1_z)
+        s262 = 0.25*(d2_x * d2_x)
+        s264 = 0.25*(d2_y * d2_y)
+        s266 = 0.25*(d2_z * d2_z)
+        s270 = s256 + s258 + s260 + s262 + s264 + s266 + s269
+        s271 = -s170 - s171 - s172
+        s272 = 0.5*d1_y*s271
+        s273 = s166 + s167 + s168
+        s274 = 0.5*d1_z*s273
+        s275 = -s207 - s208 - s209
+        s276 = 0.5*d2_y*s275
+        s277 = s203 + s204 + s205
+        s278 = 0.5*d2_z*s277
+        s279 = s272 + s274 + s276 + s278
+        s280 = -0.5*d1_x*s271
+        s281 = -s160 - s162 - s164
+        s282 = 0.5*d1_z*s281
+        s283 = -0.5*d2_x*s275
+        s284 = -s197 - s199 - s201
+        s285 = 0.5*d2_z*s284
+        s286 = s280 + s282 + s283 + s285
+        s287 = -0.5*d1_x*s273
+        s288 = -0.5*d1_y*s281
+        s289 = -0.5*d2_x*s277
+        s290 = -0.5*d2_y*s284
+        s291 = s287 + s288 + s289 + s290
+        s295 = 0.5*d1_x*(R1_12*g1_z - R1_13*g1_y)
+        s299 = 0.5*d1_y*(R1_22*g1_z - R1_23*g1_y)
+        s303 = 0.5*d1_z*(R1_32*g1_z - R1_33*g1_y)
+        s307 = 0.5*d2_x*(R1_12*g2_z - R1_13*g2_y)
+        s311 = 0.5*d2_y*(R1_22*g2_z - R1_23*g2_y)
+        s315 = 0.5*d2_z*(R1_32*g2_z - R1_33*g2_y)
+        s316 = s295 + s299 + s303 + s307 + s311 + s315
+        s318 = s256 + s258 + s260 - s262 - s264 - s266 + s317
+        s319 = s272 + s274 - s276 - s278
+        s320 = s280 + s282 - s283 - s285
+        s321 = s287 + s288 - s289 - s290
+        s322 = s295 + s299 + s303 - s307 - s311 - s315
+        s333 = -1.0e-12*((0.5*d1_y + 0.5*d2_y) * (0.5*d1_y + 0.5*d2_y))
+        s338 = -1.0e-12*((0.5*d1_z + 0.5*d2_z) * (0.5*d1_z + 0.5*d2_z))
+        s339 = (s316 * s316) + s333 + s338 - 1.0e-12*((0.5*d1_x + 0.5*d2_x) * (0.5*d1_x + 0.5*d2_x))
+        w[60 + lane] = s270
+        w[64 + lane] = s279
+        w[68 + lane] = s286
+        w[72 + lane] = s291
+        w[76 + lane] = s316
+        w[80 + lane] = s318
+        w[84 + lane] = s319
+        w[88 + lane] = s320
+        w[92 + lane] = s321
+        w[96 + lane] = s322
+        w[100 + lane] = s339
 
-    `inverse` for one pose, to be called from a servo loop: tool (3,), k (3, :), scratch work (COMMAND_WORK,).
-    q is NaN unless SOLVED.
-    """
-    pose = work[66:]
-    for c in range(3):
-        pose[c] = target[c]
-    for c in range(3):
-        pose[3 + c] = 0.0
-    status = SOLVED
-    for i in range(3):
-        _joint(pose, 0.0, tool, k[i], work)
-        q[i] = work[0]
-        if not math.isfinite(q[i]):
-            status = UNREACHABLE
-    if status == SOLVED:
-        status = UNREACHABLE
+
+@fast
+def _exact_solution(w):
+    """Changes that undo the closures while the target is kept; how far the equations are from dependent (122 operations)."""
+    F00 = w[60]
+    J00_3 = w[64]
+    J00_4 = w[68]
+    J00_5 = w[72]
+    Q00 = w[76]
+    F01 = w[80]
+    J01_3 = w[84]
+    J01_4 = w[88]
+    J01_5 = w[92]
+    Q01 = w[96]
+    F10 = w[61]
+    J10_3 = w[65]
+    J10_4 = w[69]
+    J10_5 = w[73]
+    Q10 = w[77]
+    F11 = w[81]
+    J11_3 = w[85]
+    J11_4 = w[89]
+    J11_5 = w[93]
+    Q11 = w[97]
+    F20 = w[62]
+    J20_3 = w[66]
+    J20_4 = w[70]
+    J20_5 = w[74]
+    Q20 = w[78]
+    F21 = w[82]
+    J21_3 = w[86]
+    J21_4 = w[90]
+    J21_5 = w[94]
+    Q21 = w[98]
+    by_00 = (1.0 / Q00)
+    by_10 = (1.0 / Q10)
+    by_20 = (1.0 / Q20)
+    ratio_00 = Q01*by_00
+    ratio_10 = Q11*by_10
+    ratio_20 = Q21*by_20
+    E_00 = -J00_3*ratio_00 + J01_3
+    E_01 = -J00_4*ratio_00 + J01_4
+    E_02 = -J00_5*ratio_00 + J01_5
+    E_10 = -J10_3*ratio_10 + J11_3
+    E_11 = -J10_4*ratio_10 + J11_4
+    E_12 = -J10_5*ratio_10 + J11_5
+    E_20 = -J20_3*ratio_20 + J21_3
+    E_21 = -J20_4*ratio_20 + J21_4
+    E_22 = -J20_5*ratio_20 + J21_5
+    E_cof_00 = E_11*E_22 - E_12*E_21
+    E_cof_01 = -E_10*E_22 + E_12*E_20
+    E_cof_02 = E_10*E_21 - E_11*E_20
+    E_cof_10 = -E_01*E_22 + E_02*E_21
+    E_cof_11 = E_00*E_22 - E_02*E_20
+    E_cof_12 = -E_00*E_21 + E_01*E_20
+    E_cof_20 = E_01*E_12 - E_02*E_11
+    E_cof_21 = -E_00*E_12 + E_02*E_10
+    E_cof_22 = E_00*E_11 - E_01*E_10
+    E_det_00 = E_00*E_cof_00 + E_01*E_cof_01 + E_02*E_cof_02
+    E_by_00 = (1.0 / E_det_00)
+    s57 = -F00*ratio_00 + F01
+    s60 = -F10*ratio_10 + F11
+    s63 = -F20*ratio_20 + F21
+    w_00 = E_by_00*(E_cof_00*s57 + E_cof_10*s60 + E_cof_20*s63)
+    w_10 = E_by_00*(E_cof_01*s57 + E_cof_11*s60 + E_cof_21*s63)
+    w_20 = E_by_00*(E_cof_02*s57 + E_cof_12*s60 + E_cof_22*s63)
+    s81 = by_00*(F00 - J00_3*w_00 - J00_4*w_10 - J00_5*w_20)
+    s86 = by_10*(F10 - J10_3*w_00 - J10_4*w_10 - J10_5*w_20)
+    s91 = by_20*(F20 - J20_3*w_00 - J20_4*w_10 - J20_5*w_20)
+    s100 = (E_10 * E_10) + (E_11 * E_11) + (E_12 * E_12)
+    s104 = (E_20 * E_20) + (E_21 * E_21) + (E_22 * E_22)
+    s106 = (E_det_00 * E_det_00) - 1.0e-12*s100*s104*((E_00 * E_00) + (E_01 * E_01) + (E_02 * E_02))
+    w[28] = s81
+    w[29] = s86
+    w[30] = s91
+    w[31] = w_00
+    w[32] = w_10
+    w[33] = w_20
+    w[34] = s106
+
+
+@fast
+def _exact_move(w):
+    """The platform after a step, and its rotation matrix (86 operations)."""
+    px = w[0]
+    py = w[1]
+    pz = w[2]
+    cx = w[3]
+    cy = w[4]
+    cz = w[5]
+    y3 = w[31]
+    y4 = w[32]
+    y5 = w[33]
+    s4 = 0.5*cz
+    s5 = 0.25*cx*cy
+    s8 = -0.5*cy
+    s9 = 0.25*cx*cz
+    new_30 = cx - y3*(0.25*(cx * cx) + 1) - y4*(s4 + s5) - y5*(s8 + s9)
+    s19 = 0.5*cx
+    s20 = 0.25*cy*cz
+    new_40 = cy - y3*(-s4 + s5) - y4*(0.25*(cy * cy) + 1) - y5*(s19 + s20)
+    new_50 = cz - y3*(-s8 + s9) - y4*(-s19 + s20) - y5*(0.25*(cz * cz) + 1)
+    s33 = (new_30 * new_30)
+    s35 = (new_40 * new_40)
+    s37 = (new_50 * new_50)
+    s40 = (1.0 / (0.25*s33 + 0.25*s35 + 0.25*s37 + 1))
+    s41 = -0.5*s35
+    s42 = -0.5*s37
+    s45 = s40*(s41 + s42) + 1
+    s46 = 0.5*new_30*new_40
+    s48 = s40*(-new_50 + s46)
+    s49 = 0.5*new_30*new_50
+    s51 = s40*(new_40 + s49)
+    s53 = s40*(new_50 + s46)
+    s54 = -0.5*s33
+    s57 = s40*(s42 + s54) + 1
+    s58 = 0.5*new_40*new_50
+    s60 = s40*(-new_30 + s58)
+    s62 = s40*(-new_40 + s49)
+    s64 = s40*(new_30 + s58)
+    s67 = s40*(s41 + s54) + 1
+    w[0] = px
+    w[1] = py
+    w[2] = pz
+    w[3] = new_30
+    w[4] = new_40
+    w[5] = new_50
+    w[8] = s45
+    w[9] = s48
+    w[10] = s51
+    w[11] = s53
+    w[12] = s57
+    w[13] = s60
+    w[14] = s62
+    w[15] = s64
+    w[16] = s67
+
+
+@fast
+def _exact(px, py, pz, w):
+    w[0] = px
+    w[1] = py
+    w[2] = pz
+    _exact_joint(w, LANES)
+    w[3] = 0.0
+    w[31] = 0.0
+    w[4] = 0.0
+    w[32] = 0.0
+    w[5] = 0.0
+    w[33] = 0.0
+    status = UNREACHABLE
+    if (abs(w[36]) < math.inf) & (abs(w[37]) < math.inf) & (abs(w[38]) < math.inf):
+        _exact_move(w)
         for _ in range(MAX_STEPS):
-            for i in range(3):
-                _newton(pose, q[i], tool, k[i], work[16 * i : 16 * (i + 1)])
-            if not _hold(work):
+            _exact_rows(w, LANES)
+            _exact_solution(w)
+            if not ((w[34] > 0.0) & (w[100] > 0.0) & (w[101] > 0.0) & (w[102] > 0.0)):
                 status = SINGULAR
                 break
             size = 0.0
+            for j in range(6):
+                size = max(size, abs(w[28 + j]))
             for i in range(3):
-                q[i] -= work[60 + i]
-                size = max(size, abs(work[60 + i]))
-            for c in range(3):
-                pose[3 + c] -= work[63 + c]
-                size = max(size, abs(work[63 + c]))
+                w[36 + i] -= w[28 + i]
             if size < COMMAND_DONE:
                 status = SOLVED
                 break
             if not size < STEP_LOST:
                 break
+            _exact_move(w)
     if status != SOLVED:
         for i in range(3):
-            q[i] = np.nan
+            w[36 + i] = np.nan
     return status
 
 
-@kernel(nogil=True, error_model="numpy")
-def linear_command(target, tool, k, work, q):
-    """Fill the joints q (3,) that bring the reference point to target (3,) to first order in the errors; return the status.
+@fast
+def exact_command(px, py, pz, w):
+    """Return the joints that bring the reference point to a target, as the controller counts them; NaN where there are none.
+
+    `inverse` for one pose, w from `exact_state`.
+    """
+    _exact(px, py, pz, w)
+    return w[24] * w[36], w[25] * w[37], w[26] * w[38]
+
+
+@fast
+def _linear_joint(w, lanes):
+    """Joint of the nominal limb at the target, its cosine and sine (42 operations)."""
+    px = w[0]
+    py = w[1]
+    pz = w[2]
+    tx = w[20]
+    ty = w[21]
+    tz = w[22]
+    for lane in range(lanes):
+        s155 = w[104 + lane]
+        s157 = w[108 + lane]
+        s159 = w[112 + lane]
+        s161 = w[116 + lane]
+        s178 = w[120 + lane]
+        s173 = w[124 + lane]
+        L = w[128 + lane]
+        B1_z = pz - tz
+        s156 = px + s155 - tx
+        s160 = py + s159 - ty
+        s163 = s156*s157 + s160*s161
+        s165 = (B1_z * B1_z)
+        s179 = 0.5*(s156 * s156) + 0.5*(s160 * s160) + 0.5*s165 + s178
+        s183 = math.sqrt((s163 * s163) + s165*s173 - (s179 * s179))
+        s186 = B1_z*L*s179 - s163*s183
+        s189 = -B1_z*L*s183 - s163*s179
+        s190 = arctangent(s186, s189)
+        s194 = 1/math.sqrt((s186 * s186) + (s189 * s189))
+        s195 = s189*s194
+        s196 = s186*s194
+        w[36 + lane] = s190
+        w[52 + lane] = s195
+        w[56 + lane] = s196
+
+
+@fast
+def _linear_angle(w, lanes):
+    """Cosine and sine of the joint (2 operations)."""
+    for lane in range(lanes):
+        q = w[36 + lane]
+        s197 = cosine(q)
+        s198 = sine(q)
+        w[52 + lane] = s197
+        w[56 + lane] = s198
+
+
+@fast
+def _linear_rows(w, lanes):
+    """Equations of a nominal limb: change by all errors, derivatives by rotation and joint (167 operations)."""
+    px = w[0]
+    py = w[1]
+    pz = w[2]
+    tx = w[20]
+    ty = w[21]
+    tz = w[22]
+    for lane in range(lanes):
+        L = w[128 + lane]
+        F_12 = w[132 + lane]
+        F_22 = w[136 + lane]
+        s44 = w[140 + lane]
+        s53 = w[144 + lane]
+        s57 = w[148 + lane]
+        s63 = w[152 + lane]
+        s72 = w[156 + lane]
+        s76 = w[160 + lane]
+        ay1 = w[164 + lane]
+        s84 = w[168 + lane]
+        h1_x = w[172 + lane]
+        h1_y = w[176 + lane]
+        s92 = w[180 + lane]
+        s94 = w[184 + lane]
+        s96 = w[188 + lane]
+        s98 = w[192 + lane]
+        s101 = w[196 + lane]
+        s115 = w[200 + lane]
+        s118 = w[204 + lane]
+        s128 = w[208 + lane]
+        s131 = w[212 + lane]
+        ay2 = w[216 + lane]
+        s136 = w[220 + lane]
+        h2_x = w[224 + lane]
+        h2_y = w[228 + lane]
+        s144 = w[232 + lane]
+        s146 = w[236 + lane]
+        s148 = w[240 + lane]
+        s150 = w[244 + lane]
+        s153 = w[248 + lane]
+        s207 = w[252 + lane]
+        s231 = w[256 + lane]
+        cos_q = w[52 + lane]
+        sin_q = w[56 + lane]
+        by_s15 = -F_12*sin_q
+        by_s23 = -F_22*sin_q
+        s45 = cos_q*s44
+        by_s46 = L*by_s15
+        s64 = cos_q*s63
+        by_s59 = L*by_s23
+        by_s67 = L*sin_q
+        by_s68 = L*cos_q
+        by_s74 = h1_x - tx
+        by_s75 = h1_y - ty
+        d1_x = px - s45 + s92 - tx
+        d1_x_errors = -cos_q*s53 - s57*sin_q + s94
+        d1_y = py - s64 + s96 - ty
+        d1_y_errors = -cos_q*s72 + s76*sin_q + s98
+        d1_z = -by_s67 + pz - tz
+        d1_z_errors = -ay1*sin_q - cos_q*s84 + s101
+        by_s112 = h2_x - tx
+        by_s113 = h2_y - ty
+        d2_x = px + s144 - s45 - tx
+        d2_x_errors = -cos_q*s115 - s118*sin_q + s146
+        d2_y = py + s148 - s64 - ty
+        d2_y_errors = -cos_q*s128 + s131*sin_q + s150
+        d2_z = -by_s67 + pz - tz
+        d2_z_errors = -ay2*sin_q - cos_q*s136 + s153
+        s199 = 0.5*d1_x*d1_x_errors
+        s200 = 0.5*d1_y*d1_y_errors
+        s201 = 0.5*d1_z*d1_z_errors
+        s202 = 0.5*d2_x*d2_x_errors
+        s203 = 0.5*d2_y*d2_y_errors
+        s204 = 0.5*d2_z*d2_z_errors
+        s208 = s199 + s200 + s201 + s202 + s203 + s204 + s207
+        s209 = 0.5*d1_y*tz
+        s210 = 0.5*by_s75*d1_z
+        s211 = 0.5*d2_y*tz
+        s212 = 0.5*by_s113*d2_z
+        s213 = s209 + s210 + s211 + s212
+        s214 = -0.5*d1_x*tz
+        s215 = -0.5*by_s74*d1_z
+        s216 = -0.5*d2_x*tz
+        s217 = -0.5*by_s112*d2_z
+        s218 = s214 + s215 + s216 + s217
+        s219 = -0.5*by_s75*d1_x
+        s220 = 0.5*by_s74*d1_y
+        s221 = -0.5*by_s113*d2_x
+        s222 = 0.5*by_s112*d2_y
+        s223 = s219 + s220 + s221 + s222
+        s227 = -0.5*by_s46*d2_x
+        s228 = -0.5*by_s59*d2_y
+        s229 = -0.5*by_s68*d2_z
+        s230 = -0.5*by_s46*d1_x - 0.5*by_s59*d1_y - 0.5*by_s68*d1_z + s227 + s228 + s229
+        s232 = s199 + s200 + s201 - s202 - s203 - s204 + s231
+        s233 = s209 + s210 - s211 - s212
+        s234 = s214 + s215 - s216 - s217
+        s235 = s219 + s220 - s221 - s222
+        s246 = -1.0e-12*((0.5*d1_y + 0.5*d2_y) * (0.5*d1_y + 0.5*d2_y))
+        s251 = -1.0e-12*((0.5*d1_z + 0.5*d2_z) * (0.5*d1_z + 0.5*d2_z))
+        s252 = (s230 * s230) + s246 + s251 - 1.0e-12*((0.5*d1_x + 0.5*d2_x) * (0.5*d1_x + 0.5*d2_x))
+        w[60 + lane] = s208
+        w[64 + lane] = s213
+        w[68 + lane] = s218
+        w[72 + lane] = s223
+        w[76 + lane] = s230
+        w[80 + lane] = s232
+        w[84 + lane] = s233
+        w[88 + lane] = s234
+        w[92 + lane] = s235
+        w[100 + lane] = s252
+
+
+@fast
+def _linear_solution(w):
+    """Changes that undo the closures while the target is kept; how far the equations are from dependent (95 operations)."""
+    F00 = w[60]
+    J00_3 = w[64]
+    J00_4 = w[68]
+    J00_5 = w[72]
+    Q00 = w[76]
+    F01 = w[80]
+    J01_3 = w[84]
+    J01_4 = w[88]
+    J01_5 = w[92]
+    F10 = w[61]
+    J10_3 = w[65]
+    J10_4 = w[69]
+    J10_5 = w[73]
+    Q10 = w[77]
+    F11 = w[81]
+    J11_3 = w[85]
+    J11_4 = w[89]
+    J11_5 = w[93]
+    F20 = w[62]
+    J20_3 = w[66]
+    J20_4 = w[70]
+    J20_5 = w[74]
+    Q20 = w[78]
+    F21 = w[82]
+    J21_3 = w[86]
+    J21_4 = w[90]
+    J21_5 = w[94]
+    by_00 = (1.0 / Q00)
+    by_10 = (1.0 / Q10)
+    by_20 = (1.0 / Q20)
+    E_cof_00 = J11_4*J21_5 - J11_5*J21_4
+    E_cof_01 = -J11_3*J21_5 + J11_5*J21_3
+    E_cof_02 = J11_3*J21_4 - J11_4*J21_3
+    E_cof_10 = -J01_4*J21_5 + J01_5*J21_4
+    E_cof_11 = J01_3*J21_5 - J01_5*J21_3
+    E_cof_12 = -J01_3*J21_4 + J01_4*J21_3
+    E_cof_20 = J01_4*J11_5 - J01_5*J11_4
+    E_cof_21 = -J01_3*J11_5 + J01_5*J11_3
+    E_cof_22 = J01_3*J11_4 - J01_4*J11_3
+    E_det_00 = E_cof_00*J01_3 + E_cof_01*J01_4 + E_cof_02*J01_5
+    E_by_00 = (1.0 / E_det_00)
+    w_00 = E_by_00*(E_cof_00*F01 + E_cof_10*F11 + E_cof_20*F21)
+    w_10 = E_by_00*(E_cof_01*F01 + E_cof_11*F11 + E_cof_21*F21)
+    w_20 = E_by_00*(E_cof_02*F01 + E_cof_12*F11 + E_cof_22*F21)
+    s54 = by_00*(F00 - J00_3*w_00 - J00_4*w_10 - J00_5*w_20)
+    s59 = by_10*(F10 - J10_3*w_00 - J10_4*w_10 - J10_5*w_20)
+    s64 = by_20*(F20 - J20_3*w_00 - J20_4*w_10 - J20_5*w_20)
+    s73 = (J11_3 * J11_3) + (J11_4 * J11_4) + (J11_5 * J11_5)
+    s77 = (J21_3 * J21_3) + (J21_4 * J21_4) + (J21_5 * J21_5)
+    s79 = (E_det_00 * E_det_00) - 1.0e-12*s73*s77*((J01_3 * J01_3) + (J01_4 * J01_4) + (J01_5 * J01_5))
+    w[28] = s54
+    w[29] = s59
+    w[30] = s64
+    w[34] = s79
+
+
+@fast
+def _linear(px, py, pz, w):
+    w[0] = px
+    w[1] = py
+    w[2] = pz
+    _linear_joint(w, LANES)
+    _linear_rows(w, LANES)
+    _linear_solution(w)
+    status = (SOLVED if (w[34] > 0.0) & (w[100] > 0.0) & (w[101] > 0.0) & (w[102] > 0.0) else SINGULAR) if (abs(w[36]) < math.inf) & (abs(w[37]) < math.inf) & (abs(w[38]) < math.inf) else UNREACHABLE
+    w[36] = w[36] - w[28] if status == SOLVED else np.nan
+    w[37] = w[37] - w[29] if status == SOLVED else np.nan
+    w[38] = w[38] - w[30] if status == SOLVED else np.nan
+    return status
+
+
+@fast
+def linear_command(px, py, pz, w):
+    """Return the joints that bring the reference point to a target to first order in the errors, like `exact_command`.
 
     Bai's eqs. (23) and (25): the nominal joints of the target, and the change that keeps the reference point where it
-    is, to first order, when the errors appear. tool (3,), k (3, 40) from `linear_constants`, scratch work
-    (COMMAND_WORK,). q is NaN unless SOLVED.
+    is, to first order, when the errors appear. w from `linear_state`.
     """
-    status = SOLVED
-    for i in range(3):
-        _nominal_joint(target, 0.0, tool, k, i, q)
-        if not math.isfinite(q[i]):
-            status = UNREACHABLE
-    if status == SOLVED:
-        for i in range(3):
-            _linear(target, q[i], tool, k, i, work)
-        if not _hold(work):
-            status = SINGULAR
-    for i in range(3):
-        q[i] = q[i] - work[60 + i] if status == SOLVED else np.nan
-    return status
+    _linear(px, py, pz, w)
+    return w[24] * w[36], w[25] * w[37], w[26] * w[38]
 
 
-@kernel(nogil=True, error_model="numpy")
-def linear_commands(target, tool, k, q, status):
-    """Fill joints q (N, 3) and status (N,) by `linear_command`; target (N, 3) and tool (N, 3), k (M, 3, :)."""
-    work = np.zeros(COMMAND_WORK)
+@fast
+def linear_change(px, py, pz, q_1, q_2, q_3, w):
+    """Return what to add to the nominal joints of a target, both as the controller counts them; NaN where it is singular.
+
+    For a controller that has nominal joints already: what `linear_command` adds to them.
+    """
+    w[0] = px
+    w[1] = py
+    w[2] = pz
+    w[36] = w[24] * q_1
+    w[37] = w[25] * q_2
+    w[38] = w[26] * q_3
+    w[39] = w[26] * q_3
+    _linear_angle(w, LANES)
+    _linear_rows(w, LANES)
+    _linear_solution(w)
+    back = -1.0 if (w[34] > 0.0) & (w[100] > 0.0) & (w[101] > 0.0) & (w[102] > 0.0) else np.nan
+    return back * w[24] * w[28], back * w[25] * w[29], back * w[26] * w[30]
+
+
+@fast
+def linear_commands(target, tool, w, q, status):
+    """Fill q (N, 3), as the geometry counts, and status (N,) by `linear_command`; target (N, 3), tool (N or 1, 3)."""
     for n in range(target.shape[0]):
-        status[n] = linear_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])
-
-
-@kernel(nogil=True, error_model="numpy")
-def exact_joints(px, py, pz, state):
-    """Return the joints of `exact_command` for a target, as the controller counts them; NaN where there are none.
-
-    For calls from Python, which pay for every array: state holds the target, tool (3,), joints, signs (3,), scratch
-    (COMMAND_WORK,) and k (3, COMMAND_CONSTANTS), one after the other.
-    """
-    state[0] = px
-    state[1] = py
-    state[2] = pz
-    q = state[6:9]
-    exact_command(state[:3], state[3:6], state[84:].reshape((3, COMMAND_CONSTANTS)), state[12:84], q)
-    return q[0] * state[9], q[1] * state[10], q[2] * state[11], 
-
-
-@kernel(nogil=True, error_model="numpy")
-def linear_joints(px, py, pz, state):
-    """Return the joints of `linear_command` for a target, as the controller counts them; NaN where there are none.
-
-    For calls from Python, which pay for every array: state holds the target, tool (3,), joints, signs (3,), scratch
-    (COMMAND_WORK,) and k (3, 40), one after the other.
-    """
-    state[0] = px
-    state[1] = py
-    state[2] = pz
-    q = state[6:9]
-    linear_command(state[:3], state[3:6], state[84:].reshape((3, 40)), state[12:84], q)
-    return q[0] * state[9], q[1] * state[10], q[2] * state[11], 
+        if n == 0 or tool.shape[0] > 1:
+            for c in range(3):
+                w[20 + c] = tool[n, c]
+        status[n] = _linear(target[n, 0], target[n, 1], target[n, 2], w)
+        for i in range(3):
+            q[n, i] = w[36 + i]

@@ -1,7 +1,7 @@
 """Kinematics of `delta`, many poses at once: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 533a95981a7b6a44; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 7ab026bf198fda37; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -19,7 +19,7 @@ import math
 import numpy as np
 
 from deltacal_kernels.compiled import kernel
-from deltacal_kernels.elementary import arcsine, arctangent, cosine, scratch, sine, tangent, wide
+from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, scratch, sine, tangent, wide
 
 from . import vectorised
 from .vectorised import SINGULAR, SOLVED, UNREACHABLE, constants, jacobians
@@ -29,7 +29,8 @@ OPEN = -1  # a pose that is left to the plain kernels
 MAX_STEPS = 8
 STEP_DONE = 1e-6  # mm; Newton is quadratic: after such a step a length of 1000 mm is exact to 1e-15 mm
 TURN_DONE = 3e-8  # rad
-WORK = 10848  # length of the scratch array
+WORK = 10848  # numbers that a block computes with
+SPARE = 2304  # and that the last of its poses are written to
 CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
 APART = 1e-3  # squared sine between the centres' directions
 SIMPLIFIED = 3  # coordinates that `simplified_forward` gives: the others are zero
@@ -454,7 +455,7 @@ def _joints(w, k, n):
 
 @fast
 def _command(w, n):
-    """Newton's step of joints and rotation; how far the equations are from dependent (158 operations)."""
+    """Newton's step of joints and rotation; how far the equations are from dependent (152 operations)."""
     wide()
     for lane in range(n):
         F00 = w[608 + lane]
@@ -511,51 +512,42 @@ def _command(w, n):
         E_20 = -J20_3*ratio_20 + J21_3
         E_21 = -J20_4*ratio_20 + J21_4
         E_22 = -J20_5*ratio_20 + J21_5
-        Ei_cof_00 = E_11*E_22 - E_12*E_21
-        Ei_cof_01 = -E_10*E_22 + E_12*E_20
-        Ei_cof_02 = E_10*E_21 - E_11*E_20
-        Ei_cof_10 = -E_01*E_22 + E_02*E_21
-        Ei_cof_11 = E_00*E_22 - E_02*E_20
-        Ei_cof_12 = -E_00*E_21 + E_01*E_20
-        Ei_cof_20 = E_01*E_12 - E_02*E_11
-        Ei_cof_21 = -E_00*E_12 + E_02*E_10
-        Ei_cof_22 = E_00*E_11 - E_01*E_10
-        Ei_det_00 = E_00*Ei_cof_00 + E_01*Ei_cof_01 + E_02*Ei_cof_02
-        Ei_by_00 = (1.0 / Ei_det_00)
-        Ei_inv_00 = Ei_by_00*Ei_cof_00
-        Ei_inv_01 = Ei_by_00*Ei_cof_10
-        Ei_inv_02 = Ei_by_00*Ei_cof_20
-        Ei_inv_10 = Ei_by_00*Ei_cof_01
-        Ei_inv_11 = Ei_by_00*Ei_cof_11
-        Ei_inv_12 = Ei_by_00*Ei_cof_21
-        Ei_inv_20 = Ei_by_00*Ei_cof_02
-        Ei_inv_21 = Ei_by_00*Ei_cof_12
-        Ei_inv_22 = Ei_by_00*Ei_cof_22
-        s66 = -F00*ratio_00 + F01
-        s69 = -F10*ratio_10 + F11
-        s72 = -F20*ratio_20 + F21
-        w_00 = Ei_inv_00*s66 + Ei_inv_01*s69 + Ei_inv_02*s72
-        w_10 = Ei_inv_10*s66 + Ei_inv_11*s69 + Ei_inv_12*s72
-        w_20 = Ei_inv_20*s66 + Ei_inv_21*s69 + Ei_inv_22*s72
-        s87 = by_00*(F00 - J00_3*w_00 - J00_4*w_10 - J00_5*w_20)
-        s92 = by_10*(F10 - J10_3*w_00 - J10_4*w_10 - J10_5*w_20)
-        s97 = by_20*(F20 - J20_3*w_00 - J20_4*w_10 - J20_5*w_20)
-        s106 = (E_10 * E_10) + (E_11 * E_11) + (E_12 * E_12)
-        s110 = (E_20 * E_20) + (E_21 * E_21) + (E_22 * E_22)
-        s112 = (Ei_det_00 * Ei_det_00) - 1.0e-12*s106*s110*((E_00 * E_00) + (E_01 * E_01) + (E_02 * E_02))
-        s120 = -1.0e-12*(J00_0 * J00_0) - 1.0e-12*(J00_1 * J00_1) - 1.0e-12*(J00_2 * J00_2) + (Q00 * Q00)
-        s128 = -1.0e-12*(J10_0 * J10_0) - 1.0e-12*(J10_1 * J10_1) - 1.0e-12*(J10_2 * J10_2) + (Q10 * Q10)
-        s136 = -1.0e-12*(J20_0 * J20_0) - 1.0e-12*(J20_1 * J20_1) - 1.0e-12*(J20_2 * J20_2) + (Q20 * Q20)
-        w[10528 + lane] = s87
-        w[10560 + lane] = s92
-        w[10592 + lane] = s97
+        E_cof_00 = E_11*E_22 - E_12*E_21
+        E_cof_01 = -E_10*E_22 + E_12*E_20
+        E_cof_02 = E_10*E_21 - E_11*E_20
+        E_cof_10 = -E_01*E_22 + E_02*E_21
+        E_cof_11 = E_00*E_22 - E_02*E_20
+        E_cof_12 = -E_00*E_21 + E_01*E_20
+        E_cof_20 = E_01*E_12 - E_02*E_11
+        E_cof_21 = -E_00*E_12 + E_02*E_10
+        E_cof_22 = E_00*E_11 - E_01*E_10
+        E_det_00 = E_00*E_cof_00 + E_01*E_cof_01 + E_02*E_cof_02
+        E_by_00 = (1.0 / E_det_00)
+        s57 = -F00*ratio_00 + F01
+        s60 = -F10*ratio_10 + F11
+        s63 = -F20*ratio_20 + F21
+        w_00 = E_by_00*(E_cof_00*s57 + E_cof_10*s60 + E_cof_20*s63)
+        w_10 = E_by_00*(E_cof_01*s57 + E_cof_11*s60 + E_cof_21*s63)
+        w_20 = E_by_00*(E_cof_02*s57 + E_cof_12*s60 + E_cof_22*s63)
+        s81 = by_00*(F00 - J00_3*w_00 - J00_4*w_10 - J00_5*w_20)
+        s86 = by_10*(F10 - J10_3*w_00 - J10_4*w_10 - J10_5*w_20)
+        s91 = by_20*(F20 - J20_3*w_00 - J20_4*w_10 - J20_5*w_20)
+        s100 = (E_10 * E_10) + (E_11 * E_11) + (E_12 * E_12)
+        s104 = (E_20 * E_20) + (E_21 * E_21) + (E_22 * E_22)
+        s106 = (E_det_00 * E_det_00) - 1.0e-12*s100*s104*((E_00 * E_00) + (E_01 * E_01) + (E_02 * E_02))
+        s114 = -1.0e-12*(J00_0 * J00_0) - 1.0e-12*(J00_1 * J00_1) - 1.0e-12*(J00_2 * J00_2) + (Q00 * Q00)
+        s122 = -1.0e-12*(J10_0 * J10_0) - 1.0e-12*(J10_1 * J10_1) - 1.0e-12*(J10_2 * J10_2) + (Q10 * Q10)
+        s130 = -1.0e-12*(J20_0 * J20_0) - 1.0e-12*(J20_1 * J20_1) - 1.0e-12*(J20_2 * J20_2) + (Q20 * Q20)
+        w[10528 + lane] = s81
+        w[10560 + lane] = s86
+        w[10592 + lane] = s91
         w[10624 + lane] = w_00
         w[10656 + lane] = w_10
         w[10688 + lane] = w_20
-        w[10720 + lane] = s112
-        w[10752 + lane] = s120
-        w[10784 + lane] = s128
-        w[10816 + lane] = s136
+        w[10720 + lane] = s106
+        w[10752 + lane] = s114
+        w[10784 + lane] = s122
+        w[10816 + lane] = s130
 
 
 @fast
@@ -1018,7 +1010,7 @@ def _inverse_of_rows(w, n):
 
 @fast
 def _move(w, n):
-    """The platform after a step, and its rotation matrix (95 operations)."""
+    """The platform after a step, and its rotation matrix (104 operations)."""
     wide()
     for lane in range(n):
         px = w[128 + lane]
@@ -1041,30 +1033,33 @@ def _move(w, n):
         s11 = 0.25*cx*cy
         s14 = -0.5*cy
         s15 = 0.25*cx*cz
-        new_30 = cx - going*(y3*(0.25*(cx * cx) + 1) + y4*(s10 + s11) + y5*(s14 + s15))
-        s27 = 0.5*cx
-        s28 = 0.25*cy*cz
-        new_40 = cy - going*(y3*(-s10 + s11) + y4*(0.25*(cy * cy) + 1) + y5*(s27 + s28))
-        new_50 = cz - going*(y3*(-s14 + s15) + y4*(-s27 + s28) + y5*(0.25*(cz * cz) + 1))
-        s45 = (new_30 * new_30)
-        s47 = (new_40 * new_40)
-        s49 = (new_50 * new_50)
-        s52 = (1.0 / (0.25*s45 + 0.25*s47 + 0.25*s49 + 1))
-        s53 = -0.5*s47
-        s54 = -0.5*s49
-        s57 = s52*(s53 + s54) + 1
-        s58 = 0.5*new_30*new_40
-        s60 = s52*(-new_50 + s58)
-        s61 = 0.5*new_30*new_50
-        s63 = s52*(new_40 + s61)
-        s65 = s52*(new_50 + s58)
-        s66 = -0.5*s45
-        s69 = s52*(s54 + s66) + 1
-        s70 = 0.5*new_40*new_50
-        s72 = s52*(-new_30 + s70)
-        s74 = s52*(-new_40 + s61)
-        s76 = s52*(new_30 + s70)
-        s79 = s52*(s53 + s66) + 1
+        s17 = -going*y5*(s14 + s15)
+        new_30 = cx - going*y3*(0.25*(cx * cx) + 1) - going*y4*(s10 + s11) + s17
+        s25 = 0.5*cx
+        s26 = 0.25*cy*cz
+        s28 = -going*y5*(s25 + s26)
+        new_40 = cy - going*y3*(-s10 + s11) - going*y4*(0.25*(cy * cy) + 1) + s28
+        s37 = -going*y5*(0.25*(cz * cz) + 1)
+        new_50 = cz - going*y3*(-s14 + s15) - going*y4*(-s25 + s26) + s37
+        s39 = (new_30 * new_30)
+        s41 = (new_40 * new_40)
+        s43 = (new_50 * new_50)
+        s46 = (1.0 / (0.25*s39 + 0.25*s41 + 0.25*s43 + 1))
+        s47 = -0.5*s41
+        s48 = -0.5*s43
+        s51 = s46*(s47 + s48) + 1
+        s52 = 0.5*new_30*new_40
+        s54 = s46*(-new_50 + s52)
+        s55 = 0.5*new_30*new_50
+        s57 = s46*(new_40 + s55)
+        s59 = s46*(new_50 + s52)
+        s60 = -0.5*s39
+        s63 = s46*(s48 + s60) + 1
+        s64 = 0.5*new_40*new_50
+        s66 = s46*(-new_30 + s64)
+        s68 = s46*(-new_40 + s55)
+        s70 = s46*(new_30 + s64)
+        s73 = s46*(s47 + s60) + 1
         w[128 + lane] = new_00
         w[3136 + lane] = new_00
         w[6144 + lane] = new_00
@@ -1077,33 +1072,33 @@ def _move(w, n):
         w[224 + lane] = new_30
         w[256 + lane] = new_40
         w[288 + lane] = new_50
-        w[320 + lane] = s57
-        w[3328 + lane] = s57
-        w[6336 + lane] = s57
-        w[352 + lane] = s60
-        w[3360 + lane] = s60
-        w[6368 + lane] = s60
-        w[384 + lane] = s63
-        w[3392 + lane] = s63
-        w[6400 + lane] = s63
-        w[416 + lane] = s65
-        w[3424 + lane] = s65
-        w[6432 + lane] = s65
-        w[448 + lane] = s69
-        w[3456 + lane] = s69
-        w[6464 + lane] = s69
-        w[480 + lane] = s72
-        w[3488 + lane] = s72
-        w[6496 + lane] = s72
-        w[512 + lane] = s74
-        w[3520 + lane] = s74
-        w[6528 + lane] = s74
-        w[544 + lane] = s76
-        w[3552 + lane] = s76
-        w[6560 + lane] = s76
-        w[576 + lane] = s79
-        w[3584 + lane] = s79
-        w[6592 + lane] = s79
+        w[320 + lane] = s51
+        w[3328 + lane] = s51
+        w[6336 + lane] = s51
+        w[352 + lane] = s54
+        w[3360 + lane] = s54
+        w[6368 + lane] = s54
+        w[384 + lane] = s57
+        w[3392 + lane] = s57
+        w[6400 + lane] = s57
+        w[416 + lane] = s59
+        w[3424 + lane] = s59
+        w[6432 + lane] = s59
+        w[448 + lane] = s63
+        w[3456 + lane] = s63
+        w[6464 + lane] = s63
+        w[480 + lane] = s66
+        w[3488 + lane] = s66
+        w[6496 + lane] = s66
+        w[512 + lane] = s68
+        w[3520 + lane] = s68
+        w[6528 + lane] = s68
+        w[544 + lane] = s70
+        w[3552 + lane] = s70
+        w[6560 + lane] = s70
+        w[576 + lane] = s73
+        w[3584 + lane] = s73
+        w[6592 + lane] = s73
 
 
 @fast
@@ -1346,7 +1341,7 @@ def forward(q, tool, k, x, status, warm):
     status (N,): SOLVED, UNREACHABLE (no platform pose closes all loops) or SINGULAR; x is NaN unless SOLVED.
     """
     given = x.copy() if warm else x
-    if _forward(q, tool, k, x, status, warm, scratch(WORK)):
+    if _forward(q, tool, k, x, status, warm, scratch(WORK + SPARE)):
         left = np.flatnonzero(status == OPEN)
         of, found = np.zeros(len(left), dtype=np.int64), given[left]
         vectorised.forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, warm)
@@ -1408,7 +1403,7 @@ def inverse(target, tool, k, x, q, status):
     Newton on the joints and the platform's rotation from the simplified machine. status as in `forward`; UNREACHABLE
     where the target lies beyond the reach of a limb.
     """
-    if _inverse(target, tool, k, x, q, status, scratch(WORK)):
+    if _inverse(target, tool, k, x, q, status, scratch(WORK + SPARE)):
         left = np.flatnonzero(status == OPEN)
         found, joints, of = np.empty((len(left), 6)), np.empty((len(left), 3)), np.zeros(len(left), dtype=np.int64)
         vectorised.inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
@@ -1633,6 +1628,7 @@ def _aim(w, n):
 
 @fast
 def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
+    by_errors, by_joints = S_p.reshape(S_p.size), S_q.reshape(S_q.size)
     w_1 = w[0:3008]
     w_2 = w[3008:6016]
     w_3 = w[6016:9024]
@@ -1669,183 +1665,34 @@ def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
             _joints(w_3, k_3, n)
             _errors(w_3, k_3, n)
             _inverse_of_rows(w, n)
-            left += _products(w, S_p, S_q, status, first, last)
+            left += _products(w, by_errors, by_joints, status, first, last)
     return left
 
 
 @fast
 def _products(w, S_p, S_q, status, first, last):
-    """Multiply the inverse and the derivatives by errors and joints, pose by pose; return how many are left open."""
+    """Multiply the inverse and the derivatives by errors and joints; return how many poses are left open."""
     wide()
+    for lane in range(0, last - first + 1, 8):
+        whole = 288 * (first + lane + 8) <= S_p.size  # else the last poses are written through scratch
+        to, at = (S_p, 288 * (first + lane)) if whole else (w[WORK:], 0)
+        for i in range(3):
+            outer(to, at + 16 * i + 0, 288, 48, 6, w, (9312 + 32 * i + lane, 9408 + 32 * i + lane, ), 192, (1984 + 3008 * i + lane, 2496 + 3008 * i + lane, ), 32, 8)
+            outer(to, at + 16 * i + 8, 288, 48, 6, w, (9312 + 32 * i + lane, 9408 + 32 * i + lane, ), 192, (2240 + 3008 * i + lane, 2752 + 3008 * i + lane, ), 32, 8)
+        if not whole:
+            for c in range(288 * (last + 1 - first - lane)):
+                S_p[288 * (first + lane) + c] = to[c]
+        whole = 18 * (first + lane + 8) <= S_q.size  # else the last poses are written through scratch
+        to, at = (S_q, 18 * (first + lane)) if whole else (w[WORK:], 0)
+        for i in range(3):
+            outer(to, at + 1 * i + 0, 18, 3, 6, w, (9312 + 32 * i + lane, 9408 + 32 * i + lane, ), 192, (832 + 3008 * i + lane, 1088 + 3008 * i + lane, ), 32, 1)
+        if not whole:
+            for c in range(18 * (last + 1 - first - lane)):
+                S_q[18 * (first + lane) + c] = to[c]
     left = 0
     for lane in range(last - first + 1):
-        m = first + lane
-        e_0_0 = w[1984 + lane]
-        e_0_1 = w[2016 + lane]
-        e_0_2 = w[2048 + lane]
-        e_0_3 = w[2080 + lane]
-        e_0_4 = w[2112 + lane]
-        e_0_5 = w[2144 + lane]
-        e_0_6 = w[2176 + lane]
-        e_0_7 = w[2208 + lane]
-        e_0_8 = w[2240 + lane]
-        e_0_9 = w[2272 + lane]
-        e_0_10 = w[2304 + lane]
-        e_0_11 = w[2336 + lane]
-        e_0_12 = w[2368 + lane]
-        e_0_13 = w[2400 + lane]
-        e_0_14 = w[2432 + lane]
-        e_0_15 = w[2464 + lane]
-        q_0 = w[832 + lane]
-        e_1_0 = w[2496 + lane]
-        e_1_1 = w[2528 + lane]
-        e_1_2 = w[2560 + lane]
-        e_1_3 = w[2592 + lane]
-        e_1_4 = w[2624 + lane]
-        e_1_5 = w[2656 + lane]
-        e_1_6 = w[2688 + lane]
-        e_1_7 = w[2720 + lane]
-        e_1_8 = w[2752 + lane]
-        e_1_9 = w[2784 + lane]
-        e_1_10 = w[2816 + lane]
-        e_1_11 = w[2848 + lane]
-        e_1_12 = w[2880 + lane]
-        e_1_13 = w[2912 + lane]
-        e_1_14 = w[2944 + lane]
-        e_1_15 = w[2976 + lane]
-        q_1 = w[1088 + lane]
-        for r in range(6):
-            a_0 = w[192 * r + (9312 + lane)]
-            a_1 = w[192 * r + (9408 + lane)]
-            S_p[m, r, 0] = a_0 * e_0_0 + a_1 * e_1_0
-            S_p[m, r, 1] = a_0 * e_0_1 + a_1 * e_1_1
-            S_p[m, r, 2] = a_0 * e_0_2 + a_1 * e_1_2
-            S_p[m, r, 3] = a_0 * e_0_3 + a_1 * e_1_3
-            S_p[m, r, 4] = a_0 * e_0_4 + a_1 * e_1_4
-            S_p[m, r, 5] = a_0 * e_0_5 + a_1 * e_1_5
-            S_p[m, r, 6] = a_0 * e_0_6 + a_1 * e_1_6
-            S_p[m, r, 7] = a_0 * e_0_7 + a_1 * e_1_7
-            S_p[m, r, 8] = a_0 * e_0_8 + a_1 * e_1_8
-            S_p[m, r, 9] = a_0 * e_0_9 + a_1 * e_1_9
-            S_p[m, r, 10] = a_0 * e_0_10 + a_1 * e_1_10
-            S_p[m, r, 11] = a_0 * e_0_11 + a_1 * e_1_11
-            S_p[m, r, 12] = a_0 * e_0_12 + a_1 * e_1_12
-            S_p[m, r, 13] = a_0 * e_0_13 + a_1 * e_1_13
-            S_p[m, r, 14] = a_0 * e_0_14 + a_1 * e_1_14
-            S_p[m, r, 15] = a_0 * e_0_15 + a_1 * e_1_15
-            S_q[m, r, 0] = a_0 * q_0 + a_1 * q_1
-        e_0_0 = w[4992 + lane]
-        e_0_1 = w[5024 + lane]
-        e_0_2 = w[5056 + lane]
-        e_0_3 = w[5088 + lane]
-        e_0_4 = w[5120 + lane]
-        e_0_5 = w[5152 + lane]
-        e_0_6 = w[5184 + lane]
-        e_0_7 = w[5216 + lane]
-        e_0_8 = w[5248 + lane]
-        e_0_9 = w[5280 + lane]
-        e_0_10 = w[5312 + lane]
-        e_0_11 = w[5344 + lane]
-        e_0_12 = w[5376 + lane]
-        e_0_13 = w[5408 + lane]
-        e_0_14 = w[5440 + lane]
-        e_0_15 = w[5472 + lane]
-        q_0 = w[3840 + lane]
-        e_1_0 = w[5504 + lane]
-        e_1_1 = w[5536 + lane]
-        e_1_2 = w[5568 + lane]
-        e_1_3 = w[5600 + lane]
-        e_1_4 = w[5632 + lane]
-        e_1_5 = w[5664 + lane]
-        e_1_6 = w[5696 + lane]
-        e_1_7 = w[5728 + lane]
-        e_1_8 = w[5760 + lane]
-        e_1_9 = w[5792 + lane]
-        e_1_10 = w[5824 + lane]
-        e_1_11 = w[5856 + lane]
-        e_1_12 = w[5888 + lane]
-        e_1_13 = w[5920 + lane]
-        e_1_14 = w[5952 + lane]
-        e_1_15 = w[5984 + lane]
-        q_1 = w[4096 + lane]
-        for r in range(6):
-            a_0 = w[192 * r + (9344 + lane)]
-            a_1 = w[192 * r + (9440 + lane)]
-            S_p[m, r, 16] = a_0 * e_0_0 + a_1 * e_1_0
-            S_p[m, r, 17] = a_0 * e_0_1 + a_1 * e_1_1
-            S_p[m, r, 18] = a_0 * e_0_2 + a_1 * e_1_2
-            S_p[m, r, 19] = a_0 * e_0_3 + a_1 * e_1_3
-            S_p[m, r, 20] = a_0 * e_0_4 + a_1 * e_1_4
-            S_p[m, r, 21] = a_0 * e_0_5 + a_1 * e_1_5
-            S_p[m, r, 22] = a_0 * e_0_6 + a_1 * e_1_6
-            S_p[m, r, 23] = a_0 * e_0_7 + a_1 * e_1_7
-            S_p[m, r, 24] = a_0 * e_0_8 + a_1 * e_1_8
-            S_p[m, r, 25] = a_0 * e_0_9 + a_1 * e_1_9
-            S_p[m, r, 26] = a_0 * e_0_10 + a_1 * e_1_10
-            S_p[m, r, 27] = a_0 * e_0_11 + a_1 * e_1_11
-            S_p[m, r, 28] = a_0 * e_0_12 + a_1 * e_1_12
-            S_p[m, r, 29] = a_0 * e_0_13 + a_1 * e_1_13
-            S_p[m, r, 30] = a_0 * e_0_14 + a_1 * e_1_14
-            S_p[m, r, 31] = a_0 * e_0_15 + a_1 * e_1_15
-            S_q[m, r, 1] = a_0 * q_0 + a_1 * q_1
-        e_0_0 = w[8000 + lane]
-        e_0_1 = w[8032 + lane]
-        e_0_2 = w[8064 + lane]
-        e_0_3 = w[8096 + lane]
-        e_0_4 = w[8128 + lane]
-        e_0_5 = w[8160 + lane]
-        e_0_6 = w[8192 + lane]
-        e_0_7 = w[8224 + lane]
-        e_0_8 = w[8256 + lane]
-        e_0_9 = w[8288 + lane]
-        e_0_10 = w[8320 + lane]
-        e_0_11 = w[8352 + lane]
-        e_0_12 = w[8384 + lane]
-        e_0_13 = w[8416 + lane]
-        e_0_14 = w[8448 + lane]
-        e_0_15 = w[8480 + lane]
-        q_0 = w[6848 + lane]
-        e_1_0 = w[8512 + lane]
-        e_1_1 = w[8544 + lane]
-        e_1_2 = w[8576 + lane]
-        e_1_3 = w[8608 + lane]
-        e_1_4 = w[8640 + lane]
-        e_1_5 = w[8672 + lane]
-        e_1_6 = w[8704 + lane]
-        e_1_7 = w[8736 + lane]
-        e_1_8 = w[8768 + lane]
-        e_1_9 = w[8800 + lane]
-        e_1_10 = w[8832 + lane]
-        e_1_11 = w[8864 + lane]
-        e_1_12 = w[8896 + lane]
-        e_1_13 = w[8928 + lane]
-        e_1_14 = w[8960 + lane]
-        e_1_15 = w[8992 + lane]
-        q_1 = w[7104 + lane]
-        for r in range(6):
-            a_0 = w[192 * r + (9376 + lane)]
-            a_1 = w[192 * r + (9472 + lane)]
-            S_p[m, r, 32] = a_0 * e_0_0 + a_1 * e_1_0
-            S_p[m, r, 33] = a_0 * e_0_1 + a_1 * e_1_1
-            S_p[m, r, 34] = a_0 * e_0_2 + a_1 * e_1_2
-            S_p[m, r, 35] = a_0 * e_0_3 + a_1 * e_1_3
-            S_p[m, r, 36] = a_0 * e_0_4 + a_1 * e_1_4
-            S_p[m, r, 37] = a_0 * e_0_5 + a_1 * e_1_5
-            S_p[m, r, 38] = a_0 * e_0_6 + a_1 * e_1_6
-            S_p[m, r, 39] = a_0 * e_0_7 + a_1 * e_1_7
-            S_p[m, r, 40] = a_0 * e_0_8 + a_1 * e_1_8
-            S_p[m, r, 41] = a_0 * e_0_9 + a_1 * e_1_9
-            S_p[m, r, 42] = a_0 * e_0_10 + a_1 * e_1_10
-            S_p[m, r, 43] = a_0 * e_0_11 + a_1 * e_1_11
-            S_p[m, r, 44] = a_0 * e_0_12 + a_1 * e_1_12
-            S_p[m, r, 45] = a_0 * e_0_13 + a_1 * e_1_13
-            S_p[m, r, 46] = a_0 * e_0_14 + a_1 * e_1_14
-            S_p[m, r, 47] = a_0 * e_0_15 + a_1 * e_1_15
-            S_q[m, r, 2] = a_0 * q_0 + a_1 * q_1
-        regular = True
-        regular = regular & (w[10464 + lane] > 0.0)
-        regular = regular & (w[10496 + lane] > 0.0)
-        status[m] = SOLVED if regular else OPEN
+        regular = (w[10464 + lane] > 0.0) & (w[10496 + lane] > 0.0)
+        status[first + lane] = SOLVED if regular else OPEN
         left += 0 if regular else 1
     return left
 
@@ -1856,7 +1703,7 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
     Rows are px, py, pz, then turns of the platform about the axes of {O}. Columns of S_p run limb by limb. S_q is the velocity
     Jacobian.
     """
-    if _sensitivity(x, q, tool, k, S_p, S_q, status, scratch(WORK)):
+    if _sensitivity(x, q, tool, k, S_p, S_q, status, scratch(WORK + SPARE)):
         left = np.flatnonzero(status == OPEN)
         by_errors, by_joints, of = np.empty((len(left), 6, 48)), np.empty((len(left), 6, 3)), np.zeros(len(left), dtype=np.int64)
         vectorised.sensitivity(x[left], q[left], _of(tool, left, len(status)), _of(k, left, len(status)), by_errors, by_joints, of)
@@ -2148,109 +1995,24 @@ def _nominal_inverse(w, n):
 def _nominal_products(w, S, first, last):
     """Multiply the inverse and the derivatives by the errors where they do not vanish; False where a pose is not regular."""
     wide()
+    for lane in range(0, last - first + 1, 8):
+        whole = 126 * (first + lane + 8) <= S.size  # else the last poses are written through scratch
+        to, at = (S, 126 * (first + lane)) if whole else (w[WORK:], 0)
+        for i in range(3):
+            outer(to, at + 14 * i + 0, 126, 42, 3, w, (9312 + 32 * i + lane, ), 192, (1984 + 3008 * i + lane, ), 32, 8)
+            outer(to, at + 14 * i + 8, 126, 42, 3, w, (9408 + 32 * i + lane, ), 192, (2752 + 3008 * i + lane, ), 32, 6)
+        if not whole:
+            for c in range(126 * (last + 1 - first - lane)):
+                S[126 * (first + lane) + c] = to[c]
     regular = True
     for lane in range(last - first + 1):
-        m = first + lane
-        e_0_0 = w[1984 + lane]
-        e_0_1 = w[2016 + lane]
-        e_0_2 = w[2048 + lane]
-        e_0_3 = w[2080 + lane]
-        e_0_4 = w[2112 + lane]
-        e_0_5 = w[2144 + lane]
-        e_0_6 = w[2176 + lane]
-        e_0_7 = w[2208 + lane]
-        e_1_8 = w[2752 + lane]
-        e_1_9 = w[2784 + lane]
-        e_1_10 = w[2816 + lane]
-        e_1_11 = w[2848 + lane]
-        e_1_12 = w[2880 + lane]
-        e_1_13 = w[2912 + lane]
-        for r in range(3):
-            a_0 = w[192 * r + (9312 + lane)]
-            a_1 = w[192 * r + (9408 + lane)]
-            S[m, r, 0] = a_0 * e_0_0
-            S[m, r, 1] = a_0 * e_0_1
-            S[m, r, 2] = a_0 * e_0_2
-            S[m, r, 3] = a_0 * e_0_3
-            S[m, r, 4] = a_0 * e_0_4
-            S[m, r, 5] = a_0 * e_0_5
-            S[m, r, 6] = a_0 * e_0_6
-            S[m, r, 7] = a_0 * e_0_7
-            S[m, r, 8] = a_1 * e_1_8
-            S[m, r, 9] = a_1 * e_1_9
-            S[m, r, 10] = a_1 * e_1_10
-            S[m, r, 11] = a_1 * e_1_11
-            S[m, r, 12] = a_1 * e_1_12
-            S[m, r, 13] = a_1 * e_1_13
-        e_0_0 = w[4992 + lane]
-        e_0_1 = w[5024 + lane]
-        e_0_2 = w[5056 + lane]
-        e_0_3 = w[5088 + lane]
-        e_0_4 = w[5120 + lane]
-        e_0_5 = w[5152 + lane]
-        e_0_6 = w[5184 + lane]
-        e_0_7 = w[5216 + lane]
-        e_1_8 = w[5760 + lane]
-        e_1_9 = w[5792 + lane]
-        e_1_10 = w[5824 + lane]
-        e_1_11 = w[5856 + lane]
-        e_1_12 = w[5888 + lane]
-        e_1_13 = w[5920 + lane]
-        for r in range(3):
-            a_0 = w[192 * r + (9344 + lane)]
-            a_1 = w[192 * r + (9440 + lane)]
-            S[m, r, 14] = a_0 * e_0_0
-            S[m, r, 15] = a_0 * e_0_1
-            S[m, r, 16] = a_0 * e_0_2
-            S[m, r, 17] = a_0 * e_0_3
-            S[m, r, 18] = a_0 * e_0_4
-            S[m, r, 19] = a_0 * e_0_5
-            S[m, r, 20] = a_0 * e_0_6
-            S[m, r, 21] = a_0 * e_0_7
-            S[m, r, 22] = a_1 * e_1_8
-            S[m, r, 23] = a_1 * e_1_9
-            S[m, r, 24] = a_1 * e_1_10
-            S[m, r, 25] = a_1 * e_1_11
-            S[m, r, 26] = a_1 * e_1_12
-            S[m, r, 27] = a_1 * e_1_13
-        e_0_0 = w[8000 + lane]
-        e_0_1 = w[8032 + lane]
-        e_0_2 = w[8064 + lane]
-        e_0_3 = w[8096 + lane]
-        e_0_4 = w[8128 + lane]
-        e_0_5 = w[8160 + lane]
-        e_0_6 = w[8192 + lane]
-        e_0_7 = w[8224 + lane]
-        e_1_8 = w[8768 + lane]
-        e_1_9 = w[8800 + lane]
-        e_1_10 = w[8832 + lane]
-        e_1_11 = w[8864 + lane]
-        e_1_12 = w[8896 + lane]
-        e_1_13 = w[8928 + lane]
-        for r in range(3):
-            a_0 = w[192 * r + (9376 + lane)]
-            a_1 = w[192 * r + (9472 + lane)]
-            S[m, r, 28] = a_0 * e_0_0
-            S[m, r, 29] = a_0 * e_0_1
-            S[m, r, 30] = a_0 * e_0_2
-            S[m, r, 31] = a_0 * e_0_3
-            S[m, r, 32] = a_0 * e_0_4
-            S[m, r, 33] = a_0 * e_0_5
-            S[m, r, 34] = a_0 * e_0_6
-            S[m, r, 35] = a_0 * e_0_7
-            S[m, r, 36] = a_1 * e_1_8
-            S[m, r, 37] = a_1 * e_1_9
-            S[m, r, 38] = a_1 * e_1_10
-            S[m, r, 39] = a_1 * e_1_11
-            S[m, r, 40] = a_1 * e_1_12
-            S[m, r, 41] = a_1 * e_1_13
-        regular = regular & (w[9888 + lane] > 0.0)
-        regular = regular & (w[9920 + lane] > 0.0)
+        regular = (w[9888 + lane] > 0.0) & (w[9920 + lane] > 0.0) & regular
     return regular
 
 
 @fast
 def _nominal_sensitivity(x, q, tool, k, S, w):
+    rows = S.reshape(S.size)
     w_1 = w[0:3008]
     w_2 = w[3008:6016]
     w_3 = w[6016:9024]
@@ -2270,7 +2032,7 @@ def _nominal_sensitivity(x, q, tool, k, S, w):
         _nominal(w_2, k_2, n)
         _nominal(w_3, k_3, n)
         _nominal_inverse(w, n)
-        regular = _nominal_products(w, S, first, last) & regular
+        regular = _nominal_products(w, rows, first, last) & regular
     return regular
 
 
@@ -2281,7 +2043,7 @@ def nominal_sensitivity(x, q, tool, k, S):
     False where the machine is singular at one of the poses, or nearly so. With the errors of one limb in the order of
     ``parameters.ERRORS``.
     """
-    return _nominal_sensitivity(x, q, tool, k, S, scratch(WORK))
+    return _nominal_sensitivity(x, q, tool, k, S, scratch(WORK + SPARE))
 
 
 @fast
@@ -2321,4 +2083,4 @@ def distance_rows(x, q, tool, k, columns, H):
     work = scratch(3 * poses * (42 + n))
     S = work[: 126 * poses].reshape(poses, 3, 42)
     C = work[126 * poses :].reshape(poses, 3, n)
-    return _distance_rows(x, q, tool, k, columns, H, S, C, scratch(WORK))
+    return _distance_rows(x, q, tool, k, columns, H, S, C, scratch(WORK + SPARE))

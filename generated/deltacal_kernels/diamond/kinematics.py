@@ -1,7 +1,7 @@
 """Kinematics of `diamond`, many poses at once: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 33eb3eb2ed2cb9ba; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both df477daf02cb4f91; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -19,7 +19,7 @@ import math
 import numpy as np
 
 from deltacal_kernels.compiled import kernel
-from deltacal_kernels.elementary import arcsine, arctangent, cosine, scratch, sine, tangent, wide
+from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, scratch, sine, tangent, wide
 
 from . import vectorised
 from .vectorised import SINGULAR, SOLVED, UNREACHABLE, constants, jacobians
@@ -29,7 +29,8 @@ OPEN = -1  # a pose that is left to the plain kernels
 MAX_STEPS = 8
 STEP_DONE = 1e-6  # mm; Newton is quadratic: after such a step a length of 1000 mm is exact to 1e-15 mm
 TURN_DONE = 3e-8  # rad
-WORK = 2208  # length of the scratch array
+WORK = 2208  # numbers that a block computes with
+SPARE = 256  # and that the last of its poses are written to
 CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
 APART = 1e-3  # squared sine between the centres' directions
 SIMPLIFIED = 2  # coordinates that `simplified_forward` gives: the others are zero
@@ -475,7 +476,7 @@ def forward(q, tool, k, x, status, warm):
     status (N,): SOLVED, UNREACHABLE (no platform pose closes all loops) or SINGULAR; x is NaN unless SOLVED.
     """
     given = x.copy() if warm else x
-    if _forward(q, tool, k, x, status, warm, scratch(WORK)):
+    if _forward(q, tool, k, x, status, warm, scratch(WORK + SPARE)):
         left = np.flatnonzero(status == OPEN)
         of, found = np.zeros(len(left), dtype=np.int64), given[left]
         vectorised.forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, warm)
@@ -530,7 +531,7 @@ def inverse(target, tool, k, x, q, status):
     Newton on the joints and the platform's rotation from the simplified machine. status as in `forward`; UNREACHABLE
     where the target lies beyond the reach of a limb.
     """
-    if _inverse(target, tool, k, x, q, status, scratch(WORK)):
+    if _inverse(target, tool, k, x, q, status, scratch(WORK + SPARE)):
         left = np.flatnonzero(status == OPEN)
         found, joints, of = np.empty((len(left), 2)), np.empty((len(left), 2)), np.zeros(len(left), dtype=np.int64)
         vectorised.inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
@@ -684,6 +685,7 @@ def _aim(w, n):
 
 @fast
 def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
+    by_errors, by_joints = S_p.reshape(S_p.size), S_q.reshape(S_q.size)
     w_1 = w[0:896]
     w_2 = w[896:1792]
     if len(tool) == 1:
@@ -713,60 +715,33 @@ def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
             _joints(w_2, k_2, n)
             _errors(w_2, k_2, n)
             _inverse_of_rows(w, n)
-            left += _products(w, S_p, S_q, status, first, last)
+            left += _products(w, by_errors, by_joints, status, first, last)
     return left
 
 
 @fast
 def _products(w, S_p, S_q, status, first, last):
-    """Multiply the inverse and the derivatives by errors and joints, pose by pose; return how many are left open."""
+    """Multiply the inverse and the derivatives by errors and joints; return how many poses are left open."""
     wide()
+    for lane in range(0, last - first + 1, 8):
+        whole = 32 * (first + lane + 8) <= S_p.size  # else the last poses are written through scratch
+        to, at = (S_p, 32 * (first + lane)) if whole else (w[WORK:], 0)
+        for i in range(2):
+            outer(to, at + 8 * i + 0, 32, 16, 2, w, (1920 + 32 * i + lane, ), 64, (640 + 896 * i + lane, ), 32, 8)
+        if not whole:
+            for c in range(32 * (last + 1 - first - lane)):
+                S_p[32 * (first + lane) + c] = to[c]
+        whole = 4 * (first + lane + 8) <= S_q.size  # else the last poses are written through scratch
+        to, at = (S_q, 4 * (first + lane)) if whole else (w[WORK:], 0)
+        for i in range(2):
+            outer(to, at + 1 * i + 0, 4, 2, 2, w, (1920 + 32 * i + lane, ), 64, (288 + 896 * i + lane, ), 32, 1)
+        if not whole:
+            for c in range(4 * (last + 1 - first - lane)):
+                S_q[4 * (first + lane) + c] = to[c]
     left = 0
     for lane in range(last - first + 1):
-        m = first + lane
-        e_0_0 = w[640 + lane]
-        e_0_1 = w[672 + lane]
-        e_0_2 = w[704 + lane]
-        e_0_3 = w[736 + lane]
-        e_0_4 = w[768 + lane]
-        e_0_5 = w[800 + lane]
-        e_0_6 = w[832 + lane]
-        e_0_7 = w[864 + lane]
-        q_0 = w[288 + lane]
-        for r in range(2):
-            a_0 = w[64 * r + (1920 + lane)]
-            S_p[m, r, 0] = a_0 * e_0_0
-            S_p[m, r, 1] = a_0 * e_0_1
-            S_p[m, r, 2] = a_0 * e_0_2
-            S_p[m, r, 3] = a_0 * e_0_3
-            S_p[m, r, 4] = a_0 * e_0_4
-            S_p[m, r, 5] = a_0 * e_0_5
-            S_p[m, r, 6] = a_0 * e_0_6
-            S_p[m, r, 7] = a_0 * e_0_7
-            S_q[m, r, 0] = a_0 * q_0
-        e_0_0 = w[1536 + lane]
-        e_0_1 = w[1568 + lane]
-        e_0_2 = w[1600 + lane]
-        e_0_3 = w[1632 + lane]
-        e_0_4 = w[1664 + lane]
-        e_0_5 = w[1696 + lane]
-        e_0_6 = w[1728 + lane]
-        e_0_7 = w[1760 + lane]
-        q_0 = w[1184 + lane]
-        for r in range(2):
-            a_0 = w[64 * r + (1952 + lane)]
-            S_p[m, r, 8] = a_0 * e_0_0
-            S_p[m, r, 9] = a_0 * e_0_1
-            S_p[m, r, 10] = a_0 * e_0_2
-            S_p[m, r, 11] = a_0 * e_0_3
-            S_p[m, r, 12] = a_0 * e_0_4
-            S_p[m, r, 13] = a_0 * e_0_5
-            S_p[m, r, 14] = a_0 * e_0_6
-            S_p[m, r, 15] = a_0 * e_0_7
-            S_q[m, r, 1] = a_0 * q_0
-        regular = True
-        regular = regular & (w[2048 + lane] > 0.0)
-        status[m] = SOLVED if regular else OPEN
+        regular = (w[2048 + lane] > 0.0)
+        status[first + lane] = SOLVED if regular else OPEN
         left += 0 if regular else 1
     return left
 
@@ -777,7 +752,7 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
     Rows are px, py, then turns of the platform about the axes of {O}. Columns of S_p run limb by limb. S_q is the velocity
     Jacobian.
     """
-    if _sensitivity(x, q, tool, k, S_p, S_q, status, scratch(WORK)):
+    if _sensitivity(x, q, tool, k, S_p, S_q, status, scratch(WORK + SPARE)):
         left = np.flatnonzero(status == OPEN)
         by_errors, by_joints, of = np.empty((len(left), 2, 16)), np.empty((len(left), 2, 2)), np.zeros(len(left), dtype=np.int64)
         vectorised.sensitivity(x[left], q[left], _of(tool, left, len(status)), _of(k, left, len(status)), by_errors, by_joints, of)
@@ -875,43 +850,26 @@ def _nominal_inverse(w, n):
 def _nominal_products(w, S, first, last):
     """Multiply the inverse and the derivatives by the errors where they do not vanish; False where a pose is not regular."""
     wide()
+    for lane in range(0, last - first + 1, 8):
+        whole = 28 * (first + lane + 8) <= S.size  # else the last poses are written through scratch
+        to, at = (S, 28 * (first + lane)) if whole else (w[WORK:], 0)
+        for i in range(2):
+            outer(to, at + 7 * i + 0, 28, 14, 2, w, (1920 + 32 * i + lane, ), 64, (640 + 896 * i + lane, ), 32, 5)
+            for row in range(16):
+                for c in range(2):
+                    to[at + 14 * row + 7 * i + 5 + c] = 0.0
+        if not whole:
+            for c in range(28 * (last + 1 - first - lane)):
+                S[28 * (first + lane) + c] = to[c]
     regular = True
     for lane in range(last - first + 1):
-        m = first + lane
-        e_0_0 = w[640 + lane]
-        e_0_1 = w[672 + lane]
-        e_0_2 = w[704 + lane]
-        e_0_3 = w[736 + lane]
-        e_0_4 = w[768 + lane]
-        for r in range(2):
-            a_0 = w[64 * r + (1920 + lane)]
-            S[m, r, 0] = a_0 * e_0_0
-            S[m, r, 1] = a_0 * e_0_1
-            S[m, r, 2] = a_0 * e_0_2
-            S[m, r, 3] = a_0 * e_0_3
-            S[m, r, 4] = a_0 * e_0_4
-            S[m, r, 5] = 0.0
-            S[m, r, 6] = 0.0
-        e_0_0 = w[1536 + lane]
-        e_0_1 = w[1568 + lane]
-        e_0_2 = w[1600 + lane]
-        e_0_3 = w[1632 + lane]
-        e_0_4 = w[1664 + lane]
-        for r in range(2):
-            a_0 = w[64 * r + (1952 + lane)]
-            S[m, r, 7] = a_0 * e_0_0
-            S[m, r, 8] = a_0 * e_0_1
-            S[m, r, 9] = a_0 * e_0_2
-            S[m, r, 10] = a_0 * e_0_3
-            S[m, r, 11] = a_0 * e_0_4
-            S[m, r, 12] = 0.0
-            S[m, r, 13] = 0.0
-        regular = regular & (w[2048 + lane] > 0.0)
+        regular = (w[2048 + lane] > 0.0) & regular
     return regular
 
 
 @fast
 def _nominal_sensitivity(x, q, tool, k, S, w):
+    rows = S.reshape(S.size)
     w_1 = w[0:896]
     w_2 = w[896:1792]
     if len(tool) == 1:
@@ -929,7 +887,7 @@ def _nominal_sensitivity(x, q, tool, k, S, w):
         _nominal(w_1, k_1, n)
         _nominal(w_2, k_2, n)
         _nominal_inverse(w, n)
-        regular = _nominal_products(w, S, first, last) & regular
+        regular = _nominal_products(w, rows, first, last) & regular
     return regular
 
 
@@ -940,7 +898,7 @@ def nominal_sensitivity(x, q, tool, k, S):
     False where the machine is singular at one of the poses, or nearly so. With the errors of one limb in the order of
     ``parameters.ERRORS``, then ``COMMON``.
     """
-    return _nominal_sensitivity(x, q, tool, k, S, scratch(WORK))
+    return _nominal_sensitivity(x, q, tool, k, S, scratch(WORK + SPARE))
 
 
 @fast
@@ -979,4 +937,4 @@ def distance_rows(x, q, tool, k, columns, H):
     work = scratch(2 * poses * (14 + n))
     S = work[: 28 * poses].reshape(poses, 2, 14)
     C = work[28 * poses :].reshape(poses, 2, n)
-    return _distance_rows(x, q, tool, k, columns, H, S, C, scratch(WORK))
+    return _distance_rows(x, q, tool, k, columns, H, S, C, scratch(WORK + SPARE))

@@ -1,9 +1,12 @@
 """Commands of one pose for a servo loop: `linear_delta`, Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 49cff534bd9c3e50; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both fa7b479bbf1b70ca; SymPy 1.14.0.
 
-Scalar code without allocation, to be called from loops that Numba compiles. Lengths in mm, angles in rad.
+Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
+than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`
+and `linear_state` make, `copied` for every thread: loops over `lane` run over the limbs, the last of them again so that
+they are 4.
 """
 
 import math
@@ -11,221 +14,199 @@ import math
 import numpy as np
 
 from deltacal_kernels.compiled import kernel
+from deltacal_kernels.elementary import aligned, arcsine, arctangent, copied, cosine, sine, tangent
 
-from .vectorised import MAX_STEPS, PIVOT_SINGULAR, SINGULAR, SOLVED, STEP_LOST, UNREACHABLE
+from .vectorised import MAX_STEPS, SINGULAR, SOLVED, STEP_LOST, UNREACHABLE
 
 COMMAND_DONE = 3e-8  # rad; after such a step a command is exact to its square: 1e-15 rad
-COMMAND_WORK = 72  # length of the scratch array of `exact_command` and `linear_command`
-COMMAND_CONSTANTS = 21  # `exact_command` reads these first columns of k only
+COMMAND_CONSTANTS = 21  # what is exported reads these first columns of `vectorised.constants` only
+LANES = np.int64(4)  # no literal: a loop whose end is known beforehand is unrolled, and not turned into SIMD code
+fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
-@kernel(nogil=True, error_model="numpy")
-def _newton(x, q, tool, k, out):
-    """Per rod of one limb: closure, its derivatives by the platform, by the joint (334 operations)."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    cx = x[3]
-    cy = x[4]
-    cz = x[5]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    q = q
-    s60 = k[0]
-    s59 = k[1]
-    axis_x = k[2]
-    s65 = k[3]
-    axis_y = k[4]
-    s68 = k[5]
-    axis_z = k[6]
-    s106 = k[7]
-    s109 = k[8]
-    u_x = k[9]
-    u_y = k[10]
-    s128 = k[11]
-    s150 = k[12]
-    s516 = k[13]
-    s62 = -q*s60 + s59
-    C_x = axis_x*s62 + s65
-    C_y = axis_y*s62 + s68
-    C_z = axis_z*s62
-    s71 = (cx * cx)
-    s73 = (cy * cy)
-    s75 = (cz * cz)
-    s77 = 0.25*s71 + 0.25*s73 + 0.25*s75 + 1
-    s78 = (1.0 / s77)
-    s79 = -0.5*s73
-    s80 = -0.5*s75
-    s81 = s79 + s80
-    R_11 = s78*s81 + 1
-    s84 = 0.5*cx*cy
-    s85 = -cz + s84
-    R_12 = s78*s85
-    s87 = 0.5*cx*cz
-    s88 = cy + s87
-    R_13 = s78*s88
-    s90 = cz + s84
-    R_21 = s78*s90
-    s92 = -0.5*s71
-    s93 = s80 + s92
-    R_22 = s78*s93 + 1
-    s96 = 0.5*cy*cz
-    s97 = -cx + s96
-    R_23 = s78*s97
-    s99 = -cy + s87
-    R_31 = s78*s99
-    s101 = cx + s96
-    R_32 = s101*s78
-    s103 = s79 + s92
-    R_33 = s103*s78 + 1
-    s107 = s106 - tx
-    s110 = s109 - ty
-    A_x = R_11*s107 + R_12*s110 - R_13*tz + px
-    A_y = R_21*s107 + R_22*s110 - R_23*tz + py
-    A_z = R_31*s107 + R_32*s110 - R_33*tz + pz
-    d_x = A_x - C_x
-    d_y = A_y - C_y
-    d_z = A_z - C_z
-    s_x = s128*(-R_11*u_y + R_12*u_x + u_y)
-    s_y = s128*(-R_21*u_y + R_22*u_x - u_x)
-    s_z = s128*(-R_31*u_y + R_32*u_x)
-    s138 = d_x + s_x
-    s141 = d_y + s_y
-    s144 = d_z + s_z
-    s151 = 0.5*(s138 * s138) + 0.5*(s141 * s141) + 0.5*(s144 * s144) + s150
-    s152 = 2*s144
-    s153 = 0.5*s152
-    s154 = 2*s141
-    s155 = 0.5*s154
-    s156 = 2*s138
-    s157 = 0.5*s156
-    s159 = s128*s153
-    s165 = s128*s155
-    s170 = s128*s157
-    s176 = -s153*tz
-    s182 = -s155*tz
-    s188 = -s157*tz
-    s196 = s176*s78
-    s198 = s110*s153 + s159*u_x
-    s199 = s198*s78
-    s201 = s107*s153 - s159*u_y
-    s203 = s201*s78
-    s205 = s182*s78
-    s206 = s199 + s205
-    s207 = 0.5*cz
-    s208 = 0.5*cy
-    s211 = s110*s155 + s165*u_x
-    s212 = s211*s93
-    s213 = s211*s78
-    s216 = s107*s155 - s165*u_y
-    s217 = s216*s90
-    s218 = s216*s78
-    s219 = s188*s88
-    s220 = s188*s78
-    s221 = s203 + s220
-    s222 = 0.5*cx
-    s225 = s110*s157 + s170*u_x
-    s226 = s225*s85
-    s227 = s225*s78
-    s228 = s218 + s227
-    s231 = s107*s157 - s170*u_y
-    s232 = s231*s81
-    s233 = s231*s78
-    s238 = s101*s198 + s103*s176 + s182*s97 + s201*s99 + s212 + s217 + s219 + s226 + s232
-    s239 = (1.0 / (s77 * s77))
-    s241 = -0.25*s238*s239
-    s243 = 2*cz
-    s246 = 2*cy
-    s249 = 2*cx
-    s258 = -s60*(-axis_x*s157 - axis_y*s155 - axis_z*s153)
-    s264 = s199 - s205 + s207*s221 + s208*s228 + s249*(-0.5*s196 - 0.5*s213 + s241)
-    s265 = -s203 + s206*s207 + s220 + s222*s228 + s246*(-0.5*s196 - 0.5*s233 + s241)
-    s266 = s206*s208 + s218 + s221*s222 - s227 + s243*(-0.5*s213 - 0.5*s233 + s241)
-    s505 = d_x - s_x
-    s508 = d_y - s_y
-    s511 = d_z - s_z
-    s517 = 0.5*(s505 * s505) + 0.5*(s508 * s508) + 0.5*(s511 * s511) + s516
-    s518 = 2*s511
-    s519 = 0.5*s518
-    s520 = 2*s508
-    s521 = 0.5*s520
-    s522 = 2*s505
-    s523 = 0.5*s522
-    s525 = -s128*s519
-    s531 = -s128*s521
-    s536 = -s128*s523
-    s542 = -s519*tz
-    s548 = -s521*tz
-    s554 = -s523*tz
-    s562 = s542*s78
-    s564 = s110*s519 + s525*u_x
-    s565 = s564*s78
-    s567 = s107*s519 - s525*u_y
-    s569 = s567*s78
-    s571 = s548*s78
-    s572 = s565 + s571
-    s575 = s110*s521 + s531*u_x
-    s576 = s575*s93
-    s577 = s575*s78
-    s580 = s107*s521 - s531*u_y
-    s581 = s580*s90
-    s582 = s580*s78
-    s583 = s554*s88
-    s584 = s554*s78
-    s585 = s569 + s584
-    s588 = s110*s523 + s536*u_x
-    s589 = s588*s85
-    s590 = s588*s78
-    s591 = s582 + s590
-    s594 = s107*s523 - s536*u_y
-    s595 = s594*s81
-    s596 = s594*s78
-    s601 = s101*s564 + s103*s542 + s548*s97 + s567*s99 + s576 + s581 + s583 + s589 + s595
-    s603 = -0.25*s239*s601
-    s617 = -s60*(-axis_x*s523 - axis_y*s521 - axis_z*s519)
-    s623 = s207*s585 + s208*s591 + s249*(-0.5*s562 - 0.5*s577 + s603) + s565 - s571
-    s624 = s207*s572 + s222*s591 + s246*(-0.5*s562 - 0.5*s596 + s603) - s569 + s584
-    s625 = s208*s572 + s222*s585 + s243*(-0.5*s577 - 0.5*s596 + s603) + s582 - s590
-    out[0] = s151
-    out[1] = s157
-    out[2] = s155
-    out[3] = s153
-    out[4] = s264
-    out[5] = s265
-    out[6] = s266
-    out[7] = s258
-    out[8] = s517
-    out[9] = s523
-    out[10] = s521
-    out[11] = s519
-    out[12] = s623
-    out[13] = s624
-    out[14] = s625
-    out[15] = s617
+def _exact_constants(p):
+    """Return k (M, 3, 26), what no target changes, from p (127 operations).
+
+    p is that of the calibrated machine.
+    """
+    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
+    k = np.zeros((26, p.shape[1], 3))
+    r = p[0]
+    l = p[1]
+    phi = p[2]
+    home = p[3]
+    a = p[4]
+    c = p[5]
+    endstop = p[6]
+    arm = p[7]
+    radius = p[8]
+    angle = p[9]
+    lean_radial = p[10]
+    lean_tangential = p[11]
+    scale = p[12]
+    dl = p[13]
+    dr = p[14]
+    s0 = angle + phi
+    u_x = np.cos(s0)
+    u_y = np.sin(s0)
+    arm_0 = arm + l
+    r_0 = dr + r + radius
+    s7 = lean_radial*u_x - lean_tangential*u_y
+    s8 = (s7 * s7)
+    s11 = -lean_radial*u_y - lean_tangential*u_x
+    s12 = (s11 * s11)
+    s13 = s12 + s8
+    s21 = s13*(s13*(s13*(2.8114572543455206e-15*s12 + 2.8114572543455206e-15*s8 - 7.647163731819816e-13) + 1.6059043836821613e-10) - 2.505210838544172e-08)
+    s29 = s13*(s13*(s13*(s13*(s21 + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333) - 0.16666666666666666)
+    s30 = s29 + 1
+    axis_x = s30*s7
+    axis_y = -s11*s30
+    s40 = s13*(s13*(s13*(1.5619206968586225e-16*s12 + 1.5619206968586225e-16*s8 - 4.779477332387385e-14) + 1.1470745597729725e-11) - 2.08767569878681e-09)
+    s48 = s13*(s13*(s13*(s13*(s40 + 2.755731922398589e-07) - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664)
+    s49 = s48 + 0.5
+    axis_z = -(s11 * s11)*s49 - s49*(s7 * s7) + 1
+    s53 = (arm_0 * arm_0)
+    h = endstop + home + np.sqrt(-(r_0 * r_0) + s53)
+    s59 = h/axis_z
+    s60 = scale + 1
+    s64 = a + r_0
+    s65 = s64*u_x
+    s68 = s64*u_y
+    s106 = a*u_x
+    s109 = a*u_y
+    s128 = 0.5*c
+    s138 = (1.0 / (s60 * s60))
+    s139 = a + dr + r + radius
+    s141 = s106 - s139*u_x
+    s146 = s109 - s139*u_y
+    s153 = -0.5*s53
+    s155 = -2*s138
+    s159 = 2*scale + 2
+    s161 = 0.25*(s159 * s159)/s60**4
+    s165 = -0.5*s138*s159
+    s182 = -0.125*(dl * dl) + s153
+    s188 = 0.5*c*u_y
+    s190 = -0.5*c*u_x
+    s213 = axis_x*s60
+    s215 = axis_y*s60
+    s217 = axis_z*s60
+    s223 = -0.5*arm_0*dl
+    k[0] = s141
+    k[1] = s146
+    k[2] = h
+    k[3] = s153
+    k[4] = s155
+    k[5] = s161
+    k[6] = s165
+    k[7] = s60
+    k[8] = s59
+    k[9] = axis_x
+    k[10] = s65
+    k[11] = axis_y
+    k[12] = s68
+    k[13] = axis_z
+    k[14] = s106
+    k[15] = s109
+    k[16] = u_x
+    k[17] = u_y
+    k[18] = s128
+    k[19] = s182
+    k[20] = s188
+    k[21] = s190
+    k[22] = s213
+    k[23] = s215
+    k[24] = s217
+    k[25] = s223
+    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
-@kernel(nogil=True, error_model="numpy")
-def _joint(x, q, tool, k, out):
-    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it (22 operations)."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    s660 = k[14]
-    s665 = k[15]
-    h = k[16]
-    s672 = k[17]
-    s674 = k[18]
-    s680 = k[19]
-    s684 = k[20]
-    s669 = -h + pz - tz
-    s670 = (s669 * s669)
-    s673 = 0.5*s670 + s672 + 0.5*((px + s660 - tx) * (px + s660 - tx)) + 0.5*((py + s665 - ty) * (py + s665 - ty))
-    s686 = s669*s684 - math.sqrt(s670*s680 + s673*s674)
-    out[0] = s686
+def _linear_constants(p):
+    """Return k (M, 3, 19), what no target changes, from p (69 operations).
+
+    p is that of the calibrated machine: its geometry is taken as nominal, its errors as what to compensate.
+    """
+    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
+    k = np.zeros((19, p.shape[1], 3))
+    r = p[0]
+    l = p[1]
+    phi = p[2]
+    home = p[3]
+    a = p[4]
+    c = p[5]
+    endstop = p[6]
+    arm = p[7]
+    radius = p[8]
+    angle = p[9]
+    lean_radial = p[10]
+    lean_tangential = p[11]
+    scale = p[12]
+    dl = p[13]
+    dr = p[14]
+    u_x = np.cos(phi)
+    by_s1 = np.sin(phi)
+    u_x_errors = -angle*by_s1
+    u_y = np.sin(phi)
+    u_y_errors = angle*u_x
+    r_0_errors = dr + radius
+    by_s6 = lean_radial*u_x
+    by_s7 = -lean_tangential*u_y
+    axis_x_errors = by_s6 + by_s7
+    by_s9 = lean_radial*u_y
+    by_s10 = lean_tangential*u_x
+    axis_y_errors = by_s10 + by_s9
+    by_s12 = (l * l)
+    by_s13 = (r * r)
+    by_s14 = by_s12 - by_s13
+    by_s15 = np.sqrt(by_s14)
+    h = by_s15 + home
+    by_s17 = 1/np.sqrt(by_s14)
+    by_s18 = arm*by_s17*l
+    by_s19 = -by_s17*r*r_0_errors
+    h_errors = by_s18 + by_s19 + endstop
+    by_s22 = a + r
+    by_s23 = by_s22*u_x
+    by_s25 = r_0_errors*u_x
+    by_s26 = by_s22*u_x_errors
+    by_s27 = by_s25 + by_s26
+    by_s29 = by_s22*u_y
+    by_s31 = r_0_errors*u_y
+    by_s32 = by_s22*u_y_errors
+    by_s33 = by_s31 + by_s32
+    by_s37 = a*u_x
+    by_s39 = a*u_y
+    by_s42 = a*u_x_errors
+    by_s44 = a*u_y_errors
+    s50 = -by_s23 + by_s37
+    s52 = -axis_x_errors*h - by_s27 + by_s42
+    s54 = -by_s29 + by_s39
+    s56 = -axis_y_errors*h - by_s33 + by_s44
+    s_x_cz = -0.5*c*u_x
+    s_y_cz = -0.5*c*u_y
+    s_z_cx = 0.5*c*u_x
+    s_z_cy = 0.5*c*u_y
+    s66 = a*by_s1 - by_s1*by_s22
+    s77 = -arm*l
+    s88 = -0.5*dl*l
+    k[0] = s50
+    k[1] = s66
+    k[2] = by_s12
+    k[3] = h
+    k[4] = axis_x_errors
+    k[5] = axis_y_errors
+    k[6] = scale
+    k[7] = h_errors
+    k[8] = by_s37
+    k[9] = by_s39
+    k[10] = s52
+    k[11] = s54
+    k[12] = s56
+    k[13] = s77
+    k[14] = s_z_cx
+    k[15] = s_z_cy
+    k[16] = s_x_cz
+    k[17] = s_y_cz
+    k[18] = s88
+    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
 def linear_constants(p):
@@ -307,264 +288,518 @@ def linear_constants(p):
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
-@kernel(nogil=True, error_model="numpy")
-def _nominal_joint(x, q, tool, k, i, out):
-    """Joint of the nominal limb at a given position (13 operations); limb i of k, row i of out."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    s55 = k[i, 0]
-    s60 = k[i, 1]
-    s12 = k[i, 2]
-    h = k[i, 3]
-    s64 = math.sqrt(s12 - ((px + s55 - tx) * (px + s55 - tx)) - ((py + s60 - ty) * (py + s60 - ty)))
-    s65 = h - pz - s64 + tz
-    row = 1 * i
-    out[row + 0] = s65
+def exact_state(p, tool, sign):
+    """Return the array w of `exact_command` for a machine: p (3, 15), tool (3,), sign (3,) of the controller's joints."""
+    w = aligned(208)
+    w[20:23], w[24:27] = tool, sign
+    k = _exact_constants(p[None])[0]
+    w[104:208].reshape(-1, 4)[:] = np.pad(k, ((0, 1), (0, 0)), mode="edge").T
+    return w
 
 
-@kernel(nogil=True, error_model="numpy")
-def _linear(x, q, tool, k, i, out):
-    """Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (54 operations); limb i of k, row i of out."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    h = k[i, 3]
-    axis_x_errors = k[i, 4]
-    s27 = k[i, 5]
-    axis_y_errors = k[i, 6]
-    s33 = k[i, 7]
-    scale = k[i, 8]
-    h_errors = k[i, 9]
-    s37 = k[i, 10]
-    s39 = k[i, 11]
-    s23 = k[i, 12]
-    s42 = k[i, 13]
-    s29 = k[i, 14]
-    s44 = k[i, 15]
-    s71 = k[i, 16]
-    s_z_cx = k[i, 17]
-    s_z_cy = k[i, 18]
-    s_x_cz = k[i, 19]
-    s_y_cz = k[i, 20]
-    s86 = k[i, 21]
-    s21 = h - q
-    C_x_errors = axis_x_errors*s21 + s27
-    C_y_errors = axis_y_errors*s21 + s33
-    C_z_errors = h_errors - q*scale
-    s38 = s37 - tx
-    s40 = s39 - ty
-    A_x = px + s38
-    A_y = py + s40
-    A_z = pz - tz
-    d_x = A_x - s23
-    d_x_errors = -C_x_errors + s42
-    d_y = A_y - s29
-    d_y_errors = -C_y_errors + s44
-    d_z = A_z - s21
-    s66 = d_x*d_x_errors
-    s67 = d_y*d_y_errors
-    s68 = -C_z_errors*d_z
-    s72 = s66 + s67 + s68 + s71
-    s73 = d_y*tz
-    s74 = d_z*s40
-    s75 = d_z*s_z_cx
-    s76 = s73 + s74 + s75
-    s77 = -d_x*tz
-    s78 = -d_z*s38
-    s79 = d_z*s_z_cy
-    s80 = s77 + s78 + s79
-    s81 = -d_x*s40
-    s82 = d_y*s38
-    s83 = d_x*s_x_cz
-    s84 = d_y*s_y_cz
-    s85 = s81 + s82 + s83 + s84
-    s87 = s66 + s67 + s68 + s86
-    s88 = s73 + s74 - s75
-    s89 = s77 + s78 - s79
-    s90 = s81 + s82 - s83 - s84
-    row = 16 * i
-    out[row + 0] = s72
-    out[row + 4] = s76
-    out[row + 5] = s80
-    out[row + 6] = s85
-    out[row + 7] = d_z
-    out[row + 8] = s87
-    out[row + 12] = s88
-    out[row + 13] = s89
-    out[row + 14] = s90
-    out[row + 15] = d_z
+def linear_state(p, tool, sign):
+    """Return the array w of `linear_command` for a machine: p (3, 15), tool (3,), sign (3,) of the controller's joints."""
+    w = aligned(180)
+    w[20:23], w[24:27] = tool, sign
+    k = _linear_constants(p[None])[0]
+    w[104:180].reshape(-1, 4)[:] = np.pad(k, ((0, 1), (0, 0)), mode="edge").T
+    return w
 
 
-@kernel(nogil=True, error_model="numpy")
-def _hold(work):
-    """Solve for the changes of joints and rotation that undo the closures while the reference point stays in place.
-
-    work: per rod closure, its derivatives by the platform and by the joint; then room for the reduced equations; then
-    the changes. A limb's joint is eliminated with the rod that feels it most; what is left are 3 equations for the
-    rotation. Returns False where a joint is felt by no rod of its limb, or the rotation is not held.
-    """
-    largest = 0.0
-    for row in range(6):
-        for c in range(4, 8):
-            largest = max(largest, abs(work[8 * row + c]))
-    smallest = PIVOT_SINGULAR * largest
-    target = 48
-    for i in range(3):
-        best = 16 * i
-        for j in range(1, 2):
-            if abs(work[16 * i + 8 * j + 7]) > abs(work[best + 7]):
-                best = 16 * i + 8 * j
-        if not abs(work[best + 7]) > smallest:
-            return False
-        inverse = 1.0 / work[best + 7]
-        for j in range(2):
-            rod = 16 * i + 8 * j
-            if rod != best:
-                factor = work[rod + 7] * inverse
-                for c in range(3):
-                    work[target + c] = work[rod + 4 + c] - factor * work[best + 4 + c]
-                work[target + 3] = work[rod] - factor * work[best]
-                target += 4
-        # the joint's own equation, left to the end: closure and rotation over the joint's derivative
-        for c in range(3):
-            work[16 * i + 4 + c] = work[best + 4 + c] * inverse
-        work[60 + i] = work[best] * inverse
-    for c in range(3):
-        pivot = 48 + 4 * c
-        for r in range(c + 1, 3):
-            if abs(work[48 + 4 * r + c]) > abs(work[pivot + c]):
-                pivot = 48 + 4 * r
-        row = 48 + 4 * c
-        if not abs(work[pivot + c]) > smallest:
-            return False
-        if pivot != row:
-            for j in range(c, 4):
-                work[row + j], work[pivot + j] = work[pivot + j], work[row + j]
-        inverse = 1.0 / work[row + c]
-        for r in range(c + 1, 3):
-            below = 48 + 4 * r
-            factor = work[below + c] * inverse
-            for j in range(c + 1, 4):
-                work[below + j] -= factor * work[row + j]
-    for c in range(2, -1, -1):
-        row = 48 + 4 * c
-        total = work[row + 3]
-        for j in range(c + 1, 3):
-            total -= work[row + j] * work[63 + j]
-        work[63 + c] = total / work[row + c]
-    for i in range(3):
-        for c in range(3):
-            work[60 + i] -= work[16 * i + 4 + c] * work[63 + c]
-    return True
+@fast
+def _exact_joint(w, lanes):
+    """Joint of the simplified limb at the target, then the platform's coordinates that follow from it (22 operations)."""
+    px = w[0]
+    py = w[1]
+    pz = w[2]
+    tx = w[20]
+    ty = w[21]
+    tz = w[22]
+    for lane in range(lanes):
+        s141 = w[104 + lane]
+        s146 = w[108 + lane]
+        h = w[112 + lane]
+        s153 = w[116 + lane]
+        s155 = w[120 + lane]
+        s161 = w[124 + lane]
+        s165 = w[128 + lane]
+        s150 = -h + pz - tz
+        s151 = (s150 * s150)
+        s154 = 0.5*s151 + s153 + 0.5*((px + s141 - tx) * (px + s141 - tx)) + 0.5*((py + s146 - ty) * (py + s146 - ty))
+        s167 = s150*s165 - math.sqrt(s151*s161 + s154*s155)
+        w[36 + lane] = s167
 
 
-@kernel(nogil=True, error_model="numpy")
-def exact_command(target, tool, k, work, q):
-    """Fill the joints q (3,) that bring the reference point to target (3,); return the status.
+@fast
+def _exact_rows(w, lanes):
+    """Equations of a limb, their derivatives by turns of the platform and by the joint (150 operations)."""
+    px = w[0]
+    py = w[1]
+    pz = w[2]
+    R_11 = w[8]
+    R_12 = w[9]
+    R_13 = w[10]
+    R_21 = w[11]
+    R_22 = w[12]
+    R_23 = w[13]
+    R_31 = w[14]
+    R_32 = w[15]
+    R_33 = w[16]
+    tx = w[20]
+    ty = w[21]
+    tz = w[22]
+    for lane in range(lanes):
+        s60 = w[132 + lane]
+        s59 = w[136 + lane]
+        axis_x = w[140 + lane]
+        s65 = w[144 + lane]
+        axis_y = w[148 + lane]
+        s68 = w[152 + lane]
+        axis_z = w[156 + lane]
+        s106 = w[160 + lane]
+        s109 = w[164 + lane]
+        u_x = w[168 + lane]
+        u_y = w[172 + lane]
+        s128 = w[176 + lane]
+        s182 = w[180 + lane]
+        s188 = w[184 + lane]
+        s190 = w[188 + lane]
+        s213 = w[192 + lane]
+        s215 = w[196 + lane]
+        s217 = w[200 + lane]
+        s223 = w[204 + lane]
+        q = w[36 + lane]
+        s62 = -q*s60 + s59
+        C_x = axis_x*s62 + s65
+        C_y = axis_y*s62 + s68
+        C_z = axis_z*s62
+        s107 = s106 - tx
+        s108 = R_11*s107
+        s110 = s109 - ty
+        s111 = R_12*s110
+        s112 = -R_13*tz
+        A_x = px + s108 + s111 + s112
+        s114 = R_21*s107
+        s115 = R_22*s110
+        s116 = -R_23*tz
+        A_y = py + s114 + s115 + s116
+        s118 = R_31*s107
+        s119 = R_32*s110
+        s120 = -R_33*tz
+        A_z = pz + s118 + s119 + s120
+        d_x = A_x - C_x
+        d_y = A_y - C_y
+        d_z = A_z - C_z
+        s_x = s128*(-R_11*u_y + R_12*u_x + u_y)
+        s_y = s128*(-R_21*u_y + R_22*u_x - u_x)
+        s_z = s128*(-R_31*u_y + R_32*u_x)
+        s168 = (d_x * d_x)
+        s170 = (d_y * d_y)
+        s172 = (d_z * d_z)
+        s177 = 0.5*(s_y * s_y)
+        s179 = 0.5*(s_z * s_z)
+        s183 = 0.5*s168 + 0.5*s170 + 0.5*s172 + s177 + s179 + s182 + 0.5*(s_x * s_x)
+        s184 = -s118 - s119 - s120
+        s186 = s114 + s115 + s116
+        s192 = R_31*s188 + R_32*s190
+        s196 = -R_21*s188 - R_22*s190
+        s198 = d_y*s184 + d_z*s186 + s192*s_y + s196*s_z
+        s200 = -s108 - s111 - s112
+        s205 = R_11*s188 + R_12*s190
+        s207 = -d_x*s184 + d_z*s200 - s192*s_x + s205*s_z
+        s212 = -d_x*s186 - d_y*s200 - s196*s_x - s205*s_y
+        s219 = d_x*s213 + d_y*s215 + d_z*s217
+        s224 = d_x*s_x + d_y*s_y + d_z*s_z + s223
+        s229 = d_y*s192 + d_z*s196 + s184*s_y + s186*s_z
+        s234 = -d_x*s192 + d_z*s205 - s184*s_x + s200*s_z
+        s239 = -d_x*s196 - d_y*s205 - s186*s_x - s200*s_y
+        s243 = s213*s_x + s215*s_y + s217*s_z
+        s248 = -1.0e-12*s168 - 1.0e-12*s170 - 1.0e-12*s172 + (s219 * s219)
+        w[60 + lane] = s183
+        w[64 + lane] = s198
+        w[68 + lane] = s207
+        w[72 + lane] = s212
+        w[76 + lane] = s219
+        w[80 + lane] = s224
+        w[84 + lane] = s229
+        w[88 + lane] = s234
+        w[92 + lane] = s239
+        w[96 + lane] = s243
+        w[100 + lane] = s248
 
-    `inverse` for one pose, to be called from a servo loop: tool (3,), k (3, :), scratch work (COMMAND_WORK,).
-    q is NaN unless SOLVED.
-    """
-    pose = work[66:]
-    for c in range(3):
-        pose[c] = target[c]
-    for c in range(3):
-        pose[3 + c] = 0.0
-    status = SOLVED
-    for i in range(3):
-        _joint(pose, 0.0, tool, k[i], work)
-        q[i] = work[0]
-        if not math.isfinite(q[i]):
-            status = UNREACHABLE
-    if status == SOLVED:
-        status = UNREACHABLE
+
+@fast
+def _exact_solution(w):
+    """Changes that undo the closures while the target is kept; how far the equations are from dependent (122 operations)."""
+    F00 = w[60]
+    J00_3 = w[64]
+    J00_4 = w[68]
+    J00_5 = w[72]
+    Q00 = w[76]
+    F01 = w[80]
+    J01_3 = w[84]
+    J01_4 = w[88]
+    J01_5 = w[92]
+    Q01 = w[96]
+    F10 = w[61]
+    J10_3 = w[65]
+    J10_4 = w[69]
+    J10_5 = w[73]
+    Q10 = w[77]
+    F11 = w[81]
+    J11_3 = w[85]
+    J11_4 = w[89]
+    J11_5 = w[93]
+    Q11 = w[97]
+    F20 = w[62]
+    J20_3 = w[66]
+    J20_4 = w[70]
+    J20_5 = w[74]
+    Q20 = w[78]
+    F21 = w[82]
+    J21_3 = w[86]
+    J21_4 = w[90]
+    J21_5 = w[94]
+    Q21 = w[98]
+    by_00 = (1.0 / Q00)
+    by_10 = (1.0 / Q10)
+    by_20 = (1.0 / Q20)
+    ratio_00 = Q01*by_00
+    ratio_10 = Q11*by_10
+    ratio_20 = Q21*by_20
+    E_00 = -J00_3*ratio_00 + J01_3
+    E_01 = -J00_4*ratio_00 + J01_4
+    E_02 = -J00_5*ratio_00 + J01_5
+    E_10 = -J10_3*ratio_10 + J11_3
+    E_11 = -J10_4*ratio_10 + J11_4
+    E_12 = -J10_5*ratio_10 + J11_5
+    E_20 = -J20_3*ratio_20 + J21_3
+    E_21 = -J20_4*ratio_20 + J21_4
+    E_22 = -J20_5*ratio_20 + J21_5
+    E_cof_00 = E_11*E_22 - E_12*E_21
+    E_cof_01 = -E_10*E_22 + E_12*E_20
+    E_cof_02 = E_10*E_21 - E_11*E_20
+    E_cof_10 = -E_01*E_22 + E_02*E_21
+    E_cof_11 = E_00*E_22 - E_02*E_20
+    E_cof_12 = -E_00*E_21 + E_01*E_20
+    E_cof_20 = E_01*E_12 - E_02*E_11
+    E_cof_21 = -E_00*E_12 + E_02*E_10
+    E_cof_22 = E_00*E_11 - E_01*E_10
+    E_det_00 = E_00*E_cof_00 + E_01*E_cof_01 + E_02*E_cof_02
+    E_by_00 = (1.0 / E_det_00)
+    s57 = -F00*ratio_00 + F01
+    s60 = -F10*ratio_10 + F11
+    s63 = -F20*ratio_20 + F21
+    w_00 = E_by_00*(E_cof_00*s57 + E_cof_10*s60 + E_cof_20*s63)
+    w_10 = E_by_00*(E_cof_01*s57 + E_cof_11*s60 + E_cof_21*s63)
+    w_20 = E_by_00*(E_cof_02*s57 + E_cof_12*s60 + E_cof_22*s63)
+    s81 = by_00*(F00 - J00_3*w_00 - J00_4*w_10 - J00_5*w_20)
+    s86 = by_10*(F10 - J10_3*w_00 - J10_4*w_10 - J10_5*w_20)
+    s91 = by_20*(F20 - J20_3*w_00 - J20_4*w_10 - J20_5*w_20)
+    s100 = (E_10 * E_10) + (E_11 * E_11) + (E_12 * E_12)
+    s104 = (E_20 * E_20) + (E_21 * E_21) + (E_22 * E_22)
+    s106 = (E_det_00 * E_det_00) - 1.0e-12*s100*s104*((E_00 * E_00) + (E_01 * E_01) + (E_02 * E_02))
+    w[28] = s81
+    w[29] = s86
+    w[30] = s91
+    w[31] = w_00
+    w[32] = w_10
+    w[33] = w_20
+    w[34] = s106
+
+
+@fast
+def _exact_move(w):
+    """The platform after a step, and its rotation matrix (86 operations)."""
+    px = w[0]
+    py = w[1]
+    pz = w[2]
+    cx = w[3]
+    cy = w[4]
+    cz = w[5]
+    y3 = w[31]
+    y4 = w[32]
+    y5 = w[33]
+    s4 = 0.5*cz
+    s5 = 0.25*cx*cy
+    s8 = -0.5*cy
+    s9 = 0.25*cx*cz
+    new_30 = cx - y3*(0.25*(cx * cx) + 1) - y4*(s4 + s5) - y5*(s8 + s9)
+    s19 = 0.5*cx
+    s20 = 0.25*cy*cz
+    new_40 = cy - y3*(-s4 + s5) - y4*(0.25*(cy * cy) + 1) - y5*(s19 + s20)
+    new_50 = cz - y3*(-s8 + s9) - y4*(-s19 + s20) - y5*(0.25*(cz * cz) + 1)
+    s33 = (new_30 * new_30)
+    s35 = (new_40 * new_40)
+    s37 = (new_50 * new_50)
+    s40 = (1.0 / (0.25*s33 + 0.25*s35 + 0.25*s37 + 1))
+    s41 = -0.5*s35
+    s42 = -0.5*s37
+    s45 = s40*(s41 + s42) + 1
+    s46 = 0.5*new_30*new_40
+    s48 = s40*(-new_50 + s46)
+    s49 = 0.5*new_30*new_50
+    s51 = s40*(new_40 + s49)
+    s53 = s40*(new_50 + s46)
+    s54 = -0.5*s33
+    s57 = s40*(s42 + s54) + 1
+    s58 = 0.5*new_40*new_50
+    s60 = s40*(-new_30 + s58)
+    s62 = s40*(-new_40 + s49)
+    s64 = s40*(new_30 + s58)
+    s67 = s40*(s41 + s54) + 1
+    w[0] = px
+    w[1] = py
+    w[2] = pz
+    w[3] = new_30
+    w[4] = new_40
+    w[5] = new_50
+    w[8] = s45
+    w[9] = s48
+    w[10] = s51
+    w[11] = s53
+    w[12] = s57
+    w[13] = s60
+    w[14] = s62
+    w[15] = s64
+    w[16] = s67
+
+
+@fast
+def _exact(px, py, pz, w):
+    w[0] = px
+    w[1] = py
+    w[2] = pz
+    _exact_joint(w, LANES)
+    w[3] = 0.0
+    w[31] = 0.0
+    w[4] = 0.0
+    w[32] = 0.0
+    w[5] = 0.0
+    w[33] = 0.0
+    status = UNREACHABLE
+    if (abs(w[36]) < math.inf) & (abs(w[37]) < math.inf) & (abs(w[38]) < math.inf):
+        _exact_move(w)
         for _ in range(MAX_STEPS):
-            for i in range(3):
-                _newton(pose, q[i], tool, k[i], work[16 * i : 16 * (i + 1)])
-            if not _hold(work):
+            _exact_rows(w, LANES)
+            _exact_solution(w)
+            if not ((w[34] > 0.0) & (w[100] > 0.0) & (w[101] > 0.0) & (w[102] > 0.0)):
                 status = SINGULAR
                 break
             size = 0.0
+            for j in range(6):
+                size = max(size, abs(w[28 + j]))
             for i in range(3):
-                q[i] -= work[60 + i]
-                size = max(size, abs(work[60 + i]))
-            for c in range(3):
-                pose[3 + c] -= work[63 + c]
-                size = max(size, abs(work[63 + c]))
+                w[36 + i] -= w[28 + i]
             if size < COMMAND_DONE:
                 status = SOLVED
                 break
             if not size < STEP_LOST:
                 break
+            _exact_move(w)
     if status != SOLVED:
         for i in range(3):
-            q[i] = np.nan
+            w[36 + i] = np.nan
     return status
 
 
-@kernel(nogil=True, error_model="numpy")
-def linear_command(target, tool, k, work, q):
-    """Fill the joints q (3,) that bring the reference point to target (3,) to first order in the errors; return the status.
+@fast
+def exact_command(px, py, pz, w):
+    """Return the joints that bring the reference point to a target, as the controller counts them; NaN where there are none.
+
+    `inverse` for one pose, w from `exact_state`.
+    """
+    _exact(px, py, pz, w)
+    return w[24] * w[36], w[25] * w[37], w[26] * w[38]
+
+
+@fast
+def _linear_joint(w, lanes):
+    """Joint of the nominal limb at the target, its cosine and sine (13 operations)."""
+    px = w[0]
+    py = w[1]
+    pz = w[2]
+    tx = w[20]
+    ty = w[21]
+    tz = w[22]
+    for lane in range(lanes):
+        s50 = w[104 + lane]
+        s66 = w[108 + lane]
+        by_s12 = w[112 + lane]
+        h = w[116 + lane]
+        d_x = px + s50 - tx
+        s71 = h - pz + tz - math.sqrt(by_s12 - (d_x * d_x) - ((py + s66 - ty) * (py + s66 - ty)))
+        w[36 + lane] = s71
+
+
+@fast
+def _linear_rows(w, lanes):
+    """Equations of a nominal limb: change by all errors, derivatives by rotation and joint (44 operations)."""
+    px = w[0]
+    py = w[1]
+    pz = w[2]
+    tx = w[20]
+    ty = w[21]
+    tz = w[22]
+    for lane in range(lanes):
+        s50 = w[104 + lane]
+        h = w[116 + lane]
+        axis_x_errors = w[120 + lane]
+        axis_y_errors = w[124 + lane]
+        scale = w[128 + lane]
+        h_errors = w[132 + lane]
+        by_s37 = w[136 + lane]
+        by_s39 = w[140 + lane]
+        s52 = w[144 + lane]
+        s54 = w[148 + lane]
+        s56 = w[152 + lane]
+        s77 = w[156 + lane]
+        s_z_cx = w[160 + lane]
+        s_z_cy = w[164 + lane]
+        s_x_cz = w[168 + lane]
+        s_y_cz = w[172 + lane]
+        s88 = w[176 + lane]
+        q = w[36 + lane]
+        C_z_errors = h_errors - q*scale
+        by_s38 = by_s37 - tx
+        by_s40 = by_s39 - ty
+        d_x = px + s50 - tx
+        d_x_errors = axis_x_errors*q + s52
+        d_y = py + s54 - ty
+        d_y_errors = axis_y_errors*q + s56
+        d_z = -h + pz + q - tz
+        s78 = -C_z_errors*d_z + d_x*d_x_errors + d_y*d_y_errors + s77
+        s81 = by_s40*d_z + d_y*tz
+        s84 = -by_s38*d_z - d_x*tz
+        s87 = by_s38*d_y - by_s40*d_x
+        s89 = d_z*s_z_cx
+        s90 = d_z*s_z_cy
+        s93 = d_x*s_x_cz + d_y*s_y_cz
+        s94 = (d_z * d_z)
+        s99 = -1.0e-12*(d_x * d_x) - 1.0e-12*(d_y * d_y) + 0.999999999999*s94
+        w[60 + lane] = s78
+        w[64 + lane] = s81
+        w[68 + lane] = s84
+        w[72 + lane] = s87
+        w[76 + lane] = d_z
+        w[80 + lane] = s88
+        w[84 + lane] = s89
+        w[88 + lane] = s90
+        w[92 + lane] = s93
+        w[100 + lane] = s99
+
+
+@fast
+def _linear_solution(w):
+    """Changes that undo the closures while the target is kept; how far the equations are from dependent (95 operations)."""
+    F00 = w[60]
+    J00_3 = w[64]
+    J00_4 = w[68]
+    J00_5 = w[72]
+    Q00 = w[76]
+    F01 = w[80]
+    J01_3 = w[84]
+    J01_4 = w[88]
+    J01_5 = w[92]
+    F10 = w[61]
+    J10_3 = w[65]
+    J10_4 = w[69]
+    J10_5 = w[73]
+    Q10 = w[77]
+    F11 = w[81]
+    J11_3 = w[85]
+    J11_4 = w[89]
+    J11_5 = w[93]
+    F20 = w[62]
+    J20_3 = w[66]
+    J20_4 = w[70]
+    J20_5 = w[74]
+    Q20 = w[78]
+    F21 = w[82]
+    J21_3 = w[86]
+    J21_4 = w[90]
+    J21_5 = w[94]
+    by_00 = (1.0 / Q00)
+    by_10 = (1.0 / Q10)
+    by_20 = (1.0 / Q20)
+    E_cof_00 = J11_4*J21_5 - J11_5*J21_4
+    E_cof_01 = -J11_3*J21_5 + J11_5*J21_3
+    E_cof_02 = J11_3*J21_4 - J11_4*J21_3
+    E_cof_10 = -J01_4*J21_5 + J01_5*J21_4
+    E_cof_11 = J01_3*J21_5 - J01_5*J21_3
+    E_cof_12 = -J01_3*J21_4 + J01_4*J21_3
+    E_cof_20 = J01_4*J11_5 - J01_5*J11_4
+    E_cof_21 = -J01_3*J11_5 + J01_5*J11_3
+    E_cof_22 = J01_3*J11_4 - J01_4*J11_3
+    E_det_00 = E_cof_00*J01_3 + E_cof_01*J01_4 + E_cof_02*J01_5
+    E_by_00 = (1.0 / E_det_00)
+    w_00 = E_by_00*(E_cof_00*F01 + E_cof_10*F11 + E_cof_20*F21)
+    w_10 = E_by_00*(E_cof_01*F01 + E_cof_11*F11 + E_cof_21*F21)
+    w_20 = E_by_00*(E_cof_02*F01 + E_cof_12*F11 + E_cof_22*F21)
+    s54 = by_00*(F00 - J00_3*w_00 - J00_4*w_10 - J00_5*w_20)
+    s59 = by_10*(F10 - J10_3*w_00 - J10_4*w_10 - J10_5*w_20)
+    s64 = by_20*(F20 - J20_3*w_00 - J20_4*w_10 - J20_5*w_20)
+    s73 = (J11_3 * J11_3) + (J11_4 * J11_4) + (J11_5 * J11_5)
+    s77 = (J21_3 * J21_3) + (J21_4 * J21_4) + (J21_5 * J21_5)
+    s79 = (E_det_00 * E_det_00) - 1.0e-12*s73*s77*((J01_3 * J01_3) + (J01_4 * J01_4) + (J01_5 * J01_5))
+    w[28] = s54
+    w[29] = s59
+    w[30] = s64
+    w[34] = s79
+
+
+@fast
+def _linear(px, py, pz, w):
+    w[0] = px
+    w[1] = py
+    w[2] = pz
+    _linear_joint(w, LANES)
+    _linear_rows(w, LANES)
+    _linear_solution(w)
+    status = (SOLVED if (w[34] > 0.0) & (w[100] > 0.0) & (w[101] > 0.0) & (w[102] > 0.0) else SINGULAR) if (abs(w[36]) < math.inf) & (abs(w[37]) < math.inf) & (abs(w[38]) < math.inf) else UNREACHABLE
+    w[36] = w[36] - w[28] if status == SOLVED else np.nan
+    w[37] = w[37] - w[29] if status == SOLVED else np.nan
+    w[38] = w[38] - w[30] if status == SOLVED else np.nan
+    return status
+
+
+@fast
+def linear_command(px, py, pz, w):
+    """Return the joints that bring the reference point to a target to first order in the errors, like `exact_command`.
 
     Bai's eqs. (23) and (25): the nominal joints of the target, and the change that keeps the reference point where it
-    is, to first order, when the errors appear. tool (3,), k (3, 22) from `linear_constants`, scratch work
-    (COMMAND_WORK,). q is NaN unless SOLVED.
+    is, to first order, when the errors appear. w from `linear_state`.
     """
-    status = SOLVED
-    for i in range(3):
-        _nominal_joint(target, 0.0, tool, k, i, q)
-        if not math.isfinite(q[i]):
-            status = UNREACHABLE
-    if status == SOLVED:
-        for i in range(3):
-            _linear(target, q[i], tool, k, i, work)
-        if not _hold(work):
-            status = SINGULAR
-    for i in range(3):
-        q[i] = q[i] - work[60 + i] if status == SOLVED else np.nan
-    return status
+    _linear(px, py, pz, w)
+    return w[24] * w[36], w[25] * w[37], w[26] * w[38]
 
 
-@kernel(nogil=True, error_model="numpy")
-def linear_commands(target, tool, k, q, status):
-    """Fill joints q (N, 3) and status (N,) by `linear_command`; target (N, 3) and tool (N, 3), k (M, 3, :)."""
-    work = np.zeros(COMMAND_WORK)
+@fast
+def linear_change(px, py, pz, q_1, q_2, q_3, w):
+    """Return what to add to the nominal joints of a target, both as the controller counts them; NaN where it is singular.
+
+    For a controller that has nominal joints already: what `linear_command` adds to them.
+    """
+    w[0] = px
+    w[1] = py
+    w[2] = pz
+    w[36] = w[24] * q_1
+    w[37] = w[25] * q_2
+    w[38] = w[26] * q_3
+    w[39] = w[26] * q_3
+    _linear_rows(w, LANES)
+    _linear_solution(w)
+    back = -1.0 if (w[34] > 0.0) & (w[100] > 0.0) & (w[101] > 0.0) & (w[102] > 0.0) else np.nan
+    return back * w[24] * w[28], back * w[25] * w[29], back * w[26] * w[30]
+
+
+@fast
+def linear_commands(target, tool, w, q, status):
+    """Fill q (N, 3), as the geometry counts, and status (N,) by `linear_command`; target (N, 3), tool (N or 1, 3)."""
     for n in range(target.shape[0]):
-        status[n] = linear_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])
-
-
-@kernel(nogil=True, error_model="numpy")
-def exact_joints(px, py, pz, state):
-    """Return the joints of `exact_command` for a target, as the controller counts them; NaN where there are none.
-
-    For calls from Python, which pay for every array: state holds the target, tool (3,), joints, signs (3,), scratch
-    (COMMAND_WORK,) and k (3, COMMAND_CONSTANTS), one after the other.
-    """
-    state[0] = px
-    state[1] = py
-    state[2] = pz
-    q = state[6:9]
-    exact_command(state[:3], state[3:6], state[84:].reshape((3, COMMAND_CONSTANTS)), state[12:84], q)
-    return q[0] * state[9], q[1] * state[10], q[2] * state[11], 
-
-
-@kernel(nogil=True, error_model="numpy")
-def linear_joints(px, py, pz, state):
-    """Return the joints of `linear_command` for a target, as the controller counts them; NaN where there are none.
-
-    For calls from Python, which pay for every array: state holds the target, tool (3,), joints, signs (3,), scratch
-    (COMMAND_WORK,) and k (3, 22), one after the other.
-    """
-    state[0] = px
-    state[1] = py
-    state[2] = pz
-    q = state[6:9]
-    linear_command(state[:3], state[3:6], state[84:].reshape((3, 22)), state[12:84], q)
-    return q[0] * state[9], q[1] * state[10], q[2] * state[11], 
+        if n == 0 or tool.shape[0] > 1:
+            for c in range(3):
+                w[20 + c] = tool[n, c]
+        status[n] = _linear(target[n, 0], target[n, 1], target[n, 2], w)
+        for i in range(3):
+            q[n, i] = w[36 + i]

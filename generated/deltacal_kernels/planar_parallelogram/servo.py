@@ -1,9 +1,11 @@
 """Commands of one pose for a servo loop: `planar_parallelogram`, Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both a8183660bc08a7c2; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 53e2eef2d12e02b5; SymPy 1.14.0.
 
-Scalar code without allocation, to be called from loops that Numba compiles. Lengths in mm, angles in rad.
+Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
+than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`
+and `linear_state` make, `copied` for every thread: loops over `lane` run over the limbs.
 """
 
 import math
@@ -11,127 +13,192 @@ import math
 import numpy as np
 
 from deltacal_kernels.compiled import kernel
+from deltacal_kernels.elementary import aligned, arcsine, arctangent, copied, cosine, sine, tangent
 
-from .vectorised import MAX_STEPS, PIVOT_SINGULAR, SINGULAR, SOLVED, STEP_LOST, UNREACHABLE
+from .vectorised import MAX_STEPS, SINGULAR, SOLVED, STEP_LOST, UNREACHABLE
 
 COMMAND_DONE = 3e-8  # rad; after such a step a command is exact to its square: 1e-15 rad
-COMMAND_WORK = 27  # length of the scratch array of `exact_command` and `linear_command`
-COMMAND_CONSTANTS = 26  # `exact_command` reads these first columns of k only
+COMMAND_CONSTANTS = 26  # what is exported reads these first columns of `vectorised.constants` only
+LANES = np.int64(1)  # no literal: a loop whose end is known beforehand is unrolled, and not turned into SIMD code
+fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
-@kernel(nogil=True, error_model="numpy")
-def _newton(x, q, tool, k, out):
-    """Per rod of one limb: closure, its derivatives by the platform, by the joint (102 operations)."""
-    px = x[0]
-    py = x[1]
-    cz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    q = q
-    h = k[0]
-    q0 = k[1]
-    s7 = k[2]
-    b1_x = k[3]
-    b2_x = k[4]
-    b2_y = k[5]
-    A2_x = k[6]
-    A2_y = k[7]
-    A1_x = k[8]
-    s69 = k[9]
-    C_y = -h + ty
-    s8 = q + q0
-    r1_x = s7*math.sin(s8)
-    r1_y = -s7*math.cos(s8)
-    s13 = (cz * cz)
-    s15 = 0.25*s13 + 1
-    s16 = (1.0 / s15)
-    s18 = -0.5*s13*s16 + 1
-    s19 = b1_x - tx
-    B1_x = C_y*cz*s16 + px + s18*s19
-    B1_y = -C_y*s18 + cz*s16*s19 + py
-    s26 = b2_x - tx
-    s28 = -C_y + b2_y
-    B2_x = -cz*s16*s28 + px + s18*s26
-    B2_y = cz*s16*s26 + py + s18*s28
-    r2_x = -A2_x + B2_x
-    r2_y = -A2_y + B2_y
-    s36 = -A1_x + B1_x - r1_x
-    s40 = -0.5*s16
-    s41 = -0.5*s13
-    s45 = (1.0 / (s15 * s15))
-    s49 = 2*cz
-    s51 = C_y*s16 + s49*(s19*s40 - 0.25*s45*(C_y*cz + s19*s41))
-    s52 = B1_y - r1_y
-    s62 = s16*s19 + s49*(-C_y*s40 - 0.25*s45*(-C_y*s41 + cz*s19))
-    s70 = 0.5*(r2_x * r2_x) + 0.5*(r2_y * r2_y) + s69
-    s71 = 2*r2_y
-    s72 = 0.5*s71
-    s73 = 2*r2_x
-    s74 = 0.5*s73
-    s91 = s26*s74 + s28*s72
-    s98 = s49*(s40*s91 - 0.25*s45*(cz*s26*s72 - cz*s28*s74 + s41*s91))
-    s99 = s16*s26*s72 - s16*s28*s74 + s98
-    out[0] = s36
-    out[1] = 1
-    out[2] = 0
-    out[3] = s51
-    out[4] = r1_y
-    out[5] = s52
-    out[6] = 0
-    out[7] = 1
-    out[8] = s62
-    out[9] = -r1_x
-    out[10] = s70
-    out[11] = s74
-    out[12] = s72
-    out[13] = s99
-    out[14] = 0
+def _exact_constants(p):
+    """Return k (M, 1, 26), what no target changes, from p (88 operations).
+
+    p is that of the calibrated machine.
+    """
+    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
+    k = np.zeros((26, p.shape[1], 1))
+    a1x = p[0]
+    a2x = p[1]
+    a2y = p[2]
+    b1x = p[3]
+    b2x = p[4]
+    b2y = p[5]
+    l1 = p[6]
+    l2 = p[7]
+    h = p[8]
+    q0 = p[9]
+    da1x = p[10]
+    da2x = p[11]
+    da2y = p[12]
+    db1x = p[13]
+    db2x = p[14]
+    db2y = p[15]
+    dl1 = p[16]
+    dl2 = p[17]
+    A1_x = -a1x - da1x
+    A2_x = a2x + da2x
+    A2_y = a2y + da2y
+    b1_x = -b1x - db1x
+    b2_x = b2x + db2x
+    b2_y = b2y + db2y
+    s7 = dl1 + l1
+    s36 = (1.0 / s7)
+    s37 = -A1_x + b1_x
+    s42 = (1.0 / (s7 * s7))
+    s50 = -2*b2_y
+    s54 = -2*b2_x*s7
+    s56 = 2*b1_x*s7
+    s58 = -2*A1_x*b2_y + 2*A2_x*b2_y + 2*A2_y*b1_x - 2*A2_y*b2_x
+    s64 = -2*b1_x
+    s67 = 2*A1_x*b2_x
+    s68 = 2*b2_x
+    s70 = -2*b2_y*s7
+    s72 = -2*A1_x*b1_x + 2*A2_x*b1_x - 2*A2_x*b2_x - 2*A2_y*b2_y + s67
+    s77 = (b2_x * b2_x)
+    s78 = (b2_y * b2_y)
+    s79 = (A1_x * A1_x)
+    s80 = (b1_x * b1_x)
+    s81 = (dl2 * dl2)
+    s82 = (l2 * l2)
+    s83 = (s7 * s7)
+    s85 = -2*dl2*l2
+    s86 = -2*A1_x*A2_x
+    s87 = -2*A2_x
+    s89 = -2*b1_x*b2_x
+    s90 = 2*A1_x
+    s92 = 2*A2_y*s7
+    s94 = (A2_x * A2_x) + (A2_y * A2_y) + s77 + s78 + s79 + s80 - s81 - s82 + s85 + s86 + s89
+    s139 = -0.5*((dl2 + l2) * (dl2 + l2))
+    k[0] = h
+    k[1] = b1_x
+    k[2] = s37
+    k[3] = s36
+    k[4] = q0
+    k[5] = s42
+    k[6] = s7
+    k[7] = s50
+    k[8] = s54
+    k[9] = s56
+    k[10] = s58
+    k[11] = s64
+    k[12] = s68
+    k[13] = s70
+    k[14] = s72
+    k[15] = s83
+    k[16] = s87
+    k[17] = s90
+    k[18] = s92
+    k[19] = s94
+    k[20] = b2_x
+    k[21] = b2_y
+    k[22] = A2_x
+    k[23] = A2_y
+    k[24] = A1_x
+    k[25] = s139
+    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
-@kernel(nogil=True, error_model="numpy")
-def _joint(x, q, tool, k, out):
-    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it (64 operations)."""
-    px = x[0]
-    tx = tool[0]
-    ty = tool[1]
-    h = k[0]
-    q0 = k[1]
-    s7 = k[2]
-    b1_x = k[3]
-    s103 = k[10]
-    s102 = k[11]
-    s108 = k[12]
-    s116 = k[13]
-    s120 = k[14]
-    s122 = k[15]
-    s124 = k[16]
-    s130 = k[17]
-    s134 = k[18]
-    s136 = k[19]
-    s138 = k[20]
-    s149 = k[21]
-    s153 = k[22]
-    s156 = k[23]
-    s158 = k[24]
-    s160 = k[25]
-    C_y = -h + ty
-    s104 = px + s103 - tx
-    s107 = -q0 + math.asin(s102*s104)
-    s109 = (s104 * s104)
-    s111 = -s108*s109 + 1
-    s112 = math.sqrt(s111)
-    s125 = s104*s116 + s112*s120 + s112*s122 + s124
-    s139 = s104*s130 + s104*s134 + s112*s136 + s138
-    s161 = s104*s153 + s104*s156 + s109 + s111*s149 + s112*s158 + s160
-    s164 = math.sqrt((s125 * s125) + (s139 * s139) - (s161 * s161))
-    s167 = -s125*s161 + s139*s164
-    s171 = -s125*s164 - s139*s161
-    s174 = 1/math.sqrt((s167 * s167) + (s171 * s171))
-    s177 = C_y*s171*s174 - s112*s7 - s167*s174*(b1_x - tx)
-    s181 = 2*math.tan(0.5*math.atan2(s167, s171))
-    out[0] = s107
-    out[1] = s177
-    out[2] = s181
+def _linear_constants(p):
+    """Return k (M, 1, 28), what no target changes, from p (76 operations).
+
+    p is that of the calibrated machine: its geometry is taken as nominal, its errors as what to compensate.
+    """
+    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
+    k = np.zeros((28, p.shape[1], 1))
+    a1x = p[0]
+    a2x = p[1]
+    a2y = p[2]
+    b1x = p[3]
+    b2x = p[4]
+    b2y = p[5]
+    l1 = p[6]
+    l2 = p[7]
+    h = p[8]
+    q0 = p[9]
+    da1x = p[10]
+    da2x = p[11]
+    da2y = p[12]
+    db1x = p[13]
+    db2x = p[14]
+    db2y = p[15]
+    dl1 = p[16]
+    dl2 = p[17]
+    by_s1 = -2*a2y*b1x
+    by_s2 = -2*a2y*b2x
+    by_s3 = 2*a1x*b2y
+    by_s4 = 2*a2x*b2y
+    by_s5 = -2*b1x*l1
+    by_s7 = -2*b2x*l1
+    by_s9 = -2*b2y*l1
+    by_s11 = by_s1 + by_s2 + by_s3 + by_s4
+    by_s14 = -2*a1x*b1x
+    by_s15 = -2*a1x*b2x
+    by_s16 = -2*a2x*b1x
+    by_s17 = -2*a2x*b2x
+    by_s18 = -2*a2y*b2y
+    by_s22 = by_s14 + by_s15 + by_s16 + by_s17 + by_s18
+    by_s25 = (a1x * a1x)
+    by_s26 = (a2x * a2x)
+    by_s27 = (a2y * a2y)
+    by_s28 = (b1x * b1x)
+    by_s29 = (b2x * b2x)
+    by_s30 = (b2y * b2y)
+    by_s31 = (l2 * l2)
+    by_s33 = (l1 * l1)
+    by_s37 = 2*a1x*a2x
+    by_s38 = 2*b1x*b2x
+    by_s39 = -2*a1x*l1
+    by_s41 = -2*a2x*l1
+    by_s43 = 2*a2y*l1
+    by_s45 = by_s25 + by_s26 + by_s27 + by_s28 + by_s29 + by_s30 - by_s31 + by_s37 + by_s38
+    by_s73 = l1*q0
+    s132 = -da2x + db2x
+    s135 = -da2y + db2y
+    s137 = (1.0 / l1)
+    s138 = a1x - b1x
+    s148 = -dl2*l2
+    k[0] = s138
+    k[1] = s137
+    k[2] = by_s5
+    k[3] = by_s7
+    k[4] = by_s9
+    k[5] = by_s11
+    k[6] = by_s22
+    k[7] = by_s33
+    k[8] = by_s39
+    k[9] = by_s41
+    k[10] = by_s43
+    k[11] = by_s45
+    k[12] = b1x
+    k[13] = h
+    k[14] = l1
+    k[15] = by_s73
+    k[16] = dl1
+    k[17] = db1x
+    k[18] = b2x
+    k[19] = b2y
+    k[20] = db2y
+    k[21] = db2x
+    k[22] = a2x
+    k[23] = s132
+    k[24] = a2y
+    k[25] = s135
+    k[26] = da1x
+    k[27] = s148
+    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
 def linear_constants(p):
@@ -210,269 +277,453 @@ def linear_constants(p):
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
-@kernel(nogil=True, error_model="numpy")
-def _nominal_joint(x, q, tool, k, i, out):
-    """Joint of the nominal limb at a given position (4 operations); limb i of k, row i of out."""
-    px = x[0]
-    tx = tool[0]
-    s137 = k[i, 0]
-    s136 = k[i, 1]
-    s140 = math.asin(s136*(px + s137 - tx))
-    row = 1 * i
-    out[row + 0] = s140
+def exact_state(p, tool, sign):
+    """Return the array w of `exact_command` for a machine: p (1, 18), tool (3,), sign (1,) of the controller's joints."""
+    w = aligned(80)
+    w[16:19], w[20:21] = tool, sign
+    k = _exact_constants(p[None])[0]
+    w[52:78].reshape(-1, 1)[:] = np.pad(k, ((0, 0), (0, 0)), mode="edge").T
+    return w
 
 
-@kernel(nogil=True, error_model="numpy")
-def _linear(x, q, tool, k, i, out):
-    """Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (151 operations); limb i of k, row i of out."""
-    px = x[0]
-    tx = tool[0]
-    ty = tool[1]
-    l1 = k[i, 2]
-    s6 = k[i, 3]
-    s8 = k[i, 4]
-    s11 = k[i, 5]
-    s13 = k[i, 6]
-    s24 = k[i, 7]
-    s34 = k[i, 8]
-    s41 = k[i, 9]
-    s43 = k[i, 10]
-    s45 = k[i, 11]
-    s47 = k[i, 12]
-    b1x = k[i, 13]
-    h = k[i, 14]
-    dl1 = k[i, 15]
-    s75 = k[i, 16]
-    db1x = k[i, 17]
-    b2x = k[i, 18]
-    b2y = k[i, 19]
-    db2x = k[i, 20]
-    db2y = k[i, 21]
-    a2x = k[i, 22]
-    da2x = k[i, 23]
-    a2y = k[i, 24]
-    da2y = k[i, 25]
-    da1x = k[i, 26]
-    s145 = k[i, 27]
-    s0 = math.cos(q)
-    s10 = math.sin(q)
-    s14 = s0*s6 + s0*s8 + s10*s11 + s13
-    s25 = s0*s11 - s10*s6 - s10*s8 + s24
-    s48 = (s0 * s0)*s34 + s0*s45 + (s10 * s10)*s34 + s10*s41 + s10*s43 + s47
-    s51 = math.sqrt((s14 * s14) + (s25 * s25) - (s48 * s48))
-    s54 = -s14*s48 + s25*s51
-    s58 = -s14*s51 - s25*s48
-    s61 = 1/math.sqrt((s54 * s54) + (s58 * s58))
-    s62 = b1x + tx
-    nominal_py = -l1*s0 + s54*s61*s62 + s58*s61*(-h + ty)
-    nominal_cz = 2*math.tan(0.5*math.atan2(s54, s58))
-    C_y = -h + ty
-    r1_x_q = l1*s0
-    r1_x_errors = dl1*s10 + s0*s75
-    r1_y_q = l1*s10
-    r1_y_errors = -dl1*s0 + s10*s75
-    s83 = (nominal_cz * nominal_cz)
-    s85 = 0.25*s83 + 1
-    s86 = (1.0 / s85)
-    s88 = -0.5*s83*s86 + 1
-    s95 = (1.0 / (s85 * s85))
-    s97 = 0.25*(nominal_cz * nominal_cz * nominal_cz)*s95 - nominal_cz*s86
-    B1_x_cz = -0.5*C_y*s83*s95 + C_y*s86 - s62*s97
-    B1_x_errors = -db1x*s88
-    B1_y_cz = -C_y*s97 + 0.5*s62*s83*s95 - s62*s86
-    B1_y_errors = -db1x*nominal_cz*s86
-    s110 = b2x - tx
-    s112 = -C_y + b2y
-    B2_x = -nominal_cz*s112*s86 + px + s110*s88
-    B2_x_cz = s110*s97 + 0.5*s112*s83*s95 - s112*s86
-    B2_x_errors = db2x*s88 - db2y*nominal_cz*s86
-    B2_y = nominal_cz*s110*s86 + nominal_py + s112*s88
-    B2_y_cz = -0.5*s110*s83*s95 + s110*s86 + s112*s97
-    B2_y_errors = db2x*nominal_cz*s86 + db2y*s88
-    r2_x = B2_x - a2x
-    r2_x_errors = B2_x_errors - da2x
-    r2_y = B2_y - a2y
-    r2_y_errors = B2_y_errors - da2y
-    s141 = B1_x_errors + da1x - r1_x_errors
-    s142 = B1_y_errors - r1_y_errors
-    s146 = r2_x*r2_x_errors + r2_y*r2_y_errors + s145
-    s149 = B2_x_cz*r2_x + B2_y_cz*r2_y
-    row = 15 * i
-    out[row + 0] = s141
-    out[row + 2] = 0
-    out[row + 3] = B1_x_cz
-    out[row + 4] = -r1_x_q
-    out[row + 5] = s142
-    out[row + 7] = 1
-    out[row + 8] = B1_y_cz
-    out[row + 9] = -r1_y_q
-    out[row + 10] = s146
-    out[row + 12] = r2_y
-    out[row + 13] = s149
-    out[row + 14] = 0
+def linear_state(p, tool, sign):
+    """Return the array w of `linear_command` for a machine: p (1, 18), tool (3,), sign (1,) of the controller's joints."""
+    w = aligned(80)
+    w[16:19], w[20:21] = tool, sign
+    k = _linear_constants(p[None])[0]
+    w[52:80].reshape(-1, 1)[:] = np.pad(k, ((0, 0), (0, 0)), mode="edge").T
+    return w
 
 
-@kernel(nogil=True, error_model="numpy")
-def _hold(work):
-    """Solve for the changes of joints and rotation that undo the closures while the reference point stays in place.
-
-    work: per rod closure, its derivatives by the platform and by the joint; then room for the reduced equations; then
-    the changes. A limb's joint is eliminated with the rod that feels it most; what is left are 2 equations for the
-    rotation. Returns False where a joint is felt by no rod of its limb, or the rotation is not held.
-    """
-    largest = 0.0
-    for row in range(3):
-        for c in range(2, 5):
-            largest = max(largest, abs(work[5 * row + c]))
-    smallest = PIVOT_SINGULAR * largest
-    target = 15
-    for i in range(1):
-        best = 15 * i
-        for j in range(1, 3):
-            if abs(work[15 * i + 5 * j + 4]) > abs(work[best + 4]):
-                best = 15 * i + 5 * j
-        if not abs(work[best + 4]) > smallest:
-            return False
-        inverse = 1.0 / work[best + 4]
-        for j in range(3):
-            rod = 15 * i + 5 * j
-            if rod != best:
-                factor = work[rod + 4] * inverse
-                for c in range(2):
-                    work[target + c] = work[rod + 2 + c] - factor * work[best + 2 + c]
-                work[target + 2] = work[rod] - factor * work[best]
-                target += 3
-        # the joint's own equation, left to the end: closure and rotation over the joint's derivative
-        for c in range(2):
-            work[15 * i + 2 + c] = work[best + 2 + c] * inverse
-        work[21 + i] = work[best] * inverse
-    for c in range(2):
-        pivot = 15 + 3 * c
-        for r in range(c + 1, 2):
-            if abs(work[15 + 3 * r + c]) > abs(work[pivot + c]):
-                pivot = 15 + 3 * r
-        row = 15 + 3 * c
-        if not abs(work[pivot + c]) > smallest:
-            return False
-        if pivot != row:
-            for j in range(c, 3):
-                work[row + j], work[pivot + j] = work[pivot + j], work[row + j]
-        inverse = 1.0 / work[row + c]
-        for r in range(c + 1, 2):
-            below = 15 + 3 * r
-            factor = work[below + c] * inverse
-            for j in range(c + 1, 3):
-                work[below + j] -= factor * work[row + j]
-    for c in range(1, -1, -1):
-        row = 15 + 3 * c
-        total = work[row + 2]
-        for j in range(c + 1, 2):
-            total -= work[row + j] * work[22 + j]
-        work[22 + c] = total / work[row + c]
-    for i in range(1):
-        for c in range(2):
-            work[21 + i] -= work[15 * i + 2 + c] * work[22 + c]
-    return True
+@fast
+def _exact_joint(w, lanes):
+    """Joint of the simplified limb at the target, then the platform's coordinates that follow from it (64 operations)."""
+    px = w[0]
+    tx = w[16]
+    ty = w[17]
+    for lane in range(lanes):
+        h = w[52 + lane]
+        b1_x = w[53 + lane]
+        s37 = w[54 + lane]
+        s36 = w[55 + lane]
+        q0 = w[56 + lane]
+        s42 = w[57 + lane]
+        s7 = w[58 + lane]
+        s50 = w[59 + lane]
+        s54 = w[60 + lane]
+        s56 = w[61 + lane]
+        s58 = w[62 + lane]
+        s64 = w[63 + lane]
+        s68 = w[64 + lane]
+        s70 = w[65 + lane]
+        s72 = w[66 + lane]
+        s83 = w[67 + lane]
+        s87 = w[68 + lane]
+        s90 = w[69 + lane]
+        s92 = w[70 + lane]
+        s94 = w[71 + lane]
+        C_y = -h + ty
+        s38 = px + s37 - tx
+        s41 = -q0 + arcsine(s36*s38)
+        s43 = (s38 * s38)
+        s45 = -s42*s43 + 1
+        s46 = math.sqrt(s45)
+        s59 = s38*s50 + s46*s54 + s46*s56 + s58
+        s73 = s38*s64 + s38*s68 + s46*s70 + s72
+        s95 = s38*s87 + s38*s90 + s43 + s45*s83 + s46*s92 + s94
+        s98 = math.sqrt((s59 * s59) + (s73 * s73) - (s95 * s95))
+        s101 = -s59*s95 + s73*s98
+        s105 = -s59*s98 - s73*s95
+        s108 = 1/math.sqrt((s101 * s101) + (s105 * s105))
+        s111 = C_y*s105*s108 - s101*s108*(b1_x - tx) - s46*s7
+        s115 = 2*tangent(0.5*arctangent(s101, s105))
+        w[28 + lane] = s41
+        w[29 + lane] = s111
+        w[30 + lane] = s115
 
 
-@kernel(nogil=True, error_model="numpy")
-def exact_command(target, tool, k, work, q):
-    """Fill the joints q (1,) that bring the reference point to target (1,); return the status.
+@fast
+def _exact_rows(w, lanes):
+    """Equations of a limb, their derivatives by turns of the platform and by the joint (91 operations)."""
+    px = w[0]
+    py = w[1]
+    cz = w[2]
+    tx = w[16]
+    ty = w[17]
+    for lane in range(lanes):
+        h = w[52 + lane]
+        b1_x = w[53 + lane]
+        q0 = w[56 + lane]
+        s7 = w[58 + lane]
+        b2_x = w[72 + lane]
+        b2_y = w[73 + lane]
+        A2_x = w[74 + lane]
+        A2_y = w[75 + lane]
+        A1_x = w[76 + lane]
+        s139 = w[77 + lane]
+        q = w[28 + lane]
+        C_y = -h + ty
+        s8 = q + q0
+        r1_x = s7*sine(s8)
+        r1_y = -s7*cosine(s8)
+        s13 = (cz * cz)
+        s15 = 0.25*s13 + 1
+        s16 = (1.0 / s15)
+        s18 = -0.5*s13*s16 + 1
+        s19 = b1_x - tx
+        B1_x = C_y*cz*s16 + px + s18*s19
+        B1_y = -C_y*s18 + cz*s16*s19 + py
+        s26 = b2_x - tx
+        s28 = -C_y + b2_y
+        B2_x = -cz*s16*s28 + px + s18*s26
+        B2_y = cz*s16*s26 + py + s18*s28
+        r2_x = -A2_x + B2_x
+        r2_y = -A2_y + B2_y
+        s116 = -A1_x + B1_x - r1_x
+        s120 = (1.0 / (s15 * s15))
+        s122 = 0.25*(cz * cz * cz)*s120 - cz*s16
+        s126 = s15*(-0.5*C_y*s120*s13 + C_y*s16 + s122*s19)
+        s127 = B1_y - r1_y
+        s132 = s15*(-C_y*s122 - 0.5*s120*s13*s19 + s16*s19)
+        s140 = 0.5*(r2_x * r2_x) + 0.5*(r2_y * r2_y) + s139
+        s150 = r2_y*s15*(-0.5*s120*s13*s26 + s122*s28 + s16*s26)
+        s151 = r2_x*s15*(0.5*s120*s13*s28 + s122*s26 - s16*s28) + s150
+        w[36 + lane] = s116
+        w[38 + lane] = s126
+        w[39 + lane] = r1_y
+        w[40 + lane] = s127
+        w[41 + lane] = 1
+        w[42 + lane] = s132
+        w[43 + lane] = -r1_x
+        w[44 + lane] = s140
+        w[45 + lane] = r2_y
+        w[46 + lane] = s151
 
-    `inverse` for one pose, to be called from a servo loop: tool (3,), k (1, :), scratch work (COMMAND_WORK,).
-    q is NaN unless SOLVED.
-    """
-    pose = work[24:]
-    for c in range(1):
-        pose[c] = target[c]
-    for c in range(2):
-        pose[1 + c] = 0.0
-    status = SOLVED
-    for i in range(1):
-        _joint(pose, 0.0, tool, k[i], work)
-        q[i] = work[0]
-        if not math.isfinite(q[i]):
-            status = UNREACHABLE
-    pose[1] = work[1]
-    pose[2] = work[2]
-    if status == SOLVED:
-        status = UNREACHABLE
+
+@fast
+def _exact_solution(w):
+    """Changes that undo the closures while the target is kept; how far the equations are from dependent (54 operations)."""
+    F00 = w[36]
+    J00_2 = w[38]
+    Q00 = w[39]
+    F01 = w[40]
+    J01_1 = w[41]
+    J01_2 = w[42]
+    Q01 = w[43]
+    F02 = w[44]
+    J02_1 = w[45]
+    J02_2 = w[46]
+    A_cof_00 = J01_1*J02_2 - J01_2*J02_1
+    A_cof_01 = -J02_2*Q01
+    A_cof_02 = J02_1*Q01
+    A_cof_10 = J00_2*J02_1
+    A_cof_11 = J02_2*Q00
+    A_cof_12 = -J02_1*Q00
+    A_cof_20 = -J00_2*J01_1
+    A_cof_21 = J00_2*Q01 - J01_2*Q00
+    A_cof_22 = J01_1*Q00
+    A_det_00 = A_cof_00*Q00 + A_cof_02*J00_2
+    A_by_00 = (1.0 / A_det_00)
+    s21 = A_by_00*(A_cof_00*F00 + A_cof_10*F01 + A_cof_20*F02)
+    s26 = A_by_00*(A_cof_01*F00 + A_cof_11*F01 + A_cof_21*F02)
+    s31 = A_by_00*(A_cof_02*F00 + A_cof_12*F01 + A_cof_22*F02)
+    s42 = (J01_1 * J01_1) + (J01_2 * J01_2) + (Q01 * Q01)
+    s44 = (A_det_00 * A_det_00) - 1.0e-12*s42*((J00_2 * J00_2) + (Q00 * Q00))*((J02_1 * J02_1) + (J02_2 * J02_2))
+    w[24] = s21
+    w[25] = s26
+    w[26] = s31
+    w[27] = s44
+
+
+@fast
+def _exact_move(w):
+    """The platform after a step, and its rotation matrix (6 operations)."""
+    px = w[0]
+    py = w[1]
+    cz = w[2]
+    y1 = w[25]
+    y2 = w[26]
+    new_10 = py - y1
+    new_20 = cz - y2*(0.25*(cz * cz) + 1)
+    w[0] = px
+    w[1] = new_10
+    w[2] = new_20
+
+
+@fast
+def _exact(px, w):
+    w[0] = px
+    _exact_joint(w, LANES)
+    w[1] = w[29]
+    w[25] = 0.0
+    w[2] = w[30]
+    w[26] = 0.0
+    status = UNREACHABLE
+    if (abs(w[28]) < math.inf):
+        _exact_move(w)
         for _ in range(MAX_STEPS):
-            for i in range(1):
-                _newton(pose, q[i], tool, k[i], work[15 * i : 15 * (i + 1)])
-            if not _hold(work):
+            _exact_rows(w, LANES)
+            _exact_solution(w)
+            if not ((w[27] > 0.0)):
                 status = SINGULAR
                 break
             size = 0.0
+            for j in range(3):
+                size = max(size, abs(w[24 + j]))
             for i in range(1):
-                q[i] -= work[21 + i]
-                size = max(size, abs(work[21 + i]))
-            for c in range(2):
-                pose[1 + c] -= work[22 + c]
-                size = max(size, abs(work[22 + c]))
+                w[28 + i] -= w[24 + i]
             if size < COMMAND_DONE:
                 status = SOLVED
                 break
             if not size < STEP_LOST:
                 break
+            _exact_move(w)
     if status != SOLVED:
         for i in range(1):
-            q[i] = np.nan
+            w[28 + i] = np.nan
     return status
 
 
-@kernel(nogil=True, error_model="numpy")
-def linear_command(target, tool, k, work, q):
-    """Fill the joints q (1,) that bring the reference point to target (1,) to first order in the errors; return the status.
+@fast
+def exact_command(px, w):
+    """Return the joints that bring the reference point to a target, as the controller counts them; NaN where there are none.
+
+    `inverse` for one pose, w from `exact_state`.
+    """
+    _exact(px, w)
+    return w[20] * w[28]
+
+
+@fast
+def _linear_joint(w, lanes):
+    """Joint of the nominal limb at the target, its cosine and sine (4 operations)."""
+    px = w[0]
+    tx = w[16]
+    for lane in range(lanes):
+        s138 = w[52 + lane]
+        s137 = w[53 + lane]
+        s141 = arcsine(s137*(px + s138 - tx))
+        w[28 + lane] = s141
+
+
+@fast
+def _linear_angle(w, lanes):
+    """Cosine and sine of the joint (2 operations)."""
+    for lane in range(lanes):
+        q = w[28 + lane]
+        s142 = cosine(q)
+        s143 = sine(q)
+        w[32 + lane] = s142
+        w[33 + lane] = s143
+
+
+@fast
+def _linear_rows(w, lanes):
+    """Equations of a nominal limb: change by all errors, derivatives by rotation and joint (164 operations)."""
+    px = w[0]
+    tx = w[16]
+    ty = w[17]
+    for lane in range(lanes):
+        by_s5 = w[54 + lane]
+        by_s7 = w[55 + lane]
+        by_s9 = w[56 + lane]
+        by_s11 = w[57 + lane]
+        by_s22 = w[58 + lane]
+        by_s33 = w[59 + lane]
+        by_s39 = w[60 + lane]
+        by_s41 = w[61 + lane]
+        by_s43 = w[62 + lane]
+        by_s45 = w[63 + lane]
+        b1x = w[64 + lane]
+        h = w[65 + lane]
+        l1 = w[66 + lane]
+        by_s73 = w[67 + lane]
+        dl1 = w[68 + lane]
+        db1x = w[69 + lane]
+        b2x = w[70 + lane]
+        b2y = w[71 + lane]
+        db2y = w[72 + lane]
+        db2x = w[73 + lane]
+        a2x = w[74 + lane]
+        s132 = w[75 + lane]
+        a2y = w[76 + lane]
+        s135 = w[77 + lane]
+        da1x = w[78 + lane]
+        s148 = w[79 + lane]
+        cos_q = w[32 + lane]
+        sin_q = w[33 + lane]
+        by_s6 = by_s5*cos_q
+        by_s8 = by_s7*cos_q
+        by_s10 = by_s9*sin_q
+        by_s12 = by_s10 + by_s11 + by_s6 + by_s8
+        by_s13 = (by_s12 * by_s12)
+        by_s19 = by_s9*cos_q
+        by_s20 = -by_s5*sin_q
+        by_s21 = -by_s7*sin_q
+        by_s23 = by_s19 + by_s20 + by_s21 + by_s22
+        by_s24 = (by_s23 * by_s23)
+        by_s32 = (cos_q * cos_q)
+        by_s34 = by_s32*by_s33
+        by_s35 = (sin_q * sin_q)
+        by_s36 = by_s33*by_s35
+        by_s40 = by_s39*sin_q
+        by_s42 = by_s41*sin_q
+        by_s44 = by_s43*cos_q
+        by_s46 = by_s34 + by_s36 + by_s40 + by_s42 + by_s44 + by_s45
+        by_s47 = (by_s46 * by_s46)
+        by_s48 = by_s13 + by_s24 - by_s47
+        by_s49 = math.sqrt(by_s48)
+        by_s50 = by_s23*by_s49
+        by_s51 = -by_s12*by_s46
+        by_s52 = by_s50 + by_s51
+        by_s53 = (by_s52 * by_s52)
+        by_s54 = -by_s23*by_s46
+        by_s55 = -by_s12*by_s49
+        by_s56 = by_s54 + by_s55
+        by_s57 = (by_s56 * by_s56)
+        by_s58 = by_s53 + by_s57
+        by_s59 = 1/math.sqrt(by_s58)
+        by_s60 = b1x + tx
+        by_s61 = by_s52*by_s59*by_s60
+        by_s62 = -h + ty
+        by_s63 = by_s56*by_s59*by_s62
+        by_s65 = arctangent(by_s52, by_s56)
+        by_s66 = 0.5*by_s65
+        by_s67 = tangent(by_s66)
+        nominal_cz = 2*by_s67
+        C_y = -h + ty
+        r1_x_q = cos_q*l1
+        r1_x_errors = by_s73*cos_q + dl1*sin_q
+        r1_y_q = l1*sin_q
+        r1_y_errors = by_s73*sin_q - cos_q*dl1
+        by_s81 = (nominal_cz * nominal_cz)
+        by_s82 = 0.25*by_s81
+        by_s83 = by_s82 + 1
+        by_s84 = (1.0 / by_s83)
+        by_s85 = -0.5*by_s81*by_s84
+        by_s86 = by_s85 + 1
+        by_s90 = C_y*by_s84
+        by_s91 = -by_s84*nominal_cz
+        by_s92 = (nominal_cz * nominal_cz * nominal_cz)
+        by_s93 = (1.0 / (by_s83 * by_s83))
+        by_s94 = 0.25*by_s92*by_s93
+        by_s95 = by_s91 + by_s94
+        by_s96 = -by_s60*by_s95
+        by_s97 = -0.5*C_y*by_s81*by_s93
+        B1_x_cz = by_s90 + by_s96 + by_s97
+        B1_x_errors = -by_s85*db1x - db1x
+        by_s103 = -by_s60*by_s84
+        by_s104 = -C_y*by_s95
+        by_s105 = 0.5*by_s60*by_s81*by_s93
+        B1_y_cz = by_s103 + by_s104 + by_s105
+        B1_y_errors = -by_s84*db1x*nominal_cz
+        by_s108 = b2x - tx
+        by_s109 = by_s108*by_s86
+        by_s110 = -C_y + b2y
+        by_s111 = -by_s110*by_s84*nominal_cz
+        by_s113 = by_s108*by_s95
+        by_s114 = -by_s110*by_s84
+        by_s115 = 0.5*by_s110*by_s81*by_s93
+        B2_x_cz = by_s113 + by_s114 + by_s115
+        by_s118 = -by_s84*db2y*nominal_cz
+        by_s120 = by_s110*by_s86
+        by_s121 = by_s108*by_s84*nominal_cz
+        by_s123 = by_s108*by_s84
+        by_s124 = by_s110*by_s95
+        by_s125 = -0.5*by_s108*by_s81*by_s93
+        B2_y_cz = by_s123 + by_s124 + by_s125
+        by_s128 = by_s84*db2x*nominal_cz
+        r2_x = -a2x + by_s109 + by_s111 + px
+        r2_x_errors = by_s118 + by_s85*db2x + s132
+        r2_y = -a2y + by_s120 + by_s121 + by_s61 + by_s63 - cos_q*l1
+        r2_y_errors = by_s128 + by_s85*db2y + s135
+        s144 = B1_x_errors + da1x - r1_x_errors
+        s145 = B1_y_errors - r1_y_errors
+        s149 = r2_x*r2_x_errors + r2_y*r2_y_errors + s148
+        s152 = B2_x_cz*r2_x + B2_y_cz*r2_y
+        w[36 + lane] = s144
+        w[38 + lane] = B1_x_cz
+        w[39 + lane] = -r1_x_q
+        w[40 + lane] = s145
+        w[41 + lane] = 1
+        w[42 + lane] = B1_y_cz
+        w[43 + lane] = -r1_y_q
+        w[44 + lane] = s149
+        w[45 + lane] = r2_y
+        w[46 + lane] = s152
+
+
+@fast
+def _linear_solution(w):
+    """Changes that undo the closures while the target is kept; how far the equations are from dependent (33 operations)."""
+    F00 = w[36]
+    J00_2 = w[38]
+    Q00 = w[39]
+    F01 = w[40]
+    J01_1 = w[41]
+    J01_2 = w[42]
+    Q01 = w[43]
+    F02 = w[44]
+    J02_1 = w[45]
+    J02_2 = w[46]
+    A_cof_00 = J01_1*J02_2 - J01_2*J02_1
+    A_cof_02 = J02_1*Q01
+    A_cof_10 = J00_2*J02_1
+    A_cof_20 = -J00_2*J01_1
+    A_det_00 = A_cof_00*Q00 + A_cof_02*J00_2
+    A_by_00 = (1.0 / A_det_00)
+    s21 = A_by_00*(A_cof_00*F00 + A_cof_10*F01 + A_cof_20*F02)
+    s32 = (J01_1 * J01_1) + (J01_2 * J01_2) + (Q01 * Q01)
+    s34 = (A_det_00 * A_det_00) - 1.0e-12*s32*((J00_2 * J00_2) + (Q00 * Q00))*((J02_1 * J02_1) + (J02_2 * J02_2))
+    w[24] = s21
+    w[27] = s34
+
+
+@fast
+def _linear(px, w):
+    w[0] = px
+    _linear_joint(w, LANES)
+    _linear_angle(w, LANES)
+    _linear_rows(w, LANES)
+    _linear_solution(w)
+    status = (SOLVED if (w[27] > 0.0) else SINGULAR) if (abs(w[28]) < math.inf) else UNREACHABLE
+    w[28] = w[28] - w[24] if status == SOLVED else np.nan
+    return status
+
+
+@fast
+def linear_command(px, w):
+    """Return the joints that bring the reference point to a target to first order in the errors, like `exact_command`.
 
     Bai's eqs. (23) and (25): the nominal joints of the target, and the change that keeps the reference point where it
-    is, to first order, when the errors appear. tool (3,), k (1, 28) from `linear_constants`, scratch work
-    (COMMAND_WORK,). q is NaN unless SOLVED.
+    is, to first order, when the errors appear. w from `linear_state`.
     """
-    status = SOLVED
-    for i in range(1):
-        _nominal_joint(target, 0.0, tool, k, i, q)
-        if not math.isfinite(q[i]):
-            status = UNREACHABLE
-    if status == SOLVED:
-        for i in range(1):
-            _linear(target, q[i], tool, k, i, work)
-        if not _hold(work):
-            status = SINGULAR
-    for i in range(1):
-        q[i] = q[i] - work[21 + i] if status == SOLVED else np.nan
-    return status
+    _linear(px, w)
+    return w[20] * w[28]
 
 
-@kernel(nogil=True, error_model="numpy")
-def linear_commands(target, tool, k, q, status):
-    """Fill joints q (N, 1) and status (N,) by `linear_command`; target (N, 1) and tool (N, 3), k (M, 1, :)."""
-    work = np.zeros(COMMAND_WORK)
+@fast
+def linear_change(px, q_1, w):
+    """Return what to add to the nominal joints of a target, both as the controller counts them; NaN where it is singular.
+
+    For a controller that has nominal joints already: what `linear_command` adds to them.
+    """
+    w[0] = px
+    w[28] = w[20] * q_1
+    _linear_angle(w, LANES)
+    _linear_rows(w, LANES)
+    _linear_solution(w)
+    back = -1.0 if (w[27] > 0.0) else np.nan
+    return back * w[20] * w[24]
+
+
+@fast
+def linear_commands(target, tool, w, q, status):
+    """Fill q (N, 1), as the geometry counts, and status (N,) by `linear_command`; target (N, 1), tool (N or 1, 3)."""
     for n in range(target.shape[0]):
-        status[n] = linear_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])
-
-
-@kernel(nogil=True, error_model="numpy")
-def exact_joints(px, state):
-    """Return the joints of `exact_command` for a target, as the controller counts them; NaN where there are none.
-
-    For calls from Python, which pay for every array: state holds the target, tool (3,), joints, signs (1,), scratch
-    (COMMAND_WORK,) and k (1, COMMAND_CONSTANTS), one after the other.
-    """
-    state[0] = px
-    q = state[4:5]
-    exact_command(state[:1], state[1:4], state[33:].reshape((1, COMMAND_CONSTANTS)), state[6:33], q)
-    return q[0] * state[5], 
-
-
-@kernel(nogil=True, error_model="numpy")
-def linear_joints(px, state):
-    """Return the joints of `linear_command` for a target, as the controller counts them; NaN where there are none.
-
-    For calls from Python, which pay for every array: state holds the target, tool (3,), joints, signs (1,), scratch
-    (COMMAND_WORK,) and k (1, 28), one after the other.
-    """
-    state[0] = px
-    q = state[4:5]
-    linear_command(state[:1], state[1:4], state[33:].reshape((1, 28)), state[6:33], q)
-    return q[0] * state[5], 
+        if n == 0 or tool.shape[0] > 1:
+            for c in range(3):
+                w[16 + c] = tool[n, c]
+        status[n] = _linear(target[n, 0], w)
+        for i in range(1):
+            q[n, i] = w[28 + i]

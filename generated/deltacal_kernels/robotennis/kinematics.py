@@ -1,7 +1,7 @@
 """Kinematics of `robotennis`, many poses at once: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 09cd5203f4afca2a; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both d6e8dc808f3956ab; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -19,7 +19,7 @@ import math
 import numpy as np
 
 from deltacal_kernels.compiled import kernel
-from deltacal_kernels.elementary import arcsine, arctangent, cosine, scratch, sine, tangent, wide
+from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, scratch, sine, tangent, wide
 
 from . import vectorised
 from .vectorised import SINGULAR, SOLVED, UNREACHABLE, constants, jacobians
@@ -29,7 +29,8 @@ OPEN = -1  # a pose that is left to the plain kernels
 MAX_STEPS = 8
 STEP_DONE = 1e-6  # mm; Newton is quadratic: after such a step a length of 1000 mm is exact to 1e-15 mm
 TURN_DONE = 3e-8  # rad
-WORK = 4320  # length of the scratch array
+WORK = 4320  # numbers that a block computes with
+SPARE = 792  # and that the last of its poses are written to
 CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
 APART = 1e-3  # squared sine between the centres' directions
 SIMPLIFIED = 3  # coordinates that `simplified_forward` gives: the others are zero
@@ -661,7 +662,7 @@ def forward(q, tool, k, x, status, warm):
     status (N,): SOLVED, UNREACHABLE (no platform pose closes all loops) or SINGULAR; x is NaN unless SOLVED.
     """
     given = x.copy() if warm else x
-    if _forward(q, tool, k, x, status, warm, scratch(WORK)):
+    if _forward(q, tool, k, x, status, warm, scratch(WORK + SPARE)):
         left = np.flatnonzero(status == OPEN)
         of, found = np.zeros(len(left), dtype=np.int64), given[left]
         vectorised.forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, warm)
@@ -723,7 +724,7 @@ def inverse(target, tool, k, x, q, status):
     Newton on the joints and the platform's rotation from the simplified machine. status as in `forward`; UNREACHABLE
     where the target lies beyond the reach of a limb.
     """
-    if _inverse(target, tool, k, x, q, status, scratch(WORK)):
+    if _inverse(target, tool, k, x, q, status, scratch(WORK + SPARE)):
         left = np.flatnonzero(status == OPEN)
         found, joints, of = np.empty((len(left), 3)), np.empty((len(left), 3)), np.zeros(len(left), dtype=np.int64)
         vectorised.inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
@@ -951,6 +952,7 @@ def _aim(w, n):
 
 @fast
 def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
+    by_errors, by_joints = S_p.reshape(S_p.size), S_q.reshape(S_q.size)
     w_1 = w[0:1216]
     w_2 = w[1216:2432]
     w_3 = w[2432:3648]
@@ -987,98 +989,34 @@ def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
             _joints(w_3, k_3, n)
             _errors(w_3, k_3, n)
             _inverse_of_rows(w, n)
-            left += _products(w, S_p, S_q, status, first, last)
+            left += _products(w, by_errors, by_joints, status, first, last)
     return left
 
 
 @fast
 def _products(w, S_p, S_q, status, first, last):
-    """Multiply the inverse and the derivatives by errors and joints, pose by pose; return how many are left open."""
+    """Multiply the inverse and the derivatives by errors and joints; return how many poses are left open."""
     wide()
+    for lane in range(0, last - first + 1, 8):
+        whole = 99 * (first + lane + 8) <= S_p.size  # else the last poses are written through scratch
+        to, at = (S_p, 99 * (first + lane)) if whole else (w[WORK:], 0)
+        for i in range(3):
+            outer(to, at + 11 * i + 0, 99, 33, 3, w, (3808 + 32 * i + lane, ), 96, (864 + 1216 * i + lane, ), 32, 8)
+            outer(to, at + 11 * i + 8, 99, 33, 3, w, (3808 + 32 * i + lane, ), 96, (1120 + 1216 * i + lane, ), 32, 3)
+        if not whole:
+            for c in range(99 * (last + 1 - first - lane)):
+                S_p[99 * (first + lane) + c] = to[c]
+        whole = 9 * (first + lane + 8) <= S_q.size  # else the last poses are written through scratch
+        to, at = (S_q, 9 * (first + lane)) if whole else (w[WORK:], 0)
+        for i in range(3):
+            outer(to, at + 1 * i + 0, 9, 3, 3, w, (3808 + 32 * i + lane, ), 96, (352 + 1216 * i + lane, ), 32, 1)
+        if not whole:
+            for c in range(9 * (last + 1 - first - lane)):
+                S_q[9 * (first + lane) + c] = to[c]
     left = 0
     for lane in range(last - first + 1):
-        m = first + lane
-        e_0_0 = w[864 + lane]
-        e_0_1 = w[896 + lane]
-        e_0_2 = w[928 + lane]
-        e_0_3 = w[960 + lane]
-        e_0_4 = w[992 + lane]
-        e_0_5 = w[1024 + lane]
-        e_0_6 = w[1056 + lane]
-        e_0_7 = w[1088 + lane]
-        e_0_8 = w[1120 + lane]
-        e_0_9 = w[1152 + lane]
-        e_0_10 = w[1184 + lane]
-        q_0 = w[352 + lane]
-        for r in range(3):
-            a_0 = w[96 * r + (3808 + lane)]
-            S_p[m, r, 0] = a_0 * e_0_0
-            S_p[m, r, 1] = a_0 * e_0_1
-            S_p[m, r, 2] = a_0 * e_0_2
-            S_p[m, r, 3] = a_0 * e_0_3
-            S_p[m, r, 4] = a_0 * e_0_4
-            S_p[m, r, 5] = a_0 * e_0_5
-            S_p[m, r, 6] = a_0 * e_0_6
-            S_p[m, r, 7] = a_0 * e_0_7
-            S_p[m, r, 8] = a_0 * e_0_8
-            S_p[m, r, 9] = a_0 * e_0_9
-            S_p[m, r, 10] = a_0 * e_0_10
-            S_q[m, r, 0] = a_0 * q_0
-        e_0_0 = w[2080 + lane]
-        e_0_1 = w[2112 + lane]
-        e_0_2 = w[2144 + lane]
-        e_0_3 = w[2176 + lane]
-        e_0_4 = w[2208 + lane]
-        e_0_5 = w[2240 + lane]
-        e_0_6 = w[2272 + lane]
-        e_0_7 = w[2304 + lane]
-        e_0_8 = w[2336 + lane]
-        e_0_9 = w[2368 + lane]
-        e_0_10 = w[2400 + lane]
-        q_0 = w[1568 + lane]
-        for r in range(3):
-            a_0 = w[96 * r + (3840 + lane)]
-            S_p[m, r, 11] = a_0 * e_0_0
-            S_p[m, r, 12] = a_0 * e_0_1
-            S_p[m, r, 13] = a_0 * e_0_2
-            S_p[m, r, 14] = a_0 * e_0_3
-            S_p[m, r, 15] = a_0 * e_0_4
-            S_p[m, r, 16] = a_0 * e_0_5
-            S_p[m, r, 17] = a_0 * e_0_6
-            S_p[m, r, 18] = a_0 * e_0_7
-            S_p[m, r, 19] = a_0 * e_0_8
-            S_p[m, r, 20] = a_0 * e_0_9
-            S_p[m, r, 21] = a_0 * e_0_10
-            S_q[m, r, 1] = a_0 * q_0
-        e_0_0 = w[3296 + lane]
-        e_0_1 = w[3328 + lane]
-        e_0_2 = w[3360 + lane]
-        e_0_3 = w[3392 + lane]
-        e_0_4 = w[3424 + lane]
-        e_0_5 = w[3456 + lane]
-        e_0_6 = w[3488 + lane]
-        e_0_7 = w[3520 + lane]
-        e_0_8 = w[3552 + lane]
-        e_0_9 = w[3584 + lane]
-        e_0_10 = w[3616 + lane]
-        q_0 = w[2784 + lane]
-        for r in range(3):
-            a_0 = w[96 * r + (3872 + lane)]
-            S_p[m, r, 22] = a_0 * e_0_0
-            S_p[m, r, 23] = a_0 * e_0_1
-            S_p[m, r, 24] = a_0 * e_0_2
-            S_p[m, r, 25] = a_0 * e_0_3
-            S_p[m, r, 26] = a_0 * e_0_4
-            S_p[m, r, 27] = a_0 * e_0_5
-            S_p[m, r, 28] = a_0 * e_0_6
-            S_p[m, r, 29] = a_0 * e_0_7
-            S_p[m, r, 30] = a_0 * e_0_8
-            S_p[m, r, 31] = a_0 * e_0_9
-            S_p[m, r, 32] = a_0 * e_0_10
-            S_q[m, r, 2] = a_0 * q_0
-        regular = True
-        regular = regular & (w[4096 + lane] > 0.0)
-        status[m] = SOLVED if regular else OPEN
+        regular = (w[4096 + lane] > 0.0)
+        status[first + lane] = SOLVED if regular else OPEN
         left += 0 if regular else 1
     return left
 
@@ -1089,7 +1027,7 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
     Rows are px, py, pz, then turns of the platform about the axes of {O}. Columns of S_p run limb by limb. S_q is the velocity
     Jacobian.
     """
-    if _sensitivity(x, q, tool, k, S_p, S_q, status, scratch(WORK)):
+    if _sensitivity(x, q, tool, k, S_p, S_q, status, scratch(WORK + SPARE)):
         left = np.flatnonzero(status == OPEN)
         by_errors, by_joints, of = np.empty((len(left), 3, 33)), np.empty((len(left), 3, 3)), np.zeros(len(left), dtype=np.int64)
         vectorised.sensitivity(x[left], q[left], _of(tool, left, len(status)), _of(k, left, len(status)), by_errors, by_joints, of)
@@ -1262,75 +1200,24 @@ def _nominal_inverse(w, n):
 def _nominal_products(w, S, first, last):
     """Multiply the inverse and the derivatives by the errors where they do not vanish; False where a pose is not regular."""
     wide()
+    for lane in range(0, last - first + 1, 8):
+        whole = 81 * (first + lane + 8) <= S.size  # else the last poses are written through scratch
+        to, at = (S, 81 * (first + lane)) if whole else (w[WORK:], 0)
+        for i in range(3):
+            outer(to, at + 9 * i + 0, 81, 27, 3, w, (3808 + 32 * i + lane, ), 96, (864 + 1216 * i + lane, ), 32, 8)
+            outer(to, at + 9 * i + 8, 81, 27, 3, w, (3808 + 32 * i + lane, ), 96, (1120 + 1216 * i + lane, ), 32, 1)
+        if not whole:
+            for c in range(81 * (last + 1 - first - lane)):
+                S[81 * (first + lane) + c] = to[c]
     regular = True
     for lane in range(last - first + 1):
-        m = first + lane
-        e_0_0 = w[864 + lane]
-        e_0_1 = w[896 + lane]
-        e_0_2 = w[928 + lane]
-        e_0_3 = w[960 + lane]
-        e_0_4 = w[992 + lane]
-        e_0_5 = w[1024 + lane]
-        e_0_6 = w[1056 + lane]
-        e_0_7 = w[1088 + lane]
-        e_0_8 = w[1120 + lane]
-        for r in range(3):
-            a_0 = w[96 * r + (3808 + lane)]
-            S[m, r, 0] = a_0 * e_0_0
-            S[m, r, 1] = a_0 * e_0_1
-            S[m, r, 2] = a_0 * e_0_2
-            S[m, r, 3] = a_0 * e_0_3
-            S[m, r, 4] = a_0 * e_0_4
-            S[m, r, 5] = a_0 * e_0_5
-            S[m, r, 6] = a_0 * e_0_6
-            S[m, r, 7] = a_0 * e_0_7
-            S[m, r, 8] = a_0 * e_0_8
-        e_0_0 = w[2080 + lane]
-        e_0_1 = w[2112 + lane]
-        e_0_2 = w[2144 + lane]
-        e_0_3 = w[2176 + lane]
-        e_0_4 = w[2208 + lane]
-        e_0_5 = w[2240 + lane]
-        e_0_6 = w[2272 + lane]
-        e_0_7 = w[2304 + lane]
-        e_0_8 = w[2336 + lane]
-        for r in range(3):
-            a_0 = w[96 * r + (3840 + lane)]
-            S[m, r, 9] = a_0 * e_0_0
-            S[m, r, 10] = a_0 * e_0_1
-            S[m, r, 11] = a_0 * e_0_2
-            S[m, r, 12] = a_0 * e_0_3
-            S[m, r, 13] = a_0 * e_0_4
-            S[m, r, 14] = a_0 * e_0_5
-            S[m, r, 15] = a_0 * e_0_6
-            S[m, r, 16] = a_0 * e_0_7
-            S[m, r, 17] = a_0 * e_0_8
-        e_0_0 = w[3296 + lane]
-        e_0_1 = w[3328 + lane]
-        e_0_2 = w[3360 + lane]
-        e_0_3 = w[3392 + lane]
-        e_0_4 = w[3424 + lane]
-        e_0_5 = w[3456 + lane]
-        e_0_6 = w[3488 + lane]
-        e_0_7 = w[3520 + lane]
-        e_0_8 = w[3552 + lane]
-        for r in range(3):
-            a_0 = w[96 * r + (3872 + lane)]
-            S[m, r, 18] = a_0 * e_0_0
-            S[m, r, 19] = a_0 * e_0_1
-            S[m, r, 20] = a_0 * e_0_2
-            S[m, r, 21] = a_0 * e_0_3
-            S[m, r, 22] = a_0 * e_0_4
-            S[m, r, 23] = a_0 * e_0_5
-            S[m, r, 24] = a_0 * e_0_6
-            S[m, r, 25] = a_0 * e_0_7
-            S[m, r, 26] = a_0 * e_0_8
-        regular = regular & (w[4096 + lane] > 0.0)
+        regular = (w[4096 + lane] > 0.0) & regular
     return regular
 
 
 @fast
 def _nominal_sensitivity(x, q, tool, k, S, w):
+    rows = S.reshape(S.size)
     w_1 = w[0:1216]
     w_2 = w[1216:2432]
     w_3 = w[2432:3648]
@@ -1350,7 +1237,7 @@ def _nominal_sensitivity(x, q, tool, k, S, w):
         _nominal(w_2, k_2, n)
         _nominal(w_3, k_3, n)
         _nominal_inverse(w, n)
-        regular = _nominal_products(w, S, first, last) & regular
+        regular = _nominal_products(w, rows, first, last) & regular
     return regular
 
 
@@ -1361,7 +1248,7 @@ def nominal_sensitivity(x, q, tool, k, S):
     False where the machine is singular at one of the poses, or nearly so. With the errors of one limb in the order of
     ``parameters.ERRORS``, then ``COMMON``.
     """
-    return _nominal_sensitivity(x, q, tool, k, S, scratch(WORK))
+    return _nominal_sensitivity(x, q, tool, k, S, scratch(WORK + SPARE))
 
 
 @fast
@@ -1401,4 +1288,4 @@ def distance_rows(x, q, tool, k, columns, H):
     work = scratch(3 * poses * (27 + n))
     S = work[: 81 * poses].reshape(poses, 3, 27)
     C = work[81 * poses :].reshape(poses, 3, n)
-    return _distance_rows(x, q, tool, k, columns, H, S, C, scratch(WORK))
+    return _distance_rows(x, q, tool, k, columns, H, S, C, scratch(WORK + SPARE))

@@ -1,9 +1,12 @@
 """Commands of one pose for a servo loop: `robotennis`, RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 551ce77364038b50; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 5fdefde2e98ebf39; SymPy 1.14.0.
 
-Scalar code without allocation, to be called from loops that Numba compiles. Lengths in mm, angles in rad.
+Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
+than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`
+and `linear_state` make, `copied` for every thread: loops over `lane` run over the limbs, the last of them again so that
+they are 4.
 """
 
 import math
@@ -11,98 +14,175 @@ import math
 import numpy as np
 
 from deltacal_kernels.compiled import kernel
+from deltacal_kernels.elementary import aligned, arcsine, arctangent, copied, cosine, sine, tangent
 
-from .vectorised import MAX_STEPS, PIVOT_SINGULAR, SINGULAR, SOLVED, STEP_LOST, UNREACHABLE
+from .vectorised import MAX_STEPS, SINGULAR, SOLVED, STEP_LOST, UNREACHABLE
 
 COMMAND_DONE = 3e-8  # rad; after such a step a command is exact to its square: 1e-15 rad
-COMMAND_WORK = 21  # length of the scratch array of `exact_command` and `linear_command`
-COMMAND_CONSTANTS = 22  # `exact_command` reads these first columns of k only
+COMMAND_CONSTANTS = 22  # what is exported reads these first columns of `vectorised.constants` only
+LANES = np.int64(4)  # no literal: a loop whose end is known beforehand is unrolled, and not turned into SIMD code
+fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
-@kernel(nogil=True, error_model="numpy")
-def _newton(x, q, tool, k, out):
-    """Per rod of one limb: closure, its derivatives by the platform, by the joint (60 operations)."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    q = q
-    theta0 = k[0]
-    u_x = k[1]
-    u_y = k[2]
-    s11 = k[3]
-    s14 = k[4]
-    s16 = k[5]
-    s20 = k[6]
-    s22 = k[7]
-    tip_v = k[8]
-    px0 = k[9]
-    py0 = k[10]
-    pz0 = k[11]
-    s31 = k[12]
-    s33 = k[13]
-    s46 = k[14]
-    s6 = q + theta0
-    s7 = math.cos(s6)
-    arm_x = s7*u_x
-    arm_y = s7*u_y
-    arm_z = math.sin(s6)
-    B_x = arm_x*s11 + arm_z*s14 + s16
-    B_y = arm_y*s11 + arm_z*s20 + s22
-    B_z = arm_z*s11 + s7*tip_v
-    centre_x = px + px0 - tx
-    centre_y = py + py0 - ty
-    centre_z = pz + pz0 - tz
-    C_x = centre_x + s31
-    C_y = centre_y + s33
-    rod_x = -B_x + C_x
-    rod_y = -B_y + C_y
-    rod_z = -B_z + centre_z
-    s47 = 0.5*(rod_x * rod_x) + 0.5*(rod_y * rod_y) + 0.5*(rod_z * rod_z) + s46
-    s48 = 2*rod_z
-    s49 = 0.5*s48
-    s50 = 2*rod_y
-    s51 = 0.5*s50
-    s52 = 2*rod_x
-    s53 = 0.5*s52
-    s73 = -arm_z*(-s11*s51*u_y - s11*s53*u_x - s49*tip_v)
-    s74 = s7*(-s11*s49 - s14*s53 - s20*s51) + s73
-    out[0] = s47
-    out[1] = s53
-    out[2] = s51
-    out[3] = s49
-    out[4] = s74
+def _exact_constants(p):
+    """Return k (M, 3, 22), what no target changes, from p (45 operations).
+
+    p is that of the calibrated machine.
+    """
+    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
+    k = np.zeros((22, p.shape[1], 3))
+    a = p[0]
+    b = p[1]
+    h = p[2]
+    H = p[3]
+    phi = p[4]
+    da = p[8]
+    db = p[9]
+    dh = p[10]
+    theta0 = p[11]
+    dphi = p[12]
+    dH = p[13]
+    px0 = p[14]
+    py0 = p[15]
+    pz0 = p[16]
+    tip_v = p[17]
+    tip_w = p[18]
+    s0 = dphi + phi
+    u_x = np.cos(s0)
+    u_y = np.sin(s0)
+    s3 = H + dH
+    A_x = s3*u_x
+    A_y = s3*u_y
+    s11 = a + da
+    s14 = -tip_v*u_x
+    s16 = A_x + tip_w*u_y
+    s20 = -tip_v*u_y
+    s22 = A_y - tip_w*u_x
+    s30 = dh + h
+    s31 = s30*u_x
+    s33 = s30*u_y
+    s38 = -A_x + px0 + s31
+    s40 = -s11*u_x
+    s42 = -A_y + py0 + s33
+    s44 = -s11*u_y
+    s56 = -0.5*((b + db) * (b + db))
+    s62 = 0.5*(s11 * s11)*((u_x * u_x) + (u_y * u_y)) + s56
+    s67 = -2*a - 2*da
+    s69 = 0.25*(s67 * s67)
+    s74 = -0.5*s67
+    k[0] = pz0
+    k[1] = s38
+    k[2] = s40
+    k[3] = s42
+    k[4] = s44
+    k[5] = s62
+    k[6] = s69
+    k[7] = s74
+    k[8] = theta0
+    k[9] = u_x
+    k[10] = u_y
+    k[11] = s11
+    k[12] = s14
+    k[13] = s16
+    k[14] = s20
+    k[15] = s22
+    k[16] = tip_v
+    k[17] = px0
+    k[18] = py0
+    k[19] = s31
+    k[20] = s33
+    k[21] = s56
+    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
-@kernel(nogil=True, error_model="numpy")
-def _joint(x, q, tool, k, out):
-    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it (35 operations)."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    theta0 = k[0]
-    pz0 = k[11]
-    s96 = k[15]
-    s98 = k[16]
-    s100 = k[17]
-    s102 = k[18]
-    s117 = k[19]
-    s124 = k[20]
-    s129 = k[21]
-    centre_z = pz + pz0 - tz
-    s97 = px + s96 - tx
-    s101 = py + s100 - ty
-    s104 = s101*s102 + s97*s98
-    s106 = (centre_z * centre_z)
-    s118 = 0.5*(s101 * s101) + 0.5*s106 + s117 + 0.5*(s97 * s97)
-    s127 = math.sqrt((s104 * s104) + s106*s124 - (s118 * s118))
-    s136 = -theta0 + math.atan2(centre_z*s118*s129 + s104*s127, centre_z*s127*s129 - s104*s118)
-    out[0] = s136
+def _linear_constants(p):
+    """Return k (M, 3, 19), what no target changes, from p (71 operations).
+
+    p is that of the calibrated machine: its geometry is taken as nominal, its errors as what to compensate.
+    """
+    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
+    k = np.zeros((19, p.shape[1], 3))
+    a = p[0]
+    b = p[1]
+    h = p[2]
+    H = p[3]
+    phi = p[4]
+    da = p[8]
+    db = p[9]
+    dh = p[10]
+    theta0 = p[11]
+    dphi = p[12]
+    dH = p[13]
+    px0 = p[14]
+    py0 = p[15]
+    pz0 = p[16]
+    tip_v = p[17]
+    tip_w = p[18]
+    u_x = np.cos(phi)
+    by_s1 = np.sin(phi)
+    u_x_errors = -by_s1*dphi
+    u_y = np.sin(phi)
+    u_y_errors = dphi*u_x
+    A_x = H*u_x
+    by_s6 = H*u_x_errors
+    by_s7 = dH*u_x
+    A_x_errors = by_s6 + by_s7
+    A_y = H*u_y
+    by_s10 = H*u_y_errors
+    by_s11 = dH*u_y
+    A_y_errors = by_s10 + by_s11
+    by_s16 = -theta0*u_x
+    by_s22 = -theta0*u_y
+    s26 = a*u_x
+    by_s31 = tip_w*u_y
+    by_s32 = -tip_v*u_x
+    by_s34 = A_x_errors + by_s31
+    s35 = a*u_x_errors + da*u_x
+    s38 = a*by_s16 + by_s32
+    s41 = a*u_y
+    by_s41 = -tip_w*u_x
+    by_s42 = -tip_v*u_y
+    by_s44 = A_y_errors + by_s41
+    s50 = a*u_y_errors + da*u_y
+    s53 = a*by_s22 + by_s42
+    s59 = a*theta0 + tip_v
+    by_s55 = h*u_x
+    by_s57 = dh*u_x
+    by_s58 = h*u_x_errors
+    C_x_errors = by_s57 + by_s58 + px0
+    by_s60 = h*u_y
+    by_s62 = dh*u_y
+    by_s63 = h*u_y_errors
+    C_y_errors = by_s62 + by_s63 + py0
+    s76 = -A_x + by_s55
+    s78 = C_x_errors - by_s34
+    s80 = -A_y + by_s60
+    s82 = C_y_errors - by_s44
+    s90 = -H*by_s1 + by_s1*h
+    s92 = -a*by_s1
+    s104 = (a * a)
+    s109 = -0.5*(b * b) + 0.5*s104*((by_s1 * by_s1) + (u_x * u_x))
+    s133 = -b*db
+    k[0] = s76
+    k[1] = s26
+    k[2] = s90
+    k[3] = s92
+    k[4] = s109
+    k[5] = s104
+    k[6] = a
+    k[7] = s35
+    k[8] = s38
+    k[9] = s41
+    k[10] = s50
+    k[11] = s53
+    k[12] = s59
+    k[13] = da
+    k[14] = s78
+    k[15] = s80
+    k[16] = s82
+    k[17] = pz0
+    k[18] = s133
+    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
 def linear_constants(p):
@@ -185,266 +265,341 @@ def linear_constants(p):
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
-@kernel(nogil=True, error_model="numpy")
-def _nominal_joint(x, q, tool, k, i, out):
-    """Joint of the nominal limb at a given position (33 operations); limb i of k, row i of out."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    s75 = k[i, 0]
-    s77 = k[i, 1]
-    s81 = k[i, 2]
-    s83 = k[i, 3]
-    s100 = k[i, 4]
-    s95 = k[i, 5]
-    a = k[i, 6]
-    centre_z = pz - tz
-    s76 = px + s75 - tx
-    s82 = py + s81 - ty
-    s85 = s76*s77 + s82*s83
-    s87 = (centre_z * centre_z)
-    s101 = s100 + 0.5*(s76 * s76) + 0.5*(s82 * s82) + 0.5*s87
-    s105 = math.sqrt(-(s101 * s101) + (s85 * s85) + s87*s95)
-    s112 = math.atan2(a*centre_z*s101 + s105*s85, a*centre_z*s105 - s101*s85)
-    row = 1 * i
-    out[row + 0] = s112
+def exact_state(p, tool, sign):
+    """Return the array w of `exact_command` for a machine: p (3, 19), tool (3,), sign (3,) of the controller's joints."""
+    w = aligned(140)
+    w[16:19], w[20:23] = tool, sign
+    k = _exact_constants(p[None])[0]
+    w[52:140].reshape(-1, 4)[:] = np.pad(k, ((0, 1), (0, 0)), mode="edge").T
+    return w
 
 
-@kernel(nogil=True, error_model="numpy")
-def _linear(x, q, tool, k, i, out):
-    """Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (65 operations); limb i of k, row i of out."""
-    px = x[0]
-    py = x[1]
-    pz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    tz = tool[2]
-    a = k[i, 6]
-    u_x = k[i, 7]
-    u_x_errors = k[i, 8]
-    s18 = k[i, 9]
-    u_y = k[i, 10]
-    u_y_errors = k[i, 11]
-    s24 = k[i, 12]
-    theta0 = k[i, 13]
-    A_x = k[i, 14]
-    da = k[i, 15]
-    s36 = k[i, 16]
-    s38 = k[i, 17]
-    A_y = k[i, 18]
-    s46 = k[i, 19]
-    s48 = k[i, 20]
-    tip_v = k[i, 21]
-    s59 = k[i, 22]
-    s64 = k[i, 23]
-    C_x_errors = k[i, 24]
-    C_y_errors = k[i, 25]
-    pz0 = k[i, 26]
-    s116 = k[i, 27]
-    s13 = math.cos(q)
-    arm_x = s13*u_x
-    s15 = math.sin(q)
-    arm_x_q = -s15*u_x
-    arm_x_errors = s13*u_x_errors + s15*s18
-    arm_y = s13*u_y
-    arm_y_q = -s15*u_y
-    arm_y_errors = s13*u_y_errors + s15*s24
-    arm_z = math.sin(q)
-    arm_z_q = math.cos(q)
-    arm_z_errors = s13*theta0
-    B_x = A_x + a*arm_x
-    B_x_q = a*arm_x_q
-    B_x_errors = a*arm_x_errors + arm_x*da + s15*s36 + s38
-    B_y = A_y + a*arm_y
-    B_y_q = a*arm_y_q
-    B_y_errors = a*arm_y_errors + arm_y*da + s15*s46 + s48
-    B_z = a*arm_z
-    B_z_q = a*arm_z_q
-    B_z_errors = a*arm_z_errors + arm_z*da + s13*tip_v
-    centre_x = px - tx
-    centre_y = py - ty
-    centre_z = pz - tz
-    C_x = centre_x + s59
-    C_y = centre_y + s64
-    rod_x = -B_x + C_x
-    rod_x_errors = -B_x_errors + C_x_errors
-    rod_y = -B_y + C_y
-    rod_y_errors = -B_y_errors + C_y_errors
-    rod_z = -B_z + centre_z
-    rod_z_errors = -B_z_errors + pz0
-    s117 = rod_x*rod_x_errors + rod_y*rod_y_errors + rod_z*rod_z_errors + s116
-    s121 = -B_x_q*rod_x - B_y_q*rod_y - B_z_q*rod_z
-    row = 5 * i
-    out[row + 0] = s117
-    out[row + 4] = s121
+def linear_state(p, tool, sign):
+    """Return the array w of `linear_command` for a machine: p (3, 19), tool (3,), sign (3,) of the controller's joints."""
+    w = aligned(128)
+    w[16:19], w[20:23] = tool, sign
+    k = _linear_constants(p[None])[0]
+    w[52:128].reshape(-1, 4)[:] = np.pad(k, ((0, 1), (0, 0)), mode="edge").T
+    return w
 
 
-@kernel(nogil=True, error_model="numpy")
-def _hold(work):
-    """Solve for the changes of joints and rotation that undo the closures while the reference point stays in place.
-
-    work: per rod closure, its derivatives by the platform and by the joint; then room for the reduced equations; then
-    the changes. A limb's joint is eliminated with the rod that feels it most; what is left are 0 equations for the
-    rotation. Returns False where a joint is felt by no rod of its limb, or the rotation is not held.
-    """
-    largest = 0.0
-    for row in range(3):
-        for c in range(4, 5):
-            largest = max(largest, abs(work[5 * row + c]))
-    smallest = PIVOT_SINGULAR * largest
-    target = 15
-    for i in range(3):
-        best = 5 * i
-        for j in range(1, 1):
-            if abs(work[5 * i + 5 * j + 4]) > abs(work[best + 4]):
-                best = 5 * i + 5 * j
-        if not abs(work[best + 4]) > smallest:
-            return False
-        inverse = 1.0 / work[best + 4]
-        for j in range(1):
-            rod = 5 * i + 5 * j
-            if rod != best:
-                factor = work[rod + 4] * inverse
-                for c in range(0):
-                    work[target + c] = work[rod + 4 + c] - factor * work[best + 4 + c]
-                work[target + 0] = work[rod] - factor * work[best]
-                target += 1
-        # the joint's own equation, left to the end: closure and rotation over the joint's derivative
-        for c in range(0):
-            work[5 * i + 4 + c] = work[best + 4 + c] * inverse
-        work[15 + i] = work[best] * inverse
-    for c in range(0):
-        pivot = 15 + 1 * c
-        for r in range(c + 1, 0):
-            if abs(work[15 + 1 * r + c]) > abs(work[pivot + c]):
-                pivot = 15 + 1 * r
-        row = 15 + 1 * c
-        if not abs(work[pivot + c]) > smallest:
-            return False
-        if pivot != row:
-            for j in range(c, 1):
-                work[row + j], work[pivot + j] = work[pivot + j], work[row + j]
-        inverse = 1.0 / work[row + c]
-        for r in range(c + 1, 0):
-            below = 15 + 1 * r
-            factor = work[below + c] * inverse
-            for j in range(c + 1, 1):
-                work[below + j] -= factor * work[row + j]
-    for c in range(-1, -1, -1):
-        row = 15 + 1 * c
-        total = work[row + 0]
-        for j in range(c + 1, 0):
-            total -= work[row + j] * work[18 + j]
-        work[18 + c] = total / work[row + c]
-    for i in range(3):
-        for c in range(0):
-            work[15 + i] -= work[5 * i + 4 + c] * work[18 + c]
-    return True
+@fast
+def _exact_joint(w, lanes):
+    """Joint of the simplified limb at the target, then the platform's coordinates that follow from it (35 operations)."""
+    px = w[0]
+    py = w[1]
+    pz = w[2]
+    tx = w[16]
+    ty = w[17]
+    tz = w[18]
+    for lane in range(lanes):
+        pz0 = w[52 + lane]
+        s38 = w[56 + lane]
+        s40 = w[60 + lane]
+        s42 = w[64 + lane]
+        s44 = w[68 + lane]
+        s62 = w[72 + lane]
+        s69 = w[76 + lane]
+        s74 = w[80 + lane]
+        theta0 = w[84 + lane]
+        centre_z = pz + pz0 - tz
+        s39 = px + s38 - tx
+        s43 = py + s42 - ty
+        s46 = s39*s40 + s43*s44
+        s48 = (centre_z * centre_z)
+        s63 = 0.5*(s39 * s39) + 0.5*(s43 * s43) + 0.5*s48 + s62
+        s72 = math.sqrt((s46 * s46) + s48*s69 - (s63 * s63))
+        s81 = -theta0 + arctangent(centre_z*s63*s74 + s46*s72, centre_z*s72*s74 - s46*s63)
+        w[28 + lane] = s81
 
 
-@kernel(nogil=True, error_model="numpy")
-def exact_command(target, tool, k, work, q):
-    """Fill the joints q (3,) that bring the reference point to target (3,); return the status.
+@fast
+def _exact_rows(w, lanes):
+    """Equations of a limb, their derivatives by turns of the platform and by the joint (59 operations)."""
+    px = w[0]
+    py = w[1]
+    pz = w[2]
+    tx = w[16]
+    ty = w[17]
+    tz = w[18]
+    for lane in range(lanes):
+        pz0 = w[52 + lane]
+        s40 = w[60 + lane]
+        s44 = w[68 + lane]
+        theta0 = w[84 + lane]
+        u_x = w[88 + lane]
+        u_y = w[92 + lane]
+        s11 = w[96 + lane]
+        s14 = w[100 + lane]
+        s16 = w[104 + lane]
+        s20 = w[108 + lane]
+        s22 = w[112 + lane]
+        tip_v = w[116 + lane]
+        px0 = w[120 + lane]
+        py0 = w[124 + lane]
+        s31 = w[128 + lane]
+        s33 = w[132 + lane]
+        s56 = w[136 + lane]
+        q = w[28 + lane]
+        s6 = q + theta0
+        s7 = cosine(s6)
+        arm_x = s7*u_x
+        arm_y = s7*u_y
+        arm_z = sine(s6)
+        B_x = arm_x*s11 + arm_z*s14 + s16
+        B_y = arm_y*s11 + arm_z*s20 + s22
+        B_z = arm_z*s11 + s7*tip_v
+        centre_x = px + px0 - tx
+        centre_y = py + py0 - ty
+        centre_z = pz + pz0 - tz
+        C_x = centre_x + s31
+        C_y = centre_y + s33
+        rod_x = -B_x + C_x
+        rod_y = -B_y + C_y
+        rod_z = -B_z + centre_z
+        s82 = (rod_x * rod_x)
+        s84 = (rod_y * rod_y)
+        s86 = (rod_z * rod_z)
+        s88 = s56 + 0.5*s82 + 0.5*s84 + 0.5*s86
+        s100 = rod_z*(arm_z*tip_v - s11*s7)
+        s101 = rod_x*(-arm_z*s40 - s14*s7) + rod_y*(-arm_z*s44 - s20*s7) + s100
+        s106 = (s101 * s101) - 1.0e-12*s82 - 1.0e-12*s84 - 1.0e-12*s86
+        w[40 + lane] = s88
+        w[44 + lane] = s101
+        w[48 + lane] = s106
 
-    `inverse` for one pose, to be called from a servo loop: tool (3,), k (3, :), scratch work (COMMAND_WORK,).
-    q is NaN unless SOLVED.
-    """
-    pose = work[18:]
-    for c in range(3):
-        pose[c] = target[c]
-    for c in range(0):
-        pose[3 + c] = 0.0
-    status = SOLVED
-    for i in range(3):
-        _joint(pose, 0.0, tool, k[i], work)
-        q[i] = work[0]
-        if not math.isfinite(q[i]):
-            status = UNREACHABLE
-    if status == SOLVED:
-        status = UNREACHABLE
+
+@fast
+def _exact_solution(w):
+    """Changes that undo the closures while the target is kept; how far the equations are from dependent (3 operations)."""
+    F00 = w[40]
+    Q00 = w[44]
+    F10 = w[41]
+    Q10 = w[45]
+    F20 = w[42]
+    Q20 = w[46]
+    s1 = F00/Q00
+    s3 = F10/Q10
+    s5 = F20/Q20
+    w[24] = s1
+    w[25] = s3
+    w[26] = s5
+
+
+@fast
+def _exact_move(w):
+    """The platform after a step, and its rotation matrix (0 operations)."""
+    px = w[0]
+    py = w[1]
+    pz = w[2]
+    w[0] = px
+    w[1] = py
+    w[2] = pz
+
+
+@fast
+def _exact(px, py, pz, w):
+    w[0] = px
+    w[1] = py
+    w[2] = pz
+    _exact_joint(w, LANES)
+    status = UNREACHABLE
+    if (abs(w[28]) < math.inf) & (abs(w[29]) < math.inf) & (abs(w[30]) < math.inf):
+        _exact_move(w)
         for _ in range(MAX_STEPS):
-            for i in range(3):
-                _newton(pose, q[i], tool, k[i], work[5 * i : 5 * (i + 1)])
-            if not _hold(work):
+            _exact_rows(w, LANES)
+            _exact_solution(w)
+            if not ((w[48] > 0.0) & (w[49] > 0.0) & (w[50] > 0.0)):
                 status = SINGULAR
                 break
             size = 0.0
+            for j in range(3):
+                size = max(size, abs(w[24 + j]))
             for i in range(3):
-                q[i] -= work[15 + i]
-                size = max(size, abs(work[15 + i]))
-            for c in range(0):
-                pose[3 + c] -= work[18 + c]
-                size = max(size, abs(work[18 + c]))
+                w[28 + i] -= w[24 + i]
             if size < COMMAND_DONE:
                 status = SOLVED
                 break
             if not size < STEP_LOST:
                 break
+            _exact_move(w)
     if status != SOLVED:
         for i in range(3):
-            q[i] = np.nan
+            w[28 + i] = np.nan
     return status
 
 
-@kernel(nogil=True, error_model="numpy")
-def linear_command(target, tool, k, work, q):
-    """Fill the joints q (3,) that bring the reference point to target (3,) to first order in the errors; return the status.
+@fast
+def exact_command(px, py, pz, w):
+    """Return the joints that bring the reference point to a target, as the controller counts them; NaN where there are none.
+
+    `inverse` for one pose, w from `exact_state`.
+    """
+    _exact(px, py, pz, w)
+    return w[20] * w[28], w[21] * w[29], w[22] * w[30]
+
+
+@fast
+def _linear_joint(w, lanes):
+    """Joint of the nominal limb at the target, its cosine and sine (41 operations)."""
+    px = w[0]
+    py = w[1]
+    pz = w[2]
+    tx = w[16]
+    ty = w[17]
+    tz = w[18]
+    for lane in range(lanes):
+        s76 = w[52 + lane]
+        s26 = w[56 + lane]
+        s90 = w[60 + lane]
+        s92 = w[64 + lane]
+        s109 = w[68 + lane]
+        s104 = w[72 + lane]
+        a = w[76 + lane]
+        centre_z = pz - tz
+        s86 = px + s76 - tx
+        s91 = py + s90 - ty
+        s94 = -s26*s86 + s91*s92
+        s96 = (centre_z * centre_z)
+        s110 = s109 + 0.5*(s86 * s86) + 0.5*(s91 * s91) + 0.5*s96
+        s114 = math.sqrt(s104*s96 - (s110 * s110) + (s94 * s94))
+        s117 = a*centre_z*s110 + s114*s94
+        s120 = a*centre_z*s114 - s110*s94
+        s121 = arctangent(s117, s120)
+        s125 = 1/math.sqrt((s117 * s117) + (s120 * s120))
+        s126 = s120*s125
+        s127 = s117*s125
+        w[28 + lane] = s121
+        w[32 + lane] = s126
+        w[36 + lane] = s127
+
+
+@fast
+def _linear_angle(w, lanes):
+    """Cosine and sine of the joint (2 operations)."""
+    for lane in range(lanes):
+        q = w[28 + lane]
+        s128 = cosine(q)
+        s129 = sine(q)
+        w[32 + lane] = s128
+        w[36 + lane] = s129
+
+
+@fast
+def _linear_rows(w, lanes):
+    """Equations of a nominal limb: change by all errors, derivatives by rotation and joint (50 operations)."""
+    px = w[0]
+    py = w[1]
+    pz = w[2]
+    tx = w[16]
+    ty = w[17]
+    tz = w[18]
+    for lane in range(lanes):
+        s76 = w[52 + lane]
+        s26 = w[56 + lane]
+        a = w[76 + lane]
+        s35 = w[80 + lane]
+        s38 = w[84 + lane]
+        s41 = w[88 + lane]
+        s50 = w[92 + lane]
+        s53 = w[96 + lane]
+        s59 = w[100 + lane]
+        da = w[104 + lane]
+        s78 = w[108 + lane]
+        s80 = w[112 + lane]
+        s82 = w[116 + lane]
+        pz0 = w[120 + lane]
+        s133 = w[124 + lane]
+        cos_q = w[32 + lane]
+        sin_q = w[36 + lane]
+        B_x_q = -s26*sin_q
+        B_y_q = -s41*sin_q
+        B_z = a*sin_q
+        B_z_q = a*cos_q
+        rod_x = -cos_q*s26 + px + s76 - tx
+        rod_x_errors = -cos_q*s35 - s38*sin_q + s78
+        rod_y = -cos_q*s41 + py + s80 - ty
+        rod_y_errors = -cos_q*s50 - s53*sin_q + s82
+        rod_z = -B_z + pz - tz
+        rod_z_errors = -cos_q*s59 - da*sin_q + pz0
+        s134 = rod_x*rod_x_errors + rod_y*rod_y_errors + rod_z*rod_z_errors + s133
+        s138 = -B_x_q*rod_x - B_y_q*rod_y - B_z_q*rod_z
+        s146 = -1.0e-12*(rod_x * rod_x) - 1.0e-12*(rod_y * rod_y) - 1.0e-12*(rod_z * rod_z) + (s138 * s138)
+        w[40 + lane] = s134
+        w[44 + lane] = s138
+        w[48 + lane] = s146
+
+
+@fast
+def _linear_solution(w):
+    """Changes that undo the closures while the target is kept; how far the equations are from dependent (3 operations)."""
+    F00 = w[40]
+    Q00 = w[44]
+    F10 = w[41]
+    Q10 = w[45]
+    F20 = w[42]
+    Q20 = w[46]
+    s1 = F00/Q00
+    s3 = F10/Q10
+    s5 = F20/Q20
+    w[24] = s1
+    w[25] = s3
+    w[26] = s5
+
+
+@fast
+def _linear(px, py, pz, w):
+    w[0] = px
+    w[1] = py
+    w[2] = pz
+    _linear_joint(w, LANES)
+    _linear_rows(w, LANES)
+    _linear_solution(w)
+    status = (SOLVED if (w[48] > 0.0) & (w[49] > 0.0) & (w[50] > 0.0) else SINGULAR) if (abs(w[28]) < math.inf) & (abs(w[29]) < math.inf) & (abs(w[30]) < math.inf) else UNREACHABLE
+    w[28] = w[28] - w[24] if status == SOLVED else np.nan
+    w[29] = w[29] - w[25] if status == SOLVED else np.nan
+    w[30] = w[30] - w[26] if status == SOLVED else np.nan
+    return status
+
+
+@fast
+def linear_command(px, py, pz, w):
+    """Return the joints that bring the reference point to a target to first order in the errors, like `exact_command`.
 
     Bai's eqs. (23) and (25): the nominal joints of the target, and the change that keeps the reference point where it
-    is, to first order, when the errors appear. tool (3,), k (3, 28) from `linear_constants`, scratch work
-    (COMMAND_WORK,). q is NaN unless SOLVED.
+    is, to first order, when the errors appear. w from `linear_state`.
     """
-    status = SOLVED
-    for i in range(3):
-        _nominal_joint(target, 0.0, tool, k, i, q)
-        if not math.isfinite(q[i]):
-            status = UNREACHABLE
-    if status == SOLVED:
-        for i in range(3):
-            _linear(target, q[i], tool, k, i, work)
-        if not _hold(work):
-            status = SINGULAR
-    for i in range(3):
-        q[i] = q[i] - work[15 + i] if status == SOLVED else np.nan
-    return status
+    _linear(px, py, pz, w)
+    return w[20] * w[28], w[21] * w[29], w[22] * w[30]
 
 
-@kernel(nogil=True, error_model="numpy")
-def linear_commands(target, tool, k, q, status):
-    """Fill joints q (N, 3) and status (N,) by `linear_command`; target (N, 3) and tool (N, 3), k (M, 3, :)."""
-    work = np.zeros(COMMAND_WORK)
+@fast
+def linear_change(px, py, pz, q_1, q_2, q_3, w):
+    """Return what to add to the nominal joints of a target, both as the controller counts them; NaN where it is singular.
+
+    For a controller that has nominal joints already: what `linear_command` adds to them.
+    """
+    w[0] = px
+    w[1] = py
+    w[2] = pz
+    w[28] = w[20] * q_1
+    w[29] = w[21] * q_2
+    w[30] = w[22] * q_3
+    w[31] = w[22] * q_3
+    _linear_angle(w, LANES)
+    _linear_rows(w, LANES)
+    _linear_solution(w)
+    back = -1.0 if (w[48] > 0.0) & (w[49] > 0.0) & (w[50] > 0.0) else np.nan
+    return back * w[20] * w[24], back * w[21] * w[25], back * w[22] * w[26]
+
+
+@fast
+def linear_commands(target, tool, w, q, status):
+    """Fill q (N, 3), as the geometry counts, and status (N,) by `linear_command`; target (N, 3), tool (N or 1, 3)."""
     for n in range(target.shape[0]):
-        status[n] = linear_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])
-
-
-@kernel(nogil=True, error_model="numpy")
-def exact_joints(px, py, pz, state):
-    """Return the joints of `exact_command` for a target, as the controller counts them; NaN where there are none.
-
-    For calls from Python, which pay for every array: state holds the target, tool (3,), joints, signs (3,), scratch
-    (COMMAND_WORK,) and k (3, COMMAND_CONSTANTS), one after the other.
-    """
-    state[0] = px
-    state[1] = py
-    state[2] = pz
-    q = state[6:9]
-    exact_command(state[:3], state[3:6], state[33:].reshape((3, COMMAND_CONSTANTS)), state[12:33], q)
-    return q[0] * state[9], q[1] * state[10], q[2] * state[11], 
-
-
-@kernel(nogil=True, error_model="numpy")
-def linear_joints(px, py, pz, state):
-    """Return the joints of `linear_command` for a target, as the controller counts them; NaN where there are none.
-
-    For calls from Python, which pay for every array: state holds the target, tool (3,), joints, signs (3,), scratch
-    (COMMAND_WORK,) and k (3, 28), one after the other.
-    """
-    state[0] = px
-    state[1] = py
-    state[2] = pz
-    q = state[6:9]
-    linear_command(state[:3], state[3:6], state[33:].reshape((3, 28)), state[12:33], q)
-    return q[0] * state[9], q[1] * state[10], q[2] * state[11], 
+        if n == 0 or tool.shape[0] > 1:
+            for c in range(3):
+                w[16 + c] = tool[n, c]
+        status[n] = _linear(target[n, 0], target[n, 1], target[n, 2], w)
+        for i in range(3):
+            q[n, i] = w[28 + i]

@@ -1,7 +1,7 @@
 """Kinematics of `simplified_parallelogram`, many poses at once: Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both bc4df30b1b7d8ae1; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both b2550ed0f4c40ff7; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -19,7 +19,7 @@ import math
 import numpy as np
 
 from deltacal_kernels.compiled import kernel
-from deltacal_kernels.elementary import arcsine, arctangent, cosine, scratch, sine, tangent, wide
+from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, scratch, sine, tangent, wide
 
 from . import vectorised
 from .vectorised import SINGULAR, SOLVED, UNREACHABLE, constants, jacobians
@@ -29,7 +29,8 @@ OPEN = -1  # a pose that is left to the plain kernels
 MAX_STEPS = 8
 STEP_DONE = 1e-6  # mm; Newton is quadratic: after such a step a length of 1000 mm is exact to 1e-15 mm
 TURN_DONE = 3e-8  # rad
-WORK = 1824  # length of the scratch array
+WORK = 1824  # numbers that a block computes with
+SPARE = 48  # and that the last of its poses are written to
 CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
 APART = 1e-3  # squared sine between the centres' directions
 SIMPLIFIED = 3  # coordinates that `simplified_forward` gives: the others are zero
@@ -190,7 +191,7 @@ def _joints(w, k, n):
 
 @fast
 def _command(w, n):
-    """Newton's step of joints and rotation; how far the equations are from dependent (77 operations)."""
+    """Newton's step of joints and rotation; how far the equations are from dependent (71 operations)."""
     wide()
     for lane in range(n):
         F00 = w[224 + lane]
@@ -205,36 +206,27 @@ def _command(w, n):
         J02_1 = w[608 + lane]
         J02_2 = w[640 + lane]
         Q02 = w[672 + lane]
-        Ai_cof_00 = J01_1*J02_2 - J01_2*J02_1
-        Ai_cof_01 = J01_2*Q02 - J02_2*Q01
-        Ai_cof_02 = -J01_1*Q02 + J02_1*Q01
-        Ai_cof_10 = -J00_1*J02_2 + J00_2*J02_1
-        Ai_cof_11 = -J00_2*Q02 + J02_2*Q00
-        Ai_cof_12 = J00_1*Q02 - J02_1*Q00
-        Ai_cof_20 = J00_1*J01_2 - J00_2*J01_1
-        Ai_cof_21 = J00_2*Q01 - J01_2*Q00
-        Ai_cof_22 = -J00_1*Q01 + J01_1*Q00
-        Ai_det_00 = Ai_cof_00*Q00 + Ai_cof_01*J00_1 + Ai_cof_02*J00_2
-        Ai_by_00 = (1.0 / Ai_det_00)
-        Ai_inv_00 = Ai_by_00*Ai_cof_00
-        Ai_inv_01 = Ai_by_00*Ai_cof_10
-        Ai_inv_02 = Ai_by_00*Ai_cof_20
-        Ai_inv_10 = Ai_by_00*Ai_cof_01
-        Ai_inv_11 = Ai_by_00*Ai_cof_11
-        Ai_inv_12 = Ai_by_00*Ai_cof_21
-        Ai_inv_20 = Ai_by_00*Ai_cof_02
-        Ai_inv_21 = Ai_by_00*Ai_cof_12
-        Ai_inv_22 = Ai_by_00*Ai_cof_22
-        s44 = Ai_inv_00*F00 + Ai_inv_01*F01 + Ai_inv_02*F02
-        s48 = Ai_inv_10*F00 + Ai_inv_11*F01 + Ai_inv_12*F02
-        s52 = Ai_inv_20*F00 + Ai_inv_21*F01 + Ai_inv_22*F02
-        s61 = (J01_1 * J01_1) + (J01_2 * J01_2) + (Q01 * Q01)
-        s65 = (J02_1 * J02_1) + (J02_2 * J02_2) + (Q02 * Q02)
-        s67 = (Ai_det_00 * Ai_det_00) - 1.0e-12*s61*s65*((J00_1 * J00_1) + (J00_2 * J00_2) + (Q00 * Q00))
-        w[1696 + lane] = s44
-        w[1728 + lane] = s48
-        w[1760 + lane] = s52
-        w[1792 + lane] = s67
+        A_cof_00 = J01_1*J02_2 - J01_2*J02_1
+        A_cof_01 = J01_2*Q02 - J02_2*Q01
+        A_cof_02 = -J01_1*Q02 + J02_1*Q01
+        A_cof_10 = -J00_1*J02_2 + J00_2*J02_1
+        A_cof_11 = -J00_2*Q02 + J02_2*Q00
+        A_cof_12 = J00_1*Q02 - J02_1*Q00
+        A_cof_20 = J00_1*J01_2 - J00_2*J01_1
+        A_cof_21 = J00_2*Q01 - J01_2*Q00
+        A_cof_22 = -J00_1*Q01 + J01_1*Q00
+        A_det_00 = A_cof_00*Q00 + A_cof_01*J00_1 + A_cof_02*J00_2
+        A_by_00 = (1.0 / A_det_00)
+        s36 = A_by_00*(A_cof_00*F00 + A_cof_10*F01 + A_cof_20*F02)
+        s41 = A_by_00*(A_cof_01*F00 + A_cof_11*F01 + A_cof_21*F02)
+        s46 = A_by_00*(A_cof_02*F00 + A_cof_12*F01 + A_cof_22*F02)
+        s55 = (J01_1 * J01_1) + (J01_2 * J01_2) + (Q01 * Q01)
+        s59 = (J02_1 * J02_1) + (J02_2 * J02_2) + (Q02 * Q02)
+        s61 = (A_det_00 * A_det_00) - 1.0e-12*s55*s59*((J00_1 * J00_1) + (J00_2 * J00_2) + (Q00 * Q00))
+        w[1696 + lane] = s36
+        w[1728 + lane] = s41
+        w[1760 + lane] = s46
+        w[1792 + lane] = s61
 
 
 @fast
@@ -498,7 +490,7 @@ def forward(q, tool, k, x, status, warm):
     status (N,): SOLVED, UNREACHABLE (no platform pose closes all loops) or SINGULAR; x is NaN unless SOLVED.
     """
     given = x.copy() if warm else x
-    if _forward(q, tool, k, x, status, warm, scratch(WORK)):
+    if _forward(q, tool, k, x, status, warm, scratch(WORK + SPARE)):
         left = np.flatnonzero(status == OPEN)
         of, found = np.zeros(len(left), dtype=np.int64), given[left]
         vectorised.forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, warm)
@@ -546,7 +538,7 @@ def inverse(target, tool, k, x, q, status):
     Newton on the joints and the platform's rotation from the simplified machine. status as in `forward`; UNREACHABLE
     where the target lies beyond the reach of a limb.
     """
-    if _inverse(target, tool, k, x, q, status, scratch(WORK)):
+    if _inverse(target, tool, k, x, q, status, scratch(WORK + SPARE)):
         left = np.flatnonzero(status == OPEN)
         found, joints, of = np.empty((len(left), 3)), np.empty((len(left), 1)), np.zeros(len(left), dtype=np.int64)
         vectorised.inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
@@ -607,6 +599,7 @@ def _aim(w, n):
 
 @fast
 def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
+    by_errors, by_joints = S_p.reshape(S_p.size), S_q.reshape(S_q.size)
     w_1 = w[0:1216]
     if len(tool) == 1:
         _hold(tool, w, 0, 0, LANES)
@@ -629,36 +622,33 @@ def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
             _joints(w_1, k_1, n)
             _errors(w_1, k_1, n)
             _inverse_of_rows(w, n)
-            left += _products(w, S_p, S_q, status, first, last)
+            left += _products(w, by_errors, by_joints, status, first, last)
     return left
 
 
 @fast
 def _products(w, S_p, S_q, status, first, last):
-    """Multiply the inverse and the derivatives by errors and joints, pose by pose; return how many are left open."""
+    """Multiply the inverse and the derivatives by errors and joints; return how many poses are left open."""
     wide()
+    for lane in range(0, last - first + 1, 8):
+        whole = 6 * (first + lane + 8) <= S_p.size  # else the last poses are written through scratch
+        to, at = (S_p, 6 * (first + lane)) if whole else (w[WORK:], 0)
+        for i in range(1):
+            outer(to, at + 2 * i + 0, 6, 2, 3, w, (1376 + 0 * i + lane, 1408 + 0 * i + lane, 1440 + 0 * i + lane, ), 96, (1024 + 1216 * i + lane, 1088 + 1216 * i + lane, 1152 + 1216 * i + lane, ), 32, 2)
+        if not whole:
+            for c in range(6 * (last + 1 - first - lane)):
+                S_p[6 * (first + lane) + c] = to[c]
+        whole = 3 * (first + lane + 8) <= S_q.size  # else the last poses are written through scratch
+        to, at = (S_q, 3 * (first + lane)) if whole else (w[WORK:], 0)
+        for i in range(1):
+            outer(to, at + 1 * i + 0, 3, 1, 3, w, (1376 + 0 * i + lane, 1408 + 0 * i + lane, 1440 + 0 * i + lane, ), 96, (352 + 1216 * i + lane, 512 + 1216 * i + lane, 672 + 1216 * i + lane, ), 32, 1)
+        if not whole:
+            for c in range(3 * (last + 1 - first - lane)):
+                S_q[3 * (first + lane) + c] = to[c]
     left = 0
     for lane in range(last - first + 1):
-        m = first + lane
-        e_0_0 = w[1024 + lane]
-        e_0_1 = w[1056 + lane]
-        q_0 = w[352 + lane]
-        e_1_0 = w[1088 + lane]
-        e_1_1 = w[1120 + lane]
-        q_1 = w[512 + lane]
-        e_2_0 = w[1152 + lane]
-        e_2_1 = w[1184 + lane]
-        q_2 = w[672 + lane]
-        for r in range(3):
-            a_0 = w[96 * r + (1376 + lane)]
-            a_1 = w[96 * r + (1408 + lane)]
-            a_2 = w[96 * r + (1440 + lane)]
-            S_p[m, r, 0] = a_0 * e_0_0 + a_1 * e_1_0 + a_2 * e_2_0
-            S_p[m, r, 1] = a_0 * e_0_1 + a_1 * e_1_1 + a_2 * e_2_1
-            S_q[m, r, 0] = a_0 * q_0 + a_1 * q_1 + a_2 * q_2
-        regular = True
-        regular = regular & (w[1664 + lane] > 0.0)
-        status[m] = SOLVED if regular else OPEN
+        regular = (w[1664 + lane] > 0.0)
+        status[first + lane] = SOLVED if regular else OPEN
         left += 0 if regular else 1
     return left
 
@@ -669,7 +659,7 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
     Rows are px, py, then turns of the platform about the axes of {O}. Columns of S_p run limb by limb. S_q is the velocity
     Jacobian.
     """
-    if _sensitivity(x, q, tool, k, S_p, S_q, status, scratch(WORK)):
+    if _sensitivity(x, q, tool, k, S_p, S_q, status, scratch(WORK + SPARE)):
         left = np.flatnonzero(status == OPEN)
         by_errors, by_joints, of = np.empty((len(left), 3, 2)), np.empty((len(left), 3, 1)), np.zeros(len(left), dtype=np.int64)
         vectorised.sensitivity(x[left], q[left], _of(tool, left, len(status)), _of(k, left, len(status)), by_errors, by_joints, of)

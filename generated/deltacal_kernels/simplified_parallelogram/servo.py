@@ -1,9 +1,11 @@
 """Commands of one pose for a servo loop: `simplified_parallelogram`, Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 51599eef9519bb44; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both b977ed5abd582312; SymPy 1.14.0.
 
-Scalar code without allocation, to be called from loops that Numba compiles. Lengths in mm, angles in rad.
+Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
+than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`
+and `linear_state` make, `copied` for every thread: loops over `lane` run over the limbs.
 """
 
 import math
@@ -11,67 +13,63 @@ import math
 import numpy as np
 
 from deltacal_kernels.compiled import kernel
+from deltacal_kernels.elementary import aligned, arcsine, arctangent, copied, cosine, sine, tangent
 
-from .vectorised import MAX_STEPS, PIVOT_SINGULAR, SINGULAR, SOLVED, STEP_LOST, UNREACHABLE
+from .vectorised import MAX_STEPS, SINGULAR, SOLVED, STEP_LOST, UNREACHABLE
 
 COMMAND_DONE = 3e-8  # rad; after such a step a command is exact to its square: 1e-15 rad
-COMMAND_WORK = 27  # length of the scratch array of `exact_command` and `linear_command`
-COMMAND_CONSTANTS = 6  # `exact_command` reads these first columns of k only
+COMMAND_CONSTANTS = 6  # what is exported reads these first columns of `vectorised.constants` only
+LANES = np.int64(1)  # no literal: a loop whose end is known beforehand is unrolled, and not turned into SIMD code
+fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
-@kernel(nogil=True, error_model="numpy")
-def _newton(x, q, tool, k, out):
-    """Per rod of one limb: closure, its derivatives by the platform, by the joint (13 operations)."""
-    px = x[0]
-    py = x[1]
-    cz = x[2]
-    tx = tool[0]
-    ty = tool[1]
-    q = q
-    q0 = k[0]
-    s0 = k[1]
-    s4 = k[2]
-    h = k[3]
-    s1 = q + q0
-    s3 = -s0*math.sin(s1)
-    s5 = px + s3 + s4 - tx
-    s7 = -s0*math.cos(s1)
-    s8 = h + py - s7 - ty
-    out[0] = s5
-    out[1] = 1
-    out[2] = 0
-    out[3] = 0
-    out[4] = s7
-    out[5] = s8
-    out[6] = 0
-    out[7] = 1
-    out[8] = 0
-    out[9] = s3
-    out[10] = cz
-    out[11] = 0
-    out[12] = 0
-    out[13] = 1
-    out[14] = 0
+def _exact_constants(p):
+    """Return k (M, 1, 6), what no target changes, from p (5 operations).
+
+    p is that of the calibrated machine.
+    """
+    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
+    k = np.zeros((6, p.shape[1], 1))
+    a1x = p[0]
+    b1x = p[3]
+    l1 = p[6]
+    h = p[8]
+    q0 = p[9]
+    dl1 = p[10]
+    s0 = dl1 + l1
+    s1 = (1.0 / s0)
+    s2 = a1x - b1x
+    s7 = (1.0 / (s0 * s0))
+    k[0] = s2
+    k[1] = s1
+    k[2] = q0
+    k[3] = s7
+    k[4] = s0
+    k[5] = h
+    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
-@kernel(nogil=True, error_model="numpy")
-def _joint(x, q, tool, k, out):
-    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it (13 operations)."""
-    px = x[0]
-    tx = tool[0]
-    ty = tool[1]
-    q0 = k[0]
-    s0 = k[1]
-    s4 = k[2]
-    h = k[3]
-    s9 = k[4]
-    s14 = k[5]
-    s10 = px + s4 - tx
-    s13 = -q0 + math.asin(s10*s9)
-    s20 = -h - s0*math.sqrt(-(s10 * s10)*s14 + 1) + ty
-    out[0] = s13
-    out[1] = s20
-    out[2] = 0
+def _linear_constants(p):
+    """Return k (M, 1, 5), what no target changes, from p (4 operations).
+
+    p is that of the calibrated machine: its geometry is taken as nominal, its errors as what to compensate.
+    """
+    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
+    k = np.zeros((5, p.shape[1], 1))
+    a1x = p[0]
+    b1x = p[3]
+    l1 = p[6]
+    q0 = p[9]
+    dl1 = p[10]
+    s2 = (1.0 / l1)
+    s3 = a1x - b1x
+    s10 = -l1*q0
+    k[0] = s3
+    k[1] = s2
+    k[2] = l1
+    k[3] = dl1
+    k[4] = s10
+    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
 def linear_constants(p):
@@ -97,206 +95,264 @@ def linear_constants(p):
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
-@kernel(nogil=True, error_model="numpy")
-def _nominal_joint(x, q, tool, k, i, out):
-    """Joint of the nominal limb at a given position (4 operations); limb i of k, row i of out."""
-    px = x[0]
-    tx = tool[0]
-    s4 = k[i, 0]
-    s3 = k[i, 1]
-    s7 = math.asin(s3*(px + s4 - tx))
-    row = 1 * i
-    out[row + 0] = s7
+def exact_state(p, tool, sign):
+    """Return the array w of `exact_command` for a machine: p (1, 11), tool (3,), sign (1,) of the controller's joints."""
+    w = aligned(60)
+    w[16:19], w[20:21] = tool, sign
+    k = _exact_constants(p[None])[0]
+    w[52:58].reshape(-1, 1)[:] = np.pad(k, ((0, 0), (0, 0)), mode="edge").T
+    return w
 
 
-@kernel(nogil=True, error_model="numpy")
-def _linear(x, q, tool, k, i, out):
-    """Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (12 operations); limb i of k, row i of out."""
-    l1 = k[i, 2]
-    dl1 = k[i, 3]
-    s10 = k[i, 4]
-    s0 = math.cos(q)
-    s1 = -l1*s0
-    s8 = math.sin(q)
-    s12 = -dl1*s8 + s0*s10
-    s15 = dl1*s0 + s10*s8
-    s16 = -l1*s8
-    row = 15 * i
-    out[row + 0] = s12
-    out[row + 2] = 0
-    out[row + 3] = 0
-    out[row + 4] = s1
-    out[row + 5] = s15
-    out[row + 7] = 1
-    out[row + 8] = 0
-    out[row + 9] = s16
-    out[row + 10] = 0
-    out[row + 12] = 0
-    out[row + 13] = 1
-    out[row + 14] = 0
+def linear_state(p, tool, sign):
+    """Return the array w of `linear_command` for a machine: p (1, 11), tool (3,), sign (1,) of the controller's joints."""
+    w = aligned(60)
+    w[16:19], w[20:21] = tool, sign
+    k = _linear_constants(p[None])[0]
+    w[52:57].reshape(-1, 1)[:] = np.pad(k, ((0, 0), (0, 0)), mode="edge").T
+    return w
 
 
-@kernel(nogil=True, error_model="numpy")
-def _hold(work):
-    """Solve for the changes of joints and rotation that undo the closures while the reference point stays in place.
-
-    work: per rod closure, its derivatives by the platform and by the joint; then room for the reduced equations; then
-    the changes. A limb's joint is eliminated with the rod that feels it most; what is left are 2 equations for the
-    rotation. Returns False where a joint is felt by no rod of its limb, or the rotation is not held.
-    """
-    largest = 0.0
-    for row in range(3):
-        for c in range(2, 5):
-            largest = max(largest, abs(work[5 * row + c]))
-    smallest = PIVOT_SINGULAR * largest
-    target = 15
-    for i in range(1):
-        best = 15 * i
-        for j in range(1, 3):
-            if abs(work[15 * i + 5 * j + 4]) > abs(work[best + 4]):
-                best = 15 * i + 5 * j
-        if not abs(work[best + 4]) > smallest:
-            return False
-        inverse = 1.0 / work[best + 4]
-        for j in range(3):
-            rod = 15 * i + 5 * j
-            if rod != best:
-                factor = work[rod + 4] * inverse
-                for c in range(2):
-                    work[target + c] = work[rod + 2 + c] - factor * work[best + 2 + c]
-                work[target + 2] = work[rod] - factor * work[best]
-                target += 3
-        # the joint's own equation, left to the end: closure and rotation over the joint's derivative
-        for c in range(2):
-            work[15 * i + 2 + c] = work[best + 2 + c] * inverse
-        work[21 + i] = work[best] * inverse
-    for c in range(2):
-        pivot = 15 + 3 * c
-        for r in range(c + 1, 2):
-            if abs(work[15 + 3 * r + c]) > abs(work[pivot + c]):
-                pivot = 15 + 3 * r
-        row = 15 + 3 * c
-        if not abs(work[pivot + c]) > smallest:
-            return False
-        if pivot != row:
-            for j in range(c, 3):
-                work[row + j], work[pivot + j] = work[pivot + j], work[row + j]
-        inverse = 1.0 / work[row + c]
-        for r in range(c + 1, 2):
-            below = 15 + 3 * r
-            factor = work[below + c] * inverse
-            for j in range(c + 1, 3):
-                work[below + j] -= factor * work[row + j]
-    for c in range(1, -1, -1):
-        row = 15 + 3 * c
-        total = work[row + 2]
-        for j in range(c + 1, 2):
-            total -= work[row + j] * work[22 + j]
-        work[22 + c] = total / work[row + c]
-    for i in range(1):
-        for c in range(2):
-            work[21 + i] -= work[15 * i + 2 + c] * work[22 + c]
-    return True
+@fast
+def _exact_joint(w, lanes):
+    """Joint of the simplified limb at the target, then the platform's coordinates that follow from it (13 operations)."""
+    px = w[0]
+    tx = w[16]
+    ty = w[17]
+    for lane in range(lanes):
+        s2 = w[52 + lane]
+        s1 = w[53 + lane]
+        q0 = w[54 + lane]
+        s7 = w[55 + lane]
+        s0 = w[56 + lane]
+        h = w[57 + lane]
+        s3 = px + s2 - tx
+        s6 = -q0 + arcsine(s1*s3)
+        s13 = -h - s0*math.sqrt(-(s3 * s3)*s7 + 1) + ty
+        w[28 + lane] = s6
+        w[29 + lane] = s13
 
 
-@kernel(nogil=True, error_model="numpy")
-def exact_command(target, tool, k, work, q):
-    """Fill the joints q (1,) that bring the reference point to target (1,); return the status.
+@fast
+def _exact_rows(w, lanes):
+    """Equations of a limb, their derivatives by turns of the platform and by the joint (16 operations)."""
+    px = w[0]
+    py = w[1]
+    cz = w[2]
+    tx = w[16]
+    ty = w[17]
+    for lane in range(lanes):
+        s2 = w[52 + lane]
+        q0 = w[54 + lane]
+        s0 = w[56 + lane]
+        h = w[57 + lane]
+        q = w[28 + lane]
+        s14 = q + q0
+        s16 = -s0*sine(s14)
+        s17 = px + s16 + s2 - tx
+        s19 = -s0*cosine(s14)
+        s20 = h + py - s19 - ty
+        s23 = 0.25*(cz * cz) + 1
+        w[36 + lane] = s17
+        w[39 + lane] = s19
+        w[40 + lane] = s20
+        w[41 + lane] = 1
+        w[43 + lane] = s16
+        w[44 + lane] = cz
+        w[46 + lane] = s23
 
-    `inverse` for one pose, to be called from a servo loop: tool (3,), k (1, :), scratch work (COMMAND_WORK,).
-    q is NaN unless SOLVED.
-    """
-    pose = work[24:]
-    for c in range(1):
-        pose[c] = target[c]
-    for c in range(2):
-        pose[1 + c] = 0.0
-    status = SOLVED
-    for i in range(1):
-        _joint(pose, 0.0, tool, k[i], work)
-        q[i] = work[0]
-        if not math.isfinite(q[i]):
-            status = UNREACHABLE
-    pose[1] = work[1]
-    pose[2] = work[2]
-    if status == SOLVED:
-        status = UNREACHABLE
+
+@fast
+def _exact_solution(w):
+    """Changes that undo the closures while the target is kept; how far the equations are from dependent (25 operations)."""
+    F00 = w[36]
+    Q00 = w[39]
+    F01 = w[40]
+    J01_1 = w[41]
+    Q01 = w[43]
+    F02 = w[44]
+    J02_2 = w[46]
+    A_cof_00 = J01_1*J02_2
+    A_cof_01 = -J02_2*Q01
+    A_cof_11 = J02_2*Q00
+    A_cof_22 = J01_1*Q00
+    A_det_00 = A_cof_00*Q00
+    A_by_00 = (1.0 / A_det_00)
+    s7 = A_by_00*A_cof_00*F00
+    s11 = A_by_00*(A_cof_01*F00 + A_cof_11*F01)
+    s13 = A_by_00*A_cof_22*F02
+    s21 = (A_det_00 * A_det_00) - 1.0e-12*(J02_2 * J02_2)*(Q00 * Q00)*((J01_1 * J01_1) + (Q01 * Q01))
+    w[24] = s7
+    w[25] = s11
+    w[26] = s13
+    w[27] = s21
+
+
+@fast
+def _exact_move(w):
+    """The platform after a step, and its rotation matrix (6 operations)."""
+    px = w[0]
+    py = w[1]
+    cz = w[2]
+    y1 = w[25]
+    y2 = w[26]
+    new_10 = py - y1
+    new_20 = cz - y2*(0.25*(cz * cz) + 1)
+    w[0] = px
+    w[1] = new_10
+    w[2] = new_20
+
+
+@fast
+def _exact(px, w):
+    w[0] = px
+    _exact_joint(w, LANES)
+    w[1] = w[29]
+    w[25] = 0.0
+    w[2] = w[30]
+    w[26] = 0.0
+    status = UNREACHABLE
+    if (abs(w[28]) < math.inf):
+        _exact_move(w)
         for _ in range(MAX_STEPS):
-            for i in range(1):
-                _newton(pose, q[i], tool, k[i], work[15 * i : 15 * (i + 1)])
-            if not _hold(work):
+            _exact_rows(w, LANES)
+            _exact_solution(w)
+            if not ((w[27] > 0.0)):
                 status = SINGULAR
                 break
             size = 0.0
+            for j in range(3):
+                size = max(size, abs(w[24 + j]))
             for i in range(1):
-                q[i] -= work[21 + i]
-                size = max(size, abs(work[21 + i]))
-            for c in range(2):
-                pose[1 + c] -= work[22 + c]
-                size = max(size, abs(work[22 + c]))
+                w[28 + i] -= w[24 + i]
             if size < COMMAND_DONE:
                 status = SOLVED
                 break
             if not size < STEP_LOST:
                 break
+            _exact_move(w)
     if status != SOLVED:
         for i in range(1):
-            q[i] = np.nan
+            w[28 + i] = np.nan
     return status
 
 
-@kernel(nogil=True, error_model="numpy")
-def linear_command(target, tool, k, work, q):
-    """Fill the joints q (1,) that bring the reference point to target (1,) to first order in the errors; return the status.
+@fast
+def exact_command(px, w):
+    """Return the joints that bring the reference point to a target, as the controller counts them; NaN where there are none.
+
+    `inverse` for one pose, w from `exact_state`.
+    """
+    _exact(px, w)
+    return w[20] * w[28]
+
+
+@fast
+def _linear_joint(w, lanes):
+    """Joint of the nominal limb at the target, its cosine and sine (4 operations)."""
+    px = w[0]
+    tx = w[16]
+    for lane in range(lanes):
+        s3 = w[52 + lane]
+        s2 = w[53 + lane]
+        s6 = arcsine(s2*(px + s3 - tx))
+        w[28 + lane] = s6
+
+
+@fast
+def _linear_angle(w, lanes):
+    """Cosine and sine of the joint (2 operations)."""
+    for lane in range(lanes):
+        q = w[28 + lane]
+        s7 = cosine(q)
+        s8 = sine(q)
+        w[32 + lane] = s7
+        w[33 + lane] = s8
+
+
+@fast
+def _linear_rows(w, lanes):
+    """Equations of a nominal limb: change by all errors, derivatives by rotation and joint (10 operations)."""
+    for lane in range(lanes):
+        l1 = w[54 + lane]
+        dl1 = w[55 + lane]
+        s10 = w[56 + lane]
+        cos_q = w[32 + lane]
+        sin_q = w[33 + lane]
+        s0 = -cos_q*l1
+        s12 = cos_q*s10 - dl1*sin_q
+        s15 = cos_q*dl1 + s10*sin_q
+        s16 = -l1*sin_q
+        w[36 + lane] = s12
+        w[39 + lane] = s0
+        w[40 + lane] = s15
+        w[41 + lane] = 1
+        w[43 + lane] = s16
+        w[46 + lane] = 1
+
+
+@fast
+def _linear_solution(w):
+    """Changes that undo the closures while the target is kept; how far the equations are from dependent (15 operations)."""
+    F00 = w[36]
+    Q00 = w[39]
+    J01_1 = w[41]
+    Q01 = w[43]
+    J02_2 = w[46]
+    A_cof_00 = J01_1*J02_2
+    A_det_00 = A_cof_00*Q00
+    A_by_00 = (1.0 / A_det_00)
+    s7 = A_by_00*A_cof_00*F00
+    s15 = (A_det_00 * A_det_00) - 1.0e-12*(J02_2 * J02_2)*(Q00 * Q00)*((J01_1 * J01_1) + (Q01 * Q01))
+    w[24] = s7
+    w[27] = s15
+
+
+@fast
+def _linear(px, w):
+    w[0] = px
+    _linear_joint(w, LANES)
+    _linear_angle(w, LANES)
+    _linear_rows(w, LANES)
+    _linear_solution(w)
+    status = (SOLVED if (w[27] > 0.0) else SINGULAR) if (abs(w[28]) < math.inf) else UNREACHABLE
+    w[28] = w[28] - w[24] if status == SOLVED else np.nan
+    return status
+
+
+@fast
+def linear_command(px, w):
+    """Return the joints that bring the reference point to a target to first order in the errors, like `exact_command`.
 
     Bai's eqs. (23) and (25): the nominal joints of the target, and the change that keeps the reference point where it
-    is, to first order, when the errors appear. tool (3,), k (1, 5) from `linear_constants`, scratch work
-    (COMMAND_WORK,). q is NaN unless SOLVED.
+    is, to first order, when the errors appear. w from `linear_state`.
     """
-    status = SOLVED
-    for i in range(1):
-        _nominal_joint(target, 0.0, tool, k, i, q)
-        if not math.isfinite(q[i]):
-            status = UNREACHABLE
-    if status == SOLVED:
-        for i in range(1):
-            _linear(target, q[i], tool, k, i, work)
-        if not _hold(work):
-            status = SINGULAR
-    for i in range(1):
-        q[i] = q[i] - work[21 + i] if status == SOLVED else np.nan
-    return status
+    _linear(px, w)
+    return w[20] * w[28]
 
 
-@kernel(nogil=True, error_model="numpy")
-def linear_commands(target, tool, k, q, status):
-    """Fill joints q (N, 1) and status (N,) by `linear_command`; target (N, 1) and tool (N, 3), k (M, 1, :)."""
-    work = np.zeros(COMMAND_WORK)
+@fast
+def linear_change(px, q_1, w):
+    """Return what to add to the nominal joints of a target, both as the controller counts them; NaN where it is singular.
+
+    For a controller that has nominal joints already: what `linear_command` adds to them.
+    """
+    w[0] = px
+    w[28] = w[20] * q_1
+    _linear_angle(w, LANES)
+    _linear_rows(w, LANES)
+    _linear_solution(w)
+    back = -1.0 if (w[27] > 0.0) else np.nan
+    return back * w[20] * w[24]
+
+
+@fast
+def linear_commands(target, tool, w, q, status):
+    """Fill q (N, 1), as the geometry counts, and status (N,) by `linear_command`; target (N, 1), tool (N or 1, 3)."""
     for n in range(target.shape[0]):
-        status[n] = linear_command(target[n], tool[n], k[n if k.shape[0] > 1 else 0], work, q[n])
-
-
-@kernel(nogil=True, error_model="numpy")
-def exact_joints(px, state):
-    """Return the joints of `exact_command` for a target, as the controller counts them; NaN where there are none.
-
-    For calls from Python, which pay for every array: state holds the target, tool (3,), joints, signs (1,), scratch
-    (COMMAND_WORK,) and k (1, COMMAND_CONSTANTS), one after the other.
-    """
-    state[0] = px
-    q = state[4:5]
-    exact_command(state[:1], state[1:4], state[33:].reshape((1, COMMAND_CONSTANTS)), state[6:33], q)
-    return q[0] * state[5], 
-
-
-@kernel(nogil=True, error_model="numpy")
-def linear_joints(px, state):
-    """Return the joints of `linear_command` for a target, as the controller counts them; NaN where there are none.
-
-    For calls from Python, which pay for every array: state holds the target, tool (3,), joints, signs (1,), scratch
-    (COMMAND_WORK,) and k (1, 5), one after the other.
-    """
-    state[0] = px
-    q = state[4:5]
-    linear_command(state[:1], state[1:4], state[33:].reshape((1, 5)), state[6:33], q)
-    return q[0] * state[5], 
+        if n == 0 or tool.shape[0] > 1:
+            for c in range(3):
+                w[16 + c] = tool[n, c]
+        status[n] = _linear(target[n, 0], w)
+        for i in range(1):
+            q[n, i] = w[28 + i]
