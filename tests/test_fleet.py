@@ -92,7 +92,8 @@ def test_a_diagnosis_says_which_part_has_moved(shop: Path, tmp_path: Path) -> No
 def test_an_effect_that_has_grown_is_said() -> None:
     def diagnosis(width: float) -> dict[str, Any]:
         part = {"name": "width", "limb": 1, "value": width, "std": 0.001, "unit": "deg"}
-        effect = {"name": "backlash", "limbs": [1], "parameters": [part]}
+        when = {"name": "time", "limb": None, "value": 60.0 + width, "std": None, "unit": "s"}  # found, not fitted
+        effect = {"name": "backlash", "limbs": [1], "parameters": [part, when]}
         return {"verdict": "missing_physics", "effects": [effect], "final": {"heldout_rms_mm": 0.01}}
 
     assert "width of backlash was 0.02, is 0.03 +- 0.0014 deg" in fleet._moved(diagnosis(0.02), diagnosis(0.03))

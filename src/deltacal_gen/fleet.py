@@ -485,7 +485,7 @@ def _grown(old: Mapping[str, Any], new: Mapping[str, Any]) -> list[tuple[str, st
     for e in new["effects"]:
         for p in e["parameters"]:
             before = was.get((e["name"], tuple(e["limbs"]), p["name"], p["limb"]))
-            if before is None:
+            if before is None or before["std"] is None or p["std"] is None:  # an order, a time: a constant
                 continue
             std = math.hypot(before["std"], p["std"])
             if abs(p["value"] - before["value"]) > CLEAR * std:
