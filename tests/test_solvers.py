@@ -7,7 +7,7 @@ import pytest
 from scipy.linalg import lstsq
 
 from deltacal_gen.errors import UsageError
-from deltacal_gen.solvers import TSVD, LeastSquares, Prior, Ridge, Solver, settled
+from deltacal_gen.solvers import TSVD, LeastSquares, Prior, Ridge, Solver, jitter
 
 M, N = 30, 8
 
@@ -171,5 +171,5 @@ def test_an_unknown_truncation_is_refused() -> None:
 def test_a_column_of_zeros_has_the_solution_zero() -> None:
     A = np.random.default_rng(3).standard_normal((9, 3)) * [1.0, 0.0, 1e6]
     G, g = A.T @ A, A.T @ (A @ [2.0, 5.0, -1e-6])
-    G[np.diag_indices(3)] += settled(np.diag(G))
+    G[np.diag_indices(3)] += jitter(np.diag(G))
     np.testing.assert_allclose(np.linalg.solve(G, g), [2.0, 0.0, -1e-6], rtol=1e-9, atol=1e-12)

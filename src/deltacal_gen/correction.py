@@ -21,7 +21,7 @@ from deltacal_gen.mechanism import Array
 from deltacal_gen.physics import Term
 from deltacal_gen.recording import Recording
 from deltacal_gen.search import Beside
-from deltacal_gen.solvers import settled
+from deltacal_gen.solvers import jitter
 from deltacal_gen.structure import Structure, displacements
 from deltacal_gen.units import joint_factors, joint_names
 
@@ -261,7 +261,7 @@ class _Linear:
         size = np.concatenate([np.ones(n), np.full(len(g) - n, option.size if option else 1.0)])
         G, g = G * size * size[:, None], g * size
         g[:n] -= self._prior
-        G[np.diag_indices_from(G)] += prior + settled(np.diag(G))
+        G[np.diag_indices_from(G)] += prior + jitter(np.diag(G))
         u: Array = np.linalg.solve(G, g)
         return u
 

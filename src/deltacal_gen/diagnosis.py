@@ -149,7 +149,7 @@ def diagnose(
     if search.effects and not _borne_out(without / first.sigma, predicted / first.sigma):
         search = Search(first, terms)
     progress("what is left")
-    search, left = _settled(some, search)
+    search, left = _without_gross(some, search)
 
     def short_of_noise() -> bool:
         return identification.lack_of_fit(search.fit, some.recording) or any(s.earned > MARGIN for s in left)
@@ -165,7 +165,7 @@ def diagnose(
         beside = _refitted(some, search.fit, others)
         if beside is not None:
             search, considered = _chosen(some, beside, [t for t in terms if t.effect != EFFECT], progress)
-            search, left = _settled(some, search)
+            search, left = _without_gross(some, search)
             unexplained = short_of_noise()
     if left[0].earned > MARGIN and search.effects:
         proven = _proven(some, search, smooth_columns(search.fit, left[0].channel))
@@ -305,7 +305,7 @@ def _chosen(problem: Problem, baseline: Fit, terms: Sequence[Term], progress: Pr
     return search, considered
 
 
-def _settled(problem: Problem, search: Search) -> tuple[Search, list[Structure]]:
+def _without_gross(problem: Problem, search: Search) -> tuple[Search, list[Structure]]:
     """Return the search without gross errors, and what it leaves.
 
     They are dropped only where nothing is left with them: readings that lie off together, in a region or for a time,
@@ -414,7 +414,7 @@ def _held_out(problem: Problem, search: Search, parts: Sequence[tuple[np.ndarray
     machine made linear at the final fit.
     """
     final = {_form(t): t for t in _terms(search.fit)}
-    out = held_out_errors(search.fit, Prior(), [])
+    out = np.full(search.fit.residual.shape, np.nan)
     for train, test in parts:
         part = search.freed(*range(len(final))).within(train)
         chosen: list[Term] = []

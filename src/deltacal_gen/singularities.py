@@ -14,7 +14,7 @@ import numpy as np
 
 from deltacal_gen.accuracy import workspace_of
 from deltacal_gen.errors import NoSolutionError, UsageError
-from deltacal_gen.mechanism import SOLVED, Array, Mechanism, mechanism_of
+from deltacal_gen.mechanism import SOLVED, Array, Mechanism, mechanism_of, nominal_joints
 from deltacal_gen.robot import Robot, robot_size
 
 DIRECTIONS = 96  # in space, 20 deg apart: a distance is too large by 2 % at most; half as many in a plane
@@ -81,7 +81,7 @@ def near(robot: Robot, band: tuple[float, float], count: int, rng: np.random.Gen
     least, largest = band
     if not 0 < least < largest:
         raise UsageError(f"a band of distances from singularities is two lengths, the lesser first, not {band}.")
-    mechanism, middle = _checked(robot), _middle(robot)
+    mechanism, middle = _checked(robot), workspace_of(robot).home
     kept: list[Array] = []
     for _ in range(ROUNDS):
         rays = rng.standard_normal((2 * count, 3)) * [1.0, 1.0, "z" in mechanism.axes]
@@ -110,12 +110,6 @@ def _checked(robot: Robot) -> Mechanism:
     return mechanism
 
 
-def _middle(robot: Robot) -> Array:
-    space = workspace_of(robot)
-    where = space.place(np.zeros((1, 2)) if space.radius is not None else np.zeros(1), 0.5)
-    return np.asarray(where).reshape(-1, 3)[0]
-
-
 def _directions(mechanism: Mechanism) -> Array:
     """Return unit vectors (D, 3) spread evenly over the sphere, or over the circle of a planar machine."""
     if "z" not in mechanism.axes:
@@ -128,7 +122,7 @@ def _directions(mechanism: Mechanism) -> Array:
 
 
 def _regular(robot: Robot, targets: Array) -> np.ndarray:
-    mechanism, middle = mechanism_of(robot), _middle(robot)
+    mechanism, middle = mechanism_of(robot), workspace_of(robot).home
     rows = mechanism.rows(dataclasses.replace(robot, errors={}))
 
     def sign(points: Array) -> Array:
@@ -149,10 +143,9 @@ def _regular(robot: Robot, targets: Array) -> np.ndarray:
 
 
 def _within_limits(robot: Robot, targets: Array) -> np.ndarray:
-    mechanism = mechanism_of(robot)
     if robot.joint_limits is None:
         return np.ones(len(targets), dtype=bool)
-    q, _, status = mechanism.inverse(targets, robot.tool, mechanism.rows(dataclasses.replace(robot, errors={})))
+    q, status = nominal_joints(robot, targets, robot.tool)
     joints = robot.joint_sign * q
     low, high = robot.joint_limits.T
     inside: np.ndarray = (status == SOLVED) & ((joints >= low) & (joints <= high)).all(axis=1)

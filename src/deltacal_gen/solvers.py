@@ -67,7 +67,7 @@ class Solution:
         return float(self.factors.sum())
 
 
-def settled(diagonal: Array) -> Array:
+def jitter(diagonal: Array) -> Array:
     """Return what to add to the diagonal of normal equations so that a column of zeros has the solution zero.
 
     Others change by a part of 1e-12.

@@ -22,7 +22,7 @@ from deltacal_gen.estimation import Fit, lengths, rms
 from deltacal_gen.mechanism import Array
 from deltacal_gen.physics import Term
 from deltacal_gen.search import ORDERS
-from deltacal_gen.solvers import settled
+from deltacal_gen.solvers import jitter
 from deltacal_gen.structure import displacements
 
 EFFECT = "transmission_eccentricity"
@@ -264,7 +264,7 @@ class _Linear:
 
     def _beside(self, G: Array) -> tuple[Array, Array, float]:
         n = self._n
-        H = G[:n, :n] + np.diag(self._held + settled(np.diag(G)[:n]))
+        H = G[:n, :n] + np.diag(self._held + jitter(np.diag(G)[:n]))
         g = G[:n, n] - self._held * self._departure
         S = np.linalg.solve(H, np.column_stack([G[:n, n + 1 :], g]))
         coupling = G[n + 1 :, :n]
@@ -350,7 +350,7 @@ class _Linear:
             if found is not None:
                 at = own - n - 1
                 c = np.linalg.solve(S[np.ix_(at, at)] + np.diag(self._prior(found)), g[at])
-            H = G[:n, :n] + np.diag(self._held + settled(np.diag(G)[:n]))
+            H = G[:n, :n] + np.diag(self._held + jitter(np.diag(G)[:n]))
             u = np.linalg.solve(H, G[:n, n] - self._held * self._departure - G[:n, own] @ c)
             left = self._y[test] - self._raw[test] @ u
             for j, values in zip(limbs, c.reshape(-1, 2 * ORDERS), strict=True):
