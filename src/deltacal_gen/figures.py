@@ -27,6 +27,7 @@ from deltacal_gen.physics import Body, Channels, reading_shift, term_from_dict
 from deltacal_gen.robot import robot_from_dict
 from deltacal_gen.units import file_unit, joint_factors, joint_names, to_internal
 
+MOST_LAYERS = 12  # of a workspace, drawn side by side
 INK, MUTED, BEFORE, AFTER = "#1c2733", "#6b7885", "#c8553d", "#2a6f97"
 STYLE: dict[Any, Any] = {
     "font.family": "DejaVu Sans",
@@ -157,9 +158,13 @@ def workspace(axes: Axes, result: Mapping[str, Any]) -> None:
     points = np.array([p["target_mm"] for p in found["points"]])
     size = np.linalg.norm([p["std_mm"] for p in found["points"]], axis=1)
     layers = np.unique(points[:, 2])
+    scattered = len(layers) > MOST_LAYERS  # an open chain's positions: seen from above
+    where = "from above" if scattered else "layer by layer" if len(layers) > 1 else None  # a plane has no layers
+    if scattered:
+        layers = layers[:1]
     span = 2.4 * np.abs(points[:, 0]).max() + 1e-9
     for k, z in enumerate(layers[::-1]):
-        chosen = points[:, 2] == z
+        chosen = (points[:, 2] == z) | scattered
         dots = axes.scatter(
             points[chosen, 0] + k * span,
             points[chosen, 1],
@@ -169,7 +174,7 @@ def workspace(axes: Axes, result: Mapping[str, Any]) -> None:
             vmin=0,
             vmax=size.max(),
         )
-        if len(layers) > 1:  # a planar machine has none
+        if len(layers) > 1:
             axes.text(k * span, points[:, 1].max() * 1.25, f"z = {z:.0f} mm", ha="center", fontsize=8, color=MUTED)
     axes.set_aspect("equal")
     axes.set_xticks([])
@@ -178,7 +183,7 @@ def workspace(axes: Axes, result: Mapping[str, Any]) -> None:
     axes.figure.colorbar(
         dots, ax=axes, orientation="horizontal", shrink=0.7, label="standard deviation of the position, mm"
     )
-    axes.set_title("How well the tool position is known" + (", layer by layer" if len(layers) > 1 else ""), pad=22)
+    axes.set_title("How well the tool position is known" + (f", {where}" if where else ""), pad=22)
 
 
 # ------------------------------------------------------------------------------------------------------- diagnosis
