@@ -18,6 +18,7 @@ import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cache
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
@@ -214,11 +215,15 @@ def _ratio(value: sp.Matrix, of: sp.Matrix) -> sp.Expr | None:
     return tidy(ratios.pop()) if len(ratios) == 1 else None
 
 
+@cache
 def tidy(expr: sp.Expr) -> sp.Expr:
     """Return the shortest of some equal ways to write a scalar."""
-    ways = [expr, sp.expand(expr), sp.factor_terms(expr), sp.factor(expr)]
-    ways += [sp.collect(sp.expand(expr), s) for s in sorted(expr.free_symbols, key=str)]
-    return min(ways, key=lambda e: (sp.count_ops(e), len(str(e)), str(e)))
+    expanded = sp.expand(expr)
+    ways = [expr, expanded, sp.factor_terms(expr), sp.factor(expr)]
+    ways += [sp.collect(expanded, s) for s in sorted(expr.free_symbols, key=str)]
+    sizes = [sp.count_ops(e) for e in ways]
+    shortest = {e for e, size in zip(ways, sizes, strict=True) if size == min(sizes)}
+    return min(shortest, key=lambda e: (len(str(e)), str(e)))
 
 
 # ---------------------------------------------------------------------------------------------------------- the reader

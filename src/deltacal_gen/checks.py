@@ -5,7 +5,6 @@ Poses are drawn at random from the robot file's workspace, else from the joints 
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -34,11 +33,41 @@ OFFSETS = ((0.0, 0.0, 0.0), (0.0, 0.0, -150.0), (150.0, 0.0, 0.0))  # reference 
 
 @dataclass(frozen=True)
 class Poses:
-    """Joints (N, n_q), solved poses (N, 12) and the tool point (3,) that they belong to."""
+    """Joints (N, n_q), solved poses (N, 12), the tool point (3,) that they belong to, and what all errors move there.
+
+    `by_errors` (N, 6, n): shift [mm] and turn [rad] in {O} by each parameter of the mechanism.
+    """
 
     q: Array
     x: Array
     tool: Array
+    by_errors: Array
+
+    def first(self, count: int) -> Poses:
+        """Return the first so many of them."""
+        return Poses(self.q[:count], self.x[:count], self.tool, self.by_errors[:count])
+
+
+def _poses(robot: Robot, q: Array, x: Array, tool: Array) -> Poses:
+    mechanism = mechanism_of(robot)
+    return Poses(q, x, tool, mechanism.sensitivity(x, q, tool, mechanism.rows(robot)).parameters)
+
+
+@dataclass(frozen=True)
+class Trials:
+    """Poses at which every model of a machine is checked.
+
+    `sets`: the same joints with each of the reference points `OFFSETS`, the first of which is the robot file's;
+    `touched`: see `touching`, for machines that can.
+    """
+
+    sets: tuple[Poses, ...]
+    touched: tuple[Poses, ...]
+
+    @property
+    def poses(self) -> Poses:
+        """Those of the robot file's reference point."""
+        return self.sets[0]
 
 
 @dataclass(frozen=True)
@@ -81,7 +110,7 @@ def middle(robot: Robot) -> Poses:
     if (targets := _targets(robot, np.full((1, 3), 0.5))) is not None:
         q, x, status = mechanism.inverse(targets, tool, rows)
         if status[0] == SOLVED:
-            return Poses(q, x, tool)
+            return _poses(robot, q, x, tool)
     q = np.zeros((1, mechanism.limbs))
     if robot.joint_limits is not None:
         q[0] = robot.joint_sign * robot.joint_limits.mean(axis=1)
@@ -90,7 +119,7 @@ def middle(robot: Robot) -> Poses:
     if robot.links:
         q[0] = 0.35 * (-1.0) ** np.arange(mechanism.limbs) * _size(robot, 1.0, 0.2 * robot_size(robot))
     x, _ = mechanism.forward(q, tool, rows)
-    return Poses(q, x, tool)
+    return _poses(robot, q, x, tool)
 
 
 def _size(robot: Robot, turn: float, slide: float) -> Array:
@@ -122,13 +151,21 @@ def spread(robot: Robot, count: int = POSES) -> Poses:
         q, x, status = mechanism.inverse(targets, robot.tool, rows)
         good = status == SOLVED
         if good.sum() > count / 2:
-            return Poses(q[good], x[good], robot.tool)
+            return _poses(robot, q[good], x[good], robot.tool)
     about = middle(robot).q
     size = _size(robot, SWING, SLIDE * robot_size(robot))
     q = about + rng.uniform(-size, size, (count, mechanism.limbs))
     x, status = mechanism.forward(q, robot.tool, rows)
     good = status == SOLVED
-    return Poses(q[good], x[good], robot.tool)
+    return _poses(robot, q[good], x[good], robot.tool)
+
+
+def trials(robot: Robot, count: int = POSES) -> Trials:
+    """Return `spread` poses with all reference points, and those that touch fixed points."""
+    poses = spread(robot, count)
+    others = (at_tool(robot, poses, offset) for offset in OFFSETS[1:])
+    contacts = CONTACT in (kind for kind, *_ in kinds(mechanism_of(robot)))
+    return Trials((poses, *others), tuple(touching(robot, poses)) if contacts else ())
 
 
 def at_tool(robot: Robot, poses: Poses, offset: Sequence[float]) -> Poses:
@@ -137,7 +174,7 @@ def at_tool(robot: Robot, poses: Poses, offset: Sequence[float]) -> Poses:
     if "z" not in mechanism.axes:
         tool = poses.tool + np.array([offset[0], offset[2], 0.0])
     x, _ = mechanism.forward(poses.q, tool, mechanism.rows(robot))
-    return Poses(poses.q, x, tool)
+    return _poses(robot, poses.q, x, tool)
 
 
 def touching(robot: Robot, poses: Poses) -> list[Poses]:
@@ -158,8 +195,8 @@ def touching(robot: Robot, poses: Poses) -> list[Poses]:
             q = q + (np.linalg.pinv(np.nan_to_num(slope)) @ (sockets - x[:, :3])[..., None])[..., 0]
         x, status = mechanism.forward(q, tool, rows)
         reached &= (status == SOLVED) & (np.linalg.norm(x[:, :3] - sockets, axis=1) < TOUCHED)
-        sets.append(Poses(q, x, tool))
-    return [Poses(s.q[reached], s.x[reached], s.tool) for s in sets]
+        sets.append((q, x, tool))
+    return [_poses(robot, q[reached], x[reached], tool) for q, x, tool in sets]
 
 
 def moved(x: Array, to: Array) -> Array:
@@ -208,11 +245,10 @@ def linear_against_exact(robot: Robot, poses: Poses, names: Sequence[str]) -> tu
     for name in names:
         j = mechanism.index[name]
         errors[j] = mechanism.typical[j] * rng.standard_normal()
-    S = mechanism.sensitivity(poses.x, poses.q, poses.tool, mechanism.rows(robot)).parameters
     rows = mechanism.rows(robot, mechanism.vector(robot.errors) + errors)
     x, _ = mechanism.forward(poses.q, poses.tool, rows, near=poses.x)
     exact = x[:, :3] - poses.x[:, :3]
-    return exact, exact - S[:, :3] @ errors
+    return exact, exact - poses.by_errors[:, :3] @ errors
 
 
 # ------------------------------------------------------------------------------------------------------------- ranks
@@ -225,7 +261,7 @@ def identification(robot: Robot, sets: Sequence[Poses], names: Sequence[str], ki
     """
     mechanism = mechanism_of(robot)
     x = np.vstack([s.x for s in sets])
-    S = np.vstack([_sensitivity(robot, s) for s in sets])[:, :, [mechanism.index[n] for n in names]]
+    S = np.vstack([s.by_errors for s in sets])[:, :, [mechanism.index[n] for n in names]]
     count, each = len(x), len(sets[0].x)
     own, zeros = np.arange(count)[:, None], np.zeros(count, dtype=int)
     frame = np.concatenate([np.eye(3).ravel(), np.zeros(3)])
@@ -287,11 +323,6 @@ def _seen(x: Array) -> tuple[np.ndarray, Instrument]:
     )
 
 
-def _sensitivity(robot: Robot, poses: Poses) -> Array:
-    mechanism = mechanism_of(robot)
-    return mechanism.sensitivity(poses.x, poses.q, poses.tool, mechanism.rows(robot)).parameters
-
-
 def _base_point(robot: Robot, x: Array) -> Array:
     """Return a point beside the workspace to which a gauge may be fixed [mm]."""
     span = np.ptp(x[:, :3], axis=0)
@@ -322,16 +353,14 @@ def kinds(mechanism: Mechanism) -> list[tuple[str, str, int, str]]:
     return found
 
 
-def ranks(robot: Robot, poses: Poses, names: Sequence[str]) -> list[Rank]:
+def ranks(robot: Robot, at: Trials, names: Sequence[str]) -> list[Rank]:
     """Return rank and null space of a model by each kind of measurement."""
     mechanism = mechanism_of(robot)
     typical = mechanism.typical[[mechanism.index[n] for n in names]]
     units = [mechanism.parameters[mechanism.index[n]].unit for n in names]
     out = []
     for kind, words, points, motions in kinds(mechanism):
-        sets = [at_tool(robot, poses, offset) for offset in OFFSETS[:points]]
-        if kind == CONTACT:
-            sets = touching(robot, poses)
+        sets = at.touched if kind == CONTACT else at.sets[:points]
         H = identification(robot, sets, list(names), kind)
         s = np.linalg.svd(np.linalg.qr(H * typical, mode="r"), compute_uv=False)
         top = s[0] if len(s) and s[0] > 0 else 1.0
@@ -351,7 +380,7 @@ def ranks(robot: Robot, poses: Poses, names: Sequence[str]) -> list[Rank]:
     return out
 
 
-def condition_by_count(robot: Robot, poses: Poses, names: Sequence[str]) -> tuple[list[int], Array, int]:
+def condition_by_count(robot: Robot, at: Trials, names: Sequence[str]) -> tuple[list[int], Array, int]:
     """Return numbers of poses, the condition number of what can be seen at each, and its rank.
 
     Positions of three reference points in an unknown frame, nested random sets, columns in ordinary errors; infinite
@@ -359,16 +388,15 @@ def condition_by_count(robot: Robot, poses: Poses, names: Sequence[str]) -> tupl
     """
     mechanism = mechanism_of(robot)
     typical = mechanism.typical[[mechanism.index[n] for n in names]]
-    sets = [at_tool(robot, poses, offset) for offset in OFFSETS]
 
     def values(count: int) -> Array:
-        some = [dataclasses.replace(s, q=s.q[:count], x=s.x[:count]) for s in sets]
+        some = [s.first(count) for s in at.sets]
         s = np.linalg.svd(identification(robot, some, list(names), "position") * typical, compute_uv=False)
         return np.asarray(s)
 
-    whole = values(len(poses.x))
+    whole = values(len(at.poses.x))
     rank = int((whole > RANK_TOLERANCE * whole[0]).sum())
-    counts = [n for n in (3, 4, 5, 6, 7, 8, 10, 12, 15, 20, 25, 30, 40, 60, 80, 120) if n <= len(poses.x)]
+    counts = [n for n in (3, 4, 5, 6, 7, 8, 10, 12, 15, 20, 25, 30, 40, 60, 80, 120) if n <= len(at.poses.x)]
     conditions = []
     for n in counts:
         s = values(n)

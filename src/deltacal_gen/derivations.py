@@ -32,7 +32,14 @@ from deltacal_gen.chain import Chain
 from deltacal_gen.errors import UsageError
 from deltacal_gen.figures import AFTER, BEFORE, MUTED
 from deltacal_gen.identifiability import RANK_TOLERANCE
-from deltacal_gen.mechanism import COORDINATES, Mechanism, load_mechanism, mechanism_names, mechanism_of
+from deltacal_gen.mechanism import (
+    COORDINATES,
+    Mechanism,
+    load_mechanism,
+    mechanism_names,
+    mechanism_of,
+    plain_only,
+)
 from deltacal_gen.physics import ROLES, effect_names, load_effect
 from deltacal_gen.robot import Robot, for_model, read_robot
 from deltacal_gen.rotation import cayley_vector
@@ -194,13 +201,7 @@ class Sources:
 
     def functions(self, file: str) -> dict[str, ast.FunctionDef]:
         """Return the functions of a file, those of a class by ``Class.name``."""
-        found = {}
-        for node in ast.parse(self.text(file)).body:
-            if isinstance(node, ast.FunctionDef):
-                found[node.name] = node
-            elif isinstance(node, ast.ClassDef):
-                found |= {f"{node.name}.{f.name}": f for f in node.body if isinstance(f, ast.FunctionDef)}
-        return found
+        return _functions(self.text(file))
 
     def listings(self) -> list[dict[str, Any]]:
         """Return what the report embeds: a mechanism or an effect whole, of other files the functions in question."""
@@ -232,6 +233,17 @@ class Sources:
     def digest(self, file: str) -> str:
         """Return the SHA-256 of a file's bytes."""
         return hashlib.sha256(self.text(file).encode()).hexdigest()
+
+
+@cache
+def _functions(text: str) -> dict[str, ast.FunctionDef]:
+    found = {}
+    for node in ast.parse(text).body:
+        if isinstance(node, ast.FunctionDef):
+            found[node.name] = node
+        elif isinstance(node, ast.ClassDef):
+            found |= {f"{node.name}.{f.name}": f for f in node.body if isinstance(f, ast.FunctionDef)}
+    return found
 
 
 def _paragraphs(lines: Sequence[str], first: int) -> int:
@@ -392,7 +404,6 @@ def content(one: Subject, account: Mapping[str, Any], root: Path, common: Common
     found["effects"] = [_effect_on(e, one.mechanism, sources) for e in common.effects]
     found["effect_chain"] = [_led(part, used, sources, folder) for part in common.chain]
     if robot is not None:
-        robot = for_model(robot, one.name) if not robot.links else robot
         found |= _in_numbers(one, robot, account)
     else:
         found |= {"machine": None, "tables": _tables(account, None, (), None), "checks": None, "ranks": []}
@@ -450,13 +461,33 @@ def _led(part: Mapping[str, Any], used: Sequence[Kernel], sources: Sources, fold
 
 def _in_numbers(one: Subject, robot: Robot, account: Mapping[str, Any]) -> dict[str, Any]:
     """Return what one machine shows: its drawing, nominal values, ranks and checks."""
-    mechanism, poses = mechanism_of(robot), checks.spread(robot)
+    mechanism = mechanism_of(robot)
     names = mechanism.models[one.name]
+    with plain_only():
+        return {
+            "machine": _drawn(robot, account),
+            "tables": _tables(account, robot, names, mechanism),
+            "ranks": _ranks(one, robot, names, account),
+            "checks": _checked(one, robot, names),
+        }
+
+
+@cache
+def _trials(mechanism: str) -> checks.Trials:
+    robot = example(mechanism)
+    assert robot is not None
+    return checks.trials(robot)
+
+
+@cache
+def _converging(mechanism: str) -> dict[str, Any]:
+    """Return the orders of convergence of a mechanism's derivatives, which all its models share, and their picture."""
+    robot = example(mechanism)
+    assert robot is not None
+    orders = checks.orders(robot, _trials(mechanism).poses)
     return {
-        "machine": _drawn(robot, account),
-        "tables": _tables(account, robot, names, mechanism),
-        "ranks": _ranks(one, robot, poses, names, account),
-        "checks": _checked(robot, poses, names),
+        "orders": [{"by": o.by, "order": f"{o.order:.3f}", "gap": f"{o.gaps[-1] * 1000:.2g}"} for o in orders],
+        "orders_picture": report.picture(partial(_orders, found=orders), (4.4, 3.0)),
     }
 
 
@@ -511,13 +542,11 @@ def _tables(
     return found
 
 
-def _ranks(
-    one: Subject, robot: Robot, poses: checks.Poses, names: Sequence[str], account: Mapping[str, Any]
-) -> list[dict[str, Any]]:
+def _ranks(one: Subject, robot: Robot, names: Sequence[str], account: Mapping[str, Any]) -> list[dict[str, Any]]:
     """Return ranks with what is unseen: in closed form where that is all of it, else in words."""
     closed = (account.get("unseen") or {}).get(one.name, {})
     found: list[dict[str, Any]] = []
-    for rank in checks.ranks(robot, poses, names):
+    for rank in checks.ranks(robot, _trials(one.mechanism), names):
         free = rank.columns - rank.rank
         basis = closed.get(rank.motions)
         same = [r for r in found if r["motions"] == rank.motions and r["closed"] and r["free"] == free]
@@ -529,7 +558,7 @@ def _ranks(
                 "columns": rank.columns,
                 "free": free,
                 "smallest": report.power(rank.smallest),
-                "noise": report.power(rank.noise),
+                "noise": report.below(rank.noise),
                 "motions": rank.motions,
                 "closed": basis if basis is not None and len(basis) == free and free else None,
                 "closed_rank": None if basis is None else rank.columns - len(basis),
@@ -540,17 +569,16 @@ def _ranks(
     return found
 
 
-def _checked(robot: Robot, poses: checks.Poses, names: Sequence[str]) -> dict[str, Any]:
-    mechanism = mechanism_of(robot)
-    orders = checks.orders(robot, poses)
+def _checked(one: Subject, robot: Robot, names: Sequence[str]) -> dict[str, Any]:
+    mechanism, at = mechanism_of(robot), _trials(one.mechanism)
+    poses = at.poses
     exact, left = checks.linear_against_exact(robot, poses, names)
     sizes = [np.linalg.norm(v, axis=1) for v in (exact, left)]
-    counts, conditions, rank = checks.condition_by_count(robot, poses, names)
+    counts, conditions, rank = checks.condition_by_count(robot, at, names)
     shown = (0, 1) if "y" in mechanism.axes else (0, 2)
     return {
         "poses": len(poses.x),
-        "orders": [{"by": o.by, "order": f"{o.order:.3f}", "gap": f"{o.gaps[-1] * 1000:.2g}"} for o in orders],
-        "orders_picture": report.picture(partial(_orders, found=orders), (4.4, 3.0)),
+        **_converging(one.mechanism),
         "moved": f"{np.sqrt(np.mean(sizes[0] ** 2)):.3f}",
         "left": f"{np.sqrt(np.mean(sizes[1] ** 2)) * 1000:.2g}",
         "largest": f"{sizes[1].max() * 1000:.2g}",
@@ -570,6 +598,8 @@ def _orders(axes: Axes, found: Sequence[checks.Order]) -> None:
         axes.loglog(order.steps, np.maximum(order.gaps, 1e-13), "o-", ms=3.5, lw=1.2, color=colour, label=order.by)
     steps = found[0].steps
     axes.loglog(steps, found[0].gaps[0] * 2.5 * (steps / steps[0]) ** 2, "--", lw=0.9, color=MUTED, label="slope 2")
+    report.decades(axes.xaxis)
+    report.decades(axes.yaxis)
     axes.set_xlabel("step, in ordinary errors")
     axes.set_ylabel("left by first order, mm")
     axes.legend(frameon=False)
@@ -591,6 +621,7 @@ def _conditions(axes: Axes, counts: Sequence[int], values: np.ndarray) -> None:
     axes.loglog(counts, values, "o-", ms=3.5, lw=1.2, color=AFTER)
     axes.set_xticks([3, 5, 10, 20, 40, 80], ["3", "5", "10", "20", "40", "80"])
     axes.minorticks_off()
+    report.decades(axes.yaxis)
     axes.set_xlabel("poses n, each with three reference points")
     axes.set_ylabel("condition number")
 

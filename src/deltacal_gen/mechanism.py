@@ -10,7 +10,7 @@ import difflib
 import importlib
 import time
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import cache, cached_property
@@ -176,17 +176,26 @@ def described(mechanism: Mechanism) -> tuple[Mechanism, ...]:
     return tuple(map(load_mechanism, alike)) if mechanism.links is None else (mechanism,)
 
 
-_compiled_only: ContextVar[bool] = ContextVar("compiled_only", default=False)
+_demanded: ContextVar[str | None] = ContextVar("demanded", default=None)
 
 
 @contextmanager
-def compiled_only() -> Iterator[None]:
-    """Compute with compiled kernels alone: not even the last digits depend on what a process did before."""
-    before = _compiled_only.set(True)
+def _using(kernels: str) -> Iterator[None]:
+    before = _demanded.set(kernels)
     try:
         yield
     finally:
-        _compiled_only.reset(before)
+        _demanded.reset(before)
+
+
+def compiled_only() -> AbstractContextManager[None]:
+    """Compute with compiled kernels alone: not even the last digits depend on what a process did before."""
+    return _using("compiled")
+
+
+def plain_only() -> AbstractContextManager[None]:
+    """Compute with NumPy alone, for the same reason where poses are few and nothing should be compiled."""
+    return _using("plain")
 
 
 class Mechanism:
@@ -412,17 +421,20 @@ class Mechanism:
         process will make is not known, so NumPy works until it has cost as much as Numba would have: never more than
         twice the best choice.
         """
-        if (
-            _compiled_only.get()
-            or "compiled" in self.__dict__
-            or poses > MANY_POSES
-            or (self._spent > PATIENCE_S[0] and self._spent > PATIENCE_S[not self._compiled_before])
-        ):
+        demanded = _demanded.get()
+        if demanded == "compiled" or (demanded is None and self._is_worth_compiling(poses)):
             yield self.compiled
             return
         start = time.perf_counter()
         yield self.vectorised
         self._spent += time.perf_counter() - start
+
+    def _is_worth_compiling(self, poses: int) -> bool:
+        return (
+            "compiled" in self.__dict__
+            or poses > MANY_POSES
+            or (self._spent > PATIENCE_S[0] and self._spent > PATIENCE_S[not self._compiled_before])
+        )
 
     @cached_property
     def _statics(self) -> ModuleType:

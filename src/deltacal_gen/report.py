@@ -11,7 +11,7 @@ import io
 import math
 import re
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
+from functools import cache, partial
 from importlib import resources
 from typing import Any
 
@@ -237,6 +237,24 @@ def picture(draw: Callable[[Any], None], size: tuple[float, float]) -> str:
     return _svg(draw, size)
 
 
+def decades(axis: Any) -> None:
+    """Label a logarithmic axis in plain type: its powers of ten, or twice and five times them where those are few."""
+    low, high = sorted(axis.get_view_interval())
+    exponents = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
+    inside = [e for e in exponents if low <= 10.0**e <= high]
+    ticks = [(1, e) for e in inside[:: 1 + len(inside) // 7]]
+    if len(ticks) < 3:
+        ticks = [(m, e) for e in exponents for m in (1, 2, 5) if low <= m * 10.0**e <= high]
+    axis.set_ticks([m * 10.0**e for m, e in ticks], [_decade(m, e) for m, e in ticks], minor=False)
+    axis.set_ticks([], minor=True)
+
+
+def _decade(mantissa: int, exponent: int) -> str:
+    if -2 <= exponent < 4:
+        return f"{mantissa * 10.0**exponent:g}"
+    return ("" if mantissa == 1 else f"{mantissa}·") + f"10{str(exponent).translate(_RAISED)}"
+
+
 def power(value: float) -> str:
     """Return a number as a reader writes a small one: 3.1·10⁻⁵; 0 for zero."""
     if value == 0 or not math.isfinite(value):
@@ -245,6 +263,11 @@ def power(value: float) -> str:
     if -2 <= exponent < 4:
         return f"{value:.2g}"
     return f"{value / 10.0**exponent:.1f}·10{str(exponent).translate(_RAISED)}"
+
+
+def below(value: float) -> str:
+    """Return a bound for what is only rounding: the next power of ten above it, which no other processor changes."""
+    return "0" if value == 0 else f"< {_decade(1, math.ceil(math.log10(value)))}"
 
 
 def page_of(template: str, **content: Any) -> str:
@@ -276,6 +299,7 @@ def _pages() -> Any:
     return resources.files("deltacal_gen") / "pages"
 
 
+@cache
 def _environment(ending: str, *, autoescape: bool) -> jinja2.Environment:
     files = {f.name: f.read_text(encoding="utf-8") for f in _pages().iterdir() if f.name.endswith(ending)}
     environment = jinja2.Environment(
