@@ -24,7 +24,7 @@ lint: .venv/dev
 kernels: .venv/dev  ## derive and emit the kernels
 	$(BIN)/deltacal kernels
 
-bench: .venv/dev  ## ratios to NumPy on the same work
+bench: .venv/dev .venv/bench  ## every work beside NumPy, Numba by hand, CasADi and JAX
 	$(BIN)/python -m tests.benchmarks
 
 proof: .venv/proof  ## conceal effects, diagnose blind, grade: a table and a page in proof/
@@ -46,6 +46,10 @@ clean:
 
 .venv/proof: .venv/run
 	$(BIN)/python -m pip install --quiet --editable ".[proof]"
+	touch $@
+
+.venv/bench: .venv/run
+	$(BIN)/python -m pip install --quiet --editable ".[bench]"
 	touch $@
 
 .venv/dev: .venv/run

@@ -119,7 +119,11 @@ def _products(G, B, out):
 
 def identification_matrix(theta, r, offset, columns):
     """Return H (n (n - 1) / 2, columns) of eq. (14) for all pairs of poses."""
-    C = sensitivity(theta, r, np.empty((len(r), 3, 42)), offset)[:, :, columns]
+    return differences(sensitivity(theta, r, np.empty((len(r), 3, 42)), offset)[:, :, columns], r)
+
+
+def differences(C, r):
+    """Return rows (n (n - 1) / 2, columns) of distances between all pairs, by the sensitivities C (n, 3, columns)."""
     gap = r - r[:, None]
     with np.errstate(invalid="ignore"):
         gap /= np.sqrt((gap * gap).sum(axis=2))[..., None]
@@ -256,7 +260,7 @@ def inverse(target, rods, offset=(0.0, 0.0, 0.0)):
 # --------------------------------------------------------------------------------------------------- identification
 
 
-def identify(theta, points, columns, settled=1e-4):
+def identify(theta, points, columns, forward=forward, matrix=identification_matrix, settled=1e-4):
     """Return p (42,): first the encoder offsets, then the columns of a model, from distances of all pairs of poses.
 
     Gauss-Newton: residuals of the exact machine, and the paper's matrix at the ideal machine with the offsets found.
@@ -266,6 +270,8 @@ def identify(theta, points, columns, settled=1e-4):
     theta : (n, 3) array
     points : list of (offset (3,), positions (n, 3))
         What a tracker read at each reference point.
+    forward, matrix : callable
+        What computes exact poses and the matrix: these, or another tool's.
     settled : float
         Size of the last step [mm].
     """
@@ -281,15 +287,21 @@ def identify(theta, points, columns, settled=1e-4):
             for (offset, _), distance in zip(points, measured, strict=True):
                 x = forward(theta, machine(p, offset), offset)[:, :3]
                 rest.append(distance - np.linalg.norm(x[j] - x[i], axis=1))
-                H.append(identification_matrix(seen, r, offset, free))
+                H.append(matrix(seen, r, offset, free))
             step = np.linalg.lstsq(np.concatenate(H), np.concatenate(rest), rcond=None)[0]
             p[free] += step
     return p
 
 
-if __name__ == "__main__":
+def main(forward=forward, matrix=identification_matrix):
+    """Do what the command line asks for."""
     if sys.argv[1] == "identify":
         table = np.loadtxt(sys.argv[2], delimiter=",", skiprows=1)
-        print(*identify(np.radians(table[:, :3]), [(np.zeros(3), table[:, 3:6])], MODEL_18))
+        points = [(np.zeros(3), table[:, 3:6])]
+        print(*identify(np.radians(table[:, :3]), points, MODEL_18, forward, matrix))
     else:
         print(*command(np.array([sys.argv[2:5]], dtype=float), np.array(sys.argv[5:], dtype=float))[0])
+
+
+if __name__ == "__main__":
+    main()

@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numba import njit
 
+from . import by_hand
 from .by_hand import ARM, BASE, DONE, FRAMES, PHI, PLATFORM, ROD, SPACING, E
 
 C, S = tuple(np.cos(PHI).tolist()), tuple(np.sin(PHI).tolist())
@@ -353,3 +354,20 @@ def trials(theta, r, offsets, columns, check, joints, errors, noise, gain, out):
         commands(check, p, q)
         forward(q, rods, y)
         out[t, 1] = _worst(y, check)
+
+
+def _poses(theta, rods, _):
+    x = np.empty((len(theta), 6))
+    forward(theta, rods, x)
+    return x
+
+
+def _matrix(theta, r, offset, columns):
+    n, m = len(r), len(columns)
+    H = np.empty((n * (n - 1) // 2, m))
+    identification_matrix(theta, r, offset, np.array(columns), np.empty((n, 3, 42)), np.empty((n, 3, m)), H)
+    return H
+
+
+if __name__ == "__main__":
+    by_hand.main(_poses, _matrix)

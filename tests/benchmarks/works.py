@@ -12,6 +12,8 @@ import tempfile
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cache, partial
+from importlib import import_module
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +21,7 @@ import deltacal_kernels
 import numpy as np
 from numba import njit
 
+import deltacal_gen
 from deltacal_gen import PoseSet, commands
 from deltacal_gen.accuracy import check_poses, distance_error
 from deltacal_gen.compensation import Compensator
@@ -35,6 +38,13 @@ from . import by_hand, by_hand_numba
 
 Array = np.ndarray
 OURS, KERNEL, NUMPY, NUMBA = "ours", "kernel", "NumPy", "Numba"  # a user's call, what computes in it, by hand
+NEEDED = {"in_casadi": "casadi", "in_jax": "jax"}  # tools that make programs of formulas: the extra "bench"
+MISSING = [name for name in NEEDED.values() if find_spec(name) is None]
+TOOLS = {
+    tool.NAME: tool
+    for module, needs in NEEDED.items()
+    if needs not in MISSING and (tool := import_module(f".{module}", __package__))
+}
 MM = 1e-6  # agreement of lengths, and of angles times lengths
 POINT = np.array([60.0, -20.0, -40.0])  # a reference point beside the centre of the platform [mm]
 SIGMA = 0.005  # mm; a laser tracker
@@ -129,6 +139,11 @@ def settle() -> None:
     DELTA.forward(np.full((25_000, 3), -0.1), np.zeros(3), DELTA.rows(ROBOT))
 
 
+def by_tools(work: str, *given: Any) -> dict[str, Contender]:
+    """Return the tools that do a work, each made ready for what is given."""
+    return {name: Contender(getattr(tool, work)(*given)) for name, tool in TOOLS.items() if hasattr(tool, work)}
+
+
 # ------------------------------------------------------------------------------------------------------- kinematics
 
 
@@ -189,6 +204,7 @@ def sensitivity(n: int, *, exact: bool) -> Work:
         by_numpy, by_numba = np.empty((n, 3, 42)), np.empty((n, 3, 42))
         contenders[NUMPY] = Contender(lambda: by_hand.sensitivity(theta, r, by_numpy))
         contenders[NUMBA] = Contender(lambda: by_hand_numba.sensitivity(theta, r, by_numba), lambda _: by_numba)
+        contenders |= by_tools("sensitivity", theta, r)
     what = "exact sensitivity of the pose" if exact else "sensitivity of the ideal machine's position"
     return Work(f"{what}, {n} poses", "ns/pose", n, contenders)
 
@@ -216,7 +232,8 @@ def matrix(n: int) -> Work:
             NUMBA: Contender(
                 lambda: by_hand_numba.identification_matrix(theta, r, POINT, wanted, C, part, out), lambda _: out
             ),
-        },
+        }
+        | by_tools("identification_matrix", theta, r, POINT, columns("32")),
     )
 
 
@@ -247,7 +264,8 @@ def ideal(n: int, *, forward: bool) -> Work:
             KERNEL: kernel[forward],
             NUMPY: Contender(lambda: by_hand.in_blocks(numpy, given, np.empty((n, 3)))),
             NUMBA: Contender(lambda: numba(given, out), lambda _: out),
-        },
+        }
+        | by_tools(name, given),
     )
 
 
@@ -267,7 +285,8 @@ def forward(n: int) -> Work:
             KERNEL: Contender(lambda: DELTA.compiled.forward(theta, tool, k, x, status, False), lambda _: x),
             NUMPY: Contender(lambda: by_hand.in_blocks(partial(by_hand.forward, rods=rods), theta, np.empty((n, 6)))),
             NUMBA: Contender(lambda: by_hand_numba.forward(theta, rods, out), lambda _: out),
-        },
+        }
+        | by_tools("forward", theta, rods),
     )
 
 
@@ -352,7 +371,7 @@ def linear(n: int) -> Work:
         KERNEL: Contender(lambda: loop(target, theta, state, added), lambda _: added),
         NUMPY: Contender(lambda: by_hand.change(theta, target, p)),
         NUMBA: Contender(lambda: by_hand_numba.changes(theta, target, p, out), lambda _: out),
-    }
+    } | by_tools("change", theta, target, p)
     return Work(f"compensator, eq. (23), compiled loop of {n}", "ns/set point", n, contenders, tolerance=1e-9)
 
 
@@ -374,7 +393,7 @@ def call(n: int, *, kind: str) -> Work:
             KERNEL: Contender(lambda: added(*at, *joints, state), np.atleast_2d),
             NUMPY: Contender(lambda: by_hand.change(theta, target, p)),
             NUMBA: Contender(lambda: by_hand_numba.changes(theta, target, p, out), lambda _: out),
-        }
+        } | by_tools("change", theta, target, p)
     name = {"linear": "eq. (23)"}.get(kind, kind)
     return Work(f"compensator, {name}, one per Python call", "us/call", 1, contenders, tolerance=1e-9)
 
@@ -449,7 +468,8 @@ def reach(p: Array) -> Array:
 def trials(count: int, *, model: str, kept: bool) -> Work:
     """Errors of `count` machines, noise, exact poses; the paper's matrix; eq. (23) and exact poses before and after.
 
-    By hand the matrix is built and solved by SVD for each machine, or its inverse is `kept`; the package keeps it.
+    By hand the matrix is built and solved by SVD for each machine, or its inverse is `kept`; the package keeps it, and
+    JAX finds by itself that it is the same for all machines.
     """
     offsets = np.array([np.zeros(3)] if model == "18" else [np.zeros(3), POINT])
     rng = np.random.default_rng(6)
@@ -501,7 +521,8 @@ def trials(count: int, *, model: str, kept: bool) -> Work:
         f"identification, model {model}, of each of {count} machines, {'factor kept' if kept else 'SVD each time'}",
         "us/machine",
         count,
-        {KERNEL: Contender(ours), NUMPY: Contender(numpy), NUMBA: Contender(numba)},
+        {KERNEL: Contender(ours), NUMPY: Contender(numpy), NUMBA: Contender(numba)}
+        | by_tools("trials", theta, r, offsets, wanted, target, joints, p, noise),
     )
 
 
@@ -510,7 +531,7 @@ def trials(count: int, *, model: str, kept: bool) -> Work:
 
 @cache
 def _place() -> tempfile.TemporaryDirectory[str]:
-    """Return a folder with the files to identify from, and a copy of the kernels without compiled code."""
+    """Return a folder with the files to identify from, and with kernels and programs by hand that are not compiled."""
     place = tempfile.TemporaryDirectory(prefix="deltacal-bench-")
     folder = Path(place.name)
     theta, [(_, at)] = measured("18")
@@ -519,22 +540,33 @@ def _place() -> tempfile.TemporaryDirectory[str]:
     table = np.hstack([np.degrees(theta), at])
     np.savetxt(folder / "recording.csv", table, "%.12g", ",", header=head, comments="")
     package = Path(deltacal_kernels.__file__).parent
-    shutil.copytree(package, folder / package.name, ignore=shutil.ignore_patterns("__pycache__"))
+    for source, name in ((package, package.name), (Path(__file__).parent, "by_hand")):
+        shutil.copytree(source, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
     return place
 
 
 def _empty_cache() -> None:
+    """Remove what Numba, CasADi and JAX have compiled."""
     for path in Path(_place().name).rglob("*.nbc"):
         path.unlink()
+    for folder in ("deltacal-casadi", "jax"):
+        shutil.rmtree(Path(_place().name) / folder, ignore_errors=True)
 
 
-def _process(*command: str | Path) -> str:
-    """Run a program on the copied kernels; return what it prints."""
-    environment = os.environ | {"PYTHONPATH": _place().name, "OPENBLAS_NUM_THREADS": "1"}
+def _process(*command: str) -> str:
+    """Run Python on the copies; return what it prints."""
+    place, package = Path(_place().name), Path(deltacal_gen.__file__).parents[1]
+    environment = os.environ | {
+        "PYTHONPATH": os.pathsep.join(map(str, (place, package))),
+        "OPENBLAS_NUM_THREADS": "1",
+        "TMPDIR": str(place),
+        "JAX_COMPILATION_CACHE_DIR": str(place / "jax"),
+        "JAX_PERSISTENT_CACHE_MIN_COMPILE_TIME_SECS": "0",
+    }
     environment.pop("NUMBA_CACHE_DIR", None)
-    done = subprocess.run([str(c) for c in command], cwd=_place().name, env=environment, capture_output=True, text=True)
+    done = subprocess.run([sys.executable, *command], cwd=place, env=environment, capture_output=True, text=True)
     if done.returncode:
-        raise RuntimeError(f"{' '.join(map(str, command))}\n{done.stderr}")
+        raise RuntimeError(f"{' '.join(command)}\n{done.stderr}")
     return done.stdout
 
 
@@ -561,32 +593,33 @@ print(*Compensator(robot).command(np.array([target]))[0][0])
 
 
 def start(n: int, *, what: str, cold: bool) -> Work:
-    """From the start of the process to the first result, Numba's cache empty or full."""
-    python, by_numpy = sys.executable, Path(by_hand.__file__)
-    target, before = positions(1)[0].tolist(), _empty_cache if cold else None
-    view: Callable[[str], Array] = lambda text: reach(_errors_of(json.loads(text)))  # noqa: E731
+    """From the start of the process to the first result, with the compiled code on the disk or without."""
+    before = _empty_cache if cold else None
     if what == "command":
-        arguments = (json.dumps(target), json.dumps(calibrated().errors))
-        ours = Contender(partial(_process, python, "-c", _COMMAND, *arguments), _numbers, before)
-        given = map(repr, (*target, *paper(errors()).tolist()))
-        numpy = Contender(partial(_process, python, by_numpy, "command", *given), _numbers)
-        tolerance = 1e-4  # rad; by hand it is eq. (23)
+        target = positions(1)[0].tolist()
+        programs = {
+            OURS: ("-c", _COMMAND, json.dumps(target), json.dumps(calibrated().errors)),
+            NUMPY: ("-m", "by_hand.by_hand", "command", *map(repr, (*target, *paper(errors()).tolist()))),
+        }
+        view, tolerance = {OURS: _numbers, NUMPY: _numbers}, 1e-4  # rad; by hand it is eq. (23)
     else:
         geometry = {key: float(value[0]) for key, value in ROBOT.geometry.items() if len(value) == 1}
-        program: tuple[str | Path, ...] = (python, "-c", _API, json.dumps(geometry))
+        mine = ("-c", _API, json.dumps(geometry))
         if what == "deltacal identify":
-            tool = Path(sys.executable).with_name("deltacal")
-            program = (
-                tool,
-                *["identify", "robot.toml", "recording.csv", "--model", "18", "--as", "distance", "--json"],
-            )
-        ours = Contender(partial(_process, *program), view, before)
-        numpy = Contender(
-            partial(_process, python, by_numpy, "identify", "recording.csv"), lambda text: reach(_numbers(text))
-        )
+            given = ("robot.toml", "recording.csv", "--model", "18", "--as", "distance", "--json")
+            mine = ("-m", "deltacal_gen.cli", "identify", *given)
+        modules = {NUMPY: "by_hand", NUMBA: "by_hand_numba"}
+        modules |= {name: tool.__name__.rpartition(".")[2] for name, tool in TOOLS.items()}
+        programs = {OURS: mine} | {
+            name: ("-m", f"by_hand.{module}", "identify", "recording.csv") for name, module in modules.items()
+        }
+        view = {name: lambda text: reach(_numbers(text)) for name in programs}
+        view[OURS] = lambda text: reach(_errors_of(json.loads(text)))
         tolerance = 10 * SIGMA  # the package's default is robust and has priors
-    state = "empty" if cold else "full"
-    return Work(f"process start to {what}, cache {state}", "s", 1, {OURS: ours, NUMPY: numpy}, tolerance)
+    contenders = {
+        name: Contender(partial(_process, *program), view[name], before) for name, program in programs.items()
+    }
+    return Work(f"process start to {what}, cache {'empty' if cold else 'full'}", "s", 1, contenders, tolerance)
 
 
 def _numbers(text: str) -> Array:
