@@ -24,10 +24,10 @@ OFFSETS = [0, 8, 16]
 MODEL_18 = [0, 2, 4, 5, 6, 7, 8, 9, 12, 13, 14, 15, 16, 17, 20, 21, 22, 23]
 
 
-def in_blocks(function, rows, out):
+def in_blocks(function, rows, out, block=BLOCK):
     """Fill out (N, k) with function of rows (N, 3), some rows at a time."""
-    for start in range(0, len(rows), BLOCK):
-        out[start : start + BLOCK] = function(rows[start : start + BLOCK])
+    for start in range(0, len(rows), block):
+        out[start : start + block] = function(rows[start : start + block])
     return out
 
 
@@ -84,9 +84,11 @@ def _factors(theta, r):
     reach = E + ARM * cos
     rod = np.stack([r[:, 0] - CPHI * reach, r[:, 1] - SPHI * reach, r[:, 2] - ARM * sin]) / ROD
     ru, rw = CPHI * rod[0] + SPHI * rod[1], SPHI * rod[0] - CPHI * rod[1]
-    ru1, rv1, one = cos * ru + sin * rod[2], cos * rod[2] - sin * ru, np.ones_like(sin)
-    B_r = np.stack([rv1, *rod, ru1, sin * rw, -cos * rw, one])
-    return rod, B_r, np.stack([one, rw, -rod[2], ru, -rv1, ru1])
+    ru1, rv1 = cos * ru + sin * rod[2], cos * rod[2] - sin * ru
+    B_r, B_e = np.empty((8, *sin.shape)), np.empty((6, *sin.shape))
+    B_r[0], B_r[1:4], B_r[4], B_r[5], B_r[6], B_r[7] = rv1, rod, ru1, sin * rw, -cos * rw, 1.0
+    B_e[0], B_e[1], B_e[2], B_e[3], B_e[4], B_e[5] = 1.0, rw, -rod[2], ru, -rv1, ru1
+    return rod, B_r, B_e
 
 
 def _turning(rod):
@@ -103,7 +105,7 @@ def sensitivity(theta, r, out, offset=(0.0, 0.0, 0.0)):
         rod, B_r, B_e = _factors(theta[part], r[part])
         G, (M, AM) = _inverse(rod), _turning(rod)
         H = -(G[:, :, None] * AM).sum(axis=1)
-        if np.any(offset):
+        if any(offset):
             H += _cross(M, offset)
         own = out[part]
         _products(G, B_r, own[..., :24].reshape(-1, 3, 3, 8))
@@ -119,17 +121,15 @@ def _products(G, B, out):
 
 def identification_matrix(theta, r, offset, columns):
     """Return H (n (n - 1) / 2, columns) of eq. (14) for all pairs of poses."""
-    return differences(sensitivity(theta, r, np.empty((len(r), 3, 42)), offset)[:, :, columns], r)
+    return differences(np.take(sensitivity(theta, r, np.empty((len(r), 3, 42)), offset), columns, axis=2), r)
 
 
 def differences(C, r):
     """Return rows (n (n - 1) / 2, columns) of distances between all pairs, by the sensitivities C (n, 3, columns)."""
-    gap = r - r[:, None]
-    with np.errstate(invalid="ignore"):
-        gap /= np.sqrt((gap * gap).sum(axis=2))[..., None]
-    along = gap.transpose(1, 0, 2) @ C  # [j, i]: towards j from i, times C_j
     i, j = np.triu_indices(len(r), 1)
-    return along[j, i] + along[i, j]
+    gap = r[j] - r[i]
+    gap /= np.linalg.norm(gap, axis=1)[:, None]
+    return np.einsum("kx,kxc->kc", gap, C[j] - C[i])
 
 
 def change(theta, r, p):

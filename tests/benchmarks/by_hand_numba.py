@@ -45,8 +45,8 @@ def _limb(i, theta, x, y, z):
 
 
 @njit(cache=True, error_model="numpy")
-def sensitivity(theta, r, out):
-    """Fill C_r (N, 3, 42) of eq. (8)."""
+def sensitivity(theta, r, out, offset=None):
+    """Fill C (N, 3, 42) of eq. (8), of the platform's centre or of a point `offset` from it, three numbers."""
     for n in range(theta.shape[0]):
         limbs = (
             _limb(0, theta[n, 0], r[n, 0], r[n, 1], r[n, 2]),
@@ -59,45 +59,25 @@ def sensitivity(theta, r, out):
         for i in range(3):
             rod, _, _, (u, w, u1), (v1, s, c) = limbs[i]
             a0, a1, a2 = _dot(limbs[0][2], m[i]), _dot(limbs[1][2], m[i]), _dot(limbs[2][2], m[i])
+            aside = (0.0, 0.0, 0.0)
+            if offset is not None:  # turns move the point by their cross product with the offset
+                aside = _cross(m[i], offset)
             for x in range(3):
                 G = g[i][x] * by_g
                 row = out[n, x, 8 * i : 8 * i + 8]
                 row[0], row[1], row[2], row[3] = G * v1, G * rod[0], G * rod[1], G * rod[2]
                 row[4], row[5], row[6], row[7] = G * u1, G * s * w, -G * c * w, G
                 H = -(g[0][x] * a0 + g[1][x] * a1 + g[2][x] * a2) * by_g * by_m
+                if offset is not None:
+                    H += aside[x] * by_m
                 row = out[n, x, 24 + 6 * i : 30 + 6 * i]
                 row[0], row[1], row[2], row[3], row[4], row[5] = H, H * w, -H * rod[2], H * u, -H * v1, H * u1
 
 
 @njit(cache=True, error_model="numpy")
-def _sensitivity_at(theta, r, offset, out):
-    """Fill C of eq. (8) for a point off the platform's centre: turns move it by their cross product with the offset."""
-    sensitivity(theta, r, out)
-    for n in range(theta.shape[0]):
-        limbs = (
-            _limb(0, theta[n, 0], r[n, 0], r[n, 1], r[n, 2]),
-            _limb(1, theta[n, 1], r[n, 0], r[n, 1], r[n, 2]),
-            _limb(2, theta[n, 2], r[n, 0], r[n, 1], r[n, 2]),
-        )
-        m = (_cross(limbs[1][1], limbs[2][1]), _cross(limbs[2][1], limbs[0][1]), _cross(limbs[0][1], limbs[1][1]))
-        by_m = 1 / _dot(limbs[0][1], m[0])
-        for i in range(3):
-            rod, _, _, (u, w, u1), (v1, _, _) = limbs[i]
-            added = _cross(m[i], offset)
-            for x in range(3):
-                a, row = added[x] * by_m, out[n, x, 24 + 6 * i : 30 + 6 * i]
-                row[0] += a
-                row[1] += a * w
-                row[2] -= a * rod[2]
-                row[3] += a * u
-                row[4] -= a * v1
-                row[5] += a * u1
-
-
-@njit(cache=True, error_model="numpy")
 def identification_matrix(theta, r, offset, columns, C, chosen, H):
     """Fill H (n (n - 1) / 2, columns) of eq. (14) for all pairs; C (n, 3, 42), chosen (n, 3, columns): scratch."""
-    _sensitivity_at(theta, r, offset, C)
+    sensitivity(theta, r, C, (offset[0], offset[1], offset[2]))
     for n in range(r.shape[0]):
         for x in range(3):
             for k in range(columns.shape[0]):
@@ -108,12 +88,9 @@ def identification_matrix(theta, r, offset, columns, C, chosen, H):
             gx, gy, gz = r[b, 0] - r[a, 0], r[b, 1] - r[a, 1], r[b, 2] - r[a, 2]
             by = 1 / math.sqrt(gx * gx + gy * gy + gz * gz)
             gx, gy, gz = gx * by, gy * by, gz * by
-            for k in range(H.shape[1]):
-                H[row, k] = (
-                    gx * (chosen[b, 0, k] - chosen[a, 0, k])
-                    + gy * (chosen[b, 1, k] - chosen[a, 1, k])
-                    + gz * (chosen[b, 2, k] - chosen[a, 2, k])
-                )
+            A, B, h = chosen[a], chosen[b], H[row]
+            for k in range(len(h)):
+                h[k] = gx * (B[0, k] - A[0, k]) + gy * (B[1, k] - A[1, k]) + gz * (B[2, k] - A[2, k])
             row += 1
 
 

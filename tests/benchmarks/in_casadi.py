@@ -100,7 +100,7 @@ def sensitivity(theta, r, offset=(0.0, 0.0, 0.0)):
 def identification_matrix(theta, r, offset, columns):
     """H of eq. (14); NumPy takes the differences."""
     C = sensitivity(theta, r, offset)
-    return lambda: by_hand.differences(C()[:, :, columns], r)
+    return lambda: by_hand.differences(np.take(C(), columns, axis=2), r)
 
 
 def ideal_inverse(r):

@@ -262,7 +262,7 @@ def ideal(n: int, *, forward: bool) -> Work:
         {
             OURS: ours[forward],
             KERNEL: kernel[forward],
-            NUMPY: Contender(lambda: by_hand.in_blocks(numpy, given, np.empty((n, 3)))),
+            NUMPY: Contender(lambda: by_hand.in_blocks(numpy, given, np.empty((n, 3)), 4 * by_hand.BLOCK)),
             NUMBA: Contender(lambda: numba(given, out), lambda _: out),
         }
         | by_tools(name, given),
