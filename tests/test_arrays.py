@@ -18,7 +18,7 @@ from deltacal_gen.compensation import Compensator
 from deltacal_gen.demonstration import example
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.identification import identify
-from deltacal_gen.mechanism import load_mechanism
+from deltacal_gen.mechanism import load_mechanism, mechanism_of
 from deltacal_gen.recording import read_recording
 from deltacal_gen.robot import Robot, read_robot
 from tests.conftest import PROTOTYPE, plausible, rings
@@ -49,6 +49,11 @@ def measured(robot: Robot) -> dict[str, np.ndarray]:
     joints, tool = np.tile(joints, (2, 1)), np.repeat([np.zeros(3), BESIDE], len(joints), axis=0)
     x, _ = mechanism.forward(joints, tool, mechanism.rows(robot, errors))
     return {"joints": joints, "tool": tool, "measured": x[:, :3] + SIGMA * rng.standard_normal((len(x), 3))}
+
+
+def test_a_mechanism_is_one_object_however_it_is_asked_for() -> None:
+    robot = nominal("delta", PROTOTYPE["geometry"])
+    assert load_mechanism("delta") is load_mechanism("delta", ()) is mechanism_of(robot)
 
 
 def test_a_first_result_needs_numpy_and_the_kernels_alone(measured: dict[str, np.ndarray], tmp_path: Path) -> None:
@@ -109,6 +114,41 @@ def test_every_mechanism_finds_a_machine_that_reads_alike(name: str, tmp_path: P
     lengths = np.linalg.norm(x[pairs[:, 1], :3] - x[pairs[:, 0], :3], axis=1)
     found = estimate(plain, model, joints, lengths, pairs=pairs, robust=False)
     assert np.abs(found.residual).max() < 1e-5
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_results_are_written_where_the_caller_wants_them(name: str) -> None:
+    """Every function of many poses, of every mechanism: `out` is what it returns, and holds what it returns else."""
+    robot = dataclasses.replace(read_robot(example(f"{CASES[name][0]}/robot.toml")), mechanism=name, tolerance={})
+    mechanism = mechanism_of(robot)
+    poses = read_recording(example(f"{CASES[name][0]}/poses.csv"), mechanism, need_measured=False, allow_targets=True)
+    tool, rows = np.zeros(3), mechanism.rows(robot)
+    q = mechanism.inverse(poses.targets, tool, rows)[0] if poses.targets is not None else poses.joints
+    q = np.ascontiguousarray(q[:5])
+    x, _ = mechanism.forward(q, tool, rows)
+    S = mechanism.sensitivity(x, q, tool, rows)
+    target = x if mechanism.limbs > 3 else x[:, :3]
+    calls = [
+        lambda out: mechanism.forward(q, tool, rows, out=out)[0],
+        lambda out: mechanism.positions(q, tool, rows, out=out),
+        lambda out: mechanism.inverse(target, tool, rows, out=out)[0],
+        lambda out: PoseSet(robot, q).positions(np.zeros((2, len(mechanism.parameters))), out=out),
+        lambda out: PoseSet(robot, q).commands(np.zeros((2, len(mechanism.parameters))), out=out),
+        lambda out: Compensator(robot).command(target, out=out)[0],
+    ]
+    for call in calls:
+        alone = call(None)
+        out = np.full(alone.shape, 7.0)
+        assert np.shares_memory(call(out), out)
+        assert np.allclose(out, alone, rtol=1e-9, atol=1e-9, equal_nan=True)
+        with pytest.raises(ValueError, match="out is an array"):
+            call(np.empty((1, 1)))
+    shapes = S.own.base.shape, S.joints.shape
+    out = np.full(shapes[0], 7.0), np.full(shapes[1], 7.0)
+    again = mechanism.sensitivity(x, q, tool, rows, out=out)
+    assert again.own.base is out[0]
+    assert again.joints is out[1]
+    assert np.allclose(again.parameters, S.parameters, rtol=1e-9, atol=1e-9, equal_nan=True)
 
 
 @pytest.mark.parametrize(

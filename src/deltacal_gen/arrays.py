@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike
 from deltacal_gen.errors import NoSolutionError, UsageError
 from deltacal_gen.estimation import Fit, Problem, fit, pose_problem, rough
 from deltacal_gen.inputs import POSITION, Measurement, Recording, Robot
-from deltacal_gen.mechanism import SOLVED, STATUS, Array, load_mechanism, mechanism_of
+from deltacal_gen.mechanism import SOLVED, STATUS, Array, load_mechanism, mechanism_of, result
 from deltacal_gen.solvers import Factored, LeastSquares, Solver
 from deltacal_gen.units import file_unit, to_internal
 
@@ -229,18 +229,18 @@ class PoseSet:
             row = int(np.argmax(status != SOLVED))
             raise NoSolutionError(f"at the joints of row {row} the machine is {STATUS[int(status[row])]}.")
 
-    def positions(self, errors: ArrayLike, joints: Array | None = None) -> Array:
+    def positions(self, errors: ArrayLike, joints: Array | None = None, *, out: Array | None = None) -> Array:
         """Return exact positions (T, N, 3) [mm] of machines with source errors (T, n_p); NaN where there is none.
 
-        `joints` (T, N, n_q) are each machine's own; default those of the set.
+        `joints` (T, N, n_q) are each machine's own; default those of the set. The result is written into `out` where
+        it is given.
         """
         errors = np.atleast_2d(np.asarray(errors, dtype=float))
         every = np.broadcast_to(self.joints if joints is None else joints, (len(errors), *self.joints.shape))
         tool = self.tool[0] if (self.tool == self.tool[0]).all() else np.tile(self.tool, (len(errors), 1))
-        rows = self.mechanism.rows(self.robot, errors)
-        return self.mechanism.positions(every.reshape(-1, self.mechanism.limbs), tool, rows).reshape(
-            *every.shape[:2], 3
-        )
+        rows, shape = self.mechanism.rows(self.robot, errors), (*every.shape[:2], 3)
+        flat = None if out is None else result(out, shape).reshape(-1, 3)
+        return self.mechanism.positions(every.reshape(-1, self.mechanism.limbs), tool, rows, out=flat).reshape(shape)
 
     @cached_property
     def corrections(self) -> Array:
@@ -250,11 +250,14 @@ class PoseSet:
         kept: Array = -np.linalg.pinv(found.joints[:, axes]) @ found.parameters[:, axes]
         return kept
 
-    def commands(self, errors: ArrayLike) -> Array:
+    def commands(self, errors: ArrayLike, *, out: Array | None = None) -> Array:
         """Return the joints (T, N, n_q) that bring machines with source errors (T, n_p) here, to first order."""
         errors = np.atleast_2d(np.asarray(errors, dtype=float)) - self.mechanism.vector(self.robot.errors)
         flat = self.corrections.reshape(-1, self.corrections.shape[2])
-        return self.joints + (errors @ flat.T).reshape(len(errors), *self.joints.shape)
+        joints = result(out, (len(errors), *self.joints.shape))
+        np.matmul(errors, flat.T, out=joints.reshape(len(errors), -1))
+        joints += self.joints
+        return joints
 
     def linear(
         self,
@@ -304,7 +307,7 @@ class LinearFit:
         self._nominal = instrument.predict(problem.readings, x)[0][read]
         self._ends = problem.readings.rows.T if made else None
 
-    def estimate(self, measured: ArrayLike) -> Array:
+    def estimate(self, measured: ArrayLike, *, out: Array | None = None) -> Array:
         """Return the source errors (T, n) [mm, rad] of machines, in the order of `names`.
 
         Parameters
@@ -313,7 +316,7 @@ class LinearFit:
             What was measured of each machine: positions, or the distances of the pairs [mm].
         """
         measured = np.asarray(measured, dtype=float)
-        out = np.empty((len(measured), len(self.names)))
+        out = result(out, (len(measured), len(self.names)))
         for first in range(0, len(measured), MACHINES):
             some = slice(first, first + MACHINES)
             values = (
@@ -322,7 +325,8 @@ class LinearFit:
                 else measured[some].reshape(-1, len(self._nominal)).T
             )
             out[some] = (self.gain @ (values - self._nominal[:, None])).T
-        return out + self._from
+        out += self._from
+        return out
 
     def whole(self, found: Array) -> Array:
         """Return estimates (T, n) as all source errors of the mechanism (T, n_p)."""

@@ -15,7 +15,17 @@ import numpy as np
 
 from deltacal_gen.errors import UsageError
 from deltacal_gen.inputs import Link, Robot
-from deltacal_gen.mechanism import POSE, SOLVED, UNREACHABLE, GeometryKey, Loads, Mechanism, Parameter, Sensitivity
+from deltacal_gen.mechanism import (
+    POSE,
+    SOLVED,
+    UNREACHABLE,
+    GeometryKey,
+    Loads,
+    Mechanism,
+    Parameter,
+    Sensitivity,
+    result,
+)
 from deltacal_gen.rotation import Array, to_vector
 
 PARALLEL = 1e-6  # rad: axes that are closer to parallel have no common normal to speak of
@@ -168,27 +178,31 @@ class Chain(Mechanism):
         rotations = np.stack([np.broadcast_to(np.eye(3)[:, :, None], (3, 3, len(q))), *placed.rotation])
         return np.moveaxis(origins, -1, 0), np.moveaxis(rotations, -1, 0)
 
-    def forward(self, q: Array, tool: Array, rows: Array, near: Array | None = None) -> tuple[Array, np.ndarray]:
+    def forward(
+        self, q: Array, tool: Array, rows: Array, near: Array | None = None, *, out: Array | None = None
+    ) -> tuple[Array, np.ndarray]:
         """Return the pose (N, 12) of the tool point and the last frame; every pose is SOLVED."""
         q, tool = self._poses(q, self.limbs, "joints"), self._tool(tool, len(q))
         if len(rows) not in (1, len(q)):
             rows = np.repeat(rows, len(q) // len(rows), axis=0)
-        placed, x = self._placed(q, rows), np.empty((len(q), POSE))
+        placed, x = self._placed(q, rows), result(out, (len(q), POSE))
         R = placed.rotation[-1]
         x[:, :3] = (placed.origin[-1] + _turned(R, (tool + rows[:, 0, -3:]).T)).T
         x[:, 3:] = R.reshape(9, -1).T
         return x, np.full(len(q), SOLVED)
 
-    def positions(self, q: Array, tool: Array, rows: Array) -> Array:
+    def positions(self, q: Array, tool: Array, rows: Array, *, out: Array | None = None) -> Array:
         """Return the positions (N, 3) of the tool point [mm]."""
-        return self.forward(q, tool, rows)[0][:, :3]
+        x = result(out, (len(q), 3))
+        x[:] = self.forward(q, tool, rows)[0][:, :3]
+        return x
 
     def commanded(self, target: Array) -> Array:
         """Return targets (N, 3) or (N, 12) as they are: which directions the joints command depends on the pose."""
         return target
 
     def inverse(
-        self, target: Array, tool: Array, rows: Array, limits: Array | None = None
+        self, target: Array, tool: Array, rows: Array, limits: Array | None = None, *, out: Array | None = None
     ) -> tuple[Array, Array, np.ndarray]:
         """Return joints that bring the tool point and the last frame to poses (N, 12), or three joints to positions.
 
@@ -219,7 +233,9 @@ class Chain(Mechanism):
         best_turn = np.where(status == SOLVED, turned, np.inf).min(axis=1, keepdims=True)
         status[turned > best_turn + THERE_TURNED] = UNREACHABLE  # a wrist that got stuck
         turning = np.array([self.links[k].kind == "revolute" for k in self._moving])
-        found, last = np.full((len(target), self.limbs), np.nan), starts[0]
+        found = result(out, (len(target), self.limbs))
+        found[:] = np.nan
+        last = starts[0]
         for n, (ways, ok) in enumerate(zip(q, status == SOLVED, strict=True)):
             near = np.where(turning, last + (ways - last + np.pi) % (2 * np.pi) - np.pi, ways)
             if limits is not None:
@@ -231,7 +247,7 @@ class Chain(Mechanism):
             best = int(np.argmin(np.where(ok, far + 100.0 * beyond, np.inf)))
             if ok[best]:
                 found[n] = last = near[best]
-        solved = np.isfinite(found).all(axis=1)
+        solved: np.ndarray = np.isfinite(found).all(axis=1)
         x, _ = self.forward(np.nan_to_num(found), tool, rows)
         return found, np.where(solved[:, None], x, np.nan), np.where(solved, SOLVED, UNREACHABLE)
 
@@ -332,11 +348,17 @@ class Chain(Mechanism):
         """Raise UsageError: a chain's closure is its forward position; see `sensitivity`."""
         raise UsageError("an open chain has no loops to close; its derivatives are those of `sensitivity`.")
 
-    def sensitivity(self, x: Array, q: Array, tool: Array, rows: Array) -> Sensitivity:
-        """Return the derivatives of the exact pose at N poses: each twist moves all that comes behind its link."""
+    def sensitivity(
+        self, x: Array, q: Array, tool: Array, rows: Array, *, out: tuple[Array, Array] | None = None
+    ) -> Sensitivity:
+        """Return the derivatives of the exact pose at N poses: each twist moves all that comes behind its link.
+
+        `out` holds (6, links, n_e, N) by the links' errors, poses last, and (N, 6, n_q) by the joints.
+        """
         x, q = self._poses(x, POSE, "poses"), self._poses(q, self.limbs, "joints")
         placed, n_e, point = self._placed(q, rows), len(self.errors), x[:, :3].T
-        own = np.empty((6, len(self.links), n_e, len(q)))
+        own_out, joints_out = (None, None) if out is None else out
+        own = result(own_out, (6, len(self.links), n_e, len(q)))
         joints = np.zeros((6, self.limbs, len(q)))
         for k, link in enumerate(self.links):
             twists = placed.twists(k, slice(None))
@@ -350,7 +372,8 @@ class Chain(Mechanism):
         common = np.zeros((6, len(self.links), 3, len(q)))
         common[:3, 0] = placed.rotation[-1]
         none = np.zeros((len(q), 6, self.limbs, 0))
-        by_joints = np.ascontiguousarray(np.moveaxis(joints, -1, 0))
+        by_joints = result(joints_out, (len(q), 6, self.limbs))
+        by_joints[:] = np.moveaxis(joints, -1, 0)
         return Sensitivity(np.moveaxis(own, -1, 0), np.moveaxis(common, -1, 0), none, by_joints)
 
     def _drives(self, k: int) -> list[tuple[int, float]]:

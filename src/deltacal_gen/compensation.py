@@ -39,6 +39,7 @@ from deltacal_gen.mechanism import (
     Mechanism,
     mechanism_of,
     nominal_joints,
+    result,
 )
 from deltacal_gen.physics import Body, Channels, Deformed, Term, complete_channels, term_to_dict
 from deltacal_gen.robot import Robot, Workspace
@@ -220,6 +221,8 @@ class Compensator:
         tool: Array | None = None,
         channels: Channels | None = None,
         near: Array | None = None,
+        *,
+        out: Array | None = None,
     ) -> tuple[Array, np.ndarray]:
         """Return corrected joint commands.
 
@@ -234,6 +237,8 @@ class Compensator:
         near : (N, n_q) array, optional
             Of an open chain, joints at which it stands nominally, as the controller counts; default those of
             `nominal_command`.
+        out : (N, n_q) array, optional
+            Where the joints are written.
 
         Returns
         -------
@@ -243,17 +248,19 @@ class Compensator:
             SOLVED, UNREACHABLE or SINGULAR of `deltacal_gen.mechanism`, explained in its `STATUS`.
         """
         targets, tool = self._targets(targets, tool)
+        joints = result(out, (len(targets), self.mechanism.limbs))
         if isinstance(self.mechanism, Chain):
-            return self._led(self.mechanism, targets, tool, channels, near)
+            joints[:], status = self._led(self.mechanism, targets, tool, channels, near)
+            return joints, status
         if self.kind == "exact":
-            q, _, status = self.mechanism.inverse(targets, tool, self._rows)
+            q, _, status = self.mechanism.inverse(targets, tool, self._rows, out=joints)
         else:
-            q, status = np.empty((len(targets), self.mechanism.limbs)), np.empty(len(targets), dtype=np.int64)
+            q, status = joints, np.empty(len(targets), dtype=np.int64)
             state = self._kernels.copied(self._state)
             self._kernels.linear_commands(self.mechanism.commanded(targets), tool, state, q, status)
         if self.effects:
             q, status = self._with_effects(targets, tool, channels, q, status)
-        return q * self.robot.joint_sign, status
+        return np.multiply(q, self.robot.joint_sign, out=joints), status
 
     def _led(
         self, chain: Chain, targets: Array, tool: Array, channels: Channels | None, near: Array | None

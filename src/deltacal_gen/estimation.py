@@ -181,9 +181,10 @@ class Problem:
         J[:, : values.shape[1]] += reading_shift(terms, self.body, self.readings, values, machine.x)[1]
         return J
 
-    def begin(self, parameters: Array) -> Instrument:
+    def begin(self, parameters: Array, machine: Deformed | None = None) -> Instrument:
         """Return the instrument's first state for a machine with `parameters`."""
-        return start(self.readings, self.recording, self.robot, self.poses(parameters))
+        x = self.poses(parameters) if machine is None else machine.x
+        return start(self.readings, self.recording, self.robot, x)
 
     def subset(self, chosen: np.ndarray) -> Problem:
         """Return the problem with these readings only."""
@@ -400,7 +401,7 @@ def fit(
     errors = problem.reference.copy() if errors is None else errors.copy()
     machine = problem.solve(errors)
     if instrument is None:
-        instrument = start(problem.readings, problem.recording, problem.robot, machine.x)
+        instrument = problem.begin(errors, machine)
     n_m = instrument.n_unknown
     estimated = repeats is None and weigh_repeats
     shared = Repeats(problem.readings.group, repeats.ratio if repeats else 0.0)

@@ -92,8 +92,9 @@ def identification_matrix(problem: Problem, convention: str = "file") -> Identif
         An unknown convention.
     """
     factors, units = column_convention(problem.robot, problem.names, convention)
-    instrument = problem.begin(problem.reference)
-    state = problem.linearise(problem.reference, instrument)
+    machine = problem.solve(problem.reference)
+    instrument = problem.begin(problem.reference, machine)
+    state = problem.linearise(problem.reference, instrument, machine)
     read = np.isfinite(state.residual)
     J_p, J_m, r = state.J_p[read], state.J_m[read], state.residual[read]
     if problem.readings.kind == "gauge" and problem.recording.measurement.zero == "incremental":

@@ -125,9 +125,8 @@ def mechanism_names() -> tuple[str, ...]:
     return tuple(deltacal_kernels.MECHANISMS)
 
 
-@cache
 def load_mechanism(name: str, links: tuple[Link, ...] = ()) -> Mechanism:
-    """Return a registered mechanism; an open chain is one of its `links`.
+    """Return a registered mechanism, always the same object; an open chain is one of its `links`.
 
     Raises
     ------
@@ -136,6 +135,11 @@ def load_mechanism(name: str, links: tuple[Link, ...] = ()) -> Mechanism:
     """
     if name not in mechanism_names():
         raise UsageError(f"there is no mechanism '{name}'. Registered: {', '.join(mechanism_names())}.")
+    return _loaded(name, links)
+
+
+@cache
+def _loaded(name: str, links: tuple[Link, ...]) -> Mechanism:
     tables = importlib.import_module(f"deltacal_kernels.{name}.parameters")
     if getattr(tables, "CHAIN", False):
         from deltacal_gen.chain import Chain  # which builds on this module
@@ -198,8 +202,29 @@ def plain_only() -> AbstractContextManager[None]:
     return _using("plain")
 
 
+def result(out: Array | None, shape: tuple[int, ...]) -> Array:
+    """Return the array that a batch function writes its result into: the caller's `out`, or a new one.
+
+    Raises
+    ------
+    ValueError
+        `out` has another shape or type, or is not contiguous.
+    """
+    if out is None:
+        return np.empty(shape)
+    if out.shape != shape or out.dtype != float or not out.flags.c_contiguous:
+        raise ValueError(
+            f"out is an array {out.shape} of {out.dtype}; it must be a contiguous array {shape} of float64."
+        )
+    return out
+
+
 class Mechanism:
-    """Tables and kernels of one machine; the robot's numbers come in by every call."""
+    """Tables and kernels of one machine; the robot's numbers come in by every call.
+
+    Functions of many poses take `out=`, an array of the result's shape that they fill and return: memory that is fresh
+    costs more than what is computed into it.
+    """
 
     links: tuple[Link, ...] | None = None  # of an open chain
 
@@ -449,7 +474,9 @@ class Mechanism:
             self._known[key] = self.vectorised.constants(rows)
         return self._known[key]
 
-    def forward(self, q: Array, tool: Array, rows: Array, near: Array | None = None) -> tuple[Array, np.ndarray]:
+    def forward(
+        self, q: Array, tool: Array, rows: Array, near: Array | None = None, *, out: Array | None = None
+    ) -> tuple[Array, np.ndarray]:
         """Return the exact platform pose at given joints.
 
         Parameters
@@ -462,6 +489,8 @@ class Mechanism:
             See `rows`; each of M machines stands at N / M joints one after another.
         near : (N, 12) array, optional
             Poses of a machine that differs little: where to start from.
+        out : (N, 12) array, optional
+            Where x is written.
 
         Returns
         -------
@@ -471,17 +500,18 @@ class Mechanism:
             SOLVED, UNREACHABLE or SINGULAR, explained in `STATUS`.
         """
         x, status = self._solved(q, tool, rows, near)
-        return self._body(x), status
+        return self._body(x, out), status
 
-    def positions(self, q: Array, tool: Array, rows: Array) -> Array:
+    def positions(self, q: Array, tool: Array, rows: Array, *, out: Array | None = None) -> Array:
         """Return the exact positions (N, 3) of the reference point [mm], NaN where not solved; see `forward`."""
         x, _ = self._solved(q, tool, rows, None)
-        if self._at[:3] == [0, 1, 2]:
+        if out is None and self._at[:3] == [0, 1, 2]:
             return x[:, :3]
-        out = np.zeros((len(x), self.n_x))
-        out[:, self._at[: x.shape[1]]] = x
+        out, moved = result(out, (len(x), 3)), [a for a in self._at[: x.shape[1]] if a < 3]
+        out[:] = 0.0
+        out[:, moved] = x[:, : len(moved)]
         out[np.isnan(x[:, 0])] = np.nan
-        return out[:, :3]
+        return out
 
     def _solved(self, q: Array, tool: Array, rows: Array, near: Array | None) -> tuple[Array, np.ndarray]:
         """Return the coordinates (N, n) that the kernels solve for, and their status."""
@@ -499,10 +529,13 @@ class Mechanism:
                 kernels.forward(q, tool, constants, x, status, near is not None)
         return x, status
 
-    def inverse(self, target: Array, tool: Array, rows: Array) -> tuple[Array, Array, np.ndarray]:
+    def inverse(
+        self, target: Array, tool: Array, rows: Array, *, out: Array | None = None
+    ) -> tuple[Array, Array, np.ndarray]:
         """Return the joints that bring the reference point exactly to `target` (N, 3) [mm].
 
-        A machine of fewer joints takes of the target the coordinates that it commands, the first of `platform`.
+        A machine of fewer joints takes of the target the coordinates that it commands, the first of `platform`. The
+        joints are written into `out` (N, n_q) where it is given.
 
         Returns
         -------
@@ -512,7 +545,7 @@ class Mechanism:
         status : (N,) int array
         """
         target = self._poses(target, 3, "target")
-        q, status = np.empty((len(target), self.limbs)), np.empty(len(target), dtype=np.int64)
+        q, status = result(out, (len(target), self.limbs)), np.empty(len(target), dtype=np.int64)
         x = self.commanded(target)
         with self._kernels(len(target)) as kernels:
             plain = kernels is self.vectorised
@@ -544,10 +577,10 @@ class Mechanism:
         """Return what a command asks for of targets (N, 3): as many coordinates as there are joints."""
         return np.ascontiguousarray(target[:, self._at[: self.limbs]])
 
-    def _body(self, x: Array) -> Array:
+    def _body(self, x: Array, out: Array | None = None) -> Array:
         """Return the pose (N, 12) of a body in space by the coordinates that kernels solve for, or the first ones."""
         at = self._at[: x.shape[1]]
-        out = np.empty((len(x), POSE))
+        out = result(out, (len(x), POSE))
         if max(at) < 3:
             out[:] = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
             out[:, at] = x
@@ -576,25 +609,33 @@ class Mechanism:
         self.vectorised.jacobians(x, q, self._tool(tool, len(x)), self._constants(rows), F, J_x, J_q, J_p)
         return F, J_x, J_q, J_p
 
-    def sensitivity(self, x: Array, q: Array, tool: Array, rows: Array) -> Sensitivity:
-        """Return the derivatives of the exact pose at N solved poses; NaN where a pose is singular."""
+    def sensitivity(
+        self, x: Array, q: Array, tool: Array, rows: Array, *, out: tuple[Array, Array] | None = None
+    ) -> Sensitivity:
+        """Return the derivatives of the exact pose at N solved poses; NaN where a pose is singular.
+
+        The result is views of two arrays, which `out` may give: (N, n_x, limbs (n_e + n_s + n_d)) by each limb's
+        errors and deflections, and (N, n_x, n_q) by the joints.
+        """
         x, q = self._own(self._poses(x, POSE, "poses")), self._poses(q, self.limbs, "joints")
         n, n_v = len(self._at), self._width - len(self.geometry)
-        S = np.empty((len(x), n, self.limbs * n_v))
-        V = np.empty((len(x), n, self.limbs))
+        S_out, V_out = (None, None) if out is None else out
+        whole = n == self.n_x
+        S = result(S_out if whole else None, (len(x), n, self.limbs * n_v))
+        V = result(V_out if whole else None, (len(x), n, self.limbs))
         status = np.empty(len(x), dtype=np.int64)
         with self._kernels(len(q)) as kernels:
             tool = self._tool(tool, len(q)) if kernels is self.vectorised else self._tools(tool)
             kernels.sensitivity(x, q, tool, self._constants(rows), S, V, status)
-        S, V = self._in_space(S), self._in_space(V)
+        if not whole:
+            S, V = self._in_space(S, S_out), self._in_space(V, V_out)
         by_limb = S.reshape(len(x), self.n_x, self.limbs, n_v)
         own, common, deflections = np.split(by_limb, np.cumsum([len(self.errors), len(self.common)]), axis=3)
         return Sensitivity(own, common, deflections, V)
 
-    def _in_space(self, derivatives: Array) -> Array:
-        if len(self._at) == self.n_x:
-            return derivatives
-        out = np.zeros((len(derivatives), self.n_x, derivatives.shape[2]))
+    def _in_space(self, derivatives: Array, out: Array | None) -> Array:
+        out = result(out, (len(derivatives), self.n_x, derivatives.shape[2]))
+        out[:] = 0.0
         out[:, self._at] = derivatives
         return out
 

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from functools import cache, partial
 from importlib import import_module
 from importlib.util import find_spec
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -571,14 +572,13 @@ def _process(*command: str) -> str:
 
 
 _API = """
-import json, sys
+import sys
 import numpy as np
 from deltacal_gen import estimate, nominal
 table = np.loadtxt("recording.csv", delimiter=",", skiprows=1)
-robot = nominal("delta", json.loads(sys.argv[1]))
+robot = nominal("delta", {key: float(value) for key, value in zip(sys.argv[1::2], sys.argv[2::2])})
 found = estimate(robot, "18", np.radians(table[:, :3]), table[:, 3:6], as_distance=True)
-told = [{"name": name, "value": value, "unit": "rad or mm"} for name, value in found.parameters.items()]
-print(json.dumps({"parameters": told}))
+print(*found.errors)
 """
 _COMMAND = """
 import json, sys
@@ -603,8 +603,8 @@ def start(n: int, *, what: str, cold: bool) -> Work:
         }
         view, tolerance = {OURS: _numbers, NUMPY: _numbers}, 1e-4  # rad; by hand it is eq. (23)
     else:
-        geometry = {key: float(value[0]) for key, value in ROBOT.geometry.items() if len(value) == 1}
-        mine = ("-c", _API, json.dumps(geometry))
+        geometry = [(key, str(float(value[0]))) for key, value in ROBOT.geometry.items() if len(value) == 1]
+        mine: tuple[str, ...] = ("-c", _API, *chain.from_iterable(geometry))
         if what == "deltacal identify":
             given = ("robot.toml", "recording.csv", "--model", "18", "--as", "distance", "--json")
             mine = ("-m", "deltacal_gen.cli", "identify", *given)
@@ -614,7 +614,8 @@ def start(n: int, *, what: str, cold: bool) -> Work:
             name: ("-m", f"by_hand.{module}", "identify", "recording.csv") for name, module in modules.items()
         }
         view = {name: lambda text: reach(_numbers(text)) for name in programs}
-        view[OURS] = lambda text: reach(_errors_of(json.loads(text)))
+        told = _told if what == "deltacal identify" else _numbers
+        view[OURS] = lambda text: reach(paper(told(text)))
         tolerance = 10 * SIGMA  # the package's default is robust and has priors
     contenders = {
         name: Contender(partial(_process, *program), view[name], before) for name, program in programs.items()
@@ -626,9 +627,10 @@ def _numbers(text: str) -> Array:
     return np.array(text.split(), dtype=float)
 
 
-def _errors_of(result: dict[str, Any]) -> Array:
-    value = {p["name"]: p["value"] * (np.pi / 180 if p["unit"] == "deg" else 1.0) for p in result["parameters"]}
-    return paper(DELTA.vector(value))
+def _told(text: str) -> Array:
+    """Return the source errors (42,) of a RESULT.json."""
+    found = json.loads(text)["parameters"]
+    return DELTA.vector({p["name"]: p["value"] * (np.pi / 180 if p["unit"] == "deg" else 1.0) for p in found})
 
 
 # name: how it is made, and its size in full, in a quick run and in the test
