@@ -247,7 +247,7 @@ class Chain(Mechanism):
             best = int(np.argmin(np.where(ok, far + 100.0 * beyond, np.inf)))
             if ok[best]:
                 found[n] = last = near[best]
-        solved: np.ndarray = np.isfinite(found).all(axis=1)
+        solved = np.asarray(np.isfinite(found).all(axis=1))
         x, _ = self.forward(np.nan_to_num(found), tool, rows)
         return found, np.where(solved[:, None], x, np.nan), np.where(solved, SOLVED, UNREACHABLE)
 
