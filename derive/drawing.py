@@ -46,16 +46,16 @@ def drawing(exact: LimbMechanism, written: Written, at: Mapping[str, Any]) -> di
     platform = {q.symbol for q in exact.platform}
     moved = _dependent(written, platform)
     turned = _dependent(written, {exact.joint.symbol})
-    known = {s.name: s for s in (e.quantity.symbol for e in exact.geometry)}
+    known = {e.quantity.symbol.name: e.quantity.symbol for e in exact.geometry if e.quantity.unit == "mm"}
 
     def side(name: str) -> str:
         return "platform" if name in moved else "link" if name in turned else "base"
 
-    found: dict[str, Any] = {"points": [], "lines": [], "paths": [], "P": _position(pose)}
+    joint = exact.joint.symbol.name
+    found: dict[str, Any] = {"points": [], "lines": [], "paths": [], "P": _position(pose), "joint": joint}
     for limb, values_of_limb in enumerate(at["rows"]):
         row = dict(zip((q.symbol.name for q in exact.limb_parameters), values_of_limb, strict=True))
         inputs = {**pose, **dict(zip(("tx", "ty", "tz"), at["tool"], strict=True)), **row}
-        joint = exact.joint.symbol.name
 
         def place(name: str, changed: Mapping[str, float], inputs: Mapping[str, float] = inputs) -> Vector:
             return _of(values({**inputs, **changed}), name, pose)

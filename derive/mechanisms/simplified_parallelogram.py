@@ -2,7 +2,9 @@ r"""The planar parallelogram as its controller sees it: one virtual rod, no turn
 
 Frame and dimensions are those of ``planar_parallelogram``; the closure is eq. (34), with the tool below O_p::
 
-    P = (b1x - a1x, 0) + l1 (sin, -cos)(q + q0) + (0, -h) + tool        alpha = 0
+    base        A = (b1x - a1x, 0)                                      A_1, by B_1's offset
+    platform    B = A + l1 (sin, -cos)(q + q0)                          at O_p
+    closure     P = B + (0, -h) + tool                                  alpha = 0
 """
 
 from __future__ import annotations
@@ -14,6 +16,15 @@ import sympy as sp
 from derive.mechanisms import planar_parallelogram as complete
 from derive.mechanisms.planar_parallelogram import a1x, b1x, cz, dl1, h, l1, px, py, q, q0, tx, ty
 from derive.spec import Quantity
+from derive.steps import Derivation
+from derive.vectors import vector
+
+steps = Derivation()
+step = steps.step
+A = step("A", vector(b1x - a1x, 0, 0))
+rod = step("r", (l1 + dl1) * vector(sp.sin(q + q0), -sp.cos(q + q0), 0))
+B = step("B", A + rod)
+C = step("C", vector(px, py, 0) + vector(-tx, h - ty, 0))
 
 x = b1x - a1x + (l1 + dl1) * sp.sin(q + q0) + tx
 y = -(l1 + dl1) * sp.cos(q + q0) - h + ty
@@ -27,8 +38,8 @@ MECHANISM = replace(
         Quantity(q0, "rad", "encoder offset of the joint", typical=complete._angle),
         Quantity(dl1, "mm", "length of the virtual rod", typical=complete._length, label="l1"),
     ),
-    steps=(),
-    loop_closure=(px - x, py - y, cz),
+    steps=steps,
+    loop_closure=(C[0] - B[0], C[1] - B[1], cz),
     seeds={px: x, py: y, cz: sp.Integer(0), q: sp.asin((px + a1x - b1x - tx) / (l1 + dl1)) - q0},  # eq. (35)
     roles={"L": l1},
     moves={"offset": {"q0": sp.Integer(1)}, "arm": {"l1": sp.Integer(1)}},

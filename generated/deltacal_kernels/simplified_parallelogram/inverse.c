@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/inverse.c.jinja; sha256 of both 4ec218d1ef215abb; SymPy 1.14.0.
+ * Template templates/mechanism/inverse.c.jinja; sha256 of both e31571a8c06e588e; SymPy 1.14.0.
  *
  * The exact compensator: inverse position of the calibrated machine, by Newton on joints and platform rotation.
  * An export puts the machine's numbers before this text: DELTACAL_K[1][6], DELTACAL_TOOL[3],
@@ -30,24 +30,27 @@ static void newton(const double *x, double q, const double *tool, const double *
     const double tx = tool[0];
     const double ty = tool[1];
     const double q0 = k[0];
-    const double s0 = k[1];
-    const double s4 = k[2];
+    const double s1 = k[1];
+    const double A_x = k[2];
     const double h = k[3];
-    const double s1 = q + q0;
-    const double s3 = -s0*sin(s1);
-    const double s5 = px + s3 + s4 - tx;
-    const double s7 = -s0*cos(s1);
-    const double s8 = h + py - s7 - ty;
-    out[0] = s5;
+    const double s2 = q + q0;
+    const double r_x = s1*sin(s2);
+    const double r_y = -s1*cos(s2);
+    const double B_x = A_x + r_x;
+    const double C_x = px - tx;
+    const double C_y = h + py - ty;
+    const double s10 = -B_x + C_x;
+    const double s11 = C_y - r_y;
+    out[0] = s10;
     out[1] = 1;
     out[2] = 0;
     out[3] = 0;
-    out[4] = s7;
-    out[5] = s8;
+    out[4] = r_y;
+    out[5] = s11;
     out[6] = 0;
     out[7] = 1;
     out[8] = 0;
-    out[9] = s3;
+    out[9] = -r_x;
     out[10] = cz;
     out[11] = 0;
     out[12] = 0;
@@ -62,17 +65,17 @@ static void joint(const double *x, double q, const double *tool, const double *k
     const double tx = tool[0];
     const double ty = tool[1];
     const double q0 = k[0];
-    const double s0 = k[1];
-    const double s4 = k[2];
+    const double s1 = k[1];
+    const double A_x = k[2];
     const double h = k[3];
-    const double s9 = k[4];
-    const double s14 = k[5];
-    const double s10 = px + s4 - tx;
-    const double s13 = -q0 + asin(s10*s9);
-    const double s20 = -h - s0*sqrt(-(s10 * s10)*s14 + 1) + ty;
+    const double s12 = k[4];
+    const double s17 = k[5];
+    const double s13 = -A_x + px - tx;
+    const double s16 = -q0 + asin(s12*s13);
+    const double s23 = -h - s1*sqrt(-(s13 * s13)*s17 + 1) + ty;
     (void)(q);
-    out[0] = s13;
-    out[1] = s20;
+    out[0] = s16;
+    out[1] = s23;
     out[2] = 0;
 }
 

@@ -1,7 +1,7 @@
 """Kinematics of `simplified_parallelogram`, many poses at once: Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both b2550ed0f4c40ff7; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 6797e2ff0cba464b; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -29,7 +29,7 @@ OPEN = -1  # a pose that is left to the plain kernels
 MAX_STEPS = 8
 STEP_DONE = 1e-6  # mm; Newton is quadratic: after such a step a length of 1000 mm is exact to 1e-15 mm
 TURN_DONE = 3e-8  # rad
-WORK = 1824  # numbers that a block computes with
+WORK = 1856  # numbers that a block computes with
 SPARE = 48  # and that the last of its poses are written to
 CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
 APART = 1e-3  # squared sine between the centres' directions
@@ -42,30 +42,30 @@ def _early(w, k, n):
     """What moves with a joint only; then platform of the simplified machine at a given joint (11 operations)."""
     wide()
     q0 = k[0]
-    s0 = k[1]
-    s4 = k[2]
+    s1 = k[1]
+    A_x = k[2]
     h = k[3]
     for lane in range(n):
         q = w[0 + lane]
         tx = w[32 + lane]
         ty = w[64 + lane]
-        s1 = q + q0
-        s3 = -s0*sine(s1)
-        s7 = -s0*cosine(s1)
-        s21 = -s3 - s4 + tx
-        s22 = -h + s7 + ty
-        w[704 + lane] = s3
-        w[736 + lane] = s7
-        w[768 + lane] = s21
-        w[800 + lane] = s22
+        s2 = q + q0
+        r_x = s1*sine(s2)
+        r_y = -s1*cosine(s2)
+        B_x = A_x + r_x
+        s24 = A_x + r_x + tx
+        s25 = -h + r_y + ty
+        w[704 + lane] = B_x
+        w[736 + lane] = r_y
+        w[768 + lane] = s24
+        w[800 + lane] = s25
         w[832 + lane] = 0
 
 
 @fast
 def _rows(w, k, n):
-    """Equations of a limb, their derivatives by shift and turn of the platform (9 operations)."""
+    """Equations of a limb, their derivatives by shift and turn of the platform (8 operations)."""
     wide()
-    s4 = k[2]
     h = k[3]
     for lane in range(n):
         tx = w[32 + lane]
@@ -73,23 +73,25 @@ def _rows(w, k, n):
         px = w[128 + lane]
         py = w[160 + lane]
         cz = w[192 + lane]
-        s3 = w[704 + lane]
-        s7 = w[736 + lane]
-        s5 = px + s3 + s4 - tx
-        s8 = h + py - s7 - ty
-        s25 = 0.25*(cz * cz) + 1
-        w[224 + lane] = s5
+        B_x = w[704 + lane]
+        r_y = w[736 + lane]
+        C_x = px - tx
+        C_y = h + py - ty
+        s10 = -B_x + C_x
+        s11 = C_y - r_y
+        s28 = 0.25*(cz * cz) + 1
+        w[224 + lane] = s10
         w[256 + lane] = 1
         w[288 + lane] = 0
         w[320 + lane] = 0
-        w[384 + lane] = s8
+        w[384 + lane] = s11
         w[416 + lane] = 0
         w[448 + lane] = 1
         w[480 + lane] = 0
         w[544 + lane] = cz
         w[576 + lane] = 0
         w[608 + lane] = 0
-        w[640 + lane] = s25
+        w[640 + lane] = s28
 
 
 @fast
@@ -135,10 +137,10 @@ def _step(w, n):
         s61 = (J01_0 * J01_0) + (J01_1 * J01_1) + (J01_2 * J01_2)
         s65 = (J02_0 * J02_0) + (J02_1 * J02_1) + (J02_2 * J02_2)
         s67 = (G_det_00 * G_det_00) - 1.0e-12*s61*s65*((J00_0 * J00_0) + (J00_1 * J00_1) + (J00_2 * J00_2))
-        w[1216 + lane] = u_00
-        w[1248 + lane] = u_10
-        w[1280 + lane] = u_20
-        w[1312 + lane] = s67
+        w[1248 + lane] = u_00
+        w[1280 + lane] = u_10
+        w[1312 + lane] = u_20
+        w[1344 + lane] = s67
 
 
 @fast
@@ -146,46 +148,49 @@ def _start(w, k, n):
     """Joint of the simplified limb at a given position (13 operations)."""
     wide()
     q0 = k[0]
-    s0 = k[1]
-    s4 = k[2]
+    s1 = k[1]
+    A_x = k[2]
     h = k[3]
-    s9 = k[4]
-    s14 = k[5]
+    s12 = k[4]
+    s17 = k[5]
     for lane in range(n):
         tx = w[32 + lane]
         ty = w[64 + lane]
         px = w[128 + lane]
-        s10 = px + s4 - tx
-        s13 = -q0 + arcsine(s10*s9)
-        s20 = -h - s0*math.sqrt(-(s10 * s10)*s14 + 1) + ty
-        w[864 + lane] = s13
-        w[896 + lane] = s20
+        s13 = -A_x + px - tx
+        s16 = -q0 + arcsine(s12*s13)
+        s23 = -h - s1*math.sqrt(-(s13 * s13)*s17 + 1) + ty
+        w[864 + lane] = s16
+        w[896 + lane] = s23
         w[928 + lane] = 0
 
 
 @fast
 def _more(w, k, n):
-    """What else derivatives by joint and errors read of it (3 operations)."""
+    """What else derivatives by joint and errors read of it (4 operations)."""
     wide()
     q0 = k[0]
+    s1 = k[1]
     for lane in range(n):
         q = w[0 + lane]
-        s1 = q + q0
-        s2 = sine(s1)
-        s6 = cosine(s1)
-        w[960 + lane] = s2
-        w[992 + lane] = s6
+        s2 = q + q0
+        s3 = sine(s2)
+        r_x = s1*s3
+        s5 = cosine(s2)
+        w[960 + lane] = r_x
+        w[992 + lane] = s3
+        w[1024 + lane] = s5
 
 
 @fast
 def _joints(w, k, n):
-    """Derivatives of a limb's equations by its joint (0 operations)."""
+    """Derivatives of a limb's equations by its joint (1 operations)."""
     wide()
     for lane in range(n):
-        s3 = w[704 + lane]
-        s7 = w[736 + lane]
-        w[352 + lane] = s7
-        w[512 + lane] = s3
+        r_y = w[736 + lane]
+        r_x = w[960 + lane]
+        w[352 + lane] = r_y
+        w[512 + lane] = -r_x
         w[672 + lane] = 0
 
 
@@ -223,27 +228,27 @@ def _command(w, n):
         s55 = (J01_1 * J01_1) + (J01_2 * J01_2) + (Q01 * Q01)
         s59 = (J02_1 * J02_1) + (J02_2 * J02_2) + (Q02 * Q02)
         s61 = (A_det_00 * A_det_00) - 1.0e-12*s55*s59*((J00_1 * J00_1) + (J00_2 * J00_2) + (Q00 * Q00))
-        w[1696 + lane] = s36
-        w[1728 + lane] = s41
-        w[1760 + lane] = s46
-        w[1792 + lane] = s61
+        w[1728 + lane] = s36
+        w[1760 + lane] = s41
+        w[1792 + lane] = s46
+        w[1824 + lane] = s61
 
 
 @fast
 def _errors(w, k, n):
-    """Derivatives of a limb's equations by errors, by deflections (1 operations)."""
+    """Derivatives of a limb's equations by errors, by deflections (2 operations)."""
     wide()
     for lane in range(n):
-        s3 = w[704 + lane]
-        s7 = w[736 + lane]
-        s2 = w[960 + lane]
-        s6 = w[992 + lane]
-        w[1024 + lane] = s7
-        w[1056 + lane] = -s2
-        w[1088 + lane] = s3
-        w[1120 + lane] = s6
-        w[1152 + lane] = 0
+        r_y = w[736 + lane]
+        r_x = w[960 + lane]
+        s3 = w[992 + lane]
+        s5 = w[1024 + lane]
+        w[1056 + lane] = r_y
+        w[1088 + lane] = -s3
+        w[1120 + lane] = -r_x
+        w[1152 + lane] = s5
         w[1184 + lane] = 0
+        w[1216 + lane] = 0
 
 
 @fast
@@ -283,16 +288,16 @@ def _inverse_of_rows(w, n):
         s61 = (J01_0 * J01_0) + (J01_1 * J01_1) + (J01_2 * J01_2)
         s65 = (J02_0 * J02_0) + (J02_1 * J02_1) + (J02_2 * J02_2)
         s67 = (G_det_00 * G_det_00) - 1.0e-12*s61*s65*((J00_0 * J00_0) + (J00_1 * J00_1) + (J00_2 * J00_2))
-        w[1376 + lane] = -G_inv_00
-        w[1408 + lane] = -G_inv_01
-        w[1440 + lane] = -G_inv_02
-        w[1472 + lane] = -G_inv_10
-        w[1504 + lane] = -G_inv_11
-        w[1536 + lane] = -G_inv_12
-        w[1568 + lane] = -G_inv_20
-        w[1600 + lane] = -G_inv_21
-        w[1632 + lane] = -G_inv_22
-        w[1664 + lane] = s67
+        w[1408 + lane] = -G_inv_00
+        w[1440 + lane] = -G_inv_01
+        w[1472 + lane] = -G_inv_02
+        w[1504 + lane] = -G_inv_10
+        w[1536 + lane] = -G_inv_11
+        w[1568 + lane] = -G_inv_12
+        w[1600 + lane] = -G_inv_20
+        w[1632 + lane] = -G_inv_21
+        w[1664 + lane] = -G_inv_22
+        w[1696 + lane] = s67
 
 
 @fast
@@ -303,10 +308,10 @@ def _move(w, n):
         px = w[128 + lane]
         py = w[160 + lane]
         cz = w[192 + lane]
-        y0 = w[1216 + lane]
-        y1 = w[1248 + lane]
-        y2 = w[1280 + lane]
-        going = w[1344 + lane]
+        y0 = w[1248 + lane]
+        y1 = w[1280 + lane]
+        y2 = w[1312 + lane]
+        going = w[1376 + lane]
         new_00 = -going*y0 + px
         new_10 = -going*y1 + py
         new_20 = cz - going*y2*(0.25*(cz * cz) + 1)
@@ -324,7 +329,7 @@ def _meet(w, n):
         p_1 = w[800 + lane]
         p_2 = w[832 + lane]
         good = (abs(p_0) < math.inf) & (abs(p_1) < math.inf) & (abs(p_2) < math.inf)
-        w[1344 + lane] = 0.0 if good else 1.0
+        w[1376 + lane] = 0.0 if good else 1.0
         w[128 + lane] = p_0
         w[160 + lane] = p_1
         w[192 + lane] = p_2
@@ -336,12 +341,12 @@ def _settle(w, n):
     wide()
     left = 0
     for lane in range(n):
-        done = (w[1312 + lane] > 0.0)
-        done = done & (abs(w[1216 + lane]) < STEP_DONE)
+        done = (w[1344 + lane] > 0.0)
         done = done & (abs(w[1248 + lane]) < STEP_DONE)
-        done = done & (abs(w[1280 + lane]) < TURN_DONE)
-        going = 0.0 if done | (w[1344 + lane] == 0.0) else 1.0
-        w[1344 + lane] = going
+        done = done & (abs(w[1280 + lane]) < STEP_DONE)
+        done = done & (abs(w[1312 + lane]) < TURN_DONE)
+        going = 0.0 if done | (w[1376 + lane] == 0.0) else 1.0
+        w[1376 + lane] = going
         left += 1 if going == 1.0 else 0
     return left
 
@@ -352,12 +357,12 @@ def _settle_joints(w, n):
     wide()
     left = 0
     for lane in range(n):
-        done = (w[1792 + lane] > 0.0)
-        done = done & (abs(w[1696 + lane]) < TURN_DONE)
-        done = done & (abs(w[1728 + lane]) < STEP_DONE)
-        done = done & (abs(w[1760 + lane]) < TURN_DONE)
-        going = 0.0 if done | (w[1344 + lane] == 0.0) else 1.0
-        w[1344 + lane] = going
+        done = (w[1824 + lane] > 0.0)
+        done = done & (abs(w[1728 + lane]) < TURN_DONE)
+        done = done & (abs(w[1760 + lane]) < STEP_DONE)
+        done = done & (abs(w[1792 + lane]) < TURN_DONE)
+        going = 0.0 if done | (w[1376 + lane] == 0.0) else 1.0
+        w[1376 + lane] = going
         left += 1 if going == 1.0 else 0
     return left
 
@@ -366,17 +371,17 @@ def _settle_joints(w, n):
 def _begin(w, n):
     """Let all poses go."""
     for lane in range(n):
-        w[1344 + lane] = 1.0
-        w[1216 + lane] = 0.0
+        w[1376 + lane] = 1.0
         w[1248 + lane] = 0.0
         w[1280 + lane] = 0.0
+        w[1312 + lane] = 0.0
 
 
 @fast
 def _started(w, n):
     """Take joints, and coordinates that no command asks for, from the simplified machine."""
     for lane in range(n):
-        w[1344 + lane] = 0.0 if (abs(w[864 + lane]) < math.inf) else 1.0
+        w[1376 + lane] = 0.0 if (abs(w[864 + lane]) < math.inf) else 1.0
         w[0 + lane] = w[864 + lane]
         w[160 + lane] = w[896 + lane]
         w[192 + lane] = w[928 + lane]
@@ -386,10 +391,10 @@ def _started(w, n):
 def _turn_joints(w, n):
     """Move the joints by a step; what it does to the platform is left to `_move`."""
     for lane in range(n):
-        going = w[1344 + lane]
-        w[0 + lane] -= going * w[1696 + lane]
-        w[1248 + lane] = w[1728 + lane]
+        going = w[1376 + lane]
+        w[0 + lane] -= going * w[1728 + lane]
         w[1280 + lane] = w[1760 + lane]
+        w[1312 + lane] = w[1792 + lane]
 
 @fast
 def _load(q, w, first, last, n):
@@ -434,7 +439,7 @@ def _unload(w, x, status, first, last):
         x[first + lane, 0] = w[128 + lane]
         x[first + lane, 1] = w[160 + lane]
         x[first + lane, 2] = w[192 + lane]
-        is_open = w[1344 + lane] != 0.0
+        is_open = w[1376 + lane] != 0.0
         status[first + lane] = OPEN if is_open else SOLVED
         left += 1 if is_open else 0
     return left
@@ -449,7 +454,7 @@ def _unload_joints(w, q, first, last):
 
 @fast
 def _forward(q, tool, k, x, status, warm, w):
-    w_1 = w[0:1216]
+    w_1 = w[0:1248]
     if len(tool) == 1:
         _hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
@@ -499,7 +504,7 @@ def forward(q, tool, k, x, status, warm):
 
 @fast
 def _inverse(target, tool, k, x, q, status, w):
-    w_1 = w[0:1216]
+    w_1 = w[0:1248]
     if len(tool) == 1:
         _hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
@@ -556,17 +561,19 @@ def _simplified_forward(q, tool, k, x, status):
         tx = held[0]
         ty = held[1]
         q0_0 = own[0, 0]
-        s0_0 = own[0, 1]
-        s4_0 = own[0, 2]
+        s1_0 = own[0, 1]
+        A_x_0 = own[0, 2]
         h_0 = own[0, 3]
         q_n, x_n, of = q_m[1 * each * m :], x_m[3 * each * m :], status[each * m :]
         for n in range(each):
             q_0 = q_n[1 * n + 0]
-            s1_0 = q_0 + q0_0
-            s21_0 = s0_0*sine(s1_0) - s4_0 + tx
-            s22_0 = -h_0 - s0_0*cosine(s1_0) + ty
-            p_0 = s21_0
-            p_1 = s22_0
+            s2_0 = q_0 + q0_0
+            r_x_0 = s1_0*sine(s2_0)
+            r_y_0 = -s1_0*cosine(s2_0)
+            s24_0 = A_x_0 + r_x_0 + tx
+            s25_0 = -h_0 + r_y_0 + ty
+            p_0 = s24_0
+            p_1 = s25_0
             p_2 = 0
             good = (abs(p_0) < math.inf) & (abs(p_1) < math.inf) & (abs(p_2) < math.inf)
             x_n[3 * n + 0] = p_0
@@ -600,7 +607,7 @@ def _aim(w, n):
 @fast
 def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
     by_errors, by_joints = S_p.reshape(S_p.size), S_q.reshape(S_q.size)
-    w_1 = w[0:1216]
+    w_1 = w[0:1248]
     if len(tool) == 1:
         _hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
@@ -634,20 +641,20 @@ def _products(w, S_p, S_q, status, first, last):
         whole = 6 * (first + lane + 8) <= S_p.size  # else the last poses are written through scratch
         to, at = (S_p, 6 * (first + lane)) if whole else (w[WORK:], 0)
         for i in range(1):
-            outer(to, at + 2 * i + 0, 6, 2, 3, w, (1376 + 0 * i + lane, 1408 + 0 * i + lane, 1440 + 0 * i + lane, ), 96, (1024 + 1216 * i + lane, 1088 + 1216 * i + lane, 1152 + 1216 * i + lane, ), 32, 2)
+            outer(to, at + 2 * i + 0, 6, 2, 3, w, (1408 + 0 * i + lane, 1440 + 0 * i + lane, 1472 + 0 * i + lane, ), 96, (1056 + 1248 * i + lane, 1120 + 1248 * i + lane, 1184 + 1248 * i + lane, ), 32, 2)
         if not whole:
             for c in range(6 * (last + 1 - first - lane)):
                 S_p[6 * (first + lane) + c] = to[c]
         whole = 3 * (first + lane + 8) <= S_q.size  # else the last poses are written through scratch
         to, at = (S_q, 3 * (first + lane)) if whole else (w[WORK:], 0)
         for i in range(1):
-            outer(to, at + 1 * i + 0, 3, 1, 3, w, (1376 + 0 * i + lane, 1408 + 0 * i + lane, 1440 + 0 * i + lane, ), 96, (352 + 1216 * i + lane, 512 + 1216 * i + lane, 672 + 1216 * i + lane, ), 32, 1)
+            outer(to, at + 1 * i + 0, 3, 1, 3, w, (1408 + 0 * i + lane, 1440 + 0 * i + lane, 1472 + 0 * i + lane, ), 96, (352 + 1248 * i + lane, 512 + 1248 * i + lane, 672 + 1248 * i + lane, ), 32, 1)
         if not whole:
             for c in range(3 * (last + 1 - first - lane)):
                 S_q[3 * (first + lane) + c] = to[c]
     left = 0
     for lane in range(last - first + 1):
-        regular = (w[1664 + lane] > 0.0)
+        regular = (w[1696 + lane] > 0.0)
         status[first + lane] = SOLVED if regular else OPEN
         left += 0 if regular else 1
     return left

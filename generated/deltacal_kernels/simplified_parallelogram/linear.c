@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/linear.c.jinja; sha256 of both 4fa7e7930141da78; SymPy 1.14.0.
+ * Template templates/mechanism/linear.c.jinja; sha256 of both ca66d2c9b975563b; SymPy 1.14.0.
  *
  * The linear compensator: nominal joints, and the change that holds the reference point to first order in the errors.
  * An export puts the machine's numbers before this text: DELTACAL_K[1][5], DELTACAL_TOOL[3],
@@ -22,35 +22,35 @@ static void nominal_joint(const double *x, double q, const double *tool, const d
 {
     const double px = x[0];
     const double tx = tool[0];
-    const double s4 = k[0];
-    const double s3 = k[1];
-    const double s7 = asin(s3*(px + s4 - tx));
+    const double A_x = k[0];
+    const double s19 = k[1];
+    const double s22 = asin(s19*(-A_x + px - tx));
     (void)(q);
-    out[0] = s7;
+    out[0] = s22;
 }
 
-/* Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (12 operations). */
+/* Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (14 operations). */
 static void linear(const double *x, double q, const double *tool, const double *k, double *out)
 {
     const double l1 = k[2];
     const double dl1 = k[3];
-    const double s10 = k[4];
+    const double s8 = k[4];
     const double s0 = cos(q);
-    const double s1 = -l1*s0;
-    const double s8 = sin(q);
-    const double s12 = -dl1*s8 + s0*s10;
-    const double s15 = dl1*s0 + s10*s8;
-    const double s16 = -l1*s8;
+    const double s4 = sin(q);
+    const double r_x_q = l1*s0;
+    const double r_x_errors = dl1*s4 + s0*s8;
+    const double r_y_q = l1*s4;
+    const double r_y_errors = -dl1*s0 + s4*s8;
     (void)(x);
     (void)(tool);
-    out[0] = s12;
+    out[0] = -r_x_errors;
     out[2] = 0;
     out[3] = 0;
-    out[4] = s1;
-    out[5] = s15;
+    out[4] = -r_x_q;
+    out[5] = -r_y_errors;
     out[7] = 1;
     out[8] = 0;
-    out[9] = s16;
+    out[9] = -r_y_q;
     out[10] = 0;
     out[12] = 0;
     out[13] = 1;

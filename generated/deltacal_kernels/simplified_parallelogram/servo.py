@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `simplified_parallelogram`, Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both b977ed5abd582312; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 4061e14c07f36ba6; SymPy 1.14.0.
 
 Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
 than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`
@@ -36,21 +36,21 @@ def _exact_constants(p):
     h = p[8]
     q0 = p[9]
     dl1 = p[10]
-    s0 = dl1 + l1
-    s1 = (1.0 / s0)
-    s2 = a1x - b1x
-    s7 = (1.0 / (s0 * s0))
-    k[0] = s2
-    k[1] = s1
+    A_x = -a1x + b1x
+    s1 = dl1 + l1
+    s10 = (1.0 / s1)
+    s15 = (1.0 / (s1 * s1))
+    k[0] = A_x
+    k[1] = s10
     k[2] = q0
-    k[3] = s7
-    k[4] = s0
+    k[3] = s15
+    k[4] = s1
     k[5] = h
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
 def _linear_constants(p):
-    """Return k (M, 1, 5), what no target changes, from p (4 operations).
+    """Return k (M, 1, 5), what no target changes, from p (3 operations).
 
     p is that of the calibrated machine: its geometry is taken as nominal, its errors as what to compensate.
     """
@@ -61,19 +61,19 @@ def _linear_constants(p):
     l1 = p[6]
     q0 = p[9]
     dl1 = p[10]
-    s2 = (1.0 / l1)
-    s3 = a1x - b1x
-    s10 = -l1*q0
-    k[0] = s3
-    k[1] = s2
+    A_x = -a1x + b1x
+    by_s6 = l1*q0
+    s17 = (1.0 / l1)
+    k[0] = A_x
+    k[1] = s17
     k[2] = l1
-    k[3] = dl1
-    k[4] = s10
+    k[3] = by_s6
+    k[4] = dl1
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
 def linear_constants(p):
-    """Return k (M, 1, 5), what `linear` reads that no pose changes, from p (4 operations).
+    """Return k (M, 1, 5), what `linear` reads that no pose changes, from p (3 operations).
 
     p is that of the calibrated machine: its geometry is taken as nominal, its errors as what to compensate.
     """
@@ -84,14 +84,14 @@ def linear_constants(p):
     l1 = p[6]
     q0 = p[9]
     dl1 = p[10]
-    s3 = (1.0 / l1)
-    s4 = a1x - b1x
-    s10 = -l1*q0
-    k[0] = s4
-    k[1] = s3
+    A_x = -a1x + b1x
+    s8 = l1*q0
+    s19 = (1.0 / l1)
+    k[0] = A_x
+    k[1] = s19
     k[2] = l1
     k[3] = dl1
-    k[4] = s10
+    k[4] = s8
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
@@ -120,17 +120,17 @@ def _exact_joint(w, lanes):
     tx = w[16]
     ty = w[17]
     for lane in range(lanes):
-        s2 = w[52 + lane]
-        s1 = w[53 + lane]
+        A_x = w[52 + lane]
+        s10 = w[53 + lane]
         q0 = w[54 + lane]
-        s7 = w[55 + lane]
-        s0 = w[56 + lane]
+        s15 = w[55 + lane]
+        s1 = w[56 + lane]
         h = w[57 + lane]
-        s3 = px + s2 - tx
-        s6 = -q0 + arcsine(s1*s3)
-        s13 = -h - s0*math.sqrt(-(s3 * s3)*s7 + 1) + ty
-        w[28 + lane] = s6
-        w[29 + lane] = s13
+        s11 = -A_x + px - tx
+        s14 = -q0 + arcsine(s10*s11)
+        s21 = -h - s1*math.sqrt(-(s11 * s11)*s15 + 1) + ty
+        w[28 + lane] = s14
+        w[29 + lane] = s21
 
 
 @fast
@@ -142,24 +142,27 @@ def _exact_rows(w, lanes):
     tx = w[16]
     ty = w[17]
     for lane in range(lanes):
-        s2 = w[52 + lane]
+        A_x = w[52 + lane]
         q0 = w[54 + lane]
-        s0 = w[56 + lane]
+        s1 = w[56 + lane]
         h = w[57 + lane]
         q = w[28 + lane]
-        s14 = q + q0
-        s16 = -s0*sine(s14)
-        s17 = px + s16 + s2 - tx
-        s19 = -s0*cosine(s14)
-        s20 = h + py - s19 - ty
-        s23 = 0.25*(cz * cz) + 1
-        w[36 + lane] = s17
-        w[39 + lane] = s19
-        w[40 + lane] = s20
+        s2 = q + q0
+        r_x = s1*sine(s2)
+        r_y = -s1*cosine(s2)
+        B_x = A_x + r_x
+        C_x = px - tx
+        C_y = h + py - ty
+        s22 = -B_x + C_x
+        s23 = C_y - r_y
+        s26 = 0.25*(cz * cz) + 1
+        w[36 + lane] = s22
+        w[39 + lane] = r_y
+        w[40 + lane] = s23
         w[41 + lane] = 1
-        w[43 + lane] = s16
+        w[43 + lane] = -r_x
         w[44 + lane] = cz
-        w[46 + lane] = s23
+        w[46 + lane] = s26
 
 
 @fast
@@ -253,10 +256,10 @@ def _linear_joint(w, lanes):
     px = w[0]
     tx = w[16]
     for lane in range(lanes):
-        s3 = w[52 + lane]
-        s2 = w[53 + lane]
-        s6 = arcsine(s2*(px + s3 - tx))
-        w[28 + lane] = s6
+        A_x = w[52 + lane]
+        s17 = w[53 + lane]
+        s20 = arcsine(s17*(-A_x + px - tx))
+        w[28 + lane] = s20
 
 
 @fast
@@ -264,30 +267,30 @@ def _linear_angle(w, lanes):
     """Cosine and sine of the joint (2 operations)."""
     for lane in range(lanes):
         q = w[28 + lane]
-        s7 = cosine(q)
-        s8 = sine(q)
-        w[32 + lane] = s7
-        w[33 + lane] = s8
+        s21 = cosine(q)
+        s22 = sine(q)
+        w[32 + lane] = s21
+        w[33 + lane] = s22
 
 
 @fast
 def _linear_rows(w, lanes):
-    """Equations of a nominal limb: change by all errors, derivatives by rotation and joint (10 operations)."""
+    """Equations of a nominal limb: change by all errors, derivatives by rotation and joint (12 operations)."""
     for lane in range(lanes):
         l1 = w[54 + lane]
-        dl1 = w[55 + lane]
-        s10 = w[56 + lane]
+        by_s6 = w[55 + lane]
+        dl1 = w[56 + lane]
         cos_q = w[32 + lane]
         sin_q = w[33 + lane]
-        s0 = -cos_q*l1
-        s12 = cos_q*s10 - dl1*sin_q
-        s15 = cos_q*dl1 + s10*sin_q
-        s16 = -l1*sin_q
-        w[36 + lane] = s12
-        w[39 + lane] = s0
-        w[40 + lane] = s15
+        r_x_q = cos_q*l1
+        r_x_errors = by_s6*cos_q + dl1*sin_q
+        r_y_q = l1*sin_q
+        r_y_errors = by_s6*sin_q - cos_q*dl1
+        w[36 + lane] = -r_x_errors
+        w[39 + lane] = -r_x_q
+        w[40 + lane] = -r_y_errors
         w[41 + lane] = 1
-        w[43 + lane] = s16
+        w[43 + lane] = -r_y_q
         w[46 + lane] = 1
 
 

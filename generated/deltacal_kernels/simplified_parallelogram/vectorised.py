@@ -1,7 +1,7 @@
 """Kinematics of `simplified_parallelogram` in plain NumPy: Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both 7ddac28c66c0e6d3; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 9d754e2d72e532e6; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -31,16 +31,16 @@ def constants(p):
     h = p[8]
     q0 = p[9]
     dl1 = p[10]
-    s0 = dl1 + l1
-    s4 = a1x - b1x
-    s9 = (1.0 / s0)
-    s14 = (1.0 / (s0 * s0))
+    A_x = -a1x + b1x
+    s1 = dl1 + l1
+    s12 = (1.0 / s1)
+    s17 = (1.0 / (s1 * s1))
     k[0] = q0
-    k[1] = s0
-    k[2] = s4
+    k[1] = s1
+    k[2] = A_x
     k[3] = h
-    k[4] = s9
-    k[5] = s14
+    k[4] = s12
+    k[5] = s17
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
@@ -53,25 +53,28 @@ def _newton(x, q, tool, k):
     ty = tool[:, 1]
     q = q
     q0 = k[:, 0]
-    s0 = k[:, 1]
-    s4 = k[:, 2]
+    s1 = k[:, 1]
+    A_x = k[:, 2]
     h = k[:, 3]
-    s1 = q + q0
-    s3 = -s0*np.sin(s1)
-    s5 = px + s3 + s4 - tx
-    s7 = -s0*np.cos(s1)
-    s8 = h + py - s7 - ty
+    s2 = q + q0
+    r_x = s1*np.sin(s2)
+    r_y = -s1*np.cos(s2)
+    B_x = A_x + r_x
+    C_x = px - tx
+    C_y = h + py - ty
+    s10 = -B_x + C_x
+    s11 = C_y - r_y
     out = np.zeros((len(x), 15))
-    out[:, 0] = s5
+    out[:, 0] = s10
     out[:, 1] = 1
     out[:, 2] = 0
     out[:, 3] = 0
-    out[:, 4] = s7
-    out[:, 5] = s8
+    out[:, 4] = r_y
+    out[:, 5] = s11
     out[:, 6] = 0
     out[:, 7] = 1
     out[:, 8] = 0
-    out[:, 9] = s3
+    out[:, 9] = -r_x
     out[:, 10] = cz
     out[:, 11] = 0
     out[:, 12] = 0
@@ -84,17 +87,17 @@ def _parameters(x, q, tool, k):
     """Per rod of one limb: derivatives of the closure by errors, by deflections: (N, 6)."""
     q = q
     q0 = k[:, 0]
-    s0 = k[:, 1]
-    s1 = q + q0
-    s2 = np.sin(s1)
-    s3 = -s0*s2
-    s6 = np.cos(s1)
-    s7 = -s0*s6
+    s1 = k[:, 1]
+    s2 = q + q0
+    s3 = np.sin(s2)
+    r_x = s1*s3
+    s5 = np.cos(s2)
+    r_y = -s1*s5
     out = np.zeros((len(x), 6))
-    out[:, 0] = s7
-    out[:, 1] = -s2
-    out[:, 2] = s3
-    out[:, 3] = s6
+    out[:, 0] = r_y
+    out[:, 1] = -s3
+    out[:, 2] = -r_x
+    out[:, 3] = s5
     return out
 
 
@@ -104,15 +107,17 @@ def _position(x, q, tool, k):
     ty = tool[:, 1]
     q = q
     q0 = k[:, 0]
-    s0 = k[:, 1]
-    s4 = k[:, 2]
+    s1 = k[:, 1]
+    A_x = k[:, 2]
     h = k[:, 3]
-    s1 = q + q0
-    s21 = s0*np.sin(s1) - s4 + tx
-    s22 = -h - s0*np.cos(s1) + ty
+    s2 = q + q0
+    r_x = s1*np.sin(s2)
+    r_y = -s1*np.cos(s2)
+    s24 = A_x + r_x + tx
+    s25 = -h + r_y + ty
     out = np.zeros((len(x), 3))
-    out[:, 0] = s21
-    out[:, 1] = s22
+    out[:, 0] = s24
+    out[:, 1] = s25
     out[:, 2] = 0
     return out
 
@@ -123,17 +128,17 @@ def _joint(x, q, tool, k):
     tx = tool[:, 0]
     ty = tool[:, 1]
     q0 = k[:, 0]
-    s0 = k[:, 1]
-    s4 = k[:, 2]
+    s1 = k[:, 1]
+    A_x = k[:, 2]
     h = k[:, 3]
-    s9 = k[:, 4]
-    s14 = k[:, 5]
-    s10 = px + s4 - tx
-    s13 = -q0 + np.asin(s10*s9)
-    s20 = -h - s0*np.sqrt(-(s10 * s10)*s14 + 1) + ty
+    s12 = k[:, 4]
+    s17 = k[:, 5]
+    s13 = -A_x + px - tx
+    s16 = -q0 + np.asin(s12*s13)
+    s23 = -h - s1*np.sqrt(-(s13 * s13)*s17 + 1) + ty
     out = np.zeros((len(x), 3))
-    out[:, 0] = s13
-    out[:, 1] = s20
+    out[:, 0] = s16
+    out[:, 1] = s23
     out[:, 2] = 0
     return out
 
@@ -141,9 +146,9 @@ def _joint(x, q, tool, k):
 def _spin(x):
     """Turn about the axes of {O} by the Cayley vector: (N, 1)."""
     cz = x[:, 2]
-    s26 = (1.0 / (0.25*(cz * cz) + 1))
+    s29 = (1.0 / (0.25*(cz * cz) + 1))
     out = np.zeros((len(x), 1))
-    out[:, 0] = s26
+    out[:, 0] = s29
     return out
 
 
