@@ -10,6 +10,7 @@ import ast
 import importlib
 import inspect
 import json
+import re
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
@@ -597,14 +598,16 @@ def seeds(exact: LimbMechanism, written: Written) -> list[dict[str, Any]]:
     return found
 
 
-# what an instrument cannot tell from errors: a motion of its frame (t, w), a turn k + m P of the platform
+# what an instrument cannot tell from errors: a motion of its frame (t, w), a turn of the platform, k + m P or k + m.P
 SHIFT, TURN, PLATFORM = ("t_x", "t_y", "t_z"), ("w_x", "w_y", "w_z"), ("k_x", "k_y", "k_z")
+FREE = (*PLATFORM, "m", "m_x", "m_y")
+ONE_POINT = ("frame of the robot", "unknown frame, one point", "flat bed")
 MOTIONS = {
-    "frame of the robot": (*PLATFORM, "m"),
-    "unknown frame, one point": (*SHIFT, *TURN, *PLATFORM, "m"),
+    "frame of the robot": FREE,
+    "unknown frame, one point": (*SHIFT, *TURN, *FREE),
     "unknown frame, several points": (*SHIFT, *TURN),  # the platform turns with the frame
     "unknown frame and body": (*SHIFT, *TURN, *PLATFORM),
-    "flat bed": ("t_x", "t_y", "w_z", *PLATFORM, "m"),
+    "flat bed": ("t_x", "t_y", "w_z", *FREE),
 }
 
 
@@ -638,16 +641,64 @@ def unseen_of(exact: LimbMechanism, written: Written, numbers: unseen.Numbers) -
                 tied = {k: w for k, w in pairs if k is not None and w is not None}
                 moving = [s for s in moving if s.name in SHIFT or s in tied.values()]
             basis = whole.of(chosen, moving, tied)
-            out.setdefault(model, {})[kind] = [
-                {
-                    "names": list(vector),
-                    "entries": [
-                        ts.equation(symbol(n), ts.expression(tidy(e), written.symbols)) for n, e in vector.items()
-                    ],
-                }
-                for vector in basis
-            ]
+            out.setdefault(model, {})[kind] = _vectors(basis, symbol, written.symbols)
     return out
+
+
+def _vectors(
+    basis: Iterable[Mapping[str, sp.Expr]], symbol: Callable[[str], Math], symbols: Shown
+) -> list[dict[str, Any]]:
+    return [
+        {
+            "names": list(vector),
+            "entries": [ts.equation(symbol(n), ts.expression(tidy(e), symbols)) for n, e in vector.items()],
+        }
+        for vector in basis
+    ]
+
+
+def null_spaces_of_chain(
+    spec: ChainMechanism, request: Mapping[str, Any]
+) -> dict[str, dict[str, list[dict[str, sp.Expr]]]] | None:
+    """Return a basis of what no reading sees of the chain that a request describes, by model and `MOTIONS`."""
+    systems: dict[bool, tuple[list[sp.Symbol], list[sp.Symbol], unseen.NullSpace]] = {}
+    for point in (False, True):
+        equations = unseen.chain_equations(spec, request["links"], request["tool"], point=point)
+        if equations is None:
+            return None
+        systems[point] = (equations[0], equations[1], unseen.NullSpace(*equations))
+    out: dict[str, dict[str, list[dict[str, sp.Expr]]]] = {}
+    for model, names in request["models"].items():
+        for kind, free in MOTIONS.items():
+            errors, motions, whole = systems[kind in ONE_POINT]
+            between = [s for s in motions if s.name not in (*SHIFT, *TURN, *PLATFORM)]  # twists from link to link
+            moving = [*between, *(s for s in motions if s.name in free)]
+            basis = whole.of([s for s in errors if s.name in names], moving, {})
+            out.setdefault(model, {})[kind] = basis
+    return out
+
+
+def unseen_of_chain(spec: ChainMechanism, request: Mapping[str, Any]) -> dict[str, Any] | None:
+    """Return `null_spaces_of_chain` as formulas; None where there are none in closed form."""
+    try:
+        found = null_spaces_of_chain(spec, request)
+    except ValueError:  # roots of several kinds
+        return None
+    errors = {e.name: _difference(e.name) for e in spec.errors}
+    dimensions = {e.key: ts.expression(e.quantity.symbol) for e in spec.geometry}
+
+    def error(name: str) -> Math:
+        own, _, link = name.rpartition("_")
+        return _with_limb(errors[own], int(link)) if own in errors else _difference(name)
+
+    def dimension(s: sp.Expr) -> Math | None:
+        own, _, link = str(s).rpartition("_")
+        return _with_limb(dimensions[own], int(link)) if own in dimensions else ts.sub(ts.letter("t"), ts.letter(link))
+
+    return found and {
+        model: {kind: _vectors(basis, error, dimension) for kind, basis in kinds.items()}
+        for model, kinds in found.items()
+    }
 
 
 def _with_limb(base: Math, limb: int) -> Math:
@@ -758,8 +809,14 @@ def virtual_work(deflections: bool) -> list[dict[str, Any]]:
     return found
 
 
-def chain_mechanism(spec: ChainMechanism, module: ModuleType) -> dict[str, Any]:
-    """Return the account of an open chain: one link of each convention, its twists by each error and by its joint."""
+def chain_mechanism(spec: ChainMechanism, module: ModuleType, request: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the account of an open chain: one link of each convention, its twists by each error and by its joint.
+
+    Parameters
+    ----------
+    request : mapping
+        ``links``, ``tool`` and ``models`` of one chain, see `unseen.chain_equations`; without them no null space.
+    """
     symbols: dict[sp.Symbol, Math] = {e.symbol: _difference(e.name) for e in spec.errors}
     look: Shown = symbols.get
     lines = Lines(spec.source)
@@ -818,7 +875,56 @@ def chain_mechanism(spec: ChainMechanism, module: ModuleType) -> dict[str, Any]:
         "steps": steps,
         "moves": [],
         "links": links,
+        "statics": weights_of_links(),
+        "weights": [],
+        "unseen": unseen_of_chain(spec, request) if "links" in request else None,
     }
+
+
+def weights_of_links() -> list[dict[str, Any]]:
+    """Return what weights exert on the joints of a chain, by virtual work: from the last link to the first."""
+    F, M, P, R, g, p, r, c, s, w = (ts.letter(n, bold=True) for n in "FMPRgprcsw")
+    i, j, n, m, tau, q = *(ts.letter(x) for x in "ijnm"), ts.letter("tau"), ts.letter("q")
+    plus, minus, dot, cross_ = (ts.op(sign) for sign in "+−·×")
+    payload, one = ts.sub(m, ts.words("payload")), ts.number(1)
+    behind, last = ts.row(j, plus, one), ts.row(n, plus, one)
+    F_j, M_j, m_j, p_j, r_j, s_j, w_j = (ts.sub(e, j) for e in (F, M, m, p, r, s, w))
+    q_i, tau_i, sum_j = ts.sub(q, i), ts.sub(tau, i), ts.sub(ts.op("∑"), j)
+    lever = ts.brackets(ts.row(M_j, minus, p_j, cross_, F_j))
+    work = ts.brackets(ts.row(s_j, dot, F_j, plus, w_j, dot, lever))
+    formulas: tuple[tuple[Math, str, list[str]], ...] = (
+        (
+            ts.equation(tau_i, ts.row(sum_j, m_j, g, dot, _partial(r_j, q_i), plus, payload, g, dot, _partial(P, q_i))),
+            "Virtual work of each link's weight at its centre of mass and of the payload at the tool point.",
+            [],
+        ),
+        (
+            ts.equation(r_j, ts.row(p_j, plus, ts.sub(R, j), ts.sub(c, j))),
+            "The centre of mass of link j: origin and rotation of its frame in {O}, and where in it the robot file "
+            "says the mass lies.",
+            ["Chain.weights_at"],
+        ),
+        (
+            ts.separated(
+                (
+                    ts.equation(ts.sub(F, last), ts.row(payload, g)),
+                    ts.equation(ts.sub(M, last), ts.row(P, cross_, payload, g)),
+                    ts.equation(F_j, ts.row(ts.sub(F, behind), plus, m_j, g)),
+                    ts.equation(M_j, ts.row(ts.sub(M, behind), plus, r_j, cross_, m_j, g)),
+                ),
+                ",",
+            ),
+            "Force and moment about {O} of all that a link carries: the payload, then link by link towards the base.",
+            [],
+        ),
+        (
+            ts.equation(tau_i, ts.row(sum_j, _partial(ts.sub(q, j), q_i), work)),
+            "A joint moves all behind it as a rigid body, by the twist of its link given above: shift s of the link's "
+            "end p, and turn w. The sum holds the joint's own link, and links coupled to it by their ratio.",
+            ["Chain.loads"],
+        ),
+    )
+    return [{"formula": formula, "text": text, "place": None, "ends": ends} for formula, text, ends in formulas]
 
 
 def effect(spec: Effect, module: ModuleType) -> dict[str, Any]:
@@ -827,15 +933,21 @@ def effect(spec: Effect, module: ModuleType) -> dict[str, Any]:
     lines = Lines(spec.source)
     d = ts.op("∂")
 
+    # a coefficient called cos or xy is neither a function nor a product
+    odd = [c for c in spec.coefficients if c.name in ("cos", "sin") or set(c.name) <= {"x", "y"}]
+    shown: dict[sp.Expr, Math] = {c.symbol: ts.sub(ts.letter("c"), ts.words(c.name)) for c in odd}
+    look: Shown = shown.get
+
     def row(q: EffectQuantity) -> dict[str, Any]:
-        return {"symbol": ts.expression(q.symbol), "name": q.name, "unit": q.unit, "meaning": q.meaning}
+        return {"symbol": ts.expression(q.symbol, look), "name": q.name, "unit": q.unit, "meaning": q.meaning}
 
     targets = []
     for target, e in spec.targets.items():
         moved = ts.row(ts.letter("Δ"), ts.words(target))
         columns = [
             ts.equation(
-                ts.frac(ts.row(d, moved), ts.row(d, ts.expression(c.symbol))), ts.expression(sp.diff(e, c.symbol))
+                ts.frac(ts.row(d, moved), ts.row(d, ts.expression(c.symbol, look))),
+                ts.expression(sp.diff(e, c.symbol), look),
             )
             for c in spec.coefficients
         ]
@@ -843,7 +955,7 @@ def effect(spec: Effect, module: ModuleType) -> dict[str, Any]:
             {
                 "target": target,
                 "meaning": target_meaning(target),
-                "formula": ts.equation(moved, ts.expression(e)),
+                "formula": ts.equation(moved, ts.expression(e, look)),
                 "columns": columns,
                 "place": place(spec.source, lines.keyword("targets")),
             }
@@ -935,7 +1047,8 @@ def measurement(spec: Measurement, module: ModuleType) -> dict[str, Any]:
         readings += [ts.equation(ts.sub(y, ts.number(n + 1)), ts.expression(e)) for n, e in enumerate(spec.reading)]
     if spec.rotation:
         factors = [reader.read(sp.Matrix(M)).math(lambda s: None) for M in spec.rotation]
-        readings.append(ts.equation(ts.letter("Y", bold=True), ts.row(*factors)))
+        spaced = [e for f in factors for e in (ts.thin(), f)][1:]
+        readings.append(ts.equation(ts.letter("Y", bold=True), ts.row(*spaced)))
     return {
         "kind": "measurement",
         "name": spec.name,
@@ -943,9 +1056,27 @@ def measurement(spec: Measurement, module: ModuleType) -> dict[str, Any]:
         "source": spec.source,
         "steps": steps,
         "readings": readings,
-        "unknown": table(spec.unknown, lambda s: None),
+        "given": _by_meaning(spec.given),
+        "unknown": _by_meaning(spec.unknown),
         "place": place(spec.source, lines.keyword("reading")),
     }
+
+
+def _by_meaning(quantities: Iterable[Quantity]) -> list[dict[str, Any]]:
+    """Return quantities that mean the same, the entries of a vector or matrix, under one symbol."""
+    found: dict[str, list[Quantity]] = {}
+    for q in quantities:
+        found.setdefault(q.meaning.partition(", entry")[0], []).append(q)
+    return [
+        {
+            "symbol": ts.name(re.sub(r"[xyz]$|_11$", "", alike[0].name), bold=True)
+            if len(alike) > 1
+            else ts.name(alike[0].name),
+            "unit": "" if alike[0].unit == "1" else alike[0].unit,
+            "meaning": meaning,
+        }
+        for meaning, alike in found.items()
+    ]
 
 
 def _suffixed(spec: Measurement) -> list[tuple[Any, str]]:
@@ -981,7 +1112,7 @@ def answer(request: Mapping[str, Any]) -> dict[str, Any]:
         return effect(module.EFFECT, module)
     exact = importlib.import_module(f"derive.{kind}s.{name}")
     if isinstance(getattr(exact, kind.upper()), ChainMechanism):
-        return chain_mechanism(exact.MECHANISM, exact)
+        return chain_mechanism(exact.MECHANISM, exact, request)
     with opaque():
         module = importlib.import_module(f"derive.{kind}s.{name}")
         if kind == "measurement":

@@ -267,7 +267,7 @@ class _Expression(Printer):
             if before and factor.is_number:
                 whole = whole + op("·")
             elif before:
-                whole = whole + thin()
+                whole = whole + (op("·") if _is_word(whole) or _is_word(shown) else thin())
             whole, before = whole + shown, True
         return row(whole)
 
@@ -301,6 +301,11 @@ class _Expression(Printer):
 
     def _print_Abs(self, expr: sp.Abs) -> Math:
         return brackets(self.typeset(expr.args[0]), "||")
+
+
+def _is_word(shown: Math) -> bool:
+    """Return whether a product ends with a name of several letters, beside which a space says too little."""
+    return re.search(r"\\mathrm\{[^{}]*\}(\}_\{[^{}]*(\{[^{}]*\})?[^{}]*\})?$", shown.latex) is not None
 
 
 def _ordered_factors(expr: sp.Mul) -> list[sp.Expr]:

@@ -13,15 +13,15 @@ linear equation in v, t, w, k and m over the field of the geometry's symbols. No
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import sympy as sp
 
-from derive import closed_form
+from derive import closed_form, vectors
 from derive.first_order import first_order
 from derive.graph import expand_steps
-from derive.spec import LimbMechanism
+from derive.spec import ChainMechanism, LimbMechanism
 
 Numbers = Mapping[str, Sequence[float]]
 
@@ -55,7 +55,9 @@ def _limb_values(mechanism: LimbMechanism, limb: int, numbers: Numbers) -> dict[
 def equations(
     mechanism: LimbMechanism, numbers: Numbers
 ) -> tuple[list[sp.Symbol], list[sp.Symbol], list[sp.Expr]] | None:
-    """Return the unknown errors, the unknown motions and the linear equations they obey; None where there is no sphere.
+    """Return the unknown errors, the unknown motions and the linear equations they obey.
+
+    None where the simplified limb is no sphere and the platform does not stay parallel either.
 
     Parameters
     ----------
@@ -65,7 +67,7 @@ def equations(
     try:
         centre, constant = closed_form.sphere(mechanism)
     except ValueError:
-        return None
+        return _parallel_equations(mechanism, numbers)
     dimension = mechanism.commanded
     steps, rates = first_order(mechanism)
     position = [quantity.symbol for quantity in mechanism.platform[:dimension]]
@@ -112,6 +114,151 @@ def equations(
     used = set().union(*(e.free_symbols for e in found))
     motions = [s for s in (*shift, *w, *k, m) if s in used]
     return every, motions, found
+
+
+def _parallel_equations(
+    mechanism: LimbMechanism, numbers: Numbers
+) -> tuple[list[sp.Symbol], list[sp.Symbol], list[sp.Expr]] | None:
+    """Return the same of a machine in the plane with one joint, whose nominal platform keeps its direction.
+
+    Dimensions that are equal in the robot file are one symbol, as a parallelogram asks for. The platform's turn, which
+    a point does not show, is then k + m.P: the closures make it a polynomial of first degree in cos q and sin q.
+    """
+    if mechanism.limbs > 1 or len(mechanism.platform) != 3:
+        return None
+    seen: dict[float, sp.Symbol] = {0.0: sp.Integer(0)}
+    values = {e.quantity.symbol: numbers[e.key][0] for e in mechanism.geometry}
+    put: dict[sp.Symbol, sp.Expr] = {s: seen.setdefault(v, sp.Symbol(str(s), positive=True)) for s, v in values.items()}
+    gone = dict.fromkeys(
+        (*(s.symbol for s in mechanism.deflections), *(s.symbol for s in mechanism.tool)), sp.Integer(0)
+    )
+    nominal = dict.fromkeys((s.symbol for s in mechanism.varied), sp.Integer(0))
+    px, py, cz = (quantity.symbol for quantity in mechanism.platform)
+    closures = [expand_steps(e, mechanism.steps).subs(gone).subs(put) for e in mechanism.loop_closure]
+    parallel = [e.subs(nominal).subs(cz, 0) for e in closures]
+    linear = [e for e in parallel if e.has(px, py) and sp.Poly(e, px, py).total_degree() == 1]
+    where = sp.solve(linear, (px, py), dict=True) if len(linear) == 2 else []
+    if not where or any(sp.simplify(e.subs(where[0])) != 0 for e in parallel):
+        return None
+    P = sp.Matrix([where[0][px], where[0][py]])
+    t_x, t_y, w, k, m_x, m_y = motions = list(sp.symbols("t_x t_y w_z k_z m_x m_y", real=True))
+    moved = {px: t_x - w * P[1], py: t_y + w * P[0], cz: k + m_x * P[0] + m_y * P[1]}
+    moved |= {s.symbol: sp.Symbol(s.name) for s in mechanism.varied if s.symbol not in gone}
+    changes = [
+        sum((sp.diff(e, s) * much for s, much in moved.items()), sp.Integer(0)).subs(nominal).subs({cz: 0, **where[0]})
+        for e in closures
+    ]
+    return [sp.Symbol(name) for name in mechanism.parameter_names], motions, _trigonometric(changes)
+
+
+def chain_equations(
+    mechanism: ChainMechanism, links: Sequence[Mapping[str, Any]], tool: Sequence[float], *, point: bool
+) -> tuple[list[sp.Symbol], list[sp.Symbol], list[sp.Expr]] | None:
+    """Return the unknown errors, the unknown motions and the linear equations they obey; None where joints are coupled.
+
+    Errors of a chain are unseen where they hand a constant twist (s, v) from frame to frame: with p the end of link k
+    in the frame before it, R its rotation and E the twists by its errors,
+
+        E errors + (s + v x p, v) of frame k - 1  =  (R s, R v) of frame k        for every q_k
+
+    It begins with a motion (t, w) of the instrument's frame. It ends, where the body is seen, with a turn k of the body
+    that the instrument may not know. Where only a point is seen, the last links need not hand on a twist but keep the
+    point: those after which it no longer moves, in the frame behind them.
+
+    Parameters
+    ----------
+    links : sequence of mapping
+        ``kind``, ``convention``, a, d [mm], alpha and theta [rad] of each link, from the base.
+    tool : (3,) sequence of float
+        The tool point in the last frame [mm].
+    point : bool
+        Whether only the tool point is seen, not the body's rotation.
+    """
+    frames = [_nominal_link(mechanism, link, k) for k, link in enumerate(links, start=1)]
+    if any(frame is None for frame in frames):
+        return None
+    at = sp.Matrix([_length(f"tool_{axis}", e) for axis, e in zip("xyz", tool, strict=True)])
+    tool_errors = sp.Matrix(sp.symbols("tx ty tz"))
+    shift, turned = (sp.Matrix(sp.symbols(f"{name}_x {name}_y {name}_z", real=True)) for name in "tw")
+    errors, motions, found = [], [*shift, *turned], []
+    held = len(frames)  # links that hand on a twist
+    if point:
+        seen = at
+        while held and not (seen := _behind(frames[held - 1], seen)).has(sp.cos, sp.sin, *_SLIDES):
+            held -= 1
+        held -= held > 0
+    for k, frame in enumerate(frames, start=1):
+        assert frame is not None
+        R, p, twists = frame
+        moved, rate = shift + turned.cross(p), turned
+        for name, twist in twists.items():
+            errors.append(sp.Symbol(f"{name}_{k}"))
+            moved, rate = moved + errors[-1] * twist[:3, :], rate + errors[-1] * twist[3:, :]
+        if k <= held and k < len(frames):
+            shift, turned = (sp.Matrix(sp.symbols(f"{n}{k}_x {n}{k}_y {n}{k}_z", real=True)) for n in "sv")
+            motions += [*shift, *turned]
+        elif k <= held:
+            turned = sp.Matrix(sp.symbols("k_x k_y k_z", real=True))
+            shift = -turned.cross(at) - tool_errors
+            motions += [*turned]
+        else:  # along with the frame, into whose axes it is turned
+            shift, turned = R.T * moved, R.T * rate
+            continue
+        found += _trigonometric([*(moved - R * shift), *(rate - R * turned)])
+    if held < len(frames):
+        found += _trigonometric(shift + turned.cross(at) + tool_errors)
+    return [*errors, *tool_errors], motions, found
+
+
+_Frame = tuple[sp.Matrix, sp.Matrix, dict[str, sp.Matrix]]
+_SLIDES = sp.symbols("slide_1:20", real=True)
+
+
+def _nominal_link(mechanism: ChainMechanism, link: Mapping[str, Any], k: int) -> _Frame | None:
+    """Return rotation and end of link k at any joint, and the twist by each error; None where an angle is not exact."""
+    alpha, theta = exact_angle(link["alpha"]), exact_angle(link["theta"])
+    turns = link["kind"] == "revolute"
+    if link["kind"] == "coupled" or alpha is None or (theta is None and not turns):
+        return None
+    given = {"a": _length(f"a_{k}", link["a"]), "d": _length(f"d_{k}", link["d"]), "alpha": alpha, "theta": theta}
+    by_turn, by_slide = (v.symbol for v in mechanism.joint)
+    nominal: dict[sp.Expr, sp.Expr] = dict.fromkeys((e.symbol for e in mechanism.errors), sp.Integer(0))
+    nominal |= {g.quantity.symbol: given[g.key] for g in mechanism.geometry}
+    nominal |= {by_turn: sp.Integer(0), by_slide: _SLIDES[k - 1] if link["kind"] == "prismatic" else sp.Integer(0)}
+    if turns:  # any angle: what is added to the reading plays no part
+        nominal |= {by_turn: sp.Symbol(f"q_{k}", real=True)}
+        nominal |= {g.quantity.symbol: sp.Integer(0) for g in mechanism.geometry if g.key == "theta"}
+    put = [(s, e.subs(nominal)) for s, e in mechanism.steps]
+    R, p, twists = vectors.follow(mechanism.transforms[link["convention"]])
+    by = {
+        e.name: sum((sp.diff(w, e.symbol) * twists[s] for s, w in mechanism.steps), sp.zeros(6, 1))
+        for e in mechanism.errors
+    }
+    return R.subs(put), p.subs(put), {name: twist.subs(put) for name, twist in by.items()}
+
+
+def _behind(frame: _Frame | None, point: sp.Matrix) -> sp.Matrix:
+    """Return a point of a link's frame in the frame before the link."""
+    assert frame is not None
+    return (frame[1] + frame[0] * point).applyfunc(lambda e: sp.simplify(sp.expand(e)))
+
+
+def _trigonometric(changes: Iterable[sp.Expr]) -> list[sp.Expr]:
+    """Return the coefficients of expressions that vanish for all joints q_k, or slides."""
+    found = []
+    for change in changes:
+        change = sp.expand(sp.expand(change, trig=True))
+        angles = sorted({f.args[0] for f in change.atoms(sp.cos, sp.sin)}, key=str)
+        pairs = [(sp.cos(q), sp.sin(q), *sp.symbols(f"cos_{q} sin_{q}", real=True)) for q in angles]
+        put = {f: s for cos, sin, c, s_ in pairs for f, s in ((cos, c), (sin, s_))}
+        free = [s for _, _, c, s_ in pairs for s in (c, s_)] + [s for s in _SLIDES if change.has(s)]
+        if change != 0:
+            found += _coefficients(change.subs(put), free or [_SLIDES[-1]], {s_: 1 - c**2 for _, _, c, s_ in pairs})
+    return found
+
+
+def _length(name: str, value: float) -> sp.Expr:
+    return sp.Symbol(name, real=True) if value else sp.Integer(0)
 
 
 def _coefficients(change: sp.Expr, free: Sequence[sp.Symbol], squares: Mapping[sp.Symbol, sp.Expr]) -> list[sp.Expr]:

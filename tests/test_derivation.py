@@ -25,7 +25,7 @@ from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.mechanism import mechanism_names, mechanism_of
 from deltacal_gen.physics import effect_names
 from derive import emit, notation, typeset, unseen
-from derive.account import Written, answer, plain
+from derive.account import Written, answer, null_spaces_of_chain, plain
 from derive.spec import LimbMechanism
 from derive.steps import Derivation
 from derive.written import exactly, opaque
@@ -96,7 +96,7 @@ def test_differentials_are_those_of_the_steps(name: str, written: dict[str, Writ
             assert value(formula, at) == pytest.approx(slope, abs=1e-9), (step, formula)
 
 
-@pytest.mark.parametrize("name", ["diamond", "robotennis"])
+@pytest.mark.parametrize("name", ["diamond", "robotennis", "planar_parallelogram", "simplified_parallelogram"])
 def test_null_spaces_in_closed_form_are_unseen_by_readings(name: str) -> None:
     exact = importlib.import_module(f"derive.mechanisms.{name}").MECHANISM
     robot = derivations.example(name)
@@ -116,6 +116,48 @@ def test_null_spaces_in_closed_form_are_unseen_by_readings(name: str) -> None:
     for vector in basis:
         v = np.array([float(sp.N(vector.get(n, sp.Integer(0)).xreplace(geometry))) for n in every])
         assert np.abs(H @ v).max() < 1e-9 * np.abs(H).max() * np.abs(v).max()
+
+
+@pytest.mark.parametrize(
+    ("motions", "kind", "points"),
+    [
+        ("frame of the robot", "position in the robot's frame", 1),
+        ("unknown frame, one point", "position", 1),
+        ("unknown frame, several points", "position", 3),
+        ("unknown frame and body", "pose", 1),
+    ],
+)
+def test_twists_that_links_hand_on_are_all_that_readings_of_a_chain_miss(motions: str, kind: str, points: int) -> None:
+    robot = derivations.example("serial")
+    assert robot is not None
+    mechanism, at = mechanism_of(robot), checks.trials(robot, 60)
+    (model, names), request = *mechanism.models.items(), derivations.request(derivations.subject("serial"))
+    found = null_spaces_of_chain(importlib.import_module("derive.mechanisms.serial").MECHANISM, request)
+    assert found is not None
+    basis = found[model][motions]
+    H = checks.identification(robot, at.sets[:points], list(names), kind)
+    typical = mechanism.typical[[mechanism.index[n] for n in names]]
+    s = np.linalg.svd(H * typical, compute_uv=False)
+    assert len(basis) == len(names) - int((s > 1e-9 * s[0]).sum())
+    numbers = {f"{key}_{k + 1}": value for key in ("a", "d") for k, value in enumerate(robot.geometry[key])}
+    numbers |= {f"tool_{axis}": value for axis, value in zip("xyz", robot.tool, strict=True)}
+    for vector in basis:
+        put = {n: e.subs({s: numbers[s.name] for s in e.free_symbols}) for n, e in vector.items()}
+        v = np.array([float(put.get(n, 0)) for n in names])
+        assert np.abs(H @ v).max() < 1e-9 * np.abs(H).max() * np.abs(v).max(), vector
+
+
+def test_a_coupled_chain_has_no_null_space_in_closed_form() -> None:
+    spec = importlib.import_module("derive.mechanisms.serial").MECHANISM
+    asked = derivations.request(derivations.subject("serial"))
+    asked["links"][2] |= {"kind": "coupled"}
+    assert null_spaces_of_chain(spec, asked) is None
+
+
+def test_effects_that_read_loads_need_weights() -> None:
+    for name in ("joint_compliance", "payload_deflection"):
+        assert derivations.applies(name, "planar_parallelogram") == ["weights"]
+        assert derivations.applies(name, "serial") == []
 
 
 def test_a_root_of_another_kind_leaves_the_null_space_to_numbers() -> None:
@@ -304,6 +346,11 @@ def test_a_report_is_complete(pages: Path) -> None:
             assert target["formula"]["latex"] in md
     for part in (*account["implicit"], *account["statics"]):
         assert part["formula"]["mathml"] in html
+    for kind in emit.measurements():
+        found = plain(answer({"measurement": kind.name}))
+        for formula in (*found["steps"], *found["readings"], *(q["symbol"] for q in found["unknown"])):
+            assert formula["mathml"] in html
+            assert formula["latex"] in md
     for name in ("machine", "orders", "map", "condition"):
         svg = (pages / f"diamond-12-{name}.svg").read_text(encoding="utf-8")
         ElementTree.fromstring(svg)

@@ -141,6 +141,11 @@ class Chain(Mechanism):
         """Return zero: the file gives masses and their centres only."""
         return np.zeros(())
 
+    @property
+    def weighs(self) -> bool:
+        """Every link and the payload may weigh."""
+        return True
+
     # -------------------------------------------------------------------------------------------------- kinematics
 
     def _variables(self, q: Array) -> Array:

@@ -332,13 +332,14 @@ def _base_point(robot: Robot, x: Array) -> Array:
 
 def kinds(mechanism: Mechanism) -> list[tuple[str, str, int, str]]:
     """Return what is looked at: kind, in words, reference points, and the motions that its unknowns make invisible."""
-    one = "unknown frame, one point"
+    one, several = "unknown frame, one point", "unknown frame, several points"
+    turning = mechanism.links is not None  # a chain turns its last frame at will, so that a turn of it is seen
     found = [
         ("position in the robot's frame", "positions in a known frame", 1, "frame of the robot"),
         ("position", "positions in an unknown frame", 1, one),
-        ("position", "positions in an unknown frame", len(OFFSETS), "unknown frame, several points"),
+        ("position", "positions in an unknown frame", len(OFFSETS), several),
         ("distance", "distances between poses", 1, one),
-        ("distance", "distances between poses", len(OFFSETS), one),
+        ("distance", "distances between poses", len(OFFSETS), several if turning else one),
         ("gauge", "gauge between base and platform", 1, one),
     ]
     if mechanism.turns:
@@ -346,10 +347,11 @@ def kinds(mechanism: Mechanism) -> list[tuple[str, str, int, str]]:
     if mechanism.links is not None:
         found.append((CONTACT, f"contacts with fixed points, each in {STANDS} ways", 1, one))
     elif mechanism.limbs == len(mechanism.axes):
-        found.append((CONTACT, "contacts with fixed points", len(OFFSETS), "unknown frame, several points"))
+        found.append((CONTACT, "contacts with fixed points", len(OFFSETS), several))
     if "z" in mechanism.axes:
         found.append(("height", "heights over a flat bed", 1, "flat bed"))
-        found.append(("sphere", "images of a ball, camera and ball unknown", 1, one))
+        motions = "unknown frame and body" if turning else one
+        found.append(("sphere", "images of a ball, camera and ball unknown", 1, motions))
     return found
 
 

@@ -40,7 +40,7 @@ from deltacal_gen.mechanism import (
     mechanism_of,
     plain_only,
 )
-from deltacal_gen.physics import ROLES, effect_names, load_effect
+from deltacal_gen.physics import effect_names, lacking, load_effect
 from deltacal_gen.robot import Robot, for_model, read_robot
 from deltacal_gen.rotation import cayley_vector
 from deltacal_gen.units import file_unit, to_internal
@@ -157,9 +157,16 @@ def request(one: Subject) -> dict[str, Any]:
         return {"effect": one.name}
     asked: dict[str, Any] = {"mechanism": one.mechanism}
     robot = example(one.mechanism)
-    if robot is None or robot.links:
+    if robot is None:
         return asked
     mechanism, pose = mechanism_of(robot), checks.middle(robot)
+    if robot.links:
+        lengths = {key: np.asarray(values).tolist() for key, values in robot.geometry.items()}
+        asked["links"] = [
+            {"kind": link.kind, "convention": link.convention, **{key: values[k] for key, values in lengths.items()}}
+            for k, link in enumerate(robot.links)
+        ]
+        return asked | {"tool": np.asarray(robot.tool).tolist(), "models": mechanism.models}
     body = np.concatenate([pose.x[0, :3], cayley_vector(pose.x[:, 3:].reshape(-1, 3, 3))[0]])
     asked["at"] = {
         "x": [float(body[COORDINATES.index(name)]) for name in mechanism.platform],
@@ -321,7 +328,9 @@ def kernels(sources: Sources, file: str) -> list[Kernel]:
                     if name.startswith("_") and isinstance(statement.value, ast.Name):
                         constants[kind, statement.value.id] = whole
         if outputs and operations:
-            doc = (ast.get_docstring(node) or "").split("\n")[0].split(" (")[0].rstrip(".")
+            doc = (ast.get_docstring(node) or "").split("\n")[0]
+            doc = re.sub(r"^Return k \(.*?\), (.*), from p \(.*", lambda m: m[1][0].upper() + m[1][1:], doc)
+            doc = doc.split(" (")[0].rstrip(".:")
             found.append(Kernel(name, file, node.lineno, doc, outputs, operations, written_out, assigned))
     return found
 
@@ -329,7 +338,7 @@ def kernels(sources: Sources, file: str) -> list[Kernel]:
 def _table_of(used: Sequence[Kernel], sources: Sources) -> list[dict[str, Any]]:
     return [
         {
-            "name": k.name.lstrip("_"),
+            "name": k.name,
             "meaning": k.meaning,
             "outputs": k.outputs,
             "operations": k.operations,
@@ -408,10 +417,60 @@ def content(one: Subject, account: Mapping[str, Any], root: Path, common: Common
     else:
         found |= {"machine": None, "tables": _tables(account, None, (), None), "checks": None, "ranks": []}
     found["dimensions"] = _dimensions(account)
+    found["short"] = _short(found, used)
     found["listings_"] = sources.listings()
     written = [account["source"], "derive/graph.py", "derive/lower.py", "derive/vectors.py", "derive/emit.py"]
     found["provenance"] = _provenance(one, sources, [*written, *(f for f in files if (root / f).exists())], account)
     return found
+
+
+def _short(found: Mapping[str, Any], used: Sequence[Kernel]) -> list[dict[str, str]]:
+    """Return the report in a few sentences, each with the section that bears it out."""
+    account, claims, ranks, checked = found["account"], found["claims"], found["ranks"], found["checks"]
+    lines: list[tuple[str, str, str]] = []
+    if account["kind"] == "limbs":
+        limbs, closures, x = account["limbs"], len(account["closures"]), len(account["tables"]["platform"])
+        many = f"{limbs} limbs of {closures}" if limbs > 1 else f"{closures}"
+        what = f"{many} closure equation{'s' if closures > 1 else ''} for {x} coordinates of the platform"
+    else:
+        what = "one link, derived once in either convention, and composed as the robot file says"
+    steps = f"; {len(account['steps'])} named steps lead to them" if account["steps"] else ""
+    parameters = f"; {ranks[0]['columns']} source errors in {found['subject']}" if ranks else ""
+    lines.append(("Model", "equations", f"{what}{steps}{parameters}."))
+    if claims:
+        equations, wrong = claims["equations"], [c for c in claims["equations"] if c["status"] == "contradicted"]
+        as_printed = sum(c["status"] in ("proved", "verified") for c in equations)
+        says = f"{as_printed} of {len(equations)} entries on numbered equations hold as printed"
+        says += f"; corrected: {', '.join(c['where'] for c in wrong)}" if wrong else ""
+        others = len(equations) - as_printed - len(wrong)
+        says += f"; left to a convention or undecided: {others}" if others else ""
+        rest = claims["others"]
+        no = sum(c["status"] == "contradicted" for c in rest)
+        lines.append(("Paper", "paper", f"{says}; contradicted of {len(rest)} other statements: {no}."))
+    if ranks:
+        seen = next((r for r in ranks if r["motions"] == "unknown frame, one point"), ranks[0])
+        says = f"{seen['kind']} of one point see {seen['rank']} of {seen['columns']} parameters"
+        if seen["free"]:
+            says += "; the others are named, in closed form" if seen["closed"] else "; the others are named"
+        lines.append(("Identifiability", "identifiability", f"{says}."))
+    if checked:
+        by = ", ".join(f"{o['order']} by {o['by']}" for o in checked["orders"])
+        says = f"what first order leaves shrinks with the step to the power {by} (2 is right)"
+        lines.append(
+            ("Derivatives", "checks", f"{says}; of ordinary errors in all parameters it leaves {checked['share']} %.")
+        )
+    if used:
+        most = max(used, key=lambda k: k.written_out)
+        says = (
+            f"{len(used)} straight-line kernels; the longest, {most.name.lstrip('_')}, has {_count(most.written_out)}"
+        )
+        says += f" operations written out and {_count(most.operations)} as it stands"
+        lines.append(("Kernels", "kernels", f"{says}."))
+    return [{"what": what, "at": at, "says": says[0].upper() + says[1:]} for what, at, says in lines]
+
+
+def _count(n: int) -> str:
+    return f"{n:,}".replace(",", " ")
 
 
 def _dimensions(account: Mapping[str, Any]) -> str:
@@ -653,17 +712,9 @@ def _said(parts: Sequence[Any]) -> dict[str, Any]:
 
 def applies(effect: str, mechanism: str) -> list[str]:
     """Return what a mechanism lacks that an effect needs; nothing where it applies."""
-    kernels_of_it = load_effect(effect)
-    tables = importlib.import_module(f"deltacal_kernels.{mechanism}.parameters")
-    chain = getattr(tables, "CHAIN", False)
     robot = example(mechanism)
-    moves = {} if chain or robot is None else mechanism_of(robot).moves(robot)
-    roles = {} if chain or robot is None else mechanism_of(robot).roles(robot)
-    lacks = [t[5:] for t in kernels_of_it.TARGETS if t.startswith("limb.") and t[5:] not in moves]
-    lacks += sorted(set(kernels_of_it.STATE) & ROLES - set(roles))
-    if "theta" in kernels_of_it.STATE and "offset" not in moves:
-        lacks.append("offset")
-    return lacks
+    of = load_mechanism(mechanism) if robot is None else mechanism_of(robot)
+    return lacking(effect, of, {} if robot is None else of.moves(robot), {} if robot is None else of.roles(robot))
 
 
 def _effect_on(account: Mapping[str, Any], mechanism: str, sources: Sources) -> dict[str, Any]:

@@ -462,6 +462,11 @@ class Mechanism:
         )
 
     @cached_property
+    def weighs(self) -> bool:
+        """Whether the mechanism says where weights act; without them nothing loads it, not even a payload."""
+        return bool(self._statics.LIMB_WEIGHTS + self._statics.PLATFORM_WEIGHTS)
+
+    @cached_property
     def _statics(self) -> ModuleType:
         return importlib.import_module(f"deltacal_kernels.{self.name}.statics")
 

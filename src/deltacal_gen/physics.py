@@ -11,7 +11,7 @@ from __future__ import annotations
 import dataclasses
 import importlib
 import itertools
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from types import ModuleType
@@ -285,11 +285,7 @@ class Body:
 
     def foreign(self, effect: str) -> str | None:
         """Return the part that an effect moves or reads and this mechanism does not have; None where it has all."""
-        kernels = load_effect(effect)
-        parts = [t[5:] for t in kernels.TARGETS if t.startswith("limb.") and t[5:] not in self._moves]
-        parts += sorted(set(kernels.STATE) & ROLES - self.roles.keys())
-        if "theta" in kernels.STATE and "offset" not in self._moves:
-            parts.append("angle of a joint")
+        parts = lacking(effect, self.mechanism, self._moves, self.roles)
         return f"a machine that has a part {parts[0]}; {self.mechanism.name} has none" if parts else None
 
     # ----------------------------------------------------------------------------------------------------- the state
@@ -577,6 +573,26 @@ class Body:
                 file=recording.path,
                 line=int(recording.line[bad[0]]),
             )
+
+
+def lacking(effect: str, mechanism: Mechanism, moves: Container[str], roles: Container[str]) -> list[str]:
+    """Return what an effect moves or reads of a machine and a mechanism does not have.
+
+    Parameters
+    ----------
+    moves, roles : container of str
+        Parts and lengths by which effects find their place in the mechanism.
+    """
+    kernels = load_effect(effect)
+    parts = [t[5:] for t in kernels.TARGETS if t.startswith("limb.") and t[5:] not in moves]
+    parts += sorted(role for role in {*kernels.STATE} & ROLES if role not in roles)
+    if "theta" in kernels.STATE and "offset" not in moves:
+        parts.append("angle of a joint")
+    if {*kernels.STATE} & LOADS and not mechanism.weighs:
+        parts.append("weights")
+    if "height" in kernels.TARGETS and "z" not in mechanism.axes:
+        parts.append("heights")
+    return parts
 
 
 def _follows(term: Term) -> bool:
