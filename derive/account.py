@@ -815,7 +815,8 @@ def chain_mechanism(spec: ChainMechanism, module: ModuleType, request: Mapping[s
     Parameters
     ----------
     request : mapping
-        ``links``, ``tool`` and ``models`` of one chain, see `unseen.chain_equations`; without them no null space.
+        ``links``, ``tool`` and ``models`` of one chain, see `unseen.chain_equations`, without which there is no null
+        space; ``common``: errors that belong to no link.
     """
     symbols: dict[sp.Symbol, Math] = {e.symbol: _difference(e.name) for e in spec.errors}
     look: Shown = symbols.get
@@ -869,6 +870,7 @@ def chain_mechanism(spec: ChainMechanism, module: ModuleType, request: Mapping[s
                 for g, row in zip(spec.geometry, table([g.quantity for g in spec.geometry], look), strict=True)
             ],
             "errors": table(spec.errors, look),
+            "common": [{**row, "symbol": _difference(row["name"])} for row in request.get("common", ())],
         },
         "where": [],
         "rotations": [],
@@ -1069,7 +1071,7 @@ def _by_meaning(quantities: Iterable[Quantity]) -> list[dict[str, Any]]:
         found.setdefault(q.meaning.partition(", entry")[0], []).append(q)
     return [
         {
-            "symbol": ts.name(re.sub(r"[xyz]$|_11$", "", alike[0].name), bold=True)
+            "symbol": ts.name(re.sub(r"[xyz]$|_?11$", "", alike[0].name), bold=True)
             if len(alike) > 1
             else ts.name(alike[0].name),
             "unit": "" if alike[0].unit == "1" else alike[0].unit,

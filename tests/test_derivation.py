@@ -357,6 +357,18 @@ def test_a_report_is_complete(pages: Path) -> None:
         assert "var(" not in svg
 
 
+def test_markdown_renders_on_a_code_host(pages: Path) -> None:
+    for page in pages.glob("*.md"):
+        text = page.read_text(encoding="utf-8")
+        for table in re.findall(r"(?:^\|.*\n)+", text, re.M):
+            widths = {len(re.findall(r"(?<!\\)\|", row)) for row in table.splitlines()}
+            assert len(widths) == 1, table[:300]
+        inline = re.findall(r"\$`([^`]+)`\$", text)
+        assert inline
+        assert text.count("$") == 2 * len(inline)  # between $` and `$ no sign is Markdown's
+        assert not any("|" in formula for formula in inline)
+
+
 def test_every_link_of_a_page_leads_somewhere(pages: Path) -> None:
     for page in pages.glob("*.html"):
         text = page.read_text(encoding="utf-8")

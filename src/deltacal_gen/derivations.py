@@ -166,6 +166,11 @@ def request(one: Subject) -> dict[str, Any]:
             {"kind": link.kind, "convention": link.convention, **{key: values[k] for key, values in lengths.items()}}
             for k, link in enumerate(robot.links)
         ]
+        asked["common"] = [
+            {"name": p.name, "unit": p.unit, "meaning": p.meaning, "typical": p.typical}
+            for p in mechanism.parameters
+            if not p.limb
+        ]
         return asked | {"tool": np.asarray(robot.tool).tolist(), "models": mechanism.models}
     body = np.concatenate([pose.x[0, :3], cayley_vector(pose.x[:, 3:].reshape(-1, 3, 3))[0]])
     asked["at"] = {
@@ -570,7 +575,7 @@ def _tables(
         "tool": "Reference point",
         "geometry": "Nominal geometry",
         "errors": "Source errors of a limb" if account["kind"] == "limbs" else "Source errors of a link",
-        "common": "Source errors that all limbs share",
+        "common": "Source errors that all limbs share" if account["kind"] == "limbs" else "Source errors of the tool",
         "deflections": "Deflections: zero on a rigid machine, moved by effects",
         "masses": "Masses",
     }
@@ -585,9 +590,8 @@ def _tables(
             unit = "" if row["unit"] == "1" else file_unit(row["unit"])
             cell = ""
             if key == "geometry" and robot is not None:
-                cell = ", ".join(
-                    dict.fromkeys(f"{v / to_internal(row['unit']):.6g}" for v in robot.geometry[row["key"]])
-                )
+                values = [f"{v / to_internal(row['unit']):.6g}" for v in robot.geometry[row["key"]]]
+                cell = values[0] if len(set(values)) == 1 else ", ".join(values)
             elif value:
                 cell = f"{row['typical'] / to_internal(row['unit']):.3g}"
             name = row.get("key", row["name"])
