@@ -1,4 +1,6 @@
-"""``python -m tests.pictures``: the README's pictures of a derivation and of a calibration, from pages in Chromium.
+"""``python -m tests.pictures``: the README's pictures of reports, from pages in Chromium.
+
+The diagnosis's is `diagnosis.svg`, which ``deltacal demo`` draws.
 
 They lie beside the examples that they show. Needs Chromium and its driver (Debian: chromium, chromium-driver).
 """
@@ -33,12 +35,29 @@ def main() -> int:
             dc.identify(
                 diamond / "robot.toml", diamond / "recording.csv", "diamond/10", report=pages / "calibration.html"
             )
-            for page, at, picture in (
-                ("derivation.html", "#step-5", EXAMPLES / "delta" / "derivation.png"),
-                ("calibration.html", "body", diamond / "calibration.png"),
+            delta, gearbox = EXAMPLES / "delta", EXAMPLES / "gearbox"
+            dc.study(
+                delta / "robot.toml",
+                delta / "poses.csv",
+                model="delta/32",
+                noise=0.01,
+                suspects=[gearbox / "truth.toml"],
+                trials=300,
+                diagnoses=1,
+                report=pages / "study.html",
+            )
+            for name in ("diamond", "gearbox", "planar_parallelogram", "serial"):
+                shutil.copytree(EXAMPLES / name, pages / "shop" / name)
+            dc.batch(pages / "shop", pages / "run")
+            for page, at, height, picture in (
+                ("derivation.html", "body", 1060, delta / "derivation.png"),
+                ("derivation.html", "#step-5", HEIGHT, delta / "derivation_steps.png"),
+                ("calibration.html", "body", HEIGHT, diamond / "calibration.png"),
+                ("study.html", "body", HEIGHT, delta / "study.png"),
+                ("run/index.html", "body", HEIGHT, gearbox / "batch.png"),
             ):
                 driver.get((pages / page).as_uri())
-                size = {"width": WIDTH, "height": HEIGHT, "deviceScaleFactor": 1, "mobile": False}
+                size = {"width": WIDTH, "height": height, "deviceScaleFactor": 1, "mobile": False}
                 driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
                 driver.execute_script(f"document.querySelector('{at}').scrollIntoView()")
                 picture.write_bytes(base64.b64decode(driver.get_screenshot_as_base64()))

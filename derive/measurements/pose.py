@@ -1,6 +1,6 @@
 """Position and rotation in the instrument's frame; the measured body is turned from {O'} by a constant unknown D.
 
-``y = exp(w) F P + f + t`` and ``Y = exp(w) F R exp(d) D``.
+``y = cay(w) F P + f + t`` and ``Y = cay(w) F R cay(d) D``.
 """
 
 from __future__ import annotations

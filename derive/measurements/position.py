@@ -1,4 +1,4 @@
-"""Position of the reference point in the instrument's own frame: ``y = exp(w) F P + f + t``."""
+"""Position of the reference point in the instrument's own frame: ``y = cay(w) F P + f + t``."""
 
 from __future__ import annotations
 

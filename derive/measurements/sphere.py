@@ -1,6 +1,6 @@
 """Extremes of a ball's image in a camera on the platform (Traslosheros 2013, section 5.2).
 
-The ball's centre in the camera's frame is ``c = exp(w) F R^T (g + t - P)``: the camera turns and moves with the
+The ball's centre in the camera's frame is ``c = cay(w) F R^T (g + t - P)``: the camera turns and moves with the
 platform, the ball stands at `g` in {O}. A plane ``X = a Z`` through the optical centre touches the ball where
 ``(c_x - a c_z)^2 = R^2 (1 + a^2)`` (equation (11)); of all rays that touch the ball those in the two planes reach
 furthest in x, so the extremes of the image follow without a detour over its ellipse. Each touches at

@@ -64,9 +64,10 @@ def pair(name: str, much: sp.Expr | int = 1, *, opposite: bool = False) -> dict[
 
 half = sp.Rational(1, 2)
 # [w0 u0 v0]: the joint's axis, the limb's direction, up
-F = step("F", rotation_vector(beta) * sp.Matrix.hstack(NOMINAL_FRAME[:, 2], NOMINAL_FRAME[:, 0], NOMINAL_FRAME[:, 1]))
+axes = sp.Matrix.hstack(NOMINAL_FRAME[:, 2], NOMINAL_FRAME[:, 0], NOMINAL_FRAME[:, 1])
+R0 = step("R0", rotation_vector(beta) * axes)
 turn = sp.Matrix([[1, 0, 0], [0, sp.cos(q), -sp.sin(q)], [0, sp.sin(q), sp.cos(q)]])
-R1, R = step("R1", F * turn), step("R", cayley(vector(cx, cy, cz)))
+R1, R = step("R1", R0 * turn), step("R", cayley(vector(cx, cy, cz)))
 base = b * u0
 tip = vector(tip_w, 0, tip_v)  # a bent arm: along the joint's axis, normal to the arm
 

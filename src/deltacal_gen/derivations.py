@@ -30,7 +30,7 @@ from matplotlib.axes import Axes
 from deltacal_gen import checks, ledger, report, sketch
 from deltacal_gen.chain import Chain
 from deltacal_gen.errors import UsageError
-from deltacal_gen.figures import AFTER, BEFORE, MUTED
+from deltacal_gen.figures import AFTER, BEFORE, MUTED, decades
 from deltacal_gen.identifiability import RANK_TOLERANCE
 from deltacal_gen.mechanism import (
     COORDINATES,
@@ -454,7 +454,7 @@ def _short(found: Mapping[str, Any], used: Sequence[Kernel]) -> list[dict[str, s
         lines.append(("Paper", "paper", f"{says}; contradicted of {len(rest)} other statements: {no}."))
     if ranks:
         seen = next((r for r in ranks if r["motions"] == "unknown frame, one point"), ranks[0])
-        says = f"{seen['kind']} of one point see {seen['rank']} of {seen['columns']} parameters"
+        says = f"positions of one point in an unknown frame see {seen['rank']} of {seen['columns']} parameters"
         if seen["free"]:
             says += "; the others are named, in closed form" if seen["closed"] else "; the others are named"
         lines.append(("Identifiability", "identifiability", f"{says}."))
@@ -661,8 +661,8 @@ def _orders(axes: Axes, found: Sequence[checks.Order]) -> None:
         axes.loglog(order.steps, np.maximum(order.gaps, 1e-13), "o-", ms=3.5, lw=1.2, color=colour, label=order.by)
     steps = found[0].steps
     axes.loglog(steps, found[0].gaps[0] * 2.5 * (steps / steps[0]) ** 2, "--", lw=0.9, color=MUTED, label="slope 2")
-    report.decades(axes.xaxis)
-    report.decades(axes.yaxis)
+    decades(axes.xaxis)
+    decades(axes.yaxis)
     axes.set_xlabel("step, in ordinary errors")
     axes.set_ylabel("left by first order, mm")
     axes.legend(frameon=False)
@@ -684,7 +684,7 @@ def _conditions(axes: Axes, counts: Sequence[int], values: np.ndarray) -> None:
     axes.loglog(counts, values, "o-", ms=3.5, lw=1.2, color=AFTER)
     axes.set_xticks([3, 5, 10, 20, 40, 80], ["3", "5", "10", "20", "40", "80"])
     axes.minorticks_off()
-    report.decades(axes.yaxis)
+    decades(axes.yaxis)
     axes.set_xlabel("poses n, each with three reference points")
     axes.set_ylabel("condition number")
 

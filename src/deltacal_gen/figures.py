@@ -5,6 +5,7 @@ Matplotlib is imported here and only when a picture is asked for; no window is e
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -18,6 +19,7 @@ mpl.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.ticker import PercentFormatter
 
@@ -29,6 +31,7 @@ from deltacal_gen.units import file_unit, joint_factors, joint_names, to_interna
 
 MOST_LAYERS = 12  # of a workspace, drawn side by side
 INK, MUTED, BEFORE, AFTER = "#1c2733", "#6b7885", "#c8553d", "#2a6f97"
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 STYLE: dict[Any, Any] = {
     "font.family": "DejaVu Sans",
     "font.size": 9,
@@ -44,6 +47,25 @@ STYLE: dict[Any, Any] = {
     "svg.hashsalt": "deltacal",
     "svg.fonttype": "none",
 }
+
+
+def decades(axis: Axis) -> None:
+    """Label a logarithmic axis in plain type: its powers of ten, or twice and five times them where those are few."""
+    low, high = sorted(axis.get_view_interval())
+    exponents = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
+    inside = [e for e in exponents if low <= 10.0**e <= high]
+    ticks = [(1, e) for e in inside[:: 1 + len(inside) // 7]]
+    if len(ticks) < 3:
+        ticks = [(m, e) for e in exponents for m in (1, 2, 5) if low <= m * 10.0**e <= high]
+    axis.set_ticks([m * 10.0**e for m, e in ticks], [decade(m, e) for m, e in ticks], minor=False)
+    axis.set_ticks([], minor=True)
+
+
+def decade(mantissa: int, exponent: int) -> str:
+    """Return a digit times a power of ten as a reader writes it: 200, 0.005, 2·10⁻⁵."""
+    if -3 <= exponent < 4:
+        return f"{mantissa * 10.0**exponent:g}"
+    return ("" if mantissa == 1 else f"{mantissa}·") + f"10{str(exponent).translate(RAISED)}"
 
 
 def save(figure: Figure, path: str | Path) -> None:
@@ -96,6 +118,7 @@ def stages(axes: Axes, result: Mapping[str, Any]) -> None:
     axes.invert_yaxis()
     axes.set_xscale("log")
     axes.set_xlim(min(*values, result["sigma_mm"]) / 2, max(values) * 4)
+    decades(axes.xaxis)
     for i, value in enumerate(values):
         axes.text(value * 1.08, i, f"{value:.4g}", va="center")
     axes.axvline(result["sigma_mm"], color=MUTED, lw=1, ls="--")
@@ -109,6 +132,7 @@ def _check(axes: Axes, check: Sequence[Mapping[str, Any]]) -> None:
     for row, colour in zip(check, colours, strict=False):
         axes.plot(np.maximum(row["errors_mm"], 1e-4), ".", ms=4, color=colour, label=row["machine"])
     axes.set_yscale("log")
+    decades(axes.yaxis)
     axes.set_xlabel("check pose, top to bottom layer")
     axes.set_ylabel("position error, mm")
     axes.set_title("Error at poses that no fit has seen")
@@ -120,6 +144,7 @@ def readings(axes: Axes, result: Mapping[str, Any]) -> None:
     s = np.array(result["singular_values"])
     axes.semilogy(np.arange(1, len(s) + 1), np.maximum(s / s[0], 1e-17), ".", color=AFTER)
     axes.axhline(result["rank_tolerance"], color=MUTED, lw=1, ls="--")
+    decades(axes.yaxis)
     axes.text(1, result["rank_tolerance"] * 1.6, "rank tolerance", color=MUTED, fontsize=8)
     axes.set_xlabel("direction")
     axes.set_ylabel("singular value, relative")
@@ -414,6 +439,7 @@ def before_and_after(axes: Axes, found: Mapping[str, Any]) -> None:
             text, (middle, 1.0), (0, 5), textcoords="offset points", ha=("right", "left")[k == 0], color=colour
         )
     axes.set_xscale("log")
+    decades(axes.xaxis)
     axes.set_ylim(0, 1.25)
     axes.set_yticks([])
     axes.spines["left"].set_visible(False)
@@ -456,6 +482,7 @@ def fleet(axes: Axes, rows: Sequence[Mapping[str, Any]]) -> None:
         if row.get("after_mm"):
             axes.plot([row["after_mm"]], [k], "o", color=AFTER, ms=3.5)
     axes.set_xscale("log")
+    decades(axes.xaxis)
     axes.set_ylim(len(rows) - 0.5, -0.5)
     axes.set_yticks(range(len(rows)), [str(r["recording"]).removesuffix("/recording.csv") for r in rows], fontsize=7)
     axes.tick_params(axis="y", length=0)
@@ -469,6 +496,7 @@ def fleet_distribution(axes: Axes, rows: Sequence[Mapping[str, Any]]) -> None:
         if len(errors):
             axes.step(errors, np.arange(1, len(errors) + 1) / len(errors), color=color, where="post", label=words)
     axes.set_xscale("log")
+    decades(axes.xaxis)
     axes.set_ylim(0, 1)
     axes.yaxis.set_major_formatter(PercentFormatter(1.0, decimals=0))
     axes.set_xlabel("error, mm")

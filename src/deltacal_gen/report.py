@@ -20,7 +20,7 @@ import numpy as np
 from markupsafe import Markup
 
 from deltacal_gen import figures
-from deltacal_gen.figures import AFTER, BEFORE, INK, MUTED, STYLE, mpl, plt
+from deltacal_gen.figures import AFTER, BEFORE, INK, MUTED, RAISED, STYLE, mpl, plt
 from deltacal_gen.fleet import ASIDE, alike, worst
 from deltacal_gen.mechanism import mechanism_of
 from deltacal_gen.physics import load_effect
@@ -30,8 +30,8 @@ _COLOURS = {INK: "var(--ink)", MUTED: "var(--muted)", BEFORE: "var(--before)", A
 _PAPER = {"var(--card)": "#ffffff", "var(--paper)": "#ffffff", "var(--good)": "#2c7a4b", "var(--bad)": "#b8472f"}
 MOST_DRAWN = 60  # recordings of a batch, each with its line; of more, their distribution
 MOST_ROWS = 500  # of a table on a page: 10^5 would be 20 MB, which no browser likes
-_NUMERIC = {"value ± standard deviation", "gain in chi²", "value"}
-_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+_NUMERIC = {"value ± standard deviation", "gain in chi²", "value", "takes away", "recordings", "said so"}
+_NUMERIC |= {"drawn with", "simulated", "predicted", "bias"}  # and all lengths
 _VERDICTS = {
     "adequate": "nothing is missing",
     "missing_physics": "missing physics found",
@@ -237,24 +237,6 @@ def picture(draw: Callable[[Any], None], size: tuple[float, float]) -> str:
     return _svg(draw, size)
 
 
-def decades(axis: Any) -> None:
-    """Label a logarithmic axis in plain type: its powers of ten, or twice and five times them where those are few."""
-    low, high = sorted(axis.get_view_interval())
-    exponents = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
-    inside = [e for e in exponents if low <= 10.0**e <= high]
-    ticks = [(1, e) for e in inside[:: 1 + len(inside) // 7]]
-    if len(ticks) < 3:
-        ticks = [(m, e) for e in exponents for m in (1, 2, 5) if low <= m * 10.0**e <= high]
-    axis.set_ticks([m * 10.0**e for m, e in ticks], [_decade(m, e) for m, e in ticks], minor=False)
-    axis.set_ticks([], minor=True)
-
-
-def _decade(mantissa: int, exponent: int) -> str:
-    if -2 <= exponent < 4:
-        return f"{mantissa * 10.0**exponent:g}"
-    return ("" if mantissa == 1 else f"{mantissa}·") + f"10{str(exponent).translate(_RAISED)}"
-
-
 def power(value: float) -> str:
     """Return a number as a reader writes a small one: 3.1·10⁻⁵; 0 for zero."""
     if value == 0 or not math.isfinite(value):
@@ -262,12 +244,12 @@ def power(value: float) -> str:
     exponent = math.floor(math.log10(abs(value)))
     if -2 <= exponent < 4:
         return f"{value:.2g}"
-    return f"{value / 10.0**exponent:.1f}·10{str(exponent).translate(_RAISED)}"
+    return f"{value / 10.0**exponent:.1f}·10{str(exponent).translate(RAISED)}"
 
 
 def below(value: float) -> str:
     """Return a bound for what is only rounding: the next power of ten above it, which no other processor changes."""
-    return "0" if value == 0 else f"< {_decade(1, math.ceil(math.log10(value)))}"
+    return "0" if value == 0 else f"< {figures.decade(1, math.ceil(math.log10(value)))}"
 
 
 def page_of(template: str, **content: Any) -> str:
@@ -328,7 +310,7 @@ def measured(value: float, std: float | None) -> str:
     power = math.floor(math.log10(max(abs(value), std)))
     if power < -3:
         shown = measured(value / 10.0**power, std / 10.0**power)
-        return f"({shown})·10{str(power).translate(_RAISED)}"
+        return f"({shown})·10{str(power).translate(RAISED)}"
     digits = max(1 - math.floor(math.log10(std)), 0)
     return f"{value:.{digits}f} ± {std:.{digits}f}"
 

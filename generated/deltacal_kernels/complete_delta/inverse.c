@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/inverse.c.jinja; sha256 of both ab41d615c9dcde21; SymPy 1.14.0.
+ * Template templates/mechanism/inverse.c.jinja; sha256 of both d6fac541af7b762f; SymPy 1.14.0.
  *
  * The exact compensator: inverse position of the calibrated machine, by Newton on joints and platform rotation.
  * An export puts the machine's numbers before this text: DELTACAL_K[3][31], DELTACAL_TOOL[3],
@@ -33,12 +33,12 @@ static void newton(const double *x, double q, const double *tool, const double *
     const double tx = tool[0];
     const double ty = tool[1];
     const double tz = tool[2];
-    const double F_12 = k[0];
-    const double F_13 = k[1];
-    const double F_22 = k[2];
-    const double F_23 = k[3];
-    const double F_32 = k[4];
-    const double F_33 = k[5];
+    const double R0_12 = k[0];
+    const double R0_13 = k[1];
+    const double R0_22 = k[2];
+    const double R0_23 = k[3];
+    const double R0_32 = k[4];
+    const double R0_33 = k[5];
     const double g1_y = k[6];
     const double g1_z = k[7];
     const double s147 = k[8];
@@ -59,12 +59,12 @@ static void newton(const double *x, double q, const double *tool, const double *
     const double s671 = k[23];
     const double s78 = cos(q);
     const double s80 = sin(q);
-    const double R1_12 = F_12*s78 + F_13*s80;
-    const double R1_13 = -F_12*s80 + F_13*s78;
-    const double R1_22 = F_22*s78 + F_23*s80;
-    const double R1_23 = -F_22*s80 + F_23*s78;
-    const double R1_32 = F_32*s78 + F_33*s80;
-    const double R1_33 = -F_32*s80 + F_33*s78;
+    const double R1_12 = R0_12*s78 + R0_13*s80;
+    const double R1_13 = -R0_12*s80 + R0_13*s78;
+    const double R1_22 = R0_22*s78 + R0_23*s80;
+    const double R1_23 = -R0_22*s80 + R0_23*s78;
+    const double R1_32 = R0_32*s78 + R0_33*s80;
+    const double R1_33 = -R0_32*s80 + R0_33*s78;
     const double s98 = (cx * cx);
     const double s100 = (cy * cy);
     const double s102 = (cz * cz);
@@ -166,8 +166,8 @@ static void newton(const double *x, double q, const double *tool, const double *
     const double s304 = 2*cz;
     const double s307 = 2*cy;
     const double s310 = 2*cx;
-    const double s335 = s78*(-F_12*s259 + F_13*s261 - F_22*s255 + F_23*s257 - F_32*s251 + F_33*s253);
-    const double s338 = F_12*s261 + F_13*s259 + F_22*s257 + F_23*s255 + F_32*s253 + F_33*s251;
+    const double s335 = s78*(-R0_12*s259 + R0_13*s261 - R0_22*s255 + R0_23*s257 - R0_32*s251 + R0_33*s253);
+    const double s338 = R0_12*s261 + R0_13*s259 + R0_22*s257 + R0_23*s255 + R0_32*s253 + R0_33*s251;
     const double s342 = s266 - s270 + s272*s284 + s273*s290 + s310*(-1.0/2.0*s264 - 1.0/2.0*s277 + s302);
     const double s343 = -s268 + s271*s272 + s283 + s285*s290 + s307*(-1.0/2.0*s264 - 1.0/2.0*s294 + s302);
     const double s344 = s271*s273 + s281 + s284*s285 - s289 + s304*(-1.0/2.0*s277 - 1.0/2.0*s294 + s302);
@@ -213,8 +213,8 @@ static void newton(const double *x, double q, const double *tool, const double *
     const double s740 = s105*s697;
     const double s745 = s124*s685 + s126*s683 + s128*s681 + s130*s679 + s723 + s727 + s729 + s734 + s739;
     const double s747 = -1.0/4.0*s300*s745;
-    const double s777 = s78*(-F_12*s708 + F_13*s710 - F_22*s704 + F_23*s706 - F_32*s700 + F_33*s702);
-    const double s780 = F_12*s710 + F_13*s708 + F_22*s706 + F_23*s704 + F_32*s702 + F_33*s700;
+    const double s777 = s78*(-R0_12*s708 + R0_13*s710 - R0_22*s704 + R0_23*s706 - R0_32*s700 + R0_33*s702);
+    const double s780 = R0_12*s710 + R0_13*s708 + R0_22*s706 + R0_23*s704 + R0_32*s702 + R0_33*s700;
     const double s784 = s272*s731 + s273*s736 + s310*(-1.0/2.0*s713 - 1.0/2.0*s724 + s747) + s715 - s719;
     const double s785 = s272*s720 + s285*s736 + s307*(-1.0/2.0*s713 - 1.0/2.0*s740 + s747) - s717 + s730;
     const double s786 = s273*s720 + s285*s731 + s304*(-1.0/2.0*s724 - 1.0/2.0*s740 + s747) + s728 - s735;

@@ -1,7 +1,7 @@
 """Kinematics of `complete_delta`, many poses at once: Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 1bb6402226a7b4cc; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both d19562fc20651235; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -41,12 +41,12 @@ fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 def _early(w, k, n):
     """What moves with a joint only; then the simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (67 operations)."""
     wide()
-    F_12 = k[0]
-    F_13 = k[1]
-    F_22 = k[2]
-    F_23 = k[3]
-    F_32 = k[4]
-    F_33 = k[5]
+    R0_12 = k[0]
+    R0_13 = k[1]
+    R0_22 = k[2]
+    R0_23 = k[3]
+    R0_32 = k[4]
+    R0_33 = k[5]
     g1_y = k[6]
     g1_z = k[7]
     s147 = k[8]
@@ -76,12 +76,12 @@ def _early(w, k, n):
         tz = w[96 + lane]
         s78 = cosine(q)
         s80 = sine(q)
-        R1_12 = F_12*s78 + F_13*s80
-        R1_13 = -F_12*s80 + F_13*s78
-        R1_22 = F_22*s78 + F_23*s80
-        R1_23 = -F_22*s80 + F_23*s78
-        R1_32 = F_32*s78 + F_33*s80
-        R1_33 = -F_32*s80 + F_33*s78
+        R1_12 = R0_12*s78 + R0_13*s80
+        R1_13 = -R0_12*s80 + R0_13*s78
+        R1_22 = R0_22*s78 + R0_23*s80
+        R1_23 = -R0_22*s80 + R0_23*s78
+        R1_32 = R0_32*s78 + R0_33*s80
+        R1_33 = -R0_32*s80 + R0_33*s78
         A1_x = R1_12*g1_y + R1_13*g1_z + s147
         A1_y = R1_22*g1_y + R1_23*g1_z + s153
         A1_z = R1_32*g1_y + R1_33*g1_z + s155
@@ -403,12 +403,12 @@ def _start(w, k, n):
 def _more(w, k, n):
     """What else derivatives by joint and errors read of it (38 operations)."""
     wide()
-    F_12 = k[0]
-    F_13 = k[1]
-    F_22 = k[2]
-    F_23 = k[3]
-    F_32 = k[4]
-    F_33 = k[5]
+    R0_12 = k[0]
+    R0_13 = k[1]
+    R0_22 = k[2]
+    R0_23 = k[3]
+    R0_32 = k[4]
+    R0_33 = k[5]
     g1_y = k[6]
     g1_z = k[7]
     g2_y = k[14]
@@ -417,12 +417,12 @@ def _more(w, k, n):
         q = w[0 + lane]
         s78 = cosine(q)
         s80 = sine(q)
-        R1_12 = F_12*s78 + F_13*s80
-        R1_13 = -F_12*s80 + F_13*s78
-        R1_22 = F_22*s78 + F_23*s80
-        R1_23 = -F_22*s80 + F_23*s78
-        R1_32 = F_32*s78 + F_33*s80
-        R1_33 = -F_32*s80 + F_33*s78
+        R1_12 = R0_12*s78 + R0_13*s80
+        R1_13 = -R0_12*s80 + R0_13*s78
+        R1_22 = R0_22*s78 + R0_23*s80
+        R1_23 = -R0_22*s80 + R0_23*s78
+        R1_32 = R0_32*s78 + R0_33*s80
+        R1_33 = -R0_32*s80 + R0_33*s78
         s1306 = R1_12*g1_z - R1_13*g1_y
         s1310 = R1_22*g1_z - R1_23*g1_y
         s1314 = R1_32*g1_z - R1_33*g1_y
@@ -609,9 +609,9 @@ def _errors(w, k, n):
     g1_z = k[7]
     g2_y = k[14]
     g2_z = k[15]
-    F_31 = k[31]
-    F_21 = k[32]
-    F_11 = k[33]
+    R0_31 = k[31]
+    R0_21 = k[32]
+    R0_11 = k[33]
     s424 = k[34]
     s438 = k[35]
     s446 = k[36]
@@ -735,13 +735,13 @@ def _errors(w, k, n):
         s1079 = s1039*s78 + s1044*s80
         s1080 = -s1049*s80 + s1054*s78
         s1081 = s1049*s78 + s1054*s80
-        s1089 = -F_31*s909
-        s1090 = -F_21*s910
-        s1091 = -F_11*s911
+        s1089 = -R0_31*s909
+        s1090 = -R0_21*s910
+        s1091 = -R0_11*s911
         s1092 = s1089 + s1090 + s1091
-        s1095 = -F_31*s906
-        s1096 = -F_21*s907
-        s1097 = -F_11*s908
+        s1095 = -R0_31*s906
+        s1096 = -R0_21*s907
+        s1097 = -R0_11*s908
         s1098 = s1095 + s1096 + s1097
         s1101 = -s800*s906
         s1102 = -s802*s907
@@ -1735,44 +1735,44 @@ def nominal_constants(p):
     l = p[3]
     c = p[4]
     phi = p[5]
-    F_11 = np.sin(phi)
-    F_11_betaz = np.cos(phi)
-    F_12 = np.cos(phi)
-    F_21_betaz = np.sin(phi)
-    F_22 = np.sin(phi)
-    F_22_betaz = np.cos(phi)
-    F_32_betax = np.sin(phi)
+    R0_11 = np.sin(phi)
+    R0_11_betaz = np.cos(phi)
+    R0_12 = np.cos(phi)
+    R0_21_betaz = np.sin(phi)
+    R0_22 = np.sin(phi)
+    R0_22_betaz = np.cos(phi)
+    R0_32_betax = np.sin(phi)
     g1_x = 0.5*c
-    s22 = F_11_betaz*a
-    s23 = 0.5*F_11*c
+    s22 = R0_11_betaz*a
+    s23 = 0.5*R0_11*c
     h1_x = s22 + s23
-    s25 = F_11*a
-    s26 = -0.5*F_11_betaz*c
+    s25 = R0_11*a
+    s26 = -0.5*R0_11_betaz*c
     h1_y = s25 + s26
-    s28 = F_11*g1_x
-    s30 = F_11_betaz*b
+    s28 = R0_11*g1_x
+    s30 = R0_11_betaz*b
     s31 = s28 + s30
-    s34 = F_11_betaz*g1_x
-    s38 = F_11*b
+    s34 = R0_11_betaz*g1_x
+    s38 = R0_11*b
     s39 = -s34 + s38
-    s41 = F_21_betaz*g1_x
+    s41 = R0_21_betaz*g1_x
     g2_x = -0.5*c
     h2_x = s22 - s23
     h2_y = s25 - s26
-    s59 = F_11*g2_x
+    s59 = R0_11*g2_x
     s60 = s30 + s59
-    s62 = F_11_betaz*g2_x
+    s62 = R0_11_betaz*g2_x
     s64 = s38 - s62
-    s66 = F_21_betaz*g2_x
-    s105 = -0.5*F_11
-    s107 = 0.5*F_11_betaz
+    s66 = R0_21_betaz*g2_x
+    s105 = -0.5*R0_11
+    s107 = 0.5*R0_11_betaz
     s118 = -0.5*l
-    k[0] = F_12
-    k[1] = F_11
-    k[2] = F_22
-    k[3] = F_22_betaz
-    k[4] = F_32_betax
-    k[5] = F_11_betaz
+    k[0] = R0_12
+    k[1] = R0_11
+    k[2] = R0_22
+    k[3] = R0_22_betaz
+    k[4] = R0_32_betax
+    k[5] = R0_11_betaz
     k[6] = L
     k[7] = s31
     k[8] = s34
@@ -1798,12 +1798,12 @@ def nominal_constants(p):
 def _nominal(w, k, n):
     """Equations of a nominal limb by platform and errors (207 operations)."""
     wide()
-    F_12 = k[0]
-    F_11 = k[1]
-    F_22 = k[2]
-    F_22_betaz = k[3]
-    F_32_betax = k[4]
-    F_11_betaz = k[5]
+    R0_12 = k[0]
+    R0_11 = k[1]
+    R0_22 = k[2]
+    R0_22_betaz = k[3]
+    R0_32_betax = k[4]
+    R0_11_betaz = k[5]
     L = k[6]
     s31 = k[7]
     s34 = k[8]
@@ -1831,15 +1831,15 @@ def _nominal(w, k, n):
         py = w[160 + lane]
         pz = w[192 + lane]
         s7 = cosine(q)
-        s8 = F_12*s7
+        s8 = R0_12*s7
         s9 = sine(q)
-        R1_12_betaz = -F_11*s7
-        s11 = -F_12*s9
-        s13 = F_22*s7
-        R1_22_betaz = F_22_betaz*s7
-        s15 = -F_22*s9
-        R1_32_betax = F_32_betax*s7
-        R1_32_betay = -F_11_betaz*s7
+        R1_12_betaz = -R0_11*s7
+        s11 = -R0_12*s9
+        s13 = R0_22*s7
+        R1_22_betaz = R0_22_betaz*s7
+        s15 = -R0_22*s9
+        R1_32_betax = R0_32_betax*s7
+        R1_32_betay = -R0_11_betaz*s7
         s29 = L*s8
         A1_x = s29 + s31
         s33 = L*s9

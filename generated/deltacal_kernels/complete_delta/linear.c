@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/linear.c.jinja; sha256 of both eb95c5b7b13b4984; SymPy 1.14.0.
+ * Template templates/mechanism/linear.c.jinja; sha256 of both 5510b1b2a391a5f7; SymPy 1.14.0.
  *
  * The linear compensator: nominal joints, and the change that holds the reference point to first order in the errors.
  * An export puts the machine's numbers before this text: DELTACAL_K[3][40], DELTACAL_TOOL[3],
@@ -55,13 +55,13 @@ static void linear(const double *x, double q, const double *tool, const double *
     const double ty = tool[1];
     const double tz = tool[2];
     const double L = k[6];
-    const double F_12 = k[7];
-    const double F_12_errors = k[8];
+    const double R0_12 = k[7];
+    const double R0_12_errors = k[8];
     const double betay = k[9];
-    const double F_22 = k[10];
-    const double F_22_errors = k[11];
+    const double R0_22 = k[10];
+    const double R0_22_errors = k[11];
     const double betax = k[12];
-    const double F_32_errors = k[13];
+    const double R0_32_errors = k[13];
     const double s46 = k[14];
     const double ay1 = k[15];
     const double g1_z_errors = k[16];
@@ -89,14 +89,14 @@ static void linear(const double *x, double q, const double *tool, const double *
     const double s164 = k[38];
     const double s182 = k[39];
     const double s14 = cos(q);
-    const double s15 = F_12*s14;
+    const double s15 = R0_12*s14;
     const double s16 = sin(q);
-    const double s17 = -F_12*s16;
-    const double R1_12_errors = F_12_errors*s14 + betay*s16;
-    const double s24 = F_22*s14;
-    const double s25 = -F_22*s16;
-    const double R1_22_errors = F_22_errors*s14 - betax*s16;
-    const double R1_32_errors = F_32_errors*s14;
+    const double s17 = -R0_12*s16;
+    const double R1_12_errors = R0_12_errors*s14 + betay*s16;
+    const double s24 = R0_22*s14;
+    const double s25 = -R0_22*s16;
+    const double R1_22_errors = R0_22_errors*s14 - betax*s16;
+    const double R1_32_errors = R0_32_errors*s14;
     const double s44 = L*s15;
     const double A1_x = s44 + s46;
     const double s48 = L*s17;
