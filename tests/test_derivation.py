@@ -147,6 +147,16 @@ def test_twists_that_links_hand_on_are_all_that_readings_of_a_chain_miss(motions
         assert np.abs(H @ v).max() < 1e-9 * np.abs(H).max() * np.abs(v).max(), vector
 
 
+def test_the_account_of_a_chain_names_every_parameter() -> None:
+    robot = derivations.example("serial")
+    assert robot is not None
+    found = plain(answer(derivations.request(derivations.subject("serial"))))
+    named = {row["name"] for table in ("errors", "common") for row in found["tables"][table]}
+    assert named == {p.error for p in mechanism_of(robot).parameters}
+    assert {link["convention"] for link in found["links"]} == {"standard", "modified"}
+    assert found["statics"]
+
+
 def test_a_coupled_chain_has_no_null_space_in_closed_form() -> None:
     spec = importlib.import_module("derive.mechanisms.serial").MECHANISM
     asked = derivations.request(derivations.subject("serial"))
