@@ -13,8 +13,8 @@ import pyarrow.csv
 import pyarrow.parquet as pq
 import pytest
 
-from deltacal_gen import prediction, streams
-from deltacal_gen.errors import InputError
+from deltacal_gen import commands, prediction, streams
+from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.identification import identify
 from deltacal_gen.mechanism import load_mechanism
 from deltacal_gen.recording import read_blocks, read_recording
@@ -105,6 +105,40 @@ def test_a_cell_may_go_on_where_a_block_ends(tmp_path: Path) -> None:
     blocks = list(read_blocks(path, DELTA, 1))
     assert [part.pose.tolist() for part in blocks] == [["ab"], ["c"]]
     assert [part.line.tolist() for part in blocks] == [[3], [4]]
+
+
+def test_blocks_from_the_command_line(robot: Robot, errors: dict[str, float], tmp_path: Path) -> None:
+    """simulate, identify, predict and validate of files: numbers as without --blocks."""
+    poses, out = targets(robot, tmp_path / "poses.csv", 60), tmp_path / "recording.csv"
+    given = {"truth": errors, "noise": NOISE, "seed": 3}
+    assert commands.simulate_blocks(robot, poses, out, **given) == 60
+    whole = commands.simulate(robot, poses, **given)
+    np.testing.assert_allclose(read_recording(out, DELTA).measured, whole.measured, rtol=0, atol=1e-9)
+
+    (tmp_path / "robot.toml").write_text(robot_to_toml(robot))
+    command = [sys.executable, "-m", "deltacal_gen.cli", "identify", "robot.toml", out.name, "--model", "18"]
+    said = subprocess.run([*command, "--blocks", "-o", "result.json"], cwd=tmp_path, capture_output=True, text=True)
+    assert said.returncode == 0, said.stderr
+    found = json.loads((tmp_path / "result.json").read_text())
+    beside = commands.identify(robot, out, "18", solver="least-squares", robust=False)
+    alike = ("model", "rank", "unidentifiable", "readings", "schema")
+    assert {key: found[key] for key in alike} == {key: beside[key] for key in alike}
+    for key, within in (("condition", 0.02), ("singular_values", 0.02), ("before_rms_mm", 0.2), ("train_rms_mm", 0.01)):
+        assert found[key] == pytest.approx(beside[key], rel=within, abs=1e-6)
+    for mine, theirs in zip(found["parameters"], beside["parameters"], strict=True):
+        assert (mine["name"], mine["unit"], mine["status"]) == (theirs["name"], theirs["unit"], theirs["status"])
+        if mine["status"] == "identified":
+            assert mine["value"] == pytest.approx(theirs["value"], abs=0.05 * theirs["std"])
+
+    more = commands.identify_blocks(robot, out, "24")  # a frame nobody knows hides the base frame
+    assert (more["rank"], len(more["unidentifiable"])) == (18, 6)
+    assert "not pinned" in {p["status"] for p in more["parameters"]}
+
+    assert commands.predict_blocks(found, out, tmp_path / "predicted.csv") == 60
+    assert commands.validate(found, out)["rms_mm"] == pytest.approx(found["train_rms_mm"], rel=0.1)
+    (tmp_path / "truth.toml").write_text('[[effects]]\nname = "joint_scale"\nlimb = 1\nscale = 1e-4\n')
+    with pytest.raises(UsageError, match="effects are not simulated in blocks"):
+        commands.simulate_blocks(robot, poses, out, truth=tmp_path / "truth.toml")
 
 
 PROGRAM = """

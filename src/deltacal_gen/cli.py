@@ -19,7 +19,7 @@ import typer
 from rich.console import Console
 from rich.table import Column, Table
 
-from deltacal_gen.errors import DeltacalError
+from deltacal_gen.errors import DeltacalError, UsageError
 
 app = typer.Typer(
     name="deltacal",
@@ -41,6 +41,9 @@ ResultFile = Annotated[
 ]
 Json = Annotated[bool, typer.Option("--json", help="print the JSON and nothing else")]
 Model = Annotated[str | None, typer.Option("--model", help="e.g. delta/32 or 32", show_default=False)]
+Blocks = Annotated[
+    bool, typer.Option("--blocks", help="some rows at a time, in a fixed memory: one set-up, positions, no effects")
+]
 As = Annotated[str | None, typer.Option("--as", help="'distance': use the distances of all pairs of positions")]
 
 
@@ -309,18 +312,23 @@ def simulate(
     truth: Annotated[Path | None, typer.Option(help="TRUTH.toml: the true errors", show_default=False)] = None,
     noise: Annotated[float, typer.Option(help="standard deviation per coordinate, mm")] = 0.0,
     seed: Annotated[int, typer.Option(help="of noise and unknown frame")] = 0,
+    blocks: Blocks = False,
     as_json: Json = False,
 ) -> None:
     """Simulate a recording exactly."""
     from deltacal_gen import commands
 
-    done = commands.simulate(robot, poses, output, truth=truth, noise=noise, seed=seed)
-    rows = done.n_rows if done.pairs is None else len(done.pairs)
-    summary = {"schema": "deltacal.simulation/1", "recording": str(output), "kind": done.kind, "readings": rows}
-    if as_json:
-        _print_json(summary)
+    if blocks:
+        rows = commands.simulate_blocks(robot, poses, output, truth=truth, noise=noise, seed=seed)
+        summary, what = {}, "readings"
     else:
-        screen.print(f"{rows} readings of the kind {done.kind} written to {output}")
+        done = commands.simulate(robot, poses, output, truth=truth, noise=noise, seed=seed)
+        rows = done.n_rows if done.pairs is None else len(done.pairs)
+        summary, what = {"kind": done.kind}, f"readings of the kind {done.kind}"
+    if as_json:
+        _print_json({"schema": "deltacal.simulation/1", "recording": str(output), "readings": rows} | summary)
+    else:
+        screen.print(f"{rows} {what} written to {output}")
 
 
 @app.command()
@@ -338,26 +346,32 @@ def identify(
     ] = None,
     picture: Annotated[Path | None, typer.Option(help="what it found, .svg or .png", show_default=False)] = None,
     report: Annotated[Path | None, typer.Option(help="a page to read, .html", show_default=False)] = None,
+    blocks: Blocks = False,
     as_json: Json = False,
 ) -> None:
     """Identify the machine's errors from a recording."""
     from deltacal_gen import commands
 
     commands.check_output(picture, robot, recording, ending=commands.PICTURES)
-    with _progress(as_json) as tell:
-        found = commands.identify(
-            robot,
-            recording,
-            model,
-            output,
-            as_distance=_as_distance(as_kind),
-            solver=solver,
-            truncation=int(truncation) if truncation.isdecimal() else truncation,
-            robust=robust,
-            physics=physics,
-            report=report,
-            progress=tell,
-        )
+    if blocks:
+        if as_kind or physics or picture or report or solver != "prior":
+            raise UsageError("in blocks positions are fitted by least squares; leave the other options out.")
+        found = commands.identify_blocks(robot, recording, model, output)
+    else:
+        with _progress(as_json) as tell:
+            found = commands.identify(
+                robot,
+                recording,
+                model,
+                output,
+                as_distance=_as_distance(as_kind),
+                solver=solver,
+                truncation=int(truncation) if truncation.isdecimal() else truncation,
+                robust=robust,
+                physics=physics,
+                report=report,
+                progress=tell,
+            )
     if picture is not None:
         from deltacal_gen import figures
 
@@ -589,12 +603,20 @@ def predict(
     result: ResultFile,
     recording: RecordingFile,
     output: Annotated[Path, typer.Option("-o", "--output", help="PREDICTED.csv")],
+    blocks: Blocks = False,
     as_json: Json = False,
 ) -> None:
     """Predict the readings of other joints, in the instrument's frame."""
     from deltacal_gen import commands
     from deltacal_gen.prediction import CORRECTED
 
+    if blocks:
+        rows = commands.predict_blocks(result, recording, output)
+        if as_json:
+            _print_json({"schema": "deltacal.prediction/1", "file": str(output), "readings": rows, "told": []})
+        else:
+            screen.print(f"{rows} readings predicted in {output}")
+        return
     told: list[str] = []
     done = commands.predict(result, recording, output, tell=told.append)
     rows = done.n_rows if done.pairs is None else len(done.pairs)

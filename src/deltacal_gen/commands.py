@@ -336,13 +336,7 @@ def simulate(
     given = _recording(poses, robot, need_measured=False, allow_targets=True)
     if not isinstance(poses, Recording) and not given.path.with_suffix(".toml").exists():
         given = dataclasses.replace(given, measurement=dataclasses.replace(given.measurement, frame="robot"))
-    errors: dict[str, float] | None = None
-    terms: Sequence[Term] = ()
-    if truth is not None:
-        robot = for_names(robot, truth if isinstance(truth, Mapping) else simulation.truth_names(truth))
-        told = simulation.Truth(dict(truth)) if isinstance(truth, Mapping) else simulation.read_truth(truth, robot)
-        errors, terms = told.errors, told.terms
-        errors = {n: errors.get(n, 0.0) + robot.errors.get(n, 0.0) for n in errors.keys() | robot.errors.keys()}
+    robot, errors, terms = _truth(robot, truth)
     done = simulation.simulate(
         robot,
         given,
@@ -357,7 +351,61 @@ def simulate(
     return done
 
 
+def _truth(
+    robot: Robot, truth: Source | Mapping[str, float] | None
+) -> tuple[Robot, dict[str, float] | None, Sequence[Term]]:
+    """Return the mechanism that has what a truth names, all source errors and the effects."""
+    from deltacal_gen import simulation
+
+    if truth is None:
+        return robot, None, ()
+    robot = for_names(robot, truth if isinstance(truth, Mapping) else simulation.truth_names(truth))
+    told = simulation.Truth(dict(truth)) if isinstance(truth, Mapping) else simulation.read_truth(truth, robot)
+    names = told.errors.keys() | robot.errors.keys()
+    return robot, {n: told.errors.get(n, 0.0) + robot.errors.get(n, 0.0) for n in names}, told.terms
+
+
+def simulate_blocks(
+    robot: Source | Robot,
+    poses: Source,
+    output: Source,
+    *,
+    truth: Source | Mapping[str, float] | None = None,
+    noise: float = 0.0,
+    seed: int = 0,
+) -> int:
+    """Simulate a recording of any length, from file to file in a fixed memory; return the rows. See `simulate`.
+
+    Raises
+    ------
+    UsageError
+        A truth with effects: they may ask for the whole recording.
+    """
+    from deltacal_gen import streams
+
+    check_output(output, robot, poses, truth, ending=(".csv",))
+    robot, errors, terms = _truth(_robot(robot), truth)
+    if terms:
+        raise UsageError("effects are not simulated in blocks; leave --blocks out.")
+    return streams.simulate(robot, poses, output, errors, noise_mm=noise, rng=np.random.default_rng(seed))
+
+
 # --------------------------------------------------------------------------------------------------- the data side
+
+
+def identify_blocks(
+    robot: Source | Robot, recording: Source, model: str | None = None, output: Source | None = None
+) -> dict[str, Any]:
+    """Identify from a recording of any length, in a fixed memory; return RESULT.json. See `streams.identify`."""
+    from deltacal_gen import streams
+
+    check_output(output, robot, recording)
+    robot = _robot(robot)
+    model = mechanism_of(robot).full_model if model is None else model
+    found = streams.identify(for_model(robot, model), recording, model).to_dict()
+    if output is not None:
+        write_json(found, output)
+    return found
 
 
 def identify(
@@ -515,6 +563,23 @@ def predict(
         columns, pairs = file_columns(done)
         write_files({Path(output): csv_text(pairs or columns)})
     return done
+
+
+def predict_blocks(result: Source | Mapping[str, Any], recording: Source, output: Source) -> int:
+    """Predict the readings of a recording of any length, from file to file in a fixed memory; return the rows.
+
+    Raises
+    ------
+    UsageError
+        A diagnosis with effects or a smooth correction: they may ask for the whole recording.
+    """
+    from deltacal_gen import streams
+
+    check_output(output, result, recording, ending=(".csv",))
+    result = _result(result)
+    if result.get("effects") or result.get("correction") or result.get("physics"):
+        raise UsageError("effects are not predicted in blocks; leave --blocks out.")
+    return streams.predict(result, recording, output)
 
 
 def validate(result: Source | Mapping[str, Any], recording: Source | Recording) -> dict[str, Any]:

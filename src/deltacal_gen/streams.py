@@ -15,15 +15,17 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen import prediction, simulation
+from deltacal_gen import identifiability, prediction, simulation
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation import Problem, pose_problem
+from deltacal_gen.identification import SCHEMA
 from deltacal_gen.inputs import Recording, Robot
 from deltacal_gen.measurement import Instrument
 from deltacal_gen.mechanism import Array, mechanism_of
 from deltacal_gen.recording import read_blocks, write_blocks
 from deltacal_gen.robot import robot_to_dict
 from deltacal_gen.solvers import LeastSquares
+from deltacal_gen.units import file_unit, to_internal
 
 ROWS = 10_000  # of a block: the derivatives of its poses take some 25 MB
 PASSES = 8  # over the file, at most
@@ -42,16 +44,25 @@ class Streamed:
         Of the free parameters and the instrument's unknowns [mm, rad].
     sigma : float
         Noise per coordinate, from the residuals [mm].
+    before, after : float
+        RMS of the residuals of the robot file's machine, and of the one found [mm].
+    matrix : (n, n) array
+        The identification matrix as a triangle, in ordinary errors, the instrument projected out.
     rows, passes : int
     """
 
     robot: Robot
+    model: str
     names: tuple[str, ...]
     errors: Array
     instrument: Instrument
     setups: tuple[str, ...]
     covariance: Array
     sigma: float
+    before: float
+    after: float
+    matrix: Array
+    scalars: int
     rows: int
     passes: int
 
@@ -62,11 +73,55 @@ class Streamed:
         return {name: float(self.errors[index[name]]) for name in self.names}
 
     def to_dict(self) -> dict[str, Any]:
-        """Return what `predict` reads of a RESULT.json: the calibrated robot and the instrument."""
-        named = {p.name: float(v) for p, v in zip(mechanism_of(self.robot).parameters, self.errors, strict=True) if v}
+        """Return a RESULT.json: what `identification.identify` says, but for what it asks of single readings."""
+        mechanism, n = mechanism_of(self.robot), len(self.names)
+        named = {p.name: float(v) for p, v in zip(mechanism.parameters, self.errors, strict=True) if v}
+        columns = [mechanism.index[name] for name in self.names]
+        typical, units = mechanism.typical[columns], [mechanism.parameters[j].unit for j in columns]
+        unseen = identifiability.unseen(self.matrix / typical, self.names, units, typical)
+        seen = identifiability.observability(self.matrix, self.rows)
+        open_ = {name for c in unseen for name in c.terms}
+        deviation = dict(zip(self.names, np.sqrt(np.maximum(np.diag(self.covariance)[:n], 0.0)), strict=True))
+        in_file, parameters = mechanism.vector(self.robot.errors), []
+        for p, error, drawn in zip(mechanism.parameters, self.errors, in_file, strict=True):
+            factor, status = to_internal(p.unit), "not pinned" if p.name in open_ else "identified"
+            status = status if p.name in self.names else "fixed"
+            std = float(deviation[p.name] / factor) if status == "identified" else None
+            value = float((error - drawn) / factor)
+            parameters.append({"name": p.name, "value": value, "std": std, "unit": file_unit(p.unit), "status": status})
         return {
+            "schema": SCHEMA,
+            "model": self.model,
+            "parameters": parameters,
+            "rank": seen.rank,
+            "rank_tolerance": identifiability.RANK_TOLERANCE,
+            "singular_values": seen.singular_values.tolist(),
+            "condition": seen.condition if np.isfinite(seen.condition) else None,
+            "scaling": "columns in ordinary errors, rows in mm, the instrument projected out, at the machine found",
+            "unidentifiable": [
+                {
+                    "seen": "not at all",
+                    "text": c.text,
+                    "terms": {
+                        k: v / to_internal(mechanism.parameters[mechanism.index[k]].unit) for k, v in c.terms.items()
+                    },
+                }
+                for c in unseen
+            ],
+            "readings": {"kind": "position", "scalars": self.scalars, "poses": self.rows},
+            "before_rms_mm": self.before,
+            "train_rms_mm": self.after,
+            "heldout_rms_mm": None,
+            "sigma_mm": self.sigma,
+            "sigma_source": "residual",
+            "chi2_per_dof": 1.0 if self.sigma > 0 else None,  # by definition
+            "gross_errors": None,  # not searched for, nor what is below
+            "next_measurements": [],
+            "accuracy": None,
+            "workspace": None,
+            "regularisation": {"rule": f"least squares, {self.passes} passes over the file"},
+            "instrument": self.instrument.to_dict() | {"setups": list(self.setups), "zero": "absolute"},
             "robot": robot_to_dict(dataclasses.replace(self.robot, errors=named)),
-            "instrument": self.instrument.to_dict() | {"setups": list(self.setups)},
         }
 
 
@@ -95,10 +150,13 @@ def simulate(
     def parts() -> Iterator[Recording]:
         seen = frame
         for part in read_blocks(poses, mechanism, rows, need_measured=False, allow_targets=True):
+            if not Path(poses).with_suffix(".toml").exists():  # as `commands.simulate` has it
+                part = dataclasses.replace(part, measurement=dataclasses.replace(part.measurement, frame="robot"))
             if seen is None and part.kind == "position" and part.measurement.frame == "unknown" and rng is not None:
                 turn, origin = simulation.drawn_frames(part, 1, rng)
                 seen = turn[0], origin[0]
-            yield simulation.simulate(robot, part, true, noise_mm=noise_mm, rng=rng, frame=seen)
+            turns = part.measurement.sigma_rad or 0.0 if noise_mm else 0.0
+            yield simulation.simulate(robot, part, true, noise_mm=noise_mm, noise_rad=turns, rng=rng, frame=seen)
 
     return write_blocks(parts(), output)
 
@@ -123,7 +181,7 @@ def identify(robot: Robot, recording: str | Path, model: str, *, rows: int = ROW
     mechanism = mechanism_of(robot)
     names, errors = mechanism.model(model), mechanism.vector(robot.errors)
     instrument: Instrument | None = None
-    number, settled = 0, False
+    number, settled, before = 0, False, 0.0
     while not settled and number < passes:
         number += 1
         triangle: Array | None = None
@@ -147,6 +205,7 @@ def identify(robot: Robot, recording: str | Path, model: str, *, rows: int = ROW
         solution = LeastSquares().solve(triangle[:, :-1], triangle[:, -1])
         left = float(triangle[:, -1] @ triangle[:, -1] - solution.c @ solution.c)
         noise = float(np.sqrt(max(left, 0.0) / max(scalars - solution.degrees, 1.0)))
+        before = float(np.linalg.norm(triangle[:, -1]) / np.sqrt(scalars)) if number == 1 else before
         step = solution.u * scale
         errors[problem.columns] += step[:n]
         instrument = instrument.stepped(step[n:])
@@ -155,8 +214,26 @@ def identify(robot: Robot, recording: str | Path, model: str, *, rows: int = ROW
     if not settled and passes > 1:
         raise NoSolutionError(f"the fit did not settle in {passes} passes over {recording}. Use a smaller model.")
     assert instrument is not None
+    assert triangle is not None
     covariance = noise**2 * solution.covariance * np.outer(scale, scale)
-    return Streamed(robot, names, errors, instrument, setups, covariance, noise, count, number)
+    after_instrument = np.roll(triangle[:, :-1], -n, axis=1)  # its columns first: what is left below is projected
+    matrix = np.asarray(np.linalg.qr(after_instrument, mode="r"))[triangle.shape[1] - 1 - n :, -n:]
+    return Streamed(
+        robot,
+        mechanism.full_name(model),
+        names,
+        errors,
+        instrument,
+        setups,
+        covariance,
+        noise,
+        before,
+        float(np.sqrt(max(left, 0.0) / scalars)),
+        matrix,
+        scalars,
+        count,
+        number,
+    )
 
 
 def predict(result: Mapping[str, Any], recording: str | Path, output: str | Path, *, rows: int = ROWS) -> int:
