@@ -26,12 +26,14 @@ kernels: .venv/dev  ## derive and emit the kernels
 
 bench: .venv/dev .venv/bench  ## every work beside NumPy, Numba by hand, CasADi and JAX
 	$(BIN)/python -m tests.benchmarks
+	$(BIN)/python -m tests.benchmarks.scaling
+	$(BIN)/python -m tests.benchmarks.memory --rows 200000
 
 proof: .venv/proof  ## conceal effects, diagnose blind, grade: a table and a page in proof/
 	$(BIN)/python -m tests.proof -o proof
 
 clean:
-	rm -rf .venv dist demo proof .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache
+	rm -rf .venv dist demo proof scaling.png .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 .venv/made:

@@ -11,7 +11,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from deltacal_kernels import compiled
 
-from tests.benchmarks import compile
+from tests.benchmarks import compile, memory, scaling
 from tests.benchmarks.works import WORKS, disagreement, works
 
 QUICK = [name for name in WORKS if not name.endswith("_cold") and "command" not in name]
@@ -21,6 +21,15 @@ QUICK = [name for name in WORKS if not name.endswith("_cold") and "command" not 
 def test_all_contenders_agree(name: str) -> None:
     [(_, work)] = works([name], size=2)
     assert all(much <= 1 for much in disagreement(work).values())
+
+
+def test_scaling_and_memory_are_measured(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert scaling.main(["--most", "1000", "-o", str(tmp_path / "scaling.png")]) == 0
+    assert (tmp_path / "scaling.png").stat().st_size > 10_000
+    assert memory.main(["--rows", "2000"]) == 0
+    said = capsys.readouterr().out
+    for words in ("two threads: W5", "linearise 200 poses", "simulate, csv", "predict, parquet"):
+        assert words in said
 
 
 def test_the_table_of_compile_times_names_modules_that_exist() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import json
 import os
 import shutil
@@ -14,7 +15,6 @@ from dataclasses import dataclass
 from functools import cache, partial
 from importlib import import_module
 from importlib.util import find_spec
-from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -29,7 +29,7 @@ from deltacal_gen.compensation import Compensator
 from deltacal_gen.demonstration import example
 from deltacal_gen.estimation import fit, pose_problem
 from deltacal_gen.identification import identify
-from deltacal_gen.mechanism import load_mechanism, mechanism_names
+from deltacal_gen.mechanism import load_mechanism, mechanism_names, mechanism_of
 from deltacal_gen.recording import Measurement, Recording, read_recording
 from deltacal_gen.robot import Robot, read_robot, robot_from_dict, robot_to_toml
 from deltacal_gen.rotation import cayley_matrix, cayley_spin, cayley_vector
@@ -328,6 +328,27 @@ def every_mechanism(n: int, *, name: str, derivatives: bool) -> Work:
     )
 
 
+def chain(n: int, *, derivatives: bool) -> Work:
+    """Poses of the example's open chain with errors, or their derivatives: it has no kernels but a link's in NumPy."""
+    robot = read_robot(example("serial/robot.toml"))
+    mechanism, rng, tool = mechanism_of(robot), np.random.default_rng(8), np.zeros(3)
+    q = rng.uniform(-1.0, 1.0, (n, mechanism.limbs))
+    rows = mechanism.rows(robot, 0.1 * mechanism.typical * rng.standard_normal(len(mechanism.typical)))
+    x, _ = mechanism.forward(q, tool, rows)
+
+    def forward() -> Array:
+        mechanism.forward(q[:1], tool, rows)  # what was computed last is kept
+        return mechanism.forward(q, tool, rows)[0]
+
+    def sensitivity() -> Array:
+        mechanism.forward(q[:1], tool, rows)
+        return mechanism.sensitivity(x, q, tool, rows).parameters
+
+    what = "sensitivity" if derivatives else "exact forward position"
+    contenders = {NUMPY: Contender(sensitivity if derivatives else forward)}
+    return Work(f"serial, {mechanism.limbs} joints, {what}, {n} poses", "ns/pose", n, contenders)
+
+
 # ------------------------------------------------------------------------------------------------------ compensation
 
 
@@ -604,7 +625,7 @@ def start(n: int, *, what: str, cold: bool) -> Work:
         view, tolerance = {OURS: _numbers, NUMPY: _numbers}, 1e-4  # rad; by hand it is eq. (23)
     else:
         geometry = [(key, str(float(value[0]))) for key, value in ROBOT.geometry.items() if len(value) == 1]
-        mine: tuple[str, ...] = ("-c", _API, *chain.from_iterable(geometry))
+        mine: tuple[str, ...] = ("-c", _API, *itertools.chain.from_iterable(geometry))
         if what == "deltacal identify":
             given = ("robot.toml", "recording.csv", "--model", "18", "--as", "distance", "--json")
             mine = ("-m", "deltacal_gen.cli", "identify", *given)
@@ -648,10 +669,10 @@ WORKS: dict[str, tuple[Callable[[int], Work], tuple[int, int, int]]] = {
     "W4py_linear": (partial(call, kind="linear"), (1, 1, 1)),
     "W5": (forward, (100_000, 20_000, 30)),
     "W5s": (forward, (19, 19, 7)),
-    "W6_18": (partial(trials, model="18", kept=False), (1000, 200, 3)),
-    "W6_32": (partial(trials, model="32", kept=False), (1000, 200, 3)),
-    "W6_18kept": (partial(trials, model="18", kept=True), (1000, 200, 3)),
-    "W6_32kept": (partial(trials, model="32", kept=True), (1000, 200, 3)),
+    "W6_18": (partial(trials, model="18", kept=False), (300, 100, 3)),
+    "W6_32": (partial(trials, model="32", kept=False), (300, 100, 3)),
+    "W6_18kept": (partial(trials, model="18", kept=True), (300, 100, 3)),
+    "W6_32kept": (partial(trials, model="32", kept=True), (300, 100, 3)),
     "exact_18": (partial(identification, model="18"), (19, 19, 19)),
     "exact_32": (partial(identification, model="32"), (19, 19, 19)),
     "W7_cold": (partial(start, what="identification", cold=True), (1, 1, 1)),
@@ -666,6 +687,11 @@ WORKS |= {
     for name in mechanism_names()
     if load_mechanism(name).links is None
     for what in ("forward", "sensitivity")
+}
+
+WORKS |= {
+    "forward_serial": (partial(chain, derivatives=False), (2000, 2000, 9)),
+    "sensitivity_serial": (partial(chain, derivatives=True), (2000, 2000, 9)),
 }
 
 
