@@ -222,8 +222,8 @@ def result(out: Array | None, shape: tuple[int, ...]) -> Array:
 class Mechanism:
     """Tables and kernels of one machine; the robot's numbers come in by every call.
 
-    Functions of many poses take `out=`, an array of the result's shape that they fill and return: memory that is fresh
-    costs more than what is computed into it.
+    `forward`, `positions`, `inverse` and `sensitivity` take `out=`, an array of the result's shape that they fill and
+    return: memory that is fresh costs more than what is computed into it.
     """
 
     links: tuple[Link, ...] | None = None  # of an open chain
