@@ -1,7 +1,7 @@
 """Kinematics of `complete_delta`, many poses at once: Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both d19562fc20651235; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 215a0dd1eee2a4b5; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -20,6 +20,7 @@ import numpy as np
 
 from deltacal_kernels.compiled import kernel
 from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, scratch, sine, tangent, wide
+from deltacal_kernels.straight import straight
 
 from . import vectorised
 from .vectorised import SINGULAR, SOLVED, UNREACHABLE, constants, jacobians
@@ -37,10 +38,9 @@ SIMPLIFIED = 3  # coordinates that `simplified_forward` gives: the others are ze
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
-@fast
+@straight
 def _early(w, k, n):
     """What moves with a joint only; then the simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (67 operations)."""
-    wide()
     R0_12 = k[0]
     R0_13 = k[1]
     R0_22 = k[2]
@@ -116,10 +116,9 @@ def _early(w, k, n):
         w[1600 + lane] = s888
 
 
-@fast
+@straight
 def _rows(w, k, n):
     """Equations of a limb, their derivatives by shift and turn of the platform (142 operations)."""
-    wide()
     s904 = k[73]
     s1142 = k[74]
     for lane in range(n):
@@ -237,10 +236,9 @@ def _rows(w, k, n):
         w[1056 + lane] = s1303
 
 
-@fast
+@straight
 def _step(w, n):
     """Newton's step of the platform; how far the equations are from dependent (289 operations)."""
-    wide()
     for lane in range(n):
         F00 = w[608 + lane]
         J00_0 = w[640 + lane]
@@ -370,10 +368,9 @@ def _step(w, n):
         w[10208 + lane] = s231
 
 
-@fast
+@straight
 def _start(w, k, n):
     """Joint of the simplified limb at a given position (34 operations)."""
-    wide()
     s839 = k[24]
     s841 = k[25]
     s843 = k[26]
@@ -399,10 +396,9 @@ def _start(w, k, n):
         w[1632 + lane] = s875
 
 
-@fast
+@straight
 def _more(w, k, n):
     """What else derivatives by joint and errors read of it (38 operations)."""
-    wide()
     R0_12 = k[0]
     R0_13 = k[1]
     R0_22 = k[2]
@@ -445,10 +441,9 @@ def _more(w, k, n):
         w[2080 + lane] = s1326
 
 
-@fast
+@straight
 def _joints(w, k, n):
     """Derivatives of a limb's equations by its joint (64 operations)."""
-    wide()
     for lane in range(n):
         px = w[128 + lane]
         py = w[160 + lane]
@@ -504,10 +499,9 @@ def _joints(w, k, n):
         w[1088 + lane] = s1329
 
 
-@fast
+@straight
 def _command(w, n):
     """Newton's step of joints and rotation; how far the equations are from dependent (152 operations)."""
-    wide()
     for lane in range(n):
         F00 = w[608 + lane]
         J00_0 = w[640 + lane]
@@ -601,10 +595,9 @@ def _command(w, n):
         w[11776 + lane] = s130
 
 
-@fast
+@straight
 def _errors(w, k, n):
     """Derivatives of a limb's equations by errors, by deflections (347 operations)."""
-    wide()
     g1_y = k[6]
     g1_z = k[7]
     g2_y = k[14]
@@ -853,10 +846,9 @@ def _errors(w, k, n):
         w[3296 + lane] = s1267
 
 
-@fast
+@straight
 def _inverse_of_rows(w, n):
     """Minus the inverse of the derivatives, row by row; how far the equations are from dependent (439 operations)."""
-    wide()
     for lane in range(n):
         J00_0 = w[640 + lane]
         J00_1 = w[672 + lane]
@@ -1034,10 +1026,9 @@ def _inverse_of_rows(w, n):
         w[11456 + lane] = s363
 
 
-@fast
+@straight
 def _move(w, n):
     """The platform after a step, and its rotation matrix (104 operations)."""
-    wide()
     for lane in range(n):
         px = w[128 + lane]
         py = w[160 + lane]
@@ -1127,10 +1118,9 @@ def _move(w, n):
         w[7232 + lane] = s73
 
 
-@fast
+@straight
 def _meet(w, n):
     """Put the platform where the simplified machine has it."""
-    wide()
     for lane in range(n):
         c_00, c_01, c_02, c_03 = w[1504 + lane], w[1536 + lane], w[1568 + lane], w[1600 + lane]
         c_10, c_11, c_12, c_13 = w[4832 + lane], w[4864 + lane], w[4896 + lane], w[4928 + lane]
@@ -1163,10 +1153,9 @@ def _meet(w, n):
         w[288 + lane] = 0.0
 
 
-@fast
+@straight
 def _settle(w, n):
     """Mark the poses for which this step was the last; return how many go on."""
-    wide()
     left = 0
     for lane in range(n):
         done = (w[10176 + lane] > 0.0)
@@ -1183,10 +1172,9 @@ def _settle(w, n):
     return left
 
 
-@fast
+@straight
 def _settle_joints(w, n):
     """Mark the poses for which this step was the last; return how many go on."""
-    wide()
     left = 0
     for lane in range(n):
         done = (w[11680 + lane] > 0.0)
@@ -1206,7 +1194,7 @@ def _settle_joints(w, n):
     return left
 
 
-@fast
+@straight
 def _begin(w, n):
     """Let all poses go."""
     for lane in range(n):
@@ -1219,7 +1207,7 @@ def _begin(w, n):
         w[10144 + lane] = 0.0
 
 
-@fast
+@straight
 def _started(w, n):
     """Take joints, and coordinates that no command asks for, from the simplified machine."""
     for lane in range(n):
@@ -1232,7 +1220,7 @@ def _started(w, n):
         w[288 + lane] = 0.0
 
 
-@fast
+@straight
 def _turn_joints(w, n):
     """Move the joints by a step; what it does to the platform is left to `_move`."""
     for lane in range(n):
@@ -1244,85 +1232,81 @@ def _turn_joints(w, n):
         w[10112 + lane] = w[11616 + lane]
         w[10144 + lane] = w[11648 + lane]
 
-@fast
+@straight
 def _load(q, w, first, last, n):
     """Put joints of poses side by side, the last one again for the rest of `n`."""
-    wide()
     for lane in range(n):
         m = min(first + lane, last)
-        w[0 + lane] = q[m, 0]
-        w[3328 + lane] = q[m, 1]
-        w[6656 + lane] = q[m, 2]
+        w[0 + lane] = q[3 * m + 0]
+        w[3328 + lane] = q[3 * m + 1]
+        w[6656 + lane] = q[3 * m + 2]
 
 
-@fast
+@straight
 def _hold(tool, w, first, last, n):
     """Put tools of poses side by side, like `_load`."""
-    wide()
     for lane in range(n):
         m = min(first + lane, last)
-        at = tool[m, 0]
+        at = tool[3 * m + 0]
         w[32 + lane] = at
         w[3360 + lane] = at
         w[6688 + lane] = at
-        at = tool[m, 1]
+        at = tool[3 * m + 1]
         w[64 + lane] = at
         w[3392 + lane] = at
         w[6720 + lane] = at
-        at = tool[m, 2]
+        at = tool[3 * m + 2]
         w[96 + lane] = at
         w[3424 + lane] = at
         w[6752 + lane] = at
 
 
-@fast
+@straight
 def _place(x, w, first, last, n):
     """Put platform poses side by side, like `_load`."""
-    wide()
     for lane in range(n):
         m = min(first + lane, last)
-        w[128 + lane] = x[m, 0]
-        w[160 + lane] = x[m, 1]
-        w[192 + lane] = x[m, 2]
-        w[224 + lane] = x[m, 3]
-        w[256 + lane] = x[m, 4]
-        w[288 + lane] = x[m, 5]
+        w[128 + lane] = x[6 * m + 0]
+        w[160 + lane] = x[6 * m + 1]
+        w[192 + lane] = x[6 * m + 2]
+        w[224 + lane] = x[6 * m + 3]
+        w[256 + lane] = x[6 * m + 4]
+        w[288 + lane] = x[6 * m + 5]
 
 
-@fast
+@straight
 def _unload(w, x, status, first, last):
     """Write the platform's poses, and what became of them; return how many are left open."""
-    wide()
     left = 0
     for lane in range(last - first + 1):
-        x[first + lane, 0] = w[128 + lane]
-        x[first + lane, 1] = w[160 + lane]
-        x[first + lane, 2] = w[192 + lane]
-        x[first + lane, 3] = w[224 + lane]
-        x[first + lane, 4] = w[256 + lane]
-        x[first + lane, 5] = w[288 + lane]
+        x[6 * (first + lane) + 0] = w[128 + lane]
+        x[6 * (first + lane) + 1] = w[160 + lane]
+        x[6 * (first + lane) + 2] = w[192 + lane]
+        x[6 * (first + lane) + 3] = w[224 + lane]
+        x[6 * (first + lane) + 4] = w[256 + lane]
+        x[6 * (first + lane) + 5] = w[288 + lane]
         is_open = w[10240 + lane] != 0.0
         status[first + lane] = OPEN if is_open else SOLVED
         left += 1 if is_open else 0
     return left
 
 
-@fast
+@straight
 def _unload_joints(w, q, first, last):
-    wide()
     for lane in range(last - first + 1):
-        q[first + lane, 0] = w[0 + lane]
-        q[first + lane, 1] = w[3328 + lane]
-        q[first + lane, 2] = w[6656 + lane]
+        q[3 * (first + lane) + 0] = w[0 + lane]
+        q[3 * (first + lane) + 1] = w[3328 + lane]
+        q[3 * (first + lane) + 2] = w[6656 + lane]
 
 
 @fast
 def _forward(q, tool, k, x, status, warm, w):
+    joints, tools, poses = q.reshape(q.size), tool.reshape(tool.size), x.reshape(x.size)
     w_1 = w[0:3328]
     w_2 = w[3328:6656]
     w_3 = w[6656:9984]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        _hold(tools, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -1332,14 +1316,14 @@ def _forward(q, tool, k, x, status, warm, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
+            _load(joints, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
+                _hold(tools, w, first, last, n)
             _early(w_1, k_1, n)
             _early(w_2, k_2, n)
             _early(w_3, k_3, n)
             if warm:
-                _place(x, w, first, last, n)
+                _place(poses, w, first, last, n)
             else:
                 _meet(w, n)
             _begin(w, n)
@@ -1352,7 +1336,7 @@ def _forward(q, tool, k, x, status, warm, w):
                 _move(w, n)
                 if _settle(w, n) == 0:
                     break
-            left += _unload(w, x, status, first, last)
+            left += _unload(w, poses, status, first, last)
     return left
 
 
@@ -1376,11 +1360,12 @@ def forward(q, tool, k, x, status, warm):
 
 @fast
 def _inverse(target, tool, k, x, q, status, w):
+    targets, tools, poses, joints = target.reshape(target.size), tool.reshape(tool.size), x.reshape(x.size), q.reshape(q.size)
     w_1 = w[0:3328]
     w_2 = w[3328:6656]
     w_3 = w[6656:9984]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        _hold(tools, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -1390,9 +1375,9 @@ def _inverse(target, tool, k, x, q, status, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(target, w, first, last, n)
+            _load(targets, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
+                _hold(tools, w, first, last, n)
             _aim(w, n)
             _start(w_1, k_1, n)
             _start(w_2, k_2, n)
@@ -1418,8 +1403,8 @@ def _inverse(target, tool, k, x, q, status, w):
                 _move(w, n)
                 if _settle_joints(w, n) == 0:
                     break
-            left += _unload(w, x, status, first, last)
-            _unload_joints(w, q, first, last)
+            left += _unload(w, poses, status, first, last)
+            _unload_joints(w, joints, first, last)
     return left
 
 
@@ -1619,7 +1604,7 @@ def simplified_inverse(target, tool, k, q, status):
         q[left], status[left] = joints, of
 
 
-@fast
+@straight
 def _aim(w, n):
     """Put targets, which were loaded as joints, where the limbs read the platform."""
     for lane in range(n):
@@ -1640,11 +1625,12 @@ def _aim(w, n):
 @fast
 def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
     by_errors, by_joints = S_p.reshape(S_p.size), S_q.reshape(S_q.size)
+    joints, tools, poses = q.reshape(q.size), tool.reshape(tool.size), x.reshape(x.size)
     w_1 = w[0:3328]
     w_2 = w[3328:6656]
     w_3 = w[6656:9984]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        _hold(tools, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -1654,10 +1640,10 @@ def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
+            _load(joints, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
-            _place(x, w, first, last, n)
+                _hold(tools, w, first, last, n)
+            _place(poses, w, first, last, n)
             _begin(w, n)
             _move(w, n)
             _early(w_1, k_1, n)
@@ -1794,10 +1780,9 @@ def nominal_constants(p):
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
-@fast
+@straight
 def _nominal(w, k, n):
     """Equations of a nominal limb by platform and errors (207 operations)."""
-    wide()
     R0_12 = k[0]
     R0_11 = k[1]
     R0_22 = k[2]
@@ -1971,10 +1956,9 @@ def _nominal(w, k, n):
         w[3232 + lane] = s147
 
 
-@fast
+@straight
 def _nominal_inverse(w, n):
     """Minus the inverse of the derivatives, its rows of the position; how far the equations are from dependent (223 operations)."""
-    wide()
     for lane in range(n):
         J00_0 = w[640 + lane]
         J10_0 = w[3968 + lane]
@@ -2111,22 +2095,22 @@ def _nominal_products(w, S, first, last):
 
 @fast
 def _nominal_sensitivity(x, q, tool, k, S, w):
-    rows = S.reshape(S.size)
+    positions, joints, tools, rows = x.reshape(x.size), q.reshape(q.size), tool.reshape(tool.size), S.reshape(S.size)
     w_1 = w[0:3328]
     w_2 = w[3328:6656]
     w_3 = w[6656:9984]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        _hold(tools, w, 0, 0, LANES)
     poses, regular = q.size // 3, True
     k_1, k_2, k_3 = k[0, 0], k[0, 1], k[0, 2]
     for first in range(0, poses, LANES):
         last = min(first + LANES, poses) - 1
         n = (last - first + 8) // 8 * 8
-        _load(x, w, first, last, n)
+        _load(positions, w, first, last, n)
         if len(tool) > 1:
-            _hold(tool, w, first, last, n)
+            _hold(tools, w, first, last, n)
         _aim(w, n)
-        _load(q, w, first, last, n)
+        _load(joints, w, first, last, n)
         _nominal(w_1, k_1, n)
         _nominal(w_2, k_2, n)
         _nominal(w_3, k_3, n)

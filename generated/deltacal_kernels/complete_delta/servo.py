@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `complete_delta`, Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 0fda2a729d5e8aea; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 3a58f4346a92dad6; SymPy 1.14.0.
 
 Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
 than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`
@@ -10,11 +10,13 @@ they are 4.
 """
 
 import math
+from functools import partial
 
 import numpy as np
 
 from deltacal_kernels.compiled import kernel
 from deltacal_kernels.elementary import aligned, arcsine, arctangent, copied, cosine, sine, tangent
+from deltacal_kernels.straight import straight
 
 from .vectorised import MAX_STEPS, SINGULAR, SOLVED, STEP_LOST, UNREACHABLE
 
@@ -22,6 +24,7 @@ COMMAND_DONE = 3e-8  # rad; after such a step a command is exact to its square: 
 COMMAND_CONSTANTS = 31  # what is exported reads these first columns of `vectorised.constants` only
 LANES = np.int64(4)  # no literal: a loop whose end is known beforehand is unrolled, and not turned into SIMD code
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
+few = partial(straight, wide=False)
 
 
 def _exact_constants(p):
@@ -462,7 +465,7 @@ def linear_state(p, tool, sign):
     return w
 
 
-@fast
+@few
 def _exact_joint(w, lanes):
     """Joint of the simplified limb at the target, then the platform's coordinates that follow from it (34 operations)."""
     px = w[0]
@@ -490,7 +493,7 @@ def _exact_joint(w, lanes):
         w[36 + lane] = s250
 
 
-@fast
+@few
 def _exact_rows(w, lanes):
     """Equations of a limb, their derivatives by turns of the platform and by the joint (241 operations)."""
     px = w[0]
@@ -640,7 +643,7 @@ def _exact_rows(w, lanes):
         w[100 + lane] = s339
 
 
-@fast
+@few
 def _exact_solution(w):
     """Changes that undo the closures while the target is kept; how far the equations are from dependent (122 operations)."""
     F00 = w[60]
@@ -720,7 +723,7 @@ def _exact_solution(w):
     w[34] = s106
 
 
-@fast
+@few
 def _exact_move(w):
     """The platform after a step, and its rotation matrix (86 operations)."""
     px = w[0]
@@ -825,7 +828,7 @@ def exact_command(px, py, pz, w):
     return w[24] * w[36], w[25] * w[37], w[26] * w[38]
 
 
-@fast
+@few
 def _linear_joint(w, lanes):
     """Joint of the nominal limb at the target, its cosine and sine (42 operations)."""
     px = w[0]
@@ -860,7 +863,7 @@ def _linear_joint(w, lanes):
         w[56 + lane] = s196
 
 
-@fast
+@few
 def _linear_angle(w, lanes):
     """Cosine and sine of the joint (2 operations)."""
     for lane in range(lanes):
@@ -871,7 +874,7 @@ def _linear_angle(w, lanes):
         w[56 + lane] = s198
 
 
-@fast
+@few
 def _linear_rows(w, lanes):
     """Equations of a nominal limb: change by all errors, derivatives by rotation and joint (167 operations)."""
     px = w[0]
@@ -985,7 +988,7 @@ def _linear_rows(w, lanes):
         w[100 + lane] = s252
 
 
-@fast
+@few
 def _linear_solution(w):
     """Changes that undo the closures while the target is kept; how far the equations are from dependent (95 operations)."""
     F00 = w[60]

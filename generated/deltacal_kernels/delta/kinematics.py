@@ -1,7 +1,7 @@
 """Kinematics of `delta`, many poses at once: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 7ab026bf198fda37; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 1cbd768faa7c4e5c; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -20,6 +20,7 @@ import numpy as np
 
 from deltacal_kernels.compiled import kernel
 from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, scratch, sine, tangent, wide
+from deltacal_kernels.straight import straight
 
 from . import vectorised
 from .vectorised import SINGULAR, SOLVED, UNREACHABLE, constants, jacobians
@@ -37,10 +38,9 @@ SIMPLIFIED = 3  # coordinates that `simplified_forward` gives: the others are ze
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
-@fast
+@straight
 def _early(w, k, n):
     """What moves with a joint only; then the simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (65 operations)."""
-    wide()
     theta = k[0]
     R0_11 = k[1]
     R0_12 = k[2]
@@ -106,10 +106,9 @@ def _early(w, k, n):
         w[1472 + lane] = s1223
 
 
-@fast
+@straight
 def _rows(w, k, n):
     """Equations of a limb, their derivatives by shift and turn of the platform (116 operations)."""
-    wide()
     h_x = k[19]
     h_y = k[20]
     h_z = k[21]
@@ -188,10 +187,9 @@ def _rows(w, k, n):
         w[1056 + lane] = s1750
 
 
-@fast
+@straight
 def _step(w, n):
     """Newton's step of the platform; how far the equations are from dependent (289 operations)."""
-    wide()
     for lane in range(n):
         F00 = w[608 + lane]
         J00_0 = w[640 + lane]
@@ -321,10 +319,9 @@ def _step(w, n):
         w[9248 + lane] = s231
 
 
-@fast
+@straight
 def _start(w, k, n):
     """Joint of the simplified limb at a given position (36 operations)."""
-    wide()
     theta = k[0]
     s1166 = k[24]
     s1168 = k[25]
@@ -352,10 +349,9 @@ def _start(w, k, n):
         w[1504 + lane] = s1210
 
 
-@fast
+@straight
 def _more(w, k, n):
     """What else derivatives by joint and errors read of it (39 operations)."""
-    wide()
     theta = k[0]
     R0_11 = k[1]
     R0_12 = k[2]
@@ -400,10 +396,9 @@ def _more(w, k, n):
         w[1952 + lane] = s1773
 
 
-@fast
+@straight
 def _joints(w, k, n):
     """Derivatives of a limb's equations by its joint (61 operations)."""
-    wide()
     h_x = k[19]
     h_y = k[20]
     h_z = k[21]
@@ -453,10 +448,9 @@ def _joints(w, k, n):
         w[1088 + lane] = s1782
 
 
-@fast
+@straight
 def _command(w, n):
     """Newton's step of joints and rotation; how far the equations are from dependent (152 operations)."""
-    wide()
     for lane in range(n):
         F00 = w[608 + lane]
         J00_0 = w[640 + lane]
@@ -550,10 +544,9 @@ def _command(w, n):
         w[10816 + lane] = s130
 
 
-@fast
+@straight
 def _errors(w, k, n):
     """Derivatives of a limb's equations by errors, by deflections (488 operations)."""
-    wide()
     R0_11 = k[1]
     R0_12 = k[2]
     R0_21 = k[3]
@@ -827,10 +820,9 @@ def _errors(w, k, n):
         w[2976 + lane] = s1717
 
 
-@fast
+@straight
 def _inverse_of_rows(w, n):
     """Minus the inverse of the derivatives, row by row; how far the equations are from dependent (439 operations)."""
-    wide()
     for lane in range(n):
         J00_0 = w[640 + lane]
         J00_1 = w[672 + lane]
@@ -1008,10 +1000,9 @@ def _inverse_of_rows(w, n):
         w[10496 + lane] = s363
 
 
-@fast
+@straight
 def _move(w, n):
     """The platform after a step, and its rotation matrix (104 operations)."""
-    wide()
     for lane in range(n):
         px = w[128 + lane]
         py = w[160 + lane]
@@ -1101,10 +1092,9 @@ def _move(w, n):
         w[6592 + lane] = s73
 
 
-@fast
+@straight
 def _meet(w, n):
     """Put the platform where the simplified machine has it."""
-    wide()
     for lane in range(n):
         c_00, c_01, c_02, c_03 = w[1376 + lane], w[1408 + lane], w[1440 + lane], w[1472 + lane]
         c_10, c_11, c_12, c_13 = w[4384 + lane], w[4416 + lane], w[4448 + lane], w[4480 + lane]
@@ -1137,10 +1127,9 @@ def _meet(w, n):
         w[288 + lane] = 0.0
 
 
-@fast
+@straight
 def _settle(w, n):
     """Mark the poses for which this step was the last; return how many go on."""
-    wide()
     left = 0
     for lane in range(n):
         done = (w[9216 + lane] > 0.0)
@@ -1157,10 +1146,9 @@ def _settle(w, n):
     return left
 
 
-@fast
+@straight
 def _settle_joints(w, n):
     """Mark the poses for which this step was the last; return how many go on."""
-    wide()
     left = 0
     for lane in range(n):
         done = (w[10720 + lane] > 0.0)
@@ -1180,7 +1168,7 @@ def _settle_joints(w, n):
     return left
 
 
-@fast
+@straight
 def _begin(w, n):
     """Let all poses go."""
     for lane in range(n):
@@ -1193,7 +1181,7 @@ def _begin(w, n):
         w[9184 + lane] = 0.0
 
 
-@fast
+@straight
 def _started(w, n):
     """Take joints, and coordinates that no command asks for, from the simplified machine."""
     for lane in range(n):
@@ -1206,7 +1194,7 @@ def _started(w, n):
         w[288 + lane] = 0.0
 
 
-@fast
+@straight
 def _turn_joints(w, n):
     """Move the joints by a step; what it does to the platform is left to `_move`."""
     for lane in range(n):
@@ -1218,85 +1206,81 @@ def _turn_joints(w, n):
         w[9152 + lane] = w[10656 + lane]
         w[9184 + lane] = w[10688 + lane]
 
-@fast
+@straight
 def _load(q, w, first, last, n):
     """Put joints of poses side by side, the last one again for the rest of `n`."""
-    wide()
     for lane in range(n):
         m = min(first + lane, last)
-        w[0 + lane] = q[m, 0]
-        w[3008 + lane] = q[m, 1]
-        w[6016 + lane] = q[m, 2]
+        w[0 + lane] = q[3 * m + 0]
+        w[3008 + lane] = q[3 * m + 1]
+        w[6016 + lane] = q[3 * m + 2]
 
 
-@fast
+@straight
 def _hold(tool, w, first, last, n):
     """Put tools of poses side by side, like `_load`."""
-    wide()
     for lane in range(n):
         m = min(first + lane, last)
-        at = tool[m, 0]
+        at = tool[3 * m + 0]
         w[32 + lane] = at
         w[3040 + lane] = at
         w[6048 + lane] = at
-        at = tool[m, 1]
+        at = tool[3 * m + 1]
         w[64 + lane] = at
         w[3072 + lane] = at
         w[6080 + lane] = at
-        at = tool[m, 2]
+        at = tool[3 * m + 2]
         w[96 + lane] = at
         w[3104 + lane] = at
         w[6112 + lane] = at
 
 
-@fast
+@straight
 def _place(x, w, first, last, n):
     """Put platform poses side by side, like `_load`."""
-    wide()
     for lane in range(n):
         m = min(first + lane, last)
-        w[128 + lane] = x[m, 0]
-        w[160 + lane] = x[m, 1]
-        w[192 + lane] = x[m, 2]
-        w[224 + lane] = x[m, 3]
-        w[256 + lane] = x[m, 4]
-        w[288 + lane] = x[m, 5]
+        w[128 + lane] = x[6 * m + 0]
+        w[160 + lane] = x[6 * m + 1]
+        w[192 + lane] = x[6 * m + 2]
+        w[224 + lane] = x[6 * m + 3]
+        w[256 + lane] = x[6 * m + 4]
+        w[288 + lane] = x[6 * m + 5]
 
 
-@fast
+@straight
 def _unload(w, x, status, first, last):
     """Write the platform's poses, and what became of them; return how many are left open."""
-    wide()
     left = 0
     for lane in range(last - first + 1):
-        x[first + lane, 0] = w[128 + lane]
-        x[first + lane, 1] = w[160 + lane]
-        x[first + lane, 2] = w[192 + lane]
-        x[first + lane, 3] = w[224 + lane]
-        x[first + lane, 4] = w[256 + lane]
-        x[first + lane, 5] = w[288 + lane]
+        x[6 * (first + lane) + 0] = w[128 + lane]
+        x[6 * (first + lane) + 1] = w[160 + lane]
+        x[6 * (first + lane) + 2] = w[192 + lane]
+        x[6 * (first + lane) + 3] = w[224 + lane]
+        x[6 * (first + lane) + 4] = w[256 + lane]
+        x[6 * (first + lane) + 5] = w[288 + lane]
         is_open = w[9280 + lane] != 0.0
         status[first + lane] = OPEN if is_open else SOLVED
         left += 1 if is_open else 0
     return left
 
 
-@fast
+@straight
 def _unload_joints(w, q, first, last):
-    wide()
     for lane in range(last - first + 1):
-        q[first + lane, 0] = w[0 + lane]
-        q[first + lane, 1] = w[3008 + lane]
-        q[first + lane, 2] = w[6016 + lane]
+        q[3 * (first + lane) + 0] = w[0 + lane]
+        q[3 * (first + lane) + 1] = w[3008 + lane]
+        q[3 * (first + lane) + 2] = w[6016 + lane]
 
 
 @fast
 def _forward(q, tool, k, x, status, warm, w):
+    joints, tools, poses = q.reshape(q.size), tool.reshape(tool.size), x.reshape(x.size)
     w_1 = w[0:3008]
     w_2 = w[3008:6016]
     w_3 = w[6016:9024]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        _hold(tools, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -1306,14 +1290,14 @@ def _forward(q, tool, k, x, status, warm, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
+            _load(joints, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
+                _hold(tools, w, first, last, n)
             _early(w_1, k_1, n)
             _early(w_2, k_2, n)
             _early(w_3, k_3, n)
             if warm:
-                _place(x, w, first, last, n)
+                _place(poses, w, first, last, n)
             else:
                 _meet(w, n)
             _begin(w, n)
@@ -1326,7 +1310,7 @@ def _forward(q, tool, k, x, status, warm, w):
                 _move(w, n)
                 if _settle(w, n) == 0:
                     break
-            left += _unload(w, x, status, first, last)
+            left += _unload(w, poses, status, first, last)
     return left
 
 
@@ -1350,11 +1334,12 @@ def forward(q, tool, k, x, status, warm):
 
 @fast
 def _inverse(target, tool, k, x, q, status, w):
+    targets, tools, poses, joints = target.reshape(target.size), tool.reshape(tool.size), x.reshape(x.size), q.reshape(q.size)
     w_1 = w[0:3008]
     w_2 = w[3008:6016]
     w_3 = w[6016:9024]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        _hold(tools, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -1364,9 +1349,9 @@ def _inverse(target, tool, k, x, q, status, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(target, w, first, last, n)
+            _load(targets, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
+                _hold(tools, w, first, last, n)
             _aim(w, n)
             _start(w_1, k_1, n)
             _start(w_2, k_2, n)
@@ -1392,8 +1377,8 @@ def _inverse(target, tool, k, x, q, status, w):
                 _move(w, n)
                 if _settle_joints(w, n) == 0:
                     break
-            left += _unload(w, x, status, first, last)
-            _unload_joints(w, q, first, last)
+            left += _unload(w, poses, status, first, last)
+            _unload_joints(w, joints, first, last)
     return left
 
 
@@ -1608,7 +1593,7 @@ def simplified_inverse(target, tool, k, q, status):
         q[left], status[left] = joints, of
 
 
-@fast
+@straight
 def _aim(w, n):
     """Put targets, which were loaded as joints, where the limbs read the platform."""
     for lane in range(n):
@@ -1629,11 +1614,12 @@ def _aim(w, n):
 @fast
 def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
     by_errors, by_joints = S_p.reshape(S_p.size), S_q.reshape(S_q.size)
+    joints, tools, poses = q.reshape(q.size), tool.reshape(tool.size), x.reshape(x.size)
     w_1 = w[0:3008]
     w_2 = w[3008:6016]
     w_3 = w[6016:9024]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        _hold(tools, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -1643,10 +1629,10 @@ def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
+            _load(joints, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
-            _place(x, w, first, last, n)
+                _hold(tools, w, first, last, n)
+            _place(poses, w, first, last, n)
             _begin(w, n)
             _move(w, n)
             _early(w_1, k_1, n)
@@ -1767,10 +1753,9 @@ def nominal_constants(p):
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
-@fast
+@straight
 def _nominal(w, k, n):
     """Equations of a nominal limb by platform and errors (100 operations)."""
-    wide()
     R0_11 = k[0]
     R0_12_alpha0 = k[1]
     s1 = k[2]
@@ -1873,10 +1858,9 @@ def _nominal(w, k, n):
         w[2912 + lane] = s112
 
 
-@fast
+@straight
 def _nominal_inverse(w, n):
     """Minus the inverse of the derivatives, its rows of the position; how far the equations are from dependent (223 operations)."""
-    wide()
     for lane in range(n):
         J00_0 = w[640 + lane]
         J10_0 = w[3648 + lane]
@@ -2012,22 +1996,22 @@ def _nominal_products(w, S, first, last):
 
 @fast
 def _nominal_sensitivity(x, q, tool, k, S, w):
-    rows = S.reshape(S.size)
+    positions, joints, tools, rows = x.reshape(x.size), q.reshape(q.size), tool.reshape(tool.size), S.reshape(S.size)
     w_1 = w[0:3008]
     w_2 = w[3008:6016]
     w_3 = w[6016:9024]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        _hold(tools, w, 0, 0, LANES)
     poses, regular = q.size // 3, True
     k_1, k_2, k_3 = k[0, 0], k[0, 1], k[0, 2]
     for first in range(0, poses, LANES):
         last = min(first + LANES, poses) - 1
         n = (last - first + 8) // 8 * 8
-        _load(x, w, first, last, n)
+        _load(positions, w, first, last, n)
         if len(tool) > 1:
-            _hold(tool, w, first, last, n)
+            _hold(tools, w, first, last, n)
         _aim(w, n)
-        _load(q, w, first, last, n)
+        _load(joints, w, first, last, n)
         _nominal(w_1, k_1, n)
         _nominal(w_2, k_2, n)
         _nominal(w_3, k_3, n)

@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `delta`, Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 46b98731234fcf64; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 70d9271fe86606f1; SymPy 1.14.0.
 
 Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
 than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`
@@ -10,11 +10,13 @@ they are 4.
 """
 
 import math
+from functools import partial
 
 import numpy as np
 
 from deltacal_kernels.compiled import kernel
 from deltacal_kernels.elementary import aligned, arcsine, arctangent, copied, cosine, sine, tangent
+from deltacal_kernels.straight import straight
 
 from .vectorised import MAX_STEPS, SINGULAR, SOLVED, STEP_LOST, UNREACHABLE
 
@@ -22,6 +24,7 @@ COMMAND_DONE = 3e-8  # rad; after such a step a command is exact to its square: 
 COMMAND_CONSTANTS = 32  # what is exported reads these first columns of `vectorised.constants` only
 LANES = np.int64(4)  # no literal: a loop whose end is known beforehand is unrolled, and not turned into SIMD code
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
+few = partial(straight, wide=False)
 
 
 def _exact_constants(p):
@@ -413,7 +416,7 @@ def linear_state(p, tool, sign):
     return w
 
 
-@fast
+@few
 def _exact_joint(w, lanes):
     """Joint of the simplified limb at the target, then the platform's coordinates that follow from it (36 operations)."""
     px = w[0]
@@ -443,7 +446,7 @@ def _exact_joint(w, lanes):
         w[36 + lane] = s325
 
 
-@fast
+@few
 def _exact_rows(w, lanes):
     """Equations of a limb, their derivatives by turns of the platform and by the joint (210 operations)."""
     px = w[0]
@@ -563,7 +566,7 @@ def _exact_rows(w, lanes):
         w[100 + lane] = s423
 
 
-@fast
+@few
 def _exact_solution(w):
     """Changes that undo the closures while the target is kept; how far the equations are from dependent (122 operations)."""
     F00 = w[60]
@@ -643,7 +646,7 @@ def _exact_solution(w):
     w[34] = s106
 
 
-@fast
+@few
 def _exact_move(w):
     """The platform after a step, and its rotation matrix (86 operations)."""
     px = w[0]
@@ -748,7 +751,7 @@ def exact_command(px, py, pz, w):
     return w[24] * w[36], w[25] * w[37], w[26] * w[38]
 
 
-@fast
+@few
 def _linear_joint(w, lanes):
     """Joint of the nominal limb at the target, its cosine and sine (42 operations)."""
     px = w[0]
@@ -783,7 +786,7 @@ def _linear_joint(w, lanes):
         w[56 + lane] = s166
 
 
-@fast
+@few
 def _linear_angle(w, lanes):
     """Cosine and sine of the joint (2 operations)."""
     for lane in range(lanes):
@@ -794,7 +797,7 @@ def _linear_angle(w, lanes):
         w[56 + lane] = s168
 
 
-@fast
+@few
 def _linear_rows(w, lanes):
     """Equations of a nominal limb: change by all errors, derivatives by rotation and joint (86 operations)."""
     px = w[0]
@@ -872,7 +875,7 @@ def _linear_rows(w, lanes):
         w[100 + lane] = s204
 
 
-@fast
+@few
 def _linear_solution(w):
     """Changes that undo the closures while the target is kept; how far the equations are from dependent (95 operations)."""
     F00 = w[60]

@@ -1,7 +1,7 @@
 """Kinematics of `diamond`, many poses at once: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both df477daf02cb4f91; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 1ad9e397adfa93cb; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -20,6 +20,7 @@ import numpy as np
 
 from deltacal_kernels.compiled import kernel
 from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, scratch, sine, tangent, wide
+from deltacal_kernels.straight import straight
 
 from . import vectorised
 from .vectorised import SINGULAR, SOLVED, UNREACHABLE, constants, jacobians
@@ -37,10 +38,9 @@ SIMPLIFIED = 2  # coordinates that `simplified_forward` gives: the others are ze
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
-@fast
+@straight
 def _early(w, k, n):
     """What moves with a joint only; then the simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (21 operations)."""
-    wide()
     s6 = k[0]
     s9 = k[1]
     s12 = k[2]
@@ -68,10 +68,9 @@ def _early(w, k, n):
         w[448 + lane] = s85
 
 
-@fast
+@straight
 def _rows(w, k, n):
     """Equations of a limb, their derivatives by shift and turn of the platform (10 operations)."""
-    wide()
     s28 = k[5]
     for lane in range(n):
         tx = w[32 + lane]
@@ -90,10 +89,9 @@ def _rows(w, k, n):
         w[256 + lane] = d_y
 
 
-@fast
+@straight
 def _step(w, n):
     """Newton's step of the platform; how far the equations are from dependent (26 operations)."""
-    wide()
     for lane in range(n):
         F00 = w[192 + lane]
         J00_0 = w[224 + lane]
@@ -115,10 +113,9 @@ def _step(w, n):
         w[1856 + lane] = s22
 
 
-@fast
+@straight
 def _start(w, k, n):
     """Joint of the simplified limb at a given position (29 operations)."""
-    wide()
     s6 = k[0]
     s9 = k[1]
     B_x = k[3]
@@ -141,10 +138,9 @@ def _start(w, k, n):
         w[480 + lane] = s78
 
 
-@fast
+@straight
 def _more(w, k, n):
     """What else derivatives by joint and errors read of it (10 operations)."""
-    wide()
     s6 = k[0]
     s9 = k[1]
     s12 = k[2]
@@ -161,10 +157,9 @@ def _more(w, k, n):
         w[608 + lane] = s88
 
 
-@fast
+@straight
 def _joints(w, k, n):
     """Derivatives of a limb's equations by its joint (7 operations)."""
-    wide()
     for lane in range(n):
         tx = w[32 + lane]
         ty = w[64 + lane]
@@ -182,10 +177,9 @@ def _joints(w, k, n):
         w[288 + lane] = s90
 
 
-@fast
+@straight
 def _command(w, n):
     """Newton's step of joints and rotation; how far the equations are from dependent (16 operations)."""
-    wide()
     for lane in range(n):
         F00 = w[192 + lane]
         J00_0 = w[224 + lane]
@@ -205,10 +199,9 @@ def _command(w, n):
         w[2176 + lane] = s15
 
 
-@fast
+@straight
 def _errors(w, k, n):
     """Derivatives of a limb's equations by errors, by deflections (30 operations)."""
-    wide()
     s9 = k[1]
     s12 = k[2]
     side = k[9]
@@ -243,10 +236,9 @@ def _errors(w, k, n):
         w[864 + lane] = s52
 
 
-@fast
+@straight
 def _inverse_of_rows(w, n):
     """Minus the inverse of the derivatives, row by row; how far the equations are from dependent (24 operations)."""
-    wide()
     for lane in range(n):
         J00_0 = w[224 + lane]
         J00_1 = w[256 + lane]
@@ -266,10 +258,9 @@ def _inverse_of_rows(w, n):
         w[2048 + lane] = s22
 
 
-@fast
+@straight
 def _move(w, n):
     """The platform after a step, and its rotation matrix (4 operations)."""
-    wide()
     for lane in range(n):
         px = w[128 + lane]
         py = w[160 + lane]
@@ -284,10 +275,9 @@ def _move(w, n):
         w[1056 + lane] = new_10
 
 
-@fast
+@straight
 def _meet(w, n):
     """Put the platform where the simplified machine has it."""
-    wide()
     for lane in range(n):
         c_00, c_01, c_02 = w[384 + lane], w[416 + lane], w[448 + lane]
         c_10, c_11, c_12 = w[1280 + lane], w[1312 + lane], w[1344 + lane]
@@ -310,10 +300,9 @@ def _meet(w, n):
         w[160 + lane] = p_1
 
 
-@fast
+@straight
 def _settle(w, n):
     """Mark the poses for which this step was the last; return how many go on."""
-    wide()
     left = 0
     for lane in range(n):
         done = (w[1856 + lane] > 0.0)
@@ -326,10 +315,9 @@ def _settle(w, n):
     return left
 
 
-@fast
+@straight
 def _settle_joints(w, n):
     """Mark the poses for which this step was the last; return how many go on."""
-    wide()
     left = 0
     for lane in range(n):
         done = (w[2144 + lane] > 0.0)
@@ -344,7 +332,7 @@ def _settle_joints(w, n):
     return left
 
 
-@fast
+@straight
 def _begin(w, n):
     """Let all poses go."""
     for lane in range(n):
@@ -353,7 +341,7 @@ def _begin(w, n):
         w[1824 + lane] = 0.0
 
 
-@fast
+@straight
 def _started(w, n):
     """Take joints, and coordinates that no command asks for, from the simplified machine."""
     for lane in range(n):
@@ -362,7 +350,7 @@ def _started(w, n):
         w[896 + lane] = w[1376 + lane]
 
 
-@fast
+@straight
 def _turn_joints(w, n):
     """Move the joints by a step; what it does to the platform is left to `_move`."""
     for lane in range(n):
@@ -370,71 +358,67 @@ def _turn_joints(w, n):
         w[0 + lane] -= going * w[2080 + lane]
         w[896 + lane] -= going * w[2112 + lane]
 
-@fast
+@straight
 def _load(q, w, first, last, n):
     """Put joints of poses side by side, the last one again for the rest of `n`."""
-    wide()
     for lane in range(n):
         m = min(first + lane, last)
-        w[0 + lane] = q[m, 0]
-        w[896 + lane] = q[m, 1]
+        w[0 + lane] = q[2 * m + 0]
+        w[896 + lane] = q[2 * m + 1]
 
 
-@fast
+@straight
 def _hold(tool, w, first, last, n):
     """Put tools of poses side by side, like `_load`."""
-    wide()
     for lane in range(n):
         m = min(first + lane, last)
-        at = tool[m, 0]
+        at = tool[3 * m + 0]
         w[32 + lane] = at
         w[928 + lane] = at
-        at = tool[m, 1]
+        at = tool[3 * m + 1]
         w[64 + lane] = at
         w[960 + lane] = at
-        at = tool[m, 2]
+        at = tool[3 * m + 2]
         w[96 + lane] = at
         w[992 + lane] = at
 
 
-@fast
+@straight
 def _place(x, w, first, last, n):
     """Put platform poses side by side, like `_load`."""
-    wide()
     for lane in range(n):
         m = min(first + lane, last)
-        w[128 + lane] = x[m, 0]
-        w[160 + lane] = x[m, 1]
+        w[128 + lane] = x[2 * m + 0]
+        w[160 + lane] = x[2 * m + 1]
 
 
-@fast
+@straight
 def _unload(w, x, status, first, last):
     """Write the platform's poses, and what became of them; return how many are left open."""
-    wide()
     left = 0
     for lane in range(last - first + 1):
-        x[first + lane, 0] = w[128 + lane]
-        x[first + lane, 1] = w[160 + lane]
+        x[2 * (first + lane) + 0] = w[128 + lane]
+        x[2 * (first + lane) + 1] = w[160 + lane]
         is_open = w[1888 + lane] != 0.0
         status[first + lane] = OPEN if is_open else SOLVED
         left += 1 if is_open else 0
     return left
 
 
-@fast
+@straight
 def _unload_joints(w, q, first, last):
-    wide()
     for lane in range(last - first + 1):
-        q[first + lane, 0] = w[0 + lane]
-        q[first + lane, 1] = w[896 + lane]
+        q[2 * (first + lane) + 0] = w[0 + lane]
+        q[2 * (first + lane) + 1] = w[896 + lane]
 
 
 @fast
 def _forward(q, tool, k, x, status, warm, w):
+    joints, tools, poses = q.reshape(q.size), tool.reshape(tool.size), x.reshape(x.size)
     w_1 = w[0:896]
     w_2 = w[896:1792]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        _hold(tools, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -443,13 +427,13 @@ def _forward(q, tool, k, x, status, warm, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
+            _load(joints, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
+                _hold(tools, w, first, last, n)
             _early(w_1, k_1, n)
             _early(w_2, k_2, n)
             if warm:
-                _place(x, w, first, last, n)
+                _place(poses, w, first, last, n)
             else:
                 _meet(w, n)
             _begin(w, n)
@@ -461,7 +445,7 @@ def _forward(q, tool, k, x, status, warm, w):
                 _move(w, n)
                 if _settle(w, n) == 0:
                     break
-            left += _unload(w, x, status, first, last)
+            left += _unload(w, poses, status, first, last)
     return left
 
 
@@ -485,10 +469,11 @@ def forward(q, tool, k, x, status, warm):
 
 @fast
 def _inverse(target, tool, k, x, q, status, w):
+    targets, tools, poses, joints = target.reshape(target.size), tool.reshape(tool.size), x.reshape(x.size), q.reshape(q.size)
     w_1 = w[0:896]
     w_2 = w[896:1792]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        _hold(tools, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -497,9 +482,9 @@ def _inverse(target, tool, k, x, q, status, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(target, w, first, last, n)
+            _load(targets, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
+                _hold(tools, w, first, last, n)
             _aim(w, n)
             _start(w_1, k_1, n)
             _start(w_2, k_2, n)
@@ -520,8 +505,8 @@ def _inverse(target, tool, k, x, q, status, w):
                 _move(w, n)
                 if _settle_joints(w, n) == 0:
                     break
-            left += _unload(w, x, status, first, last)
-            _unload_joints(w, q, first, last)
+            left += _unload(w, poses, status, first, last)
+            _unload_joints(w, joints, first, last)
     return left
 
 
@@ -671,7 +656,7 @@ def simplified_inverse(target, tool, k, q, status):
         q[left], status[left] = joints, of
 
 
-@fast
+@straight
 def _aim(w, n):
     """Put targets, which were loaded as joints, where the limbs read the platform."""
     for lane in range(n):
@@ -686,10 +671,11 @@ def _aim(w, n):
 @fast
 def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
     by_errors, by_joints = S_p.reshape(S_p.size), S_q.reshape(S_q.size)
+    joints, tools, poses = q.reshape(q.size), tool.reshape(tool.size), x.reshape(x.size)
     w_1 = w[0:896]
     w_2 = w[896:1792]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        _hold(tools, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -698,10 +684,10 @@ def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
+            _load(joints, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
-            _place(x, w, first, last, n)
+                _hold(tools, w, first, last, n)
+            _place(poses, w, first, last, n)
             _begin(w, n)
             _move(w, n)
             _early(w_1, k_1, n)
@@ -783,10 +769,9 @@ def nominal_constants(p):
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
-@fast
+@straight
 def _nominal(w, k, n):
     """Equations of a nominal limb by platform and errors (26 operations)."""
-    wide()
     s2 = k[0]
     s5 = k[1]
     B_x = k[2]
@@ -823,10 +808,9 @@ def _nominal(w, k, n):
         w[768 + lane] = -l
 
 
-@fast
+@straight
 def _nominal_inverse(w, n):
     """Minus the inverse of the derivatives, its rows of the position; how far the equations are from dependent (24 operations)."""
-    wide()
     for lane in range(n):
         J00_0 = w[224 + lane]
         J10_0 = w[1120 + lane]
@@ -869,21 +853,21 @@ def _nominal_products(w, S, first, last):
 
 @fast
 def _nominal_sensitivity(x, q, tool, k, S, w):
-    rows = S.reshape(S.size)
+    positions, joints, tools, rows = x.reshape(x.size), q.reshape(q.size), tool.reshape(tool.size), S.reshape(S.size)
     w_1 = w[0:896]
     w_2 = w[896:1792]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        _hold(tools, w, 0, 0, LANES)
     poses, regular = q.size // 2, True
     k_1, k_2 = k[0, 0], k[0, 1]
     for first in range(0, poses, LANES):
         last = min(first + LANES, poses) - 1
         n = (last - first + 8) // 8 * 8
-        _load(x, w, first, last, n)
+        _load(positions, w, first, last, n)
         if len(tool) > 1:
-            _hold(tool, w, first, last, n)
+            _hold(tools, w, first, last, n)
         _aim(w, n)
-        _load(q, w, first, last, n)
+        _load(joints, w, first, last, n)
         _nominal(w_1, k_1, n)
         _nominal(w_2, k_2, n)
         _nominal_inverse(w, n)

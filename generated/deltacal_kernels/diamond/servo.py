@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `diamond`, Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 6fbe00f220cda72a; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both c97a6e8fdd3aa1d2; SymPy 1.14.0.
 
 Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
 than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`
@@ -9,11 +9,13 @@ and `linear_state` make, `copied` for every thread: loops over `lane` run over t
 """
 
 import math
+from functools import partial
 
 import numpy as np
 
 from deltacal_kernels.compiled import kernel
 from deltacal_kernels.elementary import aligned, arcsine, arctangent, copied, cosine, sine, tangent
+from deltacal_kernels.straight import straight
 
 from .vectorised import MAX_STEPS, SINGULAR, SOLVED, STEP_LOST, UNREACHABLE
 
@@ -21,6 +23,7 @@ COMMAND_DONE = 3e-8  # rad; after such a step a command is exact to its square: 
 COMMAND_CONSTANTS = 9  # what is exported reads these first columns of `vectorised.constants` only
 LANES = np.int64(2)  # no literal: a loop whose end is known beforehand is unrolled, and not turned into SIMD code
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
+few = partial(straight, wide=False)
 
 
 def _exact_constants(p):
@@ -176,7 +179,7 @@ def linear_state(p, tool, sign):
     return w
 
 
-@fast
+@few
 def _exact_joint(w, lanes):
     """Joint of the simplified limb at the target, then the platform's coordinates that follow from it (29 operations)."""
     px = w[0]
@@ -201,7 +204,7 @@ def _exact_joint(w, lanes):
         w[28 + lane] = s50
 
 
-@fast
+@few
 def _exact_rows(w, lanes):
     """Equations of a limb, their derivatives by turns of the platform and by the joint (33 operations)."""
     px = w[0]
@@ -239,7 +242,7 @@ def _exact_rows(w, lanes):
         w[40 + lane] = s64
 
 
-@fast
+@few
 def _exact_solution(w):
     """Changes that undo the closures while the target is kept; how far the equations are from dependent (2 operations)."""
     F00 = w[36]
@@ -252,7 +255,7 @@ def _exact_solution(w):
     w[25] = s3
 
 
-@fast
+@few
 def _exact_move(w):
     """The platform after a step, and its rotation matrix (0 operations)."""
     px = w[0]
@@ -302,7 +305,7 @@ def exact_command(px, py, w):
     return w[20] * w[28], w[21] * w[29]
 
 
-@fast
+@few
 def _linear_joint(w, lanes):
     """Joint of the nominal limb at the target, its cosine and sine (29 operations)."""
     px = w[0]
@@ -327,7 +330,7 @@ def _linear_joint(w, lanes):
         w[28 + lane] = s53
 
 
-@fast
+@few
 def _linear_rows(w, lanes):
     """Equations of a nominal limb: change by all errors, derivatives by rotation and joint (36 operations)."""
     px = w[0]
@@ -362,7 +365,7 @@ def _linear_rows(w, lanes):
         w[40 + lane] = s68
 
 
-@fast
+@few
 def _linear_solution(w):
     """Changes that undo the closures while the target is kept; how far the equations are from dependent (2 operations)."""
     F00 = w[36]

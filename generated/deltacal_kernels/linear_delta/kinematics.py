@@ -1,7 +1,7 @@
 """Kinematics of `linear_delta`, many poses at once: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both a96bb9998de240b5; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both c11f7dfe837a0225; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -20,6 +20,7 @@ import numpy as np
 
 from deltacal_kernels.compiled import kernel
 from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, scratch, sine, tangent, wide
+from deltacal_kernels.straight import straight
 
 from . import vectorised
 from .vectorised import SINGULAR, SOLVED, UNREACHABLE, constants, jacobians
@@ -37,10 +38,9 @@ SIMPLIFIED = 3  # coordinates that `simplified_forward` gives: the others are ze
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
-@fast
+@straight
 def _early(w, k, n):
     """What moves with a joint only; then the simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (23 operations)."""
-    wide()
     s60 = k[0]
     s59 = k[1]
     axis_x = k[2]
@@ -81,10 +81,9 @@ def _early(w, k, n):
         w[1376 + lane] = s696
 
 
-@fast
+@straight
 def _rows(w, k, n):
     """Equations of a limb, their derivatives by shift and turn of the platform (124 operations)."""
-    wide()
     u_x = k[9]
     u_y = k[10]
     s128 = k[11]
@@ -162,10 +161,9 @@ def _rows(w, k, n):
         w[1056 + lane] = s1040
 
 
-@fast
+@straight
 def _step(w, n):
     """Newton's step of the platform; how far the equations are from dependent (289 operations)."""
-    wide()
     for lane in range(n):
         F00 = w[608 + lane]
         J00_0 = w[640 + lane]
@@ -295,10 +293,9 @@ def _step(w, n):
         w[6368 + lane] = s231
 
 
-@fast
+@straight
 def _start(w, k, n):
     """Joint of the simplified limb at a given position (22 operations)."""
-    wide()
     s660 = k[14]
     s665 = k[15]
     h = k[16]
@@ -320,10 +317,9 @@ def _start(w, k, n):
         w[1408 + lane] = s686
 
 
-@fast
+@straight
 def _more(w, k, n):
     """What else derivatives by joint and errors read of it (2 operations)."""
-    wide()
     s60 = k[0]
     s59 = k[1]
     for lane in range(n):
@@ -332,10 +328,9 @@ def _more(w, k, n):
         w[1440 + lane] = s62
 
 
-@fast
+@straight
 def _joints(w, k, n):
     """Derivatives of a limb's equations by its joint (45 operations)."""
-    wide()
     u_x = k[9]
     u_y = k[10]
     s128 = k[11]
@@ -376,10 +371,9 @@ def _joints(w, k, n):
         w[1088 + lane] = s1051
 
 
-@fast
+@straight
 def _command(w, n):
     """Newton's step of joints and rotation; how far the equations are from dependent (152 operations)."""
-    wide()
     for lane in range(n):
         F00 = w[608 + lane]
         J00_0 = w[640 + lane]
@@ -473,10 +467,9 @@ def _command(w, n):
         w[7936 + lane] = s130
 
 
-@fast
+@straight
 def _errors(w, k, n):
     """Derivatives of a limb's equations by errors, by deflections (211 operations)."""
-    wide()
     axis_x = k[2]
     s65 = k[3]
     axis_y = k[4]
@@ -607,10 +600,9 @@ def _errors(w, k, n):
         w[2016 + lane] = s975
 
 
-@fast
+@straight
 def _inverse_of_rows(w, n):
     """Minus the inverse of the derivatives, row by row; how far the equations are from dependent (439 operations)."""
-    wide()
     for lane in range(n):
         J00_0 = w[640 + lane]
         J00_1 = w[672 + lane]
@@ -788,10 +780,9 @@ def _inverse_of_rows(w, n):
         w[7616 + lane] = s363
 
 
-@fast
+@straight
 def _move(w, n):
     """The platform after a step, and its rotation matrix (104 operations)."""
-    wide()
     for lane in range(n):
         px = w[128 + lane]
         py = w[160 + lane]
@@ -881,10 +872,9 @@ def _move(w, n):
         w[4672 + lane] = s73
 
 
-@fast
+@straight
 def _meet(w, n):
     """Put the platform where the simplified machine has it."""
-    wide()
     for lane in range(n):
         c_00, c_01, c_02, c_03 = w[1280 + lane], w[1312 + lane], w[1344 + lane], w[1376 + lane]
         c_10, c_11, c_12, c_13 = w[3328 + lane], w[3360 + lane], w[3392 + lane], w[3424 + lane]
@@ -917,10 +907,9 @@ def _meet(w, n):
         w[288 + lane] = 0.0
 
 
-@fast
+@straight
 def _settle(w, n):
     """Mark the poses for which this step was the last; return how many go on."""
-    wide()
     left = 0
     for lane in range(n):
         done = (w[6336 + lane] > 0.0)
@@ -937,10 +926,9 @@ def _settle(w, n):
     return left
 
 
-@fast
+@straight
 def _settle_joints(w, n):
     """Mark the poses for which this step was the last; return how many go on."""
-    wide()
     left = 0
     for lane in range(n):
         done = (w[7840 + lane] > 0.0)
@@ -960,7 +948,7 @@ def _settle_joints(w, n):
     return left
 
 
-@fast
+@straight
 def _begin(w, n):
     """Let all poses go."""
     for lane in range(n):
@@ -973,7 +961,7 @@ def _begin(w, n):
         w[6304 + lane] = 0.0
 
 
-@fast
+@straight
 def _started(w, n):
     """Take joints, and coordinates that no command asks for, from the simplified machine."""
     for lane in range(n):
@@ -986,7 +974,7 @@ def _started(w, n):
         w[288 + lane] = 0.0
 
 
-@fast
+@straight
 def _turn_joints(w, n):
     """Move the joints by a step; what it does to the platform is left to `_move`."""
     for lane in range(n):
@@ -998,85 +986,81 @@ def _turn_joints(w, n):
         w[6272 + lane] = w[7776 + lane]
         w[6304 + lane] = w[7808 + lane]
 
-@fast
+@straight
 def _load(q, w, first, last, n):
     """Put joints of poses side by side, the last one again for the rest of `n`."""
-    wide()
     for lane in range(n):
         m = min(first + lane, last)
-        w[0 + lane] = q[m, 0]
-        w[2048 + lane] = q[m, 1]
-        w[4096 + lane] = q[m, 2]
+        w[0 + lane] = q[3 * m + 0]
+        w[2048 + lane] = q[3 * m + 1]
+        w[4096 + lane] = q[3 * m + 2]
 
 
-@fast
+@straight
 def _hold(tool, w, first, last, n):
     """Put tools of poses side by side, like `_load`."""
-    wide()
     for lane in range(n):
         m = min(first + lane, last)
-        at = tool[m, 0]
+        at = tool[3 * m + 0]
         w[32 + lane] = at
         w[2080 + lane] = at
         w[4128 + lane] = at
-        at = tool[m, 1]
+        at = tool[3 * m + 1]
         w[64 + lane] = at
         w[2112 + lane] = at
         w[4160 + lane] = at
-        at = tool[m, 2]
+        at = tool[3 * m + 2]
         w[96 + lane] = at
         w[2144 + lane] = at
         w[4192 + lane] = at
 
 
-@fast
+@straight
 def _place(x, w, first, last, n):
     """Put platform poses side by side, like `_load`."""
-    wide()
     for lane in range(n):
         m = min(first + lane, last)
-        w[128 + lane] = x[m, 0]
-        w[160 + lane] = x[m, 1]
-        w[192 + lane] = x[m, 2]
-        w[224 + lane] = x[m, 3]
-        w[256 + lane] = x[m, 4]
-        w[288 + lane] = x[m, 5]
+        w[128 + lane] = x[6 * m + 0]
+        w[160 + lane] = x[6 * m + 1]
+        w[192 + lane] = x[6 * m + 2]
+        w[224 + lane] = x[6 * m + 3]
+        w[256 + lane] = x[6 * m + 4]
+        w[288 + lane] = x[6 * m + 5]
 
 
-@fast
+@straight
 def _unload(w, x, status, first, last):
     """Write the platform's poses, and what became of them; return how many are left open."""
-    wide()
     left = 0
     for lane in range(last - first + 1):
-        x[first + lane, 0] = w[128 + lane]
-        x[first + lane, 1] = w[160 + lane]
-        x[first + lane, 2] = w[192 + lane]
-        x[first + lane, 3] = w[224 + lane]
-        x[first + lane, 4] = w[256 + lane]
-        x[first + lane, 5] = w[288 + lane]
+        x[6 * (first + lane) + 0] = w[128 + lane]
+        x[6 * (first + lane) + 1] = w[160 + lane]
+        x[6 * (first + lane) + 2] = w[192 + lane]
+        x[6 * (first + lane) + 3] = w[224 + lane]
+        x[6 * (first + lane) + 4] = w[256 + lane]
+        x[6 * (first + lane) + 5] = w[288 + lane]
         is_open = w[6400 + lane] != 0.0
         status[first + lane] = OPEN if is_open else SOLVED
         left += 1 if is_open else 0
     return left
 
 
-@fast
+@straight
 def _unload_joints(w, q, first, last):
-    wide()
     for lane in range(last - first + 1):
-        q[first + lane, 0] = w[0 + lane]
-        q[first + lane, 1] = w[2048 + lane]
-        q[first + lane, 2] = w[4096 + lane]
+        q[3 * (first + lane) + 0] = w[0 + lane]
+        q[3 * (first + lane) + 1] = w[2048 + lane]
+        q[3 * (first + lane) + 2] = w[4096 + lane]
 
 
 @fast
 def _forward(q, tool, k, x, status, warm, w):
+    joints, tools, poses = q.reshape(q.size), tool.reshape(tool.size), x.reshape(x.size)
     w_1 = w[0:2048]
     w_2 = w[2048:4096]
     w_3 = w[4096:6144]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        _hold(tools, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -1086,14 +1070,14 @@ def _forward(q, tool, k, x, status, warm, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
+            _load(joints, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
+                _hold(tools, w, first, last, n)
             _early(w_1, k_1, n)
             _early(w_2, k_2, n)
             _early(w_3, k_3, n)
             if warm:
-                _place(x, w, first, last, n)
+                _place(poses, w, first, last, n)
             else:
                 _meet(w, n)
             _begin(w, n)
@@ -1106,7 +1090,7 @@ def _forward(q, tool, k, x, status, warm, w):
                 _move(w, n)
                 if _settle(w, n) == 0:
                     break
-            left += _unload(w, x, status, first, last)
+            left += _unload(w, poses, status, first, last)
     return left
 
 
@@ -1130,11 +1114,12 @@ def forward(q, tool, k, x, status, warm):
 
 @fast
 def _inverse(target, tool, k, x, q, status, w):
+    targets, tools, poses, joints = target.reshape(target.size), tool.reshape(tool.size), x.reshape(x.size), q.reshape(q.size)
     w_1 = w[0:2048]
     w_2 = w[2048:4096]
     w_3 = w[4096:6144]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        _hold(tools, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -1144,9 +1129,9 @@ def _inverse(target, tool, k, x, q, status, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(target, w, first, last, n)
+            _load(targets, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
+                _hold(tools, w, first, last, n)
             _aim(w, n)
             _start(w_1, k_1, n)
             _start(w_2, k_2, n)
@@ -1172,8 +1157,8 @@ def _inverse(target, tool, k, x, q, status, w):
                 _move(w, n)
                 if _settle_joints(w, n) == 0:
                     break
-            left += _unload(w, x, status, first, last)
-            _unload_joints(w, q, first, last)
+            left += _unload(w, poses, status, first, last)
+            _unload_joints(w, joints, first, last)
     return left
 
 
@@ -1355,7 +1340,7 @@ def simplified_inverse(target, tool, k, q, status):
         q[left], status[left] = joints, of
 
 
-@fast
+@straight
 def _aim(w, n):
     """Put targets, which were loaded as joints, where the limbs read the platform."""
     for lane in range(n):
@@ -1376,11 +1361,12 @@ def _aim(w, n):
 @fast
 def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
     by_errors, by_joints = S_p.reshape(S_p.size), S_q.reshape(S_q.size)
+    joints, tools, poses = q.reshape(q.size), tool.reshape(tool.size), x.reshape(x.size)
     w_1 = w[0:2048]
     w_2 = w[2048:4096]
     w_3 = w[4096:6144]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        _hold(tools, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -1390,10 +1376,10 @@ def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
+            _load(joints, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
-            _place(x, w, first, last, n)
+                _hold(tools, w, first, last, n)
+            _place(poses, w, first, last, n)
             _begin(w, n)
             _move(w, n)
             _early(w_1, k_1, n)
@@ -1515,10 +1501,9 @@ def nominal_constants(p):
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
-@fast
+@straight
 def _nominal(w, k, n):
     """Equations of a nominal limb by platform and errors (55 operations)."""
-    wide()
     h = k[0]
     u_x = k[1]
     u_y = k[2]
@@ -1593,10 +1578,9 @@ def _nominal(w, k, n):
         w[1984 + lane] = s73
 
 
-@fast
+@straight
 def _nominal_inverse(w, n):
     """Minus the inverse of the derivatives, its rows of the position; how far the equations are from dependent (223 operations)."""
-    wide()
     for lane in range(n):
         J00_0 = w[640 + lane]
         J10_0 = w[2688 + lane]
@@ -1733,22 +1717,22 @@ def _nominal_products(w, S, first, last):
 
 @fast
 def _nominal_sensitivity(x, q, tool, k, S, w):
-    rows = S.reshape(S.size)
+    positions, joints, tools, rows = x.reshape(x.size), q.reshape(q.size), tool.reshape(tool.size), S.reshape(S.size)
     w_1 = w[0:2048]
     w_2 = w[2048:4096]
     w_3 = w[4096:6144]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        _hold(tools, w, 0, 0, LANES)
     poses, regular = q.size // 3, True
     k_1, k_2, k_3 = k[0, 0], k[0, 1], k[0, 2]
     for first in range(0, poses, LANES):
         last = min(first + LANES, poses) - 1
         n = (last - first + 8) // 8 * 8
-        _load(x, w, first, last, n)
+        _load(positions, w, first, last, n)
         if len(tool) > 1:
-            _hold(tool, w, first, last, n)
+            _hold(tools, w, first, last, n)
         _aim(w, n)
-        _load(q, w, first, last, n)
+        _load(joints, w, first, last, n)
         _nominal(w_1, k_1, n)
         _nominal(w_2, k_2, n)
         _nominal(w_3, k_3, n)

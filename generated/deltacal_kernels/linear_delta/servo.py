@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `linear_delta`, Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both fa7b479bbf1b70ca; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 3fe23557897c3833; SymPy 1.14.0.
 
 Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
 than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`
@@ -10,11 +10,13 @@ they are 4.
 """
 
 import math
+from functools import partial
 
 import numpy as np
 
 from deltacal_kernels.compiled import kernel
 from deltacal_kernels.elementary import aligned, arcsine, arctangent, copied, cosine, sine, tangent
+from deltacal_kernels.straight import straight
 
 from .vectorised import MAX_STEPS, SINGULAR, SOLVED, STEP_LOST, UNREACHABLE
 
@@ -22,6 +24,7 @@ COMMAND_DONE = 3e-8  # rad; after such a step a command is exact to its square: 
 COMMAND_CONSTANTS = 21  # what is exported reads these first columns of `vectorised.constants` only
 LANES = np.int64(4)  # no literal: a loop whose end is known beforehand is unrolled, and not turned into SIMD code
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
+few = partial(straight, wide=False)
 
 
 def _exact_constants(p):
@@ -306,7 +309,7 @@ def linear_state(p, tool, sign):
     return w
 
 
-@fast
+@few
 def _exact_joint(w, lanes):
     """Joint of the simplified limb at the target, then the platform's coordinates that follow from it (22 operations)."""
     px = w[0]
@@ -330,7 +333,7 @@ def _exact_joint(w, lanes):
         w[36 + lane] = s167
 
 
-@fast
+@few
 def _exact_rows(w, lanes):
     """Equations of a limb, their derivatives by turns of the platform and by the joint (150 operations)."""
     px = w[0]
@@ -428,7 +431,7 @@ def _exact_rows(w, lanes):
         w[100 + lane] = s248
 
 
-@fast
+@few
 def _exact_solution(w):
     """Changes that undo the closures while the target is kept; how far the equations are from dependent (122 operations)."""
     F00 = w[60]
@@ -508,7 +511,7 @@ def _exact_solution(w):
     w[34] = s106
 
 
-@fast
+@few
 def _exact_move(w):
     """The platform after a step, and its rotation matrix (86 operations)."""
     px = w[0]
@@ -613,7 +616,7 @@ def exact_command(px, py, pz, w):
     return w[24] * w[36], w[25] * w[37], w[26] * w[38]
 
 
-@fast
+@few
 def _linear_joint(w, lanes):
     """Joint of the nominal limb at the target, its cosine and sine (13 operations)."""
     px = w[0]
@@ -632,7 +635,7 @@ def _linear_joint(w, lanes):
         w[36 + lane] = s71
 
 
-@fast
+@few
 def _linear_rows(w, lanes):
     """Equations of a nominal limb: change by all errors, derivatives by rotation and joint (44 operations)."""
     px = w[0]
@@ -689,7 +692,7 @@ def _linear_rows(w, lanes):
         w[100 + lane] = s99
 
 
-@fast
+@few
 def _linear_solution(w):
     """Changes that undo the closures while the target is kept; how far the equations are from dependent (95 operations)."""
     F00 = w[60]

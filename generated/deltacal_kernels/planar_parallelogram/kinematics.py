@@ -1,7 +1,7 @@
 """Kinematics of `planar_parallelogram`, many poses at once: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both f1220a4366ced681; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both da960bc50d3e3036; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -20,6 +20,7 @@ import numpy as np
 
 from deltacal_kernels.compiled import kernel
 from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, scratch, sine, tangent, wide
+from deltacal_kernels.straight import straight
 
 from . import vectorised
 from .vectorised import SINGULAR, SOLVED, UNREACHABLE, constants, jacobians
@@ -37,10 +38,9 @@ SIMPLIFIED = 3  # coordinates that `simplified_forward` gives: the others are ze
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
-@fast
+@straight
 def _early(w, k, n):
     """What moves with a joint only; then platform of the simplified machine at a given joint (69 operations)."""
-    wide()
     h = k[0]
     q0 = k[1]
     s7 = k[2]
@@ -89,10 +89,9 @@ def _early(w, k, n):
         w[960 + lane] = s221
 
 
-@fast
+@straight
 def _rows(w, k, n):
     """Equations of a limb, their derivatives by shift and turn of the platform (80 operations)."""
-    wide()
     A2_x = k[6]
     A2_y = k[7]
     A1_x = k[8]
@@ -140,10 +139,9 @@ def _rows(w, k, n):
         w[640 + lane] = s241
 
 
-@fast
+@straight
 def _step(w, n):
     """Newton's step of the platform; how far the equations are from dependent (77 operations)."""
-    wide()
     for lane in range(n):
         F00 = w[224 + lane]
         J00_0 = w[256 + lane]
@@ -189,10 +187,9 @@ def _step(w, n):
         w[2112 + lane] = s67
 
 
-@fast
+@straight
 def _start(w, k, n):
     """Joint of the simplified limb at a given position (64 operations)."""
-    wide()
     h = k[0]
     q0 = k[1]
     s7 = k[2]
@@ -237,10 +234,9 @@ def _start(w, k, n):
         w[1056 + lane] = s181
 
 
-@fast
+@straight
 def _more(w, k, n):
     """What else derivatives by joint and errors read of it (3 operations)."""
-    wide()
     q0 = k[1]
     for lane in range(n):
         q = w[0 + lane]
@@ -251,10 +247,9 @@ def _more(w, k, n):
         w[1120 + lane] = s11
 
 
-@fast
+@straight
 def _joints(w, k, n):
     """Derivatives of a limb's equations by its joint (1 operations)."""
-    wide()
     for lane in range(n):
         r1_x = w[832 + lane]
         r1_y = w[864 + lane]
@@ -263,10 +258,9 @@ def _joints(w, k, n):
         w[672 + lane] = 0
 
 
-@fast
+@straight
 def _command(w, n):
     """Newton's step of joints and rotation; how far the equations are from dependent (71 operations)."""
-    wide()
     for lane in range(n):
         F00 = w[224 + lane]
         J00_1 = w[288 + lane]
@@ -303,10 +297,9 @@ def _command(w, n):
         w[2592 + lane] = s61
 
 
-@fast
+@straight
 def _errors(w, k, n):
     """Derivatives of a limb's equations by errors, by deflections (36 operations)."""
-    wide()
     A2_x = k[6]
     A2_y = k[7]
     s101 = k[26]
@@ -363,10 +356,9 @@ def _errors(w, k, n):
         w[1984 + lane] = s101
 
 
-@fast
+@straight
 def _inverse_of_rows(w, n):
     """Minus the inverse of the derivatives, row by row; how far the equations are from dependent (71 operations)."""
-    wide()
     for lane in range(n):
         J00_0 = w[256 + lane]
         J00_1 = w[288 + lane]
@@ -412,10 +404,9 @@ def _inverse_of_rows(w, n):
         w[2464 + lane] = s67
 
 
-@fast
+@straight
 def _move(w, n):
     """The platform after a step, and its rotation matrix (10 operations)."""
-    wide()
     for lane in range(n):
         px = w[128 + lane]
         py = w[160 + lane]
@@ -432,10 +423,9 @@ def _move(w, n):
         w[192 + lane] = new_20
 
 
-@fast
+@straight
 def _meet(w, n):
     """Put the platform where the simplified machine has it."""
-    wide()
     for lane in range(n):
         p_0 = w[896 + lane]
         p_1 = w[928 + lane]
@@ -447,10 +437,9 @@ def _meet(w, n):
         w[192 + lane] = p_2
 
 
-@fast
+@straight
 def _settle(w, n):
     """Mark the poses for which this step was the last; return how many go on."""
-    wide()
     left = 0
     for lane in range(n):
         done = (w[2112 + lane] > 0.0)
@@ -463,10 +452,9 @@ def _settle(w, n):
     return left
 
 
-@fast
+@straight
 def _settle_joints(w, n):
     """Mark the poses for which this step was the last; return how many go on."""
-    wide()
     left = 0
     for lane in range(n):
         done = (w[2592 + lane] > 0.0)
@@ -479,7 +467,7 @@ def _settle_joints(w, n):
     return left
 
 
-@fast
+@straight
 def _begin(w, n):
     """Let all poses go."""
     for lane in range(n):
@@ -489,7 +477,7 @@ def _begin(w, n):
         w[2080 + lane] = 0.0
 
 
-@fast
+@straight
 def _started(w, n):
     """Take joints, and coordinates that no command asks for, from the simplified machine."""
     for lane in range(n):
@@ -499,7 +487,7 @@ def _started(w, n):
         w[192 + lane] = w[1056 + lane]
 
 
-@fast
+@straight
 def _turn_joints(w, n):
     """Move the joints by a step; what it does to the platform is left to `_move`."""
     for lane in range(n):
@@ -508,67 +496,63 @@ def _turn_joints(w, n):
         w[2048 + lane] = w[2528 + lane]
         w[2080 + lane] = w[2560 + lane]
 
-@fast
+@straight
 def _load(q, w, first, last, n):
     """Put joints of poses side by side, the last one again for the rest of `n`."""
-    wide()
     for lane in range(n):
         m = min(first + lane, last)
-        w[0 + lane] = q[m, 0]
+        w[0 + lane] = q[1 * m + 0]
 
 
-@fast
+@straight
 def _hold(tool, w, first, last, n):
     """Put tools of poses side by side, like `_load`."""
-    wide()
     for lane in range(n):
         m = min(first + lane, last)
-        at = tool[m, 0]
+        at = tool[3 * m + 0]
         w[32 + lane] = at
-        at = tool[m, 1]
+        at = tool[3 * m + 1]
         w[64 + lane] = at
-        at = tool[m, 2]
+        at = tool[3 * m + 2]
         w[96 + lane] = at
 
 
-@fast
+@straight
 def _place(x, w, first, last, n):
     """Put platform poses side by side, like `_load`."""
-    wide()
     for lane in range(n):
         m = min(first + lane, last)
-        w[128 + lane] = x[m, 0]
-        w[160 + lane] = x[m, 1]
-        w[192 + lane] = x[m, 2]
+        w[128 + lane] = x[3 * m + 0]
+        w[160 + lane] = x[3 * m + 1]
+        w[192 + lane] = x[3 * m + 2]
 
 
-@fast
+@straight
 def _unload(w, x, status, first, last):
     """Write the platform's poses, and what became of them; return how many are left open."""
-    wide()
     left = 0
     for lane in range(last - first + 1):
-        x[first + lane, 0] = w[128 + lane]
-        x[first + lane, 1] = w[160 + lane]
-        x[first + lane, 2] = w[192 + lane]
+        x[3 * (first + lane) + 0] = w[128 + lane]
+        x[3 * (first + lane) + 1] = w[160 + lane]
+        x[3 * (first + lane) + 2] = w[192 + lane]
         is_open = w[2144 + lane] != 0.0
         status[first + lane] = OPEN if is_open else SOLVED
         left += 1 if is_open else 0
     return left
 
 
-@fast
+@straight
 def _unload_joints(w, q, first, last):
-    wide()
     for lane in range(last - first + 1):
-        q[first + lane, 0] = w[0 + lane]
+        q[1 * (first + lane) + 0] = w[0 + lane]
 
 
 @fast
 def _forward(q, tool, k, x, status, warm, w):
+    joints, tools, poses = q.reshape(q.size), tool.reshape(tool.size), x.reshape(x.size)
     w_1 = w[0:2016]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        _hold(tools, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -576,12 +560,12 @@ def _forward(q, tool, k, x, status, warm, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
+            _load(joints, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
+                _hold(tools, w, first, last, n)
             _early(w_1, k_1, n)
             if warm:
-                _place(x, w, first, last, n)
+                _place(poses, w, first, last, n)
             else:
                 _meet(w, n)
             _begin(w, n)
@@ -592,7 +576,7 @@ def _forward(q, tool, k, x, status, warm, w):
                 _move(w, n)
                 if _settle(w, n) == 0:
                     break
-            left += _unload(w, x, status, first, last)
+            left += _unload(w, poses, status, first, last)
     return left
 
 
@@ -616,9 +600,10 @@ def forward(q, tool, k, x, status, warm):
 
 @fast
 def _inverse(target, tool, k, x, q, status, w):
+    targets, tools, poses, joints = target.reshape(target.size), tool.reshape(tool.size), x.reshape(x.size), q.reshape(q.size)
     w_1 = w[0:2016]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        _hold(tools, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -626,9 +611,9 @@ def _inverse(target, tool, k, x, q, status, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(target, w, first, last, n)
+            _load(targets, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
+                _hold(tools, w, first, last, n)
             _aim(w, n)
             _start(w_1, k_1, n)
             _started(w, n)
@@ -644,8 +629,8 @@ def _inverse(target, tool, k, x, q, status, w):
                 _move(w, n)
                 if _settle_joints(w, n) == 0:
                     break
-            left += _unload(w, x, status, first, last)
-            _unload_joints(w, q, first, last)
+            left += _unload(w, poses, status, first, last)
+            _unload_joints(w, joints, first, last)
     return left
 
 
@@ -728,7 +713,7 @@ def simplified_forward(q, tool, k, x, status):
         x[left], status[left] = found[:, :3], of
 
 
-@fast
+@straight
 def _aim(w, n):
     """Put targets, which were loaded as joints, where the limbs read the platform."""
     for lane in range(n):
@@ -739,9 +724,10 @@ def _aim(w, n):
 @fast
 def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
     by_errors, by_joints = S_p.reshape(S_p.size), S_q.reshape(S_q.size)
+    joints, tools, poses = q.reshape(q.size), tool.reshape(tool.size), x.reshape(x.size)
     w_1 = w[0:2016]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        _hold(tools, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -749,10 +735,10 @@ def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
+            _load(joints, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
-            _place(x, w, first, last, n)
+                _hold(tools, w, first, last, n)
+            _place(poses, w, first, last, n)
             _begin(w, n)
             _move(w, n)
             _early(w_1, k_1, n)

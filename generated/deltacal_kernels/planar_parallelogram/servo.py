@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `planar_parallelogram`, Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 53e2eef2d12e02b5; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 3c04458a2100dc67; SymPy 1.14.0.
 
 Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
 than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`
@@ -9,11 +9,13 @@ and `linear_state` make, `copied` for every thread: loops over `lane` run over t
 """
 
 import math
+from functools import partial
 
 import numpy as np
 
 from deltacal_kernels.compiled import kernel
 from deltacal_kernels.elementary import aligned, arcsine, arctangent, copied, cosine, sine, tangent
+from deltacal_kernels.straight import straight
 
 from .vectorised import MAX_STEPS, SINGULAR, SOLVED, STEP_LOST, UNREACHABLE
 
@@ -21,6 +23,7 @@ COMMAND_DONE = 3e-8  # rad; after such a step a command is exact to its square: 
 COMMAND_CONSTANTS = 26  # what is exported reads these first columns of `vectorised.constants` only
 LANES = np.int64(1)  # no literal: a loop whose end is known beforehand is unrolled, and not turned into SIMD code
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
+few = partial(straight, wide=False)
 
 
 def _exact_constants(p):
@@ -295,7 +298,7 @@ def linear_state(p, tool, sign):
     return w
 
 
-@fast
+@few
 def _exact_joint(w, lanes):
     """Joint of the simplified limb at the target, then the platform's coordinates that follow from it (64 operations)."""
     px = w[0]
@@ -342,7 +345,7 @@ def _exact_joint(w, lanes):
         w[30 + lane] = s115
 
 
-@fast
+@few
 def _exact_rows(w, lanes):
     """Equations of a limb, their derivatives by turns of the platform and by the joint (91 operations)."""
     px = w[0]
@@ -400,7 +403,7 @@ def _exact_rows(w, lanes):
         w[46 + lane] = s151
 
 
-@fast
+@few
 def _exact_solution(w):
     """Changes that undo the closures while the target is kept; how far the equations are from dependent (54 operations)."""
     F00 = w[36]
@@ -435,7 +438,7 @@ def _exact_solution(w):
     w[27] = s44
 
 
-@fast
+@few
 def _exact_move(w):
     """The platform after a step, and its rotation matrix (6 operations)."""
     px = w[0]
@@ -494,7 +497,7 @@ def exact_command(px, w):
     return w[20] * w[28]
 
 
-@fast
+@few
 def _linear_joint(w, lanes):
     """Joint of the nominal limb at the target, its cosine and sine (4 operations)."""
     px = w[0]
@@ -506,7 +509,7 @@ def _linear_joint(w, lanes):
         w[28 + lane] = s141
 
 
-@fast
+@few
 def _linear_angle(w, lanes):
     """Cosine and sine of the joint (2 operations)."""
     for lane in range(lanes):
@@ -517,7 +520,7 @@ def _linear_angle(w, lanes):
         w[33 + lane] = s143
 
 
-@fast
+@few
 def _linear_rows(w, lanes):
     """Equations of a nominal limb: change by all errors, derivatives by rotation and joint (164 operations)."""
     px = w[0]
@@ -653,7 +656,7 @@ def _linear_rows(w, lanes):
         w[46 + lane] = s152
 
 
-@fast
+@few
 def _linear_solution(w):
     """Changes that undo the closures while the target is kept; how far the equations are from dependent (33 operations)."""
     F00 = w[36]

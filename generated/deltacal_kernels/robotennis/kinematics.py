@@ -1,7 +1,7 @@
 """Kinematics of `robotennis`, many poses at once: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both d6e8dc808f3956ab; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both deb6b441e324ff76; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -20,6 +20,7 @@ import numpy as np
 
 from deltacal_kernels.compiled import kernel
 from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, scratch, sine, tangent, wide
+from deltacal_kernels.straight import straight
 
 from . import vectorised
 from .vectorised import SINGULAR, SOLVED, UNREACHABLE, constants, jacobians
@@ -37,10 +38,9 @@ SIMPLIFIED = 3  # coordinates that `simplified_forward` gives: the others are ze
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
-@fast
+@straight
 def _early(w, k, n):
     """What moves with a joint only; then the simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (33 operations)."""
-    wide()
     theta0 = k[0]
     u_x = k[1]
     u_y = k[2]
@@ -83,10 +83,9 @@ def _early(w, k, n):
         w[576 + lane] = s148
 
 
-@fast
+@straight
 def _rows(w, k, n):
     """Equations of a limb, their derivatives by shift and turn of the platform (20 operations)."""
-    wide()
     px0 = k[9]
     py0 = k[10]
     pz0 = k[11]
@@ -118,10 +117,9 @@ def _rows(w, k, n):
         w[320 + lane] = rod_z
 
 
-@fast
+@straight
 def _step(w, n):
     """Newton's step of the platform; how far the equations are from dependent (77 operations)."""
-    wide()
     for lane in range(n):
         F00 = w[224 + lane]
         J00_0 = w[256 + lane]
@@ -167,10 +165,9 @@ def _step(w, n):
         w[3744 + lane] = s67
 
 
-@fast
+@straight
 def _start(w, k, n):
     """Joint of the simplified limb at a given position (35 operations)."""
-    wide()
     theta0 = k[0]
     pz0 = k[11]
     s96 = k[15]
@@ -198,10 +195,9 @@ def _start(w, k, n):
         w[608 + lane] = s136
 
 
-@fast
+@straight
 def _more(w, k, n):
     """What else derivatives by joint and errors read of it (16 operations)."""
-    wide()
     theta0 = k[0]
     u_x = k[1]
     u_y = k[2]
@@ -230,10 +226,9 @@ def _more(w, k, n):
         w[832 + lane] = s159
 
 
-@fast
+@straight
 def _joints(w, k, n):
     """Derivatives of a limb's equations by its joint (16 operations)."""
-    wide()
     px0 = k[9]
     py0 = k[10]
     pz0 = k[11]
@@ -264,10 +259,9 @@ def _joints(w, k, n):
         w[352 + lane] = s161
 
 
-@fast
+@straight
 def _command(w, n):
     """Newton's step of joints and rotation; how far the equations are from dependent (33 operations)."""
-    wide()
     for lane in range(n):
         F00 = w[224 + lane]
         J00_0 = w[256 + lane]
@@ -298,10 +292,9 @@ def _command(w, n):
         w[4288 + lane] = s29
 
 
-@fast
+@straight
 def _errors(w, k, n):
     """Derivatives of a limb's equations by errors, by deflections (78 operations)."""
-    wide()
     u_x = k[1]
     u_y = k[2]
     s11 = k[3]
@@ -371,10 +364,9 @@ def _errors(w, k, n):
         w[1184 + lane] = s95
 
 
-@fast
+@straight
 def _inverse_of_rows(w, n):
     """Minus the inverse of the derivatives, row by row; how far the equations are from dependent (71 operations)."""
-    wide()
     for lane in range(n):
         J00_0 = w[256 + lane]
         J00_1 = w[288 + lane]
@@ -420,10 +412,9 @@ def _inverse_of_rows(w, n):
         w[4096 + lane] = s67
 
 
-@fast
+@straight
 def _move(w, n):
     """The platform after a step, and its rotation matrix (6 operations)."""
-    wide()
     for lane in range(n):
         px = w[128 + lane]
         py = w[160 + lane]
@@ -446,10 +437,9 @@ def _move(w, n):
         w[2624 + lane] = new_20
 
 
-@fast
+@straight
 def _meet(w, n):
     """Put the platform where the simplified machine has it."""
-    wide()
     for lane in range(n):
         c_00, c_01, c_02, c_03 = w[480 + lane], w[512 + lane], w[544 + lane], w[576 + lane]
         c_10, c_11, c_12, c_13 = w[1696 + lane], w[1728 + lane], w[1760 + lane], w[1792 + lane]
@@ -479,10 +469,9 @@ def _meet(w, n):
         w[192 + lane] = p_2
 
 
-@fast
+@straight
 def _settle(w, n):
     """Mark the poses for which this step was the last; return how many go on."""
-    wide()
     left = 0
     for lane in range(n):
         done = (w[3744 + lane] > 0.0)
@@ -496,10 +485,9 @@ def _settle(w, n):
     return left
 
 
-@fast
+@straight
 def _settle_joints(w, n):
     """Mark the poses for which this step was the last; return how many go on."""
-    wide()
     left = 0
     for lane in range(n):
         done = (w[4224 + lane] > 0.0)
@@ -516,7 +504,7 @@ def _settle_joints(w, n):
     return left
 
 
-@fast
+@straight
 def _begin(w, n):
     """Let all poses go."""
     for lane in range(n):
@@ -526,7 +514,7 @@ def _begin(w, n):
         w[3712 + lane] = 0.0
 
 
-@fast
+@straight
 def _started(w, n):
     """Take joints, and coordinates that no command asks for, from the simplified machine."""
     for lane in range(n):
@@ -536,7 +524,7 @@ def _started(w, n):
         w[2432 + lane] = w[3040 + lane]
 
 
-@fast
+@straight
 def _turn_joints(w, n):
     """Move the joints by a step; what it does to the platform is left to `_move`."""
     for lane in range(n):
@@ -545,79 +533,75 @@ def _turn_joints(w, n):
         w[1216 + lane] -= going * w[4160 + lane]
         w[2432 + lane] -= going * w[4192 + lane]
 
-@fast
+@straight
 def _load(q, w, first, last, n):
     """Put joints of poses side by side, the last one again for the rest of `n`."""
-    wide()
     for lane in range(n):
         m = min(first + lane, last)
-        w[0 + lane] = q[m, 0]
-        w[1216 + lane] = q[m, 1]
-        w[2432 + lane] = q[m, 2]
+        w[0 + lane] = q[3 * m + 0]
+        w[1216 + lane] = q[3 * m + 1]
+        w[2432 + lane] = q[3 * m + 2]
 
 
-@fast
+@straight
 def _hold(tool, w, first, last, n):
     """Put tools of poses side by side, like `_load`."""
-    wide()
     for lane in range(n):
         m = min(first + lane, last)
-        at = tool[m, 0]
+        at = tool[3 * m + 0]
         w[32 + lane] = at
         w[1248 + lane] = at
         w[2464 + lane] = at
-        at = tool[m, 1]
+        at = tool[3 * m + 1]
         w[64 + lane] = at
         w[1280 + lane] = at
         w[2496 + lane] = at
-        at = tool[m, 2]
+        at = tool[3 * m + 2]
         w[96 + lane] = at
         w[1312 + lane] = at
         w[2528 + lane] = at
 
 
-@fast
+@straight
 def _place(x, w, first, last, n):
     """Put platform poses side by side, like `_load`."""
-    wide()
     for lane in range(n):
         m = min(first + lane, last)
-        w[128 + lane] = x[m, 0]
-        w[160 + lane] = x[m, 1]
-        w[192 + lane] = x[m, 2]
+        w[128 + lane] = x[3 * m + 0]
+        w[160 + lane] = x[3 * m + 1]
+        w[192 + lane] = x[3 * m + 2]
 
 
-@fast
+@straight
 def _unload(w, x, status, first, last):
     """Write the platform's poses, and what became of them; return how many are left open."""
-    wide()
     left = 0
     for lane in range(last - first + 1):
-        x[first + lane, 0] = w[128 + lane]
-        x[first + lane, 1] = w[160 + lane]
-        x[first + lane, 2] = w[192 + lane]
+        x[3 * (first + lane) + 0] = w[128 + lane]
+        x[3 * (first + lane) + 1] = w[160 + lane]
+        x[3 * (first + lane) + 2] = w[192 + lane]
         is_open = w[3776 + lane] != 0.0
         status[first + lane] = OPEN if is_open else SOLVED
         left += 1 if is_open else 0
     return left
 
 
-@fast
+@straight
 def _unload_joints(w, q, first, last):
-    wide()
     for lane in range(last - first + 1):
-        q[first + lane, 0] = w[0 + lane]
-        q[first + lane, 1] = w[1216 + lane]
-        q[first + lane, 2] = w[2432 + lane]
+        q[3 * (first + lane) + 0] = w[0 + lane]
+        q[3 * (first + lane) + 1] = w[1216 + lane]
+        q[3 * (first + lane) + 2] = w[2432 + lane]
 
 
 @fast
 def _forward(q, tool, k, x, status, warm, w):
+    joints, tools, poses = q.reshape(q.size), tool.reshape(tool.size), x.reshape(x.size)
     w_1 = w[0:1216]
     w_2 = w[1216:2432]
     w_3 = w[2432:3648]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        _hold(tools, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -627,14 +611,14 @@ def _forward(q, tool, k, x, status, warm, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
+            _load(joints, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
+                _hold(tools, w, first, last, n)
             _early(w_1, k_1, n)
             _early(w_2, k_2, n)
             _early(w_3, k_3, n)
             if warm:
-                _place(x, w, first, last, n)
+                _place(poses, w, first, last, n)
             else:
                 _meet(w, n)
             _begin(w, n)
@@ -647,7 +631,7 @@ def _forward(q, tool, k, x, status, warm, w):
                 _move(w, n)
                 if _settle(w, n) == 0:
                     break
-            left += _unload(w, x, status, first, last)
+            left += _unload(w, poses, status, first, last)
     return left
 
 
@@ -671,11 +655,12 @@ def forward(q, tool, k, x, status, warm):
 
 @fast
 def _inverse(target, tool, k, x, q, status, w):
+    targets, tools, poses, joints = target.reshape(target.size), tool.reshape(tool.size), x.reshape(x.size), q.reshape(q.size)
     w_1 = w[0:1216]
     w_2 = w[1216:2432]
     w_3 = w[2432:3648]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        _hold(tools, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -685,9 +670,9 @@ def _inverse(target, tool, k, x, q, status, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(target, w, first, last, n)
+            _load(targets, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
+                _hold(tools, w, first, last, n)
             _aim(w, n)
             _start(w_1, k_1, n)
             _start(w_2, k_2, n)
@@ -713,8 +698,8 @@ def _inverse(target, tool, k, x, q, status, w):
                 _move(w, n)
                 if _settle_joints(w, n) == 0:
                     break
-            left += _unload(w, x, status, first, last)
-            _unload_joints(w, q, first, last)
+            left += _unload(w, poses, status, first, last)
+            _unload_joints(w, joints, first, last)
     return left
 
 
@@ -932,7 +917,7 @@ def simplified_inverse(target, tool, k, q, status):
         q[left], status[left] = joints, of
 
 
-@fast
+@straight
 def _aim(w, n):
     """Put targets, which were loaded as joints, where the limbs read the platform."""
     for lane in range(n):
@@ -953,11 +938,12 @@ def _aim(w, n):
 @fast
 def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
     by_errors, by_joints = S_p.reshape(S_p.size), S_q.reshape(S_q.size)
+    joints, tools, poses = q.reshape(q.size), tool.reshape(tool.size), x.reshape(x.size)
     w_1 = w[0:1216]
     w_2 = w[1216:2432]
     w_3 = w[2432:3648]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        _hold(tools, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -967,10 +953,10 @@ def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
+            _load(joints, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
-            _place(x, w, first, last, n)
+                _hold(tools, w, first, last, n)
+            _place(poses, w, first, last, n)
             _begin(w, n)
             _move(w, n)
             _early(w_1, k_1, n)
@@ -1075,10 +1061,9 @@ def nominal_constants(p):
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
-@fast
+@straight
 def _nominal(w, k, n):
     """Equations of a nominal limb by platform and errors (55 operations)."""
-    wide()
     u_x = k[0]
     s1 = k[1]
     u_y = k[2]
@@ -1147,10 +1132,9 @@ def _nominal(w, k, n):
         w[1120 + lane] = rod_z
 
 
-@fast
+@straight
 def _nominal_inverse(w, n):
     """Minus the inverse of the derivatives, its rows of the position; how far the equations are from dependent (71 operations)."""
-    wide()
     for lane in range(n):
         J00_0 = w[256 + lane]
         J10_0 = w[1472 + lane]
@@ -1217,22 +1201,22 @@ def _nominal_products(w, S, first, last):
 
 @fast
 def _nominal_sensitivity(x, q, tool, k, S, w):
-    rows = S.reshape(S.size)
+    positions, joints, tools, rows = x.reshape(x.size), q.reshape(q.size), tool.reshape(tool.size), S.reshape(S.size)
     w_1 = w[0:1216]
     w_2 = w[1216:2432]
     w_3 = w[2432:3648]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        _hold(tools, w, 0, 0, LANES)
     poses, regular = q.size // 3, True
     k_1, k_2, k_3 = k[0, 0], k[0, 1], k[0, 2]
     for first in range(0, poses, LANES):
         last = min(first + LANES, poses) - 1
         n = (last - first + 8) // 8 * 8
-        _load(x, w, first, last, n)
+        _load(positions, w, first, last, n)
         if len(tool) > 1:
-            _hold(tool, w, first, last, n)
+            _hold(tools, w, first, last, n)
         _aim(w, n)
-        _load(q, w, first, last, n)
+        _load(joints, w, first, last, n)
         _nominal(w_1, k_1, n)
         _nominal(w_2, k_2, n)
         _nominal(w_3, k_3, n)

@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `robotennis`, RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 5fdefde2e98ebf39; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 6d7a1f06c31be95f; SymPy 1.14.0.
 
 Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
 than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`
@@ -10,11 +10,13 @@ they are 4.
 """
 
 import math
+from functools import partial
 
 import numpy as np
 
 from deltacal_kernels.compiled import kernel
 from deltacal_kernels.elementary import aligned, arcsine, arctangent, copied, cosine, sine, tangent
+from deltacal_kernels.straight import straight
 
 from .vectorised import MAX_STEPS, SINGULAR, SOLVED, STEP_LOST, UNREACHABLE
 
@@ -22,6 +24,7 @@ COMMAND_DONE = 3e-8  # rad; after such a step a command is exact to its square: 
 COMMAND_CONSTANTS = 22  # what is exported reads these first columns of `vectorised.constants` only
 LANES = np.int64(4)  # no literal: a loop whose end is known beforehand is unrolled, and not turned into SIMD code
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
+few = partial(straight, wide=False)
 
 
 def _exact_constants(p):
@@ -283,7 +286,7 @@ def linear_state(p, tool, sign):
     return w
 
 
-@fast
+@few
 def _exact_joint(w, lanes):
     """Joint of the simplified limb at the target, then the platform's coordinates that follow from it (35 operations)."""
     px = w[0]
@@ -313,7 +316,7 @@ def _exact_joint(w, lanes):
         w[28 + lane] = s81
 
 
-@fast
+@few
 def _exact_rows(w, lanes):
     """Equations of a limb, their derivatives by turns of the platform and by the joint (59 operations)."""
     px = w[0]
@@ -369,7 +372,7 @@ def _exact_rows(w, lanes):
         w[48 + lane] = s106
 
 
-@fast
+@few
 def _exact_solution(w):
     """Changes that undo the closures while the target is kept; how far the equations are from dependent (3 operations)."""
     F00 = w[40]
@@ -386,7 +389,7 @@ def _exact_solution(w):
     w[26] = s5
 
 
-@fast
+@few
 def _exact_move(w):
     """The platform after a step, and its rotation matrix (0 operations)."""
     px = w[0]
@@ -439,7 +442,7 @@ def exact_command(px, py, pz, w):
     return w[20] * w[28], w[21] * w[29], w[22] * w[30]
 
 
-@fast
+@few
 def _linear_joint(w, lanes):
     """Joint of the nominal limb at the target, its cosine and sine (41 operations)."""
     px = w[0]
@@ -474,7 +477,7 @@ def _linear_joint(w, lanes):
         w[36 + lane] = s127
 
 
-@fast
+@few
 def _linear_angle(w, lanes):
     """Cosine and sine of the joint (2 operations)."""
     for lane in range(lanes):
@@ -485,7 +488,7 @@ def _linear_angle(w, lanes):
         w[36 + lane] = s129
 
 
-@fast
+@few
 def _linear_rows(w, lanes):
     """Equations of a nominal limb: change by all errors, derivatives by rotation and joint (50 operations)."""
     px = w[0]
@@ -530,7 +533,7 @@ def _linear_rows(w, lanes):
         w[48 + lane] = s146
 
 
-@fast
+@few
 def _linear_solution(w):
     """Changes that undo the closures while the target is kept; how far the equations are from dependent (3 operations)."""
     F00 = w[40]
