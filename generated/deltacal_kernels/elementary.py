@@ -36,9 +36,10 @@ def copied(values):
 def scratch(size):
     """Return an array (size,) that this thread keeps for later calls, `aligned`."""
     kept = _kept.__dict__
-    if size not in kept:
-        kept[size] = aligned(size)
-    return kept[size]
+    try:
+        return kept[size]
+    except KeyError:
+        return kept.setdefault(size, aligned(size))
 
 
 @intrinsic

@@ -1,7 +1,7 @@
 """Kinematics of `complete_delta`, many poses at once: Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 215a0dd1eee2a4b5; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 6a0291b33bda4d68; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -1423,89 +1423,97 @@ def inverse(target, tool, k, x, q, status):
 
 @fast
 def _simplified_forward(q, tool, k, x, status):
-    wide()
-    q_m, x_m = q.reshape(q.size), x.reshape(x.size)
+    given, found = q.reshape(q.size), x.reshape(x.size)
+    machines, tools = k.reshape(k.size), tool.reshape(tool.size)
     left, runs = 0, max(k.shape[0], tool.shape[0])
     each = status.size // runs
     for m in range(runs):
-        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
-        tx = held[0]
-        ty = held[1]
-        tz = held[2]
-        s839_0 = own[0, 24]
-        s841_0 = own[0, 25]
-        s843_0 = own[0, 26]
-        s845_0 = own[0, 27]
-        L_0 = own[0, 30]
-        s857_0 = own[0, 72]
-        s839_1 = own[1, 24]
-        s841_1 = own[1, 25]
-        s843_1 = own[1, 26]
-        s845_1 = own[1, 27]
-        L_1 = own[1, 30]
-        s857_1 = own[1, 72]
-        s839_2 = own[2, 24]
-        s841_2 = own[2, 25]
-        s843_2 = own[2, 26]
-        s845_2 = own[2, 27]
-        L_2 = own[2, 30]
-        s857_2 = own[2, 72]
-        q_n, x_n, of = q_m[3 * each * m :], x_m[3 * each * m :], status[each * m :]
-        for n in range(each):
-            q_0 = q_n[3 * n + 0]
-            s78_0 = cosine(q_0)
-            s877_0 = -s78_0*s841_0 - s839_0 + tx
-            s879_0 = -s78_0*s845_0 - s843_0 + ty
-            s881_0 = L_0*sine(q_0) + tz
-            s888_0 = s857_0 + 0.5*(s877_0 * s877_0) + 0.5*(s879_0 * s879_0) + 0.5*(s881_0 * s881_0)
-            c_00 = s877_0
-            c_01 = s879_0
-            c_02 = s881_0
-            c_03 = s888_0
-            q_1 = q_n[3 * n + 1]
-            s78_1 = cosine(q_1)
-            s877_1 = -s78_1*s841_1 - s839_1 + tx
-            s879_1 = -s78_1*s845_1 - s843_1 + ty
-            s881_1 = L_1*sine(q_1) + tz
-            s888_1 = s857_1 + 0.5*(s877_1 * s877_1) + 0.5*(s879_1 * s879_1) + 0.5*(s881_1 * s881_1)
-            c_10 = s877_1
-            c_11 = s879_1
-            c_12 = s881_1
-            c_13 = s888_1
-            q_2 = q_n[3 * n + 2]
-            s78_2 = cosine(q_2)
-            s877_2 = -s78_2*s841_2 - s839_2 + tx
-            s879_2 = -s78_2*s845_2 - s843_2 + ty
-            s881_2 = L_2*sine(q_2) + tz
-            s888_2 = s857_2 + 0.5*(s877_2 * s877_2) + 0.5*(s879_2 * s879_2) + 0.5*(s881_2 * s881_2)
-            c_20 = s877_2
-            c_21 = s879_2
-            c_22 = s881_2
-            c_23 = s888_2
-            # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
-            ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
-            bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
-            nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-            aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
-            nn = nx * nx + ny * ny + nz * nz
-            inverse = 1.0 / nn
-            # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
-            u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
-            px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
-            # |P + t n|^2 / 2 - c.(P + t n) + d = 0
-            half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
-            rest = 0.5 * (px * px + py * py + pz * pz) - (c_00 * px + c_01 * py + c_02 * pz) + c_03
-            square = half * half - 2.0 * rest * inverse
-            good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
-            root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
-            # the exact machine may still reach what the simplified one cannot
-            t = (-root if nz > 0.0 else root) - half
-            p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
-            x_n[3 * n + 0] = p_0
-            x_n[3 * n + 1] = p_1
-            x_n[3 * n + 2] = p_2
-            of[n] = SOLVED if good else OPEN
-            left += 0 if good else 1
+        own = machines[231 * (m // (runs // k.shape[0])) :]
+        held = tools[3 * (m // (runs // tool.shape[0])) :]
+        left += _simplified_forward_of(given[3 * each * m :], held, own, found[3 * each * m :], status[each * m :], each)
+    return left
+
+
+@straight
+def _simplified_forward_of(q, tool, own, x, status, poses):
+    """Solve the poses of one machine with one tool; return how many are left open."""
+    left = 0
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    s839_0 = own[0 + 24]
+    s841_0 = own[0 + 25]
+    s843_0 = own[0 + 26]
+    s845_0 = own[0 + 27]
+    L_0 = own[0 + 30]
+    s857_0 = own[0 + 72]
+    s839_1 = own[77 + 24]
+    s841_1 = own[77 + 25]
+    s843_1 = own[77 + 26]
+    s845_1 = own[77 + 27]
+    L_1 = own[77 + 30]
+    s857_1 = own[77 + 72]
+    s839_2 = own[154 + 24]
+    s841_2 = own[154 + 25]
+    s843_2 = own[154 + 26]
+    s845_2 = own[154 + 27]
+    L_2 = own[154 + 30]
+    s857_2 = own[154 + 72]
+    for n in range(poses):
+        q_0 = q[3 * n + 0]
+        s78_0 = cosine(q_0)
+        s877_0 = -s78_0*s841_0 - s839_0 + tx
+        s879_0 = -s78_0*s845_0 - s843_0 + ty
+        s881_0 = L_0*sine(q_0) + tz
+        s888_0 = s857_0 + 0.5*(s877_0 * s877_0) + 0.5*(s879_0 * s879_0) + 0.5*(s881_0 * s881_0)
+        c_00 = s877_0
+        c_01 = s879_0
+        c_02 = s881_0
+        c_03 = s888_0
+        q_1 = q[3 * n + 1]
+        s78_1 = cosine(q_1)
+        s877_1 = -s78_1*s841_1 - s839_1 + tx
+        s879_1 = -s78_1*s845_1 - s843_1 + ty
+        s881_1 = L_1*sine(q_1) + tz
+        s888_1 = s857_1 + 0.5*(s877_1 * s877_1) + 0.5*(s879_1 * s879_1) + 0.5*(s881_1 * s881_1)
+        c_10 = s877_1
+        c_11 = s879_1
+        c_12 = s881_1
+        c_13 = s888_1
+        q_2 = q[3 * n + 2]
+        s78_2 = cosine(q_2)
+        s877_2 = -s78_2*s841_2 - s839_2 + tx
+        s879_2 = -s78_2*s845_2 - s843_2 + ty
+        s881_2 = L_2*sine(q_2) + tz
+        s888_2 = s857_2 + 0.5*(s877_2 * s877_2) + 0.5*(s879_2 * s879_2) + 0.5*(s881_2 * s881_2)
+        c_20 = s877_2
+        c_21 = s879_2
+        c_22 = s881_2
+        c_23 = s888_2
+        # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
+        ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
+        bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
+        nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+        aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
+        nn = nx * nx + ny * ny + nz * nz
+        inverse = 1.0 / nn
+        # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
+        u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
+        px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
+        # |P + t n|^2 / 2 - c.(P + t n) + d = 0
+        half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
+        rest = 0.5 * (px * px + py * py + pz * pz) - (c_00 * px + c_01 * py + c_02 * pz) + c_03
+        square = half * half - 2.0 * rest * inverse
+        good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
+        root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
+        # the exact machine may still reach what the simplified one cannot
+        t = (-root if nz > 0.0 else root) - half
+        p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
+        x[3 * n + 0] = p_0
+        x[3 * n + 1] = p_1
+        x[3 * n + 2] = p_2
+        status[n] = SOLVED if good else OPEN
+        left += 0 if good else 1
     return left
 
 
@@ -1524,74 +1532,82 @@ def simplified_forward(q, tool, k, x, status):
 
 @fast
 def _simplified_inverse(target, tool, k, q, status):
-    wide()
-    target_m, q_m = target.reshape(target.size), q.reshape(q.size)
+    given, found = target.reshape(target.size), q.reshape(q.size)
+    machines, tools = k.reshape(k.size), tool.reshape(tool.size)
     left, runs = 0, max(k.shape[0], tool.shape[0])
     each = status.size // runs
     for m in range(runs):
-        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
-        tx = held[0]
-        ty = held[1]
-        tz = held[2]
-        s839_0 = own[0, 24]
-        s841_0 = own[0, 25]
-        s843_0 = own[0, 26]
-        s845_0 = own[0, 27]
-        s863_0 = own[0, 28]
-        s858_0 = own[0, 29]
-        L_0 = own[0, 30]
-        s839_1 = own[1, 24]
-        s841_1 = own[1, 25]
-        s843_1 = own[1, 26]
-        s845_1 = own[1, 27]
-        s863_1 = own[1, 28]
-        s858_1 = own[1, 29]
-        L_1 = own[1, 30]
-        s839_2 = own[2, 24]
-        s841_2 = own[2, 25]
-        s843_2 = own[2, 26]
-        s845_2 = own[2, 27]
-        s863_2 = own[2, 28]
-        s858_2 = own[2, 29]
-        L_2 = own[2, 30]
-        at, q_n, of = target_m[3 * each * m :], q_m[3 * each * m :], status[each * m :]
-        for n in range(each):
-            px = at[3 * n + 0]
-            py = at[3 * n + 1]
-            pz = at[3 * n + 2]
-            s840_0 = px + s839_0 - tx
-            s844_0 = py + s843_0 - ty
-            s847_0 = s840_0*s841_0 + s844_0*s845_0
-            s849_0 = pz - tz
-            s850_0 = (s849_0 * s849_0)
-            s864_0 = 0.5*(s840_0 * s840_0) + 0.5*(s844_0 * s844_0) + 0.5*s850_0 + s863_0
-            s868_0 = math.sqrt((s847_0 * s847_0) + s850_0*s858_0 - (s864_0 * s864_0))
-            s875_0 = arctangent(L_0*s849_0*s864_0 - s847_0*s868_0, -L_0*s849_0*s868_0 - s847_0*s864_0)
-            q_00 = s875_0
-            s840_1 = px + s839_1 - tx
-            s844_1 = py + s843_1 - ty
-            s847_1 = s840_1*s841_1 + s844_1*s845_1
-            s849_1 = pz - tz
-            s850_1 = (s849_1 * s849_1)
-            s864_1 = 0.5*(s840_1 * s840_1) + 0.5*(s844_1 * s844_1) + 0.5*s850_1 + s863_1
-            s868_1 = math.sqrt((s847_1 * s847_1) + s850_1*s858_1 - (s864_1 * s864_1))
-            s875_1 = arctangent(L_1*s849_1*s864_1 - s847_1*s868_1, -L_1*s849_1*s868_1 - s847_1*s864_1)
-            q_10 = s875_1
-            s840_2 = px + s839_2 - tx
-            s844_2 = py + s843_2 - ty
-            s847_2 = s840_2*s841_2 + s844_2*s845_2
-            s849_2 = pz - tz
-            s850_2 = (s849_2 * s849_2)
-            s864_2 = 0.5*(s840_2 * s840_2) + 0.5*(s844_2 * s844_2) + 0.5*s850_2 + s863_2
-            s868_2 = math.sqrt((s847_2 * s847_2) + s850_2*s858_2 - (s864_2 * s864_2))
-            s875_2 = arctangent(L_2*s849_2*s864_2 - s847_2*s868_2, -L_2*s849_2*s868_2 - s847_2*s864_2)
-            q_20 = s875_2
-            good = (abs(q_00) < math.inf) & (abs(q_10) < math.inf) & (abs(q_20) < math.inf)
-            q_n[3 * n + 0] = q_00
-            q_n[3 * n + 1] = q_10
-            q_n[3 * n + 2] = q_20
-            of[n] = SOLVED if good else OPEN
-            left += 0 if good else 1
+        own = machines[231 * (m // (runs // k.shape[0])) :]
+        held = tools[3 * (m // (runs // tool.shape[0])) :]
+        left += _simplified_inverse_of(given[3 * each * m :], held, own, found[3 * each * m :], status[each * m :], each)
+    return left
+
+
+@straight
+def _simplified_inverse_of(target, tool, own, q, status, poses):
+    """Solve the poses of one machine with one tool; return how many are left open."""
+    left = 0
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    s839_0 = own[0 + 24]
+    s841_0 = own[0 + 25]
+    s843_0 = own[0 + 26]
+    s845_0 = own[0 + 27]
+    s863_0 = own[0 + 28]
+    s858_0 = own[0 + 29]
+    L_0 = own[0 + 30]
+    s839_1 = own[77 + 24]
+    s841_1 = own[77 + 25]
+    s843_1 = own[77 + 26]
+    s845_1 = own[77 + 27]
+    s863_1 = own[77 + 28]
+    s858_1 = own[77 + 29]
+    L_1 = own[77 + 30]
+    s839_2 = own[154 + 24]
+    s841_2 = own[154 + 25]
+    s843_2 = own[154 + 26]
+    s845_2 = own[154 + 27]
+    s863_2 = own[154 + 28]
+    s858_2 = own[154 + 29]
+    L_2 = own[154 + 30]
+    for n in range(poses):
+        px = target[3 * n + 0]
+        py = target[3 * n + 1]
+        pz = target[3 * n + 2]
+        s840_0 = px + s839_0 - tx
+        s844_0 = py + s843_0 - ty
+        s847_0 = s840_0*s841_0 + s844_0*s845_0
+        s849_0 = pz - tz
+        s850_0 = (s849_0 * s849_0)
+        s864_0 = 0.5*(s840_0 * s840_0) + 0.5*(s844_0 * s844_0) + 0.5*s850_0 + s863_0
+        s868_0 = math.sqrt((s847_0 * s847_0) + s850_0*s858_0 - (s864_0 * s864_0))
+        s875_0 = arctangent(L_0*s849_0*s864_0 - s847_0*s868_0, -L_0*s849_0*s868_0 - s847_0*s864_0)
+        q_00 = s875_0
+        s840_1 = px + s839_1 - tx
+        s844_1 = py + s843_1 - ty
+        s847_1 = s840_1*s841_1 + s844_1*s845_1
+        s849_1 = pz - tz
+        s850_1 = (s849_1 * s849_1)
+        s864_1 = 0.5*(s840_1 * s840_1) + 0.5*(s844_1 * s844_1) + 0.5*s850_1 + s863_1
+        s868_1 = math.sqrt((s847_1 * s847_1) + s850_1*s858_1 - (s864_1 * s864_1))
+        s875_1 = arctangent(L_1*s849_1*s864_1 - s847_1*s868_1, -L_1*s849_1*s868_1 - s847_1*s864_1)
+        q_10 = s875_1
+        s840_2 = px + s839_2 - tx
+        s844_2 = py + s843_2 - ty
+        s847_2 = s840_2*s841_2 + s844_2*s845_2
+        s849_2 = pz - tz
+        s850_2 = (s849_2 * s849_2)
+        s864_2 = 0.5*(s840_2 * s840_2) + 0.5*(s844_2 * s844_2) + 0.5*s850_2 + s863_2
+        s868_2 = math.sqrt((s847_2 * s847_2) + s850_2*s858_2 - (s864_2 * s864_2))
+        s875_2 = arctangent(L_2*s849_2*s864_2 - s847_2*s868_2, -L_2*s849_2*s868_2 - s847_2*s864_2)
+        q_20 = s875_2
+        good = (abs(q_00) < math.inf) & (abs(q_10) < math.inf) & (abs(q_20) < math.inf)
+        q[3 * n + 0] = q_00
+        q[3 * n + 1] = q_10
+        q[3 * n + 2] = q_20
+        status[n] = SOLVED if good else OPEN
+        left += 0 if good else 1
     return left
 
 
@@ -2094,8 +2110,8 @@ def _nominal_products(w, S, first, last):
 
 
 @fast
-def _nominal_sensitivity(x, q, tool, k, S, w):
-    positions, joints, tools, rows = x.reshape(x.size), q.reshape(q.size), tool.reshape(tool.size), S.reshape(S.size)
+def _nominal_sensitivity(x, q, tool, k, rows, w):
+    positions, joints, tools = x.reshape(x.size), q.reshape(q.size), tool.reshape(tool.size)
     w_1 = w[0:3328]
     w_2 = w[3328:6656]
     w_3 = w[6656:9984]
@@ -2126,33 +2142,47 @@ def nominal_sensitivity(x, q, tool, k, S):
     False where the machine is singular at one of the poses, or nearly so. With the errors of one limb in the order of
     ``parameters.ERRORS``.
     """
-    return _nominal_sensitivity(x, q, tool, k, S, scratch(WORK + SPARE))
+    return _nominal_sensitivity(x, q, tool, k, S.reshape(-1), scratch(WORK + SPARE))
 
 
-@fast
-def _along(x, C, H):
+@straight
+def _chosen(S, columns, C, rows, n):
+    """Take some columns of rows."""
+    for row in range(rows):
+        for j in range(n):
+            C[n * row + j] = S[51 * row + columns[j]]
+
+
+@straight
+def _along(x, C, H, towards, poses, n):
     """Fill the rows of all pairs: along the line from one position to the other, the difference of their derivatives."""
-    wide()
-    poses, row = x.shape[0], 0
+    row = 0
     for a in range(poses):
         for b in range(a + 1, poses):
-            n_0 = x[b, 0] - x[a, 0]
-            n_1 = x[b, 1] - x[a, 1]
-            n_2 = x[b, 2] - x[a, 2]
+            n_0 = x[3 * b + 0] - x[3 * a + 0]
+            n_1 = x[3 * b + 1] - x[3 * a + 1]
+            n_2 = x[3 * b + 2] - x[3 * a + 2]
             by = 1.0 / math.sqrt(n_0 * n_0 + n_1 * n_1 + n_2 * n_2)
-            for j in range(H.shape[1]):
-                H[row, j] = by * (n_0 * (C[b, 0, j] - C[a, 0, j]) + n_1 * (C[b, 1, j] - C[a, 1, j]) + n_2 * (C[b, 2, j] - C[a, 2, j]))
+            towards[b] = by * n_0
+            towards[1 * poses + b] = by * n_1
+            towards[2 * poses + b] = by * n_2
+        for b in range(a + 1, poses):
+            n_0 = towards[b]
+            n_1 = towards[1 * poses + b]
+            n_2 = towards[2 * poses + b]
+            for j in range(n):
+                H[n * row + j] = n_0 * (C[n * (3 * b + 0) + j] - C[n * (3 * a + 0) + j]) + n_1 * (C[n * (3 * b + 1) + j] - C[n * (3 * a + 1) + j]) + n_2 * (C[n * (3 * b + 2) + j] - C[n * (3 * a + 2) + j])
             row += 1
 
 
 @fast
-def _distance_rows(x, q, tool, k, columns, H, S, C, w):
+def _distance_rows(x, q, tool, k, columns, H, w):
+    poses, n = x.shape[0], columns.size
+    room = 153 * ((poses + 7) // 8 * 8)  # for whole blocks of eight, and what follows begins on a boundary of them
+    S, C = w[WORK + SPARE : WORK + SPARE + room], w[WORK + SPARE + room :]
     regular = _nominal_sensitivity(x, q, tool, k, S, w)
-    for m in range(C.shape[0]):
-        for c in range(3):
-            for j in range(columns.size):
-                C[m, c, j] = S[m, c, columns[j]]
-    _along(x, C, H)
+    _chosen(S, columns, C, 3 * poses, n)
+    _along(x.reshape(x.size), C, H.reshape(H.size), S, poses, n)  # S has served
     return regular
 
 
@@ -2162,8 +2192,4 @@ def distance_rows(x, q, tool, k, columns, H):
     x, q, tool, k as in `nominal_sensitivity`; columns (n,) of its errors. The sensitivities are contracted pose by pose
     and not returned. False as there.
     """
-    poses, n = len(x), columns.size
-    work = scratch(3 * poses * (51 + n))
-    S = work[: 153 * poses].reshape(poses, 3, 51)
-    C = work[153 * poses :].reshape(poses, 3, n)
-    return _distance_rows(x, q, tool, k, columns, H, S, C, scratch(WORK + SPARE))
+    return _distance_rows(x, q, tool, k, columns, H, scratch(WORK + SPARE + 3 * (len(x) + 7) * (51 + len(columns))))

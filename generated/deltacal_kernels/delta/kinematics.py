@@ -1,7 +1,7 @@
 """Kinematics of `delta`, many poses at once: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 1cbd768faa7c4e5c; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 8bcc3000062a9274; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -1397,98 +1397,106 @@ def inverse(target, tool, k, x, q, status):
 
 @fast
 def _simplified_forward(q, tool, k, x, status):
-    wide()
-    q_m, x_m = q.reshape(q.size), x.reshape(x.size)
+    given, found = q.reshape(q.size), x.reshape(x.size)
+    machines, tools = k.reshape(k.size), tool.reshape(tool.size)
     left, runs = 0, max(k.shape[0], tool.shape[0])
     each = status.size // runs
     for m in range(runs):
-        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
-        tx = held[0]
-        ty = held[1]
-        tz = held[2]
-        theta_0 = own[0, 0]
-        s219_0 = own[0, 7]
-        s1166_0 = own[0, 24]
-        s1168_0 = own[0, 25]
-        s1170_0 = own[0, 26]
-        s1172_0 = own[0, 27]
-        ez_0 = own[0, 28]
-        s1185_0 = own[0, 84]
-        theta_1 = own[1, 0]
-        s219_1 = own[1, 7]
-        s1166_1 = own[1, 24]
-        s1168_1 = own[1, 25]
-        s1170_1 = own[1, 26]
-        s1172_1 = own[1, 27]
-        ez_1 = own[1, 28]
-        s1185_1 = own[1, 84]
-        theta_2 = own[2, 0]
-        s219_2 = own[2, 7]
-        s1166_2 = own[2, 24]
-        s1168_2 = own[2, 25]
-        s1170_2 = own[2, 26]
-        s1172_2 = own[2, 27]
-        ez_2 = own[2, 28]
-        s1185_2 = own[2, 84]
-        q_n, x_n, of = q_m[3 * each * m :], x_m[3 * each * m :], status[each * m :]
-        for n in range(each):
-            q_0 = q_n[3 * n + 0]
-            s163_0 = q_0 + theta_0
-            s164_0 = cosine(s163_0)
-            s1212_0 = -s1166_0 - s1168_0*s164_0 + tx
-            s1214_0 = -s1170_0 - s1172_0*s164_0 + ty
-            s1216_0 = ez_0 + s219_0*sine(s163_0) + tz
-            s1223_0 = s1185_0 + 0.5*(s1212_0 * s1212_0) + 0.5*(s1214_0 * s1214_0) + 0.5*(s1216_0 * s1216_0)
-            c_00 = s1212_0
-            c_01 = s1214_0
-            c_02 = s1216_0
-            c_03 = s1223_0
-            q_1 = q_n[3 * n + 1]
-            s163_1 = q_1 + theta_1
-            s164_1 = cosine(s163_1)
-            s1212_1 = -s1166_1 - s1168_1*s164_1 + tx
-            s1214_1 = -s1170_1 - s1172_1*s164_1 + ty
-            s1216_1 = ez_1 + s219_1*sine(s163_1) + tz
-            s1223_1 = s1185_1 + 0.5*(s1212_1 * s1212_1) + 0.5*(s1214_1 * s1214_1) + 0.5*(s1216_1 * s1216_1)
-            c_10 = s1212_1
-            c_11 = s1214_1
-            c_12 = s1216_1
-            c_13 = s1223_1
-            q_2 = q_n[3 * n + 2]
-            s163_2 = q_2 + theta_2
-            s164_2 = cosine(s163_2)
-            s1212_2 = -s1166_2 - s1168_2*s164_2 + tx
-            s1214_2 = -s1170_2 - s1172_2*s164_2 + ty
-            s1216_2 = ez_2 + s219_2*sine(s163_2) + tz
-            s1223_2 = s1185_2 + 0.5*(s1212_2 * s1212_2) + 0.5*(s1214_2 * s1214_2) + 0.5*(s1216_2 * s1216_2)
-            c_20 = s1212_2
-            c_21 = s1214_2
-            c_22 = s1216_2
-            c_23 = s1223_2
-            # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
-            ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
-            bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
-            nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-            aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
-            nn = nx * nx + ny * ny + nz * nz
-            inverse = 1.0 / nn
-            # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
-            u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
-            px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
-            # |P + t n|^2 / 2 - c.(P + t n) + d = 0
-            half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
-            rest = 0.5 * (px * px + py * py + pz * pz) - (c_00 * px + c_01 * py + c_02 * pz) + c_03
-            square = half * half - 2.0 * rest * inverse
-            good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
-            root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
-            # the exact machine may still reach what the simplified one cannot
-            t = (-root if nz > 0.0 else root) - half
-            p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
-            x_n[3 * n + 0] = p_0
-            x_n[3 * n + 1] = p_1
-            x_n[3 * n + 2] = p_2
-            of[n] = SOLVED if good else OPEN
-            left += 0 if good else 1
+        own = machines[273 * (m // (runs // k.shape[0])) :]
+        held = tools[3 * (m // (runs // tool.shape[0])) :]
+        left += _simplified_forward_of(given[3 * each * m :], held, own, found[3 * each * m :], status[each * m :], each)
+    return left
+
+
+@straight
+def _simplified_forward_of(q, tool, own, x, status, poses):
+    """Solve the poses of one machine with one tool; return how many are left open."""
+    left = 0
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    theta_0 = own[0 + 0]
+    s219_0 = own[0 + 7]
+    s1166_0 = own[0 + 24]
+    s1168_0 = own[0 + 25]
+    s1170_0 = own[0 + 26]
+    s1172_0 = own[0 + 27]
+    ez_0 = own[0 + 28]
+    s1185_0 = own[0 + 84]
+    theta_1 = own[91 + 0]
+    s219_1 = own[91 + 7]
+    s1166_1 = own[91 + 24]
+    s1168_1 = own[91 + 25]
+    s1170_1 = own[91 + 26]
+    s1172_1 = own[91 + 27]
+    ez_1 = own[91 + 28]
+    s1185_1 = own[91 + 84]
+    theta_2 = own[182 + 0]
+    s219_2 = own[182 + 7]
+    s1166_2 = own[182 + 24]
+    s1168_2 = own[182 + 25]
+    s1170_2 = own[182 + 26]
+    s1172_2 = own[182 + 27]
+    ez_2 = own[182 + 28]
+    s1185_2 = own[182 + 84]
+    for n in range(poses):
+        q_0 = q[3 * n + 0]
+        s163_0 = q_0 + theta_0
+        s164_0 = cosine(s163_0)
+        s1212_0 = -s1166_0 - s1168_0*s164_0 + tx
+        s1214_0 = -s1170_0 - s1172_0*s164_0 + ty
+        s1216_0 = ez_0 + s219_0*sine(s163_0) + tz
+        s1223_0 = s1185_0 + 0.5*(s1212_0 * s1212_0) + 0.5*(s1214_0 * s1214_0) + 0.5*(s1216_0 * s1216_0)
+        c_00 = s1212_0
+        c_01 = s1214_0
+        c_02 = s1216_0
+        c_03 = s1223_0
+        q_1 = q[3 * n + 1]
+        s163_1 = q_1 + theta_1
+        s164_1 = cosine(s163_1)
+        s1212_1 = -s1166_1 - s1168_1*s164_1 + tx
+        s1214_1 = -s1170_1 - s1172_1*s164_1 + ty
+        s1216_1 = ez_1 + s219_1*sine(s163_1) + tz
+        s1223_1 = s1185_1 + 0.5*(s1212_1 * s1212_1) + 0.5*(s1214_1 * s1214_1) + 0.5*(s1216_1 * s1216_1)
+        c_10 = s1212_1
+        c_11 = s1214_1
+        c_12 = s1216_1
+        c_13 = s1223_1
+        q_2 = q[3 * n + 2]
+        s163_2 = q_2 + theta_2
+        s164_2 = cosine(s163_2)
+        s1212_2 = -s1166_2 - s1168_2*s164_2 + tx
+        s1214_2 = -s1170_2 - s1172_2*s164_2 + ty
+        s1216_2 = ez_2 + s219_2*sine(s163_2) + tz
+        s1223_2 = s1185_2 + 0.5*(s1212_2 * s1212_2) + 0.5*(s1214_2 * s1214_2) + 0.5*(s1216_2 * s1216_2)
+        c_20 = s1212_2
+        c_21 = s1214_2
+        c_22 = s1216_2
+        c_23 = s1223_2
+        # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
+        ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
+        bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
+        nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+        aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
+        nn = nx * nx + ny * ny + nz * nz
+        inverse = 1.0 / nn
+        # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
+        u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
+        px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
+        # |P + t n|^2 / 2 - c.(P + t n) + d = 0
+        half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
+        rest = 0.5 * (px * px + py * py + pz * pz) - (c_00 * px + c_01 * py + c_02 * pz) + c_03
+        square = half * half - 2.0 * rest * inverse
+        good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
+        root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
+        # the exact machine may still reach what the simplified one cannot
+        t = (-root if nz > 0.0 else root) - half
+        p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
+        x[3 * n + 0] = p_0
+        x[3 * n + 1] = p_1
+        x[3 * n + 2] = p_2
+        status[n] = SOLVED if good else OPEN
+        left += 0 if good else 1
     return left
 
 
@@ -1507,80 +1515,88 @@ def simplified_forward(q, tool, k, x, status):
 
 @fast
 def _simplified_inverse(target, tool, k, q, status):
-    wide()
-    target_m, q_m = target.reshape(target.size), q.reshape(q.size)
+    given, found = target.reshape(target.size), q.reshape(q.size)
+    machines, tools = k.reshape(k.size), tool.reshape(tool.size)
     left, runs = 0, max(k.shape[0], tool.shape[0])
     each = status.size // runs
     for m in range(runs):
-        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
-        tx = held[0]
-        ty = held[1]
-        tz = held[2]
-        theta_0 = own[0, 0]
-        s1166_0 = own[0, 24]
-        s1168_0 = own[0, 25]
-        s1170_0 = own[0, 26]
-        s1172_0 = own[0, 27]
-        ez_0 = own[0, 28]
-        s1191_0 = own[0, 29]
-        s1198_0 = own[0, 30]
-        s1203_0 = own[0, 31]
-        theta_1 = own[1, 0]
-        s1166_1 = own[1, 24]
-        s1168_1 = own[1, 25]
-        s1170_1 = own[1, 26]
-        s1172_1 = own[1, 27]
-        ez_1 = own[1, 28]
-        s1191_1 = own[1, 29]
-        s1198_1 = own[1, 30]
-        s1203_1 = own[1, 31]
-        theta_2 = own[2, 0]
-        s1166_2 = own[2, 24]
-        s1168_2 = own[2, 25]
-        s1170_2 = own[2, 26]
-        s1172_2 = own[2, 27]
-        ez_2 = own[2, 28]
-        s1191_2 = own[2, 29]
-        s1198_2 = own[2, 30]
-        s1203_2 = own[2, 31]
-        at, q_n, of = target_m[3 * each * m :], q_m[3 * each * m :], status[each * m :]
-        for n in range(each):
-            px = at[3 * n + 0]
-            py = at[3 * n + 1]
-            pz = at[3 * n + 2]
-            s1167_0 = px + s1166_0 - tx
-            s1171_0 = py + s1170_0 - ty
-            s1174_0 = s1167_0*s1168_0 + s1171_0*s1172_0
-            s1176_0 = -ez_0 + pz - tz
-            s1177_0 = (s1176_0 * s1176_0)
-            s1192_0 = 0.5*(s1167_0 * s1167_0) + 0.5*(s1171_0 * s1171_0) + 0.5*s1177_0 + s1191_0
-            s1201_0 = math.sqrt((s1174_0 * s1174_0) + s1177_0*s1198_0 - (s1192_0 * s1192_0))
-            s1210_0 = -theta_0 + arctangent(-s1174_0*s1201_0 + s1176_0*s1192_0*s1203_0, -s1174_0*s1192_0 - s1176_0*s1201_0*s1203_0)
-            q_00 = s1210_0
-            s1167_1 = px + s1166_1 - tx
-            s1171_1 = py + s1170_1 - ty
-            s1174_1 = s1167_1*s1168_1 + s1171_1*s1172_1
-            s1176_1 = -ez_1 + pz - tz
-            s1177_1 = (s1176_1 * s1176_1)
-            s1192_1 = 0.5*(s1167_1 * s1167_1) + 0.5*(s1171_1 * s1171_1) + 0.5*s1177_1 + s1191_1
-            s1201_1 = math.sqrt((s1174_1 * s1174_1) + s1177_1*s1198_1 - (s1192_1 * s1192_1))
-            s1210_1 = -theta_1 + arctangent(-s1174_1*s1201_1 + s1176_1*s1192_1*s1203_1, -s1174_1*s1192_1 - s1176_1*s1201_1*s1203_1)
-            q_10 = s1210_1
-            s1167_2 = px + s1166_2 - tx
-            s1171_2 = py + s1170_2 - ty
-            s1174_2 = s1167_2*s1168_2 + s1171_2*s1172_2
-            s1176_2 = -ez_2 + pz - tz
-            s1177_2 = (s1176_2 * s1176_2)
-            s1192_2 = 0.5*(s1167_2 * s1167_2) + 0.5*(s1171_2 * s1171_2) + 0.5*s1177_2 + s1191_2
-            s1201_2 = math.sqrt((s1174_2 * s1174_2) + s1177_2*s1198_2 - (s1192_2 * s1192_2))
-            s1210_2 = -theta_2 + arctangent(-s1174_2*s1201_2 + s1176_2*s1192_2*s1203_2, -s1174_2*s1192_2 - s1176_2*s1201_2*s1203_2)
-            q_20 = s1210_2
-            good = (abs(q_00) < math.inf) & (abs(q_10) < math.inf) & (abs(q_20) < math.inf)
-            q_n[3 * n + 0] = q_00
-            q_n[3 * n + 1] = q_10
-            q_n[3 * n + 2] = q_20
-            of[n] = SOLVED if good else OPEN
-            left += 0 if good else 1
+        own = machines[273 * (m // (runs // k.shape[0])) :]
+        held = tools[3 * (m // (runs // tool.shape[0])) :]
+        left += _simplified_inverse_of(given[3 * each * m :], held, own, found[3 * each * m :], status[each * m :], each)
+    return left
+
+
+@straight
+def _simplified_inverse_of(target, tool, own, q, status, poses):
+    """Solve the poses of one machine with one tool; return how many are left open."""
+    left = 0
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    theta_0 = own[0 + 0]
+    s1166_0 = own[0 + 24]
+    s1168_0 = own[0 + 25]
+    s1170_0 = own[0 + 26]
+    s1172_0 = own[0 + 27]
+    ez_0 = own[0 + 28]
+    s1191_0 = own[0 + 29]
+    s1198_0 = own[0 + 30]
+    s1203_0 = own[0 + 31]
+    theta_1 = own[91 + 0]
+    s1166_1 = own[91 + 24]
+    s1168_1 = own[91 + 25]
+    s1170_1 = own[91 + 26]
+    s1172_1 = own[91 + 27]
+    ez_1 = own[91 + 28]
+    s1191_1 = own[91 + 29]
+    s1198_1 = own[91 + 30]
+    s1203_1 = own[91 + 31]
+    theta_2 = own[182 + 0]
+    s1166_2 = own[182 + 24]
+    s1168_2 = own[182 + 25]
+    s1170_2 = own[182 + 26]
+    s1172_2 = own[182 + 27]
+    ez_2 = own[182 + 28]
+    s1191_2 = own[182 + 29]
+    s1198_2 = own[182 + 30]
+    s1203_2 = own[182 + 31]
+    for n in range(poses):
+        px = target[3 * n + 0]
+        py = target[3 * n + 1]
+        pz = target[3 * n + 2]
+        s1167_0 = px + s1166_0 - tx
+        s1171_0 = py + s1170_0 - ty
+        s1174_0 = s1167_0*s1168_0 + s1171_0*s1172_0
+        s1176_0 = -ez_0 + pz - tz
+        s1177_0 = (s1176_0 * s1176_0)
+        s1192_0 = 0.5*(s1167_0 * s1167_0) + 0.5*(s1171_0 * s1171_0) + 0.5*s1177_0 + s1191_0
+        s1201_0 = math.sqrt((s1174_0 * s1174_0) + s1177_0*s1198_0 - (s1192_0 * s1192_0))
+        s1210_0 = -theta_0 + arctangent(-s1174_0*s1201_0 + s1176_0*s1192_0*s1203_0, -s1174_0*s1192_0 - s1176_0*s1201_0*s1203_0)
+        q_00 = s1210_0
+        s1167_1 = px + s1166_1 - tx
+        s1171_1 = py + s1170_1 - ty
+        s1174_1 = s1167_1*s1168_1 + s1171_1*s1172_1
+        s1176_1 = -ez_1 + pz - tz
+        s1177_1 = (s1176_1 * s1176_1)
+        s1192_1 = 0.5*(s1167_1 * s1167_1) + 0.5*(s1171_1 * s1171_1) + 0.5*s1177_1 + s1191_1
+        s1201_1 = math.sqrt((s1174_1 * s1174_1) + s1177_1*s1198_1 - (s1192_1 * s1192_1))
+        s1210_1 = -theta_1 + arctangent(-s1174_1*s1201_1 + s1176_1*s1192_1*s1203_1, -s1174_1*s1192_1 - s1176_1*s1201_1*s1203_1)
+        q_10 = s1210_1
+        s1167_2 = px + s1166_2 - tx
+        s1171_2 = py + s1170_2 - ty
+        s1174_2 = s1167_2*s1168_2 + s1171_2*s1172_2
+        s1176_2 = -ez_2 + pz - tz
+        s1177_2 = (s1176_2 * s1176_2)
+        s1192_2 = 0.5*(s1167_2 * s1167_2) + 0.5*(s1171_2 * s1171_2) + 0.5*s1177_2 + s1191_2
+        s1201_2 = math.sqrt((s1174_2 * s1174_2) + s1177_2*s1198_2 - (s1192_2 * s1192_2))
+        s1210_2 = -theta_2 + arctangent(-s1174_2*s1201_2 + s1176_2*s1192_2*s1203_2, -s1174_2*s1192_2 - s1176_2*s1201_2*s1203_2)
+        q_20 = s1210_2
+        good = (abs(q_00) < math.inf) & (abs(q_10) < math.inf) & (abs(q_20) < math.inf)
+        q[3 * n + 0] = q_00
+        q[3 * n + 1] = q_10
+        q[3 * n + 2] = q_20
+        status[n] = SOLVED if good else OPEN
+        left += 0 if good else 1
     return left
 
 
@@ -1995,8 +2011,8 @@ def _nominal_products(w, S, first, last):
 
 
 @fast
-def _nominal_sensitivity(x, q, tool, k, S, w):
-    positions, joints, tools, rows = x.reshape(x.size), q.reshape(q.size), tool.reshape(tool.size), S.reshape(S.size)
+def _nominal_sensitivity(x, q, tool, k, rows, w):
+    positions, joints, tools = x.reshape(x.size), q.reshape(q.size), tool.reshape(tool.size)
     w_1 = w[0:3008]
     w_2 = w[3008:6016]
     w_3 = w[6016:9024]
@@ -2027,33 +2043,47 @@ def nominal_sensitivity(x, q, tool, k, S):
     False where the machine is singular at one of the poses, or nearly so. With the errors of one limb in the order of
     ``parameters.ERRORS``.
     """
-    return _nominal_sensitivity(x, q, tool, k, S, scratch(WORK + SPARE))
+    return _nominal_sensitivity(x, q, tool, k, S.reshape(-1), scratch(WORK + SPARE))
 
 
-@fast
-def _along(x, C, H):
+@straight
+def _chosen(S, columns, C, rows, n):
+    """Take some columns of rows."""
+    for row in range(rows):
+        for j in range(n):
+            C[n * row + j] = S[42 * row + columns[j]]
+
+
+@straight
+def _along(x, C, H, towards, poses, n):
     """Fill the rows of all pairs: along the line from one position to the other, the difference of their derivatives."""
-    wide()
-    poses, row = x.shape[0], 0
+    row = 0
     for a in range(poses):
         for b in range(a + 1, poses):
-            n_0 = x[b, 0] - x[a, 0]
-            n_1 = x[b, 1] - x[a, 1]
-            n_2 = x[b, 2] - x[a, 2]
+            n_0 = x[3 * b + 0] - x[3 * a + 0]
+            n_1 = x[3 * b + 1] - x[3 * a + 1]
+            n_2 = x[3 * b + 2] - x[3 * a + 2]
             by = 1.0 / math.sqrt(n_0 * n_0 + n_1 * n_1 + n_2 * n_2)
-            for j in range(H.shape[1]):
-                H[row, j] = by * (n_0 * (C[b, 0, j] - C[a, 0, j]) + n_1 * (C[b, 1, j] - C[a, 1, j]) + n_2 * (C[b, 2, j] - C[a, 2, j]))
+            towards[b] = by * n_0
+            towards[1 * poses + b] = by * n_1
+            towards[2 * poses + b] = by * n_2
+        for b in range(a + 1, poses):
+            n_0 = towards[b]
+            n_1 = towards[1 * poses + b]
+            n_2 = towards[2 * poses + b]
+            for j in range(n):
+                H[n * row + j] = n_0 * (C[n * (3 * b + 0) + j] - C[n * (3 * a + 0) + j]) + n_1 * (C[n * (3 * b + 1) + j] - C[n * (3 * a + 1) + j]) + n_2 * (C[n * (3 * b + 2) + j] - C[n * (3 * a + 2) + j])
             row += 1
 
 
 @fast
-def _distance_rows(x, q, tool, k, columns, H, S, C, w):
+def _distance_rows(x, q, tool, k, columns, H, w):
+    poses, n = x.shape[0], columns.size
+    room = 126 * ((poses + 7) // 8 * 8)  # for whole blocks of eight, and what follows begins on a boundary of them
+    S, C = w[WORK + SPARE : WORK + SPARE + room], w[WORK + SPARE + room :]
     regular = _nominal_sensitivity(x, q, tool, k, S, w)
-    for m in range(C.shape[0]):
-        for c in range(3):
-            for j in range(columns.size):
-                C[m, c, j] = S[m, c, columns[j]]
-    _along(x, C, H)
+    _chosen(S, columns, C, 3 * poses, n)
+    _along(x.reshape(x.size), C, H.reshape(H.size), S, poses, n)  # S has served
     return regular
 
 
@@ -2063,8 +2093,4 @@ def distance_rows(x, q, tool, k, columns, H):
     x, q, tool, k as in `nominal_sensitivity`; columns (n,) of its errors. The sensitivities are contracted pose by pose
     and not returned. False as there.
     """
-    poses, n = len(x), columns.size
-    work = scratch(3 * poses * (42 + n))
-    S = work[: 126 * poses].reshape(poses, 3, 42)
-    C = work[126 * poses :].reshape(poses, 3, n)
-    return _distance_rows(x, q, tool, k, columns, H, S, C, scratch(WORK + SPARE))
+    return _distance_rows(x, q, tool, k, columns, H, scratch(WORK + SPARE + 3 * (len(x) + 7) * (42 + len(columns))))

@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `delta`, Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 70d9271fe86606f1; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 31d76aa595a0400f; SymPy 1.14.0.
 
 Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
 than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`
@@ -23,7 +23,8 @@ from .vectorised import MAX_STEPS, SINGULAR, SOLVED, STEP_LOST, UNREACHABLE
 COMMAND_DONE = 3e-8  # rad; after such a step a command is exact to its square: 1e-15 rad
 COMMAND_CONSTANTS = 32  # what is exported reads these first columns of `vectorised.constants` only
 LANES = np.int64(4)  # no literal: a loop whose end is known beforehand is unrolled, and not turned into SIMD code
-fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
+OPTIONS = {"error_model": "numpy", "fastmath": {"contract"}}
+fast = kernel(**OPTIONS)  # to let other threads run meanwhile would take longer than a command
 few = partial(straight, wide=False)
 
 
@@ -980,7 +981,7 @@ def linear_change(px, py, pz, q_1, q_2, q_3, w):
     return back * w[24] * w[28], back * w[25] * w[29], back * w[26] * w[30]
 
 
-@fast
+@kernel(nogil=True, **OPTIONS)
 def linear_commands(target, tool, w, q, status):
     """Fill q (N, 3), as the geometry counts, and status (N,) by `linear_command`; target (N, 3), tool (N or 1, 3)."""
     for n in range(target.shape[0]):

@@ -1,7 +1,7 @@
 """Kinematics of `diamond`, many poses at once: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 1ad9e397adfa93cb; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both e5674bdecd826ab6; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -525,60 +525,68 @@ def inverse(target, tool, k, x, q, status):
 
 @fast
 def _simplified_forward(q, tool, k, x, status):
-    wide()
-    q_m, x_m = q.reshape(q.size), x.reshape(x.size)
+    given, found = q.reshape(q.size), x.reshape(x.size)
+    machines, tools = k.reshape(k.size), tool.reshape(tool.size)
     left, runs = 0, max(k.shape[0], tool.shape[0])
     each = status.size // runs
     for m in range(runs):
-        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
-        tx = held[0]
-        ty = held[1]
-        s6_0 = own[0, 0]
-        s9_0 = own[0, 1]
-        B_x_0 = own[0, 3]
-        B_y_0 = own[0, 4]
-        s28_0 = own[0, 5]
-        s6_1 = own[1, 0]
-        s9_1 = own[1, 1]
-        B_x_1 = own[1, 3]
-        B_y_1 = own[1, 4]
-        s28_1 = own[1, 5]
-        q_n, x_n, of = q_m[2 * each * m :], x_m[2 * each * m :], status[each * m :]
-        for n in range(each):
-            q_0 = q_n[2 * n + 0]
-            s7_0 = q_0 + s6_0
-            s79_0 = B_x_0 + s9_0*cosine(s7_0) + tx
-            s80_0 = B_y_0 + s9_0*sine(s7_0) + ty
-            s85_0 = s28_0 + 0.5*(s79_0 * s79_0) + 0.5*(s80_0 * s80_0)
-            c_00 = s79_0
-            c_01 = s80_0
-            c_02 = s85_0
-            q_1 = q_n[2 * n + 1]
-            s7_1 = q_1 + s6_1
-            s79_1 = B_x_1 + s9_1*cosine(s7_1) + tx
-            s80_1 = B_y_1 + s9_1*sine(s7_1) + ty
-            s85_1 = s28_1 + 0.5*(s79_1 * s79_1) + 0.5*(s80_1 * s80_1)
-            c_10 = s79_1
-            c_11 = s80_1
-            c_12 = s85_1
-            # two circles: their difference is a line, on which the first circle is a quadratic
-            ax, ay, da = c_10 - c_00, c_11 - c_01, c_12 - c_02
-            nn = ax * ax + ay * ay
-            inverse = 1.0 / nn
-            px, py = da * inverse * ax, da * inverse * ay
-            # |P + t n|^2 / 2 - c.(P + t n) + d = 0 with n = (-ay, ax)
-            half = ((py - c_01) * ax - (px - c_00) * ay) * inverse
-            rest = 0.5 * (px * px + py * py) - (c_00 * px + c_01 * py) + c_02
-            square = half * half - 2.0 * rest * inverse
-            good = (square * nn > CLEAR * CLEAR) & (nn > 1.0)
-            root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the circle its nearest point is taken:
-            # the exact machine may still reach what the simplified one cannot
-            t = (-root if ax > 0.0 else root) - half
-            p_0, p_1 = px - t * ay, py + t * ax
-            x_n[2 * n + 0] = p_0
-            x_n[2 * n + 1] = p_1
-            of[n] = SOLVED if good else OPEN
-            left += 0 if good else 1
+        own = machines[22 * (m // (runs // k.shape[0])) :]
+        held = tools[3 * (m // (runs // tool.shape[0])) :]
+        left += _simplified_forward_of(given[2 * each * m :], held, own, found[2 * each * m :], status[each * m :], each)
+    return left
+
+
+@straight
+def _simplified_forward_of(q, tool, own, x, status, poses):
+    """Solve the poses of one machine with one tool; return how many are left open."""
+    left = 0
+    tx = tool[0]
+    ty = tool[1]
+    s6_0 = own[0 + 0]
+    s9_0 = own[0 + 1]
+    B_x_0 = own[0 + 3]
+    B_y_0 = own[0 + 4]
+    s28_0 = own[0 + 5]
+    s6_1 = own[11 + 0]
+    s9_1 = own[11 + 1]
+    B_x_1 = own[11 + 3]
+    B_y_1 = own[11 + 4]
+    s28_1 = own[11 + 5]
+    for n in range(poses):
+        q_0 = q[2 * n + 0]
+        s7_0 = q_0 + s6_0
+        s79_0 = B_x_0 + s9_0*cosine(s7_0) + tx
+        s80_0 = B_y_0 + s9_0*sine(s7_0) + ty
+        s85_0 = s28_0 + 0.5*(s79_0 * s79_0) + 0.5*(s80_0 * s80_0)
+        c_00 = s79_0
+        c_01 = s80_0
+        c_02 = s85_0
+        q_1 = q[2 * n + 1]
+        s7_1 = q_1 + s6_1
+        s79_1 = B_x_1 + s9_1*cosine(s7_1) + tx
+        s80_1 = B_y_1 + s9_1*sine(s7_1) + ty
+        s85_1 = s28_1 + 0.5*(s79_1 * s79_1) + 0.5*(s80_1 * s80_1)
+        c_10 = s79_1
+        c_11 = s80_1
+        c_12 = s85_1
+        # two circles: their difference is a line, on which the first circle is a quadratic
+        ax, ay, da = c_10 - c_00, c_11 - c_01, c_12 - c_02
+        nn = ax * ax + ay * ay
+        inverse = 1.0 / nn
+        px, py = da * inverse * ax, da * inverse * ay
+        # |P + t n|^2 / 2 - c.(P + t n) + d = 0 with n = (-ay, ax)
+        half = ((py - c_01) * ax - (px - c_00) * ay) * inverse
+        rest = 0.5 * (px * px + py * py) - (c_00 * px + c_01 * py) + c_02
+        square = half * half - 2.0 * rest * inverse
+        good = (square * nn > CLEAR * CLEAR) & (nn > 1.0)
+        root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the circle its nearest point is taken:
+        # the exact machine may still reach what the simplified one cannot
+        t = (-root if ax > 0.0 else root) - half
+        p_0, p_1 = px - t * ay, py + t * ax
+        x[2 * n + 0] = p_0
+        x[2 * n + 1] = p_1
+        status[n] = SOLVED if good else OPEN
+        left += 0 if good else 1
     return left
 
 
@@ -597,53 +605,61 @@ def simplified_forward(q, tool, k, x, status):
 
 @fast
 def _simplified_inverse(target, tool, k, q, status):
-    wide()
-    target_m, q_m = target.reshape(target.size), q.reshape(q.size)
+    given, found = target.reshape(target.size), q.reshape(q.size)
+    machines, tools = k.reshape(k.size), tool.reshape(tool.size)
     left, runs = 0, max(k.shape[0], tool.shape[0])
     each = status.size // runs
     for m in range(runs):
-        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
-        tx = held[0]
-        ty = held[1]
-        s6_0 = own[0, 0]
-        s9_0 = own[0, 1]
-        B_x_0 = own[0, 3]
-        B_y_0 = own[0, 4]
-        s62_0 = own[0, 6]
-        s66_0 = own[0, 7]
-        s71_0 = own[0, 8]
-        s6_1 = own[1, 0]
-        s9_1 = own[1, 1]
-        B_x_1 = own[1, 3]
-        B_y_1 = own[1, 4]
-        s62_1 = own[1, 6]
-        s66_1 = own[1, 7]
-        s71_1 = own[1, 8]
-        at, q_n, of = target_m[2 * each * m :], q_m[2 * each * m :], status[each * m :]
-        for n in range(each):
-            px = at[2 * n + 0]
-            py = at[2 * n + 1]
-            s53_0 = -B_y_0 + py - ty
-            s54_0 = -B_x_0 + px - tx
-            s55_0 = (s54_0 * s54_0)
-            s57_0 = (s53_0 * s53_0)
-            s63_0 = 0.5*s55_0 + 0.5*s57_0 + s62_0
-            s70_0 = math.sqrt(s55_0*s66_0 + s57_0*s66_0 - (s63_0 * s63_0))
-            s78_0 = -s6_0 + arctangent(s53_0*s63_0*s9_0 + s54_0*s70_0*s71_0, -s53_0*s70_0*s71_0 + s54_0*s63_0*s9_0)
-            q_00 = s78_0
-            s53_1 = -B_y_1 + py - ty
-            s54_1 = -B_x_1 + px - tx
-            s55_1 = (s54_1 * s54_1)
-            s57_1 = (s53_1 * s53_1)
-            s63_1 = 0.5*s55_1 + 0.5*s57_1 + s62_1
-            s70_1 = math.sqrt(s55_1*s66_1 + s57_1*s66_1 - (s63_1 * s63_1))
-            s78_1 = -s6_1 + arctangent(s53_1*s63_1*s9_1 + s54_1*s70_1*s71_1, -s53_1*s70_1*s71_1 + s54_1*s63_1*s9_1)
-            q_10 = s78_1
-            good = (abs(q_00) < math.inf) & (abs(q_10) < math.inf)
-            q_n[2 * n + 0] = q_00
-            q_n[2 * n + 1] = q_10
-            of[n] = SOLVED if good else OPEN
-            left += 0 if good else 1
+        own = machines[22 * (m // (runs // k.shape[0])) :]
+        held = tools[3 * (m // (runs // tool.shape[0])) :]
+        left += _simplified_inverse_of(given[2 * each * m :], held, own, found[2 * each * m :], status[each * m :], each)
+    return left
+
+
+@straight
+def _simplified_inverse_of(target, tool, own, q, status, poses):
+    """Solve the poses of one machine with one tool; return how many are left open."""
+    left = 0
+    tx = tool[0]
+    ty = tool[1]
+    s6_0 = own[0 + 0]
+    s9_0 = own[0 + 1]
+    B_x_0 = own[0 + 3]
+    B_y_0 = own[0 + 4]
+    s62_0 = own[0 + 6]
+    s66_0 = own[0 + 7]
+    s71_0 = own[0 + 8]
+    s6_1 = own[11 + 0]
+    s9_1 = own[11 + 1]
+    B_x_1 = own[11 + 3]
+    B_y_1 = own[11 + 4]
+    s62_1 = own[11 + 6]
+    s66_1 = own[11 + 7]
+    s71_1 = own[11 + 8]
+    for n in range(poses):
+        px = target[2 * n + 0]
+        py = target[2 * n + 1]
+        s53_0 = -B_y_0 + py - ty
+        s54_0 = -B_x_0 + px - tx
+        s55_0 = (s54_0 * s54_0)
+        s57_0 = (s53_0 * s53_0)
+        s63_0 = 0.5*s55_0 + 0.5*s57_0 + s62_0
+        s70_0 = math.sqrt(s55_0*s66_0 + s57_0*s66_0 - (s63_0 * s63_0))
+        s78_0 = -s6_0 + arctangent(s53_0*s63_0*s9_0 + s54_0*s70_0*s71_0, -s53_0*s70_0*s71_0 + s54_0*s63_0*s9_0)
+        q_00 = s78_0
+        s53_1 = -B_y_1 + py - ty
+        s54_1 = -B_x_1 + px - tx
+        s55_1 = (s54_1 * s54_1)
+        s57_1 = (s53_1 * s53_1)
+        s63_1 = 0.5*s55_1 + 0.5*s57_1 + s62_1
+        s70_1 = math.sqrt(s55_1*s66_1 + s57_1*s66_1 - (s63_1 * s63_1))
+        s78_1 = -s6_1 + arctangent(s53_1*s63_1*s9_1 + s54_1*s70_1*s71_1, -s53_1*s70_1*s71_1 + s54_1*s63_1*s9_1)
+        q_10 = s78_1
+        good = (abs(q_00) < math.inf) & (abs(q_10) < math.inf)
+        q[2 * n + 0] = q_00
+        q[2 * n + 1] = q_10
+        status[n] = SOLVED if good else OPEN
+        left += 0 if good else 1
     return left
 
 
@@ -852,8 +868,8 @@ def _nominal_products(w, S, first, last):
 
 
 @fast
-def _nominal_sensitivity(x, q, tool, k, S, w):
-    positions, joints, tools, rows = x.reshape(x.size), q.reshape(q.size), tool.reshape(tool.size), S.reshape(S.size)
+def _nominal_sensitivity(x, q, tool, k, rows, w):
+    positions, joints, tools = x.reshape(x.size), q.reshape(q.size), tool.reshape(tool.size)
     w_1 = w[0:896]
     w_2 = w[896:1792]
     if len(tool) == 1:
@@ -882,32 +898,44 @@ def nominal_sensitivity(x, q, tool, k, S):
     False where the machine is singular at one of the poses, or nearly so. With the errors of one limb in the order of
     ``parameters.ERRORS``, then ``COMMON``.
     """
-    return _nominal_sensitivity(x, q, tool, k, S, scratch(WORK + SPARE))
+    return _nominal_sensitivity(x, q, tool, k, S.reshape(-1), scratch(WORK + SPARE))
 
 
-@fast
-def _along(x, C, H):
+@straight
+def _chosen(S, columns, C, rows, n):
+    """Take some columns of rows."""
+    for row in range(rows):
+        for j in range(n):
+            C[n * row + j] = S[14 * row + columns[j]]
+
+
+@straight
+def _along(x, C, H, towards, poses, n):
     """Fill the rows of all pairs: along the line from one position to the other, the difference of their derivatives."""
-    wide()
-    poses, row = x.shape[0], 0
+    row = 0
     for a in range(poses):
         for b in range(a + 1, poses):
-            n_0 = x[b, 0] - x[a, 0]
-            n_1 = x[b, 1] - x[a, 1]
+            n_0 = x[2 * b + 0] - x[2 * a + 0]
+            n_1 = x[2 * b + 1] - x[2 * a + 1]
             by = 1.0 / math.sqrt(n_0 * n_0 + n_1 * n_1)
-            for j in range(H.shape[1]):
-                H[row, j] = by * (n_0 * (C[b, 0, j] - C[a, 0, j]) + n_1 * (C[b, 1, j] - C[a, 1, j]))
+            towards[b] = by * n_0
+            towards[1 * poses + b] = by * n_1
+        for b in range(a + 1, poses):
+            n_0 = towards[b]
+            n_1 = towards[1 * poses + b]
+            for j in range(n):
+                H[n * row + j] = n_0 * (C[n * (2 * b + 0) + j] - C[n * (2 * a + 0) + j]) + n_1 * (C[n * (2 * b + 1) + j] - C[n * (2 * a + 1) + j])
             row += 1
 
 
 @fast
-def _distance_rows(x, q, tool, k, columns, H, S, C, w):
+def _distance_rows(x, q, tool, k, columns, H, w):
+    poses, n = x.shape[0], columns.size
+    room = 28 * ((poses + 7) // 8 * 8)  # for whole blocks of eight, and what follows begins on a boundary of them
+    S, C = w[WORK + SPARE : WORK + SPARE + room], w[WORK + SPARE + room :]
     regular = _nominal_sensitivity(x, q, tool, k, S, w)
-    for m in range(C.shape[0]):
-        for c in range(2):
-            for j in range(columns.size):
-                C[m, c, j] = S[m, c, columns[j]]
-    _along(x, C, H)
+    _chosen(S, columns, C, 2 * poses, n)
+    _along(x.reshape(x.size), C, H.reshape(H.size), S, poses, n)  # S has served
     return regular
 
 
@@ -917,8 +945,4 @@ def distance_rows(x, q, tool, k, columns, H):
     x, q, tool, k as in `nominal_sensitivity`; columns (n,) of its errors. The sensitivities are contracted pose by pose
     and not returned. False as there.
     """
-    poses, n = len(x), columns.size
-    work = scratch(2 * poses * (14 + n))
-    S = work[: 28 * poses].reshape(poses, 2, 14)
-    C = work[28 * poses :].reshape(poses, 2, n)
-    return _distance_rows(x, q, tool, k, columns, H, S, C, scratch(WORK + SPARE))
+    return _distance_rows(x, q, tool, k, columns, H, scratch(WORK + SPARE + 2 * (len(x) + 7) * (14 + len(columns))))

@@ -1,7 +1,7 @@
 """Kinematics of `linear_delta`, many poses at once: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both c11f7dfe837a0225; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both b91bcb606451aa25; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -1177,83 +1177,91 @@ def inverse(target, tool, k, x, q, status):
 
 @fast
 def _simplified_forward(q, tool, k, x, status):
-    wide()
-    q_m, x_m = q.reshape(q.size), x.reshape(x.size)
+    given, found = q.reshape(q.size), x.reshape(x.size)
+    machines, tools = k.reshape(k.size), tool.reshape(tool.size)
     left, runs = 0, max(k.shape[0], tool.shape[0])
     each = status.size // runs
     for m in range(runs):
-        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
-        tx = held[0]
-        ty = held[1]
-        tz = held[2]
-        s60_0 = own[0, 0]
-        s660_0 = own[0, 14]
-        s665_0 = own[0, 15]
-        h_0 = own[0, 16]
-        s672_0 = own[0, 17]
-        s60_1 = own[1, 0]
-        s660_1 = own[1, 14]
-        s665_1 = own[1, 15]
-        h_1 = own[1, 16]
-        s672_1 = own[1, 17]
-        s60_2 = own[2, 0]
-        s660_2 = own[2, 14]
-        s665_2 = own[2, 15]
-        h_2 = own[2, 16]
-        s672_2 = own[2, 17]
-        q_n, x_n, of = q_m[3 * each * m :], x_m[3 * each * m :], status[each * m :]
-        for n in range(each):
-            q_0 = q_n[3 * n + 0]
-            s687_0 = -s660_0 + tx
-            s688_0 = -s665_0 + ty
-            s689_0 = h_0 - q_0*s60_0 + tz
-            s696_0 = s672_0 + 0.5*(s687_0 * s687_0) + 0.5*(s688_0 * s688_0) + 0.5*(s689_0 * s689_0)
-            c_00 = s687_0
-            c_01 = s688_0
-            c_02 = s689_0
-            c_03 = s696_0
-            q_1 = q_n[3 * n + 1]
-            s687_1 = -s660_1 + tx
-            s688_1 = -s665_1 + ty
-            s689_1 = h_1 - q_1*s60_1 + tz
-            s696_1 = s672_1 + 0.5*(s687_1 * s687_1) + 0.5*(s688_1 * s688_1) + 0.5*(s689_1 * s689_1)
-            c_10 = s687_1
-            c_11 = s688_1
-            c_12 = s689_1
-            c_13 = s696_1
-            q_2 = q_n[3 * n + 2]
-            s687_2 = -s660_2 + tx
-            s688_2 = -s665_2 + ty
-            s689_2 = h_2 - q_2*s60_2 + tz
-            s696_2 = s672_2 + 0.5*(s687_2 * s687_2) + 0.5*(s688_2 * s688_2) + 0.5*(s689_2 * s689_2)
-            c_20 = s687_2
-            c_21 = s688_2
-            c_22 = s689_2
-            c_23 = s696_2
-            # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
-            ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
-            bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
-            nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-            aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
-            nn = nx * nx + ny * ny + nz * nz
-            inverse = 1.0 / nn
-            # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
-            u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
-            px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
-            # |P + t n|^2 / 2 - c.(P + t n) + d = 0
-            half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
-            rest = 0.5 * (px * px + py * py + pz * pz) - (c_00 * px + c_01 * py + c_02 * pz) + c_03
-            square = half * half - 2.0 * rest * inverse
-            good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
-            root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
-            # the exact machine may still reach what the simplified one cannot
-            t = (-root if nz > 0.0 else root) - half
-            p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
-            x_n[3 * n + 0] = p_0
-            x_n[3 * n + 1] = p_1
-            x_n[3 * n + 2] = p_2
-            of[n] = SOLVED if good else OPEN
-            left += 0 if good else 1
+        own = machines[153 * (m // (runs // k.shape[0])) :]
+        held = tools[3 * (m // (runs // tool.shape[0])) :]
+        left += _simplified_forward_of(given[3 * each * m :], held, own, found[3 * each * m :], status[each * m :], each)
+    return left
+
+
+@straight
+def _simplified_forward_of(q, tool, own, x, status, poses):
+    """Solve the poses of one machine with one tool; return how many are left open."""
+    left = 0
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    s60_0 = own[0 + 0]
+    s660_0 = own[0 + 14]
+    s665_0 = own[0 + 15]
+    h_0 = own[0 + 16]
+    s672_0 = own[0 + 17]
+    s60_1 = own[51 + 0]
+    s660_1 = own[51 + 14]
+    s665_1 = own[51 + 15]
+    h_1 = own[51 + 16]
+    s672_1 = own[51 + 17]
+    s60_2 = own[102 + 0]
+    s660_2 = own[102 + 14]
+    s665_2 = own[102 + 15]
+    h_2 = own[102 + 16]
+    s672_2 = own[102 + 17]
+    for n in range(poses):
+        q_0 = q[3 * n + 0]
+        s687_0 = -s660_0 + tx
+        s688_0 = -s665_0 + ty
+        s689_0 = h_0 - q_0*s60_0 + tz
+        s696_0 = s672_0 + 0.5*(s687_0 * s687_0) + 0.5*(s688_0 * s688_0) + 0.5*(s689_0 * s689_0)
+        c_00 = s687_0
+        c_01 = s688_0
+        c_02 = s689_0
+        c_03 = s696_0
+        q_1 = q[3 * n + 1]
+        s687_1 = -s660_1 + tx
+        s688_1 = -s665_1 + ty
+        s689_1 = h_1 - q_1*s60_1 + tz
+        s696_1 = s672_1 + 0.5*(s687_1 * s687_1) + 0.5*(s688_1 * s688_1) + 0.5*(s689_1 * s689_1)
+        c_10 = s687_1
+        c_11 = s688_1
+        c_12 = s689_1
+        c_13 = s696_1
+        q_2 = q[3 * n + 2]
+        s687_2 = -s660_2 + tx
+        s688_2 = -s665_2 + ty
+        s689_2 = h_2 - q_2*s60_2 + tz
+        s696_2 = s672_2 + 0.5*(s687_2 * s687_2) + 0.5*(s688_2 * s688_2) + 0.5*(s689_2 * s689_2)
+        c_20 = s687_2
+        c_21 = s688_2
+        c_22 = s689_2
+        c_23 = s696_2
+        # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
+        ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
+        bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
+        nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+        aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
+        nn = nx * nx + ny * ny + nz * nz
+        inverse = 1.0 / nn
+        # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
+        u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
+        px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
+        # |P + t n|^2 / 2 - c.(P + t n) + d = 0
+        half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
+        rest = 0.5 * (px * px + py * py + pz * pz) - (c_00 * px + c_01 * py + c_02 * pz) + c_03
+        square = half * half - 2.0 * rest * inverse
+        good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
+        root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
+        # the exact machine may still reach what the simplified one cannot
+        t = (-root if nz > 0.0 else root) - half
+        p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
+        x[3 * n + 0] = p_0
+        x[3 * n + 1] = p_1
+        x[3 * n + 2] = p_2
+        status[n] = SOLVED if good else OPEN
+        left += 0 if good else 1
     return left
 
 
@@ -1272,62 +1280,70 @@ def simplified_forward(q, tool, k, x, status):
 
 @fast
 def _simplified_inverse(target, tool, k, q, status):
-    wide()
-    target_m, q_m = target.reshape(target.size), q.reshape(q.size)
+    given, found = target.reshape(target.size), q.reshape(q.size)
+    machines, tools = k.reshape(k.size), tool.reshape(tool.size)
     left, runs = 0, max(k.shape[0], tool.shape[0])
     each = status.size // runs
     for m in range(runs):
-        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
-        tx = held[0]
-        ty = held[1]
-        tz = held[2]
-        s660_0 = own[0, 14]
-        s665_0 = own[0, 15]
-        h_0 = own[0, 16]
-        s672_0 = own[0, 17]
-        s674_0 = own[0, 18]
-        s680_0 = own[0, 19]
-        s684_0 = own[0, 20]
-        s660_1 = own[1, 14]
-        s665_1 = own[1, 15]
-        h_1 = own[1, 16]
-        s672_1 = own[1, 17]
-        s674_1 = own[1, 18]
-        s680_1 = own[1, 19]
-        s684_1 = own[1, 20]
-        s660_2 = own[2, 14]
-        s665_2 = own[2, 15]
-        h_2 = own[2, 16]
-        s672_2 = own[2, 17]
-        s674_2 = own[2, 18]
-        s680_2 = own[2, 19]
-        s684_2 = own[2, 20]
-        at, q_n, of = target_m[3 * each * m :], q_m[3 * each * m :], status[each * m :]
-        for n in range(each):
-            px = at[3 * n + 0]
-            py = at[3 * n + 1]
-            pz = at[3 * n + 2]
-            s669_0 = -h_0 + pz - tz
-            s670_0 = (s669_0 * s669_0)
-            s673_0 = 0.5*s670_0 + s672_0 + 0.5*((px + s660_0 - tx) * (px + s660_0 - tx)) + 0.5*((py + s665_0 - ty) * (py + s665_0 - ty))
-            s686_0 = s669_0*s684_0 - math.sqrt(s670_0*s680_0 + s673_0*s674_0)
-            q_00 = s686_0
-            s669_1 = -h_1 + pz - tz
-            s670_1 = (s669_1 * s669_1)
-            s673_1 = 0.5*s670_1 + s672_1 + 0.5*((px + s660_1 - tx) * (px + s660_1 - tx)) + 0.5*((py + s665_1 - ty) * (py + s665_1 - ty))
-            s686_1 = s669_1*s684_1 - math.sqrt(s670_1*s680_1 + s673_1*s674_1)
-            q_10 = s686_1
-            s669_2 = -h_2 + pz - tz
-            s670_2 = (s669_2 * s669_2)
-            s673_2 = 0.5*s670_2 + s672_2 + 0.5*((px + s660_2 - tx) * (px + s660_2 - tx)) + 0.5*((py + s665_2 - ty) * (py + s665_2 - ty))
-            s686_2 = s669_2*s684_2 - math.sqrt(s670_2*s680_2 + s673_2*s674_2)
-            q_20 = s686_2
-            good = (abs(q_00) < math.inf) & (abs(q_10) < math.inf) & (abs(q_20) < math.inf)
-            q_n[3 * n + 0] = q_00
-            q_n[3 * n + 1] = q_10
-            q_n[3 * n + 2] = q_20
-            of[n] = SOLVED if good else OPEN
-            left += 0 if good else 1
+        own = machines[153 * (m // (runs // k.shape[0])) :]
+        held = tools[3 * (m // (runs // tool.shape[0])) :]
+        left += _simplified_inverse_of(given[3 * each * m :], held, own, found[3 * each * m :], status[each * m :], each)
+    return left
+
+
+@straight
+def _simplified_inverse_of(target, tool, own, q, status, poses):
+    """Solve the poses of one machine with one tool; return how many are left open."""
+    left = 0
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    s660_0 = own[0 + 14]
+    s665_0 = own[0 + 15]
+    h_0 = own[0 + 16]
+    s672_0 = own[0 + 17]
+    s674_0 = own[0 + 18]
+    s680_0 = own[0 + 19]
+    s684_0 = own[0 + 20]
+    s660_1 = own[51 + 14]
+    s665_1 = own[51 + 15]
+    h_1 = own[51 + 16]
+    s672_1 = own[51 + 17]
+    s674_1 = own[51 + 18]
+    s680_1 = own[51 + 19]
+    s684_1 = own[51 + 20]
+    s660_2 = own[102 + 14]
+    s665_2 = own[102 + 15]
+    h_2 = own[102 + 16]
+    s672_2 = own[102 + 17]
+    s674_2 = own[102 + 18]
+    s680_2 = own[102 + 19]
+    s684_2 = own[102 + 20]
+    for n in range(poses):
+        px = target[3 * n + 0]
+        py = target[3 * n + 1]
+        pz = target[3 * n + 2]
+        s669_0 = -h_0 + pz - tz
+        s670_0 = (s669_0 * s669_0)
+        s673_0 = 0.5*s670_0 + s672_0 + 0.5*((px + s660_0 - tx) * (px + s660_0 - tx)) + 0.5*((py + s665_0 - ty) * (py + s665_0 - ty))
+        s686_0 = s669_0*s684_0 - math.sqrt(s670_0*s680_0 + s673_0*s674_0)
+        q_00 = s686_0
+        s669_1 = -h_1 + pz - tz
+        s670_1 = (s669_1 * s669_1)
+        s673_1 = 0.5*s670_1 + s672_1 + 0.5*((px + s660_1 - tx) * (px + s660_1 - tx)) + 0.5*((py + s665_1 - ty) * (py + s665_1 - ty))
+        s686_1 = s669_1*s684_1 - math.sqrt(s670_1*s680_1 + s673_1*s674_1)
+        q_10 = s686_1
+        s669_2 = -h_2 + pz - tz
+        s670_2 = (s669_2 * s669_2)
+        s673_2 = 0.5*s670_2 + s672_2 + 0.5*((px + s660_2 - tx) * (px + s660_2 - tx)) + 0.5*((py + s665_2 - ty) * (py + s665_2 - ty))
+        s686_2 = s669_2*s684_2 - math.sqrt(s670_2*s680_2 + s673_2*s674_2)
+        q_20 = s686_2
+        good = (abs(q_00) < math.inf) & (abs(q_10) < math.inf) & (abs(q_20) < math.inf)
+        q[3 * n + 0] = q_00
+        q[3 * n + 1] = q_10
+        q[3 * n + 2] = q_20
+        status[n] = SOLVED if good else OPEN
+        left += 0 if good else 1
     return left
 
 
@@ -1716,8 +1732,8 @@ def _nominal_products(w, S, first, last):
 
 
 @fast
-def _nominal_sensitivity(x, q, tool, k, S, w):
-    positions, joints, tools, rows = x.reshape(x.size), q.reshape(q.size), tool.reshape(tool.size), S.reshape(S.size)
+def _nominal_sensitivity(x, q, tool, k, rows, w):
+    positions, joints, tools = x.reshape(x.size), q.reshape(q.size), tool.reshape(tool.size)
     w_1 = w[0:2048]
     w_2 = w[2048:4096]
     w_3 = w[4096:6144]
@@ -1748,33 +1764,47 @@ def nominal_sensitivity(x, q, tool, k, S):
     False where the machine is singular at one of the poses, or nearly so. With the errors of one limb in the order of
     ``parameters.ERRORS``, then ``COMMON``.
     """
-    return _nominal_sensitivity(x, q, tool, k, S, scratch(WORK + SPARE))
+    return _nominal_sensitivity(x, q, tool, k, S.reshape(-1), scratch(WORK + SPARE))
 
 
-@fast
-def _along(x, C, H):
+@straight
+def _chosen(S, columns, C, rows, n):
+    """Take some columns of rows."""
+    for row in range(rows):
+        for j in range(n):
+            C[n * row + j] = S[27 * row + columns[j]]
+
+
+@straight
+def _along(x, C, H, towards, poses, n):
     """Fill the rows of all pairs: along the line from one position to the other, the difference of their derivatives."""
-    wide()
-    poses, row = x.shape[0], 0
+    row = 0
     for a in range(poses):
         for b in range(a + 1, poses):
-            n_0 = x[b, 0] - x[a, 0]
-            n_1 = x[b, 1] - x[a, 1]
-            n_2 = x[b, 2] - x[a, 2]
+            n_0 = x[3 * b + 0] - x[3 * a + 0]
+            n_1 = x[3 * b + 1] - x[3 * a + 1]
+            n_2 = x[3 * b + 2] - x[3 * a + 2]
             by = 1.0 / math.sqrt(n_0 * n_0 + n_1 * n_1 + n_2 * n_2)
-            for j in range(H.shape[1]):
-                H[row, j] = by * (n_0 * (C[b, 0, j] - C[a, 0, j]) + n_1 * (C[b, 1, j] - C[a, 1, j]) + n_2 * (C[b, 2, j] - C[a, 2, j]))
+            towards[b] = by * n_0
+            towards[1 * poses + b] = by * n_1
+            towards[2 * poses + b] = by * n_2
+        for b in range(a + 1, poses):
+            n_0 = towards[b]
+            n_1 = towards[1 * poses + b]
+            n_2 = towards[2 * poses + b]
+            for j in range(n):
+                H[n * row + j] = n_0 * (C[n * (3 * b + 0) + j] - C[n * (3 * a + 0) + j]) + n_1 * (C[n * (3 * b + 1) + j] - C[n * (3 * a + 1) + j]) + n_2 * (C[n * (3 * b + 2) + j] - C[n * (3 * a + 2) + j])
             row += 1
 
 
 @fast
-def _distance_rows(x, q, tool, k, columns, H, S, C, w):
+def _distance_rows(x, q, tool, k, columns, H, w):
+    poses, n = x.shape[0], columns.size
+    room = 81 * ((poses + 7) // 8 * 8)  # for whole blocks of eight, and what follows begins on a boundary of them
+    S, C = w[WORK + SPARE : WORK + SPARE + room], w[WORK + SPARE + room :]
     regular = _nominal_sensitivity(x, q, tool, k, S, w)
-    for m in range(C.shape[0]):
-        for c in range(3):
-            for j in range(columns.size):
-                C[m, c, j] = S[m, c, columns[j]]
-    _along(x, C, H)
+    _chosen(S, columns, C, 3 * poses, n)
+    _along(x.reshape(x.size), C, H.reshape(H.size), S, poses, n)  # S has served
     return regular
 
 
@@ -1784,8 +1814,4 @@ def distance_rows(x, q, tool, k, columns, H):
     x, q, tool, k as in `nominal_sensitivity`; columns (n,) of its errors. The sensitivities are contracted pose by pose
     and not returned. False as there.
     """
-    poses, n = len(x), columns.size
-    work = scratch(3 * poses * (27 + n))
-    S = work[: 81 * poses].reshape(poses, 3, 27)
-    C = work[81 * poses :].reshape(poses, 3, n)
-    return _distance_rows(x, q, tool, k, columns, H, S, C, scratch(WORK + SPARE))
+    return _distance_rows(x, q, tool, k, columns, H, scratch(WORK + SPARE + 3 * (len(x) + 7) * (27 + len(columns))))

@@ -1,7 +1,7 @@
 """Kinematics of `planar_parallelogram`, many poses at once: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both da960bc50d3e3036; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 0dc1e25cfa2ff553; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -649,55 +649,63 @@ def inverse(target, tool, k, x, q, status):
 
 @fast
 def _simplified_forward(q, tool, k, x, status):
-    wide()
-    q_m, x_m = q.reshape(q.size), x.reshape(x.size)
+    given, found = q.reshape(q.size), x.reshape(x.size)
+    machines, tools = k.reshape(k.size), tool.reshape(tool.size)
     left, runs = 0, max(k.shape[0], tool.shape[0])
     each = status.size // runs
     for m in range(runs):
-        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
-        tx = held[0]
-        ty = held[1]
-        h_0 = own[0, 0]
-        q0_0 = own[0, 1]
-        s7_0 = own[0, 2]
-        b1_x_0 = own[0, 3]
-        A1_x_0 = own[0, 8]
-        s116_0 = own[0, 13]
-        s124_0 = own[0, 16]
-        s130_0 = own[0, 17]
-        s134_0 = own[0, 18]
-        s138_0 = own[0, 20]
-        s153_0 = own[0, 22]
-        s156_0 = own[0, 23]
-        s160_0 = own[0, 25]
-        s195_0 = own[0, 27]
-        q_n, x_n, of = q_m[1 * each * m :], x_m[3 * each * m :], status[each * m :]
-        for n in range(each):
-            q_0 = q_n[1 * n + 0]
-            C_y_0 = -h_0 + ty
-            s8_0 = q_0 + q0_0
-            r1_x_0 = s7_0*sine(s8_0)
-            r1_y_0 = -s7_0*cosine(s8_0)
-            s19_0 = b1_x_0 - tx
-            s185_0 = r1_x_0*s116_0 + r1_y_0*s130_0 + r1_y_0*s134_0 + s124_0
-            s190_0 = r1_x_0*s130_0 + r1_x_0*s134_0 - r1_y_0*s116_0 + s138_0
-            s198_0 = (r1_x_0 * r1_x_0) + r1_x_0*s153_0 + r1_x_0*s156_0 + (r1_y_0 * r1_y_0) + r1_y_0*s195_0 + s160_0
-            s201_0 = math.sqrt((s185_0 * s185_0) + (s190_0 * s190_0) - (s198_0 * s198_0))
-            s204_0 = -s185_0*s198_0 + s190_0*s201_0
-            s208_0 = -s185_0*s201_0 - s190_0*s198_0
-            s211_0 = 1/math.sqrt((s204_0 * s204_0) + (s208_0 * s208_0))
-            s214_0 = A1_x_0 - C_y_0*s204_0*s211_0 + r1_x_0 - s19_0*s208_0*s211_0
-            s217_0 = C_y_0*s208_0*s211_0 + r1_y_0 - s19_0*s204_0*s211_0
-            s221_0 = 2*tangent(0.5*arctangent(s204_0, s208_0))
-            p_0 = s214_0
-            p_1 = s217_0
-            p_2 = s221_0
-            good = (abs(p_0) < math.inf) & (abs(p_1) < math.inf) & (abs(p_2) < math.inf)
-            x_n[3 * n + 0] = p_0
-            x_n[3 * n + 1] = p_1
-            x_n[3 * n + 2] = p_2
-            of[n] = SOLVED if good else OPEN
-            left += 0 if good else 1
+        own = machines[28 * (m // (runs // k.shape[0])) :]
+        held = tools[3 * (m // (runs // tool.shape[0])) :]
+        left += _simplified_forward_of(given[1 * each * m :], held, own, found[3 * each * m :], status[each * m :], each)
+    return left
+
+
+@straight
+def _simplified_forward_of(q, tool, own, x, status, poses):
+    """Solve the poses of one machine with one tool; return how many are left open."""
+    left = 0
+    tx = tool[0]
+    ty = tool[1]
+    h_0 = own[0 + 0]
+    q0_0 = own[0 + 1]
+    s7_0 = own[0 + 2]
+    b1_x_0 = own[0 + 3]
+    A1_x_0 = own[0 + 8]
+    s116_0 = own[0 + 13]
+    s124_0 = own[0 + 16]
+    s130_0 = own[0 + 17]
+    s134_0 = own[0 + 18]
+    s138_0 = own[0 + 20]
+    s153_0 = own[0 + 22]
+    s156_0 = own[0 + 23]
+    s160_0 = own[0 + 25]
+    s195_0 = own[0 + 27]
+    for n in range(poses):
+        q_0 = q[1 * n + 0]
+        C_y_0 = -h_0 + ty
+        s8_0 = q_0 + q0_0
+        r1_x_0 = s7_0*sine(s8_0)
+        r1_y_0 = -s7_0*cosine(s8_0)
+        s19_0 = b1_x_0 - tx
+        s185_0 = r1_x_0*s116_0 + r1_y_0*s130_0 + r1_y_0*s134_0 + s124_0
+        s190_0 = r1_x_0*s130_0 + r1_x_0*s134_0 - r1_y_0*s116_0 + s138_0
+        s198_0 = (r1_x_0 * r1_x_0) + r1_x_0*s153_0 + r1_x_0*s156_0 + (r1_y_0 * r1_y_0) + r1_y_0*s195_0 + s160_0
+        s201_0 = math.sqrt((s185_0 * s185_0) + (s190_0 * s190_0) - (s198_0 * s198_0))
+        s204_0 = -s185_0*s198_0 + s190_0*s201_0
+        s208_0 = -s185_0*s201_0 - s190_0*s198_0
+        s211_0 = 1/math.sqrt((s204_0 * s204_0) + (s208_0 * s208_0))
+        s214_0 = A1_x_0 - C_y_0*s204_0*s211_0 + r1_x_0 - s19_0*s208_0*s211_0
+        s217_0 = C_y_0*s208_0*s211_0 + r1_y_0 - s19_0*s204_0*s211_0
+        s221_0 = 2*tangent(0.5*arctangent(s204_0, s208_0))
+        p_0 = s214_0
+        p_1 = s217_0
+        p_2 = s221_0
+        good = (abs(p_0) < math.inf) & (abs(p_1) < math.inf) & (abs(p_2) < math.inf)
+        x[3 * n + 0] = p_0
+        x[3 * n + 1] = p_1
+        x[3 * n + 2] = p_2
+        status[n] = SOLVED if good else OPEN
+        left += 0 if good else 1
     return left
 
 

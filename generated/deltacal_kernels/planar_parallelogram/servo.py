@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `planar_parallelogram`, Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 3c04458a2100dc67; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 45be166ef38c85e1; SymPy 1.14.0.
 
 Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
 than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`
@@ -22,7 +22,8 @@ from .vectorised import MAX_STEPS, SINGULAR, SOLVED, STEP_LOST, UNREACHABLE
 COMMAND_DONE = 3e-8  # rad; after such a step a command is exact to its square: 1e-15 rad
 COMMAND_CONSTANTS = 26  # what is exported reads these first columns of `vectorised.constants` only
 LANES = np.int64(1)  # no literal: a loop whose end is known beforehand is unrolled, and not turned into SIMD code
-fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
+OPTIONS = {"error_model": "numpy", "fastmath": {"contract"}}
+fast = kernel(**OPTIONS)  # to let other threads run meanwhile would take longer than a command
 few = partial(straight, wide=False)
 
 
@@ -720,7 +721,7 @@ def linear_change(px, q_1, w):
     return back * w[20] * w[24]
 
 
-@fast
+@kernel(nogil=True, **OPTIONS)
 def linear_commands(target, tool, w, q, status):
     """Fill q (N, 1), as the geometry counts, and status (N,) by `linear_command`; target (N, 1), tool (N or 1, 3)."""
     for n in range(target.shape[0]):

@@ -1,7 +1,7 @@
 """Kinematics of `robotennis`, many poses at once: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both deb6b441e324ff76; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both ad9b080c5e9bcdb3; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -718,101 +718,109 @@ def inverse(target, tool, k, x, q, status):
 
 @fast
 def _simplified_forward(q, tool, k, x, status):
-    wide()
-    q_m, x_m = q.reshape(q.size), x.reshape(x.size)
+    given, found = q.reshape(q.size), x.reshape(x.size)
+    machines, tools = k.reshape(k.size), tool.reshape(tool.size)
     left, runs = 0, max(k.shape[0], tool.shape[0])
     each = status.size // runs
     for m in range(runs):
-        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
-        tx = held[0]
-        ty = held[1]
-        tz = held[2]
-        theta0_0 = own[0, 0]
-        s11_0 = own[0, 3]
-        pz0_0 = own[0, 11]
-        s46_0 = own[0, 14]
-        s96_0 = own[0, 15]
-        s98_0 = own[0, 16]
-        s100_0 = own[0, 17]
-        s102_0 = own[0, 18]
-        theta0_1 = own[1, 0]
-        s11_1 = own[1, 3]
-        pz0_1 = own[1, 11]
-        s46_1 = own[1, 14]
-        s96_1 = own[1, 15]
-        s98_1 = own[1, 16]
-        s100_1 = own[1, 17]
-        s102_1 = own[1, 18]
-        theta0_2 = own[2, 0]
-        s11_2 = own[2, 3]
-        pz0_2 = own[2, 11]
-        s46_2 = own[2, 14]
-        s96_2 = own[2, 15]
-        s98_2 = own[2, 16]
-        s100_2 = own[2, 17]
-        s102_2 = own[2, 18]
-        q_n, x_n, of = q_m[3 * each * m :], x_m[3 * each * m :], status[each * m :]
-        for n in range(each):
-            q_0 = q_n[3 * n + 0]
-            s6_0 = q_0 + theta0_0
-            s7_0 = cosine(s6_0)
-            arm_z_0 = sine(s6_0)
-            s138_0 = -s7_0*s98_0 - s96_0 + tx
-            s140_0 = -s100_0 - s102_0*s7_0 + ty
-            s141_0 = arm_z_0*s11_0 - pz0_0 + tz
-            s148_0 = 0.5*(s138_0 * s138_0) + 0.5*(s140_0 * s140_0) + 0.5*(s141_0 * s141_0) + s46_0
-            c_00 = s138_0
-            c_01 = s140_0
-            c_02 = s141_0
-            c_03 = s148_0
-            q_1 = q_n[3 * n + 1]
-            s6_1 = q_1 + theta0_1
-            s7_1 = cosine(s6_1)
-            arm_z_1 = sine(s6_1)
-            s138_1 = -s7_1*s98_1 - s96_1 + tx
-            s140_1 = -s100_1 - s102_1*s7_1 + ty
-            s141_1 = arm_z_1*s11_1 - pz0_1 + tz
-            s148_1 = 0.5*(s138_1 * s138_1) + 0.5*(s140_1 * s140_1) + 0.5*(s141_1 * s141_1) + s46_1
-            c_10 = s138_1
-            c_11 = s140_1
-            c_12 = s141_1
-            c_13 = s148_1
-            q_2 = q_n[3 * n + 2]
-            s6_2 = q_2 + theta0_2
-            s7_2 = cosine(s6_2)
-            arm_z_2 = sine(s6_2)
-            s138_2 = -s7_2*s98_2 - s96_2 + tx
-            s140_2 = -s100_2 - s102_2*s7_2 + ty
-            s141_2 = arm_z_2*s11_2 - pz0_2 + tz
-            s148_2 = 0.5*(s138_2 * s138_2) + 0.5*(s140_2 * s140_2) + 0.5*(s141_2 * s141_2) + s46_2
-            c_20 = s138_2
-            c_21 = s140_2
-            c_22 = s141_2
-            c_23 = s148_2
-            # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
-            ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
-            bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
-            nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-            aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
-            nn = nx * nx + ny * ny + nz * nz
-            inverse = 1.0 / nn
-            # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
-            u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
-            px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
-            # |P + t n|^2 / 2 - c.(P + t n) + d = 0
-            half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
-            rest = 0.5 * (px * px + py * py + pz * pz) - (c_00 * px + c_01 * py + c_02 * pz) + c_03
-            square = half * half - 2.0 * rest * inverse
-            good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
-            root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
-            # the exact machine may still reach what the simplified one cannot
-            t = (root if nz > 0.0 else -root) - half
-            p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
-            x_n[3 * n + 0] = p_0
-            x_n[3 * n + 1] = p_1
-            x_n[3 * n + 2] = p_2
-            of[n] = SOLVED if good else OPEN
-            left += 0 if good else 1
+        own = machines[69 * (m // (runs // k.shape[0])) :]
+        held = tools[3 * (m // (runs // tool.shape[0])) :]
+        left += _simplified_forward_of(given[3 * each * m :], held, own, found[3 * each * m :], status[each * m :], each)
+    return left
+
+
+@straight
+def _simplified_forward_of(q, tool, own, x, status, poses):
+    """Solve the poses of one machine with one tool; return how many are left open."""
+    left = 0
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    theta0_0 = own[0 + 0]
+    s11_0 = own[0 + 3]
+    pz0_0 = own[0 + 11]
+    s46_0 = own[0 + 14]
+    s96_0 = own[0 + 15]
+    s98_0 = own[0 + 16]
+    s100_0 = own[0 + 17]
+    s102_0 = own[0 + 18]
+    theta0_1 = own[23 + 0]
+    s11_1 = own[23 + 3]
+    pz0_1 = own[23 + 11]
+    s46_1 = own[23 + 14]
+    s96_1 = own[23 + 15]
+    s98_1 = own[23 + 16]
+    s100_1 = own[23 + 17]
+    s102_1 = own[23 + 18]
+    theta0_2 = own[46 + 0]
+    s11_2 = own[46 + 3]
+    pz0_2 = own[46 + 11]
+    s46_2 = own[46 + 14]
+    s96_2 = own[46 + 15]
+    s98_2 = own[46 + 16]
+    s100_2 = own[46 + 17]
+    s102_2 = own[46 + 18]
+    for n in range(poses):
+        q_0 = q[3 * n + 0]
+        s6_0 = q_0 + theta0_0
+        s7_0 = cosine(s6_0)
+        arm_z_0 = sine(s6_0)
+        s138_0 = -s7_0*s98_0 - s96_0 + tx
+        s140_0 = -s100_0 - s102_0*s7_0 + ty
+        s141_0 = arm_z_0*s11_0 - pz0_0 + tz
+        s148_0 = 0.5*(s138_0 * s138_0) + 0.5*(s140_0 * s140_0) + 0.5*(s141_0 * s141_0) + s46_0
+        c_00 = s138_0
+        c_01 = s140_0
+        c_02 = s141_0
+        c_03 = s148_0
+        q_1 = q[3 * n + 1]
+        s6_1 = q_1 + theta0_1
+        s7_1 = cosine(s6_1)
+        arm_z_1 = sine(s6_1)
+        s138_1 = -s7_1*s98_1 - s96_1 + tx
+        s140_1 = -s100_1 - s102_1*s7_1 + ty
+        s141_1 = arm_z_1*s11_1 - pz0_1 + tz
+        s148_1 = 0.5*(s138_1 * s138_1) + 0.5*(s140_1 * s140_1) + 0.5*(s141_1 * s141_1) + s46_1
+        c_10 = s138_1
+        c_11 = s140_1
+        c_12 = s141_1
+        c_13 = s148_1
+        q_2 = q[3 * n + 2]
+        s6_2 = q_2 + theta0_2
+        s7_2 = cosine(s6_2)
+        arm_z_2 = sine(s6_2)
+        s138_2 = -s7_2*s98_2 - s96_2 + tx
+        s140_2 = -s100_2 - s102_2*s7_2 + ty
+        s141_2 = arm_z_2*s11_2 - pz0_2 + tz
+        s148_2 = 0.5*(s138_2 * s138_2) + 0.5*(s140_2 * s140_2) + 0.5*(s141_2 * s141_2) + s46_2
+        c_20 = s138_2
+        c_21 = s140_2
+        c_22 = s141_2
+        c_23 = s148_2
+        # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
+        ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
+        bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
+        nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+        aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
+        nn = nx * nx + ny * ny + nz * nz
+        inverse = 1.0 / nn
+        # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
+        u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
+        px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
+        # |P + t n|^2 / 2 - c.(P + t n) + d = 0
+        half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
+        rest = 0.5 * (px * px + py * py + pz * pz) - (c_00 * px + c_01 * py + c_02 * pz) + c_03
+        square = half * half - 2.0 * rest * inverse
+        good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
+        root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
+        # the exact machine may still reach what the simplified one cannot
+        t = (root if nz > 0.0 else -root) - half
+        p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
+        x[3 * n + 0] = p_0
+        x[3 * n + 1] = p_1
+        x[3 * n + 2] = p_2
+        status[n] = SOLVED if good else OPEN
+        left += 0 if good else 1
     return left
 
 
@@ -831,80 +839,88 @@ def simplified_forward(q, tool, k, x, status):
 
 @fast
 def _simplified_inverse(target, tool, k, q, status):
-    wide()
-    target_m, q_m = target.reshape(target.size), q.reshape(q.size)
+    given, found = target.reshape(target.size), q.reshape(q.size)
+    machines, tools = k.reshape(k.size), tool.reshape(tool.size)
     left, runs = 0, max(k.shape[0], tool.shape[0])
     each = status.size // runs
     for m in range(runs):
-        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
-        tx = held[0]
-        ty = held[1]
-        tz = held[2]
-        theta0_0 = own[0, 0]
-        pz0_0 = own[0, 11]
-        s96_0 = own[0, 15]
-        s98_0 = own[0, 16]
-        s100_0 = own[0, 17]
-        s102_0 = own[0, 18]
-        s117_0 = own[0, 19]
-        s124_0 = own[0, 20]
-        s129_0 = own[0, 21]
-        theta0_1 = own[1, 0]
-        pz0_1 = own[1, 11]
-        s96_1 = own[1, 15]
-        s98_1 = own[1, 16]
-        s100_1 = own[1, 17]
-        s102_1 = own[1, 18]
-        s117_1 = own[1, 19]
-        s124_1 = own[1, 20]
-        s129_1 = own[1, 21]
-        theta0_2 = own[2, 0]
-        pz0_2 = own[2, 11]
-        s96_2 = own[2, 15]
-        s98_2 = own[2, 16]
-        s100_2 = own[2, 17]
-        s102_2 = own[2, 18]
-        s117_2 = own[2, 19]
-        s124_2 = own[2, 20]
-        s129_2 = own[2, 21]
-        at, q_n, of = target_m[3 * each * m :], q_m[3 * each * m :], status[each * m :]
-        for n in range(each):
-            px = at[3 * n + 0]
-            py = at[3 * n + 1]
-            pz = at[3 * n + 2]
-            centre_z_0 = pz + pz0_0 - tz
-            s97_0 = px + s96_0 - tx
-            s101_0 = py + s100_0 - ty
-            s104_0 = s101_0*s102_0 + s97_0*s98_0
-            s106_0 = (centre_z_0 * centre_z_0)
-            s118_0 = 0.5*(s101_0 * s101_0) + 0.5*s106_0 + s117_0 + 0.5*(s97_0 * s97_0)
-            s127_0 = math.sqrt((s104_0 * s104_0) + s106_0*s124_0 - (s118_0 * s118_0))
-            s136_0 = -theta0_0 + arctangent(centre_z_0*s118_0*s129_0 + s104_0*s127_0, centre_z_0*s127_0*s129_0 - s104_0*s118_0)
-            q_00 = s136_0
-            centre_z_1 = pz + pz0_1 - tz
-            s97_1 = px + s96_1 - tx
-            s101_1 = py + s100_1 - ty
-            s104_1 = s101_1*s102_1 + s97_1*s98_1
-            s106_1 = (centre_z_1 * centre_z_1)
-            s118_1 = 0.5*(s101_1 * s101_1) + 0.5*s106_1 + s117_1 + 0.5*(s97_1 * s97_1)
-            s127_1 = math.sqrt((s104_1 * s104_1) + s106_1*s124_1 - (s118_1 * s118_1))
-            s136_1 = -theta0_1 + arctangent(centre_z_1*s118_1*s129_1 + s104_1*s127_1, centre_z_1*s127_1*s129_1 - s104_1*s118_1)
-            q_10 = s136_1
-            centre_z_2 = pz + pz0_2 - tz
-            s97_2 = px + s96_2 - tx
-            s101_2 = py + s100_2 - ty
-            s104_2 = s101_2*s102_2 + s97_2*s98_2
-            s106_2 = (centre_z_2 * centre_z_2)
-            s118_2 = 0.5*(s101_2 * s101_2) + 0.5*s106_2 + s117_2 + 0.5*(s97_2 * s97_2)
-            s127_2 = math.sqrt((s104_2 * s104_2) + s106_2*s124_2 - (s118_2 * s118_2))
-            s136_2 = -theta0_2 + arctangent(centre_z_2*s118_2*s129_2 + s104_2*s127_2, centre_z_2*s127_2*s129_2 - s104_2*s118_2)
-            q_20 = s136_2
-            good = (abs(q_00) < math.inf) & (abs(q_10) < math.inf) & (abs(q_20) < math.inf)
-            q_n[3 * n + 0] = q_00
-            q_n[3 * n + 1] = q_10
-            q_n[3 * n + 2] = q_20
-            of[n] = SOLVED if good else OPEN
-            left += 0 if good else 1
+        own = machines[69 * (m // (runs // k.shape[0])) :]
+        held = tools[3 * (m // (runs // tool.shape[0])) :]
+        left += _simplified_inverse_of(given[3 * each * m :], held, own, found[3 * each * m :], status[each * m :], each)
+    return left
+
+
+@straight
+def _simplified_inverse_of(target, tool, own, q, status, poses):
+    """Solve the poses of one machine with one tool; return how many are left open."""
+    left = 0
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    theta0_0 = own[0 + 0]
+    pz0_0 = own[0 + 11]
+    s96_0 = own[0 + 15]
+    s98_0 = own[0 + 16]
+    s100_0 = own[0 + 17]
+    s102_0 = own[0 + 18]
+    s117_0 = own[0 + 19]
+    s124_0 = own[0 + 20]
+    s129_0 = own[0 + 21]
+    theta0_1 = own[23 + 0]
+    pz0_1 = own[23 + 11]
+    s96_1 = own[23 + 15]
+    s98_1 = own[23 + 16]
+    s100_1 = own[23 + 17]
+    s102_1 = own[23 + 18]
+    s117_1 = own[23 + 19]
+    s124_1 = own[23 + 20]
+    s129_1 = own[23 + 21]
+    theta0_2 = own[46 + 0]
+    pz0_2 = own[46 + 11]
+    s96_2 = own[46 + 15]
+    s98_2 = own[46 + 16]
+    s100_2 = own[46 + 17]
+    s102_2 = own[46 + 18]
+    s117_2 = own[46 + 19]
+    s124_2 = own[46 + 20]
+    s129_2 = own[46 + 21]
+    for n in range(poses):
+        px = target[3 * n + 0]
+        py = target[3 * n + 1]
+        pz = target[3 * n + 2]
+        centre_z_0 = pz + pz0_0 - tz
+        s97_0 = px + s96_0 - tx
+        s101_0 = py + s100_0 - ty
+        s104_0 = s101_0*s102_0 + s97_0*s98_0
+        s106_0 = (centre_z_0 * centre_z_0)
+        s118_0 = 0.5*(s101_0 * s101_0) + 0.5*s106_0 + s117_0 + 0.5*(s97_0 * s97_0)
+        s127_0 = math.sqrt((s104_0 * s104_0) + s106_0*s124_0 - (s118_0 * s118_0))
+        s136_0 = -theta0_0 + arctangent(centre_z_0*s118_0*s129_0 + s104_0*s127_0, centre_z_0*s127_0*s129_0 - s104_0*s118_0)
+        q_00 = s136_0
+        centre_z_1 = pz + pz0_1 - tz
+        s97_1 = px + s96_1 - tx
+        s101_1 = py + s100_1 - ty
+        s104_1 = s101_1*s102_1 + s97_1*s98_1
+        s106_1 = (centre_z_1 * centre_z_1)
+        s118_1 = 0.5*(s101_1 * s101_1) + 0.5*s106_1 + s117_1 + 0.5*(s97_1 * s97_1)
+        s127_1 = math.sqrt((s104_1 * s104_1) + s106_1*s124_1 - (s118_1 * s118_1))
+        s136_1 = -theta0_1 + arctangent(centre_z_1*s118_1*s129_1 + s104_1*s127_1, centre_z_1*s127_1*s129_1 - s104_1*s118_1)
+        q_10 = s136_1
+        centre_z_2 = pz + pz0_2 - tz
+        s97_2 = px + s96_2 - tx
+        s101_2 = py + s100_2 - ty
+        s104_2 = s101_2*s102_2 + s97_2*s98_2
+        s106_2 = (centre_z_2 * centre_z_2)
+        s118_2 = 0.5*(s101_2 * s101_2) + 0.5*s106_2 + s117_2 + 0.5*(s97_2 * s97_2)
+        s127_2 = math.sqrt((s104_2 * s104_2) + s106_2*s124_2 - (s118_2 * s118_2))
+        s136_2 = -theta0_2 + arctangent(centre_z_2*s118_2*s129_2 + s104_2*s127_2, centre_z_2*s127_2*s129_2 - s104_2*s118_2)
+        q_20 = s136_2
+        good = (abs(q_00) < math.inf) & (abs(q_10) < math.inf) & (abs(q_20) < math.inf)
+        q[3 * n + 0] = q_00
+        q[3 * n + 1] = q_10
+        q[3 * n + 2] = q_20
+        status[n] = SOLVED if good else OPEN
+        left += 0 if good else 1
     return left
 
 
@@ -1200,8 +1216,8 @@ def _nominal_products(w, S, first, last):
 
 
 @fast
-def _nominal_sensitivity(x, q, tool, k, S, w):
-    positions, joints, tools, rows = x.reshape(x.size), q.reshape(q.size), tool.reshape(tool.size), S.reshape(S.size)
+def _nominal_sensitivity(x, q, tool, k, rows, w):
+    positions, joints, tools = x.reshape(x.size), q.reshape(q.size), tool.reshape(tool.size)
     w_1 = w[0:1216]
     w_2 = w[1216:2432]
     w_3 = w[2432:3648]
@@ -1232,33 +1248,47 @@ def nominal_sensitivity(x, q, tool, k, S):
     False where the machine is singular at one of the poses, or nearly so. With the errors of one limb in the order of
     ``parameters.ERRORS``, then ``COMMON``.
     """
-    return _nominal_sensitivity(x, q, tool, k, S, scratch(WORK + SPARE))
+    return _nominal_sensitivity(x, q, tool, k, S.reshape(-1), scratch(WORK + SPARE))
 
 
-@fast
-def _along(x, C, H):
+@straight
+def _chosen(S, columns, C, rows, n):
+    """Take some columns of rows."""
+    for row in range(rows):
+        for j in range(n):
+            C[n * row + j] = S[27 * row + columns[j]]
+
+
+@straight
+def _along(x, C, H, towards, poses, n):
     """Fill the rows of all pairs: along the line from one position to the other, the difference of their derivatives."""
-    wide()
-    poses, row = x.shape[0], 0
+    row = 0
     for a in range(poses):
         for b in range(a + 1, poses):
-            n_0 = x[b, 0] - x[a, 0]
-            n_1 = x[b, 1] - x[a, 1]
-            n_2 = x[b, 2] - x[a, 2]
+            n_0 = x[3 * b + 0] - x[3 * a + 0]
+            n_1 = x[3 * b + 1] - x[3 * a + 1]
+            n_2 = x[3 * b + 2] - x[3 * a + 2]
             by = 1.0 / math.sqrt(n_0 * n_0 + n_1 * n_1 + n_2 * n_2)
-            for j in range(H.shape[1]):
-                H[row, j] = by * (n_0 * (C[b, 0, j] - C[a, 0, j]) + n_1 * (C[b, 1, j] - C[a, 1, j]) + n_2 * (C[b, 2, j] - C[a, 2, j]))
+            towards[b] = by * n_0
+            towards[1 * poses + b] = by * n_1
+            towards[2 * poses + b] = by * n_2
+        for b in range(a + 1, poses):
+            n_0 = towards[b]
+            n_1 = towards[1 * poses + b]
+            n_2 = towards[2 * poses + b]
+            for j in range(n):
+                H[n * row + j] = n_0 * (C[n * (3 * b + 0) + j] - C[n * (3 * a + 0) + j]) + n_1 * (C[n * (3 * b + 1) + j] - C[n * (3 * a + 1) + j]) + n_2 * (C[n * (3 * b + 2) + j] - C[n * (3 * a + 2) + j])
             row += 1
 
 
 @fast
-def _distance_rows(x, q, tool, k, columns, H, S, C, w):
+def _distance_rows(x, q, tool, k, columns, H, w):
+    poses, n = x.shape[0], columns.size
+    room = 81 * ((poses + 7) // 8 * 8)  # for whole blocks of eight, and what follows begins on a boundary of them
+    S, C = w[WORK + SPARE : WORK + SPARE + room], w[WORK + SPARE + room :]
     regular = _nominal_sensitivity(x, q, tool, k, S, w)
-    for m in range(C.shape[0]):
-        for c in range(3):
-            for j in range(columns.size):
-                C[m, c, j] = S[m, c, columns[j]]
-    _along(x, C, H)
+    _chosen(S, columns, C, 3 * poses, n)
+    _along(x.reshape(x.size), C, H.reshape(H.size), S, poses, n)  # S has served
     return regular
 
 
@@ -1268,8 +1298,4 @@ def distance_rows(x, q, tool, k, columns, H):
     x, q, tool, k as in `nominal_sensitivity`; columns (n,) of its errors. The sensitivities are contracted pose by pose
     and not returned. False as there.
     """
-    poses, n = len(x), columns.size
-    work = scratch(3 * poses * (27 + n))
-    S = work[: 81 * poses].reshape(poses, 3, 27)
-    C = work[81 * poses :].reshape(poses, 3, n)
-    return _distance_rows(x, q, tool, k, columns, H, S, C, scratch(WORK + SPARE))
+    return _distance_rows(x, q, tool, k, columns, H, scratch(WORK + SPARE + 3 * (len(x) + 7) * (27 + len(columns))))

@@ -1,7 +1,7 @@
 """Kinematics of `simplified_parallelogram`, many poses at once: Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 8460f5833967ac9c; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 0dac048f2af80f16; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -537,35 +537,43 @@ def inverse(target, tool, k, x, q, status):
 
 @fast
 def _simplified_forward(q, tool, k, x, status):
-    wide()
-    q_m, x_m = q.reshape(q.size), x.reshape(x.size)
+    given, found = q.reshape(q.size), x.reshape(x.size)
+    machines, tools = k.reshape(k.size), tool.reshape(tool.size)
     left, runs = 0, max(k.shape[0], tool.shape[0])
     each = status.size // runs
     for m in range(runs):
-        own, held = k[m // (runs // k.shape[0])], tool[m // (runs // tool.shape[0])]
-        tx = held[0]
-        ty = held[1]
-        q0_0 = own[0, 0]
-        s1_0 = own[0, 1]
-        A_x_0 = own[0, 2]
-        h_0 = own[0, 3]
-        q_n, x_n, of = q_m[1 * each * m :], x_m[3 * each * m :], status[each * m :]
-        for n in range(each):
-            q_0 = q_n[1 * n + 0]
-            s2_0 = q_0 + q0_0
-            r_x_0 = s1_0*sine(s2_0)
-            r_y_0 = -s1_0*cosine(s2_0)
-            s24_0 = A_x_0 + r_x_0 + tx
-            s25_0 = -h_0 + r_y_0 + ty
-            p_0 = s24_0
-            p_1 = s25_0
-            p_2 = 0
-            good = (abs(p_0) < math.inf) & (abs(p_1) < math.inf) & (abs(p_2) < math.inf)
-            x_n[3 * n + 0] = p_0
-            x_n[3 * n + 1] = p_1
-            x_n[3 * n + 2] = p_2
-            of[n] = SOLVED if good else OPEN
-            left += 0 if good else 1
+        own = machines[6 * (m // (runs // k.shape[0])) :]
+        held = tools[3 * (m // (runs // tool.shape[0])) :]
+        left += _simplified_forward_of(given[1 * each * m :], held, own, found[3 * each * m :], status[each * m :], each)
+    return left
+
+
+@straight
+def _simplified_forward_of(q, tool, own, x, status, poses):
+    """Solve the poses of one machine with one tool; return how many are left open."""
+    left = 0
+    tx = tool[0]
+    ty = tool[1]
+    q0_0 = own[0 + 0]
+    s1_0 = own[0 + 1]
+    A_x_0 = own[0 + 2]
+    h_0 = own[0 + 3]
+    for n in range(poses):
+        q_0 = q[1 * n + 0]
+        s2_0 = q_0 + q0_0
+        r_x_0 = s1_0*sine(s2_0)
+        r_y_0 = -s1_0*cosine(s2_0)
+        s24_0 = A_x_0 + r_x_0 + tx
+        s25_0 = -h_0 + r_y_0 + ty
+        p_0 = s24_0
+        p_1 = s25_0
+        p_2 = 0
+        good = (abs(p_0) < math.inf) & (abs(p_1) < math.inf) & (abs(p_2) < math.inf)
+        x[3 * n + 0] = p_0
+        x[3 * n + 1] = p_1
+        x[3 * n + 2] = p_2
+        status[n] = SOLVED if good else OPEN
+        left += 0 if good else 1
     return left
 
 
