@@ -23,10 +23,11 @@ PROGRAM = f"""
 import json
 import numpy as np
 from deltacal_kernels.{KERNEL} import kinematics
-w = np.full(kinematics.WORK, 0.1)
-kinematics._early(w, kinematics.constants(np.ones((1, {{limbs}}, {{width}})))[0, 0].copy(), 8)
-early = kinematics._early.stats
-print(json.dumps([w.sum(), sum(early.cache_hits.values()), sum(early.cache_misses.values()), early.cache_path]))
+w, x, q = np.full(kinematics.WORK + kinematics.SPARE, 0.1), np.full((1, {{platform}}), 0.1), np.full((1, {{limbs}}), 0.1)
+constants = kinematics.constants(np.ones((1, {{limbs}}, {{width}})))
+kinematics._forward(q, np.zeros((1, 3)), constants, x, np.zeros(1, dtype=np.int64), True, w)
+of = kinematics._forward.stats
+print(json.dumps([w.sum(), sum(of.cache_hits.values()), sum(of.cache_misses.values()), of.cache_path]))
 """
 
 
@@ -45,7 +46,7 @@ def begin(package: Path) -> subprocess.Popen[str]:
     tables: dict[str, object] = {}
     exec((package / KERNEL / "parameters.py").read_text(), tables)
     width = sum(len(tables[name]) for name in ("GEOMETRY", "ERRORS", "COMMON", "DEFLECTIONS"))  # type: ignore[arg-type]
-    program = PROGRAM.format(limbs=tables["LIMBS"], width=width)
+    program = PROGRAM.format(limbs=tables["LIMBS"], width=width, platform=len(tables["PLATFORM"]))  # type: ignore[arg-type]
     known = {k: v for k, v in os.environ.items() if k != "NUMBA_CACHE_DIR"} | {"PYTHONPATH": str(package.parent)}
     return subprocess.Popen([sys.executable, "-c", program], env=known, stdout=subprocess.PIPE, text=True)
 

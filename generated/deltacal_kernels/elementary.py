@@ -15,6 +15,8 @@ from numba import njit, types
 from numba.core import cgutils
 from numba.extending import intrinsic
 
+from deltacal_kernels.straight import widen
+
 ROUND = 6755399441055744.0  # 1.5 * 2^52: what is added and taken away again leaves an integer
 _kept = threading.local()
 
@@ -44,15 +46,10 @@ def scratch(size):
 
 @intrinsic
 def wide(_context):
-    """Let the compiler use the widest registers in the function that calls this, and keep it a function of its own.
-
-    LLVM takes half of AVX-512 on some processors, which costs these loops a third of their speed; and a loop that is
-    inlined elsewhere would be optimised, slowly, once more.
-    """
+    """`widen` the function that calls this."""
 
     def codegen(context, builder, _signature, _arguments):
-        builder.function.attributes.add("noinline")
-        set.add(builder.function.attributes, '"prefer-vector-width"="512"')  # which llvmlite does not know by name
+        widen(builder.function)
         return context.get_dummy_value()
 
     return types.none(), codegen

@@ -82,10 +82,7 @@ def _function(module, name, function, kinds, returns, wide):
     made.linkage = "internal"
     made.attributes.add("nounwind")
     if wide:
-        # LLVM takes half of AVX-512 on some processors, which costs these loops a third of their speed; and a loop that
-        # is inlined elsewhere would be optimised, slowly, once more
-        made.attributes.add("noinline")
-        set.add(made.attributes, '"prefer-vector-width"="512"')  # which llvmlite does not know by name
+        widen(made)
     for argument in made.args:
         if isinstance(argument.type, ir.PointerType):
             argument.add_attribute("noalias")
@@ -96,6 +93,16 @@ def _function(module, name, function, kinds, returns, wide):
     else:
         builder.ret_void()
     return made
+
+
+def widen(function):
+    """Let LLVM use the widest registers in a function of its module, and keep it a function of its own.
+
+    It takes half of AVX-512 on some processors, which costs loops over lanes a third of their speed; and a loop that is
+    inlined elsewhere would be optimised, slowly, once more.
+    """
+    function.attributes.add("noinline")
+    set.add(function.attributes, '"prefer-vector-width"="512"')  # which llvmlite does not know by name
 
 
 class _Writer:
