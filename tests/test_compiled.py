@@ -23,7 +23,8 @@ PROGRAM = f"""
 import json
 import numpy as np
 from deltacal_kernels.{KERNEL} import kinematics
-w, x, q = np.full(kinematics.WORK + kinematics.SPARE, 0.1), np.full((1, {{platform}}), 0.1), np.full((1, {{limbs}}), 0.1)
+w = np.full(kinematics.WORK + kinematics.SPARE, 0.1)
+x, q = np.full((1, {{platform}}), 0.1), np.full((1, {{limbs}}), 0.1)
 constants = kinematics.constants(np.ones((1, {{limbs}}, {{width}})))
 kinematics._forward(q, np.zeros((1, 3)), constants, x, np.zeros(1, dtype=np.int64), True, w)
 of = kinematics._forward.stats
