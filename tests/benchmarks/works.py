@@ -167,7 +167,7 @@ def sensitivity(n: int, *, exact: bool) -> Work:
     r, p = positions(n), errors() if exact else np.zeros(42)
     theta = np.ascontiguousarray(by_hand.ideal_inverse(r))
     rods, slopes = by_hand.machine(paper(p)), by_hand.machine_derivatives(paper(p))
-    x, rows, tool = by_hand.forward(theta, rods), DELTA.rows(ROBOT, p), np.zeros((n, 3))
+    x, rows, tool = np.ascontiguousarray(by_hand.forward(theta, rods)), DELTA.rows(ROBOT, p), np.zeros((n, 3))
     axes, kernels = 6 if exact else 3, DELTA.compiled
     k = kernels.constants(rows) if exact else kernels.nominal_constants(rows)
     S, point = np.empty((n, 3, 42)), np.zeros((1, 3))
