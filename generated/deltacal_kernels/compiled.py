@@ -62,7 +62,7 @@ def kernel(**options):
     from numba import njit
 
     def decorate(function):
-        compiled = njit(**options)(function)
+        compiled = njit(no_cfunc_wrapper=True, **options)(function)  # nobody calls them from C
         compiled._cache = _kept()(function, options)
         return compiled
 

@@ -1,7 +1,7 @@
 """Kinematics of `linear_delta`, many poses at once: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both b91bcb606451aa25; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 35a9a1a715912759; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -35,6 +35,7 @@ SPARE = 1296  # and that the last of its poses are written to
 CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
 APART = 1e-3  # squared sine between the centres' directions
 SIMPLIFIED = 3  # coordinates that `simplified_forward` gives: the others are zero
+NOTHING, NO_COLUMNS, NO_ROWS = np.empty(0), np.empty(0, dtype=np.int64), np.empty((0, 0))
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
@@ -1731,42 +1732,6 @@ def _nominal_products(w, S, first, last):
     return regular
 
 
-@fast
-def _nominal_sensitivity(x, q, tool, k, rows, w):
-    positions, joints, tools = x.reshape(x.size), q.reshape(q.size), tool.reshape(tool.size)
-    w_1 = w[0:2048]
-    w_2 = w[2048:4096]
-    w_3 = w[4096:6144]
-    if len(tool) == 1:
-        _hold(tools, w, 0, 0, LANES)
-    poses, regular = q.size // 3, True
-    k_1, k_2, k_3 = k[0, 0], k[0, 1], k[0, 2]
-    for first in range(0, poses, LANES):
-        last = min(first + LANES, poses) - 1
-        n = (last - first + 8) // 8 * 8
-        _load(positions, w, first, last, n)
-        if len(tool) > 1:
-            _hold(tools, w, first, last, n)
-        _aim(w, n)
-        _load(joints, w, first, last, n)
-        _nominal(w_1, k_1, n)
-        _nominal(w_2, k_2, n)
-        _nominal(w_3, k_3, n)
-        _nominal_inverse(w, n)
-        regular = _nominal_products(w, rows, first, last) & regular
-    return regular
-
-
-def nominal_sensitivity(x, q, tool, k, S):
-    """Fill S (N, 3, 27) with the derivatives of the nominal machine's position by its errors, limb by limb.
-
-    x (N, 3) is the position of the reference point, q (N, 3) the joints there, tool (N, 3), k from `nominal_constants`.
-    False where the machine is singular at one of the poses, or nearly so. With the errors of one limb in the order of
-    ``parameters.ERRORS``, then ``COMMON``.
-    """
-    return _nominal_sensitivity(x, q, tool, k, S.reshape(-1), scratch(WORK + SPARE))
-
-
 @straight
 def _chosen(S, columns, C, rows, n):
     """Take some columns of rows."""
@@ -1798,14 +1763,46 @@ def _along(x, C, H, towards, poses, n):
 
 
 @fast
-def _distance_rows(x, q, tool, k, columns, H, w):
-    poses, n = x.shape[0], columns.size
-    room = 81 * ((poses + 7) // 8 * 8)  # for whole blocks of eight, and what follows begins on a boundary of them
-    S, C = w[WORK + SPARE : WORK + SPARE + room], w[WORK + SPARE + room :]
-    regular = _nominal_sensitivity(x, q, tool, k, S, w)
-    _chosen(S, columns, C, 3 * poses, n)
-    _along(x.reshape(x.size), C, H.reshape(H.size), S, poses, n)  # S has served
+def _nominal_sensitivity(x, q, tool, k, S, columns, H, w):
+    """Fill S; where it is empty, by way of scratch the rows H of distances, for some columns of it."""
+    room = 81 * ((x.shape[0] + 7) // 8 * 8)  # for whole blocks of eight, so that what follows begins on a boundary
+    rows = S if S.size > 0 else w[WORK + SPARE : WORK + SPARE + room]
+    positions, joints, tools = x.reshape(x.size), q.reshape(q.size), tool.reshape(tool.size)
+    w_1 = w[0:2048]
+    w_2 = w[2048:4096]
+    w_3 = w[4096:6144]
+    if len(tool) == 1:
+        _hold(tools, w, 0, 0, LANES)
+    poses, regular = q.size // 3, True
+    k_1, k_2, k_3 = k[0, 0], k[0, 1], k[0, 2]
+    for first in range(0, poses, LANES):
+        last = min(first + LANES, poses) - 1
+        n = (last - first + 8) // 8 * 8
+        _load(positions, w, first, last, n)
+        if len(tool) > 1:
+            _hold(tools, w, first, last, n)
+        _aim(w, n)
+        _load(joints, w, first, last, n)
+        _nominal(w_1, k_1, n)
+        _nominal(w_2, k_2, n)
+        _nominal(w_3, k_3, n)
+        _nominal_inverse(w, n)
+        regular = _nominal_products(w, rows, first, last) & regular
+    if S.size == 0:
+        C = w[WORK + SPARE + room :]
+        _chosen(rows, columns, C, 3 * poses, columns.size)
+        _along(positions, C, H.reshape(H.size), rows, poses, columns.size)  # the room of rows has served
     return regular
+
+
+def nominal_sensitivity(x, q, tool, k, S):
+    """Fill S (N, 3, 27) with the derivatives of the nominal machine's position by its errors, limb by limb.
+
+    x (N, 3) is the position of the reference point, q (N, 3) the joints there, tool (N, 3), k from `nominal_constants`.
+    False where the machine is singular at one of the poses, or nearly so. With the errors of one limb in the order of
+    ``parameters.ERRORS``, then ``COMMON``.
+    """
+    return _nominal_sensitivity(x, q, tool, k, S.reshape(-1), NO_COLUMNS, NO_ROWS, scratch(WORK + SPARE))
 
 
 def distance_rows(x, q, tool, k, columns, H):
@@ -1814,4 +1811,5 @@ def distance_rows(x, q, tool, k, columns, H):
     x, q, tool, k as in `nominal_sensitivity`; columns (n,) of its errors. The sensitivities are contracted pose by pose
     and not returned. False as there.
     """
-    return _distance_rows(x, q, tool, k, columns, H, scratch(WORK + SPARE + 3 * (len(x) + 7) * (27 + len(columns))))
+    w = scratch(WORK + SPARE + 3 * (len(x) + 7) * (27 + len(columns)))
+    return _nominal_sensitivity(x, q, tool, k, NOTHING, columns, H, w)

@@ -1,7 +1,7 @@
 """Kinematics of `simplified_parallelogram`, many poses at once: Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 0dac048f2af80f16; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both cb4dbaf3851c6645; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -35,6 +35,7 @@ SPARE = 48  # and that the last of its poses are written to
 CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
 APART = 1e-3  # squared sine between the centres' directions
 SIMPLIFIED = 3  # coordinates that `simplified_forward` gives: the others are zero
+NOTHING, NO_COLUMNS, NO_ROWS = np.empty(0), np.empty(0, dtype=np.int64), np.empty((0, 0))
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
