@@ -409,10 +409,11 @@ def call(n: int, *, kind: str) -> Work:
             NUMPY: Contender(lambda: by_hand.inverse(target, rods)),
         }
     else:
-        joints, state, added = theta[0].tolist(), servo.state, compensator.mechanism.servo.linear_change
+        (x, y, z), (q_1, q_2, q_3) = at, theta[0].tolist()
+        state, added = servo.state, compensator.mechanism.servo.linear_change
         contenders = {
             OURS: Contender(lambda: compensator.command(target), lambda found: found[0] - theta),
-            KERNEL: Contender(lambda: added(*at, *joints, state), np.atleast_2d),
+            KERNEL: Contender(lambda: added(x, y, z, q_1, q_2, q_3, state), np.atleast_2d),
             NUMPY: Contender(lambda: by_hand.change(theta, target, p)),
             NUMBA: Contender(lambda: by_hand_numba.changes(theta, target, p, out), lambda _: out),
         } | by_tools("change", theta, target, p)
@@ -669,10 +670,10 @@ WORKS: dict[str, tuple[Callable[[int], Work], tuple[int, int, int]]] = {
     "W4py_linear": (partial(call, kind="linear"), (1, 1, 1)),
     "W5": (forward, (100_000, 20_000, 30)),
     "W5s": (forward, (19, 19, 7)),
-    "W6_18": (partial(trials, model="18", kept=False), (300, 100, 3)),
-    "W6_32": (partial(trials, model="32", kept=False), (300, 100, 3)),
-    "W6_18kept": (partial(trials, model="18", kept=True), (300, 100, 3)),
-    "W6_32kept": (partial(trials, model="32", kept=True), (300, 100, 3)),
+    "W6_18": (partial(trials, model="18", kept=False), (1000, 200, 3)),
+    "W6_32": (partial(trials, model="32", kept=False), (1000, 200, 3)),
+    "W6_18kept": (partial(trials, model="18", kept=True), (1000, 200, 3)),
+    "W6_32kept": (partial(trials, model="32", kept=True), (1000, 200, 3)),
     "exact_18": (partial(identification, model="18"), (19, 19, 19)),
     "exact_32": (partial(identification, model="32"), (19, 19, 19)),
     "W7_cold": (partial(start, what="identification", cold=True), (1, 1, 1)),
