@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -22,7 +23,7 @@ def _every_statement(x, order, out, n):
         c = -a / 3 + 2 * b if (a < b) & (b != FLOOR) else abs(a - b) * math.pi
         out[lane] = c + sine(a) * math.sqrt(c * c) - max(arctangent(a, b), FLOOR)
         out[n + lane] += 1.0 if a >= first else -math.inf
-        order[n - 1 - lane] = lane // 2
+        order[n - 1 - lane] = 2 * lane - 5
         left += 1 if c > 0.0 else 0
     for pair in range(0, n - 1, 2):
         out[2 * n] += x[pair + 1] - x[pair]
@@ -34,17 +35,35 @@ def _branches(x, n):
         x[0] = 1.0
 
 
-compiled, branching = straight(_every_statement), straight(_branches)
+def _carries(x, n):
+    total = 0.0
+    for lane in range(n):
+        total = total + x[lane]
+    x[0] = total
+
+
+def _returns_within(x, n):
+    for _ in range(n):
+        return 1
+    return 0
+
+
+def _raises_to_a_power(x, n):
+    x[0] = x[n] ** 4
+
+
+compiled = straight(_every_statement)
+refused = {
+    "if n > 1": straight(_branches),
+    "total = total": straight(_carries),
+    "return 1": straight(_returns_within),
+    "x[n] ** 4": straight(_raises_to_a_power),
+}
 
 
 @njit
 def call(x, order, out, n):
     return compiled(x, order, out, n)
-
-
-@njit
-def call_branching(x, n):
-    branching(x, n)
 
 
 def test_a_kernel_is_what_python_makes_of_its_text() -> None:
@@ -60,8 +79,14 @@ def test_a_kernel_is_what_python_makes_of_its_text() -> None:
     assert np.isneginf(out).any()
 
 
-def test_what_a_kernel_cannot_hold_is_told_with_its_line() -> None:
-    with pytest.raises(
-        (LoweringError, NotImplementedError), match=r"test_straight.py, line \d+: .* cannot hold 'if n > 1"
-    ):
-        call_branching(np.zeros(3), 2)
+@pytest.mark.parametrize("what", refused)
+def test_what_a_kernel_cannot_hold_is_told_with_its_line(what: str) -> None:
+    kernel = refused[what]
+
+    @njit
+    def calling(x, n):
+        kernel(x, n)
+
+    told = rf"test_straight.py, line \d+: .* cannot hold '{re.escape(what)}"
+    with pytest.raises((LoweringError, NotImplementedError), match=told):
+        calling(np.zeros(3), 2)

@@ -29,7 +29,6 @@ ARITHMETIC = {
     ast.Sub: ("sub", operator.sub),
     ast.Mult: ("mul", operator.mul),
     ast.Div: ("div", operator.truediv),
-    ast.FloorDiv: ("sdiv", operator.floordiv),
 }
 LOGIC = {ast.BitAnd: "and_", ast.BitOr: "or_"}
 ORDER = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!="}
@@ -128,7 +127,7 @@ class _Writer:
                     pass
                 case ast.Assign(targets=[target], value=value):
                     self._assign(target, self._of(value))
-                case ast.AugAssign(target=target, op=op, value=value):
+                case ast.AugAssign(target=target, op=op, value=value) if type(op) in ARITHMETIC:
                     self._assign(target, self._operation(op, self._of(target), self._of(value)))
                 case ast.For(target=ast.Name(id=name), iter=ast.Call(func=ast.Name(id="range"), args=bounds), body=body):
                     self._loop(name, [self._value(self._of(b), INTEGER) for b in bounds], body)
@@ -137,15 +136,22 @@ class _Writer:
         return None
 
     def _loop(self, name, bounds, body):
+        """Write a loop; what it names ends with it, and what it changes is changed by ``+=``."""
         start, stop, *step = bounds if len(bounds) > 1 else [INTEGER(0), *bounds]
-        if not step:
-            with cgutils.for_range(self.builder, stop, start) as loop:
-                self.names[name] = loop.index
-                self._block(body)
-            return
-        with cgutils.for_range_slice(self.builder, start, stop, step[0], inc=True) as (index, _):
-            self.names[name] = index
-            self._block(body)
+        if step:
+            loop = cgutils.for_range_slice(self.builder, start, stop, step[0], inc=True)
+        else:
+            loop = cgutils.for_range(self.builder, stop, start)
+        outside = self.names
+        with loop as (index, _):
+            self.names = outside | {name: index}
+            for node in body:
+                if isinstance(node, ast.Return):
+                    raise self._error(node)
+                self._block([node])
+                if any(self.names[known] is not value for known, value in outside.items()):
+                    raise self._error(node)
+        self.names = outside
 
     def _assign(self, target, value):
         match target:
@@ -180,11 +186,11 @@ class _Writer:
                 return tuple(self._of(part) for part in parts)
             case ast.Subscript():
                 return self.builder.load(self._place(node))
-            case ast.BinOp(left=left, op=op, right=right):
+            case ast.BinOp(left=left, op=op, right=right) if type(op) in ARITHMETIC or type(op) in LOGIC:
                 return self._operation(op, self._of(left), self._of(right))
             case ast.UnaryOp(op=ast.USub(), operand=operand):
                 return self._minus(self._of(operand))
-            case ast.Compare(left=left, ops=[op], comparators=[right]):
+            case ast.Compare(left=left, ops=[op], comparators=[right]) if type(op) in ORDER:
                 return self._compared(ORDER[type(op)], self._of(left), self._of(right))
             case ast.IfExp(test=test, body=first, orelse=second):
                 return self._chosen(self._of(test), self._of(first), self._of(second))
@@ -199,9 +205,11 @@ class _Writer:
             case ast.Name(id="abs"):
                 return self._intrinsic("llvm.fabs", *arguments)
             case ast.Name(id="min"):
-                return self._chosen(self._compared("<", *arguments), *arguments)
+                first, second = arguments
+                return self._chosen(self._compared("<", second, first), second, first)
             case ast.Name(id="max"):
-                return self._chosen(self._compared(">", *arguments), *arguments)
+                first, second = arguments
+                return self._chosen(self._compared(">", second, first), second, first)
             case ast.Name(id=name) if hasattr(self.function.__globals__.get(name), "py_func"):
                 return _Writer(self.builder, self.function.__globals__[name].py_func, arguments).run()
         raise self._error(node)
@@ -240,7 +248,7 @@ class _Writer:
         left, right = self._pair(left, right, name == "div")
         if left.type == DOUBLE:
             return getattr(self.builder, f"f{name}")(left, right, flags=CONTRACT)
-        return getattr(self.builder, name)(left, right, flags=() if name == "sdiv" else ("nsw",))
+        return getattr(self.builder, name)(left, right, flags=("nsw",))
 
     def _minus(self, value):
         if not isinstance(value, ir.Value):

@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `linear_delta`, Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both ec0ce2b9aa9cd6f5; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both 5e5000748e5286d5; SymPy 1.14.0.
 
 Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
 than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`
@@ -25,7 +25,7 @@ COMMAND_CONSTANTS = 21  # what is exported reads these first columns of `vectori
 LANES = np.int64(4)  # no literal: a loop whose end is known beforehand is unrolled, and not turned into SIMD code
 OPTIONS = {"error_model": "numpy", "fastmath": {"contract"}}
 fast = kernel(**OPTIONS)  # to let other threads run meanwhile would take longer than a command
-few = partial(straight, wide=False)
+few = partial(straight, wide=False)  # lanes: the limbs
 
 
 def _exact_constants(p):

@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `planar_parallelogram`, Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 45be166ef38c85e1; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both a54577beadc0b630; SymPy 1.14.0.
 
 Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
 than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`
@@ -24,7 +24,7 @@ COMMAND_CONSTANTS = 26  # what is exported reads these first columns of `vectori
 LANES = np.int64(1)  # no literal: a loop whose end is known beforehand is unrolled, and not turned into SIMD code
 OPTIONS = {"error_model": "numpy", "fastmath": {"contract"}}
 fast = kernel(**OPTIONS)  # to let other threads run meanwhile would take longer than a command
-few = partial(straight, wide=False)
+few = partial(straight, wide=False)  # lanes: the limbs
 
 
 def _exact_constants(p):
