@@ -73,7 +73,7 @@ def test_the_forward_position_is_closed(backend: str, h: float, errors: np.ndarr
     rows, q = mechanism.rows(robot, errors), CONFIGURATIONS[:, None]
     k, tool = mechanism.vectorised.constants(rows), np.zeros((len(q), 3))
     if backend == "vectorised":
-        seed = mechanism.vectorised._position(np.zeros((len(q), 3)), q[:, 0], tool, k[:, 0])
+        seed = mechanism.vectorised._position(np.zeros((3, len(q))), q.T, tool.T, k.T)[:, 0].T
     else:
         seed, status = np.zeros((len(q), 3)), np.empty(len(q), dtype=np.int64)
         mechanism.compiled.simplified_forward(q, tool, k, seed, status)

@@ -1,7 +1,7 @@
 """Kinematics of `complete_delta` in plain NumPy: Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both 0979301b39dc8eec; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both ce3b266361635948; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -10,6 +10,7 @@ small job is done before Numba would be loaded, and the compiled kernels have an
 import numpy as np
 
 SOLVED, UNREACHABLE, SINGULAR = 0, 1, 2
+FEW = 100  # poses at once, up to which calls of NumPy cost more than what they compute
 MAX_STEPS = 30
 STEP_DONE = 1e-9  # mm and rad; Newton is quadratic: after such a step the rest is rounding
 STEP_LOST = 1e5  # mm and rad; a step of this size leads nowhere
@@ -336,41 +337,40 @@ def constants(p):
 
 
 def _newton(x, q, tool, k):
-    """Per rod of one limb: closure, its derivatives by the platform, by the joint: (N, 16)."""
-    px = x[:, 0]
-    py = x[:, 1]
-    pz = x[:, 2]
-    cx = x[:, 3]
-    cy = x[:, 4]
-    cz = x[:, 5]
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    tz = tool[:, 2]
-    q = q
-    R0_12 = k[:, 0]
-    R0_13 = k[:, 1]
-    R0_22 = k[:, 2]
-    R0_23 = k[:, 3]
-    R0_32 = k[:, 4]
-    R0_33 = k[:, 5]
-    g1_y = k[:, 6]
-    g1_z = k[:, 7]
-    s147 = k[:, 8]
-    s153 = k[:, 9]
-    s155 = k[:, 10]
-    h1_x = k[:, 11]
-    h1_y = k[:, 12]
-    bz1 = k[:, 13]
-    g2_y = k[:, 14]
-    g2_z = k[:, 15]
-    s185 = k[:, 16]
-    s190 = k[:, 17]
-    s192 = k[:, 18]
-    h2_x = k[:, 19]
-    h2_y = k[:, 20]
-    bz2 = k[:, 21]
-    s222 = k[:, 22]
-    s671 = k[:, 23]
+    """Per rod of one limb: closure, its derivatives by the platform, by the joint: (16, limbs, N)."""
+    px = x[0]
+    py = x[1]
+    pz = x[2]
+    cx = x[3]
+    cy = x[4]
+    cz = x[5]
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    R0_12 = k[0]
+    R0_13 = k[1]
+    R0_22 = k[2]
+    R0_23 = k[3]
+    R0_32 = k[4]
+    R0_33 = k[5]
+    g1_y = k[6]
+    g1_z = k[7]
+    s147 = k[8]
+    s153 = k[9]
+    s155 = k[10]
+    h1_x = k[11]
+    h1_y = k[12]
+    bz1 = k[13]
+    g2_y = k[14]
+    g2_z = k[15]
+    s185 = k[16]
+    s190 = k[17]
+    s192 = k[18]
+    h2_x = k[19]
+    h2_y = k[20]
+    bz2 = k[21]
+    s222 = k[22]
+    s671 = k[23]
     s78 = np.cos(q)
     s80 = np.sin(q)
     R1_12 = R0_12*s78 + R0_13*s80
@@ -533,101 +533,100 @@ def _newton(x, q, tool, k):
     s785 = s272*s720 + s285*s736 + s307*(-0.5*s713 - 0.5*s740 + s747) - s717 + s730
     s786 = s273*s720 + s285*s731 + s304*(-0.5*s724 - 0.5*s740 + s747) + s728 - s735
     s793 = s777 - s780*s80
-    out = np.zeros((len(x), 16))
-    out[:, 0] = s223
-    out[:, 1] = s229
-    out[:, 2] = s227
-    out[:, 3] = s225
-    out[:, 4] = s342
-    out[:, 5] = s343
-    out[:, 6] = s344
-    out[:, 7] = s351
-    out[:, 8] = s672
-    out[:, 9] = s678
-    out[:, 10] = s676
-    out[:, 11] = s674
-    out[:, 12] = s784
-    out[:, 13] = s785
-    out[:, 14] = s786
-    out[:, 15] = s793
+    out = np.zeros((16, *(k.shape[1], x.shape[-1])))
+    out[0] = s223
+    out[1] = s229
+    out[2] = s227
+    out[3] = s225
+    out[4] = s342
+    out[5] = s343
+    out[6] = s344
+    out[7] = s351
+    out[8] = s672
+    out[9] = s678
+    out[10] = s676
+    out[11] = s674
+    out[12] = s784
+    out[13] = s785
+    out[14] = s786
+    out[15] = s793
     return out
 
 
 def _parameters(x, q, tool, k):
-    """Per rod of one limb: derivatives of the closure by errors, by deflections: (N, 38)."""
-    px = x[:, 0]
-    py = x[:, 1]
-    pz = x[:, 2]
-    cx = x[:, 3]
-    cy = x[:, 4]
-    cz = x[:, 5]
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    tz = tool[:, 2]
-    q = q
-    R0_12 = k[:, 0]
-    R0_13 = k[:, 1]
-    R0_22 = k[:, 2]
-    R0_23 = k[:, 3]
-    R0_32 = k[:, 4]
-    R0_33 = k[:, 5]
-    g1_y = k[:, 6]
-    g1_z = k[:, 7]
-    s147 = k[:, 8]
-    s153 = k[:, 9]
-    s155 = k[:, 10]
-    h1_x = k[:, 11]
-    h1_y = k[:, 12]
-    bz1 = k[:, 13]
-    g2_y = k[:, 14]
-    g2_z = k[:, 15]
-    s185 = k[:, 16]
-    s190 = k[:, 17]
-    s192 = k[:, 18]
-    h2_x = k[:, 19]
-    h2_y = k[:, 20]
-    bz2 = k[:, 21]
-    R0_31 = k[:, 31]
-    R0_21 = k[:, 32]
-    R0_11 = k[:, 33]
-    s424 = k[:, 34]
-    s438 = k[:, 35]
-    s446 = k[:, 36]
-    s450 = k[:, 37]
-    s452 = k[:, 38]
-    s456 = k[:, 39]
-    s458 = k[:, 40]
-    s462 = k[:, 41]
-    s464 = k[:, 42]
-    s522 = k[:, 43]
-    s534 = k[:, 44]
-    s544 = k[:, 45]
-    s548 = k[:, 46]
-    s550 = k[:, 47]
-    s554 = k[:, 48]
-    s556 = k[:, 49]
-    s560 = k[:, 50]
-    s562 = k[:, 51]
-    s620 = k[:, 52]
-    s634 = k[:, 53]
-    s642 = k[:, 54]
-    s646 = k[:, 55]
-    s648 = k[:, 56]
-    s652 = k[:, 57]
-    s654 = k[:, 58]
-    s658 = k[:, 59]
-    s660 = k[:, 60]
-    s800 = k[:, 61]
-    s802 = k[:, 62]
-    s804 = k[:, 63]
-    s813 = k[:, 64]
-    s815 = k[:, 65]
-    s817 = k[:, 66]
-    s826 = k[:, 67]
-    s828 = k[:, 68]
-    s830 = k[:, 69]
-    s368 = k[:, 70]
-    s799 = k[:, 71]
+    """Per rod of one limb: derivatives of the closure by errors, by deflections: (38, limbs, N)."""
+    px = x[0]
+    py = x[1]
+    pz = x[2]
+    cx = x[3]
+    cy = x[4]
+    cz = x[5]
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    R0_12 = k[0]
+    R0_13 = k[1]
+    R0_22 = k[2]
+    R0_23 = k[3]
+    R0_32 = k[4]
+    R0_33 = k[5]
+    g1_y = k[6]
+    g1_z = k[7]
+    s147 = k[8]
+    s153 = k[9]
+    s155 = k[10]
+    h1_x = k[11]
+    h1_y = k[12]
+    bz1 = k[13]
+    g2_y = k[14]
+    g2_z = k[15]
+    s185 = k[16]
+    s190 = k[17]
+    s192 = k[18]
+    h2_x = k[19]
+    h2_y = k[20]
+    bz2 = k[21]
+    R0_31 = k[31]
+    R0_21 = k[32]
+    R0_11 = k[33]
+    s424 = k[34]
+    s438 = k[35]
+    s446 = k[36]
+    s450 = k[37]
+    s452 = k[38]
+    s456 = k[39]
+    s458 = k[40]
+    s462 = k[41]
+    s464 = k[42]
+    s522 = k[43]
+    s534 = k[44]
+    s544 = k[45]
+    s548 = k[46]
+    s550 = k[47]
+    s554 = k[48]
+    s556 = k[49]
+    s560 = k[50]
+    s562 = k[51]
+    s620 = k[52]
+    s634 = k[53]
+    s642 = k[54]
+    s646 = k[55]
+    s648 = k[56]
+    s652 = k[57]
+    s654 = k[58]
+    s658 = k[59]
+    s660 = k[60]
+    s800 = k[61]
+    s802 = k[62]
+    s804 = k[63]
+    s813 = k[64]
+    s815 = k[65]
+    s817 = k[66]
+    s826 = k[67]
+    s828 = k[68]
+    s830 = k[69]
+    s368 = k[70]
+    s799 = k[71]
     s78 = np.cos(q)
     s80 = np.sin(q)
     R1_12 = R0_12*s78 + R0_13*s80
@@ -763,74 +762,73 @@ def _parameters(x, q, tool, k):
     s836 = s658*s791
     s837 = s660*s792
     s838 = s646*s787 - s674*s826 - s676*s828 - s678*s830 + s833 + s834 + s835 + s836 + s837
-    out = np.zeros((len(x), 38))
-    out[:, 0] = s250
-    out[:, 1] = s247
-    out[:, 2] = s244
-    out[:, 3] = s367
-    out[:, 4] = s341
-    out[:, 5] = s340
-    out[:, 6] = s368
-    out[:, 14] = s466
-    out[:, 15] = s564
-    out[:, 16] = s662
-    out[:, 17] = s340
-    out[:, 18] = s367
-    out[:, 26] = s699
-    out[:, 27] = s696
-    out[:, 28] = s693
-    out[:, 29] = s798
-    out[:, 30] = s783
-    out[:, 31] = s782
-    out[:, 32] = s799
-    out[:, 33] = s812
-    out[:, 34] = s825
-    out[:, 35] = s838
-    out[:, 36] = s782
-    out[:, 37] = s798
+    out = np.zeros((38, *(k.shape[1], x.shape[-1])))
+    out[0] = s250
+    out[1] = s247
+    out[2] = s244
+    out[3] = s367
+    out[4] = s341
+    out[5] = s340
+    out[6] = s368
+    out[14] = s466
+    out[15] = s564
+    out[16] = s662
+    out[17] = s340
+    out[18] = s367
+    out[26] = s699
+    out[27] = s696
+    out[28] = s693
+    out[29] = s798
+    out[30] = s783
+    out[31] = s782
+    out[32] = s799
+    out[33] = s812
+    out[34] = s825
+    out[35] = s838
+    out[36] = s782
+    out[37] = s798
     return out
 
 
 def _sphere(x, q, tool, k):
-    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d: (N, 4)."""
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    tz = tool[:, 2]
-    q = q
-    s839 = k[:, 24]
-    s841 = k[:, 25]
-    s843 = k[:, 26]
-    s845 = k[:, 27]
-    L = k[:, 30]
-    s857 = k[:, 72]
+    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d: (4, limbs, N)."""
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    s839 = k[24]
+    s841 = k[25]
+    s843 = k[26]
+    s845 = k[27]
+    L = k[30]
+    s857 = k[72]
     s78 = np.cos(q)
     s877 = -s78*s841 - s839 + tx
     s879 = -s78*s845 - s843 + ty
     s881 = L*np.sin(q) + tz
     s888 = s857 + 0.5*(s877 * s877) + 0.5*(s879 * s879) + 0.5*(s881 * s881)
-    out = np.zeros((len(x), 4))
-    out[:, 0] = s877
-    out[:, 1] = s879
-    out[:, 2] = s881
-    out[:, 3] = s888
+    out = np.zeros((4, *(k.shape[1], x.shape[-1])))
+    out[0] = s877
+    out[1] = s879
+    out[2] = s881
+    out[3] = s888
     return out
 
 
 def _joint(x, q, tool, k):
-    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it: (N, 1)."""
-    px = x[:, 0]
-    py = x[:, 1]
-    pz = x[:, 2]
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    tz = tool[:, 2]
-    s839 = k[:, 24]
-    s841 = k[:, 25]
-    s843 = k[:, 26]
-    s845 = k[:, 27]
-    s863 = k[:, 28]
-    s858 = k[:, 29]
-    L = k[:, 30]
+    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it: (1, limbs, N)."""
+    px = x[0]
+    py = x[1]
+    pz = x[2]
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    s839 = k[24]
+    s841 = k[25]
+    s843 = k[26]
+    s845 = k[27]
+    s863 = k[28]
+    s858 = k[29]
+    L = k[30]
     s840 = px + s839 - tx
     s844 = py + s843 - ty
     s847 = s840*s841 + s844*s845
@@ -839,30 +837,30 @@ def _joint(x, q, tool, k):
     s864 = 0.5*(s840 * s840) + 0.5*(s844 * s844) + 0.5*s850 + s863
     s868 = np.sqrt((s847 * s847) + s850*s858 - (s864 * s864))
     s875 = np.arctan2(L*s849*s864 - s847*s868, -L*s849*s868 - s847*s864)
-    out = np.zeros((len(x), 1))
-    out[:, 0] = s875
+    out = np.zeros((1, *(k.shape[1], x.shape[-1])))
+    out[0] = s875
     return out
 
 
 def _spin(x):
-    """Turn about the axes of {O} by the Cayley vector: (N, 9)."""
-    cx = x[:, 3]
-    cy = x[:, 4]
-    cz = x[:, 5]
+    """Turn about the axes of {O} by the Cayley vector: (9, N)."""
+    cx = x[3]
+    cy = x[4]
+    cz = x[5]
     s105 = (1.0 / (0.25*(cx * cx) + 0.25*(cy * cy) + 0.25*(cz * cz) + 1))
     s889 = -0.5*cz*s105
     s890 = 0.5*cy*s105
     s891 = -0.5*cx*s105
-    out = np.zeros((len(x), 9))
-    out[:, 0] = s105
-    out[:, 1] = s889
-    out[:, 2] = s890
-    out[:, 3] = -s889
-    out[:, 4] = s105
-    out[:, 5] = s891
-    out[:, 6] = -s890
-    out[:, 7] = -s891
-    out[:, 8] = s105
+    out = np.zeros((9, *x.shape[1:]))
+    out[0] = s105
+    out[1] = s889
+    out[2] = s890
+    out[3] = -s889
+    out[4] = s105
+    out[5] = s891
+    out[6] = -s890
+    out[7] = -s891
+    out[8] = s105
     return out
 
 
@@ -870,41 +868,51 @@ def _of(k, chosen):
     return k[chosen] if len(k) > 1 else k
 
 
+def _turned(x, q, tool, k):
+    """Return arrays as the kernels read them: poses last, limbs before them, so that one call does all limbs.
+
+    Few poses are laid out for every limb, and constants for every pose: matching shapes is most of what a small
+    operation of NumPy costs.
+    """
+    if len(x) > FEW:
+        return x.T.copy(), q.T.copy(), tool.T.copy(), k.T.copy()
+    x, tool, k = (np.broadcast_to(a, (len(a), 3, len(x))).copy() for a in (x.T[:, None], tool.T[:, None], k.T))
+    return x, q.T.copy(), tool, k
+
+
+def _by_rod(values):
+    """Return what a kernel gives of the rods of a limb (rods k, limbs, N) as (6, k, N): limb by limb."""
+    by_rod = values.reshape(2, -1, *values.shape[1:])
+    return by_rod.transpose(2, 0, 1, 3).reshape(6, -1, values.shape[2])
+
+
 def _closure(x, q, tool, k):
-    """Return F (N, 6), J_x (N, 6, 6) and the joints' part J_q (N, 6)."""
-    parts = [_newton(x, q[:, i], tool, k[:, i]).reshape(len(x), 2, 8) for i in range(3)]
-    rows = np.concatenate(parts, axis=1)
-    return rows[:, :, 0], rows[:, :, 1 : 7], rows[:, :, 7]
+    """Return F (6, N), J_x (6, 6, N) and the joints' part J_q (6, N)."""
+    rows = _by_rod(_newton(*_turned(x, q, tool, k)))
+    return rows[:, 0], rows[:, 1 : 7], rows[:, 7]
 
 
 def _solve(A, B):
-    """Return X of A X = B (N, n, m) by Gauss elimination with partial pivoting, and (N,) whether A is regular."""
-    A, B = A.copy(), B.copy()
-    n = A.shape[1]
-    smallest = PIVOT_SINGULAR * np.abs(A).max(axis=(1, 2), initial=0.0)
-    regular = np.isfinite(A).all(axis=(1, 2))
-    every = np.arange(len(A))
-    for c in range(n):
-        pivot = c + np.argmax(np.abs(A[:, c:, c]), axis=1)
-        A[every, c], A[every, pivot] = A[every, pivot], A[every, c].copy()
-        B[every, c], B[every, pivot] = B[every, pivot], B[every, c].copy()
-        regular &= np.abs(A[:, c, c]) > smallest
-        head = np.where(regular, A[:, c, c], 1.0)
-        factor = A[:, c + 1 :, c] / head[:, None]
-        A[:, c + 1 :] -= factor[:, :, None] * A[:, None, c]
-        B[:, c + 1 :] -= factor[:, :, None] * B[:, None, c]
-    for c in range(n - 1, -1, -1):
-        B[:, c] /= np.where(regular, A[:, c, c], 1.0)[:, None]
-        B[:, :c] -= A[:, :c, c, None] * B[:, None, c]
-    return B, regular
+    """Return X of A X = B (n, m, N) by Gauss-Jordan elimination, partial pivoting, and (N,) whether A is regular."""
+    n, both, every = len(A), np.concatenate([A, B], axis=1), np.arange(A.shape[2])
+    pivots = np.empty((n, len(every)))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        for c in range(n):
+            pivot = c + np.abs(both[c:, c]).argmax(axis=0)
+            row = both[pivot, c:, every].T
+            both[pivot, c:, every] = both[c, c:].T
+            pivots[c] = row[0]
+            row = row[1:] / row[0]
+            both[:, c + 1 :] -= both[:, c, None] * row
+            both[c, c + 1 :] = row
+    return both[:, n:], (np.abs(pivots) > PIVOT_SINGULAR * np.abs(A).max(axis=(0, 1), initial=0.0)).all(axis=0)
 
 
 def jacobians(x, q, tool, k, F, J_x, J_q, J_p):
     """See ``kinematics.jacobians``."""
-    F[:], J_x[:], J_q[:] = _closure(x, q, tool, k)
-    for i in range(3):
-        rows = slice(2 * i, 2 * i + 2)
-        J_p[:, rows] = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 2, 19)
+    for given, found in zip((F, J_x, J_q), _closure(x, q, tool, k), strict=True):
+        given[:] = np.moveaxis(found, -1, 0)
+    J_p[:] = np.moveaxis(_by_rod(_parameters(*_turned(x, q, tool, k))), -1, 0)
 
 
 def _meet(sphere):
@@ -932,17 +940,16 @@ def forward(q, tool, k, x, status, warm):
     status[:] = UNREACHABLE
     if not (warm and np.isfinite(x).all()):
         x[:] = 0.0
-        sphere = np.stack([_sphere(x, q[:, i], tool, k[:, i]) for i in range(3)], axis=1)
-        x[:, :3], apart = _meet(sphere)
+        x[:, :3], apart = _meet(_sphere(*_turned(x, q, tool, k)).T)
         status[~apart] = SINGULAR
     active = np.flatnonzero(status == UNREACHABLE)
     for _ in range(MAX_STEPS):
         if not len(active):
             break
         F, J_x, _ = _closure(x[active], q[active], tool[active], _of(k, active))
-        step, regular = _solve(J_x, F[:, :, None])
-        status[active[~regular]] = np.where(np.abs(F[~regular]).max(axis=1, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
-        active, step = active[regular], step[regular, :, 0]
+        step, regular = _solve(J_x, F[:, None])
+        status[active[~regular]] = np.where(np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        active, step = active[regular], step[:, 0, regular].T
         x[active] -= step
         size = np.abs(step).max(axis=1, initial=0.0)
         status[active[size < STEP_DONE]] = SOLVED
@@ -955,22 +962,21 @@ def inverse(target, tool, k, x, q, status):
     x[:] = 0.0
     x[:, :3] = target
     with np.errstate(invalid="ignore"):
-        for i in range(3):
-            start = _joint(x, 0.0, tool, k[:, i])
-            q[:, i] = start[:, 0]
+        x_, _, tool_, k_ = _turned(x, q, tool, k)
+        start = _joint(x_, 0.0, tool_, k_)
+    q[:] = start[0].T
     status[:] = UNREACHABLE
     active = np.flatnonzero(np.isfinite(q).all(axis=1))
     for _ in range(MAX_STEPS):
         if not len(active):
             break
         F, J_x, J_q = _closure(x[active], q[active], tool[active], _of(k, active))
-        A = np.zeros((len(active), 6, 6))
-        for r in range(6):
-            A[:, r, r // 2] = J_q[:, r]
-        A[:, :, 3:] = J_x[:, :, 3:]
-        step, regular = _solve(A, F[:, :, None])
-        status[active[~regular]] = np.where(np.abs(F[~regular]).max(axis=1, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
-        active, step = active[regular], step[regular, :, 0]
+        A = np.zeros((6, 6, len(active)))
+        A[range(6), np.arange(6) // 2] = J_q
+        A[:, 3:] = J_x[:, 3:]
+        step, regular = _solve(A, F[:, None])
+        status[active[~regular]] = np.where(np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        active, step = active[regular], step[:, 0, regular].T
         q[active] -= step[:, :3]
         x[active, 3:] -= step[:, 3:]
         size = np.abs(step).max(axis=1, initial=0.0)
@@ -982,13 +988,12 @@ def inverse(target, tool, k, x, q, status):
 def sensitivity(x, q, tool, k, S_p, S_q, status):
     """See ``kinematics.sensitivity``."""
     _, J_x, J_q = _closure(x, q, tool, k)
-    unit, regular = _solve(J_x, np.tile(-np.eye(6), (len(x), 1, 1)))
+    unit, regular = _solve(J_x, np.tile(-np.eye(6)[:, :, None], len(x)))
     status[:] = np.where(regular, SOLVED, SINGULAR)
-    unit[~regular] = np.nan
-    for i in range(3):
-        rows = slice(2 * i, 2 * i + 2)
-        J_p = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 2, 19)
-        S_p[:, :, 19 * i : 19 * i + 19] = unit[:, :, rows] @ J_p
-        S_q[:, :, i] = (unit[:, :, rows] * J_q[:, None, rows]).sum(axis=2)
-    W = _spin(x).reshape(-1, 3, 3)
+    unit[:, :, ~regular] = np.nan
+    by_limb = unit.reshape(6, 3, 2, -1).transpose(3, 1, 0, 2)
+    J_p = _parameters(*_turned(x, q, tool, k)).reshape(2, 19, 3, -1).transpose(3, 2, 0, 1)
+    S_p[:] = (by_limb @ J_p).transpose(0, 2, 1, 3).reshape(S_p.shape)
+    S_q[:] = np.moveaxis((unit * J_q).reshape(6, 3, 2, -1).sum(axis=2), -1, 0)
+    W = _spin(x.T).T.reshape(-1, 3, 3)
     S_p[:, 3:], S_q[:, 3:] = W @ S_p[:, 3:], W @ S_q[:, 3:]

@@ -1,7 +1,7 @@
 """Kinematics of `delta` in plain NumPy: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both ac71c349cefca073; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 8b8fbe839eee7bb8; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -10,6 +10,7 @@ small job is done before Numba would be loaded, and the compiled kernels have an
 import numpy as np
 
 SOLVED, UNREACHABLE, SINGULAR = 0, 1, 2
+FEW = 100  # poses at once, up to which calls of NumPy cost more than what they compute
 MAX_STEPS = 30
 STEP_DONE = 1e-9  # mm and rad; Newton is quadratic: after such a step the rest is rounding
 STEP_LOST = 1e5  # mm and rad; a step of this size leads nowhere
@@ -375,41 +376,40 @@ def constants(p):
 
 
 def _newton(x, q, tool, k):
-    """Per rod of one limb: closure, its derivatives by the platform, by the joint: (N, 16)."""
-    px = x[:, 0]
-    py = x[:, 1]
-    pz = x[:, 2]
-    cx = x[:, 3]
-    cy = x[:, 4]
-    cz = x[:, 5]
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    tz = tool[:, 2]
-    q = q
-    theta = k[:, 0]
-    R0_11 = k[:, 1]
-    R0_12 = k[:, 2]
-    R0_21 = k[:, 3]
-    R0_22 = k[:, 4]
-    R0_31 = k[:, 5]
-    R0_32 = k[:, 6]
-    s219 = k[:, 7]
-    tip_v = k[:, 8]
-    s223 = k[:, 9]
-    s228 = k[:, 10]
-    s233 = k[:, 11]
-    s235 = k[:, 12]
-    s238 = k[:, 13]
-    g_x = k[:, 14]
-    g_y = k[:, 15]
-    s253 = k[:, 16]
-    s257 = k[:, 17]
-    s261 = k[:, 18]
-    h_x = k[:, 19]
-    h_y = k[:, 20]
-    h_z = k[:, 21]
-    s293 = k[:, 22]
-    s954 = k[:, 23]
+    """Per rod of one limb: closure, its derivatives by the platform, by the joint: (16, limbs, N)."""
+    px = x[0]
+    py = x[1]
+    pz = x[2]
+    cx = x[3]
+    cy = x[4]
+    cz = x[5]
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    theta = k[0]
+    R0_11 = k[1]
+    R0_12 = k[2]
+    R0_21 = k[3]
+    R0_22 = k[4]
+    R0_31 = k[5]
+    R0_32 = k[6]
+    s219 = k[7]
+    tip_v = k[8]
+    s223 = k[9]
+    s228 = k[10]
+    s233 = k[11]
+    s235 = k[12]
+    s238 = k[13]
+    g_x = k[14]
+    g_y = k[15]
+    s253 = k[16]
+    s257 = k[17]
+    s261 = k[18]
+    h_x = k[19]
+    h_y = k[20]
+    h_z = k[21]
+    s293 = k[22]
+    s954 = k[23]
     s163 = q + theta
     s164 = np.cos(s163)
     s166 = np.sin(s163)
@@ -575,112 +575,111 @@ def _newton(x, q, tool, k):
     s1098 = s1014 - s1020 + s1035*s361 + s1041*s362 + s404*(-0.5*s1011 - 0.5*s1026 + s1053)
     s1099 = -s1017 + s1021*s361 + s1034 + s1041*s377 + s401*(-0.5*s1011 - 0.5*s1046 + s1053)
     s1100 = s1021*s362 + s1031 + s1035*s377 - s1040 + s398*(-0.5*s1026 - 0.5*s1046 + s1053)
-    out = np.zeros((len(x), 16))
-    out[:, 0] = s294
-    out[:, 1] = s300
-    out[:, 2] = s298
-    out[:, 3] = s296
-    out[:, 4] = s444
-    out[:, 5] = s445
-    out[:, 6] = s446
-    out[:, 7] = s440
-    out[:, 8] = s955
-    out[:, 9] = s961
-    out[:, 10] = s959
-    out[:, 11] = s957
-    out[:, 12] = s1098
-    out[:, 13] = s1099
-    out[:, 14] = s1100
-    out[:, 15] = s1094
+    out = np.zeros((16, *(k.shape[1], x.shape[-1])))
+    out[0] = s294
+    out[1] = s300
+    out[2] = s298
+    out[3] = s296
+    out[4] = s444
+    out[5] = s445
+    out[6] = s446
+    out[7] = s440
+    out[8] = s955
+    out[9] = s961
+    out[10] = s959
+    out[11] = s957
+    out[12] = s1098
+    out[13] = s1099
+    out[14] = s1100
+    out[15] = s1094
     return out
 
 
 def _parameters(x, q, tool, k):
-    """Per rod of one limb: derivatives of the closure by errors, by deflections: (N, 32)."""
-    px = x[:, 0]
-    py = x[:, 1]
-    pz = x[:, 2]
-    cx = x[:, 3]
-    cy = x[:, 4]
-    cz = x[:, 5]
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    tz = tool[:, 2]
-    q = q
-    theta = k[:, 0]
-    R0_11 = k[:, 1]
-    R0_12 = k[:, 2]
-    R0_21 = k[:, 3]
-    R0_22 = k[:, 4]
-    R0_31 = k[:, 5]
-    R0_32 = k[:, 6]
-    s219 = k[:, 7]
-    tip_v = k[:, 8]
-    s223 = k[:, 9]
-    s228 = k[:, 10]
-    s233 = k[:, 11]
-    s235 = k[:, 12]
-    s238 = k[:, 13]
-    g_x = k[:, 14]
-    g_y = k[:, 15]
-    s253 = k[:, 16]
-    s257 = k[:, 17]
-    s261 = k[:, 18]
-    h_x = k[:, 19]
-    h_y = k[:, 20]
-    h_z = k[:, 21]
-    s516 = k[:, 32]
-    s547 = k[:, 33]
-    s552 = k[:, 34]
-    s578 = k[:, 35]
-    s610 = k[:, 36]
-    s615 = k[:, 37]
-    s617 = k[:, 38]
-    s619 = k[:, 39]
-    s621 = k[:, 40]
-    s624 = k[:, 41]
-    s606 = k[:, 42]
-    s628 = k[:, 43]
-    s634 = k[:, 44]
-    s637 = k[:, 45]
-    s643 = k[:, 46]
-    s668 = k[:, 47]
-    s700 = k[:, 48]
-    s706 = k[:, 49]
-    s731 = k[:, 50]
-    s764 = k[:, 51]
-    s770 = k[:, 52]
-    s772 = k[:, 53]
-    s774 = k[:, 54]
-    s776 = k[:, 55]
-    s779 = k[:, 56]
-    s760 = k[:, 57]
-    s783 = k[:, 58]
-    s788 = k[:, 59]
-    s791 = k[:, 60]
-    s796 = k[:, 61]
-    s802 = k[:, 62]
-    s804 = k[:, 63]
-    s806 = k[:, 64]
-    s808 = k[:, 65]
-    s810 = k[:, 66]
-    s843 = k[:, 67]
-    s868 = k[:, 68]
-    s870 = k[:, 69]
-    s872 = k[:, 70]
-    s874 = k[:, 71]
-    s905 = k[:, 72]
-    s929 = k[:, 73]
-    s932 = k[:, 74]
-    s934 = k[:, 75]
-    s936 = k[:, 76]
-    R0_33 = k[:, 77]
-    R0_23 = k[:, 78]
-    R0_13 = k[:, 79]
-    s799 = k[:, 80]
-    s800 = k[:, 81]
-    s1140 = k[:, 82]
-    s1141 = k[:, 83]
+    """Per rod of one limb: derivatives of the closure by errors, by deflections: (32, limbs, N)."""
+    px = x[0]
+    py = x[1]
+    pz = x[2]
+    cx = x[3]
+    cy = x[4]
+    cz = x[5]
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    theta = k[0]
+    R0_11 = k[1]
+    R0_12 = k[2]
+    R0_21 = k[3]
+    R0_22 = k[4]
+    R0_31 = k[5]
+    R0_32 = k[6]
+    s219 = k[7]
+    tip_v = k[8]
+    s223 = k[9]
+    s228 = k[10]
+    s233 = k[11]
+    s235 = k[12]
+    s238 = k[13]
+    g_x = k[14]
+    g_y = k[15]
+    s253 = k[16]
+    s257 = k[17]
+    s261 = k[18]
+    h_x = k[19]
+    h_y = k[20]
+    h_z = k[21]
+    s516 = k[32]
+    s547 = k[33]
+    s552 = k[34]
+    s578 = k[35]
+    s610 = k[36]
+    s615 = k[37]
+    s617 = k[38]
+    s619 = k[39]
+    s621 = k[40]
+    s624 = k[41]
+    s606 = k[42]
+    s628 = k[43]
+    s634 = k[44]
+    s637 = k[45]
+    s643 = k[46]
+    s668 = k[47]
+    s700 = k[48]
+    s706 = k[49]
+    s731 = k[50]
+    s764 = k[51]
+    s770 = k[52]
+    s772 = k[53]
+    s774 = k[54]
+    s776 = k[55]
+    s779 = k[56]
+    s760 = k[57]
+    s783 = k[58]
+    s788 = k[59]
+    s791 = k[60]
+    s796 = k[61]
+    s802 = k[62]
+    s804 = k[63]
+    s806 = k[64]
+    s808 = k[65]
+    s810 = k[66]
+    s843 = k[67]
+    s868 = k[68]
+    s870 = k[69]
+    s872 = k[70]
+    s874 = k[71]
+    s905 = k[72]
+    s929 = k[73]
+    s932 = k[74]
+    s934 = k[75]
+    s936 = k[76]
+    R0_33 = k[77]
+    R0_23 = k[78]
+    R0_13 = k[79]
+    s799 = k[80]
+    s800 = k[81]
+    s1140 = k[82]
+    s1141 = k[83]
     s163 = q + theta
     s164 = np.cos(s163)
     s166 = np.sin(s163)
@@ -851,87 +850,86 @@ def _parameters(x, q, tool, k):
     s1155 = s1096*s868 + s1097*s870 + s843*s957 + s872*s959 + s874*s961
     s1161 = s1096*s929 + s1097*s932 + s905*s957 + s934*s959 + s936*s961
     s1165 = -R0_13*s961 - R0_23*s959 - R0_33*s957
-    out = np.zeros((len(x), 32))
-    out[:, 0] = s440
-    out[:, 1] = -s300
-    out[:, 2] = -s298
-    out[:, 3] = -s296
-    out[:, 4] = s443
-    out[:, 5] = s645
-    out[:, 6] = s798
-    out[:, 7] = s799
-    out[:, 8] = s800
-    out[:, 9] = s812
-    out[:, 10] = s813
-    out[:, 11] = s814
-    out[:, 12] = s876
-    out[:, 13] = s938
-    out[:, 14] = s442
-    out[:, 15] = s942
-    out[:, 16] = s1094
-    out[:, 17] = -s961
-    out[:, 18] = -s959
-    out[:, 19] = -s957
-    out[:, 20] = -s1097
-    out[:, 21] = s1123
-    out[:, 22] = s1139
-    out[:, 23] = s1140
-    out[:, 24] = s1141
-    out[:, 25] = s1147
-    out[:, 26] = s1148
-    out[:, 27] = s1149
-    out[:, 28] = s1155
-    out[:, 29] = s1161
-    out[:, 30] = -s1096
-    out[:, 31] = s1165
+    out = np.zeros((32, *(k.shape[1], x.shape[-1])))
+    out[0] = s440
+    out[1] = -s300
+    out[2] = -s298
+    out[3] = -s296
+    out[4] = s443
+    out[5] = s645
+    out[6] = s798
+    out[7] = s799
+    out[8] = s800
+    out[9] = s812
+    out[10] = s813
+    out[11] = s814
+    out[12] = s876
+    out[13] = s938
+    out[14] = s442
+    out[15] = s942
+    out[16] = s1094
+    out[17] = -s961
+    out[18] = -s959
+    out[19] = -s957
+    out[20] = -s1097
+    out[21] = s1123
+    out[22] = s1139
+    out[23] = s1140
+    out[24] = s1141
+    out[25] = s1147
+    out[26] = s1148
+    out[27] = s1149
+    out[28] = s1155
+    out[29] = s1161
+    out[30] = -s1096
+    out[31] = s1165
     return out
 
 
 def _sphere(x, q, tool, k):
-    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d: (N, 4)."""
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    tz = tool[:, 2]
-    q = q
-    theta = k[:, 0]
-    s219 = k[:, 7]
-    s1166 = k[:, 24]
-    s1168 = k[:, 25]
-    s1170 = k[:, 26]
-    s1172 = k[:, 27]
-    ez = k[:, 28]
-    s1185 = k[:, 84]
+    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d: (4, limbs, N)."""
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    theta = k[0]
+    s219 = k[7]
+    s1166 = k[24]
+    s1168 = k[25]
+    s1170 = k[26]
+    s1172 = k[27]
+    ez = k[28]
+    s1185 = k[84]
     s163 = q + theta
     s164 = np.cos(s163)
     s1212 = -s1166 - s1168*s164 + tx
     s1214 = -s1170 - s1172*s164 + ty
     s1216 = ez + s219*np.sin(s163) + tz
     s1223 = s1185 + 0.5*(s1212 * s1212) + 0.5*(s1214 * s1214) + 0.5*(s1216 * s1216)
-    out = np.zeros((len(x), 4))
-    out[:, 0] = s1212
-    out[:, 1] = s1214
-    out[:, 2] = s1216
-    out[:, 3] = s1223
+    out = np.zeros((4, *(k.shape[1], x.shape[-1])))
+    out[0] = s1212
+    out[1] = s1214
+    out[2] = s1216
+    out[3] = s1223
     return out
 
 
 def _joint(x, q, tool, k):
-    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it: (N, 1)."""
-    px = x[:, 0]
-    py = x[:, 1]
-    pz = x[:, 2]
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    tz = tool[:, 2]
-    theta = k[:, 0]
-    s1166 = k[:, 24]
-    s1168 = k[:, 25]
-    s1170 = k[:, 26]
-    s1172 = k[:, 27]
-    ez = k[:, 28]
-    s1191 = k[:, 29]
-    s1198 = k[:, 30]
-    s1203 = k[:, 31]
+    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it: (1, limbs, N)."""
+    px = x[0]
+    py = x[1]
+    pz = x[2]
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    theta = k[0]
+    s1166 = k[24]
+    s1168 = k[25]
+    s1170 = k[26]
+    s1172 = k[27]
+    ez = k[28]
+    s1191 = k[29]
+    s1198 = k[30]
+    s1203 = k[31]
     s1167 = px + s1166 - tx
     s1171 = py + s1170 - ty
     s1174 = s1167*s1168 + s1171*s1172
@@ -940,30 +938,30 @@ def _joint(x, q, tool, k):
     s1192 = 0.5*(s1167 * s1167) + 0.5*(s1171 * s1171) + 0.5*s1177 + s1191
     s1201 = np.sqrt((s1174 * s1174) + s1177*s1198 - (s1192 * s1192))
     s1210 = -theta + np.arctan2(-s1174*s1201 + s1176*s1192*s1203, -s1174*s1192 - s1176*s1201*s1203)
-    out = np.zeros((len(x), 1))
-    out[:, 0] = s1210
+    out = np.zeros((1, *(k.shape[1], x.shape[-1])))
+    out[0] = s1210
     return out
 
 
 def _spin(x):
-    """Turn about the axes of {O} by the Cayley vector: (N, 9)."""
-    cx = x[:, 3]
-    cy = x[:, 4]
-    cz = x[:, 5]
+    """Turn about the axes of {O} by the Cayley vector: (9, N)."""
+    cx = x[3]
+    cy = x[4]
+    cz = x[5]
     s191 = (1.0 / (0.25*(cx * cx) + 0.25*(cy * cy) + 0.25*(cz * cz) + 1))
     s1224 = -0.5*cz*s191
     s1225 = 0.5*cy*s191
     s1226 = -0.5*cx*s191
-    out = np.zeros((len(x), 9))
-    out[:, 0] = s191
-    out[:, 1] = s1224
-    out[:, 2] = s1225
-    out[:, 3] = -s1224
-    out[:, 4] = s191
-    out[:, 5] = s1226
-    out[:, 6] = -s1225
-    out[:, 7] = -s1226
-    out[:, 8] = s191
+    out = np.zeros((9, *x.shape[1:]))
+    out[0] = s191
+    out[1] = s1224
+    out[2] = s1225
+    out[3] = -s1224
+    out[4] = s191
+    out[5] = s1226
+    out[6] = -s1225
+    out[7] = -s1226
+    out[8] = s191
     return out
 
 
@@ -971,41 +969,51 @@ def _of(k, chosen):
     return k[chosen] if len(k) > 1 else k
 
 
+def _turned(x, q, tool, k):
+    """Return arrays as the kernels read them: poses last, limbs before them, so that one call does all limbs.
+
+    Few poses are laid out for every limb, and constants for every pose: matching shapes is most of what a small
+    operation of NumPy costs.
+    """
+    if len(x) > FEW:
+        return x.T.copy(), q.T.copy(), tool.T.copy(), k.T.copy()
+    x, tool, k = (np.broadcast_to(a, (len(a), 3, len(x))).copy() for a in (x.T[:, None], tool.T[:, None], k.T))
+    return x, q.T.copy(), tool, k
+
+
+def _by_rod(values):
+    """Return what a kernel gives of the rods of a limb (rods k, limbs, N) as (6, k, N): limb by limb."""
+    by_rod = values.reshape(2, -1, *values.shape[1:])
+    return by_rod.transpose(2, 0, 1, 3).reshape(6, -1, values.shape[2])
+
+
 def _closure(x, q, tool, k):
-    """Return F (N, 6), J_x (N, 6, 6) and the joints' part J_q (N, 6)."""
-    parts = [_newton(x, q[:, i], tool, k[:, i]).reshape(len(x), 2, 8) for i in range(3)]
-    rows = np.concatenate(parts, axis=1)
-    return rows[:, :, 0], rows[:, :, 1 : 7], rows[:, :, 7]
+    """Return F (6, N), J_x (6, 6, N) and the joints' part J_q (6, N)."""
+    rows = _by_rod(_newton(*_turned(x, q, tool, k)))
+    return rows[:, 0], rows[:, 1 : 7], rows[:, 7]
 
 
 def _solve(A, B):
-    """Return X of A X = B (N, n, m) by Gauss elimination with partial pivoting, and (N,) whether A is regular."""
-    A, B = A.copy(), B.copy()
-    n = A.shape[1]
-    smallest = PIVOT_SINGULAR * np.abs(A).max(axis=(1, 2), initial=0.0)
-    regular = np.isfinite(A).all(axis=(1, 2))
-    every = np.arange(len(A))
-    for c in range(n):
-        pivot = c + np.argmax(np.abs(A[:, c:, c]), axis=1)
-        A[every, c], A[every, pivot] = A[every, pivot], A[every, c].copy()
-        B[every, c], B[every, pivot] = B[every, pivot], B[every, c].copy()
-        regular &= np.abs(A[:, c, c]) > smallest
-        head = np.where(regular, A[:, c, c], 1.0)
-        factor = A[:, c + 1 :, c] / head[:, None]
-        A[:, c + 1 :] -= factor[:, :, None] * A[:, None, c]
-        B[:, c + 1 :] -= factor[:, :, None] * B[:, None, c]
-    for c in range(n - 1, -1, -1):
-        B[:, c] /= np.where(regular, A[:, c, c], 1.0)[:, None]
-        B[:, :c] -= A[:, :c, c, None] * B[:, None, c]
-    return B, regular
+    """Return X of A X = B (n, m, N) by Gauss-Jordan elimination, partial pivoting, and (N,) whether A is regular."""
+    n, both, every = len(A), np.concatenate([A, B], axis=1), np.arange(A.shape[2])
+    pivots = np.empty((n, len(every)))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        for c in range(n):
+            pivot = c + np.abs(both[c:, c]).argmax(axis=0)
+            row = both[pivot, c:, every].T
+            both[pivot, c:, every] = both[c, c:].T
+            pivots[c] = row[0]
+            row = row[1:] / row[0]
+            both[:, c + 1 :] -= both[:, c, None] * row
+            both[c, c + 1 :] = row
+    return both[:, n:], (np.abs(pivots) > PIVOT_SINGULAR * np.abs(A).max(axis=(0, 1), initial=0.0)).all(axis=0)
 
 
 def jacobians(x, q, tool, k, F, J_x, J_q, J_p):
     """See ``kinematics.jacobians``."""
-    F[:], J_x[:], J_q[:] = _closure(x, q, tool, k)
-    for i in range(3):
-        rows = slice(2 * i, 2 * i + 2)
-        J_p[:, rows] = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 2, 16)
+    for given, found in zip((F, J_x, J_q), _closure(x, q, tool, k), strict=True):
+        given[:] = np.moveaxis(found, -1, 0)
+    J_p[:] = np.moveaxis(_by_rod(_parameters(*_turned(x, q, tool, k))), -1, 0)
 
 
 def _meet(sphere):
@@ -1033,17 +1041,16 @@ def forward(q, tool, k, x, status, warm):
     status[:] = UNREACHABLE
     if not (warm and np.isfinite(x).all()):
         x[:] = 0.0
-        sphere = np.stack([_sphere(x, q[:, i], tool, k[:, i]) for i in range(3)], axis=1)
-        x[:, :3], apart = _meet(sphere)
+        x[:, :3], apart = _meet(_sphere(*_turned(x, q, tool, k)).T)
         status[~apart] = SINGULAR
     active = np.flatnonzero(status == UNREACHABLE)
     for _ in range(MAX_STEPS):
         if not len(active):
             break
         F, J_x, _ = _closure(x[active], q[active], tool[active], _of(k, active))
-        step, regular = _solve(J_x, F[:, :, None])
-        status[active[~regular]] = np.where(np.abs(F[~regular]).max(axis=1, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
-        active, step = active[regular], step[regular, :, 0]
+        step, regular = _solve(J_x, F[:, None])
+        status[active[~regular]] = np.where(np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        active, step = active[regular], step[:, 0, regular].T
         x[active] -= step
         size = np.abs(step).max(axis=1, initial=0.0)
         status[active[size < STEP_DONE]] = SOLVED
@@ -1056,22 +1063,21 @@ def inverse(target, tool, k, x, q, status):
     x[:] = 0.0
     x[:, :3] = target
     with np.errstate(invalid="ignore"):
-        for i in range(3):
-            start = _joint(x, 0.0, tool, k[:, i])
-            q[:, i] = start[:, 0]
+        x_, _, tool_, k_ = _turned(x, q, tool, k)
+        start = _joint(x_, 0.0, tool_, k_)
+    q[:] = start[0].T
     status[:] = UNREACHABLE
     active = np.flatnonzero(np.isfinite(q).all(axis=1))
     for _ in range(MAX_STEPS):
         if not len(active):
             break
         F, J_x, J_q = _closure(x[active], q[active], tool[active], _of(k, active))
-        A = np.zeros((len(active), 6, 6))
-        for r in range(6):
-            A[:, r, r // 2] = J_q[:, r]
-        A[:, :, 3:] = J_x[:, :, 3:]
-        step, regular = _solve(A, F[:, :, None])
-        status[active[~regular]] = np.where(np.abs(F[~regular]).max(axis=1, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
-        active, step = active[regular], step[regular, :, 0]
+        A = np.zeros((6, 6, len(active)))
+        A[range(6), np.arange(6) // 2] = J_q
+        A[:, 3:] = J_x[:, 3:]
+        step, regular = _solve(A, F[:, None])
+        status[active[~regular]] = np.where(np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        active, step = active[regular], step[:, 0, regular].T
         q[active] -= step[:, :3]
         x[active, 3:] -= step[:, 3:]
         size = np.abs(step).max(axis=1, initial=0.0)
@@ -1083,13 +1089,12 @@ def inverse(target, tool, k, x, q, status):
 def sensitivity(x, q, tool, k, S_p, S_q, status):
     """See ``kinematics.sensitivity``."""
     _, J_x, J_q = _closure(x, q, tool, k)
-    unit, regular = _solve(J_x, np.tile(-np.eye(6), (len(x), 1, 1)))
+    unit, regular = _solve(J_x, np.tile(-np.eye(6)[:, :, None], len(x)))
     status[:] = np.where(regular, SOLVED, SINGULAR)
-    unit[~regular] = np.nan
-    for i in range(3):
-        rows = slice(2 * i, 2 * i + 2)
-        J_p = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 2, 16)
-        S_p[:, :, 16 * i : 16 * i + 16] = unit[:, :, rows] @ J_p
-        S_q[:, :, i] = (unit[:, :, rows] * J_q[:, None, rows]).sum(axis=2)
-    W = _spin(x).reshape(-1, 3, 3)
+    unit[:, :, ~regular] = np.nan
+    by_limb = unit.reshape(6, 3, 2, -1).transpose(3, 1, 0, 2)
+    J_p = _parameters(*_turned(x, q, tool, k)).reshape(2, 16, 3, -1).transpose(3, 2, 0, 1)
+    S_p[:] = (by_limb @ J_p).transpose(0, 2, 1, 3).reshape(S_p.shape)
+    S_q[:] = np.moveaxis((unit * J_q).reshape(6, 3, 2, -1).sum(axis=2), -1, 0)
+    W = _spin(x.T).T.reshape(-1, 3, 3)
     S_p[:, 3:], S_q[:, 3:] = W @ S_p[:, 3:], W @ S_q[:, 3:]

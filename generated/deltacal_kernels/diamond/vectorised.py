@@ -1,7 +1,7 @@
 """Kinematics of `diamond` in plain NumPy: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both db44cc412ce3b9e5; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 4ef2c6bfff1cc9bc; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -10,6 +10,7 @@ small job is done before Numba would be loaded, and the compiled kernels have an
 import numpy as np
 
 SOLVED, UNREACHABLE, SINGULAR = 0, 1, 2
+FEW = 100  # poses at once, up to which calls of NumPy cost more than what they compute
 MAX_STEPS = 30
 STEP_DONE = 1e-9  # mm and rad; Newton is quadratic: after such a step the rest is rounding
 STEP_LOST = 1e5  # mm and rad; a step of this size leads nowhere
@@ -65,18 +66,17 @@ def constants(p):
 
 
 def _newton(x, q, tool, k):
-    """Per rod of one limb: closure, its derivatives by the platform, by the joint: (N, 4)."""
-    px = x[:, 0]
-    py = x[:, 1]
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    q = q
-    s6 = k[:, 0]
-    s9 = k[:, 1]
-    s12 = k[:, 2]
-    B_x = k[:, 3]
-    B_y = k[:, 4]
-    s28 = k[:, 5]
+    """Per rod of one limb: closure, its derivatives by the platform, by the joint: (4, limbs, N)."""
+    px = x[0]
+    py = x[1]
+    tx = tool[0]
+    ty = tool[1]
+    s6 = k[0]
+    s9 = k[1]
+    s12 = k[2]
+    B_x = k[3]
+    B_y = k[4]
+    s28 = k[5]
     s7 = q + s6
     s8 = np.cos(s7)
     s11 = np.sin(s7)
@@ -92,28 +92,27 @@ def _newton(x, q, tool, k):
     s32 = 2*d_x
     s33 = 0.5*s32
     s46 = -s11*(s12*s31 - s33*s9) + s8*(-s12*s33 - s31*s9)
-    out = np.zeros((len(x), 4))
-    out[:, 0] = s29
-    out[:, 1] = s33
-    out[:, 2] = s31
-    out[:, 3] = s46
+    out = np.zeros((4, *(k.shape[1], x.shape[-1])))
+    out[0] = s29
+    out[1] = s33
+    out[2] = s31
+    out[3] = s46
     return out
 
 
 def _parameters(x, q, tool, k):
-    """Per rod of one limb: derivatives of the closure by errors, by deflections: (N, 8)."""
-    px = x[:, 0]
-    py = x[:, 1]
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    q = q
-    s6 = k[:, 0]
-    s9 = k[:, 1]
-    s12 = k[:, 2]
-    B_x = k[:, 3]
-    B_y = k[:, 4]
-    side = k[:, 9]
-    s51 = k[:, 10]
+    """Per rod of one limb: derivatives of the closure by errors, by deflections: (8, limbs, N)."""
+    px = x[0]
+    py = x[1]
+    tx = tool[0]
+    ty = tool[1]
+    s6 = k[0]
+    s9 = k[1]
+    s12 = k[2]
+    B_x = k[3]
+    B_y = k[4]
+    side = k[9]
+    s51 = k[10]
     s7 = q + s6
     s8 = np.cos(s7)
     s11 = np.sin(s7)
@@ -130,50 +129,49 @@ def _parameters(x, q, tool, k):
     s46 = -s11*(s12*s31 - s33*s9) + s8*(-s12*s33 - s31*s9)
     s50 = side*(-s11*s31 - s33*s8)
     s52 = -side*(-s11*s33 + s31*s8)
-    out = np.zeros((len(x), 8))
-    out[:, 0] = s46
-    out[:, 1] = -s33
-    out[:, 2] = -s31
-    out[:, 3] = s50
-    out[:, 4] = s51
-    out[:, 7] = s52
+    out = np.zeros((8, *(k.shape[1], x.shape[-1])))
+    out[0] = s46
+    out[1] = -s33
+    out[2] = -s31
+    out[3] = s50
+    out[4] = s51
+    out[7] = s52
     return out
 
 
 def _sphere(x, q, tool, k):
-    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d: (N, 3)."""
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    q = q
-    s6 = k[:, 0]
-    s9 = k[:, 1]
-    B_x = k[:, 3]
-    B_y = k[:, 4]
-    s28 = k[:, 5]
+    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d: (3, limbs, N)."""
+    tx = tool[0]
+    ty = tool[1]
+    s6 = k[0]
+    s9 = k[1]
+    B_x = k[3]
+    B_y = k[4]
+    s28 = k[5]
     s7 = q + s6
     s79 = B_x + s9*np.cos(s7) + tx
     s80 = B_y + s9*np.sin(s7) + ty
     s85 = s28 + 0.5*(s79 * s79) + 0.5*(s80 * s80)
-    out = np.zeros((len(x), 3))
-    out[:, 0] = s79
-    out[:, 1] = s80
-    out[:, 2] = s85
+    out = np.zeros((3, *(k.shape[1], x.shape[-1])))
+    out[0] = s79
+    out[1] = s80
+    out[2] = s85
     return out
 
 
 def _joint(x, q, tool, k):
-    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it: (N, 1)."""
-    px = x[:, 0]
-    py = x[:, 1]
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    s6 = k[:, 0]
-    s9 = k[:, 1]
-    B_x = k[:, 3]
-    B_y = k[:, 4]
-    s62 = k[:, 6]
-    s66 = k[:, 7]
-    s71 = k[:, 8]
+    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it: (1, limbs, N)."""
+    px = x[0]
+    py = x[1]
+    tx = tool[0]
+    ty = tool[1]
+    s6 = k[0]
+    s9 = k[1]
+    B_x = k[3]
+    B_y = k[4]
+    s62 = k[6]
+    s66 = k[7]
+    s71 = k[8]
     s53 = -B_y + py - ty
     s54 = -B_x + px - tx
     s55 = (s54 * s54)
@@ -181,8 +179,8 @@ def _joint(x, q, tool, k):
     s63 = 0.5*s55 + 0.5*s57 + s62
     s70 = np.sqrt(s55*s66 + s57*s66 - (s63 * s63))
     s78 = -s6 + np.arctan2(s53*s63*s9 + s54*s70*s71, -s53*s70*s71 + s54*s63*s9)
-    out = np.zeros((len(x), 1))
-    out[:, 0] = s78
+    out = np.zeros((1, *(k.shape[1], x.shape[-1])))
+    out[0] = s78
     return out
 
 
@@ -190,41 +188,51 @@ def _of(k, chosen):
     return k[chosen] if len(k) > 1 else k
 
 
+def _turned(x, q, tool, k):
+    """Return arrays as the kernels read them: poses last, limbs before them, so that one call does all limbs.
+
+    Few poses are laid out for every limb, and constants for every pose: matching shapes is most of what a small
+    operation of NumPy costs.
+    """
+    if len(x) > FEW:
+        return x.T.copy(), q.T.copy(), tool.T.copy(), k.T.copy()
+    x, tool, k = (np.broadcast_to(a, (len(a), 2, len(x))).copy() for a in (x.T[:, None], tool.T[:, None], k.T))
+    return x, q.T.copy(), tool, k
+
+
+def _by_rod(values):
+    """Return what a kernel gives of the rods of a limb (rods k, limbs, N) as (2, k, N): limb by limb."""
+    by_rod = values.reshape(1, -1, *values.shape[1:])
+    return by_rod.transpose(2, 0, 1, 3).reshape(2, -1, values.shape[2])
+
+
 def _closure(x, q, tool, k):
-    """Return F (N, 2), J_x (N, 2, 2) and the joints' part J_q (N, 2)."""
-    parts = [_newton(x, q[:, i], tool, k[:, i]).reshape(len(x), 1, 4) for i in range(2)]
-    rows = np.concatenate(parts, axis=1)
-    return rows[:, :, 0], rows[:, :, 1 : 3], rows[:, :, 3]
+    """Return F (2, N), J_x (2, 2, N) and the joints' part J_q (2, N)."""
+    rows = _by_rod(_newton(*_turned(x, q, tool, k)))
+    return rows[:, 0], rows[:, 1 : 3], rows[:, 3]
 
 
 def _solve(A, B):
-    """Return X of A X = B (N, n, m) by Gauss elimination with partial pivoting, and (N,) whether A is regular."""
-    A, B = A.copy(), B.copy()
-    n = A.shape[1]
-    smallest = PIVOT_SINGULAR * np.abs(A).max(axis=(1, 2), initial=0.0)
-    regular = np.isfinite(A).all(axis=(1, 2))
-    every = np.arange(len(A))
-    for c in range(n):
-        pivot = c + np.argmax(np.abs(A[:, c:, c]), axis=1)
-        A[every, c], A[every, pivot] = A[every, pivot], A[every, c].copy()
-        B[every, c], B[every, pivot] = B[every, pivot], B[every, c].copy()
-        regular &= np.abs(A[:, c, c]) > smallest
-        head = np.where(regular, A[:, c, c], 1.0)
-        factor = A[:, c + 1 :, c] / head[:, None]
-        A[:, c + 1 :] -= factor[:, :, None] * A[:, None, c]
-        B[:, c + 1 :] -= factor[:, :, None] * B[:, None, c]
-    for c in range(n - 1, -1, -1):
-        B[:, c] /= np.where(regular, A[:, c, c], 1.0)[:, None]
-        B[:, :c] -= A[:, :c, c, None] * B[:, None, c]
-    return B, regular
+    """Return X of A X = B (n, m, N) by Gauss-Jordan elimination, partial pivoting, and (N,) whether A is regular."""
+    n, both, every = len(A), np.concatenate([A, B], axis=1), np.arange(A.shape[2])
+    pivots = np.empty((n, len(every)))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        for c in range(n):
+            pivot = c + np.abs(both[c:, c]).argmax(axis=0)
+            row = both[pivot, c:, every].T
+            both[pivot, c:, every] = both[c, c:].T
+            pivots[c] = row[0]
+            row = row[1:] / row[0]
+            both[:, c + 1 :] -= both[:, c, None] * row
+            both[c, c + 1 :] = row
+    return both[:, n:], (np.abs(pivots) > PIVOT_SINGULAR * np.abs(A).max(axis=(0, 1), initial=0.0)).all(axis=0)
 
 
 def jacobians(x, q, tool, k, F, J_x, J_q, J_p):
     """See ``kinematics.jacobians``."""
-    F[:], J_x[:], J_q[:] = _closure(x, q, tool, k)
-    for i in range(2):
-        rows = slice(1 * i, 1 * i + 1)
-        J_p[:, rows] = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 1, 8)
+    for given, found in zip((F, J_x, J_q), _closure(x, q, tool, k), strict=True):
+        given[:] = np.moveaxis(found, -1, 0)
+    J_p[:] = np.moveaxis(_by_rod(_parameters(*_turned(x, q, tool, k))), -1, 0)
 
 
 def _meet(circle):
@@ -251,17 +259,16 @@ def forward(q, tool, k, x, status, warm):
     status[:] = UNREACHABLE
     if not (warm and np.isfinite(x).all()):
         x[:] = 0.0
-        sphere = np.stack([_sphere(x, q[:, i], tool, k[:, i]) for i in range(2)], axis=1)
-        x[:, :2], apart = _meet(sphere)
+        x[:, :2], apart = _meet(_sphere(*_turned(x, q, tool, k)).T)
         status[~apart] = SINGULAR
     active = np.flatnonzero(status == UNREACHABLE)
     for _ in range(MAX_STEPS):
         if not len(active):
             break
         F, J_x, _ = _closure(x[active], q[active], tool[active], _of(k, active))
-        step, regular = _solve(J_x, F[:, :, None])
-        status[active[~regular]] = np.where(np.abs(F[~regular]).max(axis=1, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
-        active, step = active[regular], step[regular, :, 0]
+        step, regular = _solve(J_x, F[:, None])
+        status[active[~regular]] = np.where(np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        active, step = active[regular], step[:, 0, regular].T
         x[active] -= step
         size = np.abs(step).max(axis=1, initial=0.0)
         status[active[size < STEP_DONE]] = SOLVED
@@ -274,22 +281,21 @@ def inverse(target, tool, k, x, q, status):
     x[:] = 0.0
     x[:, :2] = target
     with np.errstate(invalid="ignore"):
-        for i in range(2):
-            start = _joint(x, 0.0, tool, k[:, i])
-            q[:, i] = start[:, 0]
+        x_, _, tool_, k_ = _turned(x, q, tool, k)
+        start = _joint(x_, 0.0, tool_, k_)
+    q[:] = start[0].T
     status[:] = UNREACHABLE
     active = np.flatnonzero(np.isfinite(q).all(axis=1))
     for _ in range(MAX_STEPS):
         if not len(active):
             break
         F, J_x, J_q = _closure(x[active], q[active], tool[active], _of(k, active))
-        A = np.zeros((len(active), 2, 2))
-        for r in range(2):
-            A[:, r, r // 1] = J_q[:, r]
-        A[:, :, 2:] = J_x[:, :, 2:]
-        step, regular = _solve(A, F[:, :, None])
-        status[active[~regular]] = np.where(np.abs(F[~regular]).max(axis=1, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
-        active, step = active[regular], step[regular, :, 0]
+        A = np.zeros((2, 2, len(active)))
+        A[range(2), np.arange(2) // 1] = J_q
+        A[:, 2:] = J_x[:, 2:]
+        step, regular = _solve(A, F[:, None])
+        status[active[~regular]] = np.where(np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        active, step = active[regular], step[:, 0, regular].T
         q[active] -= step[:, :2]
         x[active, 2:] -= step[:, 2:]
         size = np.abs(step).max(axis=1, initial=0.0)
@@ -301,11 +307,10 @@ def inverse(target, tool, k, x, q, status):
 def sensitivity(x, q, tool, k, S_p, S_q, status):
     """See ``kinematics.sensitivity``."""
     _, J_x, J_q = _closure(x, q, tool, k)
-    unit, regular = _solve(J_x, np.tile(-np.eye(2), (len(x), 1, 1)))
+    unit, regular = _solve(J_x, np.tile(-np.eye(2)[:, :, None], len(x)))
     status[:] = np.where(regular, SOLVED, SINGULAR)
-    unit[~regular] = np.nan
-    for i in range(2):
-        rows = slice(1 * i, 1 * i + 1)
-        J_p = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 1, 8)
-        S_p[:, :, 8 * i : 8 * i + 8] = unit[:, :, rows] @ J_p
-        S_q[:, :, i] = (unit[:, :, rows] * J_q[:, None, rows]).sum(axis=2)
+    unit[:, :, ~regular] = np.nan
+    by_limb = unit.reshape(2, 2, 1, -1).transpose(3, 1, 0, 2)
+    J_p = _parameters(*_turned(x, q, tool, k)).reshape(1, 8, 2, -1).transpose(3, 2, 0, 1)
+    S_p[:] = (by_limb @ J_p).transpose(0, 2, 1, 3).reshape(S_p.shape)
+    S_q[:] = np.moveaxis((unit * J_q).reshape(2, 2, 1, -1).sum(axis=2), -1, 0)

@@ -1,7 +1,7 @@
 """Kinematics of `linear_delta` in plain NumPy: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both df9d964e71417865; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both f8eb8078e119aa9f; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -10,6 +10,7 @@ small job is done before Numba would be loaded, and the compiled kernels have an
 import numpy as np
 
 SOLVED, UNREACHABLE, SINGULAR = 0, 1, 2
+FEW = 100  # poses at once, up to which calls of NumPy cost more than what they compute
 MAX_STEPS = 30
 STEP_DONE = 1e-9  # mm and rad; Newton is quadratic: after such a step the rest is rounding
 STEP_LOST = 1e5  # mm and rad; a step of this size leads nowhere
@@ -208,31 +209,30 @@ def constants(p):
 
 
 def _newton(x, q, tool, k):
-    """Per rod of one limb: closure, its derivatives by the platform, by the joint: (N, 16)."""
-    px = x[:, 0]
-    py = x[:, 1]
-    pz = x[:, 2]
-    cx = x[:, 3]
-    cy = x[:, 4]
-    cz = x[:, 5]
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    tz = tool[:, 2]
-    q = q
-    s60 = k[:, 0]
-    s59 = k[:, 1]
-    axis_x = k[:, 2]
-    s65 = k[:, 3]
-    axis_y = k[:, 4]
-    s68 = k[:, 5]
-    axis_z = k[:, 6]
-    s106 = k[:, 7]
-    s109 = k[:, 8]
-    u_x = k[:, 9]
-    u_y = k[:, 10]
-    s128 = k[:, 11]
-    s150 = k[:, 12]
-    s516 = k[:, 13]
+    """Per rod of one limb: closure, its derivatives by the platform, by the joint: (16, limbs, N)."""
+    px = x[0]
+    py = x[1]
+    pz = x[2]
+    cx = x[3]
+    cy = x[4]
+    cz = x[5]
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    s60 = k[0]
+    s59 = k[1]
+    axis_x = k[2]
+    s65 = k[3]
+    axis_y = k[4]
+    s68 = k[5]
+    axis_z = k[6]
+    s106 = k[7]
+    s109 = k[8]
+    u_x = k[9]
+    u_y = k[10]
+    s128 = k[11]
+    s150 = k[12]
+    s516 = k[13]
     s62 = -q*s60 + s59
     C_x = axis_x*s62 + s65
     C_y = axis_y*s62 + s68
@@ -374,69 +374,68 @@ def _newton(x, q, tool, k):
     s623 = s207*s585 + s208*s591 + s249*(-0.5*s562 - 0.5*s577 + s603) + s565 - s571
     s624 = s207*s572 + s222*s591 + s246*(-0.5*s562 - 0.5*s596 + s603) - s569 + s584
     s625 = s208*s572 + s222*s585 + s243*(-0.5*s577 - 0.5*s596 + s603) + s582 - s590
-    out = np.zeros((len(x), 16))
-    out[:, 0] = s151
-    out[:, 1] = s157
-    out[:, 2] = s155
-    out[:, 3] = s153
-    out[:, 4] = s264
-    out[:, 5] = s265
-    out[:, 6] = s266
-    out[:, 7] = s258
-    out[:, 8] = s517
-    out[:, 9] = s523
-    out[:, 10] = s521
-    out[:, 11] = s519
-    out[:, 12] = s623
-    out[:, 13] = s624
-    out[:, 14] = s625
-    out[:, 15] = s617
+    out = np.zeros((16, *(k.shape[1], x.shape[-1])))
+    out[0] = s151
+    out[1] = s157
+    out[2] = s155
+    out[3] = s153
+    out[4] = s264
+    out[5] = s265
+    out[6] = s266
+    out[7] = s258
+    out[8] = s517
+    out[9] = s523
+    out[10] = s521
+    out[11] = s519
+    out[12] = s623
+    out[13] = s624
+    out[14] = s625
+    out[15] = s617
     return out
 
 
 def _parameters(x, q, tool, k):
-    """Per rod of one limb: derivatives of the closure by errors, by deflections: (N, 18)."""
-    px = x[:, 0]
-    py = x[:, 1]
-    pz = x[:, 2]
-    cx = x[:, 3]
-    cy = x[:, 4]
-    cz = x[:, 5]
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    tz = tool[:, 2]
-    q = q
-    s60 = k[:, 0]
-    s59 = k[:, 1]
-    axis_x = k[:, 2]
-    s65 = k[:, 3]
-    axis_y = k[:, 4]
-    s68 = k[:, 5]
-    axis_z = k[:, 6]
-    s106 = k[:, 7]
-    s109 = k[:, 8]
-    u_x = k[:, 9]
-    u_y = k[:, 10]
-    s128 = k[:, 11]
-    s58 = k[:, 21]
-    s280 = k[:, 22]
-    s278 = k[:, 23]
-    s286 = k[:, 24]
-    s326 = k[:, 25]
-    s354 = k[:, 26]
-    s358 = k[:, 27]
-    s361 = k[:, 28]
-    s397 = k[:, 29]
-    s425 = k[:, 30]
-    s429 = k[:, 31]
-    s432 = k[:, 32]
-    s468 = k[:, 33]
-    s495 = k[:, 34]
-    s498 = k[:, 35]
-    s501 = k[:, 36]
-    s628 = k[:, 37]
-    s504 = k[:, 38]
-    s656 = k[:, 39]
+    """Per rod of one limb: derivatives of the closure by errors, by deflections: (18, limbs, N)."""
+    px = x[0]
+    py = x[1]
+    pz = x[2]
+    cx = x[3]
+    cy = x[4]
+    cz = x[5]
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    s60 = k[0]
+    s59 = k[1]
+    axis_x = k[2]
+    s65 = k[3]
+    axis_y = k[4]
+    s68 = k[5]
+    axis_z = k[6]
+    s106 = k[7]
+    s109 = k[8]
+    u_x = k[9]
+    u_y = k[10]
+    s128 = k[11]
+    s58 = k[21]
+    s280 = k[22]
+    s278 = k[23]
+    s286 = k[24]
+    s326 = k[25]
+    s354 = k[26]
+    s358 = k[27]
+    s361 = k[28]
+    s397 = k[29]
+    s425 = k[30]
+    s429 = k[31]
+    s432 = k[32]
+    s468 = k[33]
+    s495 = k[34]
+    s498 = k[35]
+    s501 = k[36]
+    s628 = k[37]
+    s504 = k[38]
+    s656 = k[39]
     s62 = -q*s60 + s59
     C_x = axis_x*s62 + s65
     C_y = axis_y*s62 + s68
@@ -519,94 +518,93 @@ def _parameters(x, q, tool, k):
     s645 = s326*s610 + s354*s612 - s521*s65 + s635 + s636 + s637 + s638 + s642 + s643 + s644
     s650 = s397*s610 + s425*s612 + s429*s614 + s432*s616
     s655 = s468*s610 + s495*s612 + s498*s614 + s501*s616
-    out = np.zeros((len(x), 18))
-    out[:, 0] = s277
-    out[:, 1] = s282
-    out[:, 2] = s288
-    out[:, 3] = s363
-    out[:, 4] = s434
-    out[:, 5] = s503
-    out[:, 6] = s259
-    out[:, 7] = s504
-    out[:, 8] = s288
-    out[:, 9] = s627
-    out[:, 10] = s630
-    out[:, 11] = s634
-    out[:, 12] = s645
-    out[:, 13] = s650
-    out[:, 14] = s655
-    out[:, 15] = s618
-    out[:, 16] = s656
-    out[:, 17] = s634
+    out = np.zeros((18, *(k.shape[1], x.shape[-1])))
+    out[0] = s277
+    out[1] = s282
+    out[2] = s288
+    out[3] = s363
+    out[4] = s434
+    out[5] = s503
+    out[6] = s259
+    out[7] = s504
+    out[8] = s288
+    out[9] = s627
+    out[10] = s630
+    out[11] = s634
+    out[12] = s645
+    out[13] = s650
+    out[14] = s655
+    out[15] = s618
+    out[16] = s656
+    out[17] = s634
     return out
 
 
 def _sphere(x, q, tool, k):
-    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d: (N, 4)."""
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    tz = tool[:, 2]
-    q = q
-    s60 = k[:, 0]
-    s660 = k[:, 14]
-    s665 = k[:, 15]
-    h = k[:, 16]
-    s672 = k[:, 17]
+    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d: (4, limbs, N)."""
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    s60 = k[0]
+    s660 = k[14]
+    s665 = k[15]
+    h = k[16]
+    s672 = k[17]
     s687 = -s660 + tx
     s688 = -s665 + ty
     s689 = h - q*s60 + tz
     s696 = s672 + 0.5*(s687 * s687) + 0.5*(s688 * s688) + 0.5*(s689 * s689)
-    out = np.zeros((len(x), 4))
-    out[:, 0] = s687
-    out[:, 1] = s688
-    out[:, 2] = s689
-    out[:, 3] = s696
+    out = np.zeros((4, *(k.shape[1], x.shape[-1])))
+    out[0] = s687
+    out[1] = s688
+    out[2] = s689
+    out[3] = s696
     return out
 
 
 def _joint(x, q, tool, k):
-    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it: (N, 1)."""
-    px = x[:, 0]
-    py = x[:, 1]
-    pz = x[:, 2]
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    tz = tool[:, 2]
-    s660 = k[:, 14]
-    s665 = k[:, 15]
-    h = k[:, 16]
-    s672 = k[:, 17]
-    s674 = k[:, 18]
-    s680 = k[:, 19]
-    s684 = k[:, 20]
+    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it: (1, limbs, N)."""
+    px = x[0]
+    py = x[1]
+    pz = x[2]
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    s660 = k[14]
+    s665 = k[15]
+    h = k[16]
+    s672 = k[17]
+    s674 = k[18]
+    s680 = k[19]
+    s684 = k[20]
     s669 = -h + pz - tz
     s670 = (s669 * s669)
     s673 = 0.5*s670 + s672 + 0.5*((px + s660 - tx) * (px + s660 - tx)) + 0.5*((py + s665 - ty) * (py + s665 - ty))
     s686 = s669*s684 - np.sqrt(s670*s680 + s673*s674)
-    out = np.zeros((len(x), 1))
-    out[:, 0] = s686
+    out = np.zeros((1, *(k.shape[1], x.shape[-1])))
+    out[0] = s686
     return out
 
 
 def _spin(x):
-    """Turn about the axes of {O} by the Cayley vector: (N, 9)."""
-    cx = x[:, 3]
-    cy = x[:, 4]
-    cz = x[:, 5]
+    """Turn about the axes of {O} by the Cayley vector: (9, N)."""
+    cx = x[3]
+    cy = x[4]
+    cz = x[5]
     s78 = (1.0 / (0.25*(cx * cx) + 0.25*(cy * cy) + 0.25*(cz * cz) + 1))
     s697 = -0.5*cz*s78
     s698 = 0.5*cy*s78
     s699 = -0.5*cx*s78
-    out = np.zeros((len(x), 9))
-    out[:, 0] = s78
-    out[:, 1] = s697
-    out[:, 2] = s698
-    out[:, 3] = -s697
-    out[:, 4] = s78
-    out[:, 5] = s699
-    out[:, 6] = -s698
-    out[:, 7] = -s699
-    out[:, 8] = s78
+    out = np.zeros((9, *x.shape[1:]))
+    out[0] = s78
+    out[1] = s697
+    out[2] = s698
+    out[3] = -s697
+    out[4] = s78
+    out[5] = s699
+    out[6] = -s698
+    out[7] = -s699
+    out[8] = s78
     return out
 
 
@@ -614,41 +612,51 @@ def _of(k, chosen):
     return k[chosen] if len(k) > 1 else k
 
 
+def _turned(x, q, tool, k):
+    """Return arrays as the kernels read them: poses last, limbs before them, so that one call does all limbs.
+
+    Few poses are laid out for every limb, and constants for every pose: matching shapes is most of what a small
+    operation of NumPy costs.
+    """
+    if len(x) > FEW:
+        return x.T.copy(), q.T.copy(), tool.T.copy(), k.T.copy()
+    x, tool, k = (np.broadcast_to(a, (len(a), 3, len(x))).copy() for a in (x.T[:, None], tool.T[:, None], k.T))
+    return x, q.T.copy(), tool, k
+
+
+def _by_rod(values):
+    """Return what a kernel gives of the rods of a limb (rods k, limbs, N) as (6, k, N): limb by limb."""
+    by_rod = values.reshape(2, -1, *values.shape[1:])
+    return by_rod.transpose(2, 0, 1, 3).reshape(6, -1, values.shape[2])
+
+
 def _closure(x, q, tool, k):
-    """Return F (N, 6), J_x (N, 6, 6) and the joints' part J_q (N, 6)."""
-    parts = [_newton(x, q[:, i], tool, k[:, i]).reshape(len(x), 2, 8) for i in range(3)]
-    rows = np.concatenate(parts, axis=1)
-    return rows[:, :, 0], rows[:, :, 1 : 7], rows[:, :, 7]
+    """Return F (6, N), J_x (6, 6, N) and the joints' part J_q (6, N)."""
+    rows = _by_rod(_newton(*_turned(x, q, tool, k)))
+    return rows[:, 0], rows[:, 1 : 7], rows[:, 7]
 
 
 def _solve(A, B):
-    """Return X of A X = B (N, n, m) by Gauss elimination with partial pivoting, and (N,) whether A is regular."""
-    A, B = A.copy(), B.copy()
-    n = A.shape[1]
-    smallest = PIVOT_SINGULAR * np.abs(A).max(axis=(1, 2), initial=0.0)
-    regular = np.isfinite(A).all(axis=(1, 2))
-    every = np.arange(len(A))
-    for c in range(n):
-        pivot = c + np.argmax(np.abs(A[:, c:, c]), axis=1)
-        A[every, c], A[every, pivot] = A[every, pivot], A[every, c].copy()
-        B[every, c], B[every, pivot] = B[every, pivot], B[every, c].copy()
-        regular &= np.abs(A[:, c, c]) > smallest
-        head = np.where(regular, A[:, c, c], 1.0)
-        factor = A[:, c + 1 :, c] / head[:, None]
-        A[:, c + 1 :] -= factor[:, :, None] * A[:, None, c]
-        B[:, c + 1 :] -= factor[:, :, None] * B[:, None, c]
-    for c in range(n - 1, -1, -1):
-        B[:, c] /= np.where(regular, A[:, c, c], 1.0)[:, None]
-        B[:, :c] -= A[:, :c, c, None] * B[:, None, c]
-    return B, regular
+    """Return X of A X = B (n, m, N) by Gauss-Jordan elimination, partial pivoting, and (N,) whether A is regular."""
+    n, both, every = len(A), np.concatenate([A, B], axis=1), np.arange(A.shape[2])
+    pivots = np.empty((n, len(every)))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        for c in range(n):
+            pivot = c + np.abs(both[c:, c]).argmax(axis=0)
+            row = both[pivot, c:, every].T
+            both[pivot, c:, every] = both[c, c:].T
+            pivots[c] = row[0]
+            row = row[1:] / row[0]
+            both[:, c + 1 :] -= both[:, c, None] * row
+            both[c, c + 1 :] = row
+    return both[:, n:], (np.abs(pivots) > PIVOT_SINGULAR * np.abs(A).max(axis=(0, 1), initial=0.0)).all(axis=0)
 
 
 def jacobians(x, q, tool, k, F, J_x, J_q, J_p):
     """See ``kinematics.jacobians``."""
-    F[:], J_x[:], J_q[:] = _closure(x, q, tool, k)
-    for i in range(3):
-        rows = slice(2 * i, 2 * i + 2)
-        J_p[:, rows] = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 2, 9)
+    for given, found in zip((F, J_x, J_q), _closure(x, q, tool, k), strict=True):
+        given[:] = np.moveaxis(found, -1, 0)
+    J_p[:] = np.moveaxis(_by_rod(_parameters(*_turned(x, q, tool, k))), -1, 0)
 
 
 def _meet(sphere):
@@ -676,17 +684,16 @@ def forward(q, tool, k, x, status, warm):
     status[:] = UNREACHABLE
     if not (warm and np.isfinite(x).all()):
         x[:] = 0.0
-        sphere = np.stack([_sphere(x, q[:, i], tool, k[:, i]) for i in range(3)], axis=1)
-        x[:, :3], apart = _meet(sphere)
+        x[:, :3], apart = _meet(_sphere(*_turned(x, q, tool, k)).T)
         status[~apart] = SINGULAR
     active = np.flatnonzero(status == UNREACHABLE)
     for _ in range(MAX_STEPS):
         if not len(active):
             break
         F, J_x, _ = _closure(x[active], q[active], tool[active], _of(k, active))
-        step, regular = _solve(J_x, F[:, :, None])
-        status[active[~regular]] = np.where(np.abs(F[~regular]).max(axis=1, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
-        active, step = active[regular], step[regular, :, 0]
+        step, regular = _solve(J_x, F[:, None])
+        status[active[~regular]] = np.where(np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        active, step = active[regular], step[:, 0, regular].T
         x[active] -= step
         size = np.abs(step).max(axis=1, initial=0.0)
         status[active[size < STEP_DONE]] = SOLVED
@@ -699,22 +706,21 @@ def inverse(target, tool, k, x, q, status):
     x[:] = 0.0
     x[:, :3] = target
     with np.errstate(invalid="ignore"):
-        for i in range(3):
-            start = _joint(x, 0.0, tool, k[:, i])
-            q[:, i] = start[:, 0]
+        x_, _, tool_, k_ = _turned(x, q, tool, k)
+        start = _joint(x_, 0.0, tool_, k_)
+    q[:] = start[0].T
     status[:] = UNREACHABLE
     active = np.flatnonzero(np.isfinite(q).all(axis=1))
     for _ in range(MAX_STEPS):
         if not len(active):
             break
         F, J_x, J_q = _closure(x[active], q[active], tool[active], _of(k, active))
-        A = np.zeros((len(active), 6, 6))
-        for r in range(6):
-            A[:, r, r // 2] = J_q[:, r]
-        A[:, :, 3:] = J_x[:, :, 3:]
-        step, regular = _solve(A, F[:, :, None])
-        status[active[~regular]] = np.where(np.abs(F[~regular]).max(axis=1, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
-        active, step = active[regular], step[regular, :, 0]
+        A = np.zeros((6, 6, len(active)))
+        A[range(6), np.arange(6) // 2] = J_q
+        A[:, 3:] = J_x[:, 3:]
+        step, regular = _solve(A, F[:, None])
+        status[active[~regular]] = np.where(np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        active, step = active[regular], step[:, 0, regular].T
         q[active] -= step[:, :3]
         x[active, 3:] -= step[:, 3:]
         size = np.abs(step).max(axis=1, initial=0.0)
@@ -726,13 +732,12 @@ def inverse(target, tool, k, x, q, status):
 def sensitivity(x, q, tool, k, S_p, S_q, status):
     """See ``kinematics.sensitivity``."""
     _, J_x, J_q = _closure(x, q, tool, k)
-    unit, regular = _solve(J_x, np.tile(-np.eye(6), (len(x), 1, 1)))
+    unit, regular = _solve(J_x, np.tile(-np.eye(6)[:, :, None], len(x)))
     status[:] = np.where(regular, SOLVED, SINGULAR)
-    unit[~regular] = np.nan
-    for i in range(3):
-        rows = slice(2 * i, 2 * i + 2)
-        J_p = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 2, 9)
-        S_p[:, :, 9 * i : 9 * i + 9] = unit[:, :, rows] @ J_p
-        S_q[:, :, i] = (unit[:, :, rows] * J_q[:, None, rows]).sum(axis=2)
-    W = _spin(x).reshape(-1, 3, 3)
+    unit[:, :, ~regular] = np.nan
+    by_limb = unit.reshape(6, 3, 2, -1).transpose(3, 1, 0, 2)
+    J_p = _parameters(*_turned(x, q, tool, k)).reshape(2, 9, 3, -1).transpose(3, 2, 0, 1)
+    S_p[:] = (by_limb @ J_p).transpose(0, 2, 1, 3).reshape(S_p.shape)
+    S_q[:] = np.moveaxis((unit * J_q).reshape(6, 3, 2, -1).sum(axis=2), -1, 0)
+    W = _spin(x.T).T.reshape(-1, 3, 3)
     S_p[:, 3:], S_q[:, 3:] = W @ S_p[:, 3:], W @ S_q[:, 3:]

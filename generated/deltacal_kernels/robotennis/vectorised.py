@@ -1,7 +1,7 @@
 """Kinematics of `robotennis` in plain NumPy: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both a43fda1b72a5a676; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 33b1e9764597f233; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -10,6 +10,7 @@ small job is done before Numba would be loaded, and the compiled kernels have an
 import numpy as np
 
 SOLVED, UNREACHABLE, SINGULAR = 0, 1, 2
+FEW = 100  # poses at once, up to which calls of NumPy cost more than what they compute
 MAX_STEPS = 30
 STEP_DONE = 1e-9  # mm and rad; Newton is quadratic: after such a step the rest is rounding
 STEP_LOST = 1e5  # mm and rad; a step of this size leads nowhere
@@ -93,29 +94,28 @@ def constants(p):
 
 
 def _newton(x, q, tool, k):
-    """Per rod of one limb: closure, its derivatives by the platform, by the joint: (N, 5)."""
-    px = x[:, 0]
-    py = x[:, 1]
-    pz = x[:, 2]
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    tz = tool[:, 2]
-    q = q
-    theta0 = k[:, 0]
-    u_x = k[:, 1]
-    u_y = k[:, 2]
-    s11 = k[:, 3]
-    s14 = k[:, 4]
-    s16 = k[:, 5]
-    s20 = k[:, 6]
-    s22 = k[:, 7]
-    tip_v = k[:, 8]
-    px0 = k[:, 9]
-    py0 = k[:, 10]
-    pz0 = k[:, 11]
-    s31 = k[:, 12]
-    s33 = k[:, 13]
-    s46 = k[:, 14]
+    """Per rod of one limb: closure, its derivatives by the platform, by the joint: (5, limbs, N)."""
+    px = x[0]
+    py = x[1]
+    pz = x[2]
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    theta0 = k[0]
+    u_x = k[1]
+    u_y = k[2]
+    s11 = k[3]
+    s14 = k[4]
+    s16 = k[5]
+    s20 = k[6]
+    s22 = k[7]
+    tip_v = k[8]
+    px0 = k[9]
+    py0 = k[10]
+    pz0 = k[11]
+    s31 = k[12]
+    s33 = k[13]
+    s46 = k[14]
     s6 = q + theta0
     s7 = np.cos(s6)
     arm_x = s7*u_x
@@ -141,39 +141,38 @@ def _newton(x, q, tool, k):
     s53 = 0.5*s52
     s73 = -arm_z*(-s11*s51*u_y - s11*s53*u_x - s49*tip_v)
     s74 = s7*(-s11*s49 - s14*s53 - s20*s51) + s73
-    out = np.zeros((len(x), 5))
-    out[:, 0] = s47
-    out[:, 1] = s53
-    out[:, 2] = s51
-    out[:, 3] = s49
-    out[:, 4] = s74
+    out = np.zeros((5, *(k.shape[1], x.shape[-1])))
+    out[0] = s47
+    out[1] = s53
+    out[2] = s51
+    out[3] = s49
+    out[4] = s74
     return out
 
 
 def _parameters(x, q, tool, k):
-    """Per rod of one limb: derivatives of the closure by errors, by deflections: (N, 11)."""
-    px = x[:, 0]
-    py = x[:, 1]
-    pz = x[:, 2]
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    tz = tool[:, 2]
-    q = q
-    theta0 = k[:, 0]
-    u_x = k[:, 1]
-    u_y = k[:, 2]
-    s11 = k[:, 3]
-    s14 = k[:, 4]
-    s16 = k[:, 5]
-    s20 = k[:, 6]
-    s22 = k[:, 7]
-    tip_v = k[:, 8]
-    px0 = k[:, 9]
-    py0 = k[:, 10]
-    pz0 = k[:, 11]
-    s31 = k[:, 12]
-    s33 = k[:, 13]
-    s77 = k[:, 22]
+    """Per rod of one limb: derivatives of the closure by errors, by deflections: (11, limbs, N)."""
+    px = x[0]
+    py = x[1]
+    pz = x[2]
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    theta0 = k[0]
+    u_x = k[1]
+    u_y = k[2]
+    s11 = k[3]
+    s14 = k[4]
+    s16 = k[5]
+    s20 = k[6]
+    s22 = k[7]
+    tip_v = k[8]
+    px0 = k[9]
+    py0 = k[10]
+    pz0 = k[11]
+    s31 = k[12]
+    s33 = k[13]
+    s77 = k[22]
     s6 = q + theta0
     s7 = np.cos(s6)
     arm_x = s7*u_x
@@ -210,35 +209,34 @@ def _parameters(x, q, tool, k):
     s89 = s14*s59 - s16*s51 + s22*s53 + s31*s51 - s33*s53 + s86 + s87 + s88
     s92 = -s49*s7 - s59*u_y - s63*u_x
     s95 = s51*u_x - s53*u_y
-    out = np.zeros((len(x), 11))
-    out[:, 0] = s75
-    out[:, 1] = s77
-    out[:, 2] = s80
-    out[:, 3] = s74
-    out[:, 4] = s89
-    out[:, 5] = -s80
-    out[:, 6] = s53
-    out[:, 7] = s51
-    out[:, 8] = s49
-    out[:, 9] = s92
-    out[:, 10] = s95
+    out = np.zeros((11, *(k.shape[1], x.shape[-1])))
+    out[0] = s75
+    out[1] = s77
+    out[2] = s80
+    out[3] = s74
+    out[4] = s89
+    out[5] = -s80
+    out[6] = s53
+    out[7] = s51
+    out[8] = s49
+    out[9] = s92
+    out[10] = s95
     return out
 
 
 def _sphere(x, q, tool, k):
-    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d: (N, 4)."""
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    tz = tool[:, 2]
-    q = q
-    theta0 = k[:, 0]
-    s11 = k[:, 3]
-    pz0 = k[:, 11]
-    s46 = k[:, 14]
-    s96 = k[:, 15]
-    s98 = k[:, 16]
-    s100 = k[:, 17]
-    s102 = k[:, 18]
+    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d: (4, limbs, N)."""
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    theta0 = k[0]
+    s11 = k[3]
+    pz0 = k[11]
+    s46 = k[14]
+    s96 = k[15]
+    s98 = k[16]
+    s100 = k[17]
+    s102 = k[18]
     s6 = q + theta0
     s7 = np.cos(s6)
     arm_z = np.sin(s6)
@@ -246,31 +244,31 @@ def _sphere(x, q, tool, k):
     s140 = -s100 - s102*s7 + ty
     s141 = arm_z*s11 - pz0 + tz
     s148 = 0.5*(s138 * s138) + 0.5*(s140 * s140) + 0.5*(s141 * s141) + s46
-    out = np.zeros((len(x), 4))
-    out[:, 0] = s138
-    out[:, 1] = s140
-    out[:, 2] = s141
-    out[:, 3] = s148
+    out = np.zeros((4, *(k.shape[1], x.shape[-1])))
+    out[0] = s138
+    out[1] = s140
+    out[2] = s141
+    out[3] = s148
     return out
 
 
 def _joint(x, q, tool, k):
-    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it: (N, 1)."""
-    px = x[:, 0]
-    py = x[:, 1]
-    pz = x[:, 2]
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    tz = tool[:, 2]
-    theta0 = k[:, 0]
-    pz0 = k[:, 11]
-    s96 = k[:, 15]
-    s98 = k[:, 16]
-    s100 = k[:, 17]
-    s102 = k[:, 18]
-    s117 = k[:, 19]
-    s124 = k[:, 20]
-    s129 = k[:, 21]
+    """Joint of the simplified limb at a given position, then the platform's coordinates that follow from it: (1, limbs, N)."""
+    px = x[0]
+    py = x[1]
+    pz = x[2]
+    tx = tool[0]
+    ty = tool[1]
+    tz = tool[2]
+    theta0 = k[0]
+    pz0 = k[11]
+    s96 = k[15]
+    s98 = k[16]
+    s100 = k[17]
+    s102 = k[18]
+    s117 = k[19]
+    s124 = k[20]
+    s129 = k[21]
     centre_z = pz + pz0 - tz
     s97 = px + s96 - tx
     s101 = py + s100 - ty
@@ -279,8 +277,8 @@ def _joint(x, q, tool, k):
     s118 = 0.5*(s101 * s101) + 0.5*s106 + s117 + 0.5*(s97 * s97)
     s127 = np.sqrt((s104 * s104) + s106*s124 - (s118 * s118))
     s136 = -theta0 + np.arctan2(centre_z*s118*s129 + s104*s127, centre_z*s127*s129 - s104*s118)
-    out = np.zeros((len(x), 1))
-    out[:, 0] = s136
+    out = np.zeros((1, *(k.shape[1], x.shape[-1])))
+    out[0] = s136
     return out
 
 
@@ -288,41 +286,51 @@ def _of(k, chosen):
     return k[chosen] if len(k) > 1 else k
 
 
+def _turned(x, q, tool, k):
+    """Return arrays as the kernels read them: poses last, limbs before them, so that one call does all limbs.
+
+    Few poses are laid out for every limb, and constants for every pose: matching shapes is most of what a small
+    operation of NumPy costs.
+    """
+    if len(x) > FEW:
+        return x.T.copy(), q.T.copy(), tool.T.copy(), k.T.copy()
+    x, tool, k = (np.broadcast_to(a, (len(a), 3, len(x))).copy() for a in (x.T[:, None], tool.T[:, None], k.T))
+    return x, q.T.copy(), tool, k
+
+
+def _by_rod(values):
+    """Return what a kernel gives of the rods of a limb (rods k, limbs, N) as (3, k, N): limb by limb."""
+    by_rod = values.reshape(1, -1, *values.shape[1:])
+    return by_rod.transpose(2, 0, 1, 3).reshape(3, -1, values.shape[2])
+
+
 def _closure(x, q, tool, k):
-    """Return F (N, 3), J_x (N, 3, 3) and the joints' part J_q (N, 3)."""
-    parts = [_newton(x, q[:, i], tool, k[:, i]).reshape(len(x), 1, 5) for i in range(3)]
-    rows = np.concatenate(parts, axis=1)
-    return rows[:, :, 0], rows[:, :, 1 : 4], rows[:, :, 4]
+    """Return F (3, N), J_x (3, 3, N) and the joints' part J_q (3, N)."""
+    rows = _by_rod(_newton(*_turned(x, q, tool, k)))
+    return rows[:, 0], rows[:, 1 : 4], rows[:, 4]
 
 
 def _solve(A, B):
-    """Return X of A X = B (N, n, m) by Gauss elimination with partial pivoting, and (N,) whether A is regular."""
-    A, B = A.copy(), B.copy()
-    n = A.shape[1]
-    smallest = PIVOT_SINGULAR * np.abs(A).max(axis=(1, 2), initial=0.0)
-    regular = np.isfinite(A).all(axis=(1, 2))
-    every = np.arange(len(A))
-    for c in range(n):
-        pivot = c + np.argmax(np.abs(A[:, c:, c]), axis=1)
-        A[every, c], A[every, pivot] = A[every, pivot], A[every, c].copy()
-        B[every, c], B[every, pivot] = B[every, pivot], B[every, c].copy()
-        regular &= np.abs(A[:, c, c]) > smallest
-        head = np.where(regular, A[:, c, c], 1.0)
-        factor = A[:, c + 1 :, c] / head[:, None]
-        A[:, c + 1 :] -= factor[:, :, None] * A[:, None, c]
-        B[:, c + 1 :] -= factor[:, :, None] * B[:, None, c]
-    for c in range(n - 1, -1, -1):
-        B[:, c] /= np.where(regular, A[:, c, c], 1.0)[:, None]
-        B[:, :c] -= A[:, :c, c, None] * B[:, None, c]
-    return B, regular
+    """Return X of A X = B (n, m, N) by Gauss-Jordan elimination, partial pivoting, and (N,) whether A is regular."""
+    n, both, every = len(A), np.concatenate([A, B], axis=1), np.arange(A.shape[2])
+    pivots = np.empty((n, len(every)))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        for c in range(n):
+            pivot = c + np.abs(both[c:, c]).argmax(axis=0)
+            row = both[pivot, c:, every].T
+            both[pivot, c:, every] = both[c, c:].T
+            pivots[c] = row[0]
+            row = row[1:] / row[0]
+            both[:, c + 1 :] -= both[:, c, None] * row
+            both[c, c + 1 :] = row
+    return both[:, n:], (np.abs(pivots) > PIVOT_SINGULAR * np.abs(A).max(axis=(0, 1), initial=0.0)).all(axis=0)
 
 
 def jacobians(x, q, tool, k, F, J_x, J_q, J_p):
     """See ``kinematics.jacobians``."""
-    F[:], J_x[:], J_q[:] = _closure(x, q, tool, k)
-    for i in range(3):
-        rows = slice(1 * i, 1 * i + 1)
-        J_p[:, rows] = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 1, 11)
+    for given, found in zip((F, J_x, J_q), _closure(x, q, tool, k), strict=True):
+        given[:] = np.moveaxis(found, -1, 0)
+    J_p[:] = np.moveaxis(_by_rod(_parameters(*_turned(x, q, tool, k))), -1, 0)
 
 
 def _meet(sphere):
@@ -350,17 +358,16 @@ def forward(q, tool, k, x, status, warm):
     status[:] = UNREACHABLE
     if not (warm and np.isfinite(x).all()):
         x[:] = 0.0
-        sphere = np.stack([_sphere(x, q[:, i], tool, k[:, i]) for i in range(3)], axis=1)
-        x[:, :3], apart = _meet(sphere)
+        x[:, :3], apart = _meet(_sphere(*_turned(x, q, tool, k)).T)
         status[~apart] = SINGULAR
     active = np.flatnonzero(status == UNREACHABLE)
     for _ in range(MAX_STEPS):
         if not len(active):
             break
         F, J_x, _ = _closure(x[active], q[active], tool[active], _of(k, active))
-        step, regular = _solve(J_x, F[:, :, None])
-        status[active[~regular]] = np.where(np.abs(F[~regular]).max(axis=1, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
-        active, step = active[regular], step[regular, :, 0]
+        step, regular = _solve(J_x, F[:, None])
+        status[active[~regular]] = np.where(np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        active, step = active[regular], step[:, 0, regular].T
         x[active] -= step
         size = np.abs(step).max(axis=1, initial=0.0)
         status[active[size < STEP_DONE]] = SOLVED
@@ -373,22 +380,21 @@ def inverse(target, tool, k, x, q, status):
     x[:] = 0.0
     x[:, :3] = target
     with np.errstate(invalid="ignore"):
-        for i in range(3):
-            start = _joint(x, 0.0, tool, k[:, i])
-            q[:, i] = start[:, 0]
+        x_, _, tool_, k_ = _turned(x, q, tool, k)
+        start = _joint(x_, 0.0, tool_, k_)
+    q[:] = start[0].T
     status[:] = UNREACHABLE
     active = np.flatnonzero(np.isfinite(q).all(axis=1))
     for _ in range(MAX_STEPS):
         if not len(active):
             break
         F, J_x, J_q = _closure(x[active], q[active], tool[active], _of(k, active))
-        A = np.zeros((len(active), 3, 3))
-        for r in range(3):
-            A[:, r, r // 1] = J_q[:, r]
-        A[:, :, 3:] = J_x[:, :, 3:]
-        step, regular = _solve(A, F[:, :, None])
-        status[active[~regular]] = np.where(np.abs(F[~regular]).max(axis=1, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
-        active, step = active[regular], step[regular, :, 0]
+        A = np.zeros((3, 3, len(active)))
+        A[range(3), np.arange(3) // 1] = J_q
+        A[:, 3:] = J_x[:, 3:]
+        step, regular = _solve(A, F[:, None])
+        status[active[~regular]] = np.where(np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
+        active, step = active[regular], step[:, 0, regular].T
         q[active] -= step[:, :3]
         x[active, 3:] -= step[:, 3:]
         size = np.abs(step).max(axis=1, initial=0.0)
@@ -400,11 +406,10 @@ def inverse(target, tool, k, x, q, status):
 def sensitivity(x, q, tool, k, S_p, S_q, status):
     """See ``kinematics.sensitivity``."""
     _, J_x, J_q = _closure(x, q, tool, k)
-    unit, regular = _solve(J_x, np.tile(-np.eye(3), (len(x), 1, 1)))
+    unit, regular = _solve(J_x, np.tile(-np.eye(3)[:, :, None], len(x)))
     status[:] = np.where(regular, SOLVED, SINGULAR)
-    unit[~regular] = np.nan
-    for i in range(3):
-        rows = slice(1 * i, 1 * i + 1)
-        J_p = _parameters(x, q[:, i], tool, k[:, i]).reshape(len(x), 1, 11)
-        S_p[:, :, 11 * i : 11 * i + 11] = unit[:, :, rows] @ J_p
-        S_q[:, :, i] = (unit[:, :, rows] * J_q[:, None, rows]).sum(axis=2)
+    unit[:, :, ~regular] = np.nan
+    by_limb = unit.reshape(3, 3, 1, -1).transpose(3, 1, 0, 2)
+    J_p = _parameters(*_turned(x, q, tool, k)).reshape(1, 11, 3, -1).transpose(3, 2, 0, 1)
+    S_p[:] = (by_limb @ J_p).transpose(0, 2, 1, 3).reshape(S_p.shape)
+    S_q[:] = np.moveaxis((unit * J_q).reshape(3, 3, 1, -1).sum(axis=2), -1, 0)

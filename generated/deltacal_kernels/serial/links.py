@@ -1,7 +1,7 @@
 """Links of `serial`: Open chain of revolute and prismatic joints.
 
 Generated from derive/mechanisms/serial.py by "deltacal kernels". Do not edit.
-Template templates/chain/links.py.jinja; sha256 of both ff5db93b12fd4952; SymPy 1.14.0.
+Template templates/chain/links.py.jinja; sha256 of both 1c50ba098aec2d48; SymPy 1.14.0.
 
 Plain NumPy over all poses at once, which stand last in every array: x (2, N) the joint's variable as a turn and as a
 slide, one of them zero; p (9, M) the link's parameters, M being 1 or N:
@@ -46,7 +46,7 @@ def _standard(x, p):
     s25 = s12*s4
     s26 = along_x*s5
     s27 = along_x*s9
-    out = np.zeros((54, x.shape[1]))
+    out = np.zeros((54, *x.shape[1:]))
     out[0] = s11
     out[1] = s13
     out[2] = s16
@@ -116,7 +116,7 @@ def _modified(x, p):
     s39 = s10*s34 - s12*s31
     s40 = s12*s28
     s41 = -s10*s28
-    out = np.zeros((54, x.shape[1]))
+    out = np.zeros((54, *x.shape[1:]))
     out[0] = s6
     out[1] = s8
     out[2] = s9
