@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
+from importlib.util import cache_from_source
 from pathlib import Path
 
 import deltacal_kernels
@@ -126,6 +127,7 @@ def test_kernels_are_compiled_ahead(run: Run, monkeypatch: pytest.MonkeyPatch) -
     code, out, _ = run("kernels", "--warm")
     assert code == 0
     told = [line.split() for line in out.splitlines()]
+    assert Path(cache_from_source(str(commands.__file__))).exists()
     assert {f"{KERNEL}.{name}" for name in ("forward", "inverse", "sensitivity")} <= {name for *_, name in told}
     assert all(unit == "s" and float(seconds) >= 0 for seconds, unit, _ in told)
     assert compiled.found(compiled.PACKAGE / KERNEL, "kinematics._forward")

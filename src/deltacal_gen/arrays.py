@@ -14,10 +14,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cached_property
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from deltacal_gen.errors import NoSolutionError, UsageError
 from deltacal_gen.estimation import Fit, Problem, fit, pose_problem, rough
@@ -26,7 +25,10 @@ from deltacal_gen.mechanism import SOLVED, STATUS, Array, load_mechanism, mechan
 from deltacal_gen.solvers import Factored, LeastSquares, Solver
 from deltacal_gen.units import file_unit, to_internal
 
-GIVEN = Path("arrays")  # stands in messages where a file's name would
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+GIVEN = "arrays"  # stands in messages where a file's name would
 MACHINES = 128  # at once: their readings stay in the cache
 
 
@@ -187,8 +189,14 @@ def estimate(
     everything = pose_problem(robot, recording, (), as_distance=as_distance)
     first = rough(everything, robust)
     names = everything.mechanism.model(model)
-    rule = LeastSquares() if solver is None else solver
-    return fit(everything.with_names(names), rule, errors=first.errors, instrument=first.instrument, robust=robust)
+    return fit(
+        everything.with_names(names),
+        LeastSquares() if solver is None else solver,
+        errors=first.errors,
+        machine=first.machine,
+        instrument=first.instrument,
+        robust=robust,
+    )
 
 
 class PoseSet:

@@ -236,8 +236,18 @@ def derivation(
 
 
 def warm(progress: Callable[[str, float], None] = lambda name, seconds: None) -> dict[str, float]:
-    """Compile the kernels of all mechanisms ahead; return the seconds of each, and tell them as they are done."""
+    """Compile modules to byte code and the kernels of all mechanisms ahead; return and tell the seconds of each."""
+    import compileall
+    import importlib.util
+    import time
+
     spent: dict[str, float] = {}
+    for package in ("deltacal_gen", "deltacal_kernels"):
+        start, found = time.perf_counter(), importlib.util.find_spec(package)
+        if found is not None and found.origin is not None:
+            compileall.compile_dir(Path(found.origin).parent, quiet=2)  # a folder that cannot be written stays as it is
+        spent[package] = time.perf_counter() - start
+        progress(package, spent[package])
     for name in mechanism_names():
         if (tables := load_mechanism(name)).links is None:
             for kernel, seconds in tables.compile():
@@ -334,7 +344,7 @@ def simulate(
         raise UsageError("noise must be a number of mm that is not negative, and seed an integer from 0.")
     robot = _robot(robot)
     given = _recording(poses, robot, need_measured=False, allow_targets=True)
-    if not isinstance(poses, Recording) and not given.path.with_suffix(".toml").exists():
+    if not isinstance(poses, Recording) and not Path(given.path).with_suffix(".toml").exists():
         given = dataclasses.replace(given, measurement=dataclasses.replace(given.measurement, frame="robot"))
     robot, errors, terms = _truth(robot, truth)
     done = simulation.simulate(

@@ -5,7 +5,10 @@ Each class carries the exit code of the command line (contract, section 6).
 
 from __future__ import annotations
 
-from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 
 class DeltacalError(Exception):

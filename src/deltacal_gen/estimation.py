@@ -12,6 +12,7 @@ import dataclasses
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 
@@ -39,8 +40,7 @@ USUAL_COUNTS = 3  # readings that this knowledge is worth
 GROSS = 6.0  # standard deviations beyond which a reading is listed as a gross error
 
 
-@dataclass(frozen=True)
-class Linearised:
+class Linearised(NamedTuple):
     """Residuals and Jacobians of all readings at one state; rows (R, k), NaN where a component was not read."""
 
     residual: Array
@@ -48,7 +48,7 @@ class Linearised:
     J_m: Array
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Problem:
     """A robot, its readings, and which parameters are free.
 
@@ -115,8 +115,8 @@ class Problem:
             A row that readings refer to has no pose: out of reach or singular.
         """
         machine, status = self.body.solve(*self.split(parameters), near, self.held)
-        self.body.check(status, np.unique(self.readings.rows), self.recording)
-        return dataclasses.replace(machine, x=np.where(np.isfinite(machine.x), machine.x, 0.0))
+        self.body.check(status, self.readings.used, self.recording)
+        return machine._replace(x=np.where(np.isfinite(machine.x), machine.x, 0.0))
 
     def poses(self, parameters: Array, near: Array | None = None) -> Array:
         """Return the exact platform poses (N, 12) of all rows; see `solve`."""
@@ -135,7 +135,7 @@ class Problem:
         """Return residuals and Jacobians at a vector of parameters and an instrument's state."""
         machine = self.solve(parameters) if machine is None else machine
         _, terms = self.split(parameters)
-        used = np.unique(self.readings.rows)
+        used = self.readings.used
         rows = machine.rows if len(machine.rows) == 1 else machine.rows[used]
         sensitivity = self.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)
         if not np.isfinite(sensitivity.parameters).all():
@@ -173,7 +173,7 @@ class Problem:
     ) -> Array:
         """Return the derivatives (R, k, n_c) of the readings by the coefficients of effects, free or not."""
         instrument = instrument.mounted(self.mechanism, parameters)
-        used = np.unique(self.readings.rows)
+        used = self.readings.used
         rows = machine.rows if len(machine.rows) == 1 else machine.rows[used]
         S = self.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)
         J, _ = instrument.linearise(self.readings, machine.x, self.effect_columns(terms, machine, used, S))
@@ -247,7 +247,7 @@ def pose_problem(
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Repeats:
     """Readings of one pose share what their pose has in common: an error of re-aiming, of the machine, of the model.
 
@@ -294,7 +294,7 @@ class Repeats:
         return float(max(excess, 0.0) / max(within, SMALLEST_SIGMA**2)), within, degrees
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Fit:
     """A fitted machine and instrument.
 
@@ -302,6 +302,8 @@ class Fit:
     ----------
     errors : (n_p,) array
         All source errors of the mechanism [mm, rad]; then the coefficients of effects.
+    machine : Deformed
+        With these errors, at all rows of the recording.
     residual : (R, k) array
         Measured minus predicted, NaN where a component was not read.
     weights : (R,) array
@@ -318,6 +320,7 @@ class Fit:
 
     problem: Problem
     errors: Array
+    machine: Deformed
     instrument: Instrument
     residual: Array
     weights: Array
@@ -361,6 +364,7 @@ def fit(
     solver: Solver | None = None,
     *,
     errors: Array | None = None,
+    machine: Deformed | None = None,
     instrument: Instrument | None = None,
     robust: bool = True,
     repeats: Repeats | None = None,
@@ -377,6 +381,8 @@ def fit(
         Rule for weak directions; default `LeastSquares`.
     errors : (n_p,) array, optional
         Where to start; default the robot file's.
+    machine : Deformed, optional
+        With these errors, where it has been solved already.
     instrument : Instrument, optional
         Where to start; default aligned with the machine there.
     robust : bool
@@ -399,7 +405,7 @@ def fit(
     """
     solver = LeastSquares() if solver is None else solver
     errors = problem.reference.copy() if errors is None else errors.copy()
-    machine = problem.solve(errors)
+    machine = problem.solve(errors) if machine is None else machine
     if instrument is None:
         instrument = problem.begin(errors, machine)
     n_m = instrument.n_unknown
@@ -472,6 +478,7 @@ def fit(
     return Fit(
         problem=problem,
         errors=errors,
+        machine=machine,
         instrument=instrument,
         residual=state.residual,
         weights=weights,
@@ -508,7 +515,7 @@ def held_out_errors(full: Fit, solver: Solver, parts: Sequence[tuple[np.ndarray,
         Masks (R,) of readings.
     """
     problem = full.problem
-    state = problem.linearise(full.errors, full.instrument)
+    state = problem.linearise(full.errors, full.instrument, full.machine)
     A_p, A_m, b = _system(state, full.sigma, full.weights, full.repeats, problem.scale)
     read = np.isfinite(state.residual)
     owner = np.repeat(np.arange(len(read)), read.sum(axis=1))
@@ -571,7 +578,7 @@ def robust_sigma(residual: Array, leverage: Array, robust: bool, found: Readings
         r = r[np.isfinite(r)]
         if not r.size:
             continue
-        spread = max(1.4826 * float(np.median(np.abs(r))), SMALLEST_SIGMA)
+        spread = max(1.4826 * _median(np.abs(r)), SMALLEST_SIGMA)
         if robust:  # Huber's proposal 2 from the median: efficient on normal noise, bounded on gross errors
             for _ in range(3):
                 clipped = np.clip(r / spread, -HUBER, HUBER)
@@ -585,6 +592,12 @@ def robust_sigma(residual: Array, leverage: Array, robust: bool, found: Readings
             usual = USUAL_NOISE[group]
             sigma[part] = np.sqrt((free * sigma[part] ** 2 + USUAL_COUNTS * usual**2) / (free + USUAL_COUNTS))
     return sigma
+
+
+def _median(values: Array) -> float:
+    """Return the median of finite values (n,); NumPy's own would first load masked arrays, a fifth of a first fit."""
+    middle = [(len(values) - 1) // 2, len(values) // 2]
+    return float(np.partition(values, middle)[middle].mean())
 
 
 def robust_weights(residual: Array, sigma: Array, drop: bool) -> Array:
@@ -683,8 +696,8 @@ def _shared_noise(problem: Problem, weights: Array) -> Array | None:
     found = problem.readings
     if not found.made:
         return None
-    rows, at = np.unique(found.rows, return_inverse=True)
-    a, b = at.reshape(found.rows.shape).T
+    rows = found.used
+    a, b = np.searchsorted(rows, found.rows).T
     x = problem.poses(problem.reference)[:, :3]
     direction = x[found.rows[:, 1]] - x[found.rows[:, 0]]
     direction /= np.linalg.norm(direction, axis=1)[:, None]

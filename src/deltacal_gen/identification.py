@@ -171,7 +171,7 @@ def identify(
     plausible(first)
     check_rows(first, recording)
     progress(f"fine stage: {len(names)} parameters of {chosen}")
-    final = fit(problem, rule, errors=first.errors, instrument=first.instrument, robust=robust)
+    final = fit(problem, rule, errors=first.errors, machine=first.machine, instrument=first.instrument, robust=robust)
     progress(f"held-out error: {FOLDS} folds")
     heldout = held_out(final, rule, folds(problem.readings, recording))
     progress("identifiability")

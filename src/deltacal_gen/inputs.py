@@ -10,14 +10,15 @@ import dataclasses
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from deltacal_gen.units import DEG
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from deltacal_gen.recording import Camera
     from deltacal_gen.robot import Masses, Transmission, Workspace
 
@@ -26,8 +27,7 @@ ROTATION = ("rx_deg", "ry_deg", "rz_deg")
 TEMPERATURE = re.compile(r"temp_(\w+_)?C")
 
 
-@dataclass(frozen=True)
-class Link:
+class Link(NamedTuple):
     """What a link of an open chain is, beside its dimensions.
 
     Parameters
@@ -132,7 +132,8 @@ class Recording:
 
     Parameters
     ----------
-    path : Path
+    path : Path or str
+        The file; where there is none, what messages say for it.
     kind : str
         position, pose, distance, gauge, contact, height or sphere.
     measurement : Measurement
@@ -168,7 +169,7 @@ class Recording:
         Channels that were set aside, and why.
     """
 
-    path: Path
+    path: Path | str
     kind: str
     measurement: Measurement
     joint_unit: str

@@ -10,6 +10,7 @@ import dataclasses
 import importlib
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from types import ModuleType
 from typing import Any
 
@@ -41,7 +42,7 @@ _TARGETS = {  # what of a reading effects may move, by column
 }
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Readings:
     """What was measured, reading by reading; a reading belongs to one row of the recording, a distance to two.
 
@@ -94,10 +95,15 @@ class Readings:
     def n_scalars(self) -> int:
         """Number of independent scalar readings: distances made of positions hold no more than those."""
         if self.made:
-            return min(len(self.values), 3 * len(np.unique(self.rows)) - 6)
+            return min(len(self.values), 3 * len(self.used) - 6)
         turns = sum(c >= 3 for c in self.components)
         turned = 0 if self.rotations is None else turns * int(np.isfinite(self.rotations[:, 0, 0]).sum())
         return int(np.isfinite(self.values).sum()) + turned
+
+    @cached_property
+    def used(self) -> np.ndarray:
+        """Rows of the recording to which readings belong, in their order."""
+        return np.flatnonzero(np.bincount(self.rows.ravel()))
 
     def subset(self, chosen: np.ndarray) -> Readings:
         """Return the readings of an index or mask."""
@@ -234,12 +240,11 @@ def both(recording: Recording, rows: np.ndarray, pairs: np.ndarray, values: Arra
 
 def _poses(recording: Recording) -> np.ndarray:
     """Return the pose (N,) of each row: label and set-up or, where there are no labels, joints and tool point."""
-    plain = len(np.unique(recording.pose)) == recording.n_rows
-    if plain and recording.pairs is None:
+    _, label = np.unique(recording.pose, return_inverse=True)
+    if label.max(initial=-1) + 1 == recording.n_rows and recording.pairs is None:
         tool = np.zeros((recording.n_rows, 3)) if recording.tool is None else np.nan_to_num(recording.tool)
         key = np.round(np.column_stack([recording.joints, tool, recording.setup]), 9)
         return np.ravel(np.unique(key, axis=0, return_inverse=True)[1])
-    _, label = np.unique(recording.pose, return_inverse=True)
     return np.ravel(np.unique(np.column_stack([label, recording.setup]), axis=0, return_inverse=True)[1])
 
 
@@ -284,7 +289,7 @@ def _some(recording: Recording, found: Readings) -> Readings:
     return found
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Instrument:
     """State of the instrument: one row of `state` per set-up, in the order of the generated `given`.
 

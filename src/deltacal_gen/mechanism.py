@@ -6,7 +6,6 @@ Shapes and units are checked here; the kernels below neither check nor raise. In
 from __future__ import annotations
 
 import dataclasses
-import difflib
 import importlib
 import time
 from collections.abc import Iterator, Mapping, Sequence
@@ -15,11 +14,10 @@ from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import cache, cached_property
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import deltacal_kernels
 import numpy as np
-from deltacal_kernels import compiled
 
 from deltacal_gen.errors import UsageError
 from deltacal_gen.rotation import Array, cayley_matrix, cayley_vector
@@ -41,8 +39,7 @@ STATUS = {
 }
 
 
-@dataclass(frozen=True)
-class GeometryKey:
+class GeometryKey(NamedTuple):
     """A nominal dimension as the robot file names it."""
 
     key: str
@@ -55,8 +52,7 @@ class GeometryKey:
     entry: int | None
 
 
-@dataclass(frozen=True)
-class Parameter:
+class Parameter(NamedTuple):
     """A source error of the whole machine, actual minus nominal; `typical` is the size of an ordinary one.
 
     `limb` counts from 1; 0 for an error that all limbs share. `error` is the name without the limb.
@@ -70,7 +66,7 @@ class Parameter:
     error: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Sensitivity:
     """Derivatives of the exact platform pose at N poses: shift of the reference point, turn about the axes of {O}.
 
@@ -98,8 +94,7 @@ class Sensitivity:
         return np.concatenate([flat, self.common.sum(axis=2)], axis=2) if self.common.shape[3] else flat
 
 
-@dataclass(frozen=True)
-class Loads:
+class Loads(NamedTuple):
     """What weights exert in a machine at N poses; each is conjugate to a displacement, positive along it.
 
     Attributes
@@ -299,6 +294,8 @@ class Mechanism:
         """
         full = self.full_name(name)
         if full not in self.models:
+            import difflib  # for the message alone
+
             near = difflib.get_close_matches(full, self.models, n=1)
             hint = f" Did you mean {near[0]}?" if near else ""
             raise UsageError(f"{self.name} has no model '{name}'; it has {', '.join(self.models)}.{hint}")
@@ -398,7 +395,9 @@ class Mechanism:
     @cached_property
     def _compiled_before(self) -> bool:
         """Whether their compiled code is on the disk."""
-        return compiled.found(compiled.PACKAGE / self.name, "kinematics._forward")
+        from deltacal_kernels import compiled  # which only asks where many small jobs have been done
+
+        return bool(compiled.found(compiled.PACKAGE / self.name, "kinematics._forward"))
 
     def compile(self) -> Iterator[tuple[str, float]]:
         """Compile all kernels, or load them from Numba's cache; yield each one's name and how long it took [s].

@@ -15,7 +15,7 @@ from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from types import ModuleType
-from typing import Any
+from typing import Any, NamedTuple
 
 import deltacal_kernels.effects
 import numpy as np
@@ -112,7 +112,7 @@ def displaces_points(kernels: ModuleType) -> bool:
     return any(t.startswith("tool.") for t in kernels.TARGETS)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Channels:
     """What a recording says beside joints and readings, row by row; None where it says nothing.
 
@@ -223,8 +223,7 @@ def complete_channels(
     return Channels(**filled | {"time": time}, order=have.order), said
 
 
-@dataclass(frozen=True)
-class Deformed:
+class Deformed(NamedTuple):
     """A machine moved by effects: what the kernels read, and the derivatives of what it sees by the coefficients."""
 
     x: Array

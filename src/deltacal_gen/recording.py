@@ -789,7 +789,7 @@ def _with_pairs(recording: Recording, pairs: _Rows, rows: _Rows, need_measured: 
         for name in ("pose_a", "pose_b"):
             for k, label in enumerate(pairs.columns[name]):
                 if label not in row_of:
-                    problem = f"{recording.path.name} has no pose '{label}'."
+                    problem = f"{Path(recording.path).name} has no pose '{label}'."
                     raise pairs.error(problem, "Correct the name or remove the row.", row=k, column=name)
         indices = np.array([[row_of[label] for label in pairs.columns[name]] for name in ("pose_a", "pose_b")]).T
         if (same := np.flatnonzero(indices[:, 0] == indices[:, 1])).size:

@@ -23,7 +23,7 @@ BLOCK = 1024  # rows of a tall matrix that are factored at once
 WEAKEST = 1e-6  # of the largest singular value: below it a direction is seen through finite errors at most
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Solution:
     """Solution of ``min |A u - b|`` under a solver's rule.
 
@@ -75,7 +75,7 @@ def jitter(diagonal: Array) -> Array:
     return np.where(diagonal > 0, 1e-12 * diagonal, 1.0)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Factored:
     """Linear least squares with the factor kept: one matrix, many right-hand sides.
 
