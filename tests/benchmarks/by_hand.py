@@ -296,7 +296,8 @@ def identify(theta, points, columns, forward=forward, matrix=identification_matr
 def main(forward=forward, matrix=identification_matrix):
     """Do what the command line asks for."""
     if sys.argv[1] == "identify":
-        table = np.loadtxt(sys.argv[2], delimiter=",", skiprows=1)
+        with open(sys.argv[2]) as file:  # by its name NumPy would first load what reads compressed files and addresses
+            table = np.loadtxt(file, delimiter=",", skiprows=1)
         points = [(np.zeros(3), table[:, 3:6])]
         print(*identify(np.radians(table[:, :3]), points, MODEL_18, forward, matrix))
     else:

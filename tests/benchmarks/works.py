@@ -586,7 +586,8 @@ def _process(*command: str) -> str:
         "JAX_COMPILATION_CACHE_DIR": str(place / "jax"),
         "JAX_PERSISTENT_CACHE_MIN_COMPILE_TIME_SECS": "0",
     }
-    environment.pop("NUMBA_CACHE_DIR", None)
+    for inherited in ("NUMBA_CACHE_DIR", "PYTHONDONTWRITEBYTECODE"):  # byte code is kept, as of what is installed
+        environment.pop(inherited, None)
     done = subprocess.run([sys.executable, *command], cwd=place, env=environment, capture_output=True, text=True)
     if done.returncode:
         raise RuntimeError(f"{' '.join(command)}\n{done.stderr}")
@@ -597,7 +598,8 @@ _API = """
 import sys
 import numpy as np
 from deltacal_gen import estimate, nominal
-table = np.loadtxt("recording.csv", delimiter=",", skiprows=1)
+with open("recording.csv") as file:  # by its name NumPy would first load what reads compressed files and addresses
+    table = np.loadtxt(file, delimiter=",", skiprows=1)
 robot = nominal("delta", {key: float(value) for key, value in zip(sys.argv[1::2], sys.argv[2::2])})
 found = estimate(robot, "18", np.radians(table[:, :3]), table[:, 3:6], as_distance=True)
 print(*found.errors)
