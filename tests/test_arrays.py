@@ -24,6 +24,7 @@ from deltacal_gen.robot import Robot, read_robot
 from tests.conftest import PROTOTYPE, plausible, rings
 from tests.test_every_mechanism import CASES
 
+MASSES = {"proximal": 1.2, "proximal_com": 0.4, "distal_rod": 0.15, "platform": 0.8}
 SIGMA = 0.005  # mm
 BESIDE = np.array([60.0, -20.0, -40.0])  # a second reference point [mm]
 FIRST_RESULT = """
@@ -35,8 +36,10 @@ from deltacal_gen import PoseSet, estimate, nominal
 data = np.load(sys.argv[1])
 found = estimate(nominal("delta", json.loads(sys.argv[2])), "32", data["joints"], data["measured"], tool=data["tool"],
                  as_distance=True)
+slow = sorted({"numpy.ma", "deltacal_kernels.compiled"} & sys.modules.keys())
 packages = {name.partition(".")[0] for name in sys.modules.keys() - before}
-print(json.dumps({"packages": sorted(packages - sys.stdlib_module_names), "parameters": found.parameters}))
+packages = sorted(packages - sys.stdlib_module_names)
+print(json.dumps({"packages": packages, "slow": slow, "parameters": found.parameters}))
 """
 
 
@@ -62,6 +65,7 @@ def test_a_first_result_needs_numpy_and_the_kernels_alone(measured: dict[str, np
     done = subprocess.run([sys.executable, "-c", FIRST_RESULT, *arguments], capture_output=True, text=True, check=True)
     found = json.loads(done.stdout)
     assert found["packages"] == ["deltacal_gen", "deltacal_kernels", "numpy"]
+    assert not found["slow"]  # a fifth of what an identification takes
     here = estimate(
         nominal("delta", PROTOTYPE["geometry"]),
         "32",
@@ -128,7 +132,11 @@ def test_results_are_written_where_the_caller_wants_them(name: str) -> None:
     x, _ = mechanism.forward(q, tool, rows)
     S = mechanism.sensitivity(x, q, tool, rows)
     target = x if mechanism.limbs > 3 else x[:, :3]
+    at, moved, down = (x, q, tool, rows), np.full((len(q), 3), 0.01), np.array([0.0, 0.0, -9.81])
     calls = [
+        lambda out: mechanism.undo(moved, *at, out=out),
+        lambda out: mechanism.torques(*at, MASSES, down, 2.0, out=out),
+        lambda out: mechanism.weights_at(*at, MASSES, out=out),
         lambda out: mechanism.forward(q, tool, rows, out=out)[0],
         lambda out: mechanism.positions(q, tool, rows, out=out),
         lambda out: mechanism.inverse(target, tool, rows, out=out)[0],
@@ -139,10 +147,20 @@ def test_results_are_written_where_the_caller_wants_them(name: str) -> None:
     for call in calls:
         alone = call(None)
         out = np.full(alone.shape, 7.0)
-        assert np.shares_memory(call(out), out)
+        returned = call(out)
+        assert returned is out or np.shares_memory(returned, out)
         assert np.allclose(out, alone, rtol=1e-9, atol=1e-9, equal_nan=True)
         with pytest.raises(ValueError, match="out is an array"):
             call(np.empty((1, 1)))
+    several = [lambda out: mechanism.loads(*at, MASSES, down, 2.0, out=out)]
+    several += [lambda out: mechanism.jacobians(*at, out=out)] if mechanism.links is None else []
+    for call in several:
+        alone = call(None)
+        out = [np.full(one.shape, 7.0) for one in alone]
+        assert all(given is filled for given, filled in zip(out, call(out), strict=True))
+        assert all(np.allclose(a, b, rtol=1e-9, atol=1e-9) for a, b in zip(out, alone, strict=True))
+        with pytest.raises(ValueError, match="out is an array"):
+            call([np.empty((1, 1))] * len(out))
     shapes = S.own.base.shape, S.joints.shape
     out = np.full(shapes[0], 7.0), np.full(shapes[1], 7.0)
     again = mechanism.sensitivity(x, q, tool, rows, out=out)

@@ -7,7 +7,7 @@ the link's. Forward position is explicit, so there is nothing to solve and no po
 from __future__ import annotations
 
 import importlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from types import ModuleType
 
@@ -24,6 +24,7 @@ from deltacal_gen.mechanism import (
     Mechanism,
     Parameter,
     Sensitivity,
+    filled,
     result,
 )
 from deltacal_gen.rotation import Array, to_vector
@@ -315,7 +316,7 @@ class Chain(Mechanism):
             q[open_] += sizes * step[going] * (FARTHEST / longest)
         return np.where((status == SOLVED)[:, None], q, np.nan), status
 
-    def undo(self, moved: Array, x: Array, q: Array, tool: Array, rows: Array) -> Array:
+    def undo(self, moved: Array, x: Array, q: Array, tool: Array, rows: Array, *, out: Array | None = None) -> Array:
         """Return the change of the joints (N, n_q) that undoes a small displacement `moved` of the pose.
 
         A shift (N, 3) is undone without turning the last frame, as far as the joints can; see `follow`.
@@ -323,8 +324,7 @@ class Chain(Mechanism):
         sizes = self._sizes(rows)
         whole = np.hstack([moved, np.zeros((len(moved), 6 - moved.shape[1]))])
         slope = self.sensitivity(x, q, tool, rows).joints * sizes
-        change: Array = -sizes * _prioritised(slope, whole, self._directions(rows))[0]
-        return change
+        return filled(out, -sizes * _prioritised(slope, whole, self._directions(rows))[0])
 
     @staticmethod
     def missed(x: Array, target: Array) -> Array:
@@ -349,7 +349,9 @@ class Chain(Mechanism):
         slope = self.sensitivity(x, q, tool, rows).joints[0, :3] * self._sizes(rows)
         return int(np.linalg.matrix_rank(slope, RANK * np.abs(slope).max()))
 
-    def jacobians(self, x: Array, q: Array, tool: Array, rows: Array) -> tuple[Array, Array, Array, Array]:
+    def jacobians(
+        self, x: Array, q: Array, tool: Array, rows: Array, *, out: Sequence[Array] | None = None
+    ) -> tuple[Array, Array, Array, Array]:
         """Raise UsageError: a chain's closure is its forward position; see `sensitivity`."""
         raise UsageError("an open chain has no loops to close; its derivatives are those of `sensitivity`.")
 
@@ -398,6 +400,8 @@ class Chain(Mechanism):
         masses: Mapping[str, float],
         fields: Array,
         payload: Array | float = 0.0,
+        *,
+        out: Sequence[Array] | None = None,
     ) -> Loads:
         """Return what the links' weights and the payload exert on the joints, by virtual work.
 
@@ -421,12 +425,15 @@ class Chain(Mechanism):
             for j, much in driven:
                 torque[j] += much * work
         none = np.zeros((len(q), self.limbs, 1))
-        return Loads(np.ascontiguousarray(torque.T), none[:, :, :0], none, np.ascontiguousarray(M.T))
+        return Loads.written(out, np.ascontiguousarray(torque.T), none[:, :, :0], none, np.ascontiguousarray(M.T))
 
-    def weights_at(self, x: Array, q: Array, tool: Array, rows: Array, masses: Mapping[str, float]) -> Array:
+    def weights_at(
+        self, x: Array, q: Array, tool: Array, rows: Array, masses: Mapping[str, float], *, out: Array | None = None
+    ) -> Array:
         """Return where the weights are, (N, links + 1, 3) [mm]: each link's centre of mass, and the payload."""
         placed = self._placed(self._poses(q, self.limbs, "joints"), rows)
-        return np.stack([*(self._centre(placed, k).T for k in range(len(self.links))), x[:, :3]], axis=1)
+        centres = (self._centre(placed, k).T for k in range(len(self.links)))
+        return filled(out, np.stack([*centres, x[:, :3]], axis=1))
 
     def _centre(self, placed: _Placed, k: int) -> Array:
         """Return where link k has its centre of mass, (3, N) [mm]."""

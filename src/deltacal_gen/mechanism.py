@@ -114,6 +114,11 @@ class Loads(NamedTuple):
     tension: Array
     moment: Array
 
+    @classmethod
+    def written(cls, out: Sequence[Array] | None, *values: Array) -> Loads:
+        """Return loads in the caller's arrays, where there are any; see `result`."""
+        return cls(*values if out is None else map(filled, out, values))
+
 
 def mechanism_names() -> tuple[str, ...]:
     """Return the names of all registered mechanisms."""
@@ -214,11 +219,19 @@ def result(out: Array | None, shape: tuple[int, ...]) -> Array:
     return out
 
 
+def filled(out: Array | None, values: Array) -> Array:
+    """Return values in the caller's `out`, or as they are where there is none; see `result`."""
+    if out is None:
+        return values
+    result(out, values.shape)[:] = values
+    return out
+
+
 class Mechanism:
     """Tables and kernels of one machine; the robot's numbers come in by every call.
 
-    `forward`, `positions`, `inverse` and `sensitivity` take `out=`, an array of the result's shape that they fill and
-    return: memory that is fresh costs more than what is computed into it.
+    What is computed at many poses takes `out=`, an array of the result's shape that is filled and returned, or a tuple
+    of them where there are several results: memory that is fresh costs more than what is computed into it.
     """
 
     links: tuple[Link, ...] | None = None  # of an open chain
@@ -572,10 +585,10 @@ class Mechanism:
         """Tell whether all positions of the machine are closed form."""
         return not rows[:, :, self._tables.SMALL].any()
 
-    def undo(self, moved: Array, x: Array, q: Array, tool: Array, rows: Array) -> Array:
+    def undo(self, moved: Array, x: Array, q: Array, tool: Array, rows: Array, *, out: Array | None = None) -> Array:
         """Return the change of the joints (N, n_q) that undoes a shift `moved` (N, 3) of the reference point."""
         speed = self.commanded(self.sensitivity(x, q, tool, rows).joints)
-        return np.asarray(np.linalg.solve(speed, -self.commanded(moved)[..., None])[..., 0])
+        return filled(out, np.asarray(np.linalg.solve(speed, -self.commanded(moved)[..., None])[..., 0]))
 
     def commanded(self, target: Array) -> Array:
         """Return what a command asks for of targets (N, 3): as many coordinates as there are joints."""
@@ -600,7 +613,9 @@ class Mechanism:
         full = np.hstack([x[:, :3], cayley_vector(x[:, 3:].reshape(-1, 3, 3))])
         return np.ascontiguousarray(full[:, self._at])
 
-    def jacobians(self, x: Array, q: Array, tool: Array, rows: Array) -> tuple[Array, Array, Array, Array]:
+    def jacobians(
+        self, x: Array, q: Array, tool: Array, rows: Array, *, out: Sequence[Array] | None = None
+    ) -> tuple[Array, Array, Array, Array]:
         """Return closure and Jacobians F (N, f), J_x (N, f, f), J_q (N, f), J_p (N, f, n_e + n_s + n_d).
 
         J_x holds the coordinates in `platform`. A row depends on the joint, errors and deflections of its own limb
@@ -608,8 +623,8 @@ class Mechanism:
         """
         x, q = self._own(self._poses(x, POSE, "poses")), self._poses(q, self.limbs, "joints")
         f, n_v = self._tables.EQUATIONS, self._width - len(self.geometry)
-        F, J_x = np.zeros((len(x), f)), np.zeros((len(x), f, f))
-        J_q, J_p = np.zeros((len(x), f)), np.zeros((len(x), f, n_v))
+        shapes = (len(x), f), (len(x), f, f), (len(x), f), (len(x), f, n_v)
+        F, J_x, J_q, J_p = map(result, [None] * len(shapes) if out is None else out, shapes)
         self.vectorised.jacobians(x, q, self._tool(tool, len(x)), self._constants(rows), F, J_x, J_q, J_p)
         return F, J_x, J_q, J_p
 
@@ -652,6 +667,8 @@ class Mechanism:
         masses: Mapping[str, float],
         fields: Array,
         payload: Array | float = 0.0,
+        *,
+        out: Sequence[Array] | None = None,
     ) -> Loads:
         """Return what weights exert in the machine, by virtual work on the closure.
 
@@ -663,6 +680,8 @@ class Mechanism:
             Acceleration that acts on the weights [m/s^2]: gravity in {O}, or minus their own (see `weights_at`).
         payload : float or (N,) array
             At the reference point [kg].
+        out : sequence of arrays, optional
+            Where they are written, as `Loads` has them.
         """
         q, tool = self._poses(q, self.limbs, "joints"), self._tool(tool, len(x))
         _, J_x, J_q, J_p = self.jacobians(x, q, tool, rows)
@@ -677,11 +696,12 @@ class Mechanism:
         first = J_limb.shape[3] - len(self.deflections)
         rods = [self.column(rod) - len(self.geometry) for rod in self._tables.RODS]
         along = J_limb[..., rods].sum(axis=3)  # a closure knows its own rod only
-        return Loads(
-            torque=W_q + exerted,
-            pull=(J_limb[..., first:] * per_limb[..., None]).sum(axis=2),
-            tension=along * per_limb / self._tables.RODS_PER_CLOSURE,
-            moment=moment,
+        return Loads.written(
+            out,
+            W_q + exerted,
+            (J_limb[..., first:] * per_limb[..., None]).sum(axis=2),
+            along * per_limb / self._tables.RODS_PER_CLOSURE,
+            moment,
         )
 
     def torques(
@@ -693,18 +713,21 @@ class Mechanism:
         masses: Mapping[str, float],
         gravity: Array,
         payload: Array | float = 0.0,
+        *,
+        out: Array | None = None,
     ) -> Array:
         """Return the static joint torques (N, n_q) [N mm] under gravity [m/s^2] and payload [kg]; see `loads`.
 
         Positive along the positive joint: gravity on a horizontal arm is negative.
         """
-        return self.loads(x, q, tool, rows, masses, gravity, payload).torque
+        return filled(out, self.loads(x, q, tool, rows, masses, gravity, payload).torque)
 
-    def weights_at(self, x: Array, q: Array, tool: Array, rows: Array, masses: Mapping[str, float]) -> Array:
+    def weights_at(
+        self, x: Array, q: Array, tool: Array, rows: Array, masses: Mapping[str, float], *, out: Array | None = None
+    ) -> Array:
         """Return where the weights are, (N, weights, 3) [mm], in the order of the fields of `loads`."""
         tool, none = self._tool(tool, len(x)), np.zeros(len(x))
-        points: Array = self._statics.points(self._own(x), q, tool, rows, self._masses(masses), none)
-        return points
+        return filled(out, self._statics.points(self._own(x), q, tool, rows, self._masses(masses), none))
 
     def _masses(self, masses: Mapping[str, float]) -> Array:
         return np.array([masses.get(name, 0.0) for name, _ in self._tables.MASSES])
