@@ -13,7 +13,7 @@ import pyarrow.csv
 import pyarrow.parquet as pq
 import pytest
 
-from deltacal_gen import commands, prediction, streams
+from deltacal_gen import commands, prediction, streams, validation
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.identification import identify
 from deltacal_gen.mechanism import load_mechanism
@@ -70,6 +70,10 @@ def test_blocks_are_the_recording(robot: Robot, errors: dict[str, float], tmp_pa
     predicted = read_recording(tmp_path / "predicted.csv", DELTA).measured
     np.testing.assert_allclose(predicted, prediction.predict(fitted.to_dict(), found).measured, rtol=0, atol=1e-9)
     assert np.std(predicted - found.measured) < 1.2 * NOISE
+
+    whole, parts = validation.validate(fitted.to_dict(), found), streams.validate(fitted.to_dict(), out, rows=50)
+    assert parts.pop("rows") == [{**row, "error_mm": pytest.approx(row["error_mm"])} for row in whole.pop("rows")]
+    assert parts == {key: value if isinstance(value, str) else pytest.approx(value) for key, value in whole.items()}
 
 
 def test_one_pass_is_the_linear_identification(robot: Robot, tmp_path: Path) -> None:
@@ -135,7 +139,12 @@ def test_blocks_from_the_command_line(robot: Robot, errors: dict[str, float], tm
     assert "not pinned" in {p["status"] for p in more["parameters"]}
 
     assert commands.predict_blocks(found, out, tmp_path / "predicted.csv") == 60
-    assert commands.validate(found, out)["rms_mm"] == pytest.approx(found["train_rms_mm"], rel=0.1)
+    assert "held-out" not in said.stdout
+    whole = commands.validate(found, out)
+    assert whole["rms_mm"] == pytest.approx(found["train_rms_mm"], rel=0.1)
+    assert commands.validate_blocks(found, out) == whole  # of one block
+    with pytest.raises(UsageError, match="not used in blocks"):
+        commands.validate_blocks(found | {"seen": {"joints": []}}, out)
     (tmp_path / "truth.toml").write_text('[[effects]]\nname = "joint_scale"\nlimb = 1\nscale = 1e-4\n')
     with pytest.raises(UsageError, match="effects are not simulated in blocks"):
         commands.simulate_blocks(robot, poses, out, truth=tmp_path / "truth.toml")
@@ -155,6 +164,7 @@ for name in sys.argv[3:]:
     streams.simulate(robot, folder / name, folder / "recording.csv", {"L_1": 0.1}, rows=rows)
     found = streams.identify(robot, folder / "recording.csv", "18", rows=rows, passes=1)
     streams.predict(found.to_dict(), folder / "recording.csv", folder / "predicted.csv", rows=rows)
+    streams.validate(found.to_dict(), folder / "recording.csv", rows=rows)
     peak.append(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
 print(json.dumps(peak))
 """

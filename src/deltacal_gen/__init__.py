@@ -44,6 +44,7 @@ _HOME = {
         "simulate_blocks",
         "study",
         "validate",
+        "validate_blocks",
     ),
     "compensation": ("Compensator",),
     "errors": ("DeltacalError", "InputError", "NoSolutionError", "UsageError"),

@@ -427,20 +427,21 @@ def _show_result(found: Mapping[str, Any]) -> None:
             f"tool position known to {w['median_mm']:.3f} mm over the workspace, {w['worst_mm']:.3f} at worst (1 std)"
         )
     held = found["heldout_rms_mm"]
+    beside = "" if held is None else f", [bold]held-out {_number(held)} mm[/bold]"  # nothing was held out of blocks
     screen.print(
         f"[bold]{counts['identified']} of {sum(counts.values())} parameters identified[/bold], "
         f"{found['readings']['scalars']} readings: rms before {found['before_rms_mm']:.4f} -> "
-        f"after {found['train_rms_mm']:.4f} mm, [bold]held-out {_number(held)} mm[/bold] "
+        f"after {found['train_rms_mm']:.4f} mm{beside} "
         f"(noise {found['sigma_mm']:.4f}, {found['sigma_source']})"
     )
     from deltacal_gen.comparison import flattered
 
     if words_of_few := flattered(found):
         screen.print(words_of_few)
-    if beside := found.get("firmware"):
+    if firmware := found.get("firmware"):
         screen.print(
-            f"beside it, what firmware fits ({beside['model']}): {beside['train_rms_mm']:.4f} mm, "
-            f"held-out {_number(beside['heldout_rms_mm'])} mm"
+            f"beside it, what firmware fits ({firmware['model']}): {firmware['train_rms_mm']:.4f} mm, "
+            f"held-out {_number(firmware['heldout_rms_mm'])} mm"
         )
     chi2 = found["chi2_per_dof"]
     if chi2 is not None and chi2 > 2 and found["sigma_source"] != "residual":
@@ -636,12 +637,12 @@ def predict(
 
 
 @app.command()
-def validate(result: ResultFile, recording: RecordingFile, as_json: Json = False) -> None:
+def validate(result: ResultFile, recording: RecordingFile, blocks: Blocks = False, as_json: Json = False) -> None:
     """Hold a calibrated model against readings that it has not seen."""
     from deltacal_gen import commands
     from deltacal_gen.spectrum import words
 
-    found = commands.validate(result, recording)
+    found = commands.validate_blocks(result, recording) if blocks else commands.validate(result, recording)
     if as_json:
         _print_json(found)
         return

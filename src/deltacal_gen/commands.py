@@ -586,10 +586,28 @@ def predict_blocks(result: Source | Mapping[str, Any], recording: Source, output
     from deltacal_gen import streams
 
     check_output(output, result, recording, ending=(".csv",))
+    return streams.predict(_of_rows(result), recording, output)
+
+
+def _of_rows(result: Source | Mapping[str, Any], *also: str) -> Mapping[str, Any]:
+    """Return a result by which each row of a recording is predicted for itself; refuse what it has `also` too."""
     result = _result(result)
-    if result.get("effects") or result.get("correction") or result.get("physics"):
-        raise UsageError("effects are not predicted in blocks; leave --blocks out.")
-    return streams.predict(result, recording, output)
+    if any(result.get(name) for name in ("effects", "correction", "physics", *also)):
+        raise UsageError("a diagnosis, with its effects, is not used in blocks; leave --blocks out.")
+    return result
+
+
+def validate_blocks(result: Source | Mapping[str, Any], recording: Source) -> dict[str, Any]:
+    """Return the error of a calibrated model on a recording of any length, in a fixed memory; see `validate`.
+
+    Raises
+    ------
+    UsageError
+        A diagnosis with effects or a smooth correction: they may ask for the whole recording.
+    """
+    from deltacal_gen import streams
+
+    return streams.validate(_of_rows(result, "seen"), recording)
 
 
 def validate(result: Source | Mapping[str, Any], recording: Source | Recording) -> dict[str, Any]:

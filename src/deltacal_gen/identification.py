@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 import itertools
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -736,6 +736,33 @@ def uncertainty_map(final: Fit, robot: Robot) -> dict[str, Any] | None:
 # -------------------------------------------------------------------------------------------------- RESULT.json
 
 
+def parameter_table(
+    mechanism: Mechanism, change: Array, status: Mapping[str, str], deviation: Array
+) -> list[dict[str, Any]]:
+    """Return the parameters of a RESULT.json: all source errors of a mechanism, in the units of files.
+
+    Parameters
+    ----------
+    change : (n_p,) array
+        Actual minus robot file [mm, rad].
+    status : mapping
+        Of the parameters that were free, by their names.
+    deviation : (n,) array
+        Their standard deviations [mm, rad], in the order of `status`; one that is not pinned has none.
+    """
+    std = {name: float(d) for (name, s), d in zip(status.items(), deviation, strict=True) if s != "not pinned"}
+    return [
+        {
+            "name": p.name,
+            "value": float(value) / to_internal(p.unit),
+            "std": std[p.name] / to_internal(p.unit) if p.name in std else None,
+            "unit": file_unit(p.unit),
+            "status": status.get(p.name, "fixed"),
+        }
+        for p, value in zip(mechanism.parameters, change, strict=True)
+    ]
+
+
 def _result(found: Identification) -> dict[str, Any]:
     final, problem = found.fit, found.fit.problem
     mechanism, names = problem.mechanism, problem.names
@@ -744,34 +771,24 @@ def _result(found: Identification) -> dict[str, Any]:
     ruled_out = {name for c in (*found.unseen, *found.weak) for name in c.terms}
     by_prior = final.solution.rule.startswith("priors")
     by_data = _share_of_data(final)
-    parameters = []
-    for p in mechanism.parameters:
-        factor = to_internal(p.unit)
-        value = float(final.errors[mechanism.index[p.name]] - found.in_file[mechanism.index[p.name]])
-        entry: dict[str, Any] = {"name": p.name, "value": value / factor, "std": None, "unit": file_unit(p.unit)}
-        if p.name not in names:
-            entry["status"] = "fixed"
-        else:
-            j = names.index(p.name)
-            known = by_data[j] > RESOLVED if by_prior else p.name not in ruled_out
-            given = by_prior and found.prior_given[j]
-            entry["status"] = "identified" if known else "pinned by prior" if given else "not pinned"
-            if known or given:
-                entry["std"] = float(deviation[j] / factor)
-        parameters.append(entry)
+    status: dict[str, str] = {}
+    for j, name in enumerate(names):
+        known = by_data[j] > RESOLVED if by_prior else name not in ruled_out
+        given = by_prior and found.prior_given[j]
+        status[name] = "identified" if known else "pinned by prior" if given else "not pinned"
     sigma, source = found.noise.sigma, found.noise.source
     residual_sigma = coordinate_sigma(final)
     return {
         "schema": SCHEMA,
         "model": found.model,
-        "parameters": parameters,
+        "parameters": parameter_table(mechanism, final.errors - found.in_file, status, deviation),
         "rank": found.observability.rank,
         "rank_tolerance": identifiability.RANK_TOLERANCE,
         "singular_values": found.observability.singular_values.tolist(),
         "condition": found.observability.condition if np.isfinite(found.observability.condition) else None,
         "scaling": "columns in ordinary errors, rows in mm, unknown frame projected out, at the robot file's machine",
         "unidentifiable": [
-            {"seen": seen, "text": c.text, "terms": _terms(c, mechanism)}
+            {"seen": seen, "text": c.text, "terms": file_terms(c, mechanism)}
             for seen, part in (("not at all", found.unseen), ("less than noise", found.weak))
             for c in part
         ],
@@ -844,7 +861,8 @@ def _share_of_data(final: Fit) -> Array:
     return np.where(total < NOTHING_LEFT, 1.0, result)
 
 
-def _terms(c: Combination, mechanism: Mechanism) -> dict[str, float]:
+def file_terms(c: Combination, mechanism: Mechanism) -> dict[str, float]:
+    """Return the terms of a combination of parameters in the units of files."""
     return {n: v / to_internal(mechanism.parameters[mechanism.index[n]].unit) for n, v in c.terms.items()}
 
 

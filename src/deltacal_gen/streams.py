@@ -1,4 +1,4 @@
-"""Recordings of any length, some rows at a time: simulated, identified and predicted within a fixed memory.
+"""Recordings of any length, some rows at a time: simulated, identified, predicted and validated in a fixed memory.
 
 Readings of one set-up, on machines without effects: what a row reads then depends on that row alone. The
 identification is the fit of ``identify`` without its search for gross errors: in every pass over the file the rows
@@ -15,17 +15,16 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen import identifiability, prediction, simulation
+from deltacal_gen import identifiability, prediction, simulation, validation
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation import Problem, pose_problem
-from deltacal_gen.identification import SCHEMA
+from deltacal_gen.identification import SCHEMA, file_terms, parameter_table
 from deltacal_gen.inputs import Recording, Robot
-from deltacal_gen.measurement import Instrument
+from deltacal_gen.measurement import Instrument, readings
 from deltacal_gen.mechanism import Array, mechanism_of
 from deltacal_gen.recording import read_blocks, write_blocks
 from deltacal_gen.robot import robot_to_dict
 from deltacal_gen.solvers import LeastSquares
-from deltacal_gen.units import file_unit, to_internal
 
 ROWS = 10_000  # of a block: the derivatives of its poses take some 25 MB
 PASSES = 8  # over the file, at most
@@ -81,32 +80,20 @@ class Streamed:
         unseen = identifiability.unseen(self.matrix / typical, self.names, units, typical)
         seen = identifiability.observability(self.matrix, self.rows)
         open_ = {name for c in unseen for name in c.terms}
-        deviation = dict(zip(self.names, np.sqrt(np.maximum(np.diag(self.covariance)[:n], 0.0)), strict=True))
-        in_file, parameters = mechanism.vector(self.robot.errors), []
-        for p, error, drawn in zip(mechanism.parameters, self.errors, in_file, strict=True):
-            factor, status = to_internal(p.unit), "not pinned" if p.name in open_ else "identified"
-            status = status if p.name in self.names else "fixed"
-            std = float(deviation[p.name] / factor) if status == "identified" else None
-            value = float((error - drawn) / factor)
-            parameters.append({"name": p.name, "value": value, "std": std, "unit": file_unit(p.unit), "status": status})
+        deviation = np.sqrt(np.maximum(np.diag(self.covariance)[:n], 0.0))
+        status = {name: "not pinned" if name in open_ else "identified" for name in self.names}
+        change = self.errors - mechanism.vector(self.robot.errors)
         return {
             "schema": SCHEMA,
             "model": self.model,
-            "parameters": parameters,
+            "parameters": parameter_table(mechanism, change, status, deviation),
             "rank": seen.rank,
             "rank_tolerance": identifiability.RANK_TOLERANCE,
             "singular_values": seen.singular_values.tolist(),
             "condition": seen.condition if np.isfinite(seen.condition) else None,
             "scaling": "columns in ordinary errors, rows in mm, the instrument projected out, at the machine found",
             "unidentifiable": [
-                {
-                    "seen": "not at all",
-                    "text": c.text,
-                    "terms": {
-                        k: v / to_internal(mechanism.parameters[mechanism.index[k]].unit) for k, v in c.terms.items()
-                    },
-                }
-                for c in unseen
+                {"seen": "not at all", "text": c.text, "terms": file_terms(c, mechanism)} for c in unseen
             ],
             "readings": {"kind": "position", "scalars": self.scalars, "poses": self.rows},
             "before_rms_mm": self.before,
@@ -247,6 +234,21 @@ def predict(result: Mapping[str, Any], recording: str | Path, output: str | Path
     robot = prediction.calibrated_robot(result)
     blocks = read_blocks(recording, mechanism_of(robot), rows, need_measured=False)
     return write_blocks((prediction.predict(result, part) for part in blocks), output)
+
+
+def validate(result: Mapping[str, Any], recording: str | Path, *, rows: int = ROWS) -> dict[str, Any]:
+    """Return the error of a result on a recording file, `rows` at a time; see `validation.validate`.
+
+    Repeats of a pose may lie anywhere in the file: figures of ISO 9283 are not given.
+
+    Raises
+    ------
+    InputError
+        As `recording.read_blocks` and `validation.validate`.
+    """
+    blocks = read_blocks(recording, mechanism_of(prediction.calibrated_robot(result)), rows)
+    found = ((part, readings(part)) for part in blocks)
+    return validation.figures(result, ((of, prediction.residual(result, part, of)) for part, of in found))
 
 
 def _reduced(problem: Problem, errors: Array, instrument: Instrument, triangle: Array | None) -> Array:

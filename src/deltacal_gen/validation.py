@@ -8,13 +8,13 @@ mean. They need repeats of a pose; at fewer than two readings they are not given
 from __future__ import annotations
 
 import itertools
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
 
 from deltacal_gen import iso9283
-from deltacal_gen.estimation import rms
+from deltacal_gen.estimation import lengths
 from deltacal_gen.measurement import Readings, readings
 from deltacal_gen.mechanism import Array
 from deltacal_gen.prediction import calibrated_robot, residual
@@ -22,6 +22,7 @@ from deltacal_gen.recording import Recording
 from deltacal_gen.spectrum import never_seen
 
 __all__ = ["calibrated_robot", "validate"]
+WORST = 10  # readings that are listed
 
 
 def validate(result: Mapping[str, Any], recording: Recording) -> dict[str, Any]:
@@ -36,38 +37,50 @@ def validate(result: Mapping[str, Any], recording: Recording) -> dict[str, Any]:
     """
     found = readings(recording)
     r = residual(result, recording, found)
-    size = np.linalg.norm(np.nan_to_num(r[:, :3]), axis=1)
-    order = np.argsort(-size)[:10]
-    sigma = float(result["sigma_mm"])
-    error = rms(r)
-    out: dict[str, Any] = {
-        "schema": "deltacal.validation/1",
-        "kind": found.kind,
-        "readings": len(found),
-        "rms_mm": error,
-        "worst_mm": float(size.max()),
-        "sigma_mm": sigma,
-        "chi2_per_dof": (error / sigma) ** 2 if sigma > 0 else None,
-        "never_seen": never_seen(result.get("seen"), calibrated_robot(result).joint_sign * recording.joints),
-        "rows": [{"line": int(found.line[j]), "error_mm": float(size[j])} for j in order],
-    }
+    out = figures(result, [(found, r)])
+    out["never_seen"] = never_seen(result.get("seen"), calibrated_robot(result).joint_sign * recording.joints)
     if found.kind in ("position", "pose"):
         several = [g for g, n in enumerate(np.bincount(found.group)) if n > 1]
-        figures = [
+        repeated = [
             iso9283.pose(r[found.group == g, :3], np.zeros(3))
             for g in several  # residuals: attained minus wanted
         ]
-        if figures:
+        if repeated:
             out["iso9283"] = {
-                "poses": len(figures),
-                "AP_mean_mm": float(np.mean([f.accuracy for f in figures])),
-                "AP_max_mm": float(np.max([f.accuracy for f in figures])),
-                "RP_mean_mm": float(np.mean([f.repeatability for f in figures])),
-                "RP_max_mm": float(np.max([f.repeatability for f in figures])),
+                "poses": len(repeated),
+                "AP_mean_mm": float(np.mean([f.accuracy for f in repeated])),
+                "AP_max_mm": float(np.max([f.accuracy for f in repeated])),
+                "RP_mean_mm": float(np.mean([f.repeatability for f in repeated])),
+                "RP_max_mm": float(np.max([f.repeatability for f in repeated])),
                 **_distances(found, r, several),
                 "note": "wanted is what the calibrated model predicts at the joints commanded",
             }
     return out
+
+
+def figures(result: Mapping[str, Any], parts: Iterable[tuple[Readings, Array]]) -> dict[str, Any]:
+    """Return what `validate` says of readings one by one; they come in parts, each with its residuals (R, k)."""
+    count = scalars = 0
+    squares, rows = 0.0, []
+    for found, r in parts:
+        size = np.linalg.norm(np.nan_to_num(r[:, :3]), axis=1)
+        read = lengths(r)
+        read = read[np.isfinite(read)]
+        count, scalars, squares = count + len(found), scalars + len(read), squares + float(read @ read)
+        rows += [{"line": int(found.line[j]), "error_mm": float(size[j])} for j in np.argsort(-size)[:WORST]]
+        rows = sorted(rows, key=lambda row: -row["error_mm"])[:WORST]
+    sigma, error = float(result["sigma_mm"]), float(np.sqrt(squares / scalars)) if scalars else float("nan")
+    return {
+        "schema": "deltacal.validation/1",
+        "kind": found.kind,
+        "readings": count,
+        "rms_mm": error,
+        "worst_mm": rows[0]["error_mm"],
+        "sigma_mm": sigma,
+        "chi2_per_dof": (error / sigma) ** 2 if sigma > 0 else None,
+        "never_seen": [],
+        "rows": rows,
+    }
 
 
 def _distances(found: Readings, r: Array, several: list[int]) -> dict[str, float]:

@@ -1,7 +1,7 @@
 """Long recordings: ``python -m tests.benchmarks.memory [--rows 1000000]``.
 
-A recording of so many positions is simulated, identified in one linear pass and predicted in blocks, from CSV and from
-Parquet; shown are the rows a second and the largest resident memory so far.
+A recording of so many positions is simulated, identified in one linear pass, predicted and validated in blocks, from
+CSV and from Parquet; shown are the rows a second and the largest resident memory so far.
 """
 
 from __future__ import annotations
@@ -53,6 +53,7 @@ def main(arguments: list[str] | None = None) -> int:
             _told(f"simulate, {kind}", rows, lambda: simulate(poses.with_suffix(f".{kind}")))  # noqa: B023
             found = _told(f"identify, {kind}", rows, lambda: streams.identify(ROBOT, measured, "18", passes=1))  # noqa: B023
             _told(f"predict, {kind}", rows, lambda: streams.predict(found.to_dict(), measured, predicted))  # noqa: B023
+            _told(f"validate, {kind}", rows, lambda: streams.validate(found.to_dict(), measured))  # noqa: B023
     return int(_resident() > ALLOWED_MIB)
 
 
