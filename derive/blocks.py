@@ -342,13 +342,17 @@ class Nominal:
     Attributes
     ----------
     runs : tuple of (int, int, tuple of int)
-        First error, error after the last, and the equations of a limb that these change.
+        First error, error after the last, and the equations of a limb that these change: of each error as many.
+    factors, values : tuple of tuple of int
+        By equation, where in scratch each column of the sensitivity, limb by limb, has what is multiplied and summed.
     """
 
     kernels: Mapping[str, Kernel]
     errors: int
     positions: int
     runs: tuple[tuple[int, int, tuple[int, ...]], ...]
+    factors: tuple[tuple[int, ...], ...]
+    values: tuple[tuple[int, ...], ...]
 
 
 def nominal(mechanism: LimbMechanism, layout: Blocks) -> Nominal | None:
@@ -378,6 +382,9 @@ def nominal(mechanism: LimbMechanism, layout: Blocks) -> Nominal | None:
     places: dict[int, sp.Expr] = {}
     read: dict[sp.Symbol, str] = {}
     J = sp.zeros(f, n_x)
+    changed = [tuple(j for j in range(rods) if rates[s][j] != 0) for s in errors]
+    most = max(map(len, changed))
+    felt = [tuple(sorted({*some, *[j for j in range(rods) if j not in some][: most - len(some)]})) for some in changed]
     for j in range(rods):
         for c, s in enumerate(platform):
             slot = start + j * (n_x + 2) + 1 + c
@@ -387,7 +394,7 @@ def nominal(mechanism: LimbMechanism, layout: Blocks) -> Nominal | None:
                     J[layout.rows[i][j], c] = sp.Symbol(f"J{i}{j}_{c}", real=True)
                     read[J[layout.rows[i][j], c]] = lane(i * layout.stride + slot)
         for e, s in enumerate(errors):
-            if rates[s][j] != 0:
+            if j in felt[e]:
                 places[layout.limb["errors"] - start + j * width + e] = rates[s][j]
     outputs = [places.get(j) for j in range(max(places) + 1)]
 
@@ -411,10 +418,16 @@ def nominal(mechanism: LimbMechanism, layout: Blocks) -> Nominal | None:
         ),
         lowering.constants("nominal_constants", "what `nominal_sensitivity` reads that no pose changes"),
     ]
-    felt = [tuple(j for j in range(rods) if rates[s][j] != 0) for s in errors]
     first = [e for e in range(len(errors)) if e == 0 or felt[e] != felt[e - 1]]
     runs = tuple((e, end, felt[e]) for e, end in zip(first, [*first[1:], len(errors)], strict=True))
-    return Nominal({kernel.name: kernel for kernel in kernels}, len(errors), block.rows, runs)
+    columns = [(i, e) for i in range(limbs) for e in range(len(errors))]
+    factors = (((layout.shared["inverse"] + layout.rows[i][felt[e][t]]) * LANES for i, e in columns) for t in range(most))
+    values = (
+        ((i * layout.stride + layout.limb["errors"] + felt[e][t] * width + e) * LANES for i, e in columns)
+        for t in range(most)
+    )
+    by_name = {kernel.name: kernel for kernel in kernels}
+    return Nominal(by_name, len(errors), block.rows, runs, tuple(map(tuple, factors)), tuple(map(tuple, values)))
 
 
 class _System:

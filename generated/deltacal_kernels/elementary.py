@@ -116,6 +116,56 @@ def outer(_context, out, at, pitch, width, rows, w, factors, step, values, lanes
     return types.none(out, at, pitch, width, rows, w, factors, step, values, lanes, count), codegen
 
 
+@intrinsic(prefer_literal=True)
+def outer_of(_context, out, at, pitch, width, rows, w, pose, step, factors, values, columns, start, terms):
+    """Like `outer`, for eight chosen columns, ``columns[start : start + 8]``, the last again where there are no more.
+
+    The places of factors and values stand in arrays (terms, number of columns); w counts from `pose`.
+    """
+    if not isinstance(terms, types.IntegerLiteral):
+        return None
+    many = terms.literal_value
+
+    def codegen(context, builder, signature, arguments):
+        out, at, pitch, width, rows, w, pose, step, factors, values, columns, start = arguments[:12]
+        arrays = {j: context.make_array(signature.args[j])(context, builder, arguments[j]) for j in (0, 5, 8, 9, 10)}
+        vector, number = ir.VectorType(ir.DoubleType(), 8), start.type
+
+        def load(j, index):
+            return builder.load(builder.gep(arrays[j].data, [index]))
+
+        def eight(*offsets):
+            total = pose
+            for offset in offsets:
+                total = builder.add(total, offset)
+            return builder.load(builder.bitcast(builder.gep(arrays[5].data, [total]), vector.as_pointer()), align=8)
+
+        last = builder.sub(builder.extract_value(arrays[10].shape, 0), number(1))
+        apart = builder.extract_value(arrays[8].shape, 1)
+        places = []
+        for c in range(8):
+            index = builder.add(start, number(c))
+            column = load(10, builder.select(builder.icmp_signed("<", index, last), index, last))
+            terms = [builder.add(column, builder.mul(apart, number(t))) for t in range(many)]
+            places.append([(load(8, term), load(9, term)) for term in terms])
+        with cgutils.for_range(builder, rows) as loop:
+            row = builder.mul(loop.index, step)
+            sums = []
+            for column in places:
+                total = None
+                for factor, value in column:
+                    term = builder.fmul(eight(factor, row), eight(value), flags=("contract",))
+                    total = term if total is None else builder.fadd(total, term, flags=("contract",))
+                sums.append(total)
+            first = builder.add(at, builder.mul(loop.index, width))
+            for j, numbers in enumerate(_transposed(builder, sums)):
+                place = builder.gep(arrays[0].data, [builder.add(first, builder.mul(pitch, number(j)))])
+                builder.store(numbers, builder.bitcast(place, vector.as_pointer()), align=8)
+        return context.get_dummy_value()
+
+    return types.none(out, at, pitch, width, rows, w, pose, step, factors, values, columns, start, terms), codegen
+
+
 @njit(error_model="numpy", fastmath={"contract"})
 def _reduced(x):
     """Return r in -pi/4 .. pi/4 and the quarter turns, -2 .. 2, by which x is ahead of it."""

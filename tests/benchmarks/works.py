@@ -219,7 +219,7 @@ def matrix(n: int) -> Work:
     whole = partial(commands.matrix, ROBOT, recording, "32", as_distance=True, scaling="paper")
     chosen, at, H = [DELTA.index[name] for name in DELTA.model("32")], r + POINT, np.empty((n * (n - 1) // 2, 32))
     k, kept, wanted = DELTA.compiled.nominal_constants(DELTA.rows(ROBOT)), np.array(chosen), np.array(columns("32"))
-    C, part, out = np.empty((n, 3, 42)), np.empty((n, 3, len(chosen))), np.empty_like(H)
+    C, part, out, tool = np.empty((n, 3, 42)), np.empty((n, 3, len(chosen))), np.empty_like(H), POINT[None]
     return Work(
         f"identification matrix, {n} poses, {n * (n - 1) // 2} x 32",
         "us",
@@ -227,7 +227,7 @@ def matrix(n: int) -> Work:
         {
             OURS: Contender(whole, lambda found: found["H"]),
             KERNEL: Contender(
-                lambda: DELTA.compiled.distance_rows(at, theta, POINT[None], k, kept, H), lambda _: H / UNIT[chosen]
+                lambda: DELTA.compiled.distance_rows(at, theta, tool, k, kept, H), lambda _: H / UNIT[chosen]
             ),
             NUMPY: Contender(lambda: by_hand.identification_matrix(theta, r, POINT, columns("32"))),
             NUMBA: Contender(

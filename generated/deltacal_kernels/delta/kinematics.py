@@ -1,7 +1,7 @@
 """Kinematics of `delta`, many poses at once: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both d0393e3bb0658fb0; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both e5c247ef2f2b0fc6; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -19,7 +19,7 @@ import math
 import numpy as np
 
 from deltacal_kernels.compiled import kernel
-from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, scratch, sine, tangent, wide
+from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, outer_of, scratch, sine, tangent, wide
 from deltacal_kernels.straight import straight
 
 from . import vectorised
@@ -35,7 +35,10 @@ SPARE = 2304  # and that the last of its poses are written to
 CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
 APART = 1e-3  # squared sine between the centres' directions
 SIMPLIFIED = 3  # coordinates that `simplified_forward` gives: the others are zero
-NOTHING, NO_COLUMNS, NO_ROWS = np.empty(0), np.empty(0, dtype=np.int64), np.empty((0, 0))
+NOTHING, NO_COLUMNS, NO_ROWS = np.empty((0, 0, 0)), np.empty(0, dtype=np.int64), np.empty((0, 0))
+# where in scratch the terms of each column of the nominal sensitivity have their factors and values
+FACTORS = np.array(((9312, 9312, 9312, 9312, 9312, 9312, 9312, 9312, 9408, 9408, 9408, 9408, 9408, 9408, 9344, 9344, 9344, 9344, 9344, 9344, 9344, 9344, 9440, 9440, 9440, 9440, 9440, 9440, 9376, 9376, 9376, 9376, 9376, 9376, 9376, 9376, 9472, 9472, 9472, 9472, 9472, 9472),))
+VALUES = np.array(((1984, 2016, 2048, 2080, 2112, 2144, 2176, 2208, 2752, 2784, 2816, 2848, 2880, 2912, 4992, 5024, 5056, 5088, 5120, 5152, 5184, 5216, 5760, 5792, 5824, 5856, 5888, 5920, 8000, 8032, 8064, 8096, 8128, 8160, 8192, 8224, 8768, 8800, 8832, 8864, 8896, 8928),))
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
@@ -1276,12 +1279,11 @@ def _unload_joints(w, q, first, last):
 
 @fast
 def _forward(q, tool, k, x, status, warm, w):
-    joints, tools, poses = q.reshape(q.size), tool.reshape(tool.size), x.reshape(x.size)
     w_1 = w[0:3008]
     w_2 = w[3008:6016]
     w_3 = w[6016:9024]
     if len(tool) == 1:
-        _hold(tools, w, 0, 0, LANES)
+        _hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -1291,14 +1293,14 @@ def _forward(q, tool, k, x, status, warm, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(joints, w, first, last, n)
+            _load(q, w, first, last, n)
             if len(tool) > 1:
-                _hold(tools, w, first, last, n)
+                _hold(tool, w, first, last, n)
             _early(w_1, k_1, n)
             _early(w_2, k_2, n)
             _early(w_3, k_3, n)
             if warm:
-                _place(poses, w, first, last, n)
+                _place(x, w, first, last, n)
             else:
                 _meet(w, n)
             _begin(w, n)
@@ -1311,7 +1313,7 @@ def _forward(q, tool, k, x, status, warm, w):
                 _move(w, n)
                 if _settle(w, n) == 0:
                     break
-            left += _unload(w, poses, status, first, last)
+            left += _unload(w, x, status, first, last)
     return left
 
 
@@ -1335,12 +1337,11 @@ def forward(q, tool, k, x, status, warm):
 
 @fast
 def _inverse(target, tool, k, x, q, status, w):
-    targets, tools, poses, joints = target.reshape(target.size), tool.reshape(tool.size), x.reshape(x.size), q.reshape(q.size)
     w_1 = w[0:3008]
     w_2 = w[3008:6016]
     w_3 = w[6016:9024]
     if len(tool) == 1:
-        _hold(tools, w, 0, 0, LANES)
+        _hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -1350,9 +1351,9 @@ def _inverse(target, tool, k, x, q, status, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(targets, w, first, last, n)
+            _load(target, w, first, last, n)
             if len(tool) > 1:
-                _hold(tools, w, first, last, n)
+                _hold(tool, w, first, last, n)
             _aim(w, n)
             _start(w_1, k_1, n)
             _start(w_2, k_2, n)
@@ -1378,8 +1379,8 @@ def _inverse(target, tool, k, x, q, status, w):
                 _move(w, n)
                 if _settle_joints(w, n) == 0:
                     break
-            left += _unload(w, poses, status, first, last)
-            _unload_joints(w, joints, first, last)
+            left += _unload(w, x, status, first, last)
+            _unload_joints(w, q, first, last)
     return left
 
 
@@ -1631,12 +1632,11 @@ def _aim(w, n):
 @fast
 def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
     by_errors, by_joints = S_p.reshape(S_p.size), S_q.reshape(S_q.size)
-    joints, tools, poses = q.reshape(q.size), tool.reshape(tool.size), x.reshape(x.size)
     w_1 = w[0:3008]
     w_2 = w[3008:6016]
     w_3 = w[6016:9024]
     if len(tool) == 1:
-        _hold(tools, w, 0, 0, LANES)
+        _hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -1646,10 +1646,10 @@ def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(joints, w, first, last, n)
+            _load(q, w, first, last, n)
             if len(tool) > 1:
-                _hold(tools, w, first, last, n)
-            _place(poses, w, first, last, n)
+                _hold(tool, w, first, last, n)
+            _place(x, w, first, last, n)
             _begin(w, n)
             _move(w, n)
             _early(w_1, k_1, n)
@@ -1992,9 +1992,18 @@ def _nominal_inverse(w, n):
         w[9920 + lane] = s183
 
 
+@straight
+def _singular(w, poses):
+    """Return how many of the poses are not regular."""
+    many = 0
+    for lane in range(poses):
+        many += 0 if (w[9888 + lane] > 0.0) & (w[9920 + lane] > 0.0) else 1
+    return many
+
+
 @fast
 def _nominal_products(w, S, first, last):
-    """Multiply the inverse and the derivatives by the errors where they do not vanish; False where a pose is not regular."""
+    """Multiply the inverse and the derivatives by the errors where they do not vanish."""
     wide()
     for lane in range(0, last - first + 1, 8):
         whole = 126 * (first + lane + 8) <= S.size  # else the last poses are written through scratch
@@ -2005,22 +2014,18 @@ def _nominal_products(w, S, first, last):
         if not whole:
             for c in range(126 * (last + 1 - first - lane)):
                 S[126 * (first + lane) + c] = to[c]
-    regular = True
-    for lane in range(last - first + 1):
-        regular = (w[9888 + lane] > 0.0) & (w[9920 + lane] > 0.0) & regular
-    return regular
+@fast
+def _chosen_products(w, columns, C, first, last):
+    """The same for some columns; rows of C (N, 3, n) are filled up to a multiple of eight numbers."""
+    wide()
+    n = (columns.size + 7) // 8 * 8
+    for start in range(0, n, 8):
+        for lane in range(0, last - first + 1, 8):
+            outer_of(C, 3 * n * (first + lane) + start, 3 * n, n, 3, w, lane, 192, FACTORS, VALUES, columns, start, 1)
 
 
 @straight
-def _chosen(S, columns, C, rows, n):
-    """Take some columns of rows."""
-    for row in range(rows):
-        for j in range(n):
-            C[n * row + j] = S[42 * row + columns[j]]
-
-
-@straight
-def _along(x, C, H, towards, poses, n):
+def _along(x, C, m, H, n, towards, poses):
     """Fill the rows of all pairs: along the line from one position to the other, the difference of their derivatives."""
     row = 0
     for a in range(poses):
@@ -2037,41 +2042,41 @@ def _along(x, C, H, towards, poses, n):
             n_1 = towards[1 * poses + b]
             n_2 = towards[2 * poses + b]
             for j in range(n):
-                H[n * row + j] = n_0 * (C[n * (3 * b + 0) + j] - C[n * (3 * a + 0) + j]) + n_1 * (C[n * (3 * b + 1) + j] - C[n * (3 * a + 1) + j]) + n_2 * (C[n * (3 * b + 2) + j] - C[n * (3 * a + 2) + j])
+                H[n * row + j] = n_0 * (C[m * (3 * b + 0) + j] - C[m * (3 * a + 0) + j]) + n_1 * (C[m * (3 * b + 1) + j] - C[m * (3 * a + 1) + j]) + n_2 * (C[m * (3 * b + 2) + j] - C[m * (3 * a + 2) + j])
             row += 1
 
 
 @fast
 def _nominal_sensitivity(x, q, tool, k, S, columns, H, w):
     """Fill S; where it is empty, by way of scratch the rows H of distances, for some columns of it."""
-    room = 126 * ((x.shape[0] + 7) // 8 * 8)  # for whole blocks of eight, so that what follows begins on a boundary
-    rows = S if S.size > 0 else w[WORK + SPARE : WORK + SPARE + room]
-    positions, joints, tools = x.reshape(x.size), q.reshape(q.size), tool.reshape(tool.size)
+    poses, n, left, whole, C = x.shape[0], columns.size, 0, S.reshape(S.size), w[WORK + SPARE :]
     w_1 = w[0:3008]
     w_2 = w[3008:6016]
     w_3 = w[6016:9024]
     if len(tool) == 1:
-        _hold(tools, w, 0, 0, LANES)
-    poses, regular = q.size // 3, True
+        _hold(tool, w, 0, 0, LANES)
     k_1, k_2, k_3 = k[0, 0], k[0, 1], k[0, 2]
     for first in range(0, poses, LANES):
         last = min(first + LANES, poses) - 1
-        n = (last - first + 8) // 8 * 8
-        _load(positions, w, first, last, n)
+        block = (last - first + 8) // 8 * 8
+        _load(x, w, first, last, block)
         if len(tool) > 1:
-            _hold(tools, w, first, last, n)
-        _aim(w, n)
-        _load(joints, w, first, last, n)
-        _nominal(w_1, k_1, n)
-        _nominal(w_2, k_2, n)
-        _nominal(w_3, k_3, n)
-        _nominal_inverse(w, n)
-        regular = _nominal_products(w, rows, first, last) & regular
-    if S.size == 0:
-        C = w[WORK + SPARE + room :]
-        _chosen(rows, columns, C, 3 * poses, columns.size)
-        _along(positions, C, H.reshape(H.size), rows, poses, columns.size)  # the room of rows has served
-    return regular
+            _hold(tool, w, first, last, block)
+        _aim(w, block)
+        _load(q, w, first, last, block)
+        _nominal(w_1, k_1, block)
+        _nominal(w_2, k_2, block)
+        _nominal(w_3, k_3, block)
+        _nominal_inverse(w, block)
+        left += _singular(w, last - first + 1)
+        if whole.size > 0:
+            _nominal_products(w, whole, first, last)
+        else:
+            _chosen_products(w, columns, C, first, last)
+    if whole.size == 0:
+        m = (n + 7) // 8 * 8
+        _along(x, C, m, H, n, C[3 * (poses + 7) * m :], poses)
+    return left == 0
 
 
 def nominal_sensitivity(x, q, tool, k, S):
@@ -2081,7 +2086,7 @@ def nominal_sensitivity(x, q, tool, k, S):
     False where the machine is singular at one of the poses, or nearly so. With the errors of one limb in the order of
     ``parameters.ERRORS``.
     """
-    return _nominal_sensitivity(x, q, tool, k, S.reshape(-1), NO_COLUMNS, NO_ROWS, scratch(WORK + SPARE))
+    return _nominal_sensitivity(x, q, tool, k, S, NO_COLUMNS, NO_ROWS, scratch(WORK + SPARE))
 
 
 def distance_rows(x, q, tool, k, columns, H):
@@ -2090,5 +2095,5 @@ def distance_rows(x, q, tool, k, columns, H):
     x, q, tool, k as in `nominal_sensitivity`; columns (n,) of its errors. The sensitivities are contracted pose by pose
     and not returned. False as there.
     """
-    w = scratch(WORK + SPARE + 3 * (len(x) + 7) * (42 + len(columns)))
+    w = scratch(WORK + SPARE + 3 * (len(x) + 7) * (len(columns) + 8))
     return _nominal_sensitivity(x, q, tool, k, NOTHING, columns, H, w)

@@ -1,7 +1,7 @@
 """Kinematics of `planar_parallelogram`, many poses at once: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both e7559dc56934d02b; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 91fdf687a44649f7; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -19,7 +19,7 @@ import math
 import numpy as np
 
 from deltacal_kernels.compiled import kernel
-from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, scratch, sine, tangent, wide
+from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, outer_of, scratch, sine, tangent, wide
 from deltacal_kernels.straight import straight
 
 from . import vectorised
@@ -35,7 +35,7 @@ SPARE = 216  # and that the last of its poses are written to
 CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
 APART = 1e-3  # squared sine between the centres' directions
 SIMPLIFIED = 3  # coordinates that `simplified_forward` gives: the others are zero
-NOTHING, NO_COLUMNS, NO_ROWS = np.empty(0), np.empty(0, dtype=np.int64), np.empty((0, 0))
+NOTHING, NO_COLUMNS, NO_ROWS = np.empty((0, 0, 0)), np.empty(0, dtype=np.int64), np.empty((0, 0))
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
@@ -550,10 +550,9 @@ def _unload_joints(w, q, first, last):
 
 @fast
 def _forward(q, tool, k, x, status, warm, w):
-    joints, tools, poses = q.reshape(q.size), tool.reshape(tool.size), x.reshape(x.size)
     w_1 = w[0:2016]
     if len(tool) == 1:
-        _hold(tools, w, 0, 0, LANES)
+        _hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -561,12 +560,12 @@ def _forward(q, tool, k, x, status, warm, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(joints, w, first, last, n)
+            _load(q, w, first, last, n)
             if len(tool) > 1:
-                _hold(tools, w, first, last, n)
+                _hold(tool, w, first, last, n)
             _early(w_1, k_1, n)
             if warm:
-                _place(poses, w, first, last, n)
+                _place(x, w, first, last, n)
             else:
                 _meet(w, n)
             _begin(w, n)
@@ -577,7 +576,7 @@ def _forward(q, tool, k, x, status, warm, w):
                 _move(w, n)
                 if _settle(w, n) == 0:
                     break
-            left += _unload(w, poses, status, first, last)
+            left += _unload(w, x, status, first, last)
     return left
 
 
@@ -601,10 +600,9 @@ def forward(q, tool, k, x, status, warm):
 
 @fast
 def _inverse(target, tool, k, x, q, status, w):
-    targets, tools, poses, joints = target.reshape(target.size), tool.reshape(tool.size), x.reshape(x.size), q.reshape(q.size)
     w_1 = w[0:2016]
     if len(tool) == 1:
-        _hold(tools, w, 0, 0, LANES)
+        _hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -612,9 +610,9 @@ def _inverse(target, tool, k, x, q, status, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(targets, w, first, last, n)
+            _load(target, w, first, last, n)
             if len(tool) > 1:
-                _hold(tools, w, first, last, n)
+                _hold(tool, w, first, last, n)
             _aim(w, n)
             _start(w_1, k_1, n)
             _started(w, n)
@@ -630,8 +628,8 @@ def _inverse(target, tool, k, x, q, status, w):
                 _move(w, n)
                 if _settle_joints(w, n) == 0:
                     break
-            left += _unload(w, poses, status, first, last)
-            _unload_joints(w, joints, first, last)
+            left += _unload(w, x, status, first, last)
+            _unload_joints(w, q, first, last)
     return left
 
 
@@ -733,10 +731,9 @@ def _aim(w, n):
 @fast
 def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
     by_errors, by_joints = S_p.reshape(S_p.size), S_q.reshape(S_q.size)
-    joints, tools, poses = q.reshape(q.size), tool.reshape(tool.size), x.reshape(x.size)
     w_1 = w[0:2016]
     if len(tool) == 1:
-        _hold(tools, w, 0, 0, LANES)
+        _hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -744,10 +741,10 @@ def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(joints, w, first, last, n)
+            _load(q, w, first, last, n)
             if len(tool) > 1:
-                _hold(tools, w, first, last, n)
-            _place(poses, w, first, last, n)
+                _hold(tool, w, first, last, n)
+            _place(x, w, first, last, n)
             _begin(w, n)
             _move(w, n)
             _early(w_1, k_1, n)
