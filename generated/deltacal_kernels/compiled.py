@@ -69,6 +69,27 @@ def kernel(**options):
     return decorate
 
 
+def direct(compiled, *arguments):
+    """Return the machine code of a kernel for arguments of the types of these; it is compiled if need be.
+
+    A call from Python is spared Numba's look at every argument, which takes longer than a command for a servo loop, so
+    that what is given must be of these types. Within functions that Numba compiles it stands for the kernel.
+    """
+    from numba import typeof
+
+    code = compiled.compile(tuple(map(typeof, arguments)))
+    _announce(code, compiled)
+    return code
+
+
+@cache
+def _announce(code, compiled):
+    """Let Numba know what stands behind machine code."""
+    from numba import types
+
+    compiled.typingctx.insert_global(code, types.Dispatcher(compiled))
+
+
 @cache
 def _kept():
     """Return the class of caches; it builds on Numba, which only those import who compile."""

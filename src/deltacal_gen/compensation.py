@@ -25,6 +25,7 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
+from deltacal_kernels.compiled import direct
 
 from deltacal_gen.accuracy import workspace_of
 from deltacal_gen.chain import Chain
@@ -158,15 +159,21 @@ class Compensator:
         state = getattr(self._kernels, f"{self.kind}_state")
         return np.asarray(state(self._rows[0], self.robot.tool, self.robot.joint_sign))
 
-    def servo(self) -> Servo:
-        """Return the compensator of one pose, for a loop that Numba compiles.
+    def servo(self, *, change: bool = False) -> Servo:
+        """Return the compensator of one pose, for a loop that Numba compiles and for calls from Python.
+
+        Parameters
+        ----------
+        change : bool
+            For a controller that has the nominal joints of a target already: return what eq. (23) adds to them.
 
         Returns
         -------
         Servo
-            ``q1, q2, q3 = command(x, y, z, state)`` from a target [mm], as the controller counts joints [rad or mm];
-            NaN where there is no command. Numbers in and out, in compiled loops and from Python: an array, or a part
-            of one, would cost more than the command. `state` is the machine and scratch: one per thread.
+            ``q1, q2, q3 = command(x, y, z, state)`` from a target [mm], as the controller counts joints [rad or mm],
+            and with `change` ``d1, d2, d3 = command(x, y, z, q1, q2, q3, state)``; NaN where there is no command.
+            Numbers in and out, by position: an array, or a part of one, would cost more than the command. `state` is
+            the machine and scratch, for `command` alone: one per thread.
 
         Notes
         -----
@@ -182,8 +189,10 @@ class Compensator:
         Raises
         ------
         UsageError
-            The machine has effects, which this function does not know.
+            The machine has effects, which this function does not know; or the change is asked of the exact compensator.
         """
+        if change and self.kind != "linear":
+            raise UsageError(f"the {self.kind} compensator has no change to nominal joints; the linear one has.")
         self.needs_loops("compiled function")
         if self.effects:
             raise UsageError(
@@ -191,7 +200,9 @@ class Compensator:
                 + ", ".join(t.effect for t in self.effects)
                 + "."
             )
-        return Servo(getattr(self._kernels, f"{self.kind}_command"), self._kernels.copied(self._state))
+        kernel = getattr(self._kernels, "linear_change" if change else f"{self.kind}_command")
+        state, numbers = self._kernels.copied(self._state), self.mechanism.limbs * (1 + change)
+        return Servo(direct(kernel, *[0.0] * numbers, state), state)
 
     def channels(self, columns: Mapping[str, Array | float], n: int) -> tuple[Channels, list[str]]:
         """Return what the effects read beside the target, for n commands, and in words what had to be assumed.

@@ -380,8 +380,8 @@ def servo(n: int) -> Work:
 def linear(n: int) -> Work:
     """What eq. (23) adds to the nominal joints, one set point after the other in a compiled loop."""
     target, p, out = positions(n), paper(errors()), np.empty((n, 3))
-    theta, added, one = by_hand.ideal_inverse(target).copy(), np.empty((n, 3)), Compensator(calibrated(), "linear")
-    change, state = one.mechanism.servo.linear_change, one.servo().state
+    theta, added = by_hand.ideal_inverse(target).copy(), np.empty((n, 3))
+    change, state = Compensator(calibrated(), "linear").servo(change=True)
 
     @njit
     def loop(target: Array, theta: Array, state: Array, added: Array) -> None:
@@ -401,19 +401,19 @@ def call(n: int, *, kind: str) -> Work:
     """One set point per Python call: the exact command, or what eq. (23) adds to the nominal joints."""
     target, p = positions(1), paper(errors())
     compensator, rods, theta = Compensator(calibrated(), kind), by_hand.machine(p), by_hand.ideal_inverse(target).copy()
-    servo, out, at = compensator.servo(), np.empty((1, 3)), target[0].tolist()
+    (command, state), out = compensator.servo(change=kind == "linear"), np.empty((1, 3))
+    x, y, z = target[0].tolist()
     if kind == "exact":
         contenders = {
             OURS: Contender(lambda: compensator.command(target), lambda found: found[0]),
-            KERNEL: Contender(lambda: servo.command(*at, servo.state), np.atleast_2d),
+            KERNEL: Contender(lambda: command(x, y, z, state), np.atleast_2d),
             NUMPY: Contender(lambda: by_hand.inverse(target, rods)),
         }
     else:
-        (x, y, z), (q_1, q_2, q_3) = at, theta[0].tolist()
-        state, added = servo.state, compensator.mechanism.servo.linear_change
+        q_1, q_2, q_3 = theta[0].tolist()
         contenders = {
             OURS: Contender(lambda: compensator.command(target), lambda found: found[0] - theta),
-            KERNEL: Contender(lambda: added(x, y, z, q_1, q_2, q_3, state), np.atleast_2d),
+            KERNEL: Contender(lambda: command(x, y, z, q_1, q_2, q_3, state), np.atleast_2d),
             NUMPY: Contender(lambda: by_hand.change(theta, target, p)),
             NUMBA: Contender(lambda: by_hand_numba.changes(theta, target, p, out), lambda _: out),
         } | by_tools("change", theta, target, p)
