@@ -421,13 +421,12 @@ def nominal(mechanism: LimbMechanism, layout: Blocks) -> Nominal | None:
     first = [e for e in range(len(errors)) if e == 0 or felt[e] != felt[e - 1]]
     runs = tuple((e, end, felt[e]) for e, end in zip(first, [*first[1:], len(errors)], strict=True))
     columns = [(i, e) for i in range(limbs) for e in range(len(errors))]
-    factors = (((layout.shared["inverse"] + layout.rows[i][felt[e][t]]) * LANES for i, e in columns) for t in range(most))
-    values = (
-        ((i * layout.stride + layout.limb["errors"] + felt[e][t] * width + e) * LANES for i, e in columns)
-        for t in range(most)
-    )
-    by_name = {kernel.name: kernel for kernel in kernels}
-    return Nominal(by_name, len(errors), block.rows, runs, tuple(map(tuple, factors)), tuple(map(tuple, values)))
+    rows = [[layout.shared["inverse"] + layout.rows[i][felt[e][j]] for i, e in columns] for j in range(most)]
+    own = [
+        [i * layout.stride + layout.limb["errors"] + felt[e][j] * width + e for i, e in columns] for j in range(most)
+    ]
+    factors, values = (tuple(tuple(LANES * place for place in places) for places in both) for both in (rows, own))
+    return Nominal({kernel.name: kernel for kernel in kernels}, len(errors), block.rows, runs, factors, values)
 
 
 class _System:

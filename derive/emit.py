@@ -290,13 +290,11 @@ def render() -> dict[Path, str]:
         loads = statics.loads(mechanism)
         moving, batch = kinematics(mechanism)
         command_constants = _columns(moving["newton"], moving["joint"])
+        ideal = nominal(mechanism, batch) if batch else None
         contents: dict[str, dict[str, Any]] = {
             "parameters.py": {},
-            "kinematics.py": {
-                "kernels": moving,
-                "blocks": batch,
-                "nominal": nominal(mechanism, batch) if batch else None,
-            },
+            "constants.py": {"kernels": moving, "nominal": ideal},
+            "kinematics.py": {"kernels": moving, "blocks": batch, "nominal": ideal},
             "servo.py": {
                 "exact": servo.exact(mechanism),
                 "linear": servo.linear(mechanism),

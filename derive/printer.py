@@ -8,6 +8,8 @@ import sympy as sp
 from sympy.printing.c import C99CodePrinter
 from sympy.printing.pycode import PythonCodePrinter
 
+PRODUCTS = (2, 3, 4)  # powers that are written as products: a call would cost as much as ten of them
+
 
 class _Python(PythonCodePrinter):
     """Numba-friendly Python: small powers as products, roots by `math.sqrt`, rationals as decimals."""
@@ -20,10 +22,8 @@ class _Python(PythonCodePrinter):
 
     def _print_Pow(self, expr: sp.Pow, rational: bool = False) -> str:
         base = self.parenthesize(expr.base, 100)
-        if expr.exp == 2:
-            return f"({base} * {base})"
-        if expr.exp == 3:
-            return f"({base} * {base} * {base})"
+        if expr.exp in PRODUCTS:
+            return f"({' * '.join([base] * int(expr.exp))})"
         if expr.exp == -1:
             return f"(1.0 / {base})"
         if expr.exp == -2:
@@ -36,10 +36,8 @@ class _C(C99CodePrinter):
 
     def _print_Pow(self, expr: sp.Pow) -> str:
         base = self.parenthesize(expr.base, 100)
-        if expr.exp == 2:
-            return f"({base} * {base})"
-        if expr.exp == 3:
-            return f"({base} * {base} * {base})"
+        if expr.exp in PRODUCTS:
+            return f"({' * '.join([base] * int(expr.exp))})"
         if expr.exp == -2:
             return f"(1.0 / ({base} * {base}))"
         return super()._print_Pow(expr)

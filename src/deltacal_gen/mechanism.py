@@ -8,7 +8,7 @@ from __future__ import annotations
 import dataclasses
 import importlib
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Generator, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
@@ -422,33 +422,32 @@ class Mechanism:
         rows, one, command = np.ones((1, self.limbs, self._width)), np.ones((1, self.limbs)), np.ones(self.limbs)
         x, status, tool, q = np.ones((1, n_x)), np.empty(1, dtype=np.int64), np.ones((1, 3)), one.copy()
         S, V = np.empty((1, n_x, self.limbs * n_v)), np.empty((1, n_x, self.limbs))
-        batch, servo = self.compiled, self.servo
-        k, positions, sign = batch.constants(rows), n_x - len(self.turns), np.ones(self.limbs)
-        exact, linear = servo.exact_state(rows[0], tool[0], sign), servo.linear_state(rows[0], tool[0], sign)
-        todo: list[tuple[ModuleType, str, Sequence[Any]]] = [
-            (batch, "forward", (q, tool, k, x, status, False)),
-            (batch, "inverse", (one, tool, k, x, q, status)),
-            (batch, "simplified_forward", (q, tool, k, x[:, : batch.SIMPLIFIED].copy(), status)),
-            (batch, "simplified_inverse", (one, tool, k, q, status)),
-            (batch, "sensitivity", (x, q, tool, k, S, V, status)),
-            (servo, "exact_command", (*command, exact)),
-            (servo, "linear_command", (*command, linear)),
-            (servo, "linear_change", (*command, *command, linear)),
-            (servo, "linear_commands", (one, tool, linear, q, status)),
-        ]
+        batch, servo, positions, sign = self.compiled, self.servo, n_x - len(self.turns), np.ones(self.limbs)
+
+        def done(module: ModuleType, name: str, *arguments: Any) -> Generator[tuple[str, float], None, Any]:
+            start = time.perf_counter()
+            with np.errstate(all="ignore"):
+                value = getattr(module, name)(*arguments)
+            yield f"{self.name}.{name}", time.perf_counter() - start
+            return value
+
+        k = yield from done(batch, "constants", rows)
+        yield from done(batch, "forward", q, tool, k, x, status, False)
+        yield from done(batch, "inverse", one, tool, k, x, q, status)
+        yield from done(batch, "simplified_forward", q, tool, k, x[:, : batch.SIMPLIFIED].copy(), status)
+        if hasattr(batch, "simplified_inverse"):
+            yield from done(batch, "simplified_inverse", one, tool, k, q, status)
+        yield from done(batch, "sensitivity", x, q, tool, k, S, V, status)
         if hasattr(batch, "nominal_sensitivity"):
-            nominal, n_e = batch.nominal_constants(rows), len(self.errors) + len(self.common)
-            all_columns = np.arange(self.limbs * n_e)
-            todo += [
-                (batch, "nominal_sensitivity", (one, q, tool, nominal, np.empty((1, positions, len(all_columns))))),
-                (batch, "distance_rows", (one, q, tool, nominal, all_columns, np.empty((0, len(all_columns))))),
-            ]
-        for module, name, arguments in todo:
-            if hasattr(module, name):
-                start = time.perf_counter()
-                with np.errstate(all="ignore"):
-                    getattr(module, name)(*arguments)
-                yield f"{self.name}.{name}", time.perf_counter() - start
+            nominal, n_e = (yield from done(batch, "nominal_constants", rows)), len(self.errors) + len(self.common)
+            columns, rest = np.arange(self.limbs * n_e), (one, q, tool, nominal)
+            yield from done(batch, "nominal_sensitivity", *rest, np.empty((1, positions, len(columns))))
+            yield from done(batch, "distance_rows", *rest, columns, np.empty((0, len(columns))))
+        exact, linear = servo.exact_state(rows[0], tool[0], sign), servo.linear_state(rows[0], tool[0], sign)
+        yield from done(servo, "exact_command", *command, exact)
+        yield from done(servo, "linear_command", *command, linear)
+        yield from done(servo, "linear_change", *command, *command, linear)
+        yield from done(servo, "linear_commands", one, tool, linear, q, status)
 
     @contextmanager
     def _kernels(self, poses: int) -> Iterator[ModuleType]:
@@ -482,7 +481,9 @@ class Mechanism:
     def _statics(self) -> ModuleType:
         return importlib.import_module(f"deltacal_kernels.{self.name}.statics")
 
-    def _constants(self, rows: Array) -> Array:
+    def _constants(self, kernels: ModuleType, rows: Array) -> Array:
+        if kernels is not self.vectorised:  # compiled, they take microseconds
+            return np.asarray(kernels.constants(rows))
         key = rows.tobytes()
         if key not in self._known:
             kept = list(self._known.values())
@@ -538,10 +539,10 @@ class Mechanism:
             plain = kernels is self.vectorised
             if not plain and self._simplified(rows):
                 x = np.empty((len(q), kernels.SIMPLIFIED))
-                kernels.simplified_forward(q, self._tools(tool), self._constants(rows), x, status)
+                kernels.simplified_forward(q, self._tools(tool), self._constants(kernels, rows), x, status)
             else:
                 x = np.empty((len(q), len(self._at))) if near is None else self._own(near)
-                constants = self._pose_by_pose(rows, len(q)) if plain else self._constants(rows)
+                constants = self._pose_by_pose(rows, len(q)) if plain else self._constants(kernels, rows)
                 tool = self._tool(tool, len(q)) if plain else self._tools(tool)
                 kernels.forward(q, tool, constants, x, status, near is not None)
         return x, status
@@ -568,17 +569,17 @@ class Mechanism:
             plain = kernels is self.vectorised
             tool = self._tool(tool, len(target)) if plain else self._tools(tool)
             if not plain and hasattr(kernels, "simplified_inverse") and self._simplified(rows):
-                kernels.simplified_inverse(x, tool, self._constants(rows), q, status)
+                kernels.simplified_inverse(x, tool, self._constants(kernels, rows), q, status)
                 if not (solved := status == SOLVED).all():
                     x = np.where(solved[:, None], x, np.nan)
             else:
                 x, asked = np.empty((len(target), len(self._at))), x
-                kernels.inverse(asked, tool, self._constants(rows), x, q, status)
+                kernels.inverse(asked, tool, self._constants(kernels, rows), x, q, status)
         return q, self._body(x), status
 
     def _pose_by_pose(self, rows: Array, poses: int) -> Array:
         """Return the constants as the plain kernels read them: of one machine, or of one for every pose."""
-        constants = self._constants(rows)
+        constants = self._constants(self.vectorised, rows)
         return constants if len(rows) in (1, poses) else np.repeat(constants, poses // len(rows), axis=0)
 
     def _simplified(self, rows: Array) -> bool:
@@ -625,7 +626,8 @@ class Mechanism:
         f, n_v = self._tables.EQUATIONS, self._width - len(self.geometry)
         shapes = (len(x), f), (len(x), f, f), (len(x), f), (len(x), f, n_v)
         F, J_x, J_q, J_p = map(result, [None] * len(shapes) if out is None else out, shapes)
-        self.vectorised.jacobians(x, q, self._tool(tool, len(x)), self._constants(rows), F, J_x, J_q, J_p)
+        tool, constants = self._tool(tool, len(x)), self._constants(self.vectorised, rows)
+        self.vectorised.jacobians(x, q, tool, constants, F, J_x, J_q, J_p)
         return F, J_x, J_q, J_p
 
     def sensitivity(
@@ -645,7 +647,7 @@ class Mechanism:
         status = np.empty(len(x), dtype=np.int64)
         with self._kernels(len(q)) as kernels:
             tool = self._tool(tool, len(q)) if kernels is self.vectorised else self._tools(tool)
-            kernels.sensitivity(x, q, tool, self._constants(rows), S, V, status)
+            kernels.sensitivity(x, q, tool, self._constants(kernels, rows), S, V, status)
         if not whole:
             S, V = self._in_space(S, S_out), self._in_space(V, V_out)
         by_limb = S.reshape(len(x), self.n_x, self.limbs, n_v)

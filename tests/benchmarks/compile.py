@@ -53,11 +53,11 @@ def measure(name: str) -> tuple[float, dict[str, float]]:
         command = [sys.executable, "-c", PROGRAM, name]
         done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
     yardstick, spent = json.loads(done.stdout)
-    modules = {"kinematics": 0.0, "servo": 0.0}
-    servo = load_mechanism(name).servo
+    machine, modules = load_mechanism(name), dict.fromkeys(("constants", "kinematics", "servo"), 0.0)
     for kernel, seconds in spent.items():
-        of = getattr(servo, kernel.split(".")[1], None)
-        modules["servo" if getattr(of, "__module__", "").endswith(".servo") else "kinematics"] += seconds
+        function = kernel.split(".")[1]
+        of = getattr(machine.servo, function, None) or getattr(machine.compiled, function)
+        modules[of.__module__.rpartition(".")[2]] += seconds
     return yardstick, {f"{name}/{module}.py": seconds for module, seconds in modules.items()}
 
 

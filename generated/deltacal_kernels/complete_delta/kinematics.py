@@ -1,7 +1,7 @@
 """Kinematics of `complete_delta`, many poses at once: Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 620159a97ee80d68; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both c2237218fe4c5c1a; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -23,7 +23,8 @@ from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, oute
 from deltacal_kernels.straight import straight
 
 from . import vectorised
-from .vectorised import SINGULAR, SOLVED, UNREACHABLE, constants, jacobians
+from .constants import constants, nominal_constants
+from .vectorised import SINGULAR, SOLVED, UNREACHABLE, jacobians
 
 LANES = 32
 OPEN = -1  # a pose that is left to the plain kernels
@@ -1725,78 +1726,6 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
         S_p[left], S_q[left], status[left] = by_errors, by_joints, of
 
 
-def nominal_constants(p):
-    """Return k (M, 3, 24), what `nominal_sensitivity` reads that no pose changes, from p (38 operations).
-
-    p is that of the nominal machine; errors and deflections in it play no part.
-    """
-    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
-    k = np.zeros((24, p.shape[1], 3))
-    b = p[0]
-    a = p[1]
-    L = p[2]
-    l = p[3]
-    c = p[4]
-    phi = p[5]
-    R0_11 = np.sin(phi)
-    R0_11_betaz = np.cos(phi)
-    R0_12 = np.cos(phi)
-    R0_21_betaz = np.sin(phi)
-    R0_22 = np.sin(phi)
-    R0_22_betaz = np.cos(phi)
-    R0_32_betax = np.sin(phi)
-    g1_x = 0.5*c
-    s22 = R0_11_betaz*a
-    s23 = 0.5*R0_11*c
-    h1_x = s22 + s23
-    s25 = R0_11*a
-    s26 = -0.5*R0_11_betaz*c
-    h1_y = s25 + s26
-    s28 = R0_11*g1_x
-    s30 = R0_11_betaz*b
-    s31 = s28 + s30
-    s34 = R0_11_betaz*g1_x
-    s38 = R0_11*b
-    s39 = -s34 + s38
-    s41 = R0_21_betaz*g1_x
-    g2_x = -0.5*c
-    h2_x = s22 - s23
-    h2_y = s25 - s26
-    s59 = R0_11*g2_x
-    s60 = s30 + s59
-    s62 = R0_11_betaz*g2_x
-    s64 = s38 - s62
-    s66 = R0_21_betaz*g2_x
-    s105 = -0.5*R0_11
-    s107 = 0.5*R0_11_betaz
-    s118 = -0.5*l
-    k[0] = R0_12
-    k[1] = R0_11
-    k[2] = R0_22
-    k[3] = R0_22_betaz
-    k[4] = R0_32_betax
-    k[5] = R0_11_betaz
-    k[6] = L
-    k[7] = s31
-    k[8] = s34
-    k[9] = s39
-    k[10] = s41
-    k[11] = s28
-    k[12] = h1_x
-    k[13] = h1_y
-    k[14] = s60
-    k[15] = s62
-    k[16] = s64
-    k[17] = s66
-    k[18] = s59
-    k[19] = h2_x
-    k[20] = h2_y
-    k[21] = s105
-    k[22] = s107
-    k[23] = s118
-    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
-
-
 @straight
 def _nominal(w, k, n):
     """Equations of a nominal limb by platform and errors (207 operations)."""
@@ -2181,7 +2110,8 @@ def _nominal_sensitivity(x, q, tool, k, S, columns, H, w):
 def nominal_sensitivity(x, q, tool, k, S):
     """Fill S (N, 3, 51) with the derivatives of the nominal machine's position by its errors, limb by limb.
 
-    x (N, 3) is the position of the reference point, q (N, 3) the joints there, tool (N, 3), k from `nominal_constants`.
+    x (N, 3) is the position of the reference point, q (N, 3) the joints there, tool (N, 3), k from `nominal_constants`
+    of the nominal machine; errors and deflections among its parameters play no part.
     False where the machine is singular at one of the poses, or nearly so. With the errors of one limb in the order of
     ``parameters.ERRORS``.
     """

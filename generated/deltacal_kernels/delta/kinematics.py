@@ -1,7 +1,7 @@
 """Kinematics of `delta`, many poses at once: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both e5c247ef2f2b0fc6; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 8f4e22f17e0920f4; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -23,7 +23,8 @@ from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, oute
 from deltacal_kernels.straight import straight
 
 from . import vectorised
-from .vectorised import SINGULAR, SOLVED, UNREACHABLE, constants, jacobians
+from .constants import constants, nominal_constants
+from .vectorised import SINGULAR, SOLVED, UNREACHABLE, jacobians
 
 LANES = 32
 OPEN = -1  # a pose that is left to the plain kernels
@@ -1713,63 +1714,6 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
         S_p[left], S_q[left], status[left] = by_errors, by_joints, of
 
 
-def nominal_constants(p):
-    """Return k (M, 3, 21), what `nominal_sensitivity` reads that no pose changes, from p (30 operations).
-
-    p is that of the nominal machine; errors and deflections in it play no part.
-    """
-    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
-    k = np.zeros((21, p.shape[1], 3))
-    b = p[0]
-    a = p[1]
-    L = p[2]
-    l = p[3]
-    c = p[4]
-    phi = p[5]
-    R0_11 = np.cos(phi)
-    s1 = np.sin(phi)
-    R0_12_alpha0 = np.sin(phi)
-    R0_13 = np.sin(phi)
-    R0_21 = np.sin(phi)
-    R0_21_beta0 = np.cos(phi)
-    g_x_beta2 = 0.5*c
-    g_y_alpha2 = -0.5*c
-    h_x = 0.5*c*s1
-    h_x_beta03 = -0.5*R0_11*c
-    h_y = -0.5*R0_11*c
-    h_y_beta03 = -0.5*c*s1
-    h_z_alpha03 = 0.5*c
-    B_x = R0_11*b
-    B_y = b*s1
-    s47 = R0_11*a
-    s49 = a*s1
-    c1_x_dc = 0.5*R0_13
-    c1_y_dc = -0.5*R0_11
-    s97 = -0.5*l
-    k[0] = R0_11
-    k[1] = R0_12_alpha0
-    k[2] = s1
-    k[3] = R0_21
-    k[4] = R0_21_beta0
-    k[5] = L
-    k[6] = B_x
-    k[7] = B_y
-    k[8] = s47
-    k[9] = s49
-    k[10] = g_y_alpha2
-    k[11] = g_x_beta2
-    k[12] = h_y
-    k[13] = h_x
-    k[14] = c1_x_dc
-    k[15] = c1_y_dc
-    k[16] = h_z_alpha03
-    k[17] = h_x_beta03
-    k[18] = h_y_beta03
-    k[19] = l
-    k[20] = s97
-    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
-
-
 @straight
 def _nominal(w, k, n):
     """Equations of a nominal limb by platform and errors (100 operations)."""
@@ -2082,7 +2026,8 @@ def _nominal_sensitivity(x, q, tool, k, S, columns, H, w):
 def nominal_sensitivity(x, q, tool, k, S):
     """Fill S (N, 3, 42) with the derivatives of the nominal machine's position by its errors, limb by limb.
 
-    x (N, 3) is the position of the reference point, q (N, 3) the joints there, tool (N, 3), k from `nominal_constants`.
+    x (N, 3) is the position of the reference point, q (N, 3) the joints there, tool (N, 3), k from `nominal_constants`
+    of the nominal machine; errors and deflections among its parameters play no part.
     False where the machine is singular at one of the poses, or nearly so. With the errors of one limb in the order of
     ``parameters.ERRORS``.
     """

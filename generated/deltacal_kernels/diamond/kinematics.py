@@ -1,7 +1,7 @@
 """Kinematics of `diamond`, many poses at once: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 07097de448b00931; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 5b759c1614e7e7cc; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -23,7 +23,8 @@ from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, oute
 from deltacal_kernels.straight import straight
 
 from . import vectorised
-from .vectorised import SINGULAR, SOLVED, UNREACHABLE, constants, jacobians
+from .constants import constants, nominal_constants
+from .vectorised import SINGULAR, SOLVED, UNREACHABLE, jacobians
 
 LANES = 32
 OPEN = -1  # a pose that is left to the plain kernels
@@ -762,30 +763,6 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
         S_p[left], S_q[left], status[left] = by_errors, by_joints, of
 
 
-def nominal_constants(p):
-    """Return k (M, 2, 6), what `nominal_sensitivity` reads that no pose changes, from p (6 operations).
-
-    p is that of the nominal machine; errors and deflections in it play no part.
-    """
-    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
-    k = np.zeros((6, p.shape[1], 2))
-    base_x = p[0]
-    base_y = p[1]
-    L = p[2]
-    l = p[3]
-    side = p[4]
-    B_x = base_x*side
-    s2 = -0.5*np.pi*(1 - side)
-    s5 = L*side
-    k[0] = s2
-    k[1] = s5
-    k[2] = B_x
-    k[3] = side
-    k[4] = base_y
-    k[5] = l
-    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
-
-
 @straight
 def _nominal(w, k, n):
     """Equations of a nominal limb by platform and errors (26 operations)."""
@@ -931,7 +908,8 @@ def _nominal_sensitivity(x, q, tool, k, S, columns, H, w):
 def nominal_sensitivity(x, q, tool, k, S):
     """Fill S (N, 2, 14) with the derivatives of the nominal machine's position by its errors, limb by limb.
 
-    x (N, 2) is the position of the reference point, q (N, 2) the joints there, tool (N, 3), k from `nominal_constants`.
+    x (N, 2) is the position of the reference point, q (N, 2) the joints there, tool (N, 3), k from `nominal_constants`
+    of the nominal machine; errors and deflections among its parameters play no part.
     False where the machine is singular at one of the poses, or nearly so. With the errors of one limb in the order of
     ``parameters.ERRORS``, then ``COMMON``.
     """

@@ -1,7 +1,7 @@
 """Kinematics of `linear_delta`, many poses at once: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 19dbeefea2556880; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 5e2eda1df0ad8cee; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -23,7 +23,8 @@ from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, oute
 from deltacal_kernels.straight import straight
 
 from . import vectorised
-from .vectorised import SINGULAR, SOLVED, UNREACHABLE, constants, jacobians
+from .constants import constants, nominal_constants
+from .vectorised import SINGULAR, SOLVED, UNREACHABLE, jacobians
 
 LANES = 32
 OPEN = -1  # a pose that is left to the plain kernels
@@ -1460,64 +1461,6 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
         S_p[left], S_q[left], status[left] = by_errors, by_joints, of
 
 
-def nominal_constants(p):
-    """Return k (M, 3, 18), what `nominal_sensitivity` reads that no pose changes, from p (43 operations).
-
-    p is that of the nominal machine; errors and deflections in it play no part.
-    """
-    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
-    k = np.zeros((18, p.shape[1], 3))
-    r = p[0]
-    l = p[1]
-    phi = p[2]
-    home = p[3]
-    a = p[4]
-    c = p[5]
-    u_x = np.cos(phi)
-    s1 = np.sin(phi)
-    u_y = np.sin(phi)
-    u_y_angle = np.cos(phi)
-    s6 = (l * l) - (r * r)
-    h = home + np.sqrt(s6)
-    s9 = 1/np.sqrt(s6)
-    h_arm = l*s9
-    h_radius = -r*s9
-    h_dr = -r*s9
-    s14 = a + r
-    s15 = s14*u_x
-    C_x_angle = -s1*s14
-    s19 = s14*u_y
-    C_y_angle = s14*u_y_angle
-    s23 = a*u_x
-    s25 = a*u_y
-    d_x_angle = -C_x_angle - a*s1
-    d_y_angle = -C_y_angle + a*u_y_angle
-    s_x_cz = -0.5*c*u_x
-    s_y_cz = -0.5*c*u_y
-    s_z_cx = 0.5*c*u_x
-    s_z_cy = 0.5*c*u_y
-    s73 = -0.5*l
-    k[0] = h
-    k[1] = u_x
-    k[2] = u_y
-    k[3] = s23
-    k[4] = s25
-    k[5] = s15
-    k[6] = s19
-    k[7] = s_z_cx
-    k[8] = s_z_cy
-    k[9] = s_x_cz
-    k[10] = s_y_cz
-    k[11] = h_arm
-    k[12] = l
-    k[13] = h_radius
-    k[14] = d_x_angle
-    k[15] = d_y_angle
-    k[16] = h_dr
-    k[17] = s73
-    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
-
-
 @straight
 def _nominal(w, k, n):
     """Equations of a nominal limb by platform and errors (55 operations)."""
@@ -1803,7 +1746,8 @@ def _nominal_sensitivity(x, q, tool, k, S, columns, H, w):
 def nominal_sensitivity(x, q, tool, k, S):
     """Fill S (N, 3, 27) with the derivatives of the nominal machine's position by its errors, limb by limb.
 
-    x (N, 3) is the position of the reference point, q (N, 3) the joints there, tool (N, 3), k from `nominal_constants`.
+    x (N, 3) is the position of the reference point, q (N, 3) the joints there, tool (N, 3), k from `nominal_constants`
+    of the nominal machine; errors and deflections among its parameters play no part.
     False where the machine is singular at one of the poses, or nearly so. With the errors of one limb in the order of
     ``parameters.ERRORS``, then ``COMMON``.
     """

@@ -1,7 +1,7 @@
 """Kinematics of `planar_parallelogram`, many poses at once: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 91fdf687a44649f7; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both f23088071247c981; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -23,7 +23,8 @@ from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, oute
 from deltacal_kernels.straight import straight
 
 from . import vectorised
-from .vectorised import SINGULAR, SOLVED, UNREACHABLE, constants, jacobians
+from .constants import constants
+from .vectorised import SINGULAR, SOLVED, UNREACHABLE, jacobians
 
 LANES = 32
 OPEN = -1  # a pose that is left to the plain kernels

@@ -1,7 +1,7 @@
 """Kinematics of `robotennis`, many poses at once: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 81cb3039de42490c; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both aa851f5e2b62e2ad; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -23,7 +23,8 @@ from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, oute
 from deltacal_kernels.straight import straight
 
 from . import vectorised
-from .vectorised import SINGULAR, SOLVED, UNREACHABLE, constants, jacobians
+from .constants import constants, nominal_constants
+from .vectorised import SINGULAR, SOLVED, UNREACHABLE, jacobians
 
 LANES = 32
 OPEN = -1  # a pose that is left to the plain kernels
@@ -1037,47 +1038,6 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
         S_p[left], S_q[left], status[left] = by_errors, by_joints, of
 
 
-def nominal_constants(p):
-    """Return k (M, 3, 14), what `nominal_sensitivity` reads that no pose changes, from p (14 operations).
-
-    p is that of the nominal machine; errors and deflections in it play no part.
-    """
-    p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
-    k = np.zeros((14, p.shape[1], 3))
-    a = p[0]
-    b = p[1]
-    h = p[2]
-    H = p[3]
-    phi = p[4]
-    u_x = np.cos(phi)
-    s1 = np.sin(phi)
-    u_y = np.sin(phi)
-    u_y_dphi = np.cos(phi)
-    A_x = H*u_x
-    A_x_dphi = -H*s1
-    A_y = H*u_y
-    A_y_dphi = H*u_y_dphi
-    s33 = h*u_x
-    C_x_dphi = -h*s1
-    s36 = h*u_y
-    C_y_dphi = h*u_y_dphi
-    k[0] = u_x
-    k[1] = s1
-    k[2] = u_y
-    k[3] = u_y_dphi
-    k[4] = a
-    k[5] = A_x
-    k[6] = A_x_dphi
-    k[7] = A_y
-    k[8] = A_y_dphi
-    k[9] = s33
-    k[10] = s36
-    k[11] = C_x_dphi
-    k[12] = C_y_dphi
-    k[13] = b
-    return np.ascontiguousarray(np.moveaxis(k, 0, -1))
-
-
 @straight
 def _nominal(w, k, n):
     """Equations of a nominal limb by platform and errors (55 operations)."""
@@ -1287,7 +1247,8 @@ def _nominal_sensitivity(x, q, tool, k, S, columns, H, w):
 def nominal_sensitivity(x, q, tool, k, S):
     """Fill S (N, 3, 27) with the derivatives of the nominal machine's position by its errors, limb by limb.
 
-    x (N, 3) is the position of the reference point, q (N, 3) the joints there, tool (N, 3), k from `nominal_constants`.
+    x (N, 3) is the position of the reference point, q (N, 3) the joints there, tool (N, 3), k from `nominal_constants`
+    of the nominal machine; errors and deflections among its parameters play no part.
     False where the machine is singular at one of the poses, or nearly so. With the errors of one limb in the order of
     ``parameters.ERRORS``, then ``COMMON``.
     """

@@ -1,7 +1,7 @@
 """Kinematics of `simplified_parallelogram`, many poses at once: Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 910599686bb7f66b; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both d48ae09dd94a33a6; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -23,7 +23,8 @@ from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, oute
 from deltacal_kernels.straight import straight
 
 from . import vectorised
-from .vectorised import SINGULAR, SOLVED, UNREACHABLE, constants, jacobians
+from .constants import constants
+from .vectorised import SINGULAR, SOLVED, UNREACHABLE, jacobians
 
 LANES = 32
 OPEN = -1  # a pose that is left to the plain kernels
