@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 GIVEN = "arrays"  # stands in messages where a file's name would
-MACHINES = 128  # at once: their readings stay in the cache
+MACHINES = 256  # at once: what belongs to them stays in the cache
 
 
 def nominal(mechanism: str, geometry: Mapping[str, ArrayLike], tool: ArrayLike = (0.0, 0.0, 0.0)) -> Robot:
@@ -245,10 +245,13 @@ class PoseSet:
         """
         errors = np.atleast_2d(np.asarray(errors, dtype=float))
         every = np.broadcast_to(self.joints if joints is None else joints, (len(errors), *self.joints.shape))
-        tool = self.tool[0] if (self.tool == self.tool[0]).all() else np.tile(self.tool, (len(errors), 1))
-        rows, shape = self.mechanism.rows(self.robot, errors), (*every.shape[:2], 3)
-        flat = None if out is None else result(out, shape).reshape(-1, 3)
-        return self.mechanism.positions(every.reshape(-1, self.mechanism.limbs), tool, rows, out=flat).reshape(shape)
+        out, same = result(out, (*every.shape[:2], 3)), bool((self.tool == self.tool[0]).all())
+        for first in range(0, len(errors), MACHINES):
+            some = slice(first, first + MACHINES)
+            rows, q = self.mechanism.rows(self.robot, errors[some]), every[some].reshape(-1, self.mechanism.limbs)
+            tool = self.tool[0] if same else np.tile(self.tool, (len(rows), 1))
+            self.mechanism.positions(q, tool, rows, out=out[some].reshape(-1, 3))
+        return out
 
     @cached_property
     def corrections(self) -> Array:

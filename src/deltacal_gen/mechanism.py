@@ -523,8 +523,11 @@ class Mechanism:
     def positions(self, q: Array, tool: Array, rows: Array, *, out: Array | None = None) -> Array:
         """Return the exact positions (N, 3) of the reference point [mm], NaN where not solved; see `forward`."""
         x, _ = self._solved(q, tool, rows, None)
-        if out is None and self._at[:3] == [0, 1, 2]:
-            return x[:, :3]
+        if self._at[:3] == [0, 1, 2]:
+            if out is None:
+                return x[:, :3]
+            result(out, (len(x), 3))[:] = x[:, :3]
+            return out
         out, moved = result(out, (len(x), 3)), [a for a in self._at[: x.shape[1]] if a < 3]
         out[:] = 0.0
         out[:, moved] = x[:, : len(moved)]

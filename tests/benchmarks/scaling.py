@@ -18,11 +18,12 @@ from pathlib import Path
 import numpy as np
 
 from deltacal_gen import PoseSet
+from deltacal_gen.accuracy import check_poses
 from deltacal_gen.estimation import pose_problem
 from deltacal_gen.physics import blank
 
 from . import by_hand
-from .works import DELTA, ROBOT, errors, measured, positions, recorded, settle
+from .works import DELTA, POSES, ROBOT, SIGMA, errors, identified, measured, positions, recorded, rings, settle
 
 EFFECT = "joint_scale"  # one coefficient for each joint
 
@@ -44,16 +45,18 @@ def kernels(n: int) -> dict[str, Callable[[slice], None]]:
 
 
 def trials(count: int) -> Callable[[slice], None]:
-    """Return W6 of so many machines: what identifies and judges a part of them."""
-    theta, _ = measured("18")
-    poses = PoseSet(ROBOT, theta)
+    """Return W6 of so many machines, model 18: what identifies and judges a part of them."""
+    rng, theta = np.random.default_rng(6), by_hand.ideal_inverse(rings(POSES))
+    assert ROBOT.workspace is not None
+    target = check_poses(ROBOT.workspace)
+    poses, check = PoseSet(ROBOT, theta), PoseSet(ROBOT, by_hand.ideal_inverse(target))
     linear = poses.linear("18", as_distance=True)
     true = np.stack([errors("18", seed) for seed in range(count)])
-    linear.estimate(poses.positions(true[:1]))
+    noise = SIGMA * rng.standard_normal((count, POSES, 3))
+    identified(poses, linear, check, target, true[:1], noise[:1])  # what they share is computed
 
     def part(some: slice) -> None:
-        found = linear.estimate(poses.positions(true[some]))
-        poses.positions(true[some], poses.commands(linear.whole(found)))
+        identified(poses, linear, check, target, true[some], noise[some])
 
     return part
 

@@ -25,6 +25,7 @@ from numba import njit
 import deltacal_gen
 from deltacal_gen import PoseSet, commands
 from deltacal_gen.accuracy import check_poses, distance_error
+from deltacal_gen.arrays import LinearFit
 from deltacal_gen.compensation import Compensator
 from deltacal_gen.demonstration import example
 from deltacal_gen.estimation import fit, pose_problem
@@ -488,6 +489,14 @@ def reach(p: Array) -> Array:
 # ------------------------------------------------------------------------------------------------------ many machines
 
 
+def identified(poses: PoseSet, linear: LinearFit, check: PoseSet, target: Array, errors: Array, noise: Array) -> Array:
+    """Identify machines with errors (T, 42) from positions with noise (T, N, 3); worst errors before and after."""
+    found = linear.estimate(poses.positions(errors) + noise)
+    before = check.positions(errors)
+    after = check.positions(errors, check.commands(linear.whole(found)))
+    return np.stack([np.abs(distance_error(x, target)).max(axis=1) for x in (before, after)], axis=1)
+
+
 def trials(count: int, *, model: str, kept: bool) -> Work:
     """Errors of `count` machines, noise, exact poses; the paper's matrix; eq. (23) and exact poses before and after.
 
@@ -511,10 +520,7 @@ def trials(count: int, *, model: str, kept: bool) -> Work:
     def ours() -> Array:
         poses = PoseSet(ROBOT, np.tile(theta, (len(offsets), 1)), tool=np.repeat(offsets, POSES, axis=0))
         linear, check = poses.linear(model, as_distance=True), PoseSet(ROBOT, joints)
-        found = linear.estimate(poses.positions(errors) + noise.reshape(count, -1, 3))
-        before = check.positions(errors)
-        after = check.positions(errors, check.commands(linear.whole(found)))
-        return np.stack([np.abs(distance_error(x, target)).max(axis=1) for x in (before, after)], axis=1)
+        return identified(poses, linear, check, target, errors, noise.reshape(count, -1, 3))
 
     def matrix() -> Array:
         return np.concatenate([by_hand.identification_matrix(theta, r, at, wanted) for at in offsets])
