@@ -15,9 +15,9 @@ from numba import njit, types
 from numba.core import cgutils
 from numba.extending import intrinsic
 
-from deltacal_kernels.straight import widen
+from deltacal_kernels.straight import flipped, odd, widen
 
-ROUND = 6755399441055744.0  # 1.5 * 2^52: what is added and taken away again leaves an integer
+ROUND = 6755399441055744.0  # 1.5 * 2^52: a number that is added to it is rounded to an integer, and stands in its last bits
 _kept = threading.local()
 
 
@@ -168,10 +168,10 @@ def outer_of(_context, out, at, pitch, width, rows, w, pose, step, factors, valu
 
 @njit(error_model="numpy", fastmath={"contract"})
 def _reduced(x):
-    """Return r in -pi/4 .. pi/4 and the quarter turns, -2 .. 2, by which x is ahead of it."""
-    turns = (x * 0.6366197723675814 + ROUND) - ROUND
-    r = ((x - turns * 1.5707963267341256) - turns * 6.077100506303966e-11) - turns * 2.0222662487959506e-21
-    return r, turns - 4.0 * ((0.25 * turns + ROUND) - ROUND)
+    """Return r in -pi/4 .. pi/4, and the quarter turns by which x is ahead of it, in the last bits of a number."""
+    counted = x * 0.6366197723675814 + ROUND
+    turns = counted - ROUND
+    return ((x - turns * 1.5707963267341256) - turns * 6.077100506303966e-11) - turns * 2.0222662487959506e-21, counted
 
 
 @njit(error_model="numpy", fastmath={"contract"})
@@ -195,17 +195,15 @@ def _cosine(r):
 @njit(error_model="numpy", fastmath={"contract"})
 def sine(x):
     """Return sin x."""
-    r, quarter = _reduced(x)
-    value = _cosine(r) if abs(quarter) == 1.0 else _sine(r)
-    return -value if (abs(quarter) == 2.0) | (quarter == -1.0) else value
+    r, counted = _reduced(x)
+    return flipped(_cosine(r) if odd(counted) else _sine(r), counted)
 
 
 @njit(error_model="numpy", fastmath={"contract"})
 def cosine(x):
     """Return cos x."""
-    r, quarter = _reduced(x)
-    value = _sine(r) if abs(quarter) == 1.0 else _cosine(r)
-    return -value if (abs(quarter) == 2.0) | (quarter == 1.0) else value
+    r, counted = _reduced(x)
+    return flipped(_sine(r) if odd(counted) else _cosine(r), counted + 1.0)
 
 
 @njit(error_model="numpy", fastmath={"contract"})

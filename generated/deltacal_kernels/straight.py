@@ -6,7 +6,7 @@ Numba infers the type of every operation and writes it down as a dozen instructi
 milliseconds for each of the thousands of operations of a machine. A kernel needs none of it. Its text is a few kinds
 of statement about float64 and int64: assignments, ``for .. in range(..)``, ``+=`` and a ``return`` of one number;
 arithmetic, comparisons, ``a if b else c``, numbers of one-dimensional arrays, sqrt, abs, min, max, and calls of
-functions that are written likewise, which are put in their place. What is decorated with `straight` is translated when
+functions that are written likewise, which are put in their place; and `odd` and `flipped`. What is decorated with `straight` is translated when
 a function that Numba compiles calls it, once for each of those; anything else in its text is an error.
 """
 
@@ -30,8 +30,34 @@ ARITHMETIC = {
     ast.Mult: ("mul", operator.mul),
     ast.Div: ("div", operator.truediv),
 }
+SIGN = INTEGER(-(2**63))  # the bit of the sign
 LOGIC = {ast.BitAnd: "and_", ast.BitOr: "or_"}
 ORDER = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!="}
+
+
+def _odd(builder, counted):
+    last = builder.and_(builder.bitcast(counted, INTEGER), INTEGER(1))
+    return builder.icmp_unsigned("!=", last, INTEGER(0))
+
+
+def _flipped(builder, value, counted):
+    sign = builder.and_(builder.shl(builder.bitcast(counted, INTEGER), INTEGER(62)), SIGN)
+    return builder.bitcast(builder.xor(builder.bitcast(value, INTEGER), sign), DOUBLE)
+
+
+PRIMITIVES = {"odd": _odd, "flipped": _flipped}
+
+
+@intrinsic
+def odd(_context, counted):
+    """Tell whether a number that stands in the last bits of another, 1.5 2^52 more, is odd."""
+    return types.boolean(types.float64), lambda _, builder, _signature, given: _odd(builder, *given)
+
+
+@intrinsic
+def flipped(_context, value, counted):
+    """Return a value, its sign changed where half of a number that stands in the last bits of another, rounded down, is odd."""
+    return types.float64(types.float64, types.float64), lambda _, builder, _signature, given: _flipped(builder, *given)
 
 
 @cache
@@ -210,6 +236,8 @@ class _Writer:
             case ast.Name(id="max"):
                 first, second = arguments
                 return self._chosen(self._compared(">", second, first), second, first)
+            case ast.Name(id=name) if name in PRIMITIVES:
+                return PRIMITIVES[name](self.builder, *(self._value(a, DOUBLE) for a in arguments))
             case ast.Name(id=name) if hasattr(self.function.__globals__.get(name), "py_func"):
                 return _Writer(self.builder, self.function.__globals__[name].py_func, arguments).run()
         raise self._error(node)
