@@ -168,7 +168,7 @@ def _seeds(mechanism: LimbMechanism) -> tuple[str, list[sp.Expr]]:
         position = [mechanism.seeds.get(quantity.symbol, sp.Integer(0)) for quantity in mechanism.platform]
         return "platform of the simplified machine at a given joint", position
     centre, constant = closed_form.sphere(mechanism)
-    return "the simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d", [*centre, constant]
+    return "the simplified limb as a sphere |P|^2 - 2 c.P + d = 0: c, d", [*centre, 2 * constant]
 
 
 def measurement(spec: Measurement) -> dict[str, Kernel]:

@@ -1,7 +1,7 @@
 """Kinematics of `complete_delta` in plain NumPy: Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both ce3b266361635948; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 9902101b4d603431; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -244,18 +244,19 @@ def constants(p):
     s841 = -L*s48
     s843 = s140 - s152
     s845 = -L*s25
-    s857 = -0.5*(l * l)
+    s856 = (l * l)
+    s857 = -0.5*s856
     s858 = (L * L)
     s863 = s857 + 0.5*s858*((s25 * s25) + (s48 * s48))
-    s893 = -0.25*(dl1 * dl1)
-    s895 = -0.25*(dl2 * dl2)
-    s902 = -0.5*dl1*l
-    s903 = -0.5*dl2*l
-    s904 = s857 + s893 + s895 + s902 + s903
-    s1086 = -0.5*l
-    s1094 = -0.5*dl1 + s1086
-    s1100 = -0.5*dl2 + s1086
-    s1142 = s893 - s895 + s902 - s903
+    s890 = -0.25*(dl1 * dl1)
+    s892 = -0.25*(dl2 * dl2)
+    s899 = -0.5*dl1*l
+    s900 = -0.5*dl2*l
+    s901 = s857 + s890 + s892 + s899 + s900
+    s1083 = -0.5*l
+    s1091 = -0.5*dl1 + s1083
+    s1097 = -0.5*dl2 + s1083
+    s1139 = s890 - s892 + s899 - s900
     k[0] = R0_12
     k[1] = R0_13
     k[2] = R0_22
@@ -328,11 +329,11 @@ def constants(p):
     k[69] = s830
     k[70] = s368
     k[71] = s799
-    k[72] = s857
-    k[73] = s904
-    k[74] = s1142
-    k[75] = s1094
-    k[76] = s1100
+    k[72] = s856
+    k[73] = s901
+    k[74] = s1139
+    k[75] = s1091
+    k[76] = s1097
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
@@ -791,7 +792,7 @@ def _parameters(x, q, tool, k):
 
 
 def _sphere(x, q, tool, k):
-    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d: (4, limbs, N)."""
+    """The simplified limb as a sphere |P|^2 - 2 c.P + d = 0: c, d: (4, limbs, N)."""
     tx = tool[0]
     ty = tool[1]
     tz = tool[2]
@@ -800,17 +801,17 @@ def _sphere(x, q, tool, k):
     s843 = k[26]
     s845 = k[27]
     L = k[30]
-    s857 = k[72]
+    s856 = k[72]
     s78 = np.cos(q)
     s877 = -s78*s841 - s839 + tx
     s879 = -s78*s845 - s843 + ty
     s881 = L*np.sin(q) + tz
-    s888 = s857 + 0.5*(s877 * s877) + 0.5*(s879 * s879) + 0.5*(s881 * s881)
+    s885 = -s856 + (s877 * s877) + (s879 * s879) + (s881 * s881)
     out = np.zeros((4, *(k.shape[1], x.shape[-1])))
     out[0] = s877
     out[1] = s879
     out[2] = s881
-    out[3] = s888
+    out[3] = s885
     return out
 
 
@@ -848,18 +849,18 @@ def _spin(x):
     cy = x[4]
     cz = x[5]
     s105 = (1.0 / (0.25*(cx * cx) + 0.25*(cy * cy) + 0.25*(cz * cz) + 1))
-    s889 = -0.5*cz*s105
-    s890 = 0.5*cy*s105
-    s891 = -0.5*cx*s105
+    s886 = -0.5*cz*s105
+    s887 = 0.5*cy*s105
+    s888 = -0.5*cx*s105
     out = np.zeros((9, *x.shape[1:]))
     out[0] = s105
-    out[1] = s889
-    out[2] = s890
-    out[3] = -s889
+    out[1] = s886
+    out[2] = s887
+    out[3] = -s886
     out[4] = s105
-    out[5] = s891
-    out[6] = -s890
-    out[7] = -s891
+    out[5] = s888
+    out[6] = -s887
+    out[7] = -s888
     out[8] = s105
     return out
 
@@ -926,11 +927,11 @@ def _meet(sphere):
     nn, aa, bb, ab = ((u[:, :3] * v[:, :3]).sum(axis=1) for u, v in ((n, n), (a, a), (b, b), (a, b)))
     apart = nn > PIVOT_SINGULAR * aa * bb
     nn = np.where(apart, nn, 1.0)
-    u, v = (a[:, 3] * bb - b[:, 3] * ab) / nn, (b[:, 3] * aa - a[:, 3] * ab) / nn
+    u, v = 0.5 * (a[:, 3] * bb - b[:, 3] * ab) / nn, 0.5 * (b[:, 3] * aa - a[:, 3] * ab) / nn
     p = u[:, None] * a[:, :3] + v[:, None] * b[:, :3]
     half = ((p - sphere[:, 0, :3]) * n).sum(axis=1)
-    rest = 0.5 * (p * p).sum(axis=1) - (sphere[:, 0, :3] * p).sum(axis=1) + sphere[:, 0, 3]
-    root = np.sqrt(np.maximum(half * half - 2.0 * nn * rest, 0.0))
+    rest = (p * p).sum(axis=1) - 2.0 * (sphere[:, 0, :3] * p).sum(axis=1) + sphere[:, 0, 3]
+    root = np.sqrt(np.maximum(half * half - nn * rest, 0.0))
     t = (-half + np.where(n[:, 2] > 0.0, -1.0, 1.0) * root) / nn
     return p + t[:, None] * n, apart
 

@@ -265,16 +265,16 @@ def _fill_constants(p, k, rows):
         s1168 = -s219*s22
         s1170 = -ey - s161 + s238
         s1172 = -s219*s41
-        s1185 = -0.5*((dl_mean + l) * (dl_mean + l))
-        s1191 = s1185 + 0.5*(s219 * s219)*((s22 * s22) + (s41 * s41))
+        s1184 = ((dl_mean + l) * (dl_mean + l))
+        s1191 = -0.5*s1184 + 0.5*(s219 * s219)*((s22 * s22) + (s41 * s41))
         s1196 = -2*L - 2*dL
         s1198 = 0.25*(s1196 * s1196)
         s1203 = -0.5*s1196
-        s1246 = -0.125*(dl * dl) - 0.5*(dl_mean * dl_mean) - dl_mean*l - 0.5*(l * l)
-        s1461 = -dl_mean - l
-        s1462 = -0.25*dl
-        s1492 = -0.5*dl*dl_mean - 0.5*dl*l
-        s1693 = -0.5*dl_mean - 0.5*l
+        s1243 = -0.125*(dl * dl) - 0.5*(dl_mean * dl_mean) - dl_mean*l - 0.5*(l * l)
+        s1458 = -dl_mean - l
+        s1459 = -0.25*dl
+        s1489 = -0.5*dl*dl_mean - 0.5*dl*l
+        s1690 = -0.5*dl_mean - 0.5*l
         k[91 * lane + 0] = theta
         k[91 * lane + 1] = R0_11
         k[91 * lane + 2] = R0_12
@@ -359,13 +359,13 @@ def _fill_constants(p, k, rows):
         k[91 * lane + 81] = s800
         k[91 * lane + 82] = s1140
         k[91 * lane + 83] = s1141
-        k[91 * lane + 84] = s1185
-        k[91 * lane + 85] = s1246
-        k[91 * lane + 86] = s1492
-        k[91 * lane + 87] = s1461
-        k[91 * lane + 88] = s1462
+        k[91 * lane + 84] = s1184
+        k[91 * lane + 85] = s1243
+        k[91 * lane + 86] = s1489
+        k[91 * lane + 87] = s1458
+        k[91 * lane + 88] = s1459
         k[91 * lane + 89] = s290
-        k[91 * lane + 90] = s1693
+        k[91 * lane + 90] = s1690
 
 
 @fast
@@ -374,7 +374,7 @@ def _constants(p, k):
 
 
 def constants(p):
-    """Return k (M, 3, 91), what no pose changes, from p (778 operations)."""
+    """Return k (M, 3, 91), what no pose changes, from p (777 operations)."""
     k = np.zeros((len(p), 3, 91))
     _constants(np.ascontiguousarray(p), k)
     return k

@@ -1,7 +1,7 @@
 """Kinematics of `delta` in plain NumPy: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both 8b8fbe839eee7bb8; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 942e4b86e8fd74d5; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -20,7 +20,7 @@ PIVOT_SINGULAR = 1e-9  # of the largest entry of its matrix, in mm
 
 
 def constants(p):
-    """Return k (M, 3, 91), what no pose changes, from p (778 operations).
+    """Return k (M, 3, 91), what no pose changes, from p (777 operations).
 
     All rows at once.
     """
@@ -271,16 +271,16 @@ def constants(p):
     s1168 = -s219*s22
     s1170 = -ey - s161 + s238
     s1172 = -s219*s41
-    s1185 = -0.5*((dl_mean + l) * (dl_mean + l))
-    s1191 = s1185 + 0.5*(s219 * s219)*((s22 * s22) + (s41 * s41))
+    s1184 = ((dl_mean + l) * (dl_mean + l))
+    s1191 = -0.5*s1184 + 0.5*(s219 * s219)*((s22 * s22) + (s41 * s41))
     s1196 = -2*L - 2*dL
     s1198 = 0.25*(s1196 * s1196)
     s1203 = -0.5*s1196
-    s1246 = -0.125*(dl * dl) - 0.5*(dl_mean * dl_mean) - dl_mean*l - 0.5*(l * l)
-    s1461 = -dl_mean - l
-    s1462 = -0.25*dl
-    s1492 = -0.5*dl*dl_mean - 0.5*dl*l
-    s1693 = -0.5*dl_mean - 0.5*l
+    s1243 = -0.125*(dl * dl) - 0.5*(dl_mean * dl_mean) - dl_mean*l - 0.5*(l * l)
+    s1458 = -dl_mean - l
+    s1459 = -0.25*dl
+    s1489 = -0.5*dl*dl_mean - 0.5*dl*l
+    s1690 = -0.5*dl_mean - 0.5*l
     k[0] = theta
     k[1] = R0_11
     k[2] = R0_12
@@ -365,13 +365,13 @@ def constants(p):
     k[81] = s800
     k[82] = s1140
     k[83] = s1141
-    k[84] = s1185
-    k[85] = s1246
-    k[86] = s1492
-    k[87] = s1461
-    k[88] = s1462
+    k[84] = s1184
+    k[85] = s1243
+    k[86] = s1489
+    k[87] = s1458
+    k[88] = s1459
     k[89] = s290
-    k[90] = s1693
+    k[90] = s1690
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
@@ -887,7 +887,7 @@ def _parameters(x, q, tool, k):
 
 
 def _sphere(x, q, tool, k):
-    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d: (4, limbs, N)."""
+    """The simplified limb as a sphere |P|^2 - 2 c.P + d = 0: c, d: (4, limbs, N)."""
     tx = tool[0]
     ty = tool[1]
     tz = tool[2]
@@ -898,18 +898,18 @@ def _sphere(x, q, tool, k):
     s1170 = k[26]
     s1172 = k[27]
     ez = k[28]
-    s1185 = k[84]
+    s1184 = k[84]
     s163 = q + theta
     s164 = np.cos(s163)
     s1212 = -s1166 - s1168*s164 + tx
     s1214 = -s1170 - s1172*s164 + ty
     s1216 = ez + s219*np.sin(s163) + tz
-    s1223 = s1185 + 0.5*(s1212 * s1212) + 0.5*(s1214 * s1214) + 0.5*(s1216 * s1216)
+    s1220 = -s1184 + (s1212 * s1212) + (s1214 * s1214) + (s1216 * s1216)
     out = np.zeros((4, *(k.shape[1], x.shape[-1])))
     out[0] = s1212
     out[1] = s1214
     out[2] = s1216
-    out[3] = s1223
+    out[3] = s1220
     return out
 
 
@@ -949,18 +949,18 @@ def _spin(x):
     cy = x[4]
     cz = x[5]
     s191 = (1.0 / (0.25*(cx * cx) + 0.25*(cy * cy) + 0.25*(cz * cz) + 1))
-    s1224 = -0.5*cz*s191
-    s1225 = 0.5*cy*s191
-    s1226 = -0.5*cx*s191
+    s1221 = -0.5*cz*s191
+    s1222 = 0.5*cy*s191
+    s1223 = -0.5*cx*s191
     out = np.zeros((9, *x.shape[1:]))
     out[0] = s191
-    out[1] = s1224
-    out[2] = s1225
-    out[3] = -s1224
+    out[1] = s1221
+    out[2] = s1222
+    out[3] = -s1221
     out[4] = s191
-    out[5] = s1226
-    out[6] = -s1225
-    out[7] = -s1226
+    out[5] = s1223
+    out[6] = -s1222
+    out[7] = -s1223
     out[8] = s191
     return out
 
@@ -1027,11 +1027,11 @@ def _meet(sphere):
     nn, aa, bb, ab = ((u[:, :3] * v[:, :3]).sum(axis=1) for u, v in ((n, n), (a, a), (b, b), (a, b)))
     apart = nn > PIVOT_SINGULAR * aa * bb
     nn = np.where(apart, nn, 1.0)
-    u, v = (a[:, 3] * bb - b[:, 3] * ab) / nn, (b[:, 3] * aa - a[:, 3] * ab) / nn
+    u, v = 0.5 * (a[:, 3] * bb - b[:, 3] * ab) / nn, 0.5 * (b[:, 3] * aa - a[:, 3] * ab) / nn
     p = u[:, None] * a[:, :3] + v[:, None] * b[:, :3]
     half = ((p - sphere[:, 0, :3]) * n).sum(axis=1)
-    rest = 0.5 * (p * p).sum(axis=1) - (sphere[:, 0, :3] * p).sum(axis=1) + sphere[:, 0, 3]
-    root = np.sqrt(np.maximum(half * half - 2.0 * nn * rest, 0.0))
+    rest = (p * p).sum(axis=1) - 2.0 * (sphere[:, 0, :3] * p).sum(axis=1) + sphere[:, 0, 3]
+    root = np.sqrt(np.maximum(half * half - nn * rest, 0.0))
     t = (-half + np.where(n[:, 2] > 0.0, -1.0, 1.0) * root) / nn
     return p + t[:, None] * n, apart
 

@@ -38,24 +38,26 @@ def _fill_constants(p, k, rows):
         s9 = s3*side
         s12 = -side*tip_v
         s26 = dl + l
-        s28 = -0.5*(s26 * s26)
+        s27 = (s26 * s26)
+        s28 = -0.5*s27
         s51 = -s26
         s59 = (side * side)
         s60 = (s3 * s3)
         s62 = s28 + 0.5*s59*s60
         s66 = s59*s60
         s71 = s3*s59
-        k[11 * lane + 0] = s6
-        k[11 * lane + 1] = s9
-        k[11 * lane + 2] = s12
-        k[11 * lane + 3] = B_x
-        k[11 * lane + 4] = B_y
-        k[11 * lane + 5] = s28
-        k[11 * lane + 6] = s62
-        k[11 * lane + 7] = s66
-        k[11 * lane + 8] = s71
-        k[11 * lane + 9] = side
-        k[11 * lane + 10] = s51
+        k[12 * lane + 0] = s6
+        k[12 * lane + 1] = s9
+        k[12 * lane + 2] = s12
+        k[12 * lane + 3] = B_x
+        k[12 * lane + 4] = B_y
+        k[12 * lane + 5] = s28
+        k[12 * lane + 6] = s62
+        k[12 * lane + 7] = s66
+        k[12 * lane + 8] = s71
+        k[12 * lane + 9] = side
+        k[12 * lane + 10] = s51
+        k[12 * lane + 11] = s27
 
 
 @fast
@@ -64,8 +66,8 @@ def _constants(p, k):
 
 
 def constants(p):
-    """Return k (M, 2, 11), what no pose changes, from p (23 operations)."""
-    k = np.zeros((len(p), 2, 11))
+    """Return k (M, 2, 12), what no pose changes, from p (23 operations)."""
+    k = np.zeros((len(p), 2, 12))
     _constants(np.ascontiguousarray(p), k)
     return k
 

@@ -1,14 +1,14 @@
 """Kinematics of `diamond`, many poses at once: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 5b759c1614e7e7cc; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 68e220dfc91de311; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
 x (N, 2)  platform: px py
 q (N, 2)  joints        tool (N or 1, 3)  reference point in {O'}
 p (M, 2, 13)  one row of parameters per limb: base_x base_y L l side theta ex ey L l mx my tip_v
-k (M, 2, 11)  what `constants` makes of p; each of the M machines has N / M of the poses, one after the other
+k (M, 2, 12)  what `constants` makes of p; each of the M machines has N / M of the poses, one after the other
 
 Poses are taken in blocks of up to 32, side by side: a loop over `lane` runs over the poses of a block. What is poorly
 conditioned or converges slowly is left to the plain kernels of ``vectorised.py``. `status` says what became of each pose.
@@ -45,13 +45,13 @@ fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 @straight
 def _early(w, k, n):
-    """What moves with a joint only; then the simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (21 operations)."""
+    """What moves with a joint only; then the simplified limb as a sphere |P|^2 - 2 c.P + d = 0: c, d (19 operations)."""
     s6 = k[0]
     s9 = k[1]
     s12 = k[2]
     B_x = k[3]
     B_y = k[4]
-    s28 = k[5]
+    s27 = k[11]
     for lane in range(n):
         q = w[0 + lane]
         tx = w[32 + lane]
@@ -65,12 +65,12 @@ def _early(w, k, n):
         C_y = B_y - s12*s8 + s16
         s79 = B_x + s10 + tx
         s80 = B_y + s16 + ty
-        s85 = s28 + 0.5*(s79 * s79) + 0.5*(s80 * s80)
+        s83 = -s27 + (s79 * s79) + (s80 * s80)
         w[320 + lane] = C_x
         w[352 + lane] = C_y
         w[384 + lane] = s79
         w[416 + lane] = s80
-        w[448 + lane] = s85
+        w[448 + lane] = s83
 
 
 @straight
@@ -154,12 +154,12 @@ def _more(w, k, n):
         s7 = q + s6
         s8 = cosine(s7)
         s11 = sine(s7)
-        s86 = s11*s9 - s12*s8
-        s88 = -s11*s12 - s8*s9
+        s84 = s11*s9 - s12*s8
+        s86 = -s11*s12 - s8*s9
         w[512 + lane] = s11
         w[544 + lane] = s8
-        w[576 + lane] = s86
-        w[608 + lane] = s88
+        w[576 + lane] = s84
+        w[608 + lane] = s86
 
 
 @straight
@@ -172,14 +172,14 @@ def _joints(w, k, n):
         py = w[160 + lane]
         C_x = w[320 + lane]
         C_y = w[352 + lane]
-        s86 = w[576 + lane]
-        s88 = w[608 + lane]
+        s84 = w[576 + lane]
+        s86 = w[608 + lane]
         A_x = px - tx
         A_y = py - ty
         d_x = A_x - C_x
         d_y = A_y - C_y
-        s90 = d_x*s86 + d_y*s88
-        w[288 + lane] = s90
+        s88 = d_x*s84 + d_y*s86
+        w[288 + lane] = s88
 
 
 @straight
@@ -290,11 +290,11 @@ def _meet(w, n):
         ax, ay, da = c_10 - c_00, c_11 - c_01, c_12 - c_02
         nn = ax * ax + ay * ay
         inverse = 1.0 / nn
-        px, py = da * inverse * ax, da * inverse * ay
-        # |P + t n|^2 / 2 - c.(P + t n) + d = 0 with n = (-ay, ax)
+        px, py = 0.5 * da * inverse * ax, 0.5 * da * inverse * ay
+        # |P + t n|^2 - 2 c.(P + t n) + d = 0 with n = (-ay, ax)
         half = ((py - c_01) * ax - (px - c_00) * ay) * inverse
-        rest = 0.5 * (px * px + py * py) - (c_00 * px + c_01 * py) + c_02
-        square = half * half - 2.0 * rest * inverse
+        rest = (px * px + py * py) - 2.0 * (c_00 * px + c_01 * py) + c_02
+        square = half * half - rest * inverse
         good = (square * nn > CLEAR * CLEAR) & (nn > 1.0)
         root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the circle its nearest point is taken:
         # the exact machine may still reach what the simplified one cannot
@@ -533,7 +533,7 @@ def _simplified_forward(q, tool, k, x, status):
     left, runs = 0, max(k.shape[0], tool.shape[0])
     each = status.size // runs
     for m in range(runs):
-        own = machines[22 * (m // (runs // k.shape[0])) :]
+        own = machines[24 * (m // (runs // k.shape[0])) :]
         held = tools[3 * (m // (runs // tool.shape[0])) :]
         left += _simplified_forward_of(given[2 * each * m :], held, own, found[2 * each * m :], status[each * m :], each)
     return left
@@ -549,38 +549,38 @@ def _simplified_forward_of(q, tool, own, x, status, poses):
     s9_0 = own[0 + 1]
     B_x_0 = own[0 + 3]
     B_y_0 = own[0 + 4]
-    s28_0 = own[0 + 5]
-    s6_1 = own[11 + 0]
-    s9_1 = own[11 + 1]
-    B_x_1 = own[11 + 3]
-    B_y_1 = own[11 + 4]
-    s28_1 = own[11 + 5]
+    s27_0 = own[0 + 11]
+    s6_1 = own[12 + 0]
+    s9_1 = own[12 + 1]
+    B_x_1 = own[12 + 3]
+    B_y_1 = own[12 + 4]
+    s27_1 = own[12 + 11]
     for n in range(poses):
         q_0 = q[2 * n + 0]
         s7_0 = q_0 + s6_0
         s79_0 = B_x_0 + s9_0*cosine(s7_0) + tx
         s80_0 = B_y_0 + s9_0*sine(s7_0) + ty
-        s85_0 = s28_0 + 0.5*(s79_0 * s79_0) + 0.5*(s80_0 * s80_0)
+        s83_0 = -s27_0 + (s79_0 * s79_0) + (s80_0 * s80_0)
         c_00 = s79_0
         c_01 = s80_0
-        c_02 = s85_0
+        c_02 = s83_0
         q_1 = q[2 * n + 1]
         s7_1 = q_1 + s6_1
         s79_1 = B_x_1 + s9_1*cosine(s7_1) + tx
         s80_1 = B_y_1 + s9_1*sine(s7_1) + ty
-        s85_1 = s28_1 + 0.5*(s79_1 * s79_1) + 0.5*(s80_1 * s80_1)
+        s83_1 = -s27_1 + (s79_1 * s79_1) + (s80_1 * s80_1)
         c_10 = s79_1
         c_11 = s80_1
-        c_12 = s85_1
+        c_12 = s83_1
         # two circles: their difference is a line, on which the first circle is a quadratic
         ax, ay, da = c_10 - c_00, c_11 - c_01, c_12 - c_02
         nn = ax * ax + ay * ay
         inverse = 1.0 / nn
-        px, py = da * inverse * ax, da * inverse * ay
-        # |P + t n|^2 / 2 - c.(P + t n) + d = 0 with n = (-ay, ax)
+        px, py = 0.5 * da * inverse * ax, 0.5 * da * inverse * ay
+        # |P + t n|^2 - 2 c.(P + t n) + d = 0 with n = (-ay, ax)
         half = ((py - c_01) * ax - (px - c_00) * ay) * inverse
-        rest = 0.5 * (px * px + py * py) - (c_00 * px + c_01 * py) + c_02
-        square = half * half - 2.0 * rest * inverse
+        rest = (px * px + py * py) - 2.0 * (c_00 * px + c_01 * py) + c_02
+        square = half * half - rest * inverse
         good = (square * nn > CLEAR * CLEAR) & (nn > 1.0)
         root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the circle its nearest point is taken:
         # the exact machine may still reach what the simplified one cannot
@@ -613,7 +613,7 @@ def _simplified_inverse(target, tool, k, q, status):
     left, runs = 0, max(k.shape[0], tool.shape[0])
     each = status.size // runs
     for m in range(runs):
-        own = machines[22 * (m // (runs // k.shape[0])) :]
+        own = machines[24 * (m // (runs // k.shape[0])) :]
         held = tools[3 * (m // (runs // tool.shape[0])) :]
         left += _simplified_inverse_of(given[2 * each * m :], held, own, found[2 * each * m :], status[each * m :], each)
     return left
@@ -632,13 +632,13 @@ def _simplified_inverse_of(target, tool, own, q, status, poses):
     s62_0 = own[0 + 6]
     s66_0 = own[0 + 7]
     s71_0 = own[0 + 8]
-    s6_1 = own[11 + 0]
-    s9_1 = own[11 + 1]
-    B_x_1 = own[11 + 3]
-    B_y_1 = own[11 + 4]
-    s62_1 = own[11 + 6]
-    s66_1 = own[11 + 7]
-    s71_1 = own[11 + 8]
+    s6_1 = own[12 + 0]
+    s9_1 = own[12 + 1]
+    B_x_1 = own[12 + 3]
+    B_y_1 = own[12 + 4]
+    s62_1 = own[12 + 6]
+    s66_1 = own[12 + 7]
+    s71_1 = own[12 + 8]
     for n in range(poses):
         px = target[2 * n + 0]
         py = target[2 * n + 1]

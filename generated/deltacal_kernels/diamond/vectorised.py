@@ -1,7 +1,7 @@
 """Kinematics of `diamond` in plain NumPy: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both 4ef2c6bfff1cc9bc; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 4582a45f61edf6e3; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -20,12 +20,12 @@ PIVOT_SINGULAR = 1e-9  # of the largest entry of its matrix, in mm
 
 
 def constants(p):
-    """Return k (M, 2, 11), what no pose changes, from p (23 operations).
+    """Return k (M, 2, 12), what no pose changes, from p (23 operations).
 
     All rows at once.
     """
     p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
-    k = np.zeros((11, p.shape[1], 2))
+    k = np.zeros((12, p.shape[1], 2))
     base_x = p[0]
     base_y = p[1]
     L = p[2]
@@ -44,7 +44,8 @@ def constants(p):
     s9 = s3*side
     s12 = -side*tip_v
     s26 = dl + l
-    s28 = -0.5*(s26 * s26)
+    s27 = (s26 * s26)
+    s28 = -0.5*s27
     s51 = -s26
     s59 = (side * side)
     s60 = (s3 * s3)
@@ -62,6 +63,7 @@ def constants(p):
     k[8] = s71
     k[9] = side
     k[10] = s51
+    k[11] = s27
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
@@ -140,22 +142,22 @@ def _parameters(x, q, tool, k):
 
 
 def _sphere(x, q, tool, k):
-    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d: (3, limbs, N)."""
+    """The simplified limb as a sphere |P|^2 - 2 c.P + d = 0: c, d: (3, limbs, N)."""
     tx = tool[0]
     ty = tool[1]
     s6 = k[0]
     s9 = k[1]
     B_x = k[3]
     B_y = k[4]
-    s28 = k[5]
+    s27 = k[11]
     s7 = q + s6
     s79 = B_x + s9*np.cos(s7) + tx
     s80 = B_y + s9*np.sin(s7) + ty
-    s85 = s28 + 0.5*(s79 * s79) + 0.5*(s80 * s80)
+    s83 = -s27 + (s79 * s79) + (s80 * s80)
     out = np.zeros((3, *(k.shape[1], x.shape[-1])))
     out[0] = s79
     out[1] = s80
-    out[2] = s85
+    out[2] = s83
     return out
 
 
@@ -245,11 +247,11 @@ def _meet(circle):
     aa = (a[:, :2] ** 2).sum(axis=1)
     apart = aa > PIVOT_SINGULAR * (circle[:, :, :2] ** 2).sum(axis=(1, 2))
     aa = np.where(apart, aa, 1.0)
-    p = (a[:, 2] / aa)[:, None] * a[:, :2]
+    p = (0.5 * a[:, 2] / aa)[:, None] * a[:, :2]
     n = np.stack([-a[:, 1], a[:, 0]], axis=1)
     half = ((p - circle[:, 0, :2]) * n).sum(axis=1)
-    rest = 0.5 * (p * p).sum(axis=1) - (circle[:, 0, :2] * p).sum(axis=1) + circle[:, 0, 2]
-    root = np.sqrt(np.maximum(half * half - 2.0 * aa * rest, 0.0))
+    rest = (p * p).sum(axis=1) - 2.0 * (circle[:, 0, :2] * p).sum(axis=1) + circle[:, 0, 2]
+    root = np.sqrt(np.maximum(half * half - aa * rest, 0.0))
     t = (-half + np.where(n[:, 1] > 0.0, -1.0, 1.0) * root) / aa
     return p + t[:, None] * n, apart
 

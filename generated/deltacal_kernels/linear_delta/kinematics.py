@@ -1,14 +1,14 @@
 """Kinematics of `linear_delta`, many poses at once: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 5e2eda1df0ad8cee; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both e5bc565b82888c74; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
 x (N, 6)  platform: px py pz cx cy cz
 q (N, 3)  joints        tool (N or 1, 3)  reference point in {O'}
 p (M, 3, 15)  one row of parameters per limb: r l phi home a c endstop arm radius angle lean_radial lean_tangential scale dl radius
-k (M, 3, 51)  what `constants` makes of p; each of the M machines has N / M of the poses, one after the other
+k (M, 3, 52)  what `constants` makes of p; each of the M machines has N / M of the poses, one after the other
 
 Poses are taken in blocks of up to 32, side by side: a loop over `lane` runs over the poses of a block. What is poorly
 conditioned or converges slowly is left to the plain kernels of ``vectorised.py``. `status` says what became of each pose.
@@ -45,7 +45,7 @@ fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 @straight
 def _early(w, k, n):
-    """What moves with a joint only; then the simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (23 operations)."""
+    """What moves with a joint only; then the simplified limb as a sphere |P|^2 - 2 c.P + d = 0: c, d (20 operations)."""
     s60 = k[0]
     s59 = k[1]
     axis_x = k[2]
@@ -58,7 +58,7 @@ def _early(w, k, n):
     s660 = k[14]
     s665 = k[15]
     h = k[16]
-    s672 = k[17]
+    s53 = k[40]
     for lane in range(n):
         q = w[0 + lane]
         tx = w[32 + lane]
@@ -74,7 +74,7 @@ def _early(w, k, n):
         s687 = -s660 + tx
         s688 = -s665 + ty
         s689 = h + s61 + tz
-        s696 = s672 + 0.5*(s687 * s687) + 0.5*(s688 * s688) + 0.5*(s689 * s689)
+        s693 = -s53 + (s687 * s687) + (s688 * s688) + (s689 * s689)
         w[1120 + lane] = s107
         w[1152 + lane] = s110
         w[1184 + lane] = C_x
@@ -83,7 +83,7 @@ def _early(w, k, n):
         w[1280 + lane] = s687
         w[1312 + lane] = s688
         w[1344 + lane] = s689
-        w[1376 + lane] = s696
+        w[1376 + lane] = s693
 
 
 @straight
@@ -92,10 +92,10 @@ def _rows(w, k, n):
     u_x = k[9]
     u_y = k[10]
     s128 = k[11]
-    s714 = k[40]
-    s864 = k[41]
-    s1001 = k[42]
-    s1003 = k[43]
+    s711 = k[41]
+    s861 = k[42]
+    s998 = k[43]
+    s1000 = k[44]
     for lane in range(n):
         tz = w[96 + lane]
         px = w[128 + lane]
@@ -133,37 +133,37 @@ def _rows(w, k, n):
         s_x = s128*(-R_11*u_y + R_12*u_x + u_y)
         s_y = s128*(-R_21*u_y + R_22*u_x - u_x)
         s_z = s128*(-R_31*u_y + R_32*u_x)
-        s707 = 0.5*(s_x * s_x)
-        s709 = 0.5*(s_y * s_y)
-        s711 = 0.5*(s_z * s_z)
-        s715 = 0.5*(d_x * d_x) + 0.5*(d_y * d_y) + 0.5*(d_z * d_z) + s707 + s709 + s711 + s714
-        s865 = d_x*s_x + d_y*s_y + d_z*s_z + s864
-        s997 = -s118 - s119 - s120
-        s999 = s114 + s115 + s116
-        s1005 = R_31*s1001 + R_32*s1003
-        s1009 = -R_21*s1001 - R_22*s1003
-        s1011 = d_y*s997 + d_z*s999 + s1005*s_y + s1009*s_z
-        s1013 = -s108 - s111 - s112
-        s1018 = R_11*s1001 + R_12*s1003
-        s1020 = -d_x*s997 + d_z*s1013 - s1005*s_x + s1018*s_z
-        s1025 = -d_x*s999 - d_y*s1013 - s1009*s_x - s1018*s_y
-        s1030 = d_y*s1005 + d_z*s1009 + s997*s_y + s999*s_z
-        s1035 = -d_x*s1005 + d_z*s1018 + s1013*s_z - s997*s_x
-        s1040 = -d_x*s1009 - d_y*s1018 - s1013*s_y - s999*s_x
-        w[608 + lane] = s715
+        s704 = 0.5*(s_x * s_x)
+        s706 = 0.5*(s_y * s_y)
+        s708 = 0.5*(s_z * s_z)
+        s712 = 0.5*(d_x * d_x) + 0.5*(d_y * d_y) + 0.5*(d_z * d_z) + s704 + s706 + s708 + s711
+        s862 = d_x*s_x + d_y*s_y + d_z*s_z + s861
+        s994 = -s118 - s119 - s120
+        s996 = s114 + s115 + s116
+        s1002 = R_31*s998 + R_32*s1000
+        s1006 = -R_21*s998 - R_22*s1000
+        s1008 = d_y*s994 + d_z*s996 + s1002*s_y + s1006*s_z
+        s1010 = -s108 - s111 - s112
+        s1015 = R_11*s998 + R_12*s1000
+        s1017 = -d_x*s994 + d_z*s1010 - s1002*s_x + s1015*s_z
+        s1022 = -d_x*s996 - d_y*s1010 - s1006*s_x - s1015*s_y
+        s1027 = d_y*s1002 + d_z*s1006 + s994*s_y + s996*s_z
+        s1032 = -d_x*s1002 + d_z*s1015 + s1010*s_z - s994*s_x
+        s1037 = -d_x*s1006 - d_y*s1015 - s1010*s_y - s996*s_x
+        w[608 + lane] = s712
         w[640 + lane] = d_x
         w[672 + lane] = d_y
         w[704 + lane] = d_z
-        w[736 + lane] = s1011
-        w[768 + lane] = s1020
-        w[800 + lane] = s1025
-        w[864 + lane] = s865
+        w[736 + lane] = s1008
+        w[768 + lane] = s1017
+        w[800 + lane] = s1022
+        w[864 + lane] = s862
         w[896 + lane] = s_x
         w[928 + lane] = s_y
         w[960 + lane] = s_z
-        w[992 + lane] = s1030
-        w[1024 + lane] = s1035
-        w[1056 + lane] = s1040
+        w[992 + lane] = s1027
+        w[1024 + lane] = s1032
+        w[1056 + lane] = s1037
 
 
 @straight
@@ -339,9 +339,9 @@ def _joints(w, k, n):
     u_x = k[9]
     u_y = k[10]
     s128 = k[11]
-    s1041 = k[44]
-    s1043 = k[45]
-    s1045 = k[46]
+    s1038 = k[45]
+    s1040 = k[46]
+    s1042 = k[47]
     for lane in range(n):
         tz = w[96 + lane]
         px = w[128 + lane]
@@ -370,10 +370,10 @@ def _joints(w, k, n):
         s_x = s128*(-R_11*u_y + R_12*u_x + u_y)
         s_y = s128*(-R_21*u_y + R_22*u_x - u_x)
         s_z = s128*(-R_31*u_y + R_32*u_x)
-        s1047 = d_x*s1041 + d_y*s1043 + d_z*s1045
-        s1051 = s1041*s_x + s1043*s_y + s1045*s_z
-        w[832 + lane] = s1047
-        w[1088 + lane] = s1051
+        s1044 = d_x*s1038 + d_y*s1040 + d_z*s1042
+        s1048 = s1038*s_x + s1040*s_y + s1042*s_z
+        w[832 + lane] = s1044
+        w[1088 + lane] = s1048
 
 
 @straight
@@ -500,10 +500,10 @@ def _errors(w, k, n):
     s495 = k[34]
     s498 = k[35]
     s501 = k[36]
-    s832 = k[47]
-    s147 = k[48]
-    s860 = k[49]
-    s968 = k[50]
+    s829 = k[48]
+    s147 = k[49]
+    s857 = k[50]
+    s965 = k[51]
     for lane in range(n):
         q = w[0 + lane]
         tz = w[96 + lane]
@@ -534,75 +534,75 @@ def _errors(w, k, n):
         s_x = s128*(-R_11*u_y + R_12*u_x + u_y)
         s_y = s128*(-R_21*u_y + R_22*u_x - u_x)
         s_z = s128*(-R_31*u_y + R_32*u_x)
-        s716 = 2*s_z
-        s718 = 2*s_y
-        s720 = 2*s_x
-        s722 = 2*d_z
-        s723 = 0.5*s722
-        s724 = 2*d_y
-        s725 = 0.5*s724
-        s726 = 2*d_x
-        s727 = 0.5*s726
-        s729 = 0.5*s128*s716
-        s735 = 0.5*s128*s718
-        s740 = 0.5*s128*s720
-        s814 = -s62*s723
-        s816 = -s62*s725
-        s818 = -s62*s727
-        s820 = -axis_x*s727 - axis_y*s725 - axis_z*s723
-        s822 = -q*s820
-        s831 = s58*s820
-        s834 = s280*s820 + s832
-        s838 = s286*s820 - s725*u_y - s727*u_x
-        s839 = u_x*(-R_11*s740 - R_21*s735 - R_31*s729 + s740)
-        s840 = -u_y*(R_12*s740 + R_22*s735 + R_32*s729 - s735)
-        s841 = s106*(R_12*s727 + R_22*s725 + R_32*s723)
-        s842 = -s109*(R_11*s727 + R_21*s725 + R_31*s723)
-        s846 = s68*s727
-        s847 = s358*s818
-        s848 = s361*s820
-        s849 = s326*s814 + s354*s816 - s65*s725 + s839 + s840 + s841 + s842 + s846 + s847 + s848
-        s854 = s397*s814 + s425*s816 + s429*s818 + s432*s820
-        s859 = s468*s814 + s495*s816 + s498*s818 + s501*s820
-        s867 = d_z*s128
-        s873 = d_y*s128
-        s878 = d_x*s128
-        s952 = -s62*s_z
-        s954 = -s62*s_y
-        s956 = -s62*s_x
-        s958 = -axis_x*s_x - axis_y*s_y - axis_z*s_z
-        s960 = -q*s958
-        s969 = s58*s958
-        s971 = -s147 + s280*s958
-        s975 = s286*s958 - s_x*u_x - s_y*u_y
-        s976 = u_x*(-R_11*s878 - R_21*s873 - R_31*s867 + s878)
-        s977 = -u_y*(R_12*s878 + R_22*s873 + R_32*s867 - s873)
-        s978 = s106*(R_12*s_x + R_22*s_y + R_32*s_z)
-        s979 = -s109*(R_11*s_x + R_21*s_y + R_31*s_z)
-        s983 = s68*s_x
-        s984 = s358*s956
-        s985 = s361*s958
-        s986 = s326*s952 + s354*s954 - s65*s_y + s976 + s977 + s978 + s979 + s983 + s984 + s985
-        s991 = s397*s952 + s425*s954 + s429*s956 + s432*s958
-        s996 = s468*s952 + s495*s954 + s498*s956 + s501*s958
-        w[1472 + lane] = s831
-        w[1504 + lane] = s834
-        w[1536 + lane] = s838
-        w[1568 + lane] = s849
-        w[1600 + lane] = s854
-        w[1632 + lane] = s859
-        w[1664 + lane] = s822
-        w[1696 + lane] = s860
-        w[1728 + lane] = s838
-        w[1760 + lane] = s969
-        w[1792 + lane] = s971
-        w[1824 + lane] = s975
-        w[1856 + lane] = s986
-        w[1888 + lane] = s991
-        w[1920 + lane] = s996
-        w[1952 + lane] = s960
-        w[1984 + lane] = s968
-        w[2016 + lane] = s975
+        s713 = 2*s_z
+        s715 = 2*s_y
+        s717 = 2*s_x
+        s719 = 2*d_z
+        s720 = 0.5*s719
+        s721 = 2*d_y
+        s722 = 0.5*s721
+        s723 = 2*d_x
+        s724 = 0.5*s723
+        s726 = 0.5*s128*s713
+        s732 = 0.5*s128*s715
+        s737 = 0.5*s128*s717
+        s811 = -s62*s720
+        s813 = -s62*s722
+        s815 = -s62*s724
+        s817 = -axis_x*s724 - axis_y*s722 - axis_z*s720
+        s819 = -q*s817
+        s828 = s58*s817
+        s831 = s280*s817 + s829
+        s835 = s286*s817 - s722*u_y - s724*u_x
+        s836 = u_x*(-R_11*s737 - R_21*s732 - R_31*s726 + s737)
+        s837 = -u_y*(R_12*s737 + R_22*s732 + R_32*s726 - s732)
+        s838 = s106*(R_12*s724 + R_22*s722 + R_32*s720)
+        s839 = -s109*(R_11*s724 + R_21*s722 + R_31*s720)
+        s843 = s68*s724
+        s844 = s358*s815
+        s845 = s361*s817
+        s846 = s326*s811 + s354*s813 - s65*s722 + s836 + s837 + s838 + s839 + s843 + s844 + s845
+        s851 = s397*s811 + s425*s813 + s429*s815 + s432*s817
+        s856 = s468*s811 + s495*s813 + s498*s815 + s501*s817
+        s864 = d_z*s128
+        s870 = d_y*s128
+        s875 = d_x*s128
+        s949 = -s62*s_z
+        s951 = -s62*s_y
+        s953 = -s62*s_x
+        s955 = -axis_x*s_x - axis_y*s_y - axis_z*s_z
+        s957 = -q*s955
+        s966 = s58*s955
+        s968 = -s147 + s280*s955
+        s972 = s286*s955 - s_x*u_x - s_y*u_y
+        s973 = u_x*(-R_11*s875 - R_21*s870 - R_31*s864 + s875)
+        s974 = -u_y*(R_12*s875 + R_22*s870 + R_32*s864 - s870)
+        s975 = s106*(R_12*s_x + R_22*s_y + R_32*s_z)
+        s976 = -s109*(R_11*s_x + R_21*s_y + R_31*s_z)
+        s980 = s68*s_x
+        s981 = s358*s953
+        s982 = s361*s955
+        s983 = s326*s949 + s354*s951 - s65*s_y + s973 + s974 + s975 + s976 + s980 + s981 + s982
+        s988 = s397*s949 + s425*s951 + s429*s953 + s432*s955
+        s993 = s468*s949 + s495*s951 + s498*s953 + s501*s955
+        w[1472 + lane] = s828
+        w[1504 + lane] = s831
+        w[1536 + lane] = s835
+        w[1568 + lane] = s846
+        w[1600 + lane] = s851
+        w[1632 + lane] = s856
+        w[1664 + lane] = s819
+        w[1696 + lane] = s857
+        w[1728 + lane] = s835
+        w[1760 + lane] = s966
+        w[1792 + lane] = s968
+        w[1824 + lane] = s972
+        w[1856 + lane] = s983
+        w[1888 + lane] = s988
+        w[1920 + lane] = s993
+        w[1952 + lane] = s957
+        w[1984 + lane] = s965
+        w[2016 + lane] = s972
 
 
 @straight
@@ -891,13 +891,13 @@ def _meet(w, n):
         aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
         nn = nx * nx + ny * ny + nz * nz
         inverse = 1.0 / nn
-        # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
-        u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
+        # the point of the line in the plane of a and b: u a + v b with 2 a.P = da, 2 b.P = db
+        u, v = (da * bb - db * ab) * (0.5 * inverse), (db * aa - da * ab) * (0.5 * inverse)
         px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
-        # |P + t n|^2 / 2 - c.(P + t n) + d = 0
+        # |P + t n|^2 - 2 c.(P + t n) + d = 0
         half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
-        rest = 0.5 * (px * px + py * py + pz * pz) - (c_00 * px + c_01 * py + c_02 * pz) + c_03
-        square = half * half - 2.0 * rest * inverse
+        rest = (px * px + py * py + pz * pz) - 2.0 * (c_00 * px + c_01 * py + c_02 * pz) + c_03
+        square = half * half - rest * inverse
         good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
         root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
         # the exact machine may still reach what the simplified one cannot
@@ -1185,7 +1185,7 @@ def _simplified_forward(q, tool, k, x, status):
     left, runs = 0, max(k.shape[0], tool.shape[0])
     each = status.size // runs
     for m in range(runs):
-        own = machines[153 * (m // (runs // k.shape[0])) :]
+        own = machines[156 * (m // (runs // k.shape[0])) :]
         held = tools[3 * (m // (runs // tool.shape[0])) :]
         left += _simplified_forward_of(given[3 * each * m :], held, own, found[3 * each * m :], status[each * m :], each)
     return left
@@ -1202,45 +1202,45 @@ def _simplified_forward_of(q, tool, own, x, status, poses):
     s660_0 = own[0 + 14]
     s665_0 = own[0 + 15]
     h_0 = own[0 + 16]
-    s672_0 = own[0 + 17]
-    s60_1 = own[51 + 0]
-    s660_1 = own[51 + 14]
-    s665_1 = own[51 + 15]
-    h_1 = own[51 + 16]
-    s672_1 = own[51 + 17]
-    s60_2 = own[102 + 0]
-    s660_2 = own[102 + 14]
-    s665_2 = own[102 + 15]
-    h_2 = own[102 + 16]
-    s672_2 = own[102 + 17]
+    s53_0 = own[0 + 40]
+    s60_1 = own[52 + 0]
+    s660_1 = own[52 + 14]
+    s665_1 = own[52 + 15]
+    h_1 = own[52 + 16]
+    s53_1 = own[52 + 40]
+    s60_2 = own[104 + 0]
+    s660_2 = own[104 + 14]
+    s665_2 = own[104 + 15]
+    h_2 = own[104 + 16]
+    s53_2 = own[104 + 40]
     for n in range(poses):
         q_0 = q[3 * n + 0]
         s687_0 = -s660_0 + tx
         s688_0 = -s665_0 + ty
         s689_0 = h_0 - q_0*s60_0 + tz
-        s696_0 = s672_0 + 0.5*(s687_0 * s687_0) + 0.5*(s688_0 * s688_0) + 0.5*(s689_0 * s689_0)
+        s693_0 = -s53_0 + (s687_0 * s687_0) + (s688_0 * s688_0) + (s689_0 * s689_0)
         c_00 = s687_0
         c_01 = s688_0
         c_02 = s689_0
-        c_03 = s696_0
+        c_03 = s693_0
         q_1 = q[3 * n + 1]
         s687_1 = -s660_1 + tx
         s688_1 = -s665_1 + ty
         s689_1 = h_1 - q_1*s60_1 + tz
-        s696_1 = s672_1 + 0.5*(s687_1 * s687_1) + 0.5*(s688_1 * s688_1) + 0.5*(s689_1 * s689_1)
+        s693_1 = -s53_1 + (s687_1 * s687_1) + (s688_1 * s688_1) + (s689_1 * s689_1)
         c_10 = s687_1
         c_11 = s688_1
         c_12 = s689_1
-        c_13 = s696_1
+        c_13 = s693_1
         q_2 = q[3 * n + 2]
         s687_2 = -s660_2 + tx
         s688_2 = -s665_2 + ty
         s689_2 = h_2 - q_2*s60_2 + tz
-        s696_2 = s672_2 + 0.5*(s687_2 * s687_2) + 0.5*(s688_2 * s688_2) + 0.5*(s689_2 * s689_2)
+        s693_2 = -s53_2 + (s687_2 * s687_2) + (s688_2 * s688_2) + (s689_2 * s689_2)
         c_20 = s687_2
         c_21 = s688_2
         c_22 = s689_2
-        c_23 = s696_2
+        c_23 = s693_2
         # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
         ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
         bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
@@ -1248,13 +1248,13 @@ def _simplified_forward_of(q, tool, own, x, status, poses):
         aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
         nn = nx * nx + ny * ny + nz * nz
         inverse = 1.0 / nn
-        # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
-        u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
+        # the point of the line in the plane of a and b: u a + v b with 2 a.P = da, 2 b.P = db
+        u, v = (da * bb - db * ab) * (0.5 * inverse), (db * aa - da * ab) * (0.5 * inverse)
         px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
-        # |P + t n|^2 / 2 - c.(P + t n) + d = 0
+        # |P + t n|^2 - 2 c.(P + t n) + d = 0
         half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
-        rest = 0.5 * (px * px + py * py + pz * pz) - (c_00 * px + c_01 * py + c_02 * pz) + c_03
-        square = half * half - 2.0 * rest * inverse
+        rest = (px * px + py * py + pz * pz) - 2.0 * (c_00 * px + c_01 * py + c_02 * pz) + c_03
+        square = half * half - rest * inverse
         good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
         root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
         # the exact machine may still reach what the simplified one cannot
@@ -1288,7 +1288,7 @@ def _simplified_inverse(target, tool, k, q, status):
     left, runs = 0, max(k.shape[0], tool.shape[0])
     each = status.size // runs
     for m in range(runs):
-        own = machines[153 * (m // (runs // k.shape[0])) :]
+        own = machines[156 * (m // (runs // k.shape[0])) :]
         held = tools[3 * (m // (runs // tool.shape[0])) :]
         left += _simplified_inverse_of(given[3 * each * m :], held, own, found[3 * each * m :], status[each * m :], each)
     return left
@@ -1308,20 +1308,20 @@ def _simplified_inverse_of(target, tool, own, q, status, poses):
     s674_0 = own[0 + 18]
     s680_0 = own[0 + 19]
     s684_0 = own[0 + 20]
-    s660_1 = own[51 + 14]
-    s665_1 = own[51 + 15]
-    h_1 = own[51 + 16]
-    s672_1 = own[51 + 17]
-    s674_1 = own[51 + 18]
-    s680_1 = own[51 + 19]
-    s684_1 = own[51 + 20]
-    s660_2 = own[102 + 14]
-    s665_2 = own[102 + 15]
-    h_2 = own[102 + 16]
-    s672_2 = own[102 + 17]
-    s674_2 = own[102 + 18]
-    s680_2 = own[102 + 19]
-    s684_2 = own[102 + 20]
+    s660_1 = own[52 + 14]
+    s665_1 = own[52 + 15]
+    h_1 = own[52 + 16]
+    s672_1 = own[52 + 17]
+    s674_1 = own[52 + 18]
+    s680_1 = own[52 + 19]
+    s684_1 = own[52 + 20]
+    s660_2 = own[104 + 14]
+    s665_2 = own[104 + 15]
+    h_2 = own[104 + 16]
+    s672_2 = own[104 + 17]
+    s674_2 = own[104 + 18]
+    s680_2 = own[104 + 19]
+    s684_2 = own[104 + 20]
     for n in range(poses):
         px = target[3 * n + 0]
         py = target[3 * n + 1]

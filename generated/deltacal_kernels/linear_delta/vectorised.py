@@ -1,7 +1,7 @@
 """Kinematics of `linear_delta` in plain NumPy: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both f8eb8078e119aa9f; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both d07f928d232b8887; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -20,12 +20,12 @@ PIVOT_SINGULAR = 1e-9  # of the largest entry of its matrix, in mm
 
 
 def constants(p):
-    """Return k (M, 3, 51), what no pose changes, from p (371 operations).
+    """Return k (M, 3, 52), what no pose changes, from p (371 operations).
 
     All rows at once.
     """
     p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
-    k = np.zeros((51, p.shape[1], 3))
+    k = np.zeros((52, p.shape[1], 3))
     r = p[0]
     l = p[1]
     phi = p[2]
@@ -144,16 +144,16 @@ def constants(p):
     s678 = 2*scale + 2
     s680 = 0.25*(s678 * s678)/(s60 * s60 * s60 * s60)
     s684 = -0.5*s657*s678
-    s714 = -0.125*(dl * dl) + s672
-    s832 = -0.5*s274
-    s860 = -0.25*dl
-    s864 = -0.5*arm_0*dl
-    s968 = -0.5*arm_0
-    s1001 = 0.5*c*u_y
-    s1003 = -0.5*c*u_x
-    s1041 = axis_x*s60
-    s1043 = axis_y*s60
-    s1045 = axis_z*s60
+    s711 = -0.125*(dl * dl) + s672
+    s829 = -0.5*s274
+    s857 = -0.25*dl
+    s861 = -0.5*arm_0*dl
+    s965 = -0.5*arm_0
+    s998 = 0.5*c*u_y
+    s1000 = -0.5*c*u_x
+    s1038 = axis_x*s60
+    s1040 = axis_y*s60
+    s1042 = axis_z*s60
     k[0] = s60
     k[1] = s59
     k[2] = axis_x
@@ -194,17 +194,18 @@ def constants(p):
     k[37] = s628
     k[38] = s504
     k[39] = s656
-    k[40] = s714
-    k[41] = s864
-    k[42] = s1001
-    k[43] = s1003
-    k[44] = s1041
-    k[45] = s1043
-    k[46] = s1045
-    k[47] = s832
-    k[48] = s147
-    k[49] = s860
-    k[50] = s968
+    k[40] = s53
+    k[41] = s711
+    k[42] = s861
+    k[43] = s998
+    k[44] = s1000
+    k[45] = s1038
+    k[46] = s1040
+    k[47] = s1042
+    k[48] = s829
+    k[49] = s147
+    k[50] = s857
+    k[51] = s965
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
@@ -541,7 +542,7 @@ def _parameters(x, q, tool, k):
 
 
 def _sphere(x, q, tool, k):
-    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d: (4, limbs, N)."""
+    """The simplified limb as a sphere |P|^2 - 2 c.P + d = 0: c, d: (4, limbs, N)."""
     tx = tool[0]
     ty = tool[1]
     tz = tool[2]
@@ -549,16 +550,16 @@ def _sphere(x, q, tool, k):
     s660 = k[14]
     s665 = k[15]
     h = k[16]
-    s672 = k[17]
+    s53 = k[40]
     s687 = -s660 + tx
     s688 = -s665 + ty
     s689 = h - q*s60 + tz
-    s696 = s672 + 0.5*(s687 * s687) + 0.5*(s688 * s688) + 0.5*(s689 * s689)
+    s693 = -s53 + (s687 * s687) + (s688 * s688) + (s689 * s689)
     out = np.zeros((4, *(k.shape[1], x.shape[-1])))
     out[0] = s687
     out[1] = s688
     out[2] = s689
-    out[3] = s696
+    out[3] = s693
     return out
 
 
@@ -592,18 +593,18 @@ def _spin(x):
     cy = x[4]
     cz = x[5]
     s78 = (1.0 / (0.25*(cx * cx) + 0.25*(cy * cy) + 0.25*(cz * cz) + 1))
-    s697 = -0.5*cz*s78
-    s698 = 0.5*cy*s78
-    s699 = -0.5*cx*s78
+    s694 = -0.5*cz*s78
+    s695 = 0.5*cy*s78
+    s696 = -0.5*cx*s78
     out = np.zeros((9, *x.shape[1:]))
     out[0] = s78
-    out[1] = s697
-    out[2] = s698
-    out[3] = -s697
+    out[1] = s694
+    out[2] = s695
+    out[3] = -s694
     out[4] = s78
-    out[5] = s699
-    out[6] = -s698
-    out[7] = -s699
+    out[5] = s696
+    out[6] = -s695
+    out[7] = -s696
     out[8] = s78
     return out
 
@@ -670,11 +671,11 @@ def _meet(sphere):
     nn, aa, bb, ab = ((u[:, :3] * v[:, :3]).sum(axis=1) for u, v in ((n, n), (a, a), (b, b), (a, b)))
     apart = nn > PIVOT_SINGULAR * aa * bb
     nn = np.where(apart, nn, 1.0)
-    u, v = (a[:, 3] * bb - b[:, 3] * ab) / nn, (b[:, 3] * aa - a[:, 3] * ab) / nn
+    u, v = 0.5 * (a[:, 3] * bb - b[:, 3] * ab) / nn, 0.5 * (b[:, 3] * aa - a[:, 3] * ab) / nn
     p = u[:, None] * a[:, :3] + v[:, None] * b[:, :3]
     half = ((p - sphere[:, 0, :3]) * n).sum(axis=1)
-    rest = 0.5 * (p * p).sum(axis=1) - (sphere[:, 0, :3] * p).sum(axis=1) + sphere[:, 0, 3]
-    root = np.sqrt(np.maximum(half * half - 2.0 * nn * rest, 0.0))
+    rest = (p * p).sum(axis=1) - 2.0 * (sphere[:, 0, :3] * p).sum(axis=1) + sphere[:, 0, 3]
+    root = np.sqrt(np.maximum(half * half - nn * rest, 0.0))
     t = (-half + np.where(n[:, 2] > 0.0, -1.0, 1.0) * root) / nn
     return p + t[:, None] * n, apart
 

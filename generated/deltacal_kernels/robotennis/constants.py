@@ -51,7 +51,8 @@ def _fill_constants(p, k, rows):
         s31 = s30*u_x
         s33 = s30*u_y
         s44 = b + db
-        s46 = -0.5*(s44 * s44)
+        s45 = (s44 * s44)
+        s46 = -0.5*s45
         s77 = -s44
         s96 = -A_x + px0 + s31
         s98 = -s11*u_x
@@ -61,29 +62,30 @@ def _fill_constants(p, k, rows):
         s122 = -2*a - 2*da
         s124 = 0.25*(s122 * s122)
         s129 = -0.5*s122
-        k[23 * lane + 0] = theta0
-        k[23 * lane + 1] = u_x
-        k[23 * lane + 2] = u_y
-        k[23 * lane + 3] = s11
-        k[23 * lane + 4] = s14
-        k[23 * lane + 5] = s16
-        k[23 * lane + 6] = s20
-        k[23 * lane + 7] = s22
-        k[23 * lane + 8] = tip_v
-        k[23 * lane + 9] = px0
-        k[23 * lane + 10] = py0
-        k[23 * lane + 11] = pz0
-        k[23 * lane + 12] = s31
-        k[23 * lane + 13] = s33
-        k[23 * lane + 14] = s46
-        k[23 * lane + 15] = s96
-        k[23 * lane + 16] = s98
-        k[23 * lane + 17] = s100
-        k[23 * lane + 18] = s102
-        k[23 * lane + 19] = s117
-        k[23 * lane + 20] = s124
-        k[23 * lane + 21] = s129
-        k[23 * lane + 22] = s77
+        k[24 * lane + 0] = theta0
+        k[24 * lane + 1] = u_x
+        k[24 * lane + 2] = u_y
+        k[24 * lane + 3] = s11
+        k[24 * lane + 4] = s14
+        k[24 * lane + 5] = s16
+        k[24 * lane + 6] = s20
+        k[24 * lane + 7] = s22
+        k[24 * lane + 8] = tip_v
+        k[24 * lane + 9] = px0
+        k[24 * lane + 10] = py0
+        k[24 * lane + 11] = pz0
+        k[24 * lane + 12] = s31
+        k[24 * lane + 13] = s33
+        k[24 * lane + 14] = s46
+        k[24 * lane + 15] = s96
+        k[24 * lane + 16] = s98
+        k[24 * lane + 17] = s100
+        k[24 * lane + 18] = s102
+        k[24 * lane + 19] = s117
+        k[24 * lane + 20] = s124
+        k[24 * lane + 21] = s129
+        k[24 * lane + 22] = s77
+        k[24 * lane + 23] = s45
 
 
 @fast
@@ -92,8 +94,8 @@ def _constants(p, k):
 
 
 def constants(p):
-    """Return k (M, 3, 23), what no pose changes, from p (46 operations)."""
-    k = np.zeros((len(p), 3, 23))
+    """Return k (M, 3, 24), what no pose changes, from p (46 operations)."""
+    k = np.zeros((len(p), 3, 24))
     _constants(np.ascontiguousarray(p), k)
     return k
 

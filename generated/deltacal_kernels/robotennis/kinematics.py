@@ -1,14 +1,14 @@
 """Kinematics of `robotennis`, many poses at once: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both aa851f5e2b62e2ad; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 1d8763047c5f1268; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
 x (N, 3)  platform: px py pz
 q (N, 3)  joints        tool (N or 1, 3)  reference point in {O'}
 p (M, 3, 19)  one row of parameters per limb: a b h H phi hx hy hz a b h theta0 phi H px0 py0 pz0 tip_v tip_w
-k (M, 3, 23)  what `constants` makes of p; each of the M machines has N / M of the poses, one after the other
+k (M, 3, 24)  what `constants` makes of p; each of the M machines has N / M of the poses, one after the other
 
 Poses are taken in blocks of up to 32, side by side: a loop over `lane` runs over the poses of a block. What is poorly
 conditioned or converges slowly is left to the plain kernels of ``vectorised.py``. `status` says what became of each pose.
@@ -45,7 +45,7 @@ fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 @straight
 def _early(w, k, n):
-    """What moves with a joint only; then the simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d (33 operations)."""
+    """What moves with a joint only; then the simplified limb as a sphere |P|^2 - 2 c.P + d = 0: c, d (30 operations)."""
     theta0 = k[0]
     u_x = k[1]
     u_y = k[2]
@@ -56,11 +56,11 @@ def _early(w, k, n):
     s22 = k[7]
     tip_v = k[8]
     pz0 = k[11]
-    s46 = k[14]
     s96 = k[15]
     s98 = k[16]
     s100 = k[17]
     s102 = k[18]
+    s45 = k[23]
     for lane in range(n):
         q = w[0 + lane]
         tx = w[32 + lane]
@@ -78,14 +78,14 @@ def _early(w, k, n):
         s138 = -s7*s98 - s96 + tx
         s140 = -s100 - s102*s7 + ty
         s141 = -pz0 + s24 + tz
-        s148 = 0.5*(s138 * s138) + 0.5*(s140 * s140) + 0.5*(s141 * s141) + s46
+        s145 = (s138 * s138) + (s140 * s140) + (s141 * s141) - s45
         w[384 + lane] = B_x
         w[416 + lane] = B_y
         w[448 + lane] = B_z
         w[480 + lane] = s138
         w[512 + lane] = s140
         w[544 + lane] = s141
-        w[576 + lane] = s148
+        w[576 + lane] = s145
 
 
 @straight
@@ -219,16 +219,16 @@ def _more(w, k, n):
         arm_x = s7*u_x
         arm_y = s7*u_y
         arm_z = sine(s6)
-        s151 = -arm_z*s98 - s14*s7
-        s155 = -arm_z*s102 - s20*s7
-        s159 = arm_z*tip_v - s11*s7
+        s148 = -arm_z*s98 - s14*s7
+        s152 = -arm_z*s102 - s20*s7
+        s156 = arm_z*tip_v - s11*s7
         w[640 + lane] = s7
         w[672 + lane] = arm_z
         w[704 + lane] = arm_y
         w[736 + lane] = arm_x
-        w[768 + lane] = s151
-        w[800 + lane] = s155
-        w[832 + lane] = s159
+        w[768 + lane] = s148
+        w[800 + lane] = s152
+        w[832 + lane] = s156
 
 
 @straight
@@ -249,9 +249,9 @@ def _joints(w, k, n):
         B_x = w[384 + lane]
         B_y = w[416 + lane]
         B_z = w[448 + lane]
-        s151 = w[768 + lane]
-        s155 = w[800 + lane]
-        s159 = w[832 + lane]
+        s148 = w[768 + lane]
+        s152 = w[800 + lane]
+        s156 = w[832 + lane]
         centre_x = px + px0 - tx
         centre_y = py + py0 - ty
         centre_z = pz + pz0 - tz
@@ -260,8 +260,8 @@ def _joints(w, k, n):
         rod_x = -B_x + C_x
         rod_y = -B_y + C_y
         rod_z = -B_z + centre_z
-        s161 = rod_x*s151 + rod_y*s155 + rod_z*s159
-        w[352 + lane] = s161
+        s158 = rod_x*s148 + rod_y*s152 + rod_z*s156
+        w[352 + lane] = s158
 
 
 @straight
@@ -456,13 +456,13 @@ def _meet(w, n):
         aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
         nn = nx * nx + ny * ny + nz * nz
         inverse = 1.0 / nn
-        # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
-        u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
+        # the point of the line in the plane of a and b: u a + v b with 2 a.P = da, 2 b.P = db
+        u, v = (da * bb - db * ab) * (0.5 * inverse), (db * aa - da * ab) * (0.5 * inverse)
         px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
-        # |P + t n|^2 / 2 - c.(P + t n) + d = 0
+        # |P + t n|^2 - 2 c.(P + t n) + d = 0
         half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
-        rest = 0.5 * (px * px + py * py + pz * pz) - (c_00 * px + c_01 * py + c_02 * pz) + c_03
-        square = half * half - 2.0 * rest * inverse
+        rest = (px * px + py * py + pz * pz) - 2.0 * (c_00 * px + c_01 * py + c_02 * pz) + c_03
+        square = half * half - rest * inverse
         good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
         root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
         # the exact machine may still reach what the simplified one cannot
@@ -726,7 +726,7 @@ def _simplified_forward(q, tool, k, x, status):
     left, runs = 0, max(k.shape[0], tool.shape[0])
     each = status.size // runs
     for m in range(runs):
-        own = machines[69 * (m // (runs // k.shape[0])) :]
+        own = machines[72 * (m // (runs // k.shape[0])) :]
         held = tools[3 * (m // (runs // tool.shape[0])) :]
         left += _simplified_forward_of(given[3 * each * m :], held, own, found[3 * each * m :], status[each * m :], each)
     return left
@@ -742,27 +742,27 @@ def _simplified_forward_of(q, tool, own, x, status, poses):
     theta0_0 = own[0 + 0]
     s11_0 = own[0 + 3]
     pz0_0 = own[0 + 11]
-    s46_0 = own[0 + 14]
     s96_0 = own[0 + 15]
     s98_0 = own[0 + 16]
     s100_0 = own[0 + 17]
     s102_0 = own[0 + 18]
-    theta0_1 = own[23 + 0]
-    s11_1 = own[23 + 3]
-    pz0_1 = own[23 + 11]
-    s46_1 = own[23 + 14]
-    s96_1 = own[23 + 15]
-    s98_1 = own[23 + 16]
-    s100_1 = own[23 + 17]
-    s102_1 = own[23 + 18]
-    theta0_2 = own[46 + 0]
-    s11_2 = own[46 + 3]
-    pz0_2 = own[46 + 11]
-    s46_2 = own[46 + 14]
-    s96_2 = own[46 + 15]
-    s98_2 = own[46 + 16]
-    s100_2 = own[46 + 17]
-    s102_2 = own[46 + 18]
+    s45_0 = own[0 + 23]
+    theta0_1 = own[24 + 0]
+    s11_1 = own[24 + 3]
+    pz0_1 = own[24 + 11]
+    s96_1 = own[24 + 15]
+    s98_1 = own[24 + 16]
+    s100_1 = own[24 + 17]
+    s102_1 = own[24 + 18]
+    s45_1 = own[24 + 23]
+    theta0_2 = own[48 + 0]
+    s11_2 = own[48 + 3]
+    pz0_2 = own[48 + 11]
+    s96_2 = own[48 + 15]
+    s98_2 = own[48 + 16]
+    s100_2 = own[48 + 17]
+    s102_2 = own[48 + 18]
+    s45_2 = own[48 + 23]
     for n in range(poses):
         q_0 = q[3 * n + 0]
         s6_0 = q_0 + theta0_0
@@ -771,11 +771,11 @@ def _simplified_forward_of(q, tool, own, x, status, poses):
         s138_0 = -s7_0*s98_0 - s96_0 + tx
         s140_0 = -s100_0 - s102_0*s7_0 + ty
         s141_0 = arm_z_0*s11_0 - pz0_0 + tz
-        s148_0 = 0.5*(s138_0 * s138_0) + 0.5*(s140_0 * s140_0) + 0.5*(s141_0 * s141_0) + s46_0
+        s145_0 = (s138_0 * s138_0) + (s140_0 * s140_0) + (s141_0 * s141_0) - s45_0
         c_00 = s138_0
         c_01 = s140_0
         c_02 = s141_0
-        c_03 = s148_0
+        c_03 = s145_0
         q_1 = q[3 * n + 1]
         s6_1 = q_1 + theta0_1
         s7_1 = cosine(s6_1)
@@ -783,11 +783,11 @@ def _simplified_forward_of(q, tool, own, x, status, poses):
         s138_1 = -s7_1*s98_1 - s96_1 + tx
         s140_1 = -s100_1 - s102_1*s7_1 + ty
         s141_1 = arm_z_1*s11_1 - pz0_1 + tz
-        s148_1 = 0.5*(s138_1 * s138_1) + 0.5*(s140_1 * s140_1) + 0.5*(s141_1 * s141_1) + s46_1
+        s145_1 = (s138_1 * s138_1) + (s140_1 * s140_1) + (s141_1 * s141_1) - s45_1
         c_10 = s138_1
         c_11 = s140_1
         c_12 = s141_1
-        c_13 = s148_1
+        c_13 = s145_1
         q_2 = q[3 * n + 2]
         s6_2 = q_2 + theta0_2
         s7_2 = cosine(s6_2)
@@ -795,11 +795,11 @@ def _simplified_forward_of(q, tool, own, x, status, poses):
         s138_2 = -s7_2*s98_2 - s96_2 + tx
         s140_2 = -s100_2 - s102_2*s7_2 + ty
         s141_2 = arm_z_2*s11_2 - pz0_2 + tz
-        s148_2 = 0.5*(s138_2 * s138_2) + 0.5*(s140_2 * s140_2) + 0.5*(s141_2 * s141_2) + s46_2
+        s145_2 = (s138_2 * s138_2) + (s140_2 * s140_2) + (s141_2 * s141_2) - s45_2
         c_20 = s138_2
         c_21 = s140_2
         c_22 = s141_2
-        c_23 = s148_2
+        c_23 = s145_2
         # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
         ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
         bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
@@ -807,13 +807,13 @@ def _simplified_forward_of(q, tool, own, x, status, poses):
         aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
         nn = nx * nx + ny * ny + nz * nz
         inverse = 1.0 / nn
-        # the point of the line in the plane of a and b: u a + v b with a.P = da, b.P = db
-        u, v = (da * bb - db * ab) * inverse, (db * aa - da * ab) * inverse
+        # the point of the line in the plane of a and b: u a + v b with 2 a.P = da, 2 b.P = db
+        u, v = (da * bb - db * ab) * (0.5 * inverse), (db * aa - da * ab) * (0.5 * inverse)
         px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
-        # |P + t n|^2 / 2 - c.(P + t n) + d = 0
+        # |P + t n|^2 - 2 c.(P + t n) + d = 0
         half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
-        rest = 0.5 * (px * px + py * py + pz * pz) - (c_00 * px + c_01 * py + c_02 * pz) + c_03
-        square = half * half - 2.0 * rest * inverse
+        rest = (px * px + py * py + pz * pz) - 2.0 * (c_00 * px + c_01 * py + c_02 * pz) + c_03
+        square = half * half - rest * inverse
         good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
         root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
         # the exact machine may still reach what the simplified one cannot
@@ -847,7 +847,7 @@ def _simplified_inverse(target, tool, k, q, status):
     left, runs = 0, max(k.shape[0], tool.shape[0])
     each = status.size // runs
     for m in range(runs):
-        own = machines[69 * (m // (runs // k.shape[0])) :]
+        own = machines[72 * (m // (runs // k.shape[0])) :]
         held = tools[3 * (m // (runs // tool.shape[0])) :]
         left += _simplified_inverse_of(given[3 * each * m :], held, own, found[3 * each * m :], status[each * m :], each)
     return left
@@ -869,24 +869,24 @@ def _simplified_inverse_of(target, tool, own, q, status, poses):
     s117_0 = own[0 + 19]
     s124_0 = own[0 + 20]
     s129_0 = own[0 + 21]
-    theta0_1 = own[23 + 0]
-    pz0_1 = own[23 + 11]
-    s96_1 = own[23 + 15]
-    s98_1 = own[23 + 16]
-    s100_1 = own[23 + 17]
-    s102_1 = own[23 + 18]
-    s117_1 = own[23 + 19]
-    s124_1 = own[23 + 20]
-    s129_1 = own[23 + 21]
-    theta0_2 = own[46 + 0]
-    pz0_2 = own[46 + 11]
-    s96_2 = own[46 + 15]
-    s98_2 = own[46 + 16]
-    s100_2 = own[46 + 17]
-    s102_2 = own[46 + 18]
-    s117_2 = own[46 + 19]
-    s124_2 = own[46 + 20]
-    s129_2 = own[46 + 21]
+    theta0_1 = own[24 + 0]
+    pz0_1 = own[24 + 11]
+    s96_1 = own[24 + 15]
+    s98_1 = own[24 + 16]
+    s100_1 = own[24 + 17]
+    s102_1 = own[24 + 18]
+    s117_1 = own[24 + 19]
+    s124_1 = own[24 + 20]
+    s129_1 = own[24 + 21]
+    theta0_2 = own[48 + 0]
+    pz0_2 = own[48 + 11]
+    s96_2 = own[48 + 15]
+    s98_2 = own[48 + 16]
+    s100_2 = own[48 + 17]
+    s102_2 = own[48 + 18]
+    s117_2 = own[48 + 19]
+    s124_2 = own[48 + 20]
+    s129_2 = own[48 + 21]
     for n in range(poses):
         px = target[3 * n + 0]
         py = target[3 * n + 1]

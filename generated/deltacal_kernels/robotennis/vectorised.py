@@ -1,7 +1,7 @@
 """Kinematics of `robotennis` in plain NumPy: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both 33b1e9764597f233; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 9d643c7bf68be01d; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -20,12 +20,12 @@ PIVOT_SINGULAR = 1e-9  # of the largest entry of its matrix, in mm
 
 
 def constants(p):
-    """Return k (M, 3, 23), what no pose changes, from p (46 operations).
+    """Return k (M, 3, 24), what no pose changes, from p (46 operations).
 
     All rows at once.
     """
     p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
-    k = np.zeros((23, p.shape[1], 3))
+    k = np.zeros((24, p.shape[1], 3))
     a = p[0]
     b = p[1]
     h = p[2]
@@ -57,7 +57,8 @@ def constants(p):
     s31 = s30*u_x
     s33 = s30*u_y
     s44 = b + db
-    s46 = -0.5*(s44 * s44)
+    s45 = (s44 * s44)
+    s46 = -0.5*s45
     s77 = -s44
     s96 = -A_x + px0 + s31
     s98 = -s11*u_x
@@ -90,6 +91,7 @@ def constants(p):
     k[20] = s124
     k[21] = s129
     k[22] = s77
+    k[23] = s45
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
@@ -225,30 +227,30 @@ def _parameters(x, q, tool, k):
 
 
 def _sphere(x, q, tool, k):
-    """The simplified limb as a sphere |P|^2 / 2 - c.P + d = 0: c, d: (4, limbs, N)."""
+    """The simplified limb as a sphere |P|^2 - 2 c.P + d = 0: c, d: (4, limbs, N)."""
     tx = tool[0]
     ty = tool[1]
     tz = tool[2]
     theta0 = k[0]
     s11 = k[3]
     pz0 = k[11]
-    s46 = k[14]
     s96 = k[15]
     s98 = k[16]
     s100 = k[17]
     s102 = k[18]
+    s45 = k[23]
     s6 = q + theta0
     s7 = np.cos(s6)
     arm_z = np.sin(s6)
     s138 = -s7*s98 - s96 + tx
     s140 = -s100 - s102*s7 + ty
     s141 = arm_z*s11 - pz0 + tz
-    s148 = 0.5*(s138 * s138) + 0.5*(s140 * s140) + 0.5*(s141 * s141) + s46
+    s145 = (s138 * s138) + (s140 * s140) + (s141 * s141) - s45
     out = np.zeros((4, *(k.shape[1], x.shape[-1])))
     out[0] = s138
     out[1] = s140
     out[2] = s141
-    out[3] = s148
+    out[3] = s145
     return out
 
 
@@ -344,11 +346,11 @@ def _meet(sphere):
     nn, aa, bb, ab = ((u[:, :3] * v[:, :3]).sum(axis=1) for u, v in ((n, n), (a, a), (b, b), (a, b)))
     apart = nn > PIVOT_SINGULAR * aa * bb
     nn = np.where(apart, nn, 1.0)
-    u, v = (a[:, 3] * bb - b[:, 3] * ab) / nn, (b[:, 3] * aa - a[:, 3] * ab) / nn
+    u, v = 0.5 * (a[:, 3] * bb - b[:, 3] * ab) / nn, 0.5 * (b[:, 3] * aa - a[:, 3] * ab) / nn
     p = u[:, None] * a[:, :3] + v[:, None] * b[:, :3]
     half = ((p - sphere[:, 0, :3]) * n).sum(axis=1)
-    rest = 0.5 * (p * p).sum(axis=1) - (sphere[:, 0, :3] * p).sum(axis=1) + sphere[:, 0, 3]
-    root = np.sqrt(np.maximum(half * half - 2.0 * nn * rest, 0.0))
+    rest = (p * p).sum(axis=1) - 2.0 * (sphere[:, 0, :3] * p).sum(axis=1) + sphere[:, 0, 3]
+    root = np.sqrt(np.maximum(half * half - nn * rest, 0.0))
     t = (-half + np.where(n[:, 2] > 0.0, 1.0, -1.0) * root) / nn
     return p + t[:, None] * n, apart
 
