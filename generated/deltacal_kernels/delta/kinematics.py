@@ -1,7 +1,7 @@
 """Kinematics of `delta`, many poses at once: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 3af94a617c4728da; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 0ad208d67ca916c8; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -34,6 +34,7 @@ TURN_DONE = 3e-8  # rad
 WORK = 10848  # numbers that a block computes with
 SPARE = 2304  # and that the last of its poses are written to
 CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
+SPHERES = 128  # poses at once whose spheres are kept until all of them meet
 APART = 1e-3  # squared sine between the centres' directions
 SIMPLIFIED = 3  # coordinates that `simplified_forward` gives: the others are zero
 NOTHING, NO_COLUMNS, NO_ROWS = np.empty((0, 0, 0)), np.empty(0, dtype=np.int64), np.empty((0, 0))
@@ -1399,7 +1400,7 @@ def inverse(target, tool, k, x, q, status):
 
 
 @fast
-def _simplified_forward(q, tool, k, x, status):
+def _simplified_forward(q, tool, k, x, status, w):
     given, found = q.reshape(q.size), x.reshape(x.size)
     machines, tools = k.reshape(k.size), tool.reshape(tool.size)
     left, runs = 0, max(k.shape[0], tool.shape[0])
@@ -1407,12 +1408,12 @@ def _simplified_forward(q, tool, k, x, status):
     for m in range(runs):
         own = machines[273 * (m // (runs // k.shape[0])) :]
         held = tools[3 * (m // (runs // tool.shape[0])) :]
-        left += _simplified_forward_of(given[3 * each * m :], held, own, found[3 * each * m :], status[each * m :], each)
+        left += _simplified_forward_of(given[3 * each * m :], held, own, found[3 * each * m :], status[each * m :], each, w)
     return left
 
 
 @straight
-def _simplified_forward_of(q, tool, own, x, status, poses):
+def _simplified_forward_of(q, tool, own, x, status, poses, w):
     """Solve the poses of one machine with one tool; return how many are left open."""
     left = 0
     tx = tool[0]
@@ -1442,64 +1443,75 @@ def _simplified_forward_of(q, tool, own, x, status, poses):
     s1172_2 = own[182 + 27]
     ez_2 = own[182 + 28]
     s1184_2 = own[182 + 84]
-    for n in range(poses):
-        q_0 = q[3 * n + 0]
-        s163_0 = q_0 + theta_0
-        s164_0 = cosine(s163_0)
-        s1212_0 = -s1166_0 - s1168_0*s164_0 + tx
-        s1214_0 = -s1170_0 - s1172_0*s164_0 + ty
-        s1216_0 = ez_0 + s219_0*sine(s163_0) + tz
-        s1220_0 = -s1184_0 + (s1212_0 * s1212_0) + (s1214_0 * s1214_0) + (s1216_0 * s1216_0)
-        c_00 = s1212_0
-        c_01 = s1214_0
-        c_02 = s1216_0
-        c_03 = s1220_0
-        q_1 = q[3 * n + 1]
-        s163_1 = q_1 + theta_1
-        s164_1 = cosine(s163_1)
-        s1212_1 = -s1166_1 - s1168_1*s164_1 + tx
-        s1214_1 = -s1170_1 - s1172_1*s164_1 + ty
-        s1216_1 = ez_1 + s219_1*sine(s163_1) + tz
-        s1220_1 = -s1184_1 + (s1212_1 * s1212_1) + (s1214_1 * s1214_1) + (s1216_1 * s1216_1)
-        c_10 = s1212_1
-        c_11 = s1214_1
-        c_12 = s1216_1
-        c_13 = s1220_1
-        q_2 = q[3 * n + 2]
-        s163_2 = q_2 + theta_2
-        s164_2 = cosine(s163_2)
-        s1212_2 = -s1166_2 - s1168_2*s164_2 + tx
-        s1214_2 = -s1170_2 - s1172_2*s164_2 + ty
-        s1216_2 = ez_2 + s219_2*sine(s163_2) + tz
-        s1220_2 = -s1184_2 + (s1212_2 * s1212_2) + (s1214_2 * s1214_2) + (s1216_2 * s1216_2)
-        c_20 = s1212_2
-        c_21 = s1214_2
-        c_22 = s1216_2
-        c_23 = s1220_2
-        # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
-        ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
-        bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
-        nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-        aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
-        nn = nx * nx + ny * ny + nz * nz
-        inverse = 1.0 / nn
-        # the point of the line in the plane of a and b: u a + v b with 2 a.P = da, 2 b.P = db
-        u, v = (da * bb - db * ab) * (0.5 * inverse), (db * aa - da * ab) * (0.5 * inverse)
-        px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
-        # |P + t n|^2 - 2 c.(P + t n) + d = 0
-        half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
-        rest = (px * px + py * py + pz * pz) - 2.0 * (c_00 * px + c_01 * py + c_02 * pz) + c_03
-        square = half * half - rest * inverse
-        good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
-        root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
-        # the exact machine may still reach what the simplified one cannot
-        t = (-root if nz > 0.0 else root) - half
-        p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
-        x[3 * n + 0] = p_0
-        x[3 * n + 1] = p_1
-        x[3 * n + 2] = p_2
-        status[n] = SOLVED if good else OPEN
-        left += 0 if good else 1
+    for first in range(0, poses, SPHERES):  # in two short loops, of which a processor has several rounds at work
+        count = min(SPHERES, poses - first)
+        for lane in range(count):
+            n = first + lane
+            q_0 = q[3 * n + 0]
+            s163_0 = q_0 + theta_0
+            s164_0 = cosine(s163_0)
+            s1212_0 = -s1166_0 - s1168_0*s164_0 + tx
+            s1214_0 = -s1170_0 - s1172_0*s164_0 + ty
+            s1216_0 = ez_0 + s219_0*sine(s163_0) + tz
+            s1220_0 = -s1184_0 + (s1212_0 * s1212_0) + (s1214_0 * s1214_0) + (s1216_0 * s1216_0)
+            c_00 = s1212_0
+            c_01 = s1214_0
+            c_02 = s1216_0
+            c_03 = s1220_0
+            q_1 = q[3 * n + 1]
+            s163_1 = q_1 + theta_1
+            s164_1 = cosine(s163_1)
+            s1212_1 = -s1166_1 - s1168_1*s164_1 + tx
+            s1214_1 = -s1170_1 - s1172_1*s164_1 + ty
+            s1216_1 = ez_1 + s219_1*sine(s163_1) + tz
+            s1220_1 = -s1184_1 + (s1212_1 * s1212_1) + (s1214_1 * s1214_1) + (s1216_1 * s1216_1)
+            c_10 = s1212_1
+            c_11 = s1214_1
+            c_12 = s1216_1
+            c_13 = s1220_1
+            q_2 = q[3 * n + 2]
+            s163_2 = q_2 + theta_2
+            s164_2 = cosine(s163_2)
+            s1212_2 = -s1166_2 - s1168_2*s164_2 + tx
+            s1214_2 = -s1170_2 - s1172_2*s164_2 + ty
+            s1216_2 = ez_2 + s219_2*sine(s163_2) + tz
+            s1220_2 = -s1184_2 + (s1212_2 * s1212_2) + (s1214_2 * s1214_2) + (s1216_2 * s1216_2)
+            c_20 = s1212_2
+            c_21 = s1214_2
+            c_22 = s1216_2
+            c_23 = s1220_2
+            w[0 * SPHERES + lane], w[1 * SPHERES + lane], w[2 * SPHERES + lane], w[3 * SPHERES + lane] = c_00, c_01, c_02, c_03
+            w[4 * SPHERES + lane], w[5 * SPHERES + lane], w[6 * SPHERES + lane], w[7 * SPHERES + lane] = c_10, c_11, c_12, c_13
+            w[8 * SPHERES + lane], w[9 * SPHERES + lane], w[10 * SPHERES + lane], w[11 * SPHERES + lane] = c_20, c_21, c_22, c_23
+        for lane in range(count):
+            n = first + lane
+            c_00, c_01, c_02, c_03 = w[0 * SPHERES + lane], w[1 * SPHERES + lane], w[2 * SPHERES + lane], w[3 * SPHERES + lane]
+            c_10, c_11, c_12, c_13 = w[4 * SPHERES + lane], w[5 * SPHERES + lane], w[6 * SPHERES + lane], w[7 * SPHERES + lane]
+            c_20, c_21, c_22, c_23 = w[8 * SPHERES + lane], w[9 * SPHERES + lane], w[10 * SPHERES + lane], w[11 * SPHERES + lane]
+            # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
+            ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
+            bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
+            nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+            aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
+            nn = nx * nx + ny * ny + nz * nz
+            inverse = 1.0 / nn
+            # the point of the line in the plane of a and b: u a + v b with 2 a.P = da, 2 b.P = db
+            u, v = (da * bb - db * ab) * (0.5 * inverse), (db * aa - da * ab) * (0.5 * inverse)
+            px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
+            # |P + t n|^2 - 2 c.(P + t n) + d = 0
+            half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
+            rest = (px * px + py * py + pz * pz) - 2.0 * (c_00 * px + c_01 * py + c_02 * pz) + c_03
+            square = half * half - rest * inverse
+            good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
+            root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
+            # the exact machine may still reach what the simplified one cannot
+            t = (-root if nz > 0.0 else root) - half
+            p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
+            x[3 * n + 0] = p_0
+            x[3 * n + 1] = p_1
+            x[3 * n + 2] = p_2
+            status[n] = SOLVED if good else OPEN
+            left += 0 if good else 1
     return left
 
 
@@ -1509,7 +1521,7 @@ def simplified_forward(q, tool, k, x, status):
     It does not turn, so that x is the position of the reference point.
     status as in `forward`.
     """
-    if _simplified_forward(q, tool, k, x, status):
+    if _simplified_forward(q, tool, k, x, status, scratch(12 * SPHERES)):
         left = np.flatnonzero(status == OPEN)
         found, of = np.empty((len(left), 6)), np.empty(len(left), dtype=status.dtype)
         forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, False)

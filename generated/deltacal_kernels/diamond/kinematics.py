@@ -1,7 +1,7 @@
 """Kinematics of `diamond`, many poses at once: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 68e220dfc91de311; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both b72c9c32901567a0; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -34,6 +34,7 @@ TURN_DONE = 3e-8  # rad
 WORK = 2208  # numbers that a block computes with
 SPARE = 256  # and that the last of its poses are written to
 CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
+SPHERES = 128  # poses at once whose spheres are kept until all of them meet
 APART = 1e-3  # squared sine between the centres' directions
 SIMPLIFIED = 2  # coordinates that `simplified_forward` gives: the others are zero
 NOTHING, NO_COLUMNS, NO_ROWS = np.empty((0, 0, 0)), np.empty(0, dtype=np.int64), np.empty((0, 0))
@@ -527,7 +528,7 @@ def inverse(target, tool, k, x, q, status):
 
 
 @fast
-def _simplified_forward(q, tool, k, x, status):
+def _simplified_forward(q, tool, k, x, status, w):
     given, found = q.reshape(q.size), x.reshape(x.size)
     machines, tools = k.reshape(k.size), tool.reshape(tool.size)
     left, runs = 0, max(k.shape[0], tool.shape[0])
@@ -535,12 +536,12 @@ def _simplified_forward(q, tool, k, x, status):
     for m in range(runs):
         own = machines[24 * (m // (runs // k.shape[0])) :]
         held = tools[3 * (m // (runs // tool.shape[0])) :]
-        left += _simplified_forward_of(given[2 * each * m :], held, own, found[2 * each * m :], status[each * m :], each)
+        left += _simplified_forward_of(given[2 * each * m :], held, own, found[2 * each * m :], status[each * m :], each, w)
     return left
 
 
 @straight
-def _simplified_forward_of(q, tool, own, x, status, poses):
+def _simplified_forward_of(q, tool, own, x, status, poses, w):
     """Solve the poses of one machine with one tool; return how many are left open."""
     left = 0
     tx = tool[0]
@@ -555,41 +556,50 @@ def _simplified_forward_of(q, tool, own, x, status, poses):
     B_x_1 = own[12 + 3]
     B_y_1 = own[12 + 4]
     s27_1 = own[12 + 11]
-    for n in range(poses):
-        q_0 = q[2 * n + 0]
-        s7_0 = q_0 + s6_0
-        s79_0 = B_x_0 + s9_0*cosine(s7_0) + tx
-        s80_0 = B_y_0 + s9_0*sine(s7_0) + ty
-        s83_0 = -s27_0 + (s79_0 * s79_0) + (s80_0 * s80_0)
-        c_00 = s79_0
-        c_01 = s80_0
-        c_02 = s83_0
-        q_1 = q[2 * n + 1]
-        s7_1 = q_1 + s6_1
-        s79_1 = B_x_1 + s9_1*cosine(s7_1) + tx
-        s80_1 = B_y_1 + s9_1*sine(s7_1) + ty
-        s83_1 = -s27_1 + (s79_1 * s79_1) + (s80_1 * s80_1)
-        c_10 = s79_1
-        c_11 = s80_1
-        c_12 = s83_1
-        # two circles: their difference is a line, on which the first circle is a quadratic
-        ax, ay, da = c_10 - c_00, c_11 - c_01, c_12 - c_02
-        nn = ax * ax + ay * ay
-        inverse = 1.0 / nn
-        px, py = 0.5 * da * inverse * ax, 0.5 * da * inverse * ay
-        # |P + t n|^2 - 2 c.(P + t n) + d = 0 with n = (-ay, ax)
-        half = ((py - c_01) * ax - (px - c_00) * ay) * inverse
-        rest = (px * px + py * py) - 2.0 * (c_00 * px + c_01 * py) + c_02
-        square = half * half - rest * inverse
-        good = (square * nn > CLEAR * CLEAR) & (nn > 1.0)
-        root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the circle its nearest point is taken:
-        # the exact machine may still reach what the simplified one cannot
-        t = (-root if ax > 0.0 else root) - half
-        p_0, p_1 = px - t * ay, py + t * ax
-        x[2 * n + 0] = p_0
-        x[2 * n + 1] = p_1
-        status[n] = SOLVED if good else OPEN
-        left += 0 if good else 1
+    for first in range(0, poses, SPHERES):  # in two short loops, of which a processor has several rounds at work
+        count = min(SPHERES, poses - first)
+        for lane in range(count):
+            n = first + lane
+            q_0 = q[2 * n + 0]
+            s7_0 = q_0 + s6_0
+            s79_0 = B_x_0 + s9_0*cosine(s7_0) + tx
+            s80_0 = B_y_0 + s9_0*sine(s7_0) + ty
+            s83_0 = -s27_0 + (s79_0 * s79_0) + (s80_0 * s80_0)
+            c_00 = s79_0
+            c_01 = s80_0
+            c_02 = s83_0
+            q_1 = q[2 * n + 1]
+            s7_1 = q_1 + s6_1
+            s79_1 = B_x_1 + s9_1*cosine(s7_1) + tx
+            s80_1 = B_y_1 + s9_1*sine(s7_1) + ty
+            s83_1 = -s27_1 + (s79_1 * s79_1) + (s80_1 * s80_1)
+            c_10 = s79_1
+            c_11 = s80_1
+            c_12 = s83_1
+            w[0 * SPHERES + lane], w[1 * SPHERES + lane], w[2 * SPHERES + lane] = c_00, c_01, c_02
+            w[3 * SPHERES + lane], w[4 * SPHERES + lane], w[5 * SPHERES + lane] = c_10, c_11, c_12
+        for lane in range(count):
+            n = first + lane
+            c_00, c_01, c_02 = w[0 * SPHERES + lane], w[1 * SPHERES + lane], w[2 * SPHERES + lane]
+            c_10, c_11, c_12 = w[3 * SPHERES + lane], w[4 * SPHERES + lane], w[5 * SPHERES + lane]
+            # two circles: their difference is a line, on which the first circle is a quadratic
+            ax, ay, da = c_10 - c_00, c_11 - c_01, c_12 - c_02
+            nn = ax * ax + ay * ay
+            inverse = 1.0 / nn
+            px, py = 0.5 * da * inverse * ax, 0.5 * da * inverse * ay
+            # |P + t n|^2 - 2 c.(P + t n) + d = 0 with n = (-ay, ax)
+            half = ((py - c_01) * ax - (px - c_00) * ay) * inverse
+            rest = (px * px + py * py) - 2.0 * (c_00 * px + c_01 * py) + c_02
+            square = half * half - rest * inverse
+            good = (square * nn > CLEAR * CLEAR) & (nn > 1.0)
+            root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the circle its nearest point is taken:
+            # the exact machine may still reach what the simplified one cannot
+            t = (-root if ax > 0.0 else root) - half
+            p_0, p_1 = px - t * ay, py + t * ax
+            x[2 * n + 0] = p_0
+            x[2 * n + 1] = p_1
+            status[n] = SOLVED if good else OPEN
+            left += 0 if good else 1
     return left
 
 
@@ -599,7 +609,7 @@ def simplified_forward(q, tool, k, x, status):
     It does not turn, so that x is the position of the reference point.
     status as in `forward`.
     """
-    if _simplified_forward(q, tool, k, x, status):
+    if _simplified_forward(q, tool, k, x, status, scratch(6 * SPHERES)):
         left = np.flatnonzero(status == OPEN)
         found, of = np.empty((len(left), 2)), np.empty(len(left), dtype=status.dtype)
         forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, False)

@@ -1,7 +1,7 @@
 """Kinematics of `robotennis`, many poses at once: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 1d8763047c5f1268; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both b31cfa9b46740a99; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -34,6 +34,7 @@ TURN_DONE = 3e-8  # rad
 WORK = 4320  # numbers that a block computes with
 SPARE = 792  # and that the last of its poses are written to
 CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
+SPHERES = 128  # poses at once whose spheres are kept until all of them meet
 APART = 1e-3  # squared sine between the centres' directions
 SIMPLIFIED = 3  # coordinates that `simplified_forward` gives: the others are zero
 NOTHING, NO_COLUMNS, NO_ROWS = np.empty((0, 0, 0)), np.empty(0, dtype=np.int64), np.empty((0, 0))
@@ -720,7 +721,7 @@ def inverse(target, tool, k, x, q, status):
 
 
 @fast
-def _simplified_forward(q, tool, k, x, status):
+def _simplified_forward(q, tool, k, x, status, w):
     given, found = q.reshape(q.size), x.reshape(x.size)
     machines, tools = k.reshape(k.size), tool.reshape(tool.size)
     left, runs = 0, max(k.shape[0], tool.shape[0])
@@ -728,12 +729,12 @@ def _simplified_forward(q, tool, k, x, status):
     for m in range(runs):
         own = machines[72 * (m // (runs // k.shape[0])) :]
         held = tools[3 * (m // (runs // tool.shape[0])) :]
-        left += _simplified_forward_of(given[3 * each * m :], held, own, found[3 * each * m :], status[each * m :], each)
+        left += _simplified_forward_of(given[3 * each * m :], held, own, found[3 * each * m :], status[each * m :], each, w)
     return left
 
 
 @straight
-def _simplified_forward_of(q, tool, own, x, status, poses):
+def _simplified_forward_of(q, tool, own, x, status, poses, w):
     """Solve the poses of one machine with one tool; return how many are left open."""
     left = 0
     tx = tool[0]
@@ -763,67 +764,78 @@ def _simplified_forward_of(q, tool, own, x, status, poses):
     s100_2 = own[48 + 17]
     s102_2 = own[48 + 18]
     s45_2 = own[48 + 23]
-    for n in range(poses):
-        q_0 = q[3 * n + 0]
-        s6_0 = q_0 + theta0_0
-        s7_0 = cosine(s6_0)
-        arm_z_0 = sine(s6_0)
-        s138_0 = -s7_0*s98_0 - s96_0 + tx
-        s140_0 = -s100_0 - s102_0*s7_0 + ty
-        s141_0 = arm_z_0*s11_0 - pz0_0 + tz
-        s145_0 = (s138_0 * s138_0) + (s140_0 * s140_0) + (s141_0 * s141_0) - s45_0
-        c_00 = s138_0
-        c_01 = s140_0
-        c_02 = s141_0
-        c_03 = s145_0
-        q_1 = q[3 * n + 1]
-        s6_1 = q_1 + theta0_1
-        s7_1 = cosine(s6_1)
-        arm_z_1 = sine(s6_1)
-        s138_1 = -s7_1*s98_1 - s96_1 + tx
-        s140_1 = -s100_1 - s102_1*s7_1 + ty
-        s141_1 = arm_z_1*s11_1 - pz0_1 + tz
-        s145_1 = (s138_1 * s138_1) + (s140_1 * s140_1) + (s141_1 * s141_1) - s45_1
-        c_10 = s138_1
-        c_11 = s140_1
-        c_12 = s141_1
-        c_13 = s145_1
-        q_2 = q[3 * n + 2]
-        s6_2 = q_2 + theta0_2
-        s7_2 = cosine(s6_2)
-        arm_z_2 = sine(s6_2)
-        s138_2 = -s7_2*s98_2 - s96_2 + tx
-        s140_2 = -s100_2 - s102_2*s7_2 + ty
-        s141_2 = arm_z_2*s11_2 - pz0_2 + tz
-        s145_2 = (s138_2 * s138_2) + (s140_2 * s140_2) + (s141_2 * s141_2) - s45_2
-        c_20 = s138_2
-        c_21 = s140_2
-        c_22 = s141_2
-        c_23 = s145_2
-        # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
-        ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
-        bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
-        nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-        aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
-        nn = nx * nx + ny * ny + nz * nz
-        inverse = 1.0 / nn
-        # the point of the line in the plane of a and b: u a + v b with 2 a.P = da, 2 b.P = db
-        u, v = (da * bb - db * ab) * (0.5 * inverse), (db * aa - da * ab) * (0.5 * inverse)
-        px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
-        # |P + t n|^2 - 2 c.(P + t n) + d = 0
-        half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
-        rest = (px * px + py * py + pz * pz) - 2.0 * (c_00 * px + c_01 * py + c_02 * pz) + c_03
-        square = half * half - rest * inverse
-        good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
-        root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
-        # the exact machine may still reach what the simplified one cannot
-        t = (root if nz > 0.0 else -root) - half
-        p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
-        x[3 * n + 0] = p_0
-        x[3 * n + 1] = p_1
-        x[3 * n + 2] = p_2
-        status[n] = SOLVED if good else OPEN
-        left += 0 if good else 1
+    for first in range(0, poses, SPHERES):  # in two short loops, of which a processor has several rounds at work
+        count = min(SPHERES, poses - first)
+        for lane in range(count):
+            n = first + lane
+            q_0 = q[3 * n + 0]
+            s6_0 = q_0 + theta0_0
+            s7_0 = cosine(s6_0)
+            arm_z_0 = sine(s6_0)
+            s138_0 = -s7_0*s98_0 - s96_0 + tx
+            s140_0 = -s100_0 - s102_0*s7_0 + ty
+            s141_0 = arm_z_0*s11_0 - pz0_0 + tz
+            s145_0 = (s138_0 * s138_0) + (s140_0 * s140_0) + (s141_0 * s141_0) - s45_0
+            c_00 = s138_0
+            c_01 = s140_0
+            c_02 = s141_0
+            c_03 = s145_0
+            q_1 = q[3 * n + 1]
+            s6_1 = q_1 + theta0_1
+            s7_1 = cosine(s6_1)
+            arm_z_1 = sine(s6_1)
+            s138_1 = -s7_1*s98_1 - s96_1 + tx
+            s140_1 = -s100_1 - s102_1*s7_1 + ty
+            s141_1 = arm_z_1*s11_1 - pz0_1 + tz
+            s145_1 = (s138_1 * s138_1) + (s140_1 * s140_1) + (s141_1 * s141_1) - s45_1
+            c_10 = s138_1
+            c_11 = s140_1
+            c_12 = s141_1
+            c_13 = s145_1
+            q_2 = q[3 * n + 2]
+            s6_2 = q_2 + theta0_2
+            s7_2 = cosine(s6_2)
+            arm_z_2 = sine(s6_2)
+            s138_2 = -s7_2*s98_2 - s96_2 + tx
+            s140_2 = -s100_2 - s102_2*s7_2 + ty
+            s141_2 = arm_z_2*s11_2 - pz0_2 + tz
+            s145_2 = (s138_2 * s138_2) + (s140_2 * s140_2) + (s141_2 * s141_2) - s45_2
+            c_20 = s138_2
+            c_21 = s140_2
+            c_22 = s141_2
+            c_23 = s145_2
+            w[0 * SPHERES + lane], w[1 * SPHERES + lane], w[2 * SPHERES + lane], w[3 * SPHERES + lane] = c_00, c_01, c_02, c_03
+            w[4 * SPHERES + lane], w[5 * SPHERES + lane], w[6 * SPHERES + lane], w[7 * SPHERES + lane] = c_10, c_11, c_12, c_13
+            w[8 * SPHERES + lane], w[9 * SPHERES + lane], w[10 * SPHERES + lane], w[11 * SPHERES + lane] = c_20, c_21, c_22, c_23
+        for lane in range(count):
+            n = first + lane
+            c_00, c_01, c_02, c_03 = w[0 * SPHERES + lane], w[1 * SPHERES + lane], w[2 * SPHERES + lane], w[3 * SPHERES + lane]
+            c_10, c_11, c_12, c_13 = w[4 * SPHERES + lane], w[5 * SPHERES + lane], w[6 * SPHERES + lane], w[7 * SPHERES + lane]
+            c_20, c_21, c_22, c_23 = w[8 * SPHERES + lane], w[9 * SPHERES + lane], w[10 * SPHERES + lane], w[11 * SPHERES + lane]
+            # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
+            ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
+            bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
+            nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+            aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
+            nn = nx * nx + ny * ny + nz * nz
+            inverse = 1.0 / nn
+            # the point of the line in the plane of a and b: u a + v b with 2 a.P = da, 2 b.P = db
+            u, v = (da * bb - db * ab) * (0.5 * inverse), (db * aa - da * ab) * (0.5 * inverse)
+            px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
+            # |P + t n|^2 - 2 c.(P + t n) + d = 0
+            half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
+            rest = (px * px + py * py + pz * pz) - 2.0 * (c_00 * px + c_01 * py + c_02 * pz) + c_03
+            square = half * half - rest * inverse
+            good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
+            root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
+            # the exact machine may still reach what the simplified one cannot
+            t = (root if nz > 0.0 else -root) - half
+            p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
+            x[3 * n + 0] = p_0
+            x[3 * n + 1] = p_1
+            x[3 * n + 2] = p_2
+            status[n] = SOLVED if good else OPEN
+            left += 0 if good else 1
     return left
 
 
@@ -833,7 +845,7 @@ def simplified_forward(q, tool, k, x, status):
     It does not turn, so that x is the position of the reference point.
     status as in `forward`.
     """
-    if _simplified_forward(q, tool, k, x, status):
+    if _simplified_forward(q, tool, k, x, status, scratch(12 * SPHERES)):
         left = np.flatnonzero(status == OPEN)
         found, of = np.empty((len(left), 3)), np.empty(len(left), dtype=status.dtype)
         forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, False)
