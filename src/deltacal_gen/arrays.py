@@ -339,9 +339,10 @@ class LinearFit:
         out += self._from
         return out
 
-    def whole(self, found: Array) -> Array:
+    def whole(self, found: Array, *, out: Array | None = None) -> Array:
         """Return estimates (T, n) as all source errors of the mechanism (T, n_p)."""
-        out = np.zeros((len(found), self._parameters))
+        out = result(out, (len(found), self._parameters))
+        out[:] = 0.0
         out[:, self.columns] = found
         return out
 

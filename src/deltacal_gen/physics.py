@@ -470,6 +470,8 @@ class Body:
 
     def _steady(self, terms: Sequence[Term], rows: Array) -> dict[str, Array]:
         """Return the displacement of every target by effects of the reported joints and of channels alone."""
+        if not terms:
+            return {}
         return self.moved(terms, self.state(sorted(_read_by(terms)), np.zeros((len(self.q), 12)), self.q, rows))
 
     def _rows(self, errors: Array, shift: Mapping[str, Array]) -> Array:
@@ -494,10 +496,10 @@ class Body:
             Of the rows `chosen`; other rows are zero.
         """
         (N, limbs), n_x = self.q.shape, self.mechanism.n_x
-        names = sorted(_read_by(terms))
-        state = self.state(names, np.nan_to_num(body.x), body.q, body.rows)
-        out = np.zeros((N, n_x, sum(t.n_coefficients for t in terms)))
-        start = 0
+        out, start = np.zeros((N, n_x, sum(t.n_coefficients for t in terms))), 0
+        if not terms:
+            return out
+        state = self.state(sorted(_read_by(terms)), np.nan_to_num(body.x), body.q, body.rows)
         for _, group in itertools.groupby(terms, key=lambda t: (t.effect, t.limbs)):
             forms = list(group)
             kernels, count = forms[0].kernels, sum(t.n_coefficients for t in forms)
