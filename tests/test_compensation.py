@@ -219,9 +219,11 @@ def test_the_linear_change_is_what_the_linear_command_adds(prototype: Robot) -> 
     signed = replace(prototype, errors=drawn(8), joint_sign=np.array([1.0, -1.0, -1.0]))
     compensator, points = Compensator(signed, "linear"), targets(20)
     nominal = Compensator(replace(signed, errors={}), "linear").command(points)[0]
-    change, state = compensator.servo(change=True)
+    change, state = servo = compensator.servo(change=True)
+    direct = servo.direct()
     for point, q, expected in zip(points, nominal, compensator.command(points)[0], strict=True):
         assert change(*point, *q, state) == pytest.approx(expected - q, abs=1e-14)
+        assert direct(*point, *q, state) == change(*point, *q, state)
     with pytest.raises(UsageError, match="the exact compensator has no change to nominal joints"):
         Compensator(signed).servo(change=True)
 

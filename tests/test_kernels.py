@@ -6,6 +6,7 @@ The hand-written machine stands in `independent_delta`; from the package it take
 from __future__ import annotations
 
 import dataclasses
+from concurrent.futures import ThreadPoolExecutor
 from types import ModuleType
 from typing import NamedTuple
 
@@ -15,9 +16,10 @@ from conftest import displaced, displacement, plausible, rings, scattered, solve
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from independent_delta import closure, nominal_frame, numbers, rod_ends
+from numba.core.errors import TypingError
 from scipy.spatial.transform import Rotation
 
-from deltacal_gen.mechanism import SINGULAR, SOLVED, UNREACHABLE, Mechanism, load_mechanism
+from deltacal_gen.mechanism import SINGULAR, SOLVED, UNREACHABLE, Mechanism, compiled_only, load_mechanism
 from deltacal_gen.robot import Robot
 from deltacal_gen.rotation import cayley_spin
 from deltacal_gen.units import DEG
@@ -385,6 +387,50 @@ def test_the_simplified_machine_stands_alone_as_in_company(robot: Robot, mechani
         assert (alone == q[m]).all()
         mechanism.compiled.simplified_forward(alone, TOOL[None], k, at, of)
         assert (at == x[m]).all()
+
+
+def test_two_threads_may_use_the_same_kernels(robot: Robot, mechanism: Mechanism) -> None:
+    rows, n = mechanism.rows(robot, mechanism.vector(plausible(mechanism, 5))), 2000
+    k, q = mechanism.compiled.constants(rows), np.random.default_rng(5).uniform(-0.4, 0.2, (n, 3))
+
+    def poses(part: slice) -> np.ndarray:
+        x, status = np.empty((len(q[part]), 6)), np.empty(len(q[part]), int)
+        mechanism.compiled.forward(q[part], TOOL[None], k, x, status, False)
+        return x
+
+    parts = [slice(start, start + 100) for start in range(0, n, 100)]
+    with ThreadPoolExecutor(2) as pool:
+        found = np.vstack(list(pool.map(poses, parts)))
+    assert np.array_equal(found, poses(slice(0, n)), equal_nan=True)
+
+
+def test_arrays_that_do_not_fit_are_refused(robot: Robot, mechanism: Mechanism) -> None:
+    """By the kernels that are called as they are, and by the mechanism's functions before they call kernels."""
+    kernels, rows, r = mechanism.compiled, mechanism.rows(robot), scattered(robot, 5, 7)
+    q, k, columns = mechanism.inverse(r, TOOL, rows)[0], kernels.nominal_constants(rows), np.arange(12)
+    H = np.empty((10, 12))
+    kernels.distance_rows(r, q, TOOL[None], k, columns, H)
+    turned, strewn = np.asfortranarray(r), np.asfortranarray(H)
+    for x, some, out in ((turned, columns, H), (r, columns[::-1], H), (r, columns, strewn)):
+        with pytest.raises(TypingError, match=r"is not C-contiguous; np\.ascontiguousarray"):
+            kernels.distance_rows(x, q, TOOL[None], k, some, out)
+    with pytest.raises(ValueError, match="a row for every pair"):
+        kernels.distance_rows(r, q, TOOL[None], k, columns, np.empty((9, 12)))
+    for wrong in (-1, 42):
+        with pytest.raises(IndexError, match="no such column"):
+            kernels.distance_rows(r, q, TOOL[None], k, np.where(columns == 3, wrong, columns), H)
+    with pytest.raises(ValueError, match=r"\(1, 6, 22\); \(M, 3, 22\) was expected"):
+        kernels.constants(np.repeat(rows, 2, axis=1))
+    with compiled_only():
+        with pytest.raises(ValueError, match=r"tool has the shape \(2, 3\).*\(3,\) or \(5, 3\)"):
+            mechanism.forward(q, np.tile(TOOL, (2, 1)), rows)
+        with pytest.raises(ValueError, match=r"rows have the shape .* 5 poses"):
+            mechanism.forward(q, TOOL, np.tile(rows, (3, 1, 1)))
+        x, _ = mechanism.forward(q, TOOL, rows)
+        with pytest.raises(ValueError, match=r"near have the shape .* 5 poses"):
+            mechanism.forward(q, TOOL, rows, x[:3])
+        with pytest.raises(ValueError, match=r"joints have the shape .* 5 poses"):
+            mechanism.sensitivity(x, q[:3], TOOL, rows)
 
 
 # ---------------------------------------------------------------------------------------------- properties, any machine

@@ -72,22 +72,12 @@ def kernel(**options):
 def direct(compiled, *arguments):
     """Return the machine code of a kernel for arguments of the types of these; it is compiled if need be.
 
-    A call from Python is spared Numba's look at every argument, which takes longer than a command for a servo loop, so
-    that what is given must be of these types. Within functions that Numba compiles it stands for the kernel.
+    A call from Python is spared Numba's look at every argument, which takes longer than a command for a servo loop.
+    Nothing checks the types then: give no others.
     """
     from numba import typeof
 
-    code = compiled.compile(tuple(map(typeof, arguments)))
-    _announce(code, compiled)
-    return code
-
-
-@cache
-def _announce(code, compiled):
-    """Let Numba know what stands behind machine code."""
-    from numba import types
-
-    compiled.typingctx.insert_global(code, types.Dispatcher(compiled))
+    return compiled.compile(tuple(map(typeof, arguments)))
 
 
 @cache

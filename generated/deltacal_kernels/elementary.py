@@ -15,7 +15,7 @@ from numba import njit, types
 from numba.core import cgutils
 from numba.extending import intrinsic
 
-from deltacal_kernels.straight import flipped, odd, widen
+from deltacal_kernels.straight import check_layout, flipped, odd, widen
 
 ROUND = 6755399441055744.0  # 1.5 * 2^52: a number that is added to it is rounded to an integer, and stands in its last bits
 _kept = threading.local()
@@ -122,6 +122,7 @@ def outer_of(_context, out, at, pitch, width, rows, w, pose, step, factors, valu
 
     The places of factors and values stand in arrays (terms, number of columns); w counts from `pose`.
     """
+    check_layout("outer_of", out, w, columns)
     if not isinstance(terms, types.IntegerLiteral):
         return None
     many = terms.literal_value

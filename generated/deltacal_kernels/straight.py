@@ -19,7 +19,7 @@ from pathlib import Path
 
 from llvmlite import ir
 from numba import types
-from numba.core import cgutils
+from numba.core import cgutils, errors
 from numba.extending import intrinsic
 
 DOUBLE, INTEGER, TRUTH = ir.DoubleType(), ir.IntType(64), ir.IntType(1)
@@ -71,6 +71,13 @@ def _definition(function):
     return _definitions(function.__code__.co_filename)[function.__name__]
 
 
+def check_layout(name, *kinds):
+    """Raise Numba's error for arrays that are not C-contiguous: kernels read numbers one after the other."""
+    for kind in kinds:
+        if isinstance(kind, types.Array) and kind.layout != "C":
+            raise errors.TypingError(f"{name}: {kind} is not C-contiguous; np.ascontiguousarray makes a copy that is.")
+
+
 def straight(function, wide=True):
     """Return a function for the use of compiled ones; its arguments are C-contiguous arrays, which do not overlap, and integers.
 
@@ -80,6 +87,7 @@ def straight(function, wide=True):
     returns = isinstance(definition.body[-1], ast.Return)
 
     def typed(_context, *arguments):
+        check_layout(function.__name__, *arguments)
         given = (types.int64 if isinstance(kind, types.Integer) else kind for kind in arguments)
         return (types.int64 if returns else types.none)(*given), written
 

@@ -144,9 +144,7 @@ def distance_error(actual: Array, wanted: Array, home: int = 0) -> Array:
 
     def from_home(points: Array) -> Array:
         square = np.zeros(points.shape[:-1])
-        for along in np.moveaxis(
-            points, -1, 0
-        ):  # axis by axis: sums of three numbers each would take three times as long
+        for along in np.moveaxis(points, -1, 0):  # sums of three numbers each would take three times as long
             gap = along - along[..., home : home + 1]
             square += np.multiply(gap, gap, out=gap)
         return np.sqrt(square, out=square)

@@ -208,13 +208,13 @@ def result(out: Array | None, shape: tuple[int, ...]) -> Array:
     Raises
     ------
     ValueError
-        `out` has another shape or type, or is not contiguous.
+        `out` has another shape or type, is not contiguous, or cannot be written.
     """
     if out is None:
         return np.empty(shape)
-    if out.shape != shape or out.dtype != float or not out.flags.c_contiguous:
+    if out.shape != shape or out.dtype != float or not (out.flags.c_contiguous and out.flags.writeable):
         raise ValueError(
-            f"out is an array {out.shape} of {out.dtype}; it must be a contiguous array {shape} of float64."
+            f"out is an array {out.shape} of {out.dtype}; it must be a contiguous array {shape} of float64 to write to."
         )
     return out
 
@@ -537,16 +537,17 @@ class Mechanism:
     def _solved(self, q: Array, tool: Array, rows: Array, near: Array | None) -> tuple[Array, np.ndarray]:
         """Return the coordinates (N, n) that the kernels solve for, and their status."""
         q = self._poses(q, self.limbs, "joints")
+        self._alike(len(q), rows=rows, **({} if near is None else {"near": near}))
         status = np.empty(len(q), dtype=np.int64)
         with self._kernels(len(q)) as kernels:
             plain = kernels is self.vectorised
             if not plain and self._simplified(rows):
                 x = np.empty((len(q), kernels.SIMPLIFIED))
-                kernels.simplified_forward(q, self._tools(tool), self._constants(kernels, rows), x, status)
+                kernels.simplified_forward(q, self._tools(tool, len(q)), self._constants(kernels, rows), x, status)
             else:
                 x = np.empty((len(q), len(self._at))) if near is None else self._own(near)
                 constants = self._pose_by_pose(rows, len(q)) if plain else self._constants(kernels, rows)
-                tool = self._tool(tool, len(q)) if plain else self._tools(tool)
+                tool = self._tool(tool, len(q)) if plain else self._tools(tool, len(q))
                 kernels.forward(q, tool, constants, x, status, near is not None)
         return x, status
 
@@ -566,11 +567,12 @@ class Mechanism:
         status : (N,) int array
         """
         target = self._poses(target, 3, "target")
+        self._alike(len(target), rows=rows)
         q, status = result(out, (len(target), self.limbs)), np.empty(len(target), dtype=np.int64)
         x = self.commanded(target)
         with self._kernels(len(target)) as kernels:
             plain = kernels is self.vectorised
-            tool = self._tool(tool, len(target)) if plain else self._tools(tool)
+            tool = self._tool(tool, len(target)) if plain else self._tools(tool, len(target))
             if not plain and hasattr(kernels, "simplified_inverse") and self._simplified(rows):
                 kernels.simplified_inverse(x, tool, self._constants(kernels, rows), q, status)
                 if not (solved := status == SOLVED).all():
@@ -642,6 +644,7 @@ class Mechanism:
         errors and deflections, and (N, n_x, n_q) by the joints.
         """
         x, q = self._own(self._poses(x, POSE, "poses")), self._poses(q, self.limbs, "joints")
+        self._alike(len(x), rows=rows, joints=q)
         n, n_v = len(self._at), self._width - len(self.geometry)
         S_out, V_out = (None, None) if out is None else out
         whole = n == self.n_x
@@ -649,7 +652,7 @@ class Mechanism:
         V = result(V_out if whole else None, (len(x), n, self.limbs))
         status = np.empty(len(x), dtype=np.int64)
         with self._kernels(len(q)) as kernels:
-            tool = self._tool(tool, len(q)) if kernels is self.vectorised else self._tools(tool)
+            tool = self._tool(tool, len(q)) if kernels is self.vectorised else self._tools(tool, len(q))
             kernels.sensitivity(x, q, tool, self._constants(kernels, rows), S, V, status)
         if not whole:
             S, V = self._in_space(S, S_out), self._in_space(V, V_out)
@@ -745,9 +748,19 @@ class Mechanism:
         return out
 
     @staticmethod
-    def _tools(tool: Array) -> Array:
-        """Return tools (N or 1, 3) as the compiled kernels read them."""
-        return np.ascontiguousarray(np.atleast_2d(tool), dtype=float)
+    def _tools(tool: Array, n: int) -> Array:
+        """Return tools (n or 1, 3) as the compiled kernels read them."""
+        out = np.ascontiguousarray(np.atleast_2d(tool), dtype=float)
+        if out.shape not in ((1, 3), (n, 3)):
+            raise ValueError(f"tool has the shape {np.shape(tool)}, but must have (3,) or ({n}, 3), one a pose.")
+        return out
+
+    @staticmethod
+    def _alike(n: int, **others: Array) -> None:
+        """Raise ValueError where other arrays do not go with n poses: rows of machines share them out evenly."""
+        for what, values in others.items():
+            if (n % max(len(values), 1) if what == "rows" else len(values) - n) != 0:
+                raise ValueError(f"{what} have the shape {values.shape}, which does not go with {n} poses.")
 
     @staticmethod
     def _tool(tool: Array, n: int) -> Array:

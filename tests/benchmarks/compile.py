@@ -18,6 +18,7 @@ from pathlib import Path
 
 from deltacal_gen.mechanism import load_mechanism, mechanism_names
 
+MODULES = ("constants", "kinematics", "servo")  # of a mechanism, that are compiled
 TABLE = Path(__file__).with_name("compile.csv")
 MODULE_S, MECHANISM_S = 4.0, 15.0  # the budget, of a machine on which the yardstick takes YARDSTICK_S
 YARDSTICK_S = 1.0
@@ -53,7 +54,7 @@ def measure(name: str) -> tuple[float, dict[str, float]]:
         command = [sys.executable, "-c", PROGRAM, name]
         done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
     yardstick, spent = json.loads(done.stdout)
-    machine, modules = load_mechanism(name), dict.fromkeys(("constants", "kinematics", "servo"), 0.0)
+    machine, modules = load_mechanism(name), dict.fromkeys(MODULES, 0.0)
     for kernel, seconds in spent.items():
         function = kernel.split(".")[1]
         of = getattr(machine.servo, function, None) or getattr(machine.compiled, function)

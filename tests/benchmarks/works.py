@@ -402,7 +402,8 @@ def call(n: int, *, kind: str) -> Work:
     """One set point per Python call: the exact command, or what eq. (23) adds to the nominal joints."""
     target, p = positions(1), paper(errors())
     compensator, rods, theta = Compensator(calibrated(), kind), by_hand.machine(p), by_hand.ideal_inverse(target).copy()
-    (command, state), out = compensator.servo(change=kind == "linear"), np.empty((1, 3))
+    one, out = compensator.servo(change=kind == "linear"), np.empty((1, 3))
+    command, state = one.direct(), one.state
     x, y, z = target[0].tolist()
     if kind == "exact":
         contenders = {

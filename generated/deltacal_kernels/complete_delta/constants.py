@@ -1,7 +1,7 @@
 """What no pose changes: `complete_delta`, many machines at once, Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both 2403bceb4d7565c2; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both d82062899438cb99; SymPy 1.14.0.
 
 p (M, 3, 25) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
 """
@@ -337,8 +337,11 @@ def _constants(p, k):
 
 def constants(p):
     """Return k (M, 3, 77), what no pose changes, from p (493 operations)."""
-    k = np.zeros((len(p), 3, 77))
-    _constants(np.ascontiguousarray(p), k)
+    p = np.ascontiguousarray(p, dtype=float)
+    if p.ndim != 3 or p.shape[1:] != (3, 25):
+        raise ValueError(f"parameters have the shape {p.shape}; (M, 3, 25) was expected.")
+    k = np.empty((len(p), 3, 77))
+    _constants(p, k)
     return k
 
 
@@ -416,6 +419,9 @@ def _nominal_constants(p, k):
 
 def nominal_constants(p):
     """Return k (M, 3, 24), what `nominal_sensitivity` reads that no pose changes, from p (38 operations)."""
-    k = np.zeros((len(p), 3, 24))
-    _nominal_constants(np.ascontiguousarray(p), k)
+    p = np.ascontiguousarray(p, dtype=float)
+    if p.ndim != 3 or p.shape[1:] != (3, 25):
+        raise ValueError(f"parameters have the shape {p.shape}; (M, 3, 25) was expected.")
+    k = np.empty((len(p), 3, 24))
+    _nominal_constants(p, k)
     return k

@@ -1,7 +1,7 @@
 """What no pose changes: `delta`, many machines at once, Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both 13516476a38205cd; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both 395605fd46ae7ed3; SymPy 1.14.0.
 
 p (M, 3, 22) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
 """
@@ -375,8 +375,11 @@ def _constants(p, k):
 
 def constants(p):
     """Return k (M, 3, 91), what no pose changes, from p (777 operations)."""
-    k = np.zeros((len(p), 3, 91))
-    _constants(np.ascontiguousarray(p), k)
+    p = np.ascontiguousarray(p, dtype=float)
+    if p.ndim != 3 or p.shape[1:] != (3, 22):
+        raise ValueError(f"parameters have the shape {p.shape}; (M, 3, 22) was expected.")
+    k = np.empty((len(p), 3, 91))
+    _constants(p, k)
     return k
 
 
@@ -439,6 +442,9 @@ def _nominal_constants(p, k):
 
 def nominal_constants(p):
     """Return k (M, 3, 21), what `nominal_sensitivity` reads that no pose changes, from p (30 operations)."""
-    k = np.zeros((len(p), 3, 21))
-    _nominal_constants(np.ascontiguousarray(p), k)
+    p = np.ascontiguousarray(p, dtype=float)
+    if p.ndim != 3 or p.shape[1:] != (3, 22):
+        raise ValueError(f"parameters have the shape {p.shape}; (M, 3, 22) was expected.")
+    k = np.empty((len(p), 3, 21))
+    _nominal_constants(p, k)
     return k

@@ -1,7 +1,7 @@
 """Kinematics of `delta`, many poses at once: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 0ad208d67ca916c8; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both caf9847744e8d39d; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -2006,6 +2006,12 @@ def _along(x, C, m, H, n, towards, poses):
 def _nominal_sensitivity(x, q, tool, k, S, columns, H, w):
     """Fill S; where it is empty, by way of scratch the rows H of distances, for some columns of it."""
     poses, n, left, whole, C = x.shape[0], columns.size, 0, S.reshape(S.size), w[WORK + SPARE :]
+    if whole.size == 0:
+        if H.shape[0] != poses * (poses - 1) // 2 or H.shape[1] != n:
+            raise ValueError("H must have a row for every pair of poses and a column for every chosen one")
+        for j in range(n):
+            if not 0 <= columns[j] < 42:
+                raise IndexError("there is no such column of the sensitivity")
     w_1 = w[0:3008]
     w_2 = w[3008:6016]
     w_3 = w[6016:9024]
@@ -2050,7 +2056,8 @@ def distance_rows(x, q, tool, k, columns, H):
     """Fill the identification matrix H (N (N - 1) / 2, n) of the distances of all pairs of positions, first with second and so on.
 
     x, q, tool, k as in `nominal_sensitivity`; columns (n,) of its errors. The sensitivities are contracted pose by pose
-    and not returned. False as there.
+    and not returned. False as there; the row of two equal positions is NaN.
     """
-    w = scratch(WORK + SPARE + 3 * (len(x) + 7) * (len(columns) + 8))
+    room = WORK + SPARE + 3 * (len(x) + 7) * (len(columns) + 8)
+    w = scratch(1 << room.bit_length())  # a few sizes, which the thread keeps
     return _nominal_sensitivity(x, q, tool, k, NOTHING, columns, H, w)

@@ -1,7 +1,7 @@
 """Kinematics of `delta` in plain NumPy: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both 7024a711db3da693; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 4603b02666e361ff; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -13,7 +13,6 @@ SOLVED, UNREACHABLE, SINGULAR = 0, 1, 2
 FEW = 100  # poses at once, up to which calls of NumPy cost more than what they compute
 MAX_STEPS = 30
 STEP_DONE = 1e-9  # mm and rad; Newton is quadratic: after such a step the rest is rounding
-STEP_LEFT = 1e-11  # mm and rad; nor is there a next step where the last two say that it would be smaller
 STEP_LOST = 1e5  # mm and rad; a step of this size leads nowhere
 ANGLE_STEP = 1e-3  # rad per mm: joints and rotations are asked for this much finer than lengths
 CLOSED = 1e-3  # mm^2: loops that are open by more where Newton gets stuck cannot be closed
@@ -984,8 +983,9 @@ def _turned(x, q, tool, k):
 
 def _by_rod(values):
     """Return what a kernel gives of the rods of a limb (rods k, limbs, N) as (6, k, N): limb by limb."""
-    by_rod = values.reshape(2, -1, *values.shape[1:])
-    return by_rod.transpose(2, 0, 1, 3).reshape(6, -1, values.shape[2])
+    each = len(values) // 2
+    by_rod = values.reshape(2, each, *values.shape[1:])
+    return by_rod.transpose(2, 0, 1, 3).reshape(6, each, values.shape[2])
 
 
 def _closure(x, q, tool, k):
@@ -1008,11 +1008,6 @@ def _solve(A, B):
             both[:, c + 1 :] -= both[:, c, None] * row
             both[c, c + 1 :] = row
     return both[:, n:], (np.abs(pivots) > PIVOT_SINGULAR * np.abs(A).max(axis=(0, 1), initial=0.0)).all(axis=0)
-
-
-def _ended(size, before):
-    """Tell after which steps of Newton (N,) the rest is rounding, by their size and that of the steps before, or 0."""
-    return (size < STEP_DONE) | (size**3 < STEP_LEFT * before**2)
 
 
 def jacobians(x, q, tool, k, F, J_x, J_q, J_p):
@@ -1050,19 +1045,17 @@ def forward(q, tool, k, x, status, warm):
         x[:, :3], apart = _meet(_sphere(*_turned(x, q, tool, k)).T)
         status[~apart] = SINGULAR
     active = np.flatnonzero(status == UNREACHABLE)
-    before = np.zeros(len(active))
     for _ in range(MAX_STEPS):
         if not len(active):
             break
         F, J_x, _ = _closure(x[active], q[active], tool[active], _of(k, active))
         step, regular = _solve(J_x, F[:, None])
         status[active[~regular]] = np.where(np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
-        active, before, step = active[regular], before[regular], step[:, 0, regular].T
+        active, step = active[regular], step[:, 0, regular].T
         x[active] -= step
         size = np.abs(step).max(axis=1, initial=0.0)
-        ended = _ended(size, before)
-        status[active[ended]] = SOLVED
-        active, before = (of[~ended & (size < STEP_LOST)] for of in (active, size))
+        status[active[size < STEP_DONE]] = SOLVED
+        active = active[(size >= STEP_DONE) & (size < STEP_LOST)]
     x[status != SOLVED] = np.nan
 
 
@@ -1076,7 +1069,6 @@ def inverse(target, tool, k, x, q, status):
     q[:] = start[0].T
     status[:] = UNREACHABLE
     active = np.flatnonzero(np.isfinite(q).all(axis=1))
-    before = np.zeros(len(active))
     for _ in range(MAX_STEPS):
         if not len(active):
             break
@@ -1086,13 +1078,12 @@ def inverse(target, tool, k, x, q, status):
         A[:, 3:] = J_x[:, 3:]
         step, regular = _solve(A, F[:, None])
         status[active[~regular]] = np.where(np.abs(F[:, ~regular]).max(axis=0, initial=0.0) < CLOSED, SINGULAR, UNREACHABLE)
-        active, before, step = active[regular], before[regular], step[:, 0, regular].T
+        active, step = active[regular], step[:, 0, regular].T
         q[active] -= step[:, :3]
         x[active, 3:] -= step[:, 3:]
-        size = np.abs(step).max(axis=1, initial=0.0) / ANGLE_STEP
-        ended = _ended(size, before)
-        status[active[ended]] = SOLVED
-        active, before = (of[~ended & (size < STEP_LOST / ANGLE_STEP)] for of in (active, size))
+        size = np.abs(step).max(axis=1, initial=0.0)
+        status[active[size < STEP_DONE * ANGLE_STEP]] = SOLVED
+        active = active[(size >= STEP_DONE * ANGLE_STEP) & (size < STEP_LOST)]
     x[status != SOLVED], q[status != SOLVED] = np.nan, np.nan
 
 

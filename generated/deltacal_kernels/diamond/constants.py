@@ -1,7 +1,7 @@
 """What no pose changes: `diamond`, many machines at once, Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both 0c90b33797a269e8; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both db18b8ecf640cab9; SymPy 1.14.0.
 
 p (M, 2, 13) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
 """
@@ -67,8 +67,11 @@ def _constants(p, k):
 
 def constants(p):
     """Return k (M, 2, 12), what no pose changes, from p (23 operations)."""
-    k = np.zeros((len(p), 2, 12))
-    _constants(np.ascontiguousarray(p), k)
+    p = np.ascontiguousarray(p, dtype=float)
+    if p.ndim != 3 or p.shape[1:] != (2, 13):
+        raise ValueError(f"parameters have the shape {p.shape}; (M, 2, 13) was expected.")
+    k = np.empty((len(p), 2, 12))
+    _constants(p, k)
     return k
 
 
@@ -98,6 +101,9 @@ def _nominal_constants(p, k):
 
 def nominal_constants(p):
     """Return k (M, 2, 6), what `nominal_sensitivity` reads that no pose changes, from p (6 operations)."""
-    k = np.zeros((len(p), 2, 6))
-    _nominal_constants(np.ascontiguousarray(p), k)
+    p = np.ascontiguousarray(p, dtype=float)
+    if p.ndim != 3 or p.shape[1:] != (2, 13):
+        raise ValueError(f"parameters have the shape {p.shape}; (M, 2, 13) was expected.")
+    k = np.empty((len(p), 2, 6))
+    _nominal_constants(p, k)
     return k

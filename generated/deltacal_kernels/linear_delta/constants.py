@@ -1,7 +1,7 @@
 """What no pose changes: `linear_delta`, many machines at once, Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both cbdedd2917d9626f; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both ebd780610ec8abcf; SymPy 1.14.0.
 
 p (M, 3, 15) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
 """
@@ -209,8 +209,11 @@ def _constants(p, k):
 
 def constants(p):
     """Return k (M, 3, 52), what no pose changes, from p (371 operations)."""
-    k = np.zeros((len(p), 3, 52))
-    _constants(np.ascontiguousarray(p), k)
+    p = np.ascontiguousarray(p, dtype=float)
+    if p.ndim != 3 or p.shape[1:] != (3, 15):
+        raise ValueError(f"parameters have the shape {p.shape}; (M, 3, 15) was expected.")
+    k = np.empty((len(p), 3, 52))
+    _constants(p, k)
     return k
 
 
@@ -274,6 +277,9 @@ def _nominal_constants(p, k):
 
 def nominal_constants(p):
     """Return k (M, 3, 18), what `nominal_sensitivity` reads that no pose changes, from p (43 operations)."""
-    k = np.zeros((len(p), 3, 18))
-    _nominal_constants(np.ascontiguousarray(p), k)
+    p = np.ascontiguousarray(p, dtype=float)
+    if p.ndim != 3 or p.shape[1:] != (3, 15):
+        raise ValueError(f"parameters have the shape {p.shape}; (M, 3, 15) was expected.")
+    k = np.empty((len(p), 3, 18))
+    _nominal_constants(p, k)
     return k

@@ -1,7 +1,7 @@
 """What no pose changes: `planar_parallelogram`, many machines at once, Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both 1718941c498d9028; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both e60a9f00dcec2d78; SymPy 1.14.0.
 
 p (M, 1, 18) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
 """
@@ -112,6 +112,9 @@ def _constants(p, k):
 
 def constants(p):
     """Return k (M, 1, 28), what no pose changes, from p (91 operations)."""
-    k = np.zeros((len(p), 1, 28))
-    _constants(np.ascontiguousarray(p), k)
+    p = np.ascontiguousarray(p, dtype=float)
+    if p.ndim != 3 or p.shape[1:] != (1, 18):
+        raise ValueError(f"parameters have the shape {p.shape}; (M, 1, 18) was expected.")
+    k = np.empty((len(p), 1, 28))
+    _constants(p, k)
     return k

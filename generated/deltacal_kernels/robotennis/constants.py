@@ -1,7 +1,7 @@
 """What no pose changes: `robotennis`, many machines at once, RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both 7ee08180861dc672; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both a996d956856fb1b5; SymPy 1.14.0.
 
 p (M, 3, 19) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
 """
@@ -95,8 +95,11 @@ def _constants(p, k):
 
 def constants(p):
     """Return k (M, 3, 24), what no pose changes, from p (46 operations)."""
-    k = np.zeros((len(p), 3, 24))
-    _constants(np.ascontiguousarray(p), k)
+    p = np.ascontiguousarray(p, dtype=float)
+    if p.ndim != 3 or p.shape[1:] != (3, 19):
+        raise ValueError(f"parameters have the shape {p.shape}; (M, 3, 19) was expected.")
+    k = np.empty((len(p), 3, 24))
+    _constants(p, k)
     return k
 
 
@@ -143,6 +146,9 @@ def _nominal_constants(p, k):
 
 def nominal_constants(p):
     """Return k (M, 3, 14), what `nominal_sensitivity` reads that no pose changes, from p (14 operations)."""
-    k = np.zeros((len(p), 3, 14))
-    _nominal_constants(np.ascontiguousarray(p), k)
+    p = np.ascontiguousarray(p, dtype=float)
+    if p.ndim != 3 or p.shape[1:] != (3, 19):
+        raise ValueError(f"parameters have the shape {p.shape}; (M, 3, 19) was expected.")
+    k = np.empty((len(p), 3, 14))
+    _nominal_constants(p, k)
     return k

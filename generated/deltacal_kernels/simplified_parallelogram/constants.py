@@ -1,7 +1,7 @@
 """What no pose changes: `simplified_parallelogram`, many machines at once, Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both c9ce408e07226683; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both 23badcfa1dcf210b; SymPy 1.14.0.
 
 p (M, 1, 11) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
 """
@@ -45,6 +45,9 @@ def _constants(p, k):
 
 def constants(p):
     """Return k (M, 1, 6), what no pose changes, from p (5 operations)."""
-    k = np.zeros((len(p), 1, 6))
-    _constants(np.ascontiguousarray(p), k)
+    p = np.ascontiguousarray(p, dtype=float)
+    if p.ndim != 3 or p.shape[1:] != (1, 11):
+        raise ValueError(f"parameters have the shape {p.shape}; (M, 1, 11) was expected.")
+    k = np.empty((len(p), 1, 6))
+    _constants(p, k)
     return k
