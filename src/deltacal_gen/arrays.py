@@ -248,10 +248,8 @@ class PoseSet:
         out, same = result(out, (*every.shape[:2], 3)), bool((self.tool == self.tool[0]).all())
         for first in range(0, len(errors), MACHINES):
             some = slice(first, first + MACHINES)
-            rows, q = (
-                self.mechanism.rows(self.robot, errors[some]),
-                np.array(every[some]),
-            )  # kernels take no read-only view
+            rows = self.mechanism.rows(self.robot, errors[some])
+            q = np.array(every[some])  # no view that cannot be written: for those kernels would be compiled once more
             tool = self.tool[0] if same else np.tile(self.tool, (len(rows), 1))
             self.mechanism.positions(q.reshape(-1, q.shape[2]), tool, rows, out=out[some].reshape(-1, 3))
         return out
