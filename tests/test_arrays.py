@@ -26,6 +26,7 @@ from tests.test_every_mechanism import CASES
 
 MASSES = {"proximal": 1.2, "proximal_com": 0.4, "distal_rod": 0.15, "platform": 0.8}
 SIGMA = 0.005  # mm
+SPREAD = np.linspace(0.0, 0.3, 57).reshape(19, 3)  # joints [rad]
 BESIDE = np.array([60.0, -20.0, -40.0])  # a second reference point [mm]
 FIRST_RESULT = """
 import sys
@@ -177,6 +178,15 @@ def test_results_are_written_where_the_caller_wants_them(name: str) -> None:
         ({"measured": np.zeros(2), "pairs": [[0, 1], [2, 19]]}, "whole numbers below 19"),
         ({"tool": np.zeros((3, 3))}, r"tool has the shape \(3, 3\)"),
         ({"model": "17"}, "delta has no model '17'"),
+        (
+            {"measured": np.ones(2), "pairs": [[0, 1], [3, 3]], "joints": SPREAD},
+            r"pairs\[1\] = \[3, 3\] .* two different poses",
+        ),
+        ({"measured": np.ones(1), "pairs": [[0, 1]]}, "two different poses"),  # all joints are alike
+        ({"measured": [-1.0], "pairs": [[0, 1]], "joints": SPREAD}, "cannot be negative"),
+        ({"frame": "nonsense"}, "no frame 'nonsense'; known: unknown, robot"),
+        ({"sigma": -1.0}, "sigma = -1.0: a standard deviation above 0 mm"),
+        ({"sigma": float("nan")}, "sigma = nan"),
     ],
 )
 def test_what_does_not_go_together_is_said(changed: dict[str, object], says: str) -> None:
@@ -196,8 +206,14 @@ def test_dimensions_are_named() -> None:
         nominal("delta", geometry)
     with pytest.raises(UsageError, match="made of links"):
         nominal("serial", {})
+
+
+@pytest.mark.parametrize("n", [0, 19])
+@pytest.mark.parametrize("as_distance", [False, True])
+def test_no_reading_is_nothing_to_fit(n: int, as_distance: bool) -> None:
+    plain = nominal("delta", PROTOTYPE["geometry"])
     with pytest.raises(InputError, match="nothing to fit"):
-        estimate(nominal("delta", PROTOTYPE["geometry"]), "18", np.zeros((19, 3)), np.full((19, 3), np.nan))
+        estimate(plain, "18", SPREAD[:n], np.full((n, 3), np.nan), as_distance=as_distance)
 
 
 def test_names_of_the_package_are_found() -> None:

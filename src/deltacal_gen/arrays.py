@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from deltacal_gen.errors import NoSolutionError, UsageError
+from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation import Fit, Problem, fit, pose_problem, rough
 from deltacal_gen.inputs import POSITION, Measurement, Recording, Robot
 from deltacal_gen.mechanism import SOLVED, STATUS, Array, load_mechanism, mechanism_of, result
@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 GIVEN = "arrays"  # stands in messages where a file's name would
+FRAMES = ("unknown", "robot")
 MACHINES = 256  # at once: what belongs to them stays in the cache
 
 
@@ -95,9 +96,16 @@ def recorded(
     Raises
     ------
     UsageError
-        Arrays whose shapes do not go together.
+        Arrays whose shapes do not go together, a pair of one pose with itself, a negative distance, or a frame or a
+        standard deviation that cannot be.
+    InputError
+        No reading.
     """
     mechanism = mechanism_of(robot)
+    if frame not in FRAMES:
+        raise UsageError(f"there is no frame '{frame}'; known: {', '.join(FRAMES)}.")
+    if sigma is not None and not (sigma > 0 and np.isfinite(sigma)):
+        raise UsageError(f"sigma = {sigma}: a standard deviation above 0 mm was expected, or None.")
     q, values = np.asarray(joints, dtype=float), np.asarray(measured, dtype=float)
     if q.ndim != 2 or q.shape[1] != mechanism.limbs or not np.isfinite(q).all():
         raise UsageError(f"joints have the shape {q.shape}; (N, {mechanism.limbs}) finite numbers were expected.")
@@ -110,6 +118,20 @@ def recorded(
         ends.ndim != 2 or ends.shape[1] != 2 or ends.dtype.kind not in "iu" or not np.isin(ends, range(len(q))).all()
     ):
         raise UsageError(f"pairs must be (K, 2) whole numbers below {len(q)}: rows of joints.")
+    if not np.isfinite(np.atleast_2d(values.T)).all(axis=0).any():
+        raise InputError("measured holds no reading, so there is nothing to fit.", "Give at least one.", file=GIVEN)
+    points = None if tool is None else _points(tool, len(q), "tool")
+    if ends is not None:
+        at = q if points is None else np.hstack([q, np.where(np.isfinite(points), points, robot.tool)])
+        if (same := (at[ends[:, 0]] == at[ends[:, 1]]).all(axis=1)).any():
+            k = int(np.argmax(same))
+            raise UsageError(
+                f"pairs[{k}] = {ends[k].tolist()} has the same joints and tool at both ends; "
+                "a pair needs two different poses."
+            )
+        if (values < 0).any():
+            k = int(np.argmax(values < 0))
+            raise UsageError(f"measured[{k}] = {values[k]:.6g}: a distance cannot be negative.")
     return Recording(
         path=GIVEN,
         kind="position" if ends is None else "distance",
@@ -123,7 +145,7 @@ def recorded(
         channels={},
         setup=np.zeros(len(q), dtype=int),
         setup_names=("1",),
-        tool=None if tool is None else _points(tool, len(q), "tool"),
+        tool=points,
         pairs=ends,
         pair_measured=None if ends is None else values,
         pair_line=None if ends is None else np.arange(len(ends)),
@@ -179,7 +201,7 @@ def estimate(
     Raises
     ------
     UsageError
-        Arrays whose shapes do not go together; an unknown model.
+        As `recorded`; an unknown model.
     InputError
         Joints at which the machine cannot stand; no reading.
     NoSolutionError
