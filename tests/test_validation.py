@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import dataclasses
+import json
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from conftest import plausible, rings, scattered, wanted
 
-from deltacal_gen import iso9283
+from deltacal_gen import commands, iso9283
 from deltacal_gen.accuracy import check_poses, circle, distance_error, largest, volumetric_error, workspace_of
 from deltacal_gen.errors import InputError
 from deltacal_gen.identification import identify
@@ -45,6 +47,15 @@ def test_fresh_readings_are_as_good_as_their_noise(
     assert report["rms_mm"] == pytest.approx(0.0055, rel=0.15)  # the noise and what calibration leaves
     assert report["chi2_per_dof"] == pytest.approx((report["rms_mm"] / result["sigma_mm"]) ** 2)
     assert "iso9283" not in report  # nothing was repeated
+
+
+@pytest.mark.parametrize("broken", [{}, {"schema": "deltacal.result/1"}, {"robot": {}}])
+def test_what_is_no_result_is_said(tmp_path: Path, broken: dict[str, Any]) -> None:
+    (tmp_path / "result.json").write_text(json.dumps(broken))
+    for given in (broken, tmp_path / "result.json"):
+        for judge in (commands.validate, commands.validate_blocks):
+            with pytest.raises(InputError, match="no result of identify or diagnose"):
+                judge(given, tmp_path / "recording.csv")
 
 
 def test_the_worst_rows_come_first_with_their_lines(

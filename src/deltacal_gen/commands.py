@@ -55,19 +55,16 @@ def _recording(recording: Source | Recording, robot: Robot, **how: bool) -> Reco
 
 def _result(result: Source | Mapping[str, Any]) -> Mapping[str, Any]:
     """Return a RESULT.json that was read already, or read it."""
-    if isinstance(result, Mapping):
-        return result
+    file = None if isinstance(result, Mapping) else result
     try:
-        data = json.loads(read_text(Path(result)))
+        data = result if isinstance(result, Mapping) else json.loads(read_text(Path(result)))
     except json.JSONDecodeError as error:
         raise InputError(
-            f"this is not JSON: {error.msg}.", "Give the file that identify wrote.", file=result, line=error.lineno
+            f"this is not JSON: {error.msg}.", "Give the file that identify wrote.", file=file, line=error.lineno
         ) from None
-    schema = str(data.get("schema", "")) if isinstance(data, dict) else ""
+    schema = str(data.get("schema", "")) if isinstance(data, Mapping) else ""
     if not schema.startswith(("deltacal.result/", "deltacal.diagnosis/")) or "robot" not in data:
-        raise InputError(
-            "this is no result of identify or diagnose.", "Give the file that one of them wrote.", file=result
-        )
+        raise InputError("this is no result of identify or diagnose.", "Give what one of them wrote.", file=file)
     return data
 
 
