@@ -103,6 +103,69 @@ def test_what_needs_the_whole_recording_is_refused(robot: Robot, tmp_path: Path)
         list(read_blocks(tmp_path / "none.csv", DELTA, 10))
 
 
+HEADER = "q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm"
+
+
+@pytest.mark.parametrize("rows", [1, 2, 10])
+def test_several_set_ups_are_refused_wherever_a_block_ends(tmp_path: Path, rows: int) -> None:
+    path = tmp_path / "recording.csv"
+    path.write_text(f"{HEADER},setup\n1,2,3,4,5,-900,A\n2,3,4,5,6,-900,A\n3,3,4,,,,B\n4,3,4,5,6,-900,B\n")
+    with pytest.raises(InputError, match=r"several set-ups \(A, B\)"):
+        list(read_blocks(path, DELTA, rows))
+
+
+@pytest.mark.parametrize("kind", ["csv", "parquet"])
+def test_a_block_without_readings_is_passed_over(robot: Robot, tmp_path: Path, kind: str) -> None:
+    """Rows 20 to 39 of 60 were not read: whatever the blocks, 40 rows are fitted and judged."""
+    poses, path = targets(robot, tmp_path / "poses.csv", 60), tmp_path / "recording.csv"
+    streams.simulate(robot, poses, path, noise_mm=NOISE, rng=np.random.default_rng(3))
+    lines = path.read_text().splitlines()
+    cells = [line.split(",") for line in lines[21:41]]
+    at = [lines[0].split(",").index(name) for name in ("x_mm", "y_mm", "z_mm")]
+    blanked = [",".join("" if k in at else cell for k, cell in enumerate(row)) for row in cells]
+    path.write_text("\n".join(lines[:21] + blanked + lines[41:]) + "\n")
+    path = as_parquet(path) if kind == "parquet" else path
+    found = [streams.identify(robot, path, "18", rows=rows) for rows in (10, 20, 60)]
+    assert {one.rows for one in found} == {40}
+    for one in found[:2]:
+        np.testing.assert_allclose(one.errors, found[2].errors, rtol=0, atol=1e-3)
+    whole = validation.validate(found[2].to_dict(), read_recording(path, DELTA))
+    parts = streams.validate(found[2].to_dict(), path, rows=10)
+    assert parts["readings"] == whole["readings"] == 40
+    assert parts["rms_mm"] == pytest.approx(whole["rms_mm"])
+    blocks = list(read_blocks(path, DELTA, 20))
+    assert [part.pose[0] for part in blocks] == ["1", "41"]
+
+
+def test_a_recording_without_any_reading_is_said(tmp_path: Path) -> None:
+    path = tmp_path / "recording.csv"
+    path.write_text(f"{HEADER}\n1,2,3,,,\n2,3,4,,,\n")
+    for rows in (1, 10):
+        with pytest.raises(InputError, match=r"no row holds a reading\. Fill in x_mm, y_mm, z_mm"):
+            list(read_blocks(path, DELTA, rows))
+
+
+@pytest.mark.parametrize("given", [{"rows": 0}, {"rows": -1}, {"rows": 2.5}, {"passes": 0}, {"passes": -1}])
+def test_blocks_and_passes_are_counted_from_one(robot: Robot, tmp_path: Path, given: dict[str, float]) -> None:
+    path = tmp_path / "recording.csv"
+    path.write_text(f"{HEADER}\n1,2,3,4,5,-900\n")
+    (name, value), *_ = given.items()
+    with pytest.raises(UsageError, match=rf"{name} = {value}: .* at least 1"):
+        streams.identify(robot, path, "18", **given)
+
+
+def test_contacts_are_refused(robot: Robot, tmp_path: Path) -> None:
+    """Block by block every point would be placed anew, and the error come out too small."""
+    poses, path = targets(robot, tmp_path / "poses.csv", 20, frame="robot"), tmp_path / "recording.csv"
+    streams.simulate(robot, poses, path)
+    result = streams.identify(robot, path, "18", passes=1).to_dict()
+    path.with_suffix(".toml").unlink()
+    path.write_text("q1_deg,q2_deg,q3_deg,contact\n1,2,3,a\n2,3,4,a\n")
+    for rows in (1, 10):
+        with pytest.raises(InputError, match="contacts are not validated in blocks"):
+            streams.validate(result, path, rows=rows)
+
+
 def test_a_cell_may_go_on_where_a_block_ends(tmp_path: Path) -> None:
     path = tmp_path / "recording.csv"
     path.write_text('pose,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm\n"a\nb",1,2,3,4,5,-900\nc,2,3,4,5,6,-900\n')

@@ -17,13 +17,14 @@ import os
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from numbers import Integral
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 from pydantic import BeforeValidator
 
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.inputs import POSITION, ROTATION, TEMPERATURE, Measurement, Recording, Robot
 from deltacal_gen.robot import (
     Number,
@@ -149,8 +150,10 @@ def read_recording(
     """
     path = Path(path)
     rows = _read_parquet(path) if path.suffix == ".parquet" else _read_csv(path)
-    flags = {"need_measured": need_measured, "allow_targets": allow_targets, "doubtful": doubtful}
-    return _recording(path, rows, _read_sidecar(path), mechanism, **flags)
+    recording = _recording(path, rows, _read_sidecar(path), mechanism, need_measured, allow_targets, doubtful)
+    if need_measured and not _is_measured(recording):
+        raise _no_reading(recording)
+    return recording
 
 
 def read_blocks(
@@ -163,25 +166,40 @@ def read_blocks(
 ) -> Iterator[Recording]:
     """Read a recording of any length, so many rows at a time; see `read_recording`.
 
-    What concerns rows far apart (repeats, labels that stand twice) is judged within a block only.
+    What concerns rows far apart (repeats, labels that stand twice) is judged within a block only. Where readings are
+    needed, a block without any is passed over.
 
     Raises
     ------
+    UsageError
+        Blocks of less than one row.
     InputError
         As `read_recording`; and for distances between rows, several set-ups, or positions that count from a first row:
         those need the whole recording.
     """
+    if not isinstance(rows, Integral) or rows < 1:
+        raise UsageError(f"rows = {rows}: a block needs a whole number of rows, at least 1.")
     path = Path(path)
-    sidecar, done = _read_sidecar(path), 0
+    sidecar, done, setups, blank = _read_sidecar(path), 0, set[str](), need_measured
     for block in _parquet_blocks(path, rows) if path.suffix == ".parquet" else _csv_blocks(path, rows):
         part = _recording(path, block, sidecar, mechanism, need_measured, allow_targets, doubtful=False)
-        if part.pairs is not None or len(part.setup_names) > 1 or part.measurement.zero == "incremental":
-            what = "distances between rows" if part.pairs is not None else "several set-ups or an incremental zero"
-            raise InputError(f"{what} cannot be read in blocks.", "Read the recording as a whole.", file=path)
+        setups |= {*part.setup_names}
+        several = f"several set-ups ({', '.join(sorted(setups))})"
+        for what, found in (
+            ("distances between rows", part.pairs is not None),
+            (several, len(setups) > 1),
+            ("an incremental zero", part.measurement.zero == "incremental"),
+        ):
+            if found:
+                raise InputError(f"{what} cannot be read in blocks.", "Read the recording as a whole.", file=path)
         if "pose" not in block.columns:
             part = dataclasses.replace(part, pose=np.arange(done + 1, done + part.n_rows + 1).astype(str))
         done += part.n_rows
-        yield part
+        if not need_measured or _is_measured(part):
+            blank = False
+            yield part
+    if blank:
+        raise _no_reading(part)
 
 
 def _recording(
@@ -250,8 +268,6 @@ def _recording(
         _check_repeats(recording, rows)
     if need_measured and recording.measurement.zero == "incremental" and _has_home(mechanism):
         _check_home(recording)
-    if need_measured and not _is_measured(recording):
-        raise InputError("no row holds a reading.", f"Fill in {', '.join(columns)}.", file=path)
     return recording
 
 
@@ -666,7 +682,12 @@ def _measured(rows: _Rows, kind: str, columns: tuple[str, ...], need_measured: b
 def _is_measured(recording: Recording) -> bool:
     paired = recording.pair_measured is not None and bool(np.isfinite(recording.pair_measured).any())
     touched = recording.contact is not None and bool((recording.contact != "").any())
-    return paired or touched or bool(np.isfinite(recording.measured).any())
+    # the first column: a rotation without its point, which comes before it, is no reading
+    return paired or touched or bool(np.isfinite(recording.measured[:, :1]).any())
+
+
+def _no_reading(recording: Recording) -> InputError:
+    return InputError("no row holds a reading.", f"Fill in {', '.join(recording.columns)}.", file=recording.path)
 
 
 def _channel(rows: _Rows, name: str, doubtful: bool) -> np.ndarray | None:

@@ -10,17 +10,18 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from numbers import Integral
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from deltacal_gen import identifiability, prediction, simulation, validation
-from deltacal_gen.errors import InputError, NoSolutionError
+from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation import Problem, pose_problem
 from deltacal_gen.identification import SCHEMA, file_terms, parameter_table
 from deltacal_gen.inputs import Recording, Robot
-from deltacal_gen.measurement import Instrument, readings
+from deltacal_gen.measurement import CONTACT, Instrument, Readings, readings
 from deltacal_gen.mechanism import Array, mechanism_of
 from deltacal_gen.recording import read_blocks, write_blocks
 from deltacal_gen.robot import robot_to_dict
@@ -47,7 +48,10 @@ class Streamed:
         RMS of the residuals of the robot file's machine, and of the one found [mm].
     matrix : (n, n) array
         The identification matrix as a triangle, in ordinary errors, the instrument projected out.
-    rows, passes : int
+    rows : int
+        Rows that hold a reading.
+    passes : int
+        Over the file.
     """
 
     robot: Robot
@@ -160,11 +164,15 @@ def identify(robot: Robot, recording: str | Path, model: str, *, rows: int = ROW
 
     Raises
     ------
+    UsageError
+        Less than one row or one pass.
     InputError
         As `recording.read_blocks`, or a kind other than position.
     NoSolutionError
         Several passes were allowed and did not settle.
     """
+    if not isinstance(passes, Integral) or passes < 1:
+        raise UsageError(f"passes = {passes}: a whole number of passes over the file was expected, at least 1.")
     mechanism = mechanism_of(robot)
     names, errors = mechanism.model(model), mechanism.vector(robot.errors)
     instrument: Instrument | None = None
@@ -183,7 +191,7 @@ def identify(robot: Robot, recording: str | Path, model: str, *, rows: int = ROW
             problem = pose_problem(robot, part, names)
             instrument = problem.begin(errors) if instrument is None else instrument
             triangle = _reduced(problem, errors, instrument, triangle)
-            count, setups = count + part.n_rows, part.setup_names
+            count, setups = count + len(problem.readings), part.setup_names
             scalars += problem.readings.n_scalars
         assert triangle is not None
         assert instrument is not None
@@ -244,11 +252,22 @@ def validate(result: Mapping[str, Any], recording: str | Path, *, rows: int = RO
     Raises
     ------
     InputError
-        As `recording.read_blocks` and `validation.validate`.
+        As `recording.read_blocks` and `validation.validate`; or contacts: where the points are, all their touches say
+        together.
     """
-    blocks = read_blocks(recording, mechanism_of(prediction.calibrated_robot(result)), rows)
-    found = ((part, readings(part)) for part in blocks)
-    return validation.figures(result, ((of, prediction.residual(result, part, of)) for part, of in found))
+
+    def parts() -> Iterator[tuple[Readings, Array]]:
+        for part in read_blocks(recording, mechanism_of(prediction.calibrated_robot(result)), rows):
+            if part.kind == CONTACT:
+                raise InputError(
+                    "contacts are not validated in blocks: where a point is, all its touches say together.",
+                    "Validate them as a whole.",
+                    file=recording,
+                )
+            found = readings(part)
+            yield found, prediction.residual(result, part, found)
+
+    return validation.figures(result, parts())
 
 
 def _reduced(problem: Problem, errors: Array, instrument: Instrument, triangle: Array | None) -> Array:
