@@ -137,6 +137,17 @@ def test_a_block_without_readings_is_passed_over(robot: Robot, tmp_path: Path, k
     assert [part.pose[0] for part in blocks] == ["1", "41"]
 
 
+def test_columns_stay_where_they_are(robot: Robot, tmp_path: Path) -> None:
+    """A column of a block may be blank, or hold text where another block holds numbers."""
+    poses, out = tmp_path / "poses.csv", tmp_path / "recording.csv"
+    poses.write_text("q1_deg,q2_deg,q3_deg,note,humidity,draught\n1,2,3,calm,,\n2,3,4,1,40,\n3,3,4,,,2\n")
+    streams.simulate(robot, poses, out, rows=1)
+    found = read_recording(out, DELTA).channels
+    np.testing.assert_array_equal(found["humidity"], [np.nan, 40.0, np.nan])
+    np.testing.assert_array_equal(found["draught"], [np.nan, np.nan, 2.0])
+    assert "note" not in found
+
+
 def test_a_recording_without_any_reading_is_said(tmp_path: Path) -> None:
     path = tmp_path / "recording.csv"
     path.write_text(f"{HEADER}\n1,2,3,,,\n2,3,4,,,\n")

@@ -195,6 +195,9 @@ def read_blocks(
         if "pose" not in block.columns:
             part = dataclasses.replace(part, pose=np.arange(done + 1, done + part.n_rows + 1).astype(str))
         done += part.n_rows
+        free = [n for n, cells in block.columns.items() if not (any(cells) or n in _RESERVED or _JOINT.fullmatch(n))]
+        blanks = {name: np.full(part.n_rows, np.nan) for name in free}  # another block may hold numbers there
+        part = dataclasses.replace(part, channels=blanks | part.channels)
         if not need_measured or _is_measured(part):
             blank = False
             yield part
@@ -856,21 +859,23 @@ def write_recording(recording: Recording, path: str | Path) -> None:
 def write_blocks(parts: Iterable[Recording], path: str | Path) -> int:
     """Write the parts of a recording one after the other, as CSV with its sidecar; return the number of rows.
 
-    The files appear when all is written.
+    The files appear when all is written. The columns are those of the first part.
 
     Raises
     ------
     InputError
         A file cannot be written; see also `write_recording`.
     """
-    path, done = Path(path), 0
+    path, done, header = Path(path), 0, list[str]()
     if path.suffix != ".csv" or _distances_path(path).exists():
         raise InputError("recordings are written as CSV, and no distances may lie beside it.", "Rename.", file=path)
     staged = path.with_name(f".{path.name}.{os.getpid()}.part")
     try:
         with staged.open("w", encoding="utf-8", newline="") as file:
             for part in parts:
-                text = csv_text(file_columns(part)[0])
+                columns, blank = file_columns(part)[0], np.full(part.n_rows, np.nan)
+                header = header or list(columns)
+                text = csv_text({name: columns.get(name, blank) for name in header})
                 file.write(text if not done else text.partition("\n")[2])
                 done += part.n_rows
                 sidecar = _sidecar_text(part)
