@@ -275,7 +275,7 @@ def render() -> dict[Path, str]:
     found = list(mechanisms())
     texts = {
         Path(name): environment.get_template(f"{name}.jinja").render(mechanisms=found, command=COMMAND)
-        for name in ("__init__.py", "compiled.py", "elementary.py", "straight.py")
+        for name in ("__init__.py", "compiled.py", "direct.py", "elementary.py", "straight.py")
     }
     for mechanism in found:
         folder = Path(mechanism.name)
@@ -294,7 +294,9 @@ def render() -> dict[Path, str]:
         contents: dict[str, dict[str, Any]] = {
             "parameters.py": {},
             "constants.py": {"kernels": moving, "nominal": ideal},
+            "blocks.py": {"blocks": batch},
             "kinematics.py": {"kernels": moving, "blocks": batch, "nominal": ideal},
+            **({"nominal.py": {"blocks": batch, "nominal": ideal}} if ideal else {}),
             "servo.py": {
                 "exact": servo.exact(mechanism),
                 "linear": servo.linear(mechanism),

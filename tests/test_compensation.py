@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ctypes
+import gc
+import inspect
 import math
 import re
 import shutil
@@ -18,9 +20,11 @@ from hypothesis import strategies as st
 from numba import njit
 
 from deltacal_gen.compensation import KINDS, Compensator
+from deltacal_gen.demonstration import example
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.exports import TableCompensator, export_c, export_table, read_table
 from deltacal_gen.mechanism import SINGULAR, SOLVED, UNREACHABLE, load_mechanism
+from deltacal_gen.recording import read_recording
 from deltacal_gen.robot import Robot, Workspace, read_robot
 
 DEG = math.pi / 180
@@ -223,9 +227,43 @@ def test_the_linear_change_is_what_the_linear_command_adds(prototype: Robot) -> 
     direct = servo.direct()
     for point, q, expected in zip(points, nominal, compensator.command(points)[0], strict=True):
         assert change(*point, *q, state) == pytest.approx(expected - q, abs=1e-14)
-        assert direct(*point, *q, state) == change(*point, *q, state)
+        assert direct(*point, *q) == change(*point, *q, state)
     with pytest.raises(UsageError, match="the exact compensator has no change to nominal joints"):
         Compensator(signed).servo(change=True)
+
+
+@pytest.mark.parametrize("name", ["delta", "planar_parallelogram", "linear_delta"])
+@pytest.mark.parametrize("kind", KINDS)
+def test_direct_commands_are_bound_to_their_machine(name: str, kind: str) -> None:
+    """Built-in functions of numbers, each of its own state; anything else is a TypeError."""
+    robot = replace(read_robot(example(f"{name}/robot.toml")), errors={})
+    mechanism = load_mechanism(name)
+    moved = replace(robot, errors={mechanism.parameters[0].name: 5 * mechanism.parameters[0].typical})
+    servos = [Compensator(r, kind).servo() for r in (robot, moved)]
+    commands = [servo.direct() for servo in servos]
+    given = read_recording(example(f"{name}/poses.csv"), mechanism, need_measured=False, allow_targets=True)
+    if given.targets is not None:
+        point = given.targets[0]
+    else:
+        point = mechanism.forward(given.joints[:1], np.zeros(3), mechanism.rows(robot))[0][0, :3]
+    numbers = point[: len(mechanism.commanded(np.zeros((1, 3)))[0])].tolist()
+    gc.collect()
+    nominal, other = (command(*numbers) for command in commands)
+    assert nominal != other
+    for servo, found in zip(servos, (nominal, other), strict=True):
+        assert np.isfinite(found).all()
+        assert servo.command(*numbers, servo.state) == found
+    command = commands[0]
+    assert command(*map(np.float64, numbers)) == nominal
+    ones = [-1] * len(numbers)  # what Python's own functions return besides an error
+    np.testing.assert_array_equal(command(*ones), servos[0].command(*map(float, ones), servos[0].state))
+    with pytest.raises(TypeError, match=f"{len(numbers)} numbers are needed: px"):
+        command(*numbers, 1.0)
+    with pytest.raises(TypeError, match="must be real number, not str"):
+        command(*numbers[:-1], "1")
+    with pytest.raises(TypeError, match="no keyword arguments"):
+        command(*numbers, px=1.0)
+    assert str(inspect.signature(command)).startswith("(px")
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -69,17 +69,6 @@ def kernel(**options):
     return decorate
 
 
-def direct(compiled, *arguments):
-    """Return the machine code of a kernel for arguments of the types of these; it is compiled if need be.
-
-    A call from Python is spared Numba's look at every argument, which takes longer than a command for a servo loop.
-    Nothing checks the types then: give no others.
-    """
-    from numba import typeof
-
-    return compiled.compile(tuple(map(typeof, arguments)))
-
-
 @cache
 def _kept():
     """Return the class of caches; it builds on Numba, which only those import who compile."""

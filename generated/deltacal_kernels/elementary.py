@@ -7,7 +7,6 @@ last place, or 1e-15 absolute, for arguments up to 1e5 rad. A NaN goes through.
 """
 
 import math
-import threading
 
 import numpy as np
 from llvmlite import ir
@@ -18,7 +17,6 @@ from numba.extending import intrinsic
 from deltacal_kernels.straight import check_layout, flipped, odd, widen
 
 ROUND = 6755399441055744.0  # 1.5 * 2^52: a number that is added to it is rounded to an integer, and stands in its last bits
-_kept = threading.local()
 
 
 def aligned(size):
@@ -35,13 +33,14 @@ def copied(values):
     return found
 
 
+@njit(error_model="numpy", inline="always")
 def scratch(size):
-    """Return an array (size,) that this thread keeps for later calls, `aligned`."""
-    kept = _kept.__dict__
-    try:
-        return kept[size]
-    except KeyError:
-        return kept.setdefault(size, aligned(size))
+    """Return an array (size,) for a compiled function to compute with, `aligned`; what stands in it is left over.
+
+    Taken anew by every call, and at once: to be handed one by Python takes longer.
+    """
+    room = np.empty(size + 8)
+    return room[(64 - room.ctypes.data % 64) % 64 // 8 :]
 
 
 @intrinsic

@@ -403,19 +403,19 @@ def call(n: int, *, kind: str) -> Work:
     target, p = positions(1), paper(errors())
     compensator, rods, theta = Compensator(calibrated(), kind), by_hand.machine(p), by_hand.ideal_inverse(target).copy()
     one, out = compensator.servo(change=kind == "linear"), np.empty((1, 3))
-    command, state = one.direct(), one.state
+    command = one.direct()
     x, y, z = target[0].tolist()
     if kind == "exact":
         contenders = {
             OURS: Contender(lambda: compensator.command(target), lambda found: found[0]),
-            KERNEL: Contender(lambda: command(x, y, z, state), np.atleast_2d),
+            KERNEL: Contender(lambda: command(x, y, z), np.atleast_2d),
             NUMPY: Contender(lambda: by_hand.inverse(target, rods)),
         }
     else:
         q_1, q_2, q_3 = theta[0].tolist()
         contenders = {
             OURS: Contender(lambda: compensator.command(target), lambda found: found[0] - theta),
-            KERNEL: Contender(lambda: command(x, y, z, q_1, q_2, q_3, state), np.atleast_2d),
+            KERNEL: Contender(lambda: command(x, y, z, q_1, q_2, q_3), np.atleast_2d),
             NUMPY: Contender(lambda: by_hand.change(theta, target, p)),
             NUMBA: Contender(lambda: by_hand_numba.changes(theta, target, p, out), lambda _: out),
         } | by_tools("change", theta, target, p)

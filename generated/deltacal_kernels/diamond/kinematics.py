@@ -1,7 +1,7 @@
 """Kinematics of `diamond`, many poses at once: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both c96d577b7b9db7b9; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both ef08f27b0d5da0d1; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -19,28 +19,23 @@ import math
 import numpy as np
 
 from deltacal_kernels.compiled import kernel
-from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, outer_of, scratch, sine, tangent, wide
+from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, scratch, sine, tangent, wide
 from deltacal_kernels.straight import straight
 
 from . import vectorised
+from .blocks import LANES, SPARE, WORK, aim, hold, load
 from .constants import constants, nominal_constants
+from .nominal import distance_rows, nominal_sensitivity
 from .vectorised import SINGULAR, SOLVED, UNREACHABLE, jacobians
 
-LANES = 32
 OPEN = -1  # a pose that is left to the plain kernels
 MAX_STEPS = 8
 STEP_DONE = 1e-6  # mm; Newton is quadratic: after such a step a length of 1000 mm is exact to 1e-15 mm
 TURN_DONE = 3e-8  # rad
-WORK = 2208  # numbers that a block computes with
-SPARE = 256  # and that the last of its poses are written to
 CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
 SPHERES = 128  # poses at once whose spheres are kept until all of them meet
 APART = 1e-3  # squared sine between the centres' directions
 SIMPLIFIED = 2  # coordinates that `simplified_forward` gives: the others are zero
-NOTHING, NO_COLUMNS, NO_ROWS = np.empty((0, 0, 0)), np.empty(0, dtype=np.int64), np.empty((0, 0))
-# where in scratch the terms of each column of the nominal sensitivity have their factors and values
-FACTORS = np.array(((1920, 1920, 1920, 1920, 1920, 1920, 1920, 1952, 1952, 1952, 1952, 1952, 1952, 1952),))
-VALUES = np.array(((640, 672, 704, 736, 768, 800, 832, 1536, 1568, 1600, 1632, 1664, 1696, 1728),))
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
@@ -365,33 +360,8 @@ def _turn_joints(w, n):
         w[896 + lane] -= going * w[2112 + lane]
 
 @straight
-def _load(q, w, first, last, n):
-    """Put joints of poses side by side, the last one again for the rest of `n`."""
-    for lane in range(n):
-        m = min(first + lane, last)
-        w[0 + lane] = q[2 * m + 0]
-        w[896 + lane] = q[2 * m + 1]
-
-
-@straight
-def _hold(tool, w, first, last, n):
-    """Put tools of poses side by side, like `_load`."""
-    for lane in range(n):
-        m = min(first + lane, last)
-        at = tool[3 * m + 0]
-        w[32 + lane] = at
-        w[928 + lane] = at
-        at = tool[3 * m + 1]
-        w[64 + lane] = at
-        w[960 + lane] = at
-        at = tool[3 * m + 2]
-        w[96 + lane] = at
-        w[992 + lane] = at
-
-
-@straight
 def _place(x, w, first, last, n):
-    """Put platform poses side by side, like `_load`."""
+    """Put platform poses side by side, like `load`."""
     for lane in range(n):
         m = min(first + lane, last)
         w[128 + lane] = x[2 * m + 0]
@@ -419,11 +389,12 @@ def _unload_joints(w, q, first, last):
 
 
 @fast
-def _forward(q, tool, k, x, status, warm, w):
+def _forward(q, tool, k, x, status, warm):
+    w = scratch(WORK + SPARE)
     w_1 = w[0:896]
     w_2 = w[896:1792]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -432,9 +403,9 @@ def _forward(q, tool, k, x, status, warm, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
+            load(q, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
+                hold(tool, w, first, last, n)
             _early(w_1, k_1, n)
             _early(w_2, k_2, n)
             if warm:
@@ -465,7 +436,7 @@ def forward(q, tool, k, x, status, warm):
     status (N,): SOLVED, UNREACHABLE (no platform pose closes all loops) or SINGULAR; x is NaN unless SOLVED.
     """
     given = x.copy() if warm else x
-    if _forward(q, tool, k, x, status, warm, scratch(WORK + SPARE)):
+    if _forward(q, tool, k, x, status, warm):
         left = np.flatnonzero(status == OPEN)
         of, found = np.zeros(len(left), dtype=np.int64), given[left]
         vectorised.forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, warm)
@@ -473,11 +444,12 @@ def forward(q, tool, k, x, status, warm):
 
 
 @fast
-def _inverse(target, tool, k, x, q, status, w):
+def _inverse(target, tool, k, x, q, status):
+    w = scratch(WORK + SPARE)
     w_1 = w[0:896]
     w_2 = w[896:1792]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -486,10 +458,10 @@ def _inverse(target, tool, k, x, q, status, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(target, w, first, last, n)
+            load(target, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
-            _aim(w, n)
+                hold(tool, w, first, last, n)
+            aim(w, n)
             _start(w_1, k_1, n)
             _start(w_2, k_2, n)
             _started(w, n)
@@ -520,7 +492,7 @@ def inverse(target, tool, k, x, q, status):
     Newton on the joints and the platform's rotation from the simplified machine. status as in `forward`; UNREACHABLE
     where the target lies beyond the reach of a limb.
     """
-    if _inverse(target, tool, k, x, q, status, scratch(WORK + SPARE)):
+    if _inverse(target, tool, k, x, q, status):
         left = np.flatnonzero(status == OPEN)
         found, joints, of = np.empty((len(left), 2)), np.empty((len(left), 2)), np.zeros(len(left), dtype=np.int64)
         vectorised.inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
@@ -528,10 +500,11 @@ def inverse(target, tool, k, x, q, status):
 
 
 @fast
-def _simplified_forward(q, tool, k, x, status, w):
+def _simplified_forward(q, tool, k, x, status):
     given, found = q.reshape(q.size), x.reshape(x.size)
     machines, tools = k.reshape(k.size), tool.reshape(tool.size)
     left, runs = 0, max(k.shape[0], tool.shape[0])
+    w = scratch(6 * SPHERES)
     each = status.size // runs
     for m in range(runs):
         own = machines[24 * (m // (runs // k.shape[0])) :]
@@ -609,7 +582,7 @@ def simplified_forward(q, tool, k, x, status):
     It does not turn, so that x is the position of the reference point.
     status as in `forward`.
     """
-    if _simplified_forward(q, tool, k, x, status, scratch(6 * SPHERES)):
+    if _simplified_forward(q, tool, k, x, status):
         left = np.flatnonzero(status == OPEN)
         found, of = np.empty((len(left), 2)), np.empty(len(left), dtype=status.dtype)
         forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, False)
@@ -685,25 +658,13 @@ def simplified_inverse(target, tool, k, q, status):
         q[left], status[left] = joints, of
 
 
-@straight
-def _aim(w, n):
-    """Put targets, which were loaded as joints, where the limbs read the platform."""
-    for lane in range(n):
-        at = w[0 + lane]
-        w[128 + lane] = at
-        w[1024 + lane] = at
-        at = w[896 + lane]
-        w[160 + lane] = at
-        w[1056 + lane] = at
-
-
 @fast
-def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
-    by_errors, by_joints = S_p.reshape(S_p.size), S_q.reshape(S_q.size)
+def _sensitivity(x, q, tool, k, S_p, S_q, status):
+    w, by_errors, by_joints = scratch(WORK + SPARE), S_p.reshape(S_p.size), S_q.reshape(S_q.size)
     w_1 = w[0:896]
     w_2 = w[896:1792]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -712,9 +673,9 @@ def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
+            load(q, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
+                hold(tool, w, first, last, n)
             _place(x, w, first, last, n)
             _begin(w, n)
             _move(w, n)
@@ -766,178 +727,8 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
     Rows are px, py, then turns of the platform about the axes of {O}. Columns of S_p run limb by limb. S_q is the velocity
     Jacobian.
     """
-    if _sensitivity(x, q, tool, k, S_p, S_q, status, scratch(WORK + SPARE)):
+    if _sensitivity(x, q, tool, k, S_p, S_q, status):
         left = np.flatnonzero(status == OPEN)
         by_errors, by_joints, of = np.empty((len(left), 2, 16)), np.empty((len(left), 2, 2)), np.zeros(len(left), dtype=np.int64)
         vectorised.sensitivity(x[left], q[left], _of(tool, left, len(status)), _of(k, left, len(status)), by_errors, by_joints, of)
         S_p[left], S_q[left], status[left] = by_errors, by_joints, of
-
-
-@straight
-def _nominal(w, k, n):
-    """Equations of a nominal limb by platform and errors (26 operations)."""
-    s2 = k[0]
-    s5 = k[1]
-    B_x = k[2]
-    side = k[3]
-    base_y = k[4]
-    l = k[5]
-    for lane in range(n):
-        q = w[0 + lane]
-        tx = w[32 + lane]
-        ty = w[64 + lane]
-        px = w[128 + lane]
-        py = w[160 + lane]
-        s3 = q + s2
-        s4 = cosine(s3)
-        C_x = B_x + s4*s5
-        s8 = sine(s3)
-        C_x_theta = -s5*s8
-        C_x_dL = s4*side
-        C_y = -C_x_theta + base_y
-        C_y_theta = s4*s5
-        C_y_dL = s8*side
-        A_x = px - tx
-        A_y = py - ty
-        d_x = A_x - C_x
-        d_y = A_y - C_y
-        s20 = -C_x_theta*d_x - C_y_theta*d_y
-        s23 = -C_x_dL*d_x - C_y_dL*d_y
-        w[224 + lane] = d_x
-        w[256 + lane] = d_y
-        w[640 + lane] = s20
-        w[672 + lane] = -d_x
-        w[704 + lane] = -d_y
-        w[736 + lane] = s23
-        w[768 + lane] = -l
-
-
-@straight
-def _nominal_inverse(w, n):
-    """Minus the inverse of the derivatives, its rows of the position; how far the equations are from dependent (24 operations)."""
-    for lane in range(n):
-        J00_0 = w[224 + lane]
-        J10_0 = w[1120 + lane]
-        J00_1 = w[256 + lane]
-        J10_1 = w[1152 + lane]
-        G_det_00 = J00_0*J10_1 - J00_1*J10_0
-        G_by_00 = (1.0 / G_det_00)
-        G_inv_00 = G_by_00*J10_1
-        G_inv_01 = -G_by_00*J00_1
-        G_inv_10 = -G_by_00*J10_0
-        G_inv_11 = G_by_00*J00_0
-        s16 = (G_det_00 * G_det_00) - 1.0e-12*((J00_0 * J00_0) + (J00_1 * J00_1))*((J10_0 * J10_0) + (J10_1 * J10_1))
-        w[1920 + lane] = -G_inv_00
-        w[1952 + lane] = -G_inv_01
-        w[1984 + lane] = -G_inv_10
-        w[2016 + lane] = -G_inv_11
-        w[2048 + lane] = s16
-
-
-@straight
-def _singular(w, poses):
-    """Return how many of the poses are not regular."""
-    many = 0
-    for lane in range(poses):
-        many += 0 if (w[2048 + lane] > 0.0) else 1
-    return many
-
-
-@fast
-def _nominal_products(w, S, first, last):
-    """Multiply the inverse and the derivatives by the errors where they do not vanish."""
-    wide()
-    for lane in range(0, last - first + 1, 8):
-        whole = 28 * (first + lane + 8) <= S.size  # else the last poses are written through scratch
-        to, at = (S, 28 * (first + lane)) if whole else (w[WORK:], 0)
-        for i in range(2):
-            outer(to, at + 7 * i + 0, 28, 14, 2, w, (1920 + 32 * i + lane, ), 64, (640 + 896 * i + lane, ), 32, 7)
-        if not whole:
-            for c in range(28 * (last + 1 - first - lane)):
-                S[28 * (first + lane) + c] = to[c]
-@fast
-def _chosen_products(w, columns, C, first, last):
-    """The same for some columns; rows of C (N, 2, n) are filled up to a multiple of eight numbers."""
-    wide()
-    n = (columns.size + 7) // 8 * 8
-    for start in range(0, n, 8):
-        for lane in range(0, last - first + 1, 8):
-            outer_of(C, 2 * n * (first + lane) + start, 2 * n, n, 2, w, lane, 64, FACTORS, VALUES, columns, start, 1)
-
-
-@straight
-def _along(x, C, m, H, n, towards, poses):
-    """Fill the rows of all pairs: along the line from one position to the other, the difference of their derivatives."""
-    row = 0
-    for a in range(poses):
-        for b in range(a + 1, poses):
-            n_0 = x[2 * b + 0] - x[2 * a + 0]
-            n_1 = x[2 * b + 1] - x[2 * a + 1]
-            by = 1.0 / math.sqrt(n_0 * n_0 + n_1 * n_1)
-            towards[b] = by * n_0
-            towards[1 * poses + b] = by * n_1
-        for b in range(a + 1, poses):
-            n_0 = towards[b]
-            n_1 = towards[1 * poses + b]
-            for j in range(n):
-                H[n * row + j] = n_0 * (C[m * (2 * b + 0) + j] - C[m * (2 * a + 0) + j]) + n_1 * (C[m * (2 * b + 1) + j] - C[m * (2 * a + 1) + j])
-            row += 1
-
-
-@fast
-def _nominal_sensitivity(x, q, tool, k, S, columns, H, w):
-    """Fill S; where it is empty, by way of scratch the rows H of distances, for some columns of it."""
-    poses, n, left, whole, C = x.shape[0], columns.size, 0, S.reshape(S.size), w[WORK + SPARE :]
-    if whole.size == 0:
-        if H.shape[0] != poses * (poses - 1) // 2 or H.shape[1] != n:
-            raise ValueError("H must have a row for every pair of poses and a column for every chosen one")
-        for j in range(n):
-            if not 0 <= columns[j] < 14:
-                raise IndexError("there is no such column of the sensitivity")
-    w_1 = w[0:896]
-    w_2 = w[896:1792]
-    if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
-    k_1, k_2 = k[0, 0], k[0, 1]
-    for first in range(0, poses, LANES):
-        last = min(first + LANES, poses) - 1
-        block = (last - first + 8) // 8 * 8
-        _load(x, w, first, last, block)
-        if len(tool) > 1:
-            _hold(tool, w, first, last, block)
-        _aim(w, block)
-        _load(q, w, first, last, block)
-        _nominal(w_1, k_1, block)
-        _nominal(w_2, k_2, block)
-        _nominal_inverse(w, block)
-        left += _singular(w, last - first + 1)
-        if whole.size > 0:
-            _nominal_products(w, whole, first, last)
-        else:
-            _chosen_products(w, columns, C, first, last)
-    if whole.size == 0:
-        m = (n + 7) // 8 * 8
-        _along(x, C, m, H, n, C[2 * (poses + 7) * m :], poses)
-    return left == 0
-
-
-def nominal_sensitivity(x, q, tool, k, S):
-    """Fill S (N, 2, 14) with the derivatives of the nominal machine's position by its errors, limb by limb.
-
-    x (N, 2) is the position of the reference point, q (N, 2) the joints there, tool (N, 3), k from `nominal_constants`
-    of the nominal machine; errors and deflections among its parameters play no part.
-    False where the machine is singular at one of the poses, or nearly so. With the errors of one limb in the order of
-    ``parameters.ERRORS``, then ``COMMON``.
-    """
-    return _nominal_sensitivity(x, q, tool, k, S, NO_COLUMNS, NO_ROWS, scratch(WORK + SPARE))
-
-
-def distance_rows(x, q, tool, k, columns, H):
-    """Fill the identification matrix H (N (N - 1) / 2, n) of the distances of all pairs of positions, first with second and so on.
-
-    x, q, tool, k as in `nominal_sensitivity`; columns (n,) of its errors. The sensitivities are contracted pose by pose
-    and not returned. False as there; the row of two equal positions is NaN.
-    """
-    room = WORK + SPARE + 2 * (len(x) + 7) * (len(columns) + 8)
-    w = scratch(1 << room.bit_length())  # a few sizes, which the thread keeps
-    return _nominal_sensitivity(x, q, tool, k, NOTHING, columns, H, w)

@@ -1,7 +1,7 @@
 """Kinematics of `robotennis`, many poses at once: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 6d3afac38ef8bcd9; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 7c38f66b135507a0; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -19,28 +19,23 @@ import math
 import numpy as np
 
 from deltacal_kernels.compiled import kernel
-from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, outer_of, scratch, sine, tangent, wide
+from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, scratch, sine, tangent, wide
 from deltacal_kernels.straight import straight
 
 from . import vectorised
+from .blocks import LANES, SPARE, WORK, aim, hold, load
 from .constants import constants, nominal_constants
+from .nominal import distance_rows, nominal_sensitivity
 from .vectorised import SINGULAR, SOLVED, UNREACHABLE, jacobians
 
-LANES = 32
 OPEN = -1  # a pose that is left to the plain kernels
 MAX_STEPS = 8
 STEP_DONE = 1e-6  # mm; Newton is quadratic: after such a step a length of 1000 mm is exact to 1e-15 mm
 TURN_DONE = 3e-8  # rad
-WORK = 4320  # numbers that a block computes with
-SPARE = 792  # and that the last of its poses are written to
 CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
 SPHERES = 128  # poses at once whose spheres are kept until all of them meet
 APART = 1e-3  # squared sine between the centres' directions
 SIMPLIFIED = 3  # coordinates that `simplified_forward` gives: the others are zero
-NOTHING, NO_COLUMNS, NO_ROWS = np.empty((0, 0, 0)), np.empty(0, dtype=np.int64), np.empty((0, 0))
-# where in scratch the terms of each column of the nominal sensitivity have their factors and values
-FACTORS = np.array(((3808, 3808, 3808, 3808, 3808, 3808, 3808, 3808, 3808, 3840, 3840, 3840, 3840, 3840, 3840, 3840, 3840, 3840, 3872, 3872, 3872, 3872, 3872, 3872, 3872, 3872, 3872),))
-VALUES = np.array(((864, 896, 928, 960, 992, 1024, 1056, 1088, 1120, 2080, 2112, 2144, 2176, 2208, 2240, 2272, 2304, 2336, 3296, 3328, 3360, 3392, 3424, 3456, 3488, 3520, 3552),))
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
@@ -540,37 +535,8 @@ def _turn_joints(w, n):
         w[2432 + lane] -= going * w[4192 + lane]
 
 @straight
-def _load(q, w, first, last, n):
-    """Put joints of poses side by side, the last one again for the rest of `n`."""
-    for lane in range(n):
-        m = min(first + lane, last)
-        w[0 + lane] = q[3 * m + 0]
-        w[1216 + lane] = q[3 * m + 1]
-        w[2432 + lane] = q[3 * m + 2]
-
-
-@straight
-def _hold(tool, w, first, last, n):
-    """Put tools of poses side by side, like `_load`."""
-    for lane in range(n):
-        m = min(first + lane, last)
-        at = tool[3 * m + 0]
-        w[32 + lane] = at
-        w[1248 + lane] = at
-        w[2464 + lane] = at
-        at = tool[3 * m + 1]
-        w[64 + lane] = at
-        w[1280 + lane] = at
-        w[2496 + lane] = at
-        at = tool[3 * m + 2]
-        w[96 + lane] = at
-        w[1312 + lane] = at
-        w[2528 + lane] = at
-
-
-@straight
 def _place(x, w, first, last, n):
-    """Put platform poses side by side, like `_load`."""
+    """Put platform poses side by side, like `load`."""
     for lane in range(n):
         m = min(first + lane, last)
         w[128 + lane] = x[3 * m + 0]
@@ -601,12 +567,13 @@ def _unload_joints(w, q, first, last):
 
 
 @fast
-def _forward(q, tool, k, x, status, warm, w):
+def _forward(q, tool, k, x, status, warm):
+    w = scratch(WORK + SPARE)
     w_1 = w[0:1216]
     w_2 = w[1216:2432]
     w_3 = w[2432:3648]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -616,9 +583,9 @@ def _forward(q, tool, k, x, status, warm, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
+            load(q, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
+                hold(tool, w, first, last, n)
             _early(w_1, k_1, n)
             _early(w_2, k_2, n)
             _early(w_3, k_3, n)
@@ -651,7 +618,7 @@ def forward(q, tool, k, x, status, warm):
     status (N,): SOLVED, UNREACHABLE (no platform pose closes all loops) or SINGULAR; x is NaN unless SOLVED.
     """
     given = x.copy() if warm else x
-    if _forward(q, tool, k, x, status, warm, scratch(WORK + SPARE)):
+    if _forward(q, tool, k, x, status, warm):
         left = np.flatnonzero(status == OPEN)
         of, found = np.zeros(len(left), dtype=np.int64), given[left]
         vectorised.forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, warm)
@@ -659,12 +626,13 @@ def forward(q, tool, k, x, status, warm):
 
 
 @fast
-def _inverse(target, tool, k, x, q, status, w):
+def _inverse(target, tool, k, x, q, status):
+    w = scratch(WORK + SPARE)
     w_1 = w[0:1216]
     w_2 = w[1216:2432]
     w_3 = w[2432:3648]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -674,10 +642,10 @@ def _inverse(target, tool, k, x, q, status, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(target, w, first, last, n)
+            load(target, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
-            _aim(w, n)
+                hold(tool, w, first, last, n)
+            aim(w, n)
             _start(w_1, k_1, n)
             _start(w_2, k_2, n)
             _start(w_3, k_3, n)
@@ -713,7 +681,7 @@ def inverse(target, tool, k, x, q, status):
     Newton on the joints and the platform's rotation from the simplified machine. status as in `forward`; UNREACHABLE
     where the target lies beyond the reach of a limb.
     """
-    if _inverse(target, tool, k, x, q, status, scratch(WORK + SPARE)):
+    if _inverse(target, tool, k, x, q, status):
         left = np.flatnonzero(status == OPEN)
         found, joints, of = np.empty((len(left), 3)), np.empty((len(left), 3)), np.zeros(len(left), dtype=np.int64)
         vectorised.inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
@@ -721,10 +689,11 @@ def inverse(target, tool, k, x, q, status):
 
 
 @fast
-def _simplified_forward(q, tool, k, x, status, w):
+def _simplified_forward(q, tool, k, x, status):
     given, found = q.reshape(q.size), x.reshape(x.size)
     machines, tools = k.reshape(k.size), tool.reshape(tool.size)
     left, runs = 0, max(k.shape[0], tool.shape[0])
+    w = scratch(12 * SPHERES)
     each = status.size // runs
     for m in range(runs):
         own = machines[72 * (m // (runs // k.shape[0])) :]
@@ -845,7 +814,7 @@ def simplified_forward(q, tool, k, x, status):
     It does not turn, so that x is the position of the reference point.
     status as in `forward`.
     """
-    if _simplified_forward(q, tool, k, x, status, scratch(12 * SPHERES)):
+    if _simplified_forward(q, tool, k, x, status):
         left = np.flatnonzero(status == OPEN)
         found, of = np.empty((len(left), 3)), np.empty(len(left), dtype=status.dtype)
         forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, False)
@@ -948,32 +917,14 @@ def simplified_inverse(target, tool, k, q, status):
         q[left], status[left] = joints, of
 
 
-@straight
-def _aim(w, n):
-    """Put targets, which were loaded as joints, where the limbs read the platform."""
-    for lane in range(n):
-        at = w[0 + lane]
-        w[128 + lane] = at
-        w[1344 + lane] = at
-        w[2560 + lane] = at
-        at = w[1216 + lane]
-        w[160 + lane] = at
-        w[1376 + lane] = at
-        w[2592 + lane] = at
-        at = w[2432 + lane]
-        w[192 + lane] = at
-        w[1408 + lane] = at
-        w[2624 + lane] = at
-
-
 @fast
-def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
-    by_errors, by_joints = S_p.reshape(S_p.size), S_q.reshape(S_q.size)
+def _sensitivity(x, q, tool, k, S_p, S_q, status):
+    w, by_errors, by_joints = scratch(WORK + SPARE), S_p.reshape(S_p.size), S_q.reshape(S_q.size)
     w_1 = w[0:1216]
     w_2 = w[1216:2432]
     w_3 = w[2432:3648]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -983,9 +934,9 @@ def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
+            load(q, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
+                hold(tool, w, first, last, n)
             _place(x, w, first, last, n)
             _begin(w, n)
             _move(w, n)
@@ -1043,242 +994,8 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
     Rows are px, py, pz, then turns of the platform about the axes of {O}. Columns of S_p run limb by limb. S_q is the velocity
     Jacobian.
     """
-    if _sensitivity(x, q, tool, k, S_p, S_q, status, scratch(WORK + SPARE)):
+    if _sensitivity(x, q, tool, k, S_p, S_q, status):
         left = np.flatnonzero(status == OPEN)
         by_errors, by_joints, of = np.empty((len(left), 3, 33)), np.empty((len(left), 3, 3)), np.zeros(len(left), dtype=np.int64)
         vectorised.sensitivity(x[left], q[left], _of(tool, left, len(status)), _of(k, left, len(status)), by_errors, by_joints, of)
         S_p[left], S_q[left], status[left] = by_errors, by_joints, of
-
-
-@straight
-def _nominal(w, k, n):
-    """Equations of a nominal limb by platform and errors (55 operations)."""
-    u_x = k[0]
-    s1 = k[1]
-    u_y = k[2]
-    u_y_dphi = k[3]
-    a = k[4]
-    A_x = k[5]
-    A_x_dphi = k[6]
-    A_y = k[7]
-    A_y_dphi = k[8]
-    s33 = k[9]
-    s36 = k[10]
-    C_x_dphi = k[11]
-    C_y_dphi = k[12]
-    b = k[13]
-    for lane in range(n):
-        q = w[0 + lane]
-        tx = w[32 + lane]
-        ty = w[64 + lane]
-        tz = w[96 + lane]
-        px = w[128 + lane]
-        py = w[160 + lane]
-        pz = w[192 + lane]
-        s8 = cosine(q)
-        arm_x = s8*u_x
-        s10 = sine(q)
-        arm_x_theta0 = -s10*u_x
-        arm_x_dphi = -s1*s8
-        arm_y = s8*u_y
-        arm_y_theta0 = -s10*u_y
-        arm_y_dphi = s8*u_y_dphi
-        arm_z = sine(q)
-        arm_z_theta0 = cosine(q)
-        B_x = A_x + a*arm_x
-        B_x_theta0 = a*arm_x_theta0
-        B_x_dphi = A_x_dphi + a*arm_x_dphi
-        B_y = A_y + a*arm_y
-        B_y_theta0 = a*arm_y_theta0
-        B_y_dphi = A_y_dphi + a*arm_y_dphi
-        B_z = a*arm_z
-        B_z_theta0 = a*arm_z_theta0
-        centre_x = px - tx
-        centre_y = py - ty
-        centre_z = pz - tz
-        C_x = centre_x + s33
-        C_y = centre_y + s36
-        rod_x = -B_x + C_x
-        rod_x_dphi = -B_x_dphi + C_x_dphi
-        rod_y = -B_y + C_y
-        rod_y_dphi = -B_y_dphi + C_y_dphi
-        rod_z = -B_z + centre_z
-        s47 = -arm_x*rod_x - arm_y*rod_y - arm_z*rod_z
-        s50 = rod_x*u_x + rod_y*u_y
-        s54 = -B_x_theta0*rod_x - B_y_theta0*rod_y - B_z_theta0*rod_z
-        s57 = rod_x*rod_x_dphi + rod_y*rod_y_dphi
-        w[256 + lane] = rod_x
-        w[288 + lane] = rod_y
-        w[320 + lane] = rod_z
-        w[864 + lane] = s47
-        w[896 + lane] = -b
-        w[928 + lane] = s50
-        w[960 + lane] = s54
-        w[992 + lane] = s57
-        w[1024 + lane] = -s50
-        w[1056 + lane] = rod_x
-        w[1088 + lane] = rod_y
-        w[1120 + lane] = rod_z
-
-
-@straight
-def _nominal_inverse(w, n):
-    """Minus the inverse of the derivatives, its rows of the position; how far the equations are from dependent (71 operations)."""
-    for lane in range(n):
-        J00_0 = w[256 + lane]
-        J10_0 = w[1472 + lane]
-        J20_0 = w[2688 + lane]
-        J00_1 = w[288 + lane]
-        J10_1 = w[1504 + lane]
-        J20_1 = w[2720 + lane]
-        J00_2 = w[320 + lane]
-        J10_2 = w[1536 + lane]
-        J20_2 = w[2752 + lane]
-        G_cof_00 = J10_1*J20_2 - J10_2*J20_1
-        G_cof_01 = -J10_0*J20_2 + J10_2*J20_0
-        G_cof_02 = J10_0*J20_1 - J10_1*J20_0
-        G_cof_10 = -J00_1*J20_2 + J00_2*J20_1
-        G_cof_11 = J00_0*J20_2 - J00_2*J20_0
-        G_cof_12 = -J00_0*J20_1 + J00_1*J20_0
-        G_cof_20 = J00_1*J10_2 - J00_2*J10_1
-        G_cof_21 = -J00_0*J10_2 + J00_2*J10_0
-        G_cof_22 = J00_0*J10_1 - J00_1*J10_0
-        G_det_00 = G_cof_00*J00_0 + G_cof_01*J00_1 + G_cof_02*J00_2
-        G_by_00 = (1.0 / G_det_00)
-        G_inv_00 = G_by_00*G_cof_00
-        G_inv_01 = G_by_00*G_cof_10
-        G_inv_02 = G_by_00*G_cof_20
-        G_inv_10 = G_by_00*G_cof_01
-        G_inv_11 = G_by_00*G_cof_11
-        G_inv_12 = G_by_00*G_cof_21
-        G_inv_20 = G_by_00*G_cof_02
-        G_inv_21 = G_by_00*G_cof_12
-        G_inv_22 = G_by_00*G_cof_22
-        s49 = (J10_0 * J10_0) + (J10_1 * J10_1) + (J10_2 * J10_2)
-        s53 = (J20_0 * J20_0) + (J20_1 * J20_1) + (J20_2 * J20_2)
-        s55 = (G_det_00 * G_det_00) - 1.0e-12*s49*s53*((J00_0 * J00_0) + (J00_1 * J00_1) + (J00_2 * J00_2))
-        w[3808 + lane] = -G_inv_00
-        w[3840 + lane] = -G_inv_01
-        w[3872 + lane] = -G_inv_02
-        w[3904 + lane] = -G_inv_10
-        w[3936 + lane] = -G_inv_11
-        w[3968 + lane] = -G_inv_12
-        w[4000 + lane] = -G_inv_20
-        w[4032 + lane] = -G_inv_21
-        w[4064 + lane] = -G_inv_22
-        w[4096 + lane] = s55
-
-
-@straight
-def _singular(w, poses):
-    """Return how many of the poses are not regular."""
-    many = 0
-    for lane in range(poses):
-        many += 0 if (w[4096 + lane] > 0.0) else 1
-    return many
-
-
-@fast
-def _nominal_products(w, S, first, last):
-    """Multiply the inverse and the derivatives by the errors where they do not vanish."""
-    wide()
-    for lane in range(0, last - first + 1, 8):
-        whole = 81 * (first + lane + 8) <= S.size  # else the last poses are written through scratch
-        to, at = (S, 81 * (first + lane)) if whole else (w[WORK:], 0)
-        for i in range(3):
-            outer(to, at + 9 * i + 0, 81, 27, 3, w, (3808 + 32 * i + lane, ), 96, (864 + 1216 * i + lane, ), 32, 8)
-            outer(to, at + 9 * i + 8, 81, 27, 3, w, (3808 + 32 * i + lane, ), 96, (1120 + 1216 * i + lane, ), 32, 1)
-        if not whole:
-            for c in range(81 * (last + 1 - first - lane)):
-                S[81 * (first + lane) + c] = to[c]
-@fast
-def _chosen_products(w, columns, C, first, last):
-    """The same for some columns; rows of C (N, 3, n) are filled up to a multiple of eight numbers."""
-    wide()
-    n = (columns.size + 7) // 8 * 8
-    for start in range(0, n, 8):
-        for lane in range(0, last - first + 1, 8):
-            outer_of(C, 3 * n * (first + lane) + start, 3 * n, n, 3, w, lane, 96, FACTORS, VALUES, columns, start, 1)
-
-
-@straight
-def _along(x, C, m, H, n, towards, poses):
-    """Fill the rows of all pairs: along the line from one position to the other, the difference of their derivatives."""
-    row = 0
-    for a in range(poses):
-        for b in range(a + 1, poses):
-            n_0 = x[3 * b + 0] - x[3 * a + 0]
-            n_1 = x[3 * b + 1] - x[3 * a + 1]
-            n_2 = x[3 * b + 2] - x[3 * a + 2]
-            by = 1.0 / math.sqrt(n_0 * n_0 + n_1 * n_1 + n_2 * n_2)
-            towards[b] = by * n_0
-            towards[1 * poses + b] = by * n_1
-            towards[2 * poses + b] = by * n_2
-        for b in range(a + 1, poses):
-            n_0 = towards[b]
-            n_1 = towards[1 * poses + b]
-            n_2 = towards[2 * poses + b]
-            for j in range(n):
-                H[n * row + j] = n_0 * (C[m * (3 * b + 0) + j] - C[m * (3 * a + 0) + j]) + n_1 * (C[m * (3 * b + 1) + j] - C[m * (3 * a + 1) + j]) + n_2 * (C[m * (3 * b + 2) + j] - C[m * (3 * a + 2) + j])
-            row += 1
-
-
-@fast
-def _nominal_sensitivity(x, q, tool, k, S, columns, H, w):
-    """Fill S; where it is empty, by way of scratch the rows H of distances, for some columns of it."""
-    poses, n, left, whole, C = x.shape[0], columns.size, 0, S.reshape(S.size), w[WORK + SPARE :]
-    if whole.size == 0:
-        if H.shape[0] != poses * (poses - 1) // 2 or H.shape[1] != n:
-            raise ValueError("H must have a row for every pair of poses and a column for every chosen one")
-        for j in range(n):
-            if not 0 <= columns[j] < 27:
-                raise IndexError("there is no such column of the sensitivity")
-    w_1 = w[0:1216]
-    w_2 = w[1216:2432]
-    w_3 = w[2432:3648]
-    if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
-    k_1, k_2, k_3 = k[0, 0], k[0, 1], k[0, 2]
-    for first in range(0, poses, LANES):
-        last = min(first + LANES, poses) - 1
-        block = (last - first + 8) // 8 * 8
-        _load(x, w, first, last, block)
-        if len(tool) > 1:
-            _hold(tool, w, first, last, block)
-        _aim(w, block)
-        _load(q, w, first, last, block)
-        _nominal(w_1, k_1, block)
-        _nominal(w_2, k_2, block)
-        _nominal(w_3, k_3, block)
-        _nominal_inverse(w, block)
-        left += _singular(w, last - first + 1)
-        if whole.size > 0:
-            _nominal_products(w, whole, first, last)
-        else:
-            _chosen_products(w, columns, C, first, last)
-    if whole.size == 0:
-        m = (n + 7) // 8 * 8
-        _along(x, C, m, H, n, C[3 * (poses + 7) * m :], poses)
-    return left == 0
-
-
-def nominal_sensitivity(x, q, tool, k, S):
-    """Fill S (N, 3, 27) with the derivatives of the nominal machine's position by its errors, limb by limb.
-
-    x (N, 3) is the position of the reference point, q (N, 3) the joints there, tool (N, 3), k from `nominal_constants`
-    of the nominal machine; errors and deflections among its parameters play no part.
-    False where the machine is singular at one of the poses, or nearly so. With the errors of one limb in the order of
-    ``parameters.ERRORS``, then ``COMMON``.
-    """
-    return _nominal_sensitivity(x, q, tool, k, S, NO_COLUMNS, NO_ROWS, scratch(WORK + SPARE))
-
-
-def distance_rows(x, q, tool, k, columns, H):
-    """Fill the identification matrix H (N (N - 1) / 2, n) of the distances of all pairs of positions, first with second and so on.
-
-    x, q, tool, k as in `nominal_sensitivity`; columns (n,) of its errors. The sensitivities are contracted pose by pose
-    and not returned. False as there; the row of two equal positions is NaN.
-    """
-    room = WORK + SPARE + 3 * (len(x) + 7) * (len(columns) + 8)
-    w = scratch(1 << room.bit_length())  # a few sizes, which the thread keeps
-    return _nominal_sensitivity(x, q, tool, k, NOTHING, columns, H, w)

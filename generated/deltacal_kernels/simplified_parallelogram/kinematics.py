@@ -1,7 +1,7 @@
 """Kinematics of `simplified_parallelogram`, many poses at once: Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 0eb539de9f1697d4; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 00df4a4edd595561; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -19,24 +19,21 @@ import math
 import numpy as np
 
 from deltacal_kernels.compiled import kernel
-from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, outer_of, scratch, sine, tangent, wide
+from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, scratch, sine, tangent, wide
 from deltacal_kernels.straight import straight
 
 from . import vectorised
+from .blocks import LANES, SPARE, WORK, aim, hold, load
 from .constants import constants
 from .vectorised import SINGULAR, SOLVED, UNREACHABLE, jacobians
 
-LANES = 32
 OPEN = -1  # a pose that is left to the plain kernels
 MAX_STEPS = 8
 STEP_DONE = 1e-6  # mm; Newton is quadratic: after such a step a length of 1000 mm is exact to 1e-15 mm
 TURN_DONE = 3e-8  # rad
-WORK = 1856  # numbers that a block computes with
-SPARE = 48  # and that the last of its poses are written to
 CLEAR = 10.0  # mm off the plane of the limbs' centres: nearer, the closed form loses digits
 APART = 1e-3  # squared sine between the centres' directions
 SIMPLIFIED = 3  # coordinates that `simplified_forward` gives: the others are zero
-NOTHING, NO_COLUMNS, NO_ROWS = np.empty((0, 0, 0)), np.empty(0, dtype=np.int64), np.empty((0, 0))
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
@@ -387,29 +384,8 @@ def _turn_joints(w, n):
         w[1312 + lane] = w[1792 + lane]
 
 @straight
-def _load(q, w, first, last, n):
-    """Put joints of poses side by side, the last one again for the rest of `n`."""
-    for lane in range(n):
-        m = min(first + lane, last)
-        w[0 + lane] = q[1 * m + 0]
-
-
-@straight
-def _hold(tool, w, first, last, n):
-    """Put tools of poses side by side, like `_load`."""
-    for lane in range(n):
-        m = min(first + lane, last)
-        at = tool[3 * m + 0]
-        w[32 + lane] = at
-        at = tool[3 * m + 1]
-        w[64 + lane] = at
-        at = tool[3 * m + 2]
-        w[96 + lane] = at
-
-
-@straight
 def _place(x, w, first, last, n):
-    """Put platform poses side by side, like `_load`."""
+    """Put platform poses side by side, like `load`."""
     for lane in range(n):
         m = min(first + lane, last)
         w[128 + lane] = x[3 * m + 0]
@@ -438,10 +414,11 @@ def _unload_joints(w, q, first, last):
 
 
 @fast
-def _forward(q, tool, k, x, status, warm, w):
+def _forward(q, tool, k, x, status, warm):
+    w = scratch(WORK + SPARE)
     w_1 = w[0:1248]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -449,9 +426,9 @@ def _forward(q, tool, k, x, status, warm, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
+            load(q, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
+                hold(tool, w, first, last, n)
             _early(w_1, k_1, n)
             if warm:
                 _place(x, w, first, last, n)
@@ -480,7 +457,7 @@ def forward(q, tool, k, x, status, warm):
     status (N,): SOLVED, UNREACHABLE (no platform pose closes all loops) or SINGULAR; x is NaN unless SOLVED.
     """
     given = x.copy() if warm else x
-    if _forward(q, tool, k, x, status, warm, scratch(WORK + SPARE)):
+    if _forward(q, tool, k, x, status, warm):
         left = np.flatnonzero(status == OPEN)
         of, found = np.zeros(len(left), dtype=np.int64), given[left]
         vectorised.forward(q[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, of, warm)
@@ -488,10 +465,11 @@ def forward(q, tool, k, x, status, warm):
 
 
 @fast
-def _inverse(target, tool, k, x, q, status, w):
+def _inverse(target, tool, k, x, q, status):
+    w = scratch(WORK + SPARE)
     w_1 = w[0:1248]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -499,10 +477,10 @@ def _inverse(target, tool, k, x, q, status, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(target, w, first, last, n)
+            load(target, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
-            _aim(w, n)
+                hold(tool, w, first, last, n)
+            aim(w, n)
             _start(w_1, k_1, n)
             _started(w, n)
             _begin(w, n)
@@ -528,7 +506,7 @@ def inverse(target, tool, k, x, q, status):
     Newton on the joints and the platform's rotation from the simplified machine. status as in `forward`; UNREACHABLE
     where the target lies beyond the reach of a limb.
     """
-    if _inverse(target, tool, k, x, q, status, scratch(WORK + SPARE)):
+    if _inverse(target, tool, k, x, q, status):
         left = np.flatnonzero(status == OPEN)
         found, joints, of = np.empty((len(left), 3)), np.empty((len(left), 1)), np.zeros(len(left), dtype=np.int64)
         vectorised.inverse(target[left], _of(tool, left, len(status)), _of(k, left, len(status)), found, joints, of)
@@ -589,20 +567,12 @@ def simplified_forward(q, tool, k, x, status):
         x[left], status[left] = found[:, :3], of
 
 
-@straight
-def _aim(w, n):
-    """Put targets, which were loaded as joints, where the limbs read the platform."""
-    for lane in range(n):
-        at = w[0 + lane]
-        w[128 + lane] = at
-
-
 @fast
-def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
-    by_errors, by_joints = S_p.reshape(S_p.size), S_q.reshape(S_q.size)
+def _sensitivity(x, q, tool, k, S_p, S_q, status):
+    w, by_errors, by_joints = scratch(WORK + SPARE), S_p.reshape(S_p.size), S_q.reshape(S_q.size)
     w_1 = w[0:1248]
     if len(tool) == 1:
-        _hold(tool, w, 0, 0, LANES)
+        hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
     each = status.size // machines
     for m in range(machines):
@@ -610,9 +580,9 @@ def _sensitivity(x, q, tool, k, S_p, S_q, status, w):
         for first in range(m * each, (m + 1) * each, LANES):
             last = min(first + LANES, (m + 1) * each) - 1
             n = (last - first + 8) // 8 * 8
-            _load(q, w, first, last, n)
+            load(q, w, first, last, n)
             if len(tool) > 1:
-                _hold(tool, w, first, last, n)
+                hold(tool, w, first, last, n)
             _place(x, w, first, last, n)
             _begin(w, n)
             _move(w, n)
@@ -659,7 +629,7 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
     Rows are px, py, then turns of the platform about the axes of {O}. Columns of S_p run limb by limb. S_q is the velocity
     Jacobian.
     """
-    if _sensitivity(x, q, tool, k, S_p, S_q, status, scratch(WORK + SPARE)):
+    if _sensitivity(x, q, tool, k, S_p, S_q, status):
         left = np.flatnonzero(status == OPEN)
         by_errors, by_joints, of = np.empty((len(left), 3, 2)), np.empty((len(left), 3, 1)), np.zeros(len(left), dtype=np.int64)
         vectorised.sensitivity(x[left], q[left], _of(tool, left, len(status)), _of(k, left, len(status)), by_errors, by_joints, of)

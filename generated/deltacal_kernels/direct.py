@@ -1,0 +1,84 @@
+"""A compiled command as a function of Python's own: numbers in, numbers out.
+
+Written by "deltacal kernels". Do not edit.
+
+Numba asks the type of every argument, and unpacks an array anew in every call: longer than a command takes. Here the
+command is called as Python calls what is built in, its numbers read where they are, the machine's state known.
+"""
+
+import ctypes
+import inspect
+from itertools import count
+
+from llvmlite import binding, ir
+from numba import typeof, types
+from numba.core import cgutils
+from numba.core.compiler_lock import global_compiler_lock
+from numba.core.registry import cpu_target
+from numba.np.arrayobj import populate_array
+
+OBJECT, COUNT = cgutils.voidptr_t, ir.IntType(8 * ctypes.sizeof(ctypes.c_ssize_t))
+NUMBERS_IN_A_ROW = 0x80  # METH_FASTCALL
+_made = count()
+
+
+class _Method(ctypes.Structure):
+    """What Python knows of a function that is built in (PyMethodDef)."""
+
+    _fields_ = [("name", ctypes.c_char_p), ("code", ctypes.c_void_p), ("flags", ctypes.c_int), ("doc", ctypes.c_char_p)]
+
+
+def direct(command, state):
+    """Return a function of all arguments of a compiled command but its last, which is `state` from now on.
+
+    Its arguments are numbers, by position, and TypeError is raised for anything else; it returns what the command does.
+    """
+    names = list(inspect.signature(command.py_func).parameters)[:-1]
+    kinds = (*[types.float64] * len(names), typeof(state))
+    command.compile(kinds)
+    library, code = _function(command.overloads[kinds], names, state)
+    told = f"{command.py_func.__name__}({', '.join(names)}, /)\n--\n\n{inspect.getdoc(command.py_func)}"
+    method = _Method(command.py_func.__name__.encode(), code, NUMBERS_IN_A_ROW, told.encode())
+    make = ctypes.pythonapi.PyCFunction_NewEx
+    make.restype, make.argtypes = ctypes.py_object, (ctypes.c_void_p, ctypes.py_object, ctypes.c_void_p)
+    return make(ctypes.addressof(method), (method, library, command, state), None)  # the tuple lives as long as the function
+
+
+@global_compiler_lock
+def _function(compiled, names, state):
+    """Return a library, and in it the address of a function that Python calls."""
+    context, signature = cpu_target.target_context, compiled.signature
+    symbol = compiled.fndesc.llvm_func_name
+    binding.add_symbol(symbol, compiled.library.get_pointer_to_function(symbol))
+    library = context.codegen().create_library("direct")
+    module = library.create_ir_module("direct")
+    function = ir.Function(module, ir.FunctionType(OBJECT, [OBJECT, OBJECT.as_pointer(), COUNT]), f"direct_{next(_made)}_{symbol}")
+    builder = ir.IRBuilder(function.append_basic_block())
+    api, nothing = context.get_python_api(builder), ir.Constant(OBJECT, None)
+    _, given, many = function.args
+    with builder.if_then(builder.icmp_signed("!=", many, COUNT(len(names))), likely=False):
+        api.err_set_string("PyExc_TypeError", f"{len(names)} numbers are needed: {', '.join(names)}")
+        builder.ret(nothing)
+    values = []
+    for j in range(len(names)):
+        value = api.float_as_double(builder.load(builder.gep(given, [COUNT(j)])))
+        with builder.if_then(builder.fcmp_ordered("==", value, value.type(-1.0)), likely=False):  # or an error
+            with builder.if_then(cgutils.is_not_null(builder, api.err_occurred())):
+                builder.ret(nothing)
+        values.append(value)
+    array = context.make_array(signature.args[-1])(context, builder)
+    data = builder.inttoptr(COUNT(state.ctypes.data), array.data.type)
+    populate_array(array, data, [COUNT(state.size)], [COUNT(state.itemsize)], COUNT(state.itemsize), None)
+    callee = context.declare_function(module, compiled.fndesc)
+    values.append(array._getvalue())
+    _, found = context.call_conv.call_function(builder, callee, signature.return_type, signature.args, values)
+    if isinstance(signature.return_type, types.BaseTuple):
+        result = api.tuple_new(len(signature.return_type))
+        for j in range(len(signature.return_type)):
+            api.tuple_setitem(result, j, api.float_from_double(builder.extract_value(found, j)))
+    else:
+        result = api.float_from_double(found)
+    builder.ret(result)
+    library.add_ir_module(module)
+    library.finalize()
+    return library, library.get_pointer_to_function(function.name)

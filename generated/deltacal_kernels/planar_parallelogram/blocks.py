@@ -1,0 +1,43 @@
+"""Poses side by side: `planar_parallelogram`, Planar parallelogram, one joint.
+
+Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
+Template templates/mechanism/blocks.py.jinja; sha256 of both 9a564d5f5dcaaea1; SymPy 1.14.0.
+
+The other modules of many poses take them in blocks, and compute with lane arrays, one number a pose, which all lie in one
+array w: first a region for every limb, then what the limbs share. Here a block of what is given is put there.
+"""
+
+from deltacal_kernels.straight import straight
+
+LANES = 32  # poses of a block
+WORK = 2624  # numbers that a block computes with
+SPARE = 216  # and that the last of its poses are written to
+
+
+@straight
+def load(q, w, first, last, n):
+    """Put joints of poses side by side, the last one again for the rest of `n`."""
+    for lane in range(n):
+        m = min(first + lane, last)
+        w[0 + lane] = q[1 * m + 0]
+
+
+@straight
+def hold(tool, w, first, last, n):
+    """Put tools of poses side by side, like `load`."""
+    for lane in range(n):
+        m = min(first + lane, last)
+        at = tool[3 * m + 0]
+        w[32 + lane] = at
+        at = tool[3 * m + 1]
+        w[64 + lane] = at
+        at = tool[3 * m + 2]
+        w[96 + lane] = at
+
+
+@straight
+def aim(w, n):
+    """Put targets, which were loaded as joints, where the limbs read the platform."""
+    for lane in range(n):
+        at = w[0 + lane]
+        w[128 + lane] = at
