@@ -16,9 +16,10 @@ import sys
 import tempfile
 from pathlib import Path
 
+from deltacal_kernels.compiled import PACKAGE
+
 from deltacal_gen.mechanism import load_mechanism, mechanism_names
 
-MODULES = ("constants", "kinematics", "servo")  # of a mechanism, that are compiled
 TABLE = Path(__file__).with_name("compile.csv")
 MODULE_S, MECHANISM_S = 4.0, 15.0  # the budget, of a machine on which the yardstick takes YARDSTICK_S
 YARDSTICK_S = 1.0
@@ -47,6 +48,12 @@ def compiled() -> list[str]:
     return [name for name in mechanism_names() if load_mechanism(name).links is None]
 
 
+def modules(name: str) -> list[str]:
+    """Return the modules of a mechanism that are compiled."""
+    found = ("constants", "kinematics", "nominal", "servo")
+    return [module for module in found if (PACKAGE / name / f"{module}.py").exists()]
+
+
 def measure(name: str) -> tuple[float, dict[str, float]]:
     """Return the yardstick's processor time [s], and that of the modules of a mechanism."""
     with tempfile.TemporaryDirectory(prefix="deltacal-compile-") as place:
@@ -54,12 +61,12 @@ def measure(name: str) -> tuple[float, dict[str, float]]:
         command = [sys.executable, "-c", PROGRAM, name]
         done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
     yardstick, spent = json.loads(done.stdout)
-    machine, modules = load_mechanism(name), dict.fromkeys(MODULES, 0.0)
+    machine, total = load_mechanism(name), dict.fromkeys(modules(name), 0.0)
     for kernel, seconds in spent.items():
         function = kernel.split(".")[1]
         of = getattr(machine.servo, function, None) or getattr(machine.compiled, function)
-        modules[of.__module__.rpartition(".")[2]] += seconds
-    return yardstick, {f"{name}/{module}.py": seconds for module, seconds in modules.items()}
+        total[of.__module__.rpartition(".")[2]] += seconds
+    return yardstick, {f"{name}/{module}.py": seconds for module, seconds in total.items()}
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -71,13 +78,13 @@ def main(arguments: list[str] | None = None) -> int:
     known = {row["module"]: row for row in read()}
     over = False
     for name in given.only.split(","):
-        yardstick, modules = measure(name)
+        yardstick, spent = measure(name)
         scale = YARDSTICK_S / yardstick
-        for module, seconds in modules.items():
+        for module, seconds in spent.items():
             known[module] = {"module": module, "seconds": f"{seconds:.1f}", "yardsticks": f"{seconds * scale:.1f}"}
             over |= seconds * scale > MODULE_S
             print(f"{module:45s} {seconds:6.1f} s  {seconds * scale:6.1f} yardsticks", flush=True)
-        over |= sum(modules.values()) * scale > MECHANISM_S
+        over |= sum(spent.values()) * scale > MECHANISM_S
         if given.write:
             _write([known[module] for module in sorted(known)])
     return int(over)
