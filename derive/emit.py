@@ -275,7 +275,7 @@ def render() -> dict[Path, str]:
     found = list(mechanisms())
     texts = {
         Path(name): environment.get_template(f"{name}.jinja").render(mechanisms=found, command=COMMAND)
-        for name in ("__init__.py", "compiled.py", "direct.py", "elementary.py", "straight.py")
+        for name in ("__init__.py", "compiled.py", "direct.py", "elementary.py", "poses.py", "straight.py")
     }
     for mechanism in found:
         folder = Path(mechanism.name)

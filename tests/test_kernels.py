@@ -305,6 +305,26 @@ def test_a_warm_start_leads_to_the_same_pose(machine: Solved, mechanism: Mechani
 # ------------------------------------------------------------------------------------------------- batches of machines
 
 
+@pytest.mark.parametrize("at", [[0, 1, 2, 3, 4, 5], [0, 1, 2], [0, 2, 4]])
+def test_coordinates_and_poses_are_one_another(mechanism: Mechanism, at: list[int]) -> None:
+    """By the rotations of SciPy: a Cayley vector is 2 tan(t/2) n, a rotation vector t n."""
+    rng, n = np.random.default_rng(9), 30
+    x, pose, again = rng.standard_normal((n, len(at))), np.empty((n, 12)), np.empty((n, len(at)))
+    x[4, 1], x[5, 0] = np.nan, np.inf
+    mechanism.compiled.as_poses(x, np.array(at), pose)
+    full = np.zeros((n, 6))
+    full[:, at] = x
+    good = np.isfinite(x).all(axis=1)
+    half = np.linalg.norm(full[good, 3:], axis=1) / 2
+    stretch = np.divide(np.arctan(half), half, out=np.ones_like(half), where=half > 0)
+    expected = Rotation.from_rotvec(full[good, 3:] * stretch[:, None]).as_matrix()
+    assert np.isnan(pose[~good]).all()
+    assert pose[good, :3] == pytest.approx(full[good, :3], abs=0)
+    assert pose[good, 3:] == pytest.approx(expected.reshape(-1, 9), abs=4e-16)
+    mechanism.compiled.as_coordinates(pose, np.array(at), again)
+    assert again[good] == pytest.approx(x[good], abs=1e-13)
+
+
 @pytest.mark.parametrize("name", ["delta", "complete_delta"])
 def test_sensitivity_of_the_nominal_machine(robot: Robot, name: str) -> None:
     """Derived to first order, it is the exact one where all errors are zero."""

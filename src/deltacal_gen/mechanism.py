@@ -248,7 +248,7 @@ class Mechanism:
         self.joint_unit: str = tables.JOINT_UNIT
         self.layers: tuple[int, int] = tables.LAYERS
         self.platform: tuple[str, ...] = tuple(name for name, _, _ in tables.PLATFORM)
-        self._at = [COORDINATES.index(name) for name in self.platform]
+        self._at = np.array([COORDINATES.index(name) for name in self.platform])
         self.axes: tuple[str, ...] = tuple(name[1] for name in self.platform if name[0] == "p")
         self.turns: tuple[str, ...] = tuple(name[1] for name in self.platform if name[0] == "c")
         self.geometry = tuple(GeometryKey(*row) for row in tables.GEOMETRY)
@@ -431,6 +431,8 @@ class Mechanism:
             yield f"{self.name}.{name}", time.perf_counter() - start
             return value
 
+        yield from done(batch, "as_poses", x, self._at, np.empty((1, POSE)))
+        yield from done(batch, "as_coordinates", np.ones((1, POSE)), self._at, x)
         k = yield from done(batch, "constants", rows)
         yield from done(batch, "forward", q, tool, k, x, status, False)
         yield from done(batch, "inverse", one, tool, k, x, q, status)
@@ -517,13 +519,13 @@ class Mechanism:
         status : (N,) int array
             SOLVED, UNREACHABLE or SINGULAR, explained in `STATUS`.
         """
-        x, status = self._solved(q, tool, rows, near)
-        return self._body(x, out), status
+        x, status, kernels = self._solved(q, tool, rows, near)
+        return self._body(x, kernels, out), status
 
     def positions(self, q: Array, tool: Array, rows: Array, *, out: Array | None = None) -> Array:
         """Return the exact positions (N, 3) of the reference point [mm], NaN where not solved; see `forward`."""
-        x, _ = self._solved(q, tool, rows, None)
-        if self._at[:3] == [0, 1, 2]:
+        x, _, _ = self._solved(q, tool, rows, None)
+        if self._at[:3].tolist() == [0, 1, 2]:
             if out is None:
                 return x[:, :3]
             result(out, (len(x), 3))[:] = x[:, :3]
@@ -534,8 +536,8 @@ class Mechanism:
         out[np.isnan(x[:, 0])] = np.nan
         return out
 
-    def _solved(self, q: Array, tool: Array, rows: Array, near: Array | None) -> tuple[Array, np.ndarray]:
-        """Return the coordinates (N, n) that the kernels solve for, and their status."""
+    def _solved(self, q: Array, tool: Array, rows: Array, near: Array | None) -> tuple[Array, np.ndarray, ModuleType]:
+        """Return the coordinates (N, n) that the kernels solve for, their status, and the kernels."""
         q = self._poses(q, self.limbs, "joints")
         self._alike(len(q), rows=rows, **({} if near is None else {"near": near}))
         status = np.empty(len(q), dtype=np.int64)
@@ -545,11 +547,11 @@ class Mechanism:
                 x = np.empty((len(q), kernels.SIMPLIFIED))
                 kernels.simplified_forward(q, self._tools(tool, len(q)), self._constants(kernels, rows), x, status)
             else:
-                x = np.empty((len(q), len(self._at))) if near is None else self._own(near)
+                x = np.empty((len(q), len(self._at))) if near is None else self._own(near, kernels)
                 constants = self._pose_by_pose(rows, len(q)) if plain else self._constants(kernels, rows)
                 tool = self._tool(tool, len(q)) if plain else self._tools(tool, len(q))
                 kernels.forward(q, tool, constants, x, status, near is not None)
-        return x, status
+        return x, status, kernels
 
     def inverse(
         self, target: Array, tool: Array, rows: Array, *, out: Array | None = None
@@ -580,7 +582,7 @@ class Mechanism:
             else:
                 x, asked = np.empty((len(target), len(self._at))), x
                 kernels.inverse(asked, tool, self._constants(kernels, rows), x, q, status)
-        return q, self._body(x), status
+        return q, self._body(x, kernels), status
 
     def _pose_by_pose(self, rows: Array, poses: int) -> Array:
         """Return the constants as the plain kernels read them: of one machine, or of one for every pose."""
@@ -598,24 +600,29 @@ class Mechanism:
 
     def commanded(self, target: Array) -> Array:
         """Return what a command asks for of targets (N, 3): as many coordinates as there are joints."""
-        return np.ascontiguousarray(target[:, self._at[: self.limbs]])
+        asked = self._at[: self.limbs]
+        if np.array_equal(asked, np.arange(target.shape[1])):
+            return np.ascontiguousarray(target)
+        return np.ascontiguousarray(target[:, asked])
 
-    def _body(self, x: Array, out: Array | None = None) -> Array:
-        """Return the pose (N, 12) of a body in space by the coordinates that kernels solve for, or the first ones."""
-        at = self._at[: x.shape[1]]
-        out = result(out, (len(x), POSE))
-        if max(at) < 3:
-            out[:] = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
-            out[:, at] = x
-        else:
-            full = np.zeros((len(x), self.n_x))
-            full[:, at] = x
-            out[:, :3], out[:, 3:] = full[:, :3], cayley_matrix(full[:, 3:]).reshape(-1, 9)
+    def _body(self, x: Array, kernels: ModuleType, out: Array | None = None) -> Array:
+        """Return the pose (N, 12) of a body in space by the coordinates that kernels solved for, or the first ones."""
+        at, out = self._at[: x.shape[1]], result(out, (len(x), POSE))
+        if kernels is not self.vectorised:
+            kernels.as_poses(x, at, out)
+            return out
+        full = np.zeros((len(x), self.n_x))
+        full[:, at] = x
+        out[:, :3], out[:, 3:] = full[:, :3], cayley_matrix(full[:, 3:]).reshape(-1, 9)
         out[~np.isfinite(x @ np.ones(x.shape[1]))] = np.nan
         return out
 
-    def _own(self, x: Array) -> Array:
+    def _own(self, x: Array, kernels: ModuleType | None = None) -> Array:
         """Return the coordinates (N, n) that the kernels solve for."""
+        if kernels is not None and kernels is not self.vectorised:
+            own = np.empty((len(x), len(self._at)))
+            kernels.as_coordinates(self._poses(x, POSE, "poses"), self._at, own)
+            return own
         full = np.hstack([x[:, :3], cayley_vector(x[:, 3:].reshape(-1, 3, 3))])
         return np.ascontiguousarray(full[:, self._at])
 
@@ -643,7 +650,7 @@ class Mechanism:
         The result is views of two arrays, which `out` may give: (N, n_x, limbs (n_e + n_s + n_d)) by each limb's
         errors and deflections, and (N, n_x, n_q) by the joints.
         """
-        x, q = self._own(self._poses(x, POSE, "poses")), self._poses(q, self.limbs, "joints")
+        x, q = self._poses(x, POSE, "poses"), self._poses(q, self.limbs, "joints")
         self._alike(len(x), rows=rows, joints=q)
         n, n_v = len(self._at), self._width - len(self.geometry)
         S_out, V_out = (None, None) if out is None else out
@@ -653,7 +660,7 @@ class Mechanism:
         status = np.empty(len(x), dtype=np.int64)
         with self._kernels(len(q)) as kernels:
             tool = self._tool(tool, len(q)) if kernels is self.vectorised else self._tools(tool, len(q))
-            kernels.sensitivity(x, q, tool, self._constants(kernels, rows), S, V, status)
+            kernels.sensitivity(self._own(x, kernels), q, tool, self._constants(kernels, rows), S, V, status)
         if not whole:
             S, V = self._in_space(S, S_out), self._in_space(V, V_out)
         by_limb = S.reshape(len(x), self.n_x, self.limbs, n_v)
