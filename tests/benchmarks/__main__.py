@@ -23,7 +23,7 @@ from typing import Any
 from rich.console import Console
 from rich.table import Table
 
-from .works import KERNEL, MISSING, NUMBA, NUMPY, OURS, TOOLS, WORKS, Contender, Work, tried, works
+from .works import KERNEL, MISSING, NUMBA, NUMPY, OURS, TOOLS, WORKS, Contender, Work, disagreement, works
 
 SCALE = {"ns": 1e9, "us": 1e6, "ms": 1e3, "s": 1.0}
 AT_MOST = {  # time of the kernel to that of scalar Numba by hand: what is asked for, on a machine with AVX-512
@@ -41,33 +41,29 @@ AT_MOST = {  # time of the kernel to that of scalar Numba by hand: what is asked
     "W6_32kept": 0.35,
 }
 SECONDS = {"W7_cold": 2.0, "W7_warm": 0.35}  # time of a user's call: what is asked for
-LONG_S, ENOUGH_S = 1.0, 20.0  # a run that is timed the first time; what is spent on a work, however slow a contender
+ENOUGH_S = 20.0  # what is spent on a work, however slow its contenders; all run twice at least
 TITLE = (
     "median (minimum), times faster than NumPy. ours: the call a user writes; kernel: the part of it that computes; "
     "NumPy, Numba: by hand, Numba one pose after the other; kernel / Numba: minima"
 )
 
 
-def measure(work: Work, took: dict[str, float], repetitions: int, sample: float) -> dict[str, list[float]]:
+def measure(work: Work, repetitions: int, sample: float) -> dict[str, list[float]]:
     """Return the times [unit of the work] of every contender, repetition by repetition.
 
     Parameters
     ----------
-    took : dict
-        What each took when it was tried [s].
     repetitions : int
-        As long as they take less than `ENOUGH_S`; two at least.
+        As long as they take no more than `ENOUGH_S` in all.
     sample : float
         A sample repeats short runs until they take about so long [s].
     """
-    once = {
-        name: took[name] if took[name] > LONG_S else _timed(contender, 1) for name, contender in work.contenders.items()
-    }
-    loops = {name: max(1, round(sample / spent)) for name, spent in once.items()}
-    count = max(2, min(repetitions, int(ENOUGH_S / sum(max(sample, spent) for spent in once.values()))))
-    times: dict[str, list[float]] = {name: [] for name in work.contenders}
     scale = SCALE[work.unit.split("/")[0]] / work.count
-    for _ in range(count):
+    once = {name: _timed(contender, 1) for name, contender in work.contenders.items()}
+    loops = {name: max(1, round(sample / spent)) for name, spent in once.items()}
+    count = min(repetitions, int(ENOUGH_S / sum(max(sample, spent) for spent in once.values())))
+    times: dict[str, list[float]] = {name: [spent * scale] if count < 2 else [] for name, spent in once.items()}
+    for _ in range(max(count, 1)):
         for name, contender in work.contenders.items():
             times[name].append(_timed(contender, loops[name]) * scale)
     return times
@@ -155,11 +151,12 @@ def main(arguments: list[str] | None = None) -> int:
     rows, wrong = [], []
     for done, (name, work) in enumerate(works(names, int(given.quick))):
         print(f"{done + 1}/{len(names)} {name}: {work.what}", file=sys.stderr, flush=True)
-        apart, took = tried(work)
         wrong += [
-            f"{name}: {who} differs from NumPy by {much:.2g} tolerances" for who, much in apart.items() if not much <= 1
+            f"{name}: {who} differs from NumPy by {much:.2g} tolerances"
+            for who, much in disagreement(work).items()
+            if not much <= 1
         ]
-        rows.append(row(name, work, measure(work, took, 5 if given.quick else 15, 0.01 if given.quick else 0.05)))
+        rows.append(row(name, work, measure(work, 5 if given.quick else 15, 0.01 if given.quick else 0.05)))
         print(f"    {_told(rows[-1])}", file=sys.stderr, flush=True)
     Console(width=None if sys.stdout.isatty() else 240).print(table(rows))
     if MISSING:

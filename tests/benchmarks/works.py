@@ -10,7 +10,6 @@ import shutil
 import subprocess
 import sys
 import tempfile
-import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cache, partial
@@ -713,15 +712,11 @@ def works(names: list[str], size: int) -> Iterator[tuple[str, Work]]:
         yield name, make(sizes[size])
 
 
-def tried(work: Work) -> tuple[dict[str, float], dict[str, float]]:
-    """Run every contender once; return how much each differs from NumPy, in units of the tolerance, and times [s]."""
-    seen, took = {}, {}
+def disagreement(work: Work) -> dict[str, float]:
+    """Run every contender once; return by how much each differs from NumPy, in units of the tolerance."""
+    seen = {}
     for name, contender in work.contenders.items():
         if contender.before is not None:
             contender.before()
-        begin = time.perf_counter()
-        found = contender.run()
-        took[name] = time.perf_counter() - begin
-        seen[name] = np.array(contender.view(found))
-    apart = {name: float(np.abs(value - seen[NUMPY]).max() / work.tolerance) for name, value in seen.items()}
-    return apart, took
+        seen[name] = np.array(contender.view(contender.run()))
+    return {name: float(np.abs(value - seen[NUMPY]).max() / work.tolerance) for name, value in seen.items()}
