@@ -297,3 +297,22 @@ def test_pose_sets_say_what_they_cannot(robot: Robot, poses: PoseSet) -> None:
     short = nominal("delta", PROTOTYPE["geometry"] | {"distal_length": 300.0})
     with pytest.raises(NoSolutionError, match="row 1 the machine is out of reach"):
         PoseSet(short, [[-1.2, -1.2, -1.2], [0.0, 0.0, 0.0]])
+
+
+@pytest.mark.parametrize("name", ["delta", "serial"])
+def test_errors_and_readings_that_are_too_many_or_few_are_refused(name: str) -> None:
+    robot = dataclasses.replace(read_robot(example(f"{name}/robot.toml")), errors={})
+    mechanism = mechanism_of(robot)
+    n = len(mechanism.parameters)
+    poses = PoseSet(robot, np.random.default_rng(3).uniform(0.1, 0.3, (9, mechanism.limbs)))
+    for wrong in (n - 1, n + 1, 1):
+        for function in (poses.positions, poses.commands, lambda p: mechanism.rows(robot, p)):
+            with pytest.raises(UsageError, match=rf"errors have the shape \(4, {wrong}\); \({n},\) or \(M, {n}\)"):
+                function(np.zeros((4, wrong)))
+    lengths, positions = (
+        poses.linear(mechanism.full_model, **how) for how in ({"as_distance": True}, {"frame": "robot"})
+    )
+    with pytest.raises(UsageError, match=r"shape \(4, 8, 3\); positions \(T, 9, axes\) of each machine"):
+        lengths.estimate(np.zeros((4, 8, 3)))
+    with pytest.raises(UsageError, match=r"shape \(4, 8, 3\); 27 numbers of each machine"):
+        positions.estimate(np.zeros((4, 8, 3)))

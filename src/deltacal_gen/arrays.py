@@ -265,7 +265,7 @@ class PoseSet:
         `joints` (T, N, n_q) are each machine's own; default those of the set. The result is written into `out` where
         it is given.
         """
-        errors = np.atleast_2d(np.asarray(errors, dtype=float))
+        errors = self.mechanism.every(errors)
         every = np.broadcast_to(self.joints if joints is None else joints, (len(errors), *self.joints.shape))
         out, same = result(out, (*every.shape[:2], 3)), bool((self.tool == self.tool[0]).all())
         for first in range(0, len(errors), MACHINES):
@@ -286,7 +286,7 @@ class PoseSet:
 
     def commands(self, errors: ArrayLike, *, out: Array | None = None) -> Array:
         """Return the joints (T, N, n_q) that bring machines with source errors (T, n_p) here, to first order."""
-        errors = np.atleast_2d(np.asarray(errors, dtype=float)) - self.mechanism.vector(self.robot.errors)
+        errors = self.mechanism.every(errors) - self.mechanism.vector(self.robot.errors)
         flat = self.corrections.reshape(-1, self.corrections.shape[2])
         joints = result(out, (len(errors), *self.joints.shape))
         np.matmul(errors, flat.T, out=joints.reshape(len(errors), -1))
@@ -340,6 +340,7 @@ class LinearFit:
         self.gain = problem.scale[:, None] * Factored(self.matrix * problem.scale, np.zeros(len(self.names))).gain
         self._nominal = instrument.predict(problem.readings, x)[0][read]
         self._ends = problem.readings.rows.T if made else None
+        self._poses = len(problem.recording.joints)
 
     def estimate(self, measured: ArrayLike, *, out: Array | None = None) -> Array:
         """Return the source errors (T, n) [mm, rad] of machines, in the order of `names`.
@@ -348,8 +349,22 @@ class LinearFit:
         ----------
         measured : (T, N, axes or 3) or (T, K) array
             What was measured of each machine: positions, or the distances of the pairs [mm].
+
+        Raises
+        ------
+        UsageError
+            They are not as many as the poses ask for.
         """
         measured = np.asarray(measured, dtype=float)
+        if self._ends is not None:
+            fits = measured.ndim == 3 and measured.shape[1] == self._poses
+        else:
+            fits = measured.ndim > 1 and measured.size == len(measured) * len(self._nominal)
+        if not fits:
+            wanted = (
+                f"positions (T, {self._poses}, axes)" if self._ends is not None else f"{len(self._nominal)} numbers"
+            )
+            raise UsageError(f"measured has the shape {measured.shape}; {wanted} of each machine were expected.")
         out = result(out, (len(measured), len(self.names)))
         for first in range(0, len(measured), MACHINES):
             some = slice(first, first + MACHINES)

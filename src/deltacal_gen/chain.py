@@ -121,7 +121,7 @@ class Chain(Mechanism):
         """Return the links' rows of parameters, (M, links, n): geometry, source errors, errors of the tool."""
         if deflections is not None:
             raise ValueError("a chain has no deflections of limbs.")
-        values = np.atleast_2d(self.vector(robot.errors) if errors is None else np.asarray(errors, dtype=float))
+        values = self.every(self.vector(robot.errors) if errors is None else errors)
         n_g, n_e, n = len(self.geometry), len(self.errors), len(self.links)
         out = np.zeros((len(values), n, self._width))
         for j, entry in enumerate(self.geometry):

@@ -24,6 +24,8 @@ from deltacal_gen.rotation import Array, cayley_matrix, cayley_vector
 from deltacal_gen.units import of_joints
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
     from deltacal_gen.inputs import Link, Robot
 
 COORDINATES = ("px", "py", "pz", "cx", "cy", "cz")  # of a body in space, as the kernels solve for them
@@ -325,6 +327,19 @@ class Mechanism:
             out[self.index[name]] = value
         return out
 
+    def every(self, errors: ArrayLike) -> Array:
+        """Return source errors of one machine or of many as (M, n_p).
+
+        Raises
+        ------
+        UsageError
+            They are not as many as the mechanism has.
+        """
+        values, n = np.atleast_2d(np.asarray(errors, dtype=float)), len(self.parameters)
+        if values.ndim != 2 or values.shape[1] != n:
+            raise UsageError(f"errors have the shape {np.shape(errors)}; ({n},) or (M, {n}) was expected.")
+        return values
+
     def scaling(self, convention: str, robot: Robot, names: Sequence[str]) -> Array:
         """Return the factors (n,) by which columns are divided in a convention of the paper, angles in rad."""
         try:
@@ -352,8 +367,13 @@ class Mechanism:
         errors : (n_p,) or (M, n_p) array, optional
             Source errors [mm, rad]; default the robot's own.
         deflections : (M, limbs, n_d) array, optional
+
+        Raises
+        ------
+        UsageError
+            As `every`.
         """
-        values = np.atleast_2d(self.vector(robot.errors) if errors is None else np.asarray(errors, dtype=float))
+        values = self.every(self.vector(robot.errors) if errors is None else errors)
         many = max(len(values), 1 if deflections is None else len(deflections))
         own, n_g = len(self.errors), len(self.geometry)
         out = np.zeros((many, self.limbs, self._width))
