@@ -484,7 +484,7 @@ def fit(
         weights=weights,
         sigma=sigma,
         solution=solution,
-        covariance=_joint_covariance(solution, A_p, A_m, problem.scale, _shared_noise(problem, weights)),
+        covariance=_joint_covariance(solution, A_p, A_m, problem.scale, _shared_noise(problem, weights, machine.x)),
         repeats=shared,
         history=history,
     )
@@ -688,18 +688,19 @@ def _damped(
     return errors, instrument, machine, damping
 
 
-def _shared_noise(problem: Problem, weights: Array) -> Array | None:
+def _shared_noise(problem: Problem, weights: Array, x: Array) -> Array | None:
     """Return how the noise of positions enters distances made of them, (R, positions * 3), rows as in `_system`.
 
-    Two distances that share a position share its noise; None where every reading has noise of its own.
+    x (N, 12) are the poses of all rows. Two distances that share a position share its noise; None where every reading
+    has noise of its own.
     """
     found = problem.readings
     if not found.made:
         return None
     rows = found.used
     a, b = np.searchsorted(rows, found.rows).T
-    x = problem.poses(problem.reference)[:, :3]
-    direction = x[found.rows[:, 1]] - x[found.rows[:, 0]]
+    at = x[:, :3]
+    direction = at[found.rows[:, 1]] - at[found.rows[:, 0]]
     direction /= np.linalg.norm(direction, axis=1)[:, None]
     # a distance has the noise of two positions along it
     direction *= np.sqrt(weights / 2)[:, None]
