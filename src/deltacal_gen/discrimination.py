@@ -342,7 +342,7 @@ def _columns(at: Fit, problem: Problem, terms: Sequence[Term]) -> tuple[Array, A
     effects = problem.term_columns(terms, at.errors, at.instrument, machine)
     both = np.concatenate([base, effects], axis=2) / at.sigma[:, None]
     if taken:
-        both *= np.sqrt(at.weights * (1 + at.repeats.ratio))[:, None, None]
+        both *= (np.sqrt(at.weights)[:, None] * np.sqrt(1 + at.repeats.ratio))[..., None]
         both = at.repeats.whiten(np.where(np.isfinite(state.residual)[..., None], both, 0.0))
     return both[..., : base.shape[2]], both[..., base.shape[2] :]
 

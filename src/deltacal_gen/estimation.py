@@ -255,19 +255,22 @@ class Repeats:
     ``ratio + 1/n``: more readings of the same pose do not make it any surer. The rows are whitened by taking the part
     ``1 - 1/sqrt(1 + n ratio)`` of the pose's mean off each reading (quasi-demeaning, generalised least squares of a
     random-effects model). The noise of a single reading is ``1 + ratio``; rows come divided by the part within.
+    `ratio` is a number, or one for each component of a reading: positions may be aimed anew where rotations are not.
     """
 
     group: np.ndarray
-    ratio: float = 0.0
+    ratio: float | Array = 0.0
 
     def whiten(self, values: Array) -> Array:
-        """Return rows (R, ...) with the shared part of each group taken off."""
-        if self.ratio == 0:
+        """Return rows (R, ...), of components (R, k, ...), with the shared part of each group taken off."""
+        if not np.any(self.ratio):
             return values
         order = np.argsort(self.group, kind="stable")
         _, first, own, count = np.unique(self.group[order], return_index=True, return_inverse=True, return_counts=True)
+        count = count.reshape(-1, *[1] * np.ndim(self.ratio))
         part = (1 - 1 / np.sqrt(1 + count * self.ratio)) / count
-        sums = np.add.reduceat(values[order], first, axis=0) * part.reshape(-1, *[1] * (values.ndim - 1))
+        part = part.reshape(*part.shape, *[1] * (values.ndim - part.ndim))
+        sums = np.add.reduceat(values[order], first, axis=0) * part
         whitened = np.array(values, dtype=float)
         whitened[order] -= sums[own]
         return whitened
@@ -431,9 +434,7 @@ def fit(
         weights = robust_weights(state.residual, sigma, drop) if robust else np.ones(len(state.residual))
         if estimated and len(history) == close:
             quiet = robust_weights(state.residual, sigma, drop=True) > 0  # gross errors say nothing of poses
-            group = problem.readings.group[quiet]
-            ratio, *_ = Repeats.ratio_of(state.residual[quiet], group, fitted=degrees)
-            shared = Repeats(problem.readings.group, ratio)
+            shared = _shared(problem.readings, state.residual, quiet, degrees, leverage)
         A_p, A_m, b = _system(state, sigma, weights, shared, problem.scale)
         # the solver draws towards the reference: it is asked for the whole departure, not for a step
         departure = (errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
@@ -488,6 +489,19 @@ def fit(
         repeats=shared,
         history=history,
     )
+
+
+def _shared(found: Readings, residual: Array, quiet: np.ndarray, degrees: float, leverage: Array) -> Repeats:
+    """Return what repeats share, of each group of columns for itself; they part what the fit took by their leverage."""
+    groups, ratio = found.noise_groups(residual.shape[1]), np.zeros(residual.shape[1])
+    parts = [groups == g for g in range(2)]
+    taken = [used * np.isfinite(residual[:, part]).sum() for used, part in zip(leverage, parts, strict=True)]
+    for part, some in zip(parts, taken, strict=True):
+        rows = quiet & np.isfinite(residual[:, part]).any(axis=1)
+        if rows.any():
+            fitted = degrees * some / max(sum(taken), 1e-300)
+            ratio[part], *_ = Repeats.ratio_of(residual[np.ix_(rows, part)], found.group[rows], fitted=fitted)
+    return Repeats(found.group, ratio)
 
 
 def rough(problem: Problem, robust: bool = True, must_converge: bool = True) -> Fit:
@@ -614,7 +628,7 @@ def _system(
     state: Linearised, sigma: Array, weights: Array, shared: Repeats, scale: Array
 ) -> tuple[Array, Array, Array]:
     """Return A_p, A_m, b: rows divided by the noise, columns multiplied by the scale, unread components dropped."""
-    w = (np.sqrt(weights)[:, None] / sigma)[..., None] * np.sqrt(1 + shared.ratio)
+    w = (np.sqrt(weights)[:, None] / sigma * np.sqrt(1 + shared.ratio))[..., None]
     read = np.isfinite(state.residual)
     stacked = np.concatenate([state.J_p * scale, state.J_m, state.residual[..., None]], axis=2) * w
     stacked = shared.whiten(np.where(read[..., None], stacked, 0.0))[read]
