@@ -151,6 +151,18 @@ def test_readings_that_lie_off_together_are_no_gross_errors(robot: Robot) -> Non
     assert np.linalg.norm(np.array(found["location"]["region"]["centre_mm"]) - centre) < 150
 
 
+def test_an_instrument_that_turns_is_no_fault_of_a_joint(robot: Robot) -> None:
+    """A stand that creeps turns more than it shifts: what it does to a reading depends on time and place."""
+    recording = record(robot, n=120, of=channels(120, "time"), declared=False)
+    x, t = recording.measured - recording.measured.mean(axis=0), recording.channels["time_s"]
+    turned = np.cross([1e-4, 2e-4, -3e-4], x) * (t / t[-1])[:, None]
+    found = diagnosis(robot, dataclasses.replace(recording, measured=recording.measured + turned))
+    assert found["verdict"] == "unexplained"
+    assert found["effects"] == []
+    assert found["location"]["channels"][0]["name"] == "time_s"
+    assert found["location"]["limbs"] == []
+
+
 @pytest.mark.parametrize(("better", "borne_out"), [(0.9, True), (1.0, False), (1.1, False)])
 def test_held_out_readings_speak_for_what_is_named_or_do_not(better: float, borne_out: bool) -> None:
     before = np.random.default_rng(0).standard_normal((60, 3))

@@ -79,14 +79,29 @@ def displacements(problem: Problem, machine: Deformed) -> Array:
     return dx
 
 
+def _turns(x: Array, n_x: int) -> Array:
+    """Return the derivatives (N, n_x, 3) of poses (N, 12) by turns of the instrument about what it measures."""
+    points = x[:, :3] - x[:, :3].mean(axis=0)
+    out = np.zeros((len(x), 6, 3))
+    out[:, :3] = np.cross(np.eye(3)[None], points[:, None]).transpose(0, 2, 1)
+    out[:, 3:] = np.eye(3)
+    return out[:, :n_x]
+
+
 class _Smooth:
-    """Displacements of each joint and of the reading, modulated by functions of the rows, beside all that is fitted."""
+    """Displacements of each joint and of the reading, modulated by functions of the rows, beside all that is fitted.
+
+    A reading of positions is displaced as the instrument moves, which shifts and turns: on a stand that creeps or was
+    knocked, it does both.
+    """
 
     def __init__(self, at: Fit) -> None:
         problem = at.problem
         self._beside = Beside(at)
         self._limbs = problem.mechanism.limbs
         self._dx = displacements(problem, self._beside.machine)
+        if problem.readings.kind in ("position", "pose"):
+            self._dx = np.concatenate([self._dx, _turns(self._beside.machine.x, self._dx.shape[1])], axis=2)
 
     @property
     def residual(self) -> Array:
@@ -138,15 +153,15 @@ class _Smooth:
 
     def _sits(self, A: Array) -> tuple[int, ...]:
         """Return the limbs whose joints carry what functions (m, scalars, directions) explain; none: the reading."""
-        every = range(self._limbs)
-        sets = [(), *(s for n in range(1, self._limbs + 1) for s in itertools.combinations(every, n))]
+        every, shifts = range(self._limbs), range(self._limbs, self._limbs + 3)
+        reading = {tuple(shifts), tuple(range(self._limbs, A.shape[2]))}  # which shifts, or turns as well
+        sets = [*sorted(reading), *(s for n in range(1, self._limbs + 1) for s in itertools.combinations(every, n))]
         scores = []
-        for limbs in sets:
-            own = list(limbs) or list(range(self._limbs, A.shape[2]))
-            columns = np.hstack(list(A[:, :, own]))
+        for own in sets:
+            columns = np.hstack(list(A[:, :, list(own)]))
             gain = gains((columns.T @ columns)[None], (self._beside.residual @ columns)[None])[0]
             scores.append(gain - columns.shape[1] * np.log(self._beside.readings))
-        return tuple(i + 1 for i in sets[int(np.argmax(scores))])
+        return tuple(i + 1 for i in sets[int(np.argmax(scores))] if i in every)
 
 
 def _bases(problem: Problem) -> dict[str, tuple[Array, list[Region | None]]]:
