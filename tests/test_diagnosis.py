@@ -163,6 +163,21 @@ def test_an_instrument_that_turns_is_no_fault_of_a_joint(robot: Robot) -> None:
     assert found["location"]["limbs"] == []
 
 
+def test_play_that_varies_over_the_angle_is_placed_at_its_joint(robot: Robot) -> None:
+    """Wide at one end of the stroke, crossed at the other: no mean that a backlash could be."""
+    of = channels(80, "approach")
+    plain = record(robot, n=80, of=of)
+    q = plain.joints[:, 1]
+    moved = plain.joints.copy()
+    moved[:, 1] += 2e-4 * of["approach2"] * np.cos(2 * np.pi * (q - q.min()) / np.ptp(q))
+    recording = record(robot, n=80, of=of, joints=np.degrees(moved), declared=False)
+    found = diagnosis(robot, dataclasses.replace(recording, joints=plain.joints))
+    assert found["verdict"] == "unexplained"
+    assert found["effects"] == []
+    assert found["location"]["channels"][0]["name"] == "approach2"
+    assert found["location"]["limbs"] == [2]
+
+
 @pytest.mark.parametrize(("better", "borne_out"), [(0.9, True), (1.0, False), (1.1, False)])
 def test_held_out_readings_speak_for_what_is_named_or_do_not(better: float, borne_out: bool) -> None:
     before = np.random.default_rng(0).standard_normal((60, 3))

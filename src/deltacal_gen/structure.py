@@ -169,13 +169,17 @@ def _bases(problem: Problem) -> dict[str, tuple[Array, list[Region | None]]]:
     recording, body = problem.recording, problem.body
     rows = np.unique(problem.readings.rows)
     out: dict[str, tuple[Array, list[Region | None]]] = {}
-    named = dict(zip(joint_names(recording.joint_unit, body.q.shape[1]), body.q.T, strict=True))
+    n_q = body.q.shape[1]
+    named = dict(zip(joint_names(recording.joint_unit, n_q), body.q.T, strict=True))
+    moving = dict(zip(joint_names(recording.joint_unit, n_q, "approach{i}"), body.q.T, strict=True))
     for name, values in {**recording.channels, **named}.items():
         if name.startswith("true_") or not np.isfinite(values[rows]).any():
             continue
         v = np.nan_to_num(values, nan=float(np.nanmedian(values[rows])))
         if np.ptp(v[rows]) > 0:
             functions = _functions(v, rows)
+            if name in moving and np.ptp(moving[name][rows]) > 0:  # play is wide where a gear is worn
+                functions = np.hstack([functions, v[:, None] * _functions(moving[name], rows)])
             out[name] = functions, [None] * functions.shape[1]
     x, _ = body.mechanism.forward(body.q, body.tool, body.mechanism.rows(problem.robot))
     x = np.nan_to_num(x[:, :3])
