@@ -8,7 +8,7 @@ command is called as Python calls what is built in, its numbers read where they 
 
 import ctypes
 import inspect
-from itertools import count
+from functools import cache
 
 from llvmlite import binding, ir
 from numba import typeof, types
@@ -19,7 +19,6 @@ from numba.np.arrayobj import populate_array
 
 OBJECT, COUNT = cgutils.voidptr_t, ir.IntType(8 * ctypes.sizeof(ctypes.c_ssize_t))
 NUMBERS_IN_A_ROW = 0x80  # METH_FASTCALL
-_made = count()
 
 
 class _Method(ctypes.Structure):
@@ -33,29 +32,36 @@ def direct(command, state):
 
     Its arguments are numbers, by position, and TypeError is raised for anything else; it returns what the command does.
     """
-    names = list(inspect.signature(command.py_func).parameters)[:-1]
-    kinds = (*[types.float64] * len(names), typeof(state))
-    command.compile(kinds)
-    library, code = _function(command.overloads[kinds], names, state)
-    told = f"{command.py_func.__name__}({', '.join(names)}, /)\n--\n\n{inspect.getdoc(command.py_func)}"
-    method = _Method(command.py_func.__name__.encode(), code, NUMBERS_IN_A_ROW, told.encode())
+    method, library = _method(command, typeof(state), state.size)
     make = ctypes.pythonapi.PyCFunction_NewEx
     make.restype, make.argtypes = ctypes.py_object, (ctypes.c_void_p, ctypes.py_object, ctypes.c_void_p)
-    return make(ctypes.addressof(method), (method, library, command, state), None)  # the tuple lives as long as the function
+    own = (state, method, library)  # lives as long as the function, which reads the state
+    return make(ctypes.addressof(method), own, None)
 
 
 @global_compiler_lock
-def _function(compiled, names, state):
+@cache
+def _method(command, kind, size):
+    """Return a command as Python calls it, whatever the state: LLVM keeps its code as long as the process lives."""
+    names = list(inspect.signature(command.py_func).parameters)[:-1]
+    kinds = (*[types.float64] * len(names), kind)
+    command.compile(kinds)
+    library, code = _function(command.overloads[kinds], names, size)
+    told = f"{command.py_func.__name__}({', '.join(names)}, /)\n--\n\n{inspect.getdoc(command.py_func)}"
+    return _Method(command.py_func.__name__.encode(), code, NUMBERS_IN_A_ROW, told.encode()), library
+
+
+def _function(compiled, names, size):
     """Return a library, and in it the address of a function that Python calls."""
     context, signature = cpu_target.target_context, compiled.signature
     symbol = compiled.fndesc.llvm_func_name
     binding.add_symbol(symbol, compiled.library.get_pointer_to_function(symbol))
     library = context.codegen().create_library("direct")
     module = library.create_ir_module("direct")
-    function = ir.Function(module, ir.FunctionType(OBJECT, [OBJECT, OBJECT.as_pointer(), COUNT]), f"direct_{next(_made)}_{symbol}")
+    function = ir.Function(module, ir.FunctionType(OBJECT, [OBJECT, OBJECT.as_pointer(), COUNT]), f"direct_{symbol}")
     builder = ir.IRBuilder(function.append_basic_block())
     api, nothing = context.get_python_api(builder), ir.Constant(OBJECT, None)
-    _, given, many = function.args
+    own, given, many = function.args
     with builder.if_then(builder.icmp_signed("!=", many, COUNT(len(names))), likely=False):
         api.err_set_string("PyExc_TypeError", f"{len(names)} numbers are needed: {', '.join(names)}")
         builder.ret(nothing)
@@ -67,8 +73,11 @@ def _function(compiled, names, state):
                 builder.ret(nothing)
         values.append(value)
     array = context.make_array(signature.args[-1])(context, builder)
-    data = builder.inttoptr(COUNT(state.ctypes.data), array.data.type)
-    populate_array(array, data, [COUNT(state.size)], [COUNT(state.itemsize)], COUNT(state.itemsize), None)
+    # what a tuple and an array hold begins after their heads; to ask Python for it takes a twentieth of a command
+    for head, kind in ((tuple.__basicsize__, OBJECT), (object.__basicsize__, array.data.type)):
+        own = builder.load(builder.bitcast(builder.gep(own, [COUNT(head)]), kind.as_pointer()))
+    each = COUNT(context.get_abi_sizeof(array.data.type.pointee))
+    populate_array(array, own, [COUNT(size)], [each], each, None)
     callee = context.declare_function(module, compiled.fndesc)
     values.append(array._getvalue())
     _, found = context.call_conv.call_function(builder, callee, signature.return_type, signature.args, values)
