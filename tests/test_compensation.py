@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import copy
 import ctypes
 import gc
 import inspect
 import math
+import pickle
 import re
 import shutil
 import subprocess
@@ -23,11 +25,13 @@ from deltacal_gen.compensation import KINDS, Compensator
 from deltacal_gen.demonstration import example
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.exports import TableCompensator, export_c, export_table, read_table
-from deltacal_gen.mechanism import SINGULAR, SOLVED, UNREACHABLE, load_mechanism
+from deltacal_gen.mechanism import SINGULAR, SOLVED, UNREACHABLE, compiled_only, load_mechanism, plain_only
+from deltacal_gen.physics import Term
 from deltacal_gen.recording import read_recording
 from deltacal_gen.robot import Robot, Workspace, read_robot
 
 DEG = math.pi / 180
+SCALE = Term("joint_scale", (1, 2, 3), np.full((3, 1), 1e-3))
 DELTA = load_mechanism("delta")
 TEXT = """
 [robot]
@@ -254,6 +258,7 @@ def test_direct_commands_are_bound_to_their_machine(name: str, kind: str) -> Non
         assert np.isfinite(found).all()
         assert servo.command(*numbers, servo.state) == found
     command = commands[0]
+    assert command.__self__[1:] == commands[1].__self__[1:]  # code, which LLVM never gives back, is made once
     assert command(*map(np.float64, numbers)) == nominal
     ones = [-1] * len(numbers)  # what Python's own functions return besides an error
     np.testing.assert_array_equal(command(*ones), servos[0].command(*map(float, ones), servos[0].state))
@@ -264,6 +269,33 @@ def test_direct_commands_are_bound_to_their_machine(name: str, kind: str) -> Non
     with pytest.raises(TypeError, match="no keyword arguments"):
         command(*numbers, px=1.0)
     assert str(inspect.signature(command)).startswith("(px")
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_compensators_and_servos_go_to_other_processes(prototype: Robot, kind: str) -> None:
+    compensator, point = Compensator(replace(prototype, errors=drawn(9)), kind), targets(1)
+    expected = compensator.command(point)[0][0]  # it has computed, and keeps what it computed with
+    servo = compensator.servo()
+    given = (compensator, servo)
+    for one, its in (pickle.loads(pickle.dumps(given)), copy.deepcopy(given)):
+        assert one.mechanism is load_mechanism("delta")
+        np.testing.assert_array_equal(one.command(point)[0][0], expected)
+        joints = servo.command(*point[0], servo.state)
+        assert one.servo().direct()(*point[0]) == its.direct()(*point[0]) == joints
+
+
+@pytest.mark.parametrize("compensator", [("exact", ()), ("linear", ()), ("exact", (SCALE,))])
+def test_commands_may_be_written_in_place_of_their_targets(
+    prototype: Robot, compensator: tuple[str, tuple[Term, ...]]
+) -> None:
+    kind, terms = compensator
+    command, points = Compensator(replace(prototype, errors=drawn(9)), kind, terms).command, targets(8, seed=4)
+    points[3] = [3000.0, 0.0, -800.0]
+    expected, unsolved = command(points)
+    found, status = command(points, out=points)
+    assert found is points
+    np.testing.assert_array_equal(found, expected)
+    np.testing.assert_array_equal(status, unsolved)
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -381,8 +413,9 @@ def test_the_exported_c_agrees(prototype: Robot, kind: str, tmp_path: Path) -> N
 
 def test_the_same_numbers_give_the_same_file(prototype: Robot, tmp_path: Path) -> None:
     robot = replace(prototype, errors=drawn(13))
-    for name in ("a.c", "b.c"):
-        export_c(Compensator(robot), tmp_path / name)
+    for name, kernels in (("a.c", plain_only), ("b.c", compiled_only)):
+        with kernels():
+            export_c(Compensator(robot), tmp_path / name)
     assert (tmp_path / "a.c").read_bytes() == (tmp_path / "b.c").read_bytes()
     assert sorted(p.name for p in tmp_path.iterdir()) == ["a.c", "b.c"]
     nudged = replace(robot, errors=robot.errors | {"L_1": robot.errors["L_1"] + 1e-9})

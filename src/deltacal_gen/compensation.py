@@ -151,7 +151,7 @@ class Compensator:
     def _rows(self) -> Array:
         return self.mechanism.rows(self.robot)
 
-    @cached_property
+    @property
     def _kernels(self) -> Any:
         return self.mechanism.servo
 
@@ -268,6 +268,8 @@ class Compensator:
         """
         targets, tool = self._targets(targets, tool)
         joints = result(out, (len(targets), self.mechanism.limbs))
+        if np.may_share_memory(targets, joints):  # joints in place of their targets, which are still read
+            targets = targets.copy()
         if isinstance(self.mechanism, Chain):
             joints[:], status = self._led(self.mechanism, targets, tool, channels, near)
             return joints, status

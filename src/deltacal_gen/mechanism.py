@@ -8,7 +8,7 @@ from __future__ import annotations
 import dataclasses
 import importlib
 import time
-from collections.abc import Generator, Iterator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
@@ -269,6 +269,10 @@ class Mechanism:
     def __repr__(self) -> str:
         return f"<Mechanism {self.name}: {len(self.parameters)} source errors>"
 
+    def __reduce__(self) -> tuple[Callable[..., Mechanism], tuple[str, tuple[Link, ...]]]:
+        """Another process, and a copy, take the mechanism that is loaded there."""
+        return load_mechanism, (self.name, self.links or ())
+
     @property
     def joint_units(self) -> tuple[str, ...]:
         """Unit of each joint, rad or mm."""
@@ -507,12 +511,12 @@ class Mechanism:
         if kernels is not self.vectorised:  # compiled, they take microseconds
             return np.asarray(kernels.constants(rows))
         key = rows.tobytes()
-        if key not in self._known:
+        if (found := self._known.get(key)) is None:
             kept = list(self._known.values())
             if len(kept) > KNOWN or sum(k.nbytes for k in kept) > KNOWN_BYTES:
                 self._known.clear()
-            self._known[key] = self.vectorised.constants(rows)
-        return self._known[key]
+            found = self._known[key] = self.vectorised.constants(rows)
+        return found
 
     def forward(
         self, q: Array, tool: Array, rows: Array, near: Array | None = None, *, out: Array | None = None
@@ -559,17 +563,16 @@ class Mechanism:
     def _solved(self, q: Array, tool: Array, rows: Array, near: Array | None) -> tuple[Array, np.ndarray, ModuleType]:
         """Return the coordinates (N, n) that the kernels solve for, their status, and the kernels."""
         q = self._poses(q, self.limbs, "joints")
+        near = None if near is None else self._poses(near, POSE, "poses to start from")
         self._alike(len(q), rows=rows, **({} if near is None else {"near": near}))
         status = np.empty(len(q), dtype=np.int64)
         with self._kernels(len(q)) as kernels:
-            plain = kernels is self.vectorised
-            if not plain and self._simplified(rows):
+            tool, constants = self._machines(kernels, tool, rows, len(q))
+            if kernels is not self.vectorised and self._simplified(rows):
                 x = np.empty((len(q), kernels.SIMPLIFIED))
-                kernels.simplified_forward(q, self._tools(tool, len(q)), self._constants(kernels, rows), x, status)
+                kernels.simplified_forward(q, tool, constants, x, status)
             else:
                 x = np.empty((len(q), len(self._at))) if near is None else self._own(near, kernels)
-                constants = self._pose_by_pose(rows, len(q)) if plain else self._constants(kernels, rows)
-                tool = self._tool(tool, len(q)) if plain else self._tools(tool, len(q))
                 kernels.forward(q, tool, constants, x, status, near is not None)
         return x, status, kernels
 
@@ -592,22 +595,27 @@ class Mechanism:
         self._alike(len(target), rows=rows)
         q, status = result(out, (len(target), self.limbs)), np.empty(len(target), dtype=np.int64)
         x = self.commanded(target)
+        if np.may_share_memory(x, q):  # joints in place of their targets, which are still read
+            x = x.copy()
         with self._kernels(len(target)) as kernels:
-            plain = kernels is self.vectorised
-            tool = self._tool(tool, len(target)) if plain else self._tools(tool, len(target))
-            if not plain and hasattr(kernels, "simplified_inverse") and self._simplified(rows):
-                kernels.simplified_inverse(x, tool, self._constants(kernels, rows), q, status)
+            tool, constants = self._machines(kernels, tool, rows, len(target))
+            if hasattr(kernels, "simplified_inverse") and self._simplified(rows):
+                kernels.simplified_inverse(x, tool, constants, q, status)
                 if not (solved := status == SOLVED).all():
                     x = np.where(solved[:, None], x, np.nan)
             else:
                 x, asked = np.empty((len(target), len(self._at))), x
-                kernels.inverse(asked, tool, self._constants(kernels, rows), x, q, status)
+                kernels.inverse(asked, tool, constants, x, q, status)
         return q, self._body(x, kernels), status
 
-    def _pose_by_pose(self, rows: Array, poses: int) -> Array:
-        """Return the constants as the plain kernels read them: of one machine, or of one for every pose."""
-        constants = self._constants(self.vectorised, rows)
-        return constants if len(rows) in (1, poses) else np.repeat(constants, poses // len(rows), axis=0)
+    def _machines(self, kernels: ModuleType, tool: Array, rows: Array, poses: int) -> tuple[Array, Array]:
+        """Return tools and constants as kernels read them: compiled ones share them out, plain ones read one a pose."""
+        tool, constants = self._tools(tool, poses), self._constants(kernels, rows)
+        if kernels is self.vectorised:
+            tool = self._tool(tool, poses)
+            if len(rows) not in (1, poses):
+                constants = np.repeat(constants, poses // len(rows), axis=0)
+        return tool, constants
 
     def _simplified(self, rows: Array) -> bool:
         """Tell whether all positions of the machine are closed form."""
@@ -641,7 +649,7 @@ class Mechanism:
         """Return the coordinates (N, n) that the kernels solve for."""
         if kernels is not None and kernels is not self.vectorised:
             own = np.empty((len(x), len(self._at)))
-            kernels.as_coordinates(self._poses(x, POSE, "poses"), self._at, own)
+            kernels.as_coordinates(x, self._at, own)
             return own
         full = np.hstack([x[:, :3], cayley_vector(x[:, 3:].reshape(-1, 3, 3))])
         return np.ascontiguousarray(full[:, self._at])
@@ -655,10 +663,11 @@ class Mechanism:
         only, and on the common errors; J_q and J_p hold those columns.
         """
         x, q = self._own(self._poses(x, POSE, "poses")), self._poses(q, self.limbs, "joints")
+        self._alike(len(x), rows=rows, joints=q)
         f, n_v = self._tables.EQUATIONS, self._width - len(self.geometry)
         shapes = (len(x), f), (len(x), f, f), (len(x), f), (len(x), f, n_v)
         F, J_x, J_q, J_p = map(result, [None] * len(shapes) if out is None else out, shapes)
-        tool, constants = self._tool(tool, len(x)), self._constants(self.vectorised, rows)
+        tool, constants = self._machines(self.vectorised, tool, rows, len(x))
         self.vectorised.jacobians(x, q, tool, constants, F, J_x, J_q, J_p)
         return F, J_x, J_q, J_p
 
@@ -679,8 +688,8 @@ class Mechanism:
         V = result(V_out if whole else None, (len(x), n, self.limbs))
         status = np.empty(len(x), dtype=np.int64)
         with self._kernels(len(q)) as kernels:
-            tool = self._tool(tool, len(q)) if kernels is self.vectorised else self._tools(tool, len(q))
-            kernels.sensitivity(self._own(x, kernels), q, tool, self._constants(kernels, rows), S, V, status)
+            tool, constants = self._machines(kernels, tool, rows, len(q))
+            kernels.sensitivity(self._own(x, kernels), q, tool, constants, S, V, status)
         if not whole:
             S, V = self._in_space(S, S_out), self._in_space(V, V_out)
         by_limb = S.reshape(len(x), self.n_x, self.limbs, n_v)
@@ -786,9 +795,11 @@ class Mechanism:
     def _alike(n: int, **others: Array) -> None:
         """Raise ValueError where other arrays do not go with n poses: rows of machines share them out evenly."""
         for what, values in others.items():
-            if (n % max(len(values), 1) if what == "rows" else len(values) - n) != 0:
+            shared = what == "rows" and len(values) > 0
+            if n % len(values) if shared else len(values) != n:
                 raise ValueError(f"{what} have the shape {values.shape}, which does not go with {n} poses.")
 
-    @staticmethod
-    def _tool(tool: Array, n: int) -> Array:
-        return np.ascontiguousarray(np.broadcast_to(np.asarray(tool, dtype=float), (n, 3)))
+    @classmethod
+    def _tool(cls, tool: Array, n: int) -> Array:
+        """Return tools (n, 3)."""
+        return np.ascontiguousarray(np.broadcast_to(cls._tools(tool, n), (n, 3)))
