@@ -9,12 +9,13 @@ import numpy as np
 import pytest
 from conftest import plausible, rings, scattered, wanted
 
+from deltacal_gen.demonstration import example
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.identification import Identification, folds, identify
-from deltacal_gen.mechanism import Mechanism
+from deltacal_gen.mechanism import Mechanism, load_mechanism
 from deltacal_gen.prediction import predict
-from deltacal_gen.recording import Recording
-from deltacal_gen.robot import Robot
+from deltacal_gen.recording import Recording, read_recording
+from deltacal_gen.robot import Robot, read_robot
 from deltacal_gen.simulation import simulate
 from deltacal_gen.units import DEG, to_internal
 
@@ -371,6 +372,15 @@ def test_extra_measurements_are_proposed_where_something_is_free(robot: Robot, c
     assert all(0 < idea["pins"] <= idea["of"] for idea in result["next_measurements"])
     gains = [idea["pins"] for idea in result["next_measurements"]]
     assert gains == sorted(gains, reverse=True)
+
+
+def test_a_third_reference_point_is_proposed_only_where_it_pins_more() -> None:
+    """The recording has several points already; a further one sees one direction, and two see no other."""
+    robot = read_robot(example("delta/robot.toml"))
+    recording = read_recording(example("delta/recording.csv"), load_mechanism("delta"))
+    proposed = identify(robot, recording).to_dict()["next_measurements"]
+    [point] = [idea["measurement"] for idea in proposed if "reference point" in idea["measurement"]]
+    assert point.startswith("a second reference point")
 
 
 @pytest.mark.parametrize(

@@ -109,8 +109,8 @@ def demo(
         return
     result, diagnosis = found["result"], found["diagnosis"]
     screen.print(
-        f"[bold]1. Geometry alone[/bold], {result['model']}: {result['readings']['scalars']} readings, held-out error "
-        f"{_number(result['heldout_rms_mm'])} mm; the instrument's noise is {result['sigma_mm']:.4f} mm."
+        f"[bold]1. Geometry alone[/bold], {result['model']}: {result['readings']['scalars']} scalar readings, "
+        f"held-out error {_number(result['heldout_rms_mm'])} mm; the instrument's noise is {result['sigma_mm']:.4f} mm."
     )
     screen.print("[bold]2. Diagnosis[/bold]:", end=" ")
     _show_diagnosis(diagnosis)
@@ -430,7 +430,7 @@ def _show_result(found: Mapping[str, Any]) -> None:
     beside = "" if held is None else f", [bold]held-out {_number(held)} mm[/bold]"  # nothing was held out of blocks
     screen.print(
         f"[bold]{counts['identified']} of {sum(counts.values())} parameters identified[/bold], "
-        f"{found['readings']['scalars']} readings: rms before {found['before_rms_mm']:.4f} -> "
+        f"{found['readings']['scalars']} scalar readings: rms before {found['before_rms_mm']:.4f} -> "
         f"after {found['train_rms_mm']:.4f} mm{beside} "
         f"(noise {found['sigma_mm']:.4f}, {found['sigma_source']})"
     )

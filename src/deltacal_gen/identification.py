@@ -584,21 +584,23 @@ def _remedies(final: Fit) -> list[dict[str, Any]]:
     tools = [problem.body.tool + np.array(offset) * span for offset in ((1, 0, 0), (0, 1, 0), (0, 0, -1))]
     moved = [problem.with_tool(tool) for tool in tools]
     if not carried(problem.readings.kind, problem.mechanism):  # a measuring mechanism mounted anew has new errors
-        ideas.append((f"a second reference point, {span:.0f} mm beside the first, at the same poses", moved[:1]))
-        ideas.append(
-            (f"a second and a third reference point, {span:.0f} mm beside the first, at the same poses", moved[:2])
-        )
+        beside = f"{span:.0f} mm beside the first, at the same poses"
+        ideas.append((f"a second reference point, {beside}", moved[:1]))
+        ideas.append((f"a second and a third reference point, {beside}", moved[:2]))
     if problem.readings.kind in ("distance", "gauge"):
         ideas.append(("the position itself at the same poses, with a tracker or a camera", [_as_positions(problem)]))
     if problem.readings.kind != "pose" and problem.mechanism.turns:
         full = _as_positions(problem)
         three = [full.with_tool(full.body.tool + np.array(o) * span) for o in ((0, 0, 0), (1, 0, 0), (0, 1, 0))]
         ideas.append(("the platform's rotation (kind pose) at the same poses", three))
-    gains = [(_pinned([problem, *extra], final) - known, text) for text, extra in ideas]
+    gains = {text: _pinned([problem, *extra], final) - known for text, extra in ideas}
+    # what pins no more than less of the same is no idea
+    told = [
+        text for text, extra in ideas if gains[text] > max((gains[t] for t, e in ideas if e == extra[:-1]), default=0)
+    ]
     return [
-        {"measurement": text, "pins": gain, "of": len(problem.names) - known}
-        for gain, text in sorted(gains, key=lambda g: -g[0])
-        if gain > 0
+        {"measurement": text, "pins": gains[text], "of": len(problem.names) - known}
+        for text in sorted(told, key=lambda text: -gains[text])
     ]
 
 
