@@ -269,6 +269,8 @@ def test_direct_commands_are_bound_to_their_machine(name: str, kind: str) -> Non
     with pytest.raises(TypeError, match="no keyword arguments"):
         command(*numbers, px=1.0)
     assert str(inspect.signature(command)).startswith("(px")
+    assert (command.__doc__ or "").startswith("Return the joints")
+    assert "state" not in (command.__doc__ or "")
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -47,7 +47,8 @@ def _method(command, kind, size):
     kinds = (*[types.float64] * len(names), kind)
     command.compile(kinds)
     library, code = _function(command.overloads[kinds], names, size)
-    told = f"{command.py_func.__name__}({', '.join(names)}, /)\n--\n\n{inspect.getdoc(command.py_func)}"
+    what, _, _ = inspect.getdoc(command.py_func).partition("\n\n")  # further on it tells of the state
+    told = f"{command.py_func.__name__}({', '.join(names)}, /)\n--\n\n{what}"
     return _Method(command.py_func.__name__.encode(), code, NUMBERS_IN_A_ROW, told.encode()), library
 
 
