@@ -124,10 +124,23 @@ class _Smooth:
 
     def along(self, channel: str, functions: Array, places: Sequence[Region | None]) -> Structure:
         """Return what the best few functions (N, m) of a channel explain, charged for columns and choice."""
-        A, r, count = self.modulated(functions), self._beside.residual, functions.shape[1]
+        A, count = self.modulated(functions), functions.shape[1]
         A -= self._beside.Q @ (self._beside.Q.T @ A)
         apart = A.reshape(len(A), count, -1)
-        price = quantile(apart.shape[2], count)
+        # what only shifts is not charged for turns, but for the choice
+        widths = sorted({self._limbs + 3, self.directions})
+        chosen, gain, charge = max(
+            (self._chosen(apart[:, :, :width], quantile(width, len(widths) * count)) for width in widths),
+            key=lambda found: found[1] - found[2],
+        )
+        limbs = self._sits(np.moveaxis(apart[:, chosen], 1, 0)) if chosen else ()
+        region = places[chosen[0]] if chosen else None
+        return Structure(channel, gain, charge, () if region is not None else limbs, region)
+
+    def _chosen(self, apart: Array, price: float) -> tuple[list[int], float, float]:
+        """Return which functions of columns (scalars, m, directions) pay their price, their gain and charge."""
+        r, count = self._beside.residual, apart.shape[1]
+        A = apart.reshape(len(apart), -1)
         # products of what is left of the columns when chosen ones are taken out: only they change
         G = np.array([apart[:, k].T @ apart[:, k] for k in range(count)])
         b = (r @ A).reshape(count, -1)
@@ -147,9 +160,7 @@ class _Smooth:
             b -= np.einsum("umi,u->mi", shares, along)
             taken, left = np.hstack([taken, U]), left - U @ along
             gain = float(r @ r - left @ left)
-        limbs = self._sits(np.moveaxis(apart[:, chosen], 1, 0)) if chosen else ()
-        region = places[chosen[0]] if chosen else None
-        return Structure(channel, gain, price * len(chosen), () if region is not None else limbs, region)
+        return chosen, gain, price * len(chosen)
 
     def _sits(self, A: Array) -> tuple[int, ...]:
         """Return the limbs whose joints carry what functions (m, scalars, directions) explain; none: the reading."""
