@@ -171,6 +171,19 @@ def _seeds(mechanism: LimbMechanism) -> tuple[str, list[sp.Expr]]:
     return "the simplified limb as a sphere |P|^2 - 2 c.P + d = 0: c, d", [*centre, 2 * constant]
 
 
+def rotations() -> dict[str, Kernel]:
+    """Lower a platform's rotation matrix by its Cayley vector, and the vector by the matrix, for ``poses.py``."""
+    c = sp.Matrix(sp.symbols("cx cy cz", real=True))
+    R = sp.Matrix(3, 3, lambda i, j: sp.Symbol(f"R_{i}{j}", real=True))
+    by_vector = Lowering(Graph(), {}, {s: f"own[{3 + j}]" for j, s in enumerate(c)})
+    by_matrix = Lowering(Graph(), {}, {s: f"pose[{3 + j}]" for j, s in enumerate(R)})
+    kernels = (
+        by_vector.kernel("matrix", "rotation matrix by the Cayley vector", list(vectors.cayley(c))),
+        by_matrix.kernel("vector", "Cayley vector by the rotation matrix", list(vectors.cayley_vector(R))),
+    )
+    return {kernel.name: kernel for kernel in kernels}
+
+
 def measurement(spec: Measurement) -> dict[str, Kernel]:
     """Lower a measurement to its reading and derivatives, evaluated where the instrument's increments are zero."""
     inputs = {
@@ -274,7 +287,9 @@ def render() -> dict[Path, str]:
     environment = _environment()
     found = list(mechanisms())
     texts = {
-        Path(name): environment.get_template(f"{name}.jinja").render(mechanisms=found, command=COMMAND)
+        Path(name): environment.get_template(f"{name}.jinja").render(
+            mechanisms=found, kernels=rotations(), command=COMMAND
+        )
         for name in ("__init__.py", "compiled.py", "direct.py", "elementary.py", "poses.py", "straight.py")
     }
     for mechanism in found:

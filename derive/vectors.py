@@ -48,6 +48,11 @@ def cayley(c: sp.Matrix) -> sp.Matrix:
     return sp.eye(3) + (K + K * K / 2) / (1 + c.dot(c) / 4)
 
 
+def cayley_vector(R: sp.Matrix) -> sp.Matrix:
+    """Return the Cayley vector of a rotation by less than half a turn, from its matrix: the inverse of `cayley`."""
+    return 2 / (1 + R.trace()) * sp.Matrix([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
+
+
 def turn_about_z(t: sp.Expr) -> sp.Matrix:
     """Return the rotation about z by `t`."""
     return sp.Matrix([[sp.cos(t), -sp.sin(t), 0], [sp.sin(t), sp.cos(t), 0], [0, 0, 1]])
