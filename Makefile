@@ -6,7 +6,7 @@ WORKERS ?= 2
 # the matrices are small: threads of the linear algebra only wait for one another
 export OPENBLAS_NUM_THREADS := 1
 
-.PHONY: demo test lint kernels bench proof clean
+.PHONY: demo test test-all lint kernels bench proof clean
 
 demo: .venv/run  ## find what is concealed in an embedded recording; page and picture in demo/
 	$(BIN)/deltacal demo
@@ -14,6 +14,10 @@ demo: .venv/run  ## find what is concealed in an embedded recording; page and pi
 test: .venv/dev lint  ## lint, types, import rules, kernels, tests
 	$(BIN)/deltacal kernels --check
 	$(BIN)/python -m pytest -n $(WORKERS)
+
+test-all: .venv/dev lint  ## the same, and what takes minutes
+	$(BIN)/deltacal kernels --check
+	$(BIN)/python -m pytest -n $(WORKERS) -m ""
 
 lint: .venv/dev
 	$(BIN)/ruff check .
