@@ -36,7 +36,7 @@ from deltacal_gen.robot import Robot, read_robot, robot_from_dict, robot_to_toml
 from deltacal_gen.rotation import cayley_matrix, cayley_spin, cayley_vector
 from deltacal_gen.solvers import LeastSquares
 
-from . import by_hand, by_hand_numba
+from . import by_hand, by_hand_chain, by_hand_numba
 
 Array = np.ndarray
 OURS, KERNEL, NUMPY, NUMBA = "ours", "kernel", "NumPy", "Numba"  # a user's call, what computes in it, by hand
@@ -482,6 +482,49 @@ def identification(n: int, *, model: str) -> Work:
     )
 
 
+def chain_identification(n: int) -> Work:
+    """All errors by Denavit and Hartenberg and the frame of a tracker, from positions of a six-joint arm."""
+    robot = read_robot(example("serial/robot.toml"))
+    mechanism, rng = mechanism_of(robot), np.random.default_rng(9)
+    q = rng.uniform(-1.0, 1.0, (n, mechanism.limbs))
+    p = mechanism.typical * rng.standard_normal(len(mechanism.typical))
+    p[mechanism.index["beta_1"] :: len(mechanism.errors)][: len(mechanism.links or ())] = 0.0
+    names = mechanism.model("dh")
+    free = tuple(name for name in names if not name.startswith("beta"))
+    tool, k = np.asarray(robot.tool, dtype=float), [mechanism.index[name] for name in free]
+    links = np.column_stack([robot.geometry[key] for key in ("a", "alpha", "d", "theta")])
+    exact = mechanism.positions(q, tool, mechanism.rows(robot, p))
+    read = exact @ cayley_matrix(np.array([[0.3, -0.2, 0.5]]))[0].T + [900.0, -400.0, 200.0]
+    read += SIGMA * rng.standard_normal(read.shape)
+    recording = dataclasses.replace(recorded(q, [(tool, read)]), tool=None)
+
+    def whole_fit() -> Array:
+        problem = pose_problem(robot, recording, ()).with_names(free)
+        return fit(problem, LeastSquares(), robust=False, weigh_repeats=False).errors[k]
+
+    check = rng.uniform(-1.0, 1.0, (50, mechanism.limbs))
+
+    def apart(found: Array) -> Array:
+        """Return the distances between positions (50,): what no choice of the base's frame changes."""
+        at = by_hand_chain.forward(check, links + found[:-3].reshape(-1, 4), tool + found[-3:]).T
+        return np.linalg.norm(at - np.roll(at, 1, axis=0), axis=1)
+
+    return Work(
+        f"identification of an arm, {len(free)} errors by Denavit and Hartenberg, {n} positions",
+        "ms",
+        1,
+        {
+            OURS: Contender(
+                partial(identify, robot, recording, solver="least-squares", robust=False),
+                lambda found: apart(found.fit.errors[k]),
+            ),
+            KERNEL: Contender(whole_fit, apart),
+            NUMPY: Contender(lambda: by_hand_chain.identify(q, read, links, tool)[0], apart),
+        },
+        tolerance=SIGMA,  # `ours` frees Hayati's angles too
+    )
+
+
 def reach(p: Array) -> Array:
     """Return where the machine with errors p (42,) goes over the workspace: what identifications must agree on."""
     return by_hand.forward(by_hand.ideal_inverse(positions(50, seed=4)), by_hand.machine(p))[:, :3]
@@ -685,6 +728,7 @@ WORKS: dict[str, tuple[Callable[[int], Work], tuple[int, int, int]]] = {
     "W6_32kept": (partial(trials, model="32", kept=True), (1000, 200, 3)),
     "exact_18": (partial(identification, model="18"), (19, 19, 19)),
     "exact_32": (partial(identification, model="32"), (19, 19, 19)),
+    "exact_dh": (chain_identification, (1000, 1000, 60)),
     "W7_cold": (partial(start, what="identification", cold=True), (1, 1, 1)),
     "W7_warm": (partial(start, what="identification", cold=False), (1, 1, 1)),
     "W7cli_cold": (partial(start, what="deltacal identify", cold=True), (1, 1, 1)),
