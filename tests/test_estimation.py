@@ -96,6 +96,16 @@ def test_noise_is_estimated_from_what_the_fit_leaves(
     assert all(f.rms() < f.sigma[0] for f in found)  # the residuals have lost 24 of 117 degrees of freedom
 
 
+def test_no_figure_depends_on_the_words_of_a_prior(robot: Robot, mechanism: Mechanism, truth: dict[str, float]) -> None:
+    """Distances of positions share the positions' noise: what the prior holds is then added to the scatter."""
+    recording = with_noise(clean(robot, truth, "position"), 1)
+    problem = pose_problem(robot, recording, mechanism.model("42"), as_distance=True)
+    mine, plain = (fit(problem, prior) for prior in (Prior("my workshop's tolerances"), Prior()))
+    assert mine.solution.rule == "my workshop's tolerances"
+    assert mine.solution.posterior
+    assert np.array_equal(mine.covariance, plain.covariance)
+
+
 # ---------------------------------------------------------------------------------------------------------------- steps
 
 

@@ -122,6 +122,8 @@ def test_a_prior_gives_the_posterior(problem: tuple[str, np.ndarray, np.ndarray]
     _, A, b = problem
     C = np.linalg.inv(A.T @ A + np.eye(A.shape[1]))
     got = Prior().solve(A, b)
+    assert got.posterior
+    assert not LeastSquares().solve(A, b).posterior  # what is left at nominal there counts as known
     assert got.u == pytest.approx(C @ A.T @ b, abs=1e-12)
     assert got.covariance == pytest.approx(C, abs=1e-12)
     assert np.all(np.diag(got.covariance) <= 1 + 1e-12)

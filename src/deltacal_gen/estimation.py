@@ -733,8 +733,8 @@ def _joint_covariance(solution: Solution, A_p: Array, A_m: Array, scale: Array, 
             inverse_s = np.where(solution.factors > 0, solution.factors / solution.singular_values, 0.0)
             U = np.where(solution.factors > 0, (A_p @ solution.V) / solution.singular_values, 0.0)
         response = (solution.V * inverse_s) @ (U.T @ shared)
-        left = (solution.V * (1 - solution.factors) ** 2) @ solution.V.T if solution.rule.startswith("priors") else 0.0
-        beyond = np.eye(len(C)) - solution.V @ solution.V.T if solution.rule.startswith("priors") else 0.0
+        left = (solution.V * (1 - solution.factors) ** 2) @ solution.V.T if solution.posterior else 0.0
+        beyond = np.eye(len(C)) - solution.V @ solution.V.T if solution.posterior else 0.0
         C = response @ response.T + left + beyond
     n, n_m = A_p.shape[1], A_m.shape[1]
     out = np.zeros((n + n_m, n + n_m))

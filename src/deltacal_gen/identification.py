@@ -250,7 +250,7 @@ def _left_out(mechanism: Mechanism, robot: Robot, machine: Robot, names: Sequenc
 
 def _solver(name: str, truncation: int | str, sigma: float | None) -> Solver:
     solvers: dict[str, Callable[[], Solver]] = {
-        "prior": lambda: Prior("priors"),
+        "prior": Prior,
         "least-squares": LeastSquares,
         "tsvd": lambda: TSVD(truncation, sigma),
         "ridge": Ridge,
@@ -771,7 +771,7 @@ def _result(found: Identification) -> dict[str, Any]:
     n = len(names)
     deviation = np.sqrt(np.maximum(np.diag(final.covariance)[:n], 0.0))
     ruled_out = {name for c in (*found.unseen, *found.weak) for name in c.terms}
-    by_prior = final.solution.rule.startswith("priors")
+    by_prior = final.solution.posterior
     by_data = _share_of_data(final)
     status: dict[str, str] = {}
     for j, name in enumerate(names):
@@ -869,9 +869,8 @@ def file_terms(c: Combination, mechanism: Mechanism) -> dict[str, float]:
 
 
 def _regularisation(found: Identification) -> dict[str, Any]:
-    rule = found.fit.solution.rule
-    if not rule.startswith("priors"):
-        return {"rule": rule}
+    if not found.fit.solution.posterior:
+        return {"rule": found.fit.solution.rule}
     given = sum(found.prior_given)
     return {
         "rule": f"priors: {given} from [tolerance], {len(found.prior_given) - given} broad ({BROAD:g} ordinary errors)",

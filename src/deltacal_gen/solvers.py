@@ -41,6 +41,8 @@ class Solution:
         Of u, for rows of unit variance: posterior where a prior acts, of the kept directions otherwise.
     rule : str
         What was done, in words.
+    posterior : bool
+        Whether a prior acts: what the data leave open is then uncertain as the prior has it, and not fixed.
     """
 
     u: Array
@@ -50,6 +52,7 @@ class Solution:
     c: Array
     covariance: Array
     rule: str
+    posterior: bool = False
 
     def damped(self, u: Array, weight: float, damping: float) -> Array:
         """Return the step from `u` towards the solution, every direction damped (Levenberg, Marquardt).
@@ -294,6 +297,11 @@ class Prior:
     """Each parameter is known beforehand to its standard deviation: the columns are scaled to those, A = J sd / sigma.
 
     The posterior covariance is honest for every direction: where the data say nothing the prior's own is left.
+
+    Parameters
+    ----------
+    words : str
+        What the solution's `rule` says of it; no figure depends on them.
     """
 
     words: str = "priors"
@@ -311,7 +319,7 @@ class Prior:
 
         solution = _factored(A, b, rule)
         missing = np.eye(A.shape[1]) - solution.V @ solution.V.T  # directions beyond the rows: prior alone
-        return dataclasses.replace(solution, covariance=solution.covariance + missing)
+        return dataclasses.replace(solution, covariance=solution.covariance + missing, posterior=True)
 
     def settled(self, solution: Solution) -> Solver:
         """Nothing was chosen."""

@@ -99,6 +99,8 @@ class Streamed:
             "unidentifiable": [
                 {"seen": "not at all", "text": c.text, "terms": file_terms(c, mechanism)} for c in unseen
             ],
+            "next_measurements": [],
+            "regularisation": {"rule": f"least squares, {self.passes} passes over the file"},
             "readings": {"kind": "position", "scalars": self.scalars, "poses": self.rows},
             "before_rms_mm": self.before,
             "train_rms_mm": self.after,
@@ -107,10 +109,8 @@ class Streamed:
             "sigma_source": "residual",
             "chi2_per_dof": 1.0 if self.sigma > 0 else None,  # by definition
             "gross_errors": None,  # not searched for, nor what is below
-            "next_measurements": [],
             "accuracy": None,
             "workspace": None,
-            "regularisation": {"rule": f"least squares, {self.passes} passes over the file"},
             "instrument": self.instrument.to_dict() | {"setups": list(self.setups), "zero": "absolute"},
             "robot": robot_to_dict(dataclasses.replace(self.robot, errors=named)),
         }

@@ -1,0 +1,213 @@
+"""DIAGNOSIS.json of `diagnose`."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Literal
+
+from deltacal_gen.results.base import Answer, Column, Counts, Rows, Value
+from deltacal_gen.results.parts import InstrumentState, MachineState, Missing, RobotFile, Source, TermState
+from deltacal_gen.results.result import Parameter
+
+
+class Verdict(StrEnum):
+    """What a diagnosis comes to."""
+
+    ADEQUATE = "adequate"
+    MISSING_PHYSICS = "missing_physics"
+    UNEXPLAINED = "unexplained"
+
+
+class Noise(Value):
+    """Noise per measured scalar, and where it is known from."""
+
+    sigma_mm: float
+    source: Source
+
+
+class Final(Value):
+    """What a fit leaves."""
+
+    train_rms_mm: float
+    heldout_rms_mm: float | None
+    """Of poses used neither for fitting nor for choosing the effects; null where nothing could be held out."""
+    chi2_per_dof: float
+
+
+class Baseline(Value):
+    """What geometry alone leaves."""
+
+    model: str
+    train_rms_mm: float
+    heldout_rms_mm: float | None
+    chi2_per_dof: float
+
+
+class Channel(Value):
+    """A channel that the misfit depends on."""
+
+    name: str
+    p_value: float
+    share: float
+
+
+class Region(Value):
+    """A ball in {O} within which the misfit lies."""
+
+    centre_mm: tuple[float, ...]
+    radius_mm: float
+
+
+class Location(Value):
+    """Where model and recording differ."""
+
+    channels: tuple[Channel, ...]
+    """By share, the first one is the answer."""
+    limbs: tuple[int, ...]
+    region: Region | None
+    text: str
+
+
+class EffectParameter(Value):
+    """A coefficient or constant of an effect, in the units of files."""
+
+    name: str
+    limb: int | None
+    value: float
+    std: float | None
+    """Null of what was searched for: an order, a time."""
+    unit: str
+    tool_mm: tuple[float, ...] | None = None
+    """The tool point that it belongs to."""
+
+
+class Effect(Value):
+    """An effect that was found."""
+
+    name: str
+    title: str
+    limbs: tuple[int, ...]
+    """Those that the data bear out; none of an effect of the whole machine."""
+    parameters: tuple[EffectParameter, ...]
+    orders: tuple[int, ...] | None = None
+    """The first and the last, of a periodic error of many orders."""
+    p_value: float
+    gain_chi2: float
+    gain_by_limb: dict[str, float] | None = None
+    share_of_excess: float
+    """Part of the held-out variance above noise that it removes."""
+    indistinguishable_from: tuple[str, ...]
+
+
+class Rejected(Value):
+    """An effect that was looked at and not named."""
+
+    name: str
+    gain_chi2: float
+    why: str
+
+
+class Question(Value):
+    """What to measure next, and what for."""
+
+    why: str
+    text: str
+    poses: tuple[dict[str, float | str], ...]
+    """Rows of a recording without readings."""
+    expected_chi2: float | None
+    """The difference that they are expected to make."""
+
+
+class BeforeAfter(Value):
+    """A figure without and with something."""
+
+    before: float
+    after: float
+
+
+class SmoothState(Value):
+    """A smooth function of one recorded variable that moves joints, or the platform [mm, rad]."""
+
+    variable: str
+    limbs: tuple[int, ...]
+    knots: Rows
+    length: float
+    reach: float
+    coefficients: Rows
+
+
+class Correction(Value):
+    """What corrects a misfit that no effect explains, without physics."""
+
+    depends_on: tuple[str, ...]
+    limbs: tuple[int, ...]
+    rms_mm: float
+    """By which it moves the readings beyond what geometry would make up for."""
+    heldout_rms_mm: BeforeAfter
+    share_of_excess: float
+    smooth: SmoothState
+    machine: MachineState
+    """Geometry, effects and instrument as they are beside it."""
+
+
+class Residuals(Value):
+    """What every reading is off, before and after, where it was read and what the channels said there."""
+
+    line: Counts
+    position_mm: Rows
+    before_mm: Rows
+    after_mm: Rows
+    channels: dict[str, Column]
+    """By the names of the recording's columns; null: not recorded."""
+
+
+class SeenJoint(Value):
+    """Between which angles of the turn a joint was read."""
+
+    limb: int
+    angles_deg: tuple[tuple[float, float], ...]
+
+
+class Seen(Value):
+    """Where joints with a periodic error were read, and how near to that the error is still known."""
+
+    within_deg: float
+    joints: tuple[SeenJoint, ...]
+
+
+class Geometry(Value):
+    """The calibration beside a diagnosis that found nothing else, to be compared with other sessions."""
+
+    robot: RobotFile
+    parameters: tuple[Parameter, ...]
+
+
+class Diagnosis(Answer):
+    """Where model and recording differ and which physics was left out: contract, section 4."""
+
+    schema: Literal["deltacal.diagnosis/1"] = "deltacal.diagnosis/1"
+    verdict: Verdict
+    summary: str
+    """One paragraph that a maintenance engineer can act on."""
+    noise: Noise
+    baseline: Baseline
+    location: Location
+    effects: tuple[Effect, ...]
+    final: Final
+    rejected: tuple[Rejected, ...]
+    not_tested: tuple[Missing, ...]
+    next_measurements: tuple[Question, ...]
+    gross_errors: tuple[int, ...]
+    """Lines of the recording."""
+    correction: Correction | None
+    residuals: Residuals
+    sigma_mm: float
+    physics: tuple[TermState, ...]
+    """All that acts, in the order of `effects`; a periodic error of many orders is as many terms."""
+    seen: Seen | None
+    clock: Literal["time_s", "row"]
+    """By what a moment was found: the time, or the row."""
+    instrument: InstrumentState
+    robot: RobotFile
+    """The calibrated machine."""
+    geometry: Geometry | None = None

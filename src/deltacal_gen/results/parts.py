@@ -1,0 +1,97 @@
+"""What several answers have in common: the machine, the instrument, effects, parameters, what is missing."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Any
+
+from deltacal_gen.results.base import Rows, Value, Vector
+
+Table = dict[str, Any]  # of a robot file; which keys it has, the mechanism says: `robot.robot_from_dict` checks them
+
+
+class Source(StrEnum):
+    """Where the noise is known from."""
+
+    REPEATS = "repeats"
+    DECLARED = "declared"
+    RESIDUAL = "residual"
+
+
+class Named(Value):
+    """The head of a robot file."""
+
+    name: str
+    mechanism: str
+
+
+class RobotFile(Value, closed=True):
+    """The tables of a complete robot file [mm, deg]."""
+
+    robot: Named
+    geometry: Table
+    workspace: Table | None = None
+    masses: Table | None = None
+    transmission: Table | None = None
+    joints: Table
+    joint: tuple[Table, ...] | None = None
+    """Of an open chain, from the base."""
+    errors: dict[str, float] | None = None
+    """Actual minus [geometry], by the names of the mechanism's parameters."""
+    tolerance: dict[str, float] | None = None
+
+
+class TermState(Value):
+    """An effect with its coefficients, in internal units (mm, rad, N, s, K): what predictions are made of."""
+
+    effect: str
+    limbs: tuple[int, ...]
+    constants: tuple[float, ...]
+    values: Rows
+    tools: tuple[Vector, ...]
+
+
+class InstrumentState(Value):
+    """The instrument as the fit found it, in internal units (mm, rad): one row of unknowns per set-up."""
+
+    kind: str
+    state: Rows
+    free: tuple[int, ...]
+    scale: float = 1.0
+    home: Vector = (0.0, 0.0, 0.0)
+    ties: tuple[tuple[int, int, float], ...] = ()
+    setups: tuple[str, ...]
+    """Names of the set-ups, in the order of the rows."""
+    zero: str
+
+
+class MachineState(Value):
+    """A machine with what acts on it and the instrument that saw it."""
+
+    robot: RobotFile
+    physics: tuple[TermState, ...]
+    instrument: InstrumentState
+
+
+class Missing(Value):
+    """An effect that cannot be used, and what a recording would have to hold for it, in words."""
+
+    name: str
+    missing: str
+
+
+class NeverSeen(Value):
+    """A joint that stands at angles where the readings of a diagnosis never were."""
+
+    limb: int
+    readings: int
+    """How many stand there."""
+    angles_deg: tuple[tuple[float, float], ...]
+    """Where, within the turn."""
+
+
+class EffectName(Value):
+    """An effect and where it sits."""
+
+    name: str
+    limbs: tuple[int, ...]

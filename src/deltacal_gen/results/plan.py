@@ -1,0 +1,72 @@
+"""PLAN.json of `plan`."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from deltacal_gen.results.base import Answer, Value
+
+
+class PlannedPose(Value):
+    """A pose to be measured; its joints under the key of their unit."""
+
+    target_mm: tuple[float, ...]
+    tool_mm: tuple[float, ...]
+    joints_deg: tuple[float, ...] | None = None
+    joints_mm: tuple[float, ...] | None = None
+    joints: tuple[float, ...] | None = None
+    """Of a machine that has joints of both kinds: deg and mm."""
+
+
+class Deviation(Value):
+    """What noise will leave of a parameter."""
+
+    name: str
+    std: float
+    unit: str
+
+
+class Expected(Value):
+    """What noise will leave, by unweighted least squares."""
+
+    sigma_mm: float
+    parameters: tuple[Deviation, ...]
+    tool_mean_mm: float
+    tool_max_mm: float
+
+
+class Plan(Answer):
+    """Measuring poses and how they were chosen. Figures stand set by set; null stands for what is infinite."""
+
+    schema: Literal["deltacal.plan/1"] = "deltacal.plan/1"
+    robot: str
+    mechanism: str
+    model: str
+    parameters: tuple[str, ...]
+    dropped: tuple[str, ...]
+    """Parameters that no poses tell from the others."""
+    method: Literal["rings", "edges", "joints", "singular", "d-optimal"]
+    conventions: str
+    kind: str
+    scaling: str
+    norm: str
+    tools_mm: tuple[tuple[float, ...], ...]
+    layers: tuple[float, ...]
+    start_angle_deg: float
+    threshold: float
+    n: tuple[int, ...]
+    pose_count: tuple[int, ...]
+    readings: tuple[int, ...]
+    rank: tuple[int, ...]
+    condition: tuple[float | None, ...]
+    corrected: tuple[float | None, ...]
+    change: tuple[float | None, ...]
+    O1: tuple[float, ...]
+    O2: tuple[float, ...]
+    O3: tuple[float, ...]
+    O4: tuple[float, ...]
+    O5: tuple[float, ...]
+    chosen: int | None
+    settled: int | None
+    poses: tuple[PlannedPose, ...]
+    prediction: Expected | None

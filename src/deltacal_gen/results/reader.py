@@ -1,0 +1,162 @@
+"""Files that commands wrote, read back: the one door by which an answer comes in from outside."""
+
+from __future__ import annotations
+
+import functools
+import importlib
+import json
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.results.base import Answer, key_of, plain
+
+if TYPE_CHECKING:
+    from deltacal_gen.results.diagnosis import Diagnosis
+    from deltacal_gen.results.result import Result
+
+ANSWERS = {  # what `schema` says, and the type of it: module and class
+    "deltacal.batch/1": ("batch", "Batch"),
+    "deltacal.comparison/1": ("comparison", "Comparison"),
+    "deltacal.demo/2": ("demo", "Demo"),
+    "deltacal.derivation/1": ("written", "Derivation"),
+    "deltacal.diagnosis/1": ("diagnosis", "Diagnosis"),
+    "deltacal.import/1": ("written", "Imported"),
+    "deltacal.joints/1": ("written", "Joints"),
+    "deltacal.matrix/1": ("written", "Matrix"),
+    "deltacal.plan/1": ("plan", "Plan"),
+    "deltacal.prediction/1": ("written", "Predicted"),
+    "deltacal.result/1": ("result", "Result"),
+    "deltacal.simulation/1": ("written", "Simulated"),
+    "deltacal.study/1": ("study", "Study"),
+    "deltacal.validation/1": ("validation", "Validation"),
+}
+FITTED = ("deltacal.result/1", "deltacal.diagnosis/1")
+COMMANDS = {  # that write the files which other commands read
+    "deltacal.result/1": "identify",
+    "deltacal.diagnosis/1": "diagnose",
+}
+MOST_SHOWN = 60  # letters of a value that cannot be used
+
+
+def type_of(schema: str) -> type[Answer]:
+    """Return the type of the answers with a `schema`."""
+    module, name = ANSWERS[schema]
+    found: type[Answer] = getattr(importlib.import_module(f"deltacal_gen.results.{module}"), name)
+    return found
+
+
+@functools.cache
+def checker(schema: str) -> Any:
+    """Return what reads and checks answers with a `schema`: pydantic's adapter of their type."""
+    from pydantic import TypeAdapter
+
+    return TypeAdapter(type_of(schema))
+
+
+def read_result(source: str | Path | Mapping[str, Any]) -> Result | Diagnosis:
+    """Return what `identify` or `diagnose` found, from its file, its JSON or as it is.
+
+    Parameters
+    ----------
+    source : path or mapping
+        RESULT.json or DIAGNOSIS.json, or the same as a dictionary or an answer.
+
+    Raises
+    ------
+    InputError
+        It cannot be read, is something else, or is damaged: the message names file, line, key and what was expected.
+    """
+    return read_answer(source, FITTED)  # type: ignore[return-value]
+
+
+def read_answer(
+    source: str | Path | Mapping[str, Any], schemas: tuple[str, ...] = (*ANSWERS,), kind: str = ""
+) -> Answer:
+    """Return the answer that a file or a mapping holds, if it is one of some schemas; see `read_result`.
+
+    Parameters
+    ----------
+    schemas : tuple of str
+        What `schema` may say.
+    kind : str
+        How to call them in a message; default by the commands that write them.
+    """
+    writers = " or ".join(COMMANDS[s] for s in schemas if s in COMMANDS)
+    kind = kind or (f"result of {writers}" if writers and set(schemas) <= COMMANDS.keys() else "answer of deltacal")
+    if isinstance(source, Answer):
+        if source.to_dict()["schema"] not in schemas:
+            raise _Refused(kind, "", writers, None).error()
+        return source
+    file = None if isinstance(source, Mapping) else Path(source)
+    text = json.dumps(plain(source)) if file is None else _text(file)
+    refused = _Refused(kind, text, writers, file)
+    try:
+        data = json.loads(text)
+    except json.JSONDecodeError as error:
+        raise InputError(f"this is not JSON: {error.msg}.", refused.remedy, file=file, line=error.lineno) from None
+    schema = data.get("schema") if isinstance(data, dict) else None
+    if schema not in schemas:
+        raise refused.error(schema, schemas)
+    return _checked(str(schema), text, refused)
+
+
+def _text(file: Path) -> str:
+    try:
+        return file.read_text(encoding="utf-8-sig")
+    except FileNotFoundError:
+        raise InputError("there is no such file.", "Check the path.", file=file) from None
+    except UnicodeDecodeError:
+        raise InputError("this is not text.", "Save it as UTF-8.", file=file) from None
+    except OSError as error:
+        raise InputError(f"cannot be read: {error.strerror}.", "Look at the file.", file=file) from None
+
+
+def _checked(schema: str, text: str, refused: _Refused) -> Answer:
+    from pydantic import ValidationError
+
+    try:
+        found: Answer = checker(schema).validate_json(text)
+    except ValidationError as error:
+        raise refused.flaw(error.errors(include_url=False)[0]) from None
+    return found
+
+
+class _Refused:
+    """How a file is refused: where it is wrong, in words, and what to do."""
+
+    def __init__(self, kind: str, text: str, writers: str, file: Path | None) -> None:
+        self.kind, self.text, self.file = kind, text, file
+        self.remedy = f"Give the file that {writers} wrote." if writers else "Give a file that deltacal wrote."
+
+    def error(self, schema: object = None, known: tuple[str, ...] = ()) -> InputError:
+        """Return the error of a file that says to be something else."""
+        family = str(schema).partition("/")[0]
+        mine = next((s for s in known if s.partition("/")[0] == family), None)
+        if mine is None:
+            return InputError(f"this is no {self.kind}.", self.remedy, file=self.file)
+        again = f"Run {COMMANDS[mine]} again" if mine in COMMANDS else "Make it again"
+        return InputError(
+            f"it was written by another version: its schema is {schema}, and this version reads {mine}.",
+            f"{again} with this version, or use the version that wrote it.",
+            file=self.file,
+        )
+
+    def flaw(self, found: Mapping[str, Any]) -> InputError:
+        """Return the error of a file that is damaged."""
+        steps = [s for s in found["loc"] if not isinstance(s, str) or s == key_of(s)]
+        path = "".join(f"[{s}]" if isinstance(s, int) else f".{s}" for s in steps).removeprefix(".")
+        if found["type"] == "missing":
+            words = f"'{path}' is missing."
+        else:
+            value = json.dumps(found["input"], default=str)
+            shown = value if len(value) <= MOST_SHOWN else value[: MOST_SHOWN - 3] + "..."
+            words = f"'{path}' is {shown}: {found['msg'][:1].lower()}{found['msg'][1:]}."
+        return InputError(f"this is no {self.kind}: {words}", self.remedy, file=self.file, line=self._line(steps))
+
+    def _line(self, steps: list[Any]) -> int | None:
+        """Return the line of a key of the file as it is written: a line to each."""
+        at = re.search(rf"^ {re.escape(json.dumps(steps[0]))}:", self.text, re.MULTILINE) if steps else None
+        return None if at is None else self.text.count("\n", 0, at.start()) + 1

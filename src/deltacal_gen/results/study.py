@@ -1,0 +1,119 @@
+"""STUDY.json of `study`."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from deltacal_gen.results.base import Answer, Counts, Numbers, Value
+from deltacal_gen.results.parts import EffectName, Missing, RobotFile
+
+
+class StudyParameter(Value):
+    """How well a parameter is found, in its own unit."""
+
+    name: str
+    unit: str
+    drawn_std: float
+    std: float
+    """Of estimate minus truth."""
+    bias: float
+    predicted_std: float
+    """What the linear problem expects of `std`."""
+    stated_std: float
+    """What a calibration will say."""
+
+
+class Histogram(Value):
+    """How many machines lie between the edges."""
+
+    edges_mm: Numbers
+    count: Counts
+
+
+class Spread(Value):
+    """Position errors of all machines; of each its root mean square over the workspace, and its largest."""
+
+    rms_mm: float
+    median_mm: float
+    p95_mm: float
+    worst_median_mm: float
+    worst_p95_mm: float
+    histogram: Histogram
+    predicted_rms_mm: float | None = None
+
+
+class Position(Value):
+    """The position over the workspace, as built and calibrated."""
+
+    aligned: bool
+    """Whether a motion of the map as a whole is taken off."""
+    points: int
+    before: Spread
+    after: Spread
+
+
+class Suspect(Value):
+    """How often effects that were concealed were named."""
+
+    effects: tuple[EffectName, ...]
+    """None: nothing was concealed."""
+    recordings: int
+    named_right: int
+    named_among_equals: int
+    """Named, or named indistinguishable from what was named."""
+    chance: float | None
+    interval: tuple[float, float]
+    """That holds the chance with 95 %."""
+    instead: dict[str, int]
+    before_mm: float | None
+    after_mm: float | None
+    next: tuple[str, ...]
+    failed: tuple[str, ...]
+
+
+class Times(Value):
+    """What so many times the plan's readings leave."""
+
+    times: float
+    rms_mm: float
+
+
+class Addition(Value):
+    """What a further measurement leaves."""
+
+    add: str
+    rms_mm: float
+    gain: float
+    """Part of the error that it takes off."""
+
+
+class Advice(Value):
+    """What more measuring would bring, by the linear problem."""
+
+    rms_mm: float
+    enough: tuple[Times, ...]
+    doubling: float
+    """Part of the error that twice the readings take off."""
+    worth: bool
+    add: tuple[Addition, ...]
+
+
+class Study(Answer):
+    """What a measuring plan will give."""
+
+    model: str
+    schema: Literal["deltacal.study/1"] = "deltacal.study/1"
+    robot: RobotFile
+    kind: str
+    readings: int
+    poses: int
+    sigma_mm: float
+    machines: int
+    lost: int
+    """Machines that could not be simulated or calibrated."""
+    seed: int
+    parameters: tuple[StudyParameter, ...]
+    position: Position
+    suspects: tuple[Suspect, ...]
+    channels_wanted: tuple[Missing, ...]
+    advice: Advice

@@ -1,0 +1,215 @@
+"""Answers as values: their JSON, their published schemas, and what the reader of files refuses."""
+
+from __future__ import annotations
+
+import copy
+import json
+import pickle
+import shutil
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, get_args
+
+import numpy as np
+import pytest
+
+import deltacal_gen as dc
+from deltacal_gen.demonstration import example
+from deltacal_gen.errors import InputError
+from deltacal_gen.results import published
+from deltacal_gen.results.base import Value, key_of
+from deltacal_gen.results.reader import ANSWERS, read_answer, read_result, type_of
+from deltacal_gen.results.result import Remedy, Result
+from tests.json_schema import committed, flaws
+
+DELTA, GEARBOX = example("delta"), example("gearbox")
+UNITS = ("_mm", "_deg")
+BARE = {  # numbers without a unit: counts, parts of a whole, figures of statistics, what `unit` beside them tells
+    *("rank", "rank_tolerance", "singular_values", "condition", "pins", "of", "determined", "scalars", "poses"),
+    *("parameters", "iterations", "degrees_of_freedom", "chi2_per_dof", "gross_errors", "home_line", "unreachable"),
+    *("readings", "limb", "limbs", "orders", "p_value", "share", "share_of_excess", "gain_chi2", "gain_by_limb"),
+    *("expected_chi2", "line", "n", "pose_count", "corrected", "change", "threshold", "layers", "chosen", "settled"),
+    *("O1", "O2", "O3", "O4", "O5", "machines", "lost", "seed", "points", "count", "recordings", "named_right"),
+    *("named_among_equals", "chance", "interval", "instead", "times", "gain", "doubling", "rows", "columns"),
+    *(
+        "value",
+        "std",
+        "bias",
+        "drawn_std",
+        "predicted_std",
+        "stated_std",
+        "before",
+        "after",
+        "limit_std",
+        "terms",
+        "joints",
+    ),
+    # inside: mm, rad, s, kg, N, as their types say
+    *("state", "free", "scale", "home", "ties", "values", "constants", "tools", "knots", "coefficients", "length"),
+    *("reach", "channels", "errors", "tolerance"),
+}
+
+
+@pytest.fixture(scope="module")
+def answers(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Mapping[str, Any]]:
+    folder = tmp_path_factory.mktemp("answers")
+    fleet = folder / "fleet"
+    shutil.copytree(DELTA, fleet / "good")
+    shutil.copytree(DELTA, fleet / "wrong")
+    (fleet / "wrong" / "recording.csv").write_text("pose,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm\n1,0,0,0,1,2,x\n")
+    result = dc.identify(DELTA / "robot.toml", DELTA / "recording.csv")
+    diagnosis = dc.diagnose(GEARBOX / "robot.toml", GEARBOX / "recording.csv")
+    return {
+        "result": result,
+        "in blocks": dc.identify_blocks(DELTA / "robot.toml", DELTA / "recording.csv"),
+        "held": dc.identify(GEARBOX / "robot.toml", GEARBOX / "recording.csv", physics=diagnosis),
+        "diagnosis": diagnosis,
+        "validation": dc.validate(diagnosis, GEARBOX / "recording.csv"),
+        "comparison": dc.compare(result, result),
+        "plan": dc.plan(DELTA / "robot.toml", "delta/18", sigma_mm=0.01),
+        "study": dc.study(DELTA / "robot.toml", DELTA / "poses.csv", trials=20, noise=0.01, workers=1),
+        "batch": dc.batch(fleet, folder / "run", "identify", workers=1),
+    }
+
+
+KINDS = ("result", "in blocks", "held", "diagnosis", "validation", "comparison", "plan", "study", "batch")
+
+
+def test_the_published_schemas_are_those_of_the_types() -> None:
+    files = {p.name: p.read_text(encoding="utf-8") for p in published.FOLDER.glob("*.json")}
+    assert files == published.published(), "run python -m deltacal_gen.results.published"
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_what_commands_answer_is_as_the_published_schema_says(answers: dict[str, Any], kind: str) -> None:
+    data = json.loads(json.dumps(answers[kind] | {}, allow_nan=False))
+    assert flaws(data, committed(data["schema"])) == []
+    key = next(k for k, v in data.items() if isinstance(v, list) and v)
+    for broken in ({k: v for k, v in data.items() if k != key}, data | {key: "words"}, data | {"schema": "other/1"}):
+        assert flaws(broken, committed(data["schema"])) != []
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_an_answer_read_back_is_the_same(answers: dict[str, Any], kind: str) -> None:
+    data = answers[kind] | {}
+    read = read_answer(json.loads(json.dumps(data)))
+    assert type(read) is type_of(data["schema"])
+    assert json.dumps(read.to_dict()) == json.dumps(data)  # and the keys are in the same order
+    assert json.loads(read.to_json()) == data
+    assert read == data
+    assert dict(read) == data
+    assert {**pickle.loads(pickle.dumps(read))} == data
+    assert read_answer(read) is read
+
+
+def _types() -> dict[str, type[Value]]:
+    found = {name: kind for s in ANSWERS for name, kind in published._kinds(type_of(s)).items()}
+    return {name: kind for name, kind in found.items() if issubclass(kind, Value)}
+
+
+def numeric(hint: Any) -> bool:
+    """Tell whether a field holds numbers, in whatever it holds them."""
+    return hint in (float, int, np.ndarray) or any(map(numeric, get_args(hint)))
+
+
+@pytest.mark.parametrize("name", sorted(_types()))
+def test_every_type_is_described_and_every_number_has_its_unit(name: str) -> None:
+    kind = _types()[name]
+    assert (kind.__doc__ or "").strip()
+    for field, hint in kind.types().items():
+        assert not numeric(hint) or key_of(field) in BARE or key_of(field).endswith(UNITS), field
+
+
+def test_a_value_is_frozen_and_knows_its_fields() -> None:
+    remedy = Remedy(measurement="another point", pins=2, of=4)
+    assert remedy.to_dict() == {"measurement": "another point", "pins": 2, "of": 4}
+    assert remedy.replace(open_mm=0.1).to_dict() == {"measurement": "another point", "pins": 2, "of": 4, "open_mm": 0.1}
+    with pytest.raises(AttributeError, match="frozen"):
+        remedy.pins = 3  # type: ignore[misc]
+    with pytest.raises(AttributeError, match="frozen"):
+        del remedy.pins
+    with pytest.raises(TypeError, match="needs 'of'"):
+        Remedy(measurement="", pins=1)  # type: ignore[call-arg]
+    with pytest.raises(TypeError, match="no field 'off'"):
+        remedy.replace(off=1)
+    assert remedy == copy.deepcopy(remedy) != remedy.replace(pins=1)
+
+
+def test_a_blank_cell_is_null(answers: dict[str, Any]) -> None:
+    found = read_result(answers["diagnosis"] | {})
+    residuals = found.residuals  # type: ignore[union-attr]
+    name, values = next(iter(residuals.channels.items()))
+    blank = residuals.replace(channels={name: np.where(np.arange(len(values)) == 1, np.nan, values)})
+    assert blank.to_dict()["channels"][name][:2] == [values[0], None]
+
+
+# ------------------------------------------------------------------------------------------------ what is refused
+
+
+def changed(data: Any, path: tuple[Any, ...], value: Any) -> Any:
+    """Return data with another value at a place; without a value the key is gone."""
+    data = copy.deepcopy(data)
+    part = data
+    for step in path[:-1]:
+        part = part[step]
+    if value is None:
+        del part[path[-1]]
+    else:
+        part[path[-1]] = value
+    return data
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "words"),
+    [
+        (("schema",), None, "this is no result of identify or diagnose"),
+        (("schema",), "deltacal.plan/1", "this is no result of identify or diagnose"),
+        (("schema",), "deltacal.result/2", "its schema is deltacal.result/2, and this version reads deltacal.result/1"),
+        (("schema",), "deltacal.result/2", "Run identify again with this version"),
+        (("robot",), None, "'robot' is missing"),
+        (("parameters", 3, "value"), None, r"'parameters\[3\].value' is missing"),
+        (("parameters", 3, "value"), "0.1", r"'parameters\[3\].value' is \"0.1\": input should be a valid number"),
+        (("parameters", 3, "status"), "guessed", r"'parameters\[3\].status' is \"guessed\": input should be 'identif"),
+        (("sigma_mm",), float("nan"), "'sigma_mm' is NaN: input should be a finite number"),
+        (("instrument", "state", 0), [1.0, 2.0], "the rows are not equally long"),
+        (("instrument", "home"), [1.0, 2.0], r"'instrument.home\[2\]' is missing"),
+        (("robot", "masess"), {}, "'robot.masess' is .*not permitted"),
+    ],
+)
+def test_what_is_damaged_is_said_with_file_line_and_key(
+    answers: dict[str, Any], tmp_path: Path, path: tuple[Any, ...], value: Any, words: str
+) -> None:
+    data = answers["result"] | {}
+    data["instrument"]["state"] *= 2
+    broken = changed(data, path, value)
+    lines = (f" {json.dumps(k)}: {json.dumps(v)}" for k, v in broken.items())
+    (tmp_path / "result.json").write_text("{\n" + ",\n".join(lines) + "\n}\n")
+    for given in (broken, tmp_path / "result.json"):
+        with pytest.raises(InputError, match=words) as refused:
+            read_result(given)
+    assert refused.value.file == tmp_path / "result.json"
+    if path[0] not in ("schema", "robot") or len(path) > 1:
+        assert refused.value.line == list(broken).index(path[0]) + 2
+    assert "identify" in refused.value.remedy
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (b'{\n"schema": "deltacal.result/1",\n', "result.json, line 3: this is not JSON"),
+        (b"[1, 2]", "no result of identify or diagnose"),
+        (b"\xff\xfe\x00", "this is not text"),
+        (None, "there is no such file"),
+    ],
+)
+def test_what_is_no_json_is_said(tmp_path: Path, content: bytes | None, words: str) -> None:
+    if content is not None:
+        (tmp_path / "result.json").write_bytes(content)
+    with pytest.raises(InputError, match=words):
+        read_result(tmp_path / "result.json")
+
+
+def test_a_key_of_a_later_version_is_no_error(answers: dict[str, Any]) -> None:
+    found = read_result(answers["result"] | {"motion": {"cutoff_Hz": 20.0}})
+    assert isinstance(found, Result)
+    assert found == answers["result"]
