@@ -1,26 +1,32 @@
-"""``python -m derive [--check]``: derive all kernels and write them, or compare them with what is committed."""
+"""``python -m derive [NAME ...] [--check]``: derive kernels and write them, or compare them with what is committed."""
 
 from __future__ import annotations
 
 import argparse
 import sys
 
-from derive.emit import COMMAND, GENERATED, committed, differences, render, write
+from derive.compiler import COMMAND, GENERATED, committed, differences, render, write
 
 
 def main() -> int:
-    """Run the build step; return 0, or 1 when `--check` finds a difference."""
+    """Run the build step; return 0, or 1 when `--check` finds a difference, 2 where a name is unknown."""
     parser = argparse.ArgumentParser(prog="python -m derive", description=__doc__)
+    parser.add_argument("names", nargs="*", metavar="NAME", help="of mechanisms, effects, measurements; default: all")
     parser.add_argument("--check", action="store_true", help="write nothing; fail if the committed kernels differ")
     arguments = parser.parse_args()
-    fresh = render()
+    try:
+        fresh = render(arguments.names)
+    except ValueError as error:
+        print(error, file=sys.stderr)
+        return 2
+    old = committed(arguments.names)
     if not arguments.check:
-        touched = write(fresh)
+        touched = write(fresh, old)
         print(f"{len(fresh)} files derived, {len(touched)} changed in {GENERATED.name}/")
         for path in touched:
             print(f"  {path}")
         return 0
-    found = differences(fresh, committed())
+    found = differences(fresh, old)
     for diff in found:
         print(diff)
     if found:

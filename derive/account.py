@@ -22,10 +22,11 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 import derive.effects
-from derive import blocks, closed_form, emit, notation, statics, unseen, vectors
+from derive import blocks, closed_form, notation, statics, unseen, vectors
 from derive import typeset as ts
 from derive.drawing import drawing
 from derive.graph import Graph
+from derive.mathematics.effects import states
 from derive.spec import ChainMechanism, Effect, EffectQuantity, LimbMechanism, Measurement, Quantity
 from derive.steps import Derivation
 from derive.typeset import Math
@@ -931,7 +932,7 @@ def weights_of_links() -> list[dict[str, Any]]:
 
 def effect(spec: Effect, module: ModuleType) -> dict[str, Any]:
     """Return the account of an effect: what it reads, moves, and its columns."""
-    states, _ = emit.effect(spec)
+    read = states(spec)
     lines = Lines(spec.source)
     d = ts.op("∂")
 
@@ -972,9 +973,9 @@ def effect(spec: Effect, module: ModuleType) -> dict[str, Any]:
         "advice": spec.advice,
         "coefficients": [row(q) for q in spec.coefficients],
         "constants": [row(q) for q in spec.constants],
-        "states": [row(q) for q in states],
+        "states": [row(q) for q in read],
         "targets": targets,
-        "chain": reaches(set(spec.targets), {s.name for s in states}),
+        "chain": reaches(set(spec.targets), {s.name for s in read}),
     }
 
 

@@ -19,9 +19,10 @@ from dataclasses import dataclass
 import sympy as sp
 
 from derive import closed_form
+from derive.backends.ir import Place
 from derive.first_order import first_order, vanishing
 from derive.graph import Graph, Steps
-from derive.lower import Kernel, Lowering
+from derive.mathematics.functions import Functions, Inputs, entries
 from derive.spec import LimbMechanism
 from derive.vectors import cayley, skew
 
@@ -32,10 +33,13 @@ FAR = "; how far the equations are from dependent"
 
 @dataclass(frozen=True)
 class Blocks:
-    """Kernels over lanes, by name, and where their quantities stand.
+    """Functions over lanes, and where their quantities stand.
 
     Attributes
     ----------
+    functions : tuple of Functions
+        Of the system of all limbs; those of a limb are among the machine's other functions, with which they share what
+        no pose changes.
     limb : mapping
         Name of a group of lane arrays to its first one, in the region of a limb.
     shared : mapping
@@ -52,7 +56,7 @@ class Blocks:
         Whether the rows of a limb are mean and half the difference of two closures.
     """
 
-    kernels: Mapping[str, Kernel]
+    functions: tuple[Functions, ...]
     limb: Mapping[str, int]
     shared: Mapping[str, int]
     stride: int
@@ -221,24 +225,24 @@ class _Region:
         return self.at[name]
 
 
-def lane(slot: int) -> str:
-    """Return the text of a lane array's entry."""
-    return f"w[{slot * LANES} + lane]"
+def lane(slot: int) -> Place:
+    """Return the place of a lane array's entry."""
+    return Place("w", slot * LANES, lane=True)
 
 
-def _lanes(symbols: Iterable[sp.Symbol], start: int) -> dict[sp.Symbol, str]:
+def _lanes(symbols: Iterable[sp.Symbol], start: int) -> dict[sp.Symbol, Place]:
     return {s: lane(start + j) for j, s in enumerate(symbols)}
 
 
-def blocks(mechanism: LimbMechanism, seed: str, seeds: Sequence[sp.Expr], lowering: Lowering, graph: Graph) -> Blocks:
-    """Lower a mechanism to kernels over lanes.
+def blocks(mechanism: LimbMechanism, seed: str, seeds: Sequence[sp.Expr], functions: Functions) -> Blocks:
+    """Add a mechanism's functions over lanes.
 
     Parameters
     ----------
     seed : str
         What `seeds` mean: what the forward position starts from.
-    lowering, graph
-        Of the mechanism's other kernels, with which these share what no pose changes.
+    functions : Functions
+        The mechanism's other ones, to which those of a limb are added.
 
     Raises
     ------
@@ -247,6 +251,7 @@ def blocks(mechanism: LimbMechanism, seed: str, seeds: Sequence[sp.Expr], loweri
     """
     if not supported(mechanism):
         raise ValueError(f"{mechanism.name}: its equations do not fall into blocks of at most three.")
+    graph = functions.graph
     limbs, rods = mechanism.limbs, len(mechanism.loop_closure)
     n_x, paired = len(mechanism.platform), rods == 2
     platform = [quantity.symbol for quantity in mechanism.platform]
@@ -282,29 +287,23 @@ def blocks(mechanism: LimbMechanism, seed: str, seeds: Sequence[sp.Expr], loweri
     region.take("start", len(starts))
     further = region.take("more", len(more))
     region.take("errors", rods * len(varied))
-    plain = lowering.over(inputs)
-    kernels = {
-        "early": plain.kernel("early", f"what moves with a joint only; then {seed}", [*early, *seeds], dense=True),
-        "more": plain.kernel("more", "what else derivatives by joint and errors read of it", more, dense=True),
-        "start": plain.kernel("start", "joint of the simplified limb at a given position", starts, dense=True),
-    }
-    with_early = lowering.over(inputs | _lanes(early, kept) | _lanes(more, further))
-    kernels["rows"] = with_early.kernel(
-        "rows", "equations of a limb, their derivatives by shift and turn of the platform", newton, dense=True
-    )
-    kernels["joints"] = with_early.kernel(
-        "joints", "derivatives of a limb's equations by its joint", joints, dense=True
-    )
-    kernels["errors"] = with_early.kernel(
-        "errors", "derivatives of a limb's equations by errors, by deflections", errors, dense=True
-    )
+    with_early = inputs | _lanes(early, kept) | _lanes(more, further)
+    for name, meaning, outputs, given in (
+        ("early", f"what moves with a joint only; then {seed}", [*early, *seeds], inputs),
+        ("more", "what else derivatives by joint and errors read of it", more, inputs),
+        ("start", "joint of the simplified limb at a given position", starts, inputs),
+        ("rows", "equations of a limb, their derivatives by shift and turn of the platform", newton, with_early),
+        ("joints", "derivatives of a limb's equations by its joint", joints, with_early),
+        ("errors", "derivatives of a limb's equations by errors, by deflections", errors, with_early),
+    ):
+        functions.add(name, meaning, outputs, dense=True, inputs=given)
 
     stride = region.next
     common = _Region(limbs * stride)
     order = tuple(tuple(j * limbs + i if paired else rods * i + j for j in range(rods)) for i in range(limbs))
     solved = _System(mechanism, region.at, stride, order, paired, common)
     return Blocks(
-        kernels=kernels | solved.kernels,
+        functions=tuple(solved.functions),
         limb=region.at,
         shared=common.at,
         stride=stride,
@@ -318,9 +317,7 @@ def blocks(mechanism: LimbMechanism, seed: str, seeds: Sequence[sp.Expr], loweri
     )
 
 
-def _early(
-    graph: Graph, wanted: Sequence[sp.Expr], late: set[sp.Symbol], inputs: Mapping[sp.Symbol, str]
-) -> list[sp.Symbol]:
+def _early(graph: Graph, wanted: Sequence[sp.Expr], late: set[sp.Symbol], inputs: Inputs) -> list[sp.Symbol]:
     """Return the nodes that do not move with the platform and that `wanted`, or nodes that do, are made of."""
     nodes = graph.needed(wanted, known=inputs)
     moving = set(late)
@@ -337,7 +334,7 @@ def _early(
 
 @dataclass(frozen=True)
 class Nominal:
-    """Kernels of the nominal machine's sensitivity, by name.
+    """Functions of the nominal machine's sensitivity.
 
     Attributes
     ----------
@@ -347,7 +344,7 @@ class Nominal:
         By equation, where in scratch each column of the sensitivity, limb by limb, has what is multiplied and summed.
     """
 
-    kernels: Mapping[str, Kernel]
+    functions: tuple[Functions, ...]
     errors: int
     positions: int
     runs: tuple[tuple[int, int, tuple[int, ...]], ...]
@@ -356,9 +353,9 @@ class Nominal:
 
 
 def nominal(mechanism: LimbMechanism, layout: Blocks) -> Nominal | None:
-    """Lower the sensitivity of the nominal machine's position by its errors, in the places of the exact one.
+    """Return the sensitivity of the nominal machine's position by its errors, in the places of the exact one.
 
-    Rods of a pair are parallel then, which leaves most derivatives of their difference zero. Kernels: `nominal` (a
+    Rods of a pair are parallel then, which leaves most derivatives of their difference zero. Functions: `nominal` (a
     limb's equations by platform and errors; those stored are the ones that do not vanish), `nominal_inverse`,
     `nominal_constants`. None where the closed-form positions turn the platform.
     """
@@ -376,11 +373,11 @@ def nominal(mechanism: LimbMechanism, layout: Blocks) -> Nominal | None:
     inputs = _lanes([mechanism.joint.symbol], layout.limb["q"])
     inputs |= _lanes([quantity.symbol for quantity in mechanism.tool], layout.limb["tool"])
     inputs |= _lanes(platform[: mechanism.commanded], layout.limb["x"])
-    parameters = {quantity.symbol: f"p[{j}]" for j, quantity in enumerate(mechanism.limb_parameters)}
-    lowering = Lowering(Graph(steps, invariant=parameters), parameters, inputs)
+    parameters = entries("p", [quantity.symbol for quantity in mechanism.limb_parameters])
+    functions = Functions(Graph(steps, invariant=parameters), parameters, inputs)
     start, width = layout.limb["rows"], len(mechanism.varied)
     places: dict[int, sp.Expr] = {}
-    read: dict[sp.Symbol, str] = {}
+    read: dict[sp.Symbol, Place] = {}
     J = sp.zeros(f, n_x)
     changed = [tuple(j for j in range(rods) if rates[s][j] != 0) for s in errors]
     most = max(map(len, changed))
@@ -408,16 +405,15 @@ def nominal(mechanism: LimbMechanism, layout: Blocks) -> Nominal | None:
         lower = _named(solved, "V", -Si * J[a:, :a] * G)
         block = sp.Matrix.hstack(U * lower - G, U * Si)
         checks.append(far)
-    kernels = [
-        lowering.kernel("nominal", "equations of a nominal limb by platform and errors", outputs),
-        Lowering(Graph(solved), {}, read).kernel(
-            "nominal_inverse",
-            f"minus the inverse of the derivatives, its rows of the position{FAR}",
-            [*block, *checks],
-            dense=True,
-        ),
-        lowering.constants("nominal_constants", "what `nominal_sensitivity` reads that no pose changes"),
-    ]
+    functions.add("nominal", "equations of a nominal limb by platform and errors", outputs)
+    functions.constants("nominal_constants", "what `nominal_sensitivity` reads that no pose changes")
+    inverse = Functions(Graph(solved), {}, read)
+    inverse.add(
+        "nominal_inverse",
+        f"minus the inverse of the derivatives, its rows of the position{FAR}",
+        [*block, *checks],
+        dense=True,
+    )
     first = [e for e in range(len(errors)) if e == 0 or felt[e] != felt[e - 1]]
     runs = tuple((e, end, felt[e]) for e, end in zip(first, [*first[1:], len(errors)], strict=True))
     columns = [(i, e) for i in range(limbs) for e in range(len(errors))]
@@ -426,7 +422,7 @@ def nominal(mechanism: LimbMechanism, layout: Blocks) -> Nominal | None:
         [i * layout.stride + layout.limb["errors"] + felt[e][j] * width + e for i, e in columns] for j in range(most)
     ]
     factors, values = (tuple(tuple(LANES * place for place in places) for places in both) for both in (rows, own))
-    return Nominal({kernel.name: kernel for kernel in kernels}, len(errors), block.rows, runs, factors, values)
+    return Nominal((functions, inverse), len(errors), block.rows, runs, factors, values)
 
 
 class _System:
@@ -444,9 +440,9 @@ class _System:
         limbs, rods = mechanism.limbs, len(mechanism.loop_closure)
         n_x, f = len(mechanism.platform), mechanism.limbs * len(mechanism.loop_closure)
         a = limbs if paired else f  # equations, and coordinates, of the first block
-        self.kernels: dict[str, Kernel] = {}
+        self.functions: list[Functions] = []
         F, J, J_q = sp.zeros(f, 1), sp.zeros(f, n_x), sp.zeros(f, 1)
-        read: dict[sp.Symbol, str] = {}
+        read: dict[sp.Symbol, Place] = {}
         for i in range(limbs):
             for j in range(rods):
                 names = sp.symbols([f"F{i}{j}", *(f"J{i}{j}_{c}" for c in range(n_x)), f"Q{i}{j}"], real=True)
@@ -469,14 +465,14 @@ class _System:
             checks.append(det**2 - REGULAR**2 * sp.Mul(*(J[r, a:].dot(J[r, a:]) for r in range(a, f))))
             turned = _named(steps, "w", Si * (F[a:, :] - J[a:, :a] * first))
             moved = first - U * turned
-            self._lower("step", f"Newton's step of the platform{FAR}", steps, read, [*moved, *turned, *checks])
+            self._add("step", f"Newton's step of the platform{FAR}", steps, read, [*moved, *turned, *checks])
             lower = _named(steps, "V", -Si * J[a:, :a] * G)
             block = sp.Matrix.vstack(sp.Matrix.hstack(U * lower - G, U * Si), sp.Matrix.hstack(-lower, -Si))
         else:
-            self._lower("step", f"Newton's step of the platform{FAR}", steps, read, [*first, *checks])
+            self._add("step", f"Newton's step of the platform{FAR}", steps, read, [*first, *checks])
             block = -G
         common.take("inverse", n_x * f + len(checks))
-        self._lower("inverse", f"minus the inverse of the derivatives, row by row{FAR}", steps, read, [*block, *checks])
+        self._add("inverse", f"minus the inverse of the derivatives, row by row{FAR}", steps, read, [*block, *checks])
         self._command(mechanism, F, J, J_q, read, common, paired)
         self._move(mechanism, limb, step, common)
 
@@ -486,27 +482,27 @@ class _System:
         F: sp.Matrix,
         J: sp.Matrix,
         J_q: sp.Matrix,
-        read: Mapping[sp.Symbol, str],
+        read: Inputs,
         common: _Region,
         paired: bool,
     ) -> None:
-        """Lower Newton's step of an inverse position."""
+        """Add Newton's step of an inverse position."""
         common.take("change", len(mechanism.platform))
         steps, outputs = held(F, J, J_q, mechanism.limbs, mechanism.commanded, paired)
         if len(mechanism.loop_closure) <= 2:
             outputs += [felt(J_q[i], J[i, : mechanism.commanded]) for i in range(mechanism.limbs)]
         self.held = len(outputs) - len(mechanism.platform)
         common.take("held", self.held)
-        self._lower("command", f"Newton's step of joints and rotation{FAR}", steps, read, outputs)
+        self._add("command", f"Newton's step of joints and rotation{FAR}", steps, read, outputs)
 
     def _move(self, mechanism: LimbMechanism, limb: Mapping[str, int], step: int, common: _Region) -> None:
-        """Lower the step's effect on the platform: x as it is or less the step, and its rotation matrix."""
+        """Add the step's effect on the platform: x as it is or less the step, and its rotation matrix."""
         platform = [quantity.symbol for quantity in mechanism.platform]
         y = sp.symbols([f"y{j}" for j in range(len(platform))], real=True)
         going = sp.Symbol("going", real=True)
         read = _lanes(platform, limb["x"]) | _lanes(y, step) | _lanes([going], common.at["going"])
         steps, outputs = motion(mechanism, [going * s for s in y])
-        self._lower(
+        self._add(
             "move",
             "the platform after a step, and its rotation matrix",
             steps,
@@ -514,8 +510,7 @@ class _System:
             outputs,
         )
 
-    def _lower(
-        self, name: str, meaning: str, steps: Steps, read: Mapping[sp.Symbol, str], outputs: Sequence[sp.Expr]
-    ) -> None:
-        graph = Graph(steps)
-        self.kernels[name] = Lowering(graph, {}, read).kernel(name, meaning, outputs, dense=True)
+    def _add(self, name: str, meaning: str, steps: Steps, read: Inputs, outputs: Sequence[sp.Expr]) -> None:
+        functions = Functions(Graph(steps), {}, read)
+        functions.add(name, meaning, outputs, dense=True)
+        self.functions.append(functions)

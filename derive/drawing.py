@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from derive.printer import python
+from derive.backends import scalar
 from derive.spec import LimbMechanism
 from derive.written import Form, Named, Product, Sum, exactly
 
@@ -202,7 +202,7 @@ def _dependent(written: Written, on: set[sp.Symbol]) -> set[str]:
 
 def _evaluator(exact: LimbMechanism) -> Callable[[Mapping[str, float]], dict[str, float]]:
     """Return what evaluates all steps at numbers."""
-    lines = "\n".join(f"{s} = {python(e)}" for s, e in exact.steps)
+    lines = "\n".join(f"{s} = {scalar.PRINTER.expression(e)}" for s, e in exact.steps)
     code = compile(lines, exact.source, "exec")
 
     def values(inputs: Mapping[str, float]) -> dict[str, float]:

@@ -12,10 +12,10 @@ from functools import cache
 
 import sympy as sp
 
+from derive.backends.ir import Place
 from derive.closed_form import inverse_joint, uncommanded
 from derive.graph import Graph, Steps, expand_steps
-from derive.lower import Kernel, Lowering, Text
-from derive.printer import python
+from derive.mathematics.functions import Functions, entries
 from derive.spec import LimbMechanism
 
 
@@ -70,8 +70,8 @@ def vanishing(expr: sp.Expr, steps: Steps) -> sp.Expr:
     return sp.Integer(0) if expr != 0 and sp.expand(expand_steps(expr, steps)) == 0 else expr
 
 
-def linear(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kernel]:
-    """Lower the first-order machine to kernels, by name: `linear`, `nominal_joint`, `linear_constants`.
+def linear(mechanism: LimbMechanism) -> Functions:
+    """Return the first-order machine: `linear`, `nominal_joint`, `linear_constants`.
 
     `linear` has the layout of `newton`: per rod the closure's change by all errors, its derivatives by the platform
     (those by the position, which a compensator holds, are left out) and by the joint. All read the rows of parameters
@@ -80,12 +80,10 @@ def linear(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kernel]:
     platform = [quantity.symbol for quantity in mechanism.platform]
     joint = mechanism.joint.symbol
     errors = [quantity.symbol for quantity in mechanism.varied]
-    inputs = {s: f"x[{j}]" for j, s in enumerate(platform)}
-    inputs |= {s.symbol: f"tool[{j}]" for j, s in enumerate(mechanism.tool)}
-    inputs |= {joint: "q"}
-    parameters = {s.symbol: f"p[{j}]" for j, s in enumerate(mechanism.limb_parameters)}
+    inputs = entries("x", platform) | entries("tool", [s.symbol for s in mechanism.tool]) | {joint: Place("q")}
+    parameters = entries("p", [s.symbol for s in mechanism.limb_parameters])
     steps, closures = to_all_errors(mechanism)
-    lowering = Lowering(Graph(steps, invariant=parameters), parameters, inputs, text=text)
+    functions = Functions(Graph(steps, invariant=parameters), parameters, inputs)
     rows: list[sp.Expr | None] = []
     for rate in closures:
         rows += [
@@ -95,14 +93,12 @@ def linear(mechanism: LimbMechanism, text: Text = python) -> dict[str, Kernel]:
             rate[str(joint)],
         ]
     joint_at = inverse_joint(mechanism).xreplace(dict.fromkeys(errors, sp.Integer(0)))
-    kernels = [
-        lowering.kernel("nominal_joint", "joint of the nominal limb at a given position", [joint_at]),
-        lowering.kernel(
-            "linear",
-            "per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint",
-            rows,
-            dense=True,
-        ),
-        lowering.constants("linear_constants", "what `linear` reads that no pose changes"),
-    ]
-    return {kernel.name: kernel for kernel in kernels}
+    functions.add("nominal_joint", "joint of the nominal limb at a given position", [joint_at])
+    functions.add(
+        "linear",
+        "per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint",
+        rows,
+        dense=True,
+    )
+    functions.constants("linear_constants", "what `linear` reads that no pose changes")
+    return functions

@@ -12,11 +12,12 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from derive.backends.ir import Kernel, Place
 from derive.blocks import FAR, equations, felt, held, motion, of_rows, rotation_steps
 from derive.closed_form import inverse_joint, start_of_inverse
 from derive.first_order import first_order, to_all_errors, vanishing
 from derive.graph import Graph, collected
-from derive.lower import Kernel, Lowering
+from derive.mathematics.functions import Functions, entries
 from derive.spec import LimbMechanism
 
 UNIT = 4  # places: every group of quantities begins at a multiple
@@ -24,14 +25,14 @@ UNIT = 4  # places: every group of quantities begins at a multiple
 
 @dataclass(frozen=True)
 class Servo:
-    """Kernels of one kind of command, and where their quantities stand in ``w``.
+    """Functions of one kind of command, and where their quantities stand in ``w``.
 
     Attributes
     ----------
-    kernels : mapping
-        By name. `joint`: the joint at the target; `angle`: cosine and sine of a given joint; `rows`: a limb's
+    functions : tuple of Functions
+        `joint`: the joint at the target; `angle`: cosine and sine of a given joint; `rows`: a limb's
         equations; these run for every lane. `solution` of all limbs; `move` of the platform, where its place is solved
-        for; `constants`.
+        for; `constants`, whose number is known when they are lowered.
     at : mapping
         First place of ``x`` (platform, the target first), ``R``, ``tool``, ``sign`` and ``change`` (of joints, then of
         the platform, then how far the equations are from dependent), which stand one after the other; of ``q``,
@@ -44,12 +45,24 @@ class Servo:
         Whether the last of ``change`` says how far the equations of all limbs are from dependent.
     """
 
-    kernels: Mapping[str, Kernel]
+    functions: tuple[Functions, ...]
     at: Mapping[str, int]
     lanes: int
     felt: int
     checked: bool
-    size: int
+
+    def size(self, constants: int) -> int:
+        """Return the length of ``w``, which ends with so many constants of a limb."""
+        return self.at["k"] + _whole(constants * self.lanes)
+
+    def reads_angle(self, kernel: Kernel) -> bool:
+        """Tell whether a kernel reads cosine or sine of the joint."""
+        places = range(self.at["angle"], self.at["angle"] + 2 * self.lanes, self.lanes)
+        return any(load.place.lane and load.place.index in places for load in kernel.loads)
+
+
+def _whole(count: int) -> int:
+    return -(-count // UNIT) * UNIT
 
 
 class _Layout:
@@ -60,13 +73,13 @@ class _Layout:
         self.at: dict[str, int] = {}
 
     def take(self, name: str, count: int) -> None:
-        self.at[name], self.size = self.size, self.size + -(-count // UNIT) * UNIT
+        self.at[name], self.size = self.size, self.size + _whole(count)
 
-    def single(self, name: str, symbols: Sequence[sp.Symbol]) -> dict[sp.Symbol, str]:
-        return {s: f"w[{self.at[name] + j}]" for j, s in enumerate(symbols)}
+    def single(self, name: str, symbols: Sequence[sp.Symbol]) -> dict[sp.Symbol, Place]:
+        return entries("w", symbols, self.at[name])
 
-    def each(self, name: str, symbols: Sequence[sp.Symbol]) -> dict[sp.Symbol, str]:
-        return {s: f"w[{self.at[name] + j * self.lanes} + lane]" for j, s in enumerate(symbols)}
+    def each(self, name: str, symbols: Sequence[sp.Symbol]) -> dict[sp.Symbol, Place]:
+        return {s: Place("w", self.at[name] + j * self.lanes, lane=True) for j, s in enumerate(symbols)}
 
 
 def _layout(mechanism: LimbMechanism, width: int) -> _Layout:
@@ -79,8 +92,10 @@ def _layout(mechanism: LimbMechanism, width: int) -> _Layout:
     return layout
 
 
-def _solution(mechanism: LimbMechanism, layout: _Layout, rows: Sequence[Sequence[sp.Expr]], *, whole: bool) -> Kernel:
-    """Lower the solution of all limbs' equations for joints and, where `whole`, the rest of the platform.
+def _solution(
+    mechanism: LimbMechanism, layout: _Layout, rows: Sequence[Sequence[sp.Expr]], *, whole: bool
+) -> Functions:
+    """Return the solution of all limbs' equations for joints and, where `whole`, the rest of the platform.
 
     `rows` are a limb's equations: the value, its derivatives by the platform's coordinates that no command asks for and
     by the joint; what is zero in it is zero for every limb.
@@ -88,11 +103,11 @@ def _solution(mechanism: LimbMechanism, layout: _Layout, rows: Sequence[Sequence
     limbs, rods, n_c = mechanism.limbs, len(rows), mechanism.commanded
     f, n_x, width = limbs * rods, len(mechanism.platform), len(rows[0])
     F, J, J_q = sp.zeros(f, 1), sp.zeros(f, n_x), sp.zeros(f, 1)
-    read: dict[sp.Symbol, str] = {}
+    read: dict[sp.Symbol, Place] = {}
     for i in range(limbs):
         for j, row in enumerate(rows):
             names = sp.symbols([f"F{i}{j}", *(f"J{i}{j}_{c}" for c in range(n_c, n_x)), f"Q{i}{j}"], real=True)
-            read |= {s: f"w[{layout.at['rows'] + (j * width + c) * layout.lanes + i}]" for c, s in enumerate(names)}
+            read |= {s: Place("w", layout.at["rows"] + (j * width + c) * layout.lanes + i) for c, s in enumerate(names)}
             value, *rest, joint = (s if e != 0 else sp.Integer(0) for s, e in zip(names, row, strict=True))
             at = j * limbs + i if rods == 2 else rods * i + j
             F[at], J_q[at] = value, joint
@@ -100,13 +115,13 @@ def _solution(mechanism: LimbMechanism, layout: _Layout, rows: Sequence[Sequence
                 J[at, c] = e
     steps, found = held(F, J, J_q, limbs, n_c, rods == 2)
     outputs = [found[j] if whole or j < limbs or j == n_x else None for j in range(len(found))]
-    return Lowering(Graph(steps), {}, read).kernel(
-        "solution", f"changes that undo the closures while the target is kept{FAR}", outputs, dense=True
-    )
+    solution = Functions(Graph(steps), {}, read)
+    solution.add("solution", f"changes that undo the closures while the target is kept{FAR}", outputs, dense=True)
+    return solution
 
 
 def linear(mechanism: LimbMechanism) -> Servo:
-    """Lower the linear compensator: the nominal joint, and the change that keeps the target to first order.
+    """Return the linear compensator: the nominal joint, and the change that keeps the target to first order.
 
     Where the nominal joint is ``atan2(Y, X)`` its cosine and sine follow without it.
     """
@@ -134,26 +149,23 @@ def linear(mechanism: LimbMechanism) -> Servo:
         outputs += [None] * between + [x / sp.sqrt(x**2 + y**2), y / sp.sqrt(x**2 + y**2)]
     inputs = layout.single("x", platform[:n_c]) | layout.single("tool", [s.symbol for s in mechanism.tool])
     inputs |= layout.each("q", [joint]) | layout.each("angle", angle)
-    parameters = {quantity.symbol: f"p[{j}]" for j, quantity in enumerate(mechanism.limb_parameters)}
+    parameters = entries("p", [quantity.symbol for quantity in mechanism.limb_parameters])
     steps = collected([(s, e.xreplace(turned)) for s, e in steps], parameters)
-    lowering = Lowering(Graph(steps, invariant=parameters), parameters, inputs)
+    functions = Functions(Graph(steps, invariant=parameters), parameters, inputs)
     feeling = [felt(rows[0][-1], sp.Matrix([by[str(s)][0] for s in platform[:n_c]]))] if len(rows) <= 2 else []
-    kernels = [
-        lowering.kernel("joint", "joint of the nominal limb at the target, its cosine and sine", outputs),
-        lowering.kernel("angle", "cosine and sine of the joint", [sp.cos(joint), sp.sin(joint)]),
-        lowering.kernel(
-            "rows",
-            "equations of a nominal limb: change by all errors, derivatives by rotation and joint",
-            [*(e.xreplace(turned) for row in rows for e in row), *feeling],
-        ),
-        _solution(mechanism, layout, rows, whole=False),
-        lowering.constants("constants", "what no target changes"),
-    ]
-    return _servo(kernels, layout, mechanism, feeling)
+    functions.add("joint", "joint of the nominal limb at the target, its cosine and sine", outputs)
+    functions.add("angle", "cosine and sine of the joint", [sp.cos(joint), sp.sin(joint)])
+    functions.add(
+        "rows",
+        "equations of a nominal limb: change by all errors, derivatives by rotation and joint",
+        [*(e.xreplace(turned) for row in rows for e in row), *feeling],
+    )
+    functions.constants("constants", "what no target changes")
+    return _servo(functions, _solution(mechanism, layout, rows, whole=False), [], layout, mechanism, feeling)
 
 
 def exact(mechanism: LimbMechanism) -> Servo:
-    """Lower Newton's method for joints and the platform's rotation at a target."""
+    """Return Newton's method for joints and the platform's rotation at a target."""
     n_c, joint = mechanism.commanded, mechanism.joint.symbol
     platform = [quantity.symbol for quantity in mechanism.platform]
     full = equations(mechanism)
@@ -161,38 +173,39 @@ def exact(mechanism: LimbMechanism) -> Servo:
     layout = _layout(mechanism, len(rows) * len(rows[0]) + 1)
     inputs = layout.single("x", platform) | layout.single("R", list(rotation_steps(mechanism)))
     inputs |= layout.single("tool", [s.symbol for s in mechanism.tool]) | layout.each("q", [joint])
-    parameters = {quantity.symbol: f"p[{j}]" for j, quantity in enumerate(mechanism.limb_parameters)}
-    lowering = Lowering(Graph(mechanism.steps, invariant=parameters), parameters, inputs)
+    parameters = entries("p", [quantity.symbol for quantity in mechanism.limb_parameters])
+    functions = Functions(Graph(mechanism.steps, invariant=parameters), parameters, inputs)
     feeling = [felt(full[0][-1], sp.Matrix(full[0][1 : 1 + n_c]))] if len(rows) <= 2 else []
-    kernels = [
-        lowering.kernel(
-            "joint",
-            "joint of the simplified limb at the target, then the platform's coordinates that follow from it",
-            start_of_inverse(mechanism),
-        ),
-        lowering.kernel(
-            "rows",
-            "equations of a limb, their derivatives by turns of the platform and by the joint",
-            [*(e for row in rows for e in row), *feeling],
-        ),
-        _solution(mechanism, layout, rows, whole=True),
-        lowering.constants("constants", "what no target changes"),
-    ]
+    functions.add(
+        "joint",
+        "joint of the simplified limb at the target, then the platform's coordinates that follow from it",
+        start_of_inverse(mechanism),
+    )
+    functions.add(
+        "rows",
+        "equations of a limb, their derivatives by turns of the platform and by the joint",
+        [*(e for row in rows for e in row), *feeling],
+    )
+    functions.constants("constants", "what no target changes")
     y = sp.symbols([f"y{j}" for j in range(len(platform))], real=True)
     step = {s: sp.Integer(0) for s in y[:n_c]}
     read = layout.single("x", platform)
-    read |= {s: f"w[{layout.at['change'] + mechanism.limbs + j}]" for j, s in enumerate(y[n_c:])}
+    read |= entries("w", y[n_c:], layout.at["change"] + mechanism.limbs)
     steps, outputs = motion(mechanism, [step.get(s, s) for s in y])
-    kernels.append(
-        Lowering(Graph(steps), {}, read).kernel(
-            "move", "the platform after a step, and its rotation matrix", outputs, dense=True
-        )
-    )
-    return _servo(kernels, layout, mechanism, feeling)
+    move = Functions(Graph(steps), {}, read)
+    move.add("move", "the platform after a step, and its rotation matrix", outputs, dense=True)
+    return _servo(functions, _solution(mechanism, layout, rows, whole=True), [move], layout, mechanism, feeling)
 
 
-def _servo(kernels: Sequence[Kernel], layout: _Layout, mechanism: LimbMechanism, feeling: Sequence[sp.Expr]) -> Servo:
-    named = {kernel.name: kernel for kernel in kernels}
-    layout.take("k", named["constants"].length * layout.lanes)
-    checked = named["solution"].length > len(mechanism.platform)
-    return Servo(named, layout.at, layout.lanes, named["rows"].length - 1 if feeling else -1, checked, layout.size)
+def _servo(
+    functions: Functions,
+    solution: Functions,
+    further: Sequence[Functions],
+    layout: _Layout,
+    mechanism: LimbMechanism,
+    feeling: Sequence[sp.Expr],
+) -> Servo:
+    layout.take("k", 0)
+    checked = solution["solution"].length > len(mechanism.platform)
+    felt = functions["rows"].length - 1 if feeling else -1
+    return Servo((functions, solution, *further), layout.at, layout.lanes, felt, checked)

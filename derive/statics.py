@@ -10,8 +10,9 @@ from __future__ import annotations
 
 import sympy as sp
 
+from derive.backends.ir import Place
 from derive.graph import Graph
-from derive.lower import Kernel, Lowering
+from derive.mathematics.functions import Functions, entries
 from derive.spec import LimbMechanism, Weight
 
 PAYLOAD = sp.Symbol("payload", real=True)
@@ -22,39 +23,39 @@ def _fields(weights: tuple[Weight, ...]) -> list[sp.Matrix]:
     return [sp.Matrix(sp.symbols(f"f{j}x f{j}y f{j}z", real=True)) for j in range(len(weights))]
 
 
-def loads(mechanism: LimbMechanism) -> dict[str, Kernel]:
-    """Lower one limb's and the platform's weights to kernels, by name.
+def loads(mechanism: LimbMechanism) -> list[Functions]:
+    """Return what the weights of one limb, and of the platform, exert.
 
     `limb`: generalised loads on the joint, on the platform's coordinates, moment about {O}. `platform`: the same
     without a joint. `limb_points`, `platform_points`: where the weights are.
     """
     platform = [quantity.symbol for quantity in mechanism.platform]
     joint = mechanism.joint.symbol
-    inputs = {s: f"x[{j}]" for j, s in enumerate(platform)}
-    inputs |= {s.symbol: f"tool[{j}]" for j, s in enumerate(mechanism.tool)}
-    inputs |= {joint: "q", PAYLOAD: "payload"}
-    inputs |= {s.symbol: f"masses[{j}]" for j, s in enumerate(mechanism.masses)}
-    inputs |= {s.symbol: f"p[{j}]" for j, s in enumerate(mechanism.limb_parameters)}
-    kernels = {}
+    inputs = entries("x", platform) | entries("tool", [s.symbol for s in mechanism.tool])
+    inputs |= {joint: Place("q"), PAYLOAD: Place("payload")}
+    inputs |= entries("masses", [s.symbol for s in mechanism.masses])
+    inputs |= entries("p", [s.symbol for s in mechanism.limb_parameters])
+    found = []
     for name, weights, by in (
         ("limb", mechanism.limb_weights, [joint, *platform]),
         ("platform", mechanism.platform_weights, platform),
     ):
         graph = Graph(mechanism.steps)
         fields = _fields(weights)
-        own = {s: f"fields[{3 * j + c}]" for j, field in enumerate(fields) for c, s in enumerate(field)}
-        lowering = Lowering(graph, {}, inputs | own)
+        own = entries("fields", [s for field in fields for s in field])
+        functions = Functions(graph, {}, inputs | own)
         pairs = list(zip(weights, fields, strict=True))
         work = sum((w.mass * field.dot(w.point) for w, field in pairs), sp.Integer(0))
         moment = sum((w.mass * w.point.cross(field) for w, field in pairs), sp.zeros(3, 1))
-        kernels[name] = lowering.kernel(
+        functions.add(
             name,
             f"generalised loads of the weights of one {name} and their moment",
             [*graph.derivatives(work, by), *moment],
         )
-        kernels[f"{name}_points"] = lowering.kernel(
+        functions.add(
             f"{name}_points",
             f"where the weights of one {name} are",
             [component for w in weights for component in w.point],
         )
-    return kernels
+        found.append(functions)
+    return found

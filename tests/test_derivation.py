@@ -24,14 +24,14 @@ from deltacal_gen import checks, derivations, ledger
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.mechanism import mechanism_names, mechanism_of
 from deltacal_gen.physics import effect_names
-from derive import emit, notation, typeset, unseen
+from derive import compiler, notation, typeset, unseen
 from derive.account import Written, answer, null_spaces_of_chain, plain
 from derive.spec import LimbMechanism
 from derive.steps import Derivation
 from derive.written import exactly, opaque
 
 ROOT = Path(__file__).resolve().parents[1]
-MACHINES = [m.name for m in emit.mechanisms() if isinstance(m, LimbMechanism)]
+MACHINES = [m.name for m in compiler.mechanisms() if isinstance(m, LimbMechanism)]
 
 
 @pytest.fixture(scope="module")
@@ -291,7 +291,10 @@ def formulas(data: Any) -> Iterator[dict[str, str]]:
             yield from formulas(part)
 
 
-@pytest.mark.parametrize("asked", [*({"measurement": m.name} for m in emit.measurements()), {"mechanism": "serial"}])
+INSTRUMENTS = [{"measurement": m.name} for m in compiler.measurements()]
+
+
+@pytest.mark.parametrize("asked", [*INSTRUMENTS, {"mechanism": "serial"}])
 def test_formulas_are_well_formed(asked: dict[str, str]) -> None:
     found = list(formulas(plain(answer(asked))))
     assert found
@@ -300,9 +303,9 @@ def test_formulas_are_well_formed(asked: dict[str, str]) -> None:
         assert f["latex"].count("{") == f["latex"].count("}")
 
 
-@pytest.mark.parametrize("effect", [e.name for e in emit.effects()])
+@pytest.mark.parametrize("effect", [e.name for e in compiler.effects()])
 def test_accounts_of_effects_are_complete(effect: str) -> None:
-    spec = next(e for e in emit.effects() if e.name == effect)
+    spec = next(e for e in compiler.effects() if e.name == effect)
     found = answer({"effect": effect})
     assert [t["target"] for t in found["targets"]] == list(spec.targets)
     assert all(len(t["columns"]) == len(spec.coefficients) for t in found["targets"])
@@ -356,7 +359,7 @@ def test_a_report_is_complete(pages: Path) -> None:
             assert target["formula"]["latex"] in md
     for part in (*account["implicit"], *account["statics"]):
         assert part["formula"]["mathml"] in html
-    for kind in emit.measurements():
+    for kind in compiler.measurements():
         found = plain(answer({"measurement": kind.name}))
         for formula in (*found["steps"], *found["readings"], *(q["symbol"] for q in found["unknown"])):
             assert formula["mathml"] in html

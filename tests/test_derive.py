@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+import shutil
 import sys
 from pathlib import Path
 from typing import Any
@@ -18,11 +19,13 @@ from scipy.linalg import expm  # noqa: E402
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # derive/ is never installed
 
-from derive import closed_form, emit, vectors  # noqa: E402
+from derive import closed_form, compiler, vectors  # noqa: E402
+from derive.backends import c99, lanes, numpy, scalar  # noqa: E402
+from derive.backends.ir import Kernel, Place  # noqa: E402
 from derive.graph import Graph, expand_steps, inline  # noqa: E402
-from derive.lower import Kernel, Lowering  # noqa: E402
+from derive.lower import lower  # noqa: E402
+from derive.mathematics.functions import Functions, entries  # noqa: E402
 from derive.mechanisms.delta import MECHANISM  # noqa: E402
-from derive.printer import c99, python  # noqa: E402
 from derive.spec import LimbMechanism, Quantity  # noqa: E402
 
 x, y, a, b = sp.symbols("x y a b", real=True)
@@ -116,32 +119,61 @@ def test_inlining_changes_no_value_and_keeps_named_steps() -> None:
 
 def run(kernel: Kernel, **arrays: Any) -> list[float]:
     """Execute a kernel's lines as a template would write them."""
-    names: dict[str, Any] = {"math": math, **arrays}
-    for target, value in (*kernel.loads, *kernel.statements):
-        names[target] = eval(value, names)
     out = [0.0] * kernel.length
-    for index, value in kernel.stores:
-        out[index] = eval(value, names)
+    exec("\n".join(scalar.lines(kernel).all), {"math": math, "out": out, **arrays})
     return out
 
 
 def test_a_toy_of_two_symbols_becomes_ten_lines() -> None:
-    lowering = Lowering(Graph(invariant=[a]), {a: "p[0]"}, {x: "x[0]"})
-    kernel = lowering.kernel("toy", "a toy", [sp.cos(a) * x, sp.Integer(0), sp.cos(a) ** 2 + x**2])
-    constants = lowering.constants("constants", "what no pose changes")
+    functions = Functions(Graph(invariant=[a]), entries("p", [a]), entries("x", [x]))
+    functions.add("toy", "a toy", [sp.cos(a) * x, sp.Integer(0), sp.cos(a) ** 2 + x**2])
+    functions.constants("constants", "what no pose changes")
+    kernels = lower(functions)
+    kernel, constants = kernels["toy"], kernels["constants"]
     assert (kernel.name, kernel.meaning, kernel.length) == ("toy", "a toy", 3)
-    assert kernel.loads[0] == ("x", "x[0]")
-    assert [load for _, load in kernel.loads[1:]] == ["k[0]", "k[1]"]  # cos(a) and its square, once per machine
-    assert [index for index, _ in kernel.stores] == [0, 2]  # what is identically zero is not stored
+    assert (kernel.loads[0].symbol, kernel.loads[0].place) == (x, Place("x", 0))
+    assert kernel.reads("k") == [0, 1]  # cos(a) and its square, once per machine
+    assert [store.index for store in kernel.stores] == [0, 2]  # what is identically zero is not stored
     assert constants.length == 2
     k = run(constants, p=[0.3])
     assert sorted(k) == pytest.approx(sorted([math.cos(0.3), math.cos(0.3) ** 2]))
     assert run(kernel, x=[1.7], k=k) == pytest.approx([1.7 * math.cos(0.3), 0.0, math.cos(0.3) ** 2 + 1.7**2])
 
 
-def test_a_kernel_without_a_source_for_a_symbol_is_refused() -> None:
+def test_what_is_asked_for_densely_is_stored_though_it_is_zero_and_what_nobody_reads_never() -> None:
+    functions = Functions(Graph(), {}, entries("x", [x]))
+    functions.add("dense", "", [sp.Integer(0), None, x], dense=True)
+    kernel = lower(functions)["dense"]
+    assert [(store.index, store.expr) for store in kernel.stores] == [(0, 0), (2, x)]
+    assert kernel.length == 3
+
+
+def test_a_function_without_a_source_for_a_symbol_is_refused() -> None:
+    functions = Functions(Graph(), {}, entries("x", [x]))
+    functions.add("toy", "", [x * y])
     with pytest.raises(ValueError, match="kernel toy uses y, for which no source is given"):
-        Lowering(Graph(), {}, {x: "x[0]"}).kernel("toy", "", [x * y])
+        lower(functions)
+
+
+def test_a_function_cannot_be_derived_twice() -> None:
+    functions = Functions(Graph(), {}, entries("x", [x]))
+    functions.add("toy", "", [x])
+    with pytest.raises(ValueError, match="'toy' is derived twice"):
+        functions.add("toy", "", [x])
+
+
+def test_every_target_lays_the_same_kernel_out_in_its_own_way() -> None:
+    cos = sp.Symbol("cos", real=True)
+    functions = Functions(Graph(), {}, {x: Place("w", 32, lane=True), **entries("c", [cos])})
+    functions.add("f", "", [cos * sp.sin(x), sp.Integer(2)])
+    kernel = lower(functions)["f"]
+    block = lanes.block(kernel, at=3, size=16, copies=(0, 5), single=(1,))
+    assert block.loads == ["cos = c[0]"]  # the same for all lanes
+    assert block.assigns == ["x = w[32 + lane]", "s1 = cos*sine(x)"]
+    assert block.stores == ["w[48 + lane] = s1", "w[128 + lane] = s1", "w[64 + lane] = 2"]
+    assert numpy.over_rows(kernel, ["w"]).loads == ["x = w[32]", "cos = c[:, 0]"]
+    assert c99.function(kernel, ["w", "c", "unused"]).all[:2] == ["const double x = w[32];", "const double cos = c[0];"]
+    assert "(void)(unused);" in c99.function(kernel, ["w", "c", "unused"]).all
 
 
 @pytest.mark.parametrize(
@@ -158,14 +190,14 @@ def test_a_kernel_without_a_source_for_a_symbol_is_refused() -> None:
     ],
 )
 def test_python_is_printed_for_numba(expr: Any, text: str) -> None:
-    assert python(expr) == text
+    assert scalar.expression(expr) == text
 
 
 def test_printed_text_has_the_value_of_the_expression() -> None:
     for expr in EXPRESSIONS:
-        value = eval(python(expr), {"math": math}, {str(s): v for s, v in AT.items()})
+        value = eval(scalar.expression(expr), {"math": math}, {str(s): v for s, v in AT.items()})
         assert value == pytest.approx(float(expr.subs(AT)), rel=1e-15)
-    assert c99(x**2 + sp.sqrt(y)) == "(x * x) + sqrt(y)"
+    assert c99.PRINTER.expression(x**2 + sp.sqrt(y)) == "(x * x) + sqrt(y)"
 
 
 # -------------------------------------------------------------------------------------------------------------- vectors
@@ -208,7 +240,7 @@ def test_quantities_say_what_they_are() -> None:
 
 
 def test_every_quantity_of_every_registered_mechanism_has_a_meaning() -> None:
-    for mechanism in emit.mechanisms():
+    for mechanism in compiler.mechanisms():
         named = mechanism.errors
         if isinstance(mechanism, LimbMechanism):
             named += (
@@ -219,7 +251,7 @@ def test_every_quantity_of_every_registered_mechanism_has_a_meaning() -> None:
                 *mechanism.masses,
             )
         assert all(quantity.meaning for quantity in named)
-        assert (emit.ROOT / mechanism.source).is_file()
+        assert (compiler.ROOT / mechanism.source).is_file()
 
 
 def test_a_closure_with_an_undeclared_symbol_is_refused_by_name() -> None:
@@ -265,17 +297,59 @@ def test_the_simplified_machine_is_a_sphere_about_the_shifted_elbow() -> None:
 # ------------------------------------------------------------------------------------------------------ what is emitted
 
 
+@pytest.fixture
+def package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A copy of the committed kernels that may be written to."""
+    copy = tmp_path / "deltacal_kernels"
+    shutil.copytree(compiler.GENERATED, copy, ignore=shutil.ignore_patterns("__pycache__"))
+    monkeypatch.setattr(compiler, "GENERATED", copy)
+    return copy
+
+
+def test_one_name_is_derived_alone_and_leaves_what_is_of_others(package: Path) -> None:
+    for path in ("effects/backlash.py", "effects/backlash.c", "measurements/pose.py", "delta/servo.py"):
+        (package / path).write_text("x = 1\n")
+    (package / "effects/backlash.csv").write_text("left over\n")
+    names = ["backlash", "pose"]
+    touched = compiler.write(compiler.render(names), compiler.committed(names))
+    assert {"effects/backlash.py", "effects/backlash.c", "measurements/pose.py"} < {str(path) for path in touched}
+    whole = {
+        path: (compiler.ROOT / "generated/deltacal_kernels" / path).read_text()
+        for path in touched
+        if path.suffix != ".csv"
+    }
+    assert all((package / path).read_text() == text for path, text in whole.items())
+    assert not (package / "effects/backlash.csv").exists()
+    assert (package / "delta/servo.py").read_text() == "x = 1\n"  # of another name
+
+
+def test_what_is_registered_but_not_derived_yet_is_in_no_table(package: Path) -> None:
+    (package / "effects/latency.py").unlink()
+    shutil.rmtree(package / "diamond")
+    texts = compiler.render(["backlash"])
+    assert '"latency"' not in texts[Path("effects/__init__.py")]
+    assert '"diamond"' not in texts[Path("__init__.py")]
+    assert '"latency"' in compiler.render(["latency"])[Path("effects/__init__.py")]
+
+
+def test_an_unknown_name_is_refused_with_those_there_are() -> None:
+    with pytest.raises(
+        ValueError, match=r"nothing is registered as nonsense; there are complete_delta, delta, .*backlash"
+    ):
+        compiler.render(["nonsense"])
+
+
 def test_differences_name_missing_left_over_and_changed_files() -> None:
     fresh = {Path("new.py"): "a\n", Path("same.py"): "b\n", Path("changed.py"): "c\nd\n"}
     old = {Path("gone.py"): "e\n", Path("same.py"): "b\n", Path("changed.py"): "c\nx\n"}
-    found = emit.differences(fresh, old)
+    found = compiler.differences(fresh, old)
     assert len(found) == 3
     text = "\n".join(found)
     assert "+++ derived/new.py" in text
     assert "--- committed/gone.py" in text
     assert "-x" in text
     assert "+d" in text
-    assert emit.differences(fresh, fresh) == []
+    assert compiler.differences(fresh, fresh) == []
 
 
 def test_committed_kernels_name_their_source_and_are_of_this_derivation() -> None:
@@ -284,15 +358,15 @@ def test_committed_kernels_name_their_source_and_are_of_this_derivation() -> Non
     Byte for byte it is `deltacal kernels --check`, which derives everything anew.
     """
     seen = 0
-    for path, text in emit.committed().items():
+    for path, text in compiler.committed().items():
         header = re.search(r"Generated from (\S+) by .*?Template (\S+); sha256 of both ([0-9a-f]{16})", text, re.DOTALL)
         if header:
             source, template, digest = header.groups()
-            assert digest == emit._digest(emit.ROOT / source, emit.ROOT / template), path
+            assert digest == compiler._digest(compiler.ROOT / source, compiler.ROOT / template), path
             seen += 1
     assert seen >= 8
 
 
 def test_the_table_of_sizes_is_of_these_files() -> None:
-    found = emit.committed()
-    assert found.pop(emit.SIZES) == emit.sizes(found)
+    found = compiler.committed()
+    assert found.pop(compiler.SIZES) == compiler.sizes(found)

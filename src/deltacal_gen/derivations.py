@@ -424,8 +424,9 @@ def content(one: Subject, account: Mapping[str, Any], root: Path, common: Common
     found["dimensions"] = _dimensions(account)
     found["short"] = _short(found, used)
     found["listings_"] = sources.listings()
-    written = [account["source"], "derive/graph.py", "derive/lower.py", "derive/vectors.py", "derive/emit.py"]
-    found["provenance"] = _provenance(one, sources, [*written, *(f for f in files if (root / f).exists())], account)
+    stages = [f"derive/{name}.py" for name in ("vectors", "graph", "lower", "compiler")]
+    written = [account["source"], *stages, *(f for f in files if (root / f).exists())]
+    found["provenance"] = _provenance(one, sources, written, account)
     return found
 
 

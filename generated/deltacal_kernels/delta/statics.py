@@ -25,7 +25,6 @@ def _limb(x, q, tool, p, masses, fields):
     tx = tool[:, 0]
     ty = tool[:, 1]
     tz = tool[:, 2]
-    q = q
     proximal = masses[0]
     proximal_com = masses[1]
     distal_rod = masses[2]
@@ -210,7 +209,6 @@ def _limb_points(x, q, tool, p, masses):
     tx = tool[:, 0]
     ty = tool[:, 1]
     tz = tool[:, 2]
-    q = q
     proximal_com = masses[1]
     b = p[:, 0]
     a = p[:, 1]
@@ -317,7 +315,6 @@ def _platform(x, tool, masses, payload, fields):
     tx = tool[:, 0]
     ty = tool[:, 1]
     tz = tool[:, 2]
-    payload = payload
     platform = masses[3]
     f0x = fields[:, 0]
     f0y = fields[:, 1]

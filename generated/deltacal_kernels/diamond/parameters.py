@@ -1,7 +1,7 @@
 """Tables of `diamond`: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both a345653d07ca36de; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 37a1b08b0f698681; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 

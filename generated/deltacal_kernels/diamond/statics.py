@@ -20,7 +20,6 @@ def _limb(x, q, tool, p, masses, fields):
     py = x[:, 1]
     tx = tool[:, 0]
     ty = tool[:, 1]
-    q = q
     proximal = masses[0]
     proximal_com = masses[1]
     distal_rod = masses[2]
@@ -84,7 +83,6 @@ def _limb_points(x, q, tool, p, masses):
     py = x[:, 1]
     tx = tool[:, 0]
     ty = tool[:, 1]
-    q = q
     proximal_com = masses[1]
     base_x = p[:, 0]
     base_y = p[:, 1]
@@ -124,7 +122,6 @@ def _platform(x, tool, masses, payload, fields):
     tx = tool[:, 0]
     ty = tool[:, 1]
     tz = tool[:, 2]
-    payload = payload
     platform = masses[3]
     f0x = fields[:, 0]
     f0y = fields[:, 1]

@@ -1,7 +1,7 @@
 """Play, flips with the direction of approach.
 
 Generated from derive/effects/backlash.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both a0f45a3b71f12d03; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both f00672ec817a0515; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): approach;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

@@ -1,7 +1,7 @@
 """Friction winds the joint up, by direction and load.
 
 Generated from derive/effects/friction_windup.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 139722c1f49e1aae; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both cbf9e489ea48ed15; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): approach torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -30,7 +30,7 @@ def value(s, c, constants=()):
     approach = s[:, 0]
     torque = s[:, 1]
     compliance = c[:, 0]
-    s1 = -approach*compliance*abs(torque)
+    s1 = -approach*compliance*np.abs(torque)
     out = np.zeros((len(s), 1))
     out[:, 0] = s1
     return out
@@ -40,7 +40,7 @@ def jacobian(s, c, constants=()):
     """Return the derivatives of `value` by the coefficients, (M, 1, 1)."""
     approach = s[:, 0]
     torque = s[:, 1]
-    s2 = -approach*abs(torque)
+    s2 = -approach*np.abs(torque)
     out = np.zeros((len(s), 1))
     out[:, 0] = s2
     return out.reshape(len(s), 1, 1)

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/effects/joint_scale.py by "deltacal kernels". Do not edit.
- * Template templates/effect.c.jinja; sha256 of both d73f8b7cebc0e2c2; SymPy 1.14.0.
+ * Template templates/effect.c.jinja; sha256 of both 087c90e3a6646b6b; SymPy 1.14.0.
  *
  * Gear ratio or encoder scale is off: by how much the joint is moved [rad or mm].
  * State s: q; units mm, rad, N, s, K.
@@ -9,7 +9,7 @@ static double joint_scale(const double *s, const double *c, const double *consta
 {
     const double q = s[0];
     const double c_scale = c[0];
-    const double s0 = c_scale*q;
+    const double s0 = q*c_scale;
     (void)(constants);
     return s0;
 }

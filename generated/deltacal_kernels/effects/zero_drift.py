@@ -1,7 +1,7 @@
 """Joint zero moves with time.
 
 Generated from derive/effects/zero_drift.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both a42f289e15465dad; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 3cda50dd51260e67; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): time;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

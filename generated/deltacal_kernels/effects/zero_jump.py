@@ -1,7 +1,7 @@
 """Joint zero jumps once.
 
 Generated from derive/effects/zero_jump.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both eca174460c151ce9; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both c80aa32e6d5cfb1b; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): after;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

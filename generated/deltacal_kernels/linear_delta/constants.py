@@ -1,7 +1,7 @@
 """What no pose changes: `linear_delta`, many machines at once, Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both ebd780610ec8abcf; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both fc4aea1297b5b3a8; SymPy 1.14.0.
 
 p (M, 3, 15) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
 """
@@ -83,7 +83,7 @@ def _fill_constants(p, k, rows):
         s269 = 2*s11
         s270 = 2*s7
         s271 = -2*s11*s49
-        s273 = (0.5)/math.sqrt(s55)
+        s273 = 0.5/math.sqrt(s55)
         s274 = 2*arm_0
         s276 = (1.0 / (axis_z * axis_z))
         s278 = -s148

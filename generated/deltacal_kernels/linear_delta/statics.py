@@ -25,7 +25,6 @@ def _limb(x, q, tool, p, masses, fields):
     tx = tool[:, 0]
     ty = tool[:, 1]
     tz = tool[:, 2]
-    q = q
     carriage = masses[0]
     distal_rod = masses[1]
     r = p[:, 0]
@@ -180,7 +179,6 @@ def _limb_points(x, q, tool, p, masses):
     tx = tool[:, 0]
     ty = tool[:, 1]
     tz = tool[:, 2]
-    q = q
     r = p[:, 0]
     l = p[:, 1]
     phi = p[:, 2]
@@ -267,7 +265,6 @@ def _platform(x, tool, masses, payload, fields):
     tx = tool[:, 0]
     ty = tool[:, 1]
     tz = tool[:, 2]
-    payload = payload
     platform = masses[2]
     f0x = fields[:, 0]
     f0y = fields[:, 1]

@@ -89,7 +89,7 @@ def constants(p):
     s269 = 2*s11
     s270 = 2*s7
     s271 = -2*s11*s49
-    s273 = (0.5)/np.sqrt(s55)
+    s273 = 0.5/np.sqrt(s55)
     s274 = 2*arm_0
     s276 = (1.0 / (axis_z * axis_z))
     s278 = -s148

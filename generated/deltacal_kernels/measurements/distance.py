@@ -1,7 +1,7 @@
 """Distance between the reference points of two poses [mm].
 
 Generated from derive/measurements/distance.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both 94c8bf19a0f05397; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both 87658c57de4d127b; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 0) the
 instrument's state: none.
@@ -40,7 +40,7 @@ def by_platform(x_a, x_b, given):
     s0 = -px_a + px_b
     s2 = -py_a + py_b
     s4 = -pz_a + pz_b
-    s9 = (0.5)/np.sqrt((s0 * s0) + (s2 * s2) + (s4 * s4))
+    s9 = 0.5/np.sqrt((s0 * s0) + (s2 * s2) + (s4 * s4))
     s11 = 2*s4*s9
     s13 = 2*s2*s9
     s15 = 2*s0*s9

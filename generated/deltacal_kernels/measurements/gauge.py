@@ -1,7 +1,7 @@
 """Length from a point of the base to the reference point [mm].
 
 Generated from derive/measurements/gauge.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both 8e76b64aaff17453; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both b754c505f0dd050e; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 4) the
 instrument's state: gx gy gz zero.
@@ -45,7 +45,7 @@ def by_platform(x, given):
     s0 = -gx + px
     s2 = -gy + py
     s4 = -gz + pz
-    s10 = (0.5)/np.sqrt((s0 * s0) + (s2 * s2) + (s4 * s4))
+    s10 = 0.5/np.sqrt((s0 * s0) + (s2 * s2) + (s4 * s4))
     s12 = 2*s10*s4
     s14 = 2*s10*s2
     s16 = 2*s0*s10
@@ -67,7 +67,7 @@ def by_unknown(x, given):
     s0 = -gx + px
     s2 = -gy + py
     s4 = -gz + pz
-    s10 = (0.5)/np.sqrt((s0 * s0) + (s2 * s2) + (s4 * s4))
+    s10 = 0.5/np.sqrt((s0 * s0) + (s2 * s2) + (s4 * s4))
     s12 = 2*s10*s4
     s14 = 2*s10*s2
     s16 = 2*s0*s10

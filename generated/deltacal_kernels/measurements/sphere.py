@@ -1,7 +1,7 @@
 """Extremes of a ball's image [px].
 
 Generated from derive/measurements/sphere.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both d211b963c6dda57b; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both 5d3ad3baf085c3c2; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 20) the
 instrument's state: F11 F12 F13 F21 F22 F23 F31 F32 F33 gx gy gz fu fv u0 v0 k1 radius order_u order_v.
@@ -259,7 +259,7 @@ def by_platform(x, given):
     s221 = fu*(k1*(s65 + s77) + 1) + s177*s178 + s18*s218 - s198*s72 + s215
     s223 = s221*s54
     s226 = order_u*radius
-    s231 = (0.5)/np.sqrt(s57)
+    s231 = 0.5/np.sqrt(s57)
     s233 = s188*s75 + s223*s226*s231
     s235 = 2*s18
     s239 = (1.0 / (s53 * s53))
@@ -348,7 +348,7 @@ def by_platform(x, given):
     s769 = fv*(k1*(s117 + s127) + 1) + s178*s728 + s34*s766 - s72*s748 + s763
     s771 = s54*s769
     s774 = order_v*radius
-    s779 = (0.5)/np.sqrt(s109)
+    s779 = 0.5/np.sqrt(s109)
     s781 = s125*s738 + s771*s774*s779
     s792 = -s244*(s112*s239*s769 - s749 - s781) + s34*s771 + s752 + s765
     s793 = s12*s792
@@ -593,7 +593,7 @@ def by_unknown(x, given):
     s221 = fu*(k1*s158 + 1) + s177*s178 + s18*s218 - s198*s72 + s215
     s223 = s221*s54
     s226 = order_u*radius
-    s231 = (0.5)/np.sqrt(s57)
+    s231 = 0.5/np.sqrt(s57)
     s233 = s188*s75 + s223*s226*s231
     s235 = 2*s18
     s239 = (1.0 / (s53 * s53))
@@ -692,7 +692,7 @@ def by_unknown(x, given):
     s769 = fv*(k1*s710 + 1) + s178*s728 + s34*s766 - s72*s748 + s763
     s771 = s54*s769
     s774 = order_v*radius
-    s779 = (0.5)/np.sqrt(s109)
+    s779 = 0.5/np.sqrt(s109)
     s781 = s125*s738 + s771*s774*s779
     s791 = -2*fv*s117*s127*s178*s714 + s129*s737 + s710*s729 + s728*s734
     s792 = -s244*(s112*s239*s769 - s749 - s781) + s34*s771 + s752 + s765

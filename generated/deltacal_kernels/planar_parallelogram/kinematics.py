@@ -1,7 +1,7 @@
 """Kinematics of `planar_parallelogram`, many poses at once: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 7a823e8a1917c338; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 3aa104af9c77eea8; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 

@@ -22,7 +22,6 @@ def _limb(x, q, tool, p, masses, fields):
     tx = tool[:, 0]
     ty = tool[:, 1]
     tz = tool[:, 2]
-    q = q
     proximal = masses[0]
     proximal_com = masses[1]
     distal_rod = masses[2]
@@ -107,7 +106,6 @@ def _limb_points(x, q, tool, p, masses):
     tx = tool[:, 0]
     ty = tool[:, 1]
     tz = tool[:, 2]
-    q = q
     proximal_com = masses[1]
     a = p[:, 0]
     h = p[:, 2]
@@ -168,7 +166,6 @@ def _platform(x, tool, masses, payload, fields):
     tx = tool[:, 0]
     ty = tool[:, 1]
     tz = tool[:, 2]
-    payload = payload
     platform = masses[3]
     f0x = fields[:, 0]
     f0y = fields[:, 1]

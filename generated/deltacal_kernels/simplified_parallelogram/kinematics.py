@@ -1,7 +1,7 @@
 """Kinematics of `simplified_parallelogram`, many poses at once: Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both c8834bfa4d01d759; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 5e0fd6b341d1774a; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 

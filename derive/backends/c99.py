@@ -1,0 +1,61 @@
+"""C99 for a controller."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import sympy as sp
+from sympy.printing.c import C99CodePrinter
+
+from derive.backends.ir import Kernel
+from derive.backends.text import PRODUCTS, Lines, Names, arrays, written
+
+
+class C(C99CodePrinter):
+    """Small powers as products, symbols by the names of the text."""
+
+    def __init__(self, **settings: Any) -> None:
+        super().__init__(settings)
+        self.names: Names = {}
+
+    def expression(self, expr: sp.Expr, names: Names | None = None) -> str:
+        """Return the text of an expression."""
+        self.names = names or {}
+        return str(self.doprint(expr))
+
+    def assignment(self, target: str, value: str) -> str:
+        """Return the line that names a value."""
+        return f"const double {target} = {value};"
+
+    def _print_Symbol(self, expr: sp.Symbol) -> str:
+        return self.names.get(expr) or str(super()._print_Symbol(expr))
+
+    def _print_Pow(self, expr: sp.Pow) -> str:
+        base = self.parenthesize(expr.base, 100)
+        if expr.exp in PRODUCTS:
+            return f"({' * '.join([base] * int(expr.exp))})"
+        if expr.exp == -2:
+            return f"(1.0 / ({base} * {base}))"
+        return str(super()._print_Pow(expr))
+
+
+PRINTER = C()
+
+
+def function(kernel: Kernel, arguments: Sequence[str], names: Names | None = None) -> Lines:
+    """Return the body of a function of `arguments`; those that it does not read are named all the same."""
+    lines = written(kernel, PRINTER, arrays(), "out[{}]".format, names)
+    unused = [f"(void)({name});" for name in arguments if not kernel.reads(name)]
+    return Lines(lines.loads, [*lines.assigns, *unused], [f"{line};" for line in lines.stores])
+
+
+def value(kernel: Kernel, arguments: Sequence[str]) -> list[str]:
+    """Return the body of a function that returns the only result; coefficients, which may hide functions, are renamed.
+
+    A coefficient may be called cos.
+    """
+    names = {load.symbol: f"c_{load.symbol}" for load in kernel.loads if load.place.array == "c"}
+    lines = function(kernel, arguments, names)
+    (result,) = kernel.stores
+    return [*lines.loads, *lines.assigns, f"return {PRINTER.expression(result.expr, names)};"]

@@ -1,0 +1,110 @@
+"""Loops over lanes, which a compiler turns into SIMD code: no branches, no calls that it cannot look into."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from functools import partial
+from typing import ClassVar
+
+import sympy as sp
+
+from derive.backends.ir import Kernel, Place
+from derive.backends.scalar import Python
+from derive.backends.text import Layout, Lines, Names, arrays, loaded, written
+
+
+class Lanes(Python):
+    """Python of single numbers, elementary functions by those of ``support/elementary.py``."""
+
+    functions: ClassVar = {
+        "asin": "arcsine",
+        "atan2": "arctangent",
+        "cos": "cosine",
+        "sin": "sine",
+        "tan": "tangent",
+    }
+
+
+PRINTER = Lanes()
+
+
+def place(at: Place) -> str:
+    """Return the text of a place."""
+    return f"{at.array}[{at.index} + lane]" if at.lane else arrays()(at)
+
+
+def block(kernel: Kernel, at: int, size: int, copies: Sequence[int] = (0,), single: Collection[int] = ()) -> Lines:
+    """Return the lines of a kernel over the lane arrays of one block of poses, its result from lane array `at` on.
+
+    What is the same for all lanes is loaded before the loop: `Lines.loads`, the rest is the body of the loop.
+
+    Parameters
+    ----------
+    size : int
+        Lanes of a lane array.
+    copies : sequence of int
+        Where the result is written, in lane arrays further on.
+    single : collection of int
+        Entries of the result that are written at the first of `copies` only.
+    """
+    outside = [load for load in kernel.loads if not load.place.lane]
+    inside = [load for load in kernel.loads if load.place.lane]
+    lines = written(kernel, PRINTER, place, str)
+    stores = [
+        f"w[{(copy + at + store.index) * size} + lane] = {PRINTER.expression(store.expr)}"
+        for store in kernel.stores
+        for copy in (copies[:1] if store.index in single else copies)
+    ]
+    loads, first = ([line for x in part for line in loaded(x, PRINTER, place)] for part in (outside, inside))
+    return Lines(loads, [*first, *lines.assigns], stores)
+
+
+def rows(kernel: Kernel, array: str, width: int) -> Lines:
+    """Return the body of a loop over the rows of two flat arrays, `array` with rows of a width, and the result k."""
+    layout = arrays(**{array: f"{array}[{width} * lane + {{}}]"})
+    return written(kernel, PRINTER, layout, lambda j: f"k[{kernel.length} * lane + {j}]")
+
+
+class Limb:
+    """A kernel of one limb, for text in which the limbs of a machine stand side by side.
+
+    What it computes has names of its own, ``NAME_i``; what is loaded from platform and tool is the same for all limbs
+    and keeps its name.
+
+    Parameters
+    ----------
+    kernel : Kernel
+    limb : int
+        From 0.
+    limbs, constants : int
+        How many limbs a machine has, and how many constants a limb.
+    """
+
+    def __init__(self, kernel: Kernel, limb: int, limbs: int, constants: int) -> None:
+        self._kernel, self._limb = kernel, limb
+        own = [load.symbol for load in kernel.loads if load.place.array not in ("x", "tool")]
+        own += [node.symbol for node in kernel.assigns]
+        self._names: Names = {s: f"{s}_{limb}" for s in own}
+        self._layout: Layout = arrays(k=f"own[{limb * constants} + {{}}]", q=f"q[{limbs} * n + {limb}]")
+
+    def loads(self, array: str) -> list[str]:
+        """Return the lines that load from an array."""
+        found = [load for load in self._kernel.loads if load.place.array == array]
+        return [line for load in found for line in loaded(load, PRINTER, self._layout, self._names)]
+
+    def results(self, name: str) -> list[str]:
+        """Return the lines of a pose; its results are called by a form of ``{limb}`` and ``{index}``."""
+        out = partial(name.format, limb=self._limb)
+        lines = written(self._kernel, PRINTER, self._layout, lambda j: out(index=j), self._names)
+        return [*self.loads("q"), *lines.assigns, *lines.stores]
+
+
+def side_by_side(kernel: Kernel, limbs: int, constants: int) -> list[Limb]:
+    """Return a kernel for each limb of a machine."""
+    return [Limb(kernel, i, limbs, constants) for i in range(limbs)]
+
+
+def functions_of(kernels: Sequence[Kernel]) -> list[str]:
+    """Return the elementary functions that the kernels call, by name."""
+    used = {type(f).__name__ for kernel in kernels for e in kernel.expressions for f in e.atoms(sp.Function)}
+    return sorted(PRINTER.functions[name] for name in used & set(PRINTER.functions))

@@ -1,0 +1,352 @@
+"""From what is said of machines, effects and instruments to ``generated/``, in four stages.
+
+=========  ==========================================================================================================
+collect    the specs: one per file in ``mechanisms/``, ``effects/``, ``measurements/``; a file's presence registers it
+derive     a spec becomes functions on graphs of named steps: closures, seeds, derivatives (``mathematics/``)
+lower      functions become kernels: loads, assignments, stores, in the order of evaluation (``lower.py``)
+write      kernels become text: a target prints and lays out lines (``backends/``), a template puts them into a file
+=========  ==========================================================================================================
+
+Each stage's output is the next one's input. SymPy's expressions go through to the last, where a target prints them.
+Writing and checking compare the same text.
+"""
+
+from __future__ import annotations
+
+import difflib
+import hashlib
+import importlib
+import pkgutil
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import jinja2
+import sympy as sp
+
+import derive.effects
+import derive.measurements
+import derive.mechanisms
+from derive import servo, statics
+from derive.backends import c99, lanes, numpy, scalar
+from derive.backends import servo as commands
+from derive.backends.ir import Kernel
+from derive.blocks import nominal
+from derive.first_order import linear
+from derive.lower import lower
+from derive.mathematics.chains import links
+from derive.mathematics.effects import effect, states
+from derive.mathematics.functions import Functions
+from derive.mathematics.kinematics import kinematics, rotations
+from derive.mathematics.measurements import measurement, platform_names
+from derive.spec import ChainMechanism, Effect, LimbMechanism, Measurement
+
+ROOT = Path(__file__).resolve().parent.parent
+TEMPLATES = ROOT / "templates"
+GENERATED = ROOT / "generated" / "deltacal_kernels"
+COMMAND = "deltacal kernels"
+SIZES = Path("sizes.csv")
+KNOWN_BEFORE = {"q", "turn", "approach", "warming", "time", "after"}  # what a controller knows before it moves
+COMMON = ("__init__.py", "compiled.py", "direct.py", "elementary.py", "poses.py", "straight.py")  # one for all
+
+Spec = LimbMechanism | ChainMechanism | Effect | Measurement
+Kernels = Mapping[str, Kernel]
+
+
+# ------------------------------------------------------------------------------------------------------------- collect
+
+
+def mechanisms() -> Iterator[LimbMechanism | ChainMechanism]:
+    """Yield every registered mechanism: one per file in ``derive/mechanisms``."""
+    return _registered(derive.mechanisms, "MECHANISM")
+
+
+def effects() -> Iterator[Effect]:
+    """Yield every registered effect: one per file in ``derive/effects``."""
+    return _registered(derive.effects, "EFFECT")
+
+
+def measurements() -> Iterator[Measurement]:
+    """Yield every registered kind of measurement: one per file in ``derive/measurements``."""
+    return _registered(derive.measurements, "MEASUREMENT")
+
+
+def _registered(package: ModuleType, name: str) -> Iterator[Any]:
+    for module in sorted(pkgutil.iter_modules(package.__path__), key=lambda m: m.name):
+        yield getattr(importlib.import_module(f"{package.__name__}.{module.name}"), name)
+
+
+def collect(names: Sequence[str] = ()) -> list[Spec]:
+    """Return the specs of these names; all of them where no name is given.
+
+    Raises
+    ------
+    ValueError
+        Nothing is registered by a name.
+    """
+    every: list[Spec] = [*mechanisms(), *measurements(), *effects()]
+    known = [spec.name for spec in every]
+    if unknown := [name for name in names if name not in known]:
+        raise ValueError(f"nothing is registered as {', '.join(unknown)}; there are {', '.join(known)}.")
+    return [spec for spec in every if not names or spec.name in names]
+
+
+# -------------------------------------------------------------------------------------------------------------- derive
+
+
+@dataclass(frozen=True)
+class Derived:
+    """What is derived of a spec.
+
+    Attributes
+    ----------
+    functions : mapping
+        By what they are for.
+    layouts : mapping
+        What templates are told beside the kernels: where quantities over lanes stand.
+    """
+
+    spec: Spec
+    functions: Mapping[str, Sequence[Functions]]
+    layouts: Mapping[str, Any] = field(default_factory=dict)
+
+
+def derive_one(spec: Spec) -> Derived:
+    """Derive the functions of a spec."""
+    if isinstance(spec, Effect):
+        return Derived(spec, {"effect": [effect(spec)]})
+    if isinstance(spec, Measurement):
+        return Derived(spec, {"measurement": [measurement(spec)]})
+    if isinstance(spec, ChainMechanism):
+        return Derived(spec, {"links": links(spec)})
+    moving, blocks = kinematics(spec)
+    ideal = nominal(spec, blocks)
+    exact, first_order = servo.exact(spec), servo.linear(spec)
+    functions = {
+        "moving": [moving, *blocks.functions],
+        "statics": statics.loads(spec),
+        "exact": exact.functions,
+        "linear": first_order.functions,
+        "exported": [linear(spec)],
+        **({"nominal": ideal.functions} if ideal else {}),
+    }
+    return Derived(spec, functions, {"blocks": blocks, "nominal": ideal, "exact": exact, "linear": first_order})
+
+
+# --------------------------------------------------------------------------------------------------------------- lower
+
+
+@dataclass(frozen=True)
+class Lowered:
+    """Kernels of a spec: by what they are for, then by name."""
+
+    spec: Spec
+    kernels: Mapping[str, Kernels]
+    layouts: Mapping[str, Any]
+
+
+def lower_one(derived: Derived) -> Lowered:
+    """Lower the functions of a spec."""
+    return Lowered(derived.spec, {name: _lowered(found) for name, found in derived.functions.items()}, derived.layouts)
+
+
+def _lowered(functions: Sequence[Functions]) -> dict[str, Kernel]:
+    return {name: kernel for group in functions for name, kernel in lower(group).items()}
+
+
+# --------------------------------------------------------------------------------------------------------------- write
+
+
+def write_one(lowered: Lowered) -> dict[Path, str]:
+    """Return the files of a spec, by their paths below the kernel package."""
+    spec, kernels = lowered.spec, lowered.kernels
+    if isinstance(spec, Effect):
+        return _effect(spec, kernels["effect"])
+    if isinstance(spec, Measurement):
+        names = ", ".join(platform_names(spec))
+        path = Path("measurements") / f"{spec.name}.py"
+        return {path: _file("measurement.py", spec, measurement=spec, kernels=kernels["measurement"], arguments=names)}
+    folder = Path(spec.name)
+    texts = {folder / "__init__.py": f'"""{spec.title}: tables and kernels."""\n'}
+    if isinstance(spec, ChainMechanism):
+        for name in ("parameters.py", "links.py"):
+            texts[folder / name] = _file(f"chain/{name}", spec, mechanism=spec, kernels=kernels["links"])
+        return texts
+    moving, layouts = kernels["moving"], lowered.layouts
+    command_constants = 1 + max(j for name in ("newton", "joint") for j in moving[name].reads("k") if j is not None)
+    contents: dict[str, dict[str, Any]] = {
+        "parameters.py": _tables(spec),
+        "constants.py": {"kernels": moving, "nominal": kernels.get("nominal")},
+        "blocks.py": {},
+        "kinematics.py": {"kernels": moving},
+        "servo.py": {
+            "kernels": {name: kernels[name] for name in ("exact", "linear", "exported")},
+            "command_constants": command_constants,
+        },
+        "vectorised.py": {"kernels": moving},
+        "statics.py": {"kernels": kernels["statics"]},
+        "inverse.c": {"kernels": moving, "constants": command_constants},
+        "linear.c": {"kernels": kernels["exported"]},
+    }
+    if "nominal" in kernels:
+        contents["nominal.py"] = {"kernels": kernels["nominal"]}
+    for name, context in contents.items():
+        texts[folder / name] = _file(f"mechanism/{name}", spec, mechanism=spec, **{**layouts, **context})
+    return texts
+
+
+def _effect(spec: Effect, kernels: Kernels) -> dict[Path, str]:
+    """Return an effect in NumPy and, where a controller knows all that it reads, in C."""
+    read = states(spec)
+    endings = ["py", "c"] if set(spec.targets) == {"joint"} and {s.name for s in read} <= KNOWN_BEFORE else ["py"]
+    return {
+        Path("effects") / f"{spec.name}.{ending}": _file(
+            f"effect.{ending}", spec, effect=spec, states=read, kernels=kernels
+        )
+        for ending in endings
+    }
+
+
+def _tables(mechanism: LimbMechanism) -> dict[str, Any]:
+    """Return the functions of geometry that ``parameters.py.jinja`` writes, as NumPy text, and what each reads."""
+    found = {
+        "scaling": mechanism.scalings,
+        "roles": mechanism.roles,
+        "moves": mechanism.moves,
+        "limb_inertia": mechanism.limb_inertia,
+    }
+
+    def text(value: Any) -> Any:
+        if isinstance(value, Mapping):
+            return {name: text(part) for name, part in value.items()}
+        return numpy.expression(sp.sympify(value))
+
+    def leaves(value: Any) -> list[sp.Expr]:
+        if isinstance(value, Mapping):
+            return [leaf for part in value.values() for leaf in leaves(part)]
+        return [sp.sympify(value)]
+
+    return {
+        "tables": text(found),
+        "reads": {name: set().union(*(e.free_symbols for e in leaves(value))) for name, value in found.items()},
+        "calls_numpy": any(map(numpy.calls_numpy, leaves(found))),
+    }
+
+
+def _common(every: Mapping[str, Sequence[str]]) -> dict[Path, str]:
+    """Return the files that belong to no spec alone; `every` holds the names of mechanisms and effects."""
+    context = {**every, "kernels": _lowered(rotations()), "command": COMMAND}
+    texts = {Path(name): _environment().get_template(f"{name}.jinja").render(context) for name in COMMON}
+    texts[Path("measurements/__init__.py")] = '"""What instruments report: readings and their derivatives."""\n'
+    texts[Path("effects/__init__.py")] = _environment().get_template("effects.py.jinja").render(context)
+    return texts
+
+
+def _file(name: str, spec: Spec, **context: Any) -> str:
+    """Return the text of a file of a spec by the template of a name."""
+    template = f"{name}.jinja"
+    return _environment().get_template(template).render(stamp=_stamp(spec.source, template), **context)
+
+
+def _environment() -> jinja2.Environment:
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(TEMPLATES),
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    environment.globals |= {"numpy": numpy, "lanes": lanes, "scalar": scalar, "servo": commands, "c99": c99}
+    return environment
+
+
+def _digest(*paths: Path) -> str:
+    return hashlib.sha256(b"".join(path.read_bytes() for path in paths)).hexdigest()[:16]
+
+
+def _stamp(source: str, template: str) -> dict[str, str]:
+    """Return what the header of a generated file says of its origin."""
+    return {
+        "source": source,
+        "template": f"templates/{template}",
+        "digest": _digest(ROOT / source, TEMPLATES / template),
+        "sympy": sp.__version__,
+        "command": COMMAND,
+    }
+
+
+# -------------------------------------------------------------------------------------------------- all four, and files
+
+
+def render(names: Sequence[str] = ()) -> dict[Path, str]:
+    """Return every generated file by its path below the kernel package; of `names` only theirs and the common ones.
+
+    Where names are given, what else is registered counts as it was committed.
+
+    Raises
+    ------
+    ValueError
+        Nothing is registered by a name.
+    """
+    specs = collect(names)
+    texts = {path: text for spec in specs for path, text in write_one(lower_one(derive_one(spec))).items()}
+    old = committed() if names else {}
+    known = {path.parts for path in (*old, *texts)}
+    every = {
+        "mechanisms": [m.name for m in mechanisms() if (m.name, "parameters.py") in known],
+        "effects": [e.name for e in effects() if ("effects", f"{e.name}.py") in known],
+    }
+    texts |= _common(every)
+    texts[SIZES] = sizes({path: text for path, text in (old | texts).items() if path != SIZES})
+    return texts
+
+
+def sizes(texts: Mapping[Path, str]) -> str:
+    """Return the table of how large each file is, so that growth is seen in every change."""
+    rows = [f"{path.as_posix()},{text.count(chr(10))},{len(text.encode())}" for path, text in sorted(texts.items())]
+    return "\n".join(["file,lines,bytes", *rows]) + "\n"
+
+
+def committed(names: Sequence[str] = ()) -> dict[Path, str]:
+    """Return what stands in ``generated/`` now; of `names` only theirs and the common files."""
+    found = (path for path in sorted(GENERATED.rglob("*")) if path.suffix in {".py", ".c", ".csv"})
+    paths = [path for path in found if not names or _is_of(path.relative_to(GENERATED), names)]
+    return {path.relative_to(GENERATED): path.read_text(encoding="utf-8") for path in paths}
+
+
+def _is_of(path: Path, names: Sequence[str]) -> bool:
+    """Tell whether a file is of one of the names, or of none."""
+    folder, name = path.parent.as_posix(), path.stem
+    index = name == "__init__" and folder in ("effects", "measurements")
+    return index or folder == "." or folder in names or name in names
+
+
+def differences(fresh: Mapping[Path, str], old: Mapping[Path, str]) -> list[str]:
+    """Return one diff per file that is missing, left over or different; empty when all agree."""
+    found = []
+    for path in sorted(fresh.keys() | old.keys()):
+        if fresh.get(path) != old.get(path):
+            lines = difflib.unified_diff(
+                old.get(path, "").splitlines(),
+                fresh.get(path, "").splitlines(),
+                f"committed/{path}",
+                f"derived/{path}",
+                n=1,
+            )
+            found.append("\n".join(list(lines)[:40]))
+    return found
+
+
+def write(fresh: Mapping[Path, str], old: Mapping[Path, str]) -> list[Path]:
+    """Write what differs from the `old` files, delete what is left over of them; return the paths touched."""
+    touched = [path for path in sorted(fresh.keys() | old.keys()) if fresh.get(path) != old.get(path)]
+    for path in touched:
+        target = GENERATED / path
+        if path in fresh:
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_text(fresh[path], encoding="utf-8", newline="\n")
+        else:
+            target.unlink()
+    return touched
