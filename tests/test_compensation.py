@@ -25,7 +25,8 @@ from deltacal_gen.compensation import KINDS, Compensator
 from deltacal_gen.demonstration import example
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.exports import TableCompensator, export_c, export_table, read_table
-from deltacal_gen.mechanism import SINGULAR, SOLVED, UNREACHABLE, compiled_only, load_mechanism, plain_only
+from deltacal_gen.machine.backend import Backend, using
+from deltacal_gen.mechanism import SINGULAR, SOLVED, UNREACHABLE, load_mechanism
 from deltacal_gen.physics import Term
 from deltacal_gen.recording import read_recording
 from deltacal_gen.robot import Robot, Workspace, read_robot
@@ -415,8 +416,8 @@ def test_the_exported_c_agrees(prototype: Robot, kind: str, tmp_path: Path) -> N
 
 def test_the_same_numbers_give_the_same_file(prototype: Robot, tmp_path: Path) -> None:
     robot = replace(prototype, errors=drawn(13))
-    for name, kernels in (("a.c", plain_only), ("b.c", compiled_only)):
-        with kernels():
+    for name, kernels in (("a.c", Backend.NUMPY), ("b.c", Backend.COMPILED)):
+        with using(kernels):
             export_c(Compensator(robot), tmp_path / name)
     assert (tmp_path / "a.c").read_bytes() == (tmp_path / "b.c").read_bytes()
     assert sorted(p.name for p in tmp_path.iterdir()) == ["a.c", "b.c"]

@@ -6,9 +6,7 @@ The hand-written machine stands in `independent_delta`; from the package it take
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import AbstractContextManager
 from types import ModuleType
 from typing import NamedTuple
 
@@ -21,21 +19,19 @@ from independent_delta import closure, nominal_frame, numbers, rod_ends
 from numba.core.errors import TypingError
 from scipy.spatial.transform import Rotation
 
+from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.mechanism import (
     SINGULAR,
     SOLVED,
     UNREACHABLE,
     Mechanism,
-    compiled_only,
     load_mechanism,
-    plain_only,
 )
 from deltacal_gen.robot import Robot
 from deltacal_gen.rotation import cayley_spin
 from deltacal_gen.units import DEG
 
 TOOL = np.array([30.0, -20.0, -55.0])
-Use = Callable[[], AbstractContextManager[None]]  # of plain or compiled kernels
 COMPLEX_STEP = 1e-30  # the imaginary part is the derivative to the last digit, whatever the step
 
 
@@ -385,8 +381,8 @@ def test_machines_that_share_a_call_do_not_see_one_another(robot: Robot, mechani
         assert (alone == x[m]).all()
 
 
-@pytest.mark.parametrize("kernels", [plain_only, compiled_only])
-def test_machines_share_out_poses_in_every_function(robot: Robot, mechanism: Mechanism, kernels: Use) -> None:
+@pytest.mark.parametrize("kernels", Backend)
+def test_machines_share_out_poses_in_every_function(robot: Robot, mechanism: Mechanism, kernels: Backend) -> None:
     """To the last bit what each would give for its own poses."""
     machines, each = 3, 4
     errors = np.array([mechanism.vector(plausible(mechanism, s)) for s in range(machines)])
@@ -398,7 +394,7 @@ def test_machines_share_out_poses_in_every_function(robot: Robot, mechanism: Mec
         S = mechanism.sensitivity(x, q, TOOL, rows)
         return [q, x, again, S.own, S.joints, *mechanism.jacobians(x, q, TOOL, rows)]
 
-    with kernels():
+    with using(kernels):
         together = found(rows, target)
         for m in range(machines):
             of = slice(m * each, (m + 1) * each)
@@ -406,14 +402,14 @@ def test_machines_share_out_poses_in_every_function(robot: Robot, mechanism: Mec
                 np.testing.assert_array_equal(some[of], alone)
 
 
-@pytest.mark.parametrize("kernels", [plain_only, compiled_only])
+@pytest.mark.parametrize("kernels", Backend)
 @pytest.mark.parametrize("size", [0.0, 1.0])
 def test_joints_may_be_written_in_place_of_their_targets(
-    robot: Robot, mechanism: Mechanism, kernels: Use, size: float
+    robot: Robot, mechanism: Mechanism, kernels: Backend, size: float
 ) -> None:
     rows, target = mechanism.rows(robot, size * mechanism.vector(plausible(mechanism, 3))), scattered(robot, 9, 3)
     target[4] = [3000.0, 0.0, -800.0]
-    with kernels():
+    with using(kernels):
         expected = mechanism.inverse(target, TOOL, rows)
         found = mechanism.inverse(target, TOOL, rows, out=target)
     assert found[0] is target
@@ -489,8 +485,8 @@ def test_arrays_that_do_not_fit_are_refused(robot: Robot, mechanism: Mechanism) 
     with pytest.raises(ValueError, match=r"\(1, 6, 22\); \(M, 3, 22\) was expected"):
         kernels.constants(np.repeat(rows, 2, axis=1))
     x, _ = mechanism.forward(q, TOOL, rows)
-    for only in (plain_only, compiled_only):
-        with only():
+    for kernels in Backend:
+        with using(kernels):
             for tool in (np.tile(TOOL, (2, 1)), TOOL[:2]):
                 with pytest.raises(ValueError, match=r"tool has the shape \(2.*\(3,\) or \(5, 3\)"):
                     mechanism.forward(q, tool, rows)

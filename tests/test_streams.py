@@ -228,11 +228,10 @@ PROGRAM = """
 import json, resource, sys
 import numpy as np
 from pathlib import Path
-from deltacal_gen import mechanism, streams
+from deltacal_gen import streams
 from deltacal_gen.robot import read_robot
 folder, rows = Path(sys.argv[1]), int(sys.argv[2])
 robot = read_robot(folder / "robot.toml")
-mechanism.PATIENCE_S = (np.inf, np.inf)  # loading Numba takes memory, whatever the rows
 peak = []
 for name in sys.argv[3:]:
     streams.simulate(robot, folder / name, folder / "recording.csv", {"L_1": 0.1}, rows=rows)

@@ -51,6 +51,7 @@ _HOME = {
     "exports": ("export_c", "export_table", "read_table"),
     "mechanism": ("Mechanism", "load_mechanism"),
     "inputs": ("Recording", "Robot"),
+    "machine.backend": ("Backend", "using"),
     "recording": ("read_recording", "write_recording"),
     "robot": ("read_robot", "robot_to_toml"),
     "solvers": ("LeastSquares", "Prior", "Ridge", "TSVD"),

@@ -21,6 +21,7 @@ import numpy as np
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation import Fit, Problem, fit, pose_problem, rough
 from deltacal_gen.inputs import POSITION, Measurement, Recording, Robot
+from deltacal_gen.machine.backend import working
 from deltacal_gen.mechanism import SOLVED, STATUS, Array, load_mechanism, mechanism_of, result
 from deltacal_gen.solvers import Factored, LeastSquares, Solver
 from deltacal_gen.units import file_unit, to_internal
@@ -209,16 +210,17 @@ def estimate(
     """
     recording = recorded(robot, joints, measured, pairs=pairs, tool=tool, frame=frame, sigma=sigma)
     everything = pose_problem(robot, recording, (), as_distance=as_distance)
-    first = rough(everything, robust)
-    names = everything.mechanism.model(model)
-    return fit(
-        everything.with_names(names),
-        LeastSquares() if solver is None else solver,
-        errors=first.errors,
-        machine=first.machine,
-        instrument=first.instrument,
-        robust=robust,
-    )
+    with working("identify", len(recording.joints)):
+        first = rough(everything, robust)
+        names = everything.mechanism.model(model)
+        return fit(
+            everything.with_names(names),
+            LeastSquares() if solver is None else solver,
+            errors=first.errors,
+            machine=first.machine,
+            instrument=first.instrument,
+            robust=robust,
+        )
 
 
 class PoseSet:
@@ -273,7 +275,8 @@ class PoseSet:
             rows = self.mechanism.rows(self.robot, errors[some])
             q = np.array(every[some])  # no view that cannot be written: for those kernels would be compiled once more
             tool = self.tool[0] if same else np.tile(self.tool, (len(rows), 1))
-            self.mechanism.positions(q.reshape(-1, q.shape[2]), tool, rows, out=out[some].reshape(-1, 3))
+            with working("call", len(errors) * every.shape[1]):  # whatever is left for the last machines
+                self.mechanism.positions(q.reshape(-1, q.shape[2]), tool, rows, out=out[some].reshape(-1, 3))
         return out
 
     @cached_property

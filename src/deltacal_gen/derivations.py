@@ -32,13 +32,13 @@ from deltacal_gen.chain import Chain
 from deltacal_gen.errors import UsageError
 from deltacal_gen.figures import AFTER, BEFORE, MUTED, decades
 from deltacal_gen.identifiability import RANK_TOLERANCE
+from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.mechanism import (
     COORDINATES,
     Mechanism,
     load_mechanism,
     mechanism_names,
     mechanism_of,
-    plain_only,
 )
 from deltacal_gen.physics import effect_names, lacking, load_effect
 from deltacal_gen.robot import Robot, for_model, read_robot
@@ -528,7 +528,7 @@ def _in_numbers(one: Subject, robot: Robot, account: Mapping[str, Any]) -> dict[
     """Return what one machine shows: its drawing, nominal values, ranks and checks."""
     mechanism = mechanism_of(robot)
     names = mechanism.models[one.name]
-    with plain_only():
+    with using(Backend.NUMPY):
         return {
             "machine": _drawn(robot, account),
             "tables": _tables(account, robot, names, mechanism),

@@ -24,6 +24,7 @@ from deltacal_gen.discrimination import Question, more_poses, next_measurements
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation import SPARE_READINGS, Fit, Problem, fit, held_out, held_out_errors, pose_problem, rms
 from deltacal_gen.identification import Noise, folds, noise
+from deltacal_gen.machine.backend import by_recording
 from deltacal_gen.measurement import BOTH, Instrument
 from deltacal_gen.mechanism import Array, mechanism_of
 from deltacal_gen.physics import Body, Term, blank, effect_names, load_effect, row_coefficients, term_to_dict
@@ -103,6 +104,7 @@ class Named:
         return (*(t.effect for t in self.rivals), *self.unrecorded)
 
 
+@by_recording("diagnose")
 def diagnose(
     robot: Robot, recording: Recording, model: str | None = None, *, progress: Progress = lambda text: None
 ) -> Diagnosis:

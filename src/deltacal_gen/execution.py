@@ -29,7 +29,7 @@ import deltacal_kernels
 
 import deltacal_gen
 from deltacal_gen.errors import DeltacalError, InputError
-from deltacal_gen.mechanism import compiled_only
+from deltacal_gen.machine.backend import Backend, using
 
 AHEAD = 2  # tasks in flight per worker: one at work, one waiting
 HELD = 8  # results per worker that wait in memory for an earlier one
@@ -259,7 +259,7 @@ def _dask(address: str) -> Iterator[_Pool]:
 def attempt(function: Callable[..., dict[str, Any]], arguments: tuple[Any, ...]) -> dict[str, Any]:
     """Return result and error of a task; runs on the worker."""
     try:
-        with compiled_only():
+        with using(Backend.COMPILED):
             return {"result": function(*arguments), "error": None, "kept": True}
     except DeltacalError as error:
         return {"result": None, "error": str(error), "kept": True}

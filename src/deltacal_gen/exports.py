@@ -28,7 +28,8 @@ import numpy as np
 from deltacal_gen.accuracy import workspace_of
 from deltacal_gen.compensation import Compensator, RoundTrip, largest, workspace_points
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
-from deltacal_gen.mechanism import POSE, SOLVED, UNREACHABLE, Array, plain_only
+from deltacal_gen.machine.backend import Backend, using
+from deltacal_gen.mechanism import POSE, SOLVED, UNREACHABLE, Array
 from deltacal_gen.physics import LOADS, Body, Channels, Term
 from deltacal_gen.recording import write_files
 from deltacal_gen.robot import read_text
@@ -214,7 +215,7 @@ def export_c(compensator: Compensator, path: str | Path, over: Spans | None = No
         The robot has no workspace, or the file cannot be written.
     """
     rigid = replace(compensator, terms=())
-    with plain_only():  # whose last digits do not depend on what the process did before
+    with using(Backend.NUMPY):  # a file holds the same digits wherever it is written from
         left = rigid.round_trip()
         live = _Live.of(_after_jumps(compensator), over or Spans()) if compensator.effects else None
         write_files({Path(path): c_source(rigid, left, live)})

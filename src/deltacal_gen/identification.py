@@ -32,6 +32,7 @@ from deltacal_gen.estimation import (
     rough,
 )
 from deltacal_gen.identifiability import Combination
+from deltacal_gen.machine.backend import by_recording
 from deltacal_gen.measurement import BOTH, CONTACT, MOUNT, Readings, carried, contacts
 from deltacal_gen.mechanism import SOLVED, Array, Mechanism, mechanism_of
 from deltacal_gen.physics import Body, Term, of_reading, term_to_dict
@@ -102,6 +103,7 @@ class Identification:
         return _result(self)
 
 
+@by_recording("identify")
 def identify(
     robot: Robot,
     recording: Recording,

@@ -9,8 +9,6 @@ import dataclasses
 import importlib
 import time
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager, contextmanager
-from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import cache, cached_property
 from types import ModuleType
@@ -20,6 +18,8 @@ import deltacal_kernels
 import numpy as np
 
 from deltacal_gen.errors import UsageError
+from deltacal_gen.machine import backend
+from deltacal_gen.machine.backend import Backend
 from deltacal_gen.rotation import Array, cayley_matrix, cayley_vector
 from deltacal_gen.units import of_joints
 
@@ -31,8 +31,6 @@ if TYPE_CHECKING:
 COORDINATES = ("px", "py", "pz", "cx", "cy", "cz")  # of a body in space, as the kernels solve for them
 POSE = 12  # numbers of a pose: position of the reference point, rotation matrix row by row
 SOLVED, UNREACHABLE, SINGULAR = 0, 1, 2
-PATIENCE_S = (1.5, 12.0)  # of NumPy before Numba is used: what loading costs, what compiling costs
-MANY_POSES = 20_000  # in one call: Numba at once
 KNOWN, KNOWN_BYTES = 16, 20_000_000  # sets of constants that are kept, and how large all of them may become
 STATUS = {
     SOLVED: "solved",
@@ -182,28 +180,6 @@ def described(mechanism: Mechanism) -> tuple[Mechanism, ...]:
     return tuple(map(load_mechanism, alike)) if mechanism.links is None else (mechanism,)
 
 
-_demanded: ContextVar[str | None] = ContextVar("demanded", default=None)
-
-
-@contextmanager
-def _using(kernels: str) -> Iterator[None]:
-    before = _demanded.set(kernels)
-    try:
-        yield
-    finally:
-        _demanded.reset(before)
-
-
-def compiled_only() -> AbstractContextManager[None]:
-    """Compute with compiled kernels alone: not even the last digits depend on what a process did before."""
-    return _using("compiled")
-
-
-def plain_only() -> AbstractContextManager[None]:
-    """Compute with NumPy alone, for the same reason where poses are few and nothing should be compiled."""
-    return _using("plain")
-
-
 def result(out: Array | None, shape: tuple[int, ...]) -> Array:
     """Return the array that a batch function writes its result into: the caller's `out`, or a new one.
 
@@ -240,7 +216,6 @@ class Mechanism:
 
     def __init__(self, tables: ModuleType) -> None:
         self._tables = tables
-        self._spent = 0.0
         self._known: dict[bytes, Array] = {}  # constants of machines seen lately: they cost as much as a hundred poses
         self.name: str = tables.NAME
         self.machine: str = tables.MACHINE
@@ -429,13 +404,6 @@ class Mechanism:
         """The same kernels in plain NumPy."""
         return importlib.import_module(f"deltacal_kernels.{self.name}.vectorised")
 
-    @cached_property
-    def _compiled_before(self) -> bool:
-        """Whether their compiled code is on the disk."""
-        from deltacal_kernels import compiled  # which only asks where many small jobs have been done
-
-        return bool(compiled.found(compiled.PACKAGE / self.name, "kinematics._forward"))
-
     def compile(self) -> Iterator[tuple[str, float]]:
         """Compile all kernels, or load them from Numba's cache; yield each one's name and how long it took [s].
 
@@ -475,28 +443,9 @@ class Mechanism:
         yield from done(servo, "linear_change", *command, *command, linear)
         yield from done(servo, "linear_commands", one, tool, linear, q, status)
 
-    @contextmanager
-    def _kernels(self, poses: int) -> Iterator[ModuleType]:
-        """Yield the kernels that pay for so many poses.
-
-        Loading Numba takes about as long as a few hundred small calls to NumPy, compiling ten times that. How many a
-        process will make is not known, so NumPy works until it has cost as much as Numba would have: never more than
-        twice the best choice.
-        """
-        demanded = _demanded.get()
-        if demanded == "compiled" or (demanded is None and self._is_worth_compiling(poses)):
-            yield self.compiled
-            return
-        start = time.perf_counter()
-        yield self.vectorised
-        self._spent += time.perf_counter() - start
-
-    def _is_worth_compiling(self, poses: int) -> bool:
-        return (
-            "compiled" in self.__dict__
-            or poses > MANY_POSES
-            or (self._spent > PATIENCE_S[0] and self._spent > PATIENCE_S[not self._compiled_before])
-        )
+    def _kernels(self, poses: int) -> ModuleType:
+        """Return the kernels for a call over so many poses."""
+        return self.compiled if backend.chosen(poses) is Backend.COMPILED else self.vectorised
 
     @cached_property
     def weighs(self) -> bool:
@@ -566,14 +515,14 @@ class Mechanism:
         near = None if near is None else self._poses(near, POSE, "poses to start from")
         self._alike(len(q), rows=rows, **({} if near is None else {"near": near}))
         status = np.empty(len(q), dtype=np.int64)
-        with self._kernels(len(q)) as kernels:
-            tool, constants = self._machines(kernels, tool, rows, len(q))
-            if kernels is not self.vectorised and self._simplified(rows):
-                x = np.empty((len(q), kernels.SIMPLIFIED))
-                kernels.simplified_forward(q, tool, constants, x, status)
-            else:
-                x = np.empty((len(q), len(self._at))) if near is None else self._own(near, kernels)
-                kernels.forward(q, tool, constants, x, status, near is not None)
+        kernels = self._kernels(len(q))
+        tool, constants = self._machines(kernels, tool, rows, len(q))
+        if kernels is not self.vectorised and self._simplified(rows):
+            x = np.empty((len(q), kernels.SIMPLIFIED))
+            kernels.simplified_forward(q, tool, constants, x, status)
+        else:
+            x = np.empty((len(q), len(self._at))) if near is None else self._own(near, kernels)
+            kernels.forward(q, tool, constants, x, status, near is not None)
         return x, status, kernels
 
     def inverse(
@@ -597,15 +546,15 @@ class Mechanism:
         x = self.commanded(target)
         if np.may_share_memory(x, q):  # joints in place of their targets, which are still read
             x = x.copy()
-        with self._kernels(len(target)) as kernels:
-            tool, constants = self._machines(kernels, tool, rows, len(target))
-            if hasattr(kernels, "simplified_inverse") and self._simplified(rows):
-                kernels.simplified_inverse(x, tool, constants, q, status)
-                if not (solved := status == SOLVED).all():
-                    x = np.where(solved[:, None], x, np.nan)
-            else:
-                x, asked = np.empty((len(target), len(self._at))), x
-                kernels.inverse(asked, tool, constants, x, q, status)
+        kernels = self._kernels(len(target))
+        tool, constants = self._machines(kernels, tool, rows, len(target))
+        if hasattr(kernels, "simplified_inverse") and self._simplified(rows):
+            kernels.simplified_inverse(x, tool, constants, q, status)
+            if not (solved := status == SOLVED).all():
+                x = np.where(solved[:, None], x, np.nan)
+        else:
+            x, asked = np.empty((len(target), len(self._at))), x
+            kernels.inverse(asked, tool, constants, x, q, status)
         return q, self._body(x, kernels), status
 
     def _machines(self, kernels: ModuleType, tool: Array, rows: Array, poses: int) -> tuple[Array, Array]:
@@ -687,9 +636,9 @@ class Mechanism:
         S = result(S_out if whole else None, (len(x), n, self.limbs * n_v))
         V = result(V_out if whole else None, (len(x), n, self.limbs))
         status = np.empty(len(x), dtype=np.int64)
-        with self._kernels(len(q)) as kernels:
-            tool, constants = self._machines(kernels, tool, rows, len(q))
-            kernels.sensitivity(self._own(x, kernels), q, tool, constants, S, V, status)
+        kernels = self._kernels(len(q))
+        tool, constants = self._machines(kernels, tool, rows, len(q))
+        kernels.sensitivity(self._own(x, kernels), q, tool, constants, S, V, status)
         if not whole:
             S, V = self._in_space(S, S_out), self._in_space(V, V_out)
         by_limb = S.reshape(len(x), self.n_x, self.limbs, n_v)

@@ -8,6 +8,7 @@ are reduced, block by block, to the triangle of their QR decomposition, which ho
 from __future__ import annotations
 
 import dataclasses
+import itertools
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from numbers import Integral
@@ -21,6 +22,7 @@ from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation import Problem, pose_problem
 from deltacal_gen.identification import SCHEMA, file_terms, parameter_table
 from deltacal_gen.inputs import Recording, Robot
+from deltacal_gen.machine.backend import working
 from deltacal_gen.measurement import CONTACT, Instrument, Readings, readings
 from deltacal_gen.mechanism import Array, mechanism_of
 from deltacal_gen.recording import read_blocks, write_blocks
@@ -140,7 +142,7 @@ def simulate(
 
     def parts() -> Iterator[Recording]:
         seen = frame
-        for part in read_blocks(poses, mechanism, rows, need_measured=False, allow_targets=True):
+        for part in blocks:
             if not Path(poses).with_suffix(".toml").exists():  # as `commands.simulate` has it
                 part = dataclasses.replace(part, measurement=dataclasses.replace(part.measurement, frame="robot"))
             if seen is None and part.kind == "position" and part.measurement.frame == "unknown" and rng is not None:
@@ -149,7 +151,9 @@ def simulate(
             turns = part.measurement.sigma_rad or 0.0 if noise_mm else 0.0
             yield simulation.simulate(robot, part, true, noise_mm=noise_mm, noise_rad=turns, rng=rng, frame=seen)
 
-    return write_blocks(parts(), output)
+    size, blocks = _begun(read_blocks(poses, mechanism, rows, need_measured=False, allow_targets=True))
+    with working("blocks", size):
+        return write_blocks(parts(), output)
 
 
 def identify(robot: Robot, recording: str | Path, model: str, *, rows: int = ROWS, passes: int = PASSES) -> Streamed:
@@ -181,16 +185,18 @@ def identify(robot: Robot, recording: str | Path, model: str, *, rows: int = ROW
         number += 1
         triangle: Array | None = None
         count = scalars = 0
-        for part in read_blocks(recording, mechanism, rows):
+        size, blocks = _begun(read_blocks(recording, mechanism, rows))
+        for part in blocks:
             if part.kind != "position":
                 raise InputError(
                     f"only positions are identified in blocks, these readings are of the kind {part.kind}.",
                     "Identify them as a whole.",
                     file=recording,
                 )
-            problem = pose_problem(robot, part, names)
-            instrument = problem.begin(errors) if instrument is None else instrument
-            triangle = _reduced(problem, errors, instrument, triangle)
+            with working("blocks", size):
+                problem = pose_problem(robot, part, names)
+                instrument = problem.begin(errors) if instrument is None else instrument
+                triangle = _reduced(problem, errors, instrument, triangle)
             count, setups = count + len(problem.readings), part.setup_names
             scalars += problem.readings.n_scalars
         assert triangle is not None
@@ -240,8 +246,9 @@ def predict(result: Mapping[str, Any], recording: str | Path, output: str | Path
         As `recording.read_blocks` and `prediction.predict`.
     """
     robot = prediction.calibrated_robot(result)
-    blocks = read_blocks(recording, mechanism_of(robot), rows, need_measured=False)
-    return write_blocks((prediction.predict(result, part) for part in blocks), output)
+    size, blocks = _begun(read_blocks(recording, mechanism_of(robot), rows, need_measured=False))
+    with working("blocks", size):
+        return write_blocks((prediction.predict(result, part) for part in blocks), output)
 
 
 def validate(result: Mapping[str, Any], recording: str | Path, *, rows: int = ROWS) -> dict[str, Any]:
@@ -257,7 +264,7 @@ def validate(result: Mapping[str, Any], recording: str | Path, *, rows: int = RO
     """
 
     def parts() -> Iterator[tuple[Readings, Array]]:
-        for part in read_blocks(recording, mechanism_of(prediction.calibrated_robot(result)), rows):
+        for part in blocks:
             if part.kind == CONTACT:
                 raise InputError(
                     "contacts are not validated in blocks: where a point is, all its touches say together.",
@@ -267,7 +274,15 @@ def validate(result: Mapping[str, Any], recording: str | Path, *, rows: int = RO
             found = readings(part)
             yield found, prediction.residual(result, part, found)
 
-    return validation.figures(result, parts())
+    size, blocks = _begun(read_blocks(recording, mechanism_of(prediction.calibrated_robot(result)), rows))
+    with working("blocks", size):
+        return validation.figures(result, parts())
+
+
+def _begun(blocks: Iterator[Recording]) -> tuple[int, Iterator[Recording]]:
+    """Return the rows of the first block, which are as many as the work has or as a block holds, and all blocks."""
+    first = next(blocks)
+    return len(first.joints), itertools.chain([first], blocks)
 
 
 def _reduced(problem: Problem, errors: Array, instrument: Instrument, triangle: Array | None) -> Array:

@@ -24,8 +24,9 @@ from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation import Problem, pose_problem
 from deltacal_gen.execution import Outcome, Task, Told, content_key, run
 from deltacal_gen.identification import BROAD
+from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.measurement import Instrument, Readings, carried
-from deltacal_gen.mechanism import Array, compiled_only
+from deltacal_gen.mechanism import Array
 from deltacal_gen.physics import Body, Channels, Term, term_to_dict
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot, robot_to_dict
@@ -503,7 +504,7 @@ def conduct(
     InputError
         The plan carries fewer readings than the calibration has unknowns, or cannot be reached; no scheduler answers.
     """
-    with compiled_only():
+    with using(Backend.COMPILED):
         return _conduct(study, trials, diagnoses, workers, cluster, directory, told)
 
 

@@ -23,6 +23,8 @@ from typing import Any
 from rich.console import Console
 from rich.table import Table
 
+from deltacal_gen.machine.backend import Backend, using
+
 from .works import KERNEL, MISSING, NUMBA, NUMPY, OURS, TOOLS, WORKS, Contender, Work, disagreement, works
 
 SCALE = {"ns": 1e9, "us": 1e6, "ms": 1e3, "s": 1.0}
@@ -137,6 +139,7 @@ def _short(value: float) -> str:
     return f"{value:.0f}" if value >= 100 else f"{value:.3g}"
 
 
+@using(Backend.COMPILED)  # as who does a work over and over would
 def main(arguments: list[str] | None = None) -> int:
     """Run the works asked for, print the table; return 1 where contenders disagree."""
     parser = argparse.ArgumentParser(prog="python -m tests.benchmarks", description=__doc__.split("\n")[0])

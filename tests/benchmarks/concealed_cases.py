@@ -21,7 +21,8 @@ import numpy as np
 from deltacal_gen.errors import DeltacalError
 from deltacal_gen.estimation import Problem, Repeats, pose_problem, rms
 from deltacal_gen.identification import BROAD
-from deltacal_gen.mechanism import compiled_only, load_mechanism, mechanism_of
+from deltacal_gen.machine.backend import Backend, using
+from deltacal_gen.mechanism import load_mechanism, mechanism_of
 from deltacal_gen.physics import Term, blank, coefficients, load_effect
 from deltacal_gen.recording import Measurement, Recording
 from deltacal_gen.robot import Robot
@@ -108,7 +109,7 @@ def plan(
     return [out[i] for i in np.random.default_rng(seed).permutation(len(out))]
 
 
-@compiled_only()
+@using(Backend.COMPILED)
 def generate(
     kind: str,
     names: Sequence[str],

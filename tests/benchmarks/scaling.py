@@ -20,10 +20,11 @@ import numpy as np
 from deltacal_gen import PoseSet
 from deltacal_gen.accuracy import check_poses
 from deltacal_gen.estimation import pose_problem
+from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.physics import blank
 
 from . import by_hand
-from .works import DELTA, POSES, ROBOT, SIGMA, errors, identified, measured, positions, recorded, rings, settle
+from .works import DELTA, POSES, ROBOT, SIGMA, errors, identified, measured, positions, recorded, rings
 
 EFFECT = "joint_scale"  # one coefficient for each joint
 
@@ -56,7 +57,8 @@ def trials(count: int) -> Callable[[slice], None]:
     identified(poses, linear, check, target, true[:1], noise[:1])  # what they share is computed
 
     def part(some: slice) -> None:
-        identified(poses, linear, check, target, true[some], noise[some])
+        with using(Backend.COMPILED):  # a thread begins without what was chosen outside
+            identified(poses, linear, check, target, true[some], noise[some])
 
     return part
 
@@ -110,13 +112,13 @@ def by_effects(most: int) -> tuple[list[int], list[float]]:
     return list(times), list(times.values())
 
 
+@using(Backend.COMPILED)
 def main(arguments: list[str] | None = None) -> int:
     """Print the figures and draw them."""
     parser = argparse.ArgumentParser(prog="python -m tests.benchmarks.scaling", description=__doc__.split("\n")[0])
     parser.add_argument("-o", "--output", type=Path, default=Path("scaling.png"))
     parser.add_argument("--most", type=int, default=1_000_000, metavar="POSES")
     given = parser.parse_args(arguments)
-    settle()
     sizes = [n for n in (100, 1_000, 10_000, 100_000, 1_000_000) if n <= given.most]
     cost: dict[str, list[float]] = {}
     for n in sizes:

@@ -135,12 +135,6 @@ def columns(model: str) -> list[int]:
     return [int(PAPER[DELTA.index[name]]) for name in DELTA.model(model)]
 
 
-@cache
-def settle() -> None:
-    """Bring the mechanism to its steady state: after one large call it uses the compiled kernels."""
-    DELTA.forward(np.full((25_000, 3), -0.1), np.zeros(3), DELTA.rows(ROBOT))
-
-
 def by_tools(work: str, *given: Any) -> dict[str, Contender]:
     """Return the tools that do a work, each made ready for what is given."""
     return {name: Contender(getattr(tool, work)(*given)) for name, tool in TOOLS.items() if hasattr(tool, work)}
@@ -164,7 +158,6 @@ def sensitivity(n: int, *, exact: bool) -> Work:
 
     The package's one kernel does both; it gives the rotation and the derivatives by joints and deflections as well.
     """
-    settle()
     r, p = positions(n), errors() if exact else np.zeros(42)
     theta = np.ascontiguousarray(by_hand.ideal_inverse(r))
     rods, slopes = by_hand.machine(paper(p)), by_hand.machine_derivatives(paper(p))
@@ -213,7 +206,6 @@ def sensitivity(n: int, *, exact: bool) -> Work:
 
 def matrix(n: int) -> Work:
     """H of model 32 from the distances of all pairs of n poses."""
-    settle()
     r = rings(n)
     theta = np.ascontiguousarray(by_hand.ideal_inverse(r))
     recording = recorded(theta, [(POINT, r + POINT)])
@@ -241,7 +233,6 @@ def matrix(n: int) -> Work:
 
 def ideal(n: int, *, forward: bool) -> Work:
     """Positions or joints of the ideal machine; the package solves all six rods, by hand it is a closed form."""
-    settle()
     r = positions(n)
     theta, p, out = np.ascontiguousarray(by_hand.ideal_inverse(r)), DELTA.rows(ROBOT), np.empty((n, 3))
     kernels, point, x, q = DELTA.compiled, np.zeros((1, 3)), np.empty((n, 3)), np.empty((n, 3))
@@ -273,7 +264,6 @@ def ideal(n: int, *, forward: bool) -> Work:
 
 def forward(n: int) -> Work:
     """Exact poses of one machine with errors."""
-    settle()
     theta, p = np.ascontiguousarray(by_hand.ideal_inverse(positions(n))), errors()
     rods, rows = by_hand.machine(paper(p)), DELTA.rows(ROBOT, p)
     k, tool, status = DELTA.compiled.constants(rows), np.zeros((1, 3)), np.empty(n, dtype=np.int64)
@@ -456,7 +446,6 @@ def measured(model: str, n: int = 19) -> tuple[Array, list[tuple[Array, Array]]]
 
 def identification(n: int, *, model: str) -> Work:
     """Encoder offsets, then a model, from the distances of all pairs; the package also says how far to trust them."""
-    settle()
     theta, points = measured(model, n)
     recording = recorded(theta, points)
 

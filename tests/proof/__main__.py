@@ -25,7 +25,7 @@ from rich.console import Console
 from rich.progress import MofNCompleteColumn, Progress, TimeRemainingColumn
 
 from deltacal_gen.errors import NoSolutionError
-from deltacal_gen.mechanism import compiled_only
+from deltacal_gen.machine.backend import Backend, using
 from tests.benchmarks.concealed_cases import generate, plan
 from tests.benchmarks.concealed_grading import oracle
 from tests.proof import files, multibody, report
@@ -50,7 +50,7 @@ def jobs(cases: int, engines: list[str], seed: int) -> list[Job]:
     return [(f"c{n + 1:03d}", *drawn[i]) for n, i in enumerate(order)]
 
 
-@compiled_only()
+@using(Backend.COMPILED)
 def conceal(job: Job, folder: Path) -> None:
     """Draw the case of a job and write its files."""
     name, engine, *of = job

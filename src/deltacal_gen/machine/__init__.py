@@ -1,0 +1,1 @@
+"""Machines that compute, and by which kernels."""

@@ -1,0 +1,88 @@
+"""Which kernels do a work: NumPy's, which are there at once, or those that Numba compiles.
+
+The two agree to rounding, not to the last bit. So that the same command on the same files gives the same bytes, the
+choice is made by the work alone: what it is, and over how many poses. No clock, no cache and nothing that a process did
+before has a say in it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sized
+from contextlib import contextmanager
+from contextvars import ContextVar
+from enum import Enum
+from functools import wraps
+from typing import Concatenate, ParamSpec, Protocol, TypeVar
+
+# poses from which a work pays for loading Numba and the compiled kernels, half a second or ten where nothing has been
+# compiled yet: one call, a fit of all poses some fifty times, the search of a diagnosis (a hundred fits), and files
+# that are read in blocks of so many rows because they are long
+PAYS_FROM = {"call": 20_000, "identify": 1_000, "diagnose": 300, "blocks": 5_000}
+
+
+class Backend(Enum):
+    """Kernels to compute with."""
+
+    NUMPY = "numpy"
+    COMPILED = "compiled"
+
+    @classmethod
+    def of(cls, work: str, poses: int) -> Backend:
+        """Return the one that pays for a work of `PAYS_FROM` over so many poses."""
+        return cls.COMPILED if poses >= PAYS_FROM[work] else cls.NUMPY
+
+
+_chosen: ContextVar[Backend | None] = ContextVar("backend", default=None)
+
+
+def chosen(poses: int) -> Backend:
+    """Return the back end of a call over so many poses: that of the work it belongs to, else what pays for the call."""
+    return _chosen.get() or Backend.of("call", poses)
+
+
+@contextmanager
+def using(backend: Backend) -> Iterator[None]:
+    """Compute with one back end, whatever the work; also a decorator.
+
+    For loops of many small calls, of which no single one pays for compiled kernels::
+
+        with deltacal_gen.using(deltacal_gen.Backend.COMPILED):
+            ...
+    """
+    before = _chosen.set(backend)
+    try:
+        yield
+    finally:
+        _chosen.reset(before)
+
+
+@contextmanager
+def working(work: str, poses: int) -> Iterator[None]:
+    """Compute with the back end that a work of `PAYS_FROM` pays for, unless it is part of a larger one."""
+    with using(_chosen.get() or Backend.of(work, poses)):
+        yield
+
+
+class _Recording(Protocol):
+    @property
+    def joints(self) -> Sized: ...
+
+
+_A = TypeVar("_A")
+_D = TypeVar("_D", bound=_Recording)
+_P = ParamSpec("_P")
+_R = TypeVar("_R")
+
+
+def by_recording(work: str) -> Callable[[Callable[Concatenate[_A, _D, _P], _R]], Callable[Concatenate[_A, _D, _P], _R]]:
+    """Decorate a function of a robot and a recording: it is a work of `PAYS_FROM` over the poses of the recording."""
+
+    def decorated(function: Callable[Concatenate[_A, _D, _P], _R]) -> Callable[Concatenate[_A, _D, _P], _R]:
+        @wraps(function)
+        def worked(robot: _A, recording: _D, *args: _P.args, **kwargs: _P.kwargs) -> _R:
+            with working(work, len(recording.joints)):
+                return function(robot, recording, *args, **kwargs)
+
+        return worked
+
+    return decorated
