@@ -794,19 +794,19 @@ def virtual_work(deflections: bool) -> list[dict[str, Any]]:
             "formula": held,
             "text": "Equilibrium of the platform gives the multipliers of the closures.",
             "place": None,
-            "ends": ["Mechanism.loads"],
+            "ends": ["Limbs.loads"],
         },
         {
             "formula": torque,
             "text": "What the loads exert on each joint, positive along its positive direction.",
             "place": None,
-            "ends": ["Mechanism.loads"],
+            "ends": ["Limbs.loads"],
         },
     ]
     if deflections:
         load = ts.equation(ts.sub(ts.letter("f"), ts.letter("p")), ts.row(ts.sup(J["p"], top), mu))
         text = "The load conjugate to an error or deflection p: the pull on an arm's tip, the tension of a rod."
-        found.append({"formula": load, "text": text, "place": None, "ends": ["Mechanism.loads"]})
+        found.append({"formula": load, "text": text, "place": None, "ends": ["Limbs.loads"]})
     return found
 
 

@@ -15,7 +15,7 @@ import pytest
 
 from deltacal_gen import cli
 from deltacal_gen.accuracy import check_poses, circle
-from deltacal_gen.mechanism import Mechanism, load_mechanism
+from deltacal_gen.mechanism import Machine, load_mechanism
 from deltacal_gen.recording import Measurement, Recording
 from deltacal_gen.robot import Robot, robot_from_dict
 from deltacal_gen.rotation import cayley_vector, from_vector, to_vector
@@ -70,7 +70,7 @@ def robot() -> Robot:
 
 
 @pytest.fixture(scope="session")
-def mechanism() -> Mechanism:
+def mechanism() -> Machine:
     return load_mechanism("delta")
 
 
@@ -79,9 +79,7 @@ def rng() -> np.random.Generator:
     return np.random.default_rng(20150415)
 
 
-def plausible(
-    mechanism: Mechanism, seed: int, names: Sequence[str] | None = None, size: float = 1.0
-) -> dict[str, float]:
+def plausible(mechanism: Machine, seed: int, names: Sequence[str] | None = None, size: float = 1.0) -> dict[str, float]:
     """Return source errors of a plausible machine [mm, rad]."""
     rng = np.random.default_rng(seed)
     errors = {}

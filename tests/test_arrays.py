@@ -18,11 +18,11 @@ from deltacal_gen.compensation import Compensator
 from deltacal_gen.demonstration import example
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.identification import identify
-from deltacal_gen.mechanism import load_mechanism, mechanism_of
+from deltacal_gen.mechanism import load_mechanism, mechanism_names, mechanism_of
 from deltacal_gen.recording import read_recording
 from deltacal_gen.robot import Robot, read_robot
 from tests.conftest import PROTOTYPE, plausible, rings
-from tests.test_every_mechanism import CASES
+from tests.test_every_mechanism import example_of
 
 MASSES = {"proximal": 1.2, "proximal_com": 0.4, "distal_rod": 0.15, "platform": 0.8}
 SIGMA = 0.005  # mm
@@ -96,13 +96,13 @@ def test_the_parameters_are_those_of_identify(robot: Robot, measured: dict[str, 
     assert (np.abs(gap) < 1e-3 * deviation).all()
 
 
-@pytest.mark.parametrize("name", [name for name in CASES if name != "serial"])  # a chain needs its file
+@pytest.mark.parametrize("name", [n for n in mechanism_names() if not load_mechanism(n).linked])  # those need a file
 def test_every_mechanism_finds_a_machine_that_reads_alike(name: str, tmp_path: Path) -> None:
     """Positions of the example's poses, without noise, on a machine with errors of the model."""
-    folder, model, _ = CASES[name]
-    drawn = dataclasses.replace(read_robot(example(f"{folder}/robot.toml")), mechanism=name, errors={}, tolerance={})
+    drawn = dataclasses.replace(read_robot(example_of(name) / "robot.toml"), mechanism=name, errors={}, tolerance={})
     mechanism, rng = load_mechanism(name), np.random.default_rng(3)
-    poses = read_recording(example(f"{folder}/poses.csv"), mechanism, need_measured=False, allow_targets=True)
+    model = mechanism.full_model
+    poses = read_recording(example_of(name) / "poses.csv", mechanism, need_measured=False, allow_targets=True)
     joints = poses.joints
     if poses.targets is not None:
         joints, _, _ = mechanism.inverse(poses.targets, np.zeros(3), mechanism.rows(drawn))
@@ -121,18 +121,18 @@ def test_every_mechanism_finds_a_machine_that_reads_alike(name: str, tmp_path: P
     assert np.abs(found.residual).max() < 1e-5
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", mechanism_names())
 def test_results_are_written_where_the_caller_wants_them(name: str) -> None:
     """Every function of many poses, of every mechanism: `out` is what it returns, and holds what it returns else."""
-    robot = dataclasses.replace(read_robot(example(f"{CASES[name][0]}/robot.toml")), mechanism=name, tolerance={})
+    robot = dataclasses.replace(read_robot(example_of(name) / "robot.toml"), mechanism=name, tolerance={})
     mechanism = mechanism_of(robot)
-    poses = read_recording(example(f"{CASES[name][0]}/poses.csv"), mechanism, need_measured=False, allow_targets=True)
+    poses = read_recording(example_of(name) / "poses.csv", mechanism, need_measured=False, allow_targets=True)
     tool, rows = np.zeros(3), mechanism.rows(robot)
     q = mechanism.inverse(poses.targets, tool, rows)[0] if poses.targets is not None else poses.joints
     q = np.ascontiguousarray(q[:5])
     x, _ = mechanism.forward(q, tool, rows)
     S = mechanism.sensitivity(x, q, tool, rows)
-    target = x if mechanism.limbs > 3 else x[:, :3]
+    target = x if mechanism.turning else x[:, :3]
     at, moved, down = (x, q, tool, rows), np.full((len(q), 3), 0.01), np.array([0.0, 0.0, -9.81])
     calls = [
         lambda out: mechanism.undo(moved, *at, out=out),
@@ -154,7 +154,7 @@ def test_results_are_written_where_the_caller_wants_them(name: str) -> None:
         with pytest.raises(ValueError, match="out is an array"):
             call(np.empty((1, 1)))
     several = [lambda out: mechanism.loads(*at, MASSES, down, 2.0, out=out)]
-    several += [lambda out: mechanism.jacobians(*at, out=out)] if mechanism.links is None else []
+    several += [lambda out: mechanism.jacobians(*at, out=out)] if mechanism.looped else []
     for call in several:
         alone = call(None)
         out = [np.full(one.shape, 7.0) for one in alone]

@@ -14,7 +14,7 @@ import pytest
 import deltacal_gen as dc
 from deltacal_gen.machine import backend
 from deltacal_gen.machine.backend import PAYS_FROM, Backend, by_recording, using, working
-from deltacal_gen.mechanism import Mechanism
+from deltacal_gen.mechanism import Machine
 from deltacal_gen.robot import Robot, robot_to_toml
 from tests.conftest import scattered
 
@@ -43,7 +43,7 @@ print("deltacal_kernels.compiled" in sys.modules)
 
 
 @pytest.fixture(scope="module")
-def given(robot: Robot, mechanism: Mechanism, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def given(robot: Robot, mechanism: Machine, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A robot file and two recordings of a machine with errors: of few poses, and of more than pay for compiling."""
     folder = tmp_path_factory.mktemp("given")
     (folder / "robot.toml").write_text(robot_to_toml(robot))
@@ -83,7 +83,7 @@ def test_neither_the_cache_nor_what_ran_before_moves_a_bit(given: Path, tmp_path
     assert written(given, tmp_path / "unwritable", "compiled", cache=no_folder / "cache") == empty
 
 
-def kernels_used(mechanism: Mechanism, robot: Robot, poses: int, monkeypatch: pytest.MonkeyPatch) -> set[ModuleType]:
+def kernels_used(mechanism: Machine, robot: Robot, poses: int, monkeypatch: pytest.MonkeyPatch) -> set[ModuleType]:
     """Return the kernels that a call over so many poses runs."""
     used = set()
     for kernels in (mechanism.compiled, mechanism.vectorised):
@@ -98,7 +98,7 @@ def kernels_used(mechanism: Mechanism, robot: Robot, poses: int, monkeypatch: py
 
 
 def test_a_call_is_compiled_where_its_poses_pay_for_it(
-    robot: Robot, mechanism: Mechanism, monkeypatch: pytest.MonkeyPatch
+    robot: Robot, mechanism: Machine, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     enough = PAYS_FROM["call"]
     assert kernels_used(mechanism, robot, enough, monkeypatch) == {mechanism.compiled}

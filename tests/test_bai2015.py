@@ -16,7 +16,7 @@ from deltacal_gen.accuracy import check_poses, circle, distance_error, largest, 
 from deltacal_gen.estimation import pose_problem
 from deltacal_gen.identifiability import identification_matrix, observability, unseen
 from deltacal_gen.identification import identify
-from deltacal_gen.mechanism import SOLVED, Mechanism
+from deltacal_gen.mechanism import SOLVED, Machine
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot
 from deltacal_gen.simulation import simulate
@@ -54,7 +54,7 @@ def measuring(robot: Robot, model: str, noise: float = 0.0, seed: int = 0) -> Re
 
 
 def positions_at(
-    robot: Robot, mechanism: Mechanism, errors: dict[str, float], q: np.ndarray, tool: np.ndarray
+    robot: Robot, mechanism: Machine, errors: dict[str, float], q: np.ndarray, tool: np.ndarray
 ) -> np.ndarray:
     x, status = mechanism.forward(q, tool, mechanism.rows(robot, mechanism.vector(errors)))
     assert (status == SOLVED).all()
@@ -62,7 +62,7 @@ def positions_at(
 
 
 def compare(
-    robot: Robot, mechanism: Mechanism, model: str, found: dict[str, float]
+    robot: Robot, mechanism: Machine, model: str, found: dict[str, float]
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return distance errors, volumetric errors and plain errors at the 96 check poses, commanded by the found machine.
 
@@ -102,7 +102,7 @@ RANKS = {"42": 32, "36": 32, "32": 32, "24": 18, "18": 18, "3": 3}  # section 3.
 
 @pytest.mark.parametrize("points", [1, 2, 3])
 @pytest.mark.parametrize(("model", "rank"), RANKS.items())
-def test_ranks_are_those_of_the_paper(robot: Robot, mechanism: Mechanism, model: str, rank: int, points: int) -> None:
+def test_ranks_are_those_of_the_paper(robot: Robot, mechanism: Machine, model: str, rank: int, points: int) -> None:
     tools = np.array([[0.0, 0.0, -60.0], [80.0, 0.0, -60.0], [0.0, 80.0, -60.0]])[:points]
     poses = np.vstack([rings(robot, 6), scattered(robot, 8, 3)])
     given = wanted(np.tile(poses, (points, 1)), frame="robot", tool=np.repeat(tools, len(poses), axis=0))
@@ -115,7 +115,7 @@ def test_ranks_are_those_of_the_paper(robot: Robot, mechanism: Mechanism, model:
     assert np.all(s[rank:] < 1e-12 * s[0])
 
 
-def test_what_distances_do_not_see_moves_them_to_second_order_only(robot: Robot, mechanism: Mechanism) -> None:
+def test_what_distances_do_not_see_moves_them_to_second_order_only(robot: Robot, mechanism: Machine) -> None:
     """The exact machine is moved along each of the ten combinations of model 42."""
     tools = np.array([[0.0, 0.0, -60.0], [80.0, 0.0, -60.0], [0.0, 80.0, -60.0]])
     poses = np.vstack([rings(robot, 6), scattered(robot, 8, 3)])
@@ -153,7 +153,7 @@ def test_what_distances_do_not_see_moves_them_to_second_order_only(robot: Robot,
 @pytest.mark.parametrize("model", ["18", "32"])
 @pytest.mark.parametrize("as_distance", [True, False], ids=["from distances", "from positions"])
 def test_the_table_s_machine_is_recovered_without_noise(
-    robot: Robot, mechanism: Mechanism, model: str, as_distance: bool
+    robot: Robot, mechanism: Machine, model: str, as_distance: bool
 ) -> None:
     found = identify(robot, measuring(robot, model), model, as_distance=as_distance, solver="least-squares")
     distance, volumetric, plain = compare(robot, mechanism, model, found.robot.errors)
@@ -165,7 +165,7 @@ def test_the_table_s_machine_is_recovered_without_noise(
         assert found.robot.errors[name] == pytest.approx(value, abs=1e-5 * scale), name
 
 
-def rough_offsets(robot: Robot, mechanism: Mechanism, recording: Recording) -> dict[str, float]:
+def rough_offsets(robot: Robot, mechanism: Machine, recording: Recording) -> dict[str, float]:
     """Return the encoder offsets by eqs. (17) and (26), iterated: step 1 of section 4.2."""
     errors: dict[str, float] = {}
     offsets = mechanism.model("3")
@@ -180,7 +180,7 @@ def rough_offsets(robot: Robot, mechanism: Mechanism, recording: Recording) -> d
 
 
 def one_step(
-    robot: Robot, mechanism: Mechanism, model: str, recording: Recording, errors: dict[str, float]
+    robot: Robot, mechanism: Machine, model: str, recording: Recording, errors: dict[str, float]
 ) -> dict[str, float]:
     """Return errors after one linear step of eq. (17) or (20): step 2 of section 4.2."""
     names = mechanism.model(model)
@@ -191,7 +191,7 @@ def one_step(
 
 
 @pytest.mark.parametrize("model", ["18", "32"])
-def test_one_linear_step_after_the_offsets_is_enough(robot: Robot, mechanism: Mechanism, model: str) -> None:
+def test_one_linear_step_after_the_offsets_is_enough(robot: Robot, mechanism: Machine, model: str) -> None:
     """Section 5.2: "we only need to run the calibration procedure once", because the offsets came first."""
     recording = measuring(robot, model)
     offsets = rough_offsets(robot, mechanism, recording)
@@ -203,7 +203,7 @@ def test_one_linear_step_after_the_offsets_is_enough(robot: Robot, mechanism: Me
     assert largest(at_once[1]) > 5 * largest(volumetric)
 
 
-def test_the_offsets_come_out_of_five_poses_on_the_middle_layer(robot: Robot, mechanism: Mechanism) -> None:
+def test_the_offsets_come_out_of_five_poses_on_the_middle_layer(robot: Robot, mechanism: Machine) -> None:
     """Section 5.1 on a machine whose only errors are the offsets: 15 distances, exact."""
     assert robot.workspace is not None
     poses = np.vstack([check_poses(robot.workspace)[:1], circle(robot.workspace, 0.5, 1.0, 5)])
@@ -215,7 +215,7 @@ def test_the_offsets_come_out_of_five_poses_on_the_middle_layer(robot: Robot, me
 
 
 @pytest.fixture(scope="module")
-def noisy(robot: Robot, mechanism: Mechanism) -> dict[str, dict[str, Any]]:
+def noisy(robot: Robot, mechanism: Machine) -> dict[str, dict[str, Any]]:
     """Largest errors at the 96 check poses as in Table 5, over ten sessions with the tracker's noise of 0.005 mm."""
     out: dict[str, dict[str, Any]] = {}
     for model in ("18", "32"):

@@ -251,7 +251,7 @@ def test_direct_commands_are_bound_to_their_machine(name: str, kind: str) -> Non
         point = given.targets[0]
     else:
         point = mechanism.forward(given.joints[:1], np.zeros(3), mechanism.rows(robot))[0][0, :3]
-    numbers = point[: len(mechanism.commanded(np.zeros((1, 3)))[0])].tolist()
+    numbers = point[: len(mechanism.stated(np.zeros((1, 3)))[0])].tolist()
     gc.collect()
     nominal, other = (command(*numbers) for command in commands)
     assert nominal != other

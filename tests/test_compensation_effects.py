@@ -16,11 +16,12 @@ import pytest
 from conftest import plausible, scattered, wanted
 
 from deltacal_gen import commands
-from deltacal_gen.compensation import SETTLED_MM, Compensator
+from deltacal_gen.compensation import Compensator
 from deltacal_gen.diagnosis import diagnose
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.exports import Spans, export_c, export_table, read_table, spans
-from deltacal_gen.mechanism import SOLVED, UNREACHABLE, Mechanism
+from deltacal_gen.machine.limbs import SETTLED_MM
+from deltacal_gen.mechanism import SOLVED, UNREACHABLE, Machine
 from deltacal_gen.physics import Term, blank, effect_names, load_effect
 from deltacal_gen.robot import Masses, Robot
 from deltacal_gen.simulation import simulate
@@ -67,7 +68,7 @@ def channels(n: int, seed: int = 0) -> dict[str, np.ndarray]:
 
 
 @pytest.fixture(scope="module")
-def machine(robot: Robot, mechanism: Mechanism) -> Robot:
+def machine(robot: Robot, mechanism: Machine) -> Robot:
     masses = Masses(proximal=1.2, proximal_com=0.4, distal_rod=0.15, platform=0.8)
     return dataclasses.replace(
         robot, masses=masses, errors=plausible(mechanism, 3), joint_sign=np.array([1.0, -1.0, 1.0])
@@ -185,7 +186,7 @@ READS = {
 
 @pytest.mark.parametrize("case", CASES)
 def test_the_machine_meets_its_targets_once_it_is_diagnosed(
-    machine: Robot, mechanism: Mechanism, case: str, tmp_path: Path
+    machine: Robot, mechanism: Machine, case: str, tmp_path: Path
 ) -> None:
     """Conceal an effect, diagnose it, command the true machine: what is left at new targets is parameter error."""
     name, size, limbs = CASES[case]

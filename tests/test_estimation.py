@@ -11,7 +11,7 @@ from conftest import plausible, rings, scattered, wanted
 from deltacal_gen.errors import NoSolutionError
 from deltacal_gen.estimation import Fit, Problem, Repeats, fit, pose_problem, rms
 from deltacal_gen.measurement import Instrument
-from deltacal_gen.mechanism import Mechanism
+from deltacal_gen.mechanism import Machine
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot
 from deltacal_gen.rotation import from_vector, to_vector
@@ -24,7 +24,7 @@ BASE_POINT = (420.0, -150.0, 40.0)
 
 
 @pytest.fixture(scope="module")
-def truth(mechanism: Mechanism) -> dict[str, float]:
+def truth(mechanism: Machine) -> dict[str, float]:
     return plausible(mechanism, 3, mechanism.model("18"))
 
 
@@ -61,7 +61,7 @@ def true_instrument(found: Instrument, errors_of_gauge: np.ndarray) -> np.ndarra
 
 @pytest.mark.parametrize("kind", ["position", "distance", "gauge"])
 def test_machine_and_instrument_lie_off_the_truth_by_their_covariance(
-    robot: Robot, mechanism: Mechanism, truth: dict[str, float], kind: str
+    robot: Robot, mechanism: Machine, truth: dict[str, float], kind: str
 ) -> None:
     """Monte Carlo over 40 noises: coverage of each parameter, and chi2 of all of them with the instrument's."""
     recording, p = clean(robot, truth, kind), mechanism.vector(truth)
@@ -83,9 +83,7 @@ def test_machine_and_instrument_lie_off_the_truth_by_their_covariance(
     assert np.mean(chi2) == pytest.approx(1.0, abs=0.2)
 
 
-def test_noise_is_estimated_from_what_the_fit_leaves(
-    robot: Robot, mechanism: Mechanism, truth: dict[str, float]
-) -> None:
+def test_noise_is_estimated_from_what_the_fit_leaves(robot: Robot, mechanism: Machine, truth: dict[str, float]) -> None:
     recording = clean(robot, truth, "position")
     found = [
         fit(pose_problem(robot, with_noise(recording, seed), mechanism.model("18")), errors=mechanism.vector(truth))
@@ -96,7 +94,7 @@ def test_noise_is_estimated_from_what_the_fit_leaves(
     assert all(f.rms() < f.sigma[0] for f in found)  # the residuals have lost 24 of 117 degrees of freedom
 
 
-def test_no_figure_depends_on_the_words_of_a_prior(robot: Robot, mechanism: Mechanism, truth: dict[str, float]) -> None:
+def test_no_figure_depends_on_the_words_of_a_prior(robot: Robot, mechanism: Machine, truth: dict[str, float]) -> None:
     """Distances of positions share the positions' noise: what the prior holds is then added to the scatter."""
     recording = with_noise(clean(robot, truth, "position"), 1)
     problem = pose_problem(robot, recording, mechanism.model("42"), as_distance=True)
@@ -109,7 +107,7 @@ def test_no_figure_depends_on_the_words_of_a_prior(robot: Robot, mechanism: Mech
 # ---------------------------------------------------------------------------------------------------------------- steps
 
 
-def test_the_fit_converges_from_the_drawings(robot: Robot, mechanism: Mechanism, truth: dict[str, float]) -> None:
+def test_the_fit_converges_from_the_drawings(robot: Robot, mechanism: Machine, truth: dict[str, float]) -> None:
     """Offsets of degrees, in one stage: quadratic, so the last gains are small at once."""
     far = {n: 8 * v if n.startswith("theta") else v for n, v in truth.items()}
     found = fit(pose_problem(robot, clean(robot, far, "position"), mechanism.model("18")))
@@ -118,7 +116,7 @@ def test_the_fit_converges_from_the_drawings(robot: Robot, mechanism: Mechanism,
 
 
 def test_a_fit_without_parameters_aligns_the_instrument_only(
-    robot: Robot, mechanism: Mechanism, truth: dict[str, float]
+    robot: Robot, mechanism: Machine, truth: dict[str, float]
 ) -> None:
     recording = clean(robot, {}, "position")
     found = fit(pose_problem(robot, recording, ()))
@@ -130,7 +128,7 @@ def test_a_fit_without_parameters_aligns_the_instrument_only(
 
 
 def test_parameters_without_data_stay_at_the_robot_file(
-    robot: Robot, mechanism: Mechanism, truth: dict[str, float]
+    robot: Robot, mechanism: Machine, truth: dict[str, float]
 ) -> None:
     """Distances see no shift of the base: a robot file that has one keeps it, and the rest is fitted around it."""
     shifted = dataclasses.replace(robot, errors={"ez_1": 0.3, "ez_2": 0.3, "ez_3": 0.3})
@@ -141,23 +139,21 @@ def test_parameters_without_data_stay_at_the_robot_file(
     assert found.rms() < 1e-6
 
 
-def test_a_fit_that_does_not_settle_says_so(
-    robot: Robot, mechanism: Mechanism, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_fit_that_does_not_settle_says_so(robot: Robot, mechanism: Machine, monkeypatch: pytest.MonkeyPatch) -> None:
     recording = with_noise(clean(robot, plausible(mechanism, 3), "distance"), 2)
     monkeypatch.setattr("deltacal_gen.estimation.MAX_ITERATIONS", 1)
     with pytest.raises(NoSolutionError, match=r"42 parameters did not converge in 1 iterations.*Try a smaller model"):
         fit(pose_problem(robot, recording, mechanism.model("42")), LeastSquares())
 
 
-def test_a_truncation_keeps_weak_directions_at_the_robot_file(robot: Robot, mechanism: Mechanism) -> None:
+def test_a_truncation_keeps_weak_directions_at_the_robot_file(robot: Robot, mechanism: Machine) -> None:
     recording = with_noise(clean(robot, plausible(mechanism, 3), "distance"), 2)
     found = fit(pose_problem(robot, recording, mechanism.model("42")), TSVD(30))
     assert found.solution.factors.sum() == 30
     assert found.rms() < 1.3 * NOISE
 
 
-def test_unread_rotations_are_left_out(robot: Robot, mechanism: Mechanism, truth: dict[str, float]) -> None:
+def test_unread_rotations_are_left_out(robot: Robot, mechanism: Machine, truth: dict[str, float]) -> None:
     recording = clean(robot, truth, "pose")
     half = recording.measured.copy()
     half[::2, 3:] = np.nan
@@ -168,7 +164,7 @@ def test_unread_rotations_are_left_out(robot: Robot, mechanism: Mechanism, truth
     assert np.isnan(found.residual[0, 3:]).all()
 
 
-def test_the_controller_s_sign_is_applied(robot: Robot, mechanism: Mechanism, truth: dict[str, float]) -> None:
+def test_the_controller_s_sign_is_applied(robot: Robot, mechanism: Machine, truth: dict[str, float]) -> None:
     flipped = dataclasses.replace(robot, joint_sign=np.array([1.0, -1.0, -1.0]))
     recording = simulate(flipped, wanted(scattered(robot, 20, 4)), truth, frame=FRAME)
     straight = simulate(robot, wanted(scattered(robot, 20, 4)), truth, frame=FRAME)
@@ -206,7 +202,7 @@ def test_components_are_whitened_each_by_its_own_ratio() -> None:
 
 
 def test_positions_that_are_aimed_anew_say_nothing_of_rotations(
-    robot: Robot, mechanism: Mechanism, truth: dict[str, float]
+    robot: Robot, mechanism: Machine, truth: dict[str, float]
 ) -> None:
     """Rotations that passed for as sure within a pose as positions are would weigh several times too much."""
     poses = np.repeat(np.vstack([rings(robot, 9), scattered(robot, 20, 4)]), 3, axis=0)
@@ -249,7 +245,7 @@ def repeated(robot: Robot, truth: dict[str, float], counts: np.ndarray) -> Recor
 
 
 def test_a_pose_that_was_read_fifty_times_does_not_dominate(
-    robot: Robot, mechanism: Mechanism, truth: dict[str, float]
+    robot: Robot, mechanism: Machine, truth: dict[str, float]
 ) -> None:
     evenly, often = np.full(39, 2), np.full(39, 2)
     often[[7, 20]] = 50
@@ -269,7 +265,7 @@ def test_a_pose_that_was_read_fifty_times_does_not_dominate(
 
 
 def test_a_gross_error_says_nothing_of_what_readings_of_a_pose_share(
-    robot: Robot, mechanism: Mechanism, truth: dict[str, float]
+    robot: Robot, mechanism: Machine, truth: dict[str, float]
 ) -> None:
     """One at a pose that was read once would else pass for an error of poses."""
     poses = np.vstack([rings(robot, 9), scattered(robot, 40, 4)])
@@ -288,7 +284,7 @@ def test_a_gross_error_says_nothing_of_what_readings_of_a_pose_share(
 # --------------------------------------------------------------------------------------------------------------- pieces
 
 
-def test_a_subset_holds_its_readings_only(robot: Robot, mechanism: Mechanism, truth: dict[str, float]) -> None:
+def test_a_subset_holds_its_readings_only(robot: Robot, mechanism: Machine, truth: dict[str, float]) -> None:
     problem: Problem = pose_problem(robot, clean(robot, truth, "position"), mechanism.model("3"))
     part = problem.subset(np.arange(39) % 3 == 0)
     assert len(part.readings) == 13
@@ -297,7 +293,7 @@ def test_a_subset_holds_its_readings_only(robot: Robot, mechanism: Mechanism, tr
     assert problem.with_names(("L_1", "theta_2")).scale == pytest.approx([0.1, np.pi / 180])
 
 
-def test_the_tool_point_of_a_row_goes_before_the_robot_s(robot: Robot, mechanism: Mechanism) -> None:
+def test_the_tool_point_of_a_row_goes_before_the_robot_s(robot: Robot, mechanism: Machine) -> None:
     recording = simulate(robot, wanted(scattered(robot, 4, 1)))
     own = np.full((4, 3), np.nan)
     own[1:] = [1.0, 2.0, 3.0]

@@ -16,19 +16,11 @@ import pytest
 from deltacal_gen import cli
 from deltacal_gen.demonstration import example
 from deltacal_gen.measurement import align
-from deltacal_gen.mechanism import mechanism_of
-from deltacal_gen.robot import read_robot
+from deltacal_gen.mechanism import load_mechanism, mechanism_names, mechanism_of
+from deltacal_gen.robot import for_model, read_robot
+from deltacal_gen.simulation import truth_names
 
-CASES = {  # folder of the example, model, noise [mm]
-    "delta": ("delta", "delta/42", 0.01),
-    "complete_delta": ("delta", "delta/51", 0.01),
-    "diamond": ("diamond", "diamond/4", 0.002),
-    "linear_delta": ("linear_delta", "linear_delta/21", 0.01),
-    "planar_parallelogram": ("planar_parallelogram", "planar_parallelogram/9", 0.003),
-    "robotennis": ("robotennis", "robotennis/15", 0.005),
-    "serial": ("serial", "serial/dh", 0.02),
-    "simplified_parallelogram": ("planar_parallelogram", "planar_parallelogram/2", 0.003),
-}
+NOISE = 0.003  # mm
 COMPILER = shutil.which("cc")
 
 
@@ -67,17 +59,25 @@ def off_target(reached: np.ndarray, wanted: np.ndarray) -> float:
     return float(np.abs(reached - wanted).max())
 
 
-@pytest.mark.parametrize("name", CASES)
+def example_of(name: str) -> Path:
+    """The folder of the example that a mechanism describes: of its machine."""
+    return example(load_mechanism(name).machine)
+
+
+@pytest.mark.parametrize("name", mechanism_names())
 def test_from_drawing_to_corrected_commands(name: str, run: Any, tmp_path: Path) -> None:
     """simulate, identify, matrix, plan, validate, predict, compensate; the true machine then meets its targets."""
-    folder, model, noise = CASES[name]
-    robot, poses, truth = (example(f"{folder}/{file}") for file in ("robot.toml", "poses.csv", "truth.toml"))
-    poses = without_repeats(poses, tmp_path)
-    simplified = name.startswith("simplified")  # its two errors cannot hold all that the example's machine has
+    robot, poses, truth = (example_of(name) / file for file in ("robot.toml", "poses.csv", "truth.toml"))
+    drawn, poses = read_robot(robot), without_repeats(poses, tmp_path)
+    # the model that the readings allow, or of another description of the machine its own
+    chosen = [] if drawn.mechanism == name else ["--model", load_mechanism(name).full_model]
+    described = mechanism_of(for_model(drawn, chosen[1]) if chosen else drawn)
+    simplified = not set(truth_names(truth)) <= described.index.keys()  # what it cannot hold is left
     recording, result, targets = (tmp_path / file for file in ("recording.csv", "result.json", "targets.csv"))
-    run("simulate", robot, poses, "-o", recording, "--truth", truth, "--noise", noise, "--seed", 4)
-    found = json.loads(run("identify", robot, recording, "--model", model, "-o", result, "--json"))
-    assert found["model"] == model
+    run("simulate", robot, poses, "-o", recording, "--truth", truth, "--noise", NOISE, "--seed", 4)
+    found = json.loads(run("identify", robot, recording, *chosen, "-o", result, "--json"))
+    model = found["model"]
+    assert model in described.models
     assert found["heldout_rms_mm"] < found["before_rms_mm"] / (1 if simplified else 20)
     run("matrix", robot, recording, "--model", model, "-o", tmp_path / "H.npz")
     H = np.load(tmp_path / "H.npz")
@@ -90,9 +90,8 @@ def test_from_drawing_to_corrected_commands(name: str, run: Any, tmp_path: Path)
         c for c in recording.read_text().splitlines()[0].split(",") if c in ("x_mm", "y_mm", "z_mm", "gauge_mm")
     ]
     missed = table(tmp_path / "predicted.csv", *measured) - table(recording, *measured)
-    assert np.sqrt(np.mean(missed**2)) < (found["before_rms_mm"] if simplified else 3 * noise)
-    machine = mechanism_of(read_robot(robot))
-    axes = [f"{axis}_mm" for axis in machine.axes][: machine.limbs]
+    assert np.sqrt(np.mean(missed**2)) < (found["before_rms_mm"] if simplified else 3 * NOISE)
+    axes = [f"{axis}_mm" for axis in described.axes if f"p{axis}" in described.asks]
     run("compensate", result, targets, "-o", tmp_path / "joints.csv")
     for file in ("joints.toml", "targets.toml"):
         (tmp_path / file).write_text('[measurement]\nkind = "position"\nframe = "robot"\n')
@@ -104,7 +103,7 @@ def test_from_drawing_to_corrected_commands(name: str, run: Any, tmp_path: Path)
         for file in ("reached.csv", "uncorrected.csv")
     )
     assert corrected < plain / (1 if simplified else 10)
-    if machine.links is not None:
+    if not described.written_out:
         said = run("compensate", result, "--export", "c", "-o", tmp_path / "command.c", code=2)
         assert "how it stands is part of every command" in " ".join(said.split())
         return

@@ -11,7 +11,7 @@ from conftest import plausible, rings, scattered, wanted
 from deltacal_gen.errors import UsageError
 from deltacal_gen.estimation import pose_problem
 from deltacal_gen.identifiability import base_parameters, identification_matrix, observability, unseen
-from deltacal_gen.mechanism import Mechanism
+from deltacal_gen.mechanism import Machine
 from deltacal_gen.robot import Robot
 from deltacal_gen.simulation import simulate
 from deltacal_gen.units import DEG
@@ -84,7 +84,7 @@ def test_a_short_rank_is_no_condition_number() -> None:
 # ---------------------------------------------------------------------------------------------- of a machine's readings
 
 
-def test_the_matrix_predicts_what_small_errors_change(robot: Robot, mechanism: Mechanism) -> None:
+def test_the_matrix_predicts_what_small_errors_change(robot: Robot, mechanism: Machine) -> None:
     """``H p = r`` to second order, the unknown frame projected out of both: halve the errors, quarter the gap."""
     names = mechanism.model("42")
     full = plausible(mechanism, 5)
@@ -101,7 +101,7 @@ def test_the_matrix_predicts_what_small_errors_change(robot: Robot, mechanism: M
         assert np.log2(gaps[0] / gaps[1]) > 1.9
 
 
-def test_an_unknown_frame_costs_six_directions(robot: Robot, mechanism: Mechanism) -> None:
+def test_an_unknown_frame_costs_six_directions(robot: Robot, mechanism: Machine) -> None:
     """Position in the robot's frame sees the 38 combinations that move the point; the frame takes its six."""
     names = mechanism.model("42")
     ranks = {}
@@ -112,7 +112,7 @@ def test_an_unknown_frame_costs_six_directions(robot: Robot, mechanism: Mechanis
     assert ranks["unknown"] == 32
 
 
-def test_positions_and_their_distances_see_the_same(robot: Robot, mechanism: Mechanism) -> None:
+def test_positions_and_their_distances_see_the_same(robot: Robot, mechanism: Machine) -> None:
     """All pairs hold what a position holds beyond its frame: the same unseen space."""
     names = mechanism.model("42")
     recording = simulate(robot, wanted(np.vstack([rings(robot, 9), scattered(robot, 20, 4)])))
@@ -126,7 +126,7 @@ def test_positions_and_their_distances_see_the_same(robot: Robot, mechanism: Mec
     assert overlap == pytest.approx(np.ones(10), abs=1e-9)
 
 
-def test_unread_cells_have_no_row(robot: Robot, mechanism: Mechanism) -> None:
+def test_unread_cells_have_no_row(robot: Robot, mechanism: Machine) -> None:
     recording = simulate(robot, wanted(scattered(robot, 15, 3), "pose", frame="robot"))
     measured = recording.measured.copy()
     measured[5:, 3:] = np.nan

@@ -12,7 +12,7 @@ from conftest import plausible, rings, scattered, wanted
 from deltacal_gen.demonstration import example
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.identification import Identification, folds, identify
-from deltacal_gen.mechanism import Mechanism, load_mechanism
+from deltacal_gen.mechanism import Machine, load_mechanism
 from deltacal_gen.prediction import predict
 from deltacal_gen.recording import Recording, read_recording
 from deltacal_gen.robot import Robot, read_robot
@@ -63,7 +63,7 @@ KINDS = ["position", "pose", "distance", "gauge", "gauge, incremental"]
 @pytest.mark.parametrize("model", ["18", "42"])
 @pytest.mark.parametrize("kind", KINDS)
 def test_without_noise_fresh_readings_are_predicted_exactly(
-    robot: Robot, mechanism: Mechanism, kind: str, model: str
+    robot: Robot, mechanism: Machine, kind: str, model: str
 ) -> None:
     truth = plausible(mechanism, 3, mechanism.model(model))
     poses = np.vstack([poses_of(robot), scattered(robot, 60, 9)]) if kind.startswith("gauge") else poses_of(robot)
@@ -77,7 +77,7 @@ def test_without_noise_fresh_readings_are_predicted_exactly(
     assert values(predict(result, fresh)) == pytest.approx(values(fresh), abs=1e-6)
 
 
-def test_a_gauge_is_found_where_it_is_and_not_where_the_sidecar_says(robot: Robot, mechanism: Mechanism) -> None:
+def test_a_gauge_is_found_where_it_is_and_not_where_the_sidecar_says(robot: Robot, mechanism: Machine) -> None:
     truth = plausible(mechanism, 3, mechanism.model("18"))
     poses = np.vstack([poses_of(robot), scattered(robot, 60, 9)])
     recording = simulate(robot, asked(robot, "gauge", poses), truth)
@@ -93,12 +93,12 @@ def noisy(robot: Robot, truth: dict[str, float], kind: str = "position", seed: i
 
 
 @pytest.fixture(scope="module")
-def eighteen(mechanism: Mechanism) -> dict[str, float]:
+def eighteen(mechanism: Machine) -> dict[str, float]:
     return plausible(mechanism, 3, mechanism.model("18"))
 
 
 @pytest.fixture(scope="module")
-def complete(mechanism: Mechanism) -> dict[str, float]:
+def complete(mechanism: Machine) -> dict[str, float]:
     return plausible(mechanism, 3)
 
 
@@ -137,9 +137,7 @@ def test_what_the_model_leaves_out_is_fixed_at_the_robot_file(robot: Robot, eigh
     assert all(e["value"] == 0.0 and e["std"] is None for e in result["parameters"] if e["name"] in fixed)
 
 
-def test_tolerances_pin_what_the_readings_do_not(
-    robot: Robot, mechanism: Mechanism, complete: dict[str, float]
-) -> None:
+def test_tolerances_pin_what_the_readings_do_not(robot: Robot, mechanism: Machine, complete: dict[str, float]) -> None:
     tolerance = {p.name: 2 * p.typical for p in mechanism.parameters}
     result = identify(dataclasses.replace(robot, tolerance=tolerance), noisy(robot, complete), "42").to_dict()
     assert {e["status"] for e in result["parameters"]} == {"identified", "pinned by prior"}
@@ -152,7 +150,7 @@ def test_tolerances_pin_what_the_readings_do_not(
     assert result["regularisation"]["rule"] == "priors: 42 from [tolerance], 0 broad (10 ordinary errors)"
 
 
-def test_a_tight_tolerance_holds_its_parameter(robot: Robot, mechanism: Mechanism, complete: dict[str, float]) -> None:
+def test_a_tight_tolerance_holds_its_parameter(robot: Robot, mechanism: Machine, complete: dict[str, float]) -> None:
     tight = dataclasses.replace(robot, tolerance={"ez_1": 1e-4, "ez_2": 1e-4, "ez_3": 1e-4})
     result = identify(tight, noisy(robot, complete, "distance"), "42").to_dict()
     entry = next(e for e in result["parameters"] if e["name"] == "ez_2")
@@ -346,7 +344,7 @@ def test_accuracy_is_given_in_the_measures_of_the_paper(robot: Robot, eighteen: 
 
 
 def test_the_uncertainty_over_the_workspace_is_that_of_the_tool(
-    robot: Robot, mechanism: Mechanism, eighteen: dict[str, float]
+    robot: Robot, mechanism: Machine, eighteen: dict[str, float]
 ) -> None:
     """Stated deviations of the position in the instrument's frame, against twelve sessions."""
     frame = (np.array([0.1, 0.2, 0.3]), np.array([100.0, 200.0, 300.0]))

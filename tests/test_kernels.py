@@ -24,7 +24,7 @@ from deltacal_gen.mechanism import (
     SINGULAR,
     SOLVED,
     UNREACHABLE,
-    Mechanism,
+    Machine,
     load_mechanism,
 )
 from deltacal_gen.robot import Robot
@@ -45,7 +45,7 @@ class Solved(NamedTuple):
     tool: np.ndarray
 
 
-def solved(robot: Robot, mechanism: Mechanism, seed: int, poses: int = 12, size: float = 3.0) -> Solved:
+def solved(robot: Robot, mechanism: Machine, seed: int, poses: int = 12, size: float = 3.0) -> Solved:
     """Return a machine of random finite errors, `size` times ordinary ones, at random poses and tool points."""
     errors = plausible(mechanism, seed, size=size)
     rows = mechanism.rows(robot, mechanism.vector(errors))
@@ -56,14 +56,14 @@ def solved(robot: Robot, mechanism: Mechanism, seed: int, poses: int = 12, size:
 
 
 @pytest.fixture(scope="module")
-def machine(robot: Robot, mechanism: Mechanism) -> Solved:
+def machine(robot: Robot, mechanism: Machine) -> Solved:
     return solved(robot, mechanism, seed=1)
 
 
 # --------------------------------------------------------------------------------------------- geometry and conventions
 
 
-def test_the_rods_of_the_solved_machine_have_their_lengths(robot: Robot, mechanism: Mechanism) -> None:
+def test_the_rods_of_the_solved_machine_have_their_lengths(robot: Robot, mechanism: Machine) -> None:
     """Contract, section 6, by SciPy's rotations alone, at finite errors of all 42 kinds."""
     at = solved(robot, mechanism, seed=2, poses=8)
     g = numbers(robot.geometry)
@@ -98,7 +98,7 @@ def test_the_rods_of_the_solved_machine_have_their_lengths(robot: Robot, mechani
     [("dl", 0, +0.5), ("dl", 1, -0.5), ("l", 0, 1.0), ("l", 1, 1.0)],
 )
 def test_rod_one_lies_on_the_positive_side_of_the_joint_axis(
-    robot: Robot, mechanism: Mechanism, error: str, side: int, expected: float
+    robot: Robot, mechanism: Machine, error: str, side: int, expected: float
 ) -> None:
     """A rod of limb 2 that is longer is that of +w = (sin phi, -cos phi, 0): seen by distances, not by closures."""
     rows = mechanism.rows(robot, mechanism.vector({f"{error}_2": 1.0}))
@@ -109,7 +109,7 @@ def test_rod_one_lies_on_the_positive_side_of_the_joint_axis(
     assert np.linalg.norm(hand[1, side] - elbow[1, side]) - 950.0 == pytest.approx(expected, abs=1e-9)
 
 
-def test_a_positive_joint_angle_lifts_the_arm_and_the_platform_hangs_below(robot: Robot, mechanism: Mechanism) -> None:
+def test_a_positive_joint_angle_lifts_the_arm_and_the_platform_hangs_below(robot: Robot, mechanism: Machine) -> None:
     rows = mechanism.rows(robot)
     x, _ = mechanism.forward(np.deg2rad([[0.0, 0.0, 0.0], [10.0, 10.0, 10.0]]), np.zeros(3), rows)
     # arms flat: sqrt(950^2 - (200 + 375 - 51)^2) below the base
@@ -117,7 +117,7 @@ def test_a_positive_joint_angle_lifts_the_arm_and_the_platform_hangs_below(robot
     assert x[1, 2] > x[0, 2] + 50
 
 
-def test_the_closure_kernel_is_the_closure_written_by_hand(machine: Solved, robot: Robot, mechanism: Mechanism) -> None:
+def test_the_closure_kernel_is_the_closure_written_by_hand(machine: Solved, robot: Robot, mechanism: Machine) -> None:
     """Off the solution too, where nothing is zero."""
     x = displaced(machine.x, np.array([1.0, -2.0, 3.0, 0.01, -0.02, 0.03]))
     F, *_ = mechanism.jacobians(x, machine.q, machine.tool, machine.rows)
@@ -130,7 +130,7 @@ def test_the_closure_kernel_is_the_closure_written_by_hand(machine: Solved, robo
 # ---------------------------------------------------------------------------------------------------------- derivatives
 
 
-def by_complex_step(robot: Robot, mechanism: Mechanism, at: Solved, n: int) -> tuple[np.ndarray, ...]:
+def by_complex_step(robot: Robot, mechanism: Machine, at: Solved, n: int) -> tuple[np.ndarray, ...]:
     """Return F_x (6, 6), F_q (6, 3), F_p (6, 42) of the hand-written closure."""
     g, h = numbers(robot.geometry), COMPLEX_STEP
     x, q, tool = solved_for(at.x)[n], at.q[n], at.tool[n]
@@ -151,7 +151,7 @@ def by_complex_step(robot: Robot, mechanism: Mechanism, at: Solved, n: int) -> t
 
 
 def test_every_column_of_the_sensitivity_agrees_with_the_complex_step(
-    machine: Solved, robot: Robot, mechanism: Mechanism
+    machine: Solved, robot: Robot, mechanism: Machine
 ) -> None:
     S = mechanism.sensitivity(machine.x, machine.q, machine.tool, machine.rows)
     for n in range(4):
@@ -170,7 +170,7 @@ def test_every_column_of_the_sensitivity_agrees_with_the_complex_step(
 
 @pytest.mark.parametrize("column", range(42))
 def test_the_remainder_of_every_column_is_of_second_order(
-    machine: Solved, robot: Robot, mechanism: Mechanism, column: int
+    machine: Solved, robot: Robot, mechanism: Machine, column: int
 ) -> None:
     """Taylor test on the exact machine: halve the step, quarter the gap."""
     S = mechanism.sensitivity(machine.x, machine.q, machine.tool, machine.rows).parameters[:, :, column]
@@ -190,7 +190,7 @@ def test_the_remainder_of_every_column_is_of_second_order(
     assert order[-1] == pytest.approx(2.0, abs=0.06)  # the third order is still there at finite steps, halved each time
 
 
-def test_deflections_are_derivatives_too(machine: Solved, robot: Robot, mechanism: Mechanism) -> None:
+def test_deflections_are_derivatives_too(machine: Solved, robot: Robot, mechanism: Machine) -> None:
     """No error of the model moves an arm's tip sideways: central differences of the exact machine, extrapolated."""
     S = mechanism.sensitivity(machine.x, machine.q, machine.tool, machine.rows).deflections
     p = mechanism.vector(machine.errors)
@@ -210,7 +210,7 @@ def test_deflections_are_derivatives_too(machine: Solved, robot: Robot, mechanis
 
 
 def test_a_tip_along_the_arm_normal_is_a_joint_angle_times_the_arm(
-    machine: Solved, robot: Robot, mechanism: Mechanism
+    machine: Solved, robot: Robot, mechanism: Machine
 ) -> None:
     """At nominal geometry, tip_v moves the whole elbow as L dtheta does."""
     rows = mechanism.rows(robot, np.zeros(42))
@@ -225,9 +225,7 @@ def test_a_tip_along_the_arm_normal_is_a_joint_angle_times_the_arm(
 # ----------------------------------------------------------------------------------------------------- the two backends
 
 
-def run(
-    kernels: ModuleType, mechanism: Mechanism, q: np.ndarray, target: np.ndarray, tool: np.ndarray, rows: np.ndarray
-):
+def run(kernels: ModuleType, mechanism: Machine, q: np.ndarray, target: np.ndarray, tool: np.ndarray, rows: np.ndarray):
     """Return every output of every kernel of a backend, by name."""
     n = len(q)
     tool = np.ascontiguousarray(np.broadcast_to(tool, (n, 3)))
@@ -248,7 +246,7 @@ def run(
 
 
 @pytest.mark.parametrize("many", [False, True], ids=["one machine", "a machine per pose"])
-def test_compiled_and_plain_kernels_agree(robot: Robot, mechanism: Mechanism, many: bool) -> None:
+def test_compiled_and_plain_kernels_agree(robot: Robot, mechanism: Machine, many: bool) -> None:
     n = 40
     rng = np.random.default_rng(7)
     errors = np.array([mechanism.vector(plausible(mechanism, s)) for s in range(n if many else 1)])
@@ -263,7 +261,7 @@ def test_compiled_and_plain_kernels_agree(robot: Robot, mechanism: Mechanism, ma
 
 
 @pytest.mark.parametrize("backend", ["compiled", "vectorised"])
-def test_poses_that_cannot_be_are_named_and_become_nan(robot: Robot, mechanism: Mechanism, backend: str) -> None:
+def test_poses_that_cannot_be_are_named_and_become_nan(robot: Robot, mechanism: Machine, backend: str) -> None:
     """Rods of 500 mm do not meet while the arms lie flat: the platform's joints are 524 mm from the elbows."""
     kernels = getattr(mechanism, backend)
     short = dataclasses.replace(robot, geometry=robot.geometry | {"distal_length": np.array([500.0])})
@@ -283,7 +281,7 @@ def test_poses_that_cannot_be_are_named_and_become_nan(robot: Robot, mechanism: 
 
 
 @pytest.mark.parametrize("backend", ["compiled", "vectorised"])
-def test_a_pose_with_all_elbows_on_one_line_is_singular(robot: Robot, mechanism: Mechanism, backend: str) -> None:
+def test_a_pose_with_all_elbows_on_one_line_is_singular(robot: Robot, mechanism: Machine, backend: str) -> None:
     """With b = a and the arms upright the six rods hang parallel from three points: nothing holds the height."""
     kernels = getattr(mechanism, backend)
     flat = dataclasses.replace(robot, geometry=robot.geometry | {"platform_radius": np.array([200.0])})
@@ -299,7 +297,7 @@ def test_a_pose_with_all_elbows_on_one_line_is_singular(robot: Robot, mechanism:
     assert np.isnan(S).all()
 
 
-def test_a_warm_start_leads_to_the_same_pose(machine: Solved, mechanism: Mechanism) -> None:
+def test_a_warm_start_leads_to_the_same_pose(machine: Solved, mechanism: Machine) -> None:
     for kernels in (mechanism.compiled, mechanism.vectorised):
         k = kernels.constants(machine.rows)
         x = solved_for(machine.x) + np.array([2.0, -1.0, 3.0, 0.01, 0.01, -0.01])
@@ -313,7 +311,7 @@ def test_a_warm_start_leads_to_the_same_pose(machine: Solved, mechanism: Mechani
 
 
 @pytest.mark.parametrize("at", [[0, 1, 2, 3, 4, 5], [0, 1, 2], [0, 2, 4]])
-def test_coordinates_and_poses_are_one_another(mechanism: Mechanism, at: list[int]) -> None:
+def test_coordinates_and_poses_are_one_another(mechanism: Machine, at: list[int]) -> None:
     """By the rotations of SciPy: a Cayley vector is 2 tan(t/2) n, a rotation vector t n."""
     rng, n = np.random.default_rng(9), 30
     x, pose, again = rng.standard_normal((n, len(at))), np.empty((n, 12)), np.empty((n, len(at)))
@@ -346,7 +344,7 @@ def test_sensitivity_of_the_nominal_machine(robot: Robot, name: str) -> None:
 
 
 @pytest.mark.parametrize("n", [1, 2, 9, 40])  # one pose has no pairs; 40 are more than a block
-def test_rows_of_distances_contract_the_sensitivity(robot: Robot, mechanism: Mechanism, n: int) -> None:
+def test_rows_of_distances_contract_the_sensitivity(robot: Robot, mechanism: Machine, n: int) -> None:
     rows, columns = mechanism.rows(robot, np.zeros(42)), np.arange(3, 40, 2)
     q, x, _ = mechanism.inverse(scattered(robot, n, 3), TOOL, rows)
     at = np.ascontiguousarray(x[:, :3])
@@ -361,7 +359,7 @@ def test_rows_of_distances_contract_the_sensitivity(robot: Robot, mechanism: Mec
 
 
 @pytest.mark.parametrize("each", [1, 7, 40])
-def test_machines_that_share_a_call_do_not_see_one_another(robot: Robot, mechanism: Mechanism, each: int) -> None:
+def test_machines_that_share_a_call_do_not_see_one_another(robot: Robot, mechanism: Machine, each: int) -> None:
     """Blocks of unequal fill, poses out of reach among them: to the last bit what each pose alone would give."""
     kernels, machines = mechanism.compiled, 3
     errors = np.array([mechanism.vector(plausible(mechanism, s)) for s in range(machines)])
@@ -382,7 +380,7 @@ def test_machines_that_share_a_call_do_not_see_one_another(robot: Robot, mechani
 
 
 @pytest.mark.parametrize("kernels", Backend)
-def test_machines_share_out_poses_in_every_function(robot: Robot, mechanism: Mechanism, kernels: Backend) -> None:
+def test_machines_share_out_poses_in_every_function(robot: Robot, mechanism: Machine, kernels: Backend) -> None:
     """To the last bit what each would give for its own poses."""
     machines, each = 3, 4
     errors = np.array([mechanism.vector(plausible(mechanism, s)) for s in range(machines)])
@@ -405,7 +403,7 @@ def test_machines_share_out_poses_in_every_function(robot: Robot, mechanism: Mec
 @pytest.mark.parametrize("kernels", Backend)
 @pytest.mark.parametrize("size", [0.0, 1.0])
 def test_joints_may_be_written_in_place_of_their_targets(
-    robot: Robot, mechanism: Mechanism, kernels: Backend, size: float
+    robot: Robot, mechanism: Machine, kernels: Backend, size: float
 ) -> None:
     rows, target = mechanism.rows(robot, size * mechanism.vector(plausible(mechanism, 3))), scattered(robot, 9, 3)
     target[4] = [3000.0, 0.0, -800.0]
@@ -417,7 +415,7 @@ def test_joints_may_be_written_in_place_of_their_targets(
         np.testing.assert_array_equal(one, other)
 
 
-def test_the_simplified_machine_is_closed_form(robot: Robot, mechanism: Mechanism) -> None:
+def test_the_simplified_machine_is_closed_form(robot: Robot, mechanism: Machine) -> None:
     """Errors that leave the platform parallel: Newton finds nothing to add."""
     errors = {n: v for n, v in plausible(mechanism, 4).items() if n.split("_")[0] in ("theta", "ex", "ez", "L", "l")}
     rows, n = mechanism.rows(robot, mechanism.vector(errors)), 40
@@ -437,7 +435,7 @@ def test_the_simplified_machine_is_closed_form(robot: Robot, mechanism: Mechanis
         assert (of == alike).all()
 
 
-def test_the_simplified_machine_stands_alone_as_in_company(robot: Robot, mechanism: Mechanism) -> None:
+def test_the_simplified_machine_stands_alone_as_in_company(robot: Robot, mechanism: Machine) -> None:
     """To the last bit: what a pose gives does not depend on how many there are."""
     n, k = 21, mechanism.compiled.constants(mechanism.rows(robot, np.zeros(42)))
     target = scattered(robot, n, 6)
@@ -452,7 +450,7 @@ def test_the_simplified_machine_stands_alone_as_in_company(robot: Robot, mechani
         assert (at == x[m]).all()
 
 
-def test_two_threads_may_use_the_same_kernels(robot: Robot, mechanism: Mechanism) -> None:
+def test_two_threads_may_use_the_same_kernels(robot: Robot, mechanism: Machine) -> None:
     rows, n = mechanism.rows(robot, mechanism.vector(plausible(mechanism, 5))), 2000
     k, q = mechanism.compiled.constants(rows), np.random.default_rng(5).uniform(-0.4, 0.2, (n, 3))
 
@@ -467,7 +465,7 @@ def test_two_threads_may_use_the_same_kernels(robot: Robot, mechanism: Mechanism
     assert np.array_equal(found, poses(slice(0, n)), equal_nan=True)
 
 
-def test_arrays_that_do_not_fit_are_refused(robot: Robot, mechanism: Mechanism) -> None:
+def test_arrays_that_do_not_fit_are_refused(robot: Robot, mechanism: Machine) -> None:
     """By the kernels that are called as they are, and by the mechanism's functions before they call kernels."""
     kernels, rows, r = mechanism.compiled, mechanism.rows(robot), scattered(robot, 5, 7)
     q, k, columns = mechanism.inverse(r, TOOL, rows)[0], kernels.nominal_constants(rows), np.arange(12)
@@ -552,7 +550,7 @@ def potential_energy(robot: Robot, at: Solved, x: np.ndarray, q: np.ndarray, pay
 
 
 def test_static_torque_is_minus_the_slope_of_potential_energy(
-    machine: Solved, robot: Robot, mechanism: Mechanism
+    machine: Solved, robot: Robot, mechanism: Machine
 ) -> None:
     payload = 2.5
     torque = mechanism.torques(machine.x, machine.q, machine.tool, machine.rows, MASSES, GRAVITY, payload)
@@ -572,7 +570,7 @@ def test_static_torque_is_minus_the_slope_of_potential_energy(
         assert torque[:, joint] == pytest.approx(-extrapolated, rel=1e-7, abs=1e-5)
 
 
-def test_gravity_on_a_horizontal_arm_is_negative(robot: Robot, mechanism: Mechanism) -> None:
+def test_gravity_on_a_horizontal_arm_is_negative(robot: Robot, mechanism: Machine) -> None:
     rows, q = mechanism.rows(robot), np.zeros((1, 3))
     x, _ = mechanism.forward(q, np.zeros(3), rows)
     down = np.array([0.0, 0.0, -9.81])
@@ -582,7 +580,7 @@ def test_gravity_on_a_horizontal_arm_is_negative(robot: Robot, mechanism: Mechan
     assert (loaded < alone).all()
 
 
-def test_rods_that_carry_a_platform_pull(robot: Robot, mechanism: Mechanism) -> None:
+def test_rods_that_carry_a_platform_pull(robot: Robot, mechanism: Machine) -> None:
     """Six equal rods at the centre, arms flat: their pulls' vertical parts are the weight, and the arms feel them."""
     rows, q = mechanism.rows(robot), np.zeros((1, 3))
     x, _ = mechanism.forward(q, np.zeros(3), rows)
@@ -596,7 +594,7 @@ def test_rods_that_carry_a_platform_pull(robot: Robot, mechanism: Mechanism) -> 
 
 
 def test_a_pull_on_a_tip_is_minus_the_slope_of_energy_along_it(
-    machine: Solved, robot: Robot, mechanism: Mechanism
+    machine: Solved, robot: Robot, mechanism: Machine
 ) -> None:
     """The rods' part: the weights of rods, platform and payload, moved by the tip's displacement at held joints."""
     hanging = {k: v for k, v in MASSES.items() if k != "proximal"} | {"proximal": 0.0, "distal_rod": 0.0}
@@ -623,13 +621,13 @@ def test_a_pull_on_a_tip_is_minus_the_slope_of_energy_along_it(
             assert loads.pull[:, limb, which] == pytest.approx(-extrapolated, abs=1e-7)
 
 
-def test_shapes_are_checked_by_name(robot: Robot, mechanism: Mechanism) -> None:
+def test_shapes_are_checked_by_name(robot: Robot, mechanism: Machine) -> None:
     with pytest.raises(ValueError, match=r"joints have the shape \(2, 4\), but must have \(N, 3\)"):
         mechanism.forward(np.zeros((2, 4)), np.zeros(3), mechanism.rows(robot))
-    with pytest.raises(ValueError, match=r"target have the shape \(3,\)"):
+    with pytest.raises(ValueError, match=r"targets have the shape \(3,\)"):
         mechanism.inverse(np.zeros(3), np.zeros(3), mechanism.rows(robot))
 
 
-def test_measuring_poses_of_the_paper_can_be_reached(robot: Robot, mechanism: Mechanism) -> None:
+def test_measuring_poses_of_the_paper_can_be_reached(robot: Robot, mechanism: Machine) -> None:
     _, _, status = mechanism.inverse(rings(robot, 16), np.zeros(3), mechanism.rows(robot))
     assert (status == SOLVED).all()

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.measurement import Instrument, Readings, align, readings, start
-from deltacal_gen.mechanism import Mechanism
+from deltacal_gen.mechanism import Machine
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot
 from deltacal_gen.rotation import cayley_matrix, from_vector, mean, to_vector
@@ -170,7 +170,7 @@ def recorded(robot: Robot, kind: str, errors: dict[str, float], **more: object) 
     return simulate(robot, given, errors, frame=(TURN, ORIGIN))
 
 
-def true_poses(robot: Robot, mechanism: Mechanism, recording: Recording, errors: dict[str, float]) -> np.ndarray:
+def true_poses(robot: Robot, mechanism: Machine, recording: Recording, errors: dict[str, float]) -> np.ndarray:
     rows = mechanism.rows(robot, mechanism.vector(errors))
     tool = np.zeros(3) if recording.tool is None else recording.tool
     return mechanism.forward(recording.joints, tool, rows)[0]
@@ -178,7 +178,7 @@ def true_poses(robot: Robot, mechanism: Mechanism, recording: Recording, errors:
 
 @pytest.mark.parametrize("kind", ["position", "pose"])
 def test_an_unknown_frame_is_aligned_exactly_when_the_machine_is_known(
-    robot: Robot, mechanism: Mechanism, kind: str
+    robot: Robot, mechanism: Machine, kind: str
 ) -> None:
     errors = plausible(mechanism, 4)
     recording = recorded(robot, kind, errors)
@@ -190,14 +190,14 @@ def test_an_unknown_frame_is_aligned_exactly_when_the_machine_is_known(
     assert origin == pytest.approx(ORIGIN, abs=1e-9)
 
 
-def test_the_robot_s_own_frame_leaves_nothing_to_find(robot: Robot, mechanism: Mechanism) -> None:
+def test_the_robot_s_own_frame_leaves_nothing_to_find(robot: Robot, mechanism: Machine) -> None:
     recording = simulate(robot, wanted(scattered(robot, 5, 6), frame="robot"))
     at = start(readings(recording), recording, robot, true_poses(robot, mechanism, recording, {}))
     assert at.n_unknown == 0
     assert np.abs(at.residual(readings(recording), true_poses(robot, mechanism, recording, {}))).max() < 1e-9
 
 
-def test_an_incremental_gauge_has_an_unknown_zero(robot: Robot, mechanism: Mechanism) -> None:
+def test_an_incremental_gauge_has_an_unknown_zero(robot: Robot, mechanism: Machine) -> None:
     point = (420.0, -150.0, 40.0)
     for zero, unknowns in (("absolute", 3), ("incremental", 4)):
         recording = recorded(robot, "gauge", {}, base_point_mm=point, zero=zero)

@@ -12,7 +12,7 @@ from conftest import plausible, rings, scattered, wanted
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.identification import identify
-from deltacal_gen.mechanism import Mechanism
+from deltacal_gen.mechanism import Machine
 from deltacal_gen.physics import Term, blank, load_effect, term_to_dict
 from deltacal_gen.prediction import calibrated_robot, predict, residual
 from deltacal_gen.recording import Recording
@@ -23,7 +23,7 @@ FRAME = (np.array([0.1, -0.2, 0.9]), np.array([900.0, -500.0, 1200.0]))
 
 
 @pytest.fixture(scope="module")
-def truth(mechanism: Mechanism) -> dict[str, float]:
+def truth(mechanism: Machine) -> dict[str, float]:
     return plausible(mechanism, 3, mechanism.model("18"))
 
 
@@ -100,7 +100,7 @@ def test_another_tool_point_is_predicted_too(
 
 
 def test_the_calibrated_robot_carries_the_errors(
-    mechanism: Mechanism, truth: dict[str, float], results: dict[str, dict[str, Any]]
+    mechanism: Machine, truth: dict[str, float], results: dict[str, dict[str, Any]]
 ) -> None:
     errors = calibrated_robot(results["position"]).errors
     for name, value in truth.items():

@@ -20,10 +20,21 @@ from deltacal_gen.recording import Recording, check_units, read_recording, write
 from deltacal_gen.robot import robot_from_dict
 from deltacal_gen.units import DEG
 
-SPACE: Any = {"axes": ("x", "y", "z"), "turns": ("x", "y", "z"), "parameters": (), "geometry": (), "links": None}
+SPACE: Any = {
+    "axes": ("x", "y", "z"),
+    "turns": ("x", "y", "z"),
+    "asks": ("px", "py", "pz"),
+    "widths": (3,),
+    "turning": False,
+    "linked": False,
+    "parameters": (),
+    "geometry": (),
+}
 DELTA: Any = SimpleNamespace(name="delta", limbs=3, joint_unit="rad", **SPACE)
 TOWERS: Any = SimpleNamespace(name="linear_delta", limbs=3, joint_unit="mm", **SPACE)
-PLANAR: Any = SimpleNamespace(name="diamond", limbs=2, joint_unit="rad", **SPACE | {"axes": ("x", "y"), "turns": ()})
+PLANAR: Any = SimpleNamespace(
+    name="diamond", limbs=2, joint_unit="rad", **SPACE | {"axes": ("x", "y"), "turns": (), "asks": ("px", "py")}
+)
 
 HEADER = "pose,q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm"
 ROWS = ("a,10,20,30,1,2,-700", "b,-10,20,30,300,2,-750", "c,10,-40,5,,,")
@@ -250,7 +261,7 @@ def test_a_flaw_of_the_distances(
 LENGTH = SimpleNamespace(
     key="length", unit="mm", per_limb=False, default=None, table="geometry", meaning="", positive=True, entry=None
 )
-SIZED: Any = SimpleNamespace(**vars(DELTA) | {"geometry": (LENGTH,), "links": None})
+SIZED: Any = SimpleNamespace(**vars(DELTA) | {"geometry": (LENGTH,)})
 
 
 @pytest.mark.parametrize(

@@ -35,7 +35,7 @@ DELTA = SimpleNamespace(
     name="delta",
     limbs=3,
     joint_unit="rad",
-    links=None,
+    linked=False,
     machine="delta",
     axes=("x", "y", "z"),
     layers=(-1, -1),
@@ -50,7 +50,7 @@ TOWERS = SimpleNamespace(
     name="towers",
     limbs=3,
     joint_unit="mm",
-    links=None,
+    linked=False,
     geometry=(geometry_key("radius"), geometry_key("arm_length", per_limb=True)),
     parameters=(),
 )

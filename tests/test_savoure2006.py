@@ -16,7 +16,7 @@ from deltacal_gen.demonstration import example
 from deltacal_gen.errors import UsageError
 from deltacal_gen.identifiability import observability, unseen
 from deltacal_gen.identification import identify
-from deltacal_gen.mechanism import SOLVED, UNREACHABLE, Mechanism, load_mechanism
+from deltacal_gen.mechanism import SOLVED, UNREACHABLE, Machine, load_mechanism
 from deltacal_gen.recording import Recording, read_recording
 from deltacal_gen.robot import Masses, Robot, for_model, for_names, read_robot, robot_from_dict, robot_to_dict
 from deltacal_gen.simulation import read_truth, simulate, truth_names
@@ -50,7 +50,7 @@ IRREGULAR = np.array([0.02, 1.0, -1.0, 30.0, -2.0, 0.0, -40.0, 1.0, -2.0])
 
 
 @pytest.fixture(scope="module")
-def planar() -> Mechanism:
+def planar() -> Machine:
     return load_mechanism("planar_parallelogram")
 
 
@@ -86,7 +86,7 @@ def test_the_forward_position_is_closed(backend: str, h: float, errors: np.ndarr
     assert np.allclose(pose_of(x), expected, atol=1e-9)
 
 
-def test_forward_and_inverse_undo_each_other(planar: Mechanism) -> None:
+def test_forward_and_inverse_undo_each_other(planar: Machine) -> None:
     for tool in (np.zeros(3), np.array([20.0, -35.0, 0.0])):
         rows = planar.rows(parallelogram(), IRREGULAR)
         x, _ = planar.forward(CONFIGURATIONS[:, None], tool, rows)
@@ -96,7 +96,7 @@ def test_forward_and_inverse_undo_each_other(planar: Mechanism) -> None:
         assert np.abs(again - x).max() < 1e-8
 
 
-def test_both_backends_agree_where_arrays_are_used_again(planar: Mechanism) -> None:
+def test_both_backends_agree_where_arrays_are_used_again(planar: Machine) -> None:
     """Derivatives that are identically zero must be zero in the compiled kernels too, pose after pose."""
     rows, q, tool = planar.rows(parallelogram(), IRREGULAR), CONFIGURATIONS[:, None], np.zeros((19, 3))
     k = planar.vectorised.constants(rows)
@@ -113,7 +113,7 @@ def test_both_backends_agree_where_arrays_are_used_again(planar: Mechanism) -> N
         assert np.abs(a - b).max() < 1e-9
 
 
-def test_what_cannot_be_assembled_is_unreachable(planar: Mechanism) -> None:
+def test_what_cannot_be_assembled_is_unreachable(planar: Machine) -> None:
     rows, q = planar.rows(parallelogram(), 10 * ERRORS), CONFIGURATIONS[:, None]
     x, status = planar.forward(q, np.zeros(3), rows)
     assert status[0] == UNREACHABLE
@@ -123,7 +123,7 @@ def test_what_cannot_be_assembled_is_unreachable(planar: Mechanism) -> None:
     assert status[0] == UNREACHABLE
 
 
-def test_velocity_is_eqs_53_and_54(planar: Mechanism) -> None:
+def test_velocity_is_eqs_53_and_54(planar: Machine) -> None:
     rows, e = planar.rows(parallelogram(200.0), ERRORS), 1e-5
     x, _ = planar.forward(CONFIGURATIONS[:, None], np.zeros(3), rows)
     J = planar.sensitivity(x, CONFIGURATIONS[:, None], np.zeros(3), rows).joints[:, 0, 0]
@@ -225,7 +225,7 @@ PAPER_TO_FILE = [f"{n.rsplit('_', 1)[0]}_{LIMB[int(n.rsplit('_', 1)[1][0])]}{n.r
 
 
 @pytest.fixture(scope="module")
-def complete() -> Mechanism:
+def complete() -> Machine:
     return load_mechanism("complete_delta")
 
 
@@ -234,7 +234,7 @@ def delta51() -> Robot:
     return for_model(robot_from_dict(PROTOTYPE), "delta/51")
 
 
-def test_the_complete_delta_is_the_machine_by_hand(complete: Mechanism, delta51: Robot) -> None:
+def test_the_complete_delta_is_the_machine_by_hand(complete: Machine, delta51: Robot) -> None:
     """Finite errors of all 51 kinds, a millimetre each: joints and platform agree to rounding."""
     errors = np.random.default_rng(0).standard_normal(51) * SCALE
     x, tool = HAND.positions(4), np.array(HAND.tool)
@@ -251,7 +251,7 @@ def test_the_complete_delta_is_the_machine_by_hand(complete: Mechanism, delta51:
     assert np.abs(again - pose).max() < 1e-9
 
 
-def test_its_sensitivity_is_eq_22(complete: Mechanism, delta51: Robot) -> None:
+def test_its_sensitivity_is_eq_22(complete: Machine, delta51: Robot) -> None:
     x, tool = HAND.positions(4, seed=1), np.array(HAND.tool)
     rows = complete.rows(delta51)
     q, pose, _ = complete.inverse(x, tool, rows)
@@ -319,7 +319,7 @@ def test_base_parameters_come_back_within_their_deviations(delta51: Robot) -> No
     assert 0.6 < np.sqrt(np.mean(np.square(off))) < 1.5
 
 
-def test_approximated_and_exact_inverse_position(complete: Mechanism, delta51: Robot) -> None:
+def test_approximated_and_exact_inverse_position(complete: Machine, delta51: Robot) -> None:
     """Eqs. (29)-(33) leave an error of second order; the exact inverse leaves none."""
     targets = HAND.positions(5, seed=3)
     errors = np.random.default_rng(8).standard_normal(51) * complete.typical

@@ -10,7 +10,7 @@ import pytest
 from conftest import plausible, scattered, wanted
 
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.mechanism import Mechanism
+from deltacal_gen.mechanism import Machine
 from deltacal_gen.robot import Robot
 from deltacal_gen.rotation import from_vector, to_vector
 from deltacal_gen.simulation import read_truth, simulate
@@ -18,7 +18,7 @@ from deltacal_gen.units import DEG
 
 
 def test_targets_are_commanded_by_the_nominal_machine_and_reached_by_the_true_one(
-    robot: Robot, mechanism: Mechanism
+    robot: Robot, mechanism: Machine
 ) -> None:
     targets, errors, tool = scattered(robot, 8, 1), plausible(mechanism, 2), np.array([20.0, 10.0, -40.0])
     recording = simulate(robot, wanted(targets, frame="robot", tool=tool), errors)
@@ -86,7 +86,7 @@ def test_an_unknown_frame_moves_readings_rigidly(robot: Robot) -> None:
     assert np.linalg.norm(drawn - inside) > 100
 
 
-def test_rotations_are_about_the_instrument_s_axes(robot: Robot, mechanism: Mechanism) -> None:
+def test_rotations_are_about_the_instrument_s_axes(robot: Robot, mechanism: Machine) -> None:
     """Up to a constant rotation, which is none here: a platform that stands parallel reads zero."""
     targets = scattered(robot, 6, 1)
     turn, origin = np.array([0.4, -0.1, 2.0]), np.zeros(3)
@@ -98,7 +98,7 @@ def test_rotations_are_about_the_instrument_s_axes(robot: Robot, mechanism: Mech
     assert seen == pytest.approx(own @ from_vector(turn).T, abs=1e-12)
 
 
-def test_distances_and_gauge_lengths_are_those_of_the_positions(robot: Robot, mechanism: Mechanism) -> None:
+def test_distances_and_gauge_lengths_are_those_of_the_positions(robot: Robot, mechanism: Machine) -> None:
     targets, errors = scattered(robot, 6, 1), plausible(mechanism, 2)
     P = simulate(robot, wanted(targets, frame="robot"), errors).measured
     pairs = np.array([[0, 3], [5, 1]])

@@ -15,7 +15,7 @@ from deltacal_gen import commands, iso9283
 from deltacal_gen.accuracy import check_poses, circle, distance_error, largest, volumetric_error, workspace_of
 from deltacal_gen.errors import InputError
 from deltacal_gen.identification import identify
-from deltacal_gen.mechanism import Mechanism
+from deltacal_gen.mechanism import Machine
 from deltacal_gen.robot import Robot
 from deltacal_gen.rotation import from_vector
 from deltacal_gen.simulation import simulate
@@ -25,7 +25,7 @@ FRAME = (np.array([0.1, -0.2, 0.9]), np.array([900.0, -500.0, 1200.0]))
 
 
 @pytest.fixture(scope="module")
-def truth(mechanism: Mechanism) -> dict[str, float]:
+def truth(mechanism: Machine) -> dict[str, float]:
     return plausible(mechanism, 3, mechanism.model("18"))
 
 

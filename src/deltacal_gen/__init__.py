@@ -49,7 +49,7 @@ _HOME = {
     "compensation": ("Compensator",),
     "errors": ("DeltacalError", "InputError", "NoSolutionError", "UsageError"),
     "exports": ("export_c", "export_table", "read_table"),
-    "mechanism": ("Mechanism", "load_mechanism"),
+    "mechanism": ("Machine", "load_mechanism"),
     "inputs": ("Recording", "Robot"),
     "machine.backend": ("Backend", "using"),
     "recording": ("read_recording", "write_recording"),

@@ -131,7 +131,7 @@ def check_joints(robot: Robot, tool: Array, errors: Array | None = None) -> tupl
     """
     mechanism, space = mechanism_of(robot), workspace_of(robot)
     rows, targets = mechanism.rows(robot, errors), check_poses(space)
-    if mechanism.links is not None:
+    if mechanism.many_ways:
         q = robot.joint_sign * joint_spread(robot, len(targets))
         x, status = mechanism.forward(q, tool, rows)
         return q, x, x[:, :3], status == SOLVED

@@ -52,7 +52,7 @@ def nominal(mechanism: str, geometry: Mapping[str, ArrayLike], tool: ArrayLike =
         An unknown mechanism or key, a missing key, or values of a wrong shape.
     """
     known = load_mechanism(mechanism)
-    if known.links is not None:
+    if known.linked:
         raise UsageError(f"{mechanism} is made of links; write a robot file and read it with read_robot.")
     keys = {entry.key: entry for entry in known.geometry}
     if wrong := sorted(geometry.keys() - keys.keys()):

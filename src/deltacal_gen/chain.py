@@ -1,13 +1,13 @@
 """An open chain that computes: links of the generated kernels, one behind the other as the robot file lists them.
 
-The same interface as a machine of limbs (`deltacal_gen.mechanism.Mechanism`); a limb is a link here, and its joint is
-the link's. Forward position is explicit, so there is nothing to solve and no pose is out of reach.
+Beside machines of limbs (`deltacal_gen.machine.limbs`): a limb is a link here, and its joint is the link's. Forward
+position is explicit, so there is nothing to solve and no pose is out of reach.
 """
 
 from __future__ import annotations
 
 import importlib
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from types import ModuleType
 
@@ -15,19 +15,21 @@ import numpy as np
 
 from deltacal_gen.errors import UsageError
 from deltacal_gen.inputs import Link, Robot
-from deltacal_gen.mechanism import (
+from deltacal_gen.machine.machine import (
+    COORDINATES,
     POSE,
     SOLVED,
     UNREACHABLE,
     GeometryKey,
     Loads,
-    Mechanism,
+    Machine,
     Parameter,
+    Reach,
     Sensitivity,
     filled,
     result,
 )
-from deltacal_gen.rotation import Array, to_vector
+from deltacal_gen.rotation import Array
 
 PARALLEL = 1e-6  # rad: axes that are closer to parallel have no common normal to speak of
 TOOL = ("tx", "ty", "tz")
@@ -60,7 +62,7 @@ class _Placed:
         return _turned(self.before[k], self.local[k][chosen])
 
 
-class Chain(Mechanism):
+class Chain(Machine):
     """The links of one robot.
 
     Parameters
@@ -71,7 +73,13 @@ class Chain(Mechanism):
         As the robot file lists them, from the base.
     """
 
-    links: tuple[Link, ...]
+    sort = "an open chain"
+    layers = (1, -1)  # a workspace stands on the base plane
+    platform = asks = COORDINATES
+    axes = turns = ("x", "y", "z")
+    deflections = ()
+    many_ways = linked = weighs = True
+    looped = written_out = False
 
     def __init__(self, tables: ModuleType, links: tuple[Link, ...]) -> None:
         self._tables, self.links = tables, links
@@ -83,15 +91,12 @@ class Chain(Mechanism):
         self._last: _Placed | None = None
         units = ["mm" if links[k].kind == "prismatic" else "rad" for k in self._moving]
         self.joint_unit = ",".join(units) if len(set(units)) > 1 else units[0] if units else "rad"
-        self.platform = ("px", "py", "pz", "cx", "cy", "cz")
-        self.layers = (1, -1)  # a workspace stands on the base plane
-        self.axes = self.turns = ("x", "y", "z")
+        self.widths = (3, POSE) if self.limbs <= 3 else (POSE,)
         self.geometry = tuple(
             GeometryKey(key, unit, meaning, True, None, "joint", False, None) for key, unit, meaning in tables.GEOMETRY
         )
         self.errors = tuple(name for name, *_ in tables.ERRORS)
         self.common = TOOL
-        self.deflections = ()
         own = tuple(
             Parameter(f"{name}_{k + 1}", unit, f"joint {k + 1}: {meaning}", k + 1, typical, name)
             for k in range(len(links))
@@ -103,6 +108,14 @@ class Chain(Mechanism):
         )
         free = [p.name for p in own if not p.name.startswith("beta_") or self._parallel(p.limb - 1)]
         self.models = {f"{self.name}/dh": (*free, *TOOL)}
+
+    def compile(self) -> Iterator[tuple[str, float]]:
+        """Compile nothing: the kernels of a link are NumPy."""
+        return iter(())
+
+    def same_as(self, robot: Robot, key: str) -> tuple[str, ...]:
+        """Return the errors, link by link, that a dimension of the links is part of."""
+        return tuple(f"{key}_{k + 1}" for k in range(len(self.links)))
 
     def _parallel(self, k: int) -> bool:
         """Whether link k joins two nominally parallel axes, the second of which moves."""
@@ -141,11 +154,6 @@ class Chain(Mechanism):
     def limb_inertia(self, robot: Robot, masses: Mapping[str, float]) -> Array:
         """Return zero: the file gives masses and their centres only."""
         return np.zeros(())
-
-    @property
-    def weighs(self) -> bool:
-        """Every link and the payload may weigh."""
-        return True
 
     # -------------------------------------------------------------------------------------------------- kinematics
 
@@ -203,9 +211,13 @@ class Chain(Mechanism):
         x[:] = self.forward(q, tool, rows)[0][:, :3]
         return x
 
-    def commanded(self, target: Array) -> Array:
-        """Return targets (N, 3) or (N, 12) as they are: which directions the joints command depends on the pose."""
+    def stated(self, target: Array) -> Array:
+        """Return targets as they are: no kernel takes one alone."""
         return target
+
+    def asked(self, motion: Array) -> Array:
+        """Return motions as they are: which directions the joints command depends on the pose."""
+        return motion
 
     def inverse(
         self, target: Array, tool: Array, rows: Array, limits: Array | None = None, *, out: Array | None = None
@@ -220,12 +232,7 @@ class Chain(Mechanism):
         UsageError
             A position alone, of a chain of more than three joints: it does not say how the chain shall stand.
         """
-        target, tool = np.asarray(target, dtype=float), self._tool(tool, len(target))
-        if target.shape[1] != POSE and self.limbs > 3:
-            raise UsageError(
-                "a position alone does not say how an open chain shall stand. "
-                "Give joints, or the rotation too: rx_deg, ry_deg, rz_deg."
-            )
+        target, tool = self.targets(target), self._tool(tool, len(target))
         roots = np.modf(np.outer(np.arange(STARTS), np.sqrt([2, 3, 5, 7, 11, 13, 17, 19, 23, 29][: self.limbs])))[0]
         low, high = (-np.pi, np.pi) if limits is None else np.clip(limits.T / self._sizes(rows), -np.pi, np.pi)
         starts = (low + (high - low) * roots) * self._sizes(rows)
@@ -260,11 +267,13 @@ class Chain(Mechanism):
     def follow(
         self,
         target: Array,
-        near: Array,
+        near: Array | None,
         tool: Array,
         rows: Array,
         drawn: Array | None = None,
-        reach: Callable[[Array, np.ndarray], tuple[Array, np.ndarray]] | None = None,
+        reach: Reach | None = None,
+        *,
+        out: Array | None = None,
     ) -> tuple[Array, np.ndarray]:
         """Return joints (N, n_q) that bring a machine to poses (N, 12) or positions (N, 3), starting from `near`.
 
@@ -286,6 +295,8 @@ class Chain(Mechanism):
         Newton's method with the Jacobian of the machine without effects. Two levels of priority by the projection of
         the second into the null space of the first (Siciliano, Slotine 1991).
         """
+        if near is None:
+            near, _, _ = self.inverse(target, tool, rows)
         q, status = np.array(near, dtype=float), np.full(len(target), UNREACHABLE)
         sizes, directions = self._sizes(rows), self._directions(rows if drawn is None else drawn)
         open_ = np.arange(len(q))
@@ -296,7 +307,7 @@ class Chain(Mechanism):
             slope = self.sensitivity(x, q[open_], tool[open_], rows).joints * sizes
             if reach is not None:
                 x, reached = reach(q[open_], open_)
-            miss = self.missed(x, target[open_])
+            miss = -self.missed(x, target[open_])
             if directions < 3 and drawn is not None:
                 own, _ = self.forward(q[open_], tool[open_], drawn)
                 commanded = self.sensitivity(own, q[open_], tool[open_], drawn).joints[:, :3] * sizes
@@ -314,7 +325,7 @@ class Chain(Mechanism):
             longest = np.abs(step[going]).max(axis=1, initial=FARTHEST)[:, None]
             open_ = open_[going]
             q[open_] += sizes * step[going] * (FARTHEST / longest)
-        return np.where((status == SOLVED)[:, None], q, np.nan), status
+        return filled(out, np.where((status == SOLVED)[:, None], q, np.nan)), status
 
     def undo(self, moved: Array, x: Array, q: Array, tool: Array, rows: Array, *, out: Array | None = None) -> Array:
         """Return the change of the joints (N, n_q) that undoes a small displacement `moved` of the pose.
@@ -325,15 +336,6 @@ class Chain(Mechanism):
         whole = np.hstack([moved, np.zeros((len(moved), 6 - moved.shape[1]))])
         slope = self.sensitivity(x, q, tool, rows).joints * sizes
         return filled(out, -sizes * _prioritised(slope, whole, self._directions(rows))[0])
-
-    @staticmethod
-    def missed(x: Array, target: Array) -> Array:
-        """Return the shift, and the turn where a target (N, 3) or (N, 12) has one, that lead from poses to targets."""
-        shift = target[:, :3] - x[:, :3]
-        if target.shape[1] == 3:
-            return shift
-        turn = target[:, 3:].reshape(-1, 3, 3) @ np.swapaxes(x[:, 3:].reshape(-1, 3, 3), 1, 2)
-        return np.hstack([shift, to_vector(turn)])
 
     def _sizes(self, rows: Array) -> Array:
         """Return what a step of each joint is compared with, (n_q,): 1 rad, and of a slide the chain's reach [mm]."""

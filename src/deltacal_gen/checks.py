@@ -13,7 +13,7 @@ import numpy as np
 from deltacal_gen import sphere
 from deltacal_gen.identifiability import RANK_TOLERANCE, Combination, unseen
 from deltacal_gen.measurement import CONTACT, MOUNT, Instrument, Readings, frameless
-from deltacal_gen.mechanism import SOLVED, Array, Mechanism, mechanism_of
+from deltacal_gen.mechanism import SOLVED, Array, Machine, mechanism_of
 from deltacal_gen.recording import Camera
 from deltacal_gen.robot import Robot, robot_size
 from deltacal_gen.rotation import to_vector
@@ -116,7 +116,7 @@ def middle(robot: Robot) -> Poses:
         q[0] = robot.joint_sign * robot.joint_limits.mean(axis=1)
     elif mechanism.joint_unit == "mm":
         q[:] = 0.2 * robot_size(robot)
-    if robot.links:
+    if mechanism.many_ways:
         q[0] = 0.35 * (-1.0) ** np.arange(mechanism.limbs) * _size(robot, 1.0, 0.2 * robot_size(robot))
     x, _ = mechanism.forward(q, tool, rows)
     return _poses(robot, q, x, tool)
@@ -130,7 +130,7 @@ def _size(robot: Robot, turn: float, slide: float) -> Array:
 def _targets(robot: Robot, u: Array) -> Array | None:
     """Return points (N, 3) of the workspace, or None; `u` (N, 3) fills the unit cube, 0.5 is the middle."""
     space = robot.workspace
-    if space is None or robot.links:
+    if space is None or mechanism_of(robot).many_ways:
         return None
     first, last = space.levels
     level = first + (last - first) * u[:, 2]
@@ -184,11 +184,11 @@ def touching(robot: Robot, poses: Poses) -> list[Poses]:
     """
     mechanism, rows = mechanism_of(robot), mechanism_of(robot).rows(robot)
     sockets, rng = poses.x[:SOCKETS, :3], np.random.default_rng(SEED + 4)
-    chain = mechanism.links is not None
+    several = mechanism.turning  # ways in which one point touches
     sets, reached = [], np.ones(len(sockets), dtype=bool)
-    for n in range(STANDS if chain else len(OFFSETS)):
-        tool = poses.tool if chain else at_tool(robot, poses, OFFSETS[n]).tool
-        q = poses.q[:SOCKETS] + (rng.uniform(-SWING, SWING, (len(sockets), mechanism.limbs)) if chain and n else 0.0)
+    for n in range(STANDS if several else len(OFFSETS)):
+        tool = poses.tool if several else at_tool(robot, poses, OFFSETS[n]).tool
+        q = poses.q[:SOCKETS] + (rng.uniform(-SWING, SWING, (len(sockets), mechanism.limbs)) if several and n else 0.0)
         for _ in range(TOUCHES):
             x, _ = mechanism.forward(q, tool, rows)
             slope = mechanism.sensitivity(x, q, tool, rows).joints[:, :3]
@@ -330,10 +330,10 @@ def _base_point(robot: Robot, x: Array) -> Array:
     return point if "z" in mechanism_of(robot).axes else point * [1.0, 1.0, 0.0]
 
 
-def kinds(mechanism: Mechanism) -> list[tuple[str, str, int, str]]:
+def kinds(mechanism: Machine) -> list[tuple[str, str, int, str]]:
     """Return what is looked at: kind, in words, reference points, and the motions that its unknowns make invisible."""
     one, several = "unknown frame, one point", "unknown frame, several points"
-    turning = mechanism.links is not None  # a chain turns its last frame at will, so that a turn of it is seen
+    turning = mechanism.turning  # at will, so that a turn of the platform is seen
     found = [
         ("position in the robot's frame", "positions in a known frame", 1, "frame of the robot"),
         ("position", "positions in an unknown frame", 1, one),
@@ -344,7 +344,7 @@ def kinds(mechanism: Mechanism) -> list[tuple[str, str, int, str]]:
     ]
     if mechanism.turns:
         found.insert(3, ("pose", "poses, frame and body unknown", 1, "unknown frame and body"))
-    if mechanism.links is not None:
+    if turning:
         found.append((CONTACT, f"contacts with fixed points, each in {STANDS} ways", 1, one))
     elif mechanism.limbs == len(mechanism.axes):
         found.append((CONTACT, "contacts with fixed points", len(OFFSETS), several))

@@ -246,10 +246,9 @@ def warm(progress: Callable[[str, float], None] = lambda name, seconds: None) ->
         spent[package] = time.perf_counter() - start
         progress(package, spent[package])
     for name in mechanism_names():
-        if (tables := load_mechanism(name)).links is None:
-            for kernel, seconds in tables.compile():
-                spent[kernel] = seconds
-                progress(kernel, seconds)
+        for kernel, seconds in load_mechanism(name).compile():
+            spent[kernel] = seconds
+            progress(kernel, seconds)
     return spent
 
 
@@ -686,7 +685,7 @@ def compensate(
             tool = np.where(np.isfinite(recording.tool), recording.tool, robot.tool)
         if recording.targets is not None:
             positions = recording.targets
-        elif mechanism.links is None:
+        elif not mechanism.many_ways:
             raise InputError(
                 "the file gives joints, not targets.", "Give the columns x_mm, y_mm, z_mm and no joints.", file=targets
             )
@@ -698,13 +697,13 @@ def compensate(
         columns |= recording.channels
     else:
         positions = np.asarray(targets, dtype=float)
-        if mechanism.links is not None and positions.ndim == 2 and positions.shape[1] == 6:
+        if mechanism.turning and positions.ndim == 2 and positions.shape[1] == 6:
             positions = np.hstack([positions[:, :3], from_vector(positions[:, 3:] * DEG).reshape(-1, 9)])
     at, assumed = compensator.channels(columns, len(positions))
     for words in assumed:
         tell(words)
     joints = compensator.joints(positions, tool, at, near)
-    if positions.shape[1] > 3:
+    if mechanism.many_ways and positions.shape[1] > 3:
         turned = np.linalg.norm(compensator.missed(joints, positions, tool, at)[:, 3:], axis=1) / DEG
         if (off := turned > compensation.TURNED_DEG).any():
             why = "it has fewer than six joints" if mechanism.limbs < 6 else "it is near singular there"

@@ -12,14 +12,13 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.mechanism import Array, Mechanism, mechanism_of
+from deltacal_gen.mechanism import Machine, mechanism_of
 from deltacal_gen.robot import Robot, robot_from_dict
 from deltacal_gen.units import file_unit, to_internal
 
 SCHEMA = "deltacal.comparison/1"
 FEW = 0.5  # of the readings: a fit that leaves fewer to judge it by takes a good part of the noise away
 CHANCE = 0.01  # that noise alone makes any of all parameters look changed
-NUDGE = 1e-3  # mm and rad: by which a dimension and an error are moved to see whether they are one
 
 
 def compare(before: Mapping[str, Any], after: Mapping[str, Any]) -> dict[str, Any]:
@@ -124,7 +123,7 @@ def flattered(result: Mapping[str, Any]) -> str:
     )
 
 
-def between(mechanism: Mechanism, first: Robot, second: Robot) -> tuple[dict[str, float], list[str]]:
+def between(mechanism: Machine, first: Robot, second: Robot) -> tuple[dict[str, float], list[str]]:
     """Return what the second robot's dimensions have more than the first's, and which differences cannot be said so.
 
     A dimension and an error are one where moving either moves the machine alike.
@@ -142,32 +141,11 @@ def between(mechanism: Mechanism, first: Robot, second: Robot) -> tuple[dict[str
         gap = second.geometry[key] - value
         if not gap.any():
             continue
-        errors = [f"{key}_{k + 1}" for k in range(len(gap))] if first.links else _same_as(mechanism, first, key)
+        errors = mechanism.same_as(first, key)
         gaps = np.broadcast_to(gap, (len(errors),)).tolist() if errors else []
-        found = {name: g for name, g in zip(errors or (), gaps, strict=True) if g}
+        found = {name: g for name, g in zip(errors, gaps, strict=True) if g}
         if not errors or not found.keys() <= mechanism.index.keys():
             other.append(key)
         else:
             out |= found
     return out, other
-
-
-def _same_as(mechanism: Mechanism, robot: Robot, key: str) -> list[str] | None:
-    """Return the errors, limb by limb or the one of all limbs, that a dimension of the robot file is part of."""
-    rows = mechanism.rows(robot)
-
-    def moved(column: int) -> Array:
-        other = rows.copy()
-        other[:, :, column] += NUDGE
-        constants: Array = mechanism.vectorised.constants(other)
-        return constants
-
-    at, *more = (j for j, entry in enumerate(mechanism.geometry) if entry.key == key)
-    if more:
-        return None
-    target = moved(at)
-    own = mechanism.geometry[at].per_limb
-    for name in (*mechanism.errors, *mechanism.common) if own else (*mechanism.common, *mechanism.errors):
-        if np.allclose(moved(mechanism.column(name)), target, rtol=1e-12, atol=1e-9):
-            return [name] if name in mechanism.common else [f"{name}_{i + 1}" for i in range(mechanism.limbs)]
-    return None

@@ -27,16 +27,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from deltacal_gen.accuracy import workspace_of
-from deltacal_gen.chain import Chain
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.mechanism import (
-    POSE,
-    SINGULAR,
     SOLVED,
     STATUS,
-    UNREACHABLE,
     Array,
-    Mechanism,
+    Machine,
     mechanism_of,
     nominal_joints,
     result,
@@ -47,8 +43,6 @@ from deltacal_gen.units import file_unit, to_internal
 
 KINDS = ("exact", "linear")
 TURNED_DEG = 1e-6  # a rotation of an open chain that a command leaves by more than this is told
-SETTLED_MM = 1e-9  # how near to the target a machine with effects is brought
-_STEPS = 60  # of Newton's method with the rigid machine's Jacobian: what effects add to it slows the last digits only
 _RANDOM_POINTS = 2000
 _SEED = 20150  # of the random points: the same machine always gets the same statement
 _NAMED = 5  # targets a message names before it counts the rest
@@ -121,7 +115,7 @@ class Compensator:
         return tuple(t for t in self.terms if all(map(_of_the_instrument, t.kernels.TARGETS)))
 
     @cached_property
-    def mechanism(self) -> Mechanism:
+    def mechanism(self) -> Machine:
         """The kernels of the machine."""
         return mechanism_of(self.robot)
 
@@ -151,6 +145,10 @@ class Compensator:
     def _rows(self) -> Array:
         return self.mechanism.rows(self.robot)
 
+    @cached_property
+    def _drawn(self) -> Array:
+        return self.mechanism.rows(self.nominal)
+
     @property
     def _kernels(self) -> Any:
         return self.mechanism.servo
@@ -160,7 +158,7 @@ class Compensator:
         """What no target changes, as the C source reads it."""
         if self.kind == "linear":
             return np.asarray(self._kernels.linear_constants(self._rows))
-        return np.asarray(self.mechanism.vectorised.constants(self._rows))
+        return self.mechanism.constants(self._rows)
 
     @cached_property
     def _state(self) -> Array:
@@ -228,10 +226,10 @@ class Compensator:
         return at, said + assumed
 
     def needs_loops(self, what: str) -> None:
-        """Raise UsageError for an open chain, which has no inverse in closed form to be written out."""
-        if self.mechanism.links is not None:
+        """Raise UsageError for a machine without an inverse in closed form to be written out."""
+        if not self.mechanism.written_out:
             raise UsageError(
-                f"there is no {what} for an open chain: how it stands is part of every command. "
+                f"there is no {what} for {self.mechanism.sort}: how it stands is part of every command. "
                 "Give targets: joints, or x_mm ... rz_deg, and their commands come as a table."
             )
 
@@ -249,7 +247,8 @@ class Compensator:
         Parameters
         ----------
         targets : (N, 3) array
-            Where the reference point is wanted, in {O} [mm]; of an open chain poses (N, 12) too, rotations row by row.
+            Where the reference point is wanted, in {O} [mm]; of a machine that turns on command poses
+            (N, 12) too, rotations row by row.
         tool : (3,) or (N, 3) array, optional
             Reference point in {O'} [mm]; default the robot's.
         channels : Channels, optional
@@ -271,67 +270,40 @@ class Compensator:
         joints = result(out, (len(targets), self.mechanism.limbs))
         if np.may_share_memory(targets, joints):  # joints in place of their targets, which are still read
             targets = targets.copy()
-        if isinstance(self.mechanism, Chain):
-            joints[:], status = self._led(self.mechanism, targets, tool, channels, near)
-            return joints, status
+        start, status = self._start(targets, tool, near)
         if self.kind == "exact":
-            q, _, status = self.mechanism.inverse(targets, tool, self._rows, out=joints)
-        else:
-            q, status = joints, np.empty(len(targets), dtype=np.int64)
-            state = self._kernels.copied(self._state)
-            self._kernels.linear_commands(self.mechanism.commanded(targets), tool, state, q, status)
-        if self.effects:
-            q, status = self._with_effects(targets, tool, channels, q, status)
-        return np.multiply(q, self.robot.joint_sign, out=joints), status
 
-    def _led(
-        self, chain: Chain, targets: Array, tool: Array, channels: Channels | None, near: Array | None
-    ) -> tuple[Array, np.ndarray]:
-        """Return corrected commands of an open chain; see `command`."""
+            def reach(q: Array, some: np.ndarray) -> tuple[Array, np.ndarray]:
+                machine, reached = self._machine(q, tool[some], None if channels is None else channels.subset(some))
+                return machine.x, reached
+
+            with_effects = reach if self.effects else None
+            q, found = self.mechanism.follow(targets, start, tool, self._rows, self._drawn, with_effects, out=joints)
+        elif start is None:
+            q, found, state = joints, np.empty(len(targets), dtype=np.int64), self._kernels.copied(self._state)
+            self._kernels.linear_commands(self.mechanism.stated(targets), tool, state, q, found)
+        else:
+            q, found = self._to_first_order(start, tool), status
+        status = np.where(status == SOLVED, found, status)
+        np.multiply(q, self.robot.joint_sign, out=joints)
+        joints[status != SOLVED] = np.nan
+        return joints, status
+
+    def _start(self, targets: Array, tool: Array, near: Array | None) -> tuple[Array | None, np.ndarray]:
+        """Return joints (N, n_q) to start from, where the machine stands in many ways, and which of them there are."""
         status = np.full(len(targets), SOLVED)
+        if not self.mechanism.many_ways:
+            return None, status
         if near is None:
             near, status = self.nominal_command(targets, tool)
-        start, drawn = np.nan_to_num(near) * self.robot.joint_sign, chain.rows(self.nominal)
+        return np.nan_to_num(near) * self.robot.joint_sign, status
 
-        def reach(q: Array, rows: np.ndarray) -> tuple[Array, np.ndarray]:
-            machine, reached = self._machine(q, tool[rows], None if channels is None else channels.subset(rows))
-            return machine.x, reached
-
-        if self.kind == "linear":
-            x, _ = chain.forward(start, tool, drawn)
-            moved = chain.sensitivity(x, start, tool, drawn).parameters @ chain.vector(self.robot.errors)
-            q = start + chain.undo(moved, x, start, tool, drawn)
-        else:
-            q, followed = chain.follow(targets, start, tool, self._rows, drawn, reach if self.effects else None)
-            status = np.where(status == SOLVED, followed, status)
-        return np.where((status == SOLVED)[:, None], q * self.robot.joint_sign, np.nan), status
-
-    def _with_effects(
-        self, targets: Array, tool: Array, channels: Channels | None, q: Array, status: np.ndarray
-    ) -> tuple[Array, np.ndarray]:
-        """Return joints (N, n_q) and status (N,) of the machine in equilibrium with its effects, from the rigid ones.
-
-        Newton's method on the exact machine: where it stands off the target is undone through the rigid machine's
-        Jacobian. What an effect adds to that Jacobian is as small as the effect, so each step gains as many digits.
-        """
-        status = status.copy()
-        open_ = np.flatnonzero(status == SOLVED)
-        q = np.where(np.isfinite(q), q, 0.0)
-        for _ in range(_STEPS):
-            if not len(open_):
-                break
-            at = None if channels is None else channels.subset(open_)
-            machine, reached = self._machine(q[open_], tool[open_], at)
-            miss = self.mechanism.commanded(machine.x[:, :3] - targets[open_])
-            x, rows = np.nan_to_num(machine.x), machine.rows
-            speed = self.mechanism.commanded(self.mechanism.sensitivity(x, machine.q, machine.tool, rows).joints)
-            singular = ~np.isfinite(speed).all(axis=(1, 2)) | (np.abs(np.linalg.det(np.nan_to_num(speed))) == 0.0)
-            status[open_] = np.where(reached != SOLVED, reached, np.where(singular, SINGULAR, SOLVED))
-            going = (status[open_] == SOLVED) & (np.abs(np.nan_to_num(miss)).max(axis=1) > SETTLED_MM)
-            open_, miss, speed = open_[going], miss[going], speed[going]
-            q[open_] -= np.linalg.solve(speed, miss[..., None])[..., 0]
-        status[open_] = UNREACHABLE
-        return np.where((status == SOLVED)[:, None], q, np.nan), status
+    def _to_first_order(self, start: Array, tool: Array) -> Array:
+        """Return joints (N, n_q) that undo at `start`, to first order, what the errors move."""
+        x, _ = self.mechanism.forward(start, tool, self._drawn)
+        by_errors = self.mechanism.sensitivity(x, start, tool, self._drawn).parameters
+        moved = by_errors @ self.mechanism.vector(self.robot.errors)
+        return start + self.mechanism.undo(moved, x, start, tool, self._drawn)
 
     def _machine(self, q: Array, tool: Array, channels: Channels | None) -> tuple[Deformed, np.ndarray]:
         """Return the machine in equilibrium with its effects at joints (N, n_q) as the geometry counts them."""
@@ -418,9 +390,7 @@ class Compensator:
         Of an open chain (N, 3), or (N, 6) with the rotation [rad] where the targets are poses.
         """
         x, _ = self.pose(joints, tool, channels)
-        if isinstance(self.mechanism, Chain):
-            return -self.mechanism.missed(x, np.asarray(targets, dtype=float))
-        return self.mechanism.commanded(x[:, :3] - targets)
+        return self.mechanism.missed(x, np.asarray(targets, dtype=float))
 
     def round_trip(self) -> RoundTrip:
         """Return what the commands leave over the robot's workspace.
@@ -442,11 +412,7 @@ class Compensator:
         return RoundTrip(largest(error), len(targets), int(np.isnan(error).sum()))
 
     def _targets(self, targets: Array, tool: Array | None) -> tuple[Array, Array]:
-        targets = np.ascontiguousarray(targets, dtype=float)
-        shapes = (3,) if self.mechanism.links is None else (3, POSE)
-        if targets.ndim != 2 or targets.shape[1] not in shapes:
-            wanted = " or ".join(f"(N, {n})" for n in shapes)
-            raise ValueError(f"targets have the shape {targets.shape}, but must have {wanted}.")
+        targets = self.mechanism.targets(targets)
         tool = np.asarray(self.robot.tool if tool is None else tool, dtype=float)
         return targets, np.ascontiguousarray(np.broadcast_to(tool, (len(targets), 3)))
 

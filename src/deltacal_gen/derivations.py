@@ -28,14 +28,13 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from deltacal_gen import checks, ledger, report, sketch
-from deltacal_gen.chain import Chain
 from deltacal_gen.errors import UsageError
 from deltacal_gen.figures import AFTER, BEFORE, MUTED, decades
 from deltacal_gen.identifiability import RANK_TOLERANCE
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.mechanism import (
     COORDINATES,
-    Mechanism,
+    Machine,
     load_mechanism,
     mechanism_names,
     mechanism_of,
@@ -46,7 +45,7 @@ from deltacal_gen.rotation import cayley_vector
 from deltacal_gen.units import file_unit, to_internal
 
 KERNELS = "generated/deltacal_kernels"
-RUNTIME = tuple(f"src/deltacal_gen/{name}.py" for name in ("mechanism", "physics", "measurement", "chain"))
+RUNTIME = tuple(f"src/deltacal_gen/{name}.py" for name in ("machine/limbs", "physics", "measurement", "chain"))
 VERSIONS = ("numpy", "scipy", "matplotlib")
 
 
@@ -560,14 +559,13 @@ def _drawn(robot: Robot, account: Mapping[str, Any]) -> str:
     mechanism = mechanism_of(robot)
     if account.get("drawing"):
         return sketch.machine(account["drawing"], mechanism.axes)
-    assert isinstance(mechanism, Chain)
     pose = checks.middle(robot)
     origins, rotations = mechanism.frames(pose.q, mechanism.rows(robot))
     return sketch.chain(origins[0], rotations[0], pose.x[0, :3])
 
 
 def _tables(
-    account: Mapping[str, Any], robot: Robot | None, names: Sequence[str], mechanism: Mechanism | None
+    account: Mapping[str, Any], robot: Robot | None, names: Sequence[str], mechanism: Machine | None
 ) -> list[dict[str, Any]]:
     """Return the tables of parameters: symbol, name, unit, nominal value or ordinary error, meaning."""
     words = {

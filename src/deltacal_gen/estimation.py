@@ -19,7 +19,7 @@ import numpy as np
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.inputs import Recording, Robot
 from deltacal_gen.measurement import BOTH, CONTACT, Instrument, Readings, carried, readings, start
-from deltacal_gen.mechanism import Array, Mechanism, Sensitivity, mechanism_of
+from deltacal_gen.mechanism import Array, Machine, Sensitivity, mechanism_of
 from deltacal_gen.physics import Body, Channels, Deformed, Term, of_reading, reading_shift
 from deltacal_gen.solvers import LeastSquares, Solution, Solver
 
@@ -71,7 +71,7 @@ class Problem:
     """
 
     robot: Robot
-    mechanism: Mechanism
+    mechanism: Machine
     recording: Recording
     readings: Readings
     names: tuple[str, ...]

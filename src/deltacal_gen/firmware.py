@@ -15,7 +15,7 @@ import numpy as np
 from deltacal_gen.errors import UsageError
 from deltacal_gen.estimation import fit, pose_problem
 from deltacal_gen.imports import ANGLES, TOWERS
-from deltacal_gen.mechanism import SOLVED, Array, Mechanism, mechanism_of
+from deltacal_gen.mechanism import SOLVED, Array, Machine, mechanism_of
 from deltacal_gen.recording import Measurement, Recording, write_files
 from deltacal_gen.robot import Robot
 from deltacal_gen.solvers import LeastSquares
@@ -93,7 +93,7 @@ def _belt(kind: str, tower: int) -> str:
     return f"the steps per mm of {'XYZ'[tower - 1]} (M92)"
 
 
-def _closest(robot: Robot, mechanism: Mechanism) -> tuple[Robot, Array]:
+def _closest(robot: Robot, mechanism: Machine) -> tuple[Robot, Array]:
     """Return the machine that firmware can describe with the least position error, and that error (N,) [mm]."""
     space = robot.workspace
     wide = space.radius if space is not None and space.radius is not None else PRINTED * robot.geometry["radius"][0]

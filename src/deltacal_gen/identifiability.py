@@ -1,6 +1,6 @@
 """What the data pin down: identification matrices, ranks, observability, and the combinations that stay free.
 
-Ranks are decided on columns scaled to ordinary errors (``Mechanism.typical``) or, where a convention of the papers is
+Ranks are decided on columns scaled to ordinary errors (``Machine.typical``) or, where a convention of the papers is
 asked for, on its columns; a singular value below `RANK_TOLERANCE` of the largest is zero. Condition numbers depend on
 the scaling, so every one is given with its convention.
 """

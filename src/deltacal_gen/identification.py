@@ -34,7 +34,7 @@ from deltacal_gen.estimation import (
 from deltacal_gen.identifiability import Combination
 from deltacal_gen.machine.backend import by_recording
 from deltacal_gen.measurement import BOTH, CONTACT, MOUNT, Readings, carried, contacts
-from deltacal_gen.mechanism import SOLVED, Array, Mechanism, mechanism_of
+from deltacal_gen.mechanism import SOLVED, Array, Machine, mechanism_of
 from deltacal_gen.physics import Body, Term, of_reading, term_to_dict
 from deltacal_gen.recording import Recording, check_units
 from deltacal_gen.robot import Robot, for_model, robot_size, robot_to_dict
@@ -237,7 +237,7 @@ def _carried(problem: Problem, held: Sequence[Term]) -> tuple[tuple[Term, ...], 
     return tuple(can), cannot
 
 
-def _left_out(mechanism: Mechanism, robot: Robot, machine: Robot, names: Sequence[str]) -> dict[str, float]:
+def _left_out(mechanism: Machine, robot: Robot, machine: Robot, names: Sequence[str]) -> dict[str, float]:
     """Return a robot's source errors with those that a model leaves out as another session of the machine has them."""
     if machine.mechanism != robot.mechanism:
         raise InputError(
@@ -268,7 +268,7 @@ def _with_prior(problem: Problem, robot: Robot) -> tuple[Problem, tuple[bool, ..
     return dataclasses.replace(problem, scale=sd), given
 
 
-def chosen_model(mechanism: Mechanism, problem: Problem, recording: Recording, asked: str | None) -> str:
+def chosen_model(mechanism: Machine, problem: Problem, recording: Recording, asked: str | None) -> str:
     """Return the model asked for, or the largest that the readings allow.
 
     Raises
@@ -295,7 +295,7 @@ def chosen_model(mechanism: Mechanism, problem: Problem, recording: Recording, a
     return smallest
 
 
-def enough(mechanism: Mechanism, problem: Problem, recording: Recording) -> None:
+def enough(mechanism: Machine, problem: Problem, recording: Recording) -> None:
     """Raise an InputError where the readings cannot carry the problem's own parameters and the instrument's."""
     extra = problem.begin(problem.reference).n_unknown
     scalars = problem.readings.n_scalars
@@ -741,7 +741,7 @@ def uncertainty_map(final: Fit, robot: Robot) -> dict[str, Any] | None:
 
 
 def parameter_table(
-    mechanism: Mechanism, change: Array, status: Mapping[str, str], deviation: Array
+    mechanism: Machine, change: Array, status: Mapping[str, str], deviation: Array
 ) -> list[dict[str, Any]]:
     """Return the parameters of a RESULT.json: all source errors of a mechanism, in the units of files.
 
@@ -865,7 +865,7 @@ def _share_of_data(final: Fit) -> Array:
     return np.where(total < NOTHING_LEFT, 1.0, result)
 
 
-def file_terms(c: Combination, mechanism: Mechanism) -> dict[str, float]:
+def file_terms(c: Combination, mechanism: Machine) -> dict[str, float]:
     """Return the terms of a combination of parameters in the units of files."""
     return {n: v / to_internal(mechanism.parameters[mechanism.index[n]].unit) for n, v in c.terms.items()}
 

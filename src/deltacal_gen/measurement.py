@@ -19,7 +19,7 @@ import numpy as np
 from deltacal_gen import sphere
 from deltacal_gen.errors import InputError
 from deltacal_gen.inputs import Recording, Robot
-from deltacal_gen.mechanism import Array, Mechanism, mechanism_of
+from deltacal_gen.mechanism import Array, Machine, mechanism_of
 from deltacal_gen.rotation import cayley_matrix, from_vector, mean, to_vector
 from deltacal_gen.units import DEG
 
@@ -377,7 +377,7 @@ class Instrument:
         turned[:, [c - 3 for c in range(3, 6) if c not in found.components]] = np.nan
         return np.hstack([r, turned])
 
-    def mounted(self, mechanism: Mechanism, parameters: Array) -> Instrument:
+    def mounted(self, mechanism: Machine, parameters: Array) -> Instrument:
         """Return the instrument where the machine's own parameters (n_p,) put it."""
         own = carried(self.kind, mechanism)
         if not own:
@@ -492,7 +492,7 @@ class Instrument:
         )
 
 
-def carried(kind: str, mechanism: Mechanism) -> dict[int, int]:
+def carried(kind: str, mechanism: Machine) -> dict[int, int]:
     """Return which unknowns of a kind of instrument are parameters of the machine: {unknown: parameter}.
 
     A measuring mechanism that belongs to a machine has its errors in the machine's table (Mei 2018, eq. 17).

@@ -23,7 +23,7 @@ import numpy as np
 from deltacal_gen.errors import InputError
 from deltacal_gen.inputs import TEMPERATURE, Recording, Robot
 from deltacal_gen.measurement import Readings
-from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, Sensitivity
+from deltacal_gen.mechanism import SOLVED, STATUS, Array, Machine, Sensitivity
 from deltacal_gen.rotation import cayley_matrix
 from deltacal_gen.units import joint_factors, joint_names, of_joints, of_sliding
 
@@ -237,14 +237,14 @@ class Body:
 
     Parameters
     ----------
-    robot, mechanism : Robot, Mechanism
+    robot, mechanism : Robot, Machine
     q : (N, n_q) array
         Reported joints as the geometry counts them.
     tool : (N, 3) array
     channels : Channels
     """
 
-    def __init__(self, robot: Robot, mechanism: Mechanism, q: Array, tool: Array, channels: Channels) -> None:
+    def __init__(self, robot: Robot, mechanism: Machine, q: Array, tool: Array, channels: Channels) -> None:
         self.robot, self.mechanism, self.q, self.tool, self.channels = robot, mechanism, q, tool, channels
         self.roles, self._moves = mechanism.roles(robot), mechanism.moves(robot)
         masses = robot.masses.model_dump() if robot.masses is not None else {}
@@ -576,7 +576,7 @@ class Body:
             )
 
 
-def lacking(effect: str, mechanism: Mechanism, moves: Container[str], roles: Container[str]) -> list[str]:
+def lacking(effect: str, mechanism: Machine, moves: Container[str], roles: Container[str]) -> list[str]:
     """Return what an effect moves or reads of a machine and a mechanism does not have.
 
     Parameters

@@ -37,7 +37,7 @@ from deltacal_gen.identifiability import (
     unseen,
 )
 from deltacal_gen.measurement import Instrument, Readings, carried
-from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, mechanism_of
+from deltacal_gen.mechanism import SOLVED, STATUS, Array, Machine, mechanism_of
 from deltacal_gen.recording import Measurement, Recording, read_measurement, write_recording
 from deltacal_gen.robot import Robot, Workspace, to_file
 from deltacal_gen.units import file_unit
@@ -144,7 +144,7 @@ class Prediction:
     mean: float
     largest: float
 
-    def to_dict(self, mechanism: Mechanism) -> dict[str, Any]:
+    def to_dict(self, mechanism: Machine) -> dict[str, Any]:
         """Return the prediction for JSON, in mm and deg."""
         units = {p.name: p.unit for p in mechanism.parameters}
         return {
@@ -429,7 +429,7 @@ def _spread_of(robot: Robot) -> str:
 
 def candidates_of(robot: Robot) -> Array:
     """Return what poses are chosen from: positions (M, 3) of `grid`, or joints (M, n_q) of an open chain."""
-    if mechanism_of(robot).links is not None:
+    if mechanism_of(robot).many_ways:
         return joint_spread(robot, CANDIDATES)
     return grid(workspace_of(robot))
 
@@ -502,12 +502,12 @@ def reach(robot: Robot, targets: Array, tools: Array) -> tuple[Poses, np.ndarray
     mechanism = mechanism_of(robot)
     targets, tools = np.atleast_2d(np.asarray(targets, dtype=float)), _tools(tools)
     nominal, known = mechanism.rows(dataclasses.replace(robot, errors={})), mechanism.rows(robot)
-    if mechanism.links is None:
-        theta, _, solved = mechanism.inverse(targets, tools[0], nominal)
-    else:
+    if mechanism.many_ways:
         theta = robot.joint_sign * targets
         at, solved = mechanism.forward(theta, tools[0], nominal)
         targets = at[:, :3]
+    else:
+        theta, _, solved = mechanism.inverse(targets, tools[0], nominal)
     why = np.array([STATUS[int(s)] if s != SOLVED else "" for s in solved], dtype=object)
     joints = robot.joint_sign * theta
     if robot.joint_limits is not None:
@@ -566,7 +566,7 @@ def _reached(robot: Robot, targets: Array, tools: Array) -> Poses:
 
 def _generic(robot: Robot, tools: Array) -> Poses:
     """Return poses without any symmetry, what can be reached of an additive recurrence in the cylinder."""
-    if _mechanism(robot).links is not None:
+    if _mechanism(robot).many_ways:
         return _reached(robot, joint_spread(robot, GENERIC_POSES), tools)
     workspace = workspace_of(robot)
     u = np.outer(np.arange(1, GENERIC_POSES + 1), RECURRENCE) % 1.0
@@ -648,7 +648,7 @@ def _sensitivity(robot: Robot, poses: Poses, names: Sequence[str]) -> Array:
     return S[:, :, [mechanism.index[name] for name in names]]
 
 
-def _mechanism(robot: Robot) -> Mechanism:
+def _mechanism(robot: Robot) -> Machine:
     return mechanism_of(robot)
 
 
@@ -750,7 +750,7 @@ def plan(
     if n_max < FEWEST:
         raise UsageError(f"n_max is {n_max}, but a ring has at least {FEWEST} poses.")
     drawn = None if singular is None else singularities.near(robot, singular, n_max, np.random.default_rng(0))
-    if _mechanism(robot).links is not None:
+    if _mechanism(robot).many_ways:
         return _chain_plan(task, threshold, n_max, sigma_mm)
     planar = len(_mechanism(robot).axes) == 2
     if drawn is not None:
@@ -991,7 +991,7 @@ def _task(
 ) -> Task:
     mechanism = _mechanism(robot)
     if kind is None:
-        kind = "distance" if mechanism.links is None else "position"
+        kind = "position" if mechanism.turning else "distance"
     if scaling is None:
         scaling = "paper" if mechanism.has_scaling("paper", robot) else "typical"
     for what, value, known in (("kind", kind, KINDS), ("scaling", scaling, SCALINGS), ("norm", norm, NORMS)):
@@ -1002,7 +1002,7 @@ def _task(
         raise UsageError("a gauge, and nothing else, needs to know where its ends are mounted.")
     if mount is not None:
         tools = mount.platform[None]
-    elif tools is None and (len(mechanism.axes) == 2 or mechanism.links is not None or kind == "pose"):
+    elif tools is None and (len(mechanism.axes) == 2 or mechanism.turning or kind == "pose"):
         tools = 1
     elif tools is None:
         home = _reached(robot, rings(workspace_of(robot), 1, ()), robot.tool)
@@ -1134,7 +1134,7 @@ def target_recording(found: Plan, path: str | Path = "poses.csv") -> Recording:
         setup=np.zeros(count, dtype=int),
         setup_names=("1",),
         tool=found.poses.tool if mount is None else None,
-        targets=found.poses.targets if mechanism.links is None else None,
+        targets=None if mechanism.many_ways else found.poses.targets,
     )
 
 

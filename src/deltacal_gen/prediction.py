@@ -136,7 +136,7 @@ def corrected_joints(
         reached = reached + share[:, None] * (_read(beside, other, moved)[0] - reached)
         miss = (reached - wanted) @ turn
         joints = joints + robot.joint_sign * mechanism.undo(miss, x, plain.body.q, tool, rows)
-        if np.abs(mechanism.commanded(miss)).max() < COMMAND_SETTLED_MM:
+        if np.abs(mechanism.asked(miss)).max() < COMMAND_SETTLED_MM:
             break
     return joints, share
 

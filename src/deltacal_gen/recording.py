@@ -26,6 +26,7 @@ from pydantic import BeforeValidator
 
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.inputs import POSITION, ROTATION, TEMPERATURE, Measurement, Recording, Robot
+from deltacal_gen.machine.machine import POSE
 from deltacal_gen.robot import (
     Number,
     Positive,
@@ -42,7 +43,7 @@ from deltacal_gen.rotation import from_vector, to_vector
 from deltacal_gen.units import DEG, file_unit, joint_factors, joint_names, of_joints
 
 if TYPE_CHECKING:
-    from deltacal_gen.mechanism import Mechanism
+    from deltacal_gen.mechanism import Machine
 
 _TOOL = ("tool_x_mm", "tool_y_mm", "tool_z_mm")
 _COLUMNS = {  # of the kinds of measurement that do not depend on the machine's axes
@@ -122,7 +123,7 @@ class _Sidecar(Table):
 
 def read_recording(
     path: str | Path,
-    mechanism: Mechanism,
+    mechanism: Machine,
     *,
     need_measured: bool = True,
     allow_targets: bool = False,
@@ -134,7 +135,7 @@ def read_recording(
     ----------
     path : path
         CSV, or Parquet by the ending ``.parquet``.
-    mechanism : Mechanism
+    mechanism : Machine
         Says how many joints there are and whether they turn or slide.
     need_measured : bool
         Whether a recording without a single reading is an error.
@@ -158,7 +159,7 @@ def read_recording(
 
 def read_blocks(
     path: str | Path,
-    mechanism: Mechanism,
+    mechanism: Machine,
     rows: int,
     *,
     need_measured: bool = True,
@@ -209,7 +210,7 @@ def _recording(
     path: Path,
     rows: _Rows,
     sidecar: _Sidecar,
-    mechanism: Mechanism,
+    mechanism: Machine,
     need_measured: bool,
     allow_targets: bool,
     doubtful: bool,
@@ -221,26 +222,12 @@ def _recording(
     axes = tuple(f"{axis}_mm" for axis in mechanism.axes)
     has_joints = any(_JOINT_LIKE.match(name) for name in rows.columns)
     if allow_targets and not has_joints and set(axes) & set(rows.columns):
-        targets = np.zeros((len(rows.line), 3))
-        given = [axis for n, axis in enumerate(axes) if n < mechanism.limbs or axis in rows.columns]
-        targets[:, [POSITION.index(axis) for axis in given]] = rows.numbers(*given, blank=False)
+        targets, rows = _targets(rows, mechanism)
         joints = np.full((len(targets), mechanism.limbs), np.nan)
-        turned = mechanism.links is not None and set(ROTATION) & set(rows.columns)
-        if turned:
-            rotations = from_vector(rows.numbers(*ROTATION, blank=False) * DEG)
-            targets = np.hstack([targets, rotations.reshape(-1, 9)])
-        elif mechanism.links is not None and mechanism.limbs > 3:
-            raise rows.error(
-                "a position alone does not say how an open chain shall stand.",
-                "Add rx_deg, ry_deg, rz_deg (a rotation vector of the last frame in {O}), or give joints instead.",
-                column=axes[0],
-            )
-        rows = rows.without((*axes, *ROTATION) if turned else axes)
     else:
         joints = _joints(rows, mechanism)
 
-    # a platform in the plane turns about z only; in space a tracked body has a rotation, held or not
-    turns = ROTATION if len(axes) == 3 else tuple(f"r{axis}_deg" for axis in mechanism.turns)
+    turns = _turns(mechanism)
     kinds = {"position": axes, "pose": axes + turns, **_COLUMNS}
     kind = _kind(rows, measurement.kind, kinds, pairs is not None, need_measured)
     columns = kinds[kind]
@@ -274,7 +261,7 @@ def _recording(
     return recording
 
 
-def check_units(recording: Recording, robot: Robot, *, load: Callable[[str], Mechanism] | None = None) -> None:
+def check_units(recording: Recording, robot: Robot, *, load: Callable[[str], Machine] | None = None) -> None:
     """Compare joints and readings with the size of the machine.
 
     Raises
@@ -618,7 +605,31 @@ def _pairs_and_rows(path: Path, rows: _Rows) -> tuple[_Rows | None, _Rows]:
     return rows, dataclasses.replace(rows, columns=columns, line=np.repeat(rows.line, 2))
 
 
-def _joints(rows: _Rows, mechanism: Mechanism) -> np.ndarray:
+def _turns(mechanism: Machine) -> tuple[str, ...]:
+    """Return the columns of a rotation: in space a tracked body has one, held or not; in the plane it is about z."""
+    return ROTATION if len(mechanism.axes) == 3 else tuple(f"r{axis}_deg" for axis in mechanism.turns)
+
+
+def _targets(rows: _Rows, mechanism: Machine) -> tuple[np.ndarray, _Rows]:
+    """Return targets (N, 3) or poses (N, 12), and the rows without their columns."""
+    axes, turns = tuple(f"{axis}_mm" for axis in mechanism.axes), _turns(mechanism)
+    targets = np.zeros((len(rows.line), 3))
+    given = [axis for axis in axes if f"p{axis[0]}" in mechanism.asks or axis in rows.columns]
+    targets[:, [POSITION.index(axis) for axis in given]] = rows.numbers(*given, blank=False)
+    if POSE in mechanism.widths and set(turns) & set(rows.columns):
+        vectors = np.zeros((len(targets), 3))
+        vectors[:, [ROTATION.index(turn) for turn in turns]] = rows.numbers(*turns, blank=False) * DEG
+        return np.hstack([targets, from_vector(vectors).reshape(-1, 9)]), rows.without((*axes, *turns))
+    if 3 not in mechanism.widths:
+        raise rows.error(
+            f"a position alone does not say how {mechanism.sort} shall stand.",
+            "Add rx_deg, ry_deg, rz_deg (a rotation vector of the last frame in {O}), or give joints instead.",
+            column=axes[0],
+        )
+    return targets, rows.without(axes)
+
+
+def _joints(rows: _Rows, mechanism: Machine) -> np.ndarray:
     names = joint_names(mechanism.joint_unit, mechanism.limbs)
     joints = rows.numbers(*names, blank=False) * joint_factors(mechanism.joint_unit, mechanism.limbs)
     for name in rows.columns:
@@ -761,7 +772,7 @@ def _check_repeats(recording: Recording, rows: _Rows) -> None:
             )
 
 
-def _has_home(mechanism: Mechanism) -> bool:
+def _has_home(mechanism: Machine) -> bool:
     return any(key.key == "home" for key in mechanism.geometry)
 
 

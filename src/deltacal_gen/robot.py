@@ -38,9 +38,9 @@ from deltacal_gen.inputs import Link, Robot
 from deltacal_gen.units import file_unit, joint_factors, of_joints, to_internal
 
 if TYPE_CHECKING:
-    from deltacal_gen.mechanism import GeometryKey, Mechanism
+    from deltacal_gen.mechanism import GeometryKey, Machine
 
-    Loader = Callable[[str], Mechanism]
+    Loader = Callable[[str], Machine]
 
 SHORTEST_MACHINE = 2.0  # mm; a machine whose longest length is below this was written down in metres
 LONGEST_LINK = 20_000.0  # mm; a length above this was written down in micrometres
@@ -98,7 +98,7 @@ class Workspace(Table):
     height: Positive | None = None
     _layers: tuple[int, int] = PrivateAttr(default=(-1, -1))
 
-    def of(self, mechanism: Mechanism) -> Workspace:
+    def of(self, mechanism: Machine) -> Workspace:
         """Return the workspace on that side of the base where this mechanism has it."""
         placed = self.model_copy()
         placed._layers = mechanism.layers
@@ -221,7 +221,7 @@ def robot_to_dict(robot: Robot, *, load: Loader | None = None) -> dict[str, Any]
         tables["joints"][_limits_key(mechanism)] = limits
     if robot.links:
         tables["joint"] = [_joint_table(robot, k) for k in range(len(robot.links))]
-    for key in mechanism.geometry if not robot.links else ():
+    for key in () if mechanism.linked else mechanism.geometry:
         values = [to_file(value, key.unit) for value in robot.geometry[key.key]]
         tables[key.table][key.key] = values if key.per_limb or len(values) > 1 else values[0]
     units = {parameter.name: parameter.unit for parameter in mechanism.parameters}
@@ -263,7 +263,7 @@ def for_names(robot: Robot, names: Iterable[str]) -> Robot:
     return _described(robot, ", ".join(sorted(wanted)), lambda m: wanted <= m.index.keys())
 
 
-def _described(robot: Robot, what: str, fits: Callable[[Mechanism], bool]) -> Robot:
+def _described(robot: Robot, what: str, fits: Callable[[Machine], bool]) -> Robot:
     from deltacal_gen.mechanism import described
 
     mechanism = _registered(robot.mechanism, robot.links)
@@ -288,7 +288,7 @@ def _joint_table(robot: Robot, k: int) -> dict[str, Any]:
     return table | {"mass": link.mass, "com": list(link.com)}
 
 
-def _registered(name: str, links: tuple[Link, ...] = ()) -> Mechanism:
+def _registered(name: str, links: tuple[Link, ...] = ()) -> Machine:
     # Imported on first use, so that injected mechanisms cost no import of the kernels.
     from deltacal_gen.mechanism import load_mechanism
 
@@ -340,14 +340,14 @@ def _robot(file: TomlFile, load: Loader | None) -> Robot:
     said = file.check(_schema(mechanism))
     tables = {name: dict(getattr(said, name)) for name in ("geometry", "joints", "errors", "tolerance")}
     geometry = {}
-    if isinstance(mechanism.links, tuple):
+    if mechanism.linked:
         if not links:
             raise file.error("the chain has no links.", "Add one table [[joint]] for each, from the base.", "robot")
         for name, kind in _LINK_UNITS.items():
             geometry[name] = np.array([getattr(joint, name) for joint in named.joint]) * to_internal(kind)
     else:
         _check_scale(file, mechanism, tables)
-    for key in mechanism.geometry if not links else ():
+    for key in () if mechanism.linked else mechanism.geometry:
         value = tables[key.table][key.key]
         internal = key.default if value is None else np.multiply(value, to_internal(key.unit))
         geometry[key.key] = np.atleast_1d(np.asarray(internal, dtype=float))
@@ -374,7 +374,7 @@ def _robot(file: TomlFile, load: Loader | None) -> Robot:
     )
 
 
-def _workspace(file: TomlFile, said: Workspace | None, mechanism: Mechanism) -> Workspace | None:
+def _workspace(file: TomlFile, said: Workspace | None, mechanism: Machine) -> Workspace | None:
     """Return a workspace that suits the mechanism; raises InputError where it has another shape."""
     if said is None:
         return None
@@ -402,7 +402,7 @@ def _workspace(file: TomlFile, said: Workspace | None, mechanism: Mechanism) -> 
     return said.of(mechanism)
 
 
-def _of_errors(file: TomlFile, mechanism: Mechanism) -> Mechanism:
+def _of_errors(file: TomlFile, mechanism: Machine) -> Machine:
     """Return which description of the machine has the errors and tolerances that a robot file names."""
     from deltacal_gen.mechanism import described
 
@@ -434,7 +434,7 @@ class _RobotFile(Table):
     transmission: Transmission | None = None
 
 
-def _schema(mechanism: Mechanism) -> Any:
+def _schema(mechanism: Machine) -> Any:
     """Schema of the robot files of one mechanism; None stands for a key that the file does not give."""
     limbs = mechanism.limbs
     geometry: dict[str, Any] = {"tool": (Vector, (0.0, 0.0, 0.0))}
@@ -442,7 +442,7 @@ def _schema(mechanism: Mechanism) -> Any:
         "sign": (_per_limb(_Sign, limbs), (1.0,) * limbs),
         _limits_key(mechanism): (_list(_Interval, limbs), None),
     }
-    for key in mechanism.geometry if mechanism.links is None else ():
+    for key in () if mechanism.linked else mechanism.geometry:
         fields = geometry if key.table == "geometry" else joints
         meaning = f"{key.meaning} [{file_unit(key.unit)}]"
         size = sum(other.key == key.key for other in mechanism.geometry)
@@ -450,7 +450,7 @@ def _schema(mechanism: Mechanism) -> Any:
         fields[key.key] = (kind, Field(... if key.default is None else None, description=meaning))
     names = [parameter.name for parameter in mechanism.parameters]
     absent: Any = Field({}, validate_default=True)
-    chain: Any = {} if mechanism.links is None else {"joint": (tuple[_Joint, ...], ...)}
+    chain: Any = {"joint": (tuple[_Joint, ...], ...)} if mechanism.linked else {}
     return create_model(
         "RobotFile",
         __base__=_RobotFile,
@@ -473,13 +473,13 @@ def _value_type(key: GeometryKey, limbs: int) -> Any:
     return item if key.default is None or len(key.default) == 1 else _list(item, len(key.default))
 
 
-def _limits_key(mechanism: Mechanism) -> str:
+def _limits_key(mechanism: Machine) -> str:
     """Return ``limits_deg`` or ``limits_mm``; of a chain with both kinds of joints ``limits``, each in its own unit."""
     units = set(of_joints(mechanism.joint_unit, mechanism.limbs))
     return f"limits_{file_unit(units.pop())}" if len(units) == 1 else "limits"
 
 
-def _factors(mechanism: Mechanism) -> np.ndarray:
+def _factors(mechanism: Machine) -> np.ndarray:
     return np.array([joint_factors(mechanism.joint_unit, mechanism.limbs)]).T
 
 
@@ -488,7 +488,7 @@ def _is_length(key: GeometryKey) -> bool:
     return key.unit == "mm" and key.positive
 
 
-def _check_scale(file: TomlFile, mechanism: Mechanism, tables: Mapping[str, Mapping[str, Any]]) -> None:
+def _check_scale(file: TomlFile, mechanism: Machine, tables: Mapping[str, Mapping[str, Any]]) -> None:
     lengths = [key for key in mechanism.geometry if key.unit == "mm" and tables[key.table][key.key] is not None]
     if not lengths:
         return

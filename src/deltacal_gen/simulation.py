@@ -17,7 +17,7 @@ from pydantic import Field
 from deltacal_gen import sphere
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.measurement import BOTH, CONTACT, FRAMELESS, Instrument, Readings, both, frameless, home_of
-from deltacal_gen.mechanism import SOLVED, STATUS, Array, Mechanism, mechanism_of, nominal_joints
+from deltacal_gen.mechanism import SOLVED, STATUS, Array, Machine, mechanism_of, nominal_joints
 from deltacal_gen.physics import Body, Channels, Term, blank, effect_names, load_effect, reading_shift, row_factors
 from deltacal_gen.recording import Measurement, Recording
 from deltacal_gen.robot import Number, Robot, Table, TomlFile, nearest
@@ -73,7 +73,7 @@ def truth_names(path: str | Path) -> tuple[str, ...]:
     return tuple(TomlFile.read(path).check(_Truth).parameters)
 
 
-def _checked_term(file: TomlFile, table: dict[str, Any], mechanism: Mechanism) -> Term:
+def _checked_term(file: TomlFile, table: dict[str, Any], mechanism: Machine) -> Term:
     try:
         term = _term(file, table, mechanism)
     except (TypeError, ValueError):
@@ -89,7 +89,7 @@ def _checked_term(file: TomlFile, table: dict[str, Any], mechanism: Mechanism) -
     return term
 
 
-def _term(file: TomlFile, table: dict[str, Any], mechanism: Mechanism) -> Term:
+def _term(file: TomlFile, table: dict[str, Any], mechanism: Machine) -> Term:
     given = dict(table)
     name = given.pop("name", None)
     if name not in effect_names():

@@ -14,7 +14,7 @@ import numpy as np
 
 from deltacal_gen.accuracy import workspace_of
 from deltacal_gen.errors import NoSolutionError, UsageError
-from deltacal_gen.mechanism import SOLVED, Array, Mechanism, mechanism_of, nominal_joints
+from deltacal_gen.mechanism import SOLVED, Array, Machine, mechanism_of, nominal_joints
 from deltacal_gen.robot import Robot, robot_size
 
 DIRECTIONS = 96  # in space, 20 deg apart: a distance is too large by 2 % at most; half as many in a plane
@@ -100,17 +100,16 @@ def near(robot: Robot, band: tuple[float, float], count: int, rng: np.random.Gen
     )
 
 
-def _checked(robot: Robot) -> Mechanism:
+def _checked(robot: Robot) -> Machine:
     mechanism = mechanism_of(robot)
-    if mechanism.links is not None or mechanism.limbs < 2:
-        what = "an open chain" if mechanism.links is not None else "a single joint"
+    if not mechanism.looped or mechanism.limbs < 2:
         raise UsageError(
-            f"{what} is not singular by its position: distances from singularities need a parallel machine."
+            f"{mechanism.sort} is not singular by its position: distances from singularities need a parallel machine."
         )
     return mechanism
 
 
-def _directions(mechanism: Mechanism) -> Array:
+def _directions(mechanism: Machine) -> Array:
     """Return unit vectors (D, 3) spread evenly over the sphere, or over the circle of a planar machine."""
     if "z" not in mechanism.axes:
         turn = 2 * np.pi * np.arange(DIRECTIONS // 2) / (DIRECTIONS // 2)

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.demonstration import example
-from deltacal_gen.mechanism import Mechanism, mechanism_of
+from deltacal_gen.mechanism import Machine, mechanism_of
 from deltacal_gen.physics import Body, Channels, effect_names, load_effect
 from deltacal_gen.robot import Robot, read_robot, robot_from_dict, robot_to_dict
 from deltacal_gen.units import DEG
@@ -122,7 +122,7 @@ def _targets(robot: Robot, n: int, rings: bool, rng: np.random.Generator) -> Arr
     )
 
 
-def kinds(mechanism: Mechanism) -> dict[str, float]:
+def kinds(mechanism: Machine) -> dict[str, float]:
     """Return the kinds of measurement and how often each is drawn."""
     if mechanism.name in ("delta", "complete_delta"):
         return {"position": 0.66, "pose": 0.1, "distance": 0.16, "gauge": 0.08}

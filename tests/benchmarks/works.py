@@ -728,7 +728,7 @@ WORKS: dict[str, tuple[Callable[[int], Work], tuple[int, int, int]]] = {
 WORKS |= {
     f"{what}_{name}": (partial(every_mechanism, name=name, derivatives=what == "sensitivity"), (2000, 2000, 9))
     for name in mechanism_names()
-    if load_mechanism(name).links is None
+    if load_mechanism(name).written_out
     for what in ("forward", "sensitivity")
 }
 

@@ -9,7 +9,7 @@ import pytest
 
 from deltacal_gen.estimation import pose_problem
 from deltacal_gen.identifiability import identification_matrix
-from deltacal_gen.mechanism import Mechanism
+from deltacal_gen.mechanism import Machine
 from deltacal_gen.robot import Robot
 from deltacal_gen.simulation import simulate
 from tests.claims import independent_bai as bai
@@ -177,7 +177,7 @@ def test_eq_8_and_9() -> None:
     assert sp.expand(A_rr * shift + A_re * turn).doit() == x
 
 
-def test_eqs_8_and_9_against_the_exact_machine(robot: Robot, mechanism: Mechanism) -> None:
+def test_eqs_8_and_9_against_the_exact_machine(robot: Robot, mechanism: Machine) -> None:
     """Derivatives of the package's exact closure, for a reference point at the centre and off it."""
     columns = [mechanism.index[n] for n in bai.MODEL_42]
     for point in (np.zeros(3), np.array([35.0, -20.0, -60.0])):
@@ -266,7 +266,7 @@ def test_eqs_12_to_14() -> None:
 
 
 @pytest.mark.parametrize("names", [bai.MODEL_18, bai.MODEL_36], ids=["eq. (15)", "eq. (16)"])
-def test_eqs_15_and_16(robot: Robot, mechanism: Mechanism, names: tuple[str, ...]) -> None:
+def test_eqs_15_and_16(robot: Robot, mechanism: Machine, names: tuple[str, ...]) -> None:
     """The matrix written from the text is the derivative of the exact machine's distances."""
     r = bai.fine_poses(7, 0.2)
     problem = pose_problem(robot, simulate(robot, wanted(r, frame="robot")), names, as_distance=True)
