@@ -21,12 +21,12 @@ from typing import Any
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
-import derive.effects
 from derive import blocks, closed_form, notation, statics, unseen, vectors
 from derive import typeset as ts
 from derive.drawing import drawing
 from derive.graph import Graph
-from derive.mathematics.effects import states
+from derive.language.states import State
+from derive.language.targets import PARTS
 from derive.spec import ChainMechanism, Effect, EffectQuantity, LimbMechanism, Measurement, Quantity
 from derive.steps import Derivation
 from derive.typeset import Math
@@ -560,9 +560,7 @@ def _moves(written: Written) -> list[dict[str, Any]]:
             )
             for n, e in how.items()
         ]
-        found.append(
-            {"part": part, "meaning": derive.effects.PARTS.get(part, part), "formula": ts.separated(sides, ",")}
-        )
+        found.append({"part": part, "meaning": PARTS.get(part, part), "formula": ts.separated(sides, ",")})
     return found
 
 
@@ -932,7 +930,7 @@ def weights_of_links() -> list[dict[str, Any]]:
 
 def effect(spec: Effect, module: ModuleType) -> dict[str, Any]:
     """Return the account of an effect: what it reads, moves, and its columns."""
-    read = states(spec)
+    read = spec.states
     lines = Lines(spec.source)
     d = ts.op("∂")
 
@@ -941,7 +939,7 @@ def effect(spec: Effect, module: ModuleType) -> dict[str, Any]:
     shown: dict[sp.Expr, Math] = {c.symbol: ts.sub(ts.letter("c"), ts.words(c.name)) for c in odd}
     look: Shown = shown.get
 
-    def row(q: EffectQuantity) -> dict[str, Any]:
+    def row(q: EffectQuantity | State) -> dict[str, Any]:
         return {"symbol": ts.expression(q.symbol, look), "name": q.name, "unit": q.unit, "meaning": q.meaning}
 
     targets = []
@@ -975,11 +973,11 @@ def effect(spec: Effect, module: ModuleType) -> dict[str, Any]:
         "constants": [row(q) for q in spec.constants],
         "states": [row(q) for q in read],
         "targets": targets,
-        "chain": reaches(set(spec.targets), {s.name for s in read}),
+        "chain": reaches(set(spec.targets), any(s.kind == "load" for s in read)),
     }
 
 
-def reaches(targets: set[str], states: set[str]) -> list[dict[str, Any]]:
+def reaches(targets: set[str], loaded: bool) -> list[dict[str, Any]]:
     """Return how targets of an effect reach a reading: the chain rule through a machine's own derivatives."""
     x, y, d, c = ts.letter("x", bold=True), ts.letter("y", bold=True), ts.op("∂"), ts.letter("c")
 
@@ -1000,7 +998,7 @@ def reaches(targets: set[str], states: set[str]) -> list[dict[str, Any]]:
     found = []
     if terms:
         text = "The pose moves by the machine's velocity Jacobian V and sensitivity S at the deformed pose."
-        if states & {"torque", "payload_torque", "inertia_torque", "pull_v", "pull_w", "tension_1", "tension_2"}:
+        if loaded:
             text += " Loads are those of the deformed machine, found by iteration to static equilibrium."
         moving = ts.equation(slope, ts.separated(terms, "+"))
         found.append({"formula": moving, "text": text, "place": None, "ends": ["Body.columns"]})
@@ -1019,7 +1017,7 @@ def target_meaning(target: str) -> str:
     kind, _, part = target.partition(".")
     return {
         "joint": "angle or way of the joint: what the geometry sees less what the controller reports",
-        "limb": derive.effects.PARTS.get(part, part),
+        "limb": PARTS.get(part, part),
         "turn": f"turn of the base about {{O}}, axis {part}",
         "tool": f"measured point in {{O'}}, {part}",
         "reading": f"reading along the instrument's {part}",
@@ -1108,7 +1106,7 @@ def answer(request: Mapping[str, Any]) -> dict[str, Any]:
     if "texts" in request:
         return {"texts": [notation.read(text) for text in request["texts"]]}
     if "reaches" in request:
-        return {"chain": reaches(set(request["reaches"]), {"torque"})}
+        return {"chain": reaches(set(request["reaches"]), loaded=True)}
     kind, name = next((k, request[k]) for k in ("mechanism", "effect", "measurement") if k in request)
     if kind == "effect":
         module = importlib.import_module(f"derive.effects.{name}")

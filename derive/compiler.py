@@ -35,9 +35,10 @@ from derive.backends import servo as commands
 from derive.backends.ir import Kernel
 from derive.blocks import nominal
 from derive.first_order import linear
+from derive.language.states import COVARIATE, STATES
 from derive.lower import lower
 from derive.mathematics.chains import links
-from derive.mathematics.effects import effect, states
+from derive.mathematics.effects import effect
 from derive.mathematics.functions import Functions
 from derive.mathematics.kinematics import kinematics, rotations
 from derive.mathematics.measurements import measurement, platform_names
@@ -48,8 +49,10 @@ TEMPLATES = ROOT / "templates"
 GENERATED = ROOT / "generated" / "deltacal_kernels"
 COMMAND = "deltacal kernels"
 SIZES = Path("sizes.csv")
-KNOWN_BEFORE = {"q", "turn", "approach", "warming", "time", "after"}  # what a controller knows before it moves
-COMMON = ("__init__.py", "compiled.py", "direct.py", "elementary.py", "poses.py", "straight.py")  # one for all
+COMMON = (  # what is one for all specs
+    "__init__.py", "compiled.py", "direct.py", "elementary.py", "poses.py", "straight.py",
+    "effects/__init__.py", "effects/states.py", "measurements/__init__.py",
+)  # fmt: skip
 
 Spec = LimbMechanism | ChainMechanism | Effect | Measurement
 Kernels = Mapping[str, Kernel]
@@ -199,8 +202,8 @@ def write_one(lowered: Lowered) -> dict[Path, str]:
 
 def _effect(spec: Effect, kernels: Kernels) -> dict[Path, str]:
     """Return an effect in NumPy and, where a controller knows all that it reads, in C."""
-    read = states(spec)
-    endings = ["py", "c"] if set(spec.targets) == {"joint"} and {s.name for s in read} <= KNOWN_BEFORE else ["py"]
+    read = spec.states
+    endings = ["py", "c"] if set(spec.targets) == {"joint"} and all(s.c99 for s in read) else ["py"]
     return {
         Path("effects") / f"{spec.name}.{ending}": _file(
             f"effect.{ending}", spec, effect=spec, states=read, kernels=kernels
@@ -237,11 +240,9 @@ def _tables(mechanism: LimbMechanism) -> dict[str, Any]:
 
 def _common(every: Mapping[str, Sequence[str]]) -> dict[Path, str]:
     """Return the files that belong to no spec alone; `every` holds the names of mechanisms and effects."""
-    context = {**every, "kernels": _lowered(rotations()), "command": COMMAND}
-    texts = {Path(name): _environment().get_template(f"{name}.jinja").render(context) for name in COMMON}
-    texts[Path("measurements/__init__.py")] = '"""What instruments report: readings and their derivatives."""\n'
-    texts[Path("effects/__init__.py")] = _environment().get_template("effects.py.jinja").render(context)
-    return texts
+    words = {"states": STATES.values(), "covariate": COVARIATE}
+    context = {**every, **words, "kernels": _lowered(rotations()), "command": COMMAND}
+    return {Path(name): _environment().get_template(f"{name}.jinja").render(context) for name in COMMON}
 
 
 def _file(name: str, spec: Spec, **context: Any) -> str:
@@ -318,9 +319,7 @@ def committed(names: Sequence[str] = ()) -> dict[Path, str]:
 
 def _is_of(path: Path, names: Sequence[str]) -> bool:
     """Tell whether a file is of one of the names, or of none."""
-    folder, name = path.parent.as_posix(), path.stem
-    index = name == "__init__" and folder in ("effects", "measurements")
-    return index or folder == "." or folder in names or name in names
+    return path == SIZES or path.as_posix() in COMMON or path.parent.as_posix() in names or path.stem in names
 
 
 def differences(fresh: Mapping[Path, str], old: Mapping[Path, str]) -> list[str]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import ctypes
 import dataclasses
 import json
-import math
 import re
 import shutil
 import subprocess
@@ -22,100 +21,61 @@ from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.exports import Spans, export_c, export_table, read_table, spans
 from deltacal_gen.machine.limbs import SETTLED_MM
 from deltacal_gen.mechanism import SOLVED, UNREACHABLE, Machine
-from deltacal_gen.physics import Term, blank, effect_names, load_effect
-from deltacal_gen.robot import Masses, Robot
+from deltacal_gen.physics import Term, blank, displaces_points, effect_names, load_effect
+from deltacal_gen.robot import Robot
 from deltacal_gen.simulation import simulate
 from deltacal_gen.units import DEG
+from tests.every_effect import ON_MACHINES, channels, constants, machine_with, machines, sized, targets
 
-SIZES = {  # of each effect's coefficients in the files' units: what moves a tool point by tenths of a millimetre
-    "joint_compliance": 0.01,
-    "payload_deflection": 0.01,
-    "inertial_deflection": 0.005,
-    "proximal_bending": 0.01,
-    "distal_compliance": 0.005,
-    "base_compliance": 0.002,
-    "transmission_eccentricity": 0.05,
-    "joint_scale": 1e-3,
-    "backlash": 0.1,
-    "friction_windup": 0.005,
-    "thermal_growth": 2e-5,
-    "thermal_zero": 0.003,
-    "zero_drift": 0.03,
-    "zero_jump": 0.05,
-    "latency": 1e-3,
-    "joint_axis_runout": 0.1,
-    "parallelogram_error": 0.1,
-}
-CONSTANTS = {"transmission_eccentricity": (20.0,), "zero_jump": (3600.0,)}
-OVER = Spans(warming=(-2.0, 15.0), payload=(0.0, 3.0), time=(0.0, 2.0))
+OVER = Spans({"warming": (-2.0, 15.0), "payload": (0.0, 3.0), "time": (0.0, 2.0)})
 
 
 def term(name: str, size: float | None = None, limbs: tuple[int, ...] = (1, 2, 3)) -> Term:
-    bare = blank(name, limbs, CONSTANTS.get(name, ()))
+    """Return an effect of some tenths of a millimetre, or of a size in the files' units."""
+    bare = sized(name, limbs)
     factors = np.array([factor for _, _, factor, _ in load_effect(name).COEFFICIENTS])
-    value = SIZES[name] if size is None else size
-    return bare.with_values(value * factors * np.ones_like(bare.values))
-
-
-def channels(n: int, seed: int = 0) -> dict[str, np.ndarray]:
-    rng = np.random.default_rng(seed)
-    out = {"temp_C": rng.uniform(18, 35, n), "payload_kg": rng.uniform(0, 3, n), "time_s": rng.uniform(0, 7200, n)}
-    for i in (1, 2, 3):
-        out[f"approach{i}"] = rng.choice([-1.0, 1.0], n)
-        out[f"qd{i}_deg_s"] = rng.uniform(-100, 100, n)
-        out[f"qdd{i}_deg_s2"] = rng.uniform(-1000, 1000, n)
-    return out
+    return bare if size is None else bare.with_values(size * factors * np.ones_like(bare.values))
 
 
 @pytest.fixture(scope="module")
-def machine(robot: Robot, mechanism: Machine) -> Robot:
-    masses = Masses(proximal=1.2, proximal_com=0.4, distal_rod=0.15, platform=0.8)
-    return dataclasses.replace(
-        robot, masses=masses, errors=plausible(mechanism, 3), joint_sign=np.array([1.0, -1.0, 1.0])
-    )
+def machine() -> Robot:
+    return machines()[0]
 
 
 # --- exact inversion ------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", SIZES)
-def test_the_command_brings_the_machine_with_the_effect_to_the_target(machine: Robot, name: str) -> None:
-    targets = scattered(machine, 60, 1)
-    compensator = Compensator(machine, terms=(term(name),))
-    at, assumed = compensator.channels(channels(60), 60)
+@pytest.mark.parametrize("name", ON_MACHINES)
+def test_the_command_brings_the_machine_with_the_effect_to_the_target(name: str) -> None:
+    machine = machine_with(name)
+    wanted_at = targets(machine, 60, 1)
+    compensator = Compensator(machine, terms=(sized(name, much=0.4),))
+    at, assumed = compensator.channels(channels(machine, 60), 60)
     assert assumed == []
-    joints, status = compensator.command(targets, None, at)
+    joints, status = compensator.command(wanted_at, None, at)
     assert (status == SOLVED).all()
-    assert np.abs(compensator.reached(joints, None, at)[0] - targets).max() < 2 * SETTLED_MM
-    geometry_alone = Compensator(machine).command(targets)[0]
-    assert np.abs(compensator.reached(geometry_alone, None, at)[0] - targets).max() > 0.05
+    assert np.abs(compensator.reached(joints, None, at)[0] - wanted_at).max() < 2 * SETTLED_MM
+    geometry_alone = Compensator(machine).command(wanted_at)[0]
+    assert np.abs(compensator.reached(geometry_alone, None, at)[0] - wanted_at).max() > 0.05
 
 
 def test_all_effects_at_once_at_another_tool_point(machine: Robot) -> None:
-    targets = scattered(machine, 60, 2)
+    wanted_at = scattered(machine, 60, 2)
     tool = np.array([20.0, -30.0, -60.0])
-    compensator = Compensator(machine, terms=tuple(term(name, 0.3 * size) for name, size in SIZES.items()))
-    at, _ = compensator.channels(channels(60), 60)
-    assert np.abs(compensator.leftover(targets, tool, at)).max() < 2 * SETTLED_MM
+    own = [name for name in ON_MACHINES if machine_with(name) is machine]
+    compensator = Compensator(machine, terms=tuple(sized(name, much=0.1) for name in own))
+    at, _ = compensator.channels(channels(machine, 60), 60)
+    assert np.abs(compensator.leftover(wanted_at, tool, at)).max() < 2 * SETTLED_MM
 
 
-def test_every_effect_is_of_the_machine_or_of_the_instrument() -> None:
-    of_a_printer = {"bed_shape", "effector_tilt", "tower_lean"}  # which this machine is not
-    assert {n for n in effect_names() if n not in SIZES} - of_a_printer == {
-        "instrument_drift",
-        "instrument_offset",
-        "instrument_scale",
-    }
-
-
-def test_the_instruments_effects_change_no_command(machine: Robot) -> None:
-    drift = blank("instrument_drift", ()).with_values(np.array([0.1, 0.2, 0.3]))
-    compensator = Compensator(machine, terms=(drift,))
-    targets = scattered(machine, 5, 1)
-    assert np.array_equal(compensator.command(targets)[0], Compensator(machine).command(targets)[0])
-    assert compensator.channels({}, 5)[1] == [
-        "instrument_drift belongs to the instrument: no command is changed for it"
-    ]
+@pytest.mark.parametrize("name", [n for n in effect_names() if n not in ON_MACHINES])
+def test_an_effect_on_the_instrument_changes_no_command(name: str) -> None:
+    machine = machine_with(name)
+    bare = blank(name, (), constants(name), [(0.0, 0.0, 0.0)] if displaces_points(load_effect(name)) else [])
+    wanted_at = targets(machine, 5, 1)
+    compensator = Compensator(machine, terms=(bare.with_values(np.ones(bare.n_coefficients)),))
+    assert np.array_equal(compensator.command(wanted_at)[0], Compensator(machine).command(wanted_at)[0])
+    assert compensator.channels({}, 5)[1] == [f"{name} belongs to the instrument: no command is changed for it"]
 
 
 def test_what_is_not_given_is_assumed_aloud(machine: Robot) -> None:
@@ -126,10 +86,10 @@ def test_what_is_not_given_is_assumed_aloud(machine: Robot) -> None:
     for words in (
         r"approach1 \.\.\. approach3 not given: .*middle of the play.*\(backlash\)",
         r"temp_C not given: 20 degC is assumed \(thermal_zero\)",
-        r"payload_kg not given: no payload is assumed \(joint_compliance\)",
+        r"payload_kg not given: no payload is assumed \(joint_compliance, inertial_deflection\)",
         r"time_s not given: .*before any drift \(zero_drift\)",
         r"time_s not given: a time after the jump is assumed \(zero_jump\)",
-        r"qdd1 \.\.\. qdd3 not given: a machine at rest is assumed \(inertial_deflection\)",
+        r"qdd1_deg_s2 \.\.\. qdd3_deg_s2 not given: a machine at rest is assumed \(inertial_deflection\)",
     ):
         assert re.search(words, text), words
     # and it is what is said: the same as giving these values
@@ -193,7 +153,7 @@ def test_the_machine_meets_its_targets_once_it_is_diagnosed(
     nominal = dataclasses.replace(machine, errors={})
     truth, true_term = plausible(mechanism, 8), term(name, size, limbs)
     used = READS[name]
-    given = {k: v for k, v in channels(90, 4).items() if k in used}
+    given = {k: v for k, v in channels(machine, 90, 4).items() if k in used}
     poses = wanted(scattered(machine, 90, 4), frame="robot", channels=given)
     sigma = 0.005
     recording = simulate(nominal, poses, truth, noise_mm=sigma, rng=np.random.default_rng(5), terms=(true_term,))
@@ -201,7 +161,7 @@ def test_the_machine_meets_its_targets_once_it_is_diagnosed(
     assert [e["name"] for e in found["effects"]] == [name]
 
     targets = scattered(machine, 40, 6)
-    now = {k: v for k, v in channels(40, 7).items() if k in used}
+    now = {k: v for k, v in channels(machine, 40, 7).items() if k in used}
     joints = commands.compensate(found, targets, channels=now)
     calibrated_only = commands.compensate(found | {"physics": []}, targets)
     true_machine = Compensator(dataclasses.replace(machine, errors=truth), terms=(true_term,))
@@ -245,11 +205,11 @@ class At(ctypes.Structure):
 
 
 def at_rest(n: int) -> dict[str, np.ndarray]:
-    return {k: v for k, v in channels(n, 9).items() if not k.startswith("qd")}
+    return {k: v for k, v in channels(machines()[0], n, 9).items() if not k.startswith("qd")}
 
 
 def after_the_jump(terms: tuple[Term, ...]) -> tuple[Term, ...]:
-    return tuple(dataclasses.replace(t, constants=(-math.inf,)) if t.effect == "zero_jump" else t for t in terms)
+    return tuple(t.afterwards() for t in terms)
 
 
 @pytest.mark.skipif(COMPILER is None, reason="no C compiler on this machine")

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import deltacal_gen as dc
+from deltacal_gen import figures
 from deltacal_gen.diagnosis import _borne_out
 from deltacal_gen.errors import InputError
 from deltacal_gen.physics import effect_names
@@ -224,6 +225,16 @@ def test_rods_that_differ_are_named_only_where_the_model_leaves_them_out(robot: 
         value, std = found[name]
         assert abs(value - rods[f"{name}_2"]) < 4 * std
         assert std < 0.05
+
+
+def test_a_periodic_error_shows_along_its_joint() -> None:
+    wave = effect("transmission_eccentricity", (2,), 0.03, 0.02, constants=(3.0,))
+    robot = machine()
+    found = diagnosis(robot, record(robot, wave, n=80))
+    assert named(found) == [("transmission_eccentricity", [2])]
+    assert [c["name"] for c in found["location"]["channels"]] == ["q2_deg"]
+    assert found["location"]["text"] == "the misfit depends on q2_deg, at limb 2"
+    assert figures.main_channel(found) == "q2_deg"  # which it is drawn against
 
 
 # -------------------------------------------------------------------------------------------------------- the file

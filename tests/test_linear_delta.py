@@ -12,7 +12,7 @@ from conftest import Run, displacement
 from scipy.optimize import root
 from scipy.spatial.transform import Rotation
 
-from deltacal_gen import commands
+from deltacal_gen import commands, figures
 from deltacal_gen.estimation import pose_problem
 from deltacal_gen.identification import identify
 from deltacal_gen.measurement import BOTH, readings
@@ -327,6 +327,20 @@ def test_a_periodic_error_of_a_belt_is_found_with_its_pulley(
     assert got["order"]["value"] == 1.0
     assert got["cos"]["value"] == pytest.approx(0.03, abs=0.01)
     assert got["cos"]["unit"] == "mm"
+
+
+def test_a_lag_of_carriages_shows_along_a_column_that_was_recorded(printer: Robot, rng: np.random.Generator) -> None:
+    targets = rng.uniform([-90, -90, 0], [90, 90, 100], (80, 3))
+    poses = recording(printer, targets, "position")
+    motion = {f"qd{i}_mm_s": np.round(60 * rng.standard_normal(80), 2) for i in (1, 2, 3)}
+    motion |= {f"qdd{i}_mm_s2": np.round(800 * rng.standard_normal(80), 1) for i in (1, 2, 3)}
+    poses = dataclasses.replace(poses, channels=motion)
+    lag = blank("latency", ()).with_values(np.array([0.004]))
+    done = simulate(printer, poses, noise_mm=0.01, rng=rng, terms=[lag])
+    found = commands.diagnose(printer, done)
+    assert [e["name"] for e in found["effects"]] == ["latency"]
+    assert {c["name"] for c in found["location"]["channels"]} == set(motion)
+    assert figures.main_channel(found) == "qd1_mm_s"  # which it is drawn against
 
 
 def test_models_lists_it(run: Run) -> None:

@@ -10,11 +10,25 @@ import pytest
 from deltacal_gen.demonstration import example
 from deltacal_gen.measurement import Readings
 from deltacal_gen.mechanism import Array, load_mechanism
-from deltacal_gen.physics import Body, Channels, Term, blank, effect_names, load_effect, reading_shift
+from deltacal_gen.physics import (
+    Body,
+    Channels,
+    Term,
+    blank,
+    displaces_points,
+    effect_names,
+    load_effect,
+    of_reading,
+    reading_shift,
+)
 from deltacal_gen.robot import Robot, read_robot
+from tests.every_effect import body_of, constants, machine_with
 
 DELTA = load_mechanism("delta")
-PRINTERS = {"bed_shape", "effector_tilt", "tower_lean"}  # of the linear delta, tested there
+READ = {  # coordinates of the pose that a kind of reading shows, by what an effect on it moves
+    "position": {"reading.x": 0, "reading.y": 1, "reading.z": 2},
+    "height": {"height": 2},
+}
 N = 12
 
 
@@ -34,15 +48,15 @@ def body(robot: Robot) -> Body:
     tool = np.where(np.arange(N)[:, None] % 2, [[60.0, 10.0, -30.0]], [[0.0, 0.0, 0.0]])
     q, _, status = DELTA.inverse(targets, tool, DELTA.rows(robot))
     assert (status == 0).all()
-    channels = Channels(
-        approach=rng.choice([-1.0, 1.0], (N, 3)),
-        speed=rng.uniform(-0.5, 0.5, (N, 3)),
-        acceleration=rng.uniform(-20, 20, (N, 3)),
-        warming=rng.uniform(0, 12, N),
-        time=np.linspace(0, 5000, N),
-        payload=rng.choice([0.0, 2.0, 5.0], N),
-        order=np.arange(N, dtype=float),
-    )
+    values = {
+        "approach": rng.choice([-1.0, 1.0], (N, 3)),
+        "qd": rng.uniform(-0.5, 0.5, (N, 3)),
+        "qdd": rng.uniform(-20, 20, (N, 3)),
+        "warming": rng.uniform(0, 12, N),
+        "time": np.linspace(0, 5000, N),
+        "payload": rng.choice([0.0, 2.0, 5.0], N),
+    }
+    channels = Channels(values, np.arange(N, dtype=float))
     return Body(robot, DELTA, q, tool, channels)
 
 
@@ -94,19 +108,20 @@ def test_rods_of_a_hanging_platform_are_in_tension_and_level_arms_are_pulled_dow
     assert loads.moment[0] == pytest.approx([0, 0, 0], abs=1e-9)
 
 
-@pytest.mark.parametrize("name", [n for n in effect_names() if n not in PRINTERS])
-def test_columns_are_the_derivative_of_the_exact_equilibrium(name: str, body: Body, robot: Robot) -> None:
-    kernels = load_effect(name)
-    constants = tuple({"order": 3.0, "when": 2500.0}[c[0]] for c in kernels.CONSTANTS)
-    tools = [(60.0, 10.0, -30.0)] if name == "instrument_offset" else []
-    term = blank(name, (1, 3), constants, tools)
-    errors, every = DELTA.vector(robot.errors), np.arange(N)
+@pytest.mark.parametrize("name", effect_names())
+def test_columns_are_the_derivative_of_the_exact_equilibrium(name: str) -> None:
+    robot = machine_with(name)
+    body = body_of(robot, N)
+    mechanism, errors, every = body.mechanism, body.mechanism.vector(robot.errors), np.arange(N)
+    tools = [(0.0, 0.0, 0.0)] if displaces_points(load_effect(name)) else []
+    term = blank(name, (1, 3), constants(name), tools)
+    kind = next(k for k, t in READ.items() if not of_reading([term]) or set(t) & set(term.kernels.TARGETS))
     machine, status = body.solve(errors, [term])
     assert (status == 0).all()
-    S = DELTA.sensitivity(machine.x, machine.q, machine.tool, machine.rows)
+    S = mechanism.sensitivity(machine.x, machine.q, machine.tool, machine.rows)
     columns = body.columns([term], machine, S, every)
-    readings = machine.x[:, :3] + 1000.0
-    found = Readings("position", every[:, None], readings, None, 0 * every, every, every)
+    readings = machine.x[:, list(READ[kind].values())] + 1000.0
+    found = Readings(kind, every[:, None], readings, None, 0 * every, every, every)
     shifts = reading_shift([term], body, found, readings, machine.x)[1]
 
     def seen(coefficient: int, h: float) -> Array:
@@ -114,10 +129,11 @@ def test_columns_are_the_derivative_of_the_exact_equilibrium(name: str, body: Bo
         values[coefficient] = h
         moved = term.with_values(values)
         x = body.solve(errors, [moved])[0].x
-        return x[:, :3] + reading_shift([moved], body, found, x[:, :3] + 1000.0, x)[0]
+        read = x[:, list(READ[kind].values())]
+        return read + reading_shift([moved], body, found, read + 1000.0, x)[0]
 
     for j in range(term.n_coefficients):
-        total = columns[:, :3, j] + shifts[:, :, j]
+        total = columns[:, list(READ[kind].values()), j] + shifts[:, :, j]
         assert np.abs(total).max() > 0, "the effect moves nothing"
         h = 0.05 / np.abs(total).max()  # moves the reading by 0.05 mm
         numeric = derivative(lambda h, j=j: seen(j, h), h)
@@ -134,8 +150,18 @@ def test_a_compliant_machine_is_in_equilibrium_with_its_own_loads(body: Body, ro
     assert machine.q == pytest.approx(body.q + compliance * loads.torque, abs=1e-12)
 
 
+def test_an_effect_of_the_angle_reads_the_one_that_the_geometry_sees(body: Body, robot: Robot) -> None:
+    scale = Term("joint_scale", (1, 2, 3), np.full((3, 1), 0.01))
+    runout = Term("joint_axis_runout", (1, 2, 3), np.tile([0.3, 0.2], (3, 1)))
+    machine, _ = body.solve(DELTA.vector(robot.errors), [scale, runout])
+    theta = body.state(["theta"], machine.x, machine.q, machine.rows)["theta"]
+    for name, much in DELTA.moves(robot)["outwards"].items():
+        moved = (machine.rows - DELTA.rows(robot))[:, :, DELTA.column(name)]
+        assert moved == pytest.approx(much * (0.3 * np.cos(theta) + 0.2 * np.sin(theta)), abs=1e-12)
+
+
 def test_an_effect_without_its_channel_says_what_is_missing(body: Body, robot: Robot) -> None:
-    bare = Channels(None, None, None, None, None, np.zeros(N), np.arange(N, dtype=float))
+    bare = Channels({}, np.arange(N, dtype=float))
     assert "approach1" in str(Body(robot, DELTA, body.q, body.tool, bare).missing("backlash"))
     assert "temp_C" in str(Body(robot, DELTA, body.q, body.tool, bare).missing("thermal_zero"))
     massless = Body(dataclasses.replace(robot, masses=None), DELTA, body.q, body.tool, body.channels)
@@ -147,18 +173,18 @@ def test_inertia_of_a_lone_arm_is_its_moment_of_inertia_times_acceleration(body:
     assert robot.masses is not None
     only_arms = robot.masses.model_copy(update={"distal_rod": 0.0, "platform": 0.0})
     lone = dataclasses.replace(robot, errors={}, masses=only_arms)
-    still = dataclasses.replace(body.channels, speed=np.zeros((N, 3)), payload=np.zeros(N))
+    still = body.channels.with_values(qd=np.zeros((N, 3)), payload=np.zeros(N))
     alone = Body(lone, DELTA, body.q, body.tool, still)
     x, _ = DELTA.forward(body.q, body.tool, DELTA.rows(lone))
     torque = alone.state(["inertia_torque"], x, body.q, DELTA.rows(lone))["inertia_torque"]
     m, L = 1.2, 375.0
     inertia = m * L**2 / 12 + m * (0.4 * L) ** 2  # kg mm^2, about the joint
-    assert torque == pytest.approx(-inertia * still.acceleration / 1000.0, rel=1e-5, abs=1e-3)
+    assert torque == pytest.approx(-inertia * still.values["qdd"] / 1000.0, rel=1e-5, abs=1e-3)
 
 
 def test_thermometers_of_parts_stand_for_the_machine(robot: Robot) -> None:
     parts = {"temp_base_C": np.array([20.0, 22.0]), "temp_arms_C": np.array([22.0, 26.0])}
     of_parts = Channels.from_columns(parts, (2, 3), robot)
-    assert of_parts.warming == pytest.approx([1.0, 4.0])
+    assert of_parts.values["warming"] == pytest.approx([1.0, 4.0])
     of_machine = Channels.from_columns(parts | {"temp_C": np.array([25.0, 25.0])}, (2, 3), robot)
-    assert of_machine.warming == pytest.approx([5.0, 5.0])
+    assert of_machine.values["warming"] == pytest.approx([5.0, 5.0])

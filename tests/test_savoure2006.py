@@ -40,7 +40,7 @@ from independent_savoure import (
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from tests.benchmarks.savoure2006 import remaining
-from tests.test_compensation_effects import SIZES, channels, term
+from tests.every_effect import ON_MACHINES, channels, machine_with, sized
 
 LENGTHS = (0.0, 100.0, 200.0)
 IRREGULAR = np.array([0.02, 1.0, -1.0, 30.0, -2.0, 0.0, -40.0, 1.0, -2.0])
@@ -355,15 +355,15 @@ def test_errors_of_one_kind_name_the_description(tmp_path: Path) -> None:
         for_model(dataclasses.replace(robot, errors={"theta_1": 0.1}), "51")
 
 
-@pytest.mark.parametrize("name", SIZES)
+@pytest.mark.parametrize("name", [n for n in ON_MACHINES if machine_with(n).mechanism == "delta"])
 def test_effects_move_both_descriptions_alike(robot: Robot, name: str) -> None:
     """At nominal geometry the Delta of 42 errors and that of 51 are one machine, whatever its physics."""
     masses = Masses(proximal=1.2, proximal_com=0.4, distal_rod=0.15, platform=0.8)
-    bai = Compensator(dataclasses.replace(robot, masses=masses), terms=(term(name),))
-    savoure = Compensator(for_model(bai.robot, "delta/51"), terms=(term(name),))
+    bai = Compensator(dataclasses.replace(robot, masses=masses), terms=(sized(name),))
+    savoure = Compensator(for_model(bai.robot, "delta/51"), terms=(sized(name),))
     q = np.random.default_rng(1).uniform(-0.6, 0.3, (12, 3))
     tool = np.array([30.0, -20.0, -80.0])
-    at, _ = bai.channels(channels(12), 12)
+    at, _ = bai.channels(channels(robot, 12), 12)
     (one, _), (other, _), (rigid, _) = (
         bai.reached(q, tool, at),
         savoure.reached(q, tool, at),

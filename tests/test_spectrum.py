@@ -17,7 +17,7 @@ from deltacal_gen.physics import Term
 from deltacal_gen.recording import read_recording
 from deltacal_gen.robot import robot_to_toml
 from deltacal_gen.solvers import Prior
-from deltacal_gen.spectrum import EFFECT, Spectrum, never_seen, periodic, seen, unseen, words
+from deltacal_gen.spectrum import Spectrum, never_seen, periodic, seen, unseen, wave, words
 from deltacal_gen.units import DEG
 
 ORDERS = (2, 5, 9, 14, 20)
@@ -36,7 +36,7 @@ def taken(folder: Path, name: str, noise: float, concealed: bool, seed: int, spa
     (folder / "robot.toml").write_text(robot_to_toml(robot()))
     text = "[parameters]\na_2 = 0.2\ntheta_3 = 0.05\n"
     for k, c in amplitudes().items() if concealed else ():
-        text += f'[[effects]]\nname = "{EFFECT}"\nlimbs = {list(JOINTS)}\norder = {k}\n'
+        text += f'[[effects]]\nname = "{wave()}"\nlimbs = {list(JOINTS)}\norder = {k}\n'
         text += f"cos = {c[:, 0].tolist()}\nsin = {c[:, 1].tolist()}\n"
     (folder / "truth.toml").write_text(text)
     q = np.random.default_rng(seed).uniform(-span, span, (250, 6))
@@ -114,7 +114,7 @@ def test_angles_that_were_never_seen_are_told() -> None:
 
 def test_a_held_effect_moves_the_machine_as_a_free_one_does(tmp_path: Path) -> None:
     at = geometry(taken(tmp_path, "poses", 0.0, concealed=False, seed=5))
-    term = Term(EFFECT, (2,), np.array([[1e-4, -2e-4]]), (7.0,))
+    term = Term(wave(), (2,), np.array([[1e-4, -2e-4]]), (7.0,))
     body = at.problem.body
     free, _ = body.solve(at.errors, (term,))
     held, _ = body.solve(at.errors, (), held=(term,))

@@ -1,10 +1,10 @@
 """The joint lies on either side of its play: ``theta = q - approach width / 2``."""
 
-from derive.effects import joint_coefficient, state
-from derive.spec import Effect
+from derive.effects import DEG, joint_coefficient, state
+from derive.spec import Effect, Reference
 
 (approach,) = state("approach")
-width = joint_coefficient("width", "", "the full gap")
+width = joint_coefficient("width", "", "the full gap", (0.0, 5.0))
 EFFECT = Effect(
     name="backlash",
     title="play, flips with the direction of approach",
@@ -14,4 +14,5 @@ EFFECT = Effect(
     per_limb=True,
     coefficients=(width,),
     targets={"joint": -approach * width.symbol / 2},
+    tests=(Reference({"approach": -1.0}, {"width": 0.04}, {"joint": 0.02 * DEG}),),
 )

@@ -2,11 +2,11 @@
 
 import sympy as sp
 
-from derive.effects import joint_coefficient, state
-from derive.spec import Effect
+from derive.effects import DEG, joint_coefficient, state
+from derive.spec import Effect, Reference
 
 approach, torque = state("approach torque")
-compliance = joint_coefficient("compliance", "Nm", "windup per torque")
+compliance = joint_coefficient("compliance", "Nm", "windup per torque", (0.0, 1.0))
 EFFECT = Effect(
     name="friction_windup",
     title="friction winds the joint up, by direction and load",
@@ -16,4 +16,5 @@ EFFECT = Effect(
     per_limb=True,
     coefficients=(compliance,),
     targets={"joint": -approach * compliance.symbol * sp.Abs(torque)},
+    tests=(Reference({"approach": 1.0, "torque": -3000.0}, {"compliance": 0.01}, {"joint": -0.03 * DEG}),),
 )

@@ -1,10 +1,10 @@
 """The joint twists under the masses times minus their acceleration: ``theta = q + compliance torque``."""
 
-from derive.effects import joint_coefficient, state
-from derive.spec import Effect
+from derive.effects import DEG, joint_coefficient, state
+from derive.spec import Effect, Reference
 
 (torque,) = state("inertia_torque")
-compliance = joint_coefficient("compliance", "Nm", "twist per torque of inertia")
+compliance = joint_coefficient("compliance", "Nm", "twist per torque of inertia", (0.0, 1.0))
 EFFECT = Effect(
     name="inertial_deflection",
     title="joint twists with acceleration",
@@ -14,4 +14,5 @@ EFFECT = Effect(
     per_limb=True,
     coefficients=(compliance,),
     targets={"joint": compliance.symbol * torque},
+    tests=(Reference({"inertia_torque": 4000.0}, {"compliance": 0.005}, {"joint": 0.02 * DEG}),),
 )

@@ -1,9 +1,9 @@
 """A measured point of the platform is not where the sidecar says: one offset in {O'} per distinct tool point."""
 
 from derive.effects import coefficient
-from derive.spec import Effect
+from derive.spec import Effect, Points, Reference
 
-x, y, z = (coefficient(f"offset_{a}", "mm", 1.0, f"offset along {a} of {{O'}}") for a in "xyz")
+x, y, z = (coefficient(f"offset_{a}", "mm", 1.0, f"offset along {a} of {{O'}}", (-50.0, 50.0)) for a in "xyz")
 EFFECT = Effect(
     name="instrument_offset",
     title="a measured point is not where it is said to be",
@@ -13,4 +13,10 @@ EFFECT = Effect(
     per_limb=False,
     coefficients=(x, y, z),
     targets={f"tool.{a}": o.symbol for a, o in zip("xyz", (x, y, z), strict=True)},
+    searched=(Points(),),
+    tests=(
+        Reference(
+            {}, {"offset_x": 0.1, "offset_y": -0.2, "offset_z": 0.3}, {"tool.x": 0.1, "tool.y": -0.2, "tool.z": 0.3}
+        ),
+    ),
 )

@@ -1,10 +1,10 @@
 """The gear ratio or the encoder's scale is off: ``theta = q + scale q``."""
 
-from derive.effects import coefficient, state
-from derive.spec import Effect
+from derive.effects import DEG, coefficient, state
+from derive.spec import Effect, Reference
 
 (q,) = state("q")
-scale = coefficient("scale", "1", 1.0, "error of the scale")
+scale = coefficient("scale", "1", 1.0, "error of the scale", (-0.1, 0.1))
 EFFECT = Effect(
     name="joint_scale",
     title="gear ratio or encoder scale is off",
@@ -13,4 +13,5 @@ EFFECT = Effect(
     per_limb=True,
     coefficients=(scale,),
     targets={"joint": scale.symbol * q},
+    tests=(Reference({"q": 50.0}, {"scale": 0.001}, {"joint": 0.05 * DEG}),),
 )

@@ -1,10 +1,10 @@
-"""The position belongs to the joints `delay` seconds earlier: ``q - delay speed + delay^2 / 2 acceleration``."""
+"""The position belongs to the joints `delay` seconds earlier: ``q - delay qd + delay^2 / 2 qdd``."""
 
-from derive.effects import coefficient, state
-from derive.spec import Effect
+from derive.effects import DEG, coefficient, state
+from derive.spec import Effect, Reference
 
-speed, acceleration = state("speed acceleration")
-delay = coefficient("delay", "s", 1.0, "time by which the position lags")
+qd, qdd = state("qd qdd")
+delay = coefficient("delay", "s", 1.0, "time by which the position lags", (-1.0, 1.0))
 EFFECT = Effect(
     name="latency",
     title="the position lags the joints",
@@ -13,5 +13,6 @@ EFFECT = Effect(
     source="derive/effects/latency.py",
     per_limb=False,
     coefficients=(delay,),
-    targets={"joint": -delay.symbol * speed + delay.symbol**2 / 2 * acceleration},
+    targets={"joint": -delay.symbol * qd + delay.symbol**2 / 2 * qdd},
+    tests=(Reference({"qd": 100.0, "qdd": 1000.0}, {"delay": 0.01}, {"joint": (-1.0 + 0.05) * DEG}),),
 )

@@ -1,10 +1,10 @@
 """The joint twists under the payload's torque only: ``theta = q + compliance torque_of_the_payload``."""
 
-from derive.effects import joint_coefficient, state
-from derive.spec import Effect
+from derive.effects import DEG, joint_coefficient, state
+from derive.spec import Effect, Reference
 
 (torque,) = state("payload_torque")
-compliance = joint_coefficient("compliance", "Nm", "twist per torque of the payload")
+compliance = joint_coefficient("compliance", "Nm", "twist per torque of the payload", (0.0, 1.0))
 EFFECT = Effect(
     name="payload_deflection",
     title="joint twists under the payload",
@@ -14,4 +14,5 @@ EFFECT = Effect(
     per_limb=True,
     coefficients=(compliance,),
     targets={"joint": compliance.symbol * torque},
+    tests=(Reference({"payload_torque": -1500.0}, {"compliance": 0.02}, {"joint": -0.03 * DEG}),),
 )

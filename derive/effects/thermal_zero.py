@@ -1,10 +1,10 @@
 """The joint's zero moves with temperature: ``theta = q + drift (T - 20)``."""
 
-from derive.effects import joint_coefficient, state
-from derive.spec import Effect
+from derive.effects import DEG, joint_coefficient, state
+from derive.spec import Effect, Reference
 
 (warming,) = state("warming")
-drift = joint_coefficient("drift", "K", "drift of the zero")
+drift = joint_coefficient("drift", "K", "drift of the zero", (-1.0, 1.0))
 EFFECT = Effect(
     name="thermal_zero",
     title="joint zero moves with temperature",
@@ -14,4 +14,5 @@ EFFECT = Effect(
     per_limb=True,
     coefficients=(drift,),
     targets={"joint": drift.symbol * warming},
+    tests=(Reference({"warming": 5.0}, {"drift": 0.002}, {"joint": 0.01 * DEG}),),
 )

@@ -1,10 +1,10 @@
 """Geometry that the model in use leaves out: the towers of a linear delta lean about their feet."""
 
 from derive.effects import DEG, coefficient
-from derive.spec import Effect
+from derive.spec import Effect, Reference
 
-radial = coefficient("radial", "deg", DEG, "lean outwards")
-tangential = coefficient("tangential", "deg", DEG, "lean counter-clockwise")
+radial = coefficient("radial", "deg", DEG, "lean outwards", (-5.0, 5.0))
+tangential = coefficient("tangential", "deg", DEG, "lean counter-clockwise", (-5.0, 5.0))
 EFFECT = Effect(
     name="tower_lean",
     title="the towers lean",
@@ -13,4 +13,9 @@ EFFECT = Effect(
     per_limb=True,
     coefficients=(radial, tangential),
     targets={"limb.lean_radial": radial.symbol, "limb.lean_tangential": tangential.symbol},
+    tests=(
+        Reference(
+            {}, {"radial": 0.1, "tangential": -0.2}, {"limb.lean_radial": 0.1 * DEG, "limb.lean_tangential": -0.2 * DEG}
+        ),
+    ),
 )

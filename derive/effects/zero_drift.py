@@ -1,10 +1,10 @@
 """The joint's zero moves with time: ``theta = q + rate t / 3600``."""
 
-from derive.effects import joint_coefficient, state
-from derive.spec import Effect
+from derive.effects import DEG, joint_coefficient, state
+from derive.spec import Effect, Reference
 
 (time,) = state("time")
-rate = joint_coefficient("rate", "h", "drift of the zero per hour")
+rate = joint_coefficient("rate", "h", "drift of the zero per hour", (-10.0, 10.0))
 EFFECT = Effect(
     name="zero_drift",
     title="joint zero moves with time",
@@ -14,4 +14,5 @@ EFFECT = Effect(
     per_limb=True,
     coefficients=(rate,),
     targets={"joint": rate.symbol * time / 3600},
+    tests=(Reference({"time": 1800.0}, {"rate": 0.04}, {"joint": 0.02 * DEG}),),
 )

@@ -37,7 +37,15 @@ from deltacal_gen.mechanism import (
     nominal_joints,
     result,
 )
-from deltacal_gen.physics import Body, Channels, Deformed, Term, complete_channels, term_to_dict
+from deltacal_gen.physics import (
+    Body,
+    Channels,
+    Deformed,
+    Term,
+    complete_channels,
+    of_the_instrument,
+    term_to_dict,
+)
 from deltacal_gen.robot import Robot, Workspace
 from deltacal_gen.units import file_unit, to_internal
 
@@ -107,12 +115,12 @@ class Compensator:
     @cached_property
     def effects(self) -> tuple[Term, ...]:
         """The effects that move the machine; one that only changes what is read asks for no other command."""
-        return tuple(t for t in self.terms if not all(map(_of_the_instrument, t.kernels.TARGETS)))
+        return tuple(t for t in self.terms if not of_the_instrument(t.effect))
 
     @cached_property
     def instrument(self) -> tuple[Term, ...]:
         """The effects that belong to the instrument, which no command undoes."""
-        return tuple(t for t in self.terms if all(map(_of_the_instrument, t.kernels.TARGETS)))
+        return tuple(t for t in self.terms if of_the_instrument(t.effect))
 
     @cached_property
     def mechanism(self) -> Machine:
@@ -309,9 +317,9 @@ class Compensator:
         """Return the machine in equilibrium with its effects at joints (N, n_q) as the geometry counts them."""
         at = self.channels({}, len(q))[0] if channels is None else channels
         effects = self.effects
-        if at.time is None:  # drift is taken from its start, and a jump as past
-            at = replace(at, time=np.zeros(len(q)))
-            effects = tuple(replace(t, constants=(-np.inf,)) if t.effect == "zero_jump" else t for t in effects)
+        if at.get("time") is None:  # drift is taken from its start, and a jump as past
+            at = at.with_values(time=np.zeros(len(q)))
+            effects = tuple(t.afterwards() for t in effects)
         body = Body(self.robot, self.mechanism, q, tool, at)
         for term in effects:
             if why := body.missing(term.effect):
@@ -427,11 +435,6 @@ class Compensator:
         value, lower, upper = (v / to_internal(unit) for v in (joints[i], *limits[i]))
         allowed = f"its limits are {lower:g} to {upper:g} {file_unit(unit)}"
         return f"{where}: joint {i + 1} would go to {value:.4f}, but {allowed}"
-
-
-def _of_the_instrument(target: str) -> bool:
-    """Tell whether what an effect moves is only read, and not the machine."""
-    return target == "length" or target.startswith(("reading.", "tool."))
 
 
 def _failed(status: np.ndarray, beyond: np.ndarray) -> list[int]:

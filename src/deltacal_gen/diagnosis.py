@@ -32,7 +32,8 @@ from deltacal_gen.recording import Recording, check_units, set_aside
 from deltacal_gen.robot import Robot, robot_to_dict
 from deltacal_gen.search import Found, Search, charge, library
 from deltacal_gen.solvers import Prior
-from deltacal_gen.spectrum import EFFECT, Spectrum, periodic
+from deltacal_gen.spectrum import Spectrum, periodic, wave
+from deltacal_gen.states import read_by
 from deltacal_gen.structure import Region, Structure, smooth_columns, structures
 from deltacal_gen.units import DEG, joint_factors, joint_names
 
@@ -163,10 +164,10 @@ def diagnose(
         spectrum = _spectrum(some, search, parts)
     if spectrum is not None:
         some = dataclasses.replace(some, held=spectrum.terms)
-        others = [t for t in _terms(search.fit) if t.effect != EFFECT]
+        others = [t for t in _terms(search.fit) if t.effect != wave()]
         beside = _refitted(some, search.fit, others)
         if beside is not None:
-            search, considered = _chosen(some, beside, [t for t in terms if t.effect != EFFECT], progress)
+            search, considered = _chosen(some, beside, [t for t in terms if t.effect != wave()], progress)
             search, left = _without_gross(some, search)
             unexplained = short_of_noise()
     if left[0].earned > MARGIN and search.effects:
@@ -273,7 +274,7 @@ def _of_all(problem: Problem, first: Fit, found: Fit, spectrum: Spectrum | None)
 def _spectrum(problem: Problem, search: Search, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> Spectrum | None:
     """Return periodic errors of many orders where they predict readings better than the few that were found."""
     terms = _terms(search.fit)
-    beside = _refitted(problem, search.fit, [t for t in terms if t.effect != EFFECT])
+    beside = _refitted(problem, search.fit, [t for t in terms if t.effect != wave()])
     found = None if beside is None else periodic(beside, parts)
     if found is None or found.heldout[1] >= held_out(search.fit, Prior(), parts):
         return None
@@ -435,24 +436,6 @@ def _form(term: Term) -> tuple[object, ...]:
     return term.effect, term.limbs, term.constants, term.tools
 
 
-_CHANNELS = {  # of the recording, for what effects read
-    "approach": "approach{}",
-    "speed": "qd{}_deg_s",
-    "acceleration": "qdd{}_deg_s2",
-    "inertia_torque": "qdd{}_deg_s2",
-    "warming": "temp_C",
-    "time": "time_s",
-    "after": "time_s",
-    "payload_torque": "payload_kg",
-    "torque": "q{}_deg",
-    "pull_v": "q{}_deg",
-    "tension_1": "q{}_deg",
-    "moment_x": "position",
-    "q": "q{}_deg",
-    "theta": "q{}_deg",
-}
-
-
 def _location(
     at: Fit, left: Sequence[Structure], named: Sequence[Named], spectrum: Spectrum | None, explained: bool
 ) -> dict[str, Any]:
@@ -463,20 +446,19 @@ def _location(
     channels: dict[str, tuple[float, float]] = {}
     limbs: list[int] = []
     region: Region | None = None
+    unit, joints = at.problem.recording.joint_unit, at.problem.mechanism.limbs
+    names = joint_names(unit, joints)
     if explained:
         periodic_at = spectrum.gains if spectrum is not None else {}
         limbs = sorted({i for n in named for i in n.term.limbs} | set(periodic_at))
         for i, gain in periodic_at.items():
             share = gain / (sum(periodic_at.values()) + sum(n.gain for n in named))
-            channels[f"q{i}_deg"] = (share, float(np.exp(-min(gain, 1400.0) / 2)))
+            channels[names[i - 1]] = (share, float(np.exp(-min(gain, 1400.0) / 2)))
         for n in named:
-            for state in n.term.kernels.STATE:
-                pattern = _CHANNELS.get(state)
-                for i in n.term.limbs or range(1, at.problem.mechanism.limbs + 1):
-                    if pattern is not None:
-                        name = pattern.format(i)
-                        share = max(n.share, channels.get(name, (0.0, 1.0))[0])
-                        channels[name] = (share, float(np.exp(-min(n.gain, 1400.0) / 2)))
+            for state in n.term.states:
+                for name in state.shown_in(unit, joints, n.term.limbs or range(1, joints + 1)):
+                    share = max(n.share, channels.get(name, (0.0, 1.0))[0])
+                    channels[name] = (share, float(np.exp(-min(n.gain, 1400.0) / 2)))
     else:
         total = float(np.nansum((at.residual / at.sigma) ** 2))
         earning = [s for s in left if s.earned > 0]
@@ -533,24 +515,25 @@ def _named(
 def _unrecorded(freed: Search, score: float) -> tuple[str, ...]:
     """Return effects of a temperature that was not recorded, or did not vary, that explain as much all the same."""
     body = freed.fit.problem.body
-    warming = body.channels.warming
+    warming = body.channels.get("warming")
     rows = np.unique(freed.fit.problem.readings.rows)
     if warming is not None and (not np.isfinite(warming[rows]).all() or np.ptp(warming[rows]) > 0):
         return ()
     warm = np.ones(len(body.q)) if warming is None else warming
-    assumed = Body(body.robot, body.mechanism, body.q, body.tool, dataclasses.replace(body.channels, warming=warm))
+    channels = body.channels.with_values(warming=warm, temperature=warm + 20.0)
+    assumed = Body(body.robot, body.mechanism, body.q, body.tool, channels)
     limbs = tuple(range(1, body.mechanism.limbs + 1))
     terms = [
         blank(name, limbs)
         for name in effect_names()
-        if "warming" in load_effect(name).STATE and assumed.missing(name) is None
+        if any(s.column == "temp_C" for s in read_by(load_effect(name))) and assumed.missing(name) is None
     ]
     found = freed.of(assumed, terms).ranked()
     return tuple(f.term.effect for f in found if f.score > score - AMBIGUOUS)
 
 
 def _rejected(considered: Sequence[Found], named: Sequence[Named], spectrum: Spectrum | None) -> list[dict[str, Any]]:
-    chosen = {n.term.effect for n in named} | ({EFFECT} if spectrum is not None else set())
+    chosen = {n.term.effect for n in named} | ({wave()} if spectrum is not None else set())
     alike = {name: n.term.effect for n in named for name in n.alike}
     return [
         {
@@ -601,7 +584,7 @@ def _result(found: Diagnosis) -> dict[str, Any]:
         "sigma_mm": sigma,
         "physics": [term_to_dict(t) for t in final.problem.acting(final.errors)],
         "seen": None if found.spectrum is None else _seen(found.spectrum),
-        "clock": "row" if final.problem.body.channels.time is None else "time_s",
+        "clock": "row" if final.problem.body.channels.get("time") is None else "time_s",
         "instrument": _instrument(found, final.instrument),
         "robot": robot_to_dict(found.robot),
     }
@@ -685,11 +668,11 @@ def _effect(found: Named, joint_unit: str) -> dict[str, Any]:
 
 def _periodic(found: Diagnosis, spectrum: Spectrum) -> dict[str, Any]:
     """Return the entry of periodic errors of many orders: what they come to, joint by joint."""
-    kernels, gain = load_effect(EFFECT), sum(spectrum.gains.values())
+    kernels, gain = load_effect(wave()), sum(spectrum.gains.values())
     before, after = found.heldout
     removed = (before**2 - after**2) / max(before**2 - found.noise.sigma**2, 1e-300)
     return {
-        "name": EFFECT,
+        "name": wave(),
         "title": kernels.TITLE,
         "limbs": list(spectrum.limbs),
         "parameters": [
@@ -738,7 +721,7 @@ def _summary(found: Diagnosis) -> str:
     parts = []
     if found.spectrum is not None:
         joints = ", ".join(map(str, found.spectrum.limbs))
-        parts.append(f"{load_effect(EFFECT).TITLE} of many orders ({EFFECT}) at joints {joints}")
+        parts.append(f"{load_effect(wave()).TITLE} of many orders ({wave()}) at joints {joints}")
     for n in found.effects:
         limbs = (
             f" at limb{'s' if len(n.term.limbs) > 1 else ''} {', '.join(map(str, n.term.limbs))}"

@@ -18,9 +18,10 @@ import numpy as np
 from deltacal_gen.estimation import Fit, Problem
 from deltacal_gen.inputs import Recording
 from deltacal_gen.mechanism import SOLVED, Array
-from deltacal_gen.physics import LOADS, Body, Channels, Term
+from deltacal_gen.physics import Body, Channels, Term
 from deltacal_gen.robot import to_file
 from deltacal_gen.simulation import unread
+from deltacal_gen.states import columns
 from deltacal_gen.units import joint_factors, joint_names, of_joints
 
 # Of chi2. A difference D between two explanations scatters by 2 sqrt(D): at 40 it stays above 10, below which a
@@ -36,28 +37,13 @@ SEED = 1975
 LEVELS, REPEATED = 5, 3  # of a channel, and poses that are repeated at each
 WEAK = 1e-9  # of a column's information: holds what no reading sees, without pulling on what they do see
 DECIMALS = 4  # of deg and mm: as precise as controllers take commands
-STATES = {  # column of the recording that a state of an effect comes from
-    "approach": "approach{i}",
-    "speed": "qd{i}_{unit}_s",
-    "acceleration": "qdd{i}_{unit}_s2",
-    "inertia_torque": "qdd{i}_{unit}_s2",
-    "warming": "temp_C",
-    "time": "time_s",
-    "after": "time_s",
-    **dict.fromkeys(LOADS, "payload_kg"),
-}
 COMMANDED = ("approach", "payload", "qd")  # channels that whoever measures sets; the others come as they come
 
 
 def columns_read(problem: Problem, terms: Sequence[Term]) -> list[str]:
     """Return the columns of a recording that effects read, beside the joints."""
-    unit, limbs = problem.recording.joint_unit, problem.mechanism.limbs
-    found: dict[str, None] = {}
-    for term in terms:
-        for state in term.kernels.STATE:
-            if state in STATES:
-                found |= dict.fromkeys(joint_names(unit, limbs, STATES[state]))
-    return list(found)
+    read = (s for term in terms for s in term.states)
+    return columns(read, problem.recording.joint_unit, problem.mechanism.limbs)
 
 
 # ------------------------------------------------------------------------------------------------------ candidates

@@ -9,15 +9,14 @@ exact machine, over the workspace and over the channels as they were recorded.
 
 from __future__ import annotations
 
-import dataclasses
 import importlib.resources
 import itertools
 import json
 import math
 import re
 import tomllib
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from importlib.resources.abc import Traversable
 from pathlib import Path
@@ -30,9 +29,10 @@ from deltacal_gen.compensation import Compensator, RoundTrip, largest, workspace
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.mechanism import POSE, SOLVED, UNREACHABLE, Array
-from deltacal_gen.physics import LOADS, Body, Channels, Term
+from deltacal_gen.physics import Body, Channels, Term, term_from_dict
 from deltacal_gen.recording import write_files
 from deltacal_gen.robot import read_text
+from deltacal_gen.states import CHANNELS, STATES, State, named
 from deltacal_gen.units import file_unit, to_internal
 
 LARGEST_TABLE = (
@@ -55,78 +55,86 @@ _SEED = 20151  # of the channels' random values: the same machine always gets th
 # --- what corrections depend on beside the target -------------------------------------------------------------------
 
 Column = tuple[str, ...]  # channels whose product a correction goes with; () is the correction at reference
-_UNITS = {"warming": "K over 20 degC", "payload": "kg", "time": "h"}
 
 
 @dataclass(frozen=True)
 class Spans:
-    """Between which values the channels lay when the effects were found; None where they were not recorded.
+    """Between which values the channels lay when the effects were found; only what was recorded is there.
 
-    warming [K over 20 degC], payload [kg], time [h].
+    By the names of columns of corrections, in their units: warming [K over 20 degC], payload [kg], time [h].
     """
 
-    warming: tuple[float, float] | None = None
-    payload: tuple[float, float] | None = None
-    time: tuple[float, float] | None = None
+    known: Mapping[str, tuple[float, float]] = field(default_factory=dict)
 
     def items(self) -> dict[str, tuple[float, float]]:
         """Return the channels that varied, by name."""
-        found = {f.name: getattr(self, f.name) for f in dataclasses.fields(self)}
-        return {name: span for name, span in found.items() if span is not None and span[1] > span[0]}
+        return {name: span for name, span in self.known.items() if span[1] > span[0]}
 
     def in_words(self) -> str:
         """Return the ranges for a header."""
-        words = [f"{name} {low:g} to {high:g} {_UNITS[name]}" for name, (low, high) in self.items().items()]
+        words = [f"{name} {low:g} to {high:g} {_unit(name)[0]}" for name, (low, high) in self.items().items()]
         return ", ".join(words) or "no channel varied"
+
+
+def _unit(name: str) -> tuple[str, float]:
+    """Return the unit of a channel in corrections, and how many of the state's it is."""
+    unit = named(name).tabled
+    assert unit is not None  # corrections go with no other channel
+    return unit
+
+
+def _tabled(states: Iterable[State]) -> list[State]:
+    """Return the channels by which corrections for states go, one per recorded column."""
+    read = [c for s in states if not s.since for c in s.channels]
+    every = [c if c.tabled else next((o for o in CHANNELS if o.column == c.column and o.tabled), None) for c in read]
+    return list(dict.fromkeys(c for c in every if c is not None))
 
 
 def spans(result: Mapping[str, Any]) -> Spans:
     """Return the spans of the channels in a DIAGNOSIS.json; a RESULT.json has none."""
-    channels = result["residuals"]["channels"] if "residuals" in result else {}
+    recorded = result["residuals"]["channels"] if "residuals" in result else {}
+    read = _tabled(s for data in result.get("physics", ()) for s in term_from_dict(data).states)
     found: dict[str, tuple[float, float]] = {}
-    for name, column, zero, unit in (
-        ("warming", "temp_C", 20.0, 1.0), ("payload", "payload_kg", 0.0, 1.0), ("time", "time_s", 0.0, 3600.0),
-    ):  # fmt: skip
-        values = np.array([v for v in channels.get(column, ()) if v is not None], dtype=float)
+    for s in dict.fromkeys((*_tabled(CHANNELS), *read)):
+        values = np.array([v for v in recorded.get(s.column, ()) if v is not None], dtype=float)
         if len(values):
-            found[name] = float(values.min() - zero) / unit, float(values.max() - zero) / unit
-    return Spans(**found)
+            scale = _unit(s.name)[1]
+            found[s.name] = float(values.min() - s.zero) / scale, float(values.max() - s.zero) / scale
+    return Spans(found)
 
 
-def _columns(terms: Sequence[Term], over: Spans) -> tuple[Column, ...]:
+def _columns(compensator: Compensator, terms: Sequence[Term], over: Spans) -> tuple[Column, ...]:
     """Return every product of channels that the terms may go with; a product's parts stand before it."""
-    known = over.items()
+    known, limbs = over.items(), compensator.mechanism.limbs
     found: set[Column] = {()}
     for term in terms:
-        state = set(term.kernels.STATE)
-        reads = [c for c, s in (("warming", {"warming"}), ("time", {"time"}), ("payload", LOADS)) if state & s]
-        subsets = [
-            c for n in range(len(reads) + 1) for c in itertools.combinations([r for r in reads if r in known], n)
-        ]
-        approaches: list[Column] = [()]
-        if "approach" in state:
-            approaches += [(f"approach{i}",) for i in term.limbs]
-        found |= {(*a, *s) for a in approaches for s in subsets}
+        read = _tabled(term.states)
+        reads = [s.name for s in read if s.name in known]
+        subsets = [c for n in range(len(reads) + 1) for c in itertools.combinations(reads, n)]
+        joints: list[Column] = [()]
+        for s in read:
+            if s.per == "joint":
+                own = (s.joint,) if s.joint else term.limbs or range(1, limbs + 1)
+                joints += [(s.column.format(i=i),) for i in own]
+        found |= {(*a, *s) for a in joints for s in subsets}
     return tuple(sorted(found, key=lambda c: (len(c), c)))
 
 
 def _channels(compensator: Compensator, n: int, values: Mapping[str, Array | float]) -> Channels:
     """Return channels of n rows from values by the names of columns; what is not given stays at reference."""
-    turned = {f"approach{i + 1}": values.get(f"approach{i + 1}", 0.0) for i in range(compensator.mechanism.limbs)}
-    columns = {
-        "temp_C": np.add(values.get("warming", 0.0), 20.0),
-        "payload_kg": values.get("payload", 0.0),
-        **turned,
-    }
-    if "time" in values:
-        columns["time_s"] = np.multiply(values["time"], 3600.0)
+    columns: dict[str, Array | float] = {}
+    for s in _tabled((*CHANNELS, *(s for t in compensator.effects for s in t.states))):
+        if s.per == "joint":
+            names = s.columns(compensator.mechanism.joint_unit, compensator.mechanism.limbs)
+            columns |= {name: values.get(name, 0.0) for name in names}
+        else:
+            columns[s.column] = np.add(np.multiply(values.get(s.name, 0.0), _unit(s.name)[1]), s.zero)
     return compensator.channels(columns, n)[0]
 
 
 def _after_jumps(compensator: Compensator) -> Compensator:
     """Return the compensator for all that is commanded after the recording: jumps are past."""
-    terms = [replace(t, constants=(-math.inf,)) if t.effect == "zero_jump" else t for t in compensator.terms]
-    return replace(compensator, terms=tuple(terms))
+    return replace(compensator, terms=tuple(t.afterwards() for t in compensator.terms))
 
 
 def _factor(column: Column, values: Mapping[str, Array | float]) -> Array | float:
@@ -168,10 +176,8 @@ def _shift(compensator: Compensator, q: Array, at: Channels, known: Sequence[Ter
     if not known:
         return np.zeros_like(q)
     mechanism, robot = compensator.mechanism, compensator.robot
-    if at.time is None:
-        at = replace(at, time=np.zeros(len(q)))
     body = Body(robot, mechanism, q, np.zeros((len(q), 3)), at)
-    names = sorted({s for t in known for s in t.kernels.STATE} - {"after"})
+    names = sorted({s.name for t in known for s in t.states if not s.since})
     state = body.state(names, np.zeros((len(q), POSE)), q, mechanism.rows(robot))  # no load, so no pose
     moved: Array = body.moved(known, state)["joint"]
     return moved
@@ -245,7 +251,7 @@ class _Live:
         powers = np.array([e for e in itertools.product(range(DEGREE + 1), repeat=3) if sum(e) <= DEGREE])
         known = tuple(t for t in compensator.effects if _c_effect(t).is_file())
         others = [t for t in compensator.effects if not _c_effect(t).is_file()]
-        columns = _columns(others, over)
+        columns = _columns(compensator, others, over)
         points = workspace_points(workspace_of(compensator.robot))[::3]
         rigid = replace(compensator, terms=()).command(points)[0] * compensator.robot.joint_sign
         found = _taken_apart(compensator, points, columns, over, known, rigid)
@@ -275,7 +281,7 @@ class _Live:
     def left(self) -> RoundTrip:
         """What the file leaves at random points of the workspace and random values of the channels."""
         points = workspace_points(workspace_of(self.compensator.robot))
-        every = _columns(self.compensator.effects, self.over)
+        every = _columns(self.compensator, self.compensator.effects, self.over)
         values = _drawn(every, self.over, len(points))
         at = _channels(self.compensator, len(points), values)
         error = np.linalg.norm(self.compensator.missed(self.command(points, values), points, None, at), axis=1)
@@ -328,10 +334,14 @@ def _c_command(live: _Live, unit: str) -> str:
             ),
             f"static const double DELTACAL_COLUMNS[{n}][{limbs}][{m}] = {{\n{rows}\n}};",
         ]
-    factors = {"warming": "(at->temp_C - 20.0)", "payload": "at->payload_kg", "time": "(at->time_s / 3600.0)"}
-    factors |= {f"approach{i + 1}": f"at->approach[{i}]" for i in range(limbs)}
-    state = {"q": "q[{i}]", "approach": "DELTACAL_SIGN[{i}] * at->approach[{i}]", "warming": "at->temp_C - 20.0"}
-    state |= {"time": "at->time_s", "after": "1.0", "turn": f"q[{{i}}] * {_turned(live.compensator)!r}"}
+    used = (s for t in live.compensator.effects for s in t.states)
+    covariates = [c for c in _tabled(used) if c.base not in STATES]
+    factors = {s.name: _c_factor(s) for s in _tabled((*CHANNELS, *covariates)) if s.per == "machine"}
+    factors |= {
+        s.column.format(i=i + 1): s.c99.format(i=i, sign="")
+        for s in _tabled(CHANNELS)
+        for i in range(limbs if s.per == "joint" else 0)
+    }
     body = [
         "int deltacal_command(const double target_mm[3], const struct deltacal_channels *at,",
         f"                     double joints_{unit}[{limbs}])",
@@ -370,7 +380,7 @@ def _c_command(live: _Live, unit: str) -> str:
         body += [f"    for (turn = 0; turn < {TURNS}; turn++) {{", f"        double moved[{limbs}] = {{ 0.0 }};"]
         for t in live.known:
             for row, limb in enumerate(t.limbs or range(1, limbs + 1)):
-                s = ", ".join(state[name].format(i=limb - 1) for name in t.kernels.STATE)
+                s = ", ".join(_c_state(s, limb, live.compensator) for s in t.states)
                 c, constants = t.values[row if t.limbs else 0], [0.0 if math.isinf(v) else v for v in t.constants]
                 body += [
                     "        {",
@@ -390,11 +400,25 @@ def _c_command(live: _Live, unit: str) -> str:
     interface = [
         "/* What commands depend on beside the target; approach is +1 or -1 as the controller counts, 0: not known. */",
         "struct deltacal_channels {",
-        "    double temp_C, payload_kg, time_s;",
-        f"    double approach[{limbs}];",
+        f"    double {', '.join(dict.fromkeys(c.column for c in CHANNELS if c.c99 and c.per == 'machine'))};",
+        *(f"    double {c.column.format(i='')}[{limbs}];" for c in CHANNELS if c.c99 and c.per == "joint"),
+        *(f"    double {c.column};" for c in covariates),
         "};",
     ]
     return "\n".join([*interface, "", *sources, *tables, "", *body]) + "\n"
+
+
+def _c_state(state: State, limb: int, compensator: Compensator) -> str:
+    """Return a state as C writes it for a limb (from 1)."""
+    i = (state.joint or limb) - 1
+    return state.c99.format(i=i, sign=f"DELTACAL_SIGN[{i}] * ", turned=repr(_turned(compensator)))
+
+
+def _c_factor(channel: State) -> str:
+    """Return a channel of the machine as corrections go with it, in C."""
+    scale = _unit(channel.name)[1]
+    text = channel.c99 if scale == 1.0 else f"{channel.c99} / {scale!r}"
+    return f"({text})" if " " in text else text
 
 
 def _turned(compensator: Compensator) -> float:
@@ -654,7 +678,7 @@ def _fine_enough(compensator: Compensator, over: Spans, worst_mm: float) -> Tabl
 def _floor(compensator: Compensator, over: Spans) -> float:
     """Return what columns leave where they need no interpolation, as it would be stated [mm]."""
     points = workspace_points(workspace_of(compensator.robot))[::7]
-    columns = _columns(compensator.effects, over)
+    columns = _columns(compensator, compensator.effects, over)
     values = _drawn(columns, over, len(points))
     sign = compensator.robot.joint_sign
     q = compensator.nominal_command(points)[0] * sign
@@ -673,7 +697,7 @@ def _sampled(compensator: Compensator, over: Spans, step_mm: float, at_most: flo
     centre, half = space.box
     origin, extent = centre - half, 2 * half
     cells = np.maximum(np.ceil(extent / step_mm - 1e-9).astype(int), 1)
-    columns = _columns(compensator.effects, over)
+    columns = _columns(compensator, compensator.effects, over)
     if np.prod(cells + 1.0) * len(columns) > LARGEST_TABLE:
         asked = f"{at_most:g} mm" if at_most is not None else f"a step of {step_mm:g} mm"
         raise NoSolutionError(
@@ -721,7 +745,7 @@ def _table_errors(table: TableCompensator, compensator: Compensator, over: Spans
     worst, missed = 0.0, 0
     for start in range(0, len(points), _CHUNK):
         part = points[start : start + _CHUNK]
-        values = _drawn(_columns(compensator.effects, over), over, len(part))
+        values = _drawn(_columns(compensator, compensator.effects, over), over, len(part))
         joints = compensator.nominal_command(part)[0] + table.correction(part, values)[0]
         at = _channels(compensator, len(part), values)
         error = np.linalg.norm(compensator.missed(joints, part, None, at), axis=1)

@@ -230,7 +230,7 @@ def _carried(problem: Problem, held: Sequence[Term]) -> tuple[tuple[Term, ...], 
         why = problem.body.missing(term.effect)
         if why is None:
             can.append(term)
-        elif of_reading([term]) or {"time", "after"} & set(term.kernels.STATE):
+        elif of_reading([term]) or any(s.column == "time_s" for s in term.states):
             cannot.append({"name": term.effect, "missing": why})
         else:
             raise InputError(f"the effect '{term.effect}' needs {why}.", "Add it.", file=problem.recording.path)

@@ -20,28 +20,17 @@ from typing import Any, NamedTuple
 import deltacal_kernels.effects
 import numpy as np
 
+from deltacal_gen import states
 from deltacal_gen.errors import InputError
 from deltacal_gen.inputs import TEMPERATURE, Recording, Robot
 from deltacal_gen.measurement import Readings
 from deltacal_gen.mechanism import SOLVED, STATUS, Array, Machine, Sensitivity
 from deltacal_gen.rotation import cayley_matrix
-from deltacal_gen.units import joint_factors, joint_names, of_joints, of_sliding
+from deltacal_gen.states import CHANNELS, State
+from deltacal_gen.units import joint_factors, of_joints, of_sliding
 
 EQUILIBRIUM_STEPS = 25
 EQUILIBRIUM_DONE = 1e-9  # mm and rad: change of the pose that the next step would bring
-LOADS = {
-    "torque",
-    "payload_torque",
-    "inertia_torque",
-    "pull_v",
-    "pull_w",
-    "tension_1",
-    "tension_2",
-    "moment_x",
-    "moment_y",
-}
-ROLES = {"L", "l", "b"}
-OF_READING = {"after", "y_x", "y_y", "y_z", "y_length", "p_x", "p_y"}  # what no state of a limb is
 STEP_S = 1e-3  # of the second difference that gives the accelerations of the weights
 AXES = ("x", "y", "z")
 Point = tuple[float, float, float]
@@ -87,6 +76,11 @@ class Term:
         return load_effect(self.effect)
 
     @property
+    def states(self) -> tuple[State, ...]:
+        """What the effect reads, in the order of its kernels' input."""
+        return states.read_by(self.kernels)
+
+    @property
     def n_coefficients(self) -> int:
         """Number of coefficients, all limbs together."""
         return int(self.values.size)
@@ -94,6 +88,16 @@ class Term:
     def with_values(self, flat: Array) -> Term:
         """Return the term with other coefficients (n_coefficients,)."""
         return dataclasses.replace(self, values=np.asarray(flat, dtype=float).reshape(self.values.shape))
+
+    def constant(self, name: str) -> float:
+        """Return a constant by name."""
+        return self.constants[[key for key, *_ in self.kernels.CONSTANTS].index(name)]
+
+    def afterwards(self) -> Term:
+        """Return the effect as it acts after the recording in which it was found: a jump is past."""
+        past, names = self.kernels.AFTERWARDS, [key for key, *_ in self.kernels.CONSTANTS]
+        constants = tuple(past.get(key, value) for key, value in zip(names, self.constants, strict=True))
+        return dataclasses.replace(self, constants=constants)
 
 
 def blank(
@@ -109,30 +113,52 @@ def blank(
 
 def displaces_points(kernels: ModuleType) -> bool:
     """Tell whether an effect acts tool point by tool point."""
-    return any(t.startswith("tool.") for t in kernels.TARGETS)
+    return "points" in kernels.SEARCHED
 
 
 @dataclass(frozen=True, eq=False)
 class Channels:
-    """What a recording says beside joints and readings, row by row; None where it says nothing.
+    """What a recording says beside joints and readings, row by row.
 
-    approach, speed, acceleration (N, n_q) [1, rad/s, rad/s^2]; warming (N,) [K] over 20 degC; time (N,) [s];
-    payload (N,) [kg]; order (N,), the place of each row where there is no time.
+    Attributes
+    ----------
+    values : mapping of (N, n_q) or (N,) arrays
+        By the names of states, joints as the geometry counts them [rad/s, rad/s^2, 1, degC, K, kg, s]; covariates by
+        their columns, as recorded. What the recording does not say is not there.
+    order : (N,) array
+        The place of each row where there is no time.
     """
 
-    approach: Array | None
-    speed: Array | None
-    acceleration: Array | None
-    warming: Array | None
-    time: Array | None
-    payload: Array
+    values: Mapping[str, Array]
     order: Array
+
+    def get(self, name: str) -> Array | None:
+        """Return a channel, None where the recording says nothing of it; one that is optional is then nowhere."""
+        found = self.values.get(name)
+        if found is None and states.named(name).optional:
+            return np.zeros(len(self.order))
+        return found
+
+    @property
+    def payload(self) -> Array:
+        """The payload of each row (N,) [kg]."""
+        found = self.get("payload")
+        assert found is not None  # it is optional
+        return found
+
+    @property
+    def clock(self) -> Array:
+        """The time of each row (N,) [s]; its place where there is no time."""
+        time = self.get("time")
+        return self.order if time is None else time
 
     def subset(self, rows: np.ndarray) -> Channels:
         """Return the channels at these rows."""
-        fields = dataclasses.fields(self)
-        picked: dict[str, Any] = {f.name: None if (v := getattr(self, f.name)) is None else v[rows] for f in fields}
-        return Channels(**picked)
+        return Channels({name: v[rows] for name, v in self.values.items()}, self.order[rows])
+
+    def with_values(self, **values: Array) -> Channels:
+        """Return the channels with others, or other ones."""
+        return dataclasses.replace(self, values={**self.values, **values})
 
     @staticmethod
     def of(recording: Recording, robot: Robot) -> Channels:
@@ -145,42 +171,28 @@ class Channels:
     ) -> Channels:
         """Read channels from columns (N,) as files name them; `shape` is (N, n_q)."""
         rows, n = shape
-
-        def joints(pattern: str, factors: Sequence[float]) -> Array | None:
-            found = [columns.get(name) for name in joint_names(joint_unit, n, pattern)]
-            if any(f is None for f in found):
-                return None
-            return np.column_stack([c * s * f for c, s, f in zip(factors, robot.joint_sign, found, strict=True)])
-
-        per_s, plain = joint_factors(joint_unit, n), [1.0] * n
-        temperature, payload = _temperature(columns), columns.get("payload_kg")
-        return Channels(
-            approach=joints("approach{i}", plain),
-            speed=joints("qd{i}_{unit}_s", per_s),
-            acceleration=joints("qdd{i}_{unit}_s2", per_s),
-            warming=None if temperature is None else temperature - 20.0,
-            time=columns.get("time_s"),
-            payload=np.zeros(rows) if payload is None else payload,
-            order=np.arange(rows, dtype=float),
-        )
+        own = {"temp_C": _temperature(columns)}
+        values, known = {}, set()
+        for s in CHANNELS:
+            names = s.columns(joint_unit, n)
+            known |= set(names)
+            found = [own.get(name, columns.get(name)) for name in names]
+            given = [f - s.zero for f in found if f is not None]
+            if len(given) < len(names):
+                continue
+            values[s.name] = given[0]
+            if s.per == "joint":
+                factors = joint_factors(joint_unit, n) if "{unit}" in s.column else [1.0] * n
+                each = zip(factors, robot.joint_sign, given, strict=True)
+                values[s.name] = np.column_stack([c * sign * f for c, sign, f in each])
+        values |= {name: column for name, column in columns.items() if name not in known}
+        return Channels(values, np.arange(rows, dtype=float))
 
 
 def _temperature(columns: Mapping[str, Array]) -> Array | None:
     """Return the machine's temperature [degC]: `temp_C` or, where parts have thermometers instead, their mean."""
     parts = [v for name, v in sorted(columns.items()) if TEMPERATURE.fullmatch(name)]
     return columns.get("temp_C", np.mean(parts, axis=0) if parts else None)
-
-
-# field of Channels, its columns, what in an effect's state reads it, what is assumed where it is not given
-_ASSUMED = (
-    ("approach", "approach{}", {"approach"}, "the middle of the play is assumed, half of it is left either way"),
-    ("speed", "qd{}", {"speed"}, "a machine at rest is assumed"),
-    ("acceleration", "qdd{}", {"acceleration", "inertia_torque"}, "a machine at rest is assumed"),
-    ("warming", "temp_C", {"warming"}, "20 degC is assumed"),
-    ("time", "time_s", {"time"}, "the start of the recording is assumed, before any drift"),
-    ("time", "time_s", {"after"}, "a time after the jump is assumed"),
-    ("payload", "payload_kg", LOADS - {"inertia_torque"}, "no payload is assumed"),
-)
 
 
 def complete_channels(
@@ -201,26 +213,32 @@ def complete_channels(
     """
     n, limbs = shape
     have = Channels.from_columns(columns, shape, robot, joint_unit)
-    said: list[str] = []
-    filled: dict[str, Any] = {}
-    for field, column, states, assumed in _ASSUMED:
-        value: Array | None = getattr(have, field) if field != "payload" else columns.get("payload_kg")
-        value = np.full((n, limbs) if "{}" in column else (n,), np.nan) if value is None else value
-        filled[field] = np.nan_to_num(value)
-        users = [t.effect for t in terms if states & set(t.kernels.STATE)]
-        blank = np.isnan(value).reshape(n, -1).any(axis=1)
-        if users and blank.any():
-            name = f"{column.format(1)} ... {column.format(limbs)}" if "{}" in column else column
-            where = "not given" if blank.all() else f"blank in {blank.sum()} of {n} rows"
-            said.append(f"{name} {where}: {assumed} ({', '.join(users)})")
-            if column == "time_s" and not blank.all():
-                raise InputError(
-                    "some rows have a time and some have none.",
-                    "Fill in all cells, or leave the column out.",
-                    column=column,
-                )
-    time = None if have.time is None or np.isnan(have.time).all() else have.time
-    return Channels(**filled | {"time": time}, order=have.order), said
+    values, said = dict(have.values), []
+    assuming = [s for s in states.STATES.values() if s.assumed]
+    for (column, assumed), found in itertools.groupby(assuming, key=lambda s: (s.column, s.assumed)):
+        own = tuple(found)
+        read = next(c for c in CHANNELS if c.column == column)
+        given = have.values.get(read.name, np.full((n, limbs) if read.per == "joint" else n, np.nan))
+        blank = np.isnan(given).reshape(n, -1).any(axis=1)
+        for s in own:
+            if read.whole and blank.all():
+                values.pop(s.name, None)
+            elif not s.since:
+                values[s.name] = np.nan_to_num(values.get(s.name, np.full(given.shape, np.nan)), nan=s.default - s.zero)
+        users = [t.effect for t in terms if {s.base for s in own} & {c.base for s in t.states for c in s.channels}]
+        if not users or not blank.any():
+            continue
+        names = read.columns(joint_unit, limbs)
+        name = f"{names[0]} ... {names[-1]}" if len(names) > 1 else names[0]
+        where = "not given" if blank.all() else f"blank in {blank.sum()} of {n} rows"
+        said.append(f"{name} {where}: {assumed} ({', '.join(users)})")
+        if read.whole and not blank.all():
+            raise InputError(
+                "some rows have a time and some have none.",
+                "Fill in all cells, or leave the column out.",
+                column=column,
+            )
+    return Channels(values, have.order), said
 
 
 class Deformed(NamedTuple):
@@ -257,30 +275,27 @@ class Body:
         """Return what an effect needs that is not there, in words; None where nothing is."""
         if why := self.foreign(effect):
             return why
-        needs = set(load_effect(effect).STATE)
-        if "turn" in needs and self._turn() is None:
-            return "pulley_circumference in [transmission]"
-        have = self.channels
-        if needs & LOADS and self.robot.masses is None:
-            return "[masses] in the robot file"
-        if needs & LOADS and np.isnan(have.payload).any():
-            return "every cell of the column payload_kg (some are blank)"
-        for state, channel, pattern in (
-            ("approach", have.approach, "approach{i}"),
-            ("speed", have.speed, "qd{i}_{unit}_s"),
-            ("acceleration", have.acceleration, "qdd{i}_{unit}_s2"),
-            ("inertia_torque", have.acceleration, "qdd{i}_{unit}_s2"),
-            ("warming", have.warming, "temp_C"),
-            ("time", have.time, "time_s"),
-        ):
-            every = joint_names(self.mechanism.joint_unit, self.q.shape[1], pattern)
-            columns = every if "{" in pattern else [pattern]
-            words = f"the column{'s' if len(columns) > 1 else ''} {', '.join(columns)}"
-            if state in needs and channel is None:
-                return words
-            if state in needs and channel is not None and np.isnan(channel).any():
-                return f"every cell of {words.removeprefix('the ')} (some are blank)"
+        read = states.read_by(load_effect(effect))
+        if without := [s.requires for s in read if s.requires and not self._able(s)]:
+            return without[0]
+        for channel in dict.fromkeys(c for s in read if not s.since for c in s.channels):
+            names = channel.columns(self.mechanism.joint_unit, self.q.shape[1])
+            words = f"column{'s' if len(names) > 1 else ''} {', '.join(names)}"
+            value = self._channel(channel)
+            if value is None:
+                return f"the {words}"
+            if np.isnan(value).any():
+                return f"every cell of the {words} (some are blank)"
         return None
+
+    def _able(self, state: State) -> bool:
+        """Tell whether the robot file says what a state requires."""
+        return self.robot.masses is not None if state.kind == "load" else self._turn() is not None
+
+    def _channel(self, state: State) -> Array | None:
+        """Return a channel: of a joint (N, n_q), of another limb's joint or of the machine (N,)."""
+        value = self.channels.get(state.base)
+        return value[:, state.joint - 1] if value is not None and state.joint else value
 
     def foreign(self, effect: str) -> str | None:
         """Return the part that an effect moves or reads and this mechanism does not have; None where it has all."""
@@ -289,42 +304,58 @@ class Body:
 
     # ----------------------------------------------------------------------------------------------------- the state
 
-    def state(
-        self, names: Sequence[str], x: Array, q: Array, rows: Array, readings: Array | None = None
-    ) -> dict[str, Array]:
-        """Return what effects read, by name: (N, limbs) of a limb, (N,) of the machine, at a solved pose."""
-        N, limbs = self.q.shape
-        have, wanted = self.channels, set(names)
-        out: dict[str, Array] = {}
-        simple: dict[str, Array | None] = {
-            "q": self.q,
-            "turn": self._turn(),
-            "speed": have.speed,
-            "acceleration": have.acceleration,
-            "approach": have.approach,
-            "warming": have.warming,
-            "time": have.time,
-            **{name: np.broadcast_to(length, (N, limbs)) for name, length in self.roles.items()},
-        }
-        if "theta" in wanted:
+    def state(self, names: Sequence[str], x: Array, q: Array, rows: Array) -> dict[str, Array]:
+        """Return what effects read of the machine, by name, at a solved pose.
+
+        Parameters
+        ----------
+        names : sequence of str
+            Not those of a reading.
+        x, q, rows : (N, 12), (N, n_q), (1 or N, limbs, n_p) arrays
+            Pose, joints as the geometry sees them, and parameters; read by states that follow the pose only.
+
+        Returns
+        -------
+        dict of (N, limbs) or (N,) arrays
+            Of each limb's own, or of the machine and of another limb's joint.
+        """
+        found: dict[str, Array | None] = {}
+        wanted = tuple(map(states.named, names))
+        own = {s.base for s in wanted}
+        for s in wanted:
+            if s.kind == "channel":
+                found[s.base] = self.channels.get(s.base)
+            elif s.kind == "geometry" and s.base in self.roles:
+                found[s.base] = np.broadcast_to(self.roles[s.base], self.q.shape)
+        if "q" in own:
+            found["q"] = self.q
+        if "turn" in own:
+            found["turn"] = self._turn()
+        if "theta" in own:
             offsets = self._moves["offset"].items()
-            simple["theta"] = q + sum(much * rows[:, :, self.mechanism.column(name)] for name, much in offsets)
-        out |= {k: v for k, v in simple.items() if k in wanted and v is not None}
-        if wanted & (LOADS - {"payload_torque", "inertia_torque"}):
-            total = self.mechanism.loads(x, q, self.tool, rows, self.masses, self.gravity, have.payload)
+            found["theta"] = q + sum(much * rows[:, :, self.mechanism.column(name)] for name, much in offsets)
+        if loads := {s.base for s in wanted if s.kind == "load"}:
+            found |= self._loads(loads, x, q, rows)
+        if any(s.kind == "pose" for s in wanted):
+            found |= dict(zip(AXES, x[:, :3].T, strict=True)) | {"radius": np.hypot(x[:, 0], x[:, 1])}
+        return {s.name: v[:, s.joint - 1] if s.joint else v for s in wanted if (v := found.get(s.base)) is not None}
+
+    def _loads(self, wanted: set[str], x: Array, q: Array, rows: Array) -> dict[str, Array]:
+        """Return what the weights exert at a pose, by the names of states, `wanted` among them."""
+        payload = self.channels.payload
+        out: dict[str, Array] = {}
+        if wanted - {"payload_torque", "inertia_torque"}:
+            total = self.mechanism.loads(x, q, self.tool, rows, self.masses, self.gravity, payload)
             out |= {"torque": total.torque, "moment_x": total.moment[:, 0], "moment_y": total.moment[:, 1]}
             # a closure may stand for both rods
             out |= {"tension_1": total.tension[:, :, 0], "tension_2": total.tension[:, :, -1]}
             names_d = self.mechanism.deflections
             out |= {f"pull_{a}": total.pull[:, :, names_d.index(f"tip_{a}")] for a in "vw" if f"tip_{a}" in names_d}
         if "payload_torque" in wanted:
-            own = self.mechanism.loads(x, q, self.tool, rows, {}, self.gravity, have.payload)
-            out["payload_torque"] = own.torque
-        if "inertia_torque" in wanted and have.acceleration is not None:
-            out["inertia_torque"] = self._inertia(x, q, rows)
-        if readings is not None:
-            out |= {f"y_{a}": readings[:, j] for j, a in enumerate(AXES)} if readings.shape[1] >= 3 else {}
-            out |= {"y_length": readings[:, 0]}
+            out["payload_torque"] = self.mechanism.loads(x, q, self.tool, rows, {}, self.gravity, payload).torque
+        acceleration = self.channels.get("qdd")
+        if "inertia_torque" in wanted and acceleration is not None:
+            out["inertia_torque"] = self._inertia(x, q, rows, acceleration)
         return out
 
     def _turn(self) -> Array | None:
@@ -339,55 +370,51 @@ class Body:
             return None
         return np.where(slides, self.q * (0.0 if around is None else 2 * np.pi / around), self.q)
 
-    def _inertia(self, x: Array, q: Array, rows: Array) -> Array:
+    def _inertia(self, x: Array, q: Array, rows: Array, acceleration: Array) -> Array:
         """Return the torque (N, n_q) of all masses times minus their acceleration [N mm].
 
         Accelerations are second differences of the exact positions along the motion; the arm's inertia about its own
         centre of mass turns with the joint.
         """
-        have = self.channels
-        assert have.acceleration is not None
-        speed = np.zeros_like(q) if have.speed is None else have.speed
+        speed = self.channels.get("qd")
+        speed = np.zeros_like(q) if speed is None else speed
         at = []
         for t in (-STEP_S, 0.0, STEP_S):
-            moved = q + speed * t + have.acceleration * t**2 / 2
+            moved = q + speed * t + acceleration * t**2 / 2
             pose, _ = self.mechanism.forward(moved, self.tool, rows, near=x)
             at.append(self.mechanism.weights_at(pose, moved, self.tool, rows, self.masses))
         fields = -(at[0] - 2 * at[1] + at[2]) / STEP_S**2 / 1000.0  # mm/s^2 -> m/s^2
-        loads = self.mechanism.loads(x, q, self.tool, rows, self.masses, fields, have.payload)
+        loads = self.mechanism.loads(x, q, self.tool, rows, self.masses, fields, self.channels.payload)
         own = self.mechanism.limb_inertia(self.robot, self.masses) if self.inertia is None else self.inertia
-        return loads.torque - own * have.acceleration / 1000.0  # kg mm^2/s^2 = 1e-3 N mm
+        return loads.torque - own * acceleration / 1000.0  # kg mm^2/s^2 = 1e-3 N mm
 
     # ------------------------------------------------------------------------------------------------ deformation
 
     def _inputs(self, term: Term, state: Mapping[str, Array]) -> Array:
         """Return the term's state as the kernels read it, (N * limbs, n_s), or (N, n_s) for targets of the machine."""
-        kernels = term.kernels
-        by_limb = self._by_limb(kernels)
+        by_limb = _by_limb(term)
         N, limbs = self.q.shape
         columns = []
-        for name in kernels.STATE:
-            if name == "after":
-                clock = self.channels.order if self.channels.time is None else self.channels.time
-                value = (clock >= term.constants[0]).astype(float)
-            else:
-                value = state[name]
+        for s in term.states:
+            value = self._since(term, s) if s.since else state[s.name]
             if by_limb and value.ndim == 1:
                 value = np.repeat(value[:, None], limbs, axis=1)
+            if not by_limb and value.ndim == 2:  # a length of all limbs
+                value = value.mean(axis=1)
             columns.append(value.ravel() if by_limb else value)
         size = N * limbs if by_limb else N
         return np.column_stack(columns) if columns else np.zeros((size, 0))
 
-    @staticmethod
-    def _by_limb(kernels: ModuleType) -> bool:
-        return any(t == "joint" or t.startswith("limb.") for t in kernels.TARGETS)
+    def _since(self, term: Term, state: State) -> Array:
+        """Return which rows (N,) come after a moment, 1 or 0."""
+        return (self.channels.clock >= term.constant(state.since)).astype(float)
 
     def _coefficients(self, term: Term) -> Array:
         """Return the coefficients as the kernels read them: (N * limbs, n_c), zero where a limb has none."""
         N, limbs = self.q.shape
         if term.tools:
             return sum(self.uses(t)[:, None] * v for t, v in zip(term.tools, term.values, strict=True))
-        if not self._by_limb(term.kernels):
+        if not _by_limb(term):
             return term.values
         c = np.zeros((limbs, term.values.shape[1]))
         if term.limbs:
@@ -402,11 +429,9 @@ class Body:
         out: dict[str, Array] = {}
         for term in terms:
             kernels = term.kernels
-            if not set(kernels.STATE) - {"after"} <= state.keys():
-                continue  # a target of the reading, whose state is not known yet
             values = kernels.value(self._inputs(term, state), self._coefficients(term), term.constants)
             for j, target in enumerate(kernels.TARGETS):
-                value = values[:, j].reshape(N, limbs) if self._by_limb(kernels) else values[:, j]
+                value = values[:, j].reshape(N, limbs) if _by_limb(term) else values[:, j]
                 out[target] = out[target] + value if target in out else value
         return out
 
@@ -431,6 +456,7 @@ class Body:
         """
         mechanism = self.mechanism
         plain = mechanism.rows(self.robot, errors)
+        terms, held = (tuple(t for t in some if t.kernels.ACTS_ON != "reading") for some in (terms, held))
         # joints as reported and channels do not change with the pose
         terms, held = (*terms, *(t for t in held if _follows(t))), tuple(t for t in held if not _follows(t))
         key = tuple(map(id, held))
@@ -449,7 +475,7 @@ class Body:
         q, rows, tool, before = self.q, plain, self.tool, 0.0
         for _ in range(EQUILIBRIUM_STEPS):
             safe = np.where(ok[:, None], x, 0.0)
-            shift = _together(unchanged, self.moved(varying, self.state(sorted(names), safe, q, rows)))
+            shift = _together(unchanged, self.moved(varying, self.state(names, safe, q, rows)))
             q = self.q + shift.get("joint", 0.0)
             rows = self._rows(errors, shift)
             tool = self.tool + np.column_stack([np.broadcast_to(shift.get(f"tool.{a}", 0.0), len(x)) for a in AXES])
@@ -457,8 +483,8 @@ class Body:
             x, status = mechanism.forward(q, tool, rows, near=safe)
             ok = status == SOLVED
             step = float(np.max(np.abs((x - last)[ok]), initial=0.0))
-            # loads change by a small part of what they deform: steps shrink by a steady factor
-            if not names & LOADS or step * (min(step / before, 1.0) if before else 1.0) < EQUILIBRIUM_DONE:
+            # what follows the pose changes by a small part of what it moves: steps shrink by a steady factor
+            if not varying or step * (min(step / before, 1.0) if before else 1.0) < EQUILIBRIUM_DONE:
                 break
             before = step
         turn = np.column_stack([np.broadcast_to(shift.get(f"turn.{a}", 0.0), len(x)) for a in AXES])
@@ -472,7 +498,7 @@ class Body:
         """Return the displacement of every target by effects of the reported joints and of channels alone."""
         if not terms:
             return {}
-        return self.moved(terms, self.state(sorted(_read_by(terms)), np.zeros((len(self.q), 12)), self.q, rows))
+        return self.moved(terms, self.state(_read_by(terms), np.zeros((len(self.q), 12)), self.q, rows))
 
     def _rows(self, errors: Array, shift: Mapping[str, Array]) -> Array:
         parts = {t[5:]: v for t, v in shift.items() if t.startswith("limb.")}
@@ -499,16 +525,16 @@ class Body:
         out, start = np.zeros((N, n_x, sum(t.n_coefficients for t in terms))), 0
         if not terms:
             return out
-        state = self.state(sorted(_read_by(terms)), np.nan_to_num(body.x), body.q, body.rows)
+        state = self.state(_read_by(terms), np.nan_to_num(body.x), body.q, body.rows)
         for _, group in itertools.groupby(terms, key=lambda t: (t.effect, t.limbs)):
             forms = list(group)
             kernels, count = forms[0].kernels, sum(t.n_coefficients for t in forms)
             part = out[:, :, start : start + count]
             start += count
-            if not self._by_limb(kernels):
+            if not _by_limb(forms[0]):
                 part[:] = np.concatenate([self._machine_columns(t, state, body, n_x, chosen) for t in forms], axis=2)
                 continue
-            same = None if "after" in kernels.STATE else self._inputs(forms[0], state)
+            same = None if any(s.since for s in forms[0].states) else self._inputs(forms[0], state)
             D = np.array(
                 [
                     kernels.jacobian(
@@ -542,9 +568,8 @@ class Body:
     ) -> Array:
         kernels = term.kernels
         out = np.zeros((len(self.q), n_x, term.n_coefficients))
-        targets = [t for t in kernels.TARGETS if t[:5] in ("turn.", "tool.")]
-        if not targets:
-            return out  # acts on the reading
+        if kernels.ACTS_ON == "reading":
+            return out
         D = kernels.jacobian(self._inputs(term, state), self._coefficients(term), term.constants)
         for j, target in enumerate(kernels.TARGETS):
             axis = AXES.index(target[-1])
@@ -585,20 +610,27 @@ def lacking(effect: str, mechanism: Machine, moves: Container[str], roles: Conta
         Parts and lengths by which effects find their place in the mechanism.
     """
     kernels = load_effect(effect)
+    read = states.read_by(kernels)
     parts = [t[5:] for t in kernels.TARGETS if t.startswith("limb.") and t[5:] not in moves]
-    parts += sorted(role for role in {*kernels.STATE} & ROLES if role not in roles)
-    if "theta" in kernels.STATE and "offset" not in moves:
+    parts += sorted(s.name for s in read if s.kind == "geometry" and s.name not in roles)
+    if any(s.base == "theta" for s in read) and "offset" not in moves:
         parts.append("angle of a joint")
-    if {*kernels.STATE} & LOADS and not mechanism.weighs:
+    if any(s.kind == "load" for s in read) and not mechanism.weighs:
         parts.append("weights")
     if "height" in kernels.TARGETS and "z" not in mechanism.axes:
         parts.append("heights")
+    parts += [f"joint {s.joint}" for s in read if s.joint > mechanism.limbs]
     return parts
+
+
+def _by_limb(term: Term) -> bool:
+    """Tell whether an effect moves limbs, whose own states it then reads."""
+    return bool(term.kernels.ACTS_ON == "limb")
 
 
 def _follows(term: Term) -> bool:
     """Tell whether an effect reads what changes with the pose."""
-    return bool({*term.kernels.STATE} & (LOADS | {"theta"}))
+    return any(s.follows for s in term.states)
 
 
 def _together(a: Mapping[str, Array], b: Mapping[str, Array]) -> dict[str, Array]:
@@ -611,14 +643,17 @@ def _together(a: Mapping[str, Array], b: Mapping[str, Array]) -> dict[str, Array
 
 def of_reading(terms: Sequence[Term]) -> tuple[Term, ...]:
     """Return the effects that act on the reading itself."""
-    return tuple(
-        t for t in terms if any(not x.startswith(("joint", "limb.", "turn.", "tool.")) for x in t.kernels.TARGETS)
-    )
+    return tuple(t for t in terms if t.kernels.ACTS_ON == "reading")
 
 
-def _read_by(terms: Sequence[Term]) -> set[str]:
-    """Return what effects read of the machine."""
-    return {s for t in terms for s in t.kernels.STATE} - OF_READING
+def of_the_instrument(effect: str) -> bool:
+    """Tell whether what an effect moves is only read, or where: no command undoes it."""
+    return load_effect(effect).ACTS_ON in ("point", "reading")
+
+
+def _read_by(terms: Sequence[Term]) -> list[str]:
+    """Return what effects read of the machine at each pose, by name."""
+    return sorted({s.name for t in terms for s in t.states if s.kind != "reading" and not s.since})
 
 
 def reading_shift(terms: Sequence[Term], body: Body, found: Readings, values: Array, x: Array) -> tuple[Array, Array]:
@@ -640,14 +675,13 @@ def reading_shift(terms: Sequence[Term], body: Body, found: Readings, values: Ar
         kernels = term.kernels
         own = np.zeros((R, k, term.n_coefficients))
         on = [(j, columns[t]) for j, t in enumerate(kernels.TARGETS) if t in columns]
-        if on and not Body._by_limb(kernels):
+        if on and kernels.ACTS_ON == "reading":
             # a column that this kind of reading does not have is read by no target that acts here
             state = dict.fromkeys(("y_x", "y_y", "y_z", "y_length"), np.zeros(R))
             state |= {f"y_{t.rpartition('.')[2]}": values[:, c] for t, c in columns.items()}
-            state |= {f"p_{a}": x[rows, j] for j, a in enumerate(AXES)}
-            state |= {name: np.full(R, np.mean(length)) for name, length in body.roles.items()}
-            if body.channels.time is not None:
-                state["time"] = body.channels.time[rows]
+            machine = body.state(_read_by([term]), x, body.q, np.zeros((0, 0, 0)))  # no parameter is read
+            state |= {name: (v if v.ndim == 1 else v.mean(axis=1))[rows] for name, v in machine.items()}
+            state |= {s.name: body._since(term, s)[rows] for s in term.states if s.since}
             if set(kernels.STATE) <= state.keys():
                 s = np.column_stack([state[n] for n in kernels.STATE]) if kernels.STATE else np.zeros((R, 0))
                 value, D = (

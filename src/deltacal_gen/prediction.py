@@ -41,7 +41,7 @@ def known_effects(result: Mapping[str, Any], *, timed: bool) -> list[Term]:
     """
     held = [term_from_dict(t) for t in result.get("physics", ())]
     if result.get("clock") == "row" or not timed:
-        held = [dataclasses.replace(t, constants=(-np.inf,)) if t.effect == "zero_jump" else t for t in held]
+        held = [t.afterwards() for t in held]
     return held
 
 

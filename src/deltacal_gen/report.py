@@ -23,7 +23,7 @@ from deltacal_gen import figures
 from deltacal_gen.figures import AFTER, BEFORE, INK, MUTED, RAISED, STYLE, mpl, plt
 from deltacal_gen.fleet import ASIDE, alike, worst
 from deltacal_gen.mechanism import mechanism_of
-from deltacal_gen.physics import load_effect
+from deltacal_gen.physics import load_effect, of_the_instrument
 from deltacal_gen.robot import robot_from_dict
 
 _COLOURS = {INK: "var(--ink)", MUTED: "var(--muted)", BEFORE: "var(--before)", AFTER: "var(--after)"}
@@ -376,7 +376,7 @@ def _steps(found: Mapping[str, Any]) -> list[dict[str, str]]:
     for effect in found["effects"]:
         advice = load_effect(effect["name"]).ADVICE
         steps.append({"text": f"{_sentence(figures.named(effect))}: {advice}", "command": ""})
-    on_machine = [e for e in found["effects"] if not _reads_only(e["name"])]
+    on_machine = [e for e in found["effects"] if not of_the_instrument(e["name"])]
     if found["verdict"] == "unexplained":
         steps.append(
             {"text": "Do not extrapolate: the corrected commands hold only as far as the maps below.", "command": ""}
@@ -392,10 +392,6 @@ def _steps(found: Mapping[str, Any]) -> list[dict[str, str]]:
             }
         )
     return steps
-
-
-def _reads_only(name: str) -> bool:
-    return all(t == "length" or t.startswith(("reading.", "tool.")) for t in load_effect(name).TARGETS)
 
 
 def _parameter(effect: Mapping[str, Any], p: Mapping[str, Any]) -> tuple[str, ...]:

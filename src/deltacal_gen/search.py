@@ -21,7 +21,8 @@ import numpy as np
 from deltacal_gen.discrimination import columns_read
 from deltacal_gen.estimation import Fit, Problem
 from deltacal_gen.mechanism import Array
-from deltacal_gen.physics import LOADS, Body, Point, Term, blank, displaces_points, effect_names, load_effect
+from deltacal_gen.physics import Body, Point, Term, blank, displaces_points, effect_names, load_effect
+from deltacal_gen.states import State, read_by
 
 CHANCE = 5e-4  # that noise alone earns a form, or a limb, its charge
 ORDERS = 100  # integer orders of a periodic error that are searched
@@ -238,7 +239,7 @@ class Search:
 
 def several(effect: str) -> bool:
     """Tell whether a machine may have an effect more than once: periodic errors of different orders."""
-    return any(name == "order" for name, *_ in load_effect(effect).CONSTANTS)
+    return "orders" in load_effect(effect).SEARCHED
 
 
 def charge(term: Term, forms: int) -> float:
@@ -318,7 +319,7 @@ def library(problem: Problem) -> tuple[list[Term], list[dict[str, str]]]:
 def _spoilt(problem: Problem, name: str) -> str | None:
     """Return what is wrong with a column that an effect reads: values that cannot be, or blank cells."""
     recording = problem.recording
-    if LOADS & set(load_effect(name).STATE) and problem.robot.masses is None:
+    if any(s.kind == "load" for s in read_by(load_effect(name))) and problem.robot.masses is None:
         return None  # the column would not help
     rows = np.unique(problem.readings.rows)
     for column in columns_read(problem, [blank(name, (1,))]):
@@ -333,23 +334,13 @@ def _spoilt(problem: Problem, name: str) -> str | None:
 
 def _constant(problem: Problem, name: str) -> str | None:
     """Return why an effect could not show: its channel does not vary, its columns do not exist, or it is geometry."""
-    kernels, have, kind = load_effect(name), problem.body.channels, problem.readings.kind
+    kernels = load_effect(name)
     rows = np.unique(problem.readings.rows)
-    for state, channel, words in (
-        ("approach", have.approach, "both directions of approach"),
-        ("speed", have.speed, "motion in the columns qd"),
-        ("acceleration", have.acceleration, "motion in the columns qdd"),
-        ("inertia_torque", have.acceleration, "motion in the columns qdd"),
-        ("warming", have.warming, "temperatures that differ"),
-        ("time", have.time, "times that differ"),
-    ):
-        if state in kernels.STATE and channel is not None and np.ptp(channel[rows], axis=0).max() == 0:
-            return words
-    if "payload_torque" in kernels.STATE and np.ptp(have.payload[rows]) == 0:
-        return "payloads that differ in the column payload_kg"
-    reads = [t for t in kernels.TARGETS if t in ("length", "height") or t.startswith("reading.")]
-    if reads and not any(t in problem.readings.targets for t in reads):
-        return f"readings of another kind than {kind}"
+    for channel in (c for s in read_by(kernels) for c in s.channels if c.column == s.shown):
+        if channel.differing and not _differs(problem, channel, rows):
+            return channel.differing
+    if kernels.ACTS_ON == "reading" and not any(t in problem.readings.targets for t in kernels.TARGETS):
+        return f"readings of another kind than {problem.readings.kind}"
     if displaces_points(kernels) and len(_tools(problem)) < 2:
         return "readings of a second point of the platform"
     if not kernels.STATE and all(t.startswith("limb.") for t in kernels.TARGETS):
@@ -360,6 +351,15 @@ def _constant(problem: Problem, name: str) -> str | None:
     return None
 
 
+def _differs(problem: Problem, channel: State, rows: np.ndarray) -> bool:
+    """Tell whether a channel, of some joint or of its own, varies among rows; one that is not recorded may."""
+    values = problem.body.channels.get(channel.base)
+    if values is None:
+        return True
+    own = values[rows] if not channel.joint else values[rows, channel.joint - 1]
+    return bool(np.ptp(own, axis=0).max() > 0)
+
+
 def _tools(problem: Problem) -> list[Point]:
     used = np.unique(problem.readings.rows)
     return [(x, y, z) for x, y, z in np.unique(np.round(problem.body.tool[used], 9), axis=0).tolist()]
@@ -367,18 +367,27 @@ def _tools(problem: Problem) -> list[Point]:
 
 def _forms(problem: Problem, name: str) -> list[tuple[float, ...]]:
     """Return the constants of every form of an effect that is searched."""
-    if name == "transmission_eccentricity":
-        orders = {float(k) for k in range(1, ORDERS + 1)}
-        ratio = problem.robot.transmission.gear_ratio if problem.robot.transmission else None
-        if ratio:
-            orders |= {ratio * k for k in range(1, HARMONICS + 1)}
-        return [(k,) for k in sorted(orders)]
-    if name == "zero_jump":
-        used = np.unique(problem.readings.rows)
-        clock = problem.body.channels.order if problem.body.channels.time is None else problem.body.channels.time
-        times = np.unique(clock[used])
-        edge = max(3, len(times) // 40)  # a jump needs rows on both sides
-        inside = times[edge : len(times) - edge]
-        step = -(-len(inside) // MOST_TIMES)
-        return [(float(t),) for t in inside[step // 2 :: step]] if len(inside) else []
-    return [()]
+    kernels = load_effect(name)
+    how = {constant: kind for kind, constant in kernels.SEARCHED.items()}
+    return list(itertools.product(*(SEARCHES[how[key]](problem) for key, *_ in kernels.CONSTANTS)))
+
+
+def _orders(problem: Problem) -> list[float]:
+    """Return the orders of a periodic error."""
+    orders = {float(k) for k in range(1, ORDERS + 1)}
+    ratio = problem.robot.transmission.gear_ratio if problem.robot.transmission else None
+    if ratio:
+        orders |= {ratio * k for k in range(1, HARMONICS + 1)}
+    return sorted(orders)
+
+
+def _moments(problem: Problem) -> list[float]:
+    """Return the moments at which something may happen."""
+    times = np.unique(problem.body.channels.clock[np.unique(problem.readings.rows)])
+    edge = max(3, len(times) // 40)  # it needs rows on both sides
+    inside = times[edge : len(times) - edge]
+    step = -(-len(inside) // MOST_TIMES)
+    return inside[step // 2 :: step].tolist() if len(inside) else []
+
+
+SEARCHES = {"orders": _orders, "moments": _moments}  # of constants, by how an effect declares that they are searched

@@ -1,31 +1,30 @@
 """Periodic errors of many orders at once: what encoders and gears do to each joint, turn after turn.
 
-A single order is a term like any other (`transmission_eccentricity`). Magnetic encoders and strain-wave gears err at
-dozens of orders, none of which is large, and poses that do not fill the turn cannot tell neighbouring ones apart: taken
-one by one their amplitudes would be arbitrary. Here the error of a joint is a periodic function of its angle, a
-Gaussian process with Matérn's spectrum (Rasmussen and Williams 2006, section 4.2.1): every order is a coefficient with
-a prior, even up to a corner and falling with the fourth power beyond. Its size and corner are those of the largest
-evidence, geometry, instrument and other effects fitted beside it. Where a joint has not been, the function falls back
-to nothing: it does not extrapolate.
+A single order is a term like any other, of the effect that is a wave of the joint's turn (`wave`). Magnetic encoders
+and strain-wave gears err at dozens of orders, none of which is large, and poses that do not fill the turn cannot tell
+neighbouring ones apart: taken one by one their amplitudes would be arbitrary. Here the error of a joint is a periodic
+function of its angle, a Gaussian process with Matérn's spectrum (Rasmussen and Williams 2006, section 4.2.1): every
+order is a coefficient with a prior, even up to a corner and falling with the fourth power beyond. Its size and corner
+are those of the largest evidence, geometry, instrument and other effects fitted beside it. Where a joint has not been,
+the function falls back to nothing: it does not extrapolate.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any
 
 import numpy as np
 
 from deltacal_gen.estimation import Fit, lengths, rms
 from deltacal_gen.mechanism import Array
-from deltacal_gen.physics import Term
+from deltacal_gen.physics import Term, effect_names, load_effect
 from deltacal_gen.search import ORDERS
 from deltacal_gen.solvers import jitter
 from deltacal_gen.structure import displacements
 
-EFFECT = "transmission_eccentricity"
 LEAST_TURN = 2 * np.pi / 3  # a joint that moves less can hardly show that its error repeats
 MARGIN = 10.0  # twice the logarithm of the evidence: what a joint's error must earn
 PROVEN = 3.0  # standard deviations by which held-out poses must be better
@@ -68,6 +67,12 @@ class Spectrum:
         return self.terms[0].limbs
 
 
+@cache
+def wave() -> str:
+    """Return the name of the effect that is a wave of the joint's turn; "" where none is registered."""
+    return next((name for name in effect_names() if load_effect(name).PERIODIC), "")
+
+
 def periodic(at: Fit, parts: Sequence[tuple[np.ndarray, np.ndarray]], known: Spectrum | None = None) -> Spectrum | None:
     """Return the periodic errors of the joints, None where the readings do not bear them out.
 
@@ -82,7 +87,7 @@ def periodic(at: Fit, parts: Sequence[tuple[np.ndarray, np.ndarray]], known: Spe
     """
     problem = at.problem
     rows = problem.readings.rows
-    if rows.shape[1] != 1:
+    if rows.shape[1] != 1 or not wave():
         return None
     turns = problem.body.q[rows[:, 0]]
     turning = [unit == "rad" for unit in problem.mechanism.joint_units]
@@ -106,7 +111,7 @@ def periodic(at: Fit, parts: Sequence[tuple[np.ndarray, np.ndarray]], known: Spe
         return None
     values, size, std = linear.solved(found)
     return Spectrum(
-        tuple(Term(EFFECT, tuple(limbs), values[k - 1], (float(k),)) for k in range(1, ORDERS + 1)),
+        tuple(Term(wave(), tuple(limbs), values[k - 1], (float(k),)) for k in range(1, ORDERS + 1)),
         gains,
         size,
         std,

@@ -41,8 +41,8 @@ ATTEMPTS = 40
 MECHANISM = load_mechanism("delta")
 NEEDS = {  # channels of a recording, by what an effect reads
     "approach": "approach",
-    "speed": "motion",
-    "acceleration": "motion",
+    "qd": "motion",
+    "qdd": "motion",
     "inertia_torque": "motion",
     "warming": "temp",
     "time": "time",

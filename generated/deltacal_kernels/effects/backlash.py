@@ -1,7 +1,7 @@
 """Play, flips with the direction of approach.
 
 Generated from derive/effects/backlash.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both f00672ec817a0515; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 28949c6a090da217; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): approach;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -13,16 +13,23 @@ NAME = "backlash"
 TITLE = "play, flips with the direction of approach"
 ADVICE = "Look for play in the gearbox and its couplings, and take it out. Until then command by the direction of approach, or always arrive from the same side."
 PER_LIMB = True
+ACTS_ON = "limb"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("approach", )
 TARGETS = ("joint", )
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("width", "deg", 0.017453292519943295, "the full gap"),
 )
+# range of each, in files
+BELIEVABLE = ((0.0, 5.0), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ("width", )
 CONSTANTS = (
 )
+# how it is searched, and the constant that is; what constants are after the recording
+SEARCHED = {}
+AFTERWARDS = {}
 
 
 def value(s, c, constants=()):

@@ -1,7 +1,7 @@
 """Frame tilts under the moving weight.
 
 Generated from derive/effects/base_compliance.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both f597b1b7041faf72; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 4134d9052f354aa1; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): moment_x moment_y;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
@@ -13,6 +13,8 @@ NAME = "base_compliance"
 TITLE = "frame tilts under the moving weight"
 ADVICE = "Check the frame's fixing and stiffness. Until then command by the payload, or calibrate with the payload that is carried."
 PER_LIMB = False
+ACTS_ON = "base"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("moment_x", "moment_y", )
 TARGETS = ("turn.x", "turn.y", )
 # (name, unit in files, factor to the unit inside, meaning)
@@ -20,10 +22,15 @@ COEFFICIENTS = (
     ("compliance_x", "deg/Nm", 1.7453292519943296e-05, "tilt about x per moment about x"),
     ("compliance_y", "deg/Nm", 1.7453292519943296e-05, "tilt about y per moment about y"),
 )
+# range of each, in files
+BELIEVABLE = ((0.0, 1.0), (0.0, 1.0), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ()
 CONSTANTS = (
 )
+# how it is searched, and the constant that is; what constants are after the recording
+SEARCHED = {}
+AFTERWARDS = {}
 
 
 def value(s, c, constants=()):

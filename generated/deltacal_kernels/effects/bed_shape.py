@@ -1,9 +1,9 @@
 """The bed is not flat.
 
 Generated from derive/effects/bed_shape.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 6c7834f7ba534874; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 681e26993b20bdd9; SymPy 1.14.0.
 
-Plain NumPy over M rows (poses times limbs, or poses): state s (M, 3): b p_x p_y;
+Plain NumPy over M rows (poses times limbs, or poses): state s (M, 3): b x y;
 coefficients c (M or 1, 9); constants, one number each. Units mm, rad, N, s, K.
 """
 
@@ -13,7 +13,9 @@ NAME = "bed_shape"
 TITLE = "the bed is not flat"
 ADVICE = "Use a flatter bed, or print with a bed mesh; the geometry must not take it over."
 PER_LIMB = False
-STATE = ("b", "p_x", "p_y", )
+ACTS_ON = "reading"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
+STATE = ("b", "x", "y", )
 TARGETS = ("height", )
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
@@ -27,19 +29,24 @@ COEFFICIENTS = (
     ("xyy", "mm", 1.0, "height of the bed along x^1 y^2, at the machine's radius"),
     ("yyy", "mm", 1.0, "height of the bed along x^0 y^3, at the machine's radius"),
 )
+# range of each, in files
+BELIEVABLE = ((-5.0, 5.0), (-5.0, 5.0), (-5.0, 5.0), (-5.0, 5.0), (-5.0, 5.0), (-5.0, 5.0), (-5.0, 5.0), (-5.0, 5.0), (-5.0, 5.0), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ()
 CONSTANTS = (
 )
+# how it is searched, and the constant that is; what constants are after the recording
+SEARCHED = {}
+AFTERWARDS = {}
 
 
 def value(s, c, constants=()):
     """Return by how much each target is moved, (M, 1)."""
     b = s[:, 0]
-    p_x = s[:, 1]
-    p_y = s[:, 2]
-    x = c[:, 0]
-    y = c[:, 1]
+    x = s[:, 1]
+    y = s[:, 2]
+    c_x = c[:, 0]
+    c_y = c[:, 1]
     xx = c[:, 2]
     xy = c[:, 3]
     yy = c[:, 4]
@@ -49,17 +56,17 @@ def value(s, c, constants=()):
     yyy = c[:, 8]
     s0 = (1.0 / b)
     s3 = (1.0 / (b * b))
-    s4 = (p_x * p_x)
+    s4 = (x * x)
     s5 = -s3*s4*xx
     s6 = b**(-3)
-    s8 = -(p_x * p_x * p_x)*s6*xxx
-    s9 = (p_y * p_y)
+    s8 = -s6*(x * x * x)*xxx
+    s9 = (y * y)
     s10 = -s3*s9*yy
-    s12 = -(p_y * p_y * p_y)*s6*yyy
-    s13 = -p_x*p_y*s3*xy
-    s14 = -p_x*s6*s9*xyy
-    s15 = -p_y*s4*s6*xxy
-    s16 = -p_x*s0*x - p_y*s0*y + s10 + s12 + s13 + s14 + s15 + s5 + s8
+    s12 = -s6*(y * y * y)*yyy
+    s13 = -s3*x*xy*y
+    s14 = -s6*s9*x*xyy
+    s15 = -s4*s6*xxy*y
+    s16 = -c_x*s0*x - c_y*s0*y + s10 + s12 + s13 + s14 + s15 + s5 + s8
     out = np.zeros((len(s), 1))
     out[:, 0] = s16
     return out
@@ -68,22 +75,22 @@ def value(s, c, constants=()):
 def jacobian(s, c, constants=()):
     """Return the derivatives of `value` by the coefficients, (M, 1, 9)."""
     b = s[:, 0]
-    p_x = s[:, 1]
-    p_y = s[:, 2]
+    x = s[:, 1]
+    y = s[:, 2]
     s0 = (1.0 / b)
     s3 = (1.0 / (b * b))
-    s4 = (p_x * p_x)
+    s4 = (x * x)
     s6 = b**(-3)
-    s9 = (p_y * p_y)
-    s17 = -p_x*s0
-    s18 = -p_y*s0
+    s9 = (y * y)
+    s17 = -s0*x
+    s18 = -s0*y
     s19 = -s3*s4
-    s20 = -p_x*p_y*s3
+    s20 = -s3*x*y
     s21 = -s3*s9
-    s22 = -(p_x * p_x * p_x)*s6
-    s23 = -p_y*s4*s6
-    s24 = -p_x*s6*s9
-    s25 = -(p_y * p_y * p_y)*s6
+    s22 = -s6*(x * x * x)
+    s23 = -s4*s6*y
+    s24 = -s6*s9*x
+    s25 = -s6*(y * y * y)
     out = np.zeros((len(s), 9))
     out[:, 0] = s17
     out[:, 1] = s18

@@ -1,7 +1,7 @@
 """Rods stretch.
 
 Generated from derive/effects/distal_compliance.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 150b1fabc0179038; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 45127dce205b9ecf; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): tension_1 tension_2;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -13,16 +13,23 @@ NAME = "distal_compliance"
 TITLE = "rods stretch"
 ADVICE = "Check the rods and their ball joints for softness. Until then command by the payload."
 PER_LIMB = True
+ACTS_ON = "limb"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("tension_1", "tension_2", )
 TARGETS = ("limb.rod", "limb.rod_difference", )
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("compliance", "mm/N", 1.0, "lengthening of a rod per tension"),
 )
+# range of each, in files
+BELIEVABLE = ((0.0, 1.0), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ()
 CONSTANTS = (
 )
+# how it is searched, and the constant that is; what constants are after the recording
+SEARCHED = {}
+AFTERWARDS = {}
 
 
 def value(s, c, constants=()):

@@ -1,7 +1,7 @@
 """Rods of a pair differ and tilt the effector.
 
 Generated from derive/effects/effector_tilt.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 408bfd46993d6e62; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both d7fc6882927a3b35; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -13,16 +13,23 @@ NAME = "effector_tilt"
 TITLE = "rods of a pair differ and tilt the effector"
 ADVICE = "Geometry, not physics: make the two rods of each pair equally long, on a jig or by exchanging rods."
 PER_LIMB = True
+ACTS_ON = "limb"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ()
 TARGETS = ("limb.pair_difference", )
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("dl", "mm", 1.0, "length of rod 1 minus rod 2"),
 )
+# range of each, in files
+BELIEVABLE = ((-5.0, 5.0), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ()
 CONSTANTS = (
 )
+# how it is searched, and the constant that is; what constants are after the recording
+SEARCHED = {}
+AFTERWARDS = {}
 
 
 def value(s, c, constants=()):

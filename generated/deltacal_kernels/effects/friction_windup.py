@@ -1,7 +1,7 @@
 """Friction winds the joint up, by direction and load.
 
 Generated from derive/effects/friction_windup.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both cbf9e489ea48ed15; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 955ca40fa3387189; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): approach torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -13,16 +13,23 @@ NAME = "friction_windup"
 TITLE = "friction winds the joint up, by direction and load"
 ADVICE = "Look for friction in the joint and for a soft transmission behind it. Until then command by direction of approach and payload."
 PER_LIMB = True
+ACTS_ON = "limb"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("approach", "torque", )
 TARGETS = ("joint", )
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("compliance", "deg/Nm", 1.7453292519943296e-05, "windup per torque"),
 )
+# range of each, in files
+BELIEVABLE = ((0.0, 1.0), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ("compliance", )
 CONSTANTS = (
 )
+# how it is searched, and the constant that is; what constants are after the recording
+SEARCHED = {}
+AFTERWARDS = {}
 
 
 def value(s, c, constants=()):

@@ -1,7 +1,7 @@
 """Joint twists with acceleration.
 
 Generated from derive/effects/inertial_deflection.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both e182d8253bae9475; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both c50e70bfb8cb0498; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): inertia_torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -13,16 +13,23 @@ NAME = "inertial_deflection"
 TITLE = "joint twists with acceleration"
 ADVICE = "Let the machine settle before it is measured or grips, or accelerate less. The transmission gives way to inertia."
 PER_LIMB = True
+ACTS_ON = "limb"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("inertia_torque", )
 TARGETS = ("joint", )
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("compliance", "deg/Nm", 1.7453292519943296e-05, "twist per torque of inertia"),
 )
+# range of each, in files
+BELIEVABLE = ((0.0, 1.0), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ("compliance", )
 CONSTANTS = (
 )
+# how it is searched, and the constant that is; what constants are after the recording
+SEARCHED = {}
+AFTERWARDS = {}
 
 
 def value(s, c, constants=()):

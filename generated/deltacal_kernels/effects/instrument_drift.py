@@ -1,7 +1,7 @@
 """The instrument drifts.
 
 Generated from derive/effects/instrument_drift.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 4033fd3bd2edf862; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both ec9b3dbd7a2648cb; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): time;
 coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.
@@ -13,6 +13,8 @@ NAME = "instrument_drift"
 TITLE = "the instrument drifts"
 ADVICE = "The machine is not at fault. Let the instrument warm up, fix its stand, and measure a fixed point again and again."
 PER_LIMB = False
+ACTS_ON = "reading"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("time", )
 TARGETS = ("reading.x", "reading.y", "reading.z", )
 # (name, unit in files, factor to the unit inside, meaning)
@@ -21,10 +23,15 @@ COEFFICIENTS = (
     ("rate_y", "mm/h", 1.0, "drift along the instrument's y"),
     ("rate_z", "mm/h", 1.0, "drift along the instrument's z"),
 )
+# range of each, in files
+BELIEVABLE = ((-10.0, 10.0), (-10.0, 10.0), (-10.0, 10.0), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ()
 CONSTANTS = (
 )
+# how it is searched, and the constant that is; what constants are after the recording
+SEARCHED = {}
+AFTERWARDS = {}
 
 
 def value(s, c, constants=()):

@@ -1,7 +1,7 @@
 """A measured point is not where it is said to be.
 
 Generated from derive/effects/instrument_offset.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 955a0178ece9cdf4; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 10836d2dadccd5b0; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
 coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.
@@ -13,6 +13,8 @@ NAME = "instrument_offset"
 TITLE = "a measured point is not where it is said to be"
 ADVICE = "The machine is not at fault. Measure again where this reflector or probe sits on the platform, and correct tool_x_mm ... in the recording."
 PER_LIMB = False
+ACTS_ON = "point"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ()
 TARGETS = ("tool.x", "tool.y", "tool.z", )
 # (name, unit in files, factor to the unit inside, meaning)
@@ -21,10 +23,15 @@ COEFFICIENTS = (
     ("offset_y", "mm", 1.0, "offset along y of {O'}"),
     ("offset_z", "mm", 1.0, "offset along z of {O'}"),
 )
+# range of each, in files
+BELIEVABLE = ((-50.0, 50.0), (-50.0, 50.0), (-50.0, 50.0), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ()
 CONSTANTS = (
 )
+# how it is searched, and the constant that is; what constants are after the recording
+SEARCHED = {"points": "", }
+AFTERWARDS = {}
 
 
 def value(s, c, constants=()):

@@ -1,7 +1,7 @@
 """The instrument's length scale is wrong.
 
 Generated from derive/effects/instrument_scale.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 4c1831ba8affb0d0; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both d3e0080ed5b5cbcb; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 4): y_x y_y y_z y_length;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -13,16 +13,23 @@ NAME = "instrument_scale"
 TITLE = "the instrument's length scale is wrong"
 ADVICE = "The machine is not at fault, unless it is warmer than its drawing. Hold the instrument against a length that is known."
 PER_LIMB = False
+ACTS_ON = "reading"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("y_x", "y_y", "y_z", "y_length", )
 TARGETS = ("reading.x", "reading.y", "reading.z", "length", )
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("scale", "ppm", 1e-06, "error of the length scale"),
 )
+# range of each, in files
+BELIEVABLE = ((-10000.0, 10000.0), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ()
 CONSTANTS = (
 )
+# how it is searched, and the constant that is; what constants are after the recording
+SEARCHED = {}
+AFTERWARDS = {}
 
 
 def value(s, c, constants=()):

@@ -1,7 +1,7 @@
 """The joint's centre orbits with its angle.
 
 Generated from derive/effects/joint_axis_runout.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 0edd9804679286ef; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both ea18784bfc802f48; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): theta;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
@@ -13,6 +13,8 @@ NAME = "joint_axis_runout"
 TITLE = "the joint's centre orbits with its angle"
 ADVICE = "Check the bearings of the joint axis. The error repeats exactly, so that the corrected commands undo it."
 PER_LIMB = True
+ACTS_ON = "limb"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("theta", )
 TARGETS = ("limb.outwards", )
 # (name, unit in files, factor to the unit inside, meaning)
@@ -20,10 +22,15 @@ COEFFICIENTS = (
     ("cos", "mm", 1.0, "amplitude of the cosine"),
     ("sin", "mm", 1.0, "amplitude of the sine"),
 )
+# range of each, in files
+BELIEVABLE = ((-5.0, 5.0), (-5.0, 5.0), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ()
 CONSTANTS = (
 )
+# how it is searched, and the constant that is; what constants are after the recording
+SEARCHED = {}
+AFTERWARDS = {}
 
 
 def value(s, c, constants=()):

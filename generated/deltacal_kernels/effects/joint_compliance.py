@@ -1,7 +1,7 @@
 """Joint or gearbox twists under the load.
 
 Generated from derive/effects/joint_compliance.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 705f9fe4c9157617; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 7ba284c491197967; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -13,16 +13,23 @@ NAME = "joint_compliance"
 TITLE = "joint or gearbox twists under the load"
 ADVICE = "Check the gearbox and its fixing for softness. The deflection repeats with the load, so that commands by the payload undo it."
 PER_LIMB = True
+ACTS_ON = "limb"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("torque", )
 TARGETS = ("joint", )
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("compliance", "deg/Nm", 1.7453292519943296e-05, "twist per static torque"),
 )
+# range of each, in files
+BELIEVABLE = ((0.0, 1.0), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ("compliance", )
 CONSTANTS = (
 )
+# how it is searched, and the constant that is; what constants are after the recording
+SEARCHED = {}
+AFTERWARDS = {}
 
 
 def value(s, c, constants=()):

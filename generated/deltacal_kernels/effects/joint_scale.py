@@ -1,7 +1,7 @@
 """Gear ratio or encoder scale is off.
 
 Generated from derive/effects/joint_scale.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 7d2138dc976af0d7; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 0127236874f869fa; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): q;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -13,16 +13,23 @@ NAME = "joint_scale"
 TITLE = "gear ratio or encoder scale is off"
 ADVICE = "Check the gear ratio and the encoder's counts per turn in the controller, and correct them there."
 PER_LIMB = True
+ACTS_ON = "limb"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("q", )
 TARGETS = ("joint", )
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("scale", "1", 1.0, "error of the scale"),
 )
+# range of each, in files
+BELIEVABLE = ((-0.1, 0.1), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ()
 CONSTANTS = (
 )
+# how it is searched, and the constant that is; what constants are after the recording
+SEARCHED = {}
+AFTERWARDS = {}
 
 
 def value(s, c, constants=()):

@@ -1,9 +1,9 @@
 """The position lags the joints.
 
 Generated from derive/effects/latency.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 5c48348f90997929; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 6d61d999c9c2fd25; SymPy 1.14.0.
 
-Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): speed acceleration;
+Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): qd qdd;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
 """
 
@@ -13,24 +13,31 @@ NAME = "latency"
 TITLE = "the position lags the joints"
 ADVICE = "Joints and positions are not of the same instant. Synchronise the instrument's trigger with the controller, or measure at rest."
 PER_LIMB = False
-STATE = ("speed", "acceleration", )
+ACTS_ON = "limb"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
+STATE = ("qd", "qdd", )
 TARGETS = ("joint", )
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("delay", "s", 1.0, "time by which the position lags"),
 )
+# range of each, in files
+BELIEVABLE = ((-1.0, 1.0), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ()
 CONSTANTS = (
 )
+# how it is searched, and the constant that is; what constants are after the recording
+SEARCHED = {}
+AFTERWARDS = {}
 
 
 def value(s, c, constants=()):
     """Return by how much each target is moved, (M, 1)."""
-    speed = s[:, 0]
-    acceleration = s[:, 1]
+    qd = s[:, 0]
+    qdd = s[:, 1]
     delay = c[:, 0]
-    s3 = 0.5*acceleration*(delay * delay) - delay*speed
+    s3 = 0.5*(delay * delay)*qdd - delay*qd
     out = np.zeros((len(s), 1))
     out[:, 0] = s3
     return out
@@ -38,10 +45,10 @@ def value(s, c, constants=()):
 
 def jacobian(s, c, constants=()):
     """Return the derivatives of `value` by the coefficients, (M, 1, 1)."""
-    speed = s[:, 0]
-    acceleration = s[:, 1]
+    qd = s[:, 0]
+    qdd = s[:, 1]
     delay = c[:, 0]
-    s5 = acceleration*delay - speed
+    s5 = delay*qdd - qd
     out = np.zeros((len(s), 1))
     out[:, 0] = s5
     return out.reshape(len(s), 1, 1)

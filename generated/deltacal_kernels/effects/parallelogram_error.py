@@ -1,7 +1,7 @@
 """Rods, spacings or axes of a parallelogram differ.
 
 Generated from derive/effects/parallelogram_error.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 4ee4d7ddc831f055; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 7092086f9280f9e6; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
 coefficients c (M or 1, 6); constants, one number each. Units mm, rad, N, s, K.
@@ -13,6 +13,8 @@ NAME = "parallelogram_error"
 TITLE = "rods, spacings or axes of a parallelogram differ"
 ADVICE = "Geometry, not physics: identify with the full model, which takes these errors into the commands."
 PER_LIMB = True
+ACTS_ON = "limb"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ()
 TARGETS = ("limb.rod_difference", "limb.spacing_difference", "limb.hand_axis_u", "limb.hand_axis_v", "limb.elbow_axis_u", "limb.elbow_axis_v", )
 # (name, unit in files, factor to the unit inside, meaning)
@@ -24,10 +26,15 @@ COEFFICIENTS = (
     ("alpha2", "deg", 0.017453292519943295, "elbow axis turned about the arm"),
     ("beta2", "deg", 0.017453292519943295, "elbow axis turned about the normal of the arm"),
 )
+# range of each, in files
+BELIEVABLE = ((-5.0, 5.0), (-5.0, 5.0), (-5.0, 5.0), (-5.0, 5.0), (-5.0, 5.0), (-5.0, 5.0), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ()
 CONSTANTS = (
 )
+# how it is searched, and the constant that is; what constants are after the recording
+SEARCHED = {}
+AFTERWARDS = {}
 
 
 def value(s, c, constants=()):

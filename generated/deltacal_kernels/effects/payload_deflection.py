@@ -1,7 +1,7 @@
 """Joint twists under the payload.
 
 Generated from derive/effects/payload_deflection.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both dbe90f340f1e2df9; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 7bb95a1cab6eaa26; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): payload_torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -13,16 +13,23 @@ NAME = "payload_deflection"
 TITLE = "joint twists under the payload"
 ADVICE = "Check the gearbox and its fixing for softness. The deflection repeats with the payload, so that commands by it undo it."
 PER_LIMB = True
+ACTS_ON = "limb"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("payload_torque", )
 TARGETS = ("joint", )
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("compliance", "deg/Nm", 1.7453292519943296e-05, "twist per torque of the payload"),
 )
+# range of each, in files
+BELIEVABLE = ((0.0, 1.0), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ("compliance", )
 CONSTANTS = (
 )
+# how it is searched, and the constant that is; what constants are after the recording
+SEARCHED = {}
+AFTERWARDS = {}
 
 
 def value(s, c, constants=()):

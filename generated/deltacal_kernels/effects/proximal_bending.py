@@ -1,7 +1,7 @@
 """Arm bends under the rods' pull.
 
 Generated from derive/effects/proximal_bending.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both a87b68b90da3cfea; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both d7c1d13b70ed0a57; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): pull_v pull_w;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -13,16 +13,23 @@ NAME = "proximal_bending"
 TITLE = "arm bends under the rods' pull"
 ADVICE = "Check the arm and its clamping for cracks and loose screws. The bending repeats with the load, so that commands by the payload undo it."
 PER_LIMB = True
+ACTS_ON = "limb"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("pull_v", "pull_w", )
 TARGETS = ("limb.tip_v", "limb.tip_w", )
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("compliance", "mm/N", 1.0, "deflection of the tip per force"),
 )
+# range of each, in files
+BELIEVABLE = ((0.0, 1.0), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ()
 CONSTANTS = (
 )
+# how it is searched, and the constant that is; what constants are after the recording
+SEARCHED = {}
+AFTERWARDS = {}
 
 
 def value(s, c, constants=()):

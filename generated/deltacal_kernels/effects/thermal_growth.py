@@ -1,7 +1,7 @@
 """Links and base grow with temperature.
 
 Generated from derive/effects/thermal_growth.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 8a187bf47e5652f7; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 14ca6c2a587e7452; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 4): warming L l b;
 coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.
@@ -13,6 +13,8 @@ NAME = "thermal_growth"
 TITLE = "links and base grow with temperature"
 ADVICE = "Measure and work at one temperature, or command by the temperature of the links."
 PER_LIMB = False
+ACTS_ON = "limb"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("warming", "L", "l", "b", )
 TARGETS = ("limb.arm", "limb.rod", "limb.outwards", )
 # (name, unit in files, factor to the unit inside, meaning)
@@ -21,10 +23,15 @@ COEFFICIENTS = (
     ("expansion_distal", "1/K", 1.0, "expansion of the rods"),
     ("expansion_base", "1/K", 1.0, "expansion of the base"),
 )
+# range of each, in files
+BELIEVABLE = ((-1e-05, 0.0001), (-1e-05, 0.0001), (-1e-05, 0.0001), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ()
 CONSTANTS = (
 )
+# how it is searched, and the constant that is; what constants are after the recording
+SEARCHED = {}
+AFTERWARDS = {}
 
 
 def value(s, c, constants=()):

@@ -1,7 +1,7 @@
 """Joint zero moves with temperature.
 
 Generated from derive/effects/thermal_zero.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 91fe57cbd59835b2; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 80a47d560f4991bb; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): warming;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -13,16 +13,23 @@ NAME = "thermal_zero"
 TITLE = "joint zero moves with temperature"
 ADVICE = "Look for what moves the encoder or its coupling with heat. Until then command by the temperature, or home again when it has changed."
 PER_LIMB = True
+ACTS_ON = "limb"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("warming", )
 TARGETS = ("joint", )
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("drift", "deg/K", 0.017453292519943295, "drift of the zero"),
 )
+# range of each, in files
+BELIEVABLE = ((-1.0, 1.0), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ("drift", )
 CONSTANTS = (
 )
+# how it is searched, and the constant that is; what constants are after the recording
+SEARCHED = {}
+AFTERWARDS = {}
 
 
 def value(s, c, constants=()):

@@ -1,7 +1,7 @@
 """The towers lean.
 
 Generated from derive/effects/tower_lean.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 262aab9d5dab9169; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both a9db75247270ad59; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
@@ -13,6 +13,8 @@ NAME = "tower_lean"
 TITLE = "the towers lean"
 ADVICE = "Geometry, not physics: set the towers upright with a square, or identify with linear_delta/21."
 PER_LIMB = True
+ACTS_ON = "limb"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ()
 TARGETS = ("limb.lean_radial", "limb.lean_tangential", )
 # (name, unit in files, factor to the unit inside, meaning)
@@ -20,10 +22,15 @@ COEFFICIENTS = (
     ("radial", "deg", 0.017453292519943295, "lean outwards"),
     ("tangential", "deg", 0.017453292519943295, "lean counter-clockwise"),
 )
+# range of each, in files
+BELIEVABLE = ((-5.0, 5.0), (-5.0, 5.0), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ()
 CONSTANTS = (
 )
+# how it is searched, and the constant that is; what constants are after the recording
+SEARCHED = {}
+AFTERWARDS = {}
 
 
 def value(s, c, constants=()):

@@ -1,7 +1,7 @@
 """Periodic error of the transmission.
 
 Generated from derive/effects/transmission_eccentricity.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 58d8cf7f828ca6b4; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 9751e84f6fb65432; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): turn;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
@@ -13,6 +13,8 @@ NAME = "transmission_eccentricity"
 TITLE = "periodic error of the transmission"
 ADVICE = "Check the gear or encoder disc that turns so often for eccentricity. The error repeats exactly, so that the corrected commands undo it."
 PER_LIMB = True
+ACTS_ON = "limb"
+PERIODIC = True  # a wave of the joint's turn, cosine and sine
 STATE = ("turn", )
 TARGETS = ("joint", )
 # (name, unit in files, factor to the unit inside, meaning)
@@ -20,11 +22,16 @@ COEFFICIENTS = (
     ("cos", "deg", 0.017453292519943295, "amplitude of the cosine"),
     ("sin", "deg", 0.017453292519943295, "amplitude of the sine"),
 )
+# range of each, in files
+BELIEVABLE = ((-5.0, 5.0), (-5.0, 5.0), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ("cos", "sin", )
 CONSTANTS = (
     ("order", "1", 1.0, "periods per turn of the joint"),
 )
+# how it is searched, and the constant that is; what constants are after the recording
+SEARCHED = {"orders": "order", }
+AFTERWARDS = {}
 
 
 def value(s, c, constants=()):

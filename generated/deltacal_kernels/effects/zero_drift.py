@@ -1,7 +1,7 @@
 """Joint zero moves with time.
 
 Generated from derive/effects/zero_drift.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 3cda50dd51260e67; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both b8ca7a77d30129df; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): time;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -13,16 +13,23 @@ NAME = "zero_drift"
 TITLE = "joint zero moves with time"
 ADVICE = "Look for a slipping coupling or an encoder that drifts. Home the joint often until it is found: a drift cannot be foretold."
 PER_LIMB = True
+ACTS_ON = "limb"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("time", )
 TARGETS = ("joint", )
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("rate", "deg/h", 0.017453292519943295, "drift of the zero per hour"),
 )
+# range of each, in files
+BELIEVABLE = ((-10.0, 10.0), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ("rate", )
 CONSTANTS = (
 )
+# how it is searched, and the constant that is; what constants are after the recording
+SEARCHED = {}
+AFTERWARDS = {}
 
 
 def value(s, c, constants=()):

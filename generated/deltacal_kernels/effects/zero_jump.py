@@ -1,7 +1,7 @@
 """Joint zero jumps once.
 
 Generated from derive/effects/zero_jump.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both c80aa32e6d5cfb1b; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both a7806622b18c2533; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): after;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -13,17 +13,24 @@ NAME = "zero_jump"
 TITLE = "joint zero jumps once"
 ADVICE = "Look for a coupling that slipped or a collision at that time, tighten it, and home the joint. What was taught before is off by the jump."
 PER_LIMB = True
+ACTS_ON = "limb"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("after", )
 TARGETS = ("joint", )
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("size", "deg", 0.017453292519943295, "size of the jump"),
 )
+# range of each, in files
+BELIEVABLE = ((-30.0, 30.0), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ("size", )
 CONSTANTS = (
     ("when", "s", 1.0, "time of the jump; the row, where there is no time"),
 )
+# how it is searched, and the constant that is; what constants are after the recording
+SEARCHED = {"moments": "when", }
+AFTERWARDS = {"when": float("-inf"), }
 
 
 def value(s, c, constants=()):

@@ -1,0 +1,1 @@
+"""What may be said: the words in which machines, effects and measurements are declared."""

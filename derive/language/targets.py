@@ -1,0 +1,58 @@
+"""What an effect may move: the joint, a part of its limb, the base, the measured point, or the reading.
+
+A mechanism says in ``moves`` which of its own errors a part is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+PARTS = {
+    "offset": "zero of the joint",
+    "arm": "length of the arm",
+    "rod": "length of the rods, mean of the pair",
+    "rod_difference": "length of the rods, rod 1 minus rod 2",
+    "outwards": "joint centre along the limb's direction, away from the base's centre",
+    "tip_v": "arm's tip normal to the arm, in its plane",
+    "tip_w": "arm's tip normal to the arm, along the joint's axis",
+    "spacing_difference": "spacing of the rods, at the elbow minus at the platform",
+    "hand_axis_u": "axis of the platform's joints about the limb's direction, the elbow's less the platform's",
+    "hand_axis_v": "the same about the normal of the base",
+    "elbow_axis_u": "axis of the elbow's joints about the arm",
+    "elbow_axis_v": "axis of the elbow's joints about the normal of the arm",
+    "pair_difference": "rod 1 minus rod 2, where the platform tilts by it",
+    "lean_radial": "axis of a sliding joint, outwards",
+    "lean_tangential": "axis of a sliding joint, counter-clockwise",
+}
+AXES = ("x", "y", "z")
+ON = {  # what an effect acts on, by the first word of its targets, and what may follow that word
+    "joint": ("limb", ("",)),
+    "limb": ("limb", tuple(PARTS)),
+    "turn": ("base", AXES),
+    "tool": ("point", AXES),
+    "reading": ("reading", AXES),
+    "length": ("reading", ("",)),
+    "height": ("reading", ("",)),
+}
+
+
+def acts_on(targets: Iterable[str]) -> str:
+    """Return what targets belong to: ``limb, base, point`` or ``reading``.
+
+    Raises
+    ------
+    ValueError
+        There is no such target, there is none at all, or they belong to different things.
+    """
+    found: dict[str, str] = {}
+    for target in targets:
+        word, _, part = target.partition(".")
+        on, parts = ON.get(word, ("", ()))
+        if part not in parts:
+            known = ", ".join(f"{w}.{p}" if p else w for w, (_, ps) in ON.items() for p in ps)
+            raise ValueError(f"nothing is called '{target}'; an effect moves {known}.")
+        found[on] = target
+    if len(found) != 1:
+        one = " and ".join(found.values()) or "nothing"
+        raise ValueError(f"it moves {one}; what moves a limb, the base, a point and the reading are different effects.")
+    return next(iter(found))
