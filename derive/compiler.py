@@ -49,10 +49,8 @@ TEMPLATES = ROOT / "templates"
 GENERATED = ROOT / "generated" / "deltacal_kernels"
 COMMAND = "deltacal kernels"
 SIZES = Path("sizes.csv")
-COMMON = (  # what is one for all specs
-    "__init__.py", "compiled.py", "direct.py", "elementary.py", "poses.py", "straight.py",
-    "effects/__init__.py", "effects/states.py", "measurements/__init__.py",
-)  # fmt: skip
+SUPPORT = ROOT / "derive" / "support"  # plain Python, copied as it stands
+COMMON = ("__init__.py", "poses.py", "effects/__init__.py", "effects/states.py", "measurements/__init__.py")
 
 Spec = LimbMechanism | ChainMechanism | Effect | Measurement
 Kernels = Mapping[str, Kernel]
@@ -119,7 +117,7 @@ class Derived:
 def derive_one(spec: Spec) -> Derived:
     """Derive the functions of a spec."""
     if isinstance(spec, Effect):
-        return Derived(spec, {"effect": [effect(spec)]})
+        return Derived(spec, {"effect": effect(spec)})
     if isinstance(spec, Measurement):
         return Derived(spec, {"measurement": [measurement(spec)]})
     if isinstance(spec, ChainMechanism):
@@ -203,7 +201,8 @@ def write_one(lowered: Lowered) -> dict[Path, str]:
 def _effect(spec: Effect, kernels: Kernels) -> dict[Path, str]:
     """Return an effect in NumPy and, where a controller knows all that it reads, in C."""
     read = spec.states
-    endings = ["py", "c"] if set(spec.targets) == {"joint"} and all(s.c99 for s in read) else ["py"]
+    before = all(s.c99 for s in read) and not spec.memory
+    endings = ["py", "c"] if set(spec.targets) == {"joint"} and before else ["py"]
     return {
         Path("effects") / f"{spec.name}.{ending}": _file(
             f"effect.{ending}", spec, effect=spec, states=read, kernels=kernels
@@ -242,7 +241,11 @@ def _common(every: Mapping[str, Sequence[str]]) -> dict[Path, str]:
     """Return the files that belong to no spec alone; `every` holds the names of mechanisms and effects."""
     words = {"states": STATES.values(), "covariate": COVARIATE}
     context = {**every, **words, "kernels": _lowered(rotations()), "command": COMMAND}
-    return {Path(name): _environment().get_template(f"{name}.jinja").render(context) for name in COMMON}
+    texts = {Path(name): _environment().get_template(f"{name}.jinja").render(context) for name in COMMON}
+    for path in sorted(SUPPORT.glob("[!_]*.py")):
+        head = f'# Copied from {path.relative_to(ROOT).as_posix()} by "{COMMAND}". Do not edit.\n\n'
+        texts[Path(path.name)] = head + path.read_text(encoding="utf-8")
+    return texts
 
 
 def _file(name: str, spec: Spec, **context: Any) -> str:

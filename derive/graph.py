@@ -12,6 +12,8 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
 
+from derive.mathematics.derivative import derivative
+
 Steps = Sequence[tuple[sp.Symbol, sp.Expr]]
 
 
@@ -81,14 +83,20 @@ class Graph:
             return expr.func(*args)
         if isinstance(expr, sp.Pow):
             return sp.Pow(self.add(expr.base), expr.exp)
-        return expr.func(*(self.add(arg) for arg in expr.args))
+        return expr.func(*map(self._argument, expr.args))
+
+    def _argument(self, expr: sp.Basic) -> sp.Basic:
+        """Return an argument of a function in terms of nodes; a condition, which is no number, is none itself."""
+        if isinstance(expr, sp.Expr):
+            return self.add(expr)
+        return expr.func(*map(self._argument, expr.args)) if expr.args else expr
 
     def _partial(self, symbol: sp.Symbol) -> list[tuple[sp.Symbol, sp.Expr]]:
         """Return the derivatives of a node by each of its own arguments."""
         if symbol not in self._partials:
             expr = self.nodes[symbol]
             arguments = sorted(expr.free_symbols, key=str)
-            self._partials[symbol] = [(arg, self.add(sp.diff(expr, arg))) for arg in arguments]
+            self._partials[symbol] = [(arg, self.add(derivative(expr, arg))) for arg in arguments]
         return self._partials[symbol]
 
     def gradient(self, output: sp.Expr) -> dict[sp.Symbol, sp.Expr]:

@@ -13,6 +13,8 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from derive.graph import Steps, expand_steps
+from derive.language import vocabulary
+from derive.language.memory import Memory, with_lags
 from derive.language.states import STATES, State, read_by
 from derive.language.targets import acts_on
 
@@ -431,6 +433,14 @@ class Effect:
         Displacements computed by hand.
     searched : tuple of Orders, Moments or Points
         What is searched, not fitted; at most one of each.
+    memory : tuple of Memory
+        States that follow from what happened before. A `Lag` in the targets becomes one.
+
+    Raises
+    ------
+    ValueError
+        A formula holds what some target could not write (``derive.language.vocabulary``), reads what is no state, or
+        does not vanish with the coefficients; something is missing or said twice.
     """
 
     name: str
@@ -442,8 +452,12 @@ class Effect:
     targets: Mapping[str, sp.Expr]
     tests: tuple[Reference, ...]
     searched: tuple[Orders | Moments | Points, ...] = ()
+    memory: tuple[Memory, ...] = ()
 
     def __post_init__(self) -> None:
+        targets, memory = with_lags(self.targets, self.memory)
+        object.__setattr__(self, "targets", targets)
+        object.__setattr__(self, "memory", memory)
         try:
             self._check()
         except ValueError as error:
@@ -467,7 +481,8 @@ class Effect:
     @property
     def states(self) -> list[State]:
         """What is read, in the order of the derived functions' input."""
-        return read_by(self.targets.values(), [q.symbol for q in (*self.coefficients, *self.constants)])
+        own = [q.symbol for q in (*self.coefficients, *self.constants)] + [m.symbol for m in self.memory]
+        return read_by([*self.targets.values(), *(e for m in self.memory for e in (m.rate, m.start))], own)
 
     @property
     def periodic(self) -> bool:
@@ -478,12 +493,26 @@ class Effect:
         angle, (cos, sin) = orders[0] * STATES["turn"].symbol, (c.symbol for c in self.coefficients)
         return dict(self.targets) == {"joint": cos * sp.cos(angle) + sin * sp.sin(angle)}
 
+    def _check_memory(self) -> None:
+        """Refuse rates and starts that cannot be meant."""
+        own, varied = {m.symbol for m in self.memory}, {c.symbol for c in self.coefficients}
+        for m in self.memory:
+            vocabulary.check(f"memory {m.name}", m.rate)
+            vocabulary.check(f"start of {m.name}", m.start)
+            if m.rate.free_symbols & own - {m.symbol}:
+                raise ValueError(f"the rate of {m.name} reads another memory.")
+            if m.start.free_symbols & (own | varied):
+                raise ValueError(f"{m.name} starts from states and constants only.")
+
     def _check(self) -> None:
         """Refuse what cannot be meant."""
         if not self.advice.endswith("."):
             raise ValueError(
                 "say in `advice`, in whole sentences, what someone who maintains the machine does about it."
             )
+        for target, e in self.targets.items():
+            vocabulary.check(target, e)
+        self._check_memory()
         states, named = self.states, [q.symbol for q in (*self.coefficients, *self.constants)]
         if twice := {str(s) for s in named if named.count(s) > 1}:
             raise ValueError(f"{', '.join(sorted(twice))} is declared twice.")

@@ -37,7 +37,7 @@ from deltacal_gen import PoseSet, estimate, nominal
 data = np.load(sys.argv[1])
 found = estimate(nominal("delta", json.loads(sys.argv[2])), "32", data["joints"], data["measured"], tool=data["tool"],
                  as_distance=True)
-slow = sorted({"numpy.ma", "deltacal_kernels.compiled"} & sys.modules.keys())
+slow = sorted({"numpy.ma", "deltacal_kernels.cache"} & sys.modules.keys())
 packages = {name.partition(".")[0] for name in sys.modules.keys() - before}
 packages = sorted(packages - sys.stdlib_module_names)
 print(json.dumps({"packages": packages, "slow": slow, "parameters": found.parameters}))

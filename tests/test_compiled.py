@@ -14,7 +14,7 @@ from pathlib import Path
 import deltacal_kernels
 import numpy as np
 import pytest
-from deltacal_kernels import compiled
+from deltacal_kernels import cache
 
 from deltacal_gen import commands
 from tests.conftest import Run
@@ -86,21 +86,21 @@ def test_processes_that_compile_at_once_and_kernels_that_change(package: Path) -
 @pytest.fixture
 def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
-    compiled.folder.cache_clear()
+    cache.folder.cache_clear()
     yield tmp_path
-    compiled.folder.cache_clear()
+    cache.folder.cache_clear()
 
 
 def test_a_package_that_cannot_be_written_is_kept_in_the_cache_of_the_user(
     elsewhere: Path, package: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    assert compiled.folder(package / KERNEL).parent == elsewhere / "deltacal_kernels"
-    compiled.folder.cache_clear()
+    assert cache.folder(package / KERNEL).parent == elsewhere / "deltacal_kernels"
+    cache.folder.cache_clear()
     monkeypatch.delenv("NUMBA_CACHE_DIR")
     (package / KERNEL / "__pycache__").write_text("no folder, for root neither")
     monkeypatch.setattr(sys, "platform", "linux")
     monkeypatch.setenv("XDG_CACHE_HOME", str(elsewhere / "home"))
-    assert compiled.folder(package / KERNEL).parent == elsewhere / "home" / "deltacal_kernels"
+    assert cache.folder(package / KERNEL).parent == elsewhere / "home" / "deltacal_kernels"
 
 
 def ratio(a: float, b: float) -> float:
@@ -109,7 +109,7 @@ def ratio(a: float, b: float) -> float:
 
 def test_options_of_a_function_are_part_of_its_name(elsewhere: Path) -> None:
     """Numba's own cache would give the second one the code of the first."""
-    ieee, python = compiled.kernel(error_model="numpy"), compiled.kernel(error_model="python")
+    ieee, python = cache.kernel(error_model="numpy"), cache.kernel(error_model="python")
     assert ieee(ratio)(1.0, 0.0) == np.inf
     with pytest.raises(ZeroDivisionError):
         python(ratio)(1.0, 0.0)
@@ -117,8 +117,8 @@ def test_options_of_a_function_are_part_of_its_name(elsewhere: Path) -> None:
     for file in elsewhere.rglob("*.nbc"):
         file.write_bytes(file.read_bytes()[:100])
     assert ieee(ratio)(1.0, 0.0) == np.inf  # compiled anew
-    assert compiled.found(Path(__file__).parent, "test_compiled.ratio")
-    assert not compiled.found(Path(__file__).parent, "test_compiled.product")
+    assert cache.found(Path(__file__).parent, "test_compiled.ratio")
+    assert not cache.found(Path(__file__).parent, "test_compiled.product")
 
 
 def test_kernels_are_compiled_ahead(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -129,5 +129,5 @@ def test_kernels_are_compiled_ahead(run: Run, monkeypatch: pytest.MonkeyPatch) -
     assert Path(cache_from_source(str(commands.__file__))).exists()
     assert {f"{KERNEL}.{name}" for name in ("forward", "inverse", "sensitivity")} <= {name for *_, name in told}
     assert all(unit == "s" and float(seconds) >= 0 for seconds, unit, _ in told)
-    assert compiled.found(compiled.PACKAGE / KERNEL, "kinematics._forward")
-    assert compiled.found(compiled.PACKAGE / KERNEL, "servo.exact_command")
+    assert cache.found(cache.PACKAGE / KERNEL, "kinematics._forward")
+    assert cache.found(cache.PACKAGE / KERNEL, "servo.exact_command")

@@ -55,8 +55,43 @@ def test_arcsine_and_tangent() -> None:
     assert (np.abs(over(elementary.tangent, 1.5 * x) - t) <= 1e-14 * np.maximum(np.abs(t), 1e-2)).all()
 
 
+def test_exponential_to_the_ends_of_the_numbers() -> None:
+    x = np.concatenate([np.linspace(-40, 40, 20_001), np.linspace(-745, 709.7, 5001), [0.0, 1e-300, -1e-17]])
+    exact = np.exp(x)
+    error = np.abs(over(elementary.exponential, x) - exact)
+    assert (error <= np.maximum(2 * ULP * exact, 5e-324)).all()
+    ends = over(elementary.exponential, np.array([710.0, np.inf, -760.0, -np.inf]))
+    assert ends.tolist() == [np.inf, np.inf, 0.0, 0.0]
+
+
+def test_logarithm_of_all_sizes() -> None:
+    rng = np.random.default_rng(2)
+    x = np.concatenate(
+        [10 ** rng.uniform(-320, 308, 20_000), 1 + rng.uniform(-0.5, 1, 20_000), 2.0 ** np.arange(-1074, 1024)]
+    )
+    exact = np.log(x)
+    assert (np.abs(over(elementary.logarithm, x) - exact) <= 2 * ULP * np.abs(exact)).all()
+    ends = over(elementary.logarithm, np.array([0.0, 1.0, np.inf, -1.0, -np.inf]))
+    np.testing.assert_array_equal(ends, [-np.inf, 0.0, np.inf, np.nan, np.nan])
+
+
+def test_hyperbolic_tangent() -> None:
+    x = np.concatenate([np.linspace(-25, 25, 20_001), np.linspace(-0.7, 0.7, 20_001), [1e-300, 800.0, -np.inf]])
+    exact = np.tanh(x)
+    assert (np.abs(over(elementary.hyperbolic_tangent, x) - exact) <= 2 * ULP * np.abs(exact)).all()
+
+
+def test_the_larger_and_the_smaller() -> None:
+    a, b = np.array([1.0, 3.0, 2.0, np.nan, 1.0, -np.inf]), np.array([2.0, 1.0, 2.0, 1.0, np.nan, 4.0])
+    np.testing.assert_array_equal(over(elementary.larger, a, b), np.maximum(a, b))
+    np.testing.assert_array_equal(over(elementary.smaller, a, b), np.minimum(a, b))
+
+
 def test_what_is_no_number_goes_through() -> None:
     nan = np.array([np.nan])
+    assert np.isnan(over(elementary.exponential, nan)).all()
+    assert np.isnan(over(elementary.logarithm, nan)).all()
+    assert np.isnan(over(elementary.hyperbolic_tangent, nan)).all()
     assert np.isnan(over(elementary.sine, nan)).all()
     assert np.isnan(over(elementary.arctangent, nan, np.ones(1))).all()
     assert np.isnan(over(elementary.arcsine, np.array([1.1]))).all()

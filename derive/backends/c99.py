@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy as sp
 from sympy.printing.c import C99CodePrinter
+from sympy.printing.precedence import PRECEDENCE
 
 from derive.backends.ir import Kernel
 from derive.backends.text import PRODUCTS, Lines, Names, arrays, written
@@ -38,6 +39,21 @@ class C(C99CodePrinter):
         if expr.exp == -2:
             return f"(1.0 / ({base} * {base}))"
         return str(super()._print_Pow(expr))
+
+    def _print_Abs(self, expr: sp.Abs) -> str:
+        return f"fabs({self._print(expr.args[0])})"  # of whole numbers too, which are doubles
+
+    def _print_Mod(self, expr: sp.Mod) -> str:
+        value, by = (self.parenthesize(arg, PRECEDENCE["Pow"]) for arg in expr.args)
+        return f"({value} - {by}*floor({value}/{by}))"
+
+    def _print_sign(self, expr: sp.sign) -> str:
+        value = self._print(expr.args[0])
+        return f"(({value} > 0) ? 1.0 : (({value} < 0) ? -1.0 : 0.0))"
+
+    def _print_Heaviside(self, expr: sp.Heaviside) -> str:
+        value, at_zero = map(self._print, expr.args)
+        return f"(({value} > 0) ? 1.0 : (({value} < 0) ? 0.0 : {at_zero}))"
 
 
 PRINTER = C()

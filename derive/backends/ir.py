@@ -88,6 +88,11 @@ class Kernel:
         """Arithmetic operations."""
         return int(sum(sp.count_ops(e) for e in self.expressions))
 
+    @property
+    def chooses(self) -> bool:
+        """Whether it computes branches that are not taken."""
+        return any(e.has(sp.Piecewise) for e in self.expressions)
+
     def reads(self, array: str) -> list[int | None]:
         """Return which entries of an array, or ``[None]`` of a number by itself, are loaded."""
         return [load.place.index for load in self.loads if load.place.array == array]

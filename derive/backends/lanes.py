@@ -7,10 +7,11 @@ from functools import partial
 from typing import ClassVar
 
 import sympy as sp
+from sympy.printing.precedence import PRECEDENCE
 
 from derive.backends.ir import Kernel, Place
 from derive.backends.scalar import Python
-from derive.backends.text import Layout, Lines, Names, arrays, loaded, written
+from derive.backends.text import PRODUCTS, Layout, Lines, Names, arrays, loaded, written
 
 
 class Lanes(Python):
@@ -20,9 +21,26 @@ class Lanes(Python):
         "asin": "arcsine",
         "atan2": "arctangent",
         "cos": "cosine",
+        "exp": "exponential",
+        "log": "logarithm",
         "sin": "sine",
         "tan": "tangent",
+        "tanh": "hyperbolic_tangent",
     }
+    floor: ClassVar = "np.floor"
+    larger: ClassVar = "larger"
+    smaller: ClassVar = "smaller"
+
+    def _print_Pow(self, expr: sp.Pow, rational: bool = False) -> str:
+        """Return a power by products and roots; what neither gives goes through the logarithm."""
+        twice, base = 2 * expr.exp, self.parenthesize(expr.base, PRECEDENCE["Pow"])
+        if abs(expr.exp) in (1, *PRODUCTS, sp.Rational(1, 2)) and expr.exp not in (-3, -4):
+            return str(super()._print_Pow(expr, rational))
+        if not twice.is_Integer:
+            return f"exponential({self._print(expr.exp)} * logarithm({self._print(expr.base)}))"
+        whole, half = divmod(abs(int(twice)), 2)
+        product = " * ".join([base] * whole + [f"{self.root}({self._print(expr.base)})"] * half)
+        return f"({product})" if expr.exp > 0 else f"(1.0 / ({product}))"
 
 
 PRINTER = Lanes()

@@ -24,16 +24,32 @@ class NumPy(Python):
         "cos": "np.cos",
         "exp": "np.exp",
         "log": "np.log",
+        "sign": "np.sign",
         "sin": "np.sin",
         "tan": "np.tan",
+        "tanh": "np.tanh",
     }
     root: ClassVar = "np.sqrt"
+    floor: ClassVar = "np.floor"
+    larger: ClassVar = "np.maximum"
+    smaller: ClassVar = "np.minimum"
 
     def _print_Pi(self, expr: sp.Expr) -> str:
         return "np.pi"
 
     def _print_Abs(self, expr: sp.Abs) -> str:
         return f"np.abs({self._print(expr.args[0])})"
+
+    def _print_sign(self, expr: sp.sign) -> str:
+        return f"np.sign({self._print(expr.args[0])})"
+
+    def _print_Heaviside(self, expr: sp.Heaviside) -> str:
+        return f"np.heaviside({', '.join(map(self._print, expr.args))})"
+
+    def _chosen(self, cases: Sequence[tuple[str, str]], last: str) -> str:
+        for condition, value in reversed(cases):
+            last = f"np.where({condition}, {value}, {last})"
+        return last
 
 
 PRINTER = NumPy()

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from functools import reduce
 from typing import Any, ClassVar
 
 import sympy as sp
+from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.pycode import PythonCodePrinter
 
 from derive.backends.ir import Kernel
@@ -19,11 +21,15 @@ class Python(PythonCodePrinter):
     ----------
     functions : mapping
         Name of SymPy's class to what the text calls the function.
-    root : str
+    root, floor, larger, smaller : str
+        What the text calls the square root, the next integer below, the larger and the smaller of two numbers.
     """
 
     functions: ClassVar[Mapping[str, str]] = {}
     root: ClassVar[str] = "math.sqrt"
+    floor: ClassVar[str] = "math.floor"
+    larger: ClassVar[str] = "max"
+    smaller: ClassVar[str] = "min"
 
     def __init__(self, **settings: Any) -> None:
         super().__init__({"fully_qualified_modules": True, **settings})
@@ -63,6 +69,46 @@ class Python(PythonCodePrinter):
         if expr.exp == -2:
             return f"(1.0 / ({base} * {base}))"
         return str(self._hprint_Pow(expr, rational=rational, sqrt=self.root))
+
+    def _print_floor(self, expr: sp.floor) -> str:
+        return f"{self.floor}({self._print(expr.args[0])})"
+
+    def _print_Mod(self, expr: sp.Mod) -> str:
+        value, by = (self.parenthesize(arg, PRECEDENCE["Pow"]) for arg in expr.args)
+        return f"({value} - {by} * {self.floor}({value} / {by}))"
+
+    def _print_Max(self, expr: sp.Max) -> str:
+        return reduce(lambda first, second: f"{self.larger}({first}, {second})", map(self._print, expr.args))
+
+    def _print_Min(self, expr: sp.Min) -> str:
+        return reduce(lambda first, second: f"{self.smaller}({first}, {second})", map(self._print, expr.args))
+
+    def _print_sign(self, expr: sp.sign) -> str:
+        value = self.parenthesize(expr.args[0], PRECEDENCE["Pow"])
+        return self._chosen([(f"({value} > 0)", "1.0"), (f"({value} < 0)", "-1.0")], f"(0.0 * {value})")
+
+    def _print_Heaviside(self, expr: sp.Heaviside) -> str:
+        value, at_zero = map(self._print, expr.args)
+        return self._chosen([(f"({value} > 0)", "1.0"), (f"({value} < 0)", "0.0")], f"({at_zero} + {value})")
+
+    def _print_Piecewise(self, expr: sp.Piecewise) -> str:
+        *cases, (last, _) = expr.args
+        return self._chosen([(self._print(c), self._print(e)) for e, c in cases], self._print(last))
+
+    def _chosen(self, cases: Sequence[tuple[str, str]], last: str) -> str:
+        """Return the text of the first value whose condition holds, of (condition, value), or the last one."""
+        for condition, value in reversed(cases):
+            last = f"({value} if {condition} else {last})"
+        return last
+
+    def _print_And(self, expr: sp.And) -> str:
+        return self._joined(expr, "&")
+
+    def _print_Or(self, expr: sp.Or) -> str:
+        return self._joined(expr, "|")
+
+    def _joined(self, expr: sp.And | sp.Or, by: str) -> str:
+        return "(" + f" {by} ".join(map(self._print, sorted(expr.args, key=sp.default_sort_key))) + ")"
 
 
 PRINTER = Python()

@@ -9,7 +9,7 @@ angle t about n. Lengths in mm.
 
 import numpy as np
 
-from deltacal_kernels.compiled import kernel
+from deltacal_kernels.cache import kernel
 
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 

@@ -1,27 +1,37 @@
-"""Kernels straight from their text to LLVM: loops over lanes, without branches, of numbers only.
+# Copied from derive/support/straight.py by "deltacal kernels". Do not edit.
 
-Written by "deltacal kernels". Do not edit.
+"""Kernels straight from their text to LLVM: loops over lanes, without branches, of numbers only.
 
 Numba infers the type of every operation and writes it down as a dozen instructions, which LLVM takes away again:
 milliseconds for each of the thousands of operations of a machine. A kernel needs none of it. Its text is a few kinds
 of statement about float64 and int64: assignments, ``for .. in range(..)``, ``+=`` and a ``return`` of one number;
-arithmetic, comparisons, ``a if b else c``, numbers of one-dimensional arrays, sqrt, abs, min, max, and calls of
-functions that are written likewise, which are put in their place; and `odd` and `flipped`. What is decorated with `straight` is translated when
-a function that Numba compiles calls it, once for each of those; anything else in its text is an error.
+arithmetic, comparisons, ``a if b else c``, numbers of one-dimensional arrays, sqrt, floor, abs, min, max, calls of
+functions that are written likewise, which are put in their place, and the `PRIMITIVES`. What is decorated with
+`straight` is translated when a function that Numba compiles calls it, once for each of those; anything else in its text
+is an error.
+
+Where the environment has ``DELTACAL_PLAIN_JIT=1``, `straight` is Numba's own ``njit``: the same kernels, compiled by
+somebody else.
 """
+
+from __future__ import annotations
 
 import ast
 import inspect
 import math
 import operator
+import os
+from collections.abc import Callable, Sequence
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 from llvmlite import ir
-from numba import types
+from numba import njit, types
 from numba.core import cgutils, errors
 from numba.extending import intrinsic
 
+PLAIN = os.environ.get("DELTACAL_PLAIN_JIT") == "1"
 DOUBLE, INTEGER, TRUTH = ir.DoubleType(), ir.IntType(64), ir.IntType(1)
 CONTRACT = ("contract",)  # a product and a sum may become one operation
 ARITHMETIC = {
@@ -31,67 +41,113 @@ ARITHMETIC = {
     ast.Div: ("div", operator.truediv),
 }
 SIGN = INTEGER(-(2**63))  # the bit of the sign
+FRACTION = 52  # bits of a number behind its exponent
 LOGIC = {ast.BitAnd: "and_", ast.BitOr: "or_"}
 ORDER = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!="}
 
 
-def _odd(builder, counted):
+def _odd(builder: Any, counted: Any) -> Any:
     last = builder.and_(builder.bitcast(counted, INTEGER), INTEGER(1))
     return builder.icmp_unsigned("!=", last, INTEGER(0))
 
 
-def _flipped(builder, value, counted):
+def _flipped(builder: Any, value: Any, counted: Any) -> Any:
     sign = builder.and_(builder.shl(builder.bitcast(counted, INTEGER), INTEGER(62)), SIGN)
     return builder.bitcast(builder.xor(builder.bitcast(value, INTEGER), sign), DOUBLE)
 
 
-PRIMITIVES = {"odd": _odd, "flipped": _flipped}
+def _power(builder: Any, counted: Any) -> Any:
+    exponent = builder.shl(builder.bitcast(counted, INTEGER), INTEGER(FRACTION))
+    return builder.bitcast(builder.add(exponent, builder.bitcast(DOUBLE(1.0), INTEGER)), DOUBLE)
+
+
+def _exponent(builder: Any, value: Any) -> Any:
+    biased = builder.lshr(builder.bitcast(value, INTEGER), INTEGER(FRACTION))
+    return builder.bitcast(builder.or_(biased, builder.bitcast(DOUBLE(2.0**FRACTION), INTEGER)), DOUBLE)
+
+
+def _fraction(builder: Any, value: Any) -> Any:
+    bits = builder.and_(builder.bitcast(value, INTEGER), INTEGER(2**FRACTION - 1))
+    return builder.bitcast(builder.or_(bits, builder.bitcast(DOUBLE(1.0), INTEGER)), DOUBLE)
+
+
+PRIMITIVES: dict[str, Callable[..., Any]] = {
+    "odd": _odd,
+    "flipped": _flipped,
+    "power": _power,
+    "exponent": _exponent,
+    "fraction": _fraction,
+}
 
 
 @intrinsic
-def odd(_context, counted):
+def power(_context: Any, counted: Any) -> Any:
+    """Return 2 to a whole number from -1022 to 1023, which stands in the last bits of another, 1.5 2^52 more."""
+    return types.float64(types.float64), lambda _, builder, _signature, given: _power(builder, *given)
+
+
+@intrinsic
+def exponent(_context: Any, value: Any) -> Any:
+    """Return 2^52 + 1023 + n for a number 2^n f, 1 <= f < 2, that is positive."""
+    return types.float64(types.float64), lambda _, builder, _signature, given: _exponent(builder, *given)
+
+
+@intrinsic
+def fraction(_context: Any, value: Any) -> Any:
+    """Return f for a number 2^n f, 1 <= f < 2, that is positive."""
+    return types.float64(types.float64), lambda _, builder, _signature, given: _fraction(builder, *given)
+
+
+@intrinsic
+def odd(_context: Any, counted: Any) -> Any:
     """Tell whether a number that stands in the last bits of another, 1.5 2^52 more, is odd."""
     return types.boolean(types.float64), lambda _, builder, _signature, given: _odd(builder, *given)
 
 
 @intrinsic
-def flipped(_context, value, counted):
-    """Return a value, its sign changed where half of a number that stands in the last bits of another, rounded down, is odd."""
+def flipped(_context: Any, value: Any, counted: Any) -> Any:
+    """Return a value, its sign changed where half of a number, rounded down, is odd.
+
+    The number stands in the last bits of another, 1.5 2^52 more.
+    """
     return types.float64(types.float64, types.float64), lambda _, builder, _signature, given: _flipped(builder, *given)
 
 
 @cache
-def _definitions(path):
+def _definitions(path: str) -> dict[str, ast.FunctionDef]:
     """Return the functions of a module, by name."""
     body = ast.parse(Path(path).read_text(encoding="utf-8")).body
     return {node.name: node for node in body if isinstance(node, ast.FunctionDef)}
 
 
-def _definition(function):
+def _definition(function: Callable[..., Any]) -> ast.FunctionDef:
     return _definitions(function.__code__.co_filename)[function.__name__]
 
 
-def check_layout(name, *kinds):
+def check_layout(name: str, *kinds: Any) -> None:
     """Raise Numba's error for arrays that are not C-contiguous: kernels read numbers one after the other."""
     for kind in kinds:
         if isinstance(kind, types.Array) and kind.layout != "C":
             raise errors.TypingError(f"{name}: {kind} is not C-contiguous; np.ascontiguousarray makes a copy that is.")
 
 
-def straight(function, wide=True):
-    """Return a function for the use of compiled ones; its arguments are C-contiguous arrays, which do not overlap, and integers.
+def straight(function: Callable[..., Any], wide: bool = True) -> Any:
+    """Return a function for the use of compiled ones.
 
-    `wide` is for loops over many lanes: they use the widest registers, and stay a function of their own.
+    Its arguments are C-contiguous arrays, which do not overlap, and integers. `wide` is for loops over many lanes: they
+    use the widest registers, and stay a function of their own.
     """
+    if PLAIN:
+        return njit(error_model="numpy", fastmath=set(CONTRACT))(function)
     definition = _definition(function)
     returns = isinstance(definition.body[-1], ast.Return)
 
-    def typed(_context, *arguments):
+    def typed(_context: Any, *arguments: Any) -> Any:
         check_layout(function.__name__, *arguments)
         given = (types.int64 if isinstance(kind, types.Integer) else kind for kind in arguments)
         return (types.int64 if returns else types.none)(*given), written
 
-    def written(context, builder, signature, arguments):
+    def written(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         values = [
             context.make_array(kind)(context, builder, value).data if isinstance(kind, types.Array) else value
             for kind, value in zip(signature.args, arguments, strict=True)
@@ -104,12 +160,15 @@ def straight(function, wide=True):
 
     context = inspect.Parameter("_context", inspect.Parameter.POSITIONAL_ONLY)
     own = inspect.signature(function)
-    typed.__signature__ = own.replace(parameters=[context, *own.parameters.values()])
+    signature = own.replace(parameters=[context, *own.parameters.values()])
+    typed.__signature__ = signature  # type: ignore[attr-defined]
     typed.__name__ = typed.__qualname__ = function.__name__
     return intrinsic(typed)
 
 
-def _function(module, name, function, kinds, returns, wide):
+def _function(
+    module: Any, name: str, function: Callable[..., Any], kinds: Sequence[Any], returns: bool, wide: bool
+) -> Any:
     """Return a kernel as a function of an LLVM module."""
     made = ir.Function(module, ir.FunctionType(INTEGER if returns else ir.VoidType(), kinds), name)
     made.linkage = "internal"
@@ -128,7 +187,7 @@ def _function(module, name, function, kinds, returns, wide):
     return made
 
 
-def widen(function):
+def widen(function: Any) -> None:
     """Let LLVM use the widest registers in a function of its module, and keep it a function of its own.
 
     It takes half of AVX-512 on some processors, which costs loops over lanes a third of their speed; and a loop that is
@@ -141,21 +200,21 @@ def widen(function):
 class _Writer:
     """Writes the text of one function; a name stands for a value of LLVM, a number of Python, or a tuple of them."""
 
-    def __init__(self, builder, function, arguments):
+    def __init__(self, builder: Any, function: Callable[..., Any], arguments: Sequence[Any]) -> None:
         self.builder, self.function, self.definition = builder, function, _definition(function)
         names = [a.arg for a in self.definition.args.args]
-        self.names = dict(zip(names, arguments, strict=True))
-        changing = (n for n in ast.walk(self.definition) if isinstance(n, ast.AugAssign) and isinstance(n.target, ast.Name))
-        self.changing = {node.target.id for node in changing}
+        self.names: dict[str, Any] = dict(zip(names, arguments, strict=True))
+        changed = (node.target for node in ast.walk(self.definition) if isinstance(node, ast.AugAssign))
+        self.changing = {target.id for target in changed if isinstance(target, ast.Name)}
 
-    def run(self):
+    def run(self) -> Any:
         """Return what the function returns."""
         return self._block(self.definition.body)
 
-    def _block(self, statements):
+    def _block(self, statements: Sequence[ast.stmt]) -> Any:
         for node in statements:
             match node:
-                case ast.Return(value=value):
+                case ast.Return(value=ast.expr() as value):
                     return self._of(value)
                 case ast.Expr(value=ast.Constant()):  # a docstring
                     pass
@@ -163,13 +222,13 @@ class _Writer:
                     self._assign(target, self._of(value))
                 case ast.AugAssign(target=target, op=op, value=value) if type(op) in ARITHMETIC:
                     self._assign(target, self._operation(op, self._of(target), self._of(value)))
-                case ast.For(target=ast.Name(id=name), iter=ast.Call(func=ast.Name(id="range"), args=bounds), body=body):
+                case ast.For(ast.Name(id=name), ast.Call(func=ast.Name(id="range"), args=bounds), body=body):
                     self._loop(name, [self._value(self._of(b), INTEGER) for b in bounds], body)
                 case _:
                     raise self._error(node)
         return None
 
-    def _loop(self, name, bounds, body):
+    def _loop(self, name: str, bounds: Sequence[Any], body: Sequence[ast.stmt]) -> None:
         """Write a loop; what it names ends with it, and what it changes is changed by ``+=``."""
         start, stop, *step = bounds if len(bounds) > 1 else [INTEGER(0), *bounds]
         if step:
@@ -187,7 +246,7 @@ class _Writer:
                     raise self._error(node)
         self.names = outside
 
-    def _assign(self, target, value):
+    def _assign(self, target: ast.expr, value: Any) -> None:
         match target:
             case ast.Tuple(elts=parts):
                 for part, one in zip(parts, value, strict=True):
@@ -205,7 +264,7 @@ class _Writer:
             case _:
                 raise self._error(target)
 
-    def _of(self, node):
+    def _of(self, node: ast.expr) -> Any:
         """Return what an expression stands for."""
         match node:
             case ast.Constant(value=bool() | int() | float() as value):
@@ -232,10 +291,12 @@ class _Writer:
                 return self._call(node, called, [self._of(a) for a in arguments])
         raise self._error(node)
 
-    def _call(self, node, called, arguments):
+    def _call(self, node: ast.expr, called: ast.expr, arguments: Sequence[Any]) -> Any:
         match called:
             case ast.Attribute(value=ast.Name(id="math"), attr="sqrt"):
                 return self._intrinsic("llvm.sqrt", *arguments)
+            case ast.Attribute(value=ast.Name(id="np"), attr="floor"):
+                return self._intrinsic("llvm.floor", *arguments)
             case ast.Name(id="abs"):
                 return self._intrinsic("llvm.fabs", *arguments)
             case ast.Name(id="min"):
@@ -250,15 +311,15 @@ class _Writer:
                 return _Writer(self.builder, self.function.__globals__[name].py_func, arguments).run()
         raise self._error(node)
 
-    def _intrinsic(self, name, value):
+    def _intrinsic(self, name: str, value: Any) -> Any:
         value = self._value(value, DOUBLE)
         return self.builder.call(self.builder.module.declare_intrinsic(name, [DOUBLE]), [value])
 
-    def _place(self, node):
+    def _place(self, node: ast.Subscript) -> Any:
         array, index = self._of(node.value), self._value(self._of(node.slice), INTEGER)
         return self.builder.gep(array, [index], inbounds=True)
 
-    def _value(self, value, kind=None):
+    def _value(self, value: Any, kind: Any = None) -> Any:
         """Return a value of LLVM, of a kind."""
         if not isinstance(value, ir.Value):
             kind = kind or (DOUBLE if isinstance(value, float) else INTEGER)
@@ -269,13 +330,14 @@ class _Writer:
             return self.builder.zext(value, INTEGER)
         return value
 
-    def _pair(self, left, right, real=False):
+    def _pair(self, left: Any, right: Any, real: bool = False) -> tuple[Any, Any]:
         """Return two values of one kind; with `real`, of numbers that are not integers."""
-        kinds = [v.type if isinstance(v, ir.Value) else DOUBLE if isinstance(v, float) else INTEGER for v in (left, right)]
+        plain = {float: DOUBLE, int: INTEGER, bool: INTEGER}
+        kinds = [v.type if isinstance(v, ir.Value) else plain[type(v)] for v in (left, right)]
         kind = DOUBLE if real or DOUBLE in kinds else TRUTH if kinds == [TRUTH, TRUTH] else INTEGER
         return self._value(left, kind), self._value(right, kind)
 
-    def _operation(self, op, left, right):
+    def _operation(self, op: ast.operator, left: Any, right: Any) -> Any:
         if type(op) in LOGIC:
             return getattr(self.builder, LOGIC[type(op)])(*self._pair(left, right))
         name, plain = ARITHMETIC[type(op)]
@@ -286,22 +348,22 @@ class _Writer:
             return getattr(self.builder, f"f{name}")(left, right, flags=CONTRACT)
         return getattr(self.builder, name)(left, right, flags=("nsw",))
 
-    def _minus(self, value):
+    def _minus(self, value: Any) -> Any:
         if not isinstance(value, ir.Value):
             return -value
         return self.builder.fneg(value, flags=CONTRACT) if value.type == DOUBLE else self.builder.neg(value)
 
-    def _compared(self, order, left, right):
+    def _compared(self, order: str, left: Any, right: Any) -> Any:
         left, right = self._pair(left, right)
         if left.type != DOUBLE:
             return self.builder.icmp_signed(order, left, right)
         return (self.builder.fcmp_unordered if order == "!=" else self.builder.fcmp_ordered)(order, left, right)
 
-    def _chosen(self, test, first, second):
+    def _chosen(self, test: Any, first: Any, second: Any) -> Any:
         if isinstance(first, tuple):
             return tuple(self._chosen(test, *pair) for pair in zip(first, second, strict=True))
         return self.builder.select(test, *self._pair(first, second))
 
-    def _error(self, node):
+    def _error(self, node: Any) -> NotImplementedError:
         path = Path(self.function.__code__.co_filename)
         return NotImplementedError(f"{path}, line {node.lineno}: a straight kernel cannot hold {ast.unparse(node)!r}")

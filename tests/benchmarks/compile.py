@@ -17,7 +17,7 @@ import tempfile
 from collections import defaultdict
 from pathlib import Path
 
-from deltacal_kernels.compiled import PACKAGE
+from deltacal_kernels.cache import PACKAGE
 
 from deltacal_gen.mechanism import load_mechanism, mechanism_names
 

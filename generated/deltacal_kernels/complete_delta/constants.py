@@ -1,7 +1,7 @@
 """What no pose changes: `complete_delta`, many machines at once, Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both 8753407a278fff97; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both db026376606f79f0; SymPy 1.14.0.
 
 p (M, 3, 25) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
 """
@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from deltacal_kernels.compiled import kernel
+from deltacal_kernels.cache import kernel
 from deltacal_kernels.elementary import arcsine, arctangent, cosine, sine, tangent
 from deltacal_kernels.straight import straight
 

@@ -1,7 +1,7 @@
 """Kinematics of `complete_delta`, many poses at once: Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both f52a5ec34605ec94; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both cd9e90325a45da19; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -18,7 +18,7 @@ import math
 
 import numpy as np
 
-from deltacal_kernels.compiled import kernel
+from deltacal_kernels.cache import kernel
 from deltacal_kernels.elementary import arcsine, arctangent, cosine, outer, scratch, sine, tangent, wide
 from deltacal_kernels.poses import as_coordinates, as_poses
 from deltacal_kernels.straight import straight

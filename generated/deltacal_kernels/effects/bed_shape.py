@@ -1,7 +1,7 @@
 """The bed is not flat.
 
 Generated from derive/effects/bed_shape.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 681e26993b20bdd9; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 2315b5fb9055a5d9; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 3): b x y;
 coefficients c (M or 1, 9); constants, one number each. Units mm, rad, N, s, K.

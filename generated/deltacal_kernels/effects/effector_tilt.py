@@ -1,7 +1,7 @@
 """Rods of a pair differ and tilt the effector.
 
 Generated from derive/effects/effector_tilt.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both d7fc6882927a3b35; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 54da4758e855126f; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

@@ -1,7 +1,7 @@
 """The position lags the joints.
 
 Generated from derive/effects/latency.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 6d61d999c9c2fd25; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 84475dfeb662b802; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): qd qdd;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.

@@ -1,7 +1,7 @@
 """The towers lean.
 
 Generated from derive/effects/tower_lean.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both a9db75247270ad59; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 59df0f9e2183d172; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.

@@ -1,14 +1,16 @@
 """A compiled command as a function of Python's own: numbers in, numbers out.
 
-Written by "{{ command }}". Do not edit.
-
 Numba asks the type of every argument, and unpacks an array anew in every call: longer than a command takes. Here the
 command is called as Python calls what is built in, its numbers read where they are, the machine's state known.
 """
 
+from __future__ import annotations
+
 import ctypes
 import inspect
+from collections.abc import Callable, Sequence
 from functools import cache
+from typing import Any
 
 from llvmlite import binding, ir
 from numba import typeof, types
@@ -24,10 +26,10 @@ NUMBERS_IN_A_ROW = 0x80  # METH_FASTCALL
 class _Method(ctypes.Structure):
     """What Python knows of a function that is built in (PyMethodDef)."""
 
-    _fields_ = [("name", ctypes.c_char_p), ("code", ctypes.c_void_p), ("flags", ctypes.c_int), ("doc", ctypes.c_char_p)]
+    _fields_ = (("name", ctypes.c_char_p), ("code", ctypes.c_void_p), ("flags", ctypes.c_int), ("doc", ctypes.c_char_p))
 
 
-def direct(command, state):
+def direct(command: Any, state: Any) -> Callable[..., Any]:
     """Return a function of all arguments of a compiled command but its last, which is `state` from now on.
 
     Its arguments are numbers, by position, and TypeError is raised for anything else; it returns what the command does.
@@ -41,18 +43,18 @@ def direct(command, state):
 
 @global_compiler_lock
 @cache
-def _method(command, kind, size):
+def _method(command: Any, kind: Any, size: int) -> tuple[_Method, Any]:
     """Return a command as Python calls it, whatever the state: LLVM keeps its code as long as the process lives."""
     names = list(inspect.signature(command.py_func).parameters)[:-1]
     kinds = (*[types.float64] * len(names), kind)
     command.compile(kinds)
     library, code = _function(command.overloads[kinds], names, size)
-    what, _, _ = inspect.getdoc(command.py_func).partition("\n\n")  # further on it tells of the state
+    what, _, _ = (inspect.getdoc(command.py_func) or "").partition("\n\n")  # further on it tells of the state
     told = f"{command.py_func.__name__}({', '.join(names)}, /)\n--\n\n{what}"
     return _Method(command.py_func.__name__.encode(), code, NUMBERS_IN_A_ROW, told.encode()), library
 
 
-def _function(compiled, names, size):
+def _function(compiled: Any, names: Sequence[str], size: int) -> tuple[Any, int]:
     """Return a library, and in it the address of a function that Python calls."""
     context, signature = cpu_target.target_context, compiled.signature
     symbol = compiled.fndesc.llvm_func_name
@@ -69,9 +71,9 @@ def _function(compiled, names, size):
     values = []
     for j in range(len(names)):
         value = api.float_as_double(builder.load(builder.gep(given, [COUNT(j)])))
-        with builder.if_then(builder.fcmp_ordered("==", value, value.type(-1.0)), likely=False):  # or an error
-            with builder.if_then(cgutils.is_not_null(builder, api.err_occurred())):
-                builder.ret(nothing)
+        either = builder.fcmp_ordered("==", value, value.type(-1.0))  # a number, or an error
+        with builder.if_then(either, likely=False), builder.if_then(cgutils.is_not_null(builder, api.err_occurred())):
+            builder.ret(nothing)
         values.append(value)
     array = context.make_array(signature.args[-1])(context, builder)
     # what a tuple and an array hold begins after their heads; to ask Python for it takes a twentieth of a command

@@ -1,0 +1,1 @@
+"""What kernels call: how they are compiled, kept and called; copied as it stands into ``generated/``."""

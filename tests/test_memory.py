@@ -1,0 +1,189 @@
+"""Memories along a run: the derived steps against a solver of differential equations that knows nothing of them."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+sp = pytest.importorskip("sympy", reason="deriving needs the dependency group 'derive'")
+pytest.importorskip("jinja2", reason="deriving needs the dependency group 'derive'")
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # derive/ is never installed
+
+from deltacal_gen import memory  # noqa: E402
+from derive import compiler  # noqa: E402
+from derive.effects import coefficient, state  # noqa: E402
+from derive.language.memory import Lag, Memory  # noqa: E402
+from derive.spec import Effect, Orders  # noqa: E402
+
+(load,) = state("torque")
+z = sp.Symbol("z", real=True)
+ANY = (-10.0, 10.0)
+SIZE, RATE = coefficient("size", "mm", 1.0, "size", ANY), coefficient("rate", "1", 1.0, "rate", ANY)
+TAU = coefficient("tau", "s", 1.0, "time constant", ANY)
+
+
+def effect(target: Any, *memories: Memory, searched: tuple[Any, ...] = (), varied: tuple[Any, ...] = ()) -> Effect:
+    return Effect(
+        name="remembering",
+        title="an effect with a memory",
+        source="tests/test_memory.py",
+        advice="None.",
+        tests=(),
+        per_limb=True,
+        coefficients=(SIZE, *varied),
+        searched=searched,
+        targets={"joint": SIZE.symbol * target},
+        memory=memories,
+    )
+
+
+def derived(spec: Effect) -> ModuleType:
+    """Return an effect's module as it would be generated."""
+    module = ModuleType(spec.name)
+    (text,) = compiler.write_one(compiler.lower_one(compiler.derive_one(spec))).values()
+    exec(compile(text, spec.name, "exec"), module.__dict__)
+    return module
+
+
+DAHL = Memory(z, "bristles", RATE.symbol * load * (1 - z * sp.sign(load)), sp.Integer(0))
+CUBIC = Memory(z, "spring", RATE.symbol * load - z**3 - z / 10, load / 5)
+LAG = Lag(load, TAU.symbol)
+
+
+def recording(rows: int, limbs: int, seed: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return time, run and one state (N, limbs, 1) of two runs, rows of both mixed."""
+    rng = np.random.default_rng(seed)
+    time, run = np.cumsum(rng.uniform(0.01, 0.4, rows)), rng.integers(0, 2, rows)
+    values = np.sin(time[:, None] * rng.uniform(0.5, 2.0, limbs)) + 0.3 * rng.standard_normal((rows, limbs))
+    mixed = rng.permutation(rows)
+    return time[mixed], run[mixed], values[mixed][:, :, None]
+
+
+def solved(rate: Any, start: Any, time: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """Return z (N,) at the rows of one run in the order of time, from row to row by Dormand and Prince's method."""
+    found = [start(values[0])]
+    for a, b, first, last in zip(time, time[1:], values, values[1:], strict=False):
+
+        def of(t: float, y: np.ndarray, a: float = a, b: float = b, f: float = first, g: float = last) -> Any:
+            return rate(y, f + (g - f) * (t - a) / (b - a))
+
+        found.append(
+            solve_ivp(of, (a, b), [found[-1]], "DOP853", rtol=1e-11, atol=1e-12, max_step=(b - a) / 8).y[0, -1]
+        )
+    return np.array(found)
+
+
+CASES = {
+    "lag": (
+        effect(LAG, varied=(TAU,)),
+        (0.0, 0.35),
+        lambda y, s: (s - y) / 0.35,
+        lambda s: s,
+    ),
+    "dahl": (
+        effect(z, DAHL, varied=(RATE,)),
+        (0.0, 4.0),
+        lambda y, s: 4.0 * s * (1 - y * np.sign(s)),
+        lambda s: 0.0,
+    ),
+    "cubic": (
+        effect(z, CUBIC, varied=(RATE,)),
+        (0.0, 3.0),
+        lambda y, s: 3.0 * s - y**3 - y / 10,
+        lambda s: s / 5,
+    ),
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_a_memory_is_what_a_solver_of_differential_equations_gives(case: str) -> None:
+    spec, coefficients, rate, start = CASES[case]
+    time, run, states = recording(60, 2, seed=5)
+    c = np.tile(coefficients, (len(time), 2, 1))
+    found = memory.along(derived(spec), states, c, (), time, run)
+    assert found.settled.all()
+    for which in (0, 1):
+        rows = np.flatnonzero(run == which)
+        rows = rows[np.argsort(time[rows])]
+        for limb in range(2):
+            expected = solved(rate, start, time[rows], states[rows, limb, 0])
+            error = np.abs(found.value[rows, limb, 0] - expected)
+            assert error.max() < 1e-6
+            assert (error <= found.bound[rows, limb, 0] + 1e-9).all()
+
+
+def test_a_lag_of_states_that_go_straight_is_exact_however_far_apart_the_rows_are() -> None:
+    module = derived(effect(Lag(load, TAU.symbol), varied=(TAU,)))
+    time, tau = np.array([0.0, 3.0, 3.001, 50.0]), 0.8
+    u = np.array([1.0, -2.0, 4.0, 5.0])
+    found = memory.along(module, u[:, None, None], np.tile([0.0, tau], (4, 1, 1)), (), time, np.zeros(4, dtype=int))
+    expected = [u[0]]
+    for k in range(3):
+        h, slope = time[k + 1] - time[k], (u[k + 1] - u[k]) / (time[k + 1] - time[k])
+        rest = expected[-1] - (u[k] - tau * slope)
+        expected.append(u[k + 1] - tau * slope + rest * np.exp(-h / tau))
+    np.testing.assert_allclose(found.value[:, 0, 0], expected, rtol=1e-13, atol=1e-13)
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_derivatives_by_the_coefficients_are_slopes(case: str) -> None:
+    spec, coefficients, _, _ = CASES[case]
+    module = derived(spec)
+    time, run, states = recording(40, 2, seed=8)
+    c = np.tile(coefficients, (len(time), 2, 1))
+    at = memory.along(module, states, c, (), time, run)
+    assert at.by_coefficients.shape == (40, 2, 1, 2)
+    np.testing.assert_array_equal(at.by_coefficients[..., 0], 0.0)  # the size is no part of the memory
+    step = np.array([0.0, 1e-5])
+    up, down = (memory.along(module, states, c + sign * step, (), time, run).value for sign in (1, -1))
+    np.testing.assert_allclose(at.by_coefficients[..., 1], (up - down) / 2e-5, rtol=2e-4, atol=2e-5)
+
+
+def test_a_constant_may_be_searched_and_a_memory_led_into_the_target() -> None:
+    spec = effect(sp.tanh(Lag(load, TAU.symbol)) * load, searched=(Orders(TAU),))
+    module = derived(spec)
+    assert [name for name, _ in module.MEMORY] == ["lag_1"]
+    assert module.STATE == ("torque",)
+    s, c = np.array([[0.4, -0.2], [1.5, 0.8]]), np.array([[2.0]])
+    np.testing.assert_allclose(module.value(s, c, (0.5,))[:, 0], 2.0 * np.tanh(s[:, 1]) * s[:, 0], rtol=1e-15)
+    np.testing.assert_allclose(module.jacobian(s, c, (0.5,))[:, 0, 0], np.tanh(s[:, 1]) * s[:, 0], rtol=1e-15)
+    slope = 2.0 * s[:, 0] / np.cosh(s[:, 1]) ** 2
+    np.testing.assert_allclose(module.by_memory(s, c, (0.5,))[:, 0, 0], slope, rtol=1e-14)
+
+
+def test_where_halving_does_not_settle_it_is_said_and_bounded() -> None:
+    """A rate so fast, and so bent, that no interval between two rows is short enough."""
+    jumping = Memory(z, "ratchet", 1e9 * sp.cos(1e3 * z), sp.Integer(0))
+    module = derived(effect(z, jumping, varied=(RATE,)))
+    time, states = np.array([0.0, 1.0, 2.0, 3.0]), np.array([1.0, 2.0, -1.0, -2.0])[:, None, None]
+    found = memory.along(module, states, np.ones((4, 1, 2)), (), time, np.zeros(4, dtype=int))
+    assert not found.settled[1:].any()
+    np.testing.assert_array_equal(
+        found.settled[:, 0], np.nan_to_num(found.bound[:, 0, 0], nan=np.inf) <= memory.TOLERANCE
+    )
+
+
+def test_a_recording_of_one_row_has_the_memory_it_starts_with() -> None:
+    module = derived(effect(Lag(load, TAU.symbol), varied=(TAU,)))
+    found = memory.along(module, np.full((1, 1, 1), 3.0), np.ones((1, 1, 2)), (), np.zeros(1), np.zeros(1, dtype=int))
+    assert found.value.ravel().tolist() == [3.0]
+    np.testing.assert_array_equal(found.by_coefficients, 0.0)
+
+
+def test_memories_that_cannot_be_meant_are_refused_by_name() -> None:
+    other = Memory(sp.Symbol("w", real=True), "other", -z, sp.Integer(0))
+    with pytest.raises(ValueError, match="remembering: the rate of w reads another memory"):
+        effect(z, DAHL, other, varied=(RATE,))
+    with pytest.raises(ValueError, match="remembering: z starts from states and constants only"):
+        effect(z, Memory(z, "z", -z, RATE.symbol), varied=(RATE,))
+    with pytest.raises(ValueError, match="memory z: tan cannot be written in every target"):
+        effect(z, Memory(z, "z", -sp.tan(z), sp.Integer(0)))
+    with pytest.raises(ValueError, match="the memory z has no meaning"):
+        Memory(z, "", -z, sp.Integer(0))
