@@ -89,6 +89,8 @@ class Graph:
         """Return an argument of a function in terms of nodes; a condition, which is no number, is none itself."""
         if isinstance(expr, sp.Expr):
             return self.add(expr)
+        if isinstance(expr, sp.ITE):  # which SymPy makes of the comparison of a choice
+            return self._argument(expr.to_nnf())
         return expr.func(*map(self._argument, expr.args)) if expr.args else expr
 
     def _partial(self, symbol: sp.Symbol) -> list[tuple[sp.Symbol, sp.Expr]]:

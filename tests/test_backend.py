@@ -38,7 +38,7 @@ for size in ("small", "large"):
     dc.compensate(result, output=folder / f"{size}.c", export="c")
 dc.diagnose(robot, folder / "small.csv", output=folder / "diagnosis.json")
 dc.compensate(folder / "diagnosis.json", output=folder / "diagnosis.c", export="c")
-print("deltacal_kernels.compiled" in sys.modules)
+print("deltacal_kernels.cache" in sys.modules)
 """
 
 

@@ -275,6 +275,16 @@ def test_the_derivative_at_a_kink_is_that_of_one_side(kink: Any, sides: tuple[in
         assert float(slope.subs(x, at)) == pytest.approx(side, abs=1e-8)
 
 
+def test_a_comparison_of_a_choice_is_one_of_comparisons() -> None:
+    """SymPy makes ``ITE(y >= 1, True, x <= z)`` of it."""
+    e = sp.Max(sp.Piecewise((z, y >= 1), (x, True)), z)
+    slope = derivative(e, x)
+    check("drawn", slope)
+    assert slope.has(sp.ITE)
+    points = np.array([[1.0, 2.0, 3.0], [5.0, 0.0, 3.0], [1.0, 0.0, 3.0]])
+    np.testing.assert_array_equal(by_numpy([e, slope], points), [[3.0, 0.0], [5.0, 1.0], [3.0, 0.0]])
+
+
 def test_what_is_not_chosen_does_not_spoil_a_derivative() -> None:
     """The root of a negative number is in the branch that is not taken."""
     e = sp.Piecewise((sp.sqrt(x), x > 0), (y, True))

@@ -41,6 +41,7 @@ _CONSTRUCTS = (
     sp.core.relational.Relational,
     sp.And,
     sp.Or,
+    sp.ITE,
 )
 ALLOWED = ", ".join(["sqrt", *(f.__name__ for f in FUNCTIONS)])
 
