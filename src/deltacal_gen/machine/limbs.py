@@ -171,7 +171,7 @@ class Limbs(Machine):
     def compile(self) -> Iterator[tuple[str, float]]:
         """Compile all kernels, or load them from Numba's cache; yield each one's name and how long it took [s].
 
-        Compiled code is kept on disk as ``deltacal_kernels.compiled`` says, and found by any process as long as the
+        Compiled code is kept on disk as ``deltacal_kernels.cache`` says, and found by any process as long as the
         kernels' text stays the same.
         """
         n_v, n_x = self._width - len(self.geometry), len(self._at)
