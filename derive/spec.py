@@ -399,7 +399,7 @@ class Reference:
     Parameters
     ----------
     state, coefficients, constants : mapping
-        By name, in the units of the tables.
+        By name, in the units of the tables; memories among the states.
     moved : mapping
         By target, in mm or rad.
     """
@@ -529,7 +529,7 @@ class Effect:
             raise ValueError(f"it acts on the {self.acts_on}, of which there is one: no limb has its own coefficients.")
         for s in states:
             self._check_state(s)
-        self._check_tests([s.name for s in states])
+        self._check_tests([*(s.name for s in states), *(m.name for m in self.memory)])
 
     def _check_state(self, s: State) -> None:
         if s.kind == "reading" and self.acts_on != "reading":

@@ -19,8 +19,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # derive/ is never
 from deltacal_gen import memory  # noqa: E402
 from derive import compiler  # noqa: E402
 from derive.effects import coefficient, state  # noqa: E402
-from derive.language.memory import Lag, Memory  # noqa: E402
-from derive.spec import Effect, Orders  # noqa: E402
+from derive.language.memory import Lag, Memory, with_lags  # noqa: E402
+from derive.spec import Effect, Orders, Reference  # noqa: E402
 
 (load,) = state("torque")
 z = sp.Symbol("z", real=True)
@@ -35,7 +35,14 @@ def effect(target: Any, *memories: Memory, searched: tuple[Any, ...] = (), varie
         title="an effect with a memory",
         source="tests/test_memory.py",
         advice="None.",
-        tests=(),
+        tests=(
+            Reference(
+                {"torque": 0.0, **{m.name: 0.0 for m in with_lags({"joint": target}, memories)[1]}},
+                {c.name: 0.0 for c in (SIZE, *varied)},
+                {"joint": 0.0},
+                {s.constant.name: 1.0 for s in searched},
+            ),
+        ),
         per_limb=True,
         coefficients=(SIZE, *varied),
         searched=searched,
@@ -160,7 +167,7 @@ def test_a_constant_may_be_searched_and_a_memory_led_into_the_target() -> None:
 
 def test_where_halving_does_not_settle_it_is_said_and_bounded() -> None:
     """A rate so fast, and so bent, that no interval between two rows is short enough."""
-    jumping = Memory(z, "ratchet", 1e9 * sp.cos(1e3 * z), sp.Integer(0))
+    jumping = Memory(z, "ratchet", 1e9 * sp.cos(1e3 * z + load), sp.Integer(0))
     module = derived(effect(z, jumping, varied=(RATE,)))
     time, states = np.array([0.0, 1.0, 2.0, 3.0]), np.array([1.0, 2.0, -1.0, -2.0])[:, None, None]
     found = memory.along(module, states, np.ones((4, 1, 2)), (), time, np.zeros(4, dtype=int))
@@ -179,7 +186,7 @@ def test_a_recording_of_one_row_has_the_memory_it_starts_with() -> None:
 
 def test_memories_that_cannot_be_meant_are_refused_by_name() -> None:
     other = Memory(sp.Symbol("w", real=True), "other", -z, sp.Integer(0))
-    with pytest.raises(ValueError, match="remembering: the rate of w reads another memory"):
+    with pytest.raises(ValueError, match="effect remembering: the rate of w reads another memory"):
         effect(z, DAHL, other, varied=(RATE,))
     with pytest.raises(ValueError, match="remembering: z starts from states and constants only"):
         effect(z, Memory(z, "z", -z, RATE.symbol), varied=(RATE,))

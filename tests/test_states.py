@@ -89,7 +89,8 @@ def reference(name: str, n: int) -> tuple[np.ndarray, np.ndarray, tuple[float, .
     """Return state (1, n_s), coefficients (1, n_c), constants and displacement (n_t,) of a reference, inside."""
     spec = declared(name)
     test = spec.tests[n]
-    s = np.array([[test.state[q.name] * q.factor for q in spec.states]])
+    known = [test.state[q.name] * q.factor for q in spec.states]
+    s = np.array([known + [test.state[m.name] for m in spec.memory]])
     c = np.array([[test.coefficients[q.name] * q.factor for q in spec.coefficients]])
     constants = tuple(test.constants[q.name] * q.factor for q in spec.constants)
     return s, c, constants, np.array([test.moved[t] for t in spec.targets])
