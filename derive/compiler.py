@@ -41,7 +41,7 @@ from derive.mathematics.chains import links
 from derive.mathematics.effects import effect
 from derive.mathematics.functions import Functions
 from derive.mathematics.kinematics import kinematics, rotations
-from derive.mathematics.measurements import measurement, platform_names
+from derive.mathematics.measurements import measurement, platform_names, step
 from derive.spec import ChainMechanism, Effect, LimbMechanism, Measurement
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -119,7 +119,7 @@ def derive_one(spec: Spec) -> Derived:
     if isinstance(spec, Effect):
         return Derived(spec, {"effect": effect(spec)})
     if isinstance(spec, Measurement):
-        return Derived(spec, {"measurement": [measurement(spec)]})
+        return Derived(spec, {"measurement": [measurement(spec), step(spec)]})
     if isinstance(spec, ChainMechanism):
         return Derived(spec, {"links": links(spec)})
     moving, blocks = kinematics(spec)

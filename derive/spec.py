@@ -19,6 +19,7 @@ from derive.language.states import STATES, State, read_by
 from derive.language.targets import acts_on
 
 UNITS = ("mm", "rad", "1")
+COLUMN_UNITS = ("_mm", "_deg", "_px")  # of readings
 COORDINATES = ("px", "py", "pz", "cx", "cy", "cz")  # of a body in space: position, Cayley vector of its rotation
 
 
@@ -319,7 +320,8 @@ class Measurement:
     given : tuple of Quantity
         The present state of the instrument, in terms of which its unknowns are increments.
     unknown : tuple of Quantity
-        The instrument's own parameters: increments of its state, evaluated at zero.
+        The instrument's own parameters: increments of its state, evaluated at zero. Their `typical` size is by how much
+        an ordinary instrument is mounted off, where a simulation draws one.
     reading : tuple of sympy.Expr
         The predicted reading.
     rotation : tuple of sympy.Matrix
@@ -327,6 +329,16 @@ class Measurement:
         more rows of the Jacobians.
     steps : sequence of (symbol, expression)
         Named quantities between the platform and the reading, none in terms of another.
+    after : sequence of sympy.Expr
+        The instrument's state after a step of its unknowns, in the order of `given`: with it and no step the reading is
+        the same as before it with the step.
+    columns : tuple of str
+        Of recordings, one per row of the reading, rotations behind values; the ending says the unit: ``_mm``, ``_deg``
+        or ``_px``.
+    targets : mapping
+        What effects on the reading move, as they call it, and which value that is: ``{"length": 0}``.
+    start : sequence of float
+        The state from which the instrument's readings find it, where no file in ``instrument/kinds`` knows better.
     """
 
     name: str
@@ -338,6 +350,24 @@ class Measurement:
     reading: tuple[sp.Expr, ...]
     rotation: tuple[sp.Matrix, ...] = ()
     steps: Steps = ()
+    after: tuple[sp.Expr, ...] = field(default=(), kw_only=True)
+    columns: tuple[str, ...] = field(kw_only=True)
+    targets: Mapping[str, int] = field(default_factory=dict, kw_only=True)
+    start: tuple[float, ...] = field(default=(), kw_only=True)
+
+    def __post_init__(self) -> None:
+        rows = len(self.reading) + 3 * bool(self.rotation)
+        if len(self.columns) != rows:
+            raise ValueError(f"{self.name}: {len(self.columns)} columns for the {rows} rows of a reading.")
+        for column in self.columns:
+            if not column.endswith(COLUMN_UNITS):
+                raise ValueError(f"{self.name}: the column '{column}' ends in none of {', '.join(COLUMN_UNITS)}.")
+        if self.unknown and len(self.after) != len(self.given):
+            raise ValueError(f"{self.name}: `after` gives {len(self.after)} of {len(self.given)} entries of the state.")
+        if self.start and len(self.start) != len(self.given):
+            raise ValueError(f"{self.name}: `start` gives {len(self.start)} of {len(self.given)} entries of the state.")
+        if beyond := [target for target, row in self.targets.items() if not 0 <= row < len(self.reading)]:
+            raise ValueError(f"{self.name}: the target '{beyond[0]}' is no value of the reading.")
 
 
 @dataclass(frozen=True)

@@ -22,6 +22,7 @@ from sympy.core.function import AppliedUndef
 import deltacal_gen as dc
 from deltacal_gen import checks, derivations, ledger
 from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.mechanism import mechanism_names, mechanism_of
 from deltacal_gen.physics import effect_names
 from derive import compiler, notation, typeset, unseen
@@ -107,7 +108,7 @@ def test_null_spaces_in_closed_form_are_unseen_by_readings(name: str) -> None:
     errors, motions, rows = found
     basis = unseen.NullSpace(errors, motions, rows).of(errors, motions, {})
     every = [p.name for p in mechanism.parameters]
-    H = checks.identification(robot, [poses], every, "position")
+    H = checks.identification(robot, [poses], every, kind_of("position"))
     s = np.linalg.svd(H * mechanism.typical, compute_uv=False)
     assert len(basis) == len(every) - int((s > 1e-9 * s[0]).sum())
     geometry = {
@@ -119,15 +120,17 @@ def test_null_spaces_in_closed_form_are_unseen_by_readings(name: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("motions", "kind", "points"),
+    ("motions", "kind", "points", "frame"),
     [
-        ("frame of the robot", "position in the robot's frame", 1),
-        ("unknown frame, one point", "position", 1),
-        ("unknown frame, several points", "position", 3),
-        ("unknown frame and body", "pose", 1),
+        ("frame of the robot", "position", 1, "robot"),
+        ("unknown frame, one point", "position", 1, "unknown"),
+        ("unknown frame, several points", "position", 3, "unknown"),
+        ("unknown frame and body", "pose", 1, "unknown"),
     ],
 )
-def test_twists_that_links_hand_on_are_all_that_readings_of_a_chain_miss(motions: str, kind: str, points: int) -> None:
+def test_twists_that_links_hand_on_are_all_that_readings_of_a_chain_miss(
+    motions: str, kind: str, points: int, frame: str
+) -> None:
     robot = derivations.example("serial")
     assert robot is not None
     mechanism, at = mechanism_of(robot), checks.trials(robot, 60)
@@ -135,7 +138,7 @@ def test_twists_that_links_hand_on_are_all_that_readings_of_a_chain_miss(motions
     found = null_spaces_of_chain(importlib.import_module("derive.mechanisms.serial").MECHANISM, request)
     assert found is not None
     basis = found[model][motions]
-    H = checks.identification(robot, at.sets[:points], list(names), kind)
+    H = checks.identification(robot, at.sets[:points], list(names), kind_of(kind), frame)
     typical = mechanism.typical[[mechanism.index[n] for n in names]]
     s = np.linalg.svd(H * typical, compute_uv=False)
     assert len(basis) == len(names) - int((s > 1e-9 * s[0]).sum())

@@ -10,7 +10,7 @@ from conftest import plausible, rings, scattered, wanted
 
 from deltacal_gen.errors import NoSolutionError
 from deltacal_gen.estimation import Fit, Problem, Repeats, fit, pose_problem, rms
-from deltacal_gen.measurement import Instrument
+from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.mechanism import Machine
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot
@@ -51,10 +51,10 @@ def with_noise(recording: Recording, seed: int) -> Recording:
 
 def true_instrument(found: Instrument, errors_of_gauge: np.ndarray) -> np.ndarray:
     """Return by which increments of its unknowns the true instrument differs from the one found."""
-    if found.kind == "position":
+    if found.kind.name == "position":
         turn, origin = from_vector(FRAME[0]), FRAME[1]
         return np.concatenate([to_vector(turn @ found.state[0, :9].reshape(3, 3).T), origin - found.state[0, 9:12]])
-    if found.kind == "gauge":
+    if found.kind.name == "gauge":
         return (errors_of_gauge - found.state[0])[list(found.free)]
     return np.zeros(0)
 

@@ -15,7 +15,7 @@ import pytest
 
 from deltacal_gen import cli
 from deltacal_gen.demonstration import example
-from deltacal_gen.measurement import align
+from deltacal_gen.instrument.instrument import align
 from deltacal_gen.mechanism import load_mechanism, mechanism_names, mechanism_of
 from deltacal_gen.robot import for_model, read_robot
 from deltacal_gen.simulation import truth_names

@@ -15,7 +15,7 @@ from scipy.spatial.transform import Rotation
 from deltacal_gen import commands, figures
 from deltacal_gen.estimation import pose_problem
 from deltacal_gen.identification import identify
-from deltacal_gen.measurement import BOTH, readings
+from deltacal_gen.instrument.kinds import readings
 from deltacal_gen.mechanism import SOLVED, Array, load_mechanism
 from deltacal_gen.physics import Body, Channels, blank, coefficients, reading_shift
 from deltacal_gen.prediction import predict
@@ -251,7 +251,7 @@ def test_heights_and_distances_count_each_with_its_own_noise(printer: Robot, rng
         pair_measured=exact.pair_measured + 0.1 * rng.standard_normal(20),
     )
     fit = identify(printer, done, "9").fit
-    assert fit.problem.readings.kind == BOTH
+    assert fit.problem.readings.kind.name == "height and distance"
     assert fit.sigma == pytest.approx([0.01, 0.1], rel=0.6)
     n = len(fit.problem.names)
     got = np.array([fit.errors[LINEAR.index[name]] for name in fit.problem.names])

@@ -10,7 +10,9 @@ from conftest import displaced, plausible, scattered, wanted
 from scipy.spatial.transform import Rotation
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.measurement import Instrument, Readings, align, readings, start
+from deltacal_gen.instrument.instrument import Instrument, align
+from deltacal_gen.instrument.kinds import instrument_from_dict, kind_of, readings
+from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.mechanism import Machine
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot
@@ -35,20 +37,20 @@ def taken(kind: str, n: int = 12) -> Readings:
     zeros = np.zeros(n, dtype=int)
     setup = np.arange(n) % 2 if kind in ("position", "pose") else zeros
     rotations = np.tile(np.eye(3), (n, 1, 1)) if kind == "pose" else None
-    return Readings(kind, rows, np.zeros((n, size)), rotations, setup, np.arange(n), np.arange(n))
+    return Readings(kind_of(kind), rows, np.zeros((n, size)), rotations, setup, np.arange(n), np.arange(n))
 
 
 def instrument(kind: str) -> Instrument:
     """Return an instrument in general position, with two set-ups where frames are unknown."""
     if kind == "distance":
-        return Instrument(kind, np.zeros((1, 0)), ())
+        return Instrument(kind_of(kind), np.zeros((1, 0)), ())
     if kind == "gauge":
-        return Instrument(kind, np.array([[300.0, -100.0, 40.0, 7.0]]), (0, 1, 2, 3))
+        return Instrument(kind_of(kind), np.array([[300.0, -100.0, 40.0, 7.0]]), (0, 1, 2, 3))
     frames = [np.concatenate([from_vector(s * TURN).ravel(), s * ORIGIN]) for s in (1.0, -0.5)]
     if kind == "position":
-        return Instrument(kind, np.array(frames), tuple(range(6)))
+        return Instrument(kind_of(kind), np.array(frames), tuple(range(6)))
     bodies = [from_vector(s * BODY).ravel() for s in (1.0, 2.0)]
-    return Instrument(kind, np.hstack([np.array(frames), np.array(bodies)]), tuple(range(9)))
+    return Instrument(kind_of(kind), np.hstack([np.array(frames), np.array(bodies)]), tuple(range(9)))
 
 
 KINDS = ["position", "pose", "distance", "gauge"]
@@ -151,7 +153,7 @@ def test_residuals_are_measured_minus_predicted(x: np.ndarray) -> None:
 @pytest.mark.parametrize("kind", KINDS)
 def test_an_instrument_survives_a_result_file(kind: str, x: np.ndarray) -> None:
     at = instrument(kind)
-    again = Instrument.from_dict(at.to_dict())
+    again = instrument_from_dict(at.to_dict())
     assert again.predict(taken(kind), x)[0] == pytest.approx(at.predict(taken(kind), x)[0], abs=0)
     assert again.free == at.free
 
@@ -183,7 +185,7 @@ def test_an_unknown_frame_is_aligned_exactly_when_the_machine_is_known(
     errors = plausible(mechanism, 4)
     recording = recorded(robot, kind, errors)
     found, poses = readings(recording), true_poses(robot, mechanism, recording, errors)
-    at = start(found, recording, robot, poses)
+    at = found.kind.start(found, recording, robot, poses)
     assert np.abs(at.residual(found, poses)).max() < 1e-9
     ((turn, origin),) = at.frames()
     assert turn == pytest.approx(TURN, abs=1e-12)
@@ -192,9 +194,10 @@ def test_an_unknown_frame_is_aligned_exactly_when_the_machine_is_known(
 
 def test_the_robot_s_own_frame_leaves_nothing_to_find(robot: Robot, mechanism: Machine) -> None:
     recording = simulate(robot, wanted(scattered(robot, 5, 6), frame="robot"))
-    at = start(readings(recording), recording, robot, true_poses(robot, mechanism, recording, {}))
+    found, poses = readings(recording), true_poses(robot, mechanism, recording, {})
+    at = found.kind.start(found, recording, robot, poses)
     assert at.n_unknown == 0
-    assert np.abs(at.residual(readings(recording), true_poses(robot, mechanism, recording, {}))).max() < 1e-9
+    assert np.abs(at.residual(found, poses)).max() < 1e-9
 
 
 def test_an_incremental_gauge_has_an_unknown_zero(robot: Robot, mechanism: Machine) -> None:
@@ -203,7 +206,7 @@ def test_an_incremental_gauge_has_an_unknown_zero(robot: Robot, mechanism: Machi
         recording = recorded(robot, "gauge", {}, base_point_mm=point, zero=zero)
         assert (recording.measured[0, 0] == 0) == (zero == "incremental")
         poses = true_poses(robot, mechanism, recording, {})
-        at = start(readings(recording), recording, robot, poses)
+        at = readings(recording).kind.start(readings(recording), recording, robot, poses)
         assert at.n_unknown == unknowns
         assert np.abs(at.residual(readings(recording), poses)).max() < 1e-9
 
@@ -239,7 +242,7 @@ def test_all_pairs_share_tool_point_and_setup_and_join_no_repeats(robot: Robot) 
     pose = ["1", "1", "2", "3", "4", "5", "6", "7", "8", "9", "10", "11"]
     recording = recorded(robot, "position", {}, tool=tool, setup=setup, pose=pose)
     found = readings(recording, as_distance=True)
-    assert found.kind == "distance"
+    assert found.kind.name == "distance"
     pairs = {tuple(sorted(p)) for p in found.rows.tolist()}
     assert pairs == {(0, 2), (1, 2), (3, 4), (3, 5), (4, 5), (6, 7), (6, 8), (7, 8), (9, 10), (9, 11), (10, 11)}
     group = {tuple(sorted(p)): int(g) for p, g in zip(found.rows.tolist(), found.group, strict=True)}

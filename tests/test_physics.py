@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from deltacal_gen.demonstration import example
-from deltacal_gen.measurement import Readings
+from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.mechanism import Array, load_mechanism
 from deltacal_gen.physics import (
     Body,
@@ -121,7 +121,7 @@ def test_columns_are_the_derivative_of_the_exact_equilibrium(name: str) -> None:
     S = mechanism.sensitivity(machine.x, machine.q, machine.tool, machine.rows)
     columns = body.columns([term], machine, S, every)
     readings = machine.x[:, list(READ[kind].values())] + 1000.0
-    found = Readings(kind, every[:, None], readings, None, 0 * every, every, every)
+    found = kind_of(kind).taken(every[:, None], values=readings)
     shifts = reading_shift([term], body, found, readings, machine.x)[1]
 
     def seen(coefficient: int, h: float) -> Array:

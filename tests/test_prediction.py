@@ -110,7 +110,7 @@ def test_the_calibrated_robot_carries_the_errors(
 def test_residuals_are_measured_minus_predicted(
     robot: Robot, truth: dict[str, float], results: dict[str, dict[str, Any]]
 ) -> None:
-    from deltacal_gen.measurement import readings
+    from deltacal_gen.instrument.kinds import readings
 
     fresh = measured(robot, truth, "position", scattered(robot, 6, 8))
     off = dataclasses.replace(fresh, measured=fresh.measured + np.array([0.1, 0.2, 0.3]))

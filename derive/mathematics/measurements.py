@@ -1,4 +1,4 @@
-"""Functions of a measurement: its reading and derivatives."""
+"""Functions of a measurement: its reading and derivatives, and its instrument after a step."""
 
 from __future__ import annotations
 
@@ -52,4 +52,17 @@ def measurement(spec: Measurement) -> Functions:
     functions = Functions(graph, {}, inputs)
     for name, found in leaves.items():
         functions.add(name, name, [e.xreplace(values) for e in found])
+    return functions
+
+
+def step(spec: Measurement) -> Functions:
+    """Return the instrument's state after a step of its unknowns."""
+    symbols = ([quantity.symbol for quantity in part] for part in (spec.given, spec.unknown))
+    inputs = {
+        s: place
+        for name, part in zip(("given", "step"), symbols, strict=True)
+        for s, place in entries(name, part).items()
+    }
+    functions = Functions(Graph(), {}, inputs)
+    functions.add("stepped", "stepped", list(spec.after))
     return functions

@@ -18,4 +18,6 @@ MEASUREMENT = Measurement(
     given=(),
     unknown=(),
     reading=(sp.sqrt(between.dot(between)),),
+    columns=("distance_mm",),
+    targets={"length": 0},
 )

@@ -32,4 +32,7 @@ MEASUREMENT = Measurement(
         Quantity(dzero, "mm", "error of the gauge's zero"),
     ),
     reading=(sp.sqrt(length.dot(length)) + zero + dzero,),
+    after=(*(g + m), zero + dzero),
+    columns=("gauge_mm",),
+    targets={"length": 0},
 )

@@ -18,4 +18,6 @@ MEASUREMENT = Measurement(
     given=(),
     unknown=(),
     reading=(X.position[2],),
+    columns=("height_mm",),
+    targets={"height": 0},
 )

@@ -27,4 +27,7 @@ MEASUREMENT = Measurement(
     ),
     reading=position.MEASUREMENT.reading,
     rotation=(cayley(position.w), position.F, cayley(X.turn), X.rotation, cayley(d), D),
+    after=(*position.MEASUREMENT.after, *(cayley(d) * D)),
+    columns=(*position.MEASUREMENT.columns, "rx_deg", "ry_deg", "rz_deg"),
+    targets=position.MEASUREMENT.targets,
 )

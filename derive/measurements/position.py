@@ -21,8 +21,11 @@ MEASUREMENT = Measurement(
     platforms=(X,),
     given=(*F_STATE, *(Quantity(s, "mm", "origin {O} in the instrument's frame") for s in f)),
     unknown=(
-        *(Quantity(s, "rad", "turn of {O} about the instrument's axes") for s in w),
-        *(Quantity(s, "mm", "shift of {O} along the instrument's axes") for s in t),
+        *(Quantity(s, "rad", "turn of {O} about the instrument's axes", typical=0.3) for s in w),
+        *(Quantity(s, "mm", "shift of {O} along the instrument's axes", typical=1000.0) for s in t),
     ),
     reading=tuple(cayley(w) * F * X.position + f + t),
+    after=(*(cayley(w) * F), *(f + t)),
+    columns=("x_mm", "y_mm", "z_mm"),
+    targets={"reading.x": 0, "reading.y": 1, "reading.z": 2},
 )

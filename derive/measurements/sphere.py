@@ -67,7 +67,7 @@ MEASUREMENT = Measurement(
         Quantity(order_v, "1", "1 where v1 is the larger extreme, -1 where it is the smaller"),
     ),
     unknown=(
-        *(Quantity(s, "rad", "turn of the camera about its own axes") for s in w),
+        *(Quantity(s, "rad", "turn of the camera about its own axes", typical=0.03) for s in w),
         *(Quantity(s, "mm", "shift of the ball in {O}") for s in t),
         Quantity(dk1, "1", "error of the radial distortion"),
     ),
@@ -78,4 +78,6 @@ MEASUREMENT = Measurement(
         v0 + fv * extreme("v2", c[1], c[0], -order_v),
     ),
     steps=tuple(steps),
+    after=(*(cayley(w) * F), *(g + t), fu, fv, u0, v0, k1 + dk1, radius, order_u, order_v),
+    columns=("u1_px", "u2_px", "v1_px", "v2_px"),
 )

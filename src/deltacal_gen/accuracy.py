@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.measurement import align
+from deltacal_gen.instrument.instrument import align
 from deltacal_gen.mechanism import SOLVED, Array, mechanism_of
 from deltacal_gen.robot import Robot, Workspace
 

@@ -19,7 +19,7 @@ import numpy as np
 
 from deltacal_gen import sphere
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.measurement import align
+from deltacal_gen.instrument.instrument import align
 from deltacal_gen.recording import Camera, csv_text, write_files
 from deltacal_gen.robot import Table, TomlFile, toml_text
 from deltacal_gen.rotation import from_vector, to_vector

@@ -10,9 +10,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from deltacal_gen import sphere
 from deltacal_gen.identifiability import RANK_TOLERANCE, Combination, unseen
-from deltacal_gen.measurement import CONTACT, MOUNT, Instrument, Readings, frameless
+from deltacal_gen.inputs import Measurement
+from deltacal_gen.instrument.kind import Kind, Look
+from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.instrument.kinds import names as kind_names
 from deltacal_gen.mechanism import SOLVED, Array, Machine, mechanism_of
 from deltacal_gen.recording import Camera
 from deltacal_gen.robot import Robot, robot_size
@@ -26,6 +28,7 @@ HALVINGS = 9  # of the step, for orders of convergence
 SOCKETS = 40  # fixed points that are touched
 STANDS = 4  # ways in which an open chain touches each of them
 TOUCHES = 12  # Newton steps to a fixed point
+MOST_READINGS = 2000  # of a kind and a reference point: of more, some are drawn
 TOUCHED = 1e-9  # mm off a fixed point
 CAMERA = Camera(fx_px=1500.0, fy_px=1500.0, cx_px=640.0, cy_px=512.0, ball_radius_mm=20.0)
 OFFSETS = ((0.0, 0.0, 0.0), (0.0, 0.0, -150.0), (150.0, 0.0, 0.0))  # reference points on the platform [mm]
@@ -164,7 +167,7 @@ def trials(robot: Robot, count: int = POSES) -> Trials:
     """Return `spread` poses with all reference points, and those that touch fixed points."""
     poses = spread(robot, count)
     others = (at_tool(robot, poses, offset) for offset in OFFSETS[1:])
-    contacts = CONTACT in (kind for kind, *_ in kinds(mechanism_of(robot)))
+    contacts = any(look.touches for _, look in looks(mechanism_of(robot)))
     return Trials((poses, *others), tuple(touching(robot, poses)) if contacts else ())
 
 
@@ -254,73 +257,33 @@ def linear_against_exact(robot: Robot, poses: Poses, names: Sequence[str]) -> tu
 # ------------------------------------------------------------------------------------------------------------- ranks
 
 
-def identification(robot: Robot, sets: Sequence[Poses], names: Sequence[str], kind: str) -> Array:
+def identification(
+    robot: Robot, sets: Sequence[Poses], names: Sequence[str], kind: Kind, frame: str = "unknown"
+) -> Array:
     """Return the rows by which a kind of measurement sees parameters at poses, its own unknowns projected out.
 
-    `kind` is a kind of measurement, or ``position in the robot's frame``; angles of a pose count at 100 mm.
+    Angles of a pose count at 100 mm.
     """
     mechanism = mechanism_of(robot)
     x = np.vstack([s.x for s in sets])
     S = np.vstack([s.by_errors for s in sets])[:, :, [mechanism.index[n] for n in names]]
-    count, each = len(x), len(sets[0].x)
-    own, zeros = np.arange(count)[:, None], np.zeros(count, dtype=int)
-    frame = np.concatenate([np.eye(3).ravel(), np.zeros(3)])
-    flat = "z" not in mechanism.axes
-    plane = (2, 3, 4) if flat else (0, 1, 2, 3, 4, 5)
-    rotations = None
-    if kind == "distance":
-        a, b = np.triu_indices(each, 1)
-        few = np.random.default_rng(SEED + 3).permutation(len(a))[:2000]
-        own = np.vstack([np.column_stack([a[few], b[few]]) + k * each for k in range(len(sets))])
-        zeros, instrument = np.zeros(len(own), dtype=int), frameless("distance")
-    elif kind == "height":
-        instrument = frameless("height")
-    elif kind == CONTACT:
-        zeros = np.tile(np.arange(each), len(sets))
-        origins = np.column_stack([np.tile(np.eye(3).ravel(), (each, 1)), -sets[0].x[:, :3]])
-        instrument = Instrument(CONTACT, origins, (3, 4) if flat else (3, 4, 5))
-    elif kind == "sphere":
-        own, instrument = _seen(x)
-        zeros = np.zeros(len(own), dtype=int)
-    elif kind == "gauge":
-        mount = np.array([[*_base_point(robot, x), 0.0]])
-        instrument = Instrument("gauge", mount, tuple(u for u in range(3) if not (flat and u == 2)))
-    elif kind == "pose":
-        turn = (8,) if flat else (6, 7, 8)
-        rotations = x[:, 3:].reshape(-1, 3, 3)
-        instrument = Instrument("pose", np.array([[*frame, *np.eye(3).ravel()]]), (*plane, *turn))
-    else:
-        instrument = Instrument("position", frame[None], plane if kind == "position" else ())
-    reading = "position" if kind.startswith("position") else kind
-    width = 4 if kind == "sphere" else 3
-    found = Readings(reading, own, np.zeros((len(own), width)), rotations, zeros, np.arange(len(own)), zeros)
+    point = _base_point(robot, x)
+    said = Measurement(frame=frame, camera=CAMERA, base_point_mm=tuple(point.tolist()))
+    found, instrument = kind.imagined(x, len(sets), mechanism, said)
+    each = len(found) // len(sets)
+    if each > MOST_READINGS:
+        few = np.random.default_rng(SEED + 3).permutation(each)[:MOST_READINGS]
+        found = found.subset(np.concatenate([few + k * each for k in range(len(sets))]))
     J, nuisance = instrument.linearise(found, x, S)
-    if kind == "gauge" and (free := [names.index(m) for m in MOUNT if m in names]):
-        J[:, :, free] += instrument.by_unknown(found, x, tuple(range(len(free))))
-    if kind == "pose":
-        J[:, 3:], nuisance[:, 3:] = 100.0 * J[:, 3:], 100.0 * nuisance[:, 3:]
+    instrument.add_carried(J, mechanism, names, found, x)
+    turned = list(kind.turned)
+    J[:, turned], nuisance[:, turned] = 100.0 * J[:, turned], 100.0 * nuisance[:, turned]
     J, nuisance = J.reshape(-1, J.shape[2]), nuisance.reshape(J.shape[0] * J.shape[1], -1)
     if nuisance.shape[1]:
         U, s, _ = np.linalg.svd(nuisance, full_matrices=False)
         Q = U[:, s > 1e-10 * s[0]]
         J = J - Q @ (Q.T @ J)
     return np.asarray(J)
-
-
-def _seen(x: Array) -> tuple[np.ndarray, Instrument]:
-    """Return the poses (rows, 1) at which a camera on the platform sees a ball well, and the camera.
-
-    It looks along z of the platform, and the ball stands where the middle of the poses looks.
-    """
-    along = x[:, 3:].reshape(-1, 3, 3)[:, :, 2]
-    middle = along.mean(axis=0) / np.linalg.norm(along.mean(axis=0))
-    far = 2.0 * float(np.ptp(x[:, :3], axis=0).max()) + 20.0 * CAMERA.ball_radius_mm
-    ball = x[:, :3].mean(axis=0) + far * middle
-    depth = np.einsum("ni,ni->n", along, ball - x[:, :3])
-    own = np.flatnonzero(depth > 0.5 * np.linalg.norm(ball - x[:, :3], axis=1))
-    return own[:, None], Instrument(
-        "sphere", sphere.state(CAMERA, np.eye(3), ball)[None], tuple(range(6)), far / CAMERA.fx_px
-    )
 
 
 def _base_point(robot: Robot, x: Array) -> Array:
@@ -330,29 +293,10 @@ def _base_point(robot: Robot, x: Array) -> Array:
     return point if "z" in mechanism_of(robot).axes else point * [1.0, 1.0, 0.0]
 
 
-def kinds(mechanism: Machine) -> list[tuple[str, str, int, str]]:
-    """Return what is looked at: kind, in words, reference points, and the motions that its unknowns make invisible."""
-    one, several = "unknown frame, one point", "unknown frame, several points"
-    turning = mechanism.turning  # at will, so that a turn of the platform is seen
-    found = [
-        ("position in the robot's frame", "positions in a known frame", 1, "frame of the robot"),
-        ("position", "positions in an unknown frame", 1, one),
-        ("position", "positions in an unknown frame", len(OFFSETS), several),
-        ("distance", "distances between poses", 1, one),
-        ("distance", "distances between poses", len(OFFSETS), several if turning else one),
-        ("gauge", "gauge between base and platform", 1, one),
-    ]
-    if mechanism.turns:
-        found.insert(3, ("pose", "poses, frame and body unknown", 1, "unknown frame and body"))
-    if turning:
-        found.append((CONTACT, f"contacts with fixed points, each in {STANDS} ways", 1, one))
-    elif mechanism.limbs == len(mechanism.axes):
-        found.append((CONTACT, "contacts with fixed points", len(OFFSETS), several))
-    if "z" in mechanism.axes:
-        found.append(("height", "heights over a flat bed", 1, "flat bed"))
-        motions = "unknown frame and body" if turning else one
-        found.append(("sphere", "images of a ball, camera and ball unknown", 1, motions))
-    return found
+def looks(mechanism: Machine) -> list[tuple[Kind, Look]]:
+    """Return the readings that are looked at, kind by kind."""
+    every = map(kind_of, kind_names())
+    return [(kind, look) for kind in every for look in kind.looks(mechanism, len(OFFSETS), STANDS)]
 
 
 def ranks(robot: Robot, at: Trials, names: Sequence[str]) -> list[Rank]:
@@ -361,22 +305,22 @@ def ranks(robot: Robot, at: Trials, names: Sequence[str]) -> list[Rank]:
     typical = mechanism.typical[[mechanism.index[n] for n in names]]
     units = [mechanism.parameters[mechanism.index[n]].unit for n in names]
     out = []
-    for kind, words, points, motions in kinds(mechanism):
-        sets = at.touched if kind == CONTACT else at.sets[:points]
-        H = identification(robot, sets, list(names), kind)
+    for kind, look in looks(mechanism):
+        sets = at.touched if look.touches else at.sets[: look.points]
+        H = identification(robot, sets, list(names), kind, look.frame)
         s = np.linalg.svd(np.linalg.qr(H * typical, mode="r"), compute_uv=False)
         top = s[0] if len(s) and s[0] > 0 else 1.0
         rank = int((s > RANK_TOLERANCE * top).sum())
         out.append(
             Rank(
-                words,
-                points,
+                look.words,
+                look.points,
                 rank,
                 len(names),
                 float(s[rank - 1] / top) if rank else 0.0,
                 float(s[rank] / top) if rank < len(s) else 0.0,
                 tuple(unseen(H, names, units, typical)),
-                motions,
+                look.motions,
             )
         )
     return out
@@ -393,7 +337,7 @@ def condition_by_count(robot: Robot, at: Trials, names: Sequence[str]) -> tuple[
 
     def values(count: int) -> Array:
         some = [s.first(count) for s in at.sets]
-        s = np.linalg.svd(identification(robot, some, list(names), "position") * typical, compute_uv=False)
+        s = np.linalg.svd(identification(robot, some, list(names), kind_of("position")) * typical, compute_uv=False)
         return np.asarray(s)
 
     whole = values(len(at.poses.x))

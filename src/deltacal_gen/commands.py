@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.mechanism import load_mechanism, mechanism_names, mechanism_of
 from deltacal_gen.recording import Recording, csv_text, file_columns, read_recording, write_files, write_recording
 from deltacal_gen.robot import Robot, for_model, for_names, read_robot, read_text
@@ -711,7 +712,7 @@ def compensate(
                 f"{off.sum()} of {len(off)} commands leave the last frame turned by up to {turned.max():.2g} deg: {why}"
             )
     if result.get("correction"):
-        if result["instrument"]["kind"] in ("position", "pose"):
+        if kind_of(result["instrument"]["kind"]).positions:
             joints, share = prediction.corrected_joints(result, joints, tool, columns)
             if (outside := share < 0.5).any():
                 tell(f"{outside.sum()} of {len(share)} targets lie outside what the smooth correction was made of")

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.estimation import Fit, lengths, rms, robust_sigma, robust_weights
-from deltacal_gen.measurement import Instrument
+from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.mechanism import Array
 from deltacal_gen.physics import Term
 from deltacal_gen.recording import Recording

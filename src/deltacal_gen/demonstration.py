@@ -18,7 +18,7 @@ import numpy as np
 from deltacal_gen import commands, exports, figures
 from deltacal_gen.accuracy import check_poses, workspace_of
 from deltacal_gen.compensation import Compensator
-from deltacal_gen.measurement import align
+from deltacal_gen.instrument.instrument import align
 from deltacal_gen.mechanism import Array
 from deltacal_gen.physics import Term
 from deltacal_gen.prediction import calibrated_robot, known_effects

@@ -24,8 +24,8 @@ from deltacal_gen.discrimination import Question, more_poses, next_measurements
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation import SPARE_READINGS, Fit, Problem, fit, held_out, held_out_errors, pose_problem, rms
 from deltacal_gen.identification import Noise, folds, noise
+from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.machine.backend import by_recording
-from deltacal_gen.measurement import BOTH, Instrument
 from deltacal_gen.mechanism import Array, mechanism_of
 from deltacal_gen.physics import Body, Term, blank, effect_names, load_effect, row_coefficients, term_to_dict
 from deltacal_gen.recording import Recording, check_units, set_aside
@@ -224,7 +224,7 @@ def _lean(robot: Robot, recording: Recording) -> str | None:
     mechanism = mechanism_of(robot)
     problem = pose_problem(robot, recording, ())
     full = len(mechanism.model(mechanism.full_model)) + SPARE_READINGS
-    if problem.readings.kind not in ("height", BOTH) or problem.readings.n_scalars >= full:
+    if not problem.readings.kind.probed or problem.readings.n_scalars >= full:
         return None
     return identification.chosen_model(mechanism, problem, recording, None)
 

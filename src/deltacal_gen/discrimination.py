@@ -17,10 +17,10 @@ import numpy as np
 
 from deltacal_gen.estimation import Fit, Problem
 from deltacal_gen.inputs import Recording
+from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.mechanism import SOLVED, Array
 from deltacal_gen.physics import Body, Channels, Term
 from deltacal_gen.robot import to_file
-from deltacal_gen.simulation import unread
 from deltacal_gen.states import columns
 from deltacal_gen.units import joint_factors, joint_names, of_joints
 
@@ -144,7 +144,7 @@ def candidates(at: Fit, terms: Sequence[Term], rng: np.random.Generator) -> Cand
         problem.body.tool[like],
         dataclasses.replace(Channels.of(rows, robot), order=np.full(CANDIDATES, float(recording.n_rows))),
     )
-    whole = dataclasses.replace(problem, recording=rows, body=body, readings=unread(rows))
+    whole = dataclasses.replace(problem, recording=rows, body=body, readings=kind_of(rows.kind).unread(rows))
     machine, status = body.solve(whole.split(at.errors)[0], whole.acting(at.errors))
     fit_for_use = (status == SOLVED) & _inside(problem, machine.x)
     able = np.flatnonzero(fit_for_use[whole.readings.rows].all(axis=1))

@@ -18,7 +18,9 @@ import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.inputs import Recording, Robot
-from deltacal_gen.measurement import BOTH, CONTACT, Instrument, Readings, carried, readings, start
+from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kinds import measured_points, readings
+from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.mechanism import Array, Machine, Sensitivity, mechanism_of
 from deltacal_gen.physics import Body, Channels, Deformed, Term, of_reading, reading_shift
 from deltacal_gen.solvers import LeastSquares, Solution, Solver
@@ -35,8 +37,7 @@ HUBER = 2.5  # standard deviations beyond which a reading's pull stops growing
 SPOILT = 30.0  # times the median residual: a reading so far off is named when a fit does not converge
 MOST_GROSS = 0.06  # of all readings: more than this are no errors of measurement but something left out
 SPARE_READINGS = 3  # scalars beyond the unknowns, without which no noise can be told from errors
-USUAL_NOISE = (0.02, 0.1)  # mm: of a bed probe, of a caliper on a printed object
-USUAL_COUNTS = 3  # readings that this knowledge is worth
+USUAL_COUNTS = 3  # readings that knowing the usual noise of an instrument is worth
 GROSS = 6.0  # standard deviations beyond which a reading is listed as a gross error
 
 
@@ -151,11 +152,7 @@ class Problem:
         effects = self.effect_columns(terms, machine, used, sensitivity)
         mounted = instrument.mounted(self.mechanism, parameters)
         J_p, J_m = mounted.linearise(self.readings, machine.x, np.concatenate([dx, effects], axis=2))
-        own = {u: p for u, p in carried(instrument.kind, self.mechanism).items() if p in self.columns}
-        if own:
-            J_p[:, :, [self.columns.index(p) for p in own.values()]] += mounted.by_unknown(
-                self.readings, machine.x, tuple(own)
-            )
+        mounted.add_carried(J_p, self.mechanism, self.names, self.readings, machine.x)
         if terms:
             values, _ = mounted.predict(self.readings, machine.x)
             shifted = reading_shift(terms, self.body, self.readings, values, machine.x)[1]
@@ -184,7 +181,7 @@ class Problem:
     def begin(self, parameters: Array, machine: Deformed | None = None) -> Instrument:
         """Return the instrument's first state for a machine with `parameters`."""
         x = self.poses(parameters) if machine is None else machine.x
-        return start(self.readings, self.recording, self.robot, x)
+        return self.readings.kind.start(self.readings, self.recording, self.robot, x)
 
     def subset(self, chosen: np.ndarray) -> Problem:
         """Return the problem with these readings only."""
@@ -228,11 +225,7 @@ def pose_problem(
 ) -> Problem:
     """Return the estimation problem of a recording for a set of free source errors; `held` effects stay as they are."""
     mechanism = mechanism_of(robot)
-    tool = np.broadcast_to(robot.tool, (recording.n_rows, 3)).copy()
-    if recording.tool is not None:
-        tool = np.where(np.isfinite(recording.tool), recording.tool, tool)
-    if recording.kind == "gauge" and recording.measurement.platform_point_mm is not None and recording.tool is None:
-        tool[:] = recording.measurement.platform_point_mm
+    tool = measured_points(robot, recording)
     q = robot.joint_sign * recording.joints
     return Problem(
         robot=robot,
@@ -416,10 +409,10 @@ def fit(
     shared = Repeats(problem.readings.group, repeats.ratio if repeats else 0.0)
     history: list[float] = []
     scalars = int(np.isfinite(instrument.residual(problem.readings, machine.x)).sum())
-    scarce = scalars - n_m - len(problem.names) < SPARE_READINGS and problem.readings.kind != "pose"
+    scarce = scalars - n_m - len(problem.names) < SPARE_READINGS and not problem.readings.kind.rotations
     known = problem.recording.measurement.sigma_mm if scarce else None
-    groups = problem.readings.noise_groups(6)
-    leverage = np.full(2, float(n_m + min(len(problem.names), 1)) / max(scalars, 1))
+    groups = problem.readings.kind.noise_groups(6)
+    leverage = np.full(groups.max() + 1, float(n_m + min(len(problem.names), 1)) / max(scalars, 1))
     damping, degrees, close = 0.0, 0.0, ESTIMATED_AT
     while True:
         state = problem.linearise(errors, instrument, machine)
@@ -446,7 +439,7 @@ def fit(
             solver = solver.settled(solution)
         degrees = solution.degrees + n_m
         leverage = (
-            np.full(2, degrees / max(problem.readings.n_scalars, 1.0))
+            np.full(len(leverage), degrees / max(problem.readings.n_scalars, 1.0))
             if problem.readings.made
             else _leverage(A, Q, solution, np.isfinite(state.residual), groups)
         )
@@ -493,8 +486,8 @@ def fit(
 
 def _shared(found: Readings, residual: Array, quiet: np.ndarray, degrees: float, leverage: Array) -> Repeats:
     """Return what repeats share, of each group of columns for itself; they part what the fit took by their leverage."""
-    groups, ratio = found.noise_groups(residual.shape[1]), np.zeros(residual.shape[1])
-    parts = [groups == g for g in range(2)]
+    groups, ratio = found.kind.noise_groups(residual.shape[1]), np.zeros(residual.shape[1])
+    parts = [groups == g for g in range(len(leverage))]
     taken = [used * np.isfinite(residual[:, part]).sum() for used, part in zip(leverage, parts, strict=True)]
     for part, some in zip(parts, taken, strict=True):
         rows = quiet & np.isfinite(residual[:, part]).any(axis=1)
@@ -572,20 +565,22 @@ def _gain(step: Array, departure: Array, A_p: Array, Q: Array, b: Array, weight:
 
 
 def _leverage(A: Array, Q: Array, solution: Solution, read: np.ndarray, groups: np.ndarray) -> Array:
-    """Return the part of each group's readings (2,) that the fit uses up: the mean of the hat matrix's diagonal."""
+    """Return the part of each group's readings that the fit uses up (g,): the mean of the hat matrix's diagonal."""
     with np.errstate(divide="ignore", invalid="ignore"):
         weight = np.where(solution.factors > 0, np.sqrt(solution.factors) / solution.singular_values, 0.0)
     hat = ((A @ solution.V * weight) ** 2).sum(axis=1) + (Q**2).sum(axis=1)
-    second = np.broadcast_to(groups[: read.shape[1]] == 1, read.shape)[read]
-    return np.array([hat[part].mean() if part.any() else 0.0 for part in (~second, second)])
+    own = np.broadcast_to(groups[: read.shape[1]], read.shape)[read]
+    parts = (own == group for group in range(groups.max() + 1))
+    return np.array([hat[part].mean() if part.any() else 0.0 for part in parts])
 
 
 def robust_sigma(residual: Array, leverage: Array, robust: bool, found: Readings) -> Array:
     """Return the noise (k,) of each group of columns (lengths and rotations, heights and distances) from its residuals.
 
-    `leverage` (2,) is the part of each that the fit has used up.
+    `leverage` (g,) is the part of each that the fit has used up.
     """
-    sigma, groups = np.ones(residual.shape[1]), found.noise_groups(residual.shape[1])
+    sigma, groups = np.ones(residual.shape[1]), found.kind.noise_groups(residual.shape[1])
+    usual = found.kind.usual_noises
     for group, used in enumerate(leverage):
         part = groups == group
         r = residual[:, part]
@@ -600,11 +595,11 @@ def robust_sigma(residual: Array, leverage: Array, robust: bool, found: Readings
         else:
             spread = max(float(np.sqrt(np.mean(r**2))), SMALLEST_SIGMA)
         sigma[part] = spread / np.sqrt(max(1 - used, 0.1))
-        if found.kind == BOTH:
+        if usual:
             # a few readings of one kind can be met exactly at the other's cost: what such instruments read guards them
             free = len(r) * max(1 - used, 0.1)
-            usual = USUAL_NOISE[group]
-            sigma[part] = np.sqrt((free * sigma[part] ** 2 + USUAL_COUNTS * usual**2) / (free + USUAL_COUNTS))
+            known = USUAL_COUNTS * usual[group] ** 2
+            sigma[part] = np.sqrt((free * sigma[part] ** 2 + known) / (free + USUAL_COUNTS))
     return sigma
 
 
@@ -683,7 +678,7 @@ def _damped(
         except InputError:
             damping, harder = max(damping * harder, 1.0), 2 * harder
             continue
-        if moved.kind == CONTACT:  # what was touched turns with the machine, along an arc that no linear step follows
+        if moved.kind.follows:  # what was touched turns with the machine, along an arc that no linear step follows
             off = whitened(problem.residual(trial, moved, deformed.x)).ravel()
             moved = instrument.stepped(m_step + np.linalg.lstsq(A_m, off, rcond=None)[0])
         if weight is None:

@@ -23,7 +23,7 @@ from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.ticker import PercentFormatter
 
-from deltacal_gen.measurement import Readings
+from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.mechanism import Array, mechanism_of
 from deltacal_gen.physics import Body, Channels, reading_shift, term_from_dict
 from deltacal_gen.robot import robot_from_dict
@@ -276,7 +276,7 @@ def seen(found: Mapping[str, Any]) -> Seen:
 
 
 def _one_frame(found: Mapping[str, Any]) -> bool:
-    return found["instrument"]["kind"] in ("position", "pose") and len(found["instrument"]["setups"]) == 1
+    return kind_of(found["instrument"]["kind"]).positions and len(found["instrument"]["setups"]) == 1
 
 
 def contribution(found: Mapping[str, Any], effect: int) -> Array | None:
@@ -291,8 +291,7 @@ def contribution(found: Mapping[str, Any], effect: int) -> Array | None:
     with_it, without = body.solve(errors, terms)[0].x[:, :3], body.solve(errors, others)[0].x[:, :3]
     turn, origin = np.split(np.array(found["instrument"]["state"][0][:12]), [9])
     read = [x @ turn.reshape(3, 3).T + origin for x in (with_it, without)]
-    every = np.arange(len(with_it))
-    positions = Readings("position", every[:, None], with_it, None, 0 * every, every, every)
+    positions = kind_of("position").taken(np.arange(len(with_it))[:, None], values=with_it)
     shifted = [r + reading_shift(t, body, positions, r, with_it)[0] for r, t in zip(read, (terms, others), strict=True)]
     out: Array = shifted[0] - shifted[1]
     return out

@@ -97,7 +97,7 @@ def identification_matrix(problem: Problem, convention: str = "file") -> Identif
     state = problem.linearise(problem.reference, instrument, machine)
     read = np.isfinite(state.residual)
     J_p, J_m, r = state.J_p[read], state.J_m[read], state.residual[read]
-    if problem.readings.kind == "gauge" and problem.recording.measurement.zero == "incremental":
+    if problem.readings.kind.in_differences(problem.recording.measurement):
         J_p, J_m, r = np.diff(J_p, axis=0), np.diff(J_m, axis=0)[:, :-1], np.diff(r)  # the zero falls out
     if J_m.shape[1]:
         if len(problem.readings) * state.residual.shape[1] < instrument.n_unknown:

@@ -20,7 +20,6 @@ from deltacal_gen.comparison import between
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation import (
     SPARE_READINGS,
-    USUAL_NOISE,
     Fit,
     Problem,
     Repeats,
@@ -32,8 +31,9 @@ from deltacal_gen.estimation import (
     rough,
 )
 from deltacal_gen.identifiability import Combination
+from deltacal_gen.instrument.kinds import kind_of, mounts
+from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.backend import by_recording
-from deltacal_gen.measurement import BOTH, CONTACT, MOUNT, Readings, carried, contacts
 from deltacal_gen.mechanism import SOLVED, Array, Machine, mechanism_of
 from deltacal_gen.physics import Body, Term, of_reading, term_to_dict
 from deltacal_gen.recording import Recording, check_units
@@ -202,7 +202,7 @@ def identify(
         weak=weak,
         base=identifiability.base(per_unit, names, units, typical) if unseen else [],
         remedies=printed(final)
-        if problem.readings.kind in ("height", BOTH)
+        if problem.readings.kind.distances_beside
         else _remedies(final)
         if unseen or weak
         else [],
@@ -278,8 +278,8 @@ def chosen_model(mechanism: Machine, problem: Problem, recording: Recording, ask
     """
     scalars = problem.readings.n_scalars
     extra = problem.begin(problem.reference).n_unknown
-    shown = {mechanism.parameters[p].name for p in carried(problem.readings.kind, mechanism).values()}
-    fitting = [m for m in mechanism.models if shown.issuperset(set(MOUNT) & set(mechanism.models[m]))]
+    shown = {mechanism.parameters[p].name for p in problem.readings.kind.carried(mechanism).values()}
+    fitting = [m for m in mechanism.models if shown.issuperset(mounts() & set(mechanism.models[m]))]
     whole = len(mechanism.model(mechanism.full_model))
     by_size = sorted((m for m in fitting if len(mechanism.models[m]) <= whole), key=lambda m: -len(mechanism.models[m]))
     if asked is not None:
@@ -304,9 +304,10 @@ def enough(mechanism: Machine, problem: Problem, recording: Recording) -> None:
 
 def _spare(recording: Recording) -> int:
     """Return how many readings beyond the unknowns a fit needs: none where the noise is known beforehand."""
-    if recording.kind == "height":
+    kind = kind_of(recording.kind)
+    if kind.probed:
         return SPARE_HEIGHTS
-    return 0 if recording.measurement.sigma_mm is not None and recording.kind != "pose" else SPARE_READINGS
+    return 0 if recording.measurement.sigma_mm is not None and not kind.rotations else SPARE_READINGS
 
 
 def _check_count(recording: Recording, scalars: int, parameters: int, extra: int, model: str, spare: int) -> None:
@@ -342,9 +343,8 @@ def enough_poses(problem: Problem, model: str) -> None:
     part to judge by.
     """
     found = problem.readings
-    each = 1 if found.kind == BOTH else found.values.shape[1] + (0 if found.rotations is None else 3)
     poses = len(np.unique(np.round(problem.body.q[np.unique(found.rows)], 9), axis=0))
-    scalars = each * len(np.unique(found.group))
+    scalars = found.kind.scalars * len(np.unique(found.group))
     if found.rows.shape[1] == 2:
         scalars = min(scalars, 3 * poses)
     extra = problem.begin(problem.reference).n_unknown
@@ -373,7 +373,7 @@ def plausible(first: Fit) -> None:
     off = float(np.median(np.linalg.norm(np.nan_to_num(lengths(first.residual)), axis=1)))
     if off < IMPLAUSIBLE * size:
         return
-    for words, changed in _mistakes(problem) if found.kind in ("position", "pose") else ():
+    for words, changed in _mistakes(problem) if found.kind.positions else ():
         try:
             again = rough(changed)
         except (InputError, NoSolutionError):
@@ -433,7 +433,7 @@ def check_rows(first: Fit, recording: Recording) -> None:
     Two readings that are gross errors, and each of which fits the pose of the other, were swapped.
     """
     found, suspects = first.problem.readings, first.gross
-    if found.kind not in ("position", "pose") or not 2 <= len(suspects) <= max(2, len(found) // 5):
+    if not found.kind.positions or not 2 <= len(suspects) <= max(2, len(found) // 5):
         return
     predicted = found.values - first.residual[:, :3]
     within = 6 * float(np.median(np.linalg.norm(lengths(first.residual), axis=1))) + 1e-9
@@ -505,9 +505,7 @@ def noise(final: Fit, recording: Recording) -> Noise:
     happens between two readings of a pose adds to the spread of some and not of others.
     """
     found, residual = final.problem.readings, coordinate_sigma(final)
-    declared = recording.measurement.sigma_mm
-    if found.kind == "sphere" and declared is None and recording.measurement.sigma_px is not None:
-        declared = recording.measurement.sigma_px * final.instrument.scale
+    declared = found.kind.sigma(recording.measurement, final.instrument.scale)
     if found.made:
         return Noise(residual, "residual", np.inf) if declared is None else Noise(declared, "declared", np.inf)
     quiet = np.setdiff1d(np.arange(len(found)), final.gross)
@@ -585,13 +583,13 @@ def _remedies(final: Fit) -> list[dict[str, Any]]:
     ideas: list[tuple[str, list[Problem]]] = []
     tools = [problem.body.tool + np.array(offset) * span for offset in ((1, 0, 0), (0, 1, 0), (0, 0, -1))]
     moved = [problem.with_tool(tool) for tool in tools]
-    if not carried(problem.readings.kind, problem.mechanism):  # a measuring mechanism mounted anew has new errors
+    if not problem.readings.kind.carried(problem.mechanism):  # a measuring mechanism mounted anew has new errors
         beside = f"{span:.0f} mm beside the first, at the same poses"
         ideas.append((f"a second reference point, {beside}", moved[:1]))
         ideas.append((f"a second and a third reference point, {beside}", moved[:2]))
-    if problem.readings.kind in ("distance", "gauge"):
+    if problem.readings.kind.position_beside:
         ideas.append(("the position itself at the same poses, with a tracker or a camera", [_as_positions(problem)]))
-    if problem.readings.kind != "pose" and problem.mechanism.turns:
+    if problem.readings.kind.rotation_beside and problem.mechanism.turns:
         full = _as_positions(problem)
         three = [full.with_tool(full.body.tool + np.array(o) * span) for o in ((0, 0, 0), (1, 0, 0), (0, 1, 0))]
         ideas.append(("the platform's rotation (kind pose) at the same poses", three))
@@ -614,7 +612,7 @@ def printed(final: Fit) -> list[dict[str, Any]]:
     be off by is told with the change of the machine that goes along with it.
     """
     robot, mechanism = final.problem.robot, final.problem.mechanism
-    names = mechanism.model(mechanism.full_model)
+    names, noise = mechanism.model(mechanism.full_model), kind_of("distance").usual_noise
     every, _ = _with_prior(final.problem.with_names(names), robot)
     state = every.linearise(final.errors, final.instrument)
     A = np.nan_to_num(state.J_p * every.scale / final.sigma[None, :, None]).reshape(-1, len(names))
@@ -636,7 +634,7 @@ def printed(final: Fit) -> list[dict[str, Any]]:
     while len(chosen) < 2:
         std = np.sqrt(np.einsum("ni,ij,nj->n", J, C, J))
         k = int(np.argmax(std))
-        if std[k] < 2 * USUAL_NOISE[1]:
+        if std[k] < 2 * noise:
             break
         along = C @ J[k] / std[k]
         size = np.abs(along) / mechanism.typical[every.columns]
@@ -651,16 +649,12 @@ def printed(final: Fit) -> list[dict[str, Any]]:
         )
         chosen.append({"measurement": text, "pins": 1, "of": len(names), "open_mm": float(std[k])})
         gain = C @ J[k]
-        C = C - np.outer(gain, gain) / (std[k] ** 2 + USUAL_NOISE[1] ** 2)
+        C = C - np.outer(gain, gain) / (std[k] ** 2 + noise**2)
     return chosen
 
 
 def _as_positions(problem: Problem) -> Problem:
-    rows = np.unique(problem.readings.rows)
-    n = len(rows)
-    readings = Readings(
-        "position", rows[:, None], np.zeros((n, 3)), None, np.zeros(n, dtype=int), np.arange(n), np.arange(n)
-    )
+    readings = kind_of("position").taken(np.unique(problem.readings.rows)[:, None])
     recording = dataclasses.replace(problem.recording, setup=np.zeros(problem.recording.n_rows, dtype=int))
     return dataclasses.replace(problem, readings=readings, recording=recording)
 
@@ -678,7 +672,7 @@ def _pinned(problems: list[Problem], final: Fit) -> int:
         sigma = np.resize(final.sigma, state.residual.shape[1])[None, :, None]
         J_p, J_m = state.J_p * p.scale / sigma, state.J_m / sigma
         count = J_p.shape[0] * J_p.shape[1]
-        blocks.setdefault(p.readings.kind, []).append((J_p.reshape(count, -1), J_m.reshape(count, J_m.shape[2])))
+        blocks.setdefault(p.readings.kind.name, []).append((J_p.reshape(count, -1), J_m.reshape(count, J_m.shape[2])))
     A = []
     for parts in blocks.values():  # readings of one kind share the instrument
         J_p, J_m = np.vstack([a for a, _ in parts]), np.vstack([b for _, b in parts])
@@ -706,20 +700,10 @@ def uncertainty_map(final: Fit, robot: Robot) -> dict[str, Any] | None:
     if not ok.any():
         return None
     dx = mechanism.sensitivity(x, q, tool, mechanism.rows(robot)).parameters[:, :, problem.columns]
-    if final.instrument.kind in ("position", "pose"):
-        grid = Readings(
-            "position",
-            np.arange(ok.sum())[:, None],
-            np.zeros((ok.sum(), 3)),
-            None,
-            np.zeros(ok.sum(), dtype=int),
-            np.arange(ok.sum()),
-            np.arange(ok.sum()),
-        )
-        frame = dataclasses.replace(final.instrument, kind="position", state=final.instrument.state[:, :12])
-        columns = tuple(c for c in final.instrument.free if c < 6)
-        J_p, J_m = dataclasses.replace(frame, free=columns).linearise(grid, x, dx)
-        keep = [n + s * len(final.instrument.free) + j for s in range(len(frame.state)) for j in range(len(columns))]
+    if (frame := final.instrument.of_points()) is not None:
+        J_p, J_m = frame.linearise(frame.kind.taken(np.arange(ok.sum())[:, None]), x, dx)
+        whole, part = len(final.instrument.free), len(frame.free)
+        keep = [n + s * whole + j for s in range(len(frame.state)) for j in range(part)]
         J = np.concatenate([J_p, J_m], axis=2)
         C = final.covariance[np.ix_([*range(n), *keep], [*range(n), *keep])]
     else:
@@ -728,7 +712,7 @@ def uncertainty_map(final: Fit, robot: Robot) -> dict[str, Any] | None:
     std = np.sqrt(np.maximum(np.einsum("nij,jk,nik->ni", J, C, J), 0.0))
     norm = np.linalg.norm(std, axis=1)
     return {
-        "frame": "instrument" if final.instrument.kind in ("position", "pose") else "best alignment of the map",
+        "frame": "best alignment of the map" if frame is None else "instrument",
         "tool_mm": tool.tolist(),
         "worst_mm": float(norm.max()),
         "median_mm": float(np.median(norm)),
@@ -800,7 +784,7 @@ def _result(found: Identification) -> dict[str, Any]:
         "next_measurements": found.remedies,
         "regularisation": _regularisation(found),
         "readings": {
-            "kind": problem.readings.kind,
+            "kind": problem.readings.kind.name,
             "scalars": problem.readings.n_scalars,
             "poses": len(np.unique(problem.recording.pose)),
         },
@@ -816,7 +800,7 @@ def _result(found: Identification) -> dict[str, Any]:
         "stages": _stages(found),
         "accuracy": _accuracy(found),
         "base_frame": _base_frames(found),
-        "contacts": _contacts(found),
+        "contacts": final.instrument.kind.points(final.instrument, problem.recording),
         "workspace": found.map,
         "iterations": len(final.history),
         "physics": [term_to_dict(t) for t in problem.held],
@@ -892,7 +876,7 @@ def _stages(found: Identification) -> list[dict[str, Any]]:
 def _accuracy(found: Identification) -> dict[str, Any] | None:
     """Return the paper's two error measures of the measured positions, before and after; home is the most central."""
     problem, final = found.fit.problem, found.fit
-    if problem.readings.kind not in ("position", "pose"):
+    if not problem.readings.kind.positions:
         return None
     chosen = np.setdiff1d(np.arange(len(problem.readings)), final.gross)
     chosen = chosen[problem.readings.setup[chosen] == problem.readings.setup[chosen[0]]]
@@ -914,21 +898,11 @@ def _accuracy(found: Identification) -> dict[str, Any] | None:
     return out
 
 
-def _contacts(found: Identification) -> list[dict[str, Any]]:
-    """Return where the points that were touched are in {O}."""
-    instrument = found.fit.instrument
-    if instrument.kind != CONTACT:
-        return []
-    names = contacts(found.fit.problem.recording)
-    return [
-        {"name": str(n), "position_mm": (-t).tolist()} for n, t in zip(names, instrument.state[:, 9:12], strict=True)
-    ]
-
-
 def _base_frames(found: Identification) -> list[dict[str, Any]]:
     """Return where {O} stands in the instrument's frame, set-up by set-up, with standard deviations."""
     instrument, n = found.fit.instrument, len(found.fit.problem.names)
-    if 3 not in instrument.free or instrument.kind == CONTACT:
+    frames = instrument.frames()
+    if 3 not in instrument.free or not frames:
         return []
     std = np.zeros((len(instrument.state), 9))  # zero: not estimated, because no reading depends on it
     std[:, list(instrument.free)] = np.sqrt(np.maximum(np.diag(found.fit.covariance)[n:], 0.0)).reshape(len(std), -1)
@@ -940,5 +914,5 @@ def _base_frames(found: Identification) -> list[dict[str, Any]]:
             "origin_mm": origin.tolist(),
             "origin_std_mm": std[s, 3:6].tolist(),
         }
-        for s, (turn, origin) in enumerate(instrument.frames())
+        for s, (turn, origin) in enumerate(frames)
     ]

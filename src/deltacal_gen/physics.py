@@ -23,7 +23,7 @@ import numpy as np
 from deltacal_gen import states
 from deltacal_gen.errors import InputError
 from deltacal_gen.inputs import TEMPERATURE, Recording, Robot
-from deltacal_gen.measurement import Readings
+from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.mechanism import SOLVED, STATUS, Array, Machine, Sensitivity
 from deltacal_gen.rotation import cayley_matrix
 from deltacal_gen.states import CHANNELS, State
@@ -670,7 +670,7 @@ def reading_shift(terms: Sequence[Term], body: Body, found: Readings, values: Ar
     """
     R, k = values.shape
     added, parts = np.zeros((R, k)), []
-    columns, rows = found.targets, found.rows[:, 0]
+    columns, rows = found.kind.targets, found.rows[:, 0]
     for term in terms:
         kernels = term.kernels
         own = np.zeros((R, k, term.n_coefficients))

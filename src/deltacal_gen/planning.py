@@ -36,7 +36,11 @@ from deltacal_gen.identifiability import (
     observability,
     unseen,
 )
-from deltacal_gen.measurement import Instrument, Readings, carried
+from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Kind
+from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.instrument.kinds import names as kind_names
+from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.mechanism import SOLVED, STATUS, Array, Machine, mechanism_of
 from deltacal_gen.recording import Measurement, Recording, read_measurement, write_recording
 from deltacal_gen.robot import Robot, Workspace, to_file
@@ -45,13 +49,7 @@ from deltacal_gen.units import file_unit
 SCHEMA = "deltacal.plan/1"
 LAYERS = {"top": 0.0, "middle": 0.5, "bottom": 1.0}  # part of the cylinder's height below its top
 ROUGH, FINE = ("middle",), ("top", "bottom")  # Bai 2015, sections 5.1 and 5.2
-KINDS = {
-    "distance": "distances between all pairs of positions of one reference point",
-    "position": "positions in one unknown frame, which is projected out",
-    "pose": "positions and rotations in one unknown frame and of one unknown body, which are projected out; a turn of "
-    "1 rad counts as 100 mm",
-    "gauge": "lengths from a point of the base to one of the platform, differences of adjacent poses",
-}
+KINDS = {name: words for name in kind_names() if (words := kind_of(name).planned)}  # of what poses are planned for
 NORMS = {
     "spectral": "largest singular value by the smallest",
     "frobenius": "Frobenius norm of the matrix times that of its pseudo-inverse",
@@ -78,6 +76,14 @@ class Mount:
 
     base: Array
     platform: Array
+
+    @property
+    def said(self) -> Measurement:
+        """What the sidecar of the readings will say."""
+        base, platform = ((float(x), float(y), float(z)) for x, y, z in (self.base, self.platform))
+        return Measurement(
+            kind="gauge", frame="robot", zero="incremental", base_point_mm=base, platform_point_mm=platform
+        )
 
 
 @dataclass(frozen=True)
@@ -184,7 +190,7 @@ class Task:
 
     def step(self, n: int, poses: Poses, before: float = math.inf) -> Step:
         """Return the figures of a set of poses; `before` is the condition number of the last smaller one."""
-        nominal = dataclasses.replace(self, robot=_as_mounted(self.robot)) if self.mount else self
+        nominal = dataclasses.replace(self, robot=_as_mounted(self.robot, kind_of(self.kind))) if self.mount else self
         H = nominal._columns(poses)
         figures = observability(H, len(poses))
         condition = self._condition(figures)
@@ -195,7 +201,7 @@ class Task:
 
     def _columns(self, poses: Poses) -> Array:
         factors, _ = column_convention(self.robot, self.names, self.scaling)
-        columns: Array = _matrix(self.robot, poses, self.names, self.kind, self.mount) * factors
+        columns: Array = _matrix(self.robot, poses, self.names, kind_of(self.kind), self.mount) * factors
         return columns
 
     def _condition(self, figures: Observability) -> float:
@@ -549,7 +555,7 @@ def design(robot: Robot, targets: Array, tools: Array, names: Sequence[str], kin
     NoSolutionError
         A target cannot be reached; the message names it.
     """
-    return _matrix(robot, _reached(robot, targets, tools), names, kind)
+    return _matrix(robot, _reached(robot, targets, tools), names, kind_of(kind))
 
 
 def _reached(robot: Robot, targets: Array, tools: Array) -> Poses:
@@ -586,41 +592,34 @@ def _reachable(robot: Robot, targets: Array, tools: Array) -> Poses:
     return reach(robot, targets[reached], tools)[0]
 
 
-def _matrix(robot: Robot, poses: Poses, names: Sequence[str], kind: str, mount: Mount | None = None) -> Array:
+def _matrix(robot: Robot, poses: Poses, names: Sequence[str], kind: Kind, mount: Mount | None = None) -> Array:
     moved = _sensitivity(robot, poses, names)
-    return _read(kind, poses, moved) if mount is None else _gauged(robot, poses, names, moved, mount)
+    if mount is None:
+        return _read(_mechanism(robot), kind, poses, moved)
+    return _mounted(robot, poses, names, kind, moved, mount)
 
 
-def _gauged(robot: Robot, poses: Poses, names: Sequence[str], moved: Array, mount: Mount) -> Array:
+def _mounted(robot: Robot, poses: Poses, names: Sequence[str], kind: Kind, moved: Array, mount: Mount) -> Array:
     """Return differences of adjacent rows of what a gauge reads, its own errors among the parameters."""
     mechanism = _mechanism(robot)
-    own = carried("gauge", mechanism)
-    others = tuple(u for u, axis in enumerate("xyz") if u not in own and axis in mechanism.axes)
-    rows, count = np.arange(len(poses))[:, None], len(poses)
-    found = Readings("gauge", rows, np.zeros((count, 1)), None, np.zeros(count, dtype=int), rows[:, 0], rows[:, 0])
-    instrument = Instrument("gauge", np.array([[*mount.base, 0.0]]), others)
-    instrument = instrument.mounted(mechanism, mechanism.vector(robot.errors))
+    found, instrument = kind.imagined(poses.x, poses.points, mechanism, mount.said)
+    others = tuple(u for u in instrument.free if u not in kind.carried(mechanism))
+    instrument = dataclasses.replace(instrument, free=others).mounted(mechanism, mechanism.vector(robot.errors))
     J, J_m = instrument.linearise(found, poses.x, moved)
-    free = {
-        u: list(names).index(mechanism.parameters[p].name)
-        for u, p in own.items()
-        if mechanism.parameters[p].name in names
-    }
-    if free:
-        J[:, :, list(free.values())] += instrument.by_unknown(found, poses.x, tuple(free))
+    instrument.add_carried(J, mechanism, names, found, poses.x)
     J, J_m = np.diff(J[:, 0], axis=0), np.diff(J_m[:, 0], axis=0)
     return _without(J, J_m) if others else J
 
 
-def _as_mounted(robot: Robot) -> Robot:
+def _as_mounted(robot: Robot, kind: Kind) -> Robot:
     """Return the robot with no errors of a gauge: as its ends are nominally mounted."""
-    own = {_mechanism(robot).parameters[p].name for p in carried("gauge", _mechanism(robot)).values()}
+    own = {_mechanism(robot).parameters[p].name for p in kind.carried(_mechanism(robot)).values()}
     return dataclasses.replace(robot, errors={k: v for k, v in robot.errors.items() if k not in own})
 
 
-def _read(kind: str, poses: Poses, moved: Array) -> Array:
+def _read(mechanism: Machine, kind: Kind, poses: Poses, moved: Array) -> Array:
     """Return how readings change (rows, n) where the platform moves by `moved` (P, n_x, n); the frame projected out."""
-    found, instrument = _readings(kind, poses, axes=3 if np.any(poses.targets[:, 2]) else 2)
+    found, instrument = kind.imagined(poses.x, poses.points, mechanism, Measurement())
     J, J_m = _linearise(found, instrument, poses.x, moved)
     J = J.reshape(-1, moved.shape[2])
     return _without(J, J_m.reshape(len(J), -1)) if instrument.n_unknown else J
@@ -629,8 +628,8 @@ def _read(kind: str, poses: Poses, moved: Array) -> Array:
 def _linearise(found: Readings, instrument: Instrument, x: Array, moved: Array) -> tuple[Array, Array]:
     """Return derivatives of readings by parameters and by the instrument's unknowns, turns as shifts of `TURN_MM`."""
     J, J_m = instrument.linearise(found, x, moved)
-    for derivatives in (J, J_m) if found.kind == "pose" else ():
-        derivatives[:, 3:] *= TURN_MM
+    for derivatives in (J, J_m):
+        derivatives[:, list(found.kind.turned)] *= TURN_MM
     return J, J_m
 
 
@@ -650,24 +649,6 @@ def _sensitivity(robot: Robot, poses: Poses, names: Sequence[str]) -> Array:
 
 def _mechanism(robot: Robot) -> Machine:
     return mechanism_of(robot)
-
-
-def _readings(kind: str, poses: Poses, frame_per_point: bool = False, axes: int = 3) -> tuple[Readings, Instrument]:
-    """Return the readings that the poses will give, and the instrument that takes them, in the frame {O}."""
-    count, each = len(poses), len(poses) // poses.points
-    if kind == "distance":
-        a, b = np.triu_indices(each, 1)
-        rows = np.vstack([np.column_stack([a, b]) + k * each for k in range(poses.points)])
-        setup, instrument = np.zeros(len(rows), dtype=int), Instrument("distance", np.zeros((1, 0)), ())
-    else:
-        rows, setup = np.arange(count)[:, None], np.repeat(np.arange(poses.points), each) * frame_per_point
-        body = [*np.eye(3).ravel()] if kind == "pose" else []
-        state = np.tile([*np.eye(3).ravel(), 0.0, 0.0, 0.0, *body], (poses.points if frame_per_point else 1, 1))
-        unknowns = 9 if kind == "pose" else 6
-        free = tuple(u for u in (range(9) if axes == 3 else (2, 3, 4, 8)) if u < unknowns)
-        instrument = Instrument(kind, state, free)
-    empty = np.zeros((len(rows), 1 if kind == "distance" else 3))
-    return Readings(kind, rows, empty, None, setup, np.arange(len(rows)), np.zeros(len(rows), dtype=int)), instrument
 
 
 def _tools(tools: Array | Sequence[Sequence[float]]) -> Array:
@@ -830,7 +811,13 @@ def _fewest(task: Task, whole: Array) -> int:
 
 def _scalars(task: Task) -> int:
     """Return how many coordinates are read at one position."""
-    return (6 if task.kind == "pose" else 3) * len(task.tools)
+    return _at_poses(task).scalars * len(task.tools)
+
+
+def _at_poses(task: Task) -> Kind:
+    """Return what is read pose by pose: of distances, the positions that they lie between."""
+    kind = kind_of(task.kind)
+    return kind_of("position") if kind.pairs else kind
 
 
 def rule(n: Sequence[int], change: Sequence[float], threshold: float) -> tuple[int | None, int | None]:
@@ -927,22 +914,27 @@ def predict(task: Task, poses: Poses, sigma_mm: float) -> Prediction | None:
 
     Distances share the positions they lie between; their correlation is accounted for.
     """
-    robot, names, count = task.robot, task.names, len(poses)
-    read = 6 if task.kind == "pose" else 3  # coordinates
-    noise = np.zeros((count, 6, read * count))
-    noise[:, :read] = np.eye(read * count).reshape(count, read, -1)
-    noise[:, 3:] /= TURN_MM
+    robot, names, kind, count = task.robot, task.names, kind_of(task.kind), len(poses)
+    mechanism = _mechanism(robot)
     scale = column_convention(robot, names, "typical")[0]
     moved = _sensitivity(robot, poses, names) * scale
-    both = _read(task.kind, poses, np.concatenate([moved, noise], axis=2))
-    H, noise = both[:, : len(names)], both[:, len(names) :]
+    if kind.pairs or kind.positions:  # noise is that of the points, which a body's position and turn stand for
+        read = _at_poses(task).scalars
+        noise = np.zeros((count, 6, read * count))
+        noise[:, :read] = np.eye(read * count).reshape(count, read, -1)
+        noise[:, 3:] /= TURN_MM
+        both = _read(mechanism, kind, poses, np.concatenate([moved, noise], axis=2))
+        H, spread_by = both[:, : len(names)], both[:, len(names) :]
+    else:
+        H = _read(mechanism, kind, poses, moved)
+        spread_by = np.eye(len(H))
     if observability(H, count).rank < len(names):
         return None
-    response = sigma_mm * np.linalg.pinv(H) @ noise
+    response = sigma_mm * np.linalg.pinv(H) @ spread_by
     over = candidates_of(robot)
     over = over[reach(robot, over, task.tools[:1])[1] == ""]
     at = _reached(robot, over, task.tools[:1])
-    tool = _read("position", at, _sensitivity(robot, at, names) * scale)
+    tool = _read(mechanism, kind_of("position"), at, _sensitivity(robot, at, names) * scale)
     spread = np.linalg.norm((tool @ response).reshape(len(over), -1), axis=1)
     std = np.linalg.norm(response, axis=1) * scale
     return Prediction(sigma_mm, dict(zip(names, std.tolist(), strict=True)), float(spread.mean()), float(spread.max()))
@@ -959,7 +951,8 @@ def rank_table(robot: Robot, kind: str = "distance") -> list[RankRow]:
     for points in range(1, len(OFFSETS) + 1):
         tools = reference_points(robot, points)
         poses = _generic(robot, tools)
-        whole = np.linalg.qr(_matrix(robot, poses, every, kind))[1]  # singular values and null space in few rows
+        # singular values and null space in few rows
+        whole = np.linalg.qr(_matrix(robot, poses, every, kind_of(kind)))[1]
         for model, names in mechanism.models.items():
             columns = [mechanism.index[name] for name in names]
             H, typical = whole[:, columns], mechanism.typical[columns]
@@ -998,17 +991,17 @@ def _task(
         if value not in known:
             raise UsageError(f"there is no {what} '{value}'; known: {', '.join(known)}.")
     names = mechanism.model(model)
-    if (kind == "gauge") != (mount is not None):
+    if bool(kind_of(kind).mount) != (mount is not None):
         raise UsageError("a gauge, and nothing else, needs to know where its ends are mounted.")
     if mount is not None:
         tools = mount.platform[None]
-    elif tools is None and (len(mechanism.axes) == 2 or mechanism.turning or kind == "pose"):
+    elif tools is None and (len(mechanism.axes) == 2 or mechanism.turning or kind_of(kind).rotations):
         tools = 1
     elif tools is None:
         home = _reached(robot, rings(workspace_of(robot), 1, ()), robot.tool)
         tools = 2 if np.abs(_sensitivity(robot, home, names)[:, 3:]).max(initial=0.0) > RANK_TOLERANCE else 1
     points = reference_points(robot, tools) if isinstance(tools, int) else _tools(tools)
-    kept = _kept(robot, names, points, kind, mount)
+    kept = _kept(robot, names, points, kind_of(kind), mount)
     return Task(
         robot=robot,
         model=mechanism.full_name(model),
@@ -1022,7 +1015,7 @@ def _task(
     )
 
 
-def _kept(robot: Robot, names: Sequence[str], tools: Array, kind: str, mount: Mount | None = None) -> set[str]:
+def _kept(robot: Robot, names: Sequence[str], tools: Array, kind: Kind, mount: Mount | None = None) -> set[str]:
     """Return parameters that poses can tell apart: a registered model where one fits, else those of a pivoted QR."""
     poses, typical = _generic(robot, tools), column_convention(robot, names, "typical")[0]
     H = _matrix(robot, poses, names, kind, mount)
@@ -1046,11 +1039,12 @@ def _finite(value: float) -> float | None:
 def _with_frame(task: Task, poses: Poses) -> tuple[Array, Array]:
     """Return derivatives of the readings by parameters and frames, (P, k, n) and (P, k, n_m), comparable in size.
 
-    Three coordinates of a position (distances lie between positions), six of a pose.
+    Distances lie between positions, of each reference point in a frame of its own.
     """
-    axes = len(_mechanism(task.robot).axes)
-    kind = "pose" if task.kind == "pose" else "position"
-    found, instrument = _readings(kind, poses, frame_per_point=task.kind == "distance", axes=axes)
+    found, instrument = _at_poses(task).imagined(poses.x, poses.points, _mechanism(task.robot), Measurement())
+    if kind_of(task.kind).pairs:
+        found = dataclasses.replace(found, setup=np.repeat(np.arange(poses.points), len(poses) // poses.points))
+        instrument = dataclasses.replace(instrument, state=np.tile(instrument.state, (poses.points, 1)))
     moved = _sensitivity(task.robot, poses, task.names) * column_convention(task.robot, task.names, "typical")[0]
     J, F = _linearise(found, instrument, poses.x, moved)
     return J, F / np.linalg.norm(F, axis=(0, 1))
@@ -1059,14 +1053,14 @@ def _with_frame(task: Task, poses: Poses) -> tuple[Array, Array]:
 def _bases(task: Task, poses: Poses) -> tuple[Array, Array]:
     """Return orthonormal bases of what the candidates see of parameters and frames, and of the frames alone.
 
-    In blocks (M, 3 T, rank), one per candidate: determinants in these bases differ from those in parameters by
+    In blocks (M, k T, rank), one per candidate: determinants in these bases differ from those in parameters by
     a constant, and are well scaled.
     """
     J, F = _with_frame(task, poses)
 
     def blocks(columns: Array) -> Array:
         U, s, _ = np.linalg.svd(columns.reshape(-1, columns.shape[2]), full_matrices=False)
-        by_point = U[:, s > RANK_TOLERANCE * s[0]].reshape(poses.points, len(poses) // poses.points, 3, -1)
+        by_point = U[:, s > RANK_TOLERANCE * s[0]].reshape(poses.points, len(poses) // poses.points, J.shape[1], -1)
         return np.concatenate(list(by_point), axis=1)
 
     return blocks(np.concatenate([J, F], axis=2)), blocks(F)
@@ -1109,21 +1103,12 @@ def _log_det_with(blocks: Array, rest: np.ndarray) -> Array:
 def target_recording(found: Plan, path: str | Path = "poses.csv") -> Recording:
     """Return a plan's poses as a recording of targets, or of a chain's joints, with nothing measured yet."""
     count, mount, mechanism = len(found.poses), found.mount, _mechanism(found.robot)
-    axes = tuple(f"{axis}_mm" for axis in mechanism.axes)
-    if found.kind == "pose":
-        measurement, columns = Measurement(kind="pose"), axes + tuple(f"r{axis}_deg" for axis in mechanism.turns)
-    elif mount is None:
-        measurement, columns = Measurement(kind="position"), axes
-    else:
-        base, end = ((float(x), float(y), float(z)) for x, y, z in (mount.base, mount.platform))
-        measurement = Measurement(
-            kind="gauge", frame="robot", zero="incremental", base_point_mm=base, platform_point_mm=end
-        )
-        columns = ("gauge_mm",)
+    kind = _at_poses(found)
+    columns = kind.columns(mechanism)
     return Recording(
         path=Path(path),
-        kind=measurement.kind or "position",
-        measurement=measurement,
+        kind=kind.name,
+        measurement=Measurement(kind=kind.name) if mount is None else mount.said,
         joint_unit=mechanism.joint_unit,
         joints=found.poses.joints,
         columns=columns,

@@ -12,13 +12,14 @@ import numpy as np
 from deltacal_gen.correction import Smooth, variable
 from deltacal_gen.errors import InputError
 from deltacal_gen.estimation import Problem, pose_problem
-from deltacal_gen.measurement import CONTACT, FRAMELESS, Instrument, Readings, frameless, home_of, start
+from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kinds import instrument_from_dict, kind_of
+from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.mechanism import Array, mechanism_of
 from deltacal_gen.physics import Term, of_reading, reading_shift, term_from_dict
 from deltacal_gen.recording import Measurement, Recording
 from deltacal_gen.robot import Robot, robot_from_dict
 from deltacal_gen.rotation import from_vector, to_vector
-from deltacal_gen.simulation import unread, with_values
 
 CORRECTED = "correction_share"  # channel of a prediction
 COMMAND_STEPS = 20
@@ -79,13 +80,7 @@ def predict(result: Mapping[str, Any], recording: Recording) -> Recording:
         if rotations is not None and turned is not None:
             rotations = from_vector(each * to_vector(turned @ np.swapaxes(rotations, 1, 2))) @ rotations
         recording = dataclasses.replace(recording, channels=recording.channels | {CORRECTED: share})
-    if rotations is not None:
-        values = np.hstack([values, to_vector(rotations)])
-    if recording.kind in ("position", "pose"):
-        values = values[:, list(recording.components)]
-    if recording.kind == "gauge" and recording.measurement.zero == "incremental":
-        values = values - values[0]
-    return with_values(recording, problem.readings, values)
+    return problem.readings.kind.with_values(recording, problem.readings, values, rotations)
 
 
 def corrected_joints(
@@ -178,7 +173,7 @@ def prediction_problem(
     found: Readings | None = None,
 ) -> tuple[Problem, Instrument]:
     """Return the problem of a recording with nothing free, and the instrument that a result knows for it."""
-    found = unread(recording) if found is None else found
+    found = kind_of(recording.kind).unread(recording) if found is None else found
     found, instrument = _instrument(result, robot, recording, found)
     held = known_effects(result, timed=recording.time_s is not None)
     problem = pose_problem(robot, recording, (), found=found, held=held)
@@ -196,25 +191,20 @@ def _instrument(
     result: Mapping[str, Any], robot: Robot, recording: Recording, found: Readings
 ) -> tuple[Readings, Instrument]:
     known = result["instrument"]
-    instrument = Instrument.from_dict(known)
-    if found.kind in FRAMELESS:
-        return found, frameless(found.kind)
-    if found.kind == CONTACT:  # where the points are is unknown in every session
+
+    def poses() -> Array:
         held = known_effects(result, timed=recording.time_s is not None)
         problem = pose_problem(robot, recording, (), found=found, held=held)
-        return found, start(found, recording, robot, problem.poses(problem.reference))
-    if recording.measurement.frame == "robot" and found.kind == "position":
-        state = np.array([[*np.eye(3).ravel(), 0.0, 0.0, 0.0]] * _setups(recording))
-        return found, Instrument("position", state, (), home=home_of(recording, robot))
-    if found.kind == "position" and instrument.kind == "pose":
-        instrument = Instrument("position", instrument.state[:, :12], (), home=instrument.home)
-    if found.kind == "gauge" and instrument.kind != "gauge" and recording.measurement.base_point_mm is not None:
-        instrument = Instrument("gauge", np.array([[*recording.measurement.base_point_mm, 0.0]]), ())
-    if found.kind != instrument.kind:
+        return problem.poses(problem.reference)
+
+    if (own := found.kind.own(found, recording, robot, poses)) is not None:
+        return found, own
+    given = instrument_from_dict(known)
+    if (instrument := found.kind.like(given, recording)) is None:
         raise InputError(
-            f"the result was identified from readings of the kind '{instrument.kind}' and knows no frame for "
-            f"'{found.kind}'.",
-            f'Give readings of the kind {instrument.kind}, or say frame = "robot" in the sidecar.',
+            f"the result was identified from readings of the kind '{given.kind.name}' and knows no frame for "
+            f"'{found.kind.name}'.",
+            f'Give readings of the kind {given.kind.name}, or say frame = "robot" in the sidecar.',
             file=recording.path,
         )
     names = list(known["setups"])
@@ -228,10 +218,6 @@ def _instrument(
         )
     index = np.array([names.index(n) if n in names else 0 for n in recording.setup_names])
     return dataclasses.replace(found, setup=index[found.setup]), instrument
-
-
-def _setups(recording: Recording) -> int:
-    return int(recording.setup.max()) + 1
 
 
 def residual(result: Mapping[str, Any], recording: Recording, found: Readings) -> Array:

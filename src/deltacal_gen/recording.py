@@ -22,10 +22,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
-from pydantic import BeforeValidator
+from pydantic import AfterValidator
+from pydantic_core import PydanticCustomError
 
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.inputs import POSITION, ROTATION, TEMPERATURE, Measurement, Recording, Robot
+from deltacal_gen.instrument import kinds
+from deltacal_gen.instrument.kind import Kind
+from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.machine import POSE
 from deltacal_gen.robot import (
     Number,
@@ -46,14 +50,8 @@ if TYPE_CHECKING:
     from deltacal_gen.mechanism import Machine
 
 _TOOL = ("tool_x_mm", "tool_y_mm", "tool_z_mm")
-_COLUMNS = {  # of the kinds of measurement that do not depend on the machine's axes
-    "distance": ("distance_mm",),
-    "gauge": ("gauge_mm",),
-    "contact": ("contact",),
-    "height": ("height_mm",),
-    "sphere": ("u1_px", "u2_px", "v1_px", "v2_px"),
-}
-_RESERVED = {"x_mm", "y_mm", "z_mm", *ROTATION, *_TOOL, "pose", "setup", *sum(_COLUMNS.values(), ())}
+_MEASURED = {column for name in kinds.names() for column in kind_of(name).reserved}
+_RESERVED = {*_MEASURED, *_TOOL, "pose", "setup"}
 _ONE_SETUP = ("1",)  # name of the only set-up, where the file names none
 
 _JOINT = re.compile(r"q\d+_(deg|mm)")
@@ -86,17 +84,20 @@ class Camera(Table):
     ball_radius_mm: Positive
 
 
-def _kind_name(value: object) -> object:
-    return "sphere" if value in ("sphere image", "sphere_image") else value
+def _kind_name(value: str) -> str:
+    """Return a kind's name of what a sidecar calls it."""
+    for name in kinds.names():
+        if value in (name, *kind_of(name).aliases):
+            return name
+    *most, last = map(repr, kinds.names())
+    expected = f"{', '.join(most)} or {last}"
+    raise PydanticCustomError("literal_error", "one of {expected} was expected", {"expected": expected})
 
 
 class _Measurement(Table):
     """The table [measurement] of a sidecar, of which `Measurement` is made."""
 
-    kind: Annotated[
-        Literal["position", "pose", "distance", "gauge", "contact", "height", "sphere"] | None,
-        BeforeValidator(_kind_name),
-    ] = None
+    kind: Annotated[str, AfterValidator(_kind_name)] | None = None
     frame: Literal["unknown", "robot"] = "unknown"
     sigma_mm: Positive | None = None
     sigma_deg: Positive | None = None
@@ -227,16 +228,14 @@ def _recording(
     else:
         joints = _joints(rows, mechanism)
 
-    turns = _turns(mechanism)
-    kinds = {"position": axes, "pose": axes + turns, **_COLUMNS}
-    kind = _kind(rows, measurement.kind, kinds, pairs is not None, need_measured)
-    columns = kinds[kind]
-    _check_sidecar(path, kind, measurement, sidecar.contacts, rows)
+    kind = _kind(rows, measurement.kind, mechanism, pairs is not None, need_measured)
+    columns = kind.columns(mechanism)
+    kind.check(measurement, sidecar.contacts.distance_mm, rows.columns, path.with_suffix(".toml"))
     pose = rows.labels("pose") or [str(n + 1) for n in range(len(joints))]
     setup_names, setup = np.unique(rows.labels("setup", blank=False) or _ONE_SETUP * len(joints), return_inverse=True)
     recording = Recording(
         path=path,
-        kind=kind,
+        kind=kind.name,
         measurement=measurement,
         joint_unit=mechanism.joint_unit,
         joints=joints,
@@ -249,11 +248,11 @@ def _recording(
         setup_names=tuple(setup_names.tolist()),
         tool=rows.numbers(*_TOOL) if set(_TOOL) & set(rows.columns) else None,
         targets=targets,
-        contact=np.array(rows.columns["contact"]) if kind == "contact" and "contact" in rows.columns else None,
+        contact=np.array(rows.columns["contact"]) if {"contact"} & set(columns) & set(rows.columns) else None,
         contact_distances=sidecar.contacts.distance_mm,
     )
     if pairs is not None:
-        recording = _with_pairs(recording, pairs, rows, need_measured and kind == "distance")
+        recording = _with_pairs(recording, pairs, rows, need_measured and kind.pairs)
     else:
         _check_repeats(recording, rows)
     if need_measured and recording.measurement.zero == "incremental" and _has_home(mechanism):
@@ -303,26 +302,10 @@ def check_units(recording: Recording, robot: Robot, *, load: Callable[[str], Mac
 
 def _spreads(recording: Recording, joints: np.ndarray) -> Iterator[tuple[str, float, float]]:
     """Column, spread of its readings [mm] and largest motion of a joint (N, n_q) between them."""
-    if recording.kind in ("position", "pose"):
-        points = recording.measured[:, [name not in ROTATION for name in recording.columns]]
-        for setup in np.unique(recording.setup):  # each set-up has a frame of its own
-            rows = (recording.setup == setup) & np.isfinite(points).all(axis=1)
-            if rows.any():
-                spread = np.linalg.norm(np.ptp(points[rows], axis=0))
-                yield recording.columns[0], float(spread), float(np.ptp(joints[rows], axis=0).max())
-    if recording.kind == "gauge":
-        rows = np.isfinite(recording.measured[:, 0])
-        if rows.any():
-            yield (
-                "gauge_mm",
-                float(np.ptp(recording.measured[rows, 0])),
-                float(np.ptp(joints[rows], axis=0).max()),
-            )
-    if recording.pairs is not None and recording.pair_measured is not None:
-        distance = np.nan_to_num(recording.pair_measured)
-        if distance.any():
-            a, b = joints[recording.pairs[np.argmax(distance)]]
-            yield "distance_mm", float(distance.max()), float(np.abs(a - b).max())
+    kind, pairs = kind_of(recording.kind), kind_of("distance")
+    yield from kind.spreads(recording, joints)
+    if recording.pairs is not None and not kind.pairs:
+        yield from pairs.spreads(recording, joints)
 
 
 @dataclass(frozen=True)
@@ -554,31 +537,6 @@ def _said(sidecar: _Sidecar) -> Measurement:
     return said if sidecar.camera is None else dataclasses.replace(said, camera=sidecar.camera)
 
 
-def _check_sidecar(path: Path, kind: str, said: Measurement, contacts: _Contacts, rows: _Rows) -> None:
-    """What the kind needs is there, and the contacts named have been touched."""
-    file = path.with_suffix(".toml")
-    if kind == "gauge" and said.base_point_mm is None:
-        raise InputError(
-            "a gauge needs the point of the base that it is fixed to.",
-            "Add base_point_mm = [x, y, z] to [measurement].",
-            file=file,
-        )
-    if kind == "sphere" and said.camera is None:
-        raise InputError(
-            "images of a sphere need the camera.",
-            "Add [measurement.camera] with fx_px, fy_px, cx_px, cy_px and ball_radius_mm.",
-            file=file,
-        )
-    touched = set(rows.columns.get("contact", ()))
-    for a, b, _ in contacts.distance_mm if touched else ():
-        if unknown := {a, b} - touched:
-            raise InputError(
-                f"[contacts] distance_mm names '{min(unknown)}', which no row has in its column 'contact'.",
-                f"Use names of {', '.join(sorted(touched - {''}))}.",
-                file=file,
-            )
-
-
 def _pairs_and_rows(path: Path, rows: _Rows) -> tuple[_Rows | None, _Rows]:
     """The table of distances, if there is one, and the table of rows.
 
@@ -642,55 +600,70 @@ def _joints(rows: _Rows, mechanism: Machine) -> np.ndarray:
     return joints
 
 
-def _kind(
-    rows: _Rows, said: str | None, kinds: Mapping[str, tuple[str, ...]], paired: bool, need_measured: bool
-) -> str:
+def _kind(rows: _Rows, said: str | None, mechanism: Machine, paired: bool, need_measured: bool) -> Kind:
     """Kind of the recording: what the sidecar says, checked against the columns, or what the columns say."""
-    present = {kind: names for kind, names in kinds.items() if any(name in rows.columns for name in names)}
-    if not set(ROTATION) & set(rows.columns):
-        present.pop("pose", None)
-    if "distance" in (said, *present) and not paired:
+    columns = {kind: kind.columns(mechanism) for kind in map(kind_of, kinds.names())}
+    present = _present(columns, rows.columns)
+    stated = None if said is None else kind_of(said)
+    between = [kind for kind in (stated, *present) if kind is not None and kind.pairs]
+    if between and not paired:
         name = _distances_path(rows.path).name
         raise rows.error(
             "distances lie between two points, but the rows hold one joint set each.",
             f"Add {name} with the columns pose_a, pose_b, distance_mm, or name the joints q1a_..., q1b_... here.",
             column="distance_mm",
         )
-    if said is not None:
-        if said != "distance" and present and said not in present:
-            other, names = next(iter(present.items()))
+    if stated is not None:
+        # a kind with more columns than another may be read as that one
+        if not stated.pairs and present and not any(set(columns[stated]) <= set(columns[kind]) for kind in present):
+            other = present[0]
             raise rows.error(
-                f"the sidecar says kind = '{said}', but this column belongs to kind = '{other}'.",
-                f"Correct the sidecar, or give the columns {', '.join(kinds[said])}.",
-                column=next(name for name in names if name in rows.columns),
+                f"the sidecar says kind = '{said}', but this column belongs to kind = '{other.name}'.",
+                f"Correct the sidecar, or give the columns {', '.join(columns[stated])}.",
+                column=next(name for name in columns[other] if name in rows.columns),
             )
-        return said
-    if "pose" in present:
-        present.pop("position", None)
+        return stated
     if len(present) > 1:
         raise rows.error(
-            f"the columns hold readings of several kinds: {', '.join(present)}.",
+            f"the columns hold readings of several kinds: {', '.join(kind.name for kind in present)}.",
             f"Say which to use: kind = '...' under [measurement] in {rows.path.with_suffix('.toml').name}.",
         )
     if not present and need_measured and not paired:
         raise rows.error(
             "no column holds a measured quantity.",
-            f"Add one of: {'; '.join(', '.join(names) for names in kinds.values())}.",
+            f"Add one of: {'; '.join(', '.join(names) for names in columns.values())}.",
         )
-    return next(iter(present), "distance" if paired else "position")
+    return next(iter(present), kind_of("distance" if paired else "position"))
 
 
-def _measured(rows: _Rows, kind: str, columns: tuple[str, ...], need_measured: bool) -> np.ndarray:
-    if kind in ("distance", "contact"):
-        if kind == "contact" and need_measured:
-            rows.require("contact")
+def _present(columns: Mapping[Kind, tuple[str, ...]], given: Iterable[str]) -> list[Kind]:
+    """Return the kinds of which some column is given.
+
+    Of two kinds of which one has all columns of the other, the larger is there where one of its own columns is; it then
+    stands for both. On a machine that does not turn, poses have no column of their own.
+    """
+    there = set(given)
+    within = {
+        kind: [k for k in columns if k != kind and set(columns[k]) <= set(columns[kind]) and k.scalars < kind.scalars]
+        for kind in columns
+    }
+    own = {kind: set(columns[kind]).difference(*(columns[k] for k in within[kind])) for kind in columns}
+    found = [kind for kind in columns if own[kind] & there]
+    return [kind for kind in found if not any(kind in within[larger] for larger in found)]
+
+
+def _measured(rows: _Rows, kind: Kind, columns: tuple[str, ...], need_measured: bool) -> np.ndarray:
+    if not kind.numbers:
+        if need_measured and not kind.pairs:
+            rows.require(*columns)
         return np.empty((len(rows.line), 0))
     if not need_measured and not set(columns) & set(rows.columns):
         return np.full((len(rows.line), len(columns)), np.nan)
-    # A tracker may read a point without its rotation, but not part of a point.
-    parts = ([name for name in columns if name not in ROTATION], [name for name in columns if name in ROTATION])
-    values = np.hstack([rows.numbers(*names) for names in parts if names])
-    return values * [DEG if name in ROTATION else 1.0 for name in columns]
+    # what is in one unit is read together: a tracker may read a point without its rotation, but not part of a point
+    units = [name.rpartition("_")[2] for name in columns]
+    parts = [[name for name, u in zip(columns, units, strict=True) if u == unit] for unit in dict.fromkeys(units)]
+    factors = [DEG if name.endswith("_deg") else 1.0 for name in columns]
+    return np.hstack([rows.numbers(*names) for names in parts]) * factors
 
 
 def _is_measured(recording: Recording) -> bool:
@@ -790,9 +763,8 @@ def _check_home(recording: Recording) -> None:
             line=int(recording.line[0]),
             column=f"q{joint + 1}_{file_unit(unit)}",
         )
-    if recording.kind != "position" or recording.measurement.frame != "robot":
+    if (axes := kind_of(recording.kind).zero_at_home(recording)) is None:
         return
-    axes = recording.measured
     spread = float(np.ptp(axes[np.isfinite(axes).all(axis=1)], axis=0).max(initial=0.0))
     axis = int(np.argmax(np.abs(np.nan_to_num(axes[0]))))
     if abs(np.nan_to_num(axes[0, axis])) > _HOME * spread:
@@ -903,7 +875,6 @@ def write_blocks(parts: Iterable[Recording], path: str | Path) -> int:
 
 def is_recording(path: Path) -> bool:
     """Tell whether a table holds joints and at least one reading; its values are not judged."""
-    read = {*POSITION, *ROTATION, *sum(_COLUMNS.values(), ()), "contact"}
 
     def filled(table: Path, joints: bool) -> bool:
         with table.open(encoding="utf-8-sig", newline="") as file:
@@ -911,7 +882,7 @@ def is_recording(path: Path) -> bool:
             header = [name.strip() for name in next(rows, [])]
             if joints and not any(_JOINT.fullmatch(name) or _JOINT_OF_END.fullmatch(name) for name in header):
                 raise csv.Error("no joints")
-            at = [k for k, name in enumerate(header) if name in read]
+            at = [k for k, name in enumerate(header) if name in _MEASURED]
             return any(len(row) > k and row[k].strip() for row in rows for k in at)
 
     distances = path.with_suffix(".distances.csv")
@@ -938,7 +909,7 @@ def file_columns(recording: Recording) -> tuple[dict[str, Any], dict[str, Any]]:
         each = zip(joint_names(unit, count), of_joints(unit, count), recording.joints.T, strict=True)
         columns |= {name: [to_file(value, u) for value in q] for name, u, q in each}
         for name, values in zip(recording.columns, recording.measured.T, strict=False):
-            columns[name] = [to_file(value, "rad" if name in ROTATION else "mm") for value in values]
+            columns[name] = [to_file(value, "rad" if name.endswith("_deg") else "mm") for value in values]
     if recording.contact is not None:
         columns["contact"] = recording.contact.tolist()
     if recording.setup_names != _ONE_SETUP:

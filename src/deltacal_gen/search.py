@@ -336,11 +336,12 @@ def _constant(problem: Problem, name: str) -> str | None:
     """Return why an effect could not show: its channel does not vary, its columns do not exist, or it is geometry."""
     kernels = load_effect(name)
     rows = np.unique(problem.readings.rows)
+    kind = problem.readings.kind
     for channel in (c for s in read_by(kernels) for c in s.channels if c.column == s.shown):
         if channel.differing and not _differs(problem, channel, rows):
             return channel.differing
-    if kernels.ACTS_ON == "reading" and not any(t in problem.readings.targets for t in kernels.TARGETS):
-        return f"readings of another kind than {problem.readings.kind}"
+    if kernels.ACTS_ON == "reading" and not any(t in kind.targets for t in kernels.TARGETS):
+        return f"readings of another kind than {kind.name}"
     if displaces_points(kernels) and len(_tools(problem)) < 2:
         return "readings of a second point of the platform"
     if not kernels.STATE and all(t.startswith("limb.") for t in kernels.TARGETS):

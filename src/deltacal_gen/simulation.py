@@ -14,17 +14,14 @@ from typing import Any
 import numpy as np
 from pydantic import Field
 
-from deltacal_gen import sphere
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.measurement import BOTH, CONTACT, FRAMELESS, Instrument, Readings, both, frameless, home_of
+from deltacal_gen.instrument.kinds import kind_of, measured_points
 from deltacal_gen.mechanism import SOLVED, STATUS, Array, Machine, mechanism_of, nominal_joints
 from deltacal_gen.physics import Body, Channels, Term, blank, effect_names, load_effect, reading_shift, row_factors
-from deltacal_gen.recording import Measurement, Recording
+from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Number, Robot, Table, TomlFile, nearest
 from deltacal_gen.rotation import from_vector, to_vector
 from deltacal_gen.units import DEG, to_internal
-
-VISIBLE = 0.9  # part of the half image that a simulated ball stays in
 
 
 class _Truth(Table):
@@ -167,11 +164,7 @@ def simulate(
     """
     mechanism = mechanism_of(robot)
     true = mechanism.vector(robot.errors if errors is None else errors)
-    tool = np.broadcast_to(robot.tool, (poses.n_rows, 3))
-    if poses.tool is not None:
-        tool = np.where(np.isfinite(poses.tool), poses.tool, tool)
-    if poses.kind == "gauge" and poses.measurement.platform_point_mm is not None and poses.tool is None:
-        tool = np.broadcast_to(np.asarray(poses.measurement.platform_point_mm), (poses.n_rows, 3))
+    tool = measured_points(robot, poses)
     joints = poses.joints
     if poses.targets is not None:
         theta, status = nominal_joints(robot, poses.targets, tool)
@@ -185,22 +178,16 @@ def simulate(
     machine, status = body.solve(true, terms)
     _all_solved(poses, status, "the pose cannot be simulated")
     x = machine.x
-    found = unread(poses)
-    instrument = _instrument(poses, robot, x, frame, rng).mounted(mechanism, true)
+    found = kind_of(poses.kind).unread(poses)
+    instrument = found.kind.drawn(poses, robot, x, frame, rng).mounted(mechanism, true)
     values, rotations = instrument.predict(found, x)
     values = values + reading_shift(terms, body, found, values, x)[0]
     if (noise_mm or noise_rad) and rng is None:
         raise ValueError("noise needs a random generator: pass rng.")
     if noise_mm and rng is not None:
         values = values + noise_mm / instrument.scale * rng.standard_normal(values.shape)
-    if rotations is not None:
-        if noise_rad and rng is not None:
-            rotations = from_vector(noise_rad * rng.standard_normal((len(values), 3))) @ rotations
-        values = np.hstack([values, to_vector(rotations)])
-    if poses.kind in ("position", "pose"):
-        values = values[:, list(poses.components)]
-    if poses.kind == "gauge" and poses.measurement.zero == "incremental":
-        values = values - values[0]
+    if rotations is not None and noise_rad and rng is not None:
+        rotations = from_vector(noise_rad * rng.standard_normal((len(values), 3))) @ rotations
     truth = {
         f"true_r{axis}_deg": column / DEG
         for axis, column in zip("xyz", to_vector(x[:, 3:].reshape(-1, 3, 3)).T, strict=True)
@@ -211,98 +198,7 @@ def simulate(
     done = dataclasses.replace(
         poses, joints=joints, targets=None, measurement=measurement, channels={**poses.channels, **truth}
     )
-    return with_values(done, found, values)
-
-
-def with_values(recording: Recording, found: Readings, values: Array) -> Recording:
-    """Return a recording whose measured cells hold `values` (R, k) of all readings that `unread` lists."""
-    if found.kind == "distance":
-        return dataclasses.replace(recording, pair_measured=values[:, 0])
-    if found.kind != BOTH:
-        return dataclasses.replace(recording, measured=values)
-    height = found.rows[:, 0] == found.rows[:, 1]
-    measured = np.full((recording.n_rows, 1), np.nan)
-    measured[found.rows[height, 0], 0] = values[height, 0]
-    return dataclasses.replace(recording, measured=measured, pair_measured=values[~height, 1])
-
-
-def unread(poses: Recording) -> Readings:
-    """Return the readings that would be taken: every row, or every pair; heights at the rows that no pair names."""
-    if poses.kind == CONTACT:
-        raise InputError(
-            "a contact reads nothing that could be simulated or predicted: its joints are the reading.",
-            'Ask for the kind position, with frame = "robot" in the sidecar.',
-            file=poses.path,
-        )
-    if poses.kind == "height" and poses.pairs is not None:
-        own = np.isfinite(poses.measured[:, 0])
-        own[np.setdiff1d(np.arange(poses.n_rows), poses.pairs)] = True
-        rows, pairs = np.flatnonzero(own), np.arange(len(poses.pairs))
-        count = len(rows) + len(pairs)
-        return both(poses, rows, pairs, np.zeros(count), np.arange(count))
-    if poses.kind == "distance":
-        if poses.pairs is None:
-            raise InputError("no pairs of poses are given.", "Add NAME.distances.csv.", file=poses.path)
-        rows = poses.pairs
-    else:
-        rows = np.arange(poses.n_rows)[:, None]
-    n = len(rows)
-    setup = np.zeros(n, dtype=int) if poses.kind == "distance" else poses.setup
-    zeros = np.zeros((n, {"position": 3, "pose": 3, "sphere": 4}.get(poses.kind, 1)))
-    components = poses.components or tuple(range(6))
-    return Readings(poses.kind, rows, zeros, None, setup, np.arange(n), np.arange(n), components=components)
-
-
-def _instrument(
-    poses: Recording, robot: Robot, x: Array, frame: tuple[Array, Array] | None, rng: np.random.Generator | None
-) -> Instrument:
-    """Return the instrument that will read: in the robot's frame, in the one given, or in one drawn at random."""
-    if poses.kind in FRAMELESS:
-        return frameless(BOTH if poses.kind == "height" and poses.pairs is not None else poses.kind)
-    measurement: Measurement = poses.measurement
-    if poses.kind == "gauge":
-        return Instrument("gauge", np.array([[*(measurement.base_point_mm or (0.0, 0.0, 0.0)), 0.0]]), ())
-    setups = int(poses.setup.max()) + 1
-    if poses.kind == "sphere":
-        return _camera(poses, x, setups, rng)
-    turn, origin = np.tile(np.eye(3), (setups, 1, 1)), np.zeros((setups, 3))
-    if frame is not None:
-        turn[:], origin[:] = from_vector(frame[0]), frame[1]
-    elif measurement.frame == "unknown" and rng is not None:
-        vectors, origin = drawn_frames(poses, setups, rng)
-        turn = from_vector(vectors)
-    home = home_of(poses, robot)
-    if any(home):
-        origin[:] = 0.0
-    state = np.hstack([turn.reshape(setups, 9), origin])
-    if poses.kind == "pose":
-        state = np.hstack([state, np.swapaxes(turn, 1, 2).reshape(setups, 9)])  # rotations about the instrument's axes
-    return Instrument(poses.kind, state, (), home=home)
-
-
-def drawn_frames(poses: Recording, setups: int, rng: np.random.Generator) -> tuple[Array, Array]:
-    """Return where instruments of unknown frame stand: rotation vectors (setups, 3) [rad] and origins (setups, 3)."""
-    moving = np.array([1.0, 1.0, 1.0] if 2 in poses.components else [0.0, 0.0, 1.0])  # in the plane: about z
-    return 0.3 * rng.standard_normal((setups, 3)) * moving, 1000.0 * rng.standard_normal((setups, 3))
-
-
-def _camera(poses: Recording, x: Array, setups: int, rng: np.random.Generator | None) -> Instrument:
-    """Return a camera whose ball stands on its axis, as near as all poses still see the whole of it.
-
-    Where the frame is unknown the camera is mounted some degrees off the sidecar's rotation.
-    """
-    camera = poses.measurement.camera
-    assert camera is not None  # the recording was read
-    off = 0.03 * rng.standard_normal(3) if rng is not None and poses.measurement.frame == "unknown" else np.zeros(3)
-    turn = from_vector(off) @ from_vector(np.asarray(camera.rotation_deg) * DEG).T
-    P = x[:, :3] @ turn.T
-    away = P - (P.max(axis=0) + P.min(axis=0)) / 2
-    slope = VISIBLE * np.array([camera.cx_px / camera.fx_px, camera.cy_px / camera.fy_px])  # the centre is about half
-    reach = (np.abs(away[:, :2]) + 2 * camera.ball_radius_mm) / slope
-    depth = max(float((reach + away[:, 2:]).max()), 4 * camera.ball_radius_mm + float(away[:, 2].max()))
-    ball = turn.T @ ((P.max(axis=0) + P.min(axis=0)) / 2 + [0, 0, depth])
-    state = np.tile(sphere.state(camera, turn, ball), (setups, 1))
-    return Instrument("sphere", state, (), depth / np.sqrt(camera.fx_px * camera.fy_px))
+    return found.kind.with_values(done, found, values, rotations)
 
 
 def _all_solved(poses: Recording, status: np.ndarray, what: str) -> None:

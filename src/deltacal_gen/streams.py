@@ -22,8 +22,11 @@ from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation import Problem, pose_problem
 from deltacal_gen.identification import SCHEMA, file_terms, parameter_table
 from deltacal_gen.inputs import Recording, Robot
+from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kinds import kind_of, readings
+from deltacal_gen.instrument.kinds.position import drawn_frames
+from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.backend import working
-from deltacal_gen.measurement import CONTACT, Instrument, Readings, readings
 from deltacal_gen.mechanism import Array, mechanism_of
 from deltacal_gen.recording import read_blocks, write_blocks
 from deltacal_gen.robot import robot_to_dict
@@ -145,8 +148,13 @@ def simulate(
         for part in blocks:
             if not Path(poses).with_suffix(".toml").exists():  # as `commands.simulate` has it
                 part = dataclasses.replace(part, measurement=dataclasses.replace(part.measurement, frame="robot"))
-            if seen is None and part.kind == "position" and part.measurement.frame == "unknown" and rng is not None:
-                turn, origin = simulation.drawn_frames(part, 1, rng)
+            if (
+                seen is None
+                and kind_of(part.kind).positions
+                and part.measurement.frame == "unknown"
+                and rng is not None
+            ):
+                turn, origin = drawn_frames(part, 1, rng)
                 seen = turn[0], origin[0]
             turns = part.measurement.sigma_rad or 0.0 if noise_mm else 0.0
             yield simulation.simulate(robot, part, true, noise_mm=noise_mm, noise_rad=turns, rng=rng, frame=seen)
@@ -187,7 +195,7 @@ def identify(robot: Robot, recording: str | Path, model: str, *, rows: int = ROW
         count = scalars = 0
         size, blocks = _begun(read_blocks(recording, mechanism, rows))
         for part in blocks:
-            if part.kind != "position":
+            if not kind_of(part.kind).in_blocks:
                 raise InputError(
                     f"only positions are identified in blocks, these readings are of the kind {part.kind}.",
                     "Identify them as a whole.",
@@ -265,7 +273,7 @@ def validate(result: Mapping[str, Any], recording: str | Path, *, rows: int = RO
 
     def parts() -> Iterator[tuple[Readings, Array]]:
         for part in blocks:
-            if part.kind == CONTACT:
+            if kind_of(part.kind).anew:
                 raise InputError(
                     "contacts are not validated in blocks: where a point is, all its touches say together.",
                     "Validate them as a whole.",

@@ -100,7 +100,7 @@ class _Smooth:
         self._beside = Beside(at)
         self._limbs = problem.mechanism.limbs
         self._dx = displacements(problem, self._beside.machine)
-        if problem.readings.kind in ("position", "pose"):
+        if problem.readings.kind.positions:
             self._dx = np.concatenate([self._dx, _turns(self._beside.machine.x, self._dx.shape[1])], axis=2)
 
     @property

@@ -24,8 +24,9 @@ from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation import Problem, pose_problem
 from deltacal_gen.execution import Outcome, Task, Told, content_key, run
 from deltacal_gen.identification import BROAD
+from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.backend import Backend, using
-from deltacal_gen.measurement import Instrument, Readings, carried
 from deltacal_gen.mechanism import Array
 from deltacal_gen.physics import Body, Channels, Term, term_to_dict
 from deltacal_gen.recording import Recording
@@ -135,7 +136,7 @@ class Study:
     @property
     def known_frame(self) -> bool:
         """Whether the instrument stands in the robot's frame, so that nothing has to be aligned."""
-        return self.problem.readings.kind in ("position", "pose") and not self.instrument.free
+        return self.problem.readings.kind.positions and not self.instrument.free
 
     def noise(self, columns: int) -> Array:
         """Return the noise (columns,) of a reading: lengths [mm], then rotations [rad]."""
@@ -288,10 +289,8 @@ def _several(study: Study, count: int) -> Instrument:
 
 def _mounted(study: Study, instrument: Instrument, errors: Array) -> Instrument:
     """Return the instruments of machines where the machines' own errors (T, n_p) put them."""
-    state = instrument.state.copy()
-    for unknown, parameter in carried(instrument.kind, study.problem.mechanism).items():
-        state[:, unknown] += np.repeat(errors[:, parameter], len(state) // len(errors))
-    return dataclasses.replace(instrument, state=state)
+    each = len(instrument.state) // len(errors)
+    return instrument.mounted(study.problem.mechanism, np.repeat(errors, each, axis=0))
 
 
 def _calibrate(study: Study, found: Readings, near: Array) -> tuple[Array, np.ndarray]:
@@ -402,11 +401,11 @@ def _ideas(study: Study) -> list[tuple[str, Linear]]:
     """Return measurements that could be added, each with the linear problem of plan and addition."""
     problem, linear = study.problem, study.linear
     ideas = []
-    if problem.readings.kind in ("position", "distance", "gauge") and "z" in problem.mechanism.axes:
+    if problem.readings.kind.second_point and "z" in problem.mechanism.axes:
         moved = problem.with_tool(problem.body.tool + np.array([NEARBY, 0.0, 0.0]))
         words = f"a second reference point {NEARBY:.0f} mm beside the first, at the same poses"
         ideas.append((words, linear.and_more(*rows_of(study, moved))))
-    if problem.readings.kind in ("position", "pose", "gauge") and study.robot.workspace is not None:
+    if problem.readings.kind.more_poses and study.robot.workspace is not None:
         q, x = study.check
         one = dataclasses.replace(
             problem.recording,
@@ -571,7 +570,7 @@ def _summed(
     return {
         "schema": SCHEMA,
         "robot": robot_to_dict(study.robot),
-        "kind": problem.readings.kind,
+        "kind": problem.readings.kind.name,
         "readings": problem.readings.n_scalars,
         "poses": problem.recording.n_rows,
         "sigma_mm": study.sigma,

@@ -15,7 +15,8 @@ import numpy as np
 
 from deltacal_gen import iso9283
 from deltacal_gen.estimation import lengths
-from deltacal_gen.measurement import Readings, readings
+from deltacal_gen.instrument.kinds import readings
+from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.mechanism import Array
 from deltacal_gen.prediction import calibrated_robot, residual
 from deltacal_gen.recording import Recording
@@ -39,7 +40,7 @@ def validate(result: Mapping[str, Any], recording: Recording) -> dict[str, Any]:
     r = residual(result, recording, found)
     out = figures(result, [(found, r)])
     out["never_seen"] = never_seen(result.get("seen"), calibrated_robot(result).joint_sign * recording.joints)
-    if found.kind in ("position", "pose"):
+    if found.kind.positions:
         several = [g for g, n in enumerate(np.bincount(found.group)) if n > 1]
         repeated = [
             iso9283.pose(r[found.group == g, :3], np.zeros(3))
@@ -72,7 +73,7 @@ def figures(result: Mapping[str, Any], parts: Iterable[tuple[Readings, Array]]) 
     sigma, error = float(result["sigma_mm"]), float(np.sqrt(squares / scalars)) if scalars else float("nan")
     return {
         "schema": "deltacal.validation/1",
-        "kind": found.kind,
+        "kind": found.kind.name,
         "readings": count,
         "rms_mm": error,
         "worst_mm": rows[0]["error_mm"],

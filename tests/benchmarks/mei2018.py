@@ -25,7 +25,9 @@ from deltacal_gen import planning
 from deltacal_gen.demonstration import example
 from deltacal_gen.estimation import Fit, fit, pose_problem
 from deltacal_gen.identifiability import observability
-from deltacal_gen.measurement import Instrument, Readings
+from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.mechanism import Array, load_mechanism
 from deltacal_gen.recording import Recording, read_recording
 from deltacal_gen.robot import Robot, read_robot
@@ -83,7 +85,7 @@ class Bench:
         state = np.zeros((len(mounted), 4))
         state[:, :3] = self.poses.measurement.base_point_mm
         state[:, :2] += mounted
-        return Instrument("gauge", state, ())
+        return Instrument(kind_of("gauge"), state, ())
 
     def home(self, errors: Array, taken: Array | float = 0.0) -> Array:
         """Return the home error [mm] after the controller takes offsets (S, 2) off."""
@@ -102,7 +104,7 @@ class Bench:
 def readings(seeds: int) -> Readings:
     n = 6 * seeds
     rows = np.arange(n)
-    return Readings("gauge", rows[:, None], np.zeros((n, 1)), None, np.repeat(np.arange(seeds), 6), rows, rows)
+    return Readings(kind_of("gauge"), rows[:, None], np.zeros((n, 1)), None, np.repeat(np.arange(seeds), 6), rows, rows)
 
 
 @dataclass(frozen=True)

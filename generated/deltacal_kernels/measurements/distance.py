@@ -1,7 +1,7 @@
 """Distance between the reference points of two poses [mm].
 
 Generated from derive/measurements/distance.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both 87658c57de4d127b; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both ca7d91159e02e491; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 0) the
 instrument's state: none.
@@ -10,9 +10,15 @@ Unknowns are increments of that state: none.
 
 import numpy as np
 
+MEANING = "distance between the reference points of two poses [mm]"
+COLUMNS = ("distance_mm",)
+TARGETS = {"length": 0}
+PLATFORMS = 2
 UNKNOWN = (
 )
+START = ()
 ROWS = 1
+ROTATION_ROWS = ()
 
 
 def reading(x_a, x_b, given):

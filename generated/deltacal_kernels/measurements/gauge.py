@@ -1,7 +1,7 @@
 """Length from a point of the base to the reference point [mm].
 
 Generated from derive/measurements/gauge.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both b754c505f0dd050e; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both c3825caf9177faa2; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 4) the
 instrument's state: gx gy gz zero.
@@ -10,13 +10,19 @@ Unknowns are increments of that state: mx my mz dzero.
 
 import numpy as np
 
+MEANING = "length from a point of the base to the reference point [mm]"
+COLUMNS = ("gauge_mm",)
+TARGETS = {"length": 0}
+PLATFORMS = 1
 UNKNOWN = (
-    ("mx", "mm", "error of the base point in {O}"),
-    ("my", "mm", "error of the base point in {O}"),
-    ("mz", "mm", "error of the base point in {O}"),
-    ("dzero", "mm", "error of the gauge's zero"),
+    ("mx", "mm", 1.0, "error of the base point in {O}"),
+    ("my", "mm", 1.0, "error of the base point in {O}"),
+    ("mz", "mm", 1.0, "error of the base point in {O}"),
+    ("dzero", "mm", 1.0, "error of the gauge's zero"),
 )
+START = ()
 ROWS = 1
+ROTATION_ROWS = ()
 
 
 def reading(x, given):
@@ -77,3 +83,25 @@ def by_unknown(x, given):
     out[:, 2] = -s12
     out[:, 3] = 1
     return out.reshape(-1, 1, 4)
+
+
+def stepped(given, step):
+    """Return the state (N, 4) after a step of the unknowns (N, 4)."""
+    gx = given[:, 0]
+    gy = given[:, 1]
+    gz = given[:, 2]
+    zero = given[:, 3]
+    mx = step[:, 0]
+    my = step[:, 1]
+    mz = step[:, 2]
+    dzero = step[:, 3]
+    s0 = gx + mx
+    s1 = gy + my
+    s2 = gz + mz
+    s3 = dzero + zero
+    out = np.zeros((len(given), 4))
+    out[:, 0] = s0
+    out[:, 1] = s1
+    out[:, 2] = s2
+    out[:, 3] = s3
+    return out

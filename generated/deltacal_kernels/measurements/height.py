@@ -1,7 +1,7 @@
 """Height of the reference point above the bed [mm].
 
 Generated from derive/measurements/height.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both 59a0037e753e7d6d; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both 77d1ca7d456e6064; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 0) the
 instrument's state: none.
@@ -10,9 +10,15 @@ Unknowns are increments of that state: none.
 
 import numpy as np
 
+MEANING = "height of the reference point above the bed [mm]"
+COLUMNS = ("height_mm",)
+TARGETS = {"height": 0}
+PLATFORMS = 1
 UNKNOWN = (
 )
+START = ()
 ROWS = 1
+ROTATION_ROWS = ()
 
 
 def reading(x, given):

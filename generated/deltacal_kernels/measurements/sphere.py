@@ -1,7 +1,7 @@
 """Extremes of a ball's image [px].
 
 Generated from derive/measurements/sphere.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both 5d3ad3baf085c3c2; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both b5b798b631dd9d06; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 20) the
 instrument's state: F11 F12 F13 F21 F22 F23 F31 F32 F33 gx gy gz fu fv u0 v0 k1 radius order_u order_v.
@@ -10,16 +10,22 @@ Unknowns are increments of that state: wx wy wz tx ty tz dk1.
 
 import numpy as np
 
+MEANING = "extremes of a ball's image [px]"
+COLUMNS = ("u1_px", "u2_px", "v1_px", "v2_px",)
+TARGETS = {}
+PLATFORMS = 1
 UNKNOWN = (
-    ("wx", "rad", "turn of the camera about its own axes"),
-    ("wy", "rad", "turn of the camera about its own axes"),
-    ("wz", "rad", "turn of the camera about its own axes"),
-    ("tx", "mm", "shift of the ball in {O}"),
-    ("ty", "mm", "shift of the ball in {O}"),
-    ("tz", "mm", "shift of the ball in {O}"),
-    ("dk1", "1", "error of the radial distortion"),
+    ("wx", "rad", 0.03, "turn of the camera about its own axes"),
+    ("wy", "rad", 0.03, "turn of the camera about its own axes"),
+    ("wz", "rad", 0.03, "turn of the camera about its own axes"),
+    ("tx", "mm", 1.0, "shift of the ball in {O}"),
+    ("ty", "mm", 1.0, "shift of the ball in {O}"),
+    ("tz", "mm", 1.0, "shift of the ball in {O}"),
+    ("dk1", "1", 1.0, "error of the radial distortion"),
 )
+START = ()
 ROWS = 4
+ROTATION_ROWS = ()
 
 
 def reading(x, given):
@@ -799,3 +805,88 @@ def by_unknown(x, given):
     out[:, 26] = s1169
     out[:, 27] = s1061
     return out.reshape(-1, 4, 7)
+
+
+def stepped(given, step):
+    """Return the state (N, 20) after a step of the unknowns (N, 7)."""
+    F11 = given[:, 0]
+    F12 = given[:, 1]
+    F13 = given[:, 2]
+    F21 = given[:, 3]
+    F22 = given[:, 4]
+    F23 = given[:, 5]
+    F31 = given[:, 6]
+    F32 = given[:, 7]
+    F33 = given[:, 8]
+    gx = given[:, 9]
+    gy = given[:, 10]
+    gz = given[:, 11]
+    fu = given[:, 12]
+    fv = given[:, 13]
+    u0 = given[:, 14]
+    v0 = given[:, 15]
+    k1 = given[:, 16]
+    radius = given[:, 17]
+    order_u = given[:, 18]
+    order_v = given[:, 19]
+    wx = step[:, 0]
+    wy = step[:, 1]
+    wz = step[:, 2]
+    tx = step[:, 3]
+    ty = step[:, 4]
+    tz = step[:, 5]
+    dk1 = step[:, 6]
+    s0 = (wx * wx)
+    s2 = (wy * wy)
+    s4 = (wz * wz)
+    s7 = (1.0 / (0.25*s0 + 0.25*s2 + 0.25*s4 + 1))
+    s8 = -0.5*s2
+    s9 = -0.5*s4
+    s12 = s7*(s8 + s9) + 1
+    s14 = 0.5*wx*wy
+    s15 = s14 - wz
+    s17 = 0.5*wx*wz
+    s18 = s17 + wy
+    s20 = F11*s12 + F21*s15*s7 + F31*s18*s7
+    s24 = F12*s12 + F22*s15*s7 + F32*s18*s7
+    s28 = F13*s12 + F23*s15*s7 + F33*s18*s7
+    s29 = -0.5*s0
+    s32 = s7*(s29 + s9) + 1
+    s34 = s14 + wz
+    s36 = 0.5*wy*wz
+    s37 = s36 - wx
+    s39 = F11*s34*s7 + F21*s32 + F31*s37*s7
+    s43 = F12*s34*s7 + F22*s32 + F32*s37*s7
+    s47 = F13*s34*s7 + F23*s32 + F33*s37*s7
+    s50 = s7*(s29 + s8) + 1
+    s52 = s17 - wy
+    s54 = s36 + wx
+    s56 = F11*s52*s7 + F21*s54*s7 + F31*s50
+    s60 = F12*s52*s7 + F22*s54*s7 + F32*s50
+    s64 = F13*s52*s7 + F23*s54*s7 + F33*s50
+    s65 = gx + tx
+    s66 = gy + ty
+    s67 = gz + tz
+    s68 = dk1 + k1
+    out = np.zeros((len(given), 20))
+    out[:, 0] = s20
+    out[:, 1] = s24
+    out[:, 2] = s28
+    out[:, 3] = s39
+    out[:, 4] = s43
+    out[:, 5] = s47
+    out[:, 6] = s56
+    out[:, 7] = s60
+    out[:, 8] = s64
+    out[:, 9] = s65
+    out[:, 10] = s66
+    out[:, 11] = s67
+    out[:, 12] = fu
+    out[:, 13] = fv
+    out[:, 14] = u0
+    out[:, 15] = v0
+    out[:, 16] = s68
+    out[:, 17] = radius
+    out[:, 18] = order_u
+    out[:, 19] = order_v
+    return out

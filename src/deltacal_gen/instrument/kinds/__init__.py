@@ -1,0 +1,104 @@
+"""The kinds of measurement: registered by presence, of a generated module or of a file here that defines ``KIND``."""
+
+from __future__ import annotations
+
+import functools
+import importlib
+import importlib.util
+import pkgutil
+from collections.abc import Mapping
+from typing import Any
+
+import deltacal_kernels.measurements
+import numpy as np
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.inputs import Recording, Robot
+from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Kind
+from deltacal_gen.instrument.readings import Readings, poses_of
+from deltacal_gen.instrument.several import Several
+from deltacal_gen.mechanism import Array
+
+AND = " and "  # between the names of kinds that are read together
+
+
+@functools.cache
+def names() -> tuple[str, ...]:
+    """Return the names of all kinds of measurement."""
+    derived, own = (
+        {module.name for module in pkgutil.iter_modules(path)}
+        for path in (deltacal_kernels.measurements.__path__, __path__)
+    )
+    return tuple(sorted(derived | own))
+
+
+@functools.cache
+def kind_of(name: str) -> Kind:
+    """Return the kind of measurement of a name, or what several kinds read together: ``height and distance``.
+
+    Raises
+    ------
+    InputError
+        There is no such kind.
+    """
+    if AND in name:
+        return Several(name, tuple(kind_of(part) for part in name.split(AND)))
+    if name not in names():
+        raise InputError(f"there is no kind of measurement '{name}'.", f"Known: {', '.join(names())}.")
+    if importlib.util.find_spec(f"{__name__}.{name}") is None:
+        return Kind(name)
+    kind: Kind = importlib.import_module(f"{__name__}.{name}").KIND
+    return kind
+
+
+def together(*kinds: Kind) -> Kind:
+    """Return what several kinds read together."""
+    return kind_of(AND.join(kind.name for kind in kinds))
+
+
+def mounts() -> frozenset[str]:
+    """Return the source errors by which some machine carries a measuring mechanism of some kind."""
+    return frozenset(name for kind in names() for name in kind_of(kind).mount)
+
+
+def instrument_from_dict(data: Mapping[str, Any]) -> Instrument:
+    """Return the instrument of a result file."""
+    x, y, z = data.get("home", (0.0, 0.0, 0.0))
+    return Instrument(
+        kind_of(data["kind"]),
+        np.asarray(data["state"], dtype=float),
+        tuple(data["free"]),
+        data.get("scale", 1.0),
+        (x, y, z),
+        tuple((int(a), int(b), float(d)) for a, b, d in data.get("ties", ())),
+    )
+
+
+def readings(recording: Recording, *, as_distance: bool = False) -> Readings:
+    """Return the readings of a recording; blank ones are left out.
+
+    Parameters
+    ----------
+    as_distance : bool
+        Turn positions into the distances of all pairs that share tool point and set-up (Bai 2015, section 3.1).
+
+    Raises
+    ------
+    InputError
+        The recording holds no reading of a kind that can be used here.
+    """
+    kind = kind_of(recording.kind)
+    if not kind.distances_beside and recording.pairs is not None and len(recording.pairs):
+        kind = kind_of("distance")
+    found = kind.readings(recording, poses_of(recording)).some(recording)
+    return found.kind.as_distances(found, recording).some(recording) if as_distance else found
+
+
+def measured_points(robot: Robot, recording: Recording) -> Array:
+    """Return the measured point (N, 3) of the platform in each row: its own, or what the sidecar or the robot says."""
+    point = None if recording.tool is not None else kind_of(recording.kind).measured_point(recording.measurement)
+    tool = np.broadcast_to(robot.tool if point is None else np.asarray(point, dtype=float), (recording.n_rows, 3))
+    if recording.tool is not None:
+        tool = np.where(np.isfinite(recording.tool), recording.tool, tool)
+    return np.array(tool)
