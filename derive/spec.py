@@ -339,6 +339,8 @@ class Measurement:
         What effects on the reading move, as they call it, and which value that is: ``{"length": 0}``.
     start : sequence of float
         The state from which the instrument's readings find it, where no file in ``instrument/kinds`` knows better.
+    scale : float
+        What one unit of a value (mm, rad or px) is at the platform [mm], where no such file knows better.
     """
 
     name: str
@@ -354,6 +356,7 @@ class Measurement:
     columns: tuple[str, ...] = field(kw_only=True)
     targets: Mapping[str, int] = field(default_factory=dict, kw_only=True)
     start: tuple[float, ...] = field(default=(), kw_only=True)
+    scale: float = field(default=1.0, kw_only=True)
 
     def __post_init__(self) -> None:
         rows = len(self.reading) + 3 * bool(self.rotation)

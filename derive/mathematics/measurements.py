@@ -57,12 +57,8 @@ def measurement(spec: Measurement) -> Functions:
 
 def step(spec: Measurement) -> Functions:
     """Return the instrument's state after a step of its unknowns."""
-    symbols = ([quantity.symbol for quantity in part] for part in (spec.given, spec.unknown))
-    inputs = {
-        s: place
-        for name, part in zip(("given", "step"), symbols, strict=True)
-        for s, place in entries(name, part).items()
-    }
+    inputs = entries("given", [quantity.symbol for quantity in spec.given])
+    inputs |= entries("step", [quantity.symbol for quantity in spec.unknown])
     functions = Functions(Graph(), {}, inputs)
     functions.add("stepped", "stepped", list(spec.after))
     return functions

@@ -139,6 +139,18 @@ class Kind:
         return targets
 
     @property
+    def unit(self) -> str:
+        """Unit of the values in files: mm, deg or px."""
+        unit: str = self.kernels.COLUMNS[0].rpartition("_")[2]
+        return unit
+
+    @property
+    def scale(self) -> float:
+        """What one unit of a value inside (mm, rad, px) is at the platform [mm], as far as the file can say."""
+        scale: float = self.kernels.SCALE
+        return scale
+
+    @property
     def turned(self) -> tuple[int, ...]:
         """Which columns of a residual are a rotation."""
         rows: tuple[int, ...] = self.kernels.ROTATION_ROWS
@@ -300,7 +312,7 @@ class Kind:
     def first(self) -> Instrument:
         """Return the instrument in the state that its file gives, all its unknowns free."""
         state = np.array(self.kernels.START if self.unknown else (), dtype=float)
-        return Instrument(self, state[None], tuple(range(len(self.unknown))))
+        return Instrument(self, state[None], tuple(range(len(self.unknown))), self.scale)
 
     def standing(self, recording: Recording) -> Instrument:
         """Return the instrument as its file lets it stand before anything is known of it, all its unknowns free.
@@ -362,7 +374,10 @@ class Kind:
 
     def sigma(self, said: Measurement, scale: float) -> float | None:
         """Return the noise of a value at the platform [mm] where the sidecar says it; `scale` as of an instrument."""
-        return said.sigma_mm
+        if said.sigma_mm is not None or self.unit == "mm":
+            return said.sigma_mm
+        own = said.sigma_rad if self.unit == "deg" else said.sigma_px
+        return None if own is None else own * scale
 
     def in_differences(self, said: Measurement) -> bool:
         """Tell whether the last unknown falls out of differences of adjacent readings, which the papers use."""

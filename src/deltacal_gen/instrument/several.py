@@ -17,7 +17,7 @@ from deltacal_gen.mechanism import Array, Machine
 
 @dataclass(frozen=True)
 class Several(Kind):
-    """Kinds that are read together; nothing may be unknown of their instruments, and none may read rotations.
+    """Kinds that are read together: lengths, by instruments of which nothing is unknown.
 
     Each kind has noise of its own.
     """
@@ -26,7 +26,7 @@ class Several(Kind):
 
     def __post_init__(self) -> None:
         for kind in self.kinds:
-            if kind.unknown or kind.rotations:
+            if kind.unknown or kind.rotations or kind.unit != "mm":
                 raise ValueError(f"readings of the kind {kind.name} cannot stand beside others: it has unknowns.")
 
     @property
@@ -38,6 +38,16 @@ class Several(Kind):
     def unknowns(self) -> tuple[tuple[str, str, float, str], ...]:
         """Nothing."""
         return ()
+
+    @property
+    def unit(self) -> str:
+        """Unit of the values in files."""
+        return self.kinds[0].unit
+
+    @property
+    def scale(self) -> float:
+        """What one unit of a value is at the platform [mm]."""
+        return self.kinds[0].scale
 
     @property
     def turned(self) -> tuple[int, ...]:

@@ -43,10 +43,6 @@ class Sphere(Kind):
                 file=file,
             )
 
-    def sigma(self, said: Measurement, scale: float) -> float | None:
-        """Return the noise at the ball."""
-        return said.sigma_px * scale if said.sigma_mm is None and said.sigma_px is not None else said.sigma_mm
-
     def start(self, found: Readings, recording: Recording, robot: Robot, x: Array) -> Instrument:
         """Return the camera aligned by the ball's directions, set-up by set-up, and where the ball stands."""
         camera = recording.measurement.camera
