@@ -9,8 +9,9 @@ import pytest
 from conftest import plausible, rings, scattered, wanted
 
 from deltacal_gen.errors import NoSolutionError
-from deltacal_gen.estimation import Fit, Problem, Repeats, fit, pose_problem, rms
+from deltacal_gen.estimation import Fit, Problem, Repeats, fit, lengths, pose_problem, rms
 from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.mechanism import Machine
 from deltacal_gen.recording import Recording
 from deltacal_gen.robot import Robot
@@ -176,8 +177,10 @@ def test_the_controller_s_sign_is_applied(robot: Robot, mechanism: Machine, trut
 
 def test_rms_counts_lengths_only_and_each_scalar_once() -> None:
     residual = np.array([[3.0, np.nan, 4.0, 100.0, 100.0, 100.0], [0.0, 0.0, 0.0, np.nan, np.nan, np.nan]])
-    assert rms(residual) == pytest.approx(np.sqrt(25 / 5))
+    assert rms(lengths(residual, kind_of("pose"))) == pytest.approx(np.sqrt(25 / 5))
     assert np.isnan(rms(np.full((2, 3), np.nan)))
+    ball = np.array([[1.0, -1.0, 1.0, -1.0], [3.0, 3.0, 3.0, 3.0]])
+    assert rms(lengths(ball, kind_of("sphere"))) == pytest.approx(np.sqrt(5))  # of four extremes each counts
 
 
 # -------------------------------------------------------------------------------------------------------------- repeats

@@ -146,8 +146,9 @@ def correct(at: Fit, left: Sequence[Structure], parts: Sequence[tuple[np.ndarray
     if chosen is None:
         return None
     # what is left out looked like gross errors where it is strongest
-    r = first.errors(first.step(chosen, set()), chosen)
-    linear = _Linear(at, parts, robust_weights(r, robust_sigma(r, np.zeros(2), True, at.problem.readings), drop=True))
+    r, found = first.errors(first.step(chosen, set()), chosen), at.problem.readings
+    sigma = robust_sigma(r, np.zeros(found.kind.noises), True, found)
+    linear = _Linear(at, parts, robust_weights(r, sigma, drop=True))
     options = linear.options(variables)
     # every part is predicted by what the other parts choose and fit
     without, corrected = [], []
@@ -157,8 +158,8 @@ def correct(at: Fit, left: Sequence[Structure], parts: Sequence[tuple[np.ndarray
         corrected.append(linear.errors(linear.step(chosen, {k}), chosen, test))
     order = np.concatenate([np.flatnonzero(test) for _, test in parts])
     quiet = linear.weights[order] > 0
-    before, after = (np.concatenate(errors)[quiet] for errors in (without, corrected))
-    gain = np.nansum(lengths(before) ** 2 - lengths(after) ** 2, axis=1)
+    before, after = (lengths(np.concatenate(errors)[quiet], found.kind) for errors in (without, corrected))
+    gain = np.nansum(before**2 - after**2, axis=1)
     _, group = np.unique(at.problem.readings.group[order][quiet], return_inverse=True)
     better = np.bincount(group, gain)
     spread = float(np.std(better)) * np.sqrt(len(better))
@@ -176,7 +177,7 @@ def correct(at: Fit, left: Sequence[Structure], parts: Sequence[tuple[np.ndarray
         terms=at.problem.acting(errors),
         instrument=at.instrument.stepped(step[n : n + m]),
         heldout=(rms(before), rms(after)),
-        size=rms(linear.errors(linear.step(None, set()), None) - linear.errors(step, option)),
+        size=rms(lengths(linear.errors(linear.step(None, set()), None) - linear.errors(step, option), found.kind)),
     )
 
 

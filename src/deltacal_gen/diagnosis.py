@@ -22,7 +22,17 @@ from deltacal_gen import identification
 from deltacal_gen.correction import Correction, correct
 from deltacal_gen.discrimination import Question, more_poses, next_measurements
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.estimation import SPARE_READINGS, Fit, Problem, fit, held_out, held_out_errors, pose_problem, rms
+from deltacal_gen.estimation import (
+    SPARE_READINGS,
+    Fit,
+    Problem,
+    fit,
+    held_out,
+    held_out_errors,
+    lengths,
+    pose_problem,
+    rms,
+)
 from deltacal_gen.identification import Noise, folds, noise
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.machine.backend import by_recording
@@ -137,7 +147,7 @@ def diagnose(
         identification.enough(mechanism, problem, recording)
         identification.enough_poses(problem, model)
     progress("geometry")
-    some = _drawn(problem)
+    some, kind = _drawn(problem), problem.readings.kind
     rough = identification.rough(some, must_converge=False)
     identification.plausible(rough)
     identification.check_rows(rough, recording)
@@ -177,9 +187,9 @@ def diagnose(
             unexplained = not lean and short_of_noise()
     # what comes near its price without earning it is no finding, but worth a measurement
     doubtful = [f.term for f in search.ranked()[:1] if 0 < f.score < MARGIN]
-    before = after = rms(without)
+    before = after = rms(lengths(without, kind))
     if search.effects and spectrum is None:
-        after = rms(predicted if search is tested else _held_out(some, search, parts))
+        after = rms(lengths(predicted if search is tested else _held_out(some, search, parts), kind))
     progress(f"fit of all {len(problem.readings)} readings")
     baseline, current, spectrum = _of_all(problem, first, search.fit, spectrum)
     heldout = (before, after if spectrum is None else spectrum.heldout[1])
@@ -737,8 +747,9 @@ def _summary(found: Diagnosis) -> str:
             f"With it {after:.4f} mm are left, which is noise.{doubt}"
         )
     named = f" Proven beside it: {'; '.join(parts)}." if parts else ""
+    left = rms(lengths(found.final.residual, found.final.problem.readings.kind))
     return (
-        f"A mismatch of {rms(found.final.residual):.4f} mm is left that no registered effect explains: "
+        f"A mismatch of {left:.4f} mm is left that no registered effect explains: "
         f"{found.location['text']}.{named} {_corrected(found.correction)}"
     )
 

@@ -19,6 +19,7 @@ import numpy as np
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.inputs import Recording, Robot
 from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Kind
 from deltacal_gen.instrument.kinds import measured_points, readings
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.mechanism import Array, Machine, Sensitivity, mechanism_of
@@ -274,7 +275,7 @@ class Repeats:
 
         `fitted` is the number of parameters that the means of the groups have carried.
         """
-        residual = np.nan_to_num(lengths(residual))
+        residual = np.nan_to_num(_read(residual))
         count = np.bincount(group)
         several = count[group] > 1
         degrees = int((count[count > 1] - 1).sum()) * residual.shape[1]
@@ -340,19 +341,23 @@ class Fit:
 
     def rms(self) -> float:
         """RMS of the residuals of length, each measured scalar once, gross errors left out [mm]."""
-        return rms(np.delete(self.residual, self.gross, axis=0))
+        return rms(lengths(np.delete(self.residual, self.gross, axis=0), self.problem.readings.kind))
 
 
-def rms(residual: Array) -> float:
-    """Return the RMS of the components of length of residuals (R, k) [mm]."""
-    found = lengths(residual)
-    return float(np.sqrt(np.mean(found[np.isfinite(found)] ** 2))) if np.isfinite(found).any() else float("nan")
+def rms(values: Array) -> float:
+    """Return the RMS of the values that are finite; NaN where none is."""
+    found = values[np.isfinite(values)]
+    return float(np.sqrt(np.mean(found**2))) if found.size else float("nan")
 
 
-def lengths(residual: Array) -> Array:
-    """Return the components of length of residuals (R, k) [mm], without those along an axis that nothing reads."""
-    part = residual[:, :3]
-    return part[:, np.isfinite(part).any(axis=0)]
+def lengths(residual: Array, kind: Kind) -> Array:
+    """Return the components of length of residuals (R, k) [mm]: no rotations, and no axis that nothing reads."""
+    return _read(np.delete(residual, kind.turned, axis=1))
+
+
+def _read(residual: Array) -> Array:
+    """Return the columns of residuals (R, k) in which anything was read."""
+    return residual[:, np.isfinite(residual).any(axis=0)]
 
 
 def fit(
@@ -412,7 +417,7 @@ def fit(
     scarce = scalars - n_m - len(problem.names) < SPARE_READINGS and not problem.readings.kind.rotations
     known = problem.recording.measurement.sigma_mm if scarce else None
     groups = problem.readings.kind.noise_groups(6)
-    leverage = np.full(groups.max() + 1, float(n_m + min(len(problem.names), 1)) / max(scalars, 1))
+    leverage = np.full(problem.readings.kind.noises, float(n_m + min(len(problem.names), 1)) / max(scalars, 1))
     damping, degrees, close = 0.0, 0.0, ESTIMATED_AT
     while True:
         state = problem.linearise(errors, instrument, machine)
@@ -507,7 +512,7 @@ def rough(problem: Problem, robust: bool = True, must_converge: bool = True) -> 
 
 def held_out(full: Fit, solver: Solver, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> float:
     """Return the RMS [mm] of readings predicted by fits that did not see them; see `held_out_errors`."""
-    return rms(held_out_errors(full, solver, parts))
+    return rms(lengths(held_out_errors(full, solver, parts), full.problem.readings.kind))
 
 
 def held_out_errors(full: Fit, solver: Solver, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> Array:
@@ -546,7 +551,7 @@ def held_out_errors(full: Fit, solver: Solver, parts: Sequence[tuple[np.ndarray,
 
 def _blame(problem: Problem, residual: Array) -> None:
     """Raise an InputError that names the worst reading, where one stands so far out that it spoils the fit."""
-    size = np.linalg.norm(np.nan_to_num(lengths(residual)), axis=1)
+    size = np.linalg.norm(np.nan_to_num(lengths(residual, problem.readings.kind)), axis=1)
     worst, usual = int(np.argmax(size)), float(np.median(size))
     if size[worst] > SPOILT * usual:
         raise InputError(

@@ -195,7 +195,7 @@ def identify(
         model=chosen,
         fit=final,
         rough=first,
-        before_rms=rms(before),
+        before_rms=rms(lengths(before, problem.readings.kind)),
         heldout_rms=heldout,
         observability=observed,
         unseen=unseen,
@@ -370,7 +370,7 @@ def plausible(first: Fit) -> None:
     """
     problem, found = first.problem, first.problem.readings
     size = robot_size(problem.robot)
-    off = float(np.median(np.linalg.norm(np.nan_to_num(lengths(first.residual)), axis=1)))
+    off = float(np.median(np.linalg.norm(np.nan_to_num(lengths(first.residual, found.kind)), axis=1)))
     if off < IMPLAUSIBLE * size:
         return
     for words, changed in _mistakes(problem) if found.kind.positions else ():
@@ -378,7 +378,7 @@ def plausible(first: Fit) -> None:
             again = rough(changed)
         except (InputError, NoSolutionError):
             continue
-        if float(np.median(np.linalg.norm(np.nan_to_num(lengths(again.residual)), axis=1))) < 0.1 * off:
+        if float(np.median(np.linalg.norm(np.nan_to_num(lengths(again.residual, found.kind)), axis=1))) < 0.1 * off:
             raise InputError(
                 f"the readings are {off:.3g} mm off this machine, but agree with it if {words}.",
                 "Correct the recording, its sidecar or the robot file.",
@@ -436,7 +436,7 @@ def check_rows(first: Fit, recording: Recording) -> None:
     if not found.kind.positions or not 2 <= len(suspects) <= max(2, len(found) // 5):
         return
     predicted = found.values - first.residual[:, :3]
-    within = 6 * float(np.median(np.linalg.norm(lengths(first.residual), axis=1))) + 1e-9
+    within = 6 * float(np.median(np.linalg.norm(lengths(first.residual, found.kind), axis=1))) + 1e-9
     gap = np.linalg.norm(np.nan_to_num(found.values[suspects][:, None] - predicted[suspects][None]), axis=2)
     for i in range(len(suspects)):
         j = int(np.argmin(gap[i]))
@@ -509,7 +509,7 @@ def noise(final: Fit, recording: Recording) -> Noise:
     if found.made:
         return Noise(residual, "residual", np.inf) if declared is None else Noise(declared, "declared", np.inf)
     quiet = np.setdiff1d(np.arange(len(found)), final.gross)
-    r, group = np.nan_to_num(lengths(final.residual[quiet])), _repeats(found, recording)[quiet]
+    r, group = np.nan_to_num(lengths(final.residual[quiet], found.kind)), _repeats(found, recording)[quiet]
     _, within, degrees = Repeats.ratio_of(r, group)
     repeated = degrees >= 12 and within > 0
     if declared is not None:
@@ -553,7 +553,9 @@ def lack_of_fit(final: Fit, recording: Recording) -> bool:
     known = noise(final, recording)
     if known.source == "residual":
         return False
-    r = np.delete(lengths(final.residual / final.sigma) * final.sigma[0], final.gross, axis=0)
+    r = np.delete(
+        lengths(final.residual / final.sigma, final.problem.readings.kind) * final.sigma[0], final.gross, axis=0
+    )
     r = r[np.isfinite(r)] / (np.sqrt(2.0) if final.problem.readings.made else 1.0)
     free = max(len(r) - final.solution.degrees - final.instrument.n_unknown, 1.0)
     excess = np.log(float(r @ r) / free / known.sigma**2)

@@ -105,7 +105,8 @@ def periodic(at: Fit, parts: Sequence[tuple[np.ndarray, np.ndarray]], known: Spe
     if not limbs or found is None:
         return None
     before, after = linear.held_out(None), linear.held_out(found)
-    better = np.bincount(problem.readings.group, np.nansum(lengths(before) ** 2 - lengths(after) ** 2, axis=1))
+    before, after = (lengths(errors, problem.readings.kind) for errors in (before, after))
+    better = np.bincount(problem.readings.group, np.nansum(before**2 - after**2, axis=1))
     better = better[np.bincount(problem.readings.group) > 0]
     if better.sum() <= PROVEN * float(np.std(better)) * np.sqrt(len(better)):
         return None

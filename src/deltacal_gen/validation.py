@@ -64,8 +64,8 @@ def figures(result: Mapping[str, Any], parts: Iterable[tuple[Readings, Array]]) 
     count = scalars = 0
     squares, rows = 0.0, []
     for found, r in parts:
-        size = np.linalg.norm(np.nan_to_num(r[:, :3]), axis=1)
-        read = lengths(r)
+        read = lengths(r, found.kind)
+        size = np.linalg.norm(np.nan_to_num(read), axis=1)
         read = read[np.isfinite(read)]
         count, scalars, squares = count + len(found), scalars + len(read), squares + float(read @ read)
         rows += [{"line": int(found.line[j]), "error_mm": float(size[j])} for j in np.argsort(-size)[:WORST]]

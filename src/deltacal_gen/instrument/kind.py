@@ -176,6 +176,11 @@ class Kind:
         """Usual noise of each group [mm], where a few readings of one kind could be met exactly at others' cost."""
         return ()
 
+    @property
+    def noises(self) -> int:
+        """Number of noises that a reading's columns have."""
+        return 1 + self.rotations
+
     def noise_groups(self, columns: int) -> np.ndarray:
         """Return which noise each of so many columns of a residual has, counted from 0: rotations have their own."""
         return np.isin(np.arange(columns), self.turned).astype(int)

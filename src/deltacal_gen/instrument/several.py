@@ -84,6 +84,11 @@ class Several(Kind):
         """Usual noise of each kind [mm]."""
         return tuple(kind.usual_noise for kind in self.kinds)
 
+    @property
+    def noises(self) -> int:
+        """Number of noises that readings have: one of each kind."""
+        return len(self.kinds)
+
     def noise_groups(self, columns: int) -> np.ndarray:
         """Return which kind each column belongs to."""
         return np.repeat(np.arange(len(self.kinds)), [kind.width for kind in self.kinds])

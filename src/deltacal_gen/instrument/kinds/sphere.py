@@ -29,9 +29,6 @@ class Sphere(Kind):
 
     aliases: ClassVar[tuple[str, ...]] = ("sphere image", "sphere_image")
 
-    def noise_groups(self, columns: int) -> np.ndarray:
-        return (np.arange(columns) >= 3).astype(int)
-
     def check(
         self, said: Measurement, ties: Sequence[tuple[str, str, float]], cells: Mapping[str, Sequence[str]], file: Path
     ) -> None:
