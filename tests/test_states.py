@@ -16,6 +16,8 @@ import sympy as sp
 
 import derive.language.states as language
 from deltacal_gen import states
+from deltacal_gen.compensation import Compensator
+from deltacal_gen.exports import Spans, export_c
 from deltacal_gen.physics import Body, Channels, Term, effect_names, load_effect
 from deltacal_gen.units import DEG
 from derive import compiler
@@ -251,3 +253,17 @@ def test_a_missing_column_of_another_joint_or_a_covariate_is_said(coupled: Effec
     assert states.columns([states.named("qdd_2")], "rad,mm,rad", 3) == ["qdd2_mm_s2"]
     assert states.columns([states.named("inertia_torque_2")], "rad", 3) == ["qdd2_deg_s2", "payload_kg"]
     assert states.named("inertia_torque").shown_in("mm", 3, (1, 3)) == ["qdd1_mm_s2", "qdd3_mm_s2"]
+
+
+@pytest.mark.skipif(COMPILER is None, reason="no C compiler on this machine")
+def test_an_export_asks_for_the_covariate(coupled: Effect, tmp_path: Path) -> None:
+    term = Term("made", (1,), np.array([[1e-10]]))  # 0.1 mm at 5 of the covariate
+    source = tmp_path / "command.c"
+    over = Spans({"payload": (0.0, 3.0), "oil_C": (0.0, 5.0)})
+    left = export_c(Compensator(machines()[0], terms=(term,)), source, over)
+    text = source.read_text(encoding="utf-8")
+    assert "    double oil_C;" in text
+    assert "payload 0 to 3 kg, oil_C 0 to 5 as recorded" in text
+    assert "at->payload_kg * at->oil_C" in text
+    assert left.worst_mm < 1e-3
+    subprocess.run([str(COMPILER), "-std=c99", "-Wall", "-Werror", "-fsyntax-only", str(source)], check=True)
