@@ -15,9 +15,13 @@ import pytest
 
 from deltacal_gen import cli
 from deltacal_gen.accuracy import check_poses, circle
+from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.mechanism import Machine, load_mechanism
 from deltacal_gen.recording import Measurement, Recording
-from deltacal_gen.robot import Robot, robot_from_dict
+from deltacal_gen.results.parts import Source
+from deltacal_gen.results.result import Read, Regularisation, Result
+from deltacal_gen.robot import Robot, kept_robot, robot_from_dict
 from deltacal_gen.rotation import cayley_vector, from_vector, to_vector
 from deltacal_gen.units import to_internal
 
@@ -159,3 +163,31 @@ def displacement(x: np.ndarray, moved: np.ndarray) -> np.ndarray:
 def solved_for(x: np.ndarray) -> np.ndarray:
     """Return the coordinates (N, 6) that a machine in space is solved for: position and Cayley vector."""
     return np.hstack([x[:, :3], cayley_vector(x[:, 3:].reshape(-1, 3, 3))])
+
+
+def calibrated(robot: Robot) -> Result:
+    """Return a result that says nothing but what the machine is."""
+    return Result(
+        model=robot.mechanism,
+        parameters=(),
+        rank=0,
+        rank_tolerance=0.0,
+        singular_values=np.zeros(0),
+        condition=None,
+        scaling="",
+        unidentifiable=(),
+        next_measurements=(),
+        regularisation=Regularisation(rule=""),
+        readings=Read(kind="position", scalars=0, poses=0),
+        before_rms_mm=0.0,
+        train_rms_mm=0.0,
+        heldout_rms_mm=None,
+        sigma_mm=0.0,
+        sigma_source=Source.DECLARED,
+        chi2_per_dof=None,
+        gross_errors=None,
+        accuracy=None,
+        workspace=None,
+        instrument=Instrument(kind_of("position"), np.zeros((0, 12)), ()).kept((), "absolute"),
+        robot=kept_robot(robot),
+    )

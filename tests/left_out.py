@@ -13,6 +13,7 @@ import deltacal_gen as dc
 from deltacal_gen.mechanism import load_mechanism
 from deltacal_gen.physics import Term, blank, load_effect
 from deltacal_gen.recording import Recording
+from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.robot import Robot, robot_from_dict
 from deltacal_gen.simulation import simulate
 from tests.conftest import PROTOTYPE, plausible, scattered, wanted
@@ -107,6 +108,6 @@ def named(found: Mapping[str, Any]) -> list[tuple[str, list[int]]]:
     return [(e["name"], e["limbs"]) for e in found["effects"]]
 
 
-def diagnosis(robot: Robot, recording: Recording) -> dict[str, Any]:
+def diagnosis(robot: Robot, recording: Recording) -> Diagnosis:
     """Return DIAGNOSIS.json of a recording."""
     return dc.diagnose(robot, recording)

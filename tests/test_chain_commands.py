@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import dataclasses
 from pathlib import Path
 
 import numpy as np
 import pytest
+from conftest import calibrated
 from test_serial import ARM, by_hand, robot
 
 from deltacal_gen import commands, planning
@@ -16,7 +18,7 @@ from deltacal_gen.identifiability import identification_matrix, observability
 from deltacal_gen.mechanism import SOLVED, UNREACHABLE, mechanism_of
 from deltacal_gen.physics import blank
 from deltacal_gen.recording import read_recording
-from deltacal_gen.robot import Robot, robot_to_dict
+from deltacal_gen.robot import Robot
 from deltacal_gen.rotation import to_vector
 from deltacal_gen.simulation import simulate
 from deltacal_gen.units import DEG
@@ -36,10 +38,6 @@ def flawed(size: float = 1.0, **tables: object) -> Robot:
 def stands(count: int, seed: int = 1) -> np.ndarray:
     rng, (low, high) = np.random.default_rng(seed), DEG * np.array(LIMITS["limits_deg"]).T
     return low + (high - low) * rng.uniform(0.1, 0.9, (count, 6))
-
-
-def result(r: Robot) -> dict[str, object]:
-    return {"schema": "deltacal.result/1", "robot": robot_to_dict(r)}
 
 
 def test_commands_bring_the_flawed_arm_to_where_the_drawn_one_stands() -> None:
@@ -80,19 +78,19 @@ def test_poses_without_joints_choose_how_the_arm_stands_and_go_on_so(tmp_path: P
     r, q = flawed(), np.full(6, 0.6) + np.linspace(0, 0.3, 12)[:, None] * [1, -1, 1, 1, 1, 1] + [0, 0, 0.8, 0, 0.5, 0]
     wanted = Compensator(robot()).pose(q)[0]
     numbers = np.hstack([wanted[:, :3], to_vector(wanted[:, 3:].reshape(-1, 3, 3)) / DEG])
-    joints = commands.compensate(result(r), numbers)
+    joints = commands.compensate(calibrated(r), numbers)
     assert np.abs(Compensator(r).missed(joints * DEG, wanted)).max() < 1e-8
     assert np.abs(np.diff(joints, axis=0)).max() < 10  # no jump from one way of standing to another
     assert ((joints > np.array(LIMITS["limits_deg"])[:, 0]) & (joints < np.array(LIMITS["limits_deg"])[:, 1])).all()
     file = tmp_path / "targets.csv"
     np.savetxt(file, numbers, delimiter=",", comments="", header="x_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg")
-    assert commands.compensate(result(r), file) == pytest.approx(joints, abs=1e-9)
+    assert commands.compensate(calibrated(r), file) == pytest.approx(joints, abs=1e-9)
     drawn = read_recording(file, mechanism_of(r), need_measured=False, allow_targets=True)
     reached = simulate(robot(joints=LIMITS), drawn, {})
     assert reached.measured[:, :3] == pytest.approx(numbers[:, :3], abs=1e-8)
     np.savetxt(file, numbers[:, :3], delimiter=",", comments="", header="x_mm,y_mm,z_mm")
     with pytest.raises(InputError, match="how an open chain shall stand"):
-        commands.compensate(result(r), file)
+        commands.compensate(calibrated(r), file)
 
 
 def test_a_program_in_joints_is_corrected_as_it_stands(tmp_path: Path) -> None:
@@ -100,7 +98,7 @@ def test_a_program_in_joints_is_corrected_as_it_stands(tmp_path: Path) -> None:
     signed = robot(joints={"sign": [1, -1, 1, 1, -1, 1]})
     names = ",".join(f"q{i}_deg" for i in range(1, 7))
     np.savetxt(file, q / DEG, delimiter=",", comments="", header=names)
-    joints = commands.compensate(result(r), file, tmp_path / "joints.csv")
+    joints = commands.compensate(calibrated(r), file, tmp_path / "joints.csv")
     assert np.abs(Compensator(r).missed(joints * DEG, Compensator(robot()).pose(q)[0])).max() < 1e-8
     written = np.loadtxt(tmp_path / "joints.csv", delimiter=",", skiprows=1)
     assert written[:, 1:] == pytest.approx(joints)
@@ -118,7 +116,7 @@ def test_near_its_singularity_the_wrist_stays_and_what_it_leaves_is_told(tmp_pat
     assert np.abs(missed[:, :3]).max() < 1e-8
     assert 1e-5 < np.abs(missed[:, 3:]).max() < 1 * DEG
     assert np.abs(joints - q).max() < 20 * DEG
-    free = result(flawed()) | {"robot": robot_to_dict(r) | {"joints": {"sign": [1] * 6}}}
+    free = calibrated(dataclasses.replace(r, joint_limits=None))
     file = tmp_path / "program.csv"
     np.savetxt(file, q / DEG, delimiter=",", comments="", header=",".join(f"q{i}_deg" for i in range(1, 7)))
     commands.compensate(free, file, tell=told.append)

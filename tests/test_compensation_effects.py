@@ -22,6 +22,7 @@ from deltacal_gen.exports import Spans, export_c, export_table, read_table, span
 from deltacal_gen.machine.limbs import SETTLED_MM
 from deltacal_gen.mechanism import SOLVED, UNREACHABLE, Machine
 from deltacal_gen.physics import Term, blank, displaces_points, effect_names, load_effect
+from deltacal_gen.results.reader import read_result
 from deltacal_gen.robot import Robot
 from deltacal_gen.simulation import simulate
 from deltacal_gen.units import DEG
@@ -157,7 +158,7 @@ def test_the_machine_meets_its_targets_once_it_is_diagnosed(
     poses = wanted(scattered(machine, 90, 4), frame="robot", channels=given)
     sigma = 0.005
     recording = simulate(nominal, poses, truth, noise_mm=sigma, rng=np.random.default_rng(5), terms=(true_term,))
-    found = json.loads(json.dumps(diagnose(nominal, recording).to_dict()))
+    found = json.loads(diagnose(nominal, recording).answer().to_json())
     assert [e["name"] for e in found["effects"]] == [name]
 
     targets = scattered(machine, 40, 6)
@@ -181,7 +182,10 @@ def test_the_machine_meets_its_targets_once_it_is_diagnosed(
     assert said == []
     commands.compensate(found, targets, tell=said.append)
     assert len(said) == 1
-    assert spans(found).items().keys() == {"temperature": {"warming"}, "payload": {"payload"}, "direction": set()}[case]
+    assert (
+        spans(read_result(found)).items().keys()
+        == {"temperature": {"warming"}, "payload": {"payload"}, "direction": set()}[case]
+    )
 
 
 # --- exports --------------------------------------------------------------------------------------------------------

@@ -244,9 +244,9 @@ def test_the_file_keeps_the_contract(
     sound: dict[str, Any], loose: dict[str, Any], dented: tuple[dict[str, Any], np.ndarray]
 ) -> None:
     for found in (sound, loose, dented[0]):
-        conforms(found, SCHEMA)
+        conforms(found.to_dict(), SCHEMA)
         assert found["schema"] == "deltacal.diagnosis/1"
-        assert json.loads(json.dumps(found, allow_nan=False)) == found
+        assert json.loads(found.to_json()) == found
         assert found["baseline"]["model"] == "delta/42"
         shares = [c["share"] for c in found["location"]["channels"]]
         assert shares == sorted(shares, reverse=True)

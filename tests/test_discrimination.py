@@ -25,6 +25,7 @@ from deltacal_gen.discrimination import (
 from deltacal_gen.mechanism import SOLVED
 from deltacal_gen.physics import Term
 from deltacal_gen.recording import Recording, csv_text, read_recording
+from deltacal_gen.results.diagnosis import Channel, Location, RegionOf
 from tests.conftest import plausible
 from tests.left_out import DELTA, channels, diagnosis, effect, machine, named, record
 
@@ -138,13 +139,13 @@ def test_proposals_are_rows_of_a_recording(kind: str, tmp_path: Path) -> None:
     soft, loose = effect("payload_deflection", (1,), 0.02), effect("zero_drift", (2,), 0.05)
     questions = [Question(soft, (loose,)), Question(loose, proven=False)]
     for entry in next_measurements(found.final, questions, None):
-        assert entry["poses"]
-        assert json.loads(json.dumps(entry)) == entry
+        assert entry.poses
+        assert json.loads(json.dumps(entry.to_dict())) == entry.to_dict()
         path = tmp_path / f"{kind}.csv"
-        columns = {name: [row[name] for row in entry["poses"]] for name in entry["poses"][0]}
+        columns = {name: [row[name] for row in entry.poses] for name in entry.poses[0]}
         path.write_text(csv_text({k: v if k == "pose" else np.array(v) for k, v in columns.items()}))
         read = read_recording(path, DELTA, need_measured=False)
-        assert read.n_rows == len(entry["poses"]) * (2 if kind == "distance" else 1)
+        assert read.n_rows == len(entry.poses) * (2 if kind == "distance" else 1)
         assert read.channels["time_s"].min() > made.channels["time_s"].max()
         assert set(np.unique(read.channels["payload_kg"])) <= {0.0, 1.0, 2.0}
 
@@ -152,28 +153,31 @@ def test_proposals_are_rows_of_a_recording(kind: str, tmp_path: Path) -> None:
 def test_what_nothing_explains_is_asked_where_it_sits() -> None:
     robot = machine(workspace=None)
     final = diagnose(robot, record(machine(), of=channels(60, "time", "humidity_pct"))).final
-    nothing = {"region": None, "limbs": [], "channels": []}
-    where = dict(
-        nothing, region={"centre_mm": [100.0, 50.0, -850.0], "radius_mm": 80.0}, channels=[{"name": "position"}]
-    )
+    nothing = Location(channels=(), limbs=(), region=None, text="")
+
+    def along_channel(name: str) -> Location:
+        return nothing.replace(channels=(Channel(name=name, p_value=0.0, share=1.0),))
+
+    region = RegionOf(centre_mm=(100.0, 50.0, -850.0), radius_mm=80.0)
+    where = along_channel("position").replace(region=region)
     [local] = next_measurements(final, [], where)
-    q = np.radians([[row[f"q{i}_deg"] for i in (1, 2, 3)] for row in local["poses"]])
+    q = np.radians([[row[f"q{i}_deg"] for i in (1, 2, 3)] for row in local.poses])
     x, _ = DELTA.forward(q, robot.tool, DELTA.rows(robot))
     assert np.median(np.linalg.norm(x[:, :3] - [100.0, 50.0, -850.0], axis=1)) < 120
 
-    [along] = next_measurements(final, [], dict(nothing, channels=[{"name": "q2_deg"}]))
-    steps = np.diff([row["q2_deg"] for row in along["poses"]])
+    [along] = next_measurements(final, [], along_channel("q2_deg"))
+    steps = np.diff([row["q2_deg"] for row in along.poses])
     assert (steps > 0).all()
     assert steps.max() < 4 * steps.min()
 
-    [damp] = next_measurements(final, [], dict(nothing, channels=[{"name": "humidity_pct"}]))
-    poses = {(row["q1_deg"], row["q2_deg"], row["q3_deg"]) for row in damp["poses"]}
-    assert len({row["humidity_pct"] for row in damp["poses"]}) * len(poses) == len(damp["poses"])
-    [later] = next_measurements(final, [], dict(nothing, channels=[{"name": "time_s"}]))
-    assert min(row["time_s"] for row in later["poses"]) > final.problem.recording.channels["time_s"].max()
+    [damp] = next_measurements(final, [], along_channel("humidity_pct"))
+    poses = {(row["q1_deg"], row["q2_deg"], row["q3_deg"]) for row in damp.poses}
+    assert len({row["humidity_pct"] for row in damp.poses}) * len(poses) == len(damp.poses)
+    [later] = next_measurements(final, [], along_channel("time_s"))
+    assert min(row["time_s"] for row in later.poses) > final.problem.recording.channels["time_s"].max()
     [unknown] = next_measurements(final, [], nothing)
-    assert unknown["poses"] == []
-    assert "temp_C" in unknown["text"]
+    assert unknown.poses == ()
+    assert "temp_C" in unknown.text
 
 
 # ---------------------------------------------------------------------------------------------- the linear algebra

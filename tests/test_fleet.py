@@ -10,7 +10,6 @@ import subprocess
 import sys
 import time
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -20,7 +19,10 @@ from test_printers import joints, printer_cfg
 
 from deltacal_gen import InputError, UsageError, commands, fleet
 from deltacal_gen import report as pages
+from deltacal_gen.demonstration import example
 from deltacal_gen.recording import write_recording
+from deltacal_gen.results.batch import Batch, FailedRow, IdentifiedRow
+from deltacal_gen.results.diagnosis import Diagnosis, EffectParameter
 from deltacal_gen.robot import robot_from_dict, robot_to_toml
 from deltacal_gen.simulation import simulate
 
@@ -90,11 +92,13 @@ def test_a_diagnosis_says_which_part_has_moved(shop: Path, tmp_path: Path) -> No
 
 
 def test_an_effect_that_has_grown_is_said() -> None:
-    def diagnosis(width: float) -> dict[str, Any]:
-        part = {"name": "width", "limb": 1, "value": width, "std": 0.001, "unit": "deg"}
-        when = {"name": "time", "limb": None, "value": 60.0 + width, "std": None, "unit": "s"}  # found, not fitted
-        effect = {"name": "backlash", "limbs": [1], "parameters": [part, when]}
-        return {"verdict": "missing_physics", "effects": [effect], "final": {"heldout_rms_mm": 0.01}}
+    folder = example("gearbox")
+    found = commands.diagnose(folder / "robot.toml", folder / "recording.csv")
+
+    def diagnosis(width: float) -> Diagnosis:
+        part = EffectParameter(name="width", limb=1, value=width, std=0.001, unit="deg")
+        when = EffectParameter(name="time", limb=None, value=60.0 + width, std=None, unit="s")  # found, not fitted
+        return found.replace(effects=(found.effects[0].replace(parameters=(part, when)),))
 
     assert "width of backlash was 0.02, is 0.03 +- 0.0014 deg" in fleet._moved(diagnosis(0.02), diagnosis(0.03))
     assert "width" not in fleet._moved(diagnosis(0.02), diagnosis(0.022))
@@ -164,13 +168,10 @@ def test_what_firmware_and_trackers_keep_is_imported(tmp_path: Path) -> None:
 
 
 def test_of_very_many_the_page_shows_the_distribution_and_the_worst() -> None:
-    rows: list[dict[str, Any]] = []
-    for k in range(2000):
-        rows.append({"recording": f"m{k}/r.csv", "machine": f"m{k}", "before_mm": 1.0, "after_mm": k / 1000})
-    for k in range(900):
-        rows.append({"recording": f"bad{k}/r.csv", "machine": f"bad{k}", "error": "nothing in it"})
-    rows = [{"error": None} | r for r in rows]
-    page = pages.batch({"action": "identify", "rows": rows, "changed": []})
+    figures = {"model": "9", "before_mm": 1.0, "fitted_mm": 0.1, "noise_mm": 0.1, "error": None}
+    good = (IdentifiedRow(recording=f"m{k}/r.csv", machine=f"m{k}", after_mm=k / 1000, **figures) for k in range(2000))
+    bad = (FailedRow(recording=f"bad{k}/r.csv", machine=f"bad{k}", error="nothing in it") for k in range(900))
+    page = pages.batch(Batch(action="identify", rows=(*good, *bad), changed=()))
     assert len(page) < 400_000
     assert "m1999/r.csv" in page
     assert "m7/r.csv" not in page

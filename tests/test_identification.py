@@ -50,7 +50,7 @@ def values(recording: Recording) -> np.ndarray:
 def in_deviations(found: Identification, truth: dict[str, float]) -> np.ndarray:
     """Return (value - truth) / std of the identified parameters of a RESULT.json."""
     out = []
-    for entry in found.to_dict()["parameters"]:
+    for entry in found.answer()["parameters"]:
         if entry["status"] == "identified":
             unit = to_internal("rad" if entry["unit"] == "deg" else "mm")
             out.append((entry["value"] * unit - truth.get(entry["name"], 0.0)) / (entry["std"] * unit))
@@ -71,7 +71,7 @@ def test_without_noise_fresh_readings_are_predicted_exactly(
     frame = (np.array([0.4, -0.2, 2.0]), np.array([1500.0, -800.0, 900.0]))
     recording = simulate(robot, asked(robot, kind, poses), truth, rng=rng, frame=frame)
     fresh = simulate(robot, asked(robot, kind, scattered(robot, 25, 77)), truth, rng=rng, frame=frame)
-    result = identify(robot, recording, model).to_dict()
+    result = identify(robot, recording, model).answer()
     assert result["train_rms_mm"] < 1e-7
     assert result["heldout_rms_mm"] < 1e-6
     assert values(predict(result, fresh)) == pytest.approx(values(fresh), abs=1e-6)
@@ -84,7 +84,7 @@ def test_a_gauge_is_found_where_it_is_and_not_where_the_sidecar_says(robot: Robo
     nominal = dataclasses.replace(recording.measurement, base_point_mm=(421.5, -152.0, 39.0))
     found = identify(robot, dataclasses.replace(recording, measurement=nominal), "18")
     fresh = simulate(robot, asked(robot, "gauge", scattered(robot, 25, 77)), truth)
-    assert values(predict(found.to_dict(), fresh)) == pytest.approx(values(fresh), abs=1e-6)
+    assert values(predict(found.answer(), fresh)) == pytest.approx(values(fresh), abs=1e-6)
 
 
 def noisy(robot: Robot, truth: dict[str, float], kind: str = "position", seed: int = 1) -> Recording:
@@ -114,7 +114,7 @@ def test_identified_values_lie_within_their_deviations(robot: Robot, eighteen: d
 
 
 def test_what_is_not_pinned_has_no_deviation(robot: Robot, complete: dict[str, float]) -> None:
-    result = identify(robot, noisy(robot, complete, "distance"), "42").to_dict()
+    result = identify(robot, noisy(robot, complete, "distance"), "42").answer()
     by_status: dict[str, list[dict[str, Any]]] = {}
     for entry in result["parameters"]:
         by_status.setdefault(entry["status"], []).append(entry)
@@ -131,7 +131,7 @@ def test_what_is_not_pinned_has_no_deviation(robot: Robot, complete: dict[str, f
 
 
 def test_what_the_model_leaves_out_is_fixed_at_the_robot_file(robot: Robot, eighteen: dict[str, float]) -> None:
-    result = identify(robot, noisy(robot, eighteen), "18").to_dict()
+    result = identify(robot, noisy(robot, eighteen), "18").answer()
     fixed = {entry["name"] for entry in result["parameters"] if entry["status"] == "fixed"}
     assert len(fixed) == 24
     assert all(e["value"] == 0.0 and e["std"] is None for e in result["parameters"] if e["name"] in fixed)
@@ -139,7 +139,7 @@ def test_what_the_model_leaves_out_is_fixed_at_the_robot_file(robot: Robot, eigh
 
 def test_tolerances_pin_what_the_readings_do_not(robot: Robot, mechanism: Machine, complete: dict[str, float]) -> None:
     tolerance = {p.name: 2 * p.typical for p in mechanism.parameters}
-    result = identify(dataclasses.replace(robot, tolerance=tolerance), noisy(robot, complete), "42").to_dict()
+    result = identify(dataclasses.replace(robot, tolerance=tolerance), noisy(robot, complete), "42").answer()
     assert {e["status"] for e in result["parameters"]} == {"identified", "pinned by prior"}
     for entry in result["parameters"]:
         prior = tolerance[entry["name"]] / to_internal("rad" if entry["unit"] == "deg" else "mm")
@@ -152,7 +152,7 @@ def test_tolerances_pin_what_the_readings_do_not(robot: Robot, mechanism: Machin
 
 def test_a_tight_tolerance_holds_its_parameter(robot: Robot, mechanism: Machine, complete: dict[str, float]) -> None:
     tight = dataclasses.replace(robot, tolerance={"ez_1": 1e-4, "ez_2": 1e-4, "ez_3": 1e-4})
-    result = identify(tight, noisy(robot, complete, "distance"), "42").to_dict()
+    result = identify(tight, noisy(robot, complete, "distance"), "42").answer()
     entry = next(e for e in result["parameters"] if e["name"] == "ez_2")
     assert entry["status"] == "pinned by prior"
     assert abs(entry["value"]) < 5e-4
@@ -164,8 +164,8 @@ def test_values_count_from_the_robot_file_and_its_errors_stay(robot: Robot, eigh
     recording = noisy(robot, eighteen)
     first = identify(robot, recording, "18")
     second = identify(first.robot, recording, "18")
-    deviations = {e["name"]: e["std"] for e in first.to_dict()["parameters"]}
-    for entry in second.to_dict()["parameters"]:
+    deviations = {e["name"]: e["std"] for e in first.answer()["parameters"]}
+    for entry in second.answer()["parameters"]:
         if entry["status"] == "identified":
             assert abs(entry["value"]) < 0.05 * deviations[entry["name"]]
 
@@ -173,7 +173,7 @@ def test_values_count_from_the_robot_file_and_its_errors_stay(robot: Robot, eigh
 def test_the_result_says_where_the_base_stands(robot: Robot, eighteen: dict[str, float]) -> None:
     turn, origin = np.array([0.02, -0.03, 1.2]), np.array([1500.0, -800.0, 900.0])
     recording = simulate(robot, asked(robot, "position", poses_of(robot)), eighteen, frame=(turn, origin))
-    (frame,) = identify(robot, recording, "18").to_dict()["base_frame"]
+    (frame,) = identify(robot, recording, "18").answer()["base_frame"]
     assert np.array(frame["rotation_deg"]) * DEG == pytest.approx(turn, abs=1e-8)
     assert frame["origin_mm"] == pytest.approx(origin, abs=1e-6)
 
@@ -184,7 +184,7 @@ def test_two_setups_have_two_frames(robot: Robot, eighteen: dict[str, float]) ->
     given = asked(robot, "position", poses, setup=half)
     recording = simulate(robot, given, eighteen, rng=np.random.default_rng(8))  # draws a frame for each
     found = identify(robot, recording, "18")
-    result = found.to_dict()
+    result = found.answer()
     left, right = result["base_frame"]
     assert (left["setup"], right["setup"]) == ("left", "right")
     assert np.linalg.norm(np.subtract(left["origin_mm"], right["origin_mm"])) > 100
@@ -207,7 +207,7 @@ def test_a_few_per_cent_of_gross_errors_are_listed_and_do_not_move_the_result(
 ) -> None:
     recording = noisy(robot, eighteen, kind)
     clean = identify(robot, recording, "18")
-    assert clean.to_dict()["gross_errors"] == []
+    assert clean.answer()["gross_errors"] == []
     if kind == "distance":
         wrong = [5, 60, 100, 140, 150]  # of 186: 3 %
         off = recording.pair_measured.copy()
@@ -221,7 +221,7 @@ def test_a_few_per_cent_of_gross_errors_are_listed_and_do_not_move_the_result(
         spoilt = dataclasses.replace(recording, measured=off)
         lines = recording.line[wrong]
     robust, trusting = (identify(robot, spoilt, "18", robust=how) for how in (True, False))
-    assert robust.to_dict()["gross_errors"] == lines.tolist()
+    assert robust.answer()["gross_errors"] == lines.tolist()
     columns, deviation = clean.fit.problem.columns, np.sqrt(np.diag(clean.fit.covariance)[:18])
     shift, naive = (np.abs(f.fit.errors - clean.fit.errors)[columns] / deviation for f in (robust, trusting))
     assert shift.max() < 3  # the pull of a gross error is bounded at 2.5 deviations of a reading, not nothing
@@ -292,7 +292,7 @@ def test_the_held_out_error_is_that_of_fresh_readings(robot: Robot, eighteen: di
             simulate(robot, asked(robot, kind, scattered(robot, m, s)), eighteen, noise_mm=NOISE, rng=rng, frame=frame)
             for m, s in ((n, 100 + seed), (100, 900 + seed))
         )
-        result = identify(robot, measured, "18").to_dict()
+        result = identify(robot, measured, "18").answer()
         gap = values(predict(result, unseen)) - values(unseen)
         train.append(result["train_rms_mm"])
         held_out.append(result["heldout_rms_mm"])
@@ -335,7 +335,7 @@ def test_all_pairs_of_two_reference_points_stay_among_themselves(robot: Robot, e
 
 
 def test_accuracy_is_given_in_the_measures_of_the_paper(robot: Robot, eighteen: dict[str, float]) -> None:
-    accuracy = identify(robot, noisy(robot, eighteen), "18").to_dict()["accuracy"]
+    accuracy = identify(robot, noisy(robot, eighteen), "18").answer()["accuracy"]
     assert accuracy["home_line"] == 2  # the first of the rings is the cylinder's centre
     before, rough, after = (accuracy[k] for k in ("before", "rough", "after"))
     assert before["volumetric_mm"] > rough["volumetric_mm"] > after["volumetric_mm"]
@@ -354,7 +354,7 @@ def test_the_uncertainty_over_the_workspace_is_that_of_the_tool(
         given = asked(robot, "position", poses_of(robot))
         recording = simulate(robot, given, eighteen, noise_mm=NOISE, rng=rng, frame=frame)
         found = identify(robot, recording, "18")
-        result = found.to_dict()
+        result = found.answer()
         points = result["workspace"]["points"][::8]
         targets = np.array([p["target_mm"] for p in points])
         fresh = simulate(robot, asked(robot, "position", targets), eighteen, frame=frame)
@@ -365,7 +365,7 @@ def test_the_uncertainty_over_the_workspace_is_that_of_the_tool(
 
 
 def test_extra_measurements_are_proposed_where_something_is_free(robot: Robot, complete: dict[str, float]) -> None:
-    result = identify(robot, noisy(robot, complete, "distance"), "42").to_dict()
+    result = identify(robot, noisy(robot, complete, "distance"), "42").answer()
     assert result["next_measurements"]
     assert all(0 < idea["pins"] <= idea["of"] for idea in result["next_measurements"])
     gains = [idea["pins"] for idea in result["next_measurements"]]
@@ -376,7 +376,7 @@ def test_a_third_reference_point_is_proposed_only_where_it_pins_more() -> None:
     """The recording has several points already; a further one sees one direction, and two see no other."""
     robot = read_robot(example("delta/robot.toml"))
     recording = read_recording(example("delta/recording.csv"), load_mechanism("delta"))
-    proposed = identify(robot, recording).to_dict()["next_measurements"]
+    proposed = identify(robot, recording).answer()["next_measurements"]
     [point] = [idea["measurement"] for idea in proposed if "reference point" in idea["measurement"]]
     assert point.startswith("a second reference point")
 
@@ -395,11 +395,11 @@ def test_every_solver_finds_a_well_measured_machine_and_says_what_it_did(
 ) -> None:
     recording = noisy(robot, eighteen)
     found = identify(robot, recording, "18", solver=solver, truncation=truncation)
-    assert found.to_dict()["regularisation"]["rule"].startswith(said)
+    assert found.answer()["regularisation"]["rule"].startswith(said)
     assert found.fit.rms() < 1.2 * NOISE
     assert found.heldout_rms < 2 * NOISE
 
 
 def test_results_do_not_change_from_run_to_run(robot: Robot, eighteen: dict[str, float]) -> None:
     recording = noisy(robot, eighteen)
-    assert identify(robot, recording, "18").to_dict() == identify(robot, recording, "18").to_dict()
+    assert identify(robot, recording, "18").answer() == identify(robot, recording, "18").answer()

@@ -206,7 +206,7 @@ def test_effector_joints_and_rod_spacing_cancel_while_rods_are_equal(printer: Ro
 def test_heights_give_back_what_firmware_fits(printer: Robot, rng: np.random.Generator) -> None:
     truth = plausible(rng, LINEAR.model("linear_delta/6"))
     done = simulate(printer, recording(printer, grid()), truth)
-    found = identify(printer, done, "6").to_dict()
+    found = identify(printer, done, "6").answer()
     assert found["train_rms_mm"] < 1e-6
     given = {p["name"]: p["value"] * (DEG if p["unit"] == "deg" else 1.0) for p in found["parameters"]}
     for name, value in truth.items():
@@ -219,7 +219,7 @@ def test_seven_heights_carry_six_parameters(printer: Robot, rng: np.random.Gener
     points = np.vstack([[0, 0, 0], np.column_stack([90 * np.cos(angles), 90 * np.sin(angles), 0 * angles])])
     truth = plausible(rng, LINEAR.model("linear_delta/6"))
     done = simulate(printer, recording(printer, points), truth, noise_mm=0.01, rng=rng)
-    found = identify(printer, done).to_dict()
+    found = identify(printer, done).answer()
     assert found["model"] == "linear_delta/6"
     assert found["readings"]["scalars"] == 7
     assert found["train_rms_mm"] < 0.03
@@ -258,7 +258,7 @@ def test_heights_and_distances_count_each_with_its_own_noise(printer: Robot, rng
     want = np.array([truth[name] for name in fit.problem.names])
     gap = got - want
     assert gap @ np.linalg.solve(fit.covariance[:n, :n], gap) < 40  # chi2 of 9 numbers
-    back = predict(identify(printer, done, "9").to_dict(), done)
+    back = predict(identify(printer, done, "9").answer(), done)
     assert np.nanstd(back.measured - exact.measured) < 0.02
     assert np.std(back.pair_measured - exact.pair_measured) < 0.1
 
@@ -266,7 +266,7 @@ def test_heights_and_distances_count_each_with_its_own_noise(printer: Robot, rng
 def test_a_few_heights_leave_the_size_of_what_is_printed_open(printer: Robot, rng: np.random.Generator) -> None:
     """Klipper's author: other parameters give "a flat bed but absurd settings for any other position"."""
     done = simulate(printer, recording(printer, grid(60, 30)), {}, noise_mm=0.03, rng=rng)
-    status = {p["name"]: p["status"] for p in identify(printer, done, "9").to_dict()["parameters"]}
+    status = {p["name"]: p["status"] for p in identify(printer, done, "9").answer()["parameters"]}
     assert status["arm_1"] == "not pinned"
 
 

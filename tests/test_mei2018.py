@@ -244,7 +244,7 @@ def test_exact_readings_give_back_what_they_see(robot: Robot, poses: Recording) 
     free = dataclasses.replace(recording, measurement=dataclasses.replace(recording.measurement, sigma_mm=1e-6))
     found = identification.identify(robot, free, "diamond/4", solver="least-squares", robust=False)
     np.testing.assert_allclose(found.fit.errors, DIAMOND.vector(truth), rtol=0, atol=1e-8)
-    again = predict(found.to_dict(), free)
+    again = predict(found.answer(), free)
     np.testing.assert_allclose(again.measured, recording.measured, rtol=0, atol=1e-8)
 
 
@@ -273,7 +273,7 @@ def test_six_positions_hardly_pin_the_offsets(robot: Robot, poses: Recording) ->
     """With the stated noise the weak direction of condition 475 is half prior, and its deviations say so."""
     recording = simulate(robot, poses, errors_of(1), noise_mm=0.012, rng=np.random.default_rng(0))
     found = identification.identify(robot, recording, "diamond/4")
-    left = {p["name"]: p for p in found.to_dict()["parameters"]}
+    left = {p["name"]: p for p in found.answer()["parameters"]}
     assert all(0.3 < left[f"theta_{i}"]["std"] < 0.767 for i in (1, 2))  # deg; 0.767 is what 2 mm of the prior allow
     assert 0.8 < left["mx"]["std"] < 2.0
     assert left["my"]["std"] < 0.15

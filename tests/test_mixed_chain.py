@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from conftest import calibrated
 from test_serial import SCARA, robot
 
 from deltacal_gen import commands
@@ -89,7 +90,7 @@ def test_play_is_found_in_degrees_where_it_turns_and_in_mm_where_it_slides(cell:
 def test_four_joints_meet_the_position_and_turn_as_far_as_they_can(cell: Path) -> None:
     drawn, told = scara(), []
     drawn.errors.update({"a_1": 0.3, "alpha_1": 0.1 * DEG, "theta_2": 0.2 * DEG, "d_3": 0.2, "theta_4": 0.1 * DEG})
-    result = {"schema": "deltacal.result/1", "robot": robot_to_dict(drawn)}
+    result = calibrated(drawn)
     rows = (cell / "poses.csv").read_text().splitlines()
     inside = [r for r in rows[1:] if abs(float(r.split(",")[1])) < 120 and 10 < float(r.split(",")[2]) < 170]
     (cell / "program.csv").write_text("\n".join([rows[0], *inside]) + "\n")

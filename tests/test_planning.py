@@ -280,7 +280,7 @@ def test_predicted_tool_deviation_is_the_same_in_every_gauge(robot: Robot) -> No
 
 def test_plan_as_json(robot: Robot) -> None:
     found = planning.plan(robot, "18", start_angle=75 * DEG, n_max=9, sigma_mm=0.005)
-    said = json.loads(json.dumps(found.to_dict(), allow_nan=False))
+    said = json.loads(found.answer().to_json())
     assert said["schema"] == "deltacal.plan/1"
     assert said["model"] == "delta/18"
     assert said["chosen"] == 7
@@ -300,7 +300,7 @@ def test_plan_as_json(robot: Robot) -> None:
 def test_a_plan_without_a_choice_says_so(robot: Robot) -> None:
     found = planning.plan(robot, "18", n_max=4)
     assert found.chosen is None
-    assert found.to_dict()["chosen"] is None
+    assert found.answer()["chosen"] is None
     assert len(found.poses) == 2 * 4 + 1
 
 

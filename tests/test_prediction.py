@@ -13,9 +13,12 @@ from conftest import plausible, rings, scattered, wanted
 from deltacal_gen.errors import InputError
 from deltacal_gen.identification import identify
 from deltacal_gen.mechanism import Machine
-from deltacal_gen.physics import Term, blank, load_effect, term_to_dict
+from deltacal_gen.physics import Term, blank, kept_term, load_effect
 from deltacal_gen.prediction import calibrated_robot, predict, residual
 from deltacal_gen.recording import Recording
+from deltacal_gen.results.parts import MachineState
+from deltacal_gen.results.reader import read_result
+from deltacal_gen.results.result import Result
 from deltacal_gen.robot import Robot
 from deltacal_gen.simulation import simulate
 
@@ -32,19 +35,20 @@ def measured(robot: Robot, truth: dict[str, float], kind: str, targets: np.ndarr
 
 
 @pytest.fixture(scope="module")
-def results(robot: Robot, truth: dict[str, float]) -> dict[str, dict[str, Any]]:
+def results(robot: Robot, truth: dict[str, float]) -> dict[str, Result]:
     """Results from noise-free readings, as they come back from a file."""
     poses = rings(robot, 9)
     pairs = np.column_stack(np.triu_indices(len(poses), 1))
-    return {
-        kind: json.loads(json.dumps(identify(robot, measured(robot, truth, kind, poses, **more), "18").to_dict()))
+    found = {
+        kind: identify(robot, measured(robot, truth, kind, poses, **more), "18").answer().to_json()
         for kind, more in (("position", {}), ("pose", {}), ("distance", {"pairs": pairs}))
     }
+    return {kind: read_result(json.loads(text)) for kind, text in found.items()}
 
 
 @pytest.mark.parametrize("kind", ["position", "pose"])
 def test_readings_are_predicted_in_the_instrument_s_frame(
-    robot: Robot, truth: dict[str, float], results: dict[str, dict[str, Any]], kind: str
+    robot: Robot, truth: dict[str, float], results: dict[str, Result], kind: str
 ) -> None:
     fresh = measured(robot, truth, kind, scattered(robot, 20, 8))
     blank = dataclasses.replace(fresh, measured=np.full_like(fresh.measured, np.nan))
@@ -52,22 +56,20 @@ def test_readings_are_predicted_in_the_instrument_s_frame(
 
 
 def test_distances_are_predicted_by_any_result(
-    robot: Robot, truth: dict[str, float], results: dict[str, dict[str, Any]]
+    robot: Robot, truth: dict[str, float], results: dict[str, Result]
 ) -> None:
     fresh = measured(robot, truth, "distance", scattered(robot, 6, 8), pairs=np.array([[0, 1], [2, 5], [3, 1]]))
     for result in results.values():
         assert predict(result, fresh).pair_measured == pytest.approx(fresh.pair_measured, abs=1e-6)
 
 
-def test_positions_are_predicted_from_poses(
-    robot: Robot, truth: dict[str, float], results: dict[str, dict[str, Any]]
-) -> None:
+def test_positions_are_predicted_from_poses(robot: Robot, truth: dict[str, float], results: dict[str, Result]) -> None:
     fresh = measured(robot, truth, "position", scattered(robot, 6, 8))
     assert predict(results["pose"], fresh).measured == pytest.approx(fresh.measured, abs=1e-6)
 
 
 def test_the_robot_s_own_frame_needs_no_instrument(
-    robot: Robot, truth: dict[str, float], results: dict[str, dict[str, Any]]
+    robot: Robot, truth: dict[str, float], results: dict[str, Result]
 ) -> None:
     """Distances fix eq. (11)'s frame with model 18, so positions in {O} are known from them."""
     inside = simulate(robot, wanted(scattered(robot, 6, 8), frame="robot"), truth)
@@ -75,7 +77,7 @@ def test_the_robot_s_own_frame_needs_no_instrument(
 
 
 def test_a_gauge_is_predicted_where_the_sidecar_says_it_stands(
-    robot: Robot, truth: dict[str, float], results: dict[str, dict[str, Any]]
+    robot: Robot, truth: dict[str, float], results: dict[str, Result]
 ) -> None:
     for zero in ("absolute", "incremental"):
         more = {"base_point_mm": (300.0, 10.0, -20.0), "zero": zero}
@@ -84,23 +86,21 @@ def test_a_gauge_is_predicted_where_the_sidecar_says_it_stands(
 
 
 def test_a_frame_that_is_not_known_is_not_invented(
-    robot: Robot, truth: dict[str, float], results: dict[str, dict[str, Any]]
+    robot: Robot, truth: dict[str, float], results: dict[str, Result]
 ) -> None:
     fresh = measured(robot, truth, "position", scattered(robot, 6, 8))
     with pytest.raises(InputError, match="identified from readings of the kind 'distance' and knows no frame"):
         predict(results["distance"], fresh)
 
 
-def test_another_tool_point_is_predicted_too(
-    robot: Robot, truth: dict[str, float], results: dict[str, dict[str, Any]]
-) -> None:
+def test_another_tool_point_is_predicted_too(robot: Robot, truth: dict[str, float], results: dict[str, Result]) -> None:
     """Model 18 turns nothing, so what was measured at one point holds for all."""
     fresh = measured(robot, truth, "position", scattered(robot, 6, 8), tool=np.array([40.0, 20.0, -80.0]))
     assert predict(results["position"], fresh).measured == pytest.approx(fresh.measured, abs=1e-6)
 
 
 def test_the_calibrated_robot_carries_the_errors(
-    mechanism: Machine, truth: dict[str, float], results: dict[str, dict[str, Any]]
+    mechanism: Machine, truth: dict[str, float], results: dict[str, Result]
 ) -> None:
     errors = calibrated_robot(results["position"]).errors
     for name, value in truth.items():
@@ -108,7 +108,7 @@ def test_the_calibrated_robot_carries_the_errors(
 
 
 def test_residuals_are_measured_minus_predicted(
-    robot: Robot, truth: dict[str, float], results: dict[str, dict[str, Any]]
+    robot: Robot, truth: dict[str, float], results: dict[str, Result]
 ) -> None:
     from deltacal_gen.instrument.kinds import readings
 
@@ -122,9 +122,15 @@ def test_residuals_are_measured_minus_predicted(
 # --- with the effects of a diagnosis ----------------------------------------------------------------------------------
 
 
-def with_effects(result: dict[str, Any], *terms: Term, clock: str = "time_s") -> dict[str, Any]:
-    """Return a result as a diagnosis with these effects would be."""
-    return result | {"physics": [term_to_dict(t) for t in terms], "clock": clock}
+class ByRow(MachineState):
+    """A machine of which a moment is known by the row that it came before."""
+
+    clock = "row"
+
+
+def with_effects(result: Result, *terms: Term, kind: type[MachineState] = MachineState) -> MachineState:
+    """Return a result as a diagnosis with these effects would have it."""
+    return kind(robot=result.robot, physics=tuple(map(kept_term, terms)), instrument=result.instrument)
 
 
 def effect(name: str, value: float, limbs: tuple[int, ...] = (2,), constants: tuple[float, ...] = ()) -> Term:
@@ -142,7 +148,7 @@ def told(n: int) -> dict[str, np.ndarray]:
 
 @pytest.mark.parametrize("kind", ["position", "pose", "distance", "gauge"])
 def test_a_diagnosis_predicts_its_effects_from_the_channels(
-    robot: Robot, truth: dict[str, float], results: dict[str, dict[str, Any]], kind: str
+    robot: Robot, truth: dict[str, float], results: dict[str, Result], kind: str
 ) -> None:
     terms = (effect("backlash", 0.1), effect("thermal_zero", 0.01, (1, 3)), effect("instrument_scale", 50.0))
     more: dict[str, Any] = {"pairs": np.array([[0, 1], [2, 5], [3, 1]])} if kind == "distance" else {}
@@ -162,7 +168,7 @@ def test_a_diagnosis_predicts_its_effects_from_the_channels(
     [("backlash", "approach2"), ("thermal_zero", "temp_C"), ("zero_drift", "time_s"), ("thermal_growth", "temp_C")],
 )
 def test_a_channel_that_is_not_given_is_asked_for(
-    robot: Robot, truth: dict[str, float], results: dict[str, dict[str, Any]], name: str, missing: str
+    robot: Robot, truth: dict[str, float], results: dict[str, Result], name: str, missing: str
 ) -> None:
     fresh = measured(robot, truth, "position", scattered(robot, 6, 8), channels=told(6))
     channels = {k: v for k, v in fresh.channels.items() if k != missing}
@@ -173,11 +179,11 @@ def test_a_channel_that_is_not_given_is_asked_for(
 
 
 def test_a_jump_that_was_found_by_its_row_is_past(
-    robot: Robot, truth: dict[str, float], results: dict[str, dict[str, Any]]
+    robot: Robot, truth: dict[str, float], results: dict[str, Result]
 ) -> None:
     jump = effect("zero_jump", 0.1, constants=(30.0,))
     fresh = measured(robot, truth, "position", scattered(robot, 6, 8), channels={"time_s": np.zeros(6)})
-    after = predict(with_effects(results["position"], jump, clock="row"), fresh).measured
+    after = predict(with_effects(results["position"], jump, kind=ByRow), fresh).measured
     before = predict(with_effects(results["position"], jump), fresh).measured
     assert before == pytest.approx(fresh.measured, abs=1e-6)
     assert np.abs(after - before).max() > 0.3

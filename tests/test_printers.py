@@ -255,7 +255,7 @@ def test_what_changed_is_named_and_the_rest_is_not(printer: Robot, rng: np.rando
     poses = recording(printer, targets, "position")
     later = truth | {"endstop_2": truth["endstop_2"] + 0.2}
     first, second = (
-        identify(printer, simulate(printer, poses, t, noise_mm=0.01, rng=rng), "9").to_dict() for t in (truth, later)
+        identify(printer, simulate(printer, poses, t, noise_mm=0.01, rng=rng), "9").answer() for t in (truth, later)
     )
     found = commands.compare(first, second)
     assert [e["name"] for e in found["changed"]] == ["endstop_2"]
@@ -276,13 +276,13 @@ def test_sessions_from_different_robot_files_are_compared_by_the_machine(
         geometry=printer.geometry
         | {"radius": printer.geometry["radius"] + 0.3, "arm_length": printer.geometry["arm_length"] + 0.2},
     )
-    first, second = (identify(robot, done, "9").to_dict() for robot in (printer, moved))
+    first, second = (identify(robot, done, "9").answer() for robot in (printer, moved))
     found = commands.compare(first, second)
     assert not found["changed"]
     assert {e["name"] for e in found["unchanged"]} == set(LINEAR.model("linear_delta/9"))
     other = dataclasses.replace(printer, geometry=printer.geometry | {"rod_spacing": np.array([60.0])})
     with pytest.raises(InputError, match="rod_spacing"):
-        commands.compare(first, identify(other, done, "9").to_dict())
+        commands.compare(first, identify(other, done, "9").answer())
 
 
 def test_a_session_from_the_file_calibrated_before_shows_only_what_moved(
@@ -295,7 +295,7 @@ def test_a_session_from_the_file_calibrated_before_shows_only_what_moved(
     poses = recording(printer, targets, "position")
     before, after = (simulate(printer, poses, t, noise_mm=0.01, rng=rng) for t in (truth, moved))
     first = identify(printer, before, "9")
-    found = commands.compare(first.to_dict(), identify(first.robot, after, "9").to_dict())
+    found = commands.compare(first.answer(), identify(first.robot, after, "9").answer())
     assert [e["name"] for e in found["changed"]] == ["endstop_2"]
     assert found["changed"][0]["change"] == pytest.approx(0.2, abs=0.03)
 
@@ -350,13 +350,13 @@ def test_flat_but_wrong_is_said_in_numbers_and_one_distance_settles_it(
     printer: Robot, rng: np.random.Generator
 ) -> None:
     heights = simulate(printer, recording(printer, grid(80, 40)), {}, noise_mm=0.02, rng=rng)
-    found = identify(printer, heights).to_dict()
+    found = identify(printer, heights).answer()
     first = found["next_measurements"][0]
     assert first["measurement"].startswith("print two marks")
     assert first["open_mm"] > 0.2
     ends = np.array([[-80.0, 0, 0], [80.0, 0, 0], [0, -80.0, 0], [0, 80.0, 0]])
     both = recording(printer, np.vstack([grid(80, 40), ends]), pairs=np.array([[13, 14], [15, 16]]))
-    settled = identify(printer, simulate(printer, both, {}, noise_mm=0.02, rng=rng)).to_dict()
+    settled = identify(printer, simulate(printer, both, {}, noise_mm=0.02, rng=rng)).answer()
     left = [m["open_mm"] for m in settled["next_measurements"]]
     assert not left or left[0] < 0.7 * first["open_mm"]
 
@@ -366,7 +366,7 @@ def test_known_rods_leave_less_open(printer: Robot, rng: np.random.Generator) ->
     heights = simulate(printer, poses, {}, noise_mm=0.02, rng=rng)
     callipers = {f"arm_{i}": 0.05 for i in (1, 2, 3)} | {f"radius_{i}": 0.05 for i in (1, 2, 3)}
     known = dataclasses.replace(printer, tolerance=callipers)
-    open_mm = [identify(r, heights).to_dict()["next_measurements"][0]["open_mm"] for r in (printer, known)]
+    open_mm = [identify(r, heights).answer()["next_measurements"][0]["open_mm"] for r in (printer, known)]
     assert open_mm[1] < open_mm[0]
 
 
@@ -375,16 +375,9 @@ def test_a_fit_of_few_heights_says_by_how_much_its_residual_flatters(rng: np.ran
     readings, parameters = 13, 9
     A, noise = rng.standard_normal((readings, parameters)), rng.standard_normal((readings, 400))
     left = noise - A @ np.linalg.lstsq(A, noise, rcond=None)[0]
-    said = flattered(
-        {
-            "degrees_of_freedom": float(readings - parameters),
-            "readings": {"scalars": readings},
-            "train_rms_mm": float(np.sqrt(np.mean(left**2))),
-        }
-    )
+    said = flattered(float(readings - parameters), readings, float(np.sqrt(np.mean(left**2))))
     assert "13 readings less 9.0 parameters leave 4.0 degrees of freedom" in said
     assert float(re.search(r"noise of ([\d.]+) mm", said)[1]) == pytest.approx(1.0, abs=0.05)  # type: ignore[index]
     assert "1.8 times" in said
-    few = {"degrees_of_freedom": 0.4, "readings": {"scalars": 7}, "train_rms_mm": 0.01}
-    assert "says nothing of the noise" in flattered(few)
-    assert flattered(few | {"degrees_of_freedom": 90.0, "readings": {"scalars": 100}}) == ""
+    assert "says nothing of the noise" in flattered(0.4, 7, 0.01)
+    assert flattered(90.0, 100, 0.01) == ""

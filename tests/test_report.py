@@ -13,13 +13,14 @@ import pytest
 from deltacal_gen import commands, figures, report
 from deltacal_gen.demonstration import example
 from deltacal_gen.physics import effect_names, load_effect
+from deltacal_gen.results.reader import read_result
 
 
 @pytest.fixture(scope="module")
 def diagnosed() -> dict[str, Any]:
     folder = example("gearbox")
     found = commands.diagnose(folder / "robot.toml", folder / "recording.csv")
-    done: dict[str, Any] = json.loads(json.dumps(found))
+    done: dict[str, Any] = json.loads(found.to_json())
     return done
 
 
@@ -49,7 +50,7 @@ def assert_self_contained(page: str) -> None:
 
 
 def test_the_page_says_what_was_found_and_what_to_do(found: dict[str, Any]) -> None:
-    page = report.diagnosis(found)
+    page = report.diagnosis(read_result(found))
     assert_self_contained(page)
     text = words(page)
     (p,) = found["effects"][0]["parameters"]
@@ -65,7 +66,7 @@ def test_the_page_says_what_was_found_and_what_to_do(found: dict[str, Any]) -> N
 
 
 def test_what_the_effect_does_is_shown_on_the_joint_that_has_it(found: dict[str, Any]) -> None:
-    picked = figures.seen(found)
+    picked = figures.seen(read_result(found))
     assert (picked.label, picked.title) == ("error of joint 2, deg", "without backlash")
     approach = np.array(found["residuals"]["channels"]["approach2"])
     half = found["effects"][0]["parameters"][0]["value"] / 2
@@ -76,7 +77,7 @@ def test_what_the_effect_does_is_shown_on_the_joint_that_has_it(found: dict[str,
 
 @pytest.mark.parametrize("verdict", ["adequate", "unexplained"])
 def test_a_page_without_effects(found: dict[str, Any], verdict: str) -> None:
-    page = report.diagnosis(without_effects(found, verdict))
+    page = report.diagnosis(read_result(without_effects(found, verdict)))
     assert_self_contained(page)
     assert "What was found" not in words(page)
     assert page.count("<svg") == 2
@@ -87,7 +88,7 @@ def test_what_to_measure_next_is_a_table_to_type_in(found: dict[str, Any]) -> No
     found["next_measurements"] = [
         {"why": "separates A from B", "text": "Measure these.", "poses": poses, "expected_chi2": 81.4}
     ]
-    text = words(report.diagnosis(found))
+    text = words(report.diagnosis(read_result(found)))
     assert "Separates A from B. Measure these. Expected difference in chi²: 81." in text
     assert "pose q1_deg payload_kg next1 1.25 3.0 next2 -7.5 0.0" in text
 
@@ -95,7 +96,7 @@ def test_what_to_measure_next_is_a_table_to_type_in(found: dict[str, Any]) -> No
 def test_what_is_written_in_files_is_not_code(found: dict[str, Any]) -> None:
     found["robot"]["robot"]["name"] = "<script>cell</script> & co"
     found["gross_errors"] = [7]
-    page = report.diagnosis(found)
+    page = report.diagnosis(read_result(found))
     assert_self_contained(page)
     assert "&lt;script&gt;cell" in page
     assert "line 7 of the recording" in words(page)
@@ -106,9 +107,9 @@ def test_readings_of_one_number_have_no_map(found: dict[str, Any]) -> None:
     for key in ("before_mm", "after_mm"):
         residuals[key] = [row[:1] for row in residuals[key]]
     found["instrument"]["kind"] = "distance"
-    page = report.diagnosis(found)
+    page = report.diagnosis(read_result(found))
     assert "Over the workspace" not in words(page)
-    assert figures.seen(found).label == "residual, mm"
+    assert figures.seen(read_result(found)).label == "residual, mm"
 
 
 @pytest.mark.parametrize(
@@ -140,6 +141,6 @@ def test_channels_have_names_for_readers() -> None:
 
 def test_one_sheet_as_a_file(found: dict[str, Any], tmp_path: Any) -> None:
     for name, data in {"a.svg": found, "b.svg": found, "c.svg": without_effects(found, "adequate")}.items():
-        figures.diagnosis(data, tmp_path / name)
+        figures.diagnosis(read_result(data), tmp_path / name)
     assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b.svg").read_bytes()
     assert "cell 7: nothing is missing" in (tmp_path / "c.svg").read_text()

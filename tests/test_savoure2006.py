@@ -179,7 +179,7 @@ def test_noise_free_readings_give_the_machine_back() -> None:
 
 def test_six_base_parameters_in_words() -> None:
     robot, recording = readings(100.0, 1)
-    found = identify(robot, recording).to_dict()
+    found = identify(robot, recording).answer()
     assert found["rank"] == 6
     told = {frozenset(c["terms"]) for c in found["unidentifiable"] if c["seen"] == "not at all"}
     assert told == {frozenset(pair) for pair in (("a1x", "b1x"), ("a2x", "b2x"), ("a2y", "b2y"))}
@@ -307,7 +307,7 @@ def test_base_parameters_come_back_within_their_deviations(delta51: Robot) -> No
     truth = dict(zip(complete.index, rng.standard_normal(51) * complete.typical, strict=True))
     recording = simulate(delta51, poses_at(30, seed=2), truth, noise_mm=0.005, noise_rad=2e-5, rng=rng)
     found = identify(robot_from_dict(PROTOTYPE), recording, "delta/51")
-    told = found.to_dict()
+    told = found.answer()
     assert told["rank"] == 39 == len(told["base"]) == len(found.base)
     assert len([c for c in told["unidentifiable"] if c["seen"] == "not at all"]) == 12
     off = []

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -15,6 +14,8 @@ from deltacal_gen.identification import folds
 from deltacal_gen.mechanism import mechanism_of
 from deltacal_gen.physics import Term
 from deltacal_gen.recording import read_recording
+from deltacal_gen.results.diagnosis import Seen, SeenJoint
+from deltacal_gen.results.parts import NeverSeen
 from deltacal_gen.robot import robot_to_toml
 from deltacal_gen.solvers import Prior
 from deltacal_gen.spectrum import Spectrum, never_seen, periodic, seen, unseen, wave, words
@@ -105,11 +106,11 @@ def test_angles_that_were_never_seen_are_told() -> None:
     assert spans == [(10.0, 10.0), (90.0, 95.0), (350.0, 354.0)]
     far = unseen(np.array([352.0, 0.0, 12.0, 92.0, 200.0]) * DEG, spans, within=5.0)
     assert far.tolist() == [False, True, False, False, True]
-    known: dict[str, Any] = {"within_deg": 5.0, "joints": [{"limb": 2, "angles_deg": [list(s) for s in spans]}]}
+    known = Seen(within_deg=5.0, joints=(SeenJoint(limb=2, angles_deg=tuple(spans)),))
     told = never_seen(known, np.array([[0.0, 200.0], [0.0, 90.0]]) * DEG)
-    assert told == [{"limb": 2, "readings": 1, "angles_deg": [[200.0, 200.0]]}]
-    assert never_seen(None, np.zeros((1, 6))) == []
-    assert words(told[0]).startswith(f"joint {told[0]['limb']} stands in {told[0]['readings']} readings at angles")
+    assert told == (NeverSeen(limb=2, readings=1, angles_deg=((200.0, 200.0),)),)
+    assert never_seen(None, np.zeros((1, 6))) == ()
+    assert words(told[0]).startswith(f"joint {told[0].limb} stands in {told[0].readings} readings at angles")
 
 
 def test_a_held_effect_moves_the_machine_as_a_free_one_does(tmp_path: Path) -> None:

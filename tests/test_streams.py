@@ -17,6 +17,7 @@ from deltacal_gen import commands, prediction, streams, validation
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.identification import identify
 from deltacal_gen.mechanism import load_mechanism
+from deltacal_gen.physics import blank, kept_term
 from deltacal_gen.recording import read_blocks, read_recording
 from deltacal_gen.robot import Robot, robot_to_toml
 from deltacal_gen.simulation import simulate
@@ -66,12 +67,13 @@ def test_blocks_are_the_recording(robot: Robot, errors: dict[str, float], tmp_pa
     assert fitted.sigma == pytest.approx(NOISE, rel=0.2)
     np.testing.assert_allclose(deviation, np.sqrt(np.diag(thorough.fit.covariance)[:18]), rtol=0.2)
 
-    assert streams.predict(fitted.to_dict(), out, tmp_path / "predicted.csv", rows=50) == 137
+    assert streams.predict(fitted.answer(), out, tmp_path / "predicted.csv", rows=50) == 137
     predicted = read_recording(tmp_path / "predicted.csv", DELTA).measured
-    np.testing.assert_allclose(predicted, prediction.predict(fitted.to_dict(), found).measured, rtol=0, atol=1e-9)
+    np.testing.assert_allclose(predicted, prediction.predict(fitted.answer(), found).measured, rtol=0, atol=1e-9)
     assert np.std(predicted - found.measured) < 1.2 * NOISE
 
-    whole, parts = validation.validate(fitted.to_dict(), found), streams.validate(fitted.to_dict(), out, rows=50)
+    whole = validation.validate(fitted.answer(), found).to_dict()
+    parts = streams.validate(fitted.answer(), out, rows=50).to_dict()
     assert parts.pop("rows") == [{**row, "error_mm": pytest.approx(row["error_mm"])} for row in whole.pop("rows")]
     assert parts == {key: value if isinstance(value, str) else pytest.approx(value) for key, value in whole.items()}
 
@@ -129,8 +131,8 @@ def test_a_block_without_readings_is_passed_over(robot: Robot, tmp_path: Path, k
     assert {one.rows for one in found} == {40}
     for one in found[:2]:
         np.testing.assert_allclose(one.errors, found[2].errors, rtol=0, atol=1e-3)
-    whole = validation.validate(found[2].to_dict(), read_recording(path, DELTA))
-    parts = streams.validate(found[2].to_dict(), path, rows=10)
+    whole = validation.validate(found[2].answer(), read_recording(path, DELTA))
+    parts = streams.validate(found[2].answer(), path, rows=10)
     assert parts["readings"] == whole["readings"] == 40
     assert parts["rms_mm"] == pytest.approx(whole["rms_mm"])
     blocks = list(read_blocks(path, DELTA, 20))
@@ -169,7 +171,7 @@ def test_contacts_are_refused(robot: Robot, tmp_path: Path) -> None:
     """Block by block every point would be placed anew, and the error come out too small."""
     poses, path = targets(robot, tmp_path / "poses.csv", 20, frame="robot"), tmp_path / "recording.csv"
     streams.simulate(robot, poses, path)
-    result = streams.identify(robot, path, "18", passes=1).to_dict()
+    result = streams.identify(robot, path, "18", passes=1).answer()
     path.with_suffix(".toml").unlink()
     path.write_text("q1_deg,q2_deg,q3_deg,contact\n1,2,3,a\n2,3,4,a\n")
     for rows in (1, 10):
@@ -218,7 +220,7 @@ def test_blocks_from_the_command_line(robot: Robot, errors: dict[str, float], tm
     assert whole["rms_mm"] == pytest.approx(found["train_rms_mm"], rel=0.1)
     assert commands.validate_blocks(found, out) == whole  # of one block
     with pytest.raises(UsageError, match="not used in blocks"):
-        commands.validate_blocks(found | {"seen": {"joints": []}}, out)
+        commands.validate_blocks(found | {"physics": [kept_term(blank("backlash", (1,)))]}, out)
     (tmp_path / "truth.toml").write_text('[[effects]]\nname = "joint_scale"\nlimb = 1\nscale = 1e-4\n')
     with pytest.raises(UsageError, match="effects are not simulated in blocks"):
         commands.simulate_blocks(robot, poses, out, truth=tmp_path / "truth.toml")
@@ -236,8 +238,8 @@ peak = []
 for name in sys.argv[3:]:
     streams.simulate(robot, folder / name, folder / "recording.csv", {"L_1": 0.1}, rows=rows)
     found = streams.identify(robot, folder / "recording.csv", "18", rows=rows, passes=1)
-    streams.predict(found.to_dict(), folder / "recording.csv", folder / "predicted.csv", rows=rows)
-    streams.validate(found.to_dict(), folder / "recording.csv", rows=rows)
+    streams.predict(found.answer(), folder / "recording.csv", folder / "predicted.csv", rows=rows)
+    streams.validate(found.answer(), folder / "recording.csv", rows=rows)
     peak.append(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
 print(json.dumps(peak))
 """

@@ -202,7 +202,7 @@ def test_predicted_images_keep_the_order_of_the_file(
     recording = read_recording(simulated(robot, tmp_path, IMAGES), load_mechanism("robotennis"))
     recording = dataclasses.replace(recording, measured=recording.measured[:, columns])
     result = dc.identify(robot, recording)
-    predicted = dc.predict(json.loads(json.dumps(result)), recording)
+    predicted = dc.predict(json.loads(result.to_json()), recording)
     assert np.abs(predicted.measured - recording.measured).max() < 1e-6
 
 

@@ -33,7 +33,7 @@ def truth(mechanism: Machine) -> dict[str, float]:
 def result(robot: Robot, truth: dict[str, float]) -> dict[str, Any]:
     given = wanted(np.vstack([rings(robot, 9), scattered(robot, 20, 4)]))
     recording = simulate(robot, given, truth, noise_mm=0.005, rng=np.random.default_rng(1), frame=FRAME)
-    return identify(robot, recording, "18").to_dict()
+    return identify(robot, recording, "18").answer()
 
 
 def test_fresh_readings_are_as_good_as_their_noise(

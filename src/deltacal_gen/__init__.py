@@ -5,10 +5,11 @@ Every command of ``deltacal`` is a function of the same name here; each takes pa
     import deltacal_gen as dc
 
     result = dc.identify("robot.toml", "recording.csv", model="delta/32")
-    print(result["heldout_rms_mm"], result["unidentifiable"])
+    print(result.heldout_rms_mm, [c.text for c in result.unidentifiable])
     joints = dc.compensate(result, targets)          # (N, 3) mm -> (N, 3) deg
 
-Inside: mm, rad, s, kg, N; files and results speak deg (see ``units``).
+What they answer is a frozen value; ``result["heldout_rms_mm"]`` is what its JSON says under that key, and
+``read_result`` reads its file. Inside: mm, rad, s, kg, N; files and results speak deg (see ``units``).
 """
 
 from __future__ import annotations
@@ -53,6 +54,14 @@ _HOME = {
     "inputs": ("Recording", "Robot"),
     "machine.backend": ("Backend", "using"),
     "recording": ("read_recording", "write_recording"),
+    "results.batch": ("Batch",),
+    "results.comparison": ("Comparison",),
+    "results.diagnosis": ("Diagnosis", "Verdict"),
+    "results.plan": ("Plan",),
+    "results.reader": ("read_answer", "read_result"),
+    "results.result": ("Result", "Status"),
+    "results.study": ("Study",),
+    "results.validation": ("Validation",),
     "robot": ("read_robot", "robot_to_toml"),
     "solvers": ("LeastSquares", "Prior", "Ridge", "TSVD"),
 }

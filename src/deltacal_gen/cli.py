@@ -8,10 +8,10 @@ from __future__ import annotations
 import json
 import os
 import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the matrices are small: threads only wait for one another
 
@@ -20,6 +20,12 @@ from rich.console import Console
 from rich.table import Column, Table
 
 from deltacal_gen.errors import DeltacalError, UsageError
+
+if TYPE_CHECKING:
+    from deltacal_gen.results.base import Answer
+    from deltacal_gen.results.diagnosis import Diagnosis
+    from deltacal_gen.results.plan import Plan
+    from deltacal_gen.results.result import Result
 
 app = typer.Typer(
     name="deltacal",
@@ -82,12 +88,10 @@ def _as_distance(value: str | None) -> bool:
     return value == "distance"
 
 
-def _print_json(data: Any) -> None:
-    sys.stdout.write(json.dumps(data, indent=1, allow_nan=False, default=_plain) + "\n")
+def _print_json(answer: Answer | Sequence[Answer]) -> None:
+    from deltacal_gen.results.base import plain
 
-
-def _plain(value: Any) -> Any:
-    return value.tolist()
+    sys.stdout.write(json.dumps(plain(answer), indent=1, allow_nan=False) + "\n")
 
 
 def _number(value: float | None, digits: int = 4) -> str:
@@ -107,25 +111,23 @@ def demo(
     if as_json:
         _print_json(found)
         return
-    result, diagnosis = found["result"], found["diagnosis"]
+    result, diagnosis = found.result, found.diagnosis
     screen.print(
-        f"[bold]1. Geometry alone[/bold], {result['model']}: {result['readings']['scalars']} scalar readings, "
-        f"held-out error {_number(result['heldout_rms_mm'])} mm; the instrument's noise is {result['sigma_mm']:.4f} mm."
+        f"[bold]1. Geometry alone[/bold], {result.model}: {result.readings.scalars} scalar readings, "
+        f"held-out error {_number(result.heldout_rms_mm)} mm; the instrument's noise is {result.sigma_mm:.4f} mm."
     )
     screen.print("[bold]2. Diagnosis[/bold]:", end=" ")
     _show_diagnosis(diagnosis)
     told = "; ".join(
-        f"{t['name']} at joint {p['limb']}, {p['name']} {p['value']:g} {p['unit']}"
-        for t in found["truth"]
-        for p in t["parameters"]
+        f"{t.name} at joint {p.limb}, {p.name} {p.value:g} {p.unit}" for t in found.truth for p in t.parameters
     )
     screen.print(f"[bold]3. The truth[/bold], read only now: {told}.")
     screen.print("The true machine, commanded by each model of it, with payloads and in directions drawn at random:")
-    table = Table("commanded by", f"rms of {found['check'][0]['poses']} poses, mm", "largest, mm")
-    for row in found["check"]:
-        table.add_row(row["model"], f"{row['rms_mm']:.4f}", f"{row['worst_mm']:.4f}")
+    table = Table("commanded by", f"rms of {found.check[0].poses} poses, mm", "largest, mm")
+    for row in found.check:
+        table.add_row(row.model, f"{row.rms_mm:.4f}", f"{row.worst_mm:.4f}")
     screen.print(table)
-    files = found["files"]
+    files = found.files
     screen.print(f"Open {files['diagnosis.html']} (picture: {files['diagnosis.svg']}).")
     screen.print(f"Commands for the controller are in {files['command.c']}; for targets of your own:")
     screen.print(f"  deltacal compensate {files['diagnosis.json']} TARGETS.csv -o JOINTS.csv")
@@ -163,7 +165,7 @@ def derivation(
     if as_json:
         _print_json(found)
     else:
-        screen.print(f"{len(found['files'])} file{'s' if len(found['files']) > 1 else ''}; open {found['files'][0]}")
+        screen.print(f"{len(found.files)} file{'s' if len(found.files) > 1 else ''}; open {found.files[0]}")
 
 
 @app.command()
@@ -176,15 +178,15 @@ def models(as_json: Json = False) -> None:
         _print_json(found)
         return
     for m in found:
-        screen.print(f"[bold]{m['mechanism']}[/bold]: {m['title']} ({m['reference']})")
+        screen.print(f"[bold]{m.mechanism}[/bold]: {m.title} ({m.reference})")
         table = Table("model", "parameters", box=None, padding=(0, 2))
-        for name, names in m["models"].items():
+        for name, names in m.models.items():
             shown = " ".join(names) if len(names) <= 8 else f"{' '.join(names[:6])} ... {names[-1]}"
             table.add_row(name, shown)
         screen.print(table)
         table = Table("parameter", "unit", "meaning", box=None, padding=(0, 2))
-        for p in m["parameters"]:
-            table.add_row(p["name"], p["unit"], p["meaning"])
+        for p in m.parameters:
+            table.add_row(p.name, p.unit, p.meaning)
         screen.print(table)
 
 
@@ -201,18 +203,18 @@ def claims(
     if as_json:
         _print_json(found)
         return
-    papers = {name: [c for c in found if c["paper"] == name] for name in dict.fromkeys(c["paper"] for c in found)}
+    papers = {name: [c for c in found if c.paper == name] for name in dict.fromkeys(c.paper for c in found)}
     for name, entries in papers.items():
         table = Table(title=ledger.load_paper(name).title, title_justify="left", show_lines=True)
         for column in ("where", "status", "claim", "printed", "correct", "evidence"):
             table.add_column(column, overflow="fold")
         for c in entries:
-            cells = (c["where"], c["status"], c["statement"], c["printed"], c["correct"], c["evidence"])
-            table.add_row(*map(_escaped, cells), style="bold" if c["status"] == "contradicted" else None)
+            cells = (c.where, c.status, c.statement, c.printed, c.correct, c.evidence)
+            table.add_row(*map(_escaped, cells), style="bold" if c.status == "contradicted" else None)
         screen.print(table)
     counts = Table("status", *papers, box=None, padding=(0, 2))
     for s in ledger.STATUSES:
-        counts.add_row(s, *(str(sum(c["status"] == s for c in entries)) for entries in papers.values()))
+        counts.add_row(s, *(str(sum(c.status == s for c in entries)) for entries in papers.values()))
     counts.add_row("all", *(str(len(entries)) for entries in papers.values()))
     screen.print(counts)
 
@@ -279,27 +281,27 @@ def plan(
         return
     _show_plan(found)
     if output is not None:
-        screen.print(f"{len(found['poses'])} targets written to {output}")
+        screen.print(f"{len(found.poses)} targets written to {output}")
 
 
-def _show_plan(found: Mapping[str, Any]) -> None:
-    screen.print(found["conventions"])
-    if found["n"]:
+def _show_plan(found: Plan) -> None:
+    screen.print(found.conventions)
+    if found.n:
         table = Table("n", "poses", "rank", "condition", "change", "O1", "O3")
-        for j, n in enumerate(found["n"]):
-            mark = " <-" if n == found["chosen"] else ""
-            change = found["change"][j]
+        for j, n in enumerate(found.n):
+            mark = " <-" if n == found.chosen else ""
+            change = found.change[j]
             table.add_row(
                 f"{n}{mark}",
-                str(found["pose_count"][j]),
-                str(found["rank"][j]),
-                _number(found["condition"][j]),
+                str(found.pose_count[j]),
+                str(found.rank[j]),
+                _number(found.condition[j]),
                 "-" if change is None else f"{100 * change:.2f} %",
-                _number(found["O1"][j]),
-                _number(found["O3"][j]),
+                _number(found.O1[j]),
+                _number(found.O3[j]),
             )
         screen.print(table)
-    screen.print(f"chosen: {found['chosen']}, {len(found['poses'])} poses")
+    screen.print(f"chosen: {found.chosen}, {len(found.poses)} poses")
 
 
 @app.command()
@@ -317,16 +319,17 @@ def simulate(
 ) -> None:
     """Simulate a recording exactly."""
     from deltacal_gen import commands
+    from deltacal_gen.results.written import Simulated
 
     if blocks:
         rows = commands.simulate_blocks(robot, poses, output, truth=truth, noise=noise, seed=seed)
-        summary, what = {}, "readings"
+        kind, what = None, "readings"
     else:
         done = commands.simulate(robot, poses, output, truth=truth, noise=noise, seed=seed)
         rows = done.n_rows if done.pairs is None else len(done.pairs)
-        summary, what = {"kind": done.kind}, f"readings of the kind {done.kind}"
+        kind, what = done.kind, f"readings of the kind {done.kind}"
     if as_json:
-        _print_json({"schema": "deltacal.simulation/1", "recording": str(output), "readings": rows} | summary)
+        _print_json(Simulated(recording=str(output), readings=rows, kind=kind))
     else:
         screen.print(f"{rows} {what} written to {output}")
 
@@ -384,67 +387,66 @@ def identify(
         screen.print(f"written to {output}")
 
 
-def _show_result(found: Mapping[str, Any]) -> None:
+def _show_result(found: Result) -> None:
     """Print a result: errors before and after, parameters, what is not pinned, one line to end with."""
+    from deltacal_gen.comparison import flattered
+    from deltacal_gen.results.parts import Source
+    from deltacal_gen.results.result import Status
     from deltacal_gen.spectrum import words
 
-    for joint in found.get("never_seen", ()):
+    for joint in found.never_seen or ():
         screen.print(words(joint))
-    for effect in found.get("physics_not_held", ()):
-        screen.print(f"{effect['name']} of the diagnosed session is not held: this one lacks {effect['missing']}")
-    counts = {
-        s: sum(p["status"] == s for p in found["parameters"]) for s in ("identified", "pinned by prior", "not pinned")
-    }
-    table = Table(title=f"{found['model']}: parameters, actual minus robot file", title_justify="left")
+    for effect in found.physics_not_held or ():
+        screen.print(f"{effect.name} of the diagnosed session is not held: this one lacks {effect.missing}")
+    counts = {s: sum(p.status is s for p in found.parameters) for s in Status if s is not Status.FIXED}
+    table = Table(title=f"{found.model}: parameters, actual minus robot file", title_justify="left")
     for column in ("parameter", "value", "std", "unit", "status"):
         table.add_column(column, justify="right" if column in ("value", "std") else "left")
-    for p in found["parameters"]:
-        if p["status"] != "fixed":
-            table.add_row(p["name"], f"{p['value']:.4f}", _number(p["std"], 2), p["unit"], p["status"])
+    for p in found.parameters:
+        if p.status is not Status.FIXED:
+            table.add_row(p.name, f"{p.value:.4f}", _number(p.std, 2), p.unit, p.status)
     screen.print(table)
-    if found["unidentifiable"]:
-        shown = found["unidentifiable"][:4]
+    if found.unidentifiable:
+        shown = found.unidentifiable[:4]
         screen.print("[bold]Not pinned by these readings[/bold]; the robot file's values hold along them:")
         for c in shown:
-            screen.print(f"  - {c['text']}")
-        if len(found["unidentifiable"]) > len(shown):
-            screen.print(f"  - and {len(found['unidentifiable']) - len(shown)} more, in the result file")
-    for m in found["next_measurements"][:2]:
-        pins = "" if "open_mm" in m else f" would pin {m['pins']} of the {m['of']} free directions"
-        screen.print(f"  + {m['measurement']}{pins}")
-    if found["gross_errors"]:
-        screen.print(f"gross errors in lines {', '.join(map(str, found['gross_errors']))}: they took next to no part")
-    if found["accuracy"]:
-        a = found["accuracy"]
+            screen.print(f"  - {c.text}")
+        if len(found.unidentifiable) > len(shown):
+            screen.print(f"  - and {len(found.unidentifiable) - len(shown)} more, in the result file")
+    for m in found.next_measurements[:2]:
+        pins = "" if m.open_mm is not None else f" would pin {m.pins} of the {m.of} free directions"
+        screen.print(f"  + {m.measurement}{pins}")
+    if found.gross_errors:
+        screen.print(f"gross errors in lines {', '.join(map(str, found.gross_errors))}: they took next to no part")
+    if found.accuracy:
+        a = found.accuracy
         table = Table("largest error relative to home", "distance, mm", "volumetric, mm")
-        for stage, name in (("before", "robot file"), ("rough", "encoder offsets"), ("after", found["model"])):
-            if stage in a:
-                table.add_row(name, f"{a[stage]['distance_mm']:.3f}", f"{a[stage]['volumetric_mm']:.3f}")
+        for stage, name in ((a.before, "robot file"), (a.rough, "encoder offsets"), (a.after, found.model)):
+            if stage is not None:
+                table.add_row(name, f"{stage.distance_mm:.3f}", f"{stage.volumetric_mm:.3f}")
         screen.print(table)
-    if found["workspace"]:
-        w = found["workspace"]
+    if found.workspace:
+        w = found.workspace
         screen.print(
-            f"tool position known to {w['median_mm']:.3f} mm over the workspace, {w['worst_mm']:.3f} at worst (1 std)"
+            f"tool position known to {w.median_mm:.3f} mm over the workspace, {w.worst_mm:.3f} at worst (1 std)"
         )
-    held = found["heldout_rms_mm"]
+    held = found.heldout_rms_mm
     beside = "" if held is None else f", [bold]held-out {_number(held)} mm[/bold]"  # nothing was held out of blocks
     screen.print(
-        f"[bold]{counts['identified']} of {sum(counts.values())} parameters identified[/bold], "
-        f"{found['readings']['scalars']} scalar readings: rms before {found['before_rms_mm']:.4f} -> "
-        f"after {found['train_rms_mm']:.4f} mm{beside} "
-        f"(noise {found['sigma_mm']:.4f}, {found['sigma_source']})"
+        f"[bold]{counts[Status.IDENTIFIED]} of {sum(counts.values())} parameters identified[/bold], "
+        f"{found.readings.scalars} scalar readings: rms before {found.before_rms_mm:.4f} -> "
+        f"after {found.train_rms_mm:.4f} mm{beside} "
+        f"(noise {found.sigma_mm:.4f}, {found.sigma_source})"
     )
-    from deltacal_gen.comparison import flattered
-
-    if words_of_few := flattered(found):
+    if words_of_few := flattered(found.degrees_of_freedom, found.readings.scalars, found.train_rms_mm):
         screen.print(words_of_few)
-    if firmware := found.get("firmware"):
+    if firmware := found.firmware:
         screen.print(
-            f"beside it, what firmware fits ({firmware['model']}): {firmware['train_rms_mm']:.4f} mm, "
-            f"held-out {_number(firmware['heldout_rms_mm'])} mm"
+            f"beside it, what firmware fits ({firmware.model}): {firmware.train_rms_mm:.4f} mm, "
+            f"held-out {_number(firmware.heldout_rms_mm)} mm"
         )
-    chi2 = found["chi2_per_dof"]
-    if chi2 is not None and chi2 > 2 and found["sigma_source"] != "residual":
+    chi2 = found.chi2_per_dof
+    if chi2 is not None and chi2 > 2 and found.sigma_source is not Source.RESIDUAL:
         screen.print("What is left stands above the noise: this geometry does not explain all of these readings.")
 
 
@@ -460,6 +462,7 @@ def diagnose(
 ) -> None:
     """Find where model and recording differ, and which physics was left out."""
     from deltacal_gen import commands
+    from deltacal_gen.results.diagnosis import Verdict
 
     with _progress(as_json) as tell:
         found = commands.diagnose(robot, recording, output, model=model, report=report, progress=tell)
@@ -470,41 +473,40 @@ def diagnose(
         for path in (output, report):
             if path is not None:
                 screen.print(f"written to {path}")
-    if strict and found["verdict"] != "adequate":
+    if strict and found.verdict is not Verdict.ADEQUATE:
         raise typer.Exit(1)
 
 
-def _show_diagnosis(found: Mapping[str, Any]) -> None:
-    screen.print(f"[bold]{found['verdict'].replace('_', ' ')}[/bold]: {found['summary']}")
-    if found["effects"]:
+def _show_diagnosis(found: Diagnosis) -> None:
+    screen.print(f"[bold]{found.verdict.replace('_', ' ')}[/bold]: {found.summary}")
+    if found.effects:
         table = Table("effect", "limb", "parameter", "value", "std", "unit")
-        for effect in found["effects"]:
-            for p in effect["parameters"]:
-                limb = "" if p["limb"] is None else str(p["limb"])
-                table.add_row(effect["name"], limb, p["name"], f"{p['value']:.6g}", _number(p["std"], 2), p["unit"])
+        for effect in found.effects:
+            for p in effect.parameters:
+                limb = "" if p.limb is None else str(p.limb)
+                table.add_row(effect.name, limb, p.name, f"{p.value:.6g}", _number(p.std, 2), p.unit)
         screen.print(table)
-        for effect in found["effects"]:
-            if effect["indistinguishable_from"]:
-                others = ", ".join(effect["indistinguishable_from"])
-                screen.print(f"  these poses cannot tell {effect['name']} from {others}")
+        for effect in found.effects:
+            if effect.indistinguishable_from:
+                others = ", ".join(effect.indistinguishable_from)
+                screen.print(f"  these poses cannot tell {effect.name} from {others}")
     table = Table("mm, rms of the readings", "fitted", "held out", "chi2 per degree of freedom")
-    for name in ("baseline", "final"):
-        row = found[name]
+    for words, row in (("geometry", found.baseline), ("with what was found", found.final)):
         table.add_row(
-            "geometry" if name == "baseline" else "with what was found",
-            f"{row['train_rms_mm']:.4f}",
-            _number(row["heldout_rms_mm"]),
-            f"{row['chi2_per_dof']:.2f}",
+            words,
+            f"{row.train_rms_mm:.4f}",
+            _number(row.heldout_rms_mm),
+            f"{row.chi2_per_dof:.2f}",
         )
     screen.print(table)
-    for question in found["next_measurements"]:
-        clear = question["expected_chi2"]
+    for question in found.next_measurements:
+        clear = question.expected_chi2
         promise = "" if clear is None else f" (expected difference in chi2: {clear:.0f})"
-        screen.print(f"  next, {question['why']}: {question['text']}{promise}")
-    for other in found["not_tested"]:
-        screen.print(f"  not tested: {other['name']}, for want of {_escaped(other['missing'])}")
-    if found["gross_errors"]:
-        screen.print(f"gross errors in lines {', '.join(map(str, found['gross_errors']))}")
+        screen.print(f"  next, {question.why}: {question.text}{promise}")
+    for other in found.not_tested:
+        screen.print(f"  not tested: {other.name}, for want of {_escaped(other.missing)}")
+    if found.gross_errors:
+        screen.print(f"gross errors in lines {', '.join(map(str, found.gross_errors))}")
 
 
 @app.command()
@@ -518,7 +520,7 @@ def effects(as_json: Json = False) -> None:
         return
     table = Table("effect", "what it is", "parameters")
     for e in found:
-        table.add_row(e["effect"], e["title"], ", ".join(f"{p['name']} [{p['unit']}]" for p in e["parameters"]))
+        table.add_row(e.effect, e.title, ", ".join(f"{p.name} [{p.unit}]" for p in e.parameters))
     screen.print(table)
 
 
@@ -535,24 +537,24 @@ def matrix(
     """Write the identification matrix itself."""
     from deltacal_gen import commands
     from deltacal_gen.identifiability import observability
+    from deltacal_gen.results.written import Matrix
 
     found = commands.matrix(robot, recording, model, output, as_distance=_as_distance(as_kind), scaling=scaling)
     seen = observability(found["H"], len(found["H"]))
-    summary = {
-        "schema": "deltacal.matrix/1",
-        "file": str(output),
-        "rows": found["H"].shape[0],
-        "columns": found["H"].shape[1],
-        "rank": seen.rank,
-        "condition": seen.condition if seen.rank == seen.columns else None,
-        "scaling": scaling,
-    }
+    summary = Matrix(
+        file=str(output),
+        rows=found["H"].shape[0],
+        columns=found["H"].shape[1],
+        rank=seen.rank,
+        condition=seen.condition if seen.rank == seen.columns else None,
+        scaling=scaling,
+    )
     if as_json:
         _print_json(summary)
     else:
         screen.print(
-            f"H {summary['rows']} x {summary['columns']}, rank {seen.rank}, condition {_number(summary['condition'])} "
-            f"(scaling {scaling}) written to {summary['file']}"
+            f"H {summary.rows} x {summary.columns}, rank {seen.rank}, condition {_number(summary.condition)} "
+            f"(scaling {scaling}) written to {summary.file}"
         )
 
 
@@ -579,13 +581,12 @@ def compensate(
 ) -> None:
     """Correct joint commands, or export the compensator; of a diagnosis with its effects, channel by channel."""
     from deltacal_gen import commands
+    from deltacal_gen.results.written import Joints
 
     assumed: list[str] = []
     joints = commands.compensate(result, targets, output, kind=kind, export=export, worst_mm=worst, tell=assumed.append)
     if as_json:
-        _print_json(
-            {"schema": "deltacal.joints/1", "kind": kind, "export": export, "joints": joints, "assumed": assumed}
-        )
+        _print_json(Joints(kind=kind, export=export, joints=joints, assumed=tuple(assumed)))
         return
     if export is not None:
         what = f"{export} lines" if export in ("klipper", "rrf") else f"{kind} compensator"
@@ -610,11 +611,12 @@ def predict(
     """Predict the readings of other joints, in the instrument's frame."""
     from deltacal_gen import commands
     from deltacal_gen.prediction import CORRECTED
+    from deltacal_gen.results.written import Predicted
 
     if blocks:
         rows = commands.predict_blocks(result, recording, output)
         if as_json:
-            _print_json({"schema": "deltacal.prediction/1", "file": str(output), "readings": rows, "told": []})
+            _print_json(Predicted(file=str(output), readings=rows, told=()))
         else:
             screen.print(f"{rows} readings predicted in {output}")
         return
@@ -622,8 +624,7 @@ def predict(
     done = commands.predict(result, recording, output, tell=told.append)
     rows = done.n_rows if done.pairs is None else len(done.pairs)
     if as_json:
-        summary = {"schema": "deltacal.prediction/1", "file": str(output), "kind": done.kind, "readings": rows}
-        _print_json(summary | {"told": told})
+        _print_json(Predicted(file=str(output), kind=done.kind, readings=rows, told=tuple(told)))
     else:
         screen.print(f"{rows} readings of the kind {done.kind} predicted in {output}")
         for words in told:
@@ -647,16 +648,15 @@ def validate(result: ResultFile, recording: RecordingFile, blocks: Blocks = Fals
         _print_json(found)
         return
     screen.print(
-        f"{found['readings']} readings: rms {found['rms_mm']:.4f} mm, largest {found['worst_mm']:.4f} mm "
-        f"(noise {found['sigma_mm']:.4f} mm)"
+        f"{found.readings} readings: rms {found.rms_mm:.4f} mm, largest {found.worst_mm:.4f} mm "
+        f"(noise {found.sigma_mm:.4f} mm)"
     )
-    for joint in found["never_seen"]:
+    for joint in found.never_seen:
         screen.print(words(joint))
-    if "iso9283" in found:
-        iso = found["iso9283"]
+    if (iso := found.iso9283) is not None:
         screen.print(
-            f"ISO 9283, {iso['poses']} poses: accuracy AP {iso['AP_mean_mm']:.4f} mm (largest {iso['AP_max_mm']:.4f}), "
-            f"repeatability RP {iso['RP_mean_mm']:.4f} mm (largest {iso['RP_max_mm']:.4f})"
+            f"ISO 9283, {iso.poses} poses: accuracy AP {iso.AP_mean_mm:.4f} mm (largest {iso.AP_max_mm:.4f}), "
+            f"repeatability RP {iso.RP_mean_mm:.4f} mm (largest {iso.RP_max_mm:.4f})"
         )
 
 
@@ -725,12 +725,11 @@ def compare(
         _print_json(found)
         return
     table = Table("parameter", "before", "after", "change", "std", "unit", "")
-    for verdict in ("changed", "unchanged", "unknown"):
-        for e in found[verdict]:
-            numbers = (_number(e[k]) for k in ("before", "after", "change", "std"))
-            table.add_row(e["name"], *numbers, e["unit"], verdict)
+    for words, entries in (("changed", found.changed), ("unchanged", found.unchanged), ("unknown", found.unknown)):
+        for e in entries:
+            table.add_row(e.name, *map(_number, (e.before, e.after, e.change, e.std)), e.unit, words)
     screen.print(table)
-    screen.print(_escaped(found["summary"]))
+    screen.print(_escaped(found.summary))
 
 
 @app.command("import")
@@ -748,6 +747,7 @@ def import_(
 ) -> None:
     """Make recordings, and a robot file, from what a printer's firmware or a tracker's software keeps."""
     from deltacal_gen import commands
+    from deltacal_gen.results.written import Imported
 
     importers: dict[str, tuple[Callable[..., Any], tuple[int, ...]]] = {
         "klipper": (commands.import_klipper, (1,)),
@@ -765,13 +765,12 @@ def import_(
     names = [f"{name}.csv" for name in found.recordings]
     if as_json:
         _print_json(
-            {
-                "schema": "deltacal.import/1",
-                "folder": str(output),
-                "robot": "robot.toml" if found.robot is not None else None,
-                "recordings": names,
-                "warnings": list(found.warnings),
-            }
+            Imported(
+                folder=str(output),
+                robot="robot.toml" if found.robot is not None else None,
+                recordings=tuple(names),
+                warnings=tuple(found.warnings),
+            )
         )
         return
     for warning in found.warnings:
@@ -833,33 +832,32 @@ def study(
     if as_json:
         _print_json(found)
         return
-    position, advice = found["position"], found["advice"]
+    position, advice = found.position, found.advice
     table = Table("position over the workspace, mm", "rms", "95 % of machines", "largest, 95 %", "predicted rms")
-    for name, words in (("before", "as built"), ("after", f"calibrated, {found['model']}")):
-        p = position[name]
-        expected = f"{p['predicted_rms_mm']:.4f}" if "predicted_rms_mm" in p else ""
-        table.add_row(words, f"{p['rms_mm']:.4f}", f"{p['p95_mm']:.4f}", f"{p['worst_p95_mm']:.4f}", expected)
+    for p, words in ((position.before, "as built"), (position.after, f"calibrated, {found.model}")):
+        expected = f"{p.predicted_rms_mm:.4f}" if p.predicted_rms_mm is not None else ""
+        table.add_row(words, f"{p.rms_mm:.4f}", f"{p.p95_mm:.4f}", f"{p.worst_p95_mm:.4f}", expected)
     screen.print(table)
     table = Table("parameter", "drawn", "std", "predicted", "unit")
-    for p in found["parameters"]:
-        table.add_row(p["name"], *(_number(p[k], 3) for k in ("drawn_std", "std", "predicted_std")), p["unit"])
+    for q in found.parameters:
+        table.add_row(q.name, *(_number(v, 3) for v in (q.drawn_std, q.std, q.predicted_std)), q.unit)
     screen.print(table)
-    for s in found["suspects"]:
-        words = " and ".join(f"{e['name']} {' '.join(map(str, e['limbs']))}".strip() for e in s["effects"]) or "nothing"
-        low, high = s["interval"]
+    for s in found.suspects:
+        words = " and ".join(f"{e.name} {' '.join(map(str, e.limbs))}".strip() for e in s.effects) or "nothing"
+        low, high = s.interval
         screen.print(
-            f"{words} concealed: said so in {s['named_right']} of {s['recordings']} recordings "
+            f"{words} concealed: said so in {s.named_right} of {s.recordings} recordings "
             f"(95 %: {low:.0%} to {high:.0%})"
         )
-        for why in s["failed"]:
+        for why in s.failed:
             screen.print(f"  not simulated: {_escaped(why)}")
-    for c in found["channels_wanted"]:
-        screen.print(f"{c['name']} cannot be found without {_escaped(c['missing'])}")
-    screen.print(f"Twice the measuring takes {advice['doubling']:.0%} off the error.")
-    for g in advice["add"]:
-        screen.print(f"{g['add']}: {g['gain']:.0%} off")
-    if found["lost"]:
-        screen.print(f"{found['lost']} machines could not be simulated or calibrated, and are not counted")
+    for c in found.channels_wanted:
+        screen.print(f"{c.name} cannot be found without {_escaped(c.missing)}")
+    screen.print(f"Twice the measuring takes {advice.doubling:.0%} off the error.")
+    for g in advice.add:
+        screen.print(f"{g.add}: {g.gain:.0%} off")
+    if found.lost:
+        screen.print(f"{found.lost} machines could not be simulated or calibrated, and are not counted")
     for path in (output, report):
         if path is not None:
             screen.print(f"written to {path}")
@@ -891,24 +889,22 @@ def batch(
     if as_json:
         _print_json(found)
         return
-    rows, done = found["rows"], [r for r in found["rows"] if r["error"] is None]
-    columns = [c for c in dict.fromkeys(k for r in rows for k in r) if c not in ASIDE]
+    rows, done = found.rows, [r for r in found.rows if r.error is None]
+    columns = [c for c in dict.fromkeys(k for r in rows for k, _ in r.written()) if c not in ASIDE]
     table = Table(*[Column(c.replace("_", " "), overflow="fold") for c in columns])
     for r in worst(rows, MOST_LINES):
-        cells = [r.get(c) for c in columns]
+        cells = [getattr(r, c, None) for c in columns]
         table.add_row(*[_number(c) if isinstance(c, float) else str(c if c is not None else "") for c in cells])
     screen.print(table)
     if len(rows) > MOST_LINES:
         screen.print(f"These are the {MOST_LINES} with the largest errors.")
-    for change in found["changed"][:MOST_LINES]:
-        screen.print(
-            f"[bold]{_escaped(change['to'])}[/bold] after {_escaped(change['from'])}: {_escaped(change['text'])}"
-        )
-    if len(found["changed"]) > MOST_LINES:
-        screen.print(f"{len(found['changed']) - MOST_LINES} more comparisons are in {directory / 'index.html'}")
-    for names, why in alike([(r["recording"], r["error"]) for r in rows if r["error"] is not None])[:MOST_LINES]:
+    for change in found.changed[:MOST_LINES]:
+        screen.print(f"[bold]{_escaped(change.to)}[/bold] after {_escaped(change.from_)}: {_escaped(change.text)}")
+    if len(found.changed) > MOST_LINES:
+        screen.print(f"{len(found.changed) - MOST_LINES} more comparisons are in {directory / 'index.html'}")
+    for names, why in alike([(r.recording, r.error) for r in rows if r.error is not None])[:MOST_LINES]:
         screen.print(f"failed: {_escaped(names)}: {_escaped(why)}")
-    for names, what in alike([(r["recording"], r["warnings"]) for r in rows if r.get("warnings")])[:MOST_LINES]:
+    for names, what in alike([(r.recording, r.warnings) for r in rows if r.warnings])[:MOST_LINES]:
         screen.print(f"warning: {_escaped(names)}: {_escaped(what)}")
     screen.print(f"{len(done)} of {len(rows)} recordings done; table.csv and index.html in {directory}")
 

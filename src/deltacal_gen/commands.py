@@ -1,4 +1,4 @@
-"""The commands as functions: paths or objects in, plain dictionaries (the contract's JSON) out.
+"""The commands as functions: paths or objects in, answers out (see `results`): attributes, and by key the JSON.
 
 A function writes only where it is given an output path, and then all or nothing.
 """
@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import dataclasses
 import io
-import json
 import os
 import subprocess
 import sys
@@ -21,7 +20,18 @@ from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.mechanism import load_mechanism, mechanism_names, mechanism_of
 from deltacal_gen.recording import Recording, csv_text, file_columns, read_recording, write_files, write_recording
-from deltacal_gen.robot import Robot, for_model, for_names, read_robot, read_text
+from deltacal_gen.results.reader import read_diagnosis, read_result
+from deltacal_gen.results.registered import (
+    ClaimEntry,
+    Dimension,
+    EffectEntry,
+    EffectUnknown,
+    MechanismEntry,
+    SourceError,
+)
+from deltacal_gen.results.result import Firmware, Result
+from deltacal_gen.results.written import Derivation
+from deltacal_gen.robot import Robot, for_model, for_names, read_robot
 from deltacal_gen.rotation import from_vector
 from deltacal_gen.units import DEG, file_unit, joint_factors, joint_names, to_internal
 
@@ -30,6 +40,14 @@ if TYPE_CHECKING:
     from deltacal_gen.imports import Imported
     from deltacal_gen.mechanism import Array
     from deltacal_gen.physics import Term
+    from deltacal_gen.results.base import Answer
+    from deltacal_gen.results.batch import Batch
+    from deltacal_gen.results.comparison import Comparison
+    from deltacal_gen.results.demo import Demo
+    from deltacal_gen.results.diagnosis import Diagnosis
+    from deltacal_gen.results.plan import Plan
+    from deltacal_gen.results.study import Study
+    from deltacal_gen.results.validation import Validation
 
 Source = str | Path
 PICTURES = (".svg", ".png", ".pdf")
@@ -54,21 +72,6 @@ def _recording(recording: Source | Recording, robot: Robot, **how: bool) -> Reco
     return read_recording(recording, mechanism_of(robot), **how)
 
 
-def _result(result: Source | Mapping[str, Any]) -> Mapping[str, Any]:
-    """Return a RESULT.json that was read already, or read it."""
-    file = None if isinstance(result, Mapping) else result
-    try:
-        data = result if isinstance(result, Mapping) else json.loads(read_text(Path(result)))
-    except json.JSONDecodeError as error:
-        raise InputError(
-            f"this is not JSON: {error.msg}.", "Give the file that identify wrote.", file=file, line=error.lineno
-        ) from None
-    schema = str(data.get("schema", "")) if isinstance(data, Mapping) else ""
-    if not schema.startswith(("deltacal.result/", "deltacal.diagnosis/")) or "robot" not in data:
-        raise InputError("this is no result of identify or diagnose.", "Give what one of them wrote.", file=file)
-    return data
-
-
 def check_output(path: Source | None, *inputs: object, ending: Sequence[str] = ()) -> None:
     """Refuse an output that cannot be written, or that is one of the inputs, before anything is computed."""
     if path is None:
@@ -85,47 +88,43 @@ def check_output(path: Source | None, *inputs: object, ending: Sequence[str] = (
         raise InputError("the output would overwrite an input.", "Choose another name.", file=target)
 
 
-def write_json(data: Mapping[str, Any], path: Source) -> None:
-    """Write a result as JSON, a line to each key, replacing the file only when it is complete.
-
-    Python writes indented JSON ten times as slowly, and a diagnosis holds a number for every reading.
-    """
-    lines = (f" {json.dumps(key)}: {json.dumps(value, allow_nan=False)}" for key, value in data.items())
-    write_files({Path(path): "{\n" + ",\n".join(lines) + "\n}\n"})
+def write_json(answer: Answer, path: Source) -> None:
+    """Write an answer, replacing the file only when it is complete."""
+    write_files({Path(path): answer.to_json()})
 
 
 # --------------------------------------------------------------------------------------------------- the model side
 
 
-def models() -> list[dict[str, Any]]:
+def models() -> list[MechanismEntry]:
     """Return what is registered: every mechanism with its parameters, units and models."""
     return [
-        {
-            "mechanism": m.name,
-            "of": m.machine,
-            "title": m.title,
-            "reference": m.reference,
-            "models": {name: list(names) for name, names in m.models.items()},
-            "parameters": [
-                {
-                    "name": p.name,
-                    "unit": file_unit(p.unit),
-                    "meaning": p.meaning,
-                    "typical": p.typical / to_internal(p.unit),
-                }
+        MechanismEntry(
+            mechanism=m.name,
+            of=m.machine,
+            title=m.title,
+            reference=m.reference,
+            models={name: tuple(names) for name, names in m.models.items()},
+            parameters=tuple(
+                SourceError(
+                    name=p.name,
+                    unit=file_unit(p.unit),
+                    meaning=p.meaning,
+                    typical=p.typical / to_internal(p.unit),
+                )
                 for p in m.parameters
-            ],
-            "geometry": [
-                {
-                    "key": g.key,
-                    "table": g.table,
-                    "unit": file_unit(g.unit),
-                    "meaning": g.meaning,
-                    "required": g.default is None,
-                }
+            ),
+            geometry=tuple(
+                Dimension(
+                    key=g.key,
+                    table=g.table,
+                    unit=file_unit(g.unit),
+                    meaning=g.meaning,
+                    required=g.default is None,
+                )
                 for g in m.geometry
-            ],
-        }
+            ),
+        )
         for m in map(load_mechanism, mechanism_names())
     ]
 
@@ -136,28 +135,28 @@ def checkout() -> Path | None:
     return root if (root / "derive" / "__main__.py").exists() and (root / "templates").is_dir() else None
 
 
-def effects() -> list[dict[str, Any]]:
+def effects() -> list[EffectEntry]:
     """Return the registered effects: what each is, its parameters with units, what it reads and moves."""
     from deltacal_gen.physics import effect_names, load_effect
 
     return [
-        {
-            "effect": name,
-            "title": (found := load_effect(name)).TITLE,
-            "per_limb": found.PER_LIMB,
-            "parameters": [
-                {"name": n, "unit": unit, "meaning": meaning, "searched": searched}
+        EffectEntry(
+            effect=name,
+            title=found.TITLE,
+            per_limb=found.PER_LIMB,
+            parameters=tuple(
+                EffectUnknown(name=n, unit=unit, meaning=meaning, searched=searched)
                 for rows, searched in ((found.COEFFICIENTS, False), (found.CONSTANTS, True))
                 for n, unit, _, meaning in rows
-            ],
-            "reads": list(found.STATE),
-            "moves": list(found.TARGETS),
-        }
-        for name in effect_names()
+            ),
+            reads=tuple(found.STATE),
+            moves=tuple(found.TARGETS),
+        )
+        for name, found in ((name, load_effect(name)) for name in effect_names())
     ]
 
 
-def claims(*, paper: str | None = None, status: str | None = None) -> list[dict[str, Any]]:
+def claims(*, paper: str | None = None, status: str | None = None) -> list[ClaimEntry]:
     """Return the ledger of claims, or the part of one paper or one status: what is printed, what is right, the test.
 
     Raises
@@ -171,7 +170,7 @@ def claims(*, paper: str | None = None, status: str | None = None) -> list[dict[
         raise UsageError(f"there is no status '{status}'; known: {', '.join(ledger.STATUSES)}.")
     names = ledger.paper_names() if paper is None else (paper,)
     found = (claim for name in names for claim in ledger.load_paper(name).claims)
-    return [claim.model_dump() for claim in found if status in (None, claim.status)]
+    return [ClaimEntry(**claim.model_dump()) for claim in found if status in (None, claim.status)]
 
 
 def _deriving(elsewhere: str) -> Path:
@@ -184,9 +183,7 @@ def _deriving(elsewhere: str) -> Path:
     return root
 
 
-def derivation(
-    model: str | None, output: Source, *, every: bool = False, progress: Progress = _silent
-) -> dict[str, Any]:
+def derivation(model: str | None, output: Source, *, every: bool = False, progress: Progress = _silent) -> Derivation:
     """Write the report of a derivation for reviewers; return what was written.
 
     Parameters
@@ -230,7 +227,7 @@ def derivation(
         page = report.page_of("contents", title="Derivations", **reports.index(done, ".html"))
         write_files({folder / "index.html": page})
         written.insert(0, folder / "index.html")
-    return {"schema": "deltacal.derivation/1", "files": [str(path) for path in written]}
+    return Derivation(files=tuple(map(str, written)))
 
 
 def warm(progress: Callable[[str, float], None] = lambda name, seconds: None) -> dict[str, float]:
@@ -277,7 +274,7 @@ def plan(
     picture: Source | None = None,
     gauge: Source | None = None,
     **options: Any,
-) -> dict[str, Any]:
+) -> Plan:
     """Return measuring poses for a model: rings by the paper's rule (21), or a D-optimal set.
 
     Parameters
@@ -311,7 +308,7 @@ def plan(
         planning.write_targets(found, output)
     if picture is not None:
         planning.figure(found, picture)
-    return found.to_dict()
+    return found.answer()
 
 
 def simulate(
@@ -402,14 +399,14 @@ def simulate_blocks(
 
 def identify_blocks(
     robot: Source | Robot, recording: Source, model: str | None = None, output: Source | None = None
-) -> dict[str, Any]:
-    """Identify from a recording of any length, in a fixed memory; return RESULT.json. See `streams.identify`."""
+) -> Result:
+    """Identify from a recording of any length, in a fixed memory; see `streams.identify`."""
     from deltacal_gen import streams
 
     check_output(output, robot, recording)
     robot = _robot(robot)
     model = mechanism_of(robot).full_model if model is None else model
-    found = streams.identify(for_model(robot, model), recording, model).to_dict()
+    found = streams.identify(for_model(robot, model), recording, model).answer()
     if output is not None:
         write_json(found, output)
     return found
@@ -428,8 +425,8 @@ def identify(
     physics: Source | Mapping[str, Any] | None = None,
     report: Source | None = None,
     progress: Progress = _silent,
-) -> dict[str, Any]:
-    """Identify a robot's source errors; return RESULT.json. See `identification.identify` for the options.
+) -> Result:
+    """Identify a robot's source errors; see `identification.identify` for the options. `output` is RESULT.json.
 
     `report` is one self-contained HTML page of the same.
 
@@ -438,14 +435,11 @@ def identify(
     of the result says which joints stand where the readings of the diagnosis never were.
     """
     from deltacal_gen import firmware, identification, spectrum
-    from deltacal_gen.prediction import known_effects
-    from deltacal_gen.robot import robot_from_dict
+    from deltacal_gen.prediction import calibrated_robot, known_effects
 
     check_output(output, robot, recording, physics)
     check_output(report, robot, recording, physics)
-    diagnosis = None if physics is None else _result(physics)
-    if diagnosis is not None and not str(diagnosis["schema"]).startswith("deltacal.diagnosis/"):
-        raise InputError("this is no diagnosis.", "Give the file that diagnose wrote.", file=str(physics))
+    diagnosis = None if physics is None else read_diagnosis(physics)
     robot = _robot(robot)
     given = _recording(recording, robot)
     found = identification.identify(
@@ -457,17 +451,20 @@ def identify(
         truncation=truncation,
         robust=robust,
         held=[] if diagnosis is None else known_effects(diagnosis, timed=given.time_s is not None),
-        machine=None if diagnosis is None else robot_from_dict(diagnosis["robot"]),
+        machine=None if diagnosis is None else calibrated_robot(diagnosis),
         progress=progress,
-    ).to_dict()
+    ).answer()
     if model is None and diagnosis is None and robot.mechanism == firmware.MODEL.partition("/")[0]:
         known = firmware.FROM_HEIGHTS if given.pairs is None else firmware.MODEL
-        if known != found["model"]:
+        if known != found.model:
             progress(f"what firmware would fit: {known}")
-            beside = identification.identify(robot, given, known, solver=solver, robust=robust).to_dict()
-            found["firmware"] = {key: beside[key] for key in ("model", "train_rms_mm", "heldout_rms_mm")}
+            beside = identification.identify(robot, given, known, solver=solver, robust=robust).answer()
+            fitted = Firmware(
+                model=beside.model, train_rms_mm=beside.train_rms_mm, heldout_rms_mm=beside.heldout_rms_mm
+            )
+            found = found.replace(firmware=fitted)
     if diagnosis is not None:
-        found["never_seen"] = spectrum.never_seen(diagnosis.get("seen"), robot.joint_sign * given.joints)
+        found = found.replace(never_seen=spectrum.never_seen(diagnosis.seen, robot.joint_sign * given.joints))
     if output is not None:
         write_json(found, output)
     if report is not None:
@@ -485,8 +482,8 @@ def diagnose(
     model: str | None = None,
     report: Source | None = None,
     progress: Progress = _silent,
-) -> dict[str, Any]:
-    """Find where model and recording differ, and which physics was left out; return DIAGNOSIS.json.
+) -> Diagnosis:
+    """Find where model and recording differ, and which physics was left out; `output` is DIAGNOSIS.json.
 
     `model` is the geometry that is fitted beside everything, the mechanism's largest where it is not given; `report`
     is one self-contained HTML page of the same.
@@ -497,7 +494,7 @@ def diagnose(
     check_output(report, robot, recording)
     robot = _robot(robot)
     given = _recording(recording, robot, doubtful=True)
-    found = diagnosis.diagnose(robot, given, model, progress=progress).to_dict()
+    found = diagnosis.diagnose(robot, given, model, progress=progress).answer()
     if output is not None:
         write_json(found, output)
     if report is not None:
@@ -560,12 +557,12 @@ def predict(
     from deltacal_gen import prediction, spectrum
 
     check_output(output, result, recording)
-    result = _result(result)
-    robot = prediction.calibrated_robot(result)
+    known = read_result(result)
+    robot = prediction.calibrated_robot(known)
     given = _recording(recording, robot, need_measured=False)
-    for joint in spectrum.never_seen(result.get("seen"), robot.joint_sign * given.joints):
+    for joint in spectrum.never_seen(known.seen, robot.joint_sign * given.joints):
         tell(spectrum.words(joint))
-    done = prediction.predict(result, given)
+    done = prediction.predict(known, given)
     if output is not None:
         columns, pairs = file_columns(done)
         write_files({Path(output): csv_text(pairs or columns)})
@@ -586,15 +583,15 @@ def predict_blocks(result: Source | Mapping[str, Any], recording: Source, output
     return streams.predict(_of_rows(result), recording, output)
 
 
-def _of_rows(result: Source | Mapping[str, Any], *also: str) -> Mapping[str, Any]:
-    """Return a result by which each row of a recording is predicted for itself; refuse what it has `also` too."""
-    result = _result(result)
-    if any(result.get(name) for name in ("effects", "correction", "physics", *also)):
+def _of_rows(result: Source | Mapping[str, Any]) -> Result | Diagnosis:
+    """Return a result by which each row of a recording is predicted for itself."""
+    known = read_result(result)
+    if known.physics or known.correction is not None:
         raise UsageError("a diagnosis, with its effects, is not used in blocks; leave --blocks out.")
-    return result
+    return known
 
 
-def validate_blocks(result: Source | Mapping[str, Any], recording: Source) -> dict[str, Any]:
+def validate_blocks(result: Source | Mapping[str, Any], recording: Source) -> Validation:
     """Return the error of a calibrated model on a recording of any length, in a fixed memory; see `validate`.
 
     Raises
@@ -604,16 +601,16 @@ def validate_blocks(result: Source | Mapping[str, Any], recording: Source) -> di
     """
     from deltacal_gen import streams
 
-    return streams.validate(_of_rows(result, "seen"), recording)
+    return streams.validate(_of_rows(result), recording)
 
 
-def validate(result: Source | Mapping[str, Any], recording: Source | Recording) -> dict[str, Any]:
+def validate(result: Source | Mapping[str, Any], recording: Source | Recording) -> Validation:
     """Return the error of a calibrated model on readings it has not seen, against the noise."""
     from deltacal_gen import validation
 
-    result = _result(result)
-    robot = validation.calibrated_robot(result)
-    return validation.validate(result, _recording(recording, robot))
+    known = read_result(result)
+    robot = validation.calibrated_robot(known)
+    return validation.validate(known, _recording(recording, robot))
 
 
 def compensate(
@@ -653,13 +650,13 @@ def compensate(
     from deltacal_gen import compensation, exports, firmware, prediction
 
     check_output(output, result, targets)
-    result = _result(result)
-    robot = prediction.calibrated_robot(result)
+    known = read_result(result)
+    robot = prediction.calibrated_robot(known)
     mechanism = mechanism_of(robot)
-    terms = prediction.known_effects(result, timed=True)
+    terms = prediction.known_effects(known, timed=True)
     compensator = compensation.Compensator(robot, kind, terms)
     if export is not None:
-        spans = exports.spans(result)
+        spans = exports.spans(known)
         writers = {
             "c": lambda path: exports.export_c(compensator, path, spans),
             "table": lambda path: exports.export_table(compensator, path, spans, worst_mm=worst_mm),
@@ -671,7 +668,7 @@ def compensate(
         compensator.needs_loops(f"export '{export}'")
         if output is None:
             raise UsageError("an export needs the file to write: give -o FILE.")
-        if result.get("correction"):
+        if known.correction is not None:
             tell("the smooth correction is not part of an export; compensate targets instead")
         writers[export](output)
         return np.zeros((0, mechanism.limbs))
@@ -711,9 +708,9 @@ def compensate(
             tell(
                 f"{off.sum()} of {len(off)} commands leave the last frame turned by up to {turned.max():.2g} deg: {why}"
             )
-    if result.get("correction"):
-        if kind_of(result["instrument"]["kind"]).positions:
-            joints, share = prediction.corrected_joints(result, joints, tool, columns)
+    if (correction := known.correction) is not None:
+        if kind_of(known.instrument.kind).positions:
+            joints, share = prediction.corrected_joints(known, correction, joints, tool, columns)
             if (outside := share < 0.5).any():
                 tell(f"{outside.sum()} of {len(share)} targets lie outside what the smooth correction was made of")
         else:
@@ -731,14 +728,26 @@ def compensate(
 
 def compare(
     before: Source | Mapping[str, Any], after: Source | Mapping[str, Any], output: Source | None = None
-) -> dict[str, Any]:
+) -> Comparison:
     """Return what changed between two sessions of one machine, by parameter with its uncertainty; see `comparison`."""
     from deltacal_gen import comparison
 
     check_output(output, before, after)
-    found = comparison.compare(_result(before), _result(after))
+    found = comparison.compare(_calibration(before), _calibration(after))
     if output is not None:
         write_json(found, output)
+    return found
+
+
+def _calibration(given: Source | Mapping[str, Any]) -> Result:
+    """Return a result of `identify`; a diagnosis has no parameters to compare."""
+    found = read_result(given)
+    if not isinstance(found, Result):
+        raise InputError(
+            "this is no result of identify.",
+            "Give two files that identify wrote; of a diagnosed session: identify --physics DIAGNOSIS.json.",
+            file=None if isinstance(given, Mapping) else given,
+        )
     return found
 
 
@@ -765,7 +774,7 @@ def import_points(
     return lists.import_points(points, joints, robot, output)
 
 
-def demo(output: Source = "demo", progress: Progress = _silent) -> dict[str, Any]:
+def demo(output: Source = "demo", progress: Progress = _silent) -> Demo:
     """Run the main job on the embedded recording; write its files and a picture below `output`."""
     from deltacal_gen import demonstration
 
@@ -794,7 +803,7 @@ def study(
     directory: Source | None = None,
     report: Source | None = None,
     told: Told = _untold,
-) -> dict[str, Any]:
+) -> Study:
     """Say what a measuring plan will give; see `studies.conduct`.
 
     Parameters
@@ -848,8 +857,8 @@ def study(
     names = mechanism.model(chosen)
     wrong = names if machine is None else mechanism.model(machine)
     made = dataclasses.replace(made, names=names, errors=wrong)
-    found = {"model": chosen} | studies.conduct(
-        made, trials, diagnoses, workers=workers, cluster=cluster, directory=directory, told=told
+    found = studies.conduct(
+        made, trials, diagnoses, model=chosen, workers=workers, cluster=cluster, directory=directory, told=told
     )
     if output is not None:
         write_json(found, output)
@@ -870,7 +879,7 @@ def batch(
     workers: int | None = None,
     cluster: str | None = None,
     told: Told = _untold,
-) -> dict[str, Any]:
+) -> Batch:
     """Identify, validate or diagnose all recordings of a folder; see `fleet.conduct`. A page stands by the table."""
     from deltacal_gen import fleet
     from deltacal_gen import report as pages

@@ -43,8 +43,8 @@ from deltacal_gen.physics import (
     Deformed,
     Term,
     complete_channels,
+    kept_term,
     of_the_instrument,
-    term_to_dict,
 )
 from deltacal_gen.robot import Robot, Workspace
 from deltacal_gen.units import file_unit, to_internal
@@ -146,7 +146,7 @@ class Compensator:
         text = self.kind.encode() + b"".join(np.ascontiguousarray(n, dtype="<f8").tobytes() for n in numbers)
         if self.effects:
             masses = self.robot.masses.model_dump() if self.robot.masses is not None else None
-            text += json.dumps([masses, *map(term_to_dict, self.effects)]).encode()
+            text += json.dumps([masses, *(kept_term(t).to_dict() for t in self.effects)]).encode()
         return hashlib.sha256(text).hexdigest()[:16]
 
     @cached_property

@@ -9,9 +9,8 @@ is a correction at all. It holds where there were readings; beyond them the mach
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -20,6 +19,7 @@ from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.mechanism import Array
 from deltacal_gen.physics import Term
 from deltacal_gen.recording import Recording
+from deltacal_gen.results.diagnosis import SmoothState
 from deltacal_gen.search import Beside
 from deltacal_gen.solvers import jitter
 from deltacal_gen.structure import Structure, displacements
@@ -72,22 +72,14 @@ class Smooth:
         out: Array = np.where(np.isfinite(gap), np.exp(-0.5 * np.nan_to_num(gap / self.length) ** 2), 0.0)
         return np.where(out < 0.01, 0.0, out)
 
-    def to_dict(self) -> dict[str, Any]:
-        """Return the function for a result file."""
-        data = dataclasses.asdict(self)
-        return {k: v.tolist() if isinstance(v, np.ndarray) else v for k, v in data.items()} | {"limbs": [*self.limbs]}
+    def kept(self) -> SmoothState:
+        """Return what an answer keeps of it."""
+        return SmoothState(**{field.name: getattr(self, field.name) for field in dataclasses.fields(self)})
 
     @staticmethod
-    def from_dict(data: Mapping[str, Any]) -> Smooth:
-        """Return the function of a result file."""
-        return Smooth(
-            data["variable"],
-            tuple(data["limbs"]),
-            np.array(data["knots"], dtype=float),
-            float(data["length"]),
-            float(data["reach"]),
-            np.array(data["coefficients"], dtype=float),
-        )
+    def of(kept: SmoothState) -> Smooth:
+        """Return the function that an answer kept."""
+        return Smooth(kept.variable, kept.limbs, kept.knots, kept.length, kept.reach, kept.coefficients)
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,6 @@ import dataclasses
 from collections.abc import Callable, Sequence
 from importlib import resources
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -23,6 +22,7 @@ from deltacal_gen.mechanism import Array
 from deltacal_gen.physics import Term
 from deltacal_gen.prediction import calibrated_robot, known_effects
 from deltacal_gen.recording import write_files
+from deltacal_gen.results.demo import Check, Concealed, ConcealedParameter, Demo
 from deltacal_gen.robot import read_robot, robot_to_toml
 from deltacal_gen.simulation import read_truth
 
@@ -34,7 +34,7 @@ def example(name: str = "delta") -> Path:
     return Path(str(resources.files("deltacal_gen") / "examples" / name))
 
 
-def run(folder: Path, progress: Callable[[str], None]) -> dict[str, Any]:
+def run(folder: Path, progress: Callable[[str], None]) -> Demo:
     """Run the demonstration; return what was found, the check against the truth, and the files made below `folder`."""
     folder.mkdir(parents=True, exist_ok=True)
     source = example("gearbox")
@@ -58,34 +58,34 @@ def run(folder: Path, progress: Callable[[str], None]) -> dict[str, Any]:
     truth = read_truth(source / "truth.toml", robot)
     commanders = (
         ("robot file", Compensator(robot)),
-        (f"{result['model']}, geometry alone", Compensator(calibrated_robot(result))),
-        ("geometry and " + " and ".join(e["name"] for e in found["effects"]), compensator),
+        (f"{result.model}, geometry alone", Compensator(calibrated_robot(result))),
+        ("geometry and " + " and ".join(e.name for e in found.effects), compensator),
     )
-    return {
-        "schema": "deltacal.demo/2",
-        "result": result,
-        "diagnosis": found,
-        "truth": [_in_files(t) for t in truth.terms],
-        "check": _check(Compensator(dataclasses.replace(robot, errors=truth.errors), terms=truth.terms), commanders),
-        "files": {name: str(path) for name, path in files.items()},
-    }
+    true = Compensator(dataclasses.replace(robot, errors=truth.errors), terms=truth.terms)
+    return Demo(
+        result=result,
+        diagnosis=found,
+        truth=tuple(map(_in_files, truth.terms)),
+        check=_check(true, commanders),
+        files={name: str(path) for name, path in files.items()},
+    )
 
 
-def _in_files(term: Term) -> dict[str, Any]:
+def _in_files(term: Term) -> Concealed:
     """Return a concealed effect as truth files write it."""
     factors = {name: (unit, factor) for name, unit, factor, _ in term.kernels.COEFFICIENTS}
-    return {
-        "name": term.effect,
-        "limbs": list(term.limbs),
-        "parameters": [
-            {"name": name, "limb": limb, "value": float(value / factor), "unit": unit}
+    return Concealed(
+        name=term.effect,
+        limbs=term.limbs,
+        parameters=tuple(
+            ConcealedParameter(name=name, limb=limb, value=float(value / factor), unit=unit)
             for limb, row in zip(term.limbs or (None,), term.values, strict=True)
             for (name, (unit, factor)), value in zip(factors.items(), row, strict=True)
-        ],
-    }
+        ),
+    )
 
 
-def _check(truth: Compensator, commanders: Sequence[tuple[str, Compensator]]) -> list[dict[str, Any]]:
+def _check(truth: Compensator, commanders: Sequence[tuple[str, Compensator]]) -> tuple[Check, ...]:
     """Return where the true machine stands when it is commanded by each model of it, off the wanted check poses.
 
     Every pose is reached under a payload and temperature of the recording's ranges and in random directions. What the
@@ -102,10 +102,9 @@ def _check(truth: Compensator, commanders: Sequence[tuple[str, Compensator]]) ->
         joints, _ = commander.command(targets, None, commander.channels(columns, n)[0])
         reached, _ = truth.reached(joints, None, truth.channels(columns, n)[0])
         errors = np.linalg.norm(_aligned(reached, targets), axis=1)
-        rows.append(
-            {"model": name, "rms_mm": float(np.sqrt(np.mean(errors**2))), "worst_mm": float(errors.max()), "poses": n}
-        )
-    return rows
+        rms = float(np.sqrt(np.mean(errors**2)))
+        rows.append(Check(model=name, rms_mm=rms, worst_mm=float(errors.max()), poses=n))
+    return tuple(rows)
 
 
 def _aligned(reached: Array, wanted: Array) -> Array:

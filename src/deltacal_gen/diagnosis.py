@@ -14,7 +14,6 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -37,9 +36,29 @@ from deltacal_gen.identification import Noise, folds, noise
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.machine.backend import by_recording
 from deltacal_gen.mechanism import Array, mechanism_of
-from deltacal_gen.physics import Body, Term, blank, effect_names, load_effect, row_coefficients, term_to_dict
+from deltacal_gen.physics import Body, Term, blank, effect_names, kept_term, load_effect, row_coefficients
 from deltacal_gen.recording import Recording, check_units, set_aside
-from deltacal_gen.robot import Robot, robot_to_dict
+from deltacal_gen.results.diagnosis import (
+    Baseline,
+    BeforeAfter,
+    Channel,
+    Diagnosis,
+    Effect,
+    EffectParameter,
+    Final,
+    Location,
+    NextMeasurement,
+    NoiseLevel,
+    RegionOf,
+    Rejected,
+    Residuals,
+    Seen,
+    SeenJoint,
+    SmoothCorrection,
+    Verdict,
+)
+from deltacal_gen.results.parts import InstrumentState, MachineState, Missing
+from deltacal_gen.robot import Robot, kept_robot
 from deltacal_gen.search import Found, Search, charge, library
 from deltacal_gen.solvers import Prior
 from deltacal_gen.spectrum import Spectrum, periodic, wave
@@ -47,7 +66,6 @@ from deltacal_gen.states import read_by
 from deltacal_gen.structure import Region, Structure, smooth_columns, structures
 from deltacal_gen.units import DEG, joint_factors, joint_names
 
-SCHEMA = "deltacal.diagnosis/1"
 MARGIN = 10.0  # of chi2, beyond all charges: what an effect must earn to be named, and what is left to be unexplained
 # of chi2: two explanations whose expected difference is below 10 are not told apart; the difference found spreads by
 # twice its root, and two such deviations are allowed
@@ -65,20 +83,20 @@ Progress = Callable[[str], None]
 
 
 @dataclass(frozen=True)
-class Diagnosis:
-    """What was found; `to_dict` gives the contract's DIAGNOSIS.json."""
+class Diagnosed:
+    """What was found, with the fits that it rests on; `answer` gives the same as users read it."""
 
-    verdict: str
+    verdict: Verdict
     model: str
     baseline: Fit
     final: Fit
     effects: tuple[Named, ...]
     heldout: tuple[float, float]
     noise: Noise
-    location: dict[str, Any]
-    rejected: list[dict[str, Any]]
-    not_tested: list[dict[str, str]]
-    next_measurements: list[dict[str, Any]]
+    location: Location
+    rejected: tuple[Rejected, ...]
+    not_tested: tuple[Missing, ...]
+    next_measurements: tuple[NextMeasurement, ...]
     robot: Robot
     correction: Correction | None = None
     spectrum: Spectrum | None = None
@@ -87,10 +105,10 @@ class Diagnosis:
     @property
     def short(self) -> bool:
         """Whether there are too few readings to tell a lesser effect from geometry."""
-        return self.verdict == "adequate" and not self.heldout[0] <= SHORT * self.noise.sigma
+        return self.verdict is Verdict.ADEQUATE and not self.heldout[0] <= SHORT * self.noise.sigma
 
-    def to_dict(self) -> dict[str, Any]:
-        """Return the contract's DIAGNOSIS.json."""
+    def answer(self) -> Diagnosis:
+        """Return the same as users read it: DIAGNOSIS.json."""
         return _result(self)
 
 
@@ -118,7 +136,7 @@ class Named:
 @by_recording("diagnose")
 def diagnose(
     robot: Robot, recording: Recording, model: str | None = None, *, progress: Progress = lambda text: None
-) -> Diagnosis:
+) -> Diagnosed:
     """Find where model and recording differ, and which physics was left out.
 
     Parameters
@@ -194,7 +212,7 @@ def diagnose(
     baseline, current, spectrum = _of_all(problem, first, search.fit, spectrum)
     heldout = (before, after if spectrum is None else spectrum.heldout[1])
     named_any = current.problem.terms or current.problem.held
-    verdict = "unexplained" if unexplained else "missing_physics" if named_any else "adequate"
+    verdict = Verdict.UNEXPLAINED if unexplained else Verdict.MISSING_PHYSICS if named_any else Verdict.ADEQUATE
     known = noise(current, recording)
     named = _named(search, current, heldout, known.sigma, spectrum)
     location = _location(search.fit, left, named, spectrum, explained=not unexplained)
@@ -207,7 +225,7 @@ def diagnose(
     calibrated = dataclasses.replace(
         robot, errors={p.name: float(v) for p, v in zip(mechanism.parameters, fitted, strict=True)}
     )
-    return Diagnosis(
+    return Diagnosed(
         verdict=verdict,
         model=model,
         baseline=baseline,
@@ -239,12 +257,12 @@ def _lean(robot: Robot, recording: Recording) -> str | None:
     return identification.chosen_model(mechanism, problem, recording, None)
 
 
-def _untested(problem: Problem) -> list[dict[str, str]]:
+def _untested(problem: Problem) -> tuple[Missing, ...]:
     full = len(problem.mechanism.model(problem.mechanism.full_model)) + SPARE_READINGS
     why = (
         f"at least {full} readings, of which there are {problem.readings.n_scalars}: fewer cannot tell it from geometry"
     )
-    return [{"name": name, "missing": why} for name in effect_names()]
+    return tuple(Missing(name=name, missing=why) for name in effect_names())
 
 
 def _drawn(problem: Problem) -> Problem:
@@ -448,7 +466,7 @@ def _form(term: Term) -> tuple[object, ...]:
 
 def _location(
     at: Fit, left: Sequence[Structure], named: Sequence[Named], spectrum: Spectrum | None, explained: bool
-) -> dict[str, Any]:
+) -> Location:
     """Return channels by their share of the misfit, the limbs, the region where it is local, and all in words.
 
     Where effects explain the misfit they say what it depends on; elsewhere the strongest structures do.
@@ -487,12 +505,12 @@ def _location(
         text = f"the misfit depends on {first}"
     if limbs:
         text += f", at limb{'s' if len(limbs) > 1 else ''} {', '.join(map(str, limbs))}"
-    return {
-        "channels": [{"name": name, "p_value": p, "share": share} for name, (share, p) in ordered],
-        "limbs": limbs,
-        "region": None if region is None else {"centre_mm": list(region[0]), "radius_mm": region[1]},
-        "text": text,
-    }
+    return Location(
+        channels=tuple(Channel(name=name, p_value=p, share=share) for name, (share, p) in ordered),
+        limbs=tuple(limbs),
+        region=None if region is None else RegionOf(centre_mm=tuple(region[0]), radius_mm=region[1]),
+        text=text,
+    )
 
 
 # ------------------------------------------------------------------------------------------------ what was found
@@ -542,70 +560,67 @@ def _unrecorded(freed: Search, score: float) -> tuple[str, ...]:
     return tuple(f.term.effect for f in found if f.score > score - AMBIGUOUS)
 
 
-def _rejected(considered: Sequence[Found], named: Sequence[Named], spectrum: Spectrum | None) -> list[dict[str, Any]]:
+def _rejected(considered: Sequence[Found], named: Sequence[Named], spectrum: Spectrum | None) -> tuple[Rejected, ...]:
     chosen = {n.term.effect for n in named} | ({wave()} if spectrum is not None else set())
     alike = {name: n.term.effect for n in named for name in n.alike}
-    return [
-        {
-            "name": f.term.effect,
-            "gain_chi2": f.gain,
-            "why": f"not told from {alike[f.term.effect]} by these poses"
+    return tuple(
+        Rejected(
+            name=f.term.effect,
+            gain_chi2=f.gain,
+            why=f"not told from {alike[f.term.effect]} by these poses"
             if f.term.effect in alike
             else "earns less than the charge for its coefficients and for the search"
             if f.score < MARGIN
             else "explains less of the same misfit than what was named"
             if chosen
             else "explains part of the misfit, but does not hold",
-        }
+        )
         for f in sorted(considered, key=lambda f: -f.gain)
         if f.term.effect not in chosen
-    ]
+    )
 
 
-def _result(found: Diagnosis) -> dict[str, Any]:
-    baseline, final = found.baseline, found.final
-    sigma, source = found.noise.sigma, found.noise.source
-
-    def summary(at: Fit, heldout: float) -> dict[str, Any]:
-        return {
-            "train_rms_mm": at.rms(),
-            "heldout_rms_mm": heldout if np.isfinite(heldout) else None,
-            "chi2_per_dof": (float(at.sigma[0]) / sigma) ** 2,
-        }
-
-    return {
-        "schema": SCHEMA,
-        "verdict": found.verdict,
-        "summary": _summary(found),
-        "noise": {"sigma_mm": sigma, "source": source},
-        "baseline": {"model": found.model} | summary(baseline, found.heldout[0]),
-        "location": found.location,
-        "effects": [
+def _result(found: Diagnosed) -> Diagnosis:
+    baseline, final, sigma = found.baseline, found.final, found.noise.sigma
+    before, after = (heldout if np.isfinite(heldout) else None for heldout in found.heldout)
+    of_baseline, of_final = ((float(at.sigma[0]) / sigma) ** 2 for at in (baseline, final))
+    return Diagnosis(
+        verdict=found.verdict,
+        summary=_summary(found),
+        noise=NoiseLevel(sigma_mm=sigma, source=found.noise.source),
+        baseline=Baseline(
+            model=found.model, train_rms_mm=baseline.rms(), heldout_rms_mm=before, chi2_per_dof=of_baseline
+        ),
+        location=found.location,
+        effects=(
             *([_periodic(found, found.spectrum)] if found.spectrum is not None else []),
             *(_effect(n, final.problem.recording.joint_unit) for n in found.effects),
-        ],
-        "final": summary(final, found.heldout[1]),
-        "rejected": found.rejected,
-        "not_tested": found.not_tested,
-        "next_measurements": [*found.next_measurements, *([more_poses(found.final.problem)] if found.short else [])],
-        "gross_errors": [int(final.problem.readings.line[j]) for j in final.gross],
-        "correction": _correction(found),
-        "residuals": _residuals(found),
-        "sigma_mm": sigma,
-        "physics": [term_to_dict(t) for t in final.problem.acting(final.errors)],
-        "seen": None if found.spectrum is None else _seen(found.spectrum),
-        "clock": "row" if final.problem.body.channels.get("time") is None else "time_s",
-        "instrument": _instrument(found, final.instrument),
-        "robot": robot_to_dict(found.robot),
-    }
+        ),
+        final=Final(train_rms_mm=final.rms(), heldout_rms_mm=after, chi2_per_dof=of_final),
+        rejected=found.rejected,
+        not_tested=found.not_tested,
+        next_measurements=(
+            *found.next_measurements,
+            *([more_poses(found.final.problem)] if found.short else []),
+        ),
+        gross_errors=tuple(int(final.problem.readings.line[j]) for j in final.gross),
+        correction=_correction(found),
+        residuals=_residuals(found),
+        sigma_mm=sigma,
+        physics=tuple(map(kept_term, final.problem.acting(final.errors))),
+        seen=None if found.spectrum is None else _seen(found.spectrum),
+        clock="row" if final.problem.body.channels.get("time") is None else "time_s",
+        instrument=_instrument(found, final.instrument),
+        robot=kept_robot(found.robot),
+    )
 
 
-def _instrument(found: Diagnosis, known: Instrument) -> dict[str, Any]:
+def _instrument(found: Diagnosed, known: Instrument) -> InstrumentState:
     recording = found.final.problem.recording
-    return known.to_dict() | {"setups": list(recording.setup_names), "zero": recording.measurement.zero}
+    return known.kept(recording.setup_names, recording.measurement.zero)
 
 
-def _correction(found: Diagnosis) -> dict[str, Any] | None:
+def _correction(found: Diagnosed) -> SmoothCorrection | None:
     """Return the smooth correction: what it depends on, what it gains on held-out poses, and all that it needs.
 
     `machine` holds geometry, effects and instrument as they are beside it.
@@ -616,98 +631,102 @@ def _correction(found: Diagnosis) -> dict[str, Any] | None:
     names = [p.name for p in found.final.problem.mechanism.parameters]
     robot = dataclasses.replace(found.robot, errors=dict(zip(names, made.errors.tolist(), strict=True)))
     excess = max(before**2 - found.noise.sigma**2, 1e-300)
-    return {
-        "depends_on": [made.smooth.variable],
-        "limbs": list(made.smooth.limbs),
-        "rms_mm": made.size,
-        "heldout_rms_mm": {"before": before, "after": after},
-        "share_of_excess": float(np.clip((before**2 - after**2) / excess, 0.0, 1.0)),
-        "smooth": made.smooth.to_dict(),
-        "machine": {
-            "robot": robot_to_dict(robot),
-            "physics": [term_to_dict(t) for t in made.terms],
-            "instrument": _instrument(found, made.instrument),
-        },
-    }
+    return SmoothCorrection(
+        depends_on=(made.smooth.variable,),
+        limbs=made.smooth.limbs,
+        rms_mm=made.size,
+        heldout_rms_mm=BeforeAfter(before=before, after=after),
+        share_of_excess=float(np.clip((before**2 - after**2) / excess, 0.0, 1.0)),
+        smooth=made.smooth.kept(),
+        machine=MachineState(
+            robot=kept_robot(robot),
+            physics=tuple(map(kept_term, made.terms)),
+            instrument=_instrument(found, made.instrument),
+        ),
+    )
 
 
-def _residuals(found: Diagnosis) -> dict[str, Any]:
+def _residuals(found: Diagnosed) -> Residuals:
     """Return what every reading is off, before and after, where it was read and what the channels said there."""
     problem = found.final.problem
     rows = problem.readings.rows[:, 0]
     machine = problem.solve(found.final.errors)
     channels = {
-        name: [None if np.isnan(v) else float(v) for v in values[rows]]
-        for name, values in problem.recording.channels.items()
-        if not name.startswith("true_")
+        name: values[rows] for name, values in problem.recording.channels.items() if not name.startswith("true_")
     }
     unit, q = problem.recording.joint_unit, problem.body.q[rows]
-    channels |= zip(joint_names(unit, q.shape[1]), (q / joint_factors(unit, q.shape[1])).T.tolist(), strict=True)
-    return {
-        "line": problem.readings.line.tolist(),
-        "position_mm": machine.x[rows, :3].tolist(),
-        "before_mm": np.nan_to_num(found.baseline.residual[:, :3]).tolist(),
-        "after_mm": np.nan_to_num(found.final.residual[:, :3]).tolist(),
-        "channels": channels,
-    }
+    channels |= zip(joint_names(unit, q.shape[1]), (q / joint_factors(unit, q.shape[1])).T, strict=True)
+    return Residuals(
+        line=problem.readings.line,
+        position_mm=machine.x[rows, :3],
+        before_mm=np.nan_to_num(found.baseline.residual[:, :3]),
+        after_mm=np.nan_to_num(found.final.residual[:, :3]),
+        channels=channels,
+    )
 
 
-def _effect(found: Named, joint_unit: str) -> dict[str, Any]:
+def _effect(found: Named, joint_unit: str) -> Effect:
     term, kernels = found.term, found.term.kernels
-    parameters: list[dict[str, Any]] = []
+    parameters: list[EffectParameter] = []
     std = found.std.reshape(term.values.shape)
     for r, (row, units) in enumerate(zip(term.values, row_coefficients(term, joint_unit), strict=True)):
-        limb = term.limbs[r] if term.limbs else None
-        point = {"tool_mm": list(term.tools[r])} if term.tools else {}
         for c, (name, unit, factor) in enumerate(units):
-            known = {"value": float(row[c] / factor), "std": float(std[r, c] / factor), "unit": unit}
-            parameters.append({"name": name, "limb": limb} | known | point)
+            parameters.append(
+                EffectParameter(
+                    name=name,
+                    limb=term.limbs[r] if term.limbs else None,
+                    value=float(row[c] / factor),
+                    std=float(std[r, c] / factor),
+                    unit=unit,
+                    tool_mm=term.tools[r] if term.tools else None,
+                )
+            )
     for value, (name, unit, factor, _) in zip(term.constants, kernels.CONSTANTS, strict=True):
-        parameters.append({"name": name, "limb": None, "value": value / factor, "std": None, "unit": unit})
-    return {
-        "name": term.effect,
-        "title": kernels.TITLE,
-        "limbs": list(term.limbs),
-        "parameters": parameters,
-        "p_value": float(np.exp(-min(found.gain, 1400.0) / 2)),
-        "gain_chi2": found.gain,
-        "share_of_excess": found.share,
-        "indistinguishable_from": list(found.alike),
-    }
+        parameters.append(EffectParameter(name=name, limb=None, value=value / factor, std=None, unit=unit))
+    return Effect(
+        name=term.effect,
+        title=kernels.TITLE,
+        limbs=term.limbs,
+        parameters=tuple(parameters),
+        p_value=float(np.exp(-min(found.gain, 1400.0) / 2)),
+        gain_chi2=found.gain,
+        share_of_excess=found.share,
+        indistinguishable_from=found.alike,
+    )
 
 
-def _periodic(found: Diagnosis, spectrum: Spectrum) -> dict[str, Any]:
+def _periodic(found: Diagnosed, spectrum: Spectrum) -> Effect:
     """Return the entry of periodic errors of many orders: what they come to, joint by joint."""
     kernels, gain = load_effect(wave()), sum(spectrum.gains.values())
     before, after = found.heldout
     removed = (before**2 - after**2) / max(before**2 - found.noise.sigma**2, 1e-300)
-    return {
-        "name": wave(),
-        "title": kernels.TITLE,
-        "limbs": list(spectrum.limbs),
-        "parameters": [
-            {"name": "rms", "limb": j, "value": v / DEG, "std": spectrum.std[j] / DEG, "unit": "deg"}
-            for j, v in spectrum.rms.items()
-        ]
-        + [{"name": "corner", "limb": None, "value": spectrum.corner, "std": None, "unit": "1"}],
-        "orders": [1, len(spectrum.terms)],
-        "p_value": float(np.exp(-min(gain, 1400.0) / 2)),
-        "gain_chi2": gain,
-        "gain_by_limb": {str(j): g for j, g in spectrum.gains.items()},
-        "share_of_excess": float(np.clip(removed, 0.0, 1.0)) * gain / (gain + sum(n.gain for n in found.effects)),
-        "indistinguishable_from": [],
-    }
+    joints = (
+        EffectParameter(name="rms", limb=j, value=v / DEG, std=spectrum.std[j] / DEG, unit="deg")
+        for j, v in spectrum.rms.items()
+    )
+    return Effect(
+        name=wave(),
+        title=kernels.TITLE,
+        limbs=spectrum.limbs,
+        parameters=(*joints, EffectParameter(name="corner", limb=None, value=spectrum.corner, std=None, unit="1")),
+        orders=(1, len(spectrum.terms)),
+        p_value=float(np.exp(-min(gain, 1400.0) / 2)),
+        gain_chi2=gain,
+        gain_by_limb={str(j): g for j, g in spectrum.gains.items()},
+        share_of_excess=float(np.clip(removed, 0.0, 1.0)) * gain / (gain + sum(n.gain for n in found.effects)),
+        indistinguishable_from=(),
+    )
 
 
-def _seen(spectrum: Spectrum) -> dict[str, Any]:
+def _seen(spectrum: Spectrum) -> Seen:
     """Return between which angles of the turn each joint was read, and how near to them its error is still known."""
-    return {
-        "within_deg": 180.0 / spectrum.corner,
-        "joints": [{"limb": j, "angles_deg": [list(span) for span in spans]} for j, spans in spectrum.seen.items()],
-    }
+    return Seen(
+        within_deg=180.0 / spectrum.corner,
+        joints=tuple(SeenJoint(limb=j, angles_deg=tuple(spans)) for j, spans in spectrum.seen.items()),
+    )
 
 
-def _summary(found: Diagnosis) -> str:
+def _summary(found: Diagnosed) -> str:
     before, after = found.heldout
     if found.lean:
         scalars, count = found.final.problem.readings.n_scalars, len(found.final.problem.names)
@@ -723,7 +742,7 @@ def _summary(found: Diagnosis) -> str:
             f"parameters: on held-out readings the geometry leaves {held_out}, where the noise is "
             f"{found.noise.sigma:.4f} mm. Measure more poses."
         )
-    if found.verdict == "adequate":
+    if found.verdict is Verdict.ADEQUATE:
         return (
             f"Nothing is missing: what the calibrated geometry leaves, {before:.4f} mm on held-out readings, is noise. "
             "Use the calibrated machine."
@@ -739,7 +758,7 @@ def _summary(found: Diagnosis) -> str:
             else ""
         )
         parts.append(f"{n.term.kernels.TITLE} ({n.term.effect}){limbs}")
-    if found.verdict == "missing_physics":
+    if found.verdict is Verdict.MISSING_PHYSICS:
         open_questions = [f"{n.term.effect} from {' or '.join(n.alike)}" for n in found.effects if n.alike]
         doubt = f" These poses cannot tell {'; '.join(open_questions)}." if open_questions else ""
         return (
@@ -750,7 +769,7 @@ def _summary(found: Diagnosis) -> str:
     left = rms(lengths(found.final.residual, found.final.problem.readings.kind))
     return (
         f"A mismatch of {left:.4f} mm is left that no registered effect explains: "
-        f"{found.location['text']}.{named} {_corrected(found.correction)}"
+        f"{found.location.text}.{named} {_corrected(found.correction)}"
     )
 
 

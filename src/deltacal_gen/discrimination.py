@@ -9,9 +9,8 @@ at the fit of the diagnosis, with the one of the two as the truth that is the ha
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -20,6 +19,7 @@ from deltacal_gen.inputs import Recording
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.mechanism import SOLVED, Array
 from deltacal_gen.physics import Body, Channels, Term
+from deltacal_gen.results.diagnosis import Location, NextMeasurement, Row
 from deltacal_gen.robot import to_file
 from deltacal_gen.states import columns
 from deltacal_gen.units import joint_factors, joint_names, of_joints
@@ -69,14 +69,14 @@ class Candidates:
     position: Array
     told: tuple[str, ...]
 
-    def to_rows(self, chosen: Sequence[int]) -> list[dict[str, Any]]:
+    def to_rows(self, chosen: Sequence[int]) -> list[Row]:
         """Return readings as rows of a recording; a distance holds the joints of both its ends."""
         recording = self.problem.recording
         if "time_s" in self.told:
             chosen = sorted(chosen, key=lambda j: float(recording.channels["time_s"][self.ends[j, 0]]))
         rows = []
         for n, j in enumerate(chosen):
-            row: dict[str, Any] = {"pose": f"next{n + 1}"}
+            row: Row = {"pose": f"next{n + 1}"}
             ends = self.ends[j].tolist()
             for end, k in zip(("a", "b") if len(ends) == 2 else ("",), ends, strict=True):
                 row |= _joints(recording, k, end)
@@ -252,7 +252,7 @@ class Refutation:
 class Proposal:
     """Readings that answer a question, and the difference in chi2 that they are expected to make."""
 
-    rows: list[dict[str, Any]]
+    rows: list[Row]
     expected: float
 
 
@@ -359,8 +359,8 @@ class Question:
 
 
 def next_measurements(
-    at: Fit, questions: Sequence[Question], unexplained: Mapping[str, Any] | None
-) -> list[dict[str, Any]]:
+    at: Fit, questions: Sequence[Question], unexplained: Location | None
+) -> tuple[NextMeasurement, ...]:
     """Return what to measure next: readings as rows of a recording where poses help, in words what else would.
 
     Parameters
@@ -368,14 +368,8 @@ def next_measurements(
     at : Fit
         Of the geometry with all effects that were named.
     questions : sequence of Question
-    unexplained : mapping, optional
-        Where a misfit sits that no effect explains: `location` of the contract.
-
-    Returns
-    -------
-    list of dict
-        `why`, `text` for people, `poses` (rows of a recording without readings), `expected_chi2`: the difference that
-        they are expected to make, None where it is not known.
+    unexplained : Location, optional
+        Where a misfit sits that no effect explains.
     """
     rng = np.random.default_rng(SEED)
     named = [q.truth for q in questions if q.proven]
@@ -393,24 +387,28 @@ def next_measurements(
             out.append(_other_channel(q.truth.effect, name))
     if unexplained is not None:
         out.append(_exploring(at, unexplained, rng))
-    return out
+    return tuple(out)
 
 
-def more_poses(problem: Problem) -> dict[str, Any]:
+def more_poses(problem: Problem) -> NextMeasurement:
     """Return the advice to measure as many poses again as there are: what a recording that is too short needs."""
     count = len(np.unique(problem.readings.group))
     text = (
         f"Measure at least {count} more readings at other poses, all over the workspace: deltacal plan proposes them."
     )
-    return {"why": "lets lesser effects show", "text": text, "poses": [], "expected_chi2": None}
+    return _advice("lets lesser effects show", text)
 
 
-def _entry(why: str, found: Proposal, truth: Term, rival: Term | None, problem: Problem) -> dict[str, Any]:
+def _advice(why: str, text: str, poses: Sequence[Row] = (), expected: float | None = None) -> NextMeasurement:
+    return NextMeasurement(why=why, text=text, poses=tuple(poses), expected_chi2=expected)
+
+
+def _entry(why: str, found: Proposal, truth: Term, rival: Term | None, problem: Problem) -> NextMeasurement:
     if found.expected >= LEAST and found.rows:
         values = [n for n in columns_read(problem, [t for t in (truth, rival) if t]) if n in found.rows[0]]
         with_values = f", with {', '.join(values)} as given" if values else ""
         text = f"Measure these {len(found.rows)} poses{with_values}, without moving the instrument, and add them."
-        return {"why": why, "text": text, "poses": found.rows, "expected_chi2": found.expected}
+        return _advice(why, text, found.rows, found.expected)
     missing = [
         n for n in columns_read(problem, [t for t in (truth, rival) if t]) if n not in problem.recording.channels
     ]
@@ -419,55 +417,53 @@ def _entry(why: str, found: Proposal, truth: Term, rival: Term | None, problem: 
         text += f" Record {', '.join(missing)} and vary what is recorded."
     if any(_reads_only(t) for t in (truth, rival) if t):
         text += " Hold the instrument against a length that is known."
-    return {"why": why, "text": text, "poses": [], "expected_chi2": found.expected}
+    return _advice(why, text, expected=found.expected)
 
 
 def _reads_only(term: Term) -> bool:
     return all(t == "length" or t.startswith("reading.") for t in term.kernels.TARGETS)
 
 
-def _other_channel(named: str, unrecorded: str) -> dict[str, Any]:
-    return {
-        "why": f"separates {named} from {unrecorded}",
-        "text": f"Record temp_C, and repeat the poses when the machine is at least {WARMER:g} K warmer or colder: "
+def _other_channel(named: str, unrecorded: str) -> NextMeasurement:
+    return _advice(
+        f"separates {named} from {unrecorded}",
+        f"Record temp_C, and repeat the poses when the machine is at least {WARMER:g} K warmer or colder: "
         f"{unrecorded} follows the temperature, {named} does not.",
-        "poses": [],
-        "expected_chi2": None,
-    }
+    )
 
 
-def _exploring(at: Fit, location: Mapping[str, Any], rng: np.random.Generator) -> dict[str, Any]:
+def _exploring(at: Fit, location: Location, rng: np.random.Generator) -> NextMeasurement:
     """Return readings that show more of a misfit that nothing explains: where it sits, along what it depends on."""
     recording = at.problem.recording
-    channel = location["channels"][0]["name"] if location["channels"] else None
+    channel = location.channels[0].name if location.channels else None
     why = "shows more of what no effect explains"
     if channel is None:
         text = (
             "Repeat a few poses, and record what may matter: time_s, temp_C, payload_kg and the direction in which "
             "each joint last moved (approach1 ...)."
         )
-        return {"why": why, "text": text, "poses": [], "expected_chi2": None}
-    region = location["region"]
+        return _advice(why, text)
+    region = location.region
     if region is None and channel in recording.channels:
         text = f"Repeat these poses at these values of {channel}: what then changes is not the pose."
-        return {"why": why, "text": text, "poses": _repeated(at.problem, channel), "expected_chi2": None}
+        return _advice(why, text, _repeated(at.problem, channel))
     found = candidates(at, (), rng)
     if region is not None:
-        gap = np.linalg.norm(found.position - np.asarray(region["centre_mm"]), axis=1)
+        gap = np.linalg.norm(found.position - np.asarray(region.centre_mm), axis=1)
         chosen, text = np.argsort(gap)[:MOST_POSES].tolist(), "Measure these poses, in the region and around it."
     else:
         along = found.problem.recording.joints[found.ends[:, 0], _joint_of(channel)]
         levels = np.linspace(along.min(initial=0.0), along.max(initial=0.0), MOST_POSES)
         chosen = list(dict.fromkeys(int(np.argmin(np.abs(along - v))) for v in levels)) if len(along) else []
         text = f"Measure these poses, evenly spread along {channel}."
-    return {"why": why, "text": text, "poses": found.to_rows(chosen), "expected_chi2": None}
+    return _advice(why, text, found.to_rows(chosen))
 
 
 def _joint_of(column: str) -> int:
     return int(column[1 : column.index("_")]) - 1
 
 
-def _repeated(problem: Problem, channel: str) -> list[dict[str, Any]]:
+def _repeated(problem: Problem, channel: str) -> list[Row]:
     """Return poses far apart, each at values of a channel from one end of what was recorded to the other."""
     recording = problem.recording
     used = np.unique(problem.readings.rows)

@@ -29,8 +29,10 @@ from deltacal_gen.compensation import Compensator, RoundTrip, largest, workspace
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.mechanism import POSE, SOLVED, UNREACHABLE, Array
-from deltacal_gen.physics import Body, Channels, Term, term_from_dict
+from deltacal_gen.physics import Body, Channels, Term, term_of
 from deltacal_gen.recording import write_files
+from deltacal_gen.results.diagnosis import Diagnosis
+from deltacal_gen.results.result import Result
 from deltacal_gen.robot import read_text
 from deltacal_gen.states import CHANNELS, STATES, State, named
 from deltacal_gen.units import file_unit, to_internal
@@ -90,13 +92,14 @@ def _tabled(states: Iterable[State]) -> list[State]:
     return list(dict.fromkeys(c for c in every if c is not None))
 
 
-def spans(result: Mapping[str, Any]) -> Spans:
-    """Return the spans of the channels in a DIAGNOSIS.json; a RESULT.json has none."""
-    recorded = result["residuals"]["channels"] if "residuals" in result else {}
-    read = _tabled(s for data in result.get("physics", ()) for s in term_from_dict(data).states)
+def spans(result: Result | Diagnosis) -> Spans:
+    """Return the spans of the channels that a diagnosis was made with; a result has none."""
+    recorded = result.residuals.channels if isinstance(result, Diagnosis) else {}
+    read = _tabled(s for kept in result.physics or () for s in term_of(kept).states)
     found: dict[str, tuple[float, float]] = {}
     for s in dict.fromkeys((*_tabled(CHANNELS), *read)):
-        values = np.array([v for v in recorded.get(s.column, ()) if v is not None], dtype=float)
+        values = recorded.get(s.column, np.zeros(0))
+        values = values[np.isfinite(values)]
         if len(values):
             scale = _unit(s.name)[1]
             found[s.name] = float(values.min() - s.zero) / scale, float(values.max() - s.zero) / scale

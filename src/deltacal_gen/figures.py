@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -25,8 +25,12 @@ from matplotlib.ticker import PercentFormatter
 
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.mechanism import Array, mechanism_of
-from deltacal_gen.physics import Body, Channels, reading_shift, term_from_dict
-from deltacal_gen.robot import robot_from_dict
+from deltacal_gen.physics import Body, Channels, reading_shift, term_of
+from deltacal_gen.results.batch import Done
+from deltacal_gen.results.diagnosis import Baseline, Diagnosis, Effect, Final, Verdict
+from deltacal_gen.results.result import Result, Status
+from deltacal_gen.results.study import Study, Suspect
+from deltacal_gen.robot import robot_of
 from deltacal_gen.units import file_unit, joint_factors, joint_names, to_internal
 
 MOST_LAYERS = 12  # of a workspace, drawn side by side
@@ -76,28 +80,19 @@ def save(figure: Figure, path: str | Path) -> None:
     plt.close(figure)
 
 
-def calibration(result: Mapping[str, Any], path: str | Path, check: Sequence[Mapping[str, Any]] = ()) -> None:
-    """Draw a RESULT.json: errors by stage, parameters with their deviation, the tool's uncertainty over the workspace.
-
-    Parameters
-    ----------
-    check : sequence of mappings, optional
-        Machines with their errors (N,) [mm] on poses that no fit has seen: ``machine, errors_mm``.
-    """
+def calibration(result: Result, path: str | Path) -> None:
+    """Draw a result: errors by stage, parameters with their deviation, the tool's uncertainty over the workspace."""
     with mpl.rc_context(STYLE):
         figure, axes = plt.subplots(2, 2, figsize=(10, 7.2), constrained_layout=True)
         stages(axes[0, 0], result)
-        if check:
-            _check(axes[0, 1], check)
-        else:
-            readings(axes[0, 1], result)
+        readings(axes[0, 1], result)
         parameters(axes[1, 0], result)
         workspace(axes[1, 1], result)
-        name = result["robot"]["robot"]["name"]
-        held = result["heldout_rms_mm"]
+        name = result.robot.robot.name
+        held = result.heldout_rms_mm
         figure.suptitle(
-            f"{name}, {result['model']}: {result['before_rms_mm']:.3f} mm before, "
-            + (f"{held:.4f} mm on held-out readings" if held is not None else f"{result['train_rms_mm']:.4f} mm after"),
+            f"{name}, {result.model}: {result.before_rms_mm:.3f} mm before, "
+            + (f"{held:.4f} mm on held-out readings" if held is not None else f"{result.train_rms_mm:.4f} mm after"),
             x=0.01,
             ha="left",
             fontsize=12,
@@ -105,56 +100,45 @@ def calibration(result: Mapping[str, Any], path: str | Path, check: Sequence[Map
         save(figure, path)
 
 
-def stages(axes: Axes, result: Mapping[str, Any]) -> None:
+def stages(axes: Axes, result: Result) -> None:
     """Draw the rms of the readings stage by stage, against the noise."""
-    bars = [("robot file", result["before_rms_mm"], BEFORE)]
-    for stage in result["stages"]:
-        name = "encoder offsets" if stage["stage"] == "rough" else result["model"]
-        bars.append((name, stage["train_rms_mm"], AFTER))
-    if result["heldout_rms_mm"] is not None:
-        bars.append(("held out", result["heldout_rms_mm"], AFTER))
+    bars = [("robot file", result.before_rms_mm, BEFORE)]
+    for stage in result.stages or ():
+        name = "encoder offsets" if stage.stage == "rough" else result.model
+        bars.append((name, stage.train_rms_mm, AFTER))
+    if result.heldout_rms_mm is not None:
+        bars.append(("held out", result.heldout_rms_mm, AFTER))
     names, values, colours = zip(*bars, strict=True)
     axes.barh(names, values, color=colours, height=0.6)
     axes.invert_yaxis()
     axes.set_xscale("log")
-    axes.set_xlim(min(*values, result["sigma_mm"]) / 2, max(values) * 4)
+    axes.set_xlim(min(*values, result.sigma_mm) / 2, max(values) * 4)
     decades(axes.xaxis)
     for i, value in enumerate(values):
         axes.text(value * 1.08, i, f"{value:.4g}", va="center")
-    axes.axvline(result["sigma_mm"], color=MUTED, lw=1, ls="--")
-    axes.text(result["sigma_mm"], -0.62, f"noise ({result['sigma_source']})", color=MUTED, ha="center", fontsize=8)
+    axes.axvline(result.sigma_mm, color=MUTED, lw=1, ls="--")
+    axes.text(result.sigma_mm, -0.62, f"noise ({result.sigma_source})", color=MUTED, ha="center", fontsize=8)
     axes.set_xlabel("rms of the readings, mm")
     axes.set_title("What each stage leaves", pad=16)
 
 
-def _check(axes: Axes, check: Sequence[Mapping[str, Any]]) -> None:
-    colours = [BEFORE, "#e9a25b", AFTER]
-    for row, colour in zip(check, colours, strict=False):
-        axes.plot(np.maximum(row["errors_mm"], 1e-4), ".", ms=4, color=colour, label=row["machine"])
-    axes.set_yscale("log")
-    decades(axes.yaxis)
-    axes.set_xlabel("check pose, top to bottom layer")
-    axes.set_ylabel("position error, mm")
-    axes.set_title("Error at poses that no fit has seen")
-    axes.legend(frameon=False, loc="upper center", bbox_to_anchor=(0.5, -0.18), ncols=3)
-
-
-def readings(axes: Axes, result: Mapping[str, Any]) -> None:
+def readings(axes: Axes, result: Result) -> None:
     """Draw the singular values of the identification matrix, and where they stop counting."""
-    s = np.array(result["singular_values"])
+    s = result.singular_values
     axes.semilogy(np.arange(1, len(s) + 1), np.maximum(s / s[0], 1e-17), ".", color=AFTER)
-    axes.axhline(result["rank_tolerance"], color=MUTED, lw=1, ls="--")
+    axes.axhline(result.rank_tolerance, color=MUTED, lw=1, ls="--")
     decades(axes.yaxis)
-    axes.text(1, result["rank_tolerance"] * 1.6, "rank tolerance", color=MUTED, fontsize=8)
+    axes.text(1, result.rank_tolerance * 1.6, "rank tolerance", color=MUTED, fontsize=8)
     axes.set_xlabel("direction")
     axes.set_ylabel("singular value, relative")
-    axes.set_title(f"The readings see {result['rank']} of {len(s)} directions")
+    axes.set_title(f"The readings see {result.rank} of {len(s)} directions")
 
 
-def parameters(axes: Axes, result: Mapping[str, Any]) -> None:
+def parameters(axes: Axes, result: Result) -> None:
     """Draw the clearest parameters with two standard deviations."""
-    shown = [p for p in result["parameters"] if p["status"] in ("identified", "pinned by prior") and p["std"]]
-    shown = sorted(shown, key=lambda p: -abs(p["value"]) / p["std"])[:14]
+    known = (Status.IDENTIFIED, Status.BY_PRIOR)
+    told = [(p, p.std) for p in result.parameters if p.status in known and p.std]
+    shown = sorted(told, key=lambda both: -abs(both[0].value) / both[1])[:14]
     title = "Parameters found, with 2 standard deviations"
     if not shown:
         axes.text(
@@ -163,25 +147,25 @@ def parameters(axes: Axes, result: Mapping[str, Any]) -> None:
         axes.set_axis_off()
         axes.set_title(title)
         return
-    for i, p in enumerate(shown):
-        colour = AFTER if p["unit"] == "mm" else "#5a8f69"
-        axes.errorbar(p["value"], i, xerr=2 * p["std"], fmt="o", ms=4, color=colour, capsize=2, lw=1)
-    axes.set_yticks(range(len(shown)), [f"{p['name']} [{p['unit']}]" for p in shown])
+    for i, (p, std) in enumerate(shown):
+        colour = AFTER if p.unit == "mm" else "#5a8f69"
+        axes.errorbar(p.value, i, xerr=2 * std, fmt="o", ms=4, color=colour, capsize=2, lw=1)
+    axes.set_yticks(range(len(shown)), [f"{p.name} [{p.unit}]" for p, _ in shown])
     axes.invert_yaxis()
     axes.axvline(0, color=MUTED, lw=0.8)
     axes.set_xlabel("actual minus robot file")
     axes.set_title(title)
 
 
-def workspace(axes: Axes, result: Mapping[str, Any]) -> None:
+def workspace(axes: Axes, result: Result) -> None:
     """Draw the standard deviation of the tool position over the workspace."""
-    found = result["workspace"]
+    found = result.workspace
     if not found:
         axes.text(0.5, 0.5, "the robot file has no workspace", ha="center", va="center", color=MUTED)
         axes.set_axis_off()
         return
-    points = np.array([p["target_mm"] for p in found["points"]])
-    size = np.linalg.norm([p["std_mm"] for p in found["points"]], axis=1)
+    points = np.array([p.target_mm for p in found.points])
+    size = np.linalg.norm([p.std_mm for p in found.points], axis=1)
     layers = np.unique(points[:, 2])
     scattered = len(layers) > MOST_LAYERS  # an open chain's positions: seen from above
     where = "from above" if scattered else "layer by layer" if len(layers) > 1 else None  # a plane has no layers
@@ -250,23 +234,22 @@ class Seen:
     title: str
 
 
-def seen(found: Mapping[str, Any]) -> Seen:
+def seen(found: Diagnosis) -> Seen:
     """Return residuals as the error of the joint that is at fault, else along the direction in which most is left.
 
     Geometry that is fitted without an effect follows part of it. What the effect does shows undistorted as a partial
     residual: what is left in the end, and what the effect adds there.
     """
-    residuals = found["residuals"]
-    before, after = (np.array(residuals[k], dtype=float) for k in ("before_mm", "after_mm"))
+    before, after = found.residuals.before_mm, found.residuals.after_mm
     title = "geometry alone"
-    strongest = max(range(len(found["effects"])), key=lambda i: found["effects"][i]["share_of_excess"], default=None)
-    limbs = found["location"]["limbs"] if strongest is None else found["effects"][strongest]["limbs"]
+    strongest = max(range(len(found.effects)), key=lambda i: found.effects[i].share_of_excess, default=None)
+    limbs = found.location.limbs if strongest is None else found.effects[strongest].limbs
     if strongest is not None and (added := contribution(found, strongest)) is not None:
-        before, title = after + added, f"without {found['effects'][strongest]['name'].replace('_', ' ')}"
+        before, title = after + added, f"without {found.effects[strongest].name.replace('_', ' ')}"
     if before.shape[1] == 1:
         return Seen(before[:, 0], after[:, 0], "residual, mm", title)
     if len(limbs) == 1 and _one_frame(found):
-        unit = mechanism_of(robot_from_dict(found["robot"])).joint_units[limbs[0] - 1]
+        unit = mechanism_of(robot_of(found.robot)).joint_units[limbs[0] - 1]
         at_joint = _at_joints(found)[:, limbs[0] - 1] / to_internal(unit)
         label = f"error of joint {limbs[0]}, {file_unit(unit)}"
         return Seen((at_joint * before).sum(axis=1), (at_joint * after).sum(axis=1), label, title)
@@ -275,21 +258,21 @@ def seen(found: Mapping[str, Any]) -> Seen:
     return Seen(before @ along, after @ along, "residual where most is left, mm", title)
 
 
-def _one_frame(found: Mapping[str, Any]) -> bool:
-    return kind_of(found["instrument"]["kind"]).positions and len(found["instrument"]["setups"]) == 1
+def _one_frame(found: Diagnosis) -> bool:
+    return kind_of(found.instrument.kind).positions and len(found.instrument.setups) == 1
 
 
-def contribution(found: Mapping[str, Any], effect: int) -> Array | None:
+def contribution(found: Diagnosis, effect: int) -> Array | None:
     """Return what an effect adds to the readings (R, 3) [mm], or None where the readings are of another kind."""
     if not _one_frame(found):
         return None
     body, errors = body_of(found)
-    terms = [term_from_dict(t) for t in found["physics"]]
+    terms = [term_of(t) for t in found.physics]
     others = [t for i, t in enumerate(terms) if i != effect]
     if any(body.missing(t.effect) for t in terms):
         return None
     with_it, without = body.solve(errors, terms)[0].x[:, :3], body.solve(errors, others)[0].x[:, :3]
-    turn, origin = np.split(np.array(found["instrument"]["state"][0][:12]), [9])
+    turn, origin = np.split(found.instrument.state[0, :12], [9])
     read = [x @ turn.reshape(3, 3).T + origin for x in (with_it, without)]
     positions = kind_of("position").taken(np.arange(len(with_it))[:, None], values=with_it)
     shifted = [r + reading_shift(t, body, positions, r, with_it)[0] for r, t in zip(read, (terms, others), strict=True)]
@@ -297,12 +280,12 @@ def contribution(found: Mapping[str, Any], effect: int) -> Array | None:
     return out
 
 
-def body_of(found: Mapping[str, Any]) -> tuple[Body, Array]:
+def body_of(found: Diagnosis) -> tuple[Body, Array]:
     """Return the calibrated machine of a DIAGNOSIS.json at its readings, and its source errors."""
-    robot = robot_from_dict(found["robot"])
+    robot = robot_of(found.robot)
     mechanism = mechanism_of(robot)
     unit = mechanism.joint_unit
-    columns = {k: np.array([np.nan if v is None else v for v in c]) for k, c in found["residuals"]["channels"].items()}
+    columns = found.residuals.channels
     n = mechanism.limbs
     q = np.column_stack([columns[name] for name in joint_names(unit, n)]) * joint_factors(unit, n)
     tool = np.ascontiguousarray(np.broadcast_to(robot.tool, (len(q), 3)))
@@ -310,26 +293,26 @@ def body_of(found: Mapping[str, Any]) -> tuple[Body, Array]:
     return Body(robot, mechanism, q, tool, channels), mechanism.vector(robot.errors)
 
 
-def _at_joints(found: Mapping[str, Any]) -> Array:
+def _at_joints(found: Diagnosis) -> Array:
     """Return what turns a position's residual into errors of the joints, (R, n_q, 3), at the calibrated machine."""
     body, errors = body_of(found)
     machine, _ = body.solve(errors, ())
     speed = body.mechanism.sensitivity(machine.x, machine.q, machine.tool, machine.rows).joints[:, :3]
-    turn = np.array(found["instrument"]["state"][0][:9]).reshape(3, 3)  # of {O} in the instrument's frame
+    turn = found.instrument.state[0, :9].reshape(3, 3)  # of {O} in the instrument's frame
     out: Array = np.linalg.pinv(speed) @ turn.T
     return out
 
 
-def main_channel(found: Mapping[str, Any]) -> str | None:
+def main_channel(found: Diagnosis) -> str | None:
     """Return the recorded channel that matters most, or None."""
-    known = found["residuals"]["channels"]
-    return next((c["name"] for c in found["location"]["channels"] if c["name"] in known), None)
+    known = found.residuals.channels
+    return next((c.name for c in found.location.channels if c.name in known), None)
 
 
-def against(axes: Axes, found: Mapping[str, Any], channel: str, *, after: bool) -> None:
+def against(axes: Axes, found: Diagnosis, channel: str, *, after: bool) -> None:
     """Draw what is left against a channel, on the scale of what geometry alone leaves."""
     picked = seen(found)
-    values = np.array([np.nan if v is None else v for v in found["residuals"]["channels"][channel]])
+    values = found.residuals.channels[channel]
     levels = np.unique(values[np.isfinite(values)])
     few = len(levels) <= 5
     jitter = np.random.default_rng(_RANDOM).uniform(-0.09, 0.09, len(values)) * (
@@ -353,13 +336,12 @@ def _limits(axes: Axes, picked: Seen) -> None:
     axes.set_ylim(-top, top)
 
 
-def bubbles(axes: Axes, found: Mapping[str, Any], *, after: bool) -> None:
+def bubbles(axes: Axes, found: Diagnosis, *, after: bool) -> None:
     """Draw how much is left where, seen from above: the size of a disc is the size of the residual."""
-    residuals = found["residuals"]
-    at = np.array(residuals["position_mm"])
-    size = {k: np.linalg.norm(np.array(residuals[k], dtype=float), axis=1) for k in ("before_mm", "after_mm")}
-    top = float(np.nanpercentile(size["before_mm"], 98)) or 1.0
-    shown = np.minimum(size["after_mm" if after else "before_mm"], 1.3 * top)
+    at = found.residuals.position_mm
+    sizes = [np.linalg.norm(r, axis=1) for r in (found.residuals.before_mm, found.residuals.after_mm)]
+    top = float(np.nanpercentile(sizes[0], 98)) or 1.0
+    shown = np.minimum(sizes[after], 1.3 * top)
     colour = AFTER if after else BEFORE
     axes.scatter(at[:, 0], at[:, 1], s=130 * shown / top, color=colour, alpha=0.55, linewidths=0)
     axes.set_aspect("equal")
@@ -371,27 +353,28 @@ def bubbles(axes: Axes, found: Mapping[str, Any], *, after: bool) -> None:
     axes.legend(frameon=False, loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.1, handletextpad=0.2)
 
 
-def bars(axes: Axes, found: Mapping[str, Any]) -> None:
+def bars(axes: Axes, found: Diagnosis) -> None:
     """Draw the error on held-out readings before and after, against the noise."""
-    rows = [("geometry alone", found["baseline"], AFTER if found["verdict"] == "adequate" else BEFORE)]
-    if found["effects"]:
-        rows.append(("with what was found", found["final"], AFTER))
-    values = [r["heldout_rms_mm"] if r["heldout_rms_mm"] is not None else r["train_rms_mm"] for _, r, _ in rows]
+    first = AFTER if found.verdict is Verdict.ADEQUATE else BEFORE
+    rows: list[tuple[str, Baseline | Final, str]] = [("geometry alone", found.baseline, first)]
+    if found.effects:
+        rows.append(("with what was found", found.final, AFTER))
+    values = [r.heldout_rms_mm if r.heldout_rms_mm is not None else r.train_rms_mm for _, r, _ in rows]
     axes.barh([r[0] for r in rows], values, color=[r[2] for r in rows], height=0.55)
     axes.invert_yaxis()
-    axes.set_xlim(0, 1.25 * max(*values, found["noise"]["sigma_mm"]))
+    axes.set_xlim(0, 1.25 * max(*values, found.noise.sigma_mm))
     for i, value in enumerate(values):
-        right = max(value, found["noise"]["sigma_mm"])  # clear of the line
+        right = max(value, found.noise.sigma_mm)  # clear of the line
         axes.annotate(f"{value:.4f}", (right, i), (5, 0), textcoords="offset points", va="center")
-    axes.axvline(found["noise"]["sigma_mm"], color=INK, lw=1, ls="--")
+    axes.axvline(found.noise.sigma_mm, color=INK, lw=1, ls="--")
     axes.set_ylim(len(rows) - 0.45, -0.8)
-    noise = (found["noise"]["sigma_mm"], -0.5)
+    noise = (found.noise.sigma_mm, -0.5)
     axes.annotate("noise", noise, (5, 0), textcoords="offset points", va="center", color=MUTED)
     axes.set_xlabel("rms on held-out readings, mm")
     axes.tick_params(axis="y", length=0)
 
 
-def diagnosis(found: Mapping[str, Any], path: str | Path) -> None:
+def diagnosis(found: Diagnosis, path: str | Path) -> None:
     """Draw a DIAGNOSIS.json on one sheet: before and after, against the channel that matters and over the workspace."""
     channel = main_channel(found)
     with mpl.rc_context(STYLE):
@@ -407,32 +390,31 @@ def diagnosis(found: Mapping[str, Any], path: str | Path) -> None:
         axes[1].set_title("with what was found")
         bars(axes[2], found)
         title = {
-            "adequate": "nothing is missing",
-            "missing_physics": "; ".join(named(e) for e in found["effects"]),
-            "unexplained": "a mismatch that no known effect explains",
-        }[found["verdict"]]
-        sheet.suptitle(f"{found['robot']['robot']['name']}: {title}", x=0.01, ha="left", fontsize=12)
+            Verdict.ADEQUATE: "nothing is missing",
+            Verdict.MISSING_PHYSICS: "; ".join(named(e) for e in found.effects),
+            Verdict.UNEXPLAINED: "a mismatch that no known effect explains",
+        }[found.verdict]
+        sheet.suptitle(f"{found.robot.robot.name}: {title}", x=0.01, ha="left", fontsize=12)
         save(sheet, path)
 
 
-def named(effect: Mapping[str, Any]) -> str:
+def named(effect: Effect) -> str:
     """Return an effect and where it sits."""
-    limbs = effect["limbs"]
+    limbs = effect.limbs
     numbers = " and ".join(filter(None, (", ".join(map(str, limbs[:-1])), str(limbs[-1])))) if limbs else ""
     where = f" at joint{'s' if len(limbs) > 1 else ''} {numbers}" if limbs else ""
-    return f"{effect['name'].replace('_', ' ')}{where}"
+    return f"{effect.name.replace('_', ' ')}{where}"
 
 
 # ------------------------------------------------------------------------------------------------- studies and fleets
 
 
-def before_and_after(axes: Axes, found: Mapping[str, Any]) -> None:
+def before_and_after(axes: Axes, found: Study) -> None:
     """Draw how the position error of a study's machines is spread, as built and calibrated."""
-    for k, (name, words, colour) in enumerate((("before", "as built", BEFORE), ("after", "calibrated", AFTER))):
-        told = found["position"][name]["histogram"]
-        edges, count = np.array(told["edges_mm"]), np.array(told["count"], dtype=float)
-        axes.stairs(count / count.max(), edges, fill=True, color=colour, alpha=0.8)
-        middle = found["position"][name]["median_mm"]
+    states = ((found.position.before, "as built", BEFORE), (found.position.after, "calibrated", AFTER))
+    for k, (spread, words, colour) in enumerate(states):
+        count, middle = spread.histogram.count, spread.median_mm
+        axes.stairs(count / count.max(), spread.histogram.edges_mm, fill=True, color=colour, alpha=0.8)
         text = f"{words}: {middle:.3g} mm"
         axes.annotate(
             text, (middle, 1.0), (0, 5), textcoords="offset points", ha=("right", "left")[k == 0], color=colour
@@ -445,10 +427,10 @@ def before_and_after(axes: Axes, found: Mapping[str, Any]) -> None:
     axes.set_xlabel("position error of a machine over the workspace (rms; the median is written), mm")
 
 
-def enough(axes: Axes, found: Mapping[str, Any]) -> None:
+def enough(axes: Axes, found: Study) -> None:
     """Draw the position error against how much is measured."""
-    times = [e["times"] for e in found["advice"]["enough"]]
-    rms = [e["rms_mm"] for e in found["advice"]["enough"]]
+    times = [e.times for e in found.advice.enough]
+    rms = [e.rms_mm for e in found.advice.enough]
     axes.plot(times, rms, "o-", color=AFTER, ms=4)
     axes.plot([1.0], [rms[times.index(1.0)]], "o", color=AFTER, ms=9)
     axes.annotate("this plan", (1.0, rms[times.index(1.0)]), (8, 6), textcoords="offset points", color=INK)
@@ -459,39 +441,40 @@ def enough(axes: Axes, found: Mapping[str, Any]) -> None:
     axes.set_ylabel("position error, mm")
 
 
-def scatter(axes: Axes, found: Mapping[str, Any]) -> None:
+def scatter(axes: Axes, found: Study) -> None:
     """Draw what a study leaves unknown of each parameter, as part of what was drawn."""
-    told = [p for p in found["parameters"] if p["drawn_std"] > 0]
-    part = [p["std"] / p["drawn_std"] for p in told]
-    expected = [p["predicted_std"] / p["drawn_std"] for p in told]
+    told = [p for p in found.parameters if p.drawn_std > 0]
+    part = [p.std / p.drawn_std for p in told]
+    expected = [p.predicted_std / p.drawn_std for p in told]
     axes.bar(range(len(told)), part, color=AFTER, width=0.7, label="simulated")
     axes.plot(range(len(told)), expected, "_", color=INK, ms=8, mew=1.5, label="predicted")
     axes.axhline(1.0, color=MUTED, lw=1, ls="--")
-    axes.set_xticks(range(len(told)), [p["name"] for p in told], rotation=90, fontsize=8)
+    axes.set_xticks(range(len(told)), [p.name for p in told], rotation=90, fontsize=8)
     axes.set_ylabel("std after / drawn with")
     axes.legend(frameon=False, fontsize=8)
 
 
-def fleet(axes: Axes, rows: Sequence[Mapping[str, Any]]) -> None:
+def fleet(axes: Axes, rows: Sequence[Done]) -> None:
     """Draw the errors of many recordings before and after, one line each."""
     for k, row in enumerate(rows):
-        if row.get("before_mm") and row.get("after_mm"):
-            axes.plot([row["before_mm"], row["after_mm"]], [k, k], color=MUTED, lw=0.8)
-            axes.plot([row["before_mm"]], [k], "o", color=BEFORE, ms=3.5)
-        if row.get("after_mm"):
-            axes.plot([row["after_mm"]], [k], "o", color=AFTER, ms=3.5)
+        if row.before_mm and row.after_mm:
+            axes.plot([row.before_mm, row.after_mm], [k, k], color=MUTED, lw=0.8)
+            axes.plot([row.before_mm], [k], "o", color=BEFORE, ms=3.5)
+        if row.after_mm:
+            axes.plot([row.after_mm], [k], "o", color=AFTER, ms=3.5)
     axes.set_xscale("log")
     decades(axes.xaxis)
     axes.set_ylim(len(rows) - 0.5, -0.5)
-    axes.set_yticks(range(len(rows)), [str(r["recording"]).removesuffix("/recording.csv") for r in rows], fontsize=7)
+    axes.set_yticks(range(len(rows)), [r.recording.removesuffix("/recording.csv") for r in rows], fontsize=7)
     axes.tick_params(axis="y", length=0)
     axes.set_xlabel("error before (red) and after (blue), mm")
 
 
-def fleet_distribution(axes: Axes, rows: Sequence[Mapping[str, Any]]) -> None:
+def fleet_distribution(axes: Axes, rows: Sequence[Done]) -> None:
     """Draw which share of many recordings has an error below a given one, before and after."""
-    for key, color, words in (("before_mm", BEFORE, "before"), ("after_mm", AFTER, "after")):
-        errors = np.sort([r[key] for r in rows if r.get(key)])
+    before, after = [r.before_mm for r in rows], [r.after_mm for r in rows]
+    for values, color, words in ((before, BEFORE, "before"), (after, AFTER, "after")):
+        errors = np.sort([v for v in values if v])
         if len(errors):
             axes.step(errors, np.arange(1, len(errors) + 1) / len(errors), color=color, where="post", label=words)
     axes.set_xscale("log")
@@ -503,12 +486,12 @@ def fleet_distribution(axes: Axes, rows: Sequence[Mapping[str, Any]]) -> None:
     axes.legend(frameon=False, loc="upper left")
 
 
-def chances(axes: Axes, suspects: Sequence[tuple[str, Mapping[str, Any]]]) -> None:
+def chances(axes: Axes, suspects: Sequence[tuple[str, Suspect]]) -> None:
     """Draw how often each suspicion was named right, with the 95 % interval of the chance."""
     for k, (_, s) in enumerate(suspects):
-        axes.plot(s["interval"], [k, k], color=MUTED, lw=1.5)
-        if s["chance"] is not None:
-            axes.plot([s["chance"]], [k], "o", color=AFTER, ms=5)
+        axes.plot(s.interval, [k, k], color=MUTED, lw=1.5)
+        if s.chance is not None:
+            axes.plot([s.chance], [k], "o", color=AFTER, ms=5)
     axes.set_xlim(-0.02, 1.02)
     axes.set_ylim(len(suspects) - 0.5, -0.5)
     axes.set_yticks(range(len(suspects)), [name for name, _ in suspects])

@@ -16,10 +16,10 @@ import os
 import re
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from deltacal_gen import commands
 from deltacal_gen.comparison import compare
@@ -27,12 +27,25 @@ from deltacal_gen.errors import DeltacalError, InputError, UsageError
 from deltacal_gen.execution import Outcome, Store, Task, Told, content_key, run
 from deltacal_gen.points import is_table_of_joints
 from deltacal_gen.recording import csv_text, is_recording, write_files
+from deltacal_gen.results.base import Answer, Json
+from deltacal_gen.results.batch import (
+    Action,
+    Batch,
+    DiagnosedRow,
+    FailedRow,
+    IdentifiedRow,
+    Moved,
+    Row,
+    ValidatedRow,
+)
+from deltacal_gen.results.diagnosis import Diagnosis, Geometry, Verdict
+from deltacal_gen.results.reader import read_answer
+from deltacal_gen.results.result import Result
+from deltacal_gen.results.validation import Validation
 
-SCHEMA = "deltacal.batch/1"
 ACTIONS = ("diagnose", "identify", "validate")
 ROBOT = "robot.toml"
 RESULT = "result.json"  # beside the robot: what its recordings are validated against
-GEOMETRY = "geometry"  # of a diagnosis that found nothing else: the calibration, to be compared with others
 LAST = "last.json"  # which files each recording was and which task, the last time that all were done
 CONFIGS = ("config-override.g", "config.g")  # of RepRapFirmware: M500 writes the first, which then holds
 ASIDE = ("machine", "error", "warnings")  # of a row, told apart from the table
@@ -194,7 +207,7 @@ def _beginning(path: Path) -> str:
         return ""
 
 
-def unpack(kind: str, files: Contents) -> dict[str, Any]:
+def unpack(kind: str, files: Contents) -> Json:
     """Import a session in a folder of its own; runs on a worker.
 
     Returns
@@ -226,7 +239,7 @@ def _own_names() -> Iterator[None]:
         raise InputError(error.problem, error.remedy, file=file, line=error.line, column=error.column) from None
 
 
-def do(action: str, model: str | None, files: Contents) -> dict[str, Any]:
+def do(action: str, model: str | None, files: Contents) -> Json:
     """Do one task in a folder of its own; runs on a worker."""
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)
@@ -235,17 +248,16 @@ def do(action: str, model: str | None, files: Contents) -> dict[str, Any]:
         robot, recording = folder / ROBOT, folder / "recording.csv"
         with _own_names():
             if action == "validate":
-                return commands.validate(folder / RESULT, recording)
+                return commands.validate(folder / RESULT, recording).to_dict()
             if action == "identify":
-                return commands.identify(robot, recording, model)
+                return commands.identify(robot, recording, model).to_dict()
             found = commands.diagnose(robot, recording, model=model)
-            if found["verdict"] == "adequate":  # else what is left out would be taken for parts that moved
-                try:
+            if found.verdict is Verdict.ADEQUATE:  # else what is left out would be taken for parts that moved
+                with suppress(DeltacalError):
                     calibrated = commands.identify(robot, recording, model)
-                except DeltacalError:
-                    return found
-                found |= {GEOMETRY: {key: calibrated[key] for key in ("robot", "parameters")}}
-            return found
+                    geometry = Geometry(robot=calibrated.robot, parameters=calibrated.parameters)
+                    found = found.replace(geometry=geometry)
+            return found.to_dict()
 
 
 def conduct(
@@ -258,15 +270,8 @@ def conduct(
     workers: int | None = None,
     cluster: str | None = None,
     told: Told = lambda done, total, label: None,
-) -> dict[str, Any]:
-    """Do all recordings of a folder, and write ``table.csv`` and ``batch.json`` into the run directory.
-
-    Returns
-    -------
-    dict
-        ``schema, action, rows`` (one per recording, in the order of their paths, with ``error`` where it failed) and
-        ``changed``: machine by machine what moved since the recording before, and since the last time.
-    """
+) -> Batch:
+    """Do all recordings of a folder, and write ``table.csv`` and ``batch.json`` into the run directory."""
     directory = Path(directory)
     store = Store(directory)
     where: dict[str, Any] = {"workers": workers, "cluster": cluster, "directory": directory, "told": told}
@@ -286,18 +291,15 @@ def conduct(
     for job in todo:
         outcome = Outcome("", job.label, None, job.refused) if job.refused is not None else next(outcomes)
         rows.append(_row(job, outcome))
-    found = {
-        "schema": SCHEMA,
-        "action": action,
-        "rows": rows,
-        "changed": _changed(open_, keys, files, store, _last(directory)),
-    }
-    columns = list(dict.fromkeys(name for row in rows for name in row))
-    table = {c: ["" if row.get(c) is None else row[c] for row in rows] for c in columns}
+    changed = _changed(open_, keys, files, store, _last(directory))
+    found = Batch(action=cast("Action", action), rows=tuple(rows), changed=changed)
+    lines = [row.to_dict() for row in rows]
+    columns = list(dict.fromkeys(name for line in lines for name in line))
+    table = {c: ["" if line.get(c) is None else line[c] for line in lines] for c in columns}
     write_files(
         {
             directory / "table.csv": csv_text(table),
-            directory / "batch.json": json.dumps(found, indent=1) + "\n",
+            directory / "batch.json": json.dumps(found.to_dict(), indent=1) + "\n",
             directory / LAST: json.dumps({n: [files[n], keys[n]] for n in keys}, indent=1) + "\n",
         }
     )
@@ -364,47 +366,62 @@ def _key(contents: Callable[[], Contents], *more: str | None) -> tuple[str, str]
             digest.update(f"{name} {len(content)} ".encode() + content)
     except InputError as error:
         digest.update(str(error).encode())
-    return content_key(SCHEMA, *more, digest.hexdigest()), digest.hexdigest()[:32]
+    return content_key(Batch.schema, *more, digest.hexdigest()), digest.hexdigest()[:32]
 
 
-def _row(job: Job, outcome: Outcome) -> dict[str, Any]:
+def _row(job: Job, outcome: Outcome) -> Row:
     """Return a recording's line of the table."""
-    row: dict[str, Any] = {"recording": job.label, "machine": job.machine}
-    r = outcome.result
-    if r is None:
-        return row | {"error": outcome.error}
-    if r["schema"].startswith("deltacal.diagnosis/"):
-        named = "; ".join(f"{e['name']} {' '.join(map(str, e['limbs']))}".strip() for e in r["effects"])
-        row |= {
-            "verdict": r["verdict"],
-            "effects": named,
-            "model": r["baseline"]["model"],
-            "before_mm": r["baseline"]["heldout_rms_mm"],
-            "after_mm": r["final"]["heldout_rms_mm"],
-            "noise_mm": r["noise"]["sigma_mm"],
-        }
-    elif r["schema"].startswith("deltacal.result/"):
-        row |= {
-            "model": r["model"],
-            "before_mm": r["before_rms_mm"],
-            "after_mm": r["heldout_rms_mm"],
-            "fitted_mm": r["train_rms_mm"],
-            "noise_mm": r["sigma_mm"],
-        }
-    else:
-        row |= {"after_mm": r["rms_mm"], "worst_mm": r["worst_mm"], "chi2_per_dof": r["chi2_per_dof"]}
-    return row | {"error": None} | ({"warnings": " ".join(job.warnings)} if job.warnings else {})
+    if outcome.result is None:
+        return FailedRow(recording=job.label, machine=job.machine, error=outcome.error or "")
+    who = {"recording": job.label, "machine": job.machine}
+    warnings = " ".join(job.warnings) or None
+    match read_answer(outcome.result):
+        case Diagnosis() as found:
+            named = "; ".join(f"{e.name} {' '.join(map(str, e.limbs))}".strip() for e in found.effects)
+            return DiagnosedRow(
+                **who,
+                verdict=found.verdict,
+                effects=named,
+                model=found.baseline.model,
+                before_mm=found.baseline.heldout_rms_mm,
+                after_mm=found.final.heldout_rms_mm,
+                noise_mm=found.noise.sigma_mm,
+                error=None,
+                warnings=warnings,
+            )
+        case Result() as found:
+            return IdentifiedRow(
+                **who,
+                model=found.model,
+                before_mm=found.before_rms_mm,
+                after_mm=found.heldout_rms_mm,
+                fitted_mm=found.train_rms_mm,
+                noise_mm=found.sigma_mm,
+                error=None,
+                warnings=warnings,
+            )
+        case Validation() as found:
+            return ValidatedRow(
+                **who,
+                after_mm=found.rms_mm,
+                worst_mm=found.worst_mm,
+                chi2_per_dof=found.chi2_per_dof,
+                error=None,
+                warnings=warnings,
+            )
+        case other:
+            raise TypeError(f"a batch holds no {type(other).__name__}")
 
 
 # ------------------------------------------------------------------------------------------------------ for readers
 
 
-def worst(rows: Sequence[Mapping[str, Any]], most: int) -> list[Mapping[str, Any]]:
+def worst(rows: Sequence[Row], most: int) -> list[Row]:
     """Return the rows of a batch, in their order; of too many, those with the largest errors first."""
     if len(rows) <= most:
         return list(rows)
-    done = [r for r in rows if r["error"] is None]
-    return sorted(done, key=lambda r: -(r.get("after_mm") or 0.0))[:most]
+    done = [r for r in rows if not isinstance(r, FailedRow)]
+    return [*sorted(done, key=lambda r: -(r.after_mm or 0.0))[:most]]
 
 
 def alike(said: Sequence[tuple[str, str]]) -> list[tuple[str, str]]:
@@ -435,7 +452,7 @@ def _changed(
     files: Mapping[str, str],
     store: Store,
     last: Mapping[str, tuple[str, str]],
-) -> list[dict[str, str]]:
+) -> tuple[Moved, ...]:
     """Return what moved, machine by machine: from one recording to the next, and since the last time."""
     changed = []
     before: dict[str, Job] = {}
@@ -451,43 +468,46 @@ def _changed(
             old, new = store.get(key), store.get(keys[job.label])
             if old is None or new is None or old["result"] is None or new["result"] is None:
                 continue
-            changed.append(
-                {"machine": job.machine, "from": label, "to": job.label, "text": _moved(old["result"], new["result"])}
-            )
-    return changed
+            try:
+                text = _moved(read_answer(old["result"]), read_answer(new["result"]))
+            except InputError as error:  # other machines, or a run of another version
+                text = str(error)
+            changed.append(Moved(machine=job.machine, from_=label, to=job.label, text=text))
+    return tuple(changed)
 
 
-def _moved(old: Mapping[str, Any], new: Mapping[str, Any]) -> str:
-    if "parameters" in old and "parameters" in new:
-        try:
-            return str(compare(old, new)["summary"])
-        except InputError as error:
-            return str(error)
-    if "verdict" in old and "verdict" in new:
-        names = [sorted(e["name"] for e in r["effects"]) for r in (old, new)]
+def _moved(old: Answer, new: Answer) -> str:
+    if isinstance(old, Result) and isinstance(new, Result):
+        return compare(old, new).summary
+    if isinstance(old, Diagnosis) and isinstance(new, Diagnosis):
+        names = [sorted(e.name for e in r.effects) for r in (old, new)]
         gone, come = (sorted(set(a) - set(b)) for a, b in (names, names[::-1]))
-        parts = [f"{old['verdict']} became {new['verdict']}"] if old["verdict"] != new["verdict"] else []
+        parts = [f"{old.verdict} became {new.verdict}"] if old.verdict != new.verdict else []
         parts += [f"{name} appeared" for name in come] + [f"{name} is gone" for name in gone]
         parts += [
             f"{name} of {effect} was {was:.4g}, is {now:.4g} +- {std:.2g} {unit}"
             for effect, name, was, now, std, unit in _grown(old, new)
         ]
-        said = "; ".join(parts) or f"still {new['verdict']}"
-        text = f"{said}; held out {old['final']['heldout_rms_mm']:.4f} -> {new['final']['heldout_rms_mm']:.4f} mm."
-        return f"{text} {_moved(old[GEOMETRY], new[GEOMETRY])}" if GEOMETRY in old and GEOMETRY in new else text
-    return f"error {old.get('rms_mm', 0.0):.4f} -> {new.get('rms_mm', 0.0):.4f} mm."
+        said = "; ".join(parts) or f"still {new.verdict}"
+        before, after = (f"{v:.4f}" if v is not None else "-" for v in (r.final.heldout_rms_mm for r in (old, new)))
+        text = f"{said}; held out {before} -> {after} mm."
+        if old.geometry is None or new.geometry is None:
+            return text
+        return f"{text} {compare(old.geometry, new.geometry).summary}"
+    was, now = (r.rms_mm if isinstance(r, Validation) else 0.0 for r in (old, new))
+    return f"error {was:.4f} -> {now:.4f} mm."
 
 
-def _grown(old: Mapping[str, Any], new: Mapping[str, Any]) -> list[tuple[str, str, float, float, float, str]]:
+def _grown(old: Diagnosis, new: Diagnosis) -> list[tuple[str, str, float, float, float, str]]:
     """Return the parameters of effects in both diagnoses that differ by more than noise explains."""
-    was = {(e["name"], tuple(e["limbs"]), p["name"], p["limb"]): p for e in old["effects"] for p in e["parameters"]}
+    was = {(e.name, e.limbs, p.name, p.limb): p for e in old.effects for p in e.parameters}
     out = []
-    for e in new["effects"]:
-        for p in e["parameters"]:
-            before = was.get((e["name"], tuple(e["limbs"]), p["name"], p["limb"]))
-            if before is None or before["std"] is None or p["std"] is None:  # an order, a time: a constant
+    for e in new.effects:
+        for p in e.parameters:
+            before = was.get((e.name, e.limbs, p.name, p.limb))
+            if before is None or before.std is None or p.std is None:  # an order, a time: a constant
                 continue
-            std = math.hypot(before["std"], p["std"])
-            if abs(p["value"] - before["value"]) > CLEAR * std:
-                out.append((e["name"], p["name"], before["value"], p["value"], std, p["unit"]))
+            std = math.hypot(before.std, p.std)
+            if abs(p.value - before.value) > CLEAR * std:
+                out.append((e.name, p.name, before.value, p.value, std, p.unit))
     return out

@@ -10,7 +10,7 @@ import dataclasses
 import itertools
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Literal
 
 import numpy as np
 
@@ -35,13 +35,29 @@ from deltacal_gen.instrument.kinds import kind_of, mounts
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.backend import by_recording
 from deltacal_gen.mechanism import SOLVED, Array, Machine, mechanism_of
-from deltacal_gen.physics import Body, Term, of_reading, term_to_dict
+from deltacal_gen.physics import Body, Term, kept_term, of_reading
 from deltacal_gen.recording import Recording, check_units
-from deltacal_gen.robot import Robot, for_model, robot_size, robot_to_dict
+from deltacal_gen.results.parts import Missing, Source
+from deltacal_gen.results.result import (
+    Accuracy,
+    BaseFrame,
+    BaseParameter,
+    Largest,
+    MapPoint,
+    OpenCombination,
+    Parameter,
+    Read,
+    Regularisation,
+    Remedy,
+    Result,
+    Stage,
+    Status,
+    UncertaintyMap,
+)
+from deltacal_gen.robot import Robot, for_model, kept_robot, robot_size
 from deltacal_gen.solvers import TSVD, LeastSquares, Prior, Ridge, Solver
 from deltacal_gen.units import DEG, file_unit, to_internal
 
-SCHEMA = "deltacal.result/1"
 FOLDS = 5
 SEED = 20150415  # of the folds: results do not change from run to run
 BROAD = 10.0  # standard deviation of a parameter of which nothing is known, in ordinary errors
@@ -64,21 +80,32 @@ class Identification:
     model : str
     fit : Fit
         Of all readings.
-    before : Fit-like residual RMS [mm] of the robot file's machine, instrument aligned.
+    rough : Fit or None
+        Of the encoder offsets alone.
+    before_rms : float
+        RMS of the residuals of the robot file's machine, the instrument fitted [mm].
     heldout_rms : float
         RMS of readings in folds that took no part in the fit [mm].
-    matrix : IdentificationMatrix
-        At the robot file's machine, columns in ordinary errors.
+    observability : Observability
+        Of the identification matrix at the robot file's machine, columns in ordinary errors.
     unseen, weak : list of Combination
         What no reading sees, and what the readings see less well than a broad prior.
     base : list of BaseParameter
         What the readings determine, parameter by parameter with those that act through it.
-    remedies : list of dict
+    remedies : tuple of Remedy
         Extra measurements and how many of the free directions each pins.
+    noise : Noise
+        Of the readings, and where it is known from.
+    prior_given : tuple of bool
+        Of each parameter: whether the robot file's ``[tolerance]`` names it.
+    robot : Robot
+        The calibrated machine.
     in_file : (n_p,) array
         Source errors of the robot file, from which those found count.
-    not_held : list of dict
+    not_held : tuple of Missing
         Effects that belong to the session they were found in, and what this one lacks for them.
+    map : UncertaintyMap or None
+        Over the workspace, where the robot has one.
     """
 
     model: str
@@ -90,16 +117,16 @@ class Identification:
     unseen: list[Combination]
     weak: list[Combination]
     base: list[identifiability.BaseParameter]
-    remedies: list[dict[str, Any]]
+    remedies: tuple[Remedy, ...]
     noise: Noise
     prior_given: tuple[bool, ...]
     robot: Robot
     in_file: Array
-    not_held: list[dict[str, str]]
-    map: dict[str, Any] | None
+    not_held: tuple[Missing, ...]
+    map: UncertaintyMap | None
 
-    def to_dict(self) -> dict[str, Any]:
-        """Return the contract's RESULT.json."""
+    def answer(self) -> Result:
+        """Return the same as users read it: RESULT.json."""
         return _result(self)
 
 
@@ -205,7 +232,7 @@ def identify(
         if problem.readings.kind.distances_beside
         else _remedies(final)
         if unseen or weak
-        else [],
+        else (),
         noise=noise(final, recording),
         prior_given=given,
         robot=calibrated,
@@ -215,7 +242,7 @@ def identify(
     )
 
 
-def _carried(problem: Problem, held: Sequence[Term]) -> tuple[tuple[Term, ...], list[dict[str, str]]]:
+def _carried(problem: Problem, held: Sequence[Term]) -> tuple[tuple[Term, ...], tuple[Missing, ...]]:
     """Return the effects that a recording can hold, and those of another session that it cannot, with what is missing.
 
     What the instrument did, or what went with the time of a session, is not the machine's.
@@ -231,10 +258,10 @@ def _carried(problem: Problem, held: Sequence[Term]) -> tuple[tuple[Term, ...], 
         if why is None:
             can.append(term)
         elif of_reading([term]) or any(s.column == "time_s" for s in term.states):
-            cannot.append({"name": term.effect, "missing": why})
+            cannot.append(Missing(name=term.effect, missing=why))
         else:
             raise InputError(f"the effect '{term.effect}' needs {why}.", "Add it.", file=problem.recording.path)
-    return tuple(can), cannot
+    return tuple(can), tuple(cannot)
 
 
 def _left_out(mechanism: Machine, robot: Robot, machine: Robot, names: Sequence[str]) -> dict[str, float]:
@@ -493,7 +520,7 @@ class Noise:
     """Noise per measured scalar [mm], where it is known from, and the degrees of freedom of that knowledge."""
 
     sigma: float
-    source: str
+    source: Source
     degrees: float
 
 
@@ -507,7 +534,9 @@ def noise(final: Fit, recording: Recording) -> Noise:
     found, residual = final.problem.readings, coordinate_sigma(final)
     declared = found.kind.sigma(recording.measurement, final.instrument.scale)
     if found.made:
-        return Noise(residual, "residual", np.inf) if declared is None else Noise(declared, "declared", np.inf)
+        return (
+            Noise(residual, Source.RESIDUAL, np.inf) if declared is None else Noise(declared, Source.DECLARED, np.inf)
+        )
     quiet = np.setdiff1d(np.arange(len(found)), final.gross)
     r, group = np.nan_to_num(lengths(final.residual[quiet], found.kind)), _repeats(found, recording)[quiet]
     _, within, degrees = Repeats.ratio_of(r, group)
@@ -516,10 +545,10 @@ def noise(final: Fit, recording: Recording) -> Noise:
         doubt = PROVEN * np.sqrt(_spread(r) / max(degrees, 1))
         gap = np.log(within / declared**2) if repeated else 0.0
         if abs(gap) <= doubt or (gap > 0 and _closest(r, group) < 2 * declared):
-            return Noise(declared, "declared", np.inf)
+            return Noise(declared, Source.DECLARED, np.inf)
     if repeated:
-        return Noise(float(np.sqrt(within)), "repeats", float(degrees))
-    return Noise(residual, "residual", np.inf)
+        return Noise(float(np.sqrt(within)), Source.REPEATS, float(degrees))
+    return Noise(residual, Source.RESIDUAL, np.inf)
 
 
 def _repeats(found: Readings, recording: Recording) -> np.ndarray:
@@ -551,7 +580,7 @@ def _closest(r: Array, group: np.ndarray) -> float:
 def lack_of_fit(final: Fit, recording: Recording) -> bool:
     """Tell whether what a fit leaves is more than a noise known beforehand, each as uncertain as it is."""
     known = noise(final, recording)
-    if known.source == "residual":
+    if known.source is Source.RESIDUAL:
         return False
     r = np.delete(
         lengths(final.residual / final.sigma, final.problem.readings.kind) * final.sigma[0], final.gross, axis=0
@@ -577,7 +606,7 @@ def _weak(final: Fit, n_unseen: int, units: list[str]) -> list[Combination]:
     ]
 
 
-def _remedies(final: Fit) -> list[dict[str, Any]]:
+def _remedies(final: Fit) -> tuple[Remedy, ...]:
     """Return extra measurements, each with how many more directions it would pin, most first."""
     problem = final.problem
     known = _pinned([problem], final)
@@ -600,13 +629,13 @@ def _remedies(final: Fit) -> list[dict[str, Any]]:
     told = [
         text for text, extra in ideas if gains[text] > max((gains[t] for t, e in ideas if e == extra[:-1]), default=0)
     ]
-    return [
-        {"measurement": text, "pins": gains[text], "of": len(problem.names) - known}
+    return tuple(
+        Remedy(measurement=text, pins=gains[text], of=len(problem.names) - known)
         for text in sorted(told, key=lambda text: -gains[text])
-    ]
+    )
 
 
-def printed(final: Fit) -> list[dict[str, Any]]:
+def printed(final: Fit) -> tuple[Remedy, ...]:
     """Return the one or two distances to print and measure that settle what probed heights leave open.
 
     Heights make a bed flat; the size of what is printed over it hangs on arms, radius and towers that they hardly see.
@@ -628,11 +657,11 @@ def printed(final: Fit) -> list[dict[str, Any]]:
     rows = mechanism.rows(robot, final.errors)
     q, x, status = mechanism.inverse(points, robot.tool, rows)
     if (status != SOLVED).any():
-        return []
+        return ()
     dx = mechanism.sensitivity(x, q, robot.tool, rows).parameters[:, :3, every.columns]
     n = len(turns)
     J = np.einsum("ni,nij->nj", ends / wide, dx[n:] - dx[:n])
-    chosen: list[dict[str, Any]] = []
+    chosen: list[Remedy] = []
     while len(chosen) < 2:
         std = np.sqrt(np.einsum("ni,ij,nj->n", J, C, J))
         k = int(np.argmax(std))
@@ -649,10 +678,10 @@ def printed(final: Fit) -> list[dict[str, Any]]:
             f"print two marks {2 * wide:.0f} mm apart through the centre, {turns[k] / DEG:.0f} deg from x, and measure "
             f"their distance: the heights leave it open by {std[k]:.2g} mm, with a bed as flat ({', '.join(told)})"
         )
-        chosen.append({"measurement": text, "pins": 1, "of": len(names), "open_mm": float(std[k])})
+        chosen.append(Remedy(measurement=text, pins=1, of=len(names), open_mm=float(std[k])))
         gain = C @ J[k]
         C = C - np.outer(gain, gain) / (std[k] ** 2 + noise**2)
-    return chosen
+    return tuple(chosen)
 
 
 def _as_positions(problem: Problem) -> Problem:
@@ -686,7 +715,7 @@ def _pinned(problems: list[Problem], final: Fit) -> int:
 # ------------------------------------------------------------------------------------------ over the workspace
 
 
-def uncertainty_map(final: Fit, robot: Robot) -> dict[str, Any] | None:
+def uncertainty_map(final: Fit, robot: Robot) -> UncertaintyMap | None:
     """Return the standard deviation of the tool position over the workspace, or None where the robot has none.
 
     Positions and poses: of the position in the instrument's frame, its frame's uncertainty included. Distances and
@@ -713,23 +742,26 @@ def uncertainty_map(final: Fit, robot: Robot) -> dict[str, Any] | None:
         C = final.covariance[:n, :n]
     std = np.sqrt(np.maximum(np.einsum("nij,jk,nik->ni", J, C, J), 0.0))
     norm = np.linalg.norm(std, axis=1)
-    return {
-        "frame": "best alignment of the map" if frame is None else "instrument",
-        "tool_mm": tool.tolist(),
-        "worst_mm": float(norm.max()),
-        "median_mm": float(np.median(norm)),
-        "points": [{"target_mm": t.tolist(), "std_mm": s.tolist()} for t, s in zip(targets[ok], std, strict=True)],
-        "unreachable": int((~ok).sum()),
-    }
+    return UncertaintyMap(
+        frame="best alignment of the map" if frame is None else "instrument",
+        tool_mm=tuple(tool.tolist()),
+        worst_mm=float(norm.max()),
+        median_mm=float(np.median(norm)),
+        points=tuple(
+            MapPoint(target_mm=tuple(t), std_mm=tuple(s))
+            for t, s in zip(targets[ok].tolist(), std.tolist(), strict=True)
+        ),
+        unreachable=int((~ok).sum()),
+    )
 
 
 # -------------------------------------------------------------------------------------------------- RESULT.json
 
 
 def parameter_table(
-    mechanism: Machine, change: Array, status: Mapping[str, str], deviation: Array
-) -> list[dict[str, Any]]:
-    """Return the parameters of a RESULT.json: all source errors of a mechanism, in the units of files.
+    mechanism: Machine, change: Array, status: Mapping[str, Status], deviation: Array
+) -> tuple[Parameter, ...]:
+    """Return the parameters of a result: all source errors of a mechanism, in the units of files.
 
     Parameters
     ----------
@@ -740,20 +772,20 @@ def parameter_table(
     deviation : (n,) array
         Their standard deviations [mm, rad], in the order of `status`; one that is not pinned has none.
     """
-    std = {name: float(d) for (name, s), d in zip(status.items(), deviation, strict=True) if s != "not pinned"}
-    return [
-        {
-            "name": p.name,
-            "value": float(value) / to_internal(p.unit),
-            "std": std[p.name] / to_internal(p.unit) if p.name in std else None,
-            "unit": file_unit(p.unit),
-            "status": status.get(p.name, "fixed"),
-        }
+    std = {name: float(d) for (name, s), d in zip(status.items(), deviation, strict=True) if s is not Status.NOT_PINNED}
+    return tuple(
+        Parameter(
+            name=p.name,
+            value=float(value) / to_internal(p.unit),
+            std=std[p.name] / to_internal(p.unit) if p.name in std else None,
+            unit=file_unit(p.unit),
+            status=status.get(p.name, Status.FIXED),
+        )
         for p, value in zip(mechanism.parameters, change, strict=True)
-    ]
+    )
 
 
-def _result(found: Identification) -> dict[str, Any]:
+def _result(found: Identification) -> Result:
     final, problem = found.fit, found.fit.problem
     mechanism, names = problem.mechanism, problem.names
     n = len(names)
@@ -761,56 +793,51 @@ def _result(found: Identification) -> dict[str, Any]:
     ruled_out = {name for c in (*found.unseen, *found.weak) for name in c.terms}
     by_prior = final.solution.posterior
     by_data = _share_of_data(final)
-    status: dict[str, str] = {}
+    status: dict[str, Status] = {}
     for j, name in enumerate(names):
         known = by_data[j] > RESOLVED if by_prior else name not in ruled_out
         given = by_prior and found.prior_given[j]
-        status[name] = "identified" if known else "pinned by prior" if given else "not pinned"
-    sigma, source = found.noise.sigma, found.noise.source
+        status[name] = Status.IDENTIFIED if known else Status.BY_PRIOR if given else Status.NOT_PINNED
+    sigma, recording = found.noise.sigma, problem.recording
     residual_sigma = coordinate_sigma(final)
-    return {
-        "schema": SCHEMA,
-        "model": found.model,
-        "parameters": parameter_table(mechanism, final.errors - found.in_file, status, deviation),
-        "rank": found.observability.rank,
-        "rank_tolerance": identifiability.RANK_TOLERANCE,
-        "singular_values": found.observability.singular_values.tolist(),
-        "condition": found.observability.condition if np.isfinite(found.observability.condition) else None,
-        "scaling": "columns in ordinary errors, rows in mm, unknown frame projected out, at the robot file's machine",
-        "unidentifiable": [
-            {"seen": seen, "text": c.text, "terms": file_terms(c, mechanism)}
-            for seen, part in (("not at all", found.unseen), ("less than noise", found.weak))
-            for c in part
-        ],
-        "base": _base(found),
-        "next_measurements": found.remedies,
-        "regularisation": _regularisation(found),
-        "readings": {
-            "kind": problem.readings.kind.name,
-            "scalars": problem.readings.n_scalars,
-            "poses": len(np.unique(problem.recording.pose)),
-        },
-        "before_rms_mm": found.before_rms,
-        "degrees_of_freedom": freedom(final),
-        "train_rms_mm": final.rms(),
-        "heldout_rms_mm": found.heldout_rms if np.isfinite(found.heldout_rms) else None,
-        "sigma_mm": sigma,
-        "sigma_source": source,
-        "residual_sigma_mm": residual_sigma,
-        "chi2_per_dof": (residual_sigma / sigma) ** 2 if sigma > 0 else None,
-        "gross_errors": [int(problem.readings.line[j]) for j in final.gross],
-        "stages": _stages(found),
-        "accuracy": _accuracy(found),
-        "base_frame": _base_frames(found),
-        "contacts": final.instrument.kind.points(final.instrument, problem.recording),
-        "workspace": found.map,
-        "iterations": len(final.history),
-        "physics": [term_to_dict(t) for t in problem.held],
-        "physics_not_held": found.not_held,
-        "instrument": final.instrument.to_dict()
-        | {"setups": list(problem.recording.setup_names), "zero": problem.recording.measurement.zero},
-        "robot": robot_to_dict(found.robot),
-    }
+    return Result(
+        model=found.model,
+        parameters=parameter_table(mechanism, final.errors - found.in_file, status, deviation),
+        rank=found.observability.rank,
+        rank_tolerance=identifiability.RANK_TOLERANCE,
+        singular_values=found.observability.singular_values,
+        condition=found.observability.condition if np.isfinite(found.observability.condition) else None,
+        scaling="columns in ordinary errors, rows in mm, unknown frame projected out, at the robot file's machine",
+        unidentifiable=(
+            *open_combinations(found.unseen, mechanism, "not at all"),
+            *open_combinations(found.weak, mechanism, "less than noise"),
+        ),
+        base=_base(found),
+        next_measurements=found.remedies,
+        regularisation=_regularisation(found),
+        readings=Read(
+            kind=problem.readings.kind.name, scalars=problem.readings.n_scalars, poses=len(np.unique(recording.pose))
+        ),
+        before_rms_mm=found.before_rms,
+        degrees_of_freedom=freedom(final),
+        train_rms_mm=final.rms(),
+        heldout_rms_mm=found.heldout_rms if np.isfinite(found.heldout_rms) else None,
+        sigma_mm=sigma,
+        sigma_source=found.noise.source,
+        residual_sigma_mm=residual_sigma,
+        chi2_per_dof=(residual_sigma / sigma) ** 2 if sigma > 0 else None,
+        gross_errors=tuple(int(problem.readings.line[j]) for j in final.gross),
+        stages=_stages(found),
+        accuracy=_accuracy(found),
+        base_frame=_base_frames(found),
+        contacts=final.instrument.kind.points(final.instrument, recording),
+        workspace=found.map,
+        iterations=len(final.history),
+        physics=tuple(map(kept_term, problem.held)),
+        physics_not_held=found.not_held,
+        instrument=final.instrument.kept(recording.setup_names, recording.measurement.zero),
+        robot=kept_robot(found.robot),
+    )
 
 
 def freedom(final: Fit) -> float:
@@ -818,7 +845,7 @@ def freedom(final: Fit) -> float:
     return float(final.problem.readings.n_scalars - final.solution.degrees - final.instrument.n_unknown)
 
 
-def _base(found: Identification) -> list[dict[str, Any]]:
+def _base(found: Identification) -> tuple[BaseParameter, ...]:
     """Return the base parameters with values and standard deviations, where single parameters have none."""
     problem, n = found.fit.problem, len(found.fit.problem.names)
     values = (found.fit.errors - problem.reference)[problem.columns[:n]]
@@ -828,15 +855,15 @@ def _base(found: Identification) -> list[dict[str, Any]]:
         share = np.array([b.terms.get(name, 0.0) for name in problem.names])
         std = float(np.sqrt(max(share @ found.fit.covariance[:n, :n] @ share, 0.0)))
         entries.append(
-            {
-                "name": b.name,
-                "combination": b.text,
-                "value": float(share @ values) / to_internal(unit),
-                "std": std / to_internal(unit),
-                "unit": file_unit(unit),
-            }
+            BaseParameter(
+                name=b.name,
+                combination=b.text,
+                value=float(share @ values) / to_internal(unit),
+                std=std / to_internal(unit),
+                unit=file_unit(unit),
+            )
         )
-    return entries
+    return tuple(entries)
 
 
 def _share_of_data(final: Fit) -> Array:
@@ -851,31 +878,36 @@ def _share_of_data(final: Fit) -> Array:
     return np.where(total < NOTHING_LEFT, 1.0, result)
 
 
-def file_terms(c: Combination, mechanism: Machine) -> dict[str, float]:
-    """Return the terms of a combination of parameters in the units of files."""
-    return {n: v / to_internal(mechanism.parameters[mechanism.index[n]].unit) for n, v in c.terms.items()}
+def open_combinations(
+    several: Sequence[Combination], mechanism: Machine, seen: Literal["not at all", "less than noise"]
+) -> tuple[OpenCombination, ...]:
+    """Return combinations of parameters that readings do not determine, in the units of files."""
+    units = {p.name: to_internal(p.unit) for p in mechanism.parameters}
+    return tuple(
+        OpenCombination(seen=seen, text=c.text, terms={n: v / units[n] for n, v in c.terms.items()}) for c in several
+    )
 
 
-def _regularisation(found: Identification) -> dict[str, Any]:
+def _regularisation(found: Identification) -> Regularisation:
     if not found.fit.solution.posterior:
-        return {"rule": found.fit.solution.rule}
+        return Regularisation(rule=found.fit.solution.rule)
     given = sum(found.prior_given)
-    return {
-        "rule": f"priors: {given} from [tolerance], {len(found.prior_given) - given} broad ({BROAD:g} ordinary errors)",
-        "determined": found.fit.solution.degrees,
-    }
+    return Regularisation(
+        rule=f"priors: {given} from [tolerance], {len(found.prior_given) - given} broad ({BROAD:g} ordinary errors)",
+        determined=found.fit.solution.degrees,
+    )
 
 
-def _stages(found: Identification) -> list[dict[str, Any]]:
-    stages = [("rough", found.rough), ("fine", found.fit)]
-    return [
-        {"stage": name, "parameters": len(f.problem.names), "iterations": len(f.history), "train_rms_mm": f.rms()}
+def _stages(found: Identification) -> tuple[Stage, ...]:
+    stages: tuple[tuple[Literal["rough", "fine"], Fit | None], ...] = (("rough", found.rough), ("fine", found.fit))
+    return tuple(
+        Stage(stage=name, parameters=len(f.problem.names), iterations=len(f.history), train_rms_mm=f.rms())
         for name, f in stages
         if f is not None
-    ]
+    )
 
 
-def _accuracy(found: Identification) -> dict[str, Any] | None:
+def _accuracy(found: Identification) -> Accuracy | None:
     """Return the paper's two error measures of the measured positions, before and after; home is the most central."""
     problem, final = found.fit.problem, found.fit
     if not problem.readings.kind.positions:
@@ -884,37 +916,39 @@ def _accuracy(found: Identification) -> dict[str, Any] | None:
     chosen = chosen[problem.readings.setup[chosen] == problem.readings.setup[chosen[0]]]
     measured, rows = np.nan_to_num(problem.readings.values[chosen]), problem.readings.rows[chosen, 0]
     home = int(np.argmin(np.linalg.norm(measured - np.median(measured, axis=0), axis=1)))
-    out: dict[str, Any] = {
-        "home_line": int(problem.readings.line[chosen[home]]),
-        "note": "largest errors relative to home; the distance error is the same in every frame, the volumetric error "
+
+    def at(errors: Array) -> Largest:
+        wanted = problem.poses(errors)[rows, :3]
+        return Largest(
+            distance_mm=largest(distance_error(measured, wanted, home)),
+            volumetric_mm=largest(volumetric_error(measured, wanted, home)),
+        )
+
+    return Accuracy(
+        home_line=int(problem.readings.line[chosen[home]]),
+        note="largest errors relative to home; the distance error is the same in every frame, the volumetric error "
         "is taken after the rotation that fits the two sets best",
-    }
-    stages = {"before": problem.reference, "rough": found.rough.errors if found.rough else None, "after": final.errors}
-    for stage, errors in stages.items():
-        if errors is not None:
-            wanted = problem.poses(errors)[rows, :3]
-            out[stage] = {
-                "distance_mm": largest(distance_error(measured, wanted, home)),
-                "volumetric_mm": largest(volumetric_error(measured, wanted, home)),
-            }
-    return out
+        before=at(problem.reference),
+        rough=at(found.rough.errors) if found.rough else None,
+        after=at(final.errors),
+    )
 
 
-def _base_frames(found: Identification) -> list[dict[str, Any]]:
+def _base_frames(found: Identification) -> tuple[BaseFrame, ...]:
     """Return where {O} stands in the instrument's frame, set-up by set-up, with standard deviations."""
     instrument, n = found.fit.instrument, len(found.fit.problem.names)
     frames = instrument.frames()
     if 3 not in instrument.free or not frames:
-        return []
+        return ()
     std = np.zeros((len(instrument.state), 9))  # zero: not estimated, because no reading depends on it
     std[:, list(instrument.free)] = np.sqrt(np.maximum(np.diag(found.fit.covariance)[n:], 0.0)).reshape(len(std), -1)
-    return [
-        {
-            "setup": found.fit.problem.recording.setup_names[s],
-            "rotation_deg": (turn / DEG).tolist(),
-            "rotation_std_deg": (std[s, :3] / DEG).tolist(),
-            "origin_mm": origin.tolist(),
-            "origin_std_mm": std[s, 3:6].tolist(),
-        }
+    return tuple(
+        BaseFrame(
+            setup=found.fit.problem.recording.setup_names[s],
+            rotation_deg=tuple((turn / DEG).tolist()),
+            rotation_std_deg=tuple((std[s, :3] / DEG).tolist()),
+            origin_mm=tuple(origin.tolist()),
+            origin_std_mm=tuple(std[s, 3:6].tolist()),
+        )
         for s, (turn, origin) in enumerate(frames)
-    ]
+    )

@@ -15,7 +15,7 @@ from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from types import ModuleType
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import deltacal_kernels.effects
 import numpy as np
@@ -25,6 +25,7 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.inputs import TEMPERATURE, Recording, Robot
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.mechanism import SOLVED, STATUS, Array, Machine, Sensitivity
+from deltacal_gen.results.parts import TermState
 from deltacal_gen.rotation import cayley_matrix
 from deltacal_gen.states import CHANNELS, State
 from deltacal_gen.units import joint_factors, of_joints, of_sliding
@@ -720,23 +721,13 @@ def row_factors(term: Term, joint_unit: str) -> Array:
     return np.array([[factor for _, _, factor in row] for row in row_coefficients(term, joint_unit)])
 
 
-def term_to_dict(term: Term) -> dict[str, Any]:
-    """Return a term for a result file, in its own units inside."""
-    return {
-        "effect": term.effect,
-        "limbs": list(term.limbs),
-        "constants": list(term.constants),
-        "values": term.values.tolist(),
-        "tools": [list(t) for t in term.tools],
-    }
-
-
-def term_from_dict(data: Mapping[str, Any]) -> Term:
-    """Return the term of a result file."""
-    return Term(
-        data["effect"],
-        tuple(data["limbs"]),
-        np.asarray(data["values"], dtype=float),
-        tuple(data["constants"]),
-        tuple((float(x), float(y), float(z)) for x, y, z in data["tools"]),
+def kept_term(term: Term) -> TermState:
+    """Return what an answer keeps of a term, in its own units inside."""
+    return TermState(
+        effect=term.effect, limbs=term.limbs, constants=term.constants, values=term.values, tools=term.tools
     )
+
+
+def term_of(kept: TermState) -> Term:
+    """Return the term that an answer kept."""
+    return Term(kept.effect, kept.limbs, kept.values, kept.constants, kept.tools)

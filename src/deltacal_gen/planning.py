@@ -43,10 +43,11 @@ from deltacal_gen.instrument.kinds import names as kind_names
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.mechanism import SOLVED, STATUS, Array, Machine, mechanism_of
 from deltacal_gen.recording import Measurement, Recording, read_measurement, write_recording
+from deltacal_gen.results import plan as results
+from deltacal_gen.results.plan import Deviation, Expected, Method, PlannedPose
 from deltacal_gen.robot import Robot, Workspace, to_file
 from deltacal_gen.units import file_unit
 
-SCHEMA = "deltacal.plan/1"
 LAYERS = {"top": 0.0, "middle": 0.5, "bottom": 1.0}  # part of the cylinder's height below its top
 ROUGH, FINE = ("middle",), ("top", "bottom")  # Bai 2015, sections 5.1 and 5.2
 KINDS = {name: words for name in kind_names() if (words := kind_of(name).planned)}  # of what poses are planned for
@@ -150,18 +151,18 @@ class Prediction:
     mean: float
     largest: float
 
-    def to_dict(self, mechanism: Machine) -> dict[str, Any]:
-        """Return the prediction for JSON, in mm and deg."""
+    def answer(self, mechanism: Machine) -> Expected:
+        """Return the same as users read it, in mm and deg."""
         units = {p.name: p.unit for p in mechanism.parameters}
-        return {
-            "sigma_mm": self.sigma,
-            "parameters": [
-                {"name": name, "std": to_file(std, units[name]), "unit": file_unit(units[name])}
+        return Expected(
+            sigma_mm=self.sigma,
+            parameters=tuple(
+                Deviation(name=name, std=to_file(std, units[name]), unit=file_unit(units[name]))
                 for name, std in self.parameters.items()
-            ],
-            "tool_mean_mm": self.mean,
-            "tool_max_mm": self.largest,
-        }
+            ),
+            tool_mean_mm=self.mean,
+            tool_max_mm=self.largest,
+        )
 
 
 @dataclass(frozen=True)
@@ -235,7 +236,7 @@ class Plan(Task):
         For the noise that was given.
     """
 
-    method: str
+    method: Method
     layers: tuple[float, ...]
     start_angle: float
     threshold: float
@@ -296,45 +297,53 @@ class Plan(Task):
             f"Condition number k: {NORMS[self.norm]}, {SCALINGS[self.scaling]}.{left_out}"
         )
 
-    def to_dict(self) -> dict[str, Any]:
-        """Return the plan for JSON, in mm and deg; null stands for what is infinite or not there."""
+    def answer(self) -> results.Plan:
+        """Return the same as users read it, in mm and deg; null stands for what is infinite or not there."""
         mechanism = _mechanism(self.robot)
-        units = mechanism.joint_units
-        joints = [[to_file(q, unit) for q, unit in zip(row, units, strict=True)] for row in self.poses.joints]
-        pose = ("target_mm", "tool_mm", f"joints_{file_unit(units[0])}" if len(set(units)) == 1 else "joints")
-        steps = self.steps
-        return {
-            "schema": SCHEMA,
-            "robot": self.robot.name,
-            "mechanism": mechanism.name,
-            "model": self.model,
-            "parameters": list(self.names),
-            "dropped": list(self.dropped),
-            "method": self.method,
-            "conventions": self.conventions,
-            "kind": self.kind,
-            "scaling": self.scaling,
-            "norm": self.norm,
-            "tools_mm": self.tools.tolist(),
-            "layers": list(self.layers),
-            "start_angle_deg": to_file(self.start_angle, "rad"),
-            "threshold": self.threshold,
-            "n": [step.n for step in steps],
-            "pose_count": [step.poses for step in steps],
-            "readings": [step.readings for step in steps],
-            "rank": [step.rank for step in steps],
-            "condition": [_finite(step.condition) for step in steps],
-            "corrected": [None if step.corrected is None else _finite(step.corrected) for step in steps],
-            "change": [_finite(step.change) for step in steps],
-            **{name: [step.indices[name] for step in steps] for name in steps[0].indices},
-            "chosen": self.chosen,
-            "settled": self.settled,
-            "poses": [
-                dict(zip(pose, row, strict=True))
-                for row in zip(self.poses.targets.tolist(), self.poses.tool.tolist(), joints, strict=True)
-            ],
-            "prediction": None if self.prediction is None else self.prediction.to_dict(mechanism),
-        }
+        units, steps = mechanism.joint_units, self.steps
+        joints = [
+            tuple(to_file(q, unit) for q, unit in zip(row, units, strict=True)) for row in self.poses.joints.tolist()
+        ]
+        at = f"joints_{file_unit(units[0])}" if len(set(units)) == 1 else "joints"
+
+        def index(name: str) -> tuple[float, ...]:
+            return tuple(step.indices[name] for step in steps)
+
+        return results.Plan(
+            robot=self.robot.name,
+            mechanism=mechanism.name,
+            model=self.model,
+            parameters=self.names,
+            dropped=self.dropped,
+            method=self.method,
+            conventions=self.conventions,
+            kind=self.kind,
+            scaling=self.scaling,
+            norm=self.norm,
+            tools_mm=tuple(map(tuple, self.tools.tolist())),
+            layers=self.layers,
+            start_angle_deg=to_file(self.start_angle, "rad"),
+            threshold=self.threshold,
+            n=tuple(step.n for step in steps),
+            pose_count=tuple(step.poses for step in steps),
+            readings=tuple(step.readings for step in steps),
+            rank=tuple(step.rank for step in steps),
+            condition=tuple(_finite(step.condition) for step in steps),
+            corrected=tuple(None if step.corrected is None else _finite(step.corrected) for step in steps),
+            change=tuple(_finite(step.change) for step in steps),
+            O1=index("O1"),
+            O2=index("O2"),
+            O3=index("O3"),
+            O4=index("O4"),
+            O5=index("O5"),
+            chosen=self.chosen,
+            settled=self.settled,
+            poses=tuple(
+                PlannedPose(target_mm=tuple(target), tool_mm=tuple(tool), **{at: q})
+                for target, tool, q in zip(self.poses.targets.tolist(), self.poses.tool.tolist(), joints, strict=True)
+            ),
+            prediction=None if self.prediction is None else self.prediction.answer(mechanism),
+        )
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -13,26 +12,30 @@ from deltacal_gen.correction import Smooth, variable
 from deltacal_gen.errors import InputError
 from deltacal_gen.estimation import Problem, pose_problem
 from deltacal_gen.instrument.instrument import Instrument
-from deltacal_gen.instrument.kinds import instrument_from_dict, kind_of
+from deltacal_gen.instrument.kinds import instrument_of, kind_of
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.mechanism import Array, mechanism_of
-from deltacal_gen.physics import Term, of_reading, reading_shift, term_from_dict
+from deltacal_gen.physics import Term, of_reading, reading_shift, term_of
 from deltacal_gen.recording import Measurement, Recording
-from deltacal_gen.robot import Robot, robot_from_dict
+from deltacal_gen.results.diagnosis import Diagnosis, SmoothCorrection
+from deltacal_gen.results.parts import MachineState
+from deltacal_gen.results.result import Result
+from deltacal_gen.robot import Robot, robot_of
 from deltacal_gen.rotation import from_vector, to_vector
 
+Known = Result | Diagnosis | MachineState  # of a machine: what is predicted from
 CORRECTED = "correction_share"  # channel of a prediction
 COMMAND_STEPS = 20
 COMMAND_SETTLED_MM = 1e-7  # by which a command with a smooth correction may still miss
 
 
-def calibrated_robot(result: Mapping[str, Any]) -> Robot:
-    """Return the calibrated robot of a RESULT.json."""
-    return robot_from_dict(result["robot"])
+def calibrated_robot(result: Known) -> Robot:
+    """Return the calibrated robot of a result."""
+    return robot_of(result.robot)
 
 
-def known_effects(result: Mapping[str, Any], *, timed: bool) -> list[Term]:
-    """Return the effects of a DIAGNOSIS.json (none of a RESULT.json) as they act on other readings.
+def known_effects(result: Known, *, timed: bool) -> list[Term]:
+    """Return the effects that a result knows as they act on other readings.
 
     Parameters
     ----------
@@ -40,19 +43,18 @@ def known_effects(result: Mapping[str, Any], *, timed: bool) -> list[Term]:
         Whether the other readings tell their time. Without it, and where a jump was found by its row, they come after
         all rows that the jump was found in.
     """
-    held = [term_from_dict(t) for t in result.get("physics", ())]
-    if result.get("clock") == "row" or not timed:
+    held = [term_of(t) for t in result.physics or ()]
+    if result.clock == "row" or not timed:
         held = [t.afterwards() for t in held]
     return held
 
 
-def predict(result: Mapping[str, Any], recording: Recording) -> Recording:
+def predict(result: Known, recording: Recording) -> Recording:
     """Return the recording with its measured cells as the identified model predicts them.
 
     Parameters
     ----------
-    result : mapping
-        RESULT.json of `identify` or DIAGNOSIS.json.
+    result : Result or Diagnosis
     recording : Recording
         Joints, tool points and channels; its measured cells are not read.
 
@@ -72,8 +74,8 @@ def predict(result: Mapping[str, Any], recording: Recording) -> Recording:
     problem, instrument = prediction_problem(result, robot, recording)
     x = problem.poses(problem.reference)
     values, rotations = _read(problem, instrument, x)
-    if result.get("correction"):
-        share, corrected, seen, moved = _corrected(result, recording, x)
+    if (correction := result.correction) is not None:
+        share, corrected, seen, moved = _corrected(result, correction, recording, x)
         other, turned = _read(corrected, seen, moved)
         each = share[problem.readings.rows].min(axis=1)[:, None]
         values = values + each * (other - values)
@@ -84,7 +86,11 @@ def predict(result: Mapping[str, Any], recording: Recording) -> Recording:
 
 
 def corrected_joints(
-    result: Mapping[str, Any], joints: Array, tool: Array | None, channels: Mapping[str, Array | float]
+    result: Known,
+    correction: SmoothCorrection,
+    joints: Array,
+    tool: Array | None,
+    channels: Mapping[str, Array | float],
 ) -> tuple[Array, Array]:
     """Return commands (N, n_q) that undo a smooth correction too, and which part (N,) of it they undo.
 
@@ -115,7 +121,7 @@ def corrected_joints(
         line=np.arange(2, n + 2),
         channels={k: np.broadcast_to(np.asarray(v, dtype=float), (n,)) for k, v in channels.items()},
         setup=np.zeros(n, dtype=int),
-        setup_names=(result["instrument"]["setups"][0],),
+        setup_names=result.instrument.setups[:1],
         tool=None if tool is None else np.broadcast_to(tool, (n, 3)),
     )
     problem, instrument = prediction_problem(result, robot, commands)
@@ -127,7 +133,7 @@ def corrected_joints(
         plain, seen = prediction_problem(result, robot, at)
         x = plain.poses(plain.reference)
         reached, _ = _read(plain, seen, x)
-        share, beside, other, moved = _corrected(result, at, x)
+        share, beside, other, moved = _corrected(result, correction, at, x)
         reached = reached + share[:, None] * (_read(beside, other, moved)[0] - reached)
         miss = (reached - wanted) @ turn
         joints = joints + robot.joint_sign * mechanism.undo(miss, x, plain.body.q, tool, rows)
@@ -142,14 +148,14 @@ def _read(problem: Problem, instrument: Instrument, x: Array) -> tuple[Array, Ar
 
 
 def _corrected(
-    result: Mapping[str, Any], recording: Recording, x: Array, found: Readings | None = None
+    result: Known, correction: SmoothCorrection, recording: Recording, x: Array, found: Readings | None = None
 ) -> tuple[Array, Problem, Instrument, Array]:
     """Return which part (N,) of a smooth correction holds in each row, and all that a reading with it comes from.
 
     `x` are the poses without it.
     """
-    beside = result | result["correction"]["machine"]
-    smooth = Smooth.from_dict(result["correction"]["smooth"])
+    machine, smooth = correction.machine, Smooth.of(correction.smooth)
+    beside = result.replace(robot=machine.robot, physics=machine.physics, instrument=machine.instrument)
     robot = calibrated_robot(beside)
     values = variable(smooth.variable, recording, robot.joint_sign * recording.joints, x)
     values = np.full((len(x), smooth.knots.shape[1]), np.nan) if values is None else values
@@ -167,7 +173,7 @@ def _corrected(
 
 
 def prediction_problem(
-    result: Mapping[str, Any],
+    result: Known,
     robot: Robot,
     recording: Recording,
     found: Readings | None = None,
@@ -187,11 +193,7 @@ def prediction_problem(
     return problem, instrument
 
 
-def _instrument(
-    result: Mapping[str, Any], robot: Robot, recording: Recording, found: Readings
-) -> tuple[Readings, Instrument]:
-    known = result["instrument"]
-
+def _instrument(result: Known, robot: Robot, recording: Recording, found: Readings) -> tuple[Readings, Instrument]:
     def poses() -> Array:
         held = known_effects(result, timed=recording.time_s is not None)
         problem = pose_problem(robot, recording, (), found=found, held=held)
@@ -199,7 +201,7 @@ def _instrument(
 
     if (own := found.kind.own(found, recording, robot, poses)) is not None:
         return found, own
-    given = instrument_from_dict(known)
+    given = instrument_of(result.instrument)
     if (instrument := found.kind.like(given, recording)) is None:
         raise InputError(
             f"the result was identified from readings of the kind '{given.kind.name}' and knows no frame for "
@@ -207,7 +209,7 @@ def _instrument(
             f'Give readings of the kind {given.kind.name}, or say frame = "robot" in the sidecar.',
             file=recording.path,
         )
-    names = list(known["setups"])
+    names = result.instrument.setups
     missing = [n for n in recording.setup_names if n not in names]
     if missing and not (len(names) == 1 and len(recording.setup_names) == 1):
         raise InputError(
@@ -220,12 +222,12 @@ def _instrument(
     return dataclasses.replace(found, setup=index[found.setup]), instrument
 
 
-def residual(result: Mapping[str, Any], recording: Recording, found: Readings) -> Array:
+def residual(result: Known, recording: Recording, found: Readings) -> Array:
     """Return measured minus predicted (R, k) of readings that the result has not seen [mm, rad]."""
     problem, instrument = prediction_problem(result, calibrated_robot(result), recording, found)
     x = problem.poses(problem.reference)
     r = problem.residual(problem.reference, instrument, x)
-    if result.get("correction"):
-        share, other, seen, moved = _corrected(result, recording, x, found)
+    if (correction := result.correction) is not None:
+        share, other, seen, moved = _corrected(result, correction, recording, x, found)
         r += share[found.rows].min(axis=1)[:, None] * (other.residual(other.reference, seen, moved) - r)
     return r

@@ -10,7 +10,7 @@ import html
 import io
 import math
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from functools import cache, partial
 from importlib import resources
 from typing import Any
@@ -24,7 +24,20 @@ from deltacal_gen.figures import AFTER, BEFORE, INK, MUTED, RAISED, STYLE, mpl, 
 from deltacal_gen.fleet import ASIDE, alike, worst
 from deltacal_gen.mechanism import mechanism_of
 from deltacal_gen.physics import load_effect, of_the_instrument
-from deltacal_gen.robot import robot_from_dict
+from deltacal_gen.results.batch import Batch, FailedRow
+from deltacal_gen.results.diagnosis import (
+    Baseline,
+    Diagnosis,
+    Effect,
+    EffectParameter,
+    Final,
+    NextMeasurement,
+    Verdict,
+)
+from deltacal_gen.results.parts import Source
+from deltacal_gen.results.result import Result, Status
+from deltacal_gen.results.study import Study, Suspect
+from deltacal_gen.robot import robot_of
 
 _COLOURS = {INK: "var(--ink)", MUTED: "var(--muted)", BEFORE: "var(--before)", AFTER: "var(--after)"}
 _PAPER = {"var(--card)": "#ffffff", "var(--paper)": "#ffffff", "var(--good)": "#2c7a4b", "var(--bad)": "#b8472f"}
@@ -33,37 +46,37 @@ MOST_ROWS = 500  # of a table on a page: 10^5 would be 20 MB, which no browser l
 _NUMERIC = {"value ± standard deviation", "gain in chi²", "value", "takes away", "recordings", "said so"}
 _NUMERIC |= {"drawn with", "simulated", "predicted", "bias"}  # and all lengths
 _VERDICTS = {
-    "adequate": "nothing is missing",
-    "missing_physics": "missing physics found",
-    "unexplained": "unexplained mismatch",
+    Verdict.ADEQUATE: "nothing is missing",
+    Verdict.MISSING_PHYSICS: "missing physics found",
+    Verdict.UNEXPLAINED: "unexplained mismatch",
 }
 _NOISE = {
-    "repeats": "from repeated poses",
-    "declared": "as the recording declares it",
-    "residual": "from what the fit leaves",
+    Source.REPEATS: "from repeated poses",
+    Source.DECLARED: "as the recording declares it",
+    Source.RESIDUAL: "from what the fit leaves",
 }
 
 
-def diagnosis(found: Mapping[str, Any]) -> str:
+def diagnosis(found: Diagnosis) -> str:
     """Return the page of a DIAGNOSIS.json."""
-    machine = found["robot"]["robot"]["name"]
+    machine = found.robot.robot.name
     channel = figures.main_channel(found)
-    left = "with what was found" if found["effects"] else "what geometry leaves"
-    before = {"map": "geometry alone", "channel": figures.seen(found).title} if found["effects"] else {}
-    calm = found["verdict"] == "adequate"
-    positions = len(found["residuals"]["before_mm"][0]) == 3
+    left = "with what was found" if found.effects else "what geometry leaves"
+    before = {"map": "geometry alone", "channel": figures.seen(found).title} if found.effects else {}
+    calm = found.verdict is Verdict.ADEQUATE
+    positions = found.residuals.before_mm.shape[1] == 3
     return _rendered(
         "diagnosis",
         title=f"{machine}: diagnosis",
         machine=machine,
         found=found,
-        verdict=_VERDICTS[found["verdict"]],
+        verdict=_VERDICTS[found.verdict],
         headline=_headline(found),
         lead=_lead(found),
         steps=_steps(found),
         improvement={"title": "", "svg": _svg(partial(figures.bars, found=found), (4.4, 1.6))},
-        noise=_NOISE[found["noise"]["source"]],
-        location=_sentence(found["location"]["text"]),
+        noise=_NOISE[found.noise.source],
+        location=_sentence(found.location.text),
         channel=_pair(
             partial(figures.against, found=found, channel=channel), before.get("channel"), left, (3.9, 2.7), calm
         )
@@ -73,103 +86,103 @@ def diagnosis(found: Mapping[str, Any]) -> str:
         if positions
         else [],
         effects=_effects(found),
-        parameters=[_parameter(e, p) for e in found["effects"] for p in e["parameters"]],
-        rejected=[(_spaced(r["name"]), f"{r['gain_chi2']:.0f}", r["why"]) for r in found["rejected"]],
-        next=[_question(n) for n in found["next_measurements"]],
-        not_tested=[(_spaced(t["name"]), t.get("why") or t.get("missing", "")) for t in found["not_tested"]],
-        gross=", ".join(map(str, found["gross_errors"])),
-        readings=len(found["residuals"]["line"]),
-        geometry=len(mechanism_of(robot_from_dict(found["robot"])).models[found["baseline"]["model"]]),
+        parameters=[_parameter(e, p) for e in found.effects for p in e.parameters],
+        rejected=[(_spaced(r.name), f"{r.gain_chi2:.0f}", r.why) for r in found.rejected],
+        next=[_question(n) for n in found.next_measurements],
+        not_tested=[(_spaced(t.name), t.missing) for t in found.not_tested],
+        gross=", ".join(map(str, found.gross_errors)),
+        readings=len(found.residuals.line),
+        geometry=len(mechanism_of(robot_of(found.robot)).models[found.baseline.model]),
     )
 
 
-def study(found: Mapping[str, Any]) -> str:
+def study(found: Study) -> str:
     """Return the page of a STUDY.json."""
-    position, advice = found["position"], found["advice"]
-    before, after = position["before"], position["after"]
+    position, advice = found.position, found.advice
+    before, after = position.before, position.after
     lead = (
-        f"As built, machines of these tolerances are {before['rms_mm']:.3f} mm off over the workspace. Calibrated "
-        f"by this plan, 95 % of them come within {after['p95_mm']:.4f} mm, and their worst point within "
-        f"{after['worst_p95_mm']:.4f} mm."
+        f"As built, machines of these tolerances are {before.rms_mm:.3f} mm off over the workspace. Calibrated "
+        f"by this plan, 95 % of them come within {after.p95_mm:.4f} mm, and their worst point within "
+        f"{after.worst_p95_mm:.4f} mm."
     )
-    tried = [s for s in found["suspects"] if s["recordings"]]
+    tried = [s for s in found.suspects if s.recordings]
     return _rendered(
         "study",
-        title=f"{found['robot']['robot']['name']}: study of a plan",
-        machine=found["robot"]["robot"]["name"],
+        title=f"{found.robot.robot.name}: study of a plan",
+        machine=found.robot.robot.name,
         found=found,
-        headline=f"This plan leaves {after['rms_mm']:.4f} mm",
+        headline=f"This plan leaves {after.rms_mm:.4f} mm",
         lead=lead,
         steps=_study_steps(found),
         errors=_svg(partial(figures.before_and_after, found=found), (7.4, 2.6)),
         positions=[
-            (words, f"{p['rms_mm']:.4f}", f"{p['p95_mm']:.4f}", f"{p['worst_p95_mm']:.4f}", expected)
+            (words, f"{p.rms_mm:.4f}", f"{p.p95_mm:.4f}", f"{p.worst_p95_mm:.4f}", expected)
             for words, p, expected in (
                 ("as built", before, ""),
-                ("calibrated", after, f"{after['predicted_rms_mm']:.4f}"),
+                ("calibrated", after, f"{after.predicted_rms_mm or 0.0:.4f}"),
             )
         ],
         enough=_svg(partial(figures.enough, found=found), (7.4, 2.4)),
-        gains=[(_sentence(g["add"]), f"{g['rms_mm']:.4f}", f"{g['gain']:.0%}") for g in advice["add"]],
-        suspects=[_suspect(s) for s in found["suspects"]],
+        gains=[(_sentence(g.add), f"{g.rms_mm:.4f}", f"{g.gain:.0%}") for g in advice.add],
+        suspects=[_suspect(s) for s in found.suspects],
         chances=tried
         and _svg(partial(figures.chances, suspects=[(_concealed(s), s) for s in tried]), (7.4, 0.9 + 0.3 * len(tried))),
         parameters=_svg(partial(figures.scatter, found=found), (7.4, 3.0)),
         rows=[
-            (p["name"], *(f"{p[k]:.3g}" for k in ("drawn_std", "std", "predicted_std", "bias")), p["unit"])
-            for p in found["parameters"]
+            (p.name, *(f"{v:.3g}" for v in (p.drawn_std, p.std, p.predicted_std, p.bias)), p.unit)
+            for p in found.parameters
         ],
     )
 
 
-def _study_steps(found: Mapping[str, Any]) -> list[str]:
-    advice = found["advice"]
+def _study_steps(found: Study) -> list[str]:
+    advice = found.advice
     steps = []
-    if advice["worth"]:
-        steps.append(f"More measuring pays: twice as many readings take {advice['doubling']:.0%} off the error.")
+    if advice.worth:
+        steps.append(f"More measuring pays: twice as many readings take {advice.doubling:.0%} off the error.")
     else:
-        steps.append(f"This is enough: twice as many readings would take no more than {advice['doubling']:.0%} off.")
-    if advice["add"]:
-        best = advice["add"][0]
-        steps.append(f"What helps most beside that is {best['add']}: {best['gain']:.0%} off.")
-    for c in found["channels_wanted"]:
-        steps.append(f"To find {_spaced(c['name'])} at all, the plan needs {c['missing']}.")
-    for s in found["suspects"]:
-        if s["effects"] and s["interval"][0] < 0.5 and s["next"]:
-            steps.append(f"To be surer of {_concealed(s)}: {s['next'][0]}")
+        steps.append(f"This is enough: twice as many readings would take no more than {advice.doubling:.0%} off.")
+    if advice.add:
+        best = advice.add[0]
+        steps.append(f"What helps most beside that is {best.add}: {best.gain:.0%} off.")
+    for c in found.channels_wanted:
+        steps.append(f"To find {_spaced(c.name)} at all, the plan needs {c.missing}.")
+    for s in found.suspects:
+        if s.effects and s.interval[0] < 0.5 and s.next:
+            steps.append(f"To be surer of {_concealed(s)}: {s.next[0]}")
     return steps
 
 
-def _concealed(suspect: Mapping[str, Any]) -> str:
-    words = [f"{_spaced(e['name'])} {', '.join(map(str, e['limbs']))}".strip() for e in suspect["effects"]]
+def _concealed(suspect: Suspect) -> str:
+    words = [f"{_spaced(e.name)} {', '.join(map(str, e.limbs))}".strip() for e in suspect.effects]
     return " and ".join(words) or "nothing"
 
 
-def _suspect(s: Mapping[str, Any]) -> tuple[str, ...]:
-    low, high = s["interval"]
-    instead = "; ".join(f"{words} ({count})" for words, count in s["instead"].items()) or "-"
-    figures_mm = [f"{s[k]:.4f}" if s[k] is not None else "-" for k in ("before_mm", "after_mm")]
+def _suspect(s: Suspect) -> tuple[str, ...]:
+    low, high = s.interval
+    instead = "; ".join(f"{words} ({count})" for words, count in s.instead.items()) or "-"
+    figures_mm = [f"{v:.4f}" if v is not None else "-" for v in (s.before_mm, s.after_mm)]
     return (
         _concealed(s),
-        str(s["recordings"]),
-        str(s["named_right"]),
+        str(s.recordings),
+        str(s.named_right),
         f"{low:.0%} to {high:.0%}",
         instead,
         *figures_mm,
     )
 
 
-def batch(found: Mapping[str, Any]) -> str:
+def batch(found: Batch) -> str:
     """Return the page over many recordings; of very many, over their distribution and the worst."""
-    rows, failed = found["rows"], [r for r in found["rows"] if r["error"] is not None]
-    columns = [c for c in dict.fromkeys(k for r in rows for k in r) if c not in ASIDE]
-    done = [r for r in rows if r["error"] is None]
+    rows, failed = found.rows, [r for r in found.rows if isinstance(r, FailedRow)]
+    columns = [c for c in dict.fromkeys(k for r in rows for k, _ in r.written()) if c not in ASIDE]
+    done = [r for r in rows if not isinstance(r, FailedRow)]
     picture = ""
     if len(done) > MOST_DRAWN:
         picture = _svg(partial(figures.fleet_distribution, rows=done), (7.4, 3.2))
     elif done:
         picture = _svg(partial(figures.fleet, rows=done), (7.4, 0.8 + 0.16 * len(done)))
-    changed = [(c["machine"], f"{c['to']} after {c['from']}: {c['text']}") for c in found["changed"]]
+    changed = [(c.machine, f"{c.to} after {c.from_}: {c.text}") for c in found.changed]
     shown = worst(rows, MOST_ROWS)
     return _rendered(
         "batch",
@@ -178,14 +191,11 @@ def batch(found: Mapping[str, Any]) -> str:
         headline=f"{len(done)} of {len(rows)} recordings done",
         picture=picture,
         distribution=len(done) > MOST_DRAWN,
-        failed=[both[::-1] for both in alike([(r["recording"], r["error"]) for r in failed])[:MOST_ROWS]],
-        warnings=[
-            both[::-1]
-            for both in alike([(r["recording"], r["warnings"]) for r in rows if r.get("warnings")])[:MOST_ROWS]
-        ],
+        failed=[both[::-1] for both in alike([(r.recording, r.error) for r in failed])[:MOST_ROWS]],
+        warnings=[both[::-1] for both in alike([(r.recording, r.warnings) for r in rows if r.warnings])[:MOST_ROWS]],
         changed=changed[:MOST_ROWS],
         columns=[_spaced(c).removesuffix(" mm") + (", mm" if c.endswith("_mm") else "") for c in columns],
-        rows=[[_cell(r.get(c)) for c in columns] for r in shown],
+        rows=[[_cell(getattr(r, c, None)) for c in columns] for r in shown],
         left_out=len(rows) - len(shown),
         unchanged=len(changed) - MOST_ROWS,
     )
@@ -195,30 +205,30 @@ def _cell(value: Any) -> str:
     return "" if value is None else f"{value:.4f}" if isinstance(value, float) else str(value)
 
 
-def calibration(found: Mapping[str, Any]) -> str:
+def calibration(found: Result) -> str:
     """Return the page of a RESULT.json."""
-    machine, held = found["robot"]["robot"]["name"], found["heldout_rms_mm"]
-    after = held if held is not None else found["train_rms_mm"]
+    machine, held = found.robot.robot.name, found.heldout_rms_mm
+    after = held if held is not None else found.train_rms_mm
     seen = "on readings that took no part in the fit" if held is not None else "on the readings of the fit"
     panels = [(figures.stages, (4.6, 2.6)), (figures.readings, (4.6, 2.6)), (figures.parameters, (4.6, 3.9))]
-    if found["workspace"]:
+    if found.workspace:
         panels.append((figures.workspace, (4.6, 3.2)))
     return _rendered(
         "calibration",
         title=f"{machine}: calibration",
         machine=machine,
         found=found,
-        headline=f"{machine}: {found['before_rms_mm']:.3f} mm before, {after:.4f} mm after",
-        lead=f"As the robot file has it, the machine is off by {found['before_rms_mm']:.3f} mm rms; calibrated as "
-        f"{found['model']}, by {after:.4f} mm {seen}. The noise is {found['sigma_mm']:.4f} mm, "
-        f"{_NOISE[found['sigma_source']]}.",
+        headline=f"{machine}: {found.before_rms_mm:.3f} mm before, {after:.4f} mm after",
+        lead=f"As the robot file has it, the machine is off by {found.before_rms_mm:.3f} mm rms; calibrated as "
+        f"{found.model}, by {after:.4f} mm {seen}. The noise is {found.sigma_mm:.4f} mm, "
+        f"{_NOISE[found.sigma_source]}.",
         pictures=[{"title": "", "svg": _svg(partial(draw, result=found), size)} for draw, size in panels],
         parameters=[
-            (p["name"], measured(p["value"], p["std"]), "" if p["unit"] == "1" else p["unit"], p["status"])
-            for p in found["parameters"]
-            if p["status"] != "fixed"
+            (p.name, measured(p.value, p.std), "" if p.unit == "1" else p.unit, p.status)
+            for p in found.parameters
+            if p.status is not Status.FIXED
         ],
-        gross=", ".join(map(str, found["gross_errors"])),
+        gross=", ".join(map(str, found.gross_errors or ())),
     )
 
 
@@ -324,66 +334,66 @@ def _sentence(text: str) -> str:
     return text[:1].upper() + text[1:]
 
 
-def _headline(found: Mapping[str, Any]) -> str:
-    effects = found["effects"]
-    if found["verdict"] == "adequate":
+def _headline(found: Diagnosis) -> str:
+    effects = found.effects
+    if found.verdict is Verdict.ADEQUATE:
         return "The calibrated geometry explains these readings"
-    if found["verdict"] == "unexplained":
+    if found.verdict is Verdict.UNEXPLAINED:
         beside = f" beside {' and '.join(figures.named(e) for e in effects)}" if effects else ""
         return f"Something{beside} that no known effect explains"
     return _sentence(" and ".join(figures.named(e) for e in effects))
 
 
-def _lead(found: Mapping[str, Any]) -> str:
+def _lead(found: Diagnosis) -> str:
     """Return what was found in two sentences."""
-    sigma, (before, after) = found["noise"]["sigma_mm"], (_heldout(found[k]) for k in ("baseline", "final"))
-    if found["verdict"] == "adequate":
+    sigma, (before, after) = found.noise.sigma_mm, (_heldout(found.baseline), _heldout(found.final))
+    if found.verdict is Verdict.ADEQUATE:
         return f"What the geometry leaves on held-out readings, {before:.4f} mm, is noise. Nothing else was found."
-    if found["verdict"] == "unexplained":
+    if found.verdict is Verdict.UNEXPLAINED:
         return (
             f"Geometry alone leaves {before:.4f} mm on held-out readings, {after:.4f} mm are left in the end, and the "
-            f"noise is {sigma:.4f} mm. {_sentence(found['location']['text'])}."
+            f"noise is {sigma:.4f} mm. {_sentence(found.location.text)}."
         )
-    parts = "; ".join(_in_numbers(e) for e in found["effects"])
+    parts = "; ".join(_in_numbers(e) for e in found.effects)
     return (
         f"{_sentence(parts)}. With it the error on held-out readings falls from {before:.4f} mm to {after:.4f} mm; "
         f"the noise is {sigma:.4f} mm."
     )
 
 
-def _heldout(fit: Mapping[str, Any]) -> float:
-    value = fit["heldout_rms_mm"]
-    return float(fit["train_rms_mm"] if value is None else value)
+def _heldout(fit: Baseline | Final) -> float:
+    value = fit.heldout_rms_mm
+    return float(fit.train_rms_mm if value is None else value)
 
 
-def _in_numbers(effect: Mapping[str, Any]) -> str:
+def _in_numbers(effect: Effect) -> str:
     """Return an effect in plain words with its values; their range where there are many."""
-    by_name: dict[str, list[Mapping[str, Any]]] = {}
-    for p in effect["parameters"]:
-        by_name.setdefault(p["name"], []).append(p)
+    by_name: dict[str, list[EffectParameter]] = {}
+    for p in effect.parameters:
+        by_name.setdefault(p.name, []).append(p)
     words = []
     for name, of in by_name.items():
-        unit = "" if of[0]["unit"] == "1" else f" {of[0]['unit']}"
-        low, high = (f(p["value"] for p in of) for f in (min, max))
-        value = measured(of[0]["value"], of[0]["std"]) if len(of) == 1 else f"{low:.3g} to {high:.3g}"
+        unit = "" if of[0].unit == "1" else f" {of[0].unit}"
+        low, high = (f(p.value for p in of) for f in (min, max))
+        value = measured(of[0].value, of[0].std) if len(of) == 1 else f"{low:.3g} to {high:.3g}"
         words.append(f"{_spaced(name)} {value}{unit}")
-    return f"{effect['title']}, {', '.join(words)}"
+    return f"{effect.title}, {', '.join(words)}"
 
 
-def _steps(found: Mapping[str, Any]) -> list[dict[str, str]]:
+def _steps(found: Diagnosis) -> list[dict[str, str]]:
     """Return what to do now, with the command where there is one."""
     steps: list[dict[str, str]] = []
-    for effect in found["effects"]:
-        advice = load_effect(effect["name"]).ADVICE
+    for effect in found.effects:
+        advice = load_effect(effect.name).ADVICE
         steps.append({"text": f"{_sentence(figures.named(effect))}: {advice}", "command": ""})
-    on_machine = [e for e in found["effects"] if not of_the_instrument(e["name"])]
-    if found["verdict"] == "unexplained":
+    on_machine = [e for e in found.effects if not of_the_instrument(e.name)]
+    if found.verdict is Verdict.UNEXPLAINED:
         steps.append(
             {"text": "Do not extrapolate: the corrected commands hold only as far as the maps below.", "command": ""}
         )
-    for question in found["next_measurements"][:2]:
-        steps.append({"text": f"{question['text']} This {question['why']}.", "command": ""})
-    if "joint" not in found["robot"]:  # an open chain is not commanded by the position alone
+    for question in found.next_measurements[:2]:
+        steps.append({"text": f"{question.text} This {question.why}.", "command": ""})
+    if found.robot.joint is None:  # an open chain is not commanded by the position alone
         what = "with these effects" if on_machine else "of the calibrated geometry"
         steps.append(
             {
@@ -394,45 +404,44 @@ def _steps(found: Mapping[str, Any]) -> list[dict[str, str]]:
     return steps
 
 
-def _parameter(effect: Mapping[str, Any], p: Mapping[str, Any]) -> tuple[str, ...]:
-    joint = "" if p["limb"] is None else str(p["limb"])
+def _parameter(effect: Effect, p: EffectParameter) -> tuple[str, ...]:
+    joint = "" if p.limb is None else str(p.limb)
     return (
-        _spaced(effect["name"]),
+        _spaced(effect.name),
         joint,
-        _spaced(p["name"]),
-        measured(p["value"], p["std"]),
-        "" if p["unit"] == "1" else p["unit"],
+        _spaced(p.name),
+        measured(p.value, p.std),
+        "" if p.unit == "1" else p.unit,
     )
 
 
-def _question(n: Mapping[str, Any]) -> dict[str, Any]:
-    columns = tuple(dict.fromkeys(key for pose in n["poses"] for key in pose))
-    expected = n.get("expected_chi2")
+def _question(n: NextMeasurement) -> dict[str, object]:
+    columns = tuple(dict.fromkeys(key for pose in n.poses for key in pose))
     return {
-        "why": _sentence(n["why"]),
-        "text": n.get("text", ""),
-        "expected": f"{expected:.0f}" if expected else "",
+        "why": _sentence(n.why),
+        "text": n.text,
+        "expected": f"{n.expected_chi2:.0f}" if n.expected_chi2 else "",
         "columns": columns,
-        "rows": [tuple(pose.get(c, "") for c in columns) for pose in n["poses"]],
+        "rows": [tuple(pose.get(c, "") for c in columns) for pose in n.poses],
     }
 
 
-def _effects(found: Mapping[str, Any]) -> list[dict[str, str]]:
+def _effects(found: Diagnosis) -> list[dict[str, str]]:
     moves = _moves(found)
     return [
         {
-            "name": _spaced(e["name"]),
-            "title": e["title"],
+            "name": _spaced(e.name),
+            "title": e.title,
             "moves": f"{size:.2f}" if size else "",
-            "alike": ", ".join(map(_spaced, e["indistinguishable_from"])),
+            "alike": ", ".join(map(_spaced, e.indistinguishable_from)),
         }
-        for e, size in zip(found["effects"], moves, strict=True)
+        for e, size in zip(found.effects, moves, strict=True)
     ]
 
 
-def _moves(found: Mapping[str, Any]) -> list[float]:
+def _moves(found: Diagnosis) -> list[float]:
     """Return by how much each effect moves what is read at most [mm]; 0 where that is not known."""
-    parts = [figures.contribution(found, i) for i in range(len(found["effects"]))]
+    parts = [figures.contribution(found, i) for i in range(len(found.effects))]
     return [0.0 if p is None else float(np.nanmax(np.linalg.norm(p, axis=1))) for p in parts]
 
 

@@ -35,6 +35,7 @@ from pydantic import (
 
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.inputs import Link, Robot
+from deltacal_gen.results.parts import Named, RobotTables
 from deltacal_gen.units import file_unit, joint_factors, of_joints, to_internal
 
 if TYPE_CHECKING:
@@ -229,6 +230,20 @@ def robot_to_dict(robot: Robot, *, load: Loader | None = None) -> dict[str, Any]
         if numbers:
             tables[name] = {key: to_file(value, units[key]) for key, value in numbers.items()}
     return tables
+
+
+def kept_robot(robot: Robot) -> RobotTables:
+    """Return what an answer keeps of a robot: a complete robot file [mm, deg]."""
+    tables = robot_to_dict(robot)
+    joints = tables.pop("joint", None)
+    return RobotTables(
+        **tables | {"robot": Named(**tables["robot"]), "joint": None if joints is None else tuple(joints)}
+    )
+
+
+def robot_of(kept: RobotTables) -> Robot:
+    """Return the robot that an answer kept; raises InputError."""
+    return robot_from_dict(kept.to_dict())
 
 
 def robot_to_toml(robot: Robot, *, load: Loader | None = None) -> str:

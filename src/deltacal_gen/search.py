@@ -22,6 +22,7 @@ from deltacal_gen.discrimination import columns_read
 from deltacal_gen.estimation import Fit, Problem
 from deltacal_gen.mechanism import Array
 from deltacal_gen.physics import Body, Point, Term, blank, displaces_points, effect_names, load_effect
+from deltacal_gen.results.parts import Missing
 from deltacal_gen.states import State, read_by
 
 CHANCE = 5e-4  # that noise alone earns a form, or a limb, its charge
@@ -298,22 +299,22 @@ def gains(G: Array, b: Array) -> Array:
 # ------------------------------------------------------------------------------------------------------- candidates
 
 
-def library(problem: Problem) -> tuple[list[Term], list[dict[str, str]]]:
+def library(problem: Problem) -> tuple[list[Term], tuple[Missing, ...]]:
     """Return every form of every effect that the recording can carry, and those it cannot with what is missing.
 
     Effects of parts that the mechanism does not have are neither.
     """
     limbs, tools = tuple(range(1, problem.mechanism.limbs + 1)), _tools(problem)
     terms: list[Term] = []
-    missing: list[dict[str, str]] = []
+    missing: list[Missing] = []
     for name in effect_names():
         if problem.body.foreign(name):
             continue
         if why := _spoilt(problem, name) or problem.body.missing(name) or _constant(problem, name):
-            missing.append({"name": name, "missing": why})
+            missing.append(Missing(name=name, missing=why))
             continue
         terms += [blank(name, limbs, constants, tools) for constants in _forms(problem, name)]
-    return terms, missing
+    return terms, tuple(missing)
 
 
 def _spoilt(problem: Problem, name: str) -> str | None:

@@ -11,16 +11,17 @@ the function falls back to nothing: it does not extrapolate.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
-from typing import Any
 
 import numpy as np
 
 from deltacal_gen.estimation import Fit, lengths, rms
 from deltacal_gen.mechanism import Array
 from deltacal_gen.physics import Term, effect_names, load_effect
+from deltacal_gen.results.diagnosis import Seen
+from deltacal_gen.results.parts import NeverSeen
 from deltacal_gen.search import ORDERS
 from deltacal_gen.solvers import jitter
 from deltacal_gen.structure import displacements
@@ -130,33 +131,33 @@ def seen(turn: Array, corner: float) -> list[tuple[float, float]]:
     return [(float(a), float(b)) for a, b in zip(first, last, strict=True)]
 
 
-def never_seen(known: Mapping[str, Any] | None, turns: Array) -> list[dict[str, Any]]:
+def never_seen(known: Seen | None, turns: Array) -> tuple[NeverSeen, ...]:
     """Return the joints that stand at angles where the readings of a diagnosis never were, how often and where.
 
     Parameters
     ----------
-    known : mapping, optional
-        `seen` of a DIAGNOSIS.json.
+    known : Seen, optional
+        `seen` of a diagnosis.
     turns : (N, n_q) array
         Joints [rad].
     """
-    out: list[dict[str, Any]] = []
+    out = []
     if known is None:
-        return out
-    for joint in known["joints"]:
-        turn = turns[:, joint["limb"] - 1]
-        far = unseen(turn, joint["angles_deg"], known["within_deg"])
+        return ()
+    for joint in known.joints:
+        turn = turns[:, joint.limb - 1]
+        far = unseen(turn, joint.angles_deg, known.within_deg)
         if far.any():
-            where = seen(turn[far], 180.0 / known["within_deg"])
-            out.append({"limb": joint["limb"], "readings": int(far.sum()), "angles_deg": [list(w) for w in where]})
-    return out
+            where = tuple(seen(turn[far], 180.0 / known.within_deg))
+            out.append(NeverSeen(limb=joint.limb, readings=int(far.sum()), angles_deg=where))
+    return tuple(out)
 
 
-def words(joint: Mapping[str, Any]) -> str:
+def words(joint: NeverSeen) -> str:
     """Return an entry of `never_seen` in words."""
-    where = ", ".join(f"{a:.0f} to {b:.0f}" for a, b in joint["angles_deg"])
+    where = ", ".join(f"{a:.0f} to {b:.0f}" for a, b in joint.angles_deg)
     return (
-        f"joint {joint['limb']} stands in {joint['readings']} readings at angles that the diagnosis never saw "
+        f"joint {joint.limb} stands in {joint.readings} readings at angles that the diagnosis never saw "
         f"({where} deg within the turn): its periodic error is not corrected there"
     )
 

@@ -13,14 +13,13 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from numbers import Integral
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from deltacal_gen import identifiability, prediction, simulation, validation
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation import Problem, pose_problem
-from deltacal_gen.identification import SCHEMA, file_terms, parameter_table
+from deltacal_gen.identification import open_combinations, parameter_table
 from deltacal_gen.inputs import Recording, Robot
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.instrument.kinds import kind_of, readings
@@ -29,7 +28,11 @@ from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.backend import working
 from deltacal_gen.mechanism import Array, mechanism_of
 from deltacal_gen.recording import read_blocks, write_blocks
-from deltacal_gen.robot import robot_to_dict
+from deltacal_gen.results.diagnosis import Diagnosis
+from deltacal_gen.results.parts import Source
+from deltacal_gen.results.result import Read, Regularisation, Result, Status
+from deltacal_gen.results.validation import Validation
+from deltacal_gen.robot import kept_robot
 from deltacal_gen.solvers import LeastSquares
 
 ROWS = 10_000  # of a block: the derivatives of its poses take some 25 MB
@@ -80,8 +83,8 @@ class Streamed:
         index = mechanism_of(self.robot).index
         return {name: float(self.errors[index[name]]) for name in self.names}
 
-    def to_dict(self) -> dict[str, Any]:
-        """Return a RESULT.json: what `identification.identify` says, but for what it asks of single readings."""
+    def answer(self) -> Result:
+        """Return what `identification.identify` answers, but for what it asks of single readings."""
         mechanism, n = mechanism_of(self.robot), len(self.names)
         named = {p.name: float(v) for p, v in zip(mechanism.parameters, self.errors, strict=True) if v}
         columns = [mechanism.index[name] for name in self.names]
@@ -90,35 +93,32 @@ class Streamed:
         seen = identifiability.observability(self.matrix, self.rows)
         open_ = {name for c in unseen for name in c.terms}
         deviation = np.sqrt(np.maximum(np.diag(self.covariance)[:n], 0.0))
-        status = {name: "not pinned" if name in open_ else "identified" for name in self.names}
+        status = {name: Status.NOT_PINNED if name in open_ else Status.IDENTIFIED for name in self.names}
         change = self.errors - mechanism.vector(self.robot.errors)
-        return {
-            "schema": SCHEMA,
-            "model": self.model,
-            "parameters": parameter_table(mechanism, change, status, deviation),
-            "rank": seen.rank,
-            "rank_tolerance": identifiability.RANK_TOLERANCE,
-            "singular_values": seen.singular_values.tolist(),
-            "condition": seen.condition if np.isfinite(seen.condition) else None,
-            "scaling": "columns in ordinary errors, rows in mm, the instrument projected out, at the machine found",
-            "unidentifiable": [
-                {"seen": "not at all", "text": c.text, "terms": file_terms(c, mechanism)} for c in unseen
-            ],
-            "next_measurements": [],
-            "regularisation": {"rule": f"least squares, {self.passes} passes over the file"},
-            "readings": {"kind": "position", "scalars": self.scalars, "poses": self.rows},
-            "before_rms_mm": self.before,
-            "train_rms_mm": self.after,
-            "heldout_rms_mm": None,
-            "sigma_mm": self.sigma,
-            "sigma_source": "residual",
-            "chi2_per_dof": 1.0 if self.sigma > 0 else None,  # by definition
-            "gross_errors": None,  # not searched for, nor what is below
-            "accuracy": None,
-            "workspace": None,
-            "instrument": self.instrument.to_dict() | {"setups": list(self.setups), "zero": "absolute"},
-            "robot": robot_to_dict(dataclasses.replace(self.robot, errors=named)),
-        }
+        return Result(
+            model=self.model,
+            parameters=parameter_table(mechanism, change, status, deviation),
+            rank=seen.rank,
+            rank_tolerance=identifiability.RANK_TOLERANCE,
+            singular_values=seen.singular_values,
+            condition=seen.condition if np.isfinite(seen.condition) else None,
+            scaling="columns in ordinary errors, rows in mm, the instrument projected out, at the machine found",
+            unidentifiable=open_combinations(unseen, mechanism, "not at all"),
+            next_measurements=(),
+            regularisation=Regularisation(rule=f"least squares, {self.passes} passes over the file"),
+            readings=Read(kind="position", scalars=self.scalars, poses=self.rows),
+            before_rms_mm=self.before,
+            train_rms_mm=self.after,
+            heldout_rms_mm=None,
+            sigma_mm=self.sigma,
+            sigma_source=Source.RESIDUAL,
+            chi2_per_dof=1.0 if self.sigma > 0 else None,  # by definition
+            gross_errors=None,  # not searched for
+            accuracy=None,
+            workspace=None,
+            instrument=self.instrument.kept(self.setups, "absolute"),
+            robot=kept_robot(dataclasses.replace(self.robot, errors=named)),
+        )
 
 
 def simulate(
@@ -245,7 +245,7 @@ def identify(robot: Robot, recording: str | Path, model: str, *, rows: int = ROW
     )
 
 
-def predict(result: Mapping[str, Any], recording: str | Path, output: str | Path, *, rows: int = ROWS) -> int:
+def predict(result: Result | Diagnosis, recording: str | Path, output: str | Path, *, rows: int = ROWS) -> int:
     """Predict the readings of a recording file into another, `rows` at a time; see `prediction.predict`.
 
     Raises
@@ -259,7 +259,7 @@ def predict(result: Mapping[str, Any], recording: str | Path, output: str | Path
         return write_blocks((prediction.predict(result, part) for part in blocks), output)
 
 
-def validate(result: Mapping[str, Any], recording: str | Path, *, rows: int = ROWS) -> dict[str, Any]:
+def validate(result: Result | Diagnosis, recording: str | Path, *, rows: int = ROWS) -> Validation:
     """Return the error of a result on a recording file, `rows` at a time; see `validation.validate`.
 
     Repeats of a pose may lie anywhere in the file: figures of ISO 9283 are not given.
@@ -284,7 +284,7 @@ def validate(result: Mapping[str, Any], recording: str | Path, *, rows: int = RO
 
     size, blocks = _begun(read_blocks(recording, mechanism_of(prediction.calibrated_robot(result)), rows))
     with working("blocks", size):
-        return validation.figures(result, parts())
+        return validation.figures(result.sigma_mm, parts())
 
 
 def _begun(blocks: Iterator[Recording]) -> tuple[int, Iterator[Recording]]:

@@ -28,15 +28,18 @@ from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.mechanism import Array
-from deltacal_gen.physics import Body, Channels, Term, term_to_dict
+from deltacal_gen.physics import Body, Channels, Term, kept_term
 from deltacal_gen.recording import Recording
-from deltacal_gen.robot import Robot, robot_to_dict
+from deltacal_gen.results import study as results
+from deltacal_gen.results.base import Json, Value
+from deltacal_gen.results.parts import EffectName, Missing
+from deltacal_gen.results.study import Addition, Advice, Histogram, Position, Spread, StudyParameter, Suspect, Times
+from deltacal_gen.robot import Robot, kept_robot, robot_to_dict
 from deltacal_gen.rotation import from_vector
 from deltacal_gen.simulation import simulate
 from deltacal_gen.solvers import Factored
 from deltacal_gen.units import file_unit, to_internal
 
-SCHEMA = "deltacal.study/1"
 CHUNK = 500  # machines of a task, whatever the number of workers
 STEPS = 12  # of Gauss-Newton with the nominal Jacobian, at most
 DONE = 0.05  # standard deviations: by which the last step may still change a parameter; a next one would be a tenth
@@ -147,14 +150,14 @@ class Study:
         p = self.poses
         arrays = (p.joints, p.targets, p.tool, p.setup, p.pairs, p.pose, *p.channels.values())
         return content_key(
-            SCHEMA,
+            results.Study.schema,
             robot_to_dict(self.robot),
             p.kind,
             dataclasses.asdict(p.measurement),
             list(p.channels),
             [None if a is None else np.asarray(a).tolist() for a in arrays],
             [self.names, self.errors, self.sigma, self.turn_sigma, self.seed],
-            [[term_to_dict(t) for t in terms] for terms in self.suspects],
+            [[kept_term(t).to_dict() for t in terms] for terms in self.suspects],
         )
 
 
@@ -206,16 +209,36 @@ def rows_of(study: Study, problem: Problem) -> tuple[Array, Array]:
 # ---------------------------------------------------------------------------------------------- machines, by the chunk
 
 
-def machines(study: Study, index: int, count: int) -> dict[str, Any]:
-    """Simulate and calibrate machines; the random numbers belong to the chunk's index.
+class Machines(Value):
+    """Machines that were simulated and calibrated.
 
-    Returns
-    -------
-    dict
-        ``count``; sums and sums of squares of estimate minus truth by parameter; ``before`` and ``after``: root mean
-        square and largest position error over the workspace of each machine [mm]; ``lost``: machines that could not be
-        simulated or did not converge.
+    `sum` and `squares` are of estimate minus truth by parameter [mm, rad]; `before` and `after` hold the root mean
+    square and the largest position error over the workspace of each machine [mm]; `lost` could not be simulated or did
+    not converge.
     """
+
+    count: int
+    lost: int
+    sum: list[float]
+    squares: list[float]
+    before: list[list[float]]
+    after: list[list[float]]
+
+
+class Trial(Value):
+    """What the diagnosis said of a recording in which something was concealed."""
+
+    right: bool
+    among: bool
+    named: list[tuple[str, list[int]]]
+    verdict: str
+    before_mm: float | None
+    after_mm: float | None
+    next: list[str]
+
+
+def machines(study: Study, index: int, count: int) -> Machines:
+    """Simulate and calibrate machines; the random numbers belong to the chunk's index."""
     rng = np.random.default_rng([study.seed, 0, index])
     truth = rng.standard_normal((count, len(study.spread))) * study.spread
     x = _stand(study, truth, None)
@@ -225,14 +248,14 @@ def machines(study: Study, index: int, count: int) -> dict[str, Any]:
     before = _apart(study.check[1][None, :, :3], actual, study.known_frame)
     after = _apart(_map(study, estimate), actual, study.known_frame)
     ok = settled & np.isfinite(x).all(axis=(1, 2)) & np.isfinite(after).all(axis=1)
-    return {
-        "count": int(ok.sum()),
-        "lost": int(count - ok.sum()),
-        "sum": off[ok].sum(axis=0).tolist(),
-        "squares": (off[ok] ** 2).sum(axis=0).tolist(),
-        "before": _figures(before[ok]),
-        "after": _figures(after[ok]),
-    }
+    return Machines(
+        count=int(ok.sum()),
+        lost=int(count - ok.sum()),
+        sum=off[ok].sum(axis=0).tolist(),
+        squares=(off[ok] ** 2).sum(axis=0).tolist(),
+        before=_figures(before[ok]),
+        after=_figures(after[ok]),
+    )
 
 
 def _figures(error: Array) -> list[list[float]]:
@@ -346,7 +369,7 @@ def _apart(wanted: Array, actual: Array, known_frame: bool) -> Array:
 # ------------------------------------------------------------------------------------------------- suspected effects
 
 
-def concealed(study: Study, suspect: int, trial: int) -> dict[str, Any]:
+def concealed(study: Study, suspect: int, trial: int) -> Trial:
     """Conceal a suspect in a recording of the plan and diagnose it; suspect -1 conceals nothing."""
     from deltacal_gen.diagnosis import diagnose  # as long to load as a hundred machines to calibrate
 
@@ -359,19 +382,19 @@ def concealed(study: Study, suspect: int, trial: int) -> dict[str, Any]:
         study.robot, study.poses, errors, noise_mm=study.sigma, noise_rad=study.turn_sigma, rng=rng, terms=terms
     )
     channels = {k: v for k, v in recording.channels.items() if not k.startswith("true_")}
-    found = diagnose(study.robot, dataclasses.replace(recording, channels=channels)).to_dict()
-    named = [(e["name"], tuple(e["limbs"])) for e in found["effects"]]
+    found = diagnose(study.robot, dataclasses.replace(recording, channels=channels)).answer()
+    named = [(e.name, e.limbs) for e in found.effects]
     wanted = sorted((t.effect, t.limbs) for t in terms)
-    alike = {n for e in found["effects"] for n in e["indistinguishable_from"]}
-    return {
-        "right": sorted(named) == wanted,
-        "among": bool(wanted) and {n for n, _ in wanted} <= {n for n, _ in named} | alike,
-        "named": [[name, list(limbs)] for name, limbs in named],
-        "verdict": found["verdict"],
-        "before_mm": found["baseline"]["heldout_rms_mm"],
-        "after_mm": found["final"]["heldout_rms_mm"],
-        "next": [n["text"] for n in found["next_measurements"] if "text" in n],
-    }
+    alike = {n for e in found.effects for n in e.indistinguishable_from}
+    return Trial(
+        right=sorted(named) == wanted,
+        among=bool(wanted) and {n for n, _ in wanted} <= {n for n, _ in named} | alike,
+        named=[(name, list(limbs)) for name, limbs in named],
+        verdict=found.verdict,
+        before_mm=found.baseline.heldout_rms_mm,
+        after_mm=found.final.heldout_rms_mm,
+        next=[n.text for n in found.next_measurements],
+    )
 
 
 # ------------------------------------------------------------------------------------------------------------ advice
@@ -384,17 +407,17 @@ def _rms(study: Study, linear: Linear) -> float:
     return float(np.sqrt(np.einsum("ij,ij->", W @ moments, W) / (len(W) / 3)))
 
 
-def advice(study: Study) -> dict[str, Any]:
+def advice(study: Study) -> Advice:
     """Return what more of the same, another pose or a second reference point would leave by the linear problem."""
     now = _rms(study, study.linear)
-    enough = [{"times": t, "rms_mm": _rms(study, study.linear.times(t))} for t in TIMES]
-    gains: list[dict[str, Any]] = []
+    enough = tuple(Times(times=t, rms_mm=_rms(study, study.linear.times(t))) for t in TIMES)
+    gains = []
     for words, more in _ideas(study):
         left = _rms(study, more)
-        gains.append({"add": words, "rms_mm": left, "gain": 1 - left / now})
-    gains.sort(key=lambda g: g["rms_mm"])
-    doubling = 1 - enough[2]["rms_mm"] / now
-    return {"rms_mm": now, "enough": enough, "doubling": doubling, "worth": bool(doubling > WORTH), "add": gains}
+        gains.append(Addition(add=words, rms_mm=left, gain=1 - left / now))
+    doubling = 1 - enough[2].rms_mm / now
+    add = tuple(sorted(gains, key=lambda g: g.rms_mm))
+    return Advice(rms_mm=now, enough=enough, doubling=doubling, worth=bool(doubling > WORTH), add=add)
 
 
 def _ideas(study: Study) -> list[tuple[str, Linear]]:
@@ -442,7 +465,7 @@ def _rows(recording: Recording, n: int) -> dict[str, Any]:
     }
 
 
-def channels_wanted(study: Study) -> list[dict[str, str]]:
+def channels_wanted(study: Study) -> tuple[Missing, ...]:
     """Return what the plan does not record and a suspected effect needs."""
     p = study.problem
     body = Body(study.robot, p.mechanism, p.body.q, p.body.tool, Channels.of(study.poses, study.robot))
@@ -450,8 +473,8 @@ def channels_wanted(study: Study) -> list[dict[str, str]]:
     for terms in study.suspects:
         for term in terms:
             if (why := body.missing(term.effect)) is not None:
-                wanted.append({"name": term.effect, "missing": why})
-    return wanted
+                wanted.append(Missing(name=term.effect, missing=why))
+    return tuple(wanted)
 
 
 # ------------------------------------------------------------------------------------------------------------ all of it
@@ -468,9 +491,9 @@ def _once(study: Study, mark: str) -> Study:
     return _met[mark]
 
 
-def work(study: Study, mark: str, what: str, *numbers: int) -> dict[str, Any]:
+def work(study: Study, mark: str, what: str, *numbers: int) -> Json:
     """Do a task of the study of a fingerprint; runs on a worker."""
-    return (machines if what == "machines" else concealed)(_once(study, mark), *numbers)
+    return (machines if what == "machines" else concealed)(_once(study, mark), *numbers).to_dict()
 
 
 def tasks(study: Study, mark: str, trials: int, diagnoses: int) -> list[Task]:
@@ -491,12 +514,18 @@ def conduct(
     trials: int = 1000,
     diagnoses: int = 10,
     *,
+    model: str,
     workers: int | None = None,
     cluster: str | None = None,
     directory: str | Path | None = None,
     told: Told = lambda done, total, label: None,
-) -> dict[str, Any]:
+) -> results.Study:
     """Conduct a study; see `execution.run` for workers, cluster and directory.
+
+    Parameters
+    ----------
+    model : str
+        What the study's parameters are called together: ``delta/18``.
 
     Raises
     ------
@@ -504,18 +533,19 @@ def conduct(
         The plan carries fewer readings than the calibration has unknowns, or cannot be reached; no scheduler answers.
     """
     with using(Backend.COMPILED):
-        return _conduct(study, trials, diagnoses, workers, cluster, directory, told)
+        return _conduct(study, model, trials, diagnoses, workers, cluster, directory, told)
 
 
 def _conduct(
     study: Study,
+    model: str,
     trials: int,
     diagnoses: int,
     workers: int | None,
     cluster: str | None,
     directory: str | Path | None,
     told: Told,
-) -> dict[str, Any]:
+) -> results.Study:
     scalars, unknowns = study.problem.readings.n_scalars, study.linear.J.shape[1]
     if scalars < unknowns:
         raise InputError(
@@ -535,20 +565,20 @@ def _conduct(
     for outcome in done[:chunks]:
         if outcome.result is None:
             raise NoSolutionError(f"{outcome.label}: {outcome.error}")
-    found = _summed(study, [o.result for o in done[:chunks] if o.result is not None], done[chunks:], diagnoses)
-    return found | {"advice": more}
+    parts = [Machines(**o.result) for o in done[:chunks] if o.result is not None]
+    return _summed(study, model, parts, _told(study, done[chunks:], diagnoses), more)
 
 
 def _summed(
-    study: Study, chunks: Sequence[Mapping[str, Any]], diagnosed: Sequence[Outcome], diagnoses: int
-) -> dict[str, Any]:
+    study: Study, model: str, chunks: Sequence[Machines], suspects: tuple[Suspect, ...], more: Advice
+) -> results.Study:
     problem, linear = study.problem, study.linear
     mechanism, n = problem.mechanism, len(study.names)
-    count = sum(c["count"] for c in chunks)
+    count = sum(c.count for c in chunks)
     if count == 0:
         raise NoSolutionError("no machine of the study could be simulated and calibrated: its errors are too large.")
-    mean = np.sum([c["sum"] for c in chunks], axis=0) / count
-    scatter = np.sqrt(np.sum([c["squares"] for c in chunks], axis=0) / count)
+    mean = np.sum([c.sum for c in chunks], axis=0) / count
+    scatter = np.sqrt(np.sum([c.squares for c in chunks], axis=0) / count)
     moments = linear.of_estimate(study.spread, problem.columns)
     stated = np.sqrt(np.diag(linear.covariance)[:n])
     predicted = np.sqrt(np.diag(moments)[problem.columns])
@@ -557,83 +587,90 @@ def _summed(
         p = mechanism.parameters[mechanism.index[name]]
         factor = to_internal(p.unit)
         parameters.append(
-            {
-                "name": name,
-                "unit": file_unit(p.unit),
-                "drawn_std": float(study.spread[mechanism.index[name]] / factor),
-                "std": float(scatter[k] / factor),
-                "bias": float(mean[k] / factor),
-                "predicted_std": float(predicted[k] / factor),
-                "stated_std": float(stated[k] / factor),
-            }
+            StudyParameter(
+                name=name,
+                unit=file_unit(p.unit),
+                drawn_std=float(study.spread[mechanism.index[name]] / factor),
+                std=float(scatter[k] / factor),
+                bias=float(mean[k] / factor),
+                predicted_std=float(predicted[k] / factor),
+                stated_std=float(stated[k] / factor),
+            )
         )
-    return {
-        "schema": SCHEMA,
-        "robot": robot_to_dict(study.robot),
-        "kind": problem.readings.kind.name,
-        "readings": problem.readings.n_scalars,
-        "poses": problem.recording.n_rows,
-        "sigma_mm": study.sigma,
-        "machines": count,
-        "lost": sum(c["lost"] for c in chunks),
-        "seed": study.seed,
-        "parameters": parameters,
-        "position": {
-            "aligned": not study.known_frame,
-            "points": len(study.check[0]),
-            "before": _spread([c["before"] for c in chunks]),
-            "after": _spread([c["after"] for c in chunks]) | {"predicted_rms_mm": _rms(study, linear)},
-        },
-        "suspects": _told(study, diagnosed, diagnoses),
-        "channels_wanted": channels_wanted(study),
-    }
+    return results.Study(
+        model=model,
+        robot=kept_robot(study.robot),
+        kind=problem.readings.kind.name,
+        readings=problem.readings.n_scalars,
+        poses=problem.recording.n_rows,
+        sigma_mm=study.sigma,
+        machines=count,
+        lost=sum(c.lost for c in chunks),
+        seed=study.seed,
+        parameters=tuple(parameters),
+        position=Position(
+            aligned=not study.known_frame,
+            points=len(study.check[0]),
+            before=_spread([c.before for c in chunks]),
+            after=_spread([c.after for c in chunks]).replace(predicted_rms_mm=_rms(study, linear)),
+        ),
+        suspects=suspects,
+        channels_wanted=channels_wanted(study),
+        advice=more,
+    )
 
 
-def _spread(parts: Sequence[Sequence[Sequence[float]]]) -> dict[str, Any]:
+def _spread(parts: Sequence[Sequence[Sequence[float]]]) -> Spread:
     """Return root mean square over all machines, and quantiles of the machines' own figures [mm]."""
     rms, worst = np.array([f for part in parts for f in part]).T
     edges = np.geomspace(max(float(rms.min()), 1e-12), max(float(rms.max()), 2e-12), 31)
-    return {
-        "rms_mm": float(np.sqrt(np.mean(rms**2))),
-        "median_mm": float(np.median(rms)),
-        "p95_mm": float(np.quantile(rms, 0.95)),
-        "worst_median_mm": float(np.median(worst)),
-        "worst_p95_mm": float(np.quantile(worst, 0.95)),
-        "histogram": {"edges_mm": edges.tolist(), "count": np.histogram(rms, edges)[0].tolist()},
-    }
+    return Spread(
+        rms_mm=float(np.sqrt(np.mean(rms**2))),
+        median_mm=float(np.median(rms)),
+        p95_mm=float(np.quantile(rms, 0.95)),
+        worst_median_mm=float(np.median(worst)),
+        worst_p95_mm=float(np.quantile(worst, 0.95)),
+        histogram=Histogram(edges_mm=edges, count=np.histogram(rms, edges)[0]),
+    )
 
 
-def _told(study: Study, outcomes: Sequence[Outcome], each: int) -> list[dict[str, Any]]:
+def _told(study: Study, outcomes: Sequence[Outcome], each: int) -> tuple[Suspect, ...]:
     """Return suspect by suspect how often it was named."""
     if not outcomes:
-        return []
+        return ()
     told = []
     for k, terms in enumerate([(), *study.suspects]):
         mine = outcomes[k * each : (k + 1) * each]
-        good = [o.result for o in mine if o.result is not None]
-        right = sum(r["right"] for r in good)
+        good = [Trial(**o.result) for o in mine if o.result is not None]
+        right = sum(r.right for r in good)
         others: dict[str, int] = {}
         for r in good:
-            if not r["right"]:
-                words = ", ".join(f"{n} {limbs}" for n, limbs in r["named"]) or r["verdict"]
+            if not r.right:
+                words = ", ".join(f"{n} {limbs}" for n, limbs in r.named) or r.verdict
                 others[words] = others.get(words, 0) + 1
         low, high = _wilson(right, len(good))
         told.append(
-            {
-                "effects": [{"name": t.effect, "limbs": list(t.limbs)} for t in terms],
-                "recordings": len(good),
-                "named_right": right,
-                "named_among_equals": sum(r["among"] for r in good),
-                "chance": right / len(good) if good else None,
-                "interval": [low, high],
-                "instead": others,
-                "before_mm": float(np.median([r["before_mm"] for r in good])) if good else None,
-                "after_mm": float(np.median([r["after_mm"] for r in good])) if good else None,
-                "next": sorted({t for r in good if not r["right"] for t in r["next"]})[:3],
-                "failed": sorted({o.error for o in mine if o.error is not None}),
-            }
+            Suspect(
+                effects=tuple(EffectName(name=t.effect, limbs=t.limbs) for t in terms),
+                recordings=len(good),
+                named_right=right,
+                named_among_equals=sum(r.among for r in good),
+                chance=right / len(good) if good else None,
+                interval=(low, high),
+                instead=others,
+                before_mm=_median([r.before_mm for r in good]),
+                after_mm=_median([r.after_mm for r in good]),
+                next=tuple(sorted({t for r in good if not r.right for t in r.next})[:3]),
+                failed=tuple(sorted({o.error for o in mine if o.error is not None})),
+            )
         )
-    return told
+    return tuple(told)
+
+
+def _median(of: Sequence[float | None]) -> float | None:
+    """Return the median of what recordings were held out to [mm], None where nothing could be."""
+    known = [v for v in of if v is not None]
+    return float(np.median(known)) if known else None
 
 
 def _wilson(right: int, of: int) -> tuple[float, float]:

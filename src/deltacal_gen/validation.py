@@ -8,8 +8,7 @@ mean. They need repeats of a pose; at fewer than two readings they are not given
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Mapping
-from typing import Any
+from collections.abc import Iterable
 
 import numpy as np
 
@@ -20,68 +19,68 @@ from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.mechanism import Array
 from deltacal_gen.prediction import calibrated_robot, residual
 from deltacal_gen.recording import Recording
+from deltacal_gen.results.diagnosis import Diagnosis
+from deltacal_gen.results.result import Result
+from deltacal_gen.results.validation import Iso9283, Row, Validation
 from deltacal_gen.spectrum import never_seen
 
 __all__ = ["calibrated_robot", "validate"]
 WORST = 10  # readings that are listed
 
 
-def validate(result: Mapping[str, Any], recording: Recording) -> dict[str, Any]:
-    """Return the error of a result on other readings, in the instrument frame that the result knows.
-
-    Returns
-    -------
-    dict
-        ``schema, readings, rms_mm, worst_mm, sigma_mm, chi2_per_dof, never_seen`` (joints that stand at angles which
-        the diagnosis never saw), ``rows`` (worst first: line, error) and, where a pose was read at least twice,
-        ``iso9283``.
-    """
+def validate(result: Result | Diagnosis, recording: Recording) -> Validation:
+    """Return the error of a result on other readings, in the instrument frame that the result knows."""
     found = readings(recording)
     r = residual(result, recording, found)
-    out = figures(result, [(found, r)])
-    out["never_seen"] = never_seen(result.get("seen"), calibrated_robot(result).joint_sign * recording.joints)
-    if found.kind.positions:
-        several = [g for g, n in enumerate(np.bincount(found.group)) if n > 1]
-        repeated = [
-            iso9283.pose(r[found.group == g, :3], np.zeros(3))
-            for g in several  # residuals: attained minus wanted
-        ]
-        if repeated:
-            out["iso9283"] = {
-                "poses": len(repeated),
-                "AP_mean_mm": float(np.mean([f.accuracy for f in repeated])),
-                "AP_max_mm": float(np.max([f.accuracy for f in repeated])),
-                "RP_mean_mm": float(np.mean([f.repeatability for f in repeated])),
-                "RP_max_mm": float(np.max([f.repeatability for f in repeated])),
-                **_distances(found, r, several),
-                "note": "wanted is what the calibrated model predicts at the joints commanded",
-            }
-    return out
+    return figures(result.sigma_mm, [(found, r)]).replace(
+        never_seen=never_seen(result.seen, calibrated_robot(result).joint_sign * recording.joints),
+        iso9283=_repeated(found, r) if found.kind.positions else None,
+    )
 
 
-def figures(result: Mapping[str, Any], parts: Iterable[tuple[Readings, Array]]) -> dict[str, Any]:
-    """Return what `validate` says of readings one by one; they come in parts, each with its residuals (R, k)."""
+def _repeated(found: Readings, r: Array) -> Iso9283 | None:
+    """Return the figures of ISO 9283 for poses that were read at least twice, None where none was."""
+    several = [g for g, n in enumerate(np.bincount(found.group)) if n > 1]
+    repeated = [iso9283.pose(r[found.group == g, :3], np.zeros(3)) for g in several]  # residuals: attained minus wanted
+    if not repeated:
+        return None
+    return Iso9283(
+        poses=len(repeated),
+        AP_mean_mm=float(np.mean([f.accuracy for f in repeated])),
+        AP_max_mm=float(np.max([f.accuracy for f in repeated])),
+        RP_mean_mm=float(np.mean([f.repeatability for f in repeated])),
+        RP_max_mm=float(np.max([f.repeatability for f in repeated])),
+        **_distances(found, r, several),
+        note="wanted is what the calibrated model predicts at the joints commanded",
+    )
+
+
+def figures(sigma: float, parts: Iterable[tuple[Readings, Array]]) -> Validation:
+    """Return what `validate` says of readings one by one, against noise of `sigma` [mm].
+
+    They come in parts, each with its residuals (R, k).
+    """
     count = scalars = 0
-    squares, rows = 0.0, []
+    squares = 0.0
+    rows: list[Row] = []
     for found, r in parts:
         read = lengths(r, found.kind)
         size = np.linalg.norm(np.nan_to_num(read), axis=1)
         read = read[np.isfinite(read)]
         count, scalars, squares = count + len(found), scalars + len(read), squares + float(read @ read)
-        rows += [{"line": int(found.line[j]), "error_mm": float(size[j])} for j in np.argsort(-size)[:WORST]]
-        rows = sorted(rows, key=lambda row: -row["error_mm"])[:WORST]
-    sigma, error = float(result["sigma_mm"]), float(np.sqrt(squares / scalars)) if scalars else float("nan")
-    return {
-        "schema": "deltacal.validation/1",
-        "kind": found.kind.name,
-        "readings": count,
-        "rms_mm": error,
-        "worst_mm": rows[0]["error_mm"],
-        "sigma_mm": sigma,
-        "chi2_per_dof": (error / sigma) ** 2 if sigma > 0 else None,
-        "never_seen": [],
-        "rows": rows,
-    }
+        rows += [Row(line=int(found.line[j]), error_mm=float(size[j])) for j in np.argsort(-size)[:WORST]]
+        rows = sorted(rows, key=lambda row: -row.error_mm)[:WORST]
+    error = float(np.sqrt(squares / scalars)) if scalars else float("nan")
+    return Validation(
+        kind=found.kind.name,
+        readings=count,
+        rms_mm=error,
+        worst_mm=rows[0].error_mm,
+        sigma_mm=sigma,
+        chi2_per_dof=(error / sigma) ** 2 if sigma > 0 else None,
+        never_seen=(),
+        rows=tuple(rows),
+    )
 
 
 def _distances(found: Readings, r: Array, several: list[int]) -> dict[str, float]:

@@ -22,10 +22,11 @@ from deltacal_gen.errors import DeltacalError
 from deltacal_gen.estimation import Fit, fit, pose_problem, rms
 from deltacal_gen.identification import BROAD, rough
 from deltacal_gen.mechanism import mechanism_of
-from deltacal_gen.physics import Term, coefficients, term_to_dict
+from deltacal_gen.physics import Term, coefficients, kept_term
 from deltacal_gen.prediction import predict
 from deltacal_gen.recording import Recording
-from deltacal_gen.robot import robot_to_dict
+from deltacal_gen.results.parts import MachineState
+from deltacal_gen.robot import kept_robot
 from deltacal_gen.solvers import Prior
 from tests.benchmarks.concealed_cases import ORDINARY, Array, Case, Judge, generate, readings
 
@@ -73,15 +74,12 @@ def prediction_error(case: Case, predicted: Recording) -> float:
     return rms(readings(predicted)[:, :k] - readings(case.fresh)[:, :k])
 
 
-def _as_result(case: Case, found: Fit) -> dict[str, Any]:
+def _as_result(case: Case, found: Fit) -> MachineState:
     errors, terms = found.problem.split(found.errors)
     robot = dataclasses.replace(case.robot, errors=dict(zip(found.problem.names, map(float, errors), strict=True)))
     recording = case.recording
-    instrument = found.instrument.to_dict() | {
-        "setups": list(recording.setup_names),
-        "zero": recording.measurement.zero,
-    }
-    return {"robot": robot_to_dict(robot), "physics": [term_to_dict(t) for t in terms], "instrument": instrument}
+    instrument = found.instrument.kept(recording.setup_names, recording.measurement.zero)
+    return MachineState(robot=kept_robot(robot), physics=tuple(map(kept_term, terms)), instrument=instrument)
 
 
 # -------------------------------------------------------------------------------------------------------- judgement
@@ -203,7 +201,7 @@ def examine(job: Job, draw: Callable[..., Case] = generate) -> dict[str, Any]:
     out |= {"truth": truth, "excess": case.excess, "traits": case.traits}
     begin, processor = time.perf_counter(), time.process_time()
     try:
-        result = diagnose(case.robot, case.recording).to_dict()
+        result = diagnose(case.robot, case.recording).answer()
         out |= {"seconds": time.perf_counter() - begin, "processor": time.process_time() - processor}
         error = prediction_error(case, predict(result, case.fresh))
         try:

@@ -52,8 +52,8 @@ def main(arguments: list[str] | None = None) -> int:
             measured = recording.with_suffix(f".{kind}")
             _told(f"simulate, {kind}", rows, lambda: simulate(poses.with_suffix(f".{kind}")))  # noqa: B023
             found = _told(f"identify, {kind}", rows, lambda: streams.identify(ROBOT, measured, "18", passes=1))  # noqa: B023
-            _told(f"predict, {kind}", rows, lambda: streams.predict(found.to_dict(), measured, predicted))  # noqa: B023
-            _told(f"validate, {kind}", rows, lambda: streams.validate(found.to_dict(), measured))  # noqa: B023
+            _told(f"predict, {kind}", rows, lambda: streams.predict(found.answer(), measured, predicted))  # noqa: B023
+            _told(f"validate, {kind}", rows, lambda: streams.validate(found.answer(), measured))  # noqa: B023
     return int(_resident() > ALLOWED_MIB)
 
 

@@ -5,12 +5,13 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.mechanism import Array, Machine
+from deltacal_gen.results.parts import InstrumentState
 from deltacal_gen.rotation import to_vector
 
 if TYPE_CHECKING:
@@ -145,16 +146,18 @@ class Instrument:
         """Return per set-up the rotation vector [rad] and the origin [mm] of {O} in the instrument's frame."""
         return self.kind.frames(self)
 
-    def to_dict(self) -> dict[str, Any]:
-        """Return the state for a result file; `kinds.instrument_from_dict` reads it."""
-        return {
-            "kind": self.kind.name,
-            "state": self.state.tolist(),
-            "free": list(self.free),
-            "scale": self.scale,
-            "home": list(self.home),
-            "ties": [list(tie) for tie in self.ties],
-        }
+    def kept(self, setups: Sequence[str], zero: str) -> InstrumentState:
+        """Return what an answer keeps of it, and of the recording that it was found by; see `kinds.instrument_of`."""
+        return InstrumentState(
+            kind=self.kind.name,
+            state=self.state,
+            free=self.free,
+            scale=self.scale,
+            home=self.home,
+            ties=self.ties,
+            setups=tuple(setups),
+            zero=zero,
+        )
 
 
 def align(a: Array, b: Array) -> Array:

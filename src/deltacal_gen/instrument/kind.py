@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
@@ -22,6 +22,7 @@ from deltacal_gen.inputs import Measurement, Recording, Robot
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.instrument.readings import ALL, Readings
 from deltacal_gen.mechanism import Array, Machine
+from deltacal_gen.results.result import TouchedPoint
 from deltacal_gen.rotation import to_vector
 
 STARTS = 20  # steps of the instrument alone, from where its file lets it stand
@@ -303,9 +304,9 @@ class Kind:
         """Return where {O} stands in the instrument's frame, set-up by set-up; empty where it has none."""
         return []
 
-    def points(self, instrument: Instrument, recording: Recording) -> list[dict[str, Any]]:
+    def points(self, instrument: Instrument, recording: Recording) -> tuple[TouchedPoint, ...]:
         """Return fixed points that the readings have found, by name, in {O}; empty where there are none."""
-        return []
+        return ()
 
     def carried(self, mechanism: Machine) -> dict[int, int]:
         """Return which unknowns are source errors of the machine: {unknown: parameter}.

@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import ClassVar, Literal
 
 from deltacal_gen.results.base import Answer, Value
 
+Action = Literal["diagnose", "identify", "validate"]
 
-class Failed(Value):
+
+class FailedRow(Value):
     """A recording that could not be done, and why."""
 
     recording: str
     machine: str
     error: str
 
+    warnings: ClassVar[None] = None
 
-class Diagnosed(Value):
+
+class DiagnosedRow(Value):
     """A recording's line of the table."""
 
     recording: str
@@ -30,7 +34,7 @@ class Diagnosed(Value):
     warnings: str | None = None
 
 
-class Identified(Value):
+class IdentifiedRow(Value):
     """A recording's line of the table."""
 
     recording: str
@@ -44,7 +48,7 @@ class Identified(Value):
     warnings: str | None = None
 
 
-class Validated(Value):
+class ValidatedRow(Value):
     """A recording's line of the table."""
 
     recording: str
@@ -55,9 +59,11 @@ class Validated(Value):
     error: None
     warnings: str | None = None
 
+    before_mm: ClassVar[None] = None
 
-Done = Diagnosed | Identified | Validated
-Row = Done | Failed
+
+Done = DiagnosedRow | IdentifiedRow | ValidatedRow
+Row = Done | FailedRow
 
 
 class Moved(Value):
@@ -73,6 +79,6 @@ class Batch(Answer):
     """Many recordings: one row each, in the order of their paths, and what moved."""
 
     schema: Literal["deltacal.batch/1"] = "deltacal.batch/1"
-    action: Literal["diagnose", "identify", "validate"]
+    action: Action
     rows: tuple[Row, ...]
     changed: tuple[Moved, ...]

@@ -6,8 +6,10 @@ from enum import StrEnum
 from typing import Literal
 
 from deltacal_gen.results.base import Answer, Column, Counts, Rows, Value
-from deltacal_gen.results.parts import InstrumentState, MachineState, Missing, RobotFile, Source, TermState
+from deltacal_gen.results.parts import InstrumentState, MachineState, Missing, RobotTables, Source, TermState
 from deltacal_gen.results.result import Parameter
+
+Row = dict[str, float | str]  # of a recording, by the names of its columns
 
 
 class Verdict(StrEnum):
@@ -18,8 +20,8 @@ class Verdict(StrEnum):
     UNEXPLAINED = "unexplained"
 
 
-class Noise(Value):
-    """Noise per measured scalar, and where it is known from."""
+class NoiseLevel(Value):
+    """NoiseLevel per measured scalar, and where it is known from."""
 
     sigma_mm: float
     source: Source
@@ -51,7 +53,7 @@ class Channel(Value):
     share: float
 
 
-class Region(Value):
+class RegionOf(Value):
     """A ball in {O} within which the misfit lies."""
 
     centre_mm: tuple[float, ...]
@@ -64,7 +66,7 @@ class Location(Value):
     channels: tuple[Channel, ...]
     """By share, the first one is the answer."""
     limbs: tuple[int, ...]
-    region: Region | None
+    region: RegionOf | None
     text: str
 
 
@@ -107,12 +109,12 @@ class Rejected(Value):
     why: str
 
 
-class Question(Value):
+class NextMeasurement(Value):
     """What to measure next, and what for."""
 
     why: str
     text: str
-    poses: tuple[dict[str, float | str], ...]
+    poses: tuple[Row, ...]
     """Rows of a recording without readings."""
     expected_chi2: float | None
     """The difference that they are expected to make."""
@@ -136,7 +138,7 @@ class SmoothState(Value):
     coefficients: Rows
 
 
-class Correction(Value):
+class SmoothCorrection(Value):
     """What corrects a misfit that no effect explains, without physics."""
 
     depends_on: tuple[str, ...]
@@ -178,7 +180,7 @@ class Seen(Value):
 class Geometry(Value):
     """The calibration beside a diagnosis that found nothing else, to be compared with other sessions."""
 
-    robot: RobotFile
+    robot: RobotTables
     parameters: tuple[Parameter, ...]
 
 
@@ -189,17 +191,17 @@ class Diagnosis(Answer):
     verdict: Verdict
     summary: str
     """One paragraph that a maintenance engineer can act on."""
-    noise: Noise
+    noise: NoiseLevel
     baseline: Baseline
     location: Location
     effects: tuple[Effect, ...]
     final: Final
     rejected: tuple[Rejected, ...]
     not_tested: tuple[Missing, ...]
-    next_measurements: tuple[Question, ...]
+    next_measurements: tuple[NextMeasurement, ...]
     gross_errors: tuple[int, ...]
     """Lines of the recording."""
-    correction: Correction | None
+    correction: SmoothCorrection | None
     residuals: Residuals
     sigma_mm: float
     physics: tuple[TermState, ...]
@@ -208,6 +210,6 @@ class Diagnosis(Answer):
     clock: Literal["time_s", "row"]
     """By what a moment was found: the time, or the row."""
     instrument: InstrumentState
-    robot: RobotFile
+    robot: RobotTables
     """The calibrated machine."""
     geometry: Geometry | None = None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import Any
+from typing import Any, ClassVar, Literal
 
 from deltacal_gen.results.base import Rows, Value, Vector
 
@@ -25,7 +25,7 @@ class Named(Value):
     mechanism: str
 
 
-class RobotFile(Value, closed=True):
+class RobotTables(Value, closed=True):
     """The tables of a complete robot file [mm, deg]."""
 
     robot: Named
@@ -68,9 +68,13 @@ class InstrumentState(Value):
 class MachineState(Value):
     """A machine with what acts on it and the instrument that saw it."""
 
-    robot: RobotFile
+    robot: RobotTables
     physics: tuple[TermState, ...]
     instrument: InstrumentState
+
+    # what only a diagnosis knows, for those who read either
+    correction: ClassVar[None] = None
+    clock: ClassVar[Literal["time_s", "row"]] = "time_s"
 
 
 class Missing(Value):

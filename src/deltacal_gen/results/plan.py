@@ -6,6 +6,8 @@ from typing import Literal
 
 from deltacal_gen.results.base import Answer, Value
 
+Method = Literal["rings", "edges", "joints", "singular", "d-optimal"]
+
 
 class PlannedPose(Value):
     """A pose to be measured; its joints under the key of their unit."""
@@ -45,7 +47,7 @@ class Plan(Answer):
     parameters: tuple[str, ...]
     dropped: tuple[str, ...]
     """Parameters that no poses tell from the others."""
-    method: Literal["rings", "edges", "joints", "singular", "d-optimal"]
+    method: Method
     conventions: str
     kind: str
     scaling: str

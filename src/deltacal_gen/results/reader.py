@@ -72,6 +72,11 @@ def read_result(source: str | Path | Mapping[str, Any]) -> Result | Diagnosis:
     return read_answer(source, FITTED)  # type: ignore[return-value]
 
 
+def read_diagnosis(source: str | Path | Mapping[str, Any]) -> Diagnosis:
+    """Return what `diagnose` found; see `read_result`."""
+    return read_answer(source, ("deltacal.diagnosis/1",))  # type: ignore[return-value]
+
+
 def read_answer(
     source: str | Path | Mapping[str, Any], schemas: tuple[str, ...] = (*ANSWERS,), kind: str = ""
 ) -> Answer:

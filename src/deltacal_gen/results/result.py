@@ -6,7 +6,7 @@ from enum import StrEnum
 from typing import ClassVar, Literal
 
 from deltacal_gen.results.base import Answer, Numbers, Value
-from deltacal_gen.results.parts import InstrumentState, Missing, NeverSeen, RobotFile, Source, TermState
+from deltacal_gen.results.parts import InstrumentState, Missing, NeverSeen, RobotTables, Source, TermState
 
 
 class Status(StrEnum):
@@ -29,7 +29,7 @@ class Parameter(Value):
     status: Status
 
 
-class Combination(Value):
+class OpenCombination(Value):
     """Parameters that the readings do not tell apart."""
 
     seen: Literal["not at all", "less than noise"]
@@ -66,7 +66,7 @@ class Regularisation(Value):
     """Effective number of parameters that the readings determine."""
 
 
-class Readings(Value):
+class Read(Value):
     """How much was read."""
 
     kind: str
@@ -110,7 +110,7 @@ class BaseFrame(Value):
     origin_std_mm: tuple[float, ...]
 
 
-class Contact(Value):
+class TouchedPoint(Value):
     """Where a point that was touched is in {O}."""
 
     name: str
@@ -159,11 +159,11 @@ class Result(Answer):
     condition: float | None
     """Null where the rank is not full."""
     scaling: str
-    unidentifiable: tuple[Combination, ...]
+    unidentifiable: tuple[OpenCombination, ...]
     base: tuple[BaseParameter, ...] | None = None
     next_measurements: tuple[Remedy, ...]
     regularisation: Regularisation
-    readings: Readings
+    readings: Read
     before_rms_mm: float
     """Of the robot file's machine, the instrument fitted."""
     degrees_of_freedom: float | None = None
@@ -180,14 +180,14 @@ class Result(Answer):
     stages: tuple[Stage, ...] | None = None
     accuracy: Accuracy | None
     base_frame: tuple[BaseFrame, ...] | None = None
-    contacts: tuple[Contact, ...] | None = None
+    contacts: tuple[TouchedPoint, ...] | None = None
     workspace: UncertaintyMap | None
     iterations: int | None = None
     physics: tuple[TermState, ...] | None = None
     """Effects that were held as a diagnosis found them."""
     physics_not_held: tuple[Missing, ...] | None = None
     instrument: InstrumentState
-    robot: RobotFile
+    robot: RobotTables
     """The calibrated machine."""
     firmware: Firmware | None = None
     never_seen: tuple[NeverSeen, ...] | None = None
@@ -196,4 +196,4 @@ class Result(Answer):
     # what only a diagnosis knows, for those who read either
     correction: ClassVar[None] = None
     seen: ClassVar[None] = None
-    clock: ClassVar[Literal["time_s"]] = "time_s"
+    clock: ClassVar[Literal["time_s", "row"]] = "time_s"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from deltacal_gen.results.base import Answer, Counts, Numbers, Value
-from deltacal_gen.results.parts import EffectName, Missing, RobotFile
+from deltacal_gen.results.parts import EffectName, Missing, RobotTables
 
 
 class StudyParameter(Value):
@@ -103,7 +103,7 @@ class Study(Answer):
 
     model: str
     schema: Literal["deltacal.study/1"] = "deltacal.study/1"
-    robot: RobotFile
+    robot: RobotTables
     kind: str
     readings: int
     poses: int

@@ -33,7 +33,7 @@ class Joints(Answer):
     """Commands of `compensate`, in deg or mm."""
 
     schema: Literal["deltacal.joints/1"] = "deltacal.joints/1"
-    kind: Literal["exact", "linear"]
+    kind: str
     export: str | None
     joints: Rows
     assumed: tuple[str, ...]

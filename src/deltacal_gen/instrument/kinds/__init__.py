@@ -6,8 +6,6 @@ import functools
 import importlib
 import importlib.util
 import pkgutil
-from collections.abc import Mapping
-from typing import Any
 
 import deltacal_kernels.measurements
 import numpy as np
@@ -19,6 +17,7 @@ from deltacal_gen.instrument.kind import Kind
 from deltacal_gen.instrument.readings import Readings, poses_of
 from deltacal_gen.instrument.several import Several
 from deltacal_gen.mechanism import Array
+from deltacal_gen.results.parts import InstrumentState
 
 AND = " and "  # between the names of kinds that are read together
 
@@ -62,17 +61,9 @@ def mounts() -> frozenset[str]:
     return frozenset(name for kind in names() for name in kind_of(kind).mount)
 
 
-def instrument_from_dict(data: Mapping[str, Any]) -> Instrument:
-    """Return the instrument of a result file."""
-    x, y, z = data.get("home", (0.0, 0.0, 0.0))
-    return Instrument(
-        kind_of(data["kind"]),
-        np.asarray(data["state"], dtype=float),
-        tuple(data["free"]),
-        data.get("scale", 1.0),
-        (x, y, z),
-        tuple((int(a), int(b), float(d)) for a, b, d in data.get("ties", ())),
-    )
+def instrument_of(kept: InstrumentState) -> Instrument:
+    """Return the instrument that an answer kept."""
+    return Instrument(kind_of(kept.kind), kept.state, kept.free, kept.scale, kept.home, kept.ties)
 
 
 def readings(recording: Recording, *, as_distance: bool = False) -> Readings:

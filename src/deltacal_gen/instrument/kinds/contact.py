@@ -9,7 +9,7 @@ import dataclasses
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.instrument.kind import Frame, Kind, Look
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.mechanism import Array, Machine
+from deltacal_gen.results.result import TouchedPoint
 
 TIE_STEPS = 4  # each squares what a known distance is off
 ORIGIN = slice(9, 12)  # of the frames, in their state
@@ -112,12 +113,12 @@ class Contact(Kind):
         """Return the points where the machine touches them: they are unknown in every session."""
         return self.start(found, recording, robot, poses())
 
-    def points(self, instrument: Instrument, recording: Recording) -> list[dict[str, Any]]:
+    def points(self, instrument: Instrument, recording: Recording) -> tuple[TouchedPoint, ...]:
         """Return where the points are in {O}."""
-        return [
-            {"name": str(n), "position_mm": (-t).tolist()}
+        return tuple(
+            TouchedPoint(name=str(n), position_mm=tuple((-t).tolist()))
             for n, t in zip(names(recording), instrument.state[:, ORIGIN], strict=True)
-        ]
+        )
 
     @staticmethod
     def _ties(instrument: Instrument) -> tuple[Array, Array]:
