@@ -529,6 +529,8 @@ class Effect:
     def _check_memory(self) -> None:
         """Refuse rates and starts that cannot be meant."""
         own, varied = {m.symbol for m in self.memory}, {c.symbol for c in self.coefficients}
+        if self.memory and self.acts_on == "reading":
+            raise ValueError("a reading has no memory: readings are no rows of a run. Let it act on the machine.")
         for m in self.memory:
             vocabulary.check(f"memory {m.name}", m.rate)
             vocabulary.check(f"start of {m.name}", m.start)
@@ -536,6 +538,11 @@ class Effect:
                 raise ValueError(f"the rate of {m.name} reads another memory.")
             if m.start.free_symbols & (own | varied):
                 raise ValueError(f"{m.name} starts from states and constants only.")
+            if m.rate.subs(dict.fromkeys(varied, 0)).has(sp.zoo, sp.nan):
+                raise ValueError(
+                    f"the rate of {m.name} has no value where all coefficients are zero: a fit begins there. Search "
+                    "what it is divided by, as a constant."
+                )
 
     def _check(self) -> None:
         """Refuse what cannot be meant."""

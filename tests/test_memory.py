@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import dataclasses
 import sys
+from collections.abc import Callable
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -16,7 +18,11 @@ pytest.importorskip("jinja2", reason="deriving needs the dependency group 'deriv
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # derive/ is never installed
 
-from deltacal_gen import memory  # noqa: E402
+from deltacal_gen import memory, physics  # noqa: E402
+from deltacal_gen.demonstration import example  # noqa: E402
+from deltacal_gen.errors import InputError  # noqa: E402
+from deltacal_gen.mechanism import SOLVED, UNBALANCED, load_mechanism  # noqa: E402
+from deltacal_gen.robot import read_robot  # noqa: E402
 from derive import compiler  # noqa: E402
 from derive.effects import coefficient, state  # noqa: E402
 from derive.language.memory import Lag, Memory, with_lags  # noqa: E402
@@ -29,7 +35,9 @@ SIZE, RATE = coefficient("size", "mm", 1.0, "size", ANY), coefficient("rate", "1
 TAU = coefficient("tau", "s", 1.0, "time constant", ANY)
 
 
-def effect(target: Any, *memories: Memory, searched: tuple[Any, ...] = (), varied: tuple[Any, ...] = ()) -> Effect:
+def effect(
+    target: Any, *memories: Memory, searched: tuple[Any, ...] = (), varied: tuple[Any, ...] = (), reads: str = "torque"
+) -> Effect:
     return Effect(
         name="remembering",
         title="an effect with a memory",
@@ -37,7 +45,7 @@ def effect(target: Any, *memories: Memory, searched: tuple[Any, ...] = (), varie
         advice="None.",
         tests=(
             Reference(
-                {"torque": 0.0, **{m.name: 0.0 for m in with_lags({"joint": target}, memories)[1]}},
+                {reads: 0.0, **{m.name: 0.0 for m in with_lags({"joint": target}, memories)[1]}},
                 {c.name: 0.0 for c in (SIZE, *varied)},
                 {"joint": 0.0},
                 {s.constant.name: 1.0 for s in searched},
@@ -61,7 +69,7 @@ def derived(spec: Effect) -> ModuleType:
 
 DAHL = Memory(z, "bristles", RATE.symbol * load * (1 - z * sp.sign(load)), sp.Integer(0))
 CUBIC = Memory(z, "spring", RATE.symbol * load - z**3 - z / 10, load / 5)
-LAG = Lag(load, TAU.symbol)
+FOLLOWING = Memory(z, "load, delayed", RATE.symbol * (load - z), load)
 
 
 def recording(rows: int, limbs: int, seed: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -89,9 +97,9 @@ def solved(rate: Any, start: Any, time: np.ndarray, values: np.ndarray) -> np.nd
 
 CASES = {
     "lag": (
-        effect(LAG, varied=(TAU,)),
-        (0.0, 0.35),
-        lambda y, s: (s - y) / 0.35,
+        effect(z, FOLLOWING, varied=(RATE,)),
+        (0.0, 2.8),
+        lambda y, s: 2.8 * (s - y),
         lambda s: s,
     ),
     "dahl": (
@@ -127,10 +135,10 @@ def test_a_memory_is_what_a_solver_of_differential_equations_gives(case: str) ->
 
 
 def test_a_lag_of_states_that_go_straight_is_exact_however_far_apart_the_rows_are() -> None:
-    module = derived(effect(Lag(load, TAU.symbol), varied=(TAU,)))
+    module = derived(effect(Lag(load, TAU.symbol), searched=(Orders(TAU),)))
     time, tau = np.array([0.0, 3.0, 3.001, 50.0]), 0.8
     u = np.array([1.0, -2.0, 4.0, 5.0])
-    found = memory.along(module, u[:, None, None], np.tile([0.0, tau], (4, 1, 1)), (), time, np.zeros(4, dtype=int))
+    found = memory.along(module, u[:, None, None], np.zeros((4, 1, 1)), (tau,), time, np.zeros(4, dtype=int))
     expected = [u[0]]
     for k in range(3):
         h, slope = time[k + 1] - time[k], (u[k + 1] - u[k]) / (time[k + 1] - time[k])
@@ -178,8 +186,10 @@ def test_where_halving_does_not_settle_it_is_said_and_bounded() -> None:
 
 
 def test_a_recording_of_one_row_has_the_memory_it_starts_with() -> None:
-    module = derived(effect(Lag(load, TAU.symbol), varied=(TAU,)))
-    found = memory.along(module, np.full((1, 1, 1), 3.0), np.ones((1, 1, 2)), (), np.zeros(1), np.zeros(1, dtype=int))
+    module = derived(effect(Lag(load, TAU.symbol), searched=(Orders(TAU),)))
+    found = memory.along(
+        module, np.full((1, 1, 1), 3.0), np.ones((1, 1, 1)), (0.5,), np.zeros(1), np.zeros(1, dtype=int)
+    )
     assert found.value.ravel().tolist() == [3.0]
     np.testing.assert_array_equal(found.by_coefficients, 0.0)
 
@@ -190,7 +200,87 @@ def test_memories_that_cannot_be_meant_are_refused_by_name() -> None:
         effect(z, DAHL, other, varied=(RATE,))
     with pytest.raises(ValueError, match="remembering: z starts from states and constants only"):
         effect(z, Memory(z, "z", -z, RATE.symbol), varied=(RATE,))
+    with pytest.raises(ValueError, match="rate of lag_1 has no value where all coefficients are zero"):
+        effect(Lag(load, TAU.symbol), varied=(TAU,))
+    with pytest.raises(ValueError, match="a reading has no memory"):
+        dataclasses.replace(effect(z, DAHL, varied=(RATE,)), targets={"reading.x": SIZE.symbol * z}, per_limb=False)
     with pytest.raises(ValueError, match="memory z: tan cannot be written in every target"):
         effect(z, Memory(z, "z", -sp.tan(z), sp.Integer(0)))
     with pytest.raises(ValueError, match="the memory z has no meaning"):
         Memory(z, "", -z, sp.Integer(0))
+
+
+# ------------------------------------------------------------------------------------------------- on a machine
+
+
+@pytest.fixture
+def on_delta(monkeypatch: pytest.MonkeyPatch) -> Callable[[Effect], tuple[physics.Body, physics.Term]]:
+    """Return what puts a machine at rows of a recording, and an effect on its joints 1 and 2."""
+
+    def made(spec: Effect) -> tuple[physics.Body, physics.Term]:
+        module, load = derived(spec), physics.load_effect
+        monkeypatch.setattr(physics, "load_effect", lambda name: module if name == spec.name else load(name))
+        robot = dataclasses.replace(read_robot(example() / "robot.toml"), errors={})
+        mechanism, rng, n = load_mechanism("delta"), np.random.default_rng(4), 10
+        targets = np.column_stack([rng.uniform(-200, 200, (n, 2)), rng.uniform(-950, -750, n)])
+        q, _, status = mechanism.inverse(targets, np.zeros((n, 3)), mechanism.rows(robot))
+        assert (status == 0).all()
+        values = {"time": np.cumsum(rng.uniform(0.1, 1.0, n)), "qd": rng.uniform(-0.5, 0.5, (n, 3))}
+        channels = physics.Channels(values, np.arange(n, dtype=float), np.repeat([0, 1], n // 2))
+        return physics.Body(robot, mechanism, q, np.zeros((n, 3)), channels), physics.blank(spec.name, (1, 2), (0.05,))
+
+    return made
+
+
+(speed,) = state("qd")
+
+
+def test_a_machine_follows_its_memory_and_columns_are_its_derivatives(on_delta: Any) -> None:
+    memory_of_speed = Memory(z, "speed, delayed", RATE.symbol * (speed - z), speed)
+    body, term = on_delta(effect(sp.tanh(z), memory_of_speed, varied=(RATE,), reads="qd"))
+    values = np.array([[0.01, 0.8], [-0.02, 0.3]])
+    term, errors = term.with_values(values), np.zeros(len(body.mechanism.parameters))
+    machine, status = body.solve(errors, (term,))
+    assert (status == 0).all()
+    lag = memory.along(
+        term.kernels,
+        body.channels.values["qd"][:, :2, None],
+        np.tile(values, (10, 1, 1)),
+        (),
+        body.channels.clock,
+        body.channels.run,
+    )
+    np.testing.assert_allclose(machine.q[:, :2] - body.q[:, :2], values[:, 0] * np.tanh(lag.value[..., 0]), atol=1e-15)
+    np.testing.assert_array_equal(machine.q[:, 2], body.q[:, 2])
+    chosen = np.arange(10)
+    sensitivity = body.mechanism.sensitivity(machine.x, machine.q, body.tool, machine.rows)
+    columns = body.columns((term,), machine, sensitivity, chosen)
+    for j in range(4):
+        h = np.zeros(4)
+        h[j] = 1e-5
+        up, down = (body.solve(errors, (term.with_values(values.ravel() + s * h),))[0].x[:, :3] for s in (1, -1))
+        np.testing.assert_allclose(columns[:, :3, j], (up - down) / 2e-5, rtol=1e-5, atol=1e-4)
+
+
+def test_a_memory_without_time_says_what_is_missing(on_delta: Any) -> None:
+    body, term = on_delta(effect(Lag(speed, TAU.symbol), searched=(Orders(TAU),), reads="qd"))
+    assert body.missing(term.effect) is None
+    body.channels = physics.Channels({"qd": body.channels.values["qd"]}, body.channels.order)
+    assert body.missing(term.effect) == "the column time_s"
+
+
+def test_a_jump_that_leaves_no_equilibrium_is_stated_with_row_and_joint(on_delta: Any) -> None:
+    """``theta = q - size sign(theta - at)``: from either side the joint is thrown to the other, in row 4 of joint 2."""
+    (theta,) = state("theta")
+    at = coefficient("at", "1", 1.0, "where it jumps", ANY)
+    body, term = on_delta(effect(-sp.sign(theta - at.symbol), searched=(Orders(at),), reads="theta"))
+    term = dataclasses.replace(term, limbs=(2,), values=np.array([[0.01]]), constants=(body.q[4, 1] + 0.004,))
+    machine, status = body.solve(np.zeros(len(body.mechanism.parameters)), (term,))
+    assert status.tolist() == [UNBALANCED if row == 4 else SOLVED for row in range(10)]
+    assert machine.restless is not None
+    assert machine.restless.tolist() == [2 if row == 4 else 0 for row in range(10)]
+    assert np.isnan(machine.x[4]).all()
+    recording = SimpleNamespace(path=Path("r.csv"), line=np.arange(2, 12))
+    with pytest.raises(InputError, match=r"without static equilibrium.*joint 2 first") as refused:
+        body.check(machine, status, np.arange(10), recording)  # type: ignore[arg-type]
+    assert refused.value.line == 6

@@ -117,7 +117,7 @@ class Problem:
             A row that readings refer to has no pose: out of reach or singular.
         """
         machine, status = self.body.solve(*self.split(parameters), near, self.held)
-        self.body.check(status, self.readings.used, self.recording)
+        self.body.check(machine, status, self.readings.used, self.recording)
         return machine._replace(x=np.where(np.isfinite(machine.x), machine.x, 0.0))
 
     def poses(self, parameters: Array, near: Array | None = None) -> Array:

@@ -24,7 +24,8 @@ from deltacal_gen import states
 from deltacal_gen.errors import InputError
 from deltacal_gen.inputs import TEMPERATURE, Recording, Robot
 from deltacal_gen.instrument.readings import Readings
-from deltacal_gen.mechanism import SOLVED, STATUS, Array, Machine, Sensitivity
+from deltacal_gen.mechanism import SOLVED, STATUS, UNBALANCED, Array, Machine, Sensitivity
+from deltacal_gen.memory import Along, along
 from deltacal_gen.results.parts import TermState
 from deltacal_gen.rotation import cayley_matrix
 from deltacal_gen.states import CHANNELS, State
@@ -32,6 +33,7 @@ from deltacal_gen.units import joint_factors, of_joints, of_sliding
 
 EQUILIBRIUM_STEPS = 25
 EQUILIBRIUM_DONE = 1e-9  # mm and rad: change of the pose that the next step would bring
+EQUILIBRIUM_LEFT = 1e-6  # mm and rad: change of the pose by the last step, above which there is no equilibrium
 STEP_S = 1e-3  # of the second difference that gives the accelerations of the weights
 AXES = ("x", "y", "z")
 Point = tuple[float, float, float]
@@ -112,6 +114,11 @@ def blank(
     return Term(effect, own, values, tuple(constants), points)
 
 
+def remembers(kernels: ModuleType) -> bool:
+    """Tell whether an effect has memories along a run."""
+    return hasattr(kernels, "MEMORY")
+
+
 def displaces_points(kernels: ModuleType) -> bool:
     """Tell whether an effect acts tool point by tool point."""
     return "points" in kernels.SEARCHED
@@ -128,10 +135,13 @@ class Channels:
         their columns, as recorded. What the recording does not say is not there.
     order : (N,) array
         The place of each row where there is no time.
+    run : (N,) array of int, optional
+        Which rows are one uninterrupted movement: the column ``run``, or a set-up; None: all.
     """
 
     values: Mapping[str, Array]
     order: Array
+    run: np.ndarray | None = None
 
     def get(self, name: str) -> Array | None:
         """Return a channel, None where the recording says nothing of it; one that is optional is then nowhere."""
@@ -155,7 +165,8 @@ class Channels:
 
     def subset(self, rows: np.ndarray) -> Channels:
         """Return the channels at these rows."""
-        return Channels({name: v[rows] for name, v in self.values.items()}, self.order[rows])
+        run = None if self.run is None else self.run[rows]
+        return Channels({name: v[rows] for name, v in self.values.items()}, self.order[rows], run)
 
     def with_values(self, **values: Array) -> Channels:
         """Return the channels with others, or other ones."""
@@ -164,7 +175,10 @@ class Channels:
     @staticmethod
     def of(recording: Recording, robot: Robot) -> Channels:
         """Read the channels of a recording; joint channels are turned as the geometry counts."""
-        return Channels.from_columns(recording.channels, recording.joints.shape, robot, recording.joint_unit)
+        found = Channels.from_columns(recording.channels, recording.joints.shape, robot, recording.joint_unit)
+        label = found.values.get("run", np.zeros(len(recording.joints)))
+        _, run = np.unique(np.column_stack([recording.setup, label]), axis=0, return_inverse=True)
+        return dataclasses.replace(found, run=run)
 
     @staticmethod
     def from_columns(
@@ -239,16 +253,24 @@ def complete_channels(
                 "Fill in all cells, or leave the column out.",
                 column=column,
             )
-    return Channels(values, have.order), said
+    return Channels(values, have.order, have.run), said
 
 
 class Deformed(NamedTuple):
-    """A machine moved by effects: what the kernels read, and the derivatives of what it sees by the coefficients."""
+    """A machine moved by effects: what the kernels read.
+
+    Attributes
+    ----------
+    x, q, tool, rows : (N, 12), (N, n_q), (N, 3), (1 or N, limbs, n_p) arrays
+    restless : (N,) array of int, optional
+        At rows without static equilibrium the joint, from 1, that is thrown back and forth; 0 elsewhere.
+    """
 
     x: Array
     q: Array
     tool: Array
     rows: Array
+    restless: np.ndarray | None = None
 
 
 class Body:
@@ -279,7 +301,9 @@ class Body:
         read = states.read_by(load_effect(effect))
         if without := [s.requires for s in read if s.requires and not self._able(s)]:
             return without[0]
-        for channel in dict.fromkeys(c for s in read if not s.since for c in s.channels):
+        channels = [c for s in read if not s.since for c in s.channels]
+        channels += [states.named("time")] if remembers(load_effect(effect)) else []
+        for channel in dict.fromkeys(channels):
             names = channel.columns(self.mechanism.joint_unit, self.q.shape[1])
             words = f"column{'s' if len(names) > 1 else ''} {', '.join(names)}"
             value = self._channel(channel)
@@ -392,7 +416,44 @@ class Body:
     # ------------------------------------------------------------------------------------------------ deformation
 
     def _inputs(self, term: Term, state: Mapping[str, Array]) -> Array:
-        """Return the term's state as the kernels read it, (N * limbs, n_s), or (N, n_s) for targets of the machine."""
+        """Return the term's state as the kernels read it, (N * limbs, n_s), or (N, n_s) for targets of the machine.
+
+        Memories come last.
+        """
+        read = self._read(term, state)
+        return np.hstack([read, self._remembered(term, read).value]) if remembers(term.kernels) else read
+
+    def _remembered(self, term: Term, read: Array) -> Along:
+        """Return the memories of a term at the rows of its state; NaN where they do not settle."""
+        N, c = len(self.q), self._coefficients(term)
+        time, run = self.channels.get("time"), self.channels.run
+        assert time is not None  # see `missing`
+        limbs = len(read) // N
+        own = [i - 1 for i in term.limbs] or list(range(limbs))  # others have no coefficients
+        given = np.broadcast_to(c, (len(read), c.shape[1])).reshape(N, limbs, -1)
+        run = np.zeros(N, dtype=np.int64) if run is None else run
+        found = along(term.kernels, read.reshape(N, limbs, -1)[:, own], given[:, own], term.constants, time, run)
+
+        def of_all(values: Array) -> Array:
+            every = np.zeros((N, limbs, *values.shape[2:]), dtype=values.dtype)
+            every[:, own] = values
+            return every.reshape(len(read), *values.shape[2:])
+
+        value = np.where(found.settled[:, :, None], found.value, np.nan)
+        return Along(*map(of_all, (value, found.by_coefficients, found.bound, found.settled)))
+
+    def _derivatives(self, term: Term, read: Array, coefficients: Array) -> Array:
+        """Return the derivatives of what a term moves by its coefficients, (M, n_t, n_c), through memories too."""
+        kernels = term.kernels
+        if not remembers(kernels):
+            return np.asarray(kernels.jacobian(read, coefficients, term.constants))
+        found = self._remembered(term, read)
+        s = np.hstack([read, found.value])
+        by_memory = kernels.by_memory(s, coefficients, term.constants)
+        return np.asarray(kernels.jacobian(s, coefficients, term.constants) + by_memory @ found.by_coefficients)
+
+    def _read(self, term: Term, state: Mapping[str, Array]) -> Array:
+        """Return the states that a term reads, memories not among them."""
         by_limb = _by_limb(term)
         N, limbs = self.q.shape
         columns = []
@@ -474,9 +535,11 @@ class Body:
         else:
             x, ok = near, np.isfinite(near).all(axis=1)
         q, rows, tool, before = self.q, plain, self.tool, 0.0
+        shift: dict[str, Array] = {}
+        restless = None
         for _ in range(EQUILIBRIUM_STEPS):
             safe = np.where(ok[:, None], x, 0.0)
-            shift = _together(unchanged, self.moved(varying, self.state(names, safe, q, rows)))
+            earlier, shift = shift, _together(unchanged, self.moved(varying, self.state(names, safe, q, rows)))
             q = self.q + shift.get("joint", 0.0)
             rows = self._rows(errors, shift)
             tool = self.tool + np.column_stack([np.broadcast_to(shift.get(f"tool.{a}", 0.0), len(x)) for a in AXES])
@@ -488,12 +551,16 @@ class Body:
             if not varying or step * (min(step / before, 1.0) if before else 1.0) < EQUILIBRIUM_DONE:
                 break
             before = step
+        else:
+            left = ok & (np.abs(x - last).max(axis=1) > EQUILIBRIUM_LEFT)
+            restless = np.where(left, _restless(earlier, shift, len(x)), 0)
+            x, status = np.where(left[:, None], np.nan, x), np.where(left, UNBALANCED, status)
         turn = np.column_stack([np.broadcast_to(shift.get(f"turn.{a}", 0.0), len(x)) for a in AXES])
         if turn.any():
             x = x.copy()
             x[:, :3] += np.cross(turn, x[:, :3])
             x[:, 3:] = (cayley_matrix(turn) @ x[:, 3:].reshape(-1, 3, 3)).reshape(-1, 9)
-        return Deformed(x, q, tool, rows), status
+        return Deformed(x, q, tool, rows, restless), status
 
     def _steady(self, terms: Sequence[Term], rows: Array) -> dict[str, Array]:
         """Return the displacement of every target by effects of the reported joints and of channels alone."""
@@ -535,13 +602,13 @@ class Body:
             if not _by_limb(forms[0]):
                 part[:] = np.concatenate([self._machine_columns(t, state, body, n_x, chosen) for t in forms], axis=2)
                 continue
-            same = None if any(s.since for s in forms[0].states) else self._inputs(forms[0], state)
+            same = None if any(s.since for s in forms[0].states) else self._read(forms[0], state)
             D = np.array(
                 [
-                    kernels.jacobian(
-                        self._inputs(t, state) if same is None else same,
+                    self._derivatives(
+                        t,
+                        self._read(t, state) if same is None else same,
                         self._coefficients(t) if t.values.any() else t.values[:1],
-                        t.constants,
                     )
                     for t in forms
                 ]
@@ -571,7 +638,7 @@ class Body:
         out = np.zeros((len(self.q), n_x, term.n_coefficients))
         if kernels.ACTS_ON == "reading":
             return out
-        D = kernels.jacobian(self._inputs(term, state), self._coefficients(term), term.constants)
+        D = self._derivatives(term, self._read(term, state), self._coefficients(term))
         for j, target in enumerate(kernels.TARGETS):
             axis = AXES.index(target[-1])
             unit = np.eye(3)[axis]
@@ -589,14 +656,18 @@ class Body:
         out[~keep] = 0.0
         return out
 
-    def check(self, status: np.ndarray, used: np.ndarray, recording: Recording) -> None:
+    def check(self, machine: Deformed, status: np.ndarray, used: np.ndarray, recording: Recording) -> None:
         """Raise an InputError that names the first row of `used` without a pose."""
         bad = used[status[used] != SOLVED]
         if len(bad):
+            joint = 0 if machine.restless is None else int(machine.restless[bad[0]])
             raise InputError(
                 f"at these joints the machine is {STATUS[int(status[bad[0]])]}"
+                + (f", joint {joint} first" if joint else "")
                 + (f" (and at {len(bad) - 1} more rows)." if len(bad) > 1 else "."),
-                "Check the joint columns, their signs and units, and the robot's lengths.",
+                "Make the effect's jump smaller, or a slope of it."
+                if joint
+                else "Check the joint columns, their signs and units, and the robot's lengths.",
                 file=recording.path,
                 line=int(recording.line[bad[0]]),
             )
@@ -632,6 +703,13 @@ def _by_limb(term: Term) -> bool:
 def _follows(term: Term) -> bool:
     """Tell whether an effect reads what changes with the pose."""
     return any(s.follows for s in term.states)
+
+
+def _restless(earlier: Mapping[str, Array], shift: Mapping[str, Array], rows: int) -> np.ndarray:
+    """Return the joint (N,), from 1, of which two steps move something differently by most; 0 where none does."""
+    changes = [np.abs(v - earlier[target]) for target, v in shift.items() if v.ndim == 2 and target in earlier]
+    parts = [change / most for change in changes if (most := change.max(initial=0.0)) > 0.0]
+    return 1 + np.sum(parts, axis=0).argmax(axis=1) if parts else np.zeros(rows, dtype=np.int64)
 
 
 def _together(a: Mapping[str, Array], b: Mapping[str, Array]) -> dict[str, Array]:
