@@ -1,4 +1,4 @@
-"""An effect is one file: README's example, put into a copy of the sources, is derived, tested and used as any other."""
+"""An effect is one file: put into a copy of the sources, it is derived, tested and used as any other."""
 
 from __future__ import annotations
 
@@ -40,7 +40,35 @@ def in_readme(name: str) -> str:
     return str(text)
 
 
-ADDED = {"warm_compliance": Added(in_readme("warm_compliance"), {"softening": 0.002}, ("temp", "payload"))}
+PRELOAD = '''"""A preloaded gearbox yields beyond its preload only: a dead band, in the sense of the torque."""
+
+import sympy as sp
+
+from derive.effects import DEG, joint_coefficient, state
+from derive.spec import Effect, Reference
+
+(torque,) = state("torque")
+compliance = joint_coefficient("compliance", "Nm", "twist per torque beyond the preload", (0.0, 1.0))
+yields = sp.sign(torque) * sp.Max(sp.Abs(torque) - 4000, 0)
+EFFECT = Effect(
+    name="preload_yield",
+    title="preloaded gearbox yields beyond its preload",
+    advice="Raise the preload of the gearbox, or carry less.",
+    source="derive/effects/preload_yield.py",
+    per_limb=True,
+    coefficients=(compliance,),
+    targets={"joint": compliance.symbol * yields},
+    tests=(
+        Reference({"torque": -6000.0}, {"compliance": 0.01}, {"joint": -0.02 * DEG}),
+        Reference({"torque": 3000.0}, {"compliance": 0.01}, {"joint": 0.0}),
+    ),
+)
+'''
+
+ADDED = {
+    "warm_compliance": Added(in_readme("warm_compliance"), {"softening": 0.002}, ("temp", "payload")),
+    "preload_yield": Added(PRELOAD, {"compliance": 0.03}, ("payload",)),
+}
 
 
 @pytest.fixture(scope="module", params=ADDED)
