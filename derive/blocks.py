@@ -357,9 +357,9 @@ def nominal(mechanism: LimbMechanism, layout: Blocks) -> Nominal | None:
 
     Rods of a pair are parallel then, which leaves most derivatives of their difference zero. Functions: `nominal` (a
     limb's equations by platform and errors; those stored are the ones that do not vanish), `nominal_inverse`,
-    `nominal_constants`. None where the closed-form positions turn the platform.
+    `nominal_constants`. None where positions turn the platform.
     """
-    if mechanism.seeds is not None:
+    if mechanism.seeds is not None or mechanism.home is not None:
         return None
     limbs, rods = mechanism.limbs, len(mechanism.loop_closure)
     n_x, f, a = len(mechanism.platform), limbs * rods, limbs

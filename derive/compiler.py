@@ -40,7 +40,7 @@ from derive.lower import lower
 from derive.mathematics.chains import links
 from derive.mathematics.effects import effect
 from derive.mathematics.functions import Functions
-from derive.mathematics.kinematics import kinematics, rotations
+from derive.mathematics.kinematics import kinematics, rotations, stated
 from derive.mathematics.measurements import measurement, platform_names, step
 from derive.spec import ChainMechanism, Effect, LimbMechanism, Measurement
 
@@ -130,7 +130,7 @@ def derive_one(spec: Spec) -> Derived:
         "statics": statics.loads(spec),
         "exact": exact.functions,
         "linear": first_order.functions,
-        "exported": [linear(spec)],
+        "exported": [linear(spec), *([stated(spec)] if spec.turning else [])],
         **({"nominal": ideal.functions} if ideal else {}),
     }
     return Derived(spec, functions, {"blocks": blocks, "nominal": ideal, "exact": exact, "linear": first_order})
@@ -188,7 +188,7 @@ def write_one(lowered: Lowered) -> dict[Path, str]:
         },
         "vectorised.py": {"kernels": moving},
         "statics.py": {"kernels": kernels["statics"]},
-        "inverse.c": {"kernels": moving, "constants": command_constants},
+        "inverse.c": {"kernels": {**kernels["exported"], **moving}, "constants": command_constants},
         "linear.c": {"kernels": kernels["exported"]},
     }
     if "nominal" in kernels:
@@ -322,7 +322,8 @@ def committed(names: Sequence[str] = ()) -> dict[Path, str]:
 
 def _is_of(path: Path, names: Sequence[str]) -> bool:
     """Tell whether a file is of one of the names, or of none."""
-    return path == SIZES or path.as_posix() in COMMON or path.parent.as_posix() in names or path.stem in names
+    common = path.parent == Path() or path.as_posix() in COMMON
+    return common or path.parent.as_posix() in names or path.stem in names
 
 
 def differences(fresh: Mapping[Path, str], old: Mapping[Path, str]) -> list[str]:

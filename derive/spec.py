@@ -140,8 +140,11 @@ class LimbMechanism:
         Which of the two closed-form inverse (forward) solutions is the machine's; `elbow` may be an expression of the
         limb's geometry, where the limbs differ.
     seeds : mapping, optional
-        Platform coordinates in terms of the joints ``q_1 ...`` and of limb 1's parameters: the closed-form forward
-        position of the simplified machine, where its limbs are no spheres (circles) about their joints.
+        Platform coordinates in terms of the joint and its limb's parameters, and the joint in terms of the commanded
+        ones: closed-form positions of the simplified machine of one limb, which is no sphere (circle) about its joint.
+    home : mapping, optional
+        Platform coordinates in terms of geometry and tool, zero where left out: where Newton's method begins a forward
+        position that has no closed form, as that of every machine whose platform turns on command.
     roles : mapping
         Lengths that effects read (``derive.language.states``: L, l, b) in terms of the geometry.
     moves : mapping
@@ -187,6 +190,7 @@ class LimbMechanism:
     models: Mapping[str, tuple[str, ...]]
     common: tuple[Quantity, ...] = ()
     seeds: Mapping[sp.Symbol, sp.Expr] | None = None
+    home: Mapping[sp.Symbol, sp.Expr] | None = None
     roles: Mapping[str, sp.Expr] = field(default_factory=dict)
     moves: Mapping[str, Mapping[str, sp.Expr]] = field(default_factory=dict)
     rods: tuple[str, ...] = ()
@@ -202,6 +206,16 @@ class LimbMechanism:
         closures = self.limbs * len(self.loop_closure)
         if len(self.platform) != closures:
             raise ValueError(f"{self.name}: {closures} closures cannot hold {len(self.platform)} coordinates.")
+        if self.seeds is not None and (self.limbs > 1 or self.home is not None):
+            raise ValueError(f"{self.name}: seeds are closed-form positions of one limb; give home for several.")
+        turning = [q.name for q in self.platform[: self.commanded] if q.name[0] == "c"]
+        if turning and self.home is None:
+            raise ValueError(
+                f"{self.name}: a command turns the platform ({', '.join(turning)}), so that its forward position has "
+                "no closed form. Say where it is at home: home = {coordinate: expression}."
+            )
+        if turning and self.commanded < len(self.platform):
+            raise ValueError(f"{self.name}: a command that turns the platform asks for all of its coordinates.")
         declared = [q.symbol for q in (*self.platform, *self.tool, self.joint, *self.limb_parameters)]
         names = [str(s) for s in declared]
         for name in names:
@@ -233,6 +247,11 @@ class LimbMechanism:
     def commanded(self) -> int:
         """How many platform coordinates a command asks for, the first ones: as many as there are joints."""
         return self.limbs
+
+    @property
+    def turning(self) -> bool:
+        """Whether a command says how the platform is turned."""
+        return any(q.name[0] == "c" for q in self.platform[: self.commanded])
 
     @property
     def parameter_names(self) -> tuple[str, ...]:

@@ -36,6 +36,7 @@ DELTA = SimpleNamespace(
     limbs=3,
     joint_unit="rad",
     linked=False,
+    turning=False,
     machine="delta",
     axes=("x", "y", "z"),
     layers=(-1, -1),
@@ -51,6 +52,7 @@ TOWERS = SimpleNamespace(
     limbs=3,
     joint_unit="mm",
     linked=False,
+    turning=False,
     geometry=(geometry_key("radius"), geometry_key("arm_length", per_limb=True)),
     parameters=(),
 )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import sympy as sp
 
 from derive import closed_form, vectors
@@ -11,13 +13,16 @@ from derive.graph import Graph
 from derive.mathematics.functions import Functions, entries
 from derive.spec import LimbMechanism
 
+DEG = sp.Float(math.pi / 180)
+LEAST = 1e-150  # rad: a turn, so that none has an axis all the same
+
 
 def kinematics(mechanism: LimbMechanism) -> tuple[Functions, Blocks]:
     """Return a machine's functions of one limb, and of its limbs over lanes.
 
     `newton` (closure, its Jacobians by platform and joint), `parameters` (its Jacobian by errors and deflections),
-    `sphere` (or `position`) and `joint` (the seeds), `constants`. What a command needs comes first, so that it reads
-    the first columns of the constants only.
+    `sphere`, `position` or `home`, and `joint` (what Newton's method starts from), `constants`. What a command needs
+    comes first, so that it reads the first columns of the constants only.
     """
     platform = [quantity.symbol for quantity in mechanism.platform]
     joint = mechanism.joint.symbol
@@ -42,8 +47,8 @@ def kinematics(mechanism: LimbMechanism) -> tuple[Functions, Blocks]:
         dense=True,
     )
     functions.add("parameters", "per rod of one limb: derivatives of the closure by errors, by deflections", errors)
-    meaning, start = _start_of_forward(mechanism)
-    functions.add("position" if mechanism.seeds is not None else "sphere", meaning, start, dense=True)
+    name, meaning, start = _start_of_forward(mechanism)
+    functions.add(name, meaning, start, dense=True)
     if turns := turn_by_change(mechanism):
         functions.add("spin", "turn about the axes of {O} by the Cayley vector", turns, dense=True)
     batch = blocks(mechanism, meaning, start, functions)
@@ -51,13 +56,29 @@ def kinematics(mechanism: LimbMechanism) -> tuple[Functions, Blocks]:
     return functions, batch
 
 
-def _start_of_forward(mechanism: LimbMechanism) -> tuple[str, list[sp.Expr]]:
-    """Return what the forward position starts from, its meaning and expressions: spheres, or what the spec gives."""
-    if mechanism.seeds is not None:
-        position = [mechanism.seeds.get(quantity.symbol, sp.Integer(0)) for quantity in mechanism.platform]
-        return "platform of the simplified machine at a given joint", position
+def _start_of_forward(mechanism: LimbMechanism) -> tuple[str, str, list[sp.Expr]]:
+    """Return what the forward position starts from: name, meaning, expressions of spheres or of what the spec gives."""
+    for name, meaning, given in (
+        ("position", "platform of the simplified machine at a given joint", mechanism.seeds),
+        ("home", "platform at home, whatever the joint", mechanism.home),
+    ):
+        if given is not None:
+            return name, meaning, [sp.sympify(given.get(q.symbol, 0)) for q in mechanism.platform]
     centre, constant = closed_form.sphere(mechanism)
-    return "the simplified limb as a sphere |P|^2 - 2 c.P + d = 0: c, d", [*centre, 2 * constant]
+    return "sphere", "the simplified limb as a sphere |P|^2 - 2 c.P + d = 0: c, d", [*centre, 2 * constant]
+
+
+def stated(mechanism: LimbMechanism) -> Functions:
+    """Return the commanded coordinates by a target as files state it: position [mm], rotation vector [deg]."""
+    commanded = [quantity.symbol for quantity in mechanism.platform[: mechanism.commanded]]
+    turns = [s for s in commanded if str(s)[0] == "c"]
+    vector = {s: DEG * s for s in turns}
+    turn = sp.sqrt(sum((v**2 for v in vector.values()), sp.Float(LEAST**2)))
+    known = {s: 2 * sp.tan(turn / 2) / turn * v for s, v in vector.items()}
+    functions = Functions(Graph(), {}, entries("x", commanded))
+    meaning = "coordinates of a target: position [mm], rotation vector [deg]"
+    functions.add("stated", meaning, [known.get(s, s) for s in commanded], dense=True)
+    return functions
 
 
 def rotations() -> list[Functions]:

@@ -10,7 +10,11 @@ from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.instrument.instrument import align
 from deltacal_gen.mechanism import SOLVED, Array, mechanism_of
 from deltacal_gen.robot import Robot, Workspace
+from deltacal_gen.rotation import from_vector
+from deltacal_gen.units import DEG
 
+TURN = 10.0  # deg: as far as a platform turns on command either way whose workspace does not say
+TURN_ROOT = 1.2207440846057596  # of x^4 = x + 1: its powers spread three turns evenly
 FULL_TURN = np.pi  # rad: as far as a joint turns either way whose limits nobody gave
 
 
@@ -65,6 +69,21 @@ def check_poses(workspace: Workspace, per_circle: int = 16) -> Array:
         return np.vstack([workspace.home, *(workspace.place(x, depth) for depth in depths)])
     rings = [circle(workspace, depth, part, per_circle) for depth in depths for part in (0.5, 1.0)]
     return np.vstack([workspace.home, *rings])
+
+
+def turned(robot: Robot, positions: Array) -> Array:
+    """Return targets at positions (N, 3): as they are or, of a platform that turns on command, poses (N, 12).
+
+    The first is level; the others are turned by rotation vectors spread evenly over as far as the workspace says.
+    """
+    mechanism, space = mechanism_of(robot), robot.workspace
+    if not mechanism.turning or mechanism.many_ways or space is None:
+        return positions
+    axes = ["xyz".index(name[1]) for name in mechanism.asks if name[0] == "c"]
+    vectors = np.zeros((len(positions), 3))
+    u = np.outer(np.arange(len(positions)), TURN_ROOT ** -np.arange(1.0, len(axes) + 1)) % 1.0
+    vectors[:, axes] = (2.0 * ((u + 0.5) % 1.0) - 1.0) * (TURN if space.turn is None else space.turn) * DEG
+    return np.hstack([positions, from_vector(vectors).reshape(-1, 9)])
 
 
 def joint_spread(robot: Robot, count: int) -> Array:
@@ -135,7 +154,7 @@ def check_joints(robot: Robot, tool: Array, errors: Array | None = None) -> tupl
         q = robot.joint_sign * joint_spread(robot, len(targets))
         x, status = mechanism.forward(q, tool, rows)
         return q, x, x[:, :3], status == SOLVED
-    q, x, status = mechanism.inverse(targets, tool, rows)
+    q, x, status = mechanism.inverse(turned(robot, targets), tool, rows)
     return q[status == SOLVED], x[status == SOLVED], targets, status == SOLVED
 
 

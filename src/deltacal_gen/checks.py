@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from deltacal_gen.accuracy import turned
 from deltacal_gen.identifiability import RANK_TOLERANCE, Combination, unseen
 from deltacal_gen.inputs import Measurement
 from deltacal_gen.instrument.kind import Kind, Look
@@ -151,7 +152,7 @@ def spread(robot: Robot, count: int = POSES) -> Poses:
     mechanism, rng = mechanism_of(robot), np.random.default_rng(SEED)
     rows = mechanism.rows(robot)
     if (targets := _targets(robot, rng.random((count, 3)))) is not None:
-        q, x, status = mechanism.inverse(targets, robot.tool, rows)
+        q, x, status = mechanism.inverse(turned(robot, targets), robot.tool, rows)
         good = status == SOLVED
         if good.sum() > count / 2:
             return _poses(robot, q[good], x[good], robot.tool)

@@ -26,7 +26,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from deltacal_gen.accuracy import workspace_of
+from deltacal_gen.accuracy import turned, workspace_of
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.mechanism import (
     SOLVED,
@@ -410,7 +410,7 @@ class Compensator:
         NoSolutionError
             The machine reaches no point of it.
         """
-        targets = workspace_points(workspace_of(self.robot))
+        targets = turned(self.robot, workspace_points(workspace_of(self.robot)))
         error = np.linalg.norm(self.leftover(targets), axis=1)
         if np.isnan(error).all():
             raise NoSolutionError(

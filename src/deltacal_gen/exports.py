@@ -24,18 +24,19 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.accuracy import workspace_of
+from deltacal_gen.accuracy import turned, workspace_of
 from deltacal_gen.compensation import Compensator, RoundTrip, largest, workspace_points
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.machine.backend import Backend, using
-from deltacal_gen.mechanism import POSE, SOLVED, UNREACHABLE, Array
+from deltacal_gen.mechanism import COORDINATES, POSE, SOLVED, UNREACHABLE, Array, Machine
 from deltacal_gen.physics import Body, Channels, Term, term_of
 from deltacal_gen.recording import write_files
 from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.result import Result
 from deltacal_gen.robot import read_text
+from deltacal_gen.rotation import to_vector
 from deltacal_gen.states import CHANNELS, STATES, State, named
-from deltacal_gen.units import file_unit, to_internal
+from deltacal_gen.units import DEG, file_unit, to_internal
 
 LARGEST_TABLE = (
     200_000  # nodes times columns; beyond this the file has tens of megabytes and the C source is the better export
@@ -44,11 +45,6 @@ TABLE_DECIMALS = 7  # of a correction in deg or mm: at a metre, 2e-6 mm
 DEGREE = 6  # of the polynomials over the workspace: 84 coefficients
 TURNS = 12  # of the fixed point in C: an effect of the joint angle that steepens by a tenth is then known to 1e-12
 _SOURCE = {"exact": "inverse.c", "linear": "linear.c"}
-_IN = {  # what a target is, by how many coordinates are commanded
-    1: "x of the reference point P in the robot frame {O}; y and z are not read",
-    2: "x, y of the reference point P in the robot frame {O}; z is not read",
-    3: "reference point P in the robot frame {O}",
-}
 _MARGIN = 1.05  # a stated error over the measured one
 _CHUNK = 100_000  # points evaluated at once
 _SEED = 20151  # of the channels' random values: the same machine always gets the same statement
@@ -223,6 +219,11 @@ def export_c(compensator: Compensator, path: str | Path, over: Spans | None = No
     InputError
         The robot has no workspace, or the file cannot be written.
     """
+    if compensator.effects and compensator.mechanism.turning:
+        raise UsageError(
+            "effects are exported as functions of the position, and this platform turns on command. "
+            "Write the joints of your targets: deltacal compensate RESULT TARGETS -o JOINTS."
+        )
     rigid = replace(compensator, terms=())
     with using(Backend.NUMPY):  # a file holds the same digits wherever it is written from
         left = rigid.round_trip()
@@ -455,23 +456,46 @@ def _c_header(compensator: Compensator, left: RoundTrip, unit: str, live: _Live 
     if live is not None:
         yield from _c_effects(live)
     yield ""
-    yield f"In          target_mm: {_IN[mechanism.limbs if len(mechanism.axes) == 2 else 3]} [mm]"
+    yield f"In          {_stated_in_words(mechanism)}"
     yield f"Out         joints_{unit}: what to command, as the controller counts [{unit}]; not checked for joint limits"
     yield "Returns     0 solved; 1 out of reach; 2 singular; joints are written only for 0"
     yield ""
     yield f"Usage       double joints[{limbs}];"
-    yield f"            const double target[3] = {{ {_c_numbers(workspace_of(robot).home)} }};"
+    home = _as_files(mechanism, turned(robot, workspace_of(robot).home[None]))[0]
+    yield f"            const double target[{len(home)}] = {{ {_c_numbers(home)} }};"
     yield "            if (deltacal_compensate(target, joints) == 0) { ... }"
     yield "Build       C99 with the mathematics library. No memory is allocated and no state is kept: safe from any"
     yield "            thread. Not with -ffast-math, which drops the test for targets out of reach."
-    checks = np.round(workspace_points(workspace_of(robot))[[-3, -7, -70]], 3)
+    checks = turned(robot, np.round(workspace_points(workspace_of(robot))[[-3, -7, -70]], 3))
     joints, status = compensator.command(checks)
     yield ""
     yield "To check after installation:"
-    for target, command in zip(checks[status == SOLVED], joints[status == SOLVED], strict=True):
-        inputs = ", ".join(f"{v:.3f}" for v in target)
+    given, unit_in = _as_files(mechanism, checks), "mm, deg" if mechanism.turning else "mm"
+    for target, command in zip(given[status == SOLVED], joints[status == SOLVED], strict=True):
+        inputs = ", ".join(f"{v:.{9 if mechanism.turning else 3}f}" for v in target)
         outputs = ", ".join(f"{v:.9f}" for v in command / to_internal(mechanism.joint_unit))
-        yield f"            ({inputs}) mm -> ({outputs}) {unit}"
+        yield f"            ({inputs}) {unit_in} -> ({outputs}) {unit}"
+
+
+def _stated_in_words(mechanism: Machine) -> str:
+    """Say what a target is."""
+    shifts = [name[1] for name in mechanism.asks if name[0] == "p"]
+    of = f"{', '.join(shifts)} of the " if len(shifts) < 3 else ""
+    place = f"{of}reference point P in the robot frame {{O}}"
+    if mechanism.turning:
+        turns = ", ".join(f"r{name[1]}" for name in mechanism.asks if name[0] == "c")
+        return f"target: {place} [mm], {turns} of its rotation vector [deg]"
+    unread = [axis for axis in "xyz" if axis not in shifts]
+    rest = f"; {' and '.join(unread)} {'are' if len(unread) > 1 else 'is'} not read" if unread else ""
+    return f"target_mm: {place}{rest} [mm]"
+
+
+def _as_files(mechanism: Machine, targets: Array) -> Array:
+    """Return targets as the C function takes them: positions (N, 3) [mm], or what a command states [mm, deg]."""
+    if not mechanism.turning:
+        return targets
+    whole = np.hstack([targets[:, :3], to_vector(targets[:, 3:].reshape(-1, 3, 3)) / DEG])
+    return whole[:, [COORDINATES.index(name) for name in mechanism.asks]]
 
 
 def _c_effects(live: _Live) -> Iterator[str]:

@@ -25,7 +25,7 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen import singularities
-from deltacal_gen.accuracy import joint_spread, workspace_of
+from deltacal_gen.accuracy import joint_spread, turned, workspace_of
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.identifiability import (
     RANK_TOLERANCE,
@@ -522,7 +522,7 @@ def reach(robot: Robot, targets: Array, tools: Array) -> tuple[Poses, np.ndarray
         at, solved = mechanism.forward(theta, tools[0], nominal)
         targets = at[:, :3]
     else:
-        theta, _, solved = mechanism.inverse(targets, tools[0], nominal)
+        theta, _, solved = mechanism.inverse(turned(robot, targets), tools[0], nominal)
     why = np.array([STATUS[int(s)] if s != SOLVED else "" for s in solved], dtype=object)
     joints = robot.joint_sign * theta
     if robot.joint_limits is not None:
@@ -1128,8 +1128,18 @@ def target_recording(found: Plan, path: str | Path = "poses.csv") -> Recording:
         setup=np.zeros(count, dtype=int),
         setup_names=("1",),
         tool=found.poses.tool if mount is None else None,
-        targets=None if mechanism.many_ways else found.poses.targets,
+        targets=None if mechanism.many_ways else _with_turns(found),
     )
+
+
+def _with_turns(found: Plan) -> Array:
+    """Return the targets (N, 3) of a plan; of a platform that turns on command the poses (N, 12) that were planned."""
+    poses, mechanism = found.poses, _mechanism(found.robot)
+    if not mechanism.turning:
+        return poses.targets
+    q = found.robot.joint_sign * poses.joints
+    nominal, _ = mechanism.forward(q, poses.tool, mechanism.rows(dataclasses.replace(found.robot, errors={})))
+    return np.hstack([poses.targets, nominal[:, 3:]])
 
 
 def write_targets(found: Plan, path: str | Path) -> None:

@@ -903,7 +903,7 @@ def file_columns(recording: Recording) -> tuple[dict[str, Any], dict[str, Any]]:
         columns |= zip(POSITION[:axes], recording.targets.T[:axes], strict=True)
         if recording.targets.shape[1] > 3:
             turned = to_vector(recording.targets[:, 3:].reshape(-1, 3, 3)) / DEG
-            columns |= zip(ROTATION, turned.T, strict=True)
+            columns |= list(zip(ROTATION, turned.T, strict=True))[0 if axes == 3 else 2 :]
     else:
         unit, count = recording.joint_unit, recording.joints.shape[1]
         each = zip(joint_names(unit, count), of_joints(unit, count), recording.joints.T, strict=True)

@@ -79,6 +79,7 @@ def _per_limb(item: Any, limbs: int) -> Any:
 
 
 Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
+NonNegative = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0)]
 Positive = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0)]
 NotNegative = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0)]
 Vector = Annotated[tuple[Number, ...], Field(min_length=3, max_length=3)]
@@ -90,13 +91,15 @@ class Workspace(Table):
     """Where the machine works [mm]: a cylinder about z; for planar machines a rectangle; for a single joint a stroke.
 
     `top` is the distance from the base plane to the first layer, `radius` (or `width`) and `height` are its size; a
-    stroke, along x, has a width only. On which side of the base the layers lie is the mechanism's.
+    stroke, along x, has a width only. A platform that turns on command turns by up to `turn` [deg] either way. On which
+    side of the base the layers lie is the mechanism's.
     """
 
     top: Positive | None = None
     radius: Positive | None = None
     width: Positive | None = None
     height: Positive | None = None
+    turn: NonNegative | None = None
     _layers: tuple[int, int] = PrivateAttr(default=(-1, -1))
 
     def of(self, mechanism: Machine) -> Workspace:
@@ -407,7 +410,7 @@ def _workspace(file: TomlFile, said: Workspace | None, mechanism: Machine) -> Wo
                 f"Give {', '.join(needed[:known])} in mm.",
                 "workspace",
             )
-    for key in sorted(given - set(needed)):
+    for key in sorted(given - set(needed) - ({"turn"} if mechanism.turning else set())):
         raise file.error(
             f"'{key}' in [workspace] means nothing here; that of {mechanism.machine} is {shape}.",
             f"Give {', '.join(needed[:known])} in mm.",

@@ -264,7 +264,7 @@ class Limbs(Machine):
         status = np.empty(len(q), dtype=np.int64)
         kernels = self._kernels(len(q))
         tool, constants = self._machines(kernels, tool, rows, len(q))
-        if kernels is not self.vectorised and self._simplified(rows):
+        if hasattr(kernels, "simplified_forward") and self._simplified(rows):
             x = np.empty((len(q), kernels.SIMPLIFIED))
             kernels.simplified_forward(q, tool, constants, x, status)
         else:

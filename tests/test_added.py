@@ -1,0 +1,179 @@
+"""A machine is one file: the planar 3-RRR, whose platform turns on command, added to a copy of the checkout."""
+
+from __future__ import annotations
+
+import csv
+import ctypes
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+COMPILER = shutil.which("cc")
+NOISE = 0.003  # mm
+ROBOT = """
+[robot]
+name = "stage"
+mechanism = "rrr"
+[geometry]
+base_radius = 300.0
+platform_radius = 80.0
+proximal_length = 150.0
+distal_length = 180.0
+[workspace]
+top = 40.0
+width = 80.0
+height = 80.0
+turn = 15.0
+"""
+TRUTH = """
+[parameters]
+theta_1 = 0.2
+theta_2 = -0.1
+ex_1 = 0.1
+L_2 = 0.08
+l_3 = -0.1
+bx_2 = 0.05
+"""
+KERNELS = """
+import dataclasses
+import numpy as np
+import deltacal_gen as dc
+from deltacal_gen.compensation import Compensator
+from deltacal_gen.machine.backend import Backend
+from deltacal_gen.rotation import from_vector
+robot = dc.read_robot("robot.toml")
+machine, rng, n = dc.load_mechanism("rrr"), np.random.default_rng(1), 100
+assert (machine.asks, machine.widths, machine.turning) == (("px", "py", "cz"), (3, 12), True)
+errors = machine.typical * rng.standard_normal(21)
+robot = dataclasses.replace(robot, errors={p.name: e for p, e in zip(machine.parameters, errors)})
+rows, tool = machine.rows(robot), np.array([10.0, 5.0, 0.0])
+vectors = np.zeros((n, 3))
+vectors[:, 2] = rng.uniform(-0.3, 0.3, n)
+places = np.column_stack([rng.uniform(-50, 50, (n, 2)), np.zeros(n)])
+targets = np.hstack([places, from_vector(vectors).reshape(-1, 9)])
+for backend in Backend:
+    with dc.using(backend):
+        q, x, status = machine.inverse(targets, tool, rows)
+        assert not status.any() and np.abs(x - targets).max() < 1e-12
+        again, status = machine.forward(q, tool, rows)
+        assert not status.any() and np.abs(again - targets).max() < 1e-9
+        level, there, _ = machine.inverse(places, tool, rows)  # a position alone: level
+        assert np.abs(there[:, 3:] - np.eye(3).ravel()).max() < 1e-12
+        S, step = machine.sensitivity(x, q, tool, rows), 1e-6 * rng.standard_normal(21)
+        moved, _ = machine.forward(q, tool, machine.rows(robot, errors + step), near=x)
+        gap = moved[:, :3] - x[:, :3] - (S.parameters @ step)[:, :3]
+        assert np.abs(gap).max() < 1e-8
+        exact, linear = (Compensator(robot, kind).command(targets)[0] for kind in ("exact", "linear"))
+        nominal, _ = Compensator(robot).nominal_command(targets)
+        assert np.abs(linear - exact).max() < 0.02 * np.abs(nominal - exact).max()
+command, state = Compensator(robot).servo()
+assert np.allclose(command(*machine.stated(targets)[0], state), exact[0], rtol=0, atol=1e-12)
+"""
+
+
+@pytest.fixture(scope="module")
+def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A checkout with the machine's file and its kernels, and a folder of a machine's files."""
+    root = tmp_path_factory.mktemp("checkout")
+    for name in ("derive", "templates", "generated", "src"):
+        shutil.copytree(ROOT / name, root / name, ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copy(ROOT / "tests" / "added" / "rrr.py", root / "derive" / "mechanisms")
+    python(root, "-m", "derive", "rrr")
+    work = root / "work"
+    work.mkdir()
+    (work / "robot.toml").write_text(ROBOT)
+    (work / "truth.toml").write_text(TRUTH)
+    (work / "poses.toml").write_text('[measurement]\nkind = "position"\nframe = "unknown"\n')
+    rng = np.random.default_rng(2)
+    rows = np.column_stack([rng.uniform(-40, 40, (60, 2)), rng.uniform(-15, 15, 60)])
+    np.savetxt(work / "poses.csv", rows, "%.4f", ",", header="x_mm,y_mm,rz_deg", comments="")
+    return root
+
+
+def python(root: Path, *command: object, where: str = ".") -> str:
+    paths = os.pathsep.join(str(root / name) for name in ("src", "generated", "."))
+    done = subprocess.run(
+        [sys.executable, *map(str, command)],
+        cwd=root / where,
+        env=os.environ | {"PYTHONPATH": paths, "PYTHONHASHSEED": "0", "OPENBLAS_NUM_THREADS": "1"},
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def table(path: Path, *columns: str) -> np.ndarray:
+    with path.open() as file:
+        return np.array([[float(row[c]) for c in columns] for row in csv.DictReader(file)])
+
+
+def test_kernels_are_derived_and_agree(place: Path) -> None:
+    assert "files are what derive/ yields" in python(place, "-m", "derive", "rrr", "--check")
+    python(place, "-c", KERNELS, where="work")
+
+
+def test_every_command_takes_it(place: Path) -> None:
+    """From drawing to corrected commands; the true machine then meets positions and rotations."""
+
+    def run(*arguments: object) -> str:
+        return python(place, "-m", "deltacal_gen.cli", *arguments, where="work")
+
+    work = place / "work"
+    run("simulate", "robot.toml", "poses.csv", "-o", "recording.csv", "--truth", "truth.toml", "--noise", NOISE)
+    found = json.loads(run("identify", "robot.toml", "recording.csv", "-o", "result.json", "--json"))
+    assert found["model"] == "rrr/21"
+    assert found["heldout_rms_mm"] < 1.5 * NOISE < found["before_rms_mm"] / 5
+    run("matrix", "robot.toml", "recording.csv", "--model", "21", "-o", "H.npz")
+    run("plan", "robot.toml", "--model", "21", "-o", "targets.csv")
+    run("plan", "robot.toml", "--model", "21", "--optimal", 12, "-o", "optimal.csv")
+    assert np.abs(table(work / "targets.csv", "rz_deg")).max() > 10  # a plan turns the platform, too
+    assert np.abs(table(work / "targets.csv", "rz_deg")).max() <= 15
+    run("validate", "result.json", "recording.csv")
+    run("predict", "result.json", "recording.csv", "-o", "predicted.csv")
+    run("diagnose", "robot.toml", "recording.csv", "-o", "diagnosis.json")
+    run("study", "robot.toml", "--plan", "poses.csv", "--model", "21", "--trials", 20, "--noise", NOISE, "-o", "s.json")
+    run("compare", "result.json", "result.json")
+    run("compensate", "result.json", "targets.csv", "-o", "joints.csv")
+    (work / "joints.toml").write_text('[measurement]\nkind = "pose"\nframe = "robot"\n')
+    (work / "targets.toml").write_text('[measurement]\nkind = "pose"\nframe = "robot"\n')
+    columns = ("x_mm", "y_mm", "rz_deg")
+    wanted, reached = table(work / "targets.csv", *columns), {}
+    for name in ("joints", "targets"):
+        run("simulate", "robot.toml", f"{name}.csv", "-o", "reached.csv", "--truth", "truth.toml")
+        off = table(work / "reached.csv", *columns) - wanted
+        reached[name] = np.abs(off - off.mean(axis=0)).max(axis=0)
+    assert (reached["joints"] < reached["targets"] / 2).all()
+
+
+@pytest.mark.skipif(COMPILER is None, reason="no C compiler")
+def test_its_c_takes_position_and_rotation(place: Path) -> None:
+    work = place / "work"
+    for name in ("exact", "linear"):
+        program = f"""
+import dataclasses, numpy as np, deltacal_gen as dc
+from deltacal_gen.compensation import Compensator
+robot = dataclasses.replace(dc.read_robot("robot.toml"), errors={{"theta_1": 0.003, "L_2": 0.1, "bx_3": 0.2}})
+compensator = Compensator(robot, {name!r})
+dc.export_c(compensator, "command.c")
+poses = dc.read_recording("poses.csv", dc.load_mechanism("rrr"), need_measured=False, allow_targets=True)
+np.save("wanted.npy", np.degrees(compensator.command(poses.targets)[0]))
+"""
+        python(place, "-c", program, where="work")
+        library = work / f"{name}.so"
+        flags = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-O2", "-shared", "-fPIC"]
+        subprocess.run([str(COMPILER), *flags, "-o", str(library), str(work / "command.c"), "-lm"], check=True)
+        function = ctypes.CDLL(str(library)).deltacal_compensate
+        given = ctypes.c_double * 3
+        targets, commands = table(work / "poses.csv", "x_mm", "y_mm", "rz_deg"), np.load(work / "wanted.npy")
+        for target, wanted in zip(targets, commands, strict=True):
+            found = given()
+            assert function(given(*target), found) == 0
+            np.testing.assert_allclose(list(found), wanted, rtol=0, atol=1e-9)
