@@ -29,7 +29,7 @@ from typing import Any
 from llvmlite import ir
 from numba import njit, types
 from numba.core import cgutils, errors
-from numba.extending import intrinsic
+from numba.extending import intrinsic, overload
 
 PLAIN = os.environ.get("DELTACAL_PLAIN_JIT") == "1"
 DOUBLE, INTEGER, TRUTH = ir.DoubleType(), ir.IntType(64), ir.IntType(1)
@@ -131,6 +131,32 @@ def check_layout(name: str, *kinds: Any) -> None:
             raise errors.TypingError(f"{name}: {kind} is not C-contiguous; np.ascontiguousarray makes a copy that is.")
 
 
+def flat(values: Any) -> Any:
+    """Return an array's numbers one after the other, as a kernel's text takes them; anything else as it is."""
+    raise NotImplementedError("only what Numba compiles calls this")
+
+
+@overload(flat)
+def _flat(values: Any) -> Any:
+    def numbers(values: Any) -> Any:
+        return values.reshape(values.size)
+
+    def itself(values: Any) -> Any:
+        return values
+
+    return numbers if isinstance(values, types.Array) else itself
+
+
+def _by_numba(function: Callable[..., Any]) -> Any:
+    """Return a kernel that Numba compiles, whose arrays may have any number of dimensions."""
+    compiled = njit(error_model="numpy", fastmath=set(CONTRACT))
+    names = list(inspect.signature(function).parameters)
+    text = f"def called({', '.join(names)}):\n    return kernel({', '.join(f'flat({name})' for name in names)})\n"
+    found: dict[str, Any] = {"kernel": compiled(function), "flat": flat}
+    exec(text, found)
+    return compiled(found["called"])
+
+
 def straight(function: Callable[..., Any], wide: bool = True) -> Any:
     """Return a function for the use of compiled ones.
 
@@ -138,7 +164,7 @@ def straight(function: Callable[..., Any], wide: bool = True) -> Any:
     use the widest registers, and stay a function of their own.
     """
     if PLAIN:
-        return njit(error_model="numpy", fastmath=set(CONTRACT))(function)
+        return _by_numba(function)
     definition = _definition(function)
     returns = isinstance(definition.body[-1], ast.Return)
 
