@@ -13,16 +13,16 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small matrices: threads on
 import numpy as np
 import pytest
 
-from deltacal_gen import cli
-from deltacal_gen.accuracy import check_poses, circle
+from deltacal_gen.app import cli
+from deltacal_gen.files.recording import Measurement, Recording
+from deltacal_gen.files.robot import Robot, kept_robot, robot_from_dict
+from deltacal_gen.identification.accuracy import check_poses, circle
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.instrument.kinds import kind_of
-from deltacal_gen.mechanism import Machine, load_mechanism
-from deltacal_gen.recording import Measurement, Recording
+from deltacal_gen.machine.registry import Machine, load_mechanism
+from deltacal_gen.machine.rotation import cayley_vector, from_vector, to_vector
 from deltacal_gen.results.parts import Source
 from deltacal_gen.results.result import Read, Regularisation, Result
-from deltacal_gen.robot import Robot, kept_robot, robot_from_dict
-from deltacal_gen.rotation import cayley_vector, from_vector, to_vector
 from deltacal_gen.units import to_internal
 
 PROTOTYPE = {  # Bai 2015, Table 1; masses of an ordinary machine of this size

@@ -11,10 +11,19 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.mechanism import Array, load_mechanism, mechanism_of
-from deltacal_gen.physics import Body, Channels, Term, blank, effect_names, lacking, load_effect, of_the_instrument
-from deltacal_gen.robot import Masses, Robot, robot_from_dict
-from deltacal_gen.states import STATES, columns, read_by
+from deltacal_gen.files.robot import Masses, Robot, robot_from_dict
+from deltacal_gen.machine.registry import Array, load_mechanism, mechanism_of
+from deltacal_gen.physics.physics import (
+    Body,
+    Channels,
+    Term,
+    blank,
+    effect_names,
+    lacking,
+    load_effect,
+    of_the_instrument,
+)
+from deltacal_gen.physics.states import STATES, columns, read_by
 from deltacal_gen.units import joint_names
 from tests.conftest import PROTOTYPE, plausible
 

@@ -10,12 +10,12 @@ from typing import Any
 import numpy as np
 
 import deltacal_gen as dc
-from deltacal_gen.mechanism import load_mechanism
-from deltacal_gen.physics import Term, blank, load_effect
-from deltacal_gen.recording import Recording
+from deltacal_gen.files.recording import Recording
+from deltacal_gen.files.robot import Robot, robot_from_dict
+from deltacal_gen.machine.registry import load_mechanism
+from deltacal_gen.physics.physics import Term, blank, load_effect
+from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.results.diagnosis import Diagnosis
-from deltacal_gen.robot import Robot, robot_from_dict
-from deltacal_gen.simulation import simulate
 from tests.conftest import PROTOTYPE, plausible, scattered, wanted
 
 DELTA = load_mechanism("delta")

@@ -15,8 +15,8 @@ from pathlib import Path
 import pytest
 from conftest import PROTOTYPE, scattered, wanted
 
-from deltacal_gen.recording import write_recording
-from deltacal_gen.robot import robot_from_dict, robot_to_toml
+from deltacal_gen.files.recording import write_recording
+from deltacal_gen.files.robot import robot_from_dict, robot_to_toml
 
 ROOT = Path(__file__).parents[1]
 PAGE = ROOT / "src" / "deltacal_gen" / "manual" / "add-measurement.md"
@@ -70,7 +70,7 @@ def called(folder: Path, *arguments: object) -> str:
 
 
 def deltacal(folder: Path, *arguments: object) -> str:
-    return called(folder, "-c", "from deltacal_gen.cli import main; main()", *arguments)
+    return called(folder, "-c", "from deltacal_gen.app.cli import main; main()", *arguments)
 
 
 def test_every_shared_test_takes_it(added: tuple[str, Path]) -> None:

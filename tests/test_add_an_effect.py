@@ -15,8 +15,8 @@ import numpy as np
 import pytest
 from conftest import scattered, wanted
 
-from deltacal_gen.recording import write_recording
-from deltacal_gen.robot import robot_to_toml
+from deltacal_gen.files.recording import write_recording
+from deltacal_gen.files.robot import robot_to_toml
 from tests.left_out import channels, machine
 
 ROOT = Path(__file__).parent.parent
@@ -95,7 +95,7 @@ def called(folder: Path, *arguments: object) -> str:
 
 
 def deltacal(folder: Path, *arguments: object) -> str:
-    return called(folder, "-c", "from deltacal_gen.cli import main; main()", *arguments)
+    return called(folder, "-c", "from deltacal_gen.app.cli import main; main()", *arguments)
 
 
 def written(path: Path, columns: dict[str, np.ndarray]) -> None:

@@ -45,9 +45,9 @@ KERNELS = """
 import dataclasses
 import numpy as np
 import deltacal_gen as dc
-from deltacal_gen.compensation import Compensator
+from deltacal_gen.use.compensation import Compensator
 from deltacal_gen.machine.backend import Backend
-from deltacal_gen.rotation import from_vector
+from deltacal_gen.machine.rotation import from_vector
 robot = dc.read_robot("robot.toml")
 machine, rng, n = dc.load_mechanism("rrr"), np.random.default_rng(1), 100
 assert (machine.asks, machine.widths, machine.turning) == (("px", "py", "cz"), (3, 12), True)
@@ -124,7 +124,7 @@ def test_every_command_takes_it(place: Path) -> None:
     """From drawing to corrected commands; the true machine then meets positions and rotations."""
 
     def run(*arguments: object) -> str:
-        return python(place, "-m", "deltacal_gen.cli", *arguments, where="work")
+        return python(place, "-m", "deltacal_gen.app.cli", *arguments, where="work")
 
     work = place / "work"
     run("simulate", "robot.toml", "poses.csv", "-o", "recording.csv", "--truth", "truth.toml", "--noise", NOISE)
@@ -159,7 +159,7 @@ def test_its_c_takes_position_and_rotation(place: Path) -> None:
     for name in ("exact", "linear"):
         program = f"""
 import dataclasses, numpy as np, deltacal_gen as dc
-from deltacal_gen.compensation import Compensator
+from deltacal_gen.use.compensation import Compensator
 robot = dataclasses.replace(dc.read_robot("robot.toml"), errors={{"theta_1": 0.003, "L_2": 0.1, "bx_3": 0.2}})
 compensator = Compensator(robot, {name!r})
 dc.export_c(compensator, "command.c")

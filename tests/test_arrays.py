@@ -13,14 +13,14 @@ import pytest
 
 import deltacal_gen
 from deltacal_gen import PoseSet, estimate, nominal
-from deltacal_gen.arrays import recorded
-from deltacal_gen.compensation import Compensator
-from deltacal_gen.demonstration import example
+from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
-from deltacal_gen.identification import identify
-from deltacal_gen.mechanism import load_mechanism, mechanism_names, mechanism_of
-from deltacal_gen.recording import read_recording
-from deltacal_gen.robot import Robot, read_robot
+from deltacal_gen.estimation.arrays import recorded
+from deltacal_gen.files.recording import read_recording
+from deltacal_gen.files.robot import Robot, read_robot
+from deltacal_gen.identification.identification import identify
+from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
+from deltacal_gen.use.compensation import Compensator
 from tests.conftest import PROTOTYPE, plausible, rings
 from tests.test_every_mechanism import example_of
 

@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 
 import deltacal_gen as dc
+from deltacal_gen.files.robot import Robot, robot_to_toml
 from deltacal_gen.machine import backend
 from deltacal_gen.machine.backend import PAYS_FROM, Backend, by_recording, using, working
-from deltacal_gen.mechanism import Machine
-from deltacal_gen.robot import Robot, robot_to_toml
+from deltacal_gen.machine.registry import Machine
 from tests.conftest import scattered
 
 ERRORS = {"L_1": 0.3, "theta_2": 0.002, "ex_3": -0.2}

@@ -11,9 +11,10 @@ import pytest
 from scipy.ndimage import gaussian_filter
 from scipy.spatial.transform import Rotation
 
-from deltacal_gen import camera, cli, sphere
+from deltacal_gen.app import cli
 from deltacal_gen.errors import InputError
-from deltacal_gen.recording import Camera
+from deltacal_gen.files.recording import Camera
+from deltacal_gen.instrument import camera, sphere
 
 cv2 = pytest.importorskip("cv2")
 

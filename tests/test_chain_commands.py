@@ -10,18 +10,19 @@ import pytest
 from conftest import calibrated
 from test_serial import ARM, by_hand, robot
 
-from deltacal_gen import commands, planning
-from deltacal_gen.compensation import Compensator
+from deltacal_gen.app import commands
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
-from deltacal_gen.estimation import pose_problem
-from deltacal_gen.identifiability import identification_matrix, observability
-from deltacal_gen.mechanism import SOLVED, UNREACHABLE, mechanism_of
-from deltacal_gen.physics import blank
-from deltacal_gen.recording import read_recording
-from deltacal_gen.robot import Robot
-from deltacal_gen.rotation import to_vector
-from deltacal_gen.simulation import simulate
+from deltacal_gen.estimation.estimation import pose_problem
+from deltacal_gen.files.recording import read_recording
+from deltacal_gen.files.robot import Robot
+from deltacal_gen.identification.identifiability import identification_matrix, observability
+from deltacal_gen.machine.registry import SOLVED, UNREACHABLE, mechanism_of
+from deltacal_gen.machine.rotation import to_vector
+from deltacal_gen.physics.physics import blank
+from deltacal_gen.physics.simulation import simulate
+from deltacal_gen.planning import planning
 from deltacal_gen.units import DEG
+from deltacal_gen.use.compensation import Compensator
 
 LIMITS = {"limits_deg": [[-170, 170], [-30, 60], [50, 130], [-180, 180], [30, 150], [-180, 180]]}
 

@@ -11,8 +11,9 @@ from pathlib import Path
 
 import pytest
 
-from deltacal_gen import cli, ledger
+from deltacal_gen.app import cli
 from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.pages import ledger
 
 ROOT = Path(__file__).resolve().parents[1]
 

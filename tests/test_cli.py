@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from deltacal_gen import commands
-from deltacal_gen.demonstration import example
+from deltacal_gen.app import commands
+from deltacal_gen.app.demonstration import example
 from tests.conftest import Run
 
 
@@ -232,7 +232,6 @@ def test_kernels_outside_a_checkout_say_so(run: Run, monkeypatch: pytest.MonkeyP
 
 
 def test_nothing_at_run_time_imports_sympy() -> None:
-    code = (
-        "import sys, deltacal_gen.cli, deltacal_gen.diagnosis, deltacal_gen.planning; sys.exit('sympy' in sys.modules)"
-    )
+    rooms = ("app.cli", "diagnosis.diagnosis", "planning.planning")
+    code = f"import sys, {', '.join(f'deltacal_gen.{room}' for room in rooms)}; sys.exit('sympy' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code]).returncode == 0

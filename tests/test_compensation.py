@@ -21,15 +21,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numba import njit
 
-from deltacal_gen.compensation import KINDS, Compensator
-from deltacal_gen.demonstration import example
+from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
-from deltacal_gen.exports import TableCompensator, export_c, export_table, read_table
+from deltacal_gen.files.recording import read_recording
+from deltacal_gen.files.robot import Robot, Workspace, read_robot
 from deltacal_gen.machine.backend import Backend, using
-from deltacal_gen.mechanism import SINGULAR, SOLVED, UNREACHABLE, load_mechanism
-from deltacal_gen.physics import Term
-from deltacal_gen.recording import read_recording
-from deltacal_gen.robot import Robot, Workspace, read_robot
+from deltacal_gen.machine.registry import SINGULAR, SOLVED, UNREACHABLE, load_mechanism
+from deltacal_gen.physics.physics import Term
+from deltacal_gen.use.compensation import KINDS, Compensator
+from deltacal_gen.use.exports import TableCompensator, export_c, export_table, read_table
 
 DEG = math.pi / 180
 SCALE = Term("joint_scale", (1, 2, 3), np.full((3, 1), 1e-3))

@@ -14,18 +14,18 @@ import numpy as np
 import pytest
 from conftest import plausible, scattered, wanted
 
-from deltacal_gen import commands
-from deltacal_gen.compensation import Compensator
-from deltacal_gen.diagnosis import diagnose
+from deltacal_gen.app import commands
+from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
-from deltacal_gen.exports import Spans, export_c, export_table, read_table, spans
+from deltacal_gen.files.robot import Robot
 from deltacal_gen.machine.limbs import SETTLED_MM
-from deltacal_gen.mechanism import SOLVED, UNREACHABLE, Machine
-from deltacal_gen.physics import Term, blank, displaces_points, effect_names, load_effect
+from deltacal_gen.machine.registry import SOLVED, UNREACHABLE, Machine
+from deltacal_gen.physics.physics import Term, blank, displaces_points, effect_names, load_effect
+from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.results.reader import read_result
-from deltacal_gen.robot import Robot
-from deltacal_gen.simulation import simulate
 from deltacal_gen.units import DEG
+from deltacal_gen.use.compensation import Compensator
+from deltacal_gen.use.exports import Spans, export_c, export_table, read_table, spans
 from tests.every_effect import ON_MACHINES, channels, constants, machine_with, machines, sized, targets
 
 OVER = Spans({"warming": (-2.0, 15.0), "payload": (0.0, 3.0), "time": (0.0, 2.0)})

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 from deltacal_kernels import cache
 
-from deltacal_gen import commands
+from deltacal_gen.app import commands
 from tests.conftest import Run
 
 KERNEL = "simplified_parallelogram"  # the smallest mechanism

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from test_serial import by_hand, robot
 
-from deltacal_gen import commands
+from deltacal_gen.app import commands
 from deltacal_gen.errors import InputError
-from deltacal_gen.mechanism import mechanism_of
-from deltacal_gen.recording import read_recording
-from deltacal_gen.robot import robot_to_toml
+from deltacal_gen.files.recording import read_recording
+from deltacal_gen.files.robot import robot_to_toml
+from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.units import DEG
 
 TRUTH = {"a_2": 0.4, "theta_2": 0.08 * DEG, "d_4": -0.3, "theta_5": -0.1 * DEG, "tx": 0.5, "tz": -0.4}

@@ -10,16 +10,16 @@ import numpy as np
 import pytest
 
 import deltacal_gen as dc
-from deltacal_gen.accuracy import volumetric_error
-from deltacal_gen.correction import Smooth, correct
-from deltacal_gen.diagnosis import diagnose
-from deltacal_gen.identification import folds
-from deltacal_gen.prediction import CORRECTED
-from deltacal_gen.recording import Recording
-from deltacal_gen.robot import Robot
-from deltacal_gen.simulation import simulate
-from deltacal_gen.structure import Structure
+from deltacal_gen.diagnosis.correction import Smooth, correct
+from deltacal_gen.diagnosis.diagnosis import diagnose
+from deltacal_gen.diagnosis.structure import Structure
+from deltacal_gen.files.recording import Recording
+from deltacal_gen.files.robot import Robot
+from deltacal_gen.identification.accuracy import volumetric_error
+from deltacal_gen.identification.identification import folds
+from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.units import DEG
+from deltacal_gen.use.prediction import CORRECTED
 from tests.conftest import plausible
 from tests.left_out import DELTA, FRAME, SIGMA, channels, diagnosis, machine, record
 

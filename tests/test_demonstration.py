@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from deltacal_gen import commands, demonstration
-from deltacal_gen.recording import read_recording
+from deltacal_gen.app import commands, demonstration
+from deltacal_gen.files.recording import read_recording
 
 
 def test_the_recording_is_what_the_command_in_the_truth_file_makes(tmp_path: Path) -> None:

@@ -20,11 +20,12 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 import deltacal_gen as dc
-from deltacal_gen import checks, derivations, ledger
+from deltacal_gen import checks, derivations
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.instrument.kinds import kind_of
-from deltacal_gen.mechanism import mechanism_names, mechanism_of
-from deltacal_gen.physics import effect_names
+from deltacal_gen.machine.registry import mechanism_names, mechanism_of
+from deltacal_gen.pages import ledger
+from deltacal_gen.physics.physics import effect_names
 from derive import compiler, notation, typeset, unseen
 from derive.account import Written, answer, null_spaces_of_chain, plain
 from derive.spec import LimbMechanism

@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 
 import deltacal_gen as dc
-from deltacal_gen import figures
-from deltacal_gen.diagnosis import _borne_out
+from deltacal_gen.diagnosis.diagnosis import _borne_out
 from deltacal_gen.errors import InputError
-from deltacal_gen.physics import effect_names
-from deltacal_gen.recording import Recording
-from deltacal_gen.robot import Robot
-from deltacal_gen.simulation import simulate
+from deltacal_gen.files.recording import Recording
+from deltacal_gen.files.robot import Robot
+from deltacal_gen.pages import figures
+from deltacal_gen.physics.physics import effect_names
+from deltacal_gen.physics.simulation import simulate
 from tests.conftest import plausible
 from tests.left_out import DELTA, POSES, SIGMA, channels, diagnosis, effect, machine, named, record
 

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from deltacal_gen.recording import write_recording
-from deltacal_gen.robot import robot_to_toml
+from deltacal_gen.files.recording import write_recording
+from deltacal_gen.files.robot import robot_to_toml
 from tests.conftest import Run
 from tests.left_out import POSES, channels, effect, machine, record
 

@@ -11,9 +11,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from deltacal_gen import report
-from deltacal_gen.diagnosis import diagnose
-from deltacal_gen.discrimination import (
+from deltacal_gen.diagnosis.diagnosis import diagnose
+from deltacal_gen.diagnosis.discrimination import (
     CLEAR,
     FEWEST_POSES,
     MOST_POSES,
@@ -22,9 +21,10 @@ from deltacal_gen.discrimination import (
     candidates,
     next_measurements,
 )
-from deltacal_gen.mechanism import SOLVED
-from deltacal_gen.physics import Term
-from deltacal_gen.recording import Recording, csv_text, read_recording
+from deltacal_gen.files.recording import Recording, csv_text, read_recording
+from deltacal_gen.machine.registry import SOLVED
+from deltacal_gen.pages import report
+from deltacal_gen.physics.physics import Term
 from deltacal_gen.results.diagnosis import Channel, Location, RegionOf
 from tests.conftest import plausible
 from tests.left_out import DELTA, channels, diagnosis, effect, machine, named, record

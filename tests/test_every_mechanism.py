@@ -13,12 +13,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from deltacal_gen import cli
-from deltacal_gen.demonstration import example
+from deltacal_gen.app import cli
+from deltacal_gen.app.demonstration import example
+from deltacal_gen.files.robot import for_model, read_robot
 from deltacal_gen.instrument.instrument import align
-from deltacal_gen.mechanism import load_mechanism, mechanism_names, mechanism_of
-from deltacal_gen.robot import for_model, read_robot
-from deltacal_gen.simulation import truth_names
+from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
+from deltacal_gen.physics.simulation import truth_names
 
 NOISE = 0.003  # mm
 COMPILER = shutil.which("cc")

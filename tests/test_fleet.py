@@ -17,14 +17,15 @@ from conftest import Run
 from test_linear_delta import LINEAR, PRINTER, grid, plausible, recording
 from test_printers import joints, printer_cfg
 
-from deltacal_gen import InputError, UsageError, commands, fleet
-from deltacal_gen import report as pages
-from deltacal_gen.demonstration import example
-from deltacal_gen.recording import write_recording
+from deltacal_gen import InputError, UsageError
+from deltacal_gen.app import commands, fleet
+from deltacal_gen.app.demonstration import example
+from deltacal_gen.files.recording import write_recording
+from deltacal_gen.files.robot import robot_from_dict, robot_to_toml
+from deltacal_gen.pages import report as pages
+from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.results.batch import Batch, FailedRow, IdentifiedRow
 from deltacal_gen.results.diagnosis import Diagnosis, EffectParameter
-from deltacal_gen.robot import robot_from_dict, robot_to_toml
-from deltacal_gen.simulation import simulate
 
 SIX = ("endstop_1", "endstop_2", "endstop_3", "radius", "angle_1", "angle_2")
 
@@ -180,7 +181,7 @@ def test_of_very_many_the_page_shows_the_distribution_and_the_worst() -> None:
 
 def test_killed_twice_and_resumed_twice_the_table_is_the_same(shop: Path, tmp_path: Path) -> None:
     whole = fleet.conduct(shop, tmp_path / "whole", "identify", model="9", workers=1)
-    command = [sys.executable, "-m", "deltacal_gen.cli", "batch", str(shop), "--do", "identify", "--model", "9"]
+    command = [sys.executable, "-m", "deltacal_gen.app.cli", "batch", str(shop), "--do", "identify", "--model", "9"]
     command += ["-o", str(tmp_path / "run"), "--workers", "1"]
     for done in (1, 3):
         process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=os.environ)

@@ -9,11 +9,11 @@ import pytest
 from conftest import plausible, rings, scattered, wanted
 
 from deltacal_gen.errors import UsageError
-from deltacal_gen.estimation import pose_problem
-from deltacal_gen.identifiability import base_parameters, identification_matrix, observability, unseen
-from deltacal_gen.mechanism import Machine
-from deltacal_gen.robot import Robot
-from deltacal_gen.simulation import simulate
+from deltacal_gen.estimation.estimation import pose_problem
+from deltacal_gen.files.robot import Robot
+from deltacal_gen.identification.identifiability import base_parameters, identification_matrix, observability, unseen
+from deltacal_gen.machine.registry import Machine
+from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.units import DEG
 
 NAMES, UNITS, TYPICAL = ("p", "q", "r", "s"), ("mm", "mm", "rad", "mm"), np.array([0.1, 0.1, 0.01, 0.1])

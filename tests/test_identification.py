@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 from conftest import plausible, rings, scattered, wanted
 
-from deltacal_gen.demonstration import example
+from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.identification import Identification, folds, identify
-from deltacal_gen.mechanism import Machine, load_mechanism
-from deltacal_gen.prediction import predict
-from deltacal_gen.recording import Recording, read_recording
-from deltacal_gen.robot import Robot, read_robot
-from deltacal_gen.simulation import simulate
+from deltacal_gen.files.recording import Recording, read_recording
+from deltacal_gen.files.robot import Robot, read_robot
+from deltacal_gen.identification.identification import Identification, folds, identify
+from deltacal_gen.machine.registry import Machine, load_mechanism
+from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.units import DEG, to_internal
+from deltacal_gen.use.prediction import predict
 
 NOISE = 0.005  # mm, a laser tracker
 BASE_POINT = (420.0, -150.0, 40.0)

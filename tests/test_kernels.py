@@ -19,16 +19,16 @@ from independent_delta import closure, nominal_frame, numbers, rod_ends
 from numba.core.errors import TypingError
 from scipy.spatial.transform import Rotation
 
+from deltacal_gen.files.robot import Robot
 from deltacal_gen.machine.backend import Backend, using
-from deltacal_gen.mechanism import (
+from deltacal_gen.machine.registry import (
     SINGULAR,
     SOLVED,
     UNREACHABLE,
     Machine,
     load_mechanism,
 )
-from deltacal_gen.robot import Robot
-from deltacal_gen.rotation import cayley_spin
+from deltacal_gen.machine.rotation import cayley_spin
 from deltacal_gen.units import DEG
 
 TOOL = np.array([30.0, -20.0, -55.0])
@@ -511,7 +511,7 @@ def test_forward_undoes_inverse(seed: int, size: float) -> None:
     """Errors up to ten times ordinary ones; offsets of 10 degrees and lengths of 3 mm among them."""
     from conftest import PROTOTYPE
 
-    from deltacal_gen.robot import robot_from_dict
+    from deltacal_gen.files.robot import robot_from_dict
 
     mechanism, robot = load_mechanism("delta"), robot_from_dict(PROTOTYPE)
     rows = mechanism.rows(robot, mechanism.vector(plausible(mechanism, seed, size=size)))

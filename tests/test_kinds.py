@@ -12,19 +12,20 @@ import pytest
 from conftest import displaced, plausible, scattered
 from pydantic import TypeAdapter
 
-from deltacal_gen import identification, prediction, validation
 from deltacal_gen.errors import InputError
-from deltacal_gen.inputs import Measurement
+from deltacal_gen.files.recording import Camera, Recording, read_recording, write_recording
+from deltacal_gen.files.robot import Robot
+from deltacal_gen.identification import identification
 from deltacal_gen.instrument import kinds
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.instrument.kinds import instrument_of, kind_of, readings
 from deltacal_gen.instrument.readings import Readings
-from deltacal_gen.mechanism import Array, Machine
-from deltacal_gen.recording import Camera, Recording, read_recording, write_recording
+from deltacal_gen.machine.registry import Array, Machine
+from deltacal_gen.machine.rotation import from_vector, to_vector
+from deltacal_gen.machine.values import Measurement
+from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.results.parts import InstrumentState
-from deltacal_gen.robot import Robot
-from deltacal_gen.rotation import from_vector, to_vector
-from deltacal_gen.simulation import simulate
+from deltacal_gen.use import prediction, validation
 
 ROOT = Path(__file__).parents[1]
 CAMERA = Camera(fx_px=1500.0, fy_px=1400.0, cx_px=640.0, cy_px=512.0, k1=-0.05, ball_radius_mm=20.0)

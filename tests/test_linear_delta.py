@@ -12,17 +12,18 @@ from conftest import Run, displacement
 from scipy.optimize import root
 from scipy.spatial.transform import Rotation
 
-from deltacal_gen import commands, figures
-from deltacal_gen.estimation import pose_problem
-from deltacal_gen.identification import identify
+from deltacal_gen.app import commands
+from deltacal_gen.estimation.estimation import pose_problem
+from deltacal_gen.files.recording import Measurement, Recording
+from deltacal_gen.files.robot import Robot, robot_from_dict
+from deltacal_gen.identification.identification import identify
 from deltacal_gen.instrument.kinds import readings
-from deltacal_gen.mechanism import SOLVED, Array, load_mechanism
-from deltacal_gen.physics import Body, Channels, blank, coefficients, reading_shift
-from deltacal_gen.prediction import predict
-from deltacal_gen.recording import Measurement, Recording
-from deltacal_gen.robot import Robot, robot_from_dict
-from deltacal_gen.simulation import simulate
+from deltacal_gen.machine.registry import SOLVED, Array, load_mechanism
+from deltacal_gen.pages import figures
+from deltacal_gen.physics.physics import Body, Channels, blank, coefficients, reading_shift
+from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.units import DEG
+from deltacal_gen.use.prediction import predict
 
 PRINTER = {
     "robot": {"name": "printer", "mechanism": "linear_delta"},

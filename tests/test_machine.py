@@ -12,8 +12,8 @@ import pytest
 
 from deltacal_gen.checks import Poses, spread
 from deltacal_gen.errors import UsageError
-from deltacal_gen.mechanism import POSE, SOLVED, Machine, mechanism_names, mechanism_of
-from deltacal_gen.robot import Robot, read_robot
+from deltacal_gen.files.robot import Robot, read_robot
+from deltacal_gen.machine.registry import POSE, SOLVED, Machine, mechanism_names, mechanism_of
 from tests.test_every_mechanism import example_of
 
 SMALL = 1e-6  # of a step [mm, rad]: its square is what first order leaves

@@ -12,16 +12,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from deltacal_gen import commands, identifiability, identification, planning
+from deltacal_gen.app import commands
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.estimation import fit, pose_problem
-from deltacal_gen.mechanism import SOLVED, UNREACHABLE, load_mechanism
-from deltacal_gen.prediction import predict
-from deltacal_gen.recording import Recording, read_recording
-from deltacal_gen.robot import Robot, read_robot
-from deltacal_gen.simulation import read_truth, simulate
-from deltacal_gen.solvers import TSVD, LeastSquares, Prior, Ridge, Solver
+from deltacal_gen.estimation.estimation import fit, pose_problem
+from deltacal_gen.estimation.solvers import TSVD, LeastSquares, Prior, Ridge, Solver
+from deltacal_gen.files.recording import Recording, read_recording
+from deltacal_gen.files.robot import Robot, read_robot
+from deltacal_gen.identification import identifiability, identification
+from deltacal_gen.machine.registry import SOLVED, UNREACHABLE, load_mechanism
+from deltacal_gen.physics.simulation import read_truth, simulate
+from deltacal_gen.planning import planning
 from deltacal_gen.units import DEG
+from deltacal_gen.use.prediction import predict
 from tests.benchmarks import mei2018
 from tests.claims import independent_mei as mei
 

@@ -18,11 +18,11 @@ pytest.importorskip("jinja2", reason="deriving needs the dependency group 'deriv
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # derive/ is never installed
 
-from deltacal_gen import memory, physics  # noqa: E402
-from deltacal_gen.demonstration import example  # noqa: E402
+from deltacal_gen.app.demonstration import example  # noqa: E402
 from deltacal_gen.errors import InputError  # noqa: E402
-from deltacal_gen.mechanism import SOLVED, UNBALANCED, load_mechanism  # noqa: E402
-from deltacal_gen.robot import read_robot  # noqa: E402
+from deltacal_gen.files.robot import read_robot  # noqa: E402
+from deltacal_gen.machine.registry import SOLVED, UNBALANCED, load_mechanism  # noqa: E402
+from deltacal_gen.physics import memory, physics  # noqa: E402
 from derive import compiler  # noqa: E402
 from derive.effects import coefficient, state  # noqa: E402
 from derive.language.memory import Lag, Memory, with_lags  # noqa: E402

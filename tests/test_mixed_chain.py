@@ -10,13 +10,13 @@ import pytest
 from conftest import calibrated
 from test_serial import SCARA, robot
 
-from deltacal_gen import commands
-from deltacal_gen.compensation import Compensator
+from deltacal_gen.app import commands
 from deltacal_gen.errors import InputError
-from deltacal_gen.mechanism import mechanism_of
-from deltacal_gen.recording import read_recording
-from deltacal_gen.robot import read_robot, robot_to_dict, robot_to_toml
+from deltacal_gen.files.recording import read_recording
+from deltacal_gen.files.robot import read_robot, robot_to_dict, robot_to_toml
+from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.units import DEG
+from deltacal_gen.use.compensation import Compensator
 
 FACTORS = np.array([DEG, DEG, 1.0, DEG])
 LOW, HIGH = np.array([-130.0, -140.0, 0.0, -170.0]), np.array([130.0, 140.0, 180.0, 170.0])

@@ -11,7 +11,8 @@ from typing import Any
 import pytest
 
 import deltacal_gen as dc
-from deltacal_gen import derivations, report
+from deltacal_gen import derivations
+from deltacal_gen.pages import report
 
 ROOT = Path(__file__).resolve().parents[1]
 DRIVER, BROWSER = shutil.which("chromedriver"), shutil.which("chromium") or shutil.which("chromium-browser")

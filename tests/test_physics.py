@@ -7,10 +7,11 @@ import dataclasses
 import numpy as np
 import pytest
 
-from deltacal_gen.demonstration import example
+from deltacal_gen.app.demonstration import example
+from deltacal_gen.files.robot import Robot, read_robot
 from deltacal_gen.instrument.kinds import kind_of
-from deltacal_gen.mechanism import Array, load_mechanism
-from deltacal_gen.physics import (
+from deltacal_gen.machine.registry import Array, load_mechanism
+from deltacal_gen.physics.physics import (
     Body,
     Channels,
     Term,
@@ -21,7 +22,6 @@ from deltacal_gen.physics import (
     of_reading,
     reading_shift,
 )
-from deltacal_gen.robot import Robot, read_robot
 from tests.every_effect import body_of, constants, machine_with
 
 DELTA = load_mechanism("delta")

@@ -15,10 +15,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from deltacal_gen.demonstration import example
+from deltacal_gen.app.demonstration import example
+from deltacal_gen.files.robot import read_robot
 from deltacal_gen.machine.limbs import Limbs
-from deltacal_gen.mechanism import load_mechanism, mechanism_names
-from deltacal_gen.robot import read_robot
+from deltacal_gen.machine.registry import load_mechanism, mechanism_names
 
 QUICK = "simplified_parallelogram"  # the smallest machine: the others take a minute each
 POSES = 11  # no multiple of the lanes that are written at once

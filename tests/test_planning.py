@@ -11,15 +11,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from deltacal_gen import planning, singularities
-from deltacal_gen.demonstration import example
+from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
-from deltacal_gen.estimation import pose_problem
-from deltacal_gen.identifiability import identification_matrix
-from deltacal_gen.mechanism import SOLVED, load_mechanism
-from deltacal_gen.recording import read_recording
-from deltacal_gen.robot import Robot, read_robot, robot_from_dict
-from deltacal_gen.simulation import simulate
+from deltacal_gen.estimation.estimation import pose_problem
+from deltacal_gen.files.recording import read_recording
+from deltacal_gen.files.robot import Robot, read_robot, robot_from_dict
+from deltacal_gen.identification.identifiability import identification_matrix
+from deltacal_gen.machine.registry import SOLVED, load_mechanism
+from deltacal_gen.physics.simulation import simulate
+from deltacal_gen.planning import planning, singularities
 from deltacal_gen.units import DEG
 
 B, A = 200.0, 51.0  # mm: radii of base and platform (Bai 2015, Table 1)

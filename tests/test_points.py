@@ -9,8 +9,8 @@ import pytest
 
 import deltacal_gen as dc
 from deltacal_gen.errors import InputError
-from deltacal_gen.mechanism import load_mechanism, mechanism_of
-from deltacal_gen.recording import read_recording
+from deltacal_gen.files.recording import read_recording
+from deltacal_gen.machine.registry import load_mechanism, mechanism_of
 from deltacal_gen.units import DEG
 
 JOINTS = "point,J1 [deg],J2 [deg],J3 [deg],payload_kg\nP1,10,20,30,0.5\nP2,11,21,31,0.5\nP9,12,22,32,0.7\n"

@@ -11,16 +11,16 @@ import pytest
 from conftest import plausible, rings, scattered, wanted
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.identification import identify
-from deltacal_gen.mechanism import Machine
-from deltacal_gen.physics import Term, blank, kept_term, load_effect
-from deltacal_gen.prediction import calibrated_robot, predict, residual
-from deltacal_gen.recording import Recording
+from deltacal_gen.files.recording import Recording
+from deltacal_gen.files.robot import Robot
+from deltacal_gen.identification.identification import identify
+from deltacal_gen.machine.registry import Machine
+from deltacal_gen.physics.physics import Term, blank, kept_term, load_effect
+from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.results.parts import MachineState
 from deltacal_gen.results.reader import read_result
 from deltacal_gen.results.result import Result
-from deltacal_gen.robot import Robot
-from deltacal_gen.simulation import simulate
+from deltacal_gen.use.prediction import calibrated_robot, predict, residual
 
 FRAME = (np.array([0.1, -0.2, 0.9]), np.array([900.0, -500.0, 1200.0]))
 

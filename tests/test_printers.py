@@ -14,16 +14,17 @@ import pytest
 from conftest import Run
 from test_linear_delta import LINEAR, PRINTER, grid, plausible, recording
 
-from deltacal_gen import InputError, UsageError, commands
-from deltacal_gen.comparison import flattered
-from deltacal_gen.firmware import firmware_lines
-from deltacal_gen.identification import identify
-from deltacal_gen.imports import import_klipper, import_rrf
-from deltacal_gen.mechanism import Array
-from deltacal_gen.recording import write_recording
-from deltacal_gen.robot import Robot, robot_from_dict, robot_to_toml
-from deltacal_gen.simulation import simulate
+from deltacal_gen import InputError, UsageError
+from deltacal_gen.app import commands
+from deltacal_gen.files.imports import import_klipper, import_rrf
+from deltacal_gen.files.recording import write_recording
+from deltacal_gen.files.robot import Robot, robot_from_dict, robot_to_toml
+from deltacal_gen.identification.identification import identify
+from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.units import DEG
+from deltacal_gen.use.comparison import flattered
+from deltacal_gen.use.firmware import firmware_lines
 
 Spoil = Callable[[Array, list[Any]], tuple[Array, list[Any]]]
 STEP = 40.0 / (200 * 16)

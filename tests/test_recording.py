@@ -16,8 +16,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.recording import Recording, check_units, read_recording, write_files, write_recording
-from deltacal_gen.robot import robot_from_dict
+from deltacal_gen.files.recording import Recording, check_units, read_recording, write_files, write_recording
+from deltacal_gen.files.robot import robot_from_dict
 from deltacal_gen.units import DEG
 
 SPACE: Any = {

@@ -10,9 +10,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from deltacal_gen import commands, figures, report
-from deltacal_gen.demonstration import example
-from deltacal_gen.physics import effect_names, load_effect
+from deltacal_gen.app import commands
+from deltacal_gen.app.demonstration import example
+from deltacal_gen.pages import figures, report
+from deltacal_gen.physics.physics import effect_names, load_effect
 from deltacal_gen.results.reader import read_result
 
 

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import deltacal_gen as dc
-from deltacal_gen.demonstration import example
+from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import InputError
 from deltacal_gen.results import published
 from deltacal_gen.results.base import Value, key_of

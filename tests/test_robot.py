@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.robot import read_robot, robot_from_dict, robot_size, robot_to_dict, robot_to_toml
+from deltacal_gen.files.robot import read_robot, robot_from_dict, robot_size, robot_to_dict, robot_to_toml
 from deltacal_gen.units import DEG
 
 LENGTHS = ("base_radius", "platform_radius", "proximal_length", "distal_length", "joint_spacing")

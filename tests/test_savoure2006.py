@@ -11,15 +11,15 @@ import pytest
 from conftest import PROTOTYPE, wanted
 
 import deltacal_gen as dc
-from deltacal_gen.compensation import Compensator
-from deltacal_gen.demonstration import example
+from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import UsageError
-from deltacal_gen.identifiability import observability, unseen
-from deltacal_gen.identification import identify
-from deltacal_gen.mechanism import SOLVED, UNREACHABLE, Machine, load_mechanism
-from deltacal_gen.recording import Recording, read_recording
-from deltacal_gen.robot import Masses, Robot, for_model, for_names, read_robot, robot_from_dict, robot_to_dict
-from deltacal_gen.simulation import read_truth, simulate, truth_names
+from deltacal_gen.files.recording import Recording, read_recording
+from deltacal_gen.files.robot import Masses, Robot, for_model, for_names, read_robot, robot_from_dict, robot_to_dict
+from deltacal_gen.identification.identifiability import observability, unseen
+from deltacal_gen.identification.identification import identify
+from deltacal_gen.machine.registry import SOLVED, UNREACHABLE, Machine, load_mechanism
+from deltacal_gen.physics.simulation import read_truth, simulate, truth_names
+from deltacal_gen.use.compensation import Compensator
 
 sys.path.insert(0, str(Path(__file__).parent / "claims"))
 from independent_savoure import (

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from conftest import displaced, displacement
 
-from deltacal_gen import commands
+from deltacal_gen.app import commands
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.mechanism import mechanism_of
-from deltacal_gen.robot import Robot, read_robot, robot_from_dict, robot_to_dict, robot_to_toml
+from deltacal_gen.files.robot import Robot, read_robot, robot_from_dict, robot_to_dict, robot_to_toml
+from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.units import DEG
 
 ARM: list[dict[str, Any]] = [  # shoulder, two long links with parallel axes, a wrist of three

@@ -10,10 +10,10 @@ import pytest
 from conftest import plausible, scattered, wanted
 
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.mechanism import Machine
-from deltacal_gen.robot import Robot
-from deltacal_gen.rotation import from_vector, to_vector
-from deltacal_gen.simulation import read_truth, simulate
+from deltacal_gen.files.robot import Robot
+from deltacal_gen.machine.registry import Machine
+from deltacal_gen.machine.rotation import from_vector, to_vector
+from deltacal_gen.physics.simulation import read_truth, simulate
 from deltacal_gen.units import DEG
 
 

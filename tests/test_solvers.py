@@ -7,7 +7,7 @@ import pytest
 from scipy.linalg import lstsq
 
 from deltacal_gen.errors import UsageError
-from deltacal_gen.solvers import TSVD, LeastSquares, Prior, Ridge, Solver, jitter
+from deltacal_gen.estimation.solvers import TSVD, LeastSquares, Prior, Ridge, Solver, jitter
 
 M, N = 30, 8
 

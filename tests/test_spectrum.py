@@ -8,17 +8,17 @@ import numpy as np
 import pytest
 from test_serial import robot
 
-from deltacal_gen import commands
-from deltacal_gen.estimation import Fit, fit, pose_problem
-from deltacal_gen.identification import folds
-from deltacal_gen.mechanism import mechanism_of
-from deltacal_gen.physics import Term
-from deltacal_gen.recording import read_recording
+from deltacal_gen.app import commands
+from deltacal_gen.diagnosis.spectrum import Spectrum, never_seen, periodic, seen, unseen, wave, words
+from deltacal_gen.estimation.estimation import Fit, fit, pose_problem
+from deltacal_gen.estimation.solvers import Prior
+from deltacal_gen.files.recording import read_recording
+from deltacal_gen.files.robot import robot_to_toml
+from deltacal_gen.identification.identification import folds
+from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.physics.physics import Term
 from deltacal_gen.results.diagnosis import Seen, SeenJoint
 from deltacal_gen.results.parts import NeverSeen
-from deltacal_gen.robot import robot_to_toml
-from deltacal_gen.solvers import Prior
-from deltacal_gen.spectrum import Spectrum, never_seen, periodic, seen, unseen, wave, words
 from deltacal_gen.units import DEG
 
 ORDERS = (2, 5, 9, 14, 20)

@@ -15,11 +15,11 @@ import pytest
 import sympy as sp
 
 import derive.language.states as language
-from deltacal_gen import states
-from deltacal_gen.compensation import Compensator
-from deltacal_gen.exports import Spans, export_c
-from deltacal_gen.physics import Body, Channels, Term, effect_names, load_effect
+from deltacal_gen.physics import states
+from deltacal_gen.physics.physics import Body, Channels, Term, effect_names, load_effect
 from deltacal_gen.units import DEG
+from deltacal_gen.use.compensation import Compensator
+from deltacal_gen.use.exports import Spans, export_c
 from derive import compiler
 from derive.effects import constant, covariate, joint_coefficient, state
 from derive.spec import Effect, Orders, Reference
@@ -220,7 +220,9 @@ def coupled(monkeypatch: pytest.MonkeyPatch) -> Effect:
     module = type(states)("made")
     exec(compile(text, "made.py", "exec"), module.__dict__)
     known = load_effect
-    monkeypatch.setattr("deltacal_gen.physics.load_effect", lambda name: module if name == "made" else known(name))
+    monkeypatch.setattr(
+        "deltacal_gen.physics.physics.load_effect", lambda name: module if name == "made" else known(name)
+    )
     return spec
 
 

@@ -13,14 +13,15 @@ import pyarrow.csv
 import pyarrow.parquet as pq
 import pytest
 
-from deltacal_gen import commands, prediction, streams, validation
+from deltacal_gen.app import commands
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.identification import identify
-from deltacal_gen.mechanism import load_mechanism
-from deltacal_gen.physics import blank, kept_term
-from deltacal_gen.recording import read_blocks, read_recording
-from deltacal_gen.robot import Robot, robot_to_toml
-from deltacal_gen.simulation import simulate
+from deltacal_gen.files.recording import read_blocks, read_recording
+from deltacal_gen.files.robot import Robot, robot_to_toml
+from deltacal_gen.identification.identification import identify
+from deltacal_gen.machine.registry import load_mechanism
+from deltacal_gen.physics.physics import blank, kept_term
+from deltacal_gen.physics.simulation import simulate
+from deltacal_gen.use import prediction, streams, validation
 from tests.conftest import plausible, scattered
 
 NOISE = 0.02  # mm
@@ -196,7 +197,7 @@ def test_blocks_from_the_command_line(robot: Robot, errors: dict[str, float], tm
     np.testing.assert_allclose(read_recording(out, DELTA).measured, whole.measured, rtol=0, atol=1e-9)
 
     (tmp_path / "robot.toml").write_text(robot_to_toml(robot))
-    command = [sys.executable, "-m", "deltacal_gen.cli", "identify", "robot.toml", out.name, "--model", "18"]
+    command = [sys.executable, "-m", "deltacal_gen.app.cli", "identify", "robot.toml", out.name, "--model", "18"]
     said = subprocess.run([*command, "--blocks", "-o", "result.json"], cwd=tmp_path, capture_output=True, text=True)
     assert said.returncode == 0, said.stderr
     found = json.loads((tmp_path / "result.json").read_text())
@@ -231,7 +232,7 @@ import json, resource, sys
 import numpy as np
 from pathlib import Path
 from deltacal_gen import streams
-from deltacal_gen.robot import read_robot
+from deltacal_gen.files.robot import read_robot
 folder, rows = Path(sys.argv[1]), int(sys.argv[2])
 robot = read_robot(folder / "robot.toml")
 peak = []

@@ -12,12 +12,14 @@ import numpy as np
 import pytest
 from conftest import Run
 
-from deltacal_gen import InputError, commands, read_robot, studies
-from deltacal_gen.demonstration import example
-from deltacal_gen.mechanism import mechanism_of
-from deltacal_gen.recording import read_recording
-from deltacal_gen.robot import Robot
-from deltacal_gen.studies import Study
+from deltacal_gen import InputError, read_robot
+from deltacal_gen.app import commands
+from deltacal_gen.app.demonstration import example
+from deltacal_gen.files.recording import read_recording
+from deltacal_gen.files.robot import Robot
+from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.planning import studies
+from deltacal_gen.planning.studies import Study
 
 MACHINES = 1000
 

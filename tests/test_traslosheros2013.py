@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 import deltacal_gen as dc
-from deltacal_gen import sphere
 from deltacal_gen.errors import InputError
-from deltacal_gen.mechanism import SOLVED, load_mechanism
-from deltacal_gen.recording import Camera, read_recording
-from deltacal_gen.robot import read_robot
+from deltacal_gen.files.recording import Camera, read_recording
+from deltacal_gen.files.robot import read_robot
+from deltacal_gen.instrument import sphere
+from deltacal_gen.machine.registry import SOLVED, load_mechanism
 from deltacal_gen.units import DEG
 from tests.claims import independent_traslosheros as own
 
@@ -156,9 +156,9 @@ def test_fewer_poses_than_unknowns_are_refused(robot: Any, tmp_path: Path) -> No
 
 def test_five_poses_carry_fifteen_parameters(robot: Any, tmp_path: Path) -> None:
     """The home among them; four see 12 of 15. The paper says six."""
-    from deltacal_gen.estimation import fit, pose_problem
-    from deltacal_gen.identifiability import identification_matrix, observability
-    from deltacal_gen.solvers import LeastSquares
+    from deltacal_gen.estimation.estimation import fit, pose_problem
+    from deltacal_gen.estimation.solvers import LeastSquares
+    from deltacal_gen.identification.identifiability import identification_matrix, observability
 
     recording = read_recording(simulated(robot, tmp_path, INCREMENTS), load_mechanism("robotennis"))
     names = load_mechanism("robotennis").model("robotennis/15")

@@ -11,15 +11,23 @@ import numpy as np
 import pytest
 from conftest import plausible, rings, scattered, wanted
 
-from deltacal_gen import commands, iso9283
-from deltacal_gen.accuracy import check_poses, circle, distance_error, largest, volumetric_error, workspace_of
+from deltacal_gen.app import commands
 from deltacal_gen.errors import InputError
-from deltacal_gen.identification import identify
-from deltacal_gen.mechanism import Machine
-from deltacal_gen.robot import Robot
-from deltacal_gen.rotation import from_vector
-from deltacal_gen.simulation import simulate
-from deltacal_gen.validation import validate
+from deltacal_gen.files.robot import Robot
+from deltacal_gen.identification.accuracy import (
+    check_poses,
+    circle,
+    distance_error,
+    largest,
+    volumetric_error,
+    workspace_of,
+)
+from deltacal_gen.identification.identification import identify
+from deltacal_gen.machine.registry import Machine
+from deltacal_gen.machine.rotation import from_vector
+from deltacal_gen.physics.simulation import simulate
+from deltacal_gen.use import iso9283
+from deltacal_gen.use.validation import validate
 
 FRAME = (np.array([0.1, -0.2, 0.9]), np.array([900.0, -500.0, 1200.0]))
 

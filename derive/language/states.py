@@ -23,7 +23,7 @@ import sympy as sp
 
 DEG = math.pi / 180
 PER = ("joint", "limb", "machine", "reading")
-KINDS = ("joint", "channel", "load", "geometry", "pose", "reading")
+KINDS = ("joint", "channel", "load", "geometry", "place", "reading")
 OTHER = re.compile(r"(\w+)_([1-9]\d*)")  # another joint's state
 TAKEN = re.compile(r"s\d*|c|constants|out|np|math")  # names that generated functions have for their own
 
@@ -44,7 +44,7 @@ class State:
         One line.
     per : {"joint", "limb", "machine", "reading"}
         What has one. Only a joint's can be read by another limb.
-    kind : {"joint", "channel", "load", "geometry", "pose", "reading"}
+    kind : {"joint", "channel", "load", "geometry", "place", "reading"}
         Where it comes from: the joints themselves, a recorded column, virtual work at the pose, the drawing, the pose,
         or the reading before effects act on it. Loads and what is of the pose change with the deformation.
     column : str
@@ -148,7 +148,7 @@ def _length(name: str, meaning: str, per: str, kind: str, shown: str = "") -> St
 
 _ROWS = (
     _joint("q", "deg", "joint as the controller reports it", c99="q[{i}]"),
-    _joint("theta", "deg", "joint as the geometry sees it", kind="pose"),
+    _joint("theta", "deg", "joint as the geometry sees it", kind="place"),
     _joint(
         "turn",
         "deg",
@@ -231,10 +231,10 @@ _ROWS = (
     _length("L", "length of the arm", "limb", "geometry"),
     _length("l", "length of the rods", "limb", "geometry"),
     _length("b", "radius of the base", "limb", "geometry"),
-    _length("x", "measured point, x in {O}", "machine", "pose", POSITION),
-    _length("y", "measured point, y in {O}", "machine", "pose", POSITION),
-    _length("z", "measured point, z in {O}", "machine", "pose", POSITION),
-    _length("radius", "measured point, its distance from the z axis of {O}", "machine", "pose", POSITION),
+    _length("x", "measured point, x in {O}", "machine", "place", POSITION),
+    _length("y", "measured point, y in {O}", "machine", "place", POSITION),
+    _length("z", "measured point, z in {O}", "machine", "place", POSITION),
+    _length("radius", "measured point, its distance from the z axis of {O}", "machine", "place", POSITION),
     _length("y_x", "reading along the instrument's x", "reading", "reading"),
     _length("y_y", "reading along the instrument's y", "reading", "reading"),
     _length("y_z", "reading along the instrument's z", "reading", "reading"),

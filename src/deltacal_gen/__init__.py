@@ -20,8 +20,8 @@ from typing import Any
 __version__ = "0.1.0"
 
 _HOME = {
-    "arrays": ("PoseSet", "estimate", "nominal"),
-    "commands": (
+    "estimation.arrays": ("PoseSet", "estimate", "nominal"),
+    "app.commands": (
         "batch",
         "claims",
         "compare",
@@ -47,13 +47,13 @@ _HOME = {
         "validate",
         "validate_blocks",
     ),
-    "compensation": ("Compensator",),
+    "use.compensation": ("Compensator",),
     "errors": ("DeltacalError", "InputError", "NoSolutionError", "UsageError"),
-    "exports": ("export_c", "export_table", "read_table"),
-    "mechanism": ("Machine", "load_mechanism"),
-    "inputs": ("Recording", "Robot"),
+    "use.exports": ("export_c", "export_table", "read_table"),
+    "machine.registry": ("Machine", "load_mechanism"),
+    "machine.values": ("Recording", "Robot"),
     "machine.backend": ("Backend", "using"),
-    "recording": ("read_recording", "write_recording"),
+    "files.recording": ("read_recording", "write_recording"),
     "results.batch": ("Batch",),
     "results.comparison": ("Comparison",),
     "results.diagnosis": ("Diagnosis", "Verdict"),
@@ -62,8 +62,8 @@ _HOME = {
     "results.result": ("Result", "Status"),
     "results.study": ("Study",),
     "results.validation": ("Validation",),
-    "robot": ("read_robot", "robot_to_toml"),
-    "solvers": ("LeastSquares", "Prior", "Ridge", "TSVD"),
+    "files.robot": ("read_robot", "robot_to_toml"),
+    "estimation.solvers": ("LeastSquares", "Prior", "Ridge", "TSVD"),
 }
 _WHERE = {name: module for module, names in _HOME.items() for name in names}
 __all__ = sorted(_WHERE)  # names are looked up on first use, so that a command starts at once

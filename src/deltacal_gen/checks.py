@@ -10,16 +10,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from deltacal_gen.accuracy import turned
-from deltacal_gen.identifiability import RANK_TOLERANCE, Combination, unseen
-from deltacal_gen.inputs import Measurement
+from deltacal_gen.files.recording import Camera
+from deltacal_gen.files.robot import Robot, robot_size
+from deltacal_gen.identification.accuracy import turned
+from deltacal_gen.identification.identifiability import RANK_TOLERANCE, Combination, unseen
 from deltacal_gen.instrument.kind import Kind, Look
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.instrument.kinds import names as kind_names
-from deltacal_gen.mechanism import SOLVED, Array, Machine, mechanism_of
-from deltacal_gen.recording import Camera
-from deltacal_gen.robot import Robot, robot_size
-from deltacal_gen.rotation import to_vector
+from deltacal_gen.machine.registry import SOLVED, Array, Machine, mechanism_of
+from deltacal_gen.machine.rotation import to_vector
+from deltacal_gen.machine.values import Measurement
 
 SEED = 1
 POSES = 160

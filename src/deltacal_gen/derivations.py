@@ -27,21 +27,22 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
-from deltacal_gen import checks, ledger, report, sketch
+from deltacal_gen import checks, sketch
 from deltacal_gen.errors import UsageError
-from deltacal_gen.figures import AFTER, BEFORE, MUTED, decades
-from deltacal_gen.identifiability import RANK_TOLERANCE
+from deltacal_gen.files.robot import Robot, for_model, read_robot
+from deltacal_gen.identification.identifiability import RANK_TOLERANCE
 from deltacal_gen.machine.backend import Backend, using
-from deltacal_gen.mechanism import (
+from deltacal_gen.machine.registry import (
     COORDINATES,
     Machine,
     load_mechanism,
     mechanism_names,
     mechanism_of,
 )
-from deltacal_gen.physics import effect_names, lacking, load_effect
-from deltacal_gen.robot import Robot, for_model, read_robot
-from deltacal_gen.rotation import cayley_vector
+from deltacal_gen.machine.rotation import cayley_vector
+from deltacal_gen.pages import ledger, report
+from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED, decades
+from deltacal_gen.physics.physics import effect_names, lacking, load_effect
 from deltacal_gen.units import file_unit, to_internal
 
 KERNELS = "generated/deltacal_kernels"

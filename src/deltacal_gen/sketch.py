@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.mechanism import Array
+from deltacal_gen.machine.registry import Array
 
 WIDTH, HEIGHT, MARGIN = 640.0, 520.0, 58.0
 SMALL = 90.0  # a platform that is seen smaller than this is enlarged, in a square of so much

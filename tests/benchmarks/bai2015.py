@@ -15,15 +15,22 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
-from deltacal_gen.accuracy import check_poses, circle, distance_error, largest, volumetric_error, workspace_of
-from deltacal_gen.compensation import Compensator
-from deltacal_gen.demonstration import example
-from deltacal_gen.estimation import fit, pose_problem
-from deltacal_gen.mechanism import Array, load_mechanism
-from deltacal_gen.recording import Measurement, Recording
-from deltacal_gen.robot import Robot, read_robot
-from deltacal_gen.simulation import read_truth, simulate
-from deltacal_gen.solvers import LeastSquares
+from deltacal_gen.app.demonstration import example
+from deltacal_gen.estimation.estimation import fit, pose_problem
+from deltacal_gen.estimation.solvers import LeastSquares
+from deltacal_gen.files.recording import Measurement, Recording
+from deltacal_gen.files.robot import Robot, read_robot
+from deltacal_gen.identification.accuracy import (
+    check_poses,
+    circle,
+    distance_error,
+    largest,
+    volumetric_error,
+    workspace_of,
+)
+from deltacal_gen.machine.registry import Array, load_mechanism
+from deltacal_gen.physics.simulation import read_truth, simulate
+from deltacal_gen.use.compensation import Compensator
 
 SIGMA = 0.005  # mm, per coordinate; each pose is read three times and averaged
 DELTA = load_mechanism("delta")
@@ -110,7 +117,7 @@ def main() -> None:
 
 def _figure(path: Path, rough: Robot, fine: dict[str, Robot], truth: dict[str, float], targets: Array) -> None:
     """Draw figure 8: errors on the rim of the middle layer against the swing angle."""
-    from deltacal_gen import figures
+    from deltacal_gen.pages import figures
 
     with figures.mpl.rc_context(figures.STYLE):
         picture, axes = figures.plt.subplots(1, 2, figsize=(10, 3.6), constrained_layout=True)

@@ -19,7 +19,7 @@ from pathlib import Path
 
 from deltacal_kernels.cache import PACKAGE
 
-from deltacal_gen.mechanism import load_mechanism, mechanism_names
+from deltacal_gen.machine.registry import load_mechanism, mechanism_names
 
 TABLE = Path(__file__).with_name("compile.csv")
 MODULE_S, MECHANISM_S = 4.0, 15.0  # the budget, of a machine on which the yardstick takes YARDSTICK_S
@@ -28,7 +28,7 @@ PROGRAM = """
 import json, sys, time
 import numpy as np
 from numba import njit
-from deltacal_gen.mechanism import load_mechanism
+from deltacal_gen.machine.registry import load_mechanism
 from tests.benchmarks import by_hand, by_hand_numba
 njit(lambda x: x + 1.0)(1.0)  # Numba itself is ready
 begin = time.process_time()

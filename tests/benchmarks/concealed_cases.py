@@ -18,17 +18,17 @@ from typing import Any
 
 import numpy as np
 
+from deltacal_gen.diagnosis.search import Search, library, parts
 from deltacal_gen.errors import DeltacalError
-from deltacal_gen.estimation import Problem, Repeats, pose_problem, rms
-from deltacal_gen.identification import BROAD
+from deltacal_gen.estimation.estimation import Problem, Repeats, pose_problem, rms
+from deltacal_gen.files.recording import Measurement, Recording
+from deltacal_gen.files.robot import Robot
+from deltacal_gen.identification.identification import BROAD
 from deltacal_gen.machine.backend import Backend, using
-from deltacal_gen.mechanism import load_mechanism, mechanism_of
-from deltacal_gen.physics import Term, blank, coefficients, load_effect
-from deltacal_gen.recording import Measurement, Recording
-from deltacal_gen.robot import Robot
-from deltacal_gen.rotation import from_vector, to_vector
-from deltacal_gen.search import Search, library, parts
-from deltacal_gen.simulation import simulate
+from deltacal_gen.machine.registry import load_mechanism, mechanism_of
+from deltacal_gen.machine.rotation import from_vector, to_vector
+from deltacal_gen.physics.physics import Term, blank, coefficients, load_effect
+from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.units import DEG, file_unit, to_internal
 from tests.benchmarks import concealed_machines as machines
 

@@ -17,17 +17,17 @@ from typing import Any
 import numpy as np
 from rich.table import Table
 
-from deltacal_gen.diagnosis import diagnose
+from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.errors import DeltacalError
-from deltacal_gen.estimation import Fit, fit, pose_problem, rms
-from deltacal_gen.identification import BROAD, rough
-from deltacal_gen.mechanism import mechanism_of
-from deltacal_gen.physics import Term, coefficients, kept_term
-from deltacal_gen.prediction import predict
-from deltacal_gen.recording import Recording
+from deltacal_gen.estimation.estimation import Fit, fit, pose_problem, rms
+from deltacal_gen.estimation.solvers import Prior
+from deltacal_gen.files.recording import Recording
+from deltacal_gen.files.robot import kept_robot
+from deltacal_gen.identification.identification import BROAD, rough
+from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.physics.physics import Term, coefficients, kept_term
 from deltacal_gen.results.parts import MachineState
-from deltacal_gen.robot import kept_robot
-from deltacal_gen.solvers import Prior
+from deltacal_gen.use.prediction import predict
 from tests.benchmarks.concealed_cases import ORDINARY, Array, Case, Judge, generate, readings
 
 CONVENTION = {"joint_axis_runout", "instrument_offset"}  # parameters that are equal up to the geometry

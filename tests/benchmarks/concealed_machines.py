@@ -13,10 +13,10 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.demonstration import example
-from deltacal_gen.mechanism import Machine, mechanism_of
-from deltacal_gen.physics import Body, Channels, effect_names, load_effect
-from deltacal_gen.robot import Robot, read_robot, robot_from_dict, robot_to_dict
+from deltacal_gen.app.demonstration import example
+from deltacal_gen.files.robot import Robot, read_robot, robot_from_dict, robot_to_dict
+from deltacal_gen.machine.registry import Machine, mechanism_of
+from deltacal_gen.physics.physics import Body, Channels, effect_names, load_effect
 from deltacal_gen.units import DEG
 
 Array = np.ndarray

@@ -21,18 +21,18 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
-from deltacal_gen import planning
-from deltacal_gen.demonstration import example
-from deltacal_gen.estimation import Fit, fit, pose_problem
-from deltacal_gen.identifiability import observability
+from deltacal_gen.app.demonstration import example
+from deltacal_gen.estimation.estimation import Fit, fit, pose_problem
+from deltacal_gen.estimation.solvers import TSVD, LeastSquares, Prior, Ridge, Solver
+from deltacal_gen.files.recording import Recording, read_recording
+from deltacal_gen.files.robot import Robot, read_robot
+from deltacal_gen.identification.identifiability import observability
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.instrument.readings import Readings
-from deltacal_gen.mechanism import Array, load_mechanism
-from deltacal_gen.recording import Recording, read_recording
-from deltacal_gen.robot import Robot, read_robot
-from deltacal_gen.simulation import read_truth
-from deltacal_gen.solvers import TSVD, LeastSquares, Prior, Ridge, Solver
+from deltacal_gen.machine.registry import Array, load_mechanism
+from deltacal_gen.physics.simulation import read_truth
+from deltacal_gen.planning import planning
 from deltacal_gen.units import DEG
 
 DIAMOND = load_mechanism("diamond")
@@ -297,7 +297,7 @@ def boundary(step: float = 30.0) -> Array:
 
 def picture(path: Path, bench: Bench, truth: dict[str, float], runs: dict[int, Run]) -> None:
     """Draw figures 5, 8, 9 and 12."""
-    from deltacal_gen import figures
+    from deltacal_gen.pages import figures
 
     with figures.mpl.rc_context(figures.STYLE):
         drawing, axes = figures.plt.subplots(2, 2, figsize=(10, 7), constrained_layout=True)

@@ -19,7 +19,7 @@ import numpy as np
 import pyarrow.csv
 import pyarrow.parquet
 
-from deltacal_gen import streams
+from deltacal_gen.use import streams
 
 from .works import ROBOT, positions
 

@@ -18,7 +18,8 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen import commands, read_robot
+from deltacal_gen import read_robot
+from deltacal_gen.app import commands
 from deltacal_gen.errors import DeltacalError
 
 SESSION = re.compile(r"-s\d+(-mesh\d+)?$")

@@ -19,15 +19,15 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
-from deltacal_gen.compensation import Compensator
-from deltacal_gen.demonstration import example
-from deltacal_gen.identifiability import base_parameters
-from deltacal_gen.identification import identify
-from deltacal_gen.mechanism import Array, load_mechanism
-from deltacal_gen.recording import Recording, read_recording
-from deltacal_gen.robot import Robot, for_model, read_robot
-from deltacal_gen.simulation import read_truth, simulate
+from deltacal_gen.app.demonstration import example
+from deltacal_gen.files.recording import Recording, read_recording
+from deltacal_gen.files.robot import Robot, for_model, read_robot
+from deltacal_gen.identification.identifiability import base_parameters
+from deltacal_gen.identification.identification import identify
+from deltacal_gen.machine.registry import Array, load_mechanism
+from deltacal_gen.physics.simulation import read_truth, simulate
 from deltacal_gen.units import DEG
+from deltacal_gen.use.compensation import Compensator
 
 TOOLS = (0.0, 100.0, 200.0)  # h [mm]
 SIGMA_MM, SIGMA_RAD = 0.003, 0.003 * DEG
@@ -108,7 +108,7 @@ def main() -> None:
 
 def _figure(path: Path, curves: dict[float, dict[str, Array]]) -> None:
     """Draw figures 5 to 7: error against joint angle, the calibrated ones again on a scale of their own."""
-    from deltacal_gen import figures
+    from deltacal_gen.pages import figures
 
     with figures.mpl.rc_context(figures.STYLE):
         picture, axes = figures.plt.subplots(2, 3, figsize=(11, 5.6), sharex=True, constrained_layout=True)

@@ -15,16 +15,16 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
-from deltacal_gen import iso9283
-from deltacal_gen.demonstration import example
-from deltacal_gen.estimation import fit, pose_problem
-from deltacal_gen.identifiability import identification_matrix, observability
-from deltacal_gen.mechanism import SOLVED, Array, load_mechanism
-from deltacal_gen.recording import Measurement, Recording
-from deltacal_gen.robot import Robot, read_robot
-from deltacal_gen.simulation import read_truth, simulate
-from deltacal_gen.solvers import LeastSquares
+from deltacal_gen.app.demonstration import example
+from deltacal_gen.estimation.estimation import fit, pose_problem
+from deltacal_gen.estimation.solvers import LeastSquares
+from deltacal_gen.files.recording import Measurement, Recording
+from deltacal_gen.files.robot import Robot, read_robot
+from deltacal_gen.identification.identifiability import identification_matrix, observability
+from deltacal_gen.machine.registry import SOLVED, Array, load_mechanism
+from deltacal_gen.physics.simulation import read_truth, simulate
 from deltacal_gen.units import DEG
+from deltacal_gen.use import iso9283
 
 TABLE_2 = np.array([0.014, 0.038, 0.092])  # one image: standard deviations along x, y, z of the camera [mm]
 TABLE_3 = np.array([0.0025, 0.0049, 0.0212])  # the mean of 500

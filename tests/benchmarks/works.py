@@ -23,18 +23,19 @@ import numpy as np
 from numba import njit
 
 import deltacal_gen
-from deltacal_gen import PoseSet, commands
-from deltacal_gen.accuracy import check_poses, distance_error
-from deltacal_gen.arrays import LinearFit
-from deltacal_gen.compensation import Compensator
-from deltacal_gen.demonstration import example
-from deltacal_gen.estimation import fit, pose_problem
-from deltacal_gen.identification import identify
-from deltacal_gen.mechanism import load_mechanism, mechanism_names, mechanism_of
-from deltacal_gen.recording import Measurement, Recording, read_recording
-from deltacal_gen.robot import Robot, read_robot, robot_from_dict, robot_to_toml
-from deltacal_gen.rotation import cayley_matrix, cayley_spin, cayley_vector
-from deltacal_gen.solvers import LeastSquares
+from deltacal_gen import PoseSet
+from deltacal_gen.app import commands
+from deltacal_gen.app.demonstration import example
+from deltacal_gen.estimation.arrays import LinearFit
+from deltacal_gen.estimation.estimation import fit, pose_problem
+from deltacal_gen.estimation.solvers import LeastSquares
+from deltacal_gen.files.recording import Measurement, Recording, read_recording
+from deltacal_gen.files.robot import Robot, read_robot, robot_from_dict, robot_to_toml
+from deltacal_gen.identification.accuracy import check_poses, distance_error
+from deltacal_gen.identification.identification import identify
+from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
+from deltacal_gen.machine.rotation import cayley_matrix, cayley_spin, cayley_vector
+from deltacal_gen.use.compensation import Compensator
 
 from . import by_hand, by_hand_chain, by_hand_numba
 
@@ -646,8 +647,8 @@ print(*found.errors)
 _COMMAND = """
 import json, sys
 import numpy as np
-from deltacal_gen.compensation import Compensator
-from deltacal_gen.robot import read_robot
+from deltacal_gen.use.compensation import Compensator
+from deltacal_gen.files.robot import read_robot
 import dataclasses
 target, errors = json.loads(sys.argv[1]), json.loads(sys.argv[2])
 robot = dataclasses.replace(read_robot("robot.toml"), errors=errors)
@@ -670,7 +671,7 @@ def start(n: int, *, what: str, cold: bool) -> Work:
         mine: tuple[str, ...] = ("-c", _API, *itertools.chain.from_iterable(geometry))
         if what == "deltacal identify":
             given = ("robot.toml", "recording.csv", "--model", "18", "--as", "distance", "--json")
-            mine = ("-m", "deltacal_gen.cli", "identify", *given)
+            mine = ("-m", "deltacal_gen.app.cli", "identify", *given)
         modules = {NUMPY: "by_hand", NUMBA: "by_hand_numba"}
         modules |= {name: tool.__name__.rpartition(".")[2] for name, tool in TOOLS.items()}
         programs = {OURS: mine} | {

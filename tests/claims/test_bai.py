@@ -7,11 +7,11 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from deltacal_gen.estimation import pose_problem
-from deltacal_gen.identifiability import identification_matrix
-from deltacal_gen.mechanism import Machine
-from deltacal_gen.robot import Robot
-from deltacal_gen.simulation import simulate
+from deltacal_gen.estimation.estimation import pose_problem
+from deltacal_gen.files.robot import Robot
+from deltacal_gen.identification.identifiability import identification_matrix
+from deltacal_gen.machine.registry import Machine
+from deltacal_gen.physics.simulation import simulate
 from tests.claims import independent_bai as bai
 from tests.conftest import wanted
 

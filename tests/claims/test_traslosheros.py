@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from deltacal_gen import iso9283
+from deltacal_gen.use import iso9283
 from tests.claims import independent_traslosheros as own
 from tests.claims.independent_traslosheros import BALL, CALIBRATED, NOMINAL
 

@@ -25,7 +25,7 @@ TOLERANCE = 1e-9
 LIMIT_S = 600
 SAVED = (".json", ".csv", ".c")
 NUMBER = re.compile(r"[-+]?(?:\d+\.\d*|\.\d+|\d+)(?:[eE][-+]?\d+)?")
-RUN = "from deltacal_gen.cli import main; main()"
+RUN = "from deltacal_gen.app.cli import main; main()"
 Answers = dict[str, Any]
 
 

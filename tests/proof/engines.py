@@ -13,11 +13,11 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from deltacal_gen.mechanism import load_mechanism
-from deltacal_gen.physics import Term
-from deltacal_gen.recording import Recording
-from deltacal_gen.robot import Robot, robot_to_dict, to_file
-from deltacal_gen.simulation import simulate
+from deltacal_gen.files.recording import Recording
+from deltacal_gen.files.robot import Robot, robot_to_dict, to_file
+from deltacal_gen.machine.registry import load_mechanism
+from deltacal_gen.physics.physics import Term
+from deltacal_gen.physics.simulation import simulate
 from tests.proof import multibody
 
 Array = np.ndarray
@@ -51,7 +51,7 @@ def by_exudyn(
     terms: Sequence[Term] = (),
     rng: np.random.Generator,
 ) -> Recording:
-    """Return the recording that an instrument would make of Exudyn's machine; as `deltacal_gen.simulation.simulate`.
+    """Return the recording that an instrument would make of Exudyn's machine, as `simulate` does.
 
     Parameters
     ----------

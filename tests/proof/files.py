@@ -19,9 +19,9 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.recording import Recording, read_recording, write_recording
-from deltacal_gen.robot import read_robot, robot_to_toml, toml_text
-from deltacal_gen.simulation import read_truth
+from deltacal_gen.files.recording import Recording, read_recording, write_recording
+from deltacal_gen.files.robot import read_robot, robot_to_toml, toml_text
+from deltacal_gen.physics.simulation import read_truth
 from deltacal_gen.units import DEG
 from tests.benchmarks.concealed_cases import MECHANISM, Case
 from tests.benchmarks.concealed_grading import Oracle

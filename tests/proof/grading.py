@@ -21,13 +21,13 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.estimation import rms
+from deltacal_gen.estimation.estimation import rms
 from tests.benchmarks.concealed_cases import readings
 from tests.benchmarks.concealed_grading import CONVENTION, grade
 from tests.proof.files import Concealed
 
 Array = np.ndarray
-TOOL = f"{shlex.quote(sys.executable)} -m deltacal_gen.cli"
+TOOL = f"{shlex.quote(sys.executable)} -m deltacal_gen.app.cli"
 COLUMNS = {
     "position": ("x_mm", "y_mm", "z_mm"),
     "pose": ("x_mm", "y_mm", "z_mm"),

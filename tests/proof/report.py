@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen import report
-from deltacal_gen.figures import AFTER, BEFORE, MUTED, STYLE, mpl, plt
+from deltacal_gen.pages import report
+from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED, STYLE, mpl, plt
 
 Entry = Mapping[str, Any]
 KINDS = {

@@ -15,7 +15,7 @@ STATES = {
         "factor": 0.017453292519943295,
         "meaning": "joint as the geometry sees it",
         "per": "joint",
-        "kind": "pose",
+        "kind": "place",
         "shown": "q{i}_{unit}",
     },
     "turn": {
@@ -248,7 +248,7 @@ STATES = {
         "factor": 1.0,
         "meaning": "measured point, x in {O}",
         "per": "machine",
-        "kind": "pose",
+        "kind": "place",
         "shown": "position",
     },
     "y": {
@@ -256,7 +256,7 @@ STATES = {
         "factor": 1.0,
         "meaning": "measured point, y in {O}",
         "per": "machine",
-        "kind": "pose",
+        "kind": "place",
         "shown": "position",
     },
     "z": {
@@ -264,7 +264,7 @@ STATES = {
         "factor": 1.0,
         "meaning": "measured point, z in {O}",
         "per": "machine",
-        "kind": "pose",
+        "kind": "place",
         "shown": "position",
     },
     "radius": {
@@ -272,7 +272,7 @@ STATES = {
         "factor": 1.0,
         "meaning": "measured point, its distance from the z axis of {O}",
         "per": "machine",
-        "kind": "pose",
+        "kind": "place",
         "shown": "position",
     },
     "y_x": {

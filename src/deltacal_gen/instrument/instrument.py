@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from deltacal_gen.instrument.readings import Readings
-from deltacal_gen.mechanism import Array, Machine
+from deltacal_gen.machine.registry import Array, Machine
+from deltacal_gen.machine.rotation import to_vector
 from deltacal_gen.results.parts import InstrumentState
-from deltacal_gen.rotation import to_vector
 
 if TYPE_CHECKING:
     from deltacal_gen.instrument.kind import Kind

@@ -18,12 +18,12 @@ from typing import ClassVar
 
 import numpy as np
 
-from deltacal_gen.inputs import Measurement, Recording, Robot
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.instrument.readings import ALL, Readings
-from deltacal_gen.mechanism import Array, Machine
+from deltacal_gen.machine.registry import Array, Machine
+from deltacal_gen.machine.rotation import to_vector
+from deltacal_gen.machine.values import Measurement, Recording, Robot
 from deltacal_gen.results.result import TouchedPoint
-from deltacal_gen.rotation import to_vector
 
 STARTS = 20  # steps of the instrument alone, from where its file lets it stand
 STARTED = 1e-12  # of a step's square: smaller ones change nothing

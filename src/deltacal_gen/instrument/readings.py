@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.inputs import Recording
-from deltacal_gen.rotation import Array
+from deltacal_gen.machine.rotation import Array
+from deltacal_gen.machine.values import Recording
 
 if TYPE_CHECKING:
     from deltacal_gen.instrument.kind import Kind

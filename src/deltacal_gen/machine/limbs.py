@@ -32,10 +32,10 @@ from deltacal_gen.machine.machine import (
     filled,
     result,
 )
-from deltacal_gen.rotation import Array, cayley_matrix, cayley_vector
+from deltacal_gen.machine.rotation import Array, cayley_matrix, cayley_vector
 
 if TYPE_CHECKING:
-    from deltacal_gen.inputs import Robot
+    from deltacal_gen.machine.values import Robot
 
 KNOWN, KNOWN_BYTES = 16, 20_000_000  # sets of constants that are kept, and how large all of them may become
 NUDGE = 1e-3  # mm and rad: by which a dimension and an error are moved to see whether they are one

@@ -1,7 +1,7 @@
 """What a machine is to everyone who computes with one: its tables, and what can be asked of it.
 
-Machines of limbs that close loops (`deltacal_gen.machine.limbs`) and open chains (`deltacal_gen.chain`) answer alike;
-what only some can do is asked of an attribute, never of the class. Inside: mm, rad, kg, s, N.
+Machines of limbs that close loops (`limbs`) and open chains (`chain`) answer alike; what only some can do is asked of
+an attribute, never of the class. Inside: mm, rad, kg, s, N.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from deltacal_gen.errors import UsageError
-from deltacal_gen.rotation import Array, to_vector
+from deltacal_gen.machine.rotation import Array, to_vector
 from deltacal_gen.units import of_joints
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from deltacal_gen.inputs import Robot
+    from deltacal_gen.machine.values import Robot
 
 COORDINATES = ("px", "py", "pz", "cx", "cy", "cz")  # of a body in space, as the kernels solve for them
 POSE = 12  # numbers of a pose: position of the reference point, rotation matrix row by row

@@ -10,11 +10,11 @@ from typing import ClassVar
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.inputs import Measurement, Recording
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.instrument.kind import Kind, Look
 from deltacal_gen.instrument.readings import ALL, Readings
-from deltacal_gen.mechanism import Array, Machine
+from deltacal_gen.machine.registry import Array, Machine
+from deltacal_gen.machine.values import Measurement, Recording
 
 MOST_PAIRS = 200_000  # distances that are made of positions at once
 

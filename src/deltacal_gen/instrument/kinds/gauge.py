@@ -11,11 +11,11 @@ from typing import ClassVar
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.inputs import Measurement, Recording, Robot
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.instrument.kind import Frame, Kind, Look
 from deltacal_gen.instrument.readings import Readings
-from deltacal_gen.mechanism import Array, Machine, mechanism_of
+from deltacal_gen.machine.registry import Array, Machine, mechanism_of
+from deltacal_gen.machine.values import Measurement, Recording, Robot
 
 ZERO = 3  # place of the zero in the state, and among the unknowns
 

@@ -9,13 +9,13 @@ from typing import ClassVar
 
 import numpy as np
 
-from deltacal_gen.inputs import Measurement, Recording, Robot
 from deltacal_gen.instrument.instrument import Instrument, align
 from deltacal_gen.instrument.kind import Frame, Kind, Look
 from deltacal_gen.instrument.kinds import distance
 from deltacal_gen.instrument.readings import Readings
-from deltacal_gen.mechanism import Array, Machine
-from deltacal_gen.rotation import from_vector, to_vector
+from deltacal_gen.machine.registry import Array, Machine
+from deltacal_gen.machine.rotation import from_vector, to_vector
+from deltacal_gen.machine.values import Measurement, Recording, Robot
 
 IDENTITY = np.concatenate([np.eye(3).ravel(), np.zeros(3)])  # a frame that is {O}
 

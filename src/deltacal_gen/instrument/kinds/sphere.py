@@ -9,14 +9,14 @@ from typing import ClassVar
 
 import numpy as np
 
-from deltacal_gen import sphere
 from deltacal_gen.errors import InputError
-from deltacal_gen.inputs import Measurement, Recording, Robot
+from deltacal_gen.instrument import sphere
 from deltacal_gen.instrument.instrument import Instrument, align
 from deltacal_gen.instrument.kind import Frame, Kind, Look
 from deltacal_gen.instrument.readings import Readings
-from deltacal_gen.mechanism import Array, Machine
-from deltacal_gen.rotation import from_vector
+from deltacal_gen.machine.registry import Array, Machine
+from deltacal_gen.machine.rotation import from_vector
+from deltacal_gen.machine.values import Measurement, Recording, Robot
 from deltacal_gen.units import DEG
 
 VISIBLE = 0.9  # part of the half image that a simulated ball stays in

@@ -1,0 +1,1 @@
+"""Commands: what is typed, read, called and written."""

@@ -1,0 +1,513 @@
+"""Many recordings at once: identify, validate or diagnose all that lie in a folder; resumable, one table, one page.
+
+A machine is a folder with a ``robot.toml``; its recordings are the tables beside it that hold joints and readings.
+Where there are none, what a printer's firmware or a tracker keeps is imported first. A task carries the files
+themselves, so that a worker needs no common file system, and is named by their content: what was done with the same
+files is not done again, wherever the run directory has been copied to.
+"""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import json
+import math
+import os
+import re
+import tempfile
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, cast
+
+from deltacal_gen.app import commands
+from deltacal_gen.errors import DeltacalError, InputError, UsageError
+from deltacal_gen.execution import Outcome, Store, Task, Told, content_key, run
+from deltacal_gen.files.points import is_table_of_joints
+from deltacal_gen.files.recording import csv_text, is_recording, write_files
+from deltacal_gen.results.base import Answer, Json
+from deltacal_gen.results.batch import (
+    Action,
+    Batch,
+    DiagnosedRow,
+    FailedRow,
+    IdentifiedRow,
+    Moved,
+    Row,
+    ValidatedRow,
+)
+from deltacal_gen.results.diagnosis import Diagnosis, Geometry, Verdict
+from deltacal_gen.results.reader import read_answer
+from deltacal_gen.results.result import Result
+from deltacal_gen.results.validation import Validation
+from deltacal_gen.use.comparison import compare
+
+ACTIONS = ("diagnose", "identify", "validate")
+ROBOT = "robot.toml"
+RESULT = "result.json"  # beside the robot: what its recordings are validated against
+LAST = "last.json"  # which files each recording was and which task, the last time that all were done
+CONFIGS = ("config-override.g", "config.g")  # of RepRapFirmware: M500 writes the first, which then holds
+ASIDE = ("machine", "error", "warnings")  # of a row, told apart from the table
+FEW = 3  # recordings that are named where many have the same to say
+IMPORTS: Mapping[str, Callable[..., Any]] = {
+    "klipper": commands.import_klipper,
+    "rrf": commands.import_rrf,
+    "points": commands.import_points,
+}
+CLEAR = 3.0  # standard deviations by which an effect has changed
+LOOKED_AT = 1_000_000  # bytes of a text, to tell what it is
+
+Contents = Mapping[str, bytes]
+
+
+@dataclass(frozen=True)
+class Job:
+    """A recording with its robot.
+
+    Attributes
+    ----------
+    label : str
+        Path of the recording below the folder, and what of the file it is where that holds several.
+    machine : str
+        Recordings of one machine share it.
+    contents : callable
+        Returns the files by the name that the worker gives them.
+    refused : str or None
+        Why it is not done.
+    warnings : tuple of str
+        Of its import.
+    """
+
+    label: str
+    machine: str
+    contents: Callable[[], Contents]
+    refused: str | None = None
+    warnings: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Session:
+    """What firmware or a tracker keeps of a machine, to be imported: recordings of which only the import knows."""
+
+    label: str
+    kind: str
+    files: Mapping[str, Path]  # by the name that the worker gives them, in the order of the import's arguments
+
+
+def find(folder: str | Path, action: str = "diagnose", machine: str | None = None) -> list[Job | Session]:
+    """Return what a folder holds, in the order of the paths; links are followed.
+
+    Parameters
+    ----------
+    machine : str, optional
+        Regular expression; recordings whose paths give the same match are of one machine, default the folder.
+
+    Raises
+    ------
+    InputError
+        There is neither a recording beside a robot.toml nor anything that can be imported.
+    UsageError
+        No such action, or no regular expression.
+    """
+    folder = Path(folder)
+    if action not in ACTIONS:
+        raise UsageError(f"there is no action '{action}'; known: {', '.join(ACTIONS)}.")
+    _machine_of("", machine)
+    found: list[Job | Session] = []
+    for place in _folders(folder):
+        tables = [t for t in sorted(place.glob("*.csv")) if not t.name.endswith(".distances.csv")]
+        recordings = [t for t in tables if is_recording(t)]
+        robot = place / ROBOT
+        for table in recordings:
+            label = table.relative_to(folder).as_posix()
+            files = {ROBOT: robot, "recording.csv": table}
+            for ending in (".toml", ".distances.csv"):
+                if table.with_suffix(ending).exists():
+                    files[f"recording{ending}"] = table.with_suffix(ending)
+            refused = None if robot.exists() else f"there is no {ROBOT} beside it."
+            if action == "validate":
+                files[RESULT] = place / RESULT
+                if not files[RESULT].exists():
+                    refused = f"there is no {RESULT} beside it, which identify or diagnose write."
+            found.append(Job(label, _machine_of(label, machine), functools.partial(_contents, files), refused))
+        if not recordings:
+            found += _sessions(folder, place, tables)
+    if not any(isinstance(f, Session) or f.refused is None for f in found):
+        first = next((f for f in found if isinstance(f, Job)), None)
+        raise InputError(
+            f"there is no recording beside a {ROBOT}, and nothing that can be imported."
+            if first is None
+            else f"nothing can be done: {first.label}: {first.refused}",
+            f"Give a folder in which each machine has a folder with {ROBOT} and its recordings, or with what its "
+            "firmware keeps.",
+            file=folder,
+        )
+    return found
+
+
+def _folders(top: Path) -> Iterator[Path]:
+    """Yield a folder and all below it, each once, whatever links there are."""
+    met = set()
+    for path, names, _ in os.walk(top, followlinks=True):
+        known = os.stat(path)
+        if (known.st_dev, known.st_ino) in met:
+            names.clear()
+            continue
+        met.add((known.st_dev, known.st_ino))
+        names[:] = sorted(n for n in names if not n.startswith("."))
+        yield Path(path)
+
+
+def _machine_of(label: str, pattern: str | None) -> str:
+    """Return the machine of a recording: its folder, or what a pattern finds; each map of a printer is its own."""
+    path, _, part = label.partition(":")
+    try:
+        match = None if pattern is None else re.search(pattern, path)
+    except re.error as error:
+        raise UsageError(f"--machine is no regular expression: {error}.") from None
+    name = match[0] if match else Path(path).parent.as_posix()
+    return f"{name} {part}" if part not in ("", "recording") else name
+
+
+def _sessions(folder: Path, place: Path, tables: Sequence[Path]) -> Iterator[Job | Session]:
+    """Yield what can be imported of the files of one folder, and what of them lacks its other half."""
+
+    def label(path: Path) -> str:
+        return path.relative_to(folder).as_posix()
+
+    for path in sorted(p for p in place.iterdir() if p.suffix in (".cfg", ".txt")):
+        text = _beginning(path)
+        if "#*#" in text and "delta_radius" in text:  # Klipper's saved block, of a delta
+            yield Session(label(path), "klipper", {path.name: path})
+    config = next((place / c for c in CONFIGS if "M665" in _beginning(place / c)), None)
+    for table in tables:
+        if _beginning(table).startswith("RepRapFirmware height map"):
+            if config is None:
+                why = (
+                    "a height map alone does not say where the carriages were: config.g with its M665 is not beside it."
+                )
+                yield Job(label(table), place.relative_to(folder).as_posix(), dict, why)
+            else:
+                yield Session(label(table), "rrf", {config.name: config, table.name: table})
+    if (place / ROBOT).exists():
+        lists = [p for p in sorted(place.iterdir()) if p.suffix in (".csv", ".txt", ".tsv", ".asc")]
+        joints = [p for p in lists if is_table_of_joints(p)]
+        if len(lists) == 2 and len(joints) == 1:
+            points = next(p for p in lists if p not in joints)
+            files = {points.name: points, joints[0].name: joints[0], ROBOT: place / ROBOT}
+            yield Session(label(points), "points", files)
+
+
+def _beginning(path: Path) -> str:
+    try:
+        with path.open("rb") as file:
+            return file.read(LOOKED_AT).decode("utf-8", errors="replace")
+    except OSError:
+        return ""
+
+
+def unpack(kind: str, files: Contents) -> Json:
+    """Import a session in a folder of its own; runs on a worker.
+
+    Returns
+    -------
+    dict
+        ``recordings``: by name, the files as a job has them, as text; ``warnings`` of the import.
+    """
+    with tempfile.TemporaryDirectory() as temporary:
+        folder, out = Path(temporary), Path(temporary) / "imported"
+        for name, content in files.items():
+            (folder / name).write_bytes(content)
+        with _own_names():
+            made = IMPORTS[kind](*(folder / name for name in files), output=out)
+        recordings = {}
+        for name in made.recordings:
+            ends = (".csv", ".toml", ".distances.csv")
+            parts = {f"recording{e}": (out / f"{name}{e}") for e in ends if (out / f"{name}{e}").exists()}
+            recordings[name] = {n: p.read_text(encoding="utf-8") for n, p in {ROBOT: out / ROBOT, **parts}.items()}
+        return {"recordings": recordings, "warnings": list(made.warnings)}
+
+
+@contextmanager
+def _own_names() -> Iterator[None]:
+    """Name files in errors as the user knows them: by their names, not by where a worker has put them."""
+    try:
+        yield
+    except InputError as error:
+        file = None if error.file is None else Path(str(error.file)).name
+        raise InputError(error.problem, error.remedy, file=file, line=error.line, column=error.column) from None
+
+
+def do(action: str, model: str | None, files: Contents) -> Json:
+    """Do one task in a folder of its own; runs on a worker."""
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(temporary)
+        for name, content in files.items():
+            (folder / name).write_bytes(content)
+        robot, recording = folder / ROBOT, folder / "recording.csv"
+        with _own_names():
+            if action == "validate":
+                return commands.validate(folder / RESULT, recording).to_dict()
+            if action == "identify":
+                return commands.identify(robot, recording, model).to_dict()
+            found = commands.diagnose(robot, recording, model=model)
+            if found.verdict is Verdict.ADEQUATE:  # else what is left out would be taken for parts that moved
+                with suppress(DeltacalError):
+                    calibrated = commands.identify(robot, recording, model)
+                    geometry = Geometry(robot=calibrated.robot, parameters=calibrated.parameters)
+                    found = found.replace(geometry=geometry)
+            return found.to_dict()
+
+
+def conduct(
+    folder: str | Path,
+    directory: str | Path,
+    action: str = "diagnose",
+    *,
+    model: str | None = None,
+    machine: str | None = None,
+    workers: int | None = None,
+    cluster: str | None = None,
+    told: Told = lambda done, total, label: None,
+) -> Batch:
+    """Do all recordings of a folder, and write ``table.csv`` and ``batch.json`` into the run directory."""
+    directory = Path(directory)
+    store = Store(directory)
+    where: dict[str, Any] = {"workers": workers, "cluster": cluster, "directory": directory, "told": told}
+    todo = list(_unpacked(Path(folder), find(folder, action, machine), action, machine, store, where))
+    open_ = [job for job in todo if job.refused is None]
+    keys: dict[str, str] = {}
+    files: dict[str, str] = {}
+
+    def tasks() -> Iterator[Task]:
+        for job in open_:
+            key, files[job.label] = _key(job.contents, action, model)
+            keys[job.label] = key
+            yield Task(key, job.label, lambda job=job: (action, model, job.contents()))  # type: ignore[misc]
+
+    outcomes = run(do, tasks(), total=len(open_), **where)
+    rows = []
+    for job in todo:
+        outcome = Outcome("", job.label, None, job.refused) if job.refused is not None else next(outcomes)
+        rows.append(_row(job, outcome))
+    changed = _changed(open_, keys, files, store, _last(directory))
+    found = Batch(action=cast("Action", action), rows=tuple(rows), changed=changed)
+    lines = [row.to_dict() for row in rows]
+    columns = list(dict.fromkeys(name for line in lines for name in line))
+    table = {c: ["" if line.get(c) is None else line[c] for line in lines] for c in columns}
+    write_files(
+        {
+            directory / "table.csv": csv_text(table),
+            directory / "batch.json": json.dumps(found.to_dict(), indent=1) + "\n",
+            directory / LAST: json.dumps({n: [files[n], keys[n]] for n in keys}, indent=1) + "\n",
+        }
+    )
+    return found
+
+
+def _unpacked(
+    folder: Path,
+    found: Sequence[Job | Session],
+    action: str,
+    machine: str | None,
+    store: Store,
+    where: Mapping[str, Any],
+) -> Iterator[Job]:
+    """Yield all jobs, those of sessions as their import names them."""
+    sessions = [f for f in found if isinstance(f, Session)]
+
+    def tasks() -> Iterator[Task]:
+        for session in sessions:
+            key, _ = _key(functools.partial(_contents, session.files), "import", session.kind)
+            yield Task(key, session.label, functools.partial(_imported_from, session))
+
+    outcomes = run(unpack, tasks(), total=len(sessions), **where)
+    for item in found:
+        if isinstance(item, Job):
+            yield item
+            continue
+        outcome = next(outcomes)
+        if outcome.result is None:
+            yield Job(item.label, _machine_of(item.label, machine), dict, outcome.error)
+            continue
+        beside = {RESULT: (folder / item.label).parent / RESULT} if action == "validate" else {}
+        for name in outcome.result["recordings"]:
+            label = item.label if name == "recording" else f"{item.label}:{name}"
+            contents = functools.partial(_of_session, store, outcome.key, name, beside)
+            yield Job(label, _machine_of(label, machine), contents, warnings=tuple(outcome.result["warnings"]))
+
+
+def _imported_from(session: Session) -> tuple[str, Contents]:
+    return session.kind, _contents(session.files)
+
+
+def _of_session(store: Store, key: str, name: str, beside: Mapping[str, Path]) -> Contents:
+    """Return the files of an imported recording, which the run directory keeps."""
+    kept = store.get(key)
+    if kept is None:
+        raise InputError("a result that was there is gone.", "Run again.", file=store.folder)
+    texts: dict[str, str] = kept["result"]["recordings"][name]
+    return {n: t.encode() for n, t in texts.items()} | dict(_contents(beside))
+
+
+def _contents(files: Mapping[str, Path]) -> Contents:
+    try:
+        return {name: path.read_bytes() for name, path in files.items()}
+    except OSError as error:
+        raise InputError(f"cannot be read: {error.strerror}.", "Look at the file.", file=error.filename) from None
+
+
+def _key(contents: Callable[[], Contents], *more: str | None) -> tuple[str, str]:
+    """Return the key of a task with these files, and a hash of the files; unreadable ones fail in their turn."""
+    digest = hashlib.sha256()
+    try:
+        for name, content in sorted(contents().items()):
+            digest.update(f"{name} {len(content)} ".encode() + content)
+    except InputError as error:
+        digest.update(str(error).encode())
+    return content_key(Batch.schema, *more, digest.hexdigest()), digest.hexdigest()[:32]
+
+
+def _row(job: Job, outcome: Outcome) -> Row:
+    """Return a recording's line of the table."""
+    if outcome.result is None:
+        return FailedRow(recording=job.label, machine=job.machine, error=outcome.error or "")
+    who = {"recording": job.label, "machine": job.machine}
+    warnings = " ".join(job.warnings) or None
+    match read_answer(outcome.result):
+        case Diagnosis() as found:
+            named = "; ".join(f"{e.name} {' '.join(map(str, e.limbs))}".strip() for e in found.effects)
+            return DiagnosedRow(
+                **who,
+                verdict=found.verdict,
+                effects=named,
+                model=found.baseline.model,
+                before_mm=found.baseline.heldout_rms_mm,
+                after_mm=found.final.heldout_rms_mm,
+                noise_mm=found.noise.sigma_mm,
+                error=None,
+                warnings=warnings,
+            )
+        case Result() as found:
+            return IdentifiedRow(
+                **who,
+                model=found.model,
+                before_mm=found.before_rms_mm,
+                after_mm=found.heldout_rms_mm,
+                fitted_mm=found.train_rms_mm,
+                noise_mm=found.sigma_mm,
+                error=None,
+                warnings=warnings,
+            )
+        case Validation() as found:
+            return ValidatedRow(
+                **who,
+                after_mm=found.rms_mm,
+                worst_mm=found.worst_mm,
+                chi2_per_dof=found.chi2_per_dof,
+                error=None,
+                warnings=warnings,
+            )
+        case other:
+            raise TypeError(f"a batch holds no {type(other).__name__}")
+
+
+# ------------------------------------------------------------------------------------------------------ for readers
+
+
+def worst(rows: Sequence[Row], most: int) -> list[Row]:
+    """Return the rows of a batch, in their order; of too many, those with the largest errors first."""
+    if len(rows) <= most:
+        return list(rows)
+    done = [r for r in rows if not isinstance(r, FailedRow)]
+    return [*sorted(done, key=lambda r: -(r.after_mm or 0.0))[:most]]
+
+
+def alike(said: Sequence[tuple[str, str]]) -> list[tuple[str, str]]:
+    """Return recordings of which the same is said, together: (the first of them and how many more, what is said)."""
+    by_text: dict[str, list[str]] = {}
+    for name, text in said:
+        by_text.setdefault(text, []).append(name)
+    return [
+        (", ".join(names[:FEW]) + (f" and {len(names) - FEW} more" if len(names) > FEW else ""), text)
+        for text, names in by_text.items()
+    ]
+
+
+# ------------------------------------------------------------------------------------------------------ what changed
+
+
+def _last(directory: Path) -> dict[str, tuple[str, str]]:
+    try:
+        known: dict[str, tuple[str, str]] = json.loads((directory / LAST).read_text(encoding="utf-8"))
+    except (OSError, json.JSONDecodeError):
+        return {}
+    return known
+
+
+def _changed(
+    todo: Sequence[Job],
+    keys: Mapping[str, str],
+    files: Mapping[str, str],
+    store: Store,
+    last: Mapping[str, tuple[str, str]],
+) -> tuple[Moved, ...]:
+    """Return what moved, machine by machine: from one recording to the next, and since the last time."""
+    changed = []
+    before: dict[str, Job] = {}
+    for job in todo:
+        pairs = []
+        if job.machine in before:
+            pairs.append((before[job.machine].label, keys[before[job.machine].label]))
+        was, task = last.get(job.label, (files[job.label], ""))
+        if was != files[job.label]:  # other files; the same ones done by other code are no change
+            pairs.append((f"{job.label}, last time", task))
+        before[job.machine] = job
+        for label, key in pairs:
+            old, new = store.get(key), store.get(keys[job.label])
+            if old is None or new is None or old["result"] is None or new["result"] is None:
+                continue
+            try:
+                text = _moved(read_answer(old["result"]), read_answer(new["result"]))
+            except InputError as error:  # other machines, or a run of another version
+                text = str(error)
+            changed.append(Moved(machine=job.machine, from_=label, to=job.label, text=text))
+    return tuple(changed)
+
+
+def _moved(old: Answer, new: Answer) -> str:
+    if isinstance(old, Result) and isinstance(new, Result):
+        return compare(old, new).summary
+    if isinstance(old, Diagnosis) and isinstance(new, Diagnosis):
+        names = [sorted(e.name for e in r.effects) for r in (old, new)]
+        gone, come = (sorted(set(a) - set(b)) for a, b in (names, names[::-1]))
+        parts = [f"{old.verdict} became {new.verdict}"] if old.verdict != new.verdict else []
+        parts += [f"{name} appeared" for name in come] + [f"{name} is gone" for name in gone]
+        parts += [
+            f"{name} of {effect} was {was:.4g}, is {now:.4g} +- {std:.2g} {unit}"
+            for effect, name, was, now, std, unit in _grown(old, new)
+        ]
+        said = "; ".join(parts) or f"still {new.verdict}"
+        before, after = (f"{v:.4f}" if v is not None else "-" for v in (r.final.heldout_rms_mm for r in (old, new)))
+        text = f"{said}; held out {before} -> {after} mm."
+        if old.geometry is None or new.geometry is None:
+            return text
+        return f"{text} {compare(old.geometry, new.geometry).summary}"
+    was, now = (r.rms_mm if isinstance(r, Validation) else 0.0 for r in (old, new))
+    return f"error {was:.4f} -> {now:.4f} mm."
+
+
+def _grown(old: Diagnosis, new: Diagnosis) -> list[tuple[str, str, float, float, float, str]]:
+    """Return the parameters of effects in both diagnoses that differ by more than noise explains."""
+    was = {(e.name, e.limbs, p.name, p.limb): p for e in old.effects for p in e.parameters}
+    out = []
+    for e in new.effects:
+        for p in e.parameters:
+            before = was.get((e.name, e.limbs, p.name, p.limb))
+            if before is None or before.std is None or p.std is None:  # an order, a time: a constant
+                continue
+            std = math.hypot(before.std, p.std)
+            if abs(p.value - before.value) > CLEAR * std:
+                out.append((e.name, p.name, before.value, p.value, std, p.unit))
+    return out

@@ -1,0 +1,1 @@
+"""Which physics was left out, and where."""

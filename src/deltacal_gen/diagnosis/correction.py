@@ -1,0 +1,313 @@
+"""What no effect explains, corrected without physics: a smooth displacement of joints or of the reading.
+
+The displacement is a function of one variable that was recorded, a Gaussian process on few knots (subset of
+regressors; Rasmussen and Williams 2006, section 8.3.1), fitted together with geometry, instrument and effects. The
+variable, the length over which the function varies and its size are chosen by held-out poses, and so is whether there
+is a correction at all. It holds where there were readings; beyond them the machine is as it is without.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from deltacal_gen.diagnosis.search import Beside
+from deltacal_gen.diagnosis.structure import Structure, displacements
+from deltacal_gen.estimation.estimation import Fit, lengths, rms, robust_sigma, robust_weights
+from deltacal_gen.estimation.solvers import jitter
+from deltacal_gen.files.recording import Recording
+from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics.physics import Term
+from deltacal_gen.results.diagnosis import SmoothState
+from deltacal_gen.units import joint_factors, joint_names
+
+CANDIDATES = 3  # structures that are tried, the strongest first
+KNOTS = 32
+LENGTHS = (0.05, 0.1, 0.2, 0.4)  # over which a function varies, parts of the diagonal of what was measured
+SIZES = (1.0, 4.0, 16.0)  # standard deviations of noise by which a function may well move the readings
+PROVEN = 3.0  # standard deviations by which held-out poses must be better
+JITTER = 1e-8  # of a knot's variance: knots that say nearly the same
+POSITION = "position"
+
+
+@dataclass(frozen=True)
+class Smooth:
+    """A smooth function of a variable that displaces joints, or the platform along the axes of {O}.
+
+    Attributes
+    ----------
+    variable : str
+        A channel, a joint (`q1_deg`) or the `position` in {O}.
+    limbs : tuple of int
+        Limbs (from 1) whose joints it displaces; empty for the platform.
+    knots : (K, d) array
+        Values of the variable, in its own unit.
+    length : float
+        Over which the function varies, in the same unit.
+    reach : float
+        Within which of a knot everything lies that was measured.
+    coefficients : (K, limbs or 3) array
+        [rad, mm]
+    """
+
+    variable: str
+    limbs: tuple[int, ...]
+    knots: Array
+    length: float
+    reach: float
+    coefficients: Array
+
+    def displacement(self, values: Array) -> Array:
+        """Return the displacement (N, limbs or 3) at values (N, d) of the variable [rad, mm]."""
+        out: Array = np.nan_to_num(_kernel(values, self.knots, self.length)) @ self.coefficients
+        return out
+
+    def share(self, values: Array) -> Array:
+        """Return which part (N,) of the correction holds: 1 where there were readings, 0 far off or where blank."""
+        gap = np.maximum(_gaps(values, self.knots).min(axis=1) - self.reach * (1 + JITTER), 0.0)
+        out: Array = np.where(np.isfinite(gap), np.exp(-0.5 * np.nan_to_num(gap / self.length) ** 2), 0.0)
+        return np.where(out < 0.01, 0.0, out)
+
+    def kept(self) -> SmoothState:
+        """Return what an answer keeps of it."""
+        return SmoothState(**{field.name: getattr(self, field.name) for field in dataclasses.fields(self)})
+
+    @staticmethod
+    def of(kept: SmoothState) -> Smooth:
+        """Return the function that an answer kept."""
+        return Smooth(kept.variable, kept.limbs, kept.knots, kept.length, kept.reach, kept.coefficients)
+
+
+@dataclass(frozen=True)
+class Correction:
+    """A smooth function, and geometry, effects and instrument as they are beside it.
+
+    Attributes
+    ----------
+    errors : (n_p,) array
+        Source errors [mm, rad].
+    heldout : (float, float)
+        RMS [mm] of readings that took part neither in the fit nor in its choices, without and with the correction.
+    size : float
+        RMS [mm] by which it moves the readings beyond what geometry would make up for.
+    """
+
+    smooth: Smooth
+    errors: Array
+    terms: tuple[Term, ...]
+    instrument: Instrument
+    heldout: tuple[float, float]
+    size: float
+
+
+def variable(name: str, recording: Recording, q: Array, x: Array) -> Array | None:
+    """Return the values (N, d) of a variable of a recording, None if it has none.
+
+    Parameters
+    ----------
+    q : (N, n_q) array
+        Joints as the geometry counts them.
+    x : (N, 12) array
+        Poses.
+    """
+    if name == POSITION:
+        return x[:, :3]
+    if name in recording.channels:
+        return recording.channels[name][:, None]
+    names, unit = joint_names(recording.joint_unit, q.shape[1]), joint_factors(recording.joint_unit, q.shape[1])
+    return dict(zip(names, (q / unit).T[:, :, None], strict=True)).get(name)
+
+
+def correct(at: Fit, left: Sequence[Structure], parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> Correction | None:
+    """Return the smooth correction that held-out poses bear out, None where they bear out none.
+
+    Parameters
+    ----------
+    left : sequence of Structure
+        What is left of the fit, the strongest first.
+    parts : sequence of (train, test)
+        Masks (R,) of readings; repeats of a pose stay together.
+    """
+    variables = [s for s in left if s.earned > 0][:CANDIDATES]
+    first = _Linear(at, parts, at.weights)
+    chosen = first.best(options := first.options(variables), set())
+    if chosen is None:
+        return None
+    # what is left out looked like gross errors where it is strongest
+    r, found = first.errors(first.step(chosen, set()), chosen), at.problem.readings
+    sigma = robust_sigma(r, np.zeros(found.kind.noises), True, found)
+    linear = _Linear(at, parts, robust_weights(r, sigma, drop=True))
+    options = linear.options(variables)
+    # every part is predicted by what the other parts choose and fit
+    without, corrected = [], []
+    for k, (_, test) in enumerate(parts):
+        chosen = linear.best(options, {k})
+        without.append(linear.errors(linear.step(None, {k}), None, test))
+        corrected.append(linear.errors(linear.step(chosen, {k}), chosen, test))
+    order = np.concatenate([np.flatnonzero(test) for _, test in parts])
+    quiet = linear.weights[order] > 0
+    before, after = (lengths(np.concatenate(errors)[quiet], found.kind) for errors in (without, corrected))
+    gain = np.nansum(before**2 - after**2, axis=1)
+    _, group = np.unique(at.problem.readings.group[order][quiet], return_inverse=True)
+    better = np.bincount(group, gain)
+    spread = float(np.std(better)) * np.sqrt(len(better))
+    option = linear.best(options, set())
+    if option is None or better.sum() <= PROVEN * spread:
+        return None
+    step = linear.step(option, set())
+    n, m = len(at.problem.scale), at.instrument.n_unknown
+    errors = at.errors.copy()
+    errors[at.problem.columns] += step[:n] * at.problem.scale
+    source, _ = at.problem.split(errors)
+    return Correction(
+        smooth=option.smooth(step[n + m :]),
+        errors=source[: len(at.problem.mechanism.parameters)],
+        terms=at.problem.acting(errors),
+        instrument=at.instrument.stepped(step[n : n + m]),
+        heldout=(rms(before), rms(after)),
+        size=rms(lengths(linear.errors(linear.step(None, set()), None) - linear.errors(step, option), found.kind)),
+    )
+
+
+@dataclass(frozen=True)
+class _Option:
+    """A variable, length and size to choose from; columns (R, k, K * carriers) and (scalars, ...) of unit size."""
+
+    like: Smooth
+    to_knots: Array
+    raw: Array
+    whitened: Array
+    scale: Array
+    size: float
+
+    def smooth(self, c: Array) -> Smooth:
+        """Return the function with coefficients in units of its size."""
+        values = (c * self.scale * self.size).reshape(self.to_knots.shape[1], -1)
+        return dataclasses.replace(self.like, coefficients=self.to_knots @ values)
+
+
+class _Linear:
+    """The machine made linear at a fit: steps of geometry, effects, instrument and a smooth function together."""
+
+    def __init__(self, at: Fit, parts: Sequence[tuple[np.ndarray, np.ndarray]], weights: Array) -> None:
+        problem = at.problem
+        self._fit, self._beside = at, Beside(at)
+        machine = self._beside.machine
+        self._x, self._dx = machine.x, displacements(problem, machine)
+        state = problem.linearise(at.errors, at.instrument, machine)
+        self._residual, self.weights = state.residual, weights
+        self._raw = np.concatenate([state.J_p * problem.scale, state.J_m], axis=2)
+        self._base = self._rows(self._raw)
+        self._target = self._rows(state.residual[..., None])[:, 0]
+        departure = (at.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
+        self._prior = np.concatenate([departure, np.zeros(self._base.shape[1] - len(departure))])
+        self._held = (np.arange(self._base.shape[1]) < len(departure)).astype(float)
+        self._tests = [test[self._beside.owner] for _, test in parts]
+        self._grams: dict[object, list[tuple[Array, Array]]] = {}
+
+    def _rows(self, values: Array) -> Array:
+        return self._beside.rows(values * np.sqrt(self.weights)[:, None, None])
+
+    def options(self, found: Sequence[Structure]) -> list[_Option | None]:
+        """Return what there is to choose from: no function, or one of the variables of structures."""
+        return [None, *(option for s in found for option in self._along(s))]
+
+    def _along(self, found: Structure) -> Iterator[_Option]:
+        """Yield smooth functions of the variable of a structure, at the joints or in the reading where it sits."""
+        problem = self._fit.problem
+        used = np.unique(problem.readings.rows)
+        values = variable(found.channel, problem.recording, problem.body.q, self._x)
+        if values is None or not (known := used[np.isfinite(values[used]).all(axis=1)]).size:
+            return
+        knots = _knots(values[known], KNOTS)
+        reach = float(_gaps(values[known], knots).min(axis=1).max())
+        span = float(np.linalg.norm(np.ptp(values[known], axis=0)))
+        n_q = problem.mechanism.limbs
+        carriers = [i - 1 for i in found.limbs] or list(range(n_q, self._dx.shape[2]))
+        dx = self._dx[:, :, carriers]
+        J, _ = self._fit.instrument.linearise(problem.readings, self._x, dx)
+        seen = self._rows(J)
+        unit = np.sqrt(np.mean(seen**2, axis=0))
+        scale = np.where(unit > 0, 1 / np.maximum(unit, 1e-300), 0.0)
+        for part in LENGTHS:
+            length = part * span
+            U, s, _ = np.linalg.svd(_kernel(knots, knots, length), hermitian=True)
+            keep = s > JITTER * s[0]
+            to_knots = U[:, keep] / np.sqrt(s[keep])
+            f = np.nan_to_num(_kernel(values, knots, length)) @ to_knots
+            moved = (dx * scale)[:, :, None] * f[:, None, :, None]
+            raw, _ = self._fit.instrument.linearise(problem.readings, self._x, moved.reshape(*dx.shape[:2], -1))
+            like = Smooth(found.channel, found.limbs, knots, length, reach, np.zeros((len(knots), len(carriers))))
+            whitened, many = self._rows(raw), np.tile(scale, f.shape[1])
+            for size in SIZES:
+                yield _Option(like, to_knots, raw, whitened, many, size)
+
+    def step(self, option: _Option | None, without: set[int]) -> Array:
+        """Return the step that fits all parts but some: geometry and effects in their scales, instrument, function."""
+        G, g = self._normal(option, without)
+        n = len(self._held)
+        prior = np.concatenate([self._held, np.ones(len(g) - n)])
+        size = np.concatenate([np.ones(n), np.full(len(g) - n, option.size if option else 1.0)])
+        G, g = G * size * size[:, None], g * size
+        g[:n] -= self._prior
+        G[np.diag_indices_from(G)] += prior + jitter(np.diag(G))
+        u: Array = np.linalg.solve(G, g)
+        return u
+
+    def best(self, options: Sequence[_Option | None], without: set[int]) -> _Option | None:
+        """Return the option that predicts each of the other parts best from the rest."""
+        losses = []
+        for option in options:
+            loss = 0.0
+            for k in set(range(len(self._tests))) - without:
+                u = self.step(option, without | {k})
+                u[len(self._held) :] *= option.size if option else 1.0
+                G, g = self._gram(option)[k]
+                loss += float(u @ G @ u - 2 * u @ g)  # beyond what the readings themselves are
+            losses.append(loss)
+        return options[int(np.argmin(losses))]
+
+    def errors(self, step: Array, option: _Option | None, chosen: np.ndarray | slice = slice(None)) -> Array:
+        """Return what a step leaves of readings (R, k) [mm, rad]."""
+        n = len(self._held)
+        moved = self._raw[chosen] @ step[:n]
+        if option is not None:
+            moved = moved + option.raw[chosen] @ (option.size * step[n:])
+        left: Array = self._residual[chosen] - moved
+        return left
+
+    def _normal(self, option: _Option | None, without: set[int]) -> tuple[Array, Array]:
+        kept = [gram for k, gram in enumerate(self._gram(option)) if k not in without]
+        return np.sum([G for G, _ in kept], axis=0), np.sum([g for _, g in kept], axis=0)
+
+    def _gram(self, option: _Option | None) -> list[tuple[Array, Array]]:
+        key = None if option is None else (option.like.variable, option.like.length)
+        if key not in self._grams:
+            A = self._base if option is None else np.hstack([self._base, option.whitened])
+            self._grams[key] = [(A[t].T @ A[t], A[t].T @ self._target[t]) for t in self._tests]
+        return self._grams[key]
+
+
+def _gaps(values: Array, knots: Array) -> Array:
+    gaps: Array = np.linalg.norm(values[:, None] - knots, axis=2)
+    return gaps
+
+
+def _kernel(values: Array, knots: Array, length: float) -> Array:
+    out: Array = np.exp(-0.5 * (_gaps(values, knots) / length) ** 2)
+    return out
+
+
+def _knots(values: Array, most: int) -> Array:
+    """Return up to `most` of the values (N, d): the farthest from all knots so far, again and again."""
+    knots = values[:1]
+    while len(knots) < most:
+        gap = _gaps(values, knots).min(axis=1)
+        if gap.max() == 0:
+            break
+        knots = np.vstack([knots, values[np.argmax(gap)]])
+    return knots

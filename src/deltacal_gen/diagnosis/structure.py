@@ -1,0 +1,220 @@
+"""What is left of a fit that is no noise: smooth terms along a channel or over the workspace, which know no physics.
+
+They are the rivals of every effect, and they say where a mismatch sits that no effect explains: along which channel,
+at which limbs or in the reading, in which region.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from deltacal_gen.diagnosis.search import Beside, gains, quantile
+from deltacal_gen.estimation.estimation import Fit, Problem
+from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics.physics import Deformed
+from deltacal_gen.units import joint_names
+
+FUNCTIONS = 6  # of a channel, that one structure may combine
+SMOOTH = 15  # functions of a channel that make any smooth dependence on it: three powers, six waves
+LEVELS = 4  # distinct values up to which a channel is taken as levels
+WAVES = 40  # periods over the span of a channel, at most
+CENTRES = 24  # of local functions over the workspace
+RADII = (0.15, 0.25, 0.4)  # of local functions, parts of the workspace's half span
+
+Region = tuple[tuple[float, float, float], float]
+
+
+@dataclass(frozen=True)
+class Structure:
+    """Dependence on a channel: gain in chi2, the charge for the functions used, and where it sits.
+
+    Attributes
+    ----------
+    limbs : tuple of int
+        Limbs whose joints carry it; empty where the reading does.
+    region : ((x, y, z), radius) or None
+        [mm], where it is local.
+    """
+
+    channel: str
+    gain: float
+    charge: float
+    limbs: tuple[int, ...] = ()
+    region: Region | None = None
+
+    @property
+    def earned(self) -> float:
+        """Gain beyond the charge."""
+        return self.gain - self.charge
+
+
+def structures(at: Fit) -> list[Structure]:
+    """Return what smooth terms along each channel explain of what a fit leaves, the strongest first."""
+    smooth = _Smooth(at)
+    found = [smooth.along(name, functions, places) for name, (functions, places) in _bases(at.problem).items()]
+    return sorted(found, key=lambda f: -f.earned)
+
+
+def smooth_columns(at: Fit, channel: str) -> Array:
+    """Return whitened columns (scalars, n) of any smooth dependence on a channel, of the joints and of the reading."""
+    smooth = _Smooth(at)
+    functions, _ = _bases(at.problem)[channel]
+    most = max(len(smooth.residual) // (4 * smooth.directions), 1)
+    return smooth.modulated(functions[:, : min(SMOOTH, most)])
+
+
+def displacements(problem: Problem, machine: Deformed) -> Array:
+    """Return the derivatives (N, n_x, limbs + 3) of the pose by each joint and by a shift along each axis of {O}."""
+    used = np.unique(problem.readings.rows)
+    rows = machine.rows if len(machine.rows) == 1 else machine.rows[used]
+    S = problem.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)
+    limbs = problem.mechanism.limbs
+    dx = np.zeros((len(machine.x), problem.mechanism.n_x, limbs + 3))
+    dx[used, :, :limbs] = S.joints
+    dx[used, :3, limbs:] = np.eye(3)
+    return dx
+
+
+def _turns(x: Array, n_x: int) -> Array:
+    """Return the derivatives (N, n_x, 3) of poses (N, 12) by turns of the instrument about what it measures."""
+    points = x[:, :3] - x[:, :3].mean(axis=0)
+    out = np.zeros((len(x), 6, 3))
+    out[:, :3] = np.cross(np.eye(3)[None], points[:, None]).transpose(0, 2, 1)
+    out[:, 3:] = np.eye(3)
+    return out[:, :n_x]
+
+
+class _Smooth:
+    """Displacements of each joint and of the reading, modulated by functions of the rows, beside all that is fitted.
+
+    A reading of positions is displaced as the instrument moves, which shifts and turns: on a stand that creeps or was
+    knocked, it does both.
+    """
+
+    def __init__(self, at: Fit) -> None:
+        problem = at.problem
+        self._beside = Beside(at)
+        self._limbs = problem.mechanism.limbs
+        self._dx = displacements(problem, self._beside.machine)
+        if problem.readings.kind.positions:
+            self._dx = np.concatenate([self._dx, _turns(self._beside.machine.x, self._dx.shape[1])], axis=2)
+
+    @property
+    def residual(self) -> Array:
+        """What is left of the readings (scalars,), in standard deviations."""
+        return self._beside.residual
+
+    @property
+    def directions(self) -> int:
+        """Number of joints and axes of the reading."""
+        return int(self._dx.shape[2])
+
+    def modulated(self, functions: Array) -> Array:
+        """Return whitened unit columns (scalars, m * directions) of functions (N, m) of the rows."""
+        at = self._beside.fit
+        dx = self._dx[:, :, None] * functions[:, None, :, None]
+        J, _ = at.instrument.linearise(at.problem.readings, self._beside.machine.x, dx.reshape(*dx.shape[:2], -1))
+        A = self._beside.rows(J)
+        unit: Array = A / np.maximum(np.linalg.norm(A, axis=0), 1e-300)
+        return unit
+
+    def along(self, channel: str, functions: Array, places: Sequence[Region | None]) -> Structure:
+        """Return what the best few functions (N, m) of a channel explain, charged for columns and choice."""
+        A, count = self.modulated(functions), functions.shape[1]
+        A -= self._beside.Q @ (self._beside.Q.T @ A)
+        apart = A.reshape(len(A), count, -1)
+        # what only shifts is not charged for turns, but for the choice
+        widths = sorted({self._limbs + 3, self.directions})
+        chosen, gain, charge = max(
+            (self._chosen(apart[:, :, :width], quantile(width, len(widths) * count)) for width in widths),
+            key=lambda found: found[1] - found[2],
+        )
+        limbs = self._sits(np.moveaxis(apart[:, chosen], 1, 0)) if chosen else ()
+        region = places[chosen[0]] if chosen else None
+        return Structure(channel, gain, charge, () if region is not None else limbs, region)
+
+    def _chosen(self, apart: Array, price: float) -> tuple[list[int], float, float]:
+        """Return which functions of columns (scalars, m, directions) pay their price, their gain and charge."""
+        r, count = self._beside.residual, apart.shape[1]
+        A = apart.reshape(len(apart), -1)
+        # products of what is left of the columns when chosen ones are taken out: only they change
+        G = np.array([apart[:, k].T @ apart[:, k] for k in range(count)])
+        b = (r @ A).reshape(count, -1)
+        chosen: list[int] = []
+        taken = np.zeros((len(r), 0))
+        left, gain = r, 0.0
+        for _ in range(min(FUNCTIONS, count)):
+            each = gains(G, b)
+            k = int(np.argmax(each))
+            if each[k] < price:
+                break
+            chosen.append(k)
+            U, s, _ = np.linalg.svd(apart[:, k] - taken @ (taken.T @ apart[:, k]), full_matrices=False)
+            U = U[:, s > 1e-3]
+            shares, along = (U.T @ A).reshape(U.shape[1], count, -1), U.T @ left
+            G -= np.einsum("umi,umj->mij", shares, shares)
+            b -= np.einsum("umi,u->mi", shares, along)
+            taken, left = np.hstack([taken, U]), left - U @ along
+            gain = float(r @ r - left @ left)
+        return chosen, gain, price * len(chosen)
+
+    def _sits(self, A: Array) -> tuple[int, ...]:
+        """Return the limbs whose joints carry what functions (m, scalars, directions) explain; none: the reading."""
+        every, shifts = range(self._limbs), range(self._limbs, self._limbs + 3)
+        reading = {tuple(shifts), tuple(range(self._limbs, A.shape[2]))}  # which shifts, or turns as well
+        sets = [*sorted(reading), *(s for n in range(1, self._limbs + 1) for s in itertools.combinations(every, n))]
+        scores = []
+        for own in sets:
+            columns = np.hstack(list(A[:, :, list(own)]))
+            gain = gains((columns.T @ columns)[None], (self._beside.residual @ columns)[None])[0]
+            scores.append(gain - columns.shape[1] * np.log(self._beside.readings))
+        return tuple(i + 1 for i in sets[int(np.argmax(scores))] if i in every)
+
+
+def _bases(problem: Problem) -> dict[str, tuple[Array, list[Region | None]]]:
+    """Return functions (N, m) of every channel, joint and of the position; of local ones, where they sit."""
+    recording, body = problem.recording, problem.body
+    rows = np.unique(problem.readings.rows)
+    out: dict[str, tuple[Array, list[Region | None]]] = {}
+    n_q = body.q.shape[1]
+    named = dict(zip(joint_names(recording.joint_unit, n_q), body.q.T, strict=True))
+    moving = dict(zip(joint_names(recording.joint_unit, n_q, "approach{i}"), body.q.T, strict=True))
+    for name, values in {**recording.channels, **named}.items():
+        if name.startswith("true_") or not np.isfinite(values[rows]).any():
+            continue
+        v = np.nan_to_num(values, nan=float(np.nanmedian(values[rows])))
+        if np.ptp(v[rows]) > 0:
+            functions = _functions(v, rows)
+            if name in moving and np.ptp(moving[name][rows]) > 0:  # play is wide where a gear is worn
+                functions = np.hstack([functions, v[:, None] * _functions(moving[name], rows)])
+            out[name] = functions, [None] * functions.shape[1]
+    x, _ = body.mechanism.forward(body.q, body.tool, body.mechanism.rows(problem.robot))
+    x = np.nan_to_num(x[:, :3])
+    span = float(np.linalg.norm(np.ptp(x[rows], axis=0))) / 2
+    centres = [rows[0]]
+    while len(centres) < min(CENTRES, len(rows)):  # the farthest point of what is measured, again and again
+        gap = np.min([np.linalg.norm(x[rows] - x[c], axis=1) for c in centres], axis=0)
+        centres.append(rows[int(np.argmax(gap))])
+    places: list[Region | None] = []
+    bumps = []
+    for c, part in itertools.product(centres, RADII):
+        bumps.append(np.exp(-0.5 * (np.linalg.norm(x - x[c], axis=1) / (part * span)) ** 2))
+        places.append(((float(x[c, 0]), float(x[c, 1]), float(x[c, 2])), part * span))
+    out["position"] = np.column_stack(bumps), places
+    return out
+
+
+def _functions(v: Array, rows: np.ndarray) -> Array:
+    """Return functions (N, m) of a channel: its levels where it has few values, powers and waves where it has many."""
+    levels = np.unique(v[rows])
+    if len(levels) <= LEVELS:
+        return np.column_stack([(v == level).astype(float) for level in levels[1:]])
+    t = (v - v[rows].min()) / np.ptp(v[rows])
+    s = 2 * t - 1
+    most = int(np.clip(len(levels) // 4, 2, WAVES))
+    waves = [f(2 * np.pi * k * t) for k in range(1, most + 1) for f in (np.cos, np.sin)]
+    return np.column_stack([s, s**2 - 1 / 3, s**3 - 0.6 * s, *waves])

@@ -1,0 +1,1 @@
+"""One weighted nonlinear least-squares problem, and its solvers."""

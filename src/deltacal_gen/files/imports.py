@@ -1,0 +1,548 @@
+"""What printers' firmware keeps, as a robot and recordings: Klipper's printer.cfg, RepRapFirmware's config.g and maps.
+
+Formats only, written from their documentation: Klipper's saved block (``[delta_calibrate]``: heights and distances in
+stable positions, motor steps since the endstop, which hold whatever the parameters are) and bed meshes; M665, M666 and
+G31 of RepRapFirmware with its height map. A mesh holds heights, not joints: the carriages are computed back with the
+geometry that stands beside it, so it is worth as much as that geometry was in force.
+"""
+
+from __future__ import annotations
+
+import configparser
+import itertools
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.files.recording import Measurement, Recording, write_files, write_recording
+from deltacal_gen.files.robot import Robot, read_text, robot_from_dict, robot_to_toml
+from deltacal_gen.machine.registry import SOLVED, Array, load_mechanism
+
+TOWERS = ("stepper_a", "stepper_b", "stepper_c")
+ROUNDED = 1e-3  # of the bed's radius: a map's limits are written with a digit or two
+ANGLES = (210.0, 330.0, 90.0)  # of the towers, where the file does not say [deg]
+FULL_STEPS = 200.0  # of a motor's turn
+PITCH = 2.0  # mm of belt per tooth
+USUAL_TEETH = range(15, 30)  # of a pulley; twice as many are half the microsteps
+PULLEY = 40.0  # mm of belt per motor turn: 20 teeth of 2 mm, the usual one, where RepRapFirmware does not say
+ABSURD = 0.05  # of a distance: no geometry of the printer's parts is so far off
+DOUBTFUL = 1.0  # mm: a printed distance so far off the printer's own geometry is looked at again
+EDITED = 1.0  # mm: heights that all are so far off alike were probed with other endstops
+CLEARLY = 2.0  # by which the step that fits must fit better than the next
+SPREAD = 0.02  # by which the arms of one printer may differ
+
+
+@dataclass(frozen=True)
+class Imported:
+    """A robot where it is known, its recordings by name, and what a user should know before using them."""
+
+    robot: Robot | None
+    recordings: dict[str, Recording]
+    warnings: tuple[str, ...] = field(default=())
+
+
+def import_klipper(path: str | Path, output: str | Path | None = None) -> Imported:
+    """Read a Klipper printer.cfg with its saved block.
+
+    Parameters
+    ----------
+    path : path
+        The configuration; values of the saved block (``#*#``) take precedence, as in Klipper.
+    output : path, optional
+        Folder for robot.toml, recording.csv (heights and distances) and one mesh_NAME.csv per bed mesh.
+
+    Raises
+    ------
+    InputError
+        No delta, or a value that is missing or cannot be; the message names the section and what to do.
+    """
+    path = Path(path)
+    file = _Klipper(path)
+    geometry: dict[str, Any] = {
+        "radius": file.number("printer", "delta_radius"),
+        "arm_length": file.towers("arm_length", None),
+        "tower_angle": file.towers("angle", ANGLES),
+        "endstop": file.towers("position_endstop", None),
+    }
+    belt = file.optional("stepper_a", "rotation_distance")
+    robot = _robot(path.stem, geometry, belt, path)
+    warnings = _doubt_arms(geometry["arm_length"])
+    recordings: dict[str, Recording] = {}
+    heights, distances = file.heights(), file.distances()
+    if heights or distances:
+        given = [file.step(tower) for tower in TOWERS]
+        step = np.array([v for v in given if v is not None])
+        if len(step) < len(given):
+            usual, belt, said = _usual_step(robot, heights, path)
+            step, warnings = np.full(3, usual), (*warnings, said)
+            robot = _robot(path.stem, geometry, belt, path)
+        recordings["recording"] = _session(path, heights, distances, step)
+        warnings += _check_heights(robot, recordings["recording"]) + _check_distances(robot, recordings["recording"])
+    for name, points, z in file.meshes():
+        offset = np.array([file.optional("probe", f"{axis}_offset") or 0.0 for axis in "xy"])
+        trigger = file.optional("probe", "z_offset") or 0.0
+        recordings[f"mesh_{name}"] = _map(robot, points - offset, z, trigger, path)
+    return _done(robot, recordings, warnings, path, output)
+
+
+def import_rrf(config: str | Path, height_map: str | Path, output: str | Path | None = None) -> Imported:
+    """Read RepRapFirmware's config.g (M665, M666, G31) and a height map.
+
+    Parameters
+    ----------
+    config : path
+        config.g, or config-override.g where M500 has written M665 and M666 there.
+    height_map : path
+        heightmap.csv.
+    output : path, optional
+        Folder for robot.toml and recording.csv.
+
+    Raises
+    ------
+    InputError
+        No M665, or a map that cannot be read; the message names the line.
+    """
+    config, height_map = Path(config), Path(height_map)
+    said = _gcode(config)
+    if "M665" not in said:
+        raise InputError(
+            "there is no M665, which describes a delta.", "Give the config.g that holds M665 and M666.", file=config
+        )
+    delta, trims = said["M665"], said.get("M666", {})
+    for letter, what in (("R", "delta radius"), ("L", "rod length"), ("H", "homed height")):
+        if letter not in delta:
+            raise InputError(f"M665 has no {letter} ({what}).", f"Add {letter} to M665.", file=config)
+    arms = delta["L"] * 3 if len(delta["L"]) == 1 else delta["L"]
+    trim = np.array([trims.get(axis, [0.0])[0] for axis in "XYZ"])
+    geometry = {
+        "radius": delta["R"][0],
+        "arm_length": arms[:3],
+        "tower_angle": [a + delta.get(axis, [0.0])[0] for a, axis in zip(ANGLES, "XYZ", strict=True)],
+        "endstop": (delta["H"][0] + trim - trim.mean()).tolist(),
+    }
+    robot = _robot(config.stem, geometry, PULLEY, config)
+    probe = said.get("G31", {})
+    points, z = _height_map(height_map)
+    offset = np.array([probe.get(axis, [0.0])[0] for axis in "XY"])
+    recording = _map(robot, points - offset, z, probe.get("Z", [0.0])[0], height_map)
+    warnings = _doubt_arms(geometry["arm_length"])
+    if "G31" not in said:
+        warnings += (
+            "config.g says nothing of the probe (G31): its trigger height is taken as 0, which is right for a nozzle "
+            "that touches the bed.",
+        )
+    return _done(robot, {"recording": recording}, warnings, config, output)
+
+
+# ------------------------------------------------------------------------------------------------------ the results
+
+
+def _robot(name: str, geometry: Mapping[str, Any], belt: float | None, path: Path) -> Robot:
+    tables: dict[str, Any] = {"robot": {"name": name, "mechanism": "linear_delta"}, "geometry": dict(geometry)}
+    if belt is not None:
+        tables["transmission"] = {"pulley_circumference": belt}
+    try:
+        return robot_from_dict(tables)
+    except InputError as error:
+        raise InputError(error.problem, error.remedy, file=path) from None
+
+
+def _recording(path: Path, q: Array, height: Array, instrument: str, **pairs: Any) -> Recording:
+    n = len(q)
+    return Recording(
+        path=path,
+        kind="height",
+        measurement=Measurement(kind="height", frame="robot", instrument=instrument),
+        joint_unit="mm",
+        joints=q,
+        columns=("height_mm",),
+        measured=np.asarray(height, dtype=float)[:, None],
+        pose=np.arange(1, n + 1).astype(str),
+        line=np.arange(2, n + 2),
+        channels={},
+        setup=np.zeros(n, dtype=int),
+        setup_names=("1",),
+        **pairs,
+    )
+
+
+def _session(path: Path, heights: list[_Height], distances: list[_Distance], step: Array) -> Recording:
+    positions = [h.position for h in heights] + [p for d in distances for p in (d.first, d.second)]
+    measured = np.concatenate([[h.z for h in heights], np.full(2 * len(distances), np.nan)])
+    pairs: dict[str, Any] = {}
+    if distances:
+        pairs = {
+            "pairs": len(heights) + np.arange(2 * len(distances)).reshape(-1, 2),
+            "pair_measured": np.array([d.length for d in distances]),
+            "pair_line": np.arange(2, len(distances) + 2),
+        }
+    instrument = "bed probe (heights); caliper on a printed object (distances)" if distances else "bed probe"
+    return _recording(path, np.array(positions) * step, measured, instrument, **pairs)
+
+
+def _usual_step(robot: Robot, heights: list[_Height], path: Path) -> tuple[float, float, str]:
+    """Return the step [mm] of a usual pulley that puts the probed points at their heights, its turn [mm], and a word.
+
+    Steps of different pulleys lie 3 % and more apart, which bends the bed by millimetres: one fits, or none.
+
+    Raises
+    ------
+    InputError
+        There are no heights to tell by, or no usual step or more than one fits.
+    """
+    remedy = "Give the whole printer.cfg, with rotation_distance and microsteps (or step_distance)."
+    problem = "the positions are in motor steps, but [stepper_a] does not say how long a step is"
+    if not heights:
+        raise InputError(f"{problem}, and there are no heights to tell by.", remedy, file=path)
+    mechanism, rows = load_mechanism(robot.mechanism), load_mechanism(robot.mechanism).rows(robot)
+    positions, z = np.array([h.position for h in heights]), np.array([h.z for h in heights])
+    fitting = []
+    for teeth, doubled in itertools.product(USUAL_TEETH, range(-1, 9)):
+        step = PITCH * teeth / (FULL_STEPS * 2.0**doubled)
+        x, status = mechanism.forward(positions * step, robot.tool, rows)
+        if (status == SOLVED).all():  # by their shape alone: endstops are edited after the probing
+            fitting.append((float(np.ptp(x[:, 2] - z)), step, PITCH * teeth))
+    fitting.sort()
+    if not fitting or fitting[0][0] > EDITED:
+        raise InputError(f"{problem}, and that of no usual pulley fits.", remedy, file=path)
+    if len(fitting) > 1 and fitting[1][0] < CLEARLY * fitting[0][0]:
+        raise InputError(f"{problem}, and those of two usual pulleys fit.", remedy, file=path)
+    _, step, belt = fitting[0]
+    return (
+        step,
+        belt,
+        f"the file does not say how long a motor step is; {step:g} mm puts the probed points at their heights, as of a "
+        f"pulley of {belt:g} mm a turn, which is taken. Correct pulley_circumference in robot.toml if it is another.",
+    )
+
+
+def _map(robot: Robot, nozzle: Array, z: Array, trigger: float, path: Path) -> Recording:
+    """Return the recording of a map: the carriages stood where the geometry puts them for the probed height."""
+    mechanism = load_mechanism(robot.mechanism)
+    targets = np.column_stack([nozzle, z + trigger])
+    q, _, status = mechanism.inverse(targets, robot.tool, mechanism.rows(robot))
+    if (status != SOLVED).any():
+        x, y = nozzle[np.argmax(status != SOLVED)]
+        raise InputError(
+            f"the printer cannot stand at x = {x:.1f}, y = {y:.1f} mm of the map with the geometry beside it.",
+            "Give the geometry that was in force when the map was probed; check arm length and radius.",
+            file=path,
+        )
+    return _recording(path, q, np.full(len(q), trigger), "bed probe, a mesh over the bed")
+
+
+def _done(
+    robot: Robot,
+    recordings: dict[str, Recording],
+    warnings: tuple[str, ...],
+    path: Path,
+    output: str | Path | None,
+) -> Imported:
+    if not recordings:
+        raise InputError(
+            "there are neither heights, distances nor a bed mesh in the file.",
+            "Run DELTA_CALIBRATE or BED_MESH_CALIBRATE and SAVE_CONFIG, and give the file again.",
+            file=path,
+        )
+    return write_import(Imported(robot, recordings, warnings), output)
+
+
+def write_import(found: Imported, output: str | Path | None) -> Imported:
+    """Write robot.toml and the recordings into a folder, where there is one; return what was imported."""
+    if output is not None:
+        folder = Path(output)
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise InputError(f"the folder cannot be made: {error.strerror}.", "Choose another.", file=folder) from None
+        if found.robot is not None:
+            write_files({folder / "robot.toml": robot_to_toml(found.robot)})
+        for name, recording in found.recordings.items():
+            write_recording(recording, folder / f"{name}.csv")
+    return found
+
+
+# ----------------------------------------------------------------------------------------------- mistakes users make
+
+
+def _doubt_arms(arms: Sequence[float]) -> tuple[str, ...]:
+    spread = float(np.ptp(arms) / np.mean(arms))
+    if spread <= SPREAD:
+        return ()
+    listed = ", ".join(f"{a:.2f}" for a in arms)
+    return (
+        f"the arms are {listed} mm: rods cut to one length do not differ by {100 * spread:.0f} %. An earlier "
+        "calibration went wrong, most often by one distance in the wrong row. Measure the rods with callipers and put "
+        "that length into the file.",
+    )
+
+
+def _check_heights(robot: Robot, recording: Recording) -> tuple[str, ...]:
+    """Return warnings about heights that cannot be of this geometry; raise where a probed point is out of reach."""
+    rows = np.flatnonzero(np.isfinite(recording.measured[:, 0]))
+    if not len(rows):
+        return ()
+    mechanism = load_mechanism(robot.mechanism)
+    x, status = mechanism.forward(recording.joints[rows], robot.tool, mechanism.rows(robot))
+    if (status != SOLVED).any():
+        k = int(np.argmax(status != SOLVED))
+        raise InputError(
+            f"at height{k}_pos the carriages stand where the rods do not reach.",
+            "Check rotation_distance, microsteps and arm_length: one of them does not belong to these positions.",
+            file=recording.path,
+        )
+    off = x[:, 2] - recording.measured[rows, 0]
+    if abs(np.median(off)) > EDITED and np.ptp(off) < EDITED:
+        return (
+            f"all heights are off by {np.median(off):.3f} mm alike: the saved endstops were changed after the probing. "
+            "Only the endstops are wrong by it; the shape is not.",
+        )
+    return ()
+
+
+def _check_distances(robot: Robot, recording: Recording) -> tuple[str, ...]:
+    """Return warnings about printed distances that do not fit the printer; raise where no printer could have them."""
+    if recording.pairs is None or recording.pair_measured is None:
+        return ()
+    mechanism = load_mechanism(robot.mechanism)
+    x, _ = mechanism.forward(recording.joints, robot.tool, mechanism.rows(robot))
+    a, b = recording.pairs.T
+    known = np.linalg.norm(x[b, :3] - x[a, :3], axis=1)
+    off = recording.pair_measured - known
+    same = _repeated(recording)
+    warnings: list[str] = []
+    if len(same):
+        i, j = same[0]
+        raise InputError(
+            f"distance{i} and distance{j} lie between the same two points: one line was entered twice, and another is "
+            "missing.",
+            "Enter the distances again, each in its own place.",
+            file=recording.path,
+        )
+    usual = float(np.median(off))
+    for k in np.flatnonzero(np.isfinite(off)):
+        if abs(off[k] - usual) > ABSURD * known[k]:
+            swapped = next(
+                (
+                    int(m)
+                    for m in range(len(off))
+                    if m != k
+                    and abs(recording.pair_measured[m] - known[k] - usual) < DOUBTFUL
+                    and abs(recording.pair_measured[k] - known[m] - usual) < DOUBTFUL
+                ),
+                None,
+            )
+            cause = f" It agrees with distance{swapped}: the two are exchanged." if swapped is not None else ""
+            raise InputError(
+                f"distance{k} is {recording.pair_measured[k]:.2f} mm, but the printer moved {known[k]:.2f} mm between "
+                f"its two points: no geometry allows that.{cause}",
+                "Measure it again with the callipers in mm; check that the pillar widths were entered too.",
+                file=recording.path,
+            )
+        if abs(off[k] - usual) > DOUBTFUL:
+            warnings.append(
+                f"distance{k} is {off[k] - usual:+.2f} mm off what the others say of this printer: measure it again."
+            )
+    return tuple(warnings)
+
+
+def _repeated(recording: Recording) -> list[tuple[int, int]]:
+    assert recording.pairs is not None
+    ends = [frozenset(map(tuple, recording.joints[pair].round(6).tolist())) for pair in recording.pairs]
+    return [(i, j) for j in range(len(ends)) for i in range(j) if ends[i] == ends[j]]
+
+
+# ----------------------------------------------------------------------------------------------------------- Klipper
+
+
+@dataclass(frozen=True)
+class _Height:
+    z: float
+    position: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class _Distance:
+    length: float
+    first: tuple[float, ...]
+    second: tuple[float, ...]
+
+
+class _Klipper:
+    """The sections of a printer.cfg; the saved block overrides what stands above it."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        plain, saved = [], []
+        for line in read_text(path).split("\n"):
+            if line.startswith("#*#"):
+                saved.append(re.sub(r"^#\*# ?", "", line))
+            else:
+                plain.append(re.sub(r"\s*[#;].*$", "", line))
+        self.sections: dict[str, dict[str, str]] = {}
+        for part in (plain, saved):
+            parser = configparser.RawConfigParser(strict=False, delimiters=("=", ":"), allow_no_value=True)
+            start = next((k for k, line in enumerate(part) if line.startswith("[")), len(part))
+            try:
+                parser.read_string("\n".join(part[start:]))
+            except configparser.Error as error:
+                raise InputError(
+                    f"this is no configuration of Klipper: {str(error).splitlines()[0]}.", "Correct it.", file=path
+                ) from None
+            for name in parser.sections():
+                given = {key: value for key, value in parser.items(name) if value is not None}
+                self.sections.setdefault(name.strip(), {}).update(given)
+        if "printer" not in self.sections or self.sections["printer"].get("kinematics", "delta") != "delta":
+            raise InputError(
+                "the file describes no delta printer ([printer] kinematics: delta).",
+                "Give the printer.cfg of a linear delta.",
+                file=path,
+            )
+
+    def optional(self, section: str, key: str) -> float | None:
+        text = self.sections.get(section, {}).get(key)
+        if text is None:
+            return None
+        try:
+            return float(text)
+        except ValueError:
+            raise InputError(
+                f"{key} in [{section}] is '{text}': a number was expected.", "Correct it.", file=self.path
+            ) from None
+
+    def number(self, section: str, key: str) -> float:
+        value = self.optional(section, key)
+        if value is None:
+            raise InputError(f"{key} in [{section}] is missing.", "Give the whole printer.cfg.", file=self.path)
+        return value
+
+    def towers(self, key: str, default: Sequence[float] | None) -> list[float]:
+        """Return a value per tower; one that is not given is the default, or that of tower a, as in Klipper."""
+        found = [self.optional(tower, key) for tower in TOWERS]
+        if default is None:
+            first = self.number("stepper_a", key)
+            return [first if v is None else v for v in found]
+        return [d if v is None else v for v, d in zip(found, default, strict=True)]
+
+    def step(self, tower: str) -> float | None:
+        """Return mm of belt per step of a tower's motor; None where the file does not say."""
+        if (old := self.optional(tower, "step_distance")) is not None:
+            return old
+        given = {k: self.optional(tower, k) for k in ("rotation_distance", "microsteps", "full_steps_per_rotation")}
+        given = {k: v if v is not None else self.optional("stepper_a", k) for k, v in given.items()}
+        belt, micro = given["rotation_distance"], given["microsteps"]
+        if belt is None or micro is None:
+            return None
+        gears = self.sections.get(tower, {}).get("gear_ratio", "")
+        ratio = np.prod([float(a) / float(b) for a, b in re.findall(r"([\d.]+)\s*:\s*([\d.]+)", gears)] or [1.0])
+        return float(belt / ((given["full_steps_per_rotation"] or FULL_STEPS) * micro * ratio))
+
+    def _position(self, key: str) -> tuple[float, ...]:
+        text = self.sections["delta_calibrate"].get(key, "")
+        try:
+            found = tuple(float(v) for v in text.split(","))
+        except ValueError:
+            found = ()
+        if len(found) != 3:
+            raise InputError(
+                f"{key} in [delta_calibrate] is '{text}': three positions, separated by commas, were expected.",
+                "Run DELTA_CALIBRATE and SAVE_CONFIG again.",
+                file=self.path,
+            )
+        return found
+
+    def _numbered(self, pattern: str) -> list[str]:
+        keys = self.sections.get("delta_calibrate", {})
+        return sorted((k for k in keys if re.fullmatch(pattern, k)), key=lambda k: int(re.sub(r"\D", "", k)))
+
+    def heights(self) -> list[_Height]:
+        """Return probed and manual heights."""
+        return [
+            _Height(self.number("delta_calibrate", key), self._position(f"{key}_pos"))
+            for pattern in (r"height\d+", r"manual_height\d+")
+            for key in self._numbered(pattern)
+        ]
+
+    def distances(self) -> list[_Distance]:
+        return [
+            _Distance(self.number("delta_calibrate", key), self._position(f"{key}_pos1"), self._position(f"{key}_pos2"))
+            for key in self._numbered(r"distance\d+")
+        ]
+
+    def meshes(self) -> list[tuple[str, Array, Array]]:
+        """Return name, points (n, 2) and heights (n,) of every bed mesh [mm]."""
+        out = []
+        for section in self.sections:
+            if not section.startswith("bed_mesh ") or "points" not in self.sections[section]:
+                continue
+            z = np.array(
+                [
+                    [float(cell) for cell in line.split(",") if cell.strip()]
+                    for line in self.sections[section]["points"].strip().split("\n")
+                ]
+            )
+            low, high = (np.array([self.number(section, f"{m}_{a}") for a in "xy"]) for m in ("min", "max"))
+            x, y = (np.linspace(low[k], high[k], count) for k, count in enumerate((z.shape[1], z.shape[0])))
+            grid = np.stack(np.meshgrid(x, y), axis=2)
+            # the bed is round: cells beyond the circle repeat the last probed one of their row
+            inside = np.linalg.norm(grid - (low + high) / 2, axis=2) <= np.min(high - low) / 2 * (1 + ROUNDED)
+            out.append((re.sub(r"\W+", "_", section.split(" ", 1)[1].strip()), grid[inside], z[inside]))
+        return out
+
+
+# ----------------------------------------------------------------------------------------------------- RepRapFirmware
+
+
+def _gcode(path: Path) -> dict[str, dict[str, list[float]]]:
+    """Return the last of each code in a file, with its letters' numbers; ``L`` may hold several, ``a:b:c``."""
+    out: dict[str, dict[str, list[float]]] = {}
+    for line in read_text(path).split("\n"):
+        words = re.sub(r"\(.*?\)", "", line.split(";", 1)[0]).split()
+        if not words:
+            continue
+        found: dict[str, list[float]] = {}
+        for word in words[1:]:
+            if (m := re.fullmatch(r"([A-Za-z])([-+\d.:]+)", word)) is not None:
+                try:
+                    found[m[1].upper()] = [float(v) for v in m[2].split(":")]
+                except ValueError:
+                    continue
+        out.setdefault(words[0].upper(), {}).update(found)
+    return out
+
+
+def _height_map(path: Path) -> tuple[Array, Array]:
+    """Return points (n, 2) and heights (n,) of a map; a bare 0 was not probed [mm]."""
+    lines = [line for line in read_text(path).split("\n") if line.strip()]
+    if len(lines) < 3 or "height map" not in lines[0]:
+        raise InputError("this is no height map of RepRapFirmware.", "Give heightmap.csv.", file=path)
+    head = dict(zip((w.strip() for w in lines[1].split(",")), (w.strip() for w in lines[2].split(",")), strict=False))
+    try:
+        names = ("min0", "spacing0", "min1", "spacing1") if "min0" in head else ("xmin", "xspacing", "ymin", "yspacing")
+        x0, dx, y0, dy = (float(head[n]) for n in names)
+    except (KeyError, ValueError):
+        raise InputError(
+            "the second and third line do not say where the map's points lie.",
+            "Give the file as it is.",
+            file=path,
+            line=2,
+        ) from None
+    points, z = [], []
+    for j, line in enumerate(lines[3:]):
+        for i, cell in enumerate(line.split(",")):
+            text = cell.strip()
+            if text in ("", "0"):
+                continue
+            try:
+                z.append(float(text))
+            except ValueError:
+                raise InputError(
+                    f"the cell holds '{text}', a number was expected.", "Correct it.", file=path, line=j + 4
+                ) from None
+            points.append((x0 + i * dx, y0 + j * dy))
+    return np.array(points).reshape(-1, 2), np.array(z)

@@ -1,0 +1,704 @@
+"""The robot file: a TOML table of nominal values, read, checked and written back.
+
+Files speak mm and deg, a `Robot` speaks mm and rad; the conversion happens here and nowhere else. What a robot file
+may say depends on its mechanism, so the schema is built from the mechanism's own tables of keys and parameters:
+a new mechanism needs no line in this module.
+
+The helpers that turn a flawed TOML file into an error with a line and a remedy (`TomlFile`) serve the sidecar of
+a recording as well.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import difflib
+import json
+import math
+import re
+import tomllib
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar, get_args
+
+import numpy as np
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    PrivateAttr,
+    ValidationError,
+    create_model,
+)
+
+from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.machine.values import Link, Robot
+from deltacal_gen.results.parts import Named, RobotTables
+from deltacal_gen.units import file_unit, joint_factors, of_joints, to_internal
+
+if TYPE_CHECKING:
+    from deltacal_gen.machine.registry import GeometryKey, Machine
+
+    Loader = Callable[[str], Machine]
+
+SHORTEST_MACHINE = 2.0  # mm; a machine whose longest length is below this was written down in metres
+LONGEST_LINK = 20_000.0  # mm; a length above this was written down in micrometres
+
+
+class Table(BaseModel):
+    """A TOML table that knows its keys: another key is an error."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+def _is_sign(value: float) -> float:
+    if value not in (-1.0, 1.0):
+        raise ValueError("1 or -1 was expected")
+    return value
+
+
+def _is_interval(pair: tuple[float, ...]) -> tuple[float, ...]:
+    if pair[0] >= pair[1]:
+        raise ValueError("the lower limit must be below the upper one")
+    return pair
+
+
+def _list(item: Any, count: int) -> Any:
+    return Annotated[tuple[item, ...], Field(min_length=count, max_length=count)]
+
+
+def _per_limb(item: Any, limbs: int) -> Any:
+    """Type of one `item` per limb; a single number stands for all limbs."""
+
+    def spread(value: object) -> object:
+        return (value,) * limbs if isinstance(value, (int, float)) else value
+
+    return Annotated[_list(item, limbs), BeforeValidator(spread)]
+
+
+Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
+NonNegative = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0)]
+Positive = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0)]
+NotNegative = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0)]
+Vector = Annotated[tuple[Number, ...], Field(min_length=3, max_length=3)]
+_Sign: Any = Annotated[Number, AfterValidator(_is_sign)]
+_Interval: Any = Annotated[_list(Number, 2), AfterValidator(_is_interval)]
+
+
+class Workspace(Table):
+    """Where the machine works [mm]: a cylinder about z; for planar machines a rectangle; for a single joint a stroke.
+
+    `top` is the distance from the base plane to the first layer, `radius` (or `width`) and `height` are its size; a
+    stroke, along x, has a width only. A platform that turns on command turns by up to `turn` [deg] either way. On which
+    side of the base the layers lie is the mechanism's.
+    """
+
+    top: Positive | None = None
+    radius: Positive | None = None
+    width: Positive | None = None
+    height: Positive | None = None
+    turn: NonNegative | None = None
+    _layers: tuple[int, int] = PrivateAttr(default=(-1, -1))
+
+    def of(self, mechanism: Machine) -> Workspace:
+        """Return the workspace on that side of the base where this mechanism has it."""
+        placed = self.model_copy()
+        placed._layers = mechanism.layers
+        return placed
+
+    @property
+    def levels(self) -> tuple[float, float]:
+        """Where the first layer and the last one lie along z, or along y of a rectangle."""
+        side, way = self._layers
+        first = side * (self.top or 0.0)
+        return first, first + way * (self.height or 0.0)
+
+    def place(self, across: Any, part: Any) -> np.ndarray[Any, np.dtype[np.float64]]:
+        """Return positions (N, 3) in {O}: `across` (N, 2) of a cylinder, or (N,) along x, at parts of the height."""
+        first, last = self.levels
+        level = first + np.asarray(part, dtype=float) * (last - first)
+        across = np.asarray(across, dtype=float)
+        if self.radius is not None:
+            return np.column_stack([across, np.broadcast_to(level, len(across))])
+        return np.column_stack([across, np.broadcast_to(level, len(across)), np.zeros(len(across))])
+
+    @property
+    def home(self) -> np.ndarray[Any, np.dtype[np.float64]]:
+        """Its centre, (3,)."""
+        centre: np.ndarray[Any, np.dtype[np.float64]] = self.place(np.zeros((1, 2) if self.radius else 1), 0.5)[0]
+        return centre
+
+    @property
+    def box(self) -> tuple[np.ndarray[Any, np.dtype[np.float64]], np.ndarray[Any, np.dtype[np.float64]]]:
+        """Its centre and its half size, (3,) each; no size along axes in which the machine does not move."""
+        half = (self.height or 0.0) / 2
+        if self.radius is not None:
+            return self.home, np.array([self.radius, self.radius, half])
+        return self.home, np.array([(self.width or 0.0) / 2, half, 0.0])
+
+    def holds(self, positions: np.ndarray[Any, np.dtype[np.float64]]) -> np.ndarray[Any, np.dtype[np.bool_]]:
+        """Tell which positions (N, 3) lie within."""
+        centre, half = self.box
+        across = np.hypot(*positions[:, :2].T) <= self.radius if self.radius is not None else True
+        inside = np.abs(positions - centre) <= half
+        if self.top is None:  # of a stroke only x counts
+            return np.asarray(inside[:, 0])
+        return np.asarray(across & inside.all(axis=1))
+
+
+class Masses(Table):
+    """Moving masses [kg]; one that is not given counts as zero.
+
+    `proximal` is one arm with its centre of mass at `proximal_com` of its length, `distal_rod` one of the rods,
+    `platform` sits at O'. `gravity` is (3,) in {O} [m/s^2 = N/kg]; `proximal_inertia` is an arm's own inertia about
+    its centre of mass [kg mm^2], None for that of a slender rod.
+    """
+
+    proximal: NotNegative = 0.0
+    proximal_com: Number = 0.5
+    distal_rod: NotNegative = 0.0
+    platform: NotNegative = 0.0
+    gravity: Vector = (0.0, 0.0, -9.81)
+    proximal_inertia: NotNegative | None = None
+
+
+class Transmission(Table):
+    """Between motor and joint: `gear_ratio` in motor turns per joint turn, `encoder_counts` per motor turn,
+    `pulley_circumference` in mm of belt per motor turn."""
+
+    gear_ratio: Positive | None = None
+    encoder_counts: Positive | None = None
+    pulley_circumference: Positive | None = None
+
+
+class _Joint(Table):
+    """One link of an open chain, as a table ``[[joint]]`` of the robot file [mm, deg, kg]."""
+
+    kind: Literal["revolute", "prismatic", "fixed", "coupled"]
+    coupling: dict[str, Number] = {}
+    convention: Literal["standard", "modified"] = "standard"
+    a: Number = 0.0
+    alpha: Number = 0.0
+    d: Number = 0.0
+    theta: Number = 0.0
+    mass: NotNegative = 0.0
+    com: Vector = (0.0, 0.0, 0.0)
+
+
+def read_robot(path: str | Path, *, load: Loader | None = None) -> Robot:
+    """Read a robot file.
+
+    Parameters
+    ----------
+    path : path
+        The TOML file [mm, deg].
+    load : callable, optional
+        Finds a mechanism by its name; the registered mechanisms by default.
+
+    Raises
+    ------
+    InputError
+        The file cannot be used; the message names file, line, key and remedy.
+    """
+    return _robot(TomlFile.read(path), load)
+
+
+def robot_from_dict(tables: Mapping[str, Any], *, load: Loader | None = None) -> Robot:
+    """Robot from the tables of a robot file, as `robot_to_dict` gives them [mm, deg]; raises InputError."""
+    return _robot(TomlFile(None, "", dict(tables)), load)
+
+
+def robot_to_dict(robot: Robot, *, load: Loader | None = None) -> dict[str, Any]:
+    """Tables of a complete robot file, ready for JSON or TOML [mm, deg]."""
+    mechanism = load(robot.mechanism) if load else _registered(robot.mechanism, robot.links)
+    tables: dict[str, Any] = {"robot": {"name": robot.name, "mechanism": robot.mechanism}}
+    tables["geometry"] = {"tool": [float(value) for value in robot.tool]}
+    for name, part in (("workspace", robot.workspace), ("masses", robot.masses), ("transmission", robot.transmission)):
+        if part is not None:
+            tables[name] = part.model_dump(mode="json", exclude_none=True)
+    tables["joints"] = {"sign": [int(sign) for sign in robot.joint_sign]}
+    if robot.joint_limits is not None:
+        joints = zip(robot.joint_limits, of_joints(mechanism.joint_unit, mechanism.limbs), strict=True)
+        limits = [[to_file(value, unit) for value in pair] for pair, unit in joints]
+        tables["joints"][_limits_key(mechanism)] = limits
+    if robot.links:
+        tables["joint"] = [_joint_table(robot, k) for k in range(len(robot.links))]
+    for key in () if mechanism.linked else mechanism.geometry:
+        values = [to_file(value, key.unit) for value in robot.geometry[key.key]]
+        tables[key.table][key.key] = values if key.per_limb or len(values) > 1 else values[0]
+    units = {parameter.name: parameter.unit for parameter in mechanism.parameters}
+    for name, numbers in (("errors", robot.errors), ("tolerance", robot.tolerance)):
+        if numbers:
+            tables[name] = {key: to_file(value, units[key]) for key, value in numbers.items()}
+    return tables
+
+
+def kept_robot(robot: Robot) -> RobotTables:
+    """Return what an answer keeps of a robot: a complete robot file [mm, deg]."""
+    tables = robot_to_dict(robot)
+    joints = tables.pop("joint", None)
+    return RobotTables(
+        **tables | {"robot": Named(**tables["robot"]), "joint": None if joints is None else tuple(joints)}
+    )
+
+
+def robot_of(kept: RobotTables) -> Robot:
+    """Return the robot that an answer kept; raises InputError."""
+    return robot_from_dict(kept.to_dict())
+
+
+def robot_to_toml(robot: Robot, *, load: Loader | None = None) -> str:
+    """Text of a complete robot file that reads back as the same robot, to the last digit or two."""
+    return toml_text(robot_to_dict(robot, load=load))
+
+
+def robot_size(robot: Robot, *, load: Loader | None = None) -> float:
+    """Sum of the machine's lengths, the mean over the limbs of each [mm]: a yardstick for plausible readings."""
+    if robot.links:  # a chain reaches as far as its links together
+        return float(np.abs(robot.geometry["a"]).sum() + np.abs(robot.geometry["d"]).sum())
+    keys = (load or _registered)(robot.mechanism).geometry
+    return float(sum(np.abs(robot.geometry[key.key]).mean() for key in keys if key.unit == "mm"))
+
+
+def for_model(robot: Robot, model: str) -> Robot:
+    """Return the robot as the mechanism that has `model`: a machine may be described by other source errors.
+
+    Tolerances of errors that this mechanism does not have are left out.
+
+    Raises
+    ------
+    UsageError
+        The robot's own errors are not among those of the model's mechanism.
+    """
+    return _described(robot, model, lambda m: m.full_name(model) in m.models)
+
+
+def for_names(robot: Robot, names: Iterable[str]) -> Robot:
+    """Return the robot as the mechanism that has these source errors; as it is where none has. See `for_model`."""
+    wanted = set(names)
+    return _described(robot, ", ".join(sorted(wanted)), lambda m: wanted <= m.index.keys())
+
+
+def _described(robot: Robot, what: str, fits: Callable[[Machine], bool]) -> Robot:
+    from deltacal_gen.machine.registry import described
+
+    mechanism = _registered(robot.mechanism, robot.links)
+    other = mechanism if fits(mechanism) else next(filter(fits, described(mechanism)), mechanism)
+    if foreign := sorted(name for name, value in robot.errors.items() if value and name not in other.index):
+        raise UsageError(
+            f"{what}: {other.name} has no {foreign[0]}, which the robot file names; errors of two kinds mix."
+        )
+    errors, tolerance = (
+        {name: value for name, value in table.items() if name in other.index}
+        for table in (robot.errors, robot.tolerance)
+    )
+    return dataclasses.replace(robot, mechanism=other.name, errors=errors, tolerance=tolerance)
+
+
+def _joint_table(robot: Robot, k: int) -> dict[str, Any]:
+    link = robot.links[k]
+    table: dict[str, Any] = {"kind": link.kind, "convention": link.convention}
+    if link.coupling:
+        table["coupling"] = {str(number): much for number, much in link.coupling}
+    table |= {key: to_file(robot.geometry[key][k], unit) for key, unit in _LINK_UNITS.items()}
+    return table | {"mass": link.mass, "com": list(link.com)}
+
+
+def _registered(name: str, links: tuple[Link, ...] = ()) -> Machine:
+    # Imported on first use, so that injected mechanisms cost no import of the kernels.
+    from deltacal_gen.machine.registry import load_mechanism
+
+    return load_mechanism(name, links)
+
+
+_LINK_UNITS = {"a": "mm", "alpha": "rad", "d": "mm", "theta": "rad"}
+
+
+def _links(file: TomlFile, joints: Sequence[_Joint]) -> tuple[Link, ...]:
+    """The links of a chain; raises InputError where a coupling leads nowhere."""
+    found = []
+    for k, joint in enumerate(joints, start=1):
+        coupling = []
+        for number, much in joint.coupling.items():
+            other = int(number) if number.isdigit() else 0
+            if not 1 <= other <= len(joints) or joints[other - 1].kind not in ("revolute", "prismatic"):
+                raise file.error(
+                    f"joint {k} is coupled to '{number}', which is no revolute or prismatic joint.",
+                    "Give numbers of [[joint]] tables in this file, counted from 1.",
+                    "joint",
+                )
+            coupling.append((other, much))
+        if (joint.kind == "coupled") != bool(coupling):
+            raise file.error(
+                f"joint {k} is of the kind '{joint.kind}' and has {'a' if coupling else 'no'} coupling.",
+                'A coupling belongs to kind = "coupled", and only to it: coupling = {2 = -1.0}.',
+                "joint",
+            )
+        found.append(
+            Link(joint.kind, joint.convention, joint.alpha * to_internal("rad"), joint.mass, joint.com, tuple(coupling))
+        )
+    if found and not any(link.kind in ("revolute", "prismatic") for link in found):
+        raise file.error("the chain has no joint that moves.", "Add a revolute or prismatic one.", "joint")
+    return tuple(found)
+
+
+def _robot(file: TomlFile, load: Loader | None) -> Robot:
+    named = file.check(_Head)
+    head, links = named.robot, _links(file, named.joint)
+    try:
+        mechanism = load(head.mechanism) if load else _registered(head.mechanism, links)
+    except UsageError as error:
+        raise file.error(
+            f"mechanism in [robot]: {error}", "Write the name of a known mechanism.", "robot", "mechanism"
+        ) from None
+    if load is None:
+        mechanism = _of_errors(file, mechanism)
+    said = file.check(_schema(mechanism))
+    tables = {name: dict(getattr(said, name)) for name in ("geometry", "joints", "errors", "tolerance")}
+    geometry = {}
+    if mechanism.linked:
+        if not links:
+            raise file.error("the chain has no links.", "Add one table [[joint]] for each, from the base.", "robot")
+        for name, kind in _LINK_UNITS.items():
+            geometry[name] = np.array([getattr(joint, name) for joint in named.joint]) * to_internal(kind)
+    else:
+        _check_scale(file, mechanism, tables)
+    for key in () if mechanism.linked else mechanism.geometry:
+        value = tables[key.table][key.key]
+        internal = key.default if value is None else np.multiply(value, to_internal(key.unit))
+        geometry[key.key] = np.atleast_1d(np.asarray(internal, dtype=float))
+    limits = tables["joints"][_limits_key(mechanism)]
+    factors = {parameter.name: to_internal(parameter.unit) for parameter in mechanism.parameters}
+    errors, tolerance = (
+        {name: value * factors[name] for name, value in tables[table].items() if value is not None}
+        for table in ("errors", "tolerance")
+    )
+    return Robot(
+        name=head.name,
+        mechanism=mechanism.name,
+        geometry=geometry,
+        tool=np.array(tables["geometry"]["tool"], dtype=float),
+        errors=errors,
+        tolerance=tolerance,
+        workspace=_workspace(file, said.workspace, mechanism),
+        masses=said.masses or (Masses() if any(link.mass for link in links) else None),
+        transmission=said.transmission,
+        joint_sign=np.array(tables["joints"]["sign"], dtype=float),
+        joint_limits=None if limits is None else np.array(limits) * _factors(mechanism),
+        source=file.path,
+        links=links,
+    )
+
+
+def _workspace(file: TomlFile, said: Workspace | None, mechanism: Machine) -> Workspace | None:
+    """Return a workspace that suits the mechanism; raises InputError where it has another shape."""
+    if said is None:
+        return None
+    given = said.model_fields_set
+    if len(mechanism.axes) == 3:
+        shape, needed, known = "a cylinder", ("top", "radius", "height"), 3
+    elif mechanism.limbs > 1:
+        shape, needed, known = "a rectangle", ("top", "width", "height"), 3
+    else:  # height and depth follow from the stroke
+        shape, needed, known = "a stroke", ("width", "top", "height"), 1
+    for key in needed[:known]:
+        if key not in given:
+            raise file.error(
+                f"'{key}' in [workspace] is missing; that of {mechanism.machine} is {shape}.",
+                f"Give {', '.join(needed[:known])} in mm.",
+                "workspace",
+            )
+    for key in sorted(given - set(needed) - ({"turn"} if mechanism.turning else set())):
+        raise file.error(
+            f"'{key}' in [workspace] means nothing here; that of {mechanism.machine} is {shape}.",
+            f"Give {', '.join(needed[:known])} in mm.",
+            "workspace",
+            key,
+        )
+    return said.of(mechanism)
+
+
+def _of_errors(file: TomlFile, mechanism: Machine) -> Machine:
+    """Return which description of the machine has the errors and tolerances that a robot file names."""
+    from deltacal_gen.machine.registry import described
+
+    tables = (file.data.get(name, {}) for name in ("errors", "tolerance"))
+    names = {name for table in tables if isinstance(table, dict) for name in table}
+    if names <= mechanism.index.keys():
+        return mechanism
+    return next((m for m in described(mechanism) if names <= m.index.keys()), mechanism)
+
+
+class _Name(Table):
+    name: str = "robot"
+    mechanism: str
+
+
+class _Head(BaseModel):
+    """What is needed before the schema is known; all other tables wait."""
+
+    robot: _Name
+    joint: tuple[_Joint, ...] = ()
+
+
+class _RobotFile(Table):
+    """What does not depend on the mechanism; `_schema` adds geometry, joints, errors and tolerance."""
+
+    robot: _Name
+    workspace: Workspace | None = None
+    masses: Masses | None = None
+    transmission: Transmission | None = None
+
+
+def _schema(mechanism: Machine) -> Any:
+    """Schema of the robot files of one mechanism; None stands for a key that the file does not give."""
+    limbs = mechanism.limbs
+    geometry: dict[str, Any] = {"tool": (Vector, (0.0, 0.0, 0.0))}
+    joints: dict[str, Any] = {
+        "sign": (_per_limb(_Sign, limbs), (1.0,) * limbs),
+        _limits_key(mechanism): (_list(_Interval, limbs), None),
+    }
+    for key in () if mechanism.linked else mechanism.geometry:
+        fields = geometry if key.table == "geometry" else joints
+        meaning = f"{key.meaning} [{file_unit(key.unit)}]"
+        size = sum(other.key == key.key for other in mechanism.geometry)
+        kind = _list(Number, size) if key.entry is not None else _value_type(key, limbs)
+        fields[key.key] = (kind, Field(... if key.default is None else None, description=meaning))
+    names = [parameter.name for parameter in mechanism.parameters]
+    absent: Any = Field({}, validate_default=True)
+    chain: Any = {"joint": (tuple[_Joint, ...], ...)} if mechanism.linked else {}
+    return create_model(
+        "RobotFile",
+        __base__=_RobotFile,
+        **chain,
+        geometry=(_table("geometry", geometry), ...),
+        joints=(_table("joints", joints), absent),
+        errors=(_table("errors", dict.fromkeys(names, (Number, None))), absent),
+        tolerance=(_table("tolerance", dict.fromkeys(names, (Positive, None))), absent),
+    )
+
+
+def _table(name: str, fields: dict[str, Any]) -> Any:
+    return create_model(name, __base__=Table, **fields)
+
+
+def _value_type(key: GeometryKey, limbs: int) -> Any:
+    item: Any = Positive if _is_length(key) else Number
+    if key.per_limb:
+        return _per_limb(item, limbs)
+    return item if key.default is None or len(key.default) == 1 else _list(item, len(key.default))
+
+
+def _limits_key(mechanism: Machine) -> str:
+    """Return ``limits_deg`` or ``limits_mm``; of a chain with both kinds of joints ``limits``, each in its own unit."""
+    units = set(of_joints(mechanism.joint_unit, mechanism.limbs))
+    return f"limits_{file_unit(units.pop())}" if len(units) == 1 else "limits"
+
+
+def _factors(mechanism: Machine) -> np.ndarray:
+    return np.array([joint_factors(mechanism.joint_unit, mechanism.limbs)]).T
+
+
+def _is_length(key: GeometryKey) -> bool:
+    """Whether the key is a distance, which cannot be zero or negative; coordinates (``positive = False``) can."""
+    return key.unit == "mm" and key.positive
+
+
+def _check_scale(file: TomlFile, mechanism: Machine, tables: Mapping[str, Mapping[str, Any]]) -> None:
+    lengths = [key for key in mechanism.geometry if key.unit == "mm" and tables[key.table][key.key] is not None]
+    if not lengths:
+        return
+    sizes = [float(np.abs(tables[key.table][key.key]).max()) for key in lengths]
+    key = lengths[int(np.argmax(sizes))]
+    if max(sizes) < SHORTEST_MACHINE or max(sizes) > LONGEST_LINK:
+        unit, factor = ("metres", "Multiply by") if max(sizes) < SHORTEST_MACHINE else ("micrometres", "Divide by")
+        raise file.error(
+            f"the lengths in [{key.table}] look like {unit} (the largest is {key.key} = {max(sizes):g}); "
+            "the file is in millimetres.",
+            f"{factor} 1000.",
+            key.table,
+            key.key,
+        )
+
+
+# --- TOML in, TOML out ----------------------------------------------------------------------------------------------
+
+_Schema = TypeVar("_Schema", bound=BaseModel)
+
+
+@dataclass(frozen=True)
+class TomlFile:
+    """A parsed TOML file that can point at its lines; `path` is None for tables that come from elsewhere."""
+
+    path: Path | None
+    text: str
+    data: dict[str, Any]
+
+    @classmethod
+    def read(cls, path: str | Path) -> TomlFile:
+        """Read and parse; raises InputError for a file that is missing, not UTF-8 or not TOML."""
+        path = Path(path)
+        text = read_text(path)
+        try:
+            return cls(path, text, tomllib.loads(text))
+        except (ValueError, RecursionError) as error:
+            line = re.search(r" \(at line (\d+), column \d+\)", str(error))
+            problem = str(error).replace(line[0], "") if line else str(error)
+            raise InputError(
+                f"this is not TOML: {problem}.",
+                "Correct the line; strings need quotes and decimals a point.",
+                file=path,
+                line=int(line[1]) if line else None,
+            ) from None
+
+    def error(self, problem: str, remedy: str, *keys: str) -> InputError:
+        """InputError at the line of a key, or of its table where the key itself is not there."""
+        lines = _toml_lines(self.text)
+        found = (lines[keys[:n]] for n in range(len(keys), 0, -1) if keys[:n] in lines)
+        return InputError(problem, remedy, file=self.path, line=next(found, None))
+
+    def check(self, schema: type[_Schema]) -> _Schema:
+        """The data as `schema`; raises InputError for the first flaw."""
+        try:
+            return schema.model_validate(self.data)
+        except ValidationError as error:
+            # A misspelt key shows twice, as unknown and as missing: the unknown one can name the right key.
+            flaws: list[Any] = sorted(error.errors(), key=lambda flaw: flaw["type"] != "extra_forbidden")
+            raise self._explained(schema, flaws[0]) from None
+
+    def _explained(self, schema: type[BaseModel], flaw: Mapping[str, Any]) -> InputError:
+        keys = [key for key in flaw["loc"] if isinstance(key, str)]
+        *tables, key = keys or ["file"]
+        where = f" in [{'.'.join(tables)}]" if tables else ""
+        fields = _fields(schema, tables)
+        if flaw["type"] == "extra_forbidden":
+            close = nearest(key, fields)
+            remedy = f"Did you mean '{close}'?" if close else f"Known here: {', '.join(fields) or 'nothing'}."
+            return self.error(f"'{key}'{where} is not known.", remedy, *keys)
+        if flaw["type"] == "missing":
+            meaning = fields[key].description if key in fields else None
+            what = f"'{key}'{where}" if tables else f"the table [{key}]"
+            return self.error(f"{what} is missing.", f"Add it{f': {meaning}' if meaning else ''}.", *keys)
+        entry = "".join(f", entry {n + 1}" for n in flaw["loc"] if isinstance(n, int))
+        found = repr(flaw["input"])
+        found = found if len(found) <= 60 else f"{found[:56]} ..."
+        return self.error(f"'{key}'{where}{entry} is {found}: {_expected(flaw)}.", "Correct the value.", *keys)
+
+
+def _fields(schema: type[BaseModel], tables: Iterable[str]) -> dict[str, Any]:
+    """Fields of a nested table of the schema, by key."""
+    for name in tables:
+        annotation: Any = schema.model_fields[name].annotation
+        schema = next(part for part in (annotation, *get_args(annotation)) if hasattr(part, "model_fields"))
+    return dict(schema.model_fields)
+
+
+def _expected(flaw: Mapping[str, Any]) -> str:
+    ctx = flaw.get("ctx", {})
+    match flaw["type"]:
+        case "float_type":
+            return "a number was expected"
+        case "finite_number":
+            return "a finite number was expected"
+        case "string_type":
+            return "a text in quotes was expected"
+        case "tuple_type":
+            return "a list was expected"
+        case "model_type" | "model_attributes_type":
+            return "a table was expected"
+        case "greater_than":
+            return "a number above 0 was expected"
+        case "greater_than_equal":
+            return "a number not below 0 was expected"
+        case "too_short" | "too_long":
+            count = ctx.get("min_length", ctx.get("max_length"))
+            return f"{count} entries were expected"
+        case "literal_error":
+            return f"{ctx['expected']} was expected"
+        case "value_error":
+            return str(ctx["error"])
+    return str(flaw["msg"])
+
+
+_HEADER = re.compile(r"""\s*\[\[?\s*([A-Za-z_"'][\w."' -]*?)\s*\]\]?\s*(?:#.*)?$""")
+_KEY = re.compile(r"""\s*([\w."' -]+?)\s*=""")
+
+
+def _toml_lines(text: str) -> dict[tuple[str, ...], int]:
+    """Line of each table and key, by its path; the first line where there are several."""
+    lines: dict[tuple[str, ...], int] = {}
+    table: tuple[str, ...] = ()
+    for number, line in enumerate(text.split("\n"), start=1):
+        if header := _HEADER.match(line):
+            path = table = _key_path(header[1])
+        elif key := _KEY.match(line):
+            path = table + _key_path(key[1])
+        else:
+            continue
+        for n in range(1, len(path) + 1):
+            lines.setdefault(path[:n], number)
+    return lines
+
+
+def _key_path(dotted: str) -> tuple[str, ...]:
+    return tuple(part.strip(" \"'") for part in dotted.split("."))
+
+
+def toml_text(tables: Mapping[str, Any]) -> str:
+    """TOML text of flat tables of strings, numbers and nested lists.
+
+    ``"a.b"`` names a table within a table; a list of tables is written as ``[[name]]``.
+    """
+    each = (
+        (f"[[{name}]]" if isinstance(keys, list) else f"[{name}]", table)
+        for name, keys in tables.items()
+        for table in (keys if isinstance(keys, list) else [keys])
+    )
+    blocks = ([head, *(f"{key} = {_toml_value(v)}" for key, v in table.items())] for head, table in each)
+    return "\n\n".join("\n".join(block) for block in blocks) + "\n"
+
+
+def _toml_value(value: Any) -> str:
+    if isinstance(value, str):
+        # JSON escapes what TOML wants escaped, but for DEL.
+        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+    if isinstance(value, Mapping):
+        return f"{{{', '.join(f'{key} = {_toml_value(item)}' for key, item in value.items())}}}"
+    if isinstance(value, (list, tuple)):
+        return f"[{', '.join(_toml_value(item) for item in value)}]"
+    return repr(value)
+
+
+def to_file(value: float, unit: str) -> float:
+    """Value in the unit of the files of an internal one [`unit`]; of nearly equal decimals the shorter one."""
+    factor = to_internal(unit)
+    exact = float(value) / factor
+    short = round(exact, 12)
+    return short if math.isclose(short, exact, rel_tol=4e-16) else exact
+
+
+def read_text(path: Path) -> str:
+    """Text of a UTF-8 file, with or without a byte order mark, lines ended by ``\\n``; raises InputError."""
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise InputError(
+            f"the file cannot be read: {error.strerror}.", "Check the path and the permissions.", file=path
+        ) from None
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise InputError(
+            f"byte {error.start + 1} is not UTF-8 text.",
+            "Save the file as text in UTF-8.",
+            file=path,
+            line=data[: error.start].count(b"\n") + 1,
+        ) from None
+    return text.replace("\r\n", "\n").replace("\r", "\n")
+
+
+def nearest(name: str, known: Iterable[str], cutoff: float = 0.6) -> str | None:
+    """The known name that `name` is probably a misspelling of, or None."""
+    return next(iter(difflib.get_close_matches(name, list(known), n=1, cutoff=cutoff)), None)

@@ -1,0 +1,1 @@
+"""What a recording says of a robot's geometry."""

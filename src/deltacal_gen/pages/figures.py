@@ -1,0 +1,500 @@
+"""Pictures of calibrations and diagnoses: quiet, with units, readable on their own.
+
+Matplotlib is imported here and only when a picture is asked for; no window is ever opened.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import matplotlib as mpl
+
+mpl.use("Agg")
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.axis import Axis
+from matplotlib.figure import Figure
+from matplotlib.ticker import PercentFormatter
+
+from deltacal_gen.files.robot import robot_of
+from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.machine.registry import Array, mechanism_of
+from deltacal_gen.physics.physics import Body, Channels, reading_shift, term_of
+from deltacal_gen.results.batch import Done
+from deltacal_gen.results.diagnosis import Baseline, Diagnosis, Effect, Final, Verdict
+from deltacal_gen.results.result import Result, Status
+from deltacal_gen.results.study import Study, Suspect
+from deltacal_gen.units import file_unit, joint_factors, joint_names, to_internal
+
+MOST_LAYERS = 12  # of a workspace, drawn side by side
+INK, MUTED, BEFORE, AFTER = "#1c2733", "#6b7885", "#c8553d", "#2a6f97"
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+STYLE: dict[Any, Any] = {
+    "font.family": "DejaVu Sans",
+    "font.size": 9,
+    "axes.edgecolor": MUTED,
+    "axes.labelcolor": INK,
+    "axes.titlesize": 10,
+    "axes.titlelocation": "left",
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "xtick.color": MUTED,
+    "ytick.color": MUTED,
+    "text.color": INK,
+    "svg.hashsalt": "deltacal",
+    "svg.fonttype": "none",
+}
+
+
+def decades(axis: Axis) -> None:
+    """Label a logarithmic axis in plain type: its powers of ten, or twice and five times them where those are few."""
+    low, high = sorted(axis.get_view_interval())
+    exponents = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
+    inside = [e for e in exponents if low <= 10.0**e <= high]
+    ticks = [(1, e) for e in inside[:: 1 + len(inside) // 7]]
+    if len(ticks) < 3:
+        ticks = [(m, e) for e in exponents for m in (1, 2, 5) if low <= m * 10.0**e <= high]
+    axis.set_ticks([m * 10.0**e for m, e in ticks], [decade(m, e) for m, e in ticks], minor=False)
+    axis.set_ticks([], minor=True)
+
+
+def decade(mantissa: int, exponent: int) -> str:
+    """Return a digit times a power of ten as a reader writes it: 200, 0.005, 2·10⁻⁵."""
+    if -3 <= exponent < 4:
+        return f"{mantissa * 10.0**exponent:g}"
+    return ("" if mantissa == 1 else f"{mantissa}·") + f"10{str(exponent).translate(RAISED)}"
+
+
+def save(figure: Figure, path: str | Path) -> None:
+    """Write a figure, the same bytes for the same content."""
+    path = Path(path)
+    metadata = {"Date": None} if path.suffix == ".svg" else {"Software": None}
+    figure.savefig(path, dpi=150, metadata=metadata if path.suffix in (".svg", ".png") else None)
+    plt.close(figure)
+
+
+def calibration(result: Result, path: str | Path) -> None:
+    """Draw a result: errors by stage, parameters with their deviation, the tool's uncertainty over the workspace."""
+    with mpl.rc_context(STYLE):
+        figure, axes = plt.subplots(2, 2, figsize=(10, 7.2), constrained_layout=True)
+        stages(axes[0, 0], result)
+        readings(axes[0, 1], result)
+        parameters(axes[1, 0], result)
+        workspace(axes[1, 1], result)
+        name = result.robot.robot.name
+        held = result.heldout_rms_mm
+        figure.suptitle(
+            f"{name}, {result.model}: {result.before_rms_mm:.3f} mm before, "
+            + (f"{held:.4f} mm on held-out readings" if held is not None else f"{result.train_rms_mm:.4f} mm after"),
+            x=0.01,
+            ha="left",
+            fontsize=12,
+        )
+        save(figure, path)
+
+
+def stages(axes: Axes, result: Result) -> None:
+    """Draw the rms of the readings stage by stage, against the noise."""
+    bars = [("robot file", result.before_rms_mm, BEFORE)]
+    for stage in result.stages or ():
+        name = "encoder offsets" if stage.stage == "rough" else result.model
+        bars.append((name, stage.train_rms_mm, AFTER))
+    if result.heldout_rms_mm is not None:
+        bars.append(("held out", result.heldout_rms_mm, AFTER))
+    names, values, colours = zip(*bars, strict=True)
+    axes.barh(names, values, color=colours, height=0.6)
+    axes.invert_yaxis()
+    axes.set_xscale("log")
+    axes.set_xlim(min(*values, result.sigma_mm) / 2, max(values) * 4)
+    decades(axes.xaxis)
+    for i, value in enumerate(values):
+        axes.text(value * 1.08, i, f"{value:.4g}", va="center")
+    axes.axvline(result.sigma_mm, color=MUTED, lw=1, ls="--")
+    axes.text(result.sigma_mm, -0.62, f"noise ({result.sigma_source})", color=MUTED, ha="center", fontsize=8)
+    axes.set_xlabel("rms of the readings, mm")
+    axes.set_title("What each stage leaves", pad=16)
+
+
+def readings(axes: Axes, result: Result) -> None:
+    """Draw the singular values of the identification matrix, and where they stop counting."""
+    s = result.singular_values
+    axes.semilogy(np.arange(1, len(s) + 1), np.maximum(s / s[0], 1e-17), ".", color=AFTER)
+    axes.axhline(result.rank_tolerance, color=MUTED, lw=1, ls="--")
+    decades(axes.yaxis)
+    axes.text(1, result.rank_tolerance * 1.6, "rank tolerance", color=MUTED, fontsize=8)
+    axes.set_xlabel("direction")
+    axes.set_ylabel("singular value, relative")
+    axes.set_title(f"The readings see {result.rank} of {len(s)} directions")
+
+
+def parameters(axes: Axes, result: Result) -> None:
+    """Draw the clearest parameters with two standard deviations."""
+    known = (Status.IDENTIFIED, Status.BY_PRIOR)
+    told = [(p, p.std) for p in result.parameters if p.status in known and p.std]
+    shown = sorted(told, key=lambda both: -abs(both[0].value) / both[1])[:14]
+    title = "Parameters found, with 2 standard deviations"
+    if not shown:
+        axes.text(
+            0.5, 0.5, "no single parameter is identified,\nonly combinations", ha="center", va="center", color=MUTED
+        )
+        axes.set_axis_off()
+        axes.set_title(title)
+        return
+    for i, (p, std) in enumerate(shown):
+        colour = AFTER if p.unit == "mm" else "#5a8f69"
+        axes.errorbar(p.value, i, xerr=2 * std, fmt="o", ms=4, color=colour, capsize=2, lw=1)
+    axes.set_yticks(range(len(shown)), [f"{p.name} [{p.unit}]" for p, _ in shown])
+    axes.invert_yaxis()
+    axes.axvline(0, color=MUTED, lw=0.8)
+    axes.set_xlabel("actual minus robot file")
+    axes.set_title(title)
+
+
+def workspace(axes: Axes, result: Result) -> None:
+    """Draw the standard deviation of the tool position over the workspace."""
+    found = result.workspace
+    if not found:
+        axes.text(0.5, 0.5, "the robot file has no workspace", ha="center", va="center", color=MUTED)
+        axes.set_axis_off()
+        return
+    points = np.array([p.target_mm for p in found.points])
+    size = np.linalg.norm([p.std_mm for p in found.points], axis=1)
+    layers = np.unique(points[:, 2])
+    scattered = len(layers) > MOST_LAYERS  # an open chain's positions: seen from above
+    where = "from above" if scattered else "layer by layer" if len(layers) > 1 else None  # a plane has no layers
+    if scattered:
+        layers = layers[:1]
+    span = 2.4 * np.abs(points[:, 0]).max() + 1e-9
+    for k, z in enumerate(layers[::-1]):
+        chosen = (points[:, 2] == z) | scattered
+        dots = axes.scatter(
+            points[chosen, 0] + k * span,
+            points[chosen, 1],
+            c=size[chosen],
+            s=26,
+            cmap="viridis",
+            vmin=0,
+            vmax=size.max(),
+        )
+        if len(layers) > 1:
+            axes.text(k * span, points[:, 1].max() * 1.25, f"z = {z:.0f} mm", ha="center", fontsize=8, color=MUTED)
+    axes.set_aspect("equal")
+    axes.set_xticks([])
+    axes.set_yticks([])
+    axes.spines[:].set_visible(False)
+    axes.figure.colorbar(
+        dots, ax=axes, orientation="horizontal", shrink=0.7, label="standard deviation of the position, mm"
+    )
+    axes.set_title("How well the tool position is known" + (f", {where}" if where else ""), pad=22)
+
+
+# ------------------------------------------------------------------------------------------------------- diagnosis
+
+_LABELS = {
+    "time_s": "time, s",
+    "temp_C": "temperature, °C",
+    "payload_kg": "payload, kg",
+    "position": "position",
+}
+_JOINT = re.compile(r"(?P<what>approach|qdd|qd|q)(?P<joint>\d+)(_(?P<unit>\w+))?")
+_JOINT_WORDS = {"q": "joint {}", "qd": "speed of joint {}", "qdd": "acceleration of joint {}"}
+_JOINT_UNITS = {"deg": "deg", "mm": "mm", "deg_s": "deg/s", "mm_s": "mm/s", "deg_s2": "deg/s²", "mm_s2": "mm/s²"}
+_RANDOM = 0  # seed of the jitter that lets equal values of a channel be seen side by side
+
+
+def channel_label(name: str) -> str:
+    """Return a channel as a reader knows it, with its unit."""
+    found = _JOINT.fullmatch(name)
+    if found is None:
+        return _LABELS.get(name, name)
+    if found["what"] == "approach":
+        return f"direction in which joint {found['joint']} last moved"
+    words = _JOINT_WORDS[found["what"]].format(found["joint"])
+    return f"{words}, {_JOINT_UNITS.get(found['unit'] or '', found['unit'])}"
+
+
+@dataclass(frozen=True)
+class Seen:
+    """Residuals of a DIAGNOSIS.json as one number per reading, where the cause is seen best.
+
+    without, after (R,): the strongest effect switched off (what geometry alone leaves, where none was found), and with
+    all that was found.
+    """
+
+    without: Array
+    after: Array
+    label: str
+    title: str
+
+
+def seen(found: Diagnosis) -> Seen:
+    """Return residuals as the error of the joint that is at fault, else along the direction in which most is left.
+
+    Geometry that is fitted without an effect follows part of it. What the effect does shows undistorted as a partial
+    residual: what is left in the end, and what the effect adds there.
+    """
+    before, after = found.residuals.before_mm, found.residuals.after_mm
+    title = "geometry alone"
+    strongest = max(range(len(found.effects)), key=lambda i: found.effects[i].share_of_excess, default=None)
+    limbs = found.location.limbs if strongest is None else found.effects[strongest].limbs
+    if strongest is not None and (added := contribution(found, strongest)) is not None:
+        before, title = after + added, f"without {found.effects[strongest].name.replace('_', ' ')}"
+    if before.shape[1] == 1:
+        return Seen(before[:, 0], after[:, 0], "residual, mm", title)
+    if len(limbs) == 1 and _one_frame(found):
+        unit = mechanism_of(robot_of(found.robot)).joint_units[limbs[0] - 1]
+        at_joint = _at_joints(found)[:, limbs[0] - 1] / to_internal(unit)
+        label = f"error of joint {limbs[0]}, {file_unit(unit)}"
+        return Seen((at_joint * before).sum(axis=1), (at_joint * after).sum(axis=1), label, title)
+    centred = np.nan_to_num(before - np.nanmedian(before, axis=0))
+    along = np.linalg.svd(centred, full_matrices=False)[2][0]
+    return Seen(before @ along, after @ along, "residual where most is left, mm", title)
+
+
+def _one_frame(found: Diagnosis) -> bool:
+    return kind_of(found.instrument.kind).positions and len(found.instrument.setups) == 1
+
+
+def contribution(found: Diagnosis, effect: int) -> Array | None:
+    """Return what an effect adds to the readings (R, 3) [mm], or None where the readings are of another kind."""
+    if not _one_frame(found):
+        return None
+    body, errors = body_of(found)
+    terms = [term_of(t) for t in found.physics]
+    others = [t for i, t in enumerate(terms) if i != effect]
+    if any(body.missing(t.effect) for t in terms):
+        return None
+    with_it, without = body.solve(errors, terms)[0].x[:, :3], body.solve(errors, others)[0].x[:, :3]
+    turn, origin = np.split(found.instrument.state[0, :12], [9])
+    read = [x @ turn.reshape(3, 3).T + origin for x in (with_it, without)]
+    positions = kind_of("position").taken(np.arange(len(with_it))[:, None], values=with_it)
+    shifted = [r + reading_shift(t, body, positions, r, with_it)[0] for r, t in zip(read, (terms, others), strict=True)]
+    out: Array = shifted[0] - shifted[1]
+    return out
+
+
+def body_of(found: Diagnosis) -> tuple[Body, Array]:
+    """Return the calibrated machine of a DIAGNOSIS.json at its readings, and its source errors."""
+    robot = robot_of(found.robot)
+    mechanism = mechanism_of(robot)
+    unit = mechanism.joint_unit
+    columns = found.residuals.channels
+    n = mechanism.limbs
+    q = np.column_stack([columns[name] for name in joint_names(unit, n)]) * joint_factors(unit, n)
+    tool = np.ascontiguousarray(np.broadcast_to(robot.tool, (len(q), 3)))
+    channels = Channels.from_columns(columns, q.shape, robot, unit)
+    return Body(robot, mechanism, q, tool, channels), mechanism.vector(robot.errors)
+
+
+def _at_joints(found: Diagnosis) -> Array:
+    """Return what turns a position's residual into errors of the joints, (R, n_q, 3), at the calibrated machine."""
+    body, errors = body_of(found)
+    machine, _ = body.solve(errors, ())
+    speed = body.mechanism.sensitivity(machine.x, machine.q, machine.tool, machine.rows).joints[:, :3]
+    turn = found.instrument.state[0, :9].reshape(3, 3)  # of {O} in the instrument's frame
+    out: Array = np.linalg.pinv(speed) @ turn.T
+    return out
+
+
+def main_channel(found: Diagnosis) -> str | None:
+    """Return the recorded channel that matters most, or None."""
+    known = found.residuals.channels
+    return next((c.name for c in found.location.channels if c.name in known), None)
+
+
+def against(axes: Axes, found: Diagnosis, channel: str, *, after: bool) -> None:
+    """Draw what is left against a channel, on the scale of what geometry alone leaves."""
+    picked = seen(found)
+    values = found.residuals.channels[channel]
+    levels = np.unique(values[np.isfinite(values)])
+    few = len(levels) <= 5
+    jitter = np.random.default_rng(_RANDOM).uniform(-0.09, 0.09, len(values)) * (
+        np.diff(levels).min() if len(levels) > 1 else 1
+    )
+    axes.axhline(0, color=MUTED, lw=0.8)
+    y = picked.after if after else picked.without
+    axes.plot(values + (jitter if few else 0.0), y, "o", ms=3.2, mew=0, alpha=0.75, color=AFTER if after else BEFORE)
+    _limits(axes, picked)
+    axes.set_xlabel(channel_label(channel))
+    axes.set_ylabel(picked.label)
+    if few:
+        words = {-1.0: "-1, decreasing", 1.0: "+1, increasing"} if channel.startswith("approach") else {}
+        axes.set_xticks(levels, [words.get(float(v), f"{v:g}") for v in levels])
+
+
+def _limits(axes: Axes, picked: Seen) -> None:
+    """Set the scale so that nearly all of both states fits; gross errors do not stretch it."""
+    size = np.abs(np.concatenate([picked.without, picked.after]))
+    top = 1.25 * float(np.nanpercentile(size, 98)) or 1.0
+    axes.set_ylim(-top, top)
+
+
+def bubbles(axes: Axes, found: Diagnosis, *, after: bool) -> None:
+    """Draw how much is left where, seen from above: the size of a disc is the size of the residual."""
+    at = found.residuals.position_mm
+    sizes = [np.linalg.norm(r, axis=1) for r in (found.residuals.before_mm, found.residuals.after_mm)]
+    top = float(np.nanpercentile(sizes[0], 98)) or 1.0
+    shown = np.minimum(sizes[after], 1.3 * top)
+    colour = AFTER if after else BEFORE
+    axes.scatter(at[:, 0], at[:, 1], s=130 * shown / top, color=colour, alpha=0.55, linewidths=0)
+    axes.set_aspect("equal")
+    axes.margins(0.12)
+    axes.set_xlabel("x, mm")
+    axes.set_ylabel("y, mm")
+    key = float(f"{top:.1g}")
+    axes.scatter([], [], s=130 * key / top, color=colour, alpha=0.55, linewidths=0, label=f"{key:g} mm")
+    axes.legend(frameon=False, loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.1, handletextpad=0.2)
+
+
+def bars(axes: Axes, found: Diagnosis) -> None:
+    """Draw the error on held-out readings before and after, against the noise."""
+    first = AFTER if found.verdict is Verdict.ADEQUATE else BEFORE
+    rows: list[tuple[str, Baseline | Final, str]] = [("geometry alone", found.baseline, first)]
+    if found.effects:
+        rows.append(("with what was found", found.final, AFTER))
+    values = [r.heldout_rms_mm if r.heldout_rms_mm is not None else r.train_rms_mm for _, r, _ in rows]
+    axes.barh([r[0] for r in rows], values, color=[r[2] for r in rows], height=0.55)
+    axes.invert_yaxis()
+    axes.set_xlim(0, 1.25 * max(*values, found.noise.sigma_mm))
+    for i, value in enumerate(values):
+        right = max(value, found.noise.sigma_mm)  # clear of the line
+        axes.annotate(f"{value:.4f}", (right, i), (5, 0), textcoords="offset points", va="center")
+    axes.axvline(found.noise.sigma_mm, color=INK, lw=1, ls="--")
+    axes.set_ylim(len(rows) - 0.45, -0.8)
+    noise = (found.noise.sigma_mm, -0.5)
+    axes.annotate("noise", noise, (5, 0), textcoords="offset points", va="center", color=MUTED)
+    axes.set_xlabel("rms on held-out readings, mm")
+    axes.tick_params(axis="y", length=0)
+
+
+def diagnosis(found: Diagnosis, path: str | Path) -> None:
+    """Draw a DIAGNOSIS.json on one sheet: before and after, against the channel that matters and over the workspace."""
+    channel = main_channel(found)
+    with mpl.rc_context(STYLE):
+        sheet, axes = plt.subplots(1, 3, figsize=(11, 3.5), constrained_layout=True, width_ratios=(1, 1, 1.05))
+        if channel is None:
+            bubbles(axes[0], found, after=False)
+            bubbles(axes[1], found, after=True)
+        else:
+            against(axes[0], found, channel, after=False)
+            against(axes[1], found, channel, after=True)
+            axes[1].set_ylabel("")
+        axes[0].set_title("geometry alone" if channel is None else seen(found).title)
+        axes[1].set_title("with what was found")
+        bars(axes[2], found)
+        title = {
+            Verdict.ADEQUATE: "nothing is missing",
+            Verdict.MISSING_PHYSICS: "; ".join(named(e) for e in found.effects),
+            Verdict.UNEXPLAINED: "a mismatch that no known effect explains",
+        }[found.verdict]
+        sheet.suptitle(f"{found.robot.robot.name}: {title}", x=0.01, ha="left", fontsize=12)
+        save(sheet, path)
+
+
+def named(effect: Effect) -> str:
+    """Return an effect and where it sits."""
+    limbs = effect.limbs
+    numbers = " and ".join(filter(None, (", ".join(map(str, limbs[:-1])), str(limbs[-1])))) if limbs else ""
+    where = f" at joint{'s' if len(limbs) > 1 else ''} {numbers}" if limbs else ""
+    return f"{effect.name.replace('_', ' ')}{where}"
+
+
+# ------------------------------------------------------------------------------------------------- studies and fleets
+
+
+def before_and_after(axes: Axes, found: Study) -> None:
+    """Draw how the position error of a study's machines is spread, as built and calibrated."""
+    states = ((found.position.before, "as built", BEFORE), (found.position.after, "calibrated", AFTER))
+    for k, (spread, words, colour) in enumerate(states):
+        count, middle = spread.histogram.count, spread.median_mm
+        axes.stairs(count / count.max(), spread.histogram.edges_mm, fill=True, color=colour, alpha=0.8)
+        text = f"{words}: {middle:.3g} mm"
+        axes.annotate(
+            text, (middle, 1.0), (0, 5), textcoords="offset points", ha=("right", "left")[k == 0], color=colour
+        )
+    axes.set_xscale("log")
+    decades(axes.xaxis)
+    axes.set_ylim(0, 1.25)
+    axes.set_yticks([])
+    axes.spines["left"].set_visible(False)
+    axes.set_xlabel("position error of a machine over the workspace (rms; the median is written), mm")
+
+
+def enough(axes: Axes, found: Study) -> None:
+    """Draw the position error against how much is measured."""
+    times = [e.times for e in found.advice.enough]
+    rms = [e.rms_mm for e in found.advice.enough]
+    axes.plot(times, rms, "o-", color=AFTER, ms=4)
+    axes.plot([1.0], [rms[times.index(1.0)]], "o", color=AFTER, ms=9)
+    axes.annotate("this plan", (1.0, rms[times.index(1.0)]), (8, 6), textcoords="offset points", color=INK)
+    axes.set_xscale("log", base=2)
+    axes.set_xticks(times, [f"{t:g}" for t in times])
+    axes.set_ylim(0, 1.15 * max(rms))
+    axes.set_xlabel("times the plan's readings")
+    axes.set_ylabel("position error, mm")
+
+
+def scatter(axes: Axes, found: Study) -> None:
+    """Draw what a study leaves unknown of each parameter, as part of what was drawn."""
+    told = [p for p in found.parameters if p.drawn_std > 0]
+    part = [p.std / p.drawn_std for p in told]
+    expected = [p.predicted_std / p.drawn_std for p in told]
+    axes.bar(range(len(told)), part, color=AFTER, width=0.7, label="simulated")
+    axes.plot(range(len(told)), expected, "_", color=INK, ms=8, mew=1.5, label="predicted")
+    axes.axhline(1.0, color=MUTED, lw=1, ls="--")
+    axes.set_xticks(range(len(told)), [p.name for p in told], rotation=90, fontsize=8)
+    axes.set_ylabel("std after / drawn with")
+    axes.legend(frameon=False, fontsize=8)
+
+
+def fleet(axes: Axes, rows: Sequence[Done]) -> None:
+    """Draw the errors of many recordings before and after, one line each."""
+    for k, row in enumerate(rows):
+        if row.before_mm and row.after_mm:
+            axes.plot([row.before_mm, row.after_mm], [k, k], color=MUTED, lw=0.8)
+            axes.plot([row.before_mm], [k], "o", color=BEFORE, ms=3.5)
+        if row.after_mm:
+            axes.plot([row.after_mm], [k], "o", color=AFTER, ms=3.5)
+    axes.set_xscale("log")
+    decades(axes.xaxis)
+    axes.set_ylim(len(rows) - 0.5, -0.5)
+    axes.set_yticks(range(len(rows)), [r.recording.removesuffix("/recording.csv") for r in rows], fontsize=7)
+    axes.tick_params(axis="y", length=0)
+    axes.set_xlabel("error before (red) and after (blue), mm")
+
+
+def fleet_distribution(axes: Axes, rows: Sequence[Done]) -> None:
+    """Draw which share of many recordings has an error below a given one, before and after."""
+    before, after = [r.before_mm for r in rows], [r.after_mm for r in rows]
+    for values, color, words in ((before, BEFORE, "before"), (after, AFTER, "after")):
+        errors = np.sort([v for v in values if v])
+        if len(errors):
+            axes.step(errors, np.arange(1, len(errors) + 1) / len(errors), color=color, where="post", label=words)
+    axes.set_xscale("log")
+    decades(axes.xaxis)
+    axes.set_ylim(0, 1)
+    axes.yaxis.set_major_formatter(PercentFormatter(1.0, decimals=0))
+    axes.set_xlabel("error, mm")
+    axes.set_ylabel("recordings below it")
+    axes.legend(frameon=False, loc="upper left")
+
+
+def chances(axes: Axes, suspects: Sequence[tuple[str, Suspect]]) -> None:
+    """Draw how often each suspicion was named right, with the 95 % interval of the chance."""
+    for k, (_, s) in enumerate(suspects):
+        axes.plot(s.interval, [k, k], color=MUTED, lw=1.5)
+        if s.chance is not None:
+            axes.plot([s.chance], [k], "o", color=AFTER, ms=5)
+    axes.set_xlim(-0.02, 1.02)
+    axes.set_ylim(len(suspects) - 0.5, -0.5)
+    axes.set_yticks(range(len(suspects)), [name for name, _ in suspects])
+    axes.tick_params(axis="y", length=0)
+    axes.xaxis.set_major_formatter(PercentFormatter(1.0, decimals=0))
+    axes.set_xlabel("said so; the line holds the chance with 95 %")

@@ -1,0 +1,477 @@
+"""Pages to read: one self-contained HTML file, no script, no network, for light and dark screens and for print.
+
+Layout and colours are in ``pages/``: one stylesheet and one base for all pages. Pictures are Matplotlib's, with its
+colours replaced by the stylesheet's.
+"""
+
+from __future__ import annotations
+
+import html
+import io
+import math
+import re
+from collections.abc import Callable, Sequence
+from functools import cache, partial
+from importlib import resources
+from typing import Any
+
+import jinja2
+import numpy as np
+from markupsafe import Markup
+
+from deltacal_gen.app.fleet import ASIDE, alike, worst
+from deltacal_gen.files.robot import robot_of
+from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.pages import figures
+from deltacal_gen.pages.figures import AFTER, BEFORE, INK, MUTED, RAISED, STYLE, mpl, plt
+from deltacal_gen.physics.physics import load_effect, of_the_instrument
+from deltacal_gen.results.batch import Batch, FailedRow
+from deltacal_gen.results.diagnosis import (
+    Baseline,
+    Diagnosis,
+    Effect,
+    EffectParameter,
+    Final,
+    NextMeasurement,
+    Verdict,
+)
+from deltacal_gen.results.parts import Source
+from deltacal_gen.results.result import Result, Status
+from deltacal_gen.results.study import Study, Suspect
+
+_COLOURS = {INK: "var(--ink)", MUTED: "var(--muted)", BEFORE: "var(--before)", AFTER: "var(--after)"}
+_PAPER = {"var(--card)": "#ffffff", "var(--paper)": "#ffffff", "var(--good)": "#2c7a4b", "var(--bad)": "#b8472f"}
+MOST_DRAWN = 60  # recordings of a batch, each with its line; of more, their distribution
+MOST_ROWS = 500  # of a table on a page: 10^5 would be 20 MB, which no browser likes
+_NUMERIC = {"value ± standard deviation", "gain in chi²", "value", "takes away", "recordings", "said so"}
+_NUMERIC |= {"drawn with", "simulated", "predicted", "bias"}  # and all lengths
+_VERDICTS = {
+    Verdict.ADEQUATE: "nothing is missing",
+    Verdict.MISSING_PHYSICS: "missing physics found",
+    Verdict.UNEXPLAINED: "unexplained mismatch",
+}
+_NOISE = {
+    Source.REPEATS: "from repeated poses",
+    Source.DECLARED: "as the recording declares it",
+    Source.RESIDUAL: "from what the fit leaves",
+}
+
+
+def diagnosis(found: Diagnosis) -> str:
+    """Return the page of a DIAGNOSIS.json."""
+    machine = found.robot.robot.name
+    channel = figures.main_channel(found)
+    left = "with what was found" if found.effects else "what geometry leaves"
+    before = {"map": "geometry alone", "channel": figures.seen(found).title} if found.effects else {}
+    calm = found.verdict is Verdict.ADEQUATE
+    positions = found.residuals.before_mm.shape[1] == 3
+    return _rendered(
+        "diagnosis",
+        title=f"{machine}: diagnosis",
+        machine=machine,
+        found=found,
+        verdict=_VERDICTS[found.verdict],
+        headline=_headline(found),
+        lead=_lead(found),
+        steps=_steps(found),
+        improvement={"title": "", "svg": _svg(partial(figures.bars, found=found), (4.4, 1.6))},
+        noise=_NOISE[found.noise.source],
+        location=_sentence(found.location.text),
+        channel=_pair(
+            partial(figures.against, found=found, channel=channel), before.get("channel"), left, (3.9, 2.7), calm
+        )
+        if channel is not None
+        else [],
+        map=_pair(partial(figures.bubbles, found=found), before.get("map"), left, (3.9, 3.8), calm)
+        if positions
+        else [],
+        effects=_effects(found),
+        parameters=[_parameter(e, p) for e in found.effects for p in e.parameters],
+        rejected=[(_spaced(r.name), f"{r.gain_chi2:.0f}", r.why) for r in found.rejected],
+        next=[_question(n) for n in found.next_measurements],
+        not_tested=[(_spaced(t.name), t.missing) for t in found.not_tested],
+        gross=", ".join(map(str, found.gross_errors)),
+        readings=len(found.residuals.line),
+        geometry=len(mechanism_of(robot_of(found.robot)).models[found.baseline.model]),
+    )
+
+
+def study(found: Study) -> str:
+    """Return the page of a STUDY.json."""
+    position, advice = found.position, found.advice
+    before, after = position.before, position.after
+    lead = (
+        f"As built, machines of these tolerances are {before.rms_mm:.3f} mm off over the workspace. Calibrated "
+        f"by this plan, 95 % of them come within {after.p95_mm:.4f} mm, and their worst point within "
+        f"{after.worst_p95_mm:.4f} mm."
+    )
+    tried = [s for s in found.suspects if s.recordings]
+    return _rendered(
+        "study",
+        title=f"{found.robot.robot.name}: study of a plan",
+        machine=found.robot.robot.name,
+        found=found,
+        headline=f"This plan leaves {after.rms_mm:.4f} mm",
+        lead=lead,
+        steps=_study_steps(found),
+        errors=_svg(partial(figures.before_and_after, found=found), (7.4, 2.6)),
+        positions=[
+            (words, f"{p.rms_mm:.4f}", f"{p.p95_mm:.4f}", f"{p.worst_p95_mm:.4f}", expected)
+            for words, p, expected in (
+                ("as built", before, ""),
+                ("calibrated", after, f"{after.predicted_rms_mm or 0.0:.4f}"),
+            )
+        ],
+        enough=_svg(partial(figures.enough, found=found), (7.4, 2.4)),
+        gains=[(_sentence(g.add), f"{g.rms_mm:.4f}", f"{g.gain:.0%}") for g in advice.add],
+        suspects=[_suspect(s) for s in found.suspects],
+        chances=tried
+        and _svg(partial(figures.chances, suspects=[(_concealed(s), s) for s in tried]), (7.4, 0.9 + 0.3 * len(tried))),
+        parameters=_svg(partial(figures.scatter, found=found), (7.4, 3.0)),
+        rows=[
+            (p.name, *(f"{v:.3g}" for v in (p.drawn_std, p.std, p.predicted_std, p.bias)), p.unit)
+            for p in found.parameters
+        ],
+    )
+
+
+def _study_steps(found: Study) -> list[str]:
+    advice = found.advice
+    steps = []
+    if advice.worth:
+        steps.append(f"More measuring pays: twice as many readings take {advice.doubling:.0%} off the error.")
+    else:
+        steps.append(f"This is enough: twice as many readings would take no more than {advice.doubling:.0%} off.")
+    if advice.add:
+        best = advice.add[0]
+        steps.append(f"What helps most beside that is {best.add}: {best.gain:.0%} off.")
+    for c in found.channels_wanted:
+        steps.append(f"To find {_spaced(c.name)} at all, the plan needs {c.missing}.")
+    for s in found.suspects:
+        if s.effects and s.interval[0] < 0.5 and s.next:
+            steps.append(f"To be surer of {_concealed(s)}: {s.next[0]}")
+    return steps
+
+
+def _concealed(suspect: Suspect) -> str:
+    words = [f"{_spaced(e.name)} {', '.join(map(str, e.limbs))}".strip() for e in suspect.effects]
+    return " and ".join(words) or "nothing"
+
+
+def _suspect(s: Suspect) -> tuple[str, ...]:
+    low, high = s.interval
+    instead = "; ".join(f"{words} ({count})" for words, count in s.instead.items()) or "-"
+    figures_mm = [f"{v:.4f}" if v is not None else "-" for v in (s.before_mm, s.after_mm)]
+    return (
+        _concealed(s),
+        str(s.recordings),
+        str(s.named_right),
+        f"{low:.0%} to {high:.0%}",
+        instead,
+        *figures_mm,
+    )
+
+
+def batch(found: Batch) -> str:
+    """Return the page over many recordings; of very many, over their distribution and the worst."""
+    rows, failed = found.rows, [r for r in found.rows if isinstance(r, FailedRow)]
+    columns = [c for c in dict.fromkeys(k for r in rows for k, _ in r.written()) if c not in ASIDE]
+    done = [r for r in rows if not isinstance(r, FailedRow)]
+    picture = ""
+    if len(done) > MOST_DRAWN:
+        picture = _svg(partial(figures.fleet_distribution, rows=done), (7.4, 3.2))
+    elif done:
+        picture = _svg(partial(figures.fleet, rows=done), (7.4, 0.8 + 0.16 * len(done)))
+    changed = [(c.machine, f"{c.to} after {c.from_}: {c.text}") for c in found.changed]
+    shown = worst(rows, MOST_ROWS)
+    return _rendered(
+        "batch",
+        title=f"{len(rows)} recordings",
+        found=found,
+        headline=f"{len(done)} of {len(rows)} recordings done",
+        picture=picture,
+        distribution=len(done) > MOST_DRAWN,
+        failed=[both[::-1] for both in alike([(r.recording, r.error) for r in failed])[:MOST_ROWS]],
+        warnings=[both[::-1] for both in alike([(r.recording, r.warnings) for r in rows if r.warnings])[:MOST_ROWS]],
+        changed=changed[:MOST_ROWS],
+        columns=[_spaced(c).removesuffix(" mm") + (", mm" if c.endswith("_mm") else "") for c in columns],
+        rows=[[_cell(getattr(r, c, None)) for c in columns] for r in shown],
+        left_out=len(rows) - len(shown),
+        unchanged=len(changed) - MOST_ROWS,
+    )
+
+
+def _cell(value: Any) -> str:
+    return "" if value is None else f"{value:.4f}" if isinstance(value, float) else str(value)
+
+
+def calibration(found: Result) -> str:
+    """Return the page of a RESULT.json."""
+    machine, held = found.robot.robot.name, found.heldout_rms_mm
+    after = held if held is not None else found.train_rms_mm
+    seen = "on readings that took no part in the fit" if held is not None else "on the readings of the fit"
+    panels = [(figures.stages, (4.6, 2.6)), (figures.readings, (4.6, 2.6)), (figures.parameters, (4.6, 3.9))]
+    if found.workspace:
+        panels.append((figures.workspace, (4.6, 3.2)))
+    return _rendered(
+        "calibration",
+        title=f"{machine}: calibration",
+        machine=machine,
+        found=found,
+        headline=f"{machine}: {found.before_rms_mm:.3f} mm before, {after:.4f} mm after",
+        lead=f"As the robot file has it, the machine is off by {found.before_rms_mm:.3f} mm rms; calibrated as "
+        f"{found.model}, by {after:.4f} mm {seen}. The noise is {found.sigma_mm:.4f} mm, "
+        f"{_NOISE[found.sigma_source]}.",
+        pictures=[{"title": "", "svg": _svg(partial(draw, result=found), size)} for draw, size in panels],
+        parameters=[
+            (p.name, measured(p.value, p.std), "" if p.unit == "1" else p.unit, p.status)
+            for p in found.parameters
+            if p.status is not Status.FIXED
+        ],
+        gross=", ".join(map(str, found.gross_errors or ())),
+    )
+
+
+def page(title: str, parts: Sequence[str]) -> str:
+    """Return a page of parts that are HTML already."""
+    return _rendered("parts", title=title, parts=parts)
+
+
+def figure(picture: Any, caption: str) -> str:
+    """Return a Matplotlib figure as SVG whose colours and type follow the page's, with its caption; it is closed."""
+    return f"<figure>{_inline(picture)}<figcaption>{html.escape(caption)}</figcaption></figure>"
+
+
+def picture(draw: Callable[[Any], None], size: tuple[float, float]) -> str:
+    """Return a picture of one panel, which `draw` makes, as SVG that takes its colours and its type from the page."""
+    return _svg(draw, size)
+
+
+def power(value: float) -> str:
+    """Return a number as a reader writes a small one: 3.1·10⁻⁵; 0 for zero."""
+    if value == 0 or not math.isfinite(value):
+        return f"{value:g}"
+    exponent = math.floor(math.log10(abs(value)))
+    if -2 <= exponent < 4:
+        return f"{value:.2g}"
+    return f"{value / 10.0**exponent:.1f}·10{str(exponent).translate(RAISED)}"
+
+
+def below(value: float) -> str:
+    """Return a bound for what is only rounding: the next power of ten above it, which no other processor changes."""
+    return "0" if value == 0 else f"< {figures.decade(1, math.ceil(math.log10(value)))}"
+
+
+def page_of(template: str, **content: Any) -> str:
+    """Return a page by the name of its template."""
+    return _rendered(template, **content)
+
+
+def markdown(template: str, **content: Any) -> str:
+    """Return a text by the name of its Markdown template."""
+    text = _environment(".md.jinja", autoescape=False).get_template(f"{template}.md.jinja").render(**content)
+    return re.sub(r"\n{3,}", "\n\n", text).strip() + "\n"
+
+
+def standalone(svg: str) -> str:
+    """Return a picture of a page as a file of its own: the page's colours on paper."""
+    colours = {variable: colour for colour, variable in _COLOURS.items()} | _PAPER
+    for variable, colour in colours.items():
+        svg = svg.replace(variable, colour)
+    return svg + "\n"
+
+
+def _rendered(template: str, **content: Any) -> str:
+    style = (_pages() / "style.css").read_text(encoding="utf-8")
+    page = _environment(".html.jinja", autoescape=True).get_template(f"{template}.html.jinja")
+    return page.render(style=style, numeric=_NUMERIC, **content)
+
+
+def _pages() -> Any:
+    return resources.files("deltacal_gen") / "pages"
+
+
+@cache
+def _environment(ending: str, *, autoescape: bool) -> jinja2.Environment:
+    files = {f.name: f.read_text(encoding="utf-8") for f in _pages().iterdir() if f.name.endswith(ending)}
+    environment = jinja2.Environment(
+        loader=jinja2.DictLoader(files),
+        undefined=jinja2.StrictUndefined,
+        autoescape=autoescape,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters["breakable"] = _breakable
+    return environment
+
+
+def _breakable(text: str) -> Markup:
+    """Return a path or a dotted name that may break behind its separators, so that no column is as wide as it."""
+    return Markup(re.sub(r"(::|[/_])", r"\1<wbr>", html.escape(text)))
+
+
+# ------------------------------------------------------------------------------------------------------- in words
+
+
+def measured(value: float, std: float | None) -> str:
+    """Return a value with its standard deviation, to two digits of that."""
+    if std is None or not std > 0:
+        return f"{value:.6g}"
+    power = math.floor(math.log10(max(abs(value), std)))
+    if power < -3:
+        shown = measured(value / 10.0**power, std / 10.0**power)
+        return f"({shown})·10{str(power).translate(RAISED)}"
+    digits = max(1 - math.floor(math.log10(std)), 0)
+    return f"{value:.{digits}f} ± {std:.{digits}f}"
+
+
+def _spaced(name: str) -> str:
+    """Return a name of the vocabulary as words."""
+    return name.replace("_", " ")
+
+
+def _sentence(text: str) -> str:
+    return text[:1].upper() + text[1:]
+
+
+def _headline(found: Diagnosis) -> str:
+    effects = found.effects
+    if found.verdict is Verdict.ADEQUATE:
+        return "The calibrated geometry explains these readings"
+    if found.verdict is Verdict.UNEXPLAINED:
+        beside = f" beside {' and '.join(figures.named(e) for e in effects)}" if effects else ""
+        return f"Something{beside} that no known effect explains"
+    return _sentence(" and ".join(figures.named(e) for e in effects))
+
+
+def _lead(found: Diagnosis) -> str:
+    """Return what was found in two sentences."""
+    sigma, (before, after) = found.noise.sigma_mm, (_heldout(found.baseline), _heldout(found.final))
+    if found.verdict is Verdict.ADEQUATE:
+        return f"What the geometry leaves on held-out readings, {before:.4f} mm, is noise. Nothing else was found."
+    if found.verdict is Verdict.UNEXPLAINED:
+        return (
+            f"Geometry alone leaves {before:.4f} mm on held-out readings, {after:.4f} mm are left in the end, and the "
+            f"noise is {sigma:.4f} mm. {_sentence(found.location.text)}."
+        )
+    parts = "; ".join(_in_numbers(e) for e in found.effects)
+    return (
+        f"{_sentence(parts)}. With it the error on held-out readings falls from {before:.4f} mm to {after:.4f} mm; "
+        f"the noise is {sigma:.4f} mm."
+    )
+
+
+def _heldout(fit: Baseline | Final) -> float:
+    value = fit.heldout_rms_mm
+    return float(fit.train_rms_mm if value is None else value)
+
+
+def _in_numbers(effect: Effect) -> str:
+    """Return an effect in plain words with its values; their range where there are many."""
+    by_name: dict[str, list[EffectParameter]] = {}
+    for p in effect.parameters:
+        by_name.setdefault(p.name, []).append(p)
+    words = []
+    for name, of in by_name.items():
+        unit = "" if of[0].unit == "1" else f" {of[0].unit}"
+        low, high = (f(p.value for p in of) for f in (min, max))
+        value = measured(of[0].value, of[0].std) if len(of) == 1 else f"{low:.3g} to {high:.3g}"
+        words.append(f"{_spaced(name)} {value}{unit}")
+    return f"{effect.title}, {', '.join(words)}"
+
+
+def _steps(found: Diagnosis) -> list[dict[str, str]]:
+    """Return what to do now, with the command where there is one."""
+    steps: list[dict[str, str]] = []
+    for effect in found.effects:
+        advice = load_effect(effect.name).ADVICE
+        steps.append({"text": f"{_sentence(figures.named(effect))}: {advice}", "command": ""})
+    on_machine = [e for e in found.effects if not of_the_instrument(e.name)]
+    if found.verdict is Verdict.UNEXPLAINED:
+        steps.append(
+            {"text": "Do not extrapolate: the corrected commands hold only as far as the maps below.", "command": ""}
+        )
+    for question in found.next_measurements[:2]:
+        steps.append({"text": f"{question.text} This {question.why}.", "command": ""})
+    if found.robot.joint is None:  # an open chain is not commanded by the position alone
+        what = "with these effects" if on_machine else "of the calibrated geometry"
+        steps.append(
+            {
+                "text": f"Corrected commands {what}:",
+                "command": "deltacal compensate DIAGNOSIS.json targets.csv -o joints.csv",
+            }
+        )
+    return steps
+
+
+def _parameter(effect: Effect, p: EffectParameter) -> tuple[str, ...]:
+    joint = "" if p.limb is None else str(p.limb)
+    return (
+        _spaced(effect.name),
+        joint,
+        _spaced(p.name),
+        measured(p.value, p.std),
+        "" if p.unit == "1" else p.unit,
+    )
+
+
+def _question(n: NextMeasurement) -> dict[str, object]:
+    columns = tuple(dict.fromkeys(key for pose in n.poses for key in pose))
+    return {
+        "why": _sentence(n.why),
+        "text": n.text,
+        "expected": f"{n.expected_chi2:.0f}" if n.expected_chi2 else "",
+        "columns": columns,
+        "rows": [tuple(pose.get(c, "") for c in columns) for pose in n.poses],
+    }
+
+
+def _effects(found: Diagnosis) -> list[dict[str, str]]:
+    moves = _moves(found)
+    return [
+        {
+            "name": _spaced(e.name),
+            "title": e.title,
+            "moves": f"{size:.2f}" if size else "",
+            "alike": ", ".join(map(_spaced, e.indistinguishable_from)),
+        }
+        for e, size in zip(found.effects, moves, strict=True)
+    ]
+
+
+def _moves(found: Diagnosis) -> list[float]:
+    """Return by how much each effect moves what is read at most [mm]; 0 where that is not known."""
+    parts = [figures.contribution(found, i) for i in range(len(found.effects))]
+    return [0.0 if p is None else float(np.nanmax(np.linalg.norm(p, axis=1))) for p in parts]
+
+
+# ------------------------------------------------------------------------------------------------------- pictures
+
+
+def _pair(
+    draw: Callable[..., None], before: str | None, after: str, size: tuple[float, float], calm: bool
+) -> list[dict[str, str]]:
+    """Return the panels of both states with their titles, or of the one there is: calm where nothing is amiss."""
+    states = [(False, before), (True, after)] if before is not None else [(calm, after)]
+    return [{"title": str(title), "svg": _svg(partial(draw, after=state), size)} for state, title in states]
+
+
+def _svg(draw: Callable[[Any], None], size: tuple[float, float]) -> str:
+    """Return a picture of one panel as SVG that takes its colours and its type from the page."""
+    with mpl.rc_context({**STYLE, "font.size": 9.5, "axes.labelsize": 9.5}):
+        picture, axes = plt.subplots(figsize=size, constrained_layout=True)
+        draw(axes)
+        return _inline(picture)
+
+
+def _inline(picture: Any) -> str:
+    stream = io.StringIO()
+    picture.savefig(
+        stream, format="svg", transparent=True, metadata=dict.fromkeys(("Date", "Creator", "Format", "Type"))
+    )
+    plt.close(picture)
+    svg = stream.getvalue()
+    svg = svg[svg.index("<svg") :]
+    for colour, variable in _COLOURS.items():
+        svg = svg.replace(colour, variable)
+    return svg.replace("'DejaVu Sans'", "inherit")

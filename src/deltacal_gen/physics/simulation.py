@@ -1,0 +1,220 @@
+"""Exact simulation: what an instrument would read on a machine with known errors.
+
+The machine is solved on its closure, with no linearisation anywhere; noise comes from a Generator that is passed in.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from pydantic import Field
+
+from deltacal_gen.errors import InputError, NoSolutionError
+from deltacal_gen.files.recording import Recording
+from deltacal_gen.files.robot import Number, Robot, Table, TomlFile, nearest
+from deltacal_gen.instrument.kinds import kind_of, measured_points
+from deltacal_gen.machine.registry import SOLVED, STATUS, Array, Machine, mechanism_of, nominal_joints
+from deltacal_gen.machine.rotation import from_vector, to_vector
+from deltacal_gen.physics.physics import (
+    Body,
+    Channels,
+    Term,
+    blank,
+    effect_names,
+    load_effect,
+    reading_shift,
+    row_factors,
+)
+from deltacal_gen.units import DEG, to_internal
+
+
+class _Truth(Table):
+    parameters: dict[str, Number] = Field(default_factory=dict)
+    effects: list[dict[str, Any]] = Field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Truth:
+    """What a simulated machine is: source errors [mm, rad] and effects on it."""
+
+    errors: dict[str, float]
+    terms: tuple[Term, ...] = ()
+
+
+def read_truth(path: str | Path, robot: Robot) -> Truth:
+    """Return the source errors and effects of a TRUTH.toml.
+
+    An effect is a table ``[[effects]]`` with ``name``, ``limb`` or ``limbs``, and its parameters in the units of the
+    contract, one number for all its limbs or a list with one for each.
+
+    Raises
+    ------
+    InputError
+        A parameter that the mechanism or the effect does not have, or an effect that is not registered.
+    """
+    file = TomlFile.read(path)
+    truth = file.check(_Truth)
+    mechanism = mechanism_of(robot)
+    units = {p.name: p.unit for p in mechanism.parameters}
+    for name in truth.parameters:
+        if name not in units:
+            near = nearest(name, units)
+            raise file.error(
+                f"{mechanism.name} has no parameter '{name}'.",
+                f"Did you mean '{near}'?" if near else "See deltacal models for the names.",
+                "parameters",
+                name,
+            )
+    errors = {name: value * to_internal(units[name]) for name, value in truth.parameters.items()}
+    return Truth(errors, tuple(_checked_term(file, table, mechanism) for table in truth.effects))
+
+
+def truth_names(path: str | Path) -> tuple[str, ...]:
+    """Return the source errors that a TRUTH.toml names, right or wrong: they tell which description of a machine."""
+    return tuple(TomlFile.read(path).check(_Truth).parameters)
+
+
+def _checked_term(file: TomlFile, table: dict[str, Any], mechanism: Machine) -> Term:
+    try:
+        term = _term(file, table, mechanism)
+    except (TypeError, ValueError):
+        raise file.error(
+            f"the effect '{table.get('name')}' holds a value of the wrong type.",
+            "Give limb as an integer, limbs as a list of them, and numbers for the parameters.",
+            "effects",
+        ) from None
+    if len(set(term.limbs)) < len(term.limbs) or not np.isfinite(term.values).all():
+        raise file.error(
+            f"the effect '{term.effect}' has a limb twice or a value that is no number.", "Correct it.", "effects"
+        )
+    return term
+
+
+def _term(file: TomlFile, table: dict[str, Any], mechanism: Machine) -> Term:
+    given = dict(table)
+    name = given.pop("name", None)
+    if name not in effect_names():
+        near = nearest(str(name), effect_names())
+        raise file.error(
+            f"there is no effect '{name}'.",
+            f"Did you mean '{near}'?" if near else f"Registered: {', '.join(effect_names())}.",
+            "effects",
+        )
+    kernels = load_effect(name)
+    limbs = given.pop("limbs", None)
+    limb = given.pop("limb", None)
+    chosen = [limb] if limb is not None else list(limbs or range(1, mechanism.limbs + 1))
+    tools = given.pop("tools", None) or ([given.pop("tool")] if "tool" in given else [])
+    if any(not 1 <= i <= mechanism.limbs for i in chosen):
+        raise file.error(f"{name}: limbs are counted from 1 to {mechanism.limbs}.", "Correct limb or limbs.", "effects")
+    term = blank(name, chosen, (), tools)
+    rows, values = len(term.values), term.values
+    known = [*kernels.COEFFICIENTS, *kernels.CONSTANTS]
+    for key in given:
+        if key not in [k for k, *_ in known]:
+            raise file.error(
+                f"the effect '{name}' has no parameter '{key}'; it has {', '.join(k for k, *_ in known)}.",
+                "Correct the name.",
+                "effects",
+            )
+    factors = row_factors(term, mechanism.joint_unit)
+    for c, (key, *_) in enumerate(kernels.COEFFICIENTS):
+        value = np.asarray(given.get(key, 0.0), dtype=float)
+        if value.ndim and len(value) != rows:
+            raise file.error(
+                f"{name}: {key} needs one number, or one for each of {rows} limbs.", "Correct it.", "effects"
+            )
+        values[:, c] = value * factors[:, c]
+    missing = [key for key, *_ in kernels.CONSTANTS if key not in given]
+    if missing:
+        raise file.error(f"the effect '{name}' needs {', '.join(missing)}.", "Add it.", "effects")
+    constants = tuple(float(given[key]) * factor for key, _, factor, _ in kernels.CONSTANTS)
+    return dataclasses.replace(term, constants=constants)
+
+
+def simulate(
+    robot: Robot,
+    poses: Recording,
+    errors: dict[str, float] | None = None,
+    *,
+    noise_mm: float = 0.0,
+    noise_rad: float = 0.0,
+    rng: np.random.Generator | None = None,
+    terms: Sequence[Term] = (),
+    frame: tuple[Array, Array] | None = None,
+) -> Recording:
+    """Return the recording that an instrument would make.
+
+    Parameters
+    ----------
+    robot : Robot
+        Nominal machine: it commands the joints where `poses` gives targets; its own errors are not among the truth.
+    poses : Recording
+        Joints, or targets in {O} for the reference point of each row; kind and frame of the measurement. Its measured
+        cells are not read.
+    errors : dict, optional
+        True source errors [mm, rad]; default the robot's own.
+    noise_mm, noise_rad : float
+        Standard deviation per coordinate, of images at the ball; `rng` must be given where they are not 0.
+    terms : sequence of Term
+        Effects on the machine; compliant parts are solved to their static equilibrium.
+    frame : (rotation vector (3,) [rad], origin (3,) [mm]), optional
+        {O} in the instrument's frame, where that is not the robot's; default drawn from `rng`, or a fixed one.
+
+    Raises
+    ------
+    NoSolutionError
+        A target or a pose cannot be reached; the message names the line.
+    """
+    mechanism = mechanism_of(robot)
+    true = mechanism.vector(robot.errors if errors is None else errors)
+    tool = measured_points(robot, poses)
+    joints = poses.joints
+    if poses.targets is not None:
+        theta, status = nominal_joints(robot, poses.targets, tool)
+        _all_solved(poses, status, "the target cannot be commanded")
+        joints = robot.joint_sign * theta
+    commanded = dataclasses.replace(poses, joints=joints)
+    body = Body(robot, mechanism, robot.joint_sign * joints, np.ascontiguousarray(tool), Channels.of(commanded, robot))
+    for term in terms:
+        if why := body.missing(term.effect):
+            raise InputError(f"the effect '{term.effect}' needs {why}.", "Add it.", file=poses.path)
+    machine, status = body.solve(true, terms)
+    _all_solved(poses, status, "the pose cannot be simulated")
+    x = machine.x
+    found = kind_of(poses.kind).unread(poses)
+    instrument = found.kind.drawn(poses, robot, x, frame, rng).mounted(mechanism, true)
+    values, rotations = instrument.predict(found, x)
+    values = values + reading_shift(terms, body, found, values, x)[0]
+    if (noise_mm or noise_rad) and rng is None:
+        raise ValueError("noise needs a random generator: pass rng.")
+    if noise_mm and rng is not None:
+        values = values + noise_mm / instrument.scale * rng.standard_normal(values.shape)
+    if rotations is not None and noise_rad and rng is not None:
+        rotations = from_vector(noise_rad * rng.standard_normal((len(values), 3))) @ rotations
+    truth = {
+        f"true_r{axis}_deg": column / DEG
+        for axis, column in zip("xyz", to_vector(x[:, 3:].reshape(-1, 3, 3)).T, strict=True)
+    }
+    measurement = dataclasses.replace(poses.measurement, kind=poses.kind)
+    if noise_mm and poses.measurement.sigma_mm is None:
+        measurement = dataclasses.replace(measurement, sigma_mm=noise_mm)
+    done = dataclasses.replace(
+        poses, joints=joints, targets=None, measurement=measurement, channels={**poses.channels, **truth}
+    )
+    return found.kind.with_values(done, found, values, rotations)
+
+
+def _all_solved(poses: Recording, status: np.ndarray, what: str) -> None:
+    bad = np.flatnonzero(status != SOLVED)
+    if len(bad):
+        raise NoSolutionError(
+            f"{poses.path}, line {int(poses.line[bad[0]])}: {what}: {STATUS[int(status[bad[0]])]}"
+            + (f" ({len(bad)} rows in all)." if len(bad) > 1 else ".")
+            + " Move the row into the workspace or remove it."
+        )

@@ -1,0 +1,122 @@
+"""What the states that effects read are: the one reader of the table that ``derive/language/states.py`` declares.
+
+A state by name is a joint's own, another joint's (``torque_2``), or a covariate: a column of a recording that has no
+other meaning.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cache
+from types import ModuleType
+from typing import Any
+
+from deltacal_kernels.effects.states import COVARIATE
+from deltacal_kernels.effects.states import STATES as _ROWS
+
+from deltacal_gen.units import joint_names
+
+_OTHER = re.compile(r"(\w+)_([1-9]\d*)")
+
+
+@dataclass(frozen=True)
+class State:
+    """A state as an effect reads it.
+
+    Attributes
+    ----------
+    name, base : str
+        Its name, and that of its row of the table: ``torque`` of ``torque_2``.
+    joint : int
+        Whose joint's it is, from 1; 0: of the limb that has the effect, or of the machine.
+
+    The others are columns of the table, see ``derive.language.states.State``.
+    """
+
+    name: str
+    base: str
+    unit: str
+    factor: float
+    meaning: str
+    per: str
+    kind: str
+    joint: int = 0
+    column: str = ""
+    zero: float = 0.0
+    default: float = 0.0
+    assumed: str = ""
+    optional: bool = False
+    whole: bool = False
+    made_of: tuple[str, ...] = ()
+    shown: str = ""
+    differing: str = ""
+    since: str = ""
+    requires: str = ""
+    c99: str = ""
+    tabled: tuple[str, float] | None = None
+
+    @property
+    def follows(self) -> bool:
+        """Whether it changes with the pose, and so with what effects move."""
+        return self.kind in ("load", "place")
+
+    @property
+    def channels(self) -> tuple[State, ...]:
+        """The recorded channels that it is read from, or computed from."""
+        if self.kind == "channel":
+            return (self,)
+        made_of = map(named, self.made_of)
+        return tuple(c.of_joint(self.joint) if self.joint and c.per == "joint" else c for c in made_of)
+
+    def of_joint(self, joint: int) -> State:
+        """Return another joint's."""
+        return dataclasses.replace(self, name=f"{self.base}_{joint}", joint=joint)
+
+    def columns(self, joint_unit: str, joints: int) -> list[str]:
+        """Return the columns of a recording that it is read from itself, joint by joint."""
+        return self._places(self.column, joint_unit, joints, range(1, joints + 1))
+
+    def shown_in(self, joint_unit: str, joints: int, limbs: Iterable[int]) -> list[str]:
+        """Return where a misfit by it shows, at these limbs (from 1): columns, or ``position``."""
+        return self._places(self.shown, joint_unit, joints, limbs)
+
+    def _places(self, pattern: str, joint_unit: str, joints: int, limbs: Iterable[int]) -> list[str]:
+        every = joint_names(joint_unit, joints, pattern) if pattern else []
+        own = (self.joint,) if self.joint else limbs
+        return list(dict.fromkeys(every[i - 1] for i in own)) if every else []
+
+
+STATES: dict[str, State] = {name: State(name=name, base=name, **row) for name, row in _ROWS.items()}
+CHANNELS = tuple(s for s in STATES.values() if s.kind == "channel" and not s.since)  # what a recording may say
+
+
+@cache
+def named(name: str) -> State:
+    """Return a state by name: of the table, another joint's, or a covariate."""
+    if name in STATES:
+        return STATES[name]
+    other = _OTHER.fullmatch(name)
+    if other is not None and other[1] in STATES and STATES[other[1]].per == "joint":
+        return STATES[other[1]].of_joint(int(other[2]))
+    own: dict[str, Any] = {
+        field: v.replace("{column}", name) if isinstance(v, str) else v for field, v in COVARIATE.items()
+    }
+    return State(name=name, base=name, **own)
+
+
+@cache
+def _all(names: tuple[str, ...]) -> tuple[State, ...]:
+    return tuple(map(named, names))
+
+
+def read_by(kernels: ModuleType) -> tuple[State, ...]:
+    """Return the states that an effect reads, in the order of its kernels' input."""
+    return _all(kernels.STATE)
+
+
+def columns(found: Iterable[State], joint_unit: str, joints: int) -> list[str]:
+    """Return the columns of a recording that states are made of, beside the joints."""
+    return list(dict.fromkeys(name for s in found for c in s.channels for name in c.columns(joint_unit, joints)))

@@ -1,0 +1,1 @@
+"""Measuring plans: poses, studies, singularities."""

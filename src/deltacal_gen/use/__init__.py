@@ -1,0 +1,1 @@
+"""What is done with a calibrated machine: compensation, prediction, validation, comparison, exports."""
