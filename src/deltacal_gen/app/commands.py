@@ -22,7 +22,7 @@ from deltacal_gen.files.robot import Robot, for_model, for_names, read_robot
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
 from deltacal_gen.machine.rotation import from_vector
-from deltacal_gen.results.reader import read_diagnosis, read_result
+from deltacal_gen.results.reader import Given, read_diagnosis, read_result
 from deltacal_gen.results.registered import (
     ClaimEntry,
     Dimension,
@@ -422,7 +422,7 @@ def identify(
     solver: str = "prior",
     truncation: int | str = "gcv",
     robust: bool = True,
-    physics: Source | Mapping[str, Any] | None = None,
+    physics: Given | None = None,
     report: Source | None = None,
     progress: Progress = _silent,
 ) -> Result:
@@ -546,7 +546,7 @@ def matrix(
 
 
 def predict(
-    result: Source | Mapping[str, Any],
+    result: Given,
     recording: Source | Recording,
     output: Source | None = None,
     *,
@@ -572,7 +572,7 @@ def predict(
     return done
 
 
-def predict_blocks(result: Source | Mapping[str, Any], recording: Source, output: Source) -> int:
+def predict_blocks(result: Given, recording: Source, output: Source) -> int:
     """Predict the readings of a recording of any length, from file to file in a fixed memory; return the rows.
 
     Raises
@@ -586,7 +586,7 @@ def predict_blocks(result: Source | Mapping[str, Any], recording: Source, output
     return streams.predict(_of_rows(result), recording, output)
 
 
-def _of_rows(result: Source | Mapping[str, Any]) -> Result | Diagnosis:
+def _of_rows(result: Given) -> Result | Diagnosis:
     """Return a result by which each row of a recording is predicted for itself."""
     known = read_result(result)
     if known.physics or known.correction is not None:
@@ -594,7 +594,7 @@ def _of_rows(result: Source | Mapping[str, Any]) -> Result | Diagnosis:
     return known
 
 
-def validate_blocks(result: Source | Mapping[str, Any], recording: Source) -> Validation:
+def validate_blocks(result: Given, recording: Source) -> Validation:
     """Return the error of a calibrated model on a recording of any length, in a fixed memory; see `validate`.
 
     Raises
@@ -607,7 +607,7 @@ def validate_blocks(result: Source | Mapping[str, Any], recording: Source) -> Va
     return streams.validate(_of_rows(result), recording)
 
 
-def validate(result: Source | Mapping[str, Any], recording: Source | Recording) -> Validation:
+def validate(result: Given, recording: Source | Recording) -> Validation:
     """Return the error of a calibrated model on readings it has not seen, against the noise."""
     from deltacal_gen.use import validation
 
@@ -617,7 +617,7 @@ def validate(result: Source | Mapping[str, Any], recording: Source | Recording) 
 
 
 def compensate(
-    result: Source | Mapping[str, Any],
+    result: Given,
     targets: Source | Array | None = None,
     output: Source | None = None,
     *,
@@ -729,9 +729,7 @@ def compensate(
     return in_files
 
 
-def compare(
-    before: Source | Mapping[str, Any], after: Source | Mapping[str, Any], output: Source | None = None
-) -> Comparison:
+def compare(before: Given, after: Given, output: Source | None = None) -> Comparison:
     """Return what changed between two sessions of one machine, by parameter with its uncertainty; see `comparison`."""
     from deltacal_gen.use import comparison
 
@@ -742,7 +740,7 @@ def compare(
     return found
 
 
-def _calibration(given: Source | Mapping[str, Any]) -> Result:
+def _calibration(given: Given) -> Result:
     """Return a result of `identify`; a diagnosis has no parameters to compare."""
     found = read_result(given)
     if not isinstance(found, Result):

@@ -31,6 +31,7 @@ from deltacal_gen.results.batch import (
     Action,
     Batch,
     DiagnosedRow,
+    Done,
     FailedRow,
     IdentifiedRow,
     Moved,
@@ -43,7 +44,9 @@ from deltacal_gen.results.result import Result
 from deltacal_gen.results.validation import Validation
 from deltacal_gen.use.comparison import compare
 
-ACTIONS = ("diagnose", "identify", "validate")
+ROWS: Mapping[Action, type[Done]] = {"diagnose": DiagnosedRow, "identify": IdentifiedRow, "validate": ValidatedRow}
+ACTIONS = tuple(ROWS)
+FIGURES = "figures"  # key beside those of an answer, in what a task keeps
 ROBOT = "robot.toml"
 RESULT = "result.json"  # beside the robot: what its recordings are validated against
 LAST = "last.json"  # which files each recording was and which task, the last time that all were done
@@ -248,16 +251,21 @@ def do(action: str, model: str | None, files: Contents) -> Json:
         robot, recording = folder / ROBOT, folder / "recording.csv"
         with _own_names():
             if action == "validate":
-                return commands.validate(folder / RESULT, recording).to_dict()
+                return _with_figures(commands.validate(folder / RESULT, recording))
             if action == "identify":
-                return commands.identify(robot, recording, model).to_dict()
+                return _with_figures(commands.identify(robot, recording, model))
             found = commands.diagnose(robot, recording, model=model)
             if found.verdict is Verdict.ADEQUATE:  # else what is left out would be taken for parts that moved
                 with suppress(DeltacalError):
                     calibrated = commands.identify(robot, recording, model)
                     geometry = Geometry(robot=calibrated.robot, parameters=calibrated.parameters)
                     found = found.replace(geometry=geometry)
-            return found.to_dict()
+            return _with_figures(found)
+
+
+def _with_figures(found: Diagnosis | Result | Validation) -> Json:
+    """Return an answer's JSON with its figures for the table: the one process that writes it reads no answers."""
+    return found | {FIGURES: _figures(found)}
 
 
 def conduct(
@@ -290,7 +298,7 @@ def conduct(
     rows = []
     for job in todo:
         outcome = Outcome("", job.label, None, job.refused) if job.refused is not None else next(outcomes)
-        rows.append(_row(job, outcome))
+        rows.append(_row(cast("Action", action), job, outcome))
     changed = _changed(open_, keys, files, store, _last(directory))
     found = Batch(action=cast("Action", action), rows=tuple(rows), changed=changed)
     lines = [row.to_dict() for row in rows]
@@ -369,48 +377,35 @@ def _key(contents: Callable[[], Contents], *more: str | None) -> tuple[str, str]
     return content_key(Batch.schema, *more, digest.hexdigest()), digest.hexdigest()[:32]
 
 
-def _row(job: Job, outcome: Outcome) -> Row:
+def _figures(found: Diagnosis | Result | Validation) -> Json:
+    """Return what the table says of an answer, by the fields of its row."""
+    if isinstance(found, Diagnosis):
+        return {
+            "verdict": str(found.verdict),
+            "effects": "; ".join(f"{e.name} {' '.join(map(str, e.limbs))}".strip() for e in found.effects),
+            "model": found.baseline.model,
+            "before_mm": found.baseline.heldout_rms_mm,
+            "after_mm": found.final.heldout_rms_mm,
+            "noise_mm": found.noise.sigma_mm,
+        }
+    if isinstance(found, Result):
+        return {
+            "model": found.model,
+            "before_mm": found.before_rms_mm,
+            "after_mm": found.heldout_rms_mm,
+            "fitted_mm": found.train_rms_mm,
+            "noise_mm": found.sigma_mm,
+        }
+    return {"after_mm": found.rms_mm, "worst_mm": found.worst_mm, "chi2_per_dof": found.chi2_per_dof}
+
+
+def _row(action: Action, job: Job, outcome: Outcome) -> Row:
     """Return a recording's line of the table."""
     if outcome.result is None:
         return FailedRow(recording=job.label, machine=job.machine, error=outcome.error or "")
-    who = {"recording": job.label, "machine": job.machine}
+    figures = outcome.result[FIGURES]
     warnings = " ".join(job.warnings) or None
-    match read_answer(outcome.result):
-        case Diagnosis() as found:
-            named = "; ".join(f"{e.name} {' '.join(map(str, e.limbs))}".strip() for e in found.effects)
-            return DiagnosedRow(
-                **who,
-                verdict=found.verdict,
-                effects=named,
-                model=found.baseline.model,
-                before_mm=found.baseline.heldout_rms_mm,
-                after_mm=found.final.heldout_rms_mm,
-                noise_mm=found.noise.sigma_mm,
-                error=None,
-                warnings=warnings,
-            )
-        case Result() as found:
-            return IdentifiedRow(
-                **who,
-                model=found.model,
-                before_mm=found.before_rms_mm,
-                after_mm=found.heldout_rms_mm,
-                fitted_mm=found.train_rms_mm,
-                noise_mm=found.sigma_mm,
-                error=None,
-                warnings=warnings,
-            )
-        case Validation() as found:
-            return ValidatedRow(
-                **who,
-                after_mm=found.rms_mm,
-                worst_mm=found.worst_mm,
-                chi2_per_dof=found.chi2_per_dof,
-                error=None,
-                warnings=warnings,
-            )
-        case other:
-            raise TypeError(f"a batch holds no {type(other).__name__}")
+    return ROWS[action](recording=job.label, machine=job.machine, **figures, error=None, warnings=warnings)
 
 
 # ------------------------------------------------------------------------------------------------------ for readers

@@ -99,7 +99,7 @@ class Poses:
         Nominal position of the reference point in {O}, and the reference point in {O'} [mm]. Of an open chain the
         joints are what is wanted, and the targets where they lead.
     x : (P, 12) array
-        Platform coordinates of the machine as the robot file knows it [mm, Cayley].
+        Platform poses of the machine as the robot file knows it: position [mm], then the rotation matrix by rows.
     points : int
         Number of reference points.
     """

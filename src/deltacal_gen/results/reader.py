@@ -33,6 +33,7 @@ ANSWERS = {  # what `schema` says, and the type of it: module and class
     "deltacal.study/1": ("study", "Study"),
     "deltacal.validation/1": ("validation", "Validation"),
 }
+Given = str | Path | Mapping[str, Any]  # an answer: its file, its JSON, or itself
 FITTED = ("deltacal.result/1", "deltacal.diagnosis/1")
 COMMANDS = {  # that write the files which other commands read
     "deltacal.result/1": "identify",
@@ -56,7 +57,7 @@ def checker(schema: str) -> Any:
     return TypeAdapter(type_of(schema))
 
 
-def read_result(source: str | Path | Mapping[str, Any]) -> Result | Diagnosis:
+def read_result(source: Given) -> Result | Diagnosis:
     """Return what `identify` or `diagnose` found, from its file, its JSON or as it is.
 
     Parameters
@@ -72,14 +73,12 @@ def read_result(source: str | Path | Mapping[str, Any]) -> Result | Diagnosis:
     return read_answer(source, FITTED)  # type: ignore[return-value]
 
 
-def read_diagnosis(source: str | Path | Mapping[str, Any]) -> Diagnosis:
+def read_diagnosis(source: Given) -> Diagnosis:
     """Return what `diagnose` found; see `read_result`."""
     return read_answer(source, ("deltacal.diagnosis/1",))  # type: ignore[return-value]
 
 
-def read_answer(
-    source: str | Path | Mapping[str, Any], schemas: tuple[str, ...] = (*ANSWERS,), kind: str = ""
-) -> Answer:
+def read_answer(source: Given, schemas: tuple[str, ...] = (*ANSWERS,), kind: str = "") -> Answer:
     """Return the answer that a file or a mapping holds, if it is one of some schemas; see `read_result`.
 
     Parameters
