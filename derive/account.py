@@ -583,8 +583,9 @@ def seeds(exact: LimbMechanism, written: Written) -> list[dict[str, Any]]:
     """Return what Newton's method starts from, where it is short enough to be read."""
     P, c, d = ts.letter("P", bold=True), ts.letter("c", bold=True), ts.letter("d")
     found: list[dict[str, Any]] = []
-    if exact.seeds is not None:
-        for s, e in exact.seeds.items():
+    given = exact.seeds if exact.seeds is not None else exact.home
+    if given is not None:
+        for s, e in given.items():
             if sp.count_ops(e) <= 2 * LONGEST:
                 found.append({"formula": ts.equation(written.scalar(s), written.scalar(e)), "place": None})
         return found

@@ -115,6 +115,21 @@ def table(path: Path, *columns: str) -> np.ndarray:
         return np.array([[float(row[c]) for c in columns] for row in csv.DictReader(file)])
 
 
+def test_a_trial_shows_that_it_closes_and_what_is_seen(place: Path) -> None:
+    """`deltacal kernels NAME --try ROBOT.toml` derives one machine and looks at it."""
+    command = ("kernels", "rrr", "--try", "robot.toml", "-o", "rrr.svg")
+    said = " ".join(python(place, "-m", "deltacal_gen.app.cli", *command, where="work").split())
+    assert "100 of 100 poses there and back" in said
+    assert "of rrr/21" in said
+    order = float(said.partition("of order ")[2].split()[0])
+    assert 1.9 < order < 2.1
+    assert said.endswith("drawing in rrr.svg")
+    picture = (place / "work" / "rrr.svg").read_text()
+    assert picture.startswith("<svg")
+    for name in ("A", "B", "C", "base", "platform"):
+        assert f">{name}</" in picture or f">{name}<" in picture
+
+
 def test_kernels_are_derived_and_agree(place: Path) -> None:
     assert "files are what derive/ yields" in python(place, "-m", "derive", "rrr", "--check")
     python(place, "-c", KERNELS, where="work")

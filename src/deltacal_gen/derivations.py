@@ -155,10 +155,13 @@ def request(one: Subject) -> dict[str, Any]:
     """Return what to ask for: the machine's numbers at one pose, so that it can be drawn."""
     if not one.mechanism:
         return {"effect": one.name}
-    asked: dict[str, Any] = {"mechanism": one.mechanism}
     robot = example(one.mechanism)
-    if robot is None:
-        return asked
+    return {"mechanism": one.mechanism} if robot is None else asked(robot)
+
+
+def asked(robot: Robot) -> dict[str, Any]:
+    """Return what to ask of a machine: the account of its mechanism, with its numbers at one pose."""
+    asked: dict[str, Any] = {"mechanism": robot.mechanism}
     mechanism, pose = mechanism_of(robot), checks.middle(robot)
     if robot.links:
         lengths = {key: np.asarray(values).tolist() for key, values in robot.geometry.items()}
@@ -530,7 +533,7 @@ def _in_numbers(one: Subject, robot: Robot, account: Mapping[str, Any]) -> dict[
     names = mechanism.models[one.name]
     with using(Backend.NUMPY):
         return {
-            "machine": _drawn(robot, account),
+            "machine": drawn(robot, account),
             "tables": _tables(account, robot, names, mechanism),
             "ranks": _ranks(one, robot, names, account),
             "checks": _checked(one, robot, names),
@@ -556,7 +559,8 @@ def _converging(mechanism: str) -> dict[str, Any]:
     }
 
 
-def _drawn(robot: Robot, account: Mapping[str, Any]) -> str:
+def drawn(robot: Robot, account: Mapping[str, Any]) -> str:
+    """Return the drawing of a machine in the middle of its workspace."""
     mechanism = mechanism_of(robot)
     if account.get("drawing"):
         return sketch.machine(account["drawing"], mechanism.axes)

@@ -135,17 +135,59 @@ def demo(
 
 @app.command()
 def kernels(
+    names: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[NAME]...", help="mechanisms, effects, measurements; default all", show_default=False),
+    ] = None,
     check: Annotated[bool, typer.Option("--check", help="write nothing; fail if the committed kernels differ")] = False,
     warm: Annotated[bool, typer.Option("--warm", help="derive nothing; compile everything ahead")] = False,
+    tried: Annotated[
+        Path | None,
+        typer.Option("--try", metavar="ROBOT.toml", help="then round trips, ranks and a drawing of such a machine"),
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", metavar="FILE.svg", help="the drawing; default MECHANISM.svg")
+    ] = None,
 ) -> None:
-    """Derive the models and emit the kernel package (from a source checkout), or compile it ahead (anywhere)."""
+    """Derive the models and emit the kernel package (from a source checkout), or compile it ahead (anywhere).
+
+    With --try a machine is looked at whose kernels were just derived: 100 poses there and back, what each kind of
+    measurement sees of its largest model, and a drawing made of its own equations.
+    """
     from deltacal_gen.app import commands
 
     if warm:
         commands.warm(lambda name, seconds: screen.print(f"{seconds:7.2f} s  {name}"))
         return
-    if not commands.kernels(check=check):
+    if not commands.kernels(names or (), check=check):
         raise typer.Exit(1)
+    if tried is not None:
+        _tell_trial(tried, output)
+
+
+def _tell_trial(file: Path, output: Path | None) -> None:
+    """Print what a machine does in a trial, and where its drawing is."""
+    import importlib
+
+    import deltacal_kernels
+
+    from deltacal_gen.app import commands
+    from deltacal_gen.files.robot import read_robot
+
+    importlib.invalidate_caches()
+    importlib.reload(deltacal_kernels)  # which names the mechanisms: one may be new
+    robot = read_robot(file)
+    picture = output or Path(f"{robot.mechanism}.svg")
+    found = commands.trial(robot, picture)
+    screen.print(
+        f"{robot.mechanism}: {found.solved} of {found.poses} poses there and back, within {found.worst_mm:.1e} mm and "
+        f"{found.worst_rad:.1e} rad; derivatives leave a remainder of order {found.order:.2f} (2 is right)"
+    )
+    table = Table("seen by", "points", "rank", f"of {found.model}", "smallest, by the largest")
+    for rank in found.ranks:
+        table.add_row(rank.kind, str(rank.points), str(rank.rank), str(rank.columns), f"{rank.smallest:.1e}")
+    screen.print(table)
+    screen.print(f"drawing in {picture}")
 
 
 @app.command()

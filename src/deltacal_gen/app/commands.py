@@ -48,6 +48,7 @@ if TYPE_CHECKING:
     from deltacal_gen.results.plan import Plan
     from deltacal_gen.results.study import Study
     from deltacal_gen.results.validation import Validation
+    from deltacal_gen.trial import Trial
 
 Source = str | Path
 PICTURES = (".svg", ".png", ".pdf")
@@ -250,8 +251,13 @@ def warm(progress: Callable[[str, float], None] = lambda name, seconds: None) ->
     return spent
 
 
-def kernels(*, check: bool = False) -> bool:
-    """Derive all kernels and write them, or with `check` compare them; return whether the committed ones agree.
+def kernels(names: Sequence[str] = (), *, check: bool = False) -> bool:
+    """Derive kernels and write them, or with `check` compare them; return whether it went well.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Of mechanisms, effects or measurements; default all.
 
     The derivation runs in a process of its own: nothing at run time imports SymPy.
 
@@ -261,8 +267,27 @@ def kernels(*, check: bool = False) -> bool:
         This is no source checkout, or SymPy is not installed.
     """
     root = _deriving("kernels are derived from a source checkout; those of an installed package are done.")
-    command = [sys.executable, "-m", "derive", *(["--check"] if check else [])]
+    command = [sys.executable, "-m", "derive", *names, *(["--check"] if check else [])]
     return subprocess.run(command, cwd=root, env={**os.environ, "PYTHONHASHSEED": "0"}).returncode == 0
+
+
+def trial(robot: Source | Robot, output: Source | None = None) -> Trial:
+    """Return how a machine does whose kernels were just derived; see `trial.Trial`.
+
+    Parameters
+    ----------
+    output : path
+        A drawing of it (``.svg``), made of its own equations.
+    """
+    from deltacal_gen import trial as trials
+
+    check_output(output, robot, ending=(".svg",))
+    robot = _robot(robot)
+    found = trials.trial(robot)
+    if output is not None:
+        root = _deriving("a machine is drawn from its equations, in a source checkout.")
+        write_files({Path(output): trials.drawn(robot, root)})
+    return found
 
 
 def plan(
