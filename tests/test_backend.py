@@ -91,8 +91,8 @@ def kernels_used(mechanism: Machine, robot: Robot, poses: int, monkeypatch: pyte
         def forward(*args: object, of: ModuleType = kernels, **kwargs: object) -> None:
             used.add(of)
 
-        monkeypatch.setattr(kernels, "forward", forward)
-        monkeypatch.setattr(kernels, "simplified_forward", forward, raising=False)
+        for name in {"forward", "simplified_forward"} & vars(kernels).keys():
+            monkeypatch.setattr(kernels, name, forward)
     mechanism.positions(np.full((poses, 3), -0.1), np.zeros(3), mechanism.rows(robot))
     return used
 
