@@ -405,7 +405,8 @@ def nominal(mechanism: LimbMechanism, layout: Blocks) -> Nominal | None:
         lower = _named(solved, "V", -Si * J[a:, :a] * G)
         block = sp.Matrix.hstack(U * lower - G, U * Si)
         checks.append(far)
-    functions.add("nominal", "equations of a nominal limb by platform and errors", outputs)
+    # zeros are stored too: what stands in scratch is left over
+    functions.add("nominal", "equations of a nominal limb by platform and errors", outputs, dense=True)
     functions.constants("nominal_constants", "what `nominal_sensitivity` reads that no pose changes")
     inverse = Functions(Graph(solved), {}, read)
     inverse.add(

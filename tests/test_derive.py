@@ -22,9 +22,11 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # derive/ is never
 from derive import closed_form, compiler, vectors  # noqa: E402
 from derive.backends import c99, lanes, numpy, scalar  # noqa: E402
 from derive.backends.ir import Kernel, Place  # noqa: E402
+from derive.blocks import nominal  # noqa: E402
 from derive.graph import Graph, expand_steps, inline  # noqa: E402
 from derive.lower import lower  # noqa: E402
 from derive.mathematics.functions import Functions, entries  # noqa: E402
+from derive.mathematics.kinematics import kinematics  # noqa: E402
 from derive.mechanisms.delta import MECHANISM  # noqa: E402
 from derive.spec import LimbMechanism, Quantity  # noqa: E402
 
@@ -292,6 +294,19 @@ def test_the_simplified_machine_is_a_sphere_about_the_shifted_elbow() -> None:
     expected = sp.Matrix([elbow * sp.cos(sp.Rational(1, 3)), elbow * sp.sin(sp.Rational(1, 3)), L_ * sp.sin(q)])
     assert (centre.subs(zero) - expected).applyfunc(sp.simplify) == sp.zeros(3, 1)
     assert sp.simplify(constant.subs(zero) - (elbow**2 + (L_ * sp.sin(q)) ** 2 - l_**2) / 2) == 0
+
+
+@pytest.mark.parametrize("name", ["diamond", "linear_delta"])
+def test_what_the_nominal_sensitivity_multiplies_has_been_stored(name: str) -> None:
+    """Scratch holds what was left over: a derivative that is zero has to be written there too."""
+    (mechanism,) = compiler.collect([name])
+    assert isinstance(mechanism, LimbMechanism)
+    _, layout = kinematics(mechanism)
+    ideal = nominal(mechanism, layout)
+    assert ideal is not None
+    stored = {layout.limb["rows"] + store.index for store in lower(ideal.functions[0])["nominal"].stores}
+    read = {place // layout.lanes % layout.stride for places in ideal.values for place in places}
+    assert read <= stored
 
 
 # ------------------------------------------------------------------------------------------------------ what is emitted

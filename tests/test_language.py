@@ -61,7 +61,7 @@ def grown(inner: st.SearchStrategy[Any]) -> st.SearchStrategy[Any]:
         st.builds(lambda f, a: f(a), st.sampled_from(single), inner),
         st.builds(lambda a: sp.exp(-(a**2)), inner),
         st.builds(lambda a: sp.log(1 + sp.Abs(a)), inner),
-        st.builds(lambda a: sp.asin(sp.tanh(a)), inner),
+        st.builds(lambda a: sp.asin(sp.tanh(a) / 2), inner),
         st.builds(sp.Max, inner, inner),
         st.builds(sp.Min, inner, inner, inner),
         st.builds(sp.Mod, inner, st.sampled_from([sp.Integer(2), sp.Rational(3, 4), sp.pi])),
@@ -222,7 +222,7 @@ ONE_OF_EACH = {
     sp.Max: sp.Max(x - 1, y, 0),
     sp.Min: sp.Min(x, z) * y,
     sp.Heaviside: z * sp.Heaviside(x - y),
-    sp.Piecewise: sp.Piecewise((x, (x > 1) & (y < 1)), (x**2, sp.Or(x < -1, sp.Eq(y, 0))), (1, True)),
+    sp.Piecewise: sp.Piecewise((x, (x > 1) & (y < 1)), (x**2, sp.Or(x < -1, sp.And(sp.Eq(y, 0), z < 5))), (1, True)),
     sp.Mod: sp.Mod(x, sp.Rational(3, 4)) + sp.Mod(y, 1 + z**2),
     sp.floor: z * sp.floor(3 * x),
 }

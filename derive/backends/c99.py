@@ -43,6 +43,15 @@ class C(C99CodePrinter):
     def _print_Abs(self, expr: sp.Abs) -> str:
         return f"fabs({self._print(expr.args[0])})"  # of whole numbers too, which are doubles
 
+    def _print_And(self, expr: sp.And) -> str:
+        return self._joined(expr, "&&")
+
+    def _print_Or(self, expr: sp.Or) -> str:
+        return self._joined(expr, "||")
+
+    def _joined(self, expr: sp.And | sp.Or, by: str) -> str:
+        return "(" + f" {by} ".join(map(self._print, sorted(expr.args, key=sp.default_sort_key))) + ")"
+
     def _print_Mod(self, expr: sp.Mod) -> str:
         value, by = (self.parenthesize(arg, PRECEDENCE["Pow"]) for arg in expr.args)
         return f"({value} - {by}*floor({value}/{by}))"

@@ -63,6 +63,8 @@ def _nominal(w, k, n):
         w[704 + lane] = -d_y
         w[736 + lane] = s23
         w[768 + lane] = -l
+        w[800 + lane] = 0
+        w[832 + lane] = 0
 
 
 @straight
