@@ -36,6 +36,12 @@ bench: .venv/dev .venv/bench  ## every work beside NumPy, Numba by hand, CasADi 
 proof: .venv/proof  ## conceal effects, diagnose blind, grade: a table and a page in proof/
 	$(BIN)/python -m tests.proof -o proof
 
+measured: .venv/dev .venv/bench .venv/proof  ## write the manual's measured tables anew, on an idle machine
+	$(BIN)/python -m tests.benchmarks --measured
+	$(BIN)/python -m tests.benchmarks.scaling --measured
+	$(BIN)/python -m tests.benchmarks.memory --rows 1000000 --measured
+	$(BIN)/python -m tests.proof -o proof --measured
+
 clean:
 	rm -rf .venv dist demo proof scaling.png .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -1,4 +1,4 @@
-"""``python -m tests.pictures``: the README's pictures of reports, from pages in Chromium.
+"""``python -m tests.pictures``: the pictures of reports in README and manual, from pages in Chromium.
 
 The diagnosis's is `diagnosis.svg`, which ``deltacal demo`` draws.
 

@@ -1,4 +1,4 @@
-"""An effect is one file: put into a copy of the sources, it is derived, tested and used as any other."""
+"""An effect is one file: those that the manual prints, put into a copy of the sources, are derived, tested and used."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from conftest import scattered, wanted
 
 from deltacal_gen.files.recording import write_recording
 from deltacal_gen.files.robot import robot_to_toml
+from deltacal_gen.pages import manual
 from tests.left_out import channels, machine
 
 ROOT = Path(__file__).parent.parent
@@ -33,41 +34,17 @@ class Added:
     columns: tuple[str, ...]
 
 
-def in_readme(name: str) -> str:
-    """Return the file of an effect that README prints."""
-    blocks = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.S)
+def in_manual(name: str) -> str:
+    """Return the file of an effect that the manual prints."""
+    page = (manual.folder() / "add-effect.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"```python.*?\n(.*?)```", page, re.S)
     (text,) = (block for block in blocks if f'name="{name}"' in block)
     return str(text)
 
 
-PRELOAD = '''"""A preloaded gearbox yields beyond its preload only: a dead band, in the sense of the torque."""
-
-import sympy as sp
-
-from derive.effects import DEG, joint_coefficient, state
-from derive.spec import Effect, Reference
-
-(torque,) = state("torque")
-compliance = joint_coefficient("compliance", "Nm", "twist per torque beyond the preload", (0.0, 1.0))
-yields = sp.sign(torque) * sp.Max(sp.Abs(torque) - 4000, 0)
-EFFECT = Effect(
-    name="preload_yield",
-    title="preloaded gearbox yields beyond its preload",
-    advice="Raise the preload of the gearbox, or carry less.",
-    source="derive/effects/preload_yield.py",
-    per_limb=True,
-    coefficients=(compliance,),
-    targets={"joint": compliance.symbol * yields},
-    tests=(
-        Reference({"torque": -6000.0}, {"compliance": 0.01}, {"joint": -0.02 * DEG}),
-        Reference({"torque": 3000.0}, {"compliance": 0.01}, {"joint": 0.0}),
-    ),
-)
-'''
-
 ADDED = {
-    "warm_compliance": Added(in_readme("warm_compliance"), {"softening": 0.002}, ("temp", "payload")),
-    "preload_yield": Added(PRELOAD, {"compliance": 0.03}, ("payload",)),
+    "warm_compliance": Added(in_manual("warm_compliance"), {"softening": 0.002}, ("temp", "payload")),
+    "preload": Added(in_manual("preload"), {"compliance": 0.02}, ("payload",)),
 }
 
 

@@ -15,7 +15,66 @@ What they answer is a frozen value; ``result["heldout_rms_mm"]`` is what its JSO
 from __future__ import annotations
 
 import importlib
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:  # what mypy and editors see; at run time names are looked up on first use
+    from deltacal_gen.app.commands import (
+        batch as batch,
+        claims as claims,
+        compare as compare,
+        compensate as compensate,
+        demo as demo,
+        derivation as derivation,
+        diagnose as diagnose,
+        effects as effects,
+        identify as identify,
+        identify_blocks as identify_blocks,
+        import_klipper as import_klipper,
+        import_points as import_points,
+        import_rrf as import_rrf,
+        kernels as kernels,
+        manual as manual,
+        manual_examples as manual_examples,
+        manual_site as manual_site,
+        matrix as matrix,
+        models as models,
+        plan as plan,
+        predict as predict,
+        predict_blocks as predict_blocks,
+        simulate as simulate,
+        simulate_blocks as simulate_blocks,
+        study as study,
+        validate as validate,
+        validate_blocks as validate_blocks,
+    )
+    from deltacal_gen.errors import (
+        DeltacalError as DeltacalError,
+        InputError as InputError,
+        NoSolutionError as NoSolutionError,
+        UsageError as UsageError,
+    )
+    from deltacal_gen.estimation.arrays import PoseSet as PoseSet, estimate as estimate, nominal as nominal
+    from deltacal_gen.estimation.solvers import (
+        LeastSquares as LeastSquares,
+        Prior as Prior,
+        Ridge as Ridge,
+        TSVD as TSVD,
+    )
+    from deltacal_gen.files.recording import read_recording as read_recording, write_recording as write_recording
+    from deltacal_gen.files.robot import read_robot as read_robot, robot_to_toml as robot_to_toml
+    from deltacal_gen.machine.backend import Backend as Backend, using as using
+    from deltacal_gen.machine.registry import Machine as Machine, load_mechanism as load_mechanism
+    from deltacal_gen.machine.values import Recording as Recording, Robot as Robot
+    from deltacal_gen.results.batch import Batch as Batch
+    from deltacal_gen.results.comparison import Comparison as Comparison
+    from deltacal_gen.results.diagnosis import Diagnosis as Diagnosis, Verdict as Verdict
+    from deltacal_gen.results.plan import Plan as Plan
+    from deltacal_gen.results.reader import read_answer as read_answer, read_result as read_result
+    from deltacal_gen.results.result import Result as Result, Status as Status
+    from deltacal_gen.results.study import Study as Study
+    from deltacal_gen.results.validation import Validation as Validation
+    from deltacal_gen.use.compensation import Compensator as Compensator
+    from deltacal_gen.use.exports import export_c as export_c, export_table as export_table, read_table as read_table
 
 __version__ = "0.1.0"
 
@@ -36,6 +95,9 @@ _HOME = {
         "import_rrf",
         "derivation",
         "kernels",
+        "manual",
+        "manual_examples",
+        "manual_site",
         "matrix",
         "models",
         "plan",

@@ -1,4 +1,4 @@
-"""Run the benchmarks: ``python -m tests.benchmarks [--quick] [--only W1s,W5] [--json FILE]``.
+"""Run the benchmarks: ``python -m tests.benchmarks [--quick] [--only W1s,W5] [--json FILE] [--measured]``.
 
 All contenders of a work run in one process, in turn (A B C A B C ...), so that a busy machine slows them alike; a
 ratio is the median over the repetitions of neighbouring runs. Ratios carry over to other machines, times do not.
@@ -15,7 +15,9 @@ import gc
 import json
 import platform
 import statistics
+import subprocess
 import sys
+import tempfile
 import time
 from pathlib import Path
 from typing import Any
@@ -24,6 +26,8 @@ from rich.console import Console
 from rich.table import Table
 
 from deltacal_gen.machine.backend import Backend, using
+from deltacal_gen.machine.registry import mechanism_names
+from tests.measured import write
 
 from .works import KERNEL, MISSING, NUMBA, NUMPY, OURS, TOOLS, WORKS, Contender, Work, disagreement, works
 
@@ -42,6 +46,23 @@ AT_MOST = {  # time of the kernel to that of scalar Numba by hand: what is asked
     "W6_18kept": 0.35,
     "W6_32kept": 0.35,
 }
+CALLS = {  # what a user calls for a work of the manual's table
+    "W1s": "`delta.compiled.nominal_sensitivity`",
+    "W2_19": "`delta.compiled.distance_rows`",
+    "W2_200": "the same",
+    "W3ik": "`delta.compiled.simplified_inverse`",
+    "W3fk": "`delta.compiled.simplified_forward`",
+    "W4linear": '`Compensator(robot, "linear").servo(change=True).command`',
+    "W4py_linear": "`.servo(change=True).direct()`",
+    "W5": "`delta.compiled.forward`",
+    "W6_18": "`PoseSet`",
+    "W6_32": "`PoseSet`",
+    "W6_18kept": "`PoseSet`",
+    "W6_32kept": "`PoseSet`",
+    "W7_cold": "`dc.estimate`",
+    "W7_warm": "`dc.estimate`",
+}
+AVX2 = {"NUMBA_CPU_NAME": "haswell", "NUMBA_CPU_FEATURES": "+avx2,+fma,+avx,+bmi,+bmi2,+popcnt,-avx512f"}
 SECONDS = {"W7_cold": 2.0, "W7_warm": 0.35}  # time of a user's call: what is asked for
 ENOUGH_S = 20.0  # what is spent on a work, however slow its contenders; all run twice at least
 TITLE = (
@@ -121,6 +142,44 @@ def table(rows: list[dict[str, Any]]) -> Table:
     return out
 
 
+def measured(rows: list[dict[str, Any]], command: str, quick: bool) -> None:
+    """Write the manual's tables of which all works were run: kernels beside Numba by hand, and every mechanism."""
+    found = {r["work"]: r for r in rows}
+    if CALLS.keys() <= found.keys():
+        narrow = _without_avx512([name for name in CALLS if "kernel_to_numba" in found[name]], quick)
+        cells = [
+            [f"{name}: {r['what']}", _against(r), call, _against(narrow[name]) if name in narrow else ""]
+            for name, call in CALLS.items()
+            if (r := found[name])
+        ]
+        write("kernels", ("work", "kernel / Numba", "call", "AVX2"), cells, command)
+    every = {name: [found.get(f"{what}_{name}") for what in ("forward", "sensitivity")] for name in mechanism_names()}
+    if all(None not in pair for pair in every.values()):
+        heads = ("mechanism", "forward", "in NumPy", "sensitivity", "in NumPy")
+        least = [
+            [
+                f"`{name}`",
+                *(_short(r["minimum"][of]) if of in r["minimum"] else "-" for r in pair if r for of in (KERNEL, NUMPY)),
+            ]
+            for name, pair in every.items()
+        ]
+        write("machines", heads, least, command)
+
+
+def _against(row: dict[str, Any]) -> str:
+    """Return the kernel's time to that of Numba by hand; of a user's whole call seconds."""
+    return f"{row['kernel_to_numba']:.2f}" if "kernel_to_numba" in row else f"{row['minimum'][OURS]:.2f} s"
+
+
+def _without_avx512(names: list[str], quick: bool) -> dict[str, dict[str, Any]]:
+    """Return the works run anew in a process whose Numba knows no AVX-512."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "works.json"
+        options = ["--only", ",".join(names), "--json", str(file), *(["--quick"] if quick else [])]
+        subprocess.run([sys.executable, "-m", "tests.benchmarks", *options], env={**os.environ, **AVX2}, check=True)
+        return {r["work"]: r for r in json.loads(file.read_text())["works"]}
+
+
 def _cell(row: dict[str, Any], contender: str) -> str:
     if contender not in row["median"]:
         return ""
@@ -146,6 +205,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--quick", action="store_true", help="smaller sizes, fewer repetitions")
     parser.add_argument("--only", default=",".join(WORKS), metavar="W1s,W5", help="these works, or all that begin so")
     parser.add_argument("--json", type=Path, metavar="FILE", help="write all figures")
+    parser.add_argument("--measured", action="store_true", help="write the manual's tables too")
     given = parser.parse_args(arguments)
     asked = given.only.split(",")
     names = [name for name in WORKS if name in asked or any(name.startswith(a) and a not in WORKS for a in asked)]
@@ -167,6 +227,9 @@ def main(arguments: list[str] | None = None) -> int:
     if given.json is not None:
         machine = {"machine": platform.platform(), "python": platform.python_version()}
         given.json.write_text(json.dumps({**machine, "quick": given.quick, "works": rows}, indent=1) + "\n")
+    if given.measured:
+        words = sys.argv[1:] if arguments is None else arguments
+        measured(rows, " ".join(["python -m tests.benchmarks", *words]), given.quick)
     for line in wrong:
         print(line, file=sys.stderr)
     return int(bool(wrong))

@@ -1,6 +1,6 @@
 """Delta printers in a folder: what calibration leaves beside firmware's fit, and whether one session predicts another.
 
-    python -m tests.benchmarks.printers FOLDER
+    python -m tests.benchmarks.printers FOLDER [--measured]
 
 Every ``robot.toml`` of a linear delta under FOLDER with its ``recording.csv`` counts; recordings whose names are alike
 up to ``-sNN`` and ``-meshN`` are sessions of one machine. From session to session everything is held but what firmware
@@ -18,10 +18,11 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen import read_robot
 from deltacal_gen.app import commands
 from deltacal_gen.errors import DeltacalError
+from tests.measured import write
 
+COMMAND = "python -m tests.benchmarks.printers FOLDER --measured"
 SESSION = re.compile(r"-s\d+(-mesh\d+)?$")
 FIRMWARE = ("6", "9")  # without and with distances
 BAR = 1.3  # held over own fit
@@ -67,8 +68,10 @@ def main() -> None:
     """Print both tables."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=Path)
-    found = sorted(p.parent for p in parser.parse_args().folder.rglob("robot.toml"))
-    folders = [f for f in found if read_robot(f / "robot.toml").mechanism == "linear_delta"]
+    parser.add_argument("--measured", action="store_true", help="write the manual's tables too")
+    given = parser.parse_args()
+    found = sorted(p.parent for p in given.folder.rglob("robot.toml"))
+    folders = [f for f in found if 'mechanism = "linear_delta"' in (f / "robot.toml").read_text(encoding="utf-8")]
     rows = {}
     print(
         "| recording | readings | as saved | firmware's fit | diagnosis | model | held out | verdict |\n"
@@ -90,10 +93,12 @@ def main() -> None:
         )
     groups: dict[str, list[dict[str, Any]]] = defaultdict(list)
     for r in rows.values():
-        groups["heights and distances" if r["distances"] else f"{min(r['readings'], MANY)} heights"].append(r)
-    for words, group in sorted(groups.items()):
-        middle = ", ".join(f"{k} {np.median([r[k] for r in group]):.4f}" for k in ("saved", "firmware", "fit"))
-        print(f"{words}{' and more' if words.startswith(str(MANY)) else ''}: {len(group)} recordings, medians {middle}")
+        groups["heights and distances" if r["distances"] else _size(r["readings"])].append(r)
+    told = [
+        [words, str(len(group)), *(f"{np.median([r[k] for r in group]):.3f}" for k in ("saved", "firmware", "fit"))]
+        for words, group in sorted(groups.items(), key=lambda item: min(r["readings"] for r in item[1]))
+    ]
+    print("\n".join(", ".join(line) for line in told))
     machines: dict[str, list[Path]] = defaultdict(list)
     for folder in rows:
         if "-mesh" in folder.name:
@@ -111,10 +116,25 @@ def main() -> None:
         ratios[c["readings"] >= MANY].append(ratio)
         rms = " | ".join(f"{c[k]:.4f}" for k in ("held", "own", "firmware"))
         print(f"| {earlier.name} | {later.name} | {c['readings']} | {rms} | {ratio:.2f} |", flush=True)
-    for many, values in sorted(ratios.items()):
-        size = f"{MANY} readings and more" if many else f"fewer than {MANY} readings"
-        within = np.mean(np.array(values) <= BAR)
-        print(f"meshes of {size}: {len(values)} pairs, median ratio {np.median(values):.2f}, {within:.0%} within {BAR}")
+    kept = [
+        [
+            f"{MANY} heights and more" if many else f"fewer than {MANY} heights",
+            str(len(values)),
+            f"{np.median(values):.2f}",
+            f"{np.mean(np.array(values) <= BAR):.0%}",
+        ]
+        for many, values in sorted(ratios.items(), reverse=True)
+    ]
+    print("\n".join(", ".join(line) for line in kept))
+    if given.measured:
+        heads = ("readings", "recordings", "as saved, mm", "firmware's model, mm", "largest model, mm")
+        write("printers", heads, told, COMMAND, note=f"{len(rows)} recordings of printers")
+        write("printers_sessions", ("meshes of", "pairs", "held / own fit, median", f"within {BAR}"), kept, COMMAND)
+
+
+def _size(readings: int) -> str:
+    """Return which recordings are told together: those of as many heights, meshes of many as one."""
+    return f"{MANY} heights and more" if readings >= MANY else f"{readings} heights"
 
 
 if __name__ == "__main__":

@@ -21,6 +21,7 @@ from deltacal_gen import PoseSet
 from deltacal_gen.estimation.estimation import pose_problem
 from deltacal_gen.identification.accuracy import check_poses
 from deltacal_gen.machine.backend import Backend, using
+from deltacal_gen.pages import manual
 from deltacal_gen.physics.physics import blank
 
 from . import by_hand
@@ -118,7 +119,10 @@ def main(arguments: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="python -m tests.benchmarks.scaling", description=__doc__.split("\n")[0])
     parser.add_argument("-o", "--output", type=Path, default=Path("scaling.png"))
     parser.add_argument("--most", type=int, default=1_000_000, metavar="POSES")
+    parser.add_argument("--measured", action="store_true", help="draw the manual's picture")
     given = parser.parse_args(arguments)
+    if given.measured:
+        given.output = manual.folder() / "measured" / "scaling.png"
     sizes = [n for n in (100, 1_000, 10_000, 100_000, 1_000_000) if n <= given.most]
     cost: dict[str, list[float]] = {}
     for n in sizes:

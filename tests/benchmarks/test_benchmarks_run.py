@@ -9,6 +9,9 @@ import pytest
 
 # by the name that `python -m tests.benchmarks` uses: Numba's cache holds the names of modules
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+from deltacal_gen.machine.registry import mechanism_names
+from deltacal_gen.pages import manual
+from tests.benchmarks import __main__ as every
 from tests.benchmarks import compile, memory, scaling
 from tests.benchmarks.works import WORKS, disagreement, works
 
@@ -34,3 +37,18 @@ def test_the_table_of_compile_times_names_modules_that_exist() -> None:
     told = compile.read()
     assert {row["module"] for row in told} == compile.modules(), "run tests.benchmarks.compile --write"
     assert all(float(row["seconds"]) > 0 for row in told)
+
+
+def test_the_table_of_all_mechanisms_is_written_as_the_manual_shows_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "measured").mkdir()
+    monkeypatch.setattr(manual, "folder", lambda: tmp_path)
+    names = [name for name in WORKS if name.startswith(("forward_", "sensitivity_"))]
+    rows = [every.row(name, work, every.measure(work, 1, 0.0)) for name, work in works(names, size=2)]
+    every.measured(rows[:-1], "one is missing", quick=True)
+    assert not list((tmp_path / "measured").iterdir())
+    every.measured(rows, "python -m tests.benchmarks --measured", quick=True)
+    table = manual.measured("machines")
+    assert [row[0] for row in table["rows"]] == [f"`{name}`" for name in mechanism_names()]
+    assert all(float(cell.replace(" ", "")) > 0 for row in table["rows"] for cell in row[1:] if cell != "-")

@@ -89,6 +89,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--tool", default=TOOL, help="command line before 'diagnose' and 'predict' (default deltacal)")
     parser.add_argument("--jobs", type=int, default=2, help="processes")
+    parser.add_argument("--measured", action="store_true", help="write the manual's tables too")
     given = parser.parse_args(arguments)
     engines = given.engine.split(",")
     if unknown := set(engines) - set(ENGINES):
@@ -127,6 +128,8 @@ def main(arguments: list[str] | None = None) -> int:
     text = report.markdown(found, said)
     (folder / "table.md").write_text(text, encoding="utf-8")
     (folder / "proof.html").write_text(report.page(found, said), encoding="utf-8")
+    if given.measured:
+        report.measured(found, said)
     print(text)
     for line in report.failures(found):
         print(line)

@@ -10,6 +10,7 @@ import numpy as np
 
 from deltacal_gen.pages import report
 from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED, STYLE, mpl, plt
+from tests.measured import PACKAGES, write
 
 Entry = Mapping[str, Any]
 KINDS = {
@@ -120,7 +121,7 @@ def _tables(found: Sequence[Entry]) -> Iterator[tuple[str, bool, Sequence[str], 
 
 
 def markdown(found: Sequence[Entry], run: Mapping[str, Any]) -> str:
-    """Return the tables as Markdown, as the README quotes them, with what made them."""
+    """Return the tables as Markdown, with what made them."""
     out = [_made(run), ""]
     for title, folded, heads, rows in _tables(found):
         if not rows:
@@ -134,6 +135,16 @@ def markdown(found: Sequence[Entry], run: Mapping[str, Any]) -> str:
     return "\n".join([*out, LEGEND, ""])
 
 
+def measured(found: Sequence[Entry], run: Mapping[str, Any]) -> None:
+    """Write the tables as the manual shows them."""
+    names = ("proof_concealed", "proof_noise", "proof_effects", "proof_foreign")
+    packages = [*PACKAGES, *(["exudyn"] if "exudyn" in run["engines"] else [])]
+    for name, (_, _, heads, rows) in zip(names, _tables(found), strict=True):
+        used = [j for j in range(len(heads)) if any(row[j] for row in rows)]
+        cells = [[row[j] for j in used] for row in rows]
+        write(name, [heads[j] for j in used], cells, run["command"], packages=packages, note=_counted(run))
+
+
 def failures(found: Sequence[Entry]) -> Iterator[str]:
     """Yield a line for each case whose answer is not right, or right with a flaw."""
     for f in found:
@@ -145,8 +156,12 @@ def failures(found: Sequence[Entry]) -> Iterator[str]:
 
 def _made(run: Mapping[str, Any]) -> str:
     engines = ", ".join(BY[e] if v == "deltacal_gen" else str(v) for e, v in run["engines"].items())
+    return f"{run['command']}: {_counted(run)}; {engines}."
+
+
+def _counted(run: Mapping[str, Any]) -> str:
     lost = f", {run['skipped']} more could not be drawn or graded" if run.get("skipped") else ""
-    return f"{run['command']}: {run['cases']} cases{lost}, seed {run['seed']}; {engines}."
+    return f"{run['cases']} cases{lost}, seed {run['seed']}"
 
 
 # ------------------------------------------------------------------------------------------------------------ page

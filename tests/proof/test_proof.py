@@ -20,6 +20,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from deltacal_gen.files.recording import Measurement, Recording
 from deltacal_gen.files.robot import Robot, robot_from_dict, robot_to_dict
+from deltacal_gen.pages import manual
 from deltacal_gen.physics.physics import Term, effect_names
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.units import DEG
@@ -368,7 +369,9 @@ def test_answers_out_of_form_and_none_count_as_wrong(concealed: files.Concealed,
     assert any("no prediction" in w for w in entry["wrong"])
 
 
-def test_table_and_page_say_how_many_were_right(concealed: files.Concealed, tmp_path: Path) -> None:
+def test_table_and_page_say_how_many_were_right(
+    concealed: files.Concealed, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     said = perfect(concealed)
     entries = [graded(concealed, said, tmp_path, shift_mm=1e-3)]
     other_limb(said)
@@ -377,6 +380,12 @@ def test_table_and_page_say_how_many_were_right(concealed: files.Concealed, tmp_
     text = report.markdown(entries, run)
     assert "| one effect | deltacal | 1 | 1 | 0 | 0 |" in text
     assert "| one effect | Exudyn | 1 | 0 | 1 | 0 |" in text
+    (tmp_path / "measured").mkdir()
+    monkeypatch.setattr(manual, "folder", lambda: tmp_path)
+    report.measured(entries, run)
+    table = manual.measured("proof_concealed")
+    assert table["rows"][0][:5] == ["one effect", "deltacal", "1", "1", "0"]
+    assert (table["command"], table["note"]) == (run["command"], "2 cases, seed 1")
     page = report.page(entries, run)
     assert page.count("<svg") >= 3
     assert "1 of 2 concealed effects named" in page

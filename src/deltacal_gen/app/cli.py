@@ -563,7 +563,8 @@ def effects(as_json: Json = False) -> None:
         return
     table = Table("effect", "what it is", "parameters")
     for e in found:
-        table.add_row(e.effect, e.title, ", ".join(f"{p.name} [{p.unit}]" for p in e.parameters))
+        parameters = ", ".join(f"{p.name} [{p.unit}]" for p in e.parameters)
+        table.add_row(e.effect, e.title, _escaped(parameters))
     screen.print(table)
 
 
@@ -718,8 +719,8 @@ def _corners(text: str) -> tuple[int, int]:
 def camera_calibrate(
     images: Annotated[list[Path], typer.Argument(metavar="IMAGE...", help="images of a chessboard")],
     corners: Annotated[str, typer.Option("--corners", help="inner corners of the board, e.g. 9x6")],
-    square: Annotated[float, typer.Option("--square", help="side of a square [mm]")],
-    ball: Annotated[float, typer.Option("--ball", help="radius of the ball that the camera will look at [mm]")],
+    square: Annotated[float, typer.Option("--square", help="side of a square (mm)")],
+    ball: Annotated[float, typer.Option("--ball", help="radius of the ball that the camera will look at (mm)")],
     output: Annotated[Path, typer.Option("-o", "--output", help="camera (TOML)")],
 ) -> None:
     """Calibrate a camera from images of a chessboard."""
@@ -836,7 +837,7 @@ def study(
     machine: Annotated[str | None, typer.Option("--machine", help="model of what machines are wrong in")] = None,
     trials: Annotated[int, typer.Option("--trials", help="machines to be simulated and calibrated")] = 1000,
     noise: Annotated[
-        float | None, typer.Option("--noise", help="of the instrument [mm]; default the sidecar's")
+        float | None, typer.Option("--noise", help="of the instrument (mm); default the sidecar's")
     ] = None,
     suspects: Annotated[
         list[Path] | None,
@@ -950,6 +951,43 @@ def batch(
     for names, what in alike([(r.recording, r.warnings) for r in rows if r.warnings])[:MOST_LINES]:
         screen.print(f"warning: {_escaped(names)}: {_escaped(what)}")
     screen.print(f"{len(done)} of {len(rows)} recordings done; table.csv and index.html in {directory}")
+
+
+@app.command()
+def manual(
+    topic: Annotated[str | None, typer.Argument(metavar="TOPIC", help="without it: all topics")] = None,
+    site: Annotated[
+        Path | None,
+        typer.Option("--site", metavar="FOLDER", help="write all pages as searchable HTML", show_default=False),
+    ] = None,
+    examples: Annotated[
+        Path | None,
+        typer.Option("--examples", metavar="FOLDER", help="copy the files that the pages try", show_default=False),
+    ] = None,
+    as_json: Json = False,
+) -> None:
+    """Show a page of the manual; write it as a site; copy the examples that it works on."""
+    from deltacal_gen.app import commands
+    from deltacal_gen.pages.manual import CONTENTS, for_terminal
+    from deltacal_gen.results.written import Manual
+
+    first = None if site is None else commands.manual_site(site)
+    copies = [] if examples is None else commands.manual_examples(examples)
+    text = commands.manual(topic) if topic is not None or (site is None and examples is None) else None
+    if as_json:
+        files = tuple(str(path) for path in (*([] if first is None else [first]), *copies))
+        _print_json(Manual(topic=topic or CONTENTS, text=text, files=files))
+        return
+    if first is not None:
+        screen.print(f"open {first}")
+    for path in copies:
+        screen.print(str(path))
+    if text is not None and screen.is_terminal:
+        from rich.markdown import Markdown
+
+        screen.print(Markdown(for_terminal(text), code_theme="ansi_dark"))  # on the terminal's own ground
+    elif text is not None:
+        sys.stdout.write(text)
 
 
 def main() -> None:

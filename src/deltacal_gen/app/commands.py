@@ -8,6 +8,7 @@ from __future__ import annotations
 import dataclasses
 import io
 import os
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Mapping, Sequence
@@ -807,6 +808,67 @@ def demo(output: Source = "demo", progress: Progress = _silent) -> Demo:
     if Path(output).exists() and not Path(output).is_dir():
         raise InputError("this is a file, and the demonstration needs a folder.", "Choose another name.", file=output)
     return demonstration.run(Path(output), progress)
+
+
+# -------------------------------------------------------------------------------------------------------- the manual
+
+
+def manual(topic: str | None = None) -> str:
+    """Return a page of the manual as Markdown, without a topic its contents.
+
+    Raises
+    ------
+    UsageError
+        There is no such topic; the nearest are named.
+    """
+    from deltacal_gen.pages import manual as pages
+
+    return pages.read(topic or pages.CONTENTS).text
+
+
+def manual_site(folder: Source) -> Path:
+    """Write the manual as a site that opens from disk and can be searched; return its first page.
+
+    Raises
+    ------
+    InputError
+        The folder cannot be made or written.
+    """
+    from deltacal_gen.pages import site
+
+    made = site.files(Path(folder))
+    for place in {path.parent for path in made}:
+        _make(place)
+    write_files(made)
+    return next(iter(made))
+
+
+def manual_examples(folder: Source) -> list[Path]:
+    """Copy the examples on which the manual's commands run into `folder`; return their folders.
+
+    Raises
+    ------
+    InputError
+        The folder cannot be made, or holds one of them already: what was tried there is not overwritten.
+    """
+    from deltacal_gen.app.demonstration import example
+
+    names = sorted(path.parent.name for path in example("").glob("*/robot.toml"))
+    copies = [Path(folder) / name for name in names]
+    if there := next((path for path in copies if path.exists()), None):
+        raise InputError("this is there already.", "Choose another folder.", file=there)
+    _make(Path(folder))
+    for name, copy in zip(names, copies, strict=True):
+        shutil.copytree(example(name), copy, ignore=shutil.ignore_patterns("*.png", "*.svg"))
+    return copies
+
+
+def _make(folder: Path) -> None:
+    """Make a folder, if it is not there."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(f"the folder cannot be made: {error.strerror}.", "Choose another.", file=folder) from None
 
 
 # ------------------------------------------------------------------------------------------------- studies and fleets

@@ -954,12 +954,12 @@ def _cell(value: object) -> str:
     return "" if np.isnan(number) else repr(number).removesuffix(".0")
 
 
-def write_files(files: Mapping[Path, str]) -> None:
-    """Write texts to files, in UTF-8, replacing old ones only when all are on the disk; raises InputError."""
+def write_files(files: Mapping[Path, str | bytes]) -> None:
+    """Write files, texts in UTF-8, replacing old ones only when all are on the disk; raises InputError."""
     staged = {path: path.with_name(f".{path.name}.{os.getpid()}.part") for path in files}
     try:
-        for path, text in files.items():
-            staged[path].write_text(text, encoding="utf-8", newline="")
+        for path, content in files.items():
+            staged[path].write_bytes(content if isinstance(content, bytes) else content.encode())
         for path, part in staged.items():
             os.replace(part, path)
     except OSError as error:

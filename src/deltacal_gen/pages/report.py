@@ -281,8 +281,14 @@ def standalone(svg: str) -> str:
     return svg + "\n"
 
 
+def asset(name: str) -> str:
+    """Return a stylesheet or a script of the pages."""
+    text: str = (_pages() / name).read_text(encoding="utf-8")
+    return text
+
+
 def _rendered(template: str, **content: Any) -> str:
-    style = (_pages() / "style.css").read_text(encoding="utf-8")
+    style = asset("style.css")
     page = _environment(".html.jinja", autoescape=True).get_template(f"{template}.html.jinja")
     return page.render(style=style, numeric=_NUMERIC, **content)
 

@@ -25,6 +25,7 @@ ANSWERS = {  # what `schema` says, and the type of it: module and class
     "deltacal.diagnosis/1": ("diagnosis", "Diagnosis"),
     "deltacal.import/1": ("written", "Imported"),
     "deltacal.joints/1": ("written", "Joints"),
+    "deltacal.manual/1": ("written", "Manual"),
     "deltacal.matrix/1": ("written", "Matrix"),
     "deltacal.plan/1": ("plan", "Plan"),
     "deltacal.prediction/1": ("written", "Predicted"),

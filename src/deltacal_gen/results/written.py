@@ -65,3 +65,13 @@ class Derivation(Answer):
 
     schema: Literal["deltacal.derivation/1"] = "deltacal.derivation/1"
     files: tuple[str, ...]
+
+
+class Manual(Answer):
+    """A page of `manual`, or the files that it wrote."""
+
+    schema: Literal["deltacal.manual/1"] = "deltacal.manual/1"
+    topic: str
+    text: str | None
+    """Markdown; null where files were written and no topic was asked for."""
+    files: tuple[str, ...]
