@@ -18,6 +18,7 @@ from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot, read_robot, robot_from_dict
 from deltacal_gen.identification.identifiability import identification_matrix
 from deltacal_gen.machine.registry import SOLVED, load_mechanism
+from deltacal_gen.pages.plans import figure
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.planning import planning, singularities
 from deltacal_gen.units import DEG
@@ -307,15 +308,15 @@ def test_a_plan_without_a_choice_says_so(robot: Robot) -> None:
 def test_figure_shows_chosen_n_and_is_reproducible(robot: Robot, tmp_path: Path) -> None:
     plans = [planning.plan(robot, model, start_angle=75 * DEG, n_max=10) for model in ("18", "32")]
     for name in ("a.svg", "b.svg"):
-        planning.figure(plans, tmp_path / name)
+        figure(plans, tmp_path / name)
     text = (tmp_path / "a.svg").read_text()
     for words in ("n = 7", "n = 9", "poses per layer", "condition number", "delta/32, 2 reference points"):
         assert words in text
     assert (tmp_path / "b.svg").read_text() == text
     with pytest.raises(UsageError, match="no set of poses has the full rank"):
-        planning.figure(planning.plan(robot, "18", n_max=3), tmp_path / "c.svg")
+        figure(planning.plan(robot, "18", n_max=3), tmp_path / "c.svg")
     with pytest.raises(InputError, match="figure cannot be written"):
-        planning.figure(plans, tmp_path / "no folder" / "d.svg")
+        figure(plans, tmp_path / "no folder" / "d.svg")
 
 
 def test_calls_that_make_no_sense(robot: Robot) -> None:

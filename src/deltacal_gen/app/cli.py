@@ -725,8 +725,8 @@ def camera_calibrate(
 ) -> None:
     """Calibrate a camera from images of a chessboard."""
     from deltacal_gen.app.commands import check_output
+    from deltacal_gen.files import camera
     from deltacal_gen.files.recording import write_files
-    from deltacal_gen.instrument import camera
 
     check_output(output, *images, ending=(".toml",))
     found = camera.calibrate([camera.read_image(i) for i in images], _corners(corners), square, ball, images)
@@ -746,7 +746,7 @@ def camera_measure(
 ) -> None:
     """Measure the ball in the images of a table: a recording of the kind sphere image."""
     from deltacal_gen.app.commands import check_output
-    from deltacal_gen.instrument import camera
+    from deltacal_gen.files import camera
 
     check_output(output, camera_file, table, ending=(".csv",))
     balls = camera.record(table, camera.read_camera(camera_file), output)
@@ -924,7 +924,7 @@ def batch(
 ) -> None:
     """Identify, validate or diagnose many recordings; what is done is not done again."""
     from deltacal_gen.app import commands
-    from deltacal_gen.app.fleet import ASIDE, alike, worst
+    from deltacal_gen.results.batch import ASIDE, alike, worst
 
     with _counting(as_json) as told:
         found = commands.batch(

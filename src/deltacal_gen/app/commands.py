@@ -37,6 +37,7 @@ from deltacal_gen.results.written import Derivation
 from deltacal_gen.units import DEG, file_unit, joint_factors, joint_names, to_internal
 
 if TYPE_CHECKING:
+    from deltacal_gen.app.trial import Trial
     from deltacal_gen.execution import Told
     from deltacal_gen.files.imports import Imported
     from deltacal_gen.machine.registry import Array
@@ -49,7 +50,6 @@ if TYPE_CHECKING:
     from deltacal_gen.results.plan import Plan
     from deltacal_gen.results.study import Study
     from deltacal_gen.results.validation import Validation
-    from deltacal_gen.trial import Trial
 
 Source = str | Path
 PICTURES = (".svg", ".png", ".pdf")
@@ -280,7 +280,7 @@ def trial(robot: Source | Robot, output: Source | None = None) -> Trial:
     output : path
         A drawing of it (``.svg``), made of its own equations.
     """
-    from deltacal_gen import trial as trials
+    from deltacal_gen.app import trial as trials
 
     check_output(output, robot, ending=(".svg",))
     robot = _robot(robot)
@@ -333,7 +333,9 @@ def plan(
     if output is not None:
         planning.write_targets(found, output)
     if picture is not None:
-        planning.figure(found, picture)
+        from deltacal_gen.pages import plans
+
+        plans.figure(found, picture)
     return found.answer()
 
 

@@ -51,8 +51,6 @@ ROBOT = "robot.toml"
 RESULT = "result.json"  # beside the robot: what its recordings are validated against
 LAST = "last.json"  # which files each recording was and which task, the last time that all were done
 CONFIGS = ("config-override.g", "config.g")  # of RepRapFirmware: M500 writes the first, which then holds
-ASIDE = ("machine", "error", "warnings")  # of a row, told apart from the table
-FEW = 3  # recordings that are named where many have the same to say
 IMPORTS: Mapping[str, Callable[..., Any]] = {
     "klipper": commands.import_klipper,
     "rrf": commands.import_rrf,
@@ -409,25 +407,6 @@ def _row(action: Action, job: Job, outcome: Outcome) -> Row:
 
 
 # ------------------------------------------------------------------------------------------------------ for readers
-
-
-def worst(rows: Sequence[Row], most: int) -> list[Row]:
-    """Return the rows of a batch, in their order; of too many, those with the largest errors first."""
-    if len(rows) <= most:
-        return list(rows)
-    done = [r for r in rows if not isinstance(r, FailedRow)]
-    return [*sorted(done, key=lambda r: -(r.after_mm or 0.0))[:most]]
-
-
-def alike(said: Sequence[tuple[str, str]]) -> list[tuple[str, str]]:
-    """Return recordings of which the same is said, together: (the first of them and how many more, what is said)."""
-    by_text: dict[str, list[str]] = {}
-    for name, text in said:
-        by_text.setdefault(text, []).append(name)
-    return [
-        (", ".join(names[:FEW]) + (f" and {len(names) - FEW} more" if len(names) > FEW else ""), text)
-        for text, names in by_text.items()
-    ]
 
 
 # ------------------------------------------------------------------------------------------------------ what changed

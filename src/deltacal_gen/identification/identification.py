@@ -36,6 +36,7 @@ from deltacal_gen.identification.identifiability import Combination
 from deltacal_gen.instrument.kinds import kind_of, mounts
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.backend import by_recording
+from deltacal_gen.machine.differences import between
 from deltacal_gen.machine.registry import SOLVED, Array, Machine, mechanism_of
 from deltacal_gen.physics.physics import Body, Term, kept_term, of_reading
 from deltacal_gen.results.parts import Missing, Source
@@ -56,7 +57,6 @@ from deltacal_gen.results.result import (
     UncertaintyMap,
 )
 from deltacal_gen.units import DEG, file_unit, to_internal
-from deltacal_gen.use.comparison import between
 
 FOLDS = 5
 SEED = 20150415  # of the folds: results do not change from run to run

@@ -19,13 +19,12 @@ import jinja2
 import numpy as np
 from markupsafe import Markup
 
-from deltacal_gen.app.fleet import ASIDE, alike, worst
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.pages import figures
 from deltacal_gen.pages.figures import AFTER, BEFORE, INK, MUTED, RAISED, STYLE, mpl, plt
 from deltacal_gen.physics.physics import load_effect, of_the_instrument
-from deltacal_gen.results.batch import Batch, FailedRow
+from deltacal_gen.results.batch import ASIDE, Batch, FailedRow, alike, worst
 from deltacal_gen.results.diagnosis import (
     Baseline,
     Diagnosis,

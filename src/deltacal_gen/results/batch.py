@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import ClassVar, Literal
 
 from deltacal_gen.results.base import Answer, Value
 
 Action = Literal["diagnose", "identify", "validate"]
+ASIDE = ("machine", "error", "warnings")  # of a row, told apart from the table
+FEW = 3  # recordings that are named where many have the same to say
 
 
 class FailedRow(Value):
@@ -82,3 +85,22 @@ class Batch(Answer):
     action: Action
     rows: tuple[Row, ...]
     changed: tuple[Moved, ...]
+
+
+def worst(rows: Sequence[Row], most: int) -> list[Row]:
+    """Return the rows of a batch, in their order; of too many, those with the largest errors first."""
+    if len(rows) <= most:
+        return list(rows)
+    done = [r for r in rows if not isinstance(r, FailedRow)]
+    return [*sorted(done, key=lambda r: -(r.after_mm or 0.0))[:most]]
+
+
+def alike(said: Sequence[tuple[str, str]]) -> list[tuple[str, str]]:
+    """Return recordings of which the same is said, together: (the first of them and how many more, what is said)."""
+    by_text: dict[str, list[str]] = {}
+    for name, text in said:
+        by_text.setdefault(text, []).append(name)
+    return [
+        (", ".join(names[:FEW]) + (f" and {len(names) - FEW} more" if len(names) > FEW else ""), text)
+        for text, names in by_text.items()
+    ]

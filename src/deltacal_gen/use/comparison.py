@@ -12,8 +12,9 @@ from typing import Protocol
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.files.robot import Robot, robot_of
-from deltacal_gen.machine.registry import Machine, mechanism_of
+from deltacal_gen.files.robot import robot_of
+from deltacal_gen.machine.differences import between
+from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.results.comparison import Change, Comparison
 from deltacal_gen.results.parts import RobotTables
 from deltacal_gen.results.result import Parameter, Result, Status
@@ -124,31 +125,3 @@ def flattered(left: float | None, readings: int, rms: float) -> str:
         f"{said}: noise of {rms / part:.3g} mm leaves a residual of {rms:.3g} mm, "
         f"and the next session of an unchanged machine, predicted from this one, at least {1 / part:.2g} times as much."
     )
-
-
-def between(mechanism: Machine, first: Robot, second: Robot) -> tuple[dict[str, float], list[str]]:
-    """Return what the second robot's dimensions have more than the first's, and which differences cannot be said so.
-
-    A dimension and an error are one where moving either moves the machine alike.
-
-    Returns
-    -------
-    errors : dict
-        By name of a source error (internal units).
-    other : list of str
-        Keys of dimensions that differ and are no source error.
-    """
-    out: dict[str, float] = {}
-    other: list[str] = []
-    for key, value in first.geometry.items():
-        gap = second.geometry[key] - value
-        if not gap.any():
-            continue
-        errors = mechanism.same_as(first, key)
-        gaps = np.broadcast_to(gap, (len(errors),)).tolist() if errors else []
-        found = {name: g for name, g in zip(errors, gaps, strict=True) if g}
-        if not errors or not found.keys() <= mechanism.index.keys():
-            other.append(key)
-        else:
-            out |= found
-    return out, other
