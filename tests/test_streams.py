@@ -231,7 +231,7 @@ PROGRAM = """
 import json, resource, sys
 import numpy as np
 from pathlib import Path
-from deltacal_gen import streams
+from deltacal_gen.use import streams
 from deltacal_gen.files.robot import read_robot
 folder, rows = Path(sys.argv[1]), int(sys.argv[2])
 robot = read_robot(folder / "robot.toml")

@@ -13,7 +13,6 @@ from dataclasses import dataclass, replace
 from types import ModuleType
 
 import numpy as np
-from scipy.linalg import solve_banded
 
 from deltacal_gen.machine.registry import Array
 
@@ -184,6 +183,8 @@ class _Points:
 
 def _recursion(factor: Array, added: Array) -> Array:
     """Return y (K, ...) with ``y_k = factor_k y_k-1 + added_k``."""
+    from scipy.linalg import solve_banded  # as long to import as a whole identification takes; few effects remember
+
     factors, columns = factor.reshape(len(factor), -1), added.reshape(len(added), -1)
     out = np.empty_like(columns)
     for j in range(columns.shape[1]):
