@@ -1,4 +1,7 @@
-"""``python -m derive [NAME ...] [--check]``: derive kernels and write them, or compare them with what is committed."""
+"""``python -m derive [NAME ...] [--check]``: derive kernels and write them, or compare them with what is committed.
+
+``python -m derive review NAME -o FILE`` writes a report for reviewers instead, see `derive.review.command`.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +13,10 @@ from derive.compiler import COMMAND, GENERATED, committed, differences, render, 
 
 def main() -> int:
     """Run the build step; return 0, or 1 when `--check` finds a difference, 2 where a name is unknown."""
+    if sys.argv[1:2] == ["review"]:
+        from derive.review import command  # needs what the runtime needs
+
+        return command.main(sys.argv[2:])
     parser = argparse.ArgumentParser(prog="python -m derive", description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME", help="of mechanisms, effects, measurements; default: all")
     parser.add_argument("--check", action="store_true", help="write nothing; fail if the committed kernels differ")

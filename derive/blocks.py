@@ -24,7 +24,7 @@ from derive.first_order import first_order, vanishing
 from derive.graph import Graph, Steps
 from derive.mathematics.functions import Functions, Inputs, entries
 from derive.spec import LimbMechanism
-from derive.vectors import cayley, skew
+from derive.vectors import cayley, skew, turn_by_cayley
 
 LANES = 32  # poses of a block: what it computes with stays in the first cache
 REGULAR = 1e-6  # determinant of a system over the product of its rows' lengths: below it is left to elimination
@@ -102,7 +102,7 @@ def change_by_turn(mechanism: LimbMechanism) -> sp.Matrix:
 def turn_by_change(mechanism: LimbMechanism) -> list[sp.Expr]:
     """Return dw/dc, row by row, of the axes about which the platform turns: the inverse of `change_by_turn`."""
     c, axes = _rotation(mechanism), _turns(mechanism)
-    return list(((sp.eye(3) + skew(c) / 2) / (1 + c.dot(c) / 4)).extract(axes, axes))
+    return list(turn_by_cayley(skew(c), c.dot(c)).extract(axes, axes))
 
 
 def _rates(mechanism: LimbMechanism, start: Mapping[sp.Symbol, sp.Expr], turn: int | None) -> list[sp.Expr]:

@@ -13,7 +13,7 @@ import sympy as sp
 
 from derive.graph import expand_steps
 from derive.spec import LimbMechanism
-from derive.vectors import angle
+from derive.vectors import Matrix, angle
 
 
 @cache
@@ -29,9 +29,14 @@ def simplified_closure(mechanism: LimbMechanism) -> sp.Expr:
     return equations[0]
 
 
+def as_sphere(P: Matrix, c: Matrix, d: Matrix) -> Matrix:
+    """Return ``|P|^2/2 - c.P + d``, zero on a sphere about c: of columns and a (1, 1) matrix, or of symbols."""
+    return P.T * P / 2 - c.T * P + d
+
+
 @cache
 def sphere(mechanism: LimbMechanism) -> tuple[sp.Matrix, sp.Expr]:
-    """Return centre c and constant d of the closure as a sphere, ``|P|^2/2 - c.P + d = 0``."""
+    """Return centre c and constant d of the closure as a sphere, see `as_sphere`."""
     position = [quantity.symbol for quantity in mechanism.platform[: mechanism.commanded]]
     closure = simplified_closure(mechanism)
     origin = dict.fromkeys(position, 0)

@@ -15,20 +15,14 @@ from __future__ import annotations
 
 import difflib
 import hashlib
-import importlib
-import pkgutil
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import jinja2
 import sympy as sp
 
-import derive.effects
-import derive.measurements
-import derive.mechanisms
 from derive import servo, statics
 from derive.backends import c99, lanes, numpy, scalar
 from derive.backends import servo as commands
@@ -42,6 +36,7 @@ from derive.mathematics.effects import effect
 from derive.mathematics.functions import Functions
 from derive.mathematics.kinematics import kinematics, rotations, stated
 from derive.mathematics.measurements import measurement, platform_names, step
+from derive.registry import effects, measurements, mechanisms
 from derive.spec import ChainMechanism, Effect, LimbMechanism, Measurement
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -57,26 +52,6 @@ Kernels = Mapping[str, Kernel]
 
 
 # ------------------------------------------------------------------------------------------------------------- collect
-
-
-def mechanisms() -> Iterator[LimbMechanism | ChainMechanism]:
-    """Yield every registered mechanism: one per file in ``derive/mechanisms``."""
-    return _registered(derive.mechanisms, "MECHANISM")
-
-
-def effects() -> Iterator[Effect]:
-    """Yield every registered effect: one per file in ``derive/effects``."""
-    return _registered(derive.effects, "EFFECT")
-
-
-def measurements() -> Iterator[Measurement]:
-    """Yield every registered kind of measurement: one per file in ``derive/measurements``."""
-    return _registered(derive.measurements, "MEASUREMENT")
-
-
-def _registered(package: ModuleType, name: str) -> Iterator[Any]:
-    for module in sorted(pkgutil.iter_modules(package.__path__), key=lambda m: m.name):
-        yield getattr(importlib.import_module(f"{package.__name__}.{module.name}"), name)
 
 
 def collect(names: Sequence[str] = ()) -> list[Spec]:

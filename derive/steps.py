@@ -10,6 +10,12 @@ import sympy as sp
 Value = TypeVar("Value", sp.Expr, sp.Matrix)
 
 
+def _caller() -> int:
+    """Return the line of the source file that called the method in which this is called."""
+    method = inspect.currentframe().f_back  # type: ignore[union-attr]
+    return method.f_back.f_lineno  # type: ignore[union-attr]
+
+
 class Derivation(list[tuple[sp.Symbol, sp.Expr]]):
     """Named scalar definitions in order, as a `Graph` reads them; a vector or matrix is named entry by entry.
 
@@ -17,13 +23,16 @@ class Derivation(list[tuple[sp.Symbol, sp.Expr]]):
     ----------
     written : dict
         Name of each step to what stands for it in later steps: a symbol, or a vector or matrix of symbols.
+    shown : dict
+        Name to vector or matrix that is no step, but that a reader knows by this name.
     lines : dict
-        Name of each step to the line of the source file that makes it.
+        Name of each step, and of what is only shown, to the line of the source file that makes it.
     """
 
     def __init__(self) -> None:
         super().__init__()
         self.written: dict[str, Any] = {}
+        self.shown: dict[str, sp.Matrix] = {}
         self.lines: dict[str, int] = {}
 
     def step(self, name: str, value: Value) -> Value:
@@ -34,8 +43,7 @@ class Derivation(list[tuple[sp.Symbol, sp.Expr]]):
         """
         if name in self.written:
             raise ValueError(f"the step '{name}' is named twice.")
-        caller = inspect.currentframe()
-        self.lines[name] = caller.f_back.f_lineno if caller is not None and caller.f_back is not None else 0
+        self.lines[name] = _caller()
         if not isinstance(value, sp.MatrixBase):
             self.written[name] = self._entry(name, value)
         else:
@@ -44,6 +52,11 @@ class Derivation(list[tuple[sp.Symbol, sp.Expr]]):
             entries = [self._entry(f"{name}_{end}", e) for end, e in zip(ends, value, strict=True)]
             self.written[name] = sp.Matrix(rows, columns, entries)
         return self.written[name]
+
+    def named(self, name: str, value: sp.Matrix) -> sp.Matrix:
+        """Give a vector or matrix a name for readers and return it: kernels see its entries, as if it had none."""
+        self.shown[name], self.lines[name] = value, _caller()
+        return value
 
     def _entry(self, name: str, value: sp.Expr) -> sp.Expr:
         value = sp.sympify(value)

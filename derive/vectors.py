@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
 
 import sympy as sp
 
 from derive.spec import Screw
 
+Matrix = Any  # entries, or a matrix symbol
+
 _TERMS = 9
+ANGLE = sp.Symbol("t", positive=True)
+RODRIGUES = (sp.sin(ANGLE) / ANGLE, (1 - sp.cos(ANGLE)) / ANGLE**2)  # factors of [v] and [v]^2, by the angle t = |v|
 
 
 def vector(*components: sp.Expr | int) -> sp.Matrix:
@@ -28,6 +35,18 @@ def _horner(coefficients: list[sp.Rational], s: sp.Expr) -> sp.Expr:
     return value
 
 
+@cache
+def _taylor(f: sp.Expr) -> list[sp.Rational]:
+    """Return the first Taylor coefficients of an entire function of the squared angle."""
+    series = sp.series(f, ANGLE, 0, 2 * _TERMS).removeO()
+    return [series.coeff(ANGLE, 2 * k) for k in range(_TERMS)]
+
+
+def about(K: Matrix, sinc: sp.Expr, cosc: sp.Expr) -> Matrix:
+    """Return Rodrigues' formula for ``K = [v]``: entries, or a matrix symbol."""
+    return sp.eye(3) + sinc * K + cosc * K * K
+
+
 def rotation_vector(v: sp.Matrix) -> sp.Matrix:
     """Return the rotation by a rotation vector, Rodrigues' formula.
 
@@ -36,16 +55,22 @@ def rotation_vector(v: sp.Matrix) -> sp.Matrix:
     nominal machine stands. Nine terms leave less than 1e-16 for ``|v| <= 0.7 rad``: an assembly error of 40 degrees.
     """
     s = v.dot(v)
-    sinc = _horner([sp.Rational((-1) ** k, sp.factorial(2 * k + 1)) for k in range(_TERMS)], s)
-    cosc = _horner([sp.Rational((-1) ** k, sp.factorial(2 * k + 2)) for k in range(_TERMS)], s)
-    K = skew(v)
-    return sp.eye(3) + sinc * K + cosc * K * K
+    return about(skew(v), *(_horner(_taylor(f), s) for f in RODRIGUES))
+
+
+def by_cayley(K: Matrix, s: sp.Expr) -> Matrix:
+    """Return the rotation by a Cayley vector with ``K = [c]`` and ``s = c.c``: entries, or symbols."""
+    return sp.eye(3) + (K + K * K / 2) / (1 + s / 4)
+
+
+def turn_by_cayley(K: Matrix, s: sp.Expr) -> Matrix:
+    """Return how a rotation turns about the axes of the base frame by its Cayley vector, in terms of `by_cayley`."""
+    return (sp.eye(3) + K / 2) / (1 + s / 4)
 
 
 def cayley(c: sp.Matrix) -> sp.Matrix:
     """Return the rotation by a Cayley vector ``c = 2 tan(t/2) n``: rational, and equal to `n t` to second order."""
-    K = skew(c)
-    return sp.eye(3) + (K + K * K / 2) / (1 + c.dot(c) / 4)
+    return by_cayley(skew(c), c.dot(c))
 
 
 def cayley_vector(R: sp.Matrix) -> sp.Matrix:
@@ -66,6 +91,28 @@ def turn_about_x(t: sp.Expr) -> sp.Matrix:
 def turn_about_y(t: sp.Expr) -> sp.Matrix:
     """Return the rotation about y by `t`."""
     return sp.Matrix([[sp.cos(t), 0, sp.sin(t)], [0, 1, 0], [-sp.sin(t), 0, sp.cos(t)]])
+
+
+@dataclass(frozen=True)
+class Algebra:
+    """The rotations in which machines and instruments are written down: exact matrices, or names that a report reads.
+
+    Attributes
+    ----------
+    rotation_vector, cayley : callable
+        Rotation (3, 3) by a vector (3, 1).
+    turn_about_x, turn_about_y, turn_about_z : callable
+        Rotation (3, 3) by an angle.
+    """
+
+    rotation_vector: Callable[[sp.Matrix], sp.Matrix]
+    cayley: Callable[[sp.Matrix], sp.Matrix]
+    turn_about_x: Callable[[sp.Expr], sp.Matrix]
+    turn_about_y: Callable[[sp.Expr], sp.Matrix]
+    turn_about_z: Callable[[sp.Expr], sp.Matrix]
+
+
+EXACT = Algebra(rotation_vector, cayley, turn_about_x, turn_about_y, turn_about_z)
 
 
 def follow(screws: Sequence[Screw]) -> tuple[sp.Matrix, sp.Matrix, dict[sp.Expr, sp.Matrix]]:

@@ -122,13 +122,15 @@ def pairs(header: str, row: str) -> list[tuple[str, str]]:
 
 
 def test_what_cannot_be_meant_is_refused() -> None:
-    from derive.measurements.position import MEASUREMENT
+    from derive import registry
+
+    position = registry.measurement("position")
 
     with pytest.raises(ValueError, match="2 columns for the 3 rows"):
-        dataclasses.replace(MEASUREMENT, columns=("x_mm", "y_mm"))
+        dataclasses.replace(position, columns=("x_mm", "y_mm"))
     with pytest.raises(ValueError, match="ends in none of _mm, _deg, _px"):
-        dataclasses.replace(MEASUREMENT, columns=("x_mm", "y_mm", "z_inch"))
+        dataclasses.replace(position, columns=("x_mm", "y_mm", "z_inch"))
     with pytest.raises(ValueError, match="`after` gives 3 of 12"):
-        dataclasses.replace(MEASUREMENT, after=MEASUREMENT.after[:3])
+        dataclasses.replace(position, after=position.after[:3])
     with pytest.raises(ValueError, match="is no value of the reading"):
-        dataclasses.replace(MEASUREMENT, targets={"reading.w": 3})
+        dataclasses.replace(position, targets={"reading.w": 3})

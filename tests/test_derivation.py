@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 import json
 import math
 import os
@@ -20,27 +19,43 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 import deltacal_gen as dc
-from deltacal_gen import checks, derivations
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import mechanism_names, mechanism_of
 from deltacal_gen.pages import ledger
 from deltacal_gen.physics.physics import effect_names
-from derive import compiler, notation, typeset, unseen
-from derive.account import Written, answer, null_spaces_of_chain, plain
-from derive.spec import LimbMechanism
+from derive import registry
+from derive.effects import state
+from derive.language import vocabulary
+from derive.language.memory import Lag
+from derive.review import account, checks, notation, reports, typeset, unseen
+from derive.review.directions import links_of, null_spaces_of_chain
+from derive.review.machine import Written
+from derive.review.sources import Sources, kernels
+from derive.review.subjects import applies, example, subject, subjects
+from derive.review.written import OPAQUE, Entries, exactly
+from derive.spec import ChainMechanism, Effect, EffectQuantity, LimbMechanism, Reference
 from derive.steps import Derivation
-from derive.written import exactly, opaque
 
 ROOT = Path(__file__).resolve().parents[1]
-MACHINES = [m.name for m in compiler.mechanisms() if isinstance(m, LimbMechanism)]
+MACHINES = [m.name for m in registry.mechanisms() if isinstance(m, LimbMechanism)]
 
 
 @pytest.fixture(scope="module")
 def written() -> dict[str, Written]:
-    with opaque():
-        modules = {name: importlib.import_module(f"derive.mechanisms.{name}") for name in MACHINES}
-    return {name: Written(module.MECHANISM, module) for name, module in modules.items()}
+    return {name: Written(name) for name in MACHINES}
+
+
+def limbs(name: str) -> LimbMechanism:
+    found = registry.mechanism(name)
+    assert isinstance(found, LimbMechanism)
+    return found
+
+
+def chain() -> ChainMechanism:
+    found = registry.mechanism("serial")
+    assert isinstance(found, ChainMechanism)
+    return found
 
 
 def numbers(symbols: set[sp.Symbol]) -> dict[sp.Symbol, float]:
@@ -57,7 +72,7 @@ def value(e: sp.Expr, at: Mapping[sp.Symbol, float]) -> float:
 
 @pytest.mark.parametrize("name", MACHINES)
 def test_every_step_is_shown_as_it_is_lowered(name: str, written: dict[str, Written]) -> None:
-    machine, exact = written[name], importlib.import_module(f"derive.mechanisms.{name}").MECHANISM
+    machine, exact = written[name], limbs(name)
     assert isinstance(exact.steps, Derivation) or not exact.steps, "steps without lines cannot be led to"
     lowered, names = dict(exact.steps), list(machine.steps.written)
     for n, step in enumerate(names):
@@ -98,10 +113,25 @@ def test_differentials_are_those_of_the_steps(name: str, written: dict[str, Writ
             assert value(formula, at) == pytest.approx(slope, abs=1e-9), (step, formula)
 
 
+@pytest.mark.parametrize("name", [m.name for m in registry.measurements()])
+def test_readings_are_shown_as_they_are_lowered(name: str) -> None:
+    spec, lowered = registry.measurement(name, OPAQUE), registry.measurement(name)
+    reader, triples = account.reader_of(spec), []
+    if len(spec.reading) == 3:
+        triples.append((sp.Matrix(spec.reading), sp.Matrix(lowered.reading)))
+    triples += zip(map(sp.Matrix, spec.rotation), map(sp.Matrix, lowered.rotation), strict=True)
+    for written, exact in triples:
+        shown = reader.read(written)
+        assert not isinstance(shown, Entries), "no vector or matrix was recognised"
+        at = numbers(exact.free_symbols)
+        for e, own in zip(shown.explicit(), exact, strict=True):
+            assert value(e, at) == pytest.approx(value(own, at), abs=1e-12)
+
+
 @pytest.mark.parametrize("name", ["diamond", "robotennis", "planar_parallelogram", "simplified_parallelogram"])
 def test_null_spaces_in_closed_form_are_unseen_by_readings(name: str) -> None:
-    exact = importlib.import_module(f"derive.mechanisms.{name}").MECHANISM
-    robot = derivations.example(name)
+    exact = limbs(name)
+    robot = example(name)
     assert robot is not None
     mechanism, poses = mechanism_of(robot), checks.spread(robot, 40)
     found = unseen.equations(exact, {key: v.tolist() for key, v in robot.geometry.items()})
@@ -132,11 +162,11 @@ def test_null_spaces_in_closed_form_are_unseen_by_readings(name: str) -> None:
 def test_twists_that_links_hand_on_are_all_that_readings_of_a_chain_miss(
     motions: str, kind: str, points: int, frame: str
 ) -> None:
-    robot = derivations.example("serial")
+    robot = example("serial")
     assert robot is not None
     mechanism, at = mechanism_of(robot), checks.trials(robot, 60)
-    (model, names), request = *mechanism.models.items(), derivations.request(derivations.subject("serial"))
-    found = null_spaces_of_chain(importlib.import_module("derive.mechanisms.serial").MECHANISM, request)
+    ((model, names),) = mechanism.models.items()
+    found = null_spaces_of_chain(chain(), links_of(robot), list(robot.tool), mechanism.models)
     assert found is not None
     basis = found[model][motions]
     H = checks.identification(robot, at.sets[:points], list(names), kind_of(kind), frame)
@@ -152,9 +182,9 @@ def test_twists_that_links_hand_on_are_all_that_readings_of_a_chain_miss(
 
 
 def test_the_account_of_a_chain_names_every_parameter() -> None:
-    robot = derivations.example("serial")
+    robot = example("serial")
     assert robot is not None
-    found = plain(answer(derivations.request(derivations.subject("serial"))))
+    found = account.mechanism("serial", robot)
     named = {row["name"] for table in ("errors", "common") for row in found["tables"][table]}
     assert named == {p.error for p in mechanism_of(robot).parameters}
     assert {link["convention"] for link in found["links"]} == {"standard", "modified"}
@@ -162,16 +192,17 @@ def test_the_account_of_a_chain_names_every_parameter() -> None:
 
 
 def test_a_coupled_chain_has_no_null_space_in_closed_form() -> None:
-    spec = importlib.import_module("derive.mechanisms.serial").MECHANISM
-    asked = derivations.request(derivations.subject("serial"))
-    asked["links"][2] |= {"kind": "coupled"}
-    assert null_spaces_of_chain(spec, asked) is None
+    robot = example("serial")
+    assert robot is not None
+    links = links_of(robot)
+    links[2] |= {"kind": "coupled"}
+    assert null_spaces_of_chain(chain(), links, list(robot.tool), mechanism_of(robot).models) is None
 
 
 def test_effects_that_read_loads_need_weights() -> None:
     for name in ("joint_compliance", "payload_deflection"):
-        assert derivations.applies(name, "planar_parallelogram") == ["weights"]
-        assert derivations.applies(name, "serial") == []
+        assert applies(name, "planar_parallelogram") == ["weights"]
+        assert applies(name, "serial") == []
 
 
 def test_a_root_of_another_kind_leaves_the_null_space_to_numbers() -> None:
@@ -186,7 +217,7 @@ def test_kernels_are_counted_as_they_stand_and_written_out(tmp_path: Path) -> No
     text = "def constants(p):\n    a = p[0]\n    k[..., 0] = a * a\n\n\ndef _f(x, k, out):\n    b = k[0]\n"
     text += "    c = b + x\n    out[0] = c * c\n    out[1] = -c\n"
     (tmp_path / "k.py").write_text(text)
-    first, second = derivations.kernels(derivations.Sources(tmp_path), "k.py")
+    first, second = kernels(Sources(tmp_path), "k.py")
     assert (first.outputs, first.operations, first.written_out) == (1, 1, 1)
     assert (second.outputs, second.operations, second.written_out) == (2, 3, 5 + 3)
 
@@ -287,35 +318,61 @@ def test_the_ledgers_notation_is_read(text: str, latex: list[str] | None) -> Non
         assert parts == latex
 
 
-def formulas(data: Any) -> Iterator[dict[str, str]]:
-    if isinstance(data, dict) and data.keys() == {"mathml", "latex"}:
+def formulas(data: Any) -> Iterator[typeset.Math]:
+    if isinstance(data, typeset.Math):
         yield data
     elif isinstance(data, dict | list):
         for part in data.values() if isinstance(data, dict) else data:
             yield from formulas(part)
 
 
-INSTRUMENTS = [{"measurement": m.name} for m in compiler.measurements()]
-
-
-@pytest.mark.parametrize("asked", [*INSTRUMENTS, {"mechanism": "serial"}])
-def test_formulas_are_well_formed(asked: dict[str, str]) -> None:
-    found = list(formulas(plain(answer(asked))))
+@pytest.mark.parametrize("name", [*(m.name for m in registry.measurements()), *MACHINES, "serial"])
+def test_formulas_are_well_formed(name: str) -> None:
+    instrument = name in (m.name for m in registry.measurements())
+    found = list(formulas(account.measurement(name) if instrument else account.mechanism(name)))
     assert found
     for f in found:
-        ElementTree.fromstring(f"<math>{f['mathml']}</math>")
-        assert f["latex"].count("{") == f["latex"].count("}")
+        ElementTree.fromstring(f"<math>{f.mathml}</math>")
+        assert f.latex.count("{") == f.latex.count("}")
 
 
-@pytest.mark.parametrize("effect", [e.name for e in compiler.effects()])
-def test_accounts_of_effects_are_complete(effect: str) -> None:
-    spec = next(e for e in compiler.effects() if e.name == effect)
-    found = answer({"effect": effect})
+@pytest.mark.parametrize("spec", registry.effects(), ids=lambda spec: spec.name)
+def test_accounts_of_effects_are_complete(spec: Any) -> None:
+    found = account.effect(spec.name)
     assert [t["target"] for t in found["targets"]] == list(spec.targets)
     assert all(len(t["columns"]) == len(spec.coefficients) for t in found["targets"])
     assert {r["name"] for r in (*found["coefficients"], *found["constants"])} == {
         c.name for c in (*spec.coefficients, *spec.constants)
     }
+
+
+def test_all_that_an_effect_may_say_is_typeset() -> None:
+    """Every function of the language, a memory, and derivatives that are one-sided at a kink."""
+    x, c = state("torque")[0], sp.Symbol("c", real=True)
+    said = sp.Piecewise((sp.Mod(x, 3), (x > 1) & (x <= 2) | sp.Ne(x, 5)), (sp.floor(x), True))
+    said += sum((f(x) for f in (sp.Abs, sp.sign, sp.exp, sp.log, sp.sin, sp.cos, sp.asin, sp.tanh, sp.Heaviside)), said)
+    said += sp.Max(x, 2) + sp.Min(x, 2) + Lag(x, sp.Integer(60))
+    assert {f.func for f in said.atoms(sp.Function, sp.Max, sp.Min)} >= set(vocabulary.FUNCTIONS)
+    spec = Effect(
+        name="everything",
+        title="all functions at once",
+        source="derive/effects/everything.py",
+        advice="None.",
+        per_limb=True,
+        coefficients=(EffectQuantity(c, "1", 1.0, "a coefficient", believable=(-1.0, 1.0)),),
+        targets={"joint": c * said},
+        tests=(Reference({"torque": 1.0, "lag_1": 0.0}, {"c": 0.0}, {"joint": 0.0}),),
+    )
+    (target,), (memory,) = account.targets(spec), account.memories(spec)
+    assert memory["rate"].latex.startswith(r"\frac{\text{d}")
+    shown = [target["formula"], *target["columns"], memory["rate"], memory["start"]]
+    for f in shown:
+        tree = ElementTree.fromstring(f"<math>{f.mathml}</math>")
+        words = {e.text for e in tree.iter("mtext")}
+        assert words <= {"joint", "otherwise", " mod ", "d"}, "a construct was left to SymPy's own text"
+        assert f.latex.count("{") == f.latex.count("}")
+    for sign in ("sgn", "max", "min", "⌊", "≤", "≠", "∧", "∨", "mod", "otherwise"):
+        assert sign in target["formula"].mathml
 
 
 # -------------------------------------------------------------------------------------------------------- whole pages
@@ -325,26 +382,26 @@ def test_accounts_of_effects_are_complete(effect: str) -> None:
 def pages(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with a report of a machine in both formats, and of an effect."""
     folder = tmp_path_factory.mktemp("reports")
-    chosen = [derivations.subject(name) for name in ("diamond/12", "backlash")]
-    for one, template, found in derivations.derivations(chosen, ROOT, lambda text: None):
-        for ending in derivations.FORMATS:
-            for path, text in derivations.files(folder / f"{one.stem}{ending}", template, found).items():
+    chosen = [subject(name) for name in ("diamond/12", "backlash")]
+    for one, template, found in reports.made(chosen, lambda text: None):
+        for ending in (".html", ".md"):
+            for path, text in reports.files(folder / f"{one.stem}{ending}", template, found).items():
                 path.write_text(text, encoding="utf-8")
     return folder
 
 
 def test_a_report_is_complete(pages: Path) -> None:
-    exact = importlib.import_module("derive.mechanisms.diamond").MECHANISM
+    exact = limbs("diamond")
     html, md = ((pages / f"diamond-12.{ending}").read_text(encoding="utf-8") for ending in ("html", "md"))
     html = html.replace("<wbr>", "")
-    account = plain(answer({"mechanism": "diamond"}))
-    for part in (*account["steps"], *account["where"]):
-        assert part["formula"]["mathml"] in html
-        assert part["formula"]["latex"] in md
-        assert f"{part['place']['file']}:{part['place']['line']}" in md
-    for closure in account["closures"]:
-        assert closure["equation"]["mathml"] in html
-        assert closure["differential_equation"]["latex"] in md
+    told = account.mechanism("diamond")
+    for part in (*told["steps"], *told["where"]):
+        assert part["formula"].mathml in html
+        assert part["formula"].latex in md
+        assert f"{part['place'].file}:{part['place'].line}" in md
+    for closure in told["closures"]:
+        assert closure["equation"].mathml in html
+        assert closure["differential_equation"].latex in md
     tables = (exact.platform, exact.tool, exact.errors, exact.common, exact.deflections, exact.masses)
     for quantity in (q for rows in tables for q in rows):
         assert f"<code>{quantity.name}</code>" in html
@@ -355,19 +412,22 @@ def test_a_report_is_complete(pages: Path) -> None:
     for claim in ledger.load_paper("mei").claims:
         assert claim.test in html
         assert claim.test in md
-    applying = [name for name in effect_names() if not derivations.applies(name, "diamond")]
+    applying = [name for name in effect_names() if not applies(name, "diamond")]
     assert len(applying) > 5
     for name in applying:
-        for target in plain(answer({"effect": name}))["targets"]:
-            assert target["formula"]["mathml"] in html
-            assert target["formula"]["latex"] in md
-    for part in (*account["implicit"], *account["statics"]):
-        assert part["formula"]["mathml"] in html
-    for kind in compiler.measurements():
-        found = plain(answer({"measurement": kind.name}))
+        for target in account.effect(name)["targets"]:
+            assert target["formula"].mathml in html
+            assert target["formula"].latex in md
+    for part in (*told["implicit"], *told["statics"]):
+        assert part["formula"].mathml in html
+        assert part["formula"].latex in md
+        for end in part["ends"]:
+            assert f"<code>{end if isinstance(end, str) else end.__qualname__}</code>" in html
+    for kind in registry.measurements():
+        found = account.measurement(kind.name)
         for formula in (*found["steps"], *found["readings"], *(q["symbol"] for q in found["unknown"])):
-            assert formula["mathml"] in html
-            assert formula["latex"] in md
+            assert formula.mathml in html
+            assert formula.latex in md
     for name in ("machine", "orders", "map", "condition"):
         svg = (pages / f"diamond-12-{name}.svg").read_text(encoding="utf-8")
         ElementTree.fromstring(svg)
@@ -419,17 +479,17 @@ def test_a_report_is_the_same_bytes_anywhere(pages: Path, tmp_path: Path) -> Non
 
 
 def test_the_index_names_every_model_and_effect() -> None:
-    names = {s.name for s in derivations.subjects()}
+    names = {s.name for s in subjects()}
     assert names >= set(effect_names())
     for name in mechanism_names():
-        assert any(s.mechanism == name for s in derivations.subjects()), name
+        assert any(s.mechanism == name for s in subjects()), name
     assert {"delta/42", "delta/51", "diamond/12", "planar_parallelogram/9", "robotennis/15", "serial/dh"} <= names
-    assert len({s.stem for s in derivations.subjects()}) == len(derivations.subjects())
+    assert len({s.stem for s in subjects()}) == len(subjects())
 
 
 @pytest.mark.parametrize("name", mechanism_names())
 def test_derivatives_converge_on_every_example(name: str) -> None:
-    robot = derivations.example(name)
+    robot = example(name)
     assert robot is not None, f"{name} has no example, so that its report has no numbers"
     for order in checks.orders(robot, checks.spread(robot, 20)):
         assert order.order == pytest.approx(2.0, abs=0.06), order.by
@@ -449,6 +509,15 @@ def test_what_cannot_be_made_is_said(
     with pytest.raises(error, match=re.escape(words)):
         dc.derivation(arguments[0], tmp_path / arguments[1])
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_file_that_cannot_be_written_is_named(tmp_path: Path) -> None:
+    picture = tmp_path / "report-machine.svg"
+    picture.mkdir()
+    with pytest.raises(InputError, match=r"report-machine\.svg: the file cannot be written") as error:
+        dc.derivation("planar_parallelogram/2", tmp_path / "report.md")
+    assert error.value.file == str(picture)
+    assert error.value.remedy.startswith("Check the folder")
 
 
 def test_the_command_says_what_it_wrote(run: Any, tmp_path: Path) -> None:

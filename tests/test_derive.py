@@ -19,7 +19,7 @@ from scipy.linalg import expm  # noqa: E402
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # derive/ is never installed
 
-from derive import closed_form, compiler, vectors  # noqa: E402
+from derive import closed_form, compiler, registry, vectors  # noqa: E402
 from derive.backends import c99, lanes, numpy, scalar  # noqa: E402
 from derive.backends.ir import Kernel, Place  # noqa: E402
 from derive.blocks import nominal  # noqa: E402
@@ -27,9 +27,9 @@ from derive.graph import Graph, expand_steps, inline  # noqa: E402
 from derive.lower import lower  # noqa: E402
 from derive.mathematics.functions import Functions, entries  # noqa: E402
 from derive.mathematics.kinematics import kinematics  # noqa: E402
-from derive.mechanisms.delta import MECHANISM  # noqa: E402
 from derive.spec import LimbMechanism, Quantity  # noqa: E402
 
+MECHANISM: Any = registry.mechanism("delta")
 x, y, a, b = sp.symbols("x y a b", real=True)
 AT = {x: 0.7, y: -1.3, a: 2.1, b: 0.4}
 

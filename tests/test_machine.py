@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from deltacal_gen.checks import Poses, spread
 from deltacal_gen.errors import UsageError
 from deltacal_gen.files.robot import Robot, read_robot
 from deltacal_gen.machine.registry import POSE, SOLVED, Machine, mechanism_names, mechanism_of
+from derive.review.checks import Poses, spread
 from tests.test_every_mechanism import example_of
 
 SMALL = 1e-6  # of a step [mm, rad]: its square is what first order leaves

@@ -11,8 +11,9 @@ from typing import Any
 import pytest
 
 import deltacal_gen as dc
-from deltacal_gen import derivations
 from deltacal_gen.pages import manual, report
+from derive.review import reports
+from derive.review.subjects import subject
 
 ROOT = Path(__file__).resolve().parents[1]
 DRIVER, BROWSER = shutil.which("chromedriver"), shutil.which("chromium") or shutil.which("chromium-browser")
@@ -65,12 +66,12 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     texts = {"calibration": report.calibration(found)}
     diagnosis = dc.diagnose(example / "robot.toml", example / "recording.csv")
     texts["diagnosis"] = report.diagnosis(diagnosis)
-    chosen = [derivations.subject(name) for name in ("simplified_parallelogram", "thermal_growth")]
-    made = list(derivations.derivations(chosen, ROOT, lambda text: None))
+    chosen = [subject(name) for name in ("planar_parallelogram/9", "thermal_growth")]
+    made = list(reports.made(chosen, lambda text: None))
     for one, template, content in made:
-        ((_, texts[template]),) = derivations.files(folder / f"{one.stem}.html", template, content).items()
-    index = derivations.index([(one, content) for one, _, content in made], ".html")
-    texts["contents"] = report.page_of("contents", title="Derivations", **index)
+        ((_, texts[template]),) = reports.files(folder / f"{one.stem}.html", template, content).items()
+    index = reports.index([(one, content) for one, _, content in made], ".html")
+    texts["contents"] = report.page_of("contents", reports.PAGES, title="Derivations", **index)
     for name, text in texts.items():
         (folder / f"{name}.html").write_text(text, encoding="utf-8")
     return {name: folder / f"{name}.html" for name in texts}

@@ -1,4 +1,7 @@
-"""One file per kind of measurement; a file's presence is its registration (it defines ``MEASUREMENT``)."""
+"""One file per kind of measurement; its presence is its registration (it defines ``measurement(v)``).
+
+`v` holds the rotations in which it is written, see `derive.registry`.
+"""
 
 from __future__ import annotations
 

@@ -7,17 +7,21 @@ from __future__ import annotations
 
 from derive.measurements import platform
 from derive.spec import Measurement
+from derive.vectors import Algebra
 
 X = platform()
 
-MEASUREMENT = Measurement(
-    name="height",
-    meaning="height of the reference point above the bed [mm]",
-    source="derive/measurements/height.py",
-    platforms=(X,),
-    given=(),
-    unknown=(),
-    reading=(X.position[2],),
-    columns=("height_mm",),
-    targets={"height": 0},
-)
+
+def measurement(v: Algebra) -> Measurement:
+    """Return the kind of measurement, its rotations written in an algebra."""
+    return Measurement(
+        name="height",
+        meaning="height of the reference point above the bed [mm]",
+        source="derive/measurements/height.py",
+        platforms=(X,),
+        given=(),
+        unknown=(),
+        reading=(X.position[2],),
+        columns=("height_mm",),
+        targets={"height": 0},
+    )

@@ -9,25 +9,29 @@ import sympy as sp
 
 from derive.measurements import platform, position, rotation_state
 from derive.spec import Measurement, Quantity
-from derive.vectors import cayley, vector
+from derive.vectors import Algebra, vector
 
 X = platform()
 D, D_STATE = rotation_state("D", "rotation from the measured body to {O'}")
 d = vector(*sp.symbols("dx dy dz", real=True))
 
-MEASUREMENT = Measurement(
-    name="pose",
-    meaning="position [mm] and rotation [rad] of a body on the platform in the instrument's frame",
-    source="derive/measurements/pose.py",
-    platforms=(X,),
-    given=(*position.MEASUREMENT.given, *D_STATE),
-    unknown=(
-        *position.MEASUREMENT.unknown,
-        *(Quantity(s, "rad", "turn of the measured body about the axes of {O'}") for s in d),
-    ),
-    reading=position.MEASUREMENT.reading,
-    rotation=(cayley(position.w), position.F, cayley(X.turn), X.rotation, cayley(d), D),
-    after=(*position.MEASUREMENT.after, *(cayley(d) * D)),
-    columns=(*position.MEASUREMENT.columns, "rx_deg", "ry_deg", "rz_deg"),
-    targets=position.MEASUREMENT.targets,
-)
+
+def measurement(v: Algebra) -> Measurement:
+    """Return the kind of measurement, its rotations written in an algebra."""
+    point = position.measurement(v)
+    return Measurement(
+        name="pose",
+        meaning="position [mm] and rotation [rad] of a body on the platform in the instrument's frame",
+        source="derive/measurements/pose.py",
+        platforms=(X,),
+        given=(*point.given, *D_STATE),
+        unknown=(
+            *point.unknown,
+            *(Quantity(s, "rad", "turn of the measured body about the axes of {O'}") for s in d),
+        ),
+        reading=point.reading,
+        rotation=(v.cayley(position.w), position.F, v.cayley(X.turn), X.rotation, v.cayley(d), D),
+        after=(*point.after, *(v.cayley(d) * D)),
+        columns=(*point.columns, "rx_deg", "ry_deg", "rz_deg"),
+        targets=point.targets,
+    )

@@ -14,7 +14,7 @@ To first order this is eq. (12) with its first sign corrected.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from functools import partial
 
 import sympy as sp
 
@@ -42,13 +42,13 @@ from derive.mechanisms.delta import (
     u0,
     w0,
 )
-from derive.spec import Quantity, Weight
+from derive.spec import LimbMechanism, Quantity, Weight
 from derive.steps import Derivation
-from derive.vectors import cayley, rotation_vector, vector
+from derive.vectors import Algebra, vector
 
 beta = vector(*sp.symbols("betax betay betaz", real=True))
-steps = Derivation()
-step = steps.step
+half = sp.Rational(1, 2)
+SIDES = ((1, 1), (2, -1))  # of the rods of a pair
 
 
 def errors_of(rod: int) -> tuple[sp.Matrix, sp.Matrix, sp.Symbol]:
@@ -62,24 +62,9 @@ def pair(name: str, much: sp.Expr | int = 1, *, opposite: bool = False) -> dict[
     return {f"{name}_{{i}}{j}": sp.sympify(much) * (-1 if opposite and j == 2 else 1) for j in (1, 2)}
 
 
-half = sp.Rational(1, 2)
-# [w0 u0 v0]: the joint's axis, the limb's direction, up
-axes = sp.Matrix.hstack(NOMINAL_FRAME[:, 2], NOMINAL_FRAME[:, 0], NOMINAL_FRAME[:, 1])
-R0 = step("R0", rotation_vector(beta) * axes)
-turn = sp.Matrix([[1, 0, 0], [0, sp.cos(q), -sp.sin(q)], [0, sp.sin(q), sp.cos(q)]])
-R1, R = step("R1", R0 * turn), step("R", cayley(vector(cx, cy, cz)))
-base = b * u0
-tip = vector(tip_w, 0, tip_v)  # a bent arm: along the joint's axis, normal to the arm
-
-closures, elbows, hands, errors = [], [], [], []
-for j, side in ((1, 1), (2, -1)):
+errors = []
+for j, _ in SIDES:
     in_platform, in_arm, dl = errors_of(j)
-    lever = step(f"g{j}", vector(side * c / 2, L, 0) + in_arm + tip)
-    hand = step(f"h{j}", a * u0 + side * c / 2 * w0 + in_platform)
-    elbows.append(step(f"A{j}", base + R1 * lever))
-    hands.append(step(f"B{j}", P + R * (hand - tool)))
-    rod = step(f"d{j}", hands[-1] - elbows[-1])
-    closures.append((rod.dot(rod) - (l + dl) ** 2) / 2)
     for place, symbols, where in (("b", in_platform, "B in the platform"), ("a", in_arm, "A in the arm")):
         errors += [
             Quantity(s, "mm", f"rod {j}: {where}, {axis}", typical=delta._length, label=f"{place}{axis}_{{i}}{j}")
@@ -91,21 +76,14 @@ errors += [
     for axis, s in zip("xyz", beta, strict=True)
 ]
 
-MECHANISM = replace(
-    delta.MECHANISM,
+MACHINE = partial(  # what no rotation enters
+    delta.MACHINE,
     name="complete_delta",
     title="Delta, complete geometry of the six rods",
     reference="Savoure, Maurine, Corbel, Krut 2006, ICRA, 769-776",
     source="derive/mechanisms/complete_delta.py",
     errors=tuple(errors),
-    steps=steps,
-    loop_closure=tuple(closures),
     small=(*(e.symbol for e in errors), tip_v, tip_w),
-    limb_weights=(
-        Weight(proximal, base + proximal_com * R1 * vector(0, L, 0)),
-        *(Weight(distal_rod / 2, end) for end in (*elbows, *hands)),  # half of either rod at either end
-    ),
-    platform_weights=(Weight(body, P - R * tool), Weight(payload, P)),
     models={"delta/51": tuple(e.name_of(i) for i in (1, 2, 3) for e in errors)},
     moves={
         "offset": {"betax": w0[0], "betay": w0[1]},
@@ -125,3 +103,37 @@ MECHANISM = replace(
     scalings={"paper": {}, "table": {}},
     of="delta",
 )
+
+
+def mechanism(v: Algebra) -> LimbMechanism:
+    """Return the machine, its rotations written in an algebra."""
+    steps = Derivation()
+    step, named = steps.step, steps.named
+    named("u0", u0), named("w0", w0), named("beta", beta)
+    # [w0 u0 v0]: the joint's axis, the limb's direction, up
+    axes = named("axes", sp.Matrix.hstack(NOMINAL_FRAME[:, 2], NOMINAL_FRAME[:, 0], NOMINAL_FRAME[:, 1]))
+    R0 = step("R0", v.rotation_vector(beta) * axes)
+    turn = named("turn", sp.Matrix([[1, 0, 0], [0, sp.cos(q), -sp.sin(q)], [0, sp.sin(q), sp.cos(q)]]))
+    R1, R = step("R1", R0 * turn), step("R", v.cayley(vector(cx, cy, cz)))
+    base = named("base", b * u0)
+    tip = named("tip", vector(tip_w, 0, tip_v))  # a bent arm: along the joint's axis, normal to the arm
+
+    closures, elbows, hands = [], [], []
+    for j, side in SIDES:
+        in_platform, in_arm, dl = errors_of(j)
+        lever = step(f"g{j}", vector(side * c / 2, L, 0) + in_arm + tip)
+        hand = step(f"h{j}", a * u0 + side * c / 2 * w0 + in_platform)
+        elbows.append(step(f"A{j}", base + R1 * lever))
+        hands.append(step(f"B{j}", P + R * (hand - tool)))
+        rod = step(f"d{j}", hands[-1] - elbows[-1])
+        closures.append((rod.dot(rod) - (l + dl) ** 2) / 2)
+
+    return MACHINE(
+        steps=steps,
+        loop_closure=tuple(closures),
+        limb_weights=(
+            Weight(proximal, base + proximal_com * R1 * vector(0, L, 0)),
+            *(Weight(distal_rod / 2, end) for end in (*elbows, *hands)),  # half of either rod at either end
+        ),
+        platform_weights=(Weight(body, P - R * tool), Weight(payload, P)),
+    )

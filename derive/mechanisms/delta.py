@@ -18,11 +18,13 @@ the elbow, `alpha03` and `beta03` at the platform. To first order in the errors 
 
 from __future__ import annotations
 
+from functools import partial
+
 import sympy as sp
 
 from derive.spec import GeometryKey, LimbMechanism, Quantity, Weight
 from derive.steps import Derivation
-from derive.vectors import cayley, rotation_vector, turn_about_z, vector
+from derive.vectors import Algebra, vector
 
 DEG = sp.pi / 180
 
@@ -41,28 +43,6 @@ w0 = u0.cross(v0)
 NOMINAL_FRAME = sp.Matrix.hstack(u0, v0, w0)
 
 P, tool = vector(px, py, pz), vector(tx, ty, tz)
-steps = Derivation()
-step = steps.step
-
-# what no pose changes
-R0 = step("R0", NOMINAL_FRAME * rotation_vector(vector(alpha0, beta0, 0)))
-elbow_half = step("g", (c + dc) / 2 * (rotation_vector(vector(alpha2, beta2, 0)) * vector(0, 0, 1)))
-hand_half = step("h", c / 2 * (NOMINAL_FRAME * rotation_vector(vector(alpha0 - alpha03, beta0 - beta03, 0))[:, 2]))
-B = step("B", b * u0 + vector(ex, ey, ez))
-# the arm, the platform, and the two ends of the rods: middle of the pair, and from it to rod 1
-R1 = step("R1", R0 * turn_about_z(q + theta))
-R = step("R", cayley(vector(cx, cy, cz)))
-C = step("C", B + R1 * vector(L + dL, tip_v, tip_w))
-A = step("A", P + R * (a * u0 - tool))
-C_half, A_half = step("c1", R1 * elbow_half), step("a1", R * hand_half)
-rod, rod_half = step("d", A - C), step("s", A_half - C_half)
-
-
-def closure(side: int) -> sp.Expr:
-    """Return the loop closure of rod 1 (side +1) or rod 2 (side -1), in mm^2."""
-    d = rod + side * rod_half
-    return (d.dot(d) - (l + dl_mean + side * dl / 2) ** 2) / 2
-
 
 FRAME_FIXED = ("ex_1", "ey_2", "ey_3", "ez_1", "ez_2", "ez_3")  # Bai, eq. (11)
 UNSEEN = ("alpha03_2", "alpha03_3", "beta03_3", "alpha2_3")  # Bai, section 3.2, below eq. (19)
@@ -76,7 +56,8 @@ def _names(errors: tuple[str, ...], without: tuple[str, ...] = ()) -> tuple[str,
 
 
 _angle, _length = 0.1 * float(sp.pi) / 180, 0.1  # ordinary errors of a machined part [rad, mm]
-MECHANISM = LimbMechanism(
+MACHINE = partial(  # what no rotation enters
+    LimbMechanism,
     name="delta",
     title="Delta, three arms and six rods",
     reference="Bai, Mei, Huang, Chetwynd 2015, Proc. IMechE C 230(3), 414-424",
@@ -130,8 +111,6 @@ MECHANISM = LimbMechanism(
         Quantity(tip_v, "mm", "arm tip displaced normal to the arm, in its plane"),
         Quantity(tip_w, "mm", "arm tip displaced normal to the arm, along the joint axis"),
     ),
-    steps=steps,
-    loop_closure=(closure(+1), closure(-1)),
     small=(alpha0, beta0, dl, dc, alpha03, beta03, alpha2, beta2, tip_v, tip_w),
     masses=(
         Quantity(proximal, "1", "mass of an arm [kg]"),
@@ -139,12 +118,6 @@ MECHANISM = LimbMechanism(
         Quantity(distal_rod, "1", "mass of a rod [kg], half at either end"),
         Quantity(body, "1", "mass of the platform [kg], at O'"),
     ),
-    limb_weights=(
-        Weight(proximal, B + R1 * vector(proximal_com * (L + dL), 0, 0)),
-        Weight(distal_rod, C),  # half of either rod at the elbow
-        Weight(distal_rod, A),  # half of either rod at the platform
-    ),
-    platform_weights=(Weight(body, P - R * tool), Weight(payload, P)),
     elbow=-1,
     assembly=-1,
     models={
@@ -179,3 +152,40 @@ MECHANISM = LimbMechanism(
         "table": {"theta": L, "alpha0": L, "beta0": L, "alpha03": c, "beta03": c, "alpha2": c, "beta2": c},
     },
 )
+
+
+def mechanism(v: Algebra) -> LimbMechanism:
+    """Return the machine, its rotations written in an algebra."""
+    steps = Derivation()
+    step, named = steps.step, steps.named
+    named("u0", u0), named("NOMINAL_FRAME", NOMINAL_FRAME)
+    # what no pose changes
+    R0 = step("R0", NOMINAL_FRAME * v.rotation_vector(vector(alpha0, beta0, 0)))
+    elbow_half = step("g", (c + dc) / 2 * (v.rotation_vector(vector(alpha2, beta2, 0)) * vector(0, 0, 1)))
+    hand_half = step(
+        "h", c / 2 * (NOMINAL_FRAME * v.rotation_vector(vector(alpha0 - alpha03, beta0 - beta03, 0))[:, 2])
+    )
+    B = step("B", b * u0 + vector(ex, ey, ez))
+    # the arm, the platform, and the two ends of the rods: middle of the pair, and from it to rod 1
+    R1 = step("R1", R0 * v.turn_about_z(q + theta))
+    R = step("R", v.cayley(vector(cx, cy, cz)))
+    C = step("C", B + R1 * vector(L + dL, tip_v, tip_w))
+    A = step("A", P + R * (a * u0 - tool))
+    C_half, A_half = step("c1", R1 * elbow_half), step("a1", R * hand_half)
+    rod, rod_half = step("d", A - C), step("s", A_half - C_half)
+
+    def closure(side: int) -> sp.Expr:
+        """Return the loop closure of rod 1 (side +1) or rod 2 (side -1), in mm^2."""
+        d = rod + side * rod_half
+        return (d.dot(d) - (l + dl_mean + side * dl / 2) ** 2) / 2
+
+    return MACHINE(
+        steps=steps,
+        loop_closure=(closure(+1), closure(-1)),
+        limb_weights=(
+            Weight(proximal, B + R1 * vector(proximal_com * (L + dL), 0, 0)),
+            Weight(distal_rod, C),  # half of either rod at the elbow
+            Weight(distal_rod, A),  # half of either rod at the platform
+        ),
+        platform_weights=(Weight(body, P - R * tool), Weight(payload, P)),
+    )

@@ -16,11 +16,13 @@ machine as much as the others (``diamond/12``, ``diamond/4``).
 
 from __future__ import annotations
 
+from functools import partial
+
 import sympy as sp
 
 from derive.spec import GeometryKey, LimbMechanism, Quantity, Weight
 from derive.steps import Derivation
-from derive.vectors import vector
+from derive.vectors import Algebra, vector
 
 px, py, q, tx, ty, tz = sp.symbols("px py q tx ty tz", real=True)
 base_x, base_y, L, l, side = sp.symbols("base_x base_y L l side", real=True)
@@ -30,18 +32,6 @@ proximal, proximal_com, distal_rod, body, payload = sp.symbols(
     "proximal proximal_com distal_rod platform payload", real=True
 )
 
-# from the limb's own direction, so that no reading of limb 2 jumps where it passes 180 deg
-turn = q + theta - sp.pi * (1 - side) / 2
-arm, normal = side * vector(sp.cos(turn), sp.sin(turn), 0), side * vector(-sp.sin(turn), sp.cos(turn), 0)
-steps = Derivation()
-step = steps.step
-
-P, tool = vector(px, py, 0), vector(tx, ty, tz)
-B = step("B", vector(side * base_x + ex, base_y + ey, 0))
-C = step("C", B + (L + dL) * arm + tip_v * normal)
-A = step("A", vector(px - tx, py - ty, 0))
-rod = step("d", A - C)
-
 LIMB = ("theta", "ex", "ey", "L", "l")
 
 
@@ -50,7 +40,8 @@ def _names(errors: tuple[str, ...]) -> tuple[str, ...]:
 
 
 _angle, _length = 1.0 * float(sp.pi) / 180, 0.1  # ordinary errors [rad, mm]
-MECHANISM = LimbMechanism(
+MACHINE = partial(  # what no rotation enters
+    LimbMechanism,
     name="diamond",
     title="Diamond, two arms in a plane",
     reference="Mei, Zang, Ding, Xie, Zhang, Strojniski vestnik 63(12), 715-724",
@@ -91,8 +82,6 @@ MECHANISM = LimbMechanism(
         Quantity(my, "mm", "measuring mechanism, both ends together, y", typical=1.0),
     ),
     deflections=(Quantity(tip_v, "mm", "arm tip displaced normal to the arm"),),
-    steps=steps,
-    loop_closure=((rod.dot(rod) - (l + dl) ** 2) / 2,),
     small=(tip_v,),
     masses=(
         Quantity(proximal, "1", "mass of an arm [kg]"),
@@ -100,12 +89,6 @@ MECHANISM = LimbMechanism(
         Quantity(distal_rod, "1", "mass of a distal link [kg], half at either end"),
         Quantity(body, "1", "mass of the platform [kg]"),
     ),
-    limb_weights=(
-        Weight(proximal, B + proximal_com * (L + dL) * arm),
-        Weight(distal_rod / 2, C),
-        Weight(distal_rod / 2, A),
-    ),
-    platform_weights=(Weight(body, P - tool), Weight(payload, P)),
     elbow=-side,
     assembly=-1,
     models={
@@ -126,3 +109,29 @@ MECHANISM = LimbMechanism(
     limb_inertia=proximal * L**2 / 12,  # a slender rod
     scalings={"paper": {"theta": L}, "table": {"theta": L}},  # the unknowns of eqs. (12) and (28)
 )
+
+
+def mechanism(v: Algebra) -> LimbMechanism:
+    """Return the machine, its rotations written in an algebra."""
+    steps = Derivation()
+    step, named = steps.step, steps.named
+    # from the limb's own direction, so that no reading of limb 2 jumps where it passes 180 deg
+    turn = q + theta - sp.pi * (1 - side) / 2
+    arm = named("arm", side * vector(sp.cos(turn), sp.sin(turn), 0))
+    normal = named("normal", side * vector(-sp.sin(turn), sp.cos(turn), 0))
+    P, tool = vector(px, py, 0), vector(tx, ty, tz)
+    B = step("B", vector(side * base_x + ex, base_y + ey, 0))
+    C = step("C", B + (L + dL) * arm + tip_v * normal)
+    A = step("A", vector(px - tx, py - ty, 0))
+    rod = step("d", A - C)
+
+    return MACHINE(
+        steps=steps,
+        loop_closure=((rod.dot(rod) - (l + dl) ** 2) / 2,),
+        limb_weights=(
+            Weight(proximal, B + proximal_com * (L + dL) * arm),
+            Weight(distal_rod / 2, C),
+            Weight(distal_rod / 2, A),
+        ),
+        platform_weights=(Weight(body, P - tool), Weight(payload, P)),
+    )

@@ -22,11 +22,13 @@ largest of the three, less the trims' mean, plus the trim of the tower, so that 
 
 from __future__ import annotations
 
+from functools import partial
+
 import sympy as sp
 
 from derive.spec import GeometryKey, LimbMechanism, Quantity, Weight
 from derive.steps import Derivation
-from derive.vectors import cayley, rotation_vector, vector
+from derive.vectors import Algebra, vector
 
 DEG = float(sp.pi) / 180
 
@@ -38,26 +40,6 @@ dr, endstop, arm, radius, angle, lean_radial, lean_tangential, scale, dl = sp.sy
 )
 carriage, rod_mass, body, payload = sp.symbols("carriage distal_rod platform payload", real=True)
 
-steps = Derivation()
-step = steps.step
-
-P, tool = vector(px, py, pz), vector(tx, ty, tz)
-u = step("u", vector(sp.cos(phi + angle), sp.sin(phi + angle), 0))
-t = vector(-u[1], u[0], 0)
-length, out = step("arm_0", l + arm), step("r_0", r + dr + radius)
-axis = step("axis", rotation_vector(lean_radial * t - lean_tangential * u)[:, 2])
-height = step("h", home + endstop + sp.sqrt(length**2 - out**2))
-C = step("C", (out + a) * u + (height / axis[2] - (1 + scale) * q) * axis)
-R = step("R", cayley(vector(cx, cy, cz)))
-A = step("A", P + R * (a * u - tool))
-rod, rod_half = step("d", A - C), step("s", c / 2 * (R * t - t))
-
-
-def closure(side: int) -> sp.Expr:
-    """Return the loop closure of rod 1 (side +1) or rod 2 (side -1), in mm^2."""
-    d = rod + side * rod_half
-    return (d.dot(d) - (length + side * dl / 2) ** 2) / 2
-
 
 def _names(*errors: str) -> tuple[str, ...]:
     return tuple(f"{e}_{i}" for i in (1, 2, 3) for e in errors)
@@ -66,8 +48,8 @@ def _names(*errors: str) -> tuple[str, ...]:
 ENDSTOPS = _names("endstop")
 FIRMWARE = (*ENDSTOPS, "radius", "angle_1", "angle_2")
 TOWER = ("endstop", "arm", "radius", "angle", "lean_radial", "lean_tangential", "scale")
-
-MECHANISM = LimbMechanism(
+MACHINE = partial(  # what no rotation enters
+    LimbMechanism,
     name="linear_delta",
     title="Linear delta, three towers and six rods",
     reference="Klipper, klippy/kinematics/delta.py; RepRapFirmware, LinearDeltaKinematics",
@@ -116,20 +98,12 @@ MECHANISM = LimbMechanism(
     ),
     common=(Quantity(dr, "mm", "radius, all towers", typical=0.3, label="radius"),),
     deflections=(),
-    steps=steps,
-    loop_closure=(closure(+1), closure(-1)),
     small=(lean_radial, lean_tangential, dl),
     masses=(
         Quantity(carriage, "1", "mass of a carriage [kg]"),
         Quantity(rod_mass, "1", "mass of a rod [kg], half at either end"),
         Quantity(body, "1", "mass of the effector [kg], at its centre"),
     ),
-    limb_weights=(
-        Weight(carriage, C),
-        Weight(rod_mass, C),  # half of either rod at the carriage
-        Weight(rod_mass, A),  # half of either rod at the effector
-    ),
-    platform_weights=(Weight(body, P - R * tool), Weight(payload, P)),
     elbow=-1,
     assembly=-1,
     models={
@@ -151,3 +125,35 @@ MECHANISM = LimbMechanism(
     layers=(1, -1),
     rods=("arm",),
 )
+
+
+def mechanism(v: Algebra) -> LimbMechanism:
+    """Return the machine, its rotations written in an algebra."""
+    steps = Derivation()
+    step = steps.step
+    P, tool = vector(px, py, pz), vector(tx, ty, tz)
+    u = step("u", vector(sp.cos(phi + angle), sp.sin(phi + angle), 0))
+    t = steps.named("t", vector(-u[1], u[0], 0))
+    length, out = step("arm_0", l + arm), step("r_0", r + dr + radius)
+    axis = step("axis", v.rotation_vector(lean_radial * t - lean_tangential * u)[:, 2])
+    height = step("h", home + endstop + sp.sqrt(length**2 - out**2))
+    C = step("C", (out + a) * u + (height / axis[2] - (1 + scale) * q) * axis)
+    R = step("R", v.cayley(vector(cx, cy, cz)))
+    A = step("A", P + R * (a * u - tool))
+    rod, rod_half = step("d", A - C), step("s", c / 2 * (R * t - t))
+
+    def closure(side: int) -> sp.Expr:
+        """Return the loop closure of rod 1 (side +1) or rod 2 (side -1), in mm^2."""
+        d = rod + side * rod_half
+        return (d.dot(d) - (length + side * dl / 2) ** 2) / 2
+
+    return MACHINE(
+        steps=steps,
+        loop_closure=(closure(+1), closure(-1)),
+        limb_weights=(
+            Weight(carriage, C),
+            Weight(rod_mass, C),  # half of either rod at the carriage
+            Weight(rod_mass, A),  # half of either rod at the effector
+        ),
+        platform_weights=(Weight(body, P - R * tool), Weight(payload, P)),
+    )

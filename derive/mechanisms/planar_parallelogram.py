@@ -15,17 +15,17 @@ That is the paper's eq. (52), whose printed form fails; here it is solved from t
 
 from __future__ import annotations
 
+from functools import partial
+
 import sympy as sp
 
 from derive.spec import GeometryKey, LimbMechanism, Quantity
 from derive.steps import Derivation
-from derive.vectors import angle, cayley, vector
+from derive.vectors import Algebra, angle, vector
 
 px, py, cz, q, tx, ty, tz = sp.symbols("px py cz q tx ty tz", real=True)
 a1x, a2x, a2y, b1x, b2x, b2y, l1, l2, h = sp.symbols("a1x a2x a2y b1x b2x b2y l1 l2 h", real=True)
 q0, da1x, da2x, da2y, db1x, db2x, db2y, dl1, dl2 = sp.symbols("q0 da1x da2x da2y db1x db2x db2y dl1 dl2", real=True)
-steps = Derivation()
-step = steps.step
 
 
 def turn(cos: sp.Expr, sin: sp.Expr) -> sp.Matrix:
@@ -33,28 +33,9 @@ def turn(cos: sp.Expr, sin: sp.Expr) -> sp.Matrix:
     return sp.Matrix([[cos, -sin, 0], [sin, cos, 0], [0, 0, 1]])
 
 
-A_1 = step("A1", vector(-(a1x + da1x), 0, 0))
-A_2 = step("A2", vector(a2x + da2x, a2y + da2y, 0))
-C = step("C", vector(tx, ty - h, 0))
-b_1 = step("b1", vector(-(b1x + db1x), 0, 0))
-b_2 = step("b2", vector(b2x + db2x, b2y + db2y, 0))
-length_1, length_2 = l1 + dl1, l2 + dl2
-rod_1 = step("r1", length_1 * vector(sp.sin(q + q0), -sp.cos(q + q0), 0))
-
-P, R = vector(px, py, 0), cayley(vector(0, 0, cz))
-B_1, B_2 = step("B1", P + R * (b_1 - C)), step("B2", P + R * (b_2 - C))
-driven, other = B_1 - A_1 - rod_1, step("r2", B_2 - A_2)
-
-# the forward position: B_1 hangs on the driven rod, the other rod turns the platform about it
-cos, sin = sp.symbols("cos sin", real=True)
-free = A_1 + rod_1 + turn(cos, sin) * (b_2 - b_1) - A_2
-square = sp.expand(free.dot(free) - length_2**2).subs(sin**2, 1 - cos**2).expand()
-flat = {cos: 0, sin: 0}
-alpha = angle(sp.diff(square, cos).subs(flat), sp.diff(square, sin).subs(flat), square.subs(flat), side=+1)
-at_C = A_1 + rod_1 + turn(sp.cos(alpha), sp.sin(alpha)) * (C - b_1)
-
 _angle, _length = 0.1 * float(sp.pi) / 180, 1.0  # ordinary errors: those of the paper's Table 2 [rad, mm]
-MECHANISM = LimbMechanism(
+MACHINE = partial(  # what no rotation enters
+    LimbMechanism,
     name="planar_parallelogram",
     title="Planar parallelogram, one joint",
     reference="Savoure, Maurine, Corbel, Krut 2006, ICRA, 769-776",
@@ -95,20 +76,12 @@ MECHANISM = LimbMechanism(
         Quantity(dl2, "mm", "length of the other rod", typical=_length, label="l2"),
     ),
     deflections=(),
-    steps=steps,
-    loop_closure=(driven[0], driven[1], (other.dot(other) - length_2**2) / 2),
     small=(),
     masses=(),
     limb_weights=(),
     platform_weights=(),
     elbow=+1,
     assembly=+1,
-    seeds={
-        px: at_C[0],
-        py: at_C[1],
-        cz: 2 * sp.tan(alpha / 2),
-        q: sp.asin((px - C[0] - A_1[0] + b_1[0]) / length_1) - q0,  # eq. (35)
-    },
     roles={"L": l1, "l": l2, "b": (a1x + a2x) / 2},
     moves={  # the driven rod is the arm; a base that grows takes A_1 and A_2 apart, up to a shift of the frame
         "offset": {"q0": sp.Integer(1)},
@@ -121,3 +94,39 @@ MECHANISM = LimbMechanism(
     },
     scalings={"paper": {}, "table": {}},  # mm and rad
 )
+
+
+def mechanism(v: Algebra) -> LimbMechanism:
+    """Return the machine, its rotations written in an algebra."""
+    steps = Derivation()
+    step = steps.step
+    A_1 = step("A1", vector(-(a1x + da1x), 0, 0))
+    A_2 = step("A2", vector(a2x + da2x, a2y + da2y, 0))
+    C = step("C", vector(tx, ty - h, 0))
+    b_1 = step("b1", vector(-(b1x + db1x), 0, 0))
+    b_2 = step("b2", vector(b2x + db2x, b2y + db2y, 0))
+    length_1, length_2 = l1 + dl1, l2 + dl2
+    rod_1 = step("r1", length_1 * vector(sp.sin(q + q0), -sp.cos(q + q0), 0))
+
+    P, R = vector(px, py, 0), v.cayley(vector(0, 0, cz))
+    B_1, B_2 = step("B1", P + R * (b_1 - C)), step("B2", P + R * (b_2 - C))
+    driven, other = B_1 - A_1 - rod_1, step("r2", B_2 - A_2)
+
+    # the forward position: B_1 hangs on the driven rod, the other rod turns the platform about it
+    cos, sin = sp.symbols("cos sin", real=True)
+    free = A_1 + rod_1 + turn(cos, sin) * (b_2 - b_1) - A_2
+    square = sp.expand(free.dot(free) - length_2**2).subs(sin**2, 1 - cos**2).expand()
+    flat = {cos: 0, sin: 0}
+    alpha = angle(sp.diff(square, cos).subs(flat), sp.diff(square, sin).subs(flat), square.subs(flat), side=+1)
+    at_C = A_1 + rod_1 + turn(sp.cos(alpha), sp.sin(alpha)) * (C - b_1)
+
+    return MACHINE(
+        steps=steps,
+        loop_closure=(driven[0], driven[1], (other.dot(other) - length_2**2) / 2),
+        seeds={
+            px: at_C[0],
+            py: at_C[1],
+            cz: 2 * sp.tan(alpha / 2),
+            q: sp.asin((px - C[0] - A_1[0] + b_1[0]) / length_1) - q0,  # eq. (35)
+        },
+    )

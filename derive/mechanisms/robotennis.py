@@ -17,11 +17,13 @@ enters as ``h - H`` only, so no reading tells the two apart; phi_i can be found 
 
 from __future__ import annotations
 
+from functools import partial
+
 import sympy as sp
 
 from derive.spec import GeometryKey, LimbMechanism, Quantity, Weight
 from derive.steps import Derivation
-from derive.vectors import vector
+from derive.vectors import Algebra, vector
 
 DEG = sp.pi / 180
 
@@ -38,22 +40,11 @@ z = vector(0, 0, 1)
 P, tool = vector(px, py, pz), vector(tx, ty, tz)
 theta = q + theta0
 
-steps = Derivation()
-step = steps.step
-
-u = step("u", vector(sp.cos(phi + dphi), sp.sin(phi + dphi), 0))
-A = step("A", (H + dH) * u)
-arm = step("arm", sp.cos(theta) * u + sp.sin(theta) * z)
-normal = -sp.sin(theta) * u + sp.cos(theta) * z
-B = step("B", A + (a + da) * arm + tip_v * normal + tip_w * u.cross(z))
-centre = step("centre", P + vector(px0, py0, pz0) - tool)  # of the effector: the tool point is what is read
-C = step("C", centre + (h + dh) * u)
-rod = step("rod", C - B)
-
 LIMBS = tuple(f"{e}_{i}" for i in (1, 2, 3) for e in ("a", "b", "h", "theta0"))
 HOME = ("px0", "py0", "pz0")
 _angle, _length = float(DEG), 1.0  # ordinary errors of a machine built in a workshop, and of its homing [rad, mm]
-MECHANISM = LimbMechanism(
+MACHINE = partial(  # what no rotation enters
+    LimbMechanism,
     name="robotennis",
     title="RoboTennis, three arms with rods as single links, incremental home",
     reference="Traslosheros, Sebastian, Torrijos, Carelli, Castillo 2013, Sensors 13(8), 9941-9965",
@@ -104,8 +95,6 @@ MECHANISM = LimbMechanism(
         Quantity(tip_v, "mm", "arm tip displaced normal to the arm, in its plane"),
         Quantity(tip_w, "mm", "arm tip displaced normal to the arm, along the joint axis"),
     ),
-    steps=steps,
-    loop_closure=((rod.dot(rod) - (b + db) ** 2) / 2,),
     small=(tip_v, tip_w),
     masses=(
         Quantity(proximal, "1", "mass of an arm [kg]"),
@@ -113,12 +102,6 @@ MECHANISM = LimbMechanism(
         Quantity(distal_rod, "1", "mass of a rod [kg], half at either end"),
         Quantity(body, "1", "mass of the effector [kg], at its centre"),
     ),
-    limb_weights=(
-        Weight(proximal, A + proximal_com * (a + da) * arm),
-        Weight(distal_rod, B),  # half of either rod of the pair at the elbow
-        Weight(distal_rod, C),  # half of either rod at the effector
-    ),
-    platform_weights=(Weight(body, P - tool), Weight(payload, P)),
     elbow=1,
     assembly=1,
     models={
@@ -144,3 +127,28 @@ MECHANISM = LimbMechanism(
     limb_inertia=proximal * a**2 / 12,  # a slender rod
     scalings={"paper": {}, "table": {}},  # mm and rad
 )
+
+
+def mechanism(v: Algebra) -> LimbMechanism:
+    """Return the machine, its rotations written in an algebra."""
+    steps = Derivation()
+    step = steps.step
+    u = step("u", vector(sp.cos(phi + dphi), sp.sin(phi + dphi), 0))
+    A = step("A", (H + dH) * u)
+    arm = step("arm", sp.cos(theta) * u + sp.sin(theta) * z)
+    normal = -sp.sin(theta) * u + sp.cos(theta) * z
+    B = step("B", A + (a + da) * arm + tip_v * normal + tip_w * u.cross(z))
+    centre = step("centre", P + vector(px0, py0, pz0) - tool)  # of the effector: the tool point is what is read
+    C = step("C", centre + (h + dh) * u)
+    rod = step("rod", C - B)
+
+    return MACHINE(
+        steps=steps,
+        loop_closure=((rod.dot(rod) - (b + db) ** 2) / 2,),
+        limb_weights=(
+            Weight(proximal, A + proximal_com * (a + da) * arm),
+            Weight(distal_rod, B),  # half of either rod of the pair at the elbow
+            Weight(distal_rod, C),  # half of either rod at the effector
+        ),
+        platform_weights=(Weight(body, P - tool), Weight(payload, P)),
+    )

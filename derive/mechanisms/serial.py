@@ -18,6 +18,7 @@ from __future__ import annotations
 import sympy as sp
 
 from derive.spec import ChainMechanism, GeometryKey, Quantity, Screw
+from derive.vectors import Algebra
 
 DEG = float(sp.pi) / 180
 
@@ -25,10 +26,9 @@ turn, slide, a, alpha, d, theta = sp.symbols("turn slide a alpha d theta", real=
 about_z, along_z, along_x, about_x, about_y = sp.symbols("about_z along_z along_x about_x about_y", real=True)
 da, dalpha, dd, dtheta, dbeta = sp.symbols("da dalpha dd dtheta dbeta", real=True)
 
-
 screw_z, screw_x, tilt = Screw("z", about_z, along_z), Screw("x", about_x, along_x), Screw("y", about_y, sp.Integer(0))
 
-MECHANISM = ChainMechanism(
+MACHINE = ChainMechanism(
     name="serial",
     title="Open chain of revolute and prismatic joints",
     reference="Denavit, Hartenberg 1955, J. Appl. Mech. 22; Craig 1986; Hayati 1983, IEEE CDC 22",
@@ -62,3 +62,8 @@ MECHANISM = ChainMechanism(
         (about_y, dbeta),
     ),
 )
+
+
+def mechanism(v: Algebra) -> ChainMechanism:
+    """Return the chain: its screws turn about axes of frames, so that no rotation is written out in it."""
+    return MACHINE

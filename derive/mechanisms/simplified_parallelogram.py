@@ -9,28 +9,18 @@ Frame and dimensions are those of ``planar_parallelogram``; the closure is eq. (
 
 from __future__ import annotations
 
-from dataclasses import replace
+from functools import partial
 
 import sympy as sp
 
 from derive.mechanisms import planar_parallelogram as complete
 from derive.mechanisms.planar_parallelogram import a1x, b1x, cz, dl1, h, l1, px, py, q, q0, tx, ty
-from derive.spec import Quantity
+from derive.spec import LimbMechanism, Quantity
 from derive.steps import Derivation
-from derive.vectors import vector
+from derive.vectors import Algebra, vector
 
-steps = Derivation()
-step = steps.step
-A = step("A", vector(b1x - a1x, 0, 0))
-rod = step("r", (l1 + dl1) * vector(sp.sin(q + q0), -sp.cos(q + q0), 0))
-B = step("B", A + rod)
-C = step("C", vector(px, py, 0) + vector(-tx, h - ty, 0))
-
-x = b1x - a1x + (l1 + dl1) * sp.sin(q + q0) + tx
-y = -(l1 + dl1) * sp.cos(q + q0) - h + ty
-
-MECHANISM = replace(
-    complete.MECHANISM,
+MACHINE = partial(  # what no rotation enters
+    complete.MACHINE,
     name="simplified_parallelogram",
     title="Planar parallelogram, simplified: one virtual rod",
     source="derive/mechanisms/simplified_parallelogram.py",
@@ -38,12 +28,28 @@ MECHANISM = replace(
         Quantity(q0, "rad", "encoder offset of the joint", typical=complete._angle),
         Quantity(dl1, "mm", "length of the virtual rod", typical=complete._length, label="l1"),
     ),
-    steps=steps,
-    loop_closure=(C[0] - B[0], C[1] - B[1], cz),
-    seeds={px: x, py: y, cz: sp.Integer(0), q: sp.asin((px + a1x - b1x - tx) / (l1 + dl1)) - q0},  # eq. (35)
     roles={"L": l1},
     moves={"offset": {"q0": sp.Integer(1)}, "arm": {"l1": sp.Integer(1)}},
     models={"planar_parallelogram/2": ("q0", "l1")},
     of="planar_parallelogram",
     scalings={"paper": {}, "table": {}},  # mm and rad
 )
+
+
+def mechanism(v: Algebra) -> LimbMechanism:
+    """Return the machine, its rotations written in an algebra."""
+    steps = Derivation()
+    step = steps.step
+    A = step("A", vector(b1x - a1x, 0, 0))
+    rod = step("r", (l1 + dl1) * vector(sp.sin(q + q0), -sp.cos(q + q0), 0))
+    B = step("B", A + rod)
+    C = step("C", vector(px, py, 0) + vector(-tx, h - ty, 0))
+
+    x = b1x - a1x + (l1 + dl1) * sp.sin(q + q0) + tx
+    y = -(l1 + dl1) * sp.cos(q + q0) - h + ty
+
+    return MACHINE(
+        steps=steps,
+        loop_closure=(C[0] - B[0], C[1] - B[1], cz),
+        seeds={px: x, py: y, cz: sp.Integer(0), q: sp.asin((px + a1x - b1x - tx) / (l1 + dl1)) - q0},  # eq. (35)
+    )

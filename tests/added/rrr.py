@@ -13,34 +13,25 @@ six solutions; the machine's is the one near its home, the platform in the middl
 
 from __future__ import annotations
 
+from functools import partial
+
 import sympy as sp
 
 from derive.spec import GeometryKey, LimbMechanism, Quantity, Weight
 from derive.steps import Derivation
-from derive.vectors import cayley, vector
+from derive.vectors import Algebra, vector
 
 px, py, cz, q, tx, ty, tz = sp.symbols("px py cz q tx ty tz", real=True)
 base, platform, L, l, phi = sp.symbols("base platform L l phi", real=True)
 theta, ex, ey, dL, dl, bx, by = sp.symbols("theta ex ey dL dl bx by", real=True)
 arm_mass, rod_mass, body, payload = sp.symbols("proximal distal_rod platform_mass payload", real=True)
 
-steps = Derivation()
-step = steps.step
-out, across = vector(sp.cos(phi), sp.sin(phi), 0), vector(-sp.sin(phi), sp.cos(phi), 0)
-arm = sp.cos(q + theta) * out + sp.sin(q + theta) * across  # from the limb's own direction: no reading jumps
-
-P, R = vector(px, py, 0), cayley(vector(0, 0, cz))
-A = step("A", (base + ex) * out + ey * across)
-B = step("B", A + (L + dL) * arm)
-c = step("c", (platform + bx) * out + by * across - vector(tx, ty, 0))
-C = step("C", P + R * c)
-rod = step("d", C - B)
-
 ERRORS = ("theta", "ex", "ey", "L", "l", "bx", "by")
 _angle, _length = 0.2 * float(sp.pi) / 180, 0.1  # ordinary errors [rad, mm]
 _third = 2 * float(sp.pi) / 3
 
-MECHANISM = LimbMechanism(
+MACHINE = partial(  # what no rotation enters
+    LimbMechanism,
     name="rrr",
     title="Planar 3-RRR, position and rotation commanded",
     reference="Gosselin, Angeles 1988, J. Mech. Transm. Autom. Des. 110(1), 35-41",
@@ -80,16 +71,12 @@ MECHANISM = LimbMechanism(
         Quantity(by, "mm", "joint on the platform, across", typical=_length),
     ),
     deflections=(),
-    steps=steps,
-    loop_closure=((rod.dot(rod) - (l + dl) ** 2) / 2,),
     small=(),
     masses=(
         Quantity(arm_mass, "1", "mass of an arm [kg]"),
         Quantity(rod_mass, "1", "mass of a rod [kg], half at either end"),
         Quantity(body, "1", "mass of the platform [kg]", label="platform"),
     ),
-    limb_weights=(Weight(arm_mass, A + (L + dL) * arm / 2), Weight(rod_mass / 2, B), Weight(rod_mass / 2, C)),
-    platform_weights=(Weight(body, P - R * vector(tx, ty, 0)), Weight(payload, P)),
     elbow=+1,
     assembly=+1,
     home={px: tx, py: ty},  # the platform in the middle, level
@@ -108,3 +95,25 @@ MECHANISM = LimbMechanism(
     rods=("l",),
     limb_inertia=arm_mass * L**2 / 12,
 )
+
+
+def mechanism(v: Algebra) -> LimbMechanism:
+    """Return the machine, its rotations written in an algebra."""
+    steps = Derivation()
+    step = steps.step
+    out, across = vector(sp.cos(phi), sp.sin(phi), 0), vector(-sp.sin(phi), sp.cos(phi), 0)
+    arm = sp.cos(q + theta) * out + sp.sin(q + theta) * across  # from the limb's own direction: no reading jumps
+
+    P, R = vector(px, py, 0), v.cayley(vector(0, 0, cz))
+    A = step("A", (base + ex) * out + ey * across)
+    B = step("B", A + (L + dL) * arm)
+    c = step("c", (platform + bx) * out + by * across - vector(tx, ty, 0))
+    C = step("C", P + R * c)
+    rod = step("d", C - B)
+
+    return MACHINE(
+        steps=steps,
+        loop_closure=((rod.dot(rod) - (l + dl) ** 2) / 2,),
+        limb_weights=(Weight(arm_mass, A + (L + dL) * arm / 2), Weight(rod_mass / 2, B), Weight(rod_mass / 2, C)),
+        platform_weights=(Weight(body, P - R * vector(tx, ty, 0)), Weight(payload, P)),
+    )

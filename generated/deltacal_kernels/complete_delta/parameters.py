@@ -1,7 +1,7 @@
 """Tables of `complete_delta`: Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 86d263c2bab12977; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 9b0fa929fb1a6732; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 

@@ -1,7 +1,7 @@
 """Tables of `delta`: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 17c2ca19b3cfaf10; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both b3d0f36d7240f9c2; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 

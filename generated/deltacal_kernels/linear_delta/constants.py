@@ -1,7 +1,7 @@
 """What no pose changes: `linear_delta`, many machines at once, Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both 7cd57995a160a798; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both 2acad5f33218b7b9; SymPy 1.14.0.
 
 p (M, 3, 15) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
 """

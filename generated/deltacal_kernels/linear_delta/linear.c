@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/linear.c.jinja; sha256 of both 48500efae37cda91; SymPy 1.14.0.
+ * Template templates/mechanism/linear.c.jinja; sha256 of both d722437667ed1981; SymPy 1.14.0.
  *
  * The linear compensator: nominal joints, and the change that holds the reference point to first order in the errors.
  * An export puts the machine's numbers before this text: DELTACAL_K[3][22], DELTACAL_TOOL[3],

@@ -1,7 +1,7 @@
 """Tables of `linear_delta`: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 7e82aa9a3bee8d92; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 76f8ea315e0c00fe; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 

@@ -1,7 +1,7 @@
 """Kinematics of `linear_delta` in plain NumPy: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both ba7139eface12173; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both ec0ab28e345d86b3; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.

@@ -1,7 +1,7 @@
 """What no pose changes: `planar_parallelogram`, many machines at once, Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both 9bae3f92f7ce91d3; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both 40195f7cb1a55c17; SymPy 1.14.0.
 
 p (M, 1, 18) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
 """

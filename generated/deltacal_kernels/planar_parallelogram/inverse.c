@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/inverse.c.jinja; sha256 of both 25c938e98da41f72; SymPy 1.14.0.
+ * Template templates/mechanism/inverse.c.jinja; sha256 of both 846000c0b027a90b; SymPy 1.14.0.
  *
  * The exact compensator: inverse position of the calibrated machine, by Newton on joints and platform rotation.
  * An export puts the machine's numbers before this text: DELTACAL_K[1][26], DELTACAL_TOOL[3],

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/linear.c.jinja; sha256 of both c0ab34a800532944; SymPy 1.14.0.
+ * Template templates/mechanism/linear.c.jinja; sha256 of both 31f45bacdc79b9a3; SymPy 1.14.0.
  *
  * The linear compensator: nominal joints, and the change that holds the reference point to first order in the errors.
  * An export puts the machine's numbers before this text: DELTACAL_K[1][28], DELTACAL_TOOL[3],

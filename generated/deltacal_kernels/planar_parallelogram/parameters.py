@@ -1,7 +1,7 @@
 """Tables of `planar_parallelogram`: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 19476a48d9bec3b1; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 18a580d180bcedaa; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 

@@ -1,7 +1,7 @@
 """Generalised loads of `planar_parallelogram`: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/statics.py.jinja; sha256 of both 9df1abe94ec8ec68; SymPy 1.14.0.
+Template templates/mechanism/statics.py.jinja; sha256 of both 5500f2f9b69dff74; SymPy 1.14.0.
 
 Plain NumPy over all poses at once. masses: ; payload (N,) in kg at the
 reference point. Every weight has its own acceleration field [m/s^2]: gravity for all, or minus its own acceleration.

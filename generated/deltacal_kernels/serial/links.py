@@ -1,7 +1,7 @@
 """Links of `serial`: Open chain of revolute and prismatic joints.
 
 Generated from derive/mechanisms/serial.py by "deltacal kernels". Do not edit.
-Template templates/chain/links.py.jinja; sha256 of both 1c50ba098aec2d48; SymPy 1.14.0.
+Template templates/chain/links.py.jinja; sha256 of both 7873b3bb8104a813; SymPy 1.14.0.
 
 Plain NumPy over all poses at once, which stand last in every array: x (2, N) the joint's variable as a turn and as a
 slide, one of them zero; p (9, M) the link's parameters, M being 1 or N:

@@ -1,7 +1,7 @@
 """Tables of `serial`: Open chain of revolute and prismatic joints.
 
 Generated from derive/mechanisms/serial.py by "deltacal kernels". Do not edit.
-Template templates/chain/parameters.py.jinja; sha256 of both b063ea39ce9f4a91; SymPy 1.14.0.
+Template templates/chain/parameters.py.jinja; sha256 of both b156e76aa64aaccf; SymPy 1.14.0.
 Units: mm, rad, kg. Everything here belongs to one link; the robot file says how many there are.
 """
 

@@ -1,7 +1,7 @@
 """Tables of `simplified_parallelogram`: Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 103d1667dac7834b; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both f17052743c3709bc; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 

@@ -1,7 +1,7 @@
 """Generalised loads of `simplified_parallelogram`: Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/statics.py.jinja; sha256 of both 442748c623b3ea76; SymPy 1.14.0.
+Template templates/mechanism/statics.py.jinja; sha256 of both c59e3e405ee39126; SymPy 1.14.0.
 
 Plain NumPy over all poses at once. masses: ; payload (N,) in kg at the
 reference point. Every weight has its own acceleration field [m/s^2]: gravity for all, or minus its own acceleration.

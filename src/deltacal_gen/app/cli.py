@@ -162,32 +162,7 @@ def kernels(
     if not commands.kernels(names or (), check=check):
         raise typer.Exit(1)
     if tried is not None:
-        _tell_trial(tried, output)
-
-
-def _tell_trial(file: Path, output: Path | None) -> None:
-    """Print what a machine does in a trial, and where its drawing is."""
-    import importlib
-
-    import deltacal_kernels
-
-    from deltacal_gen.app import commands
-    from deltacal_gen.files.robot import read_robot
-
-    importlib.invalidate_caches()
-    importlib.reload(deltacal_kernels)  # which names the mechanisms: one may be new
-    robot = read_robot(file)
-    picture = output or Path(f"{robot.mechanism}.svg")
-    found = commands.trial(robot, picture)
-    screen.print(
-        f"{robot.mechanism}: {found.solved} of {found.poses} poses there and back, within {found.worst_mm:.1e} mm and "
-        f"{found.worst_rad:.1e} rad; derivatives leave a remainder of order {found.order:.2f} (2 is right)"
-    )
-    table = Table("seen by", "points", "rank", f"of {found.model}", "smallest, by the largest")
-    for rank in found.ranks:
-        table.add_row(rank.kind, str(rank.points), str(rank.rank), str(rank.columns), f"{rank.smallest:.1e}")
-    screen.print(table)
-    screen.print(f"drawing in {picture}")
+        screen.print(commands.trial(tried, output), markup=False, highlight=False)
 
 
 @app.command()

@@ -37,7 +37,6 @@ from deltacal_gen.results.written import Derivation
 from deltacal_gen.units import DEG, file_unit, joint_factors, joint_names, to_internal
 
 if TYPE_CHECKING:
-    from deltacal_gen.app.trial import Trial
     from deltacal_gen.execution import Told
     from deltacal_gen.files.imports import Imported
     from deltacal_gen.machine.registry import Array
@@ -203,33 +202,40 @@ def derivation(model: str | None, output: Source, *, every: bool = False, progre
     UsageError
         No such model; or this is no source checkout, or SymPy is not installed.
     """
-    from deltacal_gen import derivations as reports
-    from deltacal_gen.pages import report
-
     if (model is None) != every:
         raise UsageError("give a model, a mechanism or an effect, or else --all.")
     root = _deriving("reports are made from a source checkout; this is an installed package.")
-    folder = Path(output)
-    if not every:
-        check_output(output, ending=reports.FORMATS)
-        chosen = [reports.subject(str(model))]
-    elif folder.exists() and not folder.is_dir():
-        raise InputError("this is a file, and the reports need a folder.", "Choose another name.", file=folder)
-    else:
-        folder.mkdir(parents=True, exist_ok=True)
-        chosen = reports.subjects()
-    written: list[Path] = []
-    done = []
-    for one, template, found in reports.derivations(chosen, root, progress):
-        files = reports.files(folder / f"{one.stem}.html" if every else folder, template, found)
-        write_files(files)
-        written += files
-        done.append((one, found))
-    if every:
-        page = report.page_of("contents", title="Derivations", **reports.index(done, ".html"))
-        write_files({folder / "index.html": page})
-        written.insert(0, folder / "index.html")
-    return Derivation(files=tuple(map(str, written)))
+    target = Path(output)
+    if model is not None:
+        check_output(output, ending=(".html", ".md"))
+    elif target.exists() and not target.is_dir():
+        raise InputError("this is a file, and the reports need a folder.", "Choose another name.", file=target)
+    answer = _reviewed(root, *([model] if model else []), "-o", target.absolute(), progress=progress)
+    folder = target if every else target.parent
+    return Derivation(files=tuple(str(folder / Path(line).name) for line in answer.split("\n")))
+
+
+def _reviewed(root: Path, *arguments: object, progress: Progress = _silent) -> str:
+    """Return what ``python -m derive review`` answers; raises its errors, of which `derive.review.command` tells."""
+    command = [sys.executable, "-m", "derive", "review", *map(str, arguments)]
+    said: list[str] = []
+    with subprocess.Popen(
+        command, cwd=root, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, encoding="utf-8"
+    ) as process:
+        assert process.stderr is not None
+        assert process.stdout is not None
+        for line in process.stderr:
+            said.append(line)
+            progress(line.rstrip())
+        answer = process.stdout.read().rstrip()
+    if process.returncode == UsageError.exit_code:
+        raise UsageError(answer)
+    if process.returncode == InputError.exit_code:
+        problem, remedy, file = answer.split("\n")
+        raise InputError(problem, remedy, file=file)
+    if process.returncode:
+        raise RuntimeError("".join(said) + answer)
+    return answer
 
 
 def warm(progress: Callable[[str, float], None] = lambda name, seconds: None) -> dict[str, float]:
@@ -272,23 +278,28 @@ def kernels(names: Sequence[str] = (), *, check: bool = False) -> bool:
     return subprocess.run(command, cwd=root, env={**os.environ, "PYTHONHASHSEED": "0"}).returncode == 0
 
 
-def trial(robot: Source | Robot, output: Source | None = None) -> Trial:
-    """Return how a machine does whose kernels were just derived; see `trial.Trial`.
+def trial(robot: Source, output: Source | None = None) -> str:
+    """Return in words how a machine does whose kernels were just derived, and draw it from its own equations.
 
     Parameters
     ----------
     output : path
-        A drawing of it (``.svg``), made of its own equations.
-    """
-    from deltacal_gen.app import trial as trials
+        The drawing (``.svg``); default named after the mechanism.
 
+    Raises
+    ------
+    InputError
+        The robot file cannot be used.
+    UsageError
+        This is no source checkout, or SymPy is not installed.
+    """
     check_output(output, robot, ending=(".svg",))
-    robot = _robot(robot)
-    found = trials.trial(robot)
-    if output is not None:
-        root = _deriving("a machine is drawn from its equations, in a source checkout.")
-        write_files({Path(output): trials.drawn(robot, root)})
-    return found
+    root, here = (
+        _deriving("a machine is drawn from its equations, in a source checkout."),
+        f"{Path().absolute()}{os.sep}",
+    )
+    answer = _reviewed(root, "--try", Path(robot).absolute(), "-o", Path(output or "").absolute())
+    return answer.replace(here, "")
 
 
 def plan(

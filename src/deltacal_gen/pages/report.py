@@ -13,6 +13,7 @@ import re
 from collections.abc import Callable, Sequence
 from functools import cache, partial
 from importlib import resources
+from pathlib import Path
 from typing import Any
 
 import jinja2
@@ -261,14 +262,14 @@ def below(value: float) -> str:
     return "0" if value == 0 else f"< {figures.decade(1, math.ceil(math.log10(value)))}"
 
 
-def page_of(template: str, **content: Any) -> str:
-    """Return a page by the name of its template."""
-    return _rendered(template, **content)
+def page_of(template: str, folder: Path | None = None, **content: Any) -> str:
+    """Return a page by the name of its template, in a folder where it is not the package's own."""
+    return _rendered(template, folder, **content)
 
 
-def markdown(template: str, **content: Any) -> str:
-    """Return a text by the name of its Markdown template."""
-    text = _environment(".md.jinja", autoescape=False).get_template(f"{template}.md.jinja").render(**content)
+def markdown(template: str, folder: Path, **content: Any) -> str:
+    """Return a text by the name of its Markdown template in a folder."""
+    text = _environment(".md.jinja", folder, autoescape=False).get_template(f"{template}.md.jinja").render(**content)
     return re.sub(r"\n{3,}", "\n\n", text).strip() + "\n"
 
 
@@ -286,9 +287,9 @@ def asset(name: str) -> str:
     return text
 
 
-def _rendered(template: str, **content: Any) -> str:
+def _rendered(template: str, folder: Path | None = None, **content: Any) -> str:
     style = asset("style.css")
-    page = _environment(".html.jinja", autoescape=True).get_template(f"{template}.html.jinja")
+    page = _environment(".html.jinja", folder, autoescape=True).get_template(f"{template}.html.jinja")
     return page.render(style=style, numeric=_NUMERIC, **content)
 
 
@@ -297,8 +298,10 @@ def _pages() -> Any:
 
 
 @cache
-def _environment(ending: str, *, autoescape: bool) -> jinja2.Environment:
-    files = {f.name: f.read_text(encoding="utf-8") for f in _pages().iterdir() if f.name.endswith(ending)}
+def _environment(ending: str, folder: Path | None, *, autoescape: bool) -> jinja2.Environment:
+    folders = (_pages(), folder) if folder is not None else (_pages(),)
+    every = (f for pages in folders for f in pages.iterdir() if f.name.endswith(ending))
+    files = {f.name: f.read_text(encoding="utf-8") for f in every}
     environment = jinja2.Environment(
         loader=jinja2.DictLoader(files),
         undefined=jinja2.StrictUndefined,

@@ -10,34 +10,34 @@ one end, the rest the other.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any, NamedTuple
 
 import sympy as sp
 
 from derive.backends import scalar
+from derive.review.machine import Written
+from derive.review.written import Form, Named, Product, Sum, exactly
 from derive.spec import LimbMechanism
-from derive.written import Form, Named, Product, Sum, exactly
-
-if TYPE_CHECKING:
-    from derive.account import Written
 
 Vector = tuple[float, float, float]
 PATH = 13  # points of the path that a joint's motion draws
 SWING = 0.45  # of that path to either side of the pose [rad], and as part of a sliding joint's longest link
 
 
-def drawing(exact: LimbMechanism, written: Written, at: Mapping[str, Any]) -> dict[str, Any]:
-    """Return points, lines and paths of a machine at a pose, in {O} [mm].
+class Pose(NamedTuple):
+    """A machine's coordinates, its joints, its tool point (3) and its limbs' rows of parameters [mm, rad]."""
 
-    Parameters
-    ----------
-    at : mapping
-        ``x`` (the machine's coordinates), ``q``, ``tool`` (3) and ``rows`` (limb by limb, in the order of the limb's
-        parameters).
-    """
-    pose = dict(zip((q.symbol.name for q in exact.platform), at["x"], strict=True))
+    x: Sequence[float]
+    q: Sequence[float]
+    tool: Sequence[float]
+    rows: Sequence[Sequence[float]]
+
+
+def drawing(exact: LimbMechanism, written: Written, at: Pose) -> dict[str, Any]:
+    """Return points, lines and paths of a machine at a pose, in {O} [mm]."""
+    pose = dict(zip((q.symbol.name for q in exact.platform), at.x, strict=True))
     names = list(written.steps.written)
     forms = {n: f for n in names if (f := _form(written, n, names)) is not None}
     ends = _closures(written, names, forms)
@@ -53,14 +53,14 @@ def drawing(exact: LimbMechanism, written: Written, at: Mapping[str, Any]) -> di
 
     joint = exact.joint.symbol.name
     found: dict[str, Any] = {"points": [], "lines": [], "paths": [], "P": _position(pose), "joint": joint}
-    for limb, values_of_limb in enumerate(at["rows"]):
+    for limb, values_of_limb in enumerate(at.rows):
         row = dict(zip((q.symbol.name for q in exact.limb_parameters), values_of_limb, strict=True))
-        inputs = {**pose, **dict(zip(("tx", "ty", "tz"), at["tool"], strict=True)), **row}
+        inputs = {**pose, **dict(zip(("tx", "ty", "tz"), at.tool, strict=True)), **row}
 
         def place(name: str, changed: Mapping[str, float], inputs: Mapping[str, float] = inputs) -> Vector:
             return _of(values({**inputs, **changed}), name, pose)
 
-        here = {joint: at["q"][limb]}
+        here = {joint: at.q[limb]}
         for name in points:
             found["points"].append({"name": name, "limb": limb + 1, "at": place(name, here), "on": side(name)})
         for name in points:
@@ -91,7 +91,7 @@ def drawing(exact: LimbMechanism, written: Written, at: Mapping[str, Any]) -> di
             if name in turned and name not in moved:
                 size = SWING if exact.joint.unit == "rad" else SWING * _longest(found["lines"])
                 steps = [size * (2 * k / (PATH - 1) - 1) for k in range(PATH)]
-                path = [place(name, {joint: at["q"][limb] + s}) for s in steps]
+                path = [place(name, {joint: at.q[limb] + s}) for s in steps]
                 found["paths"].append({"limb": limb + 1, "points": path})
     found["lines"] = [line for line in found["lines"] if math.dist(line["from"], line["to"]) > 1e-6]
     return found

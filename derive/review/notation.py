@@ -12,8 +12,8 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from derive import typeset as ts
-from derive.typeset import Math
+from derive.review import typeset as ts
+from derive.review.typeset import Math
 
 _TOKEN = re.compile(
     r"""(?P<space>\s*)(?:
@@ -228,15 +228,6 @@ def _formula(tokens: Sequence[_Token]) -> list[Math]:
 
 class _UnreadableError(Exception):
     """A text that is no formula."""
-
-
-@dataclass(frozen=True)
-class _Group:
-    """A bracket with what is in it."""
-
-    pair: str
-    body: Math
-    bare: bool  # a fraction or a root needs no bracket around it
 
 
 class _Parser:

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from importlib import resources
-from pathlib import Path
-from typing import Any
 
 import numpy as np
+from rich.console import Console
+from rich.table import Table
 
-from deltacal_gen import checks, derivations
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.machine.registry import SOLVED, mechanism_of
+from deltacal_gen.pages.report import asset
+from derive.review import account as accounts
+from derive.review import checks, reports
 
 POSES = 100
 
@@ -63,11 +63,25 @@ def trial(robot: Robot, poses: int = POSES) -> Trial:
     )
 
 
-def drawn(robot: Robot, root: Path) -> str:
+def drawn(robot: Robot) -> str:
     """Return a drawing (SVG) of the machine in the middle of its workspace, made of its own equations."""
-    account: Mapping[str, Any] = next(derivations.accounts([derivations.asked(robot)], root))
-    head, rest = derivations.drawn(robot, account).split(">", 1)
-    style = (resources.files("deltacal_gen") / "pages" / "style.css").read_text(encoding="utf-8")
+    head, rest = reports.drawn(robot, accounts.mechanism(robot.mechanism, robot)).split(">", 1)
+    style = asset("style.css")
     colours = style[style.index(":root") : style.index("}", style.index(":root")) + 1]  # the page's own, by their names
     ground = '<rect width="100%" height="100%" fill="var(--paper)"/>'
     return f"{head}><style>{colours} text {{ font-family: sans-serif }}</style>{ground}{rest}"
+
+
+def told(robot: Robot, found: Trial) -> str:
+    """Return a trial as text: a sentence, and a table of what is seen."""
+    table = Table("seen by", "points", "rank", f"of {found.model}", "smallest, by the largest")
+    for rank in found.ranks:
+        table.add_row(rank.kind, str(rank.points), str(rank.rank), str(rank.columns), f"{rank.smallest:.1e}")
+    screen = Console(width=120)
+    with screen.capture() as seen:
+        screen.print(table)
+    there_and_back = (
+        f"{robot.mechanism}: {found.solved} of {found.poses} poses there and back, within {found.worst_mm:.1e} mm and "
+        f"{found.worst_rad:.1e} rad; derivatives leave a remainder of order {found.order:.2f} (2 is right)"
+    )
+    return f"{there_and_back}\n{seen.get()}"

@@ -66,7 +66,11 @@ _OPERATORS = {
     "…": r"\ldots ",
     "⊤": r"\top ",
     "∧": r"\wedge ",
+    "∨": r"\vee ",
     "→": r"\to ",
+    "≤": r"\le ",
+    "≥": r"\ge ",
+    "≠": r"\ne ",
 }
 
 
@@ -137,10 +141,11 @@ def root(body: Math) -> Math:
 def brackets(body: Math, pair: str = "()") -> Math:
     """Return a body in brackets that grow with it."""
     left, right = pair[0], pair[1]
+    tex = {"⌊": r"\lfloor ", "⌋": r"\rfloor "}
     form = {"|": (' form="prefix"', ' form="postfix"')}.get(left, ("", ""))
     return Math(
         f"<mrow><mo{form[0]}>{left}</mo>{body.mathml}<mo{form[1]}>{right}</mo></mrow>",
-        rf"\left{left}{body.latex}\right{right}",
+        rf"\left{tex.get(left, left)}{body.latex}\right{tex.get(right, right)}",
     )
 
 
@@ -151,6 +156,13 @@ def matrix(rows: Sequence[Sequence[Math]]) -> Math:
     return Math(
         f"<mrow><mo>(</mo><mtable>{cells}</mtable><mo>)</mo></mrow>", rf"\begin{{pmatrix}} {tex} \end{{pmatrix}}"
     )
+
+
+def cases(rows: Sequence[tuple[Math, Math]]) -> Math:
+    """Return values, each with its condition."""
+    cells = "".join(f"<mtr><mtd>{_group(e).mathml}</mtd><mtd>{_group(c).mathml}</mtd></mtr>" for e, c in rows)
+    tex = r" \\ ".join(f"{e.latex} & {c.latex}" for e, c in rows)
+    return Math(f"<mrow><mo>{{</mo><mtable>{cells}</mtable></mrow>", rf"\begin{{cases}} {tex} \end{{cases}}")
 
 
 def separated(parts: Iterable[Math], by: str = ",") -> Math:
@@ -191,6 +203,28 @@ def name(text: str, *, bold: bool = False) -> Math:
     marks = [m for part in index for m in part.split("_")]
     shown = separated((_mark(m) for m in marks), ",")
     return sub(base, shown)
+
+
+def vector(text: str) -> Math:
+    """Return the name of a vector or matrix, bold.
+
+    ``d x`` is its differential, ``∂r/∂q`` one's derivative by another, ``r ×`` the matrix of the cross product with it,
+    ``[r]`` the same written as a matrix.
+    """
+    if text.startswith("d "):
+        return row(words("d"), vector(text[2:]))
+    if found := re.fullmatch(r"∂(.+)/∂(.+)", text):
+        return partial(vector(found[1]), vector(found[2]))
+    if text.endswith(" ×"):
+        return row(vector(text[:-2]), op("×"))
+    if text.startswith("["):
+        return sub(brackets(vector(text[1:-1]), "[]"), op("×"))
+    return name(text, bold=True)
+
+
+def partial(of: Math, by: Math) -> Math:
+    """Return a partial derivative."""
+    return frac(row(op("∂"), of), row(op("∂"), by))
 
 
 def _mark(text: str) -> Math:
@@ -301,6 +335,108 @@ class _Expression(Printer):
 
     def _print_Abs(self, expr: sp.Abs) -> Math:
         return brackets(self.typeset(expr.args[0]), "||")
+
+    def _print_sign(self, expr: sp.sign) -> Math:
+        return row(letter("sgn"), brackets(self.typeset(expr.args[0])))
+
+    def _print_Heaviside(self, expr: sp.Heaviside) -> Math:
+        return row(letter("H"), brackets(self.typeset(expr.args[0])))
+
+    def _print_floor(self, expr: sp.floor) -> Math:
+        return brackets(self.typeset(expr.args[0]), "⌊⌋")
+
+    def _print_Mod(self, expr: sp.Mod) -> Math:
+        return row(self._factor(expr.args[0]), words(" mod "), self._factor(expr.args[1]))
+
+    def _print_Max(self, expr: sp.Max) -> Math:
+        return row(letter("max"), brackets(separated(map(self.typeset, expr.args))))
+
+    def _print_Min(self, expr: sp.Min) -> Math:
+        return row(letter("min"), brackets(separated(map(self.typeset, expr.args))))
+
+    def _print_Piecewise(self, expr: sp.Piecewise) -> Math:
+        return cases([(self.typeset(e), self.typeset(condition)) for e, condition in expr.args])
+
+    def _print_Relational(self, expr: sp.Rel) -> Math:
+        sign = {"<=": "≤", ">=": "≥", "!=": "≠", "==": "="}.get(expr.rel_op, expr.rel_op)
+        return row(self.typeset(expr.lhs), op(sign), self.typeset(expr.rhs))
+
+    def _print_BooleanTrue(self, expr: sp.Basic) -> Math:
+        return words("otherwise")
+
+    def _print_And(self, expr: sp.And) -> Math:
+        return separated(map(self.typeset, expr.args), "∧")
+
+    def _print_Or(self, expr: sp.Or) -> Math:
+        return separated(map(self.typeset, expr.args), "∨")
+
+    def _print_Derivative(self, expr: sp.Derivative) -> Math:
+        of = letter(type(expr.expr).__name__) if isinstance(expr.expr, AppliedUndef) else self._factor(expr.expr)
+        return partial(of, self.typeset(expr.variables[0]))
+
+    def _print_Sum(self, expr: sp.Sum) -> Math:
+        return row(sub(op("∑"), self.typeset(expr.limits[0][0])), self._factor(expr.function))
+
+    # matrices and vectors by their names
+    def _print_MatrixSymbol(self, expr: sp.MatrixSymbol) -> Math:
+        return self._symbols(expr) or vector(expr.name)
+
+    def _print_ImmutableDenseMatrix(self, expr: sp.ImmutableDenseMatrix) -> Math:
+        if expr == sp.eye(expr.rows):
+            return letter("I", bold=True)
+        return matrix([[self.typeset(e) for e in expr.row(i)] for i in range(expr.rows)])
+
+    def _print_ZeroMatrix(self, expr: sp.ZeroMatrix) -> Math:
+        return number(0) if expr.shape == (1, 1) else letter("0", bold=True)
+
+    def _print_Transpose(self, expr: sp.Transpose) -> Math:
+        of = expr.arg
+        if isinstance(of, sp.Inverse):
+            return sup(self._raised(of.arg), row(op("−"), op("⊤")))
+        return sup(self._raised(of), op("⊤"))
+
+    def _print_MatPow(self, expr: sp.MatPow) -> Math:
+        return sup(self._raised(expr.base), self.typeset(expr.exp))
+
+    def _print_Inverse(self, expr: sp.Inverse) -> Math:
+        of, transposed = expr.arg, isinstance(expr.arg, sp.Transpose)
+        return sup(self._raised(of.arg if transposed else of), row(op("−"), op("⊤") if transposed else number(1)))
+
+    def _raised(self, expr: sp.MatrixExpr) -> Math:
+        shown = self.typeset(expr)
+        return brackets(shown) if not isinstance(expr, sp.MatrixSymbol) or "∂" in expr.name else shown
+
+    def _factor_of_matrices(self, expr: sp.MatrixExpr) -> Math:
+        return brackets(self.typeset(expr)) if isinstance(expr, sp.MatAdd) else self.typeset(expr)
+
+    def _print_MatMul(self, expr: sp.MatMul) -> Math:
+        factor, matrices = expr.as_coeff_matrices()
+        if factor.could_extract_minus_sign():
+            return row(op("−"), self.typeset(sp.MatMul(-factor, *matrices)))
+        above, below = sp.fraction(factor)
+        whole = EMPTY
+        for n, one in enumerate(matrices):
+            alone = len(matrices) == 1 and not below.is_number
+            whole = whole + (thin() if n else EMPTY) + (self.typeset(one) if alone else self._factor_of_matrices(one))
+        if not below.is_number and above == 1:
+            return row(frac(whole, self.typeset(below)))
+        return row(whole) if factor == 1 else row(self._factor(factor), whole)
+
+    def _print_MatAdd(self, expr: sp.MatAdd) -> Math:
+        whole = EMPTY
+        for n, term in enumerate(sorted(expr.args, key=_degree)):
+            negative = term.as_coeff_mmul()[0].could_extract_minus_sign()
+            shown = self.typeset(-term if negative else term)
+            whole = whole + (op("−") if negative else op("+") if n else EMPTY) + shown
+        return row(whole)
+
+
+def _degree(term: sp.MatrixExpr) -> tuple[bool, int]:
+    """Return by what the terms of a sum of matrices are ordered: negative ones last, higher powers later."""
+    factor, product = term.as_coeff_mmul()
+    if isinstance(term, sp.MatrixBase):  # entries: the unit matrix
+        return False, 0
+    return factor.could_extract_minus_sign(), max([1, *(int(f.exp) for f in product.atoms(sp.MatPow))])
 
 
 def _is_word(shown: Math) -> bool:

@@ -1,8 +1,8 @@
 r"""A machine as it is written down: vectors and rotations instead of thousands of entries.
 
-SymPy keeps the entries of ``B + R exp(v) e``, not the formula. Two things bring it back. `opaque` imports the
-mechanisms once more with every rotation left as a function of its argument, ``exp_23(v)`` instead of polynomials; a
-vector of such entries is linear in each rotation and in each earlier step, and `Reader` takes it apart accordingly::
+SymPy keeps the entries of ``B + R exp(v) e``, not the formula. Two things bring it back. Written in the algebra
+`OPAQUE` a machine's rotations are functions of their arguments, ``exp_23(v)`` instead of polynomials; a vector of such
+entries is linear in each rotation and in each earlier step, and `Reader` takes it apart accordingly::
 
     value = N M C + rest,        N_ik C_lj = d value_ij / d M_kl
 
@@ -12,20 +12,17 @@ by entry; `Form.explicit` says so to a test. Where nothing is recognised, the en
 
 from __future__ import annotations
 
-import importlib
 import itertools
-import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
-from derive import typeset as ts
-from derive import vectors
-from derive.typeset import Math
+from derive.review import typeset as ts
+from derive.review.typeset import Math
+from derive.vectors import EXACT, Algebra
 
 ROTATIONS = {
     "rotation_vector": "exp",
@@ -34,8 +31,6 @@ ROTATIONS = {
     "turn_about_y": "R_y",
     "turn_about_z": "R_z",
 }
-EXACT = {long: getattr(vectors, long) for long in ROTATIONS}
-PACKAGES = ("derive.mechanisms", "derive.measurements")
 
 
 def _opaque(short: str) -> Callable[[sp.Expr | sp.Matrix], sp.Matrix]:
@@ -46,27 +41,7 @@ def _opaque(short: str) -> Callable[[sp.Expr | sp.Matrix], sp.Matrix]:
     return rotation
 
 
-@contextmanager
-def opaque() -> Iterator[None]:
-    """Import mechanisms and measurements afresh with rotations left as functions of their arguments."""
-    before = {n: m for n, m in sys.modules.items() if n.startswith(PACKAGES)}
-    packages = {n: importlib.import_module(n) for n in ("derive",)}
-    attributes = {n: getattr(packages["derive"], n.split(".")[1], None) for n in PACKAGES}
-    for n in before:
-        del sys.modules[n]
-    for long, short in ROTATIONS.items():
-        setattr(vectors, long, _opaque(short))
-    try:
-        yield
-    finally:
-        for long, function in EXACT.items():
-            setattr(vectors, long, function)
-        for n in [n for n in sys.modules if n.startswith(PACKAGES)]:
-            del sys.modules[n]
-        sys.modules.update(before)
-        for n, module in attributes.items():
-            if module is not None:
-                setattr(packages["derive"], n.split(".")[1], module)
+OPAQUE = Algebra(**{long: _opaque(short) for long, short in ROTATIONS.items()})
 
 
 def exactly(expr: sp.Expr) -> sp.Expr:
@@ -76,7 +51,7 @@ def exactly(expr: sp.Expr) -> sp.Expr:
         short, i, j = split(f)
         long = next(n for n, s in ROTATIONS.items() if s == short)
         argument = f.args[0] if long.startswith("turn") else sp.Matrix(f.args)
-        found[f] = EXACT[long](argument)[i, j]
+        found[f] = getattr(EXACT, long)(argument)[i, j]
     return expr.xreplace(found)
 
 
@@ -442,12 +417,9 @@ class Reader:
             slopes = sp.Matrix([sp.diff(expr, s) if s != 0 else 0 for s in V])
             if slopes == sp.zeros(3, 1):
                 continue
-            found.append((self._form_of(slopes, V), self._named(name, self._plain(V))))
+            found.append((self.read(slopes), self._named(name, self._plain(V))))
             expr = expr - sum((g * s for g, s in zip(slopes, V, strict=True)), sp.Integer(0))
         return found, sp.expand(expr) if found else expr
-
-    def _form_of(self, slopes: sp.Matrix, V: sp.Matrix) -> Form:
-        return self.read(slopes)
 
 
 def rotation_name(short: str) -> Math:

@@ -1,0 +1,91 @@
+"""What a report may be on: models of mechanisms, and effects; and the machine that shows each in numbers."""
+
+from __future__ import annotations
+
+import importlib
+from dataclasses import dataclass
+from functools import cache
+from importlib import resources
+from pathlib import Path
+
+from deltacal_gen.errors import UsageError
+from deltacal_gen.files.robot import Robot, for_model, read_robot
+from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
+from deltacal_gen.physics.physics import effect_names, lacking
+
+
+@dataclass(frozen=True)
+class Subject:
+    """What a report is on: a model of a mechanism, or an effect.
+
+    Attributes
+    ----------
+    name : str
+        ``delta/42`` or ``backlash``.
+    mechanism : str
+        Registered name; empty for an effect.
+    """
+
+    name: str
+    mechanism: str
+
+    @property
+    def stem(self) -> str:
+        """Name of its file."""
+        return self.name.replace("/", "-") if self.mechanism else f"effect-{self.name}"
+
+
+def subjects() -> list[Subject]:
+    """Return all models of all mechanisms, and all effects."""
+    models = [Subject(model, name) for name in mechanism_names() for model in _models(name)]
+    return [*models, *(Subject(name, "") for name in effect_names())]
+
+
+def subject(name: str) -> Subject:
+    """Return what `name` means: a model, a mechanism (then its largest model) or an effect.
+
+    Raises
+    ------
+    UsageError
+        There is no such thing.
+    """
+    every = subjects()
+    named = [s for s in every if s.name == name] or [s for s in every if s.mechanism == name]
+    if not named:
+        known = ", ".join(s.name for s in every)
+        raise UsageError(f"there is no model, mechanism or effect '{name}'; known: {known}.")
+    return named[0]
+
+
+@cache
+def _models(mechanism: str) -> tuple[str, ...]:
+    """Return the models of a mechanism; those of a chain are its robot file's."""
+    robot = example(mechanism)
+    return tuple(mechanism_of(robot).models if robot is not None else load_mechanism(mechanism).models)
+
+
+@cache
+def example(mechanism: str) -> Robot | None:
+    """Return the machine of an example's robot file as a mechanism describes it, or None where there is no example."""
+    tables = importlib.import_module(f"deltacal_kernels.{mechanism}.parameters")
+    machine = getattr(tables, "MACHINE", mechanism)
+    folder = Path(str(resources.files("deltacal_gen") / "examples"))
+    for file in sorted(folder.glob("*/robot.toml"), key=lambda f: (f.parent.name != machine, f.parent.name)):
+        robot = read_robot(file)
+        if robot.mechanism == mechanism:
+            return robot
+        if robot.mechanism == machine:
+            return for_model(robot, next(iter(load_mechanism(mechanism).models)))
+    return None
+
+
+def applies(effect: str, mechanism: str) -> list[str]:
+    """Return what a mechanism lacks that an effect needs; nothing where it applies."""
+    robot = example(mechanism)
+    of = load_mechanism(mechanism) if robot is None else mechanism_of(robot)
+    return lacking(effect, of, {} if robot is None else of.moves(robot), {} if robot is None else of.roles(robot))
+
+
+def title_of(mechanism: str) -> str:
+    title: str = importlib.import_module(f"deltacal_kernels.{mechanism}.parameters").TITLE
+    return title
