@@ -330,7 +330,10 @@ class _Run:
 
         try:
             while True:
-                while len(flying) < AHEAD * self.pool.width and (waiting or (more and len(done) < most)):
+                # whoever was at work when a worker ended is tried alone, so that nobody pays for another
+                while len(flying) < (1 if waiting else AHEAD * self.pool.width) and (
+                    waiting or (more and len(done) < most)
+                ):
                     number, task = waiting.pop(0) if waiting else next(upcoming, (None, None))
                     if number is None or task is None:
                         more = False
