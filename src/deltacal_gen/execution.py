@@ -355,25 +355,24 @@ class _Run:
                         return
                     continue
                 ready, _ = concurrent.futures.wait(flying, return_when=concurrent.futures.FIRST_COMPLETED)
-                broken = False
+                lost: list[tuple[int, Task]] = []  # at work, or about to be, when a worker ended
                 for future in ready:
                     number, task = flying.pop(future)
                     try:
                         end(number, task, self._close(task, future.result()))
                     except BrokenProcessPool:
-                        broken = True
-                        waiting.append((number, task))
+                        lost.append((number, task))
                     except DeltacalError:  # the directory cannot be written
                         raise
                     except Exception as error:  # of the cluster: a worker lost for good, a result that cannot travel
                         said = {"result": None, "error": f"{type(error).__name__}: {error}", "kept": False}
                         done[number] = self._close(task, said)
-                if broken:
-                    waiting += flying.values()
+                if lost:
+                    lost += flying.values()
                     flying.clear()
                     executor.shutdown(wait=False)
                     executor = self.pool.make()
-                    waiting = self._survivors(sorted(waiting, key=lambda w: w[0]), deaths, done)
+                    waiting = sorted([*waiting, *self._survivors(lost, deaths, done)], key=lambda w: w[0])
         finally:
             for future in flying:
                 future.cancel()
@@ -387,11 +386,11 @@ class _Run:
         return outcome
 
     def _survivors(
-        self, waiting: list[tuple[int, Task]], deaths: dict[str, int], done: dict[int, Outcome]
+        self, lost: list[tuple[int, Task]], deaths: dict[str, int], done: dict[int, Outcome]
     ) -> list[tuple[int, Task]]:
         """Return the tasks to be tried again after a worker ended; which one ended it is not known."""
         left = []
-        for number, task in waiting:
+        for number, task in lost:
             deaths[task.key] = deaths.get(task.key, 0) + 1
             if deaths[task.key] >= LIVES * AHEAD:
                 words = "the worker ended every time: out of memory, or killed"
