@@ -1,12 +1,13 @@
 """``python -m derive review``: write reports of models and effects, or look at a machine that was just derived.
 
-Standard output is the answer: the files, one a line; or why there are none, and of a file two more lines,
-what to do and its name. What is being done goes to standard error. The exit code is that of the error's class.
+Standard output is the answer, the files one a line, or why there are none: of an unusable input that is JSON, what an
+`InputError` holds. What is being done goes to standard error. The exit code is that of the error's class.
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -68,7 +69,8 @@ def main(arguments: Sequence[str]) -> int:
             return 0
         written = write_all(asked.output) if asked.name is None else write(asked.name, asked.output)
     except InputError as error:
-        print(error.problem, error.remedy, error.file, sep="\n")
+        said = {"problem": error.problem, "remedy": error.remedy, "line": error.line, "column": error.column}
+        print(json.dumps({**said, "file": None if error.file is None else str(error.file)}))
         return error.exit_code
     except DeltacalError as error:
         print(error)

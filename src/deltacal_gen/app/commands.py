@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import dataclasses
 import io
+import json
 import os
 import shutil
 import subprocess
@@ -231,8 +232,7 @@ def _reviewed(root: Path, *arguments: object, progress: Progress = _silent) -> s
     if process.returncode == UsageError.exit_code:
         raise UsageError(answer)
     if process.returncode == InputError.exit_code:
-        problem, remedy, file = answer.split("\n")
-        raise InputError(problem, remedy, file=file)
+        raise InputError(**json.loads(answer))
     if process.returncode:
         raise RuntimeError("".join(said) + answer)
     return answer
@@ -294,12 +294,9 @@ def trial(robot: Source, output: Source | None = None) -> str:
         This is no source checkout, or SymPy is not installed.
     """
     check_output(output, robot, ending=(".svg",))
-    root, here = (
-        _deriving("a machine is drawn from its equations, in a source checkout."),
-        f"{Path().absolute()}{os.sep}",
-    )
+    root = _deriving("a machine is drawn from its equations, in a source checkout.")
     answer = _reviewed(root, "--try", Path(robot).absolute(), "-o", Path(output or "").absolute())
-    return answer.replace(here, "")
+    return answer.replace(f"{Path().absolute()}{os.sep}", "")
 
 
 def plan(
