@@ -1,6 +1,7 @@
 """``python -m derive [NAME ...] [--check]``: derive kernels and write them, or compare them with what is committed.
 
-``python -m derive review NAME -o FILE`` writes a report for reviewers instead, see `derive.review.command`.
+``python -m derive review NAME -o FILE`` writes a report for reviewers instead, see `derive.review.command`;
+``python -m derive verdicts [--check]`` decides what the papers print, see `derive.papers.verdicts`.
 """
 
 from __future__ import annotations
@@ -17,6 +18,10 @@ def main() -> int:
         from derive.review import command  # needs what the runtime needs
 
         return command.main(sys.argv[2:])
+    if sys.argv[1:2] == ["verdicts"]:
+        from derive.papers import verdicts
+
+        return verdicts.main(sys.argv[2:])
     parser = argparse.ArgumentParser(prog="python -m derive", description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME", help="of mechanisms, effects, measurements; default: all")
     parser.add_argument("--check", action="store_true", help="write nothing; fail if the committed kernels differ")

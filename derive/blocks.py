@@ -54,6 +54,8 @@ class Blocks:
         Of how many systems `step`, and `command`, say how far they are from dependent.
     paired : bool
         Whether the rows of a limb are mean and half the difference of two closures.
+    seeds : tuple of int
+        Lane array of each number that Newton's method starts from, limb by limb.
     """
 
     functions: tuple[Functions, ...]
@@ -67,6 +69,7 @@ class Blocks:
     checks: int
     held: int
     paired: bool
+    seeds: tuple[int, ...]
     lanes: int = LANES
 
 
@@ -314,6 +317,7 @@ def blocks(mechanism: LimbMechanism, seed: str, seeds: Sequence[sp.Expr], functi
         checks=common.at["going"] - common.at["regular"],
         held=solved.held,
         paired=paired,
+        seeds=tuple(i * stride + region.at["seed"] + c for i in range(limbs) for c in range(len(seeds))),
     )
 
 

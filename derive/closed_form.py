@@ -7,11 +7,13 @@ angle, for a sliding one quadratic.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cache
 
 import sympy as sp
 
-from derive.graph import expand_steps
+from derive.graph import Steps, expand_steps
 from derive.spec import LimbMechanism
 from derive.vectors import Matrix, angle
 
@@ -43,6 +45,74 @@ def sphere(mechanism: LimbMechanism) -> tuple[sp.Matrix, sp.Expr]:
     if sp.hessian(closure, position).applyfunc(sp.simplify) != sp.eye(len(position)):
         raise ValueError(f"{mechanism.name}: the simplified closure is no sphere in the position.")
     return sp.Matrix([-sp.diff(closure, p).subs(origin) for p in position]), closure.subs(origin)
+
+
+@dataclass(frozen=True)
+class Meeting:
+    """Where spheres meet, in terms of `steps`.
+
+    Attributes
+    ----------
+    position : sympy.Matrix
+    clear : sympy.Expr
+        Squared distance of the position from the centres' line or plane; negative where there is none.
+    square, wide : sympy.Expr
+        How far the centres lie apart, and what that is compared with: of three, squared products of two sides, so that
+        the ratio is a squared sine; of two, squared distances, of one from the other and of both from the origin.
+    """
+
+    steps: Steps
+    position: sp.Matrix
+    clear: sp.Expr
+    square: sp.Expr
+    wide: sp.Expr
+
+
+def meet(spheres: Sequence[tuple[sp.Matrix, sp.Expr]], side: int) -> Meeting:
+    """Return where spheres ``|P|^2 - 2 c.P + d = 0`` meet: three in space, or two circles in the plane.
+
+    Their differences, ``a.P = (d_i - d_0) / 2`` with ``a = c_i - c_0``, meet in a line along n, on which the first
+    sphere is a quadratic. Where the line misses it the nearest point is taken: the exact machine may still reach what
+    the simplified one cannot.
+
+    Parameters
+    ----------
+    spheres : sequence of (sympy.Matrix, sympy.Expr)
+        Centre c and constant d of each.
+    side : {+1, -1}
+        Which of the two points, counted along n turned so that its last component is positive.
+    """
+    steps: list[tuple[sp.Symbol, sp.Expr]] = []
+
+    def named(name: str, value: sp.Expr) -> sp.Symbol:
+        steps.append((sp.Symbol(name, real=True), value))
+        return steps[-1][0]
+
+    def vector(name: str, value: sp.Matrix) -> sp.Matrix:
+        return sp.Matrix([named(f"{name}_{axis}", entry) for axis, entry in zip("xyz", value, strict=False)])
+
+    (first, constant), *others = spheres
+    a = [vector(name, centre - first) for name, (centre, _) in zip("ab", others, strict=False)]
+    to = [named(f"to_{name}", (d - constant) / 2) for name, (_, d) in zip("ab", others, strict=False)]
+    aa = named("aa", a[0].dot(a[0]))
+    if len(a) == 1:
+        n, square = sp.Matrix([-a[0][1], a[0][0]]), aa
+        wide = first.dot(first) + others[0][0].dot(others[0][0])
+        foot = [to[0]]
+    else:
+        n = vector("n", a[0].cross(a[1]))
+        square, bb, ab = named("nn", n.dot(n)), named("bb", a[1].dot(a[1])), named("ab", a[0].dot(a[1]))
+        wide = aa * bb
+        foot = [to[0] * bb - to[1] * ab, to[1] * aa - to[0] * ab]  # Gram's equations: their determinant is |n|^2
+    inverse = named("inverse", 1 / square)
+    shares = [named(f"by_{name}", share * inverse) for name, share in zip("ab", foot, strict=False)]
+    p = vector("p", sum((share * side_ for share, side_ in zip(shares, a, strict=True)), sp.zeros(len(first), 1)))
+    half = named("half", (p - first).dot(n) * inverse)
+    rest = named("rest", p.dot(p) - 2 * first.dot(p) + constant)
+    under = named("under", half**2 - rest * inverse)
+    root = sp.sqrt(named("kept", sp.Piecewise((under, under > 0), (0, True))))
+    along = named("along", side * sp.Piecewise((root, n[-1] > 0), (-root, True)) - half)
+    return Meeting(steps, p + along * n, under * square, square, wide)
 
 
 def start_of_inverse(mechanism: LimbMechanism) -> list[sp.Expr]:

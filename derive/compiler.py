@@ -29,15 +29,17 @@ from derive.backends import servo as commands
 from derive.backends.ir import Kernel
 from derive.blocks import nominal
 from derive.first_order import linear
+from derive.language.effects import Effect
 from derive.language.states import COVARIATE, STATES
 from derive.lower import lower
 from derive.mathematics.chains import links
 from derive.mathematics.effects import effect
 from derive.mathematics.functions import Functions
-from derive.mathematics.kinematics import kinematics, rotations, stated
-from derive.mathematics.measurements import measurement, platform_names, step
+from derive.mathematics.images import images
+from derive.mathematics.kinematics import kinematics, meeting, rotations, stated
+from derive.mathematics.measurements import distances, measurement, platform_names, step
 from derive.registry import effects, measurements, mechanisms
-from derive.spec import ChainMechanism, Effect, LimbMechanism, Measurement
+from derive.spec import ChainMechanism, LimbMechanism, Measurement
 
 ROOT = Path(__file__).resolve().parent.parent
 TEMPLATES = ROOT / "templates"
@@ -45,7 +47,15 @@ GENERATED = ROOT / "generated" / "deltacal_kernels"
 COMMAND = "deltacal kernels"
 SIZES = Path("sizes.csv")
 SUPPORT = ROOT / "derive" / "support"  # plain Python, copied as it stands
-COMMON = ("__init__.py", "poses.py", "effects/__init__.py", "effects/states.py", "measurements/__init__.py")
+COMMON = (
+    "__init__.py",
+    "poses.py",
+    "rotations.py",
+    "images.py",
+    "effects/__init__.py",
+    "effects/states.py",
+    "measurements/__init__.py",
+)
 
 Spec = LimbMechanism | ChainMechanism | Effect | Measurement
 Kernels = Mapping[str, Kernel]
@@ -96,17 +106,17 @@ def derive_one(spec: Spec) -> Derived:
     if isinstance(spec, Measurement):
         return Derived(spec, {"measurement": [measurement(spec), step(spec)]})
     if isinstance(spec, ChainMechanism):
-        return Derived(spec, {"links": links(spec)})
+        return Derived(spec, {"links": [links(spec)]})
     moving, blocks = kinematics(spec)
     ideal = nominal(spec, blocks)
     exact, first_order = servo.exact(spec), servo.linear(spec)
     functions = {
-        "moving": [moving, *blocks.functions],
+        "moving": [moving, *blocks.functions, *meeting(spec)],
         "statics": statics.loads(spec),
         "exact": exact.functions,
         "linear": first_order.functions,
         "exported": [linear(spec), *([stated(spec)] if spec.turning else [])],
-        **({"nominal": ideal.functions} if ideal else {}),
+        **({"nominal": [*ideal.functions, distances(spec.commanded)]} if ideal else {}),
     }
     return Derived(spec, functions, {"blocks": blocks, "nominal": ideal, "exact": exact, "linear": first_order})
 
@@ -147,7 +157,7 @@ def write_one(lowered: Lowered) -> dict[Path, str]:
     folder = Path(spec.name)
     texts = {folder / "__init__.py": f'"""{spec.title}: tables and kernels."""\n'}
     if isinstance(spec, ChainMechanism):
-        for name in ("parameters.py", "links.py"):
+        for name in ("parameters.py", "vectorised.py", "kinematics.py"):
             texts[folder / name] = _file(f"chain/{name}", spec, mechanism=spec, kernels=kernels["links"])
         return texts
     moving, layouts = kernels["moving"], lowered.layouts
@@ -215,7 +225,9 @@ def _tables(mechanism: LimbMechanism) -> dict[str, Any]:
 def _common(every: Mapping[str, Sequence[str]]) -> dict[Path, str]:
     """Return the files that belong to no spec alone; `every` holds the names of mechanisms and effects."""
     words = {"states": STATES.values(), "covariate": COVARIATE}
-    context = {**every, **words, "kernels": _lowered(rotations()), "command": COMMAND}
+    plain, of_poses = _lowered(rotations()), _lowered(rotations("own", "pose", 3))
+    context = {**every, **words, "plain": plain, "kernels": of_poses, "images": _lowered(images())}
+    context["command"] = COMMAND
     texts = {Path(name): _environment().get_template(f"{name}.jinja").render(context) for name in COMMON}
     for path in sorted(SUPPORT.glob("[!_]*.py")):
         head = f'# Copied from {path.relative_to(ROOT).as_posix()} by "{COMMAND}". Do not edit.\n\n'

@@ -15,7 +15,8 @@ from types import ModuleType
 import derive.effects
 import derive.measurements
 import derive.mechanisms
-from derive.spec import ChainMechanism, Effect, LimbMechanism, Measurement
+from derive.language.effects import Effect
+from derive.spec import ChainMechanism, LimbMechanism, Measurement
 from derive.vectors import EXACT, Algebra
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import inspect
+import sys
 from typing import Any, TypeVar
 
 import sympy as sp
@@ -12,8 +12,7 @@ Value = TypeVar("Value", sp.Expr, sp.Matrix)
 
 def _caller() -> int:
     """Return the line of the source file that called the method in which this is called."""
-    method = inspect.currentframe().f_back  # type: ignore[union-attr]
-    return method.f_back.f_lineno  # type: ignore[union-attr]
+    return sys._getframe(2).f_lineno
 
 
 class Derivation(list[tuple[sp.Symbol, sp.Expr]]):

@@ -115,25 +115,33 @@ class Algebra:
 EXACT = Algebra(rotation_vector, cayley, turn_about_x, turn_about_y, turn_about_z)
 
 
-def follow(screws: Sequence[Screw]) -> tuple[sp.Matrix, sp.Matrix, dict[sp.Expr, sp.Matrix]]:
-    """Return rotation (3, 3) and shift (3, 1) of screws one after the other, and the twist (6, 1) by each variable.
+def follow(
+    screws: Sequence[Screw],
+    rotation: sp.Matrix | None = None,
+    origin: sp.Matrix | None = None,
+    end: sp.Matrix | None = None,
+) -> tuple[sp.Matrix, sp.Matrix, dict[sp.Expr, sp.Matrix]]:
+    """Return rotation (3, 3) and origin (3, 1) behind screws one after the other, and the twist (6, 1) by each of them.
 
-    A variable moves all that comes behind it as a rigid body: a turn by w shifts the end by ``w x (end - axis)``. A
-    twist is the shift of the end and the turn, in the frame before the first screw.
+    All of it along the axes in which the frame before the first screw has this `rotation` and `origin`: its own, unless
+    they are given. A turn or a shift moves all that comes behind it as a rigid body: a turn by w shifts the `end`, by
+    default that of the last screw, by ``w x (end - axis)``. A twist is the shift of the end and the turn.
     """
     about = {"x": turn_about_x, "y": turn_about_y, "z": turn_about_z}
-    rotation, shift = sp.eye(3), sp.zeros(3, 1)
-    at: list[tuple[sp.Expr, sp.Matrix, sp.Matrix, bool]] = []  # variable, its axis, a point of it, whether it turns
+    rotation = sp.eye(3) if rotation is None else rotation
+    at = sp.zeros(3, 1) if origin is None else origin
+    moved: list[tuple[sp.Expr, sp.Matrix, sp.Matrix | None]] = []  # variable, its axis, a point of it where it turns
     for screw in screws:
         axis = rotation[:, "xyz".index(screw.axis)]
-        at += [(screw.turn, axis, shift, True), (screw.shift, axis, shift, False)]
-        rotation, shift = rotation * about[screw.axis](screw.turn), shift + axis * screw.shift
+        moved += [(screw.turn, axis, at), (screw.shift, axis, None)]
+        rotation, at = rotation * about[screw.axis](screw.turn), at + axis * screw.shift
+    end = at if end is None else end
     twists = {
-        variable: sp.Matrix.vstack(axis.cross(shift - point), axis) if turns else sp.Matrix.vstack(axis, sp.zeros(3, 1))
-        for variable, axis, point, turns in at
-        if variable != 0
+        by: sp.Matrix.vstack(axis, sp.zeros(3, 1)) if point is None else sp.Matrix.vstack(axis.cross(end - point), axis)
+        for by, axis, point in moved
+        if by != 0
     }
-    return rotation, shift, twists
+    return rotation, at, twists
 
 
 def angle(A: sp.Expr, B: sp.Expr, C: sp.Expr, side: int) -> sp.Expr:

@@ -14,13 +14,13 @@ import numpy as np
 import pytest
 
 from deltacal_gen.app import cli
-from deltacal_gen.files.recording import Measurement, Recording
 from deltacal_gen.files.robot import Robot, kept_robot, robot_from_dict
 from deltacal_gen.identification.accuracy import check_poses, circle
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import Machine, load_mechanism
 from deltacal_gen.machine.rotation import cayley_vector, from_vector, to_vector
+from deltacal_gen.machine.values import Measurement, Recording
 from deltacal_gen.results.parts import Source
 from deltacal_gen.results.result import Read, Regularisation, Result
 from deltacal_gen.units import to_internal
@@ -56,7 +56,7 @@ def run(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> 
 
     def call(*arguments: object) -> tuple[int, str, str]:
         monkeypatch.setattr(sys, "argv", ["deltacal", *map(str, arguments)])
-        monkeypatch.setattr(cli.screen, "_file", None)
+        monkeypatch.setattr(cli.common.screen, "_file", None)
         code = 0
         try:
             cli.main()

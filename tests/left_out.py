@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 
 import deltacal_gen as dc
-from deltacal_gen.files.recording import Recording
 from deltacal_gen.files.robot import Robot, robot_from_dict
 from deltacal_gen.machine.registry import load_mechanism
-from deltacal_gen.physics.physics import Term, blank, load_effect
+from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import simulate
+from deltacal_gen.physics.terms import Term, blank, load_effect
 from deltacal_gen.results.diagnosis import Diagnosis
 from tests.conftest import PROTOTYPE, plausible, scattered, wanted
 

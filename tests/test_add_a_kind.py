@@ -15,8 +15,8 @@ from pathlib import Path
 import pytest
 from conftest import PROTOTYPE, scattered, wanted
 
-from deltacal_gen.files.recording import write_recording
 from deltacal_gen.files.robot import robot_from_dict, robot_to_toml
+from deltacal_gen.files.writing import write_recording
 
 ROOT = Path(__file__).parents[1]
 PAGE = ROOT / "src" / "deltacal_gen" / "manual" / "add-measurement.md"

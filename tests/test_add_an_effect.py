@@ -15,8 +15,8 @@ import numpy as np
 import pytest
 from conftest import scattered, wanted
 
-from deltacal_gen.files.recording import write_recording
 from deltacal_gen.files.robot import robot_to_toml
+from deltacal_gen.files.writing import write_recording
 from deltacal_gen.pages import manual
 from tests.left_out import channels, machine
 

@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 from conftest import rings, scattered, wanted
 
-from deltacal_gen.estimation.estimation import pose_problem
-from deltacal_gen.files.recording import Recording
+from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.accuracy import check_poses, circle, distance_error, largest, volumetric_error
 from deltacal_gen.identification.identifiability import identification_matrix, observability, unseen
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.machine.registry import SOLVED, Machine
+from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.units import DEG
 from tests.claims.independent_bai import TABLE_3, TABLE_4, entries

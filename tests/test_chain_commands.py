@@ -12,15 +12,15 @@ from test_serial import ARM, by_hand, robot
 
 from deltacal_gen.app import commands
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
-from deltacal_gen.estimation.estimation import pose_problem
+from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.identifiability import identification_matrix, observability
 from deltacal_gen.machine.registry import SOLVED, UNREACHABLE, mechanism_of
 from deltacal_gen.machine.rotation import to_vector
-from deltacal_gen.physics.physics import blank
 from deltacal_gen.physics.simulation import simulate
-from deltacal_gen.planning import planning
+from deltacal_gen.physics.terms import blank
+from deltacal_gen.planning import optimal, planning
 from deltacal_gen.units import DEG
 from deltacal_gen.use.compensation import Compensator
 
@@ -174,12 +174,12 @@ def test_a_plan_has_the_rank_and_the_matrix_of_its_recording(kind: str, tmp_path
 
 def test_d_optimal_joints_beat_those_drawn() -> None:
     r = robot(joints=LIMITS)
-    best = planning.d_optimal(r, "dh", 12, kind="pose")
+    best = optimal.d_optimal(r, "dh", 12, kind="pose")
     drawn = planning.joint_spread(r, 12)
     assert best.steps[0].condition < 50
-    assert planning.log_determinant(best, best.poses.joints) > planning.log_determinant(best, drawn) + 5
+    assert optimal.log_determinant(best, best.poses.joints) > optimal.log_determinant(best, drawn) + 5
     with pytest.raises(UsageError, match="plan at least"):
-        planning.d_optimal(r, "dh", 3)
+        optimal.d_optimal(r, "dh", 3)
 
 
 def test_a_parallel_robot_is_planned_for_poses_too(robot: Robot) -> None:

@@ -225,7 +225,7 @@ def test_models_lists_every_parameter_with_unit_and_meaning(run: Run) -> None:
 
 
 def test_kernels_outside_a_checkout_say_so(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(commands, "checkout", lambda: None)
+    monkeypatch.setattr(commands.model_side, "checkout", lambda: None)
     code, _, err = run("kernels")
     assert code == 2
     assert "source checkout" in err

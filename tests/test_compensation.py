@@ -27,9 +27,10 @@ from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot, Workspace, read_robot
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import SINGULAR, SOLVED, UNREACHABLE, load_mechanism
-from deltacal_gen.physics.physics import Term
+from deltacal_gen.physics.terms import Term
 from deltacal_gen.use.compensation import KINDS, Compensator
-from deltacal_gen.use.exports import TableCompensator, export_c, export_table, read_table
+from deltacal_gen.use.exports import export_c
+from deltacal_gen.use.tables import TableCompensator, export_table, read_table
 
 DEG = math.pi / 180
 SCALE = Term("joint_scale", (1, 2, 3), np.full((3, 1), 1e-3))

@@ -122,7 +122,7 @@ def test_options_of_a_function_are_part_of_its_name(elsewhere: Path) -> None:
 
 
 def test_kernels_are_compiled_ahead(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(commands, "mechanism_names", lambda: (KERNEL, "serial"))
+    monkeypatch.setattr(commands.model_side, "mechanism_names", lambda: (KERNEL, "serial"))
     code, out, _ = run("kernels", "--warm")
     assert code == 0
     told = [line.split() for line in out.splitlines()]

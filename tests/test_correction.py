@@ -13,10 +13,10 @@ import deltacal_gen as dc
 from deltacal_gen.diagnosis.correction import Smooth, correct
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.diagnosis.structure import Structure
-from deltacal_gen.files.recording import Recording
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.accuracy import volumetric_error
-from deltacal_gen.identification.identification import folds
+from deltacal_gen.identification.folds import folds
+from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.units import DEG
 from deltacal_gen.use.prediction import CORRECTED
@@ -116,7 +116,7 @@ def test_noise_is_not_corrected(robot: Robot, seed: int) -> None:
     assert found.verdict == "adequate"
     assert found.answer()["correction"] is None
     tried = [Structure(name, 1.0, 0.0, limbs) for name, limbs in (("humidity", (2,)), ("position", ()), ("temp_C", ()))]
-    assert correct(found.final, tried, folds(found.final.problem.readings, recording)) is None
+    assert correct(found.final, found.final, tried, folds(found.final.problem.readings, recording)) is None
 
 
 def test_a_function_fades_over_its_length() -> None:

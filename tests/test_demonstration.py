@@ -10,6 +10,7 @@ import pytest
 
 from deltacal_gen.app import commands, demonstration
 from deltacal_gen.files.recording import read_recording
+from deltacal_gen.machine.registry import load_mechanism
 
 
 def test_the_recording_is_what_the_command_in_the_truth_file_makes(tmp_path: Path) -> None:
@@ -18,7 +19,7 @@ def test_the_recording_is_what_the_command_in_the_truth_file_makes(tmp_path: Pat
     noise, seed = float(command.split("--noise ")[1].split()[0]), int(command.split("--seed ")[1].split()[0])
     robot = folder / "robot.toml"
     made = commands.simulate(robot, folder / "poses.csv", truth=folder / "truth.toml", noise=noise, seed=seed)
-    read = read_recording(folder / "recording.csv", commands.load_mechanism("delta"))
+    read = read_recording(folder / "recording.csv", load_mechanism("delta"))
     assert read.measured == pytest.approx(made.measured, abs=0.5001e-4)
     assert read.joints == pytest.approx(made.joints, abs=1e-12)
     assert not [name for name in read.channels if name.startswith("true_")]

@@ -24,18 +24,19 @@ from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import mechanism_names, mechanism_of
 from deltacal_gen.pages import ledger
-from deltacal_gen.physics.physics import effect_names
+from deltacal_gen.physics.terms import effect_names
 from derive import registry
 from derive.effects import state
 from derive.language import vocabulary
+from derive.language.effects import Effect, EffectQuantity, Reference
 from derive.language.memory import Lag
-from derive.review import account, checks, notation, reports, typeset, unseen
+from derive.review import account, checks, method, notation, reports, typeset, unseen
 from derive.review.directions import links_of, null_spaces_of_chain
 from derive.review.machine import Written
 from derive.review.sources import Sources, kernels
 from derive.review.subjects import applies, example, subject, subjects
 from derive.review.written import OPAQUE, Entries, exactly
-from derive.spec import ChainMechanism, Effect, EffectQuantity, LimbMechanism, Reference
+from derive.spec import ChainMechanism, LimbMechanism
 from derive.steps import Derivation
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -486,6 +487,19 @@ def test_the_index_names_every_model_and_effect() -> None:
         assert any(s.mechanism == name for s in subjects()), name
     assert {"delta/42", "delta/51", "diamond/12", "planar_parallelogram/9", "robotennis/15", "serial/dh"} <= names
     assert len({s.stem for s in subjects()}) == len(subjects())
+
+
+def test_the_method_is_what_the_runtime_computes() -> None:
+    """Each rule that SymPy made agrees with the function in which it ends, and names a test that is there."""
+    found = method.steps()
+    assert len({step.title for step in found}) == len(found) >= 10
+    for step in found:
+        assert step.gap < 1e-12, step.title
+        assert method.ends(step), step.title
+        file, name = step.test.split("::")
+        assert f"def {name}(" in (ROOT / file).read_text(), step.test
+    with pytest.raises(ValueError, match="not convex"):
+        method.least(-((method.a - 1) ** 2))
 
 
 @pytest.mark.parametrize("name", mechanism_names())

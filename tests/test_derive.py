@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import re
 import shutil
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -16,8 +15,6 @@ sp = pytest.importorskip("sympy", reason="deriving needs the dependency group 'd
 pytest.importorskip("jinja2", reason="deriving needs the dependency group 'derive'")
 
 from scipy.linalg import expm  # noqa: E402
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # derive/ is never installed
 
 from derive import closed_form, compiler, registry, vectors  # noqa: E402
 from derive.backends import c99, lanes, numpy, scalar  # noqa: E402

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from deltacal_gen.files.recording import Recording
 from deltacal_gen.files.robot import Robot
+from deltacal_gen.machine.values import Recording
 from tests.left_out import POSES, SIGMA, channels, diagnosis, effect, machine, named, record
 
 Make = Callable[..., Recording]

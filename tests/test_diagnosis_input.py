@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
@@ -10,8 +11,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from deltacal_gen.files.recording import write_recording
 from deltacal_gen.files.robot import robot_to_toml
+from deltacal_gen.files.writing import write_recording
 from tests.conftest import Run
 from tests.left_out import POSES, channels, effect, machine, record
 
@@ -80,7 +81,7 @@ def test_a_channel_that_never_changes_tests_nothing(shop: Path, diagnose: Diagno
     assert "differ" in left_out["thermal_growth"]
     assert "payload_kg" in left_out["payload_deflection"]
     assert "joint_compliance" not in left_out  # a constant load bends joints too
-    assert "not tested: thermal_zero" in out
+    assert re.search(r"not tested: [\w, ]*\bthermal_zero\b", out)
 
 
 @pytest.mark.parametrize(
@@ -98,7 +99,7 @@ def test_a_channel_that_is_half_missing_is_not_guessed(
     for victim in victims:
         assert name in left_out[victim]
         assert "blank" in left_out[victim]
-        assert f"not tested: {victim}" in out
+        assert re.search(rf"not tested: [\w, ]*\b{victim}\b", out)
 
 
 @pytest.mark.parametrize(

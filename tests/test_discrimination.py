@@ -21,10 +21,12 @@ from deltacal_gen.diagnosis.discrimination import (
     candidates,
     next_measurements,
 )
-from deltacal_gen.files.recording import Recording, csv_text, read_recording
+from deltacal_gen.files.recording import read_recording
+from deltacal_gen.files.writing import csv_text
 from deltacal_gen.machine.registry import SOLVED
+from deltacal_gen.machine.values import Recording
 from deltacal_gen.pages import report
-from deltacal_gen.physics.physics import Term
+from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import Channel, Location, RegionOf
 from tests.conftest import plausible
 from tests.left_out import DELTA, channels, diagnosis, effect, machine, named, record

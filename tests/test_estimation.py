@@ -9,14 +9,16 @@ import pytest
 from conftest import plausible, rings, scattered, wanted
 
 from deltacal_gen.errors import NoSolutionError
-from deltacal_gen.estimation.estimation import Fit, Problem, Repeats, fit, lengths, pose_problem, rms
+from deltacal_gen.estimation.fit import Fit, fit
+from deltacal_gen.estimation.problem import Problem, pose_problem
+from deltacal_gen.estimation.residuals import Repeats, lengths, rms
 from deltacal_gen.estimation.solvers import TSVD, LeastSquares, Prior
-from deltacal_gen.files.recording import Recording
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import Machine
 from deltacal_gen.machine.rotation import from_vector, to_vector
+from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import simulate
 
 NOISE = 0.005
@@ -142,7 +144,7 @@ def test_parameters_without_data_stay_at_the_robot_file(
 
 def test_a_fit_that_does_not_settle_says_so(robot: Robot, mechanism: Machine, monkeypatch: pytest.MonkeyPatch) -> None:
     recording = with_noise(clean(robot, plausible(mechanism, 3), "distance"), 2)
-    monkeypatch.setattr("deltacal_gen.estimation.estimation.MAX_ITERATIONS", 1)
+    monkeypatch.setattr("deltacal_gen.estimation.fit.MAX_ITERATIONS", 1)
     with pytest.raises(NoSolutionError, match=r"42 parameters did not converge in 1 iterations.*Try a smaller model"):
         fit(pose_problem(robot, recording, mechanism.model("42")), LeastSquares())
 

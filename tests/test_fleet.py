@@ -20,8 +20,8 @@ from test_printers import joints, printer_cfg
 from deltacal_gen import InputError, UsageError
 from deltacal_gen.app import commands, fleet
 from deltacal_gen.app.demonstration import example
-from deltacal_gen.files.recording import write_recording
 from deltacal_gen.files.robot import robot_from_dict, robot_to_toml
+from deltacal_gen.files.writing import write_recording
 from deltacal_gen.pages import report as pages
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.results.batch import Batch, FailedRow, IdentifiedRow

@@ -9,7 +9,7 @@ import pytest
 from conftest import plausible, rings, scattered, wanted
 
 from deltacal_gen.errors import UsageError
-from deltacal_gen.estimation.estimation import pose_problem
+from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.identifiability import base_parameters, identification_matrix, observability, unseen
 from deltacal_gen.machine.registry import Machine

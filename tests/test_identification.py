@@ -11,10 +11,12 @@ from conftest import plausible, rings, scattered, wanted
 
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.recording import Recording, read_recording
+from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot, read_robot
-from deltacal_gen.identification.identification import Identification, folds, identify
+from deltacal_gen.identification.folds import folds
+from deltacal_gen.identification.identification import Identification, identify
 from deltacal_gen.machine.registry import Machine, load_mechanism
+from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.units import DEG, to_internal
 from deltacal_gen.use.prediction import predict

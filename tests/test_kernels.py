@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 from conftest import displaced, displacement, plausible, rings, scattered, solved_for
+from deltacal_kernels import rotations
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from independent_delta import closure, nominal_frame, numbers, rod_ends
@@ -28,7 +29,6 @@ from deltacal_gen.machine.registry import (
     Machine,
     load_mechanism,
 )
-from deltacal_gen.machine.rotation import cayley_spin
 from deltacal_gen.units import DEG
 
 TOOL = np.array([30.0, -20.0, -55.0])
@@ -157,7 +157,7 @@ def test_every_column_of_the_sensitivity_agrees_with_the_complex_step(
     for n in range(4):
         F_x, F_q, F_p = by_complex_step(robot, mechanism, machine, n)
         expected = -np.linalg.solve(F_x, np.hstack([F_p, F_q]))
-        expected[3:] = cayley_spin(solved_for(machine.x)[n : n + 1, 3:])[0] @ expected[3:]
+        expected[3:] = rotations.spin(solved_for(machine.x)[n : n + 1, 3:])[0] @ expected[3:]
         got = np.hstack([S.parameters[n], S.joints[n]])
         # column by column, relative to the column; rounding times the condition of F_x (1e4) stays below 1e-11
         for part in (slice(0, 3), slice(3, 6)):

@@ -8,7 +8,6 @@ import importlib.util
 import math
 import shutil
 import subprocess
-import sys
 import tempfile
 from pathlib import Path
 from typing import Any
@@ -22,8 +21,6 @@ sp = pytest.importorskip("sympy", reason="deriving needs the dependency group 'd
 pytest.importorskip("jinja2", reason="deriving needs the dependency group 'derive'")
 
 from mpmath import mp, mpf, mpmathify  # noqa: E402
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # derive/ is never installed
 
 from derive.backends import c99, lanes, numpy, scalar  # noqa: E402
 from derive.backends.ir import Kernel, Place  # noqa: E402
@@ -252,9 +249,7 @@ def test_values_at_kinks_and_jumps_are_those_of_sympy_in_every_target(tmp_path: 
 @pytest.mark.parametrize("jump", [sp.sign(x), sp.floor(x), sp.Heaviside(x), sp.sign(sp.floor(3 * x) + y)])
 def test_the_derivative_of_a_jump_is_zero(jump: Any) -> None:
     assert derivative(jump, x) == 0
-    assert derivative(y * jump, y).xreplace({x: sp.Rational(1, 7)}) == jump.xreplace(
-        {x: sp.Rational(1, 7)}
-    ) or jump.has(y)
+    assert derivative(y * jump, y) == jump
 
 
 @pytest.mark.parametrize(

@@ -15,17 +15,20 @@ from deltacal_gen.machine.chain import Chain
 from deltacal_gen.machine.limbs import Limbs
 from deltacal_gen.machine.registry import COORDINATES, Array, mechanism_of
 from deltacal_gen.machine.rotation import cayley_matrix, cayley_vector
-from deltacal_gen.physics.physics import Body, Deformed, Term, blank, effect_names, reading_shift
+from deltacal_gen.physics.body import Body, Deformed, reading_shift
+from deltacal_gen.physics.states import read_by
+from deltacal_gen.physics.terms import Term, blank, effect_names
 from derive import closed_form, registry, vectors
 from derive.review import checks, laws, reports
 from derive.review.laws import Law
 from derive.review.sources import Place, Sources
 from derive.review.subjects import example
 from derive.spec import LimbMechanism
-from tests.every_effect import body_of, constants, machine_with
+from tests.every_effect import body_of, constants, limbs_with, machine_with
 
-MACHINES = [m.name for m in registry.mechanisms() if isinstance(m, LimbMechanism)]
-WEIGHING = [m.name for m in registry.mechanisms() if isinstance(m, LimbMechanism) and m.masses]
+SPECS = {m.name: m for m in registry.mechanisms() if isinstance(m, LimbMechanism)}
+MACHINES = list(SPECS)
+WEIGHING = [name for name, m in SPECS.items() if m.masses]
 GRAVITY = np.array([1.0, -2.0, -9.81])  # askew, so that no component of a moment vanishes
 POSES = 5
 rng = np.random.default_rng(16)
@@ -59,7 +62,7 @@ class Machine:
         assert robot is not None
         mechanism = mechanism_of(robot)
         assert isinstance(mechanism, Limbs)
-        self.robot, self.mechanism, self.spec = robot, mechanism, registry.mechanism(name)
+        self.robot, self.mechanism, self.spec = robot, mechanism, SPECS[name]
         poses = checks.spread(robot, POSES)
         self.x, self.q, self.tool = poses.x, poses.q, poses.tool
         self.rows = self.mechanism.rows(robot)
@@ -112,7 +115,6 @@ def test_sensitivities_are_those_of_the_implicit_function_theorem(name: str, mac
 def test_loads_are_those_of_virtual_work(name: str, machines: dict[str, Machine]) -> None:
     machine, right = machines[name], sides(laws.virtual_work(True))
     mechanism, spec = machine.mechanism, machine.spec
-    assert isinstance(spec, LimbMechanism)
     masses = {str(q.symbol): float(rng.uniform(0.2, 2.0)) for q in spec.masses}
     payload, weighed = 1.7, mechanism._masses(masses)
     put = {sp.Symbol(n, real=True): v for n, v in (*masses.items(), ("payload", payload))}
@@ -148,10 +150,9 @@ def test_loads_are_those_of_virtual_work(name: str, machines: dict[str, Machine]
         assert tensions == pytest.approx(f_p[:, rods].sum(axis=1), rel=1e-6, abs=1e-5)
 
 
-@pytest.mark.parametrize("name", [n for n in MACHINES if registry.mechanism(n).seeds is None])  # type: ignore[union-attr]
+@pytest.mark.parametrize("name", [name for name, m in SPECS.items() if m.seeds is None])
 def test_the_simplified_closure_is_the_sphere_that_is_shown(name: str) -> None:
-    spec = registry.mechanism(name)
-    assert isinstance(spec, LimbMechanism)
+    spec = SPECS[name]
     ((left, _),) = laws.sphere().equations
     centre, constant = closed_form.sphere(spec)
     position = [q.symbol for q in spec.platform[: spec.commanded]] + [sp.Integer(0)] * (3 - spec.commanded)
@@ -235,9 +236,12 @@ def slopes_of(term: Term, body: Body, machine: Deformed, readings: Array) -> dic
     spec = registry.effect(term.effect)
     put: dict[str, Any] = dict.fromkeys((str(c.symbol) for c in spec.coefficients), 0.0)
     put |= {str(c.symbol): v for c, v in zip(spec.constants, term.constants, strict=True)}
-    names = [s.name for s in term.states if s.kind != "reading" and not s.since]
+    names = [s.name for s in term.states if s.kind != "reading" and not s.by]
     put |= body.state(names, machine.x, machine.q, machine.rows)
-    put |= {s.name: body._since(term, s) for s in term.states if s.since}
+    put |= {s.name: body._since(term, s) for s in term.states if s.by}
+    for raw, s in zip(read_by(term.kernels), term.states, strict=True):
+        if raw.kind == "chosen":
+            put[raw.name] = put[s.name][:, None] * body._of_other(s.joint) if s.joint else put[s.name]
     put |= {"y_length": readings[:, 0], **dict(zip(("y_x", "y_y", "y_z"), readings.T, strict=False))}
     shaped = {name: v[:, None] if np.ndim(v) == 1 else v for name, v in put.items()}
     return {
@@ -252,13 +256,15 @@ def slopes_of(term: Term, body: Body, machine: Deformed, readings: Array) -> dic
 @pytest.mark.parametrize("effect", effect_names())
 def test_effects_reach_pose_and_reading_as_the_chain_rule_says(effect: str) -> None:
     robot = machine_with(effect)
-    body, limbs = body_of(robot, POSES), (2,)
+    body, limbs = body_of(robot, POSES), limbs_with(effect)[-1:]
     mechanism, every = body.mechanism, np.arange(POSES)
     term = blank(effect, limbs, constants(effect), [tuple(robot.tool)])
     machine, status = body.solve(mechanism.vector(robot.errors), [term])
     assert not status.any()
     S = mechanism.sensitivity(machine.x, machine.q, machine.tool, machine.rows)
-    by_limb = np.concatenate([S.own, S.common, S.deflections], axis=3)
+    common = np.zeros((*S.own.shape[:3], len(mechanism.common)))  # a chain's links share none
+    common[..., : S.common.shape[3]] = S.common
+    by_limb = np.concatenate([S.own, common, S.deflections], axis=3)
     kind = "height" if "height" in registry.effect(effect).targets else "position"
     at = list(READ[kind].values())
     readings = machine.x[:, at] + 1000.0
@@ -278,7 +284,7 @@ def test_effects_reach_pose_and_reading_as_the_chain_rule_says(effect: str) -> N
         if word == "limb":
             p = np.zeros((mechanism.limbs, by_limb.shape[3], 1))
             for name, much in mechanism.moves(robot)[part].items():
-                p[:, mechanism.column(name) - len(mechanism.geometry), 0] = much
+                p[:, mechanism.column(name) - len(mechanism.geometry), 0] = np.diagonal(much)
             moved = [
                 value(right, S=by_limb[n, :, i - 1], **{"∂p/∂part": p[i - 1], "∂Δlimb.part/∂c": [[slope[n, i - 1]]]})
                 for i in own

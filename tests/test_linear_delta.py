@@ -13,15 +13,17 @@ from scipy.optimize import root
 from scipy.spatial.transform import Rotation
 
 from deltacal_gen.app import commands
-from deltacal_gen.estimation.estimation import pose_problem
-from deltacal_gen.files.recording import Measurement, Recording
+from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.files.robot import Robot, robot_from_dict
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.instrument.kinds import readings
 from deltacal_gen.machine.registry import SOLVED, Array, load_mechanism
+from deltacal_gen.machine.values import Measurement, Recording
 from deltacal_gen.pages import figures
-from deltacal_gen.physics.physics import Body, Channels, blank, coefficients, reading_shift
+from deltacal_gen.physics.body import Body, reading_shift
+from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.simulation import simulate
+from deltacal_gen.physics.terms import blank, coefficients, load_effect
 from deltacal_gen.units import DEG
 from deltacal_gen.use.prediction import predict
 
@@ -297,12 +299,23 @@ def test_columns_are_the_derivative_of_the_exact_machine(name: str, printer: Rob
         assert np.abs(columns[:, j]).max() > 1e-3
 
 
+def test_an_effector_hangs_on_its_rods_and_carriages_bear_what_they_carry(printer: Robot) -> None:
+    ideal, tool = dataclasses.replace(printer, errors={}), np.zeros(3)
+    q, x, _ = LINEAR.inverse(np.array([[0.0, 0.0, 40.0]]), tool, LINEAR.rows(ideal))
+    masses = {"platform": 0.6, "carriage": 0.3}
+    loads = LINEAR.loads(x, q, tool, LINEAR.rows(ideal), masses, np.array([0.0, 0.0, -9.81]))
+    arm, radius = ideal.geometry["arm_length"], ideal.geometry["radius"]
+    upright = np.sqrt(arm**2 - radius**2) / arm
+    assert (loads.tension.sum(axis=2) @ upright)[0] == pytest.approx(0.6 * 9.81)
+    assert loads.torque.sum() == pytest.approx((0.6 + 3 * 0.3) * 9.81)  # carriages count downwards
+
+
 def test_joint_effects_read_mm_for_deg_where_joints_slide() -> None:
-    assert coefficients("backlash", "rad") == (("width", "deg", DEG),)
-    assert coefficients("backlash", "mm") == (("width", "mm", 1.0),)
-    assert coefficients("joint_compliance", "mm") == (("compliance", "mm/N", 1.0),)
-    assert coefficients("tower_lean", "mm")[0] == ("radial", "deg", DEG)
-    assert coefficients("joint_scale", "mm") == (("scale", "1", 1.0),)
+    assert coefficients(load_effect("backlash"), "rad") == (("width", "deg", DEG),)
+    assert coefficients(load_effect("backlash"), "mm") == (("width", "mm", 1.0),)
+    assert coefficients(load_effect("joint_compliance"), "mm") == (("compliance", "mm/N", 1.0),)
+    assert coefficients(load_effect("tower_lean"), "mm")[0] == ("radial", "deg", DEG)
+    assert coefficients(load_effect("joint_scale"), "mm") == (("scale", "1", 1.0),)
 
 
 def test_a_periodic_error_needs_the_pulley(printer: Robot) -> None:

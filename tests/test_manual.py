@@ -94,7 +94,7 @@ def test_blocks_run_and_print_what_the_page_shows(
     topic: str, run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(cli.screen, "_width", 120)
+    monkeypatch.setattr(cli.common.screen, "_width", 120)
     names: dict[str, Any] = {"__name__": "page"}
     printed = ""
     for block in blocks(source(topic)):

@@ -13,18 +13,20 @@ import numpy as np
 import pytest
 
 from deltacal_gen.app import commands
+from deltacal_gen.app.reproduction import mei as mei2018
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.estimation.estimation import fit, pose_problem
+from deltacal_gen.estimation.fit import fit
+from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.solvers import TSVD, LeastSquares, Prior, Ridge, Solver
-from deltacal_gen.files.recording import Recording, read_recording
+from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot, read_robot
 from deltacal_gen.identification import identifiability, identification
 from deltacal_gen.machine.registry import SOLVED, UNREACHABLE, load_mechanism
+from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import read_truth, simulate
 from deltacal_gen.planning import planning
 from deltacal_gen.units import DEG
 from deltacal_gen.use.prediction import predict
-from tests.benchmarks import mei2018
 from tests.claims import independent_mei as mei
 
 EXAMPLE = Path(str(resources.files("deltacal_gen") / "examples/diamond"))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import sys
 from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
@@ -16,17 +15,18 @@ from scipy.integrate import solve_ivp
 sp = pytest.importorskip("sympy", reason="deriving needs the dependency group 'derive'")
 pytest.importorskip("jinja2", reason="deriving needs the dependency group 'derive'")
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # derive/ is never installed
-
 from deltacal_gen.app.demonstration import example  # noqa: E402
 from deltacal_gen.errors import InputError  # noqa: E402
 from deltacal_gen.files.robot import read_robot  # noqa: E402
 from deltacal_gen.machine.registry import SOLVED, UNBALANCED, load_mechanism  # noqa: E402
-from deltacal_gen.physics import memory, physics  # noqa: E402
+from deltacal_gen.physics import memory, terms  # noqa: E402
+from deltacal_gen.physics.body import Body  # noqa: E402
+from deltacal_gen.physics.channels import Channels  # noqa: E402
+from deltacal_gen.physics.terms import Term, blank, load_effect  # noqa: E402
 from derive import compiler  # noqa: E402
 from derive.effects import coefficient, state  # noqa: E402
+from derive.language.effects import Effect, Orders, Reference  # noqa: E402
 from derive.language.memory import Lag, Memory, with_lags  # noqa: E402
-from derive.spec import Effect, Orders, Reference  # noqa: E402
 
 (load,) = state("torque")
 z = sp.Symbol("z", real=True)
@@ -214,20 +214,25 @@ def test_memories_that_cannot_be_meant_are_refused_by_name() -> None:
 
 
 @pytest.fixture
-def on_delta(monkeypatch: pytest.MonkeyPatch) -> Callable[[Effect], tuple[physics.Body, physics.Term]]:
+def on_delta(monkeypatch: pytest.MonkeyPatch) -> Callable[[Effect], tuple[Body, Term]]:
     """Return what puts a machine at rows of a recording, and an effect on its joints 1 and 2."""
 
-    def made(spec: Effect) -> tuple[physics.Body, physics.Term]:
-        module, load = derived(spec), physics.load_effect
-        monkeypatch.setattr(physics, "load_effect", lambda name: module if name == spec.name else load(name))
+    def made(spec: Effect) -> tuple[Body, Term]:
+        module = derived(spec)
+        terms.partial.cache_clear()
+        for room in ("terms", "parts"):
+            monkeypatch.setattr(
+                f"deltacal_gen.physics.{room}.load_effect",
+                lambda name: module if name == spec.name else load_effect(name),
+            )
         robot = dataclasses.replace(read_robot(example() / "robot.toml"), errors={})
         mechanism, rng, n = load_mechanism("delta"), np.random.default_rng(4), 10
         targets = np.column_stack([rng.uniform(-200, 200, (n, 2)), rng.uniform(-950, -750, n)])
         q, _, status = mechanism.inverse(targets, np.zeros((n, 3)), mechanism.rows(robot))
         assert (status == 0).all()
         values = {"time": np.cumsum(rng.uniform(0.1, 1.0, n)), "qd": rng.uniform(-0.5, 0.5, (n, 3))}
-        channels = physics.Channels(values, np.arange(n, dtype=float), np.repeat([0, 1], n // 2))
-        return physics.Body(robot, mechanism, q, np.zeros((n, 3)), channels), physics.blank(spec.name, (1, 2), (0.05,))
+        channels = Channels(values, np.arange(n, dtype=float), np.repeat([0, 1], n // 2))
+        return Body(robot, mechanism, q, np.zeros((n, 3)), channels), blank(spec.name, (1, 2), (0.05,))
 
     return made
 
@@ -265,7 +270,7 @@ def test_a_machine_follows_its_memory_and_columns_are_its_derivatives(on_delta: 
 def test_a_memory_without_time_says_what_is_missing(on_delta: Any) -> None:
     body, term = on_delta(effect(Lag(speed, TAU.symbol), searched=(Orders(TAU),), reads="qd"))
     assert body.missing(term.effect) is None
-    body.channels = physics.Channels({"qd": body.channels.values["qd"]}, body.channels.order)
+    body.channels = Channels({"qd": body.channels.values["qd"]}, body.channels.order)
     assert body.missing(term.effect) == "the column time_s"
 
 

@@ -11,18 +11,10 @@ from deltacal_gen.app.demonstration import example
 from deltacal_gen.files.robot import Robot, read_robot
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import Array, load_mechanism
-from deltacal_gen.physics.physics import (
-    Body,
-    Channels,
-    Term,
-    blank,
-    displaces_points,
-    effect_names,
-    load_effect,
-    of_reading,
-    reading_shift,
-)
-from tests.every_effect import body_of, constants, machine_with
+from deltacal_gen.physics.body import Body, reading_shift
+from deltacal_gen.physics.channels import Channels
+from deltacal_gen.physics.terms import Term, blank, displaces_points, effect_names, load_effect, of_reading
+from tests.every_effect import body_of, constants, limbs_with, machine_with
 
 DELTA = load_mechanism("delta")
 READ = {  # coordinates of the pose that a kind of reading shows, by what an effect on it moves
@@ -114,7 +106,7 @@ def test_columns_are_the_derivative_of_the_exact_equilibrium(name: str) -> None:
     body = body_of(robot, N)
     mechanism, errors, every = body.mechanism, body.mechanism.vector(robot.errors), np.arange(N)
     tools = [(0.0, 0.0, 0.0)] if displaces_points(load_effect(name)) else []
-    term = blank(name, (1, 3), constants(name), tools)
+    term = blank(name, limbs_with(name), constants(name), tools)
     kind = next(k for k, t in READ.items() if not of_reading([term]) or set(t) & set(term.kernels.TARGETS))
     machine, status = body.solve(errors, [term])
     assert (status == 0).all()
@@ -157,7 +149,7 @@ def test_an_effect_of_the_angle_reads_the_one_that_the_geometry_sees(body: Body,
     theta = body.state(["theta"], machine.x, machine.q, machine.rows)["theta"]
     for name, much in DELTA.moves(robot)["outwards"].items():
         moved = (machine.rows - DELTA.rows(robot))[:, :, DELTA.column(name)]
-        assert moved == pytest.approx(much * (0.3 * np.cos(theta) + 0.2 * np.sin(theta)), abs=1e-12)
+        assert moved == pytest.approx((0.3 * np.cos(theta) + 0.2 * np.sin(theta)) @ much.T, abs=1e-12)
 
 
 def test_an_effect_without_its_channel_says_what_is_missing(body: Body, robot: Robot) -> None:

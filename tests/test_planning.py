@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import itertools
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -13,14 +14,14 @@ import pytest
 
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
-from deltacal_gen.estimation.estimation import pose_problem
+from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot, read_robot, robot_from_dict
 from deltacal_gen.identification.identifiability import identification_matrix
 from deltacal_gen.machine.registry import SOLVED, load_mechanism
 from deltacal_gen.pages.plans import figure
 from deltacal_gen.physics.simulation import simulate
-from deltacal_gen.planning import planning, singularities
+from deltacal_gen.planning import matrix, optimal, planning, singularities, targets
 from deltacal_gen.units import DEG
 
 B, A = 200.0, 51.0  # mm: radii of base and platform (Bai 2015, Table 1)
@@ -43,7 +44,7 @@ def robot() -> Robot:
     return robot_from_dict(TABLES)
 
 
-def steps(plan: planning.Plan, field: str) -> dict[int, Any]:
+def steps(plan: matrix.Plan, field: str) -> dict[int, Any]:
     return {step.n: getattr(step, field) for step in plan.steps}
 
 
@@ -52,8 +53,8 @@ def steps(plan: planning.Plan, field: str) -> dict[int, Any]:
 
 def test_rings_are_the_papers(robot: Robot) -> None:
     assert robot.workspace is not None
-    rough = planning.rings(robot.workspace, 5, planning.ROUGH)
-    fine = planning.rings(robot.workspace, 7, planning.FINE, start_angle=0.3)
+    rough = targets.rings(robot.workspace, 5, targets.ROUGH)
+    fine = targets.rings(robot.workspace, 7, targets.FINE, start_angle=0.3)
     assert len(rough) == 5 + 1
     assert len(fine) == 2 * 7 + 1
     np.testing.assert_allclose(fine[0], [0, 0, -853])
@@ -74,7 +75,7 @@ def test_design_is_the_matrix_of_the_recording_that_follows(robot: Robot, kind: 
     problem = pose_problem(known, measured, found.names, as_distance=kind == "distance")
     H = identification_matrix(problem, "typical").H
     targets = found.poses.targets[: len(found.poses) // 2]
-    ours = planning.design(known, targets, found.tools, found.names, kind) * problem.scale
+    ours = matrix.design(known, targets, found.tools, found.names, kind) * problem.scale
     np.testing.assert_allclose(ours.T @ ours, H.T @ H, rtol=0, atol=1e-8 * np.linalg.norm(H) ** 2)
     if kind == "distance":
         np.testing.assert_allclose(ours, H, rtol=0, atol=1e-8)
@@ -89,17 +90,38 @@ def test_targets_written_are_reached_by_simulation(robot: Robot, tmp_path: Path)
     np.testing.assert_allclose(measured.joints, found.poses.joints, atol=1e-11)
 
 
+def test_a_pose_beyond_limits_moves_inwards_and_it_is_said(robot: Robot) -> None:
+    limited = robot_from_dict(TABLES | {"joints": {"limits_deg": [[-60.0, 95.0]] * 3}})
+    found = planning.plan(limited, "18", n_max=12)
+    assert (found.poses.joints >= -60 * DEG - 1e-9).all()
+    assert found.steps[-1].rank == 18
+    first = found.notes[0]
+    assert re.search(r"joint \d would stand at -[\d.]+ deg, its limit is -60; it is moved to \(", first)
+    number = int(first.split()[1])
+    free = planning.plan(robot, "18", n_max=12)
+    assert (free.poses.joints[number - 1] < -60 * DEG).any()
+    assert found.answer().notes == found.notes
+    assert not free.notes
+    assert free.answer().notes is None
+
+
+def test_written_targets_are_numbers_that_a_person_can_read(robot: Robot, tmp_path: Path) -> None:
+    planning.write_targets(planning.plan(robot, "18", n_max=5), tmp_path / "poses.csv")
+    cells = [cell for line in (tmp_path / "poses.csv").read_text().splitlines()[1:] for cell in line.split(",")]
+    assert max(map(len, cells)) <= len("-1234.567")
+
+
 def test_joint_limits_and_signs_are_the_controllers(robot: Robot) -> None:
     tables = TABLES | {"joints": {"sign": [1, -1, 1], "limits_deg": [[-66.0, 95.0]] * 3}}
     turned = robot_from_dict(tables)
     plain = planning.plan(robot, "3", n_max=3).poses.joints
     np.testing.assert_allclose(
-        planning.reach(turned, planning.plan(robot, "3", n_max=3).poses.targets, turned.tool)[0].joints,
+        matrix.reach(turned, planning.plan(robot, "3", n_max=3).poses.targets, turned.tool)[0].joints,
         plain * [1, -1, 1],
     )
-    with pytest.raises(NoSolutionError, match="beyond the limits of the joints"):
-        planning.plan(turned, "18", n_max=3)
-    kept = planning.d_optimal(turned, "3", 4).poses.joints
+    with pytest.raises(NoSolutionError, match=r"joint \d would stand at -[\d.]+ deg, its limit is -66"):
+        matrix.design(turned, np.array([[0.0, 500.0, -978.0], [0.0, 0.0, -853.0]]), turned.tool, ("theta_1",))
+    kept = optimal.d_optimal(turned, "3", 4).poses.joints
     assert np.all(kept >= -66 * DEG - 1e-12)
     assert np.all(kept <= 95 * DEG)
 
@@ -170,7 +192,7 @@ def test_a_model_too_large_is_planned_by_the_one_within(robot: Robot, model: str
     ],
 )
 def test_rule(change: list[float], first: int | None, settled: int | None) -> None:
-    assert planning.rule(range(3, 3 + len(change)), change, 0.01) == (first, settled)
+    assert matrix.rule(range(3, 3 + len(change)), change, 0.01) == (first, settled)
 
 
 @pytest.mark.parametrize(("norm", "chosen"), [("spectral", (6, 7, 9)), ("frobenius", (5, 7, 9))])
@@ -202,7 +224,7 @@ def test_figures_of_a_step(robot: Robot) -> None:
     found = planning.plan(robot, "18", scaling="typical", n_max=5)
     step = found.steps[-1]
     H = (
-        planning.design(robot, found.poses.targets, found.tools, found.names)
+        matrix.design(robot, found.poses.targets, found.tools, found.names)
         * DELTA.typical[[DELTA.index[name] for name in found.names]]
     )
     s = np.linalg.svd(H, compute_uv=False)
@@ -219,22 +241,22 @@ def test_figures_of_a_step(robot: Robot) -> None:
 def test_exchange_finds_the_best_of_all_sets(robot: Robot) -> None:
     rng = np.random.default_rng(3)
     candidates = rng.uniform([-400, -400, -978], [400, 400, -728], (9, 3))
-    found = planning.d_optimal(robot, "3", 5, candidates=candidates, rng=rng)
-    best = max(planning.log_determinant(found, candidates[list(c)]) for c in itertools.combinations(range(9), 5))
-    assert planning.log_determinant(found, found.poses.targets) == pytest.approx(best, abs=1e-9)
+    found = optimal.d_optimal(robot, "3", 5, candidates=candidates, rng=rng)
+    best = max(optimal.log_determinant(found, candidates[list(c)]) for c in itertools.combinations(range(9), 5))
+    assert optimal.log_determinant(found, found.poses.targets) == pytest.approx(best, abs=1e-9)
 
 
 def test_d_optimal_set_is_reproducible(robot: Robot) -> None:
-    first, again = (planning.d_optimal(robot, "3", 5, rng=np.random.default_rng(2)) for _ in range(2))
+    first, again = (optimal.d_optimal(robot, "3", 5, rng=np.random.default_rng(2)) for _ in range(2))
     np.testing.assert_array_equal(first.poses.targets, again.poses.targets)
 
 
 @pytest.mark.parametrize(("model", "n"), [("18", 7), ("36", 5)])
 def test_d_optimal_set_beats_the_rings(robot: Robot, model: str, n: int) -> None:
     count = 2 * n + 1
-    best = planning.d_optimal(robot, model, count, sigma_mm=0.005)
+    best = optimal.d_optimal(robot, model, count, sigma_mm=0.005)
     ring = planning.plan(robot, model, n_max=n, threshold=0.0, sigma_mm=0.005)
-    ours, theirs = (planning.log_determinant(p, p.poses.targets[:count]) for p in (best, ring))
+    ours, theirs = (optimal.log_determinant(p, p.poses.targets[:count]) for p in (best, ring))
     assert ours > theirs + 2
     assert best.prediction is not None
     assert ring.prediction is not None
@@ -243,10 +265,10 @@ def test_d_optimal_set_beats_the_rings(robot: Robot, model: str, n: int) -> None
 
 def test_too_few_positions_and_candidates(robot: Robot) -> None:
     with pytest.raises(UsageError, match=r"delta/18 and the frame have 24 unknowns .* at least 8 positions"):
-        planning.d_optimal(robot, "18", 7)
+        optimal.d_optimal(robot, "18", 7)
     far = np.array([[0.0, 0.0, -853.0], [3000.0, 0.0, -853.0], [0.0, 100.0, -853.0]])
     with pytest.raises(NoSolutionError, match="only 2 of the candidates"):
-        planning.d_optimal(robot, "3", 3, candidates=far)
+        optimal.d_optimal(robot, "3", 3, candidates=far)
 
 
 # ---------------------------------------------------------------------------------------------------- the prediction
@@ -261,7 +283,7 @@ def test_predicted_deviation_is_that_of_noisy_positions(robot: Robot) -> None:
     n = (P[j] - P[i]) / np.linalg.norm(P[j] - P[i], axis=1)[:, None]
     noise = sigma * np.random.default_rng(5).standard_normal((4000, *P.shape))
     read = np.einsum("kc,skc->sk", n, noise[:, j] - noise[:, i])
-    fitted = read @ np.linalg.pinv(planning.design(robot, P, found.tools, found.names)).T
+    fitted = read @ np.linalg.pinv(matrix.design(robot, P, found.tools, found.names)).T
     np.testing.assert_allclose(list(found.prediction.parameters.values()), fitted.std(axis=0), rtol=0.06)
 
 
@@ -269,8 +291,8 @@ def test_predicted_tool_deviation_is_the_same_in_every_gauge(robot: Robot) -> No
     poses = planning.plan(robot, "32", n_max=5, threshold=0.0).poses
     found = []
     for names in (DELTA.model("32"), tuple(n.replace("ex_2", "ex_1") for n in DELTA.model("32"))):
-        task = planning.Task(robot, "", "distance", "paper", "spectral", names, (), planning.reference_points(robot, 2))
-        prediction = planning.predict(task, poses, 0.005)
+        task = matrix.Task(robot, "", "distance", "paper", "spectral", names, (), targets.reference_points(robot, 2))
+        prediction = optimal.predict(task, poses, 0.005)
         assert prediction is not None
         found.append((prediction.mean, prediction.largest))
     assert found[0] == pytest.approx(found[1], rel=1e-6)
@@ -315,7 +337,7 @@ def test_figure_shows_chosen_n_and_is_reproducible(robot: Robot, tmp_path: Path)
     assert (tmp_path / "b.svg").read_text() == text
     with pytest.raises(UsageError, match="no set of poses has the full rank"):
         figure(planning.plan(robot, "18", n_max=3), tmp_path / "c.svg")
-    with pytest.raises(InputError, match="figure cannot be written"):
+    with pytest.raises(InputError, match="the file cannot be written"):
         figure(plans, tmp_path / "no folder" / "d.svg")
 
 
@@ -373,7 +395,7 @@ def test_poses_near_singularities_are_as_far_as_asked() -> None:
     out = targets + 102 * _unit(targets - [0, 0, targets[:, 2].mean()])
     status = load_mechanism("robotennis").inverse(out, machine.tool, load_mechanism("robotennis").rows(machine))[2]
     assert (status != SOLVED).mean() > 0.3  # of most, what is near is the edge of what can be reached
-    best = planning.d_optimal(machine, "robotennis/15", 8, kind="position", singular=(50.0, 100.0))
+    best = optimal.d_optimal(machine, "robotennis/15", 8, kind="position", singular=(50.0, 100.0))
     assert singularities.distance(machine, best.poses.targets, 150.0).max() < 101
 
 

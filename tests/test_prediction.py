@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,16 +12,17 @@ import pytest
 from conftest import plausible, rings, scattered, wanted
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.files.recording import Recording
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.machine.registry import Machine
-from deltacal_gen.physics.physics import Term, blank, kept_term, load_effect
+from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import simulate
+from deltacal_gen.physics.terms import Term, blank, kept_term, load_effect
 from deltacal_gen.results.parts import MachineState
 from deltacal_gen.results.reader import read_result
 from deltacal_gen.results.result import Result
-from deltacal_gen.use.prediction import calibrated_robot, predict, residual
+from deltacal_gen.use.prediction import calibrated_robot, place_of, predict, residual
+from deltacal_gen.use.validation import validate
 
 FRAME = (np.array([0.1, -0.2, 0.9]), np.array([900.0, -500.0, 1200.0]))
 
@@ -53,6 +55,58 @@ def test_readings_are_predicted_in_the_instrument_s_frame(
     fresh = measured(robot, truth, kind, scattered(robot, 20, 8))
     blank = dataclasses.replace(fresh, measured=np.full_like(fresh.measured, np.nan))
     assert predict(results[kind], blank).measured == pytest.approx(fresh.measured, abs=1e-6)
+
+
+@pytest.mark.parametrize("kind", ["position", "pose"])
+@pytest.mark.parametrize("setup", ["1", "day 2"])
+def test_a_set_up_is_placed_by_other_poses_and_the_readings_asked_for_are_not_read(
+    robot: Robot, truth: dict[str, float], results: dict[str, Result], kind: str, setup: str
+) -> None:
+    elsewhere = (np.array([0.3, 0.2, -0.9]), np.array([-300.0, -500.0, 900.0]))
+    many = wanted(scattered(robot, 30, 8), kind, setup=[setup] * 30)
+    day = simulate(robot, many, truth, frame=elsewhere)
+    other, asked = (take(day, rows, name) for rows, name in ((slice(0, 10), "other.csv"), (slice(10, 30), "asked.csv")))
+    spoiled = dataclasses.replace(asked, measured=asked.measured + 1000.0)
+    predicted = predict(results[kind], spoiled, place_of(other, spoiled))
+    assert predicted.measured == pytest.approx(asked.measured, abs=1e-5)
+
+
+def test_readings_are_not_placed_by_themselves(robot: Robot, truth: dict[str, float]) -> None:
+    fresh = measured(robot, truth, "position", scattered(robot, 6, 8))
+    with pytest.raises(InputError, match="by the readings that are to be predicted"):
+        place_of(fresh, fresh)
+
+
+def test_a_set_up_that_nothing_places_is_refused_with_the_way_out(
+    robot: Robot, truth: dict[str, float], results: dict[str, Result]
+) -> None:
+    fresh = measured(robot, truth, "position", scattered(robot, 6, 8), setup=["a"] * 3 + ["b"] * 3)
+    with pytest.raises(InputError, match=r"predict --place OTHER\.csv"):
+        predict(results["position"], fresh)
+
+
+def test_positions_are_validated_and_placed_by_a_result_of_distances(
+    robot: Robot, truth: dict[str, float], results: dict[str, Result]
+) -> None:
+    fresh = measured(robot, truth, "position", scattered(robot, 20, 8))
+    report = validate(results["distance"], fresh)
+    assert report.rms_mm < 1e-5
+    assert [p.why for p in report.placed or ()] == ["unknown"]
+
+
+def take(recording: Recording, rows: slice, name: str) -> Recording:
+    """Return some rows of a recording, as of a file of their own."""
+    return dataclasses.replace(
+        recording,
+        path=Path(name),
+        joints=recording.joints[rows],
+        measured=recording.measured[rows],
+        pose=recording.pose[rows],
+        line=recording.line[rows],
+        setup=recording.setup[rows],
+        tool=None if recording.tool is None else recording.tool[rows],
+        channels={key: values[rows] for key, values in recording.channels.items()},
+    )
 
 
 def test_distances_are_predicted_by_any_result(

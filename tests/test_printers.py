@@ -14,11 +14,13 @@ import pytest
 from conftest import Run
 from test_linear_delta import LINEAR, PRINTER, grid, plausible, recording
 
-from deltacal_gen import InputError, UsageError
+from deltacal_gen import InputError, NoSolutionError, UsageError
 from deltacal_gen.app import commands
-from deltacal_gen.files.imports import import_klipper, import_rrf
-from deltacal_gen.files.recording import write_recording
+from deltacal_gen.files.imports import import_klipper
+from deltacal_gen.files.marlin import import_marlin
 from deltacal_gen.files.robot import Robot, robot_from_dict, robot_to_toml
+from deltacal_gen.files.rrf import import_rrf
+from deltacal_gen.files.writing import write_recording
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.simulation import simulate
@@ -179,10 +181,38 @@ def test_endstops_edited_after_probing_and_absurd_arms_are_warned_of(tmp_path: P
         import_klipper(file)
 
 
+def test_a_wrong_step_length_is_named_with_the_one_that_fits(tmp_path: Path, printer: Robot) -> None:
+    file = tmp_path / "printer.cfg"
+    file.write_text(printer_cfg(printer, *session(printer)).replace("microsteps: 16", "microsteps: 20"))
+    with pytest.raises(InputError, match=r"one factor of 1\.25; steps of 0\.0125 mm, of a pulley of 40 mm"):
+        import_klipper(file)
+
+
+@pytest.mark.parametrize(("kinematics", "words"), [("rotary_delta", "arms that turn"), ("winch", "cables")])
+def test_near_relations_of_klipper_are_refused_by_name(tmp_path: Path, kinematics: str, words: str) -> None:
+    file = tmp_path / "printer.cfg"
+    file.write_text(f"[printer]\nkinematics: {kinematics}\n")
+    with pytest.raises(InputError, match=words):
+        import_klipper(file)
+
+
+@pytest.mark.parametrize(
+    ("points", "expected"),
+    [("0, 1\n2", "not equally long"), ("0, 1\n2, x", "is 'x': a number"), ("0, 1\n2, nan", "is 'nan': a number")],
+)
+def test_a_damaged_mesh_is_named(tmp_path: Path, printer: Robot, points: str, expected: str) -> None:
+    file = tmp_path / "printer.cfg"
+    rows = points.replace("\n", "\n  ")
+    mesh = f"[bed_mesh default]\npoints =\n  {rows}\nmin_x = -9\nmax_x = 9\nmin_y = -9\nmax_y = 9"
+    file.write_text(printer_cfg(printer, *session(printer), mesh))
+    with pytest.raises(InputError, match=expected):
+        import_klipper(file)
+
+
 def test_files_that_are_something_else_say_so(tmp_path: Path, printer: Robot) -> None:
     file = tmp_path / "printer.cfg"
     file.write_text("[printer]\nkinematics: corexy\n")
-    with pytest.raises(InputError, match="no delta printer"):
+    with pytest.raises(InputError, match="no linear delta"):
         import_klipper(file)
     heights, distances = session(printer)
     file.write_text(printer_cfg(printer, heights[:0], distances).replace("microsteps: 16", ""))
@@ -210,7 +240,67 @@ def test_a_map_of_reprapfirmware(tmp_path: Path, run: Run) -> None:
     assert x[0, :2] == pytest.approx([0, -50.0], abs=1e-6)
 
 
-@pytest.mark.parametrize("kind", ["klipper", "rrf"])
+MARLIN = """echo:; Endstop adjustment:
+echo:  M666 X-0.40 Y0.00 Z-0.25
+echo:; Delta settings: L<diagonal rod> R<radius> H<height> S<segments per sec> XYZ<tower angle trim> ABC<rod trim>
+echo:  M665 L270.00 R130.00 H300.00 S200.00 X-0.50 Y0.25 Z0.00 A0.10 B0.00 C-0.10
+echo:  M851 X0.00 Y10.00 Z-2.50 ; (mm)
+"""
+
+
+def test_a_log_of_marlin(tmp_path: Path, run: Run) -> None:
+    log = tmp_path / "marlin.txt"
+    log.write_text(f"{MARLIN}Bed X: 0.000 Y: -40.000 Z: 0.100\nBed X: 10.0 Y: 5.0 Z: -0.050\nok\n")
+    code, out, _ = run("import", "marlin", log, "-o", tmp_path / "out", "--json")
+    assert code == 0
+    assert json.loads(out)["recordings"] == ["recording.csv"]
+    got = import_marlin(log)
+    assert got.robot is not None
+    assert got.robot.geometry["tower_angle"] / DEG == pytest.approx([209.5, 330.25, 90.0])
+    assert got.robot.geometry["arm_length"] == pytest.approx([270.1, 270.0, 269.9])
+    assert got.robot.geometry["endstop"] == pytest.approx([300.4, 300.0, 300.25])
+    x = LINEAR.forward(got.recordings["recording"].joints, got.robot.tool, LINEAR.rows(got.robot))[0][:, :3]
+    assert x == pytest.approx(np.array([[0, -50.0, 2.6], [10.0, -5.0, 2.45]]), abs=1e-6)
+
+
+def test_a_report_of_g33_counts_where_it_came_last(tmp_path: Path) -> None:
+    log = tmp_path / "marlin.txt"
+    report = (
+        ".Height:297.85    Ex:-0.18  Ey:-0.13  Ez:+0.00    Radius:100.68\n"
+        ".Tower angle :    Tx:-0.05  Ty:+0.08  Tz:+0.00\n"
+    )
+    log.write_text(f"{MARLIN}{report}Bed X: 0.0 Y: 0.0 Z: 0.1\n")
+    got = import_marlin(log).robot
+    assert got is not None
+    assert got.geometry["radius"][0] == pytest.approx(100.68)
+    assert got.geometry["endstop"] == pytest.approx([298.03, 297.98, 297.85])
+    assert got.geometry["tower_angle"] / DEG == pytest.approx([209.95, 330.08, 90.0])
+
+
+def test_a_topography_of_the_unified_bed_levelling(tmp_path: Path) -> None:
+    log = tmp_path / "marlin.txt"
+    report = (
+        "Bed Topography Report:\n\n    (-50,50)                 (50,50)\n"
+        "        0       1       2\n"
+        " 2 |   .    +0.030    .\n   |\n 1 | -0.010 [+0.000] +0.020\n   |\n 0 |   .    -0.040    .\n"
+        "        0       1       2\n    (-50,-50)                (50,-50)\n"
+    )
+    log.write_text(MARLIN + report)
+    got = import_marlin(log)
+    assert got.robot is not None
+    x = LINEAR.forward(got.recordings["recording"].joints, got.robot.tool, LINEAR.rows(got.robot))[0][:, :3]
+    probed = {(round(a), round(b + 10)): round(c - 2.5, 3) for a, b, c in x.tolist()}
+    assert probed == {(0, 50): 0.03, (-50, 0): -0.01, (0, 0): 0.0, (50, 0): 0.02, (0, -50): -0.04}
+
+
+def test_a_grid_without_places_is_refused_with_the_way_out(tmp_path: Path) -> None:
+    log = tmp_path / "marlin.txt"
+    log.write_text(f"{MARLIN}Bilinear Leveling Grid:\n      0      1\n 0 +0.1 +0.2\n 1 +0.1 +0.0\n")
+    with pytest.raises(InputError, match=r"where the points of the grid lie\. Probe with G29 V4"):
+        import_marlin(log)
+
+
+@pytest.mark.parametrize("kind", ["klipper", "rrf", "marlin"])
 def test_firmware_gets_back_what_it_can_carry(
     kind: str, tmp_path: Path, printer: Robot, rng: np.random.Generator
 ) -> None:
@@ -218,13 +308,17 @@ def test_firmware_gets_back_what_it_can_carry(
     errors = plausible(rng, LINEAR.model("linear_delta/9"))
     lines = firmware_lines(dataclasses.replace(printer, errors=errors), kind)
     assert not lines.not_carried
-    assert lines.left_worst_mm < 1e-5
+    assert lines.after.worst_mm < 1e-5
     if kind == "klipper":
         file = tmp_path / "printer.cfg"
         bare = printer_cfg(printer, *session(printer)).split("#*# [printer]")[0]
         steps = ",".join(f"{v:.3f}" for v in joints(printer, np.array([[0, 0, 0.0]]), errors)[0] / STEP)
         file.write_text(f"{bare}\n{lines.text}\n[delta_calibrate]\nheight0: 0\nheight0_pos: {steps}\n")
         got = import_klipper(file).robot
+    elif kind == "marlin":
+        file = tmp_path / "marlin.txt"
+        file.write_text(f"{lines.text}\nBed X: 0 Y: 0 Z: 0\n")
+        got = import_marlin(file).robot
     else:
         config, chart = tmp_path / "config.g", tmp_path / "map.csv"
         config.write_text(lines.text)
@@ -238,13 +332,56 @@ def test_firmware_gets_back_what_it_can_carry(
 def test_firmware_lines_say_what_they_cannot_carry(printer: Robot) -> None:
     leaning = dataclasses.replace(printer, errors={"lean_radial_1": 0.3 * DEG, "scale_2": 0.001})
     lines = firmware_lines(leaning, "klipper", ["transmission_eccentricity"])
-    assert lines.left_worst_mm > 0.005
-    assert f"{lines.left_worst_mm:.4f} mm" in lines.text
+    assert lines.after.worst_mm > 0.005
+    assert f"{lines.after.worst_mm:.4f} mm" in lines.text
     assert "lean_radial_1 = +0.3000 deg" in lines.text
-    assert "multiply rotation_distance of stepper_b by 1.001000" in lines.text
+    assert f"rotation_distance: {40 * 1.001:.6f}" in lines.text
     assert "the effect transmission_eccentricity" in lines.text
     with pytest.raises(UsageError):
-        firmware_lines(printer, "marlin")
+        firmware_lines(printer, "grbl")
+
+
+@pytest.mark.parametrize("model", [None, "21"])
+def test_a_machine_beyond_firmware_gets_the_firmware_s_own_fit(
+    tmp_path: Path, printer: Robot, rng: np.random.Generator, run: Run, model: str | None
+) -> None:
+    """What is written leaves on the bed what firmware's parameters leave of the readings: no truncated machine."""
+    truth = plausible(rng, LINEAR.model("linear_delta/21"))
+    heights = simulate(printer, recording(printer, grid(100, 20)), truth, noise_mm=0.01, rng=rng)
+    found = commands.identify(printer, heights, model, tmp_path / "result.json")
+    lines = commands.firmware_lines(found, "rrf")
+    assert lines.by_readings
+    config = tmp_path / "config.g"
+    config.write_text(lines.text)
+    (tmp_path / "map.csv").write_text("height map\nxmin,xspacing,ymin,yspacing\n0,1,0,1\n0.0\n")
+    got = import_rrf(config, tmp_path / "map.csv").robot
+    assert got is not None
+    x = LINEAR.forward(heights.joints, got.tool, LINEAR.rows(got))[0]
+    left = x[:, 2] - heights.measured[:, 0]
+    assert np.sqrt(np.mean(left**2)) == pytest.approx(found["firmware"]["train_rms_mm"], rel=0.02)
+    assert lines.after.bed_rms_mm < lines.before.bed_rms_mm
+    out = run("compensate", tmp_path / "result.json", "--export", "rrf", "-o", tmp_path / "lines.g")[1]
+    assert "in the file now" in out
+    assert f"{lines.after.bed_rms_mm:.4f}" in out
+
+
+def test_lines_of_a_diagnosed_machine_put_the_bed_first(printer: Robot, rng: np.random.Generator) -> None:
+    errors = plausible(rng, LINEAR.model("linear_delta/21"))
+    lines = firmware_lines(dataclasses.replace(printer, errors=errors), "klipper")
+    assert not lines.by_readings
+    assert lines.after.bed_rms_mm < 0.5 * lines.before.bed_rms_mm
+    assert lines.after.bed_rms_mm < 0.1 * lines.after.lateral_rms_mm
+
+
+def test_lines_that_are_worse_than_those_in_the_file_are_refused(
+    tmp_path: Path, printer: Robot, rng: np.random.Generator
+) -> None:
+    heights = simulate(printer, recording(printer, grid(100, 30)), {}, noise_mm=0.01, rng=rng)
+    found = commands.identify(printer, heights, "6")
+    worse = found.replace(heldout_rms_mm=2 * found.before_rms_mm)
+    with pytest.raises(NoSolutionError, match="new lines would be no better"):
+        commands.firmware_lines(worse, "klipper", tmp_path / "lines.cfg")
+    assert not (tmp_path / "lines.cfg").exists()
 
 
 # ------------------------------------------------------------------------------------------------------- two sessions

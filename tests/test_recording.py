@@ -16,8 +16,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.files.recording import Recording, check_units, read_recording, write_files, write_recording
+from deltacal_gen.files.checks import check_units
+from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import robot_from_dict
+from deltacal_gen.files.writing import write_files, write_recording
+from deltacal_gen.machine.values import Recording
 from deltacal_gen.units import DEG
 
 SPACE: Any = {
@@ -180,11 +183,11 @@ CELL, NO_ROW = ROWS[0], csv()
         (csv("1,2,3", header=JOINTS), 1, None, "no column holds a measured quantity"),
         (csv("1,2,3", header="x_mm,y_mm,z_mm"), 1, "q1_deg", "the column is missing. Add it in deg"),
         (csv("1,2,3,4", header="q1_deg,q2,q3_deg,x_mm"), 1, "q2_deg", "'q2' looks like it. Rename it to 'q2_deg'"),
-        (csv("1,2,3,4", header="q1_rad,q2_rad,q3_rad,x_mm"), 1, "q1_deg", "'q1_rad' looks like it"),
+        (csv("1,2,3,4", header="q1_grad,q2_grad,q3_grad,x_mm"), 1, "q1_deg", "'q1_grad' looks like it"),
         (csv("1,2,3,4,5,6", header=JOINTS + ",x_mm,y_mm,Z"), 1, "z_mm", "'Z' looks like it"),
         (csv("1,2,3,4,5", header=JOINTS + ",q4_deg,height_mm"), 1, "q4_deg", "joints q1_deg, q2_deg, q3_deg only"),
-        (csv("1;2;3;4", header="q1_deg;q2_deg;q3_deg;height_mm"), 1, None, "separated by semicolons"),
-        (csv("1\t2\t3\t4", header="q1_deg\tq2_deg\tq3_deg\theight_mm"), 1, None, "separated by tabs"),
+        (csv("1;2;3;4,567", header="q1_deg;q2_deg;q3_deg;height_mm"), 2, None, "Say it: --decimal , or --decimal ."),
+        (csv("1;2;3,5;4.5", header="q1_deg;q2_deg;q3_deg;height_mm"), 2, None, "Write all with one mark"),
         (csv("1,2,3,4,5", header=JOINTS + ",height_mm,gauge_mm"), 1, None, "several kinds: gauge, height"),
         (csv("1,2,3,4,5", header=JOINTS + ",height_mm,approach2"), 2, "approach2", "'5': 1 or -1 was expected"),
         (csv("1,2,3,4,-1", header=JOINTS + ",height_mm,payload_kg"), 2, "payload_kg", "a mass cannot be negative"),
@@ -196,7 +199,7 @@ CELL, NO_ROW = ROWS[0], csv()
         (csv("1,2,3,4", header=JOINTS + ",distance_mm"), 1, "distance_mm", "Add recording.distances.csv"),
         (csv("1,2,3,4,5", header="q1a_deg,q2a_deg,q3a_deg,q1b_deg,q2b_deg"), 1, "q3b_deg", "missing"),
         (csv(CELL, 'b,10,20,30,1,2,"3'), 3, None, "this is not CSV"),
-        (b"pose,q1_deg\n1,\xb0\n", 2, None, "is not UTF-8"),
+        (b"\xff\xfep", None, None, "the file is not text"),
     ],
 )
 def test_a_flaw_is_named_with_line_column_and_remedy(

@@ -13,7 +13,7 @@ import pytest
 from deltacal_gen.app import commands
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.pages import figures, report
-from deltacal_gen.physics.physics import effect_names, load_effect
+from deltacal_gen.physics.terms import effect_names, load_effect
 from deltacal_gen.results.reader import read_result
 
 

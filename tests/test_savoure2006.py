@@ -13,11 +13,12 @@ from conftest import PROTOTYPE, wanted
 import deltacal_gen as dc
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import UsageError
-from deltacal_gen.files.recording import Recording, read_recording
+from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Masses, Robot, for_model, for_names, read_robot, robot_from_dict, robot_to_dict
 from deltacal_gen.identification.identifiability import observability, unseen
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.machine.registry import SOLVED, UNREACHABLE, Machine, load_mechanism
+from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import read_truth, simulate, truth_names
 from deltacal_gen.use.compensation import Compensator
 
@@ -39,7 +40,7 @@ from independent_savoure import (
 )
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from tests.benchmarks.savoure2006 import remaining
+from deltacal_gen.app.reproduction.savoure import remaining
 from tests.every_effect import ON_MACHINES, channels, machine_with, sized
 
 LENGTHS = (0.0, 100.0, 200.0)

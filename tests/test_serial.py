@@ -12,7 +12,8 @@ from conftest import displaced, displacement
 from deltacal_gen.app import commands
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.robot import Robot, read_robot, robot_from_dict, robot_to_dict, robot_to_toml
-from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.machine.backend import Backend, using
+from deltacal_gen.machine.registry import Machine, mechanism_of
 from deltacal_gen.units import DEG
 
 ARM: list[dict[str, Any]] = [  # shoulder, two long links with parallel axes, a wrist of three
@@ -73,13 +74,24 @@ SCARA = [
 ]
 
 
-@pytest.mark.parametrize(
+BOTH = [ARM[0], *MODIFIED[1:4], *MIXED[2:]]
+EVERY = pytest.mark.parametrize(
     "links",
-    [ARM, MODIFIED, MIXED, SLIDES, SCARA],
-    ids=["standard", "modified", "coupled", "prismatic", "scara"],
+    [ARM, MODIFIED, BOTH, MIXED, SLIDES, SCARA],
+    ids=["standard", "modified", "both", "coupled", "prismatic", "scara"],
 )
-def test_the_pose_and_its_derivatives_are_those_of_matrices_by_hand(links: list[dict[str, Any]]) -> None:
-    r = robot(links)
+
+
+@EVERY
+@pytest.mark.parametrize("backend", list(Backend), ids=lambda backend: backend.value)
+def test_the_pose_and_its_derivatives_are_those_of_matrices_by_hand(
+    links: list[dict[str, Any]], backend: Backend
+) -> None:
+    with using(backend):
+        _check_by_hand(robot(links))
+
+
+def _check_by_hand(r: Robot) -> None:
     m, rng = mechanism_of(r), np.random.default_rng(3)
     q = rng.uniform(-2, 2, (4, m.limbs)) * [100.0 if unit == "mm" else 1.0 for unit in m.joint_units]
     errors = {p.name: 3 * p.typical * rng.standard_normal() for p in m.parameters}
@@ -101,6 +113,131 @@ def test_the_pose_and_its_derivatives_are_those_of_matrices_by_hand(links: list[
         plus, minus = (m.forward(q + s * h * np.eye(m.limbs)[j], r.tool, rows)[0] for s in (1, -1))
         slope = (displacement(x, plus) - displacement(x, minus)) / (2 * h)
         assert S.joints[:, :, j] == pytest.approx(slope, abs=1e-4)
+
+
+@EVERY
+@pytest.mark.parametrize("machines", [1, 3, 37])
+def test_compiled_kernels_and_numpy_agree_for_many_machines_and_tools(
+    links: list[dict[str, Any]], machines: int
+) -> None:
+    """Poses that fill no block of lanes, shared out among machines, each pose with a tool of its own."""
+    r, n = robot(links), 111
+    m, rng = mechanism_of(r), np.random.default_rng(4)
+    q, tool = rng.uniform(-2, 2, (n, m.limbs)), 50 * rng.standard_normal((n, 3))
+    rows = m.rows(r, m.typical * rng.standard_normal((machines, len(m.parameters))))
+    found = {}
+    for backend in Backend:
+        with using(backend):
+            x, _ = m.forward(q, tool, rows)
+            S = m.sensitivity(x, q, tool, rows)
+            found[backend] = (
+                x,
+                S.parameters,
+                S.joints,
+                m.weights_at(x, q, tool, rows, {}),
+                *_exerted(m, x, q, tool, rows),
+            )
+    for plain, compiled in zip(found[Backend.NUMPY], found[Backend.COMPILED], strict=True):
+        assert np.abs(compiled - plain).max() < 1e-10
+    alone = np.vstack([m.forward(q[[j]], tool[[j]], rows[[j * machines // n]])[0] for j in range(n)])
+    assert np.abs(alone - found[Backend.COMPILED][0]).max() < 1e-11
+    with pytest.raises(ValueError, match="rows have the shape"):
+        m.forward(q[:-1], tool[:-1], np.resize(rows, (4, *rows.shape[1:])))
+
+
+@pytest.mark.parametrize(
+    "links",
+    [ARM, MODIFIED, MIXED, SLIDES, SCARA],
+    ids=["standard", "modified", "coupled", "prismatic", "scara"],
+)
+def test_a_chain_that_gives_way_has_the_derivatives_of_differences(links: list[dict[str, Any]]) -> None:
+    r = robot(links)
+    m, rng = mechanism_of(r), np.random.default_rng(4)
+    q = rng.uniform(-2, 2, (4, m.limbs)) * [100.0 if unit == "mm" else 1.0 for unit in m.joint_units]
+    errors = m.vector({p.name: 3 * p.typical * rng.standard_normal() for p in m.parameters})
+    sizes = np.array([0.3, 0.3, 2e-3, 2e-3, 0.3, 0.3, 2e-3])  # mm, rad
+    bent = sizes * rng.standard_normal((1, m.limbs, len(sizes)))
+    rigid, rows = (m.rows(r, errors, much * bent) for much in (1e-14, 1.0))
+    x, _ = m.forward(q, r.tool, rows)
+    assert m.forward(q, r.tool, rigid)[0] == pytest.approx(m.forward(q, r.tool, m.rows(r, errors))[0], abs=1e-10)
+    S = m.sensitivity(x, q, r.tool, rows)
+    assert m.sensitivity(x, q, r.tool, rigid).parameters == pytest.approx(
+        m.sensitivity(x, q, r.tool, m.rows(r, errors)).parameters, abs=1e-8
+    )
+    for j in range(m.limbs):
+        for d in range(len(sizes)):
+            h = np.zeros_like(bent)
+            h[0, j, d] = 1e-3 * sizes[d]
+            plus, minus = (m.forward(q, r.tool, m.rows(r, errors, bent + s * h))[0] for s in (1, -1))
+            slope = displacement(minus, plus) / (2 * h[0, j, d])
+            assert S.deflections[:, :, m._moving[j], d] == pytest.approx(slope, rel=1e-4, abs=1e-4)
+    for j, p in enumerate(m.parameters):
+        h = np.zeros(len(errors))
+        h[j] = 1e-3 * p.typical
+        plus, minus = (m.forward(q, r.tool, m.rows(r, errors + s * h, bent))[0] for s in (1, -1))
+        assert S.parameters[:, :, j] == pytest.approx(displacement(minus, plus) / (2 * h[j]), rel=1e-4, abs=1e-4)
+
+
+def test_weights_work_along_deflections_as_energy_falls() -> None:
+    r = robot([*ARM[:3], {"kind": "fixed", "a": 30.0, "alpha": 20.0, "mass": 0.7}, *ARM[3:]])
+    m, rng = mechanism_of(r), np.random.default_rng(5)
+    q, gravity, payload = rng.uniform(-2, 2, (5, 6)), np.array([0.0, 0.0, -9.81]), 2.0
+    x, _ = m.forward(q, r.tool, m.rows(r))
+    pulls = m.loads(x, q, r.tool, m.rows(r), {"proximal": 0.0}, gravity, payload, range(1, 7)).pull
+    for j, k in enumerate(m._moving):
+        for d, name in enumerate(m.deflections):
+            # a link bears no weight of its own, nor that of the fixed part of it
+            behind = k if name.startswith(("side", "tilt")) else k + (2 if k == 2 else 1)
+            masses = np.array([*(link.mass * (n >= behind) for n, link in enumerate(r.links)), payload])
+            at = []
+            for h in (1e-4, -1e-4):
+                bent = np.zeros((1, m.limbs, len(m.deflections)))
+                bent[0, j, d] = h
+                rows = m.rows(r, None, bent)
+                moved, _ = m.forward(q, r.tool, rows)
+                at.append(m.weights_at(moved, q, r.tool, rows, {"proximal": 0.0}))
+            work = ((at[0] - at[1]) @ gravity @ masses) / 2e-4
+            assert pulls[:, j, d] == pytest.approx(work, rel=1e-5, abs=1e-3), (j, name)
+
+
+def test_a_link_bends_across_its_line_and_twists_about_it() -> None:
+    r = robot(
+        [{"kind": "revolute", "a": 300.0, "d": 40.0}, {"kind": "fixed", "a": 100.0}, {"kind": "revolute", "a": 200.0}]
+    )
+    m = mechanism_of(r)
+    tool, q = np.array([0.0, 50.0, 0.0]), np.zeros((1, 2))
+    before, _ = m.forward(q, tool, m.rows(r))
+
+    def moved(**given: float) -> np.ndarray:
+        bent = np.zeros((1, 2, len(m.deflections)))
+        for name, much in given.items():
+            bent[0, 0, m.deflections.index(name)] = much
+        return displacement(before, m.forward(q, tool, m.rows(r, None, bent))[0])[0]
+
+    line = np.array([400.0, 0.0, 40.0]) / np.hypot(400.0, 40.0)
+    for name in ("bend_v", "bend_w"):
+        shift = moved(**{name: 0.1})
+        assert shift[:3] @ line == pytest.approx(0.0, abs=1e-12)
+        assert np.linalg.norm(shift[:3]) == pytest.approx(0.1)
+        assert shift[3:] == pytest.approx(np.zeros(3), abs=1e-12)
+    assert moved(bend_w=0.1)[2] > 0.09  # along the joint's axis, as far as that lies across
+    assert moved(bend_v=0.1)[1] == pytest.approx(0.1)
+    turned = moved(twist=1e-3)
+    assert turned[3:] == pytest.approx(1e-3 * line, abs=1e-9)
+    assert turned[:3] == pytest.approx(np.cross(1e-3 * line, before[0, :3]), abs=1e-4)  # the line passes through {O}
+    assert moved(tilt_x=1e-3)[3:] == pytest.approx([1e-3, 0.0, 0.0], abs=1e-12)
+    assert moved(tilt_y=1e-3)[3:] == pytest.approx([0.0, 1e-3, 0.0], abs=1e-12)
+    assert moved(side_x=0.1)[:3] == pytest.approx([0.1, 0.0, 0.0])
+    assert moved(side_y=0.1)[:3] == pytest.approx([0.0, 0.1, 0.0])
+
+
+def _exerted(m: Machine, x: np.ndarray, q: np.ndarray, tool: np.ndarray, rows: np.ndarray) -> list[np.ndarray]:
+    """Return what weights and a payload exert: torque, moment, and along the deflections of joints that give way."""
+    given = {"proximal": 0.0}, np.array([0.5, -0.3, -9.81]), 2.0
+    total = m.loads(x, q, tool, rows, *given)
+    bent = rows.copy()
+    bent[:, :, rows.shape[2] - len(m.deflections) :] = 1e-3
+    return [total.torque, total.moment, m.loads(x, q, tool, bent, *given).pull]
 
 
 def test_torques_are_minus_the_slope_of_potential_energy() -> None:

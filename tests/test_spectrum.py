@@ -10,13 +10,14 @@ from test_serial import robot
 
 from deltacal_gen.app import commands
 from deltacal_gen.diagnosis.spectrum import Spectrum, never_seen, periodic, seen, unseen, wave, words
-from deltacal_gen.estimation.estimation import Fit, fit, pose_problem
+from deltacal_gen.estimation.fit import Fit, fit
+from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import robot_to_toml
-from deltacal_gen.identification.identification import folds
+from deltacal_gen.identification.folds import folds
 from deltacal_gen.machine.registry import mechanism_of
-from deltacal_gen.physics.physics import Term
+from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import Seen, SeenJoint
 from deltacal_gen.results.parts import NeverSeen
 from deltacal_gen.units import DEG

@@ -19,8 +19,8 @@ from deltacal_gen.files.recording import read_blocks, read_recording
 from deltacal_gen.files.robot import Robot, robot_to_toml
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.machine.registry import load_mechanism
-from deltacal_gen.physics.physics import blank, kept_term
 from deltacal_gen.physics.simulation import simulate
+from deltacal_gen.physics.terms import blank, kept_term
 from deltacal_gen.use import prediction, streams, validation
 from tests.conftest import plausible, scattered
 

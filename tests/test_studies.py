@@ -18,8 +18,8 @@ from deltacal_gen.app.demonstration import example
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.machine.registry import mechanism_of
-from deltacal_gen.planning import studies
-from deltacal_gen.planning.studies import Study
+from deltacal_gen.planning import advice, machines, studies
+from deltacal_gen.planning.machines import Study
 
 MACHINES = 1000
 
@@ -67,7 +67,7 @@ def test_machines_of_ordinary_errors_are_calibrated_exactly_though_the_jacobian_
     robot: Robot, made: Study
 ) -> None:
     wild = dataclasses.replace(made, robot=robot, sigma=1e-6)
-    found = studies.machines(wild, 0, 20)
+    found = machines.machines(wild, 0, 20)
     assert found.lost == 0
     assert np.array(found.before)[:, 0].min() > 0.3
     assert np.array(found.after)[:, 0].max() < 1e-3
@@ -119,14 +119,14 @@ def test_workers_change_nothing_and_a_run_is_resumed(robot: Robot, plan: Path, t
 
 
 def test_measuring_more_leaves_less(made: Study) -> None:
-    told = studies.advice(made)
+    told = advice.advice(made)
     rms = [e.rms_mm for e in told.enough]
     assert rms == sorted(rms, reverse=True)
     assert all(0 < g.rms_mm < told.rms_mm for g in told.add)
 
 
 def test_what_is_advised_gives_what_is_said(made: Study, plan: Path, tmp_path: Path) -> None:
-    gain = next(g for g in studies.advice(made).add if g.add.startswith("one more pose"))
+    gain = next(g for g in advice.advice(made).add if g.add.startswith("one more pose"))
     at = re.search(r"\((.*)\)", gain.add)
     assert at is not None
     further = tmp_path / "plan.csv"

@@ -12,8 +12,9 @@ import pytest
 
 import deltacal_gen as dc
 from deltacal_gen.errors import InputError
-from deltacal_gen.files.recording import Camera, read_recording
+from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import read_robot
+from deltacal_gen.files.sidecar import Camera
 from deltacal_gen.instrument import sphere
 from deltacal_gen.machine.registry import SOLVED, load_mechanism
 from deltacal_gen.units import DEG
@@ -156,7 +157,8 @@ def test_fewer_poses_than_unknowns_are_refused(robot: Any, tmp_path: Path) -> No
 
 def test_five_poses_carry_fifteen_parameters(robot: Any, tmp_path: Path) -> None:
     """The home among them; four see 12 of 15. The paper says six."""
-    from deltacal_gen.estimation.estimation import fit, pose_problem
+    from deltacal_gen.estimation.fit import fit
+    from deltacal_gen.estimation.problem import pose_problem
     from deltacal_gen.estimation.solvers import LeastSquares
     from deltacal_gen.identification.identifiability import identification_matrix, observability
 
@@ -232,7 +234,7 @@ def test_the_first_row_must_be_the_home(
 
 def test_which_set_tracks_better_is_not_a_matter_of_truth(robot: Any) -> None:
     """Table 5: some 1 % apart, the nominal set ahead whichever is the truth; the printed gain has the other sign."""
-    from tests.benchmarks import traslosheros2013 as paper
+    from deltacal_gen.app.reproduction import traslosheros as paper
 
     sets = [paper.rows(robot), paper.rows(robot, {n: float(v) for n, v in table_1().items()})]
     for true in sets:

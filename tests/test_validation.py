@@ -79,6 +79,79 @@ def test_the_worst_rows_come_first_with_their_lines(
     assert len(report["rows"]) == 10
 
 
+ELSEWHERE = (np.array([0.3, 0.2, -0.9]), np.array([-300.0, -500.0, 900.0]))
+
+
+@pytest.mark.parametrize("setup", ["1", "day 2"])
+def test_an_instrument_that_stands_elsewhere_is_placed_by_the_readings(
+    robot: Robot, truth: dict[str, float], result: dict[str, Any], setup: str
+) -> None:
+    given = wanted(scattered(robot, 40, 5), setup=[setup] * 40)
+    fresh = simulate(robot, given, truth, noise_mm=0.005, rng=np.random.default_rng(2), frame=ELSEWHERE)
+    report = validate(result, fresh)
+    assert report["rms_mm"] == pytest.approx(0.0055, rel=0.15)
+    assert report["degrees_of_freedom"] == 3 * 40 - 6
+    assert report["chi2_per_dof"] == pytest.approx(1.1, abs=0.3)
+    (placed,) = report["placed"]
+    assert (placed["setup"], placed["unknowns"], placed["left_out"]) == (setup, 6, True)
+    far = np.linalg.norm(ELSEWHERE[1] - FRAME[1])
+    assert placed["shift_mm"] == pytest.approx(far, abs=1.0)
+    assert placed["rms_where_known_mm"] > 100
+
+
+def test_errors_are_of_poses_that_took_no_part_in_placing(
+    robot: Robot, truth: dict[str, float], result: dict[str, Any]
+) -> None:
+    """Repeats of a pose stay together: left out one by one they would vouch for one another."""
+    names = [f"P{j // 2}" for j in range(12)]
+    given = wanted(np.repeat(scattered(robot, 6, 5), 2, axis=0), pose=names)
+    fresh = simulate(robot, given, truth, frame=ELSEWHERE)
+    off = fresh.measured.copy()
+    off[:2] += [0.0, 0.0, 5.0]
+    report = validate(result, dataclasses.replace(fresh, measured=off))
+    assert [row["line"] for row in report["rows"][:2]] == [2, 3]
+    assert report["rows"][0]["error_mm"] == pytest.approx(5.0, abs=0.01)
+
+
+def test_set_ups_known_and_unknown_in_one_recording(
+    robot: Robot, truth: dict[str, float], result: dict[str, Any]
+) -> None:
+    given = wanted(scattered(robot, 30, 5), setup=["1"] * 10 + ["b"] * 20)
+    report = validate(result, simulate(robot, given, truth, frame=FRAME))
+    assert [(p["setup"], p["why"]) for p in report["placed"]] == [("b", "unknown")]
+    assert report["rms_mm"] < 0.01
+
+
+def test_a_machine_that_has_changed_is_no_instrument_that_moved(
+    robot: Robot, truth: dict[str, float], result: dict[str, Any]
+) -> None:
+    other = truth | {"theta_1": truth["theta_1"] + 0.01}
+    report = validate(result, simulate(robot, wanted(scattered(robot, 30, 5)), other, frame=FRAME))
+    assert report["rms_mm"] > 1.0
+    assert "placed" not in report
+
+
+def test_two_readings_leave_open_where_an_instrument_stands(
+    robot: Robot, truth: dict[str, float], result: dict[str, Any]
+) -> None:
+    given = wanted(scattered(robot, 12, 5), setup=["1"] * 10 + ["b"] * 2)
+    with pytest.raises(InputError, match="the 2 readings of the set-up 'b' leave open where it stands"):
+        validate(result, simulate(robot, given, truth, frame=FRAME))
+
+
+def test_figures_of_the_standard_do_not_depend_on_where_the_instrument_stands(
+    robot: Robot, truth: dict[str, float], result: dict[str, Any]
+) -> None:
+    names = [f"P{j // 10}" for j in range(100)]
+    given = wanted(np.repeat(scattered(robot, 10, 5), 10, axis=0), pose=names)
+    here, there = (
+        validate(result, simulate(robot, given, truth, noise_mm=0.01, rng=np.random.default_rng(2), frame=frame))
+        for frame in (FRAME, ELSEWHERE)
+    )
+    for key in ("RP_mean_mm", "RP_max_mm", "AP_mean_mm"):
+        assert there["iso9283"][key] == pytest.approx(here["iso9283"][key], rel=0.35)
+
+
 def test_repeats_give_the_figures_of_the_standard(
     robot: Robot, truth: dict[str, float], result: dict[str, Any]
 ) -> None:

@@ -3,34 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import ClassVar
 
 import sympy as sp
 from sympy.printing.c import C99CodePrinter
 from sympy.printing.precedence import PRECEDENCE
 
 from derive.backends.ir import Kernel
-from derive.backends.text import PRODUCTS, Lines, Names, arrays, written
+from derive.backends.text import PRODUCTS, Lines, Names, Printer, arrays, written
 
 
-class C(C99CodePrinter):
+class C(Printer, C99CodePrinter):
     """Small powers as products, symbols by the names of the text."""
 
-    def __init__(self, **settings: Any) -> None:
-        super().__init__(settings)
-        self.names: Names = {}
-
-    def expression(self, expr: sp.Expr, names: Names | None = None) -> str:
-        """Return the text of an expression."""
-        self.names = names or {}
-        return str(self.doprint(expr))
+    both: ClassVar = "&&"
+    either: ClassVar = "||"
 
     def assignment(self, target: str, value: str) -> str:
         """Return the line that names a value."""
         return f"const double {target} = {value};"
-
-    def _print_Symbol(self, expr: sp.Symbol) -> str:
-        return self.names.get(expr) or str(super()._print_Symbol(expr))
 
     def _print_Pow(self, expr: sp.Pow) -> str:
         base = self.parenthesize(expr.base, 100)
@@ -42,15 +33,6 @@ class C(C99CodePrinter):
 
     def _print_Abs(self, expr: sp.Abs) -> str:
         return f"fabs({self._print(expr.args[0])})"  # of whole numbers too, which are doubles
-
-    def _print_And(self, expr: sp.And) -> str:
-        return self._joined(expr, "&&")
-
-    def _print_Or(self, expr: sp.Or) -> str:
-        return self._joined(expr, "||")
-
-    def _joined(self, expr: sp.And | sp.Or, by: str) -> str:
-        return "(" + f" {by} ".join(map(self._print, sorted(expr.args, key=sp.default_sort_key))) + ")"
 
     def _print_Mod(self, expr: sp.Mod) -> str:
         value, by = (self.parenthesize(arg, PRECEDENCE["Pow"]) for arg in expr.args)

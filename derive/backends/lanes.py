@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import ClassVar
 
 import sympy as sp
 from sympy.printing.precedence import PRECEDENCE
 
-from derive.backends.ir import Kernel, Place
+from derive.backends.ir import Kernel, Load, Place
 from derive.backends.scalar import Python
 from derive.backends.text import PRODUCTS, Layout, Lines, Names, arrays, loaded, written
 
@@ -51,7 +52,14 @@ def place(at: Place) -> str:
     return f"{at.array}[{at.index} + lane]" if at.lane else arrays()(at)
 
 
-def block(kernel: Kernel, at: int, size: int, copies: Sequence[int] = (0,), single: Collection[int] = ()) -> Lines:
+def block(
+    kernel: Kernel,
+    at: int,
+    size: int,
+    copies: Sequence[int] = (0,),
+    single: Collection[int] = (),
+    regions: Mapping[str, int | Sequence[int]] | None = None,
+) -> Lines:
     """Return the lines of a kernel over the lane arrays of one block of poses, its result from lane array `at` on.
 
     What is the same for all lanes is loaded before the loop: `Lines.loads`, the rest is the body of the loop.
@@ -64,7 +72,11 @@ def block(kernel: Kernel, at: int, size: int, copies: Sequence[int] = (0,), sing
         Where the result is written, in lane arrays further on.
     single : collection of int
         Entries of the result that are written at the first of `copies` only.
+    regions : mapping, optional
+        Arrays whose numbers stand in lane arrays: the first one, or that of each number.
     """
+    regions = regions or {}
+    kernel = replace(kernel, loads=tuple(_laid(load, regions, size) for load in kernel.loads))
     outside = [load for load in kernel.loads if not load.place.lane]
     inside = [load for load in kernel.loads if load.place.lane]
     lines = written(kernel, PRINTER, place, str)
@@ -75,6 +87,16 @@ def block(kernel: Kernel, at: int, size: int, copies: Sequence[int] = (0,), sing
     ]
     loads, first = ([line for x in part for line in loaded(x, PRINTER, place)] for part in (outside, inside))
     return Lines(loads, [*first, *lines.assigns], stores)
+
+
+def _laid(load: Load, regions: Mapping[str, int | Sequence[int]], size: int) -> Load:
+    """Return a load from the lane arrays of its array, where that has some."""
+    array, index = load.place.array, load.place.index
+    if index is None or array not in regions:
+        return load
+    slots = regions[array]
+    slot = slots + index if isinstance(slots, int) else slots[index]
+    return Load(load.symbol, Place("w", slot * size, lane=True))
 
 
 def rows(kernel: Kernel, array: str, width: int) -> Lines:
@@ -120,6 +142,17 @@ class Limb:
 def side_by_side(kernel: Kernel, limbs: int, constants: int) -> list[Limb]:
     """Return a kernel for each limb of a machine."""
     return [Limb(kernel, i, limbs, constants) for i in range(limbs)]
+
+
+def of_numbers(kernel: Kernel, **forms: str) -> Lines:
+    """Return the lines of a kernel whose numbers stand in arrays by `forms`, and what it stores by ``out``."""
+    out = forms.pop("out")
+    return written(kernel, PRINTER, arrays(**forms), out.format)
+
+
+def results(kernel: Kernel) -> list[str]:
+    """Return the texts of what a kernel stores, in order."""
+    return [PRINTER.expression(store.expr) for store in kernel.stores]
 
 
 def functions_of(kernels: Sequence[Kernel]) -> list[str]:

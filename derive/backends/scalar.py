@@ -11,10 +11,10 @@ from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.pycode import PythonCodePrinter
 
 from derive.backends.ir import Kernel
-from derive.backends.text import PRODUCTS, Lines, Names, arrays, written
+from derive.backends.text import PRODUCTS, Lines, Printer, arrays, written
 
 
-class Python(PythonCodePrinter):
+class Python(Printer, PythonCodePrinter):
     """Small powers as products, roots by a function, rationals as decimals, symbols by the names of the text.
 
     Attributes
@@ -25,6 +25,8 @@ class Python(PythonCodePrinter):
         What the text calls the square root, the next integer below, the larger and the smaller of two numbers.
     """
 
+    both: ClassVar[str] = "&"
+    either: ClassVar[str] = "|"
     functions: ClassVar[Mapping[str, str]] = {}
     root: ClassVar[str] = "math.sqrt"
     floor: ClassVar[str] = "math.floor"
@@ -34,12 +36,6 @@ class Python(PythonCodePrinter):
     def __init__(self, **settings: Any) -> None:
         super().__init__({"fully_qualified_modules": True, **settings})
         self.known_functions.update(self.functions)
-        self.names: Names = {}
-
-    def expression(self, expr: sp.Expr, names: Names | None = None) -> str:
-        """Return the text of an expression."""
-        self.names = names or {}
-        return str(self.doprint(expr))
 
     def assignment(self, target: str, value: str) -> str:
         """Return the line that names a value."""
@@ -50,9 +46,6 @@ class Python(PythonCodePrinter):
         if item.is_Rational and not item.is_Integer and item > 0:
             return str(self._print(item))
         return str(super().parenthesize(item, level, strict))
-
-    def _print_Symbol(self, expr: sp.Symbol) -> str:
-        return self.names.get(expr) or str(super()._print_Symbol(expr))
 
     def _print_Rational(self, expr: sp.Rational) -> str:
         return repr(float(expr))
@@ -100,15 +93,6 @@ class Python(PythonCodePrinter):
         for condition, value in reversed(cases):
             last = f"({value} if {condition} else {last})"
         return last
-
-    def _print_And(self, expr: sp.And) -> str:
-        return self._joined(expr, "&")
-
-    def _print_Or(self, expr: sp.Or) -> str:
-        return self._joined(expr, "|")
-
-    def _joined(self, expr: sp.And | sp.Or, by: str) -> str:
-        return "(" + f" {by} ".join(map(self._print, sorted(expr.args, key=sp.default_sort_key))) + ")"
 
 
 PRINTER = Python()

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, ClassVar
 
 import sympy as sp
+from sympy.printing.codeprinter import CodePrinter
 
 from derive.backends.ir import Kernel, Load, Place
 
@@ -15,14 +17,42 @@ Names = Mapping[sp.Symbol, str]  # of symbols that a text calls otherwise than t
 Layout = Callable[[Place], str]
 
 
-class Printer(Protocol):
-    """Prints expressions in one language."""
+class Printer(CodePrinter, ABC):
+    """Prints expressions in one language, symbols by the names of the text; stands before SymPy's printer of it.
+
+    Attributes
+    ----------
+    both, either : str
+        Operators of two conditions.
+    """
+
+    both: ClassVar[str]
+    either: ClassVar[str]
+
+    def __init__(self, settings: Mapping[str, Any] | None = None) -> None:
+        super().__init__(settings)
+        self.names: Names = {}
 
     def expression(self, expr: sp.Expr, names: Names | None = None) -> str:
         """Return the text of an expression."""
+        self.names = names or {}
+        return str(self.doprint(expr))
 
+    @abstractmethod
     def assignment(self, target: str, value: str) -> str:
         """Return the line that names a value."""
+
+    def _print_Symbol(self, expr: sp.Symbol) -> str:
+        return self.names.get(expr) or str(super()._print_Symbol(expr))
+
+    def _print_And(self, expr: sp.And) -> str:
+        return self._joined(expr, self.both)
+
+    def _print_Or(self, expr: sp.Or) -> str:
+        return self._joined(expr, self.either)
+
+    def _joined(self, expr: sp.And | sp.Or, by: str) -> str:
+        return "(" + f" {by} ".join(map(self._print, sorted(expr.args, key=sp.default_sort_key))) + ")"
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import sympy as sp
 
+from derive.language.effects import EffectQuantity
 from derive.language.states import DEG, STATES, covariate, state
-from derive.spec import EffectQuantity
 
 __all__ = ["DEG", "coefficient", "constant", "covariate", "joint_coefficient", "state"]
 
@@ -22,9 +22,9 @@ def coefficient(name: str, unit: str, factor: float, meaning: str, believable: t
     return EffectQuantity(symbol, unit, factor, meaning, believable, label=name)
 
 
-def constant(name: str, unit: str, factor: float, meaning: str) -> EffectQuantity:
+def constant(name: str, unit: str, factor: float, meaning: str, *, of_joint: bool = False) -> EffectQuantity:
     """Return a constant, which is searched: its unit in files, the factor to mm, rad, N and s, and what it is."""
-    return EffectQuantity(sp.Symbol(name, real=True), unit, factor, meaning)
+    return EffectQuantity(sp.Symbol(name, real=True), unit, factor, meaning, of_joint=of_joint)
 
 
 def joint_coefficient(name: str, per: str, meaning: str, believable: tuple[float, float]) -> EffectQuantity:

@@ -1,7 +1,7 @@
 """The joint lies on either side of its play: ``theta = q - approach width / 2``."""
 
 from derive.effects import DEG, joint_coefficient, state
-from derive.spec import Effect, Reference
+from derive.language.effects import Effect, Reference
 
 (approach,) = state("approach")
 width = joint_coefficient("width", "", "the full gap", (0.0, 5.0))

@@ -1,7 +1,7 @@
 """The frame tilts by the compliance times the moment of all moving weight about {O}."""
 
 from derive.effects import DEG, coefficient, state
-from derive.spec import Effect, Reference
+from derive.language.effects import Effect, Reference
 
 mx, my = state("moment_x moment_y")
 cx = coefficient("compliance_x", "deg/Nm", DEG / 1000, "tilt about x per moment about x", (0.0, 1.0))

@@ -4,7 +4,7 @@ A nozzle at the height z stands at ``z - bed(x, y)`` above the bed.
 """
 
 from derive.effects import coefficient, state
-from derive.spec import Effect, Reference
+from derive.language.effects import Effect, Reference
 
 ORDER = 3
 x, y, b = state("x y b")

@@ -1,7 +1,7 @@
 """Each rod is longer by the compliance times its own tension; the pair's mean and difference carry it."""
 
 from derive.effects import coefficient, state
-from derive.spec import Effect, Reference
+from derive.language.effects import Effect, Reference
 
 one, two = state("tension_1 tension_2")
 compliance = coefficient("compliance", "mm/N", 1.0, "lengthening of a rod per tension", (0.0, 1.0))

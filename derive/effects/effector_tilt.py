@@ -1,7 +1,7 @@
 """Geometry that the model in use leaves out: rods of a pair differ, so the effector tilts from place to place."""
 
 from derive.effects import coefficient
-from derive.spec import Effect, Reference
+from derive.language.effects import Effect, Reference
 
 dl = coefficient("dl", "mm", 1.0, "length of rod 1 minus rod 2", (-5.0, 5.0))
 EFFECT = Effect(

@@ -3,7 +3,7 @@
 import sympy as sp
 
 from derive.effects import DEG, joint_coefficient, state
-from derive.spec import Effect, Reference
+from derive.language.effects import Effect, Reference
 
 approach, torque = state("approach torque")
 compliance = joint_coefficient("compliance", "Nm", "windup per torque", (0.0, 1.0))

@@ -1,7 +1,7 @@
 """The joint twists under the masses times minus their acceleration: ``theta = q + compliance torque``."""
 
 from derive.effects import DEG, joint_coefficient, state
-from derive.spec import Effect, Reference
+from derive.language.effects import Effect, Reference
 
 (torque,) = state("inertia_torque")
 compliance = joint_coefficient("compliance", "Nm", "twist per torque of inertia", (0.0, 1.0))

@@ -1,7 +1,7 @@
 """The reading moves along the instrument's axes: ``y = y + rate t / 3600``."""
 
 from derive.effects import coefficient, state
-from derive.spec import Effect, Reference
+from derive.language.effects import Effect, Reference
 
 (time,) = state("time")
 x, y, z = (coefficient(f"rate_{a}", "mm/h", 1.0, f"drift along the instrument's {a}", (-10.0, 10.0)) for a in "xyz")

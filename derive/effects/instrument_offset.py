@@ -1,7 +1,7 @@
 """A measured point of the platform is not where the sidecar says: one offset in {O'} per distinct tool point."""
 
 from derive.effects import coefficient
-from derive.spec import Effect, Points, Reference
+from derive.language.effects import Effect, Points, Reference
 
 x, y, z = (coefficient(f"offset_{a}", "mm", 1.0, f"offset along {a} of {{O'}}", (-50.0, 50.0)) for a in "xyz")
 EFFECT = Effect(

@@ -1,7 +1,7 @@
 """The instrument's length scale is wrong: ``y = y (1 + scale)``."""
 
 from derive.effects import coefficient, state
-from derive.spec import Effect, Reference
+from derive.language.effects import Effect, Reference
 
 x, y, z, length = state("y_x y_y y_z y_length")
 scale = coefficient("scale", "ppm", 1e-6, "error of the length scale", (-1e4, 1e4))

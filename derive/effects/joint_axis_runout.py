@@ -3,7 +3,7 @@
 import sympy as sp
 
 from derive.effects import coefficient, state
-from derive.spec import Effect, Reference
+from derive.language.effects import Effect, Reference
 
 (theta,) = state("theta")
 cos = coefficient("cos", "mm", 1.0, "amplitude of the cosine", (-5.0, 5.0))

@@ -1,7 +1,7 @@
 """The joint or its gearbox twists under the static torque of all weights: ``theta = q + compliance torque``."""
 
 from derive.effects import DEG, joint_coefficient, state
-from derive.spec import Effect, Reference
+from derive.language.effects import Effect, Reference
 
 (torque,) = state("torque")
 compliance = joint_coefficient("compliance", "Nm", "twist per static torque", (0.0, 1.0))

@@ -1,7 +1,7 @@
 """The gear ratio or the encoder's scale is off: ``theta = q + scale q``."""
 
 from derive.effects import DEG, coefficient, state
-from derive.spec import Effect, Reference
+from derive.language.effects import Effect, Reference
 
 (q,) = state("q")
 scale = coefficient("scale", "1", 1.0, "error of the scale", (-0.1, 0.1))

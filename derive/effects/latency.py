@@ -1,7 +1,7 @@
 """The position belongs to the joints `delay` seconds earlier: ``q - delay qd + delay^2 / 2 qdd``."""
 
 from derive.effects import DEG, coefficient, state
-from derive.spec import Effect, Reference
+from derive.language.effects import Effect, Reference
 
 qd, qdd = state("qd qdd")
 delay = coefficient("delay", "s", 1.0, "time by which the position lags", (-1.0, 1.0))

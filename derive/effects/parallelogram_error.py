@@ -4,7 +4,7 @@ The platform then rotates (Bai 2015, section 2). A baseline that fits these erro
 """
 
 from derive.effects import DEG, coefficient
-from derive.spec import Effect, Reference
+from derive.language.effects import Effect, Reference
 
 parts = {
     "rod_difference": coefficient("dl", "mm", 1.0, "length of rod 1 minus rod 2", (-5.0, 5.0)),
@@ -22,6 +22,7 @@ EFFECT = Effect(
     advice="Geometry, not physics: identify with the full model, which takes these errors into the commands.",
     source="derive/effects/parallelogram_error.py",
     per_limb=True,
+    whole=True,
     coefficients=tuple(parts.values()),
     targets={f"limb.{part}": error.symbol for part, error in parts.items()},
     tests=(

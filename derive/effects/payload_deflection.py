@@ -1,7 +1,7 @@
 """The joint twists under the payload's torque only: ``theta = q + compliance torque_of_the_payload``."""
 
 from derive.effects import DEG, joint_coefficient, state
-from derive.spec import Effect, Reference
+from derive.language.effects import Effect, Reference
 
 (torque,) = state("payload_torque")
 compliance = joint_coefficient("compliance", "Nm", "twist per torque of the payload", (0.0, 1.0))

@@ -1,7 +1,7 @@
 """The arm bends: its tip moves by the compliance times the rods' pull normal to the arm, in both directions."""
 
 from derive.effects import coefficient, state
-from derive.spec import Effect, Reference
+from derive.language.effects import Effect, Reference
 
 pull_v, pull_w = state("pull_v pull_w")
 compliance = coefficient("compliance", "mm/N", 1.0, "deflection of the tip per force", (0.0, 1.0))

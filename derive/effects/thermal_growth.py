@@ -1,10 +1,10 @@
 """Links and base grow with temperature: each length times ``1 + expansion (T - 20)``."""
 
 from derive.effects import coefficient, state
-from derive.spec import Effect, Reference
+from derive.language.effects import Effect, Reference
 
 warming, L, l, b = state("warming L l b")
-proximal = coefficient("expansion_proximal", "1/K", 1.0, "expansion of the arms", (-1e-5, 1e-4))
+proximal = coefficient("expansion_proximal", "1/K", 1.0, "expansion of the arms, or of a chain's links", (-1e-5, 1e-4))
 distal = coefficient("expansion_distal", "1/K", 1.0, "expansion of the rods", (-1e-5, 1e-4))
 base = coefficient("expansion_base", "1/K", 1.0, "expansion of the base", (-1e-5, 1e-4))
 EFFECT = Effect(

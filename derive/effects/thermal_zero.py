@@ -1,7 +1,7 @@
 """The joint's zero moves with temperature: ``theta = q + drift (T - 20)``."""
 
 from derive.effects import DEG, joint_coefficient, state
-from derive.spec import Effect, Reference
+from derive.language.effects import Effect, Reference
 
 (warming,) = state("warming")
 drift = joint_coefficient("drift", "K", "drift of the zero", (-1.0, 1.0))

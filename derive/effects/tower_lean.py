@@ -1,7 +1,7 @@
 """Geometry that the model in use leaves out: the towers of a linear delta lean about their feet."""
 
 from derive.effects import DEG, coefficient
-from derive.spec import Effect, Reference
+from derive.language.effects import Effect, Reference
 
 radial = coefficient("radial", "deg", DEG, "lean outwards", (-5.0, 5.0))
 tangential = coefficient("tangential", "deg", DEG, "lean counter-clockwise", (-5.0, 5.0))

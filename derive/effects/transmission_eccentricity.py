@@ -6,7 +6,7 @@ Where the joint slides, the turn is that of the pulley that drives its belt.
 import sympy as sp
 
 from derive.effects import DEG, constant, joint_coefficient, state
-from derive.spec import Effect, Orders, Reference
+from derive.language.effects import Effect, Orders, Reference
 
 (turn,) = state("turn")
 cos = joint_coefficient("cos", "", "amplitude of the cosine", (-5.0, 5.0))

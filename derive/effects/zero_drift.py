@@ -1,7 +1,7 @@
 """The joint's zero moves with time: ``theta = q + rate t / 3600``."""
 
 from derive.effects import DEG, joint_coefficient, state
-from derive.spec import Effect, Reference
+from derive.language.effects import Effect, Reference
 
 (time,) = state("time")
 rate = joint_coefficient("rate", "h", "drift of the zero per hour", (-10.0, 10.0))

@@ -1,7 +1,7 @@
 """The joint's zero jumps once: ``theta = q + size`` from the jump on."""
 
 from derive.effects import DEG, constant, joint_coefficient, state
-from derive.spec import Effect, Moments, Reference
+from derive.language.effects import Effect, Moments, Reference
 
 (after,) = state("after")
 size = joint_coefficient("size", "", "size of the jump", (-30.0, 30.0))

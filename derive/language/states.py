@@ -23,7 +23,7 @@ import sympy as sp
 
 DEG = math.pi / 180
 PER = ("joint", "limb", "machine", "reading")
-KINDS = ("joint", "channel", "load", "geometry", "place", "reading")
+KINDS = ("joint", "channel", "load", "geometry", "place", "reading", "chosen")
 OTHER = re.compile(r"(\w+)_([1-9]\d*)")  # another joint's state
 TAKEN = re.compile(r"s\d*|c|constants|out|np|math")  # names that generated functions have for their own
 
@@ -44,9 +44,10 @@ class State:
         One line.
     per : {"joint", "limb", "machine", "reading"}
         What has one. Only a joint's can be read by another limb.
-    kind : {"joint", "channel", "load", "geometry", "place", "reading"}
+    kind : {"joint", "channel", "load", "geometry", "place", "reading", "chosen"}
         Where it comes from: the joints themselves, a recorded column, virtual work at the pose, the drawing, the pose,
-        or the reading before effects act on it. Loads and what is of the pose change with the deformation.
+        the reading before effects act on it, or the state that a constant of the effect chooses. Loads and what is of
+        the pose change with the deformation.
     column : str
         Recorded column that it is read from, per joint with ``{i}`` for its number and ``{unit}`` for deg or mm.
     zero : float
@@ -64,8 +65,9 @@ class State:
         Where a misfit by it shows: a column, a joint's among them, or ``position``.
     differing : str
         What a recording must hold for it to show: the column that shows it must vary.
-    since : str
-        The constant of the effect with which the column is compared; it decides the state.
+    by : str
+        The constant of the effect that decides it: the moment with which the column is compared, the number of the
+        joint, the name of the column.
     requires : str
         What the robot file must hold for it.
     c99 : str
@@ -90,7 +92,7 @@ class State:
     made_of: tuple[str, ...] = ()
     shown: str = ""
     differing: str = ""
-    since: str = ""
+    by: str = ""
     requires: str = ""
     c99: str = ""
     tabled: tuple[str, float] | None = None
@@ -170,6 +172,16 @@ _ROWS = (
         c99="{sign}at->approach[{i}]",
         tabled=("", 1.0),
     ),
+    _joint("q_other", "deg", "another joint as the controller reports it, that of the number", kind="chosen", by="of"),
+    State(
+        sp.Symbol("recorded", real=True),
+        "as recorded",
+        1.0,
+        "a recorded column that is no other state, that of the name",
+        "machine",
+        "chosen",
+        by="of",
+    ),
     _channel("temperature", "degC", "temperature", "temp_C", **_TEMPERATURE, c99="at->temp_C"),
     _channel(
         "warming",
@@ -209,7 +221,7 @@ _ROWS = (
         "1 from a moment on, 0 before; the moment is a row, where there is no time",
         "time_s",
         whole=True,
-        since="when",
+        by="when",
         assumed="a time after the jump is assumed",
         c99="1.0",
     ),
@@ -226,11 +238,27 @@ _ROWS = (
     _load("pull_w", "N", "rods' pull on the arm's tip, along the joint's axis", JOINT, "limb"),
     _load("tension_1", "N", "tension of rod 1", JOINT, "limb"),
     _load("tension_2", "N", "tension of rod 2", JOINT, "limb"),
+    *(
+        _load(f"on_{part}", unit, f"what weights exert along {part}, by virtual work: {words}", JOINT, "limb")
+        for part, unit, words in (
+            ("side_x", "N", "force across the joint's axis, along x of the frame it turns in"),
+            ("side_y", "N", "force across the joint's axis, along y of that frame"),
+            ("tilt_x", "N mm", "moment across the joint's axis, about x of that frame"),
+            ("tilt_y", "N mm", "moment across the joint's axis, about y of that frame"),
+            ("bend_v", "N", "force at a link's end across its line and its joint's axis"),
+            ("bend_w", "N", "force at a link's end across its line, along the joint's axis as far as that lies across"),
+            ("twist", "N mm", "moment at a link's end about its line"),
+        )
+    ),
     _load("moment_x", "N mm", "moment of all moving weight about {O}, x", POSITION, "machine"),
     _load("moment_y", "N mm", "moment of all moving weight about {O}, y", POSITION, "machine"),
     _length("L", "length of the arm", "limb", "geometry"),
     _length("l", "length of the rods", "limb", "geometry"),
     _length("b", "radius of the base", "limb", "geometry"),
+    _length("foot", "where the way of a joint that slides begins on its axis; 0 of one that turns", "limb", "geometry"),
+    State(
+        sp.Symbol("slides", real=True), "1", 1.0, "1 of a joint that slides, 0 of one that turns", "limb", "geometry"
+    ),
     _length("x", "measured point, x in {O}", "machine", "place", POSITION),
     _length("y", "measured point, y in {O}", "machine", "place", POSITION),
     _length("z", "measured point, z in {O}", "machine", "place", POSITION),

@@ -21,6 +21,13 @@ PARTS = {
     "elbow_axis_u": "axis of the elbow's joints about the arm",
     "elbow_axis_v": "axis of the elbow's joints about the normal of the arm",
     "pair_difference": "rod 1 minus rod 2, where the platform tilts by it",
+    "tilt_x": "axis of the joint and all it bears, about x of the frame it turns in; of a limb, about its direction",
+    "tilt_y": "the same about y of that frame; of a limb, about the normal of the base or of the limb's plane",
+    "side_x": "axis of the joint and all it bears, along x of the frame it turns in",
+    "side_y": "the same along y of that frame",
+    "bend_v": "what a link carries, across the link's line and its joint's axis",
+    "bend_w": "the same across the line, along the joint's axis as far as that lies across",
+    "twist": "what a link carries, turned about the link's line",
     "lean_radial": "axis of a sliding joint, outwards",
     "lean_tangential": "axis of a sliding joint, counter-clockwise",
 }

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from derive.graph import Graph
+from derive.language.effects import Effect
 from derive.mathematics.derivative import derivative
 from derive.mathematics.functions import Functions, entries
 from derive.mathematics.memory import memory_functions
-from derive.spec import Effect
 
 
 def effect(spec: Effect) -> list[Functions]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -65,7 +65,7 @@ class Functions:
     def __getitem__(self, name: str) -> Function:
         return self._functions[name]
 
-    def __iter__(self):  # type: ignore[no-untyped-def]
+    def __iter__(self) -> Iterator[Function]:
         return iter(self._functions.values())
 
     def add(

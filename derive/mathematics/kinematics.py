@@ -68,6 +68,19 @@ def _start_of_forward(mechanism: LimbMechanism) -> tuple[str, str, list[sp.Expr]
     return "sphere", "the simplified limb as a sphere |P|^2 - 2 c.P + d = 0: c, d", [*centre, 2 * constant]
 
 
+def meeting(mechanism: LimbMechanism) -> list[Functions]:
+    """Return where the simplified limbs `meet`, by what `sphere` gives of each, limb by limb; none without spheres."""
+    if _start_of_forward(mechanism)[0] != "sphere":
+        return []
+    n = mechanism.commanded
+    every = [sp.symbols(f"c_{i}(:{n + 1})", real=True) for i in range(mechanism.limbs)]
+    found = closed_form.meet([(sp.Matrix(s[:n]), s[n]) for s in every], mechanism.assembly)
+    functions = Functions(Graph(found.steps), {}, entries("spheres", [s for sphere in every for s in sphere]))
+    meaning = "where the spheres meet; how far off the centres, how far these are apart, what that is compared with"
+    functions.add("meet", meaning, [*found.position, found.clear, found.square, found.wide], dense=True)
+    return [functions]
+
+
 def stated(mechanism: LimbMechanism) -> Functions:
     """Return the commanded coordinates by a target as files state it: position [mm], rotation vector [deg]."""
     commanded = [quantity.symbol for quantity in mechanism.platform[: mechanism.commanded]]
@@ -81,12 +94,29 @@ def stated(mechanism: LimbMechanism) -> Functions:
     return functions
 
 
-def rotations() -> list[Functions]:
-    """Return a platform's rotation `matrix` by its Cayley vector, and the `vector` by the matrix."""
-    c = sp.Matrix(sp.symbols("cx cy cz", real=True))
+def rotations(vector: str = "c", matrix: str = "R", first: int = 0) -> list[Functions]:
+    """Return a platform's rotation `matrix` by its Cayley vector, its `spin` by a change of that, the `vector` again.
+
+    `swept` is how positions move where a body turns about the axes of {O}, `aim` the turns about z, then x, that bring
+    the axis y along a line.
+
+    Parameters
+    ----------
+    vector, matrix : str
+        Arrays in which the vector and the matrix stand, from the entry `first` on.
+    """
+    c, turn, P = (sp.Matrix(sp.symbols(" ".join(f"{s}{a}" for a in "xyz"), real=True)) for s in "cwp")
     R = sp.Matrix(3, 3, lambda i, j: sp.Symbol(f"R_{i}{j}", real=True))
-    by_vector = Functions(Graph(), {}, entries("own", list(c), 3))
+    by_vector = Functions(Graph(), {}, entries(vector, list(c), first))
     by_vector.add("matrix", "rotation matrix by the Cayley vector", list(vectors.cayley(c)))
-    by_matrix = Functions(Graph(), {}, entries("pose", list(R), 3))
+    spin = vectors.turn_by_cayley(vectors.skew(c), c.dot(c))
+    by_vector.add("spin", "turn about the axes of {O} by a change of the Cayley vector", list(spin))
+    by_matrix = Functions(Graph(), {}, entries(matrix, list(R), first))
     by_matrix.add("vector", "Cayley vector by the rotation matrix", list(vectors.cayley_vector(R)))
-    return [by_vector, by_matrix]
+    by_turn = (vectors.cayley(turn) * P).jacobian(turn).xreplace(dict.fromkeys(turn, sp.Integer(0)))
+    positions = Functions(Graph(), {}, entries("p", list(P)))
+    positions.add("swept", "shift of a position by turns about the axes of {O}", list(by_turn))
+    # y goes to (-sin about_z cos about_x, cos about_z cos about_x, sin about_x)
+    aim = [sp.atan2(-P[0], P[1]), sp.atan2(P[2], sp.sqrt(P[0] ** 2 + P[1] ** 2))]
+    positions.add("aim", "turns about z, then x, that bring y along a line", aim)
+    return [by_vector, by_matrix, positions]

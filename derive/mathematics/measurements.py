@@ -62,3 +62,24 @@ def step(spec: Measurement) -> Functions:
     functions = Functions(Graph(), {}, inputs)
     functions.add("stepped", "stepped", list(spec.after))
     return functions
+
+
+def distances(dimensions: int) -> Functions:
+    """Return how the distance of two positions changes: `towards`, the unit vector from one to the other, and `apart`.
+
+    `apart` is the change of the distance where either position shifts, in terms of that vector.
+    """
+
+    def vector(name: str) -> list[sp.Symbol]:
+        return [sp.Symbol(f"{name}_{axis}", real=True) for axis in "xyz"[:dimensions]]
+
+    a, b, gap, n, shift_a, shift_b = map(vector, ("a", "b", "gap", "n", "shift_a", "shift_b"))
+    distance = sp.sqrt(sum(g**2 for g in gap))
+    inputs = entries("a", a) | entries("b", b) | entries("towards", n)
+    inputs |= entries("shift_a", shift_a) | entries("shift_b", shift_b)
+    functions = Functions(Graph([(g, to - here) for g, here, to in zip(gap, a, b, strict=True)]), {}, inputs)
+    slopes = [sp.diff(distance, g) for g in gap]
+    functions.add("towards", "unit vector from one position to the other", slopes, dense=True)
+    change = sum(along * (to - here) for along, here, to in zip(n, shift_a, shift_b, strict=True))
+    functions.add("apart", "change of the distance where either shifts", [change], dense=True)
+    return functions

@@ -91,6 +91,8 @@ MACHINE = partial(  # what no rotation enters
         "rod": pair("l"),
         "rod_difference": pair("l", half, opposite=True),
         "outwards": pair("bx", -u0[0]) | pair("by", -u0[1]),  # b stands for B in the platform less the joint's centre
+        "tilt_x": {"betax": u0[0], "betay": u0[1]},
+        "tilt_y": {"betaz": sp.Integer(1)},
         "tip_v": {"tip_v": sp.Integer(1)},
         "tip_w": {"tip_w": sp.Integer(1)},
         "spacing_difference": pair("ax", half, opposite=True),

@@ -135,6 +135,8 @@ MACHINE = partial(  # what no rotation enters
         "rod": {"l": sp.Integer(1)},
         "rod_difference": {"dl": sp.Integer(1)},
         "outwards": {"ex": u0[0], "ey": u0[1]},
+        "tilt_x": {"alpha0": sp.Integer(1), "alpha03": sp.Integer(1)},  # the platform's axis stays
+        "tilt_y": {"beta0": sp.Integer(1), "beta03": sp.Integer(1)},
         "tip_v": {"tip_v": sp.Integer(1)},
         "tip_w": {"tip_w": sp.Integer(1)},
         "spacing_difference": {"dc": sp.Integer(1)},

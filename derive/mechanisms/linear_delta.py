@@ -8,7 +8,10 @@ The joint `q` is the carriage's way down from its endstop. All values are actual
     height at q = 0     h = endstop + sqrt(arm^2 - radius^2), radius that of the tower
     carriage            C_j = (radius + a) u + (h / d_z - (1 + scale) q) d +- c/2 t
     effector            A_j = P + R (a u +- c/2 t - tool)
-    closure             (|A_j - C_j|^2 - (arm +- dl/2)^2) / 2 = 0       + for rod 1, - for rod 2
+    closure             (|A_j - C_j|^2 - (arm + stretch +- dl/2)^2) / 2 = 0       + for rod 1, - for rod 2
+
+`endstop` is a height of the nozzle, so that a rod that is longer homes its carriage higher; `stretch` is by how much
+the rods grow or give way afterwards, the carriage being where its switch is.
 
 `a` (effector's centre to its joints) and `c` (spacing of a pair) cancel while the rods of every pair are equal; they
 matter for `dl` alone, by which the effector tilts.
@@ -38,6 +41,7 @@ r, l, phi, home, a, c = sp.symbols("r l phi home a c", real=True)
 dr, endstop, arm, radius, angle, lean_radial, lean_tangential, scale, dl = sp.symbols(
     "dr endstop arm radius angle lean_radial lean_tangential scale dl", real=True
 )
+stretch = sp.Symbol("stretch", real=True)
 carriage, rod_mass, body, payload = sp.symbols("carriage distal_rod platform payload", real=True)
 
 
@@ -97,8 +101,8 @@ MACHINE = partial(  # what no rotation enters
         Quantity(dl, "mm", "rod length, rod 1 minus rod 2", typical=0.3),
     ),
     common=(Quantity(dr, "mm", "radius, all towers", typical=0.3, label="radius"),),
-    deflections=(),
-    small=(lean_radial, lean_tangential, dl),
+    deflections=(Quantity(stretch, "mm", "rods longer than where the carriage homes"),),
+    small=(lean_radial, lean_tangential, dl, stretch),
     masses=(
         Quantity(carriage, "1", "mass of a carriage [kg]"),
         Quantity(rod_mass, "1", "mass of a rod [kg], half at either end"),
@@ -115,15 +119,17 @@ MACHINE = partial(  # what no rotation enters
     },
     roles={"l": l, "b": r},
     moves={
-        "rod": {"arm": sp.Integer(1)},
+        "rod": {"stretch": sp.Integer(1)},
         "rod_difference": {"dl": sp.Integer(1)},
         "pair_difference": {"dl": sp.Integer(1)},
-        "outwards": {"radius": sp.Integer(1)},
+        "outwards": {"radius": sp.Integer(1), "endstop": r / sp.sqrt(l**2 - r**2)},  # the carriage stays where it homes
+        "tilt_x": {"lean_tangential": sp.Integer(-1)},
+        "tilt_y": {"lean_radial": sp.Integer(1)},
         "lean_radial": {"lean_radial": sp.Integer(1)},
         "lean_tangential": {"lean_tangential": sp.Integer(1)},
     },
     layers=(1, -1),
-    rods=("arm",),
+    rods=("stretch",),
 )
 
 
@@ -145,7 +151,7 @@ def mechanism(v: Algebra) -> LimbMechanism:
     def closure(side: int) -> sp.Expr:
         """Return the loop closure of rod 1 (side +1) or rod 2 (side -1), in mm^2."""
         d = rod + side * rod_half
-        return (d.dot(d) - (length + side * dl / 2) ** 2) / 2
+        return (d.dot(d) - (length + stretch + side * dl / 2) ** 2) / 2
 
     return MACHINE(
         steps=steps,

@@ -25,6 +25,7 @@ DEG = float(sp.pi) / 180
 turn, slide, a, alpha, d, theta = sp.symbols("turn slide a alpha d theta", real=True)
 about_z, along_z, along_x, about_x, about_y = sp.symbols("about_z along_z along_x about_x about_y", real=True)
 da, dalpha, dd, dtheta, dbeta = sp.symbols("da dalpha dd dtheta dbeta", real=True)
+tx, ty, tz, dtx, dty, dtz = sp.symbols("tx ty tz dtx dty dtz", real=True)
 
 screw_z, screw_x, tilt = Screw("z", about_z, along_z), Screw("x", about_x, along_x), Screw("y", about_y, sp.Integer(0))
 
@@ -49,6 +50,12 @@ MACHINE = ChainMechanism(
         Quantity(dd, "mm", "offset along the axis", typical=0.3, label="d"),
         Quantity(dtheta, "rad", "zero of the joint", typical=0.1 * DEG, label="theta"),
         Quantity(dbeta, "rad", "turn about y between parallel axes", typical=0.1 * DEG, label="beta"),
+    ),
+    tool=tuple(
+        Quantity(t, "mm", f"tool point, {a} of the last frame") for t, a in zip((tx, ty, tz), "xyz", strict=True)
+    ),
+    common=tuple(
+        Quantity(e, "mm", f"tool point, {str(e)[2]} of the last frame", label=str(e)[1:]) for e in (dtx, dty, dtz)
     ),
     transforms={
         "standard": (screw_z, screw_x, tilt),

@@ -15,6 +15,7 @@ from deltacal_gen.machine.registry import COORDINATES, mechanism_of
 from deltacal_gen.machine.rotation import cayley_vector
 from derive import closed_form, registry, vectors
 from derive.graph import Graph
+from derive.language.effects import Effect, EffectQuantity
 from derive.language.states import State
 from derive.language.targets import PARTS
 from derive.mathematics.derivative import derivative
@@ -23,11 +24,11 @@ from derive.review import typeset as ts
 from derive.review.directions import unseen_of, unseen_of_chain
 from derive.review.drawing import Pose, drawing
 from derive.review.laws import Law, entries
-from derive.review.machine import Shown, Written, difference
+from derive.review.machine import Written, difference
 from derive.review.sources import Lines, Place, of_function
-from derive.review.typeset import Math
+from derive.review.typeset import Math, Shown
 from derive.review.written import OPAQUE, Entries, Reader, tidy
-from derive.spec import ChainMechanism, Effect, EffectQuantity, LimbMechanism, Measurement, Quantity, Screw
+from derive.spec import ChainMechanism, LimbMechanism, Measurement, Quantity, Screw
 
 TARGETS = ("joint", "limb.part", "turn.axis", "tool.axis", "reading.axis")  # one of each kind that an effect moves
 LONGEST = 40  # operations of a formula that a reader wants to see
@@ -201,7 +202,10 @@ def _chain(spec: ChainMechanism, robot: Robot | None) -> dict[str, Any]:
     at = lines.keyword("transforms")
     return {
         "kind": "chain",
-        "gradient": {"place": of_function(vectors.follow), "ends": list(spec.transforms)},
+        "gradient": {
+            "place": of_function(vectors.follow),
+            "ends": [f"reach_{convention}" for convention in spec.transforms],
+        },
         **_head(spec),
         "tables": {
             "joint": table(spec.joint, look),
@@ -245,7 +249,7 @@ def _link(convention: str, screws: Sequence[Screw], look: Shown) -> dict[str, An
             {"by": ts.name(str(by)), "shift": entries(twist[:3, :]), "turn": entries(twist[3:, :])}
             for by, twist in twists.items()
         ],
-        "ends": [convention],
+        "ends": [f"{what}_{convention}" for what in ("place", "reach")],
     }
 
 
@@ -317,6 +321,7 @@ def target_meaning(target: str) -> str:
         "tool": f"measured point in {{O'}}, {part}",
         "reading": f"reading along the instrument's {part}",
         "length": "reading of a length",
+        "height": "reading of a height",
     }.get(kind, target)
 
 

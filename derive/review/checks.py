@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from deltacal_gen.files.recording import Camera
 from deltacal_gen.files.robot import Robot, robot_size
+from deltacal_gen.files.sidecar import Camera
 from deltacal_gen.identification.accuracy import turned
 from deltacal_gen.identification.identifiability import RANK_TOLERANCE, Combination, unseen
 from deltacal_gen.instrument.kind import Kind, Look
@@ -209,6 +209,9 @@ def moved(x: Array, to: Array) -> Array:
     return np.hstack([to[:, :3] - x[:, :3], to_vector(turn)])
 
 
+TURNS = ("tilt", "twist", "turn")  # deflections that are angles
+
+
 def orders(robot: Robot, poses: Poses) -> list[Order]:
     """Return the orders of the pose's derivatives by errors, joints and deflections along a random direction."""
     mechanism, rng = mechanism_of(robot), np.random.default_rng(SEED + 1)
@@ -219,7 +222,8 @@ def orders(robot: Robot, poses: Poses) -> list[Order]:
 
     errors = mechanism.typical * rng.standard_normal(len(mechanism.parameters))
     joints = _size(robot, 0.01, 5.0) * rng.standard_normal(mechanism.limbs)
-    bent = rng.standard_normal((1, mechanism.limbs, len(mechanism.deflections)))
+    turned = np.array([name.startswith(TURNS) for name in mechanism.deflections], dtype=bool)
+    bent = rng.standard_normal((1, mechanism.limbs, len(turned))) * np.where(turned, 1.0 / lever, 1.0)
     base = mechanism.vector(robot.errors)
 
     def gap(step: float, by: str) -> float:

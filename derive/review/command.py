@@ -13,8 +13,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from deltacal_gen.errors import DeltacalError, InputError
-from deltacal_gen.files.recording import write_files
 from deltacal_gen.files.robot import read_robot
+from deltacal_gen.files.writing import write_files
 from deltacal_gen.pages import report
 from derive.review import reports
 from derive.review.subjects import subject, subjects

@@ -12,8 +12,8 @@ from deltacal_gen.files.robot import Robot
 from deltacal_gen.machine.registry import mechanism_of
 from derive.review import typeset as ts
 from derive.review import unseen
-from derive.review.machine import Shown, Written, difference
-from derive.review.typeset import Math
+from derive.review.machine import Written, difference
+from derive.review.typeset import Math, Shown
 from derive.review.written import tidy
 from derive.spec import ChainMechanism, LimbMechanism
 
@@ -23,6 +23,7 @@ FREE = (*PLATFORM, "m", "m_x", "m_y")
 ONE_POINT = ("frame of the robot", "unknown frame, one point", "flat bed")
 MOTIONS = {
     "frame of the robot": FREE,
+    "frame and body known": (),
     "unknown frame, one point": (*SHIFT, *TURN, *FREE),
     "unknown frame, several points": (*SHIFT, *TURN),  # the platform turns with the frame
     "unknown frame and body": (*SHIFT, *TURN, *PLATFORM),
@@ -70,10 +71,17 @@ def _vectors(
     return [
         {
             "names": list(vector),
+            "divides": sorted({str(d) for e in vector.values() for d in _divisors(e)}),
             "entries": [ts.equation(symbol(n), ts.expression(tidy(e), symbols)) for n, e in vector.items()],
         }
         for vector in basis
     ]
+
+
+def _divisors(e: sp.Expr) -> list[sp.Expr]:
+    """Return what an entry divides by: where one of these vanishes, the closed basis is none."""
+    factors = sp.factor_list(sp.denom(sp.together(e)))[1]
+    return [factor for factor, _ in factors if factor.free_symbols]
 
 
 def links_of(robot: Robot) -> list[dict[str, Any]]:

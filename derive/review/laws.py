@@ -17,16 +17,15 @@ import sympy as sp
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.machine.chain import Chain
 from deltacal_gen.machine.limbs import Limbs
-from deltacal_gen.physics.physics import Body, reading_shift
+from deltacal_gen.physics.body import Body, reading_shift
 from derive import blocks, closed_form, statics, vectors
 from derive.graph import Graph
 from derive.language.targets import ON
 from derive.review import typeset as ts
 from derive.review.sources import Place, in_template, of_function
-from derive.review.typeset import Math
+from derive.review.typeset import Math, Shown
 from derive.review.written import ROTATIONS, rotation_name
 
-Shown = Callable[[sp.Expr], Math | None]
 End = str | Callable[..., Any]  # name of a generated function, or a function of the runtime
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -12,12 +12,10 @@ from sympy.core.function import AppliedUndef
 from derive import registry
 from derive.review import typeset as ts
 from derive.review.sources import Lines, Place
-from derive.review.typeset import Math
-from derive.review.written import OPAQUE, Entries, Form, Named, Product, Reader, Sum, split, tidy
+from derive.review.typeset import Math, Shown
+from derive.review.written import OPAQUE, Entries, Form, Named, Product, Reader, Sum, negative, split, tidy
 from derive.spec import LimbMechanism
 from derive.steps import Derivation
-
-Shown = Callable[[sp.Expr], Math | None]
 
 
 def typesetting(mechanism: LimbMechanism) -> Shown:
@@ -259,6 +257,5 @@ def _slopes(e: sp.Expr, differentials: Sequence[sp.Symbol]) -> sp.Expr:
     for s in differentials:
         if e.has(s):
             slope = tidy(sp.diff(e, s))
-            negative = all(term.could_extract_minus_sign() for term in sp.Add.make_args(slope))
-            found += -(s * tidy(-slope)) if negative else s * slope
+            found += -(s * tidy(-slope)) if negative(slope) else s * slope
     return found

@@ -24,13 +24,14 @@ from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import Machine, mechanism_names, mechanism_of
 from deltacal_gen.pages import ledger, report
 from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED, decades
-from deltacal_gen.physics.physics import effect_names, load_effect
+from deltacal_gen.physics.terms import effect_names, load_effect
 from deltacal_gen.units import file_unit, to_internal
 from derive import registry
+from derive.papers import verdicts
 from derive.review import account as accounts
-from derive.review import checks, laws, notation, sketch
+from derive.review import checks, geometry, laws, method, notation, sketch
 from derive.review.sources import ROOT, Kernel, Sources, kernels, of_function, table_of
-from derive.review.subjects import Subject, applies, example, title_of
+from derive.review.subjects import METHOD, Subject, applies, example, title_of
 
 KERNELS = "generated/deltacal_kernels"
 PAGES = Path(__file__).parent / "pages"
@@ -69,7 +70,7 @@ def content(one: Subject) -> dict[str, Any]:
         part["at"] = sources.at(*part["place"])
     for part in (*account.get("closures", ()), *account["weights"], *account.get("seeds", ())):
         part["at"] = sources.at(*part["place"]) if part["place"] else None
-    files = [f"{KERNELS}/{one.mechanism}/{name}.py" for name in ("vectorised", "servo", "statics", "links")]
+    files = [f"{KERNELS}/{one.mechanism}/{name}.py" for name in ("vectorised", "servo", "statics")]
     files = [file for file in files if (ROOT / file).exists()]
     every = [k for file in files for k in kernels(sources, file)]
     used = list({k.name: k for k in reversed(every)}.values())[::-1]  # what stands in two files, from the first
@@ -121,8 +122,10 @@ def _short(found: Mapping[str, Any], used: Sequence[Kernel]) -> list[dict[str, s
         no = sum(c["status"] == "contradicted" for c in rest)
         lines.append(("Paper", "paper", f"{says}; contradicted of {len(rest)} other statements: {no}."))
     if ranks:
-        seen = next((r for r in ranks if r["motions"] == "unknown frame, one point"), ranks[0])
-        says = f"positions of one point in an unknown frame see {seen['rank']} of {seen['columns']} parameters"
+        seen = next((r for r in ranks if r["paper"]), None)
+        by = f"{seen['kind']}, the paper's case" if seen else "positions of one point in an unknown frame"
+        seen = seen or next((r for r in ranks if r["motions"] == "unknown frame, one point"), ranks[0])
+        says = f"{seen['rank']} of {seen['columns']} parameters are seen by {by}"
         if seen["free"]:
             says += "; the others are named, in closed form" if seen["closed"] else "; the others are named"
         lines.append(("Identifiability", "identifiability", f"{says}."))
@@ -174,6 +177,12 @@ def _ends(step: Mapping[str, Any], used: Sequence[Kernel], sources: Sources) -> 
     return None
 
 
+def _counted(kernel: Kernel, sources: Sources, name: str) -> dict[str, Any]:
+    """Return a kernel in which a formula ends, with its operations."""
+    counts = {"operations": kernel.operations, "written_out": kernel.written_out}
+    return {"kernel": name, **counts, **sources.at(kernel.file, kernel.line)}
+
+
 def led(part: Mapping[str, Any], used: Sequence[Kernel], sources: Sources, folder: str) -> dict[str, Any]:
     """Return where a formula is made, and the functions in which it ends: kernels with their operations.
 
@@ -186,8 +195,7 @@ def led(part: Mapping[str, Any], used: Sequence[Kernel], sources: Sources, folde
     for end in part["ends"]:
         kernel = next((k for k in used if k.name.lstrip("_") == end), None)
         if kernel is not None:
-            counts = {"operations": kernel.operations, "written_out": kernel.written_out}
-            ends.append({"kernel": end, **counts, **sources.at(kernel.file, kernel.line)})
+            ends.append(_counted(kernel, sources, end))
         elif isinstance(end, str):
             file = f"{folder}/vectorised.py"
             ends.append({"kernel": end, "operations": None, **sources.at(file, sources.functions(file)[end].lineno)})
@@ -281,10 +289,13 @@ def _tables(
 def _ranks(one: Subject, robot: Robot, names: Sequence[str], account: Mapping[str, Any]) -> list[dict[str, Any]]:
     """Return ranks with what is unseen: in closed form where that is all of it, else in words."""
     closed = (account.get("unseen") or {}).get(one.name, {})
+    case, limbs = verdicts.case_of(one.mechanism), account.get("limbs", 1) > 1
     found: list[dict[str, Any]] = []
     for rank in checks.ranks(robot, _trials(one.mechanism), names):
         free = rank.columns - rank.rank
         basis = closed.get(rank.motions)
+        paper = rank.kind == case and not any(r["paper"] for r in found)
+        said = [geometry.sentence(one.mechanism, v["names"], limbs) for v in basis or ()]
         same = [r for r in found if r["motions"] == rank.motions and r["closed"] and r["free"] == free]
         found.append(
             {
@@ -296,6 +307,12 @@ def _ranks(one: Subject, robot: Robot, names: Sequence[str], account: Mapping[st
                 "smallest": report.power(rank.smallest),
                 "noise": report.below(rank.noise),
                 "motions": rank.motions,
+                "paper": paper,
+                "geometry": [
+                    *dict.fromkeys(filter(None, said)),
+                    *([geometry.RIGID.get(one.name)] if paper else []),
+                ],
+                "divides": sorted({d for v in basis or () for d in v["divides"]}),
                 "closed": basis if basis is not None and len(basis) == free and free else None,
                 "closed_rank": None if basis is None else rank.columns - len(basis),
                 "words": [c.text for c in rank.unseen],
@@ -375,6 +392,7 @@ def _claims(reference: str) -> dict[str, Any] | None:
     return {
         "title": paper.title,
         "counts": [(s, sum(c["status"] == s for c in claims)) for s in ledger.STATUSES],
+        "derived": sum(bool(c["decided"]) for c in claims),
         "equations": [c for c in claims if c["where"].startswith("eq.")],
         "others": [c for c in claims if not c["where"].startswith("eq.")],
         "corrected": [c for c in claims if c["status"] == "contradicted"],
@@ -401,12 +419,7 @@ def _effect_on(account: Mapping[str, Any], mechanism: str, sources: Sources) -> 
         "reads": ", ".join(effect.STATE) or "nothing",
         "lacks": ", ".join(lacks),
         "at": None if lacks else sources.at(*account["targets"][0]["place"]),
-        "led": []
-        if lacks
-        else [
-            {"kernel": k.name, "operations": k.operations, "written_out": k.written_out, **sources.at(k.file, k.line)}
-            for k in kernels(sources, file)
-        ],
+        "led": [] if lacks else [_counted(k, sources, k.name) for k in kernels(sources, file)],
     }
 
 
@@ -444,6 +457,27 @@ def effect_content(one: Subject) -> dict[str, Any]:
     }
 
 
+def method_content() -> dict[str, Any]:
+    """Return all that the report of the method shows."""
+    sources = Sources()
+    found = [
+        {
+            "title": step.title,
+            "test": step.test,
+            "gap": report.below(step.gap),
+            **led(vars(step.law), (), sources, ""),
+        }
+        for step in method.steps()
+    ]
+    files = sorted({place.file for step in method.steps() for _, place in method.ends(step)})
+    return {
+        "subject": METHOD.name,
+        "steps": found,
+        "listings_": sources.listings(),
+        "provenance": _provenance(METHOD, sources, ["derive/review/method.py", *files]) | {"seed": method.SEED},
+    }
+
+
 # ---------------------------------------------------------------------------------------------------------- the files
 
 PICTURES = {"machine": "machine", "orders": "orders_picture", "map": "map_picture", "condition": "condition_picture"}
@@ -464,7 +498,10 @@ def made(chosen: Sequence[Subject], progress: Callable[[str], None]) -> Iterator
     """Yield each subject with the template and the content of its report."""
     for done, one in enumerate(chosen, start=1):
         progress(f"{one.name} ({done} of {len(chosen)})")
-        yield (one, "derivation", content(one)) if one.mechanism else (one, "effect", effect_content(one))
+        if one == METHOD:
+            yield one, "method", method_content()
+        else:
+            yield (one, "derivation", content(one)) if one.mechanism else (one, "effect", effect_content(one))
 
 
 def index(found: Sequence[tuple[Subject, dict[str, Any]]], ending: str) -> dict[str, Any]:
@@ -473,6 +510,8 @@ def index(found: Sequence[tuple[Subject, dict[str, Any]]], ending: str) -> dict[
     effects = []
     for one, data in found:
         file = f"{one.stem}{ending}"
+        if one == METHOD:
+            continue
         if not one.mechanism:
             effects.append({"name": one.name, "file": file, "title": data["what"]})
             continue

@@ -26,7 +26,7 @@ _GREEK = {"phi": "φ", "alpha": "α", "beta": "β", "theta": "θ"}
 
 
 def machine(found: Mapping[str, Any], axes: Sequence[str]) -> str:
-    """Return the drawing of a machine of limbs, of what `derive.drawing` found.
+    """Return the drawing of a machine of limbs, of what `derive.review.drawing` found.
 
     One limb is labelled, with the names of its equations. A platform that is small beside its machine stands enlarged
     at the side.

@@ -11,12 +11,13 @@ from pathlib import Path
 from deltacal_gen.errors import UsageError
 from deltacal_gen.files.robot import Robot, for_model, read_robot
 from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
-from deltacal_gen.physics.physics import effect_names, lacking
+from deltacal_gen.physics.parts import lacking
+from deltacal_gen.physics.terms import effect_names
 
 
 @dataclass(frozen=True)
 class Subject:
-    """What a report is on: a model of a mechanism, or an effect.
+    """What a report is on: a model of a mechanism, an effect, or the method.
 
     Attributes
     ----------
@@ -32,13 +33,16 @@ class Subject:
     @property
     def stem(self) -> str:
         """Name of its file."""
-        return self.name.replace("/", "-") if self.mechanism else f"effect-{self.name}"
+        return self.name.replace("/", "-") if self.mechanism or self.name == "method" else f"effect-{self.name}"
+
+
+METHOD = Subject("method", "")  # what every recording goes through: solvers, weights, the charge of a search
 
 
 def subjects() -> list[Subject]:
-    """Return all models of all mechanisms, and all effects."""
+    """Return all models of all mechanisms, all effects, and the method."""
     models = [Subject(model, name) for name in mechanism_names() for model in _models(name)]
-    return [*models, *(Subject(name, "") for name in effect_names())]
+    return [*models, *(Subject(name, "") for name in effect_names()), METHOD]
 
 
 def subject(name: str) -> Subject:

@@ -38,6 +38,7 @@ def _joined(left: str, right: str) -> str:
     return f"{left} {right}" if apart else left + right
 
 
+Shown = Callable[[sp.Expr], Math | None]  # how a symbol or an applied function is shown; None: by its name
 EMPTY = Math("", "")
 
 
@@ -242,7 +243,7 @@ class _Expression(Printer):
 
     printmethod = "_typeset"
 
-    def __init__(self, symbols: Callable[[sp.Expr], Math | None]) -> None:
+    def __init__(self, symbols: Shown) -> None:
         super().__init__()
         self._symbols = symbols
 
@@ -460,6 +461,6 @@ def _ordered_factors(expr: sp.Mul) -> list[sp.Expr]:
     return sorted(expr.as_ordered_factors(), key=rank)
 
 
-def expression(expr: sp.Expr, symbols: Callable[[sp.Expr], Math | None] = lambda s: None) -> Math:
+def expression(expr: sp.Expr, symbols: Shown = lambda s: None) -> Math:
     """Return a SymPy expression as a formula; `symbols` may typeset symbols and applied functions its own way."""
     return _Expression(symbols).typeset(sp.sympify(expr))

@@ -13,6 +13,7 @@ by entry; `Form.explicit` says so to a test. Where nothing is recognised, the en
 from __future__ import annotations
 
 import itertools
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -21,7 +22,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from derive.review import typeset as ts
-from derive.review.typeset import Math
+from derive.review.typeset import Math, Shown
 from derive.vectors import EXACT, Algebra
 
 ROTATIONS = {
@@ -64,17 +65,16 @@ def split(f: AppliedUndef) -> tuple[str, int, int]:
 # --------------------------------------------------------------------------------------------------------- the forms
 
 
-@dataclass(frozen=True)
-class Form:
+class Form(ABC):
     """A vector (3, 1) or matrix (3, 3) as a human writes it."""
 
+    @abstractmethod
     def explicit(self) -> sp.Matrix:
         """Return the entries."""
-        raise NotImplementedError
 
-    def math(self, symbols: Callable[[sp.Expr], Math | None]) -> Math:
+    @abstractmethod
+    def math(self, symbols: Shown) -> Math:
         """Return the formula."""
-        raise NotImplementedError
 
 
 @dataclass(frozen=True)
@@ -89,7 +89,7 @@ class Named(Form):
         """Return the entries."""
         return self.entries
 
-    def math(self, symbols: Callable[[sp.Expr], Math | None]) -> Math:
+    def math(self, symbols: Shown) -> Math:
         """Return its name."""
         return self.shown
 
@@ -104,7 +104,7 @@ class Entries(Form):
         """Return the entries."""
         return self.entries
 
-    def math(self, symbols: Callable[[sp.Expr], Math | None]) -> Math:
+    def math(self, symbols: Shown) -> Math:
         """Return the column or matrix."""
         if self.entries == sp.eye(3):
             return ts.letter("I", bold=True)
@@ -127,7 +127,7 @@ class Product(Form):
             whole = whole * factor.explicit()
         return whole
 
-    def math(self, symbols: Callable[[sp.Expr], Math | None]) -> Math:
+    def math(self, symbols: Shown) -> Math:
         """Return the factors side by side; a scalar of the last one comes to the front."""
         whole = ts.EMPTY
         for n, f in enumerate(self.factors):
@@ -147,24 +147,25 @@ class Sum(Form):
         """Return the entries."""
         return sum((c * f.explicit() for c, f in self.terms[1:]), self.terms[0][0] * self.terms[0][1].explicit())
 
-    def math(self, symbols: Callable[[sp.Expr], Math | None]) -> Math:
+    def math(self, symbols: Shown) -> Math:
         """Return the sum, positive terms first."""
         whole = ts.EMPTY
-        ordered = sorted(self.terms, key=lambda t: _negative(t[0]))
+        ordered = sorted(self.terms, key=lambda t: negative(t[0]))
         for n, (c, form) in enumerate(ordered):
-            negative = _negative(c)
-            size = -c if negative else c
-            sign = ts.op("−") if negative else ts.op("+") if n else ts.EMPTY
+            below = negative(c)
+            size = -c if below else c
+            sign = ts.op("−") if below else ts.op("+") if n else ts.EMPTY
             shown = form.math(symbols)
             whole = whole + sign + (shown if size == 1 else ts.row(_scalar(size, symbols), ts.thin(), shown))
         return ts.row(whole)
 
 
-def _negative(c: sp.Expr) -> bool:
+def negative(c: sp.Expr) -> bool:
+    """Tell whether an expression is shown as minus another: all its terms are negative."""
     return all(term.could_extract_minus_sign() for term in sp.Add.make_args(c))
 
 
-def _scalar(c: sp.Expr, symbols: Callable[[sp.Expr], Math | None]) -> Math:
+def _scalar(c: sp.Expr, symbols: Shown) -> Math:
     shown = ts.expression(c, symbols)
     return ts.brackets(shown) if c.is_Add else shown
 
@@ -222,7 +223,7 @@ class Reader:
         vectors: Mapping[str, sp.Matrix],
         matrices: Mapping[str, sp.Matrix],
         shown: Callable[[str], Math],
-        symbols: Callable[[sp.Expr], Math | None] = lambda s: None,
+        symbols: Shown = lambda s: None,
     ) -> None:
         self._dummies: dict[sp.Expr, sp.Symbol] = {}
         self._vectors = {n: self._plain(v).applyfunc(sp.expand) for n, v in vectors.items()}

@@ -184,8 +184,7 @@ def straight(function: Callable[..., Any], wide: bool = True) -> Any:
 
     context = inspect.Parameter("_context", inspect.Parameter.POSITIONAL_ONLY)
     own = inspect.signature(function)
-    signature = own.replace(parameters=[context, *own.parameters.values()])
-    typed.__signature__ = signature  # type: ignore[attr-defined]
+    vars(typed)["__signature__"] = own.replace(parameters=[context, *own.parameters.values()])
     typed.__name__ = typed.__qualname__ = function.__name__
     return intrinsic(typed)
 
@@ -388,6 +387,8 @@ class _Writer:
             return tuple(self._chosen(test, *pair) for pair in zip(first, second, strict=True))
         return self.builder.select(test, *self._pair(first, second))
 
-    def _error(self, node: Any) -> NotImplementedError:
+    def _error(self, node: Any) -> Exception:
         path = Path(self.function.__code__.co_filename)
-        return NotImplementedError(f"{path}, line {node.lineno}: a straight kernel cannot hold {ast.unparse(node)!r}")
+        return errors.UnsupportedError(
+            f"{path}, line {node.lineno}: a straight kernel cannot hold {ast.unparse(node)!r}"
+        )

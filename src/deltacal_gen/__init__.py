@@ -27,9 +27,11 @@ if TYPE_CHECKING:  # what mypy and editors see; at run time names are looked up 
         derivation as derivation,
         diagnose as diagnose,
         effects as effects,
+        firmware_lines as firmware_lines,
         identify as identify,
         identify_blocks as identify_blocks,
         import_klipper as import_klipper,
+        import_marlin as import_marlin,
         import_points as import_points,
         import_rrf as import_rrf,
         kernels as kernels,
@@ -41,6 +43,7 @@ if TYPE_CHECKING:  # what mypy and editors see; at run time names are looked up 
         plan as plan,
         predict as predict,
         predict_blocks as predict_blocks,
+        reproduce as reproduce,
         simulate as simulate,
         simulate_blocks as simulate_blocks,
         study as study,
@@ -60,7 +63,9 @@ if TYPE_CHECKING:  # what mypy and editors see; at run time names are looked up 
         Ridge as Ridge,
         TSVD as TSVD,
     )
-    from deltacal_gen.files.recording import read_recording as read_recording, write_recording as write_recording
+    from deltacal_gen.files.dialect import decimal_mark as decimal_mark
+    from deltacal_gen.files.recording import read_recording as read_recording
+    from deltacal_gen.files.writing import write_recording as write_recording
     from deltacal_gen.files.robot import read_robot as read_robot, robot_to_toml as robot_to_toml
     from deltacal_gen.machine.backend import Backend as Backend, using as using
     from deltacal_gen.machine.registry import Machine as Machine, load_mechanism as load_mechanism
@@ -74,7 +79,8 @@ if TYPE_CHECKING:  # what mypy and editors see; at run time names are looked up 
     from deltacal_gen.results.study import Study as Study
     from deltacal_gen.results.validation import Validation as Validation
     from deltacal_gen.use.compensation import Compensator as Compensator
-    from deltacal_gen.use.exports import export_c as export_c, export_table as export_table, read_table as read_table
+    from deltacal_gen.use.exports import export_c as export_c
+    from deltacal_gen.use.tables import export_table as export_table, read_table as read_table
 
 __version__ = "0.1.0"
 
@@ -88,9 +94,11 @@ _HOME = {
         "demo",
         "diagnose",
         "effects",
+        "firmware_lines",
         "identify",
         "identify_blocks",
         "import_klipper",
+        "import_marlin",
         "import_points",
         "import_rrf",
         "derivation",
@@ -103,6 +111,7 @@ _HOME = {
         "plan",
         "predict",
         "predict_blocks",
+        "reproduce",
         "simulate",
         "simulate_blocks",
         "study",
@@ -111,11 +120,14 @@ _HOME = {
     ),
     "use.compensation": ("Compensator",),
     "errors": ("DeltacalError", "InputError", "NoSolutionError", "UsageError"),
-    "use.exports": ("export_c", "export_table", "read_table"),
+    "use.exports": ("export_c",),
+    "use.tables": ("export_table", "read_table"),
     "machine.registry": ("Machine", "load_mechanism"),
     "machine.values": ("Recording", "Robot"),
     "machine.backend": ("Backend", "using"),
-    "files.recording": ("read_recording", "write_recording"),
+    "files.dialect": ("decimal_mark",),
+    "files.recording": ("read_recording",),
+    "files.writing": ("write_recording",),
     "results.batch": ("Batch",),
     "results.comparison": ("Comparison",),
     "results.diagnosis": ("Diagnosis", "Verdict"),

@@ -22,7 +22,7 @@ from typing import Any
 from rich.console import Console
 from rich.progress import MofNCompleteColumn, Progress, TimeRemainingColumn
 
-from deltacal_gen.physics.physics import effect_names
+from deltacal_gen.physics.terms import effect_names
 from tests.benchmarks.concealed_cases import ORDINARY, plan
 from tests.benchmarks.concealed_grading import examine, failures, table
 from tests.benchmarks.concealed_machines import MACHINES

@@ -18,17 +18,19 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.diagnosis.search import Search, library, parts
+from deltacal_gen.diagnosis.library import library
+from deltacal_gen.diagnosis.search import Search, parts
 from deltacal_gen.errors import DeltacalError
-from deltacal_gen.estimation.estimation import Problem, Repeats, pose_problem, rms
-from deltacal_gen.files.recording import Measurement, Recording
+from deltacal_gen.estimation.problem import Problem, pose_problem
+from deltacal_gen.estimation.residuals import Repeats, rms
 from deltacal_gen.files.robot import Robot
-from deltacal_gen.identification.identification import BROAD
+from deltacal_gen.identification.prior import BROAD
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import load_mechanism, mechanism_of
 from deltacal_gen.machine.rotation import from_vector, to_vector
-from deltacal_gen.physics.physics import Term, blank, coefficients, load_effect
+from deltacal_gen.machine.values import Measurement, Recording
 from deltacal_gen.physics.simulation import simulate
+from deltacal_gen.physics.terms import Term, blank, coefficients, load_effect
 from deltacal_gen.units import DEG, file_unit, to_internal
 from tests.benchmarks import concealed_machines as machines
 
@@ -240,7 +242,7 @@ def _term(name: str, poses: Recording, robot: Robot, tools: Array, rng: np.rando
     moved = rng.permutation(tools)[: int(rng.integers(1, max(len(tools), 2)))]
     term = blank(name, limbs, constants, moved)
     sizes = {"expansion_proximal": 20e-6, "expansion_distal": 10e-6, "expansion_base": 15e-6}
-    known = coefficients(name, mechanism.joint_unit)
+    known = coefficients(load_effect(name), mechanism.joint_unit)
     values = np.array([sizes.get(c, 1e-3 * f) for c, _, f in known]) * np.ones_like(term.values)
     values *= rng.uniform(0.5, 1.5, values.shape)
     if name not in {"thermal_growth", "latency", "backlash"} and not any("compl" in c[0] for c in known):

@@ -19,13 +19,15 @@ from rich.table import Table
 
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.errors import DeltacalError
-from deltacal_gen.estimation.estimation import Fit, fit, pose_problem, rms
+from deltacal_gen.estimation.fit import Fit, fit, rough
+from deltacal_gen.estimation.problem import pose_problem
+from deltacal_gen.estimation.residuals import rms
 from deltacal_gen.estimation.solvers import Prior
-from deltacal_gen.files.recording import Recording
 from deltacal_gen.files.robot import kept_robot
-from deltacal_gen.identification.identification import BROAD, rough
+from deltacal_gen.identification.prior import BROAD
 from deltacal_gen.machine.registry import mechanism_of
-from deltacal_gen.physics.physics import Term, coefficients, kept_term
+from deltacal_gen.machine.values import Recording
+from deltacal_gen.physics.terms import Term, coefficients, kept_term
 from deltacal_gen.results.parts import MachineState
 from deltacal_gen.use.prediction import predict
 from tests.benchmarks.concealed_cases import ORDINARY, Array, Case, Judge, generate, readings
@@ -164,7 +166,7 @@ def _departures(
     found = {(p["name"], p["limb"]): p for p in entry["parameters"]}
     z, wide = [], []
     for r, row in enumerate(true.values):
-        for c, (name, _, factor) in enumerate(coefficients(true.effect, joint_unit)):
+        for c, (name, _, factor) in enumerate(coefficients(true.kernels, joint_unit)):
             p = found.get((name, true.limbs[r] if true.limbs else None))
             if p is None or not p["std"]:
                 continue

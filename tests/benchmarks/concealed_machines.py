@@ -16,7 +16,9 @@ import numpy as np
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.files.robot import Robot, read_robot, robot_from_dict, robot_to_dict
 from deltacal_gen.machine.registry import Machine, mechanism_of
-from deltacal_gen.physics.physics import Body, Channels, effect_names, load_effect
+from deltacal_gen.physics.body import Body
+from deltacal_gen.physics.channels import Channels
+from deltacal_gen.physics.terms import effect_names, load_effect
 from deltacal_gen.units import DEG
 
 Array = np.ndarray

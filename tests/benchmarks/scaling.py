@@ -18,11 +18,11 @@ from pathlib import Path
 import numpy as np
 
 from deltacal_gen import PoseSet
-from deltacal_gen.estimation.estimation import pose_problem
+from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.identification.accuracy import check_poses
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.pages import manual
-from deltacal_gen.physics.physics import blank
+from deltacal_gen.physics.terms import blank
 
 from . import by_hand
 from .works import DELTA, POSES, ROBOT, SIGMA, errors, identified, measured, positions, recorded, rings

@@ -12,7 +12,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from deltacal_gen.machine.registry import mechanism_names
 from deltacal_gen.pages import manual
 from tests.benchmarks import __main__ as every
-from tests.benchmarks import compile, memory, scaling
+from tests.benchmarks import compile, fuzz, memory, scaling
 from tests.benchmarks.works import WORKS, disagreement, works
 
 QUICK = [name for name in WORKS if not name.endswith("_cold") and "command" not in name]
@@ -52,3 +52,8 @@ def test_the_table_of_all_mechanisms_is_written_as_the_manual_shows_it(
     table = manual.measured("machines")
     assert [row[0] for row in table["rows"]] == [f"`{name}`" for name in mechanism_names()]
     assert all(float(cell.replace(" ", "")) > 0 for row in table["rows"] for cell in row[1:] if cell != "-")
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="runs are forked")
+def test_damaged_inputs_end_as_the_contract_says(capsys: pytest.CaptureFixture[str]) -> None:
+    assert fuzz.main(["--runs", "40", "--seed", "7"]) == 0, capsys.readouterr().out

@@ -20,6 +20,7 @@ from typing import Any
 
 import deltacal_kernels
 import numpy as np
+from deltacal_kernels import rotations
 from numba import njit
 
 import deltacal_gen
@@ -27,14 +28,17 @@ from deltacal_gen import PoseSet
 from deltacal_gen.app import commands
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.estimation.arrays import LinearFit
-from deltacal_gen.estimation.estimation import fit, pose_problem
+from deltacal_gen.estimation.fit import fit
+from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.solvers import LeastSquares
-from deltacal_gen.files.recording import Measurement, Recording, read_recording
+from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot, read_robot, robot_from_dict, robot_to_toml
 from deltacal_gen.identification.accuracy import check_poses, distance_error
 from deltacal_gen.identification.identification import identify
+from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
-from deltacal_gen.machine.rotation import cayley_matrix, cayley_spin, cayley_vector
+from deltacal_gen.machine.rotation import cayley_matrix, cayley_vector
+from deltacal_gen.machine.values import Measurement, Recording
 from deltacal_gen.use.compensation import Compensator
 
 from . import by_hand, by_hand_chain, by_hand_numba
@@ -175,7 +179,7 @@ def sensitivity(n: int, *, exact: bool) -> Work:
 
     def by_cayley(S: Array) -> Array:
         """Turns as changes of the Cayley vector, in which the others count."""
-        return np.hstack([S[:, :3], np.linalg.solve(cayley_spin(x[:, 3:]), S[:, 3:])])
+        return np.hstack([S[:, :3], np.linalg.solve(rotations.spin(x[:, 3:]), S[:, 3:])])
 
     poses = as_pose(x)
     contenders = {
@@ -321,24 +325,29 @@ def every_mechanism(n: int, *, name: str, derivatives: bool) -> Work:
 
 
 def chain(n: int, *, derivatives: bool) -> Work:
-    """Poses of the example's open chain with errors, or their derivatives: it has no kernels but a link's in NumPy."""
+    """Poses of the example's open chain with errors, or their derivatives, beside the package's own plain NumPy."""
     robot = read_robot(example("serial/robot.toml"))
-    mechanism, rng, tool = mechanism_of(robot), np.random.default_rng(8), np.zeros(3)
+    mechanism, rng, tool = mechanism_of(robot), np.random.default_rng(8), np.zeros((1, 3))
     q = rng.uniform(-1.0, 1.0, (n, mechanism.limbs))
     rows = mechanism.rows(robot, 0.1 * mechanism.typical * rng.standard_normal(len(mechanism.typical)))
     x, _ = mechanism.forward(q, tool, rows)
 
-    def forward() -> Array:
-        mechanism.forward(q[:1], tool, rows)  # what was computed last is kept
-        return mechanism.forward(q, tool, rows)[0]
+    def by(backend: Backend) -> Contender:
+        if not derivatives:
+            poses = np.empty_like(x)
+            return Contender(using(backend)(lambda: mechanism.forward(q, tool, rows, out=poses)), lambda _: poses)
+        out = np.empty((n, 6, len(mechanism.parameters))), np.empty((n, 6, mechanism.limbs))
+        return Contender(
+            using(backend)(lambda: mechanism.sensitivity(x, q, tool, rows, out=out)), lambda _: np.dstack(out)
+        )
 
-    def sensitivity() -> Array:
-        mechanism.forward(q[:1], tool, rows)
-        return mechanism.sensitivity(x, q, tool, rows).parameters
-
-    what = "sensitivity" if derivatives else "exact forward position"
-    contenders = {NUMPY: Contender(sensitivity if derivatives else forward)}
-    return Work(f"serial, {mechanism.limbs} joints, {what}, {n} poses", "ns/pose", n, contenders)
+    return Work(
+        f"serial, {mechanism.limbs} joints, {'sensitivity' if derivatives else 'exact forward position'}, {n} poses",
+        "ns/pose",
+        n,
+        {KERNEL: by(Backend.COMPILED), NUMPY: by(Backend.NUMPY)},
+        tolerance=1e-6 * (1000.0 if derivatives else 1.0),  # columns in rad are as large as the machine
+    )
 
 
 # ------------------------------------------------------------------------------------------------------ compensation

@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from deltacal_gen.estimation.estimation import pose_problem
+from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.identifiability import identification_matrix
 from deltacal_gen.machine.registry import Machine
@@ -190,6 +190,34 @@ def test_eqs_8_and_9_against_the_exact_machine(robot: Robot, mechanism: Machine)
         assert S[:, :3] == pytest.approx(C_r, abs=1e-12 * np.abs(C_r).max())
         assert S[:, 3:, 24:] == pytest.approx(C_e, abs=1e-12 * np.abs(C_e).max())
         assert S[:, 3:, :24] == pytest.approx(0.0, abs=1e-12)  # Delta p_r turns nothing
+
+
+def test_a_i_counts_from_the_reference_point(robot: Robot, mechanism: Machine) -> None:
+    """With P below O' the derivatives of the exact machine want a_i less P; with the paper's a_i they are missed."""
+    point = np.array([0.0, 0.0, -60.0])
+    r = bai.scattered(20, np.random.default_rng(3)) + point
+    machine = mechanism.rows(robot)
+    q, x, _ = mechanism.inverse(r, point, machine)
+    columns = [mechanism.index[n] for n in bai.MODEL_42]
+    S = mechanism.sensitivity(x, q, point, machine).parameters[:, :3, columns]
+    S = S / mechanism.scaling("paper", robot, bai.MODEL_42)
+    size = np.abs(S).max()
+    from_the_point, from_the_centre = bai.sensitivity(r - point, point)[0], bai.sensitivity(r - point)[0]
+    assert np.abs(S - from_the_point).max() < 1e-12 * size
+    assert np.abs(S - from_the_centre).max() > 0.1 * size
+
+
+def test_where_the_term_of_eq_22_is_added(robot: Robot, mechanism: Machine) -> None:
+    """Joints move the point by L A_rr^-1 B_m: the term belongs to (6); on the right of (8) it would be B_m."""
+    r = bai.scattered(20, np.random.default_rng(3))
+    machine = mechanism.rows(robot)
+    q, x, _ = mechanism.inverse(r, np.zeros(3), machine)
+    by_joints = mechanism.sensitivity(x, q, np.zeros(3), machine).joints[:, :3]
+    A_rr, *_, B_m = bai.matrices(r)
+    arm = robot.geometry["proximal_length"][0]
+    size = np.abs(by_joints).max()
+    assert np.abs(by_joints - arm * np.linalg.solve(A_rr, B_m)).max() < 1e-12 * size
+    assert np.abs(by_joints - arm * B_m).max() > 0.5 * size
 
 
 def test_counts_of_the_models() -> None:

@@ -525,6 +525,35 @@ def test_table_5() -> None:
         assert still[1] < printed[1] / 2
 
 
+def test_table_5_does_not_go_with_table_3() -> None:
+    """Both offsets and dr_Mx move together along the direction that lengths see worst; the printed ones do not."""
+    s, vt = np.linalg.svd(mei.identification_matrix(mei.positions(3)))[1:]
+    assert 37 < s[2] / s[3] < 38
+    both = np.radians(1.0) * 375.0 / vt[3, :2].mean()
+    assert abs(both * vt[3, 2]) == pytest.approx(2.61, abs=0.01)  # mm per degree of both offsets
+    signed = np.array(mei.COMPENSATED) - np.array(mei.ZERO_OFFSETS)
+    expected = []
+    for number in GROUPS:
+        offsets, mounted = when_stopped(simulated(number, motor=False))
+        mean = np.degrees(offsets - mei.group(number).zero).mean(axis=1)
+        line = np.polynomial.Polynomial.fit(mean, (mounted - mei.MOUNTED)[:, 0], 1)
+        assert np.std((mounted - mei.MOUNTED)[:, 0] - line(mean)) < 0.0016
+        expected.append(abs(line(signed[number - 1].mean())))
+    assert expected == pytest.approx([0.090, 0.122, 0.098, 0.059, 0.067, 0.065], abs=0.001)
+    assert np.abs(np.array(expected) - mei.TABLE_5[:, 0]).min() > 0.0145
+
+
+def test_one_line_of_positions_suffices() -> None:
+    """A level and a slanted line have the full rank; the axis has not."""
+    n = 9
+    level = np.column_stack([np.linspace(-240, 240, n), np.full(n, -700.0)])
+    slanted = np.column_stack([np.linspace(-200, 200, n), np.linspace(-780, -640, n)])
+    axis = np.column_stack([np.zeros(n), np.linspace(-780, -632, n)])
+    values = [np.linalg.svd(mei.identification_matrix(p), compute_uv=False) for p in (level, slanted, axis)]
+    assert [int((s > 1e-9 * s[0]).sum()) for s in values] == [4, 4, 1]
+    assert [s[0] / s[3] for s in values[:2]] == pytest.approx([2132, 1781], abs=1)
+
+
 def test_table_6() -> None:
     """The mean condition number of the later rounds: 472.3 to 472.45 with the stated noise."""
     for number in GROUPS:

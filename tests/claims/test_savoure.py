@@ -818,6 +818,24 @@ def test_eq_70_to_72() -> None:
             assert np.abs(stacked(printed=True) @ e).max() > 0.1
 
 
+def test_base_parameters_hold_to_first_order() -> None:
+    """Both of a pair moved alike: nothing at the nominal machine, more than the noise at that of Table 2."""
+    found = []
+    for pair in (("a2x", "b2x"), ("a2y", "b2y"), ("b1x", "a1x")):
+        both = np.isin(PLANAR, pair).astype(float)
+
+        def moved(k: np.ndarray, both: np.ndarray = both) -> np.ndarray:
+            change = [planar_pose(q, k + both, 100.0) - planar_pose(q, k, 100.0) for q in CONFIGURATIONS]
+            return np.abs(change).max(axis=0)
+
+        assert moved(NOMINAL).max() < 1e-12
+        whole, half = moved(NOMINAL + ERRORS), moved(NOMINAL + ERRORS / 2)
+        found.append(whole[:2].max())
+        assert np.degrees(whole[2]) > 0.008
+        assert half[2] / whole[2] == pytest.approx(0.5, abs=0.03)
+    assert found == pytest.approx([0.019, 0.020, 0.017], abs=0.0005)
+
+
 def test_eq_73() -> None:
     columns = [PLANAR.index(name) for name in BASE]
     assert len(columns) == 6

@@ -450,6 +450,31 @@ def test_eq_20() -> None:
     assert off_cone(printed_ellipse(on_the_diagonal, np.arctan(-y / x), TURN), np.array([100.0, 100.0, 300.0])) < 1e-9
 
 
+def turned_extremes(image: own.Ellipse, turn: float) -> list[np.ndarray]:
+    """Return the extremes in x and y of an ellipse with the image's axes, turned as (19) has it."""
+    along = np.array([[image.minor * np.cos(turn), image.major * np.sin(turn)]])
+    across = np.array([[image.minor * np.sin(turn), image.major * np.cos(turn)]])
+    half = np.linalg.norm(np.vstack([along, across]), axis=1)
+    return [image.centre[k] + half[k] * np.array([1.0, -1.0]) for k in (0, 1)]
+
+
+def test_mean_bias_of_eq_20_over_the_field_of_view() -> None:
+    """What the printed angle leaves of the ball's place, all else right: towards the camera, in proportion to it."""
+    slopes = np.linspace(-0.3, 0.3, 7)
+    off, uncorrected = [], []
+    for z in (200.0, 300.0, 400.0, 500.0, 600.0):
+        for centre in (np.array([x * z, y * z, z]) for x in slopes for y in slopes if (abs(x) + abs(y)) > 1e-9):
+            image = own.ellipse(centre)
+            x, y = image.centre
+            right = own.from_extremes(*turned_extremes(image, np.arctan2(-x, y)))
+            assert right == pytest.approx(centre, abs=1e-9)
+            off.append(own.from_extremes(*turned_extremes(image, np.arctan2(-y, x))) - centre)
+            uncorrected.append(own.from_extremes(*own.chords(image)) - centre)
+    assert np.linalg.norm(off, axis=1).mean() == pytest.approx(0.115, abs=0.001)
+    assert np.mean(off, axis=0) == pytest.approx([0.0, 0.0, -0.111], abs=0.001)
+    assert np.linalg.norm(uncorrected, axis=1).mean() == pytest.approx(0.307, abs=0.001)
+
+
 def test_eq_21() -> None:
     for centre in BALLS:
         image = own.ellipse(centre)
@@ -670,6 +695,10 @@ def tracking(
 
 
 def test_eq_23() -> None:
+    t, K, v = sp.symbols("t K_p v_p", positive=True)
+    e = sp.Function("e")(t)  # actual minus desired position of the object, relative to the robot
+    as_printed = sp.dsolve(sp.Eq(e.diff(t), v - (-K * e + v)), e).rhs  # the object moves by v_p, the robot by u_r
+    assert sp.limit(as_printed.subs({K: 1, sp.Symbol("C1"): 1}), t, sp.oo) == sp.oo
     assert tracking(-1, np.eye(3))[50] > 100 * tracking(-1, np.eye(3))[0]  # e = object minus robot, as the text has it
     assert tracking(+1, np.eye(3))[-1] < 1e-9  # the same law for e = desired minus actual
 

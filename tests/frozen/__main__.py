@@ -2,8 +2,9 @@
 
 ``write FOLDER`` runs every case and keeps whole answers there (one JSON a case); ``compare FOLDER`` runs them again and
 names every difference that `intended.toml` does not list; ``commit FOLDER`` puts the essence of kept answers into
-`answers.json`, which a test holds. Whole answers belong to one processor and one set of versions, so that only their
-essence is committed. ``--tree`` runs the program of another checkout.
+`answers.json`, which a test holds: of an older version, or of this one where an answer was meant to change. Whole
+answers belong to one processor and one set of versions, so that only their essence is committed. ``--tree`` runs
+the program of another checkout.
 """
 
 from __future__ import annotations
@@ -88,14 +89,13 @@ def listed() -> list[dict[str, str]]:
 
 
 def commit(folder: Path, chosen: Iterable[Case]) -> None:
-    """Put the essence of kept answers of simulated cases, rounded to 12 digits, into `answers.json`."""
-    kept = {}
+    """Put the essence of kept answers of simulated cases, rounded to 12 digits, into `answers.json`; others stay."""
+    kept = json.loads(ANSWERS.read_text(encoding="utf-8")) if ANSWERS.exists() else {}
     for case in chosen:
         if not case.name.startswith(("concealed", "real")):
             found = json.loads((folder / f"{case.name}.json").read_text(encoding="utf-8"))
-            kept[case.name] = json.loads(
-                json.dumps(essence(found)), parse_float=lambda text: float(f"{float(text):.12g}")
-            )
+            short = json.dumps(essence(found))
+            kept[case.name] = json.loads(short, parse_float=lambda text: float(f"{float(text):.12g}"))
     lines = [f"{json.dumps(name)}: {json.dumps(answer)}" for name, answer in kept.items()]
     ANSWERS.write_text("{\n" + ",\n".join(lines) + "\n}\n", encoding="utf-8")
     print(f"{len(kept)} cases in {ANSWERS.name}")

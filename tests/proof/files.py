@@ -19,8 +19,10 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.files.recording import Recording, read_recording, write_recording
+from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import read_robot, robot_to_toml, toml_text
+from deltacal_gen.files.writing import write_recording
+from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import read_truth
 from deltacal_gen.units import DEG
 from tests.benchmarks.concealed_cases import MECHANISM, Case

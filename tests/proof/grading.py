@@ -21,7 +21,7 @@ from typing import Any
 
 import numpy as np
 
-from deltacal_gen.estimation.estimation import rms
+from deltacal_gen.estimation.residuals import rms
 from tests.benchmarks.concealed_cases import readings
 from tests.benchmarks.concealed_grading import CONVENTION, grade
 from tests.proof.files import Concealed

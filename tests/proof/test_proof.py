@@ -18,11 +18,11 @@ import numpy as np
 import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
-from deltacal_gen.files.recording import Measurement, Recording
 from deltacal_gen.files.robot import Robot, robot_from_dict, robot_to_dict
+from deltacal_gen.machine.values import Measurement, Recording
 from deltacal_gen.pages import manual
-from deltacal_gen.physics.physics import Term, effect_names
 from deltacal_gen.physics.simulation import simulate
+from deltacal_gen.physics.terms import Term, effect_names
 from deltacal_gen.units import DEG
 from tests.benchmarks.concealed_cases import MECHANISM, generate, readings
 from tests.benchmarks.concealed_grading import oracle
@@ -102,7 +102,7 @@ def rows(rng: np.random.Generator, kind: str = "position", frame: str = "unknown
 
 
 def term(name: str, poses: Recording) -> Term:
-    from deltacal_gen.physics.physics import blank, load_effect
+    from deltacal_gen.physics.terms import blank, load_effect
 
     kernels = load_effect(name)
     constants = {"order": 7.0, "when": 2000.0}

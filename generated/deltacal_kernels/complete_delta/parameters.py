@@ -1,7 +1,7 @@
 """Tables of `complete_delta`: Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 9b0fa929fb1a6732; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 3a3a215b83e337d3; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 
@@ -124,6 +124,8 @@ def moves(geometry):
         "rod": {"l_{i}1": 1, "l_{i}2": 1},
         "rod_difference": {"l_{i}1": 0.5, "l_{i}2": -0.5},
         "outwards": {"bx_{i}1": -np.cos(phi), "bx_{i}2": -np.cos(phi), "by_{i}1": -np.sin(phi), "by_{i}2": -np.sin(phi)},
+        "tilt_x": {"betax": np.cos(phi), "betay": np.sin(phi)},
+        "tilt_y": {"betaz": 1},
         "tip_v": {"tip_v": 1},
         "tip_w": {"tip_w": 1},
         "spacing_difference": {"ax_{i}1": 0.5, "ax_{i}2": -0.5},

@@ -1,7 +1,7 @@
 """Kinematics of `delta`, many poses at once: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 3790a9260cef72a0; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 610d1b4de411371d; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -1098,28 +1098,60 @@ def _move(w, n):
 def _meet(w, n):
     """Put the platform where the simplified machine has it."""
     for lane in range(n):
-        c_00, c_01, c_02, c_03 = w[1376 + lane], w[1408 + lane], w[1440 + lane], w[1472 + lane]
-        c_10, c_11, c_12, c_13 = w[4384 + lane], w[4416 + lane], w[4448 + lane], w[4480 + lane]
-        c_20, c_21, c_22, c_23 = w[7392 + lane], w[7424 + lane], w[7456 + lane], w[7488 + lane]
-        # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
-        ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
-        bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
-        nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-        aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
-        nn = nx * nx + ny * ny + nz * nz
-        inverse = 1.0 / nn
-        # the point of the line in the plane of a and b: u a + v b with 2 a.P = da, 2 b.P = db
-        u, v = (da * bb - db * ab) * (0.5 * inverse), (db * aa - da * ab) * (0.5 * inverse)
-        px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
-        # |P + t n|^2 - 2 c.(P + t n) + d = 0
-        half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
-        rest = (px * px + py * py + pz * pz) - 2.0 * (c_00 * px + c_01 * py + c_02 * pz) + c_03
-        square = half * half - rest * inverse
-        good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
-        root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
-        # the exact machine may still reach what the simplified one cannot
-        t = (-root if nz > 0.0 else root) - half
-        p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
+        c_00 = w[1376 + lane]
+        c_01 = w[1408 + lane]
+        c_02 = w[1440 + lane]
+        c_03 = w[1472 + lane]
+        c_10 = w[4384 + lane]
+        c_11 = w[4416 + lane]
+        c_12 = w[4448 + lane]
+        c_13 = w[4480 + lane]
+        c_20 = w[7392 + lane]
+        c_21 = w[7424 + lane]
+        c_22 = w[7456 + lane]
+        c_23 = w[7488 + lane]
+        a_x = -c_00 + c_10
+        a_y = -c_01 + c_11
+        a_z = -c_02 + c_12
+        b_x = -c_00 + c_20
+        b_y = -c_01 + c_21
+        b_z = -c_02 + c_22
+        s7 = -0.5*c_03
+        to_a = 0.5*c_13 + s7
+        to_b = 0.5*c_23 + s7
+        aa = (a_x * a_x) + (a_y * a_y) + (a_z * a_z)
+        n_x = a_y*b_z - a_z*b_y
+        n_y = -a_x*b_z + a_z*b_x
+        n_z = a_x*b_y - a_y*b_x
+        nn = (n_x * n_x) + (n_y * n_y) + (n_z * n_z)
+        bb = (b_x * b_x) + (b_y * b_y) + (b_z * b_z)
+        ab = a_x*b_x + a_y*b_y + a_z*b_z
+        inverse = (1.0 / nn)
+        by_a = inverse*(-ab*to_b + bb*to_a)
+        by_b = inverse*(aa*to_b - ab*to_a)
+        p_x = a_x*by_a + b_x*by_b
+        p_y = a_y*by_a + b_y*by_b
+        p_z = a_z*by_a + b_z*by_b
+        half = inverse*(n_x*(-c_00 + p_x) + n_y*(-c_01 + p_y) + n_z*(-c_02 + p_z))
+        s66 = -2*c_01*p_y
+        s67 = -2*c_02*p_z
+        rest = -2*c_00*p_x + c_03 + (p_x * p_x) + (p_y * p_y) + (p_z * p_z) + s66 + s67
+        under = (half * half) - inverse*rest
+        kept = (under if (under > 0) else 0)
+        s73 = math.sqrt(kept)
+        along = -half - (s73 if (n_z > 0) else -s73)
+        s77 = along*n_x + p_x
+        s79 = along*n_y + p_y
+        s81 = along*n_z + p_z
+        s82 = nn*under
+        s83 = aa*bb
+        p_0 = s77
+        p_1 = s79
+        p_2 = s81
+        clear = s82
+        square = nn
+        wide = s83
+        good = (clear > CLEAR * CLEAR) & (square > APART * wide)
         w[9280 + lane] = 0.0 if good else 1.0
         w[128 + lane] = p_0
         w[160 + lane] = p_1
@@ -1455,28 +1487,60 @@ def _simplified_forward_of(q, tool, own, x, status, poses, w):
             w[8 * SPHERES + lane], w[9 * SPHERES + lane], w[10 * SPHERES + lane], w[11 * SPHERES + lane] = c_20, c_21, c_22, c_23
         for lane in range(count):
             n = first + lane
-            c_00, c_01, c_02, c_03 = w[0 * SPHERES + lane], w[1 * SPHERES + lane], w[2 * SPHERES + lane], w[3 * SPHERES + lane]
-            c_10, c_11, c_12, c_13 = w[4 * SPHERES + lane], w[5 * SPHERES + lane], w[6 * SPHERES + lane], w[7 * SPHERES + lane]
-            c_20, c_21, c_22, c_23 = w[8 * SPHERES + lane], w[9 * SPHERES + lane], w[10 * SPHERES + lane], w[11 * SPHERES + lane]
-            # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
-            ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
-            bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
-            nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-            aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
-            nn = nx * nx + ny * ny + nz * nz
-            inverse = 1.0 / nn
-            # the point of the line in the plane of a and b: u a + v b with 2 a.P = da, 2 b.P = db
-            u, v = (da * bb - db * ab) * (0.5 * inverse), (db * aa - da * ab) * (0.5 * inverse)
-            px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
-            # |P + t n|^2 - 2 c.(P + t n) + d = 0
-            half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
-            rest = (px * px + py * py + pz * pz) - 2.0 * (c_00 * px + c_01 * py + c_02 * pz) + c_03
-            square = half * half - rest * inverse
-            good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
-            root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
-            # the exact machine may still reach what the simplified one cannot
-            t = (-root if nz > 0.0 else root) - half
-            p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
+            c_00 = w[0 + lane]
+            c_01 = w[128 + lane]
+            c_02 = w[256 + lane]
+            c_03 = w[384 + lane]
+            c_10 = w[512 + lane]
+            c_11 = w[640 + lane]
+            c_12 = w[768 + lane]
+            c_13 = w[896 + lane]
+            c_20 = w[1024 + lane]
+            c_21 = w[1152 + lane]
+            c_22 = w[1280 + lane]
+            c_23 = w[1408 + lane]
+            a_x = -c_00 + c_10
+            a_y = -c_01 + c_11
+            a_z = -c_02 + c_12
+            b_x = -c_00 + c_20
+            b_y = -c_01 + c_21
+            b_z = -c_02 + c_22
+            s7 = -0.5*c_03
+            to_a = 0.5*c_13 + s7
+            to_b = 0.5*c_23 + s7
+            aa = (a_x * a_x) + (a_y * a_y) + (a_z * a_z)
+            n_x = a_y*b_z - a_z*b_y
+            n_y = -a_x*b_z + a_z*b_x
+            n_z = a_x*b_y - a_y*b_x
+            nn = (n_x * n_x) + (n_y * n_y) + (n_z * n_z)
+            bb = (b_x * b_x) + (b_y * b_y) + (b_z * b_z)
+            ab = a_x*b_x + a_y*b_y + a_z*b_z
+            inverse = (1.0 / nn)
+            by_a = inverse*(-ab*to_b + bb*to_a)
+            by_b = inverse*(aa*to_b - ab*to_a)
+            p_x = a_x*by_a + b_x*by_b
+            p_y = a_y*by_a + b_y*by_b
+            p_z = a_z*by_a + b_z*by_b
+            half = inverse*(n_x*(-c_00 + p_x) + n_y*(-c_01 + p_y) + n_z*(-c_02 + p_z))
+            s66 = -2*c_01*p_y
+            s67 = -2*c_02*p_z
+            rest = -2*c_00*p_x + c_03 + (p_x * p_x) + (p_y * p_y) + (p_z * p_z) + s66 + s67
+            under = (half * half) - inverse*rest
+            kept = (under if (under > 0) else 0)
+            s73 = math.sqrt(kept)
+            along = -half - (s73 if (n_z > 0) else -s73)
+            s77 = along*n_x + p_x
+            s79 = along*n_y + p_y
+            s81 = along*n_z + p_z
+            s82 = nn*under
+            s83 = aa*bb
+            p_0 = s77
+            p_1 = s79
+            p_2 = s81
+            clear = s82
+            square = nn
+            wide = s83
+            good = (clear > CLEAR * CLEAR) & (square > APART * wide)
             x[3 * n + 0] = p_0
             x[3 * n + 1] = p_1
             x[3 * n + 2] = p_2

@@ -1,7 +1,7 @@
 """Tables of `delta`: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both b3d0f36d7240f9c2; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 12f29f3c21db4b22; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 
@@ -154,6 +154,8 @@ def moves(geometry):
         "rod": {"l": 1},
         "rod_difference": {"dl": 1},
         "outwards": {"ex": np.cos(phi), "ey": np.sin(phi)},
+        "tilt_x": {"alpha0": 1, "alpha03": 1},
+        "tilt_y": {"beta0": 1, "beta03": 1},
         "tip_v": {"tip_v": 1},
         "tip_w": {"tip_w": 1},
         "spacing_difference": {"dc": 1},

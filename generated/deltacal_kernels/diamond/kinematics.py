@@ -1,7 +1,7 @@
 """Kinematics of `diamond`, many poses at once: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both eb21f38c335fd6a0; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both fd6b5116b4391cb2; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -281,22 +281,36 @@ def _move(w, n):
 def _meet(w, n):
     """Put the platform where the simplified machine has it."""
     for lane in range(n):
-        c_00, c_01, c_02 = w[384 + lane], w[416 + lane], w[448 + lane]
-        c_10, c_11, c_12 = w[1280 + lane], w[1312 + lane], w[1344 + lane]
-        # two circles: their difference is a line, on which the first circle is a quadratic
-        ax, ay, da = c_10 - c_00, c_11 - c_01, c_12 - c_02
-        nn = ax * ax + ay * ay
-        inverse = 1.0 / nn
-        px, py = 0.5 * da * inverse * ax, 0.5 * da * inverse * ay
-        # |P + t n|^2 - 2 c.(P + t n) + d = 0 with n = (-ay, ax)
-        half = ((py - c_01) * ax - (px - c_00) * ay) * inverse
-        rest = (px * px + py * py) - 2.0 * (c_00 * px + c_01 * py) + c_02
-        square = half * half - rest * inverse
-        good = (square * nn > CLEAR * CLEAR) & (nn > 1.0)
-        root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the circle its nearest point is taken:
-        # the exact machine may still reach what the simplified one cannot
-        t = (-root if ax > 0.0 else root) - half
-        p_0, p_1 = px - t * ay, py + t * ax
+        c_00 = w[384 + lane]
+        c_01 = w[416 + lane]
+        c_02 = w[448 + lane]
+        c_10 = w[1280 + lane]
+        c_11 = w[1312 + lane]
+        c_12 = w[1344 + lane]
+        a_x = -c_00 + c_10
+        a_y = -c_01 + c_11
+        to_a = -0.5*c_02 + 0.5*c_12
+        aa = (a_x * a_x) + (a_y * a_y)
+        inverse = (1.0 / aa)
+        by_a = inverse*to_a
+        p_x = a_x*by_a
+        p_y = a_y*by_a
+        half = inverse*(a_x*(-c_01 + p_y) - a_y*(-c_00 + p_x))
+        rest = -2*c_00*p_x - 2*c_01*p_y + c_02 + (p_x * p_x) + (p_y * p_y)
+        under = (half * half) - inverse*rest
+        kept = (under if (under > 0) else 0)
+        s27 = math.sqrt(kept)
+        along = -half - (s27 if (a_x > 0) else -s27)
+        s31 = -a_y*along + p_x
+        s33 = a_x*along + p_y
+        s34 = aa*under
+        s39 = (c_00 * c_00) + (c_01 * c_01) + (c_10 * c_10) + (c_11 * c_11)
+        p_0 = s31
+        p_1 = s33
+        clear = s34
+        square = aa
+        wide = s39
+        good = (clear > CLEAR * CLEAR) & (square > APART * wide)
         w[1888 + lane] = 0.0 if good else 1.0
         w[128 + lane] = p_0
         w[160 + lane] = p_1
@@ -554,22 +568,36 @@ def _simplified_forward_of(q, tool, own, x, status, poses, w):
             w[3 * SPHERES + lane], w[4 * SPHERES + lane], w[5 * SPHERES + lane] = c_10, c_11, c_12
         for lane in range(count):
             n = first + lane
-            c_00, c_01, c_02 = w[0 * SPHERES + lane], w[1 * SPHERES + lane], w[2 * SPHERES + lane]
-            c_10, c_11, c_12 = w[3 * SPHERES + lane], w[4 * SPHERES + lane], w[5 * SPHERES + lane]
-            # two circles: their difference is a line, on which the first circle is a quadratic
-            ax, ay, da = c_10 - c_00, c_11 - c_01, c_12 - c_02
-            nn = ax * ax + ay * ay
-            inverse = 1.0 / nn
-            px, py = 0.5 * da * inverse * ax, 0.5 * da * inverse * ay
-            # |P + t n|^2 - 2 c.(P + t n) + d = 0 with n = (-ay, ax)
-            half = ((py - c_01) * ax - (px - c_00) * ay) * inverse
-            rest = (px * px + py * py) - 2.0 * (c_00 * px + c_01 * py) + c_02
-            square = half * half - rest * inverse
-            good = (square * nn > CLEAR * CLEAR) & (nn > 1.0)
-            root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the circle its nearest point is taken:
-            # the exact machine may still reach what the simplified one cannot
-            t = (-root if ax > 0.0 else root) - half
-            p_0, p_1 = px - t * ay, py + t * ax
+            c_00 = w[0 + lane]
+            c_01 = w[128 + lane]
+            c_02 = w[256 + lane]
+            c_10 = w[384 + lane]
+            c_11 = w[512 + lane]
+            c_12 = w[640 + lane]
+            a_x = -c_00 + c_10
+            a_y = -c_01 + c_11
+            to_a = -0.5*c_02 + 0.5*c_12
+            aa = (a_x * a_x) + (a_y * a_y)
+            inverse = (1.0 / aa)
+            by_a = inverse*to_a
+            p_x = a_x*by_a
+            p_y = a_y*by_a
+            half = inverse*(a_x*(-c_01 + p_y) - a_y*(-c_00 + p_x))
+            rest = -2*c_00*p_x - 2*c_01*p_y + c_02 + (p_x * p_x) + (p_y * p_y)
+            under = (half * half) - inverse*rest
+            kept = (under if (under > 0) else 0)
+            s27 = math.sqrt(kept)
+            along = -half - (s27 if (a_x > 0) else -s27)
+            s31 = -a_y*along + p_x
+            s33 = a_x*along + p_y
+            s34 = aa*under
+            s39 = (c_00 * c_00) + (c_01 * c_01) + (c_10 * c_10) + (c_11 * c_11)
+            p_0 = s31
+            p_1 = s33
+            clear = s34
+            square = aa
+            wide = s39
+            good = (clear > CLEAR * CLEAR) & (square > APART * wide)
             x[2 * n + 0] = p_0
             x[2 * n + 1] = p_1
             status[n] = SOLVED if good else OPEN

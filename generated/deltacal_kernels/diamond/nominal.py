@@ -1,7 +1,7 @@
 """Derivatives of the nominal machine's position by its errors, many poses at once: `diamond`, Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/nominal.py.jinja; sha256 of both 0d1af9fd2af74705; SymPy 1.14.0.
+Template templates/mechanism/nominal.py.jinja; sha256 of both 96386ff1f0652821; SymPy 1.14.0.
 
 Rods of a pair are parallel there, and the platform does not turn, which leaves little of the exact machine's derivatives.
 x (N, 2) is the position of the reference point, q (N, 2) the joints there, tool (N or 1, 3) the reference point in
@@ -158,16 +158,27 @@ def _along(x, C, m, H, n, towards, poses):
     row = 0
     for a in range(poses):
         for b in range(a + 1, poses):
-            n_0 = x[2 * b + 0] - x[2 * a + 0]
-            n_1 = x[2 * b + 1] - x[2 * a + 1]
-            by = 1.0 / math.sqrt(n_0 * n_0 + n_1 * n_1)
-            towards[b] = by * n_0
-            towards[1 * poses + b] = by * n_1
+            a_x = x[2 * a + 0]
+            a_y = x[2 * a + 1]
+            b_x = x[2 * b + 0]
+            b_y = x[2 * b + 1]
+            gap_x = -a_x + b_x
+            gap_y = -a_y + b_y
+            s5 = 1/math.sqrt((gap_x * gap_x) + (gap_y * gap_y))
+            s6 = gap_x*s5
+            s7 = gap_y*s5
+            towards[0 * poses + b] = s6
+            towards[1 * poses + b] = s7
         for b in range(a + 1, poses):
-            n_0 = towards[b]
-            n_1 = towards[1 * poses + b]
             for j in range(n):
-                H[n * row + j] = n_0 * (C[m * (2 * b + 0) + j] - C[m * (2 * a + 0) + j]) + n_1 * (C[m * (2 * b + 1) + j] - C[m * (2 * a + 1) + j])
+                n_x = towards[0 * poses + b]
+                n_y = towards[1 * poses + b]
+                shift_a_x = C[m * (2 * a + 0) + j]
+                shift_a_y = C[m * (2 * a + 1) + j]
+                shift_b_x = C[m * (2 * b + 0) + j]
+                shift_b_y = C[m * (2 * b + 1) + j]
+                s12 = n_x*(-shift_a_x + shift_b_x) + n_y*(-shift_a_y + shift_b_y)
+                H[n * row + j] = s12
             row += 1
 
 

@@ -1,7 +1,7 @@
 """Kinematics of `diamond` in plain NumPy: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both f4f92fc27f7c3f34; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both a8d1d7d867f2a4d5; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -238,23 +238,39 @@ def jacobians(x, q, tool, k, F, J_x, J_q, J_p):
     J_p[:] = np.moveaxis(_by_rod(_parameters(*_turned(x, q, tool, k))), -1, 0)
 
 
-def _meet(circle):
-    """Return where two circles (N, 2, 3) meet, (N, 2), and (N,) whether their centres lie apart.
-
-    Their difference is a line, on which the first circle is a quadratic. Where the line misses the circle its nearest
-    point is taken.
-    """
-    a = circle[:, 1] - circle[:, 0]
-    aa = (a[:, :2] ** 2).sum(axis=1)
-    apart = aa > PIVOT_SINGULAR * (circle[:, :, :2] ** 2).sum(axis=(1, 2))
-    aa = np.where(apart, aa, 1.0)
-    p = (0.5 * a[:, 2] / aa)[:, None] * a[:, :2]
-    n = np.stack([-a[:, 1], a[:, 0]], axis=1)
-    half = ((p - circle[:, 0, :2]) * n).sum(axis=1)
-    rest = (p * p).sum(axis=1) - 2.0 * (circle[:, 0, :2] * p).sum(axis=1) + circle[:, 0, 2]
-    root = np.sqrt(np.maximum(half * half - aa * rest, 0.0))
-    t = (-half + np.where(n[:, 1] > 0.0, -1.0, 1.0) * root) / aa
-    return p + t[:, None] * n, apart
+def _meet(spheres):
+    """Where the spheres meet; how far off the centres, how far these are apart, what that is compared with: (5, N)."""
+    c_00 = spheres[0]
+    c_01 = spheres[1]
+    c_02 = spheres[2]
+    c_10 = spheres[3]
+    c_11 = spheres[4]
+    c_12 = spheres[5]
+    a_x = -c_00 + c_10
+    a_y = -c_01 + c_11
+    to_a = -0.5*c_02 + 0.5*c_12
+    aa = (a_x * a_x) + (a_y * a_y)
+    inverse = (1.0 / aa)
+    by_a = inverse*to_a
+    p_x = a_x*by_a
+    p_y = a_y*by_a
+    half = inverse*(a_x*(-c_01 + p_y) - a_y*(-c_00 + p_x))
+    rest = -2*c_00*p_x - 2*c_01*p_y + c_02 + (p_x * p_x) + (p_y * p_y)
+    under = (half * half) - inverse*rest
+    kept = np.where((under > 0), under, 0)
+    s27 = np.sqrt(kept)
+    along = -half - np.where((a_x > 0), s27, -s27)
+    s31 = -a_y*along + p_x
+    s33 = a_x*along + p_y
+    s34 = aa*under
+    s39 = (c_00 * c_00) + (c_01 * c_01) + (c_10 * c_10) + (c_11 * c_11)
+    out = np.zeros((5, *spheres.shape[1:]))
+    out[0] = s31
+    out[1] = s33
+    out[2] = s34
+    out[3] = aa
+    out[4] = s39
+    return out
 
 
 def forward(q, tool, k, x, status, warm):
@@ -262,8 +278,11 @@ def forward(q, tool, k, x, status, warm):
     status[:] = UNREACHABLE
     if not (warm and np.isfinite(x).all()):
         x[:] = 0.0
-        x[:, :2], apart = _meet(_sphere(*_turned(x, q, tool, k)).T)
-        status[~apart] = SINGULAR
+        spheres = _sphere(*_turned(x, q, tool, k)).swapaxes(0, 1).reshape(6, -1)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            *at, _, square, wide = _meet(spheres)
+        x[:, :2] = np.transpose(at)
+        status[~(square > PIVOT_SINGULAR * wide)] = SINGULAR
     active = np.flatnonzero(status == UNREACHABLE)
     for _ in range(MAX_STEPS):
         if not len(active):

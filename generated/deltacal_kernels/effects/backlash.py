@@ -1,7 +1,7 @@
 """Play, flips with the direction of approach.
 
 Generated from derive/effects/backlash.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both dc917afd93c4ed32; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 914372062fe08e8a; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): approach;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -17,6 +17,11 @@ ACTS_ON = "limb"
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("approach", )
 TARGETS = ("joint", )
+# the coefficients in each, and the states; whether it is an effect only where a machine has all that it moves
+PARTS = (
+    (('width',), ('approach',)),
+)
+WHOLE = False
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("width", "deg", 0.017453292519943295, "the full gap"),
@@ -27,8 +32,9 @@ BELIEVABLE = ((0.0, 5.0), )
 OF_JOINT = ("width", )
 CONSTANTS = (
 )
-# how it is searched, and the constant that is; what constants are after the recording
+# how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
+SIZED = {}
 AFTERWARDS = {}
 
 

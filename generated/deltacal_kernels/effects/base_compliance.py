@@ -1,7 +1,7 @@
 """Frame tilts under the moving weight.
 
 Generated from derive/effects/base_compliance.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 18707853a8c526f8; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 0de465e969350c36; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): moment_x moment_y;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
@@ -17,6 +17,12 @@ ACTS_ON = "base"
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("moment_x", "moment_y", )
 TARGETS = ("turn.x", "turn.y", )
+# the coefficients in each, and the states; whether it is an effect only where a machine has all that it moves
+PARTS = (
+    (('compliance_x',), ('moment_x',)),
+    (('compliance_y',), ('moment_y',)),
+)
+WHOLE = False
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("compliance_x", "deg/Nm", 1.7453292519943296e-05, "tilt about x per moment about x"),
@@ -28,8 +34,9 @@ BELIEVABLE = ((0.0, 1.0), (0.0, 1.0), )
 OF_JOINT = ()
 CONSTANTS = (
 )
-# how it is searched, and the constant that is; what constants are after the recording
+# how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
+SIZED = {}
 AFTERWARDS = {}
 
 

@@ -1,7 +1,7 @@
 """The bed is not flat.
 
 Generated from derive/effects/bed_shape.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 2315b5fb9055a5d9; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 31c1cd9d5e391aae; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 3): b x y;
 coefficients c (M or 1, 9); constants, one number each. Units mm, rad, N, s, K.
@@ -17,6 +17,11 @@ ACTS_ON = "reading"
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("b", "x", "y", )
 TARGETS = ("height", )
+# the coefficients in each, and the states; whether it is an effect only where a machine has all that it moves
+PARTS = (
+    (('x', 'y', 'xx', 'xy', 'yy', 'xxx', 'xxy', 'xyy', 'yyy'), ('b', 'x', 'y')),
+)
+WHOLE = False
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("x", "mm", 1.0, "height of the bed along x^1 y^0, at the machine's radius"),
@@ -35,8 +40,9 @@ BELIEVABLE = ((-5.0, 5.0), (-5.0, 5.0), (-5.0, 5.0), (-5.0, 5.0), (-5.0, 5.0), (
 OF_JOINT = ()
 CONSTANTS = (
 )
-# how it is searched, and the constant that is; what constants are after the recording
+# how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
+SIZED = {}
 AFTERWARDS = {}
 
 

@@ -1,7 +1,7 @@
 """Rods stretch.
 
 Generated from derive/effects/distal_compliance.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 1e0bb689e8c37fec; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 74857392b075d46a; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): tension_1 tension_2;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -17,6 +17,12 @@ ACTS_ON = "limb"
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("tension_1", "tension_2", )
 TARGETS = ("limb.rod", "limb.rod_difference", )
+# the coefficients in each, and the states; whether it is an effect only where a machine has all that it moves
+PARTS = (
+    (('compliance',), ('tension_1', 'tension_2')),
+    (('compliance',), ('tension_1', 'tension_2')),
+)
+WHOLE = False
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("compliance", "mm/N", 1.0, "lengthening of a rod per tension"),
@@ -27,8 +33,9 @@ BELIEVABLE = ((0.0, 1.0), )
 OF_JOINT = ()
 CONSTANTS = (
 )
-# how it is searched, and the constant that is; what constants are after the recording
+# how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
+SIZED = {}
 AFTERWARDS = {}
 
 

@@ -1,7 +1,7 @@
 """Rods of a pair differ and tilt the effector.
 
 Generated from derive/effects/effector_tilt.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 54da4758e855126f; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 1131efe94e8f11df; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -17,6 +17,11 @@ ACTS_ON = "limb"
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ()
 TARGETS = ("limb.pair_difference", )
+# the coefficients in each, and the states; whether it is an effect only where a machine has all that it moves
+PARTS = (
+    (('dl',), ()),
+)
+WHOLE = False
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("dl", "mm", 1.0, "length of rod 1 minus rod 2"),
@@ -27,8 +32,9 @@ BELIEVABLE = ((-5.0, 5.0), )
 OF_JOINT = ()
 CONSTANTS = (
 )
-# how it is searched, and the constant that is; what constants are after the recording
+# how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
+SIZED = {}
 AFTERWARDS = {}
 
 

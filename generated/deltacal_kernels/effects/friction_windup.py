@@ -1,7 +1,7 @@
 """Friction winds the joint up, by direction and load.
 
 Generated from derive/effects/friction_windup.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 777de4bf06ffd765; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 177aadf5b81f53eb; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): approach torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -17,6 +17,11 @@ ACTS_ON = "limb"
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("approach", "torque", )
 TARGETS = ("joint", )
+# the coefficients in each, and the states; whether it is an effect only where a machine has all that it moves
+PARTS = (
+    (('compliance',), ('approach', 'torque')),
+)
+WHOLE = False
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("compliance", "deg/Nm", 1.7453292519943296e-05, "windup per torque"),
@@ -27,8 +32,9 @@ BELIEVABLE = ((0.0, 1.0), )
 OF_JOINT = ("compliance", )
 CONSTANTS = (
 )
-# how it is searched, and the constant that is; what constants are after the recording
+# how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
+SIZED = {}
 AFTERWARDS = {}
 
 

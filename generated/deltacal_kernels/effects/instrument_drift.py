@@ -1,7 +1,7 @@
 """The instrument drifts.
 
 Generated from derive/effects/instrument_drift.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 21f9fa00de139f71; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 54f251f7155f87bf; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): time;
 coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.
@@ -17,6 +17,13 @@ ACTS_ON = "reading"
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("time", )
 TARGETS = ("reading.x", "reading.y", "reading.z", )
+# the coefficients in each, and the states; whether it is an effect only where a machine has all that it moves
+PARTS = (
+    (('rate_x',), ('time',)),
+    (('rate_y',), ('time',)),
+    (('rate_z',), ('time',)),
+)
+WHOLE = False
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("rate_x", "mm/h", 1.0, "drift along the instrument's x"),
@@ -29,8 +36,9 @@ BELIEVABLE = ((-10.0, 10.0), (-10.0, 10.0), (-10.0, 10.0), )
 OF_JOINT = ()
 CONSTANTS = (
 )
-# how it is searched, and the constant that is; what constants are after the recording
+# how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
+SIZED = {}
 AFTERWARDS = {}
 
 

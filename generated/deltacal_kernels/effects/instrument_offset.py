@@ -1,7 +1,7 @@
 """A measured point is not where it is said to be.
 
 Generated from derive/effects/instrument_offset.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 5da678754e78c196; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both b7612da833b7a471; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
 coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.
@@ -17,6 +17,13 @@ ACTS_ON = "point"
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ()
 TARGETS = ("tool.x", "tool.y", "tool.z", )
+# the coefficients in each, and the states; whether it is an effect only where a machine has all that it moves
+PARTS = (
+    (('offset_x',), ()),
+    (('offset_y',), ()),
+    (('offset_z',), ()),
+)
+WHOLE = False
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("offset_x", "mm", 1.0, "offset along x of {O'}"),
@@ -29,8 +36,9 @@ BELIEVABLE = ((-50.0, 50.0), (-50.0, 50.0), (-50.0, 50.0), )
 OF_JOINT = ()
 CONSTANTS = (
 )
-# how it is searched, and the constant that is; what constants are after the recording
+# how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {"points": "", }
+SIZED = {}
 AFTERWARDS = {}
 
 

@@ -1,7 +1,7 @@
 """The instrument's length scale is wrong.
 
 Generated from derive/effects/instrument_scale.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 403f612dcdc30f8f; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 2f7c04480a97ed74; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 4): y_x y_y y_z y_length;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -17,6 +17,14 @@ ACTS_ON = "reading"
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("y_x", "y_y", "y_z", "y_length", )
 TARGETS = ("reading.x", "reading.y", "reading.z", "length", )
+# the coefficients in each, and the states; whether it is an effect only where a machine has all that it moves
+PARTS = (
+    (('scale',), ('y_x',)),
+    (('scale',), ('y_y',)),
+    (('scale',), ('y_z',)),
+    (('scale',), ('y_length',)),
+)
+WHOLE = False
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("scale", "ppm", 1e-06, "error of the length scale"),
@@ -27,8 +35,9 @@ BELIEVABLE = ((-10000.0, 10000.0), )
 OF_JOINT = ()
 CONSTANTS = (
 )
-# how it is searched, and the constant that is; what constants are after the recording
+# how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
+SIZED = {}
 AFTERWARDS = {}
 
 

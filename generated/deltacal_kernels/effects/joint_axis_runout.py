@@ -1,7 +1,7 @@
 """The joint's centre orbits with its angle.
 
 Generated from derive/effects/joint_axis_runout.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 1c38ed29a7ad7357; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both e7d457bc934c4816; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): theta;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
@@ -17,6 +17,11 @@ ACTS_ON = "limb"
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("theta", )
 TARGETS = ("limb.outwards", )
+# the coefficients in each, and the states; whether it is an effect only where a machine has all that it moves
+PARTS = (
+    (('cos', 'sin'), ('theta',)),
+)
+WHOLE = False
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("cos", "mm", 1.0, "amplitude of the cosine"),
@@ -28,8 +33,9 @@ BELIEVABLE = ((-5.0, 5.0), (-5.0, 5.0), )
 OF_JOINT = ()
 CONSTANTS = (
 )
-# how it is searched, and the constant that is; what constants are after the recording
+# how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
+SIZED = {}
 AFTERWARDS = {}
 
 

@@ -1,7 +1,7 @@
 """Joint or gearbox twists under the load.
 
 Generated from derive/effects/joint_compliance.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 0111902be5cf3266; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 09c2cdb06855ed32; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -17,6 +17,11 @@ ACTS_ON = "limb"
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("torque", )
 TARGETS = ("joint", )
+# the coefficients in each, and the states; whether it is an effect only where a machine has all that it moves
+PARTS = (
+    (('compliance',), ('torque',)),
+)
+WHOLE = False
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("compliance", "deg/Nm", 1.7453292519943296e-05, "twist per static torque"),
@@ -27,8 +32,9 @@ BELIEVABLE = ((0.0, 1.0), )
 OF_JOINT = ("compliance", )
 CONSTANTS = (
 )
-# how it is searched, and the constant that is; what constants are after the recording
+# how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
+SIZED = {}
 AFTERWARDS = {}
 
 

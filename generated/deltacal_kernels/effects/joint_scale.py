@@ -1,7 +1,7 @@
 """Gear ratio or encoder scale is off.
 
 Generated from derive/effects/joint_scale.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 147fdada5eab3909; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 2fa136665df460ea; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): q;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -17,6 +17,11 @@ ACTS_ON = "limb"
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("q", )
 TARGETS = ("joint", )
+# the coefficients in each, and the states; whether it is an effect only where a machine has all that it moves
+PARTS = (
+    (('scale',), ('q',)),
+)
+WHOLE = False
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("scale", "1", 1.0, "error of the scale"),
@@ -27,8 +32,9 @@ BELIEVABLE = ((-0.1, 0.1), )
 OF_JOINT = ()
 CONSTANTS = (
 )
-# how it is searched, and the constant that is; what constants are after the recording
+# how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
+SIZED = {}
 AFTERWARDS = {}
 
 

@@ -1,7 +1,7 @@
 """The position lags the joints.
 
 Generated from derive/effects/latency.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 84475dfeb662b802; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 98a618d305af8f3c; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): qd qdd;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -17,6 +17,11 @@ ACTS_ON = "limb"
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("qd", "qdd", )
 TARGETS = ("joint", )
+# the coefficients in each, and the states; whether it is an effect only where a machine has all that it moves
+PARTS = (
+    (('delay',), ('qd', 'qdd')),
+)
+WHOLE = False
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("delay", "s", 1.0, "time by which the position lags"),
@@ -27,8 +32,9 @@ BELIEVABLE = ((-1.0, 1.0), )
 OF_JOINT = ()
 CONSTANTS = (
 )
-# how it is searched, and the constant that is; what constants are after the recording
+# how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
+SIZED = {}
 AFTERWARDS = {}
 
 

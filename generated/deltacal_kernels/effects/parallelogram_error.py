@@ -1,7 +1,7 @@
 """Rods, spacings or axes of a parallelogram differ.
 
 Generated from derive/effects/parallelogram_error.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 1512dd936f2c48ee; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both d5187ddef3c04ca8; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
 coefficients c (M or 1, 6); constants, one number each. Units mm, rad, N, s, K.
@@ -17,6 +17,16 @@ ACTS_ON = "limb"
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ()
 TARGETS = ("limb.rod_difference", "limb.spacing_difference", "limb.hand_axis_u", "limb.hand_axis_v", "limb.elbow_axis_u", "limb.elbow_axis_v", )
+# the coefficients in each, and the states; whether it is an effect only where a machine has all that it moves
+PARTS = (
+    (('dl',), ()),
+    (('dc',), ()),
+    (('alpha03',), ()),
+    (('beta03',), ()),
+    (('alpha2',), ()),
+    (('beta2',), ()),
+)
+WHOLE = True
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("dl", "mm", 1.0, "length of rod 1 minus rod 2"),
@@ -32,8 +42,9 @@ BELIEVABLE = ((-5.0, 5.0), (-5.0, 5.0), (-5.0, 5.0), (-5.0, 5.0), (-5.0, 5.0), (
 OF_JOINT = ()
 CONSTANTS = (
 )
-# how it is searched, and the constant that is; what constants are after the recording
+# how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
+SIZED = {}
 AFTERWARDS = {}
 
 

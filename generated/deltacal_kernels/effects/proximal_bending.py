@@ -1,7 +1,7 @@
 """Arm bends under the rods' pull.
 
 Generated from derive/effects/proximal_bending.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both e6140929e2a4f26f; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both be3a5955e83fd6b3; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): pull_v pull_w;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -17,6 +17,12 @@ ACTS_ON = "limb"
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("pull_v", "pull_w", )
 TARGETS = ("limb.tip_v", "limb.tip_w", )
+# the coefficients in each, and the states; whether it is an effect only where a machine has all that it moves
+PARTS = (
+    (('compliance',), ('pull_v',)),
+    (('compliance',), ('pull_w',)),
+)
+WHOLE = False
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("compliance", "mm/N", 1.0, "deflection of the tip per force"),
@@ -27,8 +33,9 @@ BELIEVABLE = ((0.0, 1.0), )
 OF_JOINT = ()
 CONSTANTS = (
 )
-# how it is searched, and the constant that is; what constants are after the recording
+# how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
+SIZED = {}
 AFTERWARDS = {}
 
 

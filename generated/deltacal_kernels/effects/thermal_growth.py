@@ -1,7 +1,7 @@
 """Links and base grow with temperature.
 
 Generated from derive/effects/thermal_growth.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 4b46d10b77447095; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 0a602c434d188d8c; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 4): warming L l b;
 coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.
@@ -17,9 +17,16 @@ ACTS_ON = "limb"
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("warming", "L", "l", "b", )
 TARGETS = ("limb.arm", "limb.rod", "limb.outwards", )
+# the coefficients in each, and the states; whether it is an effect only where a machine has all that it moves
+PARTS = (
+    (('expansion_proximal',), ('warming', 'L')),
+    (('expansion_distal',), ('warming', 'l')),
+    (('expansion_base',), ('warming', 'b')),
+)
+WHOLE = False
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
-    ("expansion_proximal", "1/K", 1.0, "expansion of the arms"),
+    ("expansion_proximal", "1/K", 1.0, "expansion of the arms, or of a chain's links"),
     ("expansion_distal", "1/K", 1.0, "expansion of the rods"),
     ("expansion_base", "1/K", 1.0, "expansion of the base"),
 )
@@ -29,8 +36,9 @@ BELIEVABLE = ((-1e-05, 0.0001), (-1e-05, 0.0001), (-1e-05, 0.0001), )
 OF_JOINT = ()
 CONSTANTS = (
 )
-# how it is searched, and the constant that is; what constants are after the recording
+# how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
+SIZED = {}
 AFTERWARDS = {}
 
 

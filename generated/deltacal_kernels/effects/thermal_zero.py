@@ -1,7 +1,7 @@
 """Joint zero moves with temperature.
 
 Generated from derive/effects/thermal_zero.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 354bccd486a6732c; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both e7ffb08597770c33; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): warming;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -17,6 +17,11 @@ ACTS_ON = "limb"
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("warming", )
 TARGETS = ("joint", )
+# the coefficients in each, and the states; whether it is an effect only where a machine has all that it moves
+PARTS = (
+    (('drift',), ('warming',)),
+)
+WHOLE = False
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("drift", "deg/K", 0.017453292519943295, "drift of the zero"),
@@ -27,8 +32,9 @@ BELIEVABLE = ((-1.0, 1.0), )
 OF_JOINT = ("drift", )
 CONSTANTS = (
 )
-# how it is searched, and the constant that is; what constants are after the recording
+# how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
+SIZED = {}
 AFTERWARDS = {}
 
 

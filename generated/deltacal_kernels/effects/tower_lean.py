@@ -1,7 +1,7 @@
 """The towers lean.
 
 Generated from derive/effects/tower_lean.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 59df0f9e2183d172; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 7934eadf704d7bcf; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
@@ -17,6 +17,12 @@ ACTS_ON = "limb"
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ()
 TARGETS = ("limb.lean_radial", "limb.lean_tangential", )
+# the coefficients in each, and the states; whether it is an effect only where a machine has all that it moves
+PARTS = (
+    (('radial',), ()),
+    (('tangential',), ()),
+)
+WHOLE = False
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("radial", "deg", 0.017453292519943295, "lean outwards"),
@@ -28,8 +34,9 @@ BELIEVABLE = ((-5.0, 5.0), (-5.0, 5.0), )
 OF_JOINT = ()
 CONSTANTS = (
 )
-# how it is searched, and the constant that is; what constants are after the recording
+# how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
+SIZED = {}
 AFTERWARDS = {}
 
 

@@ -1,7 +1,7 @@
 """Periodic error of the transmission.
 
 Generated from derive/effects/transmission_eccentricity.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 1a7f29063d19bf16; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both c4cad645758f5276; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): turn;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
@@ -17,6 +17,11 @@ ACTS_ON = "limb"
 PERIODIC = True  # a wave of the joint's turn, cosine and sine
 STATE = ("turn", )
 TARGETS = ("joint", )
+# the coefficients in each, and the states; whether it is an effect only where a machine has all that it moves
+PARTS = (
+    (('cos', 'sin'), ('turn',)),
+)
+WHOLE = False
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("cos", "deg", 0.017453292519943295, "amplitude of the cosine"),
@@ -29,8 +34,9 @@ OF_JOINT = ("cos", "sin", )
 CONSTANTS = (
     ("order", "1", 1.0, "periods per turn of the joint"),
 )
-# how it is searched, and the constant that is; what constants are after the recording
+# how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {"orders": "order", }
+SIZED = {}
 AFTERWARDS = {}
 
 

@@ -1,7 +1,7 @@
 """Joint zero moves with time.
 
 Generated from derive/effects/zero_drift.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 67651bf78f92d92c; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 9e7acc91cd79d313; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): time;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -17,6 +17,11 @@ ACTS_ON = "limb"
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("time", )
 TARGETS = ("joint", )
+# the coefficients in each, and the states; whether it is an effect only where a machine has all that it moves
+PARTS = (
+    (('rate',), ('time',)),
+)
+WHOLE = False
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("rate", "deg/h", 0.017453292519943295, "drift of the zero per hour"),
@@ -27,8 +32,9 @@ BELIEVABLE = ((-10.0, 10.0), )
 OF_JOINT = ("rate", )
 CONSTANTS = (
 )
-# how it is searched, and the constant that is; what constants are after the recording
+# how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
+SIZED = {}
 AFTERWARDS = {}
 
 

@@ -1,7 +1,7 @@
 """Joint zero jumps once.
 
 Generated from derive/effects/zero_jump.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 1ecf1c2bb6752011; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both b8f32c52a8c14006; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): after;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -17,6 +17,11 @@ ACTS_ON = "limb"
 PERIODIC = False  # a wave of the joint's turn, cosine and sine
 STATE = ("after", )
 TARGETS = ("joint", )
+# the coefficients in each, and the states; whether it is an effect only where a machine has all that it moves
+PARTS = (
+    (('size',), ('after',)),
+)
+WHOLE = False
 # (name, unit in files, factor to the unit inside, meaning)
 COEFFICIENTS = (
     ("size", "deg", 0.017453292519943295, "size of the jump"),
@@ -28,8 +33,9 @@ OF_JOINT = ("size", )
 CONSTANTS = (
     ("when", "s", 1.0, "time of the jump; the row, where there is no time"),
 )
-# how it is searched, and the constant that is; what constants are after the recording
+# how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {"moments": "when", }
+SIZED = {}
 AFTERWARDS = {"when": float("-inf"), }
 
 

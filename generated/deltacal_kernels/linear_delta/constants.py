@@ -1,9 +1,9 @@
 """What no pose changes: `linear_delta`, many machines at once, Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both 2acad5f33218b7b9; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both d07fd930034c0765; SymPy 1.14.0.
 
-p (M, 3, 15) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
+p (M, 3, 16) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
 """
 
 import math
@@ -20,21 +20,22 @@ fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 @straight
 def _fill_constants(p, k, rows):
     for lane in range(rows):
-        r = p[15 * lane + 0]
-        l = p[15 * lane + 1]
-        phi = p[15 * lane + 2]
-        home = p[15 * lane + 3]
-        a = p[15 * lane + 4]
-        c = p[15 * lane + 5]
-        endstop = p[15 * lane + 6]
-        arm = p[15 * lane + 7]
-        radius = p[15 * lane + 8]
-        angle = p[15 * lane + 9]
-        lean_radial = p[15 * lane + 10]
-        lean_tangential = p[15 * lane + 11]
-        scale = p[15 * lane + 12]
-        dl = p[15 * lane + 13]
-        dr = p[15 * lane + 14]
+        r = p[16 * lane + 0]
+        l = p[16 * lane + 1]
+        phi = p[16 * lane + 2]
+        home = p[16 * lane + 3]
+        a = p[16 * lane + 4]
+        c = p[16 * lane + 5]
+        endstop = p[16 * lane + 6]
+        arm = p[16 * lane + 7]
+        radius = p[16 * lane + 8]
+        angle = p[16 * lane + 9]
+        lean_radial = p[16 * lane + 10]
+        lean_tangential = p[16 * lane + 11]
+        scale = p[16 * lane + 12]
+        dl = p[16 * lane + 13]
+        dr = p[16 * lane + 14]
+        stretch = p[16 * lane + 15]
         s0 = angle + phi
         u_x = cosine(s0)
         u_y = sine(s0)
@@ -77,7 +78,7 @@ def _fill_constants(p, k, rows):
         s109 = a*u_y
         s128 = 0.5*c
         s147 = 0.5*dl
-        s148 = arm_0 + s147
+        s148 = arm_0 + s147 + stretch
         s150 = -0.5*(s148 * s148)
         s268 = -2*s49*s7
         s269 = 2*s11
@@ -125,7 +126,7 @@ def _fill_constants(p, k, rows):
         s498 = -s399 + s493*s7
         s501 = -h*s276*s468
         s504 = 0.5*s278
-        s514 = arm_0 - s147
+        s514 = arm_0 - s147 + stretch
         s516 = -0.5*(s514 * s514)
         s628 = -s514
         s656 = -0.5*s628
@@ -138,68 +139,70 @@ def _fill_constants(p, k, rows):
         s678 = 2*scale + 2
         s680 = 0.25*(s678 * s678)/(s60 * s60 * s60 * s60)
         s684 = -0.5*s657*s678
-        s711 = -0.125*(dl * dl) + s672
-        s829 = -0.5*s274
-        s857 = -0.25*dl
-        s861 = -0.5*arm_0*dl
-        s965 = -0.5*arm_0
-        s998 = 0.5*c*u_y
-        s1000 = -0.5*c*u_x
-        s1038 = axis_x*s60
-        s1040 = axis_y*s60
-        s1042 = axis_z*s60
-        k[52 * lane + 0] = s60
-        k[52 * lane + 1] = s59
-        k[52 * lane + 2] = axis_x
-        k[52 * lane + 3] = s65
-        k[52 * lane + 4] = axis_y
-        k[52 * lane + 5] = s68
-        k[52 * lane + 6] = axis_z
-        k[52 * lane + 7] = s106
-        k[52 * lane + 8] = s109
-        k[52 * lane + 9] = u_x
-        k[52 * lane + 10] = u_y
-        k[52 * lane + 11] = s128
-        k[52 * lane + 12] = s150
-        k[52 * lane + 13] = s516
-        k[52 * lane + 14] = s660
-        k[52 * lane + 15] = s665
-        k[52 * lane + 16] = h
-        k[52 * lane + 17] = s672
-        k[52 * lane + 18] = s674
-        k[52 * lane + 19] = s680
-        k[52 * lane + 20] = s684
-        k[52 * lane + 21] = s58
-        k[52 * lane + 22] = s280
-        k[52 * lane + 23] = s278
-        k[52 * lane + 24] = s286
-        k[52 * lane + 25] = s326
-        k[52 * lane + 26] = s354
-        k[52 * lane + 27] = s358
-        k[52 * lane + 28] = s361
-        k[52 * lane + 29] = s397
-        k[52 * lane + 30] = s425
-        k[52 * lane + 31] = s429
-        k[52 * lane + 32] = s432
-        k[52 * lane + 33] = s468
-        k[52 * lane + 34] = s495
-        k[52 * lane + 35] = s498
-        k[52 * lane + 36] = s501
-        k[52 * lane + 37] = s628
-        k[52 * lane + 38] = s504
-        k[52 * lane + 39] = s656
-        k[52 * lane + 40] = s53
-        k[52 * lane + 41] = s711
-        k[52 * lane + 42] = s861
-        k[52 * lane + 43] = s998
-        k[52 * lane + 44] = s1000
-        k[52 * lane + 45] = s1038
-        k[52 * lane + 46] = s1040
-        k[52 * lane + 47] = s1042
-        k[52 * lane + 48] = s829
-        k[52 * lane + 49] = s147
-        k[52 * lane + 50] = s857
-        k[52 * lane + 51] = s965
+        s714 = -arm_0*stretch - 0.125*(dl * dl) + s672 - 0.5*(stretch * stretch)
+        s834 = -0.5*s274 - stretch
+        s862 = -0.25*dl
+        s864 = -arm_0 - stretch
+        s870 = -0.5*arm_0*dl - 0.5*dl*stretch
+        s1004 = -0.5*arm_0 - 0.5*stretch
+        s1009 = 0.5*c*u_y
+        s1011 = -0.5*c*u_x
+        s1049 = axis_x*s60
+        s1051 = axis_y*s60
+        s1053 = axis_z*s60
+        k[53 * lane + 0] = s60
+        k[53 * lane + 1] = s59
+        k[53 * lane + 2] = axis_x
+        k[53 * lane + 3] = s65
+        k[53 * lane + 4] = axis_y
+        k[53 * lane + 5] = s68
+        k[53 * lane + 6] = axis_z
+        k[53 * lane + 7] = s106
+        k[53 * lane + 8] = s109
+        k[53 * lane + 9] = u_x
+        k[53 * lane + 10] = u_y
+        k[53 * lane + 11] = s128
+        k[53 * lane + 12] = s150
+        k[53 * lane + 13] = s516
+        k[53 * lane + 14] = s660
+        k[53 * lane + 15] = s665
+        k[53 * lane + 16] = h
+        k[53 * lane + 17] = s672
+        k[53 * lane + 18] = s674
+        k[53 * lane + 19] = s680
+        k[53 * lane + 20] = s684
+        k[53 * lane + 21] = s58
+        k[53 * lane + 22] = s280
+        k[53 * lane + 23] = s278
+        k[53 * lane + 24] = s286
+        k[53 * lane + 25] = s326
+        k[53 * lane + 26] = s354
+        k[53 * lane + 27] = s358
+        k[53 * lane + 28] = s361
+        k[53 * lane + 29] = s397
+        k[53 * lane + 30] = s425
+        k[53 * lane + 31] = s429
+        k[53 * lane + 32] = s432
+        k[53 * lane + 33] = s468
+        k[53 * lane + 34] = s495
+        k[53 * lane + 35] = s498
+        k[53 * lane + 36] = s501
+        k[53 * lane + 37] = s628
+        k[53 * lane + 38] = s504
+        k[53 * lane + 39] = s656
+        k[53 * lane + 40] = s53
+        k[53 * lane + 41] = s714
+        k[53 * lane + 42] = s870
+        k[53 * lane + 43] = s1009
+        k[53 * lane + 44] = s1011
+        k[53 * lane + 45] = s1049
+        k[53 * lane + 46] = s1051
+        k[53 * lane + 47] = s1053
+        k[53 * lane + 48] = s834
+        k[53 * lane + 49] = s147
+        k[53 * lane + 50] = s862
+        k[53 * lane + 51] = s864
+        k[53 * lane + 52] = s1004
 
 
 @fast
@@ -208,11 +211,11 @@ def _constants(p, k):
 
 
 def constants(p):
-    """Return k (M, 3, 52), what no pose changes, from p (371 operations)."""
+    """Return k (M, 3, 53), what no pose changes, from p (386 operations)."""
     p = np.ascontiguousarray(p, dtype=float)
-    if p.ndim != 3 or p.shape[1:] != (3, 15):
-        raise ValueError(f"parameters have the shape {p.shape}; (M, 3, 15) was expected.")
-    k = np.empty((len(p), 3, 52))
+    if p.ndim != 3 or p.shape[1:] != (3, 16):
+        raise ValueError(f"parameters have the shape {p.shape}; (M, 3, 16) was expected.")
+    k = np.empty((len(p), 3, 53))
     _constants(p, k)
     return k
 
@@ -220,12 +223,12 @@ def constants(p):
 @straight
 def _fill_nominal_constants(p, k, rows):
     for lane in range(rows):
-        r = p[15 * lane + 0]
-        l = p[15 * lane + 1]
-        phi = p[15 * lane + 2]
-        home = p[15 * lane + 3]
-        a = p[15 * lane + 4]
-        c = p[15 * lane + 5]
+        r = p[16 * lane + 0]
+        l = p[16 * lane + 1]
+        phi = p[16 * lane + 2]
+        home = p[16 * lane + 3]
+        a = p[16 * lane + 4]
+        c = p[16 * lane + 5]
         u_x = cosine(phi)
         s1 = sine(phi)
         u_y = sine(phi)
@@ -278,8 +281,8 @@ def _nominal_constants(p, k):
 def nominal_constants(p):
     """Return k (M, 3, 18), what `nominal_sensitivity` reads that no pose changes, from p (43 operations)."""
     p = np.ascontiguousarray(p, dtype=float)
-    if p.ndim != 3 or p.shape[1:] != (3, 15):
-        raise ValueError(f"parameters have the shape {p.shape}; (M, 3, 15) was expected.")
+    if p.ndim != 3 or p.shape[1:] != (3, 16):
+        raise ValueError(f"parameters have the shape {p.shape}; (M, 3, 16) was expected.")
     k = np.empty((len(p), 3, 18))
     _nominal_constants(p, k)
     return k

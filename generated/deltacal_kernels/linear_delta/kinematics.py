@@ -1,14 +1,14 @@
 """Kinematics of `linear_delta`, many poses at once: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 163abeaa3d9ab3d4; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 48c3ab9838dff431; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
 x (N, 6)  platform: px py pz cx cy cz
 q (N, 3)  joints        tool (N or 1, 3)  reference point in {O'}
-p (M, 3, 15)  one row of parameters per limb: r l phi home a c endstop arm radius angle lean_radial lean_tangential scale dl radius
-k (M, 3, 52)  what `constants` makes of p; each of the M machines has N / M of the poses, one after the other
+p (M, 3, 16)  one row of parameters per limb: r l phi home a c endstop arm radius angle lean_radial lean_tangential scale dl radius stretch
+k (M, 3, 53)  what `constants` makes of p; each of the M machines has N / M of the poses, one after the other
 
 Poses are taken in blocks of up to 32, side by side: a loop over `lane` runs over the poses of a block. What is poorly
 conditioned or converges slowly is left to the plain kernels of ``vectorised.py``. `status` says what became of each pose.
@@ -89,10 +89,10 @@ def _rows(w, k, n):
     u_x = k[9]
     u_y = k[10]
     s128 = k[11]
-    s711 = k[41]
-    s861 = k[42]
-    s998 = k[43]
-    s1000 = k[44]
+    s714 = k[41]
+    s870 = k[42]
+    s1009 = k[43]
+    s1011 = k[44]
     for lane in range(n):
         tz = w[96 + lane]
         px = w[128 + lane]
@@ -133,34 +133,34 @@ def _rows(w, k, n):
         s704 = 0.5*(s_x * s_x)
         s706 = 0.5*(s_y * s_y)
         s708 = 0.5*(s_z * s_z)
-        s712 = 0.5*(d_x * d_x) + 0.5*(d_y * d_y) + 0.5*(d_z * d_z) + s704 + s706 + s708 + s711
-        s862 = d_x*s_x + d_y*s_y + d_z*s_z + s861
-        s994 = -s118 - s119 - s120
-        s996 = s114 + s115 + s116
-        s1002 = R_31*s998 + R_32*s1000
-        s1006 = -R_21*s998 - R_22*s1000
-        s1008 = d_y*s994 + d_z*s996 + s1002*s_y + s1006*s_z
-        s1010 = -s108 - s111 - s112
-        s1015 = R_11*s998 + R_12*s1000
-        s1017 = -d_x*s994 + d_z*s1010 - s1002*s_x + s1015*s_z
-        s1022 = -d_x*s996 - d_y*s1010 - s1006*s_x - s1015*s_y
-        s1027 = d_y*s1002 + d_z*s1006 + s994*s_y + s996*s_z
-        s1032 = -d_x*s1002 + d_z*s1015 + s1010*s_z - s994*s_x
-        s1037 = -d_x*s1006 - d_y*s1015 - s1010*s_y - s996*s_x
-        w[608 + lane] = s712
+        s715 = 0.5*(d_x * d_x) + 0.5*(d_y * d_y) + 0.5*(d_z * d_z) + s704 + s706 + s708 + s714
+        s871 = d_x*s_x + d_y*s_y + d_z*s_z + s870
+        s1005 = -s118 - s119 - s120
+        s1007 = s114 + s115 + s116
+        s1013 = R_31*s1009 + R_32*s1011
+        s1017 = -R_21*s1009 - R_22*s1011
+        s1019 = d_y*s1005 + d_z*s1007 + s1013*s_y + s1017*s_z
+        s1021 = -s108 - s111 - s112
+        s1026 = R_11*s1009 + R_12*s1011
+        s1028 = -d_x*s1005 + d_z*s1021 - s1013*s_x + s1026*s_z
+        s1033 = -d_x*s1007 - d_y*s1021 - s1017*s_x - s1026*s_y
+        s1038 = d_y*s1013 + d_z*s1017 + s1005*s_y + s1007*s_z
+        s1043 = -d_x*s1013 + d_z*s1026 - s1005*s_x + s1021*s_z
+        s1048 = -d_x*s1017 - d_y*s1026 - s1007*s_x - s1021*s_y
+        w[608 + lane] = s715
         w[640 + lane] = d_x
         w[672 + lane] = d_y
         w[704 + lane] = d_z
-        w[736 + lane] = s1008
-        w[768 + lane] = s1017
-        w[800 + lane] = s1022
-        w[864 + lane] = s862
+        w[736 + lane] = s1019
+        w[768 + lane] = s1028
+        w[800 + lane] = s1033
+        w[864 + lane] = s871
         w[896 + lane] = s_x
         w[928 + lane] = s_y
         w[960 + lane] = s_z
-        w[992 + lane] = s1027
-        w[1024 + lane] = s1032
-        w[1056 + lane] = s1037
+        w[992 + lane] = s1038
+        w[1024 + lane] = s1043
+        w[1056 + lane] = s1048
 
 
 @straight
@@ -181,34 +181,34 @@ def _step(w, n):
         J01_3 = w[992 + lane]
         J01_4 = w[1024 + lane]
         J01_5 = w[1056 + lane]
-        F10 = w[2656 + lane]
-        J10_0 = w[2688 + lane]
-        J10_1 = w[2720 + lane]
-        J10_2 = w[2752 + lane]
-        J10_3 = w[2784 + lane]
-        J10_4 = w[2816 + lane]
-        J10_5 = w[2848 + lane]
-        F11 = w[2912 + lane]
-        J11_0 = w[2944 + lane]
-        J11_1 = w[2976 + lane]
-        J11_2 = w[3008 + lane]
-        J11_3 = w[3040 + lane]
-        J11_4 = w[3072 + lane]
-        J11_5 = w[3104 + lane]
-        F20 = w[4704 + lane]
-        J20_0 = w[4736 + lane]
-        J20_1 = w[4768 + lane]
-        J20_2 = w[4800 + lane]
-        J20_3 = w[4832 + lane]
-        J20_4 = w[4864 + lane]
-        J20_5 = w[4896 + lane]
-        F21 = w[4960 + lane]
-        J21_0 = w[4992 + lane]
-        J21_1 = w[5024 + lane]
-        J21_2 = w[5056 + lane]
-        J21_3 = w[5088 + lane]
-        J21_4 = w[5120 + lane]
-        J21_5 = w[5152 + lane]
+        F10 = w[2720 + lane]
+        J10_0 = w[2752 + lane]
+        J10_1 = w[2784 + lane]
+        J10_2 = w[2816 + lane]
+        J10_3 = w[2848 + lane]
+        J10_4 = w[2880 + lane]
+        J10_5 = w[2912 + lane]
+        F11 = w[2976 + lane]
+        J11_0 = w[3008 + lane]
+        J11_1 = w[3040 + lane]
+        J11_2 = w[3072 + lane]
+        J11_3 = w[3104 + lane]
+        J11_4 = w[3136 + lane]
+        J11_5 = w[3168 + lane]
+        F20 = w[4832 + lane]
+        J20_0 = w[4864 + lane]
+        J20_1 = w[4896 + lane]
+        J20_2 = w[4928 + lane]
+        J20_3 = w[4960 + lane]
+        J20_4 = w[4992 + lane]
+        J20_5 = w[5024 + lane]
+        F21 = w[5088 + lane]
+        J21_0 = w[5120 + lane]
+        J21_1 = w[5152 + lane]
+        J21_2 = w[5184 + lane]
+        J21_3 = w[5216 + lane]
+        J21_4 = w[5248 + lane]
+        J21_5 = w[5280 + lane]
         G_cof_00 = J10_1*J20_2 - J10_2*J20_1
         G_cof_01 = -J10_0*J20_2 + J10_2*J20_0
         G_cof_02 = J10_0*J20_1 - J10_1*J20_0
@@ -285,14 +285,14 @@ def _step(w, n):
         s225 = (J11_3 * J11_3) + (J11_4 * J11_4) + (J11_5 * J11_5)
         s229 = (J21_3 * J21_3) + (J21_4 * J21_4) + (J21_5 * J21_5)
         s231 = (Si_det_00 * Si_det_00) - 1.0e-12*s225*s229*((J01_3 * J01_3) + (J01_4 * J01_4) + (J01_5 * J01_5))
-        w[6144 + lane] = s193
-        w[6176 + lane] = s197
-        w[6208 + lane] = s201
-        w[6240 + lane] = w_00
-        w[6272 + lane] = w_10
-        w[6304 + lane] = w_20
-        w[6336 + lane] = s216
-        w[6368 + lane] = s231
+        w[6336 + lane] = s193
+        w[6368 + lane] = s197
+        w[6400 + lane] = s201
+        w[6432 + lane] = w_00
+        w[6464 + lane] = w_10
+        w[6496 + lane] = w_20
+        w[6528 + lane] = s216
+        w[6560 + lane] = s231
 
 
 @straight
@@ -336,9 +336,9 @@ def _joints(w, k, n):
     u_x = k[9]
     u_y = k[10]
     s128 = k[11]
-    s1038 = k[45]
-    s1040 = k[46]
-    s1042 = k[47]
+    s1049 = k[45]
+    s1051 = k[46]
+    s1053 = k[47]
     for lane in range(n):
         tz = w[96 + lane]
         px = w[128 + lane]
@@ -367,10 +367,10 @@ def _joints(w, k, n):
         s_x = s128*(-R_11*u_y + R_12*u_x + u_y)
         s_y = s128*(-R_21*u_y + R_22*u_x - u_x)
         s_z = s128*(-R_31*u_y + R_32*u_x)
-        s1044 = d_x*s1038 + d_y*s1040 + d_z*s1042
-        s1048 = s1038*s_x + s1040*s_y + s1042*s_z
-        w[832 + lane] = s1044
-        w[1088 + lane] = s1048
+        s1055 = d_x*s1049 + d_y*s1051 + d_z*s1053
+        s1059 = s1049*s_x + s1051*s_y + s1053*s_z
+        w[832 + lane] = s1055
+        w[1088 + lane] = s1059
 
 
 @straight
@@ -390,32 +390,32 @@ def _command(w, n):
         J01_4 = w[1024 + lane]
         J01_5 = w[1056 + lane]
         Q01 = w[1088 + lane]
-        F10 = w[2656 + lane]
-        J10_0 = w[2688 + lane]
-        J10_1 = w[2720 + lane]
-        J10_2 = w[2752 + lane]
-        J10_3 = w[2784 + lane]
-        J10_4 = w[2816 + lane]
-        J10_5 = w[2848 + lane]
-        Q10 = w[2880 + lane]
-        F11 = w[2912 + lane]
-        J11_3 = w[3040 + lane]
-        J11_4 = w[3072 + lane]
-        J11_5 = w[3104 + lane]
-        Q11 = w[3136 + lane]
-        F20 = w[4704 + lane]
-        J20_0 = w[4736 + lane]
-        J20_1 = w[4768 + lane]
-        J20_2 = w[4800 + lane]
-        J20_3 = w[4832 + lane]
-        J20_4 = w[4864 + lane]
-        J20_5 = w[4896 + lane]
-        Q20 = w[4928 + lane]
-        F21 = w[4960 + lane]
-        J21_3 = w[5088 + lane]
-        J21_4 = w[5120 + lane]
-        J21_5 = w[5152 + lane]
-        Q21 = w[5184 + lane]
+        F10 = w[2720 + lane]
+        J10_0 = w[2752 + lane]
+        J10_1 = w[2784 + lane]
+        J10_2 = w[2816 + lane]
+        J10_3 = w[2848 + lane]
+        J10_4 = w[2880 + lane]
+        J10_5 = w[2912 + lane]
+        Q10 = w[2944 + lane]
+        F11 = w[2976 + lane]
+        J11_3 = w[3104 + lane]
+        J11_4 = w[3136 + lane]
+        J11_5 = w[3168 + lane]
+        Q11 = w[3200 + lane]
+        F20 = w[4832 + lane]
+        J20_0 = w[4864 + lane]
+        J20_1 = w[4896 + lane]
+        J20_2 = w[4928 + lane]
+        J20_3 = w[4960 + lane]
+        J20_4 = w[4992 + lane]
+        J20_5 = w[5024 + lane]
+        Q20 = w[5056 + lane]
+        F21 = w[5088 + lane]
+        J21_3 = w[5216 + lane]
+        J21_4 = w[5248 + lane]
+        J21_5 = w[5280 + lane]
+        Q21 = w[5312 + lane]
         by_00 = (1.0 / Q00)
         by_10 = (1.0 / Q10)
         by_20 = (1.0 / Q20)
@@ -457,21 +457,21 @@ def _command(w, n):
         s114 = -1.0e-12*(J00_0 * J00_0) - 1.0e-12*(J00_1 * J00_1) - 1.0e-12*(J00_2 * J00_2) + (Q00 * Q00)
         s122 = -1.0e-12*(J10_0 * J10_0) - 1.0e-12*(J10_1 * J10_1) - 1.0e-12*(J10_2 * J10_2) + (Q10 * Q10)
         s130 = -1.0e-12*(J20_0 * J20_0) - 1.0e-12*(J20_1 * J20_1) - 1.0e-12*(J20_2 * J20_2) + (Q20 * Q20)
-        w[7648 + lane] = s81
-        w[7680 + lane] = s86
-        w[7712 + lane] = s91
-        w[7744 + lane] = w_00
-        w[7776 + lane] = w_10
-        w[7808 + lane] = w_20
-        w[7840 + lane] = s106
-        w[7872 + lane] = s114
-        w[7904 + lane] = s122
-        w[7936 + lane] = s130
+        w[7840 + lane] = s81
+        w[7872 + lane] = s86
+        w[7904 + lane] = s91
+        w[7936 + lane] = w_00
+        w[7968 + lane] = w_10
+        w[8000 + lane] = w_20
+        w[8032 + lane] = s106
+        w[8064 + lane] = s114
+        w[8096 + lane] = s122
+        w[8128 + lane] = s130
 
 
 @straight
 def _errors(w, k, n):
-    """Derivatives of a limb's equations by errors, by deflections (211 operations)."""
+    """Derivatives of a limb's equations by errors, by deflections (212 operations)."""
     axis_x = k[2]
     s65 = k[3]
     axis_y = k[4]
@@ -497,10 +497,11 @@ def _errors(w, k, n):
     s495 = k[34]
     s498 = k[35]
     s501 = k[36]
-    s829 = k[48]
+    s834 = k[48]
     s147 = k[49]
-    s857 = k[50]
-    s965 = k[51]
+    s862 = k[50]
+    s864 = k[51]
+    s1004 = k[52]
     for lane in range(n):
         q = w[0 + lane]
         tz = w[96 + lane]
@@ -531,75 +532,77 @@ def _errors(w, k, n):
         s_x = s128*(-R_11*u_y + R_12*u_x + u_y)
         s_y = s128*(-R_21*u_y + R_22*u_x - u_x)
         s_z = s128*(-R_31*u_y + R_32*u_x)
-        s713 = 2*s_z
-        s715 = 2*s_y
-        s717 = 2*s_x
-        s719 = 2*d_z
-        s720 = 0.5*s719
-        s721 = 2*d_y
-        s722 = 0.5*s721
-        s723 = 2*d_x
-        s724 = 0.5*s723
-        s726 = 0.5*s128*s713
-        s732 = 0.5*s128*s715
-        s737 = 0.5*s128*s717
-        s811 = -s62*s720
-        s813 = -s62*s722
-        s815 = -s62*s724
-        s817 = -axis_x*s724 - axis_y*s722 - axis_z*s720
-        s819 = -q*s817
-        s828 = s58*s817
-        s831 = s280*s817 + s829
-        s835 = s286*s817 - s722*u_y - s724*u_x
-        s836 = u_x*(-R_11*s737 - R_21*s732 - R_31*s726 + s737)
-        s837 = -u_y*(R_12*s737 + R_22*s732 + R_32*s726 - s732)
-        s838 = s106*(R_12*s724 + R_22*s722 + R_32*s720)
-        s839 = -s109*(R_11*s724 + R_21*s722 + R_31*s720)
-        s843 = s68*s724
-        s844 = s358*s815
-        s845 = s361*s817
-        s846 = s326*s811 + s354*s813 - s65*s722 + s836 + s837 + s838 + s839 + s843 + s844 + s845
-        s851 = s397*s811 + s425*s813 + s429*s815 + s432*s817
-        s856 = s468*s811 + s495*s813 + s498*s815 + s501*s817
-        s864 = d_z*s128
-        s870 = d_y*s128
-        s875 = d_x*s128
-        s949 = -s62*s_z
-        s951 = -s62*s_y
-        s953 = -s62*s_x
-        s955 = -axis_x*s_x - axis_y*s_y - axis_z*s_z
-        s957 = -q*s955
-        s966 = s58*s955
-        s968 = -s147 + s280*s955
-        s972 = s286*s955 - s_x*u_x - s_y*u_y
-        s973 = u_x*(-R_11*s875 - R_21*s870 - R_31*s864 + s875)
-        s974 = -u_y*(R_12*s875 + R_22*s870 + R_32*s864 - s870)
-        s975 = s106*(R_12*s_x + R_22*s_y + R_32*s_z)
-        s976 = -s109*(R_11*s_x + R_21*s_y + R_31*s_z)
-        s980 = s68*s_x
-        s981 = s358*s953
-        s982 = s361*s955
-        s983 = s326*s949 + s354*s951 - s65*s_y + s973 + s974 + s975 + s976 + s980 + s981 + s982
-        s988 = s397*s949 + s425*s951 + s429*s953 + s432*s955
-        s993 = s468*s949 + s495*s951 + s498*s953 + s501*s955
-        w[1472 + lane] = s828
-        w[1504 + lane] = s831
-        w[1536 + lane] = s835
-        w[1568 + lane] = s846
-        w[1600 + lane] = s851
-        w[1632 + lane] = s856
-        w[1664 + lane] = s819
-        w[1696 + lane] = s857
-        w[1728 + lane] = s835
-        w[1760 + lane] = s966
-        w[1792 + lane] = s968
-        w[1824 + lane] = s972
-        w[1856 + lane] = s983
-        w[1888 + lane] = s988
-        w[1920 + lane] = s993
-        w[1952 + lane] = s957
-        w[1984 + lane] = s965
-        w[2016 + lane] = s972
+        s716 = 2*s_z
+        s718 = 2*s_y
+        s720 = 2*s_x
+        s722 = 2*d_z
+        s723 = 0.5*s722
+        s724 = 2*d_y
+        s725 = 0.5*s724
+        s726 = 2*d_x
+        s727 = 0.5*s726
+        s729 = 0.5*s128*s716
+        s735 = 0.5*s128*s718
+        s740 = 0.5*s128*s720
+        s814 = -s62*s723
+        s816 = -s62*s725
+        s818 = -s62*s727
+        s820 = -axis_x*s727 - axis_y*s725 - axis_z*s723
+        s822 = -q*s820
+        s832 = s58*s820
+        s836 = s280*s820 + s834
+        s840 = s286*s820 - s725*u_y - s727*u_x
+        s841 = u_x*(-R_11*s740 - R_21*s735 - R_31*s729 + s740)
+        s842 = -u_y*(R_12*s740 + R_22*s735 + R_32*s729 - s735)
+        s843 = s106*(R_12*s727 + R_22*s725 + R_32*s723)
+        s844 = -s109*(R_11*s727 + R_21*s725 + R_31*s723)
+        s848 = s68*s727
+        s849 = s358*s818
+        s850 = s361*s820
+        s851 = s326*s814 + s354*s816 - s65*s725 + s841 + s842 + s843 + s844 + s848 + s849 + s850
+        s856 = s397*s814 + s425*s816 + s429*s818 + s432*s820
+        s861 = s468*s814 + s495*s816 + s498*s818 + s501*s820
+        s873 = d_z*s128
+        s879 = d_y*s128
+        s884 = d_x*s128
+        s958 = -s62*s_z
+        s960 = -s62*s_y
+        s962 = -s62*s_x
+        s964 = -axis_x*s_x - axis_y*s_y - axis_z*s_z
+        s966 = -q*s964
+        s976 = s58*s964
+        s978 = -s147 + s280*s964
+        s982 = s286*s964 - s_x*u_x - s_y*u_y
+        s983 = u_x*(-R_11*s884 - R_21*s879 - R_31*s873 + s884)
+        s984 = -u_y*(R_12*s884 + R_22*s879 + R_32*s873 - s879)
+        s985 = s106*(R_12*s_x + R_22*s_y + R_32*s_z)
+        s986 = -s109*(R_11*s_x + R_21*s_y + R_31*s_z)
+        s990 = s68*s_x
+        s991 = s358*s962
+        s992 = s361*s964
+        s993 = s326*s958 + s354*s960 - s65*s_y + s983 + s984 + s985 + s986 + s990 + s991 + s992
+        s998 = s397*s958 + s425*s960 + s429*s962 + s432*s964
+        s1003 = s468*s958 + s495*s960 + s498*s962 + s501*s964
+        w[1472 + lane] = s832
+        w[1504 + lane] = s836
+        w[1536 + lane] = s840
+        w[1568 + lane] = s851
+        w[1600 + lane] = s856
+        w[1632 + lane] = s861
+        w[1664 + lane] = s822
+        w[1696 + lane] = s862
+        w[1728 + lane] = s840
+        w[1760 + lane] = s864
+        w[1792 + lane] = s976
+        w[1824 + lane] = s978
+        w[1856 + lane] = s982
+        w[1888 + lane] = s993
+        w[1920 + lane] = s998
+        w[1952 + lane] = s1003
+        w[1984 + lane] = s966
+        w[2016 + lane] = s1004
+        w[2048 + lane] = s982
+        w[2080 + lane] = -s147
 
 
 @straight
@@ -618,30 +621,30 @@ def _inverse_of_rows(w, n):
         J01_3 = w[992 + lane]
         J01_4 = w[1024 + lane]
         J01_5 = w[1056 + lane]
-        J10_0 = w[2688 + lane]
-        J10_1 = w[2720 + lane]
-        J10_2 = w[2752 + lane]
-        J10_3 = w[2784 + lane]
-        J10_4 = w[2816 + lane]
-        J10_5 = w[2848 + lane]
-        J11_0 = w[2944 + lane]
-        J11_1 = w[2976 + lane]
-        J11_2 = w[3008 + lane]
-        J11_3 = w[3040 + lane]
-        J11_4 = w[3072 + lane]
-        J11_5 = w[3104 + lane]
-        J20_0 = w[4736 + lane]
-        J20_1 = w[4768 + lane]
-        J20_2 = w[4800 + lane]
-        J20_3 = w[4832 + lane]
-        J20_4 = w[4864 + lane]
-        J20_5 = w[4896 + lane]
-        J21_0 = w[4992 + lane]
-        J21_1 = w[5024 + lane]
-        J21_2 = w[5056 + lane]
-        J21_3 = w[5088 + lane]
-        J21_4 = w[5120 + lane]
-        J21_5 = w[5152 + lane]
+        J10_0 = w[2752 + lane]
+        J10_1 = w[2784 + lane]
+        J10_2 = w[2816 + lane]
+        J10_3 = w[2848 + lane]
+        J10_4 = w[2880 + lane]
+        J10_5 = w[2912 + lane]
+        J11_0 = w[3008 + lane]
+        J11_1 = w[3040 + lane]
+        J11_2 = w[3072 + lane]
+        J11_3 = w[3104 + lane]
+        J11_4 = w[3136 + lane]
+        J11_5 = w[3168 + lane]
+        J20_0 = w[4864 + lane]
+        J20_1 = w[4896 + lane]
+        J20_2 = w[4928 + lane]
+        J20_3 = w[4960 + lane]
+        J20_4 = w[4992 + lane]
+        J20_5 = w[5024 + lane]
+        J21_0 = w[5120 + lane]
+        J21_1 = w[5152 + lane]
+        J21_2 = w[5184 + lane]
+        J21_3 = w[5216 + lane]
+        J21_4 = w[5248 + lane]
+        J21_5 = w[5280 + lane]
         G_cof_00 = J10_1*J20_2 - J10_2*J20_1
         G_cof_01 = -J10_0*J20_2 + J10_2*J20_0
         G_cof_02 = J10_0*J20_1 - J10_1*J20_0
@@ -742,44 +745,44 @@ def _inverse_of_rows(w, n):
         s357 = (J11_3 * J11_3) + (J11_4 * J11_4) + (J11_5 * J11_5)
         s361 = (J21_3 * J21_3) + (J21_4 * J21_4) + (J21_5 * J21_5)
         s363 = (Si_det_00 * Si_det_00) - 1.0e-12*s357*s361*((J01_3 * J01_3) + (J01_4 * J01_4) + (J01_5 * J01_5))
-        w[6432 + lane] = s265
-        w[6464 + lane] = s269
-        w[6496 + lane] = s273
-        w[6528 + lane] = s277
-        w[6560 + lane] = s281
-        w[6592 + lane] = s285
-        w[6624 + lane] = s289
-        w[6656 + lane] = s293
-        w[6688 + lane] = s297
-        w[6720 + lane] = s301
-        w[6752 + lane] = s305
-        w[6784 + lane] = s309
-        w[6816 + lane] = s313
-        w[6848 + lane] = s317
-        w[6880 + lane] = s321
-        w[6912 + lane] = s325
-        w[6944 + lane] = s329
-        w[6976 + lane] = s333
-        w[7008 + lane] = -V_00
-        w[7040 + lane] = -V_01
-        w[7072 + lane] = -V_02
-        w[7104 + lane] = -Si_inv_00
-        w[7136 + lane] = -Si_inv_01
-        w[7168 + lane] = -Si_inv_02
-        w[7200 + lane] = -V_10
-        w[7232 + lane] = -V_11
-        w[7264 + lane] = -V_12
-        w[7296 + lane] = -Si_inv_10
-        w[7328 + lane] = -Si_inv_11
-        w[7360 + lane] = -Si_inv_12
-        w[7392 + lane] = -V_20
-        w[7424 + lane] = -V_21
-        w[7456 + lane] = -V_22
-        w[7488 + lane] = -Si_inv_20
-        w[7520 + lane] = -Si_inv_21
-        w[7552 + lane] = -Si_inv_22
-        w[7584 + lane] = s348
-        w[7616 + lane] = s363
+        w[6624 + lane] = s265
+        w[6656 + lane] = s269
+        w[6688 + lane] = s273
+        w[6720 + lane] = s277
+        w[6752 + lane] = s281
+        w[6784 + lane] = s285
+        w[6816 + lane] = s289
+        w[6848 + lane] = s293
+        w[6880 + lane] = s297
+        w[6912 + lane] = s301
+        w[6944 + lane] = s305
+        w[6976 + lane] = s309
+        w[7008 + lane] = s313
+        w[7040 + lane] = s317
+        w[7072 + lane] = s321
+        w[7104 + lane] = s325
+        w[7136 + lane] = s329
+        w[7168 + lane] = s333
+        w[7200 + lane] = -V_00
+        w[7232 + lane] = -V_01
+        w[7264 + lane] = -V_02
+        w[7296 + lane] = -Si_inv_00
+        w[7328 + lane] = -Si_inv_01
+        w[7360 + lane] = -Si_inv_02
+        w[7392 + lane] = -V_10
+        w[7424 + lane] = -V_11
+        w[7456 + lane] = -V_12
+        w[7488 + lane] = -Si_inv_10
+        w[7520 + lane] = -Si_inv_11
+        w[7552 + lane] = -Si_inv_12
+        w[7584 + lane] = -V_20
+        w[7616 + lane] = -V_21
+        w[7648 + lane] = -V_22
+        w[7680 + lane] = -Si_inv_20
+        w[7712 + lane] = -Si_inv_21
+        w[7744 + lane] = -Si_inv_22
+        w[7776 + lane] = s348
+        w[7808 + lane] = s363
 
 
 @straight
@@ -792,13 +795,13 @@ def _move(w, n):
         cx = w[224 + lane]
         cy = w[256 + lane]
         cz = w[288 + lane]
-        y0 = w[6144 + lane]
-        y1 = w[6176 + lane]
-        y2 = w[6208 + lane]
-        y3 = w[6240 + lane]
-        y4 = w[6272 + lane]
-        y5 = w[6304 + lane]
-        going = w[6400 + lane]
+        y0 = w[6336 + lane]
+        y1 = w[6368 + lane]
+        y2 = w[6400 + lane]
+        y3 = w[6432 + lane]
+        y4 = w[6464 + lane]
+        y5 = w[6496 + lane]
+        going = w[6592 + lane]
         new_00 = -going*y0 + px
         new_10 = -going*y1 + py
         new_20 = -going*y2 + pz
@@ -834,73 +837,105 @@ def _move(w, n):
         s70 = s46*(new_30 + s64)
         s73 = s46*(s47 + s60) + 1
         w[128 + lane] = new_00
-        w[2176 + lane] = new_00
-        w[4224 + lane] = new_00
+        w[2240 + lane] = new_00
+        w[4352 + lane] = new_00
         w[160 + lane] = new_10
-        w[2208 + lane] = new_10
-        w[4256 + lane] = new_10
+        w[2272 + lane] = new_10
+        w[4384 + lane] = new_10
         w[192 + lane] = new_20
-        w[2240 + lane] = new_20
-        w[4288 + lane] = new_20
+        w[2304 + lane] = new_20
+        w[4416 + lane] = new_20
         w[224 + lane] = new_30
         w[256 + lane] = new_40
         w[288 + lane] = new_50
         w[320 + lane] = s51
-        w[2368 + lane] = s51
-        w[4416 + lane] = s51
+        w[2432 + lane] = s51
+        w[4544 + lane] = s51
         w[352 + lane] = s54
-        w[2400 + lane] = s54
-        w[4448 + lane] = s54
+        w[2464 + lane] = s54
+        w[4576 + lane] = s54
         w[384 + lane] = s57
-        w[2432 + lane] = s57
-        w[4480 + lane] = s57
+        w[2496 + lane] = s57
+        w[4608 + lane] = s57
         w[416 + lane] = s59
-        w[2464 + lane] = s59
-        w[4512 + lane] = s59
+        w[2528 + lane] = s59
+        w[4640 + lane] = s59
         w[448 + lane] = s63
-        w[2496 + lane] = s63
-        w[4544 + lane] = s63
+        w[2560 + lane] = s63
+        w[4672 + lane] = s63
         w[480 + lane] = s66
-        w[2528 + lane] = s66
-        w[4576 + lane] = s66
+        w[2592 + lane] = s66
+        w[4704 + lane] = s66
         w[512 + lane] = s68
-        w[2560 + lane] = s68
-        w[4608 + lane] = s68
+        w[2624 + lane] = s68
+        w[4736 + lane] = s68
         w[544 + lane] = s70
-        w[2592 + lane] = s70
-        w[4640 + lane] = s70
+        w[2656 + lane] = s70
+        w[4768 + lane] = s70
         w[576 + lane] = s73
-        w[2624 + lane] = s73
-        w[4672 + lane] = s73
+        w[2688 + lane] = s73
+        w[4800 + lane] = s73
 
 
 @straight
 def _meet(w, n):
     """Put the platform where the simplified machine has it."""
     for lane in range(n):
-        c_00, c_01, c_02, c_03 = w[1280 + lane], w[1312 + lane], w[1344 + lane], w[1376 + lane]
-        c_10, c_11, c_12, c_13 = w[3328 + lane], w[3360 + lane], w[3392 + lane], w[3424 + lane]
-        c_20, c_21, c_22, c_23 = w[5376 + lane], w[5408 + lane], w[5440 + lane], w[5472 + lane]
-        # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
-        ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
-        bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
-        nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-        aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
-        nn = nx * nx + ny * ny + nz * nz
-        inverse = 1.0 / nn
-        # the point of the line in the plane of a and b: u a + v b with 2 a.P = da, 2 b.P = db
-        u, v = (da * bb - db * ab) * (0.5 * inverse), (db * aa - da * ab) * (0.5 * inverse)
-        px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
-        # |P + t n|^2 - 2 c.(P + t n) + d = 0
-        half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
-        rest = (px * px + py * py + pz * pz) - 2.0 * (c_00 * px + c_01 * py + c_02 * pz) + c_03
-        square = half * half - rest * inverse
-        good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
-        root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
-        # the exact machine may still reach what the simplified one cannot
-        t = (-root if nz > 0.0 else root) - half
-        p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
-        w[6400 + lane] = 0.0 if good else 1.0
+        c_00 = w[1280 + lane]
+        c_01 = w[1312 + lane]
+        c_02 = w[1344 + lane]
+        c_03 = w[1376 + lane]
+        c_10 = w[3392 + lane]
+        c_11 = w[3424 + lane]
+        c_12 = w[3456 + lane]
+        c_13 = w[3488 + lane]
+        c_20 = w[5504 + lane]
+        c_21 = w[5536 + lane]
+        c_22 = w[5568 + lane]
+        c_23 = w[5600 + lane]
+        a_x = -c_00 + c_10
+        a_y = -c_01 + c_11
+        a_z = -c_02 + c_12
+        b_x = -c_00 + c_20
+        b_y = -c_01 + c_21
+        b_z = -c_02 + c_22
+        s7 = -0.5*c_03
+        to_a = 0.5*c_13 + s7
+        to_b = 0.5*c_23 + s7
+        aa = (a_x * a_x) + (a_y * a_y) + (a_z * a_z)
+        n_x = a_y*b_z - a_z*b_y
+        n_y = -a_x*b_z + a_z*b_x
+        n_z = a_x*b_y - a_y*b_x
+        nn = (n_x * n_x) + (n_y * n_y) + (n_z * n_z)
+        bb = (b_x * b_x) + (b_y * b_y) + (b_z * b_z)
+        ab = a_x*b_x + a_y*b_y + a_z*b_z
+        inverse = (1.0 / nn)
+        by_a = inverse*(-ab*to_b + bb*to_a)
+        by_b = inverse*(aa*to_b - ab*to_a)
+        p_x = a_x*by_a + b_x*by_b
+        p_y = a_y*by_a + b_y*by_b
+        p_z = a_z*by_a + b_z*by_b
+        half = inverse*(n_x*(-c_00 + p_x) + n_y*(-c_01 + p_y) + n_z*(-c_02 + p_z))
+        s66 = -2*c_01*p_y
+        s67 = -2*c_02*p_z
+        rest = -2*c_00*p_x + c_03 + (p_x * p_x) + (p_y * p_y) + (p_z * p_z) + s66 + s67
+        under = (half * half) - inverse*rest
+        kept = (under if (under > 0) else 0)
+        s73 = math.sqrt(kept)
+        along = -half - (s73 if (n_z > 0) else -s73)
+        s77 = along*n_x + p_x
+        s79 = along*n_y + p_y
+        s81 = along*n_z + p_z
+        s82 = nn*under
+        s83 = aa*bb
+        p_0 = s77
+        p_1 = s79
+        p_2 = s81
+        clear = s82
+        square = nn
+        wide = s83
+        good = (clear > CLEAR * CLEAR) & (square > APART * wide)
+        w[6592 + lane] = 0.0 if good else 1.0
         w[128 + lane] = p_0
         w[160 + lane] = p_1
         w[192 + lane] = p_2
@@ -914,16 +949,16 @@ def _settle(w, n):
     """Mark the poses for which this step was the last; return how many go on."""
     left = 0
     for lane in range(n):
-        done = (w[6336 + lane] > 0.0)
-        done = done & (w[6368 + lane] > 0.0)
-        done = done & (abs(w[6144 + lane]) < STEP_DONE)
-        done = done & (abs(w[6176 + lane]) < STEP_DONE)
-        done = done & (abs(w[6208 + lane]) < STEP_DONE)
-        done = done & (abs(w[6240 + lane]) < TURN_DONE)
-        done = done & (abs(w[6272 + lane]) < TURN_DONE)
-        done = done & (abs(w[6304 + lane]) < TURN_DONE)
-        going = 0.0 if done | (w[6400 + lane] == 0.0) else 1.0
-        w[6400 + lane] = going
+        done = (w[6528 + lane] > 0.0)
+        done = done & (w[6560 + lane] > 0.0)
+        done = done & (abs(w[6336 + lane]) < STEP_DONE)
+        done = done & (abs(w[6368 + lane]) < STEP_DONE)
+        done = done & (abs(w[6400 + lane]) < STEP_DONE)
+        done = done & (abs(w[6432 + lane]) < TURN_DONE)
+        done = done & (abs(w[6464 + lane]) < TURN_DONE)
+        done = done & (abs(w[6496 + lane]) < TURN_DONE)
+        going = 0.0 if done | (w[6592 + lane] == 0.0) else 1.0
+        w[6592 + lane] = going
         left += 1 if going == 1.0 else 0
     return left
 
@@ -933,19 +968,19 @@ def _settle_joints(w, n):
     """Mark the poses for which this step was the last; return how many go on."""
     left = 0
     for lane in range(n):
-        done = (w[7840 + lane] > 0.0)
-        done = done & (w[7872 + lane] > 0.0)
-        done = done & (w[7904 + lane] > 0.0)
-        done = done & (w[7936 + lane] > 0.0)
-        done = done & (abs(w[7648 + lane]) < STEP_DONE)
-        done = done & (abs(w[7680 + lane]) < STEP_DONE)
-        done = done & (abs(w[7712 + lane]) < STEP_DONE)
+        done = (w[8032 + lane] > 0.0)
+        done = done & (w[8064 + lane] > 0.0)
+        done = done & (w[8096 + lane] > 0.0)
+        done = done & (w[8128 + lane] > 0.0)
+        done = done & (abs(w[7840 + lane]) < STEP_DONE)
+        done = done & (abs(w[7872 + lane]) < STEP_DONE)
+        done = done & (abs(w[7904 + lane]) < STEP_DONE)
 
-        done = done & (abs(w[7744 + lane]) < TURN_DONE)
-        done = done & (abs(w[7776 + lane]) < TURN_DONE)
-        done = done & (abs(w[7808 + lane]) < TURN_DONE)
-        going = 0.0 if done | (w[6400 + lane] == 0.0) else 1.0
-        w[6400 + lane] = going
+        done = done & (abs(w[7936 + lane]) < TURN_DONE)
+        done = done & (abs(w[7968 + lane]) < TURN_DONE)
+        done = done & (abs(w[8000 + lane]) < TURN_DONE)
+        going = 0.0 if done | (w[6592 + lane] == 0.0) else 1.0
+        w[6592 + lane] = going
         left += 1 if going == 1.0 else 0
     return left
 
@@ -954,23 +989,23 @@ def _settle_joints(w, n):
 def _begin(w, n):
     """Let all poses go."""
     for lane in range(n):
-        w[6400 + lane] = 1.0
-        w[6144 + lane] = 0.0
-        w[6176 + lane] = 0.0
-        w[6208 + lane] = 0.0
-        w[6240 + lane] = 0.0
-        w[6272 + lane] = 0.0
-        w[6304 + lane] = 0.0
+        w[6592 + lane] = 1.0
+        w[6336 + lane] = 0.0
+        w[6368 + lane] = 0.0
+        w[6400 + lane] = 0.0
+        w[6432 + lane] = 0.0
+        w[6464 + lane] = 0.0
+        w[6496 + lane] = 0.0
 
 
 @straight
 def _started(w, n):
     """Take joints, and coordinates that no command asks for, from the simplified machine."""
     for lane in range(n):
-        w[6400 + lane] = 0.0 if (abs(w[1408 + lane]) < math.inf) & (abs(w[3456 + lane]) < math.inf) & (abs(w[5504 + lane]) < math.inf) else 1.0
+        w[6592 + lane] = 0.0 if (abs(w[1408 + lane]) < math.inf) & (abs(w[3520 + lane]) < math.inf) & (abs(w[5632 + lane]) < math.inf) else 1.0
         w[0 + lane] = w[1408 + lane]
-        w[2048 + lane] = w[3456 + lane]
-        w[4096 + lane] = w[5504 + lane]
+        w[2112 + lane] = w[3520 + lane]
+        w[4224 + lane] = w[5632 + lane]
         w[224 + lane] = 0.0
         w[256 + lane] = 0.0
         w[288 + lane] = 0.0
@@ -980,13 +1015,13 @@ def _started(w, n):
 def _turn_joints(w, n):
     """Move the joints by a step; what it does to the platform is left to `_move`."""
     for lane in range(n):
-        going = w[6400 + lane]
-        w[0 + lane] -= going * w[7648 + lane]
-        w[2048 + lane] -= going * w[7680 + lane]
-        w[4096 + lane] -= going * w[7712 + lane]
-        w[6240 + lane] = w[7744 + lane]
-        w[6272 + lane] = w[7776 + lane]
-        w[6304 + lane] = w[7808 + lane]
+        going = w[6592 + lane]
+        w[0 + lane] -= going * w[7840 + lane]
+        w[2112 + lane] -= going * w[7872 + lane]
+        w[4224 + lane] -= going * w[7904 + lane]
+        w[6432 + lane] = w[7936 + lane]
+        w[6464 + lane] = w[7968 + lane]
+        w[6496 + lane] = w[8000 + lane]
 
 @straight
 def _place(x, w, first, last, n):
@@ -1012,7 +1047,7 @@ def _unload(w, x, status, first, last):
         x[6 * (first + lane) + 3] = w[224 + lane]
         x[6 * (first + lane) + 4] = w[256 + lane]
         x[6 * (first + lane) + 5] = w[288 + lane]
-        is_open = w[6400 + lane] != 0.0
+        is_open = w[6592 + lane] != 0.0
         status[first + lane] = OPEN if is_open else SOLVED
         left += 1 if is_open else 0
     return left
@@ -1022,16 +1057,16 @@ def _unload(w, x, status, first, last):
 def _unload_joints(w, q, first, last):
     for lane in range(last - first + 1):
         q[3 * (first + lane) + 0] = w[0 + lane]
-        q[3 * (first + lane) + 1] = w[2048 + lane]
-        q[3 * (first + lane) + 2] = w[4096 + lane]
+        q[3 * (first + lane) + 1] = w[2112 + lane]
+        q[3 * (first + lane) + 2] = w[4224 + lane]
 
 
 @fast
 def _forward(q, tool, k, x, status, warm):
     w = scratch(WORK + SPARE)
-    w_1 = w[0:2048]
-    w_2 = w[2048:4096]
-    w_3 = w[4096:6144]
+    w_1 = w[0:2112]
+    w_2 = w[2112:4224]
+    w_3 = w[4224:6336]
     if len(tool) == 1:
         hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
@@ -1088,9 +1123,9 @@ def forward(q, tool, k, x, status, warm):
 @fast
 def _inverse(target, tool, k, x, q, status):
     w = scratch(WORK + SPARE)
-    w_1 = w[0:2048]
-    w_2 = w[2048:4096]
-    w_3 = w[4096:6144]
+    w_1 = w[0:2112]
+    w_2 = w[2112:4224]
+    w_3 = w[4224:6336]
     if len(tool) == 1:
         hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
@@ -1156,7 +1191,7 @@ def _simplified_forward(q, tool, k, x, status):
     w = scratch(12 * SPHERES)
     each = status.size // runs
     for m in range(runs):
-        own = machines[156 * (m // (runs // k.shape[0])) :]
+        own = machines[159 * (m // (runs // k.shape[0])) :]
         held = tools[3 * (m // (runs // tool.shape[0])) :]
         left += _simplified_forward_of(given[3 * each * m :], held, own, found[3 * each * m :], status[each * m :], each, w)
     return left
@@ -1174,16 +1209,16 @@ def _simplified_forward_of(q, tool, own, x, status, poses, w):
     s665_0 = own[0 + 15]
     h_0 = own[0 + 16]
     s53_0 = own[0 + 40]
-    s60_1 = own[52 + 0]
-    s660_1 = own[52 + 14]
-    s665_1 = own[52 + 15]
-    h_1 = own[52 + 16]
-    s53_1 = own[52 + 40]
-    s60_2 = own[104 + 0]
-    s660_2 = own[104 + 14]
-    s665_2 = own[104 + 15]
-    h_2 = own[104 + 16]
-    s53_2 = own[104 + 40]
+    s60_1 = own[53 + 0]
+    s660_1 = own[53 + 14]
+    s665_1 = own[53 + 15]
+    h_1 = own[53 + 16]
+    s53_1 = own[53 + 40]
+    s60_2 = own[106 + 0]
+    s660_2 = own[106 + 14]
+    s665_2 = own[106 + 15]
+    h_2 = own[106 + 16]
+    s53_2 = own[106 + 40]
     for first in range(0, poses, SPHERES):  # in two short loops, of which a processor has several rounds at work
         count = min(SPHERES, poses - first)
         for lane in range(count):
@@ -1220,28 +1255,60 @@ def _simplified_forward_of(q, tool, own, x, status, poses, w):
             w[8 * SPHERES + lane], w[9 * SPHERES + lane], w[10 * SPHERES + lane], w[11 * SPHERES + lane] = c_20, c_21, c_22, c_23
         for lane in range(count):
             n = first + lane
-            c_00, c_01, c_02, c_03 = w[0 * SPHERES + lane], w[1 * SPHERES + lane], w[2 * SPHERES + lane], w[3 * SPHERES + lane]
-            c_10, c_11, c_12, c_13 = w[4 * SPHERES + lane], w[5 * SPHERES + lane], w[6 * SPHERES + lane], w[7 * SPHERES + lane]
-            c_20, c_21, c_22, c_23 = w[8 * SPHERES + lane], w[9 * SPHERES + lane], w[10 * SPHERES + lane], w[11 * SPHERES + lane]
-            # three spheres: their differences are planes, two planes a line, on which the first sphere is a quadratic
-            ax, ay, az, da = c_10 - c_00, c_11 - c_01, c_12 - c_02, c_13 - c_03
-            bx, by, bz, db = c_20 - c_00, c_21 - c_01, c_22 - c_02, c_23 - c_03
-            nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-            aa, bb, ab = ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz, ax * bx + ay * by + az * bz
-            nn = nx * nx + ny * ny + nz * nz
-            inverse = 1.0 / nn
-            # the point of the line in the plane of a and b: u a + v b with 2 a.P = da, 2 b.P = db
-            u, v = (da * bb - db * ab) * (0.5 * inverse), (db * aa - da * ab) * (0.5 * inverse)
-            px, py, pz = u * ax + v * bx, u * ay + v * by, u * az + v * bz
-            # |P + t n|^2 - 2 c.(P + t n) + d = 0
-            half = ((px - c_00) * nx + (py - c_01) * ny + (pz - c_02) * nz) * inverse
-            rest = (px * px + py * py + pz * pz) - 2.0 * (c_00 * px + c_01 * py + c_02 * pz) + c_03
-            square = half * half - rest * inverse
-            good = (square * nn > CLEAR * CLEAR) & (nn > APART * (aa * bb))
-            root = math.sqrt(square if square > 0.0 else 0.0)  # where the line misses the sphere its nearest point is taken:
-            # the exact machine may still reach what the simplified one cannot
-            t = (-root if nz > 0.0 else root) - half
-            p_0, p_1, p_2 = px + t * nx, py + t * ny, pz + t * nz
+            c_00 = w[0 + lane]
+            c_01 = w[128 + lane]
+            c_02 = w[256 + lane]
+            c_03 = w[384 + lane]
+            c_10 = w[512 + lane]
+            c_11 = w[640 + lane]
+            c_12 = w[768 + lane]
+            c_13 = w[896 + lane]
+            c_20 = w[1024 + lane]
+            c_21 = w[1152 + lane]
+            c_22 = w[1280 + lane]
+            c_23 = w[1408 + lane]
+            a_x = -c_00 + c_10
+            a_y = -c_01 + c_11
+            a_z = -c_02 + c_12
+            b_x = -c_00 + c_20
+            b_y = -c_01 + c_21
+            b_z = -c_02 + c_22
+            s7 = -0.5*c_03
+            to_a = 0.5*c_13 + s7
+            to_b = 0.5*c_23 + s7
+            aa = (a_x * a_x) + (a_y * a_y) + (a_z * a_z)
+            n_x = a_y*b_z - a_z*b_y
+            n_y = -a_x*b_z + a_z*b_x
+            n_z = a_x*b_y - a_y*b_x
+            nn = (n_x * n_x) + (n_y * n_y) + (n_z * n_z)
+            bb = (b_x * b_x) + (b_y * b_y) + (b_z * b_z)
+            ab = a_x*b_x + a_y*b_y + a_z*b_z
+            inverse = (1.0 / nn)
+            by_a = inverse*(-ab*to_b + bb*to_a)
+            by_b = inverse*(aa*to_b - ab*to_a)
+            p_x = a_x*by_a + b_x*by_b
+            p_y = a_y*by_a + b_y*by_b
+            p_z = a_z*by_a + b_z*by_b
+            half = inverse*(n_x*(-c_00 + p_x) + n_y*(-c_01 + p_y) + n_z*(-c_02 + p_z))
+            s66 = -2*c_01*p_y
+            s67 = -2*c_02*p_z
+            rest = -2*c_00*p_x + c_03 + (p_x * p_x) + (p_y * p_y) + (p_z * p_z) + s66 + s67
+            under = (half * half) - inverse*rest
+            kept = (under if (under > 0) else 0)
+            s73 = math.sqrt(kept)
+            along = -half - (s73 if (n_z > 0) else -s73)
+            s77 = along*n_x + p_x
+            s79 = along*n_y + p_y
+            s81 = along*n_z + p_z
+            s82 = nn*under
+            s83 = aa*bb
+            p_0 = s77
+            p_1 = s79
+            p_2 = s81
+            clear = s82
+            square = nn
+            wide = s83
+            good = (clear > CLEAR * CLEAR) & (square > APART * wide)
             x[3 * n + 0] = p_0
             x[3 * n + 1] = p_1
             x[3 * n + 2] = p_2
@@ -1251,7 +1318,7 @@ def _simplified_forward_of(q, tool, own, x, status, poses, w):
 
 
 def simplified_forward(q, tool, k, x, status):
-    """Fill x (N, 3) with the platform of the simplified machine, in closed form: exact where lean_radial, lean_tangential, dl are zero.
+    """Fill x (N, 3) with the platform of the simplified machine, in closed form: exact where lean_radial, lean_tangential, dl, stretch are zero.
 
     It does not turn, so that x is the position of the reference point.
     status as in `forward`.
@@ -1270,7 +1337,7 @@ def _simplified_inverse(target, tool, k, q, status):
     left, runs = 0, max(k.shape[0], tool.shape[0])
     each = status.size // runs
     for m in range(runs):
-        own = machines[156 * (m // (runs // k.shape[0])) :]
+        own = machines[159 * (m // (runs // k.shape[0])) :]
         held = tools[3 * (m // (runs // tool.shape[0])) :]
         left += _simplified_inverse_of(given[3 * each * m :], held, own, found[3 * each * m :], status[each * m :], each)
     return left
@@ -1290,20 +1357,20 @@ def _simplified_inverse_of(target, tool, own, q, status, poses):
     s674_0 = own[0 + 18]
     s680_0 = own[0 + 19]
     s684_0 = own[0 + 20]
-    s660_1 = own[52 + 14]
-    s665_1 = own[52 + 15]
-    h_1 = own[52 + 16]
-    s672_1 = own[52 + 17]
-    s674_1 = own[52 + 18]
-    s680_1 = own[52 + 19]
-    s684_1 = own[52 + 20]
-    s660_2 = own[104 + 14]
-    s665_2 = own[104 + 15]
-    h_2 = own[104 + 16]
-    s672_2 = own[104 + 17]
-    s674_2 = own[104 + 18]
-    s680_2 = own[104 + 19]
-    s684_2 = own[104 + 20]
+    s660_1 = own[53 + 14]
+    s665_1 = own[53 + 15]
+    h_1 = own[53 + 16]
+    s672_1 = own[53 + 17]
+    s674_1 = own[53 + 18]
+    s680_1 = own[53 + 19]
+    s684_1 = own[53 + 20]
+    s660_2 = own[106 + 14]
+    s665_2 = own[106 + 15]
+    h_2 = own[106 + 16]
+    s672_2 = own[106 + 17]
+    s674_2 = own[106 + 18]
+    s680_2 = own[106 + 19]
+    s684_2 = own[106 + 20]
     for n in range(poses):
         px = target[3 * n + 0]
         py = target[3 * n + 1]
@@ -1344,9 +1411,9 @@ def simplified_inverse(target, tool, k, q, status):
 @fast
 def _sensitivity(x, q, tool, k, S_p, S_q, status):
     w, by_errors, by_joints = scratch(WORK + SPARE), S_p.reshape(S_p.size), S_q.reshape(S_q.size)
-    w_1 = w[0:2048]
-    w_2 = w[2048:4096]
-    w_3 = w[4096:6144]
+    w_1 = w[0:2112]
+    w_2 = w[2112:4224]
+    w_3 = w[4224:6336]
     if len(tool) == 1:
         hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
@@ -1389,37 +1456,37 @@ def _products(w, S_p, S_q, status, first, last):
     """Multiply the inverse and the derivatives by errors and joints; return how many poses are left open."""
     wide()
     for lane in range(0, last - first + 1, 8):
-        whole = 162 * (first + lane + 8) <= S_p.size  # else the last poses are written through scratch
-        to, at = (S_p, 162 * (first + lane)) if whole else (w[WORK:], 0)
+        whole = 180 * (first + lane + 8) <= S_p.size  # else the last poses are written through scratch
+        to, at = (S_p, 180 * (first + lane)) if whole else (w[WORK:], 0)
         for i in range(3):
-            outer(to, at + 9 * i + 0, 162, 27, 6, w, (6432 + 32 * i + lane, 6528 + 32 * i + lane, ), 192, (1472 + 2048 * i + lane, 1760 + 2048 * i + lane, ), 32, 8)
-            outer(to, at + 9 * i + 8, 162, 27, 6, w, (6432 + 32 * i + lane, 6528 + 32 * i + lane, ), 192, (1728 + 2048 * i + lane, 2016 + 2048 * i + lane, ), 32, 1)
+            outer(to, at + 10 * i + 0, 180, 30, 6, w, (6624 + 32 * i + lane, 6720 + 32 * i + lane, ), 192, (1472 + 2112 * i + lane, 1792 + 2112 * i + lane, ), 32, 8)
+            outer(to, at + 10 * i + 8, 180, 30, 6, w, (6624 + 32 * i + lane, 6720 + 32 * i + lane, ), 192, (1728 + 2112 * i + lane, 2048 + 2112 * i + lane, ), 32, 2)
         if not whole:
-            for c in range(162 * (last + 1 - first - lane)):
-                S_p[162 * (first + lane) + c] = to[c]
+            for c in range(180 * (last + 1 - first - lane)):
+                S_p[180 * (first + lane) + c] = to[c]
         whole = 18 * (first + lane + 8) <= S_q.size  # else the last poses are written through scratch
         to, at = (S_q, 18 * (first + lane)) if whole else (w[WORK:], 0)
         for i in range(3):
-            outer(to, at + 1 * i + 0, 18, 3, 6, w, (6432 + 32 * i + lane, 6528 + 32 * i + lane, ), 192, (832 + 2048 * i + lane, 1088 + 2048 * i + lane, ), 32, 1)
+            outer(to, at + 1 * i + 0, 18, 3, 6, w, (6624 + 32 * i + lane, 6720 + 32 * i + lane, ), 192, (832 + 2112 * i + lane, 1088 + 2112 * i + lane, ), 32, 1)
         if not whole:
             for c in range(18 * (last + 1 - first - lane)):
                 S_q[18 * (first + lane) + c] = to[c]
     left = 0
     for lane in range(last - first + 1):
-        regular = (w[7584 + lane] > 0.0) & (w[7616 + lane] > 0.0)
+        regular = (w[7776 + lane] > 0.0) & (w[7808 + lane] > 0.0)
         status[first + lane] = SOLVED if regular else OPEN
         left += 0 if regular else 1
     return left
 
 
 def sensitivity(x, q, tool, k, S_p, S_q, status):
-    """Fill the derivatives of the exact pose: S_p (N, 6, 27) by errors and deflections, S_q (N, 6, 3) by joints.
+    """Fill the derivatives of the exact pose: S_p (N, 6, 30) by errors and deflections, S_q (N, 6, 3) by joints.
 
     Rows are px, py, pz, then turns of the platform about the axes of {O}. Columns of S_p run limb by limb. S_q is the velocity
     Jacobian.
     """
     if _sensitivity(x, q, tool, k, S_p, S_q, status):
         left = np.flatnonzero(status == OPEN)
-        by_errors, by_joints, of = np.empty((len(left), 6, 27)), np.empty((len(left), 6, 3)), np.zeros(len(left), dtype=np.int64)
+        by_errors, by_joints, of = np.empty((len(left), 6, 30)), np.empty((len(left), 6, 3)), np.zeros(len(left), dtype=np.int64)
         vectorised.sensitivity(x[left], q[left], _of(tool, left, len(status)), _of(k, left, len(status)), by_errors, by_joints, of)
         S_p[left], S_q[left], status[left] = by_errors, by_joints, of

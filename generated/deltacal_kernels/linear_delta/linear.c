@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/linear.c.jinja; sha256 of both d722437667ed1981; SymPy 1.14.0.
+ * Template templates/mechanism/linear.c.jinja; sha256 of both ecea8a2fbf7ad038; SymPy 1.14.0.
  *
  * The linear compensator: nominal joints, and the change that holds the reference point to first order in the errors.
  * An export puts the machine's numbers before this text: DELTACAL_K[3][22], DELTACAL_TOOL[3],
@@ -58,12 +58,12 @@ static void linear(const double *x, double q, const double *tool, const double *
     const double s42 = k[13];
     const double s29 = k[14];
     const double s44 = k[15];
-    const double s71 = k[16];
+    const double s72 = k[16];
     const double s_z_cx = k[17];
     const double s_z_cy = k[18];
     const double s_x_cz = k[19];
     const double s_y_cz = k[20];
-    const double s86 = k[21];
+    const double s87 = k[21];
     const double s21 = h - q;
     const double C_x_errors = axis_x_errors*s21 + s27;
     const double C_y_errors = axis_y_errors*s21 + s33;
@@ -81,33 +81,33 @@ static void linear(const double *x, double q, const double *tool, const double *
     const double s66 = d_x*d_x_errors;
     const double s67 = d_y*d_y_errors;
     const double s68 = -C_z_errors*d_z;
-    const double s72 = s66 + s67 + s68 + s71;
-    const double s73 = d_y*tz;
-    const double s74 = d_z*s40;
-    const double s75 = d_z*s_z_cx;
-    const double s76 = s73 + s74 + s75;
-    const double s77 = -d_x*tz;
-    const double s78 = -d_z*s38;
-    const double s79 = d_z*s_z_cy;
-    const double s80 = s77 + s78 + s79;
-    const double s81 = -d_x*s40;
-    const double s82 = d_y*s38;
-    const double s83 = d_x*s_x_cz;
-    const double s84 = d_y*s_y_cz;
-    const double s85 = s81 + s82 + s83 + s84;
-    const double s87 = s66 + s67 + s68 + s86;
-    const double s88 = s73 + s74 - s75;
-    const double s89 = s77 + s78 - s79;
-    const double s90 = s81 + s82 - s83 - s84;
-    out[0] = s72;
-    out[4] = s76;
-    out[5] = s80;
-    out[6] = s85;
+    const double s73 = s66 + s67 + s68 + s72;
+    const double s74 = d_y*tz;
+    const double s75 = d_z*s40;
+    const double s76 = d_z*s_z_cx;
+    const double s77 = s74 + s75 + s76;
+    const double s78 = -d_x*tz;
+    const double s79 = -d_z*s38;
+    const double s80 = d_z*s_z_cy;
+    const double s81 = s78 + s79 + s80;
+    const double s82 = -d_x*s40;
+    const double s83 = d_y*s38;
+    const double s84 = d_x*s_x_cz;
+    const double s85 = d_y*s_y_cz;
+    const double s86 = s82 + s83 + s84 + s85;
+    const double s88 = s66 + s67 + s68 + s87;
+    const double s89 = s74 + s75 - s76;
+    const double s90 = s78 + s79 - s80;
+    const double s91 = s82 + s83 - s84 - s85;
+    out[0] = s73;
+    out[4] = s77;
+    out[5] = s81;
+    out[6] = s86;
     out[7] = d_z;
-    out[8] = s87;
-    out[12] = s88;
-    out[13] = s89;
-    out[14] = s90;
+    out[8] = s88;
+    out[12] = s89;
+    out[13] = s90;
+    out[14] = s91;
     out[15] = d_z;
 }
 

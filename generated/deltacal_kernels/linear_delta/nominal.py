@@ -1,7 +1,7 @@
 """Derivatives of the nominal machine's position by its errors, many poses at once: `linear_delta`, Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/nominal.py.jinja; sha256 of both dbc5c5e6ed436444; SymPy 1.14.0.
+Template templates/mechanism/nominal.py.jinja; sha256 of both 672d563506da453a; SymPy 1.14.0.
 
 Rods of a pair are parallel there, and the platform does not turn, which leaves little of the exact machine's derivatives.
 x (N, 3) is the position of the reference point, q (N, 3) the joints there, tool (N or 1, 3) the reference point in
@@ -21,8 +21,8 @@ from deltacal_kernels.straight import straight
 from .blocks import LANES, SPARE, WORK, aim, hold, load
 
 # where in w the terms of each column of the sensitivity have their factors and values
-FACTORS = np.array(((6432, 6432, 6432, 6432, 6432, 6432, 6432, 6528, 6432, 6464, 6464, 6464, 6464, 6464, 6464, 6464, 6560, 6464, 6496, 6496, 6496, 6496, 6496, 6496, 6496, 6592, 6496),))
-VALUES = np.array(((1472, 1504, 1536, 1568, 1600, 1632, 1664, 1984, 1728, 3520, 3552, 3584, 3616, 3648, 3680, 3712, 4032, 3776, 5568, 5600, 5632, 5664, 5696, 5728, 5760, 6080, 5824),))
+FACTORS = np.array(((6624, 6624, 6624, 6624, 6624, 6624, 6624, 6720, 6624, 6656, 6656, 6656, 6656, 6656, 6656, 6656, 6752, 6656, 6688, 6688, 6688, 6688, 6688, 6688, 6688, 6784, 6688),))
+VALUES = np.array(((1472, 1504, 1536, 1568, 1600, 1632, 1664, 2016, 1728, 3584, 3616, 3648, 3680, 3712, 3744, 3776, 4128, 3840, 5696, 5728, 5760, 5792, 5824, 5856, 5888, 6240, 5952),))
 fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
@@ -100,7 +100,7 @@ def _nominal(w, k, n):
         w[1632 + lane] = s69
         w[1664 + lane] = s70
         w[1728 + lane] = s72
-        w[1984 + lane] = s73
+        w[2016 + lane] = s73
 
 
 @straight
@@ -108,32 +108,32 @@ def _nominal_inverse(w, n):
     """Minus the inverse of the derivatives, its rows of the position; how far the equations are from dependent (223 operations)."""
     for lane in range(n):
         J00_0 = w[640 + lane]
-        J10_0 = w[2688 + lane]
-        J20_0 = w[4736 + lane]
+        J10_0 = w[2752 + lane]
+        J20_0 = w[4864 + lane]
         J00_1 = w[672 + lane]
-        J10_1 = w[2720 + lane]
-        J20_1 = w[4768 + lane]
+        J10_1 = w[2784 + lane]
+        J20_1 = w[4896 + lane]
         J00_2 = w[704 + lane]
-        J10_2 = w[2752 + lane]
-        J20_2 = w[4800 + lane]
+        J10_2 = w[2816 + lane]
+        J20_2 = w[4928 + lane]
         J00_3 = w[736 + lane]
-        J10_3 = w[2784 + lane]
-        J20_3 = w[4832 + lane]
+        J10_3 = w[2848 + lane]
+        J20_3 = w[4960 + lane]
         J00_4 = w[768 + lane]
-        J10_4 = w[2816 + lane]
-        J20_4 = w[4864 + lane]
+        J10_4 = w[2880 + lane]
+        J20_4 = w[4992 + lane]
         J00_5 = w[800 + lane]
-        J10_5 = w[2848 + lane]
-        J20_5 = w[4896 + lane]
+        J10_5 = w[2912 + lane]
+        J20_5 = w[5024 + lane]
         J01_3 = w[992 + lane]
-        J11_3 = w[3040 + lane]
-        J21_3 = w[5088 + lane]
+        J11_3 = w[3104 + lane]
+        J21_3 = w[5216 + lane]
         J01_4 = w[1024 + lane]
-        J11_4 = w[3072 + lane]
-        J21_4 = w[5120 + lane]
+        J11_4 = w[3136 + lane]
+        J21_4 = w[5248 + lane]
         J01_5 = w[1056 + lane]
-        J11_5 = w[3104 + lane]
-        J21_5 = w[5152 + lane]
+        J11_5 = w[3168 + lane]
+        J21_5 = w[5280 + lane]
         G_cof_00 = J10_1*J20_2 - J10_2*J20_1
         G_cof_01 = -J10_0*J20_2 + J10_2*J20_0
         G_cof_02 = J10_0*J20_1 - J10_1*J20_0
@@ -198,26 +198,26 @@ def _nominal_inverse(w, n):
         s177 = (J11_3 * J11_3) + (J11_4 * J11_4) + (J11_5 * J11_5)
         s181 = (J21_3 * J21_3) + (J21_4 * J21_4) + (J21_5 * J21_5)
         s183 = (Si_det_00 * Si_det_00) - 1.0e-12*s177*s181*((J01_3 * J01_3) + (J01_4 * J01_4) + (J01_5 * J01_5))
-        w[6432 + lane] = -G_inv_00
-        w[6464 + lane] = -G_inv_01
-        w[6496 + lane] = -G_inv_02
-        w[6528 + lane] = s121
-        w[6560 + lane] = s125
-        w[6592 + lane] = s129
-        w[6624 + lane] = -G_inv_10
-        w[6656 + lane] = -G_inv_11
-        w[6688 + lane] = -G_inv_12
-        w[6720 + lane] = s133
-        w[6752 + lane] = s137
-        w[6784 + lane] = s141
-        w[6816 + lane] = -G_inv_20
-        w[6848 + lane] = -G_inv_21
-        w[6880 + lane] = -G_inv_22
-        w[6912 + lane] = s145
-        w[6944 + lane] = s149
-        w[6976 + lane] = s153
-        w[7008 + lane] = s168
-        w[7040 + lane] = s183
+        w[6624 + lane] = -G_inv_00
+        w[6656 + lane] = -G_inv_01
+        w[6688 + lane] = -G_inv_02
+        w[6720 + lane] = s121
+        w[6752 + lane] = s125
+        w[6784 + lane] = s129
+        w[6816 + lane] = -G_inv_10
+        w[6848 + lane] = -G_inv_11
+        w[6880 + lane] = -G_inv_12
+        w[6912 + lane] = s133
+        w[6944 + lane] = s137
+        w[6976 + lane] = s141
+        w[7008 + lane] = -G_inv_20
+        w[7040 + lane] = -G_inv_21
+        w[7072 + lane] = -G_inv_22
+        w[7104 + lane] = s145
+        w[7136 + lane] = s149
+        w[7168 + lane] = s153
+        w[7200 + lane] = s168
+        w[7232 + lane] = s183
 
 
 @straight
@@ -225,7 +225,7 @@ def _singular(w, poses):
     """Return how many of the poses are not regular."""
     many = 0
     for lane in range(poses):
-        many += 0 if (w[7008 + lane] > 0.0) & (w[7040 + lane] > 0.0) else 1
+        many += 0 if (w[7200 + lane] > 0.0) & (w[7232 + lane] > 0.0) else 1
     return many
 
 
@@ -237,9 +237,9 @@ def _products(w, S, first, last):
         whole = 81 * (first + lane + 8) <= S.size  # else the last poses are written through scratch
         to, at = (S, 81 * (first + lane)) if whole else (w[WORK:], 0)
         for i in range(3):
-            outer(to, at + 9 * i + 0, 81, 27, 3, w, (6432 + 32 * i + lane, ), 192, (1472 + 2048 * i + lane, ), 32, 7)
-            outer(to, at + 9 * i + 7, 81, 27, 3, w, (6528 + 32 * i + lane, ), 192, (1984 + 2048 * i + lane, ), 32, 1)
-            outer(to, at + 9 * i + 8, 81, 27, 3, w, (6432 + 32 * i + lane, ), 192, (1728 + 2048 * i + lane, ), 32, 1)
+            outer(to, at + 9 * i + 0, 81, 27, 3, w, (6624 + 32 * i + lane, ), 192, (1472 + 2112 * i + lane, ), 32, 7)
+            outer(to, at + 9 * i + 7, 81, 27, 3, w, (6720 + 32 * i + lane, ), 192, (2016 + 2112 * i + lane, ), 32, 1)
+            outer(to, at + 9 * i + 8, 81, 27, 3, w, (6624 + 32 * i + lane, ), 192, (1728 + 2112 * i + lane, ), 32, 1)
         if not whole:
             for c in range(81 * (last + 1 - first - lane)):
                 S[81 * (first + lane) + c] = to[c]
@@ -253,9 +253,9 @@ def nominal_sensitivity(x, q, tool, k, S):
     Those of one limb are in the order of ``parameters.ERRORS``, then ``COMMON``.
     """
     w, whole = scratch(WORK + SPARE), S.reshape(S.size)
-    w_1 = w[0:2048]
-    w_2 = w[2048:4096]
-    w_3 = w[4096:6144]
+    w_1 = w[0:2112]
+    w_2 = w[2112:4224]
+    w_3 = w[4224:6336]
     if len(tool) == 1:
         hold(tool, w, 0, 0, LANES)
     k_1, k_2, k_3 = k[0, 0], k[0, 1], k[0, 2]
@@ -293,19 +293,35 @@ def _along(x, C, m, H, n, towards, poses):
     row = 0
     for a in range(poses):
         for b in range(a + 1, poses):
-            n_0 = x[3 * b + 0] - x[3 * a + 0]
-            n_1 = x[3 * b + 1] - x[3 * a + 1]
-            n_2 = x[3 * b + 2] - x[3 * a + 2]
-            by = 1.0 / math.sqrt(n_0 * n_0 + n_1 * n_1 + n_2 * n_2)
-            towards[b] = by * n_0
-            towards[1 * poses + b] = by * n_1
-            towards[2 * poses + b] = by * n_2
+            a_x = x[3 * a + 0]
+            a_y = x[3 * a + 1]
+            a_z = x[3 * a + 2]
+            b_x = x[3 * b + 0]
+            b_y = x[3 * b + 1]
+            b_z = x[3 * b + 2]
+            gap_x = -a_x + b_x
+            gap_y = -a_y + b_y
+            gap_z = -a_z + b_z
+            s7 = 1/math.sqrt((gap_x * gap_x) + (gap_y * gap_y) + (gap_z * gap_z))
+            s8 = gap_x*s7
+            s9 = gap_y*s7
+            s10 = gap_z*s7
+            towards[0 * poses + b] = s8
+            towards[1 * poses + b] = s9
+            towards[2 * poses + b] = s10
         for b in range(a + 1, poses):
-            n_0 = towards[b]
-            n_1 = towards[1 * poses + b]
-            n_2 = towards[2 * poses + b]
             for j in range(n):
-                H[n * row + j] = n_0 * (C[m * (3 * b + 0) + j] - C[m * (3 * a + 0) + j]) + n_1 * (C[m * (3 * b + 1) + j] - C[m * (3 * a + 1) + j]) + n_2 * (C[m * (3 * b + 2) + j] - C[m * (3 * a + 2) + j])
+                n_x = towards[0 * poses + b]
+                n_y = towards[1 * poses + b]
+                n_z = towards[2 * poses + b]
+                shift_a_x = C[m * (3 * a + 0) + j]
+                shift_a_y = C[m * (3 * a + 1) + j]
+                shift_a_z = C[m * (3 * a + 2) + j]
+                shift_b_x = C[m * (3 * b + 0) + j]
+                shift_b_y = C[m * (3 * b + 1) + j]
+                shift_b_z = C[m * (3 * b + 2) + j]
+                s17 = n_x*(-shift_a_x + shift_b_x) + n_y*(-shift_a_y + shift_b_y) + n_z*(-shift_a_z + shift_b_z)
+                H[n * row + j] = s17
             row += 1
 
 
@@ -325,9 +341,9 @@ def distance_rows(x, q, tool, k, columns, H):
     m = (n_h + 7) // 8 * 8
     w = scratch(WORK + 3 * ((poses + 7) * m + poses))
     C = w[WORK:]
-    w_1 = w[0:2048]
-    w_2 = w[2048:4096]
-    w_3 = w[4096:6144]
+    w_1 = w[0:2112]
+    w_2 = w[2112:4224]
+    w_3 = w[4224:6336]
     if len(tool) == 1:
         hold(tool, w, 0, 0, LANES)
     k_1, k_2, k_3 = k[0, 0], k[0, 1], k[0, 2]

@@ -1,9 +1,11 @@
 """Tables of `linear_delta`: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both 76f8ea315e0c00fe; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 5c7c92499db17f7e; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
+
+import numpy as np
 
 NAME = "linear_delta"
 MACHINE = "linear_delta"  # whose robot files these are the source errors of
@@ -11,7 +13,7 @@ TITLE = "Linear delta, three towers and six rods"
 REFERENCE = "Klipper, klippy/kinematics/delta.py; RepRapFirmware, LinearDeltaKinematics"
 LIMBS = 3
 EQUATIONS = 6
-RODS = ("arm",)
+RODS = ("stretch",)
 RODS_PER_CLOSURE = 1
 JOINT_UNIT = "mm"
 LAYERS = (1, -1)  # of the workspace: sign of the first one's height, direction to the others
@@ -56,10 +58,11 @@ COMMON = (
 
 # (name, unit, meaning): the last columns, zero on a rigid machine
 DEFLECTIONS = (
+    ("stretch", "mm", "rods longer than where the carriage homes"),
 )
 
 # columns of a limb's row of p that are zero on the simplified machine, whose positions are closed form
-SMALL = (10, 11, 13, )
+SMALL = (10, 11, 13, 15, )
 
 # (name, meaning) of what `statics` reads as masses
 MASSES = (
@@ -107,11 +110,15 @@ def roles(geometry):
 
 def moves(geometry):
     """Return {what an effect moves: {error or deflection: how much of it}}: one value, or one per limb."""
+    r = geometry["radius"]
+    l = geometry["arm_length"]
     return {
-        "rod": {"arm": 1},
+        "rod": {"stretch": 1},
         "rod_difference": {"dl": 1},
         "pair_difference": {"dl": 1},
-        "outwards": {"radius": 1},
+        "outwards": {"radius": 1, "endstop": r/np.sqrt((l * l) - (r * r))},
+        "tilt_x": {"lean_tangential": -1},
+        "tilt_y": {"lean_radial": 1},
         "lean_radial": {"lean_radial": 1},
         "lean_tangential": {"lean_tangential": 1},
     }

@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `linear_delta`, Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 24e902b95ce62f1d; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both a0adefc109169c3f; SymPy 1.14.0.
 
 Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
 than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`
@@ -29,7 +29,7 @@ few = partial(straight, wide=False)  # lanes: the limbs
 
 
 def _exact_constants(p):
-    """Return k (M, 3, 26), what no target changes, from p (127 operations).
+    """Return k (M, 3, 26), what no target changes, from p (135 operations).
 
     p is that of the calibrated machine.
     """
@@ -50,6 +50,7 @@ def _exact_constants(p):
     scale = p[12]
     dl = p[13]
     dr = p[14]
+    stretch = p[15]
     s0 = angle + phi
     u_x = np.cos(s0)
     u_y = np.sin(s0)
@@ -88,13 +89,13 @@ def _exact_constants(p):
     s159 = 2*scale + 2
     s161 = 0.25*(s159 * s159)/(s60 * s60 * s60 * s60)
     s165 = -0.5*s138*s159
-    s182 = -0.125*(dl * dl) + s153
-    s188 = 0.5*c*u_y
-    s190 = -0.5*c*u_x
-    s213 = axis_x*s60
-    s215 = axis_y*s60
-    s217 = axis_z*s60
-    s223 = -0.5*arm_0*dl
+    s185 = -arm_0*stretch - 0.125*(dl * dl) + s153 - 0.5*(stretch * stretch)
+    s191 = 0.5*c*u_y
+    s193 = -0.5*c*u_x
+    s216 = axis_x*s60
+    s218 = axis_y*s60
+    s220 = axis_z*s60
+    s228 = -0.5*arm_0*dl - 0.5*dl*stretch
     k[0] = s141
     k[1] = s146
     k[2] = h
@@ -114,18 +115,18 @@ def _exact_constants(p):
     k[16] = u_x
     k[17] = u_y
     k[18] = s128
-    k[19] = s182
-    k[20] = s188
-    k[21] = s190
-    k[22] = s213
-    k[23] = s215
-    k[24] = s217
-    k[25] = s223
+    k[19] = s185
+    k[20] = s191
+    k[21] = s193
+    k[22] = s216
+    k[23] = s218
+    k[24] = s220
+    k[25] = s228
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
 def _linear_constants(p):
-    """Return k (M, 3, 19), what no target changes, from p (69 operations).
+    """Return k (M, 3, 19), what no target changes, from p (71 operations).
 
     p is that of the calibrated machine: its geometry is taken as nominal, its errors as what to compensate.
     """
@@ -146,6 +147,7 @@ def _linear_constants(p):
     scale = p[12]
     dl = p[13]
     dr = p[14]
+    stretch = p[15]
     u_x = np.cos(phi)
     by_s1 = np.sin(phi)
     u_x_errors = -angle*by_s1
@@ -189,8 +191,8 @@ def _linear_constants(p):
     s_z_cx = 0.5*c*u_x
     s_z_cy = 0.5*c*u_y
     s66 = a*by_s1 - by_s1*by_s22
-    s77 = -arm*l
-    s88 = -0.5*dl*l
+    s79 = -arm*l - l*stretch
+    s90 = -0.5*dl*l
     k[0] = s50
     k[1] = s66
     k[2] = by_s12
@@ -204,17 +206,17 @@ def _linear_constants(p):
     k[10] = s52
     k[11] = s54
     k[12] = s56
-    k[13] = s77
+    k[13] = s79
     k[14] = s_z_cx
     k[15] = s_z_cy
     k[16] = s_x_cz
     k[17] = s_y_cz
-    k[18] = s88
+    k[18] = s90
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
 def linear_constants(p):
-    """Return k (M, 3, 22), what `linear` reads that no pose changes, from p (62 operations).
+    """Return k (M, 3, 22), what `linear` reads that no pose changes, from p (66 operations).
 
     p is that of the calibrated machine: its geometry is taken as nominal, its errors as what to compensate.
     """
@@ -235,6 +237,7 @@ def linear_constants(p):
     scale = p[12]
     dl = p[13]
     dr = p[14]
+    stretch = p[15]
     u_x = np.cos(phi)
     s1 = np.sin(phi)
     u_x_errors = -angle*s1
@@ -264,9 +267,10 @@ def linear_constants(p):
     s55 = -s23 + s37
     s60 = a*s1 - s1*s22
     s69 = -arm*l
-    s70 = -0.5*dl*l
-    s71 = s69 + s70
-    s86 = s69 - s70
+    s70 = -l*stretch
+    s71 = -0.5*dl*l
+    s72 = s69 + s70 + s71
+    s87 = s69 + s70 - s71
     k[0] = s55
     k[1] = s60
     k[2] = s12
@@ -283,17 +287,17 @@ def linear_constants(p):
     k[13] = s42
     k[14] = s29
     k[15] = s44
-    k[16] = s71
+    k[16] = s72
     k[17] = s_z_cx
     k[18] = s_z_cy
     k[19] = s_x_cz
     k[20] = s_y_cz
-    k[21] = s86
+    k[21] = s87
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
 def exact_state(p, tool, sign):
-    """Return the array w of `exact_command` for a machine: p (3, 15), tool (3,), sign (3,) of the controller's joints."""
+    """Return the array w of `exact_command` for a machine: p (3, 16), tool (3,), sign (3,) of the controller's joints."""
     w = aligned(208)
     w[20:23], w[24:27] = tool, sign
     k = _exact_constants(p[None])[0]
@@ -302,7 +306,7 @@ def exact_state(p, tool, sign):
 
 
 def linear_state(p, tool, sign):
-    """Return the array w of `linear_command` for a machine: p (3, 15), tool (3,), sign (3,) of the controller's joints."""
+    """Return the array w of `linear_command` for a machine: p (3, 16), tool (3,), sign (3,) of the controller's joints."""
     w = aligned(180)
     w[20:23], w[24:27] = tool, sign
     k = _linear_constants(p[None])[0]
@@ -365,13 +369,13 @@ def _exact_rows(w, lanes):
         u_x = w[168 + lane]
         u_y = w[172 + lane]
         s128 = w[176 + lane]
-        s182 = w[180 + lane]
-        s188 = w[184 + lane]
-        s190 = w[188 + lane]
-        s213 = w[192 + lane]
-        s215 = w[196 + lane]
-        s217 = w[200 + lane]
-        s223 = w[204 + lane]
+        s185 = w[180 + lane]
+        s191 = w[184 + lane]
+        s193 = w[188 + lane]
+        s216 = w[192 + lane]
+        s218 = w[196 + lane]
+        s220 = w[200 + lane]
+        s228 = w[204 + lane]
         q = w[36 + lane]
         s62 = -q*s60 + s59
         C_x = axis_x*s62 + s65
@@ -402,34 +406,34 @@ def _exact_rows(w, lanes):
         s172 = (d_z * d_z)
         s177 = 0.5*(s_y * s_y)
         s179 = 0.5*(s_z * s_z)
-        s183 = 0.5*s168 + 0.5*s170 + 0.5*s172 + s177 + s179 + s182 + 0.5*(s_x * s_x)
-        s184 = -s118 - s119 - s120
-        s186 = s114 + s115 + s116
-        s192 = R_31*s188 + R_32*s190
-        s196 = -R_21*s188 - R_22*s190
-        s198 = d_y*s184 + d_z*s186 + s192*s_y + s196*s_z
-        s200 = -s108 - s111 - s112
-        s205 = R_11*s188 + R_12*s190
-        s207 = -d_x*s184 + d_z*s200 - s192*s_x + s205*s_z
-        s212 = -d_x*s186 - d_y*s200 - s196*s_x - s205*s_y
-        s219 = d_x*s213 + d_y*s215 + d_z*s217
-        s224 = d_x*s_x + d_y*s_y + d_z*s_z + s223
-        s229 = d_y*s192 + d_z*s196 + s184*s_y + s186*s_z
-        s234 = -d_x*s192 + d_z*s205 - s184*s_x + s200*s_z
-        s239 = -d_x*s196 - d_y*s205 - s186*s_x - s200*s_y
-        s243 = s213*s_x + s215*s_y + s217*s_z
-        s248 = -1.0e-12*s168 - 1.0e-12*s170 - 1.0e-12*s172 + (s219 * s219)
-        w[60 + lane] = s183
-        w[64 + lane] = s198
-        w[68 + lane] = s207
-        w[72 + lane] = s212
-        w[76 + lane] = s219
-        w[80 + lane] = s224
-        w[84 + lane] = s229
-        w[88 + lane] = s234
-        w[92 + lane] = s239
-        w[96 + lane] = s243
-        w[100 + lane] = s248
+        s186 = 0.5*s168 + 0.5*s170 + 0.5*s172 + s177 + s179 + s185 + 0.5*(s_x * s_x)
+        s187 = -s118 - s119 - s120
+        s189 = s114 + s115 + s116
+        s195 = R_31*s191 + R_32*s193
+        s199 = -R_21*s191 - R_22*s193
+        s201 = d_y*s187 + d_z*s189 + s195*s_y + s199*s_z
+        s203 = -s108 - s111 - s112
+        s208 = R_11*s191 + R_12*s193
+        s210 = -d_x*s187 + d_z*s203 - s195*s_x + s208*s_z
+        s215 = -d_x*s189 - d_y*s203 - s199*s_x - s208*s_y
+        s222 = d_x*s216 + d_y*s218 + d_z*s220
+        s229 = d_x*s_x + d_y*s_y + d_z*s_z + s228
+        s234 = d_y*s195 + d_z*s199 + s187*s_y + s189*s_z
+        s239 = -d_x*s195 + d_z*s208 - s187*s_x + s203*s_z
+        s244 = -d_x*s199 - d_y*s208 - s189*s_x - s203*s_y
+        s248 = s216*s_x + s218*s_y + s220*s_z
+        s253 = -1.0e-12*s168 - 1.0e-12*s170 - 1.0e-12*s172 + (s222 * s222)
+        w[60 + lane] = s186
+        w[64 + lane] = s201
+        w[68 + lane] = s210
+        w[72 + lane] = s215
+        w[76 + lane] = s222
+        w[80 + lane] = s229
+        w[84 + lane] = s234
+        w[88 + lane] = s239
+        w[92 + lane] = s244
+        w[96 + lane] = s248
+        w[100 + lane] = s253
 
 
 @few
@@ -657,12 +661,12 @@ def _linear_rows(w, lanes):
         s52 = w[144 + lane]
         s54 = w[148 + lane]
         s56 = w[152 + lane]
-        s77 = w[156 + lane]
+        s79 = w[156 + lane]
         s_z_cx = w[160 + lane]
         s_z_cy = w[164 + lane]
         s_x_cz = w[168 + lane]
         s_y_cz = w[172 + lane]
-        s88 = w[176 + lane]
+        s90 = w[176 + lane]
         q = w[36 + lane]
         C_z_errors = h_errors - q*scale
         by_s38 = by_s37 - tx
@@ -672,25 +676,25 @@ def _linear_rows(w, lanes):
         d_y = py + s54 - ty
         d_y_errors = axis_y_errors*q + s56
         d_z = -h + pz + q - tz
-        s78 = -C_z_errors*d_z + d_x*d_x_errors + d_y*d_y_errors + s77
-        s81 = by_s40*d_z + d_y*tz
-        s84 = -by_s38*d_z - d_x*tz
-        s87 = by_s38*d_y - by_s40*d_x
-        s89 = d_z*s_z_cx
-        s90 = d_z*s_z_cy
-        s93 = d_x*s_x_cz + d_y*s_y_cz
-        s94 = (d_z * d_z)
-        s99 = -1.0e-12*(d_x * d_x) - 1.0e-12*(d_y * d_y) + 0.999999999999*s94
-        w[60 + lane] = s78
-        w[64 + lane] = s81
-        w[68 + lane] = s84
-        w[72 + lane] = s87
+        s80 = -C_z_errors*d_z + d_x*d_x_errors + d_y*d_y_errors + s79
+        s83 = by_s40*d_z + d_y*tz
+        s86 = -by_s38*d_z - d_x*tz
+        s89 = by_s38*d_y - by_s40*d_x
+        s91 = d_z*s_z_cx
+        s92 = d_z*s_z_cy
+        s95 = d_x*s_x_cz + d_y*s_y_cz
+        s96 = (d_z * d_z)
+        s101 = -1.0e-12*(d_x * d_x) - 1.0e-12*(d_y * d_y) + 0.999999999999*s96
+        w[60 + lane] = s80
+        w[64 + lane] = s83
+        w[68 + lane] = s86
+        w[72 + lane] = s89
         w[76 + lane] = d_z
-        w[80 + lane] = s88
-        w[84 + lane] = s89
-        w[88 + lane] = s90
-        w[92 + lane] = s93
-        w[100 + lane] = s99
+        w[80 + lane] = s90
+        w[84 + lane] = s91
+        w[88 + lane] = s92
+        w[92 + lane] = s95
+        w[100 + lane] = s101
 
 
 @few

@@ -1,7 +1,7 @@
 """Kinematics of `linear_delta` in plain NumPy: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both ec0ab28e345d86b3; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both cb59e0ba66b3effb; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -20,12 +20,12 @@ PIVOT_SINGULAR = 1e-9  # of the largest entry of its matrix, in mm
 
 
 def constants(p):
-    """Return k (M, 3, 52), what no pose changes, from p (371 operations).
+    """Return k (M, 3, 53), what no pose changes, from p (386 operations).
 
     All rows at once.
     """
     p = np.moveaxis(p, -1, 0).copy()  # value by value, so that all rows of one lie side by side
-    k = np.zeros((52, p.shape[1], 3))
+    k = np.zeros((53, p.shape[1], 3))
     r = p[0]
     l = p[1]
     phi = p[2]
@@ -41,6 +41,7 @@ def constants(p):
     scale = p[12]
     dl = p[13]
     dr = p[14]
+    stretch = p[15]
     s0 = angle + phi
     u_x = np.cos(s0)
     u_y = np.sin(s0)
@@ -83,7 +84,7 @@ def constants(p):
     s109 = a*u_y
     s128 = 0.5*c
     s147 = 0.5*dl
-    s148 = arm_0 + s147
+    s148 = arm_0 + s147 + stretch
     s150 = -0.5*(s148 * s148)
     s268 = -2*s49*s7
     s269 = 2*s11
@@ -131,7 +132,7 @@ def constants(p):
     s498 = -s399 + s493*s7
     s501 = -h*s276*s468
     s504 = 0.5*s278
-    s514 = arm_0 - s147
+    s514 = arm_0 - s147 + stretch
     s516 = -0.5*(s514 * s514)
     s628 = -s514
     s656 = -0.5*s628
@@ -144,16 +145,17 @@ def constants(p):
     s678 = 2*scale + 2
     s680 = 0.25*(s678 * s678)/(s60 * s60 * s60 * s60)
     s684 = -0.5*s657*s678
-    s711 = -0.125*(dl * dl) + s672
-    s829 = -0.5*s274
-    s857 = -0.25*dl
-    s861 = -0.5*arm_0*dl
-    s965 = -0.5*arm_0
-    s998 = 0.5*c*u_y
-    s1000 = -0.5*c*u_x
-    s1038 = axis_x*s60
-    s1040 = axis_y*s60
-    s1042 = axis_z*s60
+    s714 = -arm_0*stretch - 0.125*(dl * dl) + s672 - 0.5*(stretch * stretch)
+    s834 = -0.5*s274 - stretch
+    s862 = -0.25*dl
+    s864 = -arm_0 - stretch
+    s870 = -0.5*arm_0*dl - 0.5*dl*stretch
+    s1004 = -0.5*arm_0 - 0.5*stretch
+    s1009 = 0.5*c*u_y
+    s1011 = -0.5*c*u_x
+    s1049 = axis_x*s60
+    s1051 = axis_y*s60
+    s1053 = axis_z*s60
     k[0] = s60
     k[1] = s59
     k[2] = axis_x
@@ -195,17 +197,18 @@ def constants(p):
     k[38] = s504
     k[39] = s656
     k[40] = s53
-    k[41] = s711
-    k[42] = s861
-    k[43] = s998
-    k[44] = s1000
-    k[45] = s1038
-    k[46] = s1040
-    k[47] = s1042
-    k[48] = s829
+    k[41] = s714
+    k[42] = s870
+    k[43] = s1009
+    k[44] = s1011
+    k[45] = s1049
+    k[46] = s1051
+    k[47] = s1053
+    k[48] = s834
     k[49] = s147
-    k[50] = s857
-    k[51] = s965
+    k[50] = s862
+    k[51] = s864
+    k[52] = s1004
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
@@ -396,7 +399,7 @@ def _newton(x, q, tool, k):
 
 
 def _parameters(x, q, tool, k):
-    """Per rod of one limb: derivatives of the closure by errors, by deflections: (18, limbs, N)."""
+    """Per rod of one limb: derivatives of the closure by errors, by deflections: (20, limbs, N)."""
     px = x[0]
     py = x[1]
     pz = x[2]
@@ -519,7 +522,7 @@ def _parameters(x, q, tool, k):
     s645 = s326*s610 + s354*s612 - s521*s65 + s635 + s636 + s637 + s638 + s642 + s643 + s644
     s650 = s397*s610 + s425*s612 + s429*s614 + s432*s616
     s655 = s468*s610 + s495*s612 + s498*s614 + s501*s616
-    out = np.zeros((18, *(k.shape[1], x.shape[-1])))
+    out = np.zeros((20, *(k.shape[1], x.shape[-1])))
     out[0] = s277
     out[1] = s282
     out[2] = s288
@@ -529,15 +532,17 @@ def _parameters(x, q, tool, k):
     out[6] = s259
     out[7] = s504
     out[8] = s288
-    out[9] = s627
-    out[10] = s630
-    out[11] = s634
-    out[12] = s645
-    out[13] = s650
-    out[14] = s655
-    out[15] = s618
-    out[16] = s656
-    out[17] = s634
+    out[9] = s278
+    out[10] = s627
+    out[11] = s630
+    out[12] = s634
+    out[13] = s645
+    out[14] = s650
+    out[15] = s655
+    out[16] = s618
+    out[17] = s656
+    out[18] = s634
+    out[19] = s628
     return out
 
 
@@ -661,24 +666,63 @@ def jacobians(x, q, tool, k, F, J_x, J_q, J_p):
     J_p[:] = np.moveaxis(_by_rod(_parameters(*_turned(x, q, tool, k))), -1, 0)
 
 
-def _meet(sphere):
-    """Return where three spheres (N, 3, 4) meet, (N, 3), and (N,) whether their centres lie off one line.
-
-    Differences of the spheres are planes; two planes are a line, on which the first sphere is a quadratic. Where the
-    line misses the sphere its nearest point is taken.
-    """
-    a, b = sphere[:, 1] - sphere[:, 0], sphere[:, 2] - sphere[:, 0]
-    n = np.cross(a[:, :3], b[:, :3])
-    nn, aa, bb, ab = ((u[:, :3] * v[:, :3]).sum(axis=1) for u, v in ((n, n), (a, a), (b, b), (a, b)))
-    apart = nn > PIVOT_SINGULAR * aa * bb
-    nn = np.where(apart, nn, 1.0)
-    u, v = 0.5 * (a[:, 3] * bb - b[:, 3] * ab) / nn, 0.5 * (b[:, 3] * aa - a[:, 3] * ab) / nn
-    p = u[:, None] * a[:, :3] + v[:, None] * b[:, :3]
-    half = ((p - sphere[:, 0, :3]) * n).sum(axis=1)
-    rest = (p * p).sum(axis=1) - 2.0 * (sphere[:, 0, :3] * p).sum(axis=1) + sphere[:, 0, 3]
-    root = np.sqrt(np.maximum(half * half - nn * rest, 0.0))
-    t = (-half + np.where(n[:, 2] > 0.0, -1.0, 1.0) * root) / nn
-    return p + t[:, None] * n, apart
+def _meet(spheres):
+    """Where the spheres meet; how far off the centres, how far these are apart, what that is compared with: (6, N)."""
+    c_00 = spheres[0]
+    c_01 = spheres[1]
+    c_02 = spheres[2]
+    c_03 = spheres[3]
+    c_10 = spheres[4]
+    c_11 = spheres[5]
+    c_12 = spheres[6]
+    c_13 = spheres[7]
+    c_20 = spheres[8]
+    c_21 = spheres[9]
+    c_22 = spheres[10]
+    c_23 = spheres[11]
+    a_x = -c_00 + c_10
+    a_y = -c_01 + c_11
+    a_z = -c_02 + c_12
+    b_x = -c_00 + c_20
+    b_y = -c_01 + c_21
+    b_z = -c_02 + c_22
+    s7 = -0.5*c_03
+    to_a = 0.5*c_13 + s7
+    to_b = 0.5*c_23 + s7
+    aa = (a_x * a_x) + (a_y * a_y) + (a_z * a_z)
+    n_x = a_y*b_z - a_z*b_y
+    n_y = -a_x*b_z + a_z*b_x
+    n_z = a_x*b_y - a_y*b_x
+    nn = (n_x * n_x) + (n_y * n_y) + (n_z * n_z)
+    bb = (b_x * b_x) + (b_y * b_y) + (b_z * b_z)
+    ab = a_x*b_x + a_y*b_y + a_z*b_z
+    inverse = (1.0 / nn)
+    by_a = inverse*(-ab*to_b + bb*to_a)
+    by_b = inverse*(aa*to_b - ab*to_a)
+    p_x = a_x*by_a + b_x*by_b
+    p_y = a_y*by_a + b_y*by_b
+    p_z = a_z*by_a + b_z*by_b
+    half = inverse*(n_x*(-c_00 + p_x) + n_y*(-c_01 + p_y) + n_z*(-c_02 + p_z))
+    s66 = -2*c_01*p_y
+    s67 = -2*c_02*p_z
+    rest = -2*c_00*p_x + c_03 + (p_x * p_x) + (p_y * p_y) + (p_z * p_z) + s66 + s67
+    under = (half * half) - inverse*rest
+    kept = np.where((under > 0), under, 0)
+    s73 = np.sqrt(kept)
+    along = -half - np.where((n_z > 0), s73, -s73)
+    s77 = along*n_x + p_x
+    s79 = along*n_y + p_y
+    s81 = along*n_z + p_z
+    s82 = nn*under
+    s83 = aa*bb
+    out = np.zeros((6, *spheres.shape[1:]))
+    out[0] = s77
+    out[1] = s79
+    out[2] = s81
+    out[3] = s82
+    out[4] = nn
+    out[5] = s83
+    return out
 
 
 def forward(q, tool, k, x, status, warm):
@@ -686,8 +730,11 @@ def forward(q, tool, k, x, status, warm):
     status[:] = UNREACHABLE
     if not (warm and np.isfinite(x).all()):
         x[:] = 0.0
-        x[:, :3], apart = _meet(_sphere(*_turned(x, q, tool, k)).T)
-        status[~apart] = SINGULAR
+        spheres = _sphere(*_turned(x, q, tool, k)).swapaxes(0, 1).reshape(12, -1)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            *at, _, square, wide = _meet(spheres)
+        x[:, :3] = np.transpose(at)
+        status[~(square > PIVOT_SINGULAR * wide)] = SINGULAR
     active = np.flatnonzero(status == UNREACHABLE)
     for _ in range(MAX_STEPS):
         if not len(active):
@@ -738,7 +785,7 @@ def sensitivity(x, q, tool, k, S_p, S_q, status):
     status[:] = np.where(regular, SOLVED, SINGULAR)
     unit[:, :, ~regular] = np.nan
     by_limb = unit.reshape(6, 3, 2, -1).transpose(3, 1, 0, 2)
-    J_p = _parameters(*_turned(x, q, tool, k)).reshape(2, 9, 3, -1).transpose(3, 2, 0, 1)
+    J_p = _parameters(*_turned(x, q, tool, k)).reshape(2, 10, 3, -1).transpose(3, 2, 0, 1)
     S_p[:] = (by_limb @ J_p).transpose(0, 2, 1, 3).reshape(S_p.shape)
     S_q[:] = np.moveaxis((unit * J_q).reshape(6, 3, 2, -1).sum(axis=2), -1, 0)
     W = _spin(x.T).T.reshape(-1, 3, 3)

@@ -1,7 +1,7 @@
 """Distance between the reference points of two poses [mm].
 
 Generated from derive/measurements/distance.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both f938342e6a82f41c; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both 345d03dc92773fdf; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 0) the
 instrument's state: none.
@@ -16,6 +16,7 @@ TARGETS = {"length": 0}
 PLATFORMS = 2
 UNKNOWN = (
 )
+STATE = 0
 START = ()
 SCALE = 1.0
 ROWS = 1

@@ -1,7 +1,7 @@
 """Length from a point of the base to the reference point [mm].
 
 Generated from derive/measurements/gauge.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both 7d0d7545dd37a1b2; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both aa948efbf5e77abe; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 4) the
 instrument's state: gx gy gz zero.
@@ -20,6 +20,7 @@ UNKNOWN = (
     ("mz", "mm", 1.0, "error of the base point in {O}"),
     ("dzero", "mm", 1.0, "error of the gauge's zero"),
 )
+STATE = 4
 START = ()
 SCALE = 1.0
 ROWS = 1

@@ -1,7 +1,7 @@
 """Height of the reference point above the bed [mm].
 
 Generated from derive/measurements/height.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both 12cd8eb310c9cb74; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both 73fe6e4c8cd6f651; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 0) the
 instrument's state: none.
@@ -16,6 +16,7 @@ TARGETS = {"height": 0}
 PLATFORMS = 1
 UNKNOWN = (
 )
+STATE = 0
 START = ()
 SCALE = 1.0
 ROWS = 1

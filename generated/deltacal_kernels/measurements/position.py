@@ -1,7 +1,7 @@
 """Position of the reference point in the instrument's frame [mm].
 
 Generated from derive/measurements/position.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both 788818390aee811a; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both fdc1af654a4a071e; SymPy 1.14.0.
 
 Plain NumPy, vectorised over the readings: poses x (N, 12), position and rotation matrix, `given` (N, 12) the
 instrument's state: F11 F12 F13 F21 F22 F23 F31 F32 F33 fx fy fz.
@@ -22,6 +22,7 @@ UNKNOWN = (
     ("ty", "mm", 1000.0, "shift of {O} along the instrument's axes"),
     ("tz", "mm", 1000.0, "shift of {O} along the instrument's axes"),
 )
+STATE = 12
 START = ()
 SCALE = 1.0
 ROWS = 3

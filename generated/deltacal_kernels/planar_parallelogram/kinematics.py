@@ -1,7 +1,7 @@
 """Kinematics of `planar_parallelogram`, many poses at once: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both ec2e4cbec88792d0; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 676bbbfbea4a3937; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 

@@ -1,7 +1,7 @@
 """Kinematics of `planar_parallelogram` in plain NumPy: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both 426d4e2ee6ec7827; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both a78c5c6884391beb; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.

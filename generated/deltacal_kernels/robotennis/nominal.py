@@ -1,7 +1,7 @@
 """Derivatives of the nominal machine's position by its errors, many poses at once: `robotennis`, RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/nominal.py.jinja; sha256 of both 0effb62612ad257f; SymPy 1.14.0.
+Template templates/mechanism/nominal.py.jinja; sha256 of both 0025e757f50c6957; SymPy 1.14.0.
 
 Rods of a pair are parallel there, and the platform does not turn, which leaves little of the exact machine's derivatives.
 x (N, 3) is the position of the reference point, q (N, 3) the joints there, tool (N or 1, 3) the reference point in
@@ -217,19 +217,35 @@ def _along(x, C, m, H, n, towards, poses):
     row = 0
     for a in range(poses):
         for b in range(a + 1, poses):
-            n_0 = x[3 * b + 0] - x[3 * a + 0]
-            n_1 = x[3 * b + 1] - x[3 * a + 1]
-            n_2 = x[3 * b + 2] - x[3 * a + 2]
-            by = 1.0 / math.sqrt(n_0 * n_0 + n_1 * n_1 + n_2 * n_2)
-            towards[b] = by * n_0
-            towards[1 * poses + b] = by * n_1
-            towards[2 * poses + b] = by * n_2
+            a_x = x[3 * a + 0]
+            a_y = x[3 * a + 1]
+            a_z = x[3 * a + 2]
+            b_x = x[3 * b + 0]
+            b_y = x[3 * b + 1]
+            b_z = x[3 * b + 2]
+            gap_x = -a_x + b_x
+            gap_y = -a_y + b_y
+            gap_z = -a_z + b_z
+            s7 = 1/math.sqrt((gap_x * gap_x) + (gap_y * gap_y) + (gap_z * gap_z))
+            s8 = gap_x*s7
+            s9 = gap_y*s7
+            s10 = gap_z*s7
+            towards[0 * poses + b] = s8
+            towards[1 * poses + b] = s9
+            towards[2 * poses + b] = s10
         for b in range(a + 1, poses):
-            n_0 = towards[b]
-            n_1 = towards[1 * poses + b]
-            n_2 = towards[2 * poses + b]
             for j in range(n):
-                H[n * row + j] = n_0 * (C[m * (3 * b + 0) + j] - C[m * (3 * a + 0) + j]) + n_1 * (C[m * (3 * b + 1) + j] - C[m * (3 * a + 1) + j]) + n_2 * (C[m * (3 * b + 2) + j] - C[m * (3 * a + 2) + j])
+                n_x = towards[0 * poses + b]
+                n_y = towards[1 * poses + b]
+                n_z = towards[2 * poses + b]
+                shift_a_x = C[m * (3 * a + 0) + j]
+                shift_a_y = C[m * (3 * a + 1) + j]
+                shift_a_z = C[m * (3 * a + 2) + j]
+                shift_b_x = C[m * (3 * b + 0) + j]
+                shift_b_y = C[m * (3 * b + 1) + j]
+                shift_b_z = C[m * (3 * b + 2) + j]
+                s17 = n_x*(-shift_a_x + shift_b_x) + n_y*(-shift_a_y + shift_b_y) + n_z*(-shift_a_z + shift_b_z)
+                H[n * row + j] = s17
             row += 1
 
 

@@ -1,7 +1,7 @@
 """Kinematics of `robotennis` in plain NumPy: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both 89ad0eaaace72e27; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 3625d043fecff446; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -336,24 +336,63 @@ def jacobians(x, q, tool, k, F, J_x, J_q, J_p):
     J_p[:] = np.moveaxis(_by_rod(_parameters(*_turned(x, q, tool, k))), -1, 0)
 
 
-def _meet(sphere):
-    """Return where three spheres (N, 3, 4) meet, (N, 3), and (N,) whether their centres lie off one line.
-
-    Differences of the spheres are planes; two planes are a line, on which the first sphere is a quadratic. Where the
-    line misses the sphere its nearest point is taken.
-    """
-    a, b = sphere[:, 1] - sphere[:, 0], sphere[:, 2] - sphere[:, 0]
-    n = np.cross(a[:, :3], b[:, :3])
-    nn, aa, bb, ab = ((u[:, :3] * v[:, :3]).sum(axis=1) for u, v in ((n, n), (a, a), (b, b), (a, b)))
-    apart = nn > PIVOT_SINGULAR * aa * bb
-    nn = np.where(apart, nn, 1.0)
-    u, v = 0.5 * (a[:, 3] * bb - b[:, 3] * ab) / nn, 0.5 * (b[:, 3] * aa - a[:, 3] * ab) / nn
-    p = u[:, None] * a[:, :3] + v[:, None] * b[:, :3]
-    half = ((p - sphere[:, 0, :3]) * n).sum(axis=1)
-    rest = (p * p).sum(axis=1) - 2.0 * (sphere[:, 0, :3] * p).sum(axis=1) + sphere[:, 0, 3]
-    root = np.sqrt(np.maximum(half * half - nn * rest, 0.0))
-    t = (-half + np.where(n[:, 2] > 0.0, 1.0, -1.0) * root) / nn
-    return p + t[:, None] * n, apart
+def _meet(spheres):
+    """Where the spheres meet; how far off the centres, how far these are apart, what that is compared with: (6, N)."""
+    c_00 = spheres[0]
+    c_01 = spheres[1]
+    c_02 = spheres[2]
+    c_03 = spheres[3]
+    c_10 = spheres[4]
+    c_11 = spheres[5]
+    c_12 = spheres[6]
+    c_13 = spheres[7]
+    c_20 = spheres[8]
+    c_21 = spheres[9]
+    c_22 = spheres[10]
+    c_23 = spheres[11]
+    a_x = -c_00 + c_10
+    a_y = -c_01 + c_11
+    a_z = -c_02 + c_12
+    b_x = -c_00 + c_20
+    b_y = -c_01 + c_21
+    b_z = -c_02 + c_22
+    s7 = -0.5*c_03
+    to_a = 0.5*c_13 + s7
+    to_b = 0.5*c_23 + s7
+    aa = (a_x * a_x) + (a_y * a_y) + (a_z * a_z)
+    n_x = a_y*b_z - a_z*b_y
+    n_y = -a_x*b_z + a_z*b_x
+    n_z = a_x*b_y - a_y*b_x
+    nn = (n_x * n_x) + (n_y * n_y) + (n_z * n_z)
+    bb = (b_x * b_x) + (b_y * b_y) + (b_z * b_z)
+    ab = a_x*b_x + a_y*b_y + a_z*b_z
+    inverse = (1.0 / nn)
+    by_a = inverse*(-ab*to_b + bb*to_a)
+    by_b = inverse*(aa*to_b - ab*to_a)
+    p_x = a_x*by_a + b_x*by_b
+    p_y = a_y*by_a + b_y*by_b
+    p_z = a_z*by_a + b_z*by_b
+    half = inverse*(n_x*(-c_00 + p_x) + n_y*(-c_01 + p_y) + n_z*(-c_02 + p_z))
+    s66 = -2*c_01*p_y
+    s67 = -2*c_02*p_z
+    rest = -2*c_00*p_x + c_03 + (p_x * p_x) + (p_y * p_y) + (p_z * p_z) + s66 + s67
+    under = (half * half) - inverse*rest
+    kept = np.where((under > 0), under, 0)
+    s73 = np.sqrt(kept)
+    along = -half + np.where((n_z > 0), s73, -s73)
+    s77 = along*n_x + p_x
+    s79 = along*n_y + p_y
+    s81 = along*n_z + p_z
+    s82 = nn*under
+    s83 = aa*bb
+    out = np.zeros((6, *spheres.shape[1:]))
+    out[0] = s77
+    out[1] = s79
+    out[2] = s81
+    out[3] = s82
+    out[4] = nn
+    out[5] = s83
+    return out
 
 
 def forward(q, tool, k, x, status, warm):
@@ -361,8 +400,11 @@ def forward(q, tool, k, x, status, warm):
     status[:] = UNREACHABLE
     if not (warm and np.isfinite(x).all()):
         x[:] = 0.0
-        x[:, :3], apart = _meet(_sphere(*_turned(x, q, tool, k)).T)
-        status[~apart] = SINGULAR
+        spheres = _sphere(*_turned(x, q, tool, k)).swapaxes(0, 1).reshape(12, -1)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            *at, _, square, wide = _meet(spheres)
+        x[:, :3] = np.transpose(at)
+        status[~(square > PIVOT_SINGULAR * wide)] = SINGULAR
     active = np.flatnonzero(status == UNREACHABLE)
     for _ in range(MAX_STEPS):
         if not len(active):

@@ -1,7 +1,7 @@
 """Tables of `serial`: Open chain of revolute and prismatic joints.
 
 Generated from derive/mechanisms/serial.py by "deltacal kernels". Do not edit.
-Template templates/chain/parameters.py.jinja; sha256 of both b156e76aa64aaccf; SymPy 1.14.0.
+Template templates/chain/parameters.py.jinja; sha256 of both 3586ac59660d1e00; SymPy 1.14.0.
 Units: mm, rad, kg. Everything here belongs to one link; the robot file says how many there are.
 """
 
@@ -26,4 +26,11 @@ ERRORS = (
     ("d", "mm", "offset along the axis", 0.3),
     ("theta", "rad", "zero of the joint", 0.0017453292519943296),
     ("beta", "rad", "turn about y between parallel axes", 0.0017453292519943296),
+)
+
+# the same, of the tool: the next columns, equal in every row
+COMMON = (
+    ("tx", "mm", "tool point, x of the last frame", 1.0),
+    ("ty", "mm", "tool point, y of the last frame", 1.0),
+    ("tz", "mm", "tool point, z of the last frame", 1.0),
 )

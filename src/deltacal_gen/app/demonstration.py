@@ -15,16 +15,16 @@ from pathlib import Path
 import numpy as np
 
 from deltacal_gen.app import commands
-from deltacal_gen.files.recording import write_files
 from deltacal_gen.files.robot import read_robot, robot_to_toml
+from deltacal_gen.files.writing import write_files
 from deltacal_gen.identification.accuracy import check_poses, workspace_of
 from deltacal_gen.instrument.instrument import align
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.pages import figures
-from deltacal_gen.physics.physics import Term
 from deltacal_gen.physics.simulation import read_truth
+from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.demo import Check, Concealed, ConcealedParameter, Demo
-from deltacal_gen.use import exports
+from deltacal_gen.use import exports, spans
 from deltacal_gen.use.compensation import Compensator
 from deltacal_gen.use.prediction import calibrated_robot, known_effects
 
@@ -55,7 +55,7 @@ def run(folder: Path, progress: Callable[[str], None]) -> Demo:
     machine = calibrated_robot(found)
     write_files({files["calibrated.toml"]: robot_to_toml(machine)})
     compensator = Compensator(machine, terms=tuple(known_effects(found, timed=True)))
-    exports.export_c(compensator, files["command.c"], exports.spans(found))
+    exports.export_c(compensator, files["command.c"], spans.spans(found))
     progress("check against the truth")
     truth = read_truth(source / "truth.toml", robot)
     commanders = (

@@ -18,6 +18,7 @@ import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any, cast
 
@@ -25,7 +26,8 @@ from deltacal_gen.app import commands
 from deltacal_gen.errors import DeltacalError, InputError, UsageError
 from deltacal_gen.execution import Outcome, Store, Task, Told, content_key, run
 from deltacal_gen.files.points import is_table_of_joints
-from deltacal_gen.files.recording import csv_text, is_recording, write_files
+from deltacal_gen.files.recording import is_recording
+from deltacal_gen.files.writing import csv_text, write_files
 from deltacal_gen.results.base import Answer, Json
 from deltacal_gen.results.batch import (
     Action,
@@ -286,11 +288,14 @@ def conduct(
     keys: dict[str, str] = {}
     files: dict[str, str] = {}
 
+    def asked(job: Job) -> tuple[Any, ...]:
+        return action, model, job.contents()
+
     def tasks() -> Iterator[Task]:
         for job in open_:
             key, files[job.label] = _key(job.contents, action, model)
             keys[job.label] = key
-            yield Task(key, job.label, lambda job=job: (action, model, job.contents()))  # type: ignore[misc]
+            yield Task(key, job.label, partial(asked, job))
 
     outcomes = run(do, tasks(), total=len(open_), **where)
     rows = []
@@ -482,6 +487,7 @@ def _grown(old: Diagnosis, new: Diagnosis) -> list[tuple[str, str, float, float,
             if before is None or before.std is None or p.std is None:  # an order, a time: a constant
                 continue
             std = math.hypot(before.std, p.std)
-            if abs(p.value - before.value) > CLEAR * std:
-                out.append((e.name, p.name, before.value, p.value, std, p.unit))
+            first, then = float(before.value), float(p.value)
+            if abs(then - first) > CLEAR * std:
+                out.append((e.name, p.name, first, then, std, p.unit))
     return out

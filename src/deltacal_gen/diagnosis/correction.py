@@ -16,12 +16,16 @@ import numpy as np
 
 from deltacal_gen.diagnosis.search import Beside
 from deltacal_gen.diagnosis.structure import Structure, displacements
-from deltacal_gen.estimation.estimation import Fit, lengths, rms, robust_sigma, robust_weights
-from deltacal_gen.estimation.solvers import jitter
-from deltacal_gen.files.recording import Recording
+from deltacal_gen.errors import InputError, NoSolutionError
+from deltacal_gen.estimation.fit import Fit, fit
+from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.estimation.residuals import lengths, rms, robust_sigma, robust_weights
+from deltacal_gen.estimation.solvers import Prior, jitter
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.physics.physics import Term
+from deltacal_gen.machine.values import Recording
+from deltacal_gen.physics.body import Body
+from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import SmoothState
 from deltacal_gen.units import joint_factors, joint_names
 
@@ -122,11 +126,20 @@ def variable(name: str, recording: Recording, q: Array, x: Array) -> Array | Non
     return dict(zip(names, (q / unit).T[:, :, None], strict=True)).get(name)
 
 
-def correct(at: Fit, left: Sequence[Structure], parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> Correction | None:
+def correct(
+    at: Fit, whole: Fit, left: Sequence[Structure], parts: Sequence[tuple[np.ndarray, np.ndarray]]
+) -> Correction | None:
     """Return the smooth correction that held-out poses bear out, None where they bear out none.
+
+    What it depends on is chosen in the machine made linear; what it then is worth is measured as predictions use it: in
+    the exact machine, geometry, effects and instrument fitted anew beside it, fading where there were no readings.
 
     Parameters
     ----------
+    at : Fit
+        Of the readings that `left` and `parts` are of.
+    whole : Fit
+        Of all readings, with the same effects: the correction is fitted to them.
     left : sequence of Structure
         What is left of the fit, the strongest first.
     parts : sequence of (train, test)
@@ -144,10 +157,10 @@ def correct(at: Fit, left: Sequence[Structure], parts: Sequence[tuple[np.ndarray
     options = linear.options(variables)
     # every part is predicted by what the other parts choose and fit
     without, corrected = [], []
-    for k, (_, test) in enumerate(parts):
-        chosen = linear.best(options, {k})
-        without.append(linear.errors(linear.step(None, {k}), None, test))
-        corrected.append(linear.errors(linear.step(chosen, {k}), chosen, test))
+    for k, (train, test) in enumerate(parts):
+        before = linear.errors(linear.step(None, {k}), None, test)
+        without.append(before)
+        corrected.append(_predicted(at, linear, linear.best(options, {k}), k, train, test, before))
     order = np.concatenate([np.flatnonzero(test) for _, test in parts])
     quiet = linear.weights[order] > 0
     before, after = (lengths(np.concatenate(errors)[quiet], found.kind) for errors in (without, corrected))
@@ -158,19 +171,78 @@ def correct(at: Fit, left: Sequence[Structure], parts: Sequence[tuple[np.ndarray
     option = linear.best(options, set())
     if option is None or better.sum() <= PROVEN * spread:
         return None
-    step = linear.step(option, set())
-    n, m = len(at.problem.scale), at.instrument.n_unknown
-    errors = at.errors.copy()
-    errors[at.problem.columns] += step[:n] * at.problem.scale
-    source, _ = at.problem.split(errors)
+    step, base = linear.step(option, set()), linear.step(None, set())
+    smooth = option.smooth(step[len(base) :])
+    fitted = _beside(whole, smooth)
+    if fitted is None:
+        return None
+    source, _ = whole.problem.split(fitted.errors)
     return Correction(
-        smooth=option.smooth(step[n + m :]),
-        errors=source[: len(at.problem.mechanism.parameters)],
-        terms=at.problem.acting(errors),
-        instrument=at.instrument.stepped(step[n : n + m]),
+        smooth=smooth,
+        errors=source[: len(whole.problem.mechanism.parameters)],
+        terms=whole.problem.acting(fitted.errors),
+        instrument=fitted.instrument,
         heldout=(rms(before), rms(after)),
-        size=rms(lengths(linear.errors(linear.step(None, set()), None) - linear.errors(step, option), found.kind)),
+        size=rms(lengths(linear.errors(base, None) - linear.errors(step, option), found.kind)),
     )
+
+
+def _predicted(
+    at: Fit,
+    linear: _Linear,
+    option: _Option | None,
+    k: int,
+    train: np.ndarray,
+    test: np.ndarray,
+    plain: Array,
+) -> Array:
+    """Return the errors (test, k) of readings as predictions with a correction make them, fitted to the other parts.
+
+    `plain` are the errors without it, which hold where it does not.
+    """
+    if option is None:
+        return plain
+    smooth = option.smooth(linear.step(option, {k})[len(linear.step(None, {k})) :])
+    fitted = _beside(at, smooth, train)
+    if fitted is None:
+        return plain
+    problem = displaced(at, smooth, at.problem)
+    machine = problem.solve(fitted.errors)
+    moved = problem.residual(fitted.errors, fitted.instrument, machine.x)[test]
+    values = variable(smooth.variable, problem.recording, at.problem.body.q, at.machine.x)
+    assert values is not None  # the option was made of it
+    holds = smooth.share(values)[at.problem.readings.rows[test]].min(axis=1)[:, None]
+    out: Array = plain + holds * (moved - plain)
+    return out
+
+
+def _beside(at: Fit, smooth: Smooth, chosen: np.ndarray | None = None) -> Fit | None:
+    """Return the fit of geometry, effects and instrument beside a smooth function, to some of the readings."""
+    problem = displaced(at, smooth, at.problem)
+    problem = problem if chosen is None else problem.subset(np.flatnonzero(chosen))
+    try:
+        return fit(problem, Prior(), errors=at.errors, instrument=at.instrument, must_converge=False, tolerance=0.1)
+    except (NoSolutionError, InputError):
+        return None
+
+
+def displaced(at: Fit, smooth: Smooth, problem: Problem) -> Problem:
+    """Return a problem whose joints, or whose readings, are moved by a smooth function as predictions move them."""
+    body = problem.body
+    values = variable(smooth.variable, problem.recording, body.q, at.machine.x)
+    if values is None:
+        return problem
+    moved = np.nan_to_num(smooth.displacement(values)) * smooth.share(values)[:, None]
+    if smooth.limbs:
+        q = body.q.copy()
+        q[:, [i - 1 for i in smooth.limbs]] += moved
+        return dataclasses.replace(problem, body=Body(body.robot, body.mechanism, q, body.tool, body.channels))
+    x = at.machine.x
+    instrument = at.instrument.mounted(problem.mechanism, at.errors)
+    there, _ = instrument.predict(problem.readings, np.hstack([x[:, :3] + moved, x[:, 3:]]))
+    here, _ = instrument.predict(problem.readings, x)
+    readings = dataclasses.replace(problem.readings, values=problem.readings.values - (there - here))
+    return dataclasses.replace(problem, readings=readings)
 
 
 @dataclass(frozen=True)

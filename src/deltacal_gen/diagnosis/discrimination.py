@@ -14,13 +14,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from deltacal_gen.estimation.estimation import Fit, Problem
+from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.files.robot import to_file
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import SOLVED, Array
 from deltacal_gen.machine.values import Recording
-from deltacal_gen.physics.physics import Body, Channels, Term
+from deltacal_gen.physics.body import Body
+from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.states import columns
+from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import Location, NextMeasurement, Row
 from deltacal_gen.units import joint_factors, joint_names, of_joints
 

@@ -12,26 +12,39 @@ from __future__ import annotations
 import copy
 import dataclasses
 import itertools
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
+from typing import TypeVar
 
 import numpy as np
 
-from deltacal_gen.diagnosis.discrimination import columns_read
-from deltacal_gen.estimation.estimation import Fit, Problem
+from deltacal_gen.diagnosis.library import SIZE_STEP
+from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.physics.physics import Body, Point, Term, blank, displaces_points, effect_names, load_effect
-from deltacal_gen.physics.states import State, read_by
-from deltacal_gen.results.parts import Missing
+from deltacal_gen.physics.body import Body
+from deltacal_gen.physics.terms import (
+    Beyond,
+    Constant,
+    Term,
+    beyond,
+    blank,
+    load_effect,
+    without_rows,
+)
 
 CHANCE = 5e-4  # that noise alone earns a form, or a limb, its charge
-ORDERS = 100  # integer orders of a periodic error that are searched
-HARMONICS = 5  # multiples of the gear ratio that are searched
 ROUNDING = 1e-9  # of the largest column of an effect: less is no effect at all
-MOST_TIMES = 300  # of a jump that are searched
+MOST_SETS, MOST_FORMS = 6, 3  # limbs of which all sets are looked at; forms of an effect on more that are
 UNSEEN = 1e-6  # part of a column's square beside the base: less is a combination of what is fitted
+GOLDEN = 0.5 * (5**0.5 - 1)  # of the golden section by which a size is then sought
+REFINEMENTS = 12  # of it: to 0.3 % of the step
+REFINED = 0.5  # of chi2: a size that explains less more is as good as the one that is there
+NEAR_BEST = 0.95  # of the best score: what earns less is not the best by a size between two steps
+ASIDE = 0.1  # by how much of itself a size is moved to see how sharply it is known
 SMALLEST = 1e-8  # of the largest eigenvalue: below it columns are combinations of one another
+T = TypeVar("T")
 
 
 class Beside:
@@ -103,11 +116,16 @@ class Beside:
 
 @dataclass(frozen=True)
 class Found:
-    """An effect's best form: its gain in chi2, and what is left of the gain after its charge."""
+    """An effect's best form: its gain in chi2, and what is left of the gain after its charge.
+
+    `doubt` says what size another form would need that would earn more: one that no machine worth measuring has. Where
+    every form would, the score is minus infinity.
+    """
 
     term: Term
     gain: float
     score: float
+    doubt: str = ""
 
 
 class Search:
@@ -128,11 +146,12 @@ class Search:
     def __init__(self, at: Fit, terms: Sequence[Term]) -> None:
         self.fit = at
         self.effects = tuple(map(_key, at.problem.terms))
-        self._compete(Beside(at), at.problem, terms)
+        self._compete(Beside(at), at.problem, _with_fitted(terms, at.problem))
 
     def _compete(self, beside: Beside, problem: Problem, terms: Sequence[Term]) -> None:
+        self._problem, self._parted = problem, False
         self.terms = tuple(terms)
-        columns = beside.rows(problem.term_columns(terms, beside.fit.errors, beside.fit.instrument, beside.machine))
+        columns = self._whitened(beside, terms)
         self._size = np.linalg.norm(columns, axis=0)
         owner = np.concatenate([[t.effect] * t.n_coefficients for t in terms]) if terms else np.zeros(0, dtype=str)
         for name in np.unique(owner):  # rounding is no lever: a joint that bears nothing has nothing to twist by
@@ -143,6 +162,10 @@ class Search:
         starts = np.cumsum([0, *(t.n_coefficients for t in terms)])[:-1].tolist()
         self._start = dict(zip(map(_key, terms), starts, strict=True))
         self._place(beside)
+
+    def _whitened(self, beside: Beside, terms: Sequence[Term]) -> Array:
+        at = beside.fit
+        return beside.rows(self._problem.term_columns(terms, at.errors, at.instrument, beside.machine))
 
     def _place(self, beside: Beside) -> None:
         self._beside = beside
@@ -164,6 +187,7 @@ class Search:
     def within(self, chosen: np.ndarray) -> Search:
         """Return the search on some of the readings (R,) only; repeats of a pose must not be parted."""
         out = copy.copy(self)
+        out._parted = True
         out._columns = self._columns[chosen[self._beside.owner]]
         out._place(self._beside.within(chosen))
         return out
@@ -207,7 +231,10 @@ class Search:
         return term.with_values(values / self._size[some])
 
     def best(self, name: str) -> Found:
-        """Return an effect's best form over its constants, limbs and tool points, charged for the choice."""
+        """Return an effect's best form over its constants, limbs and tool points, charged for the choice.
+
+        What of it no machine can have is left out, and told: limbs, or the form where it is of the whole machine.
+        """
         forms = [t for t in self.terms if t.effect == name]
         free = [j for j, t in enumerate(forms) if _key(t) not in self.effects]
         first, count = self._start[_key(forms[0])], forms[0].n_coefficients
@@ -216,26 +243,172 @@ class Search:
         inside = np.moveaxis(self._inside[:, span].reshape(-1, len(forms), count)[:, free], 0, 2)
         G = C @ np.swapaxes(C, 1, 2) - inside @ np.swapaxes(inside, 1, 2)
         b = self._reach[span].reshape(-1, count)[free]
-        most = gains(G, b)  # no part of a form explains more than the whole
-        found: list[Found] = []
-        for part in reversed(parts(forms[0])):
-            price = charge(part, len(forms))
-            some = np.flatnonzero(most - price > (found[-1].score if found else -np.inf))
-            if not len(some):
-                continue
+        size = self._size[span].reshape(-1, count)[free]
+        open_forms, allowed, doubt = np.arange(len(free)), _allowed(forms[0]), ""
+        last = Found(forms[0], 0.0, -np.inf)
+        while len(open_forms) and allowed is not None:
+            part, k, gain, score = _most(forms[0], allowed, len(forms), G[open_forms], b[open_forms])
+            k = int(open_forms[k])
+            form = dataclasses.replace(part, constants=forms[free[k]].constants)
             own = _offsets(forms[0], part)
-            each = gains(G[some][:, own][:, :, own], b[some][:, own])
-            k = int(np.argmax(each))
-            if not found or float(each[k]) - price > found[-1].score:
-                form = dataclasses.replace(part, constants=forms[free[some[k]]].constants)
-                found.append(Found(form, float(each[k]), float(each[k]) - price))
-        return found[-1]
+            cannot = self._beyond(form, G[k][np.ix_(own, own)], b[k, own], size[k, own])
+            last = Found(form, gain, score, doubt)
+            if not cannot or score < 0:
+                return last
+            doubt = doubt or str(cannot[0])
+            if carriers := _carriers(part):
+                out = {carriers[c.row] for c in cannot}
+                allowed = [c for c in allowed if c not in out] or None
+            else:
+                open_forms = open_forms[open_forms != k]
+        return dataclasses.replace(last, score=-np.inf, doubt=doubt)
+
+    def _beyond(self, form: Term, G: Array, b: Array, size: Array) -> list[Beyond]:
+        """Return what of a form's best coefficients cannot be."""
+        inverse = np.linalg.pinv(G, rcond=SMALLEST, hermitian=True)
+        std = np.sqrt(np.maximum(np.diag(inverse), 0.0)) / size
+        return beyond(form.with_values(inverse @ b / size), std, self.fit.problem.recording.joint_unit)
+
+    def _refined(self, found: Found) -> Found:
+        """Return a form whose constant, a size that was searched in steps, is where it explains most.
+
+        Of parts of the readings it stays as it is: a little more than all others explain with it tells nothing.
+        """
+        at = _sized(found.term)
+        if at is None or self._parted:
+            return found
+        low, high = -np.log(SIZE_STEP), np.log(SIZE_STEP)
+        inside = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)]
+        gain = [self._explained(_resized(found.term, at, u))[0] for u in inside]
+        for _ in range(REFINEMENTS):
+            worse = int(gain[0] > gain[1])
+            low, high = (low, inside[1]) if worse else (inside[0], high)
+            new = high - GOLDEN * (high - low) if worse else low + GOLDEN * (high - low)
+            inside, kept = [new, inside[0]] if worse else [inside[1], new], gain[0] if worse else gain[1]
+            added = self._explained(_resized(found.term, at, new))[0]
+            gain = [added, kept] if worse else [kept, added]
+        best = int(gain[1] > gain[0])
+        more = gain[best] - found.gain
+        if more < REFINED:
+            return found
+        return dataclasses.replace(
+            found, term=_resized(found.term, at, inside[best]), gain=gain[best], score=found.score + more
+        )
+
+    def _explained(self, term: Term) -> tuple[float, Array]:
+        """Return the gain of a form that does not compete, and its coefficients (n_c,)."""
+        columns = self._whitened(self._beside, [term])
+        size = np.maximum(np.linalg.norm(columns, axis=0), 1e-300)
+        C = columns / size
+        inside, b = self._beside.Q.T @ C, C.T @ self._beside.residual
+        G = C.T @ C - inside.T @ inside
+        return float(gains(G[None], b[None])[0]), np.linalg.pinv(G, rcond=SMALLEST, hermitian=True) @ b / size
+
+    def spread(self, term: Term) -> tuple[float | None, Array]:
+        """Return how uncertain a size is that was searched, and what that adds to the variances of coefficients (n_c,).
+
+        The gain falls by 1 where the size is a standard deviation off, the coefficients with it. None where the
+        readings give it no two ends.
+        """
+        at = _sized(term)
+        if at is None:
+            return None, np.zeros(term.n_coefficients)
+        (less, a), (most, _), (more, b) = (self._explained(_resized(term, at, u)) for u in (-ASIDE, 0.0, ASIDE))
+        falls = (2 * most - less - more) / ASIDE**2
+        if falls <= 0:
+            return None, np.zeros(term.n_coefficients)
+        return float(term.constants[at]) * (2 / falls) ** 0.5, ((b - a) / (2 * ASIDE)) ** 2 * 2 / falls
 
     def ranked(self) -> list[Found]:
         """Return the best form of every effect that is not fitted, the best first."""
         taken = {name for name, _ in self.effects if not several(name)}
         names = dict.fromkeys(t.effect for t in self.terms if t.effect not in taken)
-        return sorted(map(self.best, names), key=lambda f: -f.score)
+        found = list(map(self.best, names))
+        near = max(NEAR_BEST * max((f.score for f in found), default=0.0), 0.0)
+        return sorted((self._refined(f) if f.score > near else f for f in found), key=lambda f: -f.score)
+
+
+def _most(every: Term, allowed: Sequence[object], forms: int, G: Array, b: Array) -> tuple[Term, int, float, float]:
+    """Return which part of an effect, in which form, earns most beyond its charge, with gain and score.
+
+    `every` is the effect on all limbs, to which the normal equations G (M, n, n) and b (M, n) of M forms belong;
+    `allowed` are the limbs, or tool points, that it may be on. All sets of few limbs are looked at; of many, those on
+    the way from none to all and back, of the forms that explain most on all.
+    """
+    most = gains(G, b)  # no part of a form explains more than the whole
+    if len(allowed) > MOST_SETS:
+        best: tuple[Term, int, float, float] | None = None
+        for k in np.argsort(-most)[:MOST_FORMS]:
+
+            def worth(own: tuple[object, ...], k: int = int(k)) -> float:
+                part = _on(every, own)
+                at = _offsets(every, part)
+                if part.tools and len(part.tools) == len(every.tools):
+                    return -np.inf  # an offset of all tool points alike is another frame
+                return float(gains(G[k][np.ix_(at, at)][None], b[k, at][None])[0]) - charge(part, forms)
+
+            own, score = best_set(allowed, worth)
+            part = _on(every, own)
+            if best is None or score > best[3]:
+                best = part, int(k), score + charge(part, forms), score
+        assert best is not None  # there are forms
+        return best
+    among = [p for p in parts(every) if set(_carriers(p)) <= set(allowed)]
+    found = among[-1], 0, 0.0, -np.inf
+    for part in reversed(among):
+        price = charge(part, forms)
+        some = np.flatnonzero(most - price > found[3])
+        if not len(some):
+            continue
+        own_places = _offsets(every, part)
+        each = gains(G[some][:, own_places][:, :, own_places], b[some][:, own_places])
+        k = int(np.argmax(each))
+        if float(each[k]) - price > found[3]:
+            found = part, int(some[k]), float(each[k]), float(each[k]) - price
+    return found
+
+
+def best_set(items: Sequence[T], worth: Callable[[tuple[T, ...]], float]) -> tuple[tuple[T, ...], float]:
+    """Return the set of items that is worth most, and its worth: forwards one by one, then backwards from all."""
+    found: list[tuple[float, tuple[T, ...]]] = []
+    own: tuple[T, ...] = ()
+    while len(own) < len(items):
+        tried = [tuple(i for i in items if i in own or i == new) for new in items if new not in own]
+        score, own = max(((worth(t), t) for t in tried), key=lambda pair: pair[0])
+        found.append((score, own))
+    while len(own) > 1:
+        tried = [tuple(i for i in own if i != old) for old in own]
+        score, own = max(((worth(t), t) for t in tried), key=lambda pair: pair[0])
+        found.append((score, own))
+    score, own = max(found, key=lambda pair: pair[0])
+    return own, score
+
+
+def _on(every: Term, carriers: Sequence[object]) -> Term:
+    """Return an effect, blank, on some of its limbs or tool points."""
+    return without_rows(every, [r for r, c in enumerate(_carriers(every)) if c not in carriers]) or every
+
+
+def _with_fitted(terms: Sequence[Term], problem: Problem) -> list[Term]:
+    """Return the forms that compete, those that are fitted with sizes between the searched ones among them."""
+    out, known = list(terms), set(map(_key, terms))
+    for term in problem.terms:
+        if _key(term) not in known and (same := [j for j, t in enumerate(out) if t.effect == term.effect]):
+            out.insert(same[-1] + 1, dataclasses.replace(out[same[-1]], constants=term.constants))
+    return out
+
+
+def _sized(term: Term) -> int | None:
+    """Return which constant of a term is a size between those that are searched; None where none is."""
+    names = [name for name, *_ in term.kernels.CONSTANTS]
+    return next((names.index(name) for name in term.kernels.SIZED), None)
+
+
+def _resized(term: Term, at: int, by: float) -> Term:
+    """Return a term, blank, with a constant times ``exp(by)``."""
+    constants = list(term.constants)
+    constants[at] = float(constants[at]) * float(np.exp(by))
+    return dataclasses.replace(term, constants=tuple(constants), values=np.zeros_like(term.values))
 
 
 def several(effect: str) -> bool:
@@ -267,17 +440,24 @@ def parts(term: Term) -> list[Term]:
     """
     limbs = [s for n in range(1, len(term.limbs) + 1) for s in itertools.combinations(term.limbs, n)] or [()]
     tools = [s for n in range(1, len(term.tools)) for s in itertools.combinations(term.tools, n)] or [()]
-    return [blank(term.effect, ls, term.constants, ts) for ls in limbs for ts in tools]
+    return [blank(term.effect, ls, term.constants, ts, term.lacks) for ls in limbs for ts in tools]
 
 
-def _key(term: Term) -> tuple[str, tuple[float, ...]]:
+def _key(term: Term) -> tuple[str, tuple[Constant, ...]]:
     return term.effect, term.constants
+
+
+def _allowed(term: Term) -> list[object] | None:
+    return list(_carriers(term))
+
+
+def _carriers(term: Term) -> Sequence[object]:
+    return term.limbs or term.tools
 
 
 def _offsets(every: Term, part: Term) -> list[int]:
     n_c = every.values.shape[1]
-    carriers: Sequence[object] = every.limbs or every.tools
-    own: Sequence[object] = part.limbs or part.tools
+    carriers, own = _carriers(every), _carriers(part)
     places = [carriers.index(c) for c in own] if carriers else [0]
     return [p * n_c + j for p in places for j in range(n_c)]
 
@@ -294,102 +474,3 @@ def gains(G: Array, b: Array) -> Array:
     keep = values > SMALLEST * np.maximum(values[:, -1:], UNSEEN)
     found: Array = np.sum(np.where(keep, along**2 / np.where(keep, values, 1.0), 0.0), axis=1)
     return found
-
-
-# ------------------------------------------------------------------------------------------------------- candidates
-
-
-def library(problem: Problem) -> tuple[list[Term], tuple[Missing, ...]]:
-    """Return every form of every effect that the recording can carry, and those it cannot with what is missing.
-
-    Effects of parts that the mechanism does not have are neither.
-    """
-    limbs, tools = tuple(range(1, problem.mechanism.limbs + 1)), _tools(problem)
-    terms: list[Term] = []
-    missing: list[Missing] = []
-    for name in effect_names():
-        if problem.body.foreign(name):
-            continue
-        if why := _spoilt(problem, name) or problem.body.missing(name) or _constant(problem, name):
-            missing.append(Missing(name=name, missing=why))
-            continue
-        terms += [blank(name, limbs, constants, tools) for constants in _forms(problem, name)]
-    return terms, tuple(missing)
-
-
-def _spoilt(problem: Problem, name: str) -> str | None:
-    """Return what is wrong with a column that an effect reads: values that cannot be, or blank cells."""
-    recording = problem.recording
-    if any(s.kind == "load" for s in read_by(load_effect(name))) and problem.robot.masses is None:
-        return None  # the column would not help
-    rows = np.unique(problem.readings.rows)
-    for column in columns_read(problem, [blank(name, (1,))]):
-        if column in recording.doubts:
-            return f"values that can be in the column {column} ({recording.doubts[column]})"
-        values = recording.channels.get(column)
-        if values is not None and len(empty := rows[~np.isfinite(values[rows])]):
-            where = f"{len(empty)} of {len(rows)} are blank, the first in line {recording.line[empty[0]]}"
-            return f"every cell of the column {column} ({where})"
-    return None
-
-
-def _constant(problem: Problem, name: str) -> str | None:
-    """Return why an effect could not show: its channel does not vary, its columns do not exist, or it is geometry."""
-    kernels = load_effect(name)
-    rows = np.unique(problem.readings.rows)
-    kind = problem.readings.kind
-    for channel in (c for s in read_by(kernels) for c in s.channels if c.column == s.shown):
-        if channel.differing and not _differs(problem, channel, rows):
-            return channel.differing
-    if kernels.ACTS_ON == "reading" and not any(t in kind.targets for t in kernels.TARGETS):
-        return f"readings of another kind than {kind.name}"
-    if displaces_points(kernels) and len(_tools(problem)) < 2:
-        return "readings of a second point of the platform"
-    if not kernels.STATE and all(t.startswith("limb.") for t in kernels.TARGETS):
-        moves = problem.mechanism.moves(problem.robot)
-        moved = {error for t in kernels.TARGETS for error in moves[t[5:]]}
-        if {p.name for p in problem.mechanism.parameters if p.error in moved} <= set(problem.names):
-            return "a smaller model: this one fits these errors as geometry"
-    return None
-
-
-def _differs(problem: Problem, channel: State, rows: np.ndarray) -> bool:
-    """Tell whether a channel, of some joint or of its own, varies among rows; one that is not recorded may."""
-    values = problem.body.channels.get(channel.base)
-    if values is None:
-        return True
-    own = values[rows] if not channel.joint else values[rows, channel.joint - 1]
-    return bool(np.ptp(own, axis=0).max() > 0)
-
-
-def _tools(problem: Problem) -> list[Point]:
-    used = np.unique(problem.readings.rows)
-    return [(x, y, z) for x, y, z in np.unique(np.round(problem.body.tool[used], 9), axis=0).tolist()]
-
-
-def _forms(problem: Problem, name: str) -> list[tuple[float, ...]]:
-    """Return the constants of every form of an effect that is searched."""
-    kernels = load_effect(name)
-    how = {constant: kind for kind, constant in kernels.SEARCHED.items()}
-    return list(itertools.product(*(SEARCHES[how[key]](problem) for key, *_ in kernels.CONSTANTS)))
-
-
-def _orders(problem: Problem) -> list[float]:
-    """Return the orders of a periodic error."""
-    orders = {float(k) for k in range(1, ORDERS + 1)}
-    ratio = problem.robot.transmission.gear_ratio if problem.robot.transmission else None
-    if ratio:
-        orders |= {ratio * k for k in range(1, HARMONICS + 1)}
-    return sorted(orders)
-
-
-def _moments(problem: Problem) -> list[float]:
-    """Return the moments at which something may happen."""
-    times = np.unique(problem.body.channels.clock[np.unique(problem.readings.rows)])
-    edge = max(3, len(times) // 40)  # it needs rows on both sides
-    inside = times[edge : len(times) - edge]
-    step = -(-len(inside) // MOST_TIMES)
-    return inside[step // 2 :: step].tolist() if len(inside) else []
-
-
-SEARCHES = {"orders": _orders, "moments": _moments}  # of constants, by how an effect declares that they are searched

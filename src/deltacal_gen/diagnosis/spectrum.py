@@ -17,12 +17,13 @@ from functools import cache, cached_property
 
 import numpy as np
 
-from deltacal_gen.diagnosis.search import ORDERS
+from deltacal_gen.diagnosis.library import ORDERS
 from deltacal_gen.diagnosis.structure import displacements
-from deltacal_gen.estimation.estimation import Fit, lengths, rms
+from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.estimation.solvers import jitter
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.physics.physics import Term, effect_names, load_effect
+from deltacal_gen.physics.terms import Term, effect_names, load_effect
 from deltacal_gen.results.diagnosis import Seen
 from deltacal_gen.results.parts import NeverSeen
 

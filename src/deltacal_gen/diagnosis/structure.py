@@ -6,18 +6,22 @@ at which limbs or in the reading, in which region.
 
 from __future__ import annotations
 
+import dataclasses
 import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from deltacal_gen.diagnosis.search import Beside, gains, quantile
-from deltacal_gen.estimation.estimation import Fit, Problem
+from deltacal_gen.diagnosis.search import MOST_SETS, Beside, best_set, gains, quantile
+from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.physics.physics import Deformed
+from deltacal_gen.machine.rotation import swept
+from deltacal_gen.physics.body import Deformed
 from deltacal_gen.units import joint_names
 
+FEWEST_NEIGHBOURS = 20  # poses, without which their likeness tells nothing
 FUNCTIONS = 6  # of a channel, that one structure may combine
 SMOOTH = 15  # functions of a channel that make any smooth dependence on it: three powers, six waves
 LEVELS = 4  # distinct values up to which a channel is taken as levels
@@ -59,6 +63,38 @@ def structures(at: Fit) -> list[Structure]:
     return sorted(found, key=lambda f: -f.earned)
 
 
+def alike(at: Fit) -> tuple[float, float]:
+    """Return how what a fit leaves correlates between neighbouring poses, and in how many standard deviations.
+
+    Noise knows nothing of the joints. What the machine does and the model does not is alike where the joints are.
+    """
+    found = at.problem.readings
+    if found.rows.shape[1] != 1:
+        return 0.0, 0.0
+    read = np.isfinite(at.residual).any(axis=0)
+    weight = (
+        np.sqrt(at.weights)[:, None] / at.sigma[read] * np.sqrt(1 + np.broadcast_to(at.repeats.ratio, read.shape))[read]
+    )
+    z = dataclasses.replace(at.repeats, ratio=np.broadcast_to(at.repeats.ratio, read.shape)[read]).whiten(
+        np.nan_to_num(at.residual[:, read]) * weight
+    )
+    first = np.unique(found.group, return_index=True)[1]
+    means = np.array([z[found.group == g].mean(axis=0) for g in np.unique(found.group)])
+    q = at.problem.body.q[found.rows[first, 0]]
+    q = q / np.maximum(np.std(q, axis=0), 1e-12)
+    if len(q) < FEWEST_NEIGHBOURS:
+        return 0.0, 0.0
+    from scipy.spatial import cKDTree
+
+    _, near = cKDTree(q).query(q, k=2)
+    pairs = np.unique(np.sort(np.column_stack([np.arange(len(q)), near[:, 1]]), axis=1), axis=0)
+    pairs = pairs[pairs[:, 0] != pairs[:, 1]]
+    a, b = means[pairs[:, 0]].ravel(), means[pairs[:, 1]].ravel()
+    size = np.sqrt(np.mean(a**2) * np.mean(b**2))
+    correlation = float(np.mean(a * b) / max(size, 1e-300))
+    return correlation, correlation * np.sqrt(len(a))
+
+
 def smooth_columns(at: Fit, channel: str) -> Array:
     """Return whitened columns (scalars, n) of any smooth dependence on a channel, of the joints and of the reading."""
     smooth = _Smooth(at)
@@ -81,9 +117,8 @@ def displacements(problem: Problem, machine: Deformed) -> Array:
 
 def _turns(x: Array, n_x: int) -> Array:
     """Return the derivatives (N, n_x, 3) of poses (N, 12) by turns of the instrument about what it measures."""
-    points = x[:, :3] - x[:, :3].mean(axis=0)
     out = np.zeros((len(x), 6, 3))
-    out[:, :3] = np.cross(np.eye(3)[None], points[:, None]).transpose(0, 2, 1)
+    out[:, :3] = swept(x[:, :3] - x[:, :3].mean(axis=0))
     out[:, 3:] = np.eye(3)
     return out[:, :n_x]
 
@@ -166,12 +201,17 @@ class _Smooth:
         """Return the limbs whose joints carry what functions (m, scalars, directions) explain; none: the reading."""
         every, shifts = range(self._limbs), range(self._limbs, self._limbs + 3)
         reading = {tuple(shifts), tuple(range(self._limbs, A.shape[2]))}  # which shifts, or turns as well
-        sets = [*sorted(reading), *(s for n in range(1, self._limbs + 1) for s in itertools.combinations(every, n))]
-        scores = []
-        for own in sets:
+
+        def worth(own: Sequence[int]) -> float:
             columns = np.hstack(list(A[:, :, list(own)]))
             gain = gains((columns.T @ columns)[None], (self._beside.residual @ columns)[None])[0]
-            scores.append(gain - columns.shape[1] * np.log(self._beside.readings))
+            return float(gain - columns.shape[1] * np.log(self._beside.readings))
+
+        if self._limbs > MOST_SETS:
+            sets = [*sorted(reading), best_set(list(every), worth)[0]]
+        else:
+            sets = [*sorted(reading), *(s for n in range(1, self._limbs + 1) for s in itertools.combinations(every, n))]
+        scores = [worth(own) for own in sets]
         return tuple(i + 1 for i in sets[int(np.argmax(scores))] if i in every)
 
 

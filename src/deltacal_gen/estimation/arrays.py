@@ -19,7 +19,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
-from deltacal_gen.estimation.estimation import Fit, Problem, fit, pose_problem, rough
+from deltacal_gen.estimation.fit import Fit, fit, rough
+from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.solvers import Factored, LeastSquares, Solver
 from deltacal_gen.machine.backend import working
 from deltacal_gen.machine.registry import SOLVED, STATUS, Array, load_mechanism, mechanism_of, result

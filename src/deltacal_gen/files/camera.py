@@ -16,10 +16,12 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from deltacal_kernels import images
 
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.recording import Camera, csv_text, write_files
 from deltacal_gen.files.robot import Table, TomlFile, toml_text
+from deltacal_gen.files.sidecar import Camera
+from deltacal_gen.files.writing import csv_text, write_files
 from deltacal_gen.instrument import sphere
 from deltacal_gen.instrument.instrument import align
 from deltacal_gen.machine.rotation import from_vector, to_vector
@@ -33,6 +35,7 @@ PROVEN = 6.0  # standard deviations of a pixel's noise by which a ball must stan
 ALIKE = 0.2  # of the largest thing's area: a second one of that size is no speck
 ROUND = 0.15  # by which a ball's area may differ from that of an ellipse in its box
 RIM = 6.0  # px on either side of the outline that are fitted, beyond three times the blur
+UNBENT = 30  # steps in which a direction of sight is found
 PIXEL = 1 / 12  # px^2: variance of a pixel's own square
 FEWEST_BOARDS = 3
 
@@ -176,26 +179,19 @@ class _Rim:
         v = np.arange(max(int(v2 - margin), 0), min(int(v1 + margin) + 2, rows))
         uu, vv = np.meshgrid(u, v)
         self._camera = camera
-        self._ray, self._by_pixel = _rays(uu, vv, camera)
-        gap, inward = self._gap(centre, self._ray, self._by_pixel)
-        bend = -(np.gradient(inward[..., 0], axis=1) + np.gradient(inward[..., 1], axis=0))  # of the outline [1/px]
+        self._sight, self._by_pixel = _sights(np.array([uu, vv]), camera)
+        gap, *inward = self._gap(centre, self._sight, self._by_pixel)
+        bend = -(np.gradient(inward[0], axis=1) + np.gradient(inward[1], axis=0))  # of the outline [1/px]
         near = np.abs(gap) < RIM
-        self._ray, self._by_pixel, self._bend = self._ray[near], self._by_pixel[near], bend[near]
+        self._sight, self._by_pixel, self._bend = self._sight[:, near], self._by_pixel[:, near], bend[near]
         self._inside = gap[near] > 0
         self._grey = image[v[0] : v[-1] + 1, u[0] : u[-1] + 1][near]
 
-    def _gap(self, centre: Array, ray: Array, by_pixel: Array) -> tuple[Array, Array]:
-        """Return how far pixels lie inside the outline [px], and the direction there that leads inward."""
-        far = float(np.linalg.norm(centre))
-        axis = centre / far
-        length = np.linalg.norm(ray, axis=-1)
-        cos = ray @ axis / length
-        sin = np.sqrt(np.maximum(1 - cos**2, 1e-30))
-        by_ray = (axis[:2] - (cos / length)[..., None] * ray[..., :2]) / (length * sin)[..., None]
-        slope = np.einsum("...i,...ij->...j", by_ray, by_pixel)
-        steep = np.linalg.norm(slope, axis=-1)
-        angle = np.arctan2(sin, cos)
-        return (np.arcsin(self._camera.ball_radius_mm / far) - angle) / steep, slope / steep[..., None]
+    def _gap(self, centre: Array, sight: Array, by_pixel: Array) -> Array:
+        """Return how far pixels lie inside the outline [px], and the direction there that leads inward: (3, ...)."""
+        with np.errstate(divide="ignore", invalid="ignore"):  # straight at the centre no direction leads inward
+            found: Array = images.outline(sight, by_pixel, centre, self._camera.ball_radius_mm)
+        return found
 
     def fit(self, centre: Array, brighter: bool) -> Ball:
         """Return the ball whose blurred outline fits the grey values best."""
@@ -206,7 +202,7 @@ class _Rim:
         contrast = float(abs(inner - outer))
 
         def residual(p: Array) -> Array:
-            gap, _ = self._gap(p[:3], self._ray, self._by_pixel)
+            gap, *_ = self._gap(p[:3], self._sight, self._by_pixel)
             variance = p[5] ** 2 + PIXEL
             # where the outline bends, blur draws the middle of the edge inward by half its variance times the bend
             part = ndtr((gap - self._bend * variance / 2) / np.sqrt(variance))
@@ -227,16 +223,14 @@ class _Rim:
         )
 
 
-def _rays(u: Array, v: Array, camera: Camera) -> tuple[Array, Array]:
-    """Return directions (..., 3) of sight through pixels, third entry 1, and the derivatives (..., 2, 2) by u, v."""
-    flat = np.stack([(u - camera.cx_px) / camera.fx_px, (v - camera.cy_px) / camera.fy_px], axis=-1)
-    xy = flat.copy()
-    for _ in range(30):
-        xy = flat / (1 + camera.k1 * np.sum(xy**2, axis=-1, keepdims=True))
-    square = np.sum(xy**2, axis=-1)[..., None, None]
-    by_ray = (1 + camera.k1 * square) * np.eye(2) + 2 * camera.k1 * xy[..., :, None] * xy[..., None, :]
-    by_ray *= np.array([camera.fx_px, camera.fy_px])[:, None]
-    return np.concatenate([xy, np.ones((*xy.shape[:-1], 1))], axis=-1), np.linalg.inv(by_ray)
+def _sights(pixel: Array, camera: Camera) -> tuple[Array, Array]:
+    """Return directions of sight (2, ...) through pixels (2, ...), and their derivatives (4, ...) by u and v."""
+    sight, lens = np.zeros(pixel.shape), sphere.lens(camera)
+    for _ in range(UNBENT):
+        sight = images.direction(pixel, sight, lens)
+    by_sight = images.by_sight(sight, lens).reshape(2, 2, *pixel.shape[1:])
+    by_pixel = np.linalg.inv(np.moveaxis(by_sight, (0, 1), (-2, -1)))
+    return sight, np.moveaxis(by_pixel, (-2, -1), (0, 1)).reshape(4, *pixel.shape[1:])
 
 
 @dataclass(frozen=True)

@@ -1,9 +1,9 @@
-"""What printers' firmware keeps, as a robot and recordings: Klipper's printer.cfg, RepRapFirmware's config.g and maps.
+"""What printers' firmware keeps, as a robot and recordings: Klipper's printer.cfg, and what all firmwares share.
 
 Formats only, written from their documentation: Klipper's saved block (``[delta_calibrate]``: heights and distances in
-stable positions, motor steps since the endstop, which hold whatever the parameters are) and bed meshes; M665, M666 and
-G31 of RepRapFirmware with its height map. A mesh holds heights, not joints: the carriages are computed back with the
-geometry that stands beside it, so it is worth as much as that geometry was in force.
+stable positions, motor steps since the endstop, which hold whatever the parameters are) and bed meshes. A mesh holds
+heights, not joints: the carriages are computed back with the geometry that stands beside it, so it is worth as much as
+that geometry was in force. `rrf` and `marlin` read the other firmwares.
 """
 
 from __future__ import annotations
@@ -19,10 +19,17 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.files.recording import Measurement, Recording, write_files, write_recording
 from deltacal_gen.files.robot import Robot, read_text, robot_from_dict, robot_to_toml
+from deltacal_gen.files.rows import number_of
+from deltacal_gen.files.writing import write_files, write_recording
 from deltacal_gen.machine.registry import SOLVED, Array, load_mechanism
+from deltacal_gen.machine.values import Measurement, Recording
 
+_OTHERS = {  # machines of Klipper that are near relations, and what could be done with them
+    "rotary_delta": ": arms that turn; write a robot file of mechanism 'delta' by hand",
+    "winch": ": cables, whose lengths no mechanism here has",
+    "deltesian": ": two towers and a sliding bed, which no mechanism here has",
+}
 TOWERS = ("stepper_a", "stepper_b", "stepper_c")
 ROUNDED = 1e-3  # of the bed's radius: a map's limits are written with a digit or two
 ANGLES = (210.0, 330.0, 90.0)  # of the towers, where the file does not say [deg]
@@ -32,8 +39,10 @@ USUAL_TEETH = range(15, 30)  # of a pulley; twice as many are half the microstep
 PULLEY = 40.0  # mm of belt per motor turn: 20 teeth of 2 mm, the usual one, where RepRapFirmware does not say
 ABSURD = 0.05  # of a distance: no geometry of the printer's parts is so far off
 DOUBTFUL = 1.0  # mm: a printed distance so far off the printer's own geometry is looked at again
+WRONG_STEP = 5.0  # mm: no bed is so far off by what a calibration corrects
 EDITED = 1.0  # mm: heights that all are so far off alike were probed with other endstops
 CLEARLY = 2.0  # by which the step that fits must fit better than the next
+LONGEST_NAME = 100  # letters of a mesh's name, which becomes a file's
 SPREAD = 0.02  # by which the arms of one printer may differ
 
 
@@ -70,8 +79,8 @@ def import_klipper(path: str | Path, output: str | Path | None = None) -> Import
         "endstop": file.towers("position_endstop", None),
     }
     belt = file.optional("stepper_a", "rotation_distance")
-    robot = _robot(path.stem, geometry, belt, path)
-    warnings = _doubt_arms(geometry["arm_length"])
+    robot = printer_robot(path.stem, geometry, belt, path)
+    warnings = doubt_arms(geometry["arm_length"])
     recordings: dict[str, Recording] = {}
     heights, distances = file.heights(), file.distances()
     if heights or distances:
@@ -80,69 +89,22 @@ def import_klipper(path: str | Path, output: str | Path | None = None) -> Import
         if len(step) < len(given):
             usual, belt, said = _usual_step(robot, heights, path)
             step, warnings = np.full(3, usual), (*warnings, said)
-            robot = _robot(path.stem, geometry, belt, path)
+            robot = printer_robot(path.stem, geometry, belt, path)
+        else:
+            _check_step(robot, heights, step, path)
         recordings["recording"] = _session(path, heights, distances, step)
         warnings += _check_heights(robot, recordings["recording"]) + _check_distances(robot, recordings["recording"])
     for name, points, z in file.meshes():
         offset = np.array([file.optional("probe", f"{axis}_offset") or 0.0 for axis in "xy"])
         trigger = file.optional("probe", "z_offset") or 0.0
-        recordings[f"mesh_{name}"] = _map(robot, points - offset, z, trigger, path)
-    return _done(robot, recordings, warnings, path, output)
-
-
-def import_rrf(config: str | Path, height_map: str | Path, output: str | Path | None = None) -> Imported:
-    """Read RepRapFirmware's config.g (M665, M666, G31) and a height map.
-
-    Parameters
-    ----------
-    config : path
-        config.g, or config-override.g where M500 has written M665 and M666 there.
-    height_map : path
-        heightmap.csv.
-    output : path, optional
-        Folder for robot.toml and recording.csv.
-
-    Raises
-    ------
-    InputError
-        No M665, or a map that cannot be read; the message names the line.
-    """
-    config, height_map = Path(config), Path(height_map)
-    said = _gcode(config)
-    if "M665" not in said:
-        raise InputError(
-            "there is no M665, which describes a delta.", "Give the config.g that holds M665 and M666.", file=config
-        )
-    delta, trims = said["M665"], said.get("M666", {})
-    for letter, what in (("R", "delta radius"), ("L", "rod length"), ("H", "homed height")):
-        if letter not in delta:
-            raise InputError(f"M665 has no {letter} ({what}).", f"Add {letter} to M665.", file=config)
-    arms = delta["L"] * 3 if len(delta["L"]) == 1 else delta["L"]
-    trim = np.array([trims.get(axis, [0.0])[0] for axis in "XYZ"])
-    geometry = {
-        "radius": delta["R"][0],
-        "arm_length": arms[:3],
-        "tower_angle": [a + delta.get(axis, [0.0])[0] for a, axis in zip(ANGLES, "XYZ", strict=True)],
-        "endstop": (delta["H"][0] + trim - trim.mean()).tolist(),
-    }
-    robot = _robot(config.stem, geometry, PULLEY, config)
-    probe = said.get("G31", {})
-    points, z = _height_map(height_map)
-    offset = np.array([probe.get(axis, [0.0])[0] for axis in "XY"])
-    recording = _map(robot, points - offset, z, probe.get("Z", [0.0])[0], height_map)
-    warnings = _doubt_arms(geometry["arm_length"])
-    if "G31" not in said:
-        warnings += (
-            "config.g says nothing of the probe (G31): its trigger height is taken as 0, which is right for a nozzle "
-            "that touches the bed.",
-        )
-    return _done(robot, {"recording": recording}, warnings, config, output)
+        recordings[f"mesh_{name}"] = map_recording(robot, points - offset, z, trigger, path)
+    return done(robot, recordings, warnings, path, output)
 
 
 # ------------------------------------------------------------------------------------------------------ the results
 
 
-def _robot(name: str, geometry: Mapping[str, Any], belt: float | None, path: Path) -> Robot:
+def printer_robot(name: str, geometry: Mapping[str, Any], belt: float | None, path: Path) -> Robot:
     tables: dict[str, Any] = {"robot": {"name": name, "mechanism": "linear_delta"}, "geometry": dict(geometry)}
     if belt is not None:
         tables["transmission"] = {"pulley_circumference": belt}
@@ -199,15 +161,11 @@ def _usual_step(robot: Robot, heights: list[_Height], path: Path) -> tuple[float
     problem = "the positions are in motor steps, but [stepper_a] does not say how long a step is"
     if not heights:
         raise InputError(f"{problem}, and there are no heights to tell by.", remedy, file=path)
-    mechanism, rows = load_mechanism(robot.mechanism), load_mechanism(robot.mechanism).rows(robot)
-    positions, z = np.array([h.position for h in heights]), np.array([h.z for h in heights])
-    fitting = []
-    for teeth, doubled in itertools.product(USUAL_TEETH, range(-1, 9)):
-        step = PITCH * teeth / (FULL_STEPS * 2.0**doubled)
-        x, status = mechanism.forward(positions * step, robot.tool, rows)
-        if (status == SOLVED).all():  # by their shape alone: endstops are edited after the probing
-            fitting.append((float(np.ptp(x[:, 2] - z)), step, PITCH * teeth))
-    fitting.sort()
+    fitting = sorted(
+        (left, step, PITCH * teeth)
+        for teeth, doubled in itertools.product(USUAL_TEETH, range(-1, 9))
+        if np.isfinite(left := _bent(robot, heights, step := PITCH * teeth / (FULL_STEPS * 2.0**doubled)))
+    )
     if not fitting or fitting[0][0] > EDITED:
         raise InputError(f"{problem}, and that of no usual pulley fits.", remedy, file=path)
     if len(fitting) > 1 and fitting[1][0] < CLEARLY * fitting[0][0]:
@@ -221,7 +179,43 @@ def _usual_step(robot: Robot, heights: list[_Height], path: Path) -> tuple[float
     )
 
 
-def _map(robot: Robot, nozzle: Array, z: Array, trigger: float, path: Path) -> Recording:
+def _bent(robot: Robot, heights: list[_Height], step: float | Array) -> float:
+    """Return by how much the heights of probed points differ from one another with steps of a length [mm].
+
+    By their shape alone: endstops are edited after the probing. Infinite where the machine cannot stand so.
+    """
+    off = _heights_off(robot, heights, step)
+    return np.inf if off is None else float(np.ptp(off))
+
+
+def _heights_off(robot: Robot, heights: list[_Height], step: float | Array) -> Array | None:
+    """Return by how much probed points lie off their heights (n,) [mm]; None where the machine cannot stand so."""
+    mechanism = load_mechanism(robot.mechanism)
+    positions, z = np.array([h.position for h in heights]), np.array([h.z for h in heights])
+    x, status = mechanism.forward(positions * step, robot.tool, mechanism.rows(robot))
+    return x[:, 2] - z if (status == SOLVED).all() else None
+
+
+def _check_step(robot: Robot, heights: list[_Height], step: Array, path: Path) -> None:
+    """Raise an InputError where steps put the bed bent and far off, and those of a usual pulley do not."""
+    if not heights or _bent(robot, heights, step) <= EDITED:
+        return
+    off = _heights_off(robot, heights, step)
+    if off is not None and abs(np.median(off)) <= WRONG_STEP:
+        return
+    try:
+        usual, belt, _ = _usual_step(robot, heights, path)
+    except InputError:
+        return
+    raise InputError(
+        f"with steps of {step[0]:g} mm the bed comes out bent and far off, and all distances are off by one factor of "
+        f"{usual / step[0]:.3g}; steps of {usual:g} mm, of a pulley of {belt:g} mm a turn, fit.",
+        "Correct rotation_distance or microsteps.",
+        file=path,
+    )
+
+
+def map_recording(robot: Robot, nozzle: Array, z: Array, trigger: float, path: Path) -> Recording:
     """Return the recording of a map: the carriages stood where the geometry puts them for the probed height."""
     mechanism = load_mechanism(robot.mechanism)
     targets = np.column_stack([nozzle, z + trigger])
@@ -236,7 +230,7 @@ def _map(robot: Robot, nozzle: Array, z: Array, trigger: float, path: Path) -> R
     return _recording(path, q, np.full(len(q), trigger), "bed probe, a mesh over the bed")
 
 
-def _done(
+def done(
     robot: Robot,
     recordings: dict[str, Recording],
     warnings: tuple[str, ...],
@@ -270,7 +264,7 @@ def write_import(found: Imported, output: str | Path | None) -> Imported:
 # ----------------------------------------------------------------------------------------------- mistakes users make
 
 
-def _doubt_arms(arms: Sequence[float]) -> tuple[str, ...]:
+def doubt_arms(arms: Sequence[float]) -> tuple[str, ...]:
     spread = float(np.ptp(arms) / np.mean(arms))
     if spread <= SPREAD:
         return ()
@@ -397,10 +391,12 @@ class _Klipper:
             for name in parser.sections():
                 given = {key: value for key, value in parser.items(name) if value is not None}
                 self.sections.setdefault(name.strip(), {}).update(given)
-        if "printer" not in self.sections or self.sections["printer"].get("kinematics", "delta") != "delta":
+        kinematics = self.sections.get("printer", {}).get("kinematics", "delta")
+        if "printer" not in self.sections or kinematics != "delta":
+            other = _OTHERS.get(kinematics, "")
             raise InputError(
-                "the file describes no delta printer ([printer] kinematics: delta).",
-                "Give the printer.cfg of a linear delta.",
+                f"the file describes no linear delta ([printer] kinematics: {kinematics}{other}).",
+                "Give the printer.cfg of a printer whose carriages slide on three towers.",
                 file=path,
             )
 
@@ -474,75 +470,37 @@ class _Klipper:
             for key in self._numbered(r"distance\d+")
         ]
 
+    def _mesh(self, section: str) -> Array:
+        """Return the heights (rows, columns) of a bed mesh [mm]."""
+        lines = self.sections[section]["points"].strip().split("\n")
+        cells = [[c.strip() for c in line.split(",") if c.strip()] for line in lines]
+        bad = next((c for row in cells for c in row if (v := number_of(c)) is None or not np.isfinite(v)), None)
+        if bad is not None:
+            problem = f"a point of [{section}] is '{bad}': a number was expected."
+        elif len({len(row) for row in cells}) > 1 or not cells[0]:
+            problem = f"the rows of points in [{section}] are not equally long."
+        else:
+            return np.array(cells, dtype=float)
+        raise InputError(problem, "Run BED_MESH_CALIBRATE and SAVE_CONFIG again.", file=self.path)
+
     def meshes(self) -> list[tuple[str, Array, Array]]:
         """Return name, points (n, 2) and heights (n,) of every bed mesh [mm]."""
         out = []
         for section in self.sections:
             if not section.startswith("bed_mesh ") or "points" not in self.sections[section]:
                 continue
-            z = np.array(
-                [
-                    [float(cell) for cell in line.split(",") if cell.strip()]
-                    for line in self.sections[section]["points"].strip().split("\n")
-                ]
-            )
+            z = self._mesh(section)
             low, high = (np.array([self.number(section, f"{m}_{a}") for a in "xy"]) for m in ("min", "max"))
             x, y = (np.linspace(low[k], high[k], count) for k, count in enumerate((z.shape[1], z.shape[0])))
             grid = np.stack(np.meshgrid(x, y), axis=2)
             # the bed is round: cells beyond the circle repeat the last probed one of their row
             inside = np.linalg.norm(grid - (low + high) / 2, axis=2) <= np.min(high - low) / 2 * (1 + ROUNDED)
-            out.append((re.sub(r"\W+", "_", section.split(" ", 1)[1].strip()), grid[inside], z[inside]))
-        return out
-
-
-# ----------------------------------------------------------------------------------------------------- RepRapFirmware
-
-
-def _gcode(path: Path) -> dict[str, dict[str, list[float]]]:
-    """Return the last of each code in a file, with its letters' numbers; ``L`` may hold several, ``a:b:c``."""
-    out: dict[str, dict[str, list[float]]] = {}
-    for line in read_text(path).split("\n"):
-        words = re.sub(r"\(.*?\)", "", line.split(";", 1)[0]).split()
-        if not words:
-            continue
-        found: dict[str, list[float]] = {}
-        for word in words[1:]:
-            if (m := re.fullmatch(r"([A-Za-z])([-+\d.:]+)", word)) is not None:
-                try:
-                    found[m[1].upper()] = [float(v) for v in m[2].split(":")]
-                except ValueError:
-                    continue
-        out.setdefault(words[0].upper(), {}).update(found)
-    return out
-
-
-def _height_map(path: Path) -> tuple[Array, Array]:
-    """Return points (n, 2) and heights (n,) of a map; a bare 0 was not probed [mm]."""
-    lines = [line for line in read_text(path).split("\n") if line.strip()]
-    if len(lines) < 3 or "height map" not in lines[0]:
-        raise InputError("this is no height map of RepRapFirmware.", "Give heightmap.csv.", file=path)
-    head = dict(zip((w.strip() for w in lines[1].split(",")), (w.strip() for w in lines[2].split(",")), strict=False))
-    try:
-        names = ("min0", "spacing0", "min1", "spacing1") if "min0" in head else ("xmin", "xspacing", "ymin", "yspacing")
-        x0, dx, y0, dy = (float(head[n]) for n in names)
-    except (KeyError, ValueError):
-        raise InputError(
-            "the second and third line do not say where the map's points lie.",
-            "Give the file as it is.",
-            file=path,
-            line=2,
-        ) from None
-    points, z = [], []
-    for j, line in enumerate(lines[3:]):
-        for i, cell in enumerate(line.split(",")):
-            text = cell.strip()
-            if text in ("", "0"):
-                continue
-            try:
-                z.append(float(text))
-            except ValueError:
+            name = re.sub(r"\W+", "_", section.split(" ", 1)[1].strip())
+            if len(name) > LONGEST_NAME:
                 raise InputError(
-                    f"the cell holds '{text}', a number was expected.", "Correct it.", file=path, line=j + 4
-                ) from None
-            points.append((x0 + i * dx, y0 + j * dy))
-    return np.array(points).reshape(-1, 2), np.array(z)
+                    f"the name of the mesh '{name[:20]}...' has {len(name)} letters, and a file is named after it.",
+                    f"Give it at most {LONGEST_NAME}.",
+                    file=self.path,
+                )
+            out.append((name, grid[inside], z[inside]))
+        return out

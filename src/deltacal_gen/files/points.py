@@ -15,14 +15,25 @@ from pathlib import Path
 import numpy as np
 
 from deltacal_gen.errors import InputError
+from deltacal_gen.files.dialect import Layout, decimal_of, encoding_of, plain_number
 from deltacal_gen.files.imports import Imported, write_import
-from deltacal_gen.files.recording import Measurement, Recording
-from deltacal_gen.files.robot import read_robot, read_text
+from deltacal_gen.files.robot import read_robot
+from deltacal_gen.files.rows import number_of
 from deltacal_gen.machine.registry import Array
+from deltacal_gen.machine.values import Measurement, Recording
 from deltacal_gen.units import to_internal
 
-LENGTHS = {"mm": 1.0, "m": 1000.0, "cm": 10.0, "in": 25.4, "inch": 25.4, "inches": 25.4}  # mm
-_GROUP, _POINT = ("group", "groupname", "setup", "station"), ("point", "pointname", "target", "pose", "name", "id")
+LENGTHS = {  # mm
+    **dict.fromkeys(("mm", "millimeter", "millimeters", "millimetre", "millimetres"), 1.0),
+    **dict.fromkeys(("m", "meter", "meters", "metre", "metres"), 1000.0),
+    **dict.fromkeys(("in", "inch", "inches"), 25.4),
+    "cm": 10.0,
+}
+_UNITS = re.compile(rf"\bunits?\b[^A-Za-z]*({'|'.join(sorted(LENGTHS, key=len, reverse=True))})\b", re.IGNORECASE)
+_GROUP, _POINT = (
+    ("group", "groupname", "setup", "station"),
+    ("point", "pointname", "pointid", "target", "pose", "name", "id"),
+)
 _JOINT = re.compile(r"(?:q|j|a|e|axis|joint|theta)(\d+)")
 FEW = 3  # names that a message lists
 
@@ -35,6 +46,7 @@ class _Table:
     header: list[str]
     cells: list[list[str]]
     lines: list[int]
+    unit: str = ""  # of lengths, where what stands before the table says it
 
     def column(self, names: Sequence[str]) -> int | None:
         """Return the place of the first column with one of these names."""
@@ -46,7 +58,7 @@ class _Table:
         out = []
         for row, line in zip(self.cells, self.lines, strict=True):
             cell = row[column] if column < len(row) else ""
-            value = _number(cell) if cell else np.nan
+            value = number_of(cell) if cell else np.nan
             if value is None:
                 raise InputError(
                     f"'{cell}' is no number.",
@@ -156,7 +168,7 @@ def _points(path: Path) -> tuple[list[str], list[str], Array, list[int]]:
     if table.header:
         where, group = _required(table, _POINT, "the point's name"), table.column(_GROUP)
         axes = [_required(table, (a,), a.upper()) for a in "xyz"]
-        units = [_plain(table.header[a])[1] or "mm" for a in axes]
+        units = [_plain(table.header[a])[1] or table.unit or "mm" for a in axes]
     else:
         width = min(len(row) for row in table.cells)
         if width < 4:
@@ -166,9 +178,14 @@ def _points(path: Path) -> tuple[list[str], list[str], Array, list[int]]:
                 file=path,
                 line=next(n for n, row in zip(table.lines, table.cells, strict=True) if len(row) == width),
             )
-        first = next(c for c in range(width) if all(_number(row[c]) is not None for row in table.cells) or c == 2)
+        first = next(c for c in range(width) if all(number_of(row[c]) is not None for row in table.cells) or c == 2)
         first = max(first, 1)
-        where, group, axes, units = first - 1, first - 2 if first > 1 else None, [first, first + 1, first + 2], ["mm"]
+        where, group, axes, units = (
+            first - 1,
+            first - 2 if first > 1 else None,
+            [first, first + 1, first + 2],
+            [table.unit or "mm"],
+        )
     bad = next((u for u in units if u not in LENGTHS), None)
     if bad is not None:
         raise InputError(f"'{bad}' is no unit of length.", f"Known: {', '.join(LENGTHS)}.", file=path)
@@ -239,29 +256,53 @@ def _required(table: _Table, names: Sequence[str], what: str) -> int:
 
 def _numeric(table: _Table, column: int) -> bool:
     cells = [row[column] for row in table.cells if column < len(row) and row[column]]
-    return bool(cells) and all(_number(c) is not None for c in cells)
+    return bool(cells) and all(number_of(c) is not None for c in cells)
 
 
 def _table(path: Path) -> _Table:
-    """Return the cells of a file whose columns are separated by tabs, semicolons, commas or blanks."""
+    """Return the cells of a file whose columns are separated by tabs, semicolons, commas or blanks.
+
+    What an instrument's software writes before the table (job, date, operator, units) is passed over: the table begins
+    with a header that names X, Y and Z or joints, or with the first of the lines that hold three numbers.
+    """
+    text = path.read_text(encoding=encoding_of(path), errors="replace")
     kept = [
         (number, line.strip())
-        for number, line in enumerate(read_text(path).lstrip("\ufeff").split("\n"), start=1)
+        for number, line in enumerate(text.split("\n"), start=1)
         if line.strip() and not line.lstrip().startswith(("#", "//", "%"))
     ]
     if not kept:
         raise InputError("the file holds no lines.", "Export the points again.", file=path)
+    start = next((k for k, (_, line) in enumerate(kept) if _begins(line)), 0)
+    unit = next((m[1].lower() for _, line in kept[:start] if (m := _UNITS.search(line)) is not None), "")
+    kept = kept[start:]
     mark = next((m for m in ("\t", ";", ",") if all(m in line for _, line in kept)), None)
     cells = [[c.strip().strip('"') for c in (line.split(mark) if mark else line.split())] for _, line in kept]
+    cells = [[part for k, c in enumerate(row) for part in (_named(c) if k == 0 else [c])] for row in cells]
     lines = [number for number, _ in kept]
-    if sum(_number(c) is not None for c in cells[0]) < 2:
-        return _Table(path, cells[0], cells[1:], lines[1:])
-    return _Table(path, [], cells, lines)
+    if mark != ",":
+        numbered = ((n, cell) for n, row in zip(lines, cells, strict=True) for cell in row)
+        layout = Layout(0, mark or " ", decimal_of(path, numbered), False)
+        cells = [[plain_number(cell, layout) for cell in row] for row in cells]
+    if sum(number_of(c) is not None for c in cells[0]) < 2:
+        return _Table(path, cells[0], cells[1:], lines[1:], unit)
+    return _Table(path, [], cells, lines, unit)
 
 
-def _number(cell: str) -> float | None:
-    text = cell.replace(",", ".") if "." not in cell else cell
-    try:
-        return float(text)
-    except ValueError:
-        return None
+def _begins(line: str) -> bool:
+    """Tell whether a table may begin with a line: a header with known names, or three numbers at least."""
+    for mark in ("\t", ";", ",", None):
+        cells = [c.strip().strip('"') for c in (line.split(mark) if mark else line.split())]
+        names = {_plain(c)[0] for c in cells}
+        joints = sum(_JOINT.fullmatch(n) is not None for n in names)
+        if {"x", "y", "z"} <= names or (joints and names & {*_POINT, *_GROUP}) or joints > 1:
+            return True
+        if len(cells) > 3 and sum(number_of(c) is not None for c in cells) >= 3:
+            return True
+    return False
+
+
+def _named(cell: str) -> list[str]:
+    """Return group and point of a name like ``A::Main::p1``, collection and all in the group; other cells alone."""
+    group, mark, point = cell.rpartition("::")
+    return [group, point] if mark else [cell]

@@ -152,14 +152,15 @@ class Masses(Table):
     """Moving masses [kg]; one that is not given counts as zero.
 
     `proximal` is one arm with its centre of mass at `proximal_com` of its length, `distal_rod` one of the rods,
-    `platform` sits at O'. `gravity` is (3,) in {O} [m/s^2 = N/kg]; `proximal_inertia` is an arm's own inertia about
-    its centre of mass [kg mm^2], None for that of a slender rod.
+    `platform` sits at O', `carriage` is that of a sliding joint. `gravity` is (3,) in {O} [m/s^2 = N/kg];
+    `proximal_inertia` is an arm's own inertia about its centre of mass [kg mm^2], None for that of a slender rod.
     """
 
     proximal: NotNegative = 0.0
     proximal_com: Number = 0.5
     distal_rod: NotNegative = 0.0
     platform: NotNegative = 0.0
+    carriage: NotNegative | None = None
     gravity: Vector = (0.0, 0.0, -9.81)
     proximal_inertia: NotNegative | None = None
 
@@ -588,10 +589,13 @@ class TomlFile:
 
 
 def _fields(schema: type[BaseModel], tables: Iterable[str]) -> dict[str, Any]:
-    """Fields of a nested table of the schema, by key."""
+    """Fields of a nested table of the schema, by key; none of a table that takes any key."""
     for name in tables:
         annotation: Any = schema.model_fields[name].annotation
-        schema = next(part for part in (annotation, *get_args(annotation)) if hasattr(part, "model_fields"))
+        nested = [part for part in (annotation, *get_args(annotation)) if hasattr(part, "model_fields")]
+        if not nested:
+            return {}
+        schema = nested[0]
     return dict(schema.model_fields)
 
 
@@ -672,10 +676,13 @@ def _toml_value(value: Any) -> str:
 
 
 def to_file(value: float, unit: str) -> float:
-    """Value in the unit of the files of an internal one [`unit`]; of nearly equal decimals the shorter one."""
+    """Value in the unit of the files of an internal one [`unit`]: the shortest decimal that is read as this value."""
     factor = to_internal(unit)
     exact = float(value) / factor
     short = round(exact, 12)
+    for decimal in (short, exact):
+        if decimal * factor == value:
+            return decimal
     return short if math.isclose(short, exact, rel_tol=4e-16) else exact
 
 

@@ -10,7 +10,7 @@ from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.files.robot import Robot, Workspace
 from deltacal_gen.instrument.instrument import align
 from deltacal_gen.machine.registry import SOLVED, Array, mechanism_of
-from deltacal_gen.machine.rotation import from_vector
+from deltacal_gen.machine.rotation import from_vector, swept
 from deltacal_gen.units import DEG
 
 TURN = 10.0  # deg: as far as a platform turns on command either way whose workspace does not say
@@ -190,8 +190,7 @@ def largest(errors: Sequence[float] | Array) -> float:
 
 def without_motion(J: Array, points: Array) -> Array:
     """Return displacements (3 N, n) of points (N, 3) less the rigid motion that fits each column best."""
-    turns = np.cross(np.eye(3)[None], points[:, None]).transpose(0, 2, 1)
-    rigid = np.concatenate([np.tile(np.eye(3), (len(points), 1, 1)), turns], axis=2).reshape(-1, 6)
+    rigid = np.concatenate([np.tile(np.eye(3), (len(points), 1, 1)), swept(points)], axis=2).reshape(-1, 6)
     Q = np.linalg.qr(rigid)[0]
     out: Array = J - Q @ (Q.T @ J)
     return out

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from deltacal_gen.errors import UsageError
-from deltacal_gen.estimation.estimation import Problem
+from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.units import file_unit, to_internal

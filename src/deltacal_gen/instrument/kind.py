@@ -129,6 +129,11 @@ class Kind:
         return tuple((name, unit) for name, unit, *_ in self.unknowns)
 
     @property
+    def state_size(self) -> int:
+        """How many numbers say where an instrument of this kind stands, of each set-up."""
+        return int(self.kernels.STATE)
+
+    @property
     def typical(self) -> Array:
         """By how much an ordinary instrument is mounted off, by unknown [mm, rad]."""
         return np.array([size for _, _, size, _ in self.unknowns], dtype=float)
@@ -285,7 +290,11 @@ class Kind:
     def by_platform(self, instrument: Instrument, found: Readings, x: Array, dx: Array) -> Array:
         """Return the derivatives (R, k, n) of the readings where platforms move by `dx` (N, 6, n)."""
         by_platform = self.kernels.by_platform(*instrument.ends(found, x), instrument.state[found.setup])
-        J: Array = instrument.scale * sum(by_platform[:, :, e] @ dx[rows] for e, rows in enumerate(found.rows.T))
+        by_platform = instrument.scale * by_platform
+        parts = (by_platform[:, :, e] @ _of(dx, rows) for e, rows in enumerate(found.rows.T))
+        J: Array = next(parts)
+        for part in parts:
+            J += part
         return J
 
     def loose(self, instrument: Instrument) -> Array:
@@ -420,3 +429,8 @@ class Kind:
         zeros, every = np.zeros(len(rows), dtype=int), np.arange(len(rows))
         values = np.zeros((len(rows), self.width)) if values is None else values
         return Readings(self, rows, values, None, zeros if setup is None else setup, every, zeros)
+
+
+def _of(dx: Array, rows: np.ndarray) -> Array:
+    """Return derivatives (R, 6, n) at rows of a recording; those of all rows in order are no copy."""
+    return dx if np.array_equal(rows, np.arange(len(dx))) else dx[rows]

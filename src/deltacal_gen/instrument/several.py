@@ -40,6 +40,11 @@ class Several(Kind):
         return ()
 
     @property
+    def state_size(self) -> int:
+        """None: nothing is unknown."""
+        return 0
+
+    @property
     def unit(self) -> str:
         """Unit of the values in files."""
         return self.kinds[0].unit

@@ -12,9 +12,10 @@ from types import ModuleType
 from typing import TYPE_CHECKING
 
 import numpy as np
+from deltacal_kernels import images
 
 if TYPE_CHECKING:
-    from deltacal_gen.files.recording import Camera
+    from deltacal_gen.files.sidecar import Camera
     from deltacal_gen.machine.registry import Array
 
 BALL, DISTORTION = slice(9, 12), 16  # places in the state of a kernel
@@ -38,6 +39,11 @@ def state(camera: Camera, turn: Array, ball: Array, order: tuple[float, float] =
     """
     c = camera
     return np.array([*turn.ravel(), *ball, c.fx_px, c.fy_px, c.cx_px, c.cy_px, c.k1, c.ball_radius_mm, *order])
+
+
+def lens(camera: Camera) -> Array:
+    """Return what a lens does to directions of sight, as the functions of images read it."""
+    return np.array([camera.fx_px, camera.fy_px, camera.cx_px, camera.cy_px, camera.k1])
 
 
 def extremes(centre: Array, camera: Camera) -> Array:
@@ -72,18 +78,18 @@ def centres(extreme: Array, camera: Camera) -> Array:
     """
     seen = np.array(np.atleast_2d(extreme), dtype=float)
     seen[:, :2], seen[:, 2:] = np.sort(seen[:, :2])[:, ::-1], np.sort(seen[:, 2:])[:, ::-1]
-    R, n = camera.ball_radius_mm, len(seen)
-    flat = seen - np.repeat([camera.cx_px, camera.cy_px], 2)
-    flat /= np.repeat([camera.fx_px, camera.fy_px], 2)
-    slope = flat.copy()
+    n, slope = len(seen), np.zeros(seen.shape)
     for _ in range(_STEPS):
         middle = np.repeat(slope.reshape(n, 2, 2).mean(axis=2)[:, ::-1], 2, axis=1)
-        slope = flat / (1 + camera.k1 * (slope**2 + middle**2))
-    side = np.array([1.0, -1.0, 1.0, -1.0])
+        for axis, own in enumerate((slice(0, 2), slice(2, 4))):
+            pixel, sight = np.zeros((2, n, 2)), np.array([middle[:, own]] * 2)
+            pixel[axis], sight[axis] = seen[:, own], slope[:, own]
+            slope[:, own] = images.direction(pixel, sight, lens(camera))[axis]
+    along, depth, touched = images.tangent(slope, np.array([1.0, -1.0, 1.0, -1.0]), camera.ball_radius_mm)
     A = np.zeros((n, 4, 3))
-    A[:, :2, 0] = A[:, 2:, 1] = -side[:2]
-    A[:, :, 2] = side * slope
-    centre = np.linalg.solve(np.swapaxes(A, 1, 2) @ A, np.einsum("nij,ni->nj", A, R * np.sqrt(1 + slope**2))[..., None])
+    A[:, :2, 0], A[:, 2:, 1] = along[:, :2], along[:, 2:]
+    A[:, :, 2] = depth
+    centre = np.linalg.solve(np.swapaxes(A, 1, 2) @ A, np.einsum("nij,ni->nj", A, touched)[..., None])
     centre = centre[..., 0]
     given = np.tile(state(camera, np.eye(3), np.zeros(3)), (n, 1))
     for _ in range(_STEPS):

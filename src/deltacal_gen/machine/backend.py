@@ -7,7 +7,7 @@ before has a say in it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sized
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from enum import Enum
@@ -16,8 +16,9 @@ from typing import Concatenate, ParamSpec, Protocol, TypeVar
 
 # poses from which a work pays for loading Numba and the compiled kernels, half a second or ten where nothing has been
 # compiled yet: one call, a fit of all poses some fifty times, the search of a diagnosis (a hundred fits), and files
-# that are read in blocks of so many rows because they are long
+# that are read in blocks of so many rows because they are long; of a machine of three joints, others in proportion
 PAYS_FROM = {"call": 20_000, "identify": 1_000, "diagnose": 300, "blocks": 5_000}
+JOINTS = 3  # of the machine that `PAYS_FROM` is told of
 
 
 class Backend(Enum):
@@ -63,9 +64,14 @@ def working(work: str, poses: int) -> Iterator[None]:
         yield
 
 
+class _Joints(Protocol):
+    @property
+    def shape(self) -> tuple[int, ...]: ...
+
+
 class _Recording(Protocol):
     @property
-    def joints(self) -> Sized: ...
+    def joints(self) -> _Joints: ...
 
 
 _A = TypeVar("_A")
@@ -80,7 +86,8 @@ def by_recording(work: str) -> Callable[[Callable[Concatenate[_A, _D, _P], _R]],
     def decorated(function: Callable[Concatenate[_A, _D, _P], _R]) -> Callable[Concatenate[_A, _D, _P], _R]:
         @wraps(function)
         def worked(robot: _A, recording: _D, *args: _P.args, **kwargs: _P.kwargs) -> _R:
-            with working(work, len(recording.joints)):
+            poses, joints = recording.joints.shape
+            with working(work, poses * max(joints, JOINTS) // JOINTS):
                 return function(robot, recording, *args, **kwargs)
 
         return worked

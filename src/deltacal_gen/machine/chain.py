@@ -1,4 +1,4 @@
-"""An open chain that computes: links of the generated kernels, one behind the other as the robot file lists them.
+"""An open chain that computes: what the generated kernels read of the links, as the robot file lists them.
 
 Beside machines of limbs (`deltacal_gen.machine.limbs`): a limb is a link here, and its joint is the link's. Forward
 position is explicit, so there is nothing to solve and no pose is out of reach.
@@ -6,14 +6,16 @@ position is explicit, so there is nothing to solve and no pose is out of reach.
 
 from __future__ import annotations
 
-import importlib
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+import time
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cached_property, partial
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 
 from deltacal_gen.errors import UsageError
+from deltacal_gen.machine.flexible import DEFLECTIONS, NO_LINE, Flexible
 from deltacal_gen.machine.machine import (
     COORDINATES,
     POSE,
@@ -32,7 +34,6 @@ from deltacal_gen.machine.rotation import Array
 from deltacal_gen.machine.values import Link, Robot
 
 PARALLEL = 1e-6  # rad: axes that are closer to parallel have no common normal to speak of
-TOOL = ("tx", "ty", "tz")
 RANK = 1e-6  # of the largest: a smaller singular value of the joints' Jacobian is a direction that is not commanded
 MOST_LEVER = 50.0  # joints turn at most so many times as far as the last frame: a wrist near its singularity stays
 FARTHEST = 0.3  # rad: a step of a joint; a slide's is that much of the chain's reach
@@ -40,26 +41,6 @@ NEWTON_STEPS = 40
 THERE_TURNED = 1e-6  # rad: of ways to stand, those that miss the rotation by more than the best one are none
 THERE_MM, THERE = 1e-9, 1e-11  # a pose is met; joints (rad, and part of the reach) no longer move
 STARTS = 16  # joints from which a pose is sought where nothing says how the chain stands
-
-
-@dataclass(frozen=True)
-class _Placed:
-    """Links in the base frame: rotation (3, 3, N) and origin (3, N) of each, and rotation of the frame before it.
-
-    Poses stand last, as NumPy runs fastest over them. `local` holds the twists (n_e + 2, 2, 3, N) of each link, its
-    origin's shift and its turn, in the frame before.
-    """
-
-    q: Array
-    rows: Array
-    before: list[Array]
-    rotation: list[Array]
-    origin: list[Array]
-    local: list[Array]
-
-    def twists(self, k: int, chosen: slice) -> Array:
-        """Return twists (n, 2, 3, N) of link k along the base's axes."""
-        return _turned(self.before[k], self.local[k][chosen])
 
 
 class Chain(Machine):
@@ -77,18 +58,19 @@ class Chain(Machine):
     layers = (1, -1)  # a workspace stands on the base plane
     platform = asks = COORDINATES
     axes = turns = ("x", "y", "z")
-    deflections = ()
+    deflections = DEFLECTIONS
     many_ways = linked = weighs = True
     looped = written_out = False
 
     def __init__(self, tables: ModuleType, links: tuple[Link, ...]) -> None:
         self._tables, self.links = tables, links
-        self._kernels_of_a_link = importlib.import_module(f"deltacal_kernels.{tables.NAME}.links")
         self.name, self.title, self.reference = tables.NAME, tables.TITLE, tables.REFERENCE
         self.machine = self.name
         self._moving = [k for k, link in enumerate(links) if link.kind in ("revolute", "prismatic")]
         self.limbs = len(self._moving)
-        self._last: _Placed | None = None
+        self._shape = self._described()
+        self._laid: dict[tuple[int, ...], tuple[Flexible, Chain]] = {}
+        self._drawn: tuple[Array, Array] | None = None  # dimensions as drawn, and the links' lines that they make
         units = ["mm" if links[k].kind == "prismatic" else "rad" for k in self._moving]
         self.joint_unit = ",".join(units) if len(set(units)) > 1 else units[0] if units else "rad"
         self.widths = (3, POSE) if self.limbs <= 3 else (POSE,)
@@ -96,22 +78,48 @@ class Chain(Machine):
             GeometryKey(key, unit, meaning, True, None, "joint", False, None) for key, unit, meaning in tables.GEOMETRY
         )
         self.errors = tuple(name for name, *_ in tables.ERRORS)
-        self.common = TOOL
+        self.common = tuple(name for name, *_ in tables.COMMON)
         own = tuple(
             Parameter(f"{name}_{k + 1}", unit, f"joint {k + 1}: {meaning}", k + 1, typical, name)
             for k in range(len(links))
             for name, unit, meaning, typical in tables.ERRORS
         )
-        self.parameters = (
-            *own,
-            *(Parameter(t, "mm", f"tool point, {t[1]} of the last frame", 0, 1.0, t) for t in TOOL),
-        )
+        shared = (Parameter(name, unit, meaning, 0, typical, name) for name, unit, meaning, typical in tables.COMMON)
+        self.parameters = (*own, *shared)
         free = [p.name for p in own if not p.name.startswith("beta_") or self._parallel(p.limb - 1)]
-        self.models = {f"{self.name}/dh": (*free, *TOOL)}
+        self.models = {f"{self.name}/dh": (*free, *self.common)}
+
+    def _described(self) -> tuple[np.ndarray, np.ndarray, Array]:
+        """Return what tells this chain from others as the kernels read it; see ``kinematics.py`` of the kernels."""
+        conventions = [self._tables.CONVENTIONS.index(link.convention) for link in self.links]
+        drives, much = [], []
+        for k, link in enumerate(self.links):
+            own = [(k + 1, 1.0)] if k in self._moving else link.coupling
+            drives += [(k, int(link.kind == "prismatic"), self._moving.index(number - 1)) for number, _ in own]
+            much += [by for _, by in own]
+        integers = np.array(conventions, dtype=np.int64), np.array(drives, dtype=np.int64).reshape(-1, 3)
+        return *integers, np.array(much, dtype=float)
 
     def compile(self) -> Iterator[tuple[str, float]]:
-        """Compile nothing: the kernels of a link are NumPy."""
-        return iter(())
+        """Compile all kernels, or load them from Numba's cache; yield each one's name and how long it took [s].
+
+        They are the same for all chains.
+        """
+        shape = np.zeros(1, dtype=np.int64), np.zeros((1, 3), dtype=np.int64), np.ones(1)
+        rows, n_e, n_p = np.ones((1, 1, self._width)), len(self.errors), len(self.errors) + len(self.common)
+        k, q, x, points = self.vectorised.constants(rows), np.ones((1, 1)), np.ones((1, POSE)), np.ones((1, 3, 1))
+        S, V, along = np.empty((1, self.n_x, n_p)), np.empty((1, self.n_x, 1)), np.empty((1, 1, n_e))
+        given: dict[str, tuple[Any, ...]] = {
+            "constants": (rows,),
+            "forward": (q, np.ones((1, 3)), k, *shape, x),
+            "sensitivity": (x, q, k, *shape, S, V),
+            "centres": (q, k, *shape, points),
+            "loads": (q, k, *shape, points, points, shape[0], q, along, np.empty((1, 3))),
+        }
+        for name, arguments in given.items():
+            start = time.perf_counter()
+            getattr(self.compiled, name)(*arguments)
+            yield f"{self.name}.{name}", time.perf_counter() - start
 
     def same_as(self, robot: Robot, key: str) -> tuple[str, ...]:
         """Return the errors, link by link, that a dimension of the links is part of."""
@@ -126,30 +134,81 @@ class Chain(Machine):
     def _width(self) -> int:
         return len(self.geometry) + len(self.errors) + len(self.common)
 
+    def _flexible(self, joints: tuple[int, ...]) -> tuple[Flexible, Chain]:
+        """Return where this chain's tables stand among those that joints (from 0) give way by, and the chain of all."""
+        if joints not in self._laid:
+            laid = Flexible(self.links, self._moving, joints)
+            self._laid[joints] = laid, Chain(self._tables, laid.links)
+        return self._laid[joints]
+
+    def _lines(self, rows: Array) -> Array:
+        """Return the line of each joint's link (joints, 3), in the frame in which its joint has turned or slid [mm]."""
+        drawn = rows[0, :, : len(self.geometry)]
+        if self._drawn is None or not np.array_equal(self._drawn[0], drawn):
+            begun = self._flexible(())[0].begun
+            tables = np.zeros((self.limbs, len(self.links), self._width))
+            tables[:, :, : begun.shape[2]] = np.where(begun, drawn, 0.0)
+            self._drawn = drawn.copy(), self.frames(np.zeros((self.limbs, self.limbs)), tables)[0][:, -1]
+        return self._drawn[1]
+
+    def _giving_way(self, rows: Array, besides: Iterable[int] = ()) -> tuple[int, ...]:
+        """Return which joints (from 0) have deflections in their rows of parameters, and some besides."""
+        bent = rows[:, self._moving, self._width :].any(axis=(0, 2))
+        return tuple(sorted({*np.flatnonzero(bent).tolist(), *besides}))
+
     def scaling(self, convention: str, robot: Robot, names: object) -> Array:
         """Raise UsageError: no paper gives the columns of a chain another scale."""
         raise UsageError(f"{self.name} has no scaling '{convention}'; leave it out.")
 
     def rows(self, robot: Robot, errors: Array | None = None, deflections: Array | None = None) -> Array:
-        """Return the links' rows of parameters, (M, links, n): geometry, source errors, errors of the tool."""
-        if deflections is not None:
-            raise ValueError("a chain has no deflections of limbs.")
+        """Return the links' rows of parameters, (M, links, n): geometry, errors, those of the tool, deflections."""
         values = self.every(self.vector(robot.errors) if errors is None else errors)
         n_g, n_e, n = len(self.geometry), len(self.errors), len(self.links)
-        out = np.zeros((len(values), n, self._width))
+        every = values if deflections is None else np.repeat(values, len(deflections) // len(values), axis=0)
+        out = np.zeros((len(every), n, self._width + len(self.deflections)))
         for j, entry in enumerate(self.geometry):
             out[:, :, j] = robot.geometry[entry.key]
-        out[:, :, n_g : n_g + n_e] = values[:, : n * n_e].reshape(-1, n, n_e)
-        out[:, :, n_g + n_e :] = values[:, None, n * n_e :]
+        out[:, :, n_g : n_g + n_e] = every[:, : n * n_e].reshape(-1, n, n_e)
+        out[:, :, n_g + n_e : self._width] = every[:, None, n * n_e :]
+        if deflections is not None:
+            out[:, self._moving, self._width :] = deflections
         return out
 
     def roles(self, robot: Robot) -> dict[str, Array]:
-        """Return no lengths: the parts of a Delta's limb do not exist here."""
-        return {}
+        """Return the length of each joint's link, its own table's and all fixed ones' behind it; where slides begin."""
+        found = {"L": self._length(robot) @ self._carried}
+        slides = np.array([self.links[k].kind == "prismatic" for k in self._moving])
+        if slides.any():
+            found |= {"slides": slides.astype(float), "foot": np.where(slides, robot.geometry["d"][self._moving], 0.0)}
+        return found
 
     def moves(self, robot: Robot) -> dict[str, dict[str, Array]]:
-        """Return no parts: effects act on the joints."""
-        return {}
+        """Return what effects move: ``arm``, the tables of a joint's link along their own lines; and what gives way."""
+        length = self._length(robot)
+        line = length @ self._carried
+        share = self._carried * (length[:, None] / np.where(line > 0, line, 1.0))
+        along = {key: robot.geometry[key] / np.where(length > 0, length, 1.0) for key in ("a", "d")}
+        own = np.zeros((len(self.links), self.limbs))
+        own[self._moving, np.arange(self.limbs)] = 1.0
+        lines = self._lines(self.rows(robot))
+        bends = own * (np.linalg.norm(lines, axis=1) > NO_LINE)
+        give_way = {name: own if name.startswith(("side", "tilt")) else bends for name in self.deflections}
+        found = {"arm": {key: direction[:, None] * share for key, direction in along.items()}}
+        return found | {name: {name: much} for name, much in give_way.items()}
+
+    def _length(self, robot: Robot) -> Array:
+        """Return how far each table leads (links,) [mm]."""
+        return np.hypot(robot.geometry["a"], robot.geometry["d"])
+
+    @cached_property
+    def _carried(self) -> Array:
+        """Which tables make up the link of each joint, (links, joints): 1 of its own and of fixed ones behind it."""
+        out, joint = np.zeros((len(self.links), self.limbs)), -1
+        for k, link in enumerate(self.links):
+            joint = self._moving.index(k) if k in self._moving else joint if link.kind == "fixed" else -1
+            if joint >= 0:
+                out[k, joint] = 1.0
+        return out
 
     def limb_inertia(self, robot: Robot, masses: Mapping[str, float]) -> Array:
         """Return zero: the file gives masses and their centres only."""
@@ -157,52 +216,30 @@ class Chain(Machine):
 
     # -------------------------------------------------------------------------------------------------- kinematics
 
-    def _variables(self, q: Array) -> Array:
-        """Return each link's variable (links, 2, N): its turn and its slide."""
-        out = np.zeros((len(self.links), 2, len(q)))
-        by_number = {k + 1: q[:, j] for j, k in enumerate(self._moving)}
-        for k, link in enumerate(self.links):
-            value = by_number.get(k + 1, np.zeros(len(q)))
-            if link.kind == "coupled":
-                value = np.asarray(sum(much * by_number[number] for number, much in link.coupling))
-            out[k, int(link.kind == "prismatic")] = value
-        return out
-
-    def _placed(self, q: Array, rows: Array) -> _Placed:
-        last = self._last  # forward, derivatives and loads of one state come one after the other
-        if last is not None and np.array_equal(last.q, q) and np.array_equal(last.rows, rows):
-            return last
-        variables, placed = self._variables(q), _Placed(q.copy(), rows.copy(), [], [], [], [])
-        R, p = np.broadcast_to(np.eye(3)[:, :, None], (3, 3, len(q))), np.zeros((3, len(q)))
-        for k, link in enumerate(self.links):
-            turn, shift, local = self._kernels_of_a_link.link(link.convention, variables[k], rows[:, k].T)
-            placed.before.append(R)
-            p = p + _turned(R, shift)
-            R = sum(R[:, j, None] * turn[j] for j in range(3))
-            placed.local.append(local)
-            placed.rotation.append(R)
-            placed.origin.append(p)
-        self._last = placed
-        return placed
+    def _constants(self, kernels: ModuleType, rows: Array, poses: int) -> Array:
+        """Return what no joint changes: compiled kernels share machines out, plain ones read one a pose."""
+        self._alike(poses, rows=rows)
+        k: Array = kernels.constants(rows[:, :, : self._width])
+        alone = kernels is self.vectorised and len(k) not in (1, poses)
+        return np.repeat(k, poses // len(k), axis=0) if alone else k
 
     def frames(self, q: Array, rows: Array) -> tuple[Array, Array]:
         """Return the frames of the base and of every link: origins (N, n + 1, 3) and rotations (N, n + 1, 3, 3)."""
-        placed = self._placed(self._poses(q, self.limbs, "joints"), rows)
-        origins = np.stack([np.zeros((3, len(q))), *placed.origin])
-        rotations = np.stack([np.broadcast_to(np.eye(3)[:, :, None], (3, 3, len(q))), *placed.rotation])
-        return np.moveaxis(origins, -1, 0), np.moveaxis(rotations, -1, 0)
+        q = self._poses(q, self.limbs, "joints")
+        found = self.vectorised.frames(q, self._constants(self.vectorised, rows, len(q)), *self._shape)
+        by_pose = np.moveaxis(found, -1, 0)
+        return by_pose[..., :3], by_pose[..., 3:].reshape(*by_pose.shape[:2], 3, 3)
 
     def forward(
         self, q: Array, tool: Array, rows: Array, near: Array | None = None, *, out: Array | None = None
     ) -> tuple[Array, np.ndarray]:
         """Return the pose (N, 12) of the tool point and the last frame; every pose is SOLVED."""
-        q, tool = self._poses(q, self.limbs, "joints"), self._tool(tool, len(q))
-        if len(rows) not in (1, len(q)):
-            rows = np.repeat(rows, len(q) // len(rows), axis=0)
-        placed, x = self._placed(q, rows), result(out, (len(q), POSE))
-        R = placed.rotation[-1]
-        x[:, :3] = (placed.origin[-1] + _turned(R, (tool + rows[:, 0, -3:]).T)).T
-        x[:, 3:] = R.reshape(9, -1).T
+        q, kernels = self._poses(q, self.limbs, "joints"), self._kernels(len(q))
+        if joints := self._giving_way(rows):
+            laid, chain = self._flexible(joints)
+            return chain.forward(q, tool, laid.rows(rows, self._lines(rows)), out=out)
+        x, k = result(out, (len(q), POSE)), self._constants(kernels, rows, len(q))
+        kernels.forward(q, self._tools(tool, len(q)), k, *self._shape, x)
         return x, np.full(len(q), SOLVED)
 
     def positions(self, q: Array, tool: Array, rows: Array, *, out: Array | None = None) -> Array:
@@ -306,7 +343,8 @@ class Chain(Machine):
             x, reached = self.forward(q[open_], tool[open_], rows)
             slope = self.sensitivity(x, q[open_], tool[open_], rows).joints * sizes
             if reach is not None:
-                x, reached = reach(q[open_], open_)
+                moved, reached = reach(q[open_], open_)
+                x = moved.x
             miss = -self.missed(x, target[open_])
             if directions < 3 and drawn is not None:
                 own, _ = self.forward(q[open_], tool[open_], drawn)
@@ -360,36 +398,51 @@ class Chain(Machine):
     def sensitivity(
         self, x: Array, q: Array, tool: Array, rows: Array, *, out: tuple[Array, Array] | None = None
     ) -> Sensitivity:
-        """Return the derivatives of the exact pose at N poses: each twist moves all that comes behind its link.
+        """Return the derivatives of the exact pose at N poses.
 
-        `out` holds (6, links, n_e, N) by the links' errors, poses last, and (N, 6, n_q) by the joints.
+        `out` holds (N, 6, n_p) by the source errors, and (N, 6, n_q) by the joints.
         """
         x, q = self._poses(x, POSE, "poses"), self._poses(q, self.limbs, "joints")
-        placed, n_e, point = self._placed(q, rows), len(self.errors), x[:, :3].T
-        own_out, joints_out = (None, None) if out is None else out
-        own = result(own_out, (6, len(self.links), n_e, len(q)))
-        joints = np.zeros((6, self.limbs, len(q)))
-        for k, link in enumerate(self.links):
-            twists = placed.twists(k, slice(None))
-            turns = twists[:, 1]
-            shifts = twists[:, 0] + _cross(turns, point - placed.origin[k])
-            own[:3, k], own[3:, k] = (np.swapaxes(moved[:n_e], 0, 1) for moved in (shifts, turns))
-            c = n_e + int(link.kind == "prismatic")
-            for j, much in self._drives(k):
-                joints[:3, j] += much * shifts[c]
-                joints[3:, j] += much * turns[c]
-        common = np.zeros((6, len(self.links), 3, len(q)))
-        common[:3, 0] = placed.rotation[-1]
-        none = np.zeros((len(q), 6, self.limbs, 0))
-        by_joints = result(joints_out, (len(q), 6, self.limbs))
-        by_joints[:] = np.moveaxis(joints, -1, 0)
-        return Sensitivity(np.moveaxis(own, -1, 0), np.moveaxis(common, -1, 0), none, by_joints)
+        self._alike(len(x), joints=q)
+        kernels, (S_out, V_out) = self._kernels(len(q)), (None, None) if out is None else out
+        if joints := self._giving_way(rows):
+            return self._of_flexible(joints, x, q, tool, rows, S_out, V_out)
+        S, V = result(S_out, (len(x), self.n_x, len(self.parameters))), result(V_out, (len(x), self.n_x, self.limbs))
+        kernels.sensitivity(x, q, self._constants(kernels, rows, len(q)), *self._shape, S, V)
+        own = S[:, :, : -len(self.common)].reshape(len(x), self.n_x, len(self.links), len(self.errors))
+        return Sensitivity(own, own[..., :0], partial(self._by_deflections, x, q, tool, rows), V, S)
 
-    def _drives(self, k: int) -> list[tuple[int, float]]:
-        """Return which joints move link k, and by how much each."""
-        if k in self._moving:
-            return [(self._moving.index(k), 1.0)]
-        return [(self._moving.index(number - 1), much) for number, much in self.links[k].coupling]
+    def _by_deflections(self, x: Array, q: Array, tool: Array, rows: Array, limbs: Sequence[int]) -> Array:
+        """Return the derivatives by the deflections of some joints, from 1, (N, 6, links, n_d); of the others zero."""
+        joints = self._giving_way(rows, [i - 1 for i in limbs] or range(self.limbs))
+        laid, chain = self._flexible(joints)
+        tables, errors = np.moveaxis(laid.deflections, -1, 0)
+        out = np.zeros((len(x), self.n_x, len(self.links), len(self.deflections)))
+        out[:, :, [self._moving[j] for j in joints]] = chain.sensitivity(
+            x, q, tool, laid.rows(rows, self._lines(rows))
+        ).own[:, :, tables, errors]
+        return out
+
+    def _of_flexible(
+        self,
+        joints: tuple[int, ...],
+        x: Array,
+        q: Array,
+        tool: Array,
+        rows: Array,
+        S_out: Array | None,
+        V_out: Array | None,
+    ) -> Sensitivity:
+        """Return the derivatives of the exact pose of a chain some of whose joints give way."""
+        laid, chain = self._flexible(joints)
+        found = chain.sensitivity(x, q, tool, laid.rows(rows, self._lines(rows)))
+        S, V = result(S_out, (len(x), self.n_x, len(self.parameters))), filled(V_out, found.joints)
+        tables, errors = np.moveaxis(laid.errors, -1, 0)
+        n = tables.size
+        S[:, :, :n] = found.own[:, :, tables, errors].reshape(len(x), self.n_x, n)
+        S[:, :, n:] = found.parameters[:, :, -len(self.common) :]
+        own = S[:, :, :n].reshape(len(x), self.n_x, *tables.shape)
+        return Sensitivity(own, own[..., :0], partial(self._by_deflections, x, q, tool, rows), V, S)
 
     # ------------------------------------------------------------------------------------------------------- loads
 
@@ -402,44 +455,57 @@ class Chain(Machine):
         masses: Mapping[str, float],
         fields: Array,
         payload: Array | float = 0.0,
+        limbs: Sequence[int] = (),
         *,
         out: Sequence[Array] | None = None,
     ) -> Loads:
         """Return what the links' weights and the payload exert on the joints, by virtual work.
 
-        `masses` is read for whether there are any: an empty mapping asks for the payload alone.
+        `masses` is read for whether there are any: an empty mapping asks for the payload alone. What a link weighs
+        itself pulls others along their deflections, not its own.
         """
-        q, point = self._poses(q, self.limbs, "joints"), x[:, :3].T
-        placed, n_e = self._placed(q, rows), len(self.errors)
+        q = self._poses(q, self.limbs, "joints")
         every = np.asarray(fields, dtype=float).reshape(len(q) if np.ndim(fields) == 3 else 1, -1, 3).transpose(1, 2, 0)
-        # of a link and all behind it, the payload last: force, and moment about {O}
-        F = np.broadcast_to(np.asarray(payload, dtype=float), len(q)) * every[-1]
-        M, torque = _cross(point, F), np.zeros((self.limbs, len(q)))
-        for k, link in reversed(list(enumerate(self.links))):
-            if masses and link.mass:
-                weight = link.mass * every[k if len(every) > 1 else 0]
-                F, M = F + weight, M + _cross(self._centre(placed, k), weight)
-            driven, c = self._drives(k), n_e + int(link.kind == "prismatic")
-            if not driven:
-                continue
-            shift, turn = placed.twists(k, slice(c, c + 1))[0]
-            work = (shift * F).sum(axis=0) + (turn * (M - _cross(placed.origin[k], F))).sum(axis=0)
-            for j, much in driven:
-                torque[j] += much * work
-        none = np.zeros((len(q), self.limbs, 1))
-        return Loads.written(out, np.ascontiguousarray(torque.T), none[:, :, :0], none, np.ascontiguousarray(M.T))
+        points = np.concatenate([self._centres(q, rows), x[:, :3].T[None]])
+        laid, chain, bears = None, self, np.arange(len(self.links))
+        if joints := self._giving_way(rows, [i - 1 for i in limbs]):
+            laid, chain = self._flexible(joints)
+            rows, bears = laid.rows(rows, self._lines(rows)), laid.bears
+        weights = [link.mass if masses else 0.0 for link in self.links]
+        forces = np.zeros((len(self.links) + 1, 3, len(q)))
+        forces[:-1] = np.array(weights)[:, None, None] * every[: len(self.links)]
+        forces[-1] = np.broadcast_to(np.asarray(payload, dtype=float), len(q)) * every[-1]
+        torque, moment = np.empty(q.shape), np.empty((len(q), 3))
+        along = np.empty((len(q), len(chain.links), len(self.errors)))
+        kernels = self._kernels(len(q))
+        k, at = chain._constants(kernels, rows, len(q)), np.append(bears, len(chain.links))
+        kernels.loads(q, k, *chain._shape, points, forces, at, torque, along, moment)
+        pull = np.zeros((len(q), self.limbs, len(self.deflections)))
+        if laid is not None:
+            tables, errors = np.moveaxis(laid.deflections, -1, 0)
+            pull[:, list(joints)] = along[:, tables, errors]
+        return Loads.written(out, torque, pull, np.zeros((len(q), self.limbs, 1)), moment)
 
     def weights_at(
         self, x: Array, q: Array, tool: Array, rows: Array, masses: Mapping[str, float], *, out: Array | None = None
     ) -> Array:
         """Return where the weights are, (N, links + 1, 3) [mm]: each link's centre of mass, and the payload."""
-        placed = self._placed(self._poses(q, self.limbs, "joints"), rows)
-        centres = (self._centre(placed, k).T for k in range(len(self.links)))
-        return filled(out, np.stack([*centres, x[:, :3]], axis=1))
+        q = self._poses(q, self.limbs, "joints")
+        centres = self._centres(q, rows)
+        return filled(out, np.concatenate([np.moveaxis(centres, -1, 0), x[:, None, :3]], axis=1))
 
-    def _centre(self, placed: _Placed, k: int) -> Array:
-        """Return where link k has its centre of mass, (3, N) [mm]."""
-        return placed.origin[k] + _turned(placed.rotation[k], np.array(self.links[k].com)[:, None])
+    def _centres(self, q: Array, rows: Array) -> Array:
+        """Return where the links have their centres of mass, (links, 3, N) [mm]."""
+        chain, own, tables = self, np.zeros((len(self.links), 3)), np.arange(len(self.links))
+        if joints := self._giving_way(rows):
+            laid, chain = self._flexible(joints)
+            rows, tables = laid.rows(rows, self._lines(rows)), laid.ends
+            own = np.zeros((len(chain.links), 3))
+        own[tables] = [link.com for link in self.links]
+        kernels = self._kernels(len(q))
+        k = chain._constants(kernels, rows, len(q))
+        found: Array = kernels.centres(q, k, *chain._shape, own[:, :, None])
+        return found[tables]
 
 
 def _prioritised(slope: Array, miss: Array, directions: int) -> tuple[Array, Array, np.ndarray]:
@@ -460,18 +526,3 @@ def _prioritised(slope: Array, miss: Array, directions: int) -> tuple[Array, Arr
         step = step + np.einsum("nij,nj->ni", left, np.einsum("nji,nj->ni", V2, part))
     off = np.einsum("nij,nj->ni", U[:, :, :k], along)
     return step, off, held.sum(axis=1)
-
-
-def _turned(rotation: Array, vectors: Array) -> Array:
-    """Return vectors (..., 3, N) turned by rotations (3, 3, N)."""
-    parts = (rotation[:, j] * vectors[..., j, None, :] for j in range(3))
-    out: Array = sum(parts, start=next(parts))
-    return out
-
-
-def _cross(a: Array, b: Array) -> Array:
-    """Return the vector products of vectors (..., 3, N) and (3, N) or (3, 1)."""
-    out = np.empty(np.broadcast_shapes(a.shape, b.shape))
-    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        out[..., i, :] = a[..., j, :] * b[k] - a[..., k, :] * b[j]
-    return out

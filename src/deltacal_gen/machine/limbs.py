@@ -15,8 +15,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from deltacal_gen.errors import UsageError
-from deltacal_gen.machine import backend
-from deltacal_gen.machine.backend import Backend
 from deltacal_gen.machine.machine import (
     COORDINATES,
     POSE,
@@ -143,9 +141,10 @@ class Limbs(Machine):
         return found
 
     def moves(self, robot: Robot) -> dict[str, dict[str, Array]]:
-        """Return what effects move in a limb: {part: {error or deflection: how much of it}}."""
-        found: dict[str, dict[str, Array]] = self._tables.moves(robot.geometry)
-        return found
+        """Return what effects move in a limb: {part: {error or deflection: how much of it (limbs, limbs)}}."""
+        found = self._tables.moves(robot.geometry)
+        own = np.ones(self.limbs)
+        return {part: {name: np.diag(much * own) for name, much in moved.items()} for part, moved in found.items()}
 
     def limb_inertia(self, robot: Robot, masses: Mapping[str, float]) -> Array:
         """Return a limb's own inertia about its centre of mass, which turns with the joint [kg mm^2]."""
@@ -154,19 +153,9 @@ class Limbs(Machine):
     # --------------------------------------------------------------------------------------------------- kernels
 
     @cached_property
-    def compiled(self) -> ModuleType:
-        """The Numba kernels; the first use loads Numba and, once per machine, compiles."""
-        return importlib.import_module(f"deltacal_kernels.{self.name}.kinematics")
-
-    @cached_property
     def servo(self) -> ModuleType:
         """Commands of one pose, for loops that Numba compiles."""
         return importlib.import_module(f"deltacal_kernels.{self.name}.servo")
-
-    @cached_property
-    def vectorised(self) -> ModuleType:
-        """The same kernels in plain NumPy."""
-        return importlib.import_module(f"deltacal_kernels.{self.name}.vectorised")
 
     def compile(self) -> Iterator[tuple[str, float]]:
         """Compile all kernels, or load them from Numba's cache; yield each one's name and how long it took [s].
@@ -206,10 +195,6 @@ class Limbs(Machine):
         yield from done(servo, "linear_command", *command, linear)
         yield from done(servo, "linear_change", *command, *command, linear)
         yield from done(servo, "linear_commands", one, tool, linear, q, status)
-
-    def _kernels(self, poses: int) -> ModuleType:
-        """Return the kernels for a call over so many poses."""
-        return self.compiled if backend.chosen(poses) is Backend.COMPILED else self.vectorised
 
     @cached_property
     def weighs(self) -> bool:
@@ -331,14 +316,14 @@ class Limbs(Machine):
         q, _, status = self.inverse(target, tool, rows, out=out)
         if reach is None:
             return q, status
-        tool, open_ = self._tool(tool, len(q)), np.flatnonzero(status == SOLVED)
+        open_ = np.flatnonzero(status == SOLVED)
         q[:] = np.where(np.isfinite(q), q, 0.0)
         for _ in range(STEPS):
             if not len(open_):
                 break
-            x, reached = reach(q[open_], open_)
-            miss = self.missed(x, target[open_])
-            speed = self.asked(self.sensitivity(np.nan_to_num(x), q[open_], tool[open_], rows).joints)
+            at, reached = reach(q[open_], open_)
+            miss = self.missed(at.x, target[open_])
+            speed = self.asked(self.sensitivity(np.nan_to_num(at.x), at.q, at.tool, at.rows).joints)
             singular = ~np.isfinite(speed).all(axis=(1, 2)) | (np.abs(np.linalg.det(np.nan_to_num(speed))) == 0.0)
             status[open_] = np.where(reached != SOLVED, reached, np.where(singular, SINGULAR, SOLVED))
             going = (status[open_] == SOLVED) & (np.abs(np.nan_to_num(miss)).max(axis=1) > SETTLED_MM)
@@ -364,11 +349,12 @@ class Limbs(Machine):
 
     def stated(self, target: Array) -> Array:
         """Return the coordinates (N, n_q) that a command states of targets (N, 3) or (N, 12)."""
-        target, asked = self.targets(target), self._at[: self.limbs]
+        target = self.targets(target)
+        if self.asks == COORDINATES[:3] and target.shape[1] == 3:
+            return target
         if target.shape[1] == POSE:
             return self._own(target)[:, : self.limbs].copy()
-        if np.array_equal(asked, np.arange(3)):
-            return target
+        asked = self._at[: self.limbs]
         out = np.zeros((len(target), self.limbs))
         shifts = asked < 3
         out[:, shifts] = target[:, asked[shifts]]
@@ -448,6 +434,7 @@ class Limbs(Machine):
         masses: Mapping[str, float],
         fields: Array,
         payload: Array | float = 0.0,
+        limbs: Sequence[int] = (),
         *,
         out: Sequence[Array] | None = None,
     ) -> Loads:

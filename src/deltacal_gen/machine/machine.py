@@ -6,16 +6,19 @@ an attribute, never of the class. Inside: mm, rad, kg, s, N.
 
 from __future__ import annotations
 
+import importlib
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from types import ModuleType
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 import numpy as np
 
 from deltacal_gen.errors import UsageError
+from deltacal_gen.machine import backend
+from deltacal_gen.machine.backend import Backend
 from deltacal_gen.machine.rotation import Array, to_vector
 from deltacal_gen.units import of_joints
 
@@ -71,21 +74,36 @@ class Sensitivity:
     own : (N, n_x, limbs, n_e) array
         By each limb's source errors [unit of x / mm or rad].
     common : (N, n_x, limbs, n_s) array
-        By the errors that all limbs share, limb by limb: what each limb's share of them does.
-    deflections : (N, n_x, limbs, n_d) array
-        By the displacements that vanish on a rigid machine.
+        By the errors that all limbs share, limb by limb: what each limb's share of them does. Empty where limbs share
+        none, as the errors of a chain's tool, which no link has.
+    bent : (N, n_x, rows, n_d) array, or callable that returns it for some limbs
+        See `by_deflections`.
     joints : (N, n_x, n_q) array
         The velocity Jacobian.
+    whole : (N, n_x, n_p) array, optional
+        See `parameters`, where they were computed side by side.
     """
 
     own: Array
     common: Array
-    deflections: Array
+    bent: Array | Callable[[Sequence[int]], Array]
     joints: Array
+    whole: Array | None = None
+
+    @cached_property
+    def deflections(self) -> Array:
+        """By the displacements that vanish on a rigid machine, (N, n_x, limbs or links, n_d)."""
+        return self.by_deflections(())
+
+    def by_deflections(self, limbs: Sequence[int]) -> Array:
+        """Return `deflections`, of which those of some limbs, from 1, are wanted; of all, where none is named."""
+        return self.bent if isinstance(self.bent, np.ndarray) else self.bent(limbs)
 
     @cached_property
     def parameters(self) -> Array:
         """By the source errors, (N, n_x, n_p), in the order of ``Machine.parameters``."""
+        if self.whole is not None:
+            return self.whole
         flat = self.own.reshape(*self.own.shape[:2], -1)
         return np.concatenate([flat, self.common.sum(axis=2)], axis=2) if self.common.shape[3] else flat
 
@@ -98,7 +116,7 @@ class Loads(NamedTuple):
     torque : (N, n_q) array
         On the joints [N mm]; gravity on a horizontal arm is negative.
     pull : (N, limbs, n_d) array
-        Of the rods on the limb's deflections [N].
+        Along each limb's deflections [N, N mm]: of its rods, or of what a joint and its link carry.
     tension : (N, limbs, rods) array
         In the rods [N].
     moment : (N, 3) array
@@ -141,7 +159,20 @@ def filled(out: Array | None, values: Array) -> Array:
     return out
 
 
-Reach = Callable[[Array, np.ndarray], tuple[Array, np.ndarray]]  # see `Machine.follow`
+class Standing(Protocol):
+    """A machine as it stands, moved by effects or not: poses, joints, tools and rows as `Machine.forward` has them."""
+
+    @property
+    def x(self) -> Array: ...
+    @property
+    def q(self) -> Array: ...
+    @property
+    def tool(self) -> Array: ...
+    @property
+    def rows(self) -> Array: ...
+
+
+Reach = Callable[[Array, np.ndarray], tuple[Standing, np.ndarray]]  # see `Machine.follow`
 
 
 class Machine(ABC):
@@ -343,7 +374,10 @@ class Machine(ABC):
 
     @abstractmethod
     def moves(self, robot: Robot) -> dict[str, dict[str, Array]]:
-        """Return what effects move in a limb: {part: {error or deflection: how much of it}}."""
+        """Return what effects move in a limb: {part: {error or deflection: how much of it}}.
+
+        How much is a matrix (rows of parameters, limbs): of the error in each row by the part in each limb.
+        """
 
     @abstractmethod
     def limb_inertia(self, robot: Robot, masses: Mapping[str, float]) -> Array:
@@ -353,6 +387,22 @@ class Machine(ABC):
     @abstractmethod
     def weighs(self) -> bool:
         """Whether the mechanism says where weights act; without them nothing loads it, not even a payload."""
+
+    # --------------------------------------------------------------------------------------------------- kernels
+
+    @cached_property
+    def compiled(self) -> ModuleType:
+        """The Numba kernels; the first use loads Numba and, once per mechanism, compiles."""
+        return importlib.import_module(f"deltacal_kernels.{self.name}.kinematics")
+
+    @cached_property
+    def vectorised(self) -> ModuleType:
+        """The same kernels in plain NumPy."""
+        return importlib.import_module(f"deltacal_kernels.{self.name}.vectorised")
+
+    def _kernels(self, poses: int) -> ModuleType:
+        """Return the kernels for a call over so many poses."""
+        return self.compiled if backend.chosen(poses) is Backend.COMPILED else self.vectorised
 
     # -------------------------------------------------------------------------------------------------- kinematics
 
@@ -462,7 +512,7 @@ class Machine(ABC):
         rows, drawn : (1, limbs, n) arrays
             Of the machine and, where that is another one, of the machine as drawn.
         reach : callable, optional
-            Poses (N, 12) and status (N,) of a machine with effects at joints of some of the targets, given with
+            A machine with effects as it stands, and its status (N,), at joints of some of the targets, given with
             their indices.
         """
 
@@ -522,6 +572,7 @@ class Machine(ABC):
         masses: Mapping[str, float],
         fields: Array,
         payload: Array | float = 0.0,
+        limbs: Sequence[int] = (),
         *,
         out: Sequence[Array] | None = None,
     ) -> Loads:
@@ -535,6 +586,8 @@ class Machine(ABC):
             Acceleration that acts on the weights [m/s^2]: gravity in {O}, or minus their own (see `weights_at`).
         payload : float or (N,) array
             At the reference point [kg].
+        limbs : sequence of int
+            Whose pulls are wanted, from 1: where they take more than the torques, those of others are zero.
         out : sequence of arrays, optional
             Where they are written, as `Loads` has them.
         """

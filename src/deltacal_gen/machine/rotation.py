@@ -1,4 +1,4 @@
-"""Rotations: SciPy's, loaded on first use, and the Cayley map of the kernels.
+"""Rotations: SciPy's, loaded on first use, and those of the kernels by their Cayley vectors.
 
 SciPy's rotations take a quarter of a second to import, which a calibration from distances never needs.
 """
@@ -8,37 +8,33 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from deltacal_kernels import rotations
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
 def cayley_matrix(c: Array) -> Array:
     """Return rotations (N, 3, 3) by Cayley vectors (N, 3), ``c = 2 tan(t/2) n``: the map of the generated kernels."""
-    x, y, z = np.ascontiguousarray(c.T)
-    xx, yy, zz = x * x / 2, y * y / 2, z * z / 2
-    xy, yz, zx = x * y / 2, y * z / 2, z * x / 2
-    s = 1 / (1 + (xx + yy + zz) / 2)
-    entries = (-yy - zz, xy - z, zx + y, xy + z, -zz - xx, yz - x, zx - y, yz + x, -xx - yy)
-    matrix = np.empty((len(c), 9))  # entry by entry: products of 3 x 3 matrices would take ten times as long
-    for k, entry in enumerate(entries):
-        matrix[:, k] = s * entry + (k % 4 == 0)
-    return matrix.reshape(-1, 3, 3)
+    matrix: Array = rotations.matrix(c)
+    return matrix
 
 
 def cayley_vector(matrix: Array) -> Array:
     """Return Cayley vectors (N, 3) of rotations (N, 3, 3) by less than half a turn."""
-    r = np.ascontiguousarray(matrix.reshape(-1, 9).T)
-    s = 2 / (1 + r[0] + r[4] + r[8])
-    return np.column_stack([s * (r[7] - r[5]), s * (r[2] - r[6]), s * (r[3] - r[1])])
+    vector: Array = rotations.vector(matrix)
+    return vector
 
 
-def cayley_spin(c: Array) -> Array:
-    """Return W (N, 3, 3) by which a change of a Cayley vector turns the body: ``axial(dR R^T) = W dc``."""
-    K = np.zeros((len(c), 3, 3))
-    K[:, 2, 1], K[:, 0, 2], K[:, 1, 0] = c.T
-    K -= np.swapaxes(K, 1, 2)
-    spin: Array = (np.eye(3) + K / 2) / (1 + (c**2).sum(axis=1) / 4)[:, None, None]
-    return spin
+def swept(points: Array) -> Array:
+    """Return how points (N, 3) move by turns about the axes of {O}, (N, 3, 3): a column for each axis."""
+    motion: Array = rotations.swept(points)
+    return motion
+
+
+def aim(lines: Array) -> Array:
+    """Return the turns about z, then x, that bring the axis y along lines (N, 3): (N, 2) [rad]."""
+    turns: Array = rotations.aim(lines)
+    return turns
 
 
 def from_vector(vector: Array) -> Array:

@@ -19,8 +19,8 @@ from deltacal_gen.units import DEG
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from deltacal_gen.files.recording import Camera
     from deltacal_gen.files.robot import Masses, Transmission, Workspace
+    from deltacal_gen.files.sidecar import Camera
 
 POSITION = ("x_mm", "y_mm", "z_mm")
 ROTATION = ("rx_deg", "ry_deg", "rz_deg")
@@ -115,6 +115,7 @@ class Measurement:
     sigma_deg: float | None = None
     sigma_px: float | None = None
     instrument: str | None = None
+    operator: str | None = None
     zero: str = "absolute"
     base_point_mm: tuple[float, ...] | None = None
     platform_point_mm: tuple[float, ...] | None = None

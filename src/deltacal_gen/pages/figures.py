@@ -24,9 +24,12 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import PercentFormatter
 
 from deltacal_gen.files.robot import robot_of
+from deltacal_gen.files.writing import staging
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import Array, mechanism_of
-from deltacal_gen.physics.physics import Body, Channels, reading_shift, term_of
+from deltacal_gen.physics.body import Body, reading_shift
+from deltacal_gen.physics.channels import Channels
+from deltacal_gen.physics.terms import term_of
 from deltacal_gen.results.batch import Done
 from deltacal_gen.results.diagnosis import Baseline, Diagnosis, Effect, Final, Verdict
 from deltacal_gen.results.result import Result, Status
@@ -76,7 +79,11 @@ def save(figure: Figure, path: str | Path) -> None:
     """Write a figure, the same bytes for the same content."""
     path = Path(path)
     metadata = {"Date": None} if path.suffix == ".svg" else {"Software": None}
-    figure.savefig(path, dpi=150, metadata=metadata if path.suffix in (".svg", ".png") else None)
+    ending = path.suffix
+    with staging([path]) as parts:
+        figure.savefig(
+            parts[path], dpi=150, format=ending[1:], metadata=metadata if ending in (".svg", ".png") else None
+        )
     plt.close(figure)
 
 
@@ -269,7 +276,7 @@ def contribution(found: Diagnosis, effect: int) -> Array | None:
     body, errors = body_of(found)
     terms = [term_of(t) for t in found.physics]
     others = [t for i, t in enumerate(terms) if i != effect]
-    if any(body.missing(t.effect) for t in terms):
+    if any(body.missing(t) for t in terms):
         return None
     with_it, without = body.solve(errors, terms)[0].x[:, :3], body.solve(errors, others)[0].x[:, :3]
     turn, origin = np.split(found.instrument.state[0, :12], [9])

@@ -2,11 +2,16 @@
 
 One file per paper, ``claims/PAPER.toml``: its ``title``, then a ``[[claim]]`` for every numbered equation, every table,
 every figure with numbers and every number stated in the text. The file's presence is its registration.
+
+What the derivation decides is not typed there: such a claim names its verdicts (``derived``), and its printed and
+correct form and its status are those of ``claims/derived.json``, which ``python -m derive verdicts`` writes.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import json
+import re
+from collections.abc import Mapping, Sequence
 from importlib import resources
 from pathlib import Path
 from typing import Annotated, Any, Literal, get_args
@@ -16,7 +21,7 @@ from pydantic import Field, ValidationError
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.robot import Table, TomlFile
 
-Status = Literal["proved", "verified", "contradicted", "convention-dependent", "not reproducible", "undecided"]
+Status = Literal["proved", "verified", "loose", "contradicted", "convention-dependent", "not reproducible", "undecided"]
 STATUSES: tuple[str, ...] = get_args(Status)
 
 _Line = Annotated[str, Field(pattern=r"^\S(.*\S)?$")]  # one line of text, not empty
@@ -36,10 +41,13 @@ class Claim(Table):
     statement : str
         What the paper claims.
     status : str
-        *proved* symbolically, *verified* numerically, *contradicted*, *convention-dependent* (true only under a
-        convention that the paper leaves open), *not reproducible* or *undecided*.
+        *proved* symbolically, *verified* numerically, *loose* (true as it is meant, not as it is worded),
+        *contradicted*, *convention-dependent* (true only under a convention that the paper leaves open), *not
+        reproducible* or *undecided*.
     printed, correct : str
         The formula or figure as printed, and as it is.
+    decided : str
+        How the derivation decides it; empty where its test does, and printed and correct form are typed.
     evidence : str
         What decides it, with the figure measured.
     test : str
@@ -52,6 +60,7 @@ class Claim(Table):
     status: Status
     printed: _Line
     correct: _Line
+    decided: str = ""
     evidence: _Line
     test: _Test
 
@@ -95,6 +104,7 @@ def read_paper(path: str | Path) -> Paper:
         An entry has an unknown or missing key, a status or place that is none; file, line and entry are named.
     """
     file = TomlFile.read(path)
+    verdicts = derived(Path(path).parent).get(Path(path).stem, {})
     name, entries, title = Path(path).stem, file.data.get("claim"), file.data.get("title")
     if not isinstance(title, str) or not isinstance(entries, list) or file.data.keys() != {"title", "claim"}:
         raise file.error("a title and a list of [[claim]], and nothing else, were expected.", "Add or remove keys.")
@@ -104,10 +114,69 @@ def read_paper(path: str | Path) -> Paper:
         try:
             if "paper" in entry:
                 raise InputError("'paper' is the file's name.", "Remove it.", file=path, line=headers[n])
-            claims.append(Claim.model_validate({"paper": name, **entry}))
+            given = _with_verdicts(entry, verdicts, Path(path), headers[n]) if "derived" in entry else entry
+            claims.append(Claim.model_validate({"paper": name, **given}))
         except ValidationError as error:
             raise _explained(error.errors()[0], entry, n, Path(path), headers[n]) from None
     return Paper(title=title, claims=tuple(claims))
+
+
+def says(claim: Claim, words: Sequence[str]) -> bool:
+    """Tell whether each of some words begins a word of a claim."""
+    text = " ".join((claim.where, claim.status, claim.statement, claim.printed, claim.correct, claim.evidence))
+    return all(re.search(rf"(?<!\w){re.escape(word)}", text, re.IGNORECASE) for word in words)
+
+
+def page(titles: Mapping[str, str], claims: Sequence[Claim]) -> str:
+    """Return claims as a page that can be searched, by paper and with their counts.
+
+    Parameters
+    ----------
+    titles : mapping
+        Name of each paper to its title.
+    claims : sequence of Claim
+        To be shown, in their order.
+    """
+    from deltacal_gen.pages import report
+
+    by_paper = {n: [c for c in claims if c.paper == n] for n in titles}
+    papers = [{"name": n, "title": titles[n], "count": len(own), "claims": own} for n, own in by_paper.items()]
+    counts = [(s, sum(c.status == s for c in claims)) for s in STATUSES]
+    script = report.asset("claims.js")
+    return report.page_of("claims", title="Claims of the papers", papers=papers, counts=counts, script=script)
+
+
+def derived(of: Path | None = None) -> dict[str, dict[str, dict[str, str]]]:
+    """Return the verdicts of the derivation in a folder, by default the registered ones: paper, name, what it holds."""
+    file = (of or folder()) / "derived.json"
+    found: dict[str, dict[str, dict[str, str]]] = json.loads(file.read_text("utf-8")) if file.exists() else {}
+    return found
+
+
+def _with_verdicts(
+    entry: Mapping[str, Any], verdicts: Mapping[str, Mapping[str, str]], path: Path, line: int
+) -> dict[str, Any]:
+    """Return an entry with the printed and correct form and the status of the verdicts that it names."""
+    names = [entry["derived"]] if isinstance(entry["derived"], str) else list(entry["derived"])
+    typed = sorted({"printed", "correct", "status", "decided"} & entry.keys())
+    if typed:
+        raise InputError(
+            f"'{typed[0]}' is typed beside 'derived', which decides it.", "Remove one.", file=path, line=line
+        )
+    unknown = [n for n in names if n not in verdicts]
+    if unknown or not names:
+        known = ", ".join(verdicts) or "none"
+        raise InputError(
+            f"there is no verdict {unknown or names!r} of the derivation; known: {known}.",
+            'Correct it, or run "python -m derive verdicts".',
+            file=path,
+            line=line,
+        )
+    chosen = [verdicts[n] for n in names]
+    ways = {v["status"] for v in chosen}
+    joined = {key: "; ".join(dict.fromkeys(v[key] for v in chosen)) for key in ("printed", "correct", "decided")}
+    kept = {key: value for key, value in entry.items() if key != "derived"}
+    return {**kept, **joined, "status": next(s for s in ("contradicted", "verified", "proved") if s in ways)}
 
 
 def _explained(flaw: Mapping[str, Any], entry: Mapping[str, Any], n: int, path: Path, line: int) -> InputError:

@@ -12,7 +12,7 @@ import numpy as np
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.pages import figures
 from deltacal_gen.pages.figures import plt
-from deltacal_gen.planning.planning import Plan
+from deltacal_gen.planning.matrix import Plan
 
 
 def figure(plans: Plan | Sequence[Plan], path: str | Path) -> None:

@@ -24,7 +24,7 @@ from deltacal_gen.files.robot import robot_of
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.pages import figures
 from deltacal_gen.pages.figures import AFTER, BEFORE, INK, MUTED, RAISED, STYLE, mpl, plt
-from deltacal_gen.physics.physics import load_effect, of_the_instrument
+from deltacal_gen.physics.terms import load_effect, of_the_instrument
 from deltacal_gen.results.batch import ASIDE, Batch, FailedRow, alike, worst
 from deltacal_gen.results.diagnosis import (
     Baseline,
@@ -38,6 +38,7 @@ from deltacal_gen.results.diagnosis import (
 from deltacal_gen.results.parts import Source
 from deltacal_gen.results.result import Result, Status
 from deltacal_gen.results.study import Study, Suspect
+from deltacal_gen.use.unseen import sentences
 
 _COLOURS = {INK: "var(--ink)", MUTED: "var(--muted)", BEFORE: "var(--before)", AFTER: "var(--after)"}
 _PAPER = {"var(--card)": "#ffffff", "var(--paper)": "#ffffff", "var(--good)": "#2c7a4b", "var(--bad)": "#b8472f"}
@@ -67,6 +68,7 @@ def diagnosis(found: Diagnosis) -> str:
     positions = found.residuals.before_mm.shape[1] == 3
     return _rendered(
         "diagnosis",
+        made=found.made,
         title=f"{machine}: diagnosis",
         machine=machine,
         found=found,
@@ -92,7 +94,7 @@ def diagnosis(found: Diagnosis) -> str:
         not_tested=[(_spaced(t.name), t.missing) for t in found.not_tested],
         gross=", ".join(map(str, found.gross_errors)),
         readings=len(found.residuals.line),
-        geometry=len(mechanism_of(robot_of(found.robot)).models[found.baseline.model]),
+        geometry=len(mechanism_of(robot_of(found.robot)).model(found.baseline.model)),
     )
 
 
@@ -205,6 +207,16 @@ def _cell(value: Any) -> str:
     return "" if value is None else f"{value:.4f}" if isinstance(value, float) else str(value)
 
 
+def _parameter_rows(found: Result, *, pinned: bool) -> list[tuple[str, str, str, str, str]]:
+    """Return name, meaning, value, unit and status of the free parameters that something pins, or of the others."""
+    meanings = {p.name: p.meaning for p in mechanism_of(robot_of(found.robot)).parameters}
+    return [
+        (p.name, meanings[p.name], measured(p.value, p.std), "" if p.unit == "1" else p.unit, p.status)
+        for p in found.parameters
+        if p.status is not Status.FIXED and (p.status is not Status.NOT_PINNED) == pinned
+    ]
+
+
 def calibration(found: Result) -> str:
     """Return the page of a RESULT.json."""
     machine, held = found.robot.robot.name, found.heldout_rms_mm
@@ -215,6 +227,7 @@ def calibration(found: Result) -> str:
         panels.append((figures.workspace, (4.6, 3.2)))
     return _rendered(
         "calibration",
+        made=found.made,
         title=f"{machine}: calibration",
         machine=machine,
         found=found,
@@ -223,11 +236,9 @@ def calibration(found: Result) -> str:
         f"{found.model}, by {after:.4f} mm {seen}. The noise is {found.sigma_mm:.4f} mm, "
         f"{_NOISE[found.sigma_source]}.",
         pictures=[{"title": "", "svg": _svg(partial(draw, result=found), size)} for draw, size in panels],
-        parameters=[
-            (p.name, measured(p.value, p.std), "" if p.unit == "1" else p.unit, p.status)
-            for p in found.parameters
-            if p.status is not Status.FIXED
-        ],
+        parameters=_parameter_rows(found, pinned=True),
+        unpinned=_parameter_rows(found, pinned=False),
+        unseen=[(sentence, c.text) for sentence, c in zip(sentences(found), found.unidentifiable, strict=True)],
         gross=", ".join(map(str, found.gross_errors or ())),
     )
 
@@ -321,8 +332,10 @@ def _breakable(text: str) -> Markup:
 # ------------------------------------------------------------------------------------------------------- in words
 
 
-def measured(value: float, std: float | None) -> str:
-    """Return a value with its standard deviation, to two digits of that."""
+def measured(value: float | str, std: float | None) -> str:
+    """Return a value with its standard deviation, to two digits of that; a name as it is."""
+    if isinstance(value, str):
+        return value
     if std is None or not std > 0:
         return f"{value:.6g}"
     power = math.floor(math.log10(max(abs(value), std)))
@@ -382,8 +395,8 @@ def _in_numbers(effect: Effect) -> str:
     words = []
     for name, of in by_name.items():
         unit = "" if of[0].unit == "1" else f" {of[0].unit}"
-        low, high = (f(p.value for p in of) for f in (min, max))
-        value = measured(of[0].value, of[0].std) if len(of) == 1 else f"{low:.3g} to {high:.3g}"
+        values = [float(p.value) for p in of] if len(of) > 1 else []
+        value = f"{min(values):.3g} to {max(values):.3g}" if values else measured(of[0].value, of[0].std)
         words.append(f"{_spaced(name)} {value}{unit}")
     return f"{effect.title}, {', '.join(words)}"
 
@@ -466,8 +479,13 @@ def _pair(
 
 def _svg(draw: Callable[[Any], None], size: tuple[float, float]) -> str:
     """Return a picture of one panel as SVG that takes its colours and its type from the page."""
+    return panels(draw, (1, 1), size)
+
+
+def panels(draw: Callable[[Any], None], grid: tuple[int, int], size: tuple[float, float]) -> str:
+    """Return a picture of several panels (rows, columns), whose axes `draw` gets as an array; of one, its axes."""
     with mpl.rc_context({**STYLE, "font.size": 9.5, "axes.labelsize": 9.5}):
-        picture, axes = plt.subplots(figsize=size, constrained_layout=True)
+        picture, axes = plt.subplots(*grid, figsize=size, constrained_layout=True)
         draw(axes)
         return _inline(picture)
 

@@ -10,11 +10,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from types import ModuleType
 
 import numpy as np
 
 from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics.terms import Constant, Kernels
 
 TOLERANCE = 1e-7  # of z, or of 1 where z is smaller: how far it may go astray from row to row
 ROUNDING = 1e-14  # of the same: no interval is halved for less
@@ -48,7 +48,7 @@ class Along:
 
 
 def along(
-    kernels: ModuleType, states: Array, coefficients: Array, constants: tuple[float, ...], time: Array, run: np.ndarray
+    kernels: Kernels, states: Array, coefficients: Array, constants: tuple[Constant, ...], time: Array, run: np.ndarray
 ) -> Along:
     """Return an effect's memories at all rows.
 
@@ -100,8 +100,8 @@ class _Points:
         Which points are rows.
     """
 
-    kernels: ModuleType
-    constants: tuple[float, ...]
+    kernels: Kernels
+    constants: tuple[Constant, ...]
     length: Array
     share: Array
     states: Array

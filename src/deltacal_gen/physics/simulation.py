@@ -15,21 +15,15 @@ import numpy as np
 from pydantic import Field
 
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.files.recording import Recording
 from deltacal_gen.files.robot import Number, Robot, Table, TomlFile, nearest
 from deltacal_gen.instrument.kinds import kind_of, measured_points
 from deltacal_gen.machine.registry import SOLVED, STATUS, Array, Machine, mechanism_of, nominal_joints
 from deltacal_gen.machine.rotation import from_vector, to_vector
-from deltacal_gen.physics.physics import (
-    Body,
-    Channels,
-    Term,
-    blank,
-    effect_names,
-    load_effect,
-    reading_shift,
-    row_factors,
-)
+from deltacal_gen.machine.values import Recording
+from deltacal_gen.physics.body import Body, reading_shift
+from deltacal_gen.physics.channels import Channels
+from deltacal_gen.physics.parts import lacks
+from deltacal_gen.physics.terms import Term, blank, constants_of, effect_names, row_factors, scaled
 from deltacal_gen.units import DEG, to_internal
 
 
@@ -71,7 +65,7 @@ def read_truth(path: str | Path, robot: Robot) -> Truth:
                 name,
             )
     errors = {name: value * to_internal(units[name]) for name, value in truth.parameters.items()}
-    return Truth(errors, tuple(_checked_term(file, table, mechanism) for table in truth.effects))
+    return Truth(errors, tuple(_checked_term(file, table, robot, mechanism) for table in truth.effects))
 
 
 def truth_names(path: str | Path) -> tuple[str, ...]:
@@ -79,9 +73,9 @@ def truth_names(path: str | Path) -> tuple[str, ...]:
     return tuple(TomlFile.read(path).check(_Truth).parameters)
 
 
-def _checked_term(file: TomlFile, table: dict[str, Any], mechanism: Machine) -> Term:
+def _checked_term(file: TomlFile, table: dict[str, Any], robot: Robot, mechanism: Machine) -> Term:
     try:
-        term = _term(file, table, mechanism)
+        term = _term(file, table, robot, mechanism)
     except (TypeError, ValueError):
         raise file.error(
             f"the effect '{table.get('name')}' holds a value of the wrong type.",
@@ -95,7 +89,7 @@ def _checked_term(file: TomlFile, table: dict[str, Any], mechanism: Machine) -> 
     return term
 
 
-def _term(file: TomlFile, table: dict[str, Any], mechanism: Machine) -> Term:
+def _term(file: TomlFile, table: dict[str, Any], robot: Robot, mechanism: Machine) -> Term:
     given = dict(table)
     name = given.pop("name", None)
     if name not in effect_names():
@@ -105,20 +99,20 @@ def _term(file: TomlFile, table: dict[str, Any], mechanism: Machine) -> Term:
             f"Did you mean '{near}'?" if near else f"Registered: {', '.join(effect_names())}.",
             "effects",
         )
-    kernels = load_effect(name)
     limbs = given.pop("limbs", None)
     limb = given.pop("limb", None)
     chosen = [limb] if limb is not None else list(limbs or range(1, mechanism.limbs + 1))
     tools = given.pop("tools", None) or ([given.pop("tool")] if "tool" in given else [])
     if any(not 1 <= i <= mechanism.limbs for i in chosen):
         raise file.error(f"{name}: limbs are counted from 1 to {mechanism.limbs}.", "Correct limb or limbs.", "effects")
-    term = blank(name, chosen, (), tools)
-    rows, values = len(term.values), term.values
+    term = blank(name, chosen, (), tools, lacks(name, mechanism, mechanism.moves(robot), mechanism.roles(robot)))
+    rows, values, kernels = len(term.values), term.values, term.kernels
     known = [*kernels.COEFFICIENTS, *kernels.CONSTANTS]
     for key in given:
         if key not in [k for k, *_ in known]:
             raise file.error(
-                f"the effect '{name}' has no parameter '{key}'; it has {', '.join(k for k, *_ in known)}.",
+                f"the effect '{name}' has no parameter '{key}' on {mechanism.name}; "
+                f"it has {', '.join(k for k, *_ in known)}.",
                 "Correct the name.",
                 "effects",
             )
@@ -130,11 +124,22 @@ def _term(file: TomlFile, table: dict[str, Any], mechanism: Machine) -> Term:
                 f"{name}: {key} needs one number, or one for each of {rows} limbs.", "Correct it.", "effects"
             )
         values[:, c] = value * factors[:, c]
+    columns = [key for kind, key in kernels.SEARCHED.items() if kind == "columns"]
     missing = [key for key, *_ in kernels.CONSTANTS if key not in given]
     if missing:
         raise file.error(f"the effect '{name}' needs {', '.join(missing)}.", "Add it.", "effects")
-    constants = tuple(float(given[key]) * factor for key, _, factor, _ in kernels.CONSTANTS)
+    of = constants_of(term, mechanism.joint_unit)
+    constants = tuple(scaled(_constant(given[key], key in columns), factor) for key, _, factor in of)
     return dataclasses.replace(term, constants=constants)
+
+
+def _constant(value: object, named: bool) -> float | str:
+    """Return a constant as a truth gives it: the name of a column, or a number."""
+    if named and isinstance(value, str):
+        return value
+    if not named and isinstance(value, int | float):
+        return float(value)
+    raise TypeError
 
 
 def simulate(
@@ -182,7 +187,7 @@ def simulate(
     commanded = dataclasses.replace(poses, joints=joints)
     body = Body(robot, mechanism, robot.joint_sign * joints, np.ascontiguousarray(tool), Channels.of(commanded, robot))
     for term in terms:
-        if why := body.missing(term.effect):
+        if why := body.missing(term):
             raise InputError(f"the effect '{term.effect}' needs {why}.", "Add it.", file=poses.path)
     machine, status = body.solve(true, terms)
     _all_solved(poses, status, "the pose cannot be simulated")

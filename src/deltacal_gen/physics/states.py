@@ -11,7 +11,6 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
-from types import ModuleType
 from typing import Any
 
 from deltacal_kernels.effects.states import COVARIATE
@@ -53,7 +52,7 @@ class State:
     made_of: tuple[str, ...] = ()
     shown: str = ""
     differing: str = ""
-    since: str = ""
+    by: str = ""
     requires: str = ""
     c99: str = ""
     tabled: tuple[str, float] | None = None
@@ -70,6 +69,12 @@ class State:
             return (self,)
         made_of = map(named, self.made_of)
         return tuple(c.of_joint(self.joint) if self.joint and c.per == "joint" else c for c in made_of)
+
+    def chosen(self, constant: float | str) -> State:
+        """Return the state that a constant decides on: a column, another joint's reading, or itself."""
+        if self.kind != "chosen":
+            return self
+        return named(constant) if isinstance(constant, str) else named(f"q_{int(constant)}")
 
     def of_joint(self, joint: int) -> State:
         """Return another joint's."""
@@ -90,7 +95,7 @@ class State:
 
 
 STATES: dict[str, State] = {name: State(name=name, base=name, **row) for name, row in _ROWS.items()}
-CHANNELS = tuple(s for s in STATES.values() if s.kind == "channel" and not s.since)  # what a recording may say
+CHANNELS = tuple(s for s in STATES.values() if s.kind == "channel" and not s.by)  # what a recording may say
 
 
 @cache
@@ -112,7 +117,7 @@ def _all(names: tuple[str, ...]) -> tuple[State, ...]:
     return tuple(map(named, names))
 
 
-def read_by(kernels: ModuleType) -> tuple[State, ...]:
+def read_by(kernels: Any) -> tuple[State, ...]:
     """Return the states that an effect reads, in the order of its kernels' input."""
     return _all(kernels.STATE)
 

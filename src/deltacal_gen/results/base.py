@@ -15,9 +15,14 @@ import json
 from collections.abc import Iterator, Mapping
 from enum import Enum
 from types import NoneType
-from typing import Annotated, Any, Self, Union, dataclass_transform, get_args, get_type_hints
+from typing import TYPE_CHECKING, Annotated, Any, Self, Union, dataclass_transform, get_args, get_type_hints
 
 import numpy as np
+
+from deltacal_gen.results import shown
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 Json = dict[str, Any]
 
@@ -33,7 +38,8 @@ def plain(value: Any) -> Any:
         return value.to_dict()
     if isinstance(value, np.ndarray):
         blank = np.isnan(value) if value.dtype.kind == "f" else np.False_
-        return (np.where(blank, None, value) if blank.any() else value).tolist()  # type: ignore[call-overload]
+        whole: list[Any] = (np.where(blank, np.array(None), value) if blank.any() else value).tolist()
+        return whole
     if isinstance(value, tuple | list):
         return [plain(v) for v in value]
     if isinstance(value, Mapping):
@@ -134,6 +140,29 @@ class Answer(Value, Mapping[str, Any]):
     ``answer["effects"][0]["name"]`` is what the file says under these keys; ``answer | {...}`` is the JSON as a
     dictionary with other values.
     """
+
+    @property
+    def headline(self) -> str:
+        """The answer in one line."""
+        return f"{len(self.table())} rows" if self.table() else ", ".join(key for key, _ in self.written())
+
+    def table(self) -> tuple[Value, ...]:
+        """Return the rows that a person looks at first; none where there is no such table."""
+        return ()
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """Return the table as a data frame, a column to each key; needs pandas."""
+        return shown.frame([row.to_dict() for row in self.table()])
+
+    def __str__(self) -> str:
+        """Return the answer as text: one line, and its table."""
+        return shown.text(self.headline, [row.to_dict() for row in self.table()])
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {self.headline}>"
+
+    def _repr_html_(self) -> str:
+        return shown.page(self.headline, [row.to_dict() for row in self.table()])
 
     def to_json(self) -> str:
         """Return the text of the file: a line to each key.

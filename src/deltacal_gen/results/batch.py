@@ -86,6 +86,20 @@ class Batch(Answer):
     rows: tuple[Row, ...]
     changed: tuple[Moved, ...]
 
+    @property
+    def headline(self) -> str:
+        """How many recordings, and how many failed."""
+        failed = sum(row.error is not None for row in self.rows)
+        return f"{self.action}: {len(self.rows)} recordings, {failed} failed, {len(self.changed)} changes"
+
+    def table(self) -> tuple[Row, ...]:
+        """Return a row for each recording."""
+        return self.rows
+
+    def summary(self) -> str:
+        """Return the answer as text, as `print` shows it."""
+        return str(self)
+
 
 def worst(rows: Sequence[Row], most: int) -> list[Row]:
     """Return the rows of a batch, in their order; of too many, those with the largest errors first."""

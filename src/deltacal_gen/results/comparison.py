@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from deltacal_gen.results.base import Answer, Value
+from deltacal_gen.results.parts import Made
 
 
 class Change(Value):
@@ -19,14 +20,43 @@ class Change(Value):
     unit: str
 
 
+class Moved(Value):
+    """How far the machine moved between two sessions at the same joints, over its workspace.
+
+    No instrument knows where {O} lies: the best alignment of the two as a whole is taken out.
+    """
+
+    rms_mm: float
+    worst_mm: float
+    worst_at_mm: tuple[float, ...]
+    """Where, in {O}."""
+    poses: int
+
+
 class Comparison(Answer):
     """What changed between two sessions of one machine."""
 
     schema: Literal["deltacal.comparison/1"] = "deltacal.comparison/1"
     summary: str
+    moved: Moved | None
+    """Null of a machine whose file says no workspace."""
     limit_std: float
     """Standard deviations beyond which a change is called one."""
     changed: tuple[Change, ...]
     """The clearest first."""
     unchanged: tuple[Change, ...]
     unknown: tuple[Change, ...]
+    """Parameters of which a session says nothing one by one."""
+    combinations_changed: tuple[Change, ...] | None = None
+    """Combinations of parameters that both sessions determine; absent where they determine other ones."""
+    combinations_unchanged: tuple[Change, ...] | None = None
+    made: Made | None = None
+
+    @property
+    def headline(self) -> str:
+        """The summary."""
+        return self.summary
+
+    def table(self) -> tuple[Change, ...]:
+        """Return what changed."""
+        return self.changed if self.combinations_changed is None else self.combinations_changed

@@ -6,7 +6,16 @@ from enum import StrEnum
 from typing import Literal
 
 from deltacal_gen.results.base import Answer, Column, Counts, Rows, Value
-from deltacal_gen.results.parts import InstrumentState, MachineState, Missing, RobotTables, Source, TermState
+from deltacal_gen.results.parts import (
+    InstrumentState,
+    MachineState,
+    Made,
+    Missing,
+    NoiseModel,
+    RobotTables,
+    Source,
+    TermState,
+)
 from deltacal_gen.results.result import Parameter
 
 Row = dict[str, float | str]  # of a recording, by the names of its columns
@@ -25,6 +34,8 @@ class NoiseLevel(Value):
 
     sigma_mm: float
     source: Source
+    model: NoiseModel | None = None
+    """Null in answers written before it was told."""
 
 
 class Final(Value):
@@ -75,9 +86,9 @@ class EffectParameter(Value):
 
     name: str
     limb: int | None
-    value: float
+    value: float | str
     std: float | None
-    """Null of what was searched for: an order, a time."""
+    """Null of what was searched for: an order, a time, the name of a column."""
     unit: str
     tool_mm: tuple[float, ...] | None = None
     """The tool point that it belongs to."""
@@ -213,3 +224,13 @@ class Diagnosis(Answer):
     robot: RobotTables
     """The calibrated machine."""
     geometry: Geometry | None = None
+    made: Made | None = None
+
+    @property
+    def headline(self) -> str:
+        """Verdict and summary."""
+        return f"{self.verdict.replace('_', ' ')}: {self.summary}"
+
+    def table(self) -> tuple[EffectParameter, ...]:
+        """Return the parameters of the effects that were found."""
+        return tuple(p for effect in self.effects for p in effect.parameters)

@@ -46,9 +46,11 @@ class TermState(Value):
 
     effect: str
     limbs: tuple[int, ...]
-    constants: tuple[float, ...]
+    constants: tuple[float | str, ...]
     values: Rows
     tools: tuple[Vector, ...]
+    lacks: tuple[str, ...] | None = None
+    """Coefficients that it does not have, as the machine lacks what they move."""
 
 
 class InstrumentState(Value):
@@ -94,8 +96,36 @@ class NeverSeen(Value):
     """Where, within the turn."""
 
 
+class InputFile(Value):
+    """A file that an answer was made of."""
+
+    name: str
+    sha256: str
+
+
+class Made(Value):
+    """What made an answer, when, of which files, measured by what and whom."""
+
+    version: str
+    date: str
+    """UTC, as 2026-01-31."""
+    inputs: tuple[InputFile, ...]
+    instrument: str | None = None
+    operator: str | None = None
+
+
 class EffectName(Value):
     """An effect and where it sits."""
 
     name: str
     limbs: tuple[int, ...]
+
+
+class NoiseModel(Value):
+    """How the noise of one row hangs together with that of the next."""
+
+    rho: float
+    """Correlation of neighbouring rows."""
+    rows: float
+    """So many rows tell as much as one whose noise is its own."""
+    text: str

@@ -72,3 +72,18 @@ class Plan(Answer):
     settled: int | None
     poses: tuple[PlannedPose, ...]
     prediction: Expected | None
+    notes: tuple[str, ...] | None = None
+    """What became of poses where the machine may not stand."""
+
+    @property
+    def headline(self) -> str:
+        """How many poses, and for what."""
+        return f"{len(self.poses)} poses for {self.model}, {self.method}"
+
+    def table(self) -> tuple[PlannedPose, ...]:
+        """Return the poses."""
+        return self.poses
+
+    def summary(self) -> str:
+        """Return the answer as text, as `print` shows it."""
+        return str(self)

@@ -8,7 +8,7 @@ import json
 import re
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.results.base import Answer, key_of, plain
@@ -29,6 +29,7 @@ ANSWERS = {  # what `schema` says, and the type of it: module and class
     "deltacal.matrix/1": ("written", "Matrix"),
     "deltacal.plan/1": ("plan", "Plan"),
     "deltacal.prediction/1": ("written", "Predicted"),
+    "deltacal.reproduction/1": ("written", "Reproduction"),
     "deltacal.result/1": ("result", "Result"),
     "deltacal.simulation/1": ("written", "Simulated"),
     "deltacal.study/1": ("study", "Study"),
@@ -71,12 +72,12 @@ def read_result(source: Given) -> Result | Diagnosis:
     InputError
         It cannot be read, is something else, or is damaged: the message names file, line, key and what was expected.
     """
-    return read_answer(source, FITTED)  # type: ignore[return-value]
+    return cast("Result | Diagnosis", read_answer(source, FITTED))
 
 
 def read_diagnosis(source: Given) -> Diagnosis:
     """Return what `diagnose` found; see `read_result`."""
-    return read_answer(source, ("deltacal.diagnosis/1",))  # type: ignore[return-value]
+    return cast("Diagnosis", read_answer(source, ("deltacal.diagnosis/1",)))
 
 
 def read_answer(source: Given, schemas: tuple[str, ...] = (*ANSWERS,), kind: str = "") -> Answer:
@@ -102,6 +103,8 @@ def read_answer(source: Given, schemas: tuple[str, ...] = (*ANSWERS,), kind: str
         data = json.loads(text)
     except json.JSONDecodeError as error:
         raise InputError(f"this is not JSON: {error.msg}.", refused.remedy, file=file, line=error.lineno) from None
+    except RecursionError:
+        raise InputError("its lists are nested too deeply.", refused.remedy, file=file) from None
     schema = data.get("schema") if isinstance(data, dict) else None
     if schema not in schemas:
         raise refused.error(schema, schemas)

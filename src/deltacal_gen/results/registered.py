@@ -69,5 +69,7 @@ class ClaimEntry(Answer):
     status: str
     printed: str
     correct: str
+    decided: str
+    """How the derivation decides it; empty where its test does, and printed and correct form are typed."""
     evidence: str
     test: str

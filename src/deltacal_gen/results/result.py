@@ -6,7 +6,7 @@ from enum import StrEnum
 from typing import ClassVar, Literal
 
 from deltacal_gen.results.base import Answer, Numbers, Value
-from deltacal_gen.results.parts import InstrumentState, Missing, NeverSeen, RobotTables, Source, TermState
+from deltacal_gen.results.parts import InstrumentState, Made, Missing, NeverSeen, RobotTables, Source, TermState
 
 
 class Status(StrEnum):
@@ -141,6 +141,8 @@ class Firmware(Value):
     model: str
     train_rms_mm: float
     heldout_rms_mm: float | None
+    errors: dict[str, float] | None = None
+    """Of that machine, actual minus robot file [mm, deg]."""
 
 
 class Result(Answer):
@@ -192,8 +194,28 @@ class Result(Answer):
     firmware: Firmware | None = None
     never_seen: tuple[NeverSeen, ...] | None = None
     """Joints that stand where the readings of the diagnosis never were."""
+    made: Made | None = None
 
     # what only a diagnosis knows, for those who read either
     correction: ClassVar[None] = None
     seen: ClassVar[None] = None
     clock: ClassVar[Literal["time_s", "row"]] = "time_s"
+
+    @property
+    def headline(self) -> str:
+        """Errors before and after, and what was found."""
+        count = sum(p.status is Status.IDENTIFIED for p in self.parameters)
+        free = sum(p.status is not Status.FIXED for p in self.parameters)
+        held = "" if self.heldout_rms_mm is None else f", held-out {self.heldout_rms_mm:.4g} mm"
+        return (
+            f"{self.model}: {count} of {free} parameters identified; rms {self.before_rms_mm:.4g} -> "
+            f"{self.train_rms_mm:.4g} mm{held} (noise {self.sigma_mm:.3g}, {self.sigma_source})"
+        )
+
+    def table(self) -> tuple[Parameter, ...]:
+        """Return the parameters that were free."""
+        return tuple(p for p in self.parameters if p.status is not Status.FIXED)
+
+    def summary(self) -> str:
+        """Return the answer as text, as `print` shows it."""
+        return str(self)

@@ -117,3 +117,18 @@ class Study(Answer):
     suspects: tuple[Suspect, ...]
     channels_wanted: tuple[Missing, ...]
     advice: Advice
+
+    @property
+    def headline(self) -> str:
+        """What the plan leaves."""
+        before, after = self.position.before, self.position.after
+        errors = f"{before.rms_mm:.4g} mm as built, {after.rms_mm:.4g} mm calibrated"
+        return f"{self.model}: {errors} ({self.machines} machines)"
+
+    def table(self) -> tuple[StudyParameter, ...]:
+        """Return how well each parameter is found."""
+        return self.parameters
+
+    def summary(self) -> str:
+        """Return the answer as text, as `print` shows it."""
+        return str(self)

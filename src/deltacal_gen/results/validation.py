@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from deltacal_gen.results.base import Answer, Value
-from deltacal_gen.results.parts import NeverSeen
+from deltacal_gen.results.parts import Made, NeverSeen
 
 
 class Row(Value):
@@ -29,6 +29,24 @@ class Iso9283(Value):
     note: str
 
 
+class Placed(Value):
+    """A set-up of the instrument that was placed by the readings themselves."""
+
+    setup: str
+    why: Literal["unknown", "elsewhere"]
+    """The result knows no such set-up, or knows it at another place."""
+    unknowns: int
+    """How many numbers say where it stands; they count as no degrees of freedom."""
+    readings: int
+    rms_where_known_mm: float | None = None
+    """What the readings would leave where the result knows the set-up."""
+    shift_mm: float | None = None
+    """From where the result knows it to where it stands."""
+    turn_deg: float | None = None
+    left_out: bool
+    """Whether the errors are of readings that took no part in the placing; too few poses allow none."""
+
+
 class Validation(Answer):
     """The error of a calibrated or diagnosed model on readings that it has not seen."""
 
@@ -40,8 +58,30 @@ class Validation(Answer):
     sigma_mm: float
     """The noise, as the result knows it."""
     chi2_per_dof: float | None
+    """Of all readings, each with the part of it that placing the instrument has not taken."""
+    degrees_of_freedom: int
+    """Scalar readings less the numbers that place set-ups."""
+    placed: tuple[Placed, ...] | None = None
+    """Set-ups that were placed by these readings; errors are then of poses left out in turn."""
     never_seen: tuple[NeverSeen, ...]
     """Joints that stand at angles which the diagnosis never saw."""
     rows: tuple[Row, ...]
     """The worst first."""
     iso9283: Iso9283 | None = None
+    made: Made | None = None
+
+    @property
+    def headline(self) -> str:
+        """The error against the noise."""
+        return (
+            f"{self.readings} readings: rms {self.rms_mm:.4g} mm, largest {self.worst_mm:.4g} mm "
+            f"(noise {self.sigma_mm:.3g} mm)"
+        )
+
+    def table(self) -> tuple[Row, ...]:
+        """Return the worst readings."""
+        return self.rows
+
+    def summary(self) -> str:
+        """Return the answer as text, as `print` shows it."""
+        return str(self)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from deltacal_gen.results.base import Answer, Rows
+from deltacal_gen.results.base import Answer, Rows, Value
 
 
 class Simulated(Answer):
@@ -29,6 +29,42 @@ class Matrix(Answer):
     scaling: str
 
 
+class FirmwareLeft(Value):
+    """What lines of a firmware leave of a calibrated machine."""
+
+    bed_rms_mm: float
+    """Of heights over the bed."""
+    bed_worst_mm: float
+    lateral_rms_mm: float
+    """Across, over the printed volume."""
+    lateral_worst_mm: float
+    rms_mm: float
+    """Of positions over the printed volume."""
+    worst_mm: float
+
+
+class FirmwareValue(Value):
+    """A number of a firmware's lines, as it is and as it is to be."""
+
+    name: str
+    before: float
+    after: float
+    unit: str
+
+
+class FirmwareLines(Value):
+    """The lines of a printer's firmware that describe a calibrated machine."""
+
+    kind: str
+    text: str
+    by_readings: bool
+    """Whether they are a fit of the firmware's own parameters to the readings."""
+    before: FirmwareLeft
+    after: FirmwareLeft
+    values: tuple[FirmwareValue, ...]
+    not_carried: tuple[str, ...]
+
+
 class Joints(Answer):
     """Commands of `compensate`, in deg or mm."""
 
@@ -38,6 +74,7 @@ class Joints(Answer):
     joints: Rows
     assumed: tuple[str, ...]
     """What was assumed where a channel was not given."""
+    firmware: FirmwareLines | None = None
 
 
 class Predicted(Answer):
@@ -65,6 +102,15 @@ class Derivation(Answer):
 
     schema: Literal["deltacal.derivation/1"] = "deltacal.derivation/1"
     files: tuple[str, ...]
+
+
+class Reproduction(Answer):
+    """Pages of `reproduce`."""
+
+    schema: Literal["deltacal.reproduction/1"] = "deltacal.reproduction/1"
+    files: tuple[str, ...]
+    remade: tuple[str, ...]
+    """Tables and figures, by their numbers in the paper."""
 
 
 class Manual(Answer):

@@ -1,4 +1,4 @@
-"""Two sessions of one machine: what changed between them, by parameter, and what did not.
+"""Two sessions of one machine: how far it moved, which combinations and parameters changed, and which did not.
 
 Results hold actual minus robot file; sessions of a printer often start from different files, so what differs between
 the files counts too. A change is called one when noise would rarely make the largest of so many differences.
@@ -6,21 +6,25 @@ the files counts too. A change is called one when noise would rarely make the la
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import Protocol
 
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.files.robot import robot_of
+from deltacal_gen.files.robot import Robot, robot_of
+from deltacal_gen.identification.accuracy import check_joints
+from deltacal_gen.instrument.instrument import align
 from deltacal_gen.machine.differences import between
-from deltacal_gen.machine.registry import mechanism_of
-from deltacal_gen.results.comparison import Change, Comparison
+from deltacal_gen.machine.registry import SOLVED, mechanism_of
+from deltacal_gen.results.comparison import Change, Comparison, Moved
 from deltacal_gen.results.parts import RobotTables
 from deltacal_gen.results.result import Parameter, Result, Status
 from deltacal_gen.units import file_unit, to_internal
 
 FEW = 0.5  # of the readings: a fit that leaves fewer to judge it by takes a good part of the noise away
+ROUNDED = 0.01  # by which factors of a combination may differ, of its largest: the poses of two sessions do
 CHANCE = 0.01  # that noise alone makes any of all parameters look changed
 
 
@@ -80,29 +84,105 @@ def compare(before: Calibration, after: Calibration) -> Comparison:
             )
         )
     unknown = [e for e in entries if e.std is None]
-    limit = float(-ndtri(CHANCE / 2 / max(len(entries) - len(unknown), 1)))
-    sizes = [(abs(e.change), e.std, e) for e in entries if e.std is not None]
-    changed = sorted((s for s in sizes if s[0] > limit * s[1]), key=lambda s: -s[0] / max(s[1], 1e-300))
-    moved, unchanged = [e for *_, e in changed], [e for size, std, e in sizes if not size > limit * std]
+    same_file = not files and first.errors.keys() == second.errors.keys()
+    combined = _combinations(before, after) if unknown and same_file else []
+    limit = float(-ndtri(CHANCE / 2 / max(len(entries) - len(unknown), len(combined), 1)))
+    changed, unchanged = _told_apart(entries, limit)
+    new, old = _told_apart(combined, limit)
+    moved = _moved(first, second)
     fits = [r for r in (before, after) if isinstance(r, Result)]
     said = [flattered(r.degrees_of_freedom, r.readings.scalars, r.train_rms_mm) for r in fits]
+    summary = _summary(moved, new if combined else changed, old if combined else unchanged, len(unknown), limit)
     return Comparison(
-        summary=_summary(moved, unchanged, unknown, limit) + "".join(f" {words}" for words in said if words),
+        summary=" ".join([summary, *filter(None, said)]),
+        moved=moved,
         limit_std=limit,
-        changed=tuple(moved),
+        changed=tuple(changed),
         unchanged=tuple(unchanged),
         unknown=tuple(unknown),
+        combinations_changed=tuple(new) if combined else None,
+        combinations_unchanged=tuple(old) if combined else None,
     )
 
 
-def _summary(changed: Sequence[Change], same: Sequence[Change], unknown: Sequence[Change], limit: float) -> str:
+def _told_apart(entries: Sequence[Change], limit: float) -> tuple[list[Change], list[Change]]:
+    """Return those that changed, the clearest first, and those that did not; those without a deviation are neither."""
+    sizes = [(abs(e.change), e.std, e) for e in entries if e.std is not None]
+    changed = sorted((s for s in sizes if s[0] > limit * s[1]), key=lambda s: -s[0] / max(s[1], 1e-300))
+    return [e for *_, e in changed], [e for size, std, e in sizes if not size > limit * std]
+
+
+def _moved(first: Robot, second: Robot) -> Moved | None:
+    """Return how far the second machine stands off the first one at the same joints, {O} aligned."""
+    if first.workspace is None:
+        return None
+    mechanism, tool = mechanism_of(first), np.asarray(first.tool, dtype=float)
+    q, x, _, _ = check_joints(first, tool)
+    other, status = mechanism.forward(q, tool, mechanism.rows(second))
+    solved = status == SOLVED
+    a, b = x[solved, :3], other[solved, :3]
+    if not len(a):
+        return None
+    turn = align(a - a.mean(axis=0), b - b.mean(axis=0))
+    off = np.linalg.norm((b - b.mean(axis=0)) - (a - a.mean(axis=0)) @ turn.T, axis=1)
+    worst = int(np.argmax(off))
+    return Moved(
+        rms_mm=float(np.sqrt(np.mean(off**2))),
+        worst_mm=float(off[worst]),
+        worst_at_mm=tuple(a[worst].tolist()),
+        poses=len(a),
+    )
+
+
+def _combinations(before: Calibration, after: Calibration) -> list[Change]:
+    """Return the combinations of parameters that both sessions determine, those that are alike."""
+    if not isinstance(before, Result) or not isinstance(after, Result):
+        return []
+    then = {b.name: b for b in before.base or ()}
+    found = []
+    for now in after.base or ():
+        was = then.get(now.name)
+        if was is None or not _alike(was.combination, now.combination):
+            continue
+        found.append(
+            Change(
+                name=now.combination,
+                before=was.value,
+                after=now.value,
+                change=now.value - was.value,
+                std=float(np.hypot(was.std, now.std)),
+                unit=now.unit,
+            )
+        )
+    return found
+
+
+def _alike(one: str, other: str) -> bool:
+    """Tell whether two combinations hold the same parameters with the same factors, but for rounding."""
+    a, b = _factors(one), _factors(other)
+    return a.keys() == b.keys() and all(abs(a[n] - b[n]) <= ROUNDED * max(map(abs, a.values())) for n in a)
+
+
+def _factors(combination: str) -> dict[str, float]:
+    """Return the factors of a combination, ``theta_1 - 0.5 ez_3``, by parameter."""
+    terms = re.findall(r"([+-]?)\s*(\d[\d.e+-]*)?\s*([A-Za-z]\w*)", combination)
+    return {name: float(factor or 1.0) * (-1.0 if sign == "-" else 1.0) for sign, factor, name in terms}
+
+
+def _summary(moved: Moved | None, changed: Sequence[Change], same: Sequence[Change], unknown: int, limit: float) -> str:
     parts = [f"{e.name} moved {e.change:+.4g} +- {e.std:.2g} {e.unit}" for e in changed]
     text = "; ".join(parts) if parts else "Nothing moved that these sessions can see"
     if same:
         text += f"; the other {len(same)} stayed within {limit:.1f} standard deviations of what they were"
     if unknown:
-        text += f"; of {', '.join(e.name for e in unknown)} these readings say nothing"
-    return text + "."
+        text += f"; of {unknown} parameters these readings say nothing one by one"
+    if moved is None:
+        return f"{text}."
+    at = ", ".join(f"{v:.0f}" for v in moved.worst_at_mm)
+    return (
+        f"Over its workspace the machine moved by {moved.rms_mm:.4f} mm rms, by {moved.worst_mm:.4f} mm at worst, at "
+        f"({at}) mm. {text}."
+    )
 
 
 def flattered(left: float | None, readings: int, rms: float) -> str:

@@ -38,15 +38,11 @@ from deltacal_gen.machine.registry import (
     nominal_joints,
     result,
 )
-from deltacal_gen.physics.physics import (
-    Body,
-    Channels,
-    Deformed,
-    Term,
-    complete_channels,
-    kept_term,
-    of_the_instrument,
-)
+from deltacal_gen.physics.body import Body, Deformed
+from deltacal_gen.physics.channels import Channels, complete_channels
+from deltacal_gen.physics.terms import Term, kept_term, of_the_instrument
+from deltacal_gen.results.diagnosis import Diagnosis
+from deltacal_gen.results.result import Result
 from deltacal_gen.units import file_unit, to_internal
 
 KINDS = ("exact", "linear")
@@ -81,14 +77,15 @@ class Servo(NamedTuple):
         return command
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, init=False)
 class Compensator:
     """Corrected joint commands for a calibrated machine.
 
     Parameters
     ----------
-    robot : Robot
-        The calibrated machine: the geometry that the controller computes with, and the errors found.
+    robot : Robot, Result or Diagnosis
+        The calibrated machine: the geometry that the controller computes with, and the errors found. Of a diagnosis
+        its effects are known too.
     kind : {"exact", "linear"}
         Inverse position of the calibrated machine, or eq. (23) of Bai 2015; with errors of the position model only
         (its first group), eq. (23) is eq. (25).
@@ -105,7 +102,14 @@ class Compensator:
     kind: str = "exact"
     terms: Sequence[Term] = ()
 
-    def __post_init__(self) -> None:
+    def __init__(self, robot: Robot | Result | Diagnosis, kind: str = "exact", terms: Sequence[Term] = ()) -> None:
+        if not isinstance(robot, Robot):
+            from deltacal_gen.use.prediction import calibrated_robot, known_effects  # the fit's own modules: not always
+
+            known = robot
+            robot, terms = calibrated_robot(known), terms or known_effects(known, timed=True)
+        for name, value in (("robot", robot), ("kind", kind), ("terms", terms)):
+            object.__setattr__(self, name, value)
         if self.kind not in KINDS:
             raise UsageError(f"there is no compensator '{self.kind}'; there are {' and '.join(KINDS)}.")
         if self.kind == "linear" and self.effects:
@@ -281,9 +285,8 @@ class Compensator:
         start, status = self._start(targets, tool, near)
         if self.kind == "exact":
 
-            def reach(q: Array, some: np.ndarray) -> tuple[Array, np.ndarray]:
-                machine, reached = self._machine(q, tool[some], None if channels is None else channels.subset(some))
-                return machine.x, reached
+            def reach(q: Array, some: np.ndarray) -> tuple[Deformed, np.ndarray]:
+                return self._machine(q, tool[some], None if channels is None else channels.subset(some))
 
             with_effects = reach if self.effects else None
             q, found = self.mechanism.follow(targets, start, tool, self._rows, self._drawn, with_effects, out=joints)
@@ -291,17 +294,17 @@ class Compensator:
             q, found, state = joints, np.empty(len(targets), dtype=np.int64), self._kernels.copied(self._state)
             self._kernels.linear_commands(self.mechanism.stated(targets), tool, state, q, found)
         else:
-            q, found = self._to_first_order(start, tool), status
-        status = np.where(status == SOLVED, found, status)
+            q, found = self._to_first_order(start, tool), np.full(len(targets), SOLVED)
+        status = found if status is None else np.where(status == SOLVED, found, status)
         np.multiply(q, self.robot.joint_sign, out=joints)
         joints[status != SOLVED] = np.nan
         return joints, status
 
-    def _start(self, targets: Array, tool: Array, near: Array | None) -> tuple[Array | None, np.ndarray]:
-        """Return joints (N, n_q) to start from, where the machine stands in many ways, and which of them there are."""
-        status = np.full(len(targets), SOLVED)
+    def _start(self, targets: Array, tool: Array, near: Array | None) -> tuple[Array | None, np.ndarray | None]:
+        """Return joints (N, n_q) to start from, where the machine stands in many ways, and how they were found."""
         if not self.mechanism.many_ways:
-            return None, status
+            return None, None
+        status = None
         if near is None:
             near, status = self.nominal_command(targets, tool)
         return np.nan_to_num(near) * self.robot.joint_sign, status
@@ -322,7 +325,7 @@ class Compensator:
             effects = tuple(t.afterwards() for t in effects)
         body = Body(self.robot, self.mechanism, q, tool, at)
         for term in effects:
-            if why := body.missing(term.effect):
+            if why := body.missing(term):
                 raise InputError(f"the effect '{term.effect}' needs {why}.", "Add it.", file=self.robot.source)
         return body.solve(self.mechanism.vector(self.robot.errors), effects)
 

@@ -3,30 +3,54 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 from deltacal_gen.diagnosis.correction import Smooth, variable
 from deltacal_gen.errors import InputError
-from deltacal_gen.estimation.estimation import Problem, pose_problem
-from deltacal_gen.files.recording import Measurement, Recording
+from deltacal_gen.estimation.fit import fit
+from deltacal_gen.estimation.problem import Problem, pose_problem
+from deltacal_gen.estimation.solvers import LeastSquares
+from deltacal_gen.files.columns import ONE_SETUP
 from deltacal_gen.files.robot import Robot, robot_of
 from deltacal_gen.instrument.instrument import Instrument
-from deltacal_gen.instrument.kinds import instrument_of, kind_of
+from deltacal_gen.instrument.kinds import instrument_of, kind_of, readings
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.rotation import from_vector, to_vector
-from deltacal_gen.physics.physics import Term, of_reading, reading_shift, term_of
+from deltacal_gen.machine.values import Measurement, Recording
+from deltacal_gen.physics.body import Deformed, reading_shift
+from deltacal_gen.physics.terms import Term, of_reading, term_of
 from deltacal_gen.results.diagnosis import Diagnosis, SmoothCorrection
 from deltacal_gen.results.parts import MachineState
 from deltacal_gen.results.result import Result
 
 Known = Result | Diagnosis | MachineState  # of a machine: what is predicted from
+LEAST_SEEN = 1e-9  # of the best seen combination of an instrument's unknowns: the least seen one is not seen at all
 CORRECTED = "correction_share"  # channel of a prediction
 COMMAND_STEPS = 20
 COMMAND_SETTLED_MM = 1e-7  # by which a command with a smooth correction may still miss
+
+
+@dataclass(frozen=True)
+class Place:
+    """Readings by which set-ups of the instrument are placed that a result does not know.
+
+    Attributes
+    ----------
+    recording : Recording
+    readings : Readings
+        Of the recording, those that place.
+    anew : frozenset of str
+        Set-ups that are placed although the result knows one of that name: they stand elsewhere.
+    """
+
+    recording: Recording
+    readings: Readings
+    anew: frozenset[str] = frozenset()
 
 
 def calibrated_robot(result: Known) -> Robot:
@@ -49,7 +73,7 @@ def known_effects(result: Known, *, timed: bool) -> list[Term]:
     return held
 
 
-def predict(result: Known, recording: Recording) -> Recording:
+def predict(result: Known, recording: Recording, place: Place | None = None) -> Recording:
     """Return the recording with its measured cells as the identified model predicts them.
 
     Parameters
@@ -57,6 +81,8 @@ def predict(result: Known, recording: Recording) -> Recording:
     result : Result or Diagnosis
     recording : Recording
         Joints, tool points and channels; its measured cells are not read.
+    place : Place, optional
+        Readings at other joints that say where set-ups stand which the result does not know.
 
     Returns
     -------
@@ -71,11 +97,11 @@ def predict(result: Known, recording: Recording) -> Recording:
         given, or a pose that cannot be.
     """
     robot = calibrated_robot(result)
-    problem, instrument = prediction_problem(result, robot, recording)
+    problem, instrument = prediction_problem(result, robot, recording, place=place)
     x = problem.poses(problem.reference)
     values, rotations = _read(problem, instrument, x)
     if (correction := result.correction) is not None:
-        share, corrected, seen, moved = _corrected(result, correction, recording, x)
+        share, corrected, seen, moved = _corrected(result, correction, recording, x, place=place)
         other, turned = _read(corrected, seen, moved)
         each = share[problem.readings.rows].min(axis=1)[:, None]
         values = values + each * (other - values)
@@ -148,7 +174,12 @@ def _read(problem: Problem, instrument: Instrument, x: Array) -> tuple[Array, Ar
 
 
 def _corrected(
-    result: Known, correction: SmoothCorrection, recording: Recording, x: Array, found: Readings | None = None
+    result: Known,
+    correction: SmoothCorrection,
+    recording: Recording,
+    x: Array,
+    found: Readings | None = None,
+    place: Place | None = None,
 ) -> tuple[Array, Problem, Instrument, Array]:
     """Return which part (N,) of a smooth correction holds in each row, and all that a reading with it comes from.
 
@@ -165,7 +196,7 @@ def _corrected(
         own = [i - 1 for i in smooth.limbs]
         joints[:, own] += np.broadcast_to(robot.joint_sign, joints.shape)[:, own] * moved
         recording = dataclasses.replace(recording, joints=joints)
-    problem, instrument = prediction_problem(beside, robot, recording, found)
+    problem, instrument = prediction_problem(beside, robot, recording, found, place)
     x = problem.poses(problem.reference)
     if not smooth.limbs:
         x = np.hstack([x[:, :3] + moved, x[:, 3:]])
@@ -177,14 +208,18 @@ def prediction_problem(
     robot: Robot,
     recording: Recording,
     found: Readings | None = None,
+    place: Place | None = None,
 ) -> tuple[Problem, Instrument]:
-    """Return the problem of a recording with nothing free, and the instrument that a result knows for it."""
+    """Return the problem of a recording with nothing free, and the instrument that a result knows for it.
+
+    `place` says where set-ups stand that the result does not know.
+    """
     found = kind_of(recording.kind).unread(recording) if found is None else found
-    found, instrument = _instrument(result, robot, recording, found)
+    found, instrument = _instrument(result, robot, recording, found, place)
     held = known_effects(result, timed=recording.time_s is not None)
     problem = pose_problem(robot, recording, (), found=found, held=held)
     for term in held:
-        if why := problem.body.missing(term.effect):
+        if why := problem.body.missing(term):
             raise InputError(
                 f"what was diagnosed ({term.effect}) needs {why}.",
                 "Add it, with the values at which the readings are to be predicted.",
@@ -193,7 +228,43 @@ def prediction_problem(
     return problem, instrument
 
 
-def _instrument(result: Known, robot: Robot, recording: Recording, found: Readings) -> tuple[Readings, Instrument]:
+def place_of(other: Recording, asked: Recording) -> Place:
+    """Return where the set-ups of a recording stand by another recording's readings of other poses.
+
+    Raises
+    ------
+    InputError
+        It is the recording that is asked for, or holds no reading.
+    """
+    if Path(other.path).resolve() == Path(asked.path).resolve():
+        raise InputError(
+            "the file would place the instrument by the readings that are to be predicted.",
+            "Give readings of other poses from the same set-up.",
+            file=other.path,
+        )
+    if len(other.setup_names) == len(asked.setup_names) == 1 and ONE_SETUP in (other.setup_names, asked.setup_names):
+        other = dataclasses.replace(other, setup_names=asked.setup_names)
+    return Place(other, readings(other), frozenset(other.setup_names))
+
+
+def unknown_setups(result: Known, recording: Recording) -> tuple[str, ...]:
+    """Return the names of a recording's set-ups that a result does not know: of another kind of readings, all.
+
+    Where neither side has more than one, and one side gives it no name, they are the same.
+    """
+    known, asked = result.instrument.setups, recording.setup_names
+    if kind_of(recording.kind).like(instrument_of(result.instrument), recording) is None:
+        return asked
+    if len(known) == len(asked) == 1 and ONE_SETUP in (tuple(known), tuple(asked)):
+        return ()
+    return tuple(n for n in asked if n not in known)
+
+
+def _instrument(
+    result: Known, robot: Robot, recording: Recording, found: Readings, place: Place | None
+) -> tuple[Readings, Instrument]:
+    """Return the readings, their set-ups counted as the instrument's rows, and the instrument that reads them."""
+
     def poses() -> Array:
         held = known_effects(result, timed=recording.time_s is not None)
         problem = pose_problem(robot, recording, (), found=found, held=held)
@@ -201,33 +272,92 @@ def _instrument(result: Known, robot: Robot, recording: Recording, found: Readin
 
     if (own := found.kind.own(found, recording, robot, poses)) is not None:
         return found, own
-    given = instrument_of(result.instrument)
-    if (instrument := found.kind.like(given, recording)) is None:
+    names, given = result.instrument.setups, instrument_of(result.instrument)
+    instrument = found.kind.like(given, recording)
+    asked = {recording.setup_names[k] for k in np.unique(found.setup)}
+    unknown = sorted(asked & {*unknown_setups(result, recording)})
+    anew = frozenset(unknown) | (place.anew & asked if place else frozenset())
+    if anew and place is not None:
+        placed = _placed(result, robot, place, anew)
+        state = placed.state if instrument is None else np.vstack([instrument.state, placed.state])
+        index = [
+            len(state) - len(placed.state) + sorted(anew).index(n) if n in anew else names.index(n) if n in names else 0
+            for n in recording.setup_names
+        ]
+        return dataclasses.replace(found, setup=np.array(index)[found.setup]), dataclasses.replace(placed, state=state)
+    if instrument is None:
         raise InputError(
             f"the result was identified from readings of the kind '{given.kind.name}' and knows no frame for "
             f"'{found.kind.name}'.",
             f'Give readings of the kind {given.kind.name}, or say frame = "robot" in the sidecar.',
             file=recording.path,
         )
-    names = result.instrument.setups
-    missing = [n for n in recording.setup_names if n not in names]
-    if missing and not (len(names) == 1 and len(recording.setup_names) == 1):
+    if unknown:
         raise InputError(
-            f"the result knows no frame of the set-up '{missing[0]}'; it knows {', '.join(names)}.",
-            "Identify with readings of that set-up too.",
+            f"the result knows no frame of the set-up '{unknown[0]}'; it knows {', '.join(names)}.",
+            "Give readings of that set-up at other poses: predict --place OTHER.csv.",
             file=recording.path,
             column="setup",
         )
-    index = np.array([names.index(n) if n in names else 0 for n in recording.setup_names])
-    return dataclasses.replace(found, setup=index[found.setup]), instrument
+    index = [names.index(n) if n in names else 0 for n in recording.setup_names]
+    return dataclasses.replace(found, setup=np.array(index)[found.setup]), instrument
 
 
-def residual(result: Known, recording: Recording, found: Readings) -> Array:
+def _placed(result: Known, robot: Robot, place: Place, anew: frozenset[str]) -> Instrument:
+    """Return an instrument with a row for each of the set-ups `anew`, in the order of their names.
+
+    Raises
+    ------
+    InputError
+        There are no readings of one of them, or they leave open where it stands.
+    """
+    names, recording = sorted(anew), place.recording
+    code = np.array([names.index(n) if n in anew else -1 for n in recording.setup_names])
+    found = place.readings.subset(code[place.readings.setup] >= 0)
+    found = dataclasses.replace(found, setup=code[found.setup])
+    for k, name in enumerate(names):
+        if not (found.setup == k).any():
+            raise InputError(
+                f"there is no reading that says where the set-up '{name}' stands.",
+                "Measure some poses from there.",
+                file=recording.path,
+                column="setup",
+            )
+    recording = dataclasses.replace(recording, setup=np.maximum(code[recording.setup], 0), setup_names=tuple(names))
+    held = known_effects(result, timed=recording.time_s is not None)
+    problem = pose_problem(robot, recording, (), found=found, held=held)
+    machine = problem.solve(problem.reference)
+    start = problem.begin(problem.reference, machine)
+    _check_seen(problem, start, machine, names)
+    return fit(problem, LeastSquares(), machine=machine, instrument=start, weigh_repeats=False).instrument
+
+
+def _check_seen(problem: Problem, instrument: Instrument, machine: Deformed, names: Sequence[str]) -> None:
+    """Raise an InputError where readings do not say where the instrument stands: too few of them, or all on a line."""
+    if not instrument.n_unknown:
+        return
+    _, _, J = problem.linearise(problem.reference, instrument, machine)
+    typical = np.tile(instrument.kind.typical[list(instrument.free)], len(instrument.state))
+    for k, name in enumerate(names):
+        mine = problem.readings.setup == k
+        own = J[mine] * typical
+        rows = own.reshape(-1, own.shape[2])
+        sizes = np.linalg.svd(rows[np.isfinite(rows).all(axis=1)], compute_uv=False)
+        if len(sizes) < len(instrument.free) or sizes[len(instrument.free) - 1] <= LEAST_SEEN * sizes[0]:
+            raise InputError(
+                f"the {mine.sum()} readings of the set-up '{name}' leave open where it stands.",
+                "Measure at least four poses from there that do not lie on a line.",
+                file=problem.recording.path,
+                column="setup",
+            )
+
+
+def residual(result: Known, recording: Recording, found: Readings, place: Place | None = None) -> Array:
     """Return measured minus predicted (R, k) of readings that the result has not seen [mm, rad]."""
-    problem, instrument = prediction_problem(result, calibrated_robot(result), recording, found)
+    problem, instrument = prediction_problem(result, calibrated_robot(result), recording, found, place)
     x = problem.poses(problem.reference)
     r = problem.residual(problem.reference, instrument, x)
     if (correction := result.correction) is not None:
-        share, other, seen, moved = _corrected(result, correction, recording, x, found)
+        share, other, seen, moved = _corrected(result, correction, recording, x, found, place)
         r += share[found.rows].min(axis=1)[:, None] * (other.residual(other.reference, seen, moved) - r)
     return r

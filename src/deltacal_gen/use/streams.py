@@ -17,12 +17,13 @@ from pathlib import Path
 import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
-from deltacal_gen.estimation.estimation import Problem, pose_problem
+from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.solvers import LeastSquares
-from deltacal_gen.files.recording import read_blocks, write_blocks
+from deltacal_gen.files.recording import read_blocks
 from deltacal_gen.files.robot import kept_robot
+from deltacal_gen.files.writing import write_blocks
 from deltacal_gen.identification import identifiability
-from deltacal_gen.identification.identification import open_combinations, parameter_table
+from deltacal_gen.identification.answer import open_combinations, parameter_table
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.instrument.kinds import kind_of, readings
 from deltacal_gen.instrument.kinds.position import drawn_frames

@@ -9,33 +9,150 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterable
+from typing import Literal
 
 import numpy as np
 
 from deltacal_gen.diagnosis.spectrum import never_seen
-from deltacal_gen.estimation.estimation import lengths
-from deltacal_gen.files.recording import Recording
+from deltacal_gen.errors import InputError, NoSolutionError
+from deltacal_gen.estimation.residuals import lengths
+from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.instrument.kinds import readings
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array
+from deltacal_gen.machine.rotation import from_vector, to_vector
+from deltacal_gen.machine.values import Recording
 from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.result import Result
-from deltacal_gen.results.validation import Iso9283, Row, Validation
+from deltacal_gen.results.validation import Iso9283, Placed, Row, Validation
+from deltacal_gen.units import DEG
 from deltacal_gen.use import iso9283
-from deltacal_gen.use.prediction import calibrated_robot, residual
+from deltacal_gen.use.prediction import Place, calibrated_robot, prediction_problem, residual, unknown_setups
 
 __all__ = ["calibrated_robot", "validate"]
+Why = Literal["unknown", "elsewhere"]
 WORST = 10  # readings that are listed
+FOLDS = 10  # in which poses are left out of the placing
+SUSPECT = 3.0  # noises: less misfit than this is not asked for its cause
+MOVED = 0.99  # of the squared misfit: what a motion of the instrument must take to have caused it
 
 
 def validate(result: Result | Diagnosis, recording: Recording) -> Validation:
-    """Return the error of a result on other readings, in the instrument frame that the result knows."""
+    """Return the error of a result on other readings, in the instrument frame that the result knows.
+
+    A set-up that the result does not know, or that stands elsewhere by now, is placed by the readings themselves. Its
+    unknowns (six, in space) are no degrees of freedom, and the errors are then of poses left out in turn: each is
+    predicted from where the others place the instrument.
+
+    Raises
+    ------
+    InputError
+        The readings of such a set-up leave open where it stands.
+    """
     found = readings(recording)
-    r = residual(result, recording, found)
-    return figures(result.sigma_mm, [(found, r)]).replace(
+    anew: dict[str, Why] = dict.fromkeys(unknown_setups(result, recording), "unknown")
+    if len(anew) < len(recording.setup_names) and _has_place(result, recording, found):
+        anew |= _elsewhere(result, recording, found, frozenset(anew))
+    if not anew or not _has_place(result, recording, found):
+        r = left = residual(result, recording, found)
+        placed: tuple[Placed, ...] = ()
+    else:
+        r = residual(result, recording, found, Place(recording, found, frozenset(anew)))
+        left, placed = _left_out(result, recording, found, anew, r)
+    answer = figures(result.sigma_mm, [(found, left)])
+    degrees = answer.degrees_of_freedom - sum(p.unknowns for p in placed)
+    if placed:
+        squares = float(np.nansum(lengths(r, found.kind) ** 2))
+        good = degrees > 0 and result.sigma_mm > 0
+        answer = answer.replace(
+            placed=placed,
+            degrees_of_freedom=degrees,
+            chi2_per_dof=squares / degrees / result.sigma_mm**2 if good else None,
+        )
+    return answer.replace(
         never_seen=never_seen(result.seen, calibrated_robot(result).joint_sign * recording.joints),
-        iso9283=_repeated(found, r) if found.kind.positions else None,
+        iso9283=_repeated(found, left) if found.kind.positions else None,
     )
+
+
+def _has_place(result: Result | Diagnosis, recording: Recording, found: Readings) -> bool:
+    """Tell whether something must be known of where the instrument stands."""
+    return bool(found.kind.unknown) and recording.measurement.frame != "robot" and not found.kind.anew
+
+
+def _elsewhere(
+    result: Result | Diagnosis, recording: Recording, found: Readings, unknown: frozenset[str]
+) -> dict[str, Why]:
+    """Return the set-ups that the result knows and that stand elsewhere: moving them takes nearly all of the misfit.
+
+    What the machine has become is no motion of it as a whole, so that nothing else takes so much.
+    """
+    place = Place(recording, found, unknown)
+    known = residual(result, recording, found, place)
+    codes = [k for k, n in enumerate(recording.setup_names) if n not in unknown]
+    misfit = {k: _rms(known[found.setup == k], found) for k in codes}
+    suspects = [k for k, rms in misfit.items() if rms > SUSPECT * result.sigma_mm]
+    elsewhere: dict[str, Why] = {}
+    for k in suspects:
+        name, own = recording.setup_names[k], found.setup == k
+        try:
+            moved = residual(
+                result, recording, found.subset(own), Place(recording, found.subset(own), frozenset([name]))
+            )
+        except (InputError, NoSolutionError):  # too few readings to tell
+            continue
+        if _rms(moved, found) ** 2 < (1 - MOVED) * misfit[k] ** 2:
+            elsewhere[name] = "elsewhere"
+    return elsewhere
+
+
+def _rms(r: Array, found: Readings) -> float:
+    read = lengths(r, found.kind)
+    read = read[np.isfinite(read)]
+    return float(np.sqrt(np.mean(read**2))) if len(read) else 0.0
+
+
+def _left_out(
+    result: Result | Diagnosis, recording: Recording, found: Readings, anew: dict[str, Why], r: Array
+) -> tuple[Array, tuple[Placed, ...]]:
+    """Return residuals (R, k) of readings left out of the placing in turn, and what was placed.
+
+    A set-up of too few poses to leave some out keeps the residuals `r` of its placing by all.
+    """
+    robot, left, placed = calibrated_robot(result), r.copy(), []
+    for name, why in anew.items():
+        own = np.flatnonzero(found.setup == recording.setup_names.index(name))
+        mine = found.subset(own)
+        poses = np.unique(mine.group)
+        out = True
+        for fold in np.array_split(poses, min(FOLDS, len(poses))) if len(poses) > 1 else ():
+            tested = np.isin(mine.group, fold)
+            try:
+                place = Place(recording, mine.subset(~tested), frozenset([name]))
+                left[own[tested]] = residual(result, recording, mine.subset(tested), place)
+            except (InputError, NoSolutionError):
+                left[own], out = r[own], False
+                break
+        everything = Place(recording, mine, frozenset([name]))
+        _, stands = prediction_problem(result, robot, recording, mine, everything)
+        moved: dict[str, float] = {}
+        if why == "elsewhere":
+            before = prediction_problem(result, robot, recording, mine)[1]
+            known = residual(result, recording, mine)
+            moved = {"rms_where_known_mm": _rms(known, found), **_motion(before, stands, result, name)}
+        placed.append(Placed(setup=name, why=why, unknowns=len(stands.free), readings=len(own), left_out=out, **moved))
+    return left, tuple(placed)
+
+
+def _motion(before: Instrument, after: Instrument, result: Result | Diagnosis, name: str) -> dict[str, float]:
+    """Return by how much {O} has moved as the instrument sees it; nothing of an instrument without a frame."""
+    setups = result.instrument.setups
+    old, new = before.frames(), after.frames()
+    if not old or not new:
+        return {}
+    (turn, origin), (turned, moved) = old[setups.index(name) if name in setups else 0], new[-1]
+    angle = np.linalg.norm(to_vector((from_vector(turned[None])[0] @ from_vector(turn[None])[0].T)[None])[0])
+    return {"shift_mm": float(np.linalg.norm(moved - origin)), "turn_deg": float(angle / DEG)}
 
 
 def _repeated(found: Readings, r: Array) -> Iso9283 | None:
@@ -78,6 +195,7 @@ def figures(sigma: float, parts: Iterable[tuple[Readings, Array]]) -> Validation
         worst_mm=rows[0].error_mm,
         sigma_mm=sigma,
         chi2_per_dof=(error / sigma) ** 2 if sigma > 0 else None,
+        degrees_of_freedom=scalars,
         never_seen=(),
         rows=tuple(rows),
     )

@@ -102,14 +102,19 @@ class Gauge(Kind):
         return "lengths from a point of the base to one of the platform, differences of adjacent poses"
 
     def looks(self, mechanism: Machine, points: int, stands: int) -> tuple[Look, ...]:
-        """Return lengths of one point."""
-        return (Look("gauge between base and platform", 1, "unknown frame, one point"),)
+        """Return lengths of one point; of a machine whose errors hold the mount's, with no other unknown mount, too."""
+        unknown = Look("gauge between base and platform", 1, "unknown frame, one point")
+        if not self.carried(mechanism):
+            return (unknown,)
+        return Look("gauge of which the machine knows the mount, its zero unknown", 1, frame="robot"), unknown
 
     def imagined(self, x: Array, sets: int, mechanism: Machine, said: Measurement) -> tuple[Readings, Instrument]:
-        """Return lengths from the base point that is said, which is off along the machine's axes."""
+        """Return lengths from the base point that is said, which is off along the machine's axes unless it is known."""
         base = np.array([[*(said.base_point_mm or (0.0, 0.0, 0.0)), 0.0]])
         free = tuple(u for u in range(ZERO) if "xyz"[u] in mechanism.axes)
-        return self.taken(np.arange(len(x))[:, None]), Instrument(self, base, free)
+        # readings that count from the first have no zero to be found, and leave the mount to be
+        known = said.frame == "robot" and said.zero != "incremental"
+        return self.taken(np.arange(len(x))[:, None]), Instrument(self, base, (ZERO,) if known else free)
 
 
 KIND = Gauge("gauge")

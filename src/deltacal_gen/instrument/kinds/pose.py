@@ -98,8 +98,11 @@ class Pose(Position):
         )
 
     def looks(self, mechanism: Machine, points: int, stands: int) -> tuple[Look, ...]:
-        """Return poses, of a machine whose platform turns."""
-        return (Look("poses, frame and body unknown", 1, "unknown frame and body"),) if mechanism.turns else ()
+        """Return poses with all known and with all unknown, of a machine whose platform turns."""
+        if not mechanism.turns:
+            return ()
+        known = Look("poses in a known frame", 1, "frame and body known", frame="robot")
+        return known, Look("poses, frame and body unknown", 1, "unknown frame and body")
 
     def imagined(self, x: Array, sets: int, mechanism: Machine, said: Measurement) -> tuple[Readings, Instrument]:
         """Return readings in the frame {O} of a body that is parallel to the platform."""

@@ -1,0 +1,62 @@
+"""Link bends across its line under what it carries.
+
+Generated from derive/effects/link_bending.py by "deltacal kernels". Do not edit.
+Template templates/effect.py.jinja; sha256 of both 4b9f037682b3c8db; SymPy 1.14.0.
+
+Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): on_bend_v on_bend_w;
+coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
+"""
+
+import numpy as np
+
+NAME = "link_bending"
+TITLE = "link bends across its line under what it carries"
+ADVICE = "Check the link and its flanges for cracks and loose screws. The bending repeats with the load, so that commands by the payload undo it."
+PER_LIMB = True
+ACTS_ON = "limb"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
+STATE = ("on_bend_v", "on_bend_w", )
+TARGETS = ("limb.bend_v", "limb.bend_w", )
+# the coefficients in each, and the states; whether it is an effect only where a machine has all that it moves
+PARTS = (
+    (('compliance',), ('on_bend_v',)),
+    (('compliance',), ('on_bend_w',)),
+)
+WHOLE = False
+# (name, unit in files, factor to the unit inside, meaning)
+COEFFICIENTS = (
+    ("compliance", "mm/N", 1.0, "deflection of a link's end per force across it"),
+)
+# range of each, in files
+BELIEVABLE = ((0.0, 1.0), )
+# of these a joint that slides has mm for deg and N for Nm
+OF_JOINT = ()
+CONSTANTS = (
+)
+# how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
+SEARCHED = {}
+SIZED = {}
+AFTERWARDS = {}
+
+
+def value(s, c, constants=()):
+    """Return by how much each target is moved, (M, 2)."""
+    on_bend_v = s[:, 0]
+    on_bend_w = s[:, 1]
+    compliance = c[:, 0]
+    s0 = compliance*on_bend_v
+    s1 = compliance*on_bend_w
+    out = np.zeros((len(s), 2))
+    out[:, 0] = s0
+    out[:, 1] = s1
+    return out
+
+
+def jacobian(s, c, constants=()):
+    """Return the derivatives of `value` by the coefficients, (M, 2, 1)."""
+    on_bend_v = s[:, 0]
+    on_bend_w = s[:, 1]
+    out = np.zeros((len(s), 2))
+    out[:, 0] = on_bend_v
+    out[:, 1] = on_bend_w
+    return out.reshape(len(s), 2, 1)

@@ -1,0 +1,69 @@
+"""The measured point slips on the platform once.
+
+Generated from derive/effects/tool_slip.py by "deltacal kernels". Do not edit.
+Template templates/effect.py.jinja; sha256 of both 41332565177ae27f; SymPy 1.14.0.
+
+Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): after;
+coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.
+"""
+
+import numpy as np
+
+NAME = "tool_slip"
+TITLE = "the measured point slips on the platform once"
+ADVICE = "The machine is not at fault. Look at how the probe, reflector or tool is clamped, fasten it, and measure again what was read since; where it is the tool that slipped, calibrate its point anew."
+PER_LIMB = False
+ACTS_ON = "point"
+PERIODIC = False  # a wave of the joint's turn, cosine and sine
+STATE = ("after", )
+TARGETS = ("tool.x", "tool.y", "tool.z", )
+# the coefficients in each, and the states; whether it is an effect only where a machine has all that it moves
+PARTS = (
+    (('offset_x',), ('after',)),
+    (('offset_y',), ('after',)),
+    (('offset_z',), ('after',)),
+)
+WHOLE = False
+# (name, unit in files, factor to the unit inside, meaning)
+COEFFICIENTS = (
+    ("offset_x", "mm", 1.0, "shift along x of {O'}"),
+    ("offset_y", "mm", 1.0, "shift along y of {O'}"),
+    ("offset_z", "mm", 1.0, "shift along z of {O'}"),
+)
+# range of each, in files
+BELIEVABLE = ((-50.0, 50.0), (-50.0, 50.0), (-50.0, 50.0), )
+# of these a joint that slides has mm for deg and N for Nm
+OF_JOINT = ()
+CONSTANTS = (
+    ("when", "s", 1.0, "time of the slip; the row, where there is no time"),
+)
+# how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
+SEARCHED = {"moments": "when", }
+SIZED = {}
+AFTERWARDS = {"when": float("-inf"), }
+
+
+def value(s, c, constants=()):
+    """Return by how much each target is moved, (M, 3)."""
+    after = s[:, 0]
+    offset_x = c[:, 0]
+    offset_y = c[:, 1]
+    offset_z = c[:, 2]
+    s0 = after*offset_x
+    s1 = after*offset_y
+    s2 = after*offset_z
+    out = np.zeros((len(s), 3))
+    out[:, 0] = s0
+    out[:, 1] = s1
+    out[:, 2] = s2
+    return out
+
+
+def jacobian(s, c, constants=()):
+    """Return the derivatives of `value` by the coefficients, (M, 3, 3)."""
+    after = s[:, 0]
+    out = np.zeros((len(s), 9))
+    out[:, 0] = after
+    out[:, 4] = after
+    out[:, 8] = after
+    return out.reshape(len(s), 3, 3)

@@ -1,0 +1,3 @@
+from deltacal_gen.app.cli import main
+
+main()

@@ -1,0 +1,249 @@
+"""What a recording tells of a machine: its errors, the physics that was left out, the matrix itself."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+from rich.table import Table
+
+from deltacal_gen.app.cli.common import (
+    Blocks,
+    Decimal,
+    Json,
+    Model,
+    RecordingFile,
+    RobotFile,
+    escaped,
+    number,
+    output_file,
+    print_json,
+    progress,
+    screen,
+)
+from deltacal_gen.errors import UsageError
+
+if TYPE_CHECKING:
+    from deltacal_gen.results.diagnosis import Diagnosis
+    from deltacal_gen.results.result import Result
+
+As = Annotated[str | None, typer.Option("--as", help="'distance': use the distances of all pairs of positions")]
+
+
+def _as_distance(value: str | None) -> bool:
+    if value not in (None, "distance"):
+        raise typer.BadParameter("only 'distance' is known", param_hint="--as")
+    return value == "distance"
+
+
+def identify(
+    robot: RobotFile,
+    recording: RecordingFile,
+    output: Annotated[Path | None, output_file("RESULT.json")] = None,
+    model: Model = None,
+    as_kind: As = None,
+    solver: Annotated[str, typer.Option(help="prior, least-squares, tsvd or ridge")] = "prior",
+    truncation: Annotated[str, typer.Option(help="for tsvd: a number, gcv or discrepancy")] = "gcv",
+    robust: Annotated[bool, typer.Option(help="let gross errors not move the result")] = True,
+    physics: Annotated[
+        Path | None, typer.Option(help="DIAGNOSIS.json: its effects are held", show_default=False)
+    ] = None,
+    picture: Annotated[Path | None, typer.Option(help="what it found, .svg or .png", show_default=False)] = None,
+    report: Annotated[Path | None, typer.Option(help="a page to read, .html", show_default=False)] = None,
+    blocks: Blocks = False,
+    decimal: Decimal = None,
+    as_json: Json = False,
+) -> None:
+    """Identify the machine's errors from a recording."""
+    from deltacal_gen.app import commands
+
+    commands.check_output(picture, robot, recording, ending=commands.PICTURES)
+    if blocks:
+        if as_kind or physics or picture or report or solver != "prior":
+            raise UsageError("in blocks positions are fitted by least squares; leave the other options out.")
+        found = commands.identify_blocks(robot, recording, model, output)
+    else:
+        with progress(as_json) as tell:
+            found = commands.identify(
+                robot,
+                recording,
+                model,
+                output,
+                as_distance=_as_distance(as_kind),
+                solver=solver,
+                truncation=int(truncation) if truncation.isdecimal() else truncation,
+                robust=robust,
+                physics=physics,
+                report=report,
+                progress=tell,
+            )
+    if picture is not None:
+        from deltacal_gen.pages import figures
+
+        figures.calibration(found, picture)
+    if as_json:
+        print_json(found)
+        return
+    _show_result(found)
+    if output is not None:
+        screen.print(f"written to {output}")
+
+
+def _show_result(found: Result) -> None:
+    """Print a result: errors before and after, parameters, what is not pinned, one line to end with."""
+    from deltacal_gen.diagnosis.spectrum import words
+    from deltacal_gen.results.parts import Source
+    from deltacal_gen.results.result import Status
+    from deltacal_gen.use.comparison import flattered
+    from deltacal_gen.use.unseen import sentences
+
+    for joint in found.never_seen or ():
+        screen.print(words(joint))
+    for effect in found.physics_not_held or ():
+        screen.print(f"{effect.name} of the diagnosed session is not held: this one lacks {effect.missing}")
+    counts = {s: sum(p.status is s for p in found.parameters) for s in Status if s is not Status.FIXED}
+    table = Table(title=f"{found.model}: parameters, actual minus robot file", title_justify="left")
+    for column in ("parameter", "value", "std", "unit", "status"):
+        table.add_column(column, justify="right" if column in ("value", "std") else "left")
+    for p in found.parameters:
+        if p.status is not Status.FIXED:
+            table.add_row(p.name, f"{p.value:.4f}", number(p.std, 2), p.unit, p.status)
+    screen.print(table)
+    if found.unidentifiable:
+        shown = found.unidentifiable[:4]
+        screen.print("[bold]Not pinned by these readings[/bold]; the robot file's values hold along them:")
+        for c, sentence in zip(shown, sentences(found), strict=False):
+            screen.print(f"  - {sentence or c.text}")
+        if len(found.unidentifiable) > len(shown):
+            screen.print(f"  - and {len(found.unidentifiable) - len(shown)} more, in the result file")
+    for m in found.next_measurements[:2]:
+        pins = "" if m.open_mm is not None else f" would pin {m.pins} of the {m.of} free directions"
+        screen.print(f"  + {m.measurement}{pins}")
+    if found.gross_errors:
+        screen.print(f"gross errors in lines {', '.join(map(str, found.gross_errors))}: they took next to no part")
+    if found.accuracy:
+        a = found.accuracy
+        table = Table("largest error relative to home", "distance, mm", "volumetric, mm")
+        for stage, name in ((a.before, "robot file"), (a.rough, "encoder offsets"), (a.after, found.model)):
+            if stage is not None:
+                table.add_row(name, f"{stage.distance_mm:.3f}", f"{stage.volumetric_mm:.3f}")
+        screen.print(table)
+    if found.workspace:
+        w = found.workspace
+        screen.print(
+            f"tool position known to {w.median_mm:.3f} mm over the workspace, {w.worst_mm:.3f} at worst (1 std)"
+        )
+    held = found.heldout_rms_mm
+    beside = "" if held is None else f", [bold]held-out {number(held)} mm[/bold]"  # nothing was held out of blocks
+    screen.print(
+        f"[bold]{counts[Status.IDENTIFIED]} of {sum(counts.values())} parameters identified[/bold], "
+        f"{found.readings.scalars} scalar readings: rms before {found.before_rms_mm:.4f} -> "
+        f"after {found.train_rms_mm:.4f} mm{beside} "
+        f"(noise {found.sigma_mm:.4f}, {found.sigma_source})"
+    )
+    if words_of_few := flattered(found.degrees_of_freedom, found.readings.scalars, found.train_rms_mm):
+        screen.print(words_of_few)
+    if firmware := found.firmware:
+        screen.print(
+            f"beside it, what firmware fits ({firmware.model}): {firmware.train_rms_mm:.4f} mm, "
+            f"held-out {number(firmware.heldout_rms_mm)} mm"
+        )
+    chi2 = found.chi2_per_dof
+    if chi2 is not None and chi2 > 2 and found.sigma_source is not Source.RESIDUAL:
+        screen.print("What is left stands above the noise: this geometry does not explain all of these readings.")
+
+
+def diagnose(
+    robot: RobotFile,
+    recording: RecordingFile,
+    output: Annotated[Path | None, output_file("DIAGNOSIS.json")] = None,
+    model: Annotated[str | None, typer.Option("--model", help="default: the largest", show_default=False)] = None,
+    report: Annotated[Path | None, typer.Option(help="a page to read, FILE.html", show_default=False)] = None,
+    strict: Annotated[bool, typer.Option("--strict", help="exit with 1 unless the verdict is adequate")] = False,
+    decimal: Decimal = None,
+    as_json: Json = False,
+) -> None:
+    """Find where model and recording differ, and which physics was left out."""
+    from deltacal_gen.app import commands
+    from deltacal_gen.results.diagnosis import Verdict
+
+    with progress(as_json) as tell:
+        found = commands.diagnose(robot, recording, output, model=model, report=report, progress=tell)
+    if as_json:
+        print_json(found)
+    else:
+        show_diagnosis(found)
+        for path in (output, report):
+            if path is not None:
+                screen.print(f"written to {path}")
+    if strict and found.verdict is not Verdict.ADEQUATE:
+        raise typer.Exit(1)
+
+
+def show_diagnosis(found: Diagnosis) -> None:
+    screen.print(f"[bold]{found.verdict.replace('_', ' ')}[/bold]: {found.summary}")
+    if found.effects:
+        table = Table("effect", "limb", "parameter", "value", "std", "unit")
+        for effect in found.effects:
+            for p in effect.parameters:
+                limb = "" if p.limb is None else str(p.limb)
+                value = p.value if isinstance(p.value, str) else f"{p.value:.6g}"
+                table.add_row(effect.name, limb, p.name, value, number(p.std, 2), p.unit)
+        screen.print(table)
+        for effect in found.effects:
+            if effect.indistinguishable_from:
+                others = ", ".join(effect.indistinguishable_from)
+                screen.print(f"  these poses cannot tell {effect.name} from {others}")
+    table = Table("mm, rms of the readings", "fitted", "held out", "chi2 per degree of freedom")
+    for words, row in (("geometry", found.baseline), ("with what was found", found.final)):
+        table.add_row(
+            words,
+            f"{row.train_rms_mm:.4f}",
+            number(row.heldout_rms_mm),
+            f"{row.chi2_per_dof:.2f}",
+        )
+    screen.print(table)
+    for question in found.next_measurements:
+        clear = question.expected_chi2
+        promise = "" if clear is None else f" (expected difference in chi2: {clear:.0f})"
+        screen.print(f"  next, {question.why}: {question.text}{promise}")
+    for missing in dict.fromkeys(other.missing for other in found.not_tested):
+        names = ", ".join(other.name for other in found.not_tested if other.missing == missing)
+        screen.print(f"  not tested: {names}, for want of {escaped(missing)}")
+    if found.gross_errors:
+        screen.print(f"gross errors in lines {', '.join(map(str, found.gross_errors))}")
+
+
+def matrix(
+    robot: RobotFile,
+    recording: RecordingFile,
+    model: Annotated[str, typer.Option("--model", help="e.g. delta/32")],
+    output: Annotated[Path, output_file("FILE.npz: H, r, names, units")],
+    as_kind: As = None,
+    scaling: Annotated[str, typer.Option(help="columns: file (mm, deg), paper, table or typical")] = "file",
+    decimal: Decimal = None,
+    as_json: Json = False,
+) -> None:
+    """Write the identification matrix itself."""
+    from deltacal_gen.app import commands
+    from deltacal_gen.identification.identifiability import observability
+    from deltacal_gen.results.written import Matrix
+
+    found = commands.matrix(robot, recording, model, output, as_distance=_as_distance(as_kind), scaling=scaling)
+    seen = observability(found["H"], len(found["H"]))
+    summary = Matrix(
+        file=str(output),
+        rows=found["H"].shape[0],
+        columns=found["H"].shape[1],
+        rank=seen.rank,
+        condition=seen.condition if seen.rank == seen.columns else None,
+        scaling=scaling,
+    )
+    if as_json:
+        print_json(summary)
+    else:
+        screen.print(
+            f"H {summary.rows} x {summary.columns}, rank {seen.rank}, condition {number(summary.condition)} "
+            f"(scaling {scaling}) written to {summary.file}"
+        )

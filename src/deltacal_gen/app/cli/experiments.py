@@ -1,0 +1,132 @@
+"""Before anyone measures: poses are chosen, recordings simulated."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+from rich.table import Table
+
+from deltacal_gen.app.cli.common import Blocks, Decimal, Json, RobotFile, number, output_file, print_json, screen
+
+MOST_NOTES = 4  # on the screen
+if TYPE_CHECKING:
+    from deltacal_gen.results.plan import Plan
+
+
+def plan(
+    robot: RobotFile,
+    model: Annotated[str, typer.Option("--model", help="e.g. delta/18")],
+    kind: Annotated[
+        str | None, typer.Option(help="what will be measured: distance, position, pose or gauge", show_default=False)
+    ] = None,
+    gauge: Annotated[
+        Path | None, typer.Option(help="a sidecar that says where a gauge's ends are mounted", show_default=False)
+    ] = None,
+    points: Annotated[
+        int | None, typer.Option(help="reference points on the platform, 1 to 3; default as the model needs")
+    ] = None,
+    start_angle: Annotated[float, typer.Option(help="of the first pose of a ring, deg")] = 0.0,
+    layers: Annotated[
+        str | None, typer.Option(help="of the rings: top,middle,bottom; default as the paper", show_default=False)
+    ] = None,
+    scaling: Annotated[
+        str | None,
+        typer.Option(help="columns: paper, table, file or typical; default the paper's", show_default=False),
+    ] = None,
+    norm: Annotated[str, typer.Option(help="of the condition number: spectral or frobenius")] = "spectral",
+    threshold: Annotated[
+        float, typer.Option(help="relative change of the condition number that the rule tolerates")
+    ] = 0.01,
+    sigma: Annotated[float | None, typer.Option(help="noise, mm: predict what the poses will give")] = None,
+    optimal: Annotated[
+        int | None, typer.Option(help="so many D-optimal poses instead of rings", show_default=False)
+    ] = None,
+    singular: Annotated[
+        tuple[float, float] | None,
+        typer.Option(
+            metavar="FROM TO",
+            help="poses so far from the nearest singularity, mm, instead of rings: 50 100",
+            show_default=False,
+        ),
+    ] = None,
+    output: Annotated[Path | None, output_file("targets as a CSV for simulate")] = None,
+    picture: Annotated[
+        Path | None, typer.Option(help="condition number against n, .svg or .png", show_default=False)
+    ] = None,
+    as_json: Json = False,
+) -> None:
+    """Choose measuring poses: condition number and observability against n, or a D-optimal set."""
+    from deltacal_gen.app import commands
+    from deltacal_gen.units import DEG
+
+    kind = kind or (None if gauge is None else "gauge")
+    options: dict[str, Any] = {"kind": kind, "tools": points, "scaling": scaling, "norm": norm, "sigma_mm": sigma}
+    options |= {"singular": singular} if singular is not None else {}
+    if optimal is None:
+        options |= {"start_angle": start_angle * DEG, "threshold": threshold}
+        options |= {"layers": layers.split(",")} if layers else {}
+        options |= {"gauge": gauge} if gauge else {}
+    found = commands.plan(robot, model, output, optimal=optimal, picture=picture, **options)
+    if as_json:
+        print_json(found)
+        return
+    _show_plan(found)
+    if output is not None:
+        screen.print(f"{len(found.poses)} targets written to {output}")
+
+
+def _show_plan(found: Plan) -> None:
+    screen.print(found.conventions)
+    if found.n:
+        table = Table("n", "poses", "rank", "condition", "change", "O1", "O3")
+        for j, n in enumerate(found.n):
+            mark = " <-" if n == found.chosen else ""
+            change = found.change[j]
+            table.add_row(
+                f"{n}{mark}",
+                str(found.pose_count[j]),
+                str(found.rank[j]),
+                number(found.condition[j]),
+                "-" if change is None else f"{100 * change:.2f} %",
+                number(found.O1[j]),
+                number(found.O3[j]),
+            )
+        screen.print(table)
+    notes = found.notes or ()
+    for note in notes[:MOST_NOTES]:
+        screen.print(f"  {note}")
+    if len(notes) > MOST_NOTES:
+        screen.print(f"  and {len(notes) - MOST_NOTES} more poses likewise")
+    screen.print(f"chosen: {found.chosen}, {len(found.poses)} poses")
+
+
+def simulate(
+    robot: RobotFile,
+    poses: Annotated[
+        Path, typer.Argument(metavar="POSES", help="joints, or targets x_mm, y_mm, z_mm (CSV)", show_default=False)
+    ],
+    output: Annotated[Path, typer.Option("-o", "--output", help="the recording to write")],
+    truth: Annotated[Path | None, typer.Option(help="TRUTH.toml: the true errors", show_default=False)] = None,
+    noise: Annotated[float, typer.Option(help="standard deviation per coordinate, mm")] = 0.0,
+    seed: Annotated[int, typer.Option(help="of noise and unknown frame")] = 0,
+    blocks: Blocks = False,
+    decimal: Decimal = None,
+    as_json: Json = False,
+) -> None:
+    """Simulate a recording exactly."""
+    from deltacal_gen.app import commands
+    from deltacal_gen.results.written import Simulated
+
+    if blocks:
+        rows = commands.simulate_blocks(robot, poses, output, truth=truth, noise=noise, seed=seed)
+        kind, what = None, "readings"
+    else:
+        done = commands.simulate(robot, poses, output, truth=truth, noise=noise, seed=seed)
+        rows = done.n_rows if done.pairs is None else len(done.pairs)
+        kind, what = done.kind, f"readings of the kind {done.kind}"
+    if as_json:
+        print_json(Simulated(recording=str(output), readings=rows, kind=kind))
+    else:
+        screen.print(f"{rows} {what} written to {output}")

@@ -1,0 +1,107 @@
+"""Where recordings come from, beside an instrument's own files: firmware, trackers, a camera in the hand."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from deltacal_gen.app.cli.common import Decimal, Json, aside, escaped, print_json, screen
+
+camera_app = typer.Typer(help="Measure with a camera in the hand: boards to calibrate it, a ball to look at.")
+
+
+def import_(
+    kind: Annotated[str, typer.Argument(metavar="KIND", help="klipper, rrf, marlin or points")],
+    files: Annotated[
+        list[Path],
+        typer.Argument(
+            metavar="FILE...",
+            help="printer.cfg; config.g and heightmap.csv; a log of Marlin; points, joints, ROBOT.toml",
+        ),
+    ],
+    output: Annotated[Path, typer.Option("-o", "--output", help="folder for robot.toml and recordings")],
+    decimal: Decimal = None,
+    as_json: Json = False,
+) -> None:
+    """Make recordings, and a robot file, from what a printer's firmware or a tracker's software keeps."""
+    from deltacal_gen.app import commands
+    from deltacal_gen.results.written import Imported
+
+    importers: dict[str, tuple[Callable[..., Any], tuple[int, ...]]] = {
+        "klipper": (commands.import_klipper, (1,)),
+        "rrf": (commands.import_rrf, (2,)),
+        "marlin": (commands.import_marlin, (1,)),
+        "points": (commands.import_points, (2, 3)),
+    }
+    if kind not in importers:
+        raise typer.BadParameter(f"there is no import '{kind}'; known: {', '.join(importers)}", param_hint="KIND")
+    read, counts = importers[kind]
+    if len(files) not in counts:
+        raise typer.BadParameter(
+            f"{kind} takes {' or '.join(map(str, counts))} file{'s' if counts[-1] > 1 else ''}", param_hint="FILE"
+        )
+    found = read(*files, output=output)
+    names = [f"{name}.csv" for name in found.recordings]
+    if as_json:
+        print_json(
+            Imported(
+                folder=str(output),
+                robot="robot.toml" if found.robot is not None else None,
+                recordings=tuple(names),
+                warnings=tuple(found.warnings),
+            )
+        )
+        return
+    for warning in found.warnings:
+        aside.print(escaped(f"warning: {warning}"))
+    written = [*(["robot.toml"] if found.robot is not None else []), *names]
+    screen.print(f"{', '.join(written)} written to {output}")
+
+
+def _corners(text: str) -> tuple[int, int]:
+    numbers = text.lower().split("x")
+    if len(numbers) != 2 or not all(n.isdigit() and int(n) > 1 for n in numbers):
+        raise typer.BadParameter("two numbers of at least 2 were expected, e.g. 9x6", param_hint="--corners")
+    return int(numbers[0]), int(numbers[1])
+
+
+@camera_app.command("calibrate")
+def camera_calibrate(
+    images: Annotated[list[Path], typer.Argument(metavar="IMAGE...", help="images of a chessboard")],
+    corners: Annotated[str, typer.Option("--corners", help="inner corners of the board, e.g. 9x6")],
+    square: Annotated[float, typer.Option("--square", help="side of a square (mm)")],
+    ball: Annotated[float, typer.Option("--ball", help="radius of the ball that the camera will look at (mm)")],
+    output: Annotated[Path, typer.Option("-o", "--output", help="camera (TOML)")],
+) -> None:
+    """Calibrate a camera from images of a chessboard."""
+    from deltacal_gen.app.commands import check_output
+    from deltacal_gen.files import camera
+    from deltacal_gen.files.writing import write_files
+
+    check_output(output, *images, ending=(".toml",))
+    found = camera.calibrate([camera.read_image(i) for i in images], _corners(corners), square, ball, images)
+    write_files({output: camera.camera_text(found.camera)})
+    c = found.camera
+    screen.print(
+        f"{len(images)} images: focal lengths {c.fx_px:.2f}, {c.fy_px:.2f} px, principal point {c.cx_px:.2f}, "
+        f"{c.cy_px:.2f} px, k1 {c.k1:.4f}; corners off by {found.rms_px:.3f} px rms\nwritten to {output}"
+    )
+
+
+@camera_app.command("measure")
+def camera_measure(
+    camera_file: Annotated[Path, typer.Argument(metavar="CAMERA", help="camera (TOML)")],
+    table: Annotated[Path, typer.Argument(metavar="TABLE", help="CSV with the joints and a column 'image'")],
+    output: Annotated[Path, typer.Option("-o", "--output", help="recording (CSV)")],
+) -> None:
+    """Measure the ball in the images of a table: a recording of the kind sphere image."""
+    from deltacal_gen.app.commands import check_output
+    from deltacal_gen.files import camera
+
+    check_output(output, camera_file, table, ending=(".csv",))
+    balls = camera.record(table, camera.read_camera(camera_file), output)
+    blur = sorted(b.blur for b in balls)[len(balls) // 2]
+    screen.print(f"{len(balls)} images measured, blur {blur:.2f} px\nwritten to {output}")

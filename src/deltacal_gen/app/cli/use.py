@@ -1,0 +1,217 @@
+"""What a calibrated machine is good for: commands, predictions, a check, a comparison of two sessions."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+from rich.table import Table
+
+from deltacal_gen.app.cli.common import (
+    Blocks,
+    Decimal,
+    Json,
+    RecordingFile,
+    ResultFile,
+    escaped,
+    number,
+    output_file,
+    print_json,
+    screen,
+)
+from deltacal_gen.errors import UsageError
+
+MOST_NAMES = 8  # of parameters in a line on the screen
+if TYPE_CHECKING:
+    from deltacal_gen.results.validation import Placed
+    from deltacal_gen.results.written import FirmwareLines
+
+
+def compensate(
+    result: ResultFile,
+    targets: Annotated[
+        Path | None,
+        typer.Argument(
+            metavar="TARGETS",
+            help="x_mm, y_mm, z_mm, channels (CSV); of a chain joints, or rx_deg ... too",
+            show_default=False,
+        ),
+    ] = None,
+    output: Annotated[Path | None, output_file("JOINTS.csv, or the export")] = None,
+    kind: Annotated[str, typer.Option(help="exact or linear")] = "exact",
+    export: Annotated[
+        str | None,
+        typer.Option(help="c or table: the compensator; klipper, rrf, marlin: a printer's lines", show_default=False),
+    ] = None,
+    worst: Annotated[float, typer.Option(help="what a table may leave, mm")] = 0.01,
+    decimal: Decimal = None,
+    as_json: Json = False,
+) -> None:
+    """Correct joint commands, or export the compensator; of a diagnosis with its effects, channel by channel."""
+    from deltacal_gen.app import commands
+    from deltacal_gen.results.written import Joints
+    from deltacal_gen.use.firmware import KINDS
+
+    assumed: list[str] = []
+    if export in KINDS and output is not None:
+        import numpy as np
+
+        lines = commands.firmware_lines(result, export, output, tell=assumed.append)
+        if as_json:
+            print_json(
+                Joints(kind=kind, export=export, joints=np.zeros((0, 3)), assumed=tuple(assumed), firmware=lines)
+            )
+        else:
+            _show_lines(lines, output, assumed)
+        return
+    joints = commands.compensate(result, targets, output, kind=kind, export=export, worst_mm=worst, tell=assumed.append)
+    if as_json:
+        print_json(Joints(kind=kind, export=export, joints=joints, assumed=tuple(assumed)))
+        return
+    if export is not None:
+        screen.print(f"{kind} compensator written to {output}; what it leaves is stated in the file")
+    elif output is not None:
+        screen.print(f"{len(joints)} commands written to {output}")
+    else:
+        for row in joints:
+            screen.print("  ".join(f"{v:12.6f}" for v in row))
+    for words in assumed:
+        screen.print(f"  {escaped(words)}")
+
+
+def _show_lines(lines: FirmwareLines, output: Path, told: list[str]) -> None:
+    """Print a firmware's numbers as they are and as they are to be, and what either leave."""
+    table = Table(lines.kind, "in the file now", "new", "unit")
+    for v in lines.values:
+        table.add_row(v.name, f"{v.before:.4f}", f"{v.after:.4f}", v.unit)
+    table.add_section()
+    for name, key in (("error on the bed", "bed"), ("lateral error", "lateral")):
+        for figure in ("rms", "worst"):
+            now, new = (getattr(left, f"{key}_{figure}_mm") for left in (lines.before, lines.after))
+            table.add_row(f"{name}, {figure}", f"{now:.4f}", f"{new:.4f}", "mm")
+    screen.print(table)
+    how = "a fit of the firmware's own numbers to the readings" if lines.by_readings else "least over bed and volume"
+    screen.print(f"errors are those of the calibrated machine over the printed volume; the lines are {how}")
+    if lines.not_carried:
+        names = ", ".join(note.partition(" = ")[0] for note in lines.not_carried)
+        screen.print(f"not carried by the lines, with their sizes in the file: {escaped(names)}")
+    for words in told:
+        screen.print(f"  {escaped(words)}")
+    screen.print(f"{lines.kind} lines written to {output}")
+
+
+def predict(
+    result: ResultFile,
+    recording: RecordingFile,
+    output: Annotated[Path, output_file("PREDICTED.csv")],
+    place: Annotated[
+        Path | None,
+        typer.Option(metavar="OTHER", help="readings of the same set-up at other poses (CSV)", show_default=False),
+    ] = None,
+    blocks: Blocks = False,
+    decimal: Decimal = None,
+    as_json: Json = False,
+) -> None:
+    """Predict the readings of other joints, in the instrument's frame."""
+    from deltacal_gen.app import commands
+    from deltacal_gen.results.written import Predicted
+    from deltacal_gen.use.prediction import CORRECTED
+
+    if blocks:
+        if place is not None:
+            raise UsageError("in blocks the set-up must be known to the result; leave --place or --blocks out.")
+        rows = commands.predict_blocks(result, recording, output)
+        if as_json:
+            print_json(Predicted(file=str(output), readings=rows, told=()))
+        else:
+            screen.print(f"{rows} readings predicted in {output}")
+        return
+    told: list[str] = []
+    done = commands.predict(result, recording, output, place=place, tell=told.append)
+    rows = done.n_rows if done.pairs is None else len(done.pairs)
+    if as_json:
+        print_json(Predicted(file=str(output), kind=done.kind, readings=rows, told=tuple(told)))
+    else:
+        screen.print(f"{rows} readings of the kind {done.kind} predicted in {output}")
+        for words in told:
+            screen.print(words)
+        share = done.channels.get(CORRECTED)
+        if share is not None and (share < 1).any():
+            screen.print(
+                f"{(share < 1).sum()} of {len(share)} rows lie outside what was measured for the smooth correction; it "
+                f"fades there and at {(share == 0).sum()} of them nothing is corrected (column {CORRECTED})"
+            )
+
+
+def validate(
+    result: ResultFile, recording: RecordingFile, blocks: Blocks = False, decimal: Decimal = None, as_json: Json = False
+) -> None:
+    """Hold a calibrated model against readings that it has not seen."""
+    from deltacal_gen.app import commands
+    from deltacal_gen.diagnosis.spectrum import words
+
+    found = commands.validate_blocks(result, recording) if blocks else commands.validate(result, recording)
+    if as_json:
+        print_json(found)
+        return
+    screen.print(
+        f"{found.readings} readings: rms {found.rms_mm:.4f} mm, largest {found.worst_mm:.4f} mm "
+        f"(noise {found.sigma_mm:.4f} mm)"
+    )
+    for p in found.placed or ():
+        screen.print(_placed(p))
+    for joint in found.never_seen:
+        screen.print(words(joint))
+    if (iso := found.iso9283) is not None:
+        screen.print(
+            f"ISO 9283, {iso.poses} poses: accuracy AP {iso.AP_mean_mm:.4f} mm (largest {iso.AP_max_mm:.4f}), "
+            f"repeatability RP {iso.RP_mean_mm:.4f} mm (largest {iso.RP_max_mm:.4f})"
+        )
+
+
+def _placed(p: Placed) -> str:
+    """Say of a set-up that it was placed by the readings, and what that means for the figures."""
+    if p.why == "unknown":
+        known = f"The result does not know the set-up '{p.setup}'"
+    else:
+        far = "" if p.shift_mm is None else f", {p.shift_mm:.1f} mm and {p.turn_deg:.2f} deg away"
+        known = (
+            f"The instrument (set-up '{p.setup}') stands elsewhere than the result knows it{far}; there these readings "
+            f"would be off by {number(p.rms_where_known_mm)} mm rms"
+        )
+    errors = "each error is of a pose that was left out of that"
+    if not p.left_out:
+        errors = "there are too few poses to leave some out, so that the errors flatter"
+    return f"{known}. It was placed by its {p.readings} readings ({p.unknowns} numbers); {errors}."
+
+
+def compare(
+    before: Annotated[Path, typer.Argument(metavar="RESULT_A", help="RESULT.json of the earlier session")],
+    after: Annotated[Path, typer.Argument(metavar="RESULT_B", help="RESULT.json of the later session")],
+    output: Annotated[Path | None, output_file("COMPARISON.json")] = None,
+    as_json: Json = False,
+) -> None:
+    """Say what changed between two sessions of one machine, by parameter, and what did not."""
+    from deltacal_gen.app import commands
+
+    found = commands.compare(before, after, output)
+    if as_json:
+        print_json(found)
+        return
+    screen.print(escaped(found.summary))
+    changed, unchanged = found.changed, found.unchanged
+    if found.combinations_changed is not None:
+        changed, unchanged = found.combinations_changed, found.combinations_unchanged or ()
+    table = Table("changed", "before", "after", "change", "std", "unit")
+    for e in changed:
+        table.add_row(e.name, *map(number, (e.before, e.after, e.change, e.std)), e.unit)
+    if changed:
+        screen.print(table)
+    for words, names in (
+        ("unchanged", [e.name for e in unchanged if " " not in e.name]),
+        ("not known one by one", [e.name for e in found.unknown]),
+    ):
+        if names:
+            rest = f" and {len(names) - MOST_NAMES} more" if len(names) > MOST_NAMES else ""
+            screen.print(f"{words}: {', '.join(names[:MOST_NAMES])}{rest}", style="dim")

@@ -1,0 +1,60 @@
+"""The commands as functions: paths or objects in, answers out (see `results`): attributes, and by key the JSON.
+
+A function writes only where it is given an output path, and then all or nothing. The modules are those of `cli`.
+"""
+
+from __future__ import annotations
+
+from deltacal_gen.app.commands.calibration import diagnose, identify, identify_blocks, matrix
+from deltacal_gen.app.commands.common import PICTURES, check_output
+from deltacal_gen.app.commands.experiments import plan, simulate, simulate_blocks
+from deltacal_gen.app.commands.guide import demo, manual, manual_examples, manual_site
+from deltacal_gen.app.commands.many import batch, study
+from deltacal_gen.app.commands.model_side import claims, derivation, effects, kernels, models, reproduce, trial, warm
+from deltacal_gen.app.commands.sources import import_klipper, import_marlin, import_points, import_rrf
+from deltacal_gen.app.commands.use import (
+    compare,
+    compensate,
+    firmware_lines,
+    predict,
+    predict_blocks,
+    validate,
+    validate_blocks,
+)
+
+__all__ = [
+    "PICTURES",
+    "batch",
+    "check_output",
+    "claims",
+    "compare",
+    "compensate",
+    "demo",
+    "derivation",
+    "diagnose",
+    "effects",
+    "firmware_lines",
+    "identify",
+    "identify_blocks",
+    "import_klipper",
+    "import_marlin",
+    "import_points",
+    "import_rrf",
+    "kernels",
+    "manual",
+    "manual_examples",
+    "manual_site",
+    "matrix",
+    "models",
+    "plan",
+    "predict",
+    "predict_blocks",
+    "reproduce",
+    "simulate",
+    "simulate_blocks",
+    "study",
+    "trial",
+    "validate",
+    "validate_blocks",
+    "warm",
+]

@@ -1,0 +1,180 @@
+"""What a recording tells of a machine: its errors, the physics that was left out, the matrix itself."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from deltacal_gen.app.commands.common import (
+    Progress,
+    Source,
+    as_recording,
+    as_robot,
+    check_output,
+    made,
+    silent,
+    write_json,
+)
+from deltacal_gen.files.robot import Robot, for_model
+from deltacal_gen.files.writing import write_files
+from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.machine.values import Recording
+from deltacal_gen.results.reader import Given
+from deltacal_gen.results.result import Firmware, Result
+
+if TYPE_CHECKING:
+    from deltacal_gen.results.diagnosis import Diagnosis
+
+
+def identify(
+    robot: Source | Robot,
+    recording: Source | Recording,
+    model: str | None = None,
+    output: Source | None = None,
+    *,
+    as_distance: bool = False,
+    solver: str = "prior",
+    truncation: int | str = "gcv",
+    robust: bool = True,
+    physics: Given | None = None,
+    report: Source | None = None,
+    progress: Progress = silent,
+) -> Result:
+    """Identify a robot's source errors; see `identification.identify` for the options. `output` is RESULT.json.
+
+    `report` is one self-contained HTML page of the same.
+
+    `physics` is a DIAGNOSIS.json whose effects are held while geometry and frame are refitted: how a diagnosis carries
+    to another session. Source errors that the model leaves out are held too, as the diagnosis has them. `never_seen`
+    of the result says which joints stand where the readings of the diagnosis never were.
+    """
+    from deltacal_gen.diagnosis import spectrum
+    from deltacal_gen.identification import identification
+    from deltacal_gen.use import firmware
+    from deltacal_gen.use.known import known_diagnosis
+    from deltacal_gen.use.prediction import calibrated_robot, known_effects
+
+    check_output(output, robot, recording, physics)
+    check_output(report, robot, recording, physics)
+    diagnosis, files = None if physics is None else known_diagnosis(physics), (robot, recording, physics)
+    robot = as_robot(robot)
+    given = as_recording(recording, robot)
+    found = identification.identify(
+        robot,
+        given,
+        model,
+        as_distance=as_distance,
+        solver=solver,
+        truncation=truncation,
+        robust=robust,
+        held=[] if diagnosis is None else known_effects(diagnosis, timed=given.time_s is not None),
+        machine=None if diagnosis is None else calibrated_robot(diagnosis),
+        progress=progress,
+    ).answer()
+    if diagnosis is None and robot.mechanism == firmware.MODEL.partition("/")[0]:
+        known = firmware.FROM_HEIGHTS if given.pairs is None else firmware.MODEL
+        if found.model not in (firmware.FROM_HEIGHTS, firmware.MODEL):
+            progress(f"what firmware would fit: {known}")
+            beside = identification.identify(robot, given, known, solver=solver, robust=robust).answer()
+            fitted = Firmware(
+                model=beside.model,
+                train_rms_mm=beside.train_rms_mm,
+                heldout_rms_mm=beside.heldout_rms_mm,
+                errors=beside.robot.errors,
+            )
+            found = found.replace(firmware=fitted)
+    if diagnosis is not None:
+        found = found.replace(never_seen=spectrum.never_seen(diagnosis.seen, robot.joint_sign * given.joints))
+    found = found.replace(made=made(*files, measured=given))
+    if output is not None:
+        write_json(found, output)
+    if report is not None:
+        from deltacal_gen.pages import report as page
+
+        write_files({Path(report): page.calibration(found)})
+    return found
+
+
+def identify_blocks(
+    robot: Source | Robot, recording: Source, model: str | None = None, output: Source | None = None
+) -> Result:
+    """Identify from a recording of any length, in a fixed memory; see `streams.identify`."""
+    from deltacal_gen.use import streams
+
+    check_output(output, robot, recording)
+    files = (robot, recording)
+    robot = as_robot(robot)
+    model = mechanism_of(robot).full_model if model is None else model
+    found = streams.identify(for_model(robot, model), recording, model).answer().replace(made=made(*files))
+    if output is not None:
+        write_json(found, output)
+    return found
+
+
+def diagnose(
+    robot: Source | Robot,
+    recording: Source | Recording,
+    output: Source | None = None,
+    *,
+    model: str | None = None,
+    report: Source | None = None,
+    progress: Progress = silent,
+) -> Diagnosis:
+    """Find where model and recording differ, and which physics was left out; `output` is DIAGNOSIS.json.
+
+    `model` is the geometry that is fitted beside everything, the mechanism's largest where it is not given; `report`
+    is one self-contained HTML page of the same.
+    """
+    from deltacal_gen.diagnosis import diagnosis
+
+    check_output(output, robot, recording)
+    check_output(report, robot, recording)
+    files = (robot, recording)
+    robot = as_robot(robot)
+    given = as_recording(recording, robot, doubtful=True)
+    name = None if model is None else mechanism_of(robot).full_name(model)
+    found = diagnosis.diagnose(robot, given, name, progress=progress).answer()
+    found = found.replace(made=made(*files, measured=given))
+    if output is not None:
+        write_json(found, output)
+    if report is not None:
+        from deltacal_gen.pages import report as page
+
+        progress("report")
+        write_files({Path(report): page.diagnosis(found)})
+    return found
+
+
+def matrix(
+    robot: Source | Robot,
+    recording: Source | Recording,
+    model: str,
+    output: Source | None = None,
+    *,
+    as_distance: bool = False,
+    scaling: str = "file",
+) -> dict[str, Any]:
+    """Return the identification matrix: H (rows, n), r (rows,) [mm], names, units, scaling; `output` is an .npz."""
+    from deltacal_gen.estimation.problem import pose_problem
+    from deltacal_gen.identification.identifiability import identification_matrix
+
+    check_output(output, robot, recording, ending=(".npz",))
+    robot = for_model(as_robot(robot), model)
+    names = mechanism_of(robot).model(model)
+    problem = pose_problem(robot, as_recording(recording, robot), names, as_distance=as_distance)
+    found = identification_matrix(problem, scaling)
+    arrays = {
+        "H": found.H,
+        "r": found.r,
+        "names": np.array(found.names),
+        "units": np.array(found.units),
+        "scaling": np.array(found.convention),
+    }
+    if output is not None:
+        stream = io.BytesIO()
+        np.savez_compressed(stream, allow_pickle=False, **arrays)
+        write_files({Path(output): stream.getvalue()})
+    return arrays

@@ -1,0 +1,103 @@
+"""What commands share: their inputs read or taken as they are, their outputs checked and written."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from deltacal_gen import __version__
+from deltacal_gen.errors import InputError
+from deltacal_gen.files.columns import distances_path
+from deltacal_gen.files.recording import read_recording, recording_of
+from deltacal_gen.files.robot import Robot, read_robot
+from deltacal_gen.files.writing import is_stream, write_files
+from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.machine.values import Recording
+from deltacal_gen.results.parts import InputFile, Made
+
+if TYPE_CHECKING:
+    from deltacal_gen.results.base import Answer
+
+Source = str | Path
+PICTURES = (".svg", ".png", ".pdf")
+Frame = Any  # a data frame of pandas, or what makes one: neither need be installed
+Progress = Callable[[str], None]
+
+
+def silent(text: str) -> None:
+    return None
+
+
+def untold(done: int, total: int, label: str) -> None:
+    return None
+
+
+def as_robot(robot: Source | Robot) -> Robot:
+    return robot if isinstance(robot, Robot) else read_robot(robot)
+
+
+def as_recording(recording: Source | Recording | Frame, robot: Robot, **how: bool) -> Recording:
+    if isinstance(recording, Recording):
+        return recording
+    if not isinstance(recording, str | Path):
+        return recording_of(recording, mechanism_of(robot), **how)
+    return read_recording(recording, mechanism_of(robot), **how)
+
+
+def check_output(path: Source | None, *inputs: object, ending: Sequence[str] = ()) -> None:
+    """Refuse an output that cannot be written, or that is one of the inputs, before anything is computed."""
+    if path is None:
+        return
+    target = Path(path)
+    if not ending and is_stream(target):
+        return
+    if not str(path) or target.is_dir() or not target.name:
+        raise InputError("this is no file to write to.", "Give the name of a file.", file=target)
+    if not target.parent.is_dir():
+        raise InputError("its folder does not exist.", "Make the folder first.", file=target)
+    if ending and target.suffix not in ending:
+        raise InputError(f"its name ends with none of {', '.join(ending)}.", "Change the ending.", file=target)
+    given = [Path(i) for i in inputs if isinstance(i, str | Path)]
+    if target.resolve() in [p.resolve() for i in given for p in (i, i.with_suffix(".toml"))]:
+        raise InputError("the output would overwrite an input.", "Choose another name.", file=target)
+
+
+def made(*inputs: object, measured: Recording | None = None) -> Made:
+    """Return what an answer says of where it comes from: version, date, files with their hashes, instrument.
+
+    The sidecar of a recording and its distances are files of their own. The date is that of SOURCE_DATE_EPOCH where it
+    is set, so that a build can be made again.
+    """
+    files = [path for i in inputs if isinstance(i, str | Path) for path in _with_its_own(Path(i))]
+    said = None if measured is None else measured.measurement
+    now = float(os.environ.get("SOURCE_DATE_EPOCH") or time.time())
+    return Made(
+        version=__version__,
+        date=time.strftime("%Y-%m-%d", time.gmtime(now)),
+        inputs=tuple(InputFile(name=path.name, sha256=hashlib.sha256(path.read_bytes()).hexdigest()) for path in files),
+        instrument=None if said is None else said.instrument,
+        operator=None if said is None else said.operator,
+    )
+
+
+def _with_its_own(path: Path) -> list[Path]:
+    """Return a file, and those that are read with it."""
+    beside = [] if path.suffix in (".toml", ".json") else [path.with_suffix(".toml"), distances_path(path)]
+    return [p for p in (path, *beside) if p.is_file()]
+
+
+def write_json(answer: Answer, path: Source) -> None:
+    """Write an answer, replacing the file only when it is complete."""
+    write_files({Path(path): answer.to_json()})
+
+
+def make_folder(folder: Path) -> None:
+    """Make a folder, if it is not there."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(f"the folder cannot be made: {error.strerror}.", "Choose another.", file=folder) from None

@@ -1,0 +1,148 @@
+"""Before anyone measures: poses are chosen, recordings simulated."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from deltacal_gen.app.commands.common import PICTURES, Source, as_recording, as_robot, check_output
+from deltacal_gen.errors import UsageError
+from deltacal_gen.files.robot import Robot, for_model, for_names
+from deltacal_gen.files.writing import write_recording
+from deltacal_gen.machine.values import Recording
+
+if TYPE_CHECKING:
+    from deltacal_gen.physics.terms import Term
+    from deltacal_gen.results.plan import Plan
+
+
+def plan(
+    robot: Source | Robot,
+    model: str,
+    output: Source | None = None,
+    *,
+    optimal: int | None = None,
+    picture: Source | None = None,
+    gauge: Source | None = None,
+    **options: Any,
+) -> Plan:
+    """Return measuring poses for a model: rings by the paper's rule (21), or a D-optimal set.
+
+    Parameters
+    ----------
+    output : path
+        The targets as a CSV that `simulate` reads.
+    optimal : int
+        So many D-optimal poses instead of rings.
+    picture : path
+        Condition number against n.
+    gauge : path
+        A sidecar with ``base_point_mm`` and ``platform_point_mm``: where the ends of a gauge are mounted.
+    options
+        Of `planning.plan`, or of `optimal.d_optimal`.
+    """
+    from deltacal_gen.planning import matrix, planning
+    from deltacal_gen.planning.optimal import d_optimal
+
+    check_output(output, robot)
+    check_output(picture, robot, ending=PICTURES)
+    robot = for_model(as_robot(robot), model)
+    if gauge is not None and optimal is not None:
+        raise UsageError("D-optimal sets are chosen for positions and distances, not for a gauge.")
+    if gauge is not None:
+        options = {"kind": "gauge", "mount": matrix.read_mount(gauge), **options}
+    found = planning.plan(robot, model, **options) if optimal is None else d_optimal(robot, model, optimal, **options)
+    if output is not None:
+        planning.write_targets(found, output)
+    if picture is not None:
+        from deltacal_gen.pages import plans
+
+        plans.figure(found, picture)
+    return found.answer()
+
+
+def simulate(
+    robot: Source | Robot,
+    poses: Source | Recording,
+    output: Source | None = None,
+    *,
+    truth: Source | Mapping[str, float] | None = None,
+    noise: float = 0.0,
+    seed: int = 0,
+) -> Recording:
+    """Simulate a recording exactly; see `simulation.simulate`.
+
+    Parameters
+    ----------
+    truth : path or mapping
+        TRUTH.toml, or source errors by name [mm, rad].
+    noise : float
+        Standard deviation per coordinate [mm].
+    seed : int
+        Of noise and of an unknown instrument frame.
+    """
+    from deltacal_gen.physics import simulation
+
+    check_output(output, robot, poses, truth, ending=(".csv",))
+    if not (noise >= 0 and np.isfinite(noise)) or seed < 0:
+        raise UsageError("noise must be a number of mm that is not negative, and seed an integer from 0.")
+    robot = as_robot(robot)
+    given = as_recording(poses, robot, need_measured=False, allow_targets=True)
+    if not isinstance(poses, Recording) and not Path(given.path).with_suffix(".toml").exists():
+        given = dataclasses.replace(given, measurement=dataclasses.replace(given.measurement, frame="robot"))
+    robot, errors, terms = _truth(robot, truth)
+    done = simulation.simulate(
+        robot,
+        given,
+        errors,
+        noise_mm=noise,
+        noise_rad=given.measurement.sigma_rad or 0.0 if noise else 0.0,
+        rng=np.random.default_rng(seed),
+        terms=terms,
+    )
+    if output is not None:
+        write_recording(done, output)
+    return done
+
+
+def simulate_blocks(
+    robot: Source | Robot,
+    poses: Source,
+    output: Source,
+    *,
+    truth: Source | Mapping[str, float] | None = None,
+    noise: float = 0.0,
+    seed: int = 0,
+) -> int:
+    """Simulate a recording of any length, from file to file in a fixed memory; return the rows. See `simulate`.
+
+    Raises
+    ------
+    UsageError
+        A truth with effects: they may ask for the whole recording.
+    """
+    from deltacal_gen.use import streams
+
+    check_output(output, robot, poses, truth, ending=(".csv",))
+    robot, errors, terms = _truth(as_robot(robot), truth)
+    if terms:
+        raise UsageError("effects are not simulated in blocks; leave --blocks out.")
+    return streams.simulate(robot, poses, output, errors, noise_mm=noise, rng=np.random.default_rng(seed))
+
+
+def _truth(
+    robot: Robot, truth: Source | Mapping[str, float] | None
+) -> tuple[Robot, dict[str, float] | None, Sequence[Term]]:
+    """Return the mechanism that has what a truth names, all source errors and the effects."""
+    from deltacal_gen.physics import simulation
+
+    if truth is None:
+        return robot, None, ()
+    robot = for_names(robot, truth if isinstance(truth, Mapping) else simulation.truth_names(truth))
+    told = simulation.Truth(dict(truth)) if isinstance(truth, Mapping) else simulation.read_truth(truth, robot)
+    names = told.errors.keys() | robot.errors.keys()
+    return robot, {n: told.errors.get(n, 0.0) + robot.errors.get(n, 0.0) for n in names}, told.terms

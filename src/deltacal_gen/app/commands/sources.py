@@ -1,0 +1,40 @@
+"""Recordings of what firmware and trackers keep."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from deltacal_gen.app.commands.common import Source
+
+if TYPE_CHECKING:
+    from deltacal_gen.files.imports import Imported
+
+
+def import_klipper(path: Source, output: Source | None = None) -> Imported:
+    """Return a robot and recordings of a Klipper printer.cfg; see `imports.import_klipper`."""
+    from deltacal_gen.files import imports
+
+    return imports.import_klipper(path, output)
+
+
+def import_rrf(config: Source, height_map: Source, output: Source | None = None) -> Imported:
+    """Return a robot and a recording of RepRapFirmware's config.g and height map; see `rrf.import_rrf`."""
+    from deltacal_gen.files import rrf
+
+    return rrf.import_rrf(config, height_map, output)
+
+
+def import_marlin(path: Source, output: Source | None = None) -> Imported:
+    """Return a robot and a recording of a log of Marlin: M503, G33, G29; see `marlin.import_marlin`."""
+    from deltacal_gen.files import marlin
+
+    return marlin.import_marlin(path, output)
+
+
+def import_points(
+    points: Source, joints: Source, robot: Source | None = None, output: Source | None = None
+) -> Imported:
+    """Return a recording of a tracker's list of points and a table of joints; see `points.import_points`."""
+    from deltacal_gen.files import points as lists
+
+    return lists.import_points(points, joints, robot, output)

@@ -1,0 +1,300 @@
+"""What a calibrated machine is good for: commands, predictions, a check, a comparison of two sessions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from deltacal_gen.app.commands.common import Progress, Source, as_recording, check_output, made, silent, write_json
+from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.files.columns import CHANNEL
+from deltacal_gen.files.robot import nearest
+from deltacal_gen.files.writing import csv_text, file_columns, write_files
+from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.machine.rotation import from_vector
+from deltacal_gen.machine.values import Recording
+from deltacal_gen.results.diagnosis import Diagnosis
+from deltacal_gen.results.reader import Given
+from deltacal_gen.results.result import Result
+from deltacal_gen.units import DEG, joint_factors, joint_names
+from deltacal_gen.use.known import known_result
+
+if TYPE_CHECKING:
+    from deltacal_gen.machine.registry import Array
+    from deltacal_gen.results.comparison import Comparison
+    from deltacal_gen.results.validation import Validation
+    from deltacal_gen.results.written import FirmwareLines
+    from deltacal_gen.use.compensation import Compensator
+
+
+def compensate(
+    result: Given,
+    targets: Source | Array | None = None,
+    output: Source | None = None,
+    *,
+    kind: str = "exact",
+    export: str | None = None,
+    worst_mm: float = 0.01,
+    channels: Mapping[str, Array | float] | None = None,
+    tell: Progress = silent,
+) -> Array:
+    """Return corrected joint commands (N, n_q) [deg or mm] for targets (N, 3) [mm], or export the compensator.
+
+    Parameters
+    ----------
+    result : path or mapping
+        RESULT.json, or DIAGNOSIS.json: then the commands include the effects that were found.
+    targets : path or (N, 3) array
+        A CSV with ``x_mm, y_mm, z_mm`` in {O} (tool columns and channels too), or positions. Not needed with `export`.
+        Of an open chain ``rx_deg, ry_deg, rz_deg`` beside, or an array (N, 6); or a CSV with joints instead, the
+        program as it is: wanted is where the chain as drawn stands at them, and it goes on standing so.
+    output : path
+        JOINTS.csv; with `export` the compensator's own file.
+    kind : {"exact", "linear"}
+    export : {"c", "table", "klipper", "rrf", "marlin"}, optional
+        The last three: a printer's own lines, see `firmware_lines`.
+    worst_mm : float
+        Of a table: what it may leave.
+    channels : mapping of (N,) arrays or numbers, optional
+        Beside an array of targets, what the effects depend on, by the names of a recording's columns:
+        ``temp_C, payload_kg, time_s, approach1`` ...
+    tell : callable
+        Told in words what was assumed where a channel is not given.
+    """
+    from deltacal_gen.use import compensation, exports, firmware, prediction, spans, tables
+
+    check_output(output, result, targets)
+    known = known_result(result)
+    if export in firmware.KINDS:
+        if output is None:
+            raise UsageError("an export needs the file to write: give -o FILE.")
+        firmware_lines(known, export, output, tell=tell)
+        return np.zeros((0, 3))
+    robot = prediction.calibrated_robot(known)
+    mechanism = mechanism_of(robot)
+    terms = prediction.known_effects(known, timed=True)
+    compensator = compensation.Compensator(robot, kind, terms)
+    if export is not None:
+        over = spans.spans(known)
+        writers = {
+            "c": lambda path: exports.export_c(compensator, path, over),
+            "table": lambda path: tables.export_table(compensator, path, over, worst_mm=worst_mm),
+        }
+        if export not in writers:
+            known_exports = ", ".join([*writers, *firmware.KINDS])
+            raise UsageError(f"there is no export '{export}' for {robot.mechanism}; known: {known_exports}.")
+        compensator.needs_loops(f"export '{export}'")
+        if output is None:
+            raise UsageError("an export needs the file to write: give -o FILE.")
+        if known.correction is not None:
+            tell("the smooth correction is not part of an export; compensate targets instead")
+        writers[export](output)
+        return np.zeros((0, mechanism.limbs))
+    if targets is None:
+        raise UsageError("give the targets: a CSV with x_mm, y_mm, z_mm.")
+    recording: Recording | None = None
+    tool = near = None
+    columns = dict(channels or {})
+    if isinstance(targets, str | Path):
+        recording = as_recording(targets, robot, need_measured=False, allow_targets=True)
+        if recording.tool is not None:
+            tool = np.where(np.isfinite(recording.tool), recording.tool, robot.tool)
+        if recording.targets is not None:
+            positions = recording.targets
+        elif not mechanism.many_ways:
+            raise InputError(
+                "the file gives joints, not targets.", "Give the columns x_mm, y_mm, z_mm and no joints.", file=targets
+            )
+        else:
+            near = recording.joints
+            positions, _ = compensation.Compensator(compensator.nominal).pose(near, tool)
+            if np.isfinite(recording.measured).any():
+                tell("readings of the file are not read: wanted is where the chain as drawn stands at its joints")
+        columns |= recording.channels
+    else:
+        positions = np.asarray(targets, dtype=float)
+        if mechanism.turning and positions.ndim == 2 and positions.shape[1] == 6:
+            positions = np.hstack([positions[:, :3], from_vector(positions[:, 3:] * DEG).reshape(-1, 9)])
+    if not len(positions):
+        return np.zeros((0, mechanism.limbs))
+    _check_channels(channels or {}, compensator, known)
+    at, assumed = compensator.channels(columns, len(positions))
+    for words in assumed:
+        tell(words)
+    joints = compensator.joints(positions, tool, at, near)
+    if mechanism.many_ways and positions.shape[1] > 3:
+        turned = np.linalg.norm(compensator.missed(joints, positions, tool, at)[:, 3:], axis=1) / DEG
+        if (off := turned > compensation.TURNED_DEG).any():
+            why = "it has fewer than six joints" if mechanism.limbs < 6 else "it is near singular there"
+            tell(
+                f"{off.sum()} of {len(off)} commands leave the last frame turned by up to {turned.max():.2g} deg: {why}"
+            )
+    if (correction := known.correction) is not None:
+        if kind_of(known.instrument.kind).positions:
+            joints, share = prediction.corrected_joints(known, correction, joints, tool, columns)
+            if (outside := share < 0.5).any():
+                tell(f"{outside.sum()} of {len(share)} targets lie outside what the smooth correction was made of")
+        else:
+            tell("the smooth correction is not part of these commands: it was made of readings that know no position")
+    factors = joint_factors(mechanism.joint_unit, mechanism.limbs)
+    if output is not None:
+        table: dict[str, Any] = {} if recording is None else {"pose": recording.pose.tolist()}
+        table |= zip(joint_names(mechanism.joint_unit, mechanism.limbs), (joints / factors).T, strict=True)
+        if tool is not None:  # so that the file can be simulated, or measured, as it stands
+            table |= {f"tool_{axis}_mm": values for axis, values in zip("xyz", tool.T, strict=True)}
+        write_files({Path(output): csv_text(table)})
+    in_files: Array = joints / factors
+    return in_files
+
+
+def _check_channels(channels: Mapping[str, Any], compensator: Compensator, known: Result | Diagnosis) -> None:
+    """Raise a UsageError for the first channel that nothing could be, with the one that may be meant."""
+    covariates = {channel.column for t in compensator.terms for s in t.states for channel in s.channels}
+    if known.correction is not None:
+        covariates |= {*known.correction.depends_on}
+    if isinstance(known, Diagnosis):  # what was recorded beside the readings is no mistake
+        covariates |= known.residuals.channels.keys()
+    for name in channels:
+        if CHANNEL.fullmatch(name) or name in covariates:
+            continue
+        usual = ("payload_kg", "temp_C", "time_s", "approach1", "qd1_deg_s", "qdd1_deg_s2")
+        near = nearest(name, usual)
+        raise UsageError(
+            f"there is no channel '{name}'. " + (f"Did you mean '{near}'?" if near else f"Known: {', '.join(usual)}.")
+        )
+
+
+def firmware_lines(result: Given, kind: str, output: Source | None = None, *, tell: Progress = silent) -> FirmwareLines:
+    """Return the lines of a printer's firmware for a calibrated machine, beside those in its file now.
+
+    Parameters
+    ----------
+    kind : {"klipper", "rrf", "marlin"}
+    output : path
+        The lines.
+
+    Raises
+    ------
+    UsageError
+        Another mechanism than a linear delta.
+    NoSolutionError
+        The lines would be worse than those in the file now; nothing is written.
+    """
+    from deltacal_gen.use import firmware, prediction
+
+    check_output(output, result)
+    known = known_result(result)
+    robot = prediction.calibrated_robot(known)
+    physics = [t.effect for t in prediction.known_effects(known, timed=True)]
+    if isinstance(known, Result):
+        found = firmware.lines_of(known, robot, kind, physics)
+    else:
+        found = firmware.firmware_lines(robot, kind, physics)
+    if known.correction is not None:
+        tell("the smooth correction is not part of an export; compensate targets instead")
+    if output is not None:
+        firmware.export_firmware(found, output)
+    return found
+
+
+def predict(
+    result: Given,
+    recording: Source | Recording,
+    output: Source | None = None,
+    *,
+    place: Source | Recording | None = None,
+    tell: Progress = silent,
+) -> Recording:
+    """Return a recording's readings as an identified or diagnosed model predicts them; `output` is PREDICTED.csv.
+
+    `place` is a recording of other poses from the same set-ups of the instrument: those that it holds are placed by
+    its readings, whether the result knows a set-up of that name or not. The measured cells of `recording` itself are
+    never read. `tell` is told in words which joints stand at angles that the diagnosis never saw.
+    """
+    from deltacal_gen.diagnosis import spectrum
+    from deltacal_gen.use import prediction
+
+    check_output(output, result, recording, place)
+    known = known_result(result)
+    robot = prediction.calibrated_robot(known)
+    given = as_recording(recording, robot, need_measured=False)
+    placed = None if place is None else prediction.place_of(as_recording(place, robot), given)
+    for joint in spectrum.never_seen(known.seen, robot.joint_sign * given.joints):
+        tell(spectrum.words(joint))
+    done = prediction.predict(known, given, placed)
+    if output is not None:
+        columns, pairs = file_columns(done)
+        write_files({Path(output): csv_text(pairs or columns)})
+    return done
+
+
+def predict_blocks(result: Given, recording: Source, output: Source) -> int:
+    """Predict the readings of a recording of any length, from file to file in a fixed memory; return the rows.
+
+    Raises
+    ------
+    UsageError
+        A diagnosis with effects or a smooth correction: they may ask for the whole recording.
+    """
+    from deltacal_gen.use import streams
+
+    check_output(output, result, recording, ending=(".csv",))
+    return streams.predict(_of_rows(result), recording, output)
+
+
+def validate(result: Given, recording: Source | Recording) -> Validation:
+    """Return the error of a calibrated model on readings it has not seen, against the noise."""
+    from deltacal_gen.use import validation
+
+    known = known_result(result)
+    robot = validation.calibrated_robot(known)
+    given = as_recording(recording, robot)
+    return validation.validate(known, given).replace(made=made(result, recording, measured=given))
+
+
+def validate_blocks(result: Given, recording: Source) -> Validation:
+    """Return the error of a calibrated model on a recording of any length, in a fixed memory; see `validate`.
+
+    Raises
+    ------
+    UsageError
+        A diagnosis with effects or a smooth correction: they may ask for the whole recording.
+    """
+    from deltacal_gen.use import streams
+
+    return streams.validate(_of_rows(result), recording).replace(made=made(result, recording))
+
+
+def _of_rows(result: Given) -> Result | Diagnosis:
+    """Return a result by which each row of a recording is predicted for itself."""
+    known = known_result(result)
+    if known.physics or known.correction is not None:
+        raise UsageError("a diagnosis, with its effects, is not used in blocks; leave --blocks out.")
+    return known
+
+
+def compare(before: Given, after: Given, output: Source | None = None) -> Comparison:
+    """Return what changed between two sessions of one machine, by parameter with its uncertainty; see `comparison`."""
+    from deltacal_gen.use import comparison
+
+    check_output(output, before, after)
+    found = comparison.compare(_calibration(before), _calibration(after)).replace(made=made(before, after))
+    if output is not None:
+        write_json(found, output)
+    return found
+
+
+def _calibration(given: Given) -> Result:
+    """Return a result of `identify`; a diagnosis has no parameters to compare."""
+    found = known_result(given)
+    if not isinstance(found, Result):
+        raise InputError(
+            "this is no result of identify.",
+            "Give two files that identify wrote; of a diagnosed session: identify --physics DIAGNOSIS.json.",
+            file=None if isinstance(given, Mapping) else given,
+        )
+    return found

@@ -1,0 +1,260 @@
+"""DIAGNOSIS.json of what was found, and the same in words."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from deltacal_gen.diagnosis.correction import Correction
+from deltacal_gen.diagnosis.discrimination import more_poses
+from deltacal_gen.diagnosis.findings import Named
+from deltacal_gen.diagnosis.spectrum import Spectrum, wave
+from deltacal_gen.estimation.residuals import lengths, rms
+from deltacal_gen.files.robot import kept_robot
+from deltacal_gen.identification.noise import noise_model
+from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.physics.terms import (
+    constants_of,
+    kept_term,
+    load_effect,
+    row_coefficients,
+    scaled,
+)
+from deltacal_gen.results.diagnosis import (
+    Baseline,
+    BeforeAfter,
+    Diagnosis,
+    Effect,
+    EffectParameter,
+    Final,
+    NoiseLevel,
+    Residuals,
+    Seen,
+    SeenJoint,
+    SmoothCorrection,
+    Verdict,
+)
+from deltacal_gen.results.parts import InstrumentState, MachineState, Source
+from deltacal_gen.units import DEG, joint_factors, joint_names
+
+if TYPE_CHECKING:
+    from deltacal_gen.diagnosis.diagnosis import Diagnosed
+
+
+def result_of(found: Diagnosed) -> Diagnosis:
+    baseline, final, sigma = found.baseline, found.final, found.noise.sigma
+    before, after = (heldout if np.isfinite(heldout) else None for heldout in found.heldout)
+    of_baseline, of_final = ((float(at.sigma[0]) / sigma) ** 2 for at in (baseline, final))
+    return Diagnosis(
+        verdict=found.verdict,
+        summary=_summary(found),
+        noise=NoiseLevel(sigma_mm=sigma, source=found.noise.source, model=noise_model(final)),
+        baseline=Baseline(
+            model=found.model, train_rms_mm=baseline.rms(), heldout_rms_mm=before, chi2_per_dof=of_baseline
+        ),
+        location=found.location,
+        effects=(
+            *([_periodic(found, found.spectrum)] if found.spectrum is not None else []),
+            *(_effect(n, final.problem.recording.joint_unit) for n in found.effects),
+        ),
+        final=Final(train_rms_mm=final.rms(), heldout_rms_mm=after, chi2_per_dof=of_final),
+        rejected=found.rejected,
+        not_tested=found.not_tested,
+        next_measurements=(
+            *found.next_measurements,
+            *([more_poses(found.final.problem)] if found.short else []),
+        ),
+        gross_errors=tuple(int(final.problem.readings.line[j]) for j in final.gross),
+        correction=_correction(found),
+        residuals=_residuals(found),
+        sigma_mm=sigma,
+        physics=tuple(map(kept_term, final.problem.acting(final.errors))),
+        seen=None if found.spectrum is None else _seen(found.spectrum),
+        clock="row" if final.problem.body.channels.get("time") is None else "time_s",
+        instrument=_instrument(found, final.instrument),
+        robot=kept_robot(found.robot),
+    )
+
+
+def _instrument(found: Diagnosed, known: Instrument) -> InstrumentState:
+    recording = found.final.problem.recording
+    return known.kept(recording.setup_names, recording.measurement.zero)
+
+
+def _correction(found: Diagnosed) -> SmoothCorrection | None:
+    """Return the smooth correction: what it depends on, what it gains on held-out poses, and all that it needs.
+
+    `machine` holds geometry, effects and instrument as they are beside it.
+    """
+    if found.correction is None:
+        return None
+    made, before, after = found.correction, *found.correction.heldout
+    names = [p.name for p in found.final.problem.mechanism.parameters]
+    robot = dataclasses.replace(found.robot, errors=dict(zip(names, made.errors.tolist(), strict=True)))
+    excess = max(before**2 - found.noise.sigma**2, 1e-300)
+    return SmoothCorrection(
+        depends_on=(made.smooth.variable,),
+        limbs=made.smooth.limbs,
+        rms_mm=made.size,
+        heldout_rms_mm=BeforeAfter(before=before, after=after),
+        share_of_excess=float(np.clip((before**2 - after**2) / excess, 0.0, 1.0)),
+        smooth=made.smooth.kept(),
+        machine=MachineState(
+            robot=kept_robot(robot),
+            physics=tuple(map(kept_term, made.terms)),
+            instrument=_instrument(found, made.instrument),
+        ),
+    )
+
+
+def _residuals(found: Diagnosed) -> Residuals:
+    """Return what every reading is off, before and after, where it was read and what the channels said there."""
+    problem = found.final.problem
+    rows = problem.readings.rows[:, 0]
+    machine = problem.solve(found.final.errors)
+    channels = {
+        name: values[rows] for name, values in problem.recording.channels.items() if not name.startswith("true_")
+    }
+    unit, q = problem.recording.joint_unit, problem.body.q[rows]
+    channels |= zip(joint_names(unit, q.shape[1]), (q / joint_factors(unit, q.shape[1])).T, strict=True)
+    return Residuals(
+        line=problem.readings.line,
+        position_mm=machine.x[rows, :3],
+        before_mm=np.nan_to_num(found.baseline.residual[:, :3]),
+        after_mm=np.nan_to_num(found.final.residual[:, :3]),
+        channels=channels,
+    )
+
+
+def _effect(found: Named, joint_unit: str) -> Effect:
+    term, kernels = found.term, found.term.kernels
+    parameters: list[EffectParameter] = []
+    std = found.std.reshape(term.values.shape)
+    for r, (row, units) in enumerate(zip(term.values, row_coefficients(term, joint_unit), strict=True)):
+        for c, (name, unit, factor) in enumerate(units):
+            parameters.append(
+                EffectParameter(
+                    name=name,
+                    limb=term.limbs[r] if term.limbs else None,
+                    value=float(row[c] / factor),
+                    std=float(std[r, c] / factor),
+                    unit=unit,
+                    tool_mm=term.tools[r] if term.tools else None,
+                )
+            )
+    for value, (name, unit, factor) in zip(term.constants, constants_of(term, joint_unit), strict=True):
+        std_of = found.of_size / factor if found.of_size is not None and name in kernels.SIZED else None
+        parameters.append(EffectParameter(name=name, limb=None, value=scaled(value, 1 / factor), std=std_of, unit=unit))
+    return Effect(
+        name=term.effect,
+        title=kernels.TITLE,
+        limbs=term.limbs,
+        parameters=tuple(parameters),
+        p_value=float(np.exp(-min(found.gain, 1400.0) / 2)),
+        gain_chi2=found.gain,
+        share_of_excess=found.share,
+        indistinguishable_from=found.alike,
+    )
+
+
+def _periodic(found: Diagnosed, spectrum: Spectrum) -> Effect:
+    """Return the entry of periodic errors of many orders: what they come to, joint by joint."""
+    kernels, gain = load_effect(wave()), sum(spectrum.gains.values())
+    before, after = found.heldout
+    removed = (before**2 - after**2) / max(before**2 - found.noise.sigma**2, 1e-300)
+    joints = (
+        EffectParameter(name="rms", limb=j, value=v / DEG, std=spectrum.std[j] / DEG, unit="deg")
+        for j, v in spectrum.rms.items()
+    )
+    return Effect(
+        name=wave(),
+        title=kernels.TITLE,
+        limbs=spectrum.limbs,
+        parameters=(*joints, EffectParameter(name="corner", limb=None, value=spectrum.corner, std=None, unit="1")),
+        orders=(1, len(spectrum.terms)),
+        p_value=float(np.exp(-min(gain, 1400.0) / 2)),
+        gain_chi2=gain,
+        gain_by_limb={str(j): g for j, g in spectrum.gains.items()},
+        share_of_excess=float(np.clip(removed, 0.0, 1.0)) * gain / (gain + sum(n.gain for n in found.effects)),
+        indistinguishable_from=(),
+    )
+
+
+def _seen(spectrum: Spectrum) -> Seen:
+    """Return between which angles of the turn each joint was read, and how near to them its error is still known."""
+    return Seen(
+        within_deg=180.0 / spectrum.corner,
+        joints=tuple(SeenJoint(limb=j, angles_deg=tuple(spans)) for j, spans in spectrum.seen.items()),
+    )
+
+
+def _summary(found: Diagnosed) -> str:
+    before, after = found.heldout
+    if found.lean:
+        scalars, count = found.final.problem.readings.n_scalars, len(found.final.problem.names)
+        return (
+            f"No physics can be named: {scalars} readings carry the {count} parameters of {found.model} and leave "
+            f"{scalars - count} to judge by; whatever is missing, the parameters take over. The fit leaves "
+            f"{found.final.rms():.4f} mm. Probe a mesh over the whole bed, and measure distances on a printed object."
+        )
+    if found.short:
+        held_out = f"{before:.4f} mm" if np.isfinite(before) else "too little to say"
+        return (
+            f"Nothing can be shown to be missing, but these poses are too few for {len(found.baseline.problem.names)} "
+            f"parameters: on held-out readings the geometry leaves {held_out}, where the noise is "
+            f"{found.noise.sigma:.4f} mm. Measure more poses."
+        )
+    if found.verdict is Verdict.ADEQUATE:
+        return (
+            f"Nothing is missing: what the calibrated geometry leaves, {before:.4f} mm on held-out readings, "
+            f"{_as_noise(found)}. Use the calibrated machine."
+        )
+    parts = []
+    if found.spectrum is not None:
+        joints = ", ".join(map(str, found.spectrum.limbs))
+        parts.append(f"{load_effect(wave()).TITLE} of many orders ({wave()}) at joints {joints}")
+    for n in found.effects:
+        limbs = (
+            f" at limb{'s' if len(n.term.limbs) > 1 else ''} {', '.join(map(str, n.term.limbs))}"
+            if n.term.limbs
+            else ""
+        )
+        parts.append(f"{n.term.kernels.TITLE} ({n.term.effect}){limbs}")
+    if found.verdict is Verdict.MISSING_PHYSICS:
+        open_questions = [f"{n.term.effect} from {' or '.join(n.alike)}" for n in found.effects if n.alike]
+        doubt = f" These poses cannot tell {'; '.join(open_questions)}." if open_questions else ""
+        return (
+            f"Geometry alone leaves {before:.4f} mm on held-out readings. What is missing: {'; '.join(parts)}. "
+            f"With it {after:.4f} mm are left: that {_as_noise(found)}.{doubt}"
+        )
+    named = f" Proven beside it: {'; '.join(parts)}." if parts else ""
+    left = rms(lengths(found.final.residual, found.final.problem.readings.kind))
+    return (
+        f"A mismatch of {left:.4f} mm is left that no registered effect explains: "
+        f"{found.location.text}.{named} {_corrected(found.correction)}"
+    )
+
+
+def _as_noise(found: Diagnosed) -> str:
+    """Return what entitles to take what is left for noise, or that nothing does."""
+    together = noise_model(found.final)
+    hangs = "" if together.rho == 0 else f" that hangs together over {together.rows:.0f} rows"
+    if found.noise.source is Source.RESIDUAL:
+        return (
+            f"looks like noise{hangs}: no channel and no place carries more of it, but neither repeats nor a declared "
+            "sigma_mm say how large noise is here"
+        )
+    return f"is noise{hangs}"
+
+
+def _corrected(made: Correction | None) -> str:
+    if made is None:
+        return "No smooth correction holds on held-out readings."
+    before, after = made.heldout
+    on = "position" if made.smooth.variable == "position" else f"the channel {made.smooth.variable}"
+    return (
+        f"A smooth correction by {on}, without physics, lowers the error of held-out readings from {before:.4f} to "
+        f"{after:.4f} mm; predictions use it where {made.smooth.variable} is as in this recording."
+    )

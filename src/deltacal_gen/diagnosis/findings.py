@@ -1,0 +1,178 @@
+"""What a search has found, effect by effect: size, gain, rivals; what was rejected, and where the misfit sits."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from deltacal_gen.diagnosis.search import Found, Search, charge
+from deltacal_gen.diagnosis.spectrum import Spectrum, wave
+from deltacal_gen.diagnosis.strategy import ALIKE, MARGIN, terms_of
+from deltacal_gen.diagnosis.structure import Region, Structure, alike
+from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics.body import Body
+from deltacal_gen.physics.states import read_by
+from deltacal_gen.physics.terms import (
+    Term,
+    effect_names,
+    load_effect,
+)
+from deltacal_gen.results.diagnosis import (
+    Channel,
+    Location,
+    RegionOf,
+    Rejected,
+)
+from deltacal_gen.units import joint_names
+
+# of chi2: two explanations whose expected difference is below 10 are not told apart; the difference found spreads by
+# twice its root, and two such deviations are allowed
+AMBIGUOUS = 10.0 + 4 * 10.0**0.5
+WARMED = 20.0  # K: by which a machine whose temperature nobody recorded may well differ from its drawing
+
+
+@dataclass(frozen=True)
+class Named:
+    """An effect that was found, with the gain in chi2 that it brings beside all others.
+
+    `rivals` explain the same misfit as well; `unrecorded` name effects that could, through a channel that was not
+    recorded or did not vary. `of_size` is the standard deviation of a size that was searched.
+    """
+
+    term: Term
+    std: Array
+    gain: float
+    share: float
+    rivals: tuple[Term, ...]
+    unrecorded: tuple[str, ...]
+    of_size: float | None = None
+
+    @property
+    def alike(self) -> tuple[str, ...]:
+        """Names of the effects that the readings cannot tell from it."""
+        return (*(t.effect for t in self.rivals), *self.unrecorded)
+
+
+def location_of(
+    at: Fit, left: Sequence[Structure], named: Sequence[Named], spectrum: Spectrum | None, explained: bool
+) -> Location:
+    """Return channels by their share of the misfit, the limbs, the region where it is local, and all in words.
+
+    Where effects explain the misfit they say what it depends on; elsewhere the strongest structures do.
+    """
+    channels: dict[str, tuple[float, float]] = {}
+    limbs: list[int] = []
+    region: Region | None = None
+    unit, joints = at.problem.recording.joint_unit, at.problem.mechanism.limbs
+    names = joint_names(unit, joints)
+    if explained:
+        periodic_at = spectrum.gains if spectrum is not None else {}
+        limbs = sorted({i for n in named for i in n.term.limbs} | set(periodic_at))
+        for i, gain in periodic_at.items():
+            share = gain / (sum(periodic_at.values()) + sum(n.gain for n in named))
+            channels[names[i - 1]] = (share, float(np.exp(-min(gain, 1400.0) / 2)))
+        for n in named:
+            for state in n.term.states:
+                for name in state.shown_in(unit, joints, n.term.limbs or range(1, joints + 1)):
+                    share = max(n.share, channels.get(name, (0.0, 1.0))[0])
+                    channels[name] = (share, float(np.exp(-min(n.gain, 1400.0) / 2)))
+    else:
+        total = float(np.nansum((at.residual / at.sigma) ** 2))
+        earning = [s for s in left if s.earned > 0]
+        for s in earning:
+            channels[s.channel] = (min(s.earned / total, 1.0), float(np.exp(-min(s.earned, 1400.0) / 2)))
+        if earning:
+            limbs, region = list(earning[0].limbs), earning[0].region
+    ordered = sorted(channels.items(), key=lambda kv: -kv[1][0])
+    first = ordered[0][0] if ordered else None
+    if first is None:
+        near, proven = (0.0, 0.0) if explained else alike(at)
+        text = (
+            f"what is left is alike in neighbouring poses (correlation {near:.2f})"
+            if proven > ALIKE
+            else "what is left depends on nothing that was recorded"
+        )
+    elif region is not None:
+        x, y, z = region[0]
+        text = f"the misfit sits in a region of the workspace around ({x:.0f}, {y:.0f}, {z:.0f}) mm"
+    else:
+        text = f"the misfit depends on {first}"
+    if limbs:
+        text += f", at limb{'s' if len(limbs) > 1 else ''} {', '.join(map(str, limbs))}"
+    return Location(
+        channels=tuple(Channel(name=name, p_value=p, share=share) for name, (share, p) in ordered),
+        limbs=tuple(limbs),
+        region=None if region is None else RegionOf(centre_mm=tuple(region[0]), radius_mm=region[1]),
+        text=text,
+    )
+
+
+def named_of(
+    search: Search, final: Fit, heldout: tuple[float, float], sigma: float, spectrum: Spectrum | None
+) -> tuple[Named, ...]:
+    """Return the effects of the final fit with their uncertainty, their gain beside all others, and their rivals.
+
+    `heldout` is the error without and with them on readings that no fit has seen, `sigma` the noise in it [mm].
+    """
+    out: list[Named] = []
+    for i, term in enumerate(terms_of(final)):
+        freed = search.freed(i)
+        variance = np.diag(final.covariance)[final.problem.coefficients(i)]
+        gain = freed.gain(freed.where(term))
+        price = charge(term, sum(t.effect == term.effect for t in search.terms))
+        others = [f for f in freed.ranked() if f.term.effect != term.effect]
+        rivals = tuple(f.term for f in others if f.score > gain - price - AMBIGUOUS)
+        of_size, more = freed.spread(term)
+        std = np.sqrt(np.maximum(variance, 0.0) + more)
+        out.append(Named(term, std, gain, 1.0, rivals, _unrecorded(freed, gain - price), of_size))
+    # of the held-out variance above noise, each in proportion to what is lost without it
+    before, after = heldout
+    removed = float(np.clip((before**2 - after**2) / max(before**2 - sigma**2, 1e-300), 0.0, 1.0))
+    total = sum(n.gain for n in out) + (sum(spectrum.gains.values()) if spectrum else 0.0)
+    return tuple(dataclasses.replace(n, share=removed * n.gain / total) for n in out)
+
+
+def _unrecorded(freed: Search, score: float) -> tuple[str, ...]:
+    """Return effects of a temperature that was not recorded, or did not vary, that explain as much all the same."""
+    body = freed.fit.problem.body
+    warming = body.channels.get("warming")
+    rows = np.unique(freed.fit.problem.readings.rows)
+    if warming is not None and (not np.isfinite(warming[rows]).all() or np.ptp(warming[rows]) > 0):
+        return ()
+    warm = np.full(len(body.q), WARMED) if warming is None else warming
+    channels = body.channels.with_values(warming=warm, temperature=warm + 20.0)
+    assumed = Body(body.robot, body.mechanism, body.q, body.tool, channels)
+    limbs = tuple(range(1, body.mechanism.limbs + 1))
+    terms = [
+        assumed.blank(name, limbs)
+        for name in effect_names()
+        if any(s.column == "temp_C" for s in read_by(load_effect(name))) and assumed.missing(name) is None
+    ]
+    found = freed.of(assumed, terms).ranked()
+    return tuple(f.term.effect for f in found if f.score > score - AMBIGUOUS)
+
+
+def rejected_of(considered: Sequence[Found], named: Sequence[Named], spectrum: Spectrum | None) -> tuple[Rejected, ...]:
+    chosen = {n.term.effect for n in named} | ({wave()} if spectrum is not None else set())
+    alike = {name: n.term.effect for n in named for name in n.alike}
+    return tuple(
+        Rejected(
+            name=f.term.effect,
+            gain_chi2=f.gain,
+            why=f"not told from {alike[f.term.effect]} by these poses"
+            if f.term.effect in alike
+            else f"would need {f.doubt}"
+            if f.doubt and f.score < MARGIN
+            else "earns less than the charge for its coefficients and for the search"
+            if f.score < MARGIN
+            else "explains less of the same misfit than what was named"
+            if chosen
+            else "explains part of the misfit, but does not hold",
+        )
+        for f in sorted(considered, key=lambda f: -f.gain)
+        if f.term.effect not in chosen
+    )

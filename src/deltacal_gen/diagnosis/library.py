@@ -1,0 +1,177 @@
+"""Every form of every effect that a recording can carry, and what it lacks for the others."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Mapping, Sequence
+from types import ModuleType
+
+import numpy as np
+
+from deltacal_gen.diagnosis.discrimination import columns_read
+from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.machine.values import TEMPERATURE
+from deltacal_gen.physics.states import CHANNELS, State, read_by
+from deltacal_gen.physics.terms import (
+    Constant,
+    Point,
+    Term,
+    displaces_points,
+    effect_names,
+    load_effect,
+)
+from deltacal_gen.results.parts import Missing
+
+ORDERS = 100  # integer orders of a periodic error that are searched
+HARMONICS = 5  # multiples of the gear ratio that are searched
+MOST_TIMES = 300  # of a jump that are searched
+SIZES = (0.15, 3.0)  # of what a state becomes: a size beyond either end is not told from none, or from a straight line
+SIZE_STEP = 1.6  # from a size that is searched to the next: half way between two, 99 % of the gain is seen
+NOTHING = {
+    "orders": "a joint that turns",
+    "moments": "more readings",
+    "joints": "a second joint that moves",
+    "columns": "a column that has no other meaning, of what a part may tilt with",
+    "sizes": "readings under a load, or at different times",
+}
+
+
+def library(problem: Problem) -> tuple[list[Term], tuple[Missing, ...]]:
+    """Return every form of every effect that the recording can carry, and those it cannot with what is missing.
+
+    Effects of parts that the mechanism does not have are neither.
+    """
+    limbs, tools = tuple(range(1, problem.mechanism.limbs + 1)), _tools(problem)
+    terms: list[Term] = []
+    missing: list[Missing] = []
+    for name in effect_names():
+        if problem.body.foreign(name):
+            continue
+        if why := _spoilt(problem, name) or problem.body.missing(name) or _constant(problem, name):
+            missing.append(Missing(name=name, missing=why))
+            continue
+        forms = _forms(problem, name)
+        if not forms:
+            missing.append(Missing(name=name, missing=NOTHING[next(iter(load_effect(name).SEARCHED))]))
+        terms += [problem.body.blank(name, limbs, constants, tools) for constants in forms]
+    return terms, tuple(missing)
+
+
+def _spoilt(problem: Problem, name: str) -> str | None:
+    """Return what is wrong with a column that an effect reads: values that cannot be, or blank cells."""
+    recording = problem.recording
+    if any(s.kind == "load" for s in read_by(load_effect(name))) and problem.robot.masses is None:
+        return None  # the column would not help
+    rows = np.unique(problem.readings.rows)
+    for column in columns_read(problem, [problem.body.blank(name, (1,))]):
+        if column in recording.doubts:
+            return f"values that can be in the column {column} ({recording.doubts[column]})"
+        values = recording.channels.get(column)
+        if values is not None and len(empty := rows[~np.isfinite(values[rows])]):
+            where = f"{len(empty)} of {len(rows)} are blank, the first in line {recording.line[empty[0]]}"
+            return f"every cell of the column {column} ({where})"
+    return None
+
+
+def _constant(problem: Problem, name: str) -> str | None:
+    """Return why an effect could not show: its channel does not vary, its columns do not exist, or it is geometry."""
+    kernels = load_effect(name)
+    rows = np.unique(problem.readings.rows)
+    kind = problem.readings.kind
+    for channel in (c for s in read_by(kernels) for c in s.channels if c.column == s.shown):
+        if channel.differing and not _differs(problem, channel, rows):
+            return channel.differing
+    if kernels.ACTS_ON == "reading" and not any(t in kind.targets for t in kernels.TARGETS):
+        return f"readings of another kind than {kind.name}"
+    if displaces_points(kernels) and len(_tools(problem)) < 2:
+        return "readings of a second point of the platform"
+    if not kernels.STATE and all(t.startswith("limb.") for t in kernels.TARGETS):
+        moves = problem.mechanism.moves(problem.robot)
+        moved = {error for t in kernels.TARGETS for error in moves.get(t[5:], {})}
+        if {p.name for p in problem.mechanism.parameters if p.error in moved} <= set(problem.names):
+            return "a smaller model: this one fits these errors as geometry"
+    return None
+
+
+def _differs(problem: Problem, channel: State, rows: np.ndarray) -> bool:
+    """Tell whether a channel, of some joint or of its own, varies among rows; one that is not recorded may."""
+    values = problem.body.channels.get(channel.base)
+    if values is None:
+        return True
+    own = values[rows] if not channel.joint else values[rows, channel.joint - 1]
+    return bool(np.ptp(own, axis=0).max() > 0)
+
+
+def _tools(problem: Problem) -> list[Point]:
+    used = np.unique(problem.readings.rows)
+    return [(x, y, z) for x, y, z in np.unique(np.round(problem.body.tool[used], 9), axis=0).tolist()]
+
+
+def _forms(problem: Problem, name: str) -> list[tuple[Constant, ...]]:
+    """Return the constants of every form of an effect that is searched."""
+    kernels = load_effect(name)
+    how = {constant: kind for kind, constant in kernels.SEARCHED.items()}
+    return list(itertools.product(*(SEARCHES[how[key]](problem, kernels) for key, *_ in kernels.CONSTANTS)))
+
+
+def _orders(problem: Problem, kernels: ModuleType) -> list[float]:
+    """Return the orders of a periodic error."""
+    orders = {float(k) for k in range(1, ORDERS + 1)}
+    ratio = problem.robot.transmission.gear_ratio if problem.robot.transmission else None
+    if ratio:
+        orders |= {ratio * k for k in range(1, HARMONICS + 1)}
+    return sorted(orders)
+
+
+def _moments(problem: Problem, kernels: ModuleType) -> list[float]:
+    """Return the moments at which something may happen."""
+    times = np.unique(problem.body.channels.clock[np.unique(problem.readings.rows)])
+    edge = max(3, len(times) // 40)  # it needs rows on both sides
+    inside = times[edge : len(times) - edge]
+    step = -(-len(inside) // MOST_TIMES)
+    return inside[step // 2 :: step].tolist() if len(inside) else []
+
+
+def _joints(problem: Problem, kernels: ModuleType) -> list[float]:
+    """Return the numbers of the joints that others may move with: those that move at all."""
+    moving = np.ptp(problem.body.q[np.unique(problem.readings.rows)], axis=0) > 0
+    return [float(i + 1) for i in np.flatnonzero(moving)] if len(moving) > 1 else []
+
+
+def _recorded(problem: Problem, kernels: ModuleType) -> list[str]:
+    """Return the recorded columns that are no state, are whole and vary."""
+    rows = np.unique(problem.readings.rows)
+    known = {n for s in CHANNELS for n in s.columns(problem.recording.joint_unit, problem.mechanism.limbs)}
+    return [
+        name
+        for name, values in problem.recording.channels.items()
+        if not (name in known or name in problem.recording.doubts or name.startswith("true_"))
+        and not TEMPERATURE.fullmatch(name)
+        and np.isfinite(values[rows]).all()
+        and np.ptp(values[rows]) > 0
+    ]
+
+
+def _sizes(problem: Problem, kernels: ModuleType) -> list[float]:
+    """Return sizes of a state, from a part of the smallest joint's largest to a multiple of the largest one's."""
+    body, rows = problem.body, np.unique(problem.readings.rows)
+    (name,) = kernels.SIZED.values()
+    plain = body.mechanism.rows(problem.robot)
+    x = np.nan_to_num(body.mechanism.forward(body.q, body.tool, plain)[0])
+    values = np.abs(body.state([name], x, body.q, plain)[name][rows])
+    most = values.max(axis=0).ravel()
+    most = most[most > 0]
+    if not len(most):
+        return []
+    low, high = SIZES[0] * most.min(), SIZES[1] * most.max()
+    return np.geomspace(low, high, 2 + int(np.log(high / low) / np.log(SIZE_STEP))).tolist()
+
+
+# of constants, by how an effect declares that they are searched; and what there is not, where there is none
+SEARCHES: Mapping[str, Callable[[Problem, ModuleType], Sequence[Constant]]] = {
+    "orders": _orders,
+    "moments": _moments,
+    "joints": _joints,
+    "columns": _recorded,
+    "sizes": _sizes,
+}

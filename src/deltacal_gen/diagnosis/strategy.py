@@ -1,0 +1,388 @@
+"""The search for what was left out: forwards by what earns most, backwards by what does not hold, noise as a rival."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from deltacal_gen.diagnosis.search import Found, Search, charge
+from deltacal_gen.diagnosis.spectrum import Spectrum, periodic, wave
+from deltacal_gen.diagnosis.structure import Structure, alike, smooth_columns, structures
+from deltacal_gen.errors import InputError, NoSolutionError
+from deltacal_gen.estimation.fit import Fit, fit, held_out, held_out_errors
+from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.estimation.residuals import Chain, Repeats
+from deltacal_gen.estimation.solvers import Prior
+from deltacal_gen.identification.folds import folds
+from deltacal_gen.identification.noise import lack_of_fit
+from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics.states import read_by
+from deltacal_gen.physics.terms import (
+    Term,
+    beyond,
+    load_effect,
+    without_rows,
+)
+
+MARGIN = 10.0  # of chi2, beyond all charges: what an effect must earn to be named, and what is left to be unexplained
+MOST_EFFECTS = 8  # that are searched: more were never told apart
+MOST_WAVES = 3  # single orders among them: what shows at more is one error of many orders
+REVISIONS = 4
+SEARCHED = 1e-2  # of chi2: what a last step of a fit within the search may still gain
+MUCH_WORSE = 1.02  # times the noise: another form that fits so much worse in the exact machine is not taken
+ROOM = 10.0  # mm: root mean square that an effect's coefficient may well move the readings, a prior that never pulls
+ALIKE = 4.0  # standard deviations by which what is left must correlate between neighbouring poses to be no noise
+BORNE_OUT = 2.0  # standard deviations by which held-out readings must speak for what is named
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a search has found: the fit with all effects that hold, what it leaves, and what it was judged by.
+
+    Attributes
+    ----------
+    first : Fit
+        Of geometry and instrument alone.
+    left : list of Structure
+        What is left, the strongest first.
+    parts : list of (train, test)
+        Masks of readings, held out in turn.
+    without, predicted : (R, k) array
+        Errors of held-out readings [mm, rad] by geometry alone, and with what `tested` had found.
+    """
+
+    problem: Problem
+    first: Fit
+    search: Search
+    considered: list[Found]
+    left: list[Structure]
+    spectrum: Spectrum | None
+    unexplained: bool
+    parts: list[tuple[np.ndarray, np.ndarray]]
+    tested: Search
+    without: Array
+    predicted: Array
+
+
+def searched(some: Problem, first: Fit, terms: Sequence[Term], lean: bool, progress: Progress) -> Outcome:
+    """Search for what was left out, beside a fit of geometry and instrument."""
+    parts = folds(some.readings, some.recording)
+    search, considered = _chosen(some, first, terms, progress)
+    progress("held-out error")
+    without, tested = held_out_errors(first, Prior(), parts), search
+    predicted = held_out_by(some, search, parts) if search.effects else without
+    if search.effects and not borne_out(without / first.sigma, predicted / first.sigma):
+        search = Search(first, terms)
+    progress("what is left")
+    search, left = _without_gross(some, search)
+
+    spectrum = None
+    if unexplained := _unexplained(search, left, lean):
+        progress("periodic errors of many orders")
+        spectrum = _spectrum(some, search, parts)
+    if spectrum is not None:
+        some = dataclasses.replace(some, held=spectrum.terms)
+        others = [t for t in terms_of(search.fit) if t.effect != wave()]
+        beside = refitted(some, search.fit, others)
+        if beside is not None:
+            search, considered = _chosen(some, beside, [t for t in terms if t.effect != wave()], progress)
+            search, left = _without_gross(some, search)
+            unexplained = _unexplained(search, left, lean)
+    if left[0].earned > MARGIN and search.effects:
+        proven = _proven(some, search, smooth_columns(search.fit, left[0].channel))
+        if proven is not search:
+            search, left = proven, structures(proven.fit)
+            unexplained = _unexplained(search, left, lean)
+    return Outcome(some, first, search, considered, left, spectrum, unexplained, parts, tested, without, predicted)
+
+
+def _unexplained(search: Search, left: Sequence[Structure], lean: bool) -> bool:
+    """Tell whether more is left than noise: by its size, along a channel or a place, or alike in neighbouring poses."""
+    if lean:
+        return False
+    more = lack_of_fit(search.fit, search.fit.problem.recording) or any(s.earned > MARGIN for s in left)
+    return more or alike(search.fit)[1] > ALIKE
+
+
+def together(at: Fit) -> Repeats | None:
+    """Return noise that hangs together from row to row, where what a fit leaves looks like it; None where not.
+
+    Physics that was left out hangs together too, where neighbouring rows are neighbouring poses or times: which of the
+    two it is, a comparison of both tells.
+    """
+    chain = Chain.of(at.problem.readings)
+    if chain is None or not len(chain.gap):
+        return None
+    z = _whitened(at)
+    rho, deviance = chain.likeliest(z)
+    if chain.deviance(z, 0.0) - deviance < MARGIN:
+        return None
+    return dataclasses.replace(at.repeats, rho=rho, chain=chain)
+
+
+def beside_noise(found: Outcome, lean: bool) -> Outcome:
+    """Return what of the effects found holds beside noise that hangs together as what they leave does."""
+    at = found.search.fit
+    if (calm := together(at)) is None:
+        return found
+    kept = refitted(found.problem, dataclasses.replace(at, repeats=calm), terms_of(at))
+    if kept is None:
+        return found
+    search = _proven(found.problem, Search(kept, found.search.terms))
+    left = structures(search.fit)
+    return dataclasses.replace(found, search=search, left=left, unexplained=_unexplained(search, left, lean))
+
+
+def _whitened(at: Fit) -> Array:
+    """Return residuals (R, k) in units of their noise, as far as they count, what repeats share taken off."""
+    read = np.isfinite(at.residual).any(axis=0)
+    ratio = np.broadcast_to(at.repeats.ratio, read.shape)[read]
+    z = np.nan_to_num(at.residual[:, read]) * np.sqrt(at.weights)[:, None] / at.sigma[read] * np.sqrt(1 + ratio)
+    return Repeats(at.repeats.group, ratio).whiten(z)
+
+
+def deviance(found: Outcome) -> float:
+    """Return twice the negative logarithm of the likelihood of what was found, with its price; see `deviance_of`."""
+    terms = terms_of(found.search.fit)
+    price = sum(charge(t, sum(f.effect == t.effect for f in found.search.terms)) + MARGIN for t in terms)
+    of_spectrum = 0.0 if found.spectrum is None else 2 * len(found.spectrum.limbs) * found.spectrum.corner + MARGIN
+    return deviance_of(found.search.fit) + price + of_spectrum
+
+
+def deviance_of(at: Fit) -> float:
+    """Return twice the negative logarithm of the likelihood of a fit's readings, but for a constant.
+
+    It has the correlation of rows that suits what it leaves best: one that leaves white noise needs none.
+    """
+    chain = Chain.of(at.problem.readings)
+    assert chain is not None  # otherwise nothing is compared
+    _, found = chain.likeliest(_whitened(at))
+    return found + 2 * float((np.log(at.sigma) * np.isfinite(at.residual).sum(axis=0)).sum())
+
+
+def _spectrum(problem: Problem, search: Search, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> Spectrum | None:
+    """Return periodic errors of many orders where they predict readings better than the few that were found."""
+    terms = terms_of(search.fit)
+    beside = refitted(problem, search.fit, [t for t in terms if t.effect != wave()])
+    found = None if beside is None else periodic(beside, parts)
+    if found is None or found.heldout[1] >= held_out(search.fit, Prior(), parts):
+        return None
+    return found
+
+
+def _chosen(problem: Problem, baseline: Fit, terms: Sequence[Term], progress: Progress) -> tuple[Search, list[Found]]:
+    """Return the fit with every effect that earns its price, and the best form of each effect at the first look.
+
+    Forwards: the effect that earns most is fitted jointly with all before. After each, every effect is looked at again
+    with the others beside it: another form, another effect or none may now be better.
+    """
+    search = Search(baseline, terms)
+    considered: list[Found] = []
+    while len(search.effects) < MOST_EFFECTS:
+        named = search.effects
+        progress(f"search {len(named) + 1}: {len(terms)} forms of {len({t.effect for t in terms})} effects")
+        ranked = search.ranked()
+        considered = considered or ranked
+        if not ranked or ranked[0].score < MARGIN or _crowded(search, ranked[0]):
+            break
+        better = refitted(problem, search.fit, [*terms_of(search.fit), _first(ranked).term])
+        if better is None or better.sigma[0] > search.fit.sigma[0] * MUCH_WORSE:
+            break  # it did not converge
+        search = _revised(problem, Search(better, terms))
+        if search.effects == named:
+            break  # it did not hold
+    return search, considered
+
+
+def _first(ranked: Sequence[Found]) -> Found:
+    """Return what is fitted next: what earns most, but load before angle.
+
+    What a load does is a function of the joints too, and waves of six joints imitate it where poses are few. Beside it
+    they show what they explain themselves, and it is dropped again where they explain it all.
+    """
+    best = ranked[0]
+    if best.term.effect != wave():
+        return best
+    return next((f for f in ranked if f.score > MARGIN and _loaded(f.term)), best)
+
+
+def _crowded(search: Search, best: Found) -> bool:
+    """Tell whether one more order earns most where there are many already.
+
+    A machine that errs at so many orders imitates whatever else varies with its joints: before anything else is looked
+    at, all orders are fitted together.
+    """
+    return best.term.effect == wave() and sum(name == wave() for name, _ in search.effects) >= MOST_WAVES
+
+
+def _loaded(term: Term) -> bool:
+    return any(state.kind == "load" for state in read_by(load_effect(term.effect)))
+
+
+def _without_gross(problem: Problem, search: Search) -> tuple[Search, list[Structure]]:
+    """Return the search without gross errors, and what it leaves.
+
+    They are dropped only where nothing is left with them: readings that lie off together, in a region or for a time,
+    are no gross errors but what the model does not know. For that, none counts more than an ordinary reading that is
+    just off: the squares of Huber's weights bound what each adds to a gain.
+    """
+    left = structures(dataclasses.replace(search.fit, weights=search.fit.weights**2))
+    if left[0].earned > MARGIN or not len(search.fit.gross):
+        return search, left
+    final = refitted(problem, search.fit, terms_of(search.fit), drop_gross=True)
+    if final is None:
+        return search, left
+    search = _proven(problem, Search(final, search.terms))
+    return search, structures(search.fit)
+
+
+def terms_of(at: Fit) -> list[Term]:
+    return list(at.problem.split(at.errors)[1])
+
+
+def refitted(
+    problem: Problem, at: Fit, terms: Sequence[Term], drop_gross: bool = False, tolerance: float = SEARCHED
+) -> Fit | None:
+    """Return the joint fit of geometry, instrument and effects, starting from a fit; None where there is none.
+
+    What is left out may look like gross errors where it is strongest: none is dropped before all is known.
+    """
+    n_p = len(problem.mechanism.parameters)
+    errors, joint = at.errors[:n_p], problem
+    if terms:
+        same = at.problem.body is problem.body
+        machine = at.problem.solve(at.errors) if same else problem.solve(errors)
+        columns = problem.term_columns(terms, at.errors, at.instrument, machine)
+        flat = np.where(np.isfinite(columns), columns, 0.0).reshape(-1, columns.shape[2])
+        scale = ROOM * np.sqrt(len(flat)) / np.maximum(np.linalg.norm(flat, axis=0), 1e-300)
+        joint = problem.with_terms(terms, scale)
+        errors = np.concatenate([errors, *(t.values.ravel() for t in terms)])
+    try:
+        return fit(
+            joint,
+            Prior(),
+            errors=errors,
+            instrument=at.instrument,
+            repeats=_correlated(at, problem),
+            drop_gross=drop_gross,
+            must_converge=False,
+            tolerance=tolerance,
+        )
+    except (NoSolutionError, InputError):
+        return None
+
+
+def _correlated(at: Fit, problem: Problem) -> Repeats | None:
+    """Return the correlation of rows that a fit counts with, for other readings; None where it knows none."""
+    if not at.repeats.rho:
+        return None
+    return dataclasses.replace(at.repeats, group=problem.readings.group, chain=Chain.of(problem.readings))
+
+
+def _revised(problem: Problem, search: Search) -> Search:
+    """Look at each effect again with the others held beside it, until none has a better form."""
+    for _ in range(REVISIONS):
+        count = len(search.effects)
+        tried = (_better(problem, search, i) for i in range(count))
+        better = next((found for found in tried if found is not None), None)
+        if better is None:
+            break
+        search = Search(better, search.terms)
+    return search
+
+
+def _std(at: Fit, i: int) -> Array:
+    """Return the standard deviations (n_c,) of an effect's coefficients."""
+    return np.sqrt(np.maximum(np.diag(at.covariance)[at.problem.coefficients(i)], 0.0))
+
+
+def _better(problem: Problem, search: Search, i: int) -> Fit | None:
+    """Return a fit in which what is best, or nothing, stands for an effect; None where it is best as it is.
+
+    What earns more than an effect, but leaves it its price, does not stand for it: it comes beside it.
+    """
+    current, freed = search.fit, search.freed(i)
+    chosen, best = terms_of(current), freed.ranked()[0]
+    own, others = chosen[i], chosen[:i] + chosen[i + 1 :]
+    if cannot := beyond(own, _std(current, i), problem.recording.joint_unit):
+        less = without_rows(own, [c.row for c in cannot])
+        return refitted(problem, current, others if less is None else [*others, less])
+    if best.score < MARGIN:
+        return refitted(problem, current, others)
+    if own.effect != wave() and _crowded(search, best):
+        return None
+    if _form(best.term) == _form(own):
+        return None
+    if best.term.effect != own.effect:
+        beside = freed.added(best.term)
+        price = charge(own, sum(t.effect == own.effect for t in search.terms))
+        if beside.gain(beside.where(own)) - price > MARGIN:
+            return None
+    other = refitted(problem, current, [*others, best.term])
+    return other if other is not None and other.sigma[0] <= current.sigma[0] * MUCH_WORSE else None
+
+
+def _proven(problem: Problem, search: Search, rest: Array | None = None) -> Search:
+    """Drop the effects that do not earn their price, or do not beside the rest, columns that explain them as well.
+
+    What no effect explains is easily imitated in part by some that vary with the same channel.
+    """
+    drop_gross = not search.fit.weights.all()
+    while search.effects:
+        terms = terms_of(search.fit)
+        scores = []
+        for i, term in enumerate(terms):
+            beside = search.freed(i) if rest is None else search.freed(i).joined(rest)
+            forms = sum(t.effect == term.effect for t in search.terms)
+            scores.append(beside.gain(beside.where(term)) - charge(term, forms))
+        worst = int(np.argmin(scores))
+        if scores[worst] > MARGIN:
+            break
+        kept = refitted(problem, search.fit, terms[:worst] + terms[worst + 1 :], drop_gross=drop_gross)
+        if kept is None:
+            break
+        search = Search(kept, search.terms)
+    return search
+
+
+def borne_out(before: Array, after: Array) -> bool:
+    """Tell whether readings held out lie nearer to their prediction after than before, (R, k) in standard deviations.
+
+    Each counts by the part of its square that goes or comes, which no gross error outweighs.
+    """
+    a, b = np.nansum(before**2, axis=1), np.nansum(after**2, axis=1)
+    seen = np.isfinite(before).any(axis=1) & np.isfinite(after).any(axis=1) & (a + b > 0)
+    gone = (a[seen] - b[seen]) / (a[seen] + b[seen])
+    if len(gone) < 2:
+        return False
+    return bool(gone.mean() > BORNE_OUT * gone.std(ddof=1) / np.sqrt(len(gone)))
+
+
+def held_out_by(problem: Problem, search: Search, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> Array:
+    """Return the errors (R, k) [mm, rad] of readings that took part neither in a fit nor in the choice of its effects.
+
+    Each part of the readings is predicted from the others, which choose their own effects: by the same charges, in the
+    machine made linear at the final fit.
+    """
+    final = {_form(t): t for t in terms_of(search.fit)}
+    out = np.full(search.fit.residual.shape, np.nan)
+    for train, test in parts:
+        part = search.freed(*range(len(final))).within(train)
+        chosen: list[Term] = []
+        while len(chosen) < MOST_EFFECTS and (best := part.ranked()[0]).score > MARGIN:
+            chosen.append(best.term)
+            part = part.added(best.term)
+        same = {_form(t) for t in chosen} == final.keys()
+        terms = [final.get(_form(t), t) for t in chosen]
+        fitted = search.fit if same else refitted(problem, search.fit, terms)
+        if fitted is not None:
+            out[test] = held_out_errors(fitted, Prior(), [(train, test)])[test]
+    return out
+
+
+def _form(term: Term) -> tuple[object, ...]:
+    return term.effect, term.limbs, term.constants, term.tools

@@ -1,0 +1,419 @@
+"""Fits of the one estimation problem: a machine, its instrument, and how surely the readings know both.
+
+Every task is the same weighted nonlinear least squares over parameters `p` and instrument `m`: Gauss-Newton on the
+exact closure with analytic Jacobians. The instrument's unknowns are eliminated by projection in every step, so that a
+solver's rule for weak directions acts on the machine's parameters only; a parameter that the data do not see stays at
+the robot file's value.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from deltacal_gen.errors import InputError, NoSolutionError
+from deltacal_gen.estimation.problem import Linearised, Problem
+from deltacal_gen.estimation.residuals import (
+    GROSS,
+    Repeats,
+    lengths,
+    rms,
+    robust_sigma,
+    robust_weights,
+    shared_by_repeats,
+)
+from deltacal_gen.estimation.solvers import LeastSquares, Prior, Solution, Solver
+from deltacal_gen.estimation.steps import Linear, State, improved
+from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics.body import Deformed
+
+MAX_ITERATIONS = 60
+BROAD = 10.0  # standard deviation of a parameter of which nothing is known, in ordinary errors
+CONVERGED = 1e-4  # of chi2: what a last step could still gain; parameters then stand within 1e-2 of their deviation
+# a direction that the data hardly see converges slowly where the model bends within its noise: no step of it matters
+PATIENCE, SETTLED, UNSETTLED = 30, 5e-2, 1.0
+ESTIMATED_AT = 3  # iteration in which at the latest the weight of repeats is estimated: the fit is then close
+SPOILT = 30.0  # times the median residual: a reading so far off is named when a fit does not converge
+SPARE_READINGS = 3  # scalars beyond the unknowns, without which no noise can be told from errors
+
+
+@dataclass(frozen=True, eq=False)
+class Fit:
+    """A fitted machine and instrument.
+
+    Attributes
+    ----------
+    errors : (n_p,) array
+        All source errors of the mechanism [mm, rad]; then the coefficients of effects.
+    machine : Deformed
+        With these errors, at all rows of the recording.
+    residual : (R, k) array
+        Measured minus predicted, NaN where a component was not read.
+    weights : (R,) array
+        Robust weight of each reading, 1 where it counts fully.
+    sigma : (k,) array
+        Estimated noise of each component [mm, rad].
+    solution : Solution
+        Of the last step, in scaled parameters.
+    covariance : (n + n_m, n + n_m) array
+        Joint, of the free parameters and the instrument's unknowns [mm, rad].
+    history : list of float
+        What each iteration could still gain in chi2.
+    """
+
+    problem: Problem
+    errors: Array
+    machine: Deformed
+    instrument: Instrument
+    residual: Array
+    weights: Array
+    sigma: Array
+    solution: Solution
+    covariance: Array
+    repeats: Repeats
+    history: list[float] = field(default_factory=list)
+
+    @property
+    def parameters(self) -> dict[str, float]:
+        """The free source errors by name [mm, rad]."""
+        names = self.problem.names
+        return dict(zip(names, self.errors[self.problem.columns[: len(names)]].tolist(), strict=True))
+
+    @property
+    def gross(self) -> np.ndarray:
+        """Readings (indices) so far off that they are gross errors, not noise."""
+        size = np.nanmax(np.abs(self.residual) / self.sigma, axis=1)
+        return np.flatnonzero(size > GROSS)
+
+    def rms(self) -> float:
+        """RMS of the residuals of length, each measured scalar once, gross errors left out [mm]."""
+        return rms(lengths(np.delete(self.residual, self.gross, axis=0), self.problem.readings.kind))
+
+
+def fit(
+    problem: Problem,
+    solver: Solver | None = None,
+    *,
+    errors: Array | None = None,
+    machine: Deformed | None = None,
+    instrument: Instrument | None = None,
+    robust: bool = True,
+    repeats: Repeats | None = None,
+    weigh_repeats: bool = True,
+    drop_gross: bool = True,
+    must_converge: bool = True,
+    tolerance: float = CONVERGED,
+) -> Fit:
+    """Fit a machine's parameters and the instrument to readings, exactly.
+
+    Parameters
+    ----------
+    problem : Problem
+    solver : Solver, optional
+        Rule for weak directions; default `LeastSquares`.
+    errors : (n_p,) array, optional
+        Where to start; default the robot file's.
+    machine : Deformed, optional
+        With these errors, where it has been solved already.
+    instrument : Instrument, optional
+        Where to start; default aligned with the machine there.
+    robust : bool
+        Huber weights per reading: a few per cent of gross errors do not move the result.
+    repeats : Repeats, optional
+        How repeated readings of a pose are weighed; default estimated on the way.
+    weigh_repeats : bool
+        Otherwise every reading counts alone.
+    drop_gross : bool
+        Give readings that prove gross errors no weight in the end, as long as they are few.
+    must_converge : bool
+        Otherwise the last state is returned when the iteration does not end.
+    tolerance : float
+        What a last step may still gain of chi2.
+
+    Raises
+    ------
+    NoSolutionError
+        The iteration did not converge; the message gives the last steps.
+    InputError
+        A pose cannot be reached with the joints given.
+    """
+    errors = problem.reference.copy() if errors is None else errors.copy()
+    machine = problem.solve(errors) if machine is None else machine
+    instrument = problem.begin(errors, machine) if instrument is None else instrument
+    rows = _Rows(problem, instrument, robust, repeats, weigh_repeats, drop_gross)
+    return _Iteration(problem, LeastSquares() if solver is None else solver, rows, tolerance).run(
+        State(errors, instrument, machine), must_converge
+    )
+
+
+class _Rows:
+    """How much each reading counts, estimated anew at every state: noise, robust weights, what repeats share."""
+
+    def __init__(
+        self,
+        problem: Problem,
+        instrument: Instrument,
+        robust: bool,
+        repeats: Repeats | None,
+        weigh_repeats: bool,
+        drop_gross: bool,
+    ) -> None:
+        self._found, self._robust, self._drop_gross = problem.readings, robust, drop_gross
+        self.estimated = repeats is None and weigh_repeats
+        self.shared = Repeats(self._found.group) if repeats is None else repeats
+        scalars, n, n_m = self._found.n_scalars, len(problem.names), instrument.n_unknown
+        scarce = scalars - n_m - n < SPARE_READINGS and not self._found.kind.rotations
+        self._known = problem.recording.measurement.sigma_mm if scarce else None
+        self._leverage = np.full(self._found.kind.noises, float(n_m + min(n, 1)) / max(scalars, 1))
+        self._degrees = 0.0
+
+    def weigh(self, residual: Array, iteration: int, close: int) -> None:
+        """Estimate noise and weights from residuals (R, k); what repeats share once, when the fit is close."""
+        self.sigma = (
+            robust_sigma(residual, self._leverage, self._robust, self._found)
+            if self._known is None
+            else np.full(residual.shape[1], self._known)
+        )
+        drop = self._drop_gross and iteration > close
+        self.weights = robust_weights(residual, self.sigma, drop) if self._robust else np.ones(len(residual))
+        if self.estimated and iteration == close:
+            quiet = robust_weights(residual, self.sigma, drop=True) > 0  # gross errors say nothing of poses
+            self.shared = shared_by_repeats(self._found, residual, quiet, self._degrees, self._leverage)
+
+    def used(self, A: Array, Q: Array, solution: Solution, read: np.ndarray) -> None:
+        """Note which part of each group's readings a solution has used up."""
+        self._degrees = solution.degrees + Q.shape[1]
+        self._leverage = (
+            np.full(len(self._leverage), self._degrees / max(self._found.n_scalars, 1.0))
+            if self._found.made
+            else _leverage(A, Q, solution, read, self._found.kind.noise_groups(6))
+        )
+
+    def whitened(self, residual: Array) -> Array:
+        """Return residuals (R, k) as `_system` weighs them (scalars,), unread components dropped."""
+        read = np.isfinite(residual)
+        rows = np.where(read, residual, 0.0) * np.sqrt(self.weights)[:, None] / self.sigma
+        return self.shared.whiten(rows * np.sqrt(1 + self.shared.ratio))[read]
+
+
+class _Iteration:
+    """Linearise, weigh, solve, step: until nothing is to be gained."""
+
+    def __init__(self, problem: Problem, solver: Solver, rows: _Rows, tolerance: float) -> None:
+        self._problem, self._solver, self._rows, self._tolerance = problem, solver, rows, tolerance
+        self._history: list[float] = []
+        self._close = ESTIMATED_AT
+
+    def run(self, state: State, must_converge: bool) -> Fit:
+        """Iterate from a state; see `fit`."""
+        damping, history = 0.0, self._history
+        while True:
+            residual, linear, solution = self._solved(state)
+            if self._arrived():
+                break
+            if len(history) == MAX_ITERATIONS:
+                if must_converge and min(history[-3:]) >= UNSETTLED:
+                    self._blame(residual)
+                break
+            before = state
+            state, damping = improved(self._problem, state, linear, solution, self._rows.whitened, damping)
+            if state is before and len(history) > self._close + 1:
+                break  # no step lowers the objective: what the linear machine still promises is not to be had
+        rows, problem = self._rows, self._problem
+        noise = _shared_noise(problem, rows.weights, state.machine.x)
+        return Fit(
+            problem=problem,
+            errors=state.errors,
+            machine=state.machine,
+            instrument=state.instrument,
+            residual=residual,
+            weights=rows.weights,
+            sigma=rows.sigma,
+            solution=solution,
+            covariance=_joint_covariance(solution, linear.A_p, linear.A_m, problem.scale, noise),
+            repeats=rows.shared,
+            history=history,
+        )
+
+    def _solved(self, at: State) -> tuple[Array, Linear, Solution]:
+        """Return residuals, weighed rows and the solution at a state, and note what it promises."""
+        problem, rows, history = self._problem, self._rows, self._history
+        found = problem.linearise(at.errors, at.instrument, at.machine)
+        if len(history) < self._close and history and history[-1] < UNSETTLED:
+            self._close = len(history)
+        rows.weigh(found.residual, len(history), self._close)
+        A_p, A_m, b = _system(found, rows.sigma, rows.weights, rows.shared, problem.scale)
+        # the solver draws towards the reference: it is asked for the whole departure, not for a step
+        departure = (at.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
+        Q = np.linalg.qr(A_m)[0] if A_m.shape[1] else np.zeros((len(b), 0))
+        target = b + A_p @ departure
+        A = A_p - Q @ (Q.T @ A_p)
+        solution = self._solver.solve(A, target - Q @ (Q.T @ target), float(rows.sigma[0]))
+        if len(history) == self._close:
+            self._solver = self._solver.settled(solution)
+        rows.used(A, Q, solution, np.isfinite(found.residual))
+        weight = self._solver.weight
+        history.append(_gain(solution.u - departure, departure, A_p, Q, b, weight or 0.0))
+        return found.residual, Linear(A_p, A_m, b, departure, weight), solution
+
+    def _arrived(self) -> bool:
+        n = len(self._history)
+        enough = self._history[-1] < (self._tolerance if n < PATIENCE else SETTLED)
+        return enough and n > (self._close + 1 if self._rows.estimated else 1)
+
+    def _blame(self, residual: Array) -> None:
+        """Raise what the iteration did not converge of."""
+        _blame(self._problem, residual)
+        last = ", ".join(f"{h:.1e}" for h in self._history[-3:])
+        raise NoSolutionError(
+            f"the fit of {len(self._problem.names)} parameters did not converge in {MAX_ITERATIONS} iterations: the "
+            f"last ones promised to lower chi2 by {last}. Try a smaller model, a TSVD or priors."
+        )
+
+
+def rough(problem: Problem, robust: bool = True, must_converge: bool = True) -> Fit:
+    """Fit the mechanism's smallest model, the encoder offsets, starting from the robot file.
+
+    A mechanism without a smaller model than its full one is fitted whole, with as much as drawings leave open.
+    """
+    models = problem.mechanism.models
+    smallest = min(models.values(), key=len)
+    coarse, whole = problem.with_names(smallest), len(smallest) == max(map(len, models.values()))
+    if whole:
+        coarse = dataclasses.replace(coarse, scale=BROAD * coarse.scale)
+    solver = Prior() if whole else LeastSquares()
+    return fit(coarse, solver, robust=robust, weigh_repeats=False, must_converge=must_converge)
+
+
+def held_out(full: Fit, solver: Solver, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> float:
+    """Return the RMS [mm] of readings predicted by fits that did not see them; see `held_out_errors`."""
+    return rms(lengths(held_out_errors(full, solver, parts), full.problem.readings.kind))
+
+
+def held_out_errors(full: Fit, solver: Solver, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> Array:
+    """Return the errors (R, k) [mm, rad] of predictions by fits that did not see the readings; nan where there is none.
+
+    Gross errors of the full fit are not predicted. Each fit starts from the full one and differs from it by less than a
+    standard deviation, where the machine is linear to far below its noise: one step is the fit.
+
+    Parameters
+    ----------
+    parts : sequence of (train, test)
+        Masks (R,) of readings.
+    """
+    problem = full.problem
+    state = problem.linearise(full.errors, full.instrument, full.machine)
+    A_p, A_m, b = _system(state, full.sigma, full.weights, full.repeats, problem.scale)
+    read = np.isfinite(state.residual)
+    owner = np.repeat(np.arange(len(read)), read.sum(axis=1))
+    departure = (full.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
+    gross = np.zeros(len(read), dtype=bool)
+    gross[full.gross] = True
+    out = np.full(state.residual.shape, np.nan)
+    for train, test in parts:
+        rows, test = train[owner], test & ~gross
+        if not test.any() or rows.sum() <= full.solution.degrees + full.instrument.n_unknown:
+            continue
+        Q = np.linalg.qr(A_m[rows])[0]
+        target = b[rows] + A_p[rows] @ departure
+        solution = solver.solve(A_p[rows] - Q @ (Q.T @ A_p[rows]), target - Q @ (Q.T @ target), float(full.sigma[0]))
+        step = solution.u - departure
+        m_step = np.linalg.lstsq(A_m[rows], b[rows] - A_p[rows] @ step, rcond=None)[0]
+        moved = state.J_p[test] @ (step * problem.scale) + state.J_m[test] @ m_step
+        out[test] = state.residual[test] - moved
+    return out
+
+
+def _blame(problem: Problem, residual: Array) -> None:
+    """Raise an InputError that names the worst reading, where one stands so far out that it spoils the fit."""
+    size = np.linalg.norm(np.nan_to_num(lengths(residual, problem.readings.kind)), axis=1)
+    worst, usual = int(np.argmax(size)), float(np.median(size))
+    if size[worst] > SPOILT * usual:
+        raise InputError(
+            f"the reading is {size[worst]:.4g} mm off the machine at these joints, most others {usual:.3g} mm.",
+            "Check the joints and the measured cells of this row, or remove it.",
+            file=problem.recording.path,
+            line=int(problem.readings.line[worst]),
+        )
+
+
+def _gain(step: Array, departure: Array, A_p: Array, Q: Array, b: Array, weight: float) -> float:
+    """Return by how much a whole step would lower the objective, were the machine linear."""
+    rest = b - A_p @ step
+    rest, whole = rest - Q @ (Q.T @ rest), departure + step
+    return abs(float(b @ b - rest @ rest + weight * (departure @ departure - whole @ whole)))
+
+
+def _leverage(A: Array, Q: Array, solution: Solution, read: np.ndarray, groups: np.ndarray) -> Array:
+    """Return the part of each group's readings that the fit uses up (g,): the mean of the hat matrix's diagonal."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        weight = np.where(solution.factors > 0, np.sqrt(solution.factors) / solution.singular_values, 0.0)
+    hat = ((A @ solution.V * weight) ** 2).sum(axis=1) + (Q**2).sum(axis=1)
+    own = np.broadcast_to(groups[: read.shape[1]], read.shape)[read]
+    parts = (own == group for group in range(groups.max() + 1))
+    return np.array([hat[part].mean() if part.any() else 0.0 for part in parts])
+
+
+def _system(
+    state: Linearised, sigma: Array, weights: Array, shared: Repeats, scale: Array
+) -> tuple[Array, Array, Array]:
+    """Return A_p, A_m, b: rows divided by the noise, columns multiplied by the scale, unread components dropped."""
+    w = (np.sqrt(weights)[:, None] / sigma * np.sqrt(1 + shared.ratio))[..., None]
+    read = np.isfinite(state.residual)
+    stacked = np.concatenate([state.J_p * scale, state.J_m, state.residual[..., None]], axis=2) * w
+    stacked = shared.whiten(np.where(read[..., None], stacked, 0.0))[read]
+    n = len(scale)
+    return stacked[:, :n], stacked[:, n:-1], stacked[:, -1]
+
+
+def _shared_noise(problem: Problem, weights: Array, x: Array) -> Array | None:
+    """Return how the noise of positions enters distances made of them, (R, positions * 3), rows as in `_system`.
+
+    x (N, 12) are the poses of all rows. Two distances that share a position share its noise; None where every reading
+    has noise of its own.
+    """
+    found = problem.readings
+    if not found.made:
+        return None
+    rows = found.used
+    a, b = np.searchsorted(rows, found.rows).T
+    at = x[:, :3]
+    direction = at[found.rows[:, 1]] - at[found.rows[:, 0]]
+    direction /= np.linalg.norm(direction, axis=1)[:, None]
+    # a distance has the noise of two positions along it
+    direction *= np.sqrt(weights / 2)[:, None]
+    out = np.zeros((len(found), len(rows), 3))
+    every = np.arange(len(found))
+    out[every, b] = direction
+    out[every, a] = -direction
+    return out.reshape(len(found), -1)
+
+
+def _joint_covariance(solution: Solution, A_p: Array, A_m: Array, scale: Array, shared: Array | None) -> Array:
+    """Return the covariance of parameters and instrument: ``m = m* - A_m^+ A_p dp``."""
+    C = solution.covariance
+    if shared is not None:
+        with np.errstate(divide="ignore", invalid="ignore"):
+            inverse_s = np.where(solution.factors > 0, solution.factors / solution.singular_values, 0.0)
+            U = np.where(solution.factors > 0, (A_p @ solution.V) / solution.singular_values, 0.0)
+        response = (solution.V * inverse_s) @ (U.T @ shared)
+        left = (solution.V * (1 - solution.factors) ** 2) @ solution.V.T if solution.posterior else 0.0
+        beyond = np.eye(len(C)) - solution.V @ solution.V.T if solution.posterior else 0.0
+        C = response @ response.T + left + beyond
+    n, n_m = A_p.shape[1], A_m.shape[1]
+    out = np.zeros((n + n_m, n + n_m))
+    out[:n, :n] = C
+    if n_m:
+        R = np.linalg.qr(A_m, mode="r")
+        inverse = np.linalg.pinv(R)
+        follow = -np.linalg.lstsq(A_m, A_p, rcond=None)[0]
+        out[n:, :n] = follow @ C
+        out[:n, n:] = out[n:, :n].T
+        out[n:, n:] = follow @ C @ follow.T + inverse @ inverse.T
+    full = np.concatenate([scale, np.ones(n_m)])
+    result: Array = out * np.outer(full, full)
+    return result

@@ -1,0 +1,236 @@
+"""The one estimation problem: exact readings of a machine with errors, seen by an instrument with unknowns."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kinds import measured_points, readings
+from deltacal_gen.instrument.readings import Readings
+from deltacal_gen.machine.registry import Array, Machine, Sensitivity, mechanism_of
+from deltacal_gen.machine.values import Recording, Robot
+from deltacal_gen.physics.body import Body, Deformed, reading_shift
+from deltacal_gen.physics.channels import Channels
+from deltacal_gen.physics.terms import Term, of_reading
+
+
+class Linearised(NamedTuple):
+    """Residuals and Jacobians of all readings at one state; rows (R, k), NaN where a component was not read."""
+
+    residual: Array
+    J_p: Array
+    J_m: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """A robot, its readings, and which parameters are free.
+
+    The vector of parameters holds all source errors of the mechanism, then the coefficients of the effects on it.
+
+    Attributes
+    ----------
+    names : tuple of str
+        Free source errors; the coefficients of `terms` are free too.
+    scale : (n,) array
+        Ordinary size of each free parameter, or the standard deviation of its prior [mm, rad, N, s, K].
+    reference : (n_p,) array
+        Source errors of the robot file, from which the free ones depart, then zeros [mm, rad].
+    body : Body
+        The robot at the rows of the recording.
+    terms : tuple of Term
+        Effects on the machine whose coefficients are free.
+    held : tuple of Term
+        Effects on it that stay as they are.
+    """
+
+    robot: Robot
+    mechanism: Machine
+    recording: Recording
+    readings: Readings
+    names: tuple[str, ...]
+    scale: Array
+    reference: Array
+    body: Body
+    terms: tuple[Term, ...] = ()
+    held: tuple[Term, ...] = ()
+
+    @property
+    def columns(self) -> list[int]:
+        """Index of each free parameter in the vector of parameters."""
+        n_p = len(self.mechanism.parameters)
+        return [self.mechanism.index[n] for n in self.names] + list(range(n_p, len(self.reference)))
+
+    def coefficients(self, i: int) -> list[int]:
+        """Return the places of an effect's coefficients among the free parameters."""
+        start = len(self.names) + sum(t.n_coefficients for t in self.terms[:i])
+        return list(range(start, start + self.terms[i].n_coefficients))
+
+    def split(self, parameters: Array) -> tuple[Array, tuple[Term, ...]]:
+        """Return source errors (n_p,) and the free effects with their coefficients."""
+        n = len(self.mechanism.parameters)
+        errors, rest = parameters[:n], parameters[n:]
+        if not self.terms:
+            return errors, ()
+        ends = np.cumsum([t.n_coefficients for t in self.terms])
+        parts = np.split(rest, ends[:-1])
+        return errors, tuple(t.with_values(v) for t, v in zip(self.terms, parts, strict=True))
+
+    def acting(self, parameters: Array) -> tuple[Term, ...]:
+        """Return all effects on the machine with their coefficients, the free ones first."""
+        return (*self.split(parameters)[1], *self.held)
+
+    def solve(self, parameters: Array, near: Array | None = None) -> Deformed:
+        """Return the machine in equilibrium at all rows; `near` is the poses of a machine that differs little.
+
+        Raises
+        ------
+        InputError
+            A row that readings refer to has no pose: out of reach or singular.
+        """
+        machine, status = self.body.solve(*self.split(parameters), near, self.held)
+        self.body.check(machine, status, self.readings.used, self.recording)
+        return machine._replace(x=np.where(np.isfinite(machine.x), machine.x, 0.0))
+
+    def poses(self, parameters: Array, near: Array | None = None) -> Array:
+        """Return the exact platform poses (N, 12) of all rows; see `solve`."""
+        return self.solve(parameters, near).x
+
+    def residual(self, parameters: Array, instrument: Instrument, x: Array) -> Array:
+        """Return measured minus predicted (R, k), effects on the reading included [mm, rad]."""
+        instrument = instrument.mounted(self.mechanism, parameters)
+        r = instrument.residual(self.readings, x)
+        if terms := of_reading(self.acting(parameters)):
+            values, _ = instrument.predict(self.readings, x)
+            r[:, : values.shape[1]] -= reading_shift(terms, self.body, self.readings, values, x)[0]
+        return r
+
+    def linearise(self, parameters: Array, instrument: Instrument, machine: Deformed | None = None) -> Linearised:
+        """Return residuals and Jacobians at a vector of parameters and an instrument's state."""
+        machine = self.solve(parameters) if machine is None else machine
+        _, terms = self.split(parameters)
+        used = self.readings.used
+        rows = machine.rows if len(machine.rows) == 1 else machine.rows[used]
+        sensitivity = self.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)
+        if not np.isfinite(sensitivity.parameters).all():
+            row = int(used[~np.isfinite(sensitivity.parameters).all(axis=(1, 2))][0])
+            raise InputError(
+                "at these joints the machine is singular.",
+                "Remove the row.",
+                file=self.recording.path,
+                line=int(self.recording.line[row]),
+            )
+        dx = np.zeros((len(machine.x), self.mechanism.n_x, len(self.names)))
+        dx[used] = sensitivity.parameters[:, :, [self.mechanism.index[n] for n in self.names]]
+        effects = self.effect_columns(terms, machine, used, sensitivity)
+        mounted = instrument.mounted(self.mechanism, parameters)
+        J_p, J_m = mounted.linearise(self.readings, machine.x, np.concatenate([dx, effects], axis=2))
+        mounted.add_carried(J_p, self.mechanism, self.names, self.readings, machine.x)
+        if terms:
+            values, _ = mounted.predict(self.readings, machine.x)
+            shifted = reading_shift(terms, self.body, self.readings, values, machine.x)[1]
+            J_p[:, : values.shape[1], len(self.names) :] += shifted
+        return Linearised(self.residual(parameters, instrument, machine.x), J_p, J_m)
+
+    def effect_columns(
+        self, terms: Sequence[Term], machine: Deformed, used: np.ndarray, sensitivity: Sensitivity
+    ) -> Array:
+        """Return the derivatives (N, n_x, n_c) of the platform coordinates by the coefficients of effects."""
+        return self.body.columns(terms, machine, sensitivity, used)
+
+    def term_columns(
+        self, terms: Sequence[Term], parameters: Array, instrument: Instrument, machine: Deformed
+    ) -> Array:
+        """Return the derivatives (R, k, n_c) of the readings by the coefficients of effects, free or not."""
+        instrument = instrument.mounted(self.mechanism, parameters)
+        used = self.readings.used
+        rows = machine.rows if len(machine.rows) == 1 else machine.rows[used]
+        S = self.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)
+        J, _ = instrument.linearise(self.readings, machine.x, self.effect_columns(terms, machine, used, S))
+        values, _ = instrument.predict(self.readings, machine.x)
+        J[:, : values.shape[1]] += reading_shift(terms, self.body, self.readings, values, machine.x)[1]
+        return J
+
+    def begin(self, parameters: Array, machine: Deformed | None = None) -> Instrument:
+        """Return the instrument's first state for a machine with `parameters`."""
+        x = self.poses(parameters) if machine is None else machine.x
+        return self.readings.kind.start(self.readings, self.recording, self.robot, x)
+
+    def subset(self, chosen: np.ndarray) -> Problem:
+        """Return the problem with these readings only."""
+        return dataclasses.replace(self, readings=self.readings.subset(chosen))
+
+    def some(self, most: int, rng: np.random.Generator) -> Problem:
+        """Return the problem with some of its poses where they are more, in their order: all readings of each."""
+        found, body = self.readings, self.body
+        groups = np.unique(found.group)
+        if len(groups) <= most:
+            return self
+        drawn = rng.choice(groups, most, replace=False)
+        part = found.subset(np.flatnonzero(np.isin(found.group, drawn)))
+        rows = part.used
+        _, group = np.unique(part.group, return_inverse=True)
+        return dataclasses.replace(
+            self,
+            recording=self.recording.subset(rows),
+            readings=dataclasses.replace(part, rows=np.searchsorted(rows, part.rows), group=group),
+            body=Body(body.robot, body.mechanism, body.q[rows], body.tool[rows], body.channels.subset(rows)),
+        )
+
+    def with_tool(self, tool: Array) -> Problem:
+        """Return the problem with other measured points (N, 3) of the platform."""
+        b = self.body
+        return dataclasses.replace(self, body=Body(b.robot, b.mechanism, b.q, tool, b.channels))
+
+    def with_names(self, names: Sequence[str]) -> Problem:
+        """Return the problem with other free source errors, in their ordinary scale, and only the effects held."""
+        index = [self.mechanism.index[n] for n in names]
+        return dataclasses.replace(
+            self,
+            names=tuple(names),
+            scale=self.mechanism.typical[index],
+            reference=self.reference[: len(self.mechanism.parameters)],
+            terms=(),
+        )
+
+    def with_terms(self, terms: Sequence[Term], scale: Array) -> Problem:
+        """Return the problem with free effects; `scale` (n_c,) is the size that their coefficients may well have."""
+        n_p, n = len(self.mechanism.parameters), len(self.names)
+        return dataclasses.replace(
+            self,
+            terms=tuple(terms),
+            reference=np.concatenate([self.reference[:n_p], np.zeros(len(scale))]),
+            scale=np.concatenate([self.scale[:n], scale]),
+        )
+
+
+def pose_problem(
+    robot: Robot,
+    recording: Recording,
+    names: Sequence[str],
+    *,
+    as_distance: bool = False,
+    found: Readings | None = None,
+    held: Sequence[Term] = (),
+) -> Problem:
+    """Return the estimation problem of a recording for a set of free source errors; `held` effects stay as they are."""
+    mechanism = mechanism_of(robot)
+    tool = measured_points(robot, recording)
+    q = robot.joint_sign * recording.joints
+    return Problem(
+        robot=robot,
+        mechanism=mechanism,
+        recording=recording,
+        readings=readings(recording, as_distance=as_distance) if found is None else found,
+        names=tuple(names),
+        scale=mechanism.typical[[mechanism.index[n] for n in names]],
+        reference=mechanism.vector(robot.errors),
+        body=Body(robot, mechanism, q, tool, Channels.of(recording, robot)),
+        held=tuple(held),
+    )

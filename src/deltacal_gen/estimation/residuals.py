@@ -1,0 +1,202 @@
+"""What residuals tell: their lengths, the noise of each component, what repeats share, how much each reading counts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from deltacal_gen.instrument.kind import Kind
+from deltacal_gen.instrument.readings import Readings
+from deltacal_gen.machine.registry import Array
+
+SMALLEST_SIGMA = 1e-7  # mm and rad: noise below this is rounding of what went before, not of a reading
+HUBER = 2.5  # standard deviations beyond which a reading's pull stops growing
+MOST_GROSS = 0.06  # of all readings: more than this are no errors of measurement but something left out
+USUAL_COUNTS = 3  # readings that knowing the usual noise of an instrument is worth
+MOST_TOGETHER = 0.01  # 1 - rho of neighbours: what hangs together more is no noise but a drift
+GROSS = 6.0  # standard deviations beyond which a reading is listed as a gross error
+
+
+@dataclass(frozen=True, eq=False)
+class Chain:
+    """Which reading follows which within a set-up, and how many rows later.
+
+    Attributes
+    ----------
+    before, after : (L,) int array
+        Readings.
+    gap : (L,) array
+        Rows of the file between them, 1 for neighbours.
+    """
+
+    before: np.ndarray
+    after: np.ndarray
+    gap: Array
+
+    @staticmethod
+    def of(found: Readings) -> Chain | None:
+        """Return the chain of readings, by the lines of their file; None of those that belong to two rows."""
+        if found.rows.shape[1] != 1:
+            return None
+        order = np.lexsort((found.line, found.setup))
+        a, b = order[:-1], order[1:]
+        same = found.setup[a] == found.setup[b]
+        a, b = a[same], b[same]
+        return Chain(a, b, np.maximum(found.line[b] - found.line[a], 1).astype(float))
+
+    def freed(self, values: Array, rho: float) -> Array:
+        """Return rows (R, ...) freed of what the rows before them tell."""
+        told = (rho**self.gap).reshape(-1, *[1] * (values.ndim - 1))
+        out = np.array(values, dtype=float)
+        out[self.after] = (values[self.after] - told * values[self.before]) / np.sqrt(1 - told**2)
+        return out
+
+    def deviance(self, z: Array, rho: float) -> float:
+        """Return twice the negative logarithm of the likelihood of rows (R, k), but for a constant.
+
+        Their common size is the one that fits best.
+        """
+        e = self.freed(z, rho)
+        return float(e.size * np.log(np.mean(e**2)) + z.shape[1] * np.log1p(-(rho ** (2 * self.gap))).sum())
+
+    def likeliest(self, z: Array) -> tuple[float, float]:
+        """Return the correlation of neighbours that explains rows (R, k) best, 0 or more, and its deviance."""
+        rhos = np.concatenate([[0.0], 1 - np.geomspace(0.98, MOST_TOGETHER, 40)])
+        each = [self.deviance(z, float(rho)) for rho in rhos]
+        best = int(np.argmin(each))
+        return float(rhos[best]), each[best]
+
+
+@dataclass(frozen=True, eq=False)
+class Repeats:
+    """Readings of one pose share what their pose has in common: an error of re-aiming, of the machine, of the model.
+
+    With `n` readings of a pose, variance 1 within and `ratio` between poses, the pose's mean has the variance
+    ``ratio + 1/n``: more readings of the same pose do not make it any surer. The rows are whitened by taking the part
+    ``1 - 1/sqrt(1 + n ratio)`` of the pose's mean off each reading (quasi-demeaning, generalised least squares of a
+    random-effects model). The noise of a single reading is ``1 + ratio``; rows come divided by the part within.
+    `ratio` is a number, or one for each component of a reading: positions may be aimed anew where rotations are not.
+
+    Noise may hang together in time, too: of two readings `d` rows apart it has the correlation ``rho^d``. Rows are then
+    freed of what the row before tells of them, (r_t - rho^d r_s) / sqrt(1 - rho^2d) (Prais and Winsten 1954).
+    `chain` says which reading follows which.
+    """
+
+    group: np.ndarray
+    ratio: float | Array = 0.0
+    rho: float = 0.0
+    chain: Chain | None = None
+
+    def whiten(self, values: Array) -> Array:
+        """Return rows (R, ...), of components (R, k, ...), with all that they share taken off."""
+        apart = self._apart(values)
+        return apart if self.chain is None or not self.rho else self.chain.freed(apart, self.rho)
+
+    def _apart(self, values: Array) -> Array:
+        if not np.any(self.ratio):
+            return values
+        order = np.argsort(self.group, kind="stable")
+        _, first, own, count = np.unique(self.group[order], return_index=True, return_inverse=True, return_counts=True)
+        count = count.reshape(-1, *[1] * np.ndim(self.ratio))
+        part = (1 - 1 / np.sqrt(1 + count * self.ratio)) / count
+        part = part.reshape(*part.shape, *[1] * (values.ndim - part.ndim))
+        sums = np.add.reduceat(values[order], first, axis=0) * part
+        whitened = np.array(values, dtype=float)
+        whitened[order] -= sums[own]
+        return whitened
+
+    @staticmethod
+    def ratio_of(residual: Array, group: np.ndarray, fitted: float = 0.0) -> tuple[float, float, int]:
+        """Return (variance between / within, variance within, degrees of freedom within) of residuals (R, k).
+
+        `fitted` is the number of parameters that the means of the groups have carried.
+        """
+        residual = np.nan_to_num(_read(residual))
+        count = np.bincount(group)
+        several = count[group] > 1
+        degrees = int((count[count > 1] - 1).sum()) * residual.shape[1]
+        if degrees < 6:
+            return 0.0, 0.0, degrees
+        sums = np.zeros((len(count), residual.shape[1]))
+        np.add.at(sums, group, residual)
+        means = sums / np.maximum(count, 1)[:, None]
+        within = float(((residual - means[group])[several] ** 2).sum() / degrees)
+        some = count > 0
+        spare = max(some.sum() * residual.shape[1] - fitted, 1.0)
+        excess = (means[some] ** 2).sum() / spare - within * (1 / count[some]).mean()
+        return float(max(excess, 0.0) / max(within, SMALLEST_SIGMA**2)), within, degrees
+
+
+def rms(values: Array) -> float:
+    """Return the RMS of the values that are finite; NaN where none is."""
+    found = values[np.isfinite(values)]
+    return float(np.sqrt(np.mean(found**2))) if found.size else float("nan")
+
+
+def lengths(residual: Array, kind: Kind) -> Array:
+    """Return the components of length of residuals (R, k) [mm]: no rotations, and no axis that nothing reads."""
+    return _read(np.delete(residual, kind.turned, axis=1))
+
+
+def _read(residual: Array) -> Array:
+    """Return the columns of residuals (R, k) in which anything was read."""
+    return residual[:, np.isfinite(residual).any(axis=0)]
+
+
+def shared_by_repeats(found: Readings, residual: Array, quiet: np.ndarray, degrees: float, leverage: Array) -> Repeats:
+    """Return what repeats share, of each group of columns for itself; they part what the fit took by their leverage."""
+    groups, ratio = found.kind.noise_groups(residual.shape[1]), np.zeros(residual.shape[1])
+    parts = [groups == g for g in range(len(leverage))]
+    taken = [used * np.isfinite(residual[:, part]).sum() for used, part in zip(leverage, parts, strict=True)]
+    for part, some in zip(parts, taken, strict=True):
+        rows = quiet & np.isfinite(residual[:, part]).any(axis=1)
+        if rows.any():
+            fitted = degrees * some / max(sum(taken), 1e-300)
+            ratio[part], *_ = Repeats.ratio_of(residual[np.ix_(rows, part)], found.group[rows], fitted=fitted)
+    return Repeats(found.group, ratio)
+
+
+def robust_sigma(residual: Array, leverage: Array, robust: bool, found: Readings) -> Array:
+    """Return the noise (k,) of each group of columns (lengths and rotations, heights and distances) from its residuals.
+
+    `leverage` (g,) is the part of each that the fit has used up.
+    """
+    sigma, groups = np.ones(residual.shape[1]), found.kind.noise_groups(residual.shape[1])
+    usual = found.kind.usual_noises
+    for group, used in enumerate(leverage):
+        part = groups == group
+        r = residual[:, part]
+        r = r[np.isfinite(r)]
+        if not r.size:
+            continue
+        spread = max(1.4826 * _median(np.abs(r)), SMALLEST_SIGMA)
+        if robust:  # Huber's proposal 2 from the median: efficient on normal noise, bounded on gross errors
+            for _ in range(3):
+                clipped = np.clip(r / spread, -HUBER, HUBER)
+                spread = max(spread * float(np.sqrt(np.mean(clipped**2) / 0.9775)), SMALLEST_SIGMA)
+        else:
+            spread = max(float(np.sqrt(np.mean(r**2))), SMALLEST_SIGMA)
+        sigma[part] = spread / np.sqrt(max(1 - used, 0.1))
+        if usual:
+            # a few readings of one kind can be met exactly at the other's cost: what such instruments read guards them
+            free = len(r) * max(1 - used, 0.1)
+            known = USUAL_COUNTS * usual[group] ** 2
+            sigma[part] = np.sqrt((free * sigma[part] ** 2 + known) / (free + USUAL_COUNTS))
+    return sigma
+
+
+def _median(values: Array) -> float:
+    """Return the median of finite values (n,); NumPy's own would first load masked arrays, a fifth of a first fit."""
+    middle = [(len(values) - 1) // 2, len(values) // 2]
+    return float(np.partition(values, middle)[middle].mean())
+
+
+def robust_weights(residual: Array, sigma: Array, drop: bool) -> Array:
+    """Return Huber's weights (R,); with `drop` none for gross errors, unless they are too many to be errors."""
+    size = np.sqrt(np.nanmean((residual / sigma) ** 2, axis=1))
+    weights = np.minimum(1.0, HUBER / np.maximum(size, 1e-300))
+    gross = np.nanmax(np.abs(residual) / sigma, axis=1) > GROSS
+    if drop and gross.mean() <= MOST_GROSS:
+        weights[gross] = 0.0
+    return weights

@@ -1,0 +1,240 @@
+"""Steps that lower a sum of squares: machine and instrument move together, held where the linear machine misleads.
+
+A whole Gauss-Newton step goes as far along a weak direction as noise takes it: a frame read from points near a line, a
+pair of links that stand parallel in all poses. There the exact machine bends long before the step ends. Every step is
+therefore the least squares solution with a damping in units of each column's own influence (Levenberg 1944, Marquardt
+1963): strong directions move freely, weak ones as far as the exact machine follows. The damping eases where the linear
+machine keeps its promise and grows where it does not (Nielsen 1999).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.estimation.solvers import WEAKEST, Solution
+from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics.body import Deformed
+
+TRIALS = 30  # of the damping within a step: from none to that of a gradient step of rounding's size
+FIRST, NONE, MOST = 1e-3, 1e-7, 1e16  # dampings: the first that is tried, below which there is none, the largest
+EASE = 0.1  # by which a damping falls at most
+TRUE = 0.75  # of what the linear machine promised: a step that keeps less is bent
+WEAK = 1e-3  # of the strongest direction of the instrument: weaker ones are damped as if they were so strong
+EXACT = 1e-5  # of chi2: poses are solved no more exactly than to change the objective by this
+SAME = 1e-12  # of the objective: less is rounding
+LONGEST = 30.0  # ordinary errors: a truncation's step beyond it is no correction but a loss of direction
+STRONG = 1e-2  # of the largest singular value of such columns: the instrument is led along arcs there
+ARCS = 2  # corrections of a step
+RANK = 1e-12  # of the largest singular value of columns of one length: below it a step is arbitrary
+
+
+class State(NamedTuple):
+    """A machine with given parameters and an instrument: where an iteration stands."""
+
+    errors: Array
+    instrument: Instrument
+    machine: Deformed
+
+
+@dataclass(frozen=True, eq=False)
+class Linear:
+    """Whitened rows at a state: ``b - A_p s - A_m t`` is left by a step s of scaled parameters and t of the instrument.
+
+    Attributes
+    ----------
+    A_p : (scalars, n) array
+    A_m : (scalars, n_m) array
+    b : (scalars,) array
+    departure : (n,) array
+        Of the scaled parameters from their reference.
+    weight : float or None
+        By which the square of the departure counts; None where a rule minimises no objective.
+    """
+
+    A_p: Array
+    A_m: Array
+    b: Array
+    departure: Array
+    weight: float | None
+
+    def rest(self, s: Array, t: Array) -> Array:
+        """Return what a step leaves of the rows (scalars,)."""
+        out: Array = self.b - self.A_p @ s - self.A_m @ t
+        return out
+
+    def left(self, s: Array, t: Array) -> float:
+        """Return what a step leaves of the objective in the linear machine."""
+        rest, whole = self.rest(s, t), self.departure + s
+        return float(rest @ rest + (self.weight or 0.0) * (whole @ whole))
+
+    @cached_property
+    def strong(self) -> Array:
+        """By which rows are multiplied (n_m, scalars) for the instrument's step along what moves them much."""
+        size = _length(np.sqrt((self.A_m**2).sum(axis=0)))
+        return np.linalg.pinv(self.A_m / size, rcond=STRONG) / size[:, None]
+
+    def instrument_step(self, s: Array) -> Array:
+        """Return the instrument's step that goes best with a step of the parameters."""
+        if not self.A_m.shape[1]:
+            return np.zeros(0)
+        return _solved(self.A_m, self.b - self.A_p @ s, WEAKEST)
+
+
+class Damped:
+    """The steps from one state, for every damping: factored once.
+
+    Parameters
+    ----------
+    linear : Linear
+    solution : Solution
+        Of the parameters, the instrument taken out: its rule says in which directions they may move.
+    """
+
+    def __init__(self, linear: Linear, solution: Solution) -> None:
+        n, n_m = linear.A_p.shape[1], linear.A_m.shape[1]
+        kept = solution.factors > 0
+        free = np.eye(n) if solution.posterior or kept.sum() == n else solution.V[:, kept]
+        weight = np.sqrt(linear.weight or 0.0)
+        self._free, self._n = free, free.shape[1]
+        self._rows = np.hstack([linear.A_p @ free, linear.A_m])
+        low = np.hstack([weight * free, np.zeros((n, n_m))])
+        right = np.concatenate([linear.b, -weight * linear.departure])[:, None]
+        # one triangle stands for all rows
+        R = np.asarray(np.linalg.qr(np.hstack([np.vstack([self._rows, low]), right]), mode="r"))
+        self._R, self._b = R[:, :-1], R[:, -1]
+        self._damper = np.zeros((n + n_m, self._n + n_m))
+        self._damper[:n, : self._n] = free
+        if n_m:
+            size = _length(np.sqrt((linear.A_m**2).sum(axis=0)))
+            _, s, Vt = np.linalg.svd(np.asarray(np.linalg.qr(linear.A_m / size, mode="r")))
+            usual = np.sqrt(np.mean((linear.A_p**2).sum(axis=0))) if n else 1.0
+            self._damper[n:, self._n :] = np.maximum(s, WEAK * s[0])[:, None] * Vt * size / max(usual, SAME)
+
+    def step(self, damping: float) -> tuple[Array, Array]:
+        """Return the steps (n,) of the scaled parameters and (n_m,) of the instrument."""
+        return self._step(self._b, damping)
+
+    def bent(self, off: Array, damping: float) -> tuple[Array, Array]:
+        """Return what a step is lengthened by where the rows (scalars,) that it leaves are `off` the linear ones."""
+        return self._step(_solved(self._R.T, self._rows.T @ off), damping)
+
+    def _step(self, b: Array, damping: float) -> tuple[Array, Array]:
+        A = self._R
+        if damping:
+            A = np.vstack([A, np.sqrt(damping) * self._damper])
+            b = np.concatenate([b, np.zeros(len(self._damper))])
+        z = _solved(A, b)
+        return self._free @ z[: self._n], z[self._n :]
+
+
+def improved(
+    problem: Problem,
+    state: State,
+    linear: Linear,
+    solution: Solution,
+    whitened: Callable[[Array], Array],
+    damping: float,
+) -> tuple[State, float]:
+    """Take the step that lowers the objective, damped as far as needed; return the new state and the damping.
+
+    The state is the same where no step lowers the objective beyond rounding. A rule without an objective (a truncation)
+    takes whole steps.
+
+    Parameters
+    ----------
+    whitened : callable
+        Makes rows (scalars,) of residuals (R, k), weighed as those of `linear`.
+    """
+    if linear.weight is None:
+        return _truncated(problem, state, linear, solution, whitened, damping)
+    weight, steps = linear.weight, Damped(linear, solution)
+    columns, scale = problem.columns, problem.scale
+
+    def tried(s: Array, t: Array) -> tuple[State | None, Array, float]:
+        """Return the state after a step, what it leaves of the rows, and the objective there."""
+        trial = _moved(problem, state, linear, s, t, whitened)
+        if trial is None:
+            return None, linear.b, np.inf
+        rows = whitened(problem.residual(trial.errors, trial.instrument, trial.machine.x))
+        u = (trial.errors[columns] - problem.reference[columns]) / scale
+        return trial, rows, float(rows @ rows + weight * (u @ u))
+
+    still = np.zeros(len(scale)), np.zeros(linear.A_m.shape[1])
+    before, harder = linear.left(*still), 10.0
+    for _ in range(TRIALS):
+        s, t = steps.step(damping)
+        trial, rows, after = tried(s, t)
+        promised = before - linear.left(s, t)
+        if trial is not None and before - after < TRUE * promised:
+            s_2, t_2 = steps.bent(rows - linear.rest(s, t), damping)
+            bent, _, lower = tried(s + s_2, t + t_2)
+            if lower < after:
+                trial, after = bent, lower
+        if trial is not None and after <= before * (1 - SAME):
+            kept = float(np.clip((before - after) / promised, 0.0, 1.0)) if promised > EXACT else 1.0
+            eased = damping * max(EASE, 1 - (2 * kept - 1) ** 3)
+            return trial, eased if eased > NONE else 0.0
+        if after <= before * (1 + SAME):
+            break  # nothing better within rounding, whatever the linear machine promises
+        damping, harder = min(max(damping * harder, FIRST), MOST), 2 * harder
+    return state, damping
+
+
+def _truncated(
+    problem: Problem,
+    state: State,
+    linear: Linear,
+    solution: Solution,
+    whitened: Callable[[Array], Array],
+    damping: float,
+) -> tuple[State, float]:
+    """Take the whole step of a truncation, shortened where it is too long or leads to where no machine stands."""
+    whole = solution.u - linear.departure
+    whole = whole * min(1.0, LONGEST / max(float(np.max(np.abs(whole), initial=0.0)), LONGEST))
+    for _ in range(TRIALS):
+        s = whole / (1.0 + damping)
+        trial = _moved(problem, state, linear, s, linear.instrument_step(s), whitened)
+        if trial is not None:
+            return trial, damping / 10
+        damping = max(4 * damping, 1.0)
+    return state, damping
+
+
+def _moved(
+    problem: Problem, state: State, linear: Linear, s: Array, t: Array, whitened: Callable[[Array], Array]
+) -> State | None:
+    """Return the state after a step; None where a pose is out of reach."""
+    errors = state.errors.copy()
+    errors[problem.columns] += s * problem.scale
+    try:
+        machine = problem.solve(errors, near=state.machine.x)
+    except InputError:
+        return None
+    moved = state.instrument.stepped(t)
+    if len(t):
+        # turns lead along arcs: what leaves the linear step is made up for where the instrument moves the readings much
+        rest, back = linear.rest(s, t), linear.strong
+        for _ in range(ARCS):
+            t = t + back @ (whitened(problem.residual(errors, moved, machine.x)) - rest)
+            moved = state.instrument.stepped(t)
+    return State(errors, moved, machine)
+
+
+def _length(size: Array) -> Array:
+    """Return the length of columns; one of columns without any, which nothing moves."""
+    return np.where(size > 0, size, 1.0)
+
+
+def _solved(A: Array, b: Array, rank: float = RANK) -> Array:
+    """Return the least squares solution of columns made one length, directions below `rank` of the largest left."""
+    size = _length(np.sqrt((A**2).sum(axis=0)))
+    out: Array = np.linalg.lstsq(A / size, b, rcond=rank)[0] / size
+    return out

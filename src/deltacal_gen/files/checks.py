@@ -1,0 +1,154 @@
+"""Values of a recording that cannot be: of another unit, impossible, of another pose, or not from the home."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.files.columns import APPROACH
+from deltacal_gen.files.robot import robot_size, to_file
+from deltacal_gen.files.rows import Rows
+from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.machine.values import TEMPERATURE, Recording, Robot
+from deltacal_gen.units import DEG, file_unit, of_joints
+
+if TYPE_CHECKING:
+    from deltacal_gen.machine.registry import Machine
+
+
+_SAME_JOINT = 1e-6 * DEG  # rad, and mm: joints that differ by more are not the same pose
+_LEAST_SPREAD = 0.01  # of readings, in machine sizes per rad of joint motion (1 rad at most)
+_MOST_SPREAD = 20.0  # in machine sizes
+_MOST_MOTION = 5.0  # in machine sizes per rad of joint motion
+_MOST_PAYLOAD = 20.0  # in moving masses of the machine: parallel robots carry a few of them
+_HOME = 0.1  # of the spread of positions: further from zero the first row is not at the home
+_RADIANS = 1.6  # a column of degrees that stays within this may be in radians
+
+
+def check_units(recording: Recording, robot: Robot, *, load: Callable[[str], Machine] | None = None) -> None:
+    """Compare joints and readings with the size of the machine.
+
+    Raises
+    ------
+    InputError
+        Joints look like radians or motor angles, or positions or distances like metres or micrometres.
+    """
+    q = recording.joints
+    turning = np.array([unit == "rad" for unit in of_joints(recording.joint_unit, q.shape[1])])
+    if (far := np.argwhere(turning & (np.abs(q) > 360 * DEG))).size:
+        row, joint = far[0]
+        raise InputError(
+            f"the joint reads {q[row, joint] / DEG:.6g} deg, more than a full turn either way.",
+            "Give angles of the joint, after the gear, in degrees.",
+            file=recording.path,
+            line=int(recording.line[row]),
+            column=f"q{joint + 1}_deg",
+        )
+    size = robot_size(robot, load=load)
+    small_angles = turning.any() and (np.abs(q[:, turning]) <= _RADIANS * DEG).all()
+    for column, spread, turn in _spreads(recording, q / np.where(turning, 1.0, size)):
+        what = f"the readings spread over {spread:.4g} mm"
+        if small_angles and spread > size * max(_MOST_MOTION * turn, _LEAST_SPREAD):
+            raise InputError(
+                f"{what}, yet no joint reads more than {_RADIANS} deg: the joints look like radians.",
+                "Convert them to degrees.",
+                file=recording.path,
+                column=f"q{int(np.argmax(turning)) + 1}_deg",
+            )
+        if spread > _MOST_SPREAD * size or spread < _LEAST_SPREAD * size * min(turn, 1.0):
+            unit, factor = ("micrometres", "Divide by") if spread > size else ("metres", "Multiply by")
+            raise InputError(
+                f"{what} on a machine of {size:.4g} mm: they look like {unit}.",
+                f"{factor} 1000, or correct the robot file.",
+                file=recording.path,
+                column=column,
+            )
+
+
+def _spreads(recording: Recording, joints: np.ndarray) -> Iterator[tuple[str, float, float]]:
+    """Column, spread of its readings [mm] and largest motion of a joint (N, n_q) between them."""
+    kind, pairs = kind_of(recording.kind), kind_of("distance")
+    yield from kind.spreads(recording, joints)
+    if recording.pairs is not None and not kind.pairs:
+        yield from pairs.spreads(recording, joints)
+
+
+def impossible(name: str, values: np.ndarray, heaviest: float = np.inf) -> tuple[np.ndarray, str]:
+    """Which values (N,) of a channel cannot be, and what was expected in words; `heaviest` is the largest payload."""
+    if APPROACH.fullmatch(name):
+        return np.isfinite(values) & (np.abs(values) != 1), "1 or -1 was expected"
+    if TEMPERATURE.fullmatch(name):
+        return (values < -100) | (values > 300), "-100 to 300 degC were expected"
+    if name == "payload_kg" and (values < 0).any():
+        return values < 0, "a mass cannot be negative"
+    if name == "payload_kg":
+        return values > heaviest, f"at most {heaviest:.3g} kg were expected on arms and a platform like these"
+    return np.zeros(len(values), dtype=bool), ""
+
+
+def set_aside(recording: Recording, robot: Robot) -> Recording:
+    """Return the recording without the channels that hold values which cannot be; `doubts` says why."""
+    masses = robot.masses
+    heaviest = np.inf
+    if masses is not None:
+        limbs = recording.joints.shape[1]
+        moving = masses.platform + limbs * (masses.proximal + 2 * masses.distal_rod)
+        heaviest = _MOST_PAYLOAD * moving if moving else np.inf
+    doubts = {}
+    for name, values in recording.channels.items():
+        wrong, expected = impossible(name, values, heaviest)
+        if wrong.any():
+            row = int(np.argmax(wrong))
+            doubts[name] = f"line {recording.line[row]} holds {values[row]:.6g}: {expected}"
+    kept = {name: values for name, values in recording.channels.items() if name not in doubts}
+    return dataclasses.replace(recording, channels=kept, doubts=doubts)
+
+
+def check_repeats(recording: Recording, rows: Rows) -> None:
+    """Rows of one pose have the same joints and the same tool point."""
+    points = recording.joints if recording.targets is None else recording.targets
+    if recording.tool is not None:
+        points = np.hstack([points, np.nan_to_num(recording.tool)])
+    first: dict[str, int] = {}
+    for row, label in enumerate(recording.pose.tolist()):
+        other = first.setdefault(label, row)
+        if other != row and np.abs(points[row] - points[other]).max() > _SAME_JOINT:
+            raise rows.error(
+                f"pose '{label}' has other joints or another tool point than in line {rows.line[other]}.",
+                "Give every pose a label of its own; only repeats share one.",
+                row=row,
+                column="pose",
+            )
+
+
+def check_home(recording: Recording) -> None:
+    """Increments count from the first row, which stands at the home."""
+    found = recording.joints[0]
+    if np.abs(found).max() > _SAME_JOINT:
+        joint = int(np.argmax(np.abs(found)))
+        unit = of_joints(recording.joint_unit, len(found))[joint]
+        raise InputError(
+            f'zero = "incremental": joints count from the home, yet the first row reads '
+            f"{to_file(found[joint], unit):.6g} {file_unit(unit)}.",
+            'Put the home, with joints 0, into the first row, or say zero = "absolute" in the sidecar.',
+            file=recording.path,
+            line=int(recording.line[0]),
+            column=f"q{joint + 1}_{file_unit(unit)}",
+        )
+    if (axes := kind_of(recording.kind).zero_at_home(recording)) is None:
+        return
+    spread = float(np.ptp(axes[np.isfinite(axes).all(axis=1)], axis=0).max(initial=0.0))
+    axis = int(np.argmax(np.abs(np.nan_to_num(axes[0]))))
+    if abs(np.nan_to_num(axes[0, axis])) > _HOME * spread:
+        raise InputError(
+            f'zero = "incremental": readings count from the home, yet the first row, with joints 0, reads '
+            f"{axes[0, axis]:.6g} mm.",
+            'Put the home into the first row, or say zero = "absolute" in the sidecar.',
+            file=recording.path,
+            line=int(recording.line[0]),
+            column=recording.columns[axis],
+        )

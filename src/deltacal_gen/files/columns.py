@@ -1,0 +1,24 @@
+"""Columns of a recording by their names: joints, channels, tool point, and the file beside it with distances."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from deltacal_gen.instrument import kinds
+from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.machine.values import TEMPERATURE
+
+TOOL = ("tool_x_mm", "tool_y_mm", "tool_z_mm")
+MEASURED = {column for name in kinds.names() for column in kind_of(name).reserved}
+RESERVED = {*MEASURED, *TOOL, "pose", "setup"}
+ONE_SETUP = ("1",)  # name of the only set-up, where the file names none
+
+JOINT = re.compile(r"q\d+_(deg|mm)")
+APPROACH = re.compile(r"approach\d+")
+CHANNEL = re.compile(rf"time_s|payload_kg|{TEMPERATURE.pattern}|{APPROACH.pattern}|qdd?\d+_\w+")
+
+
+def distances_path(path: Path) -> Path:
+    """Return where the distances between rows of a recording lie, if there are any."""
+    return path.with_name(f"{path.stem}.distances.csv")

@@ -1,0 +1,236 @@
+"""How a table is written down: its encoding, what stands before it, separators, decimal marks and units.
+
+What is certain is read as it is meant. What is not, such as 1,234 where no other cell says what the comma is, is asked
+for: ``--decimal ,`` or ``.`` (in Python `decimal_mark`).
+"""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar, Token
+from dataclasses import dataclass
+from pathlib import Path
+
+from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.files.columns import CHANNEL, JOINT, RESERVED
+
+LOOKED_AT = 200  # lines in which the header is searched for
+SEPARATORS = (",", ";", "\t")
+LABELS = {"pose", "setup", "contact", "pose_a", "pose_b"}
+_DEG, _MM = {"deg": 1.0, "rad": 57.29577951308232}, {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "um": 1e-3}
+_UNITS: tuple[tuple[re.Pattern[str], str, dict[str, float]], ...] = (  # of columns, unit in files, factors to it
+    (re.compile(r"q\d+[ab]?"), "deg", _DEG),
+    (re.compile(r"q\d+[ab]?"), "mm", _MM),
+    (re.compile(r"(tool_)?[xyz]|distance|gauge|height"), "mm", _MM),
+    (re.compile(r"r[xyz]"), "deg", _DEG),
+    (re.compile(r"qd\d+"), "deg_s", {f"{u}_s": f for u, f in _DEG.items()}),
+    (re.compile(r"qd\d+"), "mm_s", {f"{u}_s": f for u, f in _MM.items()}),
+    (re.compile(r"qdd\d+"), "deg_s2", {f"{u}_s2": f for u, f in _DEG.items()}),
+    (re.compile(r"qdd\d+"), "mm_s2", {f"{u}_s2": f for u, f in _MM.items()}),
+    (re.compile(r"time"), "s", {"s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0}),
+    (re.compile(r"payload"), "kg", {"kg": 1.0, "g": 1e-3, "lb": 0.45359237}),
+    (re.compile(r"temp(_\w+)?"), "C", {"c": 1.0, "degc": 1.0}),
+)
+_SPELT = {  # units as people write them
+    "°": "deg", "degree": "deg", "degrees": "deg", "radian": "rad", "radians": "rad", "inch": "in", "inches": "in",
+    '"': "in", "µm": "um", "μm": "um", "micron": "um", "meter": "m", "metre": "m", "meters": "m", "metres": "m",
+    "sec": "s", "°c": "c", "deg/s": "deg_s", "rad/s": "rad_s", "mm/s": "mm_s", "m/s": "m_s", "deg/s^2": "deg_s2",
+    "rad/s^2": "rad_s2", "mm/s^2": "mm_s2", "m/s^2": "m_s2",
+}  # fmt: skip
+_NO_UNIT = {"", "-", "none", "text", "name"}
+_COMMA = re.compile(r"[-+]?\d+,\d+(?:[eE][-+]?\d+)?")
+_WITH_COMMA = re.compile(r"[-+]?(?:\d*,\d+|\d+,)(?:[eE][-+]?\d+)?")
+_POINT = re.compile(r"[-+]?\d*\.\d+(?:[eE][-+]?\d+)?")
+_GROUPS = {mark: re.compile(rf"[-+]?\d{{1,3}}(?:{re.escape(mark)}\d{{3}})+") for mark in ",."}
+_SPACED = re.compile(r"[-+]?\d{1,3}(?:[ '\u00a0\u202f\u2019]\d{3})+(?:[.,]\d+)?")
+_decimal: ContextVar[str | None] = ContextVar("decimal", default=None)
+
+
+@contextmanager
+def decimal_mark(mark: str) -> Iterator[None]:
+    """Read tables with a decimal mark, "." or ",", instead of finding out.
+
+    Raises
+    ------
+    UsageError
+        Another mark.
+    """
+    token = set_decimal_mark(mark)
+    try:
+        yield
+    finally:
+        _decimal.reset(token)
+
+
+def set_decimal_mark(mark: str | None) -> Token[str | None]:
+    """Set the decimal mark of all tables that are read from here on; None: find out."""
+    if mark not in (".", ",", None):
+        raise UsageError(f"'{mark}' is no decimal mark; known are . and ,")
+    return _decimal.set(mark)
+
+
+def encoding_of(path: Path) -> str:
+    """Return the encoding of a text file: by its byte order mark, or UTF-8 where it is that, or Windows' own.
+
+    Raises
+    ------
+    InputError
+        The file cannot be read.
+    """
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise InputError(
+            f"the file cannot be read: {error.strerror}.", "Check the path and the permissions.", file=path
+        ) from None
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return "utf-16"
+    if b"\0" in data[:200]:
+        return "utf-16-le" if data[1:2] == b"\0" else "utf-16-be"
+    try:
+        data.decode("utf-8")
+    except UnicodeDecodeError:
+        return "cp1252"
+    return "utf-8-sig"
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Where a table's header stands among its lines, and how its cells are written.
+
+    Attributes
+    ----------
+    header : int
+        Which of the lines it is, from 0.
+    separator : str
+    decimal : str
+        "." or ",".
+    units : bool
+        Whether the row after the header holds units.
+    """
+
+    header: int
+    separator: str
+    decimal: str
+    units: bool
+
+
+def layout_of(path: Path, lines: Sequence[tuple[int, str]]) -> Layout:
+    """Return the layout of a table by its lines, numbered as in the file.
+
+    Raises
+    ------
+    InputError
+        What the commas between digits are is not certain.
+    """
+    header, separator = _header(lines)
+    names, *cells = csv.reader((text for _, text in lines[header:]), delimiter=separator)
+    units = bool(cells) and len(cells[0]) == len(names) and _are_units(cells[0])
+    numbered = zip((number for number, _ in lines[header + 1 :]), cells, strict=False)
+    shown = ((number, cell.strip()) for number, row in numbered for cell in row)
+    decimal = _decimal.get() or "." if separator == "," else decimal_of(path, shown)
+    return Layout(header, separator, decimal, units)
+
+
+def _header(lines: Sequence[tuple[int, str]]) -> tuple[int, str]:
+    """Return which line is the header, and its separator: the first with columns that are known, or the first line."""
+    for k, (_, text) in enumerate(lines[:LOOKED_AT]):
+        for separator in SEPARATORS:
+            cells = [c.strip().strip('"') for c in text.split(separator)]
+            if len(cells) > 1 and sum(_known(converted(c)[0]) for c in cells) > 1:
+                return k, separator
+    first = lines[0][1]
+    return 0, max(SEPARATORS, key=lambda s: first.count(s))
+
+
+def _known(name: str) -> bool:
+    plain = name in RESERVED or name in LABELS or JOINT.fullmatch(name) or CHANNEL.fullmatch(name)
+    return bool(plain or re.fullmatch(r"q\d+[ab]?(_(deg|mm))?", name))
+
+
+def _are_units(cells: Sequence[str]) -> bool:
+    """Tell whether a row holds units alone, and some."""
+    plain = [_unit(cell) for cell in cells]
+    known = {u for _, _, factors in _UNITS for u in factors} | {"px"}
+    return all(u in known or u in _NO_UNIT for u in plain) and any(u in known for u in plain)
+
+
+def _unit(text: str) -> str:
+    plain = text.strip().strip("[]()").strip().lower()
+    return _SPELT.get(plain, plain)
+
+
+def converted(name: str, unit: str = "") -> tuple[str, float]:
+    """Return a column's name as files here have it, and the factor to its unit: ``X [m]`` is ``x_mm``, times 1000.
+
+    `unit` is what a row of units says of it. A name that says no unit, or that is not known, stays as it is.
+    """
+    stem, said = name.strip(), _unit(unit)
+    if any(stem.endswith(f"_{own}") and p.fullmatch(stem.removesuffix(f"_{own}")) for p, own, _ in _UNITS):
+        return stem, 1.0
+    if (bracket := re.fullmatch(r"(.*?)[\s_]*[\[(]([^\])]*)[\])]", stem)) is not None:
+        stem, said = bracket[1], said or _unit(bracket[2])
+    plain = stem.lower().replace(" ", "_")
+    for pattern, own, factors in _UNITS:
+        if pattern.fullmatch(plain) and said in factors:
+            return f"{plain}_{own}", factors[said]
+        for other, factor in factors.items():
+            if plain.endswith(f"_{other}") and pattern.fullmatch(plain.removesuffix(f"_{other}")):
+                return f"{plain.removesuffix(f'_{other}')}_{own}", factor
+    return name, 1.0
+
+
+def decimal_of(path: Path, cells: Iterable[tuple[int, str]]) -> str:
+    """Return the decimal mark of cells, with their lines, that are separated by no comma.
+
+    Raises
+    ------
+    InputError
+        No cell says it for certain, or cells contradict one another.
+    """
+    if (said := _decimal.get()) is not None:
+        return said
+    doubtful: tuple[int, str] | None = None
+    point = comma = None
+    for line, cell in cells:
+        if "," not in cell:
+            if _POINT.fullmatch(cell) and not _GROUPS["."].fullmatch(cell):
+                point = point or (line, cell)
+            continue
+        whole, _, part = cell.rpartition(",")
+        if "." in part or (_GROUPS[","].fullmatch(cell) and cell.count(",") > 1):
+            point = point or (line, cell)
+        elif "." in whole or (_COMMA.fullmatch(cell) and not _GROUPS[","].fullmatch(cell)) or whole in ("0", "-0"):
+            comma = comma or (line, cell)
+        elif _GROUPS[","].fullmatch(cell):
+            doubtful = doubtful or (line, cell)
+    if point and comma:
+        raise InputError(
+            f"'{comma[1]}' in line {comma[0]} has a decimal comma, and '{point[1]}' a decimal point.",
+            "Write all with one mark.",
+            file=path,
+            line=point[0],
+        )
+    if doubtful and not (point or comma):
+        raise InputError(
+            f"whether the comma in '{doubtful[1]}' is a decimal mark or parts thousands, no cell says.",
+            "Say it: --decimal , or --decimal .",
+            file=path,
+            line=doubtful[0],
+        )
+    return "," if comma else "."
+
+
+def plain_number(cell: str, layout: Layout) -> str:
+    """Return a number with a decimal point and without marks between thousands; other cells as they are."""
+    decimal, other = layout.decimal, "," if layout.decimal == "." else "."
+    bare = re.sub(r"[ '\u00a0\u202f\u2019]", "", cell) if _SPACED.fullmatch(cell) else cell
+    whole, mark, part = bare.partition(decimal)
+    if other != layout.separator and _GROUPS[other].fullmatch(whole):
+        bare = whole.replace(other, "") + mark + part
+    if decimal == "," and _WITH_COMMA.fullmatch(bare):
+        return bare.replace(",", ".")
+    return bare

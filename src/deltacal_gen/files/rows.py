@@ -1,0 +1,304 @@
+"""Rows of a table, CSV or Parquet, as cells of text that know their line and column."""
+
+from __future__ import annotations
+
+import contextlib
+import csv
+import dataclasses
+import itertools
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TypeVar
+
+import numpy as np
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.files.columns import CHANNEL, RESERVED
+from deltacal_gen.files.dialect import LABELS, LOOKED_AT, Layout, converted, encoding_of, layout_of, plain_number
+from deltacal_gen.files.robot import nearest
+
+WORKBOOKS = (".xlsx", ".xlsm")
+_DECIMAL_COMMA = re.compile(r"[-+]?\d+,\d+")
+
+
+@dataclass(frozen=True)
+class Rows:
+    """Cells of a file, as text, by column."""
+
+    path: Path
+    columns: dict[str, list[str]]
+    line: np.ndarray  # of each row
+    header_line: int | None
+    factors: Mapping[str, float] = field(default_factory=dict)  # of columns in other units than their names say now
+
+    def error(self, problem: str, remedy: str, *, row: int | None = None, column: str | None = None) -> InputError:
+        line = self.header_line if row is None else int(self.line[row])
+        return InputError(problem, remedy, file=self.path, line=line, column=column)
+
+    def without(self, names: Iterable[str]) -> Rows:
+        dropped = set(names)
+        kept = {name: cells for name, cells in self.columns.items() if name not in dropped}
+        return dataclasses.replace(self, columns=kept)
+
+    def require(self, *names: str) -> None:
+        """Raise for the first column that is not there, naming one that may be meant."""
+        for name in names:
+            if name in self.columns:
+                continue
+            others = [n for n in self.columns if n not in RESERVED.union(names) and not CHANNEL.fullmatch(n)]
+            stem = name.split("_")[0]
+            close = next((n for n in others if n.lower().split("_")[0] == stem), None) or nearest(name, others)
+            unit = f" in {name.split('_')[-1]}" if "_" in name else ""
+            problem = f"the column is missing; '{close}' looks like it." if close else "the column is missing."
+            remedy = f"Rename it to '{name}' and give it{unit}." if close else f"Add it{unit}, or correct the header."
+            raise self.error(problem, remedy, column=name)
+
+    def labels(self, name: str, *, blank: bool = True) -> list[str] | None:
+        """A column of names; a blank one is named after its line, or raises. None where there is no such column."""
+        cells = self.columns.get(name)
+        if cells is not None and not blank and "" in cells:
+            raise self.error("the cell is blank.", "Fill it in.", row=cells.index(""), column=name)
+        return cells and [cell or f"line {line}" for cell, line in zip(cells, self.line, strict=True)]
+
+    def numbers(self, *names: str, blank: bool = True) -> np.ndarray:
+        """(N, k) numbers of k columns that belong together: a row is complete, or all blank where that is allowed."""
+        self.require(*names)
+        values = np.column_stack([self._column(name) for name in names])
+        gaps = np.isnan(values)
+        bad = gaps.any(axis=1) & ~(gaps.all(axis=1) & blank)
+        if bad.any():
+            row = int(np.argmax(bad))
+            name = names[int(np.argmax(gaps[row]))]
+            if blank:
+                rest = f"the cell is blank, but other cells of {', '.join(names)} are not."
+                raise self.error(rest, "Fill it in, or blank them all.", row=row, column=name)
+            raise self.error("the cell is blank.", "Fill it in, or remove the row.", row=row, column=name)
+        return values
+
+    def _column(self, name: str) -> np.ndarray:
+        values = np.full(len(self.line), np.nan)
+        cells = self.columns[name]
+        with contextlib.suppress(ValueError):  # the usual column at once; others cell by cell, to name the wrong one
+            values = np.array([float(cell) if cell else np.nan for cell in cells]) * self.factors.get(name, 1.0)
+            if np.isfinite(values).sum() == sum(map(bool, cells)) and not any("_" in cell for cell in cells):
+                return values
+        for row, cell in enumerate(cells):
+            if not cell:
+                continue
+            value = number_of(cell)
+            if value is None or not np.isfinite(value):
+                remedy = "Correct the cell or remove the row."
+                if value is not None:
+                    remedy = "Leave the cell blank where nothing was measured; joints must be complete."
+                elif _DECIMAL_COMMA.fullmatch(cell):
+                    remedy = "Write a decimal point."
+                shown = cell if len(cell) <= 40 else f"{cell[:36]} ..."
+                expected = "a number" if value is None else "a finite number"
+                raise self.error(f"the cell holds '{shown}', {expected} was expected.", remedy, row=row, column=name)
+            values[row] = value
+        return values * self.factors.get(name, 1.0)
+
+
+def number_of(cell: str) -> float | None:
+    """Return the number in a cell; None where it holds none."""
+    try:
+        return None if "_" in cell else float(cell)  # float() takes 1_000
+    except ValueError:
+        return None
+
+
+def read_table(path: Path) -> Rows:
+    """Read a table: Parquet or a workbook by its ending, otherwise CSV; raises InputError."""
+    if path.suffix == ".parquet":
+        return read_parquet(path)
+    return read_workbook(path) if path.suffix.lower() in WORKBOOKS else read_csv(path)
+
+
+def read_csv(path: Path) -> Rows:
+    """Read a CSV file; raises InputError."""
+    return next(csv_blocks(path, None))
+
+
+def csv_blocks(path: Path, rows: int | None) -> Iterator[Rows]:
+    """Read a CSV file so many rows at a time, or all at once; raises InputError."""
+    encoding = encoding_of(path)
+    try:
+        with path.open(encoding=encoding) as file:
+            lines = _lines(line.rstrip("\n") for line in file)
+            begun = list(itertools.islice(lines, None if rows is None else LOOKED_AT))
+            if not begun:
+                raise InputError("the file is empty.", "Give a header and one row per reading.", file=path)
+            layout = _parsed(path, begun, lambda: layout_of(path, begun))
+            head, rest = (
+                begun[layout.header : layout.header + 1 + layout.units],
+                begun[layout.header + 1 + layout.units :],
+            )
+            lines = itertools.chain(rest, lines)
+            block = list(itertools.islice(lines, rows))
+            while True:
+                while sum(line.count('"') for _, line in block) % 2 and (more := next(lines, None)):
+                    block.append(more)  # a cell goes on in the next line
+                yield _csv_rows(path, head, block, layout)
+                block = list(itertools.islice(lines, rows)) if rows is not None else []
+                if not block:
+                    return
+    except OSError as error:
+        raise InputError(f"the file cannot be read: {error.strerror}.", "Check the path.", file=path) from None
+    except UnicodeError:
+        raise InputError("the file is not text.", "Save the file as text in UTF-8.", file=path) from None
+
+
+def _lines(text: Iterable[str]) -> Iterator[tuple[int, str]]:
+    """Yield the lines that hold cells, numbered as in the file."""
+    return ((n, line) for n, line in enumerate(text, start=1) if line.strip() and not line.startswith("#"))
+
+
+_Parsed = TypeVar("_Parsed")
+
+
+def _parsed(path: Path, lines: Sequence[tuple[int, str]], parse: Callable[[], _Parsed]) -> _Parsed:
+    """Return what a parser makes of lines; raise an InputError where they are no CSV."""
+    try:
+        return parse()
+    except csv.Error as error:
+        raise InputError(f"this is not CSV: {error}.", "Correct the quotes.", file=path, line=lines[0][0]) from None
+
+
+def _csv_rows(path: Path, head: list[tuple[int, str]], block: list[tuple[int, str]], layout: Layout) -> Rows:
+    """Return lines as cells; `head` holds the header and, where there is one, the row of units."""
+    kept = head + block
+    reader = csv.reader((line for _, line in kept), delimiter=layout.separator, strict=True)
+    table: list[list[str]] = []
+    numbers: list[int] = []
+    try:
+        for cells in reader:
+            table.append([cell.strip() for cell in cells])
+            numbers.append(kept[reader.line_num - 1][0])
+    except csv.Error as error:
+        line = kept[min(reader.line_num, len(kept)) - 1][0]
+        raise InputError(f"this is not CSV: {error}.", "Correct the quotes.", file=path, line=line) from None
+    return _of_cells(path, table, numbers, layout)
+
+
+def _of_cells(path: Path, table: list[list[str]], numbers: list[int], layout: Layout) -> Rows:
+    """Return cells (header, units where there are, rows) with their lines as columns in the units of files."""
+    header, units = table[0], table[1] if layout.units else [""] * len(table[0])
+    table, numbers, header_line = table[1 + layout.units :], numbers[1 + layout.units :], numbers[0]
+    named = [converted(name, unit) for name, unit in zip(header, units, strict=True)]
+    if len({name for name, _ in named}) == len(named):
+        header = [name for name, _ in named]
+        factors = {name: factor for name, factor in named if factor != 1.0}
+    else:  # the same quantity twice, in two units
+        factors = {}
+    _check_header(path, header, header_line)
+    for cells, line in zip(table, numbers, strict=True):
+        if len(cells) != len(header):
+            comma = " Decimals need a point, not a comma." if len(cells) > len(header) else ""
+            raise InputError(
+                f"the row has {len(cells)} cells, the header {len(header)}.",
+                f"Correct the row.{comma}",
+                file=path,
+                line=line,
+            )
+    if not table:
+        raise InputError("there is a header but no row.", "Add one row per reading.", file=path, line=header_line)
+    columns = {name: [cells[k] for cells in table] for k, name in enumerate(header)}
+    if layout.separator != "," or layout.decimal != ".":
+        columns = {
+            name: cells if name in LABELS else [plain_number(cell, layout) for cell in cells]
+            for name, cells in columns.items()
+        }
+    return Rows(path, columns, np.array(numbers), header_line, factors)
+
+
+def read_workbook(path: Path) -> Rows:
+    """Read the first sheet of a workbook (``.xlsx``) that holds a table; raises InputError."""
+    try:
+        import openpyxl
+    except ImportError:
+        raise InputError(
+            "reading a workbook needs openpyxl, which is not installed.",
+            "Install it (pip install 'deltacal_gen[xlsx]'), or save the sheet as CSV.",
+            file=path,
+        ) from None
+    try:
+        book = openpyxl.load_workbook(path, read_only=True, data_only=True)
+        sheets = [[["" if v is None else str(v).strip() for v in row] for row in s.values] for s in book.worksheets]
+        book.close()
+    except OSError as error:
+        raise InputError(f"the file cannot be read: {error.strerror or error}.", "Check the path.", file=path) from None
+    except Exception as error:  # of a library that lets through whatever is wrong inside the archive
+        raise InputError(
+            f"this is no workbook: {type(error).__name__}.", "Save it again as .xlsx.", file=path
+        ) from None
+    for sheet in sheets:
+        kept = [(n, _trimmed(row)) for n, row in enumerate(sheet, start=1) if any(row) and not row[0].startswith("#")]
+        if not kept:
+            continue
+        lines = [(n, "\t".join(cell.replace("\t", " ") for cell in row)) for n, row in kept]
+        layout = dataclasses.replace(layout_of(path, lines), separator="\t")
+        width = len(kept[layout.header][1])
+        rows = [row + [""] * (width - len(row)) for _, row in kept[layout.header :]]
+        return _of_cells(path, rows, [n for n, _ in kept[layout.header :]], layout)
+    raise InputError("no sheet holds a table.", "Give a header and one row per reading.", file=path)
+
+
+def _trimmed(row: list[str]) -> list[str]:
+    """Return a row without the blank cells at its end."""
+    while row and not row[-1]:
+        row = row[:-1]
+    return row
+
+
+def read_parquet(path: Path) -> Rows:
+    """Read a Parquet file; raises InputError."""
+    return next(parquet_blocks(path, None))
+
+
+def parquet_blocks(path: Path, rows: int | None) -> Iterator[Rows]:
+    """Read a Parquet file so many rows at a time, or all at once; raises InputError."""
+    try:
+        import pyarrow as pa
+        import pyarrow.parquet as pq
+    except ImportError:
+        raise InputError(
+            "reading Parquet needs pyarrow, which is not installed.",
+            "Install it (pip install pyarrow), or save the file as CSV.",
+            file=path,
+        ) from None
+    done = 0
+    try:
+        with pq.ParquetFile(path) as file:
+            whole = rows is None or not file.metadata.num_rows
+            for batch in [file.read()] if whole else file.iter_batches(rows):
+                names, count = batch.schema.names, batch.num_rows
+                _check_header(path, names, None)
+                if not count:
+                    raise InputError("there is no row.", "Add one row per reading.", file=path)
+                columns = {
+                    name: ["" if cell is None else str(cell).strip() for cell in column.to_pylist()]
+                    for name, column in zip(names, batch.columns, strict=True)
+                }
+                yield Rows(path, columns, np.arange(done + 1, done + count + 1), None)
+                done += count
+    except (OSError, ValueError, pa.ArrowException) as error:
+        reason = str(error).splitlines()[0] if str(error) else type(error).__name__
+        raise InputError(f"this is not a readable Parquet file: {reason}.", "Save it again.", file=path) from None
+
+
+def _check_header(path: Path, header: Sequence[str], line: int | None) -> None:
+    for k, name in enumerate(header):
+        if not name:
+            raise InputError(
+                f"column {k + 1} has no name.", "Name it, or remove the comma too many.", file=path, line=line
+            )
+        if name in header[:k]:
+            raise InputError(
+                f"the name stands over columns {header.index(name) + 1} and {k + 1}.",
+                "Rename or remove one of them.",
+                file=path,
+                line=line,
+                column=name,
+            )

@@ -1,0 +1,104 @@
+"""The sidecar of a recording, NAME.toml: what was measured and how."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+from typing import Annotated, Literal
+
+from pydantic import AfterValidator
+from pydantic_core import PydanticCustomError
+
+from deltacal_gen.files.robot import Number, Positive, Table, TomlFile, Vector, toml_text
+from deltacal_gen.instrument import kinds
+from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.machine.values import Measurement, Recording
+
+
+class Camera(Table):
+    """Pinhole camera of sphere images: focal lengths and principal point [px], radial distortion `k1`,
+    rotation vector [deg], radius of the ball [mm]."""
+
+    fx_px: Positive
+    fy_px: Positive
+    cx_px: Number
+    cy_px: Number
+    k1: Number = 0.0
+    rotation_deg: Vector = (0.0, 0.0, 0.0)
+    ball_radius_mm: Positive
+
+
+def _kind_name(value: str) -> str:
+    """Return a kind's name of what a sidecar calls it."""
+    for name in kinds.names():
+        if value in (name, *kind_of(name).aliases):
+            return name
+    *most, last = map(repr, kinds.names())
+    expected = f"{', '.join(most)} or {last}"
+    raise PydanticCustomError("literal_error", "one of {expected} was expected", {"expected": expected})
+
+
+class _Measurement(Table):
+    """The table [measurement] of a sidecar, of which `Measurement` is made."""
+
+    kind: Annotated[str, AfterValidator(_kind_name)] | None = None
+    frame: Literal["unknown", "robot"] = "unknown"
+    sigma_mm: Positive | None = None
+    sigma_deg: Positive | None = None
+    sigma_px: Positive | None = None
+    instrument: str | None = None
+    operator: str | None = None
+    zero: Literal["absolute", "incremental"] = "absolute"
+    base_point_mm: Vector | None = None
+    platform_point_mm: Vector | None = None
+    camera: Camera | None = None
+
+
+class _Contacts(Table):
+    distance_mm: tuple[tuple[str, str, Positive], ...] = ()
+
+
+class Sidecar(Table):
+    """The tables of a sidecar."""
+
+    measurement: _Measurement = _Measurement()
+    camera: Camera | None = None
+    contacts: _Contacts = _Contacts()
+
+
+def read_measurement(sidecar: str | Path) -> Measurement:
+    """Return what a sidecar, NAME.toml, says of the measurement.
+
+    Raises
+    ------
+    InputError
+        The file is missing, or a key in it is wrong.
+    """
+    return measurement_of(TomlFile.read(sidecar).check(Sidecar))
+
+
+def read_sidecar(path: Path) -> Sidecar:
+    """Read the sidecar of a recording; one that is not there says nothing."""
+    path = path.with_suffix(".toml")
+    if not path.exists():
+        return Sidecar()
+    return TomlFile.read(path).check(Sidecar)
+
+
+def measurement_of(sidecar: Sidecar) -> Measurement:
+    """Return what a sidecar says of the measurement."""
+    said = Measurement(**dict(sidecar.measurement))
+    return said if sidecar.camera is None else dataclasses.replace(said, camera=sidecar.camera)
+
+
+def sidecar_text(recording: Recording) -> str:
+    """Return the sidecar of a recording, as text."""
+    fields = dataclasses.fields(Measurement)
+    said = {f.name: value for f in fields if (value := getattr(recording.measurement, f.name)) != f.default}
+    said.pop("camera", None)
+    tables = {"measurement": {"kind": recording.kind, "frame": "unknown"} | said | {"kind": recording.kind}}
+    if recording.measurement.camera is not None:
+        tables["measurement.camera"] = recording.measurement.camera.model_dump()
+    if recording.contact_distances:
+        tables["contacts"] = {"distance_mm": recording.contact_distances}
+    return toml_text(tables)

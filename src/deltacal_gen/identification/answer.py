@@ -1,0 +1,220 @@
+"""The answer of an identification as users read it: RESULT.json, in the units of files."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.files.robot import kept_robot
+from deltacal_gen.identification import identifiability
+from deltacal_gen.identification.accuracy import distance_error, largest, volumetric_error
+from deltacal_gen.identification.identifiability import Combination
+from deltacal_gen.identification.noise import coordinate_sigma, freedom
+from deltacal_gen.identification.prior import BROAD, share_of_data
+from deltacal_gen.machine.registry import Array, Machine
+from deltacal_gen.physics.terms import kept_term
+from deltacal_gen.results.result import (
+    Accuracy,
+    BaseFrame,
+    BaseParameter,
+    Largest,
+    OpenCombination,
+    Parameter,
+    Read,
+    Regularisation,
+    Result,
+    Stage,
+    Status,
+)
+from deltacal_gen.units import DEG, file_unit, to_internal
+
+if TYPE_CHECKING:
+    from deltacal_gen.identification.identification import Identification
+
+RESOLVED = 0.5  # of a parameter's variance that comes from directions the data know better than the prior
+
+
+# -------------------------------------------------------------------------------------------------- RESULT.json
+
+
+def parameter_table(
+    mechanism: Machine, change: Array, status: Mapping[str, Status], deviation: Array
+) -> tuple[Parameter, ...]:
+    """Return the parameters of a result: all source errors of a mechanism, in the units of files.
+
+    Parameters
+    ----------
+    change : (n_p,) array
+        Actual minus robot file [mm, rad].
+    status : mapping
+        Of the parameters that were free, by their names.
+    deviation : (n,) array
+        Their standard deviations [mm, rad], in the order of `status`; one that is not pinned has none.
+    """
+    std = {name: float(d) for (name, s), d in zip(status.items(), deviation, strict=True) if s is not Status.NOT_PINNED}
+    return tuple(
+        Parameter(
+            name=p.name,
+            value=float(value) / to_internal(p.unit),
+            std=std[p.name] / to_internal(p.unit) if p.name in std else None,
+            unit=file_unit(p.unit),
+            status=status.get(p.name, Status.FIXED),
+        )
+        for p, value in zip(mechanism.parameters, change, strict=True)
+    )
+
+
+def result_of(found: Identification) -> Result:
+    """Return what was identified as RESULT.json says it."""
+    final, problem = found.fit, found.fit.problem
+    mechanism, names = problem.mechanism, problem.names
+    n = len(names)
+    deviation = np.sqrt(np.maximum(np.diag(final.covariance)[:n], 0.0))
+    ruled_out = {name for c in (*found.unseen, *found.weak) for name in c.terms}
+    by_prior = final.solution.posterior
+    by_data = share_of_data(final)
+    status: dict[str, Status] = {}
+    for j, name in enumerate(names):
+        known = by_data[j] > RESOLVED if by_prior else name not in ruled_out
+        given = by_prior and found.prior_given[j]
+        status[name] = Status.IDENTIFIED if known else Status.BY_PRIOR if given else Status.NOT_PINNED
+    sigma, recording = found.noise.sigma, problem.recording
+    residual_sigma = coordinate_sigma(final)
+    return Result(
+        model=found.model,
+        parameters=parameter_table(mechanism, final.errors - found.in_file, status, deviation),
+        rank=found.observability.rank,
+        rank_tolerance=identifiability.RANK_TOLERANCE,
+        singular_values=found.observability.singular_values,
+        condition=found.observability.condition if np.isfinite(found.observability.condition) else None,
+        scaling="columns in ordinary errors, rows in mm, unknown frame projected out, at the robot file's machine",
+        unidentifiable=(
+            *open_combinations(found.unseen, mechanism, "not at all"),
+            *open_combinations(found.weak, mechanism, "less than noise"),
+        ),
+        base=_base(found),
+        next_measurements=found.remedies,
+        regularisation=_regularisation(found),
+        readings=Read(
+            kind=problem.readings.kind.name, scalars=problem.readings.n_scalars, poses=len(np.unique(recording.pose))
+        ),
+        before_rms_mm=found.before_rms,
+        degrees_of_freedom=freedom(final),
+        train_rms_mm=final.rms(),
+        heldout_rms_mm=found.heldout_rms if np.isfinite(found.heldout_rms) else None,
+        sigma_mm=sigma,
+        sigma_source=found.noise.source,
+        residual_sigma_mm=residual_sigma,
+        chi2_per_dof=(residual_sigma / sigma) ** 2 if sigma > 0 else None,
+        gross_errors=tuple(int(problem.readings.line[j]) for j in final.gross),
+        stages=_stages(found),
+        accuracy=_accuracy(found),
+        base_frame=_base_frames(found),
+        contacts=final.instrument.kind.points(final.instrument, recording),
+        workspace=found.map,
+        iterations=len(final.history),
+        physics=tuple(map(kept_term, problem.held)),
+        physics_not_held=found.not_held,
+        instrument=final.instrument.kept(recording.setup_names, recording.measurement.zero),
+        robot=kept_robot(found.robot),
+    )
+
+
+def _base(found: Identification) -> tuple[BaseParameter, ...]:
+    """Return the base parameters with values and standard deviations, where single parameters have none."""
+    problem, n = found.fit.problem, len(found.fit.problem.names)
+    values = (found.fit.errors - problem.reference)[problem.columns[:n]]
+    entries = []
+    for b in found.base:
+        unit = problem.mechanism.parameters[problem.mechanism.index[b.name]].unit
+        share = np.array([b.terms.get(name, 0.0) for name in problem.names])
+        std = float(np.sqrt(max(share @ found.fit.covariance[:n, :n] @ share, 0.0)))
+        entries.append(
+            BaseParameter(
+                name=b.name,
+                combination=b.text,
+                value=float(share @ values) / to_internal(unit),
+                std=std / to_internal(unit),
+                unit=file_unit(unit),
+            )
+        )
+    return tuple(entries)
+
+
+def open_combinations(
+    several: Sequence[Combination], mechanism: Machine, seen: Literal["not at all", "less than noise"]
+) -> tuple[OpenCombination, ...]:
+    """Return combinations of parameters that readings do not determine, in the units of files."""
+    units = {p.name: to_internal(p.unit) for p in mechanism.parameters}
+    return tuple(
+        OpenCombination(seen=seen, text=c.text, terms={n: v / units[n] for n, v in c.terms.items()}) for c in several
+    )
+
+
+def _regularisation(found: Identification) -> Regularisation:
+    if not found.fit.solution.posterior:
+        return Regularisation(rule=found.fit.solution.rule)
+    given = sum(found.prior_given)
+    return Regularisation(
+        rule=f"priors: {given} from [tolerance], {len(found.prior_given) - given} broad ({BROAD:g} ordinary errors)",
+        determined=found.fit.solution.degrees,
+    )
+
+
+def _stages(found: Identification) -> tuple[Stage, ...]:
+    stages: tuple[tuple[Literal["rough", "fine"], Fit | None], ...] = (("rough", found.rough), ("fine", found.fit))
+    return tuple(
+        Stage(stage=name, parameters=len(f.problem.names), iterations=len(f.history), train_rms_mm=f.rms())
+        for name, f in stages
+        if f is not None
+    )
+
+
+def _accuracy(found: Identification) -> Accuracy | None:
+    """Return the paper's two error measures of the measured positions, before and after; home is the most central."""
+    problem, final = found.fit.problem, found.fit
+    if not problem.readings.kind.positions:
+        return None
+    chosen = np.setdiff1d(np.arange(len(problem.readings)), final.gross)
+    chosen = chosen[problem.readings.setup[chosen] == problem.readings.setup[chosen[0]]]
+    measured, rows = np.nan_to_num(problem.readings.values[chosen]), problem.readings.rows[chosen, 0]
+    home = int(np.argmin(np.linalg.norm(measured - np.median(measured, axis=0), axis=1)))
+
+    def at(errors: Array) -> Largest:
+        wanted = problem.poses(errors)[rows, :3]
+        return Largest(
+            distance_mm=largest(distance_error(measured, wanted, home)),
+            volumetric_mm=largest(volumetric_error(measured, wanted, home)),
+        )
+
+    return Accuracy(
+        home_line=int(problem.readings.line[chosen[home]]),
+        note="largest errors relative to home; the distance error is the same in every frame, the volumetric error "
+        "is taken after the rotation that fits the two sets best",
+        before=at(problem.reference),
+        rough=at(found.rough.errors) if found.rough else None,
+        after=at(final.errors),
+    )
+
+
+def _base_frames(found: Identification) -> tuple[BaseFrame, ...]:
+    """Return where {O} stands in the instrument's frame, set-up by set-up, with standard deviations."""
+    instrument, n = found.fit.instrument, len(found.fit.problem.names)
+    frames = instrument.frames()
+    if 3 not in instrument.free or not frames:
+        return ()
+    std = np.zeros((len(instrument.state), 9))  # zero: not estimated, because no reading depends on it
+    std[:, list(instrument.free)] = np.sqrt(np.maximum(np.diag(found.fit.covariance)[n:], 0.0)).reshape(len(std), -1)
+    return tuple(
+        BaseFrame(
+            setup=found.fit.problem.recording.setup_names[s],
+            rotation_deg=tuple((turn / DEG).tolist()),
+            rotation_std_deg=tuple((std[s, :3] / DEG).tolist()),
+            origin_mm=tuple(origin.tolist()),
+            origin_std_mm=tuple(std[s, 3:6].tolist()),
+        )
+        for s, (turn, origin) in enumerate(frames)
+    )

@@ -1,0 +1,261 @@
+"""Whether readings can be used: enough for a model, of different poses, of this machine, row by row of their joints."""
+
+from __future__ import annotations
+
+import dataclasses
+import itertools
+from collections.abc import Iterator
+
+import numpy as np
+
+from deltacal_gen.errors import InputError, NoSolutionError
+from deltacal_gen.estimation.fit import SPARE_READINGS, Fit, rough
+from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.estimation.residuals import lengths
+from deltacal_gen.files.robot import robot_size
+from deltacal_gen.instrument.kinds import kind_of, mounts
+from deltacal_gen.machine.registry import Array, Machine
+from deltacal_gen.machine.values import Recording
+from deltacal_gen.physics.body import Body
+from deltacal_gen.units import DEG
+
+SPARE = 1.15  # scalar readings per unknown below which a model is not chosen unasked: firmware fits 6 to 7 heights
+SPARE_HEIGHTS = 1  # of probed heights and printed distances, whose noise is roughly known
+IMPLAUSIBLE = 0.005  # of the machine's size: more is no error of stiff parts; mistakes of the recording are looked for
+NONSENSE = 0.1  # of what poses spread over: so far off, the machine explains next to nothing of the readings
+POSES_LOOKED_AT, SEED = 60, 2021  # poses, drawn at random, on which mistakes are tried
+NEARER = 0.5  # of the error: a mistake that brings less is not fitted
+MOST_FITTED = 4
+EXPLAINED = 0.1  # of the error: what a mistake may leave that explains it
+
+
+def chosen_model(mechanism: Machine, problem: Problem, recording: Recording, asked: str | None) -> str:
+    """Return the model asked for, or the largest that the readings allow.
+
+    Raises
+    ------
+    InputError
+        The readings are fewer than the unknowns of the model (of the smallest model, when none was asked for).
+    """
+    scalars = problem.readings.n_scalars
+    extra = problem.begin(problem.reference).n_unknown
+    shown = {mechanism.parameters[p].name for p in problem.readings.kind.carried(mechanism).values()}
+    fitting = [m for m in mechanism.models if shown.issuperset(mounts() & set(mechanism.models[m]))]
+    whole = len(mechanism.model(mechanism.full_model))
+    by_size = sorted((m for m in fitting if len(mechanism.models[m]) <= whole), key=lambda m: -len(mechanism.models[m]))
+    if asked is not None:
+        mechanism.model(asked)
+        name = mechanism.full_name(asked)
+        _check_count(recording, scalars, len(mechanism.models[name]), extra, name, _spare(recording))
+        return name
+    for name in by_size:
+        if scalars >= SPARE * (len(mechanism.models[name]) + extra):
+            return name
+    smallest = by_size[-1]
+    _check_count(recording, scalars, len(mechanism.models[smallest]), extra, smallest, _spare(recording))
+    return smallest
+
+
+def enough(mechanism: Machine, problem: Problem, recording: Recording) -> None:
+    """Raise an InputError where the readings cannot carry the problem's own parameters and the instrument's."""
+    extra = problem.begin(problem.reference).n_unknown
+    scalars = problem.readings.n_scalars
+    _check_count(recording, scalars, len(problem.names), extra, mechanism.full_model, SPARE_READINGS)
+
+
+def _spare(recording: Recording) -> int:
+    """Return how many readings beyond the unknowns a fit needs: none where the noise is known beforehand."""
+    kind = kind_of(recording.kind)
+    if kind.probed:
+        return SPARE_HEIGHTS
+    return 0 if recording.measurement.sigma_mm is not None and not kind.rotations else SPARE_READINGS
+
+
+def _check_count(recording: Recording, scalars: int, parameters: int, extra: int, model: str, spare: int) -> None:
+    """Raise an InputError where readings are fewer than the unknowns and the `spare` ones that noise shows in."""
+    needed = parameters + extra + spare
+    if scalars >= needed:
+        return
+    of_instrument = f" and {extra} of the instrument" if extra else ""
+    shows = f", and noise shows in no fewer than {spare} more" if spare else ""
+    raise InputError(
+        f"the recording holds {scalars} independent scalar readings; {model} has {parameters} "
+        f"parameters{of_instrument}{shows}: {needed} are needed.",
+        "Measure more poses (deltacal plan proposes them) or choose a smaller model with --model.",
+        file=recording.path,
+    )
+
+
+def distinct(problem: Problem, recording: Recording) -> None:
+    """Raise an InputError where the readings come from fewer than three different poses."""
+    used = np.unique(problem.readings.rows)
+    if len(np.unique(np.round(problem.body.q[used], 9), axis=0)) < 3:
+        raise InputError(
+            "the readings come from fewer than three different poses.",
+            "Measure poses spread over the workspace: deltacal plan proposes them.",
+            file=recording.path,
+        )
+
+
+def enough_poses(problem: Problem, model: str) -> None:
+    """Raise an InputError where different poses, each counted once, are fewer than a model's parameters need.
+
+    Repeats of a pose show noise, but nothing of the machine: such a recording cannot be split into a part to fit and a
+    part to judge by.
+    """
+    found = problem.readings
+    poses = len(np.unique(np.round(problem.body.q[np.unique(found.rows)], 9), axis=0))
+    scalars = found.kind.scalars * len(np.unique(found.group))
+    if found.rows.shape[1] == 2:
+        scalars = min(scalars, 3 * poses)
+    extra = problem.begin(problem.reference).n_unknown
+    needed = len(problem.names) + extra + SPARE_READINGS
+    if scalars < needed:
+        of_instrument = f" and {extra} of the instrument" if extra else ""
+        raise InputError(
+            f"the readings come from {poses} different poses: {scalars} scalars, each counted once, where {model} has "
+            f"{len(problem.names)} parameters{of_instrument}. The recording is too short to split: repeats show noise, "
+            "not what is missing.",
+            f"Measure enough different poses for {needed} scalars (deltacal plan proposes them), or choose a smaller "
+            "model with --model.",
+            file=problem.recording.path,
+        )
+
+
+def plausible(first: Fit) -> None:
+    """Raise an InputError where the readings cannot be of this machine, and name the mistakes that would explain them.
+
+    A rigid machine is off by less than half a per cent of its size once its encoder offsets are known. A soft one is
+    off by more, and no check refuses it: beyond that, the mistakes that people make are tried, and the readings are
+    refused where one of them explains nearly all, or where the machine explains next to nothing of what was read.
+    """
+    problem, found = first.problem, first.problem.readings
+    off = _typical(first.residual, first)
+    if off < IMPLAUSIBLE * robot_size(problem.robot):
+        return
+    explained = _explained(problem, off) if found.kind.positions else []
+    if explained:
+        raise InputError(
+            f"the readings are {off:.3g} mm off this machine, but agree with it if {', or if '.join(explained)}.",
+            "Correct the recording, its sidecar or the robot file.",
+            file=problem.recording.path,
+        )
+    points = first.machine.x[found.used, :3]
+    spread = float(np.linalg.norm(points.std(axis=0)))
+    if off > NONSENSE * spread:
+        raise InputError(
+            f"the readings are {off:.3g} mm off this machine, {off / spread:.0%} of what its poses spread over: more "
+            "than any error of its parts.",
+            "Compare the robot file with the machine, and the columns of the recording with what was measured.",
+            file=problem.recording.path,
+        )
+
+
+def _typical(residual: Array, at: Fit) -> float:
+    """Return the median length of residuals [mm]."""
+    each = np.nan_to_num(lengths(residual, at.problem.readings.kind))
+    return float(np.median(np.linalg.norm(each, axis=1)))
+
+
+def _explained(problem: Problem, off: float) -> list[str]:
+    """Return in words the mistakes, one at a time, with which readings agree with the machine.
+
+    Each is looked at with the machine as its file says, on few poses; the few that bring most are fitted. All together
+    cost less than a fit.
+    """
+    few = problem.some(POSES_LOOKED_AT, np.random.default_rng(SEED))
+    tried = [(_aligned_error(changed), words, changed) for words, changed in _mistakes(few)]
+    near = sorted((t for t in tried if t[0] < NEARER * _aligned_error(few)), key=lambda t: t[0])[:MOST_FITTED]
+    out = []
+    for _, words, changed in near:
+        try:
+            again = rough(changed, must_converge=False)
+        except (InputError, NoSolutionError):
+            continue
+        if _typical(again.residual, again) < EXPLAINED * off:
+            out.append(words)
+    return out
+
+
+def _aligned_error(problem: Problem) -> float:
+    """Return the median error [mm] of the machine as its file says, the instrument aligned; inf where it cannot be."""
+    try:
+        machine = problem.solve(problem.reference)
+        residual = problem.residual(problem.reference, problem.begin(problem.reference, machine), machine.x)
+    except InputError:
+        return float("inf")
+    return float(np.median(np.linalg.norm(np.nan_to_num(lengths(residual, problem.readings.kind)), axis=1)))
+
+
+def _mistakes(problem: Problem) -> Iterator[tuple[str, Problem]]:
+    found, body, said = problem.readings, problem.body, problem.recording.measurement
+
+    def with_values(values: Array) -> Problem:
+        return dataclasses.replace(problem, readings=dataclasses.replace(found, values=values))
+
+    def with_joints(q: Array) -> Problem:
+        return dataclasses.replace(problem, body=Body(body.robot, body.mechanism, q, body.tool, body.channels))
+
+    if said.frame == "robot":
+        recording = dataclasses.replace(problem.recording, measurement=dataclasses.replace(said, frame="unknown"))
+        yield (
+            'the instrument has a frame of its own (frame = "unknown" in the sidecar)',
+            dataclasses.replace(problem, recording=recording),
+        )
+    joints = range(body.q.shape[1])
+    yield "every joint counts the other way ([joints] sign)", with_joints(-body.q)
+    for i in joints:
+        yield (
+            f"joint {i + 1} counts the other way ([joints] sign)",
+            with_joints(np.where(np.arange(len(joints)) == i, -body.q, body.q)),
+        )
+        for turn in (90, -90, 180) if problem.mechanism.joint_units[i] == "rad" else ():
+            step = np.where(np.arange(len(joints)) == i, turn * DEG, 0.0)
+            yield f"the zero of joint {i + 1} is off by {turn} deg", with_joints(body.q + step)
+    for i, j in itertools.combinations(joints, 2):
+        order = [j if k == i else i if k == j else k for k in joints]
+        yield f"the columns of joints {i + 1} and {j + 1} are exchanged", with_joints(body.q[:, order])
+    axes = "xyz"
+    read = [c for c in found.components if c < 3]
+    for i, j in itertools.combinations(read, 2):
+        swapped = [j if k == i else i if k == j else k for k in range(3)]
+        yield f"{axes[i]}_mm and {axes[j]}_mm are exchanged", with_values(found.values[:, swapped])
+    if len(read) == 3:
+        yield (
+            "the instrument's frame is left-handed (one axis counts the other way)",
+            with_values(found.values * np.array([-1.0, 1.0, 1.0])),
+        )
+    for factor, unit in ((1000.0, "metres"), (25.4, "inches"), (0.001, "micrometres")):
+        yield f"all positions are in {unit}", with_values(found.values * factor)
+        for i in read:
+            scale = np.where(np.arange(3) == i, factor, 1.0)
+            yield f"{axes[i]}_mm is in {unit}", with_values(found.values * scale)
+    for shift in (1, -1):
+        yield (
+            "the readings are shifted against the joints by one row",
+            with_values(np.roll(found.values, shift, axis=0)),
+        )
+
+
+def check_rows(first: Fit, recording: Recording) -> None:
+    """Refuse rows whose measured cells stand against the joints of another row.
+
+    Two readings that are gross errors, and each of which fits the pose of the other, were swapped.
+    """
+    found, suspects = first.problem.readings, first.gross
+    if not found.kind.positions or not 2 <= len(suspects) <= max(2, len(found) // 5):
+        return
+    predicted = found.values - first.residual[:, :3]
+    within = 6 * float(np.median(np.linalg.norm(lengths(first.residual, found.kind), axis=1))) + 1e-9
+    gap = np.linalg.norm(np.nan_to_num(found.values[suspects][:, None] - predicted[suspects][None]), axis=2)
+    for i in range(len(suspects)):
+        j = int(np.argmin(gap[i]))
+        if i < j and gap[i, j] < within and gap[j, i] < within and min(gap[i, i], gap[j, j]) > 10 * within:
+            a, b = sorted(int(found.line[suspects[k]]) for k in (i, j))
+            raise InputError(
+                f"the readings of lines {a} and {b} are swapped: each fits the joints of the other to "
+                f"{max(gap[i, j], gap[j, i]):.3g} mm and its own only to {min(gap[i, i], gap[j, j]):.3g} mm.",
+                "Exchange the measured cells of the two lines.",
+                file=recording.path,
+                line=a,
+            )

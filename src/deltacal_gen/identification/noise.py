@@ -1,0 +1,119 @@
+"""The noise of readings, where it is known from, and whether a fit leaves more than it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.residuals import Repeats, lengths
+from deltacal_gen.instrument.readings import Readings
+from deltacal_gen.machine.registry import Array
+from deltacal_gen.machine.values import Recording
+from deltacal_gen.results.parts import NoiseModel, Source
+
+PROVEN = 4.0  # standard deviations by which one noise must exceed another to be called larger
+LEAST_EXCESS = 1.15  # of chi2 per degree of freedom: a sidecar's sigma has a digit or two
+
+
+# ----------------------------------------------------------------------------------------------- what is pinned
+
+
+def coordinate_sigma(found: Fit) -> float:
+    """Return the noise that a fit leaves per measured scalar [mm]; a distance made of positions holds that of two."""
+    return float(found.sigma[0]) / (np.sqrt(2.0) if found.problem.readings.made else 1.0)
+
+
+@dataclass(frozen=True)
+class Noise:
+    """Noise per measured scalar [mm], where it is known from, and the degrees of freedom of that knowledge."""
+
+    sigma: float
+    source: Source
+    degrees: float
+
+
+def noise(final: Fit, recording: Recording) -> Noise:
+    """Return the noise, from the sidecar, from repeats, or from what the fit leaves.
+
+    Repeats count where every channel but time is the same in both readings. A declared sigma holds unless repeats
+    contradict it: clearly smaller ones do; clearly larger ones do unless the closest of them agree with it, since what
+    happens between two readings of a pose adds to the spread of some and not of others.
+    """
+    found, residual = final.problem.readings, coordinate_sigma(final)
+    declared = found.kind.sigma(recording.measurement, final.instrument.scale)
+    if found.made:
+        return (
+            Noise(residual, Source.RESIDUAL, np.inf) if declared is None else Noise(declared, Source.DECLARED, np.inf)
+        )
+    quiet = np.setdiff1d(np.arange(len(found)), final.gross)
+    r, group = np.nan_to_num(lengths(final.residual[quiet], found.kind)), _repeats(found, recording)[quiet]
+    _, within, degrees = Repeats.ratio_of(r, group)
+    repeated = degrees >= 12 and within > 0
+    if declared is not None:
+        doubt = PROVEN * np.sqrt(_spread(r) / max(degrees, 1))
+        gap = np.log(within / declared**2) if repeated else 0.0
+        if abs(gap) <= doubt or (gap > 0 and _closest(r, group) < 2 * declared):
+            return Noise(declared, Source.DECLARED, np.inf)
+    if repeated:
+        return Noise(float(np.sqrt(within)), Source.REPEATS, float(degrees))
+    return Noise(residual, Source.RESIDUAL, np.inf)
+
+
+def noise_model(final: Fit) -> NoiseModel:
+    """Return how the noise of rows hangs together that a fit counts with."""
+    rho = final.repeats.rho
+    rows = (1 + rho) / (1 - rho)  # so many rows tell as much as one that stands alone
+    words = (
+        "each row has noise of its own"
+        if not rho
+        else f"the noise hangs together over {rows:.0f} rows (correlation {rho:.2f} from row to row)"
+    )
+    return NoiseModel(rho=rho, rows=rows, text=words)
+
+
+def _repeats(found: Readings, recording: Recording) -> np.ndarray:
+    """Return groups (R,) of readings of one pose with every channel but time the same."""
+    channels = [
+        v for name, v in sorted(recording.channels.items()) if name != "time_s" and not name.startswith("true_")
+    ]
+    if found.rows.shape[1] != 1 or not channels:
+        return found.group
+    same = np.column_stack([found.group, np.nan_to_num(np.array(channels).T[found.rows[:, 0]], nan=-1e9)])
+    return np.ravel(np.unique(same, axis=0, return_inverse=True)[1])
+
+
+def _spread(r: Array) -> float:
+    """Return the variance of squares in units of the variance's square: 2 where noise is normal, more in its tails."""
+    squares = r[np.isfinite(r)] ** 2
+    mean = float(np.mean(squares)) + 1e-300
+    return max(float(np.mean(squares**2)) / mean**2, 3.0) - 1
+
+
+def _closest(r: Array, group: np.ndarray) -> float:
+    """Return the noise that the closest quarter of repeats speaks for, as if noise were normal [mm]."""
+    order = np.argsort(group, kind="stable")
+    together = group[order][1:] == group[order][:-1]
+    gaps = np.abs(np.diff(r[order], axis=0)[together])
+    return float(np.quantile(gaps, 0.25) / (0.3186 * np.sqrt(2.0)))
+
+
+def lack_of_fit(final: Fit, recording: Recording) -> bool:
+    """Tell whether what a fit leaves is more than a noise known beforehand, each as uncertain as it is."""
+    known = noise(final, recording)
+    if known.source is Source.RESIDUAL:
+        return False
+    r = np.delete(
+        lengths(final.residual / final.sigma, final.problem.readings.kind) * final.sigma[0], final.gross, axis=0
+    )
+    r = r[np.isfinite(r)] / (np.sqrt(2.0) if final.problem.readings.made else 1.0)
+    free = max(len(r) - final.solution.degrees - final.instrument.n_unknown, 1.0)
+    excess = np.log(float(r @ r) / free / known.sigma**2)
+    doubt = PROVEN * np.sqrt(_spread(r) * (1 / free + 1 / known.degrees))
+    return bool(excess > max(doubt, np.log(LEAST_EXCESS)))
+
+
+def freedom(final: Fit) -> float:
+    """Return how many scalar readings a fit leaves to judge it by: all, less what the data determine."""
+    return float(final.problem.readings.n_scalars - final.solution.degrees - final.instrument.n_unknown)

@@ -1,0 +1,123 @@
+"""Remedies: extra measurements, and how many of the directions that readings leave open each would pin."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+
+from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.identification.prior import with_prior
+from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.machine.registry import SOLVED, Array
+from deltacal_gen.results.result import (
+    Remedy,
+)
+from deltacal_gen.units import DEG, file_unit, to_internal
+
+
+def remedies(final: Fit) -> tuple[Remedy, ...]:
+    """Return extra measurements, each with how many more directions it would pin, most first."""
+    problem = final.problem
+    known = _pinned([problem], final)
+    span = float(np.mean([v[0] for v in problem.robot.geometry.values()][:2])) / 2
+    ideas: list[tuple[str, list[Problem]]] = []
+    tools = [problem.body.tool + np.array(offset) * span for offset in ((1, 0, 0), (0, 1, 0), (0, 0, -1))]
+    moved = [problem.with_tool(tool) for tool in tools]
+    if not problem.readings.kind.carried(problem.mechanism):  # a measuring mechanism mounted anew has new errors
+        beside = f"{span:.0f} mm beside the first, at the same poses"
+        ideas.append((f"a second reference point, {beside}", moved[:1]))
+        ideas.append((f"a second and a third reference point, {beside}", moved[:2]))
+    if problem.readings.kind.position_beside:
+        ideas.append(("the position itself at the same poses, with a tracker or a camera", [_as_positions(problem)]))
+    if problem.readings.kind.rotation_beside and problem.mechanism.turns:
+        full = _as_positions(problem)
+        three = [full.with_tool(full.body.tool + np.array(o) * span) for o in ((0, 0, 0), (1, 0, 0), (0, 1, 0))]
+        ideas.append(("the platform's rotation (kind pose) at the same poses", three))
+    gains = {text: _pinned([problem, *extra], final) - known for text, extra in ideas}
+    # what pins no more than less of the same is no idea
+    told = [
+        text for text, extra in ideas if gains[text] > max((gains[t] for t, e in ideas if e == extra[:-1]), default=0)
+    ]
+    return tuple(
+        Remedy(measurement=text, pins=gains[text], of=len(problem.names) - known)
+        for text in sorted(told, key=lambda text: -gains[text])
+    )
+
+
+def printed(final: Fit) -> tuple[Remedy, ...]:
+    """Return the one or two distances to print and measure that settle what probed heights leave open.
+
+    Heights make a bed flat; the size of what is printed over it hangs on arms, radius and towers that they hardly see.
+    All source errors count here, free or not, each with its prior: `[tolerance]`, or a broad one. What a distance may
+    be off by is told with the change of the machine that goes along with it.
+    """
+    robot, mechanism = final.problem.robot, final.problem.mechanism
+    names, noise = mechanism.model(mechanism.full_model), kind_of("distance").usual_noise
+    every, _ = with_prior(final.problem.with_names(names), robot)
+    state = every.linearise(final.errors, final.instrument)
+    A = np.nan_to_num(state.J_p * every.scale / final.sigma[None, :, None]).reshape(-1, len(names))
+    C = np.linalg.inv(A.T @ A + np.eye(len(names))) * np.outer(every.scale, every.scale)
+    reach = every.body.solve(final.errors, ())[0].x[np.unique(every.readings.rows)]
+    wide = float(np.max(np.linalg.norm(reach[:, :2], axis=1)))
+    turns = np.arange(0, 180, 30) * DEG
+    ends = wide * np.column_stack([np.cos(turns), np.sin(turns), 0 * turns])
+    points = np.concatenate([-ends, ends])
+    points[:, 2] = np.median(reach[:, 2])
+    rows = mechanism.rows(robot, final.errors)
+    q, x, status = mechanism.inverse(points, robot.tool, rows)
+    if (status != SOLVED).any():
+        return ()
+    dx = mechanism.sensitivity(x, q, robot.tool, rows).parameters[:, :3, every.columns]
+    n = len(turns)
+    J = np.einsum("ni,nij->nj", ends / wide, dx[n:] - dx[:n])
+    chosen: list[Remedy] = []
+    while len(chosen) < 2:
+        std = np.sqrt(np.einsum("ni,ij,nj->n", J, C, J))
+        k = int(np.argmax(std))
+        if std[k] < 2 * noise:
+            break
+        along = C @ J[k] / std[k]
+        size = np.abs(along) / mechanism.typical[every.columns]
+        told = [
+            f"{names[j]} {along[j] / to_internal(unit):+.2g} {file_unit(unit)}"
+            for j in np.argsort(-size)[:4]
+            for unit in [mechanism.parameters[mechanism.index[names[j]]].unit]
+        ]
+        text = (
+            f"print two marks {2 * wide:.0f} mm apart through the centre, {turns[k] / DEG:.0f} deg from x, and measure "
+            f"their distance: the heights leave it open by {std[k]:.2g} mm, with a bed as flat ({', '.join(told)})"
+        )
+        chosen.append(Remedy(measurement=text, pins=1, of=len(names), open_mm=float(std[k])))
+        gain = C @ J[k]
+        C = C - np.outer(gain, gain) / (std[k] ** 2 + noise**2)
+    return tuple(chosen)
+
+
+def _as_positions(problem: Problem) -> Problem:
+    readings = kind_of("position").taken(np.unique(problem.readings.rows)[:, None])
+    recording = dataclasses.replace(problem.recording, setup=np.zeros(problem.recording.n_rows, dtype=int))
+    return dataclasses.replace(problem, readings=readings, recording=recording)
+
+
+def _pinned(problems: list[Problem], final: Fit) -> int:
+    """Return how many directions readings of all `problems` together would know better than the prior."""
+    blocks: dict[str, list[tuple[Array, Array]]] = {}
+    for p in problems:
+        machine = p.solve(final.errors)
+        same = p.readings.kind == final.instrument.kind
+        instrument = final.instrument if same else p.begin(final.errors)
+        predicted, rotations = instrument.mounted(p.mechanism, final.errors).predict(p.readings, machine.x)
+        ideal = dataclasses.replace(p.readings, values=predicted, rotations=rotations)
+        state = dataclasses.replace(p, readings=ideal).linearise(final.errors, instrument, machine)
+        sigma = np.resize(final.sigma, state.residual.shape[1])[None, :, None]
+        J_p, J_m = state.J_p * p.scale / sigma, state.J_m / sigma
+        count = J_p.shape[0] * J_p.shape[1]
+        blocks.setdefault(p.readings.kind.name, []).append((J_p.reshape(count, -1), J_m.reshape(count, J_m.shape[2])))
+    A = []
+    for parts in blocks.values():  # readings of one kind share the instrument
+        J_p, J_m = np.vstack([a for a, _ in parts]), np.vstack([b for _, b in parts])
+        Q = np.linalg.qr(J_m)[0] if J_m.shape[1] else np.zeros((len(J_m), 0))
+        A.append(J_p - Q @ (Q.T @ J_p))
+    return int((np.linalg.svd(np.vstack(A), compute_uv=False) > 1).sum())

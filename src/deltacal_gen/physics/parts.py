@@ -1,0 +1,64 @@
+"""Which of the parts that an effect moves, and of the lengths and loads that it reads, a mechanism has."""
+
+from __future__ import annotations
+
+from collections.abc import Container
+from types import ModuleType
+
+from deltacal_gen.machine.registry import Machine
+from deltacal_gen.physics import states
+from deltacal_gen.physics.terms import load_effect
+
+EXERTED = ("torque", "payload_torque", "inertia_torque", "moment_x", "moment_y")  # by weights, in every machine
+TENSIONS = ("tension_1", "tension_2")  # in every machine of limbs
+
+
+def lacking(effect: str, mechanism: Machine, moves: Container[str], roles: Container[str]) -> list[str]:
+    """Return what an effect moves or reads of a machine and a mechanism does not have.
+
+    Parameters
+    ----------
+    moves, roles : container of str
+        Parts and lengths by which effects find their place in the mechanism.
+    """
+    kernels = load_effect(effect)
+    read = states.read_by(kernels)
+    without = _without(kernels, mechanism, moves, roles)
+    parts = [] if {} in without and not kernels.WHOLE else list({part: None for each in without for part in each})
+    if any(s.base == "theta" for s in read) and "offset" not in moves:
+        parts.append("angle of a joint")
+    if any(s.kind == "load" for s in read) and not mechanism.weighs:
+        parts.append("weights")
+    if "height" in kernels.TARGETS and "z" not in mechanism.axes:
+        parts.append("heights")
+    parts += [f"joint {s.joint}" for s in read if s.joint > mechanism.limbs]
+    return parts
+
+
+def lacks(effect: str, mechanism: Machine, moves: Container[str], roles: Container[str]) -> tuple[str, ...]:
+    """Return the coefficients of an effect that move no part of a mechanism with these parts and lengths."""
+    kernels = load_effect(effect)
+    without = _without(kernels, mechanism, moves, roles)
+    there = {name for each, (names, _) in zip(without, kernels.PARTS, strict=True) if not each for name in names}
+    return tuple(name for name, *_ in kernels.COEFFICIENTS if name not in there)
+
+
+def _without(
+    kernels: ModuleType, mechanism: Machine, moves: Container[str], roles: Container[str]
+) -> list[dict[str, None]]:
+    """Return the parts, lengths and loads that each target of an effect needs and that are not there."""
+    there = {*EXERTED, *(() if mechanism.linked else TENSIONS), *along_deflections(mechanism)}
+    found = []
+    for target, (_, read) in zip(kernels.TARGETS, kernels.PARTS, strict=True):
+        missing = [target[5:]] if target.startswith("limb.") and target[5:] not in moves else []
+        for s in map(states.named, read):
+            unknown = s.kind == "geometry" and s.name not in roles
+            if unknown or (s.kind == "load" and mechanism.weighs and s.base not in there):
+                missing.append(s.name)
+        found.append(dict.fromkeys(missing))
+    return found
+
+
+def along_deflections(mechanism: Machine) -> tuple[str, ...]:
+    """Return the states of what weights exert along each deflection of a mechanism."""
+    return tuple(f"pull_{n[4:]}" if n.startswith("tip_") else f"on_{n}" for n in mechanism.deflections)

@@ -1,0 +1,143 @@
+"""What a study advises."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from deltacal_gen.estimation.problem import pose_problem
+from deltacal_gen.execution import Outcome
+from deltacal_gen.machine.values import Recording
+from deltacal_gen.physics.body import Body
+from deltacal_gen.physics.channels import Channels
+from deltacal_gen.physics.simulation import simulate
+from deltacal_gen.planning.machines import Linear, Study, Trial, rms_of, rows_of
+from deltacal_gen.results.parts import EffectName, Missing
+from deltacal_gen.results.study import Addition, Advice, Suspect, Times
+
+NEARBY = 100.0  # mm: the second reference point from the first
+TIMES = (0.5, 1.0, 2.0, 4.0, 8.0)  # the plan's readings
+WORTH = 0.1  # of the error: what twice the measuring must take away to be worth it
+SURE = 1.96  # standard deviations of an interval that holds 95 %
+
+
+def advice(study: Study) -> Advice:
+    """Return what more of the same, another pose or a second reference point would leave by the linear problem."""
+    now = rms_of(study, study.linear)
+    enough = tuple(Times(times=t, rms_mm=rms_of(study, study.linear.times(t))) for t in TIMES)
+    gains = []
+    for words, more in _ideas(study):
+        left = rms_of(study, more)
+        gains.append(Addition(add=words, rms_mm=left, gain=1 - left / now))
+    doubling = 1 - enough[2].rms_mm / now
+    add = tuple(sorted(gains, key=lambda g: g.rms_mm))
+    return Advice(rms_mm=now, enough=enough, doubling=doubling, worth=bool(doubling > WORTH), add=add)
+
+
+def _ideas(study: Study) -> list[tuple[str, Linear]]:
+    """Return measurements that could be added, each with the linear problem of plan and addition."""
+    problem, linear = study.problem, study.linear
+    ideas = []
+    if problem.readings.kind.second_point and "z" in problem.mechanism.axes:
+        moved = problem.with_tool(problem.body.tool + np.array([NEARBY, 0.0, 0.0]))
+        words = f"a second reference point {NEARBY:.0f} mm beside the first, at the same poses"
+        ideas.append((words, linear.and_more(*rows_of(study, moved))))
+    if problem.readings.kind.more_poses and study.robot.workspace is not None:
+        q, x = study.check
+        one = dataclasses.replace(
+            problem.recording,
+            joints=problem.robot.joint_sign * q,
+            targets=None,
+            **_rows(problem.recording, len(q)),
+        )
+        extra = pose_problem(problem.robot, simulate(problem.robot, one), study.names)
+        J, whole = (
+            rows.reshape(len(q), -1, rows.shape[1])
+            for rows in rows_of(study, dataclasses.replace(extra, scale=problem.scale))
+        )
+        further = np.zeros((*J.shape[:2], len(linear.prior)))  # read in the first set-up of the instrument
+        further[:, :, : J.shape[2]] = J
+        better = [linear.and_more(*both) for both in zip(further, whole, strict=True)]
+        best = int(np.argmin([rms_of(study, more) for more in better]))
+        at = ", ".join(f"{v:.0f}" for v in x[best, :3])
+        ideas.append((f"one more pose, at ({at}) mm", better[best]))
+    return ideas
+
+
+def _rows(recording: Recording, n: int) -> dict[str, Any]:
+    """Return the fields of a recording of n fresh poses of the same kind, in the first set-up."""
+    return {
+        "measured": np.full((n, recording.measured.shape[1]), np.nan),
+        "pose": np.arange(1, n + 1).astype(str),
+        "line": np.arange(2, n + 2),
+        "setup": np.zeros(n, dtype=int),
+        "tool": None if recording.tool is None else np.tile(recording.tool[0], (n, 1)),
+        "channels": {},
+        "pairs": None,
+        "pair_measured": None,
+        "pair_line": None,
+    }
+
+
+def channels_wanted(study: Study) -> tuple[Missing, ...]:
+    """Return what the plan does not record and a suspected effect needs."""
+    p = study.problem
+    body = Body(study.robot, p.mechanism, p.body.q, p.body.tool, Channels.of(study.poses, study.robot))
+    wanted = []
+    for terms in study.suspects:
+        for term in terms:
+            if (why := body.missing(term)) is not None:
+                wanted.append(Missing(name=term.effect, missing=why))
+    return tuple(wanted)
+
+
+def told_of(study: Study, outcomes: Sequence[Outcome], each: int) -> tuple[Suspect, ...]:
+    """Return suspect by suspect how often it was named."""
+    if not outcomes:
+        return ()
+    told = []
+    for k, terms in enumerate([(), *study.suspects]):
+        mine = outcomes[k * each : (k + 1) * each]
+        good = [Trial(**o.result) for o in mine if o.result is not None]
+        right = sum(r.right for r in good)
+        others: dict[str, int] = {}
+        for r in good:
+            if not r.right:
+                words = ", ".join(f"{n} {limbs}" for n, limbs in r.named) or r.verdict
+                others[words] = others.get(words, 0) + 1
+        low, high = _wilson(right, len(good))
+        told.append(
+            Suspect(
+                effects=tuple(EffectName(name=t.effect, limbs=t.limbs) for t in terms),
+                recordings=len(good),
+                named_right=right,
+                named_among_equals=sum(r.among for r in good),
+                chance=right / len(good) if good else None,
+                interval=(low, high),
+                instead=others,
+                before_mm=_median([r.before_mm for r in good]),
+                after_mm=_median([r.after_mm for r in good]),
+                next=tuple(sorted({t for r in good if not r.right for t in r.next})[:3]),
+                failed=tuple(sorted({o.error for o in mine if o.error is not None})),
+            )
+        )
+    return tuple(told)
+
+
+def _median(of: Sequence[float | None]) -> float | None:
+    """Return the median of what recordings were held out to [mm], None where nothing could be."""
+    known = [v for v in of if v is not None]
+    return float(np.median(known)) if known else None
+
+
+def _wilson(right: int, of: int) -> tuple[float, float]:
+    """Return the 95 % interval of a chance that came true `right` times of so many."""
+    if of == 0:
+        return 0.0, 1.0
+    p, z = right / of, SURE**2 / of
+    middle, half = (p + z / 2) / (1 + z), math.sqrt(p * (1 - p) * z + z**2 / 4) / (1 + z)
+    return max(middle - half, 0.0), min(middle + half, 1.0)

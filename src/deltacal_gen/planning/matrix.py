@@ -1,0 +1,588 @@
+"""What is planned, and the matrix by which a set of targets sees the parameters."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from deltacal_gen.errors import InputError, NoSolutionError, UsageError
+from deltacal_gen.files.robot import Robot, to_file
+from deltacal_gen.files.sidecar import read_measurement
+from deltacal_gen.identification.accuracy import joint_spread, turned, workspace_of
+from deltacal_gen.identification.identifiability import (
+    Observability,
+    column_convention,
+    observability,
+)
+from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.kind import Kind
+from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.instrument.kinds import names as kind_names
+from deltacal_gen.instrument.readings import Readings
+from deltacal_gen.machine.registry import SOLVED, STATUS, Array, Machine, mechanism_of
+from deltacal_gen.machine.values import Measurement
+from deltacal_gen.planning.targets import radius, spread_of, width
+from deltacal_gen.results import plan as results
+from deltacal_gen.results.plan import Deviation, Expected, Method, PlannedPose
+from deltacal_gen.units import file_unit, to_internal
+
+KINDS = {name: words for name in kind_names() if (words := kind_of(name).planned)}  # of what poses are planned for
+NORMS = {
+    "spectral": "largest singular value by the smallest",
+    "frobenius": "Frobenius norm of the matrix times that of its pseudo-inverse",
+}
+SCALINGS = {
+    "file": "columns per mm and deg",
+    "paper": "columns of the unknowns in the paper's equations, angles in rad",
+    "table": "columns of the unknowns in the paper's tables, angles in rad",
+    "typical": "columns per ordinary error",
+}
+BEYOND = "beyond the limits of the joints"
+READABLE = {"mm": 3, "rad": 4}  # digits of targets and joints that are written, in the units of files
+INWARDS = np.linspace(0.98, 0.3, 35)  # parts of the way from the centre at which a pose beyond limits is tried
+FEWEST = 3  # poses of a ring: rule (21)
+GENERIC_POSES = 60  # without any symmetry, for what poses can see at all
+RECURRENCE = (0.8191725134, 0.6710436067, 0.5497004779)  # powers of the root of x^4 = x + 1: evenly spread points
+TURN_MM = 100.0  # at which a measured turn of 1 rad counts as a shift: what 6D trackers read, 0.01 mm beside 0.006 deg
+
+
+@dataclass(frozen=True)
+class Mount:
+    """Where a gauge's ends are nominally mounted: `base` in {O}, `platform` in {O'}, (3,) each [mm]."""
+
+    base: Array
+    platform: Array
+
+    @property
+    def said(self) -> Measurement:
+        """What the sidecar of the readings will say."""
+        base, platform = ((float(x), float(y), float(z)) for x, y, z in (self.base, self.platform))
+        return Measurement(
+            kind="gauge", frame="robot", zero="incremental", base_point_mm=base, platform_point_mm=platform
+        )
+
+
+@dataclass(frozen=True)
+class Poses:
+    """Poses to be measured, all of the first reference point, then the same joints for the next one.
+
+    Attributes
+    ----------
+    joints : (P, n_q) array
+        As the controller counts [rad or mm].
+    targets, tool : (P, 3) arrays
+        Nominal position of the reference point in {O}, and the reference point in {O'} [mm]. Of an open chain the
+        joints are what is wanted, and the targets where they lead.
+    x : (P, 12) array
+        Platform poses of the machine as the robot file knows it: position [mm], then the rotation matrix by rows.
+    points : int
+        Number of reference points.
+    """
+
+    joints: Array
+    targets: Array
+    tool: Array
+    x: Array
+    points: int
+
+    def __len__(self) -> int:
+        return len(self.joints)
+
+
+@dataclass(frozen=True)
+class Step:
+    """Figures of the set with `n` poses per ring.
+
+    `change` is ``|k_n - k_(n-1)| / k_n`` of the condition number k; of a gauge, ``|k - corrected| / k``, where
+    `corrected` is the condition number with the gauge's errors of the robot file (Mei 2018: kappa_1, kappa_m).
+    `indices` are O1 .. O5 as in `identifiability.Observability`.
+    """
+
+    n: int
+    poses: int
+    readings: int
+    rank: int
+    condition: float
+    change: float
+    indices: dict[str, float]
+    corrected: float | None = None
+
+
+@dataclass(frozen=True)
+class Prediction:
+    """Standard deviations that noise of `sigma` per coordinate will leave, by unweighted least squares.
+
+    Attributes
+    ----------
+    parameters : dict of float
+        [mm, rad].
+    mean, largest : float
+        Of the tool position over the workspace: root of the summed variances of its coordinates, up to a motion of
+        the frame, which neither distances nor positions in an unknown frame tell [mm].
+    """
+
+    sigma: float
+    parameters: dict[str, float]
+    mean: float
+    largest: float
+
+    def answer(self, mechanism: Machine) -> Expected:
+        """Return the same as users read it, in mm and deg."""
+        units = {p.name: p.unit for p in mechanism.parameters}
+        return Expected(
+            sigma_mm=self.sigma,
+            parameters=tuple(
+                Deviation(name=name, std=to_file(std, units[name]), unit=file_unit(units[name]))
+                for name, std in self.parameters.items()
+            ),
+            tool_mean_mm=self.mean,
+            tool_max_mm=self.largest,
+        )
+
+
+@dataclass(frozen=True)
+class Task:
+    """What is to be identified, from which readings, and how its figures are stated.
+
+    Attributes
+    ----------
+    names, dropped : tuples of str
+        Parameters that enter the matrix; those left out because no poses can tell them from the others.
+    tools : (T, 3) array
+        Reference points in {O'} [mm].
+    mount : Mount or None
+        Of a gauge.
+    """
+
+    robot: Robot
+    model: str
+    kind: str
+    scaling: str
+    norm: str
+    names: tuple[str, ...]
+    dropped: tuple[str, ...]
+    tools: Array
+    mount: Mount | None = field(default=None, kw_only=True)
+
+    def step(self, n: int, poses: Poses, before: float = math.inf) -> Step:
+        """Return the figures of a set of poses; `before` is the condition number of the last smaller one."""
+        nominal = dataclasses.replace(self, robot=_as_mounted(self.robot, kind_of(self.kind))) if self.mount else self
+        H = nominal._columns(poses)
+        figures = observability(H, len(poses))
+        condition = self._condition(figures)
+        corrected = self._condition(observability(self._columns(poses), len(poses))) if self.mount else None
+        other = before if corrected is None else corrected
+        change = abs(condition - other) / condition if math.isfinite(condition) else math.inf
+        return Step(n, len(poses), len(H), figures.rank, condition, change, figures.indices, corrected)
+
+    def _columns(self, poses: Poses) -> Array:
+        factors, _ = column_convention(self.robot, self.names, self.scaling)
+        columns: Array = matrix_of(self.robot, poses, self.names, kind_of(self.kind), self.mount) * factors
+        return columns
+
+    def _condition(self, figures: Observability) -> float:
+        if self.norm == "frobenius" and math.isfinite(figures.condition):
+            s = figures.singular_values
+            return float(np.sqrt((s**2).sum() * (1 / s**2).sum()))
+        return figures.condition
+
+
+@dataclass(frozen=True)
+class Plan(Task):
+    """A set of poses to be measured, and how it was chosen.
+
+    Attributes
+    ----------
+    method : str
+        ``rings``, ``edges``, ``joints``, ``singular`` or ``d-optimal``.
+    layers : tuple of float
+        Parts of the workspace's height below its top; empty for a D-optimal set.
+    start_angle : float
+        Of the first pose of a ring about z [rad].
+    steps : tuple of Step
+        One per n; a single one, n the number of positions, for a D-optimal set.
+    chosen : int or None
+        The smallest n whose change is within the threshold; None where there is none up to the last n.
+    settled : int or None
+        The smallest n from which on all changes are within the threshold, up to the last n.
+    poses : Poses
+        Of the chosen n, or of the last one where none was chosen.
+    prediction : Prediction or None
+        For the noise that was given.
+    notes : tuple of str
+        What became of poses where the machine may not stand.
+    """
+
+    method: Method
+    layers: tuple[float, ...]
+    start_angle: float
+    threshold: float
+    steps: tuple[Step, ...]
+    chosen: int | None
+    settled: int | None
+    poses: Poses
+    prediction: Prediction | None
+    notes: tuple[str, ...] = ()
+
+    @property
+    def conventions(self) -> str:
+        """What the figures depend on, in words."""
+        if self.method == "edges":
+            lowest = "lowest" if len(self.layers) > 1 else "chosen"
+            rule = (
+                "|k - corrected| / k, with the gauge's errors of the robot file,"
+                if self.mount
+                else "|k(n) - k(n-1)| / k(n)"
+            )
+            along = (
+                f"each of {len(self.layers)} levels of the workspace, all in the same direction, from the highest to "
+                f"the {lowest}"
+                if mechanism_of(self.robot).limbs > 1
+                else "the stroke"
+            )
+            poses = (
+                f"n evenly spaced poses along {along}; chosen is the smallest n >= {FEWEST} at which every parameter "
+                f"shows and {rule} <= {self.threshold:g}."
+            )
+        elif self.method == "rings":
+            heights = " and ".join(f"{part:.0%}" for part in self.layers)
+            poses = (
+                f"Home at the centre of the cylinder and n evenly spaced poses on the rim at {heights} of the height "
+                f"below its top, the first at {math.degrees(self.start_angle):g} deg about z; chosen is the smallest "
+                f"n >= {FEWEST} with |k(n) - k(n-1)| / k(n) <= {self.threshold:g}, settled the smallest n from which "
+                "on that holds."
+            )
+        elif self.method == "singular":
+            poses = (
+                "n positions drawn at random of those whose nearest singularity is as far as was asked for; chosen is "
+                f"the smallest n with |k(n) - k(n-1)| / k(n) <= {self.threshold:g}."
+            )
+        elif self.method == "joints":
+            poses = (
+                f"{spread_of(self.robot)}, {self.steps[0].n} of them chosen for the largest determinant of the "
+                "information on the model, the frame eliminated, then one by one what adds most to it; chosen is the "
+                f"smallest n with |k(n) - k(n-1)| / k(n) <= {self.threshold:g}. Collisions are not looked for."
+            )
+        else:
+            poses = (
+                f"{self.chosen} candidates, chosen for the largest determinant of the information that their positions "
+                "hold on the model, the frame eliminated."
+            )
+        points = "; ".join(f"({x:g}, {y:g}, {z:g}) mm" for x, y, z in self.tools)
+        left_out = f" Left out, as no poses tell them from the others: {', '.join(self.dropped)}." * bool(self.dropped)
+        return (
+            f"{poses} Readings: {KINDS[self.kind]}. Reference points, at the same joints: {points}. "
+            f"Condition number k: {NORMS[self.norm]}, {SCALINGS[self.scaling]}.{left_out}"
+        )
+
+    def answer(self) -> results.Plan:
+        """Return the same as users read it, in mm and deg; null stands for what is infinite or not there."""
+        mechanism = mechanism_of(self.robot)
+        units, steps = mechanism.joint_units, self.steps
+        joints = [
+            tuple(to_file(q, unit) for q, unit in zip(row, units, strict=True)) for row in self.poses.joints.tolist()
+        ]
+        at = f"joints_{file_unit(units[0])}" if len(set(units)) == 1 else "joints"
+
+        def index(name: str) -> tuple[float, ...]:
+            return tuple(step.indices[name] for step in steps)
+
+        return results.Plan(
+            robot=self.robot.name,
+            mechanism=mechanism.name,
+            model=self.model,
+            parameters=self.names,
+            dropped=self.dropped,
+            method=self.method,
+            conventions=self.conventions,
+            kind=self.kind,
+            scaling=self.scaling,
+            norm=self.norm,
+            tools_mm=tuple(map(tuple, self.tools.tolist())),
+            layers=self.layers,
+            start_angle_deg=to_file(self.start_angle, "rad"),
+            threshold=self.threshold,
+            n=tuple(step.n for step in steps),
+            pose_count=tuple(step.poses for step in steps),
+            readings=tuple(step.readings for step in steps),
+            rank=tuple(step.rank for step in steps),
+            condition=tuple(_finite(step.condition) for step in steps),
+            corrected=tuple(None if step.corrected is None else _finite(step.corrected) for step in steps),
+            change=tuple(_finite(step.change) for step in steps),
+            O1=index("O1"),
+            O2=index("O2"),
+            O3=index("O3"),
+            O4=index("O4"),
+            O5=index("O5"),
+            chosen=self.chosen,
+            settled=self.settled,
+            poses=tuple(
+                PlannedPose(target_mm=tuple(target), tool_mm=tuple(tool), **{at: q})
+                for target, tool, q in zip(self.poses.targets.tolist(), self.poses.tool.tolist(), joints, strict=True)
+            ),
+            prediction=None if self.prediction is None else self.prediction.answer(mechanism),
+            notes=self.notes or None,
+        )
+
+
+def read_mount(sidecar: str | Path) -> Mount:
+    """Return where a recording's sidecar says that the ends of its gauge are mounted."""
+    measurement = read_measurement(sidecar)
+    base, platform = measurement.base_point_mm, measurement.platform_point_mm
+    if base is None or platform is None:
+        raise InputError(
+            "the sidecar does not say where a gauge's ends are mounted.",
+            "Add base_point_mm and platform_point_mm to [measurement].",
+            file=sidecar,
+        )
+    return Mount(np.array(base), np.array(platform))
+
+
+def reach(robot: Robot, targets: Array, tools: Array) -> tuple[Poses, np.ndarray]:
+    """Return the poses that bring the first reference point to the targets, and which of them cannot be.
+
+    Parameters
+    ----------
+    targets : (M, 3) array
+        In {O} [mm]; of an open chain joints (M, n_q), as the controller counts.
+    tools : (T, 3) array
+        Reference points in {O'} [mm]; the others are where the first one's joints bring them.
+
+    Returns
+    -------
+    poses : Poses
+        T blocks of M.
+    status : (M,) array of str
+        Why a target cannot be measured; "" where it can.
+    """
+    mechanism = mechanism_of(robot)
+    targets, tools = np.atleast_2d(np.asarray(targets, dtype=float)), tools_of(tools)
+    nominal, known = mechanism.rows(dataclasses.replace(robot, errors={})), mechanism.rows(robot)
+    if mechanism.many_ways:
+        theta = robot.joint_sign * targets
+        at, solved = mechanism.forward(theta, tools[0], nominal)
+        targets = at[:, :3]
+    else:
+        theta, _, solved = mechanism.inverse(turned(robot, targets), tools[0], nominal)
+    why = np.array([STATUS[int(s)] if s != SOLVED else "" for s in solved], dtype=object)
+    joints = robot.joint_sign * theta
+    if robot.joint_limits is not None:
+        low, high = robot.joint_limits.T
+        for row in np.flatnonzero(((joints < low) | (joints > high)).any(axis=1) & (why == "")):
+            why[row] = _beyond(robot, joints[row])
+    theta = np.tile(np.where((why == "")[:, None], theta, 0.0), (len(tools), 1))
+    tool = np.repeat(tools, len(targets), axis=0)
+    x, status = mechanism.forward(theta, tool, known)
+    where = x if not robot.errors else mechanism.forward(theta, tool, nominal)[0]
+    for block in status.reshape(len(tools), -1):
+        why[(block != SOLVED) & (why == "")] = "not solved for the machine with the errors of the robot file"
+    points = where[:, :3].copy()
+    points[: len(targets)] = targets
+    return Poses(np.tile(joints, (len(tools), 1)), points, tool, x, len(tools)), why.astype(str)
+
+
+def _beyond(robot: Robot, joints: Array) -> str:
+    """Say which joint (of (n_q,)) stands beyond its limit, where, and what the limit is."""
+    assert robot.joint_limits is not None
+    low, high = robot.joint_limits.T
+    past = np.maximum(low - joints, joints - high)
+    k = int(np.argmax(past))
+    unit = mechanism_of(robot).joint_units[k]
+    limit = low[k] if joints[k] < low[k] else high[k]
+    return (
+        f"{BEYOND}: joint {k + 1} would stand at {to_file(joints[k], unit):.4g} "
+        f"{file_unit(unit)}, its limit is {to_file(limit, unit):.4g}"
+    )
+
+
+def fitting(robot: Robot, targets: Array, tools: Array, centre: Array) -> tuple[Poses, tuple[str, ...]]:
+    """Return the poses at targets (M, 3) in {O} [mm], and in words what became of those where it may not stand.
+
+    What is beyond the limits of a joint moves towards the centre (3,) until it is not; where it is all the way, it is
+    left out.
+
+    Raises
+    ------
+    NoSolutionError
+        A target is out of reach whatever the limits are, or most would be left out.
+    """
+    poses, why = reach(robot, targets, tools)
+    bad = np.flatnonzero(why != "")
+    if not len(bad):
+        return poses, ()
+    if not all(why[row].startswith(BEYOND) for row in bad):
+        return reached_of(robot, targets, tools), ()
+    placed, still = targets.copy(), bad
+    for part in INWARDS:
+        tried = readable(robot, centre + part * (targets[still] - centre))
+        fine = reach(robot, tried, tools)[1] == ""
+        placed[still[fine]] = tried[fine]
+        still = still[~fine]
+    if 2 * len(still) > len(targets):
+        return reached_of(robot, targets, tools), ()
+    left_out = set(still.tolist())
+    notes = tuple(
+        f"pose {row + 1} at {_place(targets[row])} is {why[row]}; "
+        + ("it is left out" if row in left_out else f"it is moved to {_place(placed[row])}")
+        for row in bad.tolist()
+    )
+    return reach(robot, np.delete(placed, still, axis=0), tools)[0], notes
+
+
+def readable(robot: Robot, wanted: Array) -> Array:
+    """Return targets, or joints of an open chain, as a person types them: to 1 um, 0.0001 deg."""
+    mechanism = mechanism_of(robot)
+    units = mechanism.joint_units if mechanism.many_ways else ["mm"] * wanted.shape[1]
+    columns = zip(wanted.T, units, strict=True)
+    return np.column_stack([np.round(v / to_internal(u), READABLE[u]) * to_internal(u) for v, u in columns])
+
+
+def _place(target: Array) -> str:
+    return f"({', '.join(f'{v:.0f}' for v in target)}) mm"
+
+
+def design(robot: Robot, targets: Array, tools: Array, names: Sequence[str], kind: str = "distance") -> Array:
+    """Return the identification matrix of an imagined recording, per mm and rad.
+
+    Parameters
+    ----------
+    targets : (M, 3) array
+        Of the first reference point, in {O} [mm].
+    tools : (T, 3) array
+        Reference points in {O'} [mm].
+    names : sequence of str
+        Parameters, one column each.
+    kind : str
+        ``distance``: rows ``n^T (C_j - C_i)``, all pairs of each reference point (Bai 2015, eq. 14);
+        ``position``: three rows per position, one unknown frame projected out.
+
+    Returns
+    -------
+    H : (rows, n) array
+        [mm / mm or mm / rad]
+
+    Raises
+    ------
+    NoSolutionError
+        A target cannot be reached; the message names it.
+    """
+    return matrix_of(robot, reached_of(robot, targets, tools), names, kind_of(kind))
+
+
+def reached_of(robot: Robot, targets: Array, tools: Array) -> Poses:
+    poses, why = reach(robot, targets, tools)
+    bad = np.flatnonzero(why != "")
+    if len(bad):
+        x, y, z = poses.targets[bad[0]]
+        raise NoSolutionError(
+            f"the target ({x:.6g}, {y:.6g}, {z:.6g}) mm is {why[bad[0]]} ({len(bad)} of {len(why)} targets). "
+            "Plan in a smaller workspace or turn the ring."
+        )
+    return poses
+
+
+def generic(robot: Robot, tools: Array) -> Poses:
+    """Return poses without any symmetry, what can be reached of an additive recurrence in the cylinder."""
+    if mechanism_of(robot).many_ways:
+        return reached_of(robot, joint_spread(robot, GENERIC_POSES), tools)
+    workspace = workspace_of(robot)
+    u = np.outer(np.arange(1, GENERIC_POSES + 1), RECURRENCE) % 1.0
+    if len(mechanism_of(robot).axes) == 2:
+        return _reachable(robot, workspace.place((u[:, 0] - 0.5) * width(workspace), u[:, 2]), tools)
+    r, turn = radius(workspace) * np.sqrt(u[:, 0]), 2 * np.pi * u[:, 1]
+    return _reachable(robot, workspace.place(np.column_stack([r * np.cos(turn), r * np.sin(turn)]), u[:, 2]), tools)
+
+
+def _reachable(robot: Robot, targets: Array, tools: Array) -> Poses:
+    reached = reach(robot, targets, tools)[1] == ""
+    if reached.sum() < GENERIC_POSES / 2:
+        raise NoSolutionError(
+            f"the machine reaches {reached.sum()} of {GENERIC_POSES} points spread over its workspace. "
+            "Check [workspace] and the limits of the joints."
+        )
+    return reach(robot, targets[reached], tools)[0]
+
+
+def matrix_of(robot: Robot, poses: Poses, names: Sequence[str], kind: Kind, mount: Mount | None = None) -> Array:
+    moved = sensitivity(robot, poses, names)
+    if mount is None:
+        return read_of(mechanism_of(robot), kind, poses, moved)
+    return _mounted(robot, poses, names, kind, moved, mount)
+
+
+def _mounted(robot: Robot, poses: Poses, names: Sequence[str], kind: Kind, moved: Array, mount: Mount) -> Array:
+    """Return differences of adjacent rows of what a gauge reads, its own errors among the parameters."""
+    mechanism = mechanism_of(robot)
+    found, instrument = kind.imagined(poses.x, poses.points, mechanism, mount.said)
+    others = tuple(u for u in instrument.free if u not in kind.carried(mechanism))
+    instrument = dataclasses.replace(instrument, free=others).mounted(mechanism, mechanism.vector(robot.errors))
+    J, J_m = instrument.linearise(found, poses.x, moved)
+    instrument.add_carried(J, mechanism, names, found, poses.x)
+    J, J_m = np.diff(J[:, 0], axis=0), np.diff(J_m[:, 0], axis=0)
+    return without(J, J_m) if others else J
+
+
+def _as_mounted(robot: Robot, kind: Kind) -> Robot:
+    """Return the robot with no errors of a gauge: as its ends are nominally mounted."""
+    own = {mechanism_of(robot).parameters[p].name for p in kind.carried(mechanism_of(robot)).values()}
+    return dataclasses.replace(robot, errors={k: v for k, v in robot.errors.items() if k not in own})
+
+
+def read_of(mechanism: Machine, kind: Kind, poses: Poses, moved: Array) -> Array:
+    """Return how readings change (rows, n) where the platform moves by `moved` (P, n_x, n); the frame projected out."""
+    found, instrument = kind.imagined(poses.x, poses.points, mechanism, Measurement())
+    J, J_m = linearise(found, instrument, poses.x, moved)
+    J = J.reshape(-1, moved.shape[2])
+    return without(J, J_m.reshape(len(J), -1)) if instrument.n_unknown else J
+
+
+def linearise(found: Readings, instrument: Instrument, x: Array, moved: Array) -> tuple[Array, Array]:
+    """Return derivatives of readings by parameters and by the instrument's unknowns, turns as shifts of `TURN_MM`."""
+    J, J_m = instrument.linearise(found, x, moved)
+    for derivatives in (J, J_m):
+        derivatives[:, list(found.kind.turned)] *= TURN_MM
+    return J, J_m
+
+
+def without(J: Array, nuisance: Array) -> Array:
+    """Return columns (rows, n) with what nuisance columns could explain projected out."""
+    Q = np.linalg.qr(nuisance)[0]
+    return J - Q @ (Q.T @ J)
+
+
+def sensitivity(robot: Robot, poses: Poses, names: Sequence[str]) -> Array:
+    """Return the derivatives (P, n_x, n) of the platform's pose per mm and rad."""
+    mechanism = mechanism_of(robot)
+    theta = robot.joint_sign * poses.joints
+    S = mechanism.sensitivity(poses.x, theta, poses.tool, mechanism.rows(robot)).parameters
+    return S[:, :, [mechanism.index[name] for name in names]]
+
+
+def tools_of(tools: Array | Sequence[Sequence[float]]) -> Array:
+    points = np.atleast_2d(np.asarray(tools, dtype=float))
+    if points.ndim != 2 or points.shape[1] != 3 or not len(points):
+        raise UsageError(f"reference points have the shape {points.shape}, but must have (T, 3): x, y, z in mm each.")
+    return points
+
+
+def at_poses(task: Task) -> Kind:
+    """Return what is read pose by pose: of distances, the positions that they lie between."""
+    kind = kind_of(task.kind)
+    return kind_of("position") if kind.pairs else kind
+
+
+def rule(n: Sequence[int], change: Sequence[float], threshold: float) -> tuple[int | None, int | None]:
+    """Return the first n whose change is within the threshold, and the first from which on all are (or None)."""
+    within = [bool(c <= threshold) for c in change]
+    first = next((k for k, held in zip(n, within, strict=True) if held), None)
+    settled = next((n[j] for j in range(len(n)) if all(within[j:])), None)
+    return first, settled
+
+
+def _finite(value: float) -> float | None:
+    return float(value) if math.isfinite(value) else None

@@ -1,0 +1,293 @@
+"""Targets that together tell most: D-optimal choice, one by one and by exchange."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from deltacal_gen.errors import NoSolutionError, UsageError
+from deltacal_gen.files.robot import Robot
+from deltacal_gen.identification.accuracy import workspace_of
+from deltacal_gen.identification.identifiability import (
+    RANK_TOLERANCE,
+    base_parameters,
+    column_convention,
+    observability,
+)
+from deltacal_gen.instrument.kind import Kind
+from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.machine.registry import Array, mechanism_of
+from deltacal_gen.machine.values import Measurement
+from deltacal_gen.planning import singularities
+from deltacal_gen.planning.matrix import (
+    KINDS,
+    NORMS,
+    SCALINGS,
+    TURN_MM,
+    Mount,
+    Plan,
+    Poses,
+    Prediction,
+    Task,
+    at_poses,
+    generic,
+    linearise,
+    matrix_of,
+    reach,
+    reached_of,
+    read_of,
+    readable,
+    sensitivity,
+    tools_of,
+    without,
+)
+from deltacal_gen.planning.targets import CANDIDATES, candidates_of, reference_points, rings
+
+RIDGE = 1e-9  # of the information of all candidates: keeps the determinant of a poor set above zero
+STARTS = 5  # random sets from which the exchange sets out
+
+
+def fewest_of(task: Task, whole: Array) -> int:
+    """Return how many positions carry the unknowns that the candidates' blocks (M, k, rank) can see."""
+    return -(-whole.shape[2] // _scalars(task))
+
+
+def _scalars(task: Task) -> int:
+    """Return how many coordinates are read at one position."""
+    return at_poses(task).scalars * len(task.tools)
+
+
+def d_optimal(
+    robot: Robot,
+    model: str,
+    count: int,
+    *,
+    candidates: Array | None = None,
+    singular: tuple[float, float] | None = None,
+    kind: str | None = None,
+    tools: int | Array | Sequence[Sequence[float]] | None = None,
+    scaling: str | None = None,
+    norm: str = "spectral",
+    sigma_mm: float | None = None,
+    rng: np.random.Generator | None = None,
+) -> Plan:
+    """Return the `count` positions among the candidates that pin the model down best, by Fedorov's exchange.
+
+    Maximised is the determinant of the information that the positions hold on the model, over the combinations that
+    the candidates can see at all. The instrument's frame is unknown and eliminated: one frame for positions, one per
+    reference point for distances, which are the same information but for its weights.
+
+    Parameters
+    ----------
+    count : int
+        Number of positions; each is measured once per reference point.
+    candidates : (M, 3) array, optional
+        Positions of the first reference point in {O} [mm], default `grid`; what cannot be reached is left out. Of an
+        open chain joints (M, n_q), as the controller counts, default `joint_spread`.
+    singular : (float, float), optional
+        Candidates are positions whose nearest singularity is so far away, from .. to [mm]; see `plan`.
+    rng : Generator, optional
+        Draws the sets from which the exchange sets out; default a fixed one.
+
+    Raises
+    ------
+    UsageError
+        Too few positions for the model, or an unknown name.
+    NoSolutionError
+        Fewer candidates can be reached than are wanted.
+
+    References
+    ----------
+    Fedorov 1972, Theory of Optimal Experiments, on exact D-optimal designs.
+    """
+    task = task_of(robot, model, kind, tools, scaling, norm)
+    if singular is not None:
+        candidates = singularities.near(robot, singular, CANDIDATES, np.random.default_rng(0))
+    wanted = (
+        readable(robot, candidates_of(robot))
+        if candidates is None
+        else np.atleast_2d(np.asarray(candidates, dtype=float))
+    )
+    wanted = np.unique(wanted, axis=0)
+    wanted = wanted[reach(robot, wanted, task.tools)[1] == ""]
+    if len(wanted) < count:
+        raise NoSolutionError(f"only {len(wanted)} of the candidates can be reached, but {count} positions are wanted.")
+    whole, frame = bases(task, reached_of(robot, wanted, task.tools))
+    if count < fewest_of(task, whole):
+        raise UsageError(
+            f"{count} positions give {count * _scalars(task)} coordinates, but {task.model} and the frame have "
+            f"{whole.shape[2]} unknowns that can be seen: plan at least {fewest_of(task, whole)} positions."
+        )
+    picked = np.sort(exchange(whole, frame, count, np.random.default_rng(0) if rng is None else rng))
+    poses = reached_of(robot, wanted[picked], task.tools)
+    return Plan(
+        **vars(task),
+        method="d-optimal",
+        layers=(),
+        start_angle=0.0,
+        threshold=0.0,
+        steps=(task.step(count, poses),),
+        chosen=count,
+        settled=None,
+        poses=poses,
+        prediction=None if sigma_mm is None else predict(task, poses, sigma_mm),
+    )
+
+
+def log_determinant(task: Task, targets: Array) -> float:
+    """Return what `d_optimal` maximises, in ordinary errors and for noise of 1 mm; -inf where the rank is short."""
+    poses = reached_of(task.robot, targets, task.tools)
+    J, F = _with_frame(task, poses)
+    figures = observability(without(J.reshape(-1, J.shape[2]), F.reshape(-1, F.shape[2])), len(poses))
+    return float(2 * np.log(figures.singular_values).sum()) if figures.rank == len(task.names) else -math.inf
+
+
+def predict(task: Task, poses: Poses, sigma_mm: float) -> Prediction | None:
+    """Return the standard deviations to expect from a set of poses, None where its rank is short.
+
+    Distances share the positions they lie between; their correlation is accounted for.
+    """
+    robot, names, kind, count = task.robot, task.names, kind_of(task.kind), len(poses)
+    mechanism = mechanism_of(robot)
+    scale = column_convention(robot, names, "typical")[0]
+    moved = sensitivity(robot, poses, names) * scale
+    if kind.pairs or kind.positions:  # noise is that of the points, which a body's position and turn stand for
+        read = at_poses(task).scalars
+        noise = np.zeros((count, 6, read * count))
+        noise[:, :read] = np.eye(read * count).reshape(count, read, -1)
+        noise[:, 3:] /= TURN_MM
+        both = read_of(mechanism, kind, poses, np.concatenate([moved, noise], axis=2))
+        H, spread_by = both[:, : len(names)], both[:, len(names) :]
+    else:
+        H = read_of(mechanism, kind, poses, moved)
+        spread_by = np.eye(len(H))
+    if observability(H, count).rank < len(names):
+        return None
+    response = sigma_mm * np.linalg.pinv(H) @ spread_by
+    over = candidates_of(robot)
+    over = over[reach(robot, over, task.tools[:1])[1] == ""]
+    at = reached_of(robot, over, task.tools[:1])
+    tool = read_of(mechanism, kind_of("position"), at, sensitivity(robot, at, names) * scale)
+    spread = np.linalg.norm((tool @ response).reshape(len(over), -1), axis=1)
+    std = np.linalg.norm(response, axis=1) * scale
+    return Prediction(sigma_mm, dict(zip(names, std.tolist(), strict=True)), float(spread.mean()), float(spread.max()))
+
+
+def task_of(
+    robot: Robot,
+    model: str,
+    kind: str | None,
+    tools: int | Array | Sequence[Sequence[float]] | None,
+    scaling: str | None,
+    norm: str,
+    mount: Mount | None = None,
+) -> Task:
+    mechanism = mechanism_of(robot)
+    if kind is None:
+        kind = "position" if mechanism.turning else "distance"
+    if scaling is None:
+        scaling = "paper" if mechanism.has_scaling("paper", robot) else "typical"
+    for what, value, known in (("kind", kind, KINDS), ("scaling", scaling, SCALINGS), ("norm", norm, NORMS)):
+        if value not in known:
+            raise UsageError(f"there is no {what} '{value}'; known: {', '.join(known)}.")
+    names = mechanism.model(model)
+    if bool(kind_of(kind).mount) != (mount is not None):
+        raise UsageError("a gauge, and nothing else, needs to know where its ends are mounted.")
+    if mount is not None:
+        tools = mount.platform[None]
+    elif tools is None and (len(mechanism.axes) == 2 or mechanism.turning or kind_of(kind).rotations):
+        tools = 1
+    elif tools is None:
+        home = reached_of(robot, rings(workspace_of(robot), 1, ()), robot.tool)
+        tools = 2 if np.abs(sensitivity(robot, home, names)[:, 3:]).max(initial=0.0) > RANK_TOLERANCE else 1
+    points = reference_points(robot, tools) if isinstance(tools, int) else tools_of(tools)
+    kept = _kept(robot, names, points, kind_of(kind), mount)
+    return Task(
+        robot=robot,
+        model=mechanism.full_name(model),
+        kind=kind,
+        scaling=scaling,
+        norm=norm,
+        names=tuple(name for name in names if name in kept),
+        dropped=tuple(name for name in names if name not in kept),
+        tools=points,
+        mount=mount,
+    )
+
+
+def _kept(robot: Robot, names: Sequence[str], tools: Array, kind: Kind, mount: Mount | None = None) -> set[str]:
+    """Return parameters that poses can tell apart: a registered model where one fits, else those of a pivoted QR."""
+    poses, typical = generic(robot, tools), column_convention(robot, names, "typical")[0]
+    H = matrix_of(robot, poses, names, kind, mount)
+    rank = observability(H * typical, len(poses)).rank
+    if rank == len(names):
+        return set(names)
+    for model in mechanism_of(robot).models.values():
+        columns = [j for j, name in enumerate(names) if name in model]
+        if len(model) == len(columns) == rank == observability((H * typical)[:, columns], len(poses)).rank:
+            return set(model)
+    return set(base_parameters(H, names, typical)[0])
+
+
+def _with_frame(task: Task, poses: Poses) -> tuple[Array, Array]:
+    """Return derivatives of the readings by parameters and frames, (P, k, n) and (P, k, n_m), comparable in size.
+
+    Distances lie between positions, of each reference point in a frame of its own.
+    """
+    found, instrument = at_poses(task).imagined(poses.x, poses.points, mechanism_of(task.robot), Measurement())
+    if kind_of(task.kind).pairs:
+        found = dataclasses.replace(found, setup=np.repeat(np.arange(poses.points), len(poses) // poses.points))
+        instrument = dataclasses.replace(instrument, state=np.tile(instrument.state, (poses.points, 1)))
+    moved = sensitivity(task.robot, poses, task.names) * column_convention(task.robot, task.names, "typical")[0]
+    J, F = linearise(found, instrument, poses.x, moved)
+    return J, F / np.linalg.norm(F, axis=(0, 1))
+
+
+def bases(task: Task, poses: Poses) -> tuple[Array, Array]:
+    """Return orthonormal bases of what the candidates see of parameters and frames, and of the frames alone.
+
+    In blocks (M, k T, rank), one per candidate: determinants in these bases differ from those in parameters by
+    a constant, and are well scaled.
+    """
+    J, F = _with_frame(task, poses)
+
+    def blocks(columns: Array) -> Array:
+        U, s, _ = np.linalg.svd(columns.reshape(-1, columns.shape[2]), full_matrices=False)
+        by_point = U[:, s > RANK_TOLERANCE * s[0]].reshape(poses.points, len(poses) // poses.points, J.shape[1], -1)
+        return np.concatenate(list(by_point), axis=1)
+
+    return blocks(np.concatenate([J, F], axis=2)), blocks(F)
+
+
+def exchange(whole: Array, frame: Array, count: int, rng: np.random.Generator) -> np.ndarray:
+    """Return the candidates (count,) of the largest determinant of `whole` by that of `frame`."""
+    best, found = -math.inf, np.zeros(0, dtype=int)
+    for _ in range(STARTS):
+        chosen = rng.choice(len(whole), count, replace=False)
+        value, improved = -math.inf, True
+        while improved:
+            improved = False
+            for k in range(count):
+                rest = np.delete(chosen, k)
+                gain = log_det_with(whole, rest) - log_det_with(frame, rest)
+                gain[rest] = -math.inf
+                better = int(np.argmax(gain))
+                if gain[better] > gain[chosen[k]] + 1e-9:
+                    chosen[k], improved = better, True
+                value = float(gain[chosen[k]])
+        if value > best + 1e-9:
+            best, found = value, chosen.copy()
+    return found
+
+
+def log_det_with(blocks: Array, rest: np.ndarray) -> Array:
+    """Return the log determinant (M,) of the information of `rest` and one more candidate, for each candidate."""
+    rows = blocks[rest].reshape(-1, blocks.shape[2])
+    L = np.linalg.cholesky(rows.T @ rows + RIDGE * np.eye(blocks.shape[2]))
+    half = np.linalg.solve(L, blocks.reshape(-1, blocks.shape[2]).T).T.reshape(blocks.shape)
+    added = np.eye(blocks.shape[1]) + half @ np.swapaxes(half, 1, 2)
+    gain: Array = np.linalg.slogdet(added)[1] + 2 * np.log(np.diag(L)).sum()
+    return gain

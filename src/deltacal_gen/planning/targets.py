@@ -1,0 +1,126 @@
+"""Sets of targets in a workspace: rings, edges, a grid, candidates, reference points on the platform."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from deltacal_gen.errors import UsageError
+from deltacal_gen.files.robot import Robot, Workspace
+from deltacal_gen.identification.accuracy import joint_spread, workspace_of
+from deltacal_gen.machine.registry import Array, mechanism_of
+
+LAYERS = {"top": 0.0, "middle": 0.5, "bottom": 1.0}  # part of the cylinder's height below its top
+ROUGH, FINE = ("middle",), ("top", "bottom")  # Bai 2015, sections 5.1 and 5.2
+OFFSETS = ((0.0, 0.0, 0.0), (0.0, 0.0, -100.0), (100.0, 0.0, 0.0))  # mm: second and third reference points, from P
+CANDIDATES = 400  # joints of an open chain, positions near singularities
+
+
+def rings(
+    workspace: Workspace,
+    n: int,
+    layers: Sequence[str | float] = FINE,
+    start_angle: float = 0.0,
+    home: bool = True,
+) -> Array:
+    """Return the paper's set: the centre of the cylinder and n evenly spaced poses on the rim of each layer.
+
+    Parameters
+    ----------
+    layers : sequence
+        ``top``, ``middle``, ``bottom``, or parts of the height below the top.
+    start_angle : float
+        Of the first pose of each ring about z [rad].
+
+    Returns
+    -------
+    targets : (n * len(layers) + home, 3) array
+        [mm]
+
+    References
+    ----------
+    Bai 2015, section 3.3 and Fig. 4.
+    """
+    turn = start_angle + 2 * np.pi * np.arange(n) / n
+    rim = radius(workspace) * np.column_stack([np.cos(turn), np.sin(turn)])
+    sets = [workspace.place(rim, part) for part in parts_of(layers)]
+    return np.vstack([workspace.home, *sets] if home else sets)
+
+
+def edges(workspace: Workspace, n: int, layers: Sequence[str | float] = FINE) -> Array:
+    """Return n evenly spaced poses along each level of a planar machine's rectangle, all in the same direction.
+
+    A stroke is a single level.
+
+    Returns
+    -------
+    targets : (n * len(layers), 3) array
+        [mm]
+
+    References
+    ----------
+    Mei 2018, section 5 and Fig. 7; the order, which the condition number of differences depends on, is the one that
+    gives its figures.
+    """
+    x = np.linspace(-0.5, 0.5, n) * width(workspace)
+    return np.vstack([workspace.place(x, part) for part in (parts_of(layers) if workspace.height else (0.0,))])
+
+
+def spread_of(robot: Robot) -> str:
+    """Say what `joint_spread` draws from, in words."""
+    ranges = "within their limits" if robot.joint_limits is not None else "over full turns, as the file gives no limits"
+    where = " and the workspace" if robot.workspace is not None else ""
+    return f"{CANDIDATES} joints spread evenly {ranges}{where}"
+
+
+def candidates_of(robot: Robot) -> Array:
+    """Return what poses are chosen from: positions (M, 3) of `grid`, or joints (M, n_q) of an open chain."""
+    if mechanism_of(robot).many_ways:
+        return joint_spread(robot, CANDIDATES)
+    return grid(workspace_of(robot))
+
+
+def grid(workspace: Workspace, layers: int = 3, radii: int = 2, angles: int = 24) -> Array:
+    """Return candidates (M, 3) that fill the cylinder, or the rectangle of a planar machine, evenly [mm]."""
+    if workspace.radius is None:
+        return edges(workspace, radii * angles + 1, np.linspace(0.0, 1.0, layers).tolist())
+    heights = np.linspace(0.0, 1.0, layers).tolist()
+    axis = workspace.place(np.zeros((layers, 2)), heights)
+    inner = [
+        rings(workspace.model_copy(update={"radius": radius(workspace) * k / radii}), angles, heights, home=False)
+        for k in range(1, radii + 1)
+    ]
+    return np.vstack([axis, *inner])
+
+
+def reference_points(robot: Robot, count: int) -> Array:
+    """Return one to three reference points (count, 3) in {O'}: the robot's own, one below it, one beside it [mm].
+
+    The one below sees how the platform turns about x and y (Bai 2015, section 5.2).
+    """
+    if not 1 <= count <= len(OFFSETS):
+        raise UsageError(
+            f"{count} reference points cannot be placed by default: give 1 to {len(OFFSETS)}, or their coordinates."
+        )
+    points: Array = robot.tool + np.array(OFFSETS[:count])
+    return points
+
+
+def radius(workspace: Workspace) -> float:
+    if workspace.radius is None:
+        raise UsageError("poses are planned in a cylinder: the workspace needs a radius.")
+    return workspace.radius
+
+
+def width(workspace: Workspace) -> float:
+    if workspace.width is None:
+        raise UsageError("poses are planned in a rectangle: the workspace needs a width.")
+    return workspace.width
+
+
+def parts_of(layers: Sequence[str | float]) -> tuple[float, ...]:
+    for layer in layers:
+        if layer not in LAYERS if isinstance(layer, str) else not 0 <= layer <= 1:
+            raise UsageError(f"there is no layer '{layer}'; write {', '.join(LAYERS)} or a part of the height, 0 to 1.")
+    return tuple(LAYERS[layer] if isinstance(layer, str) else float(layer) for layer in layers)

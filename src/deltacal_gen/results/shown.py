@@ -1,0 +1,61 @@
+"""Answers as people meet them in a session: one line, a table as text or HTML, a data frame."""
+
+from __future__ import annotations
+
+import html
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from deltacal_gen.errors import UsageError
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+MOST = 60  # rows that are shown; a data frame has all
+
+Table = Sequence[Mapping[str, Any]]
+
+
+def text(headline: str, rows: Table) -> str:
+    """Return a line and a table below it."""
+    names = _names(rows)
+    cells = [names, *([_cell(row.get(name)) for name in names] for row in rows[:MOST])]
+    widths = [max(len(row[k]) for row in cells) for k in range(len(names))]
+    lines = ["  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in cells]
+    return "\n".join([headline, *(lines if rows else []), *_rest(rows)])
+
+
+def page(headline: str, rows: Table) -> str:
+    """Return the same as HTML, for a notebook."""
+    names = _names(rows)
+    head = "".join(f"<th>{html.escape(name)}</th>" for name in names)
+    body = "".join(
+        f"<tr>{''.join(f'<td>{html.escape(_cell(row.get(name)))}</td>' for name in names)}</tr>" for row in rows[:MOST]
+    )
+    table = f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>" if rows else ""
+    return f"<p>{html.escape(headline)}</p>{table}{''.join(f'<p>{html.escape(line)}</p>' for line in _rest(rows))}"
+
+
+def frame(rows: Table) -> pd.DataFrame:
+    """Return the rows as a data frame; raises UsageError where pandas is not installed."""
+    try:
+        import pandas as pd
+    except ImportError:
+        raise UsageError("a data frame needs pandas, which is not installed: pip install pandas.") from None
+    return pd.DataFrame(list(rows), columns=_names(rows))
+
+
+def _names(rows: Table) -> list[str]:
+    return list(dict.fromkeys(name for row in rows for name in row))
+
+
+def _cell(value: object) -> str:
+    if value is None:
+        return "-"
+    if isinstance(value, list | tuple):
+        return ", ".join(map(_cell, value))
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def _rest(rows: Table) -> list[str]:
+    return [f"and {len(rows) - MOST} more"] if len(rows) > MOST else []

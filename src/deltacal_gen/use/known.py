@@ -1,0 +1,148 @@
+"""A result from a file that may have been edited by hand: its parts belong together, or it is refused.
+
+`results.reader` checks the form of a file. What its numbers may be depends on the mechanism, the effects and the kind
+of measurement that it names: that is looked at here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+import numpy as np
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.files.robot import robot_of
+from deltacal_gen.instrument.kinds import instrument_of
+from deltacal_gen.machine.registry import Machine, mechanism_of
+from deltacal_gen.machine.rotation import from_vector
+from deltacal_gen.physics.terms import effect_names, load_effect
+from deltacal_gen.results.base import Answer
+from deltacal_gen.results.diagnosis import Diagnosis
+from deltacal_gen.results.parts import InstrumentState, MachineState, TermState
+from deltacal_gen.results.reader import Given, read_diagnosis, read_result
+from deltacal_gen.results.result import Parameter, Result
+from deltacal_gen.units import file_unit
+
+_REMEDY = "Give the file as it was written; a machine is edited in its robot file."
+ORTHONORMAL = 1e-6  # by which rows of a rotation may fail to be
+
+NO_TURN = 1e-6  # by which the rows of a rotation may miss being orthonormal
+
+
+def known_result(source: Given) -> Result | Diagnosis:
+    """Return what `identify` or `diagnose` found, its parts held against one another; see `read_result`."""
+    found = read_result(source)
+    if not isinstance(source, Answer):
+        _check(found, source)
+    return found
+
+
+def known_diagnosis(source: Given) -> Diagnosis:
+    """Return what `diagnose` found, its parts held against one another; see `read_result`."""
+    found = read_diagnosis(source)
+    if not isinstance(source, Answer):
+        _check(found, source)
+    return found
+
+
+def _check(found: Result | Diagnosis, source: Given) -> None:
+    file = None if isinstance(source, Mapping) else Path(source)
+    for key, problem in _flaws(found):
+        raise InputError(
+            f"{problem}.",
+            "Give the file as it was written; a machine is edited in its robot file.",
+            file=file,
+            column=key,
+        )
+
+
+def _flaws(found: Result | Diagnosis) -> Iterator[tuple[str, str]]:
+    """Yield key and flaw of all that cannot be."""
+    if not found.sigma_mm >= 0:
+        yield "sigma_mm", f"the noise is {found.sigma_mm:g} mm, which cannot be negative"
+    yield from _machine_flaws(found, "")
+    mechanism = mechanism_of(robot_of(found.robot))
+    yield from _parameter_flaws(found.parameters if isinstance(found, Result) else (), mechanism)
+    if found.correction is not None:
+        yield from _machine_flaws(found.correction.machine, "correction.machine.")
+        smooth = found.correction.smooth
+        if len(smooth.knots) != len(smooth.coefficients) or not smooth.length > 0 or not smooth.reach >= 0:
+            yield "correction.smooth", "knots and coefficients are not equally many, or a length is below 0"
+
+
+def _machine_flaws(state: Result | Diagnosis | MachineState, where: str) -> Iterator[tuple[str, str]]:
+    try:
+        mechanism = mechanism_of(robot_of(state.robot))
+    except InputError as error:
+        yield f"{where}robot", str(error).rstrip(".")
+        return
+    for k, term in enumerate(state.physics or ()):
+        for flaw in _term_flaws(term, mechanism):
+            yield f"{where}physics[{k}]", flaw
+    for flaw in _instrument_flaws(state.instrument):
+        yield f"{where}instrument", flaw
+
+
+def _parameter_flaws(parameters: tuple[Parameter, ...], mechanism: Machine) -> Iterator[tuple[str, str]]:
+    units = {p.name: file_unit(p.unit) for p in mechanism.parameters}
+    for k, p in enumerate(parameters):
+        key = f"parameters[{k}]"
+        if p.name not in units:
+            yield key, f"a {mechanism.name} has no parameter '{p.name}'"
+        elif p.unit != units[p.name]:
+            yield key, f"{p.name} is in {units[p.name]}, not in '{p.unit}'"
+        elif p.std is not None and p.std < 0:
+            yield key, f"the standard deviation of {p.name} is negative"
+    if parameters and (missing := units.keys() - {p.name for p in parameters}):
+        yield "parameters", f"of a {mechanism.name} it does not say {', '.join(sorted(missing)[:3])}"
+
+
+def _term_flaws(term: TermState, mechanism: Machine) -> Iterator[str]:
+    if term.effect not in effect_names():
+        yield f"there is no effect '{term.effect}'"
+        return
+    kernels = load_effect(term.effect)
+    if any(not 1 <= i <= mechanism.limbs for i in term.limbs) or len(set(term.limbs)) < len(term.limbs):
+        yield f"{term.effect}: limbs are counted from 1 to {mechanism.limbs}, each once"
+    rows = max(len(term.limbs) if kernels.PER_LIMB else 0, len(term.tools), 1)
+    wanted = (rows, len(kernels.COEFFICIENTS))
+    if np.shape(term.values) != wanted:
+        yield f"{term.effect} needs {wanted[0]} rows of {wanted[1]} values"
+    if len(term.constants) != len(kernels.CONSTANTS):
+        yield f"{term.effect} needs {len(kernels.CONSTANTS)} constants"
+
+
+def _instrument_flaws(state: InstrumentState) -> Iterator[str]:
+    try:
+        instrument = instrument_of(state)
+    except InputError as error:
+        yield str(error).rstrip(".")
+        return
+    size = instrument.kind.state_size
+    if np.shape(state.state)[1:] != (size,):
+        yield f"a row of its state holds {size} numbers"
+        return
+    if not state.scale > 0:
+        yield "its scale must be above 0"
+    if instrument.kind.positions:
+        turns = np.asarray(state.state, dtype=float)[:, :9].reshape(-1, 3, 3)
+        bounded = np.clip(np.nan_to_num(turns), -2.0, 2.0)  # so that nothing overflows
+        if not np.allclose(bounded @ np.swapaxes(bounded, 1, 2), np.eye(3), atol=NO_TURN):
+            yield "its frame is turned by no rotation"
+    unknowns, rows = len(instrument.kind.unknown), len(state.state)
+    if any(not 0 <= j < unknowns for j in state.free) or any(
+        not 0 <= k < rows for a, b, _ in state.ties for k in (a, b)
+    ):
+        yield "it names unknowns or ties that it does not have"
+        return
+    try:
+        frames = instrument.kind.frames(instrument)
+    except ValueError:  # a rotation that mirrors, or is no number
+        yield "a rotation of its state is none"
+        return
+    for (turn, _), row in zip(frames, state.state, strict=True) if frames else ():
+        if np.abs(from_vector(turn) - row[:9].reshape(3, 3)).max() > ORTHONORMAL:
+            yield "a rotation of its state is none"
+    if frames and len(frames) != len(state.setups):
+        yield f"it has {len(frames)} frames for {len(state.setups)} set-ups"

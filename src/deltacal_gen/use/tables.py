@@ -1,0 +1,429 @@
+"""Lookup tables of corrected commands: written, read back, and how far they miss."""
+
+from __future__ import annotations
+
+import itertools
+import json
+import math
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from deltacal_gen.errors import InputError, NoSolutionError, UsageError
+from deltacal_gen.files.robot import read_text
+from deltacal_gen.files.writing import write_files
+from deltacal_gen.identification.accuracy import workspace_of
+from deltacal_gen.machine.registry import SOLVED, UNREACHABLE, Array
+from deltacal_gen.units import file_unit, to_internal
+from deltacal_gen.use.compensation import Compensator, RoundTrip, largest, workspace_points
+from deltacal_gen.use.spans import (
+    Column,
+    Spans,
+    after_jumps,
+    channels_of,
+    columns_of,
+    drawn,
+    factor,
+    stated,
+    taken_apart,
+)
+
+LARGEST_TABLE = (
+    200_000  # nodes times columns; beyond this the file has tens of megabytes and the C source is the better export
+)
+TABLE_DECIMALS = 7  # of a correction in deg or mm: at a metre, 2e-6 mm
+_CHUNK = 100_000  # points evaluated at once
+_TABLE_SCHEMA = "deltacal.table/1"
+
+
+@dataclass(frozen=True, eq=False)
+class TableCompensator:
+    """Corrections of joint commands on a regular grid, interpolated between its nodes (trilinear).
+
+    Parameters
+    ----------
+    origin, step : (3,) arrays
+        First node and spacing along x, y, z [mm].
+    corrections : (n_x, n_y, n_z, columns, n_q) array
+        To be added to the nominal joints, as the controller counts [rad or mm, per unit of the column's channels]; NaN
+        where out of reach.
+    worst_mm : float
+        Worst position error over the workspace, compensated by this table [mm].
+    missed : int
+        Checked points of the workspace for which the table has no answer.
+    robot, mechanism, kind, digest : str
+        Of the `Compensator` it was made from.
+    joint_unit : {"rad", "mm"}
+    tool : (3,) array
+        The reference point in {O'} for which it holds [mm].
+    columns : tuple
+        Products of channels that the corrections go with: warming [K over 20 degC], payload [kg], time [h],
+        approach1 ... [1]; the first is the correction at reference.
+    """
+
+    origin: Array
+    step: Array
+    corrections: Array
+    worst_mm: float
+    missed: int
+    robot: str
+    mechanism: str
+    kind: str
+    digest: str
+    joint_unit: str
+    tool: Array
+    columns: tuple[Column, ...] = ((),)
+
+    @property
+    def nodes(self) -> tuple[int, int, int]:
+        """Number of nodes along x, y, z."""
+        n_x, n_y, n_z = self.corrections.shape[:3]
+        return n_x, n_y, n_z
+
+    def correction(
+        self, targets: Array, channels: Mapping[str, Array | float] | None = None
+    ) -> tuple[Array, np.ndarray]:
+        """Return what to add to the nominal joints at targets (N, 3) [mm].
+
+        Parameters
+        ----------
+        channels : mapping of (N,) arrays or numbers, optional
+            By the names of the columns; one that is not given stays at reference.
+
+        Returns
+        -------
+        correction : (N, n_q) array
+            As the controller counts [rad or mm]; NaN beside the grid and where one of the 8 nodes is out of reach.
+        status : (N,) int array
+            SOLVED, or UNREACHABLE where there is no correction.
+        """
+        values = {name: 0.0 for column in self.columns for name in column} | dict(channels or {})
+        targets = np.asarray(targets, dtype=float)
+        if targets.ndim != 2 or targets.shape[1] != 3:
+            raise ValueError(f"targets have the shape {targets.shape}, but must have (N, 3).")
+        place = (targets - self.origin) / self.step
+        last = np.array(self.nodes) - 1
+        # a target on the rim may round to beside it
+        outside: np.ndarray = np.any(~((place > -1e-9) & (place < last + 1e-9)), axis=1)
+        place = np.where(outside[:, None], 0.0, place)
+        cell = np.clip(place.astype(np.int64), 0, last - 1)
+        part = place - cell
+        found = np.zeros((len(targets), *self.corrections.shape[3:]))
+        for corner in itertools.product((0, 1), repeat=3):
+            weight = np.prod(np.where(corner, part, 1.0 - part), axis=1)
+            i, j, k = (cell + corner).T
+            found += weight[:, None, None] * self.corrections[i, j, k]
+        found[outside] = np.nan
+        factors = np.stack([np.broadcast_to(factor(c, values), len(targets)) for c in self.columns], axis=1)
+        total = np.einsum("nk,nkj->nj", factors, found)
+        return total, np.where(np.isnan(total).any(axis=1), UNREACHABLE, SOLVED)
+
+
+def export_table(
+    compensator: Compensator,
+    path: str | Path,
+    over: Spans | None = None,
+    *,
+    worst_mm: float = 0.01,
+    step_mm: float | None = None,
+) -> TableCompensator:
+    """Write the corrections as a table over the workspace, with its worst error stated in the file.
+
+    Parameters
+    ----------
+    compensator : Compensator
+    path : path
+        A CSV file; replaced only when the new one is complete.
+    over : Spans, optional
+        Ranges of the channels, for a machine with effects.
+    worst_mm : float
+        The error that the table may leave; the grid is made as fine as this needs.
+    step_mm : float, optional
+        Largest spacing of the grid; then `worst_mm` is not asked for, only stated.
+
+    Returns
+    -------
+    TableCompensator
+        As `read_table` reads it back.
+
+    Raises
+    ------
+    InputError
+        The robot has no workspace, or the file cannot be written.
+    NoSolutionError
+        No table of a reasonable size leaves so small an error.
+
+    Notes
+    -----
+    The error is that of the calibrated machine's exact forward position at nominal joints plus correction, measured at
+    the middles of all cells, faces and edges, and at random points. Where corrections curve with the square of the
+    distance, trilinear interpolation errs by a sum of one term per axis, each largest half way between nodes: the
+    largest norm of such a sum is found at one of these middles.
+    """
+    if len(compensator.mechanism.axes) < 3:
+        raise UsageError(
+            f"a table is made for machines that move in space, and {compensator.mechanism.machine} moves in a plane. "
+            "Export the C source, or write the joints of your targets: deltacal compensate RESULT TARGETS -o JOINTS."
+        )
+    over = over or Spans()
+    compensator = after_jumps(compensator)
+    compensator.round_trip()  # a workspace out of reach is refused here
+    table = _sampled(compensator, over, step_mm) if step_mm is not None else _fine_enough(compensator, over, worst_mm)
+    write_files({Path(path): _table_text(table, compensator, over)})
+    return table
+
+
+def _fine_enough(compensator: Compensator, over: Spans, worst_mm: float) -> TableCompensator:
+    if not worst_mm > 0.0:
+        raise UsageError(f"the worst error asked of a table is {worst_mm:g} mm, but must be above 0.")
+    left = compensator.round_trip()
+    if left.missed:
+        raise NoSolutionError(
+            f"{left.missed} of {left.points} checked points of the workspace are out of reach, so no table covers it. "
+            "Make [workspace] smaller, or give the step of a table that leaves them blank."
+        )
+    if stated(left.worst_mm) >= worst_mm:
+        raise NoSolutionError(
+            f"the {compensator.kind} compensator itself leaves {stated(left.worst_mm):g} mm over the workspace, so no "
+            f"table of it leaves {worst_mm:g} mm. Use the exact one, or ask for a larger worst error."
+        )
+    if (floor := _floor(compensator, over)) >= worst_mm:
+        raise NoSolutionError(
+            f"what the effects ask for is not linear enough in the channels: to first order {floor:g} mm are left, so "
+            f"no table leaves {worst_mm:g} mm. Allow a larger worst error, or export the C source."
+        )
+    step = workspace_of(compensator.robot).box[1].max() / 2
+    while True:
+        table = _sampled(compensator, over, step, at_most=worst_mm)
+        if table.worst_mm <= worst_mm and not table.missed:
+            return table
+        # the error goes with the square of the step
+        step *= 0.5 if table.missed else max(0.3, min(0.95, 0.98 * math.sqrt(worst_mm / table.worst_mm)))
+
+
+def _floor(compensator: Compensator, over: Spans) -> float:
+    """Return what columns leave where they need no interpolation, as it would be stated [mm]."""
+    points = workspace_points(workspace_of(compensator.robot))[::7]
+    columns = columns_of(compensator, compensator.effects, over)
+    values = drawn(columns, over, len(points))
+    sign = compensator.robot.joint_sign
+    q = compensator.nominal_command(points)[0] * sign
+    found = taken_apart(compensator, points, columns, over, (), q)
+    for k, column in enumerate(columns):
+        q = q + np.reshape(factor(column, values), (-1, 1)) * found[:, k]
+    at = channels_of(compensator, len(points), values)
+    return stated(largest(np.linalg.norm(compensator.missed(q * sign, points, None, at), axis=1)))
+
+
+def _sampled(compensator: Compensator, over: Spans, step_mm: float, at_most: float | None = None) -> TableCompensator:
+    """Return the table whose steps are `step_mm` or a little less."""
+    if not step_mm > 0.0:
+        raise UsageError(f"the step of a table is {step_mm:g} mm, but must be above 0.")
+    space = workspace_of(compensator.robot)
+    centre, half = space.box
+    origin, extent = centre - half, 2 * half
+    cells = np.maximum(np.ceil(extent / step_mm - 1e-9).astype(int), 1)
+    columns = columns_of(compensator, compensator.effects, over)
+    if np.prod(cells + 1.0) * len(columns) > LARGEST_TABLE:
+        asked = f"{at_most:g} mm" if at_most is not None else f"a step of {step_mm:g} mm"
+        raise NoSolutionError(
+            f"a table for {asked} needs more than {LARGEST_TABLE} corrections. "
+            "Allow a larger one, or export the C source, which needs no grid."
+        )
+    step = extent / cells
+    axes = [origin[i] + step[i] * np.arange(cells[i] + 1) for i in range(3)]
+    nodes = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
+    unit = to_internal(compensator.mechanism.joint_unit)
+    sign = compensator.robot.joint_sign
+    nominal = compensator.nominal_command(nodes)[0] * sign
+    corrections = taken_apart(compensator, nodes, columns, over, (), nominal) * sign / unit
+    if len(columns) > 1:  # a column that nothing goes with is rounding
+        kept = [k for k in range(len(columns)) if k == 0 or np.nanmax(np.abs(corrections[:, k])) > 0.1**TABLE_DECIMALS]
+        columns, corrections = tuple(columns[k] for k in kept), corrections[:, kept]
+    table = TableCompensator(
+        origin=origin,
+        step=step,
+        corrections=np.round(corrections, TABLE_DECIMALS).reshape(*(cells + 1), len(columns), -1) * unit,
+        worst_mm=math.nan,
+        missed=0,
+        robot=compensator.robot.name,
+        mechanism=compensator.mechanism.name,
+        kind=compensator.kind,
+        digest=compensator.digest,
+        joint_unit=compensator.mechanism.joint_unit,
+        tool=np.array(compensator.robot.tool, dtype=float),
+        columns=columns,
+    )
+    left = _table_errors(table, compensator, over, space.radius or 0.0)
+    return replace(table, worst_mm=stated(left.worst_mm), missed=left.missed)
+
+
+def _table_errors(table: TableCompensator, compensator: Compensator, over: Spans, radius: float) -> RoundTrip:
+    """Return what a table leaves at the middles of its cells, faces and edges, and at random points.
+
+    The channels take random values within what was recorded.
+    """
+    middles = [table.origin[i] + 0.5 * table.step[i] * np.arange(2 * n - 1) for i, n in enumerate(table.nodes)]
+    used = _used(table, radius)
+    lattice = np.stack(np.meshgrid(*middles, indexing="ij"), axis=-1)[used]
+    points = np.vstack([workspace_points(workspace_of(compensator.robot)), lattice.reshape(-1, 3)])
+    inside = np.hypot(points[:, 0], points[:, 1]) <= radius * (1 + 1e-12)
+    worst, missed = 0.0, 0
+    for start in range(0, len(points), _CHUNK):
+        part = points[start : start + _CHUNK]
+        values = drawn(columns_of(compensator, compensator.effects, over), over, len(part))
+        joints = compensator.nominal_command(part)[0] + table.correction(part, values)[0]
+        at = channels_of(compensator, len(part), values)
+        error = np.linalg.norm(compensator.missed(joints, part, None, at), axis=1)
+        worst = max(worst, largest(error))
+        missed += int((np.isnan(error) & inside[start : start + _CHUNK]).sum())
+    return RoundTrip(worst, len(points), missed)
+
+
+def _used(table: TableCompensator, radius: float) -> np.ndarray:
+    """Tell which columns of half steps (2 n_x - 1, 2 n_y - 1) belong to cells that the cylinder meets."""
+    used = np.zeros((2 * table.nodes[0] - 1, 2 * table.nodes[1] - 1), dtype=bool)
+    edges = [table.origin[i] + table.step[i] * np.arange(table.nodes[i]) for i in range(2)]
+    # the point of each interval that is nearest to the axis
+    near_x, near_y = (np.clip(0.0, e[:-1], e[1:]) for e in edges)
+    for i, j in np.argwhere(np.hypot(near_x[:, None], near_y[None, :]) <= radius):
+        used[2 * i : 2 * i + 3, 2 * j : 2 * j + 3] = True
+    return used
+
+
+def _table_header(columns: Sequence[Column], joints: int, unit: str) -> list[str]:
+    by = ["".join(f"_{name}" for name in ("by", *column)) if column else "" for column in columns]
+    return ["x_mm", "y_mm", "z_mm", *(f"dq{i + 1}_{unit}{suffix}" for suffix in by for i in range(joints))]
+
+
+def _table_text(table: TableCompensator, compensator: Compensator, over: Spans) -> str:
+    unit = file_unit(table.joint_unit)
+    count = table.corrections.shape[4]
+    n_x, n_y, n_z = table.nodes
+    prose: tuple[str, ...] = (
+        "Corrections of joint commands: command = nominal inverse position of the target + dq,",
+        f"dq1..dq{count} in {unit} as the controller counts, by the position x, y, z in mm of the reference point in",
+        "the robot frame {O} (origin at the base centre, z up). Regular grid, z running fastest, then y, then x:",
+        "row (i * nodes_y + j) * nodes_z + k, counted from 0, belongs to the node origin + (i, j, k) * step.",
+        "Interpolation: trilinear between the 8 nodes of the cell. Blank: out of reach; no target may use such a cell.",
+        "worst_mm: worst position error left in the cells that the workspace meets, against the model's own exact",
+        "forward position, measured half way between all nodes and at random points. What the model does not know is",
+        "not in it. missed: checked points of the workspace without an answer.",
+    )
+    if len(table.columns) > 1:
+        prose += (
+            "Columns dq1_..._by_CHANNELS are to be multiplied by those channels and added to dq1: payload in kg,",
+            "warming = temp_C - 20, time in h of the recording's clock, approach1 = +1 or -1, the direction in which",
+            "the joint last moved. Effects: "
+            + ", ".join(t.effect for t in compensator.effects)
+            + "; after every jump, and",
+            f"at rest. Recorded were: {over.in_words()}; worst_mm holds within these.",
+        )
+    facts: dict[str, Any] = {
+        "schema": _TABLE_SCHEMA,
+        "worst_mm": table.worst_mm,
+        "missed": table.missed,
+        "robot": table.robot,
+        "mechanism": table.mechanism,
+        "model": compensator.model,
+        "kind": table.kind,
+        "parameters_sha256": table.digest,
+        "tool_mm": [float(v) for v in table.tool],
+        "origin_mm": [float(v) for v in table.origin],
+        "step_mm": [float(v) for v in table.step],
+        "nodes": [n_x, n_y, n_z],
+    }
+    if len(table.columns) > 1:
+        facts["columns"] = [list(column) for column in table.columns]
+    lines = [f"# {line}" for line in prose]
+    lines += [f"#: {key} = {json.dumps(value)}".replace("\x7f", "\\u007f") for key, value in facts.items()]
+    lines.append(",".join(_table_header(table.columns, count, unit)))
+    values = table.corrections.reshape(-1, count * len(table.columns)) / to_internal(table.joint_unit)
+    places = itertools.product(*([f"{v:.6f}" for v in axis] for axis in _axes(table)))
+    for place, row in zip(places, values, strict=True):
+        cells = ("" if math.isnan(v) else f"{v:.{TABLE_DECIMALS}f}" for v in row)
+        lines.append(",".join((*place, *cells)))
+    return "\n".join(lines) + "\n"
+
+
+def _axes(table: TableCompensator) -> list[Array]:
+    return [table.origin[i] + table.step[i] * np.arange(n) for i, n in enumerate(table.nodes)]
+
+
+def read_table(path: str | Path) -> TableCompensator:
+    """Read a table that `export_table` wrote.
+
+    Raises
+    ------
+    InputError
+        The file is not such a table, or not all of it; the message names the line.
+    """
+    path = Path(path)
+    lines = read_text(path).split("\n")
+    top = next((n for n, line in enumerate(lines) if not line.startswith("#")), len(lines))
+    facts = _table_facts(path, lines[:top])
+    header = lines[top].split(",") if top < len(lines) else []
+    columns = tuple(tuple(column) for column in facts.get("columns", [[]]))
+    joints = len(header[3:]) // len(columns)
+    fitting = [u for u in ("deg", "mm") if header == _table_header(columns, joints, u) and joints]
+    if not fitting:
+        raise _damaged(path, top + 1, "the names of the columns, x_mm,y_mm,z_mm,dq1_deg,..., were expected here")
+    unit = "rad" if fitting == ["deg"] else "mm"
+    shape = tuple(facts["nodes"])
+    rows = [line for line in lines[top + 1 :] if line]
+    if len(rows) != math.prod(shape):
+        raise _damaged(path, len(lines), f"{math.prod(shape)} rows were expected, but there are {len(rows)}")
+    values = np.empty((len(rows), len(header)))
+    for n, row in enumerate(rows):
+        try:
+            values[n] = [float(cell) if cell else math.nan for cell in row.split(",")]
+        except ValueError:
+            raise _damaged(path, top + 2 + n, f"{len(header)} numbers were expected") from None
+    table = TableCompensator(
+        origin=np.array(facts["origin_mm"], dtype=float),
+        step=np.array(facts["step_mm"], dtype=float),
+        corrections=values[:, 3:].reshape(*shape, len(columns), joints) * to_internal(unit),
+        worst_mm=float(facts["worst_mm"]),
+        missed=int(facts["missed"]),
+        robot=facts["robot"],
+        mechanism=facts["mechanism"],
+        kind=facts["kind"],
+        digest=facts["parameters_sha256"],
+        joint_unit=unit,
+        tool=np.array(facts["tool_mm"], dtype=float),
+        columns=columns,
+    )
+    nodes = np.stack(np.meshgrid(*_axes(table), indexing="ij"), axis=-1).reshape(-1, 3)
+    if len(strays := np.flatnonzero(~(np.abs(values[:, :3] - nodes) < 1e-5).all(axis=1))):
+        raise _damaged(path, top + 2 + int(strays[0]), "x, y, z are not the node that the header's grid has here")
+    return table
+
+
+def _table_facts(path: Path, lines: list[str]) -> dict[str, Any]:
+    """Return what the header of a table states, checked for what `read_table` needs."""
+    try:
+        facts = tomllib.loads("\n".join(line.removeprefix("#:") if line.startswith("#:") else "" for line in lines))
+    except tomllib.TOMLDecodeError as error:
+        raise _damaged(path, None, f"the header cannot be read: {error}") from None
+    if facts.get("schema") != _TABLE_SCHEMA:
+        raise _damaged(path, 1, f"a header with schema = {_TABLE_SCHEMA} was expected")
+    numbers = {"worst_mm": 1, "missed": 1, "tool_mm": 3, "origin_mm": 3, "step_mm": 3, "nodes": 3}
+    for key, count in numbers.items():
+        found = facts.get(key)
+        values = found if count > 1 else [found]
+        if not (isinstance(values, list) and len(values) == count and all(type(v) in (int, float) for v in values)):
+            raise _damaged(path, None, f"{key} in the header is {found!r}; {count} number{'s'[: count > 1]} expected")
+    if not (min(facts["nodes"]) >= 2 and all(isinstance(n, int) for n in facts["nodes"]) and min(facts["step_mm"]) > 0):
+        raise _damaged(path, None, "the grid in the header needs 2 or more nodes and a positive step along each axis")
+    for key in ("robot", "mechanism", "kind", "parameters_sha256"):
+        if not isinstance(facts.get(key), str):
+            raise _damaged(path, None, f"{key} in the header is missing")
+    return facts
+
+
+def _damaged(path: Path, line: int | None, problem: str) -> InputError:
+    return InputError(f"{problem}.", "Export the table again.", file=path, line=line)

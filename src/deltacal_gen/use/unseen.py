@@ -1,0 +1,68 @@
+"""What readings do not tell apart, in a sentence of geometry: most often a motion of the machine as a whole."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from deltacal_gen.files.robot import robot_of
+from deltacal_gen.identification.accuracy import check_joints
+from deltacal_gen.machine.registry import Array, mechanism_of
+from deltacal_gen.results.result import Result
+from deltacal_gen.units import DEG, to_internal
+
+WHOLE = "the machine as a whole"
+RIGID = 0.01  # of what a combination moves: the most that is left when it is a motion of the base
+STILL = 1e-3  # of what its parameters would move one by one: less is no motion
+ALONG = 0.995  # cosine between a direction and an axis that is called by its name
+SHARE = 0.05  # of a motion: a shift or a turn that makes less of it is not told
+
+
+def sentences(found: Result) -> list[str]:
+    """Return for each combination that is not seen at all what it does to the machine; "" where nothing simple is it.
+
+    The parameters move together as the result says; it is looked at over the workspace, at the calibrated machine.
+    """
+    robot = robot_of(found.robot)
+    if robot.workspace is None or not found.unidentifiable:
+        return [""] * len(found.unidentifiable)
+    mechanism, tool = mechanism_of(robot), np.asarray(robot.tool, dtype=float)
+    q, x, _, _ = check_joints(robot, tool)
+    if len(x) < 3:
+        return [""] * len(found.unidentifiable)
+    moved = mechanism.sensitivity(x, q, tool, mechanism.rows(robot)).parameters[:, :3]
+    told = []
+    for c in found.unidentifiable:
+        by = np.zeros(moved.shape[2])
+        for name, size in c.terms.items():
+            by[mechanism.index[name]] = size * to_internal(mechanism.parameters[mechanism.index[name]].unit)
+        told.append(_told(moved @ by, np.abs(moved * by).max(), x[:, :3]) if c.seen == "not at all" else "")
+    takes = "the instrument's frame takes it" if found.base_frame else "these readings do not see it"
+    return [f"{sentence}: {takes}" if sentence.startswith(WHOLE) else sentence for sentence in told]
+
+
+def _told(shift: Array, alone: float, points: Array) -> str:
+    """Say what shifts (N, 3) of points (N, 3) are; `alone` is the largest that a parameter makes by itself [mm]."""
+    largest = np.abs(shift).max()
+    if largest <= STILL * alone:
+        return "the measured point stays where it is, wherever the machine stands"
+    x, y, z = (points - points.mean(axis=0)).T
+    none = np.zeros_like(x)
+    turns = np.stack([np.stack(row, axis=1) for row in ((none, z, -y), (-z, none, x), (y, -x, none))], axis=1)
+    A = np.concatenate([np.tile(np.eye(3), (len(points), 1, 1)), turns], axis=2)
+    motion = np.linalg.lstsq(A.reshape(-1, 6), shift.ravel(), rcond=None)[0]
+    if np.abs(shift - A @ motion).max() > RIGID * largest:
+        return ""
+    along, about = motion[:3], motion[3:]
+    shares = [np.abs(along).max(), np.abs(A[:, :, 3:] @ about).max()]
+    parts = []
+    if shares[1] > SHARE * largest:
+        parts.append(f"turned about {_axis(about)} ({np.linalg.norm(about) / DEG:.2g} deg)")
+    if shares[0] > SHARE * largest:
+        parts.append(f"shifted along {_axis(along)} ({np.linalg.norm(along):.2g} mm)")
+    return f"{WHOLE} {' and '.join(parts)}"
+
+
+def _axis(direction: Array) -> str:
+    unit = direction / np.linalg.norm(direction)
+    k = int(np.argmax(np.abs(unit)))
+    return "xyz"[k] if abs(unit[k]) > ALONG else f"({', '.join(f'{round(v, 2) + 0.0:.2f}' for v in unit)})"  # no -0.00

@@ -1,0 +1,125 @@
+"""Fits arrive, whatever the readings: near a line, in short ranges, of soft arms. Mistakes are told, not machines."""
+
+from __future__ import annotations
+
+import dataclasses
+from itertools import islice
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.estimation.fit import BROAD, fit, rough
+from deltacal_gen.estimation.problem import pose_problem
+from deltacal_gen.estimation.solvers import Prior
+from deltacal_gen.files.robot import Robot, robot_from_dict
+from deltacal_gen.identification.checks import plausible
+from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.machine.values import Measurement, Recording
+from deltacal_gen.physics.simulation import simulate
+from tests.benchmarks.arrival import ABOVE, chi2, lowest, near_a_line, problems
+
+LINKS = ((50, -90, 480, 0), (500, 0, 0, -90), (0, 90, 50, 90), (0, -90, 550, 0), (0, 90, 0, 0), (0, 0, 100, 0))
+SIGMA = 0.002  # mm
+
+
+@pytest.fixture(scope="module")
+def arm() -> Robot:
+    joints = [
+        {"kind": "revolute", "convention": "standard", "a": a, "alpha": alpha, "d": d, "theta": theta}
+        for a, alpha, d, theta in LINKS
+    ]
+    tool = {"tool": [-30.0, -20.0, 100.0]}
+    return robot_from_dict({"robot": {"name": "arm", "mechanism": "serial"}, "joint": joints, "geometry": tool})
+
+
+def recorded(arm: Robot, joints: np.ndarray, sag: float = 0.0, size: float = 1.0) -> Recording:
+    """Return positions in an unknown frame of an arm with errors, that sinks with its reach by a part `sag` of it."""
+    rng, n, mechanism = np.random.default_rng(3), len(joints), mechanism_of(arm)
+    plain = Recording(
+        path=Path("arm"),
+        kind="position",
+        measurement=Measurement(kind="position", frame="unknown"),
+        joint_unit=mechanism.joint_unit,
+        joints=joints,
+        columns=("x_mm", "y_mm", "z_mm"),
+        measured=np.full((n, 3), np.nan),
+        pose=np.arange(1, n + 1).astype(str),
+        line=np.arange(2, n + 2),
+        channels={},
+        setup=np.zeros(n, dtype=int),
+        setup_names=("",),
+    )
+    names = mechanism.model(mechanism.full_model)
+    errors = {name: float(size * mechanism.typical[mechanism.index[name]] * rng.standard_normal()) for name in names}
+    here = (np.zeros(3), np.zeros(3))
+    low = simulate(arm, plain, errors, noise_mm=SIGMA, rng=rng, frame=here)
+    sunk = low.measured - np.outer(sag * np.linalg.norm(low.measured[:, :2], axis=1), [0, 0, 1.0])
+    turn = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+    return dataclasses.replace(low, measured=sunk @ turn.T + [-70.0, -2900.0, 660.0])
+
+
+def wide(rng: np.random.Generator, n: int, span: float) -> np.ndarray:
+    return np.array([-0.7, 0.2, 1.2, 1.1, 1.2, -0.9]) + span * rng.uniform(-1, 1, (n, 6))
+
+
+def test_a_trajectory_along_a_line_is_fitted_though_it_hardly_shows_the_frame(arm: Robot) -> None:
+    rng = np.random.default_rng(8)
+    q = near_a_line(arm, wide(rng, 150, 0.5), rng)
+    problem = pose_problem(arm, recorded(arm, q), mechanism_of(arm).model("serial/dh"))
+    problem = dataclasses.replace(problem, scale=BROAD * problem.scale)
+    found = fit(problem, Prior(), robust=False, weigh_repeats=False)
+    assert found.rms() < 1.1 * SIGMA
+    other = lowest(problem, found, 2, rng)
+    assert chi2(problem, found, found.errors, found.instrument) < other + ABOVE
+
+
+@pytest.mark.parametrize("seed", [11, pytest.param(12, marks=pytest.mark.thorough)])
+def test_fits_of_drawn_machines_arrive_where_another_optimiser_does(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    for word, problem in islice(problems(seed), 2):
+        found = fit(problem, Prior(), robust=False, weigh_repeats=False)
+        own, other = chi2(problem, found, found.errors, found.instrument), lowest(problem, found, 1, rng)
+        assert own < other + ABOVE, word
+
+
+def test_a_soft_arm_is_no_mistake(arm: Robot) -> None:
+    """One per cent of its reach: nothing is refused, and no order of the joints is tried that nobody would make."""
+    q = wide(np.random.default_rng(2), 120, 1.2)
+    first = rough(pose_problem(arm, recorded(arm, q, sag=0.05), ()), must_converge=False)
+    assert np.median(np.linalg.norm(first.residual, axis=1)) > 5
+    plausible(first)
+
+
+MISTAKES = {
+    "the columns of joints 2 and 3 are exchanged": lambda r: r.joints[:, [0, 2, 1, 3, 4, 5]],
+    "joint 4 counts the other way": lambda r: r.joints * [1, 1, 1, -1, 1, 1],
+    "the zero of joint 3 is off by 90 deg": lambda r: r.joints - np.radians([0, 0, 90, 0, 0, 0]),
+}
+
+
+@pytest.mark.parametrize("words", MISTAKES)
+def test_a_mistake_in_the_joints_is_named(arm: Robot, words: str) -> None:
+    good = recorded(arm, wide(np.random.default_rng(2), 120, 1.2), size=0.3)
+    wrong = dataclasses.replace(good, joints=MISTAKES[words](good))
+    with pytest.raises(InputError, match="agree with it if .*" + words):
+        plausible(rough(pose_problem(arm, wrong, ()), must_converge=False))
+
+
+def test_a_left_handed_frame_and_inches_are_named(arm: Robot) -> None:
+    good = recorded(arm, wide(np.random.default_rng(2), 120, 1.2), size=0.3)
+    for words, measured in (
+        ("the instrument's frame is left-handed", good.measured * [-1, 1, 1]),
+        ("all positions are in inches", good.measured / 25.4),
+    ):
+        wrong = dataclasses.replace(good, measured=measured)
+        with pytest.raises(InputError, match="agree with it if .*" + words):
+            plausible(rough(pose_problem(arm, wrong, ()), must_converge=False))
+
+
+def test_readings_in_another_order_are_refused(arm: Robot) -> None:
+    good = recorded(arm, wide(np.random.default_rng(2), 120, 1.2), size=0.3)
+    shuffled = dataclasses.replace(good, measured=np.random.default_rng(1).permutation(good.measured))
+    with pytest.raises(InputError, match="more than any error of its parts"):
+        plausible(rough(pose_problem(arm, shuffled, ()), must_converge=False))

@@ -1,0 +1,138 @@
+"""Tables as people and programs write them down: what is certain is read, what is not is asked for."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import deltacal_gen as dc
+from deltacal_gen.app.demonstration import example
+from deltacal_gen.errors import InputError
+from deltacal_gen.files.dialect import decimal_mark
+from deltacal_gen.files.recording import read_blocks, read_recording
+from deltacal_gen.machine.registry import load_mechanism
+from deltacal_gen.machine.values import Recording
+from deltacal_gen.units import DEG
+from tests.conftest import Run
+
+DELTA = load_mechanism("delta")
+HEADER = ["pose", "q1_deg", "q2_deg", "q3_deg", "x_mm", "y_mm", "z_mm", "payload_kg"]
+TABLE = [["a", 10.5, -20.25, 30, 1234.5, 2, -800.125, 0.5], ["b", 11, 21, 31, 0.25, -3, -801, 1.5]]
+
+
+def rows(mark: str = ".", separator: str = ",", header: list[str] | None = None) -> str:
+    table = [[str(c).replace(".", mark) for c in row] for row in TABLE]
+    return "".join(separator.join(row) + "\n" for row in [header or HEADER, *table])
+
+
+def read(folder: Path, content: str | bytes) -> Recording:
+    path = folder / "recording.csv"
+    path.write_bytes(content if isinstance(content, bytes) else content.encode())
+    return read_recording(path, DELTA)
+
+
+FORMS: dict[str, str | bytes] = {
+    "plain": rows(),
+    "semicolons": rows(separator=";"),
+    "tabs": rows(separator="\t"),
+    "decimal commas": rows(",", ";"),
+    "commas after tabs": rows(",", "\t"),
+    "marks between thousands": rows(",", ";").replace("1234,5", "1.234,5"),
+    "blanks between thousands": rows(separator=";").replace("1234.5", "1 234.5"),
+    "commas between thousands": rows(separator=";").replace("1234.5", "1,234.5"),
+    "utf-16": rows(",", ";").encode("utf-16"),
+    "utf-16 without a mark": rows().encode("utf-16-le"),
+    "byte order mark": b"\xef\xbb\xbf" + rows().encode(),
+    "latin-1": "# gemessen auf Tisch \xfc\n".encode("latin-1") + rows(separator=";").encode(),
+    "windows lines": rows().replace("\n", "\r\n"),
+    "units in brackets": rows(
+        header=["pose", "q1 [deg]", "Q2 (deg)", "q3[°]", "X [mm]", "y (mm)", "Z[mm]", "payload [kg]"]
+    ),
+    "a row of units": rows(header=["pose", "q1", "q2", "q3", "X", "Y", "Z", "payload"]).replace(
+        "payload\n", "payload\n,deg,deg,deg,mm,mm,mm,kg\n"
+    ),
+    "a preamble": "Tracker AT960; serial 123\nDate:;22.11.2026\nOperator;A. B.\n\n" + rows(",", ";"),
+    "other units": (
+        "pose,q1_rad,q2 [rad],q3_rad,x_m,Y [in],z_cm,payload_g\n"
+        f"a,{10.5 * DEG!r},{-20.25 * DEG!r},{30 * DEG!r},1.2345,{2 / 25.4!r},-80.0125,500\n"
+        f"b,{11 * DEG!r},{21 * DEG!r},{31 * DEG!r},0.00025,{-3 / 25.4!r},-80.1,1500\n"
+    ),
+}
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_every_form_gives_the_same_recording(tmp_path: Path, form: str) -> None:
+    recording = read(tmp_path, FORMS[form])
+    table = np.array([row[1:] for row in TABLE], dtype=float)
+    assert recording.pose.tolist() == ["a", "b"]
+    assert recording.joints / DEG == pytest.approx(table[:, :3])
+    assert recording.measured == pytest.approx(table[:, 3:6])
+    assert recording.payload_kg == pytest.approx(table[:, 6])
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_blocks_are_read_as_the_whole(tmp_path: Path, form: str) -> None:
+    whole = read(tmp_path, FORMS[form])
+    parts = list(read_blocks(tmp_path / "recording.csv", DELTA, 1))
+    assert np.vstack([part.measured for part in parts]) == pytest.approx(whole.measured)
+    assert np.vstack([part.joints for part in parts]) == pytest.approx(whole.joints)
+
+
+def test_a_workbook_is_a_table(tmp_path: Path) -> None:
+    openpyxl = pytest.importorskip("openpyxl")
+    book = openpyxl.Workbook()
+    book.create_sheet("notes", 0)
+    for row in (["Tracker AT960"], HEADER, *TABLE):
+        book["Sheet"].append(row)
+    book.save(tmp_path / "recording.xlsx")
+    recording = read_recording(tmp_path / "recording.xlsx", DELTA)
+    assert recording.measured[0].tolist() == [1234.5, 2.0, -800.125]
+    assert recording.line.tolist() == [3, 4]
+    (tmp_path / "recording.xlsx").write_bytes(b"PK but no archive")
+    with pytest.raises(InputError, match="this is no workbook"):
+        read_recording(tmp_path / "recording.xlsx", DELTA)
+
+
+AMBIGUOUS = "pose;q1_deg;q2_deg;q3_deg;x_mm;y_mm;z_mm\na;10;20;30;1,234;2;-800\nb;11;21;31;5;6;-801\n"
+
+
+def test_what_is_not_certain_is_asked_for(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="line 2: whether the comma in '1,234' is a decimal mark or parts thousands"):
+        read(tmp_path, AMBIGUOUS)
+    for mark, x in ((",", 1.234), (".", 1234.0)):
+        with decimal_mark(mark):
+            assert read(tmp_path, AMBIGUOUS).measured[0, 0] == pytest.approx(x)
+
+
+def test_the_answer_is_an_option_of_the_command(tmp_path: Path, run: Run) -> None:
+    (tmp_path / "poses.csv").write_text(AMBIGUOUS.replace("10;20;30", "1,234;2;3").replace("11;21;31", "5;6;7"))
+    command = ("simulate", example() / "robot.toml", tmp_path / "poses.csv", "-o", tmp_path / "out.csv")
+    code, _, said = run(*command)
+    assert code == 3
+    assert "--decimal" in said
+    assert run(*command, "--decimal", ",")[0] == 0
+    assert (tmp_path / "out.csv").read_text().splitlines()[1].split(",")[1] == "1.234"
+    assert run(*command)[0] == 3  # the answer is of that command alone
+    assert run(*command, "--decimal", "x")[0] == 2
+
+
+INCHES = [repr(v / 25.4) for v in (1.5, 2, -800, 2.5, 3, -801)]
+EXPORTS = {
+    "SpatialAnalyzer": "// Collection::Group::Point, X, Y, Z\nJob::A::P1, 1.5, 2, -800\nJob::A::P2, 2.5, 3, -801\n",
+    "PolyWorks": "PolyWorks|Inspector report\nUnits: Inches\n\nName X Y Z\n"
+    f"P1 {' '.join(INCHES[:3])}\nP2 {' '.join(INCHES[3:])}\n",
+    "Leica": "Job: cell 7\nDate: 22.11.2026 10:31\nUnit: Meters\n\nPointID\tX\tY\tZ\n"
+    "P1\t0.0015\t0.002\t-0.8\nP2\t0.0025\t0.003\t-0.801\n",
+    "FARO": "CAM2 Measure 10\nOperator;A. B.\nUnits=mm\nName;X;Y;Z\nP1;1,5;2,0;-800,0\nP2;2,5;3,0;-801,0\n",
+}
+
+
+@pytest.mark.parametrize("software", EXPORTS)
+def test_exports_of_instrument_software(tmp_path: Path, software: str) -> None:
+    (tmp_path / "points.txt").write_text(EXPORTS[software])
+    (tmp_path / "joints.csv").write_text("point,J1 [deg],J2 [deg],J3 [deg]\nP1,10,20,30\nP2,11,21,31\n")
+    found = dc.import_points(tmp_path / "points.txt", tmp_path / "joints.csv").recordings["recording"]
+    assert found.measured == pytest.approx(np.array([[1.5, 2, -800], [2.5, 3, -801]]))
+    assert found.pose.tolist() == ["P1", "P2"]

@@ -1,0 +1,135 @@
+"""No mathematics of a machine stands in the runtime or in a template: all of it is derived.
+
+Told by its words: trigonometry and vector products anywhere in ``src`` and ``templates``, products of matrices in the
+wings that compute with machines. What may stand there is listed with its reason; what is listed and gone is an error.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+SRC, TEMPLATES = ROOT / "src" / "deltacal_gen", ROOT / "templates"
+ROUND = {
+    "sin",
+    "cos",
+    "tan",
+    "asin",
+    "acos",
+    "atan",
+    "atan2",
+    "arcsin",
+    "arccos",
+    "arctan",
+    "arctan2",
+    "hypot",
+    "cross",
+}
+PRODUCTS = {"einsum", "matmul", "dot", "tensordot", "vdot", "inner"}
+MACHINES = ("machine", "physics", "instrument")  # wings in which a product of matrices may be one of a machine
+
+PAPERS = "app/reproduction/"  # what papers print and draw, done again as they did it
+WORKSPACE = "a place in the cylinder of the workspace, by its radius and its angle"
+CHAIN_RULE = "derivatives of the kernels, multiplied"
+FUNCTIONS = {
+    "app/fleet.py:_grown": "two standard deviations together",
+    "diagnosis/structure.py:_functions": "waves of a channel: what is smooth in it, of no machine",
+    "files/robot.py:Workspace.holds": WORKSPACE,
+    "identification/accuracy.py:circle": WORKSPACE,
+    "identification/remedies.py:printed": "ends of lines that a printed object would show",
+    "instrument/instrument.py:Instrument.linearise": CHAIN_RULE,
+    "instrument/instrument.py:Instrument.residual": "one measured rotation by another",
+    "instrument/instrument.py:Instrument.stepped": "directions that keep ties, by their shares",
+    "instrument/instrument.py:align": "the rotation that fits two clouds of points (Kabsch 1976)",
+    "instrument/kind.py:Kind.by_platform": CHAIN_RULE,
+    "instrument/kind.py:Kind.start": "the square of a step",
+    "instrument/kinds/contact.py:Contact.tied": "a least correction, by the pseudo-inverse",
+    "instrument/kinds/pose.py:Pose.start": "one measured rotation by another",
+    "instrument/kinds/position.py:Position._aligned": "a cloud of points, turned and shifted",
+    "instrument/kinds/sphere.py:Sphere.drawn": "a camera of a simulation is hung up before the machine",
+    "instrument/kinds/sphere.py:Sphere.start": "points in the camera's frame, by the rotation that was found",
+    "instrument/kinds/sphere.py:Sphere.imagined": "how far along the optical axis a ball stands",
+    "instrument/sphere.py:centres": "normal equations",
+    "machine/chain.py:Chain._length": "how far a table of a link leads",
+    "machine/chain.py:Chain._parallel": "whether an angle is a multiple of half a turn",
+    "machine/chain.py:Chain.follow": "joints in the directions that a chain commands: linear algebra of its Jacobian",
+    "machine/chain.py:Chain.moves": "shares of tables in a joint's link",
+    "machine/chain.py:Chain.roles": "sums over the tables of a joint's link",
+    "machine/chain.py:_prioritised": "two levels of priority by projections (Siciliano, Slotine 1991)",
+    "machine/limbs.py:Limbs._body": "a sum of every row, NaN where a number is",
+    "machine/machine.py:Machine.missed": "one rotation by another",
+    "machine/rotation.py:to_vector": "SciPy's, for rotations by less than half a turn, without importing it",
+    "physics/body.py:Body._along": CHAIN_RULE,
+    "physics/body.py:Body._derivatives": CHAIN_RULE,
+    "physics/body.py:Body._rows": "parts that effects move, by what they are made of",
+    "physics/body.py:Body.solve": "a pose in a base that has turned",
+    "physics/body.py:Body.state": WORKSPACE,
+    "physics/simulation.py:simulate": "noise of a measured rotation",
+    "planning/matrix.py:generic": WORKSPACE,
+    "planning/targets.py:rings": WORKSPACE,
+    "planning/singularities.py:_directions": "directions from which a workspace is searched",
+    "use/comparison.py:_combinations": "two standard deviations together",
+    "use/comparison.py:compare": "two standard deviations together",
+    "use/compensation.py:workspace_points": WORKSPACE,
+    "use/tables.py:_table_errors": WORKSPACE,
+    "use/tables.py:_used": WORKSPACE,
+    "use/firmware.py:_Printed.__init__": WORKSPACE,
+}
+LINES = {
+    "mechanism/vectorised.py.jinja: by_limb @ J_p": "the closure's inverse, by limb, times its derivatives",
+    "mechanism/vectorised.py.jinja: W @ S_p": "a derived matrix times derivatives",
+}
+TYPED = re.compile(
+    rf"\b(?:math|np|cmath)\.(?:sqrt|{'|'.join(sorted(ROUND | PRODUCTS))})\b|\w \(?@ \w|\b(?:sin|cos|sqrt)\("
+)
+
+
+def _told(node: ast.AST, machines: bool) -> bool:
+    """Tell whether a node is trigonometry, a vector product or, in wings of machines, a product of matrices."""
+    if isinstance(node, ast.Attribute):
+        named = isinstance(node.value, ast.Name) and node.value.id in ("np", "math")
+        return named and (node.attr in ROUND or (machines and node.attr in PRODUCTS))
+    return machines and isinstance(node, ast.BinOp | ast.AugAssign) and isinstance(node.op, ast.MatMult)
+
+
+def _functions(tree: ast.Module) -> Iterator[tuple[str, ast.AST]]:
+    """Yield functions and methods, by name, and what stands outside of them."""
+    for node in tree.body:
+        if isinstance(node, ast.ClassDef):
+            for inner in node.body:
+                yield f"{node.name}.{getattr(inner, 'name', '')}", inner
+        else:
+            yield getattr(node, "name", ""), node
+
+
+def test_the_runtime_holds_no_formula_of_a_machine() -> None:
+    found = set()
+    for path in sorted(SRC.rglob("*.py")):
+        where = path.relative_to(SRC).as_posix()
+        if where.startswith(PAPERS):
+            continue
+        for name, function in _functions(ast.parse(path.read_text(encoding="utf-8"))):
+            if any(_told(node, where.startswith(MACHINES)) for node in ast.walk(function)):
+                found.add(f"{where}:{name}")
+    assert found - set(FUNCTIONS) == set(), "derive it (derive/), or list it with the reason why it is of no machine"
+    assert set(FUNCTIONS) - found == set(), "what is listed stands there no more"
+
+
+def test_templates_lay_out_and_do_not_compute() -> None:
+    allowed, found = dict.fromkeys(LINES, 0), []
+    for path in sorted(TEMPLATES.rglob("*.jinja")):
+        where = path.relative_to(TEMPLATES).as_posix()
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
+            if TYPED.search(line):
+                known = [key for key in LINES if key.startswith(f"{where}: ") and key.partition(": ")[2] in line]
+                allowed.update({key: allowed[key] + 1 for key in known})
+                found += [] if known else [f"{where}:{number}: {line.strip()}"]
+    assert found == []
+    assert all(allowed.values()), "what is listed stands there no more"
+
+
+def test_what_is_listed_says_why() -> None:
+    assert all(len(why) > 10 for why in (*FUNCTIONS.values(), *LINES.values()))

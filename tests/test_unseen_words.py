@@ -1,0 +1,61 @@
+"""What readings do not tell apart, in a sentence of geometry."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from conftest import plausible, scattered, wanted
+
+from deltacal_gen.app import commands
+from deltacal_gen.files.robot import Robot
+from deltacal_gen.machine.registry import Machine
+from deltacal_gen.pages import report
+from deltacal_gen.physics.simulation import simulate
+from deltacal_gen.results.result import OpenCombination, Result
+from deltacal_gen.use.unseen import sentences
+
+ALL = {"ex_1": 0.1, "ex_2": 0.1, "ex_3": 0.1}
+
+
+@pytest.fixture(scope="module")
+def found(robot: Robot, mechanism: Machine) -> Result:
+    rng = np.random.default_rng(1)
+    given = wanted(scattered(robot, 60, 4))
+    recording = simulate(robot, given, plausible(mechanism, 3), noise_mm=0.005, rng=rng)
+    return commands.identify(robot, recording)
+
+
+def test_what_no_reading_sees_of_a_delta_is_a_motion_of_it_as_a_whole(found: Result) -> None:
+    told = sentences(found)
+    assert len(told) == len(found.unidentifiable) >= 6
+    assert all(s.startswith("the machine as a whole ") and s.endswith("the instrument's frame takes it") for s in told)
+
+
+@pytest.mark.parametrize(
+    ("terms", "expected"),
+    [
+        (ALL, "shifted along x (0.1 mm)"),
+        ({"ez_1": 0.2, "ez_2": 0.2, "ez_3": 0.2}, "shifted along z (0.2 mm)"),
+    ],
+)
+def test_a_shift_of_all_limbs_is_named_with_its_size(found: Result, terms: dict[str, float], expected: str) -> None:
+    one = OpenCombination(seen="not at all", text="", terms=terms)
+    assert sentences(found.replace(unidentifiable=(one,))) == [
+        f"the machine as a whole {expected}: the instrument's frame takes it"
+    ]
+
+
+def test_what_bends_the_machine_is_no_motion_of_it(found: Result) -> None:
+    one = OpenCombination(seen="not at all", text="", terms={"theta_1": 1.0, "L_2": 0.3})
+    assert sentences(found.replace(unidentifiable=(one,))) == [""]
+    faint = OpenCombination(seen="less than noise", text="", terms=ALL)
+    assert sentences(found.replace(unidentifiable=(faint,))) == [""]
+
+
+def test_a_machine_without_a_workspace_keeps_the_numbers(found: Result) -> None:
+    tables = found.robot.replace(workspace=None)
+    assert sentences(found.replace(robot=tables)) == [""] * len(found.unidentifiable)
+
+
+def test_the_page_folds_the_numbers_behind_the_sentence(found: Result) -> None:
+    assert report.calibration(found).count("<summary>The machine as a whole ") == len(found.unidentifiable)
