@@ -23,6 +23,17 @@ def to_internal(unit: str) -> float:
     return _PER_FILE_UNIT[unit]
 
 
+def to_file(value: float, unit: str) -> float:
+    """Value in the unit of the files of an internal one [`unit`]: the shortest decimal that is read as this value."""
+    factor = to_internal(unit)
+    exact = float(value) / factor
+    short = round(exact, 12)
+    for decimal in (short, exact):
+        if decimal * factor == value:
+            return decimal
+    return short if math.isclose(short, exact, rel_tol=4e-16) else exact
+
+
 def of_joints(unit: str, joints: int) -> list[str]:
     """Return the unit of each joint: `unit` is that of all of them, or lists them one by one, with commas."""
     each = unit.split(",")

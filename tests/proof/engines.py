@@ -13,11 +13,12 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from deltacal_gen.files.robot import Robot, robot_to_dict, to_file
+from deltacal_gen.files.robot import Robot, robot_to_dict
 from deltacal_gen.machine.registry import load_mechanism
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.physics.terms import Term
+from deltacal_gen.units import to_file
 from tests.proof import multibody
 
 Array = np.ndarray

@@ -20,7 +20,8 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.files.recording import read_recording
-from deltacal_gen.files.robot import read_robot, robot_to_toml, toml_text
+from deltacal_gen.files.robot import read_robot, robot_to_toml
+from deltacal_gen.files.toml import toml_text
 from deltacal_gen.files.writing import write_recording
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import read_truth

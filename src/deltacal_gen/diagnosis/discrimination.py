@@ -16,7 +16,6 @@ import numpy as np
 
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.problem import Problem
-from deltacal_gen.files.robot import to_file
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import SOLVED, Array
 from deltacal_gen.machine.values import Recording
@@ -25,7 +24,7 @@ from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.states import columns
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import Location, NextMeasurement, Row
-from deltacal_gen.units import joint_factors, joint_names, of_joints
+from deltacal_gen.units import joint_factors, joint_names, of_joints, to_file
 
 # Of chi2. A difference D between two explanations scatters by 2 sqrt(D): at 40 it stays above 10, below which a
 # diagnosis tells nothing apart, in 99 of 100 recordings.

@@ -19,8 +19,8 @@ import numpy as np
 from deltacal_kernels import images
 
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.robot import Table, TomlFile, toml_text
 from deltacal_gen.files.sidecar import Camera
+from deltacal_gen.files.toml import Table, TomlFile, toml_text
 from deltacal_gen.files.writing import csv_text, write_files
 from deltacal_gen.instrument import sphere
 from deltacal_gen.instrument.instrument import align

@@ -10,11 +10,11 @@ import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.columns import APPROACH
-from deltacal_gen.files.robot import robot_size, to_file
+from deltacal_gen.files.robot import robot_size
 from deltacal_gen.files.rows import Rows
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.values import TEMPERATURE, Recording, Robot
-from deltacal_gen.units import DEG, file_unit, of_joints
+from deltacal_gen.units import DEG, file_unit, of_joints, to_file
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Machine

@@ -19,8 +19,9 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.files.robot import Robot, read_text, robot_from_dict, robot_to_toml
+from deltacal_gen.files.robot import Robot, robot_from_dict, robot_to_toml
 from deltacal_gen.files.rows import number_of
+from deltacal_gen.files.toml import read_text
 from deltacal_gen.files.writing import write_files, write_recording
 from deltacal_gen.machine.registry import SOLVED, Array, load_mechanism
 from deltacal_gen.machine.values import Measurement, Recording

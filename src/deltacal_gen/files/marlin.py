@@ -15,7 +15,7 @@ import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.imports import ANGLES, PULLEY, Imported, done, doubt_arms, map_recording, printer_robot
-from deltacal_gen.files.robot import read_text
+from deltacal_gen.files.toml import read_text
 from deltacal_gen.machine.registry import Array
 
 _NUMBER = r"[-+]?\d+(?:\.\d+)?"

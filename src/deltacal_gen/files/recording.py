@@ -21,9 +21,9 @@ from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.checks import check_home, check_repeats, impossible
 from deltacal_gen.files.columns import APPROACH, CHANNEL, JOINT, MEASURED, ONE_SETUP, RESERVED, TOOL, distances_path
 from deltacal_gen.files.dialect import LOOKED_AT
-from deltacal_gen.files.robot import TomlFile
 from deltacal_gen.files.rows import Rows, csv_blocks, number_of, parquet_blocks, read_csv, read_table
 from deltacal_gen.files.sidecar import Sidecar, measurement_of, read_sidecar
+from deltacal_gen.files.toml import TomlFile
 from deltacal_gen.instrument import kinds
 from deltacal_gen.instrument.kind import Kind
 from deltacal_gen.instrument.kinds import kind_of

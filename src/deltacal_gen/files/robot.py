@@ -3,40 +3,30 @@
 Files speak mm and deg, a `Robot` speaks mm and rad; the conversion happens here and nowhere else. What a robot file
 may say depends on its mechanism, so the schema is built from the mechanism's own tables of keys and parameters:
 a new mechanism needs no line in this module.
-
-The helpers that turn a flawed TOML file into an error with a line and a remedy (`TomlFile`) serve the sidecar of
-a recording as well.
 """
 
 from __future__ import annotations
 
 import dataclasses
-import difflib
-import json
-import math
-import re
-import tomllib
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar, get_args
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 from pydantic import (
     AfterValidator,
     BaseModel,
     BeforeValidator,
-    ConfigDict,
     Field,
     PrivateAttr,
-    ValidationError,
     create_model,
 )
 
-from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.errors import UsageError
+from deltacal_gen.files.toml import NonNegative, Number, Positive, Table, TomlFile, Vector, toml_text
 from deltacal_gen.machine.values import Link, Robot
 from deltacal_gen.results.parts import Named, RobotTables
-from deltacal_gen.units import file_unit, joint_factors, of_joints, to_internal
+from deltacal_gen.units import file_unit, joint_factors, of_joints, to_file, to_internal
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import GeometryKey, Machine
@@ -45,12 +35,6 @@ if TYPE_CHECKING:
 
 SHORTEST_MACHINE = 2.0  # mm; a machine whose longest length is below this was written down in metres
 LONGEST_LINK = 20_000.0  # mm; a length above this was written down in micrometres
-
-
-class Table(BaseModel):
-    """A TOML table that knows its keys: another key is an error."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
 
 def _is_sign(value: float) -> float:
@@ -78,11 +62,6 @@ def _per_limb(item: Any, limbs: int) -> Any:
     return Annotated[_list(item, limbs), BeforeValidator(spread)]
 
 
-Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
-NonNegative = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0)]
-Positive = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0)]
-NotNegative = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0)]
-Vector = Annotated[tuple[Number, ...], Field(min_length=3, max_length=3)]
 _Sign: Any = Annotated[Number, AfterValidator(_is_sign)]
 _Interval: Any = Annotated[_list(Number, 2), AfterValidator(_is_interval)]
 
@@ -156,13 +135,13 @@ class Masses(Table):
     `proximal_inertia` is an arm's own inertia about its centre of mass [kg mm^2], None for that of a slender rod.
     """
 
-    proximal: NotNegative = 0.0
+    proximal: NonNegative = 0.0
     proximal_com: Number = 0.5
-    distal_rod: NotNegative = 0.0
-    platform: NotNegative = 0.0
-    carriage: NotNegative | None = None
+    distal_rod: NonNegative = 0.0
+    platform: NonNegative = 0.0
+    carriage: NonNegative | None = None
     gravity: Vector = (0.0, 0.0, -9.81)
-    proximal_inertia: NotNegative | None = None
+    proximal_inertia: NonNegative | None = None
 
 
 class Transmission(Table):
@@ -178,13 +157,13 @@ class _Joint(Table):
     """One link of an open chain, as a table ``[[joint]]`` of the robot file [mm, deg, kg]."""
 
     kind: Literal["revolute", "prismatic", "fixed", "coupled"]
-    coupling: dict[str, Number] = {}
+    coupling: dict[str, Number] = Field(default_factory=dict)
     convention: Literal["standard", "modified"] = "standard"
     a: Number = 0.0
     alpha: Number = 0.0
     d: Number = 0.0
     theta: Number = 0.0
-    mass: NotNegative = 0.0
+    mass: NonNegative = 0.0
     com: Vector = (0.0, 0.0, 0.0)
 
 
@@ -522,190 +501,3 @@ def _check_scale(file: TomlFile, mechanism: Machine, tables: Mapping[str, Mappin
             key.table,
             key.key,
         )
-
-
-# --- TOML in, TOML out ----------------------------------------------------------------------------------------------
-
-_Schema = TypeVar("_Schema", bound=BaseModel)
-
-
-@dataclass(frozen=True)
-class TomlFile:
-    """A parsed TOML file that can point at its lines; `path` is None for tables that come from elsewhere."""
-
-    path: Path | None
-    text: str
-    data: dict[str, Any]
-
-    @classmethod
-    def read(cls, path: str | Path) -> TomlFile:
-        """Read and parse; raises InputError for a file that is missing, not UTF-8 or not TOML."""
-        path = Path(path)
-        text = read_text(path)
-        try:
-            return cls(path, text, tomllib.loads(text))
-        except (ValueError, RecursionError) as error:
-            line = re.search(r" \(at line (\d+), column \d+\)", str(error))
-            problem = str(error).replace(line[0], "") if line else str(error)
-            raise InputError(
-                f"this is not TOML: {problem}.",
-                "Correct the line; strings need quotes and decimals a point.",
-                file=path,
-                line=int(line[1]) if line else None,
-            ) from None
-
-    def error(self, problem: str, remedy: str, *keys: str) -> InputError:
-        """InputError at the line of a key, or of its table where the key itself is not there."""
-        lines = _toml_lines(self.text)
-        found = (lines[keys[:n]] for n in range(len(keys), 0, -1) if keys[:n] in lines)
-        return InputError(problem, remedy, file=self.path, line=next(found, None))
-
-    def check(self, schema: type[_Schema]) -> _Schema:
-        """The data as `schema`; raises InputError for the first flaw."""
-        try:
-            return schema.model_validate(self.data)
-        except ValidationError as error:
-            # A misspelt key shows twice, as unknown and as missing: the unknown one can name the right key.
-            flaws: list[Any] = sorted(error.errors(), key=lambda flaw: flaw["type"] != "extra_forbidden")
-            raise self._explained(schema, flaws[0]) from None
-
-    def _explained(self, schema: type[BaseModel], flaw: Mapping[str, Any]) -> InputError:
-        keys = [key for key in flaw["loc"] if isinstance(key, str)]
-        *tables, key = keys or ["file"]
-        where = f" in [{'.'.join(tables)}]" if tables else ""
-        fields = _fields(schema, tables)
-        if flaw["type"] == "extra_forbidden":
-            close = nearest(key, fields)
-            remedy = f"Did you mean '{close}'?" if close else f"Known here: {', '.join(fields) or 'nothing'}."
-            return self.error(f"'{key}'{where} is not known.", remedy, *keys)
-        if flaw["type"] == "missing":
-            meaning = fields[key].description if key in fields else None
-            what = f"'{key}'{where}" if tables else f"the table [{key}]"
-            return self.error(f"{what} is missing.", f"Add it{f': {meaning}' if meaning else ''}.", *keys)
-        entry = "".join(f", entry {n + 1}" for n in flaw["loc"] if isinstance(n, int))
-        found = repr(flaw["input"])
-        found = found if len(found) <= 60 else f"{found[:56]} ..."
-        return self.error(f"'{key}'{where}{entry} is {found}: {_expected(flaw)}.", "Correct the value.", *keys)
-
-
-def _fields(schema: type[BaseModel], tables: Iterable[str]) -> dict[str, Any]:
-    """Fields of a nested table of the schema, by key; none of a table that takes any key."""
-    for name in tables:
-        annotation: Any = schema.model_fields[name].annotation
-        nested = [part for part in (annotation, *get_args(annotation)) if hasattr(part, "model_fields")]
-        if not nested:
-            return {}
-        schema = nested[0]
-    return dict(schema.model_fields)
-
-
-def _expected(flaw: Mapping[str, Any]) -> str:
-    ctx = flaw.get("ctx", {})
-    match flaw["type"]:
-        case "float_type":
-            return "a number was expected"
-        case "finite_number":
-            return "a finite number was expected"
-        case "string_type":
-            return "a text in quotes was expected"
-        case "tuple_type":
-            return "a list was expected"
-        case "model_type" | "model_attributes_type":
-            return "a table was expected"
-        case "greater_than":
-            return "a number above 0 was expected"
-        case "greater_than_equal":
-            return "a number not below 0 was expected"
-        case "too_short" | "too_long":
-            count = ctx.get("min_length", ctx.get("max_length"))
-            return f"{count} entries were expected"
-        case "literal_error":
-            return f"{ctx['expected']} was expected"
-        case "value_error":
-            return str(ctx["error"])
-    return str(flaw["msg"])
-
-
-_HEADER = re.compile(r"""\s*\[\[?\s*([A-Za-z_"'][\w."' -]*?)\s*\]\]?\s*(?:#.*)?$""")
-_KEY = re.compile(r"""\s*([\w."' -]+?)\s*=""")
-
-
-def _toml_lines(text: str) -> dict[tuple[str, ...], int]:
-    """Line of each table and key, by its path; the first line where there are several."""
-    lines: dict[tuple[str, ...], int] = {}
-    table: tuple[str, ...] = ()
-    for number, line in enumerate(text.split("\n"), start=1):
-        if header := _HEADER.match(line):
-            path = table = _key_path(header[1])
-        elif key := _KEY.match(line):
-            path = table + _key_path(key[1])
-        else:
-            continue
-        for n in range(1, len(path) + 1):
-            lines.setdefault(path[:n], number)
-    return lines
-
-
-def _key_path(dotted: str) -> tuple[str, ...]:
-    return tuple(part.strip(" \"'") for part in dotted.split("."))
-
-
-def toml_text(tables: Mapping[str, Any]) -> str:
-    """TOML text of flat tables of strings, numbers and nested lists.
-
-    ``"a.b"`` names a table within a table; a list of tables is written as ``[[name]]``.
-    """
-    each = (
-        (f"[[{name}]]" if isinstance(keys, list) else f"[{name}]", table)
-        for name, keys in tables.items()
-        for table in (keys if isinstance(keys, list) else [keys])
-    )
-    blocks = ([head, *(f"{key} = {_toml_value(v)}" for key, v in table.items())] for head, table in each)
-    return "\n\n".join("\n".join(block) for block in blocks) + "\n"
-
-
-def _toml_value(value: Any) -> str:
-    if isinstance(value, str):
-        # JSON escapes what TOML wants escaped, but for DEL.
-        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
-    if isinstance(value, Mapping):
-        return f"{{{', '.join(f'{key} = {_toml_value(item)}' for key, item in value.items())}}}"
-    if isinstance(value, (list, tuple)):
-        return f"[{', '.join(_toml_value(item) for item in value)}]"
-    return repr(value)
-
-
-def to_file(value: float, unit: str) -> float:
-    """Value in the unit of the files of an internal one [`unit`]: the shortest decimal that is read as this value."""
-    factor = to_internal(unit)
-    exact = float(value) / factor
-    short = round(exact, 12)
-    for decimal in (short, exact):
-        if decimal * factor == value:
-            return decimal
-    return short if math.isclose(short, exact, rel_tol=4e-16) else exact
-
-
-def read_text(path: Path) -> str:
-    """Text of a UTF-8 file, with or without a byte order mark, lines ended by ``\\n``; raises InputError."""
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise InputError(
-            f"the file cannot be read: {error.strerror}.", "Check the path and the permissions.", file=path
-        ) from None
-    try:
-        text = data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise InputError(
-            f"byte {error.start + 1} is not UTF-8 text.",
-            "Save the file as text in UTF-8.",
-            file=path,
-            line=data[: error.start].count(b"\n") + 1,
-        ) from None
-    return text.replace("\r\n", "\n").replace("\r", "\n")
-
-
-def nearest(name: str, known: Iterable[str], cutoff: float = 0.6) -> str | None:
-    """The known name that `name` is probably a misspelling of, or None."""
-    return next(iter(difflib.get_close_matches(name, list(known), n=1, cutoff=cutoff)), None)

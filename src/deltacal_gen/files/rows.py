@@ -17,7 +17,7 @@ import numpy as np
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.columns import CHANNEL, RESERVED
 from deltacal_gen.files.dialect import LABELS, LOOKED_AT, Layout, converted, encoding_of, layout_of, plain_number
-from deltacal_gen.files.robot import nearest
+from deltacal_gen.files.toml import nearest
 
 WORKBOOKS = (".xlsx", ".xlsm")
 _DECIMAL_COMMA = re.compile(r"[-+]?\d+,\d+")

@@ -9,7 +9,7 @@ from typing import Annotated, Literal
 from pydantic import AfterValidator
 from pydantic_core import PydanticCustomError
 
-from deltacal_gen.files.robot import Number, Positive, Table, TomlFile, Vector, toml_text
+from deltacal_gen.files.toml import Number, Positive, Table, TomlFile, Vector, toml_text
 from deltacal_gen.instrument import kinds
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.values import Measurement, Recording

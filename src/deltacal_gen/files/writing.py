@@ -19,11 +19,10 @@ import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.columns import ONE_SETUP, TOOL, distances_path
-from deltacal_gen.files.robot import to_file
 from deltacal_gen.files.sidecar import sidecar_text
 from deltacal_gen.machine.rotation import to_vector
 from deltacal_gen.machine.values import POSITION, ROTATION, Recording
-from deltacal_gen.units import DEG, joint_names, of_joints
+from deltacal_gen.units import DEG, joint_names, of_joints, to_file
 
 
 def write_recording(recording: Recording, path: str | Path) -> None:

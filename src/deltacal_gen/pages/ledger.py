@@ -19,7 +19,7 @@ from typing import Annotated, Any, Literal, get_args
 from pydantic import Field, ValidationError
 
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.robot import Table, TomlFile
+from deltacal_gen.files.toml import Table, TomlFile
 
 Status = Literal["proved", "verified", "loose", "contradicted", "convention-dependent", "not reproducible", "undecided"]
 STATUSES: tuple[str, ...] = get_args(Status)

@@ -15,7 +15,8 @@ import numpy as np
 from pydantic import Field
 
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.files.robot import Number, Robot, Table, TomlFile, nearest
+from deltacal_gen.files.robot import Robot
+from deltacal_gen.files.toml import Number, Table, TomlFile, nearest
 from deltacal_gen.instrument.kinds import kind_of, measured_points
 from deltacal_gen.machine.registry import SOLVED, STATUS, Array, Machine, mechanism_of, nominal_joints
 from deltacal_gen.machine.rotation import from_vector, to_vector

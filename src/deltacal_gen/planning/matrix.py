@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
-from deltacal_gen.files.robot import Robot, to_file
+from deltacal_gen.files.robot import Robot
 from deltacal_gen.files.sidecar import read_measurement
 from deltacal_gen.identification.accuracy import joint_spread, turned, workspace_of
 from deltacal_gen.identification.identifiability import (
@@ -29,7 +29,7 @@ from deltacal_gen.machine.values import Measurement
 from deltacal_gen.planning.targets import radius, spread_of, width
 from deltacal_gen.results import plan as results
 from deltacal_gen.results.plan import Deviation, Expected, Method, PlannedPose
-from deltacal_gen.units import file_unit, to_internal
+from deltacal_gen.units import file_unit, to_file, to_internal
 
 KINDS = {name: words for name in kind_names() if (words := kind_of(name).planned)}  # of what poses are planned for
 NORMS = {

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
-from deltacal_gen.files.robot import read_text
+from deltacal_gen.files.toml import read_text
 from deltacal_gen.files.writing import write_files
 from deltacal_gen.identification.accuracy import workspace_of
 from deltacal_gen.machine.registry import SOLVED, UNREACHABLE, Array

@@ -11,7 +11,7 @@ import numpy as np
 from deltacal_gen.app.commands.common import Progress, Source, as_recording, check_output, made, silent, write_json
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.columns import CHANNEL
-from deltacal_gen.files.robot import nearest
+from deltacal_gen.files.toml import nearest
 from deltacal_gen.files.writing import csv_text, file_columns, write_files
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import mechanism_of
