@@ -67,6 +67,7 @@ FUNCTIONS = {
     "physics/body.py:Body._rows": "parts that effects move, by what they are made of",
     "physics/body.py:Body.solve": "a pose in a base that has turned",
     "physics/body.py:Body.state": WORKSPACE,
+    "physics/formula.py:": "the functions that a law's text may name",
     "physics/simulation.py:simulate": "noise of a measured rotation",
     "planning/matrix.py:generic": WORKSPACE,
     "planning/targets.py:rings": WORKSPACE,

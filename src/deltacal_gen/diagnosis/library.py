@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Mapping, Sequence
-from types import ModuleType
 
 import numpy as np
 
@@ -14,6 +13,7 @@ from deltacal_gen.machine.values import TEMPERATURE
 from deltacal_gen.physics.states import CHANNELS, State, read_by
 from deltacal_gen.physics.terms import (
     Constant,
+    Kernels,
     Point,
     Term,
     displaces_points,
@@ -114,7 +114,7 @@ def _forms(problem: Problem, name: str) -> list[tuple[Constant, ...]]:
     return list(itertools.product(*(SEARCHES[how[key]](problem, kernels) for key, *_ in kernels.CONSTANTS)))
 
 
-def _orders(problem: Problem, kernels: ModuleType) -> list[float]:
+def _orders(problem: Problem, kernels: Kernels) -> list[float]:
     """Return the orders of a periodic error."""
     orders = {float(k) for k in range(1, ORDERS + 1)}
     ratio = problem.robot.transmission.gear_ratio if problem.robot.transmission else None
@@ -123,7 +123,7 @@ def _orders(problem: Problem, kernels: ModuleType) -> list[float]:
     return sorted(orders)
 
 
-def _moments(problem: Problem, kernels: ModuleType) -> list[float]:
+def _moments(problem: Problem, kernels: Kernels) -> list[float]:
     """Return the moments at which something may happen."""
     times = np.unique(problem.body.channels.clock[np.unique(problem.readings.rows)])
     edge = max(3, len(times) // 40)  # it needs rows on both sides
@@ -132,13 +132,13 @@ def _moments(problem: Problem, kernels: ModuleType) -> list[float]:
     return inside[step // 2 :: step].tolist() if len(inside) else []
 
 
-def _joints(problem: Problem, kernels: ModuleType) -> list[float]:
+def _joints(problem: Problem, kernels: Kernels) -> list[float]:
     """Return the numbers of the joints that others may move with: those that move at all."""
     moving = np.ptp(problem.body.q[np.unique(problem.readings.rows)], axis=0) > 0
     return [float(i + 1) for i in np.flatnonzero(moving)] if len(moving) > 1 else []
 
 
-def _recorded(problem: Problem, kernels: ModuleType) -> list[str]:
+def _recorded(problem: Problem, kernels: Kernels) -> list[str]:
     """Return the recorded columns that are no state, are whole and vary."""
     rows = np.unique(problem.readings.rows)
     known = {n for s in CHANNELS for n in s.columns(problem.recording.joint_unit, problem.mechanism.limbs)}
@@ -152,7 +152,7 @@ def _recorded(problem: Problem, kernels: ModuleType) -> list[str]:
     ]
 
 
-def _sizes(problem: Problem, kernels: ModuleType) -> list[float]:
+def _sizes(problem: Problem, kernels: Kernels) -> list[float]:
     """Return sizes of a state, from a part of the smallest joint's largest to a multiple of the largest one's."""
     body, rows = problem.body, np.unique(problem.readings.rows)
     (name,) = kernels.SIZED.values()
@@ -168,7 +168,7 @@ def _sizes(problem: Problem, kernels: ModuleType) -> list[float]:
 
 
 # of constants, by how an effect declares that they are searched; and what there is not, where there is none
-SEARCHES: Mapping[str, Callable[[Problem, ModuleType], Sequence[Constant]]] = {
+SEARCHES: Mapping[str, Callable[[Problem, Kernels], Sequence[Constant]]] = {
     "orders": _orders,
     "moments": _moments,
     "joints": _joints,

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Container
-from types import ModuleType
 
 from deltacal_gen.machine.registry import Machine
 from deltacal_gen.physics import states
-from deltacal_gen.physics.terms import load_effect
+from deltacal_gen.physics.terms import Kernels, load_effect
 
 EXERTED = ("torque", "payload_torque", "inertia_torque", "moment_x", "moment_y")  # by weights, in every machine
 TENSIONS = ("tension_1", "tension_2")  # in every machine of limbs
@@ -44,7 +43,7 @@ def lacks(effect: str, mechanism: Machine, moves: Container[str], roles: Contain
 
 
 def _without(
-    kernels: ModuleType, mechanism: Machine, moves: Container[str], roles: Container[str]
+    kernels: Kernels, mechanism: Machine, moves: Container[str], roles: Container[str]
 ) -> list[dict[str, None]]:
     """Return the parts, lengths and loads that each target of an effect needs and that are not there."""
     there = {*EXERTED, *(() if mechanism.linked else TENSIONS), *along_deflections(mechanism)}

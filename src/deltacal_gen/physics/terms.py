@@ -15,6 +15,7 @@ import numpy as np
 
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics import states
+from deltacal_gen.physics.law import Law, is_law, load_law
 from deltacal_gen.physics.states import State
 from deltacal_gen.results.parts import TermState
 from deltacal_gen.units import of_joints, of_sliding
@@ -30,8 +31,10 @@ def effect_names() -> tuple[str, ...]:
 
 
 @cache
-def load_effect(name: str) -> ModuleType:
-    """Return the generated module of an effect: its tables, `value` and `jacobian`."""
+def load_effect(name: str) -> ModuleType | Law:
+    """Return the generated module of an effect: its tables, `value` and `jacobian`; of a law, the same made of it."""
+    if is_law(name):
+        return load_law(name)
     return importlib.import_module(f"deltacal_kernels.effects.{name}")
 
 
@@ -41,7 +44,7 @@ class Partial:
     What no coefficient moves is not moved, and what is read for that alone is not read.
     """
 
-    def __init__(self, whole: ModuleType, lacks: tuple[str, ...]) -> None:
+    def __init__(self, whole: ModuleType | Law, lacks: tuple[str, ...]) -> None:
         self._whole = whole
         self._own = [c for c, (name, *_) in enumerate(whole.COEFFICIENTS) if name not in lacks]
         self.COEFFICIENTS = tuple(whole.COEFFICIENTS[c] for c in self._own)
@@ -70,7 +73,7 @@ class Partial:
         return every_s, every_c
 
 
-Kernels = ModuleType | Partial
+Kernels = ModuleType | Law | Partial
 
 
 @cache
@@ -153,7 +156,7 @@ def blank(
 
 def remembers(kernels: Kernels) -> bool:
     """Tell whether an effect has memories along a run."""
-    return hasattr(kernels, "MEMORY")
+    return bool(getattr(kernels, "MEMORY", ()))
 
 
 def displaces_points(kernels: Kernels) -> bool:

@@ -16,6 +16,7 @@ from deltacal_gen.files.robot import robot_of
 from deltacal_gen.instrument.kinds import instrument_of
 from deltacal_gen.machine.registry import Machine, mechanism_of
 from deltacal_gen.machine.rotation import from_vector
+from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.terms import effect_names, load_effect
 from deltacal_gen.results.base import Answer
 from deltacal_gen.results.diagnosis import Diagnosis
@@ -99,10 +100,14 @@ def _parameter_flaws(parameters: tuple[Parameter, ...], mechanism: Machine) -> I
 
 
 def _term_flaws(term: TermState, mechanism: Machine) -> Iterator[str]:
-    if term.effect not in effect_names():
+    if not is_law(term.effect) and term.effect not in effect_names():
         yield f"there is no effect '{term.effect}'"
         return
-    kernels = load_effect(term.effect)
+    try:
+        kernels = load_effect(term.effect)
+    except ValueError as error:  # a law that is none
+        yield str(error).rstrip(".")
+        return
     if any(not 1 <= i <= mechanism.limbs for i in term.limbs) or len(set(term.limbs)) < len(term.limbs):
         yield f"{term.effect}: limbs are counted from 1 to {mechanism.limbs}, each once"
     rows = max(len(term.limbs) if kernels.PER_LIMB else 0, len(term.tools), 1)

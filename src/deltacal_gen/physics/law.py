@@ -1,0 +1,194 @@
+"""Laws: physics that no one registered, as effects that a formula in text makes without a kernel being built.
+
+A law is called by what it says, ``law limb.rod = c1*tanh(tension_1/c2)``: under that name it is a term like any effect.
+It is fitted jointly with the geometry, kept in answers, predicted from and compensated. The constants that multiply its
+summands are its coefficients; those within (thresholds, scales, orders, time constants) are constants of the term, and
+so are the ends of each state where it was found. Beyond these a law goes on for half of what was seen, then it stays.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache
+
+import numpy as np
+
+from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics import states
+from deltacal_gen.physics.formula import Unit, formula, unit, written
+from deltacal_gen.physics.states import State
+
+PREFIX = "law "
+BEYOND = 0.5  # of the width that was seen: how far a law goes on beyond it
+ON = {"joint": "limb", "limb": "limb", "turn": "base", "tool": "point", "reading": "reading", "length": "reading"}
+LEAST, MOST = "least_", "most_"  # of a state, where the law was found
+ADVICE = (
+    "Nobody has registered this: it was read from the recording. Look for a part that behaves so; until then command "
+    "by the states that it names."
+)
+
+
+class Law:
+    """A law as a module of an effect: the same tables and functions; see `deltacal_gen.physics.memory` for memories.
+
+    Parameters
+    ----------
+    name : str
+        ``law TARGET = FORMULA``.
+
+    Raises
+    ------
+    ValueError
+        It is no law: the target, a name or the formula is unknown.
+    """
+
+    ADVICE, SEARCHED, SIZED, AFTERWARDS = ADVICE, dict[str, str](), dict[str, str](), dict[str, float]()
+    WHOLE, PERIODIC, OF_JOINT = True, False, ()
+
+    def __init__(self, name: str) -> None:
+        target, equals, text = name.removeprefix(PREFIX).partition(" = ")
+        word = target.partition(".")[0]
+        if not name.startswith(PREFIX) or not equals or word not in ON:
+            raise ValueError(f"'{name}' is no law: write '{PREFIX}TARGET = FORMULA', TARGET one of {', '.join(ON)}.")
+        self.NAME, self.formula = name, formula(text)
+        self.TITLE = f"{target} moves by {text}"
+        self.ACTS_ON = ON[word]
+        self.PER_LIMB = self.ACTS_ON == "limb"
+        self.TARGETS = (target,)
+        coefficients = self.formula.linear
+        own = [n for n in self.formula.names if n not in coefficients and is_constant(n)]
+        self.inner: tuple[str, ...] = tuple(own)
+        self.STATE = tuple(n for n in self.formula.names if n not in coefficients and n not in own)
+        self._check()
+        units = self.units("rad")
+        self.COEFFICIENTS = tuple((c, written(units[c]), 1.0, "of the law") for c in coefficients)
+        self.BELIEVABLE = tuple((-np.inf, np.inf) for _ in coefficients)
+        ends = [f"{end}{s}" for s in self.STATE for end in (LEAST, MOST)]
+        self.CONSTANTS = (
+            *((c, written(units[c]), 1.0, "within the law") for c in own),
+            *((end, "", 1.0, "where the law was found") for end in ends),
+        )
+        self.PARTS = ((coefficients, self.STATE),)
+        self.MEMORY = tuple((f"lag_{n}", f"{s}, lagging by {tau}") for n, (s, tau) in enumerate(self.lags, 1))
+
+    def _check(self) -> None:
+        if not self.formula.linear or not all(is_constant(c) for c in self.formula.linear):
+            raise ValueError(f"'{self.NAME}': every summand begins with a coefficient of its own, c1, c2, ...")
+        read = [states.named(s) for s in self.STATE]
+        for s in read:
+            if s.by or s.kind == "reading":
+                raise ValueError(f"'{self.NAME}': no law is made of {s.name}.")
+            own = s.per in ("joint", "limb") and not s.joint
+            if own and not self.PER_LIMB:
+                raise ValueError(f"'{self.NAME}': every limb has a {s.name} of its own; {s.name}_1 is that of joint 1.")
+            if self.ACTS_ON == "reading" and (s.kind == "load" or s.base == "theta"):
+                raise ValueError(f"'{self.NAME}': a reading does not depend on {s.name} but through the pose.")
+        if self.formula.lags and self.ACTS_ON == "reading":
+            raise ValueError(f"'{self.NAME}': a reading has no memory.")
+
+    @property
+    def lags(self) -> tuple[tuple[str, str], ...]:
+        """State and time constant of every Lag."""
+        return self.formula.lags
+
+    def units(self, joint_unit: str) -> dict[str, Unit]:
+        """Return the unit inside of every constant, where joints are in `joint_unit` (rad or mm)."""
+        known = {s: unit(inside(states.named(s), joint_unit)) for s in self.STATE}
+        target = self.TARGETS[0]
+        of = joint_unit if target == "joint" else "rad" if target.startswith("turn.") else "mm"
+        return self.formula.units(known, unit(of))
+
+    def value(self, s: Array, c: Array, constants: Sequence[float | str] = ()) -> Array:
+        """Return by how much the target is moved, (M, 1); s are states, then what is lagged."""
+        known = self._known(s, constants)
+        return self._moved(s, known | dict(zip(self.formula.linear, c.T, strict=True)))
+
+    def jacobian(self, s: Array, c: Array, constants: Sequence[float | str] = ()) -> Array:
+        """Return the derivatives of `value` by the coefficients, (M, 1, n_c)."""
+        known, names = self._known(s, constants), self.formula.linear
+        each = [self._moved(s, known | {n: float(n == one) for n in names}) for one in names]
+        return np.stack(each, axis=2)
+
+    def _moved(self, s: Array, known: dict[str, Array | float]) -> Array:
+        return np.nan_to_num(np.broadcast_to(self.formula(known), len(s)))[:, None]
+
+    def _known(self, s: Array, constants: Sequence[float | str]) -> dict[str, Array | float]:
+        """Return states, within their ends, and constants by name; what is lagged by its text."""
+        values = dict(zip(self.inner, map(float, constants), strict=False))
+        known: dict[str, Array | float] = {**values}
+        known |= zip(self.STATE, self.held(s[:, : len(self.STATE)], constants).T, strict=True)
+        texts = [f"Lag({state}, {tau})" for state, tau in self.lags]
+        return known | dict(zip(texts, s[:, len(self.STATE) :].T, strict=True))
+
+    def held(self, s: Array, constants: Sequence[float | str]) -> Array:
+        """Return states (M, n_s) as the law takes them: no farther beyond where it was found than it goes on."""
+        low, high = self.ends(constants).T
+        width = high - low
+        return np.clip(s, low - BEYOND * width, high + BEYOND * width)
+
+    def ends(self, constants: Sequence[float | str]) -> Array:
+        """Return between which values (n_s, 2) each state was where the law was found; infinite, where nothing says."""
+        given = [float(v) for v in constants[len(self.inner) :]]
+        none = [-np.inf, np.inf] * len(self.STATE)
+        return np.reshape(given or none, (len(self.STATE), 2))
+
+    def taus(self, constants: Sequence[float | str]) -> Array:
+        """Return the time constants [s] of all that is lagged."""
+        known = dict(zip(self.inner, map(float, constants), strict=False))
+        return np.array([known[tau] if tau in known else float(tau) for _, tau in self.lags])
+
+    def start(self, s: Array, c: Array, constants: Sequence[float | str] = ()) -> Array:
+        """Return what is lagged at the first row of a run, (M, m): the state there."""
+        own = [self.STATE.index(state) for state, _ in self.lags]
+        return self.held(s, constants)[:, own]
+
+    def step(self, z: Array, s: Array, to: Array, h: Array, c: Array, constants: Sequence[float | str] = ()) -> Array:
+        """Return what is lagged after an interval in which states go straight, (M, m, 2 + n_c), and its derivatives."""
+        begin, end, tau = self.start(s, c, constants), self.start(to, c, constants), self.taus(constants)
+        out = np.zeros((len(s), len(self.lags), 2 + len(self.COEFFICIENTS)))
+        out[..., 0], out[..., 1] = followed(z, begin, end, h[:, None], tau)
+        return out
+
+    def by_memory(self, s: Array, c: Array, constants: Sequence[float | str] = ()) -> Array:
+        """Return the derivatives of `value` by what is lagged, (M, 1, m): none of them moves what coefficients do."""
+        return np.zeros((len(s), 1, len(self.lags)))
+
+
+def followed(z: Array, begin: Array, end: Array, h: Array, tau: Array) -> tuple[Array, Array]:
+    """Return what follows a state with a time constant after a time h, and its derivative by what it was before.
+
+    The state goes straight from `begin` to `end`: the solution is exact.
+    """
+    left = np.exp(-h / tau)
+    still = np.where(h > 0, -np.expm1(-h / tau) * tau / np.where(h > 0, h, 1.0), 1.0)
+    return end + (z - begin) * left - (end - begin) * still, np.broadcast_to(left, z.shape)
+
+
+def is_constant(name: str) -> bool:
+    """Tell whether a name of a formula is a constant: c and a number."""
+    return name[:1] == "c" and name[1:].isdecimal()
+
+
+def inside(state: State, joint_unit: str) -> str:
+    """Return the unit inside of a state; of a joint in `joint_unit`. What a covariate counts is its own unit."""
+    if state.unit == "as recorded":
+        return state.name
+    own = state.unit.replace("deg", joint_unit) if state.unit != "degC" else state.unit
+    return own.replace("N mm", "N") if joint_unit == "mm" and state.per == "joint" else own
+
+
+def is_law(effect: str) -> bool:
+    """Tell whether the name of an effect is that of a law."""
+    return effect.startswith(PREFIX)
+
+
+@cache
+def load_law(name: str) -> Law:
+    """Return a law by its name.
+
+    Raises
+    ------
+    ValueError
+        It is no law.
+    """
+    return Law(name)
