@@ -32,12 +32,14 @@ from derive.first_order import linear
 from derive.language.effects import Effect
 from derive.language.states import COVARIATE, STATES
 from derive.lower import lower
+from derive.mathematics.bodies import INERTIA
 from derive.mathematics.chains import links
 from derive.mathematics.effects import effect
 from derive.mathematics.functions import Functions
 from derive.mathematics.images import images
 from derive.mathematics.kinematics import kinematics, meeting, rotations, stated
 from derive.mathematics.measurements import distances, measurement, platform_names, step
+from derive.mathematics.motion import motion
 from derive.registry import effects, measurements, mechanisms
 from derive.spec import ChainMechanism, LimbMechanism, Measurement
 
@@ -106,7 +108,7 @@ def derive_one(spec: Spec) -> Derived:
     if isinstance(spec, Measurement):
         return Derived(spec, {"measurement": [measurement(spec), step(spec)]})
     if isinstance(spec, ChainMechanism):
-        return Derived(spec, {"links": [links(spec)]})
+        return Derived(spec, {"links": [links(spec)], "motion": [motion(spec)]})
     moving, blocks = kinematics(spec)
     ideal = nominal(spec, blocks)
     exact, first_order = servo.exact(spec), servo.linear(spec)
@@ -159,6 +161,8 @@ def write_one(lowered: Lowered) -> dict[Path, str]:
     if isinstance(spec, ChainMechanism):
         for name in ("parameters.py", "vectorised.py", "kinematics.py"):
             texts[folder / name] = _file(f"chain/{name}", spec, mechanism=spec, kernels=kernels["links"])
+        name = "dynamics.py"
+        texts[folder / name] = _file(f"chain/{name}", spec, mechanism=spec, kernels=kernels["motion"], inertia=INERTIA)
         return texts
     moving, layouts = kernels["moving"], lowered.layouts
     command_constants = 1 + max(j for name in ("newton", "joint") for j in moving[name].reads("k") if j is not None)

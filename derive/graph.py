@@ -139,6 +139,19 @@ class Graph:
                 result.append(gradient.get(symbol, sp.Integer(0)))
         return result
 
+    def rates(self, known: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
+        """Return the rates of inputs and of all nodes that move with them, swept forwards, from those of the inputs.
+
+        Applied again, with the rates of inputs as further inputs, it gives second derivatives.
+        """
+        found = dict(known)
+        for symbol in list(self.nodes):
+            if symbol not in self._invariant:
+                moving = [(arg, partial) for arg, partial in self._partial(symbol) if arg in found]
+                if parts := [self.add(partial * found[arg]) for arg, partial in moving]:
+                    found[symbol] = self.add(sp.Add(*parts))
+        return found
+
     def affine(self, expr: sp.Expr) -> dict[sp.Expr, sp.Expr] | None:
         """Return a sum's coefficients, which no pose changes, by what moves, and its constant part by 1.
 

@@ -63,6 +63,7 @@ def _per_limb(item: Any, limbs: int) -> Any:
 
 
 _Sign: Any = Annotated[Number, AfterValidator(_is_sign)]
+_Tensor: Any = _list(Number, 6)
 _Interval: Any = Annotated[_list(Number, 2), AfterValidator(_is_interval)]
 
 
@@ -165,6 +166,8 @@ class _Joint(Table):
     theta: Number = 0.0
     mass: NonNegative = 0.0
     com: Vector = (0.0, 0.0, 0.0)
+    inertia: _Tensor | None = None
+    rotor_inertia: NonNegative | None = None
 
 
 def read_robot(path: str | Path, *, load: Loader | None = None) -> Robot:
@@ -283,7 +286,10 @@ def _joint_table(robot: Robot, k: int) -> dict[str, Any]:
     if link.coupling:
         table["coupling"] = {str(number): much for number, much in link.coupling}
     table |= {key: to_file(robot.geometry[key][k], unit) for key, unit in _LINK_UNITS.items()}
-    return table | {"mass": link.mass, "com": list(link.com)}
+    table |= {"mass": link.mass, "com": list(link.com)}
+    if link.inertia is not None:
+        table["inertia"] = list(link.inertia)
+    return table if link.rotor_inertia is None else table | {"rotor_inertia": link.rotor_inertia}
 
 
 def _registered(name: str, links: tuple[Link, ...] = ()) -> Machine:
@@ -317,7 +323,16 @@ def _links(file: TomlFile, joints: Sequence[_Joint]) -> tuple[Link, ...]:
                 "joint",
             )
         found.append(
-            Link(joint.kind, joint.convention, joint.alpha * to_internal("rad"), joint.mass, joint.com, tuple(coupling))
+            Link(
+                joint.kind,
+                joint.convention,
+                joint.alpha * to_internal("rad"),
+                joint.mass,
+                joint.com,
+                tuple(coupling),
+                joint.inertia,
+                joint.rotor_inertia,
+            )
         )
     if found and not any(link.kind in ("revolute", "prismatic") for link in found):
         raise file.error("the chain has no joint that moves.", "Add a revolute or prismatic one.", "joint")

@@ -68,7 +68,7 @@ class Chain(Machine):
         self.machine = self.name
         self._moving = [k for k, link in enumerate(links) if link.kind in ("revolute", "prismatic")]
         self.limbs = len(self._moving)
-        self._shape = self._described()
+        self.shape = self._described()
         self._laid: dict[tuple[int, ...], tuple[Flexible, Chain]] = {}
         self._drawn: tuple[Array, Array] | None = None  # dimensions as drawn, and the links' lines that they make
         units = ["mm" if links[k].kind == "prismatic" else "rad" for k in self._moving]
@@ -106,7 +106,7 @@ class Chain(Machine):
         They are the same for all chains.
         """
         shape = np.zeros(1, dtype=np.int64), np.zeros((1, 3), dtype=np.int64), np.ones(1)
-        rows, n_e, n_p = np.ones((1, 1, self._width)), len(self.errors), len(self.errors) + len(self.common)
+        rows, n_e, n_p = np.ones((1, 1, self.width)), len(self.errors), len(self.errors) + len(self.common)
         k, q, x, points = self.vectorised.constants(rows), np.ones((1, 1)), np.ones((1, POSE)), np.ones((1, 3, 1))
         S, V, along = np.empty((1, self.n_x, n_p)), np.empty((1, self.n_x, 1)), np.empty((1, 1, n_e))
         given: dict[str, tuple[Any, ...]] = {
@@ -131,7 +131,8 @@ class Chain(Machine):
         return abs(np.sin(self.links[k].alpha)) < PARALLEL and bool(after)
 
     @property
-    def _width(self) -> int:
+    def width(self) -> int:
+        """How many numbers of a link's row the kernels read: geometry, errors, those of the tool."""
         return len(self.geometry) + len(self.errors) + len(self.common)
 
     def _flexible(self, joints: tuple[int, ...]) -> tuple[Flexible, Chain]:
@@ -146,14 +147,14 @@ class Chain(Machine):
         drawn = rows[0, :, : len(self.geometry)]
         if self._drawn is None or not np.array_equal(self._drawn[0], drawn):
             begun = self._flexible(())[0].begun
-            tables = np.zeros((self.limbs, len(self.links), self._width))
+            tables = np.zeros((self.limbs, len(self.links), self.width))
             tables[:, :, : begun.shape[2]] = np.where(begun, drawn, 0.0)
             self._drawn = drawn.copy(), self.frames(np.zeros((self.limbs, self.limbs)), tables)[0][:, -1]
         return self._drawn[1]
 
     def _giving_way(self, rows: Array, besides: Iterable[int] = ()) -> tuple[int, ...]:
         """Return which joints (from 0) have deflections in their rows of parameters, and some besides."""
-        bent = rows[:, self._moving, self._width :].any(axis=(0, 2))
+        bent = rows[:, self._moving, self.width :].any(axis=(0, 2))
         return tuple(sorted({*np.flatnonzero(bent).tolist(), *besides}))
 
     def scaling(self, convention: str, robot: Robot, names: object) -> Array:
@@ -165,13 +166,13 @@ class Chain(Machine):
         values = self.every(self.vector(robot.errors) if errors is None else errors)
         n_g, n_e, n = len(self.geometry), len(self.errors), len(self.links)
         every = values if deflections is None else np.repeat(values, len(deflections) // len(values), axis=0)
-        out = np.zeros((len(every), n, self._width + len(self.deflections)))
+        out = np.zeros((len(every), n, self.width + len(self.deflections)))
         for j, entry in enumerate(self.geometry):
             out[:, :, j] = robot.geometry[entry.key]
         out[:, :, n_g : n_g + n_e] = every[:, : n * n_e].reshape(-1, n, n_e)
-        out[:, :, n_g + n_e : self._width] = every[:, None, n * n_e :]
+        out[:, :, n_g + n_e : self.width] = every[:, None, n * n_e :]
         if deflections is not None:
-            out[:, self._moving, self._width :] = deflections
+            out[:, self._moving, self.width :] = deflections
         return out
 
     def roles(self, robot: Robot) -> dict[str, Array]:
@@ -219,14 +220,14 @@ class Chain(Machine):
     def _constants(self, kernels: ModuleType, rows: Array, poses: int) -> Array:
         """Return what no joint changes: compiled kernels share machines out, plain ones read one a pose."""
         self._alike(poses, rows=rows)
-        k: Array = kernels.constants(rows[:, :, : self._width])
+        k: Array = kernels.constants(rows[:, :, : self.width])
         alone = kernels is self.vectorised and len(k) not in (1, poses)
         return np.repeat(k, poses // len(k), axis=0) if alone else k
 
     def frames(self, q: Array, rows: Array) -> tuple[Array, Array]:
         """Return the frames of the base and of every link: origins (N, n + 1, 3) and rotations (N, n + 1, 3, 3)."""
         q = self._poses(q, self.limbs, "joints")
-        found = self.vectorised.frames(q, self._constants(self.vectorised, rows, len(q)), *self._shape)
+        found = self.vectorised.frames(q, self._constants(self.vectorised, rows, len(q)), *self.shape)
         by_pose = np.moveaxis(found, -1, 0)
         return by_pose[..., :3], by_pose[..., 3:].reshape(*by_pose.shape[:2], 3, 3)
 
@@ -239,7 +240,7 @@ class Chain(Machine):
             laid, chain = self._flexible(joints)
             return chain.forward(q, tool, laid.rows(rows, self._lines(rows)), out=out)
         x, k = result(out, (len(q), POSE)), self._constants(kernels, rows, len(q))
-        kernels.forward(q, self._tools(tool, len(q)), k, *self._shape, x)
+        kernels.forward(q, self._tools(tool, len(q)), k, *self.shape, x)
         return x, np.full(len(q), SOLVED)
 
     def positions(self, q: Array, tool: Array, rows: Array, *, out: Array | None = None) -> Array:
@@ -408,7 +409,7 @@ class Chain(Machine):
         if joints := self._giving_way(rows):
             return self._of_flexible(joints, x, q, tool, rows, S_out, V_out)
         S, V = result(S_out, (len(x), self.n_x, len(self.parameters))), result(V_out, (len(x), self.n_x, self.limbs))
-        kernels.sensitivity(x, q, self._constants(kernels, rows, len(q)), *self._shape, S, V)
+        kernels.sensitivity(x, q, self._constants(kernels, rows, len(q)), *self.shape, S, V)
         own = S[:, :, : -len(self.common)].reshape(len(x), self.n_x, len(self.links), len(self.errors))
         return Sensitivity(own, own[..., :0], partial(self._by_deflections, x, q, tool, rows), V, S)
 
@@ -479,7 +480,7 @@ class Chain(Machine):
         along = np.empty((len(q), len(chain.links), len(self.errors)))
         kernels = self._kernels(len(q))
         k, at = chain._constants(kernels, rows, len(q)), np.append(bears, len(chain.links))
-        kernels.loads(q, k, *chain._shape, points, forces, at, torque, along, moment)
+        kernels.loads(q, k, *chain.shape, points, forces, at, torque, along, moment)
         pull = np.zeros((len(q), self.limbs, len(self.deflections)))
         if laid is not None:
             tables, errors = np.moveaxis(laid.deflections, -1, 0)
@@ -504,7 +505,7 @@ class Chain(Machine):
         own[tables] = [link.com for link in self.links]
         kernels = self._kernels(len(q))
         k = chain._constants(kernels, rows, len(q))
-        found: Array = kernels.centres(q, k, *chain._shape, own[:, :, None])
+        found: Array = kernels.centres(q, k, *chain.shape, own[:, :, None])
         return found[tables]
 
 

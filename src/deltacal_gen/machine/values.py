@@ -43,6 +43,10 @@ class Link(NamedTuple):
         Centre of mass in the link's frame [mm].
     coupling : tuple of (int, float)
         Of a coupled joint: numbers of the joints, from 1, and how much of each.
+    inertia : tuple of float, optional
+        Tensor about the centre of mass along the link frame's axes, xx, yy, zz, xy, xz, yz [kg mm^2].
+    rotor_inertia : float, optional
+        Of the drive, at the joint [kg mm^2; kg of one that slides].
     """
 
     kind: str
@@ -51,6 +55,8 @@ class Link(NamedTuple):
     mass: float
     com: tuple[float, ...]
     coupling: tuple[tuple[int, float], ...] = ()
+    inertia: tuple[float, ...] | None = None
+    rotor_inertia: float | None = None
 
 
 @dataclass(frozen=True, eq=False)
