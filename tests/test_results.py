@@ -65,6 +65,10 @@ BARE = {  # numbers without a unit: counts, parts of a whole, figures of statist
         "after",
         "limit_std",
         "terms",
+        "factor",
+        "degrees",
+        "scatter",
+        "left_out",
         "joints",
     ),
     # inside: mm, rad, s, kg, N, as their types say

@@ -13,6 +13,7 @@ from deltacal_gen.diagnosis.findings import Named
 from deltacal_gen.diagnosis.spectrum import Spectrum, wave
 from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.files.robot import kept_robot
+from deltacal_gen.identification.knowledge import uncertainty_of
 from deltacal_gen.identification.noise import noise_model
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.physics.terms import (
@@ -75,6 +76,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
         clock="row" if final.problem.body.channels.get("time") is None else "time_s",
         instrument=_instrument(found, final.instrument),
         robot=kept_robot(found.robot),
+        uncertainty=uncertainty_of(final, found.noise),
     )
 
 

@@ -194,7 +194,7 @@ class _Rows:
         )
 
     def whitened(self, residual: Array) -> Array:
-        """Return residuals (R, k) as `_system` weighs them (scalars,), unread components dropped."""
+        """Return residuals (R, k) as `system` weighs them (scalars,), unread components dropped."""
         read = np.isfinite(residual)
         rows = np.where(read, residual, 0.0) * np.sqrt(self.weights)[:, None] / self.sigma
         return self.shared.whiten(rows * np.sqrt(1 + self.shared.ratio))[read]
@@ -246,7 +246,7 @@ class _Iteration:
         if len(history) < self._close and history and history[-1] < UNSETTLED:
             self._close = len(history)
         rows.weigh(found.residual, len(history), self._close)
-        A_p, A_m, b = _system(found, rows.sigma, rows.weights, rows.shared, problem.scale)
+        A_p, A_m, b = system(found, rows.sigma, rows.weights, rows.shared, problem.scale)
         # the solver draws towards the reference: it is asked for the whole departure, not for a step
         departure = (at.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
         Q = np.linalg.qr(A_m)[0] if A_m.shape[1] else np.zeros((len(b), 0))
@@ -307,7 +307,7 @@ def held_out_errors(full: Fit, solver: Solver, parts: Sequence[tuple[np.ndarray,
     """
     problem = full.problem
     state = problem.linearise(full.errors, full.instrument, full.machine)
-    A_p, A_m, b = _system(state, full.sigma, full.weights, full.repeats, problem.scale)
+    A_p, A_m, b = system(state, full.sigma, full.weights, full.repeats, problem.scale)
     read = np.isfinite(state.residual)
     owner = np.repeat(np.arange(len(read)), read.sum(axis=1))
     departure = (full.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
@@ -358,7 +358,7 @@ def _leverage(A: Array, Q: Array, solution: Solution, read: np.ndarray, groups: 
     return np.array([hat[part].mean() if part.any() else 0.0 for part in parts])
 
 
-def _system(
+def system(
     state: Linearised, sigma: Array, weights: Array, shared: Repeats, scale: Array
 ) -> tuple[Array, Array, Array]:
     """Return A_p, A_m, b: rows divided by the noise, columns multiplied by the scale, unread components dropped."""
@@ -371,7 +371,7 @@ def _system(
 
 
 def _shared_noise(problem: Problem, weights: Array, x: Array) -> Array | None:
-    """Return how the noise of positions enters distances made of them, (R, positions * 3), rows as in `_system`.
+    """Return how the noise of positions enters distances made of them, (R, positions * 3), rows as in `system`.
 
     x (N, 12) are the poses of all rows. Two distances that share a position share its noise; None where every reading
     has noise of its own.

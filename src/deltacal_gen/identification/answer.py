@@ -120,6 +120,7 @@ def result_of(found: Identification) -> Result:
         physics_not_held=found.not_held,
         instrument=final.instrument.kept(recording.setup_names, recording.measurement.zero),
         robot=kept_robot(found.robot),
+        uncertainty=found.uncertainty,
     )
 
 

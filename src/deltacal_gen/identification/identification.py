@@ -24,6 +24,7 @@ from deltacal_gen.identification.answer import result_of
 from deltacal_gen.identification.checks import check_rows, chosen_model, distinct, plausible
 from deltacal_gen.identification.folds import FOLDS, folds
 from deltacal_gen.identification.identifiability import Combination
+from deltacal_gen.identification.knowledge import uncertainty_of
 from deltacal_gen.identification.noise import Noise, noise
 from deltacal_gen.identification.prior import with_prior
 from deltacal_gen.identification.remedies import printed, remedies
@@ -33,7 +34,7 @@ from deltacal_gen.machine.differences import between
 from deltacal_gen.machine.registry import Array, Machine, mechanism_of
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.terms import Term
-from deltacal_gen.results.parts import Missing
+from deltacal_gen.results.parts import Missing, Uncertainty
 from deltacal_gen.results.result import Remedy, Result, UncertaintyMap
 
 Progress = Callable[[str], None]
@@ -74,6 +75,8 @@ class Identification:
         Effects that belong to the session they were found in, and what this one lacks for them.
     map : UncertaintyMap or None
         Over the workspace, where the robot has one.
+    uncertainty : Uncertainty
+        Of parameters and instrument, errors that the model leaves out included.
     """
 
     model: str
@@ -92,6 +95,7 @@ class Identification:
     in_file: Array
     not_held: tuple[Missing, ...]
     map: UncertaintyMap | None
+    uncertainty: Uncertainty
 
     def answer(self) -> Result:
         """Return the same as users read it: RESULT.json."""
@@ -193,6 +197,8 @@ def identify(
         },
     )
     progress("uncertainty over the workspace")
+    of_noise = noise(final, recording)
+    uncertainty = uncertainty_of(final, of_noise)
     return Identification(
         model=chosen,
         fit=final,
@@ -208,12 +214,13 @@ def identify(
         else remedies(final)
         if unseen or weak
         else (),
-        noise=noise(final, recording),
+        noise=of_noise,
         prior_given=given,
         robot=calibrated,
         in_file=in_file,
         not_held=not_held,
-        map=uncertainty_map(final, calibrated),
+        map=uncertainty_map(final, calibrated, uncertainty),
+        uncertainty=uncertainty,
     )
 
 

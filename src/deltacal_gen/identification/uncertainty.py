@@ -7,40 +7,42 @@ import numpy as np
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.accuracy import check_joints, without_motion
-from deltacal_gen.results.result import (
-    MapPoint,
-    UncertaintyMap,
-)
+from deltacal_gen.identification.knowledge import factor
+from deltacal_gen.results.parts import Uncertainty
+from deltacal_gen.results.result import MapPoint, UncertaintyMap
 
 # ------------------------------------------------------------------------------------------ over the workspace
 
 
-def uncertainty_map(final: Fit, robot: Robot) -> UncertaintyMap | None:
+def uncertainty_map(final: Fit, robot: Robot, known: Uncertainty) -> UncertaintyMap | None:
     """Return the standard deviation of the tool position over the workspace, or None where the robot has none.
 
     Positions and poses: of the position in the instrument's frame, its frame's uncertainty included. Distances and
     gauge lengths know no frame: of the position after the best alignment of the map as a whole. What the data do not
-    pin enters with its prior. The point of the platform is that of the first reading.
+    pin enters with its prior, what the model leaves out with its size. The point of the platform is that of the first
+    reading.
     """
     if robot.workspace is None:
         return None
     problem = final.problem
-    mechanism, n = problem.mechanism, len(problem.names)
+    mechanism, n, L = problem.mechanism, len(known.parameters), factor(known)
     tool = problem.body.tool[problem.readings.rows[0, 0]]
     q, x, targets, ok = check_joints(robot, tool)
     if not ok.any():
         return None
-    dx = mechanism.sensitivity(x, q, tool, mechanism.rows(robot)).parameters[:, :, problem.columns]
+    dx = mechanism.sensitivity(x, q, tool, mechanism.rows(robot)).parameters
+    dx = dx[:, :, [mechanism.index[name] for name in known.parameters]]
     if (frame := final.instrument.of_points()) is not None:
         J_p, J_m = frame.linearise(frame.kind.taken(np.arange(ok.sum())[:, None]), x, dx)
         whole, part = len(final.instrument.free), len(frame.free)
         keep = [n + s * whole + j for s in range(len(frame.state)) for j in range(part)]
         J = np.concatenate([J_p, J_m], axis=2)
-        C = final.covariance[np.ix_([*range(n), *keep], [*range(n), *keep])]
+        L = L[[*range(n), *keep]]
     else:
         J = without_motion(dx[:, :3].reshape(-1, n), x[:, :3]).reshape(-1, 3, n)
-        C = final.covariance[:n, :n]
-    std = np.sqrt(np.maximum(np.einsum("nij,jk,nik->ni", J, C, J), 0.0))
+        L = L[:n]
+    scatter = known.scatter[:3] if final.problem.readings.kind.positions else np.zeros(3)
+    std = np.hypot(np.linalg.norm(J @ L, axis=2), scatter)
     norm = np.linalg.norm(std, axis=1)
     return UncertaintyMap(
         frame="best alignment of the map" if frame is None else "instrument",

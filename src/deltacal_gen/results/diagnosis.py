@@ -15,6 +15,7 @@ from deltacal_gen.results.parts import (
     RobotTables,
     Source,
     TermState,
+    Uncertainty,
 )
 from deltacal_gen.results.result import Parameter
 
@@ -223,6 +224,8 @@ class Diagnosis(Answer):
     instrument: InstrumentState
     robot: RobotTables
     """The calibrated machine."""
+    uncertainty: Uncertainty | None = None
+    """Null in answers written before it was told."""
     geometry: Geometry | None = None
     made: Made | None = None
 

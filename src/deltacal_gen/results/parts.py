@@ -5,7 +5,7 @@ from __future__ import annotations
 from enum import StrEnum
 from typing import Any, ClassVar, Literal
 
-from deltacal_gen.results.base import Rows, Value, Vector
+from deltacal_gen.results.base import Numbers, Rows, Value, Vector
 
 Table = dict[str, Any]  # of a robot file; which keys it has, the mechanism says: `robot.robot_from_dict` checks them
 
@@ -119,6 +119,26 @@ class EffectName(Value):
 
     name: str
     limbs: tuple[int, ...]
+
+
+class Uncertainty(Value):
+    """How surely a machine and its instrument are known: what bands are made of."""
+
+    parameters: tuple[str, ...]
+    """Source errors, those that the model leaves out last."""
+    coefficients: int
+    """Of the first effects of `physics`, whose uncertainty stands after that of `parameters`."""
+    factor: Numbers
+    """Lower triangle, row by row, of L with covariance L L' [mm, rad, N, s, K]; after the coefficients come the
+    instrument's unknowns, set-up by set-up."""
+    degrees: float
+    """Of freedom, on which the noise in it rests."""
+    scatter: Numbers
+    """By which each component of a reading departs from the model, pose by pose, beyond noise [mm, rad]."""
+    left_out: dict[str, float] | None = None
+    """Of source errors that the model leaves out, by their unit: their size in ordinary ones, or in tolerances."""
+    text: str
+    """What bands hold, and what not."""
 
 
 class NoiseModel(Value):

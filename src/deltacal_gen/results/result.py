@@ -6,7 +6,16 @@ from enum import StrEnum
 from typing import ClassVar, Literal
 
 from deltacal_gen.results.base import Answer, Numbers, Value
-from deltacal_gen.results.parts import InstrumentState, Made, Missing, NeverSeen, RobotTables, Source, TermState
+from deltacal_gen.results.parts import (
+    InstrumentState,
+    Made,
+    Missing,
+    NeverSeen,
+    RobotTables,
+    Source,
+    TermState,
+    Uncertainty,
+)
 
 
 class Status(StrEnum):
@@ -191,6 +200,8 @@ class Result(Answer):
     instrument: InstrumentState
     robot: RobotTables
     """The calibrated machine."""
+    uncertainty: Uncertainty | None = None
+    """Null of what was read in blocks, or written before it was told."""
     firmware: Firmware | None = None
     never_seen: tuple[NeverSeen, ...] | None = None
     """Joints that stand where the readings of the diagnosis never were."""

@@ -133,23 +133,9 @@ def corrected_joints(
     Newton's method with the Jacobian of the machine without the correction, on positions as the instrument reads them:
     both descriptions of the machine are fitted in that frame.
     """
-    robot, n = calibrated_robot(result), len(joints)
+    robot = calibrated_robot(result)
     mechanism = mechanism_of(robot)
-    commands = Recording(
-        path=Path("targets"),
-        kind="position",
-        measurement=Measurement(kind="position", frame="unknown"),
-        joint_unit=mechanism.joint_unit,
-        joints=joints,
-        columns=tuple(f"{axis}_mm" for axis in mechanism.axes),
-        measured=np.full((n, len(mechanism.axes)), np.nan),
-        pose=np.arange(1, n + 1).astype(str),
-        line=np.arange(2, n + 2),
-        channels={k: np.broadcast_to(np.asarray(v, dtype=float), (n,)) for k, v in channels.items()},
-        setup=np.zeros(n, dtype=int),
-        setup_names=result.instrument.setups[:1],
-        tool=None if tool is None else np.broadcast_to(tool, (n, 3)),
-    )
+    commands = commanded(result, joints, tool, channels)
     problem, instrument = prediction_problem(result, robot, commands)
     rows = mechanism.rows(robot)
     wanted, _ = _read(problem, instrument, problem.poses(problem.reference))
@@ -166,6 +152,32 @@ def corrected_joints(
         if np.abs(mechanism.asked(miss)).max() < COMMAND_SETTLED_MM:
             break
     return joints, share
+
+
+def commanded(
+    result: Known,
+    joints: Array,
+    tool: Array | None,
+    channels: Mapping[str, Array | float],
+    frame: str = "unknown",
+) -> Recording:
+    """Return commands (N, n_q) as a recording of positions that the result's first set-up would read, or in {O}."""
+    n, mechanism = len(joints), mechanism_of(calibrated_robot(result))
+    return Recording(
+        path=Path("targets"),
+        kind="position",
+        measurement=Measurement(kind="position", frame=frame),
+        joint_unit=mechanism.joint_unit,
+        joints=joints,
+        columns=tuple(f"{axis}_mm" for axis in mechanism.axes),
+        measured=np.full((n, len(mechanism.axes)), np.nan),
+        pose=np.arange(1, n + 1).astype(str),
+        line=np.arange(2, n + 2),
+        channels={k: np.broadcast_to(np.asarray(v, dtype=float), (n,)) for k, v in channels.items()},
+        setup=np.zeros(n, dtype=int),
+        setup_names=result.instrument.setups[:1],
+        tool=None if tool is None else np.broadcast_to(tool, (n, 3)),
+    )
 
 
 def _read(problem: Problem, instrument: Instrument, x: Array) -> tuple[Array, Array | None]:

@@ -134,6 +134,8 @@ def _show_result(found: Result) -> None:
         screen.print(
             f"tool position known to {w.median_mm:.3f} mm over the workspace, {w.worst_mm:.3f} at worst (1 std)"
         )
+    if found.uncertainty is not None and found.uncertainty.left_out:
+        screen.print(found.uncertainty.text, style="dim")
     held = found.heldout_rms_mm
     beside = "" if held is None else f", [bold]held-out {number(held)} mm[/bold]"  # nothing was held out of blocks
     screen.print(

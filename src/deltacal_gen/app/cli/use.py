@@ -45,6 +45,9 @@ def compensate(
         typer.Option(help="c or table: the compensator; klipper, rrf, marlin: a printer's lines", show_default=False),
     ] = None,
     worst: Annotated[float, typer.Option(help="what a table may leave, mm")] = 0.01,
+    bands: Annotated[
+        bool, typer.Option("--bands", help="beside each command where the machine will stand, with 95 % probability")
+    ] = False,
     decimal: Decimal = None,
     as_json: Json = False,
 ) -> None:
@@ -65,7 +68,9 @@ def compensate(
         else:
             _show_lines(lines, output, assumed)
         return
-    joints = commands.compensate(result, targets, output, kind=kind, export=export, worst_mm=worst, tell=assumed.append)
+    joints = commands.compensate(
+        result, targets, output, kind=kind, export=export, worst_mm=worst, bands=bands, tell=assumed.append
+    )
     if as_json:
         print_json(Joints(kind=kind, export=export, joints=joints, assumed=tuple(assumed)))
         return
@@ -109,6 +114,9 @@ def predict(
         Path | None,
         typer.Option(metavar="OTHER", help="readings of the same set-up at other poses (CSV)", show_default=False),
     ] = None,
+    bands: Annotated[
+        bool, typer.Option("--bands", help="beside each value between which ends it lies with 95 % probability")
+    ] = False,
     blocks: Blocks = False,
     decimal: Decimal = None,
     as_json: Json = False,
@@ -121,6 +129,8 @@ def predict(
     if blocks:
         if place is not None:
             raise UsageError("in blocks the set-up must be known to the result; leave --place or --blocks out.")
+        if bands:
+            raise UsageError("bands need the whole result at once; leave --bands or --blocks out.")
         rows = commands.predict_blocks(result, recording, output)
         if as_json:
             print_json(Predicted(file=str(output), readings=rows, told=()))
@@ -128,7 +138,7 @@ def predict(
             screen.print(f"{rows} readings predicted in {output}")
         return
     told: list[str] = []
-    done = commands.predict(result, recording, output, place=place, tell=told.append)
+    done = commands.predict(result, recording, output, place=place, bands=bands, tell=told.append)
     rows = done.n_rows if done.pairs is None else len(done.pairs)
     if as_json:
         print_json(Predicted(file=str(output), kind=done.kind, readings=rows, told=tuple(told)))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -40,6 +41,7 @@ def compensate(
     export: str | None = None,
     worst_mm: float = 0.01,
     channels: Mapping[str, Array | float] | None = None,
+    bands: bool = False,
     tell: Progress = silent,
 ) -> Array:
     """Return corrected joint commands (N, n_q) [deg or mm] for targets (N, 3) [mm], or export the compensator.
@@ -62,6 +64,9 @@ def compensate(
     channels : mapping of (N,) arrays or numbers, optional
         Beside an array of targets, what the effects depend on, by the names of a recording's columns:
         ``temp_C, payload_kg, time_s, approach1`` ...
+    bands : bool
+        Write beside each command between which coordinates the machine will stand with 95 % probability, in {O} as the
+        instrument sees it: ``x_lo_mm, x_hi_mm`` ...
     tell : callable
         Told in words what was assumed where a channel is not given.
     """
@@ -133,6 +138,7 @@ def compensate(
             tell(
                 f"{off.sum()} of {len(off)} commands leave the last frame turned by up to {turned.max():.2g} deg: {why}"
             )
+    share: Array | None = None
     if (correction := known.correction) is not None:
         if kind_of(known.instrument.kind).positions:
             joints, share = prediction.corrected_joints(known, correction, joints, tool, columns)
@@ -141,11 +147,19 @@ def compensate(
         else:
             tell("the smooth correction is not part of these commands: it was made of readings that know no position")
     factors = joint_factors(mechanism.joint_unit, mechanism.limbs)
+    if bands and output is None:
+        raise UsageError("bands stand beside the commands in a file: give -o JOINTS.csv.")
     if output is not None:
         table: dict[str, Any] = {} if recording is None else {"pose": recording.pose.tolist()}
         table |= zip(joint_names(mechanism.joint_unit, mechanism.limbs), (joints / factors).T, strict=True)
         if tool is not None:  # so that the file can be simulated, or measured, as it stands
             table |= {f"tool_{axis}_mm": values for axis, values in zip("xyz", tool.T, strict=True)}
+        if bands:
+            from deltacal_gen.use.bands import commanded_bands, known_of
+
+            reached = positions if known.correction is not None else compensator.pose(joints, tool, at)[0]
+            table |= commanded_bands(known, joints, reached[:, :3], tool, at, share)
+            tell(known_of(known).text)
         write_files({Path(output): csv_text(table)})
     in_files: Array = joints / factors
     return in_files
@@ -207,6 +221,7 @@ def predict(
     output: Source | None = None,
     *,
     place: Source | Recording | None = None,
+    bands: bool = False,
     tell: Progress = silent,
 ) -> Recording:
     """Return a recording's readings as an identified or diagnosed model predicts them; `output` is PREDICTED.csv.
@@ -214,6 +229,10 @@ def predict(
     `place` is a recording of other poses from the same set-ups of the instrument: those that it holds are placed by
     its readings, whether the result knows a set-up of that name or not. The measured cells of `recording` itself are
     never read. `tell` is told in words which joints stand at angles that the diagnosis never saw.
+
+    With `bands` the ends between which each value lies with 95 % probability stand beside it, ``x_lo_mm, x_hi_mm`` ...:
+    channels of the recording that is returned or, of distances, columns of the file alone. The noise of a reading is
+    not in them.
     """
     from deltacal_gen.diagnosis import spectrum
     from deltacal_gen.use import prediction
@@ -226,10 +245,16 @@ def predict(
     for joint in spectrum.never_seen(known.seen, robot.joint_sign * given.joints):
         tell(spectrum.words(joint))
     done = prediction.predict(known, given, placed)
+    ends: dict[str, Array] = {}
+    if bands:
+        from deltacal_gen.use.bands import known_of, predicted_bands
+
+        ends = predicted_bands(known, given, done, placed)
+        tell(known_of(known).text)
     if output is not None:
         columns, pairs = file_columns(done)
-        write_files({Path(output): csv_text(pairs or columns)})
-    return done
+        write_files({Path(output): csv_text((pairs or columns) | ends)})
+    return done if done.pairs is not None else dataclasses.replace(done, channels=done.channels | ends)
 
 
 def predict_blocks(result: Given, recording: Source, output: Source) -> int:
