@@ -14,7 +14,7 @@ import sympy as sp
 from derive.graph import Steps, expand_steps
 
 UNITS = ("mm", "rad", "1")
-COLUMN_UNITS = ("_mm", "_deg", "_px")  # of readings
+COLUMN_UNITS = ("_mm", "_deg", "_px", "_{unit}")  # of readings
 COORDINATES = ("px", "py", "pz", "cx", "cy", "cz")  # of a body in space: position, Cayley vector of its rotation
 
 
@@ -333,6 +333,44 @@ class Platform:
         """The six directions of a derivative: shift of the reference point, turn about the axes of {O}."""
         return (*self.position, *self.turn)
 
+    @property
+    def shown(self) -> str:
+        """What stands in a row of x, in words."""
+        return "poses x (N, 12), position and rotation matrix"
+
+
+@dataclass(frozen=True)
+class Joint:
+    """What a measurement sees of a machine that looks at one of its joints: how far the joint has moved.
+
+    Parameters
+    ----------
+    moved : sympy.Symbol
+        As the geometry sees it.
+    """
+
+    moved: sp.Symbol
+
+    @property
+    def coordinates(self) -> tuple[sp.Symbol, ...]:
+        """The only number in a row of x."""
+        return (self.moved,)
+
+    @property
+    def displacement(self) -> tuple[sp.Symbol, ...]:
+        """The direction of a derivative."""
+        return (self.moved,)
+
+    @property
+    def turn(self) -> tuple[sp.Symbol, ...]:
+        """No body that turns is looked at."""
+        return ()
+
+    @property
+    def shown(self) -> str:
+        """What stands in a row of x, in words."""
+        return "joints x (N, 1)"
+
 
 @dataclass(frozen=True)
 class Measurement:
@@ -340,8 +378,8 @@ class Measurement:
 
     Parameters
     ----------
-    platforms : tuple of Platform
-        What one reading depends on: one platform, or two for a distance between poses.
+    platforms : tuple of Platform or Joint
+        What one reading depends on: one platform, or two for a distance between poses; or one joint.
     given : tuple of Quantity
         The present state of the instrument, in terms of which its unknowns are increments.
     unknown : tuple of Quantity
@@ -359,7 +397,10 @@ class Measurement:
         the same as before it with the step.
     columns : tuple of str
         Of recordings, one per row of the reading, rotations behind values; the ending says the unit: ``_mm``, ``_deg``
-        or ``_px``.
+        or ``_px``. Of a joint ``{i}`` stands for its number and ``{unit}`` for its unit.
+    known : tuple of Quantity
+        What a recording tells of each reading beside what the instrument read: where on a board the point lies. The
+        label is the column.
     targets : mapping
         What effects on the reading move, as they call it, and which value that is: ``{"length": 0}``.
     start : sequence of float
@@ -371,7 +412,7 @@ class Measurement:
     name: str
     meaning: str
     source: str
-    platforms: tuple[Platform, ...]
+    platforms: tuple[Platform | Joint, ...]
     given: tuple[Quantity, ...]
     unknown: tuple[Quantity, ...]
     reading: tuple[sp.Expr, ...]
@@ -379,6 +420,7 @@ class Measurement:
     steps: Steps = ()
     after: tuple[sp.Expr, ...] = field(default=(), kw_only=True)
     columns: tuple[str, ...] = field(kw_only=True)
+    known: tuple[Quantity, ...] = field(default=(), kw_only=True)
     targets: Mapping[str, int] = field(default_factory=dict, kw_only=True)
     start: tuple[float, ...] = field(default=(), kw_only=True)
     scale: float = field(default=1.0, kw_only=True)

@@ -68,6 +68,7 @@ FUNCTIONS = {
     "physics/body.py:Body.solve": "a pose in a base that has turned",
     "physics/body.py:Body.state": WORKSPACE,
     "physics/formula.py:": "the functions that a law's text may name",
+    "physics/body.py:Body.theta": "joints by the errors of their zeros, as the mechanism declares them",
     "physics/simulation.py:simulate": "noise of a measured rotation",
     "planning/matrix.py:generic": WORKSPACE,
     "planning/targets.py:rings": WORKSPACE,

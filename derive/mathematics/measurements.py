@@ -18,7 +18,7 @@ def measurement(spec: Measurement) -> Functions:
     """Return a measurement's reading and derivatives, evaluated where the instrument's increments are zero."""
     poses = zip(platform_names(spec), spec.platforms, strict=True)
     inputs = {s: place for name, platform in poses for s, place in entries(name, platform.coordinates).items()}
-    inputs |= entries("given", [quantity.symbol for quantity in spec.given])
+    inputs |= entries("given", [quantity.symbol for quantity in (*spec.given, *spec.known)])
     turns = [s for platform in spec.platforms for s in platform.turn]
     zero = dict.fromkeys((*(quantity.symbol for quantity in spec.unknown), *turns), 0)
     moved = [s for platform in spec.platforms for s in platform.displacement]

@@ -28,7 +28,7 @@ from derive.review.machine import Written, difference
 from derive.review.sources import Lines, Place, of_function
 from derive.review.typeset import Math, Shown
 from derive.review.written import OPAQUE, Entries, Reader, tidy
-from derive.spec import ChainMechanism, LimbMechanism, Measurement, Quantity, Screw
+from derive.spec import ChainMechanism, LimbMechanism, Measurement, Platform, Quantity, Screw
 
 TARGETS = ("joint", "limb.part", "turn.axis", "tool.axis", "reading.axis")  # one of each kind that an effect moves
 LONGEST = 40  # operations of a formula that a reader wants to see
@@ -388,7 +388,7 @@ def _by_meaning(quantities: Iterable[Quantity]) -> list[dict[str, Any]]:
 
 
 def _suffixed(spec: Measurement) -> list[tuple[Any, str]]:
-    return [(p, str(p.position[0])[2:]) for p in spec.platforms]
+    return [(p, str(p.position[0])[2:]) for p in spec.platforms if isinstance(p, Platform)]
 
 
 def _length(e: sp.Expr, reader: Reader) -> Math:

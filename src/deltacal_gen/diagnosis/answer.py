@@ -15,6 +15,7 @@ from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.identification.knowledge import uncertainty_of
 from deltacal_gen.identification.noise import noise_model
+from deltacal_gen.identification.unknowns import instrument_parameters
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.physics.terms import (
     constants_of,
@@ -48,6 +49,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
     baseline, final, sigma = found.baseline, found.final, found.noise.sigma
     before, after = (heldout if np.isfinite(heldout) else None for heldout in found.heldout)
     of_baseline, of_final = ((float(at.sigma[0]) / sigma) ** 2 for at in (baseline, final))
+    unit = final.instrument.unit(final.problem.recording.columns)
     return Diagnosis(
         verdict=found.verdict,
         summary=_summary(found),
@@ -77,6 +79,9 @@ def result_of(found: Diagnosed) -> Diagnosis:
         instrument=_instrument(found, final.instrument),
         robot=kept_robot(found.robot),
         uncertainty=uncertainty_of(final, found.noise),
+        unit=unit and unit[0],
+        unit_mm=unit and unit[1],
+        parameters=instrument_parameters(final) or None,
     )
 
 

@@ -208,7 +208,7 @@ def _predicted(
         return plain
     problem = displaced(at, smooth, at.problem)
     machine = problem.solve(fitted.errors)
-    moved = problem.residual(fitted.errors, fitted.instrument, machine.x)[test]
+    moved = problem.residual(fitted.errors, fitted.instrument, problem.seen(machine))[test]
     values = variable(smooth.variable, problem.recording, at.problem.body.q, at.machine.x)
     assert values is not None  # the option was made of it
     holds = smooth.share(values)[at.problem.readings.rows[test]].min(axis=1)[:, None]
@@ -269,7 +269,7 @@ class _Linear:
         problem = at.problem
         self._fit, self._beside = at, Beside(at)
         machine = self._beside.machine
-        self._x, self._dx = machine.x, displacements(problem, machine)
+        self._x, self._seen, self._dx = machine.x, problem.seen(machine), displacements(problem, machine)
         state = problem.linearise(at.errors, at.instrument, machine)
         self._residual, self.weights = state.residual, weights
         self._raw = np.concatenate([state.J_p * problem.scale, state.J_m], axis=2)
@@ -293,6 +293,8 @@ class _Linear:
         problem = self._fit.problem
         used = np.unique(problem.readings.rows)
         values = variable(found.channel, problem.recording, problem.body.q, self._x)
+        if problem.readings.kind.sees_joints and not found.limbs:
+            return
         if values is None or not (known := used[np.isfinite(values[used]).all(axis=1)]).size:
             return
         knots = _knots(values[known], KNOTS)
@@ -301,7 +303,7 @@ class _Linear:
         n_q = problem.mechanism.limbs
         carriers = [i - 1 for i in found.limbs] or list(range(n_q, self._dx.shape[2]))
         dx = self._dx[:, :, carriers]
-        J, _ = self._fit.instrument.linearise(problem.readings, self._x, dx)
+        J, _ = self._fit.instrument.linearise(problem.readings, self._seen, dx)
         seen = self._rows(J)
         unit = np.sqrt(np.mean(seen**2, axis=0))
         scale = np.where(unit > 0, 1 / np.maximum(unit, 1e-300), 0.0)
@@ -312,7 +314,7 @@ class _Linear:
             to_knots = U[:, keep] / np.sqrt(s[keep])
             f = np.nan_to_num(_kernel(values, knots, length)) @ to_knots
             moved = (dx * scale)[:, :, None] * f[:, None, :, None]
-            raw, _ = self._fit.instrument.linearise(problem.readings, self._x, moved.reshape(*dx.shape[:2], -1))
+            raw, _ = self._fit.instrument.linearise(problem.readings, self._seen, moved.reshape(*dx.shape[:2], -1))
             like = Smooth(found.channel, found.limbs, knots, length, reach, np.zeros((len(knots), len(carriers))))
             whitened, many = self._rows(raw), np.tile(scale, f.shape[1])
             for size in SIZES:

@@ -116,11 +116,14 @@ def diagnose(
     check_units(recording, robot)
     recording = set_aside(recording, robot)
     mechanism = mechanism_of(robot)
-    own = _lean(robot, recording) if model is None else None
+    everything = pose_problem(robot, recording, ())
+    own = _lean(everything) if model is None else None
     lean = own is not None
+    if everything.readings.kind.sees_joints:
+        model = checks.chosen_model(mechanism, everything, recording, model)
     model = own or model or mechanism.full_model
     names = mechanism.model(model)
-    problem = pose_problem(robot, recording, names)
+    problem = everything.with_names(names)
     scale = np.array([robot.tolerance.get(n, MACHINED * s) for n, s in zip(names, problem.scale, strict=True)])
     problem = dataclasses.replace(problem, scale=scale)
     checks.distinct(problem, recording)
@@ -187,17 +190,16 @@ def diagnose(
     )
 
 
-def _lean(robot: Robot, recording: Recording) -> str | None:
+def _lean(problem: Problem) -> str | None:
     """Return the model of a printer's own session, whose few heights carry firmware's parameters and nothing else.
 
     None where the readings carry the full geometry, beside which effects can be told.
     """
-    mechanism = mechanism_of(robot)
-    problem = pose_problem(robot, recording, ())
+    mechanism = problem.mechanism
     full = len(mechanism.model(mechanism.full_model)) + SPARE_READINGS
     if not problem.readings.kind.probed or problem.readings.n_scalars >= full:
         return None
-    return checks.chosen_model(mechanism, problem, recording, None)
+    return checks.chosen_model(mechanism, problem, problem.recording, None)
 
 
 def _untested(problem: Problem) -> tuple[Missing, ...]:

@@ -149,6 +149,8 @@ def candidates(at: Fit, terms: Sequence[Term], rng: np.random.Generator) -> Cand
     whole = dataclasses.replace(problem, recording=rows, body=body, readings=kind_of(rows.kind).unread(rows))
     machine, status = body.solve(whole.split(at.errors)[0], whole.acting(at.errors))
     fit_for_use = (status == SOLVED) & _inside(problem, machine.x)
+    if whole.readings.kind.sees_joints:
+        fit_for_use[:] = True  # joints are within their limits, wherever that leads
     able = np.flatnonzero(fit_for_use[whole.readings.rows].all(axis=1))
     whole = whole.subset(able)
     ends = whole.readings.rows
@@ -320,7 +322,8 @@ def _columns(at: Fit, problem: Problem, terms: Sequence[Term]) -> tuple[Array, A
     machine = problem.solve(at.errors)
     taken = problem is at.problem
     if not taken:
-        values, rotations = at.instrument.mounted(problem.mechanism, at.errors).predict(problem.readings, machine.x)
+        mounted = at.instrument.mounted(problem.mechanism, at.errors)
+        values, rotations = mounted.predict(problem.readings, problem.seen(machine))
         problem = dataclasses.replace(
             problem, readings=dataclasses.replace(problem.readings, values=values, rotations=rotations)
         )

@@ -81,6 +81,8 @@ def _constant(problem: Problem, name: str) -> str | None:
     for channel in (c for s in read_by(kernels) for c in s.channels if c.column == s.shown):
         if channel.differing and not _differs(problem, channel, rows):
             return channel.differing
+    if kind.sees_joints and "joint" not in kernels.TARGETS:
+        return f"readings of the platform; those of the kind {kind.name} see joints alone"
     if kernels.ACTS_ON == "reading" and not any(t in kind.targets for t in kernels.TARGETS):
         return f"readings of another kind than {kind.name}"
     if displaces_points(kernels) and len(_tools(problem)) < 2:

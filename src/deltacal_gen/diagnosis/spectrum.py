@@ -214,7 +214,7 @@ class _Linear:
         problem = at.problem
         machine = problem.solve(at.errors)
         state = problem.linearise(at.errors, at.instrument, machine)
-        J, _ = at.instrument.linearise(problem.readings, machine.x, displacements(problem, machine))
+        J, _ = at.instrument.linearise(problem.readings, problem.seen(machine), displacements(problem, machine))
         self._J = J[:, :, [j - 1 for j in limbs]]
         self._F = [_waves(turns[:, j - 1]) for j in limbs]
         self._limbs = tuple(limbs)

@@ -104,14 +104,17 @@ def smooth_columns(at: Fit, channel: str) -> Array:
 
 
 def displacements(problem: Problem, machine: Deformed) -> Array:
-    """Return the derivatives (N, n_x, limbs + 3) of the pose by each joint and by a shift along each axis of {O}."""
+    """Return the derivatives (N, n_x, limbs + 3) of the pose by each joint and by a shift along each axis of {O}.
+
+    Where joints are looked at, nothing else moves: the shifts are zero.
+    """
     used = np.unique(problem.readings.rows)
-    rows = machine.rows if len(machine.rows) == 1 else machine.rows[used]
-    S = problem.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)
+    S = problem.sensitivity(machine, used)
     limbs = problem.mechanism.limbs
-    dx = np.zeros((len(machine.x), problem.mechanism.n_x, limbs + 3))
+    dx = np.zeros((len(machine.x), S.joints.shape[1], limbs + 3))
     dx[used, :, :limbs] = S.joints
-    dx[used, :3, limbs:] = np.eye(3)
+    if not problem.readings.kind.sees_joints:
+        dx[used, :3, limbs:] = np.eye(3)
     return dx
 
 
@@ -134,7 +137,7 @@ class _Smooth:
         problem = at.problem
         self._beside = Beside(at)
         self._limbs = problem.mechanism.limbs
-        self._dx = displacements(problem, self._beside.machine)
+        self._dx, self._seen = displacements(problem, self._beside.machine), problem.seen(self._beside.machine)
         if problem.readings.kind.positions:
             self._dx = np.concatenate([self._dx, _turns(self._beside.machine.x, self._dx.shape[1])], axis=2)
 
@@ -152,7 +155,7 @@ class _Smooth:
         """Return whitened unit columns (scalars, m * directions) of functions (N, m) of the rows."""
         at = self._beside.fit
         dx = self._dx[:, :, None] * functions[:, None, :, None]
-        J, _ = at.instrument.linearise(at.problem.readings, self._beside.machine.x, dx.reshape(*dx.shape[:2], -1))
+        J, _ = at.instrument.linearise(at.problem.readings, self._seen, dx.reshape(*dx.shape[:2], -1))
         A = self._beside.rows(J)
         unit: Array = A / np.maximum(np.linalg.norm(A, axis=0), 1e-300)
         return unit
@@ -232,6 +235,8 @@ def _bases(problem: Problem) -> dict[str, tuple[Array, list[Region | None]]]:
             if name in moving and np.ptp(moving[name][rows]) > 0:  # play is wide where a gear is worn
                 functions = np.hstack([functions, v[:, None] * _functions(moving[name], rows)])
             out[name] = functions, [None] * functions.shape[1]
+    if problem.readings.kind.sees_joints:
+        return out
     x, _ = body.mechanism.forward(body.q, body.tool, body.mechanism.rows(problem.robot))
     x = np.nan_to_num(x[:, :3])
     span = float(np.linalg.norm(np.ptp(x[rows], axis=0))) / 2

@@ -278,10 +278,11 @@ class _Iteration:
 def rough(problem: Problem, robust: bool = True, must_converge: bool = True) -> Fit:
     """Fit the mechanism's smallest model, the encoder offsets, starting from the robot file.
 
-    A mechanism without a smaller model than its full one is fitted whole, with as much as drawings leave open.
+    A mechanism without a smaller model than its full one is fitted whole, with as much as drawings leave open. Readings
+    of joints see none of it.
     """
     models = problem.mechanism.models
-    smallest = min(models.values(), key=len)
+    smallest = () if problem.readings.kind.sees_joints else min(models.values(), key=len)
     coarse, whole = problem.with_names(smallest), len(smallest) == max(map(len, models.values()))
     if whole:
         coarse = dataclasses.replace(coarse, scale=BROAD * coarse.scale)

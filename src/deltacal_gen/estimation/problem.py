@@ -17,6 +17,7 @@ from deltacal_gen.machine.registry import Array, Machine, Sensitivity, mechanism
 from deltacal_gen.machine.values import Recording, Robot
 from deltacal_gen.physics.body import Body, Deformed, reading_shift
 from deltacal_gen.physics.channels import Channels
+from deltacal_gen.physics.motion import with_motion
 from deltacal_gen.physics.terms import Term, of_reading
 
 
@@ -95,12 +96,17 @@ class Problem:
             A row that readings refer to has no pose: out of reach or singular.
         """
         machine, status = self.body.solve(*self.split(parameters), near, self.held)
-        self.body.check(machine, status, self.readings.used, self.recording)
+        if not self.readings.kind.sees_joints:
+            self.body.check(machine, status, self.readings.used, self.recording)
         return machine._replace(x=np.where(np.isfinite(machine.x), machine.x, 0.0))
 
+    def seen(self, machine: Deformed) -> Array:
+        """Return what instruments look at: the platform's poses (N, 12), or how far the joints have moved (N, n_q)."""
+        return self.body.theta(machine.q, machine.rows) if self.readings.kind.sees_joints else machine.x
+
     def poses(self, parameters: Array, near: Array | None = None) -> Array:
-        """Return the exact platform poses (N, 12) of all rows; see `solve`."""
-        return self.solve(parameters, near).x
+        """Return what instruments look at in all rows, exactly: the platform's poses (N, 12), or joints; see `seen`."""
+        return self.seen(self.solve(parameters, near))
 
     def residual(self, parameters: Array, instrument: Instrument, x: Array) -> Array:
         """Return measured minus predicted (R, k), effects on the reading included [mm, rad]."""
@@ -115,9 +121,8 @@ class Problem:
         """Return residuals and Jacobians at a vector of parameters and an instrument's state."""
         machine = self.solve(parameters) if machine is None else machine
         _, terms = self.split(parameters)
-        used = self.readings.used
-        rows = machine.rows if len(machine.rows) == 1 else machine.rows[used]
-        sensitivity = self.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)
+        used, x = self.readings.used, self.seen(machine)
+        sensitivity = self.sensitivity(machine, used)
         if not np.isfinite(sensitivity.parameters).all():
             row = int(used[~np.isfinite(sensitivity.parameters).all(axis=(1, 2))][0])
             raise InputError(
@@ -126,17 +131,24 @@ class Problem:
                 file=self.recording.path,
                 line=int(self.recording.line[row]),
             )
-        dx = np.zeros((len(machine.x), self.mechanism.n_x, len(self.names)))
+        dx = np.zeros((len(x), sensitivity.joints.shape[1], len(self.names)))
         dx[used] = sensitivity.parameters[:, :, [self.mechanism.index[n] for n in self.names]]
         effects = self.effect_columns(terms, machine, used, sensitivity)
         mounted = instrument.mounted(self.mechanism, parameters)
-        J_p, J_m = mounted.linearise(self.readings, machine.x, np.concatenate([dx, effects], axis=2))
-        mounted.add_carried(J_p, self.mechanism, self.names, self.readings, machine.x)
+        J_p, J_m = mounted.linearise(self.readings, x, np.concatenate([dx, effects], axis=2))
+        mounted.add_carried(J_p, self.mechanism, self.names, self.readings, x)
         if terms:
-            values, _ = mounted.predict(self.readings, machine.x)
-            shifted = reading_shift(terms, self.body, self.readings, values, machine.x)[1]
+            values, _ = mounted.predict(self.readings, x)
+            shifted = reading_shift(terms, self.body, self.readings, values, x)[1]
             J_p[:, : values.shape[1], len(self.names) :] += shifted
-        return Linearised(self.residual(parameters, instrument, machine.x), J_p, J_m)
+        return Linearised(self.residual(parameters, instrument, x), J_p, J_m)
+
+    def sensitivity(self, machine: Deformed, used: np.ndarray) -> Sensitivity:
+        """Return the derivatives of what instruments look at, the platform's pose or the joints, in some rows."""
+        rows = machine.rows if len(machine.rows) == 1 else machine.rows[used]
+        if self.readings.kind.sees_joints:
+            return Sensitivity.of_joints(self.mechanism, len(used))
+        return self.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)
 
     def effect_columns(
         self, terms: Sequence[Term], machine: Deformed, used: np.ndarray, sensitivity: Sensitivity
@@ -149,17 +161,16 @@ class Problem:
     ) -> Array:
         """Return the derivatives (R, k, n_c) of the readings by the coefficients of effects, free or not."""
         instrument = instrument.mounted(self.mechanism, parameters)
-        used = self.readings.used
-        rows = machine.rows if len(machine.rows) == 1 else machine.rows[used]
-        S = self.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)
-        J, _ = instrument.linearise(self.readings, machine.x, self.effect_columns(terms, machine, used, S))
-        values, _ = instrument.predict(self.readings, machine.x)
-        J[:, : values.shape[1]] += reading_shift(terms, self.body, self.readings, values, machine.x)[1]
+        used, x = self.readings.used, self.seen(machine)
+        S = self.sensitivity(machine, used)
+        J, _ = instrument.linearise(self.readings, x, self.effect_columns(terms, machine, used, S))
+        values, _ = instrument.predict(self.readings, x)
+        J[:, : values.shape[1]] += reading_shift(terms, self.body, self.readings, values, x)[1]
         return J
 
     def begin(self, parameters: Array, machine: Deformed | None = None) -> Instrument:
         """Return the instrument's first state for a machine with `parameters`."""
-        x = self.poses(parameters) if machine is None else machine.x
+        x = self.poses(parameters) if machine is None else self.seen(machine)
         return self.readings.kind.start(self.readings, self.recording, self.robot, x)
 
     def subset(self, chosen: np.ndarray) -> Problem:
@@ -221,13 +232,21 @@ def pose_problem(
 ) -> Problem:
     """Return the estimation problem of a recording for a set of free source errors; `held` effects stay as they are."""
     mechanism = mechanism_of(robot)
+    found = readings(recording, as_distance=as_distance) if found is None else found
+    if not robot.drawn and not found.kind.sees_joints:
+        raise InputError(
+            f"there is no table [geometry], which readings of the kind '{found.kind.name}' need.",
+            "Add the machine's dimensions from its drawing; readings of joints do without.",
+            file=robot.source,
+        )
+    recording = with_motion(recording)
     tool = measured_points(robot, recording)
     q = robot.joint_sign * recording.joints
     return Problem(
         robot=robot,
         mechanism=mechanism,
         recording=recording,
-        readings=readings(recording, as_distance=as_distance) if found is None else found,
+        readings=found,
         names=tuple(names),
         scale=mechanism.typical[[mechanism.index[n] for n in names]],
         reference=mechanism.vector(robot.errors),

@@ -163,7 +163,7 @@ def improved(
         trial = _moved(problem, state, linear, s, t, whitened)
         if trial is None:
             return None, linear.b, np.inf
-        rows = whitened(problem.residual(trial.errors, trial.instrument, trial.machine.x))
+        rows = whitened(problem.residual(trial.errors, trial.instrument, problem.seen(trial.machine)))
         u = (trial.errors[columns] - problem.reference[columns]) / scale
         return trial, rows, float(rows @ rows + weight * (u @ u))
 
@@ -221,9 +221,9 @@ def _moved(
     moved = state.instrument.stepped(t)
     if len(t):
         # turns lead along arcs: what leaves the linear step is made up for where the instrument moves the readings much
-        rest, back = linear.rest(s, t), linear.strong
+        rest, back, x = linear.rest(s, t), linear.strong, problem.seen(machine)
         for _ in range(ARCS):
-            t = t + back @ (whitened(problem.residual(errors, moved, machine.x)) - rest)
+            t = t + back @ (whitened(problem.residual(errors, moved, x)) - rest)
             moved = state.instrument.stepped(t)
     return State(errors, moved, machine)
 

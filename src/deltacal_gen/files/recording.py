@@ -333,6 +333,9 @@ def _measured(rows: Rows, kind: Kind, columns: tuple[str, ...], need_measured: b
         return np.empty((len(rows.line), 0))
     if not need_measured and not set(columns) & set(rows.columns):
         return np.full((len(rows.line), len(columns)), np.nan)
+    if kind.apart and set(columns) & set(rows.columns):
+        there = [rows.numbers(n)[:, 0] if n in rows.columns else np.full(len(rows.line), np.nan) for n in columns]
+        return np.column_stack(there) * [DEG if name.endswith("_deg") else 1.0 for name in columns]
     # what is in one unit is read together: a tracker may read a point without its rotation, but not part of a point
     units = [name.rpartition("_")[2] for name in columns]
     parts = [[name for name, u in zip(columns, units, strict=True) if u == unit] for unit in dict.fromkeys(units)]
@@ -344,7 +347,8 @@ def _is_measured(recording: Recording) -> bool:
     paired = recording.pair_measured is not None and bool(np.isfinite(recording.pair_measured).any())
     touched = recording.contact is not None and bool((recording.contact != "").any())
     # the first column: a rotation without its point, which comes before it, is no reading
-    return paired or touched or bool(np.isfinite(recording.measured[:, :1]).any())
+    own = recording.measured if kind_of(recording.kind).apart else recording.measured[:, :1]
+    return paired or touched or bool(np.isfinite(own).any())
 
 
 def _no_reading(recording: Recording) -> InputError:

@@ -197,7 +197,8 @@ def robot_to_dict(robot: Robot, *, load: Loader | None = None) -> dict[str, Any]
     """Tables of a complete robot file, ready for JSON or TOML [mm, deg]."""
     mechanism = load(robot.mechanism) if load else _registered(robot.mechanism, robot.links)
     tables: dict[str, Any] = {"robot": {"name": robot.name, "mechanism": robot.mechanism}}
-    tables["geometry"] = {"tool": [float(value) for value in robot.tool]}
+    if robot.drawn:
+        tables["geometry"] = {"tool": [float(value) for value in robot.tool]}
     for name, part in (("workspace", robot.workspace), ("masses", robot.masses), ("transmission", robot.transmission)):
         if part is not None:
             tables[name] = part.model_dump(mode="json", exclude_none=True)
@@ -209,6 +210,8 @@ def robot_to_dict(robot: Robot, *, load: Loader | None = None) -> dict[str, Any]
     if robot.links:
         tables["joint"] = [_joint_table(robot, k) for k in range(len(robot.links))]
     for key in () if mechanism.linked else mechanism.geometry:
+        if key.table == "geometry" and not robot.drawn:
+            continue
         values = [to_file(value, key.unit) for value in robot.geometry[key.key]]
         tables[key.table][key.key] = values if key.per_limb or len(values) > 1 else values[0]
     units = {parameter.name: parameter.unit for parameter in mechanism.parameters}
@@ -350,7 +353,8 @@ def _robot(file: TomlFile, load: Loader | None) -> Robot:
         ) from None
     if load is None:
         mechanism = _of_errors(file, mechanism)
-    said = file.check(_schema(mechanism))
+    drawn = mechanism.linked or "geometry" in file.data
+    said = file.check(_schema(mechanism, drawn))
     tables = {name: dict(getattr(said, name)) for name in ("geometry", "joints", "errors", "tolerance")}
     geometry = {}
     if mechanism.linked:
@@ -362,7 +366,8 @@ def _robot(file: TomlFile, load: Loader | None) -> Robot:
         _check_scale(file, mechanism, tables)
     for key in () if mechanism.linked else mechanism.geometry:
         value = tables[key.table][key.key]
-        internal = key.default if value is None else np.multiply(value, to_internal(key.unit))
+        missing = key.default if key.default is not None else (np.nan,) * (mechanism.limbs if key.per_limb else 1)
+        internal = missing if value is None else np.multiply(value, to_internal(key.unit))
         geometry[key.key] = np.atleast_1d(np.asarray(internal, dtype=float))
     limits = tables["joints"][_limits_key(mechanism)]
     factors = {parameter.name: to_internal(parameter.unit) for parameter in mechanism.parameters}
@@ -447,8 +452,11 @@ class _RobotFile(Table):
     transmission: Transmission | None = None
 
 
-def _schema(mechanism: Machine) -> Any:
-    """Schema of the robot files of one mechanism; None stands for a key that the file does not give."""
+def _schema(mechanism: Machine, drawn: bool = True) -> Any:
+    """Schema of the robot files of one mechanism; None stands for a key that the file does not give.
+
+    A machine that is not `drawn` has no table [geometry].
+    """
     limbs = mechanism.limbs
     geometry: dict[str, Any] = {"tool": (Vector, (0.0, 0.0, 0.0))}
     joints: dict[str, Any] = {
@@ -460,7 +468,8 @@ def _schema(mechanism: Machine) -> Any:
         meaning = f"{key.meaning} [{file_unit(key.unit)}]"
         size = sum(other.key == key.key for other in mechanism.geometry)
         kind = _list(Number, size) if key.entry is not None else _value_type(key, limbs)
-        fields[key.key] = (kind, Field(... if key.default is None else None, description=meaning))
+        needed = key.default is None and (drawn or key.table != "geometry")
+        fields[key.key] = (kind, Field(... if needed else None, description=meaning))
     names = [parameter.name for parameter in mechanism.parameters]
     absent: Any = Field({}, validate_default=True)
     chain: Any = {"joint": (tuple[_Joint, ...], ...)} if mechanism.linked else {}
@@ -468,7 +477,7 @@ def _schema(mechanism: Machine) -> Any:
         "RobotFile",
         __base__=_RobotFile,
         **chain,
-        geometry=(_table("geometry", geometry), ...),
+        geometry=(_table("geometry", geometry), absent if mechanism.linked or not drawn else ...),
         joints=(_table("joints", joints), absent),
         errors=(_table("errors", dict.fromkeys(names, (Number, None))), absent),
         tolerance=(_table("tolerance", dict.fromkeys(names, (Positive, None))), absent),

@@ -14,6 +14,7 @@ from deltacal_gen.identification.accuracy import distance_error, largest, volume
 from deltacal_gen.identification.identifiability import Combination
 from deltacal_gen.identification.noise import coordinate_sigma, freedom
 from deltacal_gen.identification.prior import BROAD, share_of_data
+from deltacal_gen.identification.unknowns import instrument_parameters
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.physics.terms import kept_term
 from deltacal_gen.results.result import (
@@ -83,9 +84,13 @@ def result_of(found: Identification) -> Result:
         status[name] = Status.IDENTIFIED if known else Status.BY_PRIOR if given else Status.NOT_PINNED
     sigma, recording = found.noise.sigma, problem.recording
     residual_sigma = coordinate_sigma(final)
+    unit = final.instrument.unit(recording.columns)
     return Result(
         model=found.model,
-        parameters=parameter_table(mechanism, final.errors - found.in_file, status, deviation),
+        parameters=(
+            *parameter_table(mechanism, final.errors - found.in_file, status, deviation),
+            *instrument_parameters(final, found.prior_given),
+        ),
         rank=found.observability.rank,
         rank_tolerance=identifiability.RANK_TOLERANCE,
         singular_values=found.observability.singular_values,
@@ -121,6 +126,8 @@ def result_of(found: Identification) -> Result:
         instrument=final.instrument.kept(recording.setup_names, recording.measurement.zero),
         robot=kept_robot(found.robot),
         uncertainty=found.uncertainty,
+        unit=unit and unit[0],
+        unit_mm=unit and unit[1],
     )
 
 

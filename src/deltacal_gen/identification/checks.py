@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from deltacal_gen.errors import InputError, NoSolutionError
+from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation.fit import SPARE_READINGS, Fit, rough
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths
@@ -30,7 +30,7 @@ EXPLAINED = 0.1  # of the error: what a mistake may leave that explains it
 
 
 def chosen_model(mechanism: Machine, problem: Problem, recording: Recording, asked: str | None) -> str:
-    """Return the model asked for, or the largest that the readings allow.
+    """Return the model asked for, or the largest that the readings allow; none of them sees a source error of joints.
 
     Raises
     ------
@@ -39,6 +39,11 @@ def chosen_model(mechanism: Machine, problem: Problem, recording: Recording, ask
     """
     scalars = problem.readings.n_scalars
     extra = problem.begin(problem.reference).n_unknown
+    if problem.readings.kind.sees_joints:
+        if asked is not None and mechanism.full_name(asked) != mechanism.rigid_model:
+            raise UsageError(f"readings of joints see no source error of {asked}; leave the model out.")
+        _check_count(recording, scalars, 0, extra, mechanism.rigid_model, SPARE_READINGS)
+        return mechanism.rigid_model
     shown = {mechanism.parameters[p].name for p in problem.readings.kind.carried(mechanism).values()}
     fitting = [m for m in mechanism.models if shown.issuperset(mounts() & set(mechanism.models[m]))]
     whole = len(mechanism.model(mechanism.full_model))
@@ -130,6 +135,8 @@ def plausible(first: Fit) -> None:
     refused where one of them explains nearly all, or where the machine explains next to nothing of what was read.
     """
     problem, found = first.problem, first.problem.readings
+    if found.kind.sees_joints:
+        return
     off = _typical(first.residual, first)
     if off < IMPLAUSIBLE * robot_size(problem.robot):
         return
@@ -181,7 +188,7 @@ def _aligned_error(problem: Problem) -> float:
     """Return the median error [mm] of the machine as its file says, the instrument aligned; inf where it cannot be."""
     try:
         machine = problem.solve(problem.reference)
-        residual = problem.residual(problem.reference, problem.begin(problem.reference, machine), machine.x)
+        residual = problem.residual(problem.reference, problem.begin(problem.reference, machine), problem.seen(machine))
     except InputError:
         return float("inf")
     return float(np.median(np.linalg.norm(np.nan_to_num(lengths(residual, problem.readings.kind)), axis=1)))

@@ -25,8 +25,11 @@ def folds(found: Readings, recording: Recording, count: int = FOLDS) -> list[tup
         ends = pose[found.rows]
         part = _parts(int(pose.max()) + 1, count, rng)[ends]
         return [((part != k).all(axis=1), (part == k).all(axis=1)) for k in range(count)]
-    groups = int(found.group.max()) + 1
-    part = _parts(groups, min(count, groups), rng)[found.group]
+    group, run = found.group, recording.channels.get("run")
+    if found.kind.in_motion and run is not None and len(np.unique(run[found.rows[:, 0]])) > 1:
+        group = np.unique(run[found.rows[:, 0]], return_inverse=True)[1]  # neighbours in time are not independent
+    groups = int(group.max()) + 1
+    part = _parts(groups, min(count, groups), rng)[group]
     return [(part != k, part == k) for k in range(min(count, groups))]
 
 

@@ -138,6 +138,8 @@ def observability(H: Array, poses: int) -> Observability:
     """
     s = np.asarray(np.linalg.svd(H, compute_uv=False) if H.size else np.zeros(0))
     n = H.shape[1]
+    if not n:
+        return Observability(0, 0, float("inf"), s, dict.fromkeys(("O1", "O2", "O3", "O4", "O5"), 0.0))
     rank = int((s > RANK_TOLERANCE * s[0]).sum()) if len(s) and s[0] > 0 else 0
     full = rank == n
     kept = s[:rank]

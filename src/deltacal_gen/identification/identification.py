@@ -209,7 +209,9 @@ def identify(
         unseen=unseen,
         weak=weak,
         base=identifiability.base(per_unit, names, units, typical) if unseen else [],
-        remedies=printed(final)
+        remedies=()
+        if problem.readings.kind.sees_joints
+        else printed(final)
         if problem.readings.kind.distances_beside
         else remedies(final)
         if unseen or weak
@@ -219,7 +221,7 @@ def identify(
         robot=calibrated,
         in_file=in_file,
         not_held=not_held,
-        map=uncertainty_map(final, calibrated, uncertainty),
+        map=None if problem.readings.kind.sees_joints else uncertainty_map(final, calibrated, uncertainty),
         uncertainty=uncertainty,
     )
 

@@ -108,7 +108,7 @@ def _pinned(problems: list[Problem], final: Fit) -> int:
         machine = p.solve(final.errors)
         same = p.readings.kind == final.instrument.kind
         instrument = final.instrument if same else p.begin(final.errors)
-        predicted, rotations = instrument.mounted(p.mechanism, final.errors).predict(p.readings, machine.x)
+        predicted, rotations = instrument.mounted(p.mechanism, final.errors).predict(p.readings, p.seen(machine))
         ideal = dataclasses.replace(p.readings, values=predicted, rotations=rotations)
         state = dataclasses.replace(p, readings=ideal).linearise(final.errors, instrument, machine)
         sigma = np.resize(final.sigma, state.residual.shape[1])[None, :, None]

@@ -13,6 +13,7 @@ from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.rotation import to_vector
 from deltacal_gen.results.parts import InstrumentState
+from deltacal_gen.units import DEG, file_unit
 
 if TYPE_CHECKING:
     from deltacal_gen.instrument.kind import Kind
@@ -59,12 +60,20 @@ class Instrument:
         )
 
     def ends(self, found: Readings, x: Array) -> tuple[Array, ...]:
-        """Return the poses (R, 12) that readings belong to, one array per end, positions counted from the home."""
+        """Return what readings belong to, one array per end: poses (R, 12), positions counted from the home.
+
+        Of readings of joints, how far the joint has moved (R, 1).
+        """
         ends = tuple(x[rows] for rows in found.rows.T)
         if any(self.home):
             for end in ends:
                 end[:, :3] -= self.home
-        return ends
+        return self.kind.looked_at(found, ends)
+
+    def given(self, found: Readings) -> Array:
+        """Return what the kernels are given of each reading (R, g): the instrument's state, and what is known of it."""
+        state = self.state[found.setup]
+        return state if found.known is None else np.hstack([state, found.known])
 
     def predict(self, found: Readings, x: Array) -> tuple[Array, Array | None]:
         """Return predicted values (R, k) and, where rotations are read, these (R, 3, 3), at platforms x (N, 12)."""
@@ -85,7 +94,7 @@ class Instrument:
 
     def by_unknown(self, found: Readings, x: Array, chosen: Sequence[int]) -> Array:
         """Return the derivatives (R, k, chosen) of the readings by unknowns of the kind, free or not."""
-        derivatives: Array = self.scale * self.kind.kernels.by_unknown(*self.ends(found, x), self.state[found.setup])
+        derivatives: Array = self.scale * self.kind.kernels.by_unknown(*self.ends(found, x), self.given(found))
         return derivatives[:, :, list(chosen)]
 
     def linearise(self, found: Readings, x: Array, dx: Array) -> tuple[Array, Array]:
@@ -94,7 +103,7 @@ class Instrument:
         Parameters
         ----------
         dx : (N, 6, n) array
-            Derivatives of the platform coordinates by n parameters.
+            Derivatives of the platform coordinates by n parameters; (N, n_q, n) of joints, where these are read.
 
         Returns
         -------
@@ -145,6 +154,19 @@ class Instrument:
     def frames(self) -> list[tuple[Array, Array]]:
         """Return per set-up the rotation vector [rad] and the origin [mm] of {O} in the instrument's frame."""
         return self.kind.frames(self)
+
+    @property
+    def reported(self) -> dict[str, str]:
+        """Unknowns that answers give by name, and their units in files."""
+        units = (("px" if name.endswith("_px") else file_unit(unit)) for name, unit in self.unknown)
+        kinds = [self.kind.unknown[j][0] for _ in self.state for j in self.free]
+        named = zip(self.unknown, units, kinds, strict=True)
+        return {name: unit for (name, _), unit, own in named if own in self.kind.reported}
+
+    def unit(self, columns: Sequence[str]) -> tuple[str, float] | None:
+        """Return the unit of readings in columns of a file and what it is at the platform [mm]; None of lengths."""
+        name = columns[0].rpartition("_")[2] if columns else "mm"
+        return None if name == "mm" else (name, self.scale * (DEG if name == "deg" else 1.0))
 
     def kept(self, setups: Sequence[str], zero: str) -> InstrumentState:
         """Return what an answer keeps of it, and of the recording that it was found by; see `kinds.instrument_of`."""

@@ -71,6 +71,12 @@ class Kind:
         Whether a recording can be identified block by block: each row for itself, one noise.
     anew : bool
         Whether what is unknown of the instrument is unknown in every session, and found by its readings together.
+    stays : bool
+        Whether the instrument is part of the machine, so that set-ups make no difference.
+    apart : bool
+        Whether each column is a reading of its own, of which some may be blank, or not be there.
+    in_motion : bool
+        Whether rows may be samples of a motion, which tells how joints came and how fast; whole runs are then held out.
     follows : bool
         Whether the instrument's unknowns follow the machine along arcs, so that they are fitted again after each step.
     probed : bool
@@ -89,6 +95,9 @@ class Kind:
     positions: ClassVar[bool] = False
     in_blocks: ClassVar[bool] = False
     anew: ClassVar[bool] = False
+    stays: ClassVar[bool] = False
+    apart: ClassVar[bool] = False
+    in_motion: ClassVar[bool] = False
     follows: ClassVar[bool] = False
     probed: ClassVar[bool] = False
     usual_noise: ClassVar[float] = 0.1  # a caliper's
@@ -98,6 +107,7 @@ class Kind:
     rotation_beside: ClassVar[bool] = True
     distances_beside: ClassVar[bool] = False
     mount: ClassVar[tuple[str, ...]] = ()  # unknowns that may be source errors of the machine
+    reported: ClassVar[Mapping[str, int]] = {}  # unknowns that answers give by name, and their places in the state
 
     # ------------------------------------------------------------------------------------------------ as it is derived
 
@@ -116,6 +126,17 @@ class Kind:
     def pairs(self) -> bool:
         """Whether a reading lies between two rows."""
         return bool(self.kernels.PLATFORMS == 2)
+
+    @property
+    def sees_joints(self) -> bool:
+        """Whether joints are read, not the platform: `x` then stands for joints (N, n_q); geometry plays no part."""
+        return bool(getattr(self.kernels, "JOINT", False))
+
+    @property
+    def known(self) -> tuple[str, ...]:
+        """Columns that say of each reading what it is of."""
+        names: tuple[str, ...] = getattr(self.kernels, "KNOWN", ())
+        return names
 
     @property
     def unknowns(self) -> tuple[tuple[str, str, float, str], ...]:
@@ -241,6 +262,7 @@ class Kind:
             self._setups(recording)[taken],
             pose[taken],
             recording.line[taken],
+            known=self._known(recording, taken),
         )
 
     def unread(self, recording: Recording) -> Readings:
@@ -260,8 +282,13 @@ class Kind:
             self._setups(recording),
             every,
             every,
+            known=self._known(recording, every),
             components=recording.components or ALL,
         )
+
+    def _known(self, recording: Recording, rows: np.ndarray) -> Array | None:
+        """Return what a recording tells of the readings of some rows beside what was read."""
+        return np.column_stack([recording.channels[name][rows] for name in self.known]) if self.known else None
 
     def with_values(self, recording: Recording, found: Readings, values: Array, rotations: Array | None) -> Recording:
         """Return the recording whose measured cells hold values (R, k) and rotations of all that `unread` lists."""
@@ -283,19 +310,23 @@ class Kind:
 
     def predict(self, instrument: Instrument, found: Readings, x: Array) -> tuple[Array, Array | None]:
         """Return predicted values (R, k) and rotations (R, 3, 3), if any; see `Instrument.predict`."""
-        ends, given = instrument.ends(found, x), instrument.state[found.setup]
+        ends, given = instrument.ends(found, x), instrument.given(found)
         values: Array = self.kernels.reading(*ends, given)
         return values, self.kernels.rotation(*ends, given) if self.rotations else None
 
     def by_platform(self, instrument: Instrument, found: Readings, x: Array, dx: Array) -> Array:
         """Return the derivatives (R, k, n) of the readings where platforms move by `dx` (N, 6, n)."""
-        by_platform = self.kernels.by_platform(*instrument.ends(found, x), instrument.state[found.setup])
+        by_platform = self.kernels.by_platform(*instrument.ends(found, x), instrument.given(found))
         by_platform = instrument.scale * by_platform
         parts = (by_platform[:, :, e] @ _of(dx, rows) for e, rows in enumerate(found.rows.T))
         J: Array = next(parts)
         for part in parts:
             J += part
         return J
+
+    def looked_at(self, found: Readings, ends: tuple[Array, ...]) -> tuple[Array, ...]:
+        """Return what readings are of, of all that stands in the rows of their ends."""
+        return ends
 
     def loose(self, instrument: Instrument) -> Array:
         """Return the directions (unknowns, n_unknown) of the unknowns that keep the instrument's ties."""

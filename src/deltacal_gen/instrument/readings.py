@@ -42,6 +42,8 @@ class Readings:
         Line in the file.
     made : bool
         Distances made of measured positions, which share their noise.
+    known : (R, k) array or None
+        What the recording tells of each reading beside what was read: where on a board its point lies [mm].
     components : tuple of int
         Which coordinates of a body (position, rotation) a position or pose holds: in the plane, not all.
     """
@@ -54,6 +56,7 @@ class Readings:
     group: np.ndarray
     line: np.ndarray
     made: bool = False
+    known: Array | None = None
     components: tuple[int, ...] = ALL
 
     def __len__(self) -> int:
@@ -83,6 +86,7 @@ class Readings:
             setup=self.setup[chosen],
             group=self.group[chosen],
             line=self.line[chosen],
+            known=None if self.known is None else self.known[chosen],
         )
 
     def some(self, recording: Recording) -> Readings:

@@ -35,6 +35,16 @@ class Several(Kind):
         return "; ".join(kind.meaning for kind in self.kinds)
 
     @property
+    def sees_joints(self) -> bool:
+        """No: lengths are read."""
+        return False
+
+    @property
+    def known(self) -> tuple[str, ...]:
+        """Nothing beside what was read."""
+        return ()
+
+    @property
     def unknowns(self) -> tuple[tuple[str, str, float, str], ...]:
         """Nothing."""
         return ()

@@ -90,6 +90,14 @@ class Sensitivity:
     joints: Array
     whole: Array | None = None
 
+    @classmethod
+    def of_joints(cls, mechanism: Machine, poses: int) -> Sensitivity:
+        """Return what stands for them where joints are looked at instead of the platform: each moves itself alone."""
+        n = mechanism.limbs
+        own, common, bent = (np.zeros((poses, n, n, len(e))) for e in (mechanism.errors, (), mechanism.deflections))
+        whole = np.zeros((poses, n, len(mechanism.parameters)))
+        return cls(own, common, bent, np.tile(np.eye(n), (poses, 1, 1)), whole)
+
     @cached_property
     def deflections(self) -> Array:
         """By the displacements that vanish on a rigid machine, (N, n_x, limbs or links, n_d)."""
@@ -291,6 +299,8 @@ class Machine(ABC):
             The mechanism has no such model; the message lists those it has.
         """
         full = self.full_name(name)
+        if full == self.rigid_model:
+            return ()
         if full not in self.models:
             import difflib  # for the message alone
 
@@ -298,6 +308,11 @@ class Machine(ABC):
             hint = f" Did you mean {near[0]}?" if near else ""
             raise UsageError(f"{self.name} has no model '{name}'; it has {', '.join(self.models)}.{hint}")
         return self.models[full]
+
+    @property
+    def rigid_model(self) -> str:
+        """The model in which no source error is free, for readings that see none."""
+        return self.full_name("0")
 
     def full_name(self, model: str) -> str:
         """Return ``delta/18`` for ``18``."""

@@ -68,7 +68,8 @@ class Robot:
     name, mechanism : str
         The machine's own name, and the name of the mechanism it is an instance of.
     geometry : dict of (limbs,) or (n,) arrays
-        Values by their key in the file; one per limb where the mechanism says so, else length 1 [mm or rad].
+        Values by their key in the file; one per limb where the mechanism says so, else length 1 [mm or rad]. NaN where
+        the file has no table [geometry]; see `drawn`.
     tool : (3,) array
         Reference point P in {O'} [mm].
     errors, tolerance : dict of float
@@ -98,6 +99,11 @@ class Robot:
     joint_limits: np.ndarray | None
     source: Path | None = None
     links: tuple[Link, ...] = ()
+
+    @property
+    def drawn(self) -> bool:
+        """Whether the file says how the machine is built; readings of joints need not know."""
+        return all(np.isfinite(values).all() for values in self.geometry.values())
 
     @property
     def geometric_limits(self) -> np.ndarray | None:

@@ -210,8 +210,9 @@ def _cell(value: Any) -> str:
 def _parameter_rows(found: Result, *, pinned: bool) -> list[tuple[str, str, str, str, str]]:
     """Return name, meaning, value, unit and status of the free parameters that something pins, or of the others."""
     meanings = {p.name: p.meaning for p in mechanism_of(robot_of(found.robot)).parameters}
+    beside = "of the instrument"
     return [
-        (p.name, meanings[p.name], measured(p.value, p.std), "" if p.unit == "1" else p.unit, p.status)
+        (p.name, meanings.get(p.name, beside), measured(p.value, p.std), "" if p.unit == "1" else p.unit, p.status)
         for p in found.parameters
         if p.status is not Status.FIXED and (p.status is not Status.NOT_PINNED) == pinned
     ]

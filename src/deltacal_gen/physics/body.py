@@ -16,6 +16,7 @@ import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.instrument.readings import Readings
+from deltacal_gen.machine.machine import POSE
 from deltacal_gen.machine.registry import SOLVED, STATUS, UNBALANCED, Array, Machine, Sensitivity
 from deltacal_gen.machine.rotation import cayley_matrix, swept
 from deltacal_gen.machine.values import Recording, Robot
@@ -87,6 +88,8 @@ class Body:
         read = states.read_by(kernels) if isinstance(of, str) else of.states
         if without := [s for s in read if s.requires and not self._able(s)]:
             return CHAIN_WEIGHTS if without[0].kind == "load" and self.mechanism.linked else without[0].requires
+        if not self.robot.drawn and any(s.kind in ("load", "place", "geometry") for s in read):
+            return "the table [geometry] in the robot file"
         channels = [c for s in read if not s.by for c in s.channels]
         channels += [states.named("time")] if remembers(kernels) else []
         for channel in dict.fromkeys(channels):
@@ -161,13 +164,18 @@ class Body:
         if "turn" in own:
             found["turn"] = self._turn()
         if "theta" in own:
-            offsets = self._moves["offset"].items()
-            found["theta"] = q + sum(rows[:, :, self.mechanism.column(name)] @ much for name, much in offsets)
+            found["theta"] = self.theta(q, rows)
         if loads := {s.base for s in wanted if s.kind == "load"}:
             found |= self._loads(loads, x, q, rows, limbs)
         if any(s.kind == "place" for s in wanted):
             found |= dict(zip(AXES, x[:, :3].T, strict=True)) | {"radius": np.hypot(x[:, 0], x[:, 1])}
         return {s.name: v[:, s.joint - 1] if s.joint else v for s in wanted if (v := found.get(s.base)) is not None}
+
+    def theta(self, q: Array, rows: Array) -> Array:
+        """Return the joints as the geometry sees them (N, n_q): moved by effects, q, and by errors of their zeros."""
+        offsets = self._moves["offset"].items()
+        theta: Array = q + sum(rows[:, :, self.mechanism.column(name)] @ much for name, much in offsets)
+        return theta
 
     def _loads(self, wanted: set[str], x: Array, q: Array, rows: Array, limbs: Sequence[int]) -> dict[str, Array]:
         """Return what the weights exert at a pose, by the names of states, `wanted` among them."""
@@ -319,6 +327,8 @@ class Body:
     ) -> tuple[Deformed, np.ndarray]:
         """Return the machine in static equilibrium with all effects on it, and the status (N,) of each row.
 
+        Of a machine of which no drawing is known only the joints move.
+
         Parameters
         ----------
         errors : (n_p,) array
@@ -339,6 +349,9 @@ class Body:
         unchanged = _together(self._held[2], self._steady([t for t in terms if not _follows(t)], plain))
         varying = [t for t in terms if _follows(t)]
         names, limbs = _read_by(varying), _limbs_of(varying)
+        if not self.robot.drawn:
+            moved = Deformed(np.zeros((len(self.q), POSE)), self.q + unchanged.get("joint", 0.0), self.tool, plain)
+            return moved, np.full(len(self.q), SOLVED)
         if not (terms or held) or near is None:
             x, status = mechanism.forward(self.q, self.tool, plain, near)
             if not (terms or held):
@@ -395,14 +408,14 @@ class Body:
     # ---------------------------------------------------------------------------------------------------- columns
 
     def columns(self, terms: Sequence[Term], body: Deformed, sensitivity: Sensitivity, chosen: np.ndarray) -> Array:
-        """Return derivatives of the platform coordinates by all coefficients, (N, n_x, n_c), at fixed loads.
+        """Return derivatives of platform coordinates, or joints, by all coefficients, (N, n_x, n_c), at fixed loads.
 
         Parameters
         ----------
         sensitivity : Sensitivity
             Of the rows `chosen`; other rows are zero.
         """
-        (N, limbs), n_x = self.q.shape, self.mechanism.n_x
+        (N, limbs), n_x = self.q.shape, sensitivity.joints.shape[1]
         out, start = np.zeros((N, n_x, sum(t.n_coefficients for t in terms))), 0
         if not terms:
             return out

@@ -23,6 +23,7 @@ from deltacal_gen.machine.rotation import from_vector, to_vector
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.body import Body, reading_shift
 from deltacal_gen.physics.channels import Channels
+from deltacal_gen.physics.motion import with_motion
 from deltacal_gen.physics.parts import lacks
 from deltacal_gen.physics.terms import Term, blank, constants_of, effect_names, row_factors, scaled
 from deltacal_gen.units import DEG, to_internal
@@ -185,7 +186,7 @@ def simulate(
         theta, status = nominal_joints(robot, poses.targets, tool)
         _all_solved(poses, status, "the target cannot be commanded")
         joints = robot.joint_sign * theta
-    commanded = dataclasses.replace(poses, joints=joints)
+    commanded = with_motion(dataclasses.replace(poses, joints=joints))
     body = Body(robot, mechanism, robot.joint_sign * joints, np.ascontiguousarray(tool), Channels.of(commanded, robot))
     for term in terms:
         if why := body.missing(term):
@@ -194,6 +195,8 @@ def simulate(
     _all_solved(poses, status, "the pose cannot be simulated")
     x = machine.x
     found = kind_of(poses.kind).unread(poses)
+    if found.kind.sees_joints:
+        x = body.theta(machine.q, machine.rows)
     instrument = found.kind.drawn(poses, robot, x, frame, rng).mounted(mechanism, true)
     values, rotations = instrument.predict(found, x)
     values = values + reading_shift(terms, body, found, values, x)[0]
@@ -203,6 +206,7 @@ def simulate(
         values = values + noise_mm / instrument.scale * rng.standard_normal(values.shape)
     if rotations is not None and noise_rad and rng is not None:
         rotations = from_vector(noise_rad * rng.standard_normal((len(values), 3))) @ rotations
+    x = machine.x
     truth = {
         f"true_r{axis}_deg": column / DEG
         for axis, column in zip("xyz", to_vector(x[:, 3:].reshape(-1, 3, 3)).T, strict=True)

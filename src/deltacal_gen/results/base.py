@@ -12,6 +12,7 @@ Arrays hold what comes in bulk; NaN in them is a blank cell, null in JSON. All o
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator, Mapping
 from enum import Enum
 from types import NoneType
@@ -45,6 +46,32 @@ def plain(value: Any) -> Any:
     if isinstance(value, Mapping):
         return {k: plain(v) for k, v in value.items()}
     return value.value if isinstance(value, Enum) else value
+
+
+FIGURE = re.compile(r"(\w*rms|sigma|worst|error|open)_mm")  # keys of what readings are off
+
+
+def in_unit(found: Any, unit: str, length: float) -> Any:
+    """Return JSON in which each figure of a reading stands in the unit of its kind too, beside its size in mm.
+
+    Parameters
+    ----------
+    unit : str
+        Of files: px, deg.
+    length : float
+        What it is at the platform [mm].
+    """
+    if isinstance(found, list):
+        return [in_unit(v, unit, length) for v in found]
+    if not isinstance(found, dict):
+        return found
+    out: Json = {}
+    for key, value in found.items():
+        out[key] = in_unit(value, unit, length)
+        if FIGURE.fullmatch(key) and value is not None:
+            each = {k: v / length for k, v in value.items()} if isinstance(value, dict) else value / length
+            out[key.removesuffix("mm") + unit] = each
+    return out
 
 
 @dataclass_transform(kw_only_default=True, frozen_default=True)
@@ -138,8 +165,17 @@ class Answer(Value, Mapping[str, Any]):
     """What a command answers: attributes for programs, and by key the JSON itself, as a plain part of it.
 
     ``answer["effects"][0]["name"]`` is what the file says under these keys; ``answer | {...}`` is the JSON as a
-    dictionary with other values.
+    dictionary with other values. Where readings have another unit than mm, `unit` names it, `unit_mm` says what it is
+    at the platform, and the file gives each of their figures in either.
     """
+
+    def written(self) -> Iterator[tuple[str, Any]]:
+        """Yield key and value of all that is written, in the order of the file."""
+        unit, length = getattr(self, "unit", None), getattr(self, "unit_mm", None)
+        if unit is None or length is None:
+            yield from super().written()
+        else:
+            yield from in_unit({key: plain(value) for key, value in super().written()}, unit, length).items()
 
     @property
     def headline(self) -> str:

@@ -226,6 +226,12 @@ class Diagnosis(Answer):
     """The calibrated machine."""
     uncertainty: Uncertainty | None = None
     """Null in answers written before it was told."""
+    unit: str | None = None
+    """Of the readings, where they are no lengths: px, deg. Each of their figures stands in this unit beside mm."""
+    unit_mm: float | None = None
+    """What one unit is at the platform."""
+    parameters: tuple[Parameter, ...] | None = None
+    """What is unknown of the instrument and has a name."""
     geometry: Geometry | None = None
     made: Made | None = None
 

@@ -29,7 +29,8 @@ class RobotTables(Value, closed=True):
     """The tables of a complete robot file [mm, deg]."""
 
     robot: Named
-    geometry: Table
+    geometry: Table | None = None
+    """Absent where only joints are read, and the file does not say how the machine is built."""
     workspace: Table | None = None
     masses: Table | None = None
     transmission: Table | None = None

@@ -163,7 +163,7 @@ class Result(Answer):
     schema: Literal["deltacal.result/1"] = "deltacal.result/1"
     model: str
     parameters: tuple[Parameter, ...]
-    """All source errors of the mechanism, in the order of its table."""
+    """All source errors of the mechanism, in the order of its table; then what is unknown of the instrument by name."""
     rank: int
     rank_tolerance: float
     singular_values: Numbers
@@ -202,6 +202,10 @@ class Result(Answer):
     """The calibrated machine."""
     uncertainty: Uncertainty | None = None
     """Null of what was read in blocks, or written before it was told."""
+    unit: str | None = None
+    """Of the readings, where they are no lengths: px, deg. Each of their figures stands in this unit beside mm."""
+    unit_mm: float | None = None
+    """What one unit is at the platform."""
     firmware: Firmware | None = None
     never_seen: tuple[NeverSeen, ...] | None = None
     """Joints that stand where the readings of the diagnosis never were."""
@@ -215,12 +219,13 @@ class Result(Answer):
     @property
     def headline(self) -> str:
         """Errors before and after, and what was found."""
+        unit, length = (self.unit, self.unit_mm) if self.unit and self.unit_mm else ("mm", 1.0)
         count = sum(p.status is Status.IDENTIFIED for p in self.parameters)
         free = sum(p.status is not Status.FIXED for p in self.parameters)
-        held = "" if self.heldout_rms_mm is None else f", held-out {self.heldout_rms_mm:.4g} mm"
+        held = "" if self.heldout_rms_mm is None else f", held-out {self.heldout_rms_mm / length:.4g} {unit}"
         return (
-            f"{self.model}: {count} of {free} parameters identified; rms {self.before_rms_mm:.4g} -> "
-            f"{self.train_rms_mm:.4g} mm{held} (noise {self.sigma_mm:.3g}, {self.sigma_source})"
+            f"{self.model}: {count} of {free} parameters identified; rms {self.before_rms_mm / length:.4g} -> "
+            f"{self.train_rms_mm / length:.4g} {unit}{held} (noise {self.sigma_mm / length:.3g}, {self.sigma_source})"
         )
 
     def table(self) -> tuple[Parameter, ...]:

@@ -67,15 +67,20 @@ class Validation(Answer):
     """Joints that stand at angles which the diagnosis never saw."""
     rows: tuple[Row, ...]
     """The worst first."""
+    unit: str | None = None
+    """Of the readings, where they are no lengths: px, deg. Each of their figures stands in this unit beside mm."""
+    unit_mm: float | None = None
+    """What one unit is at the platform."""
     iso9283: Iso9283 | None = None
     made: Made | None = None
 
     @property
     def headline(self) -> str:
         """The error against the noise."""
+        unit, length = (self.unit, self.unit_mm) if self.unit and self.unit_mm else ("mm", 1.0)
         return (
-            f"{self.readings} readings: rms {self.rms_mm:.4g} mm, largest {self.worst_mm:.4g} mm "
-            f"(noise {self.sigma_mm:.3g} mm)"
+            f"{self.readings} readings: rms {self.rms_mm / length:.4g} {unit}, largest {self.worst_mm / length:.4g} "
+            f"{unit} (noise {self.sigma_mm / length:.3g} {unit})"
         )
 
     def table(self) -> tuple[Row, ...]:

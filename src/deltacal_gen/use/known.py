@@ -64,7 +64,8 @@ def _flaws(found: Result | Diagnosis) -> Iterator[tuple[str, str]]:
         yield "sigma_mm", f"the noise is {found.sigma_mm:g} mm, which cannot be negative"
     yield from _machine_flaws(found, "")
     mechanism = mechanism_of(robot_of(found.robot))
-    yield from _parameter_flaws(found.parameters if isinstance(found, Result) else (), mechanism)
+    if isinstance(found, Result):
+        yield from _parameter_flaws(found.parameters, mechanism, found.instrument)
     if found.correction is not None:
         yield from _machine_flaws(found.correction.machine, "correction.machine.")
         smooth = found.correction.smooth
@@ -85,8 +86,13 @@ def _machine_flaws(state: Result | Diagnosis | MachineState, where: str) -> Iter
         yield f"{where}instrument", flaw
 
 
-def _parameter_flaws(parameters: tuple[Parameter, ...], mechanism: Machine) -> Iterator[tuple[str, str]]:
-    units = {p.name: file_unit(p.unit) for p in mechanism.parameters}
+def _parameter_flaws(
+    parameters: tuple[Parameter, ...], mechanism: Machine, instrument: InstrumentState
+) -> Iterator[tuple[str, str]]:
+    of_machine = {p.name: file_unit(p.unit) for p in mechanism.parameters}
+    units = dict(of_machine)
+    if not any(True for _ in _instrument_flaws(instrument)):
+        units |= instrument_of(instrument).reported
     for k, p in enumerate(parameters):
         key = f"parameters[{k}]"
         if p.name not in units:
@@ -95,7 +101,7 @@ def _parameter_flaws(parameters: tuple[Parameter, ...], mechanism: Machine) -> I
             yield key, f"{p.name} is in {units[p.name]}, not in '{p.unit}'"
         elif p.std is not None and p.std < 0:
             yield key, f"the standard deviation of {p.name} is negative"
-    if parameters and (missing := units.keys() - {p.name for p in parameters}):
+    if parameters and (missing := of_machine.keys() - {p.name for p in parameters}):
         yield "parameters", f"of a {mechanism.name} it does not say {', '.join(sorted(missing)[:3])}"
 
 

@@ -265,6 +265,8 @@ def unknown_setups(result: Known, recording: Recording) -> tuple[str, ...]:
     Where neither side has more than one, and one side gives it no name, they are the same.
     """
     known, asked = result.instrument.setups, recording.setup_names
+    if kind_of(recording.kind).stays and result.instrument.kind == recording.kind:
+        return ()
     if kind_of(recording.kind).like(instrument_of(result.instrument), recording) is None:
         return asked
     if len(known) == len(asked) == 1 and ONE_SETUP in (tuple(known), tuple(asked)):
@@ -285,6 +287,8 @@ def _instrument(
     if (own := found.kind.own(found, recording, robot, poses)) is not None:
         return found, own
     names, given = result.instrument.setups, instrument_of(result.instrument)
+    if found.kind.stays and given.kind == found.kind:
+        return found, given
     instrument = found.kind.like(given, recording)
     asked = {recording.setup_names[k] for k in np.unique(found.setup)}
     unknown = sorted(asked & {*unknown_setups(result, recording)})

@@ -17,7 +17,7 @@ from deltacal_gen.diagnosis.spectrum import never_seen
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation.residuals import lengths
 from deltacal_gen.instrument.instrument import Instrument
-from deltacal_gen.instrument.kinds import readings
+from deltacal_gen.instrument.kinds import instrument_of, readings
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.rotation import from_vector, to_vector
@@ -69,7 +69,11 @@ def validate(result: Result | Diagnosis, recording: Recording) -> Validation:
             degrees_of_freedom=degrees,
             chi2_per_dof=squares / degrees / result.sigma_mm**2 if good else None,
         )
+    known = instrument_of(result.instrument)
+    unit = known.unit(recording.columns) if known.kind == found.kind else None
     return answer.replace(
+        unit=unit and unit[0],
+        unit_mm=unit and unit[1],
         never_seen=never_seen(result.seen, calibrated_robot(result).joint_sign * recording.joints),
         iso9283=_repeated(found, left) if found.kind.positions else None,
     )
@@ -77,7 +81,8 @@ def validate(result: Result | Diagnosis, recording: Recording) -> Validation:
 
 def _has_place(result: Result | Diagnosis, recording: Recording, found: Readings) -> bool:
     """Tell whether something must be known of where the instrument stands."""
-    return bool(found.kind.unknown) and recording.measurement.frame != "robot" and not found.kind.anew
+    of_its_own = found.kind.anew or found.kind.stays
+    return bool(found.kind.unknown) and recording.measurement.frame != "robot" and not of_its_own
 
 
 def _elsewhere(

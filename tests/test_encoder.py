@@ -1,0 +1,183 @@
+"""A second encoder on the joints: no drawing needed, zeros found, play and eccentricity seen, whole runs held out."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import Run
+
+from deltacal_gen.diagnosis.diagnosis import diagnose
+from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.files.recording import read_recording
+from deltacal_gen.files.robot import read_robot, robot_from_dict, robot_to_toml
+from deltacal_gen.files.writing import write_recording
+from deltacal_gen.identification.folds import folds
+from deltacal_gen.identification.identification import identify
+from deltacal_gen.instrument.kinds import readings
+from deltacal_gen.machine.registry import Array, load_mechanism
+from deltacal_gen.machine.values import Measurement, Recording, Robot
+from deltacal_gen.physics.motion import approach, motion_of
+from deltacal_gen.physics.simulation import simulate
+from deltacal_gen.physics.terms import Term, blank
+from deltacal_gen.units import DEG
+from deltacal_gen.use import prediction, validation
+
+UNDRAWN = {"robot": {"name": "arms alone", "mechanism": "delta"}, "joints": {"sign": [-1, -1, -1]}}
+DELTA = load_mechanism("delta")
+RUNS, EACH, NOISE = 6, 60, 0.02  # rows of a run; deg
+
+
+def motion(robot: Robot, seed: int = 1) -> Recording:
+    """Return runs of joints that swing to and fro, not in step, without readings."""
+    rng, rows = np.random.default_rng(seed), RUNS * EACH
+    time = np.tile(0.05 * np.arange(EACH), RUNS)
+    run = np.repeat(np.arange(RUNS), EACH)
+    rate, phase = rng.uniform(1.0, 3.0, (RUNS, 3)), rng.uniform(0, 6, (RUNS, 3))
+    joints = (20.0 + 35.0 * np.sin(rate[run] * time[:, None] + phase[run])) * DEG
+    return Recording(
+        path=Path("recording.csv"),
+        kind="encoder",
+        measurement=Measurement(kind="encoder", sigma_deg=NOISE),
+        joint_unit="rad",
+        joints=joints,
+        columns=("enc1_deg", "enc2_deg", "enc3_deg"),
+        measured=np.full((rows, 3), np.nan),
+        pose=np.arange(rows).astype(str),
+        line=np.arange(rows) + 2,
+        channels={"time_s": time, "run": run.astype(float)},
+        setup=np.zeros(rows, dtype=int),
+        setup_names=("1",),
+    )
+
+
+def read(robot: Robot, terms: tuple[Term, ...] = (), seed: int = 2) -> Recording:
+    """Return what encoders read in a motion; noise is given at the platform, 100 mm to the radian."""
+    rng = np.random.default_rng(seed)
+    return simulate(robot, motion(robot), noise_mm=100 * NOISE * DEG, rng=rng, terms=terms)
+
+
+@pytest.fixture(scope="module")
+def robot() -> Robot:
+    return robot_from_dict(UNDRAWN)
+
+
+def play(width: float) -> Term:
+    """Return backlash of joint 2 [deg]."""
+    term = blank("backlash", (2,))
+    return term.with_values(np.array([width * DEG]))
+
+
+def test_zeros_are_found_without_a_drawing(robot: Robot) -> None:
+    made = read(robot)
+    result = identify(robot, made).answer()
+    assert result.model == "delta/0"
+    zeros = {p.name: p for p in result.parameters if p.name.startswith("enc_zero")}
+    assert list(zeros) == ["enc_zero_1", "enc_zero_2", "enc_zero_3"]
+    # the encoder counts as the controller does, its zero as the geometry: enc = sign (theta + zero)
+    truth = (robot.joint_sign * (made.measured - made.joints)).mean(axis=0) / DEG
+    for p, zero in zip(zeros.values(), truth, strict=True):
+        assert (p.status, p.unit) == ("identified", "deg")
+        assert p.std is not None
+        assert p.value == pytest.approx(zero, abs=4 * p.std)
+    assert result["train_rms_deg"] == pytest.approx(NOISE, rel=0.1)
+    assert result["sigma_deg"] == pytest.approx(NOISE)
+    assert result["train_rms_mm"] == pytest.approx(result["train_rms_deg"] * 100 * DEG)
+
+
+def test_play_is_named_from_the_way_the_joints_came(robot: Robot) -> None:
+    found = diagnose(robot, read(robot, (play(0.3),))).answer()
+    assert found.verdict == "missing_physics"
+    (effect,) = found.effects
+    assert (effect.name, effect.limbs) == ("backlash", (2,))
+    (width,) = effect.parameters
+    assert width.std is not None
+    assert width.value == pytest.approx(0.3, abs=4 * width.std)
+    assert found["final"]["heldout_rms_deg"] == pytest.approx(NOISE, rel=0.1)
+    assert found["parameters"][1]["name"] == "enc_zero_2"
+    fresh = dataclasses.replace(read(robot, (play(0.3),), seed=2), measured=np.full((RUNS * EACH, 3), np.nan))
+    told = prediction.predict(found, fresh).measured - read(robot, (play(0.3),)).measured
+    assert np.sqrt(np.mean(told**2)) == pytest.approx(NOISE * DEG, rel=0.15)
+
+
+def test_nothing_is_named_where_nothing_is_missing(robot: Robot) -> None:
+    assert diagnose(robot, read(robot)).verdict == "adequate"
+
+
+def test_whole_runs_are_held_out(robot: Robot) -> None:
+    made = read(robot)
+    for train, test in folds(readings(made), made):
+        rows = readings(made).rows[:, 0]
+        run = made.channels["run"][rows]
+        assert not set(run[train]) & set(run[test])
+
+
+def test_joints_without_an_encoder_have_no_column(robot: Robot, tmp_path: Path) -> None:
+    write_recording(read(robot), tmp_path / "whole.csv")
+    header, *rows = (tmp_path / "whole.csv").read_text().splitlines()
+    keep = [k for k, name in enumerate(header.split(",")) if name != "enc3_deg"]
+    text = "\n".join(",".join(line.split(",")[k] for k in keep) for line in (header, *rows))
+    (tmp_path / "part.csv").write_text(text + "\n")
+    made = read_recording(tmp_path / "part.csv", DELTA)
+    assert made.kind == "encoder"
+    assert np.isnan(made.measured[:, 2]).all()
+    result = identify(robot, made).answer()
+    assert result.readings.scalars == 2 * RUNS * EACH
+    assert validation.validate(result, made)["rms_deg"] == pytest.approx(NOISE, rel=0.1)
+
+
+def test_what_sees_the_platform_needs_the_drawing(robot: Robot) -> None:
+    made = dataclasses.replace(
+        motion(robot), kind="position", measurement=Measurement(), columns=("x_mm", "y_mm", "z_mm")
+    )
+    made = dataclasses.replace(made, measured=np.random.default_rng(1).standard_normal(made.joints.shape))
+    with pytest.raises(InputError, match=r"no table \[geometry\], which readings of the kind 'position' need"):
+        identify(robot, made)
+
+
+def test_a_model_of_the_geometry_is_refused(robot: Robot) -> None:
+    with pytest.raises(UsageError, match="see no source error of delta/42"):
+        identify(robot, read(robot), "delta/42")
+
+
+def test_a_robot_without_a_drawing_survives_its_file(robot: Robot, tmp_path: Path) -> None:
+    assert not robot.drawn
+    (tmp_path / "robot.toml").write_text(robot_to_toml(robot))
+    assert "geometry" not in (tmp_path / "robot.toml").read_text()
+    assert not read_robot(tmp_path / "robot.toml").drawn
+
+
+def test_the_way_a_joint_came_turns_with_it_and_not_with_its_flutter() -> None:
+    q = np.array([0.0, 0.0, 1.0, 2.0, 1.999, 2.0, 3.0, 2.5, 2.501, 1.0])
+    assert approach(q, 0.01).tolist() == [0, 0, 1, 1, 1, 1, 1, -1, -1, -1]
+
+
+def test_speeds_are_made_without_delay_run_by_run(robot: Robot) -> None:
+    made = motion(robot)
+    columns = motion_of(made)
+    time, run = made.channels["time_s"], made.channels["run"]
+
+    def slope(values: Array) -> Array:
+        return np.concatenate([np.gradient(values[run == r], time[run == r]) for r in range(RUNS)])
+
+    speed = slope(made.joints[:, 0] / DEG)
+    assert columns["qd1_deg_s"] == pytest.approx(speed)
+    assert columns["qdd1_deg_s2"] == pytest.approx(slope(speed))
+    still = dataclasses.replace(made, channels=made.channels | {"time_s": np.zeros_like(time)})
+    assert motion_of(still) == {}
+    told = dataclasses.replace(made, channels=made.channels | {"approach1": np.ones(len(time))})
+    assert "approach1" not in motion_of(told)
+
+
+def test_the_commands_speak_degrees(run: Run, robot: Robot, tmp_path: Path) -> None:
+    (tmp_path / "robot.toml").write_text(robot_to_toml(robot))
+    write_recording(read(robot), tmp_path / "recording.csv")
+    files = tmp_path / "robot.toml", tmp_path / "recording.csv"
+    code, out, _ = run("identify", *files, "-o", tmp_path / "result.json")
+    assert code == 0
+    assert "enc_zero_2" in out
+    code, out, _ = run("validate", tmp_path / "result.json", files[1], "--json")
+    assert json.loads(out)["unit"] == "deg"
