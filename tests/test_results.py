@@ -69,6 +69,8 @@ BARE = {  # numbers without a unit: counts, parts of a whole, figures of statist
         "degrees",
         "scatter",
         "left_out",
+        "chi2_by_pose",
+        "limits",
         "joints",
     ),
     # inside: mm, rad, s, kg, N, as their types say

@@ -214,6 +214,8 @@ def robot_to_dict(robot: Robot, *, load: Loader | None = None) -> dict[str, Any]
             continue
         values = [to_file(value, key.unit) for value in robot.geometry[key.key]]
         tables[key.table][key.key] = values if key.per_limb or len(values) > 1 else values[0]
+    if robot.limits:
+        tables["limits"] = {key: list(pair) for key, pair in robot.limits.items()}
     units = {parameter.name: parameter.unit for parameter in mechanism.parameters}
     for name, numbers in (("errors", robot.errors), ("tolerance", robot.tolerance)):
         if numbers:
@@ -389,6 +391,7 @@ def _robot(file: TomlFile, load: Loader | None) -> Robot:
         joint_limits=None if limits is None else np.array(limits) * _factors(mechanism),
         source=file.path,
         links=links,
+        limits={key: (float(pair[0]), float(pair[1])) for key, pair in said.limits.items()},
     )
 
 
@@ -450,6 +453,7 @@ class _RobotFile(Table):
     workspace: Workspace | None = None
     masses: Masses | None = None
     transmission: Transmission | None = None
+    limits: dict[str, _Interval] = Field(default_factory=dict)
 
 
 def _schema(mechanism: Machine, drawn: bool = True) -> Any:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import dataclasses
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -84,6 +84,8 @@ class Robot:
         The file it was read from.
     links : tuple of Link
         Of an open chain, from the base; empty for other mechanisms.
+    limits : dict of (float, float)
+        Between what a channel can be set for an experiment, by its column in recordings, in its unit.
     """
 
     name: str
@@ -99,6 +101,7 @@ class Robot:
     joint_limits: np.ndarray | None
     source: Path | None = None
     links: tuple[Link, ...] = ()
+    limits: dict[str, tuple[float, float]] = field(default_factory=dict)
 
     @property
     def drawn(self) -> bool:

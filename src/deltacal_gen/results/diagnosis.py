@@ -129,7 +129,13 @@ class NextMeasurement(Value):
     poses: tuple[Row, ...]
     """Rows of a recording without readings."""
     expected_chi2: float | None
-    """The difference that they are expected to make."""
+    """The difference that they are expected to make, all rivals fitted again."""
+    separates: tuple[str, ...] | None = None
+    """Effects that they tell apart; of one alone, whether it is there."""
+    chi2_by_pose: tuple[float, ...] | None = None
+    """What the first of `poses`, by their worth, and then of `further` make."""
+    further: tuple[Row, ...] | None = None
+    """Rows for those who can measure more."""
 
 
 class BeforeAfter(Value):

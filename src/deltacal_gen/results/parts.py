@@ -37,6 +37,8 @@ class RobotTables(Value, closed=True):
     joints: Table
     joint: tuple[Table, ...] | None = None
     """Of an open chain, from the base."""
+    limits: dict[str, tuple[float, ...]] | None = None
+    """Between what a channel can be set, by its column."""
     errors: dict[str, float] | None = None
     """Actual minus [geometry], by the names of the mechanism's parameters."""
     tolerance: dict[str, float] | None = None

@@ -27,6 +27,7 @@ ANSWERS = {  # what `schema` says, and the type of it: module and class
     "deltacal.joints/1": ("written", "Joints"),
     "deltacal.manual/1": ("written", "Manual"),
     "deltacal.matrix/1": ("written", "Matrix"),
+    "deltacal.next/1": ("written", "Experiment"),
     "deltacal.plan/1": ("plan", "Plan"),
     "deltacal.prediction/1": ("written", "Predicted"),
     "deltacal.reproduction/1": ("written", "Reproduction"),

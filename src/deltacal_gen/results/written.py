@@ -87,6 +87,26 @@ class Predicted(Answer):
     told: tuple[str, ...]
 
 
+class Asked(Value):
+    """An open question, how many rows it got, and the difference in chi2 that they are expected to make."""
+
+    why: str
+    rows: int
+    expected_chi2: float
+
+
+class Experiment(Answer):
+    """Rows of `next`."""
+
+    schema: Literal["deltacal.next/1"] = "deltacal.next/1"
+    file: str | None
+    """Null where none was written."""
+    poses: tuple[dict[str, float | str], ...]
+    questions: tuple[Asked, ...]
+    advice: tuple[str, ...]
+    """What no poses settle, in words."""
+
+
 class Imported(Answer):
     """What `import` made."""
 

@@ -46,6 +46,7 @@ _COMMANDS: dict[str, Callable[..., None]] = {  # in the order of the help
     "simulate": experiments.simulate,
     "identify": calibration.identify,
     "diagnose": calibration.diagnose,
+    "next": experiments.next_,
     "effects": model_side.effects,
     "matrix": calibration.matrix,
     "compensate": use.compensate,

@@ -8,7 +8,17 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 from rich.table import Table
 
-from deltacal_gen.app.cli.common import Blocks, Decimal, Json, RobotFile, number, output_file, print_json, screen
+from deltacal_gen.app.cli.common import (
+    Blocks,
+    Decimal,
+    Json,
+    RobotFile,
+    escaped,
+    number,
+    output_file,
+    print_json,
+    screen,
+)
 
 MOST_NOTES = 4  # on the screen
 if TYPE_CHECKING:
@@ -130,3 +140,32 @@ def simulate(
         print_json(Simulated(recording=str(output), readings=rows, kind=kind))
     else:
         screen.print(f"{rows} {what} written to {output}")
+
+
+def next_(
+    diagnosis: Annotated[
+        Path, typer.Argument(metavar="DIAGNOSIS", help="DIAGNOSIS.json of diagnose", show_default=False)
+    ],
+    output: Annotated[Path, output_file("POSES.csv: rows to measure")],
+    budget: Annotated[
+        int | None, typer.Option(help="how many rows; default as many as the open questions take", show_default=False)
+    ] = None,
+    as_json: Json = False,
+) -> None:
+    """Write the rows to measure next, which settle what a diagnosis leaves open."""
+    from deltacal_gen.app import commands
+
+    found = commands.next_poses(diagnosis, output, budget=budget)
+    if as_json:
+        print_json(found)
+    else:
+        for asked in found.questions:
+            screen.print(f"{asked.rows} rows: {asked.why} (expected difference in chi2: {asked.expected_chi2:.0f})")
+        for words in found.advice:
+            screen.print(f"  {escaped(words)}")
+        if found.poses:
+            screen.print(f"{len(found.poses)} rows written to {output}: measure them, append them, diagnose again")
+        else:
+            screen.print("nothing is open that poses could settle; no file was written")
+    if not found.poses:
+        raise typer.Exit(1)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from deltacal_gen.app.commands.calibration import diagnose, identify, identify_blocks, matrix
 from deltacal_gen.app.commands.common import PICTURES, check_output
-from deltacal_gen.app.commands.experiments import plan, simulate, simulate_blocks
+from deltacal_gen.app.commands.experiments import next_poses, plan, simulate, simulate_blocks
 from deltacal_gen.app.commands.guide import demo, manual, manual_examples, manual_site
 from deltacal_gen.app.commands.many import batch, study
 from deltacal_gen.app.commands.model_side import claims, derivation, effects, kernels, models, reproduce, trial, warm
@@ -46,6 +46,7 @@ __all__ = [
     "manual_site",
     "matrix",
     "models",
+    "next_poses",
     "plan",
     "predict",
     "predict_blocks",

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from deltacal_gen.app.commands.common import PICTURES, Source, as_recording, as_robot, check_output
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.robot import Robot, for_model, for_names
 from deltacal_gen.files.writing import write_recording
 from deltacal_gen.machine.values import Recording
@@ -18,6 +18,8 @@ from deltacal_gen.machine.values import Recording
 if TYPE_CHECKING:
     from deltacal_gen.physics.terms import Term
     from deltacal_gen.results.plan import Plan
+    from deltacal_gen.results.reader import Given
+    from deltacal_gen.results.written import Experiment
 
 
 def plan(
@@ -146,3 +148,46 @@ def _truth(
     told = simulation.Truth(dict(truth)) if isinstance(truth, Mapping) else simulation.read_truth(truth, robot)
     names = told.errors.keys() | robot.errors.keys()
     return robot, {n: told.errors.get(n, 0.0) + robot.errors.get(n, 0.0) for n in names}, told.terms
+
+
+def next_poses(diagnosis: Given, output: Source | None = None, *, budget: int | None = None) -> Experiment:
+    """Return the rows to measure next, which settle what a diagnosis leaves open; `output` is POSES.csv.
+
+    Parameters
+    ----------
+    budget : int, optional
+        How many rows, shared among the open questions by what is least separated; new poses before repeats. Default as
+        many as each question takes.
+
+    Raises
+    ------
+    InputError
+        It is no diagnosis.
+    UsageError
+        A budget of no row.
+    """
+    from deltacal_gen.files.writing import csv_text, write_files
+    from deltacal_gen.results.diagnosis import Diagnosis
+    from deltacal_gen.results.written import Asked, Experiment
+    from deltacal_gen.use import experiments
+    from deltacal_gen.use.known import known_result
+
+    check_output(output, diagnosis)
+    if budget is not None and budget < 1:
+        raise UsageError(f"a budget of {budget} rows is none; give 1 or more.")
+    known = known_result(diagnosis)
+    if not isinstance(known, Diagnosis):
+        raise InputError("this is no diagnosis, and leaves no question open.", "Give what deltacal diagnose wrote.")
+    questions = experiments.open_questions(known)
+    found = experiments.shared(questions, budget) if questions else experiments.Shared((), ())
+    rows = experiments.next_rows(questions, found)
+    if rows and output is not None:
+        write_files({Path(output): csv_text(experiments.columns_of(rows))})
+    return Experiment(
+        file=str(output) if rows and output is not None else None,
+        poses=tuple(rows),
+        questions=tuple(
+            Asked(why=q.why, rows=n, expected_chi2=q.after(n)) for q, n in zip(questions, found.counts, strict=False)
+        ),
+        advice=tuple(f"{n.why}: {n.text}" for n in known.next_measurements if not n.poses),
+    )

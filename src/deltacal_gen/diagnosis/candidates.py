@@ -1,0 +1,251 @@
+"""Readings that could be taken next: poses where the machine works, with values of the channels that may be set."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.identification.accuracy import turned
+from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.machine.registry import SOLVED, Array
+from deltacal_gen.machine.values import Recording
+from deltacal_gen.physics.body import Body
+from deltacal_gen.physics.channels import Channels
+from deltacal_gen.physics.states import columns
+from deltacal_gen.physics.terms import Term
+from deltacal_gen.results.diagnosis import Row
+from deltacal_gen.units import joint_factors, joint_names, of_joints, to_file
+
+CANDIDATES = 1500  # joints and channels drawn at random, from which the poses are chosen
+WIDER = 0.1  # of the range of joints that was recorded: how far beyond it poses may go where nothing says more
+WARMER = 10.0  # K
+LONGER = 1.0  # times the session: when the last of the proposed readings may be taken
+BETWEEN = 60.0  # s from one reading to the next where a recording does not show it
+DECIMALS = 4  # of deg and mm: as precise as controllers take commands
+LABEL = "next"  # and a number: the label of a proposed pose
+COMMANDED = ("approach", "payload", "qd")  # channels that whoever measures sets; the others come as they come
+
+
+def columns_read(problem: Problem, terms: Sequence[Term]) -> list[str]:
+    """Return the columns of a recording that effects read, beside the joints."""
+    read = (s for term in terms for s in term.states)
+    return columns(read, problem.recording.joint_unit, problem.mechanism.limbs)
+
+
+@dataclass(frozen=True)
+class Candidates:
+    """Readings that could be taken: a problem whose rows are poses with values of the channels.
+
+    Attributes
+    ----------
+    problem : Problem
+    ends : (C, 1) or (C, 2) int array
+        Rows of each reading.
+    position : (C, 3) array
+        Where the measured point is, at its first end [mm].
+    told : tuple of str
+        Columns that a proposal states, beside the joints.
+    first : int
+        The number of the first proposal: labels of poses that were measured are not used again.
+    """
+
+    problem: Problem
+    ends: np.ndarray
+    position: Array
+    told: tuple[str, ...]
+    first: int = 1
+
+    def to_rows(self, chosen: Sequence[int]) -> list[Row]:
+        """Return readings as rows of a recording; a distance holds the joints of both its ends."""
+        recording = self.problem.recording
+        rows = []
+        for n, j in enumerate(chosen):
+            row: Row = {"pose": f"{LABEL}{self.first + n}"}
+            ends = self.ends[j].tolist()
+            for end, k in zip(("a", "b") if len(ends) == 2 else ("",), ends, strict=True):
+                row |= joints_of(recording, k, end)
+            if len(recording.setup_names) > 1:
+                row["setup"] = recording.setup_names[recording.setup[ends[0]]]
+            if recording.tool is not None:
+                row |= {f"tool_{a}_mm": float(v) for a, v in zip("xyz", recording.tool[ends[0]], strict=True)}
+            values = {name: float(recording.channels[name][ends[0]]) for name in self.told}
+            row |= {name: value for name, value in values.items() if np.isfinite(value)}
+            rows.append(row)
+        return rows
+
+
+def joints_of(recording: Recording, row: int, end: str = "") -> dict[str, float]:
+    """Return the joints of a row by their columns, of one end of a distance; shortened."""
+    q, unit = recording.joints[row], recording.joint_unit
+    names = joint_names(unit, len(q), f"q{{i}}{end}_{{unit}}")
+    return {
+        name: round(to_file(float(v), u), DECIMALS)
+        for name, v, u in zip(names, q, of_joints(unit, len(q)), strict=True)
+    }
+
+
+def candidates(at: Fit, terms: Sequence[Term], rng: np.random.Generator, stated: Sequence[Term] = ()) -> Candidates:
+    """Return readings that could be taken next: joints within their limits, positions where the machine works.
+
+    Channels that `terms` read take the ends of what was recorded, or of what may well be set; the commanded ones among
+    the others are as in some row of the recording. What `stated` read is told too, so that rows for several questions
+    are alike.
+    """
+    problem = at.problem
+    recording, robot = problem.recording, problem.robot
+    like = rng.integers(recording.n_rows, size=CANDIDATES)
+    two = problem.readings.rows.shape[1] == 2
+    if two:
+        like[1::2] = like[::2]  # channels and measured point hold for both ends
+    drawn_joints = _drawn(at, problem.body.tool[like], rng)
+    unit = np.array(joint_factors(recording.joint_unit, drawn_joints.shape[1]))
+    joints = np.round(drawn_joints / unit, DECIMALS) * unit
+    channels = {name: values[like].copy() for name, values in recording.channels.items()}
+    needed = columns_read(problem, terms)
+    for name in dict.fromkeys([*needed, *(n for n in robot.limits if n in channels)]):
+        levels = _levels(problem, name)
+        if levels is not None:
+            drawn = rng.choice(levels, CANDIDATES)
+            if two:
+                drawn[1::2] = drawn[::2]
+            channels[name] = drawn
+    asked = {*needed, *columns_read(problem, stated)}
+    told = [n for n in channels if n in asked or n in robot.limits or n == "time_s" or n.startswith(COMMANDED)]
+    rows = dataclasses.replace(
+        recording,
+        joints=joints,
+        measured=np.zeros((CANDIDATES, 0)),
+        pose=np.arange(CANDIDATES).astype(str),
+        line=np.arange(CANDIDATES) + 2,
+        channels=channels,
+        setup=np.full(CANDIDATES, recording.setup[-1]),
+        tool=None if recording.tool is None else problem.body.tool[like],
+        pairs=np.arange(CANDIDATES).reshape(-1, 2) if two else None,
+    )
+    body = Body(
+        robot,
+        problem.mechanism,
+        robot.joint_sign * joints,
+        problem.body.tool[like],
+        dataclasses.replace(Channels.of(rows, robot), order=np.full(CANDIDATES, float(recording.n_rows))),
+    )
+    whole = dataclasses.replace(problem, recording=rows, body=body, readings=kind_of(rows.kind).unread(rows))
+    machine, status = body.solve(whole.split(at.errors)[0], whole.acting(at.errors))
+    fit_for_use = _allowed(problem, joints)
+    if not whole.readings.kind.sees_joints:  # else joints are within their limits, wherever that leads
+        fit_for_use &= (status == SOLVED) & _inside(problem, machine.x)
+    able = np.flatnonzero(fit_for_use[whole.readings.rows].all(axis=1))
+    whole = whole.subset(able)
+    ends = whole.readings.rows
+    return Candidates(whole, ends, machine.x[ends[:, 0], :3], tuple(told), first_label(recording))
+
+
+def _drawn(at: Fit, tool: Array, rng: np.random.Generator) -> Array:
+    """Return joints (C, n_q) of poses anywhere in the workspace, as the controller counts.
+
+    Of an open chain, which reaches a place in many ways, and where the robot file gives no workspace, they are drawn
+    between their limits.
+    """
+    problem = at.problem
+    robot, mechanism, space = problem.robot, problem.mechanism, problem.robot.workspace
+    lower, upper = _joint_range(problem)
+    anywhere: Array = lower + rng.random((CANDIDATES, len(lower))) * (upper - lower)
+    if space is None or mechanism.many_ways:
+        return anywhere
+    depth, out = rng.random(CANDIDATES), rng.random(CANDIDATES)
+    if space.radius is not None:
+        angle = 2 * np.pi * rng.random(CANDIDATES)
+        across = space.radius * np.sqrt(out)[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
+    else:
+        across = (space.width or 0.0) * (out - 0.5)
+    targets = turned(robot, space.place(across, depth))
+    q, _, status = mechanism.inverse(targets, tool, mechanism.rows(robot, at.errors[: len(mechanism.parameters)]))
+    solved = status == SOLVED
+    return np.where(solved[:, None], robot.joint_sign * np.nan_to_num(q), anywhere)
+
+
+def _allowed(problem: Problem, joints: Array) -> np.ndarray:
+    """Tell which joints (C, n_q) lie within the limits that the robot file gives."""
+    limits = problem.robot.joint_limits
+    if limits is None:
+        return np.ones(len(joints), dtype=bool)
+    lower, upper = limits.T
+    within: np.ndarray = ((joints >= lower) & (joints <= upper)).all(axis=1)
+    return within
+
+
+def _joint_range(problem: Problem) -> tuple[Array, Array]:
+    """Return the lowest and highest joints that may be commanded, as the controller counts."""
+    if problem.robot.joint_limits is not None:
+        lower, upper = problem.robot.joint_limits.T
+        return lower, upper
+    joints = problem.recording.joints[np.unique(problem.readings.rows)]
+    spare = WIDER * np.ptp(joints, axis=0)
+    return joints.min(axis=0) - spare, joints.max(axis=0) + spare
+
+
+def _inside(problem: Problem, x: Array) -> np.ndarray:
+    """Tell which poses (N, 12) lie where the machine works: in its workspace, or among what was measured."""
+    space = problem.robot.workspace
+    position = np.nan_to_num(x[:, :3], nan=np.inf)
+    if space is not None:
+        inside: np.ndarray = space.holds(position)
+        return inside
+    seen = problem.poses(problem.reference)[np.unique(problem.readings.rows), :3]
+    between: np.ndarray = ((position >= seen.min(axis=0)) & (position <= seen.max(axis=0))).all(axis=1)
+    return between
+
+
+def _levels(problem: Problem, name: str) -> Array | None:
+    """Return the values of a channel that are proposed, None where whoever measures cannot choose them."""
+    recording = problem.recording
+    used = np.unique(problem.readings.rows)
+    values = recording.channels.get(name)
+    seen = np.zeros(0) if values is None else np.unique(values[used][np.isfinite(values[used])])
+    if name in problem.robot.limits:
+        return np.array(problem.robot.limits[name])
+    if name == "payload_kg":
+        if len(seen) > 1:
+            return seen if len(seen) <= 4 else seen[[0, -1]]
+        masses = problem.robot.masses
+        held = float(seen[0]) if len(seen) else 0.0
+        return None if masses is None or not masses.platform else np.array([held, held + masses.platform])
+    if not len(seen):
+        return None
+    if name.startswith("approach"):
+        return np.array([-1.0, 1.0])
+    if name == "time_s":
+        return np.round(seen[-1] + gap_of(seen) + np.array([0.0, LONGER * float(np.ptp(seen))]), 1)
+    if name == "temp_C" and np.ptp(seen) == 0:
+        return seen[0] + np.array([0.0, WARMER])
+    return np.array([seen[0], 0.0, seen[-1]]) if name.startswith("qd") else seen[[0, -1]]
+
+
+def gap_of(times: Array) -> float:
+    """Return the usual time from one reading to the next [s] of sorted times (n,)."""
+    return float(np.median(np.diff(times))) if len(times) > 1 else BETWEEN
+
+
+def in_time(rows: Sequence[Row], recording: Recording) -> list[Row]:
+    """Return rows in the order of their times, which come after those of a recording and grow from row to row."""
+    if not rows or "time_s" not in rows[0] or "time_s" not in recording.channels:
+        return list(rows)
+    times = recording.channels["time_s"]
+    seen = np.unique(times[np.isfinite(times)])
+    gap, last = gap_of(seen), float(seen[-1])
+    out: list[Row] = []
+    for row in sorted(rows, key=lambda row: float(row["time_s"])):
+        last = max(float(row["time_s"]), round(last + gap, 1))
+        out.append(row | {"time_s": last})
+    return out
+
+
+def first_label(recording: Recording) -> int:
+    """Return the number of the first proposed pose: that after all which the recording has."""
+    numbers = [label.removeprefix(LABEL) for label in map(str, recording.pose) if label.startswith(LABEL)]
+    return max((int(n) for n in numbers if n.isdecimal()), default=0) + 1
