@@ -70,6 +70,7 @@ BARE = {  # numbers without a unit: counts, parts of a whole, figures of statist
         "scatter",
         "left_out",
         "chi2_by_pose",
+        "further",
         "limits",
         "joints",
     ),

@@ -206,7 +206,7 @@ def _linear(
     machine = free.solve(parameters)
     like = kind_of(recording.kind).like(instrument_of(result.instrument), recording)
     knows = 0 if like is None else len(like.state)
-    return _At(free, instrument, machine.x, free.linearise(parameters, instrument, machine), knows)
+    return _At(free, instrument, free.seen(machine), free.linearise(parameters, instrument, machine), knows)
 
 
 def _in_columns(at: _At) -> tuple[Array, Array]:
