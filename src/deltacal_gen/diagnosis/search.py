@@ -29,7 +29,6 @@ from deltacal_gen.physics.terms import (
     Constant,
     Term,
     beyond,
-    blank,
     load_effect,
     without_rows,
 )
@@ -80,17 +79,26 @@ class Beside:
         self._project(np.vstack([base, np.eye(n, base.shape[1])]), np.concatenate([r, -departure]))
 
     def _project(self, base: Array, pulled: Array) -> None:
-        Q = np.linalg.qr(base)[0]
         self._base, self._pulled = base, pulled
-        self.Q: Array = Q[: self.readings]
-        self.residual: Array = (pulled - Q @ (Q.T @ pulled))[: self.readings]
+        self._basis, self._R = np.linalg.qr(base)
+        self._take_off()
 
-    def freed(self, *effects: int) -> Beside:
+    def _take_off(self) -> None:
+        self.Q: Array = self._basis[: self.readings]
+        self.residual: Array = (self._pulled - self._basis @ (self._basis.T @ self._pulled))[: self.readings]
+
+    def freed(self, *effects: int) -> Freed:
         """Return the same with effects of the fit taken out: they stand in the readings, nothing else moves."""
         own = [j for i in effects for j in self.fit.problem.coefficients(i)]
         out = copy.copy(self)
-        out._project(np.delete(self._base, own, axis=1), self._pulled + self._base[:, own] @ self._departure[own])
-        return out
+        turn, out._R = np.linalg.qr(np.delete(self._R, own, axis=1))
+        put_back = self._R[:, own] @ self._departure[own]
+        out._base = np.delete(self._base, own, axis=1)
+        out._pulled = self._pulled + self._basis @ put_back
+        out._basis = self._basis @ turn
+        out._take_off()
+        inside = self._basis.T @ out._pulled
+        return Freed(out, turn, inside - turn @ (turn.T @ inside))
 
     def within(self, chosen: np.ndarray) -> Beside:
         """Return the same with some of the readings (R,) only; repeats of a pose must not be parted."""
@@ -104,14 +112,34 @@ class Beside:
     def joined(self, columns: Array) -> Beside:
         """Return the same with other whitened columns (scalars, n) fitted too, free of any prior."""
         out = copy.copy(self)
-        free = np.zeros((len(self._base) - len(columns), columns.shape[1]))
-        out._project(np.hstack([self._base, np.vstack([columns, free])]), self._pulled)
+        more = np.vstack([columns, np.zeros((len(self._base) - len(columns), columns.shape[1]))])
+        out._base = np.hstack([self._base, more])
+        for _ in range(2):  # the second takes off what rounding left of the first
+            more = np.linalg.qr(more - self._basis @ (self._basis.T @ more))[0]
+        out._basis = np.hstack([self._basis, more])
+        out._R = out._basis.T @ out._base
+        out._take_off()
         return out
 
     def rows(self, values: Array) -> Array:
         """Return readings (R, k, n) as whitened rows (scalars, n), unread components dropped."""
-        scaled = np.where(self._read[..., None], values * self._w[..., None], 0.0)
+        scaled = values * self._w[..., None]
+        if self._read.all():
+            return self.fit.repeats.whiten(scaled).reshape(-1, values.shape[2])
+        scaled[~self._read] = 0.0
         return self.fit.repeats.whiten(scaled)[self._read]
+
+
+@dataclass(frozen=True)
+class Freed:
+    """What is fitted, less some effects.
+
+    In the basis as it was: the basis now is `turn` (n, n') of it, and `left` (n,) is what the effects alone explained.
+    """
+
+    beside: Beside
+    turn: Array
+    left: Array
 
 
 @dataclass(frozen=True)
@@ -151,26 +179,46 @@ class Search:
     def _compete(self, beside: Beside, problem: Problem, terms: Sequence[Term]) -> None:
         self._problem, self._parted = problem, False
         self.terms = tuple(terms)
-        columns = self._whitened(beside, terms)
-        self._size = np.linalg.norm(columns, axis=0)
-        owner = np.concatenate([[t.effect] * t.n_coefficients for t in terms]) if terms else np.zeros(0, dtype=str)
-        for name in np.unique(owner):  # rounding is no lever: a joint that bears nothing has nothing to twist by
-            own = owner == name
-            columns[:, own] *= self._size[own] > ROUNDING * self._size[own].max()
-        self._size = np.maximum(self._size, 1e-300)
-        self._columns = columns / self._size
+        self._columns = self._whitened(beside, terms)
+        size = np.sqrt(np.einsum("ij,ij->j", self._columns, self._columns))
         starts = np.cumsum([0, *(t.n_coefficients for t in terms)])[:-1].tolist()
         self._start = dict(zip(map(_key, terms), starts, strict=True))
+        lever = np.ones(len(size))
+        for span in map(self._span, dict.fromkeys(t.effect for t in terms)):
+            # rounding is no lever: a joint that bears nothing has nothing to twist by
+            lever[span] = size[span] > ROUNDING * size[span].max()
+        self._size = np.maximum(size, 1e-300)
+        self._columns *= lever / self._size
         self._place(beside)
 
     def _whitened(self, beside: Beside, terms: Sequence[Term]) -> Array:
         at = beside.fit
         return beside.rows(self._problem.term_columns(terms, at.errors, at.instrument, beside.machine))
 
+    def _forms(self, name: str) -> list[Term]:
+        return [t for t in self.terms if t.effect == name]
+
+    def _span(self, name: str) -> slice:
+        """Return the columns of all forms of an effect."""
+        forms = self._forms(name)
+        first = self._start[_key(forms[0])]
+        return slice(first, first + forms[0].n_coefficients * len(forms))
+
     def _place(self, beside: Beside) -> None:
         self._beside = beside
+        self._squares: dict[str, Array] = {}
         self._inside = beside.Q.T @ self._columns
-        self._reach = self._columns.T @ beside.residual
+        self._reach = beside.residual @ self._columns
+
+    def _gram(self, name: str) -> Array:
+        """Return the products (M, n, n) of the columns of each of an effect's forms, beside all that is fitted."""
+        forms, span = self._forms(name), self._span(name)
+        if name not in self._squares:  # they are the same whatever is fitted beside them
+            C = np.moveaxis(self._columns[:, span].reshape(self.readings, len(forms), -1), 0, 2)
+            self._squares[name] = C @ np.swapaxes(C, 1, 2)
+        inside = np.moveaxis(self._inside[:, span].reshape(len(self._inside), len(forms), -1), 0, 2)
+        gram: Array = self._squares[name] - inside @ np.swapaxes(inside, 1, 2)
+        return gram
 
     @property
     def readings(self) -> int:
@@ -179,9 +227,10 @@ class Search:
 
     def freed(self, *effects: int) -> Search:
         """Return the search for what could stand for effects of the fit, all others beside it."""
-        out = copy.copy(self)
+        out, freed = copy.copy(self), self._beside.freed(*effects)
         out.effects = tuple(key for i, key in enumerate(self.effects) if i not in effects)
-        out._place(self._beside.freed(*effects))
+        out._beside, out._inside = freed.beside, freed.turn.T @ self._inside
+        out._reach = self._reach + freed.left @ self._inside
         return out
 
     def within(self, chosen: np.ndarray) -> Search:
@@ -200,8 +249,11 @@ class Search:
 
     def joined(self, columns: Array) -> Search:
         """Return the search beside other whitened columns (scalars, n) that are fitted too."""
-        out = copy.copy(self)
-        out._place(self._beside.joined(columns))
+        out, known = copy.copy(self), self._beside.Q.shape[1]
+        out._beside = self._beside.joined(columns)
+        more = out._beside.Q[:, known:]
+        out._inside = np.vstack([self._inside, more.T @ self._columns])
+        out._reach = out._beside.residual @ self._columns
         return out
 
     def of(self, body: Body, terms: Sequence[Term]) -> Search:
@@ -235,15 +287,11 @@ class Search:
 
         What of it no machine can have is left out, and told: limbs, or the form where it is of the whole machine.
         """
-        forms = [t for t in self.terms if t.effect == name]
+        forms, span = self._forms(name), self._span(name)
         free = [j for j, t in enumerate(forms) if _key(t) not in self.effects]
-        first, count = self._start[_key(forms[0])], forms[0].n_coefficients
-        span = slice(first, first + count * len(forms))
-        C = np.moveaxis(self._columns[:, span].reshape(self.readings, len(forms), count)[:, free], 0, 2)
-        inside = np.moveaxis(self._inside[:, span].reshape(-1, len(forms), count)[:, free], 0, 2)
-        G = C @ np.swapaxes(C, 1, 2) - inside @ np.swapaxes(inside, 1, 2)
-        b = self._reach[span].reshape(-1, count)[free]
-        size = self._size[span].reshape(-1, count)[free]
+        G = self._gram(name)[free]
+        b = self._reach[span].reshape(len(forms), -1)[free]
+        size = self._size[span].reshape(len(forms), -1)[free]
         open_forms, allowed, doubt = np.arange(len(free)), _allowed(forms[0]), ""
         last = Found(forms[0], 0.0, -np.inf)
         while len(open_forms) and allowed is not None:
@@ -342,7 +390,7 @@ def _most(every: Term, allowed: Sequence[object], forms: int, G: Array, b: Array
 
             def worth(own: tuple[object, ...], k: int = int(k)) -> float:
                 part = _on(every, own)
-                at = _offsets(every, part)
+                at = _places(every, own)
                 if part.tools and len(part.tools) == len(every.tools):
                     return -np.inf  # an offset of all tool points alike is another frame
                 return float(gains(G[k][np.ix_(at, at)][None], b[k, at][None])[0]) - charge(part, forms)
@@ -353,18 +401,22 @@ def _most(every: Term, allowed: Sequence[object], forms: int, G: Array, b: Array
                 best = part, int(k), score + charge(part, forms), score
         assert best is not None  # there are forms
         return best
-    among = [p for p in parts(every) if set(_carriers(p)) <= set(allowed)]
-    found = among[-1], 0, 0.0, -np.inf
-    for part in reversed(among):
-        price = charge(part, forms)
+    carriers, found = _carriers(every), (_on(every, allowed), 0, 0.0, -np.inf)
+    largest = len(allowed) - bool(every.tools and len(allowed) == len(every.tools))
+    for size in range(largest, 0, -1) if carriers else [0]:
+        price = _charge(max(size, 1), every.values.shape[1], forms)
         some = np.flatnonzero(most - price > found[3])
         if not len(some):
             continue
-        own_places = _offsets(every, part)
-        each = gains(G[some][:, own_places][:, :, own_places], b[some][:, own_places])
-        k = int(np.argmax(each))
-        if float(each[k]) - price > found[3]:
-            found = part, int(some[k]), float(each[k]), float(each[k]) - price
+        sets = list(itertools.combinations(allowed, size))[::-1]
+        at = np.array([_places(every, own) for own in sets])
+        those = G[some][:, at[:, :, None], at[:, None, :]], b[some][:, at]
+        each = gains(*(values.reshape(-1, *at.shape[1:] * (values.ndim - 2)) for values in those))
+        by_set = each.reshape(len(some), -1).T
+        which, k = divmod(int(np.argmax(by_set)), len(some))
+        gain = float(by_set[which, k])
+        if gain - price > found[3]:
+            found = _on(every, sets[which]), int(some[k]), gain, gain - price
     return found
 
 
@@ -422,6 +474,10 @@ def charge(term: Term, forms: int) -> float:
     Each limb, or tool point, has to earn its own: an effect on two limbs is charged as two.
     """
     rows, n_c = term.values.shape
+    return _charge(rows, n_c, forms)
+
+
+def _charge(rows: int, n_c: int, forms: int) -> float:
     return rows * quantile(n_c, 1) + quantile(1, forms) - quantile(1, 1)
 
 
@@ -431,16 +487,6 @@ def quantile(degrees: int, forms: int) -> float:
     from scipy.special import chdtri  # scipy.stats would take a second to load
 
     return float(chdtri(degrees, CHANCE / forms))
-
-
-def parts(term: Term) -> list[Term]:
-    """Return an effect on each set of its limbs, or of its tool points; the effect itself if it has neither.
-
-    An offset of all tool points alike is no offset: it is another frame.
-    """
-    limbs = [s for n in range(1, len(term.limbs) + 1) for s in itertools.combinations(term.limbs, n)] or [()]
-    tools = [s for n in range(1, len(term.tools)) for s in itertools.combinations(term.tools, n)] or [()]
-    return [blank(term.effect, ls, term.constants, ts, term.lacks) for ls in limbs for ts in tools]
 
 
 def _key(term: Term) -> tuple[str, tuple[Constant, ...]]:
@@ -456,8 +502,12 @@ def _carriers(term: Term) -> Sequence[object]:
 
 
 def _offsets(every: Term, part: Term) -> list[int]:
-    n_c = every.values.shape[1]
-    carriers, own = _carriers(every), _carriers(part)
+    return _places(every, _carriers(part))
+
+
+def _places(every: Term, own: Sequence[object]) -> list[int]:
+    """Return the columns, among those of an effect on all limbs or tool points, of some of them."""
+    n_c, carriers = every.values.shape[1], _carriers(every)
     places = [carriers.index(c) for c in own] if carriers else [0]
     return [p * n_c + j for p in places for j in range(n_c)]
 

@@ -441,10 +441,14 @@ class Body:
             )
             own = [i - 1 for i in forms[0].limbs] or list(range(limbs))
             D = D.reshape(len(forms), N, limbs, len(kernels.TARGETS), -1)[:, chosen][:, :, own]
-            moved = np.zeros((len(chosen), n_x, len(forms), len(own), D.shape[-1]))
+            moved = np.empty((len(chosen), n_x, len(forms), len(own), D.shape[-1]))
             for j, target in enumerate(kernels.TARGETS):
                 S = sensitivity.joints if target == "joint" else self._along(sensitivity, target[5:], forms[0].limbs)
-                moved += S[:, :, None, own, None] * np.moveaxis(D[:, :, :, j], 0, 1)[:, None]
+                S, by = S[:, :, None, own, None], np.moveaxis(D[:, :, :, j], 0, 1)[:, None]
+                if j:
+                    moved += S * by
+                else:
+                    np.multiply(S, by, out=moved)
             part[chosen] = (moved if forms[0].limbs else moved.sum(axis=3)).reshape(len(chosen), n_x, -1)
         return out
 
