@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import dataclasses
+import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -13,7 +14,12 @@ import numpy as np
 import pytest
 
 import deltacal_gen as dc
+from deltacal_gen.diagnosis.search import Found
+from deltacal_gen.diagnosis.strategy import _first, _refused, refitted
+from deltacal_gen.estimation.fit import rough
+from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.files.robot import Robot, robot_from_dict
+from deltacal_gen.identification import carried
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Measurement, Recording
 from deltacal_gen.physics import terms as of
@@ -24,6 +30,7 @@ from tests.every_effect import ARM, LIFT, PRINTER, chain
 from tests.every_effect import joints as stand
 from tests.left_out import FRAME, machine, named
 
+SPRINGS = ("joint_compliance", "saturating_compliance")  # the simple one, and what becomes of it
 N, SIGMA = 150, 0.01  # poses, mm
 BETWEEN = 40.0  # s: of two readings, at most
 
@@ -162,3 +169,37 @@ def test_where_nothing_is_concealed_nothing_is_named(machine_name: str) -> None:
     robot = MACHINES[machine_name]()
     found = dc.diagnose(robot, record(robot, None, seed=2))
     assert (found["verdict"], found["effects"]) == ("adequate", []), found["summary"]
+
+
+def test_of_two_springs_the_simple_one_is_fitted_first() -> None:
+    simple, flexible = (of.blank(name, (1, 2), (50.0,) * k) for k, name in enumerate(SPRINGS))
+    earn = (Found(flexible, 500.0, 450.0), Found(simple, 450.0, 420.0))
+    assert _first(earn).term is simple
+    assert _first((earn[0], Found(simple, 20.0, 5.0))).term is flexible
+
+
+def test_a_hardening_spring_is_named_where_held_out_readings_refuse_a_simple_one() -> None:
+    arm = chain(ARM)
+    known = Case("arm", "saturating_compliance", (2,), {"compliance": 0.002}, {"limit": 60.0}).term(arm)
+    model = mechanism_of(arm).full_model
+    problem = pose_problem(arm, record(arm, known), mechanism_of(arm).model(model))
+    first = rough(problem, must_converge=False)
+    blanks = (of.blank(SPRINGS[0], (2,)), of.blank(SPRINGS[1], (2,), known.constants))
+    simple, flexible = (refitted(problem, first, [b]) for b in blanks)
+    assert simple is not None
+    assert flexible is not None
+    assert _refused(simple, flexible)
+    assert not _refused(flexible, simple)
+    # joint 1 stands upright: it bears nothing
+    nothing = refitted(problem, first, [of.blank("joint_compliance", (1, 2))])
+    assert nothing is not None
+
+
+def test_what_was_once_is_long_ago_in_numbers_that_a_file_can_hold() -> None:
+    jump = of.blank("instrument_slip", (), (1800.0,)).afterwards()
+    assert json.loads(json.dumps(jump.constants, allow_nan=False)) == list(jump.constants)
+    arm = chain(ARM)
+    problem = pose_problem(arm, record(arm, None), ())
+    can, cannot = carried.usable(problem, [jump, of.blank("tool_slip", (), (1800.0,)).afterwards()])
+    assert [t.effect for t in can] == ["tool_slip"]
+    assert [(m.name, m.missing) for m in cannot] == [("instrument_slip", "that session: it happened once, and is past")]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from pathlib import Path
 
 import numpy as np
@@ -90,6 +91,20 @@ def test_the_error_is_known_to_the_standard_deviation_that_is_stated(found: Spec
         off = as_found - true
         off -= off.mean()  # a constant is the joint's zero
         assert 0.5 < np.std(off) / found.std[limb] < 1.6
+
+
+def test_what_is_fitted_beside_is_as_unknown_as_the_orders_leave_it(tmp_path: Path) -> None:
+    at = geometry(taken(tmp_path, "poses", NOISE, concealed=True, seed=6))
+    found = found_in(at)
+    assert found is not None
+    held = fit(dataclasses.replace(at.problem, held=found.terms), Prior(), errors=at.errors)
+    assert found.covariance.shape == held.covariance.shape
+    true = {"a_2": 0.2, "theta_3": 0.05 * DEG}
+    off = np.array([value - true.get(name, 0.0) for name, value in held.parameters.items()])
+    stated, alone = (np.sqrt(np.diag(C)[: len(off)]) for C in (found.covariance, held.covariance))
+    assert np.all(stated > 0.8 * alone)
+    assert np.max(stated / alone) > 2.0
+    assert np.mean(np.abs(off / stated) < 2) >= 0.85
 
 
 def test_nothing_is_found_where_there_is_nothing(tmp_path: Path) -> None:

@@ -26,6 +26,7 @@ from deltacal_gen.use.exports import export_c
 from deltacal_gen.use.spans import Spans
 from derive import compiler
 from derive.effects import constant, covariate, joint_coefficient, state
+from derive.effects.joint_compliance import EFFECT as SPRING
 from derive.language.effects import Effect, Orders, Reference
 from tests.every_effect import body_of, channels, declared, machines
 
@@ -184,6 +185,7 @@ REFUSED: dict[str, dict[str, Any]] = {
     "displacement that you computed by hand": {"tests": ()},
     r"gives the states \['q'\].*has \['torque'\]": {"tests": (Reference({"q": 1.0}, {"soft": 0.1}, {"joint": 0.1}),)},
     "beyond what is believable": {"tests": (Reference({"torque": 1.0}, {"soft": -0.1}, {"joint": -0.1}),)},
+    "it does not become joint_compliance where its size is large": {"extends": SPRING},
     "the believable range of soft": {"coefficients": (dataclasses.replace(SOFT, believable=(0.1, 1.0)),)},
 }
 

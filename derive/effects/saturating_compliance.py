@@ -6,6 +6,7 @@ Soft as `compliance` says while the torque is small against `limit`; beyond it t
 import sympy as sp
 
 from derive.effects import DEG, constant, joint_coefficient, state
+from derive.effects.joint_compliance import EFFECT as SPRING
 from derive.language.effects import Effect, Reference, Sizes
 
 (torque,) = state("torque")
@@ -20,6 +21,7 @@ EFFECT = Effect(
     per_limb=True,
     coefficients=(compliance,),
     searched=(Sizes(limit, "torque"),),
+    extends=SPRING,
     targets={"joint": compliance.symbol * limit.symbol * sp.tanh(torque / limit.symbol)},
     tests=(
         Reference({"torque": 1e6}, {"compliance": 0.01}, {"joint": 0.05 * DEG}, {"limit": 5.0}),

@@ -16,6 +16,8 @@ from derive.language.memory import Memory, with_lags
 from derive.language.states import STATES, State, read_by
 from derive.language.targets import acts_on
 
+LONG_AGO = -1e12  # s, or rows: before any recording, and a number that a file can hold
+
 
 @dataclass(frozen=True)
 class EffectQuantity:
@@ -56,7 +58,7 @@ class Moments:
     """The constant is a moment of the recording, which is past `afterwards`: when others are read, or commanded."""
 
     constant: EffectQuantity
-    afterwards: float | None = -math.inf
+    afterwards: float | None = LONG_AGO
     kind = "moments"
 
 
@@ -146,6 +148,8 @@ class Effect:
         it, with the coefficients that stand in them.
     memory : tuple of Memory
         States that follow from what happened before. A `Lag` in the targets becomes one.
+    extends : Effect, optional
+        What it becomes where the size that is searched grows without bound: that is named unless readings refuse it.
 
     Raises
     ------
@@ -165,6 +169,7 @@ class Effect:
     searched: tuple[Searched, ...] = ()
     memory: tuple[Memory, ...] = ()
     whole: bool = False
+    extends: Effect | None = None
 
     def __post_init__(self) -> None:
         targets, memory = with_lags(self.targets, self.memory)
@@ -261,9 +266,23 @@ class Effect:
             raise ValueError("it is searched twice in the same way.")
         if self.per_limb and self.acts_on != "limb":
             raise ValueError(f"it acts on the {self.acts_on}, of which there is one: no limb has its own coefficients.")
+        self._check_extended()
         for s in states:
             self._check_state(s)
         self._check_tests([*(s.name for s in states), *(m.name for m in self.memory)])
+
+    def _check_extended(self) -> None:
+        """Refuse to extend what the effect does not become."""
+        if self.extends is None:
+            return
+        sizes = {s.constant.symbol for s in self.searched if isinstance(s, Sizes)}
+        without = {size: sp.Dummy(positive=True) for size in sizes}
+        for target in self.targets.keys() | self.extends.targets.keys():
+            e = self.targets.get(target, sp.Integer(0)).subs(without)
+            for size in without.values():
+                e = sp.limit(e, size, sp.oo)
+            if not sizes or sp.simplify(e - self.extends.targets.get(target, 0)) != 0:
+                raise ValueError(f"it does not become {self.extends.name} where its size is large: {target} is {e}.")
 
     def _check_state(self, s: State) -> None:
         if s.kind == "reading" and self.acts_on != "reading":

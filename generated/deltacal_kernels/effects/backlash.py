@@ -1,7 +1,7 @@
 """Play, flips with the direction of approach.
 
 Generated from derive/effects/backlash.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 914372062fe08e8a; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 8677d0eda6459551; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): approach;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -32,6 +32,8 @@ BELIEVABLE = ((0.0, 5.0), )
 OF_JOINT = ("width", )
 CONSTANTS = (
 )
+# what it becomes where its size is large: that is simpler
+EXTENDS = ""
 # how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
 SIZED = {}

@@ -1,7 +1,7 @@
 """Frame tilts under the moving weight.
 
 Generated from derive/effects/base_compliance.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 0de465e969350c36; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both c9d5337cc93e6a17; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): moment_x moment_y;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
@@ -34,6 +34,8 @@ BELIEVABLE = ((0.0, 1.0), (0.0, 1.0), )
 OF_JOINT = ()
 CONSTANTS = (
 )
+# what it becomes where its size is large: that is simpler
+EXTENDS = ""
 # how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
 SIZED = {}

@@ -1,7 +1,7 @@
 """Column leans the more, the higher it is.
 
 Generated from derive/effects/column_lean.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 73d0a9c5452eec56; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 1b7d8fb04a014c81; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 7): q on_side_x on_side_y on_tilt_x on_tilt_y foot slides;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -35,6 +35,8 @@ BELIEVABLE = ((0.0, 0.001), )
 OF_JOINT = ()
 CONSTANTS = (
 )
+# what it becomes where its size is large: that is simpler
+EXTENDS = ""
 # how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
 SIZED = {}

@@ -1,7 +1,7 @@
 """Rods of a pair differ and tilt the effector.
 
 Generated from derive/effects/effector_tilt.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 1131efe94e8f11df; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 9d4197f8a7ded02c; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -32,6 +32,8 @@ BELIEVABLE = ((-5.0, 5.0), )
 OF_JOINT = ()
 CONSTANTS = (
 )
+# what it becomes where its size is large: that is simpler
+EXTENDS = ""
 # how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
 SIZED = {}

@@ -1,7 +1,7 @@
 """The instrument drifts.
 
 Generated from derive/effects/instrument_drift.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 54f251f7155f87bf; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both c1f328c5923943bd; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): time;
 coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.
@@ -36,6 +36,8 @@ BELIEVABLE = ((-10.0, 10.0), (-10.0, 10.0), (-10.0, 10.0), )
 OF_JOINT = ()
 CONSTANTS = (
 )
+# what it becomes where its size is large: that is simpler
+EXTENDS = ""
 # how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
 SIZED = {}

@@ -1,7 +1,7 @@
 """The instrument slips once.
 
 Generated from derive/effects/instrument_slip.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both b6316f3601ba0060; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both ea6f1cb842353674; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): after;
 coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.
@@ -37,10 +37,12 @@ OF_JOINT = ()
 CONSTANTS = (
     ("when", "s", 1.0, "time of the slip; the row, where there is no time"),
 )
+# what it becomes where its size is large: that is simpler
+EXTENDS = ""
 # how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {"moments": "when", }
 SIZED = {}
-AFTERWARDS = {"when": float("-inf"), }
+AFTERWARDS = {"when": float("-1000000000000.0"), }
 
 
 def value(s, c, constants=()):

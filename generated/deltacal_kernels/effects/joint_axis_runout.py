@@ -1,7 +1,7 @@
 """The joint's centre orbits with its angle.
 
 Generated from derive/effects/joint_axis_runout.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both e7d457bc934c4816; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 176ba561e0c33ebe; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): theta;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
@@ -33,6 +33,8 @@ BELIEVABLE = ((-5.0, 5.0), (-5.0, 5.0), )
 OF_JOINT = ()
 CONSTANTS = (
 )
+# what it becomes where its size is large: that is simpler
+EXTENDS = ""
 # how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
 SIZED = {}

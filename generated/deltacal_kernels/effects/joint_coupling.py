@@ -1,7 +1,7 @@
 """The joint moves with another one.
 
 Generated from derive/effects/joint_coupling.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both f02a2732a2c09908; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 9d4efad2df1b4f2f; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): q_other;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -33,6 +33,8 @@ OF_JOINT = ()
 CONSTANTS = (
     ("of", "1", 1.0, "number of the other joint"),
 )
+# what it becomes where its size is large: that is simpler
+EXTENDS = ""
 # how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {"joints": "of", }
 SIZED = {}

@@ -1,7 +1,7 @@
 """Gear ratio or encoder scale is off.
 
 Generated from derive/effects/joint_scale.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 2fa136665df460ea; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 0376e3e381b730fd; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): q;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -32,6 +32,8 @@ BELIEVABLE = ((-0.1, 0.1), )
 OF_JOINT = ()
 CONSTANTS = (
 )
+# what it becomes where its size is large: that is simpler
+EXTENDS = ""
 # how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
 SIZED = {}

@@ -1,7 +1,7 @@
 """Joint's axis tilts under the moment across it.
 
 Generated from derive/effects/joint_tilt_compliance.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 2af2ffa555de88d8; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 140d29c27fc6a4ca; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): on_tilt_x on_tilt_y;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
@@ -34,6 +34,8 @@ BELIEVABLE = ((0.0, 1.0), (0.0, 1.0), )
 OF_JOINT = ()
 CONSTANTS = (
 )
+# what it becomes where its size is large: that is simpler
+EXTENDS = ""
 # how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
 SIZED = {}

@@ -1,7 +1,7 @@
 """Rods, spacings or axes of a parallelogram differ.
 
 Generated from derive/effects/parallelogram_error.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both d5187ddef3c04ca8; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 2ab6432cabedb496; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
 coefficients c (M or 1, 6); constants, one number each. Units mm, rad, N, s, K.
@@ -42,6 +42,8 @@ BELIEVABLE = ((-5.0, 5.0), (-5.0, 5.0), (-5.0, 5.0), (-5.0, 5.0), (-5.0, 5.0), (
 OF_JOINT = ()
 CONSTANTS = (
 )
+# what it becomes where its size is large: that is simpler
+EXTENDS = ""
 # how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
 SIZED = {}

@@ -1,7 +1,7 @@
 """The joint's axis tilts as a recorded column says.
 
 Generated from derive/effects/part_tilt.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 24286562ebeb894d; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 98c44f11213d2c2c; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): recorded;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
@@ -35,6 +35,8 @@ OF_JOINT = ()
 CONSTANTS = (
     ("of", "1", 1.0, "name of the column"),
 )
+# what it becomes where its size is large: that is simpler
+EXTENDS = ""
 # how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {"columns": "of", }
 SIZED = {}

@@ -1,7 +1,7 @@
 """Joint twists under the payload.
 
 Generated from derive/effects/payload_deflection.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 709c15bfeca1d208; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both dc53a86fc1b93f15; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): payload_torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -32,6 +32,8 @@ BELIEVABLE = ((0.0, 1.0), )
 OF_JOINT = ("compliance", )
 CONSTANTS = (
 )
+# what it becomes where its size is large: that is simpler
+EXTENDS = ""
 # how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
 SIZED = {}

@@ -1,7 +1,7 @@
 """Arm bends under the rods' pull.
 
 Generated from derive/effects/proximal_bending.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both be3a5955e83fd6b3; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 6bb516d46e315397; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 2): pull_v pull_w;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -33,6 +33,8 @@ BELIEVABLE = ((0.0, 1.0), )
 OF_JOINT = ()
 CONSTANTS = (
 )
+# what it becomes where its size is large: that is simpler
+EXTENDS = ""
 # how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
 SIZED = {}

@@ -1,7 +1,7 @@
 """Joint gives way under the load, less and less.
 
 Generated from derive/effects/saturating_compliance.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 8fa60a15a966c4de; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 2dd878691c2f9b09; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): torque;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -33,6 +33,8 @@ OF_JOINT = ("compliance", "limit", )
 CONSTANTS = (
     ("limit", "Nm", 1000.0, "torque about which the spring hardens"),
 )
+# what it becomes where its size is large: that is simpler
+EXTENDS = "joint_compliance"
 # how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {"sizes": "limit", }
 SIZED = {"limit": "torque", }

@@ -1,7 +1,7 @@
 """Links and base grow with temperature.
 
 Generated from derive/effects/thermal_growth.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 0a602c434d188d8c; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 312d88c318b3c44f; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 4): warming L l b;
 coefficients c (M or 1, 3); constants, one number each. Units mm, rad, N, s, K.
@@ -36,6 +36,8 @@ BELIEVABLE = ((-1e-05, 0.0001), (-1e-05, 0.0001), (-1e-05, 0.0001), )
 OF_JOINT = ()
 CONSTANTS = (
 )
+# what it becomes where its size is large: that is simpler
+EXTENDS = ""
 # how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
 SIZED = {}

@@ -1,7 +1,7 @@
 """Joint zero moves with temperature.
 
 Generated from derive/effects/thermal_zero.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both e7ffb08597770c33; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 52126f874fc3c9d7; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): warming;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -32,6 +32,8 @@ BELIEVABLE = ((-1.0, 1.0), )
 OF_JOINT = ("drift", )
 CONSTANTS = (
 )
+# what it becomes where its size is large: that is simpler
+EXTENDS = ""
 # how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
 SIZED = {}

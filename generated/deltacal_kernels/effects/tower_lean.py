@@ -1,7 +1,7 @@
 """The towers lean.
 
 Generated from derive/effects/tower_lean.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 7934eadf704d7bcf; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both a5736a9913a2ed5c; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 0): nothing;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
@@ -34,6 +34,8 @@ BELIEVABLE = ((-5.0, 5.0), (-5.0, 5.0), )
 OF_JOINT = ()
 CONSTANTS = (
 )
+# what it becomes where its size is large: that is simpler
+EXTENDS = ""
 # how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {}
 SIZED = {}

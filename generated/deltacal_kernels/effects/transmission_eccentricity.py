@@ -1,7 +1,7 @@
 """Periodic error of the transmission.
 
 Generated from derive/effects/transmission_eccentricity.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both c4cad645758f5276; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 2de9a9717a76d4ce; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): turn;
 coefficients c (M or 1, 2); constants, one number each. Units mm, rad, N, s, K.
@@ -34,6 +34,8 @@ OF_JOINT = ("cos", "sin", )
 CONSTANTS = (
     ("order", "1", 1.0, "periods per turn of the joint"),
 )
+# what it becomes where its size is large: that is simpler
+EXTENDS = ""
 # how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {"orders": "order", }
 SIZED = {}

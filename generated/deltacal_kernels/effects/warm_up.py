@@ -1,7 +1,7 @@
 """The joint's zero creeps while the machine warms up.
 
 Generated from derive/effects/warm_up.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both b91dac5af513cdec; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both aceb514b36d7de77; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): time;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -33,6 +33,8 @@ OF_JOINT = ("size", )
 CONSTANTS = (
     ("time_constant", "s", 1.0, "time in which all but 1/e of it has come"),
 )
+# what it becomes where its size is large: that is simpler
+EXTENDS = ""
 # how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {"sizes": "time_constant", }
 SIZED = {"time_constant": "time", }

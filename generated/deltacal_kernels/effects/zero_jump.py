@@ -1,7 +1,7 @@
 """Joint zero jumps once.
 
 Generated from derive/effects/zero_jump.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both b8f32c52a8c14006; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 7e68f7d3dad22847; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): after;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -33,10 +33,12 @@ OF_JOINT = ("size", )
 CONSTANTS = (
     ("when", "s", 1.0, "time of the jump; the row, where there is no time"),
 )
+# what it becomes where its size is large: that is simpler
+EXTENDS = ""
 # how it is searched, and the constant that is; of what state that is a size; what constants are after the recording
 SEARCHED = {"moments": "when", }
 SIZED = {}
-AFTERWARDS = {"when": float("-inf"), }
+AFTERWARDS = {"when": float("-1000000000000.0"), }
 
 
 def value(s, c, constants=()):

@@ -221,10 +221,13 @@ def _of_all(problem: Problem, first: Fit, found: Fit, spectrum: Spectrum | None)
         dataclasses.replace(problem, held=spectrum.terms if spectrum else ()), found, terms, tolerance=CONVERGED
     )
     if spectrum is not None and final is not None:
-        spectrum = periodic(final, folds(problem.readings, problem.recording), spectrum) or spectrum
+        again = periodic(final, folds(problem.readings, problem.recording), spectrum)
+        spectrum = again or spectrum
         final = refitted(
             dataclasses.replace(problem, held=spectrum.terms), final, terms, drop_gross=True, tolerance=CONVERGED
         )
+        if again is not None and final is not None:  # held orders are as unknown as effects beside them
+            final = dataclasses.replace(final, covariance=again.covariance)
     if baseline is None or final is None:
         raise NoSolutionError("the fit of all readings did not converge, though that of a part did.")
     return baseline, final, spectrum

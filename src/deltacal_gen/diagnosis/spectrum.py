@@ -33,6 +33,7 @@ PROVEN = 3.0  # standard deviations by which held-out poses must be better
 CORNER = 10.0  # order at which the search for the corner begins; it doubles and halves
 SAMPLE = 500  # readings at which the error's standard deviation is looked at
 ROUNDS = 200  # of the estimation of sizes, each of them cheap
+SAME_NOISE = 1.5  # times: variances of noise that differ less weigh priors alike
 
 
 @dataclass(frozen=True)
@@ -53,6 +54,8 @@ class Spectrum:
         Order beyond which coefficients become small.
     heldout : (float, float)
         RMS [mm] of readings that the fit has not seen, without and with the errors.
+    covariance : (n + n_m, n + n_m) array
+        Of what is fitted beside, parameters and the instrument's unknowns [mm, rad], the errors unknown as they are.
     """
 
     terms: tuple[Term, ...]
@@ -62,6 +65,7 @@ class Spectrum:
     seen: dict[int, list[tuple[float, float]]]
     corner: float
     heldout: tuple[float, float]
+    covariance: Array
 
     @property
     def limbs(self) -> tuple[int, ...]:
@@ -100,6 +104,8 @@ def periodic(at: Fit, parts: Sequence[tuple[np.ndarray, np.ndarray]], known: Spe
     gains, found = {}, None
     while limbs:
         found = linear.sized(limbs)
+        if linear.weighs_otherwise(found.noise):
+            found = linear.sized(limbs)
         gains = {j: linear.gain(found, j) for j in limbs}
         if all(g > MARGIN for g in gains.values()):
             break
@@ -121,6 +127,7 @@ def periodic(at: Fit, parts: Sequence[tuple[np.ndarray, np.ndarray]], known: Spe
         {j: seen(turns[:, j - 1], found.corner) for j in limbs},
         found.corner,
         (rms(before), rms(after)),
+        linear.covariance(found),
     )
 
 
@@ -226,9 +233,11 @@ class _Linear:
                     self._y = self._y + self._J[:, :, i] * (self._F[i] @ c[j])[:, None]
         self._raw = np.concatenate([state.J_p * problem.scale, state.J_m], axis=2)
         self._n = self._raw.shape[2]
+        self._scale = np.concatenate([problem.scale, np.ones(state.J_m.shape[2])])
         self._held = (np.arange(self._n) < len(problem.scale)).astype(float)
         departure = (at.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
         self._departure = np.concatenate([departure, np.zeros(self._n - len(departure))])
+        self._noise = 1.0  # of the whitened readings: against it priors weigh
         self._tests = [test for _, test in parts]
         self._quiet = at.weights > 0
         every = self._whitened(at)
@@ -265,6 +274,14 @@ class _Linear:
         m = 2 * ORDERS
         return np.concatenate([self._n + 1 + m * self._limbs.index(j) + np.arange(m) for j in limbs])
 
+    def weighs_otherwise(self, noise: float) -> bool:
+        """Weigh priors of what is fitted by another noise; tell whether that changes anything."""
+        if 1 / SAME_NOISE < noise / self._noise < SAME_NOISE:
+            return False
+        self._noise = noise
+        del self._whole
+        return True
+
     @cached_property
     def _whole(self) -> tuple[Array, Array, float]:
         """Return normal equations of the orders and the sum of squares, all that is fitted beside taken out."""
@@ -272,12 +289,16 @@ class _Linear:
 
     def _beside(self, G: Array) -> tuple[Array, Array, float]:
         n = self._n
-        H = G[:n, :n] + np.diag(self._held + jitter(np.diag(G)[:n]))
-        g = G[:n, n] - self._held * self._departure
+        H, g = self._geometry(G)
         S = np.linalg.solve(H, np.column_stack([G[:n, n + 1 :], g]))
         coupling = G[n + 1 :, :n]
-        rest = float(G[n, n] + self._departure @ self._departure - g @ S[:, -1])
+        rest = float(G[n, n] + self._noise * self._departure @ self._departure - g @ S[:, -1])
         return G[n + 1 :, n + 1 :] - coupling @ S[:, :-1], G[n + 1 :, n] - coupling @ S[:, -1], rest
+
+    def _geometry(self, G: Array) -> tuple[Array, Array]:
+        """Return the normal equations (n, n) and (n,) of what is fitted beside the orders, with its priors."""
+        n, held = self._n, self._noise * self._held
+        return G[:n, :n] + np.diag(held + jitter(np.diag(G)[:n])), G[:n, n] - held * self._departure
 
     def sized(self, limbs: Sequence[int]) -> _Sized:
         """Return size, corner and noise of the largest evidence."""
@@ -341,6 +362,15 @@ class _Linear:
             std[j] = float(np.sqrt(found.noise * np.mean(((F @ inverse[part, part]) * F).sum(axis=1))))
         return np.swapaxes(values.reshape(len(found.limbs), ORDERS, 2), 0, 1), size, std
 
+    def covariance(self, found: _Sized) -> Array:
+        """Return the covariance of what is fitted beside orders that are as unknown as the readings leave them."""
+        n, own, G = self._n, self._places(found.limbs), np.sum(self._grams, axis=0)
+        H, _ = self._geometry(G)
+        orders = G[np.ix_(own, own)] + np.diag(self._prior(found))
+        C = found.noise * np.linalg.inv(H - G[:n, own] @ np.linalg.solve(orders, G[own, :n]))
+        covariance: Array = C * self._scale * self._scale[:, None]
+        return covariance
+
     def _prior(self, found: _Sized) -> Array:
         """Return what the prior adds to the diagonal of the normal equations."""
         out: Array = found.noise / (found.variance * np.tile(np.repeat(_shape(found.corner), 2), len(found.limbs)))
@@ -358,8 +388,8 @@ class _Linear:
             if found is not None:
                 at = own - n - 1
                 c = np.linalg.solve(S[np.ix_(at, at)] + np.diag(self._prior(found)), g[at])
-            H = G[:n, :n] + np.diag(self._held + jitter(np.diag(G)[:n]))
-            u = np.linalg.solve(H, G[:n, n] - self._held * self._departure - G[:n, own] @ c)
+            H, b = self._geometry(G)
+            u = np.linalg.solve(H, b - G[:n, own] @ c)
             left = self._y[test] - self._raw[test] @ u
             for j, values in zip(limbs, c.reshape(-1, 2 * ORDERS), strict=True):
                 i = self._limbs.index(j)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from deltacal_gen.diagnosis.search import Found, Search, charge
+from deltacal_gen.diagnosis.search import ROUNDING, Found, Search, charge
 from deltacal_gen.diagnosis.spectrum import Spectrum, periodic, wave
 from deltacal_gen.diagnosis.structure import Structure, alike, smooth_columns, structures
 from deltacal_gen.errors import InputError, NoSolutionError
@@ -24,6 +24,7 @@ from deltacal_gen.physics.terms import (
     Term,
     beyond,
     load_effect,
+    on_limbs,
     without_rows,
 )
 
@@ -86,8 +87,7 @@ def searched(some: Problem, first: Fit, terms: Sequence[Term], lean: bool, progr
         spectrum = _spectrum(some, search, parts)
     if spectrum is not None:
         some = dataclasses.replace(some, held=spectrum.terms)
-        others = [t for t in terms_of(search.fit) if t.effect != wave()]
-        beside = refitted(some, search.fit, others)
+        beside = refitted(some, search.fit, _beside_waves(search))
         if beside is not None:
             search, considered = _chosen(some, beside, [t for t in terms if t.effect != wave()], progress)
             search, left = _without_gross(some, search)
@@ -166,12 +166,22 @@ def deviance_of(at: Fit) -> float:
 
 def _spectrum(problem: Problem, search: Search, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> Spectrum | None:
     """Return periodic errors of many orders where they predict readings better than the few that were found."""
-    terms = terms_of(search.fit)
-    beside = refitted(problem, search.fit, [t for t in terms if t.effect != wave()])
+    beside = refitted(problem, search.fit, _beside_waves(search))
     found = None if beside is None else periodic(beside, parts)
     if found is None or found.heldout[1] >= held_out(search.fit, Prior(), parts):
         return None
     return found
+
+
+def _beside_waves(search: Search) -> list[Term]:
+    """Return the effects found that are no waves, simple ones for those that extend them.
+
+    Whether the flexible ones are needed is seen in what many orders leave.
+    """
+    found = [t for t in terms_of(search.fit) if t.effect != wave()]
+    blanks = {t.effect: t for t in search.terms if all(t.effect != other.effect for other in found)}
+    simple = (blanks.get(t.kernels.EXTENDS) for t in found)
+    return [t if s is None else on_limbs(s, t.limbs) for t, s in zip(found, simple, strict=True)]
 
 
 def _chosen(problem: Problem, baseline: Fit, terms: Sequence[Term], progress: Progress) -> tuple[Search, list[Found]]:
@@ -199,15 +209,15 @@ def _chosen(problem: Problem, baseline: Fit, terms: Sequence[Term], progress: Pr
 
 
 def _first(ranked: Sequence[Found]) -> Found:
-    """Return what is fitted next: what earns most, but load before angle.
+    """Return what is fitted next: what earns most, but load before angle, and simple before flexible.
 
     What a load does is a function of the joints too, and waves of six joints imitate it where poses are few. Beside it
     they show what they explain themselves, and it is dropped again where they explain it all.
     """
-    best = ranked[0]
-    if best.term.effect != wave():
-        return best
-    return next((f for f in ranked if f.score > MARGIN and _loaded(f.term)), best)
+    best, earning = ranked[0], [f for f in ranked if f.score > MARGIN]
+    if best.term.effect == wave():
+        best = next((f for f in earning if _loaded(f.term)), best)
+    return next((f for f in earning if f.term.effect == best.term.kernels.EXTENDS), best)
 
 
 def _crowded(search: Search, best: Found) -> bool:
@@ -258,7 +268,8 @@ def refitted(
         machine = at.problem.solve(at.errors) if same else problem.solve(errors)
         columns = problem.term_columns(terms, at.errors, at.instrument, machine)
         flat = np.where(np.isfinite(columns), columns, 0.0).reshape(-1, columns.shape[2])
-        scale = ROOM * np.sqrt(len(flat)) / np.maximum(np.linalg.norm(flat, axis=0), 1e-300)
+        size = np.linalg.norm(flat, axis=0)
+        scale = ROOM * np.sqrt(len(flat)) / np.maximum(size, max(ROUNDING * size.max(), 1e-300))
         joint = problem.with_terms(terms, scale)
         errors = np.concatenate([errors, *(t.values.ravel() for t in terms)])
     try:
@@ -315,6 +326,8 @@ def _better(problem: Problem, search: Search, i: int) -> Fit | None:
         return refitted(problem, current, others)
     if own.effect != wave() and _crowded(search, best):
         return None
+    if own.kernels.EXTENDS and (simple := _simpler(problem, search, i)) is not None:
+        return simple
     if _form(best.term) == _form(own):
         return None
     if best.term.effect != own.effect:
@@ -323,7 +336,32 @@ def _better(problem: Problem, search: Search, i: int) -> Fit | None:
         if beside.gain(beside.where(own)) - price > MARGIN:
             return None
     other = refitted(problem, current, [*others, best.term])
-    return other if other is not None and other.sigma[0] <= current.sigma[0] * MUCH_WORSE else None
+    if other is None or other.sigma[0] > current.sigma[0] * MUCH_WORSE:
+        return None
+    flexible = own.effect == best.term.kernels.EXTENDS
+    return None if flexible and not _refused(current, other) else other
+
+
+def _simpler(problem: Problem, search: Search, i: int) -> Fit | None:
+    """Return a fit with the simpler effect that one extends in its place; None where readings refuse that."""
+    current = search.fit
+    terms = terms_of(current)
+    name = terms[i].kernels.EXTENDS
+    others = terms[:i] + terms[i + 1 :]
+    if any(t.effect == name for t in others) or all(t.effect != name for t in search.terms):
+        return None
+    found = search.freed(i).best(name)
+    if found.score < MARGIN:
+        return None
+    simple = refitted(problem, current, [*others, found.term])
+    return None if simple is None or _refused(simple, current) else simple
+
+
+def _refused(simple: Fit, flexible: Fit) -> bool:
+    """Tell whether held-out readings refuse a simple model: the flexible one predicts them better, beyond doubt."""
+    parts = folds(simple.problem.readings, simple.problem.recording)
+    before, after = (held_out_errors(at, Prior(), parts) / simple.sigma for at in (simple, flexible))
+    return borne_out(before, after)
 
 
 def _proven(problem: Problem, search: Search, rest: Array | None = None) -> Search:

@@ -40,7 +40,9 @@ def usable(problem: Problem, held: Sequence[Term]) -> tuple[tuple[Term, ...], tu
     can, cannot = [], []
     for term in held:
         why = problem.body.missing(term.effect)
-        if why is None:
+        if of_reading([term]) and term.kernels.AFTERWARDS and term == term.afterwards():
+            cannot.append(Missing(name=term.effect, missing="that session: it happened once, and is past"))
+        elif why is None:
             can.append(term)
         elif of_reading([term]) or any(s.column == "time_s" for s in term.states):
             cannot.append(Missing(name=term.effect, missing=why))

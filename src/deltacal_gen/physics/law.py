@@ -43,6 +43,7 @@ class Law:
     """
 
     ADVICE, SEARCHED, SIZED, AFTERWARDS = ADVICE, dict[str, str](), dict[str, str](), dict[str, float]()
+    EXTENDS = ""
     WHOLE, PERIODIC, OF_JOINT = True, False, ()
 
     def __init__(self, name: str) -> None:

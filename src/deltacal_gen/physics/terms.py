@@ -254,6 +254,11 @@ def without_rows(term: Term, rows: Sequence[int]) -> Term | None:
     return dataclasses.replace(term, limbs=limbs, tools=tools, values=term.values[kept])
 
 
+def on_limbs(term: Term, limbs: Sequence[int]) -> Term:
+    """Return a term on some of its limbs; as it is where it has none of them."""
+    return without_rows(term, [r for r, limb in enumerate(term.limbs) if limb not in limbs]) or term
+
+
 def kept_term(term: Term) -> TermState:
     """Return what an answer keeps of a term, in its own units inside."""
     return TermState(
