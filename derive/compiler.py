@@ -291,7 +291,8 @@ def render(names: Sequence[str] = ()) -> dict[Path, str]:
     known = {path.parts for path in (*old, *texts)}
     every = {
         "mechanisms": [m.name for m in mechanisms() if (m.name, "parameters.py") in known],
-        "effects": [e.name for e in effects() if ("effects", f"{e.name}.py") in known],
+        "effects": [e.name for e in effects() if e.acts_on != "drive" and ("effects", f"{e.name}.py") in known],
+        "of_drives": [e.name for e in effects() if e.acts_on == "drive" and ("effects", f"{e.name}.py") in known],
     }
     texts |= _common(every)
     texts[SIZES] = sizes({path: text for path, text in (old | texts).items() if path != SIZES})

@@ -23,7 +23,7 @@ from deltacal_gen.results.reader import ANSWERS, read_answer, read_result, type_
 from deltacal_gen.results.result import Remedy, Result
 
 DELTA, GEARBOX = example("delta"), example("gearbox")
-UNITS = ("_mm", "_deg")
+UNITS = ("_mm", "_deg", "_Nm", "_N", "_A", "_1", "_Hz")
 BARE = {  # numbers without a unit: counts, parts of a whole, figures of statistics, what `unit` beside them tells
     *(
         "rho",
@@ -77,6 +77,10 @@ BARE = {  # numbers without a unit: counts, parts of a whole, figures of statist
     # inside: mm, rad, s, kg, N, as their types say
     *("state", "free", "scale", "home", "ties", "values", "constants", "tools", "knots", "coefficients", "length"),
     *("reach", "channels", "errors", "tolerance"),
+    # of machines in motion: in `unit_by_joint`, parts of a whole, counts, and as their types say
+    *("train_rms_by_joint", "heldout_rms_by_joint", "heldout_rms_by_joint_filtered", "sigma_by_joint"),
+    *("rms_by_joint", "rms_by_joint_filtered", "together_by_joint", "removed", "at_rest", "at_rest_below"),
+    *("joint", "payload", "buys", "heldout_gain"),
 }
 
 

@@ -13,7 +13,7 @@ import sympy as sp
 from derive.language.effects import EffectQuantity
 from derive.language.states import DEG, STATES, covariate, state
 
-__all__ = ["DEG", "coefficient", "constant", "covariate", "joint_coefficient", "state"]
+__all__ = ["DEG", "coefficient", "constant", "covariate", "joint_coefficient", "state", "torque_coefficient"]
 
 
 def coefficient(name: str, unit: str, factor: float, meaning: str, believable: tuple[float, float]) -> EffectQuantity:
@@ -33,4 +33,11 @@ def joint_coefficient(name: str, per: str, meaning: str, believable: tuple[float
     It is in deg and Nm where the joint turns; where it slides, read mm and N.
     """
     unit, factor = (f"deg/{per}", DEG / 1000 if per == "Nm" else DEG) if per else ("deg", DEG)
+    return EffectQuantity(sp.Symbol(name, real=True), unit, factor, meaning, believable, of_joint=True)
+
+
+def torque_coefficient(name: str, per: str, meaning: str, believable: tuple[float, float]) -> EffectQuantity:
+    """Return a coefficient of what a drive gives, in Nm times `per` (nothing, s/deg, ...): where it slides N and mm."""
+    angles = 2 if "deg^2" in per else per.count("deg")
+    unit, factor = f"Nm {per}".strip(), 1000.0 / DEG**angles
     return EffectQuantity(sp.Symbol(name, real=True), unit, factor, meaning, believable, of_joint=True)

@@ -17,6 +17,7 @@ from derive.language.states import STATES, State, read_by
 from derive.language.targets import acts_on
 
 LONG_AGO = -1e12  # s, or rows: before any recording, and a number that a file can hold
+OF_LIMBS = ("limb", "drive")  # what every limb has of its own
 
 
 @dataclass(frozen=True)
@@ -111,7 +112,7 @@ class Reference:
     state, coefficients, constants : mapping
         By name, in the units of the tables; memories among the states.
     moved : mapping
-        By target, in mm or rad.
+        By target, in mm or rad; a torque in N mm.
     """
 
     state: Mapping[str, float]
@@ -138,7 +139,7 @@ class Effect:
     coefficients : tuple of EffectQuantity
         What is fitted; all zero means that nothing is left out.
     targets : mapping
-        What is moved, each to its expression [mm or rad].
+        What is moved, each to its expression [mm or rad; of a torque N mm or N].
     tests : tuple of Reference
         Displacements computed by hand.
     searched : tuple of Searched
@@ -197,7 +198,7 @@ class Effect:
 
     @property
     def acts_on(self) -> str:
-        """What is moved: ``limb, base, point`` or ``reading``."""
+        """What is moved: ``limb, drive, base, point`` or ``reading``."""
         return acts_on(self.targets)
 
     @property
@@ -264,7 +265,7 @@ class Effect:
             raise ValueError(f"a constant is searched as a size of {wrong[0]}, which is not read.")
         if len({s.kind for s in self.searched}) < len(self.searched):
             raise ValueError("it is searched twice in the same way.")
-        if self.per_limb and self.acts_on != "limb":
+        if self.per_limb and self.acts_on not in OF_LIMBS:
             raise ValueError(f"it acts on the {self.acts_on}, of which there is one: no limb has its own coefficients.")
         self._check_extended()
         for s in states:
@@ -288,7 +289,7 @@ class Effect:
         if s.kind == "reading" and self.acts_on != "reading":
             raise ValueError(f"{s.name} is what the instrument reads: the machine does not depend on it.")
         own = s.per in ("joint", "limb") and s.kind != "geometry" and s.name in STATES
-        if own and self.acts_on != "limb":
+        if own and self.acts_on not in OF_LIMBS:
             hint = f": {s.name}_1 is that of joint 1" if s.per == "joint" else ""
             raise ValueError(f"every limb has a {s.name} of its own, and it acts on the {self.acts_on}{hint}.")
         if self.acts_on == "reading" and (s.kind == "load" or s.name.startswith("theta")):

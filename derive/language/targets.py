@@ -1,4 +1,4 @@
-"""What an effect may move: the joint, a part of its limb, the base, the measured point, or the reading.
+"""What an effect may move: the joint, a part of its limb, the base, the measured point, the reading, a drive's torque.
 
 A mechanism says in ``moves`` which of its own errors a part is.
 """
@@ -34,6 +34,7 @@ PARTS = {
 AXES = ("x", "y", "z")
 ON = {  # what an effect acts on, by the first word of its targets, and what may follow that word
     "joint": ("limb", ("",)),
+    "torque": ("drive", ("",)),
     "limb": ("limb", tuple(PARTS)),
     "turn": ("base", AXES),
     "tool": ("point", AXES),
@@ -44,7 +45,7 @@ ON = {  # what an effect acts on, by the first word of its targets, and what may
 
 
 def acts_on(targets: Iterable[str]) -> str:
-    """Return what targets belong to: ``limb, base, point`` or ``reading``.
+    """Return what targets belong to: ``limb, drive, base, point`` or ``reading``.
 
     Raises
     ------

@@ -35,3 +35,14 @@ EFFECTS = (
     "zero_drift",
     "zero_jump",
 )
+OF_DRIVES = (  # that act on what drives give
+    "coulomb_friction",
+    "load_friction",
+    "quadratic_friction",
+    "rotor_inertia",
+    "stribeck_friction",
+    "torque_offset",
+    "torque_ripple",
+    "viscous_friction",
+    "warm_friction",
+)

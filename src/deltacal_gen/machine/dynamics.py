@@ -37,6 +37,8 @@ class Dynamics:
     ----------
     names, units : tuple of str
         Of the inertial parameters, body by body.
+    joints, joint_units : int, tuple of str
+        How many joints there are, and rad or mm of each.
 
     Raises
     ------
@@ -57,6 +59,7 @@ class Dynamics:
         self.names = tuple(f"{name}_{body}" for body in bodies for name, _ in own)
         self.units = tuple(unit for _ in bodies for _, unit in own)
         self.joints = machine.limbs
+        self.joint_units = machine.joint_units
 
     def regressor(self, motion: Array) -> Array:
         """Return Y (N, n_q, n): the torque [N mm, N] of each joint for each inertial parameter, which is 1.
@@ -78,10 +81,14 @@ class Dynamics:
         self._kernels.torque(motion, masses, self._gravity, self._own, *self._machine.shape, tau)
         return tau
 
-    def of_payload(self, place: Sequence[float]) -> Array:
+    def of_payload(self, place: Sequence[float] | Array) -> Array:
         """Return the inertial parameters (n,) that 1 kg at a place (3,) [mm] in the last frame adds."""
         own = self._kernels.of_point(np.asarray(place, dtype=float))
         return np.concatenate([np.zeros(len(self.names) - len(own)), own])
+
+    def of_points(self, places: Array) -> Array:
+        """Return the inertial parameters (M, 10) of 1 kg at each of some places (M, 3) [mm] in a link's frame."""
+        return np.array([self._kernels.of_point(place) for place in places])
 
     def stated(self) -> Array:
         """Return the inertial parameters (n,) that the robot file states; NaN where it says nothing of a body."""

@@ -30,6 +30,11 @@ def effect_names() -> tuple[str, ...]:
     return tuple(deltacal_kernels.effects.EFFECTS)
 
 
+def drive_effect_names() -> tuple[str, ...]:
+    """Return the names of all registered effects on what drives give, which no pose shows."""
+    return tuple(deltacal_kernels.effects.OF_DRIVES)
+
+
 @cache
 def load_effect(name: str) -> ModuleType | Law:
     """Return the generated module of an effect: its tables, `value` and `jacobian`; of a law, the same made of it."""

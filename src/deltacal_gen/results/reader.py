@@ -26,6 +26,9 @@ ANSWERS = {  # what `schema` says, and the type of it: module and class
     "deltacal.import/1": ("written", "Imported"),
     "deltacal.joints/1": ("written", "Joints"),
     "deltacal.manual/1": ("written", "Manual"),
+    "deltacal.motion/1": ("motion", "MotionResult"),
+    "deltacal.motion-diagnosis/1": ("motion", "MotionDiagnosis"),
+    "deltacal.motion-validation/1": ("motion", "MotionValidation"),
     "deltacal.matrix/1": ("written", "Matrix"),
     "deltacal.next/1": ("written", "Experiment"),
     "deltacal.plan/1": ("plan", "Plan"),
@@ -41,6 +44,8 @@ FITTED = ("deltacal.result/1", "deltacal.diagnosis/1")
 COMMANDS = {  # that write the files which other commands read
     "deltacal.result/1": "identify",
     "deltacal.diagnosis/1": "diagnose",
+    "deltacal.motion/1": "identify",
+    "deltacal.motion-diagnosis/1": "diagnose",
 }
 MOST_SHOWN = 60  # letters of a value that cannot be used
 

@@ -21,6 +21,7 @@ from deltacal_gen.app.cli.common import (
     print_json,
     progress,
     screen,
+    show_any,
 )
 from deltacal_gen.errors import UsageError
 
@@ -85,7 +86,7 @@ def identify(
     if as_json:
         print_json(found)
         return
-    _show_result(found)
+    show_any(found, _show_result)
     if output is not None:
         screen.print(f"written to {output}")
 
@@ -175,7 +176,7 @@ def diagnose(
     if as_json:
         print_json(found)
     else:
-        show_diagnosis(found)
+        show_any(found, show_diagnosis)
         for path in (output, report):
             if path is not None:
                 screen.print(f"written to {path}")

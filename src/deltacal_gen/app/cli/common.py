@@ -95,6 +95,16 @@ def print_json(answer: Answer | Sequence[Answer]) -> None:
     sys.stdout.write(json.dumps(plain(answer), indent=1, allow_nan=False) + "\n")
 
 
+def show_any(found: Any, shown: Callable[[Any], None]) -> None:
+    """Print an answer: by its own function, or as text where it is one in motion."""
+    from deltacal_gen.results.motion import MotionModel, MotionValidation
+
+    if isinstance(found, MotionModel | MotionValidation):
+        screen.print(escaped(str(found)))
+    else:
+        shown(found)
+
+
 def number(value: float | None, digits: int = 4) -> str:
     return "-" if value is None else f"{value:.{digits}g}"
 

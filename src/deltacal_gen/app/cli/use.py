@@ -19,12 +19,13 @@ from deltacal_gen.app.cli.common import (
     output_file,
     print_json,
     screen,
+    show_any,
 )
 from deltacal_gen.errors import UsageError
 
 MOST_NAMES = 8  # of parameters in a line on the screen
 if TYPE_CHECKING:
-    from deltacal_gen.results.validation import Placed
+    from deltacal_gen.results.validation import Placed, Validation
     from deltacal_gen.results.written import FirmwareLines
 
 
@@ -123,6 +124,7 @@ def predict(
 ) -> None:
     """Predict the readings of other joints, in the instrument's frame."""
     from deltacal_gen.app import commands
+    from deltacal_gen.machine.values import Recording
     from deltacal_gen.results.written import Predicted
     from deltacal_gen.use.prediction import CORRECTED
 
@@ -139,6 +141,13 @@ def predict(
         return
     told: list[str] = []
     done = commands.predict(result, recording, output, place=place, bands=bands, tell=told.append)
+    if not isinstance(done, Recording):
+        said = f"samples predicted in {output}; at rest, where friction is not known, they are blank"
+        if as_json:
+            print_json(Predicted(file=str(output), kind=done.said.measurement.kind, readings=done.n_rows, told=()))
+        else:
+            screen.print(f"{done.n_rows} {said}")
+        return
     rows = done.n_rows if done.pairs is None else len(done.pairs)
     if as_json:
         print_json(Predicted(file=str(output), kind=done.kind, readings=rows, told=tuple(told)))
@@ -159,12 +168,18 @@ def validate(
 ) -> None:
     """Hold a calibrated model against readings that it has not seen."""
     from deltacal_gen.app import commands
-    from deltacal_gen.diagnosis.spectrum import words
 
     found = commands.validate_blocks(result, recording) if blocks else commands.validate(result, recording)
     if as_json:
         print_json(found)
         return
+    show_any(found, _show_validation)
+
+
+def _show_validation(found: Validation) -> None:
+    """Print the error against the noise, and what is said of it."""
+    from deltacal_gen.diagnosis.spectrum import words
+
     screen.print(
         f"{found.readings} readings: rms {found.rms_mm:.4f} mm, largest {found.worst_mm:.4f} mm "
         f"(noise {found.sigma_mm:.4f} mm)"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 import numpy as np
 
@@ -14,7 +14,9 @@ from deltacal_gen.app.commands.common import (
     as_recording,
     as_robot,
     check_output,
+    in_motion,
     made,
+    refuse_in_motion,
     silent,
     write_json,
 )
@@ -27,6 +29,9 @@ from deltacal_gen.results.result import Firmware, Result
 
 if TYPE_CHECKING:
     from deltacal_gen.results.diagnosis import Diagnosis
+    from deltacal_gen.results.motion import MotionDiagnosis, MotionResult
+
+InMotion = TypeVar("InMotion", "MotionResult", "MotionDiagnosis")
 
 
 def identify(
@@ -50,6 +55,9 @@ def identify(
     `physics` is a DIAGNOSIS.json whose effects are held while geometry and frame are refitted: how a diagnosis carries
     to another session. Source errors that the model leaves out are held too, as the diagnosis has them. `never_seen`
     of the result says which joints stand where the readings of the diagnosis never were.
+
+    Of a recording in motion (kind torque) the answer is a `results.motion.MotionResult`: the rigid machine's base
+    parameters, see `motion.identification`.
     """
     from deltacal_gen.diagnosis import spectrum
     from deltacal_gen.identification import identification
@@ -59,6 +67,9 @@ def identify(
 
     check_output(output, robot, recording, physics)
     check_output(report, robot, recording, physics)
+    if (moving := in_motion(recording)) is not None:
+        refuse_in_motion(**{"as distance": as_distance, "physics": physics, "report": report})
+        return cast("Result", _finished(moving.identify(as_robot(robot), model), output, robot, recording))
     diagnosis, files = None if physics is None else known_diagnosis(physics), (robot, recording, physics)
     robot = as_robot(robot)
     given = as_recording(recording, robot)
@@ -98,6 +109,14 @@ def identify(
     return found
 
 
+def _finished(found: InMotion, output: Source | None, *files: object) -> InMotion:
+    """Return an answer with what it was made of, written where that is wanted."""
+    found = found.replace(made=made(*files))
+    if output is not None:
+        write_json(found, output)
+    return found
+
+
 def identify_blocks(
     robot: Source | Robot, recording: Source, model: str | None = None, output: Source | None = None
 ) -> Result:
@@ -127,11 +146,17 @@ def diagnose(
 
     `model` is the geometry that is fitted beside everything, the mechanism's largest where it is not given; `report`
     is one self-contained HTML page of the same.
+
+    Of a recording in motion (kind torque) the answer is a `results.motion.MotionDiagnosis`: the friction of every
+    joint, see `motion.diagnosis`.
     """
     from deltacal_gen.diagnosis import diagnosis
 
     check_output(output, robot, recording)
     check_output(report, robot, recording)
+    if (moving := in_motion(recording)) is not None:
+        refuse_in_motion(model=model, report=report)
+        return cast("Diagnosis", _finished(moving.diagnose(as_robot(robot), progress), output, robot, recording))
     files = (robot, recording)
     robot = as_robot(robot)
     given = as_recording(recording, robot, doubtful=True)

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from deltacal_gen import __version__
-from deltacal_gen.errors import InputError
+from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.columns import distances_path
 from deltacal_gen.files.recording import read_recording, recording_of
 from deltacal_gen.files.robot import Robot, read_robot
@@ -20,6 +20,7 @@ from deltacal_gen.machine.values import Recording
 from deltacal_gen.results.parts import InputFile, Made
 
 if TYPE_CHECKING:
+    from deltacal_gen.motion.kinds import Torque
     from deltacal_gen.results.base import Answer
 
 Source = str | Path
@@ -46,6 +47,20 @@ def as_recording(recording: Source | Recording | Frame, robot: Robot, **how: boo
     if not isinstance(recording, str | Path):
         return recording_of(recording, mechanism_of(robot), **how)
     return read_recording(recording, mechanism_of(robot), **how)
+
+
+def in_motion(recording: object) -> Torque | None:
+    """Return a recording as one in motion, samples in time; None where its sidecar does not say so."""
+    from deltacal_gen.motion import kinds
+
+    return kinds.in_motion(recording)
+
+
+def refuse_in_motion(**options: object) -> None:
+    """Raise a UsageError for the first option that means nothing for a recording in motion."""
+    for name, value in options.items():
+        if value:
+            raise UsageError(f"'{name}' means nothing for a recording in motion; leave it out.")
 
 
 def check_output(path: Source | None, *inputs: object, ending: Sequence[str] = ()) -> None:

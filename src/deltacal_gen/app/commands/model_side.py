@@ -60,7 +60,7 @@ def models() -> list[MechanismEntry]:
 
 def effects() -> list[EffectEntry]:
     """Return the registered effects: what each is, its parameters with units, what it reads and moves."""
-    from deltacal_gen.physics.terms import effect_names, load_effect
+    from deltacal_gen.physics.terms import drive_effect_names, effect_names, load_effect
 
     return [
         EffectEntry(
@@ -75,7 +75,7 @@ def effects() -> list[EffectEntry]:
             reads=tuple(found.STATE),
             moves=tuple(found.TARGETS),
         )
-        for name, found in ((name, load_effect(name)) for name in effect_names())
+        for name, found in ((name, load_effect(name)) for name in (*effect_names(), *drive_effect_names()))
     ]
 
 

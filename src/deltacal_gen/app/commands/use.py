@@ -5,11 +5,21 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from deltacal_gen.app.commands.common import Progress, Source, as_recording, check_output, made, silent, write_json
+from deltacal_gen.app.commands.common import (
+    Progress,
+    Source,
+    as_recording,
+    check_output,
+    in_motion,
+    made,
+    refuse_in_motion,
+    silent,
+    write_json,
+)
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.columns import CHANNEL
 from deltacal_gen.files.toml import nearest
@@ -18,6 +28,7 @@ from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.rotation import from_vector
 from deltacal_gen.machine.values import Recording
+from deltacal_gen.motion.kinds import columns_of, known_motion
 from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.reader import Given
 from deltacal_gen.results.result import Result
@@ -26,6 +37,8 @@ from deltacal_gen.use.known import known_result
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
+    from deltacal_gen.motion.kinds import Torque
+    from deltacal_gen.motion.trajectories import Trajectories
     from deltacal_gen.results.comparison import Comparison
     from deltacal_gen.results.validation import Validation
     from deltacal_gen.results.written import FirmwareLines
@@ -223,7 +236,7 @@ def predict(
     place: Source | Recording | None = None,
     bands: bool = False,
     tell: Progress = silent,
-) -> Recording:
+) -> Recording | Trajectories:
     """Return a recording's readings as an identified or diagnosed model predicts them; `output` is PREDICTED.csv.
 
     `place` is a recording of other poses from the same set-ups of the instrument: those that it holds are placed by
@@ -238,6 +251,12 @@ def predict(
     from deltacal_gen.use import prediction
 
     check_output(output, result, recording, place)
+    if (model := known_motion(result)) is not None:
+        refuse_in_motion(place=place, bands=bands)
+        found = _moving(recording).predict(model)
+        if output is not None:
+            write_files({Path(output): csv_text(columns_of(found))})
+        return found
     known = known_result(result)
     robot = prediction.calibrated_robot(known)
     given = as_recording(recording, robot, need_measured=False)
@@ -271,10 +290,27 @@ def predict_blocks(result: Given, recording: Source, output: Source) -> int:
     return streams.predict(_of_rows(result), recording, output)
 
 
+def _moving(recording: object) -> Torque:
+    """Return a recording in motion, which a result of one asks for; raises InputError where it is none."""
+    found = in_motion(recording)
+    if found is None:
+        raise InputError(
+            "the result is of a recording in motion, and this is none.",
+            'Give one whose sidecar says kind = "torque" under [measurement].',
+            file=recording if isinstance(recording, str | Path) else None,
+        )
+    return found
+
+
 def validate(result: Given, recording: Source | Recording) -> Validation:
-    """Return the error of a calibrated model on readings it has not seen, against the noise."""
+    """Return the error of a calibrated model on readings it has not seen, against the noise.
+
+    Of a recording in motion the answer is a `results.motion.MotionValidation`.
+    """
     from deltacal_gen.use import validation
 
+    if (model := known_motion(result)) is not None:
+        return cast("Validation", _moving(recording).validate(model).replace(made=made(result, recording)))
     known = known_result(result)
     robot = validation.calibrated_robot(known)
     given = as_recording(recording, robot)

@@ -1,0 +1,138 @@
+"""The rigid machine by its drives: base parameters with their uncertainty, and bodies that could be built."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from scipy.optimize import nnls
+
+from deltacal_gen.errors import UsageError
+from deltacal_gen.machine.values import Robot
+from deltacal_gen.motion.joint import Fit, fitted
+from deltacal_gen.motion.rigid import Rigid
+from deltacal_gen.motion.session import Session
+from deltacal_gen.motion.trajectories import Trajectories
+from deltacal_gen.results.motion import Consistent, InertialParameter, MotionResult
+from deltacal_gen.results.result import Status
+
+if TYPE_CHECKING:
+    from deltacal_gen.machine.registry import Array
+
+RIGID = "rigid"  # name of the model, behind that of the mechanism
+SURE = 3.0  # standard deviations from zero of a parameter that is told as identified
+LATTICE = (-300.0, -100.0, -30.0, 0.0, 30.0, 100.0, 300.0)  # mm: where the masses of a body that could be built may sit
+
+
+def identify(robot: Robot, given: Trajectories, model: str | None = None) -> MotionResult:
+    """Identify the rigid machine, without friction.
+
+    Raises
+    ------
+    UsageError
+        Another model is asked for.
+    InputError
+        No joint moves for long enough.
+    """
+    name = f"{robot.mechanism}/{RIGID}"
+    if model not in (None, RIGID, name):
+        raise UsageError(f"in motion there is the model {name} only, not '{model}'.")
+    session = Session.of(robot, given)
+    fits = [fitted(joint, []) for joint in session.moving]
+    final = session.left(fits, name)
+    torques = all(fit.joint.unit in ("Nm", "N") for fit in fits)
+    parameters = _common(session.rigid, fits) if torques else _by_joint(session.rigid, fits)
+    rigid = session.rigid
+    return MotionResult(
+        **session.answered(fits),
+        model=name,
+        parameters=tuple(parameters),
+        rank=rigid.common.rank if torques else sum(rigid.own[fit.joint.number - 1].rank for fit in fits),
+        unidentifiable=tuple(rigid.unseen(rigid.common)),
+        consistent=_consistent(rigid, fits) if torques else None,
+        noise=session.noise(fits),
+        final=final,
+        **session.in_unit("train_rms", session.together(fits, lambda f: f.left)),
+        **session.in_unit("heldout_rms", session.together(fits, lambda f: f.held_out)),
+    )
+
+
+def _normal(rigid: Rigid, fits: Sequence[Fit]) -> tuple[Array, Array]:
+    """Return normal equations (r, r), (r,) of the common base parameters by all joints, each by its own noise."""
+    size = rigid.common.rank
+    G, g = np.zeros((size, size)), np.zeros(size)
+    for fit in fits:
+        own = rigid.own[fit.joint.number - 1]
+        weight = 1.0 / (fit.sigma**2 * fit.together)
+        X = fit.joint.X @ own.made_up[:, rigid.common.chosen]
+        y = fit.joint.y - (fit.joint.y - fit.left - fit.load)  # what effects gave is not the rigid machine's
+        G += weight * X.T @ X
+        g += weight * X.T @ y
+    return G, g
+
+
+def _common(rigid: Rigid, fits: Sequence[Fit]) -> list[InertialParameter]:
+    """Return the base parameters by the torques of all joints together."""
+    G, g = _normal(rigid, fits)
+    scale = np.sqrt(np.maximum(np.diag(G), 1e-300))
+    inverse = np.linalg.pinv(G / np.outer(scale, scale), rcond=1e-10, hermitian=True)
+    value, std = inverse @ (g / scale) / scale, np.sqrt(np.maximum(np.diag(inverse), 0.0)) / scale
+    units = [rigid.dynamics.units[k] for k in rigid.common.chosen]
+    return [
+        _parameter(name, text, v, s, unit, None)
+        for (name, text), v, s, unit in zip(rigid.words(rigid.common), value, std, units, strict=True)
+    ]
+
+
+def _by_joint(rigid: Rigid, fits: Sequence[Fit]) -> list[InertialParameter]:
+    """Return the base parameters that each joint's reading knows, per unknown torque of that reading."""
+    found = []
+    for fit in fits:
+        base = rigid.own[fit.joint.number - 1]
+        per = "A/Nm" if fit.joint.unit == "A" else "1/Nm"
+        for (name, text), k, v, s in zip(
+            rigid.words(base), base.chosen, fit.coefficients[: base.rank], fit.std[: base.rank], strict=True
+        ):
+            unit = f"{rigid.dynamics.units[k]} {per}"
+            found.append(_parameter(name, text, 1000.0 * v, 1000.0 * s, unit, fit.joint.number))
+    return found
+
+
+def _parameter(name: str, text: str, value: float, std: float, unit: str, limb: int | None) -> InertialParameter:
+    known = abs(value) > SURE * std and std > 0
+    return InertialParameter(
+        name=name,
+        combination=text,
+        value=float(value),
+        std=float(std),
+        unit=unit,
+        limb=limb,
+        status=(Status.IDENTIFIED if known else Status.NOT_PINNED).value,
+    )
+
+
+def _consistent(rigid: Rigid, fits: Sequence[Fit]) -> tuple[Consistent, ...]:
+    """Return inertial parameters of bodies that could be built, as near to the base parameters as the noise asks.
+
+    A body of points with positive masses has a positive definite inertia: masses on a lattice in each link's frame, by
+    least squares that keeps them positive (Lawson, Hanson 1974).
+    """
+    G, g = _normal(rigid, fits)
+    scale = np.sqrt(np.maximum(np.diag(G), 1e-300))
+    values, vectors = np.linalg.eigh(G / np.outer(scale, scale))
+    kept = values > 1e-10 * values[-1]
+    half = np.sqrt(values[kept])[:, None] * (vectors[:, kept].T * scale)
+    wanted = (vectors[:, kept].T @ (g / scale)) / np.sqrt(values[kept])
+    points = rigid.dynamics.of_points(np.array(np.meshgrid(*[LATTICE] * 3)).reshape(3, -1).T)
+    bodies = len(rigid.names) // points.shape[1]
+    of_body = [half @ rigid.common.made_up[:, b * points.shape[1] : (b + 1) * points.shape[1]] for b in range(bodies)]
+    A = np.hstack([part @ points.T for part in of_body])
+    size = np.linalg.norm(A, axis=0)
+    size[size == 0] = 1.0
+    masses = nnls(A / size, wanted, maxiter=20 * A.shape[1])[0] / size
+    found = np.concatenate([part @ points for part in masses.reshape(bodies, -1)])
+    return tuple(
+        Consistent(name=name, value=float(v), unit=unit)
+        for name, v, unit in zip(rigid.names, found, rigid.dynamics.units, strict=True)
+    )

@@ -1,0 +1,362 @@
+"""One joint of a recording in motion: its samples, its candidates, and its fit."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from deltacal_gen.machine.values import Robot
+from deltacal_gen.motion.derivatives import Motion, smooth
+from deltacal_gen.motion.ladder import Ladder
+from deltacal_gen.motion.library import Rung, hats, of_joint, resolution, rungs
+from deltacal_gen.motion.regression import BETWEEN, Bench, folds_of, together
+from deltacal_gen.motion.trajectories import INSIDE, Trajectories
+
+if TYPE_CHECKING:
+    from deltacal_gen.machine.registry import Array
+
+AT_REST = 0.01  # of a joint's highest speeds: below it friction is not known
+NOISY_SPEED = 5.0  # standard deviations of a velocity: nor is its sign
+USUAL = ("coulomb_friction", "viscous_friction", "torque_offset")  # what every drive has, to begin with
+HIGHEST = 0.99  # quantile of speeds that is meant by highest
+FEW = 100  # samples: a joint with fewer in motion is not looked at
+REFINED = 25  # values of a constant that are tried around the one found
+WIDE = 1.6  # factor either way
+SMOOTH = 12  # hats of a smooth function of position, which waves must beat
+
+
+@dataclass(frozen=True, eq=False)
+class Joint:
+    """Samples of one joint in motion.
+
+    Attributes
+    ----------
+    number : int
+        From 1.
+    unit : str
+        Of its readings in files.
+    threshold : float
+        Speed below which a sample is at rest [rad/s or mm/s].
+    used : (N,) array of bool
+        Samples in motion that hold a reading.
+    resting : int
+        Samples with a reading that were set aside as at rest.
+    fold : (M,) array of int
+        Of the samples used.
+    rows : (M,) array of int
+        Which samples these are.
+    X, y : (M, r), (M,) arrays
+        What each base parameter asks of the joint, and what it gave, in units inside.
+    states : dict of (M,) arrays
+        What effects read.
+    piece : (N,) array of int
+        Of all samples.
+    step : float
+        Between samples [s].
+    """
+
+    robot: Robot
+    number: int
+    unit: str
+    threshold: float
+    used: np.ndarray
+    resting: int
+    fold: np.ndarray
+    rows: np.ndarray
+    X: Array
+    y: Array
+    states: dict[str, Array]
+    piece: np.ndarray
+    step: float
+
+    @property
+    def moves(self) -> bool:
+        """Whether there are samples enough, in two folds at least."""
+        return len(self.y) >= FEW and len(np.unique(self.fold[self.fold != BETWEEN])) > 1
+
+    @cached_property
+    def candidates(self) -> tuple[Rung, ...]:
+        """All effects that these samples can tell, with the constants to be looked at."""
+        every = np.ones(len(self.y), dtype=bool)
+        return tuple(rungs(self.robot, self.states | {"torque": self.y}, every))
+
+    def columns(self, some: Sequence[Rung], load: Array) -> Array:
+        """Return the columns (M, r + c) of the rigid machine and of some effects, by the load (M,) on the joint."""
+        states = self.states | {"torque": load}
+        return np.hstack([self.X, *(rung.columns(states) for rung in some)])
+
+    def load_by(self, folds: Sequence[int] | None) -> Array:
+        """Return what the rigid machine asks of the joint (M,), by a fit beside usual friction to some folds or all."""
+        some = [Rung(name) for name in USUAL]
+        X = self.columns(some, np.zeros(len(self.y)))
+        bench = Bench.of(X, self.y, self.fold, self.X.shape[1])
+        every = range(X.shape[1])
+        bench = bench.with_ridge(every)
+        found = bench.fit(every, range(len(bench.n)) if folds is None else folds) / bench.scale
+        rigid = self.X.shape[1]
+        return np.asarray(X[:, :rigid] @ found[:rigid])
+
+    def together_by(self, some: Sequence[Rung], load: Array) -> float:
+        """Return how many samples count as one, by what the rigid machine and some effects leave."""
+        X = self.columns(some, load)
+        bench = Bench.of(X, self.y, self.fold, self.X.shape[1])
+        every = range(X.shape[1])
+        left = self.y - X @ (bench.fit(every, range(len(bench.n))) / bench.scale)
+        return self.correlated(left)
+
+    def correlated(self, left: Array) -> float:
+        """Return how many samples count as one, by residuals (M,)."""
+        whole = np.zeros(len(self.piece))
+        whole[self.rows] = left
+        return together(whole, self.piece, self.used, self.step)
+
+    def filtered(self, left: Array, time: Array, cutoff: float | None) -> Array:
+        """Return residuals (M,) through the low-pass of the joints, readings and model alike; nan near rest."""
+        if cutoff is None:
+            return left
+        whole = np.full((len(self.piece), 1), np.nan)
+        whole[self.rows, 0] = left
+        there = np.isfinite(whole[:, 0])
+        parts = np.cumsum(np.diff(self.piece, prepend=0) + np.diff(there.astype(int), prepend=0) != 0)
+        out = np.full(len(whole), np.nan)
+        out[there] = smooth(whole[there], time[there], parts[there], 0.5 / cutoff, 0)[0, :, 0]
+        return np.asarray(out[self.rows])
+
+
+def joints_of(
+    robot: Robot, given: Trajectories, motion: Motion, columns: Sequence[Array], payload: Array
+) -> list[Joint]:
+    """Return every joint of a recording.
+
+    Parameters
+    ----------
+    columns : sequence of (N, r) arrays
+        What base parameters ask of each joint.
+    payload : (N, n_q) array
+        What 1 kg at the tool point asks of it.
+    """
+    found = []
+    qd = motion.states[1]
+    known = np.isfinite(motion.states).all(axis=(0, 2)) & ~motion.loose
+    for j, X in enumerate(columns):
+        y = given.readings[:, j] * INSIDE[given.units[j]]
+        threshold = resting_below(motion, j)
+        there = known & np.isfinite(y)
+        used = there & (np.abs(qd[:, j]) > threshold)
+        carried = payload[:, j] * given.payload
+        if given.units[j] in ("Nm", "N"):
+            y = y - carried
+        elif carried.any():  # what the drive gives per torque is unknown, for the payload as for the machine
+            X = np.column_stack([X, carried])
+        rows = np.flatnonzero(used)
+        states = {name: values[rows] for name, values in of_joint(given, motion.states, j).items()}
+        found.append(
+            Joint(
+                robot=robot,
+                number=j + 1,
+                unit=given.units[j],
+                threshold=threshold,
+                used=used,
+                resting=int((there & ~used).sum()),
+                fold=folds_of(given.time, given.run, used)[rows],
+                rows=rows,
+                X=X[rows],
+                y=y[rows],
+                states=states,
+                piece=given.piece,
+                step=given.step,
+            )
+        )
+    return found
+
+
+def resting_below(motion: Motion, joint: int) -> float:
+    """Return the speed [rad/s or mm/s] below which a joint (from 0) counts as at rest."""
+    speeds = np.abs(motion.states[1, :, joint])
+    highest = float(np.nanquantile(speeds, HIGHEST)) if np.isfinite(speeds).any() else 0.0
+    return max(AT_REST * highest, NOISY_SPEED * float(motion.noise[0, joint]))
+
+
+@dataclass(frozen=True, eq=False)
+class Fit:
+    """A joint with what was found.
+
+    Attributes
+    ----------
+    joint : Joint
+    rungs : tuple of Rung
+    coefficients, std : (r + c,) arrays
+        In units inside; of base parameters, then of effects.
+    load : (M,) array
+        What the rigid machine asks of the joint.
+    left : (M,) array
+        Residuals of the fit to all samples.
+    held_out : (M,) array
+        Residuals of samples that took no part in fit nor choice; nan of those that no fold holds.
+    together : float
+        Samples that count as one.
+    bought : tuple of float
+        Part of the held-out rms that each rung takes away beside the others.
+    gains : tuple of float
+        Of chi2, likewise.
+    alike : tuple of tuple of str
+        Effects that would do as well in place of each.
+    """
+
+    joint: Joint
+    rungs: tuple[Rung, ...]
+    coefficients: Array
+    std: Array
+    load: Array
+    left: Array
+    held_out: Array
+    together: float
+    bought: tuple[float, ...] = ()
+    gains: tuple[float, ...] = ()
+    alike: tuple[tuple[str, ...], ...] = ()
+
+    @property
+    def sigma(self) -> float:
+        """Standard deviation of residuals, for the coefficients that were fitted."""
+        free = max(1.0, len(self.left) / self.together - len(self.coefficients))
+        return float(np.sqrt(np.mean(self.left**2) * (len(self.left) / self.together) / free))
+
+
+def fitted(joint: Joint, some: Sequence[Rung], held_out: Array | None = None, **told: object) -> Fit:
+    """Return the fit of a joint's rigid machine and some effects to all samples.
+
+    `held_out` are residuals that were found otherwise; by default those of folds, each fitted by the others.
+    """
+    load = joint.load_by(None)
+    X = joint.columns(some, load)
+    for _ in range(2 if any("torque" in rung.kernels.STATE for rung in some) else 0):
+        load, X = _with_load(joint, some, X)
+    bench = Bench.of(X, joint.y, joint.fold, joint.X.shape[1])
+    every = range(X.shape[1])
+    bench = bench.with_ridge(every)
+    found = bench.fit(every, range(len(bench.n))) / bench.scale
+    left = joint.y - X @ found
+    count = joint.correlated(left)
+    free = max(1.0, len(left) / count - len(found))
+    variance = float(left @ left) / count / free
+    std = np.sqrt(np.maximum(np.diag(bench.covariance(every)), 0.0) * variance * count) / bench.scale
+    if held_out is None:
+        held_out = np.full(len(left), np.nan)
+        for fold in bench.folds:
+            own = joint.fold == fold
+            apart = bench.fit(every, [f for f in bench.folds if f != fold]) / bench.scale
+            held_out[own] = joint.y[own] - X[own] @ apart
+    rigid = joint.X.shape[1]
+    load = np.asarray(joint.X @ found[:rigid])
+    return Fit(joint, tuple(some), found, std, load, left, held_out, count, **told)  # type: ignore[arg-type]
+
+
+def _with_load(joint: Joint, some: Sequence[Rung], X: Array) -> tuple[Array, Array]:
+    """Return the load by a fit with columns X, and the columns by that load."""
+    bench = Bench.of(X, joint.y, joint.fold, joint.X.shape[1])
+    found = bench.fit(range(X.shape[1]), range(len(bench.n))) / bench.scale
+    load = np.asarray(joint.X @ found[: joint.X.shape[1]])
+    return load, joint.columns(some, load)
+
+
+def climbed(joint: Joint) -> Fit:
+    """Return the fit of a joint with the effects that are worth it.
+
+    Fold by fold the effects are chosen, and fitted, by the others: residuals of that fold are those of a choice and a
+    fit that it took no part in. The effects that are named are then chosen by all folds.
+    """
+    candidates = joint.candidates
+    load = joint.load_by(None)
+    X = joint.columns(candidates, load)
+    rigid = joint.X.shape[1]
+    ends = rigid + np.cumsum([0, *(rung.width for rung in candidates)])
+    at = tuple(tuple(range(a, b)) for a, b in pairwise(ends))
+    usual = [k for k, rung in enumerate(candidates) if rung.effect in USUAL]
+    X = np.hstack([X, hats(joint.states["q"], SMOOTH)])
+    bench = Bench.of(X, joint.y, joint.fold, rigid)
+    count = joint.together_by([candidates[k] for k in usual], load)
+    rival = tuple(range(int(ends[-1]), X.shape[1]))
+    ladder = Ladder(bench, candidates, at, count, rival, resolution(joint.states))
+    held_out = np.full(len(joint.y), np.nan)
+    for fold in bench.folds:
+        others, own = [f for f in bench.folds if f != fold], joint.fold == fold
+        held_out[own] = _apart(joint, ladder, X, others, own)
+    chosen = ladder.climb(bench.folds)
+    chosen.sort(key=lambda k: (candidates[k].effect not in USUAL, candidates[k].effect, candidates[k].constants))
+    refined = [_refined(joint, candidates, chosen, k, load, bench.folds) for k in chosen]
+    ladder, chosen = _again(joint, ladder, X, refined, chosen, load)
+    return fitted(
+        joint,
+        [ladder.rungs[k] for k in chosen],
+        held_out,
+        bought=tuple(ladder.buys(chosen, k, bench.folds) for k in chosen),
+        gains=tuple(ladder.gain(chosen, k, bench.folds) for k in chosen),
+        alike=tuple(_alike(ladder, chosen, k) for k in chosen),
+    )
+
+
+def _apart(joint: Joint, ladder: Ladder, X: Array, others: Sequence[int], own: np.ndarray) -> Array:
+    """Return residuals of some samples `own` by a choice and a fit of other folds alone."""
+    load, bench, candidates = joint.load_by(others), ladder.bench, ladder.rungs
+    for k in [k for k, rung in enumerate(candidates) if "torque" in rung.kernels.STATE]:
+        (c,) = ladder.at[k]
+        values = candidates[k].columns(joint.states | {"torque": load})[:, 0] / bench.scale[c]
+        bench = bench.with_column(c, values, X, joint.y, joint.fold)
+    chosen = dataclasses.replace(ladder, bench=bench).climb(others)
+    some = [_refined(joint, candidates, chosen, k, load, others) for k in chosen]
+    columns = joint.columns(some, load)
+    apart, every = Bench.of(columns, joint.y, joint.fold, joint.X.shape[1]), range(columns.shape[1])
+    found = apart.with_ridge(every, others).fit(every, others) / apart.scale
+    return np.asarray(joint.y[own] - columns[own] @ found)
+
+
+def _again(
+    joint: Joint, ladder: Ladder, X: Array, refined: Sequence[Rung], chosen: Sequence[int], load: Array
+) -> tuple[Ladder, list[int]]:
+    """Return the ladder with refined constants, and those of its rungs that are still needed then."""
+    states, bench, rungs = joint.states | {"torque": load}, ladder.bench, list(ladder.rungs)
+    for k, rung in zip(chosen, refined, strict=True):
+        if rung != rungs[k]:
+            rungs[k], columns = rung, rung.columns(states)
+            for n, c in enumerate(ladder.at[k]):
+                X[:, c] = columns[:, n]
+                bench = bench.with_column(c, columns[:, n] / bench.scale[c], X, joint.y, joint.fold)
+    ladder = dataclasses.replace(ladder, bench=bench, rungs=tuple(rungs))
+    return ladder, ladder.needed(list(chosen), bench.folds)
+
+
+def _alike(ladder: Ladder, chosen: Sequence[int], rung: int) -> tuple[str, ...]:
+    """Return the effects that would do as well in place of one: a difference in chi2 below 10."""
+    others, folds = [k for k in chosen if k != rung], ladder.bench.folds
+    count = float(ladder.bench.n[list(folds)].sum()) / ladder.together
+    now = ladder.bench.train(ladder.columns(chosen), folds)
+    found: dict[str, None] = {}
+    for k in ladder.open(chosen) if len(chosen) else []:
+        effect = ladder.rungs[k].effect
+        if effect != ladder.rungs[rung].effect and effect not in found:
+            after = ladder.bench.train(ladder.columns([*others, k]), folds)
+            if count * np.log(after / now) < 10.0:
+                found[effect] = None
+    return tuple(found)
+
+
+def _refined(
+    joint: Joint, candidates: Sequence[Rung], chosen: Sequence[int], rung: int, load: Array, folds: Sequence[int]
+) -> Rung:
+    """Return an effect with the size of its constant that leaves least of some folds, around the one found."""
+    own = candidates[rung]
+    if "sizes" not in own.kernels.SEARCHED:
+        return own
+    others = [candidates[k] for k in chosen if k != rung]
+    tried = [Rung(own.effect, (own.constants[0] * f,)) for f in np.geomspace(1 / WIDE, WIDE, REFINED)]
+    X = joint.columns([*others, *tried], load)
+    bench = Bench.of(X, joint.y, joint.fold, joint.X.shape[1])
+    first = X.shape[1] - sum(t.width for t in tried)
+    errors = [bench.train([*range(first), first + n], folds) for n in range(len(tried))]
+    return tried[int(np.argmin(errors))]

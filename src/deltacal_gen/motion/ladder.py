@@ -1,0 +1,134 @@
+"""The ladder of one joint: effects that are taken one by one, as long as each buys something on held-out samples."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from deltacal_gen.motion.library import Rung
+from deltacal_gen.motion.regression import Bench
+
+if TYPE_CHECKING:
+    from deltacal_gen.machine.registry import Array
+
+BUYS = 0.02  # of the held-out rms: what a rung must take away
+MOST = 8  # rungs
+LOOKED_AT = 15  # of the candidates that leave least of the samples of a fit: the ones that are held out
+ROUNDS = 3  # of climbing and stepping back
+PER_COEFFICIENT = 6.0  # of chi2: what a coefficient must earn; and twice the logarithm of how many were looked at
+SEVERAL = "orders"  # a machine may have an effect that is searched so at several of them
+
+
+@dataclass(frozen=True)
+class Ladder:
+    """Candidates of one joint and where their columns stand.
+
+    Attributes
+    ----------
+    bench : Bench
+    rungs : tuple of Rung
+    at : tuple of tuple of int
+        Columns of each.
+    together : float
+        Samples that count as one.
+    rival : tuple of int
+        Columns of a smooth function of the joint's position: what is no better than that is no periodic effect.
+    resolution : float
+        Periods per turn by which two waves differ that the joint's motion tells apart.
+    """
+
+    bench: Bench
+    rungs: tuple[Rung, ...]
+    at: tuple[tuple[int, ...], ...]
+    together: float
+    rival: tuple[int, ...] = ()
+    resolution: float = 1.0
+
+    def columns(self, chosen: Sequence[int]) -> list[int]:
+        """Return the columns of the rigid machine and of some rungs."""
+        return [*range(self.bench.rigid), *(c for k in chosen for c in self.at[k])]
+
+    def climb(self, folds: Sequence[int]) -> list[int]:
+        """Return the rungs that are worth it, by what they buy on folds that fits took no part in."""
+        chosen = self._climb(range(len(self.rungs)), folds)
+        waves = [k for k in chosen if SEVERAL in self.rungs[k].kernels.SEARCHED]
+        if waves:
+            others = [k for k in chosen if k not in waves]
+            smooth = self.bench.held_out([*self.columns(others), *self.rival], folds)
+            if smooth <= self.bench.held_out(self.columns(chosen), folds):
+                chosen = self._climb([k for k, r in enumerate(self.rungs) if SEVERAL not in r.kernels.SEARCHED], folds)
+        return chosen
+
+    def _climb(self, allowed: Sequence[int], folds: Sequence[int]) -> list[int]:
+        """Return the rungs of those allowed that are worth it."""
+        chosen: list[int] = []
+        for _ in range(ROUNDS):
+            before = list(chosen)
+            while len(chosen) < MOST and (found := self._next(chosen, folds, allowed)) is not None:
+                chosen.append(found)
+            chosen = self.needed(chosen, folds)
+            if set(chosen) == set(before):
+                break
+        return chosen
+
+    def buys(self, chosen: Sequence[int], rung: int, folds: Sequence[int]) -> float:
+        """Return which part of the held-out rms a rung takes away beside the others chosen."""
+        without = self.bench.held_out(self.columns([k for k in chosen if k != rung]), folds)
+        return 1.0 - float(np.sqrt(self.bench.held_out(self.columns([*chosen]), folds) / without))
+
+    def gain(self, chosen: Sequence[int], rung: int, folds: Sequence[int]) -> float:
+        """Return by how much chi2 falls with a rung beside the others, samples that hang together counted as one."""
+        count = float(self.bench.n[list(folds)].sum()) / self.together
+        before = self.bench.train(self.columns([k for k in chosen if k != rung]), folds)
+        after = self.bench.train(self.columns([*chosen]), folds)
+        return count * float(np.log(before / max(after, 1e-300)))
+
+    def charge(self, rung: int) -> float:
+        """Return what a rung must earn in chi2."""
+        return PER_COEFFICIENT * len(self.at[rung]) + 2 * float(np.log(len(self.rungs)))
+
+    def open(self, chosen: Sequence[int]) -> list[int]:
+        """Return the rungs that may still be taken: an effect once, at one of its sizes."""
+        taken = {self.rungs[k].effect for k in chosen if SEVERAL not in self.rungs[k].kernels.SEARCHED}
+        near = {k for k, r in enumerate(self.rungs) for c in chosen if self._near(r, self.rungs[c])}
+        return [k for k, r in enumerate(self.rungs) if k not in near and k not in chosen and r.effect not in taken]
+
+    def _near(self, one: Rung, other: Rung) -> bool:
+        """Tell whether two waves differ by less than a period over what the joint passes: nobody tells them apart."""
+        waves = one.effect == other.effect and SEVERAL in one.kernels.SEARCHED
+        return waves and abs(one.constants[0] - other.constants[0]) < self.resolution
+
+    def _next(self, chosen: list[int], folds: Sequence[int], allowed: Sequence[int]) -> int | None:
+        """Return the rung that buys most; None where none buys enough."""
+        rest = [k for k in self.open(chosen) if k in allowed]
+        if not rest or len(folds) < 2:
+            return None
+        gains = self.bench.gains(self.columns(chosen), [self.at[k] for k in rest], folds)
+        rest = [rest[n] for n in np.argsort(-gains)[:LOOKED_AT]]
+        now = self.bench.held_out(self.columns(chosen), folds)
+        errors = [self.bench.held_out(self.columns([*chosen, k]), folds) for k in rest]
+        for n in np.argsort(errors):
+            if np.sqrt(errors[n] / now) > 1.0 - BUYS:
+                return None
+            if self.gain([*chosen, rest[n]], rest[n], folds) > self.charge(rest[n]):
+                return rest[n]
+        return None
+
+    def needed(self, chosen: list[int], folds: Sequence[int]) -> list[int]:
+        """Return the rungs without those that the others make needless, the most needless first."""
+        while chosen:
+            bought = [self.buys(chosen, k, folds) for k in chosen]
+            least = int(np.argmin(bought))
+            if bought[least] >= BUYS:
+                break
+            chosen = [k for k in chosen if k != chosen[least]]
+        return chosen
+
+    def residual_of(self, X: Array, y: Array, chosen: Sequence[int], coefficients: Array) -> Array:
+        """Return what coefficients, as scaled, leave of readings (N,)."""
+        at = self.columns(chosen)
+        left: Array = y - X[:, at] @ (coefficients / self.bench.scale[at])
+        return left

@@ -1,0 +1,87 @@
+"""What a model of a machine in motion predicts for other samples, and how far off it is there."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from deltacal_gen.files.robot import robot_of
+from deltacal_gen.motion.derivatives import motion, smooth
+from deltacal_gen.motion.library import Rung, of_joint
+from deltacal_gen.motion.rigid import Rigid
+from deltacal_gen.motion.trajectories import INSIDE, Trajectories
+from deltacal_gen.results.motion import JointModel, MotionModel, MotionValidation
+
+if TYPE_CHECKING:
+    from deltacal_gen.machine.registry import Array
+
+
+def predicted(known: MotionModel, given: Trajectories) -> Trajectories:
+    """Return a recording with the readings that a model predicts; blank at rest, where friction is not known.
+
+    Measured cells are not read. A joint that did not move in the recording of the model has no prediction.
+    """
+    robot = robot_of(known.robot)
+    rigid, found = Rigid(robot), motion(given, known.motion.cutoff_Hz)
+    states = np.nan_to_num(found.states)
+    models = {model.joint: model for model in known.joints}
+    chosen = [models[j + 1].columns if j + 1 in models else () for j in range(given.joints.shape[1])]
+    columns = rigid.columns(states, [np.array(some, dtype=int) for some in chosen])
+    payload = rigid.of_payload(states) * given.payload[:, None]
+    units = tuple(column.rpartition("_")[2] if "_" in column else "1" for column in known.columns)
+    out = np.full(given.joints.shape, np.nan)
+    for j, model in models.items():
+        value = _of_joint(model, given, states, columns[j - 1], payload[:, j - 1], units[j - 1])
+        moving = np.abs(found.states[1, :, j - 1]) > model.at_rest_below
+        out[:, j - 1] = np.where(moving, value / INSIDE[units[j - 1]], np.nan)
+    return dataclasses.replace(given, readings=out, columns=known.columns, units=units)
+
+
+def _of_joint(
+    model: JointModel, given: Trajectories, states: Array, columns: Array, payload: Array, unit: str
+) -> Array:
+    """Return what a joint's drive gives (N,), in units inside."""
+    load = columns @ np.array(model.coefficients)
+    if model.payload is not None:
+        load = load + model.payload * payload
+    carried = payload if unit in ("Nm", "N") else 0.0
+    read = of_joint(given, states, model.joint - 1, load)
+    total = load + carried
+    for term in model.terms:
+        total = total + Rung(term.effect, term.constants).columns(read) @ np.array(term.values)
+    return np.asarray(total)
+
+
+def validated(known: MotionModel, given: Trajectories) -> MotionValidation:
+    """Return how far off a model is on samples that it has not seen."""
+    done = predicted(known, given)
+    left = given.readings - done.readings
+    rms = tuple(_rms(left[:, j]) for j in range(left.shape[1]))
+    units = set(done.units)
+    together: dict[str, Any] = {f"rms_{done.units[0]}": _rms(left)} if len(units) == 1 else {}
+    return MotionValidation(
+        kind=known.kind,
+        readings=int(np.isfinite(left).sum()),
+        **together,
+        rms_by_joint=rms,
+        rms_by_joint_filtered=tuple(
+            _rms(_filtered(left[:, j], given, known.motion.cutoff_Hz)) for j in range(len(rms))
+        ),
+        unit_by_joint=done.units,
+        at_rest=int((np.isfinite(given.readings) & ~np.isfinite(done.readings)).sum()),
+    )
+
+
+def _filtered(left: Array, given: Trajectories, cutoff: float | None) -> Array:
+    there = np.isfinite(left)
+    if cutoff is None or not there.any():
+        return left
+    changes = np.diff(given.piece, prepend=0) + np.abs(np.diff(there.astype(int), prepend=0)) != 0
+    return np.asarray(smooth(left[there, None], given.time[there], np.cumsum(changes)[there], 0.5 / cutoff, 0)[0, :, 0])
+
+
+def _rms(values: Array) -> float | None:
+    known = values[np.isfinite(values)]
+    return float(np.sqrt(np.mean(known**2))) if len(known) else None

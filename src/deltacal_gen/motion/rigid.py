@@ -1,0 +1,150 @@
+"""The rigid machine in a recording: base parameters, and what each of them asks of the joints at every sample."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from deltacal_gen.machine.dynamics import Dynamics
+from deltacal_gen.machine.values import Robot
+
+if TYPE_CHECKING:
+    from deltacal_gen.machine.registry import Array
+
+GENERAL = 60  # samples in general position per joint, by which ranks are found
+SIZE = {"rad": 1.0, "mm": 200.0}  # of joints, velocities and accelerations there
+RANK = 1e-9  # of the largest: a smaller diagonal of R is a column that others make up
+TERM = 1e-6  # of a combination's largest term: smaller ones are not told
+BLOCK = 4096  # samples at a time
+POINTS = (-150.0, -50.0, 0.0, 50.0, 150.0)  # mm, along each axis: where masses of a consistent body may sit
+
+
+@dataclass(frozen=True, eq=False)
+class Base:
+    """Parameters that some rows of the regressor can know.
+
+    Attributes
+    ----------
+    chosen : (r,) array of int
+        Columns that no combination of earlier ones makes up.
+    made_up : (r, n) array
+        What each base parameter is made of: ``base = made_up @ parameters``.
+    """
+
+    chosen: np.ndarray
+    made_up: Array
+
+    @property
+    def rank(self) -> int:
+        """How many there are."""
+        return len(self.chosen)
+
+
+class Rigid:
+    """A robot whose inertial parameters are unknown.
+
+    Attributes
+    ----------
+    dynamics : Dynamics
+    own : tuple of Base
+        Base parameters by the torque of each joint alone.
+    common : Base
+        Those by all joints together.
+    """
+
+    def __init__(self, robot: Robot) -> None:
+        self.dynamics = Dynamics(robot)
+        self._sign = robot.joint_sign
+        self._tool = robot.tool
+        rng = np.random.default_rng(0)  # of a rank, which general position does not depend on
+        sizes = np.array([SIZE[unit] for unit in self.dynamics.joint_units])
+        general = rng.standard_normal((3, GENERAL * self.dynamics.joints, self.dynamics.joints)) * sizes
+        Y = self.dynamics.regressor(general)
+        self.own = tuple(base_of(Y[:, j]) for j in range(self.dynamics.joints))
+        self.common = base_of(np.concatenate([Y[:, j] / np.abs(Y[:, j]).max() for j in range(self.dynamics.joints)]))
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the inertial parameters."""
+        return self.dynamics.names
+
+    @cached_property
+    def payload(self) -> Array:
+        """What 1 kg at the tool point adds to the inertial parameters, (n,)."""
+        return self.dynamics.of_payload(self._tool)
+
+    def columns(self, states: Array, chosen: Sequence[np.ndarray] | None = None) -> list[Array]:
+        """Return what inertial parameters ask of each joint, (N, r) per joint, positive along positive readings.
+
+        Parameters
+        ----------
+        states : (3, N, n_q) array
+            As the controller counts.
+        chosen : sequence of (r,) arrays of int, optional
+            Numbers of the parameters, per joint; the base by its own torque by default.
+        """
+        chosen = [base.chosen for base in self.own] if chosen is None else chosen
+        out = [np.empty((states.shape[1], len(some))) for some in chosen]
+        for first in range(0, states.shape[1], BLOCK):
+            part = slice(first, first + BLOCK)
+            Y = self._sign[:, None] * self.dynamics.regressor(self._sign * states[:, part])
+            for j, some in enumerate(chosen):
+                out[j][part] = Y[:, j, some]
+        return out
+
+    def of_payload(self, states: Array) -> Array:
+        """Return what 1 kg at the tool point asks of each joint (N, n_q)."""
+        return np.asarray(self._sign * self.dynamics.torque(self._sign * states, self.payload))
+
+    def words(self, base: Base) -> list[tuple[str, str]]:
+        """Return name and combination of each base parameter."""
+        found = []
+        for row, k in zip(base.made_up, base.chosen, strict=True):
+            terms = [(k, 1.0), *((n, c) for n, c in enumerate(row) if n != k and abs(c) > TERM)]
+            text = " ".join(f"{'-' if c < 0 else '+'} {_factor(abs(c))}{self.names[n]}" for n, c in terms)
+            found.append((self.names[k], text.removeprefix("+ ")))
+        return found
+
+    def unseen(self, base: Base) -> list[str]:
+        """Return in words which parameters no torque knows for itself."""
+        never = [self.names[n] for n in np.flatnonzero(~base.made_up.any(axis=0))]
+        shared = [self.names[n] for n in range(len(self.names)) if n not in base.chosen and base.made_up[:, n].any()]
+        found = []
+        if never:
+            found.append(f"no torque depends on {', '.join(never)}")
+        if shared:
+            found.append(f"only in combination with those of the base: {', '.join(shared)}")
+        return found
+
+
+def _factor(c: float) -> str:
+    return "" if abs(c - 1) < TERM else f"{c:.6g} "
+
+
+def base_of(Y: Array) -> Base:
+    """Return the base parameters of a regressor (M, n) in general position: QR, column by column."""
+    sizes = np.linalg.norm(Y, axis=0)
+    seen = np.flatnonzero(sizes > RANK * sizes.max())
+    R = np.linalg.qr(Y[:, seen] / sizes[seen], mode="r")
+    chosen: list[int] = []
+    kept: list[Array] = []  # orthonormal directions so far
+    scaled = np.asarray(R)
+    for c in range(len(seen)):
+        rest = scaled[:, c].copy()
+        for _ in range(2):
+            for direction in kept:
+                rest -= direction * (direction @ rest)
+        size = float(np.linalg.norm(rest))
+        if size > 1e-7:
+            kept.append(rest / size)
+            chosen.append(c)
+    columns = scaled[:, chosen]
+    weights = np.linalg.lstsq(columns, scaled, rcond=None)[0]
+    made_up = np.zeros((len(chosen), Y.shape[1]))
+    made_up[:, seen] = weights * sizes[seen] / sizes[seen[chosen]][:, None]
+    made_up[np.abs(made_up) < 1e-9 * np.abs(made_up).max(axis=1, keepdims=True)] = 0.0
+    return Base(seen[chosen], made_up)

@@ -1,0 +1,187 @@
+"""A recording in motion, made ready: derivatives, what the rigid machine asks of every joint, samples in motion."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.files.robot import kept_robot
+from deltacal_gen.machine.values import Robot
+from deltacal_gen.motion.derivatives import Motion, motion
+from deltacal_gen.motion.joint import Fit, Joint, joints_of
+from deltacal_gen.motion.regression import GAP, LEAST_RUNS, STRETCH
+from deltacal_gen.motion.rigid import Rigid
+from deltacal_gen.motion.trajectories import INSIDE, Trajectories
+from deltacal_gen.results.motion import Derivatives, JointModel, Left, MotionNoise, TorqueTerm
+from deltacal_gen.results.parts import Source
+from deltacal_gen.units import DEG
+
+if TYPE_CHECKING:
+    from deltacal_gen.machine.registry import Array
+
+HELD_OUT = (
+    f"whole runs, of a joint that moves in at least {LEAST_RUNS}; otherwise stretches of at least {STRETCH:g} s, with "
+    f"{GAP:g} s on either side that no fit uses"
+)
+FILTER = "nothing: readings are fitted as recorded; figures through the filter are of readings and model both"
+
+
+@dataclass(frozen=True, eq=False)
+class Session:
+    """A recording in motion.
+
+    Attributes
+    ----------
+    robot : Robot
+    given : Trajectories
+    motion : Motion
+    rigid : Rigid
+    joints : list of Joint
+    """
+
+    robot: Robot
+    given: Trajectories
+    motion: Motion
+    rigid: Rigid
+    joints: list[Joint]
+
+    @classmethod
+    def of(cls, robot: Robot, given: Trajectories, cutoff: float | None = None) -> Session:
+        """Return a recording made ready; `cutoff` [Hz] of the derivatives where it is known already."""
+        rigid, found = Rigid(robot), motion(given, cutoff)
+        states = np.nan_to_num(found.states)
+        joints = joints_of(robot, given, found, rigid.columns(states), rigid.of_payload(states))
+        return cls(robot, given, found, rigid, joints)
+
+    @property
+    def moving(self) -> list[Joint]:
+        """The joints of which there are samples enough.
+
+        Raises
+        ------
+        InputError
+            There are none.
+        """
+        found = [joint for joint in self.joints if joint.moves]
+        if not found:
+            raise InputError(
+                "no joint moves for long enough: friction at rest is not known, and nothing could be held out.",
+                "Record several runs, or one of at least ten seconds, in which joints move.",
+                file=self.given.path,
+            )
+        return found
+
+    def rms(self, joint: Joint, residual: Array) -> float | None:
+        """Return the rms of residuals of a joint, in the unit of its readings; None where there are none."""
+        known = residual[np.isfinite(residual)]
+        return float(np.sqrt(np.mean(known**2))) / INSIDE[joint.unit] if len(known) else None
+
+    def each(self, fits: Sequence[Fit], value: Callable[[Fit], float | None]) -> tuple[float | None, ...]:
+        """Return a figure of every joint; None of those without a fit."""
+        known = {fit.joint.number: value(fit) for fit in fits}
+        return tuple(known.get(joint.number) for joint in self.joints)
+
+    def left(self, fits: Sequence[Fit], model: str | None = None) -> Left:
+        """Return what fits leave."""
+        train = self.each(fits, lambda f: self.rms(f.joint, f.left))
+        held = self.each(fits, lambda f: self.rms(f.joint, f.held_out))
+        filtered = self.each(
+            fits, lambda f: self.rms(f.joint, f.joint.filtered(f.held_out, self.given.time, self.motion.cutoff))
+        )
+        declared = [sigma_said(self.given, f.joint.unit) for f in fits]
+        chi2 = None
+        if all(declared):
+            free = sum(len(f.left) - len(f.coefficients) for f in fits)
+            noises = [(s or 1.0) * INSIDE[f.joint.unit] for f, s in zip(fits, declared, strict=True)]
+            parts = [np.sum((f.left / s) ** 2) for f, s in zip(fits, noises, strict=True)]
+            chi2 = float(sum(parts)) / max(free, 1)
+        return Left(
+            model=model,
+            **self.in_unit("train_rms", self.together(fits, lambda f: f.left)),
+            **self.in_unit("heldout_rms", self.together(fits, lambda f: f.held_out)),
+            train_rms_by_joint=train,
+            heldout_rms_by_joint=held,
+            heldout_rms_by_joint_filtered=filtered,
+            unit_by_joint=self.given.units,
+            chi2_per_dof=chi2,
+        )
+
+    def together(self, fits: Sequence[Fit], value: Callable[[Fit], Array]) -> float | None:
+        """Return the rms over all joints, in their common unit; None where they have none."""
+        if len({f.joint.unit for f in fits}) != 1:
+            return None
+        every = np.concatenate([value(f) / INSIDE[f.joint.unit] for f in fits])
+        every = every[np.isfinite(every)]
+        return float(np.sqrt(np.mean(every**2))) if len(every) else None
+
+    def in_unit(self, name: str, value: float | None) -> dict[str, Any]:
+        """Return a field of an answer by its name and the unit of the readings."""
+        return {} if value is None else {f"{name}_{self.given.units[0]}": value}
+
+    def noise(self, fits: Sequence[Fit]) -> MotionNoise:
+        """Return the noise as declared, or what fits leave."""
+        said = [sigma_said(self.given, unit) for unit in self.given.units]
+        by_joint = self.each(fits, lambda f: said[f.joint.number - 1] or f.sigma / INSIDE[f.joint.unit])
+        known = [s for s in by_joint if s is not None]
+        one = float(np.sqrt(np.mean(np.square(known)))) if len(set(self.given.units)) == 1 else None
+        return MotionNoise(
+            **self.in_unit("sigma", one),
+            sigma_by_joint=by_joint,
+            unit_by_joint=self.given.units,
+            source=Source.DECLARED if any(said) else Source.RESIDUAL,
+            together_by_joint=self.each(fits, lambda f: f.together),
+        )
+
+    def answered(self, fits: Sequence[Fit]) -> dict[str, Any]:
+        """Return the fields that all answers in motion have."""
+        units = [DEG if unit == "rad" else 1.0 for unit in self.rigid.dynamics.joint_units]
+        return {
+            "kind": self.given.said.measurement.kind,
+            "motion": Derivatives(
+                cutoff_Hz=self.motion.cutoff,
+                removed=self.motion.removed,
+                text=self.motion.text,
+                filter=FILTER,
+                at_rest=tuple(joint.resting for joint in self.joints),
+                at_rest_below=tuple(joint.threshold / by for joint, by in zip(self.joints, units, strict=True)),
+                held_out=HELD_OUT,
+                repairs=self.given.repairs,
+            ),
+            "inertial": self.rigid.names,
+            "joints": tuple(self._model(fit) for fit in fits),
+            "columns": self.given.columns,
+            "robot": kept_robot(self.robot),
+        }
+
+    def _model(self, fit: Fit) -> JointModel:
+        base = self.rigid.own[fit.joint.number - 1]
+        rigid, terms = fit.coefficients[: fit.joint.X.shape[1]], []
+        at = len(rigid)
+        for rung in fit.rungs:
+            values = fit.coefficients[at : at + rung.width]
+            terms.append(
+                TorqueTerm(
+                    effect=rung.effect,
+                    constants=tuple(float(c) for c in rung.constants),
+                    values=tuple(float(v) for v in values),
+                )
+            )
+            at += rung.width
+        return JointModel(
+            joint=fit.joint.number,
+            columns=tuple(int(k) for k in base.chosen),
+            coefficients=tuple(float(v) for v in rigid[: base.rank]),
+            payload=float(rigid[base.rank]) if len(rigid) > base.rank else None,
+            terms=tuple(terms),
+            at_rest_below=fit.joint.threshold,
+        )
+
+
+def sigma_said(given: Trajectories, unit: str) -> float | None:
+    """Return the noise that a sidecar declares for readings in a unit."""
+    found: float | None = getattr(given.said.measurement, f"sigma_{unit}")
+    return found

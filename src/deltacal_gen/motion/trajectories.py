@@ -1,0 +1,340 @@
+"""Recordings in motion: samples in time, run by run, of joints and of what their drives gave.
+
+What is wrong in a file is an error with its line and column, or is put right and said so: nothing is passed over.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.files.rows import Rows, number_of, read_table
+from deltacal_gen.files.toml import Positive, Table, TomlFile
+from deltacal_gen.machine.values import TEMPERATURE
+from deltacal_gen.units import joint_factors, joint_names, of_joints
+
+if TYPE_CHECKING:
+    from deltacal_gen.machine.registry import Array, Machine
+
+READ = re.compile(r"(tau|current|drive)\d+(_[A-Za-z]+)?")  # columns of what drives give
+SPIKE = 50.0  # times what neighbouring samples ordinarily differ by: no drive and no joint does that
+LONGEST_SPIKE = 3  # samples
+GAP = 4.5  # times the ordinary interval: what lies on both sides is not one movement
+INSIDE = {"Nm": 1000.0, "N": 1.0, "A": 1.0, "1": 1.0}  # of a unit in files: N mm, N, A, 1
+
+
+class _Measurement(Table):
+    kind: str
+    sigma_Nm: Positive | None = None
+    sigma_N: Positive | None = None
+    sigma_A: Positive | None = None
+    sigma_1: Positive | None = None
+    instrument: str | None = None
+    operator: str | None = None
+
+
+class _Motion(Table):
+    derivatives: Literal["recorded", "velocity recorded"] | None = None
+
+
+class Sidecar(Table):
+    """The sidecar of a recording in motion."""
+
+    measurement: _Measurement
+    motion: _Motion = _Motion()
+
+
+@dataclass(frozen=True, eq=False)
+class Trajectories:
+    """Samples in time of one machine.
+
+    Attributes
+    ----------
+    path : Path or str
+    joint_unit : str
+        ``"rad"`` or ``"mm"``; of a chain with both, one by one.
+    joints : (N, n_q) array
+        As the controller reports them [rad or mm].
+    time : (N,) array
+        From the start of each run [s], increasing within it.
+    run : (N,) array of int
+        Index into `run_names`.
+    piece : (N,) array of int
+        Which samples are one movement without a gap, counted over all runs.
+    line : (N,) array of int
+        In the file.
+    readings : (N, n_q) array
+        What the drives gave, in `units`; nan where nothing was read.
+    columns, units : tuple of str
+        Of the readings, joint by joint.
+    recorded : (2, N, n_q) array
+        Velocities and accelerations [rad or mm, s]; nan where the file has none.
+    channels : dict of (N,) arrays
+        Every other numeric column, in its unit there.
+    said : Sidecar
+    repairs : tuple of str
+        What was put right, with the line.
+    """
+
+    path: Path | str
+    joint_unit: str
+    joints: Array
+    time: Array
+    run: np.ndarray
+    run_names: tuple[str, ...]
+    piece: np.ndarray
+    line: np.ndarray
+    readings: Array
+    columns: tuple[str, ...]
+    units: tuple[str, ...]
+    recorded: Array
+    channels: Mapping[str, Array]
+    said: Sidecar
+    repairs: tuple[str, ...] = ()
+
+    @property
+    def n_rows(self) -> int:
+        """Number of samples."""
+        return len(self.joints)
+
+    @property
+    def step(self) -> float:
+        """Ordinary interval between two samples [s]."""
+        return ordinary_step(self.time, self.piece)
+
+    @property
+    def payload(self) -> Array:
+        """Mass at the tool point (N,) [kg]; nothing where the file does not say."""
+        found = self.channels.get("payload_kg")
+        return np.zeros(self.n_rows) if found is None else np.nan_to_num(found)
+
+
+def ordinary_step(time: Array, piece: np.ndarray) -> float:
+    """Return the median interval [s] between samples of one movement."""
+    inside = np.diff(piece) == 0
+    steps = np.diff(time)[inside]
+    return float(np.median(steps)) if len(steps) else 1.0
+
+
+def read_sidecar(path: Path) -> Sidecar | None:
+    """Return what the sidecar of a recording says, if that is in motion; None where there is none or it is not."""
+    sidecar = path.with_suffix(".toml")
+    if not sidecar.exists():
+        return None
+    file = TomlFile.read(sidecar)
+    head = file.data.get("measurement", {})
+    return file.check(Sidecar) if isinstance(head, Mapping) and head.get("kind") in KINDS else None
+
+
+KINDS = ("torque",)
+
+
+def read(path: str | Path, machine: Machine, sidecar: Sidecar, *, need_measured: bool = True) -> Trajectories:
+    """Read a recording in motion.
+
+    Raises
+    ------
+    InputError
+        The recording cannot be used; the message names file, line, column and remedy.
+    """
+    return trajectories(read_table(Path(path)), machine, sidecar, need_measured=need_measured)
+
+
+def trajectories(rows: Rows, machine: Machine, sidecar: Sidecar, *, need_measured: bool = True) -> Trajectories:
+    """Return the rows of a table as samples in time; see `read`."""
+    rows.require("time_s")
+    time = rows.numbers("time_s", blank=False)[:, 0]
+    labels = rows.labels("run", blank=False) or ["1"] * len(time)
+    run_names = tuple(dict.fromkeys(labels))
+    run = np.array([run_names.index(label) for label in labels])
+    kept, repairs = _increasing(rows, time, run, run_names)
+    rows = _subset(rows, kept)
+    time, run = time[kept], run[kept]
+    unit, limbs = machine.joint_unit, machine.limbs
+    factors = np.array(joint_factors(unit, limbs))
+    names = joint_names(unit, limbs)
+    joints = rows.numbers(*names, blank=False) * factors
+    columns, units = _read_columns(rows, machine, need_measured)
+    readings = _numbers(rows, columns)
+    piece = _pieces(time, run)
+    for name, values in (*zip(names, joints.T, strict=True), *zip(columns, readings.T, strict=True)):
+        repairs += _spikes_out(rows, name, values, piece, filled=name in names)
+    recorded = np.array(
+        [
+            _numbers(rows, joint_names(unit, limbs, pattern)) * factors
+            for pattern in ("qd{i}_{unit}_s", "qdd{i}_{unit}_s2")
+        ]
+    )
+    own = {*names, *columns, "time_s", "run", "pose", "setup"}
+    found = Trajectories(
+        path=rows.path,
+        joint_unit=unit,
+        joints=joints,
+        time=time,
+        run=run,
+        run_names=run_names,
+        piece=piece,
+        line=rows.line,
+        readings=readings,
+        columns=columns,
+        units=units,
+        recorded=recorded,
+        channels={name: _channel(rows, name) for name in rows.columns if name not in own and _is_channel(rows, name)},
+        said=sidecar,
+        repairs=tuple(repairs),
+    )
+    _check_derivatives(rows, found, machine)
+    return found
+
+
+def _subset(rows: Rows, kept: np.ndarray) -> Rows:
+    """Return some rows of a table."""
+    if kept.all():
+        return rows
+    chosen = np.flatnonzero(kept)
+    columns = {name: [cells[k] for k in chosen] for name, cells in rows.columns.items()}
+    return dataclasses.replace(rows, columns=columns, line=rows.line[chosen])
+
+
+def _increasing(rows: Rows, time: Array, run: np.ndarray, names: tuple[str, ...]) -> tuple[np.ndarray, list[str]]:
+    """Return which rows stay (N,), those that repeat a time going, and what is said of it.
+
+    Raises
+    ------
+    InputError
+        Time goes backwards within a run, or a run is interrupted by another one.
+    """
+    kept, repairs = np.ones(len(time), dtype=bool), []
+    for code, name in enumerate(names):
+        own = np.flatnonzero(run == code)
+        if (np.diff(own) != 1).any():
+            row = int(own[1:][np.diff(own) != 1][0])
+            raise rows.error(
+                f"run '{name}' goes on here, after rows of another one.",
+                "Keep each run together.",
+                row=row,
+                column="run",
+            )
+        steps = np.diff(time[own])
+        if (steps < 0).any():
+            row = int(own[1:][steps < 0][0])
+            raise rows.error(
+                f"time goes backwards within run '{name}': {time[row - 1]:g} s, then {time[row]:g} s.",
+                "Sort the rows, or give each uninterrupted movement a label of its own in the column 'run'.",
+                row=row,
+                column="time_s",
+            )
+        repeated = own[1:][steps == 0]
+        kept[repeated] = False
+        repairs += [
+            f"{rows.path}:{rows.line[k]}: the time of the row before once more; the row is left out" for k in repeated
+        ]
+    return kept, repairs
+
+
+def _pieces(time: Array, run: np.ndarray) -> np.ndarray:
+    """Return which samples belong to one movement without a gap (N,), counted over all runs."""
+    same = np.diff(run) == 0
+    steps = np.diff(time)
+    ordinary = float(np.median(steps[same])) if same.any() else np.inf
+    return np.concatenate([[0], np.cumsum(~same | (steps > GAP * ordinary))])
+
+
+def _read_columns(rows: Rows, machine: Machine, needed: bool) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Return the columns of what drives give, and their units; raises InputError where they cannot be used."""
+    limbs, sliding = machine.limbs, [u == "mm" for u in of_joints(machine.joint_unit, machine.limbs)]
+    numbers = range(1, limbs + 1)
+    forces = [("N" if slides else "Nm") for slides in sliding]
+    forms = {
+        "tau": ([f"tau{i}_{unit}" for i, unit in zip(numbers, forces, strict=True)], forces),
+        "current": ([f"current{i}_A" for i in numbers], ["A"] * limbs),
+        "drive": ([f"drive{i}" for i in numbers], ["1"] * limbs),
+    }
+    there = [name for name in rows.columns if READ.fullmatch(name)]
+    for name in there:
+        if not any(name in columns for columns, _ in forms.values()):
+            known = "; ".join(", ".join(columns) for columns, _ in forms.values())
+            raise rows.error(f"'{name}' is no reading of a drive of this machine.", f"Known: {known}.", column=name)
+    present = [word for word, (columns, _) in forms.items() if set(columns) & set(there)]
+    if len(present) > 1:
+        raise rows.error("the columns hold readings of several kinds of drives.", "Keep one of them.", column=there[0])
+    if not present and needed:
+        raise rows.error(
+            "no column holds what a drive gives.", f"Add one of: {'; '.join(', '.join(c) for c, _ in forms.values())}."
+        )
+    columns, units = forms[present[0] if present else "tau"]
+    if present:
+        rows.require(*columns)
+    return tuple(columns), tuple(units)
+
+
+def _numbers(rows: Rows, names: Any) -> Array:
+    """Return columns (N, k), each for itself; a column that is not there is blank."""
+    blank = np.full(len(rows.line), np.nan)
+    return np.column_stack([rows.numbers(name)[:, 0] if name in rows.columns else blank for name in names])
+
+
+def _is_channel(rows: Rows, name: str) -> bool:
+    cells = [cell for cell in rows.columns[name] if cell]
+    return bool(cells) and all(number_of(cell) is not None for cell in cells)
+
+
+def _channel(rows: Rows, name: str) -> Array:
+    found: Array = rows.numbers(name)[:, 0]
+    return found
+
+
+def temperature(given: Trajectories) -> Array | None:
+    """Return the temperature (N,) [degC] of a recording that has one."""
+    return next((values for name, values in given.channels.items() if TEMPERATURE.fullmatch(name)), None)
+
+
+def _spikes_out(rows: Rows, name: str, values: Array, piece: np.ndarray, *, filled: bool) -> list[str]:
+    """Take values out of a column (N,) that no machine gives for a few samples; return what is said of it.
+
+    A joint is put where its neighbours lead, a reading is blank then.
+    """
+    known = np.flatnonzero(np.isfinite(values))
+    if len(known) < 10 * LONGEST_SPIKE:
+        return []
+    window = 2 * LONGEST_SPIKE + 1
+    padded = np.pad(values[known], LONGEST_SPIKE, mode="edge")
+    middle = np.median(np.lib.stride_tricks.sliding_window_view(padded, window), axis=1)
+    off = np.abs(values[known] - middle)
+    ordinary = max(float(np.quantile(off, 0.99)), 1e-12 + 1e-3 * float(np.quantile(np.abs(values[known]), 0.99)))
+    spikes = known[off > SPIKE * ordinary]
+    said = [
+        f"{rows.path}:{rows.line[k]}: {name} reads {values[k]:g}, out of all proportion; it is left out" for k in spikes
+    ]
+    if len(spikes):
+        values[spikes] = np.nan
+        if filled:
+            there = np.isfinite(values)
+            values[spikes] = np.interp(spikes, np.flatnonzero(there), values[there])
+    return said
+
+
+def _check_derivatives(rows: Rows, found: Trajectories, machine: Machine) -> None:
+    """Raise an InputError where derivatives are said to be recorded and are not."""
+    said = found.said.motion.derivatives
+    needed = {None: (), "velocity recorded": (0,), "recorded": (0, 1)}[said]
+    for order in needed:
+        blank = np.isnan(found.recorded[order])
+        if blank.any():
+            pattern = ("qd{i}_{unit}_s", "qdd{i}_{unit}_s2")[order]
+            row, joint = np.argwhere(blank)[0]
+            column = joint_names(machine.joint_unit, machine.limbs, pattern)[joint]
+            raise InputError(
+                f'the sidecar says derivatives = "{said}", and this column has no number here.',
+                "Record it, or leave derivatives out under [motion]: they are then made of the joints.",
+                file=rows.path,
+                line=int(rows.line[row]),
+                column=column,
+            )

@@ -1,0 +1,106 @@
+"""What a ladder leaves: whether it depends on anything that was recorded, joint by joint."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from deltacal_gen.motion.joint import Fit
+from deltacal_gen.motion.ladder import PER_COEFFICIENT
+from deltacal_gen.motion.library import hats
+from deltacal_gen.motion.regression import Bench
+
+if TYPE_CHECKING:
+    from deltacal_gen.machine.registry import Array
+
+WAVES = 8  # hats across the range of a channel
+SHOWS = 0.03  # of the held-out rms: what a smooth function of a channel must take away
+ABOVE = 1.15  # times a declared noise: more is no noise
+
+
+@dataclass(frozen=True)
+class Rest:
+    """What is left of a joint.
+
+    Attributes
+    ----------
+    channel : str
+        What it depends on most; "" where nothing that was recorded tells.
+    share : float
+        Part of the held-out rms that a smooth function of it takes away.
+    text : str
+    """
+
+    joint: int
+    channel: str
+    share: float
+    text: str
+
+
+WORDS = {
+    "speed": "its speed",
+    "angle": "its position",
+    "load": "the torque that the rigid machine asks of it",
+    "acceleration": "its acceleration",
+    "time": "the time",
+    "temperature": "the temperature",
+    "direction": "its position, differently in both directions",
+    "reversal": "how far it has moved since it last turned back",
+}
+
+
+def channels(fit: Fit) -> dict[str, tuple[Array, Array]]:
+    """Return what the rest of a joint may depend on (M,), and by what that is weighted."""
+    states, one = fit.joint.states, np.ones(len(fit.left))
+    way = np.sign(states["qd"])
+    found = {
+        "speed": (states["qd"], one),
+        "angle": (states["q"], one),
+        "load": (fit.load, one),
+        "acceleration": (states["qdd"], one),
+        "time": (states["time"], one),
+        "direction": (states["q"], way),
+        "reversal": (_since_reversal(fit), way),
+    }
+    if "temperature" in states:
+        found["temperature"] = (states["temperature"], way)
+    return {name: pair for name, pair in found.items() if np.ptp(pair[0]) > 0}
+
+
+def _since_reversal(fit: Fit) -> Array:
+    """Return how far a joint has moved since it last turned back (M,)."""
+    q, way, rows = fit.joint.states["q"], np.sign(fit.joint.states["qd"]), fit.joint.rows
+    begins = np.flatnonzero((np.diff(way, prepend=0) != 0) | (np.diff(fit.joint.piece[rows], prepend=-1) != 0))
+    start = np.repeat(begins, np.diff(np.append(begins, len(q))))
+    return np.asarray(np.abs(q - q[start]))
+
+
+def rest(fit: Fit, sigma: float | None) -> Rest | None:
+    """Return what the rest of a joint depends on; None where nothing shows.
+
+    `sigma` is the noise where it is declared, in units inside.
+    """
+    best: tuple[float, str] = (0.0, "")
+    bench_before = Bench.of(np.ones((len(fit.left), 1)), fit.left, fit.joint.fold, 0)
+    folds = bench_before.folds
+    before = bench_before.held_out([0], folds)
+    count = float(sum(bench_before.n[list(folds)])) / fit.together
+    for name, (values, weight) in channels(fit).items():
+        X = hats(values, WAVES) * weight[:, None]
+        bench = Bench.of(X, fit.left, fit.joint.fold, X.shape[1])
+        every = range(X.shape[1])
+        bench = bench.with_ridge(every)
+        gain = count * float(np.log(before * sum(bench.n[list(folds)]) / bench.train(every, folds)))
+        share = 1.0 - float(np.sqrt(bench.held_out(every, folds) / before))
+        if share > max(SHOWS, best[0]) and gain > PER_COEFFICIENT * X.shape[1]:
+            best = share, name
+    share, name = best
+    if name:
+        text = f"what is left of joint {fit.joint.number} depends on {WORDS[name]}: {100 * share:.0f} % of its rms"
+        return Rest(fit.joint.number, name, share, text)
+    if sigma is not None and (over := fit.sigma / sigma) > ABOVE:
+        text = f"what is left of joint {fit.joint.number} is {over:.3g} times the noise and depends on nothing recorded"
+        return Rest(fit.joint.number, "", 0.0, text)
+    return None

@@ -1,0 +1,260 @@
+"""RESULT.json and DIAGNOSIS.json of recordings in motion: kind torque (contract, second part, section 8)."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from deltacal_gen.results.base import Answer, Value
+from deltacal_gen.results.diagnosis import Effect, Rejected, Verdict
+from deltacal_gen.results.parts import Made, Missing, RobotTables, Source
+from deltacal_gen.results.result import BaseParameter
+
+ByJoint = tuple[float | None, ...]  # null of a joint that does not move in the recording
+
+
+class Left(Value):
+    """What a model leaves of the readings of samples in motion, all joints together and joint by joint.
+
+    Together only where all joints are read in one unit. `_by_joint` are in `unit_by_joint`; `_filtered` are of readings
+    and model both through the low-pass of the joints.
+    """
+
+    model: str | None = None
+    train_rms_Nm: float | None = None
+    train_rms_N: float | None = None
+    train_rms_A: float | None = None
+    train_rms_1: float | None = None
+    heldout_rms_Nm: float | None = None
+    heldout_rms_N: float | None = None
+    heldout_rms_A: float | None = None
+    heldout_rms_1: float | None = None
+    train_rms_by_joint: ByJoint
+    heldout_rms_by_joint: ByJoint
+    heldout_rms_by_joint_filtered: ByJoint
+    unit_by_joint: tuple[str, ...]
+    chi2_per_dof: float | None = None
+    """Where the noise is declared."""
+
+
+class MotionNoise(Value):
+    """Noise of single readings."""
+
+    sigma_Nm: float | None = None
+    sigma_N: float | None = None
+    sigma_A: float | None = None
+    sigma_1: float | None = None
+    sigma_by_joint: ByJoint
+    unit_by_joint: tuple[str, ...]
+    source: Source
+    together_by_joint: ByJoint
+    """So many samples tell as much as one whose noise is its own."""
+
+
+class Derivatives(Value):
+    """How velocities and accelerations were made of the joints."""
+
+    cutoff_Hz: float | None
+    removed: float
+    """Part of the joints' signal, rms of its variation, that the low-pass takes away."""
+    text: str
+    filter: str
+    """What was filtered beside the joints."""
+    at_rest: tuple[int, ...]
+    """Samples of each joint that were set aside, since friction at rest is not known."""
+    at_rest_below: tuple[float, ...]
+    """Speed of each joint below which it counts as at rest [deg/s or mm/s]."""
+    held_out: str
+    repairs: tuple[str, ...]
+    """What was put right in the file, with its line."""
+
+
+class TorqueTerm(Value):
+    """An effect on the torque of a joint, in internal units (mm, rad, N, s, K; A or 1 where the reading is so)."""
+
+    effect: str
+    constants: tuple[float, ...]
+    values: tuple[float, ...]
+
+
+class JointModel(Value):
+    """What predicts the reading of a joint, in internal units."""
+
+    joint: int
+    columns: tuple[int, ...]
+    """Inertial parameters that have a coefficient, by their number in `inertial`."""
+    coefficients: tuple[float, ...]
+    payload: float | None = None
+    """What the reading is per torque of the payload, where that had to be found."""
+    terms: tuple[TorqueTerm, ...]
+    at_rest_below: float
+    """Speed [rad/s or mm/s]."""
+
+
+class RungOf(Value):
+    """A rung of a joint's ladder."""
+
+    limb: int
+    name: str
+    buys: float
+    """Part of the held-out rms that it takes away beside the other rungs."""
+    gain_chi2: float
+
+
+class LadderOf(Value):
+    """The ladder of a joint: what it has beside the rigid machine, and what each rung buys."""
+
+    limb: int
+    unit: str
+    rungs: tuple[RungOf, ...]
+    stops: str
+    """Why no further rung is taken."""
+
+
+class Unexplained(Value):
+    """A joint that no rung explains, and what the rest depends on."""
+
+    limb: int
+    channel: str
+    share: float
+    """Part of the held-out rms that a smooth function of that channel would take away."""
+    text: str
+
+
+class MotionModel(Answer):
+    """What results and diagnoses of recordings in motion have in common."""
+
+    kind: str
+    motion: Derivatives
+    inertial: tuple[str, ...]
+    """Names of all inertial parameters, body by body."""
+    joints: tuple[JointModel, ...]
+    """Of the joints that move."""
+    columns: tuple[str, ...]
+    """Of the readings, joint by joint."""
+    robot: RobotTables
+    made: Made | None = None
+
+
+class InertialParameter(BaseParameter):
+    """A base parameter, named after the first parameter of its combination."""
+
+    limb: int | None = None
+    """Whose reading knows it, where what the drives give per torque is unknown."""
+    status: str
+
+
+class Consistent(Value):
+    """Values of an inertial parameter of bodies that could be built: positive masses, positive definite inertias."""
+
+    name: str
+    value: float
+    unit: str
+
+
+class MotionResult(MotionModel):
+    """The rigid machine in motion: contract, second part, section 8."""
+
+    schema: Literal["deltacal.motion/1"] = "deltacal.motion/1"
+    model: str
+    parameters: tuple[InertialParameter, ...]
+    rank: int
+    unidentifiable: tuple[str, ...]
+    """In words."""
+    consistent: tuple[Consistent, ...] | None = None
+    noise: MotionNoise
+    final: Left
+    train_rms_Nm: float | None = None
+    train_rms_N: float | None = None
+    train_rms_A: float | None = None
+    train_rms_1: float | None = None
+    heldout_rms_Nm: float | None = None
+    heldout_rms_N: float | None = None
+    heldout_rms_A: float | None = None
+    heldout_rms_1: float | None = None
+
+    @property
+    def headline(self) -> str:
+        """What the rigid machine leaves."""
+        return f"{self.model}: {self.rank} base parameters; held-out rms {by_joint(self.final)}"
+
+    def table(self) -> tuple[InertialParameter, ...]:
+        """Return the base parameters."""
+        return self.parameters
+
+
+class TorqueEffect(Effect):
+    """An effect on the torque, over all joints that have it."""
+
+    heldout_gain: tuple[float, ...]
+    """Part of the held-out rms that it takes away, joint by joint of `limbs`."""
+
+
+class MotionLocation(Value):
+    """Where model and recording differ."""
+
+    channels: tuple[str, ...]
+    limbs: tuple[int, ...]
+    region: None
+    text: str
+
+
+class MotionDiagnosis(MotionModel):
+    """Which friction and relatives of it a machine in motion has: contract, second part, section 8."""
+
+    schema: Literal["deltacal.motion-diagnosis/1"] = "deltacal.motion-diagnosis/1"
+    verdict: Verdict
+    summary: str
+    noise: MotionNoise
+    baseline: Left
+    location: MotionLocation
+    effects: tuple[TorqueEffect, ...]
+    final: Left
+    ladder: tuple[LadderOf, ...]
+    unexplained: tuple[Unexplained, ...]
+    rejected: tuple[Rejected, ...]
+    not_tested: tuple[Missing, ...]
+
+    @property
+    def headline(self) -> str:
+        """Verdict and summary."""
+        return f"{self.verdict.replace('_', ' ')}: {self.summary}"
+
+    def table(self) -> tuple[RungOf, ...]:
+        """Return the rungs, joint by joint, the one that buys most first."""
+        return tuple(rung for ladder in self.ladder for rung in ladder.rungs)
+
+
+class MotionValidation(Answer):
+    """The error of a model on samples in motion that it has not seen."""
+
+    schema: Literal["deltacal.motion-validation/1"] = "deltacal.motion-validation/1"
+    kind: str
+    readings: int
+    rms_Nm: float | None = None
+    rms_N: float | None = None
+    rms_A: float | None = None
+    rms_1: float | None = None
+    rms_by_joint: ByJoint
+    rms_by_joint_filtered: ByJoint
+    unit_by_joint: tuple[str, ...]
+    at_rest: int
+    """Readings at rest, which took no part."""
+    made: Made | None = None
+
+    @property
+    def headline(self) -> str:
+        """The error, joint by joint."""
+        each = zip(self.rms_by_joint, self.unit_by_joint, strict=True)
+        return f"{self.readings} readings in motion: rms {_listed(each)}"
+
+
+def by_joint(left: Left) -> str:
+    """Return held-out figures in words."""
+    return _listed(zip(left.heldout_rms_by_joint, left.unit_by_joint, strict=True))
+
+
+def _listed(each: object) -> str:
+    values = list(each)  # type: ignore[call-overload]
+    units = {unit for _, unit in values}
+    texts = ["-" if v is None else f"{v:.4g}" + (f" {unit}" if len(units) > 1 else "") for v, unit in values]
+    return ", ".join(texts) + (f" {units.pop()}" if len(units) == 1 else "")

@@ -1,0 +1,346 @@
+"""Recordings in motion: reading, derivatives, the rigid machine by its drives, the ladder of friction, prediction."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import deltacal_gen as dc
+from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.files.robot import robot_from_dict, robot_to_toml
+from deltacal_gen.machine.dynamics import Dynamics
+from deltacal_gen.motion import derivatives, joint, kinds, regression
+from deltacal_gen.motion.rigid import Rigid, base_of
+from tests.every_effect import ARM, LIFT
+from tests.test_dynamics import bodies
+
+LINKS = ARM[:3]
+HEAD = {"robot": {"name": "arm", "mechanism": "serial"}}
+DEG = np.pi / 180
+NOISE = 0.05  # Nm
+STEP = 0.01  # s
+COULOMB, VISCOUS = np.array([6.0, 4.0, 0.0]), np.array([0.15, 0.0, 0.08])  # Nm, Nm s/deg
+
+
+def robot(links: list[dict[str, Any]] = LINKS) -> Any:
+    return robot_from_dict(HEAD | {"joint": [dict(link) for link in links]})
+
+
+def trajectory(seconds: float, seed: int, joints: int = 3) -> np.ndarray:
+    """Return joints, velocities, accelerations (3, N, n) of sums of waves [rad], at 100 Hz."""
+    rng, t = np.random.default_rng(seed), np.arange(0, seconds, STEP)
+    out = np.zeros((3, len(t), joints))
+    for j in range(joints):
+        for w in 2 * np.pi * np.array([0.1, 0.23, 0.41, 0.6]):
+            a, phase = rng.uniform(0.2, 0.5) / (1 + w), rng.uniform(0, 6)
+            angle = w * t + phase
+            out[:, :, j] += a * np.array([np.sin(angle), w * np.cos(angle), -(w**2) * np.sin(angle)])
+    return out
+
+
+Friction = Callable[[np.ndarray, np.ndarray], np.ndarray]  # of states (3, N, n) and the rigid torque (N, n) [Nm]
+
+
+def usual(states: np.ndarray, load: np.ndarray) -> np.ndarray:
+    return COULOMB * np.sign(states[1]) + VISCOUS * states[1] / DEG
+
+
+def written(folder: Path, friction: Friction, runs: int = 4, seed: int = 0, sidecar: str = "", **kept: Any) -> Path:
+    """Write a recording of an arm with some friction, and its robot file; return the recording's path."""
+    machine, rng = robot(), np.random.default_rng(seed)
+    own, inertia = Dynamics(machine), bodies(LINKS).ravel()
+    rows = [["run", "time_s", *(f"q{i}_deg" for i in (1, 2, 3)), *(f"tau{i}_Nm" for i in (1, 2, 3))]]
+    for run in range(runs):
+        states = trajectory(kept.get("seconds", 12.0), 10 * seed + run)
+        load = own.torque(states, inertia) / 1000
+        tau = load + friction(states, load) + NOISE * rng.standard_normal(load.shape)
+        q = states[0] / DEG + 0.001 * rng.standard_normal(load.shape)
+        for n in range(len(tau)):
+            cells = [f"{v:.6f}" for v in (n * STEP, *q[n], *tau[n])]
+            rows.append([str(run + 1), *cells])
+    path = folder / "recording.csv"
+    path.write_text("\n".join(",".join(row) for row in rows) + "\n")
+    path.with_suffix(".toml").write_text(f'[measurement]\nkind = "torque"\n{sidecar}')
+    (folder / "robot.toml").write_text(robot_to_toml(machine))
+    return path
+
+
+@pytest.fixture(scope="module")
+def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return written(tmp_path_factory.mktemp("usual"), usual)
+
+
+@pytest.fixture(scope="module")
+def diagnosed(recorded: Path) -> Any:
+    return dc.diagnose(recorded.with_name("robot.toml"), recorded)
+
+
+def named(found: Any) -> dict[str, list[int]]:
+    return {effect["name"]: effect["limbs"] for effect in found["effects"]}
+
+
+# ------------------------------------------------------------------------------------------------------------- ladder
+
+
+def test_friction_is_named_where_it_is_and_nowhere_else(diagnosed: Any) -> None:
+    assert diagnosed["verdict"] == "missing_physics"
+    assert named(diagnosed) == {"coulomb_friction": [1, 2], "viscous_friction": [1, 3]}
+    truth = {("coulomb", 1): 6.0, ("coulomb", 2): 4.0, ("viscous", 1): 0.15, ("viscous", 3): 0.08}
+    for effect in diagnosed["effects"]:
+        for p in effect["parameters"]:
+            assert abs(p["value"] - truth[p["name"], p["limb"]]) < 4 * p["std"], p
+            assert p["std"] < 0.05 * abs(p["value"])
+            assert p["unit"] == {"coulomb": "Nm", "viscous": "Nm s/deg"}[p["name"]]
+
+
+def test_what_is_left_is_noise_and_told_joint_by_joint(diagnosed: Any) -> None:
+    final, before = diagnosed["final"], diagnosed["baseline"]
+    assert before["model"] == "serial/rigid"
+    assert final["unit_by_joint"] == ["Nm", "Nm", "Nm"]
+    assert all(NOISE * 0.95 < v < NOISE * 1.2 for v in final["heldout_rms_by_joint"])
+    assert all(v < 0.7 * NOISE for v in final["heldout_rms_by_joint_filtered"])
+    assert all(b > 10 * a for a, b in zip(final["heldout_rms_by_joint"], before["heldout_rms_by_joint"], strict=True))
+    assert final["heldout_rms_Nm"] == pytest.approx(NOISE, rel=0.1)
+    for ladder in diagnosed["ladder"]:
+        assert all(rung["buys"] >= 0.02 for rung in ladder["rungs"])
+
+
+def test_a_machine_without_friction_is_adequate(tmp_path: Path) -> None:
+    path = written(tmp_path, lambda states, load: 0 * load, seed=1)
+    found = dc.diagnose(tmp_path / "robot.toml", path)
+    assert (found["verdict"], found["effects"], found["unexplained"]) == ("adequate", [], [])
+
+
+LAWS: dict[str, tuple[Friction, dict[str, float]]] = {
+    "load_friction": (lambda s, load: 0.08 * np.abs(load) * np.sign(s[1]), {"load": 0.08}),
+    "rotor_inertia": (lambda s, load: 4e5 * 1e-6 * s[2], {"inertia": 4e5}),
+    "torque_offset": (lambda s, load: 2.0 + 0 * load, {"offset": 2.0}),
+    "torque_ripple": (
+        lambda s, load: 0.7 * np.cos(37 * s[0]) - 0.4 * np.sin(37 * s[0]),
+        {"cos": 0.7, "sin": -0.4, "order": 37},
+    ),
+    "stribeck_friction": (
+        lambda s, load: 3.0 * np.sign(s[1]) * (1 + np.exp(-((s[1] / DEG / 6.0) ** 2))),
+        {"stribeck": 3.0, "velocity": 6.0},
+    ),
+    "quadratic_friction": (lambda s, load: 3e-3 * s[1] * np.abs(s[1]) / DEG**2, {"quadratic": 3e-3}),
+}
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_every_law_of_one_joint_is_named_with_its_size(tmp_path: Path, name: str) -> None:
+    law, truth = LAWS[name]
+    on_third = np.array([0.0, 0.0, 1.0])
+    path = written(tmp_path, lambda s, load: law(s, load) * on_third, runs=3, seed=2)
+    found = dc.diagnose(tmp_path / "robot.toml", path)
+    besides = {"coulomb_friction": [3]} if name == "stribeck_friction" else {}
+    assert named(found) == {name: [3]} | besides
+    for p in next(e for e in found["effects"] if e["name"] == name)["parameters"]:
+        allowed = 4 * p["std"] if p["std"] else 0.1 * truth[p["name"]]
+        assert abs(p["value"] - truth[p["name"]]) <= allowed + 0.01 * abs(truth[p["name"]]), p
+
+
+def test_what_no_rung_explains_is_told_with_its_joint(tmp_path: Path) -> None:
+    """A stop: a spring that begins at an angle."""
+    stop = np.array([0.0, 1.0, 0.0])
+    path = written(
+        tmp_path, lambda s, load: -30.0 * np.maximum(np.abs(s[0]) - 0.15, 0) ** 1 * np.sign(s[0]) * stop, seed=3
+    )
+    found = dc.diagnose(tmp_path / "robot.toml", path)
+    assert found["verdict"] == "unexplained"
+    assert [u["limb"] for u in found["unexplained"]] == [2]
+
+
+# ------------------------------------------------------------------------------------------------------ the way around
+
+
+def test_a_model_predicts_samples_it_has_not_seen(tmp_path: Path, diagnosed: Any) -> None:
+    path = written(tmp_path, usual, runs=1, seed=7, seconds=8.0)
+    found = dc.validate(diagnosed.to_dict(), path)
+    assert all(NOISE * 0.9 < v < NOISE * 1.2 for v in found["rms_by_joint"])
+    bare = tmp_path / "bare.csv"
+    lines = path.read_text().splitlines()
+    bare.write_text("\n".join(",".join(line.split(",")[:5]) for line in lines) + "\n")
+    bare.with_suffix(".toml").write_text(path.with_suffix(".toml").read_text())
+    dc.predict(diagnosed, bare, tmp_path / "predicted.csv")
+    cells = [line.split(",") for line in (tmp_path / "predicted.csv").read_text().splitlines()]
+    assert cells[0] == ["time_s", "q1_deg", "q2_deg", "q3_deg", "tau1_Nm", "tau2_Nm", "tau3_Nm"]
+    known = np.array([[float(c) if c else np.nan for c in row[4:]] for row in cells[1:]])
+    wanted = np.array([[float(c) for c in line.split(",")[5:]] for line in lines[1:]])
+    assert np.nanstd(known - wanted, axis=0) == pytest.approx(NOISE, rel=0.2)
+    assert 0 < np.isnan(known).sum() < 0.1 * known.size  # at rest, where the joints turn back
+
+
+def test_the_rigid_machine_has_base_parameters_and_a_consistent_body(tmp_path: Path) -> None:
+    path = written(tmp_path, lambda states, load: 0 * load, seed=1)
+    found = dc.identify(tmp_path / "robot.toml", path)
+    rigid, inertia = Rigid(robot()), bodies(LINKS).ravel()
+    truth = rigid.common.made_up @ inertia
+    assert found["rank"] == len(found["parameters"]) == rigid.common.rank == 15
+    for p, value in zip(found["parameters"], truth, strict=True):
+        assert abs(p["value"] - value) < 5 * p["std"], p
+    body = np.array([c["value"] for c in found["consistent"]]).reshape(3, 10)
+    for m, x, y, z, xx, yy, zz, xy, xz, yz in body:
+        assert m >= 0
+        second = (
+            np.array(
+                [[yy + zz - xx, -2 * xy, -2 * xz], [-2 * xy, xx + zz - yy, -2 * yz], [-2 * xz, -2 * yz, xx + yy - zz]]
+            )
+            / 2
+        )
+        pseudo = np.block([[second, np.array([[x], [y], [z]])], [np.array([[x, y, z, m]])]])
+        assert np.linalg.eigvalsh(pseudo).min() >= -1e-9 * np.abs(pseudo).max()
+    near = rigid.common.made_up @ body.ravel()
+    std = np.array([p["std"] for p in found["parameters"]])
+    assert (np.abs(near - truth) < 8 * std + 1e-3 * np.abs(truth)).all()
+
+
+@pytest.mark.parametrize("links", [ARM, LIFT])
+def test_the_base_has_the_rank_of_the_regressor(links: list[dict[str, Any]]) -> None:
+    machine = robot(links)
+    rigid, own = Rigid(machine), Dynamics(machine)
+    rng = np.random.default_rng(8)
+    Y = own.regressor(
+        rng.standard_normal((3, 200, own.joints)) * [150.0 if u == "mm" else 1.0 for u in own.joint_units]
+    )
+    for j, base in enumerate((*rigid.own, rigid.common)):
+        rows = Y[:, j] if j < own.joints else Y.reshape(-1, Y.shape[2])
+        sizes = np.linalg.norm(rows, axis=0)
+        assert base.rank == np.linalg.matrix_rank(rows / np.where(sizes > 1e-12 * sizes.max(), sizes, np.inf), 1e-9)
+        inertia = rng.standard_normal(Y.shape[2])
+        by_base = rows[:, base.chosen] @ (base.made_up @ inertia)
+        assert by_base == pytest.approx(rows @ inertia, abs=1e-9 * np.abs(rows @ inertia).max())
+
+
+def test_a_base_leaves_out_what_is_never_seen() -> None:
+    rng = np.random.default_rng(0)
+    Y = rng.standard_normal((30, 4))
+    Y[:, 2], Y[:, 3] = 2 * Y[:, 0] - Y[:, 1], 0.0
+    found = base_of(Y)
+    assert found.chosen.tolist() == [0, 1]
+    assert found.made_up == pytest.approx(np.array([[1, 0, 2, 0], [0, 1, -1, 0]]), abs=1e-12)
+
+
+# -------------------------------------------------------------------------------------------------- reading, and before
+
+
+def test_derivatives_have_no_delay_and_tell_their_cut_off(recorded: Path) -> None:
+    moving = kinds.in_motion(recorded)
+    assert moving is not None
+    given = moving.read(robot())
+    found = derivatives.motion(given)
+    wanted = np.concatenate([trajectory(12.0, run) for run in range(4)], axis=1)
+    inside = np.concatenate([(np.arange(0, 12.0, STEP) > 0.3) & (np.arange(0, 12.0, STEP) < 11.7)] * 4)
+    for order, allowed in ((1, 0.01), (2, 0.03)):
+        off = (found.states[order] - wanted[order])[inside]
+        assert np.std(off, axis=0) == pytest.approx(0, abs=allowed * np.std(wanted[order]))
+        late = np.polyfit(np.gradient(wanted[order][:, 0], STEP)[inside], off[:, 0], 1)[0]
+        assert abs(late) < 2e-4  # s
+    assert found.cutoff is not None
+    assert 1.0 < found.cutoff < 13.0
+    assert 0 < found.removed < 1e-3
+
+
+def changed(recorded: Path, folder: Path, change: Callable[[list[str]], list[str]], sidecar: str = "") -> Path:
+    path = folder / "recording.csv"
+    path.write_text("\n".join(change(recorded.read_text().splitlines())) + "\n")
+    path.with_suffix(".toml").write_text(recorded.with_suffix(".toml").read_text() + sidecar)
+    return path
+
+
+def with_cell(line: int, column: int, text: str) -> Callable[[list[str]], list[str]]:
+    def change(lines: list[str]) -> list[str]:
+        cells = lines[line - 1].split(",")
+        cells[column] = text
+        return [*lines[: line - 1], ",".join(cells), *lines[line:]]
+
+    return change
+
+
+def read(path: Path) -> Any:
+    moving = kinds.in_motion(path)
+    assert moving is not None
+    return moving.read(robot())
+
+
+def test_what_is_put_right_is_said(recorded: Path, tmp_path: Path) -> None:
+    overflow = read(changed(recorded, tmp_path, with_cell(50, 6, "3276.7")))
+    assert overflow.repairs == (
+        f"{tmp_path / 'recording.csv'}:50: tau2_Nm reads 3276.7, out of all proportion; it is left out",
+    )
+    assert np.isnan(overflow.readings[48, 1])
+    jump = read(changed(recorded, tmp_path, with_cell(80, 2, "720.0")))
+    assert "q1_deg" in jump.repairs[0]
+    assert np.ptp(jump.joints[70:90, 0]) < 0.2
+    twice = read(changed(recorded, tmp_path, with_cell(100, 1, "0.970000")))
+    assert twice.repairs[0].endswith("100: the time of the row before once more; the row is left out")
+    assert twice.n_rows == overflow.n_rows - 1
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (with_cell(100, 1, "0.5"), "line 100, column 'time_s': time goes backwards within run '1'"),
+        (with_cell(100, 0, "2"), "line 101, column 'run': run '1' goes on here"),
+        (lambda lines: [line.rpartition(",")[0] for line in lines], "column 'tau3_Nm': the column is missing"),
+        (lambda lines: [*lines[:-1], "4,11.99,1.0"], "the row has 3 cells, the header 8"),
+        (lambda lines: [lines[0].replace("tau1_Nm", "tau1_kNm"), *lines[1:]], "'tau1_kNm' is no reading of a drive"),
+        (lambda lines: [lines[0].replace("time_s", "t"), *lines[1:]], "column 'time_s': the column is missing"),
+    ],
+)
+def test_what_cannot_be_used_is_refused_with_its_place(recorded: Path, tmp_path: Path, change: Any, words: str) -> None:
+    with pytest.raises(InputError) as error:
+        read(changed(recorded, tmp_path, change))
+    assert words in str(error.value)
+
+
+def test_derivatives_said_to_be_recorded_must_be_there(recorded: Path, tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="'qd1_deg_s': the sidecar says derivatives = \"recorded\""):
+        read(changed(recorded, tmp_path, list, '[motion]\nderivatives = "recorded"\n'))
+
+
+def test_options_of_poses_are_refused(recorded: Path, diagnosed: Any, tmp_path: Path) -> None:
+    with pytest.raises(UsageError, match="means nothing for a recording in motion"):
+        dc.identify(recorded.with_name("robot.toml"), recorded, as_distance=True)
+    with pytest.raises(UsageError, match="there is the model serial/rigid only"):
+        dc.identify(recorded.with_name("robot.toml"), recorded, model="serial/dh")
+    with pytest.raises(InputError, match="the result is of a recording in motion, and this is none"):
+        dc.predict(diagnosed, tmp_path / "poses.csv")
+
+
+# ------------------------------------------------------------------------------------------------------ what is counted
+
+
+def test_whole_runs_are_held_out_or_stretches_with_gaps() -> None:
+    time, run = np.tile(np.arange(0, 20, STEP), 3), np.repeat([0, 1, 2], 2000)
+    used = np.ones(6000, dtype=bool)
+    assert (regression.folds_of(time, run, used) == run).all()
+    found = regression.folds_of(time[:2000], run[:2000], used[:2000])
+    changes = np.flatnonzero(np.diff(found) != 0)
+    for a, b in pairwise(changes):
+        assert (b - a) * STEP >= (0.58 if found[b] == regression.BETWEEN else 0.99)
+        assert found[b] != found[b + 1]
+    assert set(found.tolist()) == {-1, 0, 1, 2, 3, 4}
+
+
+def test_samples_that_hang_together_are_counted_as_one() -> None:
+    rng, rho = np.random.default_rng(3), 0.9
+    white = rng.standard_normal(20_000)
+    red = np.zeros_like(white)
+    for n in range(1, len(red)):
+        red[n] = rho * red[n - 1] + white[n]
+    piece, used = np.zeros(len(red), dtype=int), np.ones(len(red), dtype=bool)
+    assert regression.together(white, piece, used, STEP) == pytest.approx(1.0, abs=0.1)
+    assert regression.together(red, piece, used, STEP) == pytest.approx((1 + rho) / (1 - rho), rel=0.15)
+
+
+def test_samples_at_rest_take_no_part(diagnosed: Any) -> None:
+    below = diagnosed["motion"]["at_rest_below"]
+    assert all(0.1 < v < 1.0 for v in below)
+    assert all(0 < n < 0.1 * 4800 for n in diagnosed["motion"]["at_rest"])
+    assert joint.AT_REST == 0.01
