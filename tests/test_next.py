@@ -158,3 +158,15 @@ def test_exchanged_poses_are_no_worse_than_those_chosen_one_by_one_and_their_cur
         for d in greedy:
             d.take(taken[-1])
     assert chosen.gained[5] >= min(d.wrong.misfit for d in greedy) - before - 1e-9
+
+
+def test_a_column_that_nothing_knows_leaves_numbers() -> None:
+    rng = np.random.default_rng(4)
+    X, d = rng.standard_normal((30, 3)), rng.standard_normal(30)
+    plain = Refutation(X, d, np.zeros(3))
+    blind = Refutation(np.column_stack([X, np.zeros(30)]), d, np.zeros(4))
+    assert blind.misfit == pytest.approx(plain.misfit)
+    assert blind.coefficients == pytest.approx([*plain.coefficients, 0.0])
+    more, shift = rng.standard_normal((5, 2, 3)), rng.standard_normal((5, 2))
+    padded = np.concatenate([more, np.zeros((5, 2, 1))], axis=2)
+    assert blind.gains(padded, shift) == pytest.approx(plain.gains(more, shift))

@@ -35,7 +35,8 @@ class Refutation:
     """
 
     def __init__(self, X: Array, d: Array, prior: Array) -> None:
-        self._size = np.maximum(np.linalg.norm(X, axis=0), 1e-300)
+        known = np.sqrt((X**2).sum(axis=0) + prior)
+        self._size = np.where(known > 0, known, 1.0)  # what neither readings nor a prior know has no size
         Z = X / self._size
         self._information = Z.T @ Z + np.diag(prior / self._size**2 + WEAK)
         self._moment, self._whole = Z.T @ d, float(d @ d)
