@@ -172,8 +172,10 @@ def test_play_that_varies_over_the_angle_is_placed_at_its_joint(robot: Robot) ->
     moved[:, 1] += 2e-4 * of["approach2"] * np.cos(2 * np.pi * (q - q.min()) / np.ptp(q))
     recording = record(robot, n=80, of=of, joints=np.degrees(moved), declared=False)
     found = diagnosis(robot, dataclasses.replace(recording, joints=plain.joints))
-    assert found["verdict"] == "unexplained"
+    assert found["verdict"] == "missing_physics"
     assert found["effects"] == []
+    assert {limb for term in found["laws"][0]["terms"] for limb in term["limbs"]} == {2}
+    assert {"approach", "q"} <= set(found["laws"][0]["states"])
     assert found["location"]["channels"][0]["name"] == "approach2"
     assert found["location"]["limbs"] == [2]
 

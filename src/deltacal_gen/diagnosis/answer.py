@@ -10,6 +10,7 @@ import numpy as np
 from deltacal_gen.diagnosis.correction import Correction
 from deltacal_gen.diagnosis.discrimination import more_poses
 from deltacal_gen.diagnosis.findings import Named
+from deltacal_gen.diagnosis.laws.told import told
 from deltacal_gen.diagnosis.spectrum import Spectrum, wave
 from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.files.robot import kept_robot
@@ -17,6 +18,7 @@ from deltacal_gen.identification.knowledge import uncertainty_of
 from deltacal_gen.identification.noise import noise_model
 from deltacal_gen.identification.unknowns import instrument_parameters
 from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.physics.law import PREFIX
 from deltacal_gen.physics.terms import (
     constants_of,
     kept_term,
@@ -82,6 +84,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
         unit=unit and unit[0],
         unit_mm=unit and unit[1],
         parameters=instrument_parameters(final) or None,
+        laws=told(found.laws, final),
     )
 
 
@@ -229,6 +232,7 @@ def _summary(found: Diagnosed) -> str:
             else ""
         )
         parts.append(f"{n.term.kernels.TITLE} ({n.term.effect}){limbs}")
+    parts += _lawful(found)
     if found.verdict is Verdict.MISSING_PHYSICS:
         open_questions = [f"{n.term.effect} from {' or '.join(n.alike)}" for n in found.effects if n.alike]
         doubt = f" These poses cannot tell {'; '.join(open_questions)}." if open_questions else ""
@@ -242,6 +246,19 @@ def _summary(found: Diagnosed) -> str:
         f"A mismatch of {left:.4f} mm is left that no registered effect explains: "
         f"{found.location.text}.{named} {_corrected(found.correction)}"
     )
+
+
+def _lawful(found: Diagnosed) -> list[str]:
+    """Return the law that is borne out, in words."""
+    if not found.laws:
+        return []
+    terms = []
+    for t in found.laws[0].terms:
+        limbs = f" at limb{'s' if len(t.limbs) > 1 else ''} {', '.join(map(str, t.limbs))}" if t.limbs else ""
+        terms.append(t.effect.removeprefix(PREFIX).replace(" = ", " moves by ") + limbs)
+    rivals = len(found.laws) - 1
+    doubt = f" ({rivals} other law{'s' if rivals > 1 else ''} that these poses cannot tell from it)" if rivals else ""
+    return [f"a law that nobody has registered: {' and '.join(terms)}{doubt}"]
 
 
 def _as_noise(found: Diagnosed) -> str:

@@ -20,7 +20,9 @@ from deltacal_gen.diagnosis.answer import result_of
 from deltacal_gen.diagnosis.correction import Correction, correct
 from deltacal_gen.diagnosis.discrimination import Question, next_measurements
 from deltacal_gen.diagnosis.findings import Named, location_of, named_of, rejected_of
+from deltacal_gen.diagnosis.laws.laws import Lawful, laws
 from deltacal_gen.diagnosis.library import library
+from deltacal_gen.diagnosis.search import Search
 from deltacal_gen.diagnosis.spectrum import Spectrum, periodic
 from deltacal_gen.diagnosis.strategy import (
     MARGIN,
@@ -34,6 +36,7 @@ from deltacal_gen.diagnosis.strategy import (
     terms_of,
     together,
 )
+from deltacal_gen.diagnosis.structure import structures
 from deltacal_gen.errors import NoSolutionError
 from deltacal_gen.estimation.fit import CONVERGED, SPARE_READINGS, Fit, fit, rough
 from deltacal_gen.estimation.problem import Problem, pose_problem
@@ -84,6 +87,7 @@ class Diagnosed:
     correction: Correction | None = None
     spectrum: Spectrum | None = None
     lean: bool = False
+    laws: tuple[Lawful, ...] = ()
 
     @property
     def short(self) -> bool:
@@ -149,11 +153,15 @@ def diagnose(
         found = beside_noise(found, lean)
     some, search, left, unexplained = found.problem, found.search, found.left, found.unexplained
     spectrum, parts = found.spectrum, found.parts
+    lawful = laws(found, progress) if unexplained and not lean else []
+    if lawful:
+        search, left, unexplained = Search(lawful[0].fit, search.terms), structures(lawful[0].fit), False
     # what comes near its price without earning it is no finding, but worth a measurement
     doubtful = [f.term for f in search.ranked()[:1] if 0 < f.score < MARGIN]
     before = after = rms(lengths(found.without, kind))
-    if search.effects and spectrum is None:
+    if search.effects and spectrum is None and not lawful:
         after = rms(lengths(found.predicted if search is found.tested else held_out_by(some, search, parts), kind))
+    after = lawful[0].proof.rms if lawful else after
     progress(f"fit of all {len(problem.readings)} readings")
     baseline, current, spectrum = _of_all(problem, first, search.fit, spectrum)
     heldout = (before, after if spectrum is None else spectrum.heldout[1])
@@ -161,7 +169,9 @@ def diagnose(
     verdict = Verdict.UNEXPLAINED if unexplained else Verdict.MISSING_PHYSICS if named_any else Verdict.ADEQUATE
     known = noise(current, recording)
     named = named_of(search, current, heldout, known.sigma, spectrum)
-    location = location_of(search.fit, left, named, spectrum, explained=not unexplained)
+    # where a law sits is told as it showed, without the law
+    of, shows = (found.search.fit, found.left) if lawful else (search.fit, left)
+    location = location_of(of, shows, named, spectrum, explained=not (unexplained or lawful))
     progress("what to measure next")
     questions = [
         *(Question(n.term, n.rivals, n.unrecorded) for n in named),
@@ -187,6 +197,7 @@ def diagnose(
         correction=correct(search.fit, current, left, parts) if unexplained else None,
         spectrum=spectrum,
         lean=lean,
+        laws=tuple(lawful),
     )
 
 

@@ -15,6 +15,7 @@ from deltacal_gen.diagnosis.structure import Region, Structure, alike
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Body
+from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.states import read_by
 from deltacal_gen.physics.terms import (
     Term,
@@ -120,6 +121,8 @@ def named_of(
     """
     out: list[Named] = []
     for i, term in enumerate(terms_of(final)):
+        if is_law(term.effect):
+            continue  # told by itself
         freed = search.freed(i)
         variance = np.diag(final.covariance)[final.problem.coefficients(i)]
         gain = freed.gain(freed.where(term))

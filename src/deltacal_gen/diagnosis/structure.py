@@ -126,6 +126,19 @@ def _turns(x: Array, n_x: int) -> Array:
     return out[:, :n_x]
 
 
+def by_instrument(at: Fit, beside: Beside, functions: Array) -> Array:
+    """Return whitened columns (scalars, n) of what readings do where the instrument moves by functions (R, m) of them.
+
+    It shifts and, where it reads positions, turns.
+    """
+    problem, machine = at.problem, beside.machine
+    dx = displacements(problem, machine)[:, :, problem.mechanism.limbs :]
+    if problem.readings.kind.positions:
+        dx = np.concatenate([dx, _turns(machine.x, dx.shape[1])], axis=2)
+    J, _ = at.instrument.linearise(problem.readings, machine.x, dx)
+    return beside.rows((J[:, :, None] * functions[:, None, :, None]).reshape(*J.shape[:2], -1))
+
+
 class _Smooth:
     """Displacements of each joint and of the reading, modulated by functions of the rows, beside all that is fitted.
 

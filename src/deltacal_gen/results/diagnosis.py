@@ -113,6 +113,61 @@ class Effect(Value):
     indistinguishable_from: tuple[str, ...]
 
 
+class LawCoefficient(Value):
+    """A coefficient of a law, or a constant within it, in the units that its expression is in."""
+
+    name: str
+    limb: int | None
+    """Null of a constant within, and where the whole machine has the law."""
+    value: float
+    std: float | None
+    unit: str
+
+
+class LawTerm(Value):
+    """What moves, by which expression: SymPy's text in mm, rad, s, kg, N, N mm and degC."""
+
+    target: str
+    limbs: tuple[int, ...]
+    expression: str
+    coefficients: tuple[LawCoefficient, ...]
+
+
+class LawCurve(Value):
+    """A law along its first state, with what every reading says of it: what is left of the readings beside all else."""
+
+    state: str
+    unit: str
+    target_unit: str
+    at: Column
+    """The curve, where it is drawn."""
+    value: Column
+    std: Column
+    seen: Column
+    """The state at the readings."""
+    partial: Column
+    """What the readings say there."""
+
+
+class Law(Value):
+    """A law that explains what no registered effect does; several are alternatives, never a sum."""
+
+    terms: tuple[LawTerm, ...]
+    states: tuple[str, ...]
+    range: dict[str, tuple[float, float]]
+    """Between which values each state was."""
+    heldout_rms_mm: float
+    """Of readings that took no part in finding it."""
+    share_of_excess: float
+    """Part of their variance above the noise that it removes."""
+    gain: float
+    charge: float
+    alike: tuple[str, ...]
+    """Laws that these readings cannot tell from it."""
+    borne_out: bool
+    curve: LawCurve | None = None
+
+
 class Rejected(Value):
     """An effect that was looked at and not named."""
 
@@ -240,6 +295,8 @@ class Diagnosis(Answer):
     """What is unknown of the instrument and has a name."""
     geometry: Geometry | None = None
     made: Made | None = None
+    laws: tuple[Law, ...] = ()
+    """What was found where no registered effect explains the misfit, the best first; it stands in `physics`."""
 
     @property
     def headline(self) -> str:

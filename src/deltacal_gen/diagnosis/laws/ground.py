@@ -1,0 +1,342 @@
+"""What laws stand on: the places where one may act, the states that it may read, and all that is fitted, projected out.
+
+At a fit the kernels give what a unit of each target does to the readings, once. A law's column is that times a function
+of states, row by row, so that thousands are looked at together, beside everything that is fitted.
+"""
+
+from __future__ import annotations
+
+import copy
+import dataclasses
+import functools
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from deltacal_gen.diagnosis.laws.grammar import CONSTANT, LAGS, Form
+from deltacal_gen.diagnosis.search import Beside, gains
+from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics.formula import formula
+from deltacal_gen.physics.law import PREFIX, followed, load_law
+from deltacal_gen.physics.states import CHANNELS, named
+from deltacal_gen.physics.terms import Term, blank
+
+TARGETS = (
+    *("joint", "limb.arm", "limb.rod", "limb.outwards", "limb.tip_v", "limb.tip_w"),
+    *("turn.x", "turn.y", "tool.x", "tool.y", "tool.z", "reading.x", "reading.y", "reading.z", "length"),
+)
+OWN = ("q", "torque", "approach", "qd", "qdd", "tension_1", "tension_2", "pull_v", "pull_w")  # of a limb
+OTHERS = ("q", "torque", "approach", "qd")  # of another joint
+PLACE = ("x", "y", "z", "radius")
+CHUNK = 1200  # columns that are projected together
+ALIKE = 0.9999  # correlation of two states that are one for a law
+
+
+@dataclass(frozen=True, eq=False)
+class Place:
+    """A target, and what a unit of it at each limb does to the readings, (R, k, limbs or 1)."""
+
+    target: str
+    limbs: tuple[int, ...]
+    columns: Array
+
+
+@dataclass(frozen=True)
+class Tried:
+    """A form at a place: gain in chi2 on the limbs that carry it, and price of the choice."""
+
+    target: str
+    form: Form
+    limbs: tuple[int, ...]
+    gain: float
+    price: float
+
+    @property
+    def score(self) -> float:
+        """Gain beyond the price."""
+        return self.gain - self.price
+
+
+class Ground:
+    """A fit, with the places and states of laws.
+
+    Parameters
+    ----------
+    at : Fit
+        Of readings that each belong to one row.
+    """
+
+    def __init__(self, at: Fit) -> None:
+        self.fit, self.beside = at, Beside(at)
+        self.problem, self.rows = at.problem, at.problem.readings.rows[:, 0]
+        self._read: dict[str, Array] = {}  # states at the rows of the recording
+        self._lagged: dict[tuple[str, float], Array] = {}
+        self.coarse: dict[tuple[str, ...], list[Form]] = {}  # forms that were looked at first, by what may be read
+        self._kept: dict[tuple[int, int, int], tuple[Sequence[Form], Array]] = {}
+        self._factors: dict[tuple[str, tuple[float, ...]], Array] = {}
+
+    def freed(self, *effects: int) -> Ground:
+        """Return the same with terms of the fit taken out: they stand in the readings, nothing else moves."""
+        out = copy.copy(self)
+        out.beside = self.beside.freed(*effects).beside
+        return out
+
+    def sharper(self, other: Fit) -> Ground:
+        """Return the same with readings weighed by the noise that another fit leaves of them."""
+        out = copy.copy(self)
+        out.beside = Beside(dataclasses.replace(self.fit, sigma=other.sigma, weights=other.weights))
+        return out
+
+    @cached_property
+    def places(self) -> list[Place]:
+        """Every target that this machine and this kind of readings have."""
+        every, out = tuple(range(1, self.problem.mechanism.limbs + 1)), list[Place]()
+        for target in TARGETS:
+            law = load_law(f"{PREFIX}{target} = c1")
+            limbs = every if law.PER_LIMB else ()
+            unknown = law.ACTS_ON == "reading" and target not in self.problem.readings.kind.targets
+            if unknown or self.problem.body.foreign(law.NAME):
+                continue
+            at = self.fit
+            term = blank(law.NAME, limbs)
+            columns = self.problem.term_columns([term], at.errors, at.instrument, self.beside.machine)
+            columns = np.where(np.isfinite(columns), columns, 0.0)
+            if columns.any() and not any(_moves_alike(columns, p.columns) for p in out):
+                out.append(Place(target, limbs, columns))
+        return out
+
+    def place(self, target: str) -> Place:
+        """Return a place by its target."""
+        return next(p for p in self.places if p.target == target)
+
+    @cached_property
+    def states(self) -> dict[str, Array]:
+        """States at the readings, (R, limbs) of each limb's own, (R,) of all else: those that vary, each once."""
+        problem, machine = self.problem, self.beside.machine
+        numbers = range(1, problem.mechanism.limbs + 1)
+        names = [*OWN, *(f"{s}_{j}" for s in OTHERS for j in numbers), *_channels(problem), *PLACE]
+        names = [n for n in dict.fromkeys(names) if not _missing(problem, n)]
+        found = self._read = problem.body.state(names, machine.x, machine.q, machine.rows)
+        out: dict[str, Array] = {}
+        for name in names:
+            if name in found and np.isfinite(v := found[name][self.rows]).all() and np.ptp(v, axis=0).max() > 0:
+                own = v.ndim == 2
+                if not any(_same(v, o) for n, o in out.items() if (o.ndim == 2) == own and not _numbered(n, name)):
+                    out[name] = v
+        return out
+
+    def readable(self, place: Place) -> list[str]:
+        """Return the states that a law at a place may read."""
+        kind = load_law(f"{PREFIX}{place.target} = c1").ACTS_ON
+        out = []
+        for name, values in self.states.items():
+            s = named(name)
+            if values.ndim == 2 and kind != "limb":
+                continue
+            if kind == "reading" and (s.kind == "load" or s.base == "theta"):
+                continue
+            out.append(name)
+        return out
+
+    @cached_property
+    def lags(self) -> tuple[float, ...]:
+        """Time constants [s] with which a state may lag; none where no time was recorded, or for readings."""
+        time = self.problem.body.channels.get("time")
+        if time is None or not np.isfinite(time[self.rows]).all():
+            return ()
+        t = np.unique(time[self.rows])
+        if len(t) < 8:
+            return ()
+        return tuple(np.geomspace(np.median(np.diff(t)), np.ptp(t) / 2, LAGS).tolist())
+
+    def values(self, form: Form) -> Array:
+        """Return what a form's functions are at the readings, (R, limbs or 1, functions)."""
+        each = [self._function(f, form.constants) for f in form.factors]
+        if len(each) == 1:
+            return each[0][:, :, None]
+        out = np.empty((len(self.rows), max(v.shape[1] for v in each), len(each)))
+        for k, v in enumerate(each):
+            out[:, :, k] = v
+        return out
+
+    def _function(self, factors: tuple[str, ...], constants: tuple[float, ...]) -> Array:
+        """Return a product at the readings, (R, limbs or 1)."""
+        out = self._factor(factors[0], constants)
+        for f in factors[1:]:
+            out = out * self._factor(f, constants)
+        return out
+
+    def batches(self, forms: Sequence[Form]) -> Iterator[tuple[list[Form], Array]]:
+        """Yield forms with equally many functions, so many that their columns fill a chunk, and their values.
+
+        The values (R, limbs or 1, forms * functions) of what was looked at before are kept.
+        """
+        for width in (1, 2):
+            own = [f for f in forms if len(f.factors) == width]
+            step = CHUNK // (self.problem.mechanism.limbs * width)
+            for start in range(0, len(own), step):
+                some = own[start : start + step]
+                key = id(forms), width, start
+                if key not in self._kept:
+                    each = [self._function(fs, f.constants) for f in some for fs in f.factors]
+                    values = np.empty((len(self.rows), max(v.shape[1] for v in each), len(each)))
+                    for k, v in enumerate(each):
+                        values[:, :, k] = v
+                    self._kept[key] = forms, values
+                yield some, self._kept[key][1]
+
+    def _factor(self, text: str, constants: tuple[float, ...]) -> Array:
+        """Return what a factor of a function is at the readings, (R, limbs or 1), computed once."""
+        own = _constants(text)
+        key = text, tuple(constants[k] for k in own)
+        if key not in self._factors:
+            names = {f"c{k}": constants[k] for k in own}
+            f = formula(text.format(*(f"c{k}" for k in range(len(constants)))))
+            known: dict[str, Array | float] = {**names}
+            known |= {n: v.reshape(len(v), -1) for n in f.names if (v := self.states.get(n)) is not None}
+            known |= {f"Lag({s}, {tau})": self.lagged(s, names[tau]) for s, tau in f.lags}
+            self._factors[key] = np.nan_to_num(f(known), posinf=0.0, neginf=0.0)
+        return self._factors[key]
+
+    def lagged(self, state: str, tau: float) -> Array:
+        """Return a state as it lags, at the readings (R, limbs or 1)."""
+        key = state, float(tau)
+        if key not in self._lagged:
+            channels = self.problem.body.channels
+            assert self.states
+            v = self._read[state].reshape(len(channels.order), -1)
+            time = np.asarray(channels.get("time"), dtype=float)
+            run = np.zeros(len(v), dtype=np.int64) if channels.run is None else channels.run
+            order = np.lexsort((time, run))
+            first = np.r_[True, np.diff(run[order]) != 0]
+            h = np.diff(time[order], prepend=time[order[0]])
+            z, now, out = v[order[0]], v[order[0]], np.empty_like(v)
+            for k, row in enumerate(order):
+                begin, now = now, v[row]
+                z = now if first[k] else followed(z, begin, now, h[k], np.asarray(tau))[0]
+                out[row] = z
+            self._lagged[key] = out[self.rows]
+        return self._lagged[key]
+
+    def columns(self, place: Place, values: Array, states: Sequence[Sequence[str]] = ()) -> Array:
+        """Return whitened columns (scalars, n, limbs or 1) of n functions (R, limbs or 1, n) at a place.
+
+        Where `states` of each function are given, a limb carries none that reads its own joint as another's.
+        """
+        (R, k, limbs), n = place.columns.shape, values.shape[2]
+        each = np.broadcast_to(np.swapaxes(values, 1, 2), (R, n, limbs))
+        if states:
+            each = np.where(_others(states, limbs), each, 0.0)
+        C = place.columns[:, :, None, :] * each[:, None]
+        return self.beside.rows(C.reshape(R, k, -1)).reshape(-1, n, limbs)
+
+    def normal(self, columns: Array) -> tuple[Array, Array, Array]:
+        """Return normal equations beside all that is fitted, G (n, m, m) and b (n, m), and sizes (n, m).
+
+        `columns` (scalars, n, m) are made of unit length.
+        """
+        S, n, m = columns.shape
+        flat = columns.reshape(S, -1)
+        size = np.linalg.norm(flat, axis=0)
+        C = flat / np.where(size > 0, size, 1.0)
+        inside = self.beside.Q.T @ C
+        b = C.T @ self.beside.residual
+        C3, I3 = (np.ascontiguousarray(np.moveaxis(v.reshape(len(v), n, m), 1, 0)) for v in (C, inside))
+        G = np.swapaxes(C3, 1, 2) @ C3 - np.swapaxes(I3, 1, 2) @ I3
+        return G, b.reshape(n, m), size.reshape(n, m)
+
+    def term(self, target: str, form: Form, limbs: tuple[int, ...]) -> Term:
+        """Return a form as a term of a fit, its coefficients as they explain most here, and where it was found."""
+        law = load_law(f"{PREFIX}{target} = {form.text}")
+        ends = [float(end(self._seen(s, limbs))) for s in law.STATE for end in (np.min, np.max)]
+        inner = {f"c{len(form.functions) + k}": c for k, c in enumerate(form.constants, 1)}
+        term = blank(law.NAME, limbs, (*(inner[name] for name in law.inner), *ends))
+        G, b, size = self._system(self.place(target), form, limbs)
+        values = np.linalg.pinv(G, rcond=1e-8, hermitian=True) @ b / np.where(size > 0, size, 1.0)
+        return term.with_values(values)
+
+    def gain(self, place: Place, form: Form, limbs: tuple[int, ...]) -> float:
+        """Return by how much a form on some limbs lowers chi2 beside all that is fitted."""
+        G, b, _ = self._system(place, form, limbs)
+        return float(gains(G[None], b[None])[0])
+
+    def _system(self, place: Place, form: Form, limbs: tuple[int, ...]) -> tuple[Array, Array, Array]:
+        """Return normal equations of a form's coefficients, limb by limb, and the sizes of their columns."""
+        C = self.columns(place, self.values(form))
+        own = [i - 1 for i in limbs] or [0]
+        flat = np.swapaxes(C[:, :, own], 1, 2).reshape(len(C), 1, -1)
+        G, b, size = self.normal(flat)
+        return G[0], b[0], size[0]
+
+    def _seen(self, state: str, limbs: tuple[int, ...]) -> Array:
+        values = self.states[state]
+        return values[:, [i - 1 for i in limbs]] if values.ndim == 2 and limbs else values
+
+
+@functools.lru_cache(maxsize=100_000)
+def _constants(text: str) -> tuple[int, ...]:
+    """Return which constants stand in a factor."""
+    return tuple(sorted({int(k) for k in CONSTANT.findall(text)}))
+
+
+def _channels(problem: Problem) -> list[str]:
+    """Return the channels of the machine that were recorded, by the names of states, then covariates by their own."""
+    known = [s.name for s in CHANNELS if s.per == "machine"]
+    out = [n for n in known if n in problem.body.channels.values and n != "temperature"]
+    own = {n for s in CHANNELS for n in s.columns(problem.recording.joint_unit, problem.mechanism.limbs)}
+    for name in problem.recording.channels:
+        doubtful = name in problem.recording.doubts or name.startswith("true_") or not name.isidentifier()
+        if name not in own and not doubtful and name in problem.body.channels.values and named(name).name == name:
+            out += [name] if named(name).unit == "as recorded" else []
+    return out
+
+
+def _missing(problem: Problem, name: str) -> bool:
+    """Tell whether a state cannot be read here."""
+    s, body = named(name), problem.body
+    if s.kind == "load":
+        if problem.robot.masses is None or not problem.mechanism.weighs:
+            return True
+        if problem.mechanism.linked and s.base not in ("torque",):
+            return True
+        if s.base in ("pull_v", "pull_w") and f"tip_{s.base[-1]}" not in problem.mechanism.deflections:
+            return True
+    if s.kind == "place" and name in PLACE[:3] and name not in problem.mechanism.axes:
+        return True
+    return any(body.channels.get(c.base) is None for c in s.channels)
+
+
+def _same(a: Array, b: Array) -> bool:
+    """Tell whether two states are one for a law: a straight line of each other, limb by limb."""
+    x, y = a - a.mean(axis=0), b - b.mean(axis=0)
+    return x.shape == y.shape and _same_direction(x, y)
+
+
+def _moves_alike(a: Array, b: Array) -> bool:
+    """Tell whether two targets move the readings alike, limb by limb: an arm's tip goes as its joint turns."""
+    return a.shape == b.shape and _same_direction(a.reshape(-1, a.shape[2]), b.reshape(-1, b.shape[2]))
+
+
+def _same_direction(x: Array, y: Array) -> bool:
+    size = np.sqrt((x**2).sum(axis=0) * (y**2).sum(axis=0))
+    return bool(np.all(np.abs((x * y).sum(axis=0)) > ALIKE * np.maximum(size, 1e-300)))
+
+
+def _numbered(a: str, b: str) -> bool:
+    """Tell whether two states are a joint's and another joint's."""
+    return bool(named(a).joint) != bool(named(b).joint)
+
+
+def _others(states: Sequence[Sequence[str]], limbs: int) -> Array:
+    """Return which limbs (n, limbs) read no joint of their own as another's."""
+    out = np.ones((len(states), limbs))
+    if limbs > 1:
+        for k, own in enumerate(states):
+            for name in own:
+                if joint := named(name).joint:
+                    out[k, joint - 1] = 0.0
+    return out

@@ -1,0 +1,240 @@
+"""A law for what no registered effect explains: found, asked, fitted to everything, with what it makes needless."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from deltacal_gen.diagnosis.laws.ground import Ground, Tried
+from deltacal_gen.diagnosis.laws.proof import Proof, judged, proven
+from deltacal_gen.diagnosis.laws.screen import ranked
+from deltacal_gen.diagnosis.laws.search import Grown, fitted, polished, unexplained
+from deltacal_gen.diagnosis.search import charge, gains, quantile
+from deltacal_gen.diagnosis.strategy import MARGIN, Outcome, deviance_of, refitted, terms_of, together
+from deltacal_gen.diagnosis.structure import by_instrument
+from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics.law import is_law
+from deltacal_gen.physics.states import named
+from deltacal_gen.physics.terms import Term
+
+MOST = 5  # laws that are told
+RIVALS = 10.0 + 4 * 10.0**0.5  # of chi2, as for effects: a law that earns less than that less is not told from the best
+STEP = 1e-3  # of a constant, by which its derivative is taken
+
+
+@dataclass(frozen=True)
+class Lawful:
+    """A law: a fit with it, what other readings say of it, and how sure its numbers are.
+
+    Attributes
+    ----------
+    fit : Fit
+        Of the readings that the search looks at; the terms of the law come last.
+    law : tuple of Tried
+        The terms of the law.
+    proof : Proof
+    gain : float
+        In chi2, beside all else.
+    unsure : tuple of ((n,), (n_c,)) arrays
+        Of each term: standard deviations of its constants, and what they add to the variances of its coefficients.
+    whole : bool
+        Whether what it leaves is noise.
+    """
+
+    fit: Fit
+    law: tuple[Tried, ...]
+    proof: Proof
+    gain: float
+    unsure: tuple[tuple[Array, Array], ...]
+    whole: bool = True
+
+    @property
+    def terms(self) -> list[Term]:
+        """The terms of the law as they are fitted."""
+        return [t for t in terms_of(self.fit) if is_law(t.effect)]
+
+    @property
+    def charge(self) -> float:
+        """What the law had to earn."""
+        return sum(t.price for t in self.law)
+
+    @property
+    def text(self) -> str:
+        """The law in one line."""
+        return "; ".join(t.effect.removeprefix("law ") for t in self.terms)
+
+
+def laws(found: Outcome, progress: Callable[[str], None]) -> list[Lawful]:
+    """Return the law that is borne out, and those that these readings cannot tell from it; none where none is.
+
+    With the named effects beside it, and without: what a law explains alone needs no name seen through the wrong
+    glasses.
+    """
+    problem, at = found.problem, found.search.fit
+    if problem.readings.rows.shape[1] != 1:
+        return []  # of distances, either end could be moved
+    names = [t for t in terms_of(at) if not is_law(t.effect)]
+    # rows that hang together are the law's doing, where there is one; its price is compared with theirs
+    white = dataclasses.replace(at, repeats=dataclasses.replace(at.repeats, rho=0.0, chain=None))
+    for terms in ([], names) if names else ([],):
+        base = refitted(problem, white, terms)
+        if base is None:
+            continue
+        progress("laws")
+        proof = proven(problem, base)
+        if proof is None or not proof.holds:
+            continue
+        grown = _of_all(problem, base, proof.grown, names)
+        grown = None if grown is None else _needed(problem, grown, found)
+        if grown is None or not grown.law or _moved(grown):
+            continue
+        if grown.cost < deviance_of(at):
+            return _told(problem, _calm(problem, grown), proof)
+    return []
+
+
+def _moved(grown: Grown) -> bool:
+    """Tell whether the instrument could have moved so: shifts and turns of it by the same functions explain as much.
+
+    That is asked of laws of limbs that read channels of the machine alone.
+    """
+    terms = terms_of(grown.fit)
+    first = len(terms) - len(grown.law)
+    for i, t in enumerate(grown.law):
+        ground = Ground(grown.fit).freed(first + i)
+        values = ground.values(t.form)
+        if not t.limbs or values.shape[1] > 1 or any(named(s).joint for s in t.form.states):
+            continue
+        own = ground.gain(ground.place(t.target), t.form, t.limbs) - len(t.limbs) * values.shape[2] * quantile(1, 1)
+        columns = by_instrument(grown.fit, ground.beside, values[:, 0])
+        G, b, _ = ground.normal(columns[:, None])
+        if float(gains(G, b)[0]) - columns.shape[1] * quantile(1, 1) > own:
+            return True
+    return False
+
+
+def _calm(problem: Problem, grown: Grown) -> Grown:
+    """Return a law beside noise that hangs together, where what it leaves does."""
+    calm = together(grown.fit)
+    if calm is None:
+        return grown
+    fit = refitted(problem, dataclasses.replace(grown.fit, repeats=calm), terms_of(grown.fit))
+    return grown if fit is None else dataclasses.replace(grown, fit=fit)
+
+
+def _price(term: Term, found: Outcome) -> float:
+    """Return what a named effect has to earn."""
+    return charge(term, sum(t.effect == term.effect for t in found.search.terms)) + MARGIN
+
+
+def _of_all(problem: Problem, base: Fit, grown: Grown, names: Sequence[Term]) -> Grown | None:
+    """Return a law that was found on a part of the readings as all have it, named effects beside it."""
+    found = refitted(problem, base, [*names, *grown.terms])
+    if found is None:
+        return None
+    out = Grown(found, grown.law, (), deviance_of(found) + sum(t.price + MARGIN for t in grown.law))
+    for i in range(len(grown.law)):
+        out = polished(problem, out, i)
+    return out
+
+
+def _needed(problem: Problem, grown: Grown, found: Outcome) -> Grown:
+    """Return a law and named effects without what does not earn its price beside the rest, the worst first.
+
+    Where a name and a term of the law explain the same, the name stays: it has the lower price.
+    """
+    while True:
+        terms = terms_of(grown.fit)
+        count = len(terms) - len(grown.law)
+        prices = [*(_price(t, found) for t in terms[:count]), *(t.price + MARGIN for t in grown.law)]
+        tried = [refitted(problem, grown.fit, terms[:i] + terms[i + 1 :]) for i in range(len(terms))]
+        costs = [np.inf if at is None else deviance_of(at) - p for at, p in zip(tried, prices, strict=True)]
+        worst = int(np.argmin(costs))
+        at = tried[worst]
+        if at is None or costs[worst] >= deviance_of(grown.fit):
+            return grown
+        law = tuple(t for k, t in enumerate(grown.law) if k != worst - count)
+        grown = Grown(at, law, (), deviance_of(at) + sum(t.price + MARGIN for t in law))
+        if not law:
+            return grown
+
+
+def _told(problem: Problem, grown: Grown, proof: Proof) -> list[Lawful]:
+    """Return a law and its rivals, with how sure their numbers are."""
+    terms = terms_of(grown.fit)
+    last = len(terms) - 1
+    ground = Ground(grown.fit).freed(last)
+    own = grown.law[-1]
+    gain = ground.gain(ground.place(own.target), own.form, own.limbs)
+    out = [_with_figures(grown, proof)]
+    for other in ranked(ground):
+        more = set(other.form.states) > set(own.form.states)
+        same = (other.target, set(other.form.states)) == (own.target, set(own.form.states))
+        if same or more or other.score < gain - own.price - RIVALS or len(out) == MOST:
+            continue
+        rival = fitted(problem, grown, ground, other, (), len(grown.law) - 1)
+        asked = None if rival is None else _asked(problem, rival, proof)
+        if rival is not None and asked is not None:
+            out.append(_with_figures(rival, asked))
+    return out
+
+
+def _asked(problem: Problem, grown: Grown, proof: Proof) -> Proof | None:
+    """Return what the readings that were asked say of another law: of its numbers, its form being given."""
+    part = problem.subset(np.flatnonzero(proof.train))
+    terms = terms_of(grown.fit)
+    without = refitted(part, grown.fit, terms[: len(terms) - len(grown.law)])
+    found = refitted(part, grown.fit, terms)
+    if without is None or found is None:
+        return None
+    return judged(problem, without, dataclasses.replace(grown, fit=found), proof.train, proof.test)
+
+
+def _with_figures(grown: Grown, proof: Proof) -> Lawful:
+    count, n = len(grown.law), len(terms_of(grown.fit))
+    ground = Ground(grown.fit)
+    without = ground.freed(*range(n - count, n))
+    unsure, columns = [], []
+    for i, (tried, term) in enumerate(zip(grown.law, terms_of(grown.fit)[n - count :], strict=True)):
+        unsure.append(_unsure(ground, ground.freed(n - count + i), tried, term))
+        place = without.place(tried.target)
+        C = without.columns(place, without.values(tried.form))[:, :, [k - 1 for k in tried.limbs] or [0]]
+        columns.append(C.reshape(len(C), -1))
+    G, b, _ = without.normal(np.hstack(columns)[:, None])
+    gain = float(b[0] @ np.linalg.pinv(G[0], rcond=1e-8, hermitian=True) @ b[0])
+    return Lawful(grown.fit, grown.law, proof, gain, tuple(unsure), not unexplained(grown.fit))
+
+
+def _unsure(ground: Ground, freed: Ground, tried: Tried, term: Term) -> tuple[Array, Array]:
+    """Return standard deviations of a term's constants, and what they add to the variances of its coefficients.
+
+    Parameters
+    ----------
+    ground, freed : Ground
+        At the exact fit, with the term fitted, and with it taken out.
+    """
+    form, place = tried.form, ground.place(tried.target)
+    n = len(form.constants)
+    if not n:
+        return np.zeros(0), np.zeros(term.n_coefficients)
+    own = [i - 1 for i in tried.limbs] or [0]
+    columns, moved = [], []
+    for k, constant in enumerate(form.constants):
+        step = STEP * max(abs(constant), 1e-12)
+        at = [np.array(form.constants), np.array(form.constants)]
+        at[0][k], at[1][k] = constant + step, constant - step
+        ends = [form.with_constants(a) for a in at]
+        C = [ground.columns(place, ground.values(f))[:, :, own] for f in ends]
+        columns.append(np.einsum("snl,ln->s", C[0] - C[1], term.values) / (2 * step))
+        values = [freed.term(tried.target, f, tried.limbs).values.ravel() for f in ends]
+        moved.append((values[0] - values[1]) / (2 * step))
+    G, _, size = ground.normal(np.column_stack(columns)[:, None])
+    scale = np.where(size[0] > 0, size[0], 1.0)
+    covariance = np.linalg.pinv(G[0], rcond=1e-8, hermitian=True) / np.outer(scale, scale)
+    by = np.array(moved)
+    return np.sqrt(np.maximum(np.diag(covariance), 0.0)), np.einsum("kc,kl,lc->c", by, covariance, by)

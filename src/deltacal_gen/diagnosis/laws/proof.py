@@ -1,0 +1,162 @@
+"""Whether readings that took no part in finding a law speak for it.
+
+A law is found on a part of the readings and asked for the others: whole poses; the last quarter of the session, where
+it goes with time or remembers, for any smooth function follows a random walk on readings in between; blocks of rows,
+where what it goes with changes slowly from row to row.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from deltacal_gen.diagnosis.laws.search import Grown, grow
+from deltacal_gen.diagnosis.strategy import borne_out, refitted, terms_of
+from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.estimation.residuals import lengths, rms
+from deltacal_gen.identification.folds import folds
+from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics.law import is_law
+
+PART = 4  # one of so many parts is asked
+LAST = 0.75  # of the session: what comes after is asked
+BLOCKS, ASKED = 10, (2, 5, 8)  # blocks of rows, in the order of time, and those that are asked
+SLOW = 0.7  # correlation of neighbouring rows above which a state stands in blocks
+SHARE = 0.75  # of what stands above the noise in readings that are asked: what a law has to take
+TRIMMED = 0.03  # of readings: the largest errors, which may be gross
+
+
+@dataclass(frozen=True)
+class Proof:
+    """What a law that was found on a part of the readings is worth on the others.
+
+    Attributes
+    ----------
+    grown : Grown
+        As it was found.
+    train, test : (R,) arrays of bool
+    rms : float
+        Of the readings that were asked [mm].
+    share : float
+        Of the variance above the noise in them: what the law takes.
+    holds : bool
+    """
+
+    grown: Grown
+    train: np.ndarray
+    test: np.ndarray
+    rms: float
+    share: float
+    holds: bool
+
+
+def proven(problem: Problem, base: Fit) -> Proof | None:
+    """Return the law that a part of the readings has, and what the others say of it; None where no part has one.
+
+    The last quarter is asked first, which serves for all. Where it does not speak for the law it may lie where nothing
+    was read before: of a law that has nothing to do with time other parts are asked.
+    """
+    proof = _asked(problem, base, _last(problem))
+    if proof is not None and (proof.holds or pace(problem, proof.grown) == "time"):
+        if proof.holds and pace(problem, proof.grown) == "poses" and _repeated(problem):
+            return _asked(problem, base, _poses(problem))
+        return proof
+    proof = _asked(problem, base, _poses(problem))
+    if proof is None or (how := pace(problem, proof.grown)) == "poses":
+        return proof
+    return _asked(problem, base, _blocks(problem)) if how == "blocks" else None
+
+
+def _repeated(problem: Problem) -> bool:
+    """Tell whether poses were read more than once: an error of a pose is then read before and in the last quarter."""
+    return len(np.unique(problem.readings.group)) < len(problem.readings)
+
+
+def pace(problem: Problem, grown: Grown) -> str:
+    """Return which readings are asked for a law: by ``time``, in ``blocks``, or whole ``poses``."""
+    if "time" in grown.states or grown.remembers:
+        return "time"
+    channels = problem.body.channels.values
+    rows = _in_order(problem)
+    slow = [s for s in grown.states if s in channels and channels[s].ndim == 1 and _slow(channels[s][rows])]
+    return "blocks" if slow else "poses"
+
+
+def held_out(problem: Problem, fitted: Fit, test: np.ndarray) -> Array:
+    """Return errors (R, k) of readings that a fit of others predicts, in standard deviations; NaN of those others."""
+    whole = problem.with_terms(fitted.problem.terms, fitted.problem.scale[len(problem.names) :])
+    r = whole.residual(fitted.errors, fitted.instrument, whole.poses(fitted.errors))
+    out = np.full(r.shape, np.nan)
+    out[test] = r[test] / fitted.sigma
+    return out
+
+
+def _asked(problem: Problem, base: Fit, split: tuple[np.ndarray, np.ndarray]) -> Proof | None:
+    """Find a law on a part (R,) of the readings and ask the others."""
+    train, test = split
+    if test.sum() < 3 or train.sum() < 3:
+        return None
+    part = problem.subset(np.flatnonzero(train))
+    known = [t for t in terms_of(base) if not is_law(t.effect)]
+    first = refitted(part, base, known)
+    grown = None if first is None else grow(part, first)
+    if first is None or grown is None:
+        return None
+    return judged(problem, first, grown, train, test)
+
+
+def judged(problem: Problem, first: Fit, grown: Grown, train: np.ndarray, test: np.ndarray) -> Proof:
+    """Return what readings (R,) that were asked say of a law, beside the fit `first` of the others without it."""
+    before, after = (held_out(problem, at, test) * at.sigma / grown.fit.sigma for at in (first, grown.fit))
+    share = explained(before, after)
+    kind = problem.readings.kind
+    error = rms(lengths((after * grown.fit.sigma)[_quiet(before, after)], kind))
+    return Proof(grown, train, test, error, share, bool(share > SHARE and borne_out(before, after)))
+
+
+def explained(before: Array, after: Array) -> float:
+    """Return which part of squares above the noise goes, errors (R, k) in standard deviations of the noise."""
+    a, b = np.nansum(before**2, axis=1), np.nansum(after**2, axis=1)
+    kept = _quiet(before, after)
+    scalars = np.isfinite(before[kept]).sum()
+    excess = a[kept].sum() - scalars
+    return float(1.0 - (b[kept].sum() - scalars) / excess) if excess > 0 else 0.0
+
+
+def _quiet(before: Array, after: Array) -> np.ndarray:
+    """Return the readings that were asked, but for those of the largest errors."""
+    b = np.nansum(after**2, axis=1)
+    seen = np.flatnonzero(np.isfinite(before).any(axis=1))
+    kept: np.ndarray = seen[np.argsort(b[seen])[: len(seen) - int(TRIMMED * len(seen))]]
+    return kept
+
+
+def _poses(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
+    return folds(problem.readings, problem.recording, PART)[0]
+
+
+def _last(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
+    clock = problem.body.channels.clock[problem.readings.rows[:, 0]]
+    late = clock > np.quantile(clock, LAST)
+    return ~late, late
+
+
+def _blocks(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
+    order = np.argsort(np.argsort(problem.body.channels.clock[problem.readings.rows[:, 0]], kind="stable"))
+    asked = np.isin(order * BLOCKS // len(order), ASKED)
+    return ~asked, asked
+
+
+def _in_order(problem: Problem) -> np.ndarray:
+    """Return the rows that were read, in the order of time."""
+    rows = np.unique(problem.readings.rows)
+    order: np.ndarray = rows[np.argsort(problem.body.channels.clock[rows], kind="stable")]
+    return order
+
+
+def _slow(values: Array) -> bool:
+    v = values - values.mean()
+    size = float((v**2).sum())
+    return bool(size > 0 and float((v[1:] * v[:-1]).sum()) > SLOW * size)

@@ -1,0 +1,220 @@
+"""Which form at which place explains most of what a fit leaves, beyond the price of having looked at so many.
+
+First every state and every product of two, in few functions each, at every place. Then, where that explains most, every
+function that the grammar has; last the constants within the best ones, between the steps of their grids.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import itertools
+from collections.abc import Iterable, Sequence
+from functools import cache
+
+import numpy as np
+
+from deltacal_gen.diagnosis.laws import grammar
+from deltacal_gen.diagnosis.laws.grammar import Form
+from deltacal_gen.diagnosis.laws.ground import Ground, Place, Tried
+from deltacal_gen.diagnosis.search import MOST_SETS, best_set, gains, quantile
+from deltacal_gen.machine.registry import Array
+
+PART = 2 * np.log(2)  # of chi2: price of each part that there is to say of a law
+LOOKED_AT = 10  # states, or pairs of them, at a place, of which every function is tried
+KINDS = 8  # functions of a state of which the best constants are sought
+REFINED = 16  # forms whose constants are sought between the steps of their grids
+STEPS = 60  # of that search
+SHARP = 0.15  # of a constant, in logarithms, or of the width of its state: its first step
+NEAR = 0.5  # of the best score: what explains less is not looked at closer
+
+
+def ranked(ground: Ground, looked_at: int = LOOKED_AT) -> list[Tried]:
+    """Return the best form of every place and set of states that earns something, the best first.
+
+    `looked_at` of them are looked at closer.
+    """
+    tried = _first(ground)
+    count = max(len(tried), 1)
+    heads = _each_once(sorted(tried, key=lambda t: -t.score))[:looked_at]
+    heads = [h for h in heads if h.score > NEAR * heads[0].score - 50.0] if heads else []
+    places = {p.target: p for p in ground.places}
+    closer: list[Tried] = []
+    for head in heads:
+        forms = list(_closer(ground, head))
+        count += len(forms)
+        found = sorted(_screened(ground, places[head.target], forms), key=lambda t: -t.score)
+        kinds = {t.form.functions: t for t in reversed(found[: 20 * KINDS])}  # one of each, with its best constants
+        some = sorted([head, *kinds.values()], key=lambda t: -t.score)[: KINDS if len(head.form.states) == 1 else 3]
+        closer += [_carried(ground, places[head.target], t) for t in some]
+    priced = [dataclasses.replace(t, price=price(t, count)) for t in closer]
+    priced.sort(key=lambda t: -t.score)
+    refined = [refine(ground, places[t.target], t) for t in priced[:REFINED]]
+    return _each_once(sorted([*refined, *priced[REFINED:]], key=lambda t: -t.score))
+
+
+def _each_once(tried: Iterable[Tried]) -> list[Tried]:
+    """Return the first of every place and set of states."""
+    out: dict[tuple[str, frozenset[str]], Tried] = {}
+    for t in tried:
+        out.setdefault((t.target, frozenset(t.form.states)), t)
+    return list(out.values())
+
+
+def price(tried: Tried, count: int) -> float:
+    """Return the gain that the best of `count` forms exceeds by chance alone, and what there is to say of this one."""
+    columns = len(tried.form.functions) * max(len(tried.limbs), 1)
+    of_choice = quantile(1, count) - quantile(1, 1)
+    return columns * quantile(1, 1) + of_choice + PART * tried.form.length
+
+
+def _first(ground: Ground) -> list[Tried]:
+    """Return what simple functions of every state, and products of two, explain at every place."""
+    out: list[Tried] = []
+    for place in ground.places:
+        names = tuple(ground.readable(place))
+        if names not in ground.coarse:
+            ground.coarse[names] = _coarse(ground, names)
+        out += _screened(ground, place, ground.coarse[names])
+    return out
+
+
+def _coarse(ground: Ground, names: Sequence[str]) -> list[Form]:
+    """Return simple functions of every state, waves, and products of two."""
+    states = ground.states
+    ones = [grammar.single(n, a) for n in names for a in grammar.simple(n, states[n])]
+    for a, b in itertools.combinations(names, 2):
+        for f, g in itertools.product(grammar.plain(a, states[a]), grammar.plain(b, states[b])):
+            ones.append(grammar.product((a, f), (b, g)))
+    ones += [
+        grammar.single(n, grammar.Atom(f"Lag({n}, {{0}})", (tau,), 4))
+        for n in names
+        for tau in ground.lags[2::3]
+        if n != "time"
+    ]
+    ones += [w for n in names if states[n].ndim == 1 and n[:2] != "q_" for w in grammar.waves(n, states[n])]
+    return ones
+
+
+def _closer(ground: Ground, head: Tried) -> Iterable[Form]:
+    """Yield every form of the states of one that explains much."""
+    names, states = head.form.states, ground.states
+    lags = ground.lags if "reading" not in head.target and head.target != "length" else ()
+    make = grammar.full if len(names) == 1 else grammar.factors
+    atoms = [make(n, states[n], () if n == "time" else lags) for n in names]
+    if len(names) == 1:
+        yield from (grammar.single(names[0], a) for a in atoms[0])
+        if len(head.form.functions) == 2:  # a wave
+            yield from (grammar.single(names[0], a) for a in grammar.periodic(names[0], head.form.constants[0]))
+        return
+    a, b = names
+    for f, g in itertools.product(*atoms):
+        yield grammar.product((a, f), (b, g))
+    for m, n, g in ((a, b, atoms[1][0]), (b, a, atoms[0][0])):
+        yield from (grammar.modulated(m, f, (n, g)) for f in grammar.slow_waves(states[m]))
+    for (m, f), (n, g) in (((a, atoms[0][0]), (b, atoms[1][0])), ((b, atoms[1][0]), (a, atoms[0][0]))):
+        yield grammar.product((m, f), (n, g), beside=True)
+
+
+def _screened(ground: Ground, place: Place, forms: Sequence[Form]) -> list[Tried]:
+    """Return the forms on the limb, or on all limbs, on which each explains most beyond its own price."""
+    out: list[Tried] = []
+    for some, values in ground.batches(forms):
+        C = _of_forms(ground, place, some, values)
+        out += _scored(ground, place, some, C)
+    return out
+
+
+def _of_forms(ground: Ground, place: Place, forms: Sequence[Form], values: Array) -> Array:
+    """Return whitened columns (scalars, n, limbs * functions) of forms with equally many functions."""
+    m = len(forms[0].functions)
+    states = [f.states for f in forms for _ in range(m)]
+    C = ground.columns(place, values, states)
+    limbs = C.shape[2]
+    return np.swapaxes(C.reshape(len(C), len(forms), m, limbs), 2, 3).reshape(len(C), len(forms), -1)
+
+
+def _scored(ground: Ground, place: Place, forms: Sequence[Form], C: Array) -> list[Tried]:
+    G, b, _ = ground.normal(C)
+    limbs, m = place.columns.shape[2], len(forms[0].functions)
+    each = np.stack([gains(G[:, at : at + m, at : at + m], b[:, at : at + m]) for at in range(0, limbs * m, m)], axis=1)
+    every = gains(G, b) if limbs > 1 else each[:, 0]
+    out = []
+    for k, form in enumerate(forms):
+        one = int(np.argmax(each[k]))
+        single, whole = float(each[k, one]), float(every[k])
+        more = (limbs - 1) * m * quantile(1, 1)
+        own = place.limbs if whole - more > single else place.limbs[one : one + 1]
+        gain = whole if whole - more > single else single
+        found = Tried(place.target, form, own, gain, 0.0)
+        out.append(dataclasses.replace(found, price=price(found, 1)))
+    return out
+
+
+def _carried(ground: Ground, place: Place, tried: Tried) -> Tried:
+    """Return a form on the set of limbs that earns most."""
+    limbs = len(place.limbs)
+    if limbs < 2:
+        return tried
+    C = _of_forms(ground, place, [tried.form], ground.values(tried.form))
+    G, b, _ = ground.normal(C)
+    m = len(tried.form.functions)
+
+    @cache
+    def gain(own: tuple[int, ...]) -> float:
+        at = [(i - 1) * m + j for i in own for j in range(m)]
+        return float(gains(G[0][np.ix_(at, at)][None], b[0, at][None])[0])
+
+    def worth(own: tuple[int, ...]) -> float:
+        return gain(own) - len(own) * m * quantile(1, 1)
+
+    if limbs > MOST_SETS:
+        own = best_set(place.limbs, worth)[0]
+    else:
+        sets = [s for n in range(1, limbs + 1) for s in itertools.combinations(place.limbs, n)]
+        own = max(sets, key=worth)
+    return dataclasses.replace(tried, limbs=own, gain=gain(own))
+
+
+def refine(ground: Ground, place: Place, tried: Tried) -> Tried:
+    """Return a form with its constants where it explains most: from the step of their grids, along each in turn."""
+    form = tried.form
+    if not form.constants:
+        return tried
+    best, at = tried.gain, np.array(form.constants)
+    step = np.array([SHARP * _size(ground, form, k) for k in range(len(at))])
+    for _ in range(STEPS):
+        moved = False
+        for k in range(len(at)):
+            for sign in (1.0, -1.0):
+                trial = at.copy()
+                trial[k] += sign * step[k]
+                if trial[k] * at[k] <= 0 and not _threshold(form, k):
+                    continue  # a scale, a period or a time has a sign
+                found = ground.gain(place, form.with_constants(trial), tried.limbs)
+                if found > best + 1e-3:
+                    best, at, moved = found, trial, True
+                    step[k] *= 1.5
+                    break
+            else:
+                step[k] *= 0.5
+        if not moved and (step < 1e-3 * np.maximum(np.abs(at), 1e-12)).all():
+            break
+    return dataclasses.replace(tried, form=form.with_constants(at), gain=best)
+
+
+def _threshold(form: Form, k: int) -> bool:
+    """Tell whether a constant is a place on the axis of its state, and no size."""
+    return any(f"- {{{k}}}" in f for f in form.functions)
+
+
+def _size(ground: Ground, form: Form, k: int) -> float:
+    if _threshold(form, k):
+        return float(np.ptp(ground.states[form.states[-1] if len(form.states) == 1 else _owner(form, k)]))
+    return abs(form.constants[k])
+
+
+def _owner(form: Form, k: int) -> str:
+    """Return the state whose function holds a constant: the last one before it in the text."""
+    text = form.functions[0]
+    before = text[: text.index(f"{{{k}}}")]
+    return max(form.states, key=before.rfind)

@@ -1,0 +1,128 @@
+"""Laws as DIAGNOSIS.json holds them: expressions, numbers with units, where they were found, and their curve."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from deltacal_gen.diagnosis.laws.ground import Ground
+from deltacal_gen.diagnosis.strategy import terms_of
+from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics.formula import unit, written
+from deltacal_gen.physics.law import Law as LawModule
+from deltacal_gen.physics.law import inside, is_law, load_law
+from deltacal_gen.physics.states import named
+from deltacal_gen.physics.terms import Term
+from deltacal_gen.results.diagnosis import Law, LawCoefficient, LawCurve, LawTerm
+from deltacal_gen.units import of_joints
+
+if TYPE_CHECKING:
+    from deltacal_gen.diagnosis.laws.laws import Lawful
+
+POINTS = 121  # of a curve
+
+
+def told(laws: tuple[Lawful, ...], final: Fit) -> tuple[Law, ...]:
+    """Return laws as answers hold them, the best one with the numbers of the final fit."""
+    others = tuple(law.text for law in laws[1:])
+    return tuple(_law(law, final if k == 0 else law.fit, others if k == 0 else ()) for k, law in enumerate(laws))
+
+
+def _law(law: Lawful, at: Fit, alike: tuple[str, ...]) -> Law:
+    every = terms_of(at)
+    places = [i for i, t in enumerate(every) if is_law(t.effect)]
+    std = np.sqrt(np.maximum(np.diag(at.covariance), 0.0))
+    unit_of_joints = at.problem.recording.joint_unit
+    terms: list[LawTerm] = []
+    ends: dict[str, tuple[float, float]] = {}
+    for i, unsure in zip(places, law.unsure, strict=True):
+        term, own = every[i], std[at.problem.coefficients(i)]
+        module = load_law(term.effect)
+        terms.append(_term(term, module, np.hypot(own, np.sqrt(unsure[1])), unsure[0], unit_of_joints))
+        for state, (low, high) in zip(module.STATE, module.ends(term.constants), strict=True):
+            before = ends.get(state, (np.inf, -np.inf))
+            ends[state] = (min(before[0], float(low)), max(before[1], float(high)))
+    return Law(
+        terms=tuple(terms),
+        states=tuple(ends),
+        range=ends,
+        heldout_rms_mm=law.proof.rms,
+        share_of_excess=float(np.clip(law.proof.share, 0.0, 1.0)),
+        gain=law.gain,
+        charge=law.charge,
+        alike=alike,
+        borne_out=law.proof.holds,
+        curve=_curve(at, places[0]) if alike or law.proof.holds else None,
+    )
+
+
+def _term(term: Term, law: LawModule, std: Array, of_constants: Array, joint_unit: str) -> LawTerm:
+    coefficients = []
+    spread = std.reshape(term.values.shape)
+    for r, row in enumerate(term.values):
+        limb = term.limbs[r] if term.limbs else None
+        units = law.units(_joint_unit(joint_unit, limb))
+        coefficients += [
+            LawCoefficient(name=c, limb=limb, value=float(v), std=float(s), unit=written(units[c]))
+            for c, v, s in zip(law.formula.linear, row, spread[r], strict=True)
+        ]
+    units = law.units(_joint_unit(joint_unit, min(term.limbs, default=None)))
+    order = sorted(law.inner, key=lambda name: int(name[1:]))
+    for k, name in enumerate(order):
+        value = float(term.constants[law.inner.index(name)])
+        coefficients.append(
+            LawCoefficient(name=name, limb=None, value=value, std=float(of_constants[k]), unit=written(units[name]))
+        )
+    expression = law.formula.text
+    return LawTerm(target=law.TARGETS[0], limbs=term.limbs, expression=expression, coefficients=tuple(coefficients))
+
+
+def _joint_unit(joint_unit: str, limb: int | None) -> str:
+    return of_joints(joint_unit, max(limb or 1, 1))[(limb or 1) - 1]
+
+
+def _curve(at: Fit, i: int) -> LawCurve | None:
+    """Return a term along its first state, other states at their median, and what every reading says of it."""
+    term = terms_of(at)[i]
+    law = load_law(term.effect)
+    ground = Ground(at)
+    if law.lags or any(s not in ground.states for s in law.STATE):
+        return None
+    place, limb = ground.place(law.TARGETS[0]), (term.limbs or (1,))[0]
+    column = place.columns[:, :, limb - 1 if term.limbs else 0]
+    seen = {s: _of_limb(ground.states[s], limb) for s in law.STATE}
+    s = np.column_stack(list(seen.values()))
+    own = term.values[:1]
+    now = law.value(s, own, term.constants)[:, 0]
+    residual = np.where(np.isfinite(at.residual[:, : column.shape[1]]), at.residual[:, : column.shape[1]], 0.0)
+    size = (column**2).sum(axis=1)
+    moved = (column * residual).sum(axis=1) / np.where(size > 0, size, np.inf)
+    low, high = law.ends(term.constants)[0]
+    grid = np.tile(np.median(s, axis=0), (POINTS, 1))
+    grid[:, 0] = np.linspace(low, high, POINTS)
+    by = law.jacobian(grid, own, term.constants)[:, 0]
+    covariance = at.covariance[np.ix_(at.problem.coefficients(i), at.problem.coefficients(i))]
+    covariance = covariance[: own.size, : own.size]
+    joint_unit = _joint_unit(at.problem.recording.joint_unit, limb)
+    # with several states a reading is shown as it would be at the medians of the others
+    shown = law.value(np.column_stack([s[:, :1], grid[:1, 1:].repeat(len(s), axis=0)]), own, term.constants)[:, 0]
+    ratio = np.divide(shown, now, out=np.ones_like(now), where=np.abs(now) > 1e-3 * np.abs(now).max())
+    target = (
+        "rad" if law.TARGETS[0].startswith("turn.") or (law.TARGETS[0] == "joint" and joint_unit == "rad") else "mm"
+    )
+    return LawCurve(
+        state=law.STATE[0],
+        unit=written(unit(inside(named(law.STATE[0]), joint_unit))),
+        target_unit=target,
+        at=grid[:, 0],
+        value=law.value(grid, own, term.constants)[:, 0],
+        std=np.sqrt(np.maximum(np.einsum("nc,cd,nd->n", by, covariance, by), 0.0)),
+        seen=s[:, 0],
+        partial=shown + ratio * moved,
+    )
+
+
+def _of_limb(values: Array, limb: int) -> Array:
+    return values[:, limb - 1] if values.ndim == 2 else values
