@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.correction import Correction
 from deltacal_gen.diagnosis.discrimination import more_poses
 from deltacal_gen.diagnosis.findings import Named
@@ -35,6 +36,7 @@ from deltacal_gen.results.diagnosis import (
     Final,
     NoiseLevel,
     Residuals,
+    Searched,
     Seen,
     SeenJoint,
     SmoothCorrection,
@@ -62,8 +64,9 @@ def result_of(found: Diagnosed) -> Diagnosis:
         location=found.location,
         effects=(
             *([_periodic(found, found.spectrum)] if found.spectrum is not None else []),
-            *(_effect(n, final.problem.recording.joint_unit) for n in found.effects),
+            *(_effect(n, final.problem.recording.joint_unit, found.chance) for n in found.effects),
         ),
+        search=Searched(best=found.chance.best, p_value=found.chance.p_value),
         final=Final(train_rms_mm=final.rms(), heldout_rms_mm=after, chi2_per_dof=of_final),
         rejected=found.rejected,
         not_tested=found.not_tested,
@@ -138,7 +141,7 @@ def _residuals(found: Diagnosed) -> Residuals:
     )
 
 
-def _effect(found: Named, joint_unit: str) -> Effect:
+def _effect(found: Named, joint_unit: str, chance: Chance) -> Effect:
     term, kernels = found.term, found.term.kernels
     parameters: list[EffectParameter] = []
     std = found.std.reshape(term.values.shape)
@@ -162,7 +165,7 @@ def _effect(found: Named, joint_unit: str) -> Effect:
         title=kernels.TITLE,
         limbs=term.limbs,
         parameters=tuple(parameters),
-        p_value=float(np.exp(-min(found.gain, 1400.0) / 2)),
+        p_value=chance.of(found.score),
         gain_chi2=found.gain,
         share_of_excess=found.share,
         indistinguishable_from=found.alike,
@@ -184,7 +187,7 @@ def _periodic(found: Diagnosed, spectrum: Spectrum) -> Effect:
         limbs=spectrum.limbs,
         parameters=(*joints, EffectParameter(name="corner", limb=None, value=spectrum.corner, std=None, unit="1")),
         orders=(1, len(spectrum.terms)),
-        p_value=float(np.exp(-min(gain, 1400.0) / 2)),
+        p_value=found.chance.of(gain - 2.0 * spectrum.corner * len(spectrum.limbs)),
         gain_chi2=gain,
         gain_by_limb={str(j): g for j, g in spectrum.gains.items()},
         share_of_excess=float(np.clip(removed, 0.0, 1.0)) * gain / (gain + sum(n.gain for n in found.effects)),

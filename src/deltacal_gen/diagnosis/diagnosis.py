@@ -17,6 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from deltacal_gen.diagnosis.answer import result_of
+from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.correction import Correction, correct
 from deltacal_gen.diagnosis.discrimination import Question, next_measurements
 from deltacal_gen.diagnosis.findings import Named, location_of, named_of, rejected_of
@@ -84,6 +85,7 @@ class Diagnosed:
     not_tested: tuple[Missing, ...]
     next_measurements: tuple[NextMeasurement, ...]
     robot: Robot
+    chance: Chance
     correction: Correction | None = None
     spectrum: Spectrum | None = None
     lean: bool = False
@@ -169,9 +171,10 @@ def diagnose(
     verdict = Verdict.UNEXPLAINED if unexplained else Verdict.MISSING_PHYSICS if named_any else Verdict.ADEQUATE
     known = noise(current, recording)
     named = named_of(search, current, heldout, known.sigma, spectrum)
+    chance = Chance(Search(first, terms), np.random.default_rng(SEED))
     # where a law sits is told as it showed, without the law
     of, shows = (found.search.fit, found.left) if lawful else (search.fit, left)
-    location = location_of(of, shows, named, spectrum, explained=not (unexplained or lawful))
+    location = location_of(of, shows, named, spectrum, chance, explained=not (unexplained or lawful))
     progress("what to measure next")
     questions = [
         *(Question(n.term, n.rivals, n.unrecorded) for n in named),
@@ -194,6 +197,7 @@ def diagnose(
         not_tested=not_tested,
         next_measurements=next_measurements(search.fit, questions, location if unexplained else None),
         robot=calibrated,
+        chance=chance,
         correction=correct(search.fit, current, left, parts) if unexplained else None,
         spectrum=spectrum,
         lean=lean,

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.search import Found, Search, charge
 from deltacal_gen.diagnosis.spectrum import Spectrum, wave
 from deltacal_gen.diagnosis.strategy import ALIKE, MARGIN, terms_of
@@ -40,8 +41,9 @@ WARMED = 20.0  # K: by which a machine whose temperature nobody recorded may wel
 class Named:
     """An effect that was found, with the gain in chi2 that it brings beside all others.
 
-    `rivals` explain the same misfit as well; `unrecorded` name effects that could, through a channel that was not
-    recorded or did not vary. `of_size` is the standard deviation of a size that was searched.
+    `score` is what is left of the gain after its charge. `rivals` explain the same misfit as well; `unrecorded` name
+    effects that could, through a channel that was not recorded or did not vary. `of_size` is the standard deviation of
+    a size that was searched.
     """
 
     term: Term
@@ -50,6 +52,7 @@ class Named:
     share: float
     rivals: tuple[Term, ...]
     unrecorded: tuple[str, ...]
+    score: float
     of_size: float | None = None
 
     @property
@@ -59,7 +62,12 @@ class Named:
 
 
 def location_of(
-    at: Fit, left: Sequence[Structure], named: Sequence[Named], spectrum: Spectrum | None, explained: bool
+    at: Fit,
+    left: Sequence[Structure],
+    named: Sequence[Named],
+    spectrum: Spectrum | None,
+    chance: Chance,
+    explained: bool,
 ) -> Location:
     """Return channels by their share of the misfit, the limbs, the region where it is local, and all in words.
 
@@ -71,16 +79,16 @@ def location_of(
     unit, joints = at.problem.recording.joint_unit, at.problem.mechanism.limbs
     names = joint_names(unit, joints)
     if explained:
-        periodic_at = spectrum.gains if spectrum is not None else {}
+        periodic_at, charged = ({}, 0.0) if spectrum is None else (spectrum.gains, 2.0 * spectrum.corner)
         limbs = sorted({i for n in named for i in n.term.limbs} | set(periodic_at))
         for i, gain in periodic_at.items():
             share = gain / (sum(periodic_at.values()) + sum(n.gain for n in named))
-            channels[names[i - 1]] = (share, float(np.exp(-min(gain, 1400.0) / 2)))
+            channels[names[i - 1]] = (share, chance.of(gain - charged))
         for n in named:
             for state in n.term.states:
                 for name in state.shown_in(unit, joints, n.term.limbs or range(1, joints + 1)):
                     share = max(n.share, channels.get(name, (0.0, 1.0))[0])
-                    channels[name] = (share, float(np.exp(-min(n.gain, 1400.0) / 2)))
+                    channels[name] = (share, chance.of(n.score))
     else:
         total = float(np.nansum((at.residual / at.sigma) ** 2))
         earning = [s for s in left if s.earned > 0]
@@ -131,7 +139,7 @@ def named_of(
         rivals = tuple(f.term for f in others if f.score > gain - price - AMBIGUOUS)
         of_size, more = freed.spread(term)
         std = np.sqrt(np.maximum(variance, 0.0) + more)
-        out.append(Named(term, std, gain, 1.0, rivals, _unrecorded(freed, gain - price), of_size))
+        out.append(Named(term, std, gain, 1.0, rivals, _unrecorded(freed, gain - price), gain - price, of_size))
     # of the held-out variance above noise, each in proportion to what is lost without it
     before, after = heldout
     removed = float(np.clip((before**2 - after**2) / max(before**2 - sigma**2, 1e-300), 0.0, 1.0))

@@ -210,7 +210,7 @@ class Search:
         self._inside = beside.Q.T @ self._columns
         self._reach = beside.residual @ self._columns
 
-    def _gram(self, name: str) -> Array:
+    def gram(self, name: str) -> Array:
         """Return the products (M, n, n) of the columns of each of an effect's forms, beside all that is fitted."""
         forms, span = self._forms(name), self._span(name)
         if name not in self._squares:  # they are the same whatever is fitted beside them
@@ -224,6 +224,16 @@ class Search:
     def readings(self) -> int:
         """Number of scalars."""
         return self._beside.readings
+
+    @property
+    def beside(self) -> Beside:
+        """What the forms compete beside."""
+        return self._beside
+
+    @property
+    def columns(self) -> Array:
+        """Whitened unit columns (scalars, n) of all forms, in the order of `terms`."""
+        return self._columns
 
     def freed(self, *effects: int) -> Search:
         """Return the search for what could stand for effects of the fit, all others beside it."""
@@ -267,7 +277,7 @@ class Search:
         start = self._start.get(_key(term))
         if start is None:
             return []
-        return [start + j for j in _offsets(next(t for t in self.terms if t.effect == term.effect), term)]
+        return [start + j for j in places(next(t for t in self.terms if t.effect == term.effect), term)]
 
     def gain(self, columns: Sequence[int]) -> float:
         """Return by how much columns, fitted together with all that is fitted already, lower chi2."""
@@ -289,7 +299,7 @@ class Search:
         """
         forms, span = self._forms(name), self._span(name)
         free = [j for j, t in enumerate(forms) if _key(t) not in self.effects]
-        G = self._gram(name)[free]
+        G = self.gram(name)[free]
         b = self._reach[span].reshape(len(forms), -1)[free]
         size = self._size[span].reshape(len(forms), -1)[free]
         open_forms, allowed, doubt = np.arange(len(free)), _allowed(forms[0]), ""
@@ -298,7 +308,7 @@ class Search:
             part, k, gain, score = _most(forms[0], allowed, len(forms), G[open_forms], b[open_forms])
             k = int(open_forms[k])
             form = dataclasses.replace(part, constants=forms[free[k]].constants)
-            own = _offsets(forms[0], part)
+            own = places(forms[0], part)
             cannot = self._beyond(form, G[k][np.ix_(own, own)], b[k, own], size[k, own])
             last = Found(form, gain, score, doubt)
             if not cannot or score < 0:
@@ -501,7 +511,8 @@ def _carriers(term: Term) -> Sequence[object]:
     return term.limbs or term.tools
 
 
-def _offsets(every: Term, part: Term) -> list[int]:
+def places(every: Term, part: Term) -> list[int]:
+    """Return which coefficients of an effect on all limbs, or tool points, those on a part of them are."""
     return _places(every, _carriers(part))
 
 

@@ -82,6 +82,16 @@ class Location(Value):
     text: str
 
 
+class Searched(Value):
+    """What the search comes to, before anything is named."""
+
+    best: str | None
+    """The effect that explains most for its price; null where none was tested."""
+    p_value: float
+    """Probability that noise alone lets the best of all forms of all effects explain as much: uniform where there is
+    nothing but noise."""
+
+
 class EffectParameter(Value):
     """A coefficient or constant of an effect, in the units of files."""
 
@@ -106,6 +116,7 @@ class Effect(Value):
     orders: tuple[int, ...] | None = None
     """The first and the last, of a periodic error of many orders."""
     p_value: float
+    """Probability that noise alone lets the best of all forms of all effects earn so much."""
     gain_chi2: float
     gain_by_limb: dict[str, float] | None = None
     share_of_excess: float
@@ -268,6 +279,8 @@ class Diagnosis(Answer):
     baseline: Baseline
     location: Location
     effects: tuple[Effect, ...]
+    search: Searched | None = None
+    """Null in answers written before it was told."""
     final: Final
     rejected: tuple[Rejected, ...]
     not_tested: tuple[Missing, ...]
