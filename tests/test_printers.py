@@ -14,6 +14,7 @@ import pytest
 from conftest import Run
 from test_linear_delta import LINEAR, PRINTER, grid, plausible, recording
 
+import deltacal_gen as dc
 from deltacal_gen import InputError, NoSolutionError, UsageError
 from deltacal_gen.app import commands
 from deltacal_gen.files.imports import import_klipper
@@ -138,6 +139,9 @@ def test_a_mesh_is_what_the_probe_met(tmp_path: Path, printer: Robot) -> None:
     axis = np.linspace(-80, 80, 5)
     inside = np.hypot(*np.meshgrid(axis, axis)) <= 80
     assert len(x) == inside.sum() == 13
+    few = dc.diagnose(got.robot, found)  # too few readings for any physics, and an answer all the same
+    assert (few["verdict"], few["effects"]) == ("adequate", [])
+    assert all("fewer cannot tell it from geometry" in t["missing"] for t in few["not_tested"])
     assert x[:, 0] == pytest.approx(np.meshgrid(axis, axis)[0][inside] - 2.0, abs=1e-6)
     assert x[:, 2] == pytest.approx(z[inside] + Z_OFFSET, abs=1e-5)
     assert (found.measured == Z_OFFSET).all()

@@ -125,7 +125,7 @@ class Beside:
         """Return readings (R, k, n) as whitened rows (scalars, n), unread components dropped."""
         scaled = values * self._w[..., None]
         if self._read.all():
-            return self.fit.repeats.whiten(scaled).reshape(-1, values.shape[2])
+            return self.fit.repeats.whiten(scaled).reshape(self._read.size, -1)
         scaled[~self._read] = 0.0
         return self.fit.repeats.whiten(scaled)[self._read]
 
@@ -395,22 +395,7 @@ def _most(every: Term, allowed: Sequence[object], forms: int, G: Array, b: Array
     """
     most = gains(G, b)  # no part of a form explains more than the whole
     if len(allowed) > MOST_SETS:
-        best: tuple[Term, int, float, float] | None = None
-        for k in np.argsort(-most)[:MOST_FORMS]:
-
-            def worth(own: tuple[object, ...], k: int = int(k)) -> float:
-                part = _on(every, own)
-                at = _places(every, own)
-                if part.tools and len(part.tools) == len(every.tools):
-                    return -np.inf  # an offset of all tool points alike is another frame
-                return float(gains(G[k][np.ix_(at, at)][None], b[k, at][None])[0]) - charge(part, forms)
-
-            own, score = best_set(allowed, worth)
-            part = _on(every, own)
-            if best is None or score > best[3]:
-                best = part, int(k), score + charge(part, forms), score
-        assert best is not None  # there are forms
-        return best
+        return _greedy(every, allowed, forms, G, b, np.argsort(-most)[:MOST_FORMS])
     carriers, found = _carriers(every), (_on(every, allowed), 0, 0.0, -np.inf)
     largest = len(allowed) - bool(every.tools and len(allowed) == len(every.tools))
     for size in range(largest, 0, -1) if carriers else [0]:
@@ -430,17 +415,42 @@ def _most(every: Term, allowed: Sequence[object], forms: int, G: Array, b: Array
     return found
 
 
-def best_set(items: Sequence[T], worth: Callable[[tuple[T, ...]], float]) -> tuple[tuple[T, ...], float]:
-    """Return the set of items that is worth most, and its worth: forwards one by one, then backwards from all."""
+def _greedy(
+    every: Term, allowed: Sequence[object], forms: int, G: Array, b: Array, among: np.ndarray
+) -> tuple[Term, int, float, float]:
+    """Return what `_most` does, of some of the forms and of sets on the way from none to all and back."""
+    n_c, best = every.values.shape[1], (every, 0, 0.0, -np.inf)
+    for k in among.tolist():
+
+        def worth(sets: Sequence[tuple[object, ...]], k: int = k) -> Sequence[float]:
+            if every.tools and len(sets[0]) == len(every.tools):
+                return [-np.inf]  # an offset of all tool points alike is another frame
+            at = np.array([_places(every, own) for own in sets])
+            found: list[float] = gains(G[k][at[:, :, None], at[:, None, :]], b[k][at]).tolist()
+            return [gain - _charge(len(sets[0]), n_c, forms) for gain in found]
+
+        own, score = best_set(allowed, worth)
+        if score > best[3]:
+            best = _on(every, own), k, score + _charge(len(own), n_c, forms), score
+    return best
+
+
+def best_set(
+    items: Sequence[T], worth: Callable[[Sequence[tuple[T, ...]]], Sequence[float]]
+) -> tuple[tuple[T, ...], float]:
+    """Return the set of items that is worth most, and its worth: forwards one by one, then backwards from all.
+
+    `worth` takes sets of one size at a time.
+    """
     found: list[tuple[float, tuple[T, ...]]] = []
     own: tuple[T, ...] = ()
     while len(own) < len(items):
         tried = [tuple(i for i in items if i in own or i == new) for new in items if new not in own]
-        score, own = max(((worth(t), t) for t in tried), key=lambda pair: pair[0])
+        score, own = max(zip(worth(tried), tried, strict=True), key=lambda pair: pair[0])
         found.append((score, own))
     while len(own) > 1:
         tried = [tuple(i for i in own if i != old) for old in own]
-        score, own = max(((worth(t), t) for t in tried), key=lambda pair: pair[0])
+        score, own = max(zip(worth(tried), tried, strict=True), key=lambda pair: pair[0])
         found.append((score, own))
     score, own = max(found, key=lambda pair: pair[0])
     return own, score

@@ -218,17 +218,19 @@ class _Smooth:
         every, shifts = range(self._limbs), range(self._limbs, self._limbs + 3)
         reading = {tuple(shifts), tuple(range(self._limbs, A.shape[2]))}  # which shifts, or turns as well
 
-        def worth(own: Sequence[int]) -> float:
-            columns = np.hstack(list(A[:, :, list(own)]))
-            gain = gains((columns.T @ columns)[None], (self._beside.residual @ columns)[None])[0]
-            return float(gain - columns.shape[1] * np.log(self._beside.readings))
+        def worth(sets: Sequence[Sequence[int]]) -> list[float]:
+            found = []
+            for own in sets:
+                columns = np.hstack(list(A[:, :, list(own)]))
+                gain = gains((columns.T @ columns)[None], (self._beside.residual @ columns)[None])[0]
+                found.append(float(gain - columns.shape[1] * np.log(self._beside.readings)))
+            return found
 
         if self._limbs > MOST_SETS:
             sets = [*sorted(reading), best_set(list(every), worth)[0]]
         else:
             sets = [*sorted(reading), *(s for n in range(1, self._limbs + 1) for s in itertools.combinations(every, n))]
-        scores = [worth(own) for own in sets]
-        return tuple(i + 1 for i in sets[int(np.argmax(scores))] if i in every)
+        return tuple(i + 1 for i in sets[int(np.argmax(worth(sets)))] if i in every)
 
 
 def _bases(problem: Problem) -> dict[str, tuple[Array, list[Region | None]]]:

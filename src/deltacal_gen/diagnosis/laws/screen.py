@@ -168,7 +168,7 @@ def _carried(ground: Ground, place: Place, tried: Tried) -> Tried:
         return gain(own) - len(own) * m * quantile(1, 1)
 
     if limbs > MOST_SETS:
-        own = best_set(place.limbs, worth)[0]
+        own = best_set(place.limbs, lambda sets: [worth(s) for s in sets])[0]
     else:
         sets = [s for n in range(1, limbs + 1) for s in itertools.combinations(place.limbs, n)]
         own = max(sets, key=worth)
