@@ -12,7 +12,7 @@ import pytest
 
 import deltacal_gen as dc
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.robot import robot_from_dict, robot_to_toml
+from deltacal_gen.files.robot import read_robot, robot_from_dict, robot_to_toml
 from deltacal_gen.machine.dynamics import Dynamics
 from deltacal_gen.motion import derivatives, joint, kinds, regression
 from deltacal_gen.motion.rigid import Rigid, base_of
@@ -311,6 +311,90 @@ def test_options_of_poses_are_refused(recorded: Path, diagnosed: Any, tmp_path: 
         dc.identify(recorded.with_name("robot.toml"), recorded, model="serial/dh")
     with pytest.raises(InputError, match="the result is of a recording in motion, and this is none"):
         dc.predict(diagnosed, tmp_path / "poses.csv")
+
+
+# ----------------------------------------------------------------------------------------------------------- simulation
+
+TRUTH = """
+[parameters]
+m_3 = 0.5
+
+[[effects]]
+name = "coulomb_friction"
+limbs = [1, 3]
+coulomb = 2.0
+
+[[effects]]
+name = "stribeck_friction"
+limb = 3
+stribeck = 1.0
+velocity = 4.0
+"""
+
+
+@pytest.fixture
+def commanded(tmp_path: Path) -> Path:
+    """Write a trajectory with its derivatives, and the robot with its bodies; return the trajectory's path."""
+    states = trajectory(5.0, 3) / DEG
+    names = [
+        f"{word}{i}_{unit}" for word, unit in (("q", "deg"), ("qd", "deg_s"), ("qdd", "deg_s2")) for i in (1, 2, 3)
+    ]
+    table = np.column_stack([np.arange(states.shape[1]) * STEP, *states])
+    lines = [",".join(["time_s", *names]), *(",".join(map(repr, row)) for row in table.tolist())]
+    path = tmp_path / "trajectory.csv"
+    path.write_text("\n".join(lines) + "\n")
+    path.with_suffix(".toml").write_text('[measurement]\nkind = "torque"\n[motion]\nderivatives = "recorded"\n')
+    bodied = [link | {"inertia": [2e4, 3e4, 4e4, 1e3, 2e3, 3e3]} for link in LINKS]
+    (tmp_path / "robot.toml").write_text(robot_to_toml(robot(bodied)))
+    (tmp_path / "truth.toml").write_text(TRUTH)
+    return path
+
+
+def test_a_simulation_gives_the_torques_of_bodies_and_truth(commanded: Path) -> None:
+    folder = commanded.parent
+    done: Any = dc.simulate(folder / "robot.toml", commanded, folder / "made.csv", truth=folder / "truth.toml")
+    states = trajectory(5.0, 3)
+    machine = Dynamics(read_robot(folder / "robot.toml"))
+    inertia = machine.stated()
+    inertia[20] += 0.5
+    wanted = machine.torque(states, inertia) / 1000
+    way, speed = np.sign(states[1]), states[1] / DEG
+    wanted[:, 0] += 2.0 * way[:, 0]
+    wanted[:, 2] += way[:, 2] * (2.0 + np.exp(-((speed[:, 2] / 4.0) ** 2)))
+    assert done.readings == pytest.approx(wanted, abs=1e-9)
+    again = kinds.in_motion(folder / "made.csv")
+    assert again is not None
+    assert again.read(robot()).readings == pytest.approx(wanted, abs=1e-9)
+    noisy: Any = dc.simulate(folder / "robot.toml", commanded, folder / "noisy.csv", noise=0.1, seed=4)
+    assert np.std(noisy.readings - dc.simulate(folder / "robot.toml", commanded).readings) == pytest.approx(
+        0.1, rel=0.1
+    )
+    assert "sigma_Nm = 0.1" in (folder / "noisy.toml").read_text()
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "words"),
+    [
+        ("m_3", "m_4", "no link has an inertial parameter 'm_4'"),
+        ("coulomb_friction", "coulomb", "there is no effect 'coulomb' on what drives give. Did you mean"),
+        ("coulomb = 2.0", "", "coulomb_friction needs a number for 'coulomb'"),
+        ("limb = 3", "limb = 7", "joints are counted from 1 to 3"),
+        ("stribeck = 1.0", "stribeck = 1.0\nspeed = 2.0", "stribeck_friction has no parameter 'speed'"),
+    ],
+)
+def test_a_truth_that_cannot_be_is_refused(commanded: Path, before: str, after: str, words: str) -> None:
+    truth = commanded.with_name("truth.toml")
+    truth.write_text(TRUTH.replace(before, after, 1))
+    with pytest.raises(InputError) as error:
+        dc.simulate(commanded.with_name("robot.toml"), commanded, truth=truth)
+    assert words in str(error.value)
+
+
+def test_a_body_without_a_mass_cannot_be_simulated(recorded: Path, commanded: Path) -> None:
+    bare = [{k: v for k, v in link.items() if k not in ("mass", "com")} for link in LINKS]
+    commanded.with_name("robot.toml").write_text(robot_to_toml(robot(bare)))
+    with pytest.raises(InputError, match="joint 1 has no mass"):
+        dc.simulate(commanded.with_name("robot.toml"), commanded)
 
 
 # ------------------------------------------------------------------------------------------------------ what is counted

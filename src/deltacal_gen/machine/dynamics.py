@@ -90,16 +90,22 @@ class Dynamics:
         """Return the inertial parameters (M, 10) of 1 kg at each of some places (M, 3) [mm] in a link's frame."""
         return np.array([self._kernels.of_point(place) for place in places])
 
-    def stated(self) -> Array:
-        """Return the inertial parameters (n,) that the robot file states; NaN where it says nothing of a body."""
-        return np.concatenate([self._of_link(link) for link in self._machine.links])
+    def stated(self, *, points: bool = False) -> Array:
+        """Return the inertial parameters (n,) that the robot file states; NaN where it says nothing of a body.
 
-    def _of_link(self, link: Link) -> Array:
+        A fixed table without a mass has no body. With `points` a body of which no inertia is said is a point.
+        """
+        return np.concatenate([self._of_link(link, points) for link in self._machine.links])
+
+    def _of_link(self, link: Link, points: bool) -> Array:
         if not link.mass:
-            return np.full(len(self._kernels.INERTIA), np.nan)
+            return np.full(len(self._kernels.INERTIA), 0.0 if link.kind == "fixed" else np.nan)
         found = link.mass * self._kernels.of_point(np.array(link.com))
         tensor = slice(len(NAMES), None)
-        found[tensor] = np.nan if link.inertia is None else found[tensor] + link.inertia
+        if link.inertia is not None:
+            found[tensor] += link.inertia
+        elif not points:
+            found[tensor] = np.nan
         return np.asarray(found)
 
     def _checked(self, motion: Array) -> Array:

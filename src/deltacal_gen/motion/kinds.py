@@ -6,6 +6,8 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
@@ -47,6 +49,13 @@ class Torque:
         from deltacal_gen.motion.diagnosis import diagnose
 
         return diagnose(robot, self.read(robot), progress)
+
+    def simulate(self, robot: Robot, truth: str | Path | None, noise: float, seed: int) -> Trajectories:
+        """Return the recording with what the drives of the robot file's bodies, and of a truth, give."""
+        from deltacal_gen.motion.simulation import simulated
+
+        given = self.read(robot, need_measured=False)
+        return simulated(robot, given, truth, noise, np.random.default_rng(seed))
 
     def predict(self, known: MotionModel) -> Trajectories:
         """Return the recording with the readings that a model predicts."""

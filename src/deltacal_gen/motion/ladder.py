@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 BUYS = 0.02  # of the held-out rms: what a rung must take away
 MOST = 8  # rungs
+BEGUN_WITH = ("coulomb_friction", "viscous_friction")
 LOOKED_AT = 15  # of the candidates that leave least of the samples of a fit: the ones that are held out
 ROUNDS = 3  # of climbing and stepping back
 PER_COEFFICIENT = 6.0  # of chi2: what a coefficient must earn; and twice the logarithm of how many were looked at
@@ -63,8 +64,11 @@ class Ladder:
         return chosen
 
     def _climb(self, allowed: Sequence[int], folds: Sequence[int]) -> list[int]:
-        """Return the rungs of those allowed that are worth it."""
-        chosen: list[int] = []
+        """Return the rungs of those allowed that are worth it, beginning with what drives usually have.
+
+        Begun with nothing, a rare effect that looks like two usual ones together would be taken in their place.
+        """
+        chosen = [k for k in allowed if self.rungs[k].effect in BEGUN_WITH]
         for _ in range(ROUNDS):
             before = list(chosen)
             while len(chosen) < MOST and (found := self._next(chosen, folds, allowed)) is not None:

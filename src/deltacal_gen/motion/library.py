@@ -21,7 +21,7 @@ PERIODS = 2.0  # that a joint must pass, so that a wave can be told from a slope
 PER_PERIOD = 4.0  # samples of a period at the joint's usual speed, at least
 VELOCITIES = 20  # sizes of a state that are looked at
 SMALLEST = 0.01  # of a state's usual size: the smallest of them
-LARGEST = 0.8
+LARGEST = 0.4
 VARIES = 0.5  # K: temperatures that differ by less tell nothing
 
 

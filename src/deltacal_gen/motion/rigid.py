@@ -96,9 +96,13 @@ class Rigid:
                 out[j][part] = Y[:, j, some]
         return out
 
+    def torque(self, states: Array, inertia: Array) -> Array:
+        """Return what a machine with inertial parameters (n,) asks of each joint (N, n_q)."""
+        return np.asarray(self._sign * self.dynamics.torque(self._sign * states, inertia))
+
     def of_payload(self, states: Array) -> Array:
         """Return what 1 kg at the tool point asks of each joint (N, n_q)."""
-        return np.asarray(self._sign * self.dynamics.torque(self._sign * states, self.payload))
+        return self.torque(states, self.payload)
 
     def words(self, base: Base) -> list[tuple[str, str]]:
         """Return name and combination of each base parameter."""

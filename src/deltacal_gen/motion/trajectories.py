@@ -10,7 +10,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 import numpy as np
 
@@ -98,6 +98,13 @@ class Trajectories:
     channels: Mapping[str, Array]
     said: Sidecar
     repairs: tuple[str, ...] = ()
+
+    pairs: ClassVar[None] = None  # what only readings between rows have, for those who look at either
+
+    @property
+    def kind(self) -> str:
+        """What was read."""
+        return self.said.measurement.kind
 
     @property
     def n_rows(self) -> int:

@@ -5,17 +5,18 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from deltacal_gen.app.commands.common import PICTURES, Source, as_recording, as_robot, check_output
+from deltacal_gen.app.commands.common import PICTURES, Source, as_recording, as_robot, check_output, in_motion
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.robot import Robot, for_model, for_names
-from deltacal_gen.files.writing import write_recording
+from deltacal_gen.files.writing import csv_text, write_files, write_recording
 from deltacal_gen.machine.values import Recording
 
 if TYPE_CHECKING:
+    from deltacal_gen.motion.trajectories import Trajectories
     from deltacal_gen.physics.terms import Term
     from deltacal_gen.results.plan import Plan
     from deltacal_gen.results.reader import Given
@@ -76,14 +77,14 @@ def simulate(
     noise: float = 0.0,
     seed: int = 0,
 ) -> Recording:
-    """Simulate a recording exactly; see `simulation.simulate`.
+    """Simulate a recording exactly; see `simulation.simulate`, and `motion.simulation.simulated` of one in motion.
 
     Parameters
     ----------
     truth : path or mapping
         TRUTH.toml, or source errors by name [mm, rad].
     noise : float
-        Standard deviation per coordinate [mm].
+        Standard deviation per coordinate [mm]; in motion that of a reading in its unit.
     seed : int
         Of noise and of an unknown instrument frame.
     """
@@ -92,6 +93,10 @@ def simulate(
     check_output(output, robot, poses, truth, ending=(".csv",))
     if not (noise >= 0 and np.isfinite(noise)) or seed < 0:
         raise UsageError("noise must be a number of mm that is not negative, and seed an integer from 0.")
+    if (moving := in_motion(poses)) is not None:
+        if isinstance(truth, Mapping):
+            raise UsageError("the truth of a recording in motion is a file, TRUTH.toml.")
+        return cast("Recording", _in_motion(moving.simulate(as_robot(robot), truth, noise, seed), output, noise))
     robot = as_robot(robot)
     given = as_recording(poses, robot, need_measured=False, allow_targets=True)
     if not isinstance(poses, Recording) and not Path(given.path).with_suffix(".toml").exists():
@@ -108,6 +113,17 @@ def simulate(
     )
     if output is not None:
         write_recording(done, output)
+    return done
+
+
+def _in_motion(done: Trajectories, output: Source | None, noise: float) -> Trajectories:
+    """Return a simulated recording in motion, written with its sidecar where that is wanted."""
+    from deltacal_gen.motion.kinds import columns_of
+    from deltacal_gen.motion.simulation import sidecar_text
+
+    if output is not None:
+        path = Path(output)
+        write_files({path.with_suffix(".toml"): sidecar_text(done, noise), path: csv_text(columns_of(done))})
     return done
 
 

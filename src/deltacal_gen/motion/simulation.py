@@ -1,0 +1,148 @@
+"""What drives give along a trajectory: the bodies of the robot file, and a truth that names what drives have beside."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from pydantic import Field
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.files.toml import Table, TomlFile, nearest, toml_text
+from deltacal_gen.machine.values import Robot
+from deltacal_gen.motion.derivatives import motion
+from deltacal_gen.motion.library import Rung, of_joint
+from deltacal_gen.motion.rigid import Rigid
+from deltacal_gen.motion.trajectories import INSIDE, Trajectories
+from deltacal_gen.physics.terms import coefficients, drive_effect_names, load_effect
+from deltacal_gen.units import of_sliding
+
+if TYPE_CHECKING:
+    from deltacal_gen.machine.registry import Array
+
+NUMBERS = (int, float)
+
+
+class _File(Table):
+    parameters: dict[str, float] = Field(default_factory=dict)
+    effects: list[dict[str, Any]] = Field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Truth:
+    """What a machine has that its robot file does not say.
+
+    Attributes
+    ----------
+    parameters : mapping
+        Inertial parameters, actual minus robot file [kg, mm].
+    effects : tuple of (int, Rung, array)
+        Joint (from 1), effect, coefficients in units inside.
+    """
+
+    parameters: Mapping[str, float] = field(default_factory=dict)
+    effects: tuple[tuple[int, Rung, Array], ...] = ()
+
+
+def read_truth(path: str | Path, rigid: Rigid) -> Truth:
+    """Read a TRUTH.toml of a machine in motion; raises InputError."""
+    file = TomlFile.read(path)
+    said = file.check(_File)
+    for name in said.parameters:
+        if name not in rigid.names:
+            near = nearest(name, rigid.names)
+            hint = f"Did you mean '{near}'?" if near else "They are m_i, mx_i, ixx_i ... of link i."
+            raise file.error(f"no link has an inertial parameter '{name}'.", hint, "parameters", name)
+    return Truth(said.parameters, tuple(found for table in said.effects for found in _effects(file, table, rigid)))
+
+
+def _effects(file: TomlFile, table: Mapping[str, Any], rigid: Rigid) -> list[tuple[int, Rung, Array]]:
+    """Return an effect of a truth, joint by joint."""
+    given = dict(table)
+    name, every = str(given.pop("name", "")), range(1, rigid.dynamics.joints + 1)
+    if name not in drive_effect_names():
+        near = nearest(name, drive_effect_names())
+        known = f"Did you mean '{near}'?" if near else f"Registered: {', '.join(drive_effect_names())}."
+        raise file.error(f"there is no effect '{name}' on what drives give.", known, "effects")
+    limb = given.pop("limb", None)
+    limbs = given.pop("limbs", None) or ([limb] if limb is not None else list(every))
+    if any(i not in every for i in limbs):
+        raise file.error(f"{name}: joints are counted from 1 to {len(every)}.", "Correct limb or limbs.", "effects")
+    kernels = load_effect(name)
+    names = [key for key, *_ in (*kernels.COEFFICIENTS, *kernels.CONSTANTS)]
+    for key in names:
+        if key not in given or not isinstance(given[key], NUMBERS):
+            raise file.error(f"{name} needs a number for '{key}'.", f"Give {', '.join(names)}.", "effects")
+    if stray := [key for key in given if key not in names]:
+        raise file.error(f"{name} has no parameter '{stray[0]}'.", f"It has {', '.join(names)}.", "effects")
+    found = []
+    for i in limbs:
+        unit = rigid.dynamics.joint_units[i - 1]
+        values = np.array([given[key] * factor for key, _, factor in coefficients(kernels, unit)], dtype=float)
+        constants = []
+        for key, of, factor, _ in kernels.CONSTANTS:
+            inside = of_sliding(of)[1] if unit == "mm" and key in kernels.OF_JOINT else factor
+            constants.append(float(given[key]) * inside)
+        found.append((int(i), Rung(name, tuple(constants)), values))
+    return found
+
+
+def simulated(
+    robot: Robot, given: Trajectories, truth: str | Path | None, noise: float, rng: np.random.Generator
+) -> Trajectories:
+    """Return a trajectory with what the drives give along it.
+
+    Parameters
+    ----------
+    truth : path, optional
+        TRUTH.toml: inertial parameters and effects beside the robot file.
+    noise : float
+        Of each reading, in its unit.
+
+    Raises
+    ------
+    InputError
+        The robot file leaves a body open, or the truth names what there is not.
+    """
+    rigid, found = Rigid(robot), motion(given)
+    told = Truth() if truth is None else read_truth(truth, rigid)
+    inertia = rigid.dynamics.stated(points=True)
+    if np.isnan(inertia).any():
+        body = rigid.names[int(np.argmax(np.isnan(inertia)))].rpartition("_")[2]
+        raise InputError(
+            f"joint {body} has no mass: what drives give cannot be simulated.",
+            "Add mass, com and inertia to its table [[joint]]; without inertia it is a point.",
+            file=robot.source,
+        )
+    inertia = inertia + np.array([told.parameters.get(name, 0.0) for name in rigid.names])
+    states = np.nan_to_num(found.states)
+    load = rigid.torque(states, inertia) + rigid.of_payload(states) * given.payload[:, None]
+    total = load.copy()
+    for joint, rung, values in told.effects:
+        read = of_joint(given, states, joint - 1, load[:, joint - 1])
+        if missing := [name for name in rung.kernels.STATE if name not in read]:
+            raise InputError(
+                f"{rung.effect} depends on {missing[0]}, which the trajectory does not hold.",
+                "Add the column temp_C.",
+                file=given.path,
+            )
+        total[:, joint - 1] += rung.columns(read) @ values
+    readings = total / np.array([INSIDE[unit] for unit in given.units])
+    readings += noise * rng.standard_normal(readings.shape)
+    readings[~np.isfinite(found.states).all(axis=(0, 2))] = np.nan
+    return dataclasses.replace(given, readings=readings)
+
+
+def sidecar_text(done: Trajectories, noise: float) -> str:
+    """Return the sidecar of a simulated recording."""
+    said = {k: v for k, v in done.said.measurement.model_dump().items() if v is not None}
+    if noise and len(set(done.units)) == 1:
+        said |= {f"sigma_{done.units[0]}": noise}
+    tables = {"measurement": said}
+    if done.said.motion.derivatives is not None:
+        tables["motion"] = {"derivatives": done.said.motion.derivatives}
+    return toml_text(tables)
