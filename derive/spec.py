@@ -432,6 +432,9 @@ class Measurement:
         for column in self.columns:
             if not column.endswith(COLUMN_UNITS):
                 raise ValueError(f"{self.name}: the column '{column}' ends in none of {', '.join(COLUMN_UNITS)}.")
+        declared = [str(q.symbol) for q in (*self.given, *self.unknown, *self.known)]
+        if twice := [name for name in declared if declared.count(name) > 1]:
+            raise ValueError(f"{self.name}: the symbol '{twice[0]}' is declared twice.")
         if self.unknown and len(self.after) != len(self.given):
             raise ValueError(f"{self.name}: `after` gives {len(self.after)} of {len(self.given)} entries of the state.")
         if self.start and len(self.start) != len(self.given):

@@ -34,6 +34,7 @@ CAMERA = Camera(fx_px=1500.0, fy_px=1400.0, cx_px=640.0, cy_px=512.0, k1=-0.05, 
 SAID = Measurement(camera=CAMERA, base_point_mm=(420.0, -150.0, 40.0))
 POSES, FITTED = 40, 30
 NOISE = 0.002  # mm
+POINTS, BOARD = 4, [[0.0, 0.0], [100.0, 0.0], [100.0, 80.0], [10.0, 90.0]]
 EVERY = (*kinds.names(), "height and distance")
 MADE = [name for name in kinds.names() if kind_of(name).numbers or kind_of(name).pairs]  # what can be simulated
 
@@ -71,7 +72,8 @@ def taken(name: str, x: Array, mechanism: Machine) -> tuple[Readings, Instrument
 def wanted(robot: Robot, mechanism: Machine, name: str) -> Recording:
     """Return a recording of a kind without readings, at targets."""
     kind = kind_of(name)
-    targets = scattered(robot, POSES, 11)
+    each = POINTS if kind.known else 1  # points of a board that one image shows
+    targets = np.repeat(scattered(robot, POSES // each, 11), each, axis=0)
     pairs = np.column_stack([np.arange(0, POSES, 2), np.arange(1, POSES, 2)]) if kind.pairs else None
     columns = kind.columns(mechanism)
     return Recording(
@@ -82,9 +84,9 @@ def wanted(robot: Robot, mechanism: Machine, name: str) -> Recording:
         joints=np.full((POSES, mechanism.limbs), np.nan),
         columns=columns,
         measured=np.full((POSES, len(columns) if kind.numbers else 0), np.nan),
-        pose=np.arange(1, POSES + 1).astype(str),
+        pose=(1 + np.arange(POSES) // each).astype(str),
         line=np.arange(POSES) + 2,
-        channels={},
+        channels=dict(zip(kind.known, np.resize(BOARD, (POSES, 2)).T, strict=True)) if kind.known else {},
         setup=np.zeros(POSES, dtype=int),
         setup_names=("1",),
         targets=targets,

@@ -34,18 +34,33 @@ MACHINES = ("machine", "physics", "instrument")  # wings in which a product of m
 PAPERS = "app/reproduction/"  # what papers print and draw, done again as they did it
 WORKSPACE = "a place in the cylinder of the workspace, by its radius and its angle"
 CHAIN_RULE = "derivatives of the kernels, multiplied"
+BEGUN = "a first estimate by linear algebra (Zhang 2000; Shah 2013), which the derived images then correct"
 FUNCTIONS = {
     "app/fleet.py:_grown": "two standard deviations together",
     "diagnosis/structure.py:_functions": "waves of a channel: what is smooth in it, of no machine",
     "files/robot.py:Workspace.holds": WORKSPACE,
     "identification/accuracy.py:circle": WORKSPACE,
     "identification/remedies.py:printed": "ends of lines that a printed object would show",
+    "instrument/board.py:_mapped": BEGUN,
+    "instrument/board.py:_places": BEGUN,
+    "instrument/board.py:at_origin": "a camera moved to its part's origin, the board along with it: no image changes",
+    "instrument/board.py:first": BEGUN,
+    "instrument/board.py:fitted": "normal equations",
+    "instrument/board.py:focal_length": BEGUN,
+    "instrument/board.py:hand_eye": BEGUN,
+    "instrument/board.py:homography": BEGUN,
+    "instrument/board.py:mounted": "a camera of a simulation is hung up before the machine",
+    "instrument/board.py:nearest": "the rotation nearest to a matrix",
+    "instrument/board.py:stand": BEGUN,
+    "instrument/board.py:unseen": "columns made orthogonal to one another",
     "instrument/instrument.py:Instrument.linearise": CHAIN_RULE,
     "instrument/instrument.py:Instrument.residual": "one measured rotation by another",
     "instrument/instrument.py:Instrument.stepped": "directions that keep ties, by their shares",
     "instrument/instrument.py:align": "the rotation that fits two clouds of points (Kabsch 1976)",
     "instrument/kind.py:Kind.by_platform": CHAIN_RULE,
     "instrument/kind.py:Kind.start": "the square of a step",
+    "instrument/kinds/board_image.py:BoardImage._scale": "of each image the derivatives along and across, picked out",
+    "instrument/kinds/board_image.py:BoardImage.imagined": "how far along the optical axis a board stands",
     "instrument/kinds/contact.py:Contact.tied": "a least correction, by the pseudo-inverse",
     "instrument/kinds/pose.py:Pose.start": "one measured rotation by another",
     "instrument/kinds/position.py:Position._aligned": "a cloud of points, turned and shifted",

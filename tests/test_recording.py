@@ -218,7 +218,7 @@ def test_a_flaw_is_named_with_line_column_and_remedy(
     [
         ("[measurement]\nsigma = 0.01\n", 2, "'sigma' in [measurement] is not known. Did you mean 'sigma_"),
         ('[measurement]\nframe = "base"\n', 2, "'unknown' or 'robot' was expected"),
-        ('[measurement]\nkind = "positions"\n', 2, "'positions': 'contact', 'distance', 'gauge'"),
+        ('[measurement]\nkind = "positions"\n', 2, "'positions': 'board_image', 'contact', 'distance'"),
         ("[measurement]\n\nsigma_mm = -1\n", 3, "a number above 0 was expected"),
         ("[mesurement]\n", 1, "Did you mean 'measurement'?"),
         ("[measurement.camera]\nfx_px = 1.0\nfxy_px = 1.0\n", 3, "'fxy_px' in [measurement.camera] is not known"),

@@ -17,7 +17,7 @@ from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.identification.knowledge import uncertainty_of
 from deltacal_gen.identification.noise import noise_model
-from deltacal_gen.identification.unknowns import instrument_parameters
+from deltacal_gen.identification.unknowns import unknowns_of
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.physics.law import PREFIX
 from deltacal_gen.physics.terms import (
@@ -53,7 +53,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
     baseline, final, sigma = found.baseline, found.final, found.noise.sigma
     before, after = (heldout if np.isfinite(heldout) else None for heldout in found.heldout)
     of_baseline, of_final = ((float(at.sigma[0]) / sigma) ** 2 for at in (baseline, final))
-    unit = final.instrument.unit(final.problem.recording.columns)
+    unit, unknowns = final.instrument.unit(final.problem.recording.columns), unknowns_of(final)
     return Diagnosis(
         verdict=found.verdict,
         summary=_summary(found),
@@ -71,6 +71,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
         rejected=found.rejected,
         not_tested=found.not_tested,
         next_measurements=(
+            *unknowns.next_measurements,
             *found.next_measurements,
             *([more_poses(found.final.problem)] if found.short else []),
         ),
@@ -86,7 +87,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
         uncertainty=uncertainty_of(final, found.noise),
         unit=unit and unit[0],
         unit_mm=unit and unit[1],
-        parameters=instrument_parameters(final) or None,
+        parameters=unknowns.parameters or None,
         laws=told(found.laws, final),
     )
 

@@ -147,7 +147,12 @@ def _recorded(problem: Problem, kernels: Kernels) -> list[str]:
     return [
         name
         for name, values in problem.recording.channels.items()
-        if not (name in known or name in problem.recording.doubts or name.startswith("true_"))
+        if not (
+            name in known
+            or name in problem.readings.kind.known
+            or name in problem.recording.doubts
+            or name.startswith("true_")
+        )
         and not TEMPERATURE.fullmatch(name)
         and np.isfinite(values[rows]).all()
         and np.ptp(values[rows]) > 0

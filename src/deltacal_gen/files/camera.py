@@ -361,7 +361,7 @@ def read_camera(path: str | Path) -> Camera:
 
 def camera_text(camera: Camera) -> str:
     """Return a camera as the text of a recording's sidecar."""
-    return toml_text({"measurement": {"kind": "sphere"}, "measurement.camera": camera.model_dump()})
+    return toml_text({"measurement": {"kind": "sphere"}, "measurement.camera": camera.said()})
 
 
 def with_rotation(camera: Camera, turn: Array) -> Camera:

@@ -194,7 +194,8 @@ def _recording(
         measured=_measured(rows, kind, columns, need_measured),
         pose=np.array(pose),
         line=rows.line,
-        channels={name: values for name in rows.columns if (values := _channel(rows, name, doubtful)) is not None},
+        channels={name: values for name in rows.columns if (values := _channel(rows, name, doubtful)) is not None}
+        | {name: rows.numbers(name, blank=False)[:, 0] for name in kind.known},
         setup=setup,
         setup_names=tuple(setup_names.tolist()),
         tool=rows.numbers(*TOOL) if set(TOOL) & set(rows.columns) else None,
@@ -279,6 +280,9 @@ def _kind(rows: Rows, said: str | None, mechanism: Machine, paired: bool, need_m
     columns = {kind: kind.columns(mechanism) for kind in map(kind_of, kinds.names())}
     present = _present(columns, rows.columns)
     stated = None if said is None else kind_of(said)
+    stated = next((kind for kind in present if stated is not None and kind.under == stated.name), stated)
+    known = () if stated is None else stated.known
+    present = [kind for kind in present if not {*columns[kind]} & {*rows.columns} <= {*known}]
     between = [kind for kind in (stated, *present) if kind is not None and kind.pairs]
     if between and not paired:
         name = distances_path(rows.path).name
@@ -323,7 +327,9 @@ def _present(columns: Mapping[Kind, tuple[str, ...]], given: Iterable[str]) -> l
     }
     own = {kind: set(columns[kind]).difference(*(columns[k] for k in within[kind])) for kind in columns}
     found = [kind for kind in columns if own[kind] & there]
-    return [kind for kind in found if not any(kind in within[larger] for larger in found)]
+    found = [kind for kind in found if not any(kind in within[larger] for larger in found)]
+    # what one kind is read of may be what another reads
+    return [k for k in found if not any(own[k] & there <= {*other.known} for other in found if other != k)]
 
 
 def _measured(rows: Rows, kind: Kind, columns: tuple[str, ...], need_measured: bool) -> np.ndarray:
@@ -336,6 +342,8 @@ def _measured(rows: Rows, kind: Kind, columns: tuple[str, ...], need_measured: b
     if kind.apart and set(columns) & set(rows.columns):
         there = [rows.numbers(n)[:, 0] if n in rows.columns else np.full(len(rows.line), np.nan) for n in columns]
         return np.column_stack(there) * [DEG if name.endswith("_deg") else 1.0 for name in columns]
+    for name, value in kind.filled.items():
+        rows = rows.filled(name, value, next(n for n in columns if n != name))
     # what is in one unit is read together: a tracker may read a point without its rotation, but not part of a point
     units = [name.rpartition("_")[2] for name in columns]
     parts = [[name for name, u in zip(columns, units, strict=True) if u == unit] for unit in dict.fromkeys(units)]

@@ -55,6 +55,13 @@ class Rows:
             remedy = f"Rename it to '{name}' and give it{unit}." if close else f"Add it{unit}, or correct the header."
             raise self.error(problem, remedy, column=name)
 
+    def filled(self, name: str, value: float, beside: str) -> Rows:
+        """Return the rows with a value in blank cells of a column, or of one not there, where those beside are full."""
+        cells = self.columns.get(name) or [""] * len(self.line)
+        there = self.columns.get(beside) or [""] * len(self.line)
+        whole = [cell or (str(value) if other else "") for cell, other in zip(cells, there, strict=True)]
+        return dataclasses.replace(self, columns=self.columns | {name: whole})
+
     def labels(self, name: str, *, blank: bool = True) -> list[str] | None:
         """A column of names; a blank one is named after its line, or raises. None where there is no such column."""
         cells = self.columns.get(name)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator
+from pydantic import AfterValidator, ValidatorFunctionWrapHandler, WrapValidator
 from pydantic_core import PydanticCustomError
 
 from deltacal_gen.files.toml import Number, Positive, Table, TomlFile, Vector, toml_text
@@ -14,18 +15,46 @@ from deltacal_gen.instrument import kinds
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.values import Measurement, Recording
 
+UNKNOWN = math.nan  # what is to be found
+
+
+def _lens(value: object, check: ValidatorFunctionWrapHandler) -> Any:
+    return UNKNOWN if value == "unknown" else check(value)
+
+
+Lens = Annotated[Number, WrapValidator(_lens)]
+LENS = ("fx_px", "fy_px", "cx_px", "cy_px", "k1", "k2", "p1", "p2", "k3")
+
 
 class Camera(Table):
-    """Pinhole camera of sphere images: focal lengths and principal point [px], radial distortion `k1`,
-    rotation vector [deg], radius of the ball [mm]."""
+    """Pinhole camera: focal lengths and principal point [px], Brown's distortion as in OpenCV, and what it looks at.
 
-    fx_px: Positive
-    fy_px: Positive
-    cx_px: Number
-    cy_px: Number
-    k1: Number = 0.0
+    Of a ball the rotation vector from {O'} [deg] and the radius [mm]. Of a board what is left out of the first four, or
+    "unknown", is to be found: NaN here. The camera sits on the platform, on the last link of a chain, or is fixed and
+    looks at a board there.
+    """
+
+    fx_px: Annotated[Positive, WrapValidator(_lens)] = UNKNOWN
+    fy_px: Annotated[Positive, WrapValidator(_lens)] = UNKNOWN
+    cx_px: Lens = UNKNOWN
+    cy_px: Lens = UNKNOWN
+    k1: Lens = 0.0
+    k2: Lens = 0.0
+    p1: Lens = 0.0
+    p2: Lens = 0.0
+    k3: Lens = 0.0
     rotation_deg: Vector = (0.0, 0.0, 0.0)
-    ball_radius_mm: Positive
+    ball_radius_mm: Positive = UNKNOWN
+    place: Literal["platform", "fixed"] = "platform"
+
+    def said(self) -> dict[str, Any]:
+        """Return the table as a sidecar says it."""
+        given = self.model_dump(exclude_defaults=True)
+        return {
+            key: "unknown" if value != value else value
+            for key, value in given.items()
+            if value == value or key in LENS[4:]  # the others are left out
+        }
 
 
 def _kind_name(value: str) -> str:
@@ -52,6 +81,7 @@ class _Measurement(Table):
     base_point_mm: Vector | None = None
     platform_point_mm: Vector | None = None
     camera: Camera | None = None
+    board_scale: Literal["known", "unknown"] = "known"
 
 
 class _Contacts(Table):
@@ -98,7 +128,7 @@ def sidecar_text(recording: Recording) -> str:
     said.pop("camera", None)
     tables = {"measurement": {"kind": recording.kind, "frame": "unknown"} | said | {"kind": recording.kind}}
     if recording.measurement.camera is not None:
-        tables["measurement.camera"] = recording.measurement.camera.model_dump()
+        tables["measurement.camera"] = recording.measurement.camera.said()
     if recording.contact_distances:
         tables["contacts"] = {"distance_mm": recording.contact_distances}
     return toml_text(tables)

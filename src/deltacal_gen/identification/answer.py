@@ -14,7 +14,7 @@ from deltacal_gen.identification.accuracy import distance_error, largest, volume
 from deltacal_gen.identification.identifiability import Combination
 from deltacal_gen.identification.noise import coordinate_sigma, freedom
 from deltacal_gen.identification.prior import BROAD, share_of_data
-from deltacal_gen.identification.unknowns import instrument_parameters
+from deltacal_gen.identification.unknowns import unknowns_of
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.physics.terms import kept_term
 from deltacal_gen.results.result import (
@@ -84,12 +84,12 @@ def result_of(found: Identification) -> Result:
         status[name] = Status.IDENTIFIED if known else Status.BY_PRIOR if given else Status.NOT_PINNED
     sigma, recording = found.noise.sigma, problem.recording
     residual_sigma = coordinate_sigma(final)
-    unit = final.instrument.unit(recording.columns)
+    unit, unknowns = final.instrument.unit(recording.columns), unknowns_of(final)
     return Result(
         model=found.model,
         parameters=(
             *parameter_table(mechanism, final.errors - found.in_file, status, deviation),
-            *instrument_parameters(final, found.prior_given),
+            *unknowns.parameters,
         ),
         rank=found.observability.rank,
         rank_tolerance=identifiability.RANK_TOLERANCE,
@@ -97,11 +97,12 @@ def result_of(found: Identification) -> Result:
         condition=found.observability.condition if np.isfinite(found.observability.condition) else None,
         scaling="columns in ordinary errors, rows in mm, unknown frame projected out, at the robot file's machine",
         unidentifiable=(
+            *unknowns.combinations,
             *open_combinations(found.unseen, mechanism, "not at all"),
             *open_combinations(found.weak, mechanism, "less than noise"),
         ),
         base=_base(found),
-        next_measurements=found.remedies,
+        next_measurements=(*unknowns.remedies, *found.remedies),
         regularisation=_regularisation(found),
         readings=Read(
             kind=problem.readings.kind.name, scalars=problem.readings.n_scalars, poses=len(np.unique(recording.pose))

@@ -110,7 +110,7 @@ def enough_poses(problem: Problem, model: str) -> None:
     """
     found = problem.readings
     poses = len(np.unique(np.round(problem.body.q[np.unique(found.rows)], 9), axis=0))
-    scalars = found.kind.scalars * len(np.unique(found.group))
+    scalars = found.kind.per_pose * len(np.unique(found.group))
     if found.rows.shape[1] == 2:
         scalars = min(scalars, 3 * poses)
     extra = problem.begin(problem.reference).n_unknown

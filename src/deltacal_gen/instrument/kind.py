@@ -108,6 +108,9 @@ class Kind:
     distances_beside: ClassVar[bool] = False
     mount: ClassVar[tuple[str, ...]] = ()  # unknowns that may be source errors of the machine
     reported: ClassVar[Mapping[str, int]] = {}  # unknowns that answers give by name, and their places in the state
+    confounds: ClassVar[Mapping[str, tuple[str, str]]] = {}  # of these: what may stand for one, what tells it from it
+    under: ClassVar[str] = ""  # another kind's name that sidecars use for this one, whose columns then say which
+    filled: ClassVar[Mapping[str, float]] = {}  # columns that may be absent or blank, and what they then hold
 
     # ------------------------------------------------------------------------------------------------ as it is derived
 
@@ -202,6 +205,15 @@ class Kind:
     def usual_noises(self) -> tuple[float, ...]:
         """Usual noise of each group [mm], where a few readings of one kind could be met exactly at others' cost."""
         return ()
+
+    @property
+    def per_pose(self) -> int:
+        """How many scalars the readings of one pose are worth, however many they are."""
+        return self.scalars
+
+    def wanted(self, said: Measurement) -> tuple[int, ...]:
+        """Return which unknowns a sidecar leaves to be found, seen or not."""
+        return () if said.frame == "robot" else tuple(range(len(self.unknown)))
 
     @property
     def noises(self) -> int:

@@ -121,7 +121,9 @@ class Measurement:
     """What is known of a measurement beside its readings, in the units of the names; None where it is not said.
 
     `sigma_*` are standard deviations per coordinate. The points of a gauge are `base_point_mm`, in {O} as nominally
-    mounted, and `platform_point_mm`, in {O'}. With ``zero = "incremental"`` readings count from the first row.
+    mounted, and `platform_point_mm`, in {O'}. `board_scale` says whether a printed board is as large as it says,
+    "known", or larger or smaller by a part that is "unknown". With ``zero = "incremental"`` readings count from the
+    first row.
     """
 
     kind: str | None = None
@@ -135,6 +137,7 @@ class Measurement:
     base_point_mm: tuple[float, ...] | None = None
     platform_point_mm: tuple[float, ...] | None = None
     camera: Camera | None = None
+    board_scale: str = "known"
 
     @property
     def sigma_rad(self) -> float | None:

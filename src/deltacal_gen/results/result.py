@@ -36,6 +36,8 @@ class Parameter(Value):
     """Null where nothing pins it."""
     unit: str
     status: Status
+    indistinguishable_from: tuple[str, ...] | None = None
+    """Of an unknown of the instrument: what these readings do not tell it from, in words and by name."""
 
 
 class OpenCombination(Value):

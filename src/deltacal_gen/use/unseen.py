@@ -32,6 +32,9 @@ def sentences(found: Result) -> list[str]:
     moved = mechanism.sensitivity(x, q, tool, mechanism.rows(robot)).parameters[:, :3]
     told = []
     for c in found.unidentifiable:
+        if not c.terms.keys() <= mechanism.index.keys():  # something of the instrument goes along: its own words say it
+            told.append("")
+            continue
         by = np.zeros(moved.shape[2])
         for name, size in c.terms.items():
             by[mechanism.index[name]] = size * to_internal(mechanism.parameters[mechanism.index[name]].unit)

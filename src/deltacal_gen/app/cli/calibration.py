@@ -16,6 +16,7 @@ from deltacal_gen.app.cli.common import (
     RecordingFile,
     RobotFile,
     escaped,
+    in_unit,
     number,
     output_file,
     print_json,
@@ -138,12 +139,14 @@ def _show_result(found: Result) -> None:
     if found.uncertainty is not None and found.uncertainty.left_out:
         screen.print(found.uncertainty.text, style="dim")
     held = found.heldout_rms_mm
-    beside = "" if held is None else f", [bold]held-out {number(held)} mm[/bold]"  # nothing was held out of blocks
+    unit, length = in_unit(found)
+    # nothing was held out of blocks
+    beside = "" if held is None else f", [bold]held-out {number(held / length)} {unit}[/bold]"
     screen.print(
         f"[bold]{counts[Status.IDENTIFIED]} of {sum(counts.values())} parameters identified[/bold], "
-        f"{found.readings.scalars} scalar readings: rms before {found.before_rms_mm:.4f} -> "
-        f"after {found.train_rms_mm:.4f} mm{beside} "
-        f"(noise {found.sigma_mm:.4f}, {found.sigma_source})"
+        f"{found.readings.scalars} scalar readings: rms before {found.before_rms_mm / length:.4f} -> "
+        f"after {found.train_rms_mm / length:.4f} {unit}{beside} "
+        f"(noise {found.sigma_mm / length:.4f}, {found.sigma_source})"
     )
     if words_of_few := flattered(found.degrees_of_freedom, found.readings.scalars, found.train_rms_mm):
         screen.print(words_of_few)
@@ -198,12 +201,13 @@ def show_diagnosis(found: Diagnosis) -> None:
             if effect.indistinguishable_from:
                 others = ", ".join(effect.indistinguishable_from)
                 screen.print(f"  these poses cannot tell {effect.name} from {others}")
-    table = Table("mm, rms of the readings", "fitted", "held out", "chi2 per degree of freedom")
+    unit, length = in_unit(found)
+    table = Table(f"{unit}, rms of the readings", "fitted", "held out", "chi2 per degree of freedom")
     for words, row in (("geometry", found.baseline), ("with what was found", found.final)):
         table.add_row(
             words,
-            f"{row.train_rms_mm:.4f}",
-            number(row.heldout_rms_mm),
+            f"{row.train_rms_mm / length:.4f}",
+            number(row.heldout_rms_mm and row.heldout_rms_mm / length),
             f"{row.chi2_per_dof:.2f}",
         )
     screen.print(table)

@@ -20,6 +20,7 @@ from deltacal_gen.machine.values import Measurement, Recording, Robot
 from deltacal_gen.units import DEG
 
 VISIBLE = 0.9  # part of the half image that a simulated ball stays in
+NEEDED = ("fx_px", "fy_px", "cx_px", "cy_px", "k1", "ball_radius_mm")
 CAMERA, BALL = (0, 1, 2), (3, 4, 5)  # the unknowns: turns of the camera, shifts of the ball; the distortion is known
 
 
@@ -33,7 +34,8 @@ class Sphere(Kind):
         self, said: Measurement, ties: Sequence[tuple[str, str, float]], cells: Mapping[str, Sequence[str]], file: Path
     ) -> None:
         """Raise an InputError where the sidecar does not say what the camera is."""
-        if said.camera is None:
+        camera = said.camera
+        if camera is None or not np.isfinite([getattr(camera, key) for key in NEEDED]).all():
             raise InputError(
                 "images of a sphere need the camera.",
                 "Add [measurement.camera] with fx_px, fy_px, cx_px, cy_px and ball_radius_mm.",

@@ -1,0 +1,297 @@
+"""A camera and a printed board: where they are to begin with, by homographies and linear hand-eye, then all together.
+
+With ``S_i`` and ``s_i`` the part's rotation and origin as the camera's part sees them in image i, the board stands
+there at ``M_i = C S_i B`` and ``t_i = C (S_i g + s_i) + f``: rotation `C` and place `f` of the camera, `B` and `g` of
+the board. The images themselves, and all that follows from them, are of the derived kernels.
+
+References
+----------
+Zhang 2000, IEEE PAMI 22, 1330 (homographies and focal length); Shah 2013, J. Mech. Robotics 5, 031007 (hand-eye and
+robot-world at once).
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.instrument.instrument import Instrument
+from deltacal_gen.instrument.readings import Readings
+from deltacal_gen.machine.registry import Array
+
+SAMPLES, SEED = 60, 1330  # of four points, by which an image's homography is found though some of its points are wrong
+ROUNDS = 60  # of alternating between camera and board
+STEPS, SETTLED = 60, 1e-9  # of the fit of camera and board, and how little a last one gains
+HUBER = 2.5  # standard deviations beyond which a reading's pull stops growing
+FEWEST, IMAGES = 4, 3  # points of an image, and such images
+GUESSED = 1.2  # of the image's width: a focal length of which no image tells
+TILTED = 1e-3  # of the best seen direction: below it the images say nothing of the focal length
+FAR = 1e6  # image sizes: a point that a wrong homography throws to infinity
+RANK = 1e-6  # of a column's length: less is a combination of the others
+
+
+def first(found: Readings, poses: Array, lens: Array, rides: bool, path: Path | str) -> Array:
+    """Return the state of camera and board from readings of one set-up, at poses (R, 12) of the platform.
+
+    Raises
+    ------
+    InputError
+        Fewer than three images with four points that do not lie on a line.
+    """
+    assert found.known is not None
+    guess = lens.copy()
+    middle = (found.values.max(axis=0) + found.values.min(axis=0)) / 2
+    guess[2:4] = np.where(np.isnan(lens[2:4]), middle, lens[2:4])
+    guess[4:] = np.nan_to_num(lens[4:])
+    views = []
+    for group in np.unique(found.group):
+        own = np.flatnonzero(found.group == group)
+        if len(own) >= FEWEST and (H := homography(found.known[own], found.values[own] - guess[2:4])) is not None:
+            views.append((own[0], H))
+    if len(views) < IMAGES:
+        raise InputError(
+            f"{len(views)} images show {FEWEST} points or more of the board: at least {IMAGES} are needed to begin.",
+            "Label the rows of one image with the same pose, and give more points of it.",
+            file=path,
+        )
+    H = np.array([h for _, h in views])
+    if np.isnan(lens[:2]).any():
+        focal = focal_length(H, float(np.ptp(found.values, axis=0).max()))
+        guess[:2] = np.where(np.isnan(lens[:2]), np.where(np.isnan(lens[1::-1]), focal, lens[1::-1]), lens[:2])
+    stands = [stand(h / np.array([[guess[0]], [guess[1]], [1.0]])) for h in H]
+    M, t = (np.array(part) for part in zip(*stands, strict=True))
+    at = poses[[row for row, _ in views]]
+    R, P = at[:, 3:].reshape(-1, 3, 3), at[:, :3]
+    S = np.swapaxes(R, 1, 2) if rides else R
+    s = -np.einsum("nij,nj->ni", S, P) if rides else P
+    C, f, B, g = hand_eye(M, t, S, s)
+    return np.concatenate([C.ravel(), f, B.ravel(), g, [0.0], guess, [float(rides)]])
+
+
+def homography(points: Array, image: Array) -> Array | None:
+    """Return the homography (3, 3) from points (n, 2) to their image (n, 2), whatever a part of them shows; None.
+
+    Of samples of four points the one that leaves the least median, then all points that agree with it.
+    """
+    size, spread = float(np.ptp(points, axis=0).max()), float(np.abs(image).max())
+    if size == 0 or spread == 0:
+        return None
+    rng = np.random.default_rng(SEED)
+    n, best, least = len(points), None, np.inf
+    samples = [np.arange(n)] + [rng.choice(n, FEWEST, replace=False) for _ in range(SAMPLES if n > FEWEST else 0)]
+    for chosen in samples:
+        H = _linear(points[chosen] / size, image[chosen] / spread)
+        off = np.linalg.norm(_mapped(H, points / size) - image / spread, axis=1)
+        if (middle := float(np.median(off))) < least:
+            best, least = off, middle
+    if best is None:
+        return None
+    near = best <= max(4.0 * least, 1e-9)
+    H = _linear(points[near] / size, image[near] / spread)
+    whole: Array = np.diag([spread, spread, 1.0]) @ H @ np.diag([1 / size, 1 / size, 1.0])
+    return whole if np.linalg.cond(H) < 1e7 else None
+
+
+def _linear(points: Array, image: Array) -> Array:
+    """Return the homography (3, 3) that linear equations of points (n, 2) and images (n, 2) give."""
+    one, none = np.ones((len(points), 1)), np.zeros((len(points), 3))
+    P = np.hstack([points, one])
+    A = np.vstack([np.hstack([P, none, -image[:, :1] * P]), np.hstack([none, P, -image[:, 1:] * P])])
+    return np.asarray(np.linalg.svd(A)[2][-1]).reshape(3, 3)
+
+
+def _mapped(H: Array, points: Array) -> Array:
+    out = np.hstack([points, np.ones((len(points), 1))]) @ H.T
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.clip(np.nan_to_num(out[:, :2] / out[:, 2:], nan=FAR), -FAR, FAR)
+
+
+def focal_length(H: Array, width: float) -> float:
+    """Return the focal length [px] that homographies (n, 3, 3) about the principal point speak for (Zhang 2000).
+
+    Images that look straight at the board say nothing of it: it is then guessed from their width.
+    """
+    H = H / np.linalg.norm(H[:, :2, :2], axis=(1, 2))[:, None, None] * width
+    a, b = H[:, :, 0], H[:, :, 1]
+    across = np.concatenate([(a * b)[:, :2].sum(axis=1), (a**2 - b**2)[:, :2].sum(axis=1)]) / width**2
+    along = np.concatenate([a[:, 2] * b[:, 2], a[:, 2] ** 2 - b[:, 2] ** 2])
+    weight = float(along @ along)
+    square = -float(across @ along) / weight if weight > 0 else -1.0
+    scale = float(np.abs(along).max(initial=0.0))
+    if square <= 0 or scale < TILTED:
+        return GUESSED * width
+    focal = float(np.sqrt(square)) * width
+    return focal if width / 10 < focal < 30 * width else GUESSED * width
+
+
+def stand(H: Array) -> tuple[Array, Array]:
+    """Return rotation (3, 3) and origin (3,) of a board in the camera's frame, from its homography there."""
+    H = H / np.sqrt(np.linalg.norm(H[:, 0]) * np.linalg.norm(H[:, 1]))
+    H = H if H[2, 2] > 0 else -H
+    turn = nearest(np.column_stack([H[:, 0], H[:, 1], np.cross(H[:, 0], H[:, 1])]))
+    return turn, H[:, 2]
+
+
+def nearest(A: Array) -> Array:
+    """Return the rotation (3, 3) nearest to a matrix."""
+    U, _, Vt = np.linalg.svd(A)
+    turn: Array = U @ np.diag([1.0, 1.0, np.sign(np.linalg.det(U @ Vt))]) @ Vt
+    return turn
+
+
+def hand_eye(M: Array, t: Array, S: Array, s: Array) -> tuple[Array, Array, Array, Array]:
+    """Return C, f, B, g from boards (M, t) as cameras see them, and their part (S, s): the best of alternations.
+
+    They begin at all turns by right angles. Where nothing turns, the camera sits at the origin of its part.
+    """
+    turning = float(np.abs(S - S.mean(axis=0)).max()) > TILTED
+    reach = max(float(np.linalg.norm(t - t.mean(axis=0), axis=1).max()), 1e-9)
+    best, least = None, np.inf
+    for C in _right_angles():
+        for _ in range(ROUNDS):
+            B = nearest(np.einsum("nji,kj,nkl->il", S, C, M))
+            g, f = _places(C, t, S, s, turning)
+            inner = np.einsum("nij,j->ni", S, g) + s
+            pull = np.einsum("nij,kj,njl->il", M, B, np.swapaxes(S, 1, 2)) * reach**2
+            before, C = C, nearest(pull + (t - f).T @ inner)
+            if np.abs(C - before).max() < SETTLED:
+                break
+        g, f = _places(C, t, S, s, turning)
+        off = t - (np.einsum("nij,j->ni", S, g) + s) @ C.T - f
+        turned = M - np.einsum("ij,njk,kl->nil", C, S, B)
+        if (cost := float((off**2).sum() + reach**2 * (turned**2).sum())) < least:
+            best, least = (C, f, B, g), cost
+    assert best is not None
+    return best
+
+
+def _places(C: Array, t: Array, S: Array, s: Array, turning: bool) -> tuple[Array, Array]:
+    """Return g and f by least squares; f is zero where nothing turns."""
+    A = np.einsum("ij,njk->nik", C, S)
+    if turning:
+        A = np.concatenate([A, np.tile(np.eye(3), (len(A), 1, 1))], axis=2)
+    found = np.linalg.lstsq(A.reshape(-1, A.shape[2]), (t - s @ C.T).ravel(), rcond=None)[0]
+    return found[:3], found[3:] if turning else np.zeros(3)
+
+
+def _right_angles() -> list[Array]:
+    """Return the 24 rotations that turn axes into axes."""
+    out = []
+    for order in itertools.permutations(range(3)):
+        for signs in itertools.product((1.0, -1.0), repeat=3):
+            turn = np.zeros((3, 3))
+            turn[range(3), order] = signs
+            if np.linalg.det(turn) > 0:
+                out.append(turn)
+    return out
+
+
+# ---------------------------------------------------------------------------------------------------------- the fit
+
+
+def fitted(instrument: Instrument, found: Readings, x: Array) -> Instrument:
+    """Return camera and board fitted to readings, the machine as it is: damped, robust against wrong detections."""
+    damping, (r, weights) = 1e-3, _weighed(instrument, found, x)
+    cost = _cost(r, weights)
+    size = np.tile(instrument.kind.typical[list(instrument.free)], len(instrument.state))
+    for _ in range(STEPS):
+        J = instrument.linearise(found, x, np.zeros((len(x), 6, 0)))[1] * size * np.sqrt(weights)[:, None, None]
+        J, b = J.reshape(-1, len(size)), (r * np.sqrt(weights)[:, None]).ravel()
+        G, g = J.T @ J, J.T @ b
+        while damping < 1e12:
+            step = np.linalg.solve(G + damping * np.diag(np.diag(G) + 1e-12 * np.trace(G)), g)
+            trial = instrument.stepped(step * size)
+            left = trial.residual(found, x)
+            after = _cost(left, weights) if np.isfinite(left).all() else np.inf
+            if after <= cost:
+                break
+            damping *= 10
+        else:
+            return instrument
+        gained = cost - after
+        instrument, damping = trial, max(damping / 10, 1e-12)
+        r, weights = _weighed(instrument, found, x)
+        cost = _cost(r, weights)
+        if gained <= SETTLED * cost:
+            break
+    return instrument
+
+
+def _cost(r: Array, weights: Array) -> float:
+    return float((weights[:, None] * r**2).sum())
+
+
+def _weighed(instrument: Instrument, found: Readings, x: Array) -> tuple[Array, Array]:
+    """Return residuals (R, 2) and Huber's weights (R,) of them."""
+    r = instrument.residual(found, x)
+    size = np.linalg.norm(r, axis=1)
+    spread = max(float(np.median(size)) / 1.1774, 1e-12)
+    return r, np.minimum(1.0, HUBER * spread / np.maximum(size, 1e-300))
+
+
+def unseen(
+    instrument: Instrument, found: Readings, x: Array, size: Array, known_by: float, last: Sequence[int]
+) -> frozenset[int]:
+    """Return the unknowns that readings know less well, beside the others, than so many of their sizes (n_unknown,).
+
+    Of unknowns that stand for one another those of `last` go first.
+    """
+    r, weights = _weighed(instrument, found, x)
+    sigma = max(float(np.sqrt(np.mean(weights[:, None] * r**2))), 1e-9)
+    J = instrument.linearise(found, x, np.zeros((len(x), 6, 0)))[1]
+    A = (J * np.sqrt(weights)[:, None, None]).reshape(-1, J.shape[2]) * size / sigma
+    each, gone = len(instrument.free), set[int]()
+    order = sorted(range(each), key=lambda k: instrument.free[k] in last)
+    basis = np.zeros((len(A), 0))
+    for k in order:
+        own = A[:, k::each] if len(instrument.state) > 1 else A[:, [k]]
+        rest = own - basis @ (basis.T @ own)
+        rest -= basis @ (basis.T @ rest)
+        length = np.linalg.norm(rest, axis=0)
+        if (length < np.maximum(1 / known_by, RANK * np.linalg.norm(own, axis=0))).any():
+            gone.add(instrument.free[k])
+            continue
+        basis = np.hstack([basis, rest / length])
+    return frozenset(gone)
+
+
+def at_origin(instrument: Instrument, found: Readings, x: Array) -> Array:
+    """Return the state (S, g) with the cameras at the origin of their part, the boards where they then seem to be."""
+    state = instrument.state.copy()
+    for s, row in enumerate(state):
+        rows = found.rows[found.setup == s, 0]
+        if not len(rows):
+            continue
+        C, R = row[:9].reshape(3, 3), x[rows, 3:].reshape(-1, 3, 3)
+        S = np.swapaxes(R, 1, 2) if row[34] else R
+        row[21:24] += nearest(S.mean(axis=0)).T @ C.T @ row[9:12]
+        row[9:12] = 0.0
+    return state
+
+
+def mounted(x: Array, middle: Array, width: float, lens: Array, rides: bool) -> Array:
+    """Return the state of a camera that looks at the board's middle, far enough to see all of it from poses x (N, 12).
+
+    The camera looks along -z of {O}, or the board on the platform faces up to it: what it looks at lies below.
+    """
+    focal = np.where(np.isnan(lens[:2]), 1000.0, lens[:2])
+    centre = np.where(np.isnan(lens[2:4]), [640.0, 512.0], lens[2:4])
+    P = x[:, :3]
+    mid, span = (P.max(axis=0) + P.min(axis=0)) / 2, np.ptp(P, axis=0)
+    slope = 0.8 * float((centre / focal).min())
+    far = (float(span[:2].max()) / 2 + 0.75 * width) / slope + float(span[2]) / 2
+    down = np.diag([1.0, -1.0, -1.0])
+    R = nearest(x[:, 3:].reshape(-1, 3, 3).mean(axis=0))
+    if rides:  # X = R^T (fixed - P), C X: along the camera's z where it looks down
+        C, f = down @ R, np.zeros(3)
+        laid, origin = np.eye(3), mid - np.array([0.0, 0.0, far]) - np.array([*middle, 0.0])
+    else:
+        C, f = down, down @ -(mid + np.array([0.0, 0.0, far]))
+        laid = R.T
+        origin = -R.T @ np.array([*middle, 0.0])
+    state = np.concatenate([C.ravel(), f, laid.ravel(), origin, [0.0], focal, centre, np.nan_to_num(lens[4:])])
+    return np.append(state, float(rides))
