@@ -56,6 +56,27 @@ def test_predictions_come_from_the_law(found: Diagnosis, tmp_path: Path) -> None
     assert found.laws[0].heldout_rms_mm < 1.5 * SIGMA
 
 
+def test_rows_outside_its_range_are_counted_and_commands_undo_it(found: Diagnosis, tmp_path: Path) -> None:
+    said: list[str] = []
+    low, high = found.laws[0].range["tension_1"]
+    assert low < -5 < 5 < high
+    fresh = record(ROBOT, TRUTH, n=40, seed=9, sigma=0.0, of=channels(40, *OF, seed=8))
+    dc.predict(found, fresh, tell=said.append)
+    heavy = dataclasses.replace(fresh, channels=fresh.channels | {"payload_kg": np.full(40, 9.0)})
+    dc.predict(found, heavy, tell=said.append)
+    assert len([words for words in said if "outside the range in which the law was found" in words]) >= 1
+    assert (dc.validate(found, heavy)["outside_law"] or 0) > 20
+    # a machine commanded with the law known stands where the law's own model says it was asked to
+    targets = np.array([[0.0, 0.0, -800.0], [150.0, -100.0, -850.0]])
+    compensator = dc.Compensator(found)
+    at, _ = compensator.channels({"payload_kg": 1.0, "temp_C": 22.0, "time_s": 100.0}, 2)
+    joints = compensator.joints(targets, None, at)
+    np.testing.assert_allclose(compensator.pose(joints, None, at)[0][:, :3], targets, atol=1e-6)
+    text = tmp_path / "command.c"
+    dc.compensate(found, output=text, export="c")
+    assert "limb.rod = c1*tanh(tension_1/c2) at joint 2" in text.read_text(encoding="utf-8")
+
+
 def test_its_curve_goes_through_what_the_readings_say(found: Diagnosis) -> None:
     curve = found.laws[0].curve
     assert curve is not None
@@ -79,3 +100,61 @@ def test_a_random_walk_is_no_law_of_time() -> None:
     walk = np.cumsum(np.random.default_rng(4).standard_normal((N, 3)), axis=0) * SIGMA
     found = dc.diagnose(ROBOT, dataclasses.replace(recording, measured=recording.measured + walk))
     assert found.laws == ()
+
+
+def test_it_is_written_as_the_file_of_an_effect_that_says_the_same(found: Diagnosis, tmp_path: Path) -> None:
+    import sympy as sp
+
+    from deltacal_gen.diagnosis.laws.effect_file import effect_file
+    from derive.language.effects import Effect
+    from derive.mathematics.effects import effect as derived
+
+    space: dict[str, object] = {}
+    exec(effect_file(found.laws[0], Path("rod_yields.py")), space)
+    effect = space["EFFECT"]
+    assert isinstance(effect, Effect)
+    assert (effect.name, effect.per_limb, effect.source) == ("rod_yields", True, "derive/effects/rod_yields.py")
+    assert [(c.name, c.unit) for c in effect.coefficients] == [("c1", "mm")]
+    tension, size = sp.Symbol("tension_1", real=True), found.laws[0].terms[0].coefficients[0].value
+    moved = sp.lambdify(tension, effect.targets["limb.rod"].subs(effect.coefficients[0].symbol, size))
+    curve = found.laws[0].curve
+    assert curve is not None
+    np.testing.assert_allclose(moved(np.asarray(curve.at)), curve.value, rtol=1e-12, atol=1e-15)
+    assert derived(effect)  # its functions are there to be emitted
+
+
+@pytest.mark.parametrize(
+    ("target", "expression", "values", "unit"),
+    [
+        ("joint", "c1*torque*warming", [("c1", 2e-8, "rad/(N mm K)")], "deg/(K Nm)"),
+        ("joint", "c1*Lag(torque, c2)*oil_C", [("c1", 1e-9, ""), ("c2", 300.0, "s")], "deg/(oil_C Nm)"),
+        ("tool.z", "c1*Piecewise((time, time < c2), (c2, True))", [("c1", 1e-4, "mm/s"), ("c2", 900.0, "s")], "mm/s"),
+    ],
+)
+def test_any_law_can_be_written_as_an_effect(
+    target: str, expression: str, values: list[tuple[str, float, str]], unit: str
+) -> None:
+    from deltacal_gen.diagnosis.laws.effect_file import effect_file
+    from deltacal_gen.physics.law import load_law
+    from deltacal_gen.results.diagnosis import Law, LawCoefficient, LawTerm
+    from derive.language.effects import Effect
+
+    coefficients = tuple(LawCoefficient(name=n, limb=None, value=v, std=None, unit=u) for n, v, u in values)
+    term = LawTerm(target=target, limbs=(), expression=expression, coefficients=coefficients)
+    states = load_law(f"law {target} = {expression}").STATE
+    figures = {"heldout_rms_mm": 0.0, "share_of_excess": 1.0, "gain": 1.0, "charge": 0.0}
+    ends = dict.fromkeys(states, (10.0, 800.0))
+    told = Law(terms=(term,), states=states, range=ends, alike=(), borne_out=True, **figures)
+    space: dict[str, object] = {}
+    exec(effect_file(told, Path("a_law.py")), space)
+    effect = space["EFFECT"]
+    assert isinstance(effect, Effect)
+    assert effect.coefficients[0].unit == unit
+
+
+def test_a_file_that_names_no_effect_is_refused(found: Diagnosis) -> None:
+    from deltacal_gen.diagnosis.laws.effect_file import effect_file
+    from deltacal_gen.errors import UsageError
+
+    with pytest.raises(UsageError, match=r"like oil_creep\.py"):
+        effect_file(found.laws[0], Path("My law.py"))

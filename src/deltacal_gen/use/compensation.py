@@ -40,6 +40,8 @@ from deltacal_gen.machine.registry import (
 )
 from deltacal_gen.physics.body import Body, Deformed
 from deltacal_gen.physics.channels import Channels, complete_channels
+from deltacal_gen.physics.law import is_law
+from deltacal_gen.physics.ranges import outside
 from deltacal_gen.physics.terms import Term, kept_term, of_the_instrument
 from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.result import Result
@@ -328,6 +330,16 @@ class Compensator:
             if why := body.missing(term):
                 raise InputError(f"the effect '{term.effect}' needs {why}.", "Add it.", file=self.robot.source)
         return body.solve(self.mechanism.vector(self.robot.errors), effects)
+
+    def beyond_laws(self, joints: Array, tool: Array | None = None, channels: Channels | None = None) -> np.ndarray:
+        """Return which commands (N,), as `joints` gives them, lie outside the range in which a law was found."""
+        if not any(is_law(t.effect) for t in self.effects):
+            return np.zeros(len(joints), dtype=bool)
+        q = joints * self.robot.joint_sign
+        points = np.broadcast_to(np.asarray(self.robot.tool if tool is None else tool, dtype=float), (len(q), 3))
+        machine, _ = self._machine(q, points, channels)
+        at = self.channels({}, len(q))[0] if channels is None else channels
+        return outside(Body(self.robot, self.mechanism, q, points, at), machine, self.effects)
 
     def joints(
         self,

@@ -23,6 +23,8 @@ from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.rotation import from_vector, to_vector
 from deltacal_gen.machine.values import Measurement, Recording
 from deltacal_gen.physics.body import Deformed, reading_shift
+from deltacal_gen.physics.law import is_law
+from deltacal_gen.physics.ranges import outside
 from deltacal_gen.physics.terms import Term, of_reading, term_of
 from deltacal_gen.results.diagnosis import Diagnosis, SmoothCorrection
 from deltacal_gen.results.parts import MachineState
@@ -238,6 +240,21 @@ def prediction_problem(
                 file=recording.path,
             )
     return problem, instrument
+
+
+def has_law(result: Known) -> bool:
+    """Tell whether a law that nobody has registered is part of a result."""
+    return any(is_law(t.effect) for t in result.physics or ())
+
+
+def beyond_laws(result: Known, recording: Recording) -> np.ndarray:
+    """Return which rows (N,) of a recording lie outside the range in which a law of a result was found."""
+    held = known_effects(result, timed=recording.time_s is not None)
+    if not has_law(result):
+        return np.zeros(recording.n_rows, dtype=bool)
+    unread = kind_of(recording.kind).unread(recording)
+    problem = pose_problem(calibrated_robot(result), recording, (), found=unread, held=held)
+    return outside(problem.body, problem.solve(problem.reference), held)
 
 
 def place_of(other: Recording, asked: Recording) -> Place:

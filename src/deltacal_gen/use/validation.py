@@ -27,7 +27,15 @@ from deltacal_gen.results.result import Result
 from deltacal_gen.results.validation import Iso9283, Placed, Row, Validation
 from deltacal_gen.units import DEG
 from deltacal_gen.use import iso9283
-from deltacal_gen.use.prediction import Place, calibrated_robot, prediction_problem, residual, unknown_setups
+from deltacal_gen.use.prediction import (
+    Place,
+    beyond_laws,
+    calibrated_robot,
+    has_law,
+    prediction_problem,
+    residual,
+    unknown_setups,
+)
 
 __all__ = ["calibrated_robot", "validate"]
 Why = Literal["unknown", "elsewhere"]
@@ -74,6 +82,7 @@ def validate(result: Result | Diagnosis, recording: Recording) -> Validation:
     return answer.replace(
         unit=unit and unit[0],
         unit_mm=unit and unit[1],
+        outside_law=int(beyond_laws(result, recording).sum()) if has_law(result) else None,
         never_seen=never_seen(result.seen, calibrated_robot(result).joint_sign * recording.joints),
         iso9283=_repeated(found, left) if found.kind.positions else None,
     )

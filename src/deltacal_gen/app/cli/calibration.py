@@ -166,6 +166,9 @@ def diagnose(
     output: Annotated[Path | None, output_file("DIAGNOSIS.json")] = None,
     model: Annotated[str | None, typer.Option("--model", help="default: the largest", show_default=False)] = None,
     report: Annotated[Path | None, typer.Option(help="a page to read, FILE.html", show_default=False)] = None,
+    write_effect: Annotated[
+        Path | None, typer.Option(help="the law that was found as a file of an effect, NAME.py", show_default=False)
+    ] = None,
     strict: Annotated[bool, typer.Option("--strict", help="exit with 1 unless the verdict is adequate")] = False,
     decimal: Decimal = None,
     as_json: Json = False,
@@ -175,14 +178,20 @@ def diagnose(
     from deltacal_gen.results.diagnosis import Verdict
 
     with progress(as_json) as tell:
-        found = commands.diagnose(robot, recording, output, model=model, report=report, progress=tell)
+        found = commands.diagnose(
+            robot, recording, output, model=model, report=report, write_effect=write_effect, progress=tell
+        )
     if as_json:
         print_json(found)
     else:
         show_any(found, show_diagnosis)
-        for path in (output, report):
+        for path in (output, report, write_effect if found.laws else None):
             if path is not None:
                 screen.print(f"written to {path}")
+    if write_effect is not None and not found.laws:
+        if not as_json:
+            screen.print(f"no law was found: {write_effect} is not written")
+        raise typer.Exit(1)
     if strict and found.verdict is not Verdict.ADEQUATE:
         raise typer.Exit(1)
 
@@ -201,6 +210,14 @@ def show_diagnosis(found: Diagnosis) -> None:
             if effect.indistinguishable_from:
                 others = ", ".join(effect.indistinguishable_from)
                 screen.print(f"  these poses cannot tell {effect.name} from {others}")
+    for k, law in enumerate(found.laws):
+        for term in law.terms:
+            limbs = f" at limb {', '.join(map(str, term.limbs))}" if term.limbs else ""
+            screen.print(f"  {'or' if k else 'law:'} {term.target} moves by {escaped(term.expression)}{limbs}")
+            if not k:
+                for c in term.coefficients:
+                    where = "" if c.limb is None else f" at limb {c.limb}"
+                    screen.print(f"    {c.name} = {c.value:.4g} +- {number(c.std, 2)} {c.unit}{where}")
     unit, length = in_unit(found)
     table = Table(f"{unit}, rms of the readings", "fitted", "held out", "chi2 per degree of freedom")
     for words, row in (("geometry", found.baseline), ("with what was found", found.final)):

@@ -186,6 +186,8 @@ def _show_validation(found: Validation) -> None:
     )
     for p in found.placed or ():
         screen.print(_placed(p))
+    if found.outside_law:
+        screen.print(f"{found.outside_law} rows lie outside the range in which the law was found")
     for joint in found.never_seen:
         screen.print(words(joint))
     if (iso := found.iso9283) is not None:

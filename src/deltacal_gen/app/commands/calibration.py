@@ -140,22 +140,28 @@ def diagnose(
     *,
     model: str | None = None,
     report: Source | None = None,
+    write_effect: Source | None = None,
     progress: Progress = silent,
 ) -> Diagnosis:
     """Find where model and recording differ, and which physics was left out; `output` is DIAGNOSIS.json.
 
     `model` is the geometry that is fitted beside everything, the mechanism's largest where it is not given; `report`
-    is one self-contained HTML page of the same.
+    is one self-contained HTML page of the same. Where a law is found that nobody has registered, `write_effect` is the
+    file of an effect of it (NAME.py), for ``derive/effects``; without a law it is not written.
 
     Of a recording in motion (kind torque) the answer is a `results.motion.MotionDiagnosis`: the friction of every
     joint, see `motion.diagnosis`.
     """
     from deltacal_gen.diagnosis import diagnosis
+    from deltacal_gen.diagnosis.laws.effect_file import effect_file, effect_name
 
     check_output(output, robot, recording)
     check_output(report, robot, recording)
+    check_output(write_effect, robot, recording)
+    if write_effect is not None:
+        effect_name(Path(write_effect))
     if (moving := in_motion(recording)) is not None:
-        refuse_in_motion(model=model, report=report)
+        refuse_in_motion(model=model, report=report, write_effect=write_effect)
         return cast("Diagnosis", _finished(moving.diagnose(as_robot(robot), progress), output, robot, recording))
     files = (robot, recording)
     robot = as_robot(robot)
@@ -170,6 +176,8 @@ def diagnose(
 
         progress("report")
         write_files({Path(report): page.diagnosis(found)})
+    if write_effect is not None and found.laws:
+        write_files({Path(write_effect): effect_file(found.laws[0], Path(write_effect))})
     return found
 
 

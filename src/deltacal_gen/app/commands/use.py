@@ -29,6 +29,7 @@ from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.rotation import from_vector
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.motion.kinds import columns_of, known_motion
+from deltacal_gen.physics.ranges import in_words
 from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.reader import Given
 from deltacal_gen.results.result import Result
@@ -144,6 +145,8 @@ def compensate(
     for words in assumed:
         tell(words)
     joints = compensator.joints(positions, tool, at, near)
+    if (beyond := in_words(compensator.beyond_laws(joints, tool, at), "targets")) is not None:
+        tell(beyond)
     if mechanism.many_ways and positions.shape[1] > 3:
         turned = np.linalg.norm(compensator.missed(joints, positions, tool, at)[:, 3:], axis=1) / DEG
         if (off := turned > compensation.TURNED_DEG).any():
@@ -264,6 +267,8 @@ def predict(
     for joint in spectrum.never_seen(known.seen, robot.joint_sign * given.joints):
         tell(spectrum.words(joint))
     done = prediction.predict(known, given, placed)
+    if (beyond := in_words(prediction.beyond_laws(known, given), "rows")) is not None:
+        tell(beyond)
     ends: dict[str, Array] = {}
     if bands:
         from deltacal_gen.use.bands import known_of, predicted_bands

@@ -95,6 +95,11 @@ def product(a: tuple[str, Atom], b: tuple[str, Atom], beside: bool = False) -> F
     return Form((both, alone) if beside else (both,), a[1].constants + b[1].constants, (a[0], b[0]), length)
 
 
+def lagging(state: str, tau: float) -> Atom:
+    """Return a state that lags by a time constant."""
+    return Atom(f"Lag({state}, {{0}})", (tau,), 4)
+
+
 def plain(state: str, values: Array) -> list[Atom]:
     """Return the simplest functions of a state (any shape of values), from which products are made at first."""
     out = [Atom(state)]
@@ -124,12 +129,12 @@ def simple(state: str, values: Array) -> list[Atom]:
 def full(state: str, values: Array, lags: Sequence[float] = ()) -> list[Atom]:
     """Return every function of a state that is tried; `lags` are the time constants with which it may lag."""
     out = plain(state, values)
-    lagging = [Atom(f"Lag({state}, {{0}})", (tau,), 4) for tau in lags]
+    late = [lagging(state, tau) for tau in lags]
     if _switch(values):
-        return out + lagging
+        return out + late
     most, width, signed = float(np.abs(values).max()), float(np.ptp(values)), values.min() < 0 < values.max()
     out += [Atom(f"{state}**{n}", (), n) for n in (2, 3)]
-    out += [Atom(f"sqrt(Abs({state}))", (), 2), *lagging]
+    out += [Atom(f"sqrt(Abs({state}))", (), 2), *late]
     at = sorted({float(k) for k in np.quantile(values, THRESHOLDS)})
     for k in at:
         out += [Atom(f"Max({state} - {{0}}, 0)", (k,), 3), Atom(f"Heaviside({state} - {{0}})", (k,), 3)]
@@ -154,13 +159,13 @@ def full(state: str, values: Array, lags: Sequence[float] = ()) -> list[Atom]:
 def factors(state: str, values: Array, lags: Sequence[float] = ()) -> list[Atom]:
     """Return functions of a state of which products are made where one explains much: coarser than `full`."""
     out = simple(state, values)
-    lagging = [Atom(f"Lag({state}, {{0}})", (tau,), 4) for tau in lags[1::3]]
+    late = [lagging(state, tau) for tau in lags[1::3]]
     if _switch(values):
-        return out + lagging
+        return out + late
     most = float(np.abs(values).max())
     out += [Atom(f"exp(-({state}/{{0}})**2)", (s * most,), 4) for s in (0.2, 0.6)]
     out += [Atom(f"log(1 + Abs({state})/{{0}})", (s * most,), 4) for s in (0.1, 0.5)]
-    return out + lagging
+    return out + late
 
 
 def slow_waves(values: Array) -> list[float]:

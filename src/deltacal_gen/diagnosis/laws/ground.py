@@ -44,6 +44,11 @@ class Place:
     limbs: tuple[int, ...]
     columns: Array
 
+    @property
+    def remembers(self) -> bool:
+        """Whether what moves may lag; readings are no rows of a run."""
+        return load_law(f"{PREFIX}{self.target} = c1").ACTS_ON != "reading"
+
 
 @dataclass(frozen=True)
 class Tried:
@@ -75,7 +80,9 @@ class Ground:
         self.problem, self.rows = at.problem, at.problem.readings.rows[:, 0]
         self._read: dict[str, Array] = {}  # states at the rows of the recording
         self._lagged: dict[tuple[str, float], Array] = {}
-        self.coarse: dict[tuple[str, ...], list[Form]] = {}  # forms that were looked at first, by what may be read
+        self.coarse: dict[
+            tuple[tuple[str, ...], bool], list[Form]
+        ] = {}  # forms that were looked at first, by what may be read
         self._kept: dict[tuple[int, int, int], tuple[Sequence[Form], Array]] = {}
         self._factors: dict[tuple[str, tuple[float, ...]], Array] = {}
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from deltacal_gen.diagnosis.laws.search import Grown, grow
+from deltacal_gen.diagnosis.laws.search import SHARE, Grown, explained, grow, quiet
 from deltacal_gen.diagnosis.strategy import borne_out, refitted, terms_of
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.problem import Problem
@@ -24,8 +24,6 @@ PART = 4  # one of so many parts is asked
 LAST = 0.75  # of the session: what comes after is asked
 BLOCKS, ASKED = 10, (2, 5, 8)  # blocks of rows, in the order of time, and those that are asked
 SLOW = 0.7  # correlation of neighbouring rows above which a state stands in blocks
-SHARE = 0.75  # of what stands above the noise in readings that are asked: what a law has to take
-TRIMMED = 0.03  # of readings: the largest errors, which may be gross
 
 
 @dataclass(frozen=True)
@@ -112,25 +110,8 @@ def judged(problem: Problem, first: Fit, grown: Grown, train: np.ndarray, test: 
     before, after = (held_out(problem, at, test) * at.sigma / grown.fit.sigma for at in (first, grown.fit))
     share = explained(before, after)
     kind = problem.readings.kind
-    error = rms(lengths((after * grown.fit.sigma)[_quiet(before, after)], kind))
+    error = rms(lengths((after * grown.fit.sigma)[quiet(before, after)], kind))
     return Proof(grown, train, test, error, share, bool(share > SHARE and borne_out(before, after)))
-
-
-def explained(before: Array, after: Array) -> float:
-    """Return which part of squares above the noise goes, errors (R, k) in standard deviations of the noise."""
-    a, b = np.nansum(before**2, axis=1), np.nansum(after**2, axis=1)
-    kept = _quiet(before, after)
-    scalars = np.isfinite(before[kept]).sum()
-    excess = a[kept].sum() - scalars
-    return float(1.0 - (b[kept].sum() - scalars) / excess) if excess > 0 else 0.0
-
-
-def _quiet(before: Array, after: Array) -> np.ndarray:
-    """Return the readings that were asked, but for those of the largest errors."""
-    b = np.nansum(after**2, axis=1)
-    seen = np.flatnonzero(np.isfinite(before).any(axis=1))
-    kept: np.ndarray = seen[np.argsort(b[seen])[: len(seen) - int(TRIMMED * len(seen))]]
-    return kept
 
 
 def _poses(problem: Problem) -> tuple[np.ndarray, np.ndarray]:

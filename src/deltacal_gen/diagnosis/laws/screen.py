@@ -71,26 +71,21 @@ def _first(ground: Ground) -> list[Tried]:
     """Return what simple functions of every state, and products of two, explain at every place."""
     out: list[Tried] = []
     for place in ground.places:
-        names = tuple(ground.readable(place))
-        if names not in ground.coarse:
-            ground.coarse[names] = _coarse(ground, names)
-        out += _screened(ground, place, ground.coarse[names])
+        key = tuple(ground.readable(place)), place.remembers
+        if key not in ground.coarse:
+            ground.coarse[key] = _coarse(ground, *key)
+        out += _screened(ground, place, ground.coarse[key])
     return out
 
 
-def _coarse(ground: Ground, names: Sequence[str]) -> list[Form]:
-    """Return simple functions of every state, waves, and products of two."""
-    states = ground.states
+def _coarse(ground: Ground, names: Sequence[str], remembers: bool) -> list[Form]:
+    """Return simple functions of every state, waves, and products of two; and states that lag."""
+    states, lags = ground.states, ground.lags[2::3] if remembers else ()
     ones = [grammar.single(n, a) for n in names for a in grammar.simple(n, states[n])]
     for a, b in itertools.combinations(names, 2):
         for f, g in itertools.product(grammar.plain(a, states[a]), grammar.plain(b, states[b])):
             ones.append(grammar.product((a, f), (b, g)))
-    ones += [
-        grammar.single(n, grammar.Atom(f"Lag({n}, {{0}})", (tau,), 4))
-        for n in names
-        for tau in ground.lags[2::3]
-        if n != "time"
-    ]
+    ones += [grammar.single(n, grammar.lagging(n, tau)) for n in names if n != "time" for tau in lags]
     ones += [w for n in names if states[n].ndim == 1 and n[:2] != "q_" for w in grammar.waves(n, states[n])]
     return ones
 
@@ -98,7 +93,7 @@ def _coarse(ground: Ground, names: Sequence[str]) -> list[Form]:
 def _closer(ground: Ground, head: Tried) -> Iterable[Form]:
     """Yield every form of the states of one that explains much."""
     names, states = head.form.states, ground.states
-    lags = ground.lags if "reading" not in head.target and head.target != "length" else ()
+    lags = ground.lags if ground.place(head.target).remembers else ()
     make = grammar.full if len(names) == 1 else grammar.factors
     atoms = [make(n, states[n], () if n == "time" else lags) for n in names]
     if len(names) == 1:

@@ -19,11 +19,15 @@ from deltacal_gen.diagnosis.structure import alike, structures
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.identification.noise import lack_of_fit
+from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.terms import Term
 
 MOST_TERMS = 3
 AT_FIRST = 3  # forms that are looked at closer before the noise is known
+SHARE = 0.75  # of what stands above the noise: what a law has to take
+ON_THE_WAY = (0.3, 0.55)  # of the same: what one term, and two, have to take, or the search ends
+TRIMMED = 0.03  # of readings: the largest errors, which may be gross
 TRIED = 3  # forms of which the exact fit is asked for
 
 
@@ -73,9 +77,29 @@ def grow(problem: Problem, base: Fit) -> Grown | None:
             best = best if other is None or other.cost > best.cost else other
         if len(best.law) > 1:
             best = _revised(problem, best)
+        taken = explained(base.residual / best.fit.sigma, best.fit.residual / best.fit.sigma)
+        if taken < (*ON_THE_WAY, SHARE)[len(best.law) - 1]:
+            return None
         if not unexplained(best.fit):
             break
     return best if best.law else None
+
+
+def explained(before: Array, after: Array) -> float:
+    """Return which part of squares above the noise goes, errors (R, k) in standard deviations of the noise."""
+    a, b = np.nansum(before**2, axis=1), np.nansum(after**2, axis=1)
+    kept = quiet(before, after)
+    scalars = np.isfinite(before[kept]).sum()
+    excess = a[kept].sum() - scalars
+    return float(1.0 - (b[kept].sum() - scalars) / excess) if excess > 0 else 0.0
+
+
+def quiet(before: Array, after: Array) -> np.ndarray:
+    """Return the readings (R,) of which there are errors, but for those of the largest errors."""
+    b = np.nansum(after**2, axis=1)
+    seen = np.flatnonzero(np.isfinite(before).any(axis=1))
+    kept: np.ndarray = seen[np.argsort(b[seen])[: len(seen) - int(TRIMMED * len(seen))]]
+    return kept
 
 
 def unexplained(at: Fit) -> bool:
