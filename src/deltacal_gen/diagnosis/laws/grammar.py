@@ -22,6 +22,7 @@ SCALES = (0.1, 0.2, 0.4, 0.8, 1.6)  # of the largest value of a state: scales of
 LAGS = 8  # time constants, from the time between rows to half of the session
 PERIODS = 36  # of a state: from its whole width to four rows
 PHASES = (0.0, 0.25, 0.5, 0.75)  # of a period, at which what is no wave may begin
+ONCE = ("time",)  # what comes once: a step in it, or a bump, is an event and no law
 CONSTANT = re.compile(r"\{(\d)\}")
 
 
@@ -116,7 +117,8 @@ def simple(state: str, values: Array) -> list[Atom]:
     out += [Atom(f"{state}**2", (), 2), Atom(f"sqrt(Abs({state}))", (), 2)]
     lines = np.quantile(values, (0.25, 0.5, 0.75))
     out += [Atom(f"Max({state} - {{0}}, 0)", (float(k),), 3) for k in lines]
-    out += [Atom(f"Heaviside({state} - {{0}})", (float(k),), 3) for k in lines]
+    if state not in ONCE:
+        out += [Atom(f"Heaviside({state} - {{0}})", (float(k),), 3) for k in lines]
     most = float(np.abs(values).max())
     if len(out) and values.min() < 0 < values.max():
         out += [Atom(f"tanh({state}/{{0}})", (s * most,), 3) for s in (0.1, 0.4)]
@@ -137,7 +139,10 @@ def full(state: str, values: Array, lags: Sequence[float] = ()) -> list[Atom]:
     out += [Atom(f"sqrt(Abs({state}))", (), 2), *late]
     at = sorted({float(k) for k in np.quantile(values, THRESHOLDS)})
     for k in at:
-        out += [Atom(f"Max({state} - {{0}}, 0)", (k,), 3), Atom(f"Heaviside({state} - {{0}})", (k,), 3)]
+        out += [Atom(f"Max({state} - {{0}}, 0)", (k,), 3)]
+        if state in ONCE:
+            continue
+        out += [Atom(f"Heaviside({state} - {{0}})", (k,), 3)]
         out += [Atom(f"tanh(({state} - {{0}})/{{1}})", (k, s * width), 5) for s in (0.05, 0.15)]
         out += [Atom(f"exp(-(({state} - {{0}})/{{1}})**2)", (k, s * width), 6) for s in (0.1, 0.25)]
     for s in SCALES:

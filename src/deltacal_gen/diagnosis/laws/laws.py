@@ -86,7 +86,7 @@ def laws(found: Outcome, progress: Callable[[str], None]) -> list[Lawful]:
         if base is None:
             continue
         progress("laws")
-        proof = proven(problem, base)
+        proof = proven(problem, base, again=not terms)
         if proof is None or not proof.holds:
             continue
         grown = _of_all(problem, base, proof.grown, names)

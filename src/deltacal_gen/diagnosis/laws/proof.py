@@ -50,16 +50,18 @@ class Proof:
     holds: bool
 
 
-def proven(problem: Problem, base: Fit) -> Proof | None:
+def proven(problem: Problem, base: Fit, again: bool = True) -> Proof | None:
     """Return the law that a part of the readings has, and what the others say of it; None where no part has one.
 
     The last quarter is asked first, which serves for all. Where it does not speak for the law it may lie where nothing
-    was read before: of a law that has nothing to do with time other parts are asked.
+    was read before: of a law that has nothing to do with time other parts are asked, if they may be asked `again`.
     """
     proof = _asked(problem, base, _last(problem))
     if proof is not None and (proof.holds or pace(problem, proof.grown) == "time"):
         if proof.holds and pace(problem, proof.grown) == "poses" and _repeated(problem):
             return _asked(problem, base, _poses(problem))
+        return proof
+    if not again:
         return proof
     proof = _asked(problem, base, _poses(problem))
     if proof is None or (how := pace(problem, proof.grown)) == "poses":
