@@ -4,7 +4,8 @@ from derive.effects import DEG, coefficient, state
 from derive.language.effects import Effect, Reference
 
 (q,) = state("q")
-scale = coefficient("scale", "1", 1.0, "error of the scale", (-0.1, 0.1))
+# one tooth of forty: a ratio farther off is another one, a mistake in the controller
+scale = coefficient("scale", "1", 1.0, "error of the scale", (-0.025, 0.025))
 EFFECT = Effect(
     name="joint_scale",
     title="gear ratio or encoder scale is off",

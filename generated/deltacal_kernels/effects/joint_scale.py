@@ -1,7 +1,7 @@
 """Gear ratio or encoder scale is off.
 
 Generated from derive/effects/joint_scale.py by "deltacal kernels". Do not edit.
-Template templates/effect.py.jinja; sha256 of both 0376e3e381b730fd; SymPy 1.14.0.
+Template templates/effect.py.jinja; sha256 of both 4e88a66b09c7136d; SymPy 1.14.0.
 
 Plain NumPy over M rows (poses times limbs, or poses): state s (M, 1): q;
 coefficients c (M or 1, 1); constants, one number each. Units mm, rad, N, s, K.
@@ -27,7 +27,7 @@ COEFFICIENTS = (
     ("scale", "1", 1.0, "error of the scale"),
 )
 # range of each, in files
-BELIEVABLE = ((-0.1, 0.1), )
+BELIEVABLE = ((-0.025, 0.025), )
 # of these a joint that slides has mm for deg and N for Nm
 OF_JOINT = ()
 CONSTANTS = (

@@ -127,7 +127,7 @@ def _residuals(found: Diagnosed) -> Residuals:
     """Return what every reading is off, before and after, where it was read and what the channels said there."""
     problem = found.final.problem
     rows = problem.readings.rows[:, 0]
-    machine = problem.solve(found.final.errors)
+    machine = found.final.machine
     channels = {
         name: values[rows] for name, values in problem.recording.channels.items() if not name.startswith("true_")
     }

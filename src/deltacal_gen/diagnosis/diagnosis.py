@@ -48,6 +48,7 @@ from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification import checks
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.noise import Noise, noise
+from deltacal_gen.identification.prior import with_prior
 from deltacal_gen.machine.backend import by_recording
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Recording
@@ -130,6 +131,7 @@ def diagnose(
     model = own or model or mechanism.full_model
     names = mechanism.model(model)
     problem = everything.with_names(names)
+    alone, _ = with_prior(problem, robot)
     scale = np.array([robot.tolerance.get(n, MACHINED * s) for n, s in zip(names, problem.scale, strict=True)])
     problem = dataclasses.replace(problem, scale=scale)
     checks.distinct(problem, recording)
@@ -166,6 +168,8 @@ def diagnose(
     after = lawful[0].proof.rms if lawful else after
     progress(f"fit of all {len(problem.readings)} readings")
     baseline, current, spectrum = _of_all(problem, first, search.fit, spectrum)
+    if not (current.problem.terms or current.problem.held):  # no physics that geometry could imitate
+        current = fit(alone, Prior(), errors=current.errors, instrument=current.instrument, must_converge=False)
     heldout = (before, after if spectrum is None else spectrum.heldout[1])
     named_any = current.problem.terms or current.problem.held
     verdict = Verdict.UNEXPLAINED if unexplained else Verdict.MISSING_PHYSICS if named_any else Verdict.ADEQUATE

@@ -149,8 +149,8 @@ def _columns(at: Fit, problem: Problem, terms: Sequence[Term]) -> tuple[Array, A
 
     Readings that were taken share what their repeats share, and weigh as in the fit.
     """
-    machine = problem.solve(at.errors)
     taken = problem is at.problem
+    machine = at.machine if taken else problem.solve(at.errors)
     if not taken:
         mounted = at.instrument.mounted(problem.mechanism, at.errors)
         values, rotations = mounted.predict(problem.readings, problem.seen(machine))

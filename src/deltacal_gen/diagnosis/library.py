@@ -9,6 +9,7 @@ import numpy as np
 
 from deltacal_gen.diagnosis.discrimination import columns_read
 from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import TEMPERATURE
 from deltacal_gen.physics.states import CHANNELS, State, read_by
 from deltacal_gen.physics.terms import (
@@ -27,9 +28,12 @@ HARMONICS = 5  # multiples of the gear ratio that are searched
 MOST_TIMES = 300  # of a jump that are searched
 SIZES = (0.15, 3.0)  # of what a state becomes: a size beyond either end is not told from none, or from a straight line
 SIZE_STEP = 1.6  # from a size that is searched to the next: half way between two, 99 % of the gain is seen
+NEIGHBOURS = 4  # of a pose, among which others are counted
+SAME_POSE = 1e-6  # of each joint's travel: poses closer together are one
+MIXED = 0.5  # of the neighbours that poses in any order have beyond a moment: fewer, and it is a place as well
 NOTHING = {
     "orders": "a joint that turns",
-    "moments": "more readings",
+    "moments": "like poses before and after a moment",
     "joints": "a second joint that moves",
     "columns": "a column that has no other meaning, of what a part may tilt with",
     "sizes": "readings under a load, or at different times",
@@ -127,11 +131,32 @@ def _orders(problem: Problem, kernels: Kernels) -> list[float]:
 
 def _moments(problem: Problem, kernels: Kernels) -> list[float]:
     """Return the moments at which something may happen."""
-    times = np.unique(problem.body.channels.clock[np.unique(problem.readings.rows)])
+    rows = np.unique(problem.readings.rows)
+    clock = problem.body.channels.clock[rows]
+    times = np.unique(clock)
     edge = max(3, len(times) // 40)  # it needs rows on both sides
     inside = times[edge : len(times) - edge]
     step = -(-len(inside) // MOST_TIMES)
-    return inside[step // 2 :: step].tolist() if len(inside) else []
+    some = inside[step // 2 :: step]
+    return some[_mixed(problem.body.q[rows], clock, some)].tolist()
+
+
+def _mixed(q: Array, clock: Array, moments: Array) -> np.ndarray:
+    """Tell at which moments (M,) the poses before and after are like ones; else what has changed may be the place.
+
+    A bed that is probed line by line stands at a new place after every moment. Poses in any order lie among one
+    another: of a pose's neighbours so many are on the other side as there are there.
+    """
+    apart = np.linalg.norm((q[:, None] - q) / np.maximum(np.ptp(q, axis=0), 1e-12), axis=2)
+    apart[apart <= SAME_POSE] = np.inf  # the same pose, at any time, tells nothing of the order of others
+    near = np.argsort(apart, axis=1, kind="stable")[:, :NEIGHBOURS]
+    after = clock >= moments[:, None]
+    crossing = (after[:, near] != after[:, :, None]).mean(axis=2)
+    small = after == (after.mean(axis=1) < 0.5)[:, None]
+    share = np.where(small, crossing, 0.0).sum(axis=1) / np.maximum(small.sum(axis=1), 1)
+    expected = 1 - small.mean(axis=1)
+    mixed: np.ndarray = share > MIXED * expected
+    return mixed
 
 
 def _joints(problem: Problem, kernels: Kernels) -> list[float]:

@@ -63,7 +63,7 @@ class Beside:
 
     def __init__(self, at: Fit) -> None:
         self.fit, problem = at, at.problem
-        self.machine = problem.solve(at.errors)
+        self.machine = at.machine
         state = problem.linearise(at.errors, at.instrument, self.machine)
         self._read = np.isfinite(state.residual)
         self.owner = np.nonzero(self._read)[0]

@@ -219,7 +219,7 @@ class _Linear:
         known: Spectrum | None,
     ) -> None:
         problem = at.problem
-        machine = problem.solve(at.errors)
+        machine = at.machine
         state = problem.linearise(at.errors, at.instrument, machine)
         J, _ = at.instrument.linearise(problem.readings, problem.seen(machine), displacements(problem, machine))
         self._J = J[:, :, [j - 1 for j in limbs]]

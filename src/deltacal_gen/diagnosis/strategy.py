@@ -265,7 +265,7 @@ def refitted(
     errors, joint = at.errors[:n_p], problem
     if terms:
         same = at.problem.body is problem.body
-        machine = at.problem.solve(at.errors) if same else problem.solve(errors)
+        machine = at.machine if same else problem.solve(errors)
         columns = problem.term_columns(terms, at.errors, at.instrument, machine)
         flat = np.where(np.isfinite(columns), columns, 0.0).reshape(-1, columns.shape[2])
         size = np.linalg.norm(flat, axis=0)

@@ -15,6 +15,7 @@ from deltacal_gen.diagnosis.laws.search import Grown, fitted, polished, unexplai
 from deltacal_gen.diagnosis.search import charge, gains, quantile
 from deltacal_gen.diagnosis.strategy import MARGIN, Outcome, deviance_of, refitted, terms_of, together
 from deltacal_gen.diagnosis.structure import by_instrument
+from deltacal_gen.errors import InputError
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.machine.registry import Array
@@ -82,20 +83,32 @@ def laws(found: Outcome, progress: Callable[[str], None]) -> list[Lawful]:
     # rows that hang together are the law's doing, where there is one; its price is compared with theirs
     white = dataclasses.replace(at, repeats=dataclasses.replace(at.repeats, rho=0.0, chain=None))
     for terms in ([], names) if names else ([],):
-        base = refitted(problem, white, terms)
-        if base is None:
-            continue
-        progress("laws")
-        proof = proven(problem, base, again=not terms)
-        if proof is None or not proof.holds:
-            continue
-        grown = _of_all(problem, base, proof.grown, names)
-        grown = None if grown is None else _needed(problem, grown, found)
-        if grown is None or not grown.law or _moved(grown):
-            continue
-        if grown.cost < deviance_of(at):
-            return _told(problem, _calm(problem, grown), proof)
+        try:
+            lawful = _beside(found, white, terms, names, progress)
+        except InputError:
+            continue  # under it the machine cannot stand where it stood: it is no law
+        if lawful:
+            return lawful
     return []
+
+
+def _beside(
+    found: Outcome, white: Fit, beside: Sequence[Term], names: Sequence[Term], progress: Callable[[str], None]
+) -> list[Lawful]:
+    """Return what `laws` does, of laws found beside some of the named effects."""
+    problem = found.problem
+    base = refitted(problem, white, beside)
+    if base is None:
+        return []
+    progress("laws")
+    proof = proven(problem, base, again=not beside)
+    if proof is None or not proof.holds:
+        return []
+    grown = _of_all(problem, base, proof.grown, names)
+    grown = None if grown is None else _needed(problem, grown, found)
+    if grown is None or not grown.law or _moved(grown) or grown.cost >= deviance_of(found.search.fit):
+        return []
+    return _told(problem, _calm(problem, grown), proof)
 
 
 def _moved(grown: Grown) -> bool:
