@@ -87,6 +87,38 @@ def test_its_curve_goes_through_what_the_readings_say(found: Diagnosis) -> None:
     np.testing.assert_allclose(curve.value, exact, atol=6 * float(np.max(curve.std)) + 0.01)
 
 
+def test_the_page_shows_it_as_mathematics_with_its_curve(found: Diagnosis) -> None:
+    from deltacal_gen.pages import report
+    from deltacal_gen.pages.laws import mathml
+
+    page = report.diagnosis(found)
+    assert "A law that nobody has registered" in page
+    assert "limb.rod goes with tension_1 at limb 2" in page
+    assert mathml("c1*tanh(tension_1/c2)") in page
+    assert page.count("<svg") >= 3
+    assert "--write-effect" in page
+
+
+@pytest.mark.parametrize(
+    ("expression", "parts"),
+    [
+        ("c1*tanh(tension_1/c2)", ["<msub><mi>c</mi><mi>1</mi></msub>", "<mi>tanh</mi>", "<mfrac>"]),
+        ("c1*(q - c2)**2", ["<mo>(</mo>", "<msup>"]),
+        ("c1*sqrt(Abs(x))", ["<msqrt>", "<mo>|</mo>"]),
+        ("c1*Piecewise((q, q > c2), (c2, True))", ["<mtable>", "&gt;", "else"]),
+        ("c1*exp(-time/c2)", ["<mo>−</mo>"]),
+    ],
+)
+def test_every_construct_of_a_law_has_its_mathematics(expression: str, parts: list[str]) -> None:
+    from xml.etree import ElementTree
+
+    from deltacal_gen.pages.laws import mathml
+
+    shown = mathml(expression)
+    assert all(part in shown for part in parts)
+    ElementTree.fromstring(shown)
+
+
 def test_where_the_vocabulary_explains_the_misfit_no_law_is_looked_for() -> None:
     from tests.left_out import effect
 

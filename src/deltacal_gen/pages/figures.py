@@ -398,7 +398,9 @@ def diagnosis(found: Diagnosis, path: str | Path) -> None:
         bars(axes[2], found)
         title = {
             Verdict.ADEQUATE: "nothing is missing",
-            Verdict.MISSING_PHYSICS: "; ".join(named(e) for e in found.effects),
+            Verdict.MISSING_PHYSICS: "; ".join(
+                [*("a law that nobody has registered" for _ in found.laws[:1]), *(named(e) for e in found.effects)]
+            ),
             Verdict.UNEXPLAINED: "a mismatch that no known effect explains",
         }[found.verdict]
         sheet.suptitle(f"{found.robot.robot.name}: {title}", x=0.01, ha="left", fontsize=12)

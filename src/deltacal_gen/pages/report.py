@@ -22,8 +22,9 @@ from markupsafe import Markup
 
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.machine.registry import mechanism_of
-from deltacal_gen.pages import figures
+from deltacal_gen.pages import figures, laws
 from deltacal_gen.pages.figures import AFTER, BEFORE, INK, MUTED, RAISED, STYLE, mpl, plt
+from deltacal_gen.physics.law import ADVICE as LAW_ADVICE
 from deltacal_gen.physics.terms import load_effect, of_the_instrument
 from deltacal_gen.results.batch import ASIDE, Batch, FailedRow, alike, worst
 from deltacal_gen.results.diagnosis import (
@@ -62,8 +63,8 @@ def diagnosis(found: Diagnosis) -> str:
     """Return the page of a DIAGNOSIS.json."""
     machine = found.robot.robot.name
     channel = figures.main_channel(found)
-    left = "with what was found" if found.effects else "what geometry leaves"
-    before = {"map": "geometry alone", "channel": figures.seen(found).title} if found.effects else {}
+    left = "with what was found" if found.effects or found.laws else "what geometry leaves"
+    before = {"map": "geometry alone", "channel": figures.seen(found).title} if found.effects or found.laws else {}
     calm = found.verdict is Verdict.ADEQUATE
     positions = found.residuals.before_mm.shape[1] == 3
     return _rendered(
@@ -87,6 +88,7 @@ def diagnosis(found: Diagnosis) -> str:
         map=_pair(partial(figures.bubbles, found=found), before.get("map"), left, (3.9, 3.8), calm)
         if positions
         else [],
+        law=_law(found),
         effects=_effects(found),
         parameters=[_parameter(e, p) for e in found.effects for p in e.parameters],
         rejected=[(_spaced(r.name), f"{r.gain_chi2:.0f}", r.why) for r in found.rejected],
@@ -363,7 +365,8 @@ def _headline(found: Diagnosis) -> str:
     if found.verdict is Verdict.UNEXPLAINED:
         beside = f" beside {' and '.join(figures.named(e) for e in effects)}" if effects else ""
         return f"Something{beside} that no known effect explains"
-    return _sentence(" and ".join(figures.named(e) for e in effects))
+    told = [laws.headline(law) for law in found.laws[:1]]
+    return _sentence(" and ".join([*told, *(figures.named(e) for e in effects)]))
 
 
 def _lead(found: Diagnosis) -> str:
@@ -376,11 +379,21 @@ def _lead(found: Diagnosis) -> str:
             f"Geometry alone leaves {before:.4f} mm on held-out readings, {after:.4f} mm are left in the end, and the "
             f"noise is {sigma:.4f} mm. {_sentence(found.location.text)}."
         )
-    parts = "; ".join(_in_numbers(e) for e in found.effects)
+    told = [f"{t.target} moves by {t.expression}{laws.where(t)}" for law in found.laws[:1] for t in law.terms]
+    parts = "; ".join([*told, *(_in_numbers(e) for e in found.effects)])
     return (
         f"{_sentence(parts)}. With it the error on held-out readings falls from {before:.4f} mm to {after:.4f} mm; "
         f"the noise is {sigma:.4f} mm."
     )
+
+
+def _law(found: Diagnosis) -> dict[str, object] | None:
+    """Return the law that was found as a page shows it."""
+    if not found.laws:
+        return None
+    best, *others = found.laws
+    picture = "" if best.curve is None else _svg(partial(laws.along, law=best), (6.4, 3.0))
+    return laws.described(best, tuple(others)) | {"svg": picture}
 
 
 def _heldout(fit: Baseline | Final) -> float:
@@ -408,6 +421,10 @@ def _steps(found: Diagnosis) -> list[dict[str, str]]:
     for effect in found.effects:
         advice = load_effect(effect.name).ADVICE
         steps.append({"text": f"{_sentence(figures.named(effect))}: {advice}", "command": ""})
+    if found.laws:
+        text = f"{LAW_ADVICE} To know it by a name from now on, write it as an effect and fill in what it is:"
+        again = "deltacal diagnose ROBOT.toml RECORDING.csv --write-effect NAME.py"
+        steps.append({"text": text, "command": again})
     on_machine = [e for e in found.effects if not of_the_instrument(e.name)]
     if found.verdict is Verdict.UNEXPLAINED:
         steps.append(
