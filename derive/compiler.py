@@ -38,6 +38,7 @@ from derive.mathematics.effects import effect
 from derive.mathematics.functions import Functions
 from derive.mathematics.images import images
 from derive.mathematics.kinematics import kinematics, meeting, rotations, stated
+from derive.mathematics.loops import loops
 from derive.mathematics.measurements import distances, measurement, platform_names, step
 from derive.mathematics.motion import motion
 from derive.registry import effects, measurements, mechanisms
@@ -115,6 +116,7 @@ def derive_one(spec: Spec) -> Derived:
     functions = {
         "moving": [moving, *blocks.functions, *meeting(spec)],
         "statics": statics.loads(spec),
+        "motion": loops(spec) if spec.limb_inertials else [],
         "exact": exact.functions,
         "linear": first_order.functions,
         "exported": [linear(spec), *([stated(spec)] if spec.turning else [])],
@@ -180,6 +182,13 @@ def write_one(lowered: Lowered) -> dict[Path, str]:
         "inverse.c": {"kernels": {**kernels["exported"], **moving}, "constants": command_constants},
         "linear.c": {"kernels": kernels["exported"]},
     }
+    if spec.limb_inertials:
+        stated = {b.name: b.stated for b in (*spec.limb_inertials, *spec.platform_inertials) if b.stated is not None}
+        contents["dynamics.py"] = {
+            "kernels": kernels["motion"],
+            "stated": {name: numpy.expression(e) for name, e in stated.items()},
+            "reads": set().union(*(e.free_symbols for e in stated.values())),
+        }
     if "nominal" in kernels:
         contents["nominal.py"] = {"kernels": kernels["nominal"]}
     for name, context in contents.items():

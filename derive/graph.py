@@ -152,6 +152,13 @@ class Graph:
                     found[symbol] = self.add(sp.Add(*parts))
         return found
 
+    @staticmethod
+    def rate(leaf: sp.Expr, rates: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+        """Return the rate of a leaf: a node or an input, its negative, or a number."""
+        if leaf.is_Symbol:
+            return rates.get(leaf, sp.Integer(0))
+        return -rates.get(-leaf, sp.Integer(0)) if (-leaf).is_Symbol else sp.Integer(0)
+
     def affine(self, expr: sp.Expr) -> dict[sp.Expr, sp.Expr] | None:
         """Return a sum's coefficients, which no pose changes, by what moves, and its constant part by 1.
 

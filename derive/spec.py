@@ -97,6 +97,32 @@ class Weight:
     point: sp.Matrix
 
 
+OWN = sp.Symbol("own", real=True)  # a limb's own inertia about its centre of mass [kg mm^2]
+
+
+@dataclass(frozen=True)
+class Inertial:
+    """An inertial parameter of a body, as points with masses that do the same where the parameter is 1.
+
+    Parameters
+    ----------
+    name : str
+        As results call it; of a limb ``name_i``.
+    unit : str
+    meaning : str
+    points : tuple of (mass, point)
+        Masses are constants or expressions in the geometry; they may be negative, as of a first moment.
+    stated : sympy.Expr, optional
+        What the robot file says of it, in terms of the masses, of the geometry and of `OWN`; None of a payload.
+    """
+
+    name: str
+    unit: str
+    meaning: str
+    points: tuple[tuple[sp.Expr, sp.Matrix], ...]
+    stated: sp.Expr | None = None
+
+
 @dataclass(frozen=True, eq=False)
 class LimbMechanism:
     """A platform carried by equal limbs with one joint each, written once for limb i.
@@ -129,6 +155,8 @@ class LimbMechanism:
     small : tuple of sympy.Symbol
         Errors set to zero for the closed-form seeds of Newton's method; the seeds keep the others.
     limb_weights, platform_weights : tuple of Weight
+    limb_inertials, platform_inertials : tuple of Inertial
+        What there is to know of the bodies in motion; none where the dynamics are not derived.
     masses : tuple of Quantity
         Mass symbols (kg) and dimensionless positions of centres of mass.
     elbow, assembly : {+1, -1}
@@ -186,6 +214,8 @@ class LimbMechanism:
     common: tuple[Quantity, ...] = ()
     seeds: Mapping[sp.Symbol, sp.Expr] | None = None
     home: Mapping[sp.Symbol, sp.Expr] | None = None
+    limb_inertials: tuple[Inertial, ...] = ()
+    platform_inertials: tuple[Inertial, ...] = ()
     roles: Mapping[str, sp.Expr] = field(default_factory=dict)
     moves: Mapping[str, Mapping[str, sp.Expr]] = field(default_factory=dict)
     rods: tuple[str, ...] = ()

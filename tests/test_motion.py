@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+import dataclasses
 from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
@@ -13,10 +15,11 @@ import pytest
 import deltacal_gen as dc
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.robot import read_robot, robot_from_dict, robot_to_toml
-from deltacal_gen.machine.dynamics import Dynamics
+from deltacal_gen.machine.dynamics import dynamics_of
 from deltacal_gen.motion import derivatives, joint, kinds, regression
 from deltacal_gen.motion.rigid import Rigid, base_of
-from tests.every_effect import ARM, LIFT
+from tests.conftest import PROTOTYPE
+from tests.every_effect import ARM, LIFT, MASSES
 from tests.test_dynamics import bodies
 
 LINKS = ARM[:3]
@@ -53,7 +56,7 @@ def usual(states: np.ndarray, load: np.ndarray) -> np.ndarray:
 def written(folder: Path, friction: Friction, runs: int = 4, seed: int = 0, sidecar: str = "", **kept: Any) -> Path:
     """Write a recording of an arm with some friction, and its robot file; return the recording's path."""
     machine, rng = robot(), np.random.default_rng(seed)
-    own, inertia = Dynamics(machine), bodies(LINKS).ravel()
+    own, inertia = dynamics_of(machine), bodies(LINKS).ravel()
     rows = [["run", "time_s", *(f"q{i}_deg" for i in (1, 2, 3)), *(f"tau{i}_Nm" for i in (1, 2, 3))]]
     for run in range(runs):
         states = trajectory(kept.get("seconds", 12.0), 10 * seed + run)
@@ -203,7 +206,7 @@ def test_the_rigid_machine_has_base_parameters_and_a_consistent_body(tmp_path: P
 @pytest.mark.parametrize("links", [ARM, LIFT])
 def test_the_base_has_the_rank_of_the_regressor(links: list[dict[str, Any]]) -> None:
     machine = robot(links)
-    rigid, own = Rigid(machine), Dynamics(machine)
+    rigid, own = Rigid(machine), dynamics_of(machine)
     rng = np.random.default_rng(8)
     Y = own.regressor(
         rng.standard_normal((3, 200, own.joints)) * [150.0 if u == "mm" else 1.0 for u in own.joint_units]
@@ -354,7 +357,7 @@ def test_a_simulation_gives_the_torques_of_bodies_and_truth(commanded: Path) -> 
     folder = commanded.parent
     done: Any = dc.simulate(folder / "robot.toml", commanded, folder / "made.csv", truth=folder / "truth.toml")
     states = trajectory(5.0, 3)
-    machine = Dynamics(read_robot(folder / "robot.toml"))
+    machine = dynamics_of(read_robot(folder / "robot.toml"))
     inertia = machine.stated()
     inertia[20] += 0.5
     wanted = machine.torque(states, inertia) / 1000
@@ -395,6 +398,28 @@ def test_a_body_without_a_mass_cannot_be_simulated(recorded: Path, commanded: Pa
     commanded.with_name("robot.toml").write_text(robot_to_toml(robot(bare)))
     with pytest.raises(InputError, match="joint 1 has no mass"):
         dc.simulate(commanded.with_name("robot.toml"), commanded)
+
+
+def test_a_delta_s_friction_is_found_through_its_loops(tmp_path: Path) -> None:
+    machine, rng = robot_from_dict(copy.deepcopy(PROTOTYPE)), np.random.default_rng(6)
+    machine = dataclasses.replace(machine, masses=MASSES)
+    own, rows = dynamics_of(machine), [["run", "time_s", "q1_deg", "q2_deg", "q3_deg", "tau1_Nm", "tau2_Nm", "tau3_Nm"]]
+    for run in range(3):
+        states = trajectory(6.0, 40 + run)
+        tau = own.torque(states, own.stated()) / 1000 + 0.02 * rng.standard_normal(states[0].shape)
+        tau[:, 1] += 1.5 * np.sign(states[1][:, 1])
+        table = np.column_stack([np.full(len(tau), run), np.arange(len(tau)) * STEP, states[0] / DEG, tau])
+        rows += [[str(int(row[0])), *(f"{v:.6f}" for v in row[1:])] for row in table]
+    path = tmp_path / "recording.csv"
+    path.write_text("\n".join(",".join(row) for row in rows) + "\n")
+    path.with_suffix(".toml").write_text('[measurement]\nkind = "torque"\nsigma_Nm = 0.02\n')
+    (tmp_path / "robot.toml").write_text(robot_to_toml(machine))
+    found = dc.diagnose(tmp_path / "robot.toml", path)
+    assert (found["verdict"], named(found)) == ("missing_physics", {"coulomb_friction": [2]})
+    (coulomb,) = found["effects"][0]["parameters"]
+    assert abs(coulomb["value"] - 1.5) < 4 * coulomb["std"]
+    assert found["baseline"]["model"] == "delta/rigid"
+    assert all(v < 1.1 * 0.02 for v in found["final"]["heldout_rms_by_joint"])
 
 
 # ------------------------------------------------------------------------------------------------------ what is counted

@@ -7,8 +7,6 @@ is behind it, times the force and the moment that this asks for.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import sympy as sp
 
 from derive import vectors
@@ -61,7 +59,7 @@ def motion(mechanism: ChainMechanism) -> Functions:
         by_time: list[list[sp.Expr]] = [place]
         for known in (first, first | second):
             rates = graph.rates(known)
-            by_time.append([_of_leaf(e, rates) for e in by_time[-1]])
+            by_time.append([graph.rate(e, rates) for e in by_time[-1]])
         functions.add(
             f"move_{convention}",
             f"a link, {convention} convention: its frame, and how that moves, by the one before",
@@ -88,10 +86,3 @@ def motion(mechanism: ChainMechanism) -> Functions:
         functions.add(name, meaning, outputs, dense=True)
     functions.constants("constants", "what no pose changes of a link")
     return functions
-
-
-def _of_leaf(leaf: sp.Expr, rates: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
-    """Return the rate of a leaf of a graph: a node or an input, its negative, or a number."""
-    if leaf.is_Symbol:
-        return rates.get(leaf, sp.Integer(0))
-    return -rates.get(-leaf, sp.Integer(0)) if (-leaf).is_Symbol else sp.Integer(0)

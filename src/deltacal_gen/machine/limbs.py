@@ -372,6 +372,10 @@ class Limbs(Machine):
         out[~np.isfinite(x @ np.ones(x.shape[1]))] = np.nan
         return out
 
+    def coordinates(self, x: Array) -> Array:
+        """Return the coordinates (N, n) that closures are written in, of poses (N, 12)."""
+        return self._own(self._poses(x, POSE, "poses"))
+
     def _own(self, x: Array, kernels: ModuleType | None = None) -> Array:
         """Return the coordinates (N, n) that the kernels solve for."""
         if kernels is not None and kernels is not self.vectorised:

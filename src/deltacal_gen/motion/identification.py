@@ -50,7 +50,7 @@ def identify(robot: Robot, given: Trajectories, model: str | None = None) -> Mot
         parameters=tuple(parameters),
         rank=rigid.common.rank if torques else sum(rigid.own[fit.joint.number - 1].rank for fit in fits),
         unidentifiable=tuple(rigid.unseen(rigid.common)),
-        consistent=_consistent(rigid, fits) if torques else None,
+        consistent=_consistent(rigid, fits) if torques and rigid.dynamics.bodies else None,
         noise=session.noise(fits),
         final=final,
         **session.in_unit("train_rms", session.together(fits, lambda f: f.left)),
@@ -125,7 +125,7 @@ def _consistent(rigid: Rigid, fits: Sequence[Fit]) -> tuple[Consistent, ...]:
     half = np.sqrt(values[kept])[:, None] * (vectors[:, kept].T * scale)
     wanted = (vectors[:, kept].T @ (g / scale)) / np.sqrt(values[kept])
     points = rigid.dynamics.of_points(np.array(np.meshgrid(*[LATTICE] * 3)).reshape(3, -1).T)
-    bodies = len(rigid.names) // points.shape[1]
+    bodies = rigid.dynamics.bodies
     of_body = [half @ rigid.common.made_up[:, b * points.shape[1] : (b + 1) * points.shape[1]] for b in range(bodies)]
     A = np.hstack([part @ points.T for part in of_body])
     size = np.linalg.norm(A, axis=0)

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from deltacal_gen.machine.dynamics import Dynamics
+from deltacal_gen.machine.dynamics import Dynamics, dynamics_of
 from deltacal_gen.machine.values import Robot
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
 
 GENERAL = 60  # samples in general position per joint, by which ranks are found
+NEAR = 0.4  # of these, around joints at zero, where a machine with loops can stand
+REGULAR = 10.0  # times the ordinary size of a regressor: beyond lies a singularity
 SIZE = {"rad": 1.0, "mm": 200.0}  # of joints, velocities and accelerations there
 RANK = 1e-9  # of the largest: a smaller diagonal of R is a column that others make up
 TERM = 1e-6  # of a combination's largest term: smaller ones are not told
@@ -57,13 +58,15 @@ class Rigid:
     """
 
     def __init__(self, robot: Robot) -> None:
-        self.dynamics = Dynamics(robot)
+        self.dynamics: Dynamics = dynamics_of(robot)
         self._sign = robot.joint_sign
-        self._tool = robot.tool
         rng = np.random.default_rng(0)  # of a rank, which general position does not depend on
         sizes = np.array([SIZE[unit] for unit in self.dynamics.joint_units])
         general = rng.standard_normal((3, GENERAL * self.dynamics.joints, self.dynamics.joints)) * sizes
+        general[0] *= 1.0 if self.dynamics.bodies else NEAR
         Y = self.dynamics.regressor(general)
+        size = np.abs(Y).max(axis=(1, 2))  # NaN where a machine with loops cannot stand, large where it nearly cannot
+        Y = Y[np.nan_to_num(size, nan=np.inf) < REGULAR * np.nanmedian(size)]
         self.own = tuple(base_of(Y[:, j]) for j in range(self.dynamics.joints))
         self.common = base_of(np.concatenate([Y[:, j] / np.abs(Y[:, j]).max() for j in range(self.dynamics.joints)]))
 
@@ -71,11 +74,6 @@ class Rigid:
     def names(self) -> tuple[str, ...]:
         """Names of the inertial parameters."""
         return self.dynamics.names
-
-    @cached_property
-    def payload(self) -> Array:
-        """What 1 kg at the tool point adds to the inertial parameters, (n,)."""
-        return self.dynamics.of_payload(self._tool)
 
     def columns(self, states: Array, chosen: Sequence[np.ndarray] | None = None) -> list[Array]:
         """Return what inertial parameters ask of each joint, (N, r) per joint, positive along positive readings.
@@ -102,7 +100,7 @@ class Rigid:
 
     def of_payload(self, states: Array) -> Array:
         """Return what 1 kg at the tool point asks of each joint (N, n_q)."""
-        return self.torque(states, self.payload)
+        return np.asarray(self._sign * self.dynamics.payload(self._sign * states))
 
     def words(self, base: Base) -> list[tuple[str, str]]:
         """Return name and combination of each base parameter."""
