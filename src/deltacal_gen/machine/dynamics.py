@@ -194,7 +194,7 @@ class LimbDynamics(Dynamics):
             on_joints[:, i, i * limbs.shape[2] : (i + 1) * limbs.shape[2]] = limbs[:, i, :, 0]
         on_platform = np.concatenate([limbs[..., 1:].reshape(N, n, -1), platform], axis=1)
         pulls = np.linalg.solve(np.swapaxes(J_x, 1, 2), -np.swapaxes(on_platform, 1, 2))  # multipliers of the closures
-        for e, i in enumerate(limb):
+        for e, i in enumerate(limb.tolist()):
             on_joints[:, i] += J_q[:, e, None] * pulls[:, e]
         return -on_joints  # joints give what holds against the loads
 
