@@ -63,6 +63,7 @@ FUNCTIONS = {
     "instrument/kinds/board_image.py:BoardImage.imagined": "how far along the optical axis a board stands",
     "instrument/kinds/contact.py:Contact.tied": "a least correction, by the pseudo-inverse",
     "instrument/kinds/pose.py:Pose.start": "one measured rotation by another",
+    "instrument/kinds/position.py:Position._along_a_line": "points along the line that fits one coordinate best",
     "instrument/kinds/position.py:Position._aligned": "a cloud of points, turned and shifted",
     "instrument/kinds/sphere.py:Sphere.drawn": "a camera of a simulation is hung up before the machine",
     "instrument/kinds/sphere.py:Sphere.start": "points in the camera's frame, by the rotation that was found",

@@ -48,7 +48,8 @@ def check_units(recording: Recording, robot: Robot, *, load: Callable[[str], Mac
             line=int(recording.line[row]),
             column=f"q{joint + 1}_deg",
         )
-    size = robot_size(robot, load=load)
+    # an axis is as long as it slides
+    size = robot_size(robot, load=load) + float(np.ptp(q[:, ~turning], axis=0).max(initial=0.0)) * bool(robot.links)
     small_angles = turning.any() and (np.abs(q[:, turning]) <= _RADIANS * DEG).all()
     for column, spread, turn in _spreads(recording, q / np.where(turning, 1.0, size)):
         what = f"the readings spread over {spread:.4g} mm"

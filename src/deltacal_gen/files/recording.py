@@ -180,7 +180,7 @@ def _recording(
         joints = _joints(rows, mechanism)
 
     kind = _kind(rows, measurement.kind, mechanism, pairs is not None, need_measured)
-    columns = kind.columns(mechanism)
+    columns = kind.read_in(kind.columns(mechanism), rows.columns)
     kind.check(measurement, sidecar.contacts.distance_mm, rows.columns, path.with_suffix(".toml"))
     pose = rows.labels("pose") or [str(n + 1) for n in range(len(joints))]
     setup_names, setup = np.unique(rows.labels("setup", blank=False) or ONE_SETUP * len(joints), return_inverse=True)

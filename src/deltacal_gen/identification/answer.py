@@ -185,7 +185,7 @@ def _stages(found: Identification) -> tuple[Stage, ...]:
 def _accuracy(found: Identification) -> Accuracy | None:
     """Return the paper's two error measures of the measured positions, before and after; home is the most central."""
     problem, final = found.fit.problem, found.fit
-    if not problem.readings.kind.positions:
+    if not problem.readings.kind.positions or np.isnan(problem.readings.values).all(axis=0).any():
         return None
     chosen = np.setdiff1d(np.arange(len(problem.readings)), final.gross)
     chosen = chosen[problem.readings.setup[chosen] == problem.readings.setup[chosen[0]]]
@@ -213,7 +213,7 @@ def _base_frames(found: Identification) -> tuple[BaseFrame, ...]:
     """Return where {O} stands in the instrument's frame, set-up by set-up, with standard deviations."""
     instrument, n = found.fit.instrument, len(found.fit.problem.names)
     frames = instrument.frames()
-    if 3 not in instrument.free or not frames:
+    if not {3, 4} <= {*instrument.free} or not frames:
         return ()
     std = np.zeros((len(instrument.state), 9))  # zero: not estimated, because no reading depends on it
     std[:, list(instrument.free)] = np.sqrt(np.maximum(np.diag(found.fit.covariance)[n:], 0.0)).reshape(len(std), -1)

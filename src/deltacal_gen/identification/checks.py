@@ -138,7 +138,9 @@ def plausible(first: Fit) -> None:
     if found.kind.sees_joints:
         return
     off = _typical(first.residual, first)
-    if off < IMPLAUSIBLE * robot_size(problem.robot):
+    points = first.machine.x[found.used, :3]
+    spread = float(np.linalg.norm(points.std(axis=0)))
+    if off < IMPLAUSIBLE * max(robot_size(problem.robot), spread):
         return
     explained = _explained(problem, off) if found.kind.positions else []
     if explained:
@@ -147,8 +149,6 @@ def plausible(first: Fit) -> None:
             "Correct the recording, its sidecar or the robot file.",
             file=problem.recording.path,
         )
-    points = first.machine.x[found.used, :3]
-    spread = float(np.linalg.norm(points.std(axis=0)))
     if off > NONSENSE * spread:
         raise InputError(
             f"the readings are {off:.3g} mm off this machine, {off / spread:.0%} of what its poses spread over: more "

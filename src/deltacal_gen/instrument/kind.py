@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import dataclasses
 import importlib
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
@@ -232,6 +232,10 @@ class Kind:
         Readings between two rows have theirs in the file of pairs.
         """
         columns: tuple[str, ...] = self.kernels.COLUMNS
+        return columns
+
+    def read_in(self, columns: tuple[str, ...], given: Collection[str]) -> tuple[str, ...]:
+        """Return the columns in which a recording holds readings, of all that this kind has and those given."""
         return columns
 
     @property

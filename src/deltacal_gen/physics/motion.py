@@ -62,8 +62,28 @@ def approach(q: Array, least: float) -> Array:
     return out
 
 
+def in_order(recording: Recording) -> dict[str, Array]:
+    """Return the column (N,) of the way that the only joint of a machine came, by the order of the rows, if it lacks.
+
+    An axis that goes forth and back is measured row after row.
+    """
+    (name,) = joint_names(recording.joint_unit, 1, "approach{i}")
+    q, way = recording.joints[:, 0], np.zeros(recording.n_rows)
+    if name in recording.channels:
+        return {}
+    for s in np.unique(recording.setup):
+        rows = np.flatnonzero(recording.setup == s)
+        way[rows] = approach(q[rows], REVERSED * float(np.ptp(q)))
+    return {name: way}
+
+
 def with_motion(recording: Recording) -> Recording:
-    """Return the recording, of a kind that may be read in motion with what the motion tells of its joints."""
+    """Return the recording, of a kind that may be read in motion with what the motion tells of its joints.
+
+    That of a single axis always tells which way it came.
+    """
+    if recording.joints.shape[1] == 1 and recording.pairs is None:
+        recording = dataclasses.replace(recording, channels=recording.channels | in_order(recording))
     if not kind_of(recording.kind).in_motion:
         return recording
     return dataclasses.replace(recording, channels=recording.channels | motion_of(recording))

@@ -29,6 +29,18 @@ class Iso9283(Value):
     note: str
 
 
+class Iso230(Value):
+    """One axis whose positions were read at least twice from both sides (ISO 230-2, bi-directional)."""
+
+    poses: int
+    A_mm: float
+    E_mm: float
+    R_mm: float
+    B_mm: float
+    M_mm: float
+    note: str
+
+
 class Placed(Value):
     """A set-up of the instrument that was placed by the readings themselves."""
 
@@ -74,6 +86,7 @@ class Validation(Answer):
     outside_law: int | None = None
     """Rows outside the range in which a law of the diagnosis was found; left out where it has none."""
     iso9283: Iso9283 | None = None
+    iso230: Iso230 | None = None
     made: Made | None = None
 
     @property

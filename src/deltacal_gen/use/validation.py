@@ -22,11 +22,12 @@ from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.rotation import from_vector, to_vector
 from deltacal_gen.machine.values import Recording
+from deltacal_gen.physics.motion import with_motion
 from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.result import Result
-from deltacal_gen.results.validation import Iso9283, Placed, Row, Validation
+from deltacal_gen.results.validation import Iso230, Iso9283, Placed, Row, Validation
 from deltacal_gen.units import DEG
-from deltacal_gen.use import iso9283
+from deltacal_gen.use import iso230, iso9283
 from deltacal_gen.use.prediction import (
     Place,
     beyond_laws,
@@ -85,6 +86,7 @@ def validate(result: Result | Diagnosis, recording: Recording) -> Validation:
         outside_law=int(beyond_laws(result, recording).sum()) if has_law(result) else None,
         never_seen=never_seen(result.seen, calibrated_robot(result).joint_sign * recording.joints),
         iso9283=_repeated(found, left) if found.kind.positions else None,
+        iso230=_of_axis(found, left, recording) if found.kind.positions else None,
     )
 
 
@@ -172,6 +174,7 @@ def _motion(before: Instrument, after: Instrument, result: Result | Diagnosis, n
 def _repeated(found: Readings, r: Array) -> Iso9283 | None:
     """Return the figures of ISO 9283 for poses that were read at least twice, None where none was."""
     several = [g for g, n in enumerate(np.bincount(found.group)) if n > 1]
+    r = np.where(np.isnan(r).all(axis=0), 0.0, r)  # coordinates that nothing reads
     repeated = [iso9283.pose(r[found.group == g, :3], np.zeros(3)) for g in several]  # residuals: attained minus wanted
     if not repeated:
         return None
@@ -183,6 +186,24 @@ def _repeated(found: Readings, r: Array) -> Iso9283 | None:
         RP_max_mm=float(np.max([f.repeatability for f in repeated])),
         **_distances(found, r, several),
         note="wanted is what the calibrated model predicts at the joints commanded",
+    )
+
+
+def _of_axis(found: Readings, r: Array, recording: Recording) -> Iso230 | None:
+    """Return the figures of ISO 230-2 where one coordinate of one joint was read, None elsewhere."""
+    (read,) = np.nonzero(np.isfinite(found.values).any(axis=0))
+    way = with_motion(recording).channels.get("approach1")
+    if len(read) != 1 or recording.joints.shape[1] != 1 or way is None:
+        return None
+    done = iso230.axis(r[:, read[0]], found.group, way[found.rows[:, 0]])
+    return done and Iso230(
+        poses=done.positions,
+        A_mm=done.accuracy,
+        E_mm=done.systematic,
+        R_mm=done.repeatability,
+        B_mm=done.reversal,
+        M_mm=done.mean,
+        note="wanted is what the calibrated model predicts at the joint commanded",
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -17,6 +17,7 @@ from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.rotation import from_vector, to_vector
 from deltacal_gen.machine.values import Measurement, Recording, Robot
 
+SEEN = 1e-6  # of the length of a line: points that lie so near it do not show how it turns
 IDENTITY = np.concatenate([np.eye(3).ravel(), np.zeros(3)])  # a frame that is {O}
 
 
@@ -45,6 +46,19 @@ def seen(components: Sequence[int]) -> tuple[int, ...]:
     return (2, 3, 4, 8) if 5 in components else (2, 3, 4)
 
 
+def places(components: Sequence[int]) -> list[int]:
+    """Return which coordinates of a point are read, of those of a body."""
+    return [c for c in components if c < 3]
+
+
+def frame_of(line: Array, k: int) -> Array:
+    """Return a rotation (3, 3) whose axis k lies along a line (3,)."""
+    size = np.linalg.norm(line)
+    own = line / size if size > 0 else np.eye(3)[k]
+    turn: Array = align(np.array([own, own, own]), np.array([np.eye(3)[k]] * 3))
+    return turn
+
+
 @dataclass(frozen=True)
 class Position(Kind):
     """Positions of the measured point."""
@@ -57,6 +71,11 @@ class Position(Kind):
     def columns(self, mechanism: Machine) -> tuple[str, ...]:
         """Return the coordinates that the machine moves along."""
         return tuple(name for name in self.kernels.COLUMNS if name[0] in mechanism.axes)
+
+    def read_in(self, columns: tuple[str, ...], given: Collection[str]) -> tuple[str, ...]:
+        """Return the columns; where one coordinate alone was measured, as a laser does along an axis, that one."""
+        there = [name for name in columns if name in given]
+        return tuple(there) if len(there) == 1 else columns
 
     def spreads(self, recording: Recording, joints: Array) -> Iterator[tuple[str, float, float]]:
         """Yield the spread of the points of each set-up: each has a frame of its own."""
@@ -115,10 +134,36 @@ class Position(Kind):
 
         Positions that count from the robot's home have their origin there.
         """
+        if len(places(found.components)) == 1:
+            return self._along_a_line(found, recording, x)
         state = self._aligned(found, recording, robot, x)
         home = home_of(recording, robot)
         free = tuple(u for u in self._free(found.components, home) if u < len(self.unknown))
         return Instrument(self, state, () if recording.measurement.frame == "robot" else free, home=home)
+
+    def _along_a_line(self, found: Readings, recording: Recording, x: Array) -> Instrument:
+        """Return the instrument that reads one coordinate: along {O}'s own axis, or along a line that fits best.
+
+        Turns of the line are unknown where the points show them: those of a single sliding joint lie on it.
+        """
+        (k,), setups = places(found.components), int(recording.setup.max()) + 1
+        state = np.tile(IDENTITY, (setups, 1))
+        if recording.measurement.frame == "robot":
+            return Instrument(self, state, ())
+        turns = {0, 1, 2} - {k}
+        for s in range(setups):
+            chosen = np.flatnonzero(found.setup == s)
+            if not len(chosen):
+                continue
+            P, y = x[found.rows[chosen, 0], :3], found.values[chosen, k]
+            away = P - P.mean(axis=0)
+            line = np.linalg.lstsq(away, y - y.mean(), rcond=SEEN)[0]
+            turn = frame_of(line, k)
+            state[s, :9] = turn.ravel()
+            state[s, 9 + k] = y.mean() - turn[k] @ P.mean(axis=0)
+            across = away @ turn.T  # turned about one axis the line sweeps along the other
+            turns &= {u for u in turns if np.ptp(across[:, 3 - k - u]) > SEEN * np.ptp(across[:, k])}
+        return Instrument(self, state, (*sorted(turns), 3 + k))
 
     @staticmethod
     def _free(components: Sequence[int], home: tuple[float, float, float]) -> tuple[int, ...]:

@@ -1,0 +1,123 @@
+"""One axis under a laser: a single measured coordinate, cycles forth and back, reversal and figures of ISO 230-2."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from deltacal_gen.diagnosis.diagnosis import diagnose
+from deltacal_gen.files.recording import read_recording
+from deltacal_gen.files.robot import Robot, robot_from_dict
+from deltacal_gen.identification.identification import identify
+from deltacal_gen.instrument.kinds import readings
+from deltacal_gen.machine.registry import Array, load_mechanism
+from deltacal_gen.machine.values import Recording
+from deltacal_gen.use import iso230, prediction, validation
+
+AXIS = {"robot": {"name": "axis", "mechanism": "serial"}, "joint": [{"kind": "prismatic"}]}
+AXIS["joint"][0] |= dict.fromkeys(("a", "alpha", "d", "theta"), 0.0)  # type: ignore[attr-defined]
+WIDTH, NOISE = 0.012, 0.001  # mm
+
+
+@pytest.fixture(scope="module")
+def robot() -> Robot:
+    return robot_from_dict(AXIS)
+
+
+def cycles(folder: Path, robot: Robot, column: str, *, sidecar: str = "", warm: float = 0.0) -> Recording:
+    """Write and read five cycles along 500 mm, the slide 3 mm off, with a gap where it turns round."""
+    rng = np.random.default_rng(1)
+    forth = np.arange(0.0, 501.0, 25.0)
+    rows, time = [f"cycle,time_s,q1_mm,{column}"], 0.0
+    for cycle in range(5):
+        for way, stops in ((1, forth), (-1, forth[::-1])):
+            for q in stops:
+                time += 20.0
+                moved = q - way * WIDTH / 2 + warm * (1 - np.exp(-time / 900.0))
+                rows.append(f"{cycle},{time},{q},{moved + 3.0 + NOISE * rng.standard_normal():.6f}")
+    (folder / "axis.csv").write_text("\n".join(rows) + "\n")
+    (folder / "axis.toml").write_text(f'[measurement]\nkind = "position"\nsigma_mm = {NOISE}\n{sidecar}')
+    return read_recording(folder / "axis.csv", load_mechanism("serial", robot.links))
+
+
+@pytest.mark.parametrize("column", ["x_mm", "z_mm"])
+def test_one_coordinate_is_read_along_a_line_that_is_found(robot: Robot, tmp_path: Path, column: str) -> None:
+    made = cycles(tmp_path, robot, column)
+    assert made.columns == (column,)
+    found = readings(made)
+    assert found.n_scalars == made.n_rows
+    result = identify(robot, made).answer()
+    assert result.train_rms_mm == pytest.approx(WIDTH / 2, rel=0.1)
+    blank = dataclasses.replace(made, measured=np.full((made.n_rows, 1), np.nan))
+    told = prediction.predict(result, blank)
+    assert np.abs(told.measured - made.measured).max() < WIDTH
+
+
+def test_the_gap_at_the_turn_is_named_though_no_column_tells_the_way(robot: Robot, tmp_path: Path) -> None:
+    found = diagnose(robot, cycles(tmp_path, robot, "z_mm")).answer()
+    assert [e.name for e in found.effects] == ["backlash"]
+    (width,) = found.effects[0].parameters
+    assert width.std is not None
+    assert width.value == pytest.approx(WIDTH, abs=4 * width.std)
+    assert found.final.train_rms_mm == pytest.approx(NOISE, rel=0.15)
+
+
+def test_an_axis_that_warms_up_is_told_without_a_thermometer(robot: Robot, tmp_path: Path) -> None:
+    found = diagnose(robot, cycles(tmp_path, robot, "z_mm", warm=0.02)).answer()
+    effects = {e.name: {p.name: p for p in e.parameters} for e in found.effects}
+    assert effects.keys() == {"backlash", "warm_up"}
+    size = effects["warm_up"]["size"]
+    assert size.std is not None
+    assert size.value == pytest.approx(0.02, abs=4 * size.std)
+    assert effects["warm_up"]["time_constant"].value == pytest.approx(900.0, rel=0.2)
+
+
+def test_in_the_robot_s_frame_nothing_of_the_laser_is_unknown(robot: Robot, tmp_path: Path) -> None:
+    made = cycles(tmp_path, robot, "z_mm", sidecar='frame = "robot"\n')
+    result = identify(robot, made).answer()
+    assert result.instrument.free == ()
+    shift = sum(p.value for p in result.parameters if p.name in ("d_1", "tz"))
+    assert shift == pytest.approx(3.0, abs=WIDTH)
+
+
+def test_validation_gives_iso_230_2(robot: Robot, tmp_path: Path) -> None:
+    made = cycles(tmp_path, robot, "z_mm")
+    done = validation.validate(identify(robot, made).answer(), made).iso230
+    assert done is not None
+    assert done.poses == 19  # the ends are reached from one side alone
+    assert done.B_mm == pytest.approx(WIDTH, abs=4 * NOISE)
+    assert done.A_mm > done.E_mm > done.M_mm
+
+
+def by_hand(values: Array) -> tuple[float, ...]:
+    """Return A, E, R, B, M of values (positions, 2, cycles), position by position."""
+    up, down = values[:, 0], values[:, 1]
+    tops, ends, repeated, reversal, middle = [], [], [], [], []
+    for u, d in zip(up, down, strict=True):
+        (mu, su), (md, sd) = ((np.mean(v), np.std(v, ddof=1)) for v in (u, d))
+        tops += [mu + 2 * su, md + 2 * sd]
+        ends += [mu - 2 * su, md - 2 * sd]
+        reversal.append(abs(mu - md))
+        repeated.append(max(2 * su + 2 * sd + abs(mu - md), 4 * su, 4 * sd))
+        middle.append((mu + md) / 2)
+    means = [np.mean(v) for v in (*up, *down)]
+    return (
+        max(tops) - min(ends),
+        max(means) - min(means),
+        max(repeated),
+        max(reversal),
+        max(middle) - min(middle),
+    )
+
+
+def test_the_figures_are_those_of_the_standard() -> None:
+    values = np.random.default_rng(2).standard_normal((4, 2, 5))
+    position = np.repeat(np.arange(4), 10)
+    way = np.tile(np.repeat([1.0, -1.0], 5), 4)
+    found = iso230.axis(values.ravel(), position, way)
+    assert found is not None
+    assert found[1:] == pytest.approx(by_hand(values))
+    assert iso230.axis(values.ravel(), position, np.ones(40)) is None
