@@ -157,7 +157,8 @@ def diagnose(
         found = beside_noise(found, lean)
     some, search, left, unexplained = found.problem, found.search, found.left, found.unexplained
     spectrum, parts = found.spectrum, found.parts
-    lawful = laws(found, progress) if unexplained and not lean else []
+    # joints that err at many orders imitate any function of the pose
+    lawful = laws(found, progress) if unexplained and not lean and spectrum is None else []
     if lawful:
         search, left, unexplained = Search(lawful[0].fit, search.terms), structures(lawful[0].fit), False
     # what comes near its price without earning it is no finding, but worth a measurement

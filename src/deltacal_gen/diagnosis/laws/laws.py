@@ -11,7 +11,7 @@ import numpy as np
 from deltacal_gen.diagnosis.laws.ground import Ground, Tried
 from deltacal_gen.diagnosis.laws.proof import Proof, judged, proven
 from deltacal_gen.diagnosis.laws.screen import ranked
-from deltacal_gen.diagnosis.laws.search import Grown, fitted, polished, unexplained
+from deltacal_gen.diagnosis.laws.search import COMPARED, Grown, fitted, polished, unexplained
 from deltacal_gen.diagnosis.search import charge, gains, quantile
 from deltacal_gen.diagnosis.strategy import MARGIN, Outcome, deviance_of, refitted, terms_of, together
 from deltacal_gen.diagnosis.structure import by_instrument
@@ -165,7 +165,8 @@ def _needed(problem: Problem, grown: Grown, found: Outcome) -> Grown:
         terms = terms_of(grown.fit)
         count = len(terms) - len(grown.law)
         prices = [*(_price(t, found) for t in terms[:count]), *(t.price + MARGIN for t in grown.law)]
-        tried = [refitted(problem, grown.fit, terms[:i] + terms[i + 1 :]) for i in range(len(terms))]
+        fewer = (terms[:i] + terms[i + 1 :] for i in range(len(terms)))
+        tried = [refitted(problem, grown.fit, some, tolerance=COMPARED) for some in fewer]
         costs = [np.inf if at is None else deviance_of(at) - p for at, p in zip(tried, prices, strict=True)]
         worst = int(np.argmin(costs))
         at = tried[worst]

@@ -29,6 +29,7 @@ SHARE = 0.75  # of what stands above the noise: what a law has to take
 ON_THE_WAY = (0.3, 0.55)  # of the same: what one term, and two, have to take, or the search ends
 TRIMMED = 0.03  # of readings: the largest errors, which may be gross
 TRIED = 3  # forms of which the exact fit is asked for
+COMPARED = 0.5  # of chi2: what a last step may still gain in a fit that is compared with others, by a margin of 10
 
 
 @dataclass(frozen=True)
@@ -145,7 +146,7 @@ def fitted(
     else:
         law[at] = tried
         terms[len(terms) - len(law) + at] = term
-    found = refitted(problem, now.fit, terms)
+    found = refitted(problem, now.fit, terms, tolerance=COMPARED)
     if found is None:
         return None
     cost = deviance_of(found) + sum(t.price + MARGIN for t in law)
