@@ -48,6 +48,8 @@ from deltacal_gen.units import DEG, joint_factors, joint_names
 if TYPE_CHECKING:
     from deltacal_gen.diagnosis.diagnosis import Diagnosed
 
+WORTH_SAYING = 0.02  # p-value of a hint that the summary tells
+
 
 def result_of(found: Diagnosed) -> Diagnosis:
     baseline, final, sigma = found.baseline, found.final, found.noise.sigma
@@ -69,6 +71,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
         search=Searched(best=found.chance.best, p_value=found.chance.p_value),
         final=Final(train_rms_mm=final.rms(), heldout_rms_mm=after, chi2_per_dof=of_final),
         rejected=found.rejected,
+        hints=found.hints,
         not_tested=found.not_tested,
         next_measurements=(
             *unknowns.next_measurements,
@@ -223,7 +226,7 @@ def _summary(found: Diagnosed) -> str:
     if found.verdict is Verdict.ADEQUATE:
         return (
             f"Nothing is missing: what the calibrated geometry leaves, {before:.4f} mm on held-out readings, "
-            f"{_as_noise(found)}. Use the calibrated machine."
+            f"{_as_noise(found)}. Use the calibrated machine.{_hinted(found)}"
         )
     parts = []
     if found.spectrum is not None:
@@ -263,6 +266,20 @@ def _lawful(found: Diagnosed) -> list[str]:
     rivals = len(found.laws) - 1
     doubt = f" ({rivals} other law{'s' if rivals > 1 else ''} that these poses cannot tell from it)" if rivals else ""
     return [f"a law that nobody has registered: {' and '.join(terms)}{doubt}"]
+
+
+def _hinted(found: Diagnosed) -> str:
+    """Return what may be there all the same, as far as it earned its price."""
+    shown = [h for h in found.hints if h.p_value <= WORTH_SAYING]
+    if not shown:
+        return ""
+    best = shown[0]
+    at = f" at limb{'s' if len(best.limbs) > 1 else ''} {', '.join(map(str, best.limbs))}" if best.limbs else ""
+    others = f" (or {' or '.join(best.indistinguishable_from)})" if best.indistinguishable_from else ""
+    return (
+        f" There may be {best.name}{at}{others}, which is not proven (p = {best.p_value:.1g}): what to measure next "
+        "would decide it."
+    )
 
 
 def _as_noise(found: Diagnosed) -> str:

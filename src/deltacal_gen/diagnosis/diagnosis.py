@@ -20,13 +20,13 @@ from deltacal_gen.diagnosis.answer import result_of
 from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.correction import Correction, correct
 from deltacal_gen.diagnosis.discrimination import Question, next_measurements
-from deltacal_gen.diagnosis.findings import Named, location_of, named_of, rejected_of
+from deltacal_gen.diagnosis.findings import AMBIGUOUS, Named, location_of, named_of, rejected_of
+from deltacal_gen.diagnosis.hints import hinted, told
 from deltacal_gen.diagnosis.laws.laws import Lawful, laws
 from deltacal_gen.diagnosis.library import library
 from deltacal_gen.diagnosis.search import Search
 from deltacal_gen.diagnosis.spectrum import Spectrum, periodic
 from deltacal_gen.diagnosis.strategy import (
-    MARGIN,
     Progress,
     beside_noise,
     deviance,
@@ -57,6 +57,7 @@ from deltacal_gen.physics.terms import (
 )
 from deltacal_gen.results.diagnosis import (
     Diagnosis,
+    Hint,
     Location,
     NextMeasurement,
     Rejected,
@@ -83,6 +84,7 @@ class Diagnosed:
     noise: Noise
     location: Location
     rejected: tuple[Rejected, ...]
+    hints: tuple[Hint, ...]
     not_tested: tuple[Missing, ...]
     next_measurements: tuple[NextMeasurement, ...]
     robot: Robot
@@ -161,8 +163,8 @@ def diagnose(
     lawful = laws(found, progress) if unexplained and not lean and spectrum is None else []
     if lawful:
         search, left, unexplained = Search(lawful[0].fit, search.terms), structures(lawful[0].fit), False
-    # what comes near its price without earning it is no finding, but worth a measurement
-    doubtful = [f.term for f in search.ranked()[:1] if 0 < f.score < MARGIN]
+    # what comes near its price, or is not borne out, is no finding, but worth a measurement
+    doubtful = [] if lean else hinted(search, AMBIGUOUS)
     before = after = rms(lengths(found.without, kind))
     if search.effects and spectrum is None and not lawful:
         after = rms(lengths(found.predicted if search is found.tested else held_out_by(some, search, parts), kind))
@@ -183,7 +185,7 @@ def diagnose(
     progress("what to measure next")
     questions = [
         *(Question(n.term, n.rivals, n.unrecorded) for n in named),
-        *(Question(search.estimated(t), proven=False) for t in doubtful),
+        *(Question(h.term, proven=False) for h in doubtful),
     ]
     fitted = current.errors[: len(mechanism.parameters)]
     calibrated = dataclasses.replace(
@@ -199,6 +201,7 @@ def diagnose(
         noise=known,
         location=location,
         rejected=rejected_of(found.considered, named, spectrum),
+        hints=told(doubtful, chance),
         not_tested=not_tested,
         next_measurements=next_measurements(search.fit, questions, location if unexplained else None),
         robot=calibrated,

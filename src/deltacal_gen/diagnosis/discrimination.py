@@ -36,6 +36,7 @@ from deltacal_gen.results.diagnosis import Location, NextMeasurement, Row
 CLEAR = 40.0
 LEAST = 10.0  # of chi2: poses that promise less are not worth a trip to the machine
 FEWEST_POSES, MOST_POSES = 3, 16  # no single reading decides: it may be a gross error
+MOST_ALONE = 48  # poses that prove an effect that stayed short of proof on many: each adds little
 FURTHER = 8  # poses that are chosen beyond, for those who can measure more
 SEED = 1975
 LEVELS, REPEATED = 5, 3  # of a channel, and poses that are repeated at each
@@ -109,7 +110,8 @@ class Pool:
         if rival is not None:
             alike = duels[0].wrong.coefficients[-len(theirs) :]
             duels.append(self._duel(theirs, alike, mine, beside))
-        chosen = choose(duels, FEWEST_POSES, MOST_POSES, CLEAR, FURTHER)
+        most = MOST_ALONE if rival is None else MOST_POSES
+        chosen = choose(duels, FEWEST_POSES, most, CLEAR, FURTHER)
         rows = self.found.to_rows(chosen.order)
         return Proposal(rows[: chosen.needed], chosen.gained, rows[chosen.needed :])
 

@@ -253,7 +253,9 @@ class Search:
 
     def added(self, term: Term) -> Search:
         """Return the search beside one more form, fitted in the linear machine."""
-        out = self.joined(self._columns[:, self.where(term)])
+        some = self.where(term)
+        columns = self._columns[:, some] if some else self._whitened(self._beside, [term])
+        out = self.joined(columns / np.maximum(np.linalg.norm(columns, axis=0), 1e-300))
         out.effects = (*self.effects, _key(term))
         return out
 
@@ -288,6 +290,8 @@ class Search:
     def estimated(self, term: Term) -> Term:
         """Return a form with the coefficients that explain most."""
         some = self.where(term)
+        if not some:  # its size lies between those that compete
+            return term.with_values(self._explained(term)[1])
         C, inside = self._columns[:, some], self._inside[:, some]
         values = np.linalg.pinv(C.T @ C - inside.T @ inside, rcond=SMALLEST, hermitian=True) @ self._reach[some]
         return term.with_values(values / self._size[some])

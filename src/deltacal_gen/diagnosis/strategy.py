@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from deltacal_gen.diagnosis.evidence import evidence
 from deltacal_gen.diagnosis.search import ROUNDING, Found, Search, charge
 from deltacal_gen.diagnosis.spectrum import Spectrum, periodic, wave
 from deltacal_gen.diagnosis.structure import Structure, alike, smooth_columns, structures
@@ -76,7 +77,7 @@ def searched(some: Problem, first: Fit, terms: Sequence[Term], lean: bool, progr
     progress("held-out error")
     without, tested = held_out_errors(first, Prior(), parts), search
     predicted = held_out_by(some, search, parts) if search.effects else without
-    if search.effects and not borne_out(without / first.sigma, predicted / first.sigma):
+    if search.effects and not evidence(first, without, held_out_errors(search.fit, Prior(), parts)).speaks:
         search = Search(first, terms)
     progress("what is left")
     search, left = _without_gross(some, search)

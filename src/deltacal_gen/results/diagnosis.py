@@ -179,6 +179,19 @@ class Law(Value):
     curve: LawCurve | None = None
 
 
+class Hint(Value):
+    """An effect that may be there: it explains more than chance usually lets it, short of proof."""
+
+    name: str
+    limbs: tuple[int, ...]
+    gain_chi2: float
+    p_value: float
+    """Probability that noise alone lets the best of all forms of all effects earn so much."""
+    indistinguishable_from: tuple[str, ...]
+    why: str
+    """What is wanting; `next_measurements` holds what would decide it."""
+
+
 class Rejected(Value):
     """An effect that was looked at and not named."""
 
@@ -283,6 +296,8 @@ class Diagnosis(Answer):
     """Null in answers written before it was told."""
     final: Final
     rejected: tuple[Rejected, ...]
+    hints: tuple[Hint, ...] = ()
+    """What is not named but may be there."""
     not_tested: tuple[Missing, ...]
     next_measurements: tuple[NextMeasurement, ...]
     gross_errors: tuple[int, ...]

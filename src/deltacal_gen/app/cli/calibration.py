@@ -228,6 +228,9 @@ def show_diagnosis(found: Diagnosis) -> None:
             f"{row.chi2_per_dof:.2f}",
         )
     screen.print(table)
+    for hint in found.hints:
+        where = f" at {', '.join(map(str, hint.limbs))}" if hint.limbs else ""
+        screen.print(f"  may be there, p = {hint.p_value:.2g}: {hint.name}{where}; it {hint.why}")
     for question in found.next_measurements:
         clear = question.expected_chi2
         promise = "" if clear is None else f" (expected difference in chi2: {clear:.0f})"

@@ -1,0 +1,67 @@
+"""What readings that took part in no fit say of an effect: a likelihood ratio, and how often it errs.
+
+Where the effect is on the machine, twice the logarithm of the ratio of likelihoods with it and without it is on average
+the sum D of squares of what it moves the held-out readings by, in standard deviations; where it is not, -D; it scatters
+by 2 sqrt(D) either way. Decided at zero both errors are as likely, Phi(-sqrt(D) / 2). Huber's function in the place of
+the square bounds what a gross error can say.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from dataclasses import dataclass
+
+import numpy as np
+
+from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.residuals import HUBER
+from deltacal_gen.machine.registry import Array
+
+MOST_WRONG = 0.05  # probability of either error, beyond which held-out readings decide nothing
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """For effects, by held-out readings.
+
+    Attributes
+    ----------
+    ratio : float
+        Twice the logarithm of the likelihood ratio.
+    size : float
+        What it is on average where the effects hold.
+    """
+
+    ratio: float
+    size: float
+
+    @property
+    def wrong(self) -> float:
+        """Probability of naming what is not there, and of missing what is."""
+        from scipy.special import ndtr
+
+        return float(ndtr(-np.sqrt(self.size) / 2))
+
+    @property
+    def speaks(self) -> bool:
+        """Whether the readings bear the effects out."""
+        return self.ratio > 0 and self.wrong <= MOST_WRONG
+
+
+def evidence(at: Fit, before: Array, after: Array) -> Evidence:
+    """Return what held-out errors (R, k) [mm, rad] without effects and with them say, as a fit counts readings."""
+    seen = np.isfinite(before) & np.isfinite(after)
+    without, with_them = (_whitened(at, np.where(seen, e, 0.0)) for e in (before, after))
+    return Evidence(float((_huber(without) - _huber(with_them)).sum()), float(((without - with_them) ** 2).sum()))
+
+
+def _whitened(at: Fit, errors: Array) -> Array:
+    """Return errors (R, k) in units of their noise, what repeats and neighbours share taken off."""
+    read = np.isfinite(at.residual).any(axis=0)
+    ratio = np.broadcast_to(at.repeats.ratio, read.shape)[read]
+    return dataclasses.replace(at.repeats, ratio=ratio).whiten(errors[:, read] / at.sigma[read] * np.sqrt(1 + ratio))
+
+
+def _huber(z: Array) -> Array:
+    size = np.abs(z)
+    return np.where(size <= HUBER, size**2, 2 * HUBER * size - HUBER**2)

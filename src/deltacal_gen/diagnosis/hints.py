@@ -1,0 +1,74 @@
+"""What is not named but may be there: effects that explain more than chance lets them, short of proof."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from deltacal_gen.diagnosis.chance import Chance
+from deltacal_gen.diagnosis.search import Found, Search
+from deltacal_gen.diagnosis.strategy import MARGIN
+from deltacal_gen.physics.terms import Term
+from deltacal_gen.results.diagnosis import Hint
+
+MOST = 3  # of them that are told
+
+
+@dataclass(frozen=True)
+class Hinted:
+    """An effect that may be there.
+
+    Attributes
+    ----------
+    found : Found
+        Its best form.
+    term : Term
+        With the coefficients that explain most.
+    alike : tuple of str
+        Effects that would explain the same.
+    """
+
+    found: Found
+    term: Term
+    alike: tuple[str, ...]
+
+
+def hinted(search: Search, ambiguous: float) -> list[Hinted]:
+    """Return what earns its charge beside all that was named, the best first.
+
+    Beyond the first only what earned its full price, beside those before it.
+
+    Parameters
+    ----------
+    search : Search
+        Beside all that is named.
+    ambiguous : float
+        By how much less another effect may score that would explain the same [chi2].
+    """
+    out: list[Hinted] = []
+    beside = search
+    while len(out) < MOST:
+        ranked = beside.ranked()
+        if not ranked or ranked[0].score <= (MARGIN if out else 0.0):
+            break
+        best = ranked[0]
+        others = [f for f in ranked[1:] if f.score > max(best.score - ambiguous, 0.0)]
+        out.append(Hinted(best, search.estimated(best.term), tuple(f.term.effect for f in others)))
+        beside = beside.added(best.term)
+    return out
+
+
+def told(several: list[Hinted], chance: Chance) -> tuple[Hint, ...]:
+    """Return hints as an answer tells them."""
+    return tuple(
+        Hint(
+            name=h.term.effect,
+            limbs=h.term.limbs,
+            gain_chi2=h.found.gain,
+            p_value=chance.of(h.found.score),
+            indistinguishable_from=h.alike,
+            why="earned its price, but readings held out do not bear it out yet"
+            if h.found.score > MARGIN
+            else f"explains more than chance usually lets it; {MARGIN - h.found.score:.0f} of chi2 are wanting",
+        )
+        for h in several
+    )
