@@ -13,7 +13,6 @@ from deltacal_gen.diagnosis.strategy import MARGIN
 from deltacal_gen.physics.terms import blank
 from tests.left_out import channels, effect, machine, record
 
-
 WEAK = 2  # seed of a recording on which play stays short of proof
 
 
