@@ -470,7 +470,7 @@ class Body:
     ) -> Array:
         kernels = term.kernels
         out = np.zeros((len(self.q), n_x, term.n_coefficients))
-        if kernels.ACTS_ON == "reading":
+        if kernels.ACTS_ON == "reading" or n_x != self.mechanism.n_x:  # what moves the platform moves no joint
             return out
         D = self._derivatives(term, self._read(term, state), self._coefficients(term))
         for j, target in enumerate(kernels.TARGETS):

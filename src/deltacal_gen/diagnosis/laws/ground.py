@@ -106,6 +106,7 @@ class Ground:
             law = load_law(f"{PREFIX}{target} = c1")
             limbs = every if law.PER_LIMB else ()
             unknown = law.ACTS_ON == "reading" and target not in self.problem.readings.kind.targets
+            unknown |= self.problem.readings.kind.sees_joints and target != "joint"
             if unknown or self.problem.body.foreign(law.NAME):
                 continue
             at = self.fit
