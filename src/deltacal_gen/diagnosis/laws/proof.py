@@ -20,6 +20,7 @@ from deltacal_gen.identification.folds import folds
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.law import is_law
 
+MOST_POSES, SEED = 250, 1859  # on which a law is sought, drawn at random where there are more; all are asked
 PART = 4  # one of so many parts is asked
 LAST = 0.75  # of the session: what comes after is asked
 BLOCKS, ASKED = 10, (2, 5, 8)  # blocks of rows, in the order of time, and those that are asked
@@ -98,7 +99,7 @@ def _asked(problem: Problem, base: Fit, split: tuple[np.ndarray, np.ndarray]) ->
     train, test = split
     if test.sum() < 3 or train.sum() < 3:
         return None
-    part = problem.subset(np.flatnonzero(train))
+    part = problem.subset(np.flatnonzero(train)).some(MOST_POSES, np.random.default_rng(SEED))
     known = [t for t in terms_of(base) if not is_law(t.effect)]
     first = refitted(part, base, known)
     grown = None if first is None else grow(part, first)
