@@ -159,6 +159,16 @@ def test_what_no_rung_explains_is_told_with_its_joint(tmp_path: Path) -> None:
     assert [u["limb"] for u in found["unexplained"]] == [2]
 
 
+def test_what_is_no_noise_and_depends_on_nothing_recorded_is_not_adequate(tmp_path: Path) -> None:
+    """Drag that comes and goes by itself: slow against the samples, told by nothing in the file."""
+    slow = np.repeat(np.random.default_rng(9).standard_normal(13), 100)[50:1250]
+    second = np.array([0.0, 1.0, 0.0])
+    path = written(tmp_path, lambda s, load: slow[:, None] * second + 0 * load, seed=4)
+    found = dc.diagnose(tmp_path / "robot.toml", path)
+    assert found["verdict"] == "unexplained"
+    assert [u["limb"] for u in found["unexplained"]] == [2]
+
+
 # ------------------------------------------------------------------------------------------------------ the way around
 
 

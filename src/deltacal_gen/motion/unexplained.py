@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 WAVES = 8  # hats across the range of a channel
 SHOWS = 0.03  # of the held-out rms: what a smooth function of a channel must take away
+SMOOTH = 3.0  # times the part of the rest that changes from sample to sample: what is larger is no noise
 ABOVE = 1.15  # times a declared noise: more is no noise
 
 
@@ -77,6 +78,20 @@ def _since_reversal(fit: Fit) -> Array:
     return np.asarray(np.abs(q - q[start]))
 
 
+def _held_out(fit: Fit) -> float:
+    """Return the rms on samples that took no part, or of the fit where none were held out."""
+    known = fit.held_out[np.isfinite(fit.held_out)]
+    return float(np.sqrt(np.mean((known if len(known) else fit.left) ** 2)))
+
+
+def _rough(fit: Fit) -> float:
+    """Return the noise of single samples, by how much the rest of neighbouring ones differs."""
+    rows, pieces = fit.joint.rows, fit.joint.piece[fit.joint.rows]
+    beside = (np.diff(rows) == 1) & (np.diff(pieces) == 0)
+    steps = np.diff(fit.left)[beside]
+    return float(np.sqrt(np.mean(steps**2) / 2)) if len(steps) else float("inf")
+
+
 def rest(fit: Fit, sigma: float | None) -> Rest | None:
     """Return what the rest of a joint depends on; None where nothing shows.
 
@@ -100,6 +115,9 @@ def rest(fit: Fit, sigma: float | None) -> Rest | None:
     if name:
         text = f"what is left of joint {fit.joint.number} depends on {WORDS[name]}: {100 * share:.0f} % of its rms"
         return Rest(fit.joint.number, name, share, text)
+    if (over := _held_out(fit) / max(_rough(fit), 1e-300)) > SMOOTH:
+        text = f"what is left of joint {fit.joint.number} on held-out samples is {over:.3g} times what differs from one"
+        return Rest(fit.joint.number, "", 0.0, f"{text} sample to the next: no noise, and of nothing recorded")
     if sigma is not None and (over := fit.sigma / sigma) > ABOVE:
         text = f"what is left of joint {fit.joint.number} is {over:.3g} times the noise and depends on nothing recorded"
         return Rest(fit.joint.number, "", 0.0, text)
