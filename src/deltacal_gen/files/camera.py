@@ -40,7 +40,8 @@ PIXEL = 1 / 12  # px^2: variance of a pixel's own square
 FEWEST_BOARDS = 3
 
 
-def _opencv() -> ModuleType:
+def opencv() -> ModuleType:
+    """Return OpenCV; raise a UsageError where it is not installed."""
     try:
         import cv2
     except ImportError:
@@ -56,7 +57,7 @@ def read_image(path: str | Path) -> Array:
     InputError
         The file is missing or no image.
     """
-    cv2 = _opencv()
+    cv2 = opencv()
     found = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE | cv2.IMREAD_ANYDEPTH) if Path(path).exists() else None
     if found is None:
         raise InputError("there is no image that can be read.", "Give a PNG, TIFF, BMP or JPEG file.", file=path)
@@ -119,7 +120,7 @@ def find_ball(image: Array, camera: Camera, file: str | Path | None = None) -> B
 
 def _box(image: Array, file: str | Path | None) -> tuple[int, int, int, int, bool]:
     """Return the box (left, top, width, height) of the only ball in an image, and whether the ball is the brighter."""
-    cv2 = _opencv()
+    cv2 = opencv()
     span = float(image.max() - image.min())
     nothing = InputError(
         "no ball can be seen.",
@@ -277,7 +278,7 @@ def calibrate(
     InputError
         Fewer than three images, an image without the whole board, or images of different sizes.
     """
-    cv2 = _opencv()
+    cv2 = opencv()
     names: Sequence[Any] = [None] * len(images) if files is None else files
     if len(images) < FEWEST_BOARDS:
         raise InputError(

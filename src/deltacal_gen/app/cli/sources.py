@@ -91,6 +91,28 @@ def camera_calibrate(
     )
 
 
+@camera_app.command("board")
+def camera_board(
+    output: Annotated[Path, typer.Option("-o", "--output", help="points, or recording (CSV)")],
+    size: Annotated[str, typer.Option("--corners", help="inner corners, squares (charuco) or circles, e.g. 9x6")],
+    pitch: Annotated[float, typer.Option("--square", help="side of a square, or distance of circles (mm)")],
+    images: Annotated[list[Path] | None, typer.Argument(metavar="[IMAGE...]", help="images of the board")] = None,
+    pattern: Annotated[str, typer.Option("--pattern", help="chessboard, charuco, circles or acircles")] = "chessboard",
+    table: Annotated[Path | None, typer.Option("--table", help="CSV with joints and a column 'image'")] = None,
+) -> None:
+    """Find the points of a printed board in images: with the joints a recording of the kind board image."""
+    from deltacal_gen.app.commands import check_output
+    from deltacal_gen.files import boards
+
+    if (table is None) == (not images):
+        raise typer.BadParameter("give images, or a table that names them", param_hint="IMAGE")
+    check_output(output, *(images or ()), *([table] if table else ()), ending=(".csv",))
+    count, blind = boards.record(images or (), boards.Board(pattern, *_corners(size), pitch), output, table)
+    for path in blind:
+        aside.print(escaped(f"the board cannot be seen in {path}: left out"))
+    screen.print(f"{count} points written to {output}")
+
+
 @camera_app.command("measure")
 def camera_measure(
     camera_file: Annotated[Path, typer.Argument(metavar="CAMERA", help="camera (TOML)")],
