@@ -295,6 +295,13 @@ def test_what_is_put_right_is_said(recorded: Path, tmp_path: Path) -> None:
     assert twice.n_rows == overflow.n_rows - 1
 
 
+def test_where_a_run_begins_is_no_spike(tmp_path: Path) -> None:
+    """Joints stand elsewhere when the next run begins, many times what they move from sample to sample."""
+    given = read(written(tmp_path, usual, runs=3, seed=105))
+    assert given.repairs == ()
+    assert np.abs(np.diff(given.joints, axis=0))[np.diff(given.run) > 0].max() > 0.5
+
+
 @pytest.mark.parametrize(
     ("change", "words"),
     [

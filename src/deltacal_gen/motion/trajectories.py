@@ -311,10 +311,7 @@ def _spikes_out(rows: Rows, name: str, values: Array, piece: np.ndarray, *, fill
     known = np.flatnonzero(np.isfinite(values))
     if len(known) < 10 * LONGEST_SPIKE:
         return []
-    window = 2 * LONGEST_SPIKE + 1
-    padded = np.pad(values[known], LONGEST_SPIKE, mode="edge")
-    middle = np.median(np.lib.stride_tricks.sliding_window_view(padded, window), axis=1)
-    off = np.abs(values[known] - middle)
+    off = np.concatenate([_off(values[own]) for own in np.split(known, np.flatnonzero(np.diff(piece[known])) + 1)])
     ordinary = max(float(np.quantile(off, 0.99)), 1e-12 + 1e-3 * float(np.quantile(np.abs(values[known]), 0.99)))
     spikes = known[off > SPIKE * ordinary]
     said = [
@@ -323,9 +320,17 @@ def _spikes_out(rows: Rows, name: str, values: Array, piece: np.ndarray, *, fill
     if len(spikes):
         values[spikes] = np.nan
         if filled:
-            there = np.isfinite(values)
-            values[spikes] = np.interp(spikes, np.flatnonzero(there), values[there])
+            for k in spikes:
+                beside = np.flatnonzero(np.isfinite(values) & (piece == piece[k]))
+                values[k] = np.interp(k, beside, values[beside])
     return said
+
+
+def _off(values: Array) -> Array:
+    """Return how far the values (M,) of one movement are from the median of their neighbours."""
+    padded = np.pad(values, LONGEST_SPIKE, mode="edge")
+    windows = np.lib.stride_tricks.sliding_window_view(padded, 2 * LONGEST_SPIKE + 1)
+    return np.asarray(np.abs(values - np.median(windows, axis=1)))
 
 
 def _check_derivatives(rows: Rows, found: Trajectories, machine: Machine) -> None:
