@@ -266,7 +266,8 @@ def _entry(why: str, found: Proposal, truth: Term, rival: Term | None, problem: 
     if found.expected >= LEAST and found.rows:
         values = [n for n in columns_read(problem, [t for t in (truth, rival) if t]) if n in found.rows[0]]
         with_values = f", with {', '.join(values)} as given" if values else ""
-        text = f"Measure these {len(found.rows)} poses{with_values}, without moving the instrument, and add them."
+        those, them = ("this pose", "it") if len(found.rows) == 1 else (f"these {len(found.rows)} poses", "them")
+        text = f"Measure {those}{with_values}, without moving the instrument, and add {them}."
         return _advice(why, text, in_time(found.rows, problem.recording), found.expected, apart, found)
     missing = [
         n for n in columns_read(problem, [t for t in (truth, rival) if t]) if n not in problem.recording.channels
