@@ -10,6 +10,7 @@ Public: `plan` (what to draw, reproducibly), `generate` (one case of a seed), `C
 from __future__ import annotations
 
 import dataclasses
+import itertools
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.diagnosis.library import library
-from deltacal_gen.diagnosis.search import Search, parts
+from deltacal_gen.diagnosis.search import Search
 from deltacal_gen.errors import DeltacalError
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.residuals import Repeats, rms
@@ -250,6 +251,13 @@ def _term(name: str, poses: Recording, robot: Robot, tools: Array, rng: np.rando
     return dataclasses.replace(term, values=values)
 
 
+def _parts(term: Term) -> list[Term]:
+    """Return an effect on each set of its limbs, or of its tool points; an offset of all of these is another frame."""
+    limbs = [s for n in range(1, len(term.limbs) + 1) for s in itertools.combinations(term.limbs, n)] or [()]
+    tools = [s for n in range(1, len(term.tools)) for s in itertools.combinations(term.tools, n)] or [()]
+    return [blank(term.effect, ls, term.constants, ts, term.lacks) for ls in limbs for ts in tools]
+
+
 def readings(recording: Recording) -> Array:
     """Return what was measured (R, k)."""
     return recording.measured if recording.pair_measured is None else recording.pair_measured[:, None]
@@ -358,6 +366,7 @@ class Judge:
         found = SimpleNamespace(
             problem=problem,
             errors=self.errors,
+            machine=problem.solve(self.errors),
             instrument=self.instrument,
             weights=np.ones(len(problem.readings)),
             sigma=self.sigma,
@@ -396,7 +405,7 @@ class Judge:
                 near = c.effect == "zero_jump" == term.effect  # a neighbouring time is no other explanation
                 if search.gain([*other, *search.where(c)]) < best - MARGIN:
                     continue
-                for part in parts(c):
+                for part in _parts(c):
                     right = same and set(part.limbs) >= set(term.limbs)
                     if right and (near or c.constants == term.constants):
                         continue
