@@ -37,9 +37,12 @@ CHAIN_RULE = "derivatives of the kernels, multiplied"
 BEGUN = "a first estimate by linear algebra (Zhang 2000; Shah 2013), which the derived images then correct"
 FUNCTIONS = {
     "app/fleet.py:_grown": "two standard deviations together",
+    "diagnosis/candidates.py:_drawn": WORKSPACE,
+    "diagnosis/laws/told.py:_law": "two standard deviations together",
     "diagnosis/structure.py:_functions": "waves of a channel: what is smooth in it, of no machine",
     "files/robot.py:Workspace.holds": WORKSPACE,
     "identification/accuracy.py:circle": WORKSPACE,
+    "identification/uncertainty.py:uncertainty_map": "two standard deviations together",
     "identification/remedies.py:printed": "ends of lines that a printed object would show",
     "instrument/board.py:_mapped": BEGUN,
     "instrument/board.py:_places": BEGUN,
