@@ -81,6 +81,19 @@ def test_a_soft_joint_and_a_soft_arm_are_one_answer_until_the_proposed_poses_are
     assert {again["effects"][0]["name"], *again["effects"][0]["indistinguishable_from"]} >= {truth.effect, other}
 
 
+def test_what_goes_with_time_may_be_warmth_until_the_temperature_is_recorded() -> None:
+    robot, of = machine(), channels(60, "time")
+    made = record(robot, effect("zero_drift", (2,), 0.05), n=60, of=of)
+    found = diagnosis(robot, made)
+    assert named(found) == [("zero_drift", [2])]
+    assert "thermal_zero" in found["effects"][0]["indistinguishable_from"]
+    assert any("thermal_zero" in q["why"] and "Record temp_C" in q["text"] for q in found["next_measurements"])
+    known = {"temp_C": np.random.default_rng(8).choice([20.0, 26.0], 60)}
+    again = diagnosis(robot, dataclasses.replace(made, channels=made.channels | known))
+    assert named(again) == [("zero_drift", [2])]
+    assert "thermal_zero" not in again["effects"][0]["indistinguishable_from"]
+
+
 TIGHT = machine(
     tolerance={p.name: 0.01 if p.unit == "mm" else 0.005 for p in DELTA.parameters if p.error != "theta"}
 )  # measured on a co-ordinate measuring machine, at 20 degC

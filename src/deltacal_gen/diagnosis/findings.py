@@ -34,6 +34,7 @@ from deltacal_gen.units import joint_names
 # of chi2: two explanations whose expected difference is below 10 are not told apart; the difference found spreads by
 # twice its root, and two such deviations are allowed
 AMBIGUOUS = 10.0 + 4 * 10.0**0.5
+WARMED_WITHIN = (0.5, 0.2)  # of a session: times in which a machine that warms up comes near its end
 WARMED = 20.0  # K: by which a machine whose temperature nobody recorded may well differ from its drawing
 
 
@@ -139,7 +140,7 @@ def named_of(
         rivals = tuple(f.term for f in others if f.score > gain - price - AMBIGUOUS)
         of_size, more = freed.spread(term)
         std = np.sqrt(np.maximum(variance, 0.0) + more)
-        out.append(Named(term, std, gain, 1.0, rivals, _unrecorded(freed, gain - price), gain - price, of_size))
+        out.append(Named(term, std, gain, 1.0, rivals, _unrecorded(freed, term, gain - price), gain - price, of_size))
     # of the held-out variance above noise, each in proportion to what is lost without it
     before, after = heldout
     removed = float(np.clip((before**2 - after**2) / max(before**2 - sigma**2, 1e-300), 0.0, 1.0))
@@ -147,24 +148,39 @@ def named_of(
     return tuple(dataclasses.replace(n, share=removed * n.gain / total) for n in out)
 
 
-def _unrecorded(freed: Search, score: float) -> tuple[str, ...]:
-    """Return effects of a temperature that was not recorded, or did not vary, that explain as much all the same."""
+def _unrecorded(freed: Search, term: Term, score: float) -> tuple[str, ...]:
+    """Return effects of a temperature that was not recorded, or did not vary, that explain as much all the same.
+
+    Beside an effect that goes with time, a temperature that nobody recorded may have gone with it: steadily, or ever
+    less as a hall or a machine warms up.
+    """
     body = freed.fit.problem.body
     warming = body.channels.get("warming")
     rows = np.unique(freed.fit.problem.readings.rows)
     if warming is not None and (not np.isfinite(warming[rows]).all() or np.ptp(warming[rows]) > 0):
         return ()
-    warm = np.full(len(body.q), WARMED) if warming is None else warming
-    channels = body.channels.with_values(warming=warm, temperature=warm + 20.0)
-    assumed = Body(body.robot, body.mechanism, body.q, body.tool, channels)
-    limbs = tuple(range(1, body.mechanism.limbs + 1))
-    terms = [
-        assumed.blank(name, limbs)
-        for name in effect_names()
-        if any(s.column == "temp_C" for s in read_by(load_effect(name))) and assumed.missing(name) is None
-    ]
-    found = freed.of(assumed, terms).ranked()
-    return tuple(f.term.effect for f in found if f.score > score - AMBIGUOUS)
+    courses = [np.full(len(body.q), WARMED) if warming is None else warming]
+    time = body.channels.get("time")
+    if warming is None and time is not None and any(s.name == "time" for s in term.states):
+        courses += _warmings(time)
+    limbs, names = tuple(range(1, body.mechanism.limbs + 1)), dict[str, None]()
+    for warm in courses:
+        channels = body.channels.with_values(warming=warm, temperature=warm + 20.0)
+        assumed = Body(body.robot, body.mechanism, body.q, body.tool, channels)
+        terms = [
+            assumed.blank(name, limbs)
+            for name in effect_names()
+            if any(s.column == "temp_C" for s in read_by(load_effect(name))) and assumed.missing(name) is None
+        ]
+        found = freed.of(assumed, terms).ranked()
+        names |= {f.term.effect: None for f in found if f.score > score - AMBIGUOUS}
+    return tuple(names)
+
+
+def _warmings(time: Array) -> list[Array]:
+    """Return courses (N,) [K] that the temperature may have taken in a session: steadily, or ever less."""
+    since = (time - np.nanmin(time)) / max(float(np.ptp(time[np.isfinite(time)])), 1e-12)
+    return [WARMED * since, *(WARMED * -np.expm1(-since / within) for within in WARMED_WITHIN)]
 
 
 def rejected_of(considered: Sequence[Found], named: Sequence[Named], spectrum: Spectrum | None) -> tuple[Rejected, ...]:
