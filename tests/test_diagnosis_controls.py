@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -94,6 +95,33 @@ def test_circumstances_hide_nothing(robot: Robot, made: Make) -> None:
     assert found["verdict"] == "missing_physics", found["summary"]
     [width] = found["effects"][0]["parameters"]
     assert abs(width["value"] - 0.02) < 4 * width["std"]
+
+
+def thrice(robot: Robot, *terms: Any, **how: Any) -> Recording:
+    """Every pose three times in a row, beside a thermometer that never stands still."""
+    once = np.degrees(plain(robot).joints[:45])
+    of = channels(3 * len(once), "temp", "time")
+    pose = [str(k // 3) for k in range(3 * len(once))]
+    return record(robot, *terms, n=3 * len(once), of=of, joints=np.repeat(once, 3, axis=0), pose=pose, **how)
+
+
+def test_a_declared_noise_that_repeats_contradict_is_told(robot: Robot) -> None:
+    made = thrice(robot, sigma=2 * SIGMA)
+    measurement = dataclasses.replace(made.measurement, sigma_mm=SIGMA)
+    found = diagnosis(robot, dataclasses.replace(made, measurement=measurement))
+    assert (found["verdict"], found["noise"]["source"]) == ("adequate", "repeats"), found["summary"]
+    times = re.search(r"declared sigma_mm of 0\.01 is (\d\.\d) times too small", found["summary"])
+    assert times is not None, found["summary"]
+    assert 1.7 < float(times[1]) < 2.3
+
+
+def test_what_repeats_do_not_show_is_no_noise(robot: Robot) -> None:
+    """An error of each pose of its own, beyond what repeats of it differ by."""
+    made = thrice(robot, declared=False)
+    own = np.random.default_rng(3).standard_normal((len(made.measured) // 3, 3)).repeat(3, axis=0)
+    found = diagnosis(robot, dataclasses.replace(made, measured=made.measured + 2.5 * SIGMA * own))
+    assert found["noise"]["source"] == "repeats"
+    assert (found["verdict"], found["effects"]) == ("unexplained", [])
 
 
 # ------------------------------------------------------------------------------------------- negative controls

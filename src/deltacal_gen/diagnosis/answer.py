@@ -58,7 +58,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
     unit, unknowns = final.instrument.unit(final.problem.recording.columns), unknowns_of(final)
     return Diagnosis(
         verdict=found.verdict,
-        summary=_summary(found),
+        summary=" ".join(filter(None, (_summary(found), found.noise.contradiction))),
         noise=NoiseLevel(sigma_mm=sigma, source=found.noise.source, model=noise_model(final)),
         baseline=Baseline(
             model=found.model, train_rms_mm=baseline.rms(), heldout_rms_mm=before, chi2_per_dof=of_baseline

@@ -14,6 +14,8 @@ from deltacal_gen.machine.values import Recording
 from deltacal_gen.results.parts import NoiseModel, Source
 
 PROVEN = 4.0  # standard deviations by which one noise must exceed another to be called larger
+FEW_LEVELS = 8  # values of a channel that is switched: directions, payloads
+ALIKE = 0.1  # of a channel's span: values that differ by less are of one level
 LEAST_EXCESS = 1.15  # of chi2 per degree of freedom: a sidecar's sigma has a digit or two
 
 
@@ -27,17 +29,34 @@ def coordinate_sigma(found: Fit) -> float:
 
 @dataclass(frozen=True)
 class Noise:
-    """Noise per measured scalar [mm], where it is known from, and the degrees of freedom of that knowledge."""
+    """Noise per measured scalar [mm], where it is known from, and the degrees of freedom of that knowledge.
+
+    `refuted` is a declared noise that repeats contradict [mm].
+    """
 
     sigma: float
     source: Source
     degrees: float
+    refuted: float | None = None
+
+    @property
+    def contradiction(self) -> str:
+        """What is wrong with a declared noise, in a sentence; empty where nothing is."""
+        if self.refuted is None:
+            return ""
+        times, word = self.sigma / self.refuted, "small"
+        if times < 1:
+            times, word = 1 / times, "large"
+        return (
+            f"The declared sigma_mm of {self.refuted:.3g} is {times:.1f} times too {word}: repeats of a pose differ by "
+            f"{self.sigma:.3g} mm."
+        )
 
 
 def noise(final: Fit, recording: Recording) -> Noise:
     """Return the noise, from the sidecar, from repeats, or from what the fit leaves.
 
-    Repeats count where every channel but time is the same in both readings. A declared sigma holds unless repeats
+    Repeats count where every channel but time is alike in both readings. A declared sigma holds unless repeats
     contradict it: clearly smaller ones do; clearly larger ones do unless the closest of them agree with it, since what
     happens between two readings of a pose adds to the spread of some and not of others.
     """
@@ -54,10 +73,11 @@ def noise(final: Fit, recording: Recording) -> Noise:
     if declared is not None:
         doubt = PROVEN * np.sqrt(_spread(r) / max(degrees, 1))
         gap = np.log(within / declared**2) if repeated else 0.0
-        if abs(gap) <= doubt or (gap > 0 and _closest(r, group) < 2 * declared):
+        between = np.sqrt(declared * np.sqrt(within))  # nearer to what was declared than to what repeats say
+        if abs(gap) <= doubt or (gap > 0 and _closest(r, group) < between):
             return Noise(declared, Source.DECLARED, np.inf)
     if repeated:
-        return Noise(float(np.sqrt(within)), Source.REPEATS, float(degrees))
+        return Noise(float(np.sqrt(within)), Source.REPEATS, float(degrees), refuted=declared)
     return Noise(residual, Source.RESIDUAL, np.inf)
 
 
@@ -74,14 +94,29 @@ def noise_model(final: Fit) -> NoiseModel:
 
 
 def _repeats(found: Readings, recording: Recording) -> np.ndarray:
-    """Return groups (R,) of readings of one pose with every channel but time the same."""
+    """Return groups (R,) of readings of one pose with every channel but time alike."""
     channels = [
-        v for name, v in sorted(recording.channels.items()) if name != "time_s" and not name.startswith("true_")
+        _levels(v)
+        for name, v in sorted(recording.channels.items())
+        if name != "time_s" and not name.startswith("true_")
     ]
     if found.rows.shape[1] != 1 or not channels:
         return found.group
-    same = np.column_stack([found.group, np.nan_to_num(np.array(channels).T[found.rows[:, 0]], nan=-1e9)])
+    same = np.column_stack([found.group, np.array(channels).T[found.rows[:, 0]]])
     return np.ravel(np.unique(same, axis=0, return_inverse=True)[1])
+
+
+def _levels(values: Array) -> Array:
+    """Return what counts as one level (N,) of a channel: each value of a few, else values that hardly differ.
+
+    A thermometer never stands still. What an effect makes of a part of its span is as small a part of that effect.
+    """
+    finite = values[np.isfinite(values)]
+    if len(np.unique(finite)) <= FEW_LEVELS:
+        return np.nan_to_num(values, nan=-1e9)
+    low, high = np.quantile(finite, [0.05, 0.95])
+    levels: Array = np.nan_to_num(np.floor((values - low) / max(ALIKE * (high - low), 1e-300)), nan=-1e9)
+    return levels
 
 
 def _spread(r: Array) -> float:
