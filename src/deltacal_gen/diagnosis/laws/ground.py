@@ -29,6 +29,7 @@ TARGETS = (
     *("joint", "limb.arm", "limb.rod", "limb.outwards", "limb.tip_v", "limb.tip_w"),
     *("turn.x", "turn.y", "tool.x", "tool.y", "tool.z", "reading.x", "reading.y", "reading.z", "length"),
 )
+BOUNDLESS = 1e100  # standard deviations: what moves readings by more, an exponential far off, is no law
 OWN = ("q", "torque", "approach", "qd", "qdd", "tension_1", "tension_2", "pull_v", "pull_w")  # of a limb
 OTHERS = ("q", "torque", "approach", "qd")  # of another joint
 PLACE = ("x", "y", "z", "radius")
@@ -245,10 +246,11 @@ class Ground:
     def normal(self, columns: Array) -> tuple[Array, Array, Array]:
         """Return normal equations beside all that is fitted, G (n, m, m) and b (n, m), and sizes (n, m).
 
-        `columns` (scalars, n, m) are made of unit length.
+        `columns` (scalars, n, m) are made of unit length; one that has no bounds is none.
         """
         S, n, m = columns.shape
         flat = columns.reshape(S, -1)
+        flat = np.where(np.abs(flat).max(axis=0) < BOUNDLESS, flat, 0.0)
         size = np.linalg.norm(flat, axis=0)
         C = flat / np.where(size > 0, size, 1.0)
         inside = self.beside.Q.T @ C
