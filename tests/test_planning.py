@@ -344,7 +344,9 @@ def test_figure_shows_chosen_n_and_is_reproducible(robot: Robot, tmp_path: Path)
 def test_calls_that_make_no_sense(robot: Robot) -> None:
     with pytest.raises(UsageError, match="no layer 'roof'"):
         planning.plan(robot, "18", layers=["roof"])
-    with pytest.raises(UsageError, match="no kind 'weight'; known: distance, gauge, pose, position"):
+    with pytest.raises(
+        UsageError, match="no kind 'weight'; known: board_image, distance, gauge, pose, position, touched_board"
+    ):
         planning.plan(robot, "18", kind="weight")
     with pytest.raises(UsageError, match="no scaling 'metres'"):
         planning.plan(robot, "18", scaling="metres")

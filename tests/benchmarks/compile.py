@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import csv
+import importlib.util
 import json
 import os
 import subprocess
@@ -61,6 +62,8 @@ def measure(name: str) -> tuple[float, dict[str, float]]:
     for kernel, seconds in spent.items():
         function = kernel.split(".")[1]
         modules = [machine.servo, machine.compiled] if machine.written_out else [machine.compiled]
+        if importlib.util.find_spec(f"deltacal_kernels.{name}.dynamics"):
+            modules.append(importlib.import_module(f"deltacal_kernels.{name}.dynamics"))
         of = next(getattr(module, function) for module in modules if hasattr(module, function))
         total[f"{of.__module__.partition('.')[2].replace('.', '/')}.py"] += seconds
     return yardstick, dict(total)

@@ -6,6 +6,7 @@ position is explicit, so there is nothing to solve and no pose is out of reach.
 
 from __future__ import annotations
 
+import importlib
 import time
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property, partial
@@ -116,9 +117,13 @@ class Chain(Machine):
             "centres": (q, k, *shape, points),
             "loads": (q, k, *shape, points, points, shape[0], q, along, np.empty((1, 3))),
         }
+        dynamics = importlib.import_module("deltacal_kernels.serial.dynamics")
+        motion, weight, k = np.ones((3, 1, 1)), np.ones(3), dynamics.constants(rows)
+        given["torque"] = motion, np.ones((1, len(dynamics.INERTIA))), weight, k, *shape, np.empty((1, 1))
+        given["regressor"] = motion, weight, k, *shape, np.empty((1, 1, len(dynamics.INERTIA)))
         for name, arguments in given.items():
             start = time.perf_counter()
-            getattr(self.compiled, name)(*arguments)
+            getattr(self.compiled if hasattr(self.compiled, name) else dynamics, name)(*arguments)
             yield f"{self.name}.{name}", time.perf_counter() - start
 
     def same_as(self, robot: Robot, key: str) -> tuple[str, ...]:
