@@ -33,7 +33,7 @@ MEANINGS = (
 )
 TYPICAL = (50.0, 50.0, 30.0, 30.0, 0.1, 0.1, 0.003, 0.003, 0.1)
 c = vector(*sp.symbols("c_x c_y c_z", real=True))
-a, b, square = sp.symbols("a b square", real=True)
+a, b, square, radial, across, down = sp.symbols("a b square radial across down", real=True)
 
 
 def measurement(v: Algebra) -> Measurement:
@@ -44,7 +44,6 @@ def measurement(v: Algebra) -> Measurement:
     riding, beside = turned.T * (fixed - X.position), X.position + turned * fixed
     seen = v.cayley(w) * C * (ride * riding + (1 - ride) * beside) + h + dh
     fx, fy, cx, cy, k1, k2, p1, p2, k3 = (known + more for known, more in zip(lens, dlens, strict=True))
-    radial = 1 + k1 * square + k2 * square**2 + k3 * square**3
     return Measurement(
         name="board_image",
         meaning="image of a point of a printed board [px]",
@@ -70,11 +69,16 @@ def measurement(v: Algebra) -> Measurement:
                 for s, m, size, name in zip(dlens, MEANINGS, TYPICAL, LENS, strict=True)
             ),
         ),
-        reading=(
-            cx + fx * (a * radial + 2 * p1 * a * b + p2 * (square + 2 * a**2)),
-            cy + fy * (b * radial + p1 * (square + 2 * b**2) + 2 * p2 * a * b),
+        reading=(cx + fx * across, cy + fy * down),
+        steps=(
+            *zip(c, seen, strict=True),
+            (a, c[0] / c[2]),
+            (b, c[1] / c[2]),
+            (square, a**2 + b**2),
+            (radial, 1 + k1 * square + k2 * square**2 + k3 * square**3),
+            (across, a * radial + 2 * p1 * a * b + p2 * (square + 2 * a**2)),
+            (down, b * radial + p1 * (square + 2 * b**2) + 2 * p2 * a * b),
         ),
-        steps=(*zip(c, seen, strict=True), (a, c[0] / c[2]), (b, c[1] / c[2]), (square, a**2 + b**2)),
         after=(
             *(v.cayley(w) * C),
             *(h + dh),
