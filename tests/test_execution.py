@@ -204,7 +204,9 @@ def test_workers_end_with_the_process_that_has_started_them(tmp_path: Path, stop
         time.sleep(0.02)
     assert len(found) == 2
     assert all(ended(int(f.stem)) for f in found)
-    assert said.count(b"Traceback") <= 1, "workers say nothing"
+    # of this process may speak its own interruption, and the pool's thread that loses its pipes in the same moment
+    assert said.count(b"Traceback") <= 1 + said.count(b"Exception in thread"), "workers say nothing"
+    assert b"Process " not in said, "workers say nothing"
 
 
 # ------------------------------------------------------------------------------------------------------------ a cluster
