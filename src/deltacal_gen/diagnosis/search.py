@@ -306,7 +306,8 @@ class Search:
         G = self.gram(name)[free]
         b = self._reach[span].reshape(len(forms), -1)[free]
         size = self._size[span].reshape(len(forms), -1)[free]
-        open_forms, allowed, doubt = np.arange(len(free)), _allowed(forms[0]), ""
+        open_forms, doubt = np.arange(len(free)), ""
+        allowed: list[object] | None = list(_carriers(forms[0]))
         last = Found(forms[0], 0.0, -np.inf)
         while len(open_forms) and allowed is not None:
             part, k, gain, score = _most(forms[0], allowed, len(forms), G[open_forms], b[open_forms])
@@ -515,10 +516,6 @@ def quantile(degrees: int, forms: int) -> float:
 
 def _key(term: Term) -> tuple[str, tuple[Constant, ...]]:
     return term.effect, term.constants
-
-
-def _allowed(term: Term) -> list[object] | None:
-    return list(_carriers(term))
 
 
 def _carriers(term: Term) -> Sequence[object]:

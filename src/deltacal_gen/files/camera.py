@@ -24,8 +24,7 @@ from deltacal_gen.files.toml import Table, TomlFile, toml_text
 from deltacal_gen.files.writing import csv_text, write_files
 from deltacal_gen.instrument import sphere
 from deltacal_gen.instrument.instrument import align
-from deltacal_gen.machine.rotation import from_vector, to_vector
-from deltacal_gen.units import DEG
+from deltacal_gen.machine.rotation import from_vector
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
@@ -363,11 +362,6 @@ def read_camera(path: str | Path) -> Camera:
 def camera_text(camera: Camera) -> str:
     """Return a camera as the text of a recording's sidecar."""
     return toml_text({"measurement": {"kind": "sphere"}, "measurement.camera": camera.said()})
-
-
-def with_rotation(camera: Camera, turn: Array) -> Camera:
-    """Return the camera with its rotation in the hand (3, 3)."""
-    return camera.model_copy(update={"rotation_deg": tuple((to_vector(turn) / DEG).tolist())})
 
 
 def record(table: str | Path, camera: Camera, output: str | Path) -> list[Ball]:

@@ -271,11 +271,6 @@ class Machine(ABC):
         return any(name[0] == "c" for name in self.asks)
 
     @property
-    def reading_columns(self) -> tuple[bool, ...]:
-        """Which of a body's six coordinates this machine moves: what there is to measure."""
-        return tuple(name in self.platform for name in COORDINATES)
-
-    @property
     def full_model(self) -> str:
         """Name of the model that stands for the whole machine unless another is asked for: the first of the table."""
         return next(iter(self.models))

@@ -228,7 +228,7 @@ class Fit:
         return float(np.sqrt(np.mean(self.left**2) * (len(self.left) / self.together) / free))
 
 
-def fitted(joint: Joint, some: Sequence[Rung], held_out: Array | None = None, **told: object) -> Fit:
+def fitted(joint: Joint, some: Sequence[Rung], held_out: Array | None = None) -> Fit:
     """Return the fit of a joint's rigid machine and some effects to all samples.
 
     `held_out` are residuals that were found otherwise; by default those of folds, each fitted by the others.
@@ -254,7 +254,7 @@ def fitted(joint: Joint, some: Sequence[Rung], held_out: Array | None = None, **
             held_out[own] = joint.y[own] - X[own] @ apart
     rigid = joint.X.shape[1]
     load = np.asarray(joint.X @ found[:rigid])
-    return Fit(joint, tuple(some), found, std, load, left, held_out, count, **told)  # type: ignore[arg-type]
+    return Fit(joint, tuple(some), found, std, load, left, held_out, count)
 
 
 def _with_load(joint: Joint, some: Sequence[Rung], X: Array) -> tuple[Array, Array]:
@@ -291,10 +291,8 @@ def climbed(joint: Joint) -> Fit:
     chosen.sort(key=lambda k: (candidates[k].effect not in USUAL, candidates[k].effect, candidates[k].constants))
     refined = [_refined(joint, candidates, chosen, k, load, bench.folds) for k in chosen]
     ladder, chosen = _again(joint, ladder, X, refined, chosen, load)
-    return fitted(
-        joint,
-        [ladder.rungs[k] for k in chosen],
-        held_out,
+    return dataclasses.replace(
+        fitted(joint, [ladder.rungs[k] for k in chosen], held_out),
         bought=tuple(ladder.buys(chosen, k, bench.folds) for k in chosen),
         gains=tuple(ladder.gain(chosen, k, bench.folds) for k in chosen),
         alike=tuple(_alike(ladder, chosen, k) for k in chosen),

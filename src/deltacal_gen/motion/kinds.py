@@ -15,7 +15,7 @@ from deltacal_gen.motion import trajectories
 from deltacal_gen.motion.trajectories import Sidecar, Trajectories
 from deltacal_gen.results.base import Answer
 from deltacal_gen.results.motion import MotionDiagnosis, MotionModel, MotionResult, MotionValidation
-from deltacal_gen.results.reader import read_answer
+from deltacal_gen.results.reader import Given, read_answer
 from deltacal_gen.units import joint_factors, joint_names
 
 SCHEMAS = ("deltacal.motion/1", "deltacal.motion-diagnosis/1")
@@ -82,7 +82,7 @@ def in_motion(recording: object) -> Torque | None:
     return None if sidecar is None else KINDS[sidecar.measurement.kind](path, sidecar)
 
 
-def known_motion(result: object) -> MotionModel | None:
+def known_motion(result: Given) -> MotionModel | None:
     """Return a result of a recording in motion, from its file, its JSON or as it is; None where it is another."""
     if isinstance(result, MotionModel):
         return result
@@ -91,7 +91,7 @@ def known_motion(result: object) -> MotionModel | None:
     schema = result.get("schema") if isinstance(result, Mapping) else _schema_of(Path(str(result)))
     if schema not in SCHEMAS:
         return None
-    found = read_answer(result, SCHEMAS)  # type: ignore[arg-type]
+    found = read_answer(result, SCHEMAS)
     assert isinstance(found, MotionModel)
     return found
 

@@ -12,7 +12,7 @@ from deltacal_gen.motion.library import Rung
 from deltacal_gen.motion.regression import Bench
 
 if TYPE_CHECKING:
-    from deltacal_gen.machine.registry import Array
+    pass
 
 BUYS = 0.02  # of the held-out rms: what a rung must take away
 MOST = 8  # rungs
@@ -130,9 +130,3 @@ class Ladder:
                 break
             chosen = [k for k in chosen if k != chosen[least]]
         return chosen
-
-    def residual_of(self, X: Array, y: Array, chosen: Sequence[int], coefficients: Array) -> Array:
-        """Return what coefficients, as scaled, leave of readings (N,)."""
-        at = self.columns(chosen)
-        left: Array = y - X[:, at] @ (coefficients / self.bench.scale[at])
-        return left

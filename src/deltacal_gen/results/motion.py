@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Literal
 
 from deltacal_gen.results.base import Answer, Value
@@ -253,8 +254,8 @@ def by_joint(left: Left) -> str:
     return _listed(zip(left.heldout_rms_by_joint, left.unit_by_joint, strict=True))
 
 
-def _listed(each: object) -> str:
-    values = list(each)  # type: ignore[call-overload]
+def _listed(each: Iterable[tuple[float | None, str]]) -> str:
+    values = list(each)
     units = {unit for _, unit in values}
     texts = ["-" if v is None else f"{v:.4g}" + (f" {unit}" if len(units) > 1 else "") for v, unit in values]
     return ", ".join(texts) + (f" {units.pop()}" if len(units) == 1 else "")

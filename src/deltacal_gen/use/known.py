@@ -26,9 +26,7 @@ from deltacal_gen.results.result import Parameter, Result
 from deltacal_gen.units import file_unit
 
 _REMEDY = "Give the file as it was written; a machine is edited in its robot file."
-ORTHONORMAL = 1e-6  # by which rows of a rotation may fail to be
-
-NO_TURN = 1e-6  # by which the rows of a rotation may miss being orthonormal
+ORTHONORMAL = 1e-6  # by which the rows of a rotation may fail to be
 
 
 def known_result(source: Given) -> Result | Diagnosis:
@@ -52,7 +50,7 @@ def _check(found: Result | Diagnosis, source: Given) -> None:
     for key, problem in _flaws(found):
         raise InputError(
             f"{problem}.",
-            "Give the file as it was written; a machine is edited in its robot file.",
+            _REMEDY,
             file=file,
             column=key,
         )
@@ -139,7 +137,7 @@ def _instrument_flaws(state: InstrumentState) -> Iterator[str]:
     if instrument.kind.positions:
         turns = np.asarray(state.state, dtype=float)[:, :9].reshape(-1, 3, 3)
         bounded = np.clip(np.nan_to_num(turns), -2.0, 2.0)  # so that nothing overflows
-        if not np.allclose(bounded @ np.swapaxes(bounded, 1, 2), np.eye(3), atol=NO_TURN):
+        if not np.allclose(bounded @ np.swapaxes(bounded, 1, 2), np.eye(3), atol=ORTHONORMAL):
             yield "its frame is turned by no rotation"
     unknowns, rows = len(instrument.kind.unknown), len(state.state)
     if any(not 0 <= j < unknowns for j in state.free) or any(
