@@ -19,7 +19,7 @@ from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import InputError
 from deltacal_gen.results import published
 from deltacal_gen.results.base import Value, key_of
-from deltacal_gen.results.reader import ANSWERS, read_answer, read_result, type_of
+from deltacal_gen.results.reader import ANSWERS, read_answer, read_result, type_of, types_of
 from deltacal_gen.results.result import Remedy, Result
 
 DELTA, GEARBOX = example("delta"), example("gearbox")
@@ -80,7 +80,7 @@ BARE = {  # numbers without a unit: counts, parts of a whole, figures of statist
     # of machines in motion: in `unit_by_joint`, parts of a whole, counts, and as their types say
     *("train_rms_by_joint", "heldout_rms_by_joint", "heldout_rms_by_joint_filtered", "sigma_by_joint"),
     *("rms_by_joint", "rms_by_joint_filtered", "together_by_joint", "removed", "at_rest", "at_rest_below"),
-    *("joint", "payload", "buys", "heldout_gain"),
+    *("joint", "payload", "buys", "heldout_gain", "error"),
     *("range", "at", "seen", "partial", "charge", "outside_law"),  # of laws, as their states and targets count
 }
 
@@ -141,7 +141,7 @@ def test_an_answer_read_back_is_the_same(answers: dict[str, Any], kind: str) -> 
 
 
 def _types() -> dict[str, type[Value]]:
-    found = {name: kind for s in ANSWERS for name, kind in published._kinds(type_of(s)).items()}
+    found = {name: kind for s in ANSWERS for of in types_of(s) for name, kind in published._kinds(of).items()}
     return {name: kind for name, kind in found.items() if issubclass(kind, Value)}
 
 

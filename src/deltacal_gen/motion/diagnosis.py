@@ -2,28 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
+import numpy as np
 from scipy.stats import chi2
 
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.identification import RIGID
 from deltacal_gen.motion.joint import Fit, climbed, fitted
-from deltacal_gen.motion.ladder import BUYS
-from deltacal_gen.motion.session import Session, sigma_said
+from deltacal_gen.motion.ladder import BUYS, LookedAt
+from deltacal_gen.motion.session import Session, sigma_said, still_to_move
 from deltacal_gen.motion.trajectories import INSIDE, Trajectories
-from deltacal_gen.motion.unexplained import Rest, rest
+from deltacal_gen.motion.unexplained import Rest, dependences, rest
 from deltacal_gen.physics.terms import drive_effect_names, load_effect
-from deltacal_gen.results.diagnosis import EffectParameter, Verdict
-from deltacal_gen.results.motion import (
-    LadderOf,
-    MotionDiagnosis,
-    MotionLocation,
-    RungOf,
-    TorqueEffect,
-    Unexplained,
-)
+from deltacal_gen.results.diagnosis import Channel, EffectParameter, Location, NextMeasurement, Searched, Verdict
+from deltacal_gen.results.motion import LadderOf, MotionDiagnosis, RungOf, TorqueEffect, TorqueRejected, Unexplained
 from deltacal_gen.results.parts import Missing
 from deltacal_gen.units import of_sliding
 
@@ -31,6 +25,14 @@ if TYPE_CHECKING:
     from deltacal_gen.physics.terms import Kernels
 
 Progress = Callable[[str], None]
+VARIED = {  # what must differ more, for effects to be told apart that read a state
+    "qd": "speeds, from creeping to the fastest",
+    "qdd": "accelerations",
+    "torque": "loads, with and without a payload",
+    "turn": "angles, over the whole range",
+    "q": "angles, over the whole range",
+    "warming": "temperatures",
+}
 NEEDS = {"warming": "temperatures that differ in a column temp_C", "turn": "joints that pass two periods"}
 
 
@@ -51,23 +53,25 @@ def diagnose(robot: Robot, given: Trajectories, progress: Progress) -> MotionDia
         plain.append(fitted(joint, []))
         found.append(climbed(joint))
     rests = [rest(fit, _sigma(session, fit)) for fit in found]
-    effects = _effects(session, found)
-    baseline, final = session.left(plain, f"{robot.mechanism}/{RIGID}"), session.left(found)
+    effects = _effects(session, plain, found)
     open_ = [r for r in rests if r is not None]
     verdict = Verdict.UNEXPLAINED if open_ else Verdict.MISSING_PHYSICS if effects else Verdict.ADEQUATE
+    final = session.left(found)
     return MotionDiagnosis(
         **session.answered(found),
         verdict=verdict,
         summary=_summary(effects, open_, session, found),
         noise=session.noise(found),
-        baseline=baseline,
-        location=_location(effects, open_),
+        baseline=session.left(plain, f"{robot.mechanism}/{RIGID}"),
+        location=_location(effects, open_, plain, found),
         effects=effects,
+        search=_search(found),
         final=final,
         ladder=tuple(_ladder(fit, r) for fit, r in zip(found, rests, strict=True)),
         unexplained=tuple(Unexplained(limb=r.joint, channel=r.channel, share=r.share, text=r.text) for r in open_),
-        rejected=(),
+        rejected=_rejected(session, effects, found),
         not_tested=_not_tested(found),
+        next_measurements=_next(session, effects, found),
     )
 
 
@@ -76,33 +80,92 @@ def _sigma(session: Session, fit: Fit) -> float | None:
     return None if said is None else said * INSIDE[fit.joint.unit]
 
 
-def _effects(session: Session, fits: Sequence[Fit]) -> tuple[TorqueEffect, ...]:
+def _effects(session: Session, plain: Sequence[Fit], fits: Sequence[Fit]) -> tuple[TorqueEffect, ...]:
     """Return the effects by name; those of several orders one for each."""
     of_name: dict[tuple[str, tuple[float, ...]], list[tuple[Fit, int]]] = {}
     for fit in fits:
         for n, rung in enumerate(fit.rungs):
             key = rung.effect, rung.constants if "orders" in rung.kernels.SEARCHED else ()
             of_name.setdefault(key, []).append((fit, n))
-    return tuple(_effect(session, where) for where in of_name.values())
+    before = {fit.joint.number: _mean_square(fit) for fit in plain}
+    excess = {f.joint.number: max(before[f.joint.number] / max(_mean_square(f), 1e-300) - 1.0, 0.0) for f in fits}
+    return tuple(_effect(session, where, excess) for where in of_name.values())
 
 
-def _effect(session: Session, where: Sequence[tuple[Fit, int]]) -> TorqueEffect:
+def _mean_square(fit: Fit) -> float:
+    """Return the mean square of a joint's held-out residuals."""
+    return float(np.nanmean(fit.held_out**2))
+
+
+def _effect(session: Session, where: Sequence[tuple[Fit, int]], excess: Mapping[int, float]) -> TorqueEffect:
+    """Return an effect on some joints; `excess` is what the rigid machine leaves above noise, in its variances.
+
+    The excess of a joint is shared among its effects by what each takes away beside the others.
+    """
     fit, n = where[0]
     kernels = fit.rungs[n].kernels
     gains = [fit.gains[n] for fit, n in where]
-    width = fit.rungs[n].width * len(where)
+    removed = 0.0
+    for of, k in where:
+        each = (1.0 - np.array(of.bought)) ** -2 - 1.0
+        removed += excess[of.joint.number] * float(each[k] / each.sum())
+    tried = sum(len(fit.joint.candidates) for fit, _ in where)
     return TorqueEffect(
         name=fit.rungs[n].effect,
         title=kernels.TITLE,
         limbs=tuple(fit.joint.number for fit, _ in where),
         parameters=tuple(p for fit, n in where for p in _parameters(session, fit, n)),
-        p_value=float(chi2.sf(sum(gains), width)),
+        p_value=_of_the_best(sum(gains), fit.rungs[n].width * len(where), tried),
         gain_chi2=float(sum(gains)),
         gain_by_limb={str(fit.joint.number): float(fit.gains[n]) for fit, n in where},
-        share_of_excess=float(max(1.0 - (1.0 - fit.bought[n]) ** 2 for fit, n in where)),
+        share_of_excess=removed / max(sum(excess.values()), 1e-300),
         indistinguishable_from=tuple(sorted({name for fit, n in where for name in fit.alike[n]})),
         heldout_gain=tuple(float(fit.bought[n]) for fit, n in where),
     )
+
+
+def _of_the_best(gain: float, width: int, tried: int) -> float:
+    """Return the probability that noise alone lets the best of some candidates earn so much in chi2."""
+    return float(-np.expm1(tried * np.log1p(-min(chi2.sf(gain, width), 1.0 - 1e-16))))
+
+
+def _search(fits: Sequence[Fit]) -> Searched:
+    """Return what the search comes to where nothing is named yet, all joints together."""
+    firsts = [fit.first for fit in fits if fit.first is not None]
+    if not firsts:
+        return Searched(best=None, p_value=1.0)
+    tried = sum(len(fit.joint.candidates) for fit in fits)
+    best = min(firsts, key=lambda f: chi2.logsf(f.gain, f.width))
+    return Searched(best=best.effect, p_value=_of_the_best(best.gain, best.width, tried))
+
+
+def _rejected(session: Session, effects: Sequence[TorqueEffect], fits: Sequence[Fit]) -> tuple[TorqueRejected, ...]:
+    """Return the effects that no joint has, the one that would earn most first."""
+    named = {e.name for e in effects}
+    left = {fit.joint.number: np.sqrt(_mean_square(fit)) / INSIDE[fit.joint.unit] for fit in fits}
+    of_name: dict[str, list[tuple[Fit, LookedAt]]] = {}
+    for fit in fits:
+        for looked in fit.passed_over:
+            if looked.effect not in named:
+                of_name.setdefault(looked.effect, []).append((fit, looked))
+    found = []
+    for name, where in of_name.items():
+        with_it = left | {fit.joint.number: left[fit.joint.number] * (1.0 - max(k.buys, 0.0)) for fit, k in where}
+        counts = {fit.joint.number: np.isfinite(fit.held_out).sum() for fit in fits}
+        square = sum(counts[i] * with_it[i] ** 2 for i in with_it) / sum(counts.values())
+        fit, most = max(where, key=lambda pair: pair[1].buys)
+        one = len({f.joint.unit for f in fits}) == 1
+        found.append(
+            TorqueRejected(
+                name=name,
+                gain_chi2=float(max(k.gain for _, k in where)),
+                why=f"it takes {100 * max(most.buys, 0.0):.2g} % of the held-out rms away where it takes most, on "
+                f"joint {fit.joint.number}, beside what is named",
+                **(session.in_unit("heldout_rms", float(np.sqrt(square))) if one else {}),
+                heldout_rms_by_joint=session.each(fits, lambda f: float(with_it[f.joint.number])),  # noqa: B023
+            )
+        )
+    return tuple(sorted(found, key=lambda r: -r.gain_chi2))
 
 
 def _parameters(session: Session, fit: Fit, n: int) -> list[EffectParameter]:
@@ -152,11 +215,19 @@ def _ladder(fit: Fit, left: Rest | None) -> LadderOf:
     )
 
 
-def _location(effects: Sequence[TorqueEffect], rests: Sequence[Rest]) -> MotionLocation:
+def _location(
+    effects: Sequence[TorqueEffect], rests: Sequence[Rest], plain: Sequence[Fit], found: Sequence[Fit]
+) -> Location:
+    """Return where model and recording differ: what is open, or else what the effects explain."""
     limbs = sorted({r.joint for r in rests} or {i for e in effects for i in e.limbs})
     texts = [r.text for r in rests] or [f"{e.title}: joint {', '.join(map(str, e.limbs))}" for e in effects]
-    channels = dict.fromkeys(r.channel for r in sorted(rests, key=lambda r: -r.share) if r.channel)
-    return MotionLocation(channels=tuple(channels), limbs=tuple(limbs), region=None, text="; ".join(texts) or "nowhere")
+    where = [fit for fit in (found if rests else plain) if fit.joint.number in limbs]
+    known = [(fit.joint.number, d) for fit in where for d in dependences(fit)]
+    channels = [
+        Channel(name=f"{d.channel}{joint}", p_value=d.p_value, share=d.share)
+        for joint, d in sorted(known, key=lambda pair: -pair[1].share)
+    ]
+    return Location(channels=tuple(channels), limbs=tuple(limbs), region=None, text="; ".join(texts) or "nowhere")
 
 
 def _summary(effects: Sequence[TorqueEffect], rests: Sequence[Rest], session: Session, fits: Sequence[Fit]) -> str:
@@ -181,3 +252,23 @@ def _not_tested(fits: Sequence[Fit]) -> tuple[Missing, ...]:
             needs = [words for state, words in NEEDS.items() if state in load_effect(name).STATE]
             found.append(Missing(name=name, missing="; ".join(needs) or "longer motion"))
     return tuple(found)
+
+
+def _next(session: Session, effects: Sequence[TorqueEffect], fits: Sequence[Fit]) -> tuple[NextMeasurement, ...]:
+    """Return what to record next: what tells effects apart, and joints that stood still."""
+    found = []
+    for effect in effects:
+        if effect.indistinguishable_from:
+            names = (effect.name, *effect.indistinguishable_from)
+            varied = dict.fromkeys(VARIED.get(state, state) for name in names for state in load_effect(name).STATE)
+            joints = ", ".join(map(str, effect.limbs))
+            found.append(
+                NextMeasurement(
+                    why=f"separates {' from '.join(names)}",
+                    text=f"Record joint {joints} at other {' and '.join(varied)}.",
+                    poses=(),
+                    expected_chi2=None,
+                    separates=names,
+                )
+            )
+    return (*found, *still_to_move(session, fits))

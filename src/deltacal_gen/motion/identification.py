@@ -12,15 +12,16 @@ from deltacal_gen.errors import UsageError
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.joint import Fit, fitted
 from deltacal_gen.motion.rigid import Rigid
-from deltacal_gen.motion.session import Session
+from deltacal_gen.motion.session import Session, still_to_move
 from deltacal_gen.motion.trajectories import Trajectories
 from deltacal_gen.results.motion import Consistent, InertialParameter, MotionResult
-from deltacal_gen.results.result import Status
+from deltacal_gen.results.result import Read, Regularisation, Status
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
 
 RIGID = "rigid"  # name of the model, behind that of the mechanism
+RANK = 1e-9  # of the largest singular value: a smaller one is none
 SURE = 3.0  # standard deviations from zero of a parameter that is told as identified
 LATTICE = (-300.0, -100.0, -30.0, 0.0, 30.0, 100.0, 300.0)  # mm: where the masses of a body that could be built may sit
 
@@ -40,22 +41,47 @@ def identify(robot: Robot, given: Trajectories, model: str | None = None) -> Mot
         raise UsageError(f"in motion there is the model {name} only, not '{model}'.")
     session = Session.of(robot, given)
     fits = [fitted(joint, []) for joint in session.moving]
-    final = session.left(fits, name)
-    torques = all(fit.joint.unit in ("Nm", "N") for fit in fits)
-    parameters = _common(session.rigid, fits) if torques else _by_joint(session.rigid, fits)
+    final, noise = session.left(fits, name), session.noise(fits)
     rigid = session.rigid
+    torques = all(fit.joint.unit in ("Nm", "N") for fit in fits)
+    parameters = _common(rigid, fits) if torques else _by_joint(rigid, fits)
+    values = _singular(rigid, fits) if torques else np.concatenate([_singular_of(fit) for fit in fits])
+    full = values[-1] > RANK * values[0]
+    figures = {key: value for key, value in final.written() if key.startswith(("train_rms_", "heldout_rms_"))}
+    sigmas = {key: value for key, value in noise.written() if key.startswith("sigma_")}
     return MotionResult(
         **session.answered(fits),
         model=name,
         parameters=tuple(parameters),
-        rank=rigid.common.rank if torques else sum(rigid.own[fit.joint.number - 1].rank for fit in fits),
+        rank=len(parameters),
+        rank_tolerance=RANK,
+        singular_values=values,
+        condition=float(values[0] / values[-1]) if full else None,
+        scaling="each column of size 1, over all readings by their noise",
         unidentifiable=tuple(rigid.unseen(rigid.common)),
+        next_measurements=still_to_move(session, fits),
+        regularisation=Regularisation(rule="base parameters are shrunk by what predicts held-out samples best"),
+        readings=Read(kind=given.kind, scalars=sum(len(fit.left) for fit in fits), poses=given.n_rows),
         consistent=_consistent(rigid, fits) if torques and rigid.dynamics.bodies else None,
-        noise=session.noise(fits),
+        noise=noise,
         final=final,
-        **session.in_unit("train_rms", session.together(fits, lambda f: f.left)),
-        **session.in_unit("heldout_rms", session.together(fits, lambda f: f.held_out)),
+        **{key: value for key, value in (figures | sigmas).items() if "_by_joint" not in key},
+        sigma_source=noise.source,
+        chi2_per_dof=final.chi2_per_dof,
     )
+
+
+def _singular(rigid: Rigid, fits: Sequence[Fit]) -> Array:
+    """Return the singular values of the common base parameters' columns, each of size 1."""
+    G, _ = _normal(rigid, fits)
+    scale = np.sqrt(np.maximum(np.diag(G), 1e-300))
+    return np.asarray(np.sqrt(np.maximum(np.linalg.eigvalsh(G / np.outer(scale, scale))[::-1], 0.0)))
+
+
+def _singular_of(fit: Fit) -> Array:
+    """Return the singular values of one joint's columns, each of size 1."""
+    size = np.linalg.norm(fit.joint.X, axis=0)
+    return np.asarray(np.linalg.svd(fit.joint.X / np.where(size > 0, size, 1.0), compute_uv=False))
 
 
 def _normal(rigid: Rigid, fits: Sequence[Fit]) -> tuple[Array, Array]:
@@ -78,6 +104,7 @@ def _common(rigid: Rigid, fits: Sequence[Fit]) -> list[InertialParameter]:
     scale = np.sqrt(np.maximum(np.diag(G), 1e-300))
     inverse = np.linalg.pinv(G / np.outer(scale, scale), rcond=1e-10, hermitian=True)
     value, std = inverse @ (g / scale) / scale, np.sqrt(np.maximum(np.diag(inverse), 0.0)) / scale
+    value = value - rigid.stated_base(rigid.common)
     units = [rigid.dynamics.units[k] for k in rigid.common.chosen]
     return [
         _parameter(name, text, v, s, unit, None)
@@ -108,7 +135,7 @@ def _parameter(name: str, text: str, value: float, std: float, unit: str, limb: 
         std=float(std),
         unit=unit,
         limb=limb,
-        status=(Status.IDENTIFIED if known else Status.NOT_PINNED).value,
+        status=Status.IDENTIFIED if known else Status.NOT_PINNED,
     )
 
 

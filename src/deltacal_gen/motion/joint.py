@@ -13,7 +13,7 @@ import numpy as np
 
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.derivatives import Motion, smooth
-from deltacal_gen.motion.ladder import Ladder
+from deltacal_gen.motion.ladder import Ladder, LookedAt
 from deltacal_gen.motion.library import Rung, hats, of_joint, resolution, rungs
 from deltacal_gen.motion.regression import BETWEEN, Bench, folds_of, together
 from deltacal_gen.motion.trajectories import INSIDE, Trajectories
@@ -207,6 +207,10 @@ class Fit:
         Of chi2, likewise.
     alike : tuple of tuple of str
         Effects that would do as well in place of each.
+    passed_over : tuple of LookedAt
+        What the effects would do that were not taken.
+    first : LookedAt or None
+        The effect that explains most where nothing else is taken.
     """
 
     joint: Joint
@@ -220,6 +224,8 @@ class Fit:
     bought: tuple[float, ...] = ()
     gains: tuple[float, ...] = ()
     alike: tuple[tuple[str, ...], ...] = ()
+    passed_over: tuple[LookedAt, ...] = ()
+    first: LookedAt | None = None
 
     @property
     def sigma(self) -> float:
@@ -296,6 +302,8 @@ def climbed(joint: Joint) -> Fit:
         bought=tuple(ladder.buys(chosen, k, bench.folds) for k in chosen),
         gains=tuple(ladder.gain(chosen, k, bench.folds) for k in chosen),
         alike=tuple(_alike(ladder, chosen, k) for k in chosen),
+        passed_over=ladder.passed_over(chosen, bench.folds),
+        first=ladder.first(bench.folds),
     )
 
 

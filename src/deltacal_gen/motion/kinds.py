@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from deltacal_gen.errors import InputError
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion import trajectories
 from deltacal_gen.motion.trajectories import Sidecar, Trajectories
-from deltacal_gen.results.base import Answer
+from deltacal_gen.physics.terms import drive_effect_names, load_effect
 from deltacal_gen.results.motion import MotionDiagnosis, MotionModel, MotionResult, MotionValidation
-from deltacal_gen.results.reader import Given, read_answer
 from deltacal_gen.units import joint_factors, joint_names
-
-SCHEMAS = ("deltacal.motion/1", "deltacal.motion-diagnosis/1")
 
 
 class Torque:
@@ -63,7 +61,7 @@ class Torque:
 
         return predicted(known, self.read(robot_of(known.robot), need_measured=False))
 
-    def validate(self, known: MotionModel) -> MotionValidation:
+    def validate(self, known: MotionResult | MotionDiagnosis) -> MotionValidation:
         """Return how far off a model is on the recording."""
         from deltacal_gen.motion.prediction import validated
 
@@ -82,29 +80,30 @@ def in_motion(recording: object) -> Torque | None:
     return None if sidecar is None else KINDS[sidecar.measurement.kind](path, sidecar)
 
 
-def known_motion(result: Given) -> MotionModel | None:
-    """Return a result of a recording in motion, from its file, its JSON or as it is; None where it is another."""
-    if isinstance(result, MotionModel):
-        return result
-    if isinstance(result, Answer):
-        return None
-    schema = result.get("schema") if isinstance(result, Mapping) else _schema_of(Path(str(result)))
-    if schema not in SCHEMAS:
-        return None
-    found = read_answer(result, SCHEMAS)
-    assert isinstance(found, MotionModel)
-    return found
-
-
-def _schema_of(path: Path) -> str | None:
-    """Return what a file says to be; None where it cannot be read, which its reader then says."""
-    import json
-
+def flaws(known: MotionModel) -> Iterator[tuple[str, str]]:
+    """Yield key and flaw of all in a result that cannot be: its file may have been edited by hand."""
     try:
-        data: Any = json.loads(path.read_text(encoding="utf-8-sig"))
-    except (OSError, ValueError, RecursionError):
-        return None
-    return data.get("schema") if isinstance(data, dict) else None
+        machine = mechanism_of(robot_of(known.robot))
+    except InputError as error:
+        yield "robot", str(error).rstrip(".")
+        return
+    if len(known.columns) != machine.limbs:
+        yield "columns", f"a machine with {machine.limbs} joints has a reading of each"
+    for k, model in enumerate(known.joints):
+        if not 1 <= model.joint <= machine.limbs:
+            yield f"joints[{k}]", f"joints are counted from 1 to {machine.limbs}"
+        if len(model.columns) != len(model.coefficients):
+            yield f"joints[{k}]", "columns and coefficients are not equally many"
+        if any(not 0 <= c < len(known.inertial) for c in model.columns):
+            yield f"joints[{k}]", "it names inertial parameters that the machine does not have"
+        for term in model.terms:
+            if term.effect not in drive_effect_names():
+                yield f"joints[{k}]", f"there is no effect '{term.effect}' on what drives give"
+                continue
+            kernels = load_effect(term.effect)
+            wanted = len(kernels.COEFFICIENTS), len(kernels.CONSTANTS)
+            if (len(term.values), len(term.constants)) != wanted:
+                yield f"joints[{k}]", f"{term.effect} needs {wanted[0]} values and {wanted[1]} constants"
 
 
 def columns_of(done: Trajectories) -> dict[str, Any]:

@@ -4,15 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from deltacal_gen.motion.library import Rung
 from deltacal_gen.motion.regression import Bench
-
-if TYPE_CHECKING:
-    pass
 
 BUYS = 0.02  # of the held-out rms: what a rung must take away
 MOST = 8  # rungs
@@ -21,6 +17,30 @@ LOOKED_AT = 15  # of the candidates that leave least of the samples of a fit: th
 ROUNDS = 3  # of climbing and stepping back
 PER_COEFFICIENT = 6.0  # of chi2: what a coefficient must earn; and twice the logarithm of how many were looked at
 SEVERAL = "orders"  # a machine may have an effect that is searched so at several of them
+
+
+@dataclass(frozen=True)
+class LookedAt:
+    """What an effect would do on one joint, in the form that explains most.
+
+    Attributes
+    ----------
+    effect : str
+    gain : float
+        Of chi2, samples that hang together counted as one.
+    width : int
+        Its coefficients.
+    tried : int
+        Candidates among which it was looked for.
+    buys : float
+        Part of the held-out rms that it takes away beside the rungs chosen.
+    """
+
+    effect: str
+    gain: float
+    width: int
+    tried: int
+    buys: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -93,6 +113,35 @@ class Ladder:
     def charge(self, rung: int) -> float:
         """Return what a rung must earn in chi2."""
         return PER_COEFFICIENT * len(self.at[rung]) + 2 * float(np.log(len(self.rungs)))
+
+    def passed_over(self, chosen: Sequence[int], folds: Sequence[int]) -> tuple[LookedAt, ...]:
+        """Return what each effect that is not chosen would do beside the rungs chosen."""
+        now, found = self.bench.held_out(self.columns(chosen), folds), []
+        for k in self._best_of_each(chosen, folds):
+            buys = 1.0 - float(np.sqrt(self.bench.held_out(self.columns([*chosen, k]), folds) / now))
+            own = self.rungs[k].effect, self.gain([*chosen, k], k, folds), len(self.at[k]), len(self.rungs)
+            found.append(LookedAt(*own, buys))
+        return tuple(found)
+
+    def first(self, folds: Sequence[int]) -> LookedAt | None:
+        """Return the effect that explains most for its price, where nothing is chosen yet."""
+        each = [(k, self.gain([k], k, folds)) for k in self._best_of_each([], folds)]
+        if not each:
+            return None
+        k, gain = max(each, key=lambda pair: pair[1] - self.charge(pair[0]))
+        return LookedAt(self.rungs[k].effect, gain, len(self.at[k]), len(self.rungs))
+
+    def _best_of_each(self, chosen: Sequence[int], folds: Sequence[int]) -> list[int]:
+        """Return of every effect that is not chosen the rung that leaves least of a fit to some folds."""
+        taken = {self.rungs[k].effect for k in chosen}
+        rest = [k for k in range(len(self.rungs)) if self.rungs[k].effect not in taken]
+        if not rest:
+            return []
+        gains = self.bench.gains(self.columns(chosen), [self.at[k] for k in rest], folds)
+        best: dict[str, int] = {}
+        for n in np.argsort(-gains):
+            best.setdefault(self.rungs[rest[n]].effect, rest[n])
+        return list(best.values())
 
     def open(self, chosen: Sequence[int]) -> list[int]:
         """Return the rungs that may still be taken: an effect once, at one of its sizes."""

@@ -12,10 +12,19 @@ from deltacal_gen.motion.derivatives import motion, smooth
 from deltacal_gen.motion.library import Rung, of_joint
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.trajectories import INSIDE, Trajectories
-from deltacal_gen.results.motion import JointModel, MotionModel, MotionValidation
+from deltacal_gen.results.motion import (
+    JointModel,
+    MotionDiagnosis,
+    MotionModel,
+    MotionResult,
+    MotionValidation,
+    Worst,
+)
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
+
+WORST = 20  # readings that are listed
 
 
 def predicted(known: MotionModel, given: Trajectories) -> Trajectories:
@@ -54,13 +63,21 @@ def _of_joint(
     return np.asarray(total)
 
 
-def validated(known: MotionModel, given: Trajectories) -> MotionValidation:
+def validated(known: MotionResult | MotionDiagnosis, given: Trajectories) -> MotionValidation:
     """Return how far off a model is on samples that it has not seen."""
     done = predicted(known, given)
     left = given.readings - done.readings
     rms = tuple(_rms(left[:, j]) for j in range(left.shape[1]))
     units = set(done.units)
     together: dict[str, Any] = {f"rms_{done.units[0]}": _rms(left)} if len(units) == 1 else {}
+    noise = known.noise
+    sigma = np.array([s or np.nan for s in noise.sigma_by_joint])
+    count = int(np.isfinite(left / sigma).sum())
+    worst = np.argsort(-np.nan_to_num(np.abs(left / sigma)), axis=None)[: min(WORST, count)]
+    rows = [
+        Worst(line=int(given.line[n]), limb=j + 1, error=float(left[n, j]), unit=done.units[j])
+        for n, j in zip(*map(np.ndarray.tolist, np.unravel_index(worst, left.shape)), strict=True)
+    ]
     return MotionValidation(
         kind=known.kind,
         readings=int(np.isfinite(left).sum()),
@@ -70,6 +87,10 @@ def validated(known: MotionModel, given: Trajectories) -> MotionValidation:
             _rms(_filtered(left[:, j], given, known.motion.cutoff_Hz)) for j in range(len(rms))
         ),
         unit_by_joint=done.units,
+        noise=noise,
+        chi2_per_dof=float(np.nansum((left / sigma) ** 2)) / count if count else None,
+        degrees_of_freedom=count,
+        rows=tuple(rows),
         at_rest=int((np.isfinite(given.readings) & ~np.isfinite(done.readings)).sum()),
     )
 

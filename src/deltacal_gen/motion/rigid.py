@@ -10,6 +10,7 @@ import numpy as np
 
 from deltacal_gen.machine.dynamics import Dynamics, dynamics_of
 from deltacal_gen.machine.values import Robot
+from deltacal_gen.results.result import OpenCombination
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
@@ -111,16 +112,28 @@ class Rigid:
             found.append((self.names[k], text.removeprefix("+ ")))
         return found
 
-    def unseen(self, base: Base) -> list[str]:
-        """Return in words which parameters no torque knows for itself."""
-        never = [self.names[n] for n in np.flatnonzero(~base.made_up.any(axis=0))]
-        shared = [self.names[n] for n in range(len(self.names)) if n not in base.chosen and base.made_up[:, n].any()]
+    def unseen(self, base: Base) -> list[OpenCombination]:
+        """Return what no torque knows: parameters, and combinations of them that leave every torque as it is."""
         found = []
-        if never:
-            found.append(f"no torque depends on {', '.join(never)}")
-        if shared:
-            found.append(f"only in combination with those of the base: {', '.join(shared)}")
+        if never := [self.names[n] for n in np.flatnonzero(~base.made_up.any(axis=0))]:
+            text = f"no torque depends on {', '.join(never)}"
+            found.append(OpenCombination(seen="not at all", text=text, terms=dict.fromkeys(never, 1.0)))
+        for n in np.flatnonzero(base.made_up.any(axis=0)):
+            if n in base.chosen:
+                continue
+            others = [(k, -row[n]) for k, row in zip(base.chosen, base.made_up, strict=True) if abs(row[n]) > TERM]
+            terms = {self.names[n]: 1.0} | {self.names[k]: float(c) for k, c in others}
+            undone = " ".join(f"{'-' if c < 0 else '+'} {_factor(abs(c))}{self.names[k]}" for k, c in others)
+            text = f"{self.names[n]}: its torques are undone by {undone.removeprefix('+ ')}"
+            found.append(OpenCombination(seen="not at all", text=text, terms=terms))
         return found
+
+    def stated_base(self, base: Base) -> Array:
+        """Return base parameters (r,) of the bodies that the robot file states; of others it says nothing, which is 0.
+
+        A body of which no inertia is said is a point, as in a simulation.
+        """
+        return np.asarray(base.made_up @ np.nan_to_num(self.dynamics.stated(points=True)))
 
 
 def _factor(c: float) -> str:

@@ -16,6 +16,7 @@ from deltacal_gen.motion.joint import Fit, Joint, joints_of
 from deltacal_gen.motion.regression import GAP, LEAST_RUNS, STRETCH
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.trajectories import INSIDE, Trajectories
+from deltacal_gen.results.diagnosis import NextMeasurement
 from deltacal_gen.results.motion import Derivatives, JointModel, Left, MotionNoise, TorqueTerm
 from deltacal_gen.results.parts import Source
 from deltacal_gen.units import DEG
@@ -155,6 +156,7 @@ class Session:
             "joints": tuple(self._model(fit) for fit in fits),
             "columns": self.given.columns,
             "robot": kept_robot(self.robot),
+            "gross_errors": self.given.repaired,
         }
 
     def _model(self, fit: Fit) -> JointModel:
@@ -179,6 +181,16 @@ class Session:
             terms=tuple(terms),
             at_rest_below=fit.joint.threshold,
         )
+
+
+def still_to_move(session: Session, fits: Sequence[Fit]) -> tuple[NextMeasurement, ...]:
+    """Return that joints should be moved which stood still."""
+    moving = {fit.joint.number for fit in fits}
+    still = [str(joint.number) for joint in session.joints if joint.number not in moving]
+    if not still:
+        return ()
+    text = f"Move joint {', '.join(still)}, both ways and at several speeds, in runs of ten seconds at least."
+    return (NextMeasurement(why="joints stood still", text=text, poses=(), expected_chi2=None),)
 
 
 def sigma_said(given: Trajectories, unit: str) -> float | None:

@@ -81,6 +81,8 @@ class Trajectories:
     said : Sidecar
     repairs : tuple of str
         What was put right, with the line.
+    repaired : tuple of int
+        The lines, increasing.
     """
 
     path: Path | str
@@ -98,6 +100,7 @@ class Trajectories:
     channels: Mapping[str, Array]
     said: Sidecar
     repairs: tuple[str, ...] = ()
+    repaired: tuple[int, ...] = ()
 
     pairs: ClassVar[None] = None  # what only readings between rows have, for those who look at either
 
@@ -162,6 +165,7 @@ def trajectories(rows: Rows, machine: Machine, sidecar: Sidecar, *, need_measure
     run_names = tuple(dict.fromkeys(labels))
     run = np.array([run_names.index(label) for label in labels])
     kept, repairs = _increasing(rows, time, run, run_names)
+    repaired = set(rows.line[~kept].tolist())
     rows = _subset(rows, kept)
     time, run = time[kept], run[kept]
     unit, limbs = machine.joint_unit, machine.limbs
@@ -171,8 +175,14 @@ def trajectories(rows: Rows, machine: Machine, sidecar: Sidecar, *, need_measure
     columns, units = _read_columns(rows, machine, need_measured)
     readings = _numbers(rows, columns)
     piece = _pieces(time, run)
-    for name, values in (*zip(names, joints.T, strict=True), *zip(columns, readings.T, strict=True)):
-        repairs += _spikes_out(rows, name, values, piece, filled=name in names)
+    by = (*factors, *np.ones(limbs))
+    for name, values, unit_in in zip((*names, *columns), (*joints.T, *readings.T), by, strict=True):
+        spikes = _spikes_out(values, piece, filled=name in names)
+        repaired |= set(rows.line[list(spikes)].tolist())
+        repairs += [
+            f"{rows.path}:{rows.line[k]}: {name} reads {value / unit_in:g}, out of all proportion; it is left out"
+            for k, value in spikes.items()
+        ]
     recorded = np.array(
         [
             _numbers(rows, joint_names(unit, limbs, pattern)) * factors
@@ -196,6 +206,7 @@ def trajectories(rows: Rows, machine: Machine, sidecar: Sidecar, *, need_measure
         channels={name: _channel(rows, name) for name in rows.columns if name not in own and _is_channel(rows, name)},
         said=sidecar,
         repairs=tuple(repairs),
+        repaired=tuple(sorted(repaired)),
     )
     _check_derivatives(rows, found, machine)
     return found
@@ -303,21 +314,19 @@ def temperature(given: Trajectories) -> Array | None:
     return next((values for name, values in given.channels.items() if TEMPERATURE.fullmatch(name)), None)
 
 
-def _spikes_out(rows: Rows, name: str, values: Array, piece: np.ndarray, *, filled: bool) -> list[str]:
-    """Take values out of a column (N,) that no machine gives for a few samples; return what is said of it.
+def _spikes_out(values: Array, piece: np.ndarray, *, filled: bool) -> dict[int, float]:
+    """Take values out of a column (N,) that no machine gives for a few samples; return these by their row.
 
-    A joint is put where its neighbours lead, a reading is blank then.
+    A joint is put where its neighbours lead (`filled`), a reading is blank then.
     """
     known = np.flatnonzero(np.isfinite(values))
     if len(known) < 10 * LONGEST_SPIKE:
-        return []
+        return {}
     off = np.concatenate([_off(values[own]) for own in np.split(known, np.flatnonzero(np.diff(piece[known])) + 1)])
     ordinary = max(float(np.quantile(off, 0.99)), 1e-12 + 1e-3 * float(np.quantile(np.abs(values[known]), 0.99)))
     spikes = known[off > SPIKE * ordinary]
-    said = [
-        f"{rows.path}:{rows.line[k]}: {name} reads {values[k]:g}, out of all proportion; it is left out" for k in spikes
-    ]
-    if len(spikes):
+    said = {int(k): float(values[k]) for k in spikes}
+    if said:
         values[spikes] = np.nan
         if filled:
             for k in spikes:

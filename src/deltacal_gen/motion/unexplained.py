@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from scipy.stats import chi2
 
 from deltacal_gen.motion.joint import Fit
 from deltacal_gen.motion.ladder import PER_COEFFICIENT
@@ -19,6 +20,21 @@ WAVES = 8  # hats across the range of a channel
 SHOWS = 0.03  # of the held-out rms: what a smooth function of a channel must take away
 SMOOTH = 3.0  # times the part of the rest that changes from sample to sample: what is larger is no noise
 ABOVE = 1.15  # times a declared noise: more is no noise
+
+
+@dataclass(frozen=True)
+class Dependence:
+    """How the rest of a joint depends on a channel: held-out rms that it takes away, and what it earns in chi2."""
+
+    channel: str
+    share: float
+    gain: float
+    width: int
+
+    @property
+    def p_value(self) -> float:
+        """Probability that noise alone earns as much."""
+        return float(chi2.sf(self.gain, self.width))
 
 
 @dataclass(frozen=True)
@@ -92,16 +108,13 @@ def _rough(fit: Fit) -> float:
     return float(np.sqrt(np.mean(steps**2) / 2)) if len(steps) else float("inf")
 
 
-def rest(fit: Fit, sigma: float | None) -> Rest | None:
-    """Return what the rest of a joint depends on; None where nothing shows.
-
-    `sigma` is the noise where it is declared, in units inside.
-    """
-    best: tuple[float, str] = (0.0, "")
-    bench_before = Bench.of(np.ones((len(fit.left), 1)), fit.left, fit.joint.fold, 0)
-    folds = bench_before.folds
-    before = bench_before.held_out([0], folds)
-    count = float(sum(bench_before.n[list(folds)])) / fit.together
+def dependences(fit: Fit) -> list[Dependence]:
+    """Return the channels that the rest of a joint depends on, beyond chance, by what they take away."""
+    found = []
+    before_bench = Bench.of(np.ones((len(fit.left), 1)), fit.left, fit.joint.fold, 0)
+    folds = before_bench.folds
+    before = before_bench.held_out([0], folds)
+    count = float(sum(before_bench.n[list(folds)])) / fit.together
     for name, (values, weight) in channels(fit).items():
         X = hats(values, WAVES) * weight[:, None]
         bench = Bench.of(X, fit.left, fit.joint.fold, X.shape[1])
@@ -109,10 +122,19 @@ def rest(fit: Fit, sigma: float | None) -> Rest | None:
         bench = bench.with_ridge(every)
         gain = count * float(np.log(before * sum(bench.n[list(folds)]) / bench.train(every, folds)))
         share = 1.0 - float(np.sqrt(bench.held_out(every, folds) / before))
-        if share > max(SHOWS, best[0]) and gain > PER_COEFFICIENT * X.shape[1]:
-            best = share, name
-    share, name = best
-    if name:
+        if share > 0 and gain > PER_COEFFICIENT * X.shape[1]:
+            found.append(Dependence(name, share, gain, X.shape[1]))
+    return sorted(found, key=lambda d: -d.share)
+
+
+def rest(fit: Fit, sigma: float | None) -> Rest | None:
+    """Return what the rest of a joint depends on; None where nothing shows.
+
+    `sigma` is the noise where it is declared, in units inside.
+    """
+    known = dependences(fit)
+    if known and (share := known[0].share) > SHOWS:
+        name = known[0].channel
         text = f"what is left of joint {fit.joint.number} depends on {WORDS[name]}: {100 * share:.0f} % of its rms"
         return Rest(fit.joint.number, name, share, text)
     if (over := _held_out(fit) / max(_rough(fit), 1e-300)) > SMOOTH:

@@ -1,14 +1,18 @@
-"""RESULT.json and DIAGNOSIS.json of recordings in motion: kind torque (contract, second part, section 8)."""
+"""RESULT.json and DIAGNOSIS.json of recordings in motion: kind torque (contract, second part, section 8).
+
+Their keys are those of answers of machines at rest wherever these have a meaning in motion, and so is `schema`; `kind`
+tells them apart.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from typing import Literal
 
-from deltacal_gen.results.base import Answer, Value
-from deltacal_gen.results.diagnosis import Effect, Rejected, Verdict
+from deltacal_gen.results.base import Answer, Numbers, Value
+from deltacal_gen.results.diagnosis import Effect, Hint, Law, Location, NextMeasurement, Rejected, Searched, Verdict
 from deltacal_gen.results.parts import Made, Missing, RobotTables, Source
-from deltacal_gen.results.result import BaseParameter
+from deltacal_gen.results.result import OpenCombination, Parameter, Read, Regularisation
 
 ByJoint = tuple[float | None, ...]  # null of a joint that does not move in the recording
 
@@ -124,7 +128,7 @@ class Unexplained(Value):
 class MotionModel(Answer):
     """What results and diagnoses of recordings in motion have in common."""
 
-    kind: str
+    kind: Literal["torque"]
     motion: Derivatives
     inertial: tuple[str, ...]
     """Names of all inertial parameters, body by body."""
@@ -133,19 +137,21 @@ class MotionModel(Answer):
     columns: tuple[str, ...]
     """Of the readings, joint by joint."""
     robot: RobotTables
+    gross_errors: tuple[int, ...]
+    """Lines of the recording in which something was put right or left out: `motion.repairs` says what."""
     made: Made | None = None
 
 
-class InertialParameter(BaseParameter):
-    """A base parameter, named after the first parameter of its combination."""
+class InertialParameter(Parameter):
+    """A base parameter, named after the first parameter of its combination; actual minus robot file."""
 
+    combination: str
     limb: int | None = None
     """Whose reading knows it, where what the drives give per torque is unknown."""
-    status: str
 
 
 class Consistent(Value):
-    """Values of an inertial parameter of bodies that could be built: positive masses, positive definite inertias."""
+    """An inertial parameter of bodies that could be built: positive masses, positive definite inertias; as it is."""
 
     name: str
     value: float
@@ -155,12 +161,19 @@ class Consistent(Value):
 class MotionResult(MotionModel):
     """The rigid machine in motion: contract, second part, section 8."""
 
-    schema: Literal["deltacal.motion/1"] = "deltacal.motion/1"
+    schema: Literal["deltacal.result/1"] = "deltacal.result/1"
     model: str
     parameters: tuple[InertialParameter, ...]
     rank: int
-    unidentifiable: tuple[str, ...]
-    """In words."""
+    rank_tolerance: float
+    singular_values: Numbers
+    """Of the columns of the base parameters, each of size 1, over all readings by their noise."""
+    condition: float | None
+    scaling: str
+    unidentifiable: tuple[OpenCombination, ...]
+    next_measurements: tuple[NextMeasurement, ...]
+    regularisation: Regularisation
+    readings: Read
     consistent: tuple[Consistent, ...] | None = None
     noise: MotionNoise
     final: Left
@@ -172,6 +185,12 @@ class MotionResult(MotionModel):
     heldout_rms_N: float | None = None
     heldout_rms_A: float | None = None
     heldout_rms_1: float | None = None
+    sigma_Nm: float | None = None
+    sigma_N: float | None = None
+    sigma_A: float | None = None
+    sigma_1: float | None = None
+    sigma_source: Source
+    chi2_per_dof: float | None
 
     @property
     def headline(self) -> str:
@@ -190,30 +209,36 @@ class TorqueEffect(Effect):
     """Part of the held-out rms that it takes away, joint by joint of `limbs`."""
 
 
-class MotionLocation(Value):
-    """Where model and recording differ."""
+class TorqueRejected(Rejected):
+    """An effect that was looked at and not named, with what would be left of held-out samples with it."""
 
-    channels: tuple[str, ...]
-    limbs: tuple[int, ...]
-    region: None
-    text: str
+    heldout_rms_Nm: float | None = None
+    heldout_rms_N: float | None = None
+    heldout_rms_A: float | None = None
+    heldout_rms_1: float | None = None
+    heldout_rms_by_joint: ByJoint
 
 
 class MotionDiagnosis(MotionModel):
     """Which friction and relatives of it a machine in motion has: contract, second part, section 8."""
 
-    schema: Literal["deltacal.motion-diagnosis/1"] = "deltacal.motion-diagnosis/1"
+    schema: Literal["deltacal.diagnosis/1"] = "deltacal.diagnosis/1"
     verdict: Verdict
     summary: str
     noise: MotionNoise
     baseline: Left
-    location: MotionLocation
+    location: Location
+    """Its channels carry the number of their joint: `speed2`, `angle3`."""
     effects: tuple[TorqueEffect, ...]
+    search: Searched
     final: Left
     ladder: tuple[LadderOf, ...]
     unexplained: tuple[Unexplained, ...]
-    rejected: tuple[Rejected, ...]
+    rejected: tuple[TorqueRejected, ...]
+    hints: tuple[Hint, ...] = ()
     not_tested: tuple[Missing, ...]
+    next_measurements: tuple[NextMeasurement, ...]
+    laws: tuple[Law, ...] = ()
 
     @property
     def headline(self) -> str:
@@ -225,11 +250,20 @@ class MotionDiagnosis(MotionModel):
         return tuple(rung for ladder in self.ladder for rung in ladder.rungs)
 
 
+class Worst(Value):
+    """A reading and what it is off, in the unit of its joint."""
+
+    line: int
+    limb: int
+    error: float
+    unit: str
+
+
 class MotionValidation(Answer):
     """The error of a model on samples in motion that it has not seen."""
 
-    schema: Literal["deltacal.motion-validation/1"] = "deltacal.motion-validation/1"
-    kind: str
+    schema: Literal["deltacal.validation/1"] = "deltacal.validation/1"
+    kind: Literal["torque"]
     readings: int
     rms_Nm: float | None = None
     rms_N: float | None = None
@@ -238,8 +272,14 @@ class MotionValidation(Answer):
     rms_by_joint: ByJoint
     rms_by_joint_filtered: ByJoint
     unit_by_joint: tuple[str, ...]
+    noise: MotionNoise
+    """As the result knows it."""
+    chi2_per_dof: float | None
+    degrees_of_freedom: int
     at_rest: int
     """Readings at rest, which took no part."""
+    rows: tuple[Worst, ...]
+    """The worst first."""
     made: Made | None = None
 
     @property

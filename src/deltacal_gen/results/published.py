@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any, get_args
 
 from deltacal_gen.results.base import Value, key_of
-from deltacal_gen.results.reader import ANSWERS, checker, type_of
+from deltacal_gen.results.reader import ANSWERS, checker, types_of
 
 FOLDER = Path(__file__).parent / "schemas"
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
@@ -33,14 +33,18 @@ def published() -> dict[str, str]:
 
 def schema_of(schema: str) -> dict[str, Any]:
     """Return the JSON schema of the answers with a `schema`, described as their types are."""
-    made = checker(schema).json_schema()
-    parts = made.pop("$defs", {})
-    top = type_of(schema)
-    if "$ref" in made:
-        made = parts.pop(top.__name__)
-    kinds = _kinds(top)
-    defs = {name: _described(part, kinds[name]) for name, part in sorted(parts.items())}
-    return {"$schema": DRAFT, "$id": schema, **_described(made, top), **({"$defs": defs} if defs else {})}
+    tops: list[dict[str, Any]] = []
+    every: dict[str, Any] = {}
+    for top in types_of(schema):
+        made = checker(top).json_schema()
+        parts = made.pop("$defs", {})
+        if "$ref" in made:
+            made = parts.pop(top.__name__)
+        kinds = _kinds(top)
+        every |= {name: _described(part, kinds[name]) for name, part in parts.items()}
+        tops.append(_described(made, top))
+    whole = tops[0] if len(tops) == 1 else {"anyOf": tops}
+    return {"$schema": DRAFT, "$id": schema, **whole, **({"$defs": dict(sorted(every.items()))} if every else {})}
 
 
 def _kinds(top: Any) -> dict[str, type]:

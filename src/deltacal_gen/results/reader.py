@@ -15,6 +15,7 @@ from deltacal_gen.results.base import Answer, key_of, plain
 
 if TYPE_CHECKING:
     from deltacal_gen.results.diagnosis import Diagnosis
+    from deltacal_gen.results.motion import MotionDiagnosis, MotionResult
     from deltacal_gen.results.result import Result
 
 ANSWERS = {  # what `schema` says, and the type of it: module and class
@@ -26,9 +27,6 @@ ANSWERS = {  # what `schema` says, and the type of it: module and class
     "deltacal.import/1": ("written", "Imported"),
     "deltacal.joints/1": ("written", "Joints"),
     "deltacal.manual/1": ("written", "Manual"),
-    "deltacal.motion/1": ("motion", "MotionResult"),
-    "deltacal.motion-diagnosis/1": ("motion", "MotionDiagnosis"),
-    "deltacal.motion-validation/1": ("motion", "MotionValidation"),
     "deltacal.matrix/1": ("written", "Matrix"),
     "deltacal.next/1": ("written", "Experiment"),
     "deltacal.plan/1": ("plan", "Plan"),
@@ -39,33 +37,43 @@ ANSWERS = {  # what `schema` says, and the type of it: module and class
     "deltacal.study/1": ("study", "Study"),
     "deltacal.validation/1": ("validation", "Validation"),
 }
+IN_MOTION = {  # the same of recordings in motion
+    "deltacal.diagnosis/1": "MotionDiagnosis",
+    "deltacal.result/1": "MotionResult",
+    "deltacal.validation/1": "MotionValidation",
+}
+KINDS_IN_MOTION = ("torque",)
 Given = str | Path | Mapping[str, Any]  # an answer: its file, its JSON, or itself
 FITTED = ("deltacal.result/1", "deltacal.diagnosis/1")
 COMMANDS = {  # that write the files which other commands read
     "deltacal.result/1": "identify",
     "deltacal.diagnosis/1": "diagnose",
-    "deltacal.motion/1": "identify",
-    "deltacal.motion-diagnosis/1": "diagnose",
 }
+BECAME = {"deltacal.motion": "deltacal.result", "deltacal.motion-diagnosis": "deltacal.diagnosis"}  # as once called
 MOST_SHOWN = 60  # letters of a value that cannot be used
 
 
-def type_of(schema: str) -> type[Answer]:
+def type_of(schema: str, *, in_motion: bool = False) -> type[Answer]:
     """Return the type of the answers with a `schema`."""
-    module, name = ANSWERS[schema]
+    module, name = ("motion", IN_MOTION[schema]) if in_motion else ANSWERS[schema]
     found: type[Answer] = getattr(importlib.import_module(f"deltacal_gen.results.{module}"), name)
     return found
 
 
+def types_of(schema: str) -> tuple[type[Answer], ...]:
+    """Return all types of answers with a `schema`: of machines at rest, then in motion."""
+    return (type_of(schema), *([type_of(schema, in_motion=True)] if schema in IN_MOTION else []))
+
+
 @functools.cache
-def checker(schema: str) -> Any:
-    """Return what reads and checks answers with a `schema`: pydantic's adapter of their type."""
+def checker(kind: type[Answer]) -> Any:
+    """Return what reads and checks answers of a type: pydantic's adapter of it."""
     from pydantic import TypeAdapter
 
-    return TypeAdapter(type_of(schema))
+    return TypeAdapter(kind)
 
 
-def read_result(source: Given) -> Result | Diagnosis:
+def read_result(source: Given) -> Result | Diagnosis | MotionResult | MotionDiagnosis:
     """Return what `identify` or `diagnose` found, from its file, its JSON or as it is.
 
     Parameters
@@ -78,12 +86,12 @@ def read_result(source: Given) -> Result | Diagnosis:
     InputError
         It cannot be read, is something else, or is damaged: the message names file, line, key and what was expected.
     """
-    return cast("Result | Diagnosis", read_answer(source, FITTED))
+    return cast("Result | Diagnosis | MotionResult | MotionDiagnosis", read_answer(source, FITTED))
 
 
-def read_diagnosis(source: Given) -> Diagnosis:
+def read_diagnosis(source: Given) -> Diagnosis | MotionDiagnosis:
     """Return what `diagnose` found; see `read_result`."""
-    return cast("Diagnosis", read_answer(source, ("deltacal.diagnosis/1",)))
+    return cast("Diagnosis | MotionDiagnosis", read_answer(source, ("deltacal.diagnosis/1",)))
 
 
 def read_answer(source: Given, schemas: tuple[str, ...] = (*ANSWERS,), kind: str = "") -> Answer:
@@ -114,7 +122,8 @@ def read_answer(source: Given, schemas: tuple[str, ...] = (*ANSWERS,), kind: str
     schema = data.get("schema") if isinstance(data, dict) else None
     if schema not in schemas:
         raise refused.error(schema, schemas)
-    return _checked(str(schema), text, refused)
+    moves = schema in IN_MOTION and data.get("kind") in KINDS_IN_MOTION
+    return _checked(type_of(str(schema), in_motion=moves), text, refused)
 
 
 def _text(file: Path) -> str:
@@ -128,11 +137,11 @@ def _text(file: Path) -> str:
         raise InputError(f"cannot be read: {error.strerror}.", "Look at the file.", file=file) from None
 
 
-def _checked(schema: str, text: str, refused: _Refused) -> Answer:
+def _checked(kind: type[Answer], text: str, refused: _Refused) -> Answer:
     from pydantic import ValidationError
 
     try:
-        found: Answer = checker(schema).validate_json(text)
+        found: Answer = checker(kind).validate_json(text)
     except ValidationError as error:
         raise refused.flaw(error.errors(include_url=False)[0]) from None
     return found
@@ -147,7 +156,8 @@ class _Refused:
 
     def error(self, schema: object = None, known: tuple[str, ...] = ()) -> InputError:
         """Return the error of a file that says to be something else."""
-        family = str(schema).partition("/")[0]
+        said = str(schema).partition("/")[0]
+        family = BECAME.get(said, said)
         mine = next((s for s in known if s.partition("/")[0] == family), None)
         if mine is None:
             return InputError(f"this is no {self.kind}.", self.remedy, file=self.file)

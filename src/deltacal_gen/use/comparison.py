@@ -19,6 +19,7 @@ from deltacal_gen.instrument.instrument import align
 from deltacal_gen.machine.differences import between
 from deltacal_gen.machine.registry import SOLVED, mechanism_of
 from deltacal_gen.results.comparison import Change, Comparison, Moved
+from deltacal_gen.results.motion import MotionDiagnosis, MotionResult, TorqueEffect
 from deltacal_gen.results.parts import RobotTables
 from deltacal_gen.results.result import Parameter, Result, Status
 from deltacal_gen.units import file_unit, to_internal
@@ -103,6 +104,62 @@ def compare(before: Calibration, after: Calibration) -> Comparison:
         combinations_changed=tuple(new) if combined else None,
         combinations_unchanged=tuple(old) if combined else None,
     )
+
+
+def compare_in_motion(before: MotionResult | MotionDiagnosis, after: MotionResult | MotionDiagnosis) -> Comparison:
+    """Return what changed between two recordings in motion of one machine: base parameters, or friction joint by joint.
+
+    What one of two diagnoses names and the other does not is unknown: there it was too small to be seen, not nothing.
+
+    Raises
+    ------
+    InputError
+        Results of different machines, or a result and a diagnosis.
+    """
+    if type(before) is not type(after) or before.inertial != after.inertial or before.columns != after.columns:
+        raise InputError(
+            "the answers are not of one kind: of the same machine and reading, both of identify or both of diagnose.",
+            "Give two sessions of one machine.",
+        )
+    from scipy.special import ndtri
+
+    told = [_in_motion(r) for r in (before, after)]
+    entries = []
+    for name in dict.fromkeys((*told[0], *told[1])):
+        unit = next(t[name][2] for t in told if name in t)
+        (a, s_a, _), (b, s_b, _) = (t.get(name, (0.0, None, unit)) for t in told)
+        std = None if s_a is None or s_b is None else float(np.hypot(s_a, s_b))
+        entries.append(Change(name=name, before=a, after=b, change=b - a, std=std, unit=unit))
+    unknown = [e for e in entries if e.std is None]
+    limit = float(-ndtri(CHANCE / 2 / max(len(entries) - len(unknown), 1)))
+    changed, unchanged = _told_apart(entries, limit)
+    return Comparison(
+        summary=_summary(None, changed, unchanged, len(unknown), limit),
+        moved=None,
+        limit_std=limit,
+        changed=tuple(changed),
+        unchanged=tuple(unchanged),
+        unknown=tuple(unknown),
+    )
+
+
+def _in_motion(found: MotionResult | MotionDiagnosis) -> dict[str, tuple[float, float | None, str]]:
+    """Return value, deviation and unit of all numbers of an answer, by names that tell what and of which joint."""
+    if isinstance(found, MotionResult):
+        of_joint = ((p.name if p.limb is None else f"{p.name} of joint {p.limb}", p) for p in found.parameters)
+        return {name: (p.value, p.std, p.unit) for name, p in of_joint}
+    return {
+        f"{e.name}{_order(e)} {p.name}_{p.limb}": (p.value, p.std, p.unit)
+        for e in found.effects
+        for p in e.parameters
+        if not isinstance(p.value, str)
+    }
+
+
+def _order(effect: TorqueEffect) -> str:
+    """Return what tells two effects of one name apart."""
+    orders = dict.fromkeys(p.value for p in effect.parameters if p.name == "order")
+    return "".join(f" {order:g}" for order in orders if not isinstance(order, str))
 
 
 def _told_apart(entries: Sequence[Change], limit: float) -> tuple[list[Change], list[Change]]:

@@ -16,10 +16,12 @@ from deltacal_gen.files.robot import robot_of
 from deltacal_gen.instrument.kinds import instrument_of
 from deltacal_gen.machine.registry import Machine, mechanism_of
 from deltacal_gen.machine.rotation import from_vector
+from deltacal_gen.motion.kinds import flaws as motion_flaws
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.terms import effect_names, load_effect
 from deltacal_gen.results.base import Answer
 from deltacal_gen.results.diagnosis import Diagnosis
+from deltacal_gen.results.motion import MotionDiagnosis, MotionModel, MotionResult
 from deltacal_gen.results.parts import InstrumentState, MachineState, TermState
 from deltacal_gen.results.reader import Given, read_diagnosis, read_result
 from deltacal_gen.results.result import Parameter, Result
@@ -30,6 +32,21 @@ ORTHONORMAL = 1e-6  # by which the rows of a rotation may fail to be
 
 
 def known_result(source: Given) -> Result | Diagnosis:
+    """Return what `identify` or `diagnose` found of a machine at rest; see `known_model`."""
+    return _at_rest(known_model(source), source)
+
+
+def known_diagnosis(source: Given) -> Diagnosis:
+    """Return what `diagnose` found of a machine at rest; see `known_model`."""
+    found = read_diagnosis(source)
+    if not isinstance(source, Answer):
+        _check(found, source)
+    still = _at_rest(found, source)
+    assert isinstance(still, Diagnosis)
+    return still
+
+
+def known_model(source: Given) -> Result | Diagnosis | MotionResult | MotionDiagnosis:
     """Return what `identify` or `diagnose` found, its parts held against one another; see `read_result`."""
     found = read_result(source)
     if not isinstance(source, Answer):
@@ -37,17 +54,19 @@ def known_result(source: Given) -> Result | Diagnosis:
     return found
 
 
-def known_diagnosis(source: Given) -> Diagnosis:
-    """Return what `diagnose` found, its parts held against one another; see `read_result`."""
-    found = read_diagnosis(source)
-    if not isinstance(source, Answer):
-        _check(found, source)
+def _at_rest(found: Result | Diagnosis | MotionResult | MotionDiagnosis, source: Given) -> Result | Diagnosis:
+    if isinstance(found, MotionModel):
+        raise InputError(
+            "this is of a recording in motion, kind torque: it tells torques, and no geometry.",
+            "predict, validate and compare take it; for this, give what was made of a recording of positions.",
+            file=None if isinstance(source, Mapping) else Path(source),
+        )
     return found
 
 
-def _check(found: Result | Diagnosis, source: Given) -> None:
+def _check(found: Result | Diagnosis | MotionResult | MotionDiagnosis, source: Given) -> None:
     file = None if isinstance(source, Mapping) else Path(source)
-    for key, problem in _flaws(found):
+    for key, problem in motion_flaws(found) if isinstance(found, MotionModel) else _flaws(found):
         raise InputError(
             f"{problem}.",
             _REMEDY,

@@ -28,13 +28,14 @@ from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.rotation import from_vector
 from deltacal_gen.machine.values import Recording
-from deltacal_gen.motion.kinds import columns_of, known_motion
+from deltacal_gen.motion.kinds import columns_of
 from deltacal_gen.physics.ranges import in_words
 from deltacal_gen.results.diagnosis import Diagnosis
+from deltacal_gen.results.motion import MotionModel
 from deltacal_gen.results.reader import Given
 from deltacal_gen.results.result import Result
 from deltacal_gen.units import DEG, joint_factors, joint_names
-from deltacal_gen.use.known import known_result
+from deltacal_gen.use.known import known_model, known_result
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
@@ -254,13 +255,13 @@ def predict(
     from deltacal_gen.use import prediction
 
     check_output(output, result, recording, place)
-    if (model := known_motion(result)) is not None:
+    known = known_model(result)
+    if isinstance(known, MotionModel):
         refuse_in_motion(place=place, bands=bands)
-        found = _moving(recording).predict(model)
+        found = _moving(recording).predict(known)
         if output is not None:
             write_files({Path(output): csv_text(columns_of(found))})
         return found
-    known = known_result(result)
     robot = prediction.calibrated_robot(known)
     given = as_recording(recording, robot, need_measured=False)
     placed = None if place is None else prediction.place_of(as_recording(place, robot), given)
@@ -314,9 +315,9 @@ def validate(result: Given, recording: Source | Recording) -> Validation:
     """
     from deltacal_gen.use import validation
 
-    if (model := known_motion(result)) is not None:
-        return cast("Validation", _moving(recording).validate(model).replace(made=made(result, recording)))
-    known = known_result(result)
+    known = known_model(result)
+    if isinstance(known, MotionModel):
+        return cast("Validation", _moving(recording).validate(known).replace(made=made(result, recording)))
     robot = validation.calibrated_robot(known)
     given = as_recording(recording, robot)
     return validation.validate(known, given).replace(made=made(result, recording, measured=given))
@@ -348,7 +349,12 @@ def compare(before: Given, after: Given, output: Source | None = None) -> Compar
     from deltacal_gen.use import comparison
 
     check_output(output, before, after)
-    found = comparison.compare(_calibration(before), _calibration(after)).replace(made=made(before, after))
+    first, second = known_model(before), known_model(after)
+    if isinstance(first, MotionModel) and isinstance(second, MotionModel):
+        found = comparison.compare_in_motion(first, second)
+    else:
+        found = comparison.compare(_calibration(before), _calibration(after))
+    found = found.replace(made=made(before, after))
     if output is not None:
         write_json(found, output)
     return found
