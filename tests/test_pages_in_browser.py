@@ -12,6 +12,7 @@ import pytest
 
 import deltacal_gen as dc
 from deltacal_gen.pages import manual, report
+from deltacal_gen.pages.certificate import certificate
 from derive.review import reports
 from derive.review.subjects import subject
 
@@ -64,6 +65,8 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     example = ROOT / "src/deltacal_gen/examples/diamond"
     found = dc.identify(example / "robot.toml", example / "recording.csv", "diamond/10")
     texts = {"calibration": report.calibration(found)}
+    again = dc.read_recording(example / "recording.csv", dc.load_mechanism("diamond"))
+    texts["certificate"] = certificate(dc.certificate(found, again))
     diagnosis = dc.diagnose(example / "robot.toml", example / "recording.csv")
     texts["diagnosis"] = report.diagnosis(diagnosis)
     chosen = [subject(name) for name in ("planar_parallelogram/9", "thermal_growth")]
@@ -77,7 +80,7 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     return {name: folder / f"{name}.html" for name in texts}
 
 
-@pytest.mark.parametrize("kind", ["calibration", "diagnosis", "derivation", "effect", "contents"])
+@pytest.mark.parametrize("kind", ["calibration", "certificate", "diagnosis", "derivation", "effect", "contents"])
 def test_pages_are_readable(kind: str, browser: Any, pages: dict[str, Path]) -> None:
     for width in WIDTHS:
         metrics = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": False}
@@ -98,7 +101,7 @@ def test_pages_are_readable(kind: str, browser: Any, pages: dict[str, Path]) -> 
             assert browser.execute_script("return document.querySelectorAll('math').length") > 5
 
 
-@pytest.mark.parametrize("kind", ["calibration", "diagnosis", "derivation", "effect", "contents"])
+@pytest.mark.parametrize("kind", ["calibration", "certificate", "diagnosis", "derivation", "effect", "contents"])
 def test_pages_fit_on_paper(kind: str, browser: Any, pages: dict[str, Path]) -> None:
     browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
     metrics = {"width": PAPER, "height": 900, "deviceScaleFactor": 1, "mobile": False}

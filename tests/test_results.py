@@ -57,6 +57,11 @@ BARE = {  # numbers without a unit: counts, parts of a whole, figures of statist
     *(
         "value",
         "std",
+        "share",
+        "probability",
+        "within",
+        "low",
+        "high",
         "bias",
         "drawn_std",
         "predicted_std",
@@ -100,6 +105,7 @@ def answers(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Mapping[str, 
         "held": dc.identify(GEARBOX / "robot.toml", GEARBOX / "recording.csv", physics=diagnosis),
         "diagnosis": diagnosis,
         "validation": dc.validate(diagnosis, GEARBOX / "recording.csv"),
+        "certificate": dc.certificate(result, dc.read_recording(DELTA / "recording.csv", dc.load_mechanism("delta"))),
         "comparison": dc.compare(result, result),
         "plan": dc.plan(DELTA / "robot.toml", "delta/18", sigma_mm=0.01),
         "study": dc.study(DELTA / "robot.toml", DELTA / "poses.csv", trials=20, noise=0.01, workers=1),
@@ -107,7 +113,18 @@ def answers(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Mapping[str, 
     }
 
 
-KINDS = ("result", "in blocks", "held", "diagnosis", "validation", "comparison", "plan", "study", "batch")
+KINDS = (
+    "result",
+    "in blocks",
+    "held",
+    "diagnosis",
+    "validation",
+    "certificate",
+    "comparison",
+    "plan",
+    "study",
+    "batch",
+)
 
 
 def test_the_published_schemas_are_those_of_the_types() -> None:
@@ -122,7 +139,7 @@ def test_what_commands_answer_is_as_the_published_schema_says(answers: dict[str,
     data = json.loads(json.dumps(answers[kind] | {}, allow_nan=False))
     as_published = Draft202012Validator(json.loads((published.FOLDER / published.file_of(data["schema"])).read_text()))
     as_published.validate(data)
-    key = next(k for k, v in data.items() if isinstance(v, list) and v)
+    key = next(k for kind_of in (list, dict) for k, v in data.items() if isinstance(v, kind_of) and v)
     for broken in ({k: v for k, v in data.items() if k != key}, data | {key: "words"}, data | {"schema": "other/1"}):
         assert not as_published.is_valid(broken)
 

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:  # what mypy and editors see; at run time names are looked up on first use
     from deltacal_gen.app.commands import (
         batch as batch,
+        certificate as certificate,
         claims as claims,
         compare as compare,
         compensate as compensate,
@@ -72,6 +73,7 @@ if TYPE_CHECKING:  # what mypy and editors see; at run time names are looked up 
     from deltacal_gen.machine.registry import Machine as Machine, load_mechanism as load_mechanism
     from deltacal_gen.machine.values import Recording as Recording, Robot as Robot
     from deltacal_gen.results.batch import Batch as Batch
+    from deltacal_gen.results.certificate import Certificate as Certificate
     from deltacal_gen.results.comparison import Comparison as Comparison
     from deltacal_gen.results.diagnosis import Diagnosis as Diagnosis, Verdict as Verdict
     from deltacal_gen.results.plan import Plan as Plan
@@ -89,6 +91,7 @@ _HOME = {
     "estimation.arrays": ("PoseSet", "estimate", "nominal"),
     "app.commands": (
         "batch",
+        "certificate",
         "claims",
         "compare",
         "compensate",
@@ -131,6 +134,7 @@ _HOME = {
     "files.recording": ("read_recording",),
     "files.writing": ("write_recording",),
     "results.batch": ("Batch",),
+    "results.certificate": ("Certificate",),
     "results.comparison": ("Comparison",),
     "results.diagnosis": ("Diagnosis", "Verdict"),
     "results.plan": ("Plan",),

@@ -46,7 +46,7 @@ _PAPER = {"var(--card)": "#ffffff", "var(--paper)": "#ffffff", "var(--good)": "#
 MOST_DRAWN = 60  # recordings of a batch, each with its line; of more, their distribution
 MOST_ROWS = 500  # of a table on a page: 10^5 would be 20 MB, which no browser likes
 _NUMERIC = {"value ± standard deviation", "gain in chi²", "value", "takes away", "recordings", "said so"}
-_NUMERIC |= {"drawn with", "simulated", "predicted", "bias"}  # and all lengths
+_NUMERIC |= {"drawn with", "simulated", "predicted", "bias", "degrees of freedom", "share of variance"}  # and lengths
 _VERDICTS = {
     Verdict.ADEQUATE: "nothing is missing",
     Verdict.MISSING_PHYSICS: "missing physics found",

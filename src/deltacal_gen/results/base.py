@@ -48,7 +48,7 @@ def plain(value: Any) -> Any:
     return value.value if isinstance(value, Enum) else value
 
 
-FIGURE = re.compile(r"(\w*rms|sigma|worst|error|open)_mm")  # keys of what readings are off
+FIGURE = re.compile(r"(\w*rms|sigma|worst|error|open|mean|expanded|machine)_mm")  # keys of what readings are off
 
 
 def in_unit(found: Any, unit: str, length: float) -> Any:

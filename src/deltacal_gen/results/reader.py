@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 ANSWERS = {  # what `schema` says, and the type of it: module and class
     "deltacal.batch/1": ("batch", "Batch"),
+    "deltacal.certificate/1": ("certificate", "Certificate"),
     "deltacal.comparison/1": ("comparison", "Comparison"),
     "deltacal.demo/2": ("demo", "Demo"),
     "deltacal.derivation/1": ("written", "Derivation"),

@@ -101,12 +101,12 @@ def predicted_bands(
     J_p, J_m = _in_columns(at)
     if recording.measurement.zero == "incremental" and not found.kind.positions:
         J_p, J_m = J_p - J_p[:1], J_m - J_m[:1]  # what all readings share falls out of what counts from the first
-    spread = _spread(result, known, at, J_p, J_m, place)
+    spread = _moved(result, known, at, J_p, J_m, place).spread
     beyond = _beyond(result, known, done, found)
     width = spread.shape[1]
     scatter = np.resize(known.scatter, width) if len(known.scatter) < width else known.scatter[:width]
     scale = np.where(np.isin(np.arange(width), found.kind.turned), 1.0, 1.0 / at.instrument.scale)
-    half = _quantile(known.degrees) * np.sqrt(spread**2 + (scatter * scale) ** 2 + (beyond[:, None] * scale) ** 2)
+    half = quantile(known.degrees) * np.sqrt(spread**2 + (scatter * scale) ** 2 + (beyond[:, None] * scale) ** 2)
     values, turns = half[:, : found.kind.width], half[:, found.kind.width :]
     held = found.kind.with_values(recording, found, values, from_vector(turns) if turns.shape[1] else None)
     if recording.pairs is not None:
@@ -161,13 +161,53 @@ def commanded_bands(
     done = dataclasses.replace(commands, channels={} if share is None else {CORRECTED: share})
     beyond = _beyond(result, known, done, at.problem.readings)
     scatter = known.scatter[:1] if frame == "unknown" else np.zeros(1)
-    spread = _spread(result, known, at, J_p, J_m, None)
-    half = _quantile(known.degrees) * np.sqrt(spread**2 + scatter**2 + beyond[:, None] ** 2)
+    spread = _moved(result, known, at, J_p, J_m, None).spread
+    half = quantile(known.degrees) * np.sqrt(spread**2 + scatter**2 + beyond[:, None] ** 2)
     out: dict[str, Array] = {}
     for axis in mechanism_of(calibrated_robot(result)).axes:
         j = "xyz".index(axis)
         out |= zip(named(f"{axis}_mm"), (reached[:, j] - half[:, j], reached[:, j] + half[:, j]), strict=True)
     return out
+
+
+class Parts(NamedTuple):
+    """Standard deviations (R, k) [mm] of predicted readings, by what they come from; the parts are independent.
+
+    `identified`: machine and instrument, as far as the readings of the fit tell them. `left_out`: source errors that
+    the model leaves out, and what they have bent of the others. `placing`: set-ups placed by other readings. `beyond`:
+    what no effect explains.
+    """
+
+    identified: Array
+    left_out: Array
+    placing: Array
+    beyond: Array
+
+
+def parts(
+    result: Result | Diagnosis, recording: Recording, done: Recording, model: str, place: Place | None = None
+) -> Parts:
+    """Return of what the uncertainty of predicted readings is made; `model` is the one that was fitted.
+
+    What is left out is independent of the noise of the fit, so that its part of the covariance C is
+    C[:, u] C[u, u]^-1 C[u, :]: in the rows of its factor L the projection onto those of u.
+    """
+    known = known_of(result)
+    at = _linear(result, known, recording, kind_of(recording.kind).unread(recording), place)
+    moved = _moved(result, known, at, *_in_columns(at), place)
+    width = at.problem.readings.kind.width
+    fitted = {*mechanism_of(calibrated_robot(result)).model(model)}
+    own = factor(known)[[i for i, name in enumerate(known.parameters) if name not in fitted]]
+    onto = np.linalg.pinv(own) @ own if len(own) else np.zeros((moved.by.shape[2],) * 2)
+    by = moved.by[:, :width]
+    scatter = np.resize(known.scatter, width) if len(known.scatter) < width else known.scatter[:width]
+    beyond = _beyond(result, known, done, at.problem.readings)
+    return Parts(
+        np.linalg.norm(by - by @ onto, axis=2),
+        np.linalg.norm(by @ onto, axis=2),
+        np.sqrt(moved.placing[:, :width]),
+        np.sqrt(scatter**2 + beyond[:, None] ** 2) / at.instrument.scale,
+    )
 
 
 def to_file_each(values: Array, unit: str) -> Array:
@@ -228,19 +268,32 @@ def _in_columns(at: _At) -> tuple[Array, Array]:
     return J_p, J_m
 
 
-def _spread(
+class _Moved(NamedTuple):
+    """How what is open moves readings: by independent standard normal numbers (R, k, n), and the variance (R, k) that
+    the placing of a set-up adds by its own noise."""
+
+    by: Array
+    placing: Array
+
+    @property
+    def spread(self) -> Array:
+        """Standard deviation (R, k)."""
+        return np.sqrt((self.by**2).sum(axis=2) + self.placing)
+
+
+def _moved(
     result: Result | Diagnosis, known: Uncertainty, at: _At, J_p: Array, J_m: Array, place: Place | None
-) -> Array:
-    """Return the standard deviation (R, k) of readings by what is open of parameters and instrument."""
+) -> _Moved:
+    """Return how readings are moved by what is open of parameters and instrument."""
     L, n = factor(known), len(known.parameters) + known.coefficients
     kept, instrument = result.instrument, at.instrument
     out = J_p @ L[:n]
-    if not instrument.free:
-        return np.asarray(np.linalg.norm(out, axis=2))
-    if instrument.ties:
-        return np.asarray(np.linalg.norm(out + J_m @ L[n:], axis=2))
-    by_setup = J_m.reshape(*J_m.shape[:2], len(instrument.state), len(instrument.free))
     extra = np.zeros(out.shape[:2])
+    if not instrument.free:
+        return _Moved(out, extra)
+    if instrument.ties:
+        return _Moved(out + J_m @ L[n:], extra)
+    by_setup = J_m.reshape(*J_m.shape[:2], len(instrument.state), len(instrument.free))
     whole = [kept.free.index(u) if u in kept.free else -1 for u in instrument.free]
     for s in range(len(instrument.state)):
         if s < at.known:
@@ -250,7 +303,7 @@ def _spread(
             follow, own = _placed(result, known, place, s, len(instrument.free))
             out += by_setup[:, :, s] @ follow @ L[:n]
             extra += np.einsum("rki,ij,rkj->rk", by_setup[:, :, s], own, by_setup[:, :, s])
-    return np.sqrt((out**2).sum(axis=2) + extra)
+    return _Moved(out, extra)
 
 
 def _placed(
@@ -281,7 +334,7 @@ def _beyond(result: Result | Diagnosis, known: Uncertainty, done: Recording, fou
     return np.sqrt(each * after + (1 - each) * before)
 
 
-def _quantile(degrees: float) -> float:
+def quantile(degrees: float) -> float:
     """Return the number of standard deviations within which `HELD` of a t distribution lies."""
     from scipy.special import stdtrit
 

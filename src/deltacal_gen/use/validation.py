@@ -29,6 +29,7 @@ from deltacal_gen.results.validation import Iso230, Iso9283, Placed, Row, Valida
 from deltacal_gen.units import DEG
 from deltacal_gen.use import iso230, iso9283
 from deltacal_gen.use.prediction import (
+    Known,
     Place,
     beyond_laws,
     calibrated_robot,
@@ -38,7 +39,7 @@ from deltacal_gen.use.prediction import (
     unknown_setups,
 )
 
-__all__ = ["calibrated_robot", "validate"]
+__all__ = ["calibrated_robot", "has_place", "validate"]
 Why = Literal["unknown", "elsewhere"]
 WORST = 10  # readings that are listed
 FOLDS = 10  # in which poses are left out of the placing
@@ -60,9 +61,9 @@ def validate(result: Result | Diagnosis, recording: Recording) -> Validation:
     """
     found = readings(recording)
     anew: dict[str, Why] = dict.fromkeys(unknown_setups(result, recording), "unknown")
-    if len(anew) < len(recording.setup_names) and _has_place(result, recording, found):
+    if len(anew) < len(recording.setup_names) and has_place(result, recording, found):
         anew |= _elsewhere(result, recording, found, frozenset(anew))
-    if not anew or not _has_place(result, recording, found):
+    if not anew or not has_place(result, recording, found):
         r = left = residual(result, recording, found)
         placed: tuple[Placed, ...] = ()
     else:
@@ -90,7 +91,7 @@ def validate(result: Result | Diagnosis, recording: Recording) -> Validation:
     )
 
 
-def _has_place(result: Result | Diagnosis, recording: Recording, found: Readings) -> bool:
+def has_place(result: Known, recording: Recording, found: Readings) -> bool:
     """Tell whether something must be known of where the instrument stands."""
     of_its_own = found.kind.anew or found.kind.stays
     return bool(found.kind.unknown) and recording.measurement.frame != "robot" and not of_its_own

@@ -52,6 +52,7 @@ _COMMANDS: dict[str, Callable[..., None]] = {  # in the order of the help
     "compensate": use.compensate,
     "predict": use.predict,
     "validate": use.validate,
+    "certificate": use.certificate,
     "compare": use.compare,
     "import": sources.import_,
     "study": many.study,

@@ -15,6 +15,7 @@ from deltacal_gen.app.cli.common import (
     RecordingFile,
     ResultFile,
     escaped,
+    in_unit,
     number,
     output_file,
     print_json,
@@ -211,6 +212,36 @@ def _placed(p: Placed) -> str:
     if not p.left_out:
         errors = "there are too few poses to leave some out, so that the errors flatter"
     return f"{known}. It was placed by its {p.readings} readings ({p.unknowns} numbers); {errors}."
+
+
+def certificate(
+    result: ResultFile,
+    recording: Annotated[
+        Path, typer.Argument(metavar="VALIDATION", help="readings that the fit has not seen (CSV)", show_default=False)
+    ],
+    output: Annotated[Path, output_file("CERTIFICATE.html; beside it CERTIFICATE.xml, the digital one")],
+    about: Annotated[
+        Path | None,
+        typer.Option(metavar="ABOUT.toml", help="laboratory, customer, serial number, dates", show_default=False),
+    ] = None,
+    decimal: Decimal = None,
+    as_json: Json = False,
+) -> None:
+    """Certify a calibrated machine: errors before and after, uncertainty budget, ISO 9283, hashes; A4 and DCC."""
+    from deltacal_gen.app import commands
+
+    found = commands.certificate(result, recording, output, about=about)
+    if as_json:
+        print_json(found)
+        return
+    unit, length = in_unit(found)
+    table = Table("contribution", "type", unit, "share")
+    for c in found.budget.contributions:
+        table.add_row(c.source, c.evaluation, f"{c.sigma_mm / length:.4f}", f"{c.share:.1%}")
+    screen.print(escaped(found.headline))
+    screen.print(table)
+    screen.print(f"{found.budget.within:.0%} of what was read lies within U")
+    screen.print(f"{output} and {output.with_suffix('.xml').name} written")
 
 
 def compare(

@@ -13,6 +13,7 @@ from deltacal_gen.app.commands.many import batch, study
 from deltacal_gen.app.commands.model_side import claims, derivation, effects, kernels, models, reproduce, trial, warm
 from deltacal_gen.app.commands.sources import import_klipper, import_marlin, import_points, import_rrf
 from deltacal_gen.app.commands.use import (
+    certificate,
     compare,
     compensate,
     firmware_lines,
@@ -25,6 +26,7 @@ from deltacal_gen.app.commands.use import (
 __all__ = [
     "PICTURES",
     "batch",
+    "certificate",
     "check_output",
     "claims",
     "compare",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import hashlib
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
@@ -21,6 +22,7 @@ from deltacal_gen.app.commands.common import (
     write_json,
 )
 from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.files.about import About, read_about
 from deltacal_gen.files.columns import CHANNEL
 from deltacal_gen.files.toml import nearest
 from deltacal_gen.files.writing import csv_text, file_columns, write_files
@@ -30,12 +32,16 @@ from deltacal_gen.machine.rotation import from_vector
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.motion.kinds import columns_of
 from deltacal_gen.physics.ranges import in_words
+from deltacal_gen.results.certificate import Certificate, Party
 from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.motion import MotionModel
+from deltacal_gen.results.parts import InputFile
 from deltacal_gen.results.reader import Given
 from deltacal_gen.results.result import Result
 from deltacal_gen.units import DEG, joint_factors, joint_names
 from deltacal_gen.use.known import known_model, known_result
+
+NUMBER = 16  # letters of a hash that stand for the number of a certificate where none is given
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
@@ -342,6 +348,96 @@ def _of_rows(result: Given) -> Result | Diagnosis:
     if known.physics or known.correction is not None:
         raise UsageError("a diagnosis, with its effects, is not used in blocks; leave --blocks out.")
     return known
+
+
+def certificate(
+    result: Given, validation: Source | Recording, output: Source | None = None, *, about: Source | None = None
+) -> Certificate:
+    """Return what is certified of a calibrated machine; `output` is the page, and beside it the XML is written.
+
+    Parameters
+    ----------
+    result : path or mapping
+        RESULT.json or DIAGNOSIS.json.
+    validation : path or recording
+        Readings that took no part in the fit.
+    output : path, optional
+        CERTIFICATE.html: one page for A4; CERTIFICATE.xml beside it is the digital calibration certificate.
+    about : path, optional
+        TOML with what no recording knows: ``[laboratory]`` and ``[customer]`` (name, street, city, country),
+        ``[machine]`` (manufacturer, serial), ``[calibration]`` (number, person, begin, end, place).
+
+    Raises
+    ------
+    InputError
+        The validation is a file that the fit was made of, the result keeps no uncertainty, or is one in motion.
+    """
+    from deltacal_gen.use import certificate as certified
+    from deltacal_gen.use.prediction import calibrated_robot
+
+    page = None if output is None else Path(output)
+    check_output(page, result, validation, about, ending=(".html",))
+    check_output(page and page.with_suffix(".xml"), result, validation, about)
+    known = known_result(result)
+    robot = calibrated_robot(known)
+    given = as_recording(validation, robot)
+    said = About() if about is None else read_about(str(about))
+    own = made(result, validation, about, measured=given)
+    _check_unseen(own.inputs, known.made.inputs if known.made else (), validation)
+    checked = certified.check(known, given)
+    days = [str(d) for d in (said.calibration.begin, said.calibration.end) if d is not None]
+    found = Certificate(
+        identifier=said.calibration.number or _number([file.sha256 for file in own.inputs]),
+        machine=known.robot.robot.name,
+        mechanism=known.robot.robot.mechanism,
+        model=certified.model_of(known),
+        manufacturer=said.machine.manufacturer,
+        serial=said.machine.serial,
+        instrument=own.instrument,
+        kind=given.kind,
+        readings=checked.validation.readings,
+        performed=(days[0], days[-1]) if days else None,
+        place=said.calibration.place,
+        person=said.calibration.person or own.operator,
+        laboratory=Party(**dict(said.laboratory)),
+        customer=Party(**dict(said.customer)),
+        conditions=certified.conditions(given),
+        before=checked.before,
+        after=checked.after,
+        budget=checked.budget,
+        placed=checked.validation.placed or (),
+        iso9283=checked.validation.iso9283,
+        iso230=checked.validation.iso230,
+        unit=checked.validation.unit,
+        unit_mm=checked.validation.unit_mm,
+        fitted=known.made,
+        made=own,
+    )
+    if page is not None:
+        from deltacal_gen.pages.certificate import certificate as page_of
+        from deltacal_gen.pages.dcc import dcc
+
+        write_files({page: page_of(found), page.with_suffix(".xml"): dcc(found)})
+    return found
+
+
+def _check_unseen(own: tuple[InputFile, ...], fitted: tuple[InputFile, ...], validation: Source | Recording) -> None:
+    """Raise an InputError where the readings are those of the fit."""
+    if not isinstance(validation, str | Path):
+        return
+    hashes = {file.sha256 for file in fitted if file.name.endswith((".csv", ".xlsx", ".parquet"))}
+    for file in own:
+        if file.sha256 in hashes:
+            raise InputError(
+                f"the calibration was made of these readings ('{file.name}'), so that they are no check of it.",
+                "Give readings that took no part in it.",
+                file=validation,
+            )
+
+
+def _number(hashes: list[str]) -> str:
+    """Return a number that the files alone decide."""
+    return f"deltacal-{hashlib.sha256(' '.join(hashes).encode()).hexdigest()[:NUMBER]}"
 
 
 def compare(before: Given, after: Given, output: Source | None = None) -> Comparison:
