@@ -87,7 +87,11 @@ def test_what_goes_with_time_may_be_warmth_until_the_temperature_is_recorded() -
     found = diagnosis(robot, made)
     assert named(found) == [("zero_drift", [2])]
     assert "thermal_zero" in found["effects"][0]["indistinguishable_from"]
-    assert any("thermal_zero" in q["why"] and "Record temp_C" in q["text"] for q in found["next_measurements"])
+    (asked,) = [q for q in found["next_measurements"] if "thermal_zero" in q["why"]]
+    assert "Record temp_C" in asked["text"]
+    assert asked["expected_chi2"] > CLEAR
+    assert {row["temp_C"] for row in asked["poses"]} <= {20.0, 30.0}
+    assert min(row["time_s"] for row in asked["poses"]) > of["time_s"].max()
     known = {"temp_C": np.random.default_rng(8).choice([20.0, 26.0], 60)}
     again = diagnosis(robot, dataclasses.replace(made, channels=made.channels | known))
     assert named(again) == [("zero_drift", [2])]

@@ -12,14 +12,17 @@ import numpy as np
 import pytest
 
 from deltacal_gen.app import commands
+from deltacal_gen.diagnosis import discrimination
 from deltacal_gen.diagnosis.designs import Duel, Refutation, choose
 from deltacal_gen.diagnosis.diagnosis import diagnose
+from deltacal_gen.diagnosis.discrimination import Pool, Question, next_measurements
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import robot_from_dict, robot_to_dict
 from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.use.experiments import CLEAR, Open, next_rows, open_questions, shared
 from tests.conftest import PROTOTYPE, Run
 from tests.left_out import DELTA, channels, effect, machine, record
+from tests.test_law_language import law
 
 NEAR = machine(masses={"proximal": 0.3}, workspace={"radius": 250.0, "height": 400.0})
 LIMITED = robot_from_dict(
@@ -74,6 +77,8 @@ def test_rows_go_to_what_is_least_separated() -> None:
     )
     assert shared([easy, hard], 8).counts == (2, 6)
     assert shared([easy, hard], None).counts == (2, 8)
+    faint = Open("faint", easy.rows, tuple(np.arange(1, 9) * 2.5))
+    assert shared([faint], None).counts == (16,)  # each row twice
     assert shared([easy, hard], 20).counts == (8, 12)
     both = shared([easy, easy], 5)
     assert (len(both.rows), sum(both.counts)) == (5, 9)  # a row counts for all that it settles
@@ -94,6 +99,37 @@ def test_the_command_writes_a_recording_without_readings(soft: Diagnosis, run: R
     answer = commands.next_poses(saved, budget=9)
     assert [row["pose"] for row in answer.poses] == [r["pose"] for r in csv_rows(run, saved, out)]
     assert sum(q.rows for q in answer.questions) >= 9
+
+
+def test_laws_that_readings_do_not_tell_apart_are_told_apart_by_rows() -> None:
+    """A law that bends where few readings are, beside one that does not: at the ends of the channel they differ."""
+    n, rng = 80, np.random.default_rng(2)
+    of = {"payload_kg": rng.uniform(0.0, 2.0, n).round(2)}
+    robot = dataclasses.replace(LIMITED, joint_limits=None)
+    truth, rival = law("joint = c1*payload**2", 1e-4), law("joint = c1*Max(payload - c2, 0)", 2e-4, 0.6)
+    at = diagnose(robot, record(robot, truth, n=n, of=of)).final
+    (entry,) = next_measurements(at, [Question(truth, (rival,))], None)
+    assert entry.separates == ("joint = c1*payload**2", "joint = c1*Max(payload - c2, 0)")
+    assert entry.expected_chi2 is not None
+    assert entry.expected_chi2 > CLEAR
+    assert {row["payload_kg"] for row in (*entry.poses, *(entry.further or ()))} <= set(np.linspace(0, 5, 5))
+    (alone,) = next_measurements(at, [Question(truth, proven=False)], None)
+    assert alone.why == "settles whether there is joint = c1*payload**2"
+
+
+def test_a_law_that_gives_way_is_harder_to_refute(monkeypatch: pytest.MonkeyPatch) -> None:
+    n = 80
+    of = {"payload_kg": np.random.default_rng(2).uniform(0.0, 2.0, n).round(2)}
+    truth, rival = law("joint = c1*payload**2", 1e-4), law("joint = c1*Max(payload - c2, 0)", 2e-4, 0.6)
+    at = diagnose(NEAR, record(NEAR, truth, n=n, of=of)).final
+
+    def expected() -> float:
+        return Pool(at, [truth, rival], np.random.default_rng(1)).separating(truth, rival, []).gained[-1]
+
+    bending = expected()
+    monkeypatch.setattr(discrimination, "_bends", lambda term: [])
+    stiff = expected()
+    assert bending < 0.9 * stiff, (bending, stiff)
 
 
 def csv_rows(run: Run, saved: Path, out: Path) -> list[dict[str, Any]]:

@@ -80,7 +80,20 @@ BARE = {  # numbers without a unit: counts, parts of a whole, figures of statist
         "joints",
     ),
     # inside: mm, rad, s, kg, N, as their types say
-    *("state", "free", "scale", "home", "ties", "values", "constants", "tools", "knots", "coefficients", "length"),
+    *(
+        "state",
+        "free",
+        "scale",
+        "home",
+        "ties",
+        "values",
+        "constants",
+        "tools",
+        "gaps",
+        "knots",
+        "coefficients",
+        "length",
+    ),
     *("reach", "channels", "errors", "tolerance"),
     # of machines in motion: in `unit_by_joint`, parts of a whole, counts, and as their types say
     *("train_rms_by_joint", "heldout_rms_by_joint", "heldout_rms_by_joint_filtered", "sigma_by_joint"),

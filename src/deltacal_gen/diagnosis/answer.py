@@ -146,9 +146,9 @@ def _residuals(found: Diagnosed) -> Residuals:
 
 
 def _effect(found: Named, joint_unit: str, chance: Chance) -> Effect:
-    term, kernels = found.term, found.term.kernels
+    term, kernels = found.term.plain, found.term.kernels
     parameters: list[EffectParameter] = []
-    std = found.std.reshape(term.values.shape)
+    std = found.std.reshape(found.term.values.shape)[:, : found.term.own]
     for r, (row, units) in enumerate(zip(term.values, row_coefficients(term, joint_unit), strict=True)):
         for c, (name, unit, factor) in enumerate(units):
             parameters.append(

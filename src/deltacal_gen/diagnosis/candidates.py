@@ -16,6 +16,7 @@ from deltacal_gen.machine.registry import SOLVED, Array
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
+from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.states import columns
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import Row
@@ -23,7 +24,8 @@ from deltacal_gen.units import joint_factors, joint_names, of_joints, to_file
 
 CANDIDATES = 1500  # joints and channels drawn at random, from which the poses are chosen
 WIDER = 0.1  # of the range of joints that was recorded: how far beyond it poses may go where nothing says more
-WARMER = 10.0  # K
+ROOM, WARMER = 20.0, 10.0  # degC of a temperature that nobody recorded, and K
+LEVELS = 5  # of a channel along which a curve is sought
 LONGER = 1.0  # times the session: when the last of the proposed readings may be taken
 BETWEEN = 60.0  # s from one reading to the next where a recording does not show it
 DECIMALS = 4  # of deg and mm: as precise as controllers take commands
@@ -105,10 +107,12 @@ def candidates(at: Fit, terms: Sequence[Term], rng: np.random.Generator, stated:
     drawn_joints = _drawn(at, problem.body.tool[like], rng)
     unit = np.array(joint_factors(recording.joint_unit, drawn_joints.shape[1]))
     joints = np.round(drawn_joints / unit, DECIMALS) * unit
-    channels = {name: values[like].copy() for name, values in recording.channels.items()}
-    needed = columns_read(problem, terms)
+    channels = {name: _given(values)[like].copy() for name, values in recording.channels.items()}
+    needed, curved = columns_read(problem, terms), columns_read(problem, [t for t in terms if is_law(t.effect)])
     for name in dict.fromkeys([*needed, *(n for n in robot.limits if n in channels)]):
         levels = _levels(problem, name)
+        if levels is not None and name in curved:
+            levels = between(problem, name, levels)
         if levels is not None:
             drawn = rng.choice(levels, CANDIDATES)
             if two:
@@ -201,6 +205,30 @@ def _inside(problem: Problem, x: Array) -> np.ndarray:
     return between
 
 
+def _given(values: Array) -> Array:
+    """Return a channel (N,) with what was recorded last, or first, where it is blank."""
+    known = np.flatnonzero(np.isfinite(values))
+    if not 0 < len(known) < len(values):
+        return values
+    last = np.searchsorted(known, np.arange(len(values)), side="right") - 1
+    return values[known[np.maximum(last, 0)]]
+
+
+def between(problem: Problem, name: str, ends: Array) -> Array:
+    """Return values of a channel from one end to the other, along which a curve shows: those that can be set.
+
+    Without limits in the robot file they are among those that were recorded.
+    """
+    if name.startswith("approach") or len(ends) > LEVELS:
+        return ends
+    even = np.linspace(ends.min(), ends.max(), LEVELS).round(DECIMALS)
+    seen = problem.recording.channels.get(name)
+    if name in problem.robot.limits or name == "time_s" or seen is None:
+        return even
+    seen = np.unique(seen[np.isfinite(seen)])
+    return np.unique([seen[np.argmin(np.abs(seen - v))] for v in even])
+
+
 def _levels(problem: Problem, name: str) -> Array | None:
     """Return the values of a channel that are proposed, None where whoever measures cannot choose them."""
     recording = problem.recording
@@ -216,7 +244,7 @@ def _levels(problem: Problem, name: str) -> Array | None:
         held = float(seen[0]) if len(seen) else 0.0
         return None if masses is None or not masses.platform else np.array([held, held + masses.platform])
     if not len(seen):
-        return None
+        return np.array([ROOM, ROOM + WARMER]) if name == "temp_C" else None
     if name.startswith("approach"):
         return np.array([-1.0, 1.0])
     if name == "time_s":

@@ -101,9 +101,9 @@ def _parts(term: Term) -> Sequence[Term]:
     """Return an effect on each limb, or tool point, alone, and on all limbs."""
     if term.limbs:
         sets = [(i,) for i in term.limbs] + ([term.limbs] if len(term.limbs) > 1 else [])
-        return [blank(term.effect, s, term.constants, term.tools, term.lacks) for s in sets]
+        return [blank(term.effect, s, term.constants, term.tools, term.lacks, term.gaps) for s in sets]
     if len(term.tools) > 1:
-        return [blank(term.effect, (), term.constants, (t,), term.lacks) for t in term.tools]
+        return [blank(term.effect, (), term.constants, (t,), term.lacks, term.gaps) for t in term.tools]
     return [term]
 
 

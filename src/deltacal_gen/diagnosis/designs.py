@@ -32,11 +32,14 @@ class Refutation:
         What the true one displaces, in units of the noise.
     prior : (p,) array
         Information on each parameter that comes from elsewhere.
+    unseen : (p,) array, optional
+        Sizes of columns that neither readings nor a prior know: what they are in readings to come.
     """
 
-    def __init__(self, X: Array, d: Array, prior: Array) -> None:
+    def __init__(self, X: Array, d: Array, prior: Array, unseen: Array | None = None) -> None:
         known = np.sqrt((X**2).sum(axis=0) + prior)
-        self._size = np.where(known > 0, known, 1.0)  # what neither readings nor a prior know has no size
+        other = np.ones_like(known) if unseen is None else np.where(unseen > 0, unseen, 1.0)
+        self._size = np.where(known > 0, known, other)
         Z = X / self._size
         self._information = Z.T @ Z + np.diag(prior / self._size**2 + WEAK)
         self._moment, self._whole = Z.T @ d, float(d @ d)

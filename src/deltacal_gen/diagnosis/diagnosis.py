@@ -22,7 +22,7 @@ from deltacal_gen.diagnosis.correction import Correction, correct
 from deltacal_gen.diagnosis.discrimination import Question, next_measurements
 from deltacal_gen.diagnosis.findings import AMBIGUOUS, Named, location_of, named_of, rejected_of
 from deltacal_gen.diagnosis.hints import hinted, told
-from deltacal_gen.diagnosis.laws.laws import Lawful, laws
+from deltacal_gen.diagnosis.laws.laws import Lawful, Sought, laws
 from deltacal_gen.diagnosis.library import library
 from deltacal_gen.diagnosis.search import Search
 from deltacal_gen.diagnosis.spectrum import Spectrum, periodic
@@ -160,8 +160,8 @@ def diagnose(
     some, search, left, unexplained = found.problem, found.search, found.left, found.unexplained
     spectrum, parts = found.spectrum, found.parts
     # joints that err at many orders imitate any function of the pose
-    lawful = laws(found, progress) if unexplained and not lean and spectrum is None else []
-    if lawful:
+    sought = laws(found, progress) if unexplained and not lean and spectrum is None else Sought()
+    if lawful := sought.laws:
         search, left, unexplained = Search(lawful[0].fit, search.terms), structures(lawful[0].fit), False
     # what comes near its price, or is not borne out, is no finding, but worth a measurement
     doubtful = [] if lean else hinted(search, AMBIGUOUS)
@@ -185,6 +185,7 @@ def diagnose(
     progress("what to measure next")
     questions = [
         *(Question(n.term, n.rivals, n.unrecorded) for n in named),
+        *sought.questions,
         *(Question(h.term, proven=False) for h in doubtful),
     ]
     fitted = current.errors[: len(mechanism.parameters)]
@@ -209,7 +210,7 @@ def diagnose(
         correction=correct(search.fit, current, left, parts) if unexplained else None,
         spectrum=spectrum,
         lean=lean,
-        laws=tuple(lawful),
+        laws=lawful,
     )
 
 

@@ -16,6 +16,8 @@ import numpy as np
 from deltacal_gen.diagnosis.candidates import (
     DECIMALS,
     LABEL,
+    LEVELS,
+    ROOM,
     WARMER,
     candidates,
     columns_read,
@@ -28,6 +30,8 @@ from deltacal_gen.diagnosis.designs import Duel, Refutation, choose
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics.body import Body
+from deltacal_gen.physics.law import PREFIX, Law
 from deltacal_gen.physics.terms import Term, blank
 from deltacal_gen.results.diagnosis import Location, NextMeasurement, Row
 
@@ -39,8 +43,8 @@ FEWEST_POSES, MOST_POSES = 3, 16  # no single reading decides: it may be a gross
 MOST_ALONE = 48  # poses that prove an effect that stayed short of proof on many: each adds little
 FURTHER = 8  # poses that are chosen beyond, for those who can measure more
 SEED = 1975
-LEVELS, REPEATED = 5, 3  # of a channel, and poses that are repeated at each
-ROOM = 20.0  # degC: of a temperature that nobody recorded
+REPEATED = 3  # poses that are repeated at each level of a channel
+STEP = 1e-3  # of a constant, by which its derivative is taken
 
 
 # ------------------------------------------------------------------------------------------------- two explanations
@@ -85,11 +89,14 @@ class Pool:
         self.at, self.found = at, candidates(at, terms, rng)
         unlike = {_key(t): t for t in terms}
         self._wide = {key: _on_all(t, at.problem) for key, t in unlike.items()}
+        bends = [bent for t in unlike.values() for bent in _bends(t)]
         if len(self.found.ends):
             every = list(self._wide.values())
-            self._old, self._new = (_columns(at, problem, every) for problem in (at.problem, self.found.problem))
-        ends = np.cumsum([0, *(t.n_coefficients for t in self._wide.values())]).tolist()
-        self._place = dict(zip(self._wide, itertools.pairwise(ends), strict=True))
+            self._old, self._new = (_columns(at, problem, every, bends) for problem in (at.problem, self.found.problem))
+        ends = np.cumsum([0, *(t.n_coefficients for t in self._wide.values())])
+        last = ends[-1] + np.cumsum([0, *(len(_bends(t)) for t in unlike.values())])
+        self._place = dict(zip(self._wide, itertools.pairwise(ends.tolist()), strict=True))
+        self._bends = dict(zip(self._wide, itertools.pairwise(last.tolist()), strict=True))
 
     def separating(self, truth: Term, rival: Term | None, beside: Sequence[Term]) -> Proposal:
         """Return the readings that tell an effect from a rival, or from there being nothing.
@@ -106,10 +113,13 @@ class Pool:
         if not len(self.found.ends):
             return Proposal([])
         mine, theirs = self._columns_of(truth), [] if rival is None else self._columns_of(rival)
-        duels = [self._duel(mine, self._spread(truth), theirs, beside)]
+        duels = [self._duel(mine, self._spread(truth), theirs, beside, [] if rival is None else self._bent(rival))]
         if rival is not None:
-            alike = duels[0].wrong.coefficients[-len(theirs) :]
-            duels.append(self._duel(theirs, alike, mine, beside))
+            first = duels[0].X.shape[-1] - len(theirs) - len(self._bent(rival))
+            alike = duels[0].wrong.coefficients[first : first + len(theirs)]
+            if rival.gaps:
+                alike = self._as_large(truth, rival)
+            duels.append(self._duel(theirs, alike, mine, beside, self._bent(truth)))
         most = MOST_ALONE if rival is None else MOST_POSES
         chosen = choose(duels, FEWEST_POSES, most, CLEAR, FURTHER)
         rows = self.found.to_rows(chosen.order)
@@ -117,6 +127,10 @@ class Pool:
 
     def _columns_of(self, term: Term) -> list[int]:
         return list(range(*self._place[_key(term)]))
+
+    def _bent(self, term: Term) -> list[int]:
+        """Return the columns by which a law gives way as its constants are fitted again."""
+        return list(range(*self._bends[_key(term)]))
 
     def _spread(self, term: Term) -> Array:
         """Return an effect's coefficients on all limbs, zero where it is not."""
@@ -126,30 +140,77 @@ class Pool:
         values[rows] = term.values
         return values.ravel()
 
-    def _duel(self, true: Sequence[int], coefficients: Array, wrong: Sequence[int], beside: Sequence[Term]) -> Duel:
+    def _as_large(self, truth: Term, rival: Term) -> Array:
+        """Return coefficients with which a rival, of a channel that was not recorded, moves as much as the truth did.
+
+        On the same limbs; so far it has no size.
+        """
+        wide = self._wide[_key(rival)]
+        own = np.zeros_like(wide.values)
+        rows = [wide.limbs.index(i) for i in truth.limbs] if wide.limbs and truth.limbs else slice(None)
+        own[rows, : wide.own] = 1.0
+        size, unit = (
+            float(np.sqrt(np.mean((columns @ values) ** 2)))
+            for columns, values in (
+                (self._old[1][..., self._columns_of(truth)], self._spread(truth)),
+                (self._new[1][..., self._columns_of(rival)], own.ravel()),
+            )
+        )
+        alike: Array = own.ravel() * size / max(unit, 1e-300)
+        return alike
+
+    def _duel(
+        self,
+        true: Sequence[int],
+        coefficients: Array,
+        wrong: Sequence[int],
+        beside: Sequence[Term],
+        bent: Sequence[int] = (),
+    ) -> Duel:
         """Return what fails where effects `true` hold: `wrong` ones, fitted with all others and with the geometry."""
-        own = [j for t in beside for j in self._columns_of(t)] + list(wrong)
+        own = [*(j for t in beside for j in self._columns_of(t)), *wrong, *bent]
         old, new = (np.concatenate([base, rest[..., own]], axis=-1) for base, rest in (self._old, self._new))
         shifts = (rest[..., list(true)] @ coefficients for _, rest in (self._old, self._new))
         prior = np.zeros(old.shape[-1])
         prior[: len(self.at.problem.names)] = 1.0
-        return Duel(Refutation(old.reshape(-1, old.shape[-1]), next(shifts).ravel(), prior), new, next(shifts))
+        unseen = np.abs(new).max(axis=(0, 1))
+        return Duel(Refutation(old.reshape(-1, old.shape[-1]), next(shifts).ravel(), prior, unseen), new, next(shifts))
 
 
 def _key(term: Term) -> tuple[object, ...]:
-    return term.effect, term.constants, term.tools, term.lacks
+    return term.effect, term.constants, term.tools, term.lacks, term.gaps
 
 
 def _on_all(term: Term, problem: Problem) -> Term:
     """Return an effect, blank, on all limbs: a fit to more readings may put it on others."""
     limbs = range(1, problem.mechanism.limbs + 1)
-    return blank(term.effect, tuple(limbs), term.constants, term.tools, term.lacks)
+    return blank(term.effect, tuple(limbs), term.constants, term.tools, term.lacks, term.gaps)
 
 
-def _columns(at: Fit, problem: Problem, terms: Sequence[Term]) -> tuple[Array, Array]:
+def _bends(term: Term) -> list[tuple[Term, Term]]:
+    """Return a law with each constant of its form moved to both sides, by one unit together; none of an effect."""
+    law = term.kernels
+    if not isinstance(law, Law):
+        return []
+    out = []
+    for k in range(len(law.inner)):
+        step = STEP * max(abs(float(term.constants[k])), 1e-12)
+        ends = []
+        for sign in (1.0, -1.0):
+            constants = list(term.constants)
+            constants[k] = float(constants[k]) + sign * step
+            ends.append(dataclasses.replace(term, constants=tuple(constants), values=sign * term.values / (2 * step)))
+        out.append((ends[0], ends[1]))
+    return out
+
+
+def _columns(
+    at: Fit, problem: Problem, terms: Sequence[Term], bends: Sequence[tuple[Term, Term]]
+) -> tuple[Array, Array]:
     """Return what geometry and instrument, and what effects do to readings, (R, k, n) each, in units of the noise.
 
-    Readings that were taken share what their repeats share, and weigh as in the fit.
+    Readings that were taken share what their repeats share, and weigh as in the fit. What laws do as their constants
+    move, `bends`, comes last.
     """
     taken = problem is at.problem
     machine = at.machine if taken else problem.solve(at.errors)
@@ -163,6 +224,9 @@ def _columns(at: Fit, problem: Problem, terms: Sequence[Term]) -> tuple[Array, A
     n = len(problem.names)
     base = np.concatenate([state.J_p[:, :, :n] * problem.scale[:n], state.J_m], axis=2)
     effects = problem.term_columns(terms, at.errors, at.instrument, machine)
+    for pair in bends:
+        moved = sum(problem.term_columns([t], at.errors, at.instrument, machine) @ t.values.ravel() for t in pair)
+        effects = np.concatenate([effects, np.asarray(moved)[..., None]], axis=2)
     both = np.concatenate([base, effects], axis=2) / at.sigma[:, None]
     if taken:
         both *= (np.sqrt(at.weights)[:, None] * np.sqrt(1 + at.repeats.ratio))[..., None]
@@ -210,26 +274,33 @@ def next_measurements(
     """
     rng = np.random.default_rng(SEED)
     named = [q.truth for q in questions if q.proven]
+    if any(q.unrecorded for q in questions):
+        at = _with_thermometer(at)
     warm = {name: _thermal(name, at.problem) for q in questions for name in q.unrecorded}
     pool = None
     if questions:
-        pool = Pool(at, [t for q in questions for t in (q.truth, *q.rivals)] + [t for t in warm.values() if t], rng)
+        pool = Pool(at, [t for q in questions for t in (q.truth, *q.rivals)] + list(warm.values()), rng)
     out = []
     for q in questions:
         assert pool is not None
         beside = [t for t in named if t is not q.truth]
         if not q.proven:
             found = pool.separating(q.truth, None, beside)
-            out.append(_entry(f"settles whether there is {q.truth.effect}", found, q.truth, None, at.problem))
+            out.append(_entry(f"settles whether there is {label(q.truth)}", found, q.truth, None, at.problem))
         for rival in q.rivals:
             found = pool.separating(q.truth, rival, beside)
-            why = f"separates {q.truth.effect} from {rival.effect}"
+            why = f"separates {label(q.truth)} from {label(rival)}"
             out.append(_entry(why, found, q.truth, rival, at.problem))
         for name in q.unrecorded:
             out.append(_other_channel(pool, q.truth, name, warm[name], beside))
     if unexplained is not None:
         out.append(_exploring(at, unexplained, rng))
     return tuple(out)
+
+
+def label(term: Term) -> str:
+    """Return what an effect is called; of a law, what it says."""
+    return term.effect.removeprefix(PREFIX)
 
 
 def more_poses(problem: Problem) -> NextMeasurement:
@@ -262,7 +333,7 @@ def _advice(
 
 
 def _entry(why: str, found: Proposal, truth: Term, rival: Term | None, problem: Problem) -> NextMeasurement:
-    apart = [t.effect for t in (truth, rival) if t]
+    apart = [label(t) for t in (truth, rival) if t]
     if found.expected >= LEAST and found.rows:
         values = [n for n in columns_read(problem, [t for t in (truth, rival) if t]) if n in found.rows[0]]
         with_values = f", with {', '.join(values)} as given" if values else ""
@@ -284,27 +355,38 @@ def _reads_only(term: Term) -> bool:
     return all(t == "length" or t.startswith("reading.") for t in term.kernels.TARGETS)
 
 
-def _thermal(name: str, problem: Problem) -> Term | None:
-    """Return an effect of the temperature, where the recording has one, though it did not vary."""
-    if problem.body.missing(name) is not None:
-        return None
-    return blank(name, tuple(range(1, problem.mechanism.limbs + 1)))
+def _with_thermometer(at: Fit) -> Fit:
+    """Return a fit whose recording has a column for the temperature, blank where it had none."""
+    problem, body = at.problem, at.problem.body
+    if body.channels.get("warming") is not None:
+        return at
+    unknown = np.full(len(body.q), np.nan)
+    recording = dataclasses.replace(problem.recording, channels=problem.recording.channels | {"temp_C": unknown})
+    channels = body.channels.with_values(temperature=unknown, warming=unknown)
+    body = Body(body.robot, body.mechanism, body.q, body.tool, channels)
+    return dataclasses.replace(at, problem=dataclasses.replace(problem, recording=recording, body=body))
 
 
-def _other_channel(
-    pool: Pool, truth: Term, unrecorded: str, rival: Term | None, beside: Sequence[Term]
-) -> NextMeasurement:
+def _thermal(name: str, problem: Problem) -> Term:
+    """Return an effect of the temperature, blank; where that was not recorded every session has a gap."""
+    body, limbs = problem.body, tuple(range(1, problem.mechanism.limbs + 1))
+    warming = body.channels.get("warming")
+    assert warming is not None  # see `_with_thermometer`
+    gaps = np.unique(body.session[np.isnan(warming)]).tolist()
+    return blank(name, limbs, lacks=body.lacks(name), gaps=tuple(gaps))
+
+
+def _other_channel(pool: Pool, truth: Term, unrecorded: str, rival: Term, beside: Sequence[Term]) -> NextMeasurement:
     """Return what tells an effect from one of the temperature, which was not recorded or did not vary."""
-    why, problem = f"separates {truth.effect} from {unrecorded}", pool.at.problem
-    apart = (truth.effect, unrecorded)
+    why, problem = f"separates {label(truth)} from {unrecorded}", pool.at.problem
+    apart = (label(truth), unrecorded)
     text = (
         f"Record temp_C, and repeat the poses when the machine is at least {WARMER:g} K warmer or colder: "
-        f"{unrecorded} follows the temperature, {truth.effect} does not."
+        f"{unrecorded} follows the temperature, {label(truth)} does not."
     )
-    if rival is not None:
-        found = pool.separating(truth, rival, beside)
-        if found.expected >= LEAST:
-            return _advice(why, text, in_time(found.rows, problem.recording), found.expected, apart, found)
+    found = pool.separating(truth, rival, beside)
+    if found.expected >= LEAST:
+        return _advice(why, text, in_time(found.rows, problem.recording), found.expected, apart, found)
     low, high = problem.robot.limits.get("temp_C", (ROOM, ROOM + WARMER))
     first = first_label(problem.recording)
     poses = [

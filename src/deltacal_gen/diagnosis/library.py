@@ -71,7 +71,7 @@ def _spoilt(problem: Problem, name: str) -> str | None:
         if column in recording.doubts:
             return f"values that can be in the column {column} ({recording.doubts[column]})"
         values = recording.channels.get(column)
-        if values is not None and len(empty := rows[~np.isfinite(values[rows])]):
+        if values is not None and len(empty := rows[~np.isfinite(values[rows])]) and not problem.body.gaps(name):
             where = f"{len(empty)} of {len(rows)} are blank, the first in line {recording.line[empty[0]]}"
             return f"every cell of the column {column} ({where})"
     return None
@@ -105,7 +105,8 @@ def _differs(problem: Problem, channel: State, rows: np.ndarray) -> bool:
     if values is None:
         return True
     own = values[rows] if not channel.joint else values[rows, channel.joint - 1]
-    return bool(np.ptp(own, axis=0).max() > 0)
+    own = own[np.isfinite(own).reshape(len(own), -1).all(axis=1)]
+    return bool(len(own) and np.ptp(own, axis=0).max() > 0)
 
 
 def _tools(problem: Problem) -> list[Point]:

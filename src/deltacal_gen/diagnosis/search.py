@@ -193,7 +193,7 @@ class Search:
 
     def _whitened(self, beside: Beside, terms: Sequence[Term]) -> Array:
         at = beside.fit
-        return beside.rows(self._problem.term_columns(terms, at.errors, at.instrument, beside.machine))
+        return _beside_gaps(beside, terms, self._problem.term_columns(terms, at.errors, at.instrument, beside.machine))
 
     def _forms(self, name: str) -> list[Term]:
         return [t for t in self.terms if t.effect == name]
@@ -239,6 +239,9 @@ class Search:
         """Return the search for what could stand for effects of the fit, all others beside it."""
         out, freed = copy.copy(self), self._beside.freed(*effects)
         out.effects = tuple(key for i, key in enumerate(self.effects) if i not in effects)
+        if any(t.gaps for t in self.terms):  # what a session without a channel takes depends on what is beside it
+            out._compete(freed.beside, self._problem, self.terms)
+            return out
         out._beside, out._inside = freed.beside, freed.turn.T @ self._inside
         out._reach = self._reach + freed.left @ self._inside
         return out
@@ -389,6 +392,22 @@ class Search:
         found = list(map(self.best, names))
         near = max(NEAR_BEST * max((f.score for f in found), default=0.0), 0.0)
         return sorted((self._refined(f) if f.score > near else f for f in found), key=lambda f: -f.score)
+
+
+def _beside_gaps(beside: Beside, terms: Sequence[Term], columns: Array) -> Array:
+    """Return columns (R, k, n) of effects, whitened; what sessions without their channel take explains nothing."""
+    out, start = beside.rows(columns), 0
+    for term in terms:
+        span = slice(start, start + term.n_coefficients)
+        start = span.stop
+        if not term.gaps:
+            continue
+        own = out[:, span]
+        unknown = own.reshape(len(out), len(term.values), -1)[:, :, term.own :].reshape(len(out), -1)
+        U, size, _ = np.linalg.svd(unknown - beside.Q @ (beside.Q.T @ unknown), full_matrices=False)
+        U = U[:, size > UNSEEN**0.5 * np.linalg.norm(unknown, axis=0).max()]
+        out[:, span] = own - U @ (U.T @ own)
+    return out
 
 
 def _most(every: Term, allowed: Sequence[object], forms: int, G: Array, b: Array) -> tuple[Term, int, float, float]:

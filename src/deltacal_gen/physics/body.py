@@ -98,9 +98,30 @@ class Body:
             value = self._channel(channel)
             if value is None:
                 return f"the {words}"
-            if np.isnan(value).any():
+            if np.isnan(value).any() and not (self.gaps(of) if isinstance(of, str) else of.gaps):
                 return f"every cell of the {words} (some are blank)"
         return None
+
+    def gaps(self, effect: str) -> tuple[int, ...]:
+        """Return the sessions in which cells of a channel that an effect reads are blank.
+
+        None where every cell of it is blank, or the effect remembers what was there before.
+        """
+        kernels = partial(effect, self.lacks(effect))
+        channels = {c for s in states.read_by(kernels) if not s.by for c in s.channels}
+        read = [v for c in channels if not c.whole and (v := self._channel(c)) is not None]
+        blank = np.zeros(len(self.q), dtype=bool)
+        for values in read:
+            blank |= np.isnan(values).reshape(len(values), -1).any(axis=1)
+        if blank.all() or remembers(kernels):
+            return ()
+        return tuple(np.unique(self.session[blank]).tolist())
+
+    @property
+    def session(self) -> np.ndarray:
+        """The session (N,) of every row."""
+        run = self.channels.run
+        return np.zeros(len(self.q), dtype=np.int64) if run is None else run
 
     def _able(self, state: State) -> bool:
         """Tell whether the robot file says what a state requires."""
@@ -128,7 +149,7 @@ class Body:
         tools: Sequence[Sequence[float]] = (),
     ) -> Term:
         """Return an effect as this mechanism has it, all coefficients zero."""
-        return blank(effect, limbs, constants, tools, self.lacks(effect))
+        return blank(effect, limbs, constants, tools, self.lacks(effect), self.gaps(effect))
 
     # ----------------------------------------------------------------------------------------------------- the state
 
@@ -279,6 +300,8 @@ class Body:
             if not by_limb and value.ndim == 2:  # a length of all limbs
                 value = value.mean(axis=1)
             columns.append(value.ravel() if by_limb else value)
+        if term.gaps:
+            columns.append(np.repeat(self.session, limbs) if by_limb else self.session)
         size = N * limbs if by_limb else N
         return np.column_stack(columns) if columns else np.zeros((size, 0))
 
@@ -571,6 +594,7 @@ def reading_shift(terms: Sequence[Term], body: Body, found: Readings, values: Ar
             state |= {s.name: body._since(term, s)[rows] for s in term.states if s.by}
             if set(kernels.STATE) <= state.keys():
                 s = np.column_stack([state[n] for n in kernels.STATE]) if kernels.STATE else np.zeros((R, 0))
+                s = np.column_stack([s, body.session[rows]]) if term.gaps else s
                 value, D = (
                     kernels.value(s, term.values, term.constants),
                     kernels.jacobian(s, term.values, term.constants),

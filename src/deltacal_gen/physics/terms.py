@@ -21,6 +21,7 @@ from deltacal_gen.results.parts import TermState
 from deltacal_gen.units import of_joints, of_sliding
 
 DOUBTED = 2.0  # standard deviations by which a coefficient may lie outside its believable range
+UNKNOWN = "of a session without the channel"
 Point = tuple[float, float, float]
 Constant = float | str
 
@@ -78,13 +79,58 @@ class Partial:
         return every_s, every_c
 
 
-Kernels = ModuleType | Law | Partial
+class Interrupted:
+    """An effect that reads a channel which some sessions lack: there it moves by as much as nobody knows.
+
+    What the channel was in such a session is one value: its product with every coefficient is a coefficient of its own,
+    limb by limb, which counts in rows whose cells are blank. The session of a row comes last in the kernels' input.
+    """
+
+    def __init__(self, whole: ModuleType | Law | Partial, gaps: tuple[int, ...]) -> None:
+        self._whole, self._gaps = whole, gaps
+        own = whole.COEFFICIENTS
+        unknown = ((f"{name}_in_{k}", unit, factor, UNKNOWN) for k in gaps for name, unit, factor, _ in own)
+        self.COEFFICIENTS = (*own, *unknown)
+        self.BELIEVABLE = (*whole.BELIEVABLE, *[(-np.inf, np.inf)] * (len(own) * len(gaps)))
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._whole, name)
+
+    def value(self, s: Array, c: Array, constants: Sequence[Constant] = ()) -> Array:
+        """Return by how much each target is moved, (M, n_t)."""
+        known, place = self._known(s)
+        return np.asarray(self._whole.value(known, self._own(c, place), constants))
+
+    def jacobian(self, s: Array, c: Array, constants: Sequence[Constant] = ()) -> Array:
+        """Return the derivatives of `value` by the coefficients, (M, n_t, n_c)."""
+        known, place = self._known(s)
+        D = np.asarray(self._whole.jacobian(known, self._own(c, place), constants))
+        out = np.zeros((*D.shape[:2], 1 + len(self._gaps), D.shape[2]))
+        out[np.arange(len(D)), :, place] = D
+        return out.reshape(*D.shape[:2], -1)
+
+    def _known(self, s: Array) -> tuple[Array, np.ndarray]:
+        """Return states with 1 for what is blank, and which coefficients (M,) count: 0 the effect's own."""
+        blank = np.isnan(s[:, :-1]).any(axis=1)
+        place = np.zeros(len(s), dtype=np.int64)
+        for k, session in enumerate(self._gaps, 1):
+            place[blank & (s[:, -1] == session)] = k
+        return np.where(np.isnan(s[:, :-1]), 1.0, s[:, :-1]), place
+
+    def _own(self, c: Array, place: np.ndarray) -> Array:
+        each = np.broadcast_to(c, (len(place), c.shape[1])).reshape(len(place), 1 + len(self._gaps), -1)
+        own: Array = each[np.arange(len(place)), place]
+        return own
+
+
+Kernels = ModuleType | Law | Partial | Interrupted
 
 
 @cache
-def partial(effect: str, lacks: tuple[str, ...]) -> Kernels:
-    """Return the module of an effect without some coefficients."""
-    return Partial(load_effect(effect), lacks) if lacks else load_effect(effect)
+def partial(effect: str, lacks: tuple[str, ...], gaps: tuple[int, ...] = ()) -> Kernels:
+    """Return the module of an effect without some coefficients, with those of sessions that lack its channel."""
+    found = Partial(load_effect(effect), lacks) if lacks else load_effect(effect)
+    return Interrupted(found, gaps) if gaps else found
 
 
 @dataclass(frozen=True)
@@ -104,6 +150,8 @@ class Term:
         Tool points [mm] that have it, of an effect that displaces measured points.
     lacks : tuple of str
         Coefficients that it does not have, as the machine lacks what they move.
+    gaps : tuple of int
+        Sessions in which cells of a channel that it reads are blank; see `Interrupted`.
     """
 
     effect: str
@@ -112,11 +160,22 @@ class Term:
     constants: tuple[Constant, ...] = ()
     tools: tuple[Point, ...] = ()
     lacks: tuple[str, ...] = ()
+    gaps: tuple[int, ...] = ()
 
     @property
     def kernels(self) -> Kernels:
         """The effect's generated module."""
-        return partial(self.effect, self.lacks)
+        return partial(self.effect, self.lacks, self.gaps)
+
+    @property
+    def own(self) -> int:
+        """How many coefficients a limb has that say something of the effect: those of gaps do not."""
+        return self.values.shape[1] // (1 + len(self.gaps))
+
+    @property
+    def plain(self) -> Term:
+        """The term without what sessions that lack its channel have."""
+        return dataclasses.replace(self, values=self.values[:, : self.own], gaps=()) if self.gaps else self
 
     @property
     def states(self) -> tuple[State, ...]:
@@ -150,13 +209,14 @@ def blank(
     constants: Sequence[Constant] = (),
     tools: Sequence[Sequence[float]] = (),
     lacks: tuple[str, ...] = (),
+    gaps: tuple[int, ...] = (),
 ) -> Term:
     """Return a term with all coefficients zero."""
-    kernels = partial(effect, lacks)
+    kernels = partial(effect, lacks, gaps)
     own = tuple(limbs) if kernels.PER_LIMB else ()
     points = tuple((float(x), float(y), float(z)) for x, y, z in tools) if displaces_points(kernels) else ()
     values = np.zeros((max(len(own), len(points), 1), len(kernels.COEFFICIENTS)))
-    return Term(effect, own, values, tuple(constants), points, lacks)
+    return Term(effect, own, values, tuple(constants), points, lacks, gaps)
 
 
 def remembers(kernels: Kernels) -> bool:
@@ -273,9 +333,10 @@ def kept_term(term: Term) -> TermState:
         values=term.values,
         tools=term.tools,
         lacks=term.lacks or None,
+        gaps=term.gaps or None,
     )
 
 
 def term_of(kept: TermState) -> Term:
     """Return the term that an answer kept."""
-    return Term(kept.effect, kept.limbs, kept.values, kept.constants, kept.tools, kept.lacks or ())
+    return Term(kept.effect, kept.limbs, kept.values, kept.constants, kept.tools, kept.lacks or (), kept.gaps or ())

@@ -54,6 +54,8 @@ class TermState(Value):
     tools: tuple[Vector, ...]
     lacks: tuple[str, ...] | None = None
     """Coefficients that it does not have, as the machine lacks what they move."""
+    gaps: tuple[int, ...] | None = None
+    """Sessions in which cells of a channel that it reads are blank: further coefficients, of each in turn."""
 
 
 class InstrumentState(Value):

@@ -53,19 +53,17 @@ class Shared:
 def shared(questions: Sequence[Open], budget: int | None) -> Shared:
     """Return the rows of open questions: the next one is for what is least separated.
 
-    Without a budget each question gets as many as `CLEAR` takes, as far as it has rows; with one, rows are measured
-    again when no question has another.
+    Without a budget each question gets as many as `CLEAR` takes. Rows are measured again when no question has another.
     """
     counts = [0] * len(questions)
     rows: list[Row] = []
     known: set[tuple[tuple[str, float | str], ...]] = set()
     while budget is None or len(rows) < budget:
-        fresh = [k for k, q in enumerate(questions) if counts[k] < len(q.rows)]
-        if budget is None:
-            fresh = [k for k in fresh if questions[k].after(counts[k]) < CLEAR]
-            if not fresh:
-                break
-        k = min(fresh or range(len(questions)), key=lambda k: questions[k].after(counts[k]))
+        asking = [k for k, q in enumerate(questions) if budget is not None or q.after(counts[k]) < CLEAR]
+        if not asking:
+            break
+        fresh = [k for k in asking if counts[k] < len(questions[k].rows)]
+        k = min(fresh or asking, key=lambda k: questions[k].after(counts[k]))
         row = questions[k].rows[counts[k] % len(questions[k].rows)]
         counts[k] += 1
         if _asks(row) in known and fresh:

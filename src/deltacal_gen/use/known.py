@@ -18,7 +18,7 @@ from deltacal_gen.machine.registry import Machine, mechanism_of
 from deltacal_gen.machine.rotation import from_vector
 from deltacal_gen.motion.kinds import flaws as motion_flaws
 from deltacal_gen.physics.law import is_law
-from deltacal_gen.physics.terms import effect_names, load_effect
+from deltacal_gen.physics.terms import effect_names, load_effect, partial
 from deltacal_gen.results.base import Answer
 from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.motion import MotionDiagnosis, MotionModel, MotionResult
@@ -134,7 +134,8 @@ def _term_flaws(term: TermState, mechanism: Machine) -> Iterator[str]:
     if any(not 1 <= i <= mechanism.limbs for i in term.limbs) or len(set(term.limbs)) < len(term.limbs):
         yield f"{term.effect}: limbs are counted from 1 to {mechanism.limbs}, each once"
     rows = max(len(term.limbs) if kernels.PER_LIMB else 0, len(term.tools), 1)
-    wanted = (rows, len(kernels.COEFFICIENTS))
+    own = partial(term.effect, term.lacks or (), term.gaps or ())
+    wanted = (rows, len(own.COEFFICIENTS))
     if np.shape(term.values) != wanted:
         yield f"{term.effect} needs {wanted[0]} rows of {wanted[1]} values"
     if len(term.constants) != len(kernels.CONSTANTS):

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from deltacal_gen.diagnosis.discrimination import Question
 from deltacal_gen.diagnosis.laws.ground import Ground, Tried
 from deltacal_gen.diagnosis.laws.proof import Proof, judged, proven
 from deltacal_gen.diagnosis.laws.screen import ranked
@@ -70,45 +71,72 @@ class Lawful:
         return "; ".join(t.effect.removeprefix("law ") for t in self.terms)
 
 
-def laws(found: Outcome, progress: Callable[[str], None]) -> list[Lawful]:
-    """Return the law that is borne out, and those that these readings cannot tell from it; none where none is.
+@dataclass(frozen=True)
+class Sought:
+    """What the search for a law comes to.
+
+    Attributes
+    ----------
+    laws : tuple of Lawful
+        The law that is borne out, and those that these readings cannot tell from it.
+    doubtful : Term, optional
+        A law that readings which took no part in finding it neither bear out nor refuse.
+    """
+
+    laws: tuple[Lawful, ...] = ()
+    doubtful: Term | None = None
+
+    @property
+    def questions(self) -> list[Question]:
+        """What is open: a law against its rivals, or against there being none."""
+        if not self.laws:
+            return [Question(self.doubtful, proven=False)] if self.doubtful is not None else []
+        *others, last = self.laws[0].terms
+        return [*map(Question, others), Question(last, tuple(law.terms[-1] for law in self.laws[1:]))]
+
+
+def laws(found: Outcome, progress: Callable[[str], None]) -> Sought:
+    """Return the law that is borne out, and its rivals.
 
     With the named effects beside it, and without: what a law explains alone needs no name seen through the wrong
     glasses.
     """
     problem, at = found.problem, found.search.fit
     if problem.readings.rows.shape[1] != 1:
-        return []  # of distances, either end could be moved
+        return Sought()  # of distances, either end could be moved
     names = [t for t in terms_of(at) if not is_law(t.effect)]
     # rows that hang together are the law's doing, where there is one; its price is compared with theirs
     white = dataclasses.replace(at, repeats=dataclasses.replace(at.repeats, rho=0.0, chain=None))
+    out = Sought()
     for terms in ([], names) if names else ([],):
         try:
-            lawful = _beside(found, white, terms, names, progress)
+            out = _beside(found, white, terms, names, progress)
         except InputError:
             continue  # under it the machine cannot stand where it stood: it is no law
-        if lawful:
-            return lawful
-    return []
+        if out.laws:
+            break
+    return out
 
 
 def _beside(
     found: Outcome, white: Fit, beside: Sequence[Term], names: Sequence[Term], progress: Callable[[str], None]
-) -> list[Lawful]:
+) -> Sought:
     """Return what `laws` does, of laws found beside some of the named effects."""
     problem = found.problem
     base = refitted(problem, white, beside)
     if base is None:
-        return []
+        return Sought()
     progress("laws")
     proof = proven(problem, base, again=not beside)
-    if proof is None or not proof.holds:
-        return []
+    if proof is None:
+        return Sought()
+    if not proof.holds:
+        return Sought(doubtful=proof.grown.terms[0] if proof.share > 0 else None)
     grown = _of_all(problem, base, proof.grown, names)
     grown = None if grown is None else _needed(problem, grown, found)
     if grown is None or not grown.law or _moved(grown) or grown.cost >= deviance_of(found.search.fit):
-        return []
-    return _told(problem, _calm(problem, grown), proof)
+        return Sought()
+    return Sought(tuple(_told(problem, _calm(problem, grown), proof)))
 
 
 def _moved(grown: Grown) -> bool:
