@@ -109,6 +109,18 @@ def plain(state: str, values: Array) -> list[Atom]:
     return out
 
 
+def linear(state: str, values: Array) -> list[Atom]:
+    """Return the factors of the simplest products: where a state's zero is far off, it counts from within its range.
+
+    Counted from its own zero, a product of it is hardly more than the other factor alone.
+    """
+    out = plain(state, values)
+    middle = float(np.median(values))
+    if abs(middle) > values.std() and not _switch(values):
+        out.append(Atom(f"({state} - {{0}})", (middle,), 2))
+    return out
+
+
 def simple(state: str, values: Array) -> list[Atom]:
     """Return functions that any other one is like, at first sight: a power, a threshold, a bend."""
     out = plain(state, values)
@@ -163,7 +175,7 @@ def full(state: str, values: Array, lags: Sequence[float] = ()) -> list[Atom]:
 
 def factors(state: str, values: Array, lags: Sequence[float] = ()) -> list[Atom]:
     """Return functions of a state of which products are made where one explains much: coarser than `full`."""
-    out = simple(state, values)
+    out = [*linear(state, values), *simple(state, values)[len(plain(state, values)) :]]
     late = [lagging(state, tau) for tau in lags[1::3]]
     if _switch(values):
         return out + late

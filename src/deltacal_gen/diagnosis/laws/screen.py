@@ -83,7 +83,7 @@ def _coarse(ground: Ground, names: Sequence[str], remembers: bool) -> list[Form]
     states, lags = ground.states, ground.lags[2::3] if remembers else ()
     ones = [grammar.single(n, a) for n in names for a in grammar.simple(n, states[n])]
     for a, b in itertools.combinations(names, 2):
-        for f, g in itertools.product(grammar.plain(a, states[a]), grammar.plain(b, states[b])):
+        for f, g in itertools.product(grammar.linear(a, states[a]), grammar.linear(b, states[b])):
             ones.append(grammar.product((a, f), (b, g)))
     ones += [grammar.single(n, grammar.lagging(n, tau)) for n in names if n != "time" for tau in lags]
     ones += [w for n in names if states[n].ndim == 1 and n[:2] != "q_" for w in grammar.waves(n, states[n])]

@@ -81,8 +81,6 @@ def grow(problem: Problem, base: Fit) -> Grown | None:
         taken = explained(base.residual / best.fit.sigma, best.fit.residual / best.fit.sigma)
         if taken < (*ON_THE_WAY, SHARE)[len(best.law) - 1]:
             return None
-        if not unexplained(best.fit):
-            break
     return best if best.law else None
 
 
