@@ -163,9 +163,10 @@ def test_speeds_are_made_without_delay_run_by_run(robot: Robot) -> None:
     def slope(values: Array) -> Array:
         return np.concatenate([np.gradient(values[run == r], time[run == r]) for r in range(RUNS)])
 
-    speed = slope(made.joints[:, 0] / DEG)
-    assert columns["qd1_deg_s"] == pytest.approx(speed)
-    assert columns["qdd1_deg_s2"] == pytest.approx(slope(speed))
+    speed = slope(made.joints[:, 0] / DEG)  # central differences of 50 ms, too small by a six-hundredth at 2 rad/s
+    inside = np.concatenate([np.arange(EACH)[5:-5] + EACH * r for r in range(RUNS)])
+    assert columns["qd1_deg_s"][inside] == pytest.approx(speed[inside], rel=0.01, abs=0.3)
+    assert columns["qdd1_deg_s2"][inside] == pytest.approx(slope(speed)[inside], rel=0.02, abs=3.0)
     still = dataclasses.replace(made, channels=made.channels | {"time_s": np.zeros_like(time)})
     assert motion_of(still) == {}
     told = dataclasses.replace(made, channels=made.channels | {"approach1": np.ones(len(time))})

@@ -6,8 +6,11 @@ import numpy as np
 
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.values import Recording
+from deltacal_gen.physics.motion import at_rate, runs_of
 
 FOLDS = 5
+LEAST_RUNS = 3  # of a recording in motion, so that whole runs are held out
+STRETCHES, STRETCH = 20, 1.0  # of one of fewer runs: how many, and how long at least [s]
 SEED = 20150415  # of the folds: results do not change from run to run
 
 
@@ -25,12 +28,27 @@ def folds(found: Readings, recording: Recording, count: int = FOLDS) -> list[tup
         ends = pose[found.rows]
         part = _parts(int(pose.max()) + 1, count, rng)[ends]
         return [((part != k).all(axis=1), (part == k).all(axis=1)) for k in range(count)]
-    group, run = found.group, recording.channels.get("run")
-    if found.kind.in_motion and run is not None and len(np.unique(run[found.rows[:, 0]])) > 1:
-        group = np.unique(run[found.rows[:, 0]], return_inverse=True)[1]  # neighbours in time are not independent
+    group = found.group if not at_rate(recording) else _stretches(found, recording)
     groups = int(group.max()) + 1
     part = _parts(groups, min(count, groups), rng)[group]
     return [(part != k, part == k) for k in range(min(count, groups))]
+
+
+def _stretches(found: Readings, recording: Recording) -> np.ndarray:
+    """Return groups (R,) of readings in motion: whole runs, of fewer than `LEAST_RUNS` stretches of at least a second.
+
+    Neighbours in time are not independent.
+    """
+    label = np.empty(recording.n_rows)
+    runs, time = runs_of(recording), recording.time_s
+    assert time is not None
+    length = max(STRETCH, sum(float(np.ptp(time[rows])) for rows in runs) / STRETCHES)
+    done = 0
+    for rows in runs:
+        at = np.floor((time[rows] - time[rows[0]]) / length) if len(runs) < LEAST_RUNS else np.zeros(len(rows))
+        label[rows] = done + at
+        done += int(at.max(initial=0.0)) + 1
+    return np.ravel(np.unique(label[found.rows[:, 0]], return_inverse=True)[1])
 
 
 def _parts(n: int, count: int, rng: np.random.Generator) -> np.ndarray:

@@ -12,11 +12,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from deltacal_gen.machine.values import Robot
-from deltacal_gen.motion.derivatives import Motion, smooth
+from deltacal_gen.motion.derivatives import Motion
 from deltacal_gen.motion.ladder import Ladder, LookedAt
 from deltacal_gen.motion.library import Rung, hats, of_joint, resolution, rungs
 from deltacal_gen.motion.regression import BETWEEN, Bench, folds_of, together
 from deltacal_gen.motion.trajectories import INSIDE, Trajectories
+from deltacal_gen.physics.splines import Samples, smooth
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
@@ -125,7 +126,7 @@ class Joint:
         there = np.isfinite(whole[:, 0])
         parts = np.cumsum(np.diff(self.piece, prepend=0) + np.diff(there.astype(int), prepend=0) != 0)
         out = np.full(len(whole), np.nan)
-        out[there] = smooth(whole[there], time[there], parts[there], 0.5 / cutoff, 0)[0, :, 0]
+        out[there] = smooth(Samples(whole[there], time[there], parts[there]), 0.5 / cutoff, 0)[0, :, 0]
         return np.asarray(out[self.rows])
 
 

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from deltacal_gen.files.robot import robot_of
-from deltacal_gen.motion.derivatives import motion, smooth
+from deltacal_gen.motion.derivatives import motion
 from deltacal_gen.motion.library import Rung, of_joint
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.trajectories import INSIDE, Trajectories
+from deltacal_gen.physics.splines import Samples, smooth
 from deltacal_gen.results.motion import (
     JointModel,
     MotionDiagnosis,
@@ -100,7 +101,9 @@ def _filtered(left: Array, given: Trajectories, cutoff: float | None) -> Array:
     if cutoff is None or not there.any():
         return left
     changes = np.diff(given.piece, prepend=0) + np.abs(np.diff(there.astype(int), prepend=0)) != 0
-    return np.asarray(smooth(left[there, None], given.time[there], np.cumsum(changes)[there], 0.5 / cutoff, 0)[0, :, 0])
+    return np.asarray(
+        smooth(Samples(left[there, None], given.time[there], np.cumsum(changes)[there]), 0.5 / cutoff, 0)[0, :, 0]
+    )
 
 
 def _rms(values: Array) -> float | None:

@@ -18,6 +18,7 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.files.rows import Rows, number_of, read_table
 from deltacal_gen.files.toml import Positive, Table, TomlFile
 from deltacal_gen.machine.values import TEMPERATURE
+from deltacal_gen.physics.splines import ordinary_step, pieces_of
 from deltacal_gen.units import joint_factors, joint_names, of_joints
 
 if TYPE_CHECKING:
@@ -26,7 +27,6 @@ if TYPE_CHECKING:
 READ = re.compile(r"(tau|current|drive)\d+(_[A-Za-z]+)?")  # columns of what drives give
 SPIKE = 50.0  # times what neighbouring samples ordinarily differ by: no drive and no joint does that
 LONGEST_SPIKE = 3  # samples
-GAP = 4.5  # times the ordinary interval: what lies on both sides is not one movement
 INSIDE = {"Nm": 1000.0, "N": 1.0, "A": 1.0, "1": 1.0}  # of a unit in files: N mm, N, A, 1
 
 
@@ -126,13 +126,6 @@ class Trajectories:
         return np.zeros(self.n_rows) if found is None else np.nan_to_num(found)
 
 
-def ordinary_step(time: Array, piece: np.ndarray) -> float:
-    """Return the median interval [s] between samples of one movement."""
-    inside = np.diff(piece) == 0
-    steps = np.diff(time)[inside]
-    return float(np.median(steps)) if len(steps) else 1.0
-
-
 def read_sidecar(path: Path) -> Sidecar | None:
     """Return what the sidecar of a recording says, if that is in motion; None where there is none or it is not."""
     sidecar = path.with_suffix(".toml")
@@ -174,7 +167,7 @@ def trajectories(rows: Rows, machine: Machine, sidecar: Sidecar, *, need_measure
     joints = rows.numbers(*names, blank=False) * factors
     columns, units = _read_columns(rows, machine, need_measured)
     readings = _numbers(rows, columns)
-    piece = _pieces(time, run)
+    piece = pieces_of(time, run)
     by = (*factors, *np.ones(limbs))
     for name, values, unit_in in zip((*names, *columns), (*joints.T, *readings.T), by, strict=True):
         spikes = _spikes_out(values, piece, filled=name in names)
@@ -255,14 +248,6 @@ def _increasing(rows: Rows, time: Array, run: np.ndarray, names: tuple[str, ...]
             f"{rows.path}:{rows.line[k]}: the time of the row before once more; the row is left out" for k in repeated
         ]
     return kept, repairs
-
-
-def _pieces(time: Array, run: np.ndarray) -> np.ndarray:
-    """Return which samples belong to one movement without a gap (N,), counted over all runs."""
-    same = np.diff(run) == 0
-    steps = np.diff(time)
-    ordinary = float(np.median(steps[same])) if same.any() else np.inf
-    return np.concatenate([[0], np.cumsum(~same | (steps > GAP * ordinary))])
 
 
 def _read_columns(rows: Rows, machine: Machine, needed: bool) -> tuple[tuple[str, ...], tuple[str, ...]]:

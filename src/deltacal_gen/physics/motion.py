@@ -1,6 +1,7 @@
 """What a recording in motion tells of its joints beside where they are: the way they came, and how fast.
 
-Without delay: differences are central, so that what is made of them does not look like friction or latency.
+Without delay, so that what is made of them does not look like friction or latency: by splines (`physics.splines`), of
+the few samples of a short run by central differences.
 """
 
 from __future__ import annotations
@@ -12,9 +13,38 @@ import numpy as np
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording
-from deltacal_gen.units import joint_factors, joint_names
+from deltacal_gen.physics import splines
+from deltacal_gen.units import joint_factors, joint_names, of_joints
 
+QUICK = 0.2  # s between rows, at most, of samples in motion that no run tells: no machine comes to rest so often
+GOES_ON = 0.5  # of what joints go from row to row: what that differs by; of poses in any order it is the root of 3
 REVERSED = 1e-4  # of a joint's range: way back that is a reversal, and no flutter of the reading
+
+
+def at_rate(recording: Recording) -> bool:
+    """Tell whether rows are samples of a motion: run by run, or quick and each going on as the one before it came.
+
+    Poses at which a machine was brought to rest are seconds apart, and in most plans each lies elsewhere.
+    """
+    time = recording.time_s
+    if time is None or recording.pairs is not None or not np.isfinite(time).all():
+        return False
+    if "run" in recording.channels or kind_of(recording.kind).in_motion:
+        return True
+    runs = runs_of(recording)
+    if any(len(rows) < splines.LEAST or np.diff(time[rows]).min() <= 0 for rows in runs):
+        return False
+    steps = [np.diff(recording.joints[rows], axis=0) for rows in runs]
+    on = sum(float(np.sum(np.diff(s, axis=0) ** 2)) for s in steps)
+    quick = float(np.median(np.concatenate([np.diff(time[rows]) for rows in runs]))) <= QUICK
+    return bool(quick and on < GOES_ON**2 * sum(float(np.sum(s**2)) for s in steps))
+
+
+def runs_of(recording: Recording) -> list[np.ndarray]:
+    """Return the rows of each run, or of each set-up where no runs are named."""
+    label = recording.channels.get("run", np.zeros(recording.n_rows))
+    _, run = np.unique(np.column_stack([recording.setup, label]), axis=0, return_inverse=True)
+    return [np.flatnonzero(np.ravel(run) == k) for k in range(int(run.max(initial=-1)) + 1)]
 
 
 def motion_of(recording: Recording) -> dict[str, Array]:
@@ -26,15 +56,17 @@ def motion_of(recording: Recording) -> dict[str, Array]:
     if time is None or not np.isfinite(time).all():
         return {}
     unit, count = recording.joint_unit, joints.shape[1]
-    label = recording.channels.get("run", np.zeros(len(joints)))
-    _, run = np.unique(np.column_stack([recording.setup, label]), axis=0, return_inverse=True)
-    runs = [np.flatnonzero(np.ravel(run) == k) for k in range(int(run.max(initial=-1)) + 1)]
+    runs = runs_of(recording)
     if any(len(rows) < 3 or np.diff(time[rows]).min() <= 0 for rows in runs):
         return {}
     way, speed, rate = (np.zeros(joints.shape) for _ in range(3))
+    spline = _spline_derivatives(recording, runs)
     for rows in runs:
-        speed[rows] = np.gradient(joints[rows], time[rows], axis=0)
-        rate[rows] = np.gradient(speed[rows], time[rows], axis=0)
+        if spline is None:
+            speed[rows] = np.gradient(joints[rows], time[rows], axis=0)
+            rate[rows] = np.gradient(speed[rows], time[rows], axis=0)
+        else:
+            speed[rows], rate[rows] = spline[:, rows]
         for j in range(count):
             way[rows, j] = approach(joints[rows, j], REVERSED * float(np.ptp(joints[:, j])))
     factors = np.array(joint_factors(unit, count))
@@ -45,6 +77,21 @@ def motion_of(recording: Recording) -> dict[str, Array]:
     }
     found = {n: column for p, v in made.items() for n, column in zip(joint_names(unit, count, p), v.T, strict=True)}
     return {name: column for name, column in found.items() if name not in recording.channels}
+
+
+def _spline_derivatives(recording: Recording, runs: list[np.ndarray]) -> Array | None:
+    """Return velocities and accelerations (2, N, n_q) by splines; None where a movement is too short for them."""
+    rows = np.concatenate(runs)
+    run = np.repeat(np.arange(len(runs)), [len(own) for own in runs])
+    assert recording.time_s is not None
+    time = recording.time_s[rows]
+    samples = splines.Samples(recording.joints[rows], time, splines.pieces_of(time, run))
+    if min(len(own) for own in samples.pieces) < splines.LEAST:
+        return None
+    spacing = splines.chosen_spacing(samples, 2, of_joints(recording.joint_unit, recording.joints.shape[1]))
+    out = np.empty((2, *recording.joints.shape))
+    out[:, rows] = splines.smooth(samples, spacing, 2)[1:]
+    return out
 
 
 def approach(q: Array, least: float) -> Array:
@@ -78,12 +125,12 @@ def in_order(recording: Recording) -> dict[str, Array]:
 
 
 def with_motion(recording: Recording) -> Recording:
-    """Return the recording, of a kind that may be read in motion with what the motion tells of its joints.
+    """Return the recording, of samples in motion with what the motion tells of its joints; see `at_rate`.
 
     That of a single axis always tells which way it came.
     """
     if recording.joints.shape[1] == 1 and recording.pairs is None:
         recording = dataclasses.replace(recording, channels=recording.channels | in_order(recording))
-    if not kind_of(recording.kind).in_motion:
+    if not at_rate(recording):
         return recording
     return dataclasses.replace(recording, channels=recording.channels | motion_of(recording))

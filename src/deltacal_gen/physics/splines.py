@@ -1,0 +1,172 @@
+"""Series in time as splines, movement by movement: a low-pass without delay, with exact derivatives.
+
+Series are fitted by splines of fifth degree, least squares over evenly spaced knots: samples are taken as they come,
+even or not. How far apart the knots stand is told by the series alone: where knots closer together change the
+derivatives by no more than its noise does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from scipy.interpolate import BSpline, make_lsq_spline
+
+if TYPE_CHECKING:
+    from deltacal_gen.machine.registry import Array
+
+DEGREE = 5
+FINEST = 4.0  # samples between two knots, at least
+COARSEST = 1.0  # s between them, at most
+RATIO = 2**0.5  # between spacings that are looked at
+LEAST = 2 * (DEGREE + 1)  # samples of a piece
+AS_MUCH = 0.1  # of the motion of the series that moves most
+WINDOW = 40  # knots over which the noise of derivatives is computed
+GAP = 4.5  # times the ordinary interval: what lies on both sides is not one movement
+
+
+@dataclass(frozen=True, eq=False)
+class Samples:
+    """Series (N, k) sampled at times (N,) [s], and which samples are one movement without a gap (N,), from 0."""
+
+    values: Array
+    time: Array
+    piece: np.ndarray
+
+    @property
+    def step(self) -> float:
+        """Ordinary interval between two samples [s]."""
+        return ordinary_step(self.time, self.piece)
+
+    @property
+    def pieces(self) -> list[np.ndarray]:
+        """Rows of each movement."""
+        return np.split(np.arange(len(self.piece)), np.flatnonzero(np.diff(self.piece)) + 1)
+
+
+@dataclass(frozen=True, eq=False)
+class Path:
+    """One movement as a spline, from its first sample to its last [s]."""
+
+    start: float
+    end: float
+    spline: BSpline
+
+    def covers(self, time: Array) -> np.ndarray:
+        """Tell which times lie within the movement."""
+        return np.asarray((time >= self.start) & (time <= self.end))
+
+    def __call__(self, time: Array, order: int = 0) -> Array:
+        """Return the series, or a derivative of it, at times (M,): (M, k)."""
+        return np.asarray(self.spline.derivative(order)(time) if order else self.spline(time))
+
+
+def ordinary_step(time: Array, piece: np.ndarray) -> float:
+    """Return the median interval [s] between samples of one movement."""
+    steps = np.diff(time)[np.diff(piece) == 0]
+    return float(np.median(steps)) if len(steps) else 1.0
+
+
+def pieces_of(time: Array, run: np.ndarray) -> np.ndarray:
+    """Return which samples belong to one movement without a gap (N,), counted over all runs."""
+    same = np.diff(run) == 0
+    steps = np.diff(time)
+    ordinary = float(np.median(steps[same])) if same.any() else np.inf
+    return np.concatenate([[0], np.cumsum(~same | (steps > GAP * ordinary))])
+
+
+def paths(given: Samples, spacing: float) -> list[Path | None]:
+    """Return each movement as a spline with knots `spacing` [s] apart; None of one that is too short."""
+    found: list[Path | None] = []
+    for own in given.pieces:
+        time = given.time[own]
+        enough = len(own) >= LEAST
+        found.append(Path(time[0], time[-1], _fit(time, given.values[own], spacing)) if enough else None)
+    return found
+
+
+def smooth(given: Samples, spacing: float, orders: int) -> Array:
+    """Return the series through the low-pass and their derivatives, (1 + orders, N, k); nan in pieces too short."""
+    out = np.full((1 + orders, *given.values.shape), np.nan)
+    for own, path in zip(given.pieces, paths(given, spacing), strict=True):
+        if path is not None:
+            for order in range(1 + orders):
+                out[order, own] = path(given.time[own], order)
+    return out
+
+
+def _fit(time: Array, values: Array, spacing: float) -> BSpline:
+    """Return the spline of one piece, its knots as near to a spacing [s] as the piece allows."""
+    parts = int(max(1, min(round((time[-1] - time[0]) / spacing), (len(time) - DEGREE - 1) // 2)))
+    inner = np.linspace(time[0], time[-1], parts + 1)[1:-1]
+    counts = np.histogram(time, [time[0], *inner, time[-1]])[0]
+    if (counts == 0).any():  # samples so uneven that an interval holds none
+        inner = np.quantile(time, np.linspace(0, 1, parts + 1)[1:-1])
+    knots = np.concatenate([[time[0]] * (DEGREE + 1), inner, [time[-1]] * (DEGREE + 1)])
+    return make_lsq_spline(time, values, knots, DEGREE)
+
+
+def chosen_spacing(given: Samples, order: int, units: Sequence[str]) -> float:
+    """Return the spacing of the knots [s] that leaves the least error of a derivative.
+
+    Its error is noise, which falls with the spacing, and what knots closer together show beyond their own noise
+    (Goldenshluger, Lepski 2011). Series count that move as much as others of their unit do.
+    """
+    finest = FINEST * given.step
+    count = 2 + int(np.log(max(COARSEST / finest, RATIO)) / np.log(RATIO))
+    spacings = finest * RATIO ** np.arange(count)
+    within = inside(given, COARSEST / 2)
+    derivatives = [smooth(given, h, order)[:, within] for h in spacings]
+    base = given.values[within]
+    sigma = noise(base, derivatives[0][0], given.step, finest)
+    counted = moving(base, units)
+    of_noise = [np.outer(unit_noise(given.step, h, order), sigma)[0] ** 2 for h in spacings]
+    apart = np.nanmean((derivatives[0][-1] - derivatives[1][-1]) ** 2, axis=0)
+    # no motion is taken for so quick: it is noise, not white
+    coloured = np.maximum(1.0, apart / np.maximum(of_noise[0] - of_noise[1], 1e-300))
+    of_noise = [coloured * each for each in of_noise]
+    whole = np.nanmean(derivatives[0][-1] ** 2, axis=0) - of_noise[0]
+    whole = np.maximum(whole, 1e-12 + 1e-3 * of_noise[0])
+    risks = []
+    for n, own in enumerate(derivatives):
+        beyond = np.zeros_like(whole)
+        for finer, of_finer in zip(derivatives[:n], of_noise[:n], strict=True):
+            apart = np.nanmean((own[-1] - finer[-1]) ** 2, axis=0)
+            beyond = np.maximum(beyond, apart - (of_finer - of_noise[n]))
+        risks.append(float(((beyond + of_noise[n]) / whole)[counted].sum()))
+    return float(spacings[int(np.argmin(risks))])
+
+
+def inside(given: Samples, within: float) -> np.ndarray:
+    """Tell which samples are not `within` [s] of the ends of their piece, where splines are loose; all if none is."""
+    start, end = (np.array([f(given.time[own]) for own in given.pieces])[given.piece] for f in (np.min, np.max))
+    found = (given.time - start > within) & (end - given.time > within)
+    return found if found.any() else np.ones(len(given.time), dtype=bool)
+
+
+def moving(values: Array, units: Sequence[str]) -> np.ndarray:
+    """Tell which series move as much as others of their unit do, by `AS_MUCH` at least, (k,)."""
+    spread, of = np.nanstd(values, axis=0), np.array(units)
+    most = np.array([spread[of == unit].max() for unit in of])
+    return np.asarray((spread >= AS_MUCH * most) & (spread > 0))
+
+
+def noise(values: Array, fitted: Array, step: float, spacing: float) -> Array:
+    """Return the noise of single samples (k,), from what a spline of some spacing leaves."""
+    left = 1.0 - min(0.9, step / spacing)  # degrees of freedom that it leaves, of one
+    return np.asarray(np.sqrt(np.nanmean((values - fitted) ** 2, axis=0) / left))
+
+
+def unit_noise(step: float, spacing: float, order: int) -> float:
+    """Return the noise of a derivative where that of a sample is 1, in the middle of a long piece."""
+    per = max(1, round(spacing / step))
+    inner = np.arange(-DEGREE, WINDOW + DEGREE + 1) * per * step
+    time = np.arange(WINDOW * per) * step
+    rows = BSpline.design_matrix(time, inner, DEGREE).toarray()
+    columns = rows.shape[1]
+    slopes = BSpline(inner, np.eye(columns), DEGREE).derivative(order)(time) if order else rows
+    middle = slopes[len(time) // 2 - per // 2 : len(time) // 2 + per // 2 + 1]
+    inverse = np.linalg.pinv(rows.T @ rows)
+    return float(np.sqrt(np.mean(np.sum((middle @ inverse) * middle, axis=1))))
