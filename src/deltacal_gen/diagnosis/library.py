@@ -85,6 +85,8 @@ def _constant(problem: Problem, name: str) -> str | None:
     for channel in (c for s in read_by(kernels) for c in s.channels if c.column == s.shown):
         if channel.differing and not _differs(problem, channel, rows):
             return channel.differing
+    if problem.recording.measurement.clock and not kernels.PER_LIMB and "qd" in kernels.STATE:
+        return "one clock: where the instrument has its own, an offset of the clocks does the same"
     if kind.sees_joints and "joint" not in kernels.TARGETS:
         return f"readings of the platform; those of the kind {kind.name} see joints alone"
     if kernels.ACTS_ON == "reading" and not any(t in kind.targets for t in kernels.TARGETS):

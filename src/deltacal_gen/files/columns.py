@@ -22,3 +22,8 @@ CHANNEL = re.compile(rf"time_s|payload_kg|{TEMPERATURE.pattern}|{APPROACH.patter
 def distances_path(path: Path) -> Path:
     """Return where the distances between rows of a recording lie, if there are any."""
     return path.with_name(f"{path.stem}.distances.csv")
+
+
+def instrument_path(path: Path) -> Path:
+    """Return where the readings of a recording lie, if the instrument has a clock of its own."""
+    return path.with_name(f"{path.stem}.instrument{path.suffix}")

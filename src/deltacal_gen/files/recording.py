@@ -69,8 +69,22 @@ def read_recording(
         The recording cannot be used; the message names file, line, column and remedy.
     """
     path = Path(path)
-    rows = read_table(path)
-    recording = _recording(path, rows, read_sidecar(path), mechanism, need_measured, allow_targets, doubtful)
+    rows, sidecar = read_table(path), read_sidecar(path)
+    how = {"need_measured": need_measured, "allow_targets": allow_targets, "doubtful": doubtful}
+    return recording_of_rows(rows, sidecar, mechanism, **how)
+
+
+def recording_of_rows(
+    rows: Rows,
+    sidecar: Sidecar,
+    mechanism: Machine,
+    *,
+    need_measured: bool = True,
+    allow_targets: bool = False,
+    doubtful: bool = False,
+) -> Recording:
+    """Return a table that has been read as a recording; see `read_recording`."""
+    recording = _recording(rows.path, rows, sidecar, mechanism, need_measured, allow_targets, doubtful)
     if need_measured and not _is_measured(recording):
         raise _no_reading(recording)
     return recording
@@ -103,10 +117,8 @@ def recording_of(
     path = Path("data frame")
     rows = Rows(path, cells, np.arange(1, len(table) + 1), None)
     sidecar = TomlFile(path, "", {"measurement": said}).check(Sidecar)
-    recording = _recording(path, rows, sidecar, mechanism, need_measured, allow_targets, doubtful)
-    if need_measured and not _is_measured(recording):
-        raise _no_reading(recording)
-    return recording
+    how = {"need_measured": need_measured, "allow_targets": allow_targets, "doubtful": doubtful}
+    return recording_of_rows(rows, sidecar, mechanism, **how)
 
 
 def read_blocks(

@@ -82,6 +82,8 @@ class _Measurement(Table):
     platform_point_mm: Vector | None = None
     camera: Camera | None = None
     board_scale: Literal["known", "unknown"] = "known"
+    clock: Literal["own", "own, same rate", "own, same for all runs"] | None = None
+    clock_offset_s: Number | None = None
 
 
 class _Contacts(Table):

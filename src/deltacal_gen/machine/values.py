@@ -123,7 +123,8 @@ class Measurement:
     `sigma_*` are standard deviations per coordinate. The points of a gauge are `base_point_mm`, in {O} as nominally
     mounted, and `platform_point_mm`, in {O'}. `board_scale` says whether a printed board is as large as it says,
     "known", or larger or smaller by a part that is "unknown". With ``zero = "incremental"`` readings count from the
-    first row.
+    first row. `clock` says that the instrument has one of its own and what of it is alike in all runs,
+    `clock_offset_s` where it stands in runs of which no result knows it.
     """
 
     kind: str | None = None
@@ -138,6 +139,8 @@ class Measurement:
     platform_point_mm: tuple[float, ...] | None = None
     camera: Camera | None = None
     board_scale: str = "known"
+    clock: str | None = None
+    clock_offset_s: float | None = None
 
     @property
     def sigma_rad(self) -> float | None:

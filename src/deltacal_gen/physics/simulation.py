@@ -28,6 +28,8 @@ from deltacal_gen.physics.parts import lacks
 from deltacal_gen.physics.terms import Term, blank, constants_of, effect_names, row_factors, scaled
 from deltacal_gen.units import DEG, to_internal
 
+CLOCK = ("clock_offset", "clock_rate")  # parameters of a truth that are of no machine
+
 
 class _Truth(Table):
     parameters: dict[str, Number] = Field(default_factory=dict)
@@ -58,7 +60,7 @@ def read_truth(path: str | Path, robot: Robot) -> Truth:
     mechanism = mechanism_of(robot)
     units = {p.name: p.unit for p in mechanism.parameters}
     for name in truth.parameters:
-        if name not in units:
+        if name not in units and name not in CLOCK:
             near = nearest(name, units)
             raise file.error(
                 f"{mechanism.name} has no parameter '{name}'.",
@@ -66,13 +68,18 @@ def read_truth(path: str | Path, robot: Robot) -> Truth:
                 "parameters",
                 name,
             )
-    errors = {name: value * to_internal(units[name]) for name, value in truth.parameters.items()}
+    errors = {name: v * to_internal(units[name]) for name, v in truth.parameters.items() if name not in CLOCK}
     return Truth(errors, tuple(_checked_term(file, table, robot, mechanism) for table in truth.effects))
 
 
 def truth_names(path: str | Path) -> tuple[str, ...]:
     """Return the source errors that a TRUTH.toml names, right or wrong: they tell which description of a machine."""
-    return tuple(TomlFile.read(path).check(_Truth).parameters)
+    return tuple(name for name in TomlFile.read(path).check(_Truth).parameters if name not in CLOCK)
+
+
+def truth_clock(path: str | Path) -> dict[str, float]:
+    """Return what a TRUTH.toml says of an instrument's own clock: `clock_offset` [s] and `clock_rate`."""
+    return {name: v for name, v in TomlFile.read(path).check(_Truth).parameters.items() if name in CLOCK}
 
 
 def _checked_term(file: TomlFile, table: dict[str, Any], robot: Robot, mechanism: Machine) -> Term:

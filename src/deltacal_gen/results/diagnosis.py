@@ -13,6 +13,7 @@ from deltacal_gen.results.parts import (
     Missing,
     NoiseModel,
     RobotTables,
+    SeriesMade,
     Source,
     TermState,
     Uncertainty,
@@ -322,6 +323,8 @@ class Diagnosis(Answer):
     parameters: tuple[Parameter, ...] | None = None
     """What is unknown of the instrument and has a name."""
     geometry: Geometry | None = None
+    motion: SeriesMade | None = None
+    """Of a recording with two clocks."""
     made: Made | None = None
     laws: tuple[Law, ...] = ()
     """What was found where no registered effect explains the misfit, the best first; it stands in `physics`."""

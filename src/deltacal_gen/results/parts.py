@@ -126,6 +126,17 @@ class EffectName(Value):
     limbs: tuple[int, ...]
 
 
+class SeriesMade(Value):
+    """How joints that were sampled in time became known at any time."""
+
+    cutoff_Hz: float
+    removed: float
+    """Part of the joints' signal, rms of its variation, that the low-pass takes away."""
+    text: str
+    repairs: tuple[str, ...]
+    """What was put right in the file, with its line."""
+
+
 class Uncertainty(Value):
     """How surely a machine and its instrument are known: what bands are made of."""
 

@@ -12,6 +12,7 @@ from deltacal_gen.results.parts import (
     Missing,
     NeverSeen,
     RobotTables,
+    SeriesMade,
     Source,
     TermState,
     Uncertainty,
@@ -38,6 +39,8 @@ class Parameter(Value):
     status: Status
     indistinguishable_from: tuple[str, ...] | None = None
     """Of an unknown of the instrument: what these readings do not tell it from, in words and by name."""
+    run: str | None = None
+    """Of a clock's offset: the run that it is of; absent where it is of all."""
 
 
 class OpenCombination(Value):
@@ -211,6 +214,8 @@ class Result(Answer):
     firmware: Firmware | None = None
     never_seen: tuple[NeverSeen, ...] | None = None
     """Joints that stand where the readings of the diagnosis never were."""
+    motion: SeriesMade | None = None
+    """Of a recording with two clocks."""
     made: Made | None = None
 
     # what only a diagnosis knows, for those who read either

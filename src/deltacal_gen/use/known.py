@@ -28,6 +28,7 @@ from deltacal_gen.results.result import Parameter, Result
 from deltacal_gen.units import file_unit
 
 _REMEDY = "Give the file as it was written; a machine is edited in its robot file."
+CLOCK = {"clock_offset": "s", "clock_rate": "1"}  # parameters of an instrument's own clock
 ORTHONORMAL = 1e-6  # by which the rows of a rotation may fail to be
 
 
@@ -109,7 +110,7 @@ def _parameter_flaws(
     of_machine = {p.name: file_unit(p.unit) for p in mechanism.parameters}
     units = dict(of_machine)
     if not any(True for _ in _instrument_flaws(instrument)):
-        units |= instrument_of(instrument).reported
+        units |= instrument_of(instrument).reported | CLOCK
     for k, p in enumerate(parameters):
         key = f"parameters[{k}]"
         if p.name not in units:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 import numpy as np
 
+from deltacal_gen.app.commands.clocks import set_in_time, with_clock
 from deltacal_gen.app.commands.common import (
     Progress,
     Source,
@@ -72,7 +73,8 @@ def identify(
         return cast("Result", _finished(moving.identify(as_robot(robot), model), output, robot, recording))
     diagnosis, files = None if physics is None else known_diagnosis(physics), (robot, recording, physics)
     robot = as_robot(robot)
-    given = as_recording(recording, robot)
+    held = [] if diagnosis is None else known_effects(diagnosis, timed=True)
+    given, clock = set_in_time(robot, recording, model, held=held, progress=progress)
     found = identification.identify(
         robot,
         given,
@@ -99,7 +101,7 @@ def identify(
             found = found.replace(firmware=fitted)
     if diagnosis is not None:
         found = found.replace(never_seen=spectrum.never_seen(diagnosis.seen, robot.joint_sign * given.joints))
-    found = found.replace(made=made(*files, measured=given))
+    found = with_clock(found, clock).replace(made=made(*files, measured=given))
     if output is not None:
         write_json(found, output)
     if report is not None:
@@ -154,6 +156,7 @@ def diagnose(
     """
     from deltacal_gen.diagnosis import diagnosis
     from deltacal_gen.diagnosis.laws.effect_file import effect_file, effect_name
+    from deltacal_gen.use.prediction import known_effects
 
     check_output(output, robot, recording)
     check_output(report, robot, recording)
@@ -165,10 +168,13 @@ def diagnose(
         return cast("Diagnosis", _finished(moving.diagnose(as_robot(robot), progress), output, robot, recording))
     files = (robot, recording)
     robot = as_robot(robot)
-    given = as_recording(recording, robot, doubtful=True)
     name = None if model is None else mechanism_of(robot).full_name(model)
+    given, clock = set_in_time(robot, recording, name, doubtful=True, progress=progress)
     found = diagnosis.diagnose(robot, given, name, progress=progress).answer()
-    found = found.replace(made=made(*files, measured=given))
+    if clock is not None and found.physics:  # what bends the machine may have moved the clock, and the other way round
+        given, clock = clock.again(robot, name, held=known_effects(found, timed=True), progress=progress)
+        found = diagnosis.diagnose(robot, given, name, progress=progress).answer()
+    found = with_clock(found, clock).replace(made=made(*files, measured=given))
     if output is not None:
         write_json(found, output)
     if report is not None:

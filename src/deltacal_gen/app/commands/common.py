@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from deltacal_gen import __version__
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.columns import distances_path
+from deltacal_gen.files.columns import distances_path, instrument_path
 from deltacal_gen.files.recording import read_recording, recording_of
 from deltacal_gen.files.robot import Robot, read_robot
 from deltacal_gen.files.writing import is_stream, write_files
@@ -101,7 +101,10 @@ def made(*inputs: object, measured: Recording | None = None) -> Made:
 
 def _with_its_own(path: Path) -> list[Path]:
     """Return a file, and those that are read with it."""
-    beside = [] if path.suffix in (".toml", ".json") else [path.with_suffix(".toml"), distances_path(path)]
+    if path.suffix in (".toml", ".json"):
+        beside = []
+    else:
+        beside = [path.with_suffix(".toml"), distances_path(path), instrument_path(path)]
     return [p for p in (path, *beside) if p.is_file()]
 
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
+from deltacal_gen.app.commands.clocks import clocks_of, simulated_clock, write_two_clocks
 from deltacal_gen.app.commands.common import PICTURES, Source, as_recording, as_robot, check_output, in_motion
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.robot import Robot, for_model, for_names
@@ -98,7 +99,11 @@ def simulate(
             raise UsageError("the truth of a recording in motion is a file, TRUTH.toml.")
         return cast("Recording", _in_motion(moving.simulate(as_robot(robot), truth, noise, seed), output, noise))
     robot = as_robot(robot)
-    given = as_recording(poses, robot, need_measured=False, allow_targets=True)
+    timed = clocks_of(poses, robot, need_measured=False)
+    if timed is None:
+        given = as_recording(poses, robot, need_measured=False, allow_targets=True)
+    else:
+        given = timed.at(simulated_clock(timed, _clock_of(truth)))
     if not isinstance(poses, Recording) and not Path(given.path).with_suffix(".toml").exists():
         given = dataclasses.replace(given, measurement=dataclasses.replace(given.measurement, frame="robot"))
     robot, errors, terms = _truth(robot, truth)
@@ -111,9 +116,18 @@ def simulate(
         rng=np.random.default_rng(seed),
         terms=terms,
     )
-    if output is not None:
+    if timed is not None and output is not None:
+        write_two_clocks(timed, done, output)
+    elif output is not None:
         write_recording(done, output)
     return done
+
+
+def _clock_of(truth: Source | Mapping[str, float] | None) -> Mapping[str, float]:
+    """Return what a truth says of the instrument's clock."""
+    from deltacal_gen.physics import simulation
+
+    return simulation.truth_clock(truth) if isinstance(truth, str | Path) else {}
 
 
 def _in_motion(done: Trajectories, output: Source | None, noise: float) -> Trajectories:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
+from deltacal_gen.app.commands.clocks import as_known, clocks_of, instrument_columns
 from deltacal_gen.app.commands.common import (
     Progress,
     Source,
@@ -269,7 +270,8 @@ def predict(
             write_files({Path(output): csv_text(columns_of(found))})
         return found
     robot = prediction.calibrated_robot(known)
-    given = as_recording(recording, robot, need_measured=False)
+    timed = clocks_of(recording, robot, need_measured=False)
+    given = as_known(known, recording, robot, need_measured=False)
     placed = None if place is None else prediction.place_of(as_recording(place, robot), given)
     for joint in spectrum.never_seen(known.seen, robot.joint_sign * given.joints):
         tell(spectrum.words(joint))
@@ -284,6 +286,8 @@ def predict(
         tell(known_of(known).text)
     if output is not None:
         columns, pairs = file_columns(done)
+        if timed is not None:
+            columns = instrument_columns(timed, done, joints=True)
         write_files({Path(output): csv_text((pairs or columns) | ends)})
     return done if done.pairs is not None else dataclasses.replace(done, channels=done.channels | ends)
 
@@ -325,7 +329,7 @@ def validate(result: Given, recording: Source | Recording) -> Validation:
     if isinstance(known, MotionModel):
         return cast("Validation", _moving(recording).validate(known).replace(made=made(result, recording)))
     robot = validation.calibrated_robot(known)
-    given = as_recording(recording, robot)
+    given = as_known(known, recording, robot)
     return validation.validate(known, given).replace(made=made(result, recording, measured=given))
 
 

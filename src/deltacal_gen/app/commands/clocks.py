@@ -1,0 +1,106 @@
+"""Recordings of which joints and readings have clocks of their own, as commands take and write them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import numpy as np
+
+from deltacal_gen.app.commands.common import Progress, Source, as_recording
+from deltacal_gen.errors import UsageError
+from deltacal_gen.files.columns import instrument_path
+from deltacal_gen.files.writing import csv_text, file_columns, sidecar_text, write_files
+from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.machine.values import Recording, Robot
+from deltacal_gen.motion.clocks import Clock, TwoClocks, two_clocks
+from deltacal_gen.results.parts import SeriesMade
+
+if TYPE_CHECKING:
+    from deltacal_gen.identification.clocks import Alignment
+    from deltacal_gen.physics.terms import Term
+    from deltacal_gen.results.diagnosis import Diagnosis
+    from deltacal_gen.results.result import Parameter, Result
+
+Answered = TypeVar("Answered", "Result", "Diagnosis")
+
+
+def clocks_of(recording: object, robot: Robot, **how: bool) -> TwoClocks | None:
+    """Return a recording with two clocks; None of any other."""
+    if not isinstance(recording, str | Path) or not Path(recording).with_suffix(".toml").exists():
+        return None
+    return two_clocks(Path(recording), mechanism_of(robot), **how)
+
+
+def set_in_time(
+    robot: Robot, recording: Any, model: str | None, *, held: Sequence[Term] = (), progress: Progress, **how: bool
+) -> tuple[Recording, Alignment | None]:
+    """Return a recording; one with two clocks as these stand by its own readings, and how they stand."""
+    given = clocks_of(recording, robot, **how)
+    if given is None:
+        return as_recording(recording, robot, **how), None
+    from deltacal_gen.identification.clocks import aligned
+
+    found = aligned(robot, given, model, held=held, progress=progress)
+    return found.recording, found
+
+
+def with_clock(found: Answered, clock: Alignment | None) -> Answered:
+    """Return an answer that tells how the clocks stand, where there are two."""
+    if clock is None:
+        return found
+    own: tuple[Parameter, ...] = clock.parameters
+    told: tuple[Parameter, ...] = found.parameters or ()
+    return found.replace(parameters=(*told, *own), motion=series_made(clock.clocks))
+
+
+def as_known(known: Result | Diagnosis, recording: Any, robot: Robot, *, need_measured: bool = True) -> Recording:
+    """Return a recording that a result is used on, its clocks as the result knows them."""
+    from deltacal_gen.use.clocks import known_clock
+
+    given = clocks_of(recording, robot, need_measured=need_measured)
+    if given is None:
+        return as_recording(recording, robot, need_measured=need_measured)
+    return given.at(known_clock(known, given), need_joints=not need_measured)
+
+
+def series_made(given: TwoClocks) -> SeriesMade:
+    """Return how joints were made to be known at any time."""
+    return SeriesMade(
+        cutoff_Hz=0.5 / given.spacing, removed=given.removed, text=given.text, repairs=given.joints.repairs
+    )
+
+
+def simulated_clock(given: TwoClocks, said: Mapping[str, float]) -> Clock:
+    """Return the clock that a truth names.
+
+    Raises
+    ------
+    UsageError
+        It names a rate where the sidecar says that there is none.
+    """
+    if said.get("clock_rate") and not given.rated:
+        raise UsageError(f"the truth has a clock_rate, and the sidecar says clock = '{given.clock}'.")
+    return Clock(np.full(len(given.run_names), said.get("clock_offset", 0.0)), said.get("clock_rate", 0.0))
+
+
+def instrument_columns(given: TwoClocks, done: Recording, *, joints: bool) -> dict[str, Any]:
+    """Return readings as a file holds them: with their run and time, and beside the joints as they were then."""
+    columns, _ = file_columns(done)
+    runs = {} if given.run_names == ("1",) else {"run": [given.run_names[code] for code in given.run]}
+    own = [*done.columns, *given.recording.channels, "setup", "contact"]
+    there = [n for n in columns if n.startswith("q") and n not in done.channels] if joints else []
+    return {**runs, "time_s": given.time, **{name: columns[name] for name in (*there, *own) if name in columns}}
+
+
+def write_two_clocks(given: TwoClocks, done: Recording, output: Source) -> None:
+    """Write a simulated recording with two clocks: joints as they were given, readings, and the sidecar."""
+    path = Path(output)
+    write_files(
+        {
+            path.with_suffix(".toml"): sidecar_text(done),
+            path: Path(given.joints.path).read_bytes(),
+            instrument_path(path): csv_text(instrument_columns(given, done, joints=False)),
+        }
+    )
