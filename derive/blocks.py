@@ -91,7 +91,7 @@ def _rotation(mechanism: LimbMechanism) -> sp.Matrix:
     return sp.Matrix([found.get(name, sp.Integer(0)) for name in ("cx", "cy", "cz")])
 
 
-def _turns(mechanism: LimbMechanism) -> list[int]:
+def turning_axes(mechanism: LimbMechanism) -> list[int]:
     """Return the axes about which the platform turns."""
     return [j for j, s in enumerate(_rotation(mechanism)) if s != 0]
 
@@ -104,7 +104,7 @@ def change_by_turn(mechanism: LimbMechanism) -> sp.Matrix:
 
 def turn_by_change(mechanism: LimbMechanism) -> list[sp.Expr]:
     """Return dw/dc, row by row, of the axes about which the platform turns: the inverse of `change_by_turn`."""
-    c, axes = _rotation(mechanism), _turns(mechanism)
+    c, axes = _rotation(mechanism), turning_axes(mechanism)
     return list(turn_by_cayley(skew(c), c.dot(c)).extract(axes, axes))
 
 
@@ -119,14 +119,14 @@ def _rates(mechanism: LimbMechanism, start: Mapping[sp.Symbol, sp.Expr], turn: i
         rate = spun[entries[symbol]] if turn is not None and symbol in entries else _rate(expr, known)
         if rate != 0:
             known[symbol] = rate
-    return [_rate(e, known) for e in _rows(mechanism)]
+    return [_rate(e, known) for e in equations_of(mechanism)]
 
 
 def _rate(expr: sp.Expr, rates: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
     return sp.Add(*(sp.diff(expr, s) * rates[s] for s in sorted(expr.free_symbols & set(rates), key=str)))
 
 
-def _rows(mechanism: LimbMechanism) -> list[sp.Expr]:
+def equations_of(mechanism: LimbMechanism) -> list[sp.Expr]:
     """Return the equations of a limb: mean and half the difference of a pair of rods, or its closures as they are."""
     if len(mechanism.loop_closure) != 2:
         return list(mechanism.loop_closure)
@@ -139,9 +139,9 @@ def equations(mechanism: LimbMechanism) -> list[list[sp.Expr]]:
     shifts = [_rates(mechanism, {q.symbol: sp.Integer(1)}, None) for q in mechanism.platform if q.name[0] == "p"]
     change = change_by_turn(mechanism)
     changed = [(m, c) for m, c in enumerate(_rotation(mechanism)) if c != 0]
-    spins = [_rates(mechanism, {c: change[m, k] for m, c in changed}, k) for k in _turns(mechanism)]
+    spins = [_rates(mechanism, {c: change[m, k] for m, c in changed}, k) for k in turning_axes(mechanism)]
     by_joint = _rates(mechanism, {mechanism.joint.symbol: sp.Integer(1)}, None)
-    return [list(row) for row in zip(_rows(mechanism), *shifts, *spins, by_joint, strict=True)]
+    return [list(row) for row in zip(equations_of(mechanism), *shifts, *spins, by_joint, strict=True)]
 
 
 def of_rows(rates: Sequence[sp.Expr], steps: Steps) -> list[sp.Expr]:
@@ -204,7 +204,7 @@ def held(
 def motion(mechanism: LimbMechanism, step: Sequence[sp.Expr]) -> tuple[list[tuple[sp.Symbol, sp.Expr]], list[sp.Expr]]:
     """Return the steps to the platform after a step, then the platform and what moves of its rotation matrix."""
     platform = [quantity.symbol for quantity in mechanism.platform]
-    turns = _turns(mechanism)
+    turns = turning_axes(mechanism)
     n_p = len(platform) - len(turns)
     steps: list[tuple[sp.Symbol, sp.Expr]] = []
     turn = sp.Matrix([step[n_p + turns.index(k)] if k in turns else 0 for k in range(3)])
@@ -262,7 +262,7 @@ def blocks(mechanism: LimbMechanism, seed: str, seeds: Sequence[sp.Expr], functi
     varied = [quantity.symbol for quantity in mechanism.varied]
     joint = mechanism.joint.symbol
     entries = list(rotation_steps(mechanism))
-    turns = _turns(mechanism)
+    turns = turning_axes(mechanism)
 
     region = _Region()
     inputs = _lanes([joint], region.take("q", 1))

@@ -113,16 +113,18 @@ def derive_one(spec: Spec) -> Derived:
     moving, blocks = kinematics(spec)
     ideal = nominal(spec, blocks)
     exact, first_order = servo.exact(spec), servo.linear(spec)
+    bodies = loops(spec, blocks) if spec.limb_inertials else None
     functions = {
         "moving": [moving, *blocks.functions, *meeting(spec)],
         "statics": statics.loads(spec),
-        "motion": loops(spec) if spec.limb_inertials else [],
+        "motion": bodies.functions if bodies else [],
         "exact": exact.functions,
         "linear": first_order.functions,
         "exported": [linear(spec), *([stated(spec)] if spec.turning else [])],
         **({"nominal": [*ideal.functions, distances(spec.commanded)]} if ideal else {}),
     }
-    return Derived(spec, functions, {"blocks": blocks, "nominal": ideal, "exact": exact, "linear": first_order})
+    layouts = {"blocks": blocks, "nominal": ideal, "exact": exact, "linear": first_order, "bodies": bodies}
+    return Derived(spec, functions, layouts)
 
 
 # --------------------------------------------------------------------------------------------------------------- lower

@@ -98,6 +98,7 @@ class Weight:
 
 
 OWN = sp.Symbol("own", real=True)  # a limb's own inertia about its centre of mass [kg mm^2]
+SHARE = sp.Symbol("share", real=True)  # of a rod's mass that moves like either of its ends; the rest like its middle
 
 
 @dataclass(frozen=True)

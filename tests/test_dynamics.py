@@ -1,19 +1,21 @@
-"""The derived dynamics: against Newton and Euler, and Lagrange, by hand; their linearity; the energy they keep."""
+"""The derived dynamics: of chains, against Newton and Euler by hand; their linearity; the energy they keep."""
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Mapping, Sequence
+from importlib import resources
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 from deltacal_gen.errors import UsageError
+from deltacal_gen.files.robot import read_robot
 from deltacal_gen.machine.dynamics import Dynamics, dynamics_of
 from deltacal_gen.machine.registry import mechanism_of
-from tests import independent_delta, independent_dynamics
-from tests.every_effect import ARM, LIFT, PRINTER, chain, machines, robot_from_dict, targets
+from tests import independent_dynamics
+from tests.every_effect import ARM, LIFT, chain, robot_from_dict
 
 COUPLED: list[dict[str, Any]] = [
     *ARM[:3],
@@ -130,100 +132,11 @@ def test_what_a_file_states_of_a_link() -> None:
 
 
 def test_machines_without_dynamics_are_refused() -> None:
-    with pytest.raises(UsageError, match="dynamics of linear_delta are not derived; those of delta, serial are"):
-        dynamics_of(robot_from_dict(PRINTER))
+    plain = Path(str(resources.files("deltacal_gen") / "examples/planar_parallelogram/robot.toml"))
+    with pytest.raises(UsageError, match=r"of planar_parallelogram are not derived; those of .*delta, .*serial"):
+        dynamics_of(read_robot(plain))
 
 
 def test_a_motion_of_another_shape_is_refused() -> None:
     with pytest.raises(UsageError, match=r"\(3, N, 6\) was expected"):
         dynamics(ARM).regressor(np.zeros((2, 5, 6)))
-
-
-# ------------------------------------------------------------------------------------------------- machines with loops
-
-DELTA = machines()[0]  # with source errors, and a joint that counts backwards
-
-
-def delta_states(n: int, seed: int = 0) -> np.ndarray:
-    """Return joints, velocities and accelerations (3, n, 3) of a Delta in its workspace."""
-    machine, rng = mechanism_of(DELTA), np.random.default_rng(seed)
-    q, _, status = machine.inverse(targets(DELTA, n, seed), np.tile(DELTA.tool, (n, 1)), machine.rows(DELTA))
-    assert not status.any()
-    return np.stack([q, 3.0 * rng.standard_normal(q.shape), 40.0 * rng.standard_normal(q.shape)])
-
-
-def weightless() -> Dynamics:
-    assert DELTA.masses is not None
-    masses = DELTA.masses.model_copy(update={"gravity": (0.0, 0.0, 0.0)})
-    return dynamics_of(dataclasses.replace(DELTA, masses=masses))
-
-
-def inertia_of_joints(q: np.ndarray, inertia: np.ndarray) -> np.ndarray:
-    """Return the matrix of inertia (N, 3, 3) that the joints feel, column by column."""
-    own, columns = weightless(), []
-    for j in range(3):
-        motion = np.zeros((3, *q.shape))
-        motion[0], motion[2, :, j] = q, 1.0
-        columns.append(own.torque(motion, inertia))
-    return np.stack(columns, axis=2)
-
-
-def test_at_rest_the_loops_give_what_weights_exert() -> None:
-    machine, masses = mechanism_of(DELTA), DELTA.masses
-    assert masses is not None
-    motion, own = delta_states(50), dynamics_of(DELTA)
-    motion[1:] = 0.0
-    rows, tool = machine.rows(DELTA), np.tile(DELTA.tool, (50, 1))
-    x, _ = machine.forward(motion[0], tool, rows)
-    fields = np.tile([0.0, 0.0, -9.81], (11, 1))
-    static = machine.loads(x, motion[0], tool, rows, masses.model_dump(), fields, 0.7).torque
-    lengths = np.array([DELTA.errors[f"L_{i}"] for i in (1, 2, 3)])  # the centre is a part of the arm as it is
-    inertia = own.stated()
-    inertia[[1, 5, 9]] += masses.proximal * masses.proximal_com * lengths
-    found = own.torque(motion, inertia) + 0.7 * own.payload(motion)
-    assert found == pytest.approx(-static, abs=1e-10 * np.abs(static).max())
-
-
-def test_the_inertia_of_loops_is_that_of_their_kinetic_energy() -> None:
-    """By hand: velocities of the rods' ends by complex steps along the motion, rods uniform."""
-    machine, own = mechanism_of(DELTA), dynamics_of(DELTA)
-    motion, inertia, h = delta_states(12), np.abs(np.random.default_rng(2).standard_normal(13)), 1e-4
-    inertia *= [1.0, 1e2, 1e4, 1.0] * 3 + [1.0]
-    tool, rows = np.tile(DELTA.tool, (12, 1)), machine.rows(DELTA)
-
-    def platform(q: np.ndarray) -> np.ndarray:
-        return machine.coordinates(machine.forward(q, tool, rows)[0])
-
-    steps = {1: 8, -1: -8, 2: -1, -2: 1}
-    x_t = sum(c * platform(motion[0] + n * h * motion[1]) for n, c in steps.items()) / (12 * h)
-    x, geometry = platform(motion[0]), {key: float(v[0]) for key, v in DELTA.geometry.items()}
-    geometry["c"] = geometry["joint_spacing"]
-    kinetic = np.zeros(12)
-    for n in range(12):
-        at, along = x[n] + 1e-20j * x_t[n], motion[0, n] + 1e-20j * motion[1, n]
-        elbow, hand, _ = independent_delta.rod_ends(geometry, DELTA.errors, at, along, DELTA.tool)
-        v, w = elbow.imag * 1e20, hand.imag * 1e20
-        R, R_t = independent_delta.cayley(at[3:]).real, independent_delta.cayley(at[3:]).imag * 1e20
-        centre = x_t[n, :3] - R_t @ DELTA.tool
-        assert pytest.approx(np.eye(3)) == R @ R.T
-        rods = ((v**2 + v * w + w**2).sum(axis=2) / 6).sum(axis=1) @ inertia[[3, 7, 11]]
-        kinetic[n] = rods + 0.5 * inertia[[2, 6, 10]] @ motion[1, n] ** 2 + 0.5 * inertia[12] * centre @ centre
-    M = inertia_of_joints(motion[0], inertia)
-    found = 0.5 * np.einsum("ni,nij,nj->n", motion[1], M, motion[1])
-    assert found == pytest.approx(kinetic / 1000, rel=1e-8)
-    assert pytest.approx(np.swapaxes(M, 1, 2), abs=1e-12 * np.abs(M).max()) == M
-    assert own.names[:4] == ("m_arm_1", "mx_arm_1", "i_arm_1", "m_rod_1")
-
-
-def test_the_torque_of_loops_is_lagrange_s() -> None:
-    """``M qdd + (dM/dt) qd - 1/2 d(qd M qd)/dq`` without weight; differences of the matrix of inertia."""
-    motion, inertia, h = delta_states(10), weightless().stated(), 1e-3
-    q, qd, qdd = motion
-    wanted = np.einsum("nij,nj->ni", inertia_of_joints(q, inertia), qdd)
-    steps = {1: 8, -1: -8, 2: -1, -2: 1}
-    for k in range(3):
-        e = np.eye(3)[k]
-        slope = sum(c * inertia_of_joints(q + n * h * e, inertia) for n, c in steps.items()) / (12 * h)
-        wanted += np.einsum("nij,nj->ni", slope, qd) * qd[:, k, None]
-        wanted[:, k] -= 0.5 * np.einsum("ni,nij,nj->n", qd, slope, qd)
-    assert weightless().torque(motion, inertia) == pytest.approx(wanted, abs=1e-7 * np.abs(wanted).max())

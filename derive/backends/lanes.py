@@ -59,6 +59,7 @@ def block(
     copies: Sequence[int] = (0,),
     single: Collection[int] = (),
     regions: Mapping[str, int | Sequence[int]] | None = None,
+    into: str = "w",
 ) -> Lines:
     """Return the lines of a kernel over the lane arrays of one block of poses, its result from lane array `at` on.
 
@@ -74,6 +75,8 @@ def block(
         Entries of the result that are written at the first of `copies` only.
     regions : mapping, optional
         Arrays whose numbers stand in lane arrays: the first one, or that of each number.
+    into : str
+        The array of the result.
     """
     regions = regions or {}
     kernel = replace(kernel, loads=tuple(_laid(load, regions, size) for load in kernel.loads))
@@ -81,7 +84,7 @@ def block(
     inside = [load for load in kernel.loads if load.place.lane]
     lines = written(kernel, PRINTER, place, str)
     stores = [
-        f"w[{(copy + at + store.index) * size} + lane] = {PRINTER.expression(store.expr)}"
+        f"{into}[{(copy + at + store.index) * size} + lane] = {PRINTER.expression(store.expr)}"
         for store in kernel.stores
         for copy in (copies[:1] if store.index in single else copies)
     ]

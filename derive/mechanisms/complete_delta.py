@@ -18,6 +18,7 @@ from functools import partial
 
 import sympy as sp
 
+from derive.masses import of_arm, of_platform, of_rods
 from derive.mechanisms import delta
 from derive.mechanisms.delta import (
     NOMINAL_FRAME,
@@ -133,6 +134,11 @@ def mechanism(v: Algebra) -> LimbMechanism:
     return MACHINE(
         steps=steps,
         loop_closure=tuple(closures),
+        limb_inertials=(
+            *of_arm(base, R1[:, 1], L, L),
+            of_rods(list(zip(elbows, hands, strict=True)), "mass of each of the two rods"),
+        ),
+        platform_inertials=of_platform(P - R * tool, P),
         limb_weights=(
             Weight(proximal, base + proximal_com * R1 * vector(0, L, 0)),
             *(Weight(distal_rod / 2, end) for end in (*elbows, *hands)),  # half of either rod at either end

@@ -22,7 +22,8 @@ from functools import partial
 
 import sympy as sp
 
-from derive.spec import OWN, GeometryKey, Inertial, LimbMechanism, Quantity, Weight
+from derive.masses import of_arm, of_platform, of_rods
+from derive.spec import GeometryKey, LimbMechanism, Quantity, Weight
 from derive.steps import Derivation
 from derive.vectors import Algebra, vector
 
@@ -181,26 +182,11 @@ def mechanism(v: Algebra) -> LimbMechanism:
         d = rod + side * rod_half
         return (d.dot(d) - (l + dl_mean + side * dl / 2) ** 2) / 2
 
-    arm, length = R1[:, 0], L + dL  # the arm's line; its bodies as points a length either side of the joint
-    centre = proximal_com * L
-    ends = B + length * arm, B - length * arm
-    turning = [(side / (2 * length), end) for side, end in zip((1, -1), ends, strict=True)]
-    spread = [(1 / (2 * length**2), end) for end in ends]
-    along = [(C + side * C_half, A + side * A_half) for side in (1, -1)]
-    sixth, rest = sp.Rational(1, 6), sp.Rational(2, 3)  # Simpson's rule: a rod is uniform
-    rods = [pair for e, h in along for pair in ((sixth, e), (rest, (e + h) / 2), (sixth, h))]
+    rods = [(C + side * C_half, A + side * A_half) for side in (1, -1)]
     return MACHINE(
         steps=steps,
-        limb_inertials=(
-            Inertial("m_arm", "kg", "mass of the arm, at its joint", ((sp.Integer(1), B),), proximal),
-            Inertial("mx_arm", "kg mm", "its first moment along the arm", tuple(turning), proximal * centre),
-            Inertial("i_arm", "kg mm^2", "its inertia about the joint", tuple(spread), OWN + proximal * centre**2),
-            Inertial("m_rod", "kg", "mass of each of the two rods", tuple(rods), distal_rod),
-        ),
-        platform_inertials=(
-            Inertial("m_platform", "kg", "mass of the platform, at O'", ((sp.Integer(1), P - R * tool),), body),
-            Inertial("payload", "kg", "mass at the reference point", ((sp.Integer(1), P),)),
-        ),
+        limb_inertials=(*of_arm(B, R1[:, 0], L + dL, L), of_rods(rods, "mass of each of the two rods")),
+        platform_inertials=of_platform(P - R * tool, P),
         loop_closure=(closure(+1), closure(-1)),
         limb_weights=(
             Weight(proximal, B + R1 * vector(proximal_com * (L + dL), 0, 0)),

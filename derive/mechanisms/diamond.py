@@ -20,6 +20,7 @@ from functools import partial
 
 import sympy as sp
 
+from derive.masses import of_arm, of_platform, of_rods
 from derive.spec import GeometryKey, LimbMechanism, Quantity, Weight
 from derive.steps import Derivation
 from derive.vectors import Algebra, vector
@@ -128,6 +129,8 @@ def mechanism(v: Algebra) -> LimbMechanism:
     return MACHINE(
         steps=steps,
         loop_closure=((rod.dot(rod) - (l + dl) ** 2) / 2,),
+        limb_inertials=(*of_arm(B, arm, L + dL, L), of_rods([(C, A)], "mass of the distal link")),
+        platform_inertials=of_platform(P - tool, P),
         limb_weights=(
             Weight(proximal, B + proximal_com * (L + dL) * arm),
             Weight(distal_rod / 2, C),

@@ -29,7 +29,8 @@ from functools import partial
 
 import sympy as sp
 
-from derive.spec import GeometryKey, LimbMechanism, Quantity, Weight
+from derive.masses import CARRIAGE, of_platform, of_rods
+from derive.spec import GeometryKey, Inertial, LimbMechanism, Quantity, Weight
 from derive.steps import Derivation
 from derive.vectors import Algebra, vector
 
@@ -148,6 +149,9 @@ def mechanism(v: Algebra) -> LimbMechanism:
     A = step("A", P + R * (a * u - tool))
     rod, rod_half = step("d", A - C), step("s", c / 2 * (R * t - t))
 
+    half = c / 2 * t
+    rods = [(C + side * half, A + side * R * half) for side in (1, -1)]
+
     def closure(side: int) -> sp.Expr:
         """Return the loop closure of rod 1 (side +1) or rod 2 (side -1), in mm^2."""
         d = rod + side * rod_half
@@ -156,6 +160,11 @@ def mechanism(v: Algebra) -> LimbMechanism:
     return MACHINE(
         steps=steps,
         loop_closure=(closure(+1), closure(-1)),
+        limb_inertials=(
+            Inertial("m_carriage", "kg", "mass of the carriage", ((sp.Integer(1), C),), CARRIAGE),
+            of_rods(rods, "mass of each of the two rods"),
+        ),
+        platform_inertials=of_platform(P - R * tool, P),
         limb_weights=(
             Weight(carriage, C),
             Weight(rod_mass, C),  # half of either rod at the carriage

@@ -21,6 +21,7 @@ from functools import partial
 
 import sympy as sp
 
+from derive.masses import of_arm, of_platform, of_rods
 from derive.spec import GeometryKey, LimbMechanism, Quantity, Weight
 from derive.steps import Derivation
 from derive.vectors import Algebra, vector
@@ -145,6 +146,8 @@ def mechanism(v: Algebra) -> LimbMechanism:
     return MACHINE(
         steps=steps,
         loop_closure=((rod.dot(rod) - (b + db) ** 2) / 2,),
+        limb_inertials=(*of_arm(A, arm, a + da, a), of_rods([(B, C)], "mass of each rod of the pair", each=2)),
+        platform_inertials=of_platform(P - tool, P),
         limb_weights=(
             Weight(proximal, A + proximal_com * (a + da) * arm),
             Weight(distal_rod, B),  # half of either rod of the pair at the elbow

@@ -1,7 +1,7 @@
 """Kinematics of `complete_delta`, many poses at once: Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both c30d55c1594a6033; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both f29049e18c82cdee; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 

@@ -1,7 +1,7 @@
 """Kinematics of `complete_delta` in plain NumPy: Delta, complete geometry of the six rods.
 
 Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both aaf6600be67df637; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 01f93b3c0eb55540; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.

@@ -1,7 +1,7 @@
 """What no pose changes: `delta`, many machines at once, Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both 8f2bdd6a7254e372; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both 19d633b36585a1a6; SymPy 1.14.0.
 
 p (M, 3, 22) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
 """

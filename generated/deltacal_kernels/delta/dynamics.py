@@ -1,16 +1,34 @@
-"""Dynamics of `delta`: Delta, three arms and six rods.
+"""Dynamics of `delta`, many samples at once: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/dynamics.py.jinja; sha256 of both 7131ec06218e4c3d; SymPy 1.14.0.
+Template templates/mechanism/dynamics.py.jinja; sha256 of both de5bd482382fbc19; SymPy 1.14.0.
 
-Plain NumPy over N samples: x, x_t, x_tt (N, 6), the platform's coordinates and their derivatives by time; joints
-(3, N, 3), with their velocities and accelerations; tool (N or 1, 3); p (N or 1, 3, n); gravity (3,) in {O} [m/s^2].
-Units mm, rad, s, kg, N.
+Arrays are C-contiguous float64, the sample first; mm, rad, s, kg, N:
+
+x (N, 6)  platform: px py pz cx cy cz
+motion (3, N, 3)  joints, their velocities, their accelerations      tool (N or 1, 3)  reference point in {O'}
+k (M, 3, ...)  what `constants` of ``kinematics.py`` makes of p; each of the M machines has N / M of the samples
+c (M, 3, 24)  what `constants` makes of p (M, 3, 22)
+gravity (3,)  in {O} [m/s^2]      shares (3,)  of a rod's mass at either end: 1/6 where it is uniform
+inertia (14,)  of `LIMB`, limb by limb, then of `PLATFORM`, of which the payload is the last
+
+Samples stand side by side as in ``kinematics.py``: a limb has a second region d, and s holds what all limbs share. What
+bodies ask for is linear in their inertial parameters: `torque` sums it up, `regressor` gives it one by one, without the
+payload. Both are NaN where x is, and where the machine is singular or nearly so.
 """
+
+import math
 
 import numpy as np
 
-LIMBS, EQUATIONS = 3, 6
+from deltacal_kernels.cache import kernel
+from deltacal_kernels.elementary import cosine, scratch, sine
+from deltacal_kernels.straight import straight
+
+from .blocks import LANES, WORK, hold, load
+from .kinematics import _begin, _early, _inverse_of_rows, _joints, _more, _place, _rows
+from .kinematics import _move as _move_platform
+
 # (name, unit, meaning) of the inertial parameters of a limb, and of the platform
 LIMB = (
     ("m_arm", "kg", "mass of the arm, at its joint"),
@@ -19,9 +37,11 @@ LIMB = (
     ("m_rod", "kg", "mass of each of the two rods"),
 )
 PLATFORM = (
-    ("m_platform", "kg", "mass of the platform, at O'"),
+    ("m_platform", "kg", "mass of the platform, at its centre"),
     ("payload", "kg", "mass at the reference point"),
 )
+OWN, SHARED = 1280, 2112  # numbers of a limb's second region; of what all share
+fast = kernel(nogil=True, error_model="numpy", fastmath={"contract"})
 
 
 def stated(geometry, masses, own):
@@ -43,1035 +63,1271 @@ def stated(geometry, masses, own):
     }
 
 
-def _closing(x, x_t, joint, tool, p):
-    """Per closure of one limb: second derivative by time without accelerations, by platform, by joint: (N, 16)."""
-    px = x[:, 0]
-    py = x[:, 1]
-    pz = x[:, 2]
-    cx = x[:, 3]
-    cy = x[:, 4]
-    cz = x[:, 5]
-    px_t = x_t[:, 0]
-    py_t = x_t[:, 1]
-    pz_t = x_t[:, 2]
-    cx_t = x_t[:, 3]
-    cy_t = x_t[:, 4]
-    cz_t = x_t[:, 5]
-    q = joint[:, 0]
-    q_t = joint[:, 1]
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    tz = tool[:, 2]
-    b = p[:, 0]
-    a = p[:, 1]
-    L = p[:, 2]
-    c = p[:, 4]
-    phi = p[:, 5]
-    theta = p[:, 6]
-    ex = p[:, 7]
-    ey = p[:, 8]
-    ez = p[:, 9]
-    dL = p[:, 10]
-    alpha0 = p[:, 11]
-    beta0 = p[:, 12]
-    dc = p[:, 15]
-    alpha03 = p[:, 16]
-    beta03 = p[:, 17]
-    alpha2 = p[:, 18]
-    beta2 = p[:, 19]
-    tip_v = p[:, 20]
-    tip_w = p[:, 21]
-    s0 = (beta0 * beta0)
-    s1 = (alpha0 * alpha0)
-    s2 = s0 + s1
-    s10 = s2*(s2*(s2*(1.5619206968586225e-16*s0 + 1.5619206968586225e-16*s1 - 4.779477332387385e-14) + 1.1470745597729725e-11) - 2.08767569878681e-09)
-    s18 = s2*(s2*(s2*(s2*(s10 + 2.755731922398589e-07) - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664)
-    s19 = s18 + 0.5
-    s20 = -s0*s19
-    s21 = s20 + 1
-    s22 = np.cos(phi)
-    s31 = s2*(s2*(s2*(2.8114572543455206e-15*s0 + 2.8114572543455206e-15*s1 - 7.647163731819816e-13) + 1.6059043836821613e-10) - 2.505210838544172e-08)
-    s39 = s2*(s2*(s2*(s2*(s31 + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333) - 0.16666666666666666)
-    s40 = s39 + 1
-    s41 = np.sin(phi)
-    s42 = -beta0*s40*s41
-    R0_11 = s21*s22 + s42
-    R0_12 = alpha0*beta0*s19*s22 + alpha0*s40*s41
-    s47 = -s1*s19
-    s48 = s20 + s47 + 1
-    s50 = beta0*s22*s40
-    R0_13 = s41*s48 + s50
-    R0_21 = s21*s41 + s50
-    R0_22 = alpha0*beta0*s19*s41 - alpha0*s22*s40
-    R0_23 = -s22*s48 - s42
-    R0_31 = alpha0*beta0*s19
-    R0_32 = s47 + 1
-    R0_33 = -alpha0*s40
-    s62 = (alpha2 * alpha2)
-    s63 = (beta2 * beta2)
-    s64 = s62 + s63
-    s72 = s64*(s64*(s64*(2.8114572543455206e-15*s62 + 2.8114572543455206e-15*s63 - 7.647163731819816e-13) + 1.6059043836821613e-10) - 2.505210838544172e-08)
-    s80 = s64*(s64*(s64*(s64*(s72 + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333) - 0.16666666666666666)
-    s81 = s80 + 1
-    s84 = 0.5*c + 0.5*dc
-    g_x = beta2*s81*s84
-    g_y = -alpha2*s81*s84
-    s94 = s64*(s64*(s64*(1.5619206968586225e-16*s62 + 1.5619206968586225e-16*s63 - 4.779477332387385e-14) + 1.1470745597729725e-11) - 2.08767569878681e-09)
-    s102 = s64*(s64*(s64*(s64*(s94 + 2.755731922398589e-07) - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664)
-    s103 = s102 + 0.5
-    g_z = s84*(-s103*s62 - s103*s63 + 1)
-    s108 = alpha0 - alpha03
-    s109 = (s108 * s108)
-    s110 = beta0 - beta03
-    s111 = (s110 * s110)
-    s112 = s109 + s111
-    s120 = s112*(s112*(s112*(1.5619206968586225e-16*s109 + 1.5619206968586225e-16*s111 - 4.779477332387385e-14) + 1.1470745597729725e-11) - 2.08767569878681e-09)
-    s128 = s112*(s112*(s112*(s112*(s120 + 2.755731922398589e-07) - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664)
-    s129 = s128 + 0.5
-    s132 = -(s108 * s108)*s129 - (s110 * s110)*s129 + 1
-    s141 = s112*(s112*(s112*(2.8114572543455206e-15*s109 + 2.8114572543455206e-15*s111 - 7.647163731819816e-13) + 1.6059043836821613e-10) - 2.505210838544172e-08)
-    s149 = s112*(s112*(s112*(s112*(s141 + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333) - 0.16666666666666666)
-    s150 = s149 + 1
-    h_x = 0.5*c*(s110*s150*s22 + s132*s41)
-    h_y = 0.5*c*(s110*s150*s41 - s132*s22)
-    h_z = -0.5*c*s108*s150
-    B_x = b*s22 + ex
-    B_y = b*s41 + ey
-    s163 = q + theta
-    s164 = np.cos(s163)
-    s166 = np.sin(s163)
-    R1_11 = R0_11*s164 + R0_12*s166
-    R1_12 = -R0_11*s166 + R0_12*s164
-    R1_21 = R0_21*s164 + R0_22*s166
-    R1_22 = -R0_21*s166 + R0_22*s164
-    R1_31 = R0_31*s164 + R0_32*s166
-    R1_32 = -R0_31*s166 + R0_32*s164
-    s184 = (cx * cx)
-    s186 = (cy * cy)
-    s188 = (cz * cz)
-    s190 = 0.25*s184 + 0.25*s186 + 0.25*s188 + 1
-    s191 = (1.0 / s190)
-    s192 = -0.5*s186
-    s193 = -0.5*s188
-    s194 = s192 + s193
-    R_11 = s191*s194 + 1
-    s197 = 0.5*cx*cy
-    s198 = -cz + s197
-    R_12 = s191*s198
-    s200 = 0.5*cx*cz
-    s201 = cy + s200
-    R_13 = s191*s201
-    s203 = cz + s197
-    R_21 = s191*s203
-    s205 = -0.5*s184
-    s206 = s193 + s205
-    R_22 = s191*s206 + 1
-    s209 = 0.5*cy*cz
-    s210 = -cx + s209
-    R_23 = s191*s210
-    s212 = -cy + s200
-    R_31 = s191*s212
-    s214 = cx + s209
-    R_32 = s191*s214
-    s216 = s192 + s205
-    R_33 = s191*s216 + 1
-    s219 = L + dL
-    C_x = B_x + R0_13*tip_w + R1_11*s219 + R1_12*tip_v
-    C_y = B_y + R0_23*tip_w + R1_21*s219 + R1_22*tip_v
-    C_z = R0_33*tip_w + R1_31*s219 + R1_32*tip_v + ez
-    s233 = a*s22 - tx
-    s236 = a*s41 - ty
-    A_x = R_11*s233 + R_12*s236 - R_13*tz + px
-    A_y = R_21*s233 + R_22*s236 - R_23*tz + py
-    A_z = R_31*s233 + R_32*s236 - R_33*tz + pz
-    c1_x = R0_13*g_z + R1_11*g_x + R1_12*g_y
-    c1_y = R0_23*g_z + R1_21*g_x + R1_22*g_y
-    c1_z = R0_33*g_z + R1_31*g_x + R1_32*g_y
-    a1_x = R_11*h_x + R_12*h_y + R_13*h_z
-    a1_y = R_21*h_x + R_22*h_y + R_23*h_z
-    a1_z = R_31*h_x + R_32*h_y + R_33*h_z
-    d_x = A_x - C_x
-    d_y = A_y - C_y
-    d_z = A_z - C_z
-    s_x = a1_x - c1_x
-    s_y = a1_y - c1_y
-    s_z = a1_z - c1_z
-    s344 = -q_t*s166
-    s346 = q_t*s164
-    s348 = R0_11*s344 + R0_12*s346
-    s351 = -R0_11*s346 + R0_12*s344
-    s354 = R0_21*s344 + R0_22*s346
-    s357 = -R0_21*s346 + R0_22*s344
-    s360 = R0_31*s344 + R0_32*s346
-    s363 = -R0_31*s346 + R0_32*s344
-    s364 = 2*cx
-    s365 = cx_t*s364
-    s367 = 2*cy
-    s368 = cy_t*s367
-    s370 = 2*cz
-    s371 = cz_t*s370
-    s373 = 0.25*s365 + 0.25*s368 + 0.25*s371
-    s374 = (1.0 / (s190 * s190))
-    s375 = -s373*s374
-    s376 = -0.5*s368
-    s377 = -0.5*s371
-    s378 = s376 + s377
-    s381 = s191*s378 + s194*s375
-    s382 = 0.5*cy
-    s383 = 0.5*cx
-    s386 = cx_t*s382 + cy_t*s383
-    s387 = -cz_t + s386
-    s390 = s191*s387 + s198*s375
-    s391 = 0.5*cz
-    s394 = cx_t*s391 + cz_t*s383
-    s395 = cy_t + s394
-    s398 = s191*s395 + s201*s375
-    s399 = cz_t + s386
-    s402 = s191*s399 + s203*s375
-    s403 = -0.5*s365
-    s404 = s377 + s403
-    s407 = s191*s404 + s206*s375
-    s410 = cy_t*s391 + cz_t*s382
-    s411 = -cx_t + s410
-    s414 = s191*s411 + s210*s375
-    s415 = -cy_t + s394
-    s418 = s191*s415 + s212*s375
-    s419 = cx_t + s410
-    s422 = s191*s419 + s214*s375
-    s423 = s376 + s403
-    s426 = s191*s423 + s216*s375
-    s469 = px_t - s219*s348 + s233*s381 + s236*s390 - s351*tip_v - s398*tz
-    s470 = py_t - s219*s354 + s233*s402 + s236*s407 - s357*tip_v - s414*tz
-    s471 = pz_t - s219*s360 + s233*s418 + s236*s422 - s363*tip_v - s426*tz
-    s472 = -g_x*s348 - g_y*s351 + h_x*s381 + h_y*s390 + h_z*s398
-    s473 = -g_x*s354 - g_y*s357 + h_x*s402 + h_y*s407 + h_z*s414
-    s474 = -g_x*s360 - g_y*s363 + h_x*s418 + h_y*s422 + h_z*s426
-    s475 = s469 + s472
-    s476 = 2*d_x + 2*s_x
-    s479 = s470 + s473
-    s480 = 2*d_y + 2*s_y
-    s483 = s471 + s474
-    s484 = 2*d_z + 2*s_z
-    s489 = s469 - s472
-    s490 = 2*d_x - 2*s_x
-    s493 = s470 - s473
-    s494 = 2*d_y - 2*s_y
-    s497 = s471 - s474
-    s498 = 2*d_z - 2*s_z
-    s508 = -q_t*s346
-    s510 = q_t*s344
-    s512 = R0_11*s508 + R0_12*s510
-    s515 = -R0_11*s510 + R0_12*s508
-    s518 = R0_21*s508 + R0_22*s510
-    s521 = -R0_21*s510 + R0_22*s508
-    s524 = R0_31*s508 + R0_32*s510
-    s527 = -R0_31*s510 + R0_32*s508
-    s529 = 2*(cx_t * cx_t)
-    s532 = 2*(cy_t * cy_t)
-    s535 = 2*(cz_t * cz_t)
-    s543 = -s374*(0.25*s529 + 0.25*s532 + 0.25*s535) + 2*(s373 * s373)/(s190 * s190 * s190)
-    s544 = -0.5*s532
-    s545 = -0.5*s535
-    s547 = s375*s378
-    s552 = s191*(s544 + s545) + s194*s543 + 2*s547
-    s553 = 0.5*cy_t
-    s554 = 0.5*cx_t
-    s558 = s375*s387
-    s561 = s191*(cx_t*s553 + cy_t*s554)
-    s563 = s198*s543 + 2*s558 + s561
-    s564 = 0.5*cz_t
-    s568 = s375*s395
-    s571 = s191*(cx_t*s564 + cz_t*s554)
-    s573 = s201*s543 + 2*s568 + s571
-    s574 = s375*s399
-    s578 = s203*s543 + s561 + 2*s574
-    s579 = -0.5*s529
-    s581 = s375*s404
-    s586 = s191*(s545 + s579) + s206*s543 + 2*s581
-    s590 = s375*s411
-    s593 = s191*(cy_t*s564 + cz_t*s553)
-    s595 = s210*s543 + 2*s590 + s593
-    s596 = s375*s415
-    s600 = s212*s543 + s571 + 2*s596
-    s601 = s375*s419
-    s605 = s214*s543 + s593 + 2*s601
-    s607 = s375*s423
-    s612 = s191*(s544 + s579) + s216*s543 + 2*s607
-    s655 = -s219*s512 + s233*s552 + s236*s563 - s515*tip_v - s573*tz
-    s656 = -s219*s518 + s233*s578 + s236*s586 - s521*tip_v - s595*tz
-    s657 = -s219*s524 + s233*s600 + s236*s605 - s527*tip_v - s612*tz
-    s658 = -g_x*s512 - g_y*s515 + h_x*s552 + h_y*s563 + h_z*s573
-    s659 = -g_x*s518 - g_y*s521 + h_x*s578 + h_y*s586 + h_z*s595
-    s660 = -g_x*s524 - g_y*s527 + h_x*s600 + h_y*s605 + h_z*s612
-    s678 = (s483 * s483) + 0.5*s484*(s657 + s660)
-    s679 = (s475 * s475) + 0.5*s476*(s655 + s658) + (s479 * s479) + 0.5*s480*(s656 + s659) + s678
-    s697 = (s497 * s497) + 0.5*s498*(s657 - s660)
-    s698 = (s489 * s489) + 0.5*s490*(s655 - s658) + (s493 * s493) + 0.5*s494*(s656 - s659) + s697
-    s701 = 0.5*s484
-    s702 = 0.5*s480
-    s703 = 0.5*s476
-    s765 = h_z*s701 - s701*tz
-    s767 = s191*s765
-    s768 = h_y*s701 + s236*s701
-    s770 = s191*s768
-    s771 = h_x*s701 + s233*s701
-    s773 = s191*s771
-    s774 = h_z*s702 - s702*tz
-    s776 = s191*s774
-    s777 = s770 + s776
-    s780 = h_y*s702 + s236*s702
-    s781 = s206*s780
-    s782 = s191*s780
-    s785 = h_x*s702 + s233*s702
-    s786 = s203*s785
-    s787 = s191*s785
-    s788 = h_z*s703 - s703*tz
-    s789 = s201*s788
-    s790 = s191*s788
-    s791 = s773 + s790
-    s794 = h_y*s703 + s236*s703
-    s795 = s198*s794
-    s796 = s191*s794
-    s797 = s787 + s796
-    s800 = h_x*s703 + s233*s703
-    s801 = s194*s800
-    s802 = s191*s800
-    s807 = s210*s774 + s212*s771 + s214*s768 + s216*s765 + s781 + s786 + s789 + s795 + s801
-    s809 = -0.25*s374*s807
-    s816 = -g_y*s701 - s701*tip_v
-    s821 = -g_x*s701 - s219*s701
-    s826 = -g_y*s702 - s702*tip_v
-    s831 = -g_x*s702 - s219*s702
-    s836 = -g_y*s703 - s703*tip_v
-    s841 = -g_x*s703 - s219*s703
-    s845 = s164*(-R0_11*s836 + R0_12*s841 - R0_21*s826 + R0_22*s831 - R0_31*s816 + R0_32*s821)
-    s848 = R0_11*s841 + R0_12*s836 + R0_21*s831 + R0_22*s826 + R0_31*s821 + R0_32*s816
-    s850 = -s166*s848 + s845
-    s1061 = s364*(-0.5*s767 - 0.5*s782 + s809) + s382*s797 + s391*s791 + s770 - s776
-    s1062 = s367*(-0.5*s767 - 0.5*s802 + s809) + s383*s797 + s391*s777 - s773 + s790
-    s1063 = s370*(-0.5*s782 - 0.5*s802 + s809) + s382*s777 + s383*s791 + s787 - s796
-    s1072 = 0.5*s498
-    s1073 = 0.5*s494
-    s1074 = 0.5*s490
-    s1137 = -h_z*s1072 - s1072*tz
-    s1139 = s1137*s191
-    s1140 = -h_y*s1072 + s1072*s236
-    s1142 = s1140*s191
-    s1143 = -h_x*s1072 + s1072*s233
-    s1145 = s1143*s191
-    s1146 = -h_z*s1073 - s1073*tz
-    s1148 = s1146*s191
-    s1149 = s1142 + s1148
-    s1152 = -h_y*s1073 + s1073*s236
-    s1153 = s1152*s206
-    s1154 = s1152*s191
-    s1157 = -h_x*s1073 + s1073*s233
-    s1158 = s1157*s203
-    s1159 = s1157*s191
-    s1160 = -h_z*s1074 - s1074*tz
-    s1161 = s1160*s201
-    s1162 = s1160*s191
-    s1163 = s1145 + s1162
-    s1166 = -h_y*s1074 + s1074*s236
-    s1167 = s1166*s198
-    s1168 = s1166*s191
-    s1169 = s1159 + s1168
-    s1172 = -h_x*s1074 + s1074*s233
-    s1173 = s1172*s194
-    s1174 = s1172*s191
-    s1179 = s1137*s216 + s1140*s214 + s1143*s212 + s1146*s210 + s1153 + s1158 + s1161 + s1167 + s1173
-    s1181 = -0.25*s1179*s374
-    s1188 = g_y*s1072 - s1072*tip_v
-    s1193 = g_x*s1072 - s1072*s219
-    s1198 = g_y*s1073 - s1073*tip_v
-    s1203 = g_x*s1073 - s1073*s219
-    s1208 = g_y*s1074 - s1074*tip_v
-    s1213 = g_x*s1074 - s1074*s219
-    s1217 = s164*(-R0_11*s1208 + R0_12*s1213 - R0_21*s1198 + R0_22*s1203 - R0_31*s1188 + R0_32*s1193)
-    s1220 = R0_11*s1213 + R0_12*s1208 + R0_21*s1203 + R0_22*s1198 + R0_31*s1193 + R0_32*s1188
-    s1222 = s1217 - s1220*s166
-    s1433 = s1142 - s1148 + s1163*s391 + s1169*s382 + s364*(-0.5*s1139 - 0.5*s1154 + s1181)
-    s1434 = -s1145 + s1149*s391 + s1162 + s1169*s383 + s367*(-0.5*s1139 - 0.5*s1174 + s1181)
-    s1435 = s1149*s382 + s1159 + s1163*s383 - s1168 + s370*(-0.5*s1154 - 0.5*s1174 + s1181)
-    out = np.zeros((len(x), 16))
-    out[:, 0] = s679
-    out[:, 1] = s703
-    out[:, 2] = s702
-    out[:, 3] = s701
-    out[:, 4] = s1061
-    out[:, 5] = s1062
-    out[:, 6] = s1063
-    out[:, 7] = s850
-    out[:, 8] = s698
-    out[:, 9] = s1074
-    out[:, 10] = s1073
-    out[:, 11] = s1072
-    out[:, 12] = s1433
-    out[:, 13] = s1434
-    out[:, 14] = s1435
-    out[:, 15] = s1222
-    return out
+@straight
+def _fill(p, k, rows):
+    for lane in range(rows):
+        b = p[22 * lane + 0]
+        a = p[22 * lane + 1]
+        L = p[22 * lane + 2]
+        c = p[22 * lane + 4]
+        phi = p[22 * lane + 5]
+        theta = p[22 * lane + 6]
+        ex = p[22 * lane + 7]
+        ey = p[22 * lane + 8]
+        ez = p[22 * lane + 9]
+        dL = p[22 * lane + 10]
+        alpha0 = p[22 * lane + 11]
+        beta0 = p[22 * lane + 12]
+        dc = p[22 * lane + 15]
+        alpha03 = p[22 * lane + 16]
+        beta03 = p[22 * lane + 17]
+        alpha2 = p[22 * lane + 18]
+        beta2 = p[22 * lane + 19]
+        tip_v = p[22 * lane + 20]
+        tip_w = p[22 * lane + 21]
+        s0 = (beta0 * beta0)
+        s1 = (alpha0 * alpha0)
+        s2 = s0 + s1
+        s10 = s2*(s2*(s2*(1.5619206968586225e-16*s0 + 1.5619206968586225e-16*s1 - 4.779477332387385e-14) + 1.1470745597729725e-11) - 2.08767569878681e-09)
+        s18 = s2*(s2*(s2*(s2*(s10 + 2.755731922398589e-07) - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664)
+        s19 = s18 + 0.5
+        s20 = -s0*s19
+        s21 = s20 + 1
+        s22 = cosine(phi)
+        s31 = s2*(s2*(s2*(2.8114572543455206e-15*s0 + 2.8114572543455206e-15*s1 - 7.647163731819816e-13) + 1.6059043836821613e-10) - 2.505210838544172e-08)
+        s39 = s2*(s2*(s2*(s2*(s31 + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333) - 0.16666666666666666)
+        s40 = s39 + 1
+        s41 = sine(phi)
+        s42 = -beta0*s40*s41
+        R0_11 = s21*s22 + s42
+        R0_12 = alpha0*beta0*s19*s22 + alpha0*s40*s41
+        s47 = -s1*s19
+        s48 = s20 + s47 + 1
+        s50 = beta0*s22*s40
+        R0_13 = s41*s48 + s50
+        R0_21 = s21*s41 + s50
+        R0_22 = alpha0*beta0*s19*s41 - alpha0*s22*s40
+        R0_23 = -s22*s48 - s42
+        R0_31 = alpha0*beta0*s19
+        R0_32 = s47 + 1
+        R0_33 = -alpha0*s40
+        s62 = (alpha2 * alpha2)
+        s63 = (beta2 * beta2)
+        s64 = s62 + s63
+        s72 = s64*(s64*(s64*(2.8114572543455206e-15*s62 + 2.8114572543455206e-15*s63 - 7.647163731819816e-13) + 1.6059043836821613e-10) - 2.505210838544172e-08)
+        s80 = s64*(s64*(s64*(s64*(s72 + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333) - 0.16666666666666666)
+        s81 = s80 + 1
+        s84 = 0.5*c + 0.5*dc
+        g_x = beta2*s81*s84
+        g_y = -alpha2*s81*s84
+        s94 = s64*(s64*(s64*(1.5619206968586225e-16*s62 + 1.5619206968586225e-16*s63 - 4.779477332387385e-14) + 1.1470745597729725e-11) - 2.08767569878681e-09)
+        s102 = s64*(s64*(s64*(s64*(s94 + 2.755731922398589e-07) - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664)
+        s103 = s102 + 0.5
+        g_z = s84*(-s103*s62 - s103*s63 + 1)
+        s108 = alpha0 - alpha03
+        s109 = (s108 * s108)
+        s110 = beta0 - beta03
+        s111 = (s110 * s110)
+        s112 = s109 + s111
+        s120 = s112*(s112*(s112*(1.5619206968586225e-16*s109 + 1.5619206968586225e-16*s111 - 4.779477332387385e-14) + 1.1470745597729725e-11) - 2.08767569878681e-09)
+        s128 = s112*(s112*(s112*(s112*(s120 + 2.755731922398589e-07) - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664)
+        s129 = s128 + 0.5
+        s132 = -(s108 * s108)*s129 - (s110 * s110)*s129 + 1
+        s141 = s112*(s112*(s112*(2.8114572543455206e-15*s109 + 2.8114572543455206e-15*s111 - 7.647163731819816e-13) + 1.6059043836821613e-10) - 2.505210838544172e-08)
+        s149 = s112*(s112*(s112*(s112*(s141 + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333) - 0.16666666666666666)
+        s150 = s149 + 1
+        h_x = 0.5*c*(s110*s150*s22 + s132*s41)
+        h_y = 0.5*c*(s110*s150*s41 - s132*s22)
+        h_z = -0.5*c*s108*s150
+        B_x = b*s22 + ex
+        B_y = b*s41 + ey
+        s184 = L + dL
+        s188 = B_x + R0_13*tip_w
+        s193 = B_y + R0_23*tip_w
+        s198 = R0_33*tip_w + ez
+        s200 = a*s22
+        s203 = a*s41
+        s218 = R0_13*g_z
+        s222 = R0_23*g_z
+        s226 = R0_33*g_z
+        s577 = (1.0 / (2*L + 2*dL))
+        s639 = 0.5/(s184 * s184)
+        k[24 * lane + 0] = theta
+        k[24 * lane + 1] = R0_11
+        k[24 * lane + 2] = R0_12
+        k[24 * lane + 3] = R0_21
+        k[24 * lane + 4] = R0_22
+        k[24 * lane + 5] = R0_31
+        k[24 * lane + 6] = R0_32
+        k[24 * lane + 7] = s184
+        k[24 * lane + 8] = tip_v
+        k[24 * lane + 9] = s188
+        k[24 * lane + 10] = s193
+        k[24 * lane + 11] = s198
+        k[24 * lane + 12] = s200
+        k[24 * lane + 13] = s203
+        k[24 * lane + 14] = g_x
+        k[24 * lane + 15] = g_y
+        k[24 * lane + 16] = s218
+        k[24 * lane + 17] = s222
+        k[24 * lane + 18] = s226
+        k[24 * lane + 19] = h_x
+        k[24 * lane + 20] = h_y
+        k[24 * lane + 21] = h_z
+        k[24 * lane + 22] = s577
+        k[24 * lane + 23] = s639
 
 
-def _limb_fields(x, x_t, x_tt, joint, tool, p, gravity):
-    """Gravity less acceleration of the points of one limb: (N, 27)."""
-    cx = x[:, 3]
-    cy = x[:, 4]
-    cz = x[:, 5]
-    cx_t = x_t[:, 3]
-    cy_t = x_t[:, 4]
-    cz_t = x_t[:, 5]
-    px_tt = x_tt[:, 0]
-    py_tt = x_tt[:, 1]
-    pz_tt = x_tt[:, 2]
-    cx_tt = x_tt[:, 3]
-    cy_tt = x_tt[:, 4]
-    cz_tt = x_tt[:, 5]
-    q = joint[:, 0]
-    q_t = joint[:, 1]
-    q_tt = joint[:, 2]
+@fast
+def _constants(p, k):
+    _fill(p, k, p.shape[0] * p.shape[1])
+
+
+def constants(p):
+    """Return c (M, 3, 24), what no pose changes of bodies in motion, from p (262 operations)."""
+    p = np.ascontiguousarray(p, dtype=float)
+    c = np.empty((len(p), 3, 24))
+    _constants(p, c)
+    return c
+
+
+@straight
+def _move(w, d, s, n):
+    """How the platform moves with each joint, and how it does (84 operations)."""
+    for lane in range(n):
+        M_0_0 = w[9312 + lane]
+        M_0_1 = w[9344 + lane]
+        M_0_2 = w[9376 + lane]
+        M_0_3 = w[9408 + lane]
+        M_0_4 = w[9440 + lane]
+        M_0_5 = w[9472 + lane]
+        M_1_0 = w[9504 + lane]
+        M_1_1 = w[9536 + lane]
+        M_1_2 = w[9568 + lane]
+        M_1_3 = w[9600 + lane]
+        M_1_4 = w[9632 + lane]
+        M_1_5 = w[9664 + lane]
+        M_2_0 = w[9696 + lane]
+        M_2_1 = w[9728 + lane]
+        M_2_2 = w[9760 + lane]
+        M_2_3 = w[9792 + lane]
+        M_2_4 = w[9824 + lane]
+        M_2_5 = w[9856 + lane]
+        M_3_0 = w[9888 + lane]
+        M_3_1 = w[9920 + lane]
+        M_3_2 = w[9952 + lane]
+        M_3_3 = w[9984 + lane]
+        M_3_4 = w[10016 + lane]
+        M_3_5 = w[10048 + lane]
+        M_4_0 = w[10080 + lane]
+        M_4_1 = w[10112 + lane]
+        M_4_2 = w[10144 + lane]
+        M_4_3 = w[10176 + lane]
+        M_4_4 = w[10208 + lane]
+        M_4_5 = w[10240 + lane]
+        M_5_0 = w[10272 + lane]
+        M_5_1 = w[10304 + lane]
+        M_5_2 = w[10336 + lane]
+        M_5_3 = w[10368 + lane]
+        M_5_4 = w[10400 + lane]
+        M_5_5 = w[10432 + lane]
+        q_t_0 = d[0 + lane]
+        Q_0 = w[832 + lane]
+        Q_3 = w[1088 + lane]
+        q_t_1 = d[1280 + lane]
+        Q_1 = w[3840 + lane]
+        Q_4 = w[4096 + lane]
+        q_t_2 = d[2560 + lane]
+        Q_2 = w[6848 + lane]
+        Q_5 = w[7104 + lane]
+        V_0_0 = M_0_0*Q_0 + M_0_3*Q_3
+        V_0_1 = M_0_1*Q_1 + M_0_4*Q_4
+        V_0_2 = M_0_2*Q_2 + M_0_5*Q_5
+        V_1_0 = M_1_0*Q_0 + M_1_3*Q_3
+        V_1_1 = M_1_1*Q_1 + M_1_4*Q_4
+        V_1_2 = M_1_2*Q_2 + M_1_5*Q_5
+        V_2_0 = M_2_0*Q_0 + M_2_3*Q_3
+        V_2_1 = M_2_1*Q_1 + M_2_4*Q_4
+        V_2_2 = M_2_2*Q_2 + M_2_5*Q_5
+        V_3_0 = M_3_0*Q_0 + M_3_3*Q_3
+        V_3_1 = M_3_1*Q_1 + M_3_4*Q_4
+        V_3_2 = M_3_2*Q_2 + M_3_5*Q_5
+        V_4_0 = M_4_0*Q_0 + M_4_3*Q_3
+        V_4_1 = M_4_1*Q_1 + M_4_4*Q_4
+        V_4_2 = M_4_2*Q_2 + M_4_5*Q_5
+        V_5_0 = M_5_0*Q_0 + M_5_3*Q_3
+        V_5_1 = M_5_1*Q_1 + M_5_4*Q_4
+        V_5_2 = M_5_2*Q_2 + M_5_5*Q_5
+        s57 = V_0_0*q_t_0 + V_0_1*q_t_1 + V_0_2*q_t_2
+        s61 = V_1_0*q_t_0 + V_1_1*q_t_1 + V_1_2*q_t_2
+        s65 = V_2_0*q_t_0 + V_2_1*q_t_1 + V_2_2*q_t_2
+        s69 = V_3_0*q_t_0 + V_3_1*q_t_1 + V_3_2*q_t_2
+        s73 = V_4_0*q_t_0 + V_4_1*q_t_1 + V_4_2*q_t_2
+        s77 = V_5_0*q_t_0 + V_5_1*q_t_1 + V_5_2*q_t_2
+        s[0 + lane] = V_0_0
+        s[32 + lane] = V_0_1
+        s[64 + lane] = V_0_2
+        s[96 + lane] = V_1_0
+        s[128 + lane] = V_1_1
+        s[160 + lane] = V_1_2
+        s[192 + lane] = V_2_0
+        s[224 + lane] = V_2_1
+        s[256 + lane] = V_2_2
+        s[288 + lane] = V_3_0
+        s[320 + lane] = V_3_1
+        s[352 + lane] = V_3_2
+        s[384 + lane] = V_4_0
+        s[416 + lane] = V_4_1
+        s[448 + lane] = V_4_2
+        s[480 + lane] = V_5_0
+        s[512 + lane] = V_5_1
+        s[544 + lane] = V_5_2
+        s[576 + lane] = s57
+        s[608 + lane] = s61
+        s[640 + lane] = s65
+        s[672 + lane] = s69
+        s[704 + lane] = s73
+        s[736 + lane] = s77
+
+
+@straight
+def _curved(w, d, s, k, gravity, shares, n):
+    """Second derivatives of a limb's equations by time where nothing accelerates (336 operations)."""
+    theta = k[0]
+    R0_11 = k[1]
+    R0_12 = k[2]
+    R0_21 = k[3]
+    R0_22 = k[4]
+    R0_31 = k[5]
+    R0_32 = k[6]
+    s184 = k[7]
+    tip_v = k[8]
+    s188 = k[9]
+    s193 = k[10]
+    s198 = k[11]
+    s200 = k[12]
+    s203 = k[13]
+    g_x = k[14]
+    g_y = k[15]
+    s218 = k[16]
+    s222 = k[17]
+    s226 = k[18]
+    h_x = k[19]
+    h_y = k[20]
+    h_z = k[21]
+    for lane in range(n):
+        q = w[0 + lane]
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        px = w[128 + lane]
+        py = w[160 + lane]
+        pz = w[192 + lane]
+        R_11 = w[320 + lane]
+        R_12 = w[352 + lane]
+        R_13 = w[384 + lane]
+        R_21 = w[416 + lane]
+        R_22 = w[448 + lane]
+        R_23 = w[480 + lane]
+        R_31 = w[512 + lane]
+        R_32 = w[544 + lane]
+        R_33 = w[576 + lane]
+        v_px = s[576 + lane]
+        v_py = s[608 + lane]
+        v_pz = s[640 + lane]
+        w_x = s[672 + lane]
+        w_y = s[704 + lane]
+        w_z = s[736 + lane]
+        q_t = d[0 + lane]
+        s163 = q + theta
+        s164 = cosine(s163)
+        s166 = sine(s163)
+        R1_11 = R0_11*s164 + R0_12*s166
+        R1_12 = -R0_11*s166 + R0_12*s164
+        R1_21 = R0_21*s164 + R0_22*s166
+        R1_22 = -R0_21*s166 + R0_22*s164
+        R1_31 = R0_31*s164 + R0_32*s166
+        R1_32 = -R0_31*s166 + R0_32*s164
+        C_x = R1_11*s184 + R1_12*tip_v + s188
+        C_y = R1_21*s184 + R1_22*tip_v + s193
+        C_z = R1_31*s184 + R1_32*tip_v + s198
+        s201 = s200 - tx
+        s204 = s203 - ty
+        A_x = R_11*s201 + R_12*s204 - R_13*tz + px
+        A_y = R_21*s201 + R_22*s204 - R_23*tz + py
+        A_z = R_31*s201 + R_32*s204 - R_33*tz + pz
+        c1_x = R1_11*g_x + R1_12*g_y + s218
+        c1_y = R1_21*g_x + R1_22*g_y + s222
+        c1_z = R1_31*g_x + R1_32*g_y + s226
+        a1_x = R_11*h_x + R_12*h_y + R_13*h_z
+        a1_y = R_21*h_x + R_22*h_y + R_23*h_z
+        a1_z = R_31*h_x + R_32*h_y + R_33*h_z
+        d_x = A_x - C_x
+        d_y = A_y - C_y
+        d_z = A_z - C_z
+        s_x = a1_x - c1_x
+        s_y = a1_y - c1_y
+        s_z = a1_z - c1_z
+        s276 = -R_21*w_z + R_31*w_y
+        s279 = -R_22*w_z + R_32*w_y
+        s282 = -R_23*w_z + R_33*w_y
+        s285 = R_11*w_z - R_31*w_x
+        s288 = R_12*w_z - R_32*w_x
+        s291 = R_13*w_z - R_33*w_x
+        s294 = -R_11*w_y + R_21*w_x
+        s297 = -R_12*w_y + R_22*w_x
+        s300 = -R_13*w_y + R_23*w_x
+        s301 = -q_t*s166
+        s303 = q_t*s164
+        s305 = R0_11*s301 + R0_12*s303
+        s308 = -R0_11*s303 + R0_12*s301
+        s311 = R0_21*s301 + R0_22*s303
+        s314 = -R0_21*s303 + R0_22*s301
+        s317 = R0_31*s301 + R0_32*s303
+        s320 = -R0_31*s303 + R0_32*s301
+        s363 = -s184*s305 + s201*s276 + s204*s279 - s282*tz - s308*tip_v + v_px
+        s364 = -s184*s311 + s201*s285 + s204*s288 - s291*tz - s314*tip_v + v_py
+        s365 = -s184*s317 + s201*s294 + s204*s297 - s300*tz - s320*tip_v + v_pz
+        s366 = -g_x*s305 - g_y*s308 + h_x*s276 + h_y*s279 + h_z*s282
+        s367 = -g_x*s311 - g_y*s314 + h_x*s285 + h_y*s288 + h_z*s291
+        s368 = -g_x*s317 - g_y*s320 + h_x*s294 + h_y*s297 + h_z*s300
+        s400 = -s285*w_z + s294*w_y
+        s403 = -s288*w_z + s297*w_y
+        s406 = -s291*w_z + s300*w_y
+        s409 = s276*w_z - s294*w_x
+        s412 = s279*w_z - s297*w_x
+        s415 = s282*w_z - s300*w_x
+        s418 = -s276*w_y + s285*w_x
+        s421 = -s279*w_y + s288*w_x
+        s424 = -s282*w_y + s291*w_x
+        s425 = -q_t*s303
+        s427 = q_t*s301
+        s429 = R0_11*s425 + R0_12*s427
+        s432 = -R0_11*s427 + R0_12*s425
+        s435 = R0_21*s425 + R0_22*s427
+        s438 = -R0_21*s427 + R0_22*s425
+        s441 = R0_31*s425 + R0_32*s427
+        s444 = -R0_31*s427 + R0_32*s425
+        s487 = -s184*s429 + s201*s400 + s204*s403 - s406*tz - s432*tip_v
+        s488 = -s184*s435 + s201*s409 + s204*s412 - s415*tz - s438*tip_v
+        s489 = -s184*s441 + s201*s418 + s204*s421 - s424*tz - s444*tip_v
+        s490 = -g_x*s429 - g_y*s432 + h_x*s400 + h_y*s403 + h_z*s406
+        s491 = -g_x*s435 - g_y*s438 + h_x*s409 + h_y*s412 + h_z*s415
+        s492 = -g_x*s441 - g_y*s444 + h_x*s418 + h_y*s421 + h_z*s424
+        s507 = d_z*s489 + (s365 * s365)
+        s512 = (s366 * s366) + s490*s_x
+        s517 = (s367 * s367) + s491*s_y
+        s522 = (s368 * s368) + s492*s_z
+        s523 = d_x*s487 + d_y*s488 + (s363 * s363) + (s364 * s364) + s507 + s512 + s517 + s522
+        s525 = s363*s366
+        s531 = s364*s367
+        s537 = s365*s368
+        s541 = d_z*s492 + s489*s_z + 2*s537
+        s542 = d_x*s490 + d_y*s491 + s487*s_x + s488*s_y + 2*s525 + 2*s531 + s541
+        d[64 + lane] = s523
+        d[96 + lane] = s542
+
+
+@straight
+def _accelerate(w, d, s, n):
+    """The platform's acceleration (102 operations)."""
+    for lane in range(n):
+        M_0_0 = w[9312 + lane]
+        M_0_1 = w[9344 + lane]
+        M_0_2 = w[9376 + lane]
+        M_0_3 = w[9408 + lane]
+        M_0_4 = w[9440 + lane]
+        M_0_5 = w[9472 + lane]
+        M_1_0 = w[9504 + lane]
+        M_1_1 = w[9536 + lane]
+        M_1_2 = w[9568 + lane]
+        M_1_3 = w[9600 + lane]
+        M_1_4 = w[9632 + lane]
+        M_1_5 = w[9664 + lane]
+        M_2_0 = w[9696 + lane]
+        M_2_1 = w[9728 + lane]
+        M_2_2 = w[9760 + lane]
+        M_2_3 = w[9792 + lane]
+        M_2_4 = w[9824 + lane]
+        M_2_5 = w[9856 + lane]
+        M_3_0 = w[9888 + lane]
+        M_3_1 = w[9920 + lane]
+        M_3_2 = w[9952 + lane]
+        M_3_3 = w[9984 + lane]
+        M_3_4 = w[10016 + lane]
+        M_3_5 = w[10048 + lane]
+        M_4_0 = w[10080 + lane]
+        M_4_1 = w[10112 + lane]
+        M_4_2 = w[10144 + lane]
+        M_4_3 = w[10176 + lane]
+        M_4_4 = w[10208 + lane]
+        M_4_5 = w[10240 + lane]
+        M_5_0 = w[10272 + lane]
+        M_5_1 = w[10304 + lane]
+        M_5_2 = w[10336 + lane]
+        M_5_3 = w[10368 + lane]
+        M_5_4 = w[10400 + lane]
+        M_5_5 = w[10432 + lane]
+        q_tt_0 = d[32 + lane]
+        c_0 = d[64 + lane]
+        c_3 = d[96 + lane]
+        q_tt_1 = d[1312 + lane]
+        c_1 = d[1344 + lane]
+        c_4 = d[1376 + lane]
+        q_tt_2 = d[2592 + lane]
+        c_2 = d[2624 + lane]
+        c_5 = d[2656 + lane]
+        V_0_0 = s[0 + lane]
+        V_0_1 = s[32 + lane]
+        V_0_2 = s[64 + lane]
+        V_1_0 = s[96 + lane]
+        V_1_1 = s[128 + lane]
+        V_1_2 = s[160 + lane]
+        V_2_0 = s[192 + lane]
+        V_2_1 = s[224 + lane]
+        V_2_2 = s[256 + lane]
+        V_3_0 = s[288 + lane]
+        V_3_1 = s[320 + lane]
+        V_3_2 = s[352 + lane]
+        V_4_0 = s[384 + lane]
+        V_4_1 = s[416 + lane]
+        V_4_2 = s[448 + lane]
+        V_5_0 = s[480 + lane]
+        V_5_1 = s[512 + lane]
+        V_5_2 = s[544 + lane]
+        s4 = M_0_4*c_4
+        s5 = M_0_5*c_5
+        s6 = V_0_0*q_tt_0
+        s7 = V_0_1*q_tt_1
+        s8 = V_0_2*q_tt_2
+        s9 = M_0_0*c_0 + M_0_1*c_1 + M_0_2*c_2 + M_0_3*c_3 + s4 + s5 + s6 + s7 + s8
+        s14 = M_1_4*c_4
+        s15 = M_1_5*c_5
+        s16 = V_1_0*q_tt_0
+        s17 = V_1_1*q_tt_1
+        s18 = V_1_2*q_tt_2
+        s19 = M_1_0*c_0 + M_1_1*c_1 + M_1_2*c_2 + M_1_3*c_3 + s14 + s15 + s16 + s17 + s18
+        s24 = M_2_4*c_4
+        s25 = M_2_5*c_5
+        s26 = V_2_0*q_tt_0
+        s27 = V_2_1*q_tt_1
+        s28 = V_2_2*q_tt_2
+        s29 = M_2_0*c_0 + M_2_1*c_1 + M_2_2*c_2 + M_2_3*c_3 + s24 + s25 + s26 + s27 + s28
+        s34 = M_3_4*c_4
+        s35 = M_3_5*c_5
+        s36 = V_3_0*q_tt_0
+        s37 = V_3_1*q_tt_1
+        s38 = V_3_2*q_tt_2
+        s39 = M_3_0*c_0 + M_3_1*c_1 + M_3_2*c_2 + M_3_3*c_3 + s34 + s35 + s36 + s37 + s38
+        s44 = M_4_4*c_4
+        s45 = M_4_5*c_5
+        s46 = V_4_0*q_tt_0
+        s47 = V_4_1*q_tt_1
+        s48 = V_4_2*q_tt_2
+        s49 = M_4_0*c_0 + M_4_1*c_1 + M_4_2*c_2 + M_4_3*c_3 + s44 + s45 + s46 + s47 + s48
+        s54 = M_5_4*c_4
+        s55 = M_5_5*c_5
+        s56 = V_5_0*q_tt_0
+        s57 = V_5_1*q_tt_1
+        s58 = V_5_2*q_tt_2
+        s59 = M_5_0*c_0 + M_5_1*c_1 + M_5_2*c_2 + M_5_3*c_3 + s54 + s55 + s56 + s57 + s58
+        s[768 + lane] = s9
+        s[800 + lane] = s19
+        s[832 + lane] = s29
+        s[864 + lane] = s39
+        s[896 + lane] = s49
+        s[928 + lane] = s59
+
+
+@straight
+def _limb_fields(w, d, s, k, gravity, shares, n):
+    """Gravity less acceleration of the points of a limb (293 operations)."""
     gx = gravity[0]
     gy = gravity[1]
     gz = gravity[2]
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    tz = tool[:, 2]
-    a = p[:, 1]
-    L = p[:, 2]
-    c = p[:, 4]
-    phi = p[:, 5]
-    theta = p[:, 6]
-    dL = p[:, 10]
-    alpha0 = p[:, 11]
-    beta0 = p[:, 12]
-    dc = p[:, 15]
-    alpha03 = p[:, 16]
-    beta03 = p[:, 17]
-    alpha2 = p[:, 18]
-    beta2 = p[:, 19]
-    tip_v = p[:, 20]
-    s0 = (beta0 * beta0)
-    s1 = (alpha0 * alpha0)
-    s2 = s0 + s1
-    s10 = s2*(s2*(s2*(1.5619206968586225e-16*s0 + 1.5619206968586225e-16*s1 - 4.779477332387385e-14) + 1.1470745597729725e-11) - 2.08767569878681e-09)
-    s18 = s2*(s2*(s2*(s2*(s10 + 2.755731922398589e-07) - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664)
-    s19 = s18 + 0.5
-    s21 = -s0*s19 + 1
-    s22 = np.cos(phi)
-    s31 = s2*(s2*(s2*(2.8114572543455206e-15*s0 + 2.8114572543455206e-15*s1 - 7.647163731819816e-13) + 1.6059043836821613e-10) - 2.505210838544172e-08)
-    s39 = s2*(s2*(s2*(s2*(s31 + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333) - 0.16666666666666666)
-    s40 = s39 + 1
-    s41 = np.sin(phi)
-    R0_11 = -beta0*s40*s41 + s21*s22
-    R0_12 = alpha0*beta0*s19*s22 + alpha0*s40*s41
-    R0_21 = beta0*s22*s40 + s21*s41
-    R0_22 = alpha0*beta0*s19*s41 - alpha0*s22*s40
-    R0_31 = alpha0*beta0*s19
-    R0_32 = -s1*s19 + 1
-    s62 = (alpha2 * alpha2)
-    s63 = (beta2 * beta2)
-    s64 = s62 + s63
-    s72 = s64*(s64*(s64*(2.8114572543455206e-15*s62 + 2.8114572543455206e-15*s63 - 7.647163731819816e-13) + 1.6059043836821613e-10) - 2.505210838544172e-08)
-    s80 = s64*(s64*(s64*(s64*(s72 + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333) - 0.16666666666666666)
-    s81 = s80 + 1
-    s84 = 0.5*c + 0.5*dc
-    g_x = beta2*s81*s84
-    g_y = -alpha2*s81*s84
-    s108 = alpha0 - alpha03
-    s109 = (s108 * s108)
-    s110 = beta0 - beta03
-    s111 = (s110 * s110)
-    s112 = s109 + s111
-    s120 = s112*(s112*(s112*(1.5619206968586225e-16*s109 + 1.5619206968586225e-16*s111 - 4.779477332387385e-14) + 1.1470745597729725e-11) - 2.08767569878681e-09)
-    s128 = s112*(s112*(s112*(s112*(s120 + 2.755731922398589e-07) - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664)
-    s129 = s128 + 0.5
-    s132 = -(s108 * s108)*s129 - (s110 * s110)*s129 + 1
-    s141 = s112*(s112*(s112*(2.8114572543455206e-15*s109 + 2.8114572543455206e-15*s111 - 7.647163731819816e-13) + 1.6059043836821613e-10) - 2.505210838544172e-08)
-    s149 = s112*(s112*(s112*(s112*(s141 + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333) - 0.16666666666666666)
-    s150 = s149 + 1
-    h_x = 0.5*c*(s110*s150*s22 + s132*s41)
-    h_y = 0.5*c*(s110*s150*s41 - s132*s22)
-    h_z = -0.5*c*s108*s150
-    s163 = q + theta
-    s164 = np.cos(s163)
-    s166 = np.sin(s163)
-    s184 = (cx * cx)
-    s186 = (cy * cy)
-    s188 = (cz * cz)
-    s190 = 0.25*s184 + 0.25*s186 + 0.25*s188 + 1
-    s191 = (1.0 / s190)
-    s192 = -0.5*s186
-    s193 = -0.5*s188
-    s197 = 0.5*cx*cy
-    s200 = 0.5*cx*cz
-    s205 = -0.5*s184
-    s209 = 0.5*cy*cz
-    s219 = L + dL
-    s233 = a*s22 - tx
-    s236 = a*s41 - ty
-    s373 = 2*cx
-    s374 = cx_t*s373
-    s376 = 2*cy
-    s377 = cy_t*s376
-    s379 = 2*cz
-    s380 = cz_t*s379
-    s382 = 0.25*s374 + 0.25*s377 + 0.25*s380
-    s383 = (1.0 / (s190 * s190))
-    s384 = -s382*s383
-    s385 = -0.5*s377
-    s386 = -0.5*s380
-    s391 = 0.5*cy
-    s392 = 0.5*cx
-    s395 = cx_t*s391 + cy_t*s392
-    s400 = 0.5*cz
-    s403 = cx_t*s400 + cz_t*s392
-    s412 = -0.5*s374
-    s419 = cy_t*s400 + cz_t*s391
-    s521 = -(q_t * q_t)*s164 - q_tt*s166
-    s525 = -(q_t * q_t)*s166 + q_tt*s164
-    s527 = R0_11*s521 + R0_12*s525
-    s530 = -R0_11*s525 + R0_12*s521
-    s533 = R0_21*s521 + R0_22*s525
-    s536 = -R0_21*s525 + R0_22*s521
-    s539 = R0_31*s521 + R0_32*s525
-    s542 = -R0_31*s525 + R0_32*s521
-    s546 = 2*(cx_t * cx_t) + cx_tt*s373
-    s551 = 2*(cy_t * cy_t) + cy_tt*s376
-    s556 = 2*(cz_t * cz_t) + cz_tt*s379
-    s564 = -s383*(0.25*s546 + 0.25*s551 + 0.25*s556) + 2*(s382 * s382)/(s190 * s190 * s190)
-    s565 = -0.5*s551
-    s566 = -0.5*s556
-    s568 = s384*(s385 + s386)
-    s573 = s191*(s565 + s566) + s564*(s192 + s193) + 2*s568
-    s574 = 0.5*cy_t
-    s575 = 0.5*cx_t
-    s582 = cx_t*s574 + cx_tt*s391 + cy_t*s575 + cy_tt*s392
-    s584 = s384*(-cz_t + s395)
-    s589 = s191*(-cz_tt + s582) + s564*(-cz + s197) + 2*s584
-    s590 = 0.5*cz_t
-    s597 = cx_t*s590 + cx_tt*s400 + cz_t*s575 + cz_tt*s392
-    s599 = s384*(cy_t + s403)
-    s604 = s191*(cy_tt + s597) + s564*(cy + s200) + 2*s599
-    s606 = s384*(cz_t + s395)
-    s611 = s191*(cz_tt + s582) + s564*(cz + s197) + 2*s606
-    s612 = -0.5*s546
-    s614 = s384*(s386 + s412)
-    s619 = s191*(s566 + s612) + s564*(s193 + s205) + 2*s614
-    s626 = cy_t*s590 + cy_tt*s400 + cz_t*s574 + cz_tt*s391
-    s628 = s384*(-cx_t + s419)
-    s633 = s191*(-cx_tt + s626) + s564*(-cx + s209) + 2*s628
-    s635 = s384*(-cy_t + s403)
-    s640 = s191*(-cy_tt + s597) + s564*(-cy + s200) + 2*s635
-    s642 = s384*(cx_t + s419)
-    s647 = s191*(cx_tt + s626) + s564*(cx + s209) + 2*s642
-    s649 = s384*(s385 + s412)
-    s654 = s191*(s565 + s612) + s564*(s192 + s205) + 2*s649
-    s655 = s219*s527
-    s657 = s530*tip_v + s655
-    s658 = s219*s533
-    s660 = s536*tip_v + s658
-    s661 = s219*s539
-    s663 = s542*tip_v + s661
-    s667 = px_tt + s233*s573 + s236*s589 - s604*tz
-    s671 = py_tt + s233*s611 + s236*s619 - s633*tz
-    s675 = pz_tt + s233*s640 + s236*s647 - s654*tz
-    s678 = g_x*s527 + g_y*s530
-    s681 = g_x*s533 + g_y*s536
-    s684 = g_x*s539 + g_y*s542
-    s688 = h_x*s573 + h_y*s589 + h_z*s604
-    s692 = h_x*s611 + h_y*s619 + h_z*s633
-    s696 = h_x*s640 + h_y*s647 + h_z*s654
-    s706 = 0.5*s667
-    s707 = 0.5*s657
-    s708 = 0.5*s688
-    s709 = 0.5*s678
-    s711 = 0.5*s671
-    s712 = 0.5*s660
-    s713 = 0.5*s692
-    s714 = 0.5*s681
-    s716 = 0.5*s675
-    s717 = 0.5*s663
-    s718 = 0.5*s696
-    s719 = 0.5*s684
-    s733 = -0.001*s655
-    s734 = gx + s733
-    s735 = -0.001*s658
-    s736 = gy + s735
-    s737 = -0.001*s661
-    s738 = gz + s737
-    s739 = gx - s733
-    s740 = gy - s735
-    s741 = gz - s737
-    s743 = gx - 0.001*s657 - 0.001*s678
-    s745 = gy - 0.001*s660 - 0.001*s681
-    s747 = gz - 0.001*s663 - 0.001*s684
-    s749 = gx - 0.001*s706 - 0.001*s707 - 0.001*s708 - 0.001*s709
-    s751 = gy - 0.001*s711 - 0.001*s712 - 0.001*s713 - 0.001*s714
-    s753 = gz - 0.001*s716 - 0.001*s717 - 0.001*s718 - 0.001*s719
-    s755 = gx - 0.001*s667 - 0.001*s688
-    s757 = gy - 0.001*s671 - 0.001*s692
-    s759 = gz - 0.001*s675 - 0.001*s696
-    s761 = gx - 0.001*s657 + 0.001*s678
-    s763 = gy - 0.001*s660 + 0.001*s681
-    s765 = gz - 0.001*s663 + 0.001*s684
-    s767 = gx - 0.001*s706 - 0.001*s707 + 0.001*s708 + 0.001*s709
-    s769 = gy - 0.001*s711 - 0.001*s712 + 0.001*s713 + 0.001*s714
-    s771 = gz - 0.001*s716 - 0.001*s717 + 0.001*s718 + 0.001*s719
-    s773 = gx - 0.001*s667 + 0.001*s688
-    s775 = gy - 0.001*s671 + 0.001*s692
-    s777 = gz - 0.001*s675 + 0.001*s696
-    out = np.zeros((len(x), 27))
-    out[:, 0] = gx
-    out[:, 1] = gy
-    out[:, 2] = gz
-    out[:, 3] = s734
-    out[:, 4] = s736
-    out[:, 5] = s738
-    out[:, 6] = s739
-    out[:, 7] = s740
-    out[:, 8] = s741
-    out[:, 9] = s743
-    out[:, 10] = s745
-    out[:, 11] = s747
-    out[:, 12] = s749
-    out[:, 13] = s751
-    out[:, 14] = s753
-    out[:, 15] = s755
-    out[:, 16] = s757
-    out[:, 17] = s759
-    out[:, 18] = s761
-    out[:, 19] = s763
-    out[:, 20] = s765
-    out[:, 21] = s767
-    out[:, 22] = s769
-    out[:, 23] = s771
-    out[:, 24] = s773
-    out[:, 25] = s775
-    out[:, 26] = s777
-    return out
+    theta = k[0]
+    R0_11 = k[1]
+    R0_12 = k[2]
+    R0_21 = k[3]
+    R0_22 = k[4]
+    R0_31 = k[5]
+    R0_32 = k[6]
+    s184 = k[7]
+    tip_v = k[8]
+    s200 = k[12]
+    s203 = k[13]
+    g_x = k[14]
+    g_y = k[15]
+    h_x = k[19]
+    h_y = k[20]
+    h_z = k[21]
+    for lane in range(n):
+        q = w[0 + lane]
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        R_11 = w[320 + lane]
+        R_12 = w[352 + lane]
+        R_13 = w[384 + lane]
+        R_21 = w[416 + lane]
+        R_22 = w[448 + lane]
+        R_23 = w[480 + lane]
+        R_31 = w[512 + lane]
+        R_32 = w[544 + lane]
+        R_33 = w[576 + lane]
+        w_x = s[672 + lane]
+        w_y = s[704 + lane]
+        w_z = s[736 + lane]
+        v_px_t = s[768 + lane]
+        v_py_t = s[800 + lane]
+        v_pz_t = s[832 + lane]
+        w_x_t = s[864 + lane]
+        w_y_t = s[896 + lane]
+        w_z_t = s[928 + lane]
+        q_t = d[0 + lane]
+        q_tt = d[32 + lane]
+        s163 = q + theta
+        s164 = cosine(s163)
+        s166 = sine(s163)
+        s201 = s200 - tx
+        s204 = s203 - ty
+        s276 = -R_21*w_z + R_31*w_y
+        s279 = -R_22*w_z + R_32*w_y
+        s282 = -R_23*w_z + R_33*w_y
+        s285 = R_11*w_z - R_31*w_x
+        s288 = R_12*w_z - R_32*w_x
+        s291 = R_13*w_z - R_33*w_x
+        s294 = -R_11*w_y + R_21*w_x
+        s297 = -R_12*w_y + R_22*w_x
+        s300 = -R_13*w_y + R_23*w_x
+        s1344 = -R_21*w_z_t + R_31*w_y_t - s285*w_z + s294*w_y
+        s1349 = -R_22*w_z_t + R_32*w_y_t - s288*w_z + s297*w_y
+        s1354 = -R_23*w_z_t + R_33*w_y_t - s291*w_z + s300*w_y
+        s1359 = R_11*w_z_t - R_31*w_x_t + s276*w_z - s294*w_x
+        s1364 = R_12*w_z_t - R_32*w_x_t + s279*w_z - s297*w_x
+        s1369 = R_13*w_z_t - R_33*w_x_t + s282*w_z - s300*w_x
+        s1374 = -R_11*w_y_t + R_21*w_x_t - s276*w_y + s285*w_x
+        s1379 = -R_12*w_y_t + R_22*w_x_t - s279*w_y + s288*w_x
+        s1384 = -R_13*w_y_t + R_23*w_x_t - s282*w_y + s291*w_x
+        s1386 = -(q_t * q_t)*s164 - q_tt*s166
+        s1389 = -(q_t * q_t)*s166 + q_tt*s164
+        s1391 = R0_11*s1386 + R0_12*s1389
+        s1394 = -R0_11*s1389 + R0_12*s1386
+        s1397 = R0_21*s1386 + R0_22*s1389
+        s1400 = -R0_21*s1389 + R0_22*s1386
+        s1403 = R0_31*s1386 + R0_32*s1389
+        s1406 = -R0_31*s1389 + R0_32*s1386
+        s1407 = s1391*s184
+        s1409 = s1394*tip_v + s1407
+        s1410 = s1397*s184
+        s1412 = s1400*tip_v + s1410
+        s1413 = s1403*s184
+        s1415 = s1406*tip_v + s1413
+        s1419 = s1344*s201 + s1349*s204 - s1354*tz + v_px_t
+        s1423 = s1359*s201 + s1364*s204 - s1369*tz + v_py_t
+        s1427 = s1374*s201 + s1379*s204 - s1384*tz + v_pz_t
+        s1430 = g_x*s1391 + g_y*s1394
+        s1433 = g_x*s1397 + g_y*s1400
+        s1436 = g_x*s1403 + g_y*s1406
+        s1440 = h_x*s1344 + h_y*s1349 + h_z*s1354
+        s1444 = h_x*s1359 + h_y*s1364 + h_z*s1369
+        s1448 = h_x*s1374 + h_y*s1379 + h_z*s1384
+        s2123 = 0.5*s1419
+        s2124 = 0.5*s1409
+        s2125 = 0.5*s1440
+        s2126 = 0.5*s1430
+        s2129 = 0.5*s1423
+        s2130 = 0.5*s1412
+        s2131 = 0.5*s1444
+        s2132 = 0.5*s1433
+        s2135 = 0.5*s1427
+        s2136 = 0.5*s1415
+        s2137 = 0.5*s1448
+        s2138 = 0.5*s1436
+        s2255 = -0.001*s1407
+        s2256 = gx + s2255
+        s2257 = -0.001*s1410
+        s2258 = gy + s2257
+        s2259 = -0.001*s1413
+        s2260 = gz + s2259
+        s2261 = gx - s2255
+        s2262 = gy - s2257
+        s2263 = gz - s2259
+        s2265 = gx - 0.001*s1409 - 0.001*s1430
+        s2267 = gy - 0.001*s1412 - 0.001*s1433
+        s2269 = gz - 0.001*s1415 - 0.001*s1436
+        s2271 = gx - 0.001*s2123 - 0.001*s2124 - 0.001*s2125 - 0.001*s2126
+        s2273 = gy - 0.001*s2129 - 0.001*s2130 - 0.001*s2131 - 0.001*s2132
+        s2275 = gz - 0.001*s2135 - 0.001*s2136 - 0.001*s2137 - 0.001*s2138
+        s2277 = gx - 0.001*s1419 - 0.001*s1440
+        s2279 = gy - 0.001*s1423 - 0.001*s1444
+        s2281 = gz - 0.001*s1427 - 0.001*s1448
+        s2283 = gx - 0.001*s1409 + 0.001*s1430
+        s2285 = gy - 0.001*s1412 + 0.001*s1433
+        s2287 = gz - 0.001*s1415 + 0.001*s1436
+        s2289 = gx - 0.001*s2123 - 0.001*s2124 + 0.001*s2125 + 0.001*s2126
+        s2291 = gy - 0.001*s2129 - 0.001*s2130 + 0.001*s2131 + 0.001*s2132
+        s2293 = gz - 0.001*s2135 - 0.001*s2136 + 0.001*s2137 + 0.001*s2138
+        s2295 = gx - 0.001*s1419 + 0.001*s1440
+        s2297 = gy - 0.001*s1423 + 0.001*s1444
+        s2299 = gz - 0.001*s1427 + 0.001*s1448
+        d[224 + lane] = s2256
+        d[256 + lane] = s2258
+        d[288 + lane] = s2260
+        d[320 + lane] = s2261
+        d[352 + lane] = s2262
+        d[384 + lane] = s2263
+        d[416 + lane] = s2265
+        d[448 + lane] = s2267
+        d[480 + lane] = s2269
+        d[512 + lane] = s2271
+        d[544 + lane] = s2273
+        d[576 + lane] = s2275
+        d[608 + lane] = s2277
+        d[640 + lane] = s2279
+        d[672 + lane] = s2281
+        d[704 + lane] = s2283
+        d[736 + lane] = s2285
+        d[768 + lane] = s2287
+        d[800 + lane] = s2289
+        d[832 + lane] = s2291
+        d[864 + lane] = s2293
+        d[896 + lane] = s2295
+        d[928 + lane] = s2297
+        d[960 + lane] = s2299
 
 
-def _limb_asks(x, joint, tool, p, fields):
-    """Generalised loads per inertial parameter of one limb: (N, 28)."""
-    cx = x[:, 3]
-    cy = x[:, 4]
-    cz = x[:, 5]
-    q = joint[:, 0]
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    tz = tool[:, 2]
-    a = p[:, 1]
-    L = p[:, 2]
-    c = p[:, 4]
-    phi = p[:, 5]
-    theta = p[:, 6]
-    dL = p[:, 10]
-    alpha0 = p[:, 11]
-    beta0 = p[:, 12]
-    dc = p[:, 15]
-    alpha03 = p[:, 16]
-    beta03 = p[:, 17]
-    alpha2 = p[:, 18]
-    beta2 = p[:, 19]
-    tip_v = p[:, 20]
-    f1x = fields[:, 3]
-    f1y = fields[:, 4]
-    f1z = fields[:, 5]
-    f2x = fields[:, 6]
-    f2y = fields[:, 7]
-    f2z = fields[:, 8]
-    f3x = fields[:, 9]
-    f3y = fields[:, 10]
-    f3z = fields[:, 11]
-    f4x = fields[:, 12]
-    f4y = fields[:, 13]
-    f4z = fields[:, 14]
-    f5x = fields[:, 15]
-    f5y = fields[:, 16]
-    f5z = fields[:, 17]
-    f6x = fields[:, 18]
-    f6y = fields[:, 19]
-    f6z = fields[:, 20]
-    f7x = fields[:, 21]
-    f7y = fields[:, 22]
-    f7z = fields[:, 23]
-    f8x = fields[:, 24]
-    f8y = fields[:, 25]
-    f8z = fields[:, 26]
-    s0 = (beta0 * beta0)
-    s1 = (alpha0 * alpha0)
-    s2 = s0 + s1
-    s10 = s2*(s2*(s2*(1.5619206968586225e-16*s0 + 1.5619206968586225e-16*s1 - 4.779477332387385e-14) + 1.1470745597729725e-11) - 2.08767569878681e-09)
-    s18 = s2*(s2*(s2*(s2*(s10 + 2.755731922398589e-07) - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664)
-    s19 = s18 + 0.5
-    s21 = -s0*s19 + 1
-    s22 = np.cos(phi)
-    s31 = s2*(s2*(s2*(2.8114572543455206e-15*s0 + 2.8114572543455206e-15*s1 - 7.647163731819816e-13) + 1.6059043836821613e-10) - 2.505210838544172e-08)
-    s39 = s2*(s2*(s2*(s2*(s31 + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333) - 0.16666666666666666)
-    s40 = s39 + 1
-    s41 = np.sin(phi)
-    R0_11 = -beta0*s40*s41 + s21*s22
-    R0_12 = alpha0*beta0*s19*s22 + alpha0*s40*s41
-    R0_21 = beta0*s22*s40 + s21*s41
-    R0_22 = alpha0*beta0*s19*s41 - alpha0*s22*s40
-    R0_31 = alpha0*beta0*s19
-    R0_32 = -s1*s19 + 1
-    s62 = (alpha2 * alpha2)
-    s63 = (beta2 * beta2)
-    s64 = s62 + s63
-    s72 = s64*(s64*(s64*(2.8114572543455206e-15*s62 + 2.8114572543455206e-15*s63 - 7.647163731819816e-13) + 1.6059043836821613e-10) - 2.505210838544172e-08)
-    s80 = s64*(s64*(s64*(s64*(s72 + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333) - 0.16666666666666666)
-    s81 = s80 + 1
-    s84 = 0.5*c + 0.5*dc
-    g_x = beta2*s81*s84
-    g_y = -alpha2*s81*s84
-    s108 = alpha0 - alpha03
-    s109 = (s108 * s108)
-    s110 = beta0 - beta03
-    s111 = (s110 * s110)
-    s112 = s109 + s111
-    s120 = s112*(s112*(s112*(1.5619206968586225e-16*s109 + 1.5619206968586225e-16*s111 - 4.779477332387385e-14) + 1.1470745597729725e-11) - 2.08767569878681e-09)
-    s128 = s112*(s112*(s112*(s112*(s120 + 2.755731922398589e-07) - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664)
-    s129 = s128 + 0.5
-    s132 = -(s108 * s108)*s129 - (s110 * s110)*s129 + 1
-    s141 = s112*(s112*(s112*(2.8114572543455206e-15*s109 + 2.8114572543455206e-15*s111 - 7.647163731819816e-13) + 1.6059043836821613e-10) - 2.505210838544172e-08)
-    s149 = s112*(s112*(s112*(s112*(s141 + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333) - 0.16666666666666666)
-    s150 = s149 + 1
-    h_x = 0.5*c*(s110*s150*s22 + s132*s41)
-    h_y = 0.5*c*(s110*s150*s41 - s132*s22)
-    h_z = -0.5*c*s108*s150
-    s163 = q + theta
-    s164 = np.cos(s163)
-    s166 = np.sin(s163)
-    s184 = (cx * cx)
-    s186 = (cy * cy)
-    s188 = (cz * cz)
-    s190 = 0.25*s184 + 0.25*s186 + 0.25*s188 + 1
-    s191 = (1.0 / s190)
-    s192 = -0.5*s186
-    s193 = -0.5*s188
-    s197 = 0.5*cx*cy
-    s200 = 0.5*cx*cz
-    s205 = -0.5*s184
-    s209 = 0.5*cy*cz
-    s219 = L + dL
-    s233 = a*s22 - tx
-    s236 = a*s41 - ty
-    s391 = 0.5*cy
-    s392 = 0.5*cx
-    s400 = 0.5*cz
-    s793 = (1.0 / (2*L + 2*dL))
-    s822 = s219*(f1z*s793 + f2z*s793)
-    s825 = s219*(f1y*s793 + f2y*s793)
-    s828 = s219*(f1x*s793 + f2x*s793)
-    s846 = -s166*(R0_11*s828 + R0_21*s825 + R0_31*s822)
-    s847 = s164*(R0_12*s828 + R0_22*s825 + R0_32*s822) + s846
-    s937 = 0.5/(s219 * s219)
-    s957 = s219*(f1z*s937 - f2z*s937)
-    s960 = s219*(f1y*s937 - f2y*s937)
-    s963 = s219*(f1x*s937 - f2x*s937)
-    s981 = -s166*(R0_11*s963 + R0_21*s960 + R0_31*s957)
-    s982 = s164*(R0_12*s963 + R0_22*s960 + R0_32*s957) + s981
-    s1087 = 0.6666666666666666*f7z
-    s1089 = 0.6666666666666666*f7y
-    s1091 = 0.6666666666666666*f7x
-    s1093 = 0.6666666666666666*f4z
-    s1095 = 0.6666666666666666*f4y
-    s1097 = 0.6666666666666666*f4x
-    s1099 = 0.16666666666666666*f8z
-    s1101 = 0.16666666666666666*f8y
-    s1103 = 0.16666666666666666*f8x
-    s1105 = 0.16666666666666666*f6z
-    s1107 = 0.16666666666666666*f6y
-    s1109 = 0.16666666666666666*f6x
-    s1111 = 0.16666666666666666*f5z
-    s1113 = 0.16666666666666666*f5y
-    s1115 = 0.16666666666666666*f5x
-    s1117 = 0.16666666666666666*f3z
-    s1119 = 0.16666666666666666*f3y
-    s1121 = 0.16666666666666666*f3x
-    s1123 = -0.5*s1087 + 0.5*s1093
-    s1125 = 0.5*s1087 + 0.5*s1093
-    s1127 = -0.5*s1089 + 0.5*s1095
-    s1129 = 0.5*s1089 + 0.5*s1095
-    s1131 = -0.5*s1091 + 0.5*s1097
-    s1133 = 0.5*s1091 + 0.5*s1097
-    s1134 = -s1099 + s1111 + s1123
-    s1141 = -s1101 + s1113 + s1127
-    s1148 = -s1103 + s1115 + s1131
-    s1155 = -s1105 + s1117 + s1123
-    s1162 = -s1107 + s1119 + s1127
-    s1169 = -s1109 + s1121 + s1131
-    s1176 = s1099 + s1111 + s1125
-    s1183 = s1101 + s1113 + s1129
-    s1190 = s1103 + s1115 + s1133
-    s1203 = s1105 + s1117 + s1125
-    s1210 = s1107 + s1119 + s1129
-    s1217 = s1109 + s1121 + s1133
-    s1225 = h_z*s1134 - s1176*tz
-    s1227 = s1225*s191
-    s1228 = h_y*s1134 + s1176*s236
-    s1230 = s1228*s191
-    s1231 = h_x*s1134 + s1176*s233
-    s1232 = s1231*(-cy + s200)
-    s1233 = s1231*s191
-    s1234 = h_z*s1141 - s1183*tz
-    s1235 = s1234*(-cx + s209)
-    s1236 = s1234*s191
-    s1237 = s1230 + s1236
-    s1240 = h_y*s1141 + s1183*s236
-    s1241 = s1240*(s193 + s205)
-    s1242 = s1240*s191
-    s1245 = h_x*s1141 + s1183*s233
-    s1246 = s1245*(cz + s197)
-    s1247 = s1245*s191
-    s1248 = h_z*s1148 - s1190*tz
-    s1249 = s1248*(cy + s200)
-    s1250 = s1248*s191
-    s1251 = s1233 + s1250
-    s1254 = h_y*s1148 + s1190*s236
-    s1255 = s1254*(-cz + s197)
-    s1256 = s1254*s191
-    s1257 = s1247 + s1256
-    s1260 = h_x*s1148 + s1190*s233
-    s1261 = s1260*(s192 + s193)
-    s1262 = s1260*s191
-    s1267 = s1225*(s192 + s205) + s1228*(cx + s209) + s1232 + s1235 + s1241 + s1246 + s1249 + s1255 + s1261
-    s1269 = -0.25*s1267/(s190 * s190)
-    s1276 = g_y*s1155 + s1203*tip_v
-    s1281 = g_x*s1155 + s1203*s219
-    s1286 = g_y*s1162 + s1210*tip_v
-    s1291 = g_x*s1162 + s1210*s219
-    s1296 = g_y*s1169 + s1217*tip_v
-    s1301 = g_x*s1169 + s1217*s219
-    s1305 = s164*(-R0_11*s1296 + R0_12*s1301 - R0_21*s1286 + R0_22*s1291 - R0_31*s1276 + R0_32*s1281)
-    s1308 = R0_11*s1301 + R0_12*s1296 + R0_21*s1291 + R0_22*s1286 + R0_31*s1281 + R0_32*s1276
-    s1310 = s1305 - s1308*s166
-    s1527 = 2*cx*(-0.5*s1227 - 0.5*s1242 + s1269) + s1230 - s1236 + s1251*s400 + s1257*s391
-    s1528 = 2*cy*(-0.5*s1227 - 0.5*s1262 + s1269) - s1233 + s1237*s400 + s1250 + s1257*s392
-    s1529 = 2*cz*(-0.5*s1242 - 0.5*s1262 + s1269) + s1237*s391 + s1247 + s1251*s392 - s1256
-    out = np.zeros((len(x), 28))
-    out[:, 0] = 0
-    out[:, 1] = 0
-    out[:, 2] = 0
-    out[:, 3] = 0
-    out[:, 4] = 0
-    out[:, 5] = 0
-    out[:, 6] = 0
-    out[:, 7] = s847
-    out[:, 8] = 0
-    out[:, 9] = 0
-    out[:, 10] = 0
-    out[:, 11] = 0
-    out[:, 12] = 0
-    out[:, 13] = 0
-    out[:, 14] = s982
-    out[:, 15] = 0
-    out[:, 16] = 0
-    out[:, 17] = 0
-    out[:, 18] = 0
-    out[:, 19] = 0
-    out[:, 20] = 0
-    out[:, 21] = s1310
-    out[:, 22] = s1190
-    out[:, 23] = s1183
-    out[:, 24] = s1176
-    out[:, 25] = s1527
-    out[:, 26] = s1528
-    out[:, 27] = s1529
-    return out
+@straight
+def _limb_asks(w, d, s, k, gravity, shares, n):
+    """Loads per inertial parameter of a limb, along joint, shifts and turns (222 operations)."""
+    share = shares[0]
+    theta = k[0]
+    R0_11 = k[1]
+    R0_12 = k[2]
+    R0_21 = k[3]
+    R0_22 = k[4]
+    R0_31 = k[5]
+    R0_32 = k[6]
+    s184 = k[7]
+    tip_v = k[8]
+    s200 = k[12]
+    s203 = k[13]
+    g_x = k[14]
+    g_y = k[15]
+    h_x = k[19]
+    h_y = k[20]
+    h_z = k[21]
+    s577 = k[22]
+    s639 = k[23]
+    for lane in range(n):
+        q = w[0 + lane]
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        R_11 = w[320 + lane]
+        R_12 = w[352 + lane]
+        R_13 = w[384 + lane]
+        R_21 = w[416 + lane]
+        R_22 = w[448 + lane]
+        R_23 = w[480 + lane]
+        R_31 = w[512 + lane]
+        R_32 = w[544 + lane]
+        R_33 = w[576 + lane]
+        f1x = d[224 + lane]
+        f1y = d[256 + lane]
+        f1z = d[288 + lane]
+        f2x = d[320 + lane]
+        f2y = d[352 + lane]
+        f2z = d[384 + lane]
+        f3x = d[416 + lane]
+        f3y = d[448 + lane]
+        f3z = d[480 + lane]
+        f4x = d[512 + lane]
+        f4y = d[544 + lane]
+        f4z = d[576 + lane]
+        f5x = d[608 + lane]
+        f5y = d[640 + lane]
+        f5z = d[672 + lane]
+        f6x = d[704 + lane]
+        f6y = d[736 + lane]
+        f6z = d[768 + lane]
+        f7x = d[800 + lane]
+        f7y = d[832 + lane]
+        f7z = d[864 + lane]
+        f8x = d[896 + lane]
+        f8y = d[928 + lane]
+        f8z = d[960 + lane]
+        s163 = q + theta
+        s164 = cosine(s163)
+        s166 = sine(s163)
+        s201 = s200 - tx
+        s204 = s203 - ty
+        s608 = s184*(f1z*s577 + f2z*s577)
+        s611 = s184*(f1y*s577 + f2y*s577)
+        s614 = s184*(f1x*s577 + f2x*s577)
+        s631 = -s166*(R0_11*s614 + R0_21*s611 + R0_31*s608)
+        s632 = s164*(R0_12*s614 + R0_22*s611 + R0_32*s608) + s631
+        s656 = s184*(f1z*s639 - f2z*s639)
+        s659 = s184*(f1y*s639 - f2y*s639)
+        s662 = s184*(f1x*s639 - f2x*s639)
+        s679 = -s166*(R0_11*s662 + R0_21*s659 + R0_31*s656)
+        s680 = s164*(R0_12*s662 + R0_22*s659 + R0_32*s656) + s679
+        s719 = 1 - 2*share
+        s750 = f7z*s719
+        s752 = f7y*s719
+        s754 = f7x*s719
+        s756 = f4z*s719
+        s758 = -0.5*s750 + 0.5*s756
+        s760 = 0.5*s750 + 0.5*s756
+        s762 = f4y*s719
+        s764 = -0.5*s752 + 0.5*s762
+        s766 = 0.5*s752 + 0.5*s762
+        s768 = f4x*s719
+        s770 = -0.5*s754 + 0.5*s768
+        s772 = 0.5*s754 + 0.5*s768
+        s776 = f8z*share
+        s778 = f8y*share
+        s780 = f8x*share
+        s782 = f6z*share
+        s784 = f6y*share
+        s786 = f6x*share
+        s788 = f5z*share
+        s790 = f5y*share
+        s792 = f5x*share
+        s794 = f3z*share
+        s796 = f3y*share
+        s798 = f3x*share
+        s799 = s758 - s776 + s788
+        s806 = s764 - s778 + s790
+        s813 = s770 - s780 + s792
+        s820 = s758 - s782 + s794
+        s825 = s764 - s784 + s796
+        s830 = s770 - s786 + s798
+        s835 = s760 + s776 + s788
+        s842 = s766 + s778 + s790
+        s849 = s772 + s780 + s792
+        s858 = s760 + s782 + s794
+        s863 = s766 + s784 + s796
+        s868 = s772 + s786 + s798
+        s873 = g_y*s820 + s858*tip_v
+        s878 = g_x*s820 + s184*s858
+        s883 = g_y*s825 + s863*tip_v
+        s888 = g_x*s825 + s184*s863
+        s893 = g_y*s830 + s868*tip_v
+        s898 = g_x*s830 + s184*s868
+        s902 = s164*(-R0_11*s893 + R0_12*s898 - R0_21*s883 + R0_22*s888 - R0_31*s873 + R0_32*s878)
+        s905 = R0_11*s898 + R0_12*s893 + R0_21*s888 + R0_22*s883 + R0_31*s878 + R0_32*s873
+        s907 = -s166*s905 + s902
+        s909 = h_z*s799 - s835*tz
+        s911 = h_y*s799 + s204*s835
+        s913 = h_x*s799 + s201*s835
+        s915 = h_z*s806 - s842*tz
+        s916 = h_y*s806 + s204*s842
+        s917 = h_x*s806 + s201*s842
+        s918 = h_z*s813 - s849*tz
+        s919 = h_y*s813 + s204*s849
+        s920 = h_x*s813 + s201*s849
+        s938 = R_21*s913 + R_22*s911 + R_23*s909 - R_31*s917 - R_32*s916 - R_33*s915
+        s945 = -R_11*s913 - R_12*s911 - R_13*s909 + R_31*s920 + R_32*s919 + R_33*s918
+        s952 = R_11*s917 + R_12*s916 + R_13*s915 - R_21*s920 - R_22*s919 - R_23*s918
+        d[992 + lane] = s632
+        d[1024 + lane] = s680
+        d[1056 + lane] = s907
+        d[1088 + lane] = s849
+        d[1120 + lane] = s842
+        d[1152 + lane] = s835
+        d[1184 + lane] = s938
+        d[1216 + lane] = s945
+        d[1248 + lane] = s952
 
 
-def _platform_fields(x, x_t, x_tt, tool, gravity):
-    """Gravity less acceleration of the points of one platform: (N, 6)."""
-    cx = x[:, 3]
-    cy = x[:, 4]
-    cz = x[:, 5]
-    cx_t = x_t[:, 3]
-    cy_t = x_t[:, 4]
-    cz_t = x_t[:, 5]
-    px_tt = x_tt[:, 0]
-    py_tt = x_tt[:, 1]
-    pz_tt = x_tt[:, 2]
-    cx_tt = x_tt[:, 3]
-    cy_tt = x_tt[:, 4]
-    cz_tt = x_tt[:, 5]
+@straight
+def _platform_fields(w, d, s, gravity, n):
+    """Gravity less acceleration of the points of a platform (126 operations)."""
     gx = gravity[0]
     gy = gravity[1]
     gz = gravity[2]
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    tz = tool[:, 2]
-    s184 = (cx * cx)
-    s186 = (cy * cy)
-    s188 = (cz * cz)
-    s190 = 0.25*s184 + 0.25*s186 + 0.25*s188 + 1
-    s191 = (1.0 / s190)
-    s192 = -0.5*s186
-    s193 = -0.5*s188
-    s197 = 0.5*cx*cy
-    s200 = 0.5*cx*cz
-    s205 = -0.5*s184
-    s209 = 0.5*cy*cz
-    s346 = 2*cx
-    s347 = cx_t*s346
-    s349 = 2*cy
-    s350 = cy_t*s349
-    s352 = 2*cz
-    s353 = cz_t*s352
-    s355 = 0.25*s347 + 0.25*s350 + 0.25*s353
-    s356 = (1.0 / (s190 * s190))
-    s357 = -s355*s356
-    s358 = -0.5*s350
-    s359 = -0.5*s353
-    s364 = 0.5*cy
-    s365 = 0.5*cx
-    s368 = cx_t*s364 + cy_t*s365
-    s373 = 0.5*cz
-    s376 = cx_t*s373 + cz_t*s365
-    s385 = -0.5*s347
-    s392 = cy_t*s373 + cz_t*s364
-    s498 = 2*(cx_t * cx_t) + cx_tt*s346
-    s503 = 2*(cy_t * cy_t) + cy_tt*s349
-    s508 = 2*(cz_t * cz_t) + cz_tt*s352
-    s516 = -s356*(0.25*s498 + 0.25*s503 + 0.25*s508) + 2*(s355 * s355)/(s190 * s190 * s190)
-    s517 = -0.5*s503
-    s518 = -0.5*s508
-    s520 = s357*(s358 + s359)
-    s526 = 0.5*cy_t
-    s527 = 0.5*cx_t
-    s534 = cx_t*s526 + cx_tt*s364 + cy_t*s527 + cy_tt*s365
-    s536 = s357*(-cz_t + s368)
-    s542 = 0.5*cz_t
-    s549 = cx_t*s542 + cx_tt*s373 + cz_t*s527 + cz_tt*s365
-    s551 = s357*(cy_t + s376)
-    s558 = s357*(cz_t + s368)
-    s564 = -0.5*s498
-    s566 = s357*(s359 + s385)
-    s578 = cy_t*s542 + cy_tt*s373 + cz_t*s526 + cz_tt*s364
-    s580 = s357*(-cx_t + s392)
-    s587 = s357*(-cy_t + s376)
-    s594 = s357*(cx_t + s392)
-    s601 = s357*(s358 + s385)
-    s655 = -tx*(s191*(s517 + s518) + s516*(s192 + s193) + 2*s520)
-    s656 = -ty*(s191*(-cz_tt + s534) + s516*(-cz + s197) + 2*s536)
-    s657 = px_tt + s655 + s656 - tz*(s191*(cy_tt + s549) + s516*(cy + s200) + 2*s551)
-    s658 = -tx*(s191*(cz_tt + s534) + s516*(cz + s197) + 2*s558)
-    s659 = -ty*(s191*(s518 + s564) + s516*(s193 + s205) + 2*s566)
-    s660 = py_tt + s658 + s659 - tz*(s191*(-cx_tt + s578) + s516*(-cx + s209) + 2*s580)
-    s661 = -tx*(s191*(-cy_tt + s549) + s516*(-cy + s200) + 2*s587)
-    s662 = -ty*(s191*(cx_tt + s578) + s516*(cx + s209) + 2*s594)
-    s663 = pz_tt + s661 + s662 - tz*(s191*(s517 + s564) + s516*(s192 + s205) + 2*s601)
-    s665 = gx - 0.001*s657
-    s667 = gy - 0.001*s660
-    s669 = gz - 0.001*s663
-    s671 = gx - 0.001*px_tt
-    s673 = gy - 0.001*py_tt
-    s675 = gz - 0.001*pz_tt
-    out = np.zeros((len(x), 6))
-    out[:, 0] = s665
-    out[:, 1] = s667
-    out[:, 2] = s669
-    out[:, 3] = s671
-    out[:, 4] = s673
-    out[:, 5] = s675
-    return out
+    for lane in range(n):
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        R_11 = w[320 + lane]
+        R_12 = w[352 + lane]
+        R_13 = w[384 + lane]
+        R_21 = w[416 + lane]
+        R_22 = w[448 + lane]
+        R_23 = w[480 + lane]
+        R_31 = w[512 + lane]
+        R_32 = w[544 + lane]
+        R_33 = w[576 + lane]
+        w_x = s[672 + lane]
+        w_y = s[704 + lane]
+        w_z = s[736 + lane]
+        v_px_t = s[768 + lane]
+        v_py_t = s[800 + lane]
+        v_pz_t = s[832 + lane]
+        w_x_t = s[864 + lane]
+        w_y_t = s[896 + lane]
+        w_z_t = s[928 + lane]
+        s307 = -R_21*w_z + R_31*w_y
+        s310 = -R_22*w_z + R_32*w_y
+        s313 = -R_23*w_z + R_33*w_y
+        s316 = R_11*w_z - R_31*w_x
+        s319 = R_12*w_z - R_32*w_x
+        s322 = R_13*w_z - R_33*w_x
+        s325 = -R_11*w_y + R_21*w_x
+        s328 = -R_12*w_y + R_22*w_x
+        s331 = -R_13*w_y + R_23*w_x
+        s594 = -tx*(-R_21*w_z_t + R_31*w_y_t - s316*w_z + s325*w_y)
+        s595 = -ty*(-R_22*w_z_t + R_32*w_y_t - s319*w_z + s328*w_y)
+        s596 = s594 + s595 - tz*(-R_23*w_z_t + R_33*w_y_t - s322*w_z + s331*w_y) + v_px_t
+        s598 = -tx*(R_11*w_z_t - R_31*w_x_t + s307*w_z - s325*w_x)
+        s599 = -ty*(R_12*w_z_t - R_32*w_x_t + s310*w_z - s328*w_x)
+        s600 = s598 + s599 - tz*(R_13*w_z_t - R_33*w_x_t + s313*w_z - s331*w_x) + v_py_t
+        s602 = -tx*(-R_11*w_y_t + R_21*w_x_t - s307*w_y + s316*w_x)
+        s603 = -ty*(-R_12*w_y_t + R_22*w_x_t - s310*w_y + s319*w_x)
+        s604 = s602 + s603 - tz*(-R_13*w_y_t + R_23*w_x_t - s313*w_y + s322*w_x) + v_pz_t
+        s708 = gx - 0.001*s596
+        s710 = gy - 0.001*s600
+        s712 = gz - 0.001*s604
+        s714 = gx - 0.001*v_px_t
+        s716 = gy - 0.001*v_py_t
+        s718 = gz - 0.001*v_pz_t
+        s[960 + lane] = s708
+        s[992 + lane] = s710
+        s[1024 + lane] = s712
+        s[1056 + lane] = s714
+        s[1088 + lane] = s716
+        s[1120 + lane] = s718
 
 
-def _platform_asks(x, tool, fields):
-    """Generalised loads per inertial parameter of one platform: (N, 12)."""
-    cx = x[:, 3]
-    cy = x[:, 4]
-    cz = x[:, 5]
-    tx = tool[:, 0]
-    ty = tool[:, 1]
-    tz = tool[:, 2]
-    f0x = fields[:, 0]
-    f0y = fields[:, 1]
-    f0z = fields[:, 2]
-    f1x = fields[:, 3]
-    f1y = fields[:, 4]
-    f1z = fields[:, 5]
-    s184 = (cx * cx)
-    s186 = (cy * cy)
-    s188 = (cz * cz)
-    s190 = 0.25*s184 + 0.25*s186 + 0.25*s188 + 1
-    s191 = (1.0 / s190)
-    s192 = -0.5*s186
-    s193 = -0.5*s188
-    s197 = 0.5*cx*cy
-    s200 = 0.5*cx*cz
-    s205 = -0.5*s184
-    s209 = 0.5*cy*cz
-    s364 = 0.5*cy
-    s365 = 0.5*cx
-    s373 = 0.5*cz
-    s680 = -f0z*ty
-    s682 = -f0z*tx
-    s684 = -f0y*ty
-    s686 = -f0y*tx
-    s688 = -f0x*ty
-    s690 = -f0x*tx
-    s692 = -f0z*tz
-    s694 = -f0y*tz
-    s696 = -f0x*tz
-    s699 = s191*s692
-    s701 = s191*s680
-    s702 = s682*(-cy + s200)
-    s703 = s191*s682
-    s704 = s694*(-cx + s209)
-    s705 = s191*s694
-    s706 = s701 + s705
-    s709 = s684*(s193 + s205)
-    s710 = s191*s684
-    s713 = s686*(cz + s197)
-    s714 = s191*s686
-    s715 = s696*(cy + s200)
-    s716 = s191*s696
-    s717 = s703 + s716
-    s720 = s688*(-cz + s197)
-    s721 = s191*s688
-    s722 = s714 + s721
-    s725 = s690*(s192 + s193)
-    s726 = s191*s690
-    s731 = s680*(cx + s209) + s692*(s192 + s205) + s702 + s704 + s709 + s713 + s715 + s720 + s725
-    s733 = -0.25*s731/(s190 * s190)
-    s743 = 2*cx*(-0.5*s699 - 0.5*s710 + s733) + s364*s722 + s373*s717 + s701 - s705
-    s744 = 2*cy*(-0.5*s699 - 0.5*s726 + s733) + s365*s722 + s373*s706 - s703 + s716
-    s745 = 2*cz*(-0.5*s710 - 0.5*s726 + s733) + s364*s706 + s365*s717 + s714 - s721
-    out = np.zeros((len(x), 12))
-    out[:, 0] = f0x
-    out[:, 1] = f0y
-    out[:, 2] = f0z
-    out[:, 3] = s743
-    out[:, 4] = s744
-    out[:, 5] = s745
-    out[:, 6] = f1x
-    out[:, 7] = f1y
-    out[:, 8] = f1z
-    out[:, 9] = 0
-    out[:, 10] = 0
-    out[:, 11] = 0
-    return out
+@straight
+def _platform_asks(w, d, s, n):
+    """Loads per inertial parameter of a platform, along joint, shifts and turns (51 operations)."""
+    for lane in range(n):
+        tx = w[32 + lane]
+        ty = w[64 + lane]
+        tz = w[96 + lane]
+        R_11 = w[320 + lane]
+        R_12 = w[352 + lane]
+        R_13 = w[384 + lane]
+        R_21 = w[416 + lane]
+        R_22 = w[448 + lane]
+        R_23 = w[480 + lane]
+        R_31 = w[512 + lane]
+        R_32 = w[544 + lane]
+        R_33 = w[576 + lane]
+        f0x = s[960 + lane]
+        f0y = s[992 + lane]
+        f0z = s[1024 + lane]
+        f1x = s[1056 + lane]
+        f1y = s[1088 + lane]
+        f1z = s[1120 + lane]
+        s259 = -f0z*ty
+        s261 = -f0z*tx
+        s263 = -f0y*ty
+        s265 = -f0y*tx
+        s267 = -f0x*ty
+        s269 = -f0x*tx
+        s271 = -f0z*tz
+        s273 = -f0y*tz
+        s275 = -f0x*tz
+        s286 = R_21*s261 + R_22*s259 + R_23*s271 - R_31*s265 - R_32*s263 - R_33*s273
+        s293 = -R_11*s261 - R_12*s259 - R_13*s271 + R_31*s269 + R_32*s267 + R_33*s275
+        s300 = R_11*s265 + R_12*s263 + R_13*s273 - R_21*s269 - R_22*s267 - R_23*s275
+        s[1152 + lane] = f0x
+        s[1184 + lane] = f0y
+        s[1216 + lane] = f0z
+        s[1248 + lane] = s286
+        s[1280 + lane] = s293
+        s[1312 + lane] = s300
+        s[1344 + lane] = f1x
+        s[1376 + lane] = f1y
+        s[1408 + lane] = f1z
 
 
-def closing(x, x_t, joints, tool, p):
-    """Return, of all closures (N, 6), limb by limb: what of their second derivative by time no acceleration makes; then
-    their derivatives by the platform (N, 6, 6), and by the joint of their limb (N, 6)."""
-    parts = [_closing(x, x_t, joints[:, :, i].T, tool, p[:, i]) for i in range(LIMBS)]
-    rows = np.stack(parts, axis=1).reshape(len(x), EQUATIONS, 8)
-    return rows[:, :, 0], rows[:, :, 1:7], rows[:, :, 7]
+@straight
+def _give(d, s, inertia, n):
+    """What the joints give (114 operations)."""
+    m_1 = inertia[1]
+    m_2 = inertia[2]
+    m_3 = inertia[3]
+    m_5 = inertia[5]
+    m_6 = inertia[6]
+    m_7 = inertia[7]
+    m_9 = inertia[9]
+    m_10 = inertia[10]
+    m_11 = inertia[11]
+    m_12 = inertia[12]
+    m_13 = inertia[13]
+    for lane in range(n):
+        a_0_0 = d[992 + lane]
+        a_0_1 = d[1024 + lane]
+        a_0_2 = d[1056 + lane]
+        a_0_3 = d[1088 + lane]
+        a_0_4 = d[1120 + lane]
+        a_0_5 = d[1152 + lane]
+        a_0_6 = d[1184 + lane]
+        a_0_7 = d[1216 + lane]
+        a_0_8 = d[1248 + lane]
+        a_1_0 = d[2272 + lane]
+        a_1_1 = d[2304 + lane]
+        a_1_2 = d[2336 + lane]
+        a_1_3 = d[2368 + lane]
+        a_1_4 = d[2400 + lane]
+        a_1_5 = d[2432 + lane]
+        a_1_6 = d[2464 + lane]
+        a_1_7 = d[2496 + lane]
+        a_1_8 = d[2528 + lane]
+        a_2_0 = d[3552 + lane]
+        a_2_1 = d[3584 + lane]
+        a_2_2 = d[3616 + lane]
+        a_2_3 = d[3648 + lane]
+        a_2_4 = d[3680 + lane]
+        a_2_5 = d[3712 + lane]
+        a_2_6 = d[3744 + lane]
+        a_2_7 = d[3776 + lane]
+        a_2_8 = d[3808 + lane]
+        a_p_0 = s[1152 + lane]
+        a_p_1 = s[1184 + lane]
+        a_p_2 = s[1216 + lane]
+        a_p_3 = s[1248 + lane]
+        a_p_4 = s[1280 + lane]
+        a_p_5 = s[1312 + lane]
+        a_p_6 = s[1344 + lane]
+        a_p_7 = s[1376 + lane]
+        a_p_8 = s[1408 + lane]
+        V_0_0 = s[0 + lane]
+        V_0_1 = s[32 + lane]
+        V_0_2 = s[64 + lane]
+        V_1_0 = s[96 + lane]
+        V_1_1 = s[128 + lane]
+        V_1_2 = s[160 + lane]
+        V_2_0 = s[192 + lane]
+        V_2_1 = s[224 + lane]
+        V_2_2 = s[256 + lane]
+        V_3_0 = s[288 + lane]
+        V_3_1 = s[320 + lane]
+        V_3_2 = s[352 + lane]
+        V_4_0 = s[384 + lane]
+        V_4_1 = s[416 + lane]
+        V_4_2 = s[448 + lane]
+        V_5_0 = s[480 + lane]
+        V_5_1 = s[512 + lane]
+        V_5_2 = s[544 + lane]
+        W_0 = a_0_3*m_3 + a_1_3*m_7 + a_2_3*m_11 + a_p_0*m_12 + a_p_6*m_13
+        W_1 = a_0_4*m_3 + a_1_4*m_7 + a_2_4*m_11 + a_p_1*m_12 + a_p_7*m_13
+        W_2 = a_0_5*m_3 + a_1_5*m_7 + a_2_5*m_11 + a_p_2*m_12 + a_p_8*m_13
+        W_3 = a_0_6*m_3 + a_1_6*m_7 + a_2_6*m_11 + a_p_3*m_12
+        W_4 = a_0_7*m_3 + a_1_7*m_7 + a_2_7*m_11 + a_p_4*m_12
+        W_5 = a_0_8*m_3 + a_1_8*m_7 + a_2_8*m_11 + a_p_5*m_12
+        s37 = -V_4_0*W_4
+        s38 = -V_5_0*W_5
+        s39 = -a_0_0*m_1
+        s40 = -a_0_1*m_2
+        s41 = -a_0_2*m_3
+        s42 = -V_0_0*W_0 - V_1_0*W_1 - V_2_0*W_2 - V_3_0*W_3 + s37 + s38 + s39 + s40 + s41
+        s47 = -V_4_1*W_4
+        s48 = -V_5_1*W_5
+        s49 = -a_1_0*m_5
+        s50 = -a_1_1*m_6
+        s51 = -a_1_2*m_7
+        s52 = -V_0_1*W_0 - V_1_1*W_1 - V_2_1*W_2 - V_3_1*W_3 + s47 + s48 + s49 + s50 + s51
+        s57 = -V_4_2*W_4
+        s58 = -V_5_2*W_5
+        s59 = -a_2_0*m_9
+        s60 = -a_2_1*m_10
+        s61 = -a_2_2*m_11
+        s62 = -V_0_2*W_0 - V_1_2*W_1 - V_2_2*W_2 - V_3_2*W_3 + s57 + s58 + s59 + s60 + s61
+        s[1440 + lane] = s42
+        s[1472 + lane] = s52
+        s[1504 + lane] = s62
 
 
-def asks(x, x_t, x_tt, joints, tool, p, gravity):
-    """Return the generalised loads of gravity less acceleration for each inertial parameter, which is 1.
+@straight
+def _give_each(d, s, n):
+    """What the joints give for each inertial parameter (153 operations)."""
+    for lane in range(n):
+        a_0_0 = d[992 + lane]
+        a_0_1 = d[1024 + lane]
+        a_0_2 = d[1056 + lane]
+        a_0_3 = d[1088 + lane]
+        a_0_4 = d[1120 + lane]
+        a_0_5 = d[1152 + lane]
+        a_0_6 = d[1184 + lane]
+        a_0_7 = d[1216 + lane]
+        a_0_8 = d[1248 + lane]
+        a_1_0 = d[2272 + lane]
+        a_1_1 = d[2304 + lane]
+        a_1_2 = d[2336 + lane]
+        a_1_3 = d[2368 + lane]
+        a_1_4 = d[2400 + lane]
+        a_1_5 = d[2432 + lane]
+        a_1_6 = d[2464 + lane]
+        a_1_7 = d[2496 + lane]
+        a_1_8 = d[2528 + lane]
+        a_2_0 = d[3552 + lane]
+        a_2_1 = d[3584 + lane]
+        a_2_2 = d[3616 + lane]
+        a_2_3 = d[3648 + lane]
+        a_2_4 = d[3680 + lane]
+        a_2_5 = d[3712 + lane]
+        a_2_6 = d[3744 + lane]
+        a_2_7 = d[3776 + lane]
+        a_2_8 = d[3808 + lane]
+        a_p_0 = s[1152 + lane]
+        a_p_1 = s[1184 + lane]
+        a_p_2 = s[1216 + lane]
+        a_p_3 = s[1248 + lane]
+        a_p_4 = s[1280 + lane]
+        a_p_5 = s[1312 + lane]
+        V_0_0 = s[0 + lane]
+        V_0_1 = s[32 + lane]
+        V_0_2 = s[64 + lane]
+        V_1_0 = s[96 + lane]
+        V_1_1 = s[128 + lane]
+        V_1_2 = s[160 + lane]
+        V_2_0 = s[192 + lane]
+        V_2_1 = s[224 + lane]
+        V_2_2 = s[256 + lane]
+        V_3_0 = s[288 + lane]
+        V_3_1 = s[320 + lane]
+        V_3_2 = s[352 + lane]
+        V_4_0 = s[384 + lane]
+        V_4_1 = s[416 + lane]
+        V_4_2 = s[448 + lane]
+        V_5_0 = s[480 + lane]
+        V_5_1 = s[512 + lane]
+        V_5_2 = s[544 + lane]
+        s5 = -V_5_0*a_0_8
+        s6 = -V_0_0*a_0_3 - V_1_0*a_0_4 - V_2_0*a_0_5 - V_3_0*a_0_6 - V_4_0*a_0_7 - a_0_2 + s5
+        s13 = -V_0_1*a_0_3 - V_1_1*a_0_4 - V_2_1*a_0_5 - V_3_1*a_0_6 - V_4_1*a_0_7 - V_5_1*a_0_8
+        s20 = -V_0_2*a_0_3 - V_1_2*a_0_4 - V_2_2*a_0_5 - V_3_2*a_0_6 - V_4_2*a_0_7 - V_5_2*a_0_8
+        s27 = -V_0_0*a_1_3 - V_1_0*a_1_4 - V_2_0*a_1_5 - V_3_0*a_1_6 - V_4_0*a_1_7 - V_5_0*a_1_8
+        s33 = -V_5_1*a_1_8
+        s34 = -V_0_1*a_1_3 - V_1_1*a_1_4 - V_2_1*a_1_5 - V_3_1*a_1_6 - V_4_1*a_1_7 - a_1_2 + s33
+        s41 = -V_0_2*a_1_3 - V_1_2*a_1_4 - V_2_2*a_1_5 - V_3_2*a_1_6 - V_4_2*a_1_7 - V_5_2*a_1_8
+        s48 = -V_0_0*a_2_3 - V_1_0*a_2_4 - V_2_0*a_2_5 - V_3_0*a_2_6 - V_4_0*a_2_7 - V_5_0*a_2_8
+        s55 = -V_0_1*a_2_3 - V_1_1*a_2_4 - V_2_1*a_2_5 - V_3_1*a_2_6 - V_4_1*a_2_7 - V_5_1*a_2_8
+        s61 = -V_5_2*a_2_8
+        s62 = -V_0_2*a_2_3 - V_1_2*a_2_4 - V_2_2*a_2_5 - V_3_2*a_2_6 - V_4_2*a_2_7 - a_2_2 + s61
+        s69 = -V_0_0*a_p_0 - V_1_0*a_p_1 - V_2_0*a_p_2 - V_3_0*a_p_3 - V_4_0*a_p_4 - V_5_0*a_p_5
+        s76 = -V_0_1*a_p_0 - V_1_1*a_p_1 - V_2_1*a_p_2 - V_3_1*a_p_3 - V_4_1*a_p_4 - V_5_1*a_p_5
+        s83 = -V_0_2*a_p_0 - V_1_2*a_p_1 - V_2_2*a_p_2 - V_3_2*a_p_3 - V_4_2*a_p_4 - V_5_2*a_p_5
+        s[1536 + lane] = -a_0_0
+        s[1568 + lane] = -a_0_1
+        s[1600 + lane] = s6
+        s[1632 + lane] = s13
+        s[1664 + lane] = s20
+        s[1696 + lane] = -a_1_0
+        s[1728 + lane] = -a_1_1
+        s[1760 + lane] = s27
+        s[1792 + lane] = s34
+        s[1824 + lane] = s41
+        s[1856 + lane] = -a_2_0
+        s[1888 + lane] = -a_2_1
+        s[1920 + lane] = s48
+        s[1952 + lane] = s55
+        s[1984 + lane] = s62
+        s[2016 + lane] = s69
+        s[2048 + lane] = s76
+        s[2080 + lane] = s83
 
-    Of the limbs (N, 3, 4, 7): on the joint, on the platform; of the platform (N, 2, 6).
-    """
-    limbs = []
-    for i in range(LIMBS):
-        own = joints[:, :, i].T
-        fields = _limb_fields(x, x_t, x_tt, own, tool, p[:, i], gravity)
-        limbs.append(_limb_asks(x, own, tool, p[:, i], fields))
-    platform = _platform_asks(x, tool, _platform_fields(x, x_t, x_tt, tool, gravity))
-    return np.stack(limbs, axis=1).reshape(len(x), LIMBS, 4, 7), platform.reshape(len(x), 2, 6)
+
+@straight
+def _rates(speeds, accelerations, d, first, last, n):
+    """Put velocities and accelerations of the joints side by side, the last ones again for the rest of `n`."""
+    for lane in range(n):
+        m = min(first + lane, last)
+        d[0 + lane] = speeds[3 * m + 0]
+        d[32 + lane] = accelerations[3 * m + 0]
+        d[1280 + lane] = speeds[3 * m + 1]
+        d[1312 + lane] = accelerations[3 * m + 1]
+        d[2560 + lane] = speeds[3 * m + 2]
+        d[2592 + lane] = accelerations[3 * m + 2]
+
+
+@straight
+def _pay(w, s, tau, first, last):
+    """Write what the joints give."""
+    for lane in range(last - first + 1):
+        regular = (w[10464 + lane] > 0.0) & (w[10496 + lane] > 0.0)
+        tau[3 * (first + lane) + 0] = s[1440 + lane] if regular else math.nan
+        tau[3 * (first + lane) + 1] = s[1472 + lane] if regular else math.nan
+        tau[3 * (first + lane) + 2] = s[1504 + lane] if regular else math.nan
+
+
+@straight
+def _pay_each(w, s, Y, first, last):
+    """Write what the joints give for each inertial parameter."""
+    for lane in range(last - first + 1):
+        regular = (w[10464 + lane] > 0.0) & (w[10496 + lane] > 0.0)
+        Y[39 * (first + lane) + 0] = 0.0 if regular else math.nan
+        Y[39 * (first + lane) + 1] = s[1536 + lane] if regular else math.nan
+        Y[39 * (first + lane) + 2] = s[1568 + lane] if regular else math.nan
+        Y[39 * (first + lane) + 3] = s[1600 + lane] if regular else math.nan
+        Y[39 * (first + lane) + 4] = 0.0 if regular else math.nan
+        Y[39 * (first + lane) + 5] = 0.0 if regular else math.nan
+        Y[39 * (first + lane) + 6] = 0.0 if regular else math.nan
+        Y[39 * (first + lane) + 7] = s[1760 + lane] if regular else math.nan
+        Y[39 * (first + lane) + 8] = 0.0 if regular else math.nan
+        Y[39 * (first + lane) + 9] = 0.0 if regular else math.nan
+        Y[39 * (first + lane) + 10] = 0.0 if regular else math.nan
+        Y[39 * (first + lane) + 11] = s[1920 + lane] if regular else math.nan
+        Y[39 * (first + lane) + 12] = s[2016 + lane] if regular else math.nan
+        Y[39 * (first + lane) + 13] = 0.0 if regular else math.nan
+        Y[39 * (first + lane) + 14] = 0.0 if regular else math.nan
+        Y[39 * (first + lane) + 15] = 0.0 if regular else math.nan
+        Y[39 * (first + lane) + 16] = s[1632 + lane] if regular else math.nan
+        Y[39 * (first + lane) + 17] = 0.0 if regular else math.nan
+        Y[39 * (first + lane) + 18] = s[1696 + lane] if regular else math.nan
+        Y[39 * (first + lane) + 19] = s[1728 + lane] if regular else math.nan
+        Y[39 * (first + lane) + 20] = s[1792 + lane] if regular else math.nan
+        Y[39 * (first + lane) + 21] = 0.0 if regular else math.nan
+        Y[39 * (first + lane) + 22] = 0.0 if regular else math.nan
+        Y[39 * (first + lane) + 23] = 0.0 if regular else math.nan
+        Y[39 * (first + lane) + 24] = s[1952 + lane] if regular else math.nan
+        Y[39 * (first + lane) + 25] = s[2048 + lane] if regular else math.nan
+        Y[39 * (first + lane) + 26] = 0.0 if regular else math.nan
+        Y[39 * (first + lane) + 27] = 0.0 if regular else math.nan
+        Y[39 * (first + lane) + 28] = 0.0 if regular else math.nan
+        Y[39 * (first + lane) + 29] = s[1664 + lane] if regular else math.nan
+        Y[39 * (first + lane) + 30] = 0.0 if regular else math.nan
+        Y[39 * (first + lane) + 31] = 0.0 if regular else math.nan
+        Y[39 * (first + lane) + 32] = 0.0 if regular else math.nan
+        Y[39 * (first + lane) + 33] = s[1824 + lane] if regular else math.nan
+        Y[39 * (first + lane) + 34] = 0.0 if regular else math.nan
+        Y[39 * (first + lane) + 35] = s[1856 + lane] if regular else math.nan
+        Y[39 * (first + lane) + 36] = s[1888 + lane] if regular else math.nan
+        Y[39 * (first + lane) + 37] = s[1984 + lane] if regular else math.nan
+        Y[39 * (first + lane) + 38] = s[2080 + lane] if regular else math.nan
+
+
+@fast
+def _torque(x, motion, tool, k, c, gravity, shares, inertia, tau):
+    found = tau.reshape(tau.size)
+    w, d, s = scratch(WORK), scratch(3 * OWN), scratch(SHARED)
+    w_1 = w[0:3008]
+    w_2 = w[3008:6016]
+    w_3 = w[6016:9024]
+    d_1 = d[0 * OWN:1 * OWN]
+    d_2 = d[1 * OWN:2 * OWN]
+    d_3 = d[2 * OWN:3 * OWN]
+    states = motion.reshape(motion.size)
+    samples, machines = len(x), k.shape[0]
+    speeds, accelerations = states[samples * 3 :], states[2 * samples * 3 :]
+    if len(tool) == 1:
+        hold(tool, w, 0, 0, LANES)
+    each = samples // machines
+    for m in range(machines):
+        k_1, own_1 = k[m, 0], c[m, 0]
+        k_2, own_2 = k[m, 1], c[m, 1]
+        k_3, own_3 = k[m, 2], c[m, 2]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            load(states, w, first, last, n)
+            if len(tool) > 1:
+                hold(tool, w, first, last, n)
+            _rates(speeds, accelerations, d, first, last, n)
+            _place(x, w, first, last, n)
+            _begin(w, n)
+            _move_platform(w, n)
+            _early(w_1, k_1, n)
+            _more(w_1, k_1, n)
+            _rows(w_1, k_1, n)
+            _joints(w_1, k_1, n)
+            _early(w_2, k_2, n)
+            _more(w_2, k_2, n)
+            _rows(w_2, k_2, n)
+            _joints(w_2, k_2, n)
+            _early(w_3, k_3, n)
+            _more(w_3, k_3, n)
+            _rows(w_3, k_3, n)
+            _joints(w_3, k_3, n)
+            _inverse_of_rows(w, n)
+            _move(w, d, s, n)
+            _curved(w_1, d_1, s, own_1, gravity, shares[0:], n)
+            _curved(w_2, d_2, s, own_2, gravity, shares[1:], n)
+            _curved(w_3, d_3, s, own_3, gravity, shares[2:], n)
+            _accelerate(w, d, s, n)
+            _limb_fields(w_1, d_1, s, own_1, gravity, shares[0:], n)
+            _limb_fields(w_2, d_2, s, own_2, gravity, shares[1:], n)
+            _limb_fields(w_3, d_3, s, own_3, gravity, shares[2:], n)
+            _limb_asks(w_1, d_1, s, own_1, gravity, shares[0:], n)
+            _limb_asks(w_2, d_2, s, own_2, gravity, shares[1:], n)
+            _limb_asks(w_3, d_3, s, own_3, gravity, shares[2:], n)
+            _platform_fields(w, d, s, gravity, n)
+            _platform_asks(w, d, s, n)
+            _give(d, s, inertia, n)
+            _pay(w, s, found, first, last)
+
+
+def torque(x, motion, tool, k, c, gravity, shares, inertia, tau):
+    """Fill tau (N, 3) [N mm, N]: what the joints must give, positive along positive joints."""
+    _torque(x, motion, tool, k, c, gravity, shares, inertia, tau)
+
+
+@fast
+def _regressor(x, motion, tool, k, c, gravity, shares, Y):
+    found = Y.reshape(Y.size)
+    w, d, s = scratch(WORK), scratch(3 * OWN), scratch(SHARED)
+    w_1 = w[0:3008]
+    w_2 = w[3008:6016]
+    w_3 = w[6016:9024]
+    d_1 = d[0 * OWN:1 * OWN]
+    d_2 = d[1 * OWN:2 * OWN]
+    d_3 = d[2 * OWN:3 * OWN]
+    states = motion.reshape(motion.size)
+    samples, machines = len(x), k.shape[0]
+    speeds, accelerations = states[samples * 3 :], states[2 * samples * 3 :]
+    if len(tool) == 1:
+        hold(tool, w, 0, 0, LANES)
+    each = samples // machines
+    for m in range(machines):
+        k_1, own_1 = k[m, 0], c[m, 0]
+        k_2, own_2 = k[m, 1], c[m, 1]
+        k_3, own_3 = k[m, 2], c[m, 2]
+        for first in range(m * each, (m + 1) * each, LANES):
+            last = min(first + LANES, (m + 1) * each) - 1
+            n = (last - first + 8) // 8 * 8
+            load(states, w, first, last, n)
+            if len(tool) > 1:
+                hold(tool, w, first, last, n)
+            _rates(speeds, accelerations, d, first, last, n)
+            _place(x, w, first, last, n)
+            _begin(w, n)
+            _move_platform(w, n)
+            _early(w_1, k_1, n)
+            _more(w_1, k_1, n)
+            _rows(w_1, k_1, n)
+            _joints(w_1, k_1, n)
+            _early(w_2, k_2, n)
+            _more(w_2, k_2, n)
+            _rows(w_2, k_2, n)
+            _joints(w_2, k_2, n)
+            _early(w_3, k_3, n)
+            _more(w_3, k_3, n)
+            _rows(w_3, k_3, n)
+            _joints(w_3, k_3, n)
+            _inverse_of_rows(w, n)
+            _move(w, d, s, n)
+            _curved(w_1, d_1, s, own_1, gravity, shares[0:], n)
+            _curved(w_2, d_2, s, own_2, gravity, shares[1:], n)
+            _curved(w_3, d_3, s, own_3, gravity, shares[2:], n)
+            _accelerate(w, d, s, n)
+            _limb_fields(w_1, d_1, s, own_1, gravity, shares[0:], n)
+            _limb_fields(w_2, d_2, s, own_2, gravity, shares[1:], n)
+            _limb_fields(w_3, d_3, s, own_3, gravity, shares[2:], n)
+            _limb_asks(w_1, d_1, s, own_1, gravity, shares[0:], n)
+            _limb_asks(w_2, d_2, s, own_2, gravity, shares[1:], n)
+            _limb_asks(w_3, d_3, s, own_3, gravity, shares[2:], n)
+            _platform_fields(w, d, s, gravity, n)
+            _platform_asks(w, d, s, n)
+            _give_each(d, s, n)
+            _pay_each(w, s, found, first, last)
+
+
+def regressor(x, motion, tool, k, c, gravity, shares, Y):
+    """Fill Y (N, 3, 13): what the joints must give for each inertial parameter, which is 1."""
+    _regressor(x, motion, tool, k, c, gravity, shares, Y)

@@ -1,7 +1,7 @@
 """Kinematics of `delta`, many poses at once: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 8882da4ba53f0317; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 3f376f6e7d40d747; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 

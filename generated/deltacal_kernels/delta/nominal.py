@@ -1,7 +1,7 @@
 """Derivatives of the nominal machine's position by its errors, many poses at once: `delta`, Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/nominal.py.jinja; sha256 of both fb5766c0b4dd4cba; SymPy 1.14.0.
+Template templates/mechanism/nominal.py.jinja; sha256 of both d4b4600ca6b910fe; SymPy 1.14.0.
 
 Rods of a pair are parallel there, and the platform does not turn, which leaves little of the exact machine's derivatives.
 x (N, 3) is the position of the reference point, q (N, 3) the joints there, tool (N or 1, 3) the reference point in

@@ -1,7 +1,7 @@
 """Kinematics of `delta` in plain NumPy: Delta, three arms and six rods.
 
 Generated from derive/mechanisms/delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both 2b145263964ef50c; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 75abad99797a14e8; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.

@@ -1,7 +1,7 @@
 """Kinematics of `diamond`, many poses at once: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both fd6b5116b4391cb2; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 004cea257427ba5c; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 

@@ -1,7 +1,7 @@
 """Derivatives of the nominal machine's position by its errors, many poses at once: `diamond`, Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/nominal.py.jinja; sha256 of both 96386ff1f0652821; SymPy 1.14.0.
+Template templates/mechanism/nominal.py.jinja; sha256 of both bd815103aa0d5201; SymPy 1.14.0.
 
 Rods of a pair are parallel there, and the platform does not turn, which leaves little of the exact machine's derivatives.
 x (N, 2) is the position of the reference point, q (N, 2) the joints there, tool (N or 1, 3) the reference point in

@@ -1,7 +1,7 @@
 """Kinematics of `diamond` in plain NumPy: Diamond, two arms in a plane.
 
 Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both a8d1d7d867f2a4d5; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 47793ae884a88ec2; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.

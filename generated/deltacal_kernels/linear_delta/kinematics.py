@@ -1,7 +1,7 @@
 """Kinematics of `linear_delta`, many poses at once: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 48c3ab9838dff431; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both f4787801e357a540; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 

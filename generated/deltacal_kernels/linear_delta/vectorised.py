@@ -1,7 +1,7 @@
 """Kinematics of `linear_delta` in plain NumPy: Linear delta, three towers and six rods.
 
 Generated from derive/mechanisms/linear_delta.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both cb59e0ba66b3effb; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both e07131ae4817b441; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.

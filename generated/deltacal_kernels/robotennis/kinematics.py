@@ -1,7 +1,7 @@
 """Kinematics of `robotennis`, many poses at once: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 7788a36eba117ee1; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 42f6e577b2aae0ba; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 

@@ -1,7 +1,7 @@
 """Derivatives of the nominal machine's position by its errors, many poses at once: `robotennis`, RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/nominal.py.jinja; sha256 of both 0025e757f50c6957; SymPy 1.14.0.
+Template templates/mechanism/nominal.py.jinja; sha256 of both 00a897d33cce0657; SymPy 1.14.0.
 
 Rods of a pair are parallel there, and the platform does not turn, which leaves little of the exact machine's derivatives.
 x (N, 3) is the position of the reference point, q (N, 3) the joints there, tool (N or 1, 3) the reference point in

@@ -1,7 +1,7 @@
 """Kinematics of `robotennis` in plain NumPy: RoboTennis, three arms with rods as single links, incremental home.
 
 Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both 3625d043fecff446; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 6a8307a885e7e42b; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.

@@ -133,7 +133,8 @@ class Masses(Table):
 
     `proximal` is one arm with its centre of mass at `proximal_com` of its length, `distal_rod` one of the rods,
     `platform` sits at O', `carriage` is that of a sliding joint. `gravity` is (3,) in {O} [m/s^2 = N/kg];
-    `proximal_inertia` is an arm's own inertia about its centre of mass [kg mm^2], None for that of a slender rod.
+    `proximal_inertia` is an arm's own inertia about its centre of mass [kg mm^2], `distal_inertia` that of a rod,
+    across it: None for those of slender rods. `rotor_inertia` turns with the joint [kg mm^2].
     """
 
     proximal: NonNegative = 0.0
@@ -143,6 +144,8 @@ class Masses(Table):
     carriage: NonNegative | None = None
     gravity: Vector = (0.0, 0.0, -9.81)
     proximal_inertia: NonNegative | None = None
+    distal_inertia: NonNegative | None = None
+    rotor_inertia: NonNegative | None = None
 
 
 class Transmission(Table):

@@ -7,6 +7,7 @@ import importlib.util
 from abc import ABC, abstractmethod
 from functools import cached_property
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 
@@ -26,6 +27,7 @@ NAMES = {  # as results call the parameters of a body, and their units
 TENSOR_UNIT = "kg mm^2"
 PAYLOAD = "payload"  # of a platform: what is no body of the machine
 GRAVITY = (0.0, 0.0, -9.81)
+UNIFORM = 1.0 / 6.0  # of a uniform rod's mass, by Simpson's rule: at either end
 
 
 class Dynamics(ABC):
@@ -134,73 +136,73 @@ class ChainDynamics(Dynamics):
 
 
 class LimbDynamics(Dynamics):
-    """A platform on limbs: velocities and accelerations follow from the closures, torques from their multipliers."""
+    """A platform on limbs: velocities and accelerations follow from the closures, torques from virtual work."""
 
     def __init__(self, robot: Robot, machine: Limbs) -> None:
         super().__init__(robot, machine)
-        self._robot, self._machine, self._rows = robot, machine, machine.rows(robot)
-        limbs = range(1, machine.limbs + 1)
-        platform = [(name, unit) for name, unit, _ in self._kernels.PLATFORM]
-        self._payload = [name for name, _ in platform].index(PAYLOAD)
-        platform.pop(self._payload)
-        own = [(f"{name}_{i}", unit) for i in limbs for name, unit, _ in self._kernels.LIMB]
-        self.names, self.units = zip(*own, *platform, strict=True)
+        self._robot, self._machine = robot, machine
+        self._rows = machine.rows(robot)
+        self._constants = machine.compiled.constants(self._rows), self._kernels.constants(self._rows)
+        own = [(f"{name}_{i}", unit) for i in range(1, machine.limbs + 1) for name, unit, _ in self._kernels.LIMB]
+        self.names, self.units = zip(*own, *((name, unit) for name, unit, _ in self._platform), strict=True)
+
+    @property
+    def _platform(self) -> tuple[tuple[str, str, str], ...]:
+        """The platform's parameters but the payload, which is no part of the machine and comes last."""
+        *own, (name, *_) = self._kernels.PLATFORM
+        assert name == PAYLOAD
+        return tuple(own)
 
     def regressor(self, motion: Array) -> Array:
         """Return Y (N, n_q, n); NaN where the machine cannot stand."""
-        return np.delete(self._asked(motion), self._at_payload, axis=2)
+        motion = self._checked(motion)
+        Y = np.empty((*motion.shape[1:], len(self.names)))
+        self._kernels.regressor(*self._given(motion), Y)
+        return Y
 
     def torque(self, motion: Array, inertia: Array) -> Array:
-        """Return the torques (N, n_q)."""
-        return np.asarray((self.regressor(motion) * np.asarray(inertia, dtype=float)).sum(axis=2))
+        """Return the torques (N, n_q); NaN where the machine cannot stand."""
+        return self._asked(motion, np.append(inertia, 0.0))
 
     def payload(self, motion: Array) -> Array:
         """Return the torques (N, n_q) that 1 kg at the reference point asks for."""
-        return np.asarray(self._asked(motion)[:, :, self._at_payload])
+        return self._asked(motion, np.append(np.zeros(len(self.names)), 1.0))
 
     def stated(self, *, points: bool = False) -> Array:
         """Return what [masses] states; a mass that is not given is none."""
         if self._robot.masses is None:
             return np.full(len(self.names), np.nan)
-        masses = self._robot.masses.model_dump()
-        own = masses["proximal_inertia"]
-        own = self._machine.limb_inertia(self._robot, masses) if own is None else own
-        found = self._kernels.stated(self._robot.geometry, masses, own)
+        masses = {name: 0.0 if mass is None else mass for name, mass in self._masses.items()}
+        if self._masses["proximal_inertia"] is None:
+            masses["proximal_inertia"] = self._machine.limb_inertia(self._robot, masses)
+        turning = masses["proximal_inertia"] + masses["rotor_inertia"]
+        found = self._kernels.stated(self._robot.geometry, masses, turning)
         limbs = [found[name] * np.ones(self.joints) for name, *_ in self._kernels.LIMB]
-        return np.append(np.array(limbs).T.ravel(), [found[n] for n, *_ in self._kernels.PLATFORM if n in found])
+        return np.append(np.array(limbs).T.ravel(), [found[name] for name, *_ in self._platform])
+
+    @property
+    def _masses(self) -> dict[str, Any]:
+        return {} if self._robot.masses is None else self._robot.masses.model_dump()
 
     @cached_property
-    def _at_payload(self) -> int:
-        return self.joints * len(self._kernels.LIMB) + self._payload
+    def _shares(self) -> Array:
+        """How much of a rod's mass moves like either of its ends (limbs,); the rest moves like its middle."""
+        mass, inertia = self._masses.get("distal_rod"), self._masses.get("distal_inertia")
+        if not mass or inertia is None:
+            return np.full(self.joints, UNIFORM)
+        return 2 * inertia / (mass * self._machine.roles(self._robot)["l"] ** 2) * np.ones(self.joints)
 
-    def _asked(self, motion: Array) -> Array:
-        """Return the regressor (N, n_q, n) with the payload's column among those of the platform."""
+    def _given(self, motion: Array) -> tuple[Array, ...]:
+        """Return what the kernels read."""
+        tool = np.ascontiguousarray(self._tool[None], dtype=float)
+        x = self._machine.closed(motion[0], tool, self._rows)
+        return x, motion, tool, *self._constants, self._gravity, self._shares
+
+    def _asked(self, motion: Array, inertia: Array) -> Array:
         motion = self._checked(motion)
-        tool = np.ascontiguousarray(np.broadcast_to(self._tool, (motion.shape[1], 3)))
-        pose, _ = self._machine.forward(motion[0], tool, self._rows)
-        x, limb = (
-            self._machine.coordinates(pose),
-            np.repeat(np.arange(self.joints), self._kernels.EQUATIONS // self.joints),
-        )
-        known = x, motion, tool, self._rows
-        _, J_x, J_q = self._kernels.closing(x, np.zeros_like(x), *known[1:])
-        x_t = _solved(J_x, -J_q * motion[1][:, limb])
-        curved, _, _ = self._kernels.closing(x, x_t, *known[1:])
-        x_tt = _solved(J_x, -curved - J_q * motion[2][:, limb])
-        limbs, platform = self._kernels.asks(x, x_t, x_tt, *known[1:], self._gravity)
-        N, n = len(x), self.joints * limbs.shape[2]
-        on_joints = np.zeros((N, self.joints, n + platform.shape[1]))
-        for i in range(self.joints):
-            on_joints[:, i, i * limbs.shape[2] : (i + 1) * limbs.shape[2]] = limbs[:, i, :, 0]
-        on_platform = np.concatenate([limbs[..., 1:].reshape(N, n, -1), platform], axis=1)
-        pulls = np.linalg.solve(np.swapaxes(J_x, 1, 2), -np.swapaxes(on_platform, 1, 2))  # multipliers of the closures
-        for e, i in enumerate(limb.tolist()):
-            on_joints[:, i] += J_q[:, e, None] * pulls[:, e]
-        return -on_joints  # joints give what holds against the loads
-
-
-def _solved(J: Array, wanted: Array) -> Array:
-    return np.asarray(np.linalg.solve(J, wanted[..., None])[..., 0])
+        tau = np.empty(motion.shape[1:])
+        self._kernels.torque(*self._given(motion), np.ascontiguousarray(inertia, dtype=float), tau)
+        return tau
 
 
 def dynamics_of(robot: Robot) -> Dynamics:

@@ -6,6 +6,7 @@ Shapes and units are checked here; the kernels below neither check nor raise.
 from __future__ import annotations
 
 import importlib
+import importlib.util
 import time
 from collections.abc import Generator, Iterator, Mapping, Sequence
 from functools import cached_property
@@ -190,11 +191,23 @@ class Limbs(Machine):
             columns, rest = np.arange(self.limbs * n_e), (one, q, tool, nominal)
             yield from done(batch, "nominal_sensitivity", *rest, np.empty((1, positions, len(columns))))
             yield from done(batch, "distance_rows", *rest, columns, np.empty((0, len(columns))))
+        if self.moving is not None:
+            c = yield from done(self.moving, "constants", rows)
+            inertia = np.ones(self.limbs * len(self.moving.LIMB) + len(self.moving.PLATFORM))
+            given = x, np.ones((3, 1, self.limbs)), tool, k, c, np.ones(3), np.ones(self.limbs)
+            yield from done(self.moving, "torque", *given, inertia, one)
+            yield from done(self.moving, "regressor", *given, np.empty((1, self.limbs, len(inertia) - 1)))
         exact, linear = servo.exact_state(rows[0], tool[0], sign), servo.linear_state(rows[0], tool[0], sign)
         yield from done(servo, "exact_command", *command, exact)
         yield from done(servo, "linear_command", *command, linear)
         yield from done(servo, "linear_change", *command, *command, linear)
         yield from done(servo, "linear_commands", one, tool, linear, q, status)
+
+    @cached_property
+    def moving(self) -> ModuleType | None:
+        """The kernels of the machine in motion; none where the mechanism says nothing of its bodies."""
+        name = f"deltacal_kernels.{self.name}.dynamics"
+        return importlib.import_module(name) if importlib.util.find_spec(name) else None
 
     @cached_property
     def weighs(self) -> bool:
@@ -256,6 +269,11 @@ class Limbs(Machine):
             x = np.empty((len(q), len(self._at))) if near is None else self._own(near, kernels)
             kernels.forward(q, tool, constants, x, status, near is not None)
         return x, status, kernels
+
+    def closed(self, q: Array, tool: Array, rows: Array) -> Array:
+        """Return the coordinates (N, n) that close the loops at given joints, NaN where none do; see `coordinates`."""
+        x, _, _ = self._solved(q, tool, rows, None)
+        return x if x.shape[1] == len(self._at) else np.pad(x, ((0, 0), (0, len(self._at) - x.shape[1])))
 
     def frames(self, q: Array, rows: Array) -> tuple[Array, Array]:
         """Return the frames of base and platform: origins (N, 2, 3) and rotations (N, 2, 3, 3)."""
