@@ -28,6 +28,7 @@ BARE = {  # numbers without a unit: counts, parts of a whole, figures of statist
     *(
         "rho",
         "rows",
+        "own",
         "rank",
         "rank_tolerance",
         "singular_values",

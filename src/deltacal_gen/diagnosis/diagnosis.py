@@ -30,12 +30,10 @@ from deltacal_gen.diagnosis.strategy import (
     Progress,
     beside_noise,
     deviance,
-    deviance_of,
     held_out_by,
     refitted,
     searched,
     terms_of,
-    together,
 )
 from deltacal_gen.diagnosis.structure import structures
 from deltacal_gen.errors import NoSolutionError
@@ -49,6 +47,7 @@ from deltacal_gen.identification import checks
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.noise import Noise, noise
 from deltacal_gen.identification.prior import with_prior
+from deltacal_gen.identification.together import deviance_of, together
 from deltacal_gen.machine.backend import by_recording
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Recording
@@ -172,7 +171,15 @@ def diagnose(
     progress(f"fit of all {len(problem.readings)} readings")
     baseline, current, spectrum = _of_all(problem, first, search.fit, spectrum)
     if not (current.problem.terms or current.problem.held):  # no physics that geometry could imitate
-        current = fit(alone, Prior(), errors=current.errors, instrument=current.instrument, must_converge=False)
+        calm = current.repeats if current.repeats.series is not None else None
+        current = fit(
+            alone,
+            Prior(),
+            errors=current.errors,
+            instrument=current.instrument,
+            repeats=calm,
+            must_converge=False,
+        )
     heldout = (before, after if spectrum is None else spectrum.heldout[1])
     named_any = current.problem.terms or current.problem.held
     verdict = Verdict.UNEXPLAINED if unexplained else Verdict.MISSING_PHYSICS if named_any else Verdict.ADEQUATE

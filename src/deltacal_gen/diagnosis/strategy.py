@@ -15,10 +15,12 @@ from deltacal_gen.diagnosis.structure import Structure, alike, smooth_columns, s
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation.fit import Fit, fit, held_out, held_out_errors
 from deltacal_gen.estimation.problem import Problem
-from deltacal_gen.estimation.residuals import Chain, Repeats
+from deltacal_gen.estimation.residuals import Repeats
+from deltacal_gen.estimation.series import Series
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.noise import lack_of_fit
+from deltacal_gen.identification.together import deviance_of, together
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.states import read_by
 from deltacal_gen.physics.terms import (
@@ -109,22 +111,6 @@ def _unexplained(search: Search, left: Sequence[Structure], lean: bool) -> bool:
     return more or alike(search.fit)[1] > ALIKE
 
 
-def together(at: Fit) -> Repeats | None:
-    """Return noise that hangs together from row to row, where what a fit leaves looks like it; None where not.
-
-    Physics that was left out hangs together too, where neighbouring rows are neighbouring poses or times: which of the
-    two it is, a comparison of both tells.
-    """
-    chain = Chain.of(at.problem.readings)
-    if chain is None or not len(chain.gap):
-        return None
-    z = _whitened(at)
-    rho, deviance = chain.likeliest(z)
-    if chain.deviance(z, 0.0) - deviance < MARGIN:
-        return None
-    return dataclasses.replace(at.repeats, rho=rho, chain=chain)
-
-
 def beside_noise(found: Outcome, lean: bool) -> Outcome:
     """Return what of the effects found holds beside noise that hangs together as what they leave does."""
     at = found.search.fit
@@ -138,31 +124,12 @@ def beside_noise(found: Outcome, lean: bool) -> Outcome:
     return dataclasses.replace(found, search=search, left=left, unexplained=_unexplained(search, left, lean))
 
 
-def _whitened(at: Fit) -> Array:
-    """Return residuals (R, k) in units of their noise, as far as they count, what repeats share taken off."""
-    read = np.isfinite(at.residual).any(axis=0)
-    ratio = np.broadcast_to(at.repeats.ratio, read.shape)[read]
-    z = np.nan_to_num(at.residual[:, read]) * np.sqrt(at.weights)[:, None] / at.sigma[read] * np.sqrt(1 + ratio)
-    return Repeats(at.repeats.group, ratio).whiten(z)
-
-
 def deviance(found: Outcome) -> float:
     """Return twice the negative logarithm of the likelihood of what was found, with its price; see `deviance_of`."""
     terms = terms_of(found.search.fit)
     price = sum(charge(t, sum(f.effect == t.effect for f in found.search.terms)) + MARGIN for t in terms)
     of_spectrum = 0.0 if found.spectrum is None else 2 * len(found.spectrum.limbs) * found.spectrum.corner + MARGIN
     return deviance_of(found.search.fit) + price + of_spectrum
-
-
-def deviance_of(at: Fit) -> float:
-    """Return twice the negative logarithm of the likelihood of a fit's readings, but for a constant.
-
-    It has the correlation of rows that suits what it leaves best: one that leaves white noise needs none.
-    """
-    chain = Chain.of(at.problem.readings)
-    assert chain is not None  # otherwise nothing is compared
-    _, found = chain.likeliest(_whitened(at))
-    return found + 2 * float((np.log(at.sigma) * np.isfinite(at.residual).sum(axis=0)).sum())
 
 
 def _spectrum(problem: Problem, search: Search, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> Spectrum | None:
@@ -290,9 +257,11 @@ def refitted(
 
 def _correlated(at: Fit, problem: Problem) -> Repeats | None:
     """Return the correlation of rows that a fit counts with, for other readings; None where it knows none."""
-    if not at.repeats.rho:
+    known, own = at.repeats.series, Series.of(problem.readings)
+    if known is None or own is None:
         return None
-    return dataclasses.replace(at.repeats, group=problem.readings.group, chain=Chain.of(problem.readings))
+    series = dataclasses.replace(own, rho=known.rho, own=known.own)
+    return dataclasses.replace(at.repeats, group=problem.readings.group, series=series)
 
 
 def _revised(problem: Problem, search: Search) -> Search:

@@ -174,7 +174,7 @@ class _Rows:
     def weigh(self, residual: Array, iteration: int, close: int) -> None:
         """Estimate noise and weights from residuals (R, k); what repeats share once, when the fit is close."""
         self.sigma = (
-            robust_sigma(residual, self._leverage, self._robust, self._found)
+            robust_sigma(self._freed(residual), self._leverage, self._robust, self._found)
             if self._known is None
             else np.full(residual.shape[1], self._known)
         )
@@ -183,6 +183,12 @@ class _Rows:
         if self.estimated and iteration == close:
             quiet = robust_weights(residual, self.sigma, drop=True) > 0  # gross errors say nothing of poses
             self.shared = shared_by_repeats(self._found, residual, quiet, self._degrees, self._leverage)
+
+    def _freed(self, residual: Array) -> Array:
+        """Return residuals (R, k) freed of what rows before tell: what of noise that fades a fit took shows there."""
+        if self.shared.series is None:
+            return residual
+        return np.where(np.isfinite(residual), self.shared.series.freed(np.nan_to_num(residual)), np.nan)
 
     def used(self, A: Array, Q: Array, solution: Solution, read: np.ndarray) -> None:
         """Note which part of each group's readings a solution has used up."""

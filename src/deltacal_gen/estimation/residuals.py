@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from deltacal_gen.estimation.series import Series
 from deltacal_gen.instrument.kind import Kind
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array
@@ -14,58 +15,7 @@ SMALLEST_SIGMA = 1e-7  # mm and rad: noise below this is rounding of what went b
 HUBER = 2.5  # standard deviations beyond which a reading's pull stops growing
 MOST_GROSS = 0.06  # of all readings: more than this are no errors of measurement but something left out
 USUAL_COUNTS = 3  # readings that knowing the usual noise of an instrument is worth
-MOST_TOGETHER = 0.01  # 1 - rho of neighbours: what hangs together more is no noise but a drift
 GROSS = 6.0  # standard deviations beyond which a reading is listed as a gross error
-
-
-@dataclass(frozen=True, eq=False)
-class Chain:
-    """Which reading follows which within a set-up, and how many rows later.
-
-    Attributes
-    ----------
-    before, after : (L,) int array
-        Readings.
-    gap : (L,) array
-        Rows of the file between them, 1 for neighbours.
-    """
-
-    before: np.ndarray
-    after: np.ndarray
-    gap: Array
-
-    @staticmethod
-    def of(found: Readings) -> Chain | None:
-        """Return the chain of readings, by the lines of their file; None of those that belong to two rows."""
-        if found.rows.shape[1] != 1:
-            return None
-        order = np.lexsort((found.line, found.setup))
-        a, b = order[:-1], order[1:]
-        same = found.setup[a] == found.setup[b]
-        a, b = a[same], b[same]
-        return Chain(a, b, np.maximum(found.line[b] - found.line[a], 1).astype(float))
-
-    def freed(self, values: Array, rho: float) -> Array:
-        """Return rows (R, ...) freed of what the rows before them tell."""
-        told = (rho**self.gap).reshape(-1, *[1] * (values.ndim - 1))
-        out = np.array(values, dtype=float)
-        out[self.after] = (values[self.after] - told * values[self.before]) / np.sqrt(1 - told**2)
-        return out
-
-    def deviance(self, z: Array, rho: float) -> float:
-        """Return twice the negative logarithm of the likelihood of rows (R, k), but for a constant.
-
-        Their common size is the one that fits best.
-        """
-        e = self.freed(z, rho)
-        return float(e.size * np.log(np.mean(e**2)) + z.shape[1] * np.log1p(-(rho ** (2 * self.gap))).sum())
-
-    def likeliest(self, z: Array) -> tuple[float, float]:
-        """Return the correlation of neighbours that explains rows (R, k) best, 0 or more, and its deviance."""
-        rhos = np.concatenate([[0.0], 1 - np.geomspace(0.98, MOST_TOGETHER, 40)])
-        each = [self.deviance(z, float(rho)) for rho in rhos]
-        best = int(np.argmin(each))
-        return float(rhos[best]), each[best]
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,20 +28,17 @@ class Repeats:
     random-effects model). The noise of a single reading is ``1 + ratio``; rows come divided by the part within.
     `ratio` is a number, or one for each component of a reading: positions may be aimed anew where rotations are not.
 
-    Noise may hang together in time, too: of two readings `d` rows apart it has the correlation ``rho^d``. Rows are then
-    freed of what the row before tells of them, (r_t - rho^d r_s) / sqrt(1 - rho^2d) (Prais and Winsten 1954).
-    `chain` says which reading follows which.
+    Noise may hang together in time, too: `series` says how, and in which order readings were taken.
     """
 
     group: np.ndarray
     ratio: float | Array = 0.0
-    rho: float = 0.0
-    chain: Chain | None = None
+    series: Series | None = None
 
     def whiten(self, values: Array) -> Array:
         """Return rows (R, ...), of components (R, k, ...), with all that they share taken off."""
         apart = self._apart(values)
-        return apart if self.chain is None or not self.rho else self.chain.freed(apart, self.rho)
+        return apart if self.series is None else self.series.freed(apart)
 
     def _apart(self, values: Array) -> Array:
         if not np.any(self.ratio):

@@ -83,14 +83,12 @@ def noise(final: Fit, recording: Recording) -> Noise:
 
 def noise_model(final: Fit) -> NoiseModel:
     """Return how the noise of rows hangs together that a fit counts with."""
-    rho = final.repeats.rho
-    rows = (1 + rho) / (1 - rho)  # so many rows tell as much as one that stands alone
-    words = (
-        "each row has noise of its own"
-        if not rho
-        else f"the noise hangs together over {rows:.0f} rows (correlation {rho:.2f} from row to row)"
-    )
-    return NoiseModel(rho=rho, rows=rows, text=words)
+    series = final.repeats.series
+    if series is None:
+        return NoiseModel(rho=0.0, rows=1.0, own=1.0, text="each row has noise of its own")
+    words = f"the noise hangs together over {series.rows:.0f} rows (correlation {series.rho:.2f} from row to row"
+    words += f", beside {series.own:.0%} of its variance that is each row's own)" if series.own else ")"
+    return NoiseModel(rho=series.rho, rows=series.rows, own=series.own, text=words)
 
 
 def _repeats(found: Readings, recording: Recording) -> np.ndarray:

@@ -161,7 +161,9 @@ class NoiseModel(Value):
     """How the noise of one row hangs together with that of the next."""
 
     rho: float
-    """Correlation of neighbouring rows."""
+    """Correlation from row to row of the part that fades."""
     rows: float
     """So many rows tell as much as one whose noise is its own."""
+    own: float
+    """Part of the variance that is each row's own, beside what fades."""
     text: str

@@ -14,11 +14,12 @@ from deltacal_gen.diagnosis.laws.proof import Proof, judged, proven
 from deltacal_gen.diagnosis.laws.screen import ranked
 from deltacal_gen.diagnosis.laws.search import COMPARED, Grown, fitted, polished, unexplained
 from deltacal_gen.diagnosis.search import charge, gains, quantile
-from deltacal_gen.diagnosis.strategy import MARGIN, Outcome, deviance_of, refitted, terms_of, together
+from deltacal_gen.diagnosis.strategy import MARGIN, Outcome, refitted, terms_of
 from deltacal_gen.diagnosis.structure import by_instrument
 from deltacal_gen.errors import InputError
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.identification.together import deviance_of, together
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.states import named
@@ -106,7 +107,7 @@ def laws(found: Outcome, progress: Callable[[str], None]) -> Sought:
         return Sought()  # of distances, either end could be moved
     names = [t for t in terms_of(at) if not is_law(t.effect)]
     # rows that hang together are the law's doing, where there is one; its price is compared with theirs
-    white = dataclasses.replace(at, repeats=dataclasses.replace(at.repeats, rho=0.0, chain=None))
+    white = dataclasses.replace(at, repeats=dataclasses.replace(at.repeats, series=None))
     out = Sought()
     for terms in ([], names) if names else ([],):
         try:

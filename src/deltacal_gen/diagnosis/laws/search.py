@@ -14,11 +14,12 @@ import numpy as np
 
 from deltacal_gen.diagnosis.laws.ground import Ground, Tried
 from deltacal_gen.diagnosis.laws.screen import ranked, refine
-from deltacal_gen.diagnosis.strategy import ALIKE, MARGIN, deviance_of, refitted, terms_of
+from deltacal_gen.diagnosis.strategy import ALIKE, MARGIN, refitted, terms_of
 from deltacal_gen.diagnosis.structure import alike, structures
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.identification.noise import lack_of_fit
+from deltacal_gen.identification.together import deviance_of
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.terms import Term

@@ -1,0 +1,93 @@
+"""Noise that hangs together from row to row: freed exactly, estimated beside what a fit took, no rival of a drift."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from deltacal_gen.diagnosis.diagnosis import diagnose
+from deltacal_gen.estimation.series import Series, Taken
+from tests.benchmarks.honesty_nulls import ROBOT, SIGMA, drawn, null
+from tests.left_out import channels, effect, record
+
+ORDER = np.array([3, 0, 1, 4, 2, 6, 5])
+GAP = np.array([np.inf, 1, 3, 1, np.inf, 2, 1])  # two set-ups
+
+
+@pytest.mark.parametrize(("rho", "own"), [(0.0, 0.0), (0.7, 0.0), (0.95, 0.3), (0.999, 0.8)])
+def test_what_is_freed_has_unit_covariance(rho: float, own: float) -> None:
+    series, n = Series(ORDER, GAP, rho, own), len(ORDER)
+    setup = np.cumsum(np.isinf(GAP))
+    when = np.cumsum(np.where(np.isinf(GAP), 100.0, GAP))
+    apart = np.abs(when[:, None] - when)
+    inside = (1 - own) * np.where(setup[:, None] == setup, rho**apart, 0.0) + own * np.eye(n)
+    covariance = np.empty((n, n))
+    covariance[np.ix_(ORDER, ORDER)] = np.where(np.eye(n) > 0, 1.0, inside)
+    W = series.freed(np.eye(n))
+    assert W @ covariance @ W.T == pytest.approx(np.eye(n), abs=1e-6)
+    assert series.volume == pytest.approx(np.linalg.slogdet(covariance)[1], abs=1e-6)
+
+
+def test_components_are_freed_alike() -> None:
+    series, values = Series(ORDER, GAP, 0.8, 0.2), np.random.default_rng(1).standard_normal((7, 2, 3))
+    assert series.freed(values)[:, 1, 2] == pytest.approx(series.freed(values[:, 1, 2]))
+
+
+@pytest.mark.parametrize(("sort", "rho", "n"), [("AR 0.5", 0.5, 140), ("AR 0.9", 0.9, 480), ("AR 0.95", 0.95, 880)])
+def test_its_length_is_found_whatever_a_fit_has_taken(sort: str, rho: float, n: int) -> None:
+    wrong = []
+    for k in range(10):
+        rng = np.random.default_rng(k)
+        known = rng.standard_normal((n, 3, 40))
+        z = drawn(sort, (n, 3), rng)
+        A = known.reshape(3 * n, -1)
+        taken = Taken(known, np.zeros(40), np.ones((n, 1, 1)) * np.eye(3))
+        left = z.ravel() - A @ np.linalg.lstsq(A, z.ravel(), rcond=None)[0]
+        whole = Series(np.arange(n), np.concatenate([[np.inf], np.ones(n - 1)]))
+        found, _ = whole.likeliest(left.reshape(n, 3), taken)
+        wrong.append(np.log((1 - found.rho) / (1 - rho)))
+    assert np.mean(np.abs(wrong) < np.log(1.35)) >= 0.9  # the length goes as 1 / (1 - rho)
+    assert abs(np.mean(wrong)) < 0.15
+
+
+def test_white_noise_is_white() -> None:
+    z = np.random.default_rng(5).standard_normal((100, 3))
+    whole = Series(np.arange(100), np.concatenate([[np.inf], np.ones(99)]))
+    assert whole.likeliest(z)[0].rows < 1.4
+
+
+def test_what_each_row_has_of_its_own_is_told_apart() -> None:
+    rng = np.random.default_rng(3)
+    z = 0.8**0.5 * drawn("AR 0.95", (400, 3), rng) + 0.2**0.5 * rng.standard_normal((400, 3))
+    found, _ = Series(np.arange(400), np.concatenate([[np.inf], np.ones(399)])).likeliest(z)
+    assert found.rho == pytest.approx(0.95, abs=0.03)
+    assert found.own == pytest.approx(0.2, abs=0.08)
+
+
+@pytest.mark.parametrize("k", [0, 3])
+def test_an_instrument_that_wanders_does_not_drift(k: int) -> None:
+    found = diagnose(ROBOT, null("walk", k)).answer()
+    assert found.effects == ()
+    assert found.noise.model is not None
+    assert found.noise.model.rows > 10
+    assert "hangs together" in found.noise.model.text
+
+
+def test_a_drift_is_no_noise() -> None:
+    of = channels(100, "time")
+    rate = 0.1 / (of["time_s"][-1] / 3600)
+    made = record(ROBOT, effect("instrument_drift", (), rate, -rate, rate), n=100, of=of, declared=False)
+    assert [e.name for e in diagnose(ROBOT, made).answer().effects] == ["instrument_drift"]
+
+
+def test_the_size_of_noise_is_that_of_a_reading_though_a_fit_took_what_fades() -> None:
+    sizes = [diagnose(ROBOT, null("AR 0.9", k)).final.sigma[0] for k in (1, 7)]
+    assert np.mean(sizes) == pytest.approx(SIGMA, rel=0.2)
+
+
+def test_a_row_that_nobody_read_is_a_gap() -> None:
+    series = Series(np.arange(3), np.array([np.inf, 1.0, 1.0]), 0.9)
+    wide = dataclasses.replace(series, gap=np.array([np.inf, 1.0, 50.0]))
+    assert abs(wide.freed(np.array([0.0, 1.0, 0.0]))[2]) < 0.01 < abs(series.freed(np.array([0.0, 1.0, 0.0]))[2])
