@@ -66,6 +66,18 @@ def test_what_has_nothing_to_do_with_the_channel_is_not_named_after_it(truth: Te
     assert not any("thermal" in name for e in found.effects for name in e.indistinguishable_from)
 
 
+def test_older_rows_without_a_payload_had_none_but_cells_here_and_there_were_lost() -> None:
+    soft = effect("joint_compliance", (1, 2, 3), 0.011)
+    loads = np.where(np.arange(N) < FROM, 0.0, 1.0 + np.arange(N) % 2)
+    made = record(ROBOT, soft, n=N, of={"payload_kg": loads})
+    for lost, kept in ((np.arange(N) < FROM, True), (np.arange(N) % 3 == 0, False)):
+        had = np.where(lost, np.nan, loads)
+        found = diagnose(ROBOT, dataclasses.replace(made, channels={"payload_kg": had})).answer()
+        without = {m.name: m.missing for m in found.not_tested}
+        assert ("joint_compliance" in [e.name for e in found.effects]) is kept
+        assert ("blank" in without.get("joint_compliance", "")) is not kept
+
+
 def test_kernels_count_in_rows_with_a_gap_by_their_session() -> None:
     plain, found = load_effect("thermal_zero"), partial("thermal_zero", (), (3, 7))
     s = np.array([[4.0, 3.0], [np.nan, 3.0], [np.nan, 7.0]])  # the state, and the session

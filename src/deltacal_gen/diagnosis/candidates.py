@@ -83,7 +83,11 @@ class Candidates:
 
 def joints_of(recording: Recording, row: int, end: str = "") -> dict[str, float]:
     """Return the joints of a row by their columns, of one end of a distance; shortened."""
-    q, unit = recording.joints[row], recording.joint_unit
+    return joint_cells(recording.joints[row], recording.joint_unit, end)
+
+
+def joint_cells(q: Array, unit: str, end: str = "") -> dict[str, float]:
+    """Return joints (n_q,) by their columns, as precise as controllers take them."""
     names = joint_names(unit, len(q), f"q{{i}}{end}_{{unit}}")
     return {
         name: round(to_file(float(v), u), DECIMALS)

@@ -71,7 +71,7 @@ def _spoilt(problem: Problem, name: str) -> str | None:
         if column in recording.doubts:
             return f"values that can be in the column {column} ({recording.doubts[column]})"
         values = recording.channels.get(column)
-        if values is not None and len(empty := rows[~np.isfinite(values[rows])]) and not problem.body.gaps(name):
+        if values is not None and len(empty := rows[~np.isfinite(values[rows])]) and problem.body.missing(name):
             where = f"{len(empty)} of {len(rows)} are blank, the first in line {recording.line[empty[0]]}"
             return f"every cell of the column {column} ({where})"
     return None

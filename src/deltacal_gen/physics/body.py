@@ -98,24 +98,33 @@ class Body:
             value = self._channel(channel)
             if value is None:
                 return f"the {words}"
-            if np.isnan(value).any() and not (self.gaps(of) if isinstance(of, str) else of.gaps):
+            gaps = self.gaps(of) if isinstance(of, str) else of.gaps
+            if np.isnan(value).any() and not (self._begins(channel) and (gaps or channel.optional)):
                 return f"every cell of the {words} (some are blank)"
         return None
 
     def gaps(self, effect: str) -> tuple[int, ...]:
-        """Return the sessions in which cells of a channel that an effect reads are blank.
+        """Return the sessions whose older rows lack a channel that an effect reads; see `Interrupted`.
 
-        None where every cell of it is blank, or the effect remembers what was there before.
+        None where the cells of it that are blank are others, or all, or the effect remembers what was there before.
         """
         kernels = partial(effect, self.lacks(effect))
-        channels = {c for s in states.read_by(kernels) if not s.by for c in s.channels}
-        read = [v for c in channels if not c.whole and (v := self._channel(c)) is not None]
-        blank = np.zeros(len(self.q), dtype=bool)
-        for values in read:
-            blank |= np.isnan(values).reshape(len(values), -1).any(axis=1)
-        if blank.all() or remembers(kernels):
+        channels = {c for s in states.read_by(kernels) if not s.by for c in s.needs if self._channel(c) is not None}
+        if remembers(kernels) or not all(map(self._begins, channels)):
             return ()
+        blank = np.any([self._blank(c) for c in channels], axis=0) if channels else np.zeros(len(self.q), dtype=bool)
         return tuple(np.unique(self.session[blank]).tolist())
+
+    def _blank(self, channel: State) -> np.ndarray:
+        """Return the rows (N,) without a channel."""
+        blank: np.ndarray = np.isnan(self._channel(channel)).reshape(len(self.q), -1).any(axis=1)
+        return blank
+
+    def _begins(self, channel: State) -> bool:
+        """Tell whether a channel was recorded from some row of every session on, or in whole sessions alone."""
+        blank, run = self._blank(channel), self.session
+        again = blank[1:] & ~blank[:-1] & (run[1:] == run[:-1])
+        return not (blank.all() or again.any())
 
     @property
     def session(self) -> np.ndarray:

@@ -46,10 +46,10 @@ class Channels:
 
     @property
     def payload(self) -> Array:
-        """The payload of each row (N,) [kg]."""
+        """The payload of each row (N,) [kg], none where none is written."""
         found = self.get("payload")
         assert found is not None  # it is optional
-        return found
+        return np.nan_to_num(found)
 
     @property
     def clock(self) -> Array:

@@ -70,6 +70,11 @@ class State:
         made_of = map(named, self.made_of)
         return tuple(c.of_joint(self.joint) if self.joint and c.per == "joint" else c for c in made_of)
 
+    @property
+    def needs(self) -> tuple[State, ...]:
+        """The recorded channels that it cannot be had without: a load has no payload where none is written."""
+        return tuple(c for c in self.channels if not c.optional or self.kind == "channel")
+
     def chosen(self, constant: float | str) -> State:
         """Return the state that a constant decides on: a column, another joint's reading, or itself."""
         if self.kind != "chosen":

@@ -62,12 +62,20 @@ def _words_aside(output: Path | None) -> Path | None:
 
 @contextmanager
 def progress(quiet: bool) -> Iterator[Callable[[str], None]]:
-    """Show what is being done on the error stream while it lasts; nothing when the output is JSON or no terminal."""
+    """Show what is being done on the error stream while it lasts; nothing when the output is JSON or no terminal.
+
+    An empty text leaves the terminal to others.
+    """
     if quiet or not aside.is_terminal:
         yield lambda text: None
         return
     with aside.status("") as status:
-        yield lambda text: status.update(text)
+
+        def show(text: str) -> None:
+            status.update(text)
+            (status.start if text else status.stop)()
+
+        yield show
 
 
 @contextmanager

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from deltacal_gen.app.commands.calibration import diagnose, identify, identify_blocks, matrix
 from deltacal_gen.app.commands.common import PICTURES, check_output
-from deltacal_gen.app.commands.experiments import next_poses, plan, simulate, simulate_blocks
+from deltacal_gen.app.commands.experiments import loop, next_poses, plan, simulate, simulate_blocks
 from deltacal_gen.app.commands.guide import demo, manual, manual_examples, manual_site
 from deltacal_gen.app.commands.many import batch, study
 from deltacal_gen.app.commands.model_side import claims, derivation, effects, kernels, models, reproduce, trial, warm
@@ -43,6 +43,7 @@ __all__ = [
     "import_points",
     "import_rrf",
     "kernels",
+    "loop",
     "manual",
     "manual_examples",
     "manual_site",

@@ -3,14 +3,23 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from deltacal_gen.app.commands.clocks import clocks_of, simulated_clock, write_two_clocks
-from deltacal_gen.app.commands.common import PICTURES, Source, as_recording, as_robot, check_output, in_motion
+from deltacal_gen.app.commands.common import (
+    PICTURES,
+    Progress,
+    Source,
+    as_recording,
+    as_robot,
+    check_output,
+    in_motion,
+    silent,
+)
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.robot import Robot, for_model, for_names
 from deltacal_gen.files.writing import csv_text, write_files, write_recording
@@ -19,9 +28,10 @@ from deltacal_gen.machine.values import Recording
 if TYPE_CHECKING:
     from deltacal_gen.motion.trajectories import Trajectories
     from deltacal_gen.physics.terms import Term
+    from deltacal_gen.results.diagnosis import Diagnosis
     from deltacal_gen.results.plan import Plan
     from deltacal_gen.results.reader import Given
-    from deltacal_gen.results.written import Experiment
+    from deltacal_gen.results.written import Experiment, Looped, Round
 
 
 def plan(
@@ -221,3 +231,31 @@ def next_poses(diagnosis: Given, output: Source | None = None, *, budget: int | 
         ),
         advice=tuple(f"{n.why}: {n.text}" for n in known.next_measurements if not n.poses),
     )
+
+
+def loop(
+    robot: Source | Robot,
+    recording: Source,
+    measure: str,
+    output: Source | None = None,
+    *,
+    budget: int | None = None,
+    model: str | None = None,
+    told: Callable[[Round], None] = lambda done: None,
+    progress: Progress = silent,
+) -> Looped:
+    """Propose rows, have them measured, append them and diagnose; `output` is the last DIAGNOSIS.json.
+
+    See `deltacal_gen.app.loop.loop`.
+    """
+    from deltacal_gen.app import loop as cycle
+    from deltacal_gen.app.commands.calibration import diagnose
+
+    check_output(output, robot, recording)
+    machine = as_robot(robot)
+
+    def diagnosed(path: Path, tell: Progress) -> Diagnosis:
+        return diagnose(robot, path, output, model=model, progress=tell)
+
+    most = cycle.BUDGET if budget is None else budget
+    return cycle.loop(machine, Path(recording), measure, diagnosed, budget=most, told=told, progress=progress)
