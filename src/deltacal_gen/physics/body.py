@@ -109,7 +109,7 @@ class Body:
         None where the cells of it that are blank are others, or all, or the effect remembers what was there before.
         """
         kernels = partial(effect, self.lacks(effect))
-        channels = {c for s in states.read_by(kernels) if not s.by for c in s.needs if self._channel(c) is not None}
+        channels = {c for s in states.read_by(kernels) if not s.by for c in s.needs}
         if remembers(kernels) or not all(map(self._begins, channels)):
             return ()
         blank = np.any([self._blank(c) for c in channels], axis=0) if channels else np.zeros(len(self.q), dtype=bool)
@@ -117,8 +117,10 @@ class Body:
 
     def _blank(self, channel: State) -> np.ndarray:
         """Return the rows (N,) without a channel."""
-        blank: np.ndarray = np.isnan(self._channel(channel)).reshape(len(self.q), -1).any(axis=1)
-        return blank
+        values = self._channel(channel)
+        if values is None:
+            return np.zeros(len(self.q), dtype=bool)
+        return np.asarray(np.isnan(values).reshape(len(self.q), -1).any(axis=1))
 
     def _begins(self, channel: State) -> bool:
         """Tell whether a channel was recorded from some row of every session on, or in whole sessions alone."""
