@@ -27,7 +27,7 @@ LENGTHS = {  # mm
     **dict.fromkeys(("mm", "millimeter", "millimeters", "millimetre", "millimetres"), 1.0),
     **dict.fromkeys(("m", "meter", "meters", "metre", "metres"), 1000.0),
     **dict.fromkeys(("in", "inch", "inches"), 25.4),
-    "cm": 10.0,
+    **dict.fromkeys(("cm", "centimeters", "centimetres"), 10.0),
 }
 _UNITS = re.compile(rf"\bunits?\b[^A-Za-z]*({'|'.join(sorted(LENGTHS, key=len, reverse=True))})\b", re.IGNORECASE)
 _GROUP, _POINT = (
@@ -152,6 +152,13 @@ def import_points(
     if idle := [row[where] for j, row in enumerate(table.cells) if j not in seen]:
         warnings.append(f"{len(idle)} joints have no point ({', '.join(idle[:FEW])}{' ...' * (len(idle) > FEW)})")
     return write_import(Imported(machine, {"recording": recording}, tuple(warnings)), output)
+
+
+def joints_in_time(path: Path) -> tuple[Array, Array, str]:
+    """Return stamps (N,) [s], joints (N, n) and their unit inside, rad or mm, of a table with a column ``time_s``."""
+    table = _table(path)
+    q, unit, _ = _joints(table)
+    return table.numbers(_required(table, ("time", "times", "t"), "the time")), q, unit
 
 
 def is_table_of_joints(path: Path) -> bool:

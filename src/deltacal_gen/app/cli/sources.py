@@ -14,36 +14,54 @@ camera_app = typer.Typer(help="Measure with a camera in the hand: boards to cali
 
 
 def import_(
-    kind: Annotated[str, typer.Argument(metavar="KIND", help="klipper, rrf, marlin or points")],
+    kind: Annotated[str, typer.Argument(metavar="KIND", help="klipper, rrf, marlin, points, bag or c3d")],
     files: Annotated[
         list[Path],
         typer.Argument(
             metavar="FILE...",
-            help="printer.cfg; config.g and heightmap.csv; a log of Marlin; points, joints, ROBOT.toml",
+            help="printer.cfg; config.g and heightmap.csv; a log of Marlin; points, joints, ROBOT.toml; a bag, "
+            "ROBOT.toml; a capture, joints, ROBOT.toml",
         ),
     ],
     output: Annotated[Path, typer.Option("-o", "--output", help="folder for robot.toml and recordings")],
+    joints: Annotated[str | None, typer.Option("--joints", help="of a bag: the topic of the joints")] = None,
+    readings: Annotated[
+        str | None, typer.Option("--readings", help="of a bag: the topic; of a capture: the marker or body")
+    ] = None,
+    mapping: Annotated[
+        Path | None, typer.Option("--map", metavar="MAP.toml", help="of a bag: which parts of which messages")
+    ] = None,
+    moving: Annotated[bool, typer.Option("--moving", help="a row for every reading, not for every standstill")] = False,
+    offset: Annotated[float, typer.Option("--offset", help="what is added to the readings' clock, s")] = 0.0,
     decimal: Decimal = None,
     as_json: Json = False,
 ) -> None:
-    """Make recordings, and a robot file, from what a printer's firmware or a tracker's software keeps."""
+    """Make recordings, and a robot file, from what firmware, a tracker's software, ROS or motion capture keeps."""
     from deltacal_gen.app import commands
     from deltacal_gen.results.written import Imported
 
-    importers: dict[str, tuple[Callable[..., Any], tuple[int, ...]]] = {
-        "klipper": (commands.import_klipper, (1,)),
-        "rrf": (commands.import_rrf, (2,)),
-        "marlin": (commands.import_marlin, (1,)),
-        "points": (commands.import_points, (2, 3)),
+    in_time = {"readings": readings, "moving": moving, "offset_s": offset}
+    importers: dict[str, tuple[Callable[..., Any], tuple[int, ...], dict[str, Any]]] = {
+        "klipper": (commands.import_klipper, (1,), {}),
+        "rrf": (commands.import_rrf, (2,), {}),
+        "marlin": (commands.import_marlin, (1,), {}),
+        "points": (commands.import_points, (2, 3), {}),
+        "bag": (commands.import_bag, (1, 2), {"joints": joints, "mapping": mapping, **in_time}),
+        "c3d": (commands.import_c3d, (2, 3), in_time),
     }
     if kind not in importers:
         raise typer.BadParameter(f"there is no import '{kind}'; known: {', '.join(importers)}", param_hint="KIND")
-    read, counts = importers[kind]
+    read, counts, options = importers[kind]
     if len(files) not in counts:
         raise typer.BadParameter(
             f"{kind} takes {' or '.join(map(str, counts))} file{'s' if counts[-1] > 1 else ''}", param_hint="FILE"
         )
-    found = read(*files, output=output)
+    given = {"--joints": joints, "--map": mapping, "--readings": readings, "--moving": moving, "--offset": offset}
+    keys = ("joints", "mapping", "readings", "moving", "offset_s")
+    for (name, value), key in zip(given.items(), keys, strict=True):
+        if value and key not in options:
+            raise typer.BadParameter(f"it means nothing for {kind}; leave it out", param_hint=name)
+    found = read(*files, output=output, **options)
     names = [f"{name}.csv" for name in found.recordings]
     if as_json:
         print_json(

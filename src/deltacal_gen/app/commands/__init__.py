@@ -11,7 +11,14 @@ from deltacal_gen.app.commands.experiments import loop, next_poses, plan, simula
 from deltacal_gen.app.commands.guide import demo, manual, manual_examples, manual_site
 from deltacal_gen.app.commands.many import batch, study
 from deltacal_gen.app.commands.model_side import claims, derivation, effects, kernels, models, reproduce, trial, warm
-from deltacal_gen.app.commands.sources import import_klipper, import_marlin, import_points, import_rrf
+from deltacal_gen.app.commands.sources import (
+    import_bag,
+    import_c3d,
+    import_klipper,
+    import_marlin,
+    import_points,
+    import_rrf,
+)
 from deltacal_gen.app.commands.use import (
     certificate,
     compare,
@@ -38,6 +45,8 @@ __all__ = [
     "firmware_lines",
     "identify",
     "identify_blocks",
+    "import_bag",
+    "import_c3d",
     "import_klipper",
     "import_marlin",
     "import_points",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from deltacal_gen.app.commands.common import Source
 
@@ -38,3 +38,37 @@ def import_points(
     from deltacal_gen.files import points as lists
 
     return lists.import_points(points, joints, robot, output)
+
+
+def import_bag(
+    path: Source,
+    robot: Source | None = None,
+    output: Source | None = None,
+    *,
+    joints: str | None = None,
+    readings: str | None = None,
+    mapping: Source | None = None,
+    moving: bool = False,
+    offset_s: float = 0.0,
+) -> Imported:
+    """Return a recording of a bag of ROS or a file of MCAP; see `bags.import_bag`."""
+    from deltacal_gen.files import bags
+
+    how: dict[str, Any] = {"joints": joints, "readings": readings, "mapping": mapping}
+    return bags.import_bag(path, robot, output, **how, moving=moving, offset_s=offset_s)
+
+
+def import_c3d(
+    path: Source,
+    joints: Source,
+    robot: Source | None = None,
+    output: Source | None = None,
+    *,
+    readings: str | None = None,
+    moving: bool = False,
+    offset_s: float = 0.0,
+) -> Imported:
+    """Return a recording of a motion capture (C3D, CSV of Motive or Nexus) and joints; see `mocap.import_c3d`."""
+    from deltacal_gen.files import mocap
+
+    return mocap.import_c3d(path, joints, robot, output, readings=readings, moving=moving, offset_s=offset_s)

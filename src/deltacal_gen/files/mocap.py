@@ -1,0 +1,181 @@
+"""What motion capture writes, beside a table of joints: C3D (by ezc3d, extra ``c3d``), Motive's and Nexus' CSV.
+
+A marker gives positions, a rigid body of Motive poses. The table of joints has a column ``time_s``; its clock is that
+of the capture, or differs from it by an offset that is given.
+"""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.files.bags import rotation_vector
+from deltacal_gen.files.imports import Imported, write_import
+from deltacal_gen.files.points import LENGTHS, joints_in_time
+from deltacal_gen.files.rows import number_of
+from deltacal_gen.files.samples import Samples, imported, join
+from deltacal_gen.files.toml import read_text
+from deltacal_gen.machine.registry import Array
+
+Captured = Mapping[str, Samples]  # by the name of a marker or a body
+FEW = 8  # names that a message lists
+
+
+def import_c3d(
+    path: str | Path,
+    joints: str | Path,
+    robot: str | Path | None = None,
+    output: str | Path | None = None,
+    *,
+    readings: str | None = None,
+    moving: bool = False,
+    offset_s: float = 0.0,
+) -> Imported:
+    """Return a recording of a capture (``.c3d``, or CSV of Motive or Nexus) and a table of joints with ``time_s``.
+
+    Parameters
+    ----------
+    joints : path
+        Columns ``time_s`` and ``q1_deg ...``, as `import_points` reads them.
+    readings : str, optional
+        The marker or rigid body; asked for where there are several.
+    moving : bool
+        Every frame is a row, also where the joints stand still.
+    offset_s : float
+        What is to be added to the capture's time [s].
+
+    Raises
+    ------
+    InputError
+        A file cannot be read, or does not hold what is asked for.
+    UsageError
+        ezc3d is not installed.
+    """
+    path = Path(path)
+    captured = _c3d(path) if path.suffix.lower() == ".c3d" else _table(path)
+    name = _chosen(path, captured, readings)
+    time, q, unit = joints_in_time(Path(joints))
+    seen = captured[name]
+    seen = Samples(seen.name, seen.time + offset_s, seen.values)
+    joined = join(Samples(str(joints), time, q), seen, moving=moving, path=path)
+    return write_import(imported(joined, (unit,) * q.shape[1], robot, path, (f"readings of {name}",)), output)
+
+
+def _chosen(path: Path, captured: Captured, asked: str | None) -> str:
+    names = [n for n, samples in captured.items() if np.isfinite(samples.values).any()]
+    listed = ", ".join(names[:FEW]) + (" ..." if len(names) > FEW else "")
+    if asked is not None and asked not in names:
+        raise InputError(f"'{asked}' was not captured.", f"There are {listed or 'none'}.", file=path)
+    if asked is None and len(names) != 1:
+        found = f"{len(names)} markers were captured" if names else "no marker was captured"
+        raise InputError(f"{found}.", f"Name one, --readings NAME; there are {listed or 'none'}.", file=path)
+    return asked or names[0]
+
+
+def _c3d(path: Path) -> Captured:
+    try:
+        import ezc3d
+    except ImportError:
+        raise UsageError("C3D needs ezc3d. Install it: pip install 'deltacal_gen[c3d]'.") from None
+    if not path.is_file():
+        raise InputError("there is no such file.", "Check the path.", file=path)
+    try:
+        found = ezc3d.c3d(str(path))
+        told, points = found["parameters"]["POINT"], found["data"]["points"]
+        labels, rate = told["LABELS"]["value"], float(told["RATE"]["value"][0])
+        unit = (told["UNITS"]["value"] or ["mm"])[0].strip().lower()
+    except Exception as error:  # of a library that lets through whatever is wrong inside a file
+        raise InputError(f"this is no C3D file: {error}.", "Export it again.", file=path) from None
+    first = int(found["header"]["points"]["first_frame"])
+    time = (first + np.arange(points.shape[2])) / _positive(rate, path)
+    scale = _scale(unit, path)
+    return {label: Samples(label, time, points[:3, k].T * scale) for k, label in enumerate(labels[: points.shape[1]])}
+
+
+def _table(path: Path) -> Captured:
+    rows = list(csv.reader(read_text(path).splitlines()))
+    if rows and rows[0] and rows[0][0].strip() == "Trajectories":
+        return _nexus(path, rows)
+    head = next((k for k, row in enumerate(rows) if row and row[0].strip() == "Frame"), None)
+    if head is None:
+        raise InputError(
+            "this is neither C3D nor a table of Motive or Nexus.",
+            "Export the capture as C3D; from Motive as CSV with its header, from Nexus as ASCII with trajectories.",
+            file=path,
+        )
+    return _motive(path, rows, head)
+
+
+def _motive(path: Path, rows: Sequence[Sequence[str]], head: int) -> Captured:
+    """Return what Motive's CSV holds: a header of pairs, then rows Type, Name, ID, what is measured, axes."""
+    meta = dict(zip(rows[0][::2], rows[0][1::2], strict=False))
+    scale = _scale(meta.get("Length Units", "Meters").strip().lower(), path)
+    above = {row[1].strip(): row for row in rows[:head] if len(row) > 1 and row[1].strip() in ("Type", "Name")}
+    if "Name" not in above:
+        raise InputError("the row with names is missing.", "Export with Motive's header.", file=path, line=head + 1)
+    names, measured, axes = above["Name"], rows[head - 1], rows[head]
+    kinds = above.get("Type", [""] * len(names))
+    places: dict[str, dict[tuple[str, str], int]] = {}
+    for k in range(2, min(len(names), len(measured), len(axes))):
+        if kinds[k].strip() != "Rigid Body Marker":
+            places.setdefault(names[k].strip(), {})[measured[k].strip(), axes[k].strip()] = k
+    values = _cells(path, rows, head + 1, len(axes))
+    quaternions = meta.get("Rotation Type", "Quaternion").strip() == "Quaternion"
+    out = {}
+    for name, at in places.items():
+        position, turn = [("Position", a) for a in "XYZ"], [("Rotation", a) for a in "XYZW"]
+        if not all(p in at for p in position):
+            continue
+        body = values[:, [at[p] for p in position]] * scale
+        if quaternions and all(t in at for t in turn):
+            body = np.hstack([body, rotation_vector(values[:, [at[t] for t in turn]])])
+        out[name] = Samples(name, values[:, 1], body)
+    return out
+
+
+def _nexus(path: Path, rows: Sequence[Sequence[str]]) -> Captured:
+    """Return what Nexus' ASCII holds under "Trajectories": the rate, names, axes, units, and a row to each frame."""
+    if len(rows) < 6:
+        raise InputError("the table ends in its header.", "Export the trajectories again.", file=path, line=len(rows))
+    rate = number_of(rows[1][0].strip()) if rows[1] else None
+    names, units = rows[2], rows[4]
+    values = _cells(path, rows, 5, len(rows[3]))
+    time = values[:, 0] / _positive(rate or 0.0, path)
+    out = {}
+    for k, name in enumerate(names):
+        if name.strip() and k + 3 <= values.shape[1]:
+            scale = _scale(units[k].strip().lower() if k < len(units) else "mm", path)
+            out[name.strip()] = Samples(name.strip(), time, values[:, k : k + 3] * scale)
+    return out
+
+
+def _cells(path: Path, rows: Sequence[Sequence[str]], start: int, width: int) -> Array:
+    """Return the numbers (N, width) below a header, up to the first empty row; nan where a cell is blank."""
+    out = []
+    for line, row in enumerate(rows[start:], start=start + 1):
+        if not any(cell.strip() for cell in row):
+            break
+        numbers = [np.nan if not cell.strip() else number_of(cell.strip()) for cell in row[:width]]
+        if None in numbers:
+            bad = row[numbers.index(None)]
+            raise InputError(f"'{bad}' is no number.", "Export the capture again.", file=path, line=line)
+        out.append([*numbers, *[np.nan] * (width - len(numbers))])
+    if not out:
+        raise InputError("there are no frames below the header.", "Export the capture again.", file=path)
+    return np.array(out, dtype=float)
+
+
+def _scale(unit: str, path: Path) -> float:
+    if unit not in LENGTHS:
+        raise InputError(f"'{unit}' is no unit of length.", f"Known: {', '.join(LENGTHS)}.", file=path)
+    return LENGTHS[unit]
+
+
+def _positive(rate: float, path: Path) -> float:
+    if not rate > 0:
+        raise InputError("the rate of the frames is missing.", "Export the capture again.", file=path)
+    return rate
