@@ -172,6 +172,22 @@ def test_readings_of_another_kind_are_certified_in_their_own_unit(tmp_path: Path
     assert flaws(dcc(found)) == []
 
 
+def test_one_coordinate_is_certified_as_one(tmp_path: Path) -> None:
+    axis = '[robot]\nname = "axis"\nmechanism = "serial"\n[[joint]]\nkind = "prismatic"\n'
+    (tmp_path / "robot.toml").write_text(axis + "".join(f"{key} = 0.0\n" for key in ("a", "alpha", "d", "theta")))
+    stops = [*range(0, 501, 25), *range(500, -1, -25)]
+    for day in (1, 2):
+        rng = np.random.default_rng(day)
+        rows = [f"{c},{q},{q + 3 + 0.001 * rng.standard_normal():.6f}" for c in range(3) for q in stops]
+        (tmp_path / f"{day}.csv").write_text("\n".join(["cycle,q1_mm,x_mm", *rows]) + "\n")
+        (tmp_path / f"{day}.toml").write_text('[measurement]\nkind = "position"\nsigma_mm = 0.001\n')
+    found = dc.certificate(dc.identify(tmp_path / "robot.toml", tmp_path / "1.csv"), tmp_path / "2.csv")
+    assert found.iso230 is not None
+    assert found.after.rms_mm == pytest.approx(0.001, rel=0.2)
+    assert found.budget.within == pytest.approx(0.95, abs=0.04)
+    assert "ISO 230-2, 19 positions" in page_of(found)
+
+
 def test_the_command_writes_both_files(run: Run, result: dc.Result, other: Path, tmp_path: Path) -> None:
     (tmp_path / "result.json").write_text(result.to_json())
     code, out, _ = run("certificate", tmp_path / "result.json", other, "-o", tmp_path / "c.html")

@@ -25,6 +25,7 @@ from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.physics.terms import Term, blank
 from deltacal_gen.units import DEG
 from deltacal_gen.use import prediction, validation
+from deltacal_gen.use.comparison import compare
 
 UNDRAWN = {"robot": {"name": "arms alone", "mechanism": "delta"}, "joints": {"sign": [-1, -1, -1]}}
 DELTA = load_mechanism("delta")
@@ -182,3 +183,14 @@ def test_the_commands_speak_degrees(run: Run, robot: Robot, tmp_path: Path) -> N
     assert "enc_zero_2" in out
     code, out, _ = run("validate", tmp_path / "result.json", files[1], "--json")
     assert json.loads(out)["unit"] == "deg"
+
+
+def test_two_sessions_of_joints_without_a_drawing_are_compared(tmp_path: Path) -> None:
+    robot = robot_from_dict(UNDRAWN)
+    results = []
+    for seed in (1, 2):
+        blank = motion(robot, seed)
+        made = simulate(robot, blank, {}, noise_mm=NOISE, rng=np.random.default_rng(seed))
+        results.append(identify(robot, made).answer())
+    assert compare(*results).summary
+    assert compare(results[0], results[0]).changed == ()

@@ -196,3 +196,10 @@ def test_killed_twice_and_resumed_twice_the_table_is_the_same(shop: Path, tmp_pa
     assert again == whole
     tables = [(tmp_path / name / "table.csv").read_bytes() for name in ("whole", "elsewhere")]
     assert tables[0] == tables[1]
+
+
+def test_where_there_is_nothing_to_do_no_folder_is_made(tmp_path: Path) -> None:
+    (tmp_path / "shop").mkdir()
+    with pytest.raises(InputError):
+        commands.batch(tmp_path / "shop", tmp_path / "run")
+    assert not (tmp_path / "run").exists()

@@ -280,10 +280,10 @@ def conduct(
     told: Told = lambda done, total, label: None,
 ) -> Batch:
     """Do all recordings of a folder, and write ``table.csv`` and ``batch.json`` into the run directory."""
-    directory = Path(directory)
+    directory, listed = Path(directory), find(folder, action, machine)
     store = Store(directory)
     where: dict[str, Any] = {"workers": workers, "cluster": cluster, "directory": directory, "told": told}
-    todo = list(_unpacked(Path(folder), find(folder, action, machine), action, machine, store, where))
+    todo = list(_unpacked(Path(folder), listed, action, machine, store, where))
     open_ = [job for job in todo if job.refused is None]
     keys: dict[str, str] = {}
     files: dict[str, str] = {}

@@ -23,7 +23,8 @@ def between(mechanism: Machine, first: Robot, second: Robot) -> tuple[dict[str, 
     out: dict[str, float] = {}
     other: list[str] = []
     for key, value in first.geometry.items():
-        gap = second.geometry[key] - value
+        undrawn = np.isnan(value) & np.isnan(second.geometry[key])
+        gap = np.where(undrawn, 0.0, second.geometry[key] - value)
         if not gap.any():
             continue
         errors = mechanism.same_as(first, key)

@@ -60,7 +60,12 @@ def check(result: Result | Diagnosis, recording: Recording) -> Checked:
         _errors("as drawn", found, residual(drawn, recording, found, anew)),
         _errors("calibrated", found, r).replace(rms_mm=validation.rms_mm, worst_mm=validation.worst_mm),
         _budget(
-            result, recording, found, lengths(r, found.kind), place, sum(p.unknowns for p in validation.placed or ())
+            result,
+            recording,
+            found,
+            np.delete(r, found.kind.turned, axis=1),
+            place,
+            sum(p.unknowns for p in validation.placed or ()),
         ),
     )
 

@@ -22,7 +22,7 @@ from deltacal_gen.physics.terms import effect_names, load_effect, partial
 from deltacal_gen.results.base import Answer
 from deltacal_gen.results.diagnosis import Diagnosis
 from deltacal_gen.results.motion import MotionDiagnosis, MotionModel, MotionResult
-from deltacal_gen.results.parts import InstrumentState, MachineState, TermState
+from deltacal_gen.results.parts import InstrumentState, MachineState, TermState, Uncertainty
 from deltacal_gen.results.reader import Given, read_diagnosis, read_result
 from deltacal_gen.results.result import Parameter, Result
 from deltacal_gen.units import file_unit
@@ -84,6 +84,8 @@ def _flaws(found: Result | Diagnosis) -> Iterator[tuple[str, str]]:
     mechanism = mechanism_of(robot_of(found.robot))
     if isinstance(found, Result):
         yield from _parameter_flaws(found.parameters, mechanism, found.instrument)
+    if found.uncertainty is not None and not any(True for _ in _instrument_flaws(found.instrument)):
+        yield from _uncertainty_flaws(found.uncertainty, found, mechanism)
     if found.correction is not None:
         yield from _machine_flaws(found.correction.machine, "correction.machine.")
         smooth = found.correction.smooth
@@ -102,6 +104,19 @@ def _machine_flaws(state: Result | Diagnosis | MachineState, where: str) -> Iter
             yield f"{where}physics[{k}]", flaw
     for flaw in _instrument_flaws(state.instrument):
         yield f"{where}instrument", flaw
+
+
+def _uncertainty_flaws(known: Uncertainty, state: Result | Diagnosis, mechanism: Machine) -> Iterator[tuple[str, str]]:
+    if unknown := [name for name in known.parameters if name not in mechanism.index]:
+        yield "uncertainty", f"a {mechanism.name} has no parameter '{unknown[0]}'"
+    counts = [np.size(term.values) for term in state.physics or ()]
+    if known.coefficients not in (0, *np.cumsum(counts).tolist()):
+        yield "uncertainty", f"its {known.coefficients} coefficients are not those of the first effects"
+    rows = len(known.parameters) + known.coefficients + instrument_of(state.instrument).n_unknown
+    if len(known.factor) != rows * (rows + 1) // 2:
+        yield "uncertainty", f"its factor holds {len(known.factor)} numbers, and {rows * (rows + 1) // 2} were expected"
+    if not (known.degrees > 0 and len(known.scatter) and (known.scatter >= 0).all()):
+        yield "uncertainty", "degrees of freedom must be above 0, and a scatter not below"
 
 
 def _parameter_flaws(
