@@ -38,14 +38,14 @@ def robot(links: list[dict[str, Any]] = LINKS) -> Any:
     return robot_from_dict(HEAD | {"joint": [dict(link) for link in links]})
 
 
-def trajectory(seconds: float, seed: int, joints: int = 3) -> np.ndarray:
-    """Return joints, velocities, accelerations (3, N, n) of sums of waves [rad], at 100 Hz."""
+def trajectory(seconds: float, seed: int, joints: int = 3, late: float = 0.0) -> np.ndarray:
+    """Return joints, velocities, accelerations (3, N, n) of sums of waves [rad], at 100 Hz, `late` seconds earlier."""
     rng, t = np.random.default_rng(seed), np.arange(0, seconds, STEP)
     out = np.zeros((3, len(t), joints))
     for j in range(joints):
         for w in 2 * np.pi * np.array([0.1, 0.23, 0.41, 0.6]):
             a, phase = rng.uniform(0.2, 0.5) / (1 + w), rng.uniform(0, 6)
-            angle = w * t + phase
+            angle = w * (t - late) + phase
             out[:, :, j] += a * np.array([np.sin(angle), w * np.cos(angle), -(w**2) * np.sin(angle)])
     return out
 
@@ -65,7 +65,12 @@ def written(folder: Path, friction: Friction, runs: int = 4, seed: int = 0, side
     for run in range(runs):
         states = trajectory(kept.get("seconds", 12.0), 10 * seed + run)
         load = own.torque(states, inertia) / 1000
-        tau = load + friction(states, load) + NOISE * rng.standard_normal(load.shape)
+        tau = load + friction(states, load)
+        for j, delay in enumerate(kept.get("delay", ())):
+            then = trajectory(kept.get("seconds", 12.0), 10 * seed + run, late=delay)
+            force = own.torque(then, inertia) / 1000
+            tau[:, j] = (force + friction(then, force))[:, j]
+        tau = tau + NOISE * rng.standard_normal(load.shape)
         q = states[0] / DEG + 0.001 * rng.standard_normal(load.shape)
         for n in range(len(tau)):
             cells = [f"{v:.6f}" for v in (n * STEP, *q[n], *tau[n])]
@@ -150,6 +155,23 @@ def test_every_law_of_one_joint_is_named_with_its_size(tmp_path: Path, name: str
     for p in next(e for e in found["effects"] if e["name"] == name)["parameters"]:
         allowed = 4 * p["std"] if p["std"] else 0.1 * truth[p["name"]]
         assert abs(p["value"] - truth[p["name"]]) <= allowed + 0.01 * abs(truth[p["name"]]), p
+
+
+def test_readings_that_come_late_are_told_with_their_delay(tmp_path: Path, commanded: Path) -> None:
+    """Of joint 2 alone, by less than a sample and by more; what a model with a delay predicts comes as late."""
+    second = np.array([0.0, 1.0, 0.0])
+    late = written(tmp_path, usual, seed=6, delay=0.0137 * second)
+    found = dc.diagnose(tmp_path / "robot.toml", late)
+    assert named(found) == {"coulomb_friction": [1, 2], "viscous_friction": [1, 3], "latency": [2]}
+    (delay,) = found["effects"][-1]["parameters"]
+    assert (delay["name"], delay["unit"]) == ("delay", "s")
+    assert abs(delay["value"] - 0.0137) < 4 * delay["std"] < 0.004
+    assert all(v < 1.15 * NOISE for v in dc.validate(found, late)["rms_by_joint"])
+    (tmp_path / "truth.toml").write_text('[[effects]]\nname = "latency"\nlimb = 1\ndelay = 0.02\n')
+    plain: Any = dc.simulate(commanded.with_name("robot.toml"), commanded)
+    done: Any = dc.simulate(commanded.with_name("robot.toml"), commanded, truth=tmp_path / "truth.toml")
+    assert done.readings[2:, 0] == pytest.approx(plain.readings[:-2, 0])
+    assert done.readings[:, 1:] == pytest.approx(plain.readings[:, 1:])
 
 
 def test_what_no_rung_explains_is_told_with_its_joint(tmp_path: Path) -> None:

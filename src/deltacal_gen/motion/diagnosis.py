@@ -12,6 +12,7 @@ from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.identification import RIGID
 from deltacal_gen.motion.joint import Fit, climbed, fitted
 from deltacal_gen.motion.ladder import BUYS, LookedAt
+from deltacal_gen.motion.lag import LATENCY, with_lag
 from deltacal_gen.motion.session import Session, sigma_said, still_to_move
 from deltacal_gen.motion.trajectories import INSIDE, Trajectories
 from deltacal_gen.motion.unexplained import Rest, dependences, rest
@@ -51,7 +52,7 @@ def diagnose(robot: Robot, given: Trajectories, progress: Progress) -> MotionDia
     for joint in session.moving:
         progress(f"joint {joint.number}")
         plain.append(fitted(joint, []))
-        found.append(climbed(joint))
+        found.append(with_lag(climbed(joint)))
     rests = [rest(fit, _sigma(session, fit)) for fit in found]
     effects = _effects(session, plain, found)
     open_ = [r for r in rests if r is not None]
@@ -89,7 +90,31 @@ def _effects(session: Session, plain: Sequence[Fit], fits: Sequence[Fit]) -> tup
             of_name.setdefault(key, []).append((fit, n))
     before = {fit.joint.number: _mean_square(fit) for fit in plain}
     excess = {f.joint.number: max(before[f.joint.number] / max(_mean_square(f), 1e-300) - 1.0, 0.0) for f in fits}
-    return tuple(_effect(session, where, excess) for where in of_name.values())
+    found = [_effect(session, where, excess) for where in of_name.values()]
+    late = [fit for fit in fits if fit.lag is not None]
+    return (*found, *([_latency(late, excess)] if late else []))
+
+
+def _latency(fits: Sequence[Fit], excess: Mapping[int, float]) -> TorqueEffect:
+    """Return by how much the readings of some joints come late."""
+    lags = [(fit, fit.lag) for fit in fits if fit.lag is not None]
+    gain = float(sum(lag.gain for _, lag in lags))
+    removed = sum(excess[f.joint.number] * ((1.0 - lag.bought) ** -2 - 1.0) / f.takes_away for f, lag in lags)
+    return TorqueEffect(
+        name=LATENCY,
+        title="readings that come late",
+        limbs=tuple(fit.joint.number for fit, _ in lags),
+        parameters=tuple(
+            EffectParameter(name="delay", limb=fit.joint.number, value=lag.delay, std=lag.std, unit="s")
+            for fit, lag in lags
+        ),
+        p_value=float(chi2.sf(gain, len(lags))),
+        gain_chi2=gain,
+        gain_by_limb={str(fit.joint.number): lag.gain for fit, lag in lags},
+        share_of_excess=removed / max(sum(excess.values()), 1e-300),
+        indistinguishable_from=(),
+        heldout_gain=tuple(lag.bought for _, lag in lags),
+    )
 
 
 def _mean_square(fit: Fit) -> float:
@@ -107,8 +132,7 @@ def _effect(session: Session, where: Sequence[tuple[Fit, int]], excess: Mapping[
     gains = [fit.gains[n] for fit, n in where]
     removed = 0.0
     for of, k in where:
-        each = (1.0 - np.array(of.bought)) ** -2 - 1.0
-        removed += excess[of.joint.number] * float(each[k] / each.sum())
+        removed += excess[of.joint.number] * ((1.0 - of.bought[k]) ** -2 - 1.0) / of.takes_away
     tried = sum(len(fit.joint.candidates) for fit, _ in where)
     return TorqueEffect(
         name=fit.rungs[n].effect,
@@ -206,6 +230,8 @@ def _ladder(fit: Fit, left: Rest | None) -> LadderOf:
         RungOf(limb=fit.joint.number, name=rung.effect, buys=float(b), gain_chi2=float(g))
         for rung, b, g in zip(fit.rungs, fit.bought, fit.gains, strict=True)
     ]
+    if fit.lag is not None:
+        rungs.append(RungOf(limb=fit.joint.number, name=LATENCY, buys=fit.lag.bought, gain_chi2=fit.lag.gain))
     stops = f"no further effect buys {100 * BUYS:g} % of the held-out rms"
     return LadderOf(
         limb=fit.joint.number,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -38,6 +39,10 @@ class Joint:
 
     Attributes
     ----------
+    series : Series
+        Of all samples.
+    delay : float
+        Readings belong to joints so much earlier [s].
     number : int
         From 1.
     unit : str
@@ -62,6 +67,8 @@ class Joint:
         Between samples [s].
     """
 
+    series: Series
+    delay: float
     robot: Robot
     number: int
     unit: str
@@ -130,9 +137,84 @@ class Joint:
         return np.asarray(out[self.rows])
 
 
-def joints_of(
+@dataclass(frozen=True, eq=False)
+class Series:
+    """All samples of one joint, of which those in motion make a `Joint`.
+
+    Attributes
+    ----------
+    X, y : (N, r), (N,) arrays
+        What each unknown of the rigid machine asks of the joint, and what it gave, in units inside.
+    carried : (N,) array
+        What of it is known beforehand: the payload's, where what the drive gives per torque is known.
+    states : dict of (N,) arrays
+        What effects read.
+    known : (N,) array of bool
+        Samples whose derivatives are known.
+    """
+
+    robot: Robot
+    number: int
+    unit: str
+    threshold: float
+    X: Array
+    y: Array
+    carried: Array
+    states: dict[str, Array]
+    known: np.ndarray
+    time: Array
+    run: np.ndarray
+    piece: np.ndarray
+    step: float
+
+    def at(self, delay: float = 0.0) -> Joint:
+        """Return the samples in motion, readings belonging to joints `delay` [s] earlier."""
+        late = functools.partial(earlier, delay=delay, time=self.time, piece=self.piece)
+        X, states = late(self.X), {name: late(values) for name, values in self.states.items()}
+        y = self.y - late(self.carried)
+        there = self.known & np.isfinite(y)
+        used = there & (np.abs(states["qd"]) > self.threshold)
+        rows = np.flatnonzero(used)
+        return Joint(
+            series=self,
+            delay=delay,
+            robot=self.robot,
+            number=self.number,
+            unit=self.unit,
+            threshold=self.threshold,
+            used=used,
+            resting=int((there & ~used).sum()),
+            fold=folds_of(self.time, self.run, used)[rows],
+            rows=rows,
+            X=X[rows],
+            y=y[rows],
+            states={name: values[rows] for name, values in states.items()},
+            piece=self.piece,
+            step=self.step,
+        )
+
+
+def earlier(values: Array, delay: float, time: Array, piece: np.ndarray) -> Array:
+    """Return values (N, ...) as they were `delay` [s] before each sample, straight between samples of one movement."""
+    if not delay:
+        return values
+    starts = np.flatnonzero(np.diff(piece, prepend=-1))
+    out = np.empty_like(values)
+    for own in np.split(np.arange(len(piece)), starts[1:]):
+        if len(own) < 2:
+            out[own] = values[own]
+            continue
+        when = np.clip(time[own] - delay, time[own[0]], time[own[-1]])
+        at = np.clip(np.searchsorted(time[own], when), 1, len(own) - 1)
+        part = (when - time[own[at - 1]]) / (time[own[at]] - time[own[at - 1]])
+        part = part.reshape(-1, *[1] * (values.ndim - 1))
+        out[own] = (1 - part) * values[own[at - 1]] + part * values[own[at]]
+    return out
+
+
+def series_of(
     robot: Robot, given: Trajectories, motion: Motion, columns: Sequence[Array], payload: Array
-) -> list[Joint]:
+) -> list[Series]:
     """Return every joint of a recording.
 
     Parameters
@@ -143,33 +225,27 @@ def joints_of(
         What 1 kg at the tool point asks of it.
     """
     found = []
-    qd = motion.states[1]
     known = np.isfinite(motion.states).all(axis=(0, 2)) & ~motion.loose
+    states = np.nan_to_num(motion.states)
     for j, X in enumerate(columns):
         y = given.readings[:, j] * INSIDE[given.units[j]]
-        threshold = resting_below(motion, j)
-        there = known & np.isfinite(y)
-        used = there & (np.abs(qd[:, j]) > threshold)
         carried = payload[:, j] * given.payload
-        if given.units[j] in ("Nm", "N"):
-            y = y - carried
-        elif carried.any():  # what the drive gives per torque is unknown, for the payload as for the machine
+        torques = given.units[j] in ("Nm", "N")
+        if carried.any() and not torques:  # what the drive gives per torque is unknown, of a payload as of the machine
             X = np.column_stack([X, carried])
-        rows = np.flatnonzero(used)
-        states = {name: values[rows] for name, values in of_joint(given, motion.states, j).items()}
         found.append(
-            Joint(
+            Series(
                 robot=robot,
                 number=j + 1,
                 unit=given.units[j],
-                threshold=threshold,
-                used=used,
-                resting=int((there & ~used).sum()),
-                fold=folds_of(given.time, given.run, used)[rows],
-                rows=rows,
-                X=X[rows],
-                y=y[rows],
-                states=states,
+                threshold=resting_below(motion, j),
+                X=X,
+                y=y,
+                carried=carried if torques else np.zeros(len(y)),
+                states=of_joint(given, states, j),
+                known=known,
+                time=given.time,
+                run=given.run,
                 piece=given.piece,
                 step=given.step,
             )
@@ -182,6 +258,16 @@ def resting_below(motion: Motion, joint: int) -> float:
     speeds = np.abs(motion.states[1, :, joint])
     highest = float(np.nanquantile(speeds, HIGHEST)) if np.isfinite(speeds).any() else 0.0
     return max(AT_REST * highest, NOISY_SPEED * float(motion.noise[0, joint]))
+
+
+@dataclass(frozen=True)
+class Lag:
+    """By how much the readings of a joint come late [s], and what it takes away of them; see `Fit`."""
+
+    delay: float
+    std: float
+    bought: float
+    gain: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -212,6 +298,8 @@ class Fit:
         What the effects would do that were not taken.
     first : LookedAt or None
         The effect that explains most where nothing else is taken.
+    lag : Lag or None
+        By how much readings come late, where they do.
     """
 
     joint: Joint
@@ -227,6 +315,13 @@ class Fit:
     alike: tuple[tuple[str, ...], ...] = ()
     passed_over: tuple[LookedAt, ...] = ()
     first: LookedAt | None = None
+    lag: Lag | None = None
+
+    @property
+    def takes_away(self) -> float:
+        """What all that was found takes away, each beside the others, in the variance that is left."""
+        bought = [*self.bought, *([] if self.lag is None else [self.lag.bought])]
+        return float(sum((1.0 - b) ** -2 - 1.0 for b in bought))
 
     @property
     def sigma(self) -> float:

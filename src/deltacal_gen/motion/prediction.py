@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.motion.derivatives import motion
+from deltacal_gen.motion.joint import earlier
 from deltacal_gen.motion.library import Rung, of_joint
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.trajectories import INSIDE, Trajectories
@@ -43,22 +45,21 @@ def predicted(known: MotionModel, given: Trajectories) -> Trajectories:
     units = tuple(column.rpartition("_")[2] if "_" in column else "1" for column in known.columns)
     out = np.full(given.joints.shape, np.nan)
     for j, model in models.items():
-        value = _of_joint(model, given, states, columns[j - 1], payload[:, j - 1], units[j - 1])
-        moving = np.abs(found.states[1, :, j - 1]) > model.at_rest_below
+        late = functools.partial(earlier, delay=model.delay or 0.0, time=given.time, piece=given.piece)
+        read = {name: late(values) for name, values in of_joint(given, states, j - 1).items()}
+        value = _of_joint(model, read, late(columns[j - 1]), late(payload[:, j - 1]), units[j - 1])
+        moving = np.abs(late(found.states[1, :, j - 1])) > model.at_rest_below
         out[:, j - 1] = np.where(moving, value / INSIDE[units[j - 1]], np.nan)
     return dataclasses.replace(given, readings=out, columns=known.columns, units=units)
 
 
-def _of_joint(
-    model: JointModel, given: Trajectories, states: Array, columns: Array, payload: Array, unit: str
-) -> Array:
-    """Return what a joint's drive gives (N,), in units inside."""
+def _of_joint(model: JointModel, read: dict[str, Array], columns: Array, payload: Array, unit: str) -> Array:
+    """Return what a joint's drive gives (N,), in units inside, by what effects read."""
     load = columns @ np.array(model.coefficients)
     if model.payload is not None:
         load = load + model.payload * payload
     carried = payload if unit in ("Nm", "N") else 0.0
-    read = of_joint(given, states, model.joint - 1, load)
-    total = load + carried
+    read, total = read | {"torque": load}, load + carried
     for term in model.terms:
         total = total + Rung(term.effect, term.constants).columns(read) @ np.array(term.values)
     return np.asarray(total)

@@ -12,7 +12,7 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.derivatives import Motion, motion
-from deltacal_gen.motion.joint import Fit, Joint, joints_of
+from deltacal_gen.motion.joint import Fit, Joint, series_of
 from deltacal_gen.motion.regression import GAP, LEAST_RUNS, STRETCH
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.trajectories import INSIDE, Trajectories
@@ -55,8 +55,8 @@ class Session:
         """Return a recording made ready; `cutoff` [Hz] of the derivatives where it is known already."""
         rigid, found = Rigid(robot), motion(given, cutoff)
         states = np.nan_to_num(found.states)
-        joints = joints_of(robot, given, found, rigid.columns(states), rigid.of_payload(states))
-        return cls(robot, given, found, rigid, joints)
+        series = series_of(robot, given, found, rigid.columns(states), rigid.of_payload(states))
+        return cls(robot, given, found, rigid, [each.at() for each in series])
 
     @property
     def moving(self) -> list[Joint]:
@@ -180,6 +180,7 @@ class Session:
             payload=float(rigid[base.rank]) if len(rigid) > base.rank else None,
             terms=tuple(terms),
             at_rest_below=fit.joint.threshold,
+            delay=None if fit.lag is None else fit.lag.delay,
         )
 
 

@@ -15,6 +15,8 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.files.toml import Table, TomlFile, nearest, toml_text
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.derivatives import motion
+from deltacal_gen.motion.joint import earlier
+from deltacal_gen.motion.lag import LATENCY
 from deltacal_gen.motion.library import Rung, of_joint
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.trajectories import INSIDE, Trajectories
@@ -42,10 +44,13 @@ class Truth:
         Inertial parameters, actual minus robot file [kg, mm].
     effects : tuple of (int, Rung, array)
         Joint (from 1), effect, coefficients in units inside.
+    delays : mapping
+        By which the readings of joints (from 1) come late [s].
     """
 
     parameters: Mapping[str, float] = field(default_factory=dict)
     effects: tuple[tuple[int, Rung, Array], ...] = ()
+    delays: Mapping[int, float] = field(default_factory=dict)
 
 
 def read_truth(path: str | Path, rigid: Rigid) -> Truth:
@@ -57,21 +62,38 @@ def read_truth(path: str | Path, rigid: Rigid) -> Truth:
             near = nearest(name, rigid.names)
             hint = f"Did you mean '{near}'?" if near else "They are m_i, mx_i, ixx_i ... of link i."
             raise file.error(f"no link has an inertial parameter '{name}'.", hint, "parameters", name)
-    return Truth(said.parameters, tuple(found for table in said.effects for found in _effects(file, table, rigid)))
+    late = [table for table in said.effects if table.get("name") == LATENCY]
+    delays = {i: d for table in late for i, d in _delays(file, table, rigid).items()}
+    acting = [found for table in said.effects if table not in late for found in _effects(file, table, rigid)]
+    return Truth(said.parameters, tuple(acting), delays)
+
+
+def _delays(file: TomlFile, table: Mapping[str, Any], rigid: Rigid) -> dict[int, float]:
+    """Return by how much readings come late, joint by joint [s]."""
+    delay = table.get("delay")
+    if not isinstance(delay, NUMBERS) or set(table) - {"name", "delay", "limb", "limbs"}:
+        raise file.error("latency needs a number for 'delay', and no other.", "Give delay in s.", "effects")
+    return {i: float(delay) for i in _limbs(file, LATENCY, dict(table), rigid)}
+
+
+def _limbs(file: TomlFile, name: str, given: dict[str, Any], rigid: Rigid) -> list[int]:
+    """Take the joints out of an effect's table."""
+    every, limb = range(1, rigid.dynamics.joints + 1), given.pop("limb", None)
+    limbs = given.pop("limbs", None) or ([limb] if limb is not None else list(every))
+    if any(i not in every for i in limbs):
+        raise file.error(f"{name}: joints are counted from 1 to {len(every)}.", "Correct limb or limbs.", "effects")
+    return [int(i) for i in limbs]
 
 
 def _effects(file: TomlFile, table: Mapping[str, Any], rigid: Rigid) -> list[tuple[int, Rung, Array]]:
     """Return an effect of a truth, joint by joint."""
     given = dict(table)
-    name, every = str(given.pop("name", "")), range(1, rigid.dynamics.joints + 1)
+    name = str(given.pop("name", ""))
     if name not in drive_effect_names():
         near = nearest(name, drive_effect_names())
         known = f"Did you mean '{near}'?" if near else f"Registered: {', '.join(drive_effect_names())}."
         raise file.error(f"there is no effect '{name}' on what drives give.", known, "effects")
-    limb = given.pop("limb", None)
-    limbs = given.pop("limbs", None) or ([limb] if limb is not None else list(every))
-    if any(i not in every for i in limbs):
-        raise file.error(f"{name}: joints are counted from 1 to {len(every)}.", "Correct limb or limbs.", "effects")
+    limbs = _limbs(file, name, given, rigid)
     kernels = load_effect(name)
     names = [key for key, *_ in (*kernels.COEFFICIENTS, *kernels.CONSTANTS)]
     for key in names:
@@ -121,9 +143,13 @@ def simulated(
     inertia = inertia + np.array([told.parameters.get(name, 0.0) for name in rigid.names])
     states = np.nan_to_num(found.states)
     load = rigid.torque(states, inertia) + rigid.of_payload(states) * given.payload[:, None]
-    total = load.copy()
+
+    def late(values: Array, joint: int) -> Array:
+        return earlier(values, told.delays.get(joint, 0.0), given.time, given.piece)
+
+    total = np.column_stack([late(load[:, j], j + 1) for j in range(load.shape[1])])
     for joint, rung, values in told.effects:
-        read = of_joint(given, states, joint - 1, load[:, joint - 1])
+        read = {name: late(v, joint) for name, v in of_joint(given, states, joint - 1, load[:, joint - 1]).items()}
         if missing := [name for name in rung.kernels.STATE if name not in read]:
             raise InputError(
                 f"{rung.effect} depends on {missing[0]}, which the trajectory does not hold.",

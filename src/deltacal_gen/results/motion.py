@@ -93,6 +93,8 @@ class JointModel(Value):
     terms: tuple[TorqueTerm, ...]
     at_rest_below: float
     """Speed [rad/s or mm/s]."""
+    delay: float | None = None
+    """By which readings come late [s]."""
 
 
 class RungOf(Value):

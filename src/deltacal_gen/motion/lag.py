@@ -1,0 +1,92 @@
+"""Readings of a drive that come late: the delay against its joints, found beside the rungs of its ladder."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+
+import numpy as np
+
+from deltacal_gen.motion.joint import Fit, Joint, Lag, climbed
+from deltacal_gen.motion.ladder import BUYS, PER_COEFFICIENT
+from deltacal_gen.motion.library import Rung
+from deltacal_gen.motion.regression import Bench
+
+LATENCY = "latency"  # as the vocabulary calls it
+LONGEST = 0.25  # s
+ROUNDS = 8
+SETTLED = 0.1  # standard deviations that a last step may move
+
+
+def with_lag(fit: Fit) -> Fit:
+    """Return a joint's ladder with the delay of its readings, where that is worth it; the ladder is climbed again."""
+    found = _lag(fit.joint, fit.rungs, fit.load)
+    if found is None or not _worth(found):
+        return fit
+    again = climbed(fit.joint.series.at(found.delay))
+    found = _lag(again.joint, again.rungs, again.load)
+    if found is None or not _worth(found):
+        return fit
+    return dataclasses.replace(again, lag=dataclasses.replace(found, delay=again.joint.delay))
+
+
+def _worth(lag: Lag) -> bool:
+    return lag.bought >= BUYS and lag.gain > PER_COEFFICIENT
+
+
+def _lag(joint: Joint, rungs: Sequence[Rung], load: np.ndarray) -> Lag | None:
+    """Return the delay that leaves least beside some rungs, by Gauss-Newton; None where it does not settle."""
+    series, delay = joint.series, joint.delay
+    for _ in range(ROUNDS):
+        here = series.at(delay)
+        X, per_second = _columns(here, rungs), _by_delay(here, rungs)
+        bench = Bench.of(X, here.y, here.fold, here.X.shape[1])
+        every = range(X.shape[1])
+        bench = bench.with_ridge(every)
+        fitted = bench.fit(every, range(len(bench.n))) / bench.scale
+        whole = np.column_stack([X, per_second @ fitted])
+        moved = Bench.of(whole, here.y, here.fold, here.X.shape[1])
+        moved = dataclasses.replace(moved, ridge=bench.ridge)
+        each = range(whole.shape[1])
+        solution = moved.fit(each, range(len(moved.n))) / moved.scale
+        left = here.y - whole @ solution
+        together = here.correlated(left)
+        variance = float(left @ left) / max(len(left) - len(solution) * together, 1.0)
+        std = float(np.sqrt(moved.covariance(each)[-1, -1] * variance * together) / moved.scale[-1])
+        step = float(solution[-1])
+        delay += float(np.clip(step, -4 * here.step, 4 * here.step))
+        if not abs(delay) < LONGEST:
+            return None
+        if abs(step) < SETTLED * std:
+            return _told(joint, rungs, delay, std, together)
+    return None
+
+
+def _told(joint: Joint, rungs: Sequence[Rung], delay: float, std: float, together: float) -> Lag:
+    """Return a delay with what it takes away of held-out samples, and of the chi2 of all."""
+    late, now = joint.series.at(delay), joint.series.at(0.0)
+    held, left = [], []
+    for at in (now, late):
+        X = _columns(at, rungs)
+        bench = Bench.of(X, at.y, at.fold, at.X.shape[1])
+        every, folds = range(X.shape[1]), bench.folds
+        held.append(bench.held_out(every, folds))
+        left.append(bench.train(every, folds) / float(bench.n[list(folds)].sum()))
+    gain = len(late.y) / together * float(np.log(left[0] / left[1]))
+    return Lag(delay, std, 1.0 - float(np.sqrt(held[1] / held[0])), gain)
+
+
+def _columns(joint: Joint, rungs: Sequence[Rung]) -> np.ndarray:
+    return joint.columns(rungs, joint.load_by(None))
+
+
+def _by_delay(joint: Joint, rungs: Sequence[Rung]) -> np.ndarray:
+    """Return the derivatives (M, p) of the columns by the delay, by central differences of a sample."""
+    step, load = joint.step, joint.load_by(None)
+    sides = []
+    for side in (step, -step):
+        other = joint.series.at(joint.delay + side)
+        whole = np.full((len(joint.used), joint.columns(rungs, load).shape[1]), np.nan)
+        whole[other.rows] = _columns(other, rungs)
+        sides.append(whole[joint.rows])
+    return np.nan_to_num((sides[0] - sides[1]) / (2 * step))
