@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import json
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -194,3 +195,14 @@ def test_two_sessions_of_joints_without_a_drawing_are_compared(tmp_path: Path) -
         results.append(identify(robot, made).answer())
     assert compare(*results).summary
     assert compare(results[0], results[0]).changed == ()
+
+
+@pytest.mark.parametrize("ask", [identify, diagnose])
+def test_readings_that_are_of_other_rows_are_refused(ask: Any) -> None:
+    robot, rng = robot_from_dict(UNDRAWN), np.random.default_rng(2)
+    made = simulate(robot, motion(robot), {}, noise_mm=NOISE, rng=rng)
+    still = made.subset(np.arange(0, made.n_rows, 6))
+    still.channels.clear()
+    shuffled = dataclasses.replace(still, measured=still.measured[rng.permutation(still.n_rows)])
+    with pytest.raises(InputError, match="of the joints' way off"):
+        ask(robot, shuffled)

@@ -70,7 +70,7 @@ def deltacal() -> Any:
 
 
 def source(topic: str) -> str:
-    return (manual.folder() / f"{topic}.md").read_text(encoding="utf-8")
+    return manual.source(topic)
 
 
 def blocks(text: str) -> Iterator[Block]:
@@ -198,9 +198,9 @@ def test_links_of_a_page_lead_somewhere(topic: str) -> None:
     for target in re.findall(r"\]\(([^)]+)\)", text):
         name, _, part = target.partition("#")
         assert (manual.folder() / name).resolve().is_file(), target
-        if name.endswith(".md"):
-            assert name.removesuffix(".md") in PAGES, target
-            headings = re.findall(r"^#+ (.*)$", _FENCE.sub("", source(name.removesuffix(".md"))), re.MULTILINE)
+        if name.endswith((".md", ".py")):
+            assert Path(name).stem in PAGES, target
+            headings = re.findall(r"^#+ (.*)$", _FENCE.sub("", source(Path(name).stem)), re.MULTILINE)
             assert not part or part in map(manual.anchor, headings), target
 
 
@@ -214,7 +214,7 @@ def test_links_of_the_readme_lead_somewhere_and_it_is_short() -> None:
 
 
 def test_every_page_and_every_table_has_its_place() -> None:
-    assert sorted(manual.topics()) == sorted({p.stem for p in manual.folder().glob("*.md")} - {manual.CONTENTS})
+    assert sorted(manual.topics()) == sorted({p.stem for p in manual.folder().glob("*.[mp][dy]")} - {manual.CONTENTS})
     used = [name for topic in PAGES for name in re.findall(r"^<!-- measured (\w+) -->$", source(topic), re.MULTILINE)]
     assert sorted(used) == sorted(path.stem for path in (manual.folder() / "measured").glob("*.json"))
     for topic in PAGES:
@@ -258,7 +258,7 @@ def test_a_topic_is_printed_and_an_unknown_one_is_answered_with_the_nearest(run:
     assert code == 0
     assert out == dc.manual("diagnose") == manual.read("diagnose").text
     assert run("manual")[1] == dc.manual()
-    assert all(f"({topic}.md)" in dc.manual() for topic in manual.topics())
+    assert all(f"({topic}." in dc.manual() for topic in manual.topics())
     code, out, err = run("manual", "diagnos")
     assert (code, out) == (2, "")
     assert "diagnose" in err

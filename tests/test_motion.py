@@ -122,6 +122,19 @@ def test_what_is_left_is_noise_and_told_joint_by_joint(diagnosed: Any) -> None:
         assert all(rung["buys"] >= 0.02 for rung in ladder["rungs"])
 
 
+def test_readings_of_other_rows_are_doubted(recorded: Path, tmp_path: Path) -> None:
+    found = dc.identify(recorded.with_name("robot.toml"), recorded)
+    assert "doubts" not in found
+    head, *rows = recorded.read_text().splitlines()
+    q, tau = ([",".join(row.split(",")[part]) for row in rows] for part in (slice(0, 5), slice(5, None)))
+    mixed = np.random.default_rng(1).permutation(tau)
+    (tmp_path / "mixed.csv").write_text("\n".join([head, *map(",".join, zip(q, mixed, strict=True))]) + "\n")
+    (tmp_path / "mixed.toml").write_text(recorded.with_suffix(".toml").read_text())
+    doubted = dc.identify(recorded.with_name("robot.toml"), tmp_path / "mixed.csv")
+    assert "warning: the rigid machine explains next to nothing of what joint" in doubted.headline
+    assert "of other rows" in doubted["doubts"][0]
+
+
 def test_a_machine_without_friction_is_adequate(tmp_path: Path) -> None:
     path = written(tmp_path, lambda states, load: 0 * load, seed=1)
     found = dc.diagnose(tmp_path / "robot.toml", path)

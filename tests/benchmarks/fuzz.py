@@ -47,6 +47,7 @@ class Outcome:
     seconds: float
     said: str
     left: tuple[str, ...]
+    warned: bool = False
 
     @property
     def flaw(self) -> str:
@@ -100,8 +101,8 @@ FOUND: dict[str, tuple[str, str, Damage]] = {  # command, file, and what was don
 }
 
 
-def run(job: Job, folder: Path) -> Outcome:
-    """Run a job in a process of its own, in a folder with its inputs."""
+def run(job: Job, folder: Path, seen: Callable[[str, Path], bool] | None = None) -> Outcome:
+    """Run a job in a process of its own, in a folder with its inputs; `seen` tells whether its answer warns."""
     before = {*folder.rglob("*")}
     said = folder.parent / f"{folder.name}.said"
     arguments = [re.sub(r"\{(.*)\}", lambda m: str(folder / m[1]), a) for a in job.arguments]
@@ -112,7 +113,9 @@ def run(job: Job, folder: Path) -> Outcome:
     status = _waited(child, start)
     left = tuple(sorted(str(p.relative_to(folder)) for p in folder.rglob("*") if p not in before))
     code = os.waitstatus_to_exitcode(status)
-    return Outcome(code, time.monotonic() - start, said.read_text(errors="replace"), left)
+    words = said.read_text(errors="replace")
+    warned = seen is not None and code in (0, 1) and seen(words, folder)
+    return Outcome(code, time.monotonic() - start, words, left, warned)
 
 
 def _child(arguments: list[str], said: Path) -> None:
@@ -149,14 +152,16 @@ def again(name: str, good: Path) -> Outcome:
     return attempt(job, file, damage((good / file).read_bytes()), good)
 
 
-def attempt(job: Job, name: str, content: bytes, good: Path) -> Outcome:
+def attempt(
+    job: Job, name: str, content: bytes, good: Path, seen: Callable[[str, Path], bool] | None = None
+) -> Outcome:
     """Run a job whose file `name` has another content; the other files are good."""
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary) / "run"
         shutil.copytree(good, folder, copy_function=os.link)
         (folder / name).unlink(missing_ok=True)
         (folder / name).write_bytes(content)
-        return run(job, folder)
+        return run(job, folder, seen)
 
 
 def _load() -> None:

@@ -137,7 +137,8 @@ class Series:
         both -= Q @ (Q.T @ both)
         A, e = both[:, :-1], both[:, -1]
         size, V = np.linalg.eigh(A.T @ A)
-        V, size = V[:, size > UNSEEN * size[-1]], size[size > UNSEEN * size[-1]]
+        seen = size > UNSEEN * size.max(initial=0.0)  # of joints without a drawing the instrument alone is unknown
+        V, size = V[:, seen], size[seen]
         inside = (V.T @ (A.T @ e)) ** 2 / size
         rest, free = float(e @ e - inside.sum()), len(e) - M.shape[1]
         s = rest / max(free - len(size), 1) * SIZES[:, None] ** 2

@@ -135,9 +135,10 @@ def plausible(first: Fit) -> None:
     refused where one of them explains nearly all, or where the machine explains next to nothing of what was read.
     """
     problem, found = first.problem, first.problem.readings
-    if found.kind.sees_joints:
-        return
     off = _typical(first.residual, first)
+    if found.kind.sees_joints:
+        _of_these_joints(first, off)
+        return
     points = first.machine.x[found.used, :3]
     spread = float(np.linalg.norm(points.std(axis=0)))
     if off < IMPLAUSIBLE * max(robot_size(problem.robot), spread):
@@ -155,6 +156,19 @@ def plausible(first: Fit) -> None:
             "than any error of its parts.",
             "Compare the robot file with the machine, and the columns of the recording with what was measured.",
             file=problem.recording.path,
+        )
+
+
+def _of_these_joints(first: Fit, off: float) -> None:
+    """Raise an InputError where encoders go with their joints hardly at all: no gear slips by a part of its way."""
+    found, joints = first.problem.readings, first.problem.body.q
+    way = np.array([np.ptp(joints[found.rows[found.setup == j, 0], j]) for j in np.unique(found.setup)])
+    spread = first.instrument.scale * float(np.median(way))
+    if off > NONSENSE * spread:
+        raise InputError(
+            f"the encoders are {off / spread:.0%} of the joints' way off what the joints say.",
+            "Compare the columns, row by row: q1 and enc1 are of one joint, at one moment, and count in one sense.",
+            file=first.problem.recording.path,
         )
 
 

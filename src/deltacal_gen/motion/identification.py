@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 RIGID = "rigid"  # name of the model, behind that of the mechanism
 RANK = 1e-9  # of the largest singular value: a smaller one is none
 SURE = 3.0  # standard deviations from zero of a parameter that is told as identified
+NEXT_TO_NOTHING = 0.8  # of the readings' rms: so much is left where bodies are fitted to readings of other rows
 LATTICE = (-300.0, -100.0, -30.0, 0.0, 30.0, 100.0, 300.0)  # mm: where the masses of a body that could be built may sit
 
 
@@ -68,7 +69,22 @@ def identify(robot: Robot, given: Trajectories, model: str | None = None) -> Mot
         **{key: value for key, value in (figures | sigmas).items() if "_by_joint" not in key},
         sigma_source=noise.source,
         chi2_per_dof=final.chi2_per_dof,
+        doubts=tuple(_doubts(fits)) or None,
     )
+
+
+def _doubts(fits: Sequence[Fit]) -> Iterator[str]:
+    """Yield the joints whose drives gave something else than what the rigid machine asks for."""
+    little = [
+        str(fit.joint.number)
+        for fit in fits
+        if np.sqrt(np.mean(fit.left**2)) > NEXT_TO_NOTHING * np.sqrt(np.mean(fit.joint.y**2))
+    ]
+    if little:
+        yield (
+            f"the rigid machine explains next to nothing of what joint{'s' * (len(little) > 1)} {', '.join(little)} "
+            "gave: friction may be all there is (diagnose), or the readings are of other rows or another machine"
+        )
 
 
 def _singular(rigid: Rigid, fits: Sequence[Fit]) -> Array:

@@ -1,5 +1,7 @@
 """The manual: one page in Markdown for each task, ``manual/TOPIC.md``; ``index.md`` is its contents.
 
+A page may be a notebook instead, ``manual/TOPIC.py``: cells after ``# %%``, as editors and jupytext open them.
+
 A page begins with its title and a sentence that says what it is for. A line ``<!-- measured NAME -->`` stands for the
 table ``manual/measured/NAME.json``, which the command named in that file has written: figures are never typed.
 """
@@ -20,7 +22,8 @@ from deltacal_gen.errors import UsageError
 
 CONTENTS = "index"
 NEAR = 3  # topics that an unknown one is answered with
-_LINK = re.compile(r"(?<!!)\[([^\]]+)\]\(([\w-]+)\.md(#[\w-]+)?\)")
+_LINK = re.compile(r"(?<!!)\[([^\]]+)\]\(([\w-]+)\.(?:md|py)(#[\w-]+)?\)")
+_CELL = re.compile(r"^# %%(.*)\n", re.MULTILINE)
 _PICTURE = re.compile(r"!\[([^\]]*)\]\([^)]+\)")
 _MEASURED = re.compile(r"^<!-- measured (\w+) -->$", re.MULTILINE)
 _NUMBER = re.compile(r"^[<>]?[-+\d][\d., ]*( ?(%|ns|us|ms|s|mm|MiB|MB|GB|kB)|/\d+)?$")
@@ -80,10 +83,24 @@ def read(topic: str = CONTENTS) -> Page:
         near = _near(topic)
         meant = f" Near: {', '.join(near)}." if near else ""
         raise UsageError(f"the manual has no topic '{topic}'.{meant} All topics: deltacal manual.")
-    written = (folder() / f"{topic}.md").read_text(encoding="utf-8")
-    text = _MEASURED.sub(lambda found: _as_markdown(measured(found[1])), written)
+    text = _MEASURED.sub(lambda found: _as_markdown(measured(found[1])), source(topic))
     title, _, rest = text.partition("\n")
     return Page(topic, title.removeprefix("# "), _plain(rest.strip().partition("\n\n")[0]), text)
+
+
+def source(topic: str) -> str:
+    """Return what stands written of a topic, as Markdown; of a notebook code is what runs."""
+    page = folder() / f"{topic}.md"
+    if page.exists():
+        return page.read_text(encoding="utf-8")
+    _, *cells = _CELL.split(page.with_suffix(".py").read_text(encoding="utf-8"))
+    parts = []
+    for kind, cell in zip(cells[::2], cells[1::2], strict=True):
+        if "[markdown]" in kind:
+            parts.append(re.sub(r"^# ?", "", cell.strip(), flags=re.MULTILINE))
+        else:
+            parts.append(f"```python run\n{cell.strip()}\n```")
+    return "\n\n".join(parts) + "\n"
 
 
 def measured(name: str) -> Mapping[str, Any]:

@@ -81,7 +81,7 @@ def _led(tokens: Sequence[Token]) -> Iterator[tuple[Path, str]]:
     """Lead links to the site's pages and pictures; yield each picture's file with the name that it gets."""
     for token in (child for t in tokens for child in t.children or ()):
         if token.type == "link_open":
-            token.attrSet("href", re.sub(r"^([\w-]+)\.md", r"\1.html", str(token.attrGet("href"))))
+            token.attrSet("href", re.sub(r"^([\w-]+)\.(?:md|py)", r"\1.html", str(token.attrGet("href"))))
         elif token.type == "image":
             source = (manual.folder() / str(token.attrGet("src"))).resolve()
             name = f"{source.parent.name}-{source.name}"

@@ -193,11 +193,14 @@ class MotionResult(MotionModel):
     sigma_1: float | None = None
     sigma_source: Source
     chi2_per_dof: float | None
+    doubts: tuple[str, ...] | None = None
+    """Why the readings may not be of this machine."""
 
     @property
     def headline(self) -> str:
         """What the rigid machine leaves."""
-        return f"{self.model}: {self.rank} base parameters; held-out rms {by_joint(self.final)}"
+        left = f"{self.model}: {self.rank} base parameters; held-out rms {by_joint(self.final)}"
+        return "; ".join([left, *(f"warning: {words}" for words in self.doubts or ())])
 
     def table(self) -> tuple[InertialParameter, ...]:
         """Return the base parameters."""
