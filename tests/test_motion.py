@@ -20,6 +20,7 @@ from deltacal_gen.files.robot import read_robot, robot_from_dict, robot_to_toml
 from deltacal_gen.machine.dynamics import dynamics_of
 from deltacal_gen.motion import derivatives, joint, kinds, regression
 from deltacal_gen.motion.rigid import Rigid, base_of
+from deltacal_gen.pages import motion, report
 from deltacal_gen.results import published
 from deltacal_gen.results.reader import read_answer
 from tests.conftest import PROTOTYPE
@@ -244,6 +245,22 @@ def test_what_was_looked_at_and_not_named_is_told(diagnosed: Any) -> None:
     assert location["channels"][0]["name"] in ("speed1", "speed2", "speed3")
     shares = [c["share"] for c in location["channels"]]
     assert shares == sorted(shares, reverse=True)
+
+
+def test_the_page_shows_every_joint_before_and_after(recorded: Path, diagnosed: Any, tmp_path: Path) -> None:
+    page = motion.motion(read_answer(diagnosed | {}))  # type: ignore[arg-type]
+    assert page.count("<svg") == 1 + 2 * 3  # the ladder; each joint over time, and what is left
+    for effect in diagnosed["effects"]:
+        for p in effect["parameters"]:
+            assert report.measured(p["value"], p["std"]) in page
+    for trace in diagnosed["traces"]:
+        after = np.array(trace["measured"]) - np.array([np.nan if v is None else v for v in trace["after"]])
+        assert np.nanstd(after) == pytest.approx(NOISE, rel=0.15)
+        assert np.std(trace["error_before"]) > 5 * np.std(trace["error_after"])
+    dc.identify(recorded.with_name("robot.toml"), recorded, report=tmp_path / "result.html")
+    text = (tmp_path / "result.html").read_text()
+    assert "15 base parameters" in text
+    assert "The ladder" not in text
 
 
 def test_an_answer_in_its_old_form_is_refused(diagnosed: Any) -> None:

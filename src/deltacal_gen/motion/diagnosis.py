@@ -9,11 +9,12 @@ import numpy as np
 from scipy.stats import chi2
 
 from deltacal_gen.machine.values import Robot
-from deltacal_gen.motion.identification import RIGID
+from deltacal_gen.motion.identification import RIGID, base_parameters
 from deltacal_gen.motion.joint import Fit, climbed, fitted
 from deltacal_gen.motion.ladder import BUYS, LookedAt
 from deltacal_gen.motion.lag import LATENCY, with_lag
 from deltacal_gen.motion.session import Session, sigma_said, still_to_move
+from deltacal_gen.motion.traces import traces
 from deltacal_gen.motion.trajectories import INSIDE, Trajectories
 from deltacal_gen.motion.unexplained import Rest, dependences, rest
 from deltacal_gen.physics.terms import drive_effect_names, load_effect
@@ -60,6 +61,8 @@ def diagnose(robot: Robot, given: Trajectories, progress: Progress) -> MotionDia
     final = session.left(found)
     return MotionDiagnosis(
         **session.answered(found),
+        parameters=tuple(base_parameters(session.rigid, found)),
+        traces=traces(session, plain, found),
         verdict=verdict,
         summary=_summary(effects, open_, session, found),
         noise=session.noise(found),

@@ -13,6 +13,7 @@ from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.joint import Fit, fitted
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.session import Session, still_to_move
+from deltacal_gen.motion.traces import traces
 from deltacal_gen.motion.trajectories import Trajectories
 from deltacal_gen.results.motion import Consistent, InertialParameter, MotionResult
 from deltacal_gen.results.result import Read, Regularisation, Status
@@ -44,8 +45,7 @@ def identify(robot: Robot, given: Trajectories, model: str | None = None) -> Mot
     fits = [fitted(joint, []) for joint in session.moving]
     final, noise = session.left(fits, name), session.noise(fits)
     rigid = session.rigid
-    torques = all(fit.joint.unit in ("Nm", "N") for fit in fits)
-    parameters = _common(rigid, fits) if torques else _by_joint(rigid, fits)
+    torques, parameters = reads_torques(fits), base_parameters(rigid, fits)
     values = _singular(rigid, fits) if torques else np.concatenate([_singular_of(fit) for fit in fits])
     full = values[-1] > RANK * values[0]
     figures = {key: value for key, value in final.written() if key.startswith(("train_rms_", "heldout_rms_"))}
@@ -54,6 +54,7 @@ def identify(robot: Robot, given: Trajectories, model: str | None = None) -> Mot
         **session.answered(fits),
         model=name,
         parameters=tuple(parameters),
+        traces=traces(session, fits, fits),
         rank=len(parameters),
         rank_tolerance=RANK,
         singular_values=values,
@@ -85,6 +86,16 @@ def _doubts(fits: Sequence[Fit]) -> Iterator[str]:
             f"the rigid machine explains next to nothing of what joint{'s' * (len(little) > 1)} {', '.join(little)} "
             "gave: friction may be all there is (diagnose), or the readings are of other rows or another machine"
         )
+
+
+def reads_torques(fits: Sequence[Fit]) -> bool:
+    """Tell whether what drives give is known as a torque or a force."""
+    return all(fit.joint.unit in ("Nm", "N") for fit in fits)
+
+
+def base_parameters(rigid: Rigid, fits: Sequence[Fit]) -> list[InertialParameter]:
+    """Return the base parameters, beside what effects the fits have: of all joints, or of each where units are open."""
+    return _common(rigid, fits) if reads_torques(fits) else _by_joint(rigid, fits)
 
 
 def _singular(rigid: Rigid, fits: Sequence[Fit]) -> Array:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Literal
 
-from deltacal_gen.results.base import Answer, Numbers, Value
+from deltacal_gen.results.base import Answer, Column, Numbers, Value
 from deltacal_gen.results.diagnosis import Effect, Hint, Law, Location, NextMeasurement, Rejected, Searched, Verdict
 from deltacal_gen.results.parts import Made, Missing, RobotTables, Source
 from deltacal_gen.results.result import OpenCombination, Parameter, Read, Regularisation
@@ -127,6 +127,35 @@ class Unexplained(Value):
     text: str
 
 
+class InertialParameter(Parameter):
+    """A base parameter, named after the first parameter of its combination; actual minus robot file."""
+
+    combination: str
+    limb: int | None = None
+    """Whose reading knows it, where what the drives give per torque is unknown."""
+
+
+class Trace(Value):
+    """Some samples of a joint, to be drawn; readings and errors in `unit`, joints in deg or mm, blank at rest."""
+
+    limb: int
+    unit: str
+    slides: bool
+    time: Column
+    """In a row, from the middle of a movement [s]."""
+    measured: Column
+    before: Column
+    """As the rigid machine alone predicts it."""
+    after: Column
+    speed: Column
+    """Over the whole recording, from here on."""
+    position: Column
+    load: Column
+    """What the rigid machine asks of the joint."""
+    error_before: Column
+    error_after: Column
+
+
 class MotionModel(Answer):
     """What results and diagnoses of recordings in motion have in common."""
 
@@ -139,17 +168,12 @@ class MotionModel(Answer):
     columns: tuple[str, ...]
     """Of the readings, joint by joint."""
     robot: RobotTables
+    parameters: tuple[InertialParameter, ...]
+    """Base parameters of the rigid machine, beside all that was found."""
+    traces: tuple[Trace, ...]
     gross_errors: tuple[int, ...]
     """Lines of the recording in which something was put right or left out: `motion.repairs` says what."""
     made: Made | None = None
-
-
-class InertialParameter(Parameter):
-    """A base parameter, named after the first parameter of its combination; actual minus robot file."""
-
-    combination: str
-    limb: int | None = None
-    """Whose reading knows it, where what the drives give per torque is unknown."""
 
 
 class Consistent(Value):
@@ -165,7 +189,6 @@ class MotionResult(MotionModel):
 
     schema: Literal["deltacal.result/1"] = "deltacal.result/1"
     model: str
-    parameters: tuple[InertialParameter, ...]
     rank: int
     rank_tolerance: float
     singular_values: Numbers

@@ -69,8 +69,8 @@ def identify(
     check_output(output, robot, recording, physics)
     check_output(report, robot, recording, physics)
     if (moving := in_motion(recording)) is not None:
-        refuse_in_motion(**{"as distance": as_distance, "physics": physics, "report": report})
-        return cast("Result", _finished(moving.identify(as_robot(robot), model), output, robot, recording))
+        refuse_in_motion(**{"as distance": as_distance, "physics": physics})
+        return cast("Result", _finished(moving.identify(as_robot(robot), model), output, report, robot, recording))
     diagnosis, files = None if physics is None else known_diagnosis(physics), (robot, recording, physics)
     robot = as_robot(robot)
     held = [] if diagnosis is None else known_effects(diagnosis, timed=True)
@@ -111,11 +111,15 @@ def identify(
     return found
 
 
-def _finished(found: InMotion, output: Source | None, *files: object) -> InMotion:
-    """Return an answer with what it was made of, written where that is wanted."""
+def _finished(found: InMotion, output: Source | None, report: Source | None, *files: object) -> InMotion:
+    """Return an answer in motion with what it was made of, written where that is wanted, and its page."""
     found = found.replace(made=made(*files))
     if output is not None:
         write_json(found, output)
+    if report is not None:
+        from deltacal_gen.pages import motion as page
+
+        write_files({Path(report): page.motion(found)})
     return found
 
 
@@ -164,8 +168,9 @@ def diagnose(
     if write_effect is not None:
         effect_name(Path(write_effect))
     if (moving := in_motion(recording)) is not None:
-        refuse_in_motion(model=model, report=report, write_effect=write_effect)
-        return cast("Diagnosis", _finished(moving.diagnose(as_robot(robot), progress), output, robot, recording))
+        refuse_in_motion(model=model, write_effect=write_effect)
+        found_in_motion = moving.diagnose(as_robot(robot), progress)
+        return cast("Diagnosis", _finished(found_in_motion, output, report, robot, recording))
     files = (robot, recording)
     robot = as_robot(robot)
     name = None if model is None else mechanism_of(robot).full_name(model)

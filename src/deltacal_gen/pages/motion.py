@@ -1,0 +1,178 @@
+"""The page of a recording in motion: drives over time, the ladder of each joint, the rigid machine behind it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from deltacal_gen.pages import report
+from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED
+from deltacal_gen.physics.terms import load_effect
+from deltacal_gen.results.diagnosis import Verdict
+from deltacal_gen.results.motion import LadderOf, MotionDiagnosis, MotionResult, Trace, by_joint
+
+_VERDICTS = {
+    Verdict.ADEQUATE: "nothing is missing",
+    Verdict.MISSING_PHYSICS: "missing physics found",
+    Verdict.UNEXPLAINED: "unexplained mismatch",
+}
+OVER_TIME, AGAINST = (3.9, 1.9), (7.4, 1.9)  # sizes of a picture [inches]
+WIDE = 7.4
+SHADES = (AFTER, "#5b8fb0", "#8fb3c9", "#c3d6e2")  # of rungs, the one that buys most first
+DOT = 3.0
+
+
+def motion(found: MotionResult | MotionDiagnosis) -> str:
+    """Return the page of a RESULT.json or a DIAGNOSIS.json of a recording in motion."""
+    machine = found.robot.robot.name
+    diagnosed = isinstance(found, MotionDiagnosis)
+    each = {} if isinstance(found, MotionResult) else _diagnosed(found)
+    blank: dict[str, Any] = {"steps": [], "ladder": "", "stops": "", "parameters": [], "rejected": [], "not_tested": []}
+    own = any(p.limb is not None for p in found.parameters)
+    return report.page_of(
+        "motion",
+        **(
+            blank
+            | {
+                "badge": Verdict.ADEQUATE.value,
+                "verdict": "identified",
+                "headline": f"{machine}: {len(found.parameters)} base parameters",
+                "lead": f"Rms of held-out samples, without friction: {by_joint(found.final)}.",
+                "next": [(_spaced(n.why), n.text) for n in found.next_measurements],
+            }
+            | each
+        ),
+        made=found.made,
+        title=f"{machine}: {'diagnosis' if diagnosed else 'identification'} in motion",
+        machine=machine,
+        found=found,
+        heldout=_heldout(found),
+        time=[_picture(f"joint {t.limb}", partial(over_time, trace=t, bare=not diagnosed)) for t in found.traces],
+        against=[{"title": f"joint {t.limb}", "svg": _panels(t, bare=not diagnosed)} for t in found.traces],
+        base_columns=("parameter", *(("joint",) if own else ()), "made of", "value ± standard deviation", "unit"),
+        base=[
+            (
+                p.name,
+                *((str(p.limb),) if own else ()),
+                p.combination,
+                report.measured(p.value, p.std),
+                p.unit,
+            )
+            for p in found.parameters
+        ],
+    )
+
+
+def _diagnosed(found: MotionDiagnosis) -> dict[str, Any]:
+    """Return what only the page of a diagnosis shows."""
+    names = ", ".join(dict.fromkeys(e.title for e in found.effects))
+    return {
+        "badge": found.verdict.value,
+        "verdict": _VERDICTS[found.verdict],
+        "headline": f"Beside the rigid machine: {names}" if names else _VERDICTS[found.verdict].capitalize(),
+        "lead": found.summary,
+        "steps": [
+            f"{e.title.capitalize()}, joint {_listed(e.limbs)}: {load_effect(e.name).ADVICE}" for e in found.effects
+        ],
+        "ladder": _ladder(found.ladder),
+        "stops": "; ".join(dict.fromkeys(f"{ladder.stops}" for ladder in found.ladder)).capitalize() + ".",
+        "parameters": [
+            (_spaced(e.name), str(p.limb), p.name, report.measured(p.value, p.std), "" if p.unit == "1" else p.unit)
+            for e in found.effects
+            for p in e.parameters
+        ],
+        "rejected": [(_spaced(r.name), f"{r.gain_chi2:.0f}", r.why) for r in found.rejected],
+        "next": [(_spaced(n.why), n.text) for n in found.next_measurements],
+        "not_tested": [(_spaced(t.name), t.missing) for t in found.not_tested],
+    }
+
+
+def _heldout(found: MotionResult | MotionDiagnosis) -> list[tuple[str, ...]]:
+    """Return of every joint what is left of held-out samples, before and after."""
+    before = found.baseline if isinstance(found, MotionDiagnosis) else found.final
+    after = found.final
+    rows = zip(
+        before.heldout_rms_by_joint,
+        after.heldout_rms_by_joint,
+        after.heldout_rms_by_joint_filtered,
+        after.unit_by_joint,
+        strict=True,
+    )
+    return [
+        (str(j), *("-" if v is None else f"{v:.4g}" for v in values), unit) for j, (*values, unit) in enumerate(rows, 1)
+    ]
+
+
+def _picture(title: str, draw: partial[None]) -> dict[str, str]:
+    return {"title": title, "svg": report.picture(draw, OVER_TIME)}
+
+
+def over_time(axes: Axes, trace: Trace, *, bare: bool) -> None:
+    """Draw what a drive gave, and what the models say; `bare` where there is one model alone."""
+    axes.plot(trace.time, trace.measured, color=MUTED, linewidth=1.6, alpha=0.6)
+    if not bare:
+        axes.plot(trace.time, trace.before, color=BEFORE, linewidth=0.8)
+    axes.plot(trace.time, trace.after, color=AFTER, linewidth=0.9)
+    axes.set_xlabel("time, s")
+    axes.set_ylabel(_of(trace))
+    axes.margins(x=0)
+
+
+def _panels(trace: Trace, *, bare: bool) -> str:
+    return report.panels(partial(against, trace=trace, bare=bare), (1, 3), AGAINST)
+
+
+def against(axes: np.ndarray, trace: Trace, *, bare: bool) -> None:
+    """Draw errors against speed, position and load."""
+    unit = "mm" if trace.slides else "deg"
+    where = (
+        (trace.speed, f"speed, {unit}/s"),
+        (trace.position, f"{'position' if trace.slides else 'angle'}, {unit}"),
+        (trace.load, "load" if trace.unit == "1" else f"load, {trace.unit}"),
+    )
+    for axis, (values, words) in zip(np.ravel(axes), where, strict=True):
+        if not bare:
+            axis.scatter(values, trace.error_before, s=DOT, color=BEFORE, linewidths=0, alpha=0.6)
+        axis.scatter(values, trace.error_after, s=DOT, color=AFTER, linewidths=0)
+        axis.axhline(0.0, color=MUTED, linewidth=0.6)
+        axis.set_xlabel(words)
+    np.ravel(axes)[0].set_ylabel("left" if trace.unit == "1" else f"left, {trace.unit}")
+
+
+def _of(trace: Trace) -> str:
+    names = {"Nm": "torque, Nm", "N": "force, N", "A": "current, A", "1": "drive"}
+    return names[trace.unit]
+
+
+def _ladder(ladders: Sequence[LadderOf]) -> str:
+    """Return the rungs of all joints as bars."""
+    rows = [(ladder, rung) for ladder in ladders for rung in ladder.rungs]
+    return report.picture(partial(bars, ladders=ladders), (WIDE, 0.6 + 0.22 * len(rows))) if rows else ""
+
+
+def bars(axes: Axes, ladders: Sequence[LadderOf]) -> None:
+    """Draw what every rung of every joint buys."""
+    at, labels, ends = [], [], 0.0
+    for ladder in ladders:
+        for n, rung in enumerate(ladder.rungs):
+            axes.barh(ends, 100 * rung.buys, height=0.75, color=SHADES[min(n, len(SHADES) - 1)])
+            axes.text(100 * rung.buys + 0.8, ends, f"{100 * rung.buys:.0f}", va="center", fontsize=8, color=MUTED)
+            labels.append(f"joint {ladder.limb}   {_spaced(rung.name)}" if n == 0 else _spaced(rung.name))
+            at.append(ends)
+            ends += 1.0
+        ends += 0.5
+    axes.set_yticks(at, labels)
+    axes.invert_yaxis()
+    axes.set_xlabel("% of the held-out rms")
+
+
+def _spaced(name: str) -> str:
+    return name.replace("_", " ")
+
+
+def _listed(limbs: Sequence[int]) -> str:
+    return ", ".join(map(str, limbs))
