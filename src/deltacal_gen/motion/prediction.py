@@ -47,14 +47,26 @@ def predicted(known: MotionModel, given: Trajectories) -> Trajectories:
     for j, model in models.items():
         late = functools.partial(earlier, delay=model.delay or 0.0, time=given.time, piece=given.piece)
         read = {name: late(values) for name, values in of_joint(given, states, j - 1).items()}
-        value = _of_joint(model, read, late(columns[j - 1]), late(payload[:, j - 1]), units[j - 1])
+        value = given_by_drive(model, read, late(columns[j - 1]), late(payload[:, j - 1]), units[j - 1])
         moving = np.abs(late(found.states[1, :, j - 1])) > model.at_rest_below
         out[:, j - 1] = np.where(moving, value / INSIDE[units[j - 1]], np.nan)
     return dataclasses.replace(given, readings=out, columns=known.columns, units=units)
 
 
-def _of_joint(model: JointModel, read: dict[str, Array], columns: Array, payload: Array, unit: str) -> Array:
-    """Return what a joint's drive gives (N,), in units inside, by what effects read."""
+def given_by_drive(model: JointModel, read: dict[str, Array], columns: Array, payload: Array, unit: str) -> Array:
+    """Return what a joint's drive gives (N,), in units inside.
+
+    Parameters
+    ----------
+    read : dict
+        What effects read, see `of_joint`.
+    columns : (N, r) array
+        What the inertial parameters of the model ask of the joint.
+    payload : (N,) array
+        What the payload asks of it.
+    unit : str
+        Of its readings in files.
+    """
     load = columns @ np.array(model.coefficients)
     if model.payload is not None:
         load = load + model.payload * payload

@@ -33,6 +33,7 @@ ANSWERS = {  # what `schema` says, and the type of it: module and class
     "deltacal.loop/1": ("written", "Looped"),
     "deltacal.plan/1": ("plan", "Plan"),
     "deltacal.prediction/1": ("written", "Predicted"),
+    "deltacal.feedforward/1": ("written", "FedForward"),
     "deltacal.reproduction/1": ("written", "Reproduction"),
     "deltacal.result/1": ("result", "Result"),
     "deltacal.simulation/1": ("written", "Simulated"),

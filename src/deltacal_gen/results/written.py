@@ -78,6 +78,20 @@ class Joints(Answer):
     firmware: FirmwareLines | None = None
 
 
+class FedForward(Answer):
+    """Commands of `compensate --trajectory`, sample by sample."""
+
+    schema: Literal["deltacal.feedforward/1"] = "deltacal.feedforward/1"
+    columns: tuple[str, ...]
+    """Of the file that is written."""
+    joints: Rows
+    torques: Rows
+    """In `units`; null of a joint that the model does not know."""
+    units: tuple[str, ...]
+    told: tuple[str, ...]
+    """What was assumed, and what is beyond limits."""
+
+
 class Predicted(Answer):
     """Readings of `predict`."""
 

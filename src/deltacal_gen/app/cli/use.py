@@ -50,10 +50,19 @@ def compensate(
     bands: Annotated[
         bool, typer.Option("--bands", help="beside each command where the machine will stand, with 95 % probability")
     ] = False,
+    trajectory: Annotated[
+        bool,
+        typer.Option("--trajectory", help="TARGETS are samples in time: joints and torques, of a result in motion"),
+    ] = False,
     decimal: Decimal = None,
     as_json: Json = False,
 ) -> None:
     """Correct joint commands, or export the compensator; of a diagnosis with its effects, channel by channel."""
+    if trajectory:
+        if targets is None or bands or export is not None:
+            raise UsageError("--trajectory needs the file of samples, and neither --bands nor --export.")
+        _feed_forward(result, targets, output, as_json)
+        return
     from deltacal_gen.app import commands
     from deltacal_gen.results.written import Joints
     from deltacal_gen.use.firmware import KINDS
@@ -84,6 +93,27 @@ def compensate(
         for row in joints:
             screen.print("  ".join(f"{v:12.6f}" for v in row))
     for words in assumed:
+        screen.print(f"  {escaped(words)}")
+
+
+def _feed_forward(result: Path, trajectory: Path, output: Path | None, as_json: bool) -> None:
+    """Command a trajectory, and print or write it."""
+    from deltacal_gen.app import commands
+    from deltacal_gen.results.written import FedForward
+
+    told: list[str] = []
+    done = commands.feed_forward(result, trajectory, output, tell=told.append)
+    if as_json:
+        found = done.columns_of_file()
+        joints, torques = done.joints_in_files, done.torque
+        print_json(FedForward(columns=tuple(found), joints=joints, torques=torques, units=done.units, told=tuple(told)))
+        return
+    if output is None:
+        for time, q, tau in zip(done.given.time, done.joints_in_files, done.torque, strict=True):
+            screen.print("  ".join(f"{v:12.6f}" for v in (time, *q, *tau)))
+    else:
+        screen.print(f"{len(done.torque)} samples with joints and torques written to {output}")
+    for words in told:
         screen.print(f"  {escaped(words)}")
 
 

@@ -46,6 +46,7 @@ NUMBER = 16  # letters of a hash that stand for the number of a certificate wher
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
+    from deltacal_gen.motion.feedforward import FeedForward
     from deltacal_gen.motion.kinds import Torque
     from deltacal_gen.motion.trajectories import Trajectories
     from deltacal_gen.results.comparison import Comparison
@@ -187,6 +188,45 @@ def compensate(
         write_files({Path(output): csv_text(table)})
     in_files: Array = joints / factors
     return in_files
+
+
+def feed_forward(
+    result: Given, trajectory: Source, output: Source | None = None, *, tell: Progress = silent
+) -> FeedForward:
+    """Return what drives must be told along a trajectory: commanded joints, their derivatives, and torques.
+
+    Parameters
+    ----------
+    result : path or mapping
+        RESULT.json or DIAGNOSIS.json of a recording in motion: with the friction that was found.
+    trajectory : path
+        A CSV with ``time_s`` and joints, or ``x_mm, y_mm, z_mm`` in {O}; ``run`` and ``payload_kg`` where they vary.
+    output : path
+        COMMANDS.csv: joints, velocities, accelerations, torques in the unit of the result's readings.
+    tell : callable
+        Told in words where friction is ramped and where limits are passed.
+
+    Raises
+    ------
+    UsageError
+        The result is of a machine at rest.
+    """
+    from deltacal_gen.use import trajectory as along
+
+    check_output(output, result, trajectory)
+    known = known_model(result)
+    if not isinstance(known, MotionModel):
+        raise UsageError("torques along a trajectory need a result of a recording in motion (kind torque).")
+    found = along.feed_forward(known, trajectory)
+    if slow := [f"joint {j + 1}: {count}" for j, count in enumerate(found.ramped.tolist()) if count]:
+        tell(f"samples near rest, at which friction is ramped: {', '.join(slow)}")
+    if still := [str(j + 1) for j in range(found.torque.shape[1]) if np.isnan(found.torque[:, j]).all()]:
+        tell(f"joint {', '.join(still)} did not move in the recording: its torque is not known and left blank")
+    for name, count in found.beyond.items():
+        tell(f"{count} of {len(found.torque)} samples lie beyond [limits] {name}")
+    if output is not None:
+        write_files({Path(output): csv_text(found.columns_of_file())})
+    return found
 
 
 def _check_channels(channels: Mapping[str, Any], compensator: Compensator, known: Result | Diagnosis) -> None:
