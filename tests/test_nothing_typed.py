@@ -44,6 +44,7 @@ FUNCTIONS = {
     "identification/accuracy.py:circle": WORKSPACE,
     "identification/uncertainty.py:uncertainty_map": "two standard deviations together",
     "identification/remedies.py:printed": "ends of lines that a printed object would show",
+    "instrument/board.py:_apart": BEGUN,
     "instrument/board.py:_mapped": BEGUN,
     "instrument/board.py:_places": BEGUN,
     "instrument/board.py:at_origin": "a camera moved to its part's origin, the board along with it: no image changes",

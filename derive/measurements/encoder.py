@@ -10,7 +10,7 @@ import sympy as sp
 from derive.spec import Joint, Measurement, Quantity
 from derive.vectors import Algebra
 
-theta, sign, zero, dzero = sp.symbols("theta sign zero dzero", real=True)
+theta, sign, zero, dzero, turns = sp.symbols("theta sign zero dzero turns", real=True)
 
 
 def measurement(v: Algebra) -> Measurement:
@@ -23,11 +23,12 @@ def measurement(v: Algebra) -> Measurement:
         given=(
             Quantity(sign, "1", "1, or -1 where the controller counts against the geometry"),
             Quantity(zero, "rad", "zero of the encoder"),
+            Quantity(turns, "1", "1 where the joint turns, 0 where it slides and a zero counts in mm"),
         ),
         unknown=(Quantity(dzero, "rad", "zero of the encoder", typical=0.05, label="enc_zero"),),
         reading=(sign * (theta + zero + dzero),),
-        after=(sign, zero + dzero),
+        after=(sign, zero + dzero, turns),
         columns=("enc{i}_{unit}",),
-        start=(1.0, 0.0),
+        start=(1.0, 0.0, 1.0),
         scale=100.0,
     )

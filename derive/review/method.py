@@ -155,7 +155,7 @@ def _weights() -> Step:
     loss = sp.Piecewise((z**2 / 2, z <= huber), (huber * z - huber**2 / 2, True))
     weight = sp.piecewise_fold(sp.simplify(sp.diff(loss, z) / z))
     sizes = np.array([[0.2], [1.0], [3.0], [40.0]])
-    ours = residuals.robust_weights(sizes, np.ones(1), drop=False)
+    ours = residuals.robust_weights(sizes, np.ones(1))
     gap = max(
         abs(float(weight.subs({z: v, huber: residuals.HUBER})) - w) for v, w in zip(sizes[:, 0], ours, strict=True)
     )

@@ -1,10 +1,10 @@
 """Joint as a second encoder on it counts [mm, rad].
 
 Generated from derive/measurements/encoder.py by "deltacal kernels". Do not edit.
-Template templates/measurement.py.jinja; sha256 of both aa3d1f1ce4941882; SymPy 1.14.0.
+Template templates/measurement.py.jinja; sha256 of both 59f793588d57c025; SymPy 1.14.0.
 
-Plain NumPy, vectorised over the readings: joints x (N, 1), `given` (N, 2) the
-instrument's state: sign zero.
+Plain NumPy, vectorised over the readings: joints x (N, 1), `given` (N, 3) the
+instrument's state: sign zero turns.
 Unknowns are increments of that state: enc_zero.
 """
 
@@ -18,8 +18,8 @@ JOINT = True
 UNKNOWN = (
     ("enc_zero", "rad", 0.05, "zero of the encoder"),
 )
-STATE = 2
-START = (1.0, 0.0,)
+STATE = 3
+START = (1.0, 0.0, 1.0,)
 SCALE = 100.0
 ROWS = 1
 ROTATION_ROWS = ()
@@ -53,12 +53,14 @@ def by_unknown(x, given):
 
 
 def stepped(given, step):
-    """Return the state (N, 2) after a step of the unknowns (N, 1)."""
+    """Return the state (N, 3) after a step of the unknowns (N, 1)."""
     sign = given[:, 0]
     zero = given[:, 1]
+    turns = given[:, 2]
     dzero = step[:, 0]
     s0 = dzero + zero
-    out = np.zeros((len(given), 2))
+    out = np.zeros((len(given), 3))
     out[:, 0] = sign
     out[:, 1] = s0
+    out[:, 2] = turns
     return out

@@ -97,7 +97,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
 
 def _instrument(found: Diagnosed, known: Instrument) -> InstrumentState:
     recording = found.final.problem.recording
-    return known.kept(recording.setup_names, recording.measurement.zero)
+    return known.kept(recording.setup_names, recording.measurement.zero, recording.columns)
 
 
 def _correction(found: Diagnosed) -> SmoothCorrection | None:

@@ -153,7 +153,7 @@ def correct(
     # what is left out looked like gross errors where it is strongest
     r, found = first.errors(first.step(chosen, set()), chosen), at.problem.readings
     sigma = robust_sigma(r, np.zeros(found.kind.noises), True, found)
-    linear = _Linear(at, parts, robust_weights(r, sigma, drop=True))
+    linear = _Linear(at, parts, robust_weights(r, sigma, found.kind))
     options = linear.options(variables)
     # every part is predicted by what the other parts choose and fit
     without, corrected = [], []

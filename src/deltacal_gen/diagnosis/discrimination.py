@@ -230,7 +230,7 @@ def _columns(
     both = np.concatenate([base, effects], axis=2) / at.sigma[:, None]
     if taken:
         both *= (np.sqrt(at.weights)[:, None] * np.sqrt(1 + at.repeats.ratio))[..., None]
-        both = at.repeats.whiten(np.where(np.isfinite(state.residual)[..., None], both, 0.0))
+        both = at.repeats.whiten(np.where(np.isfinite(state.residual)[..., None], both, 0.0), at.weights)
     return both[..., : base.shape[2]], both[..., base.shape[2] :]
 
 

@@ -250,7 +250,7 @@ class _Linear:
         w = np.sqrt(at.weights)[:, None] / at.sigma * np.sqrt(1 + at.repeats.ratio)
         out = []
         for values in (np.concatenate([self._raw, self._y[..., None]], axis=2), self._J):
-            out.append(at.repeats.whiten(np.where(read[..., None], values * w[..., None], 0.0)))
+            out.append(at.repeats.whiten(np.where(read[..., None], values * w[..., None], 0.0), at.weights))
         return out
 
     def _gram(self, whitened: Sequence[Array], waves: Sequence[Array]) -> Array:

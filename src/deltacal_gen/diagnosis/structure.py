@@ -76,7 +76,7 @@ def alike(at: Fit) -> tuple[float, float]:
         np.sqrt(at.weights)[:, None] / at.sigma[read] * np.sqrt(1 + np.broadcast_to(at.repeats.ratio, read.shape))[read]
     )
     z = dataclasses.replace(at.repeats, ratio=np.broadcast_to(at.repeats.ratio, read.shape)[read]).whiten(
-        np.nan_to_num(at.residual[:, read]) * weight
+        np.nan_to_num(at.residual[:, read]) * weight, at.weights
     )
     first = np.unique(found.group, return_index=True)[1]
     means = np.array([z[found.group == g].mean(axis=0) for g in np.unique(found.group)])

@@ -173,15 +173,13 @@ class _Rows:
 
     def weigh(self, residual: Array, iteration: int, close: int) -> None:
         """Estimate noise and weights from residuals (R, k); what repeats share once, when the fit is close."""
-        self.sigma = (
-            robust_sigma(self._freed(residual), self._leverage, self._robust, self._found)
-            if self._known is None
-            else np.full(residual.shape[1], self._known)
-        )
-        drop = self._drop_gross and iteration > close
+        self.sigma = self._noise(residual)
+        drop = self._found.kind if self._drop_gross and iteration > close else None
         self.weights = robust_weights(residual, self.sigma, drop) if self._robust else np.ones(len(residual))
+        if not self.weights.all():  # what has no weight in the fit has none in its noise
+            self.sigma = self._noise(residual, self.weights > 0)
         if self.estimated and iteration == close:
-            quiet = robust_weights(residual, self.sigma, drop=True) > 0  # gross errors say nothing of poses
+            quiet = robust_weights(residual, self.sigma, self._found.kind) > 0  # gross errors say nothing of poses
             self.shared = shared_by_repeats(self._found, residual, quiet, self._degrees, self._leverage)
 
     def _freed(self, residual: Array) -> Array:
@@ -189,6 +187,12 @@ class _Rows:
         if self.shared.series is None:
             return residual
         return np.where(np.isfinite(residual), self.shared.series.freed(np.nan_to_num(residual)), np.nan)
+
+    def _noise(self, residual: Array, quiet: np.ndarray | None = None) -> Array:
+        if self._known is not None:
+            return np.full(residual.shape[1], self._known)
+        freed = self._freed(residual)
+        return robust_sigma(freed if quiet is None else freed[quiet], self._leverage, self._robust, self._found)
 
     def used(self, A: Array, Q: Array, solution: Solution, read: np.ndarray) -> None:
         """Note which part of each group's readings a solution has used up."""
@@ -203,7 +207,7 @@ class _Rows:
         """Return residuals (R, k) as `system` weighs them (scalars,), unread components dropped."""
         read = np.isfinite(residual)
         rows = np.where(read, residual, 0.0) * np.sqrt(self.weights)[:, None] / self.sigma
-        return self.shared.whiten(rows * np.sqrt(1 + self.shared.ratio))[read]
+        return self.shared.whiten(rows * np.sqrt(1 + self.shared.ratio), self.weights)[read]
 
 
 class _Iteration:
@@ -372,7 +376,7 @@ def system(
     w = (np.sqrt(weights)[:, None] / sigma * np.sqrt(1 + shared.ratio))[..., None]
     read = np.isfinite(state.residual)
     stacked = np.concatenate([state.J_p * scale, state.J_m, state.residual[..., None]], axis=2) * w
-    stacked = shared.whiten(np.where(read[..., None], stacked, 0.0))[read]
+    stacked = shared.whiten(np.where(read[..., None], stacked, 0.0), weights)[read]
     n = len(scale)
     return stacked[:, :n], stacked[:, n:-1], stacked[:, -1]
 

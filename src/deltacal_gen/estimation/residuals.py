@@ -14,6 +14,7 @@ from deltacal_gen.machine.registry import Array
 SMALLEST_SIGMA = 1e-7  # mm and rad: noise below this is rounding of what went before, not of a reading
 HUBER = 2.5  # standard deviations beyond which a reading's pull stops growing
 MOST_GROSS = 0.06  # of all readings: more than this are no errors of measurement but something left out
+MOST_WRONG = 0.2  # of points found in images: those of a part that is hidden or mirrored, and stray ones
 USUAL_COUNTS = 3  # readings that knowing the usual noise of an instrument is worth
 GROSS = 6.0  # standard deviations beyond which a reading is listed as a gross error
 
@@ -35,22 +36,23 @@ class Repeats:
     ratio: float | Array = 0.0
     series: Series | None = None
 
-    def whiten(self, values: Array) -> Array:
-        """Return rows (R, ...), of components (R, k, ...), with all that they share taken off."""
-        apart = self._apart(values)
+    def whiten(self, values: Array, weights: Array | None = None) -> Array:
+        """Return rows (R, ...), of components (R, k, ...), with all that they share taken off; `weights` (R,)."""
+        apart = self._apart(values, np.ones(len(values)) if weights is None else weights)
         return apart if self.series is None else self.series.freed(apart)
 
-    def _apart(self, values: Array) -> Array:
+    def _apart(self, values: Array, weights: Array) -> Array:
         if not np.any(self.ratio):
             return values
         order = np.argsort(self.group, kind="stable")
-        _, first, own, count = np.unique(self.group[order], return_index=True, return_inverse=True, return_counts=True)
-        count = count.reshape(-1, *[1] * np.ndim(self.ratio))
-        part = (1 - 1 / np.sqrt(1 + count * self.ratio)) / count
+        _, first, own = np.unique(self.group[order], return_index=True, return_inverse=True)
+        root = np.sqrt(weights[order]).reshape(-1, *[1] * (values.ndim - 1))
+        count = np.add.reduceat(weights[order], first).reshape(-1, *[1] * np.ndim(self.ratio))
+        part = (1 - 1 / np.sqrt(1 + count * self.ratio)) / np.maximum(count, 1e-300)
         part = part.reshape(*part.shape, *[1] * (values.ndim - part.ndim))
-        sums = np.add.reduceat(values[order], first, axis=0) * part
+        sums = np.add.reduceat(values[order] * root, first, axis=0) * part
         whitened = np.array(values, dtype=float)
-        whitened[order] -= sums[own]
+        whitened[order] -= sums[own] * root
         return whitened
 
     @staticmethod
@@ -139,11 +141,20 @@ def _median(values: Array) -> float:
     return float(np.partition(values, middle)[middle].mean())
 
 
-def robust_weights(residual: Array, sigma: Array, drop: bool) -> Array:
-    """Return Huber's weights (R,); with `drop` none for gross errors, unless they are too many to be errors."""
+def robust_weights(residual: Array, sigma: Array, drop: Kind | None = None) -> Array:
+    """Return Huber's weights (R,); none for gross errors of the kind `drop`, unless they are too many to be errors."""
     size = np.sqrt(np.nanmean((residual / sigma) ** 2, axis=1))
     weights = np.minimum(1.0, HUBER / np.maximum(size, 1e-300))
     gross = np.nanmax(np.abs(residual) / sigma, axis=1) > GROSS
-    if drop and gross.mean() <= MOST_GROSS:
+    if drop is not None and gross.mean() <= (MOST_WRONG if drop.picked else MOST_GROSS):
         weights[gross] = 0.0
     return weights
+
+
+def wrongly_found(residual: Array, found: Readings) -> np.ndarray:
+    """Return which readings (R,) are points found wrongly in images: they say nothing of the machine."""
+    if not found.kind.picked or not len(residual):
+        return np.zeros(len(residual), dtype=bool)
+    sigma = robust_sigma(residual, np.zeros(found.kind.noises), True, found)
+    wrong: np.ndarray = robust_weights(residual, sigma, found.kind) == 0
+    return wrong

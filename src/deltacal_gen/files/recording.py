@@ -34,6 +34,7 @@ from deltacal_gen.units import DEG, joint_factors, joint_names
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Machine
+    from deltacal_gen.results.parts import InstrumentState
 
 _JOINT_LIKE = re.compile(r"q\d", re.IGNORECASE)  # meant as joints, though perhaps misspelt
 _JOINT_OF_END = re.compile(r"q\d+[ab]_(deg|mm|rad)")
@@ -47,6 +48,7 @@ def read_recording(
     need_measured: bool = True,
     allow_targets: bool = False,
     doubtful: bool = False,
+    like: InstrumentState | None = None,
 ) -> Recording:
     """Read a recording with its sidecar and its distances file.
 
@@ -62,6 +64,8 @@ def read_recording(
         Whether positions without joints are taken as targets.
     doubtful : bool
         Whether channels are taken that hold values which cannot be, for `set_aside` to judge.
+    like : InstrumentState, optional
+        The instrument whose readings are asked for, where neither sidecar nor columns say another.
 
     Raises
     ------
@@ -70,7 +74,12 @@ def read_recording(
     """
     path = Path(path)
     rows, sidecar = read_table(path), read_sidecar(path)
-    how = {"need_measured": need_measured, "allow_targets": allow_targets, "doubtful": doubtful}
+    how: dict[str, Any] = {
+        "need_measured": need_measured,
+        "allow_targets": allow_targets,
+        "doubtful": doubtful,
+        "like": like,
+    }
     return recording_of_rows(rows, sidecar, mechanism, **how)
 
 
@@ -82,9 +91,10 @@ def recording_of_rows(
     need_measured: bool = True,
     allow_targets: bool = False,
     doubtful: bool = False,
+    like: InstrumentState | None = None,
 ) -> Recording:
     """Return a table that has been read as a recording; see `read_recording`."""
-    recording = _recording(rows.path, rows, sidecar, mechanism, need_measured, allow_targets, doubtful)
+    recording = _recording(rows.path, rows, sidecar, mechanism, need_measured, allow_targets, doubtful, like)
     if need_measured and not _is_measured(recording):
         raise _no_reading(recording)
     return recording
@@ -97,6 +107,7 @@ def recording_of(
     need_measured: bool = True,
     allow_targets: bool = False,
     doubtful: bool = False,
+    like: InstrumentState | None = None,
 ) -> Recording:
     """Return a data frame, or what makes one (``to_dataframe()``, as of xarray), as a recording.
 
@@ -117,7 +128,12 @@ def recording_of(
     path = Path("data frame")
     rows = Rows(path, cells, np.arange(1, len(table) + 1), None)
     sidecar = TomlFile(path, "", {"measurement": said}).check(Sidecar)
-    how = {"need_measured": need_measured, "allow_targets": allow_targets, "doubtful": doubtful}
+    how: dict[str, Any] = {
+        "need_measured": need_measured,
+        "allow_targets": allow_targets,
+        "doubtful": doubtful,
+        "like": like,
+    }
     return recording_of_rows(rows, sidecar, mechanism, **how)
 
 
@@ -178,6 +194,7 @@ def _recording(
     need_measured: bool,
     allow_targets: bool,
     doubtful: bool,
+    like: InstrumentState | None = None,
 ) -> Recording:
     """Return the rows of a file as a recording."""
     measurement = measurement_of(sidecar)
@@ -191,8 +208,11 @@ def _recording(
     else:
         joints = _joints(rows, mechanism)
 
-    kind = _kind(rows, measurement.kind, mechanism, pairs is not None, need_measured)
+    asked = None if like is None or pairs is not None else kind_of(like.kind)
+    kind = _kind(rows, measurement.kind, mechanism, pairs is not None, need_measured, asked)
     columns = kind.read_in(kind.columns(mechanism), rows.columns)
+    if like is not None and like.columns and kind == asked:
+        columns = like.columns
     kind.check(measurement, sidecar.contacts.distance_mm, rows.columns, path.with_suffix(".toml"))
     pose = rows.labels("pose") or [str(n + 1) for n in range(len(joints))]
     setup_names, setup = np.unique(rows.labels("setup", blank=False) or ONE_SETUP * len(joints), return_inverse=True)
@@ -287,12 +307,21 @@ def _joints(rows: Rows, mechanism: Machine) -> np.ndarray:
     return joints
 
 
-def _kind(rows: Rows, said: str | None, mechanism: Machine, paired: bool, need_measured: bool) -> Kind:
-    """Kind of the recording: what the sidecar says, checked against the columns, or what the columns say."""
+def _kind(
+    rows: Rows, said: str | None, mechanism: Machine, paired: bool, need_measured: bool, asked: Kind | None
+) -> Kind:
+    """Kind of the recording: what the sidecar says, checked against the columns, or what the columns say.
+
+    Where neither says anything else, it is the one that is asked for.
+    """
     columns = {kind: kind.columns(mechanism) for kind in map(kind_of, kinds.names())}
     present = _present(columns, rows.columns)
     stated = None if said is None else kind_of(said)
     stated = next((kind for kind in present if stated is not None and kind.under == stated.name), stated)
+    if asked is not None and (stated is None or asked.under == stated.name):
+        own = {*columns[asked], *asked.known}
+        if not any({*columns[kind]} & {*rows.columns} - own for kind in present):
+            return asked
     known = () if stated is None else stated.known
     present = [kind for kind in present if not {*columns[kind]} & {*rows.columns} <= {*known}]
     between = [kind for kind in (stated, *present) if kind is not None and kind.pairs]

@@ -124,7 +124,7 @@ def result_of(found: Identification) -> Result:
         iterations=len(final.history),
         physics=tuple(map(kept_term, problem.held)),
         physics_not_held=found.not_held,
-        instrument=final.instrument.kept(recording.setup_names, recording.measurement.zero),
+        instrument=final.instrument.kept(recording.setup_names, recording.measurement.zero, recording.columns),
         robot=kept_robot(found.robot),
         uncertainty=found.uncertainty,
         unit=unit and unit[0],

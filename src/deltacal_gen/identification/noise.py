@@ -11,6 +11,7 @@ from deltacal_gen.estimation.residuals import Repeats, lengths
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording
+from deltacal_gen.physics.motion import with_motion
 from deltacal_gen.results.parts import NoiseModel, Source
 
 PROVEN = 4.0  # standard deviations by which one noise must exceed another to be called larger
@@ -92,10 +93,10 @@ def noise_model(final: Fit) -> NoiseModel:
 
 
 def _repeats(found: Readings, recording: Recording) -> np.ndarray:
-    """Return groups (R,) of readings of one pose with every channel but time alike."""
+    """Return groups (R,) of readings of one pose with every channel but time alike, the way joints came among them."""
     channels = [
         _levels(v)
-        for name, v in sorted(recording.channels.items())
+        for name, v in sorted(with_motion(recording).channels.items())
         if name != "time_s" and not name.startswith("true_")
     ]
     if found.rows.shape[1] != 1 or not channels:

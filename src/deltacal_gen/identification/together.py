@@ -67,4 +67,6 @@ def _rows(at: Fit, values: Array) -> Array:
     weights = np.where(at.weights < HUBER / GROSS, at.weights, 1.0)
     w = np.sqrt(weights)[:, None] / at.sigma[read] * np.sqrt(1 + ratio)
     each = np.where(np.isfinite(at.residual).reshape(*at.residual.shape, *[1] * (values.ndim - 2)), values, 0.0)
-    return Repeats(at.repeats.group, ratio).whiten(each[:, read] * w.reshape(*w.shape, *[1] * (values.ndim - 2)))
+    return Repeats(at.repeats.group, ratio).whiten(
+        each[:, read] * w.reshape(*w.shape, *[1] * (values.ndim - 2)), weights
+    )

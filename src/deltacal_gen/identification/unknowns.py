@@ -105,11 +105,12 @@ class Unknowns:
         return self._covariance(1.0, 1.0), self._covariance(FREER, 1.0), self._covariance(FREER, FREER)
 
     def _named(self) -> list[tuple[int, int, int]]:
-        """Return set-up, unknown and place among all of each unknown that has a name."""
+        """Return set-up, unknown and place among all of each unknown that has a name, of set-ups that were read."""
         at, n = self.instrument, len(self.final.problem.scale)
         each = len(at.free)
         wanted = [k for k, u in enumerate(at.free) if at.kind.unknown[u][0] in at.kind.reported]
-        return [(s, at.free[k], n + s * each + k) for s in range(len(at.state)) for k in wanted]
+        read = np.unique(self.final.problem.readings.setup)
+        return [(int(s), at.free[k], n + int(s) * each + k) for s in read for k in wanted]
 
     def _status(self, j: int) -> Status:
         own, loose, looser = (np.sqrt(C[j, j]) for C in self._stages)

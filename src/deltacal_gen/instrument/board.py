@@ -146,35 +146,48 @@ def nearest(A: Array) -> Array:
 def hand_eye(M: Array, t: Array, S: Array, s: Array) -> tuple[Array, Array, Array, Array]:
     """Return C, f, B, g from boards (M, t) as cameras see them, and their part (S, s): the best of alternations.
 
-    They begin at all turns by right angles. Where nothing turns, the camera sits at the origin of its part.
+    They begin at all turns by right angles. Images whose board stands elsewhere than the others have it, since of their
+    few points one was found wrongly, have little pull. Where nothing turns, the camera sits at the origin of its part.
     """
     turning = float(np.abs(S - S.mean(axis=0)).max()) > TILTED
-    reach = max(float(np.linalg.norm(t - t.mean(axis=0), axis=1).max()), 1e-9)
+    reach = max(float(np.median(np.linalg.norm(t - np.median(t, axis=0), axis=1))), 1e-9)
     best, least = None, np.inf
     for C in _right_angles():
+        weights = np.ones(len(M))
         for _ in range(ROUNDS):
-            B = nearest(np.einsum("nji,kj,nkl->il", S, C, M))
-            g, f = _places(C, t, S, s, turning)
+            B = nearest(np.einsum("n,nji,kj,nkl->il", weights, S, C, M))
+            g, f = _places(C, t, S, s, turning, weights)
             inner = np.einsum("nij,j->ni", S, g) + s
-            pull = np.einsum("nij,kj,njl->il", M, B, np.swapaxes(S, 1, 2)) * reach**2
-            before, C = C, nearest(pull + (t - f).T @ inner)
+            pull = np.einsum("n,nij,kj,njl->il", weights, M, B, np.swapaxes(S, 1, 2)) * reach**2
+            before, C = C, nearest(pull + ((t - f) * weights[:, None]).T @ inner)
+            off = _apart((C, f, B, g), M, t, S, s, reach)
+            weights = np.minimum(1.0, np.median(off) / np.maximum(off, 1e-300))
             if np.abs(C - before).max() < SETTLED:
                 break
-        g, f = _places(C, t, S, s, turning)
-        off = t - (np.einsum("nij,j->ni", S, g) + s) @ C.T - f
-        turned = M - np.einsum("ij,njk,kl->nil", C, S, B)
-        if (cost := float((off**2).sum() + reach**2 * (turned**2).sum())) < least:
+        g, f = _places(C, t, S, s, turning, weights)
+        if (cost := float(np.sum(_apart((C, f, B, g), M, t, S, s, reach)))) < least:
             best, least = (C, f, B, g), cost
     assert best is not None
     return best
 
 
-def _places(C: Array, t: Array, S: Array, s: Array, turning: bool) -> tuple[Array, Array]:
-    """Return g and f by least squares; f is zero where nothing turns."""
+def _apart(at: tuple[Array, Array, Array, Array], M: Array, t: Array, S: Array, s: Array, reach: float) -> Array:
+    """Return how far boards stand (n,) [mm] from where camera and board `at` have them; turns count at `reach`."""
+    C, f, B, g = at
+    off = t - (np.einsum("nij,j->ni", S, g) + s) @ C.T - f
+    turned = M - np.einsum("ij,njk,kl->nil", C, S, B)
+    apart: Array = np.sqrt((off**2).sum(axis=1) + reach**2 * (turned**2).sum(axis=(1, 2)))
+    return apart
+
+
+def _places(C: Array, t: Array, S: Array, s: Array, turning: bool, weights: Array) -> tuple[Array, Array]:
+    """Return g and f by least squares, images weighed; f is zero where nothing turns."""
     A = np.einsum("ij,njk->nik", C, S)
     if turning:
         A = np.concatenate([A, np.tile(np.eye(3), (len(A), 1, 1))], axis=2)
-    found = np.linalg.lstsq(A.reshape(-1, A.shape[2]), (t - s @ C.T).ravel(), rcond=None)[0]
+    root = np.sqrt(weights)[:, None]
+    rows, b = (A * root[..., None]).reshape(-1, A.shape[2]), ((t - s @ C.T) * root).ravel()
+    found = np.linalg.lstsq(rows, b, rcond=None)[0]
     return found[:3], found[3:] if turning else np.zeros(3)
 
 
@@ -228,9 +241,12 @@ def _cost(r: Array, weights: Array) -> float:
 def _weighed(instrument: Instrument, found: Readings, x: Array) -> tuple[Array, Array]:
     """Return residuals (R, 2) and Huber's weights (R,) of them."""
     r = instrument.residual(found, x)
-    size = np.linalg.norm(r, axis=1)
-    spread = max(float(np.median(size)) / 1.1774, 1e-12)
-    return r, np.minimum(1.0, HUBER * spread / np.maximum(size, 1e-300))
+    return r, np.minimum(1.0, HUBER * _spread(r) / np.maximum(np.linalg.norm(r, axis=1), 1e-300))
+
+
+def _spread(r: Array) -> float:
+    """Return the standard deviation of a coordinate that the middle of residuals (R, 2) speaks for."""
+    return max(float(np.median(np.linalg.norm(r, axis=1))) / 1.1774, 1e-12)
 
 
 def unseen(
@@ -241,7 +257,7 @@ def unseen(
     Of unknowns that stand for one another those of `last` go first.
     """
     r, weights = _weighed(instrument, found, x)
-    sigma = max(float(np.sqrt(np.mean(weights[:, None] * r**2))), 1e-9)
+    sigma = _spread(r)
     J = instrument.linearise(found, x, np.zeros((len(x), 6, 0)))[1]
     A = (J * np.sqrt(weights)[:, None, None]).reshape(-1, J.shape[2]) * size / sigma
     each, gone = len(instrument.free), set[int]()

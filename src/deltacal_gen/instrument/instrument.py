@@ -54,9 +54,11 @@ class Instrument:
     def unknown(self) -> tuple[tuple[str, str], ...]:
         """Name and unit of each unknown, set-up by set-up."""
         named = [self.kind.unknown[j] for j in self.free]
-        several = len(self.state) > 1
+        several = len(self.state) > 1 or self.kind.stays
         return tuple(
-            (f"{name}_{s + 1}" if several else name, unit) for s in range(len(self.state)) for name, unit in named
+            (f"{name}_{s + 1}" if several else name, self.kind.unit_of(unit, row))
+            for s, row in enumerate(self.state)
+            for name, unit in named
         )
 
     def ends(self, found: Readings, x: Array) -> tuple[Array, ...]:
@@ -157,18 +159,20 @@ class Instrument:
 
     @property
     def reported(self) -> dict[str, str]:
-        """Unknowns that answers give by name, and their units in files."""
-        units = (("px" if name.endswith("_px") else file_unit(unit)) for name, unit in self.unknown)
-        kinds = [self.kind.unknown[j][0] for _ in self.state for j in self.free]
-        named = zip(self.unknown, units, kinds, strict=True)
+        """Unknowns that answers give by name, free or not, and their units in files."""
+        each = dataclasses.replace(self, free=tuple(range(len(self.kind.unknown))))
+        units = (("px" if name.endswith("_px") else file_unit(unit)) for name, unit in each.unknown)
+        kinds = [self.kind.unknown[j][0] for _ in self.state for j in each.free]
+        named = zip(each.unknown, units, kinds, strict=True)
         return {name: unit for (name, _), unit, own in named if own in self.kind.reported}
 
     def unit(self, columns: Sequence[str]) -> tuple[str, float] | None:
         """Return the unit of readings in columns of a file and what it is at the platform [mm]; None of lengths."""
-        name = columns[0].rpartition("_")[2] if columns else "mm"
+        names = {name.rpartition("_")[2] for name in columns}
+        name = "mm" if "mm" in names or not names else min(names)
         return None if name == "mm" else (name, self.scale * (DEG if name == "deg" else 1.0))
 
-    def kept(self, setups: Sequence[str], zero: str) -> InstrumentState:
+    def kept(self, setups: Sequence[str], zero: str, columns: Sequence[str] = ()) -> InstrumentState:
         """Return what an answer keeps of it, and of the recording that it was found by; see `kinds.instrument_of`."""
         return InstrumentState(
             kind=self.kind.name,
@@ -179,6 +183,7 @@ class Instrument:
             ties=self.ties,
             setups=tuple(setups),
             zero=zero,
+            columns=tuple(columns) if len(columns) == 1 < self.kind.width else None,
         )
 
 

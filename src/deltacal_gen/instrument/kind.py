@@ -79,6 +79,8 @@ class Kind:
         Whether rows may be samples of a motion, which tells how joints came and how fast; whole runs are then held out.
     follows : bool
         Whether the instrument's unknowns follow the machine along arcs, so that they are fitted again after each step.
+    picked : bool
+        Whether readings are points found in images one by one, some of them wrongly.
     probed : bool
         Whether a machine's own firmware takes such readings: a few, of roughly known noise.
     usual_noise : float
@@ -99,6 +101,7 @@ class Kind:
     apart: ClassVar[bool] = False
     in_motion: ClassVar[bool] = False
     follows: ClassVar[bool] = False
+    picked: ClassVar[bool] = False
     probed: ClassVar[bool] = False
     usual_noise: ClassVar[float] = 0.1  # a caliper's
     second_point: ClassVar[bool] = False
@@ -214,6 +217,10 @@ class Kind:
     def wanted(self, said: Measurement) -> tuple[int, ...]:
         """Return which unknowns a sidecar leaves to be found, seen or not."""
         return () if said.frame == "robot" else tuple(range(len(self.unknown)))
+
+    def unit_of(self, unit: str, state: Array) -> str:
+        """Return the unit inside of an unknown that the derivation calls `unit`, of an instrument in a state (g,)."""
+        return unit
 
     @property
     def noises(self) -> int:

@@ -189,7 +189,7 @@ class Chain(Machine):
         return found
 
     def moves(self, robot: Robot) -> dict[str, dict[str, Array]]:
-        """Return what effects move: ``arm``, the tables of a joint's link along their own lines; and what gives way."""
+        """Return what effects move: ``arm``, tables of a joint's link along their own lines; zeros; what gives way."""
         length = self._length(robot)
         line = length @ self._carried
         share = self._carried * (length[:, None] / np.where(line > 0, line, 1.0))
@@ -199,7 +199,9 @@ class Chain(Machine):
         lines = self._lines(self.rows(robot))
         bends = own * (np.linalg.norm(lines, axis=1) > NO_LINE)
         give_way = {name: own if name.startswith(("side", "tilt")) else bends for name in self.deflections}
+        slides = np.array([self.links[k].kind == "prismatic" for k in self._moving], dtype=float)
         found = {"arm": {key: direction[:, None] * share for key, direction in along.items()}}
+        found["offset"] = {"theta": own * (1 - slides), "d": own * slides}
         return found | {name: {name: much} for name, much in give_way.items()}
 
     def _length(self, robot: Robot) -> Array:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import dataclasses
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -174,7 +174,7 @@ class TwoClocks:
         return out
 
 
-def two_clocks(path: Path, machine: Machine, *, need_measured: bool = True, **how: bool) -> TwoClocks | None:
+def two_clocks(path: Path, machine: Machine, *, need_measured: bool = True, **how: Any) -> TwoClocks | None:
     """Read a recording whose sidecar says that it has two clocks; None of any other.
 
     Raises

@@ -129,9 +129,19 @@ def stages(axes: Axes, result: Result) -> None:
     axes.set_title("What each stage leaves", pad=16)
 
 
+def _nothing(axes: Axes, title: str, words: str) -> None:
+    """Say in words why there is no picture."""
+    axes.text(0.5, 0.5, words, ha="center", va="center", color=MUTED)
+    axes.set_axis_off()
+    axes.set_title(title)
+
+
 def readings(axes: Axes, result: Result) -> None:
     """Draw the singular values of the identification matrix, and where they stop counting."""
     s = result.singular_values
+    if not len(s):
+        _nothing(axes, "The readings see", "no source error: joints are read, not the platform")
+        return
     axes.semilogy(np.arange(1, len(s) + 1), np.maximum(s / s[0], 1e-17), ".", color=AFTER)
     axes.axhline(result.rank_tolerance, color=MUTED, lw=1, ls="--")
     decades(axes.yaxis)
@@ -148,11 +158,7 @@ def parameters(axes: Axes, result: Result) -> None:
     shown = sorted(told, key=lambda both: -abs(both[0].value) / both[1])[:14]
     title = "Parameters found, with 2 standard deviations"
     if not shown:
-        axes.text(
-            0.5, 0.5, "no single parameter is identified,\nonly combinations", ha="center", va="center", color=MUTED
-        )
-        axes.set_axis_off()
-        axes.set_title(title)
+        _nothing(axes, title, "no single parameter is identified,\nonly combinations")
         return
     for i, (p, std) in enumerate(shown):
         colour = AFTER if p.unit == "mm" else "#5a8f69"
@@ -168,8 +174,7 @@ def workspace(axes: Axes, result: Result) -> None:
     """Draw the standard deviation of the tool position over the workspace."""
     found = result.workspace
     if not found:
-        axes.text(0.5, 0.5, "the robot file has no workspace", ha="center", va="center", color=MUTED)
-        axes.set_axis_off()
+        _nothing(axes, "", "the robot file has no workspace")
         return
     points = np.array([p.target_mm for p in found.points])
     size = np.linalg.norm([p.std_mm for p in found.points], axis=1)

@@ -205,8 +205,8 @@ class Body:
 
     def theta(self, q: Array, rows: Array) -> Array:
         """Return the joints as the geometry sees them (N, n_q): moved by effects, q, and by errors of their zeros."""
-        offsets = self._moves["offset"].items()
-        theta: Array = q + sum(rows[:, :, self.mechanism.column(name)] @ much for name, much in offsets)
+        offsets = self._moves.get("offset", {}).items()  # none of carriages: their endstops are of the geometry
+        theta: Array = q + sum((rows[:, :, self.mechanism.column(name)] @ much for name, much in offsets), np.zeros(1))
         return theta
 
     def _loads(self, wanted: set[str], x: Array, q: Array, rows: Array, limbs: Sequence[int]) -> dict[str, Array]:

@@ -70,6 +70,8 @@ class InstrumentState(Value):
     setups: tuple[str, ...]
     """Names of the set-ups, in the order of the rows."""
     zero: str
+    columns: tuple[str, ...] | None = None
+    """Of the readings, where they stand in fewer than their kind has: one coordinate alone."""
 
 
 class MachineState(Value):

@@ -83,6 +83,8 @@ class Validation(Answer):
     """Of the readings, where they are no lengths: px, deg. Each of their figures stands in this unit beside mm."""
     unit_mm: float | None = None
     """What one unit is at the platform."""
+    gross_errors: tuple[int, ...] | None = None
+    """Lines of points that were found wrongly in images, which no figure counts; left out of other readings."""
     outside_law: int | None = None
     """Rows outside the range in which a law of the diagnosis was found; left out where it has none."""
     iso9283: Iso9283 | None = None

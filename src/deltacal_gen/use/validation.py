@@ -15,7 +15,7 @@ import numpy as np
 
 from deltacal_gen.diagnosis.spectrum import never_seen
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.estimation.residuals import lengths
+from deltacal_gen.estimation.residuals import lengths, wrongly_found
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.instrument.kinds import instrument_of, readings
 from deltacal_gen.instrument.readings import Readings
@@ -69,7 +69,9 @@ def validate(result: Result | Diagnosis, recording: Recording) -> Validation:
     else:
         r = residual(result, recording, found, Place(recording, found, frozenset(anew)))
         left, placed = _left_out(result, recording, found, anew, r)
-    answer = figures(result.sigma_mm, [(found, left)])
+    wrong = wrongly_found(left, found)
+    left[wrong], r[wrong] = np.nan, np.nan
+    answer = figures(result.sigma_mm, [(found.subset(~wrong), left[~wrong])])
     degrees = answer.degrees_of_freedom - sum(p.unknowns for p in placed)
     if placed:
         squares = float(np.nansum(lengths(r, found.kind) ** 2))
@@ -84,6 +86,7 @@ def validate(result: Result | Diagnosis, recording: Recording) -> Validation:
     return answer.replace(
         unit=unit and unit[0],
         unit_mm=unit and unit[1],
+        gross_errors=tuple(found.line[wrong].tolist()) if found.kind.picked else None,
         outside_law=int(beyond_laws(result, recording).sum()) if has_law(result) else None,
         never_seen=never_seen(result.seen, calibrated_robot(result).joint_sign * recording.joints),
         iso9283=_repeated(found, left) if found.kind.positions else None,
@@ -124,7 +127,7 @@ def _elsewhere(
 
 
 def _rms(r: Array, found: Readings) -> float:
-    read = lengths(r, found.kind)
+    read = lengths(r[~wrongly_found(r, found)], found.kind)
     read = read[np.isfinite(read)]
     return float(np.sqrt(np.mean(read**2))) if len(read) else 0.0
 
@@ -243,7 +246,7 @@ def _distances(found: Readings, r: Array, several: list[int]) -> dict[str, float
     for a, b in itertools.pairwise(several):
         first, second = found.group == a, found.group == b
         if first.sum() == second.sum():
-            at, to = found.values[first], found.values[second]
+            at, to = np.nan_to_num(found.values[first]), np.nan_to_num(found.values[second])
             wanted = np.linalg.norm((to - r[second, :3]).mean(axis=0) - (at - r[first, :3]).mean(axis=0))
             figures.append(iso9283.distance(at, to, float(wanted)))
     if not figures:

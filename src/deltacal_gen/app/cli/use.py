@@ -211,10 +211,9 @@ def _show_validation(found: Validation) -> None:
     """Print the error against the noise, and what is said of it."""
     from deltacal_gen.diagnosis.spectrum import words
 
-    screen.print(
-        f"{found.readings} readings: rms {found.rms_mm:.4f} mm, largest {found.worst_mm:.4f} mm "
-        f"(noise {found.sigma_mm:.4f} mm)"
-    )
+    screen.print(found.headline)
+    if found.gross_errors:
+        screen.print(f"points found wrongly in lines {', '.join(map(str, found.gross_errors))}: no figure counts them")
     for p in found.placed or ():
         screen.print(_placed(p))
     if found.outside_law:

@@ -61,7 +61,8 @@ def as_known(known: Result | Diagnosis, recording: Any, robot: Robot, *, need_me
 
     given = clocks_of(recording, robot, need_measured=need_measured)
     if given is None:
-        return as_recording(recording, robot, need_measured=need_measured)
+        like = None if need_measured else known.instrument
+        return as_recording(recording, robot, need_measured=need_measured, like=like)
     return given.at(known_clock(known, given), need_joints=not need_measured)
 
 

@@ -41,7 +41,7 @@ def as_robot(robot: Source | Robot) -> Robot:
     return robot if isinstance(robot, Robot) else read_robot(robot)
 
 
-def as_recording(recording: Source | Recording | Frame, robot: Robot, **how: bool) -> Recording:
+def as_recording(recording: Source | Recording | Frame, robot: Robot, **how: Any) -> Recording:
     if isinstance(recording, Recording):
         return recording
     if not isinstance(recording, str | Path):

@@ -38,6 +38,7 @@ class BoardImage(Kind):
     """Points of a board in images. What of the lens the sidecar leaves out is found with where camera and board are."""
 
     aliases: ClassVar[tuple[str, ...]] = ("board image",)
+    picked: ClassVar[bool] = True
     usual_noise: ClassVar[float] = 0.05
     rotation_beside: ClassVar[bool] = False
     reported: ClassVar[Mapping[str, int]] = {"board_scale": SCALE} | {n: LENS.start + k for k, n in enumerate(NAMES)}
@@ -55,6 +56,11 @@ class BoardImage(Kind):
             "the camera over the board to {accuracy:.2g} % of itself",
         ),
     )
+
+    @property
+    def places(self) -> dict[int, int]:
+        """Where in the state unknowns with a name stand: {unknown: place}."""
+        return {u: self.reported[name] for u, (name, _) in enumerate(self.unknown) if name in self.reported}
 
     @property
     def per_pose(self) -> int:
@@ -105,17 +111,17 @@ class BoardImage(Kind):
 
     def _settled(self, instrument: Instrument, found: Readings, x: Array) -> Instrument:
         """Return the instrument fitted alone, free in what the readings show of it."""
-        instrument = board.fitted(instrument, found, x)
+        first, instrument = instrument, board.fitted(instrument, found, x)
         size = np.tile(self.typical[list(instrument.free)], len(instrument.state))
         unseen = board.unseen(instrument, found, x, size, KNOWN_BY, PLACE)
         if not unseen:
             return instrument
         free = tuple(u for u in instrument.free if u not in unseen)
+        begun = [place for u, place in self.places.items() if u in unseen]
         state = instrument.state.copy()
+        state[:, begun] = first.state[:, begun]  # not where a fit has led that could not know
         if set(PLACE) <= unseen:  # then it sits where the part that carries it has its origin
-            moved = board.at_origin(instrument, found, x)
-            instrument = dataclasses.replace(instrument, state=moved)
-            state = moved
+            state = board.at_origin(dataclasses.replace(instrument, state=state), found, x)
         return board.fitted(dataclasses.replace(instrument, state=state, free=free), found, x)
 
     def drawn(

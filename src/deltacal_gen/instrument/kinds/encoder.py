@@ -23,7 +23,8 @@ MOST_JOINTS = 32  # of a machine whose columns are reserved
 class Encoder(Kind):
     """Second encoders, each with a zero of its own: of a recording's rows, one reading for every joint that has one.
 
-    The set-up of a reading is its joint, counted from 0: the encoders are part of the machine.
+    The set-up of a reading is its joint, counted from 0: the encoders are part of the machine. Where some joints turn
+    and others slide, readings of the former count as arcs of `scale` mm: the encoder's sign has that factor.
     """
 
     stays: ClassVar[bool] = True
@@ -55,7 +56,7 @@ class Encoder(Kind):
         return Readings(
             self,
             rows[:, None],
-            recording.measured[rows, joints, None],
+            (recording.measured * self._arcs(recording))[rows, joints, None],
             None,
             joints,
             pose[rows],
@@ -75,7 +76,20 @@ class Encoder(Kind):
         """Return the recording with these readings, each in the column of its joint."""
         measured = np.full(recording.joints.shape, np.nan)
         measured[found.rows[:, 0], found.setup] = values[:, 0]
-        return dataclasses.replace(recording, measured=measured)
+        return dataclasses.replace(recording, measured=measured / self._arcs(recording))
+
+    def _arcs(self, recording: Recording) -> Array:
+        """Return how much a unit of each joint (n_q,) counts: alone among joints of its sort, one."""
+        turns = self._turns(recording)
+        return np.where(turns, self.scale, 1.0) if 0 < turns.sum() < len(turns) else np.ones(len(turns))
+
+    @staticmethod
+    def _turns(recording: Recording) -> np.ndarray:
+        return np.array([unit == "rad" for unit in of_joints(recording.joint_unit, recording.joints.shape[1])])
+
+    def unit_of(self, unit: str, state: Array) -> str:
+        """Return the unit of a zero: of a joint that turns, or slides."""
+        return "rad" if state[2] else "mm"
 
     def spreads(self, recording: Recording, joints: Array) -> Iterator[tuple[str, float, float]]:
         """Yield nothing: the readings' size says nothing of the machine's."""
@@ -93,10 +107,11 @@ class Encoder(Kind):
 
     def _mounted(self, recording: Recording, robot: Robot, zeros: Array) -> Instrument:
         """Return encoders that count as the controller does, each from its zero (n_q,)."""
-        sign = np.broadcast_to(robot.joint_sign, zeros.shape)
-        turning = "rad" in of_joints(recording.joint_unit, len(zeros))
+        turns = self._turns(recording)
+        sign = robot.joint_sign * self._arcs(recording)
         free = () if recording.measurement.frame == "robot" else (0,)
-        return Instrument(self, np.column_stack([sign, zeros]), free, self.scale if turning else 1.0)
+        state = np.column_stack([sign, zeros, turns])
+        return Instrument(self, state, free, self.scale if turns.all() else 1.0)
 
     def start(self, found: Readings, recording: Recording, robot: Robot, x: Array) -> Instrument:
         """Return the encoders with the zeros that fit the middle of their readings."""
@@ -105,8 +120,8 @@ class Encoder(Kind):
             return at
         r, zeros = at.residual(found, x)[:, 0] / at.scale, np.zeros(x.shape[1])
         for joint in np.unique(found.setup):
-            zeros[joint] = at.state[joint, 0] * np.median(r[found.setup == joint])
-        return dataclasses.replace(at, state=np.column_stack([at.state[:, 0], zeros]))
+            zeros[joint] = np.median(r[found.setup == joint]) / at.state[joint, 0]
+        return self._mounted(recording, robot, zeros)
 
     def drawn(
         self, recording: Recording, robot: Robot, x: Array, frame: Frame | None, rng: np.random.Generator | None
@@ -128,7 +143,8 @@ class Encoder(Kind):
     def imagined(self, x: Array, sets: int, mechanism: Machine, said: Measurement) -> tuple[Readings, Instrument]:
         """Return a reading of every joint at joints x (N, n_q)."""
         rows, joints = self._every(*x.shape)
-        state = np.column_stack([np.ones(x.shape[1]), np.zeros(x.shape[1])])
+        turns = [unit == "rad" for unit in of_joints(mechanism.joint_unit, x.shape[1])]
+        state = np.column_stack([np.ones(x.shape[1]), np.zeros(x.shape[1]), turns])
         return self.taken(rows[:, None], joints), Instrument(self, state, (0,), self.scale)
 
 

@@ -23,6 +23,7 @@ from deltacal_gen.machine.values import Measurement, Recording, Robot
 class Pose(Position):
     """Positions and rotations."""
 
+    aliases: ClassVar[tuple[str, ...]] = ()
     in_blocks: ClassVar[bool] = False
     second_point: ClassVar[bool] = False
     rotation_beside: ClassVar[bool] = False

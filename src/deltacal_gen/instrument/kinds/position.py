@@ -64,6 +64,7 @@ class Position(Kind):
     """Positions of the measured point."""
 
     positions: ClassVar[bool] = True
+    aliases: ClassVar[tuple[str, ...]] = ("one axis",)
     in_blocks: ClassVar[bool] = True
     second_point: ClassVar[bool] = True
     more_poses: ClassVar[bool] = True
