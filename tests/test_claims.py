@@ -206,3 +206,34 @@ def test_what_does_not_exist_is_refused() -> None:
         claims(paper="plato")
     with pytest.raises(UsageError, match="no status 'true'; known: proved"):
         claims(status="true")
+
+
+def test_every_deciding_test_has_an_outcome_a_day_and_the_hash_of_its_sources() -> None:
+    tests = {c.test for name in ledger.paper_names() for c in ledger.load_paper(name).claims}
+    ended = ledger.decided()
+    assert ended.keys() == tests, "run python -m tests.decided"
+    assert {end["outcome"] for end in ended.values()} == {"passed"}
+    assert all(len(end["sources"]) == 64 and len(end["date"]) == 10 for end in ended.values())
+    claim = ledger.load_paper("bai").claims[0]
+    end = ended[claim.test]
+    page = " ".join(ledger.page({"bai": "Bai"}, [claim]).split())
+    assert f'<b class="passed">passed</b> {end["date"]}, sources <code title="{end["sources"]}">' in page
+
+
+def test_the_hash_of_sources_is_of_what_is_derived_and_of_the_test(tmp_path: Path) -> None:
+    for name in (
+        "derive/statics.py",
+        "derive/mechanisms/delta.py",
+        "generated/deltacal_kernels/delta/a.py",
+        "tests/t.py",
+    ):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text("x = 1\n")
+    before = ledger.sources(tmp_path, "tests/t.py::test_x")
+    for name in ("derive/mechanisms/delta.py", "generated/deltacal_kernels/delta/a.py", "tests/t.py"):
+        (tmp_path / name).write_text("x = 2\n")
+        now = ledger.sources(tmp_path, "tests/t.py::test_x")
+        assert now != before
+        before = now
+    (tmp_path / "derive/other.py").write_text("")
+    assert ledger.sources(tmp_path, "tests/t.py::test_x") == before

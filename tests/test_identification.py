@@ -405,3 +405,12 @@ def test_every_solver_finds_a_well_measured_machine_and_says_what_it_did(
 def test_results_do_not_change_from_run_to_run(robot: Robot, eighteen: dict[str, float]) -> None:
     recording = noisy(robot, eighteen)
     assert identify(robot, recording, "18").answer() == identify(robot, recording, "18").answer()
+
+
+def test_a_pose_under_two_names_gives_no_distance_to_itself(robot: Robot, eighteen: dict[str, float]) -> None:
+    given = wanted(np.vstack([rings(robot, 9), rings(robot, 9)[:3]]))
+    recording = simulate(robot, given, eighteen, noise_mm=0.005, rng=np.random.default_rng(1))
+    assert len(np.unique(recording.pose)) == recording.n_rows
+    found = identify(robot, recording, "18", as_distance=True)
+    assert found.fit.problem.readings.rows.tolist().count([0, 19]) == 0
+    assert 0.002 < found.answer().train_rms_mm < 0.008

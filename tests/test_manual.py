@@ -14,6 +14,7 @@ All other blocks are read: commands and options must exist, Python must compile 
 from __future__ import annotations
 
 import contextlib
+import importlib.util
 import io
 import json
 import re
@@ -39,6 +40,7 @@ from tests.measured import write
 ROOT = Path(__file__).resolve().parents[1]
 README = ROOT / "README.md"
 PAGES = (manual.CONTENTS, *manual.topics())
+TOOLS = ("pytest", "ruff", "mypy", "venv", "pip")  # modules of others that pages run
 ALIKE = 0.01  # numbers of two machines
 _FENCE = re.compile(r"^( *)```(.*)\n((?:.*\n)*?)\1```$", re.MULTILINE)
 _SPAN = re.compile(r"`((?:deltacal|make|python -m) [^`]+)`")
@@ -172,6 +174,8 @@ def _known(words: list[str], where: str, *, whole: bool) -> None:
     """Assert that a command exists with its options; `whole`: that it could be run as it stands."""
     if words[0] == "make":
         assert f"\n{words[1]}:" in (ROOT / "Makefile").read_text(), where
+    elif words[:2] == ["python", "-m"] and words[2] in TOOLS:
+        assert importlib.util.find_spec(words[2]) is not None, where
     elif words[0] == "python":
         place = ROOT / words[2].replace(".", "/")
         assert words[1] == "-m", where

@@ -578,3 +578,11 @@ def test_samples_at_rest_take_no_part(diagnosed: Any) -> None:
     assert all(0.1 < v < 1.0 for v in below)
     assert all(0 < n < 0.1 * 4800 for n in diagnosed["motion"]["at_rest"])
     assert joint.AT_REST == 0.01
+
+
+def test_a_dimension_that_cannot_be_is_said(tmp_path: Path, recorded: Path) -> None:
+    (tmp_path / "robot.toml").write_text(
+        recorded.with_name("robot.toml").read_text().replace("alpha = ", "alpha = 1e300\n# ", 1)
+    )
+    with pytest.raises(InputError, match="a dimension cannot be"):
+        dc.identify(tmp_path / "robot.toml", recorded)

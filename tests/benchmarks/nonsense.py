@@ -25,6 +25,7 @@ from tests.benchmarks import fuzz
 from tests.benchmarks.fuzz_inputs import KINDS, MACHINES, Job, shelf
 
 MEASURED = re.compile(r"[xyz]_mm|r[xyz]_deg|gauge_mm|height_mm|distance_mm|[uv]_px|enc\d_deg|tau\d_N?m?|board_[xyz]_mm")
+LAWFUL = {("torque", "scaled"), ("axis", "rows turned round")}  # another unit of the drive; a way there and back
 KNOWN = {"images": ("board_x_mm", "board_y_mm")}  # what a kind is told beside the readings
 FACTORS = (0.001, 0.5, 0.9, 1.2, 2.0, 25.4, -1.0)
 Values = np.ndarray
@@ -64,7 +65,7 @@ def warned(said: str, folder: Path) -> bool:
     found = json.loads((folder / "out.json").read_text())
     if found.get("verdict") in ("missing_physics", "unexplained"):
         return True
-    return bool(re.search(r"warning|above the noise|no geometry|gross|refuted", said))
+    return bool(re.search(r"warning:|above the noise|gross errors", said))
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -81,8 +82,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         good.mkdir()
         shelf(good)
         names = [m for m in (*MACHINES, *KINDS) if (good / f"{m}.recording.csv").exists()]
+        pairs = [(name, way) for way in WAYS for name in names if (name, way) not in LAWFUL]
         for k in range(asked.runs):
-            name, way = names[k % len(names)], [*WAYS][k // len(names) % len(WAYS)]
+            name, way = pairs[k % len(pairs)]
             command = random.Random(f"{asked.seed}/{k}").choice(("identify", "diagnose"))
             dice = np.random.default_rng([asked.seed, k])
             table = nonsense((good / f"{name}.recording.csv").read_text(), name, way, dice)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from deltacal_gen.errors import InputError
 from deltacal_gen.machine.dynamics import Dynamics, dynamics_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.results.result import OpenCombination
@@ -67,6 +68,12 @@ class Rigid:
         general[0] *= 1.0 if self.dynamics.bodies else NEAR
         Y = self.dynamics.regressor(general)
         size = np.abs(Y).max(axis=(1, 2))  # NaN where a machine with loops cannot stand, large where it nearly cannot
+        if not np.isfinite(size).any():
+            raise InputError(
+                "what its drives would have to give is no number anywhere: a dimension cannot be.",
+                "Correct the lengths and angles of the robot file.",
+                file=robot.source,
+            )
         Y = Y[np.nan_to_num(size, nan=np.inf) < REGULAR * np.nanmedian(size)]
         self.own = tuple(base_of(Y[:, j]) for j in range(self.dynamics.joints))
         self.common = base_of(np.concatenate([Y[:, j] / np.abs(Y[:, j]).max() for j in range(self.dynamics.joints)]))

@@ -9,6 +9,7 @@ correct form and its status are those of ``claims/derived.json``, which ``python
 
 from __future__ import annotations
 
+import hashlib
 import json
 import re
 from collections.abc import Mapping, Sequence
@@ -143,7 +144,9 @@ def page(titles: Mapping[str, str], claims: Sequence[Claim]) -> str:
     papers = [{"name": n, "title": titles[n], "count": len(own), "claims": own} for n, own in by_paper.items()]
     counts = [(s, sum(c.status == s for c in claims)) for s in STATUSES]
     script = report.asset("claims.js")
-    return report.page_of("claims", title="Claims of the papers", papers=papers, counts=counts, script=script)
+    return report.page_of(
+        "claims", title="Claims of the papers", papers=papers, counts=counts, script=script, ended=decided()
+    )
 
 
 def derived(of: Path | None = None) -> dict[str, dict[str, dict[str, str]]]:
@@ -151,6 +154,23 @@ def derived(of: Path | None = None) -> dict[str, dict[str, dict[str, str]]]:
     file = (of or folder()) / "derived.json"
     found: dict[str, dict[str, dict[str, str]]] = json.loads(file.read_text("utf-8")) if file.exists() else {}
     return found
+
+
+def decided(of: Path | None = None) -> dict[str, dict[str, str]]:
+    """Return how the deciding tests ended when they last ran: test, then outcome, date and hash of the sources."""
+    file = (of or folder()) / "decided.json"
+    found: dict[str, dict[str, str]] = json.loads(file.read_text("utf-8")) if file.exists() else {}
+    return found
+
+
+def sources(root: Path, test: str) -> str:
+    """Return the hash of what a test decides with: the descriptions that are derived, the kernels, its own file."""
+    patterns = ("derive/mechanisms/*.py", "derive/measurements/*.py", "derive/effects/*.py", "derive/statics.py")
+    files = [p for pattern in (*patterns, "generated/deltacal_kernels/**/*.py") for p in root.glob(pattern)]
+    whole = hashlib.sha256()
+    for path in (*sorted(files), root / test.partition("::")[0]):
+        whole.update(path.relative_to(root).as_posix().encode() + b"\0" + path.read_bytes())
+    return whole.hexdigest()
 
 
 def _with_verdicts(

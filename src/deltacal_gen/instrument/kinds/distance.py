@@ -105,7 +105,9 @@ def between(positions: Readings, recording: Recording) -> Readings:
     same = point[a] == point[b]
     a, b = a[same], b[same]
     gap = np.linalg.norm(np.nan_to_num(positions.values[b] - positions.values[a]), axis=1)
-    apart = positions.group[a] != positions.group[b]  # two readings of one pose have no direction between them
+    apart = positions.group[a] != positions.group[b]  # two readings of one pose have no direction between them,
+    joints = recording.joints[positions.rows[:, 0]]
+    apart &= (joints[a] != joints[b]).any(axis=1)  # whatever the pose is called
     a, b, gap = a[apart], b[apart], gap[apart]
     ends = np.sort(np.column_stack([positions.group[a], positions.group[b]]), axis=1)
     _, group = np.unique(ends[:, 0] * (positions.group.max() + 1) + ends[:, 1], return_inverse=True)

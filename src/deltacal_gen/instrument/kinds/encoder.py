@@ -51,7 +51,7 @@ class Encoder(Kind):
         return tuple(joint_names(joint_unit, joints, self.kernels.COLUMNS[0]))
 
     def readings(self, recording: Recording, pose: np.ndarray) -> Readings:
-        """Return a reading for every cell that is not blank."""
+        """Return a reading for every cell that is not blank; a pose read again is a repeat for each joint alone."""
         rows, joints = np.nonzero(np.isfinite(recording.measured))
         return Readings(
             self,
@@ -59,7 +59,7 @@ class Encoder(Kind):
             (recording.measured * self._arcs(recording))[rows, joints, None],
             None,
             joints,
-            pose[rows],
+            np.unique(pose[rows] * recording.measured.shape[1] + joints, return_inverse=True)[1],
             recording.line[rows],
         )
 
