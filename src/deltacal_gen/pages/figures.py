@@ -217,7 +217,7 @@ _LABELS = {
 }
 _JOINT = re.compile(r"(?P<what>approach|qdd|qd|q)(?P<joint>\d+)(_(?P<unit>\w+))?")
 _JOINT_WORDS = {"q": "joint {}", "qd": "speed of joint {}", "qdd": "acceleration of joint {}"}
-_JOINT_UNITS = {"deg": "deg", "mm": "mm", "deg_s": "deg/s", "mm_s": "mm/s", "deg_s2": "deg/s²", "mm_s2": "mm/s²"}
+JOINT_UNITS = {"deg": "deg", "mm": "mm", "deg_s": "deg/s", "mm_s": "mm/s", "deg_s2": "deg/s²", "mm_s2": "mm/s²"}
 _RANDOM = 0  # seed of the jitter that lets equal values of a channel be seen side by side
 
 
@@ -229,7 +229,7 @@ def channel_label(name: str) -> str:
     if found["what"] == "approach":
         return f"direction in which joint {found['joint']} last moved"
     words = _JOINT_WORDS[found["what"]].format(found["joint"])
-    return f"{words}, {_JOINT_UNITS.get(found['unit'] or '', found['unit'])}"
+    return f"{words}, {JOINT_UNITS.get(found['unit'] or '', found['unit'])}"
 
 
 @dataclass(frozen=True)

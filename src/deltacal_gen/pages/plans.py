@@ -1,18 +1,23 @@
-"""The picture of measuring plans: condition number against the number of poses."""
+"""Pictures of plans: condition number against the number of poses; the course of an exciting trajectory."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from deltacal_gen.errors import InputError, UsageError
+from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.machine.values import Robot
 from deltacal_gen.pages import figures
 from deltacal_gen.pages.figures import plt
+from deltacal_gen.planning.exciting import PATTERNS, limits_of
 from deltacal_gen.planning.matrix import Plan
+from deltacal_gen.results.motion import MotionPlan
+from deltacal_gen.units import joint_factors, joint_names
 
 
 def figure(plans: Plan | Sequence[Plan], path: str | Path) -> None:
@@ -55,9 +60,45 @@ def figure(plans: Plan | Sequence[Plan], path: str | Path) -> None:
         axes.set_xlabel("poses per layer n [1]")
         axes.set_ylabel("condition number κ [1]")
         canvas.legend(loc="outside upper left", frameon=False)
-        try:
-            figures.save(canvas, path)
-        except (OSError, ValueError) as error:
-            raise InputError(f"the figure cannot be written: {error}.", "Check folder and ending.", file=path) from None
-        finally:
-            plt.close(canvas)
+        _saved(canvas, path)
+
+
+def trajectory(robot: Robot, plan: MotionPlan, columns: Mapping[str, Any], path: str | Path) -> None:
+    """Draw joints, speeds and accelerations over time, run after run, with the limits between which they stay."""
+    machine = mechanism_of(robot)
+    unit, limbs = machine.joint_unit, machine.limbs
+    factors = np.array(joint_factors(unit, limbs))
+    low, high, speed, acceleration = (values / factors for values in limits_of(robot)[0])
+    run, time = np.asarray(columns["run"]), np.asarray(columns["time_s"])
+    at = time + (run - 1) * plan.period_s
+    style: Any = figures.STYLE
+    words = ("joint", "speed", "acceleration")
+    with plt.rc_context(style):
+        canvas, rows = plt.subplots(3, 1, figsize=(7.2, 6.2), sharex=True, layout="constrained")
+        colours = plt.get_cmap("viridis")(np.linspace(0.05, 0.85, limbs))
+        ends = ((low, high), (-speed, speed), (-acceleration, acceleration))
+        for axes, pattern, word, limits in zip(rows, PATTERNS, words, ends, strict=True):
+            names = joint_names(unit, limbs, pattern)
+            for j, (name, colour) in enumerate(zip(names, colours, strict=True)):
+                axes.plot(at, columns[name], linewidth=1.1, color=colour, label=f"joint {j + 1}")
+                for end in limits:
+                    axes.axhline(end[j], linewidth=0.7, linestyle=(0, (4, 3)), color=colour, alpha=0.6)
+            for k in range(1, plan.runs):
+                axes.axvline(k * plan.period_s, linewidth=0.6, color="0.6")
+            units = sorted({figures.JOINT_UNITS[name.partition("_")[2]] for name in names})
+            axes.set_ylabel(f"{word}, {' or '.join(units)}")
+            axes.grid(alpha=0.25, linewidth=0.6)
+        rows[-1].set_xlabel(f"time, s: {plan.runs} run{'s' if plan.runs > 1 else ''} of {plan.period_s:g} s")
+        canvas.suptitle(f"{plan.headline}; limits dashed", fontsize="medium")
+        handles, labels = rows[0].get_legend_handles_labels()
+        canvas.legend(handles, labels, loc="outside lower center", ncols=limbs, frameon=False)
+        _saved(canvas, path)
+
+
+def _saved(canvas: Any, path: str | Path) -> None:
+    try:
+        figures.save(canvas, path)
+    except (OSError, ValueError) as error:
+        raise InputError(f"the figure cannot be written: {error}.", "Check folder and ending.", file=path) from None
+    finally:
+        plt.close(canvas)

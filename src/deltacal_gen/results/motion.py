@@ -327,3 +327,60 @@ def _listed(each: Iterable[tuple[float | None, str]]) -> str:
     units = {unit for _, unit in values}
     texts = ["-" if v is None else f"{v:.4g}" + (f" {unit}" if len(units) > 1 else "") for v, unit in values]
     return ", ".join(texts) + (f" {units.pop()}" if len(units) == 1 else "")
+
+
+class JointSeries(Value):
+    """A joint's movement in one run: its speed is the sum of cosine_k cos(2 pi k t / period) and sine_k sin of that."""
+
+    run: int
+    joint: int
+    centre: float
+    """Where it begins and ends [deg or mm]; the others are speeds [deg/s or mm/s]."""
+    cosine: tuple[float, ...]
+    sine: tuple[float, ...]
+
+
+class MotionPlan(Answer):
+    """PLAN.json of kind torque: exciting trajectories. Figures stand run by run, each with those before it."""
+
+    schema: Literal["deltacal.plan/1"] = "deltacal.plan/1"
+    robot: str
+    mechanism: str
+    model: str
+    kind: Literal["torque"]
+    method: Literal["fourier"]
+    parameters: tuple[str, ...]
+    """What is to be told: base parameters, dry and viscous friction of every joint."""
+    runs: int
+    period_s: float
+    harmonics: int
+    rate_Hz: float
+    n: tuple[int, ...]
+    readings: tuple[int, ...]
+    condition: tuple[float | None, ...]
+    """Columns of one size, torques by what each joint gives at most; null where it is infinite."""
+    log_determinant: float
+    O1: tuple[float, ...]
+    O2: tuple[float, ...]
+    O3: tuple[float, ...]
+    O4: tuple[float, ...]
+    O5: tuple[float, ...]
+    chosen: int
+    series: tuple[JointSeries, ...]
+    notes: tuple[str, ...]
+    """Limits that were assumed."""
+
+    @property
+    def headline(self) -> str:
+        """How many movements, and how well they tell."""
+        last = self.condition[-1]
+        told = "infinite" if last is None else f"{last:.3g}"
+        return f"{self.runs} runs of {self.period_s:g} s for {self.model}: condition number {told}"
+
+    def table(self) -> tuple[JointSeries, ...]:
+        """Return the series."""
+        return self.series
+
+    def summary(self) -> str:
+        """Return the answer as text."""
+        return self.headline

@@ -42,6 +42,7 @@ ANSWERS = {  # what `schema` says, and the type of it: module and class
 }
 IN_MOTION = {  # the same of recordings in motion
     "deltacal.diagnosis/1": "MotionDiagnosis",
+    "deltacal.plan/1": "MotionPlan",
     "deltacal.result/1": "MotionResult",
     "deltacal.validation/1": "MotionValidation",
 }

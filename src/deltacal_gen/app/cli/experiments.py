@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, cast
 
 import typer
 from rich.table import Table
@@ -23,14 +23,18 @@ from deltacal_gen.app.cli.common import (
 
 MOST_NOTES = 4  # on the screen
 if TYPE_CHECKING:
+    from deltacal_gen.results.motion import MotionPlan
     from deltacal_gen.results.plan import Plan
 
 
 def plan(
     robot: RobotFile,
-    model: Annotated[str, typer.Option("--model", help="e.g. delta/18")],
+    model: Annotated[
+        str | None, typer.Option("--model", help="e.g. delta/18; not needed for kind torque", show_default=False)
+    ] = None,
     kind: Annotated[
-        str | None, typer.Option(help="what will be measured: distance, position, pose or gauge", show_default=False)
+        str | None,
+        typer.Option(help="what will be measured: distance, position, pose, gauge or torque", show_default=False),
     ] = None,
     gauge: Annotated[
         Path | None, typer.Option(help="a sidecar that says where a gauge's ends are mounted", show_default=False)
@@ -62,9 +66,14 @@ def plan(
             show_default=False,
         ),
     ] = None,
-    output: Annotated[Path | None, output_file("targets as a CSV for simulate")] = None,
+    runs: Annotated[int, typer.Option(help="kind torque: movements, each a run")] = 3,
+    period: Annotated[float, typer.Option(help="kind torque: of each movement, s")] = 10.0,
+    harmonics: Annotated[int, typer.Option(help="kind torque: of its Fourier series")] = 5,
+    rate: Annotated[float, typer.Option(help="kind torque: samples per second, Hz")] = 100.0,
+    output: Annotated[Path | None, output_file("targets, or the trajectory, as a CSV for simulate")] = None,
     picture: Annotated[
-        Path | None, typer.Option(help="condition number against n, .svg or .png", show_default=False)
+        Path | None,
+        typer.Option(help="condition number against n, or the trajectory, .svg or .png", show_default=False),
     ] = None,
     as_json: Json = False,
 ) -> None:
@@ -72,6 +81,13 @@ def plan(
     from deltacal_gen.app import commands
     from deltacal_gen.units import DEG
 
+    if kind == "torque" or (model or "").endswith("/rigid"):
+        series: dict[str, Any] = {"runs": runs, "period": period, "harmonics": harmonics, "rate": rate}
+        moving = commands.plan(
+            robot, model, output, optimal=optimal, picture=picture, gauge=gauge, kind="torque", **series
+        )
+        _show_trajectory(cast("MotionPlan", moving), output, as_json)
+        return
     kind = kind or (None if gauge is None else "gauge")
     options: dict[str, Any] = {"kind": kind, "tools": points, "scaling": scaling, "norm": norm, "sigma_mm": sigma}
     options |= {"singular": singular} if singular is not None else {}
@@ -79,13 +95,31 @@ def plan(
         options |= {"start_angle": start_angle * DEG, "threshold": threshold}
         options |= {"layers": layers.split(",")} if layers else {}
         options |= {"gauge": gauge} if gauge else {}
-    found = commands.plan(robot, model, output, optimal=optimal, picture=picture, **options)
+    found = cast("Plan", commands.plan(robot, model, output, optimal=optimal, picture=picture, **options))
     if as_json:
         print_json(found)
         return
     _show_plan(found)
     if output is not None:
         screen.print(f"{len(found.poses)} targets written to {output}")
+
+
+def _show_trajectory(found: MotionPlan, output: Path | None, as_json: bool) -> None:
+    """Print what exciting trajectories tell."""
+    if as_json:
+        print_json(found)
+        return
+    screen.print(escaped(found.headline))
+    table = Table("runs", "readings", "condition", "O1", "O3")
+    for n, readings, condition, o1, o3 in zip(
+        found.n, found.readings, found.condition, found.O1, found.O3, strict=True
+    ):
+        table.add_row(str(n), str(readings), number(condition), number(o1), number(o3))
+    screen.print(table)
+    for note in found.notes:
+        screen.print(f"  {escaped(note)}")
+    if output is not None:
+        screen.print(f"{len(found.n)} runs written to {output}")
 
 
 def _show_plan(found: Plan) -> None:

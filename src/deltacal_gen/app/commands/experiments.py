@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from deltacal_gen.motion.trajectories import Trajectories
     from deltacal_gen.physics.terms import Term
     from deltacal_gen.results.diagnosis import Diagnosis
+    from deltacal_gen.results.motion import MotionPlan
     from deltacal_gen.results.plan import Plan
     from deltacal_gen.results.reader import Given
     from deltacal_gen.results.written import Experiment, Looped, Round
@@ -36,34 +37,44 @@ if TYPE_CHECKING:
 
 def plan(
     robot: Source | Robot,
-    model: str,
+    model: str | None = None,
     output: Source | None = None,
     *,
     optimal: int | None = None,
     picture: Source | None = None,
     gauge: Source | None = None,
     **options: Any,
-) -> Plan:
+) -> Plan | MotionPlan:
     """Return measuring poses for a model: rings by the paper's rule (21), or a D-optimal set.
+
+    Of kind torque (or model ``MECHANISM/rigid``) the answer are exciting trajectories, see `planning.exciting`.
 
     Parameters
     ----------
+    model : str
+        Needed but for kind torque.
     output : path
-        The targets as a CSV that `simulate` reads.
+        The targets as a CSV that `simulate` reads; the trajectory with its sidecar.
     optimal : int
         So many D-optimal poses instead of rings.
     picture : path
-        Condition number against n.
+        Condition number against n; of trajectories their course and their limits.
     gauge : path
         A sidecar with ``base_point_mm`` and ``platform_point_mm``: where the ends of a gauge are mounted.
     options
-        Of `planning.plan`, or of `optimal.d_optimal`.
+        Of `planning.plan`, of `optimal.d_optimal`, or of `exciting.exciting`.
     """
     from deltacal_gen.planning import matrix, planning
     from deltacal_gen.planning.optimal import d_optimal
 
     check_output(output, robot)
     check_output(picture, robot, ending=PICTURES)
+    if options.get("kind") == "torque" or (model is not None and model.endswith("/rigid")):
+        if optimal is not None or gauge is not None:
+            raise UsageError("trajectories are planned without --optimal and --gauge.")
+        return _exciting(as_robot(robot), output, picture, **{k: v for k, v in options.items() if k != "kind"})
+    if model is None:
+        raise UsageError("give the model whose parameters the poses shall tell: --model MECHANISM/NUMBER.")
     robot = for_model(as_robot(robot), model)
     if gauge is not None and optimal is not None:
         raise UsageError("D-optimal sets are chosen for positions and distances, not for a gauge.")
@@ -77,6 +88,20 @@ def plan(
 
         plans.figure(found, picture)
     return found.answer()
+
+
+def _exciting(robot: Robot, output: Source | None, picture: Source | None, **options: Any) -> MotionPlan:
+    """Return exciting trajectories, written and drawn where asked."""
+    from deltacal_gen.planning import exciting
+
+    found, series = exciting.exciting(robot, **options)
+    if output is not None:
+        exciting.write_trajectory(robot, series, found.rate_Hz, output)
+    if picture is not None:
+        from deltacal_gen.pages import plans
+
+        plans.trajectory(robot, found, exciting.columns_of(robot, series, found.rate_Hz), picture)
+    return found
 
 
 def simulate(

@@ -1,0 +1,327 @@
+"""Exciting trajectories: movements along which a torque tells the most of a machine's masses and friction.
+
+Every joint follows a finite Fourier series, which starts and ends at rest and whose derivatives are exact. A series is
+as large as the limits of position, speed and acceleration let it be, then all joints together as large as the workspace
+does. Of many series the one of the best condition number is taken, and then improved for the determinant of the
+information (D-optimality) as long as the condition number does not grow. Each further run adds to what those before it
+tell, and can be held out.
+
+References
+----------
+Swevers, J., Ganseman, C., Tukel, D. B., De Schutter, J., Van Brussel, H.: Optimal robot excitation and identification.
+IEEE Transactions on Robotics and Automation 13(5), 1997, 730-740.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from deltacal_gen.errors import NoSolutionError, UsageError
+from deltacal_gen.files.toml import toml_text
+from deltacal_gen.files.writing import csv_text, write_files
+from deltacal_gen.identification.identifiability import observability
+from deltacal_gen.machine.backend import Backend, using
+from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.machine.values import Robot
+from deltacal_gen.motion.rigid import Rigid
+from deltacal_gen.results.motion import JointSeries, MotionPlan
+from deltacal_gen.units import DEG, joint_factors, joint_names
+
+if TYPE_CHECKING:
+    from deltacal_gen.machine.registry import Array
+
+STARTS, STEPS = 60, 240  # series that are drawn, and changes that are tried of the best
+CHANGE = 0.5  # of a coefficient, at first; at last a tenth of it
+LOOKED_AT = 25.0  # samples per second by which a trajectory is judged
+HALVINGS = 14  # of the size, until all of it lies in the workspace
+USUAL = {  # where the robot file says nothing: way either side of the middle, speed, acceleration
+    "rad": (60 * DEG, 60 * DEG, 240 * DEG),
+    "mm": (150.0, 200.0, 1000.0),
+}
+PATTERNS = ("q{i}_{unit}", "qd{i}_{unit}_s", "qdd{i}_{unit}_s2")
+
+
+@dataclass(frozen=True, eq=False)
+class Series:
+    """A periodic movement of all joints, as the controller counts.
+
+    Attributes
+    ----------
+    centre : (n_q,) array
+        Where it begins and ends [rad or mm].
+    cosine, sine : (H, n_q) arrays
+        Amplitudes of the velocity at multiples of 1 / period [rad/s or mm/s].
+    period : float
+        s
+    """
+
+    centre: Array
+    cosine: Array
+    sine: Array
+    period: float
+
+    def states(self, time: Array) -> Array:
+        """Return joints, velocities, accelerations (3, N, n_q)."""
+        w = 2 * math.pi / self.period * np.arange(1, len(self.cosine) + 1)
+        c, s = np.cos(np.outer(time, w)), np.sin(np.outer(time, w))
+        q = self.centre + (s / w) @ self.cosine + ((1 - c) / w) @ self.sine
+        return np.stack([q, c @ self.cosine + s @ self.sine, (-s * w) @ self.cosine + (c * w) @ self.sine])
+
+    def times(self, factor: Array | float) -> Series:
+        """Return the movement so many times as large, joint by joint."""
+        return dataclasses.replace(self, cosine=self.cosine * factor, sine=self.sine * factor)
+
+
+def limits_of(robot: Robot) -> tuple[tuple[Array, Array, Array, Array], list[str]]:
+    """Return the ends of the joints, highest speeds and accelerations, (n_q,) each, and in words what was assumed.
+
+    Positions are those of [joints], speeds and accelerations those of [limits] (`qd1_deg_s`, `qdd1_deg_s2` ...).
+    """
+    machine, notes = mechanism_of(robot), list[str]()
+    usual = np.array([USUAL[unit] for unit in machine.joint_units]).T
+    factors = np.array(joint_factors(machine.joint_unit, machine.limbs))
+    found = []
+    for row, pattern in enumerate(PATTERNS[1:], start=1):
+        names = joint_names(machine.joint_unit, machine.limbs, pattern)
+        said = np.array([min(map(abs, robot.limits[name])) if name in robot.limits else np.nan for name in names])
+        found.append(np.where(np.isnan(said), usual[row], said * factors))
+        if np.isnan(said).any():
+            values = ", ".join(f"{name} {v:g}" for name, v in zip(names, found[-1] / factors, strict=True))
+            notes.append(f"[limits] of the robot file does not say all of them; taken are {values}")
+    if robot.joint_limits is not None:
+        low, high = robot.joint_limits.T
+    else:
+        middle = home_of(robot)
+        low, high = middle - usual[0], middle + usual[0]
+        ways = ", ".join(f"{v:g}" for v in usual[0] / factors)
+        notes.append(f"[joints] gives no limits; taken are {ways} to either side of home")
+    return (low, high, found[0], found[1]), notes
+
+
+def home_of(robot: Robot) -> Array:
+    """Return where the joints stand in the middle of the workspace (n_q,); of a chain, or without one, at zero."""
+    machine = mechanism_of(robot)
+    if machine.many_ways or robot.workspace is None:
+        return np.zeros(machine.limbs)
+    q, _, status = machine.inverse(robot.workspace.home[None], robot.tool, machine.rows(robot))
+    if status.any():
+        raise NoSolutionError("the machine does not reach the middle of its workspace: no trajectory begins there.")
+    return np.asarray(robot.joint_sign * q[0])
+
+
+class _Search:
+    """Series of one robot, and what they tell."""
+
+    def __init__(self, robot: Robot, period: float, harmonics: int, seed: int) -> None:
+        self._robot, self._mechanism, self.rigid = robot, mechanism_of(robot), Rigid(robot)
+        self._rng, self._period, self._harmonics = np.random.default_rng(seed), period, harmonics
+        self._time = np.arange(0, period, 1 / LOOKED_AT)
+        (self.low, self.high, self.speed, self.acceleration), self.notes = limits_of(robot)
+        self._centre = self._middle()
+        self._rows = self._mechanism.rows(robot)
+        Y = self._asked(self.drawn())
+        self._weights = [1 / (np.abs(y).max() or 1.0) for y in Y]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What is to be told: base parameters, then usual friction joint by joint."""
+        joints = range(1, len(self.low) + 1)
+        own = [self.rigid.names[k] for k in self.rigid.common.chosen]
+        return (*own, *(f"{name}_{j}" for j in joints for name in ("coulomb", "viscous")))
+
+    def _middle(self) -> Array:
+        """Return where series begin: the middle of the limits, or of the workspace."""
+        looped = not self._mechanism.many_ways and self._robot.workspace is not None
+        return home_of(self._robot) if looped else (self.low + self.high) / 2
+
+    def drawn(self) -> Series:
+        """Return a series at random, as large as limits let it be."""
+        shape = (2, self._harmonics, len(self.low))
+        cosine, sine = self._rng.standard_normal(shape) * self._rng.uniform(0.3, 1.0, shape[2])
+        return self.fitted(Series(self._centre, cosine, sine, self._period))
+
+    def changed(self, of: Series, much: float) -> Series:
+        """Return another series near one."""
+        size = np.sqrt(np.mean(of.cosine**2 + of.sine**2, axis=0) / 2)
+        by = much * size * self._rng.standard_normal((2, *of.cosine.shape))
+        return self.fitted(dataclasses.replace(of, cosine=of.cosine + by[0], sine=of.sine + by[1]))
+
+    def fitted(self, series: Series) -> Series:
+        """Return a series that begins at rest, and is as large as limits and workspace let it be."""
+        k = np.arange(1, self._harmonics + 1)[:, None]
+        series = dataclasses.replace(
+            series,
+            cosine=series.cosine - series.cosine.mean(axis=0),
+            sine=series.sine - k * (k * series.sine).sum(axis=0) / (k**2).sum(),
+        )
+        q, qd, qdd = series.states(self._time)
+        way = np.maximum((q - self._centre).max(axis=0), 1e-12), np.maximum((self._centre - q).max(axis=0), 1e-12)
+        room = [(self.high - self._centre) / way[0], (self._centre - self.low) / way[1]]
+        room += [self.speed / np.abs(qd).max(axis=0), self.acceleration / np.abs(qdd).max(axis=0)]
+        series = series.times(np.min(room, axis=0))
+        low, high = 0.0, 1.0
+        if self._stays(series):
+            return series
+        for _ in range(HALVINGS):
+            middle = (low + high) / 2
+            low, high = (middle, high) if self._stays(series.times(middle)) else (low, middle)
+        if low == 0.0:
+            raise NoSolutionError("no trajectory from the middle of the joints stays in the workspace.")
+        return series.times(low)
+
+    def _stays(self, series: Series) -> bool:
+        """Tell whether the reference point stays in the workspace, and the machine in one piece."""
+        q = self._robot.joint_sign * series.states(self._time)[0]
+        x = self._mechanism.positions(q, self._robot.tool[None], self._rows)
+        space = self._robot.workspace
+        return bool(np.isfinite(x).all() and (space is None or space.holds(x).all()))
+
+    def _asked(self, series: Series) -> list[Array]:
+        n = len(self.low)
+        return self.rigid.columns(series.states(self._time), [self.rigid.common.chosen] * n)
+
+    def columns(self, series: Series) -> Array:
+        """Return what a unit of each of `names` asks of the joints, joint by joint, each joint by its own size."""
+        _, qd, _ = series.states(self._time)
+        n, rows = len(self.low), []
+        for j, (Y, weight) in enumerate(zip(self._asked(series), self._weights, strict=True)):
+            friction = np.zeros((len(qd), 2 * n))
+            friction[:, 2 * j], friction[:, 2 * j + 1] = np.sign(qd[:, j]), qd[:, j] / self.speed[j]
+            rows.append(np.hstack([Y * weight, friction]))
+        return np.concatenate(rows)
+
+    def told(self, information: Array) -> tuple[float, float]:
+        """Return condition number, columns of one size, and logarithm of the determinant, of an information matrix."""
+        size = np.sqrt(np.diag(information))
+        if not (size > 0).all():
+            return math.inf, -math.inf
+        values = np.linalg.eigvalsh(information / np.outer(size, size))
+        if values[0] <= 0:
+            return math.inf, -math.inf
+        return math.sqrt(values[-1] / values[0]), float(np.linalg.slogdet(information)[1])
+
+    def best(self, known: Array) -> Series:
+        """Return the series that adds most to what is known (n, n)."""
+
+        def judged(series: Series) -> tuple[float, float]:
+            W = self.columns(series)
+            return self.told(known + W.T @ W)
+
+        found = min((self.drawn() for _ in range(STARTS)), key=lambda series: judged(series)[0])
+        condition, determinant = judged(found)
+        for step in range(STEPS):
+            other = self.changed(found, CHANGE * 0.1 ** (step / STEPS))
+            now = judged(other)
+            if now[0] <= condition and now[1] > determinant:
+                found, (condition, determinant) = other, now
+        return found
+
+
+def exciting(
+    robot: Robot, *, runs: int = 3, period: float = 10.0, harmonics: int = 5, rate: float = 100.0, seed: int = 0
+) -> tuple[MotionPlan, tuple[Series, ...]]:
+    """Return exciting trajectories of a robot, and what they tell.
+
+    Parameters
+    ----------
+    runs : int
+        Movements, one after the other, each a run of the recording.
+    period : float
+        Of each [s].
+    harmonics : int
+        Of its series.
+    rate : float
+        Samples per second in the file [Hz].
+    seed : int
+        Of the series that are drawn.
+
+    Raises
+    ------
+    UsageError
+        A number is out of range, or the dynamics of the mechanism are not derived.
+    NoSolutionError
+        No trajectory stays in the workspace.
+    """
+    if runs < 1 or harmonics < 2 or not period > 0 or not rate >= 4 * harmonics / period:
+        raise UsageError(
+            f"{runs} runs of {period:g} s with {harmonics} harmonics at {rate:g} Hz cannot be planned. "
+            "Give at least one run, two harmonics (a start at rest needs them) and four samples per wave."
+        )
+    search = _Search(robot, period, harmonics, seed)
+    names = search.names
+    known = np.zeros((len(names), len(names)))
+    chosen: list[Series] = []
+    blocks: list[Array] = []
+    indices: list[Mapping[str, float]] = []
+    conditions: list[float | None] = []
+    for _ in range(runs):
+        with using(Backend.COMPILED):  # thousands of calls, which few poses alone would not be worth
+            chosen.append(search.best(known))
+        blocks.append(search.columns(chosen[-1]))
+        known = known + blocks[-1].T @ blocks[-1]
+        W = np.concatenate(blocks)
+        found = observability(W / np.linalg.norm(W, axis=0), len(W))
+        conditions.append(found.condition if math.isfinite(found.condition) else None)
+        indices.append(found.indices)
+    factors = np.array(joint_factors(search._mechanism.joint_unit, search._mechanism.limbs))
+    answer = MotionPlan(
+        robot=robot.name,
+        mechanism=robot.mechanism,
+        model=f"{robot.mechanism}/rigid",
+        kind="torque",
+        method="fourier",
+        parameters=names,
+        runs=runs,
+        period_s=period,
+        harmonics=harmonics,
+        rate_Hz=rate,
+        n=tuple(range(1, runs + 1)),
+        readings=tuple(k * len(blocks[0]) for k in range(1, runs + 1)),
+        condition=tuple(conditions),
+        log_determinant=search.told(known)[1],
+        O1=tuple(i["O1"] for i in indices),
+        O2=tuple(i["O2"] for i in indices),
+        O3=tuple(i["O3"] for i in indices),
+        O4=tuple(i["O4"] for i in indices),
+        O5=tuple(i["O5"] for i in indices),
+        chosen=runs,
+        series=tuple(
+            JointSeries(
+                run=k + 1,
+                joint=j + 1,
+                centre=float(s.centre[j] / factors[j]),
+                cosine=tuple((s.cosine[:, j] / factors[j]).tolist()),
+                sine=tuple((s.sine[:, j] / factors[j]).tolist()),
+            )
+            for k, s in enumerate(chosen)
+            for j in range(len(factors))
+        ),
+        notes=tuple(search.notes),
+    )
+    return answer, tuple(chosen)
+
+
+def columns_of(robot: Robot, series: Sequence[Series], rate: float) -> dict[str, object]:
+    """Return the columns of a trajectory's file: runs, times, joints, velocities, accelerations."""
+    machine = mechanism_of(robot)
+    unit, limbs = machine.joint_unit, machine.limbs
+    time = np.arange(0, round(series[0].period * rate) + 1) / rate
+    states = np.concatenate([s.states(time) for s in series], axis=1)
+    found: dict[str, object] = {"run": [k + 1 for k in range(len(series)) for _ in time]}
+    found["time_s"] = np.tile(time, len(series))
+    for values, pattern in zip(states, PATTERNS, strict=True):
+        found |= dict(zip(joint_names(unit, limbs, pattern), (values / joint_factors(unit, limbs)).T, strict=True))
+    return found
+
+
+def write_trajectory(robot: Robot, series: Sequence[Series], rate: float, path: str | Path) -> None:
+    """Write trajectories as a CSV that `simulate` takes, with its sidecar."""
+    sidecar = toml_text({"measurement": {"kind": "torque"}})
+    write_files({Path(path): csv_text(columns_of(robot, series, rate)), Path(path).with_suffix(".toml"): sidecar})

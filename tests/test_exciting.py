@@ -1,0 +1,138 @@
+"""Exciting trajectories: within limits, from rest to rest, and better told than movements at random."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import deltacal_gen as dc
+from deltacal_gen.errors import NoSolutionError, UsageError
+from deltacal_gen.files.robot import Workspace, robot_to_toml
+from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.machine.values import Robot
+from deltacal_gen.planning.exciting import Series, _Search, exciting
+from deltacal_gen.units import DEG
+from tests.every_effect import ARM, chain, machines
+
+SPEED, ACCELERATION = (80.0, 70.0, 60.0), (300.0, 250.0, 200.0)  # deg/s, deg/s^2
+
+
+def limited(robot: Robot) -> Robot:
+    """Return a Delta with limits of its own for every joint."""
+    limits = {f"qd{i}_deg_s": (-v, v) for i, v in enumerate(SPEED, start=1)}
+    limits |= {f"qdd{i}_deg_s2": (-v, v) for i, v in enumerate(ACCELERATION, start=1)}
+    ends = np.array([[-45.0, 30.0], [-30.0, 45.0], [-35.0, 25.0]]) * DEG
+    return dataclasses.replace(robot, limits=limits, joint_limits=ends)
+
+
+@pytest.fixture(scope="module")
+def planned() -> tuple[Robot, Any, tuple[Series, ...]]:
+    robot = limited(machines()[0])
+    return robot, *exciting(robot, runs=2, period=8.0)
+
+
+def test_no_limit_is_passed(planned: tuple[Robot, Any, tuple[Series, ...]]) -> None:
+    robot, _, series = planned
+    time = np.linspace(0, 8, 4001)
+    assert robot.joint_limits is not None
+    assert robot.workspace is not None
+    low, high = robot.joint_limits.T
+    for s in series:
+        q, qd, qdd = s.states(time)
+        slack = 1.01  # between the samples by which it was judged
+        assert (q >= low - 0.01 * DEG).all()
+        assert (q <= high + 0.01 * DEG).all()
+        assert (np.abs(qd) <= slack * np.array(SPEED) * DEG).all()
+        assert (np.abs(qdd) <= slack * np.array(ACCELERATION) * DEG).all()
+        machine = mechanism_of(robot)
+        x = machine.positions(robot.joint_sign * q, robot.tool, machine.rows(robot))
+        assert np.isfinite(x).all()
+        assert robot.workspace.holds(x * [0.999, 0.999, 1] + [0, 0, 0]).mean() > 0.995
+
+
+def test_it_is_as_large_as_some_limit_lets_it_be(planned: tuple[Robot, Any, tuple[Series, ...]]) -> None:
+    robot, _, series = planned
+    assert robot.joint_limits is not None
+    for s in series:
+        q, qd, qdd = s.states(np.linspace(0, 8, 801))
+        used = np.concatenate(
+            [np.abs(qd).max(axis=0) / np.array(SPEED), np.abs(qdd).max(axis=0) / np.array(ACCELERATION)]
+        )
+        ends = np.min([robot.joint_limits[:, 1] - q.max(axis=0), q.min(axis=0) - robot.joint_limits[:, 0]])
+        assert used.max() / DEG > 0.98 or ends < 0.5 * DEG or not _holds_more(robot, s)
+
+
+def _holds_more(robot: Robot, series: Series) -> bool:
+    """Tell whether the workspace would hold a movement that is a twentieth larger."""
+    machine = mechanism_of(robot)
+    q = series.times(1.05).states(np.linspace(0, 8, 801))[0]
+    assert robot.workspace is not None
+    return bool(robot.workspace.holds(machine.positions(robot.joint_sign * q, robot.tool, machine.rows(robot))).all())
+
+
+def test_it_goes_from_rest_to_rest_and_its_derivatives_are_its_own(
+    planned: tuple[Robot, Any, tuple[Series, ...]],
+) -> None:
+    _, _, series = planned
+    for s in series:
+        ends, h = s.states(np.array([0.0, 8.0])), 1e-5
+        assert ends[1:] == pytest.approx(np.zeros((2, 2, 3)), abs=1e-12)
+        assert ends[0, 0] == pytest.approx(ends[0, 1], abs=1e-12)
+        t = np.linspace(0.1, 7.9, 50)
+        before, at, after = (s.states(t + d) for d in (-h, 0, h))
+        assert (after[:2] - before[:2]) / (2 * h) == pytest.approx(at[1:], abs=1e-7)
+
+
+def test_it_tells_more_than_movements_at_random(planned: tuple[Robot, Any, tuple[Series, ...]]) -> None:
+    """Than every one of forty that are as large as limits let them be, in both figures."""
+    robot, answer, series = planned
+    search = _Search(robot, 8.0, 5, 77)
+
+    def told(movement: Series) -> tuple[float, float]:
+        W = search.columns(movement)
+        return search.told(W.T @ W)
+
+    others = np.array([told(search.drawn()) for _ in range(40)])
+    condition, determinant = told(series[0])
+    assert condition < np.median(others[:, 0]) / 1.5
+    assert determinant > others[:, 1].max()
+    assert answer.readings == (600, 1200)
+
+
+def test_a_chain_without_limits_is_planned_and_what_is_assumed_is_said() -> None:
+    answer, (series,) = exciting(chain(ARM), runs=1, harmonics=3)
+    assert len(answer.notes) == 3
+    assert answer.condition[0] is not None
+    assert np.abs(series.states(np.linspace(0, 10, 1001))[1]).max() <= 60.5 * DEG
+
+
+def test_a_workspace_that_holds_nothing_is_said() -> None:
+    robot = dataclasses.replace(machines()[0], workspace=Workspace(top=3000.0, radius=10.0, height=10.0))
+    with pytest.raises(NoSolutionError, match="does not reach the middle of its workspace"):
+        exciting(robot)
+
+
+def test_too_few_harmonics_are_refused() -> None:
+    with pytest.raises(UsageError, match="two harmonics"):
+        exciting(machines()[0], harmonics=1)
+
+
+def test_the_command_writes_what_simulate_takes(tmp_path: Path, run: Callable[..., Any]) -> None:
+    robot, out = tmp_path / "robot.toml", tmp_path / "plan.csv"
+    robot.write_text(robot_to_toml(limited(machines()[0])))
+    small = ("--runs", 1, "--period", 4, "--harmonics", 3, "--rate", 50)
+    code, shown, _ = run("plan", robot, "--kind", "torque", *small, "-o", out, "--picture", tmp_path / "plan.svg")
+    assert code == 0
+    assert "1 runs of 4 s" in " ".join(shown.split()) or "condition number" in shown
+    assert (tmp_path / "plan.svg").read_text().count("<path") > 20
+    done: Any = dc.simulate(robot, out)
+    assert done.n_rows == 201
+    assert np.isfinite(done.readings).all()
+    table = np.genfromtxt(out, delimiter=",", names=True)
+    assert done.joints[:, 1] == pytest.approx(table["q2_deg"] * DEG, abs=1e-12)
+    assert run("plan", robot)[0] == 2
