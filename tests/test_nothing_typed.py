@@ -42,6 +42,7 @@ FUNCTIONS = {
     "diagnosis/structure.py:_functions": "waves of a channel: what is smooth in it, of no machine",
     "files/robot.py:Workspace.holds": WORKSPACE,
     "identification/accuracy.py:circle": WORKSPACE,
+    "identification/noise.py:noise": "variances that add up",
     "identification/uncertainty.py:uncertainty_map": "two standard deviations together",
     "identification/remedies.py:printed": "ends of lines that a printed object would show",
     "instrument/board.py:_apart": BEGUN,

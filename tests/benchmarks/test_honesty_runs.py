@@ -9,14 +9,29 @@ import numpy as np
 import pytest
 
 from tests.benchmarks import honesty
+from tests.benchmarks.honesty_nulls import SORTS, drawn, null
+from tests.benchmarks.honesty_power import _needed
 
 
 def test_noise_is_of_unit_size_and_of_its_sort() -> None:
     rng = np.random.default_rng(1)
-    for sort in ("white", "uniform", "AR 0.5", "AR 0.9"):
-        assert np.std(honesty.noise(sort, (20000, 3), rng)) == pytest.approx(1.0, rel=0.05), sort
-    e = honesty.noise("AR 0.9", (20000, 3), rng)
+    for sort in ("white", "uniform", "laplace", "skewed", "AR 0.5", "AR 0.9"):
+        assert np.std(drawn(sort, (20000, 3), rng)) == pytest.approx(1.0, rel=0.05), sort
+    e = drawn("AR 0.9", (20000, 3), rng)
     assert np.mean(e[1:] * e[:-1]) == pytest.approx(0.9, abs=0.05)
+
+
+def test_every_sort_has_recordings_of_its_own() -> None:
+    made = [null(sort, 1) for sort in SORTS]
+    assert len({(m.measured.tobytes(), m.measurement.sigma_mm) for m in made}) == len(SORTS)
+    counts = np.unique(null("by pose", 1).pose, return_counts=True)[1]
+    assert sorted(counts)[1:] == [3] * (len(counts) - 1)
+
+
+def test_the_ideal_detector_needs_more_for_more_forms_and_for_surety() -> None:
+    needed = [_needed(part, forms, 1) for part, forms in ((0.5, 1), (0.5, 1000), (0.95, 1000))]
+    assert needed == sorted(needed)
+    assert needed[0] == pytest.approx(3.29**2, rel=0.01)  # the bound itself, at which half of a normal lies beyond
 
 
 def test_a_run_that_was_ended_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -26,7 +41,7 @@ def test_a_run_that_was_ended_goes_on(tmp_path: Path, monkeypatch: pytest.Monkey
         asked.append(job)
         if len(asked) == 5:
             raise KeyboardInterrupt
-        return {"named": False, "unexplained": False, "hinted": True, "told": True, "p": 0.5, "inside": 3, "of": 4}
+        return {"named": False, "told": True, "p": 0.5, "sigma": 0.01, "rows": 1.0, "inside": 3, "of": 4}
 
     monkeypatch.setattr(honesty, "examined", examined)
     kept = tmp_path / "kept.txt"

@@ -59,7 +59,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
     return Diagnosis(
         verdict=found.verdict,
         summary=" ".join(filter(None, (_summary(found), found.noise.contradiction))),
-        noise=NoiseLevel(sigma_mm=sigma, source=found.noise.source, model=noise_model(final)),
+        noise=NoiseLevel(sigma_mm=sigma, source=found.noise.source, model=noise_model(final, found.noise)),
         baseline=Baseline(
             model=found.model, train_rms_mm=baseline.rms(), heldout_rms_mm=before, chi2_per_dof=of_baseline
         ),
@@ -284,8 +284,11 @@ def _hinted(found: Diagnosed) -> str:
 
 def _as_noise(found: Diagnosed) -> str:
     """Return what entitles to take what is left for noise, or that nothing does."""
-    together = noise_model(found.final)
+    together = noise_model(found.final, found.noise)
     hangs = "" if together.rho == 0 else f" that hangs together over {together.rows:.0f} rows"
+    hangs += f" ({found.noise.rounded})" if found.noise.rounded else ""
+    if found.noise.refuted is not None and found.noise.source is Source.RESIDUAL:
+        return f"looks like noise{hangs}: no channel and no place carries more of it"
     if found.noise.source is Source.RESIDUAL:
         return (
             f"looks like noise{hangs}: no channel and no place carries more of it, but neither repeats nor a declared "

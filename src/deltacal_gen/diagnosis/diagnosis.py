@@ -21,7 +21,7 @@ from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.correction import Correction, correct
 from deltacal_gen.diagnosis.discrimination import Question, next_measurements
 from deltacal_gen.diagnosis.findings import AMBIGUOUS, Named, location_of, named_of, rejected_of
-from deltacal_gen.diagnosis.hints import hinted, told
+from deltacal_gen.diagnosis.hints import hinted, outweighed, told
 from deltacal_gen.diagnosis.laws.laws import Lawful, Sought, laws
 from deltacal_gen.diagnosis.library import library
 from deltacal_gen.diagnosis.search import Search
@@ -45,7 +45,7 @@ from deltacal_gen.files.checks import check_units, set_aside
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification import checks
 from deltacal_gen.identification.folds import folds
-from deltacal_gen.identification.noise import Noise, noise
+from deltacal_gen.identification.noise import Noise, doubted, noise
 from deltacal_gen.identification.prior import with_prior
 from deltacal_gen.identification.together import deviance_of, together
 from deltacal_gen.machine.backend import by_recording
@@ -147,7 +147,7 @@ def diagnose(
     # what is left out may look like gross errors where it is strongest: none is dropped before it is known
     first = fit(some, Prior(), errors=start.errors, instrument=start.instrument, drop_gross=False, must_converge=False)
     terms, not_tested = library(some) if not lean else ([], _untested(problem))
-    found = searched(some, first, terms, lean, progress)
+    found = white = searched(some, first, terms, lean, progress)
     if not lean and (calm := together(first)) is not None:
         progress("noise that hangs together")
         again = fit(some, Prior(), errors=first.errors, instrument=first.instrument, repeats=calm, must_converge=False)
@@ -164,6 +164,7 @@ def diagnose(
         search, left, unexplained = Search(lawful[0].fit, search.terms), structures(lawful[0].fit), False
     # what comes near its price, or is not borne out, is no finding, but worth a measurement
     doubtful = [] if lean else hinted(search, AMBIGUOUS)
+    doubtful += outweighed(search, terms_of(white.search.fit), doubtful)
     before = after = rms(lengths(found.without, kind))
     if search.effects and spectrum is None and not lawful:
         after = rms(lengths(found.predicted if search is found.tested else held_out_by(some, search, parts), kind))
@@ -184,6 +185,8 @@ def diagnose(
     named_any = current.problem.terms or current.problem.held
     verdict = Verdict.UNEXPLAINED if unexplained else Verdict.MISSING_PHYSICS if named_any else Verdict.ADEQUATE
     known = noise(current, recording)
+    if not unexplained:
+        known = doubted(known, current)
     named = named_of(search, current, heldout, known.sigma, spectrum)
     chance = Chance(Search(first, terms), np.random.default_rng(SEED))
     # where a law sits is told as it showed, without the law

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from deltacal_gen.diagnosis.chance import Chance
-from deltacal_gen.diagnosis.search import Found, Search
+from deltacal_gen.diagnosis.search import Found, Search, charge
 from deltacal_gen.diagnosis.strategy import MARGIN
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import Hint
@@ -25,11 +26,14 @@ class Hinted:
         With the coefficients that explain most.
     alike : tuple of str
         Effects that would explain the same.
+    outweighed : bool
+        Whether it earned its price beside noise of each row's own, but noise that hangs together explains more.
     """
 
     found: Found
     term: Term
     alike: tuple[str, ...]
+    outweighed: bool = False
 
 
 def hinted(search: Search, ambiguous: float) -> list[Hinted]:
@@ -57,6 +61,18 @@ def hinted(search: Search, ambiguous: float) -> list[Hinted]:
     return out
 
 
+def outweighed(search: Search, terms: Sequence[Term], others: Sequence[Hinted]) -> list[Hinted]:
+    """Return effects that noise outweighs, with what they earn beside it, but for those that are named or hints."""
+    known = {name for name, _ in search.effects} | {name for h in others for name in (h.term.effect, *h.alike)}
+    out = []
+    for t in terms:
+        if t.effect not in known:
+            gain = search.gain(search.where(t))
+            score = gain - charge(t, sum(f.effect == t.effect for f in search.terms))
+            out.append(Hinted(Found(t, gain, score), t, (), outweighed=True))
+    return out
+
+
 def told(several: list[Hinted], chance: Chance) -> tuple[Hint, ...]:
     """Return hints as an answer tells them."""
     return tuple(
@@ -66,7 +82,9 @@ def told(several: list[Hinted], chance: Chance) -> tuple[Hint, ...]:
             gain_chi2=h.found.gain,
             p_value=chance.of(h.found.score),
             indistinguishable_from=h.alike,
-            why="earned its price, but readings held out do not bear it out yet"
+            why="noise that hangs together from row to row explains as much: repeat poses measured long before"
+            if h.outweighed
+            else "earned its price, but readings held out do not bear it out yet"
             if h.found.score > MARGIN
             else f"explains more than chance usually lets it; {MARGIN - h.found.score:.0f} of chi2 are wanting",
         )

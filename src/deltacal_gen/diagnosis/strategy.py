@@ -19,7 +19,7 @@ from deltacal_gen.estimation.residuals import Repeats
 from deltacal_gen.estimation.series import Series
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.identification.folds import folds
-from deltacal_gen.identification.noise import lack_of_fit
+from deltacal_gen.identification.noise import lack_of_fit, merely_more
 from deltacal_gen.identification.together import deviance_of, together
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.states import read_by
@@ -38,6 +38,7 @@ REVISIONS = 4
 SEARCHED = 1e-2  # of chi2: what a last step of a fit within the search may still gain
 MUCH_WORSE = 1.02  # times the noise: another form that fits so much worse in the exact machine is not taken
 ROOM = 10.0  # mm: root mean square that an effect's coefficient may well move the readings, a prior that never pulls
+HARDLY_ALIKE = 2.5  # likewise, from which it may be none
 ALIKE = 4.0  # standard deviations by which what is left must correlate between neighbouring poses to be no noise
 BORNE_OUT = 2.0  # standard deviations by which held-out readings must speak for what is named
 Progress = Callable[[str], None]
@@ -107,8 +108,19 @@ def _unexplained(search: Search, left: Sequence[Structure], lean: bool) -> bool:
     """Tell whether more is left than noise: by its size, along a channel or a place, or alike in neighbouring poses."""
     if lean:
         return False
-    more = lack_of_fit(search.fit, search.fit.problem.recording) or any(s.earned > MARGIN for s in left)
-    return more or alike(search.fit)[1] > ALIKE
+    at, recording = search.fit, search.fit.problem.recording
+    if any(s.earned > MARGIN for s in left) or alike(at)[1] > ALIKE:
+        return True
+    return lack_of_fit(at, recording) and not (merely_more(at, recording) and _structureless(search, left))
+
+
+def _structureless(search: Search, left: Sequence[Structure]) -> bool:
+    """Tell whether nothing that was recorded, no neighbour and no effect explains more of what is left than chance.
+
+    Then a declared noise that is less than it is wrong: no physics is left to be sought.
+    """
+    calm = alike(search.fit)[1] < HARDLY_ALIKE and all(s.earned <= 0 for s in left)
+    return calm and all(f.score <= 0 for f in search.ranked())
 
 
 def beside_noise(found: Outcome, lean: bool) -> Outcome:
@@ -125,9 +137,14 @@ def beside_noise(found: Outcome, lean: bool) -> Outcome:
 
 
 def deviance(found: Outcome) -> float:
-    """Return twice the negative logarithm of the likelihood of what was found, with its price; see `deviance_of`."""
+    """Return twice the negative logarithm of the likelihood of what was found, with its price; see `deviance_of`.
+
+    Noise that hangs together has to earn a margin too, which leaves effects of limbs their charge alone. An instrument
+    that wanders moves readings as effects without limbs do: those pay in full.
+    """
     terms = terms_of(found.search.fit)
-    price = sum(charge(t, sum(f.effect == t.effect for f in found.search.terms)) + MARGIN for t in terms)
+    price = sum(charge(t, sum(f.effect == t.effect for f in found.search.terms)) for t in terms)
+    price += sum(MARGIN for t in terms if not t.limbs)
     of_spectrum = 0.0 if found.spectrum is None else 2 * len(found.spectrum.limbs) * found.spectrum.corner + MARGIN
     return deviance_of(found.search.fit) + price + of_spectrum
 

@@ -22,7 +22,8 @@ FADES = (0.0, *np.linspace(-0.2, np.log(LONGEST), 12).tolist())  # log(1 - rho) 
 OWN = (0.1, 0.3, 0.5, 0.7, 0.9)  # parts of the variance that are each row's own, likewise
 REFINED = 6  # times that the steps between those are halved
 OWN_PRICE = 6.6  # of the deviance: what a part of each row's own must explain; chance does in one of a hundred
-SIZES = np.geomspace(0.5, 2.0, 21)  # of noise that are tried, in the one that an estimate without priors gives
+SIZES = np.geomspace(0.5, 2.0, 21)  # of noise that are tried, in the one that what each direction leaves speaks for
+SETTLING = 10  # rounds to that one
 UNSEEN = 1e-12  # of the largest eigenvalue: less is no direction that readings see
 DEFINITE = 1e-12  # of the variance: keeps a factor real where rounding would not
 
@@ -140,8 +141,12 @@ class Series:
         seen = size > UNSEEN * size.max(initial=0.0)  # of joints without a drawing the instrument alone is unknown
         V, size = V[:, seen], size[seen]
         inside = (V.T @ (A.T @ e)) ** 2 / size
-        rest, free = float(e @ e - inside.sum()), len(e) - M.shape[1]
-        s = rest / max(free - len(size), 1) * SIZES[:, None] ** 2
+        rest, free = max(float(e @ e - inside.sum()), 0.0), len(e) - M.shape[1]
+        about = float(e @ e) / max(free, 1)
+        for _ in range(SETTLING):
+            open_to_noise = (about / (about + size)).sum() + max(free - len(size), 0)
+            about = (rest + about * (inside / (about + size)).sum()) / open_to_noise
+        s = about * SIZES[:, None] ** 2
         each = free * np.log(s[:, 0]) + np.log1p(size / s).sum(axis=1)
         each += rest / s[:, 0] + (inside / (s + size)).sum(axis=1)
         return _least(each) + volume + 2 * float(np.log(np.abs(np.diagonal(R))).sum())

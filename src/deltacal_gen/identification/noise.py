@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import dataclasses
 from dataclasses import dataclass
 
 import numpy as np
 
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.residuals import Repeats, lengths
+from deltacal_gen.identification.rounding import rounding_of
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording
@@ -17,6 +19,7 @@ from deltacal_gen.results.parts import NoiseModel, Source
 PROVEN = 4.0  # standard deviations by which one noise must exceed another to be called larger
 FEW_LEVELS = 8  # values of a channel that is switched: directions, payloads
 ALIKE = 0.1  # of a channel's span: values that differ by less are of one level
+MISTAKEN = 3.0  # times by which a declared noise, from a data sheet or another day, may well be wrong
 LEAST_EXCESS = 1.15  # of chi2 per degree of freedom: a sidecar's sigma has a digit or two
 
 
@@ -32,13 +35,16 @@ def coordinate_sigma(found: Fit) -> float:
 class Noise:
     """Noise per measured scalar [mm], where it is known from, and the degrees of freedom of that knowledge.
 
-    `refuted` is a declared noise that repeats contradict [mm].
+    `repeated` says that repeats bear it out, `refuted` is a declared noise that they contradict, or what a fit leaves
+    [mm]; `rounded` says that joints or readings were rounded, where the noise holds that.
     """
 
     sigma: float
     source: Source
     degrees: float
+    repeated: bool = False
     refuted: float | None = None
+    rounded: str = ""
 
     @property
     def contradiction(self) -> str:
@@ -48,9 +54,13 @@ class Noise:
         times, word = self.sigma / self.refuted, "small"
         if times < 1:
             times, word = 1 / times, "large"
+        shows = (
+            "repeats of a pose differ by"
+            if self.source is Source.REPEATS
+            else "what is left depends on nothing that was recorded, and scatters by"
+        )
         return (
-            f"The declared sigma_mm of {self.refuted:.3g} is {times:.1f} times too {word}: repeats of a pose differ by "
-            f"{self.sigma:.3g} mm."
+            f"The declared sigma_mm of {self.refuted:.3g} is {times:.1f} times too {word}: {shows} {self.sigma:.3g} mm."
         )
 
 
@@ -59,8 +69,28 @@ def noise(final: Fit, recording: Recording) -> Noise:
 
     Repeats count where every channel but time is alike in both readings. A declared sigma holds unless repeats
     contradict it: clearly smaller ones do; clearly larger ones do unless the closest of them agree with it, since what
-    happens between two readings of a pose adds to the spread of some and not of others.
+    happens between two readings of a pose adds to the spread of some and not of others. Rounding is added where a fit
+    leaves as much more as it comes to.
     """
+    known = _known(final, recording)
+    if known.source is Source.RESIDUAL or not _more(final, known):
+        return known
+    steps = rounding_of(final, recording)
+    of_readings = steps.of_readings if known.source is Source.DECLARED else 0.0  # repeats show it
+    wider = dataclasses.replace(known, sigma=float(np.hypot(known.sigma, np.hypot(steps.of_joints, of_readings))))
+    excess, doubt = _excess(final, wider)
+    return dataclasses.replace(wider, rounded=steps.text) if steps.text and abs(excess) < doubt else known
+
+
+def doubted(known: Noise, final: Fit) -> Noise:
+    """Return noise as a fit shows it, where it leaves more than was declared, and that is noise all the same."""
+    if known.source is not Source.DECLARED or known.repeated or not _more(final, known):
+        return known
+    return Noise(coordinate_sigma(final), Source.RESIDUAL, np.inf, refuted=known.sigma)
+
+
+def _known(final: Fit, recording: Recording) -> Noise:
+    """Return what `noise` does, rounding left out."""
     found, residual = final.problem.readings, coordinate_sigma(final)
     declared = found.kind.sigma(recording.measurement, final.instrument.scale)
     if found.made:
@@ -76,20 +106,20 @@ def noise(final: Fit, recording: Recording) -> Noise:
         gap = np.log(within / declared**2) if repeated else 0.0
         between = np.sqrt(declared * np.sqrt(within))  # nearer to what was declared than to what repeats say
         if abs(gap) <= doubt or (gap > 0 and _closest(r, group) < between):
-            return Noise(declared, Source.DECLARED, np.inf)
+            return Noise(declared, Source.DECLARED, np.inf, repeated=repeated)
     if repeated:
-        return Noise(float(np.sqrt(within)), Source.REPEATS, float(degrees), refuted=declared)
+        return Noise(float(np.sqrt(within)), Source.REPEATS, float(degrees), repeated=True, refuted=declared)
     return Noise(residual, Source.RESIDUAL, np.inf)
 
 
-def noise_model(final: Fit) -> NoiseModel:
-    """Return how the noise of rows hangs together that a fit counts with."""
-    series = final.repeats.series
+def noise_model(final: Fit, known: Noise) -> NoiseModel:
+    """Return how the noise of rows hangs together that a fit counts with, and whether rounding is in it."""
+    series, rounded = final.repeats.series, f"; {known.rounded}" if known.rounded else ""
     if series is None:
-        return NoiseModel(rho=0.0, rows=1.0, own=1.0, text="each row has noise of its own")
+        return NoiseModel(rho=0.0, rows=1.0, own=1.0, text=f"each row has noise of its own{rounded}")
     words = f"the noise hangs together over {series.rows:.0f} rows (correlation {series.rho:.2f} from row to row"
     words += f", beside {series.own:.0%} of its variance that is each row's own)" if series.own else ")"
-    return NoiseModel(rho=series.rho, rows=series.rows, own=series.own, text=words)
+    return NoiseModel(rho=series.rho, rows=series.rows, own=series.own, text=words + rounded)
 
 
 def _repeats(found: Readings, recording: Recording) -> np.ndarray:
@@ -136,16 +166,38 @@ def _closest(r: Array, group: np.ndarray) -> float:
 def lack_of_fit(final: Fit, recording: Recording) -> bool:
     """Tell whether what a fit leaves is more than a noise known beforehand, each as uncertain as it is."""
     known = noise(final, recording)
-    if known.source is Source.RESIDUAL:
-        return False
-    r = np.delete(
-        lengths(final.residual / final.sigma, final.problem.readings.kind) * final.sigma[0], final.gross, axis=0
-    )
-    r = r[np.isfinite(r)] / (np.sqrt(2.0) if final.problem.readings.made else 1.0)
+    return known.source is not Source.RESIDUAL and _more(final, known)
+
+
+def merely_more(final: Fit, recording: Recording) -> bool:
+    """Tell whether what a fit leaves is more than was declared, but not so much that the declaration cannot be wrong.
+
+    Repeats do not err so: what they do not show is no noise.
+    """
+    known = noise(final, recording)
+    return not known.repeated and coordinate_sigma(final) < MISTAKEN * known.sigma
+
+
+def _more(final: Fit, known: Noise) -> bool:
+    excess, doubt = _excess(final, known)
+    return excess > max(doubt, np.log(LEAST_EXCESS))
+
+
+def _excess(final: Fit, known: Noise) -> tuple[float, float]:
+    """Return by which logarithm the variance that a fit leaves exceeds a known one, and how far it may by chance.
+
+    Where noise hangs together the fit has taken much of it: the rows are looked at freed of what those before tell.
+    """
+    problem, series = final.problem, final.repeats.series
+    z = final.residual / final.sigma
+    if series is not None:
+        z = np.where(np.isfinite(z), series.freed(np.nan_to_num(z)), np.nan)
+    r = np.delete(lengths(z, problem.readings.kind) * final.sigma[0], final.gross, axis=0)
+    r = r[np.isfinite(r)] / (np.sqrt(2.0) if problem.readings.made else 1.0)
     free = max(len(r) - final.solution.degrees - final.instrument.n_unknown, 1.0)
-    excess = np.log(float(r @ r) / free / known.sigma**2)
-    doubt = PROVEN * np.sqrt(_spread(r) * (1 / free + 1 / known.degrees))
-    return bool(excess > max(doubt, np.log(LEAST_EXCESS)))
+    seen = free / (1.0 if series is None else series.rows_of_size)
+    excess = float(np.log(float(r @ r) / free / known.sigma**2))
+    return excess, float(PROVEN * np.sqrt(_spread(r) * (1 / seen + 1 / known.degrees)))
 
 
 def freedom(final: Fit) -> float:

@@ -1,0 +1,92 @@
+"""What is noise and nothing else is called so: rounded, understated, shared by the readings of a pose it is said."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from deltacal_gen.diagnosis.diagnosis import diagnose
+from deltacal_gen.identification.rounding import ENCODERS, step_of
+from tests.benchmarks.honesty_nulls import ROBOT, SIGMA, null, rounded
+from tests.left_out import channels, effect, record
+
+ANGLES = np.random.default_rng(1).uniform(-60.0, 90.0, 100)
+
+
+@pytest.mark.parametrize("step", [0.01, 0.03, 0.05, 10.0, 360 / 8192, 0.0018, 1 / 3])
+def test_the_step_of_rounded_values_is_found(step: float) -> None:
+    values = np.round(ANGLES / step) * step
+    assert step_of(values) == pytest.approx(step, rel=1e-6)
+    assert step_of(np.degrees(np.radians(values)) + 12.3) == pytest.approx(step, rel=1e-6)
+
+
+def test_a_step_shows_though_too_few_digits_were_written() -> None:
+    step = 360 / 8192
+    values = np.round(np.round(ANGLES / step) * step, 4)
+    assert step_of(values) == pytest.approx(1e-4, rel=1e-6)
+    assert step_of(values, ENCODERS) == pytest.approx(step)
+
+
+@pytest.mark.parametrize("values", [ANGLES, np.round(ANGLES, 9), np.array([1.0, 2.0, 4.0])])
+def test_what_was_not_rounded_has_no_step(values: np.ndarray) -> None:
+    assert step_of(values) == 0.0
+
+
+@pytest.mark.parametrize(
+    ("reading", "joint", "says"), [(0.1, 0.0, "readings in steps of 0.1 mm"), (0.0, 0.05, "0.05 deg")]
+)
+def test_rounding_that_a_declared_sigma_leaves_out_is_noise(reading: float, joint: float, says: str) -> None:
+    found = diagnose(ROBOT, rounded(record(ROBOT, n=100, seed=5), reading, joint)).answer()
+    assert found.verdict == "adequate"
+    assert found.noise.source == "declared"
+    assert found.noise.sigma_mm > 2 * SIGMA
+    assert found.noise.model is not None
+    assert says in found.noise.model.text
+    assert says in found.summary
+
+
+def test_joints_commanded_in_whole_degrees_were_not_rounded() -> None:
+    joints = np.round(np.degrees(record(ROBOT, n=100, seed=5).joints))
+    found = diagnose(ROBOT, record(ROBOT, n=100, joints=joints)).answer()
+    assert found.noise.model is not None
+    assert "rounding" not in found.noise.model.text
+    assert found.noise.sigma_mm == SIGMA
+
+
+@pytest.mark.parametrize("k", [0, 1, 2])
+def test_a_sigma_that_noise_exceeds_is_wrong(k: int) -> None:
+    found = diagnose(ROBOT, null("understated", k)).answer()
+    assert (found.verdict, found.noise.source) == ("adequate", "residual")
+    assert found.noise.sigma_mm == pytest.approx(SIGMA, rel=0.2)
+    assert "The declared sigma_mm of 0.005 is" in found.summary
+    assert "times too small: what is left depends on nothing that was recorded" in found.summary
+
+
+def test_a_sigma_that_repeats_bear_out_is_right_and_what_exceeds_it_no_noise() -> None:
+    pose = np.arange(120) // 3
+    joints = np.degrees(record(ROBOT, n=120, seed=5).joints)[pose]
+    made = record(ROBOT, n=120, seed=5, joints=joints, pose=[f"p{i}" for i in pose])
+    shared = 2.5 * SIGMA * np.random.default_rng(1).standard_normal((120, 3))[pose]
+    found = diagnose(ROBOT, dataclasses.replace(made, measured=made.measured + shared)).answer()
+    assert (found.verdict, found.noise.sigma_mm) == ("unexplained", SIGMA)
+
+
+def test_no_data_sheet_is_wrong_by_ten() -> None:
+    made = null("white", 1)
+    stated = dataclasses.replace(made.measurement, sigma_mm=SIGMA / 10)
+    assert diagnose(ROBOT, dataclasses.replace(made, measurement=stated)).answer().verdict == "unexplained"
+
+
+def test_what_noise_that_hangs_together_outweighs_is_a_hint() -> None:
+    of = channels(100, "time", seed=3)
+    rate = 0.03 / (of["time_s"][-1] / 3600)
+    made = record(ROBOT, effect("instrument_drift", (), rate, -rate, rate / 2), n=100, of=of, declared=False, seed=1)
+    found = diagnose(ROBOT, made).answer()
+    assert found.effects == ()
+    assert found.noise.model is not None
+    assert found.noise.model.rows > 5
+    [hint] = [h for h in found.hints if h.name == "instrument_drift"]
+    assert "hangs together" in hint.why
+    assert any("instrument_drift" in (n.separates or ()) for n in found.next_measurements)
