@@ -195,3 +195,12 @@ def test_bands_of_distances_stand_in_their_file(robot: Robot, mechanism: Machine
     low, high = (np.array([float(r[f"distance_{end}_mm"]) for r in rows]) for end in ("lo", "hi"))
     assert true.pair_measured is not None
     assert np.mean((low <= true.pair_measured) & (true.pair_measured <= high)) > 0.85
+
+
+def test_uncertainty_of_effects_that_were_taken_out_by_hand_gives_no_bands(tmp_path: Path) -> None:
+    folder = example("gearbox")
+    found = commands.diagnose(folder / "robot.toml", folder / "recording.csv")
+    edited = found | {"physics": []}
+    commands.predict(edited, folder / "recording.csv", tmp_path / "predicted.csv")
+    with pytest.raises(InputError, match="of 1 coefficients of effects, and it has others"):
+        commands.predict(edited, folder / "recording.csv", tmp_path / "predicted.csv", bands=True)

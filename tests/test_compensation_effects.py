@@ -102,6 +102,16 @@ def test_an_effect_on_the_instrument_changes_no_command(name: str) -> None:
     assert compensator.channels({}, 5)[1] == [f"{name} belongs to the instrument: no command is changed for it"]
 
 
+def test_the_direction_of_a_joint_alone_is_enough_where_it_alone_has_play(machine: Robot) -> None:
+    play = blank("backlash", (2,), constants("backlash"), []).with_values(np.array([[0.001]]))
+    compensator = Compensator(machine, terms=(play,))
+    at, assumed = compensator.channels({"approach2": np.array([1.0, -1.0])}, 2)
+    assert assumed == []
+    joints, _ = compensator.command(np.repeat(targets(machine, 1, 3), 2, axis=0), channels=at)
+    assert joints[0] - joints[1] == pytest.approx([0.0, 0.001, 0.0], abs=1e-9)
+    assert "middle of the play" in compensator.channels({"approach1": np.array([1.0, -1.0])}, 2)[1][0]
+
+
 def test_what_is_not_given_is_assumed_aloud(machine: Robot) -> None:
     names = ("backlash", "joint_compliance", "thermal_zero", "zero_drift", "zero_jump", "inertial_deflection")
     compensator = Compensator(machine, terms=tuple(map(term, names)))

@@ -143,7 +143,6 @@ EDITS = {
     ),
     "state": ('"state": [[', '"state": [[0.0, ', "holds 12 numbers"),
     "factor": ('"factor": [', '"factor": [0.5, ', "its factor holds"),
-    "coefficients": ('"coefficients": 0', '"coefficients": 7', "not those of the first effects"),
     "degrees": ('"degrees": ', '"degrees": -', "degrees of freedom must be above 0"),
 }
 

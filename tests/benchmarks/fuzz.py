@@ -26,7 +26,7 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
@@ -107,10 +107,10 @@ def run(job: Job, folder: Path, seen: Callable[[str, Path], bool] | None = None)
     said = folder.parent / f"{folder.name}.said"
     arguments = [re.sub(r"\{(.*)\}", lambda m: str(folder / m[1]), a) for a in job.arguments]
     start = time.monotonic()
-    child = os.fork()
-    if not child:
-        _child(arguments, said)
-    status = _waited(child, start)
+    process = os.fork()
+    if not process:
+        child(arguments, said)
+    status = _waited(process, start)
     left = tuple(sorted(str(p.relative_to(folder)) for p in folder.rglob("*") if p not in before))
     code = os.waitstatus_to_exitcode(status)
     words = said.read_text(errors="replace")
@@ -118,7 +118,8 @@ def run(job: Job, folder: Path, seen: Callable[[str, Path], bool] | None = None)
     return Outcome(code, time.monotonic() - start, words, left, warned)
 
 
-def _child(arguments: list[str], said: Path) -> None:
+def child(arguments: list[str], said: Path) -> NoReturn:
+    """Run the command line in a forked process, what it says in a file, and end."""
     stream = os.open(said, os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
     os.dup2(stream, 1)
     os.dup2(stream, 2)
@@ -164,7 +165,7 @@ def attempt(
         return run(job, folder, seen)
 
 
-def _load() -> None:
+def load() -> None:
     """Load every module of the package, so that runs, which are forked, load none."""
     for module in pkgutil.walk_packages(deltacal_gen.__path__, "deltacal_gen."):
         if not module.name.endswith("__main__"):
@@ -213,7 +214,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--log", type=Path, help="a line to each run (CSV); those that it has are not run again")
     parser.add_argument("--minutes", type=float, default=float("inf"), help="after which no further run begins")
     asked = parser.parse_args(arguments)
-    _load()
+    load()
     done, end = _logged(asked.log), time.monotonic() + 60 * asked.minutes
     had = {k for k, *_ in done}
     with tempfile.TemporaryDirectory() as temporary:

@@ -6,7 +6,8 @@ that change no value of what the file describes, at two random points. The rest 
 an author who made that mistake: verdicts on the papers are decided, kernels derived anew, tests run, the nearest ones
 first. A mistake is noticed where one of them turns red; the first one that does is written down.
 
-It works in a worktree of its own (``--folder``), which it makes from the committed state.
+It works in a worktree of its own (``--folder``), which it makes from the committed state. Mistakes of the seed that the
+table has already are not tried again, and ``--minutes M`` ends a sitting.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ import os
 import random
 import subprocess
 import sys
+import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, is_dataclass
 from pathlib import Path
@@ -263,8 +265,8 @@ def _last(said: str) -> str:
     return (said.strip().splitlines() or [""])[-1][:90]
 
 
-def trial(bench: Bench, seed: int, count: int) -> Iterator[tuple[Mistake, str]]:
-    """Yield the mistakes of a seed with what notices each; what changes nothing is passed over."""
+def trial(bench: Bench, seed: int, count: int, had: int = 0) -> Iterator[tuple[Mistake, str]]:
+    """Yield the mistakes of a seed after the first `had`, with what notices each; what changes nothing is none."""
     every = mistakes(bench.folder)
     random.Random(seed).shuffle(every)
     right: dict[str, str] = {}
@@ -280,6 +282,8 @@ def trial(bench: Bench, seed: int, count: int) -> Iterator[tuple[Mistake, str]]:
         if not code and now == right[mistake.file]:
             continue
         done += 1
+        if done <= had:
+            continue
         yield mistake, f"refused: {_last(now)}" if code else bench.noticed(mistake)
     bench.clean()
 
@@ -291,21 +295,26 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("--count", type=int, default=COUNT)
     parser.add_argument("--folder", type=Path, required=True, help="of the worktree")
     parser.add_argument("-o", "--output", type=Path, default=TABLE)
+    parser.add_argument("--minutes", type=float, default=float("inf"), help="after which no further one begins")
     asked = parser.parse_args(arguments)
-    bench, unnoticed = Bench(asked.folder), 0
+    bench, end = Bench(asked.folder), time.monotonic() + 60 * asked.minutes
     new = not asked.output.exists()
+    had = [] if new else [row for row in csv.reader(asked.output.open(encoding="utf-8")) if row[0] == str(asked.seed)]
+    tried, unnoticed = len(had), sum(row[-1] == "nothing" for row in had)
     with asked.output.open("a", newline="", encoding="utf-8") as file:
         table = csv.writer(file, lineterminator="\n")
         if new:
             table.writerow(["seed", "kind", "file", "line", "before", "after", "noticed by"])
-        for n, (mistake, by) in enumerate(trial(bench, asked.seed, asked.count), start=1):
-            unnoticed += not by
+        for mistake, by in trial(bench, asked.seed, asked.count, len(had)):
+            tried, unnoticed = tried + 1, unnoticed + (not by)
             before, after = (" ".join(t.split()) for t in (mistake.before, mistake.after))
             row = [asked.seed, mistake.kind, mistake.file, mistake.line, before, after, by or "nothing"]
             table.writerow(row)
             file.flush()
-            print(n, *row, sep=" | ", flush=True)
-    print(f"{asked.count - unnoticed} of {asked.count} noticed")
+            print(tried, *row, sep=" | ", flush=True)
+            if time.monotonic() > end:
+                break
+    print(f"{tried - unnoticed} of {tried} noticed")
     return unnoticed
 
 

@@ -75,7 +75,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--show", action="store_true", help="what was said to each")
     asked = parser.parse_args(arguments)
-    fuzz._load()
+    fuzz.load()
     counts: Counter[str] = Counter()
     with tempfile.TemporaryDirectory() as temporary:
         good = Path(temporary) / "good"

@@ -98,6 +98,17 @@ class Channels:
         return Channels(values, np.arange(rows, dtype=float))
 
 
+def _filled(columns: Mapping[str, Array], shape: tuple[int, int], joint_unit: str) -> dict[str, Array]:
+    """Return columns, those of joints complete where some are given: blank, the others."""
+    n, limbs = shape
+    out = dict(columns)
+    for read in (c for c in CHANNELS if c.per == "joint"):
+        names = read.columns(joint_unit, limbs)
+        if any(name in columns for name in names):
+            out |= {name: np.full(n, np.nan) for name in names if name not in columns}
+    return out
+
+
 def _temperature(columns: Mapping[str, Array]) -> Array | None:
     """Return the machine's temperature [degC]: `temp_C` or, where parts have thermometers instead, their mean."""
     parts = [v for name, v in sorted(columns.items()) if TEMPERATURE.fullmatch(name)]
@@ -121,26 +132,29 @@ def complete_channels(
         Some rows have a time and some have none.
     """
     n, limbs = shape
-    have = Channels.from_columns(columns, shape, robot, joint_unit)
+    have = Channels.from_columns(_filled(columns, shape, joint_unit), shape, robot, joint_unit)
     values, said = dict(have.values), []
     assuming = [s for s in states.STATES.values() if s.assumed]
     for (column, assumed), found in itertools.groupby(assuming, key=lambda s: (s.column, s.assumed)):
         own = tuple(found)
         read = next(c for c in CHANNELS if c.column == column)
         given = have.values.get(read.name, np.full((n, limbs) if read.per == "joint" else n, np.nan))
-        blank = np.isnan(given).reshape(n, -1).any(axis=1)
+        cells = np.isnan(given).reshape(n, -1)
+        users = [t for t in terms if {s.base for s in own} & {c.base for s in t.states for c in s.channels}]
+        if read.per == "joint" and all(t.limbs for t in users):  # of joints whose direction nothing asks for
+            cells = cells[:, sorted({i - 1 for t in users for i in t.limbs})]
+        blank = cells.any(axis=1)
         for s in own:
             if read.whole and blank.all():
                 values.pop(s.name, None)
             elif not s.by:
                 values[s.name] = np.nan_to_num(values.get(s.name, np.full(given.shape, np.nan)), nan=s.default - s.zero)
-        users = [t.effect for t in terms if {s.base for s in own} & {c.base for s in t.states for c in s.channels}]
         if not users or not blank.any():
             continue
         names = read.columns(joint_unit, limbs)
         name = f"{names[0]} ... {names[-1]}" if len(names) > 1 else names[0]
         where = "not given" if blank.all() else f"blank in {blank.sum()} of {n} rows"
-        said.append(f"{name} {where}: {assumed} ({', '.join(users)})")
+        said.append(f"{name} {where}: {assumed} ({', '.join(t.effect for t in users)})")
         if read.whole and not blank.all():
             raise InputError(
                 "some rows have a time and some have none.",

@@ -109,9 +109,6 @@ def _machine_flaws(state: Result | Diagnosis | MachineState, where: str) -> Iter
 def _uncertainty_flaws(known: Uncertainty, state: Result | Diagnosis, mechanism: Machine) -> Iterator[tuple[str, str]]:
     if unknown := [name for name in known.parameters if name not in mechanism.index]:
         yield "uncertainty", f"a {mechanism.name} has no parameter '{unknown[0]}'"
-    counts = [np.size(term.values) for term in state.physics or ()]
-    if known.coefficients not in (0, *np.cumsum(counts).tolist()):
-        yield "uncertainty", f"its {known.coefficients} coefficients are not those of the first effects"
     rows = len(known.parameters) + known.coefficients + instrument_of(state.instrument).n_unknown
     if len(known.factor) != rows * (rows + 1) // 2:
         yield "uncertainty", f"its factor holds {len(known.factor)} numbers, and {rows * (rows + 1) // 2} were expected"
