@@ -209,6 +209,74 @@ def test_what_is_no_noise_and_depends_on_nothing_recorded_is_not_adequate(tmp_pa
     assert [u["limb"] for u in found["unexplained"]] == [2]
 
 
+def test_currents_tell_torques_where_their_constant_is_known(recorded: Path, diagnosed: Any, tmp_path: Path) -> None:
+    constants = np.array([12.0, 8.0, 5.0])  # Nm/A
+    lines = [line.split(",") for line in recorded.read_text().splitlines()]
+    table = np.array(lines[1:], dtype=float)
+    table[:, 5:] /= constants
+    header = ",".join([*lines[0][:5], *(f"current{i}_A" for i in (1, 2, 3))])
+    path = tmp_path / "recording.csv"
+    path.write_text("\n".join([header, *(",".join(map(repr, row)) for row in table.tolist())]) + "\n")
+    path.with_suffix(".toml").write_text('[measurement]\nkind = "torque"\n')
+    text = recorded.with_name("robot.toml").read_text()
+    (tmp_path / "robot.toml").write_text(f"{text}\n[transmission]\ntorque_constant_Nm_A = {constants.tolist()}\n")
+    found = dc.diagnose(tmp_path / "robot.toml", path)
+    assert named(found) == named(diagnosed)
+    for own, other in zip(found["effects"], diagnosed["effects"], strict=True):
+        for p, q in zip(own["parameters"], other["parameters"], strict=True):
+            assert (p["unit"], p["value"]) == (q["unit"], pytest.approx(q["value"], rel=1e-6))
+    assert found["final"]["unit_by_joint"] == ["A", "A", "A"]
+    wanted = np.array(diagnosed["final"]["heldout_rms_by_joint"]) / constants
+    assert found["final"]["heldout_rms_by_joint"] == pytest.approx(wanted, rel=1e-6)
+    assert dc.validate(found.to_dict(), path)["rms_by_joint"] == pytest.approx(wanted, rel=0.3)
+    (tmp_path / "robot.toml").write_text(f"{text}\n[transmission]\ntorque_constant_Nm_A = [1.0]\n")
+    with pytest.raises(InputError, match="has 1 numbers, and the machine 3 joints"):
+        dc.diagnose(tmp_path / "robot.toml", path)
+
+
+def carried(folder: Path, truth: str, friction: bool = True) -> Path:
+    """Write runs of an arm whose file states all bodies, with a payload that is written as 2 kg; return the path."""
+    rows = [["run", "time_s", "q1_deg", "q2_deg", "q3_deg", "payload_kg"]]
+    for run in range(4):
+        q = trajectory(10.0, 60 + run)[0] / DEG
+        rows += [[str(run), *(f"{v:.6f}" for v in (n * STEP, *row)), "2.0"] for n, row in enumerate(q)]
+    path = folder / "trajectory.csv"
+    path.write_text("\n".join(",".join(row) for row in rows) + "\n")
+    path.with_suffix(".toml").write_text('[measurement]\nkind = "torque"\n')
+    bodied = [
+        link | {"mass": 3.0, "com": [40.0, -20.0, 30.0], "inertia": [2e4, 3e4, 4e4, 1e3, 2e3, 3e3]} for link in LINKS
+    ]
+    (folder / "robot.toml").write_text(robot_to_toml(robot(bodied)))
+    (folder / "truth.toml").write_text(truth)
+    made = folder / "made.csv"
+    dc.simulate(folder / "robot.toml", path, made, truth=folder / "truth.toml", noise=NOISE, seed=3)
+    return made
+
+
+def test_a_payload_that_is_not_what_was_written_is_told_with_its_centre(tmp_path: Path) -> None:
+    truth = '[[effects]]\nname = "payload_error"\nmass = 0.6\ncom_x = 12.0\ncom_y = -20.0\ncom_z = 30.0\n'
+    friction = '[[effects]]\nname = "coulomb_friction"\nlimbs = [2]\ncoulomb = 3.0\n'
+    made = carried(tmp_path, truth + friction)
+    found = dc.diagnose(tmp_path / "robot.toml", made)
+    assert named(found) == {"coulomb_friction": [2], "payload_error": []}
+    parameters = {p["name"]: p for p in found["effects"][-1]["parameters"]}
+    for name, value in {"mass": 0.6, "com_x": 12.0, "com_y": -20.0, "com_z": 30.0}.items():
+        assert abs(parameters[name]["value"] - value) < 4 * parameters[name]["std"], parameters[name]
+    assert parameters["mass"]["std"] < 0.03
+    assert all(v < 1.15 * NOISE for v in dc.validate(found.to_dict(), made)["rms_by_joint"])
+    assert "that is not what was written" in found["summary"]
+
+
+def test_bodies_as_the_file_states_them_leave_the_rotor_its_inertia(tmp_path: Path) -> None:
+    """Beside links of unknown inertia nobody tells a rotor; beside known ones its inertia stands by itself."""
+    made = carried(tmp_path, '[[effects]]\nname = "rotor_inertia"\nlimbs = [1]\ninertia = 5e5\n')
+    found = dc.diagnose(tmp_path / "robot.toml", made)
+    assert named(found) == {"rotor_inertia": [1]}
+    (inertia,) = found["effects"][0]["parameters"]
+    assert abs(inertia["value"] - 5e5) < max(4 * inertia["std"], 5e3)
+    assert found["known"]["payloads"] == []
+
+
 KEYS = {  # of the contract: sections 4 and 6, and 8 of its second part
     "result": "model parameters rank singular_values condition unidentifiable train_rms_Nm heldout_rms_Nm sigma_Nm",
     "diagnosis": "verdict summary noise baseline location effects final rejected next_measurements laws search motion",

@@ -99,7 +99,20 @@ BARE = {  # numbers without a unit: counts, parts of a whole, figures of statist
     # of machines in motion: in `unit_by_joint`, parts of a whole, counts, and as their types say
     *("train_rms_by_joint", "heldout_rms_by_joint", "heldout_rms_by_joint_filtered", "sigma_by_joint"),
     *("rms_by_joint", "rms_by_joint_filtered", "together_by_joint", "removed", "at_rest", "at_rest_below"),
-    *("joint", "payload", "buys", "heldout_gain", "error", "delay", "time", "measured", "speed"),
+    *(
+        "joint",
+        "payload",
+        "buys",
+        "heldout_gain",
+        "error",
+        "delay",
+        "inertial",
+        "mass",
+        "centre",
+        "time",
+        "measured",
+        "speed",
+    ),
     *("position", "load", "error_before", "error_after"),
     *("range", "at", "seen", "partial", "charge", "outside_law"),  # of laws, as their states and targets count
 }

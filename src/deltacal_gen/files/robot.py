@@ -150,11 +150,12 @@ class Masses(Table):
 
 class Transmission(Table):
     """Between motor and joint: `gear_ratio` in motor turns per joint turn, `encoder_counts` per motor turn,
-    `pulley_circumference` in mm of belt per motor turn."""
+    `pulley_circumference` in mm of belt per motor turn, `torque_constant_Nm_A` what each joint gets of an ampere."""
 
     gear_ratio: Positive | None = None
     encoder_counts: Positive | None = None
     pulley_circumference: Positive | None = None
+    torque_constant_Nm_A: tuple[Positive, ...] | None = None
 
 
 class _Joint(Table):

@@ -67,8 +67,8 @@ class Dynamics(ABC):
         """Return the torques (N, n_q) [N mm, N] that the joints must give, for inertial parameters (n,)."""
 
     @abstractmethod
-    def payload(self, motion: Array) -> Array:
-        """Return the torques (N, n_q) that 1 kg at the tool point asks for."""
+    def payload(self, motion: Array, off: Array | None = None) -> Array:
+        """Return the torques (N, n_q) that 1 kg asks for at the tool point, or `off` (3,) it [mm] in the last frame."""
 
     @abstractmethod
     def stated(self, *, points: bool = False) -> Array:
@@ -114,9 +114,9 @@ class ChainDynamics(Dynamics):
         self._kernels.torque(motion, masses, self._gravity, self._own, *self._machine.shape, tau)
         return tau
 
-    def payload(self, motion: Array) -> Array:
-        """Return the torques (N, n_q) that 1 kg at the tool point asks for, in the last frame."""
-        own = self.of_points(self._tool[None])[0]
+    def payload(self, motion: Array, off: Array | None = None) -> Array:
+        """Return the torques (N, n_q) that 1 kg asks for at the tool point, or off it, in the last frame."""
+        own = self.of_points((self._tool if off is None else self._tool + off)[None])[0]
         return self.torque(motion, np.concatenate([np.zeros(len(self.names) - len(own)), own]))
 
     def stated(self, *, points: bool = False) -> Array:
@@ -164,8 +164,9 @@ class LimbDynamics(Dynamics):
         """Return the torques (N, n_q); NaN where the machine cannot stand."""
         return self._asked(motion, np.append(inertia, 0.0))
 
-    def payload(self, motion: Array) -> Array:
-        """Return the torques (N, n_q) that 1 kg at the reference point asks for."""
+    def payload(self, motion: Array, off: Array | None = None) -> Array:
+        """Return the torques (N, n_q) that 1 kg at the reference point asks for; a platform that only translates asks
+        the same wherever on it that is."""
         return self._asked(motion, np.append(np.zeros(len(self.names)), 1.0))
 
     def stated(self, *, points: bool = False) -> Array:

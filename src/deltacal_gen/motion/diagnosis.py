@@ -9,10 +9,12 @@ import numpy as np
 from scipy.stats import chi2
 
 from deltacal_gen.machine.values import Robot
+from deltacal_gen.motion.bodies import Found, searched
 from deltacal_gen.motion.identification import RIGID, base_parameters
-from deltacal_gen.motion.joint import Fit, climbed, fitted
+from deltacal_gen.motion.joint import Fit, fitted
 from deltacal_gen.motion.ladder import BUYS, LookedAt
-from deltacal_gen.motion.lag import LATENCY, with_lag
+from deltacal_gen.motion.lag import LATENCY
+from deltacal_gen.motion.payload import NAMES, PAYLOAD, PayloadError
 from deltacal_gen.motion.session import Session, sigma_said, still_to_move
 from deltacal_gen.motion.traces import traces
 from deltacal_gen.motion.trajectories import INSIDE, Trajectories
@@ -48,20 +50,19 @@ def diagnose(robot: Robot, given: Trajectories, progress: Progress) -> MotionDia
     """
     progress("derivatives")
     session = Session.of(robot, given)
-    plain: list[Fit] = []
-    found: list[Fit] = []
-    for joint in session.moving:
-        progress(f"joint {joint.number}")
-        plain.append(fitted(joint, []))
-        found.append(with_lag(climbed(joint)))
+    plain = [fitted(joint, []) for joint in session.moving]
+    whole = searched(session, progress)
+    free, session, found = session, whole.session, whole.fits
     rests = [rest(fit, _sigma(session, fit)) for fit in found]
     effects = _effects(session, plain, found)
+    if whole.payload is not None:
+        effects = (*effects, _payload(whole.payload, whole, plain))
     open_ = [r for r in rests if r is not None]
     verdict = Verdict.UNEXPLAINED if open_ else Verdict.MISSING_PHYSICS if effects else Verdict.ADEQUATE
     final = session.left(found)
     return MotionDiagnosis(
         **session.answered(found),
-        parameters=tuple(base_parameters(session.rigid, found)),
+        parameters=tuple(base_parameters(free.rigid, whole.free)),
         traces=traces(session, plain, found),
         verdict=verdict,
         summary=_summary(effects, open_, session, found),
@@ -74,14 +75,14 @@ def diagnose(robot: Robot, given: Trajectories, progress: Progress) -> MotionDia
         ladder=tuple(_ladder(fit, r) for fit, r in zip(found, rests, strict=True)),
         unexplained=tuple(Unexplained(limb=r.joint, channel=r.channel, share=r.share, text=r.text) for r in open_),
         rejected=_rejected(session, effects, found),
-        not_tested=_not_tested(found),
+        not_tested=_not_tested(session, found),
         next_measurements=_next(session, effects, found),
     )
 
 
 def _sigma(session: Session, fit: Fit) -> float | None:
     said = sigma_said(session.given, fit.joint.unit)
-    return None if said is None else said * INSIDE[fit.joint.unit]
+    return None if said is None else said * fit.joint.readout.inside
 
 
 def _effects(session: Session, plain: Sequence[Fit], fits: Sequence[Fit]) -> tuple[TorqueEffect, ...]:
@@ -151,6 +152,35 @@ def _effect(session: Session, where: Sequence[tuple[Fit, int]], excess: Mapping[
     )
 
 
+def _payload(payload: PayloadError, whole: Found, plain: Sequence[Fit]) -> TorqueEffect:
+    """Return a payload that is not what was written; of what no torque tells the deviation is not known."""
+    parameters = [
+        EffectParameter(
+            name=name,
+            limb=None,
+            value=float(v),
+            std=None if np.isnan(s) else float(s),
+            unit=unit,
+            setup=setup or None,
+        )
+        for setup, row, stds in zip(payload.setups, payload.values, payload.std, strict=True)
+        for (name, unit), v, s in zip(NAMES, row, stds, strict=True)
+    ]
+    before = sum(_mean_square(fit) for fit in plain)
+    removed = sum(_mean_square(f) * ((1.0 - b) ** -2 - 1.0) for f, b in zip(whole.fits, whole.bought, strict=True))
+    return TorqueEffect(
+        name=PAYLOAD,
+        title="a payload that is not what was written",
+        limbs=(),
+        parameters=tuple(parameters),
+        p_value=float(chi2.sf(payload.gain, int(np.isfinite(payload.std).sum()))),
+        gain_chi2=payload.gain,
+        share_of_excess=float(np.clip(removed / before, 0.0, 1.0)),
+        indistinguishable_from=(),
+        heldout_gain=whole.bought,
+    )
+
+
 def _of_the_best(gain: float, width: int, tried: int) -> float:
     """Return the probability that noise alone lets the best of some candidates earn so much in chi2."""
     return float(-np.expm1(tried * np.log1p(-min(chi2.sf(gain, width), 1.0 - 1e-16))))
@@ -169,7 +199,7 @@ def _search(fits: Sequence[Fit]) -> Searched:
 def _rejected(session: Session, effects: Sequence[TorqueEffect], fits: Sequence[Fit]) -> tuple[TorqueRejected, ...]:
     """Return the effects that no joint has, the one that would earn most first."""
     named = {e.name for e in effects}
-    left = {fit.joint.number: np.sqrt(_mean_square(fit)) / INSIDE[fit.joint.unit] for fit in fits}
+    left = {fit.joint.number: np.sqrt(_mean_square(fit)) / fit.joint.readout.inside for fit in fits}
     of_name: dict[str, list[tuple[Fit, LookedAt]]] = {}
     for fit in fits:
         for looked in fit.passed_over:
@@ -202,7 +232,7 @@ def _parameters(session: Session, fit: Fit, n: int) -> list[EffectParameter]:
     slides = session.rigid.dynamics.joint_units[joint.number - 1] == "mm"
     found = []
     for c, (name, unit, factor, _) in enumerate(rung.kernels.COEFFICIENTS):
-        unit, factor = in_files(rung.kernels, name, unit, factor, joint.unit, slides)
+        unit, factor = in_files(rung.kernels, name, unit, factor, joint.readout.told, slides)
         value, std = fit.coefficients[at + c] / factor, fit.std[at + c] / factor
         found.append(EffectParameter(name=name, limb=joint.number, value=float(value), std=float(std), unit=unit))
     for (name, unit, factor, _), constant in zip(rung.kernels.CONSTANTS, rung.constants, strict=True):
@@ -249,7 +279,7 @@ def _location(
 ) -> Location:
     """Return where model and recording differ: what is open, or else what the effects explain."""
     limbs = sorted({r.joint for r in rests} or {i for e in effects for i in e.limbs})
-    texts = [r.text for r in rests] or [f"{e.title}: joint {', '.join(map(str, e.limbs))}" for e in effects]
+    texts = [r.text for r in rests] or [_where(e) for e in effects]
     where = [fit for fit in (found if rests else plain) if fit.joint.number in limbs]
     known = [(fit.joint.number, d) for fit in where for d in dependences(fit)]
     channels = [
@@ -259,9 +289,14 @@ def _location(
     return Location(channels=tuple(channels), limbs=tuple(limbs), region=None, text="; ".join(texts) or "nowhere")
 
 
+def _where(effect: TorqueEffect) -> str:
+    """Return an effect with its joints, in words."""
+    return f"{effect.title} (joint {', '.join(map(str, effect.limbs))})" if effect.limbs else effect.title
+
+
 def _summary(effects: Sequence[TorqueEffect], rests: Sequence[Rest], session: Session, fits: Sequence[Fit]) -> str:
     still = [j.number for j in session.joints if j.number not in {fit.joint.number for fit in fits}]
-    named = [f"{e.title} (joint {', '.join(map(str, e.limbs))})" for e in effects]
+    named = [_where(e) for e in effects]
     parts = [f"Beside the rigid machine the drives overcome {'; '.join(named)}." if named else ""]
     if rests:
         parts.append(f"Not explained: {'; '.join(r.text for r in rests)}.")
@@ -272,7 +307,7 @@ def _summary(effects: Sequence[TorqueEffect], rests: Sequence[Rest], session: Se
     return " ".join(p for p in parts if p)
 
 
-def _not_tested(fits: Sequence[Fit]) -> tuple[Missing, ...]:
+def _not_tested(session: Session, fits: Sequence[Fit]) -> tuple[Missing, ...]:
     """Return the effects that no joint's samples can tell, and what they would need."""
     tested = {rung.effect for fit in fits for rung in fit.joint.candidates}
     found = []
@@ -280,6 +315,9 @@ def _not_tested(fits: Sequence[Fit]) -> tuple[Missing, ...]:
         if name not in tested:
             needs = [words for state, words in NEEDS.items() if state in load_effect(name).STATE]
             found.append(Missing(name=name, missing="; ".join(needs) or "longer motion"))
+    if session.stated() is None:
+        needs = ["mass, com and inertia of every body in the robot file, and readings whose torque is known"]
+        found.append(Missing(name=PAYLOAD, missing=needs[0]))
     return tuple(found)
 
 

@@ -18,9 +18,9 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.motion.derivatives import motion
 from deltacal_gen.motion.library import of_joint
-from deltacal_gen.motion.prediction import given_by_drive
+from deltacal_gen.motion.prediction import given_by_drive, known_beforehand
 from deltacal_gen.motion.rigid import Rigid
-from deltacal_gen.motion.trajectories import INSIDE, Trajectories
+from deltacal_gen.motion.trajectories import Readout, Trajectories
 from deltacal_gen.results.motion import JointModel, MotionModel
 from deltacal_gen.units import joint_factors, joint_names
 
@@ -97,7 +97,7 @@ def fed_forward(known: MotionModel, given: Trajectories) -> FeedForward:
     models = {model.joint: model for model in known.joints}
     chosen = [models[j + 1].columns if j + 1 in models else () for j in range(limbs)]
     columns = rigid.columns(states, [np.array(some, dtype=int) for some in chosen])
-    payload = rigid.of_payload(states) * given.payload[:, None]
+    payload = known_beforehand(known, rigid, states, given)
     if (lost := ~np.isfinite(payload).all(axis=1)).any():
         raise InputError(
             "the machine cannot stand at these joints: its loops do not close, or it is singular.",
@@ -106,27 +106,30 @@ def fed_forward(known: MotionModel, given: Trajectories) -> FeedForward:
             line=int(given.line[np.argmax(lost)]),
         )
     units = tuple(column.rpartition("_")[2] if "_" in column else "1" for column in known.columns)
+    readouts = dataclasses.replace(given, columns=known.columns, units=units).readouts
     torque = np.full((len(given.time), limbs), np.nan)
     ramped = np.zeros(limbs, dtype=int)
     for j, model in models.items():
-        own = columns[j - 1], payload[:, j - 1], units[j - 1]
-        torque[:, j - 1] = _ramped(model, given, states, *own) / INSIDE[units[j - 1]]
+        own = columns[j - 1], payload[:, j - 1], readouts[j - 1]
+        torque[:, j - 1] = _ramped(model, given, states, *own) / readouts[j - 1].inside
         ramped[j - 1] = int((np.abs(states[1, :, j - 1]) < model.at_rest_below).sum())
     done = FeedForward(given, states, torque, known.columns, units, ramped, {})
     return dataclasses.replace(done, beyond=_beyond(done, robot.limits))
 
 
-def _ramped(model: JointModel, given: Trajectories, states: Array, columns: Array, payload: Array, unit: str) -> Array:
+def _ramped(
+    model: JointModel, given: Trajectories, states: Array, columns: Array, known: Array, readout: Readout
+) -> Array:
     """Return what a joint's drive gives (N,), what depends on its speed ramped near rest; in units inside."""
     j, edge = model.joint - 1, model.at_rest_below
     speed = states[1, :, j]
     if edge <= 0 or (np.abs(speed) >= edge).all():
-        return given_by_drive(model, of_joint(given, states, j), columns, payload, unit)
+        return given_by_drive(model, of_joint(given, states, j), columns, known, readout)
     ends = []
     for side in (-1.0, 1.0):
         at = states.copy()
         at[1, :, j] = np.where(np.abs(speed) < edge, side * edge, speed)
-        ends.append(given_by_drive(model, of_joint(given, at, j), columns, payload, unit))
+        ends.append(given_by_drive(model, of_joint(given, at, j), columns, known, readout))
     part = np.clip((speed + edge) / (2 * edge), 0.0, 1.0)
     return np.asarray((1 - part) * ends[0] + part * ends[1])
 

@@ -90,7 +90,7 @@ def _doubts(fits: Sequence[Fit]) -> Iterator[str]:
 
 def reads_torques(fits: Sequence[Fit]) -> bool:
     """Tell whether what drives give is known as a torque or a force."""
-    return all(fit.joint.unit in ("Nm", "N") for fit in fits)
+    return all(fit.joint.readout.forces for fit in fits)
 
 
 def base_parameters(rigid: Rigid, fits: Sequence[Fit]) -> list[InertialParameter]:
@@ -119,7 +119,7 @@ def _normal(rigid: Rigid, fits: Sequence[Fit]) -> tuple[Array, Array]:
         own = rigid.own[fit.joint.number - 1]
         weight = 1.0 / (fit.sigma**2 * fit.together)
         X = fit.joint.X @ own.made_up[:, rigid.common.chosen]
-        y = fit.joint.y - (fit.joint.y - fit.left - fit.load)  # what effects gave is not the rigid machine's
+        y = fit.left + fit.load - fit.joint.carried  # what effects gave is not the rigid machine's
         G += weight * X.T @ X
         g += weight * X.T @ y
     return G, g

@@ -17,7 +17,7 @@ from deltacal_gen.motion.derivatives import Motion
 from deltacal_gen.motion.ladder import Ladder, LookedAt
 from deltacal_gen.motion.library import Rung, hats, of_joint, resolution, rungs
 from deltacal_gen.motion.regression import BETWEEN, Bench, folds_of, together
-from deltacal_gen.motion.trajectories import INSIDE, Trajectories
+from deltacal_gen.motion.trajectories import Readout, Trajectories
 from deltacal_gen.physics.splines import Samples, smooth
 
 if TYPE_CHECKING:
@@ -45,8 +45,7 @@ class Joint:
         Readings belong to joints so much earlier [s].
     number : int
         From 1.
-    unit : str
-        Of its readings in files.
+    readout : Readout
     threshold : float
         Speed below which a sample is at rest [rad/s or mm/s].
     used : (N,) array of bool
@@ -58,7 +57,9 @@ class Joint:
     rows : (M,) array of int
         Which samples these are.
     X, y : (M, r), (M,) arrays
-        What each base parameter asks of the joint, and what it gave, in units inside.
+        What each base parameter asks of the joint, and what it gave beyond what is known, in units inside.
+    carried : (M,) array
+        What is known beforehand: of the payload, of bodies that the robot file states.
     states : dict of (M,) arrays
         What effects read.
     piece : (N,) array of int
@@ -71,7 +72,7 @@ class Joint:
     delay: float
     robot: Robot
     number: int
-    unit: str
+    readout: Readout
     threshold: float
     used: np.ndarray
     resting: int
@@ -79,9 +80,15 @@ class Joint:
     rows: np.ndarray
     X: Array
     y: Array
+    carried: Array
     states: dict[str, Array]
     piece: np.ndarray
     step: float
+
+    @property
+    def unit(self) -> str:
+        """Of its readings in files."""
+        return self.readout.unit
 
     @property
     def moves(self) -> bool:
@@ -92,7 +99,7 @@ class Joint:
     def candidates(self) -> tuple[Rung, ...]:
         """All effects that these samples can tell, with the constants to be looked at."""
         every = np.ones(len(self.y), dtype=bool)
-        return tuple(rungs(self.robot, self.states | {"torque": self.y}, every))
+        return tuple(rungs(self.robot, self.states | {"torque": self.y + self.carried}, every))
 
     def columns(self, some: Sequence[Rung], load: Array) -> Array:
         """Return the columns (M, r + c) of the rigid machine and of some effects, by the load (M,) on the joint."""
@@ -102,13 +109,13 @@ class Joint:
     def load_by(self, folds: Sequence[int] | None) -> Array:
         """Return what the rigid machine asks of the joint (M,), by a fit beside usual friction to some folds or all."""
         some = [Rung(name) for name in USUAL]
-        X = self.columns(some, np.zeros(len(self.y)))
+        X = self.columns(some, self.carried)
         bench = Bench.of(X, self.y, self.fold, self.X.shape[1])
         every = range(X.shape[1])
         bench = bench.with_ridge(every)
         found = bench.fit(every, range(len(bench.n)) if folds is None else folds) / bench.scale
         rigid = self.X.shape[1]
-        return np.asarray(X[:, :rigid] @ found[:rigid])
+        return np.asarray(X[:, :rigid] @ found[:rigid] + self.carried)
 
     def together_by(self, some: Sequence[Rung], load: Array) -> float:
         """Return how many samples count as one, by what the rigid machine and some effects leave."""
@@ -146,7 +153,7 @@ class Series:
     X, y : (N, r), (N,) arrays
         What each unknown of the rigid machine asks of the joint, and what it gave, in units inside.
     carried : (N,) array
-        What of it is known beforehand: the payload's, where what the drive gives per torque is known.
+        What of it is known beforehand: of the payload, of bodies that the robot file states.
     states : dict of (N,) arrays
         What effects read.
     known : (N,) array of bool
@@ -155,7 +162,7 @@ class Series:
 
     robot: Robot
     number: int
-    unit: str
+    readout: Readout
     threshold: float
     X: Array
     y: Array
@@ -180,7 +187,7 @@ class Series:
             delay=delay,
             robot=self.robot,
             number=self.number,
-            unit=self.unit,
+            readout=self.readout,
             threshold=self.threshold,
             used=used,
             resting=int((there & ~used).sum()),
@@ -188,6 +195,7 @@ class Series:
             rows=rows,
             X=X[rows],
             y=y[rows],
+            carried=late(self.carried)[rows],
             states={name: values[rows] for name, values in states.items()},
             piece=self.piece,
             step=self.step,
@@ -213,7 +221,7 @@ def earlier(values: Array, delay: float, time: Array, piece: np.ndarray) -> Arra
 
 
 def series_of(
-    robot: Robot, given: Trajectories, motion: Motion, columns: Sequence[Array], payload: Array
+    robot: Robot, given: Trajectories, motion: Motion, columns: Sequence[Array], payload: Array, known: Array
 ) -> list[Series]:
     """Return every joint of a recording.
 
@@ -223,27 +231,29 @@ def series_of(
         What base parameters ask of each joint.
     payload : (N, n_q) array
         What 1 kg at the tool point asks of it.
+    known : (N, n_q) array
+        What is known beside, of bodies that the robot file states; only where a torque or a force is read.
     """
     found = []
-    known = np.isfinite(motion.states).all(axis=(0, 2)) & ~motion.loose
+    there = np.isfinite(motion.states).all(axis=(0, 2)) & ~motion.loose
     states = np.nan_to_num(motion.states)
     for j, X in enumerate(columns):
-        y = given.readings[:, j] * INSIDE[given.units[j]]
+        readout = given.readouts[j]
+        y = given.readings[:, j] * readout.inside
         carried = payload[:, j] * given.payload
-        torques = given.units[j] in ("Nm", "N")
-        if carried.any() and not torques:  # what the drive gives per torque is unknown, of a payload as of the machine
+        if carried.any() and not readout.forces:  # unknown per torque, for a payload as for the machine
             X = np.column_stack([X, carried])
         found.append(
             Series(
                 robot=robot,
                 number=j + 1,
-                unit=given.units[j],
+                readout=readout,
                 threshold=resting_below(motion, j),
                 X=X,
                 y=y,
-                carried=carried if torques else np.zeros(len(y)),
+                carried=carried + known[:, j] if readout.forces else np.zeros(len(y)),
                 states=of_joint(given, states, j),
-                known=known,
+                known=there,
                 time=given.time,
                 run=given.run,
                 piece=given.piece,
@@ -355,7 +365,7 @@ def fitted(joint: Joint, some: Sequence[Rung], held_out: Array | None = None) ->
             apart = bench.fit(every, [f for f in bench.folds if f != fold]) / bench.scale
             held_out[own] = joint.y[own] - X[own] @ apart
     rigid = joint.X.shape[1]
-    load = np.asarray(joint.X @ found[:rigid])
+    load = np.asarray(joint.X @ found[:rigid] + joint.carried)
     return Fit(joint, tuple(some), found, std, load, left, held_out, count)
 
 
@@ -363,7 +373,7 @@ def _with_load(joint: Joint, some: Sequence[Rung], X: Array) -> tuple[Array, Arr
     """Return the load by a fit with columns X, and the columns by that load."""
     bench = Bench.of(X, joint.y, joint.fold, joint.X.shape[1])
     found = bench.fit(range(X.shape[1]), range(len(bench.n))) / bench.scale
-    load = np.asarray(joint.X @ found[: joint.X.shape[1]])
+    load = np.asarray(joint.X @ found[: joint.X.shape[1]] + joint.carried)
     return load, joint.columns(some, load)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -34,7 +35,16 @@ class Torque:
 
     def read(self, robot: Robot, *, need_measured: bool = True) -> Trajectories:
         """Return the recording; raises InputError."""
-        return trajectories.read(self._path, mechanism_of(robot), self._sidecar, need_measured=need_measured)
+        machine = mechanism_of(robot)
+        found = trajectories.read(self._path, machine, self._sidecar, need_measured=need_measured)
+        constants = None if robot.transmission is None else robot.transmission.torque_constant_Nm_A
+        if constants is not None and len(constants) != machine.limbs:
+            raise InputError(
+                f"torque_constant_Nm_A has {len(constants)} numbers, and the machine {machine.limbs} joints.",
+                "Give one for each joint.",
+                file=robot.source,
+            )
+        return dataclasses.replace(found, constants=constants)
 
     def identify(self, robot: Robot, model: str | None) -> MotionResult:
         """Identify the rigid machine."""

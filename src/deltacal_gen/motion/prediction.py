@@ -12,8 +12,9 @@ from deltacal_gen.files.robot import robot_of
 from deltacal_gen.motion.derivatives import motion
 from deltacal_gen.motion.joint import earlier
 from deltacal_gen.motion.library import Rung, of_joint
+from deltacal_gen.motion.payload import torque_of
 from deltacal_gen.motion.rigid import Rigid
-from deltacal_gen.motion.trajectories import INSIDE, Trajectories
+from deltacal_gen.motion.trajectories import Readout, Trajectories
 from deltacal_gen.physics.splines import Samples, smooth
 from deltacal_gen.results.motion import (
     JointModel,
@@ -41,19 +42,31 @@ def predicted(known: MotionModel, given: Trajectories) -> Trajectories:
     models = {model.joint: model for model in known.joints}
     chosen = [models[j + 1].columns if j + 1 in models else () for j in range(given.joints.shape[1])]
     columns = rigid.columns(states, [np.array(some, dtype=int) for some in chosen])
-    payload = rigid.of_payload(states) * given.payload[:, None]
+    payload = known_beforehand(known, rigid, states, given)
     units = tuple(column.rpartition("_")[2] if "_" in column else "1" for column in known.columns)
+    done = dataclasses.replace(given, columns=known.columns, units=units)
     out = np.full(given.joints.shape, np.nan)
     for j, model in models.items():
         late = functools.partial(earlier, delay=model.delay or 0.0, time=given.time, piece=given.piece)
         read = {name: late(values) for name, values in of_joint(given, states, j - 1).items()}
-        value = given_by_drive(model, read, late(columns[j - 1]), late(payload[:, j - 1]), units[j - 1])
+        value = given_by_drive(model, read, late(columns[j - 1]), late(payload[:, j - 1]), done.readouts[j - 1])
         moving = np.abs(late(found.states[1, :, j - 1])) > model.at_rest_below
-        out[:, j - 1] = np.where(moving, value / INSIDE[units[j - 1]], np.nan)
-    return dataclasses.replace(given, readings=out, columns=known.columns, units=units)
+        out[:, j - 1] = np.where(moving, value / done.readouts[j - 1].inside, np.nan)
+    return dataclasses.replace(done, readings=out)
 
 
-def given_by_drive(model: JointModel, read: dict[str, Array], columns: Array, payload: Array, unit: str) -> Array:
+def known_beforehand(known: MotionModel, rigid: Rigid, states: Array, given: Trajectories) -> Array:
+    """Return what is known of what the joints must give (N, n_q): payload, and bodies as the robot file states them."""
+    payload = rigid.of_payload(states) * given.payload[:, None]
+    if known.known is None:
+        return payload
+    setups = [each.setup for each in known.known.payloads]
+    values = np.array([[each.mass, *each.centre] for each in known.known.payloads]).reshape(-1, 4)
+    stated = rigid.torque(states, np.array(known.known.inertial))
+    return payload + stated + torque_of(rigid, states, given, setups, values)
+
+
+def given_by_drive(model: JointModel, read: dict[str, Array], columns: Array, known: Array, readout: Readout) -> Array:
     """Return what a joint's drive gives (N,), in units inside.
 
     Parameters
@@ -62,16 +75,15 @@ def given_by_drive(model: JointModel, read: dict[str, Array], columns: Array, pa
         What effects read, see `of_joint`.
     columns : (N, r) array
         What the inertial parameters of the model ask of the joint.
-    payload : (N,) array
-        What the payload asks of it.
-    unit : str
-        Of its readings in files.
+    known : (N,) array
+        What is known of what it must give; see `known_beforehand`.
     """
     load = columns @ np.array(model.coefficients)
-    if model.payload is not None:
-        load = load + model.payload * payload
-    carried = payload if unit in ("Nm", "N") else 0.0
-    read, total = read | {"torque": load}, load + carried
+    if readout.forces:
+        load = load + known
+    elif model.payload is not None:
+        load = load + model.payload * known
+    read, total = read | {"torque": load}, load
     for term in model.terms:
         total = total + Rung(term.effect, term.constants).columns(read) @ np.array(term.values)
     return np.asarray(total)

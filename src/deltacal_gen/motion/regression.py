@@ -158,7 +158,10 @@ class Bench:
         G, g = self.G[rows].sum(axis=0), self.g[rows].sum(axis=0)
         inner = G[np.ix_(at, at)]
         inner[np.diag_indices_from(inner)] += np.where(at < self.rigid, self.ridge, RIDGES[0]) * self.n[rows].sum()
-        found = np.linalg.lstsq(inner, np.column_stack([G[at], g[at]]), rcond=1e-12)[0]
+        if len(at):
+            found = np.linalg.lstsq(inner, np.column_stack([G[at], g[at]]), rcond=1e-12)[0]
+        else:
+            found = np.zeros((0, G.shape[0] + 1))
         rest, left = G - G[:, at] @ found[:, :-1], g - G[:, at] @ found[:, -1]
         out = []
         for group in groups:
@@ -198,6 +201,8 @@ class Bench:
 
 def _solved(G: Array, g: Array) -> Array:
     """Return the solution of normal equations, the shortest one where they are singular."""
+    if not len(g):
+        return g
     try:
         return np.asarray(cho_solve(cho_factor(G, check_finite=False), g, check_finite=False))
     except LinAlgError:

@@ -57,9 +57,11 @@ class Rigid:
         Base parameters by the torque of each joint alone.
     common : Base
         Those by all joints together.
+    known : (n,) array
+        Inertial parameters that are taken as the robot file states them; 0 of those that are to be found.
     """
 
-    def __init__(self, robot: Robot) -> None:
+    def __init__(self, robot: Robot, *, stated: bool = False) -> None:
         self.dynamics: Dynamics = dynamics_of(robot)
         self._sign = robot.joint_sign
         rng = np.random.default_rng(0)  # of a rank, which general position does not depend on
@@ -75,8 +77,12 @@ class Rigid:
                 file=robot.source,
             )
         Y = Y[np.nan_to_num(size, nan=np.inf) < REGULAR * np.nanmedian(size)]
+        said = self.dynamics.stated() if stated else np.full(len(self.names), np.nan)
+        self.known = np.nan_to_num(said)
+        Y[:, :, np.isfinite(said)] = 0.0  # what is known is no unknown
         self.own = tuple(base_of(Y[:, j]) for j in range(self.dynamics.joints))
-        self.common = base_of(np.concatenate([Y[:, j] / np.abs(Y[:, j]).max() for j in range(self.dynamics.joints)]))
+        scale = [max(float(np.abs(Y[:, j]).max()), 1e-300) for j in range(self.dynamics.joints)]
+        self.common = base_of(np.concatenate([Y[:, j] / s for j, s in enumerate(scale)]))
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -106,9 +112,9 @@ class Rigid:
         """Return what a machine with inertial parameters (n,) asks of each joint (N, n_q)."""
         return np.asarray(self._sign * self.dynamics.torque(self._sign * states, inertia))
 
-    def of_payload(self, states: Array) -> Array:
-        """Return what 1 kg at the tool point asks of each joint (N, n_q)."""
-        return np.asarray(self._sign * self.dynamics.payload(self._sign * states))
+    def of_payload(self, states: Array, off: Array | None = None) -> Array:
+        """Return what 1 kg at the tool point, or `off` (3,) it [mm], asks of each joint (N, n_q)."""
+        return np.asarray(self._sign * self.dynamics.payload(self._sign * states, off))
 
     def words(self, base: Base) -> list[tuple[str, str]]:
         """Return name and combination of each base parameter."""
@@ -151,6 +157,8 @@ def base_of(Y: Array) -> Base:
     """Return the base parameters of a regressor (M, n) in general position: QR, column by column."""
     sizes = np.linalg.norm(Y, axis=0)
     seen = np.flatnonzero(sizes > RANK * sizes.max())
+    if not len(seen):
+        return Base(seen, np.zeros((0, Y.shape[1])))
     R = np.linalg.qr(Y[:, seen] / sizes[seen], mode="r")
     chosen: list[int] = []
     kept: list[Array] = []  # orthonormal directions so far

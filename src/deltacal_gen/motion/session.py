@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -13,11 +14,20 @@ from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.derivatives import Motion, motion
 from deltacal_gen.motion.joint import Fit, Joint, series_of
+from deltacal_gen.motion.payload import PayloadError, torque_of
 from deltacal_gen.motion.regression import GAP, LEAST_RUNS, STRETCH
 from deltacal_gen.motion.rigid import Rigid
-from deltacal_gen.motion.trajectories import INSIDE, Trajectories
+from deltacal_gen.motion.trajectories import Trajectories
 from deltacal_gen.results.diagnosis import NextMeasurement
-from deltacal_gen.results.motion import Derivatives, JointModel, Left, MotionNoise, TorqueTerm
+from deltacal_gen.results.motion import (
+    Derivatives,
+    JointModel,
+    KnownMachine,
+    Left,
+    MotionNoise,
+    PayloadState,
+    TorqueTerm,
+)
 from deltacal_gen.results.parts import Source
 from deltacal_gen.units import DEG
 
@@ -42,6 +52,8 @@ class Session:
     motion : Motion
     rigid : Rigid
     joints : list of Joint
+    payload : PayloadError, optional
+        By which the payload differs from what is written.
     """
 
     robot: Robot
@@ -49,14 +61,25 @@ class Session:
     motion: Motion
     rigid: Rigid
     joints: list[Joint]
+    payload: PayloadError | None = None
 
     @classmethod
-    def of(cls, robot: Robot, given: Trajectories, cutoff: float | None = None) -> Session:
-        """Return a recording made ready; `cutoff` [Hz] of the derivatives where it is known already."""
-        rigid, found = Rigid(robot), motion(given, cutoff)
-        states = np.nan_to_num(found.states)
-        series = series_of(robot, given, found, rigid.columns(states), rigid.of_payload(states))
-        return cls(robot, given, found, rigid, [each.at() for each in series])
+    def of(cls, robot: Robot, given: Trajectories) -> Session:
+        """Return a recording made ready, all bodies of the machine unknown."""
+        rigid, found = Rigid(robot), motion(given)
+        return cls(robot, given, found, rigid, _joints(robot, given, found, rigid))
+
+    def stated(self, payload: PayloadError | None = None) -> Session | None:
+        """Return the same with what the robot file states of the machine's bodies, and a payload, as known.
+
+        None where the file states nothing, or what is read tells no torque.
+        """
+        known = np.nan_to_num(self.rigid.dynamics.stated())
+        if not known.any() or not all(read.forces for read in self.given.readouts):
+            return None
+        rigid = Rigid(self.robot, stated=True)
+        joints = _joints(self.robot, self.given, self.motion, rigid, payload)
+        return dataclasses.replace(self, rigid=rigid, joints=joints, payload=payload)
 
     @property
     def moving(self) -> list[Joint]:
@@ -79,7 +102,7 @@ class Session:
     def rms(self, joint: Joint, residual: Array) -> float | None:
         """Return the rms of residuals of a joint, in the unit of its readings; None where there are none."""
         known = residual[np.isfinite(residual)]
-        return float(np.sqrt(np.mean(known**2))) / INSIDE[joint.unit] if len(known) else None
+        return float(np.sqrt(np.mean(known**2))) / joint.readout.inside if len(known) else None
 
     def each(self, fits: Sequence[Fit], value: Callable[[Fit], float | None]) -> tuple[float | None, ...]:
         """Return a figure of every joint; None of those without a fit."""
@@ -97,7 +120,7 @@ class Session:
         chi2 = None
         if all(declared):
             free = sum(len(f.left) - len(f.coefficients) for f in fits)
-            noises = [(s or 1.0) * INSIDE[f.joint.unit] for f, s in zip(fits, declared, strict=True)]
+            noises = [(s or 1.0) * f.joint.readout.inside for f, s in zip(fits, declared, strict=True)]
             parts = [np.sum((f.left / s) ** 2) for f, s in zip(fits, noises, strict=True)]
             chi2 = float(sum(parts)) / max(free, 1)
         return Left(
@@ -115,7 +138,7 @@ class Session:
         """Return the rms over all joints, in their common unit; None where they have none."""
         if len({f.joint.unit for f in fits}) != 1:
             return None
-        every = np.concatenate([value(f) / INSIDE[f.joint.unit] for f in fits])
+        every = np.concatenate([value(f) / f.joint.readout.inside for f in fits])
         every = every[np.isfinite(every)]
         return float(np.sqrt(np.mean(every**2))) if len(every) else None
 
@@ -126,7 +149,7 @@ class Session:
     def noise(self, fits: Sequence[Fit]) -> MotionNoise:
         """Return the noise as declared, or what fits leave."""
         said = [sigma_said(self.given, unit) for unit in self.given.units]
-        by_joint = self.each(fits, lambda f: said[f.joint.number - 1] or f.sigma / INSIDE[f.joint.unit])
+        by_joint = self.each(fits, lambda f: said[f.joint.number - 1] or f.sigma / f.joint.readout.inside)
         known = [s for s in by_joint if s is not None]
         one = float(np.sqrt(np.mean(np.square(known)))) if len(set(self.given.units)) == 1 else None
         return MotionNoise(
@@ -153,11 +176,23 @@ class Session:
                 repairs=self.given.repairs,
             ),
             "inertial": self.rigid.names,
+            "known": self._known(),
             "joints": tuple(self._model(fit) for fit in fits),
             "columns": self.given.columns,
             "robot": kept_robot(self.robot),
             "gross_errors": self.given.repaired,
         }
+
+    def _known(self) -> KnownMachine | None:
+        """Return what is taken as known of the machine; None where all of it is found."""
+        if not self.rigid.known.any():
+            return None
+        errors = [] if self.payload is None else zip(self.payload.setups, self.payload.values, strict=True)
+        carried = tuple(
+            PayloadState(setup=setup, mass=float(mass), centre=tuple(float(c) for c in centre))
+            for setup, (mass, *centre) in errors
+        )
+        return KnownMachine(inertial=tuple(float(v) for v in self.rigid.known), payloads=carried)
 
     def _model(self, fit: Fit) -> JointModel:
         base = self.rigid.own[fit.joint.number - 1]
@@ -182,6 +217,18 @@ class Session:
             at_rest_below=fit.joint.threshold,
             delay=None if fit.lag is None else fit.lag.delay,
         )
+
+
+def _joints(
+    robot: Robot, given: Trajectories, found: Motion, rigid: Rigid, payload: PayloadError | None = None
+) -> list[Joint]:
+    """Return the joints of a recording, beside what is known of the machine and its payload."""
+    states = np.nan_to_num(found.states)
+    known = rigid.torque(states, rigid.known)
+    if payload is not None:
+        known = known + torque_of(rigid, states, given, payload.setups, payload.values)
+    series = series_of(robot, given, found, rigid.columns(states), rigid.of_payload(states), known)
+    return [each.at() for each in series]
 
 
 def still_to_move(session: Session, fits: Sequence[Fit]) -> tuple[NextMeasurement, ...]:

@@ -18,8 +18,9 @@ from deltacal_gen.motion.derivatives import motion
 from deltacal_gen.motion.joint import earlier
 from deltacal_gen.motion.lag import LATENCY
 from deltacal_gen.motion.library import Rung, of_joint
+from deltacal_gen.motion.payload import NAMES, PAYLOAD, torque_of
 from deltacal_gen.motion.rigid import Rigid
-from deltacal_gen.motion.trajectories import INSIDE, Trajectories
+from deltacal_gen.motion.trajectories import Trajectories
 from deltacal_gen.physics.terms import coefficients, drive_effect_names, load_effect
 from deltacal_gen.units import of_sliding
 
@@ -46,11 +47,14 @@ class Truth:
         Joint (from 1), effect, coefficients in units inside.
     delays : mapping
         By which the readings of joints (from 1) come late [s].
+    payloads : tuple of (str, (4,) array)
+        Set-up, mass [kg] and centre [mm] beyond what is written.
     """
 
     parameters: Mapping[str, float] = field(default_factory=dict)
     effects: tuple[tuple[int, Rung, Array], ...] = ()
     delays: Mapping[int, float] = field(default_factory=dict)
+    payloads: tuple[tuple[str, Array], ...] = ()
 
 
 def read_truth(path: str | Path, rigid: Rigid) -> Truth:
@@ -62,10 +66,22 @@ def read_truth(path: str | Path, rigid: Rigid) -> Truth:
             near = nearest(name, rigid.names)
             hint = f"Did you mean '{near}'?" if near else "They are m_i, mx_i, ixx_i ... of link i."
             raise file.error(f"no link has an inertial parameter '{name}'.", hint, "parameters", name)
-    late = [table for table in said.effects if table.get("name") == LATENCY]
+    late, carried = ([t for t in said.effects if t.get("name") == name] for name in (LATENCY, PAYLOAD))
     delays = {i: d for table in late for i, d in _delays(file, table, rigid).items()}
-    acting = [found for table in said.effects if table not in late for found in _effects(file, table, rigid)]
-    return Truth(said.parameters, tuple(acting), delays)
+    acting = [
+        found for table in said.effects if table not in (*late, *carried) for found in _effects(file, table, rigid)
+    ]
+    return Truth(said.parameters, tuple(acting), delays, tuple(_payload(file, table) for table in carried))
+
+
+def _payload(file: TomlFile, table: Mapping[str, Any]) -> tuple[str, Array]:
+    """Return the set-up of a payload that is not what is written, and what it has beside: mass and centre."""
+    given, names = dict(table), [name for name, _ in NAMES]
+    setup = str(given.pop("setup", ""))
+    values = [given.pop(name, 0.0) for name in names]
+    if set(given) - {"name"} or not all(isinstance(value, NUMBERS) for value in values):
+        raise file.error(f"{PAYLOAD} has the numbers {', '.join(names)}, and setup.", "Correct the table.", "effects")
+    return setup, np.array(values, dtype=float)
 
 
 def _delays(file: TomlFile, table: Mapping[str, Any], rigid: Rigid) -> dict[int, float]:
@@ -143,6 +159,8 @@ def simulated(
     inertia = inertia + np.array([told.parameters.get(name, 0.0) for name in rigid.names])
     states = np.nan_to_num(found.states)
     load = rigid.torque(states, inertia) + rigid.of_payload(states) * given.payload[:, None]
+    for setup, values in told.payloads:
+        load = load + torque_of(rigid, states, given, (setup,), values[None])
 
     def late(values: Array, joint: int) -> Array:
         return earlier(values, told.delays.get(joint, 0.0), given.time, given.piece)
@@ -157,7 +175,7 @@ def simulated(
                 file=given.path,
             )
         total[:, joint - 1] += rung.columns(read) @ values
-    readings = total / np.array([INSIDE[unit] for unit in given.units])
+    readings = total / np.array([read.inside for read in given.readouts])
     readings += noise * rng.standard_normal(readings.shape)
     readings[~np.isfinite(found.states).all(axis=(0, 2))] = np.nan
     return dataclasses.replace(given, readings=readings)

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from deltacal_gen.motion.joint import Fit
-from deltacal_gen.motion.trajectories import INSIDE
 from deltacal_gen.results.motion import Trace
 from deltacal_gen.units import joint_factors
 
@@ -30,7 +29,7 @@ def traces(session: Session, plain: Sequence[Fit], found: Sequence[Fit]) -> tupl
 
 
 def _of_joint(session: Session, before: Fit, after: Fit, factor: float) -> Trace:
-    joint, unit = after.joint, INSIDE[after.joint.unit]
+    joint, unit = after.joint, after.joint.readout.inside
     measured = session.given.readings[:, joint.number - 1]
     errors = [_everywhere(fit, len(measured)) / unit for fit in (before, after)]
     window = _window(joint.rows, joint.piece)

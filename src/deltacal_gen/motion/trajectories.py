@@ -51,6 +51,30 @@ class Sidecar(Table):
     motion: _Motion = _Motion()
 
 
+@dataclass(frozen=True)
+class Readout:
+    """How what a drive gives is read.
+
+    Attributes
+    ----------
+    unit : str
+        Of the file.
+    inside : float
+        What one unit is inside: N mm, N, A or 1.
+    told : str
+        In which unit effects are told: Nm or N where the torque per ampere is known.
+    """
+
+    unit: str
+    inside: float
+    told: str
+
+    @property
+    def forces(self) -> bool:
+        """Whether it is known as a torque or a force."""
+        return self.told in ("Nm", "N")
+
+
 @dataclass(frozen=True, eq=False)
 class Trajectories:
     """Samples in time of one machine.
@@ -83,6 +107,10 @@ class Trajectories:
         What was put right, with the line.
     repaired : tuple of int
         The lines, increasing.
+    constants : tuple of float, optional
+        What each joint gets of an ampere [Nm/A], a sliding one [N/A].
+    setups : tuple of str
+        Label of each row, of what the machine carries or where it stands; empty where the file has none.
     """
 
     path: Path | str
@@ -101,6 +129,8 @@ class Trajectories:
     said: Sidecar
     repairs: tuple[str, ...] = ()
     repaired: tuple[int, ...] = ()
+    constants: tuple[float, ...] | None = None
+    setups: tuple[str, ...] = ()
 
     pairs: ClassVar[None] = None  # what only readings between rows have, for those who look at either
 
@@ -113,6 +143,29 @@ class Trajectories:
     def n_rows(self) -> int:
         """Number of samples."""
         return len(self.joints)
+
+    @property
+    def setup_names(self) -> tuple[str, ...]:
+        """Set-ups of the recording; one without a name where the file has none."""
+        return tuple(dict.fromkeys(self.setups)) or ("",)
+
+    def setup_is(self, name: str) -> np.ndarray:
+        """Tell which rows (N,) are of a set-up; all, where either has no name."""
+        if not self.setups or not name:
+            return np.ones(self.n_rows, dtype=bool)
+        return np.array([label == name for label in self.setups])
+
+    @property
+    def readouts(self) -> tuple[Readout, ...]:
+        """How each joint is read."""
+        forces = ["N" if u == "mm" else "Nm" for u in of_joints(self.joint_unit, len(self.units))]
+        constants = self.constants or [None] * len(self.units)
+        return tuple(
+            Readout(unit, constant * INSIDE[force], force)
+            if unit == "A" and constant is not None
+            else Readout(unit, INSIDE[unit], unit)
+            for unit, force, constant in zip(self.units, forces, constants, strict=True)
+        )
 
     @property
     def step(self) -> float:
@@ -198,6 +251,7 @@ def trajectories(rows: Rows, machine: Machine, sidecar: Sidecar, *, need_measure
         recorded=recorded,
         channels={name: _channel(rows, name) for name in rows.columns if name not in own and _is_channel(rows, name)},
         said=sidecar,
+        setups=tuple(rows.labels("setup", blank=False) or ()),
         repairs=tuple(repairs),
         repaired=tuple(sorted(repaired)),
     )

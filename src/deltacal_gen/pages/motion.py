@@ -9,11 +9,12 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
+from deltacal_gen.motion.payload import ADVICE, PAYLOAD
 from deltacal_gen.pages import report
 from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED
 from deltacal_gen.physics.terms import load_effect
 from deltacal_gen.results.diagnosis import Verdict
-from deltacal_gen.results.motion import LadderOf, MotionDiagnosis, MotionResult, Trace, by_joint
+from deltacal_gen.results.motion import LadderOf, MotionDiagnosis, MotionResult, TorqueEffect, Trace, by_joint
 
 _VERDICTS = {
     Verdict.ADEQUATE: "nothing is missing",
@@ -75,13 +76,17 @@ def _diagnosed(found: MotionDiagnosis) -> dict[str, Any]:
         "verdict": _VERDICTS[found.verdict],
         "headline": f"Beside the rigid machine: {names}" if names else _VERDICTS[found.verdict].capitalize(),
         "lead": found.summary,
-        "steps": [
-            f"{e.title.capitalize()}, joint {_listed(e.limbs)}: {load_effect(e.name).ADVICE}" for e in found.effects
-        ],
+        "steps": [_step(e) for e in found.effects],
         "ladder": _ladder(found.ladder),
         "stops": "; ".join(dict.fromkeys(f"{ladder.stops}" for ladder in found.ladder)).capitalize() + ".",
         "parameters": [
-            (_spaced(e.name), str(p.limb), p.name, report.measured(p.value, p.std), "" if p.unit == "1" else p.unit)
+            (
+                _spaced(e.name),
+                str(p.limb or p.setup or ""),
+                p.name,
+                report.measured(p.value, p.std),
+                "" if p.unit == "1" else p.unit,
+            )
             for e in found.effects
             for p in e.parameters
         ],
@@ -89,6 +94,13 @@ def _diagnosed(found: MotionDiagnosis) -> dict[str, Any]:
         "next": [(_spaced(n.why), n.text) for n in found.next_measurements],
         "not_tested": [(_spaced(t.name), t.missing) for t in found.not_tested],
     }
+
+
+def _step(effect: TorqueEffect) -> str:
+    """Return what to do about an effect."""
+    advice = ADVICE if effect.name == PAYLOAD else load_effect(effect.name).ADVICE
+    where = f", joint {_listed(effect.limbs)}" if effect.limbs else ""
+    return f"{effect.title.capitalize()}{where}: {advice}"
 
 
 def _heldout(found: MotionResult | MotionDiagnosis) -> list[tuple[str, ...]]:

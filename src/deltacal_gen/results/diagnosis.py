@@ -104,6 +104,8 @@ class EffectParameter(Value):
     unit: str
     tool_mm: tuple[float, ...] | None = None
     """The tool point that it belongs to."""
+    setup: str | None = None
+    """The set-up that it belongs to, of a payload."""
 
 
 class Effect(Value):

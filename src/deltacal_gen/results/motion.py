@@ -97,6 +97,23 @@ class JointModel(Value):
     """By which readings come late [s]."""
 
 
+class PayloadState(Value):
+    """What a payload has beyond what is written: mass [kg], centre from the tool point [mm]."""
+
+    setup: str
+    """No name where the recording has one set-up alone."""
+    mass: float
+    centre: tuple[float, ...]
+
+
+class KnownMachine(Value):
+    """What is taken as known of a machine, as its file states it [kg, mm]."""
+
+    inertial: tuple[float, ...]
+    """By the names of `inertial` beside it; 0 of what was found."""
+    payloads: tuple[PayloadState, ...]
+
+
 class RungOf(Value):
     """A rung of a joint's ladder."""
 
@@ -163,6 +180,8 @@ class MotionModel(Answer):
     motion: Derivatives
     inertial: tuple[str, ...]
     """Names of all inertial parameters, body by body."""
+    known: KnownMachine | None
+    """Null where all bodies were found."""
     joints: tuple[JointModel, ...]
     """Of the joints that move."""
     columns: tuple[str, ...]
