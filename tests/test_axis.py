@@ -7,10 +7,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from conftest import Run
 
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.files.recording import read_recording
-from deltacal_gen.files.robot import Robot, robot_from_dict
+from deltacal_gen.files.robot import Robot, robot_from_dict, robot_to_toml
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.instrument.kinds import readings
 from deltacal_gen.machine.registry import Array, load_mechanism
@@ -121,3 +122,31 @@ def test_the_figures_are_those_of_the_standard() -> None:
     assert found is not None
     assert found[1:] == pytest.approx(by_hand(values))
     assert iso230.axis(values.ravel(), position, np.ones(40)) is None
+
+
+def test_without_a_clock_a_time_constant_counts_in_the_column_that_counts_on(
+    robot: Robot, run: Run, tmp_path: Path
+) -> None:
+    """Cycles are counted, no time was logged: simulated by a truth that says so, and found so."""
+    forth = np.arange(0.0, 501.0, 25.0)
+    stops = np.concatenate([forth[1:], forth[::-1][1:]])
+    rows = ["cycle,q1_mm", *(f"{cycle},{q}" for cycle in range(8) for q in stops)]
+    (tmp_path / "robot.toml").write_text(robot_to_toml(robot))
+    (tmp_path / "poses.csv").write_text("\n".join(rows) + "\n")
+    (tmp_path / "truth.toml").write_text(
+        '[[effects]]\nname = "warm_up"\nlimb = 1\nsize = 0.03\ntime_constant = 1.5\nper = "cycle"\n'
+    )
+    files = tmp_path / "robot.toml", tmp_path / "poses.csv"
+    made = "-o", tmp_path / "read.csv", "--truth", tmp_path / "truth.toml", "--noise", NOISE
+    assert run("simulate", *files, *made)[0] == 0
+    text = (tmp_path / "read.csv").read_text().splitlines()
+    keep = [k for k, name in enumerate(text[0].split(",")) if name in ("cycle", "q1_mm", "z_mm")]
+    (tmp_path / "read.csv").write_text("\n".join(",".join(row.split(",")[k] for k in keep) for row in text) + "\n")
+    found = diagnose(robot, read_recording(tmp_path / "read.csv", load_mechanism("serial", robot.links))).answer()
+    (effect,) = found.effects
+    assert effect.name == "warm_up"
+    by_name = {p.name: p for p in effect.parameters}
+    assert by_name["per"].value == "cycle"
+    assert by_name["time_constant"].unit == "cycle"
+    assert by_name["size"].value == pytest.approx(0.03, abs=4 * (by_name["size"].std or 0.0))
+    assert by_name["time_constant"].value == pytest.approx(1.5, abs=4 * (by_name["time_constant"].std or 0.0))

@@ -70,9 +70,9 @@ def test_a_form_whose_size_lies_between_those_that_compete_is_estimated_and_join
     robot = machine()
     made = record(robot, of=channels(60, "time"))
     first = diagnose(robot, made).baseline
-    one = first.problem.body.blank("warm_up", (1, 2, 3), (600.0,))
+    one = first.problem.body.blank("warm_up", (1, 2, 3), ("time_s", 600.0))
     search = Search(first, [one])
-    between = blank("warm_up", one.limbs, (733.0,), one.tools, one.lacks)
+    between = blank("warm_up", one.limbs, ("time_s", 733.0), one.tools, one.lacks)
     assert search.where(between) == []
     assert np.abs(search.estimated(between).values).max() > 0
     left, with_it = (s.beside.residual for s in (search, search.added(between)))

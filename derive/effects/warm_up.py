@@ -1,12 +1,16 @@
-"""The joint's zero creeps to where it stays: ``theta = q + size (1 - exp(-t / time_constant))``."""
+"""The joint's zero creeps to where it stays: ``theta = q + size (1 - exp(-t / time_constant))``.
+
+Where no time was logged, t is what a recorded column counts: cycles, rows in their order.
+"""
 
 import sympy as sp
 
 from derive.effects import DEG, constant, joint_coefficient, state
-from derive.language.effects import Effect, Reference, Sizes
+from derive.language.effects import Clocks, Effect, Reference, Sizes
 
-(time,) = state("time")
+(passed,) = state("passed")
 size = joint_coefficient("size", "", "shift of the zero when all is warm", (-5.0, 5.0))
+per = constant("per", "1", 1.0, "name of the column in which the time constant counts")
 tau = constant("time_constant", "s", 1.0, "time in which all but 1/e of it has come")
 EFFECT = Effect(
     name="warm_up",
@@ -15,12 +19,15 @@ EFFECT = Effect(
     source="derive/effects/warm_up.py",
     per_limb=True,
     coefficients=(size,),
-    searched=(Sizes(tau, "time"),),
-    targets={"joint": size.symbol * (1 - sp.exp(-time / tau.symbol))},
+    searched=(Clocks(per), Sizes(tau, "passed")),
+    targets={"joint": size.symbol * (1 - sp.exp(-passed / tau.symbol))},
     tests=(
         Reference(
-            {"time": 600.0}, {"size": 0.1}, {"joint": 0.1 * (1 - 0.1353352832366127) * DEG}, {"time_constant": 300.0}
+            {"passed": 600.0},
+            {"size": 0.1},
+            {"joint": 0.1 * (1 - 0.1353352832366127) * DEG},
+            {"time_constant": 300.0, "per": "cycle"},
         ),
-        Reference({"time": 0.0}, {"size": 0.1}, {"joint": 0.0}, {"time_constant": 300.0}),
+        Reference({"passed": 0.0}, {"size": 0.1}, {"joint": 0.0}, {"time_constant": 300.0, "per": "cycle"}),
     ),
 )

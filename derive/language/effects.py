@@ -91,6 +91,15 @@ class Columns:
 
 
 @dataclass(frozen=True)
+class Clocks:
+    """The constant is the name of the column that counts on, `time_s` or what stands for it: of the state `passed`."""
+
+    constant: EffectQuantity
+    afterwards = None
+    kind = "clocks"
+
+
+@dataclass(frozen=True)
 class Sizes:
     """The constant is a size of a state, `of`: it is sought from small to large ones of that, and between them."""
 
@@ -100,7 +109,7 @@ class Sizes:
     kind = "sizes"
 
 
-Searched = Orders | Moments | Points | Joints | Columns | Sizes
+Searched = Orders | Moments | Points | Joints | Columns | Clocks | Sizes
 
 
 @dataclass(frozen=True)

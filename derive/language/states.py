@@ -182,6 +182,15 @@ _ROWS = (
         "chosen",
         by="of",
     ),
+    State(
+        sp.Symbol("passed", real=True),
+        "s",
+        1.0,
+        "time, or where none was logged a recorded column that counts on, that of the name",
+        "machine",
+        "chosen",
+        by="per",
+    ),
     _channel("temperature", "degC", "temperature", "temp_C", **_TEMPERATURE, c99="at->temp_C"),
     _channel(
         "warming",

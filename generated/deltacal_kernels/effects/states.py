@@ -80,6 +80,14 @@ STATES = {
         "kind": "chosen",
         "by": "of",
     },
+    "passed": {
+        "unit": "s",
+        "factor": 1.0,
+        "meaning": "time, or where none was logged a recorded column that counts on, that of the name",
+        "per": "machine",
+        "kind": "chosen",
+        "by": "per",
+    },
     "temperature": {
         "unit": "degC",
         "factor": 1.0,

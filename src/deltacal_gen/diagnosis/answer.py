@@ -21,6 +21,7 @@ from deltacal_gen.identification.unknowns import unknowns_of
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.physics.law import PREFIX
 from deltacal_gen.physics.terms import (
+    LOGGED,
     constants_of,
     kept_term,
     load_effect,
@@ -161,7 +162,12 @@ def _effect(found: Named, joint_unit: str, chance: Chance) -> Effect:
                     tool_mm=term.tools[r] if term.tools else None,
                 )
             )
+    clock = kernels.SEARCHED.get("clocks", "")
+    counts = str(term.constant(clock)) if clock else LOGGED
     for value, (name, unit, factor) in zip(term.constants, constants_of(term, joint_unit), strict=True):
+        if value == LOGGED:
+            continue  # a time constant in s says so
+        unit = counts if counts != LOGGED and name in kernels.SIZED else unit
         std_of = found.of_size / factor if found.of_size is not None and name in kernels.SIZED else None
         parameters.append(EffectParameter(name=name, limb=None, value=scaled(value, 1 / factor), std=std_of, unit=unit))
     return Effect(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
@@ -11,8 +10,9 @@ from deltacal_gen.diagnosis.discrimination import columns_read
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import TEMPERATURE
-from deltacal_gen.physics.states import CHANNELS, State, read_by
+from deltacal_gen.physics.states import CHANNELS, State, named, read_by
 from deltacal_gen.physics.terms import (
+    LOGGED,
     Constant,
     Kernels,
     Point,
@@ -23,6 +23,7 @@ from deltacal_gen.physics.terms import (
 )
 from deltacal_gen.results.parts import Missing
 
+Form = tuple[Constant, ...]  # the constants before one that is searched
 ORDERS = 100  # integer orders of a periodic error that are searched
 HARMONICS = 5  # multiples of the gear ratio that are searched
 MOST_TIMES = 300  # of a jump that are searched
@@ -36,6 +37,7 @@ NOTHING = {
     "moments": "like poses before and after a moment",
     "joints": "a second joint that moves",
     "columns": "a column that has no other meaning, of what a part may tilt with",
+    "clocks": "the column time_s, or one that counts on (cycle, order)",
     "sizes": "readings under a load, or at different times",
 }
 
@@ -120,10 +122,13 @@ def _forms(problem: Problem, name: str) -> list[tuple[Constant, ...]]:
     """Return the constants of every form of an effect that is searched."""
     kernels = load_effect(name)
     how = {constant: kind for kind, constant in kernels.SEARCHED.items()}
-    return list(itertools.product(*(SEARCHES[how[key]](problem, kernels) for key, *_ in kernels.CONSTANTS)))
+    forms: list[tuple[Constant, ...]] = [()]
+    for key, *_ in kernels.CONSTANTS:
+        forms = [(*form, value) for form in forms for value in SEARCHES[how[key]](problem, kernels, form)]
+    return forms
 
 
-def _orders(problem: Problem, kernels: Kernels) -> list[float]:
+def _orders(problem: Problem, kernels: Kernels, form: Form) -> list[float]:
     """Return the orders of a periodic error."""
     orders = {float(k) for k in range(1, ORDERS + 1)}
     ratio = problem.robot.transmission.gear_ratio if problem.robot.transmission else None
@@ -132,7 +137,7 @@ def _orders(problem: Problem, kernels: Kernels) -> list[float]:
     return sorted(orders)
 
 
-def _moments(problem: Problem, kernels: Kernels) -> list[float]:
+def _moments(problem: Problem, kernels: Kernels, form: Form) -> list[float]:
     """Return the moments at which something may happen."""
     rows = np.unique(problem.readings.rows)
     clock = problem.body.channels.clock[rows]
@@ -162,13 +167,13 @@ def _mixed(q: Array, clock: Array, moments: Array) -> np.ndarray:
     return mixed
 
 
-def _joints(problem: Problem, kernels: Kernels) -> list[float]:
+def _joints(problem: Problem, kernels: Kernels, form: Form) -> list[float]:
     """Return the numbers of the joints that others may move with: those that move at all."""
     moving = np.ptp(problem.body.q[np.unique(problem.readings.rows)], axis=0) > 0
     return [float(i + 1) for i in np.flatnonzero(moving)] if len(moving) > 1 else []
 
 
-def _recorded(problem: Problem, kernels: Kernels) -> list[str]:
+def _recorded(problem: Problem, kernels: Kernels, form: Form) -> list[str]:
     """Return the recorded columns that are no state, are whole and vary."""
     rows = np.unique(problem.readings.rows)
     known = {n for s in CHANNELS for n in s.columns(problem.recording.joint_unit, problem.mechanism.limbs)}
@@ -187,10 +192,22 @@ def _recorded(problem: Problem, kernels: Kernels) -> list[str]:
     ]
 
 
-def _sizes(problem: Problem, kernels: Kernels) -> list[float]:
+def _clocks(problem: Problem, kernels: Kernels, form: Form) -> list[str]:
+    """Return the columns that count on: the time where it was logged, else what only rises from row to row."""
+    rows, time = np.unique(problem.readings.rows), problem.recording.time_s
+    if time is not None:
+        return [LOGGED] if np.isfinite(time[rows]).all() and LOGGED not in problem.recording.doubts else []
+    columns = ((name, problem.recording.channels[name][rows]) for name in _recorded(problem, kernels, form))
+    return [name for name, values in columns if (np.diff(values) >= 0).all()]
+
+
+def _sizes(problem: Problem, kernels: Kernels, form: Form) -> list[float]:
     """Return sizes of a state, from a part of the smallest joint's largest to a multiple of the largest one's."""
     body, rows = problem.body, np.unique(problem.readings.rows)
-    (name,) = kernels.SIZED.values()
+    (of,) = kernels.SIZED.values()
+    known = dict(zip((key for key, *_ in kernels.CONSTANTS), form, strict=False))
+    state = named(of)
+    name = state.chosen(known[state.by]).name if state.by in known else of
     plain = body.mechanism.rows(problem.robot)
     x = np.nan_to_num(body.mechanism.forward(body.q, body.tool, plain)[0])
     values = np.abs(body.state([name], x, body.q, plain)[name][rows])
@@ -203,10 +220,11 @@ def _sizes(problem: Problem, kernels: Kernels) -> list[float]:
 
 
 # of constants, by how an effect declares that they are searched; and what there is not, where there is none
-SEARCHES: Mapping[str, Callable[[Problem, Kernels], Sequence[Constant]]] = {
+SEARCHES: Mapping[str, Callable[[Problem, Kernels, Form], Sequence[Constant]]] = {
     "orders": _orders,
     "moments": _moments,
     "joints": _joints,
     "columns": _recorded,
+    "clocks": _clocks,
     "sizes": _sizes,
 }

@@ -25,7 +25,7 @@ from deltacal_gen.physics.body import Body, reading_shift
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.motion import with_motion
 from deltacal_gen.physics.parts import lacks
-from deltacal_gen.physics.terms import Term, blank, constants_of, effect_names, row_factors, scaled
+from deltacal_gen.physics.terms import LOGGED, Term, blank, constants_of, effect_names, row_factors, scaled
 from deltacal_gen.units import DEG, to_internal
 
 CLOCK = ("clock_offset", "clock_rate")  # parameters of a truth that are of no machine
@@ -133,7 +133,8 @@ def _term(file: TomlFile, table: dict[str, Any], robot: Robot, mechanism: Machin
                 f"{name}: {key} needs one number, or one for each of {rows} limbs.", "Correct it.", "effects"
             )
         values[:, c] = value * factors[:, c]
-    columns = [key for kind, key in kernels.SEARCHED.items() if kind == "columns"]
+    columns = [key for kind, key in kernels.SEARCHED.items() if kind in ("columns", "clocks")]
+    given = {kernels.SEARCHED["clocks"]: LOGGED} | given if "clocks" in kernels.SEARCHED else given
     missing = [key for key, *_ in kernels.CONSTANTS if key not in given]
     if missing:
         raise file.error(f"the effect '{name}' needs {', '.join(missing)}.", "Add it.", "effects")

@@ -79,7 +79,9 @@ class State:
         """Return the state that a constant decides on: a column, another joint's reading, or itself."""
         if self.kind != "chosen":
             return self
-        return named(constant) if isinstance(constant, str) else named(f"q_{int(constant)}")
+        if not isinstance(constant, str):
+            return named(f"q_{int(constant)}")
+        return next((s for s in CHANNELS if s.column == constant), named(constant))
 
     def of_joint(self, joint: int) -> State:
         """Return another joint's."""

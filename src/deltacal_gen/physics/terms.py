@@ -22,6 +22,7 @@ from deltacal_gen.units import of_joints, of_sliding
 
 DOUBTED = 2.0  # standard deviations by which a coefficient may lie outside its believable range
 UNKNOWN = "of a session without the channel"
+LOGGED = "time_s"  # the column in which time constants count where nothing else is said
 Point = tuple[float, float, float]
 Constant = float | str
 
