@@ -159,7 +159,7 @@ def diagnose(
     some, search, left, unexplained = found.problem, found.search, found.left, found.unexplained
     spectrum, parts = found.spectrum, found.parts
     # joints that err at many orders imitate any function of the pose
-    sought = laws(found, progress) if unexplained and not lean and spectrum is None else Sought()
+    sought = laws(found, progress) if not lean and spectrum is None else Sought()
     if lawful := sought.laws:
         search, left, unexplained = Search(lawful[0].fit, search.terms), structures(lawful[0].fit), False
     # what comes near its price, or is not borne out, is no finding, but worth a measurement

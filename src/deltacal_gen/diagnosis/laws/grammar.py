@@ -23,7 +23,7 @@ LAGS = 8  # time constants, from the time between rows to half of the session
 PERIODS = 36  # of a state: from its whole width to four rows
 PHASES = (0.0, 0.25, 0.5, 0.75)  # of a period, at which what is no wave may begin
 ONCE = ("time",)  # what comes once: a step in it, or a bump, is an event and no law
-CONSTANT = re.compile(r"\{(\d)\}")
+CONSTANT = re.compile(r"\{(\d+)\}")
 
 
 @dataclass(frozen=True)
@@ -104,7 +104,7 @@ def lagging(state: str, tau: float) -> Atom:
 def plain(state: str, values: Array) -> list[Atom]:
     """Return the simplest functions of a state (any shape of values), from which products are made at first."""
     out = [Atom(state)]
-    if values.min() < 0 < values.max() and not _switch(values):
+    if values.min() < 0 < values.max() and not switch(values):
         out.append(Atom(f"Abs({state})", (), 2))
     return out
 
@@ -116,15 +116,15 @@ def linear(state: str, values: Array) -> list[Atom]:
     """
     out = plain(state, values)
     middle = float(np.median(values))
-    if abs(middle) > values.std() and not _switch(values):
-        out.append(Atom(f"({state} - {{0}})", (middle,), 2))
+    if abs(middle) > values.std() and not switch(values):
+        out += [Atom(f"({state} - {{0}})", (middle,), 2), Atom(f"Abs({state} - {{0}})", (middle,), 3)]
     return out
 
 
 def simple(state: str, values: Array) -> list[Atom]:
     """Return functions that any other one is like, at first sight: a power, a threshold, a bend."""
     out = plain(state, values)
-    if _switch(values):
+    if switch(values):
         return out
     out += [Atom(f"{state}**2", (), 2), Atom(f"sqrt(Abs({state}))", (), 2)]
     lines = np.quantile(values, (0.25, 0.5, 0.75))
@@ -144,7 +144,7 @@ def full(state: str, values: Array, lags: Sequence[float] = ()) -> list[Atom]:
     """Return every function of a state that is tried; `lags` are the time constants with which it may lag."""
     out = plain(state, values)
     late = [lagging(state, tau) for tau in lags]
-    if _switch(values):
+    if switch(values):
         return out + late
     most, width, signed = float(np.abs(values).max()), float(np.ptp(values)), values.min() < 0 < values.max()
     out += [Atom(f"{state}**{n}", (), n) for n in (2, 3)]
@@ -177,7 +177,7 @@ def factors(state: str, values: Array, lags: Sequence[float] = ()) -> list[Atom]
     """Return functions of a state of which products are made where one explains much: coarser than `full`."""
     out = [*linear(state, values), *simple(state, values)[len(plain(state, values)) :]]
     late = [lagging(state, tau) for tau in lags[1::3]]
-    if _switch(values):
+    if switch(values):
         return out + late
     most = float(np.abs(values).max())
     out += [Atom(f"exp(-({state}/{{0}})**2)", (s * most,), 4) for s in (0.2, 0.6)]
@@ -187,7 +187,7 @@ def factors(state: str, values: Array, lags: Sequence[float] = ()) -> list[Atom]
 
 def slow_waves(values: Array) -> list[float]:
     """Return frequencies [1 per unit of a state] of few periods over its width."""
-    return [] if _switch(values) else [float(2 * np.pi * k / np.ptp(values)) for k in (0.5, 1.0, 1.5, 2.0, 3.0)]
+    return [] if switch(values) else [float(2 * np.pi * k / np.ptp(values)) for k in (0.5, 1.0, 1.5, 2.0, 3.0)]
 
 
 def waves(state: str, values: Array) -> list[Form]:
@@ -213,6 +213,7 @@ def periodic(state: str, frequency: float) -> list[Atom]:
     return out
 
 
-def _switch(values: Array) -> bool:
+def switch(values: Array) -> bool:
+    """Tell whether a state has so few values that every function of it is a straight line."""
     first = values.ravel()
     return len(np.unique(first[:: max(len(first) // 400, 1)])) <= LEVELS

@@ -11,8 +11,8 @@ import numpy as np
 from deltacal_gen.diagnosis.discrimination import Question
 from deltacal_gen.diagnosis.laws.ground import Ground, Tried
 from deltacal_gen.diagnosis.laws.proof import Proof, judged, proven
-from deltacal_gen.diagnosis.laws.screen import ranked
-from deltacal_gen.diagnosis.laws.search import COMPARED, Grown, fitted, polished, unexplained
+from deltacal_gen.diagnosis.laws.screen import ranked, stands_out
+from deltacal_gen.diagnosis.laws.search import COMPARED, Grown, curved, fitted, polished, unexplained
 from deltacal_gen.diagnosis.search import charge, gains, quantile
 from deltacal_gen.diagnosis.strategy import MARGIN, Outcome, refitted, terms_of
 from deltacal_gen.diagnosis.structure import by_instrument
@@ -97,7 +97,7 @@ class Sought:
 
 
 def laws(found: Outcome, progress: Callable[[str], None]) -> Sought:
-    """Return the law that is borne out, and its rivals.
+    """Return the law that is borne out, and its rivals, where named effects leave more than noise.
 
     With the named effects beside it, and without: what a law explains alone needs no name seen through the wrong
     glasses.
@@ -106,6 +106,8 @@ def laws(found: Outcome, progress: Callable[[str], None]) -> Sought:
     if problem.readings.rows.shape[1] != 1:
         return Sought()  # of distances, either end could be moved
     names = [t for t in terms_of(at) if not is_law(t.effect)]
+    if not (found.unexplained or (names and stands_out(Ground(at)))):
+        return Sought()
     # rows that hang together are the law's doing, where there is one; its price is compared with theirs
     white = dataclasses.replace(at, repeats=dataclasses.replace(at.repeats, series=None))
     out = Sought()
@@ -134,7 +136,7 @@ def _beside(
     if not proof.holds:
         return Sought(doubtful=proof.grown.terms[0] if proof.share > 0 else None)
     grown = _of_all(problem, base, proof.grown, names)
-    grown = None if grown is None else _needed(problem, grown, found)
+    grown = None if grown is None else _needed(problem, curved(problem, grown), found)
     if grown is None or not grown.law or _moved(grown) or grown.cost >= deviance_of(found.search.fit):
         return Sought()
     return Sought(tuple(_told(problem, _calm(problem, grown), proof)))

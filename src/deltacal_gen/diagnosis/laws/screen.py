@@ -17,9 +17,10 @@ from deltacal_gen.diagnosis.laws import grammar
 from deltacal_gen.diagnosis.laws.grammar import Form
 from deltacal_gen.diagnosis.laws.ground import Ground, Place, Tried
 from deltacal_gen.diagnosis.search import MOST_SETS, best_set, gains, quantile
+from deltacal_gen.diagnosis.strategy import MARGIN
 from deltacal_gen.machine.registry import Array
 
-PART = 2 * np.log(2)  # of chi2: price of each part that there is to say of a law
+PART = 2 * np.log(4)  # of chi2: price of each part that there is to say of a law, one of four or more that it may be
 LOOKED_AT = 10  # states, or pairs of them, at a place, of which every function is tried
 KINDS = 8  # functions of a state of which the best constants are sought
 REFINED = 16  # forms whose constants are sought between the steps of their grids
@@ -50,6 +51,12 @@ def ranked(ground: Ground, looked_at: int = LOOKED_AT) -> list[Tried]:
     priced.sort(key=lambda t: -t.score)
     refined = [refine(ground, places[t.target], t) for t in priced[:REFINED]]
     return _each_once(sorted([*refined, *priced[REFINED:]], key=lambda t: -t.score))
+
+
+def stands_out(ground: Ground) -> bool:
+    """Tell whether some simple form earns its price: what a fit leaves is then more than noise."""
+    tried = _first(ground)
+    return any(dataclasses.replace(t, price=price(t, len(tried))).score > MARGIN for t in tried)
 
 
 def _each_once(tried: Iterable[Tried]) -> list[Tried]:
@@ -210,6 +217,6 @@ def _size(ground: Ground, form: Form, k: int) -> float:
 
 def _owner(form: Form, k: int) -> str:
     """Return the state whose function holds a constant: the last one before it in the text."""
-    text = form.functions[0]
+    text = next(f for f in form.functions if f"{{{k}}}" in f)
     before = text[: text.index(f"{{{k}}}")]
     return max(form.states, key=before.rfind)

@@ -14,6 +14,7 @@ import numpy as np
 
 from deltacal_gen.diagnosis.laws.ground import Ground, Tried
 from deltacal_gen.diagnosis.laws.screen import ranked, refine
+from deltacal_gen.diagnosis.laws.shape import shaped
 from deltacal_gen.diagnosis.strategy import ALIKE, MARGIN, refitted, terms_of
 from deltacal_gen.diagnosis.structure import alike, structures
 from deltacal_gen.estimation.fit import Fit
@@ -79,6 +80,7 @@ def grow(problem: Problem, base: Fit) -> Grown | None:
             best = best if other is None or other.cost > best.cost else other
         if len(best.law) > 1:
             best = _revised(problem, best)
+        best = curved(problem, best)
         taken = explained(base.residual / best.fit.sigma, best.fit.residual / best.fit.sigma)
         if taken < (*ON_THE_WAY, SHARE)[len(best.law) - 1]:
             return None
@@ -162,6 +164,17 @@ def polished(problem: Problem, grown: Grown, i: int = -1) -> Grown:
         better = found
     again = fitted(problem, grown, ground, better, grown.others, i)
     return again if again is not None and again.cost <= grown.cost + MARGIN else grown
+
+
+def curved(problem: Problem, grown: Grown) -> Grown:
+    """Return a law whose terms each have the shape that they earn beside everything else that is fitted."""
+    for i in range(len(grown.law)):
+        ground = Ground(grown.fit).freed(len(terms_of(grown.fit)) - len(grown.law) + i)
+        bent = shaped(ground, grown.law[i])
+        again = None if bent is grown.law[i] else fitted(problem, grown, ground, bent, grown.others, i)
+        if again is not None and again.cost < grown.cost:
+            grown = again
+    return grown
 
 
 def _revised(problem: Problem, grown: Grown) -> Grown:

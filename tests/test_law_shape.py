@@ -1,0 +1,71 @@
+"""The shape of a law: bends and modulations that it earns, and none that it does not."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from deltacal_gen.diagnosis.laws import grammar
+from deltacal_gen.diagnosis.laws.ground import Ground, Tried
+from deltacal_gen.diagnosis.laws.screen import price
+from deltacal_gen.diagnosis.laws.shape import BEND, shaped
+from deltacal_gen.estimation.fit import fit
+from deltacal_gen.estimation.problem import pose_problem
+from deltacal_gen.estimation.solvers import Prior
+from deltacal_gen.physics.terms import Term
+from tests.left_out import DELTA, machine, record
+from tests.test_law_language import LIMB, law
+
+N = 90
+ROBOT = machine()
+OF = {
+    "payload_kg": np.random.default_rng(3).uniform(0.0, 3.0, N).round(2),
+    "oil_C": np.random.default_rng(4).uniform(40.0, 50.0, N).round(1),
+}
+
+
+def straight(*truth: Term) -> tuple[Ground, Tried]:
+    """Return what geometry alone leaves of a machine with a law, and a straight line of the payload."""
+    at = fit(pose_problem(ROBOT, record(ROBOT, *truth, n=N, of=OF), DELTA.model(DELTA.full_model)), Prior())
+    tried = Tried("joint", grammar.single("payload", grammar.Atom("payload")), (LIMB,), 0.0, 0.0)
+    return Ground(at), dataclasses.replace(tried, price=price(tried, 1))
+
+
+def test_a_straight_line_stays_one() -> None:
+    ground, tried = straight(law("joint = c1*payload", 5e-4))
+    assert shaped(ground, tried) is tried
+
+
+def test_a_bend_is_found_where_it_is() -> None:
+    ground, tried = straight(law("joint = c1*payload", 3e-4), law("joint = c1*Max(payload - c2, 0)", 9e-4, 1.3))
+    found = shaped(ground, tried)
+    assert found.form.states == ("payload",)
+    assert any(abs(k - 1.3) < 0.1 for k in found.form.constants)
+    assert found.gain > ground.gain(ground.place("joint"), tried.form, tried.limbs) + BEND
+
+
+def test_a_state_that_modulates_a_law_is_found() -> None:
+    ground, tried = straight(law("joint = c1*payload", 5e-4), law("joint = c1*payload*(oil_C - c2)", 1e-4, 45.0))
+    found = shaped(ground, tried)
+    assert set(found.form.states) == {"payload", "oil_C"}
+    ground.term(found.target, found.form, found.limbs)  # its text is a law
+
+
+def test_products_count_from_within_the_range_of_a_state() -> None:
+    far, near = np.linspace(40.0, 50.0, 30), np.linspace(-5.0, 5.0, 30)
+    assert [a.text for a in grammar.linear("oil_C", far)] == ["oil_C", "(oil_C - {0})", "Abs(oil_C - {0})"]
+    assert [a.text for a in grammar.linear("q", near)] == ["q", "Abs(q)"]
+    assert grammar.linear("oil_C", far)[1].constants == (45.0,)
+
+
+@pytest.mark.parametrize("count", [2, 12])
+def test_a_form_may_have_many_constants(count: int) -> None:
+    factors = tuple((f"Max(payload - {{{k}}}, 0)",) for k in range(count))
+    form = grammar.Form(factors, tuple(np.linspace(0.1, 2.0, count)), ("payload",), 3)
+    ground, _ = straight(law("joint = c1*payload", 5e-4))
+    values = ground.values(form)
+    assert values.shape == (N, 1, count)
+    last = form.constants[-1]
+    assert values[:, 0, -1] == pytest.approx(np.maximum(OF["payload_kg"] - last, 0.0))
