@@ -71,6 +71,7 @@ BY_KIND = {
     "effects": ("test_physics", "test_states", "test_memory", "test_laws", "test_derivation", "test_frozen"),
     "measurements": (
         "test_measurement",
+        "test_boards",
         "test_kinds",
         "test_camera",
         "test_contact",

@@ -12,7 +12,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from deltacal_gen.machine.registry import mechanism_names
 from deltacal_gen.pages import manual
 from tests.benchmarks import __main__ as every
-from tests.benchmarks import compile, fuzz, memory, scaling
+from tests.benchmarks import compile, fuzz, memory, nonsense, outputs, scaling
 from tests.benchmarks.works import WORKS, disagreement, works
 
 QUICK = [name for name in WORKS if not name.endswith("_cold") and "command" not in name]
@@ -54,6 +54,19 @@ def test_the_table_of_all_mechanisms_is_written_as_the_manual_shows_it(
     assert all(float(cell.replace(" ", "")) > 0 for row in table["rows"] for cell in row[1:] if cell != "-")
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="runs are forked")
-def test_damaged_inputs_end_as_the_contract_says(capsys: pytest.CaptureFixture[str]) -> None:
-    assert fuzz.main(["--runs", "40", "--seed", "7"]) == 0, capsys.readouterr().out
+forked = pytest.mark.skipif(sys.platform != "linux", reason="runs are forked")
+
+
+@forked
+def test_damaged_inputs_end_as_the_contract_says(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    log = tmp_path / "log.csv"
+    log.write_text("0,identify,3,\n1,validate,0,\n")  # of another sitting: these are not run again
+    assert fuzz.main(["--runs", "20", "--seed", "7", "--log", str(log)]) == 0, capsys.readouterr().out
+    assert [int(line.split(",")[0]) for line in log.read_text().split()] == [*range(20)]
+
+
+@forked
+@pytest.mark.thorough
+def test_nonsense_is_not_accepted_and_outputs_are_whole(capsys: pytest.CaptureFixture[str]) -> None:
+    assert nonsense.main(["--runs", "10", "--seed", "3"]) == 0, capsys.readouterr().out
+    assert outputs.main(["--kills", "4"]) == 0, capsys.readouterr().out
