@@ -191,6 +191,7 @@ def write_one(lowered: Lowered) -> dict[Path, str]:
             "stated": {name: numpy.expression(e) for name, e in stated.items()},
             "reads": set().union(*(e.free_symbols for e in stated.values())),
         }
+        contents["dynamics.c"] = {"kernels": moving, "motion": kernels["motion"]}
     if "nominal" in kernels:
         contents["nominal.py"] = {"kernels": kernels["nominal"]}
     for name, context in contents.items():
@@ -199,10 +200,11 @@ def write_one(lowered: Lowered) -> dict[Path, str]:
 
 
 def _effect(spec: Effect, kernels: Kernels) -> dict[Path, str]:
-    """Return an effect in NumPy and, where a controller knows all that it reads, in C."""
+    """Return an effect in NumPy and, where a controller knows all that it reads, or tells a drive, in C."""
     read = spec.states
     before = all(s.c99 for s in read) and not spec.memory
-    endings = ["py", "c"] if set(spec.targets) == {"joint"} and before else ["py"]
+    in_c = (set(spec.targets) == {"joint"} and before) or (spec.acts_on == "drive" and not spec.memory)
+    endings = ["py", "c"] if in_c else ["py"]
     return {
         Path("effects") / f"{spec.name}.{ending}": _file(
             f"effect.{ending}", spec, effect=spec, states=read, kernels=kernels

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import ctypes
 import dataclasses
+import shutil
+import subprocess
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -12,10 +15,15 @@ import pytest
 
 import deltacal_gen as dc
 from deltacal_gen.errors import UsageError
-from deltacal_gen.files.robot import robot_to_toml
+from deltacal_gen.files.robot import kept_robot, robot_to_toml
+from deltacal_gen.machine.dynamics import dynamics_of
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.motion.feedforward import FeedForward
+from deltacal_gen.results.motion import JointModel
+from deltacal_gen.use.servo_source import export_feedforward
 from tests.every_effect import machines
+from tests.machines_with_loops import machine
+from tests.machines_with_loops import states as states_of
 
 COULOMB, VISCOUS = 0.4, 0.004  # Nm, Nm s/deg
 TRUTH = f"""
@@ -151,3 +159,175 @@ def _result(folder: Path) -> Path:
     dc.simulate(folder / "robot.toml", folder / "poses.csv", folder / "rest.csv", noise=0.01)
     dc.identify(folder / "robot.toml", folder / "rest.csv", model="delta/3", output=folder / "rest.json")
     return folder / "rest.json"
+
+
+# ------------------------------------------------------------------------------------------------ on a controller
+
+COMPILER = shutil.which("gcc")
+needs_compiler = pytest.mark.skipif(COMPILER is None, reason="C is compiled by gcc, which is not installed")
+STRICT = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror", "-O2", "-fPIC", "-shared"]
+JUMPED, LIMITED, NOT_A_NUMBER = 4, 5, 3
+THREE = ctypes.c_double * 3
+
+
+class Held(ctypes.Structure):
+    """What is kept between calls, as the head of the file has it."""
+
+    _fields_ = (("joints", THREE), ("torque", THREE), ("period_s", ctypes.c_double), ("begun", ctypes.c_int))
+
+
+@pytest.fixture(scope="module")
+def controller(known: Path) -> Any:
+    """Return the exported file as a library, without limits of torque."""
+    answer = dc.read_answer(known / "diagnosis.json").to_dict()
+    answer["robot"].pop("limits")
+    return compiled(known, answer, "command")
+
+
+def compiled(known: Path, answer: Any, name: str) -> Any:
+    source, library = known / f"{name}.c", known / f"{name}.so"
+    dc.compensate(answer, output=source, export="c")
+    text = source.read_text()
+    assert "malloc" not in text
+    assert "while (" not in text
+    assert COMPILER is not None
+    subprocess.run([COMPILER, *STRICT, str(source), "-o", str(library), "-lm"], check=True)
+    function = ctypes.CDLL(str(library)).deltacal_feedforward
+    function.argtypes = [ctypes.POINTER(Held), THREE, THREE, THREE, ctypes.c_double, ctypes.c_double]
+    return function
+
+
+def told(
+    controller: Any, held: Held, p: Any, v: Any = (0, 0, 0), a: Any = (0, 0, 0), payload: float = 0.0
+) -> tuple[int, np.ndarray, np.ndarray]:
+    code = controller(held, THREE(*p), THREE(*v), THREE(*a), payload, 20.0)
+    return code, np.array(held.joints), np.array(held.torque)
+
+
+@needs_compiler
+@pytest.mark.parametrize("payload", [0.0, 0.8])
+def test_the_controller_says_what_the_command_does(known: Path, controller: Any, payload: float) -> None:
+    """Along a line: joints and torques by the C file, and by Python from joints and their central differences."""
+    t, h = np.linspace(0.0, 1.0, 40), 1e-3
+    line = lambda t: np.column_stack([150 * np.sin(3 * t), 100 * t**2, -870 + 40 * np.cos(5 * t)])  # noqa: E731
+    speed = np.column_stack([450 * np.cos(3 * t), 200 * t, -200 * np.sin(5 * t)])
+    force = np.column_stack([-1350 * np.sin(3 * t), 200 + 0 * t, -1000 * np.cos(5 * t)])
+    compensator = dc.Compensator(dc.read_robot(known / "robot.toml"))
+    at = {k: np.degrees(compensator.joints(line(t + k * h))) for k in range(-4, 5)}
+    first, second = (4 / 5, -1 / 5, 4 / 105, -1 / 280), (8 / 5, -1 / 5, 8 / 315, -1 / 560)
+    qd = sum(c * (at[k] - at[-k]) for k, c in enumerate(first, start=1)) / h
+    qdd = (sum(c * (at[k] + at[-k]) for k, c in enumerate(second, start=1)) - 205 / 72 * at[0]) / h**2
+    wanted = with_payload(known, np.array([at[0], qd, qdd]), payload)
+    held = Held(period_s=1.0)
+    for n in range(len(t)):
+        code, joints, torque = told(controller, held, line(t)[n], speed[n], force[n], payload)
+        assert code == 0
+        assert joints == pytest.approx(at[0][n], abs=1e-9)
+        assert torque == pytest.approx(wanted[n], abs=1e-6)
+
+
+def with_payload(known: Path, states: np.ndarray, payload: float) -> np.ndarray:
+    along(known, states, "line")
+    table = (known / "line.csv").read_text().splitlines()
+    rows = [f"{table[0]},payload_kg", *(f"{row},{payload}" for row in table[1:])]
+    (known / "line.csv").write_text("\n".join(rows))
+    return dc.feed_forward(known / "diagnosis.json", known / "line.csv").torque
+
+
+@needs_compiler
+@pytest.mark.parametrize(
+    ("p", "v", "expected"),
+    [
+        ((5000.0, 0.0, -850.0), (0.0, 0.0, 0.0), 1),
+        ((float("nan"), 0.0, -850.0), (0.0, 0.0, 0.0), NOT_A_NUMBER),
+        ((0.0, 0.0, -850.0), (0.0, float("inf"), 0.0), NOT_A_NUMBER),
+        ((250.0, 0.0, -850.0), (0.0, 0.0, 0.0), JUMPED),
+    ],
+)
+def test_what_cannot_be_is_answered_and_the_last_output_held(
+    controller: Any, p: tuple[float, ...], v: tuple[float, ...], expected: int
+) -> None:
+    held = Held(period_s=0.001)
+    assert told(controller, held, (0.0, 0.0, -850.0))[0] == 0
+    before = bytes(held)
+    assert told(controller, held, p, v)[0] == expected
+    assert bytes(held) == before
+    assert told(controller, held, (0.01, 0.0, -850.0))[0] == 0
+
+
+@needs_compiler
+def test_after_a_stop_the_next_set_point_may_lie_anywhere(controller: Any) -> None:
+    held = Held(period_s=0.001)
+    assert told(controller, held, (0.0, 0.0, -850.0))[0] == 0
+    held.begun = 0
+    assert told(controller, held, (250.0, 0.0, -850.0))[0] == 0
+
+
+@needs_compiler
+def test_a_torque_is_held_at_its_limit(known: Path) -> None:
+    """The robot file lets drive 1 give 1 Nm."""
+    controller = compiled(known, dc.read_answer(known / "diagnosis.json").to_dict(), "limited")
+    code, _, torque = told(controller, Held(period_s=1.0), (0.0, 0.0, -850.0), (0, 0, 0), (0, 0, 20000.0))
+    assert code == LIMITED
+    assert abs(torque[0]) == 1.0
+    assert abs(torque[1]) > 1.0
+
+
+@needs_compiler
+def test_a_controller_that_trembles_does_not_chatter(known: Path, controller: Any) -> None:
+    """Velocities of either sign, a thousandth of the ramp, change the torque by about that part of the friction."""
+    edge = float(np.degrees(dc.read_answer(known / "diagnosis.json").joints[0].at_rest_below))
+    torques = [told(controller, Held(period_s=1.0), (0, 0, -850), (0, 0, side * 1e-3 * edge))[2] for side in (1, -1)]
+    assert np.abs(torques[0] - torques[1]).max() < 0.01 * COULOMB
+
+
+def test_a_machine_in_motion_has_no_table(known: Path) -> None:
+    with pytest.raises(UsageError, match="no export 'table' of a machine in motion"):
+        dc.compensate(known / "diagnosis.json", output=known / "x.csv", export="table")
+
+
+@needs_compiler
+@pytest.mark.parametrize("name", ["diamond", "linear_delta", "robotennis"])
+def test_every_machine_with_limbs_stands_in_c_as_in_python(known: Path, name: str) -> None:
+    """Rigid machines with errors: joints' rates by the velocity Jacobian, torques by the compiled kernels."""
+    robot = machine(name)
+    own, mechanism = dynamics_of(robot), mechanism_of(robot)
+    n, unit = mechanism.limbs, "N" if mechanism.joint_unit == "mm" else "Nm"
+    joints = tuple(
+        JointModel(
+            joint=i + 1,
+            columns=tuple(range(len(own.names))),
+            coefficients=tuple(own.stated().tolist()),
+            terms=(),
+            at_rest_below=0.0,
+        )
+        for i in range(n)
+    )
+    answer: Any = dc.read_answer(known / "diagnosis.json")
+    columns = tuple(f"tau{i + 1}_{unit}" for i in range(n))
+    answer = answer.replace(robot=kept_robot(robot), joints=joints, columns=columns, inertial=own.names, known=None)
+    source, library = known / f"{name}.c", known / f"{name}.so"
+    export_feedforward(answer, source)
+    assert COMPILER is not None
+    subprocess.run([COMPILER, *STRICT, str(source), "-o", str(library), "-lm"], check=True)
+    function = ctypes.CDLL(str(library)).deltacal_feedforward
+    numbers = ctypes.c_double * n
+
+    class State(ctypes.Structure):
+        _fields_ = (("joints", numbers), ("torque", numbers), ("period_s", ctypes.c_double), ("begun", ctypes.c_int))
+
+    motion, rows = states_of(robot, 6), mechanism.rows(robot)
+    x, _ = mechanism.forward(motion[0], robot.tool, rows)
+    V = mechanism.sensitivity(x, motion[0], np.tile(robot.tool, (6, 1)), rows).joints[:, :n]
+    h, at = 1e-4, {}
+    for k in (-2, -1, 1, 2):
+        q = motion[0] + k * h * motion[1] + (k * h) ** 2 / 2 * motion[2]
+        at[k] = mechanism.positions(q, robot.tool, rows)[:, :n]
+    speed = np.einsum("nij,nj->ni", V, motion[1])
+    bent = (16 * (at[1] + at[-1]) - (at[2] + at[-2]) - 30 * x[:, :n]) / (12 * h**2)
+    wanted = own.torque(motion, own.stated()) / (1000.0 if unit == "Nm" else 1.0)
+    function.argtypes = [ctypes.POINTER(State), numbers, numbers, numbers, ctypes.c_double, ctypes.c_double]
+    for k in range(6):
+        held = State(period_s=1.0)
+        assert function(held, numbers(*x[k, :n]), numbers(*speed[k]), numbers(*bent[k]), 0.0, 20.0) == 0
+        assert np.array(held.torque) == pytest.approx(wanted[k] * robot.joint_sign, abs=1e-7 * np.abs(wanted).max())

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import ClassVar
 
 import sympy as sp
 from sympy.printing.c import C99CodePrinter
 from sympy.printing.precedence import PRECEDENCE
 
-from derive.backends.ir import Kernel
+from derive.backends.ir import Kernel, Place
 from derive.backends.text import PRODUCTS, Lines, Names, Printer, arrays, written
 
 
@@ -55,6 +55,36 @@ def function(kernel: Kernel, arguments: Sequence[str], names: Names | None = Non
     lines = written(kernel, PRINTER, arrays(), "out[{}]".format, names)
     unused = [f"(void)({name});" for name in arguments if not kernel.reads(name)]
     return Lines(lines.loads, [*lines.assigns, *unused], [f"{line};" for line in lines.stores])
+
+
+def alone(
+    kernel: Kernel,
+    arguments: Sequence[str],
+    lanes: int,
+    into: str,
+    at: int,
+    copies: Sequence[int] = (0,),
+    single: Collection[int] = (),
+) -> list[str]:
+    """Return the body of a function of one pose, of a kernel that is written for many side by side.
+
+    See `derive.backends.lanes.block`: where that has a lane array of so many `lanes`, this has a number.
+    """
+
+    def place(of: Place) -> str:
+        if of.lane and of.index is not None:
+            return f"{of.array}[{of.index // lanes}]"
+        return arrays()(of)
+
+    lines = written(kernel, PRINTER, place, str)
+    read = {load.place.array for load in kernel.loads} | {into}
+    unused = [f"(void)({name});" for name in arguments if name not in read]
+    stores = [
+        f"{into}[{copy + at + store.index}] = {PRINTER.expression(store.expr)};"
+        for store in kernel.stores
+        for copy in (copies[:1] if store.index in single else copies)
+    ]
+    return [*lines.loads, *lines.assigns, *unused, *stores]
 
 
 def value(kernel: Kernel, arguments: Sequence[str]) -> list[str]:

@@ -41,6 +41,8 @@ class Dynamics(ABC):
         How many joints there are, and rad or mm of each.
     bodies : int
         How many bodies have ten parameters each; 0 where bodies have others.
+    gravity : (3,) array
+        In {O} [m/s^2].
     """
 
     names: tuple[str, ...]
@@ -49,7 +51,7 @@ class Dynamics(ABC):
 
     def __init__(self, robot: Robot, machine: Chain | Limbs) -> None:
         self._kernels, self._tool = _kernels(machine.name), robot.tool
-        self._gravity = np.array(GRAVITY if robot.masses is None else robot.masses.gravity, dtype=float)
+        self.gravity = np.array(GRAVITY if robot.masses is None else robot.masses.gravity, dtype=float)
         self.joints, self.joint_units = machine.limbs, machine.joint_units
 
     @abstractmethod
@@ -104,14 +106,14 @@ class ChainDynamics(Dynamics):
         """Return Y (N, n_q, n)."""
         motion = self._checked(motion)
         Y = np.empty((*motion.shape[1:], len(self.names)))
-        self._kernels.regressor(motion, self._gravity, self._own, *self._machine.shape, Y)
+        self._kernels.regressor(motion, self.gravity, self._own, *self._machine.shape, Y)
         return Y
 
     def torque(self, motion: Array, inertia: Array) -> Array:
         """Return the torques (N, n_q), by the recursion over links."""
         motion, tau = self._checked(motion), np.empty(np.shape(motion)[1:])
         masses = np.ascontiguousarray(inertia, dtype=float).reshape(self.bodies, -1)
-        self._kernels.torque(motion, masses, self._gravity, self._own, *self._machine.shape, tau)
+        self._kernels.torque(motion, masses, self.gravity, self._own, *self._machine.shape, tau)
         return tau
 
     def payload(self, motion: Array, off: Array | None = None) -> Array:
@@ -142,7 +144,7 @@ class LimbDynamics(Dynamics):
         super().__init__(robot, machine)
         self._robot, self._machine = robot, machine
         self._rows = machine.rows(robot)
-        self._constants = machine.compiled.constants(self._rows), self._kernels.constants(self._rows)
+        self.constants = machine.compiled.constants(self._rows), self._kernels.constants(self._rows)
         own = [(f"{name}_{i}", unit) for i in range(1, machine.limbs + 1) for name, unit, _ in self._kernels.LIMB]
         self.names, self.units = zip(*own, *((name, unit) for name, unit, _ in self._platform), strict=True)
 
@@ -186,7 +188,7 @@ class LimbDynamics(Dynamics):
         return {} if self._robot.masses is None else self._robot.masses.model_dump()
 
     @cached_property
-    def _shares(self) -> Array:
+    def shares(self) -> Array:
         """How much of a rod's mass moves like either of its ends (limbs,); the rest moves like its middle."""
         mass, inertia = self._masses.get("distal_rod"), self._masses.get("distal_inertia")
         if not mass or inertia is None:
@@ -197,7 +199,7 @@ class LimbDynamics(Dynamics):
         """Return what the kernels read."""
         tool = np.ascontiguousarray(self._tool[None], dtype=float)
         x = self._machine.closed(motion[0], tool, self._rows)
-        return x, motion, tool, *self._constants, self._gravity, self._shares
+        return x, motion, tool, *self.constants, self.gravity, self.shares
 
     def _asked(self, motion: Array, inertia: Array) -> Array:
         motion = self._checked(motion)

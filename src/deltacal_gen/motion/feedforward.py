@@ -16,11 +16,13 @@ import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.robot import robot_of
+from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.motion.derivatives import motion
 from deltacal_gen.motion.library import of_joint
+from deltacal_gen.motion.limits import PATTERNS
 from deltacal_gen.motion.prediction import given_by_drive, known_beforehand
 from deltacal_gen.motion.rigid import Rigid
-from deltacal_gen.motion.trajectories import Readout, Trajectories
+from deltacal_gen.motion.trajectories import Readout, Trajectories, readouts_of
 from deltacal_gen.results.motion import JointModel, MotionModel
 from deltacal_gen.units import joint_factors, joint_names
 
@@ -73,9 +75,6 @@ class FeedForward:
         return found | dict(zip(self.columns, self.torque.T, strict=True))
 
 
-PATTERNS = ("q{i}_{unit}", "qd{i}_{unit}_s", "qdd{i}_{unit}_s2")
-
-
 def fed_forward(known: MotionModel, given: Trajectories) -> FeedForward:
     """Return what drives must be told along a trajectory; its readings, if it has any, are not read.
 
@@ -105,8 +104,7 @@ def fed_forward(known: MotionModel, given: Trajectories) -> FeedForward:
             file=given.path,
             line=int(given.line[np.argmax(lost)]),
         )
-    units = tuple(column.rpartition("_")[2] if "_" in column else "1" for column in known.columns)
-    readouts = dataclasses.replace(given, columns=known.columns, units=units).readouts
+    units, readouts = readouts_of_model(known)
     torque = np.full((len(given.time), limbs), np.nan)
     ramped = np.zeros(limbs, dtype=int)
     for j, model in models.items():
@@ -115,6 +113,14 @@ def fed_forward(known: MotionModel, given: Trajectories) -> FeedForward:
         ramped[j - 1] = int((np.abs(states[1, :, j - 1]) < model.at_rest_below).sum())
     done = FeedForward(given, states, torque, known.columns, units, ramped, {})
     return dataclasses.replace(done, beyond=_beyond(done, robot.limits))
+
+
+def readouts_of_model(known: MotionModel) -> tuple[tuple[str, ...], tuple[Readout, ...]]:
+    """Return the units of the readings that a model predicts, joint by joint, and how they are read."""
+    robot = robot_of(known.robot)
+    units = tuple(column.rpartition("_")[2] if "_" in column else "1" for column in known.columns)
+    constants = None if robot.transmission is None else robot.transmission.torque_constant_Nm_A
+    return units, readouts_of(mechanism_of(robot).joint_unit, units, constants)
 
 
 def _ramped(

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import dataclasses
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
@@ -73,6 +73,18 @@ class Readout:
     def forces(self) -> bool:
         """Whether it is known as a torque or a force."""
         return self.told in ("Nm", "N")
+
+
+def readouts_of(joint_unit: str, units: Sequence[str], constants: Sequence[float] | None) -> tuple[Readout, ...]:
+    """Return how each joint is read, by the units of files and, of currents, the torque constants that are known."""
+    forces = ["N" if u == "mm" else "Nm" for u in of_joints(joint_unit, len(units))]
+    known = [None] * len(units) if constants is None else list(constants)
+    return tuple(
+        Readout(unit, constant * INSIDE[force], force)
+        if unit == "A" and constant is not None
+        else Readout(unit, INSIDE[unit], unit)
+        for unit, force, constant in zip(units, forces, known, strict=True)
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -158,14 +170,7 @@ class Trajectories:
     @property
     def readouts(self) -> tuple[Readout, ...]:
         """How each joint is read."""
-        forces = ["N" if u == "mm" else "Nm" for u in of_joints(self.joint_unit, len(self.units))]
-        constants = self.constants or [None] * len(self.units)
-        return tuple(
-            Readout(unit, constant * INSIDE[force], force)
-            if unit == "A" and constant is not None
-            else Readout(unit, INSIDE[unit], unit)
-            for unit, force, constant in zip(self.units, forces, constants, strict=True)
-        )
+        return readouts_of(self.joint_unit, self.units, self.constants)
 
     @property
     def step(self) -> float:

@@ -12,9 +12,9 @@ import numpy as np
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
+from deltacal_gen.motion.limits import PATTERNS, limits_of
 from deltacal_gen.pages import figures
 from deltacal_gen.pages.figures import plt
-from deltacal_gen.planning.exciting import PATTERNS, limits_of
 from deltacal_gen.planning.matrix import Plan
 from deltacal_gen.results.motion import MotionPlan
 from deltacal_gen.units import joint_factors, joint_names

@@ -163,11 +163,11 @@ def c_source(compensator: Compensator, left: RoundTrip, live: _Live | None = Non
     if compensator.kind == "exact":
         constants = constants[:, : kernels.COMMAND_CONSTANTS]
     limbs, unit = mechanism.limbs, file_unit(mechanism.joint_unit)
-    values = "\n".join(f"    {{ {_wrapped(row)} }}," for row in constants)
+    values = "\n".join(f"    {{ {wrapped(row)} }}," for row in constants)
     numbers = (
         f"static const double DELTACAL_K[{limbs}][{constants.shape[1]}] = {{\n{values}\n}};\n"
-        f"static const double DELTACAL_TOOL[3] = {{ {_c_numbers(robot.tool)} }}; /* mm, reference point in {{O'}} */\n"
-        f"static const double DELTACAL_SIGN[{limbs}] = {{ {_c_numbers(robot.joint_sign)} }}; /* of the controller */\n"
+        f"static const double DELTACAL_TOOL[3] = {{ {c_numbers(robot.tool)} }}; /* mm, reference point in {{O'}} */\n"
+        f"static const double DELTACAL_SIGN[{limbs}] = {{ {c_numbers(robot.joint_sign)} }}; /* of the controller */\n"
     )
     comment = "\n".join(f" * {line}".rstrip() for line in _c_header(compensator, left, unit, live))
     text = f"/*\n{comment}\n */\n{numbers}\n{body.read_text(encoding='utf-8')}"
@@ -182,7 +182,7 @@ def _c_command(live: _Live, unit: str) -> str:
     tables = []
     if n:
         rows = ",\n".join(
-            "    {\n" + ",\n".join(f"    {{ {_wrapped(row)} }}" for row in column) + "\n    }"
+            "    {\n" + ",\n".join(f"    {{ {wrapped(row)} }}" for row in column) + "\n    }"
             for column in live.coefficients
         )
         tables = [
@@ -248,8 +248,8 @@ def _c_command(live: _Live, unit: str) -> str:
                 body += [
                     "        {",
                     f"            const double s[] = {{ {s} }};",
-                    f"            static const double c[] = {{ {_c_numbers(c)} }}, "
-                    f"constants[] = {{ {_c_numbers(np.array(constants or [0.0]))} }};",
+                    f"            static const double c[] = {{ {c_numbers(c)} }}, "
+                    f"constants[] = {{ {c_numbers(np.array(constants or [0.0]))} }};",
                     f"            moved[{limb - 1}] += {t.effect}(s, c, constants);",
                     "        }",
                 ]
@@ -321,7 +321,7 @@ def _c_header(compensator: Compensator, left: RoundTrip, unit: str, live: _Live 
     yield ""
     yield f"Usage       double joints[{limbs}];"
     home = _as_files(mechanism, turned(robot, workspace_of(robot).home[None]))[0]
-    yield f"            const double target[{len(home)}] = {{ {_c_numbers(home)} }};"
+    yield f"            const double target[{len(home)}] = {{ {c_numbers(home)} }};"
     yield "            if (deltacal_compensate(target, joints) == 0) { ... }"
     yield "Build       C99 with the mathematics library. No memory is allocated and no state is kept: safe from any"
     yield "            thread. Not with -ffast-math, which drops the test for targets out of reach."
@@ -384,10 +384,12 @@ def _plain(text: str) -> str:
     return re.sub(r"[^\w .,:;()+-]", "_", text)
 
 
-def _c_numbers(values: Array) -> str:
+def c_numbers(values: Array) -> str:
+    """Return numbers as C writes them, to the last digit."""
     return ", ".join(repr(float(v)) for v in values)
 
 
-def _wrapped(values: Array, per_line: int = 5) -> str:
-    parts = [_c_numbers(values[j : j + per_line]) for j in range(0, len(values), per_line)]
+def wrapped(values: Array, per_line: int = 5) -> str:
+    """Return a row of numbers as C writes them, a few in a line."""
+    parts = [c_numbers(values[j : j + per_line]) for j in range(0, len(values), per_line)]
     return ",\n      ".join(parts)

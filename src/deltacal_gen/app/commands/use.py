@@ -96,6 +96,9 @@ def compensate(
     from deltacal_gen.use import compensation, exports, firmware, prediction, spans, tables
 
     check_output(output, result, targets)
+    if export is not None and isinstance(moving := known_model(result), MotionModel):
+        _export_in_motion(moving, export, output)
+        return np.zeros((0, len(moving.columns)))
     known = known_result(result)
     if export in firmware.KINDS:
         if output is None:
@@ -188,6 +191,17 @@ def compensate(
         write_files({Path(output): csv_text(table)})
     in_files: Array = joints / factors
     return in_files
+
+
+def _export_in_motion(known: MotionModel, export: str, output: Source | None) -> None:
+    """Write a machine in motion for a controller."""
+    from deltacal_gen.use.servo_source import export_feedforward
+
+    if export != "c":
+        raise UsageError(f"there is no export '{export}' of a machine in motion; known: c.")
+    if output is None:
+        raise UsageError("an export needs the file to write: give -o FILE.")
+    export_feedforward(known, output)
 
 
 def feed_forward(
