@@ -279,3 +279,19 @@ def test_predictions_are_in_pixels(robot: Robot) -> None:
     told = prediction.predict(result, dataclasses.replace(other, measured=np.full((other.n_rows, 2), np.nan)))
     assert told.columns == ("u_px", "v_px")
     assert np.abs(told.measured - other.measured).max() < 1.5
+
+
+def test_what_of_a_lens_is_told_by_nothing_but_priors_names_its_rival_and_how_well_it_must_be_known() -> None:
+    """A camera on a platform that only shifts it: its principal point may be its tilt, for a machine askew."""
+    delta = robot_from_dict(PROTOTYPE)
+    plain = Measurement(camera=Camera(**{**LENS, "k1": 0.0}))
+    made = seen(delta, plain)
+    blank = dataclasses.replace(made, measurement=dataclasses.replace(made.measurement, camera=None))
+    result = identify(delta, blank, "delta/42").answer()
+    centre = named(result, "cx_px")
+    assert (centre.status, centre.std) == ("not pinned", None)
+    assert centre.indistinguishable_from is not None
+    assert centre.indistinguishable_from[0].startswith("where the camera looks")
+    (told,) = (m.measurement for m in result.next_measurements if "say cx_px" in m.measurement)
+    accuracy = float(told.removesuffix(" px").rpartition(" ")[2])
+    assert accuracy == pytest.approx(result["sigma_px"], rel=0.5)

@@ -125,10 +125,10 @@ CASES = (
     Case("lift", "joint_coupling", (2,), {"coupling": 2e-3}, {"of": 1}),  # deg per mm
     Case("delta", "saturating_compliance", (2,), {"compliance": 0.02}, {"limit": 4.0}),
     Case("arm", "saturating_compliance", (2,), {"compliance": 0.002}, {"limit": 60.0}),
-    Case("delta", "warm_up", (1,), {"size": 0.06}, {"time_constant": 900.0}),
-    Case("printer", "warm_up", (3,), {"size": 0.3}, {"time_constant": 900.0}),
-    Case("lift", "warm_up", (1,), {"size": 0.4}, {"time_constant": 900.0}),
-    Case("arm", "warm_up", (5,), {"size": 0.2}, {"time_constant": 900.0}),
+    Case("delta", "warm_up", (1,), {"size": 0.06}, {"per": "time_s", "time_constant": 900.0}),
+    Case("printer", "warm_up", (3,), {"size": 0.3}, {"per": "time_s", "time_constant": 900.0}),
+    Case("lift", "warm_up", (1,), {"size": 0.4}, {"per": "time_s", "time_constant": 900.0}),
+    Case("arm", "warm_up", (5,), {"size": 0.2}, {"per": "time_s", "time_constant": 900.0}),
     Case("arm", "link_bending", (2,), {"compliance": 2e-3}),
     Case("arm", "link_torsion", (3,), {"compliance": 5e-3}, alike=("joint_tilt_compliance",)),  # of the next joint
     Case("arm", "joint_tilt_compliance", (4,), {"compliance_x": 4e-3, "compliance_y": 5e-3}),

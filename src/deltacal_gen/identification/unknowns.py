@@ -146,7 +146,7 @@ class Unknowns:
         names = [*problem.names, *(f"({t.effect})" for t in problem.terms for _ in range(t.n_coefficients))]
         units = [problem.mechanism.parameters[problem.mechanism.index[name]].unit for name in problem.names]
         found = []
-        for _, u, j in self._named():
+        for s, u, j in self._named():
             if self._status(j) is not Status.NOT_PINNED:
                 continue
             C = self._stages[2]
@@ -154,13 +154,19 @@ class Unknowns:
             along = C[:, j] / C[j, j] * self._sizes / self._sizes[j] * at.kind.typical[u]
             order = [k for k in np.argsort(-np.abs(close[: len(units)])) if abs(close[k]) > TOGETHER][:MOST_TOLD]
             name = at.unknown[j - n][0]
-            own = at.kind.unknown[u][0]
             words, remedy = at.kind.confounds.get(
-                own, ("what else is unknown", "read from other places and directions")
+                at.kind.unknown[u][0], ("what else is unknown", "read from other places and directions")
             )
             terms = {name: float(at.kind.typical[u]) / to_internal(at.kind.unknown[u][1])}
             terms |= {names[k]: float(along[k]) / to_internal(units[k]) for k in order}
-            found.append(Open(name, words, remedy.format(accuracy=self._needed()), terms))
+            own = self._enough(j)
+            size = max(abs(float(at.state[s, at.kind.reported[at.kind.unknown[u][0]]])), 1e-300)
+            needed = {
+                "accuracy": self._needed(),
+                "own": own / to_internal(at.unknown[j - n][1]),
+                "percent": 100 * own / size,
+            }
+            found.append(Open(name, words, remedy.format(**needed), terms))
         return tuple(found)
 
     def _needed(self) -> float:
@@ -169,6 +175,10 @@ class Unknowns:
         rows = final.problem.readings.used
         span = float(np.linalg.norm(np.ptp(final.machine.x[rows, :3], axis=0)))
         return 100 * float(final.sigma[0]) / max(span, 1e-9)
+
+    def _enough(self, j: int) -> float:
+        """Return how far off the j-th may be to move readings by less than their noise, root mean square."""
+        return float(self._sizes[j] * np.sqrt(self.final.problem.readings.n_scalars / self._information[j, j]))
 
     @property
     def combinations(self) -> tuple[OpenCombination, ...]:

@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 TURN, AT, LAID, ORIGIN = slice(0, 9), slice(9, 12), slice(12, 21), slice(21, 24)  # places in the state
 SCALE, LENS, RIDES = 24, slice(25, 34), 34
 NAMES = ("fx_px", "fy_px", "cx_px", "cy_px", "k1", "k2", "p1", "p2", "k3")
+ASKEW = "where the camera looks, with the lengths that tilt the machine's motions"
+BENT = "how the camera is tilted, with the lengths that bend the machine's motions"
 OF_SCALE, OF_LENS = 12, 13  # among the unknowns; before them camera and board, six each
 PLACE = (3, 4, 5)  # where the camera sits: the first to go where it is not told from where the board lies
 KNOWN_BY = 10.0  # ordinary sizes: what the readings know less well stays where it is
@@ -31,6 +33,15 @@ NEAR = 500.0  # mm: how far off an imagined board is at least
 MOUNTED = 0.1  # of ordinary sizes: by how much a simulated camera is off the one that looks at the board's middle
 USUAL = 1000.0  # px: of a focal length that is imagined
 FRAMED = 0.35  # of the distance, that half of an imagined image shows
+
+OF_THE_LENS = {  # what may stand for a number of the lens, and what tells it
+    name: (
+        words,
+        f"calibrate the lens by itself, with the board seen from all sides, and say {name} in [measurement.camera]: to "
+        "{own:.2g}" + (" px" if name.endswith("_px") else ""),
+    )
+    for name, words in zip(NAMES[2:], (*[ASKEW] * 2, *[BENT] * 5), strict=True)
+}
 
 
 @dataclass(frozen=True)
@@ -42,19 +53,23 @@ class BoardImage(Kind):
     usual_noise: ClassVar[float] = 0.05
     rotation_beside: ClassVar[bool] = False
     reported: ClassVar[Mapping[str, int]] = {"board_scale": SCALE} | {n: LENS.start + k for k, n in enumerate(NAMES)}
-    confounds: ClassVar[Mapping[str, tuple[str, str]]] = {
-        "board_scale": (
-            "the machine's own scale",
-            "measure one length of the print, or of the machine, with callipers: to {accuracy:.2g} % of itself, as far "
-            "as possible across. Say the print's in the columns of the board, the machine's in [tolerance]",
+    confounds: ClassVar[Mapping[str, tuple[str, str]]] = (
+        {
+            "board_scale": (
+                "the machine's own scale",
+                "measure one length of the print, or of the machine, with callipers: to {accuracy:.2g} % of itself, as "
+                "far as possible across. Say the print's in the columns of the board, the machine's in [tolerance]",
+            )
+        }
+        | dict.fromkeys(
+            ("fx_px", "fy_px"),
+            (
+                "the distance of the board",
+                "take images with the board tilted by 20 deg or more, or from another distance; or measure the height "
+                "of the camera over the board to {percent:.2g} % of itself",
+            ),
         )
-    } | dict.fromkeys(
-        ("fx_px", "fy_px"),
-        (
-            "the distance of the board",
-            "take images with the board tilted by 20 deg or more, or from another distance; or measure the height of "
-            "the camera over the board to {accuracy:.2g} % of itself",
-        ),
+        | OF_THE_LENS
     )
 
     @property
