@@ -267,6 +267,17 @@ def test_a_payload_that_is_not_what_was_written_is_told_with_its_centre(tmp_path
     assert "that is not what was written" in found["summary"]
 
 
+def test_a_delay_is_found_beside_bodies_that_are_known(tmp_path: Path) -> None:
+    """Most of the torque is known then: its derivative tells the delay as well."""
+    truth = '[[effects]]\nname = "latency"\nlimbs = [2]\ndelay = 0.006\n'
+    made = carried(tmp_path, truth + '[[effects]]\nname = "coulomb_friction"\nlimbs = [1, 2]\ncoulomb = 3.0\n')
+    found = dc.diagnose(tmp_path / "robot.toml", made)
+    assert named(found) == {"coulomb_friction": [1, 2], "latency": [2]}
+    (delay,) = found["effects"][-1]["parameters"]
+    assert abs(delay["value"] - 0.006) < 4 * delay["std"] < 0.002
+    assert found["known"] is not None
+
+
 def test_bodies_as_the_file_states_them_leave_the_rotor_its_inertia(tmp_path: Path) -> None:
     """Beside links of unknown inertia nobody tells a rotor; beside known ones its inertia stands by itself."""
     made = carried(tmp_path, '[[effects]]\nname = "rotor_inertia"\nlimbs = [1]\ninertia = 5e5\n')

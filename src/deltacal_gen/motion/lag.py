@@ -15,6 +15,7 @@ from deltacal_gen.motion.regression import Bench
 LATENCY = "latency"  # as the vocabulary calls it
 LONGEST = 0.25  # s
 ROUNDS = 8
+PROMISING = 0.5  # of what a rung must buy: a first step that promises less is the last
 SETTLED = 0.1  # standard deviations that a last step may move
 
 
@@ -39,17 +40,19 @@ def _lag(joint: Joint, rungs: Sequence[Rung], load: np.ndarray) -> Lag | None:
     series, delay = joint.series, joint.delay
     for _ in range(ROUNDS):
         here = series.at(delay)
-        X, per_second = _columns(here, rungs), _by_delay(here, rungs)
+        X, (per_second, of_known) = _columns(here, rungs), _by_delay(here, rungs)
         bench = Bench.of(X, here.y, here.fold, here.X.shape[1])
         every = range(X.shape[1])
         bench = bench.with_ridge(every)
         fitted = bench.fit(every, range(len(bench.n))) / bench.scale
-        whole = np.column_stack([X, per_second @ fitted])
+        whole = np.column_stack([X, per_second @ fitted + of_known])
         moved = Bench.of(whole, here.y, here.fold, here.X.shape[1])
         moved = dataclasses.replace(moved, ridge=bench.ridge)
         each = range(whole.shape[1])
         solution = moved.fit(each, range(len(moved.n))) / moved.scale
         left = here.y - whole @ solution
+        if delay == 0 and np.std(left) > (1.0 - PROMISING * BUYS) * np.std(here.y - X @ fitted):
+            return None
         together = here.correlated(left)
         variance = float(left @ left) / max(len(left) - len(solution) * together, 1.0)
         std = float(np.sqrt(moved.covariance(each)[-1, -1] * variance * together) / moved.scale[-1])
@@ -80,13 +83,14 @@ def _columns(joint: Joint, rungs: Sequence[Rung]) -> np.ndarray:
     return joint.columns(rungs, joint.load_by(None))
 
 
-def _by_delay(joint: Joint, rungs: Sequence[Rung]) -> np.ndarray:
-    """Return the derivatives (M, p) of the columns by the delay, by central differences of a sample."""
-    step, load = joint.step, joint.load_by(None)
-    sides = []
+def _by_delay(joint: Joint, rungs: Sequence[Rung]) -> tuple[np.ndarray, np.ndarray]:
+    """Return the derivatives of the columns (M, p), and of what is known (M,), by the delay: central differences."""
+    step, sides = joint.step, []
     for side in (step, -step):
         other = joint.series.at(joint.delay + side)
-        whole = np.full((len(joint.used), joint.columns(rungs, load).shape[1]), np.nan)
-        whole[other.rows] = _columns(other, rungs)
+        columns = np.column_stack([_columns(other, rungs), other.carried])
+        whole = np.full((len(joint.used), columns.shape[1]), np.nan)
+        whole[other.rows] = columns
         sides.append(whole[joint.rows])
-    return np.nan_to_num((sides[0] - sides[1]) / (2 * step))
+    found = np.nan_to_num((sides[0] - sides[1]) / (2 * step))
+    return found[:, :-1], found[:, -1]
