@@ -90,3 +90,31 @@ def test_what_noise_that_hangs_together_outweighs_is_a_hint() -> None:
     [hint] = [h for h in found.hints if h.name == "instrument_drift"]
     assert "hangs together" in hint.why
     assert any("instrument_drift" in (n.separates or ()) for n in found.next_measurements)
+
+
+def test_a_sigma_that_is_more_than_all_noise_is_wrong() -> None:
+    found = diagnose(ROBOT, null("overstated", 1)).answer()
+    assert (found.verdict, found.noise.source) == ("adequate", "residual")
+    assert found.noise.sigma_mm == pytest.approx(SIGMA, rel=0.2)
+    assert "The declared sigma_mm of 0.02 is 2.0 times too large" in found.summary
+
+
+def test_a_jump_is_as_uncertain_as_its_moment() -> None:
+    of = channels(100, "time", seed=3)
+    when = float(of["time_s"][50]) - 1.0
+    found = diagnose(ROBOT, record(ROBOT, effect("zero_jump", (2,), 0.003, constants=(when,)), n=100, of=of)).answer()
+    [jump] = found.effects
+    size, moment = jump.parameters
+    assert (size.name, moment.name) == ("size", "when")
+    assert moment.std is not None
+    step = float(np.median(np.diff(of["time_s"])))
+    assert 0.3 * step < moment.std < 10 * step
+    assert abs(moment.value - when) < 3 * moment.std
+    assert size.std is not None
+    assert abs(size.value - 0.003) < 3 * size.std
+
+
+def test_an_order_that_stands_alone_is_sure() -> None:
+    wave = effect("transmission_eccentricity", (2,), 0.004, 0.003, constants=(9,))
+    [found] = diagnose(ROBOT, record(ROBOT, wave, n=100)).answer().effects
+    assert {p.name: p.std for p in found.parameters}["order"] == pytest.approx(0.0, abs=1e-3)

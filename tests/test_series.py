@@ -8,9 +8,13 @@ import numpy as np
 import pytest
 
 from deltacal_gen.diagnosis.diagnosis import diagnose
+from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.series import Series, Taken
+from deltacal_gen.identification.folds import folds
+from deltacal_gen.identification.identification import Identification, identify
 from tests.benchmarks.honesty_nulls import ROBOT, SIGMA, drawn, null
-from tests.left_out import channels, effect, record
+from tests.conftest import plausible
+from tests.left_out import DELTA, channels, effect, record
 
 ORDER = np.array([3, 0, 1, 4, 2, 6, 5])
 GAP = np.array([np.inf, 1, 3, 1, np.inf, 2, 1])  # two set-ups
@@ -91,3 +95,31 @@ def test_a_row_that_nobody_read_is_a_gap() -> None:
     series = Series(np.arange(3), np.array([np.inf, 1.0, 1.0]), 0.9)
     wide = dataclasses.replace(series, gap=np.array([np.inf, 1.0, 50.0]))
     assert abs(wide.freed(np.array([0.0, 1.0, 0.0]))[2]) < 0.01 < abs(series.freed(np.array([0.0, 1.0, 0.0]))[2])
+
+
+def test_identify_weighs_rows_by_how_their_noise_hangs_together() -> None:
+    made, alone = null("AR 0.9", 1), null("white", 1)
+    assert identify(ROBOT, alone).fit.repeats.series is None
+    found = identify(ROBOT, made)
+    assert found.fit.repeats.series is not None
+    assert found.fit.repeats.series.rho == pytest.approx(0.9, abs=0.08)
+    true = plausible(DELTA, 1, size=0.3)
+    off = [
+        (found.robot.errors[n] - v) / s for n, v, s in zip(found.fit.problem.names, *_wide(found, true), strict=True)
+    ]
+    assert np.mean(np.abs(off) < 1.96) > 0.85
+
+
+def _wide(found: Identification, true: dict[str, float]) -> tuple[list[float], np.ndarray]:
+    names = found.fit.problem.names
+    return [true[n] for n in names], np.sqrt(np.diag(found.fit.covariance)[: len(names)])
+
+
+def test_folds_are_blocks_where_rows_hang_together() -> None:
+    made = null("white", 1)
+    found = pose_problem(ROBOT, made, DELTA.model("42")).readings
+    alone, blocks = (folds(found, made, rows=rows) for rows in (1.0, 8.0))
+    for parts, fewest, most in ((alone, 60, 99), (blocks, 4, 12)):
+        assert (np.sum([test for _, test in parts], axis=0) == 1).all()
+        part = np.argmax([test for _, test in parts], axis=0)
+        assert fewest <= (np.diff(part) != 0).sum() <= most

@@ -12,6 +12,7 @@ from deltacal_gen.diagnosis.correction import Correction
 from deltacal_gen.diagnosis.discrimination import more_poses
 from deltacal_gen.diagnosis.findings import Named
 from deltacal_gen.diagnosis.laws.told import told
+from deltacal_gen.diagnosis.search import SCATTERED
 from deltacal_gen.diagnosis.spectrum import Spectrum, wave
 from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.files.robot import kept_robot
@@ -168,7 +169,8 @@ def _effect(found: Named, joint_unit: str, chance: Chance) -> Effect:
         if value == LOGGED:
             continue  # a time constant in s says so
         unit = counts if counts != LOGGED and name in kernels.SIZED else unit
-        std_of = found.of_size / factor if found.of_size is not None and name in kernels.SIZED else None
+        searched = name in kernels.SIZED or name in map(kernels.SEARCHED.get, SCATTERED)
+        std_of = found.of_constant / factor if found.of_constant is not None and searched else None
         parameters.append(EffectParameter(name=name, limb=None, value=scaled(value, 1 / factor), std=std_of, unit=unit))
     return Effect(
         name=term.effect,

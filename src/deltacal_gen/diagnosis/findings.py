@@ -43,8 +43,8 @@ class Named:
     """An effect that was found, with the gain in chi2 that it brings beside all others.
 
     `score` is what is left of the gain after its charge. `rivals` explain the same misfit as well; `unrecorded` name
-    effects that could, through a channel that was not recorded or did not vary. `of_size` is the standard deviation of
-    a size that was searched.
+    effects that could, through a channel that was not recorded or did not vary. `of_constant` is the standard
+    deviation of a constant that was searched.
     """
 
     term: Term
@@ -54,7 +54,7 @@ class Named:
     rivals: tuple[Term, ...]
     unrecorded: tuple[str, ...]
     score: float
-    of_size: float | None = None
+    of_constant: float | None = None
 
     @property
     def alike(self) -> tuple[str, ...]:
@@ -138,9 +138,10 @@ def named_of(
         price = charge(term, sum(t.effect == term.effect for t in search.terms))
         others = [f for f in freed.ranked() if f.term.effect != term.effect]
         rivals = tuple(f.term for f in others if f.score > gain - price - AMBIGUOUS)
-        of_size, more = freed.spread(term)
+        of_constant, more = freed.spread(term)
         std = np.sqrt(np.maximum(variance, 0.0) + more)
-        out.append(Named(term, std, gain, 1.0, rivals, _unrecorded(freed, term, gain - price), gain - price, of_size))
+        unrecorded = _unrecorded(freed, term, gain - price)
+        out.append(Named(term, std, gain, 1.0, rivals, unrecorded, gain - price, of_constant))
     # of the held-out variance above noise, each in proportion to what is lost without it
     before, after = heldout
     removed = float(np.clip((before**2 - after**2) / max(before**2 - sigma**2, 1e-300), 0.0, 1.0))

@@ -42,6 +42,8 @@ REFINEMENTS = 12  # of it: to 0.3 % of the step
 REFINED = 0.5  # of chi2: a size that explains less more is as good as the one that is there
 NEAR_BEST = 0.95  # of the best score: what earns less is not the best by a size between two steps
 ASIDE = 0.1  # by how much of itself a size is moved to see how sharply it is known
+SCATTERED = ("moments", "orders")  # constants of which only some values are searched
+HARDLY = 1e-6  # of the likelihood: forms below it change no variance
 SMALLEST = 1e-8  # of the largest eigenvalue: below it columns are combinations of one another
 T = TypeVar("T")
 
@@ -371,19 +373,41 @@ class Search:
         return float(gains(G[None], b[None])[0]), np.linalg.pinv(G, rcond=SMALLEST, hermitian=True) @ b / size
 
     def spread(self, term: Term) -> tuple[float | None, Array]:
-        """Return how uncertain a size is that was searched, and what that adds to the variances of coefficients (n_c,).
+        """Return how uncertain a searched constant is, and what that adds to the variances of coefficients (n_c,).
 
         The gain falls by 1 where the size is a standard deviation off, the coefficients with it. None where the
         readings give it no two ends.
         """
         at = _sized(term)
         if at is None:
-            return None, np.zeros(term.n_coefficients)
+            return self._scattered(term)
         (less, a), (most, _), (more, b) = (self._explained(_resized(term, at, u)) for u in (-ASIDE, 0.0, ASIDE))
         falls = (2 * most - less - more) / ASIDE**2
         if falls <= 0:
             return None, np.zeros(term.n_coefficients)
         return float(term.constants[at]) * (2 / falls) ** 0.5, ((b - a) / (2 * ASIDE)) ** 2 * 2 / falls
+
+    def _scattered(self, term: Term) -> tuple[float | None, Array]:
+        """Return what `spread` does, of a moment or an order: all forms that the readings leave count by likelihood.
+
+        A moment lies anywhere since the form before it.
+        """
+        kinds = {key: kind for kind, key in term.kernels.SEARCHED.items() if kind in SCATTERED}
+        names = [name for name, *_ in term.kernels.CONSTANTS]
+        if names not in ([key] for key in kinds):
+            return None, np.zeros(term.n_coefficients)
+        forms = [dataclasses.replace(term, constants=t.constants) for t in self._forms(term.effect)]
+        value = np.array([float(t.constants[0]) for t in forms])
+        gain = np.array([self.gain(self.where(t)) for t in forms])
+        weight = np.exp((gain - gain.max()) / 2)
+        weight /= weight.sum()
+        seen = np.flatnonzero(weight > HARDLY)
+        sizes = np.array([self.estimated(forms[k]).values.ravel() for k in seen])
+        off = (value - float(term.constants[0])) ** 2
+        if kinds[names[0]] == "moments":
+            off += np.diff(value, prepend=value[0]) ** 2 / 3
+        more = weight[seen] @ (sizes - weight[seen] @ sizes) ** 2
+        return float(np.sqrt(weight @ off)), more
 
     def ranked(self) -> list[Found]:
         """Return the best form of every effect that is not fitted, the best first."""

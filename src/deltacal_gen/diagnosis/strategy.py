@@ -20,7 +20,7 @@ from deltacal_gen.estimation.series import Series
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.noise import lack_of_fit, merely_more
-from deltacal_gen.identification.together import deviance_of, together
+from deltacal_gen.identification.together import PROVEN, deviance_of, together
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.states import read_by
 from deltacal_gen.physics.terms import (
@@ -75,7 +75,7 @@ class Outcome:
 
 def searched(some: Problem, first: Fit, terms: Sequence[Term], lean: bool, progress: Progress) -> Outcome:
     """Search for what was left out, beside a fit of geometry and instrument."""
-    parts = folds(some.readings, some.recording)
+    parts = folds(some.readings, some.recording, rows=first.repeats.rows)
     search, considered = _chosen(some, first, terms, progress)
     progress("held-out error")
     without, tested = held_out_errors(first, Prior(), parts), search
@@ -139,12 +139,11 @@ def beside_noise(found: Outcome, lean: bool) -> Outcome:
 def deviance(found: Outcome) -> float:
     """Return twice the negative logarithm of the likelihood of what was found, with its price; see `deviance_of`.
 
-    Noise that hangs together has to earn a margin too, which leaves effects of limbs their charge alone. An instrument
-    that wanders moves readings as effects without limbs do: those pay in full.
+    An instrument that wanders moves readings as effects without limbs do: those pay as much more as such noise does.
     """
     terms = terms_of(found.search.fit)
-    price = sum(charge(t, sum(f.effect == t.effect for f in found.search.terms)) for t in terms)
-    price += sum(MARGIN for t in terms if not t.limbs)
+    price = sum(charge(t, sum(f.effect == t.effect for f in found.search.terms)) + MARGIN for t in terms)
+    price += PROVEN * any(not t.limbs for t in terms)
     of_spectrum = 0.0 if found.spectrum is None else 2 * len(found.spectrum.limbs) * found.spectrum.corner + MARGIN
     return deviance_of(found.search.fit) + price + of_spectrum
 
@@ -346,7 +345,7 @@ def _simpler(problem: Problem, search: Search, i: int) -> Fit | None:
 
 def _refused(simple: Fit, flexible: Fit) -> bool:
     """Tell whether held-out readings refuse a simple model: the flexible one predicts them better, beyond doubt."""
-    parts = folds(simple.problem.readings, simple.problem.recording)
+    parts = folds(simple.problem.readings, simple.problem.recording, rows=simple.repeats.rows)
     before, after = (held_out_errors(at, Prior(), parts) / simple.sigma for at in (simple, flexible))
     return borne_out(before, after)
 

@@ -36,6 +36,11 @@ class Repeats:
     ratio: float | Array = 0.0
     series: Series | None = None
 
+    @property
+    def rows(self) -> float:
+        """So many rows tell as much as one whose noise is its own."""
+        return 1.0 if self.series is None else self.series.rows
+
     def whiten(self, values: Array, weights: Array | None = None) -> Array:
         """Return rows (R, ...), of components (R, k, ...), with all that they share taken off; `weights` (R,)."""
         apart = self._apart(values, np.ones(len(values)) if weights is None else weights)

@@ -17,8 +17,12 @@ SEED = 20150415  # of the folds: results do not change from run to run
 # ------------------------------------------------------------------------------------------------------- held out
 
 
-def folds(found: Readings, recording: Recording, count: int = FOLDS) -> list[tuple[np.ndarray, np.ndarray]]:
+def folds(
+    found: Readings, recording: Recording, count: int = FOLDS, rows: float = 1.0
+) -> list[tuple[np.ndarray, np.ndarray]]:
     """Return (train, test) masks of readings; repeats of a pose, or of a pair of poses, stay together.
+
+    So do neighbours whose noise hangs together over `rows`: readings of one error say nothing of one another.
 
     Distances made of positions are split by pose: a distance counts where both its poses are in the same part.
     """
@@ -30,6 +34,11 @@ def folds(found: Readings, recording: Recording, count: int = FOLDS) -> list[tup
         return [((part != k).all(axis=1), (part == k).all(axis=1)) for k in range(count)]
     group = found.group if not at_rate(recording) else _stretches(found, recording)
     groups = int(group.max()) + 1
+    if rows > 1:
+        first = np.unique(group[np.argsort(found.line, kind="stable")], return_index=True)[1]
+        size = max(min(int(np.ceil(rows)), groups // (2 * count)), 1)
+        group = (np.argsort(np.argsort(first)) // size)[group]
+        groups = int(group.max()) + 1
     part = _parts(groups, min(count, groups), rng)[group]
     return [(part != k, part == k) for k in range(min(count, groups))]
 

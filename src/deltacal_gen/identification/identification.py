@@ -28,6 +28,7 @@ from deltacal_gen.identification.knowledge import uncertainty_of
 from deltacal_gen.identification.noise import Noise, noise
 from deltacal_gen.identification.prior import with_prior
 from deltacal_gen.identification.remedies import printed, remedies
+from deltacal_gen.identification.together import together
 from deltacal_gen.identification.uncertainty import uncertainty_map
 from deltacal_gen.machine.backend import by_recording
 from deltacal_gen.machine.differences import between
@@ -181,7 +182,7 @@ def identify(
     progress(f"fine stage: {len(names)} parameters of {chosen}")
     final = fit(problem, rule, errors=first.errors, machine=first.machine, instrument=first.instrument, robust=robust)
     progress(f"held-out error: {FOLDS} folds")
-    heldout = held_out(final, rule, folds(problem.readings, recording))
+    final, heldout = _held_out(final, rule, robust)
     progress("identifiability")
     matrix = identifiability.identification_matrix(everything.with_names(names), "typical")
     observed = identifiability.observability(matrix.H, len(np.unique(final.problem.readings.group)))
@@ -237,6 +238,32 @@ def _left_out(mechanism: Machine, robot: Robot, machine: Robot, names: Sequence[
     for name, value in machine.errors.items():
         known[name] = known.get(name, 0.0) + value
     return {n: v for n, v in known.items() if n not in names} | {n: v for n, v in robot.errors.items() if n in names}
+
+
+def _held_out(final: Fit, rule: Solver, robust: bool) -> tuple[Fit, float]:
+    """Return the fit that predicts held-out readings better, and its error: with rows weighed alone, or together.
+
+    What a fit leaves hangs together where noise does, but also where physics was left out, which no weights of rows
+    make good: readings decide. A smaller model's hangs together where neighbouring rows are neighbouring poses.
+    """
+    problem, recording = final.problem, final.problem.recording
+    whole = set(problem.mechanism.model(problem.mechanism.full_model)) <= set(problem.names)
+    calm = together(final) if whole and problem.readings.kind.positions else None
+    if calm is None:
+        return final, held_out(final, rule, folds(problem.readings, recording))
+    weighed = fit(
+        problem,
+        rule,
+        errors=final.errors,
+        machine=final.machine,
+        instrument=final.instrument,
+        robust=robust,
+        repeats=calm,
+        must_converge=False,
+    )
+    parts = folds(problem.readings, recording, rows=calm.rows)
+    each = [(at, held_out(at, rule, parts)) for at in (final, weighed)]
+    return min(each, key=lambda found: found[1])
 
 
 def _solver(name: str, truncation: int | str, sigma: float | None) -> Solver:

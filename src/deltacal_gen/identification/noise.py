@@ -83,8 +83,11 @@ def noise(final: Fit, recording: Recording) -> Noise:
 
 
 def doubted(known: Noise, final: Fit) -> Noise:
-    """Return noise as a fit shows it, where it leaves more than was declared, and that is noise all the same."""
-    if known.source is not Source.DECLARED or known.repeated or not _more(final, known):
+    """Return noise as a fit shows it, where that is noise, but more than was declared, or less."""
+    if known.source is not Source.DECLARED or known.repeated:
+        return known
+    excess, doubt = _excess(final, known)
+    if abs(excess) <= max(doubt, np.log(LEAST_EXCESS)):
         return known
     return Noise(coordinate_sigma(final), Source.RESIDUAL, np.inf, refuted=known.sigma)
 

@@ -36,10 +36,12 @@ def deviance_of(at: Fit) -> float:
 
     The noise is the one that suits best what it leaves: one that leaves white noise needs none that hangs together.
     Geometry and instrument are taken out whatever the effects: the likelihood is that of the same contrasts for all.
+    Noise that hangs together pays what proves it, beside an effect or instead of it.
     """
     series = Series.of(at.problem.readings)
     assert series is not None  # otherwise nothing is compared
-    _, found = series.likeliest(_rows(at, at.residual), _taken(at, len(at.problem.names)))
+    z, taken = _rows(at, at.residual), _taken(at, len(at.problem.names))
+    found = min(series.deviance(z, taken), series.likeliest(z, taken)[1] + PROVEN)
     return found + 2 * float((np.log(at.sigma) * np.isfinite(at.residual).sum(axis=0)).sum())
 
 
