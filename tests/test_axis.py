@@ -150,3 +150,20 @@ def test_without_a_clock_a_time_constant_counts_in_the_column_that_counts_on(
     assert by_name["time_constant"].unit == "cycle"
     assert by_name["size"].value == pytest.approx(0.03, abs=4 * (by_name["size"].std or 0.0))
     assert by_name["time_constant"].value == pytest.approx(1.5, abs=4 * (by_name["time_constant"].std or 0.0))
+
+
+def test_a_profile_may_be_the_instrument_s(robot: Robot, tmp_path: Path) -> None:
+    """What bends along the axis at no period of the drive is one of two, and is said to be."""
+    rng = np.random.default_rng(1)
+    forth = np.arange(0.0, 501.0, 25.0)
+    q = np.tile(np.concatenate([forth[1:], forth[::-1][1:]]), 8)
+    bent = 0.01 * np.sin(2 * np.pi * 1.3 * q / 500) + 0.006 * np.sin(2 * np.pi * q / 210)
+    read = q + bent + NOISE * rng.standard_normal(len(q))
+    rows = ["q1_mm,x_mm", *(f"{a},{b}" for a, b in zip(q.tolist(), read.tolist(), strict=True))]
+    (tmp_path / "axis.csv").write_text("\n".join(rows) + "\n")
+    (tmp_path / "axis.toml").write_text(f'[measurement]\nkind = "position"\nsigma_mm = {NOISE}\n')
+    found = diagnose(robot, read_recording(tmp_path / "axis.csv", load_mechanism("serial", robot.links))).answer()
+    assert found.verdict == "unexplained"
+    (asked,) = (n for n in found.next_measurements if "profile" in n.why)
+    assert "the instrument's own non-linearity" in asked.why
+    assert "Turn the instrument round" in asked.text

@@ -39,6 +39,11 @@ from deltacal_gen.results.diagnosis import Location, NextMeasurement, Row
 # diagnosis tells nothing apart, in 99 of 100 recordings.
 CLEAR = 40.0
 LEAST = 10.0  # of chi2: poses that promise less are not worth a trip to the machine
+PROFILE = "separates a profile of the axis from the instrument's own non-linearity"
+TURNED_ROUND = (
+    "Such readings show both alike. Turn the instrument round, or shift it along the axis, and repeat: what moves with "
+    "it is its own, what stays is the axis'."
+)
 FEWEST_POSES, MOST_POSES = 3, 16  # no single reading decides: it may be a gross error
 MOST_ALONE = 48  # poses that prove an effect that stayed short of proof on many: each adds little
 FURTHER = 8  # poses that are chosen beyond, for those who can measure more
@@ -402,6 +407,8 @@ def _exploring(at: Fit, location: Location, rng: np.random.Generator) -> NextMea
     recording = at.problem.recording
     channel = location.channels[0].name if location.channels else None
     why = "shows more of what no effect explains"
+    if recording.joints.shape[1] == 1 and np.isfinite(at.problem.readings.values).any(axis=0).sum() == 1:
+        return _advice(PROFILE, TURNED_ROUND)
     if channel is None:
         text = (
             "Repeat a few poses, and record what may matter: time_s, temp_C, payload_kg and the direction in which "
