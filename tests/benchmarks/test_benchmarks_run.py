@@ -12,7 +12,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from deltacal_gen.machine.registry import mechanism_names
 from deltacal_gen.pages import manual
 from tests.benchmarks import __main__ as every
-from tests.benchmarks import compile, fuzz, memory, nonsense, outputs, scaling
+from tests.benchmarks import compile, fuzz, memory, motion, nonsense, outputs, scaling
 from tests.benchmarks.works import WORKS, disagreement, works
 
 QUICK = [name for name in WORKS if not name.endswith("_cold") and "command" not in name]
@@ -31,6 +31,13 @@ def test_scaling_and_memory_are_measured(tmp_path: Path, capsys: pytest.CaptureF
     said = capsys.readouterr().out
     for words in ("two threads: W5", "linearise 200 poses", "simulate, csv", "predict, parquet"):
         assert words in said
+
+
+def test_the_table_of_motion_is_printed(capsys: pytest.CaptureFixture[str]) -> None:
+    motion.main(["--samples", "64"])
+    said = capsys.readouterr().out
+    assert [line.split()[0] for line in said.splitlines()[1:]] == list(motion.REACH)
+    assert "torque/forward" in said
 
 
 def test_the_table_of_compile_times_names_modules_that_exist() -> None:
