@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 
 import deltacal_gen as dc
-from deltacal_gen.diagnosis.search import Found
-from deltacal_gen.diagnosis.strategy import _first, _refused, refitted
+from deltacal_gen.diagnosis.search import Found, Search
+from deltacal_gen.diagnosis.strategy import _first, _refused, _wider, refitted
 from deltacal_gen.estimation.fit import rough
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.files.robot import Robot, robot_from_dict
@@ -53,8 +53,15 @@ def channels(robot: Robot, n: int, seed: int) -> dict[str, np.ndarray]:
     return out | {f"approach{i}": rng.choice([-1.0, 1.0], n) for i in range(1, joints + 1)}
 
 
-def record(robot: Robot, term: Term | None, seed: int = 1, kind: str = "pose", **more: np.ndarray) -> Recording:
-    """Return readings of a machine with plausible errors and an effect, in an instrument's unknown frame."""
+def record(
+    robot: Robot,
+    term: Term | None,
+    seed: int = 1,
+    kind: str = "pose",
+    beside: tuple[Term, ...] = (),
+    **more: np.ndarray,
+) -> Recording:
+    """Return readings of a machine with plausible errors and effects, in an instrument's unknown frame."""
     rng, m = np.random.default_rng([seed, 9]), mechanism_of(robot)
     joints, targets = np.full((N, m.limbs), np.nan), None
     if robot.links:
@@ -83,7 +90,9 @@ def record(robot: Robot, term: Term | None, seed: int = 1, kind: str = "pose", *
     known = m.model(m.full_model)
     errors = {p.name: 0.3 * p.typical * float(rng.standard_normal()) for p in m.parameters if p.name in known}
     how: dict[str, Any] = {"noise_rad": 2e-5} if kind == "pose" else {}
-    done = simulate(robot, poses, errors, noise_mm=SIGMA, rng=rng, terms=[term] if term else [], frame=FRAME, **how)
+    done = simulate(
+        robot, poses, errors, noise_mm=SIGMA, rng=rng, terms=[*([term] if term else []), *beside], frame=FRAME, **how
+    )
     measurement = dataclasses.replace(done.measurement, sigma_mm=SIGMA, sigma_deg=float(np.degrees(2e-5)))
     kept = {name: v for name, v in done.channels.items() if not name.startswith("true_")}
     return dataclasses.replace(done, measurement=measurement, channels=kept)
@@ -193,6 +202,24 @@ def test_a_hardening_spring_is_named_where_held_out_readings_refuse_a_simple_one
     # joint 1 stands upright: it bears nothing
     nothing = refitted(problem, first, [of.blank("joint_compliance", (1, 2))])
     assert nothing is not None
+
+
+@pytest.mark.parametrize(("limbs", "wider"), [((2, 3), True), ((3,), False)])
+def test_a_spring_that_is_there_already_stands_for_another_kind_of_spring(limbs: tuple[int, ...], wider: bool) -> None:
+    arm = chain(ARM)
+    springs = Case("arm", "joint_compliance", limbs, {"compliance": 0.002}).term(arm)
+    base = Case("arm", "base_compliance", (), {"compliance_x": 0.002, "compliance_y": 0.002}).term(arm)
+    m = mechanism_of(arm)
+    problem = pose_problem(arm, record(arm, springs, beside=() if wider else (base,)), m.model(m.full_model))
+    first = rough(problem, must_converge=False)
+    blanks = [of.blank("base_compliance", ()), of.blank("joint_compliance", (3,))]
+    current = refitted(problem, first, blanks)
+    assert current is not None
+    every = [of.blank("base_compliance", ()), of.blank("joint_compliance", tuple(range(1, m.limbs + 1)))]
+    found = _wider(problem, Search(current, every), 0)
+    assert (found is not None) == wider
+    if found is not None:
+        assert [(t.effect, t.limbs) for t in found.problem.terms] == [("joint_compliance", (2, 3))]
 
 
 def test_what_was_once_is_long_ago_in_numbers_that_a_file_can_hold() -> None:

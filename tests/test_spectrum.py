@@ -10,9 +10,11 @@ import pytest
 from test_serial import robot
 
 from deltacal_gen.app import commands
+from deltacal_gen.diagnosis.search import Search
 from deltacal_gen.diagnosis.spectrum import Spectrum, never_seen, periodic, seen, unseen, wave, words
 from deltacal_gen.estimation.fit import Fit, fit
 from deltacal_gen.estimation.problem import pose_problem
+from deltacal_gen.estimation.series import Series
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import robot_to_toml
@@ -105,6 +107,33 @@ def test_what_is_fitted_beside_is_as_unknown_as_the_orders_leave_it(tmp_path: Pa
     assert np.all(stated > 0.8 * alone)
     assert np.max(stated / alone) > 2.0
     assert np.mean(np.abs(off / stated) < 2) >= 0.85
+
+
+def test_rows_that_hang_together_count_by_their_effective_number(tmp_path: Path) -> None:
+    at = geometry(taken(tmp_path, "poses", NOISE, concealed=True, seed=1))
+    series = Series.of(at.problem.readings)
+    assert series is not None
+    walking = dataclasses.replace(
+        at, repeats=dataclasses.replace(at.repeats, series=dataclasses.replace(series, rho=0.3))
+    )
+    plain, found = found_in(at), found_in(walking)
+    assert plain is not None
+    assert found is not None
+    assert found.limbs == plain.limbs
+    for joint in plain.limbs:  # the orders are what they were, and less sure
+        assert found.rms[joint] == pytest.approx(plain.rms[joint], rel=0.2)
+        assert found.std[joint] > 1.05 * plain.std[joint]
+
+
+def test_a_search_leaves_unknown_orders_what_they_may_take(found: Spectrum, tmp_path: Path) -> None:
+    at = geometry(taken(tmp_path, "poses", NOISE, concealed=True, seed=1))
+    fifth = at.problem.body.blank(wave(), JOINTS, (5.0,))
+    known, unknown = dataclasses.replace(at.problem, held=found.terms), found.held_in(at.problem)
+    left = []
+    for problem in (known, unknown):
+        beside = fit(problem, Prior(), errors=at.errors, instrument=at.instrument, must_converge=False)
+        left.append(np.diagonal(Search(beside, [fifth]).gram(wave())[0]))
+    assert np.all(left[1] < 0.1 * left[0])
 
 
 def test_nothing_is_found_where_there_is_nothing(tmp_path: Path) -> None:

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import dataclasses
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -25,14 +26,17 @@ from deltacal_gen.diagnosis.hints import hinted, outweighed, told
 from deltacal_gen.diagnosis.laws.laws import Lawful, Sought, laws
 from deltacal_gen.diagnosis.library import library
 from deltacal_gen.diagnosis.search import Search
-from deltacal_gen.diagnosis.spectrum import Spectrum, periodic
+from deltacal_gen.diagnosis.spectrum import Spectrum
 from deltacal_gen.diagnosis.strategy import (
     Progress,
+    believable,
     beside_noise,
     deviance,
+    form,
     held_out_by,
     refitted,
     searched,
+    settled,
     terms_of,
 )
 from deltacal_gen.diagnosis.structure import structures
@@ -171,6 +175,8 @@ def diagnose(
     after = lawful[0].proof.rms if lawful else after
     progress(f"fit of all {len(problem.readings)} readings")
     baseline, current, spectrum = _of_all(problem, first, search.fit, spectrum)
+    if [form(t) for t in terms_of(current)] != [form(t) for t in terms_of(search.fit)]:  # all readings refute some
+        search = Search(refitted(some, search.fit, terms_of(current)) or search.fit, search.terms)
     if not (current.problem.terms or current.problem.held):  # no physics that geometry could imitate
         calm = current.repeats if current.repeats.series is not None else None
         current = fit(
@@ -250,18 +256,17 @@ def _of_all(problem: Problem, first: Fit, found: Fit, spectrum: Spectrum | None)
         return first, found, None
     geometry = dataclasses.replace(problem, held=())
     baseline = first if first.problem.body is problem.body else refitted(geometry, first, [], tolerance=CONVERGED)
-    terms = terms_of(found)
-    final = refitted(
-        dataclasses.replace(problem, held=spectrum.terms if spectrum else ()), found, terms, tolerance=CONVERGED
-    )
-    if spectrum is not None and final is not None:
-        again = periodic(final, folds(problem.readings, problem.recording), spectrum)
-        spectrum = again or spectrum
-        final = refitted(
-            dataclasses.replace(problem, held=spectrum.terms), final, terms, drop_gross=True, tolerance=CONVERGED
-        )
-        if again is not None and final is not None:  # held orders are as unknown as effects beside them
-            final = dataclasses.replace(final, covariance=again.covariance)
+    how: dict[str, Any] = {"drop_gross": spectrum is not None, "tolerance": CONVERGED}
+    start, joint = found, None
+    if spectrum is not None and (near := refitted(spectrum.held_in(problem), found, terms_of(found))) is not None:
+        near = believable(spectrum.held_in(problem), near)
+        start, spectrum = settled(problem, near, spectrum, folds(problem.readings, problem.recording))
+        joint = spectrum.covariance  # orders are as unknown as what is beside them
+    held = spectrum.held_in(problem) if spectrum else geometry
+    final = refitted(held, start, terms_of(start), **how)
+    if final is not None and joint is not None:
+        final = dataclasses.replace(final, covariance=joint)
+    final = final and believable(held, final, **how)
     if baseline is None or final is None:
         raise NoSolutionError("the fit of all readings did not converge, though that of a part did.")
     return baseline, final, spectrum

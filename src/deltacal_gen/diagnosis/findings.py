@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from deltacal_gen.diagnosis.chance import Chance
-from deltacal_gen.diagnosis.search import Found, Search, charge
+from deltacal_gen.diagnosis.search import Found, Search
 from deltacal_gen.diagnosis.spectrum import Spectrum, wave
 from deltacal_gen.diagnosis.strategy import ALIKE, MARGIN, terms_of
 from deltacal_gen.diagnosis.structure import Region, Structure, alike
@@ -135,7 +135,7 @@ def named_of(
         freed = search.freed(i)
         variance = np.diag(final.covariance)[final.problem.coefficients(i)]
         gain = freed.gain(freed.where(term))
-        price = charge(term, sum(t.effect == term.effect for t in search.terms))
+        price = search.price(term)
         others = [f for f in freed.ranked() if f.term.effect != term.effect]
         rivals = tuple(f.term for f in others if f.score > gain - price - AMBIGUOUS)
         of_constant, more = freed.spread(term)

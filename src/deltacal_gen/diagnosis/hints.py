@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from deltacal_gen.diagnosis.chance import Chance
-from deltacal_gen.diagnosis.search import Found, Search, charge
+from deltacal_gen.diagnosis.search import Found, Search
 from deltacal_gen.diagnosis.strategy import MARGIN
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import Hint
@@ -68,7 +68,7 @@ def outweighed(search: Search, terms: Sequence[Term], others: Sequence[Hinted]) 
     for t in terms:
         if t.effect not in known:
             gain = search.gain(search.where(t))
-            score = gain - charge(t, sum(f.effect == t.effect for f in search.terms))
+            score = gain - search.price(t)
             out.append(Hinted(Found(t, gain, score), t, (), outweighed=True))
     return out
 

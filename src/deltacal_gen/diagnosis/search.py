@@ -71,14 +71,18 @@ class Beside:
         self.owner = np.nonzero(self._read)[0]
         # the residual carries the influence of a reading, columns none of it: a gross error can earn but little
         self._w = np.sqrt(1 + at.repeats.ratio) / np.broadcast_to(at.sigma, state.residual.shape)
-        base = self.rows(np.concatenate([state.J_p * problem.scale, state.J_m], axis=2))
-        n = len(problem.scale)
-        # the prior's rows: geometry moves as far as drawings leave it open, not to the ends of a flat direction
+        held, size = problem.held[: len(problem.held_std)], np.concatenate([[], *map(np.ravel, problem.held_std)])
+        unknown = problem.term_columns(held, at.errors, at.instrument, self.machine) * size
+        base = self.rows(np.concatenate([state.J_p * problem.scale, state.J_m, unknown], axis=2))
+        # the priors' rows: geometry moves as far as drawings leave it open, not to the ends of a flat direction
         departure = (at.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
-        self._departure = np.concatenate([departure, np.zeros(base.shape[1] - n)])
+        values = np.concatenate([[], *(t.values.ravel() for t in held)]) / size
+        self._departure = np.concatenate([departure, np.zeros(state.J_m.shape[2]), values])
+        pulls = np.delete(np.arange(base.shape[1]), len(departure) + np.arange(state.J_m.shape[2]))
         r = self.rows((state.residual * at.weights[:, None])[..., None])[:, 0]
         self.readings = len(r)
-        self._project(np.vstack([base, np.eye(n, base.shape[1])]), np.concatenate([r, -departure]))
+        prior = np.eye(base.shape[1])[pulls]
+        self._project(np.vstack([base, prior]), np.concatenate([r, -self._departure[pulls]]))
 
     def _project(self, base: Array, pulled: Array) -> None:
         self._base, self._pulled = base, pulled
@@ -93,14 +97,15 @@ class Beside:
         """Return the same with effects of the fit taken out: they stand in the readings, nothing else moves."""
         own = [j for i in effects for j in self.fit.problem.coefficients(i)]
         out = copy.copy(self)
-        turn, out._R = np.linalg.qr(np.delete(self._R, own, axis=1))
+        # what is orthogonal to all columns but these
+        turn = Turn.of(np.linalg.solve(self._R.T, np.eye(len(self._R))[:, own]))
+        out._R = turn.rest(np.delete(self._R, own, axis=1))
         put_back = self._R[:, own] @ self._departure[own]
         out._base = np.delete(self._base, own, axis=1)
         out._pulled = self._pulled + self._basis @ put_back
-        out._basis = self._basis @ turn
+        out._basis = turn.rest(self._basis.T).T
         out._take_off()
-        inside = self._basis.T @ out._pulled
-        return Freed(out, turn, inside - turn @ (turn.T @ inside))
+        return Freed(out, turn, turn.part(self._basis.T @ out._pulled))
 
     def within(self, chosen: np.ndarray) -> Beside:
         """Return the same with some of the readings (R,) only; repeats of a pose must not be parted."""
@@ -133,14 +138,48 @@ class Beside:
 
 
 @dataclass(frozen=True)
+class Turn:
+    """An orthogonal matrix (n, n) whose first columns span a few directions, as a product of Householder's mirrors."""
+
+    mirrors: Array
+    scales: Array
+
+    @staticmethod
+    def of(directions: Array) -> Turn:
+        """Return the turn for directions (n, k)."""
+        mirrors, scales = np.linalg.qr(directions, mode="raw")
+        own = np.triu(mirrors, 1) + np.eye(*mirrors.shape)
+        return Turn(own, scales)
+
+    def _along(self, values: Array) -> Array:
+        out = np.array(values)
+        for v, scale in zip(self.mirrors, self.scales, strict=True):
+            out -= np.outer(scale * v, v @ out)
+        return out
+
+    def rest(self, values: Array) -> Array:
+        """Return values (n, m) in the basis of what is orthogonal to the directions, (n - k, m)."""
+        return self._along(values)[len(self.scales) :]
+
+    def part(self, vector: Array) -> Array:
+        """Return what of a vector (n,) lies along the directions (n,)."""
+        inside = self._along(vector[:, None])
+        inside[len(self.scales) :] = 0.0
+        for v, scale in zip(self.mirrors[::-1], self.scales[::-1], strict=True):
+            inside -= np.outer(scale * v, v @ inside)
+        return inside[:, 0]
+
+
+@dataclass(frozen=True)
 class Freed:
     """What is fitted, less some effects.
 
-    In the basis as it was: the basis now is `turn` (n, n') of it, and `left` (n,) is what the effects alone explained.
+    In the basis as it was: the basis now is what `turn` has beside its directions, and `left` (n,) is what the effects
+    alone explained.
     """
 
     beside: Beside
-    turn: Array
+    turn: Turn
     left: Array
 
 
@@ -244,7 +283,7 @@ class Search:
         if any(t.gaps for t in self.terms):  # what a session without a channel takes depends on what is beside it
             out._compete(freed.beside, self._problem, self.terms)
             return out
-        out._beside, out._inside = freed.beside, freed.turn.T @ self._inside
+        out._beside, out._inside = freed.beside, freed.turn.rest(self._inside)
         out._reach = self._reach + freed.left @ self._inside
         return out
 
@@ -286,6 +325,10 @@ class Search:
             return []
         return [start + j for j in places(next(t for t in self.terms if t.effect == term.effect), term)]
 
+    def price(self, term: Term) -> float:
+        """Return what a form has to earn, chosen among all forms of its effect; see `charge`."""
+        return charge(term, sum(t.effect == term.effect for t in self.terms))
+
     def gain(self, columns: Sequence[int]) -> float:
         """Return by how much columns, fitted together with all that is fitted already, lower chi2."""
         some = list(columns)
@@ -312,7 +355,7 @@ class Search:
         b = self._reach[span].reshape(len(forms), -1)[free]
         size = self._size[span].reshape(len(forms), -1)[free]
         open_forms, doubt = np.arange(len(free)), ""
-        allowed: list[object] | None = list(_carriers(forms[0]))
+        allowed: list[object] | None = list(carriers_of(forms[0]))
         last = Found(forms[0], 0.0, -np.inf)
         while len(open_forms) and allowed is not None:
             part, k, gain, score = _most(forms[0], allowed, len(forms), G[open_forms], b[open_forms])
@@ -324,7 +367,7 @@ class Search:
             if not cannot or score < 0:
                 return last
             doubt = doubt or str(cannot[0])
-            if carriers := _carriers(part):
+            if carriers := carriers_of(part):
                 out = {carriers[c.row] for c in cannot}
                 allowed = [c for c in allowed if c not in out] or None
             else:
@@ -444,7 +487,7 @@ def _most(every: Term, allowed: Sequence[object], forms: int, G: Array, b: Array
     most = gains(G, b)  # no part of a form explains more than the whole
     if len(allowed) > MOST_SETS:
         return _greedy(every, allowed, forms, G, b, np.argsort(-most)[:MOST_FORMS])
-    carriers, found = _carriers(every), (_on(every, allowed), 0, 0.0, -np.inf)
+    carriers, found = carriers_of(every), (_on(every, allowed), 0, 0.0, -np.inf)
     largest = len(allowed) - bool(every.tools and len(allowed) == len(every.tools))
     for size in range(largest, 0, -1) if carriers else [0]:
         price = _charge(max(size, 1), every.values.shape[1], forms)
@@ -506,7 +549,7 @@ def best_set(
 
 def _on(every: Term, carriers: Sequence[object]) -> Term:
     """Return an effect, blank, on some of its limbs or tool points."""
-    return without_rows(every, [r for r, c in enumerate(_carriers(every)) if c not in carriers]) or every
+    return without_rows(every, [r for r, c in enumerate(carriers_of(every)) if c not in carriers]) or every
 
 
 def _with_fitted(terms: Sequence[Term], problem: Problem) -> list[Term]:
@@ -561,18 +604,19 @@ def _key(term: Term) -> tuple[str, tuple[Constant, ...]]:
     return term.effect, term.constants
 
 
-def _carriers(term: Term) -> Sequence[object]:
+def carriers_of(term: Term) -> Sequence[object]:
+    """Return the limbs, or the tool points, that an effect is on; none where it is of the whole machine."""
     return term.limbs or term.tools
 
 
 def places(every: Term, part: Term) -> list[int]:
     """Return which coefficients of an effect on all limbs, or tool points, those on a part of them are."""
-    return _places(every, _carriers(part))
+    return _places(every, carriers_of(part))
 
 
 def _places(every: Term, own: Sequence[object]) -> list[int]:
     """Return the columns, among those of an effect on all limbs or tool points, of some of them."""
-    n_c, carriers = every.values.shape[1], _carriers(every)
+    n_c, carriers = every.values.shape[1], carriers_of(every)
     places = [carriers.index(c) for c in own] if carriers else [0]
     return [p * n_c + j for p in places for j in range(n_c)]
 

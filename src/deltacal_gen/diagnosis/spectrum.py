@@ -11,6 +11,7 @@ the function falls back to nothing: it does not extrapolate.
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
@@ -20,6 +21,7 @@ import numpy as np
 from deltacal_gen.diagnosis.library import ORDERS
 from deltacal_gen.diagnosis.structure import displacements
 from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.estimation.solvers import jitter
 from deltacal_gen.machine.registry import Array
@@ -33,6 +35,7 @@ PROVEN = 3.0  # standard deviations by which held-out poses must be better
 CORNER = 10.0  # order at which the search for the corner begins; it doubles and halves
 SAMPLE = 500  # readings at which the error's standard deviation is looked at
 ROUNDS = 200  # of the estimation of sizes, each of them cheap
+IDLE = 0.05  # of a joint's variance: so little is at the highest orders that nothing else could take it for its own
 SAME_NOISE = 1.5  # times: variances of noise that differ less weigh priors alike
 
 
@@ -48,6 +51,8 @@ class Spectrum:
         Of each joint (from 1): twice the logarithm of the evidence for its error.
     rms, std : dict
         Of each joint, over the readings: root mean square of its error, and of the error's standard deviation [rad].
+    prior : tuple of (joints, 2) array
+        Of each of the orders that carry nearly all: standard deviation of coefficients before the readings [rad].
     seen : dict
         Of each joint: between which angles [deg, within a turn] it was read.
     corner : float
@@ -59,6 +64,7 @@ class Spectrum:
     """
 
     terms: tuple[Term, ...]
+    prior: tuple[Array, ...]
     gains: dict[int, float]
     rms: dict[int, float]
     std: dict[int, float]
@@ -71,6 +77,10 @@ class Spectrum:
     def limbs(self) -> tuple[int, ...]:
         """Joints (from 1) that have an error."""
         return self.terms[0].limbs
+
+    def held_in(self, problem: Problem) -> Problem:
+        """Return a problem in which the orders are held, as unknown as they are."""
+        return dataclasses.replace(problem, held=self.terms, held_std=self.prior)
 
 
 @cache
@@ -121,6 +131,7 @@ def periodic(at: Fit, parts: Sequence[tuple[np.ndarray, np.ndarray]], known: Spe
     values, size, std = linear.solved(found)
     return Spectrum(
         tuple(Term(wave(), tuple(limbs), values[k - 1], (float(k),)) for k in range(1, ORDERS + 1)),
+        tuple(np.full((len(limbs), 2), v**0.5) for v in found.variance * _carrying(_shape(found.corner))),
         gains,
         size,
         std,
@@ -192,6 +203,12 @@ def _shape(corner: float) -> Array:
     return out
 
 
+def _carrying(shape: Array) -> Array:
+    """Return the variances (orders,) of the lowest orders, which carry nearly all of them."""
+    out: Array = shape[: 1 + int(np.searchsorted(np.cumsum(shape), (1 - IDLE) * shape.sum()))]
+    return out
+
+
 @dataclass(frozen=True)
 class _Sized:
     """Joints, the corner of their spectrum, the variance of its first coefficients, and the noise (of the whitened)."""
@@ -241,16 +258,22 @@ class _Linear:
         self._tests = [test for _, test in parts]
         self._quiet = at.weights > 0
         every = self._whitened(at)
-        self._scalars = int((np.isfinite(self._y) & (at.weights > 0)[:, None]).sum())
         self._grams = [self._gram([v[test] for v in every], [F[test] for F in self._F]) for test in self._tests]
 
     def _whitened(self, at: Fit) -> list[Array]:
-        """Return rows by the noise: of what is fitted and the readings (R, k, n + 1), of the joints (R, k, joints)."""
+        """Return rows by the noise: of what is fitted and the readings (R, k, n + 1), of the joints (R, k, joints).
+
+        Rows that hang together count by their effective number: what frees them of one another would mix functions of
+        different angles.
+        """
         read = np.isfinite(self._y)
-        w = np.sqrt(at.weights)[:, None] / at.sigma * np.sqrt(1 + at.repeats.ratio)
+        apart, series = dataclasses.replace(at.repeats, series=None), at.repeats.series
+        number = 1.0 if series is None else 1 / series.rows
+        self._scalars = number * float((read & (at.weights > 0)[:, None]).sum())
+        w = np.sqrt(at.weights * number)[:, None] / at.sigma * np.sqrt(1 + at.repeats.ratio)
         out = []
         for values in (np.concatenate([self._raw, self._y[..., None]], axis=2), self._J):
-            out.append(at.repeats.whiten(np.where(read[..., None], values * w[..., None], 0.0), at.weights))
+            out.append(apart.whiten(np.where(read[..., None], values * w[..., None], 0.0), at.weights))
         return out
 
     def _gram(self, whitened: Sequence[Array], waves: Sequence[Array]) -> Array:

@@ -5,11 +5,12 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from deltacal_gen.diagnosis.evidence import evidence
-from deltacal_gen.diagnosis.search import ROUNDING, Found, Search, charge
+from deltacal_gen.diagnosis.search import ROUNDING, Found, Search, carriers_of, several
 from deltacal_gen.diagnosis.spectrum import Spectrum, periodic, wave
 from deltacal_gen.diagnosis.structure import Structure, alike, smooth_columns, structures
 from deltacal_gen.errors import InputError, NoSolutionError
@@ -26,6 +27,7 @@ from deltacal_gen.physics.states import read_by
 from deltacal_gen.physics.terms import (
     Term,
     beyond,
+    largest,
     load_effect,
     on_limbs,
     without_rows,
@@ -35,9 +37,12 @@ MARGIN = 10.0  # of chi2, beyond all charges: what an effect must earn to be nam
 MOST_EFFECTS = 8  # that are searched: more were never told apart
 MOST_WAVES = 3  # single orders among them: what shows at more is one error of many orders
 REVISIONS = 4
+TURNS, SETTLED = 4, 0.5  # in which orders and what is beside them settle; standard deviations that are as good as none
 SEARCHED = 1e-2  # of chi2: what a last step of a fit within the search may still gain
 MUCH_WORSE = 1.02  # times the noise: another form that fits so much worse in the exact machine is not taken
-ROOM = 10.0  # mm: root mean square that an effect's coefficient may well move the readings, a prior that never pulls
+# mm: root mean square that an effect's coefficient may well move the readings, a prior that never pulls; where readings
+# hardly see it, that of its believable range does
+ROOM = 10.0
 HARDLY_ALIKE = 2.5  # likewise, from which it may be none
 ALIKE = 4.0  # standard deviations by which what is left must correlate between neighbouring poses to be no noise
 BORNE_OUT = 2.0  # standard deviations by which held-out readings must speak for what is named
@@ -76,7 +81,7 @@ class Outcome:
 def searched(some: Problem, first: Fit, terms: Sequence[Term], lean: bool, progress: Progress) -> Outcome:
     """Search for what was left out, beside a fit of geometry and instrument."""
     parts = folds(some.readings, some.recording, rows=first.repeats.rows)
-    search, considered = _chosen(some, first, terms, progress)
+    search, considered = _chosen(some, Search(first, terms), progress)
     progress("held-out error")
     without, tested = held_out_errors(first, Prior(), parts), search
     predicted = held_out_by(some, search, parts) if search.effects else without
@@ -90,12 +95,9 @@ def searched(some: Problem, first: Fit, terms: Sequence[Term], lean: bool, progr
         progress("periodic errors of many orders")
         spectrum = _spectrum(some, search, parts)
     if spectrum is not None:
-        some = dataclasses.replace(some, held=spectrum.terms)
-        beside = refitted(some, search.fit, _beside_waves(search))
-        if beside is not None:
-            search, considered = _chosen(some, beside, [t for t in terms if t.effect != wave()], progress)
-            search, left = _without_gross(some, search)
-            unexplained = _unexplained(search, left, lean)
+        some, search, spectrum, considered = _beside_orders(some, search, spectrum, parts, progress)
+        search, left = _without_gross(some, search)
+        unexplained = _unexplained(search, left, lean)
     if left[0].earned > MARGIN and search.effects:
         proven = _proven(some, search, smooth_columns(search.fit, left[0].channel))
         if proven is not search:
@@ -142,7 +144,7 @@ def deviance(found: Outcome) -> float:
     An instrument that wanders moves readings as effects without limbs do: those pay as much more as such noise does.
     """
     terms = terms_of(found.search.fit)
-    price = sum(charge(t, sum(f.effect == t.effect for f in found.search.terms)) + MARGIN for t in terms)
+    price = sum(found.search.price(t) + MARGIN for t in terms)
     price += PROVEN * any(not t.limbs for t in terms)
     of_spectrum = 0.0 if found.spectrum is None else 2 * len(found.spectrum.limbs) * found.spectrum.corner + MARGIN
     return deviance_of(found.search.fit) + price + of_spectrum
@@ -157,6 +159,59 @@ def _spectrum(problem: Problem, search: Search, parts: Sequence[tuple[np.ndarray
     return found
 
 
+def _beside_orders(
+    some: Problem,
+    search: Search,
+    spectrum: Spectrum,
+    parts: Sequence[tuple[np.ndarray, np.ndarray]],
+    progress: Progress,
+) -> tuple[Problem, Search, Spectrum, list[Found]]:
+    """Search beside many orders, and estimate these beside what is found, in turn, until both stay."""
+    terms = [t for t in search.terms if t.effect != wave()]
+    considered: list[Found] = []
+    at, effects = search.fit, _beside_waves(search)
+    for _ in range(REVISIONS):
+        beside = refitted(spectrum.held_in(some), at, effects)
+        if beside is None:
+            break
+        beside, spectrum = settled(some, beside, spectrum, parts)
+        some = spectrum.held_in(some)
+        before = {form(t) for t in terms_of(beside)}
+        search, ranked = _chosen(some, _revised(some, Search(beside, terms)), progress)
+        considered = considered or ranked
+        at, effects = search.fit, terms_of(search.fit)
+        if {form(t) for t in effects} == before:
+            break
+    return some, search, spectrum, considered
+
+
+def settled(
+    problem: Problem,
+    at: Fit,
+    spectrum: Spectrum,
+    parts: Sequence[tuple[np.ndarray, np.ndarray]],
+) -> tuple[Fit, Spectrum]:
+    """Return a fit and the orders that are held in it, each as it is beside the other.
+
+    Orders and all that is fitted beside them are estimated jointly in the machine made linear; that is repeated in the
+    exact one until nothing moves by much of what it is uncertain by.
+    """
+    for _ in range(TURNS):
+        again = periodic(at, parts, spectrum)
+        if again is None:
+            break
+        new = refitted(again.held_in(problem), at, terms_of(at))
+        if new is None:
+            break
+        own = at.problem.columns
+        std = np.sqrt(np.maximum(np.diag(again.covariance)[: len(own)], 1e-300))
+        moved = float(np.abs((new.errors[own] - at.errors[own]) / std).max())
+        at, spectrum = new, again
+        if moved < SETTLED:
+            break
+    return at, spectrum
+
+
 def _beside_waves(search: Search) -> list[Term]:
     """Return the effects found that are no waves, simple ones for those that extend them.
 
@@ -168,14 +223,13 @@ def _beside_waves(search: Search) -> list[Term]:
     return [t if s is None else on_limbs(s, t.limbs) for t, s in zip(found, simple, strict=True)]
 
 
-def _chosen(problem: Problem, baseline: Fit, terms: Sequence[Term], progress: Progress) -> tuple[Search, list[Found]]:
+def _chosen(problem: Problem, search: Search, progress: Progress) -> tuple[Search, list[Found]]:
     """Return the fit with every effect that earns its price, and the best form of each effect at the first look.
 
     Forwards: the effect that earns most is fitted jointly with all before. After each, every effect is looked at again
     with the others beside it: another form, another effect or none may now be better.
     """
-    search = Search(baseline, terms)
-    considered: list[Found] = []
+    terms, considered = search.terms, list[Found]()
     while len(search.effects) < MOST_EFFECTS:
         named = search.effects
         progress(f"search {len(named) + 1}: {len(terms)} forms of {len({t.effect for t in terms})} effects")
@@ -254,7 +308,8 @@ def refitted(
         flat = np.where(np.isfinite(columns), columns, 0.0).reshape(-1, columns.shape[2])
         size = np.linalg.norm(flat, axis=0)
         scale = ROOM * np.sqrt(len(flat)) / np.maximum(size, max(ROUNDING * size.max(), 1e-300))
-        joint = problem.with_terms(terms, scale)
+        most = np.concatenate([largest(t, problem.recording.joint_unit).ravel() for t in terms])
+        joint = problem.with_terms(terms, np.minimum(scale, most))
         errors = np.concatenate([errors, *(t.values.ravel() for t in terms)])
     try:
         return fit(
@@ -314,11 +369,13 @@ def _better(problem: Problem, search: Search, i: int) -> Fit | None:
         return None
     if own.kernels.EXTENDS and (simple := _simpler(problem, search, i)) is not None:
         return simple
-    if _form(best.term) == _form(own):
+    if (wider := _wider(problem, search, i)) is not None:
+        return wider
+    if form(best.term) == form(own):
         return None
     if best.term.effect != own.effect:
         beside = freed.added(best.term)
-        price = charge(own, sum(t.effect == own.effect for t in search.terms))
+        price = search.price(own)
         if beside.gain(beside.where(own)) - price > MARGIN:
             return None
     other = refitted(problem, current, [*others, best.term])
@@ -343,6 +400,32 @@ def _simpler(problem: Problem, search: Search, i: int) -> Fit | None:
     return None if simple is None or _refused(simple, current) else simple
 
 
+def _wider(problem: Problem, search: Search, i: int) -> Fit | None:
+    """Return a fit in which another effect that is there already, on more limbs, stands for an effect.
+
+    What twists the elbow of an arm twists its shoulder too: that needs a kind of physics less, and is left only for
+    what earns more than one more name costs.
+    """
+    terms, alone = terms_of(search.fit), search.freed(i)
+    own = terms[i]
+    earned = alone.gain(alone.where(own)) - search.price(own)
+    for j, other in enumerate(terms):
+        if j == i or several(other.effect) or not carriers_of(other):
+            continue
+        every = alone.where(next(t for t in search.terms if t.effect == other.effect))
+        if alone.gain(every) < earned - MARGIN:
+            continue
+        freed = search.freed(i, j)
+        found = freed.best(other.effect)
+        if not set(carriers_of(found.term)) > set(carriers_of(other)):
+            continue
+        both = freed.gain([*freed.where(own), *freed.where(other)]) - search.price(own) - search.price(other)
+        if both - found.score < MARGIN:
+            rest = [t for k, t in enumerate(terms) if k not in (i, j)]
+            return refitted(problem, search.fit, [*rest, found.term])
+    return None
+
+
 def _refused(simple: Fit, flexible: Fit) -> bool:
     """Tell whether held-out readings refuse a simple model: the flexible one predicts them better, beyond doubt."""
     parts = folds(simple.problem.readings, simple.problem.recording, rows=simple.repeats.rows)
@@ -361,8 +444,7 @@ def _proven(problem: Problem, search: Search, rest: Array | None = None) -> Sear
         scores = []
         for i, term in enumerate(terms):
             beside = search.freed(i) if rest is None else search.freed(i).joined(rest)
-            forms = sum(t.effect == term.effect for t in search.terms)
-            scores.append(beside.gain(beside.where(term)) - charge(term, forms))
+            scores.append(beside.gain(beside.where(term)) - search.price(term))
         worst = int(np.argmin(scores))
         if scores[worst] > MARGIN:
             break
@@ -386,13 +468,25 @@ def borne_out(before: Array, after: Array) -> bool:
     return bool(gone.mean() > BORNE_OUT * gone.std(ddof=1) / np.sqrt(len(gone)))
 
 
+def believable(problem: Problem, at: Fit, **how: Any) -> Fit:
+    """Return a fit without the effects, or their limbs, that would need a size that no machine has."""
+    kept: list[Term] = []
+    for i, term in enumerate(terms := terms_of(at)):
+        cannot = beyond(term, _std(at, i), problem.recording.joint_unit)
+        less = without_rows(term, [c.row for c in cannot]) if cannot else term
+        kept += [] if less is None else [less]
+    if list(map(form, kept)) == list(map(form, terms)):
+        return at
+    return refitted(problem, at, kept, **how) or at
+
+
 def held_out_by(problem: Problem, search: Search, parts: Sequence[tuple[np.ndarray, np.ndarray]]) -> Array:
     """Return the errors (R, k) [mm, rad] of readings that took part neither in a fit nor in the choice of its effects.
 
     Each part of the readings is predicted from the others, which choose their own effects: by the same charges, in the
     machine made linear at the final fit.
     """
-    final = {_form(t): t for t in terms_of(search.fit)}
+    final = {form(t): t for t in terms_of(search.fit)}
     out = np.full(search.fit.residual.shape, np.nan)
     for train, test in parts:
         part = search.freed(*range(len(final))).within(train)
@@ -400,13 +494,14 @@ def held_out_by(problem: Problem, search: Search, parts: Sequence[tuple[np.ndarr
         while len(chosen) < MOST_EFFECTS and (best := part.ranked()[0]).score > MARGIN:
             chosen.append(best.term)
             part = part.added(best.term)
-        same = {_form(t) for t in chosen} == final.keys()
-        terms = [final.get(_form(t), t) for t in chosen]
+        same = {form(t) for t in chosen} == final.keys()
+        terms = [final.get(form(t), t) for t in chosen]
         fitted = search.fit if same else refitted(problem, search.fit, terms)
         if fitted is not None:
             out[test] = held_out_errors(fitted, Prior(), [(train, test)])[test]
     return out
 
 
-def _form(term: Term) -> tuple[object, ...]:
+def form(term: Term) -> tuple[object, ...]:
+    """Return an effect, and where and with which constants it is."""
     return term.effect, term.limbs, term.constants, term.tools

@@ -49,6 +49,9 @@ class Problem:
         Effects on the machine whose coefficients are free.
     held : tuple of Term
         Effects on it that stay as they are.
+    held_std : tuple of (rows, n_c) array
+        Standard deviation about zero of each held coefficient, where they are as unknown as free ones; none where they
+        are known.
     """
 
     robot: Robot
@@ -61,6 +64,7 @@ class Problem:
     body: Body
     terms: tuple[Term, ...] = ()
     held: tuple[Term, ...] = ()
+    held_std: tuple[Array, ...] = ()
 
     @property
     def columns(self) -> list[int]:

@@ -310,6 +310,12 @@ def beyond(term: Term, std: Array, joint_unit: str) -> list[Beyond]:
     return out
 
 
+def largest(term: Term, joint_unit: str) -> Array:
+    """Return the largest believable size (rows, n_c) of each coefficient, in the units of `term.values`."""
+    out: Array = np.abs(row_factors(term, joint_unit)) * np.abs(term.kernels.BELIEVABLE).max(axis=1)
+    return out
+
+
 def without_rows(term: Term, rows: Sequence[int]) -> Term | None:
     """Return a term on its other limbs, or tool points; None where there are none."""
     kept = [r for r in range(len(term.values)) if r not in set(rows)]

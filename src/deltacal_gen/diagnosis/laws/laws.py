@@ -13,7 +13,7 @@ from deltacal_gen.diagnosis.laws.ground import Ground, Tried
 from deltacal_gen.diagnosis.laws.proof import Proof, judged, proven
 from deltacal_gen.diagnosis.laws.screen import ranked, stands_out
 from deltacal_gen.diagnosis.laws.search import COMPARED, Grown, curved, fitted, polished, unexplained
-from deltacal_gen.diagnosis.search import charge, gains, quantile
+from deltacal_gen.diagnosis.search import gains, quantile
 from deltacal_gen.diagnosis.strategy import MARGIN, Outcome, refitted, terms_of
 from deltacal_gen.diagnosis.structure import by_instrument
 from deltacal_gen.errors import InputError
@@ -173,7 +173,7 @@ def _calm(problem: Problem, grown: Grown) -> Grown:
 
 def _price(term: Term, found: Outcome) -> float:
     """Return what a named effect has to earn."""
-    return charge(term, sum(t.effect == term.effect for t in found.search.terms)) + MARGIN
+    return found.search.price(term) + MARGIN
 
 
 def _of_all(problem: Problem, base: Fit, grown: Grown, names: Sequence[Term]) -> Grown | None:
