@@ -12,6 +12,7 @@ import pytest
 import deltacal_gen as dc
 from deltacal_gen.diagnosis.correction import Smooth, correct
 from deltacal_gen.diagnosis.diagnosis import diagnose
+from deltacal_gen.diagnosis.laws.laws import Sought
 from deltacal_gen.diagnosis.structure import Structure
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification.accuracy import volumetric_error
@@ -55,7 +56,7 @@ def robot() -> Robot:
 def humid(robot: Robot) -> dict[str, Any]:
     """A diagnosis that has found no law, which would explain a wave of the humidity before any correction does."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("deltacal_gen.diagnosis.diagnosis.laws", lambda found, progress: [])
+        patch.setattr("deltacal_gen.diagnosis.diagnosis.laws", lambda found, progress: Sought())
         found: dict[str, Any] = json.loads(diagnosis(robot, swollen(robot, 1)).to_json())
     return found
 

@@ -92,6 +92,7 @@ FUNCTIONS = {
     "physics/body.py:Body.theta": "joints by the errors of their zeros, as the mechanism declares them",
     "physics/simulation.py:simulate": "noise of a measured rotation",
     "physics/splines.py:unit_noise": "the noise of a spline's derivative, by least squares",
+    "planning/exciting.py:Series.states": "a Fourier series in time, as a plan commands it (Swevers et al. 1997)",
     "planning/matrix.py:generic": WORKSPACE,
     "planning/targets.py:rings": WORKSPACE,
     "planning/singularities.py:_directions": "directions from which a workspace is searched",

@@ -23,7 +23,7 @@ from deltacal_gen.results.reader import ANSWERS, read_answer, read_result, type_
 from deltacal_gen.results.result import Remedy, Result
 
 DELTA, GEARBOX = example("delta"), example("gearbox")
-UNITS = ("_mm", "_deg", "_Nm", "_N", "_A", "_1", "_Hz")
+UNITS = ("_mm", "_deg", "_Nm", "_N", "_A", "_1", "_Hz", "_s")
 BARE = {  # numbers without a unit: counts, parts of a whole, figures of statistics, what `unit` beside them tells
     *(
         "rho",
@@ -38,6 +38,15 @@ BARE = {  # numbers without a unit: counts, parts of a whole, figures of statist
         "determined",
         "scalars",
         "poses",
+        "run",
+        "runs",
+        "torques",
+        "joint",
+        "centre",
+        "cosine",
+        "sine",
+        "harmonics",
+        "log_determinant",
     ),
     *("parameters", "iterations", "degrees_of_freedom", "chi2_per_dof", "gross_errors", "home_line", "unreachable"),
     *(

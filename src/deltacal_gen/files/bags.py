@@ -220,12 +220,13 @@ def _body(message: Any) -> list[float]:
 
 def rotation_vector(quaternions: Array) -> Array:
     """Return rotation vectors (N, 3) [rad] of quaternions (N, 4), x y z w; nan where one has no length."""
-    length = np.linalg.norm(quaternions, axis=1, keepdims=True)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        unit = quaternions / length * np.where(quaternions[:, 3:] < 0, -1.0, 1.0)
-        axial = np.linalg.norm(unit[:, :3], axis=1, keepdims=True)
-        angle = 2 * np.arctan2(axial, unit[:, 3:])
-        return np.asarray(unit[:, :3] * np.where(axial > 0, angle / axial, 2.0))
+    from scipy.spatial.transform import Rotation
+
+    out = np.full((len(quaternions), 3), np.nan)
+    turned = np.linalg.norm(quaternions, axis=1) > 0  # false where there are no numbers
+    if turned.any():
+        out[turned] = Rotation.from_quat(quaternions[turned]).as_rotvec()
+    return out
 
 
 # ------------------------------------------------------------------------------------------------------------- units

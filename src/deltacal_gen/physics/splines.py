@@ -12,9 +12,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.interpolate import BSpline, make_lsq_spline
 
 if TYPE_CHECKING:
+    from scipy.interpolate import BSpline
+
     from deltacal_gen.machine.registry import Array
 
 DEGREE = 5
@@ -99,6 +100,8 @@ def smooth(given: Samples, spacing: float, orders: int) -> Array:
 
 def _fit(time: Array, values: Array, spacing: float) -> BSpline:
     """Return the spline of one piece, its knots as near to a spacing [s] as the piece allows."""
+    from scipy.interpolate import make_lsq_spline  # what stands still does without
+
     parts = int(max(1, min(round((time[-1] - time[0]) / spacing), (len(time) - DEGREE - 1) // 2)))
     inner = np.linspace(time[0], time[-1], parts + 1)[1:-1]
     counts = np.histogram(time, [time[0], *inner, time[-1]])[0]
@@ -161,6 +164,8 @@ def noise(values: Array, fitted: Array, step: float, spacing: float) -> Array:
 
 def unit_noise(step: float, spacing: float, order: int) -> float:
     """Return the noise of a derivative where that of a sample is 1, in the middle of a long piece."""
+    from scipy.interpolate import BSpline
+
     per = max(1, round(spacing / step))
     inner = np.arange(-DEGREE, WINDOW + DEGREE + 1) * per * step
     time = np.arange(WINDOW * per) * step

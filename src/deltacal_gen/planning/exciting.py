@@ -33,7 +33,7 @@ from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.limits import PATTERNS, home_of, limits_of
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.results.motion import JointSeries, MotionPlan
-from deltacal_gen.units import joint_factors, joint_names
+from deltacal_gen.units import file_unit, joint_factors, joint_names, of_joints
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
@@ -230,6 +230,7 @@ def exciting(
         conditions.append(found.condition if math.isfinite(found.condition) else None)
         indices.append(found.indices)
     factors = np.array(joint_factors(search._mechanism.joint_unit, search._mechanism.limbs))
+    units = of_joints(search._mechanism.joint_unit, search._mechanism.limbs)
     answer = MotionPlan(
         robot=robot.name,
         mechanism=robot.mechanism,
@@ -255,6 +256,7 @@ def exciting(
             JointSeries(
                 run=k + 1,
                 joint=j + 1,
+                unit=file_unit(units[j]),
                 centre=float(s.centre[j] / factors[j]),
                 cosine=tuple((s.cosine[:, j] / factors[j]).tolist()),
                 sine=tuple((s.sine[:, j] / factors[j]).tolist()),

@@ -353,8 +353,10 @@ class JointSeries(Value):
 
     run: int
     joint: int
+    unit: str
+    """Of the place; the others are speeds, per second."""
     centre: float
-    """Where it begins and ends [deg or mm]; the others are speeds [deg/s or mm/s]."""
+    """Where it begins and ends."""
     cosine: tuple[float, ...]
     sine: tuple[float, ...]
 
