@@ -26,8 +26,8 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
+from deltacal_gen.diagnosis.beside import Beside
 from deltacal_gen.diagnosis.diagnosis import Diagnosed, diagnose
-from deltacal_gen.diagnosis.search import Beside
 from deltacal_gen.diagnosis.strategy import terms_of
 from deltacal_gen.errors import DeltacalError
 from deltacal_gen.estimation.fit import Fit, fit, rough

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from deltacal_gen.diagnosis.search import Beside
+from deltacal_gen.diagnosis.beside import Beside
 from deltacal_gen.diagnosis.structure import Structure, displacements
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation.fit import Fit, fit

@@ -1,0 +1,146 @@
+"""What is fitted already, taken out of the readings: a projection beside geometry, instrument, effects and orders."""
+
+from __future__ import annotations
+
+import copy
+from dataclasses import dataclass
+
+import numpy as np
+
+from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.machine.registry import Array
+
+
+class Beside:
+    """Readings at a fit, whitened, and the projection beside geometry, instrument and effects that are fitted.
+
+    Attributes
+    ----------
+    Q : (scalars, n) array
+        The readings' part of an orthonormal basis of what is fitted; priors make it shorter than unit vectors.
+    residual : (scalars,) array
+        What is left of the readings by the projection, in standard deviations.
+    readings : int
+        Number of scalars.
+    owner : (scalars,) int array
+        The reading that each belongs to.
+    """
+
+    def __init__(self, at: Fit) -> None:
+        self.fit, problem = at, at.problem
+        self.machine = at.machine
+        state = problem.linearise(at.errors, at.instrument, self.machine)
+        self._read = np.isfinite(state.residual)
+        self.owner = np.nonzero(self._read)[0]
+        # the residual carries the influence of a reading, columns none of it: a gross error can earn but little
+        self._w = np.sqrt(1 + at.repeats.ratio) / np.broadcast_to(at.sigma, state.residual.shape)
+        held, size = problem.held[: len(problem.held_std)], np.concatenate([[], *map(np.ravel, problem.held_std)])
+        unknown = problem.term_columns(held, at.errors, at.instrument, self.machine) * size
+        base = self.rows(np.concatenate([state.J_p * problem.scale, state.J_m, unknown], axis=2))
+        # the priors' rows: geometry moves as far as drawings leave it open, not to the ends of a flat direction
+        departure = (at.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
+        values = np.concatenate([[], *(t.values.ravel() for t in held)]) / size
+        self._departure = np.concatenate([departure, np.zeros(state.J_m.shape[2]), values])
+        pulls = np.delete(np.arange(base.shape[1]), len(departure) + np.arange(state.J_m.shape[2]))
+        r = self.rows((state.residual * at.weights[:, None])[..., None])[:, 0]
+        self.readings = len(r)
+        prior = np.eye(base.shape[1])[pulls]
+        self._project(np.vstack([base, prior]), np.concatenate([r, -self._departure[pulls]]))
+
+    def _project(self, base: Array, pulled: Array) -> None:
+        self._base, self._pulled = base, pulled
+        self._basis, self._R = np.linalg.qr(base)
+        self._take_off()
+
+    def _take_off(self) -> None:
+        self.Q: Array = self._basis[: self.readings]
+        self.residual: Array = (self._pulled - self._basis @ (self._basis.T @ self._pulled))[: self.readings]
+
+    def freed(self, *effects: int) -> Freed:
+        """Return the same with effects of the fit taken out: they stand in the readings, nothing else moves."""
+        own = [j for i in effects for j in self.fit.problem.coefficients(i)]
+        out = copy.copy(self)
+        # what is orthogonal to all columns but these
+        turn = Turn.of(np.linalg.solve(self._R.T, np.eye(len(self._R))[:, own]))
+        out._R = turn.rest(np.delete(self._R, own, axis=1))
+        put_back = self._R[:, own] @ self._departure[own]
+        out._base = np.delete(self._base, own, axis=1)
+        out._pulled = self._pulled + self._basis @ put_back
+        out._basis = turn.rest(self._basis.T).T
+        out._take_off()
+        return Freed(out, turn, turn.part(self._basis.T @ out._pulled))
+
+    def within(self, chosen: np.ndarray) -> Beside:
+        """Return the same with some of the readings (R,) only; repeats of a pose must not be parted."""
+        out = copy.copy(self)
+        out.owner = self.owner[chosen[self.owner]]
+        keep = np.concatenate([chosen[self.owner], np.ones(len(self._base) - self.readings, dtype=bool)])
+        out.readings = len(out.owner)
+        out._project(self._base[keep], self._pulled[keep])
+        return out
+
+    def joined(self, columns: Array) -> Beside:
+        """Return the same with other whitened columns (scalars, n) fitted too, free of any prior."""
+        out = copy.copy(self)
+        more = np.vstack([columns, np.zeros((len(self._base) - len(columns), columns.shape[1]))])
+        out._base = np.hstack([self._base, more])
+        for _ in range(2):  # the second takes off what rounding left of the first
+            more = np.linalg.qr(more - self._basis @ (self._basis.T @ more))[0]
+        out._basis = np.hstack([self._basis, more])
+        out._R = out._basis.T @ out._base
+        out._take_off()
+        return out
+
+    def rows(self, values: Array) -> Array:
+        """Return readings (R, k, n) as whitened rows (scalars, n), unread components dropped."""
+        scaled = values * self._w[..., None]
+        if self._read.all():
+            return self.fit.repeats.whiten(scaled).reshape(self._read.size, -1)
+        scaled[~self._read] = 0.0
+        return self.fit.repeats.whiten(scaled)[self._read]
+
+
+@dataclass(frozen=True)
+class Turn:
+    """An orthogonal matrix (n, n) whose first columns span a few directions, as a product of Householder's mirrors."""
+
+    mirrors: Array
+    scales: Array
+
+    @staticmethod
+    def of(directions: Array) -> Turn:
+        """Return the turn for directions (n, k)."""
+        mirrors, scales = np.linalg.qr(directions, mode="raw")
+        own = np.triu(mirrors, 1) + np.eye(*mirrors.shape)
+        return Turn(own, scales)
+
+    def _along(self, values: Array) -> Array:
+        out = np.array(values)
+        for v, scale in zip(self.mirrors, self.scales, strict=True):
+            out -= np.outer(scale * v, v @ out)
+        return out
+
+    def rest(self, values: Array) -> Array:
+        """Return values (n, m) in the basis of what is orthogonal to the directions, (n - k, m)."""
+        return self._along(values)[len(self.scales) :]
+
+    def part(self, vector: Array) -> Array:
+        """Return what of a vector (n,) lies along the directions (n,)."""
+        inside = self._along(vector[:, None])
+        inside[len(self.scales) :] = 0.0
+        for v, scale in zip(self.mirrors[::-1], self.scales[::-1], strict=True):
+            inside -= np.outer(scale * v, v @ inside)
+        return inside[:, 0]
+
+
+@dataclass(frozen=True)
+class Freed:
+    """What is fitted, less some effects.
+
+    In the basis as it was: the basis now is what `turn` has beside its directions, and `left` (n,) is what the effects
+    alone explained.
+    """
+
+    beside: Beside
+    turn: Turn
+    left: Array
