@@ -176,8 +176,9 @@ class Ground:
     def _function(self, factors: tuple[str, ...], constants: tuple[float, ...]) -> Array:
         """Return a product at the readings, (R, limbs or 1)."""
         out = self._factor(factors[0], constants)
-        for f in factors[1:]:
-            out = out * self._factor(f, constants)
+        with np.errstate(over="ignore"):  # what has no bounds is no law; see `normal`
+            for f in factors[1:]:
+                out = out * self._factor(f, constants)
         return out
 
     def batches(self, forms: Sequence[Form]) -> Iterator[tuple[list[Form], Array]]:
@@ -241,8 +242,9 @@ class Ground:
         each = np.broadcast_to(np.swapaxes(values, 1, 2), (R, n, limbs))
         if states:
             each = np.where(_others(states, limbs), each, 0.0)
-        C = place.columns[:, :, None, :] * each[:, None]
-        return self.beside.rows(C.reshape(R, k, -1)).reshape(-1, n, limbs)
+        with np.errstate(over="ignore", invalid="ignore"):  # what has no bounds is no law; see `normal`
+            C = place.columns[:, :, None, :] * each[:, None]
+            return self.beside.rows(C.reshape(R, k, -1)).reshape(-1, n, limbs)
 
     def normal(self, columns: Array) -> tuple[Array, Array, Array]:
         """Return normal equations beside all that is fitted, G (n, m, m) and b (n, m), and sizes (n, m).
