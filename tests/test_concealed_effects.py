@@ -8,12 +8,14 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 
 import deltacal_gen as dc
+from deltacal_gen.diagnosis import strategy
 from deltacal_gen.diagnosis.search import Found, Search
 from deltacal_gen.diagnosis.strategy import _first, _refused, _wider, refitted
 from deltacal_gen.estimation.fit import rough
@@ -220,6 +222,25 @@ def test_a_spring_that_is_there_already_stands_for_another_kind_of_spring(limbs:
     assert (found is not None) == wider
     if found is not None:
         assert [(t.effect, t.limbs) for t in found.problem.terms] == [("joint_compliance", (2, 3))]
+
+
+def test_a_search_that_goes_in_circles_ends(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of three effects the third goes for the first, beside which it earns its price again."""
+    one, two, three = (of.blank("joint_compliance", (limb,)) for limb in (1, 2, 3))
+
+    def search(*terms: Term) -> Any:
+        fit = SimpleNamespace(sigma=np.ones(1), terms=list(terms))
+        ranked = [Found(three, 500.0, 450.0)]
+        return SimpleNamespace(fit=fit, effects=terms, terms=(one, two, three), ranked=lambda: ranked)
+
+    circle = iter([search(two, one), search(one), search(two), search(one), search(two)])
+    monkeypatch.setattr(strategy, "terms_of", lambda fit: fit.terms)
+    monkeypatch.setattr(strategy, "refitted", lambda problem, at, terms: at)
+    monkeypatch.setattr(strategy, "Search", lambda fit, terms: None)
+    monkeypatch.setattr(strategy, "_revised", lambda problem, given: next(circle))
+    found, _ = strategy._chosen(problem=None, search=search(one), progress=lambda text: None)  # type: ignore[arg-type]
+    assert found.effects == (one,)
+    assert next(circle).effects == (two,)  # it was not asked again
 
 
 def test_what_was_once_is_long_ago_in_numbers_that_a_file_can_hold() -> None:

@@ -33,6 +33,7 @@ def test_scaling_and_memory_are_measured(tmp_path: Path, capsys: pytest.CaptureF
         assert words in said
 
 
+@pytest.mark.thorough
 def test_the_table_of_motion_is_printed(capsys: pytest.CaptureFixture[str]) -> None:
     motion.main(["--samples", "64"])
     said = capsys.readouterr().out
@@ -46,6 +47,7 @@ def test_the_table_of_compile_times_names_modules_that_exist() -> None:
     assert all(float(row["seconds"]) > 0 for row in told)
 
 
+@pytest.mark.thorough
 def test_the_table_of_all_mechanisms_is_written_as_the_manual_shows_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

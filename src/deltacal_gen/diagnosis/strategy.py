@@ -230,7 +230,9 @@ def _chosen(problem: Problem, search: Search, progress: Progress) -> tuple[Searc
     with the others beside it: another form, another effect or none may now be better.
     """
     terms, considered = search.terms, list[Found]()
-    while len(search.effects) < MOST_EFFECTS:
+    seen: set[frozenset[tuple[object, ...]]] = set()
+    while len(search.effects) < MOST_EFFECTS and (here := frozenset(map(_place, terms_of(search.fit)))) not in seen:
+        seen.add(here)  # what is given up for something else may earn its price beside that, and so on, for ever
         named = search.effects
         progress(f"search {len(named) + 1}: {len(terms)} forms of {len({t.effect for t in terms})} effects")
         ranked = search.ranked()
@@ -500,6 +502,10 @@ def held_out_by(problem: Problem, search: Search, parts: Sequence[tuple[np.ndarr
         if fitted is not None:
             out[test] = held_out_errors(fitted, Prior(), [(train, test)])[test]
     return out
+
+
+def _place(term: Term) -> tuple[object, ...]:
+    return term.effect, term.limbs, term.tools, term.constants if several(term.effect) else ()
 
 
 def form(term: Term) -> tuple[object, ...]:
