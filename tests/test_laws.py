@@ -15,7 +15,8 @@ from deltacal_gen.machine.chain import Chain
 from deltacal_gen.machine.limbs import Limbs
 from deltacal_gen.machine.registry import COORDINATES, Array, mechanism_of
 from deltacal_gen.machine.rotation import cayley_matrix, cayley_vector
-from deltacal_gen.physics.body import Body, Deformed, reading_shift
+from deltacal_gen.physics.body import Body, Deformed
+from deltacal_gen.physics.reading import reading_shift
 from deltacal_gen.physics.states import read_by
 from deltacal_gen.physics.terms import Term, blank, effect_names
 from derive import closed_form, registry, vectors
@@ -238,7 +239,7 @@ def slopes_of(term: Term, body: Body, machine: Deformed, readings: Array) -> dic
     put |= {str(c.symbol): v for c, v in zip(spec.constants, term.constants, strict=True)}
     names = [s.name for s in term.states if s.kind != "reading" and not s.by]
     put |= body.state(names, machine.x, machine.q, machine.rows)
-    put |= {s.name: body._since(term, s) for s in term.states if s.by}
+    put |= {s.name: body.since(term, s) for s in term.states if s.by}
     for raw, s in zip(read_by(term.kernels), term.states, strict=True):
         if raw.kind == "chosen":
             put[raw.name] = put[s.name][:, None] * body._of_other(s.joint) if s.joint else put[s.name]

@@ -20,8 +20,9 @@ from deltacal_gen.instrument.kinds import readings
 from deltacal_gen.machine.registry import SOLVED, Array, load_mechanism
 from deltacal_gen.machine.values import Measurement, Recording
 from deltacal_gen.pages import figures
-from deltacal_gen.physics.body import Body, reading_shift
+from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
+from deltacal_gen.physics.reading import reading_shift
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.physics.terms import blank, coefficients, load_effect
 from deltacal_gen.units import DEG

@@ -11,8 +11,9 @@ from deltacal_gen.app.demonstration import example
 from deltacal_gen.files.robot import Robot, read_robot
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import Array, load_mechanism
-from deltacal_gen.physics.body import Body, reading_shift
+from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
+from deltacal_gen.physics.reading import reading_shift
 from deltacal_gen.physics.terms import Term, blank, displaces_points, effect_names, load_effect, of_reading
 from tests.every_effect import body_of, constants, limbs_with, machine_with
 

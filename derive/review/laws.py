@@ -17,7 +17,8 @@ import sympy as sp
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.machine.chain import Chain
 from deltacal_gen.machine.limbs import Limbs
-from deltacal_gen.physics.body import Body, reading_shift
+from deltacal_gen.physics.body import Body
+from deltacal_gen.physics.reading import reading_shift
 from derive import blocks, closed_form, statics, vectors
 from derive.graph import Graph
 from derive.language.targets import ON

@@ -316,7 +316,7 @@ class Search:
         if kinds[names[0]] == "moments":
             off += np.diff(value, prepend=value[0]) ** 2 / 3
         more = weight[seen] @ (sizes - weight[seen] @ sizes) ** 2
-        return float(np.sqrt(weight @ off)), more
+        return float(np.sqrt(weight[seen] @ off[seen])) or None, more  # an order that is certain has none
 
     def ranked(self) -> list[Found]:
         """Return the best form of every effect that is not fitted, the best first."""

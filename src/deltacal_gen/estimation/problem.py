@@ -15,9 +15,10 @@ from deltacal_gen.instrument.kinds import measured_points, readings
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array, Machine, Sensitivity, mechanism_of
 from deltacal_gen.machine.values import Recording, Robot
-from deltacal_gen.physics.body import Body, Deformed, reading_shift
+from deltacal_gen.physics.body import Body, Deformed
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.motion import with_motion
+from deltacal_gen.physics.reading import reading_shift
 from deltacal_gen.physics.terms import Term, of_reading
 
 

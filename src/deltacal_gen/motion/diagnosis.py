@@ -212,6 +212,7 @@ def _rejected(session: Session, effects: Sequence[TorqueEffect], fits: Sequence[
         square = sum(counts[i] * with_it[i] ** 2 for i in with_it) / sum(counts.values())
         fit, most = max(where, key=lambda pair: pair[1].buys)
         one = len({f.joint.unit for f in fits}) == 1
+        by_joint = tuple(float(with_it[j.number]) if j.number in with_it else None for j in session.joints)
         found.append(
             TorqueRejected(
                 name=name,
@@ -219,7 +220,7 @@ def _rejected(session: Session, effects: Sequence[TorqueEffect], fits: Sequence[
                 why=f"it takes {100 * max(most.buys, 0.0):.2g} % of the held-out rms away where it takes most, on "
                 f"joint {fit.joint.number}, beside what is named",
                 **(session.in_unit("heldout_rms", float(np.sqrt(square))) if one else {}),
-                heldout_rms_by_joint=session.each(fits, lambda f: float(with_it[f.joint.number])),  # noqa: B023
+                heldout_rms_by_joint=by_joint,
             )
         )
     return tuple(sorted(found, key=lambda r: -r.gain_chi2))

@@ -27,8 +27,9 @@ from deltacal_gen.files.robot import robot_of
 from deltacal_gen.files.writing import staging
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import Array, mechanism_of
-from deltacal_gen.physics.body import Body, reading_shift
+from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
+from deltacal_gen.physics.reading import reading_shift
 from deltacal_gen.physics.terms import term_of
 from deltacal_gen.results.batch import Done
 from deltacal_gen.results.diagnosis import Baseline, Diagnosis, Effect, Final, Verdict

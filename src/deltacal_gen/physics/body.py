@@ -15,7 +15,6 @@ from typing import NamedTuple
 import numpy as np
 
 from deltacal_gen.errors import InputError
-from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.machine import POSE
 from deltacal_gen.machine.registry import SOLVED, STATUS, UNBALANCED, Array, Machine, Sensitivity
 from deltacal_gen.machine.rotation import cayley_matrix, swept
@@ -303,7 +302,7 @@ class Body:
         N, limbs = self.q.shape
         columns = []
         for raw, s in zip(states.read_by(term.kernels), term.states, strict=True):
-            value = self._since(term, s) if s.by else state[s.name]
+            value = self.since(term, s) if s.by else state[s.name]
             if by_limb and value.ndim == 1:
                 value = np.repeat(value[:, None], limbs, axis=1)
             if raw.kind == "chosen" and s.joint:
@@ -316,7 +315,7 @@ class Body:
         size = N * limbs if by_limb else N
         return np.column_stack(columns) if columns else np.zeros((size, 0))
 
-    def _since(self, term: Term, state: State) -> Array:
+    def since(self, term: Term, state: State) -> Array:
         """Return which rows (N,) come after a moment, 1 or 0."""
         return (self.channels.clock >= float(term.constant(state.by))).astype(float)
 
@@ -382,7 +381,7 @@ class Body:
             self._held = key, held, self._steady(held, plain)
         unchanged = _together(self._held[2], self._steady([t for t in terms if not _follows(t)], plain))
         varying = [t for t in terms if _follows(t)]
-        names, limbs = _read_by(varying), _limbs_of(varying)
+        names, limbs = states_read(varying), _limbs_of(varying)
         if not self.robot.drawn:
             moved = Deformed(np.zeros((len(self.q), POSE)), self.q + unchanged.get("joint", 0.0), self.tool, plain)
             return moved, np.full(len(self.q), SOLVED)
@@ -426,7 +425,7 @@ class Body:
         """Return the displacement of every target by effects of the reported joints and of channels alone."""
         if not terms:
             return {}
-        return self.moved(terms, self.state(_read_by(terms), np.zeros((len(self.q), 12)), self.q, rows))
+        return self.moved(terms, self.state(states_read(terms), np.zeros((len(self.q), 12)), self.q, rows))
 
     def _rows(self, errors: Array, shift: Mapping[str, Array]) -> Array:
         parts = {t[5:]: v for t, v in shift.items() if t.startswith("limb.")}
@@ -453,7 +452,7 @@ class Body:
         out, start = np.zeros((N, n_x, sum(t.n_coefficients for t in terms))), 0
         if not terms:
             return out
-        state = self.state(_read_by(terms), np.nan_to_num(body.x), body.q, body.rows, _limbs_of(terms))
+        state = self.state(states_read(terms), np.nan_to_num(body.x), body.q, body.rows, _limbs_of(terms))
         for _, group in itertools.groupby(terms, key=lambda t: (t.effect, t.limbs)):
             forms = list(group)
             kernels, count = forms[0].kernels, sum(t.n_coefficients for t in forms)
@@ -566,7 +565,7 @@ def _together(a: Mapping[str, Array], b: Mapping[str, Array]) -> dict[str, Array
     return out
 
 
-def _read_by(terms: Sequence[Term]) -> list[str]:
+def states_read(terms: Sequence[Term]) -> list[str]:
     """Return what effects read of the machine at each pose, by name."""
     return sorted({s.name for t in terms for s in t.states if s.kind != "reading" and not s.by})
 
@@ -575,43 +574,3 @@ def _limbs_of(terms: Sequence[Term]) -> list[int]:
     """Return the limbs, from 1, that effects sit on; none where one sits on all."""
     every = [t.limbs for t in terms if t.kernels.ACTS_ON == "limb"]
     return sorted({i for limbs in every for i in limbs}) if all(every) else []
-
-
-def reading_shift(terms: Sequence[Term], body: Body, found: Readings, values: Array, x: Array) -> tuple[Array, Array]:
-    """Return what effects on the reading add to predicted readings (R, k), and the derivatives (R, k, n_c).
-
-    Parameters
-    ----------
-    found : Readings
-        Which rows of the recording, and what of them.
-    values : (R, k) array
-        Readings as predicted without these effects.
-    x : (N, 12) array
-        Poses of the machine.
-    """
-    R, k = values.shape
-    added, parts = np.zeros((R, k)), []
-    columns, rows = found.kind.targets, found.rows[:, 0]
-    for term in terms:
-        kernels = term.kernels
-        own = np.zeros((R, k, term.n_coefficients))
-        on = [(j, columns[t]) for j, t in enumerate(kernels.TARGETS) if t in columns]
-        if on and kernels.ACTS_ON == "reading":
-            # a column that this kind of reading does not have is read by no target that acts here
-            state = dict.fromkeys(("y_x", "y_y", "y_z", "y_length"), np.zeros(R))
-            state |= {f"y_{t.rpartition('.')[2]}": values[:, c] for t, c in columns.items()}
-            machine = body.state(_read_by([term]), x, body.q, np.zeros((0, 0, 0)))  # no parameter is read
-            state |= {name: (v if v.ndim == 1 else v.mean(axis=1))[rows] for name, v in machine.items()}
-            state |= {s.name: body._since(term, s)[rows] for s in term.states if s.by}
-            if set(kernels.STATE) <= state.keys():
-                s = np.column_stack([state[n] for n in kernels.STATE]) if kernels.STATE else np.zeros((R, 0))
-                s = np.column_stack([s, body.session[rows]]) if term.gaps else s
-                value, D = (
-                    kernels.value(s, term.values, term.constants),
-                    kernels.jacobian(s, term.values, term.constants),
-                )
-                for j, column in on:
-                    added[:, column] += value[:, j]
-                    own[:, column] += D[:, j]
-        parts.append(own)
-    return added, np.concatenate(parts, axis=2) if parts else np.zeros((R, k, 0))

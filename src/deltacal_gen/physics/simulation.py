@@ -21,10 +21,11 @@ from deltacal_gen.instrument.kinds import kind_of, measured_points
 from deltacal_gen.machine.registry import SOLVED, STATUS, Array, Machine, mechanism_of, nominal_joints
 from deltacal_gen.machine.rotation import from_vector, to_vector
 from deltacal_gen.machine.values import Recording
-from deltacal_gen.physics.body import Body, reading_shift
+from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.motion import with_motion
 from deltacal_gen.physics.parts import lacks
+from deltacal_gen.physics.reading import reading_shift
 from deltacal_gen.physics.terms import LOGGED, Term, blank, constants_of, effect_names, row_factors, scaled
 from deltacal_gen.units import DEG, to_internal
 

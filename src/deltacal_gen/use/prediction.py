@@ -22,9 +22,10 @@ from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.rotation import from_vector, to_vector
 from deltacal_gen.machine.values import Measurement, Recording
-from deltacal_gen.physics.body import Deformed, reading_shift
+from deltacal_gen.physics.body import Deformed
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.ranges import outside
+from deltacal_gen.physics.reading import reading_shift
 from deltacal_gen.physics.terms import Term, of_reading, term_of
 from deltacal_gen.results.diagnosis import Diagnosis, SmoothCorrection
 from deltacal_gen.results.parts import MachineState

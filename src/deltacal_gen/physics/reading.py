@@ -1,0 +1,52 @@
+"""Effects on the reading: what they add to what an instrument would read of the deformed machine."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from deltacal_gen.instrument.readings import Readings
+from deltacal_gen.machine.registry import Array
+from deltacal_gen.physics.body import Body, states_read
+from deltacal_gen.physics.terms import Term
+
+
+def reading_shift(terms: Sequence[Term], body: Body, found: Readings, values: Array, x: Array) -> tuple[Array, Array]:
+    """Return what effects on the reading add to predicted readings (R, k), and the derivatives (R, k, n_c).
+
+    Parameters
+    ----------
+    found : Readings
+        Which rows of the recording, and what of them.
+    values : (R, k) array
+        Readings as predicted without these effects.
+    x : (N, 12) array
+        Poses of the machine.
+    """
+    R, k = values.shape
+    added, parts = np.zeros((R, k)), []
+    columns, rows = found.kind.targets, found.rows[:, 0]
+    for term in terms:
+        kernels = term.kernels
+        own = np.zeros((R, k, term.n_coefficients))
+        on = [(j, columns[t]) for j, t in enumerate(kernels.TARGETS) if t in columns]
+        if on and kernels.ACTS_ON == "reading":
+            # a column that this kind of reading does not have is read by no target that acts here
+            state = dict.fromkeys(("y_x", "y_y", "y_z", "y_length"), np.zeros(R))
+            state |= {f"y_{t.rpartition('.')[2]}": values[:, c] for t, c in columns.items()}
+            machine = body.state(states_read([term]), x, body.q, np.zeros((0, 0, 0)))  # no parameter is read
+            state |= {name: (v if v.ndim == 1 else v.mean(axis=1))[rows] for name, v in machine.items()}
+            state |= {s.name: body.since(term, s)[rows] for s in term.states if s.by}
+            if set(kernels.STATE) <= state.keys():
+                s = np.column_stack([state[n] for n in kernels.STATE]) if kernels.STATE else np.zeros((R, 0))
+                s = np.column_stack([s, body.session[rows]]) if term.gaps else s
+                value, D = (
+                    kernels.value(s, term.values, term.constants),
+                    kernels.jacobian(s, term.values, term.constants),
+                )
+                for j, column in on:
+                    added[:, column] += value[:, j]
+                    own[:, column] += D[:, j]
+        parts.append(own)
+    return added, np.concatenate(parts, axis=2) if parts else np.zeros((R, k, 0))
