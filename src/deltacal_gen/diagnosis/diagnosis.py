@@ -152,13 +152,14 @@ def diagnose(
     first = fit(some, Prior(), errors=start.errors, instrument=start.instrument, drop_gross=False, must_converge=False)
     terms, not_tested = library(some) if not lean else ([], _untested(problem))
     found = white = searched(some, first, terms, lean, progress)
-    if not lean and (calm := together(first)) is not None:
+    if (calm := None if lean else together(first)) is not None:
         progress("noise that hangs together")
         again = fit(some, Prior(), errors=first.errors, instrument=first.instrument, repeats=calm, must_converge=False)
         if deviance_of(again) < deviance(found):  # noise alone explains more than all that was named
             other = searched(some, again, terms, lean, progress)
             if deviance(other) < deviance(found):
                 first, found = again, other
+    if calm is not None or (found.search.effects and not lean):
         found = beside_noise(found, lean)
     some, search, left, unexplained = found.problem, found.search, found.left, found.unexplained
     spectrum, parts = found.spectrum, found.parts
@@ -178,7 +179,7 @@ def diagnose(
     if [form(t) for t in terms_of(current)] != [form(t) for t in terms_of(search.fit)]:  # all readings refute some
         search = Search(refitted(some, search.fit, terms_of(current)) or search.fit, search.terms)
     if not (current.problem.terms or current.problem.held):  # no physics that geometry could imitate
-        calm = current.repeats if current.repeats.series is not None else None
+        calm = None if current.repeats.plain else current.repeats
         current = fit(
             alone,
             Prior(),

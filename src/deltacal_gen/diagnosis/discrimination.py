@@ -236,6 +236,8 @@ def _columns(
     if taken:
         both *= (np.sqrt(at.weights)[:, None] * np.sqrt(1 + at.repeats.ratio))[..., None]
         both = at.repeats.whiten(np.where(np.isfinite(state.residual)[..., None], both, 0.0), at.weights)
+    else:
+        both = at.repeats.levelled(both)
     return both[..., : base.shape[2]], both[..., base.shape[2] :]
 
 

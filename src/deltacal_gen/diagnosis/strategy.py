@@ -329,12 +329,12 @@ def refitted(
 
 
 def _correlated(at: Fit, problem: Problem) -> Repeats | None:
-    """Return the correlation of rows that a fit counts with, for other readings; None where it knows none."""
-    known, own = at.repeats.series, Series.of(problem.readings)
-    if known is None or own is None:
+    """Return how the noise of other readings hangs together, as a fit counts with it; None where it knows nothing."""
+    known, own = at.repeats, Series.of(problem.readings)
+    if known.plain or own is None:
         return None
-    series = dataclasses.replace(own, rho=known.rho, own=known.own)
-    return dataclasses.replace(at.repeats, group=problem.readings.group, series=series)
+    series = known.series and dataclasses.replace(own, rho=known.series.rho, own=known.series.own)
+    return dataclasses.replace(known, group=problem.readings.group, series=series)
 
 
 def _revised(problem: Problem, search: Search) -> Search:

@@ -86,7 +86,7 @@ class Fit:
     @property
     def gross(self) -> np.ndarray:
         """Readings (indices) so far off that they are gross errors, not noise."""
-        size = np.nanmax(np.abs(self.residual) / self.sigma, axis=1)
+        size = np.nanmax(np.abs(self.repeats.levelled(self.residual)) / self.sigma, axis=1)
         return np.flatnonzero(size > GROSS)
 
     def rms(self) -> float:
@@ -175,23 +175,18 @@ class _Rows:
         """Estimate noise and weights from residuals (R, k); what repeats share once, when the fit is close."""
         self.sigma = self._noise(residual)
         drop = self._found.kind if self._drop_gross and iteration > close else None
-        self.weights = robust_weights(residual, self.sigma, drop) if self._robust else np.ones(len(residual))
+        levelled = self.shared.levelled(residual)
+        self.weights = robust_weights(levelled, self.sigma, drop) if self._robust else np.ones(len(residual))
         if not self.weights.all():  # what has no weight in the fit has none in its noise
             self.sigma = self._noise(residual, self.weights > 0)
         if self.estimated and iteration == close:
             quiet = robust_weights(residual, self.sigma, self._found.kind) > 0  # gross errors say nothing of poses
             self.shared = shared_by_repeats(self._found, residual, quiet, self._degrees, self._leverage)
 
-    def _freed(self, residual: Array) -> Array:
-        """Return residuals (R, k) freed of what rows before tell: what of noise that fades a fit took shows there."""
-        if self.shared.series is None:
-            return residual
-        return np.where(np.isfinite(residual), self.shared.series.freed(np.nan_to_num(residual)), np.nan)
-
     def _noise(self, residual: Array, quiet: np.ndarray | None = None) -> Array:
         if self._known is not None:
             return np.full(residual.shape[1], self._known)
-        freed = self._freed(residual)
+        freed = self.shared.freed(residual)
         return robust_sigma(freed if quiet is None else freed[quiet], self._leverage, self._robust, self._found)
 
     def used(self, A: Array, Q: Array, solution: Solution, read: np.ndarray) -> None:

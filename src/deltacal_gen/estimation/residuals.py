@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import dataclasses
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
+from deltacal_gen.estimation.directions import levelling
 from deltacal_gen.estimation.series import Series
 from deltacal_gen.instrument.kind import Kind
 from deltacal_gen.instrument.readings import Readings
@@ -29,12 +32,23 @@ class Repeats:
     random-effects model). The noise of a single reading is ``1 + ratio``; rows come divided by the part within.
     `ratio` is a number, or one for each component of a reading: positions may be aimed anew where rotations are not.
 
-    Noise may hang together in time, too: `series` says how, and in which order readings were taken.
+    Noise may hang together in time, too: `series` says how, and in which order readings were taken. Where it is not
+    alike in all directions, `shape` (k, k) is its covariance in units of the mean variance.
     """
 
     group: np.ndarray
     ratio: float | Array = 0.0
     series: Series | None = None
+    shape: Array | None = None
+
+    @property
+    def plain(self) -> bool:
+        """Whether the noise of each row is its own, and alike in all directions."""
+        return self.series is None and self.shape is None
+
+    def as_plain(self) -> Repeats:
+        """Return what repeats share alone."""
+        return self if self.plain else dataclasses.replace(self, series=None, shape=None)
 
     @property
     def rows(self) -> float:
@@ -42,9 +56,29 @@ class Repeats:
         return 1.0 if self.series is None else self.series.rows
 
     def whiten(self, values: Array, weights: Array | None = None) -> Array:
-        """Return rows (R, ...), of components (R, k, ...), with all that they share taken off; `weights` (R,)."""
-        apart = self._apart(values, np.ones(len(values)) if weights is None else weights)
+        """Return rows (R, k, ...) with all that they share taken off, alike in all directions; `weights` (R,)."""
+        apart = self._apart(self.levelled(values), np.ones(len(values)) if weights is None else weights)
         return apart if self.series is None else self.series.freed(apart)
+
+    def levelled(self, values: Array) -> Array:
+        """Return rows (R, k, ...) whose noise is alike in all directions."""
+        if self._level is None:
+            return values
+        return np.einsum("ij,rj...->ri...", self._level, values)
+
+    def freed(self, residual: Array) -> Array:
+        """Return residuals (R, k), NaN where nothing was read, as noise that each row has of its own would leave them.
+
+        What of noise that fades a fit took shows in them.
+        """
+        levelled = self.levelled(residual)
+        if self.series is None:
+            return levelled
+        return np.where(np.isfinite(levelled), self.series.freed(np.nan_to_num(levelled)), np.nan)
+
+    @cached_property
+    def _level(self) -> Array | None:
+        return None if self.shape is None else levelling(self.shape)
 
     def _apart(self, values: Array, weights: Array) -> Array:
         if not np.any(self.ratio):

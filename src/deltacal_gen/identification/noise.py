@@ -117,12 +117,30 @@ def _known(final: Fit, recording: Recording) -> Noise:
 
 def noise_model(final: Fit, known: Noise) -> NoiseModel:
     """Return how the noise of rows hangs together that a fit counts with, and whether rounding is in it."""
-    series, rounded = final.repeats.series, f"; {known.rounded}" if known.rounded else ""
-    if series is None:
-        return NoiseModel(rho=0.0, rows=1.0, own=1.0, text=f"each row has noise of its own{rounded}")
-    words = f"the noise hangs together over {series.rows:.0f} rows (correlation {series.rho:.2f} from row to row"
-    words += f", beside {series.own:.0%} of its variance that is each row's own)" if series.own else ")"
-    return NoiseModel(rho=series.rho, rows=series.rows, own=series.own, text=words + rounded)
+    series, shape = final.repeats.series, final.repeats.shape
+    words, rho, rows, own = "each row has noise of its own", 0.0, 1.0, 1.0
+    if series is not None:
+        rho, rows, own = series.rho, series.rows, series.own
+        words = f"the noise hangs together over {rows:.0f} rows (correlation {rho:.2f} from row to row"
+        words += f", beside {own:.0%} of its variance that is each row's own)" if own else ")"
+    columns = None if shape is None else tuple(np.sqrt(np.diag(shape)).tolist())
+    words += "" if shape is None else f"; {_directed(shape)}"
+    words += f"; {known.rounded}" if known.rounded else ""
+    return NoiseModel(rho=rho, rows=rows, own=own, columns=columns, text=words)
+
+
+def _directed(shape: Array) -> str:
+    """Return along which axis of its frame an instrument is least sure, and how much surer along another."""
+    variances, axes = np.linalg.eigh(shape)
+    least, most = axes[:, 0], axes[:, -1]
+    along, across = ("({})".format(", ".join(f"{v:.1f}" for v in _upright(axis))) for axis in (most, least))
+    return f"along {along} of what is read it is {np.sqrt(variances[-1] / variances[0]):.1f} times that along {across}"
+
+
+def _upright(axis: Array) -> Array:
+    """Return an axis with its largest component positive, none of them -0."""
+    turned: Array = axis * np.sign(axis[np.argmax(np.abs(axis))])
+    return np.round(turned, 1) + 0.0
 
 
 def _repeats(found: Readings, recording: Recording) -> np.ndarray:
@@ -192,9 +210,7 @@ def _excess(final: Fit, known: Noise) -> tuple[float, float]:
     Where noise hangs together the fit has taken much of it: the rows are looked at freed of what those before tell.
     """
     problem, series = final.problem, final.repeats.series
-    z = final.residual / final.sigma
-    if series is not None:
-        z = np.where(np.isfinite(z), series.freed(np.nan_to_num(z)), np.nan)
+    z = final.repeats.freed(final.residual / final.sigma)
     r = np.delete(lengths(z, problem.readings.kind) * final.sigma[0], final.gross, axis=0)
     r = r[np.isfinite(r)] / (np.sqrt(2.0) if problem.readings.made else 1.0)
     free = max(len(r) - final.solution.degrees - final.instrument.n_unknown, 1.0)

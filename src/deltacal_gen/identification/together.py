@@ -1,4 +1,4 @@
-"""How the noise of rows hangs together, as what a fit leaves tells."""
+"""How the noise of rows and directions hangs together, as what a fit leaves tells."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import dataclasses
 
 import numpy as np
 
+from deltacal_gen.estimation.directions import price_of, shape_of
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.residuals import GROSS, HUBER, Repeats
 from deltacal_gen.estimation.series import Series, Taken
@@ -16,19 +17,16 @@ MANY = 40  # scalars for each that is fitted: beyond, what the fit took of the n
 
 
 def together(at: Fit) -> Repeats | None:
-    """Return noise that hangs together from row to row, where what a fit leaves looks like it; None where not.
+    """Return noise that hangs together from row to row, or is not alike in all directions, as what a fit leaves is.
 
-    Physics that was left out hangs together too, where neighbouring rows are neighbouring poses or times: which of the
-    two it is, a comparison of both tells.
+    None where it is neither. Physics that was left out looks like it too, where neighbouring rows are neighbouring
+    poses or times, and where it moves readings along one axis: which of the two it is, a comparison of both tells.
     """
     series = Series.of(at.problem.readings)
     if series is None or len(series.order) < 2:
         return None
-    z, taken = _rows(at, at.residual), _taken(at, len(at.problem.scale))
-    found, deviance = series.likeliest(z, taken)
-    if series.deviance(z, taken) - deviance < PROVEN:
-        return None
-    return dataclasses.replace(at.repeats, series=found)
+    found, _ = _suited(at, series, len(at.problem.scale))
+    return None if found.plain else found
 
 
 def deviance_of(at: Fit) -> float:
@@ -36,13 +34,50 @@ def deviance_of(at: Fit) -> float:
 
     The noise is the one that suits best what it leaves: one that leaves white noise needs none that hangs together.
     Geometry and instrument are taken out whatever the effects: the likelihood is that of the same contrasts for all.
-    Noise that hangs together pays what proves it, beside an effect or instead of it.
+    Noise that hangs together pays what proves it, beside an effect or instead of it; so does one that has directions.
     """
     series = Series.of(at.problem.readings)
     assert series is not None  # otherwise nothing is compared
-    z, taken = _rows(at, at.residual), _taken(at, len(at.problem.names))
-    found = min(series.deviance(z, taken), series.likeliest(z, taken)[1] + PROVEN)
+    _, found = _suited(at, series, len(at.problem.names))
     return found + 2 * float((np.log(at.sigma) * np.isfinite(at.residual).sum(axis=0)).sum())
+
+
+def _suited(at: Fit, series: Series, count: int) -> tuple[Repeats, float]:
+    """Return the noise that suits what a fit leaves best, and its deviance with what it pays.
+
+    `count` parameters, and the instrument, are taken out.
+    """
+    z, taken = _rows(at, at.residual), _taken(at, count)
+    best, cost = _along(at.repeats.as_plain(), series, z, taken)
+    shape = _shape(at, z if best.series is None else best.series.freed(z))
+    if shape is None:
+        return best, cost
+    has = dataclasses.replace(best, series=None, shape=shape)
+    level = has.levelled
+    other, less = _along(has, series, level(z), taken and Taken(level(taken.known), taken.toward, level(taken.free)))
+    less += len(z) * float(np.linalg.slogdet(shape)[1]) + price_of(shape)
+    return (other, less) if less < cost else (best, cost)
+
+
+def _along(has: Repeats, series: Series, z: Array, taken: Taken | None) -> tuple[Repeats, float]:
+    """Return noise as it hangs together from row to row, where that is proven, and its deviance with its price."""
+    alone = series.deviance(z, taken)
+    found, deviance = series.likeliest(z, taken)
+    if alone - deviance < PROVEN:
+        return has, alone
+    return dataclasses.replace(has, series=found), deviance + PROVEN
+
+
+def _shape(at: Fit, z: Array) -> Array | None:
+    """Return how noise differs between directions, of lengths and of rotations; None where it does not."""
+    if not np.isfinite(at.residual).all():
+        return None
+    groups, shape = at.problem.readings.kind.noise_groups(z.shape[1]), np.eye(z.shape[1])
+    for group in np.unique(groups):
+        own = np.flatnonzero(groups == group)
+        if (found := shape_of(z[:, own])) is not None:
+            shape[np.ix_(own, own)] = found
+    return None if (shape == np.eye(len(shape))).all() else shape
 
 
 def _taken(at: Fit, count: int) -> Taken | None:

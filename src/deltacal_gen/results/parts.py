@@ -168,4 +168,6 @@ class NoiseModel(Value):
     """So many rows tell as much as one whose noise is its own."""
     own: float
     """Part of the variance that is each row's own, beside what fades."""
+    columns: tuple[float, ...] | None = None
+    """Standard deviation of each component of a reading, in units of all together; null where they are alike."""
     text: str

@@ -109,7 +109,7 @@ def laws(found: Outcome, progress: Callable[[str], None]) -> Sought:
     if not (found.unexplained or (names and stands_out(Ground(at)))):
         return Sought()
     # rows that hang together are the law's doing, where there is one; its price is compared with theirs
-    white = dataclasses.replace(at, repeats=dataclasses.replace(at.repeats, series=None))
+    white = dataclasses.replace(at, repeats=at.repeats.as_plain())
     out = Sought()
     for terms in ([], names) if names else ([],):
         try:

@@ -1,0 +1,60 @@
+"""Noise that is not alike in all directions: an instrument that knows how far better than where to.
+
+Its shape is Tyler's (1987, Ann. Statist. 15, 234-251): of each reading only the direction counts, which tails and gross
+errors do not change. Whether directions differ at all, the likelihood of directions alone tells; noise of any tails
+that knows none exceeds its bound as seldom.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from deltacal_gen.machine.registry import Array
+
+CHANCE = 1e-3  # that noise alike in all directions is called otherwise
+FEWEST = 5  # readings for each number that a shape has
+ROUNDS, SETTLED = 100, 1e-6  # of the fixed point, and what of the shape may still move
+
+
+def shape_of(z: Array) -> Array | None:
+    """Return the covariance (k, k) of readings (R, k) whose components are zero on average, of mean variance 1.
+
+    None where they are as likely to be alike in all directions, or too few.
+    """
+    z = z[(z**2).sum(axis=1) > 0]
+    n, k = z.shape
+    if k < 2 or n < FEWEST * _numbers(k):
+        return None
+    shape = np.eye(k)
+    for _ in range(ROUNDS):
+        before = shape
+        shape = (z / _squares(z, shape)[:, None]).T @ z
+        shape *= k / np.trace(shape)
+        if np.abs(shape - before).max() < SETTLED:
+            break
+    explained = k * np.log(_squares(z, np.eye(k)) / _squares(z, shape)).sum() - n * np.linalg.slogdet(shape)[1]
+    return shape if explained > price_of(shape) else None
+
+
+def price_of(shape: Array) -> float:
+    """Return what a shape (k, k) must explain, in the deviance."""
+    from scipy.special import chdtri
+
+    return float(chdtri(_numbers(len(shape)), CHANCE))
+
+
+def _numbers(k: int) -> int:
+    return k * (k + 1) // 2 - 1
+
+
+def levelling(shape: Array) -> Array:
+    """Return the symmetric matrix (k, k) that makes noise of a shape alike in all directions."""
+    variances, axes = np.linalg.eigh(shape)
+    level: Array = (axes / np.sqrt(variances)) @ axes.T
+    return level
+
+
+def _squares(z: Array, shape: Array) -> Array:
+    """Return the squares (R,) of readings in units of their noise, but for its size."""
+    squares: Array = np.einsum("ri,ri->r", z, np.linalg.solve(shape, z.T).T)
+    return squares
