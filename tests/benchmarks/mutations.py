@@ -6,8 +6,9 @@ that change no value of what the file describes, at two random points. The rest 
 an author who made that mistake: verdicts on the papers are decided, kernels derived anew, tests run, the nearest ones
 first. A mistake is noticed where one of them turns red; the first one that does is written down.
 
-It works in a worktree of its own (``--folder``), which it makes from the committed state. Mistakes of the seed that the
-table has already are not tried again, and ``--minutes M`` ends a sitting.
+It works in a worktree of its own (``--folder``), which it makes from the committed state. The order in which a seed
+draws depends on each mistake alone, so that it stays the same when other files change: a sitting (``--minutes M``) goes
+on behind the seed's last row of the table. A test that does not end in time has noticed nothing.
 """
 
 from __future__ import annotations
@@ -15,12 +16,14 @@ from __future__ import annotations
 import argparse
 import ast
 import csv
+import hashlib
 import json
 import os
 import random
 import subprocess
 import sys
 import time
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, is_dataclass
 from pathlib import Path
@@ -29,7 +32,8 @@ from typing import Any
 ROOT = Path(__file__).resolve().parents[2]
 FILES = ("derive/mechanisms/*.py", "derive/effects/*.py", "derive/measurements/*.py", "derive/statics.py")
 TABLE = Path(__file__).parent / "mutations.csv"
-COUNT, LIMIT = 40, 240  # mutants of a seed; seconds of a stage
+COUNT, LIMIT = 40, 480  # mutants of a seed; seconds of a stage
+NOTHING_CHOSEN, TOO_SLOW = 5, 124  # exit codes, of pytest and of here
 
 # what is said of a thing rather than what it does: no kernel reads it
 SAID = {
@@ -222,14 +226,14 @@ class Bench:
         path.write_bytes(text[: mistake.start] + mistake.after.encode() + text[mistake.end :])
 
     def run(self, *arguments: str) -> tuple[int, str]:
-        """Run Python in the worktree; return the exit code, 124 after `LIMIT` seconds, and the end of what it said."""
+        """Run Python in the worktree; return the exit code, `TOO_SLOW` after `LIMIT` seconds, and what it said."""
         try:
             done = subprocess.run(
                 [sys.executable, *arguments], cwd=self.folder, env=self.environment, capture_output=True, text=True,
                 timeout=LIMIT,
             )  # fmt: skip
         except subprocess.TimeoutExpired:
-            return 124, ""
+            return TOO_SLOW, ""
         return done.returncode, (done.stdout + done.stderr)
 
     def described(self, file: str) -> tuple[int, str]:
@@ -245,36 +249,54 @@ class Bench:
         if chosen:
             code, said = self.pytest("tests/test_papers.py", "-k", f"committed and ({chosen})")
             if code:
-                return said or "verdicts on the papers"
+                return said
         code, said = self.run("-m", "derive", *RELATED.get(name, (name,)))
-        if code:
+        if code not in (0, TOO_SLOW):
             return f"refused: {_last(said)}"
         for test in (*NEAREST.get(name, ()), *BY_KIND[kind]):
             code, said = self.pytest(f"tests/{test}.py")
             if code:
-                return said or f"tests/{test}.py"  # or too slow to end
+                return said
         return ""
 
     def pytest(self, *arguments: str) -> tuple[int, str]:
         """Run tests until one fails; return the exit code and its name."""
         code, said = self.run("-m", "pytest", "-x", "-q", "-n0", "-p", "no:cacheprovider", *arguments)
         failed = [line.split(" ")[1] for line in said.splitlines() if line.startswith(("FAILED", "ERROR"))]
-        return (0, "") if code == 5 else (code, failed[0] if failed else "")
+        return (0, "") if code in (NOTHING_CHOSEN, TOO_SLOW) else (code, failed[0] if failed else arguments[0])
 
 
 def _last(said: str) -> str:
     return (said.strip().splitlines() or [""])[-1][:90]
 
 
-def trial(bench: Bench, seed: int, count: int, had: int = 0) -> Iterator[tuple[Mistake, str]]:
-    """Yield the mistakes of a seed after the first `had`, with what notices each; what changes nothing is none."""
-    every = mistakes(bench.folder)
-    random.Random(seed).shuffle(every)
+def drawn(seed: int, every: Sequence[Mistake]) -> list[Mistake]:
+    """Return mistakes in the order of a seed: by a hash of each one, which knows nothing of the others."""
+    alike: Counter[tuple[str, ...]] = Counter()
+    keys = {}
+    for mistake in every:
+        what = (mistake.kind, mistake.file, mistake.before, mistake.after)
+        alike[what] += 1
+        keys[mistake] = hashlib.sha256(repr((seed, *what, alike[what])).encode()).hexdigest()
+    return sorted(every, key=keys.__getitem__)
+
+
+def row(seed: int, mistake: Mistake) -> list[str]:
+    """Return a mistake as the table holds it, without what notices it."""
+    before, after = (" ".join(t.split()) for t in (mistake.before, mistake.after))
+    return [str(seed), mistake.kind, mistake.file, str(mistake.line), before, after]
+
+
+def trial(bench: Bench, seed: int, count: int, last: Sequence[str] = ()) -> Iterator[tuple[Mistake, str]]:
+    """Yield `count` mistakes of a seed behind a row, with what notices each; what changes nothing is none."""
+    bench.clean()
+    every = drawn(seed, mistakes(bench.folder))
+    begin = next((n + 1 for n, m in enumerate(every) if row(seed, m) == list(last)), 0)
     right: dict[str, str] = {}
     done = 0
-    for mistake in every:
+    for mistake in every[begin:]:
         if done == count:
-            return
+            break
         bench.clean()
         if mistake.file not in right:
             right[mistake.file] = bench.described(mistake.file)[1]
@@ -283,8 +305,6 @@ def trial(bench: Bench, seed: int, count: int, had: int = 0) -> Iterator[tuple[M
         if not code and now == right[mistake.file]:
             continue
         done += 1
-        if done <= had:
-            continue
         yield mistake, f"refused: {_last(now)}" if code else bench.noticed(mistake)
     bench.clean()
 
@@ -306,13 +326,12 @@ def main(arguments: Sequence[str]) -> int:
         table = csv.writer(file, lineterminator="\n")
         if new:
             table.writerow(["seed", "kind", "file", "line", "before", "after", "noticed by"])
-        for mistake, by in trial(bench, asked.seed, asked.count, len(had)):
+        for mistake, by in trial(bench, asked.seed, asked.count - len(had), had[-1][:-1] if had else ()):
             tried, unnoticed = tried + 1, unnoticed + (not by)
-            before, after = (" ".join(t.split()) for t in (mistake.before, mistake.after))
-            row = [asked.seed, mistake.kind, mistake.file, mistake.line, before, after, by or "nothing"]
-            table.writerow(row)
+            told = [*row(asked.seed, mistake), by or "nothing"]
+            table.writerow(told)
             file.flush()
-            print(tried, *row, sep=" | ", flush=True)
+            print(tried, *told, sep=" | ", flush=True)
             if time.monotonic() > end:
                 break
     print(f"{tried - unnoticed} of {tried} noticed")
