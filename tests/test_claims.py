@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import json
+import subprocess
 import sys
 from collections import Counter
 from functools import cache
@@ -208,16 +209,43 @@ def test_what_does_not_exist_is_refused() -> None:
         claims(status="true")
 
 
-def test_every_deciding_test_has_an_outcome_a_day_and_the_hash_of_its_sources() -> None:
+def test_every_deciding_test_has_an_outcome_a_day_figures_and_the_hash_of_its_sources() -> None:
     tests = {c.test for name in ledger.paper_names() for c in ledger.load_paper(name).claims}
     ended = ledger.decided()
     assert ended.keys() == tests, "run python -m tests.decided"
-    assert {end["outcome"] for end in ended.values()} == {"passed"}
-    assert all(len(end["sources"]) == 64 and len(end["date"]) == 10 for end in ended.values())
-    claim = ledger.load_paper("bai").claims[0]
+    assert {end.outcome for end in ended.values()} == {"passed"}
+    assert all(len(end.sources) == 64 and len(end.date) == 10 and end.figures for end in ended.values())
+    claim = next(c for c in ledger.load_paper("mei").claims if c.where == "Table 1")
     end = ended[claim.test]
-    page = " ".join(ledger.page({"bai": "Bai"}, [claim]).split())
-    assert f'<b class="passed">passed</b> {end["date"]}, sources <code title="{end["sources"]}">' in page
+    page = " ".join(ledger.page({"mei": "Mei"}, [claim]).split())
+    assert f'<b class="passed">passed</b> {end.date}, sources <code title="{end.sources}">' in page
+    assert f"<b>{end.figures[0].found}</b>" in page
+    assert float(end.figures[0].found.split(" == ")[0]) == pytest.approx(475.34, abs=0.005)
+
+
+def test_the_figures_of_a_test_are_what_pytest_compared(tmp_path: Path) -> None:
+    """Run apart: pytest within pytest would compile and capture for both."""
+    file = tmp_path / "test_some.py"
+    file.write_text(
+        "import numpy as np, pytest\n"
+        "@pytest.mark.parametrize('x', [1.25, 3.0])\n"
+        "def test_it(x):\n"
+        "    assert np.sqrt(x) < 2  # a comment\n"
+        "    assert np.allclose([x, 1.0], [x, 1.0 + 1e-7], atol=1e-6)\n"
+        "    assert isinstance(x, float)\n"
+        "    assert np.sqrt(2) == pytest.approx(1.41, abs=0.01)\n"
+    )
+    script = (
+        f"from tests import decided; f = decided.decide([{str(file)!r}]).figures; print(f({'test_some.py::test_it'!r}))"
+    )
+    done = subprocess.run([sys.executable, "-c", script], cwd=ROOT, capture_output=True, text=True, check=True)
+    told = ast.literal_eval(done.stdout.splitlines()[-1])
+    assert {figure["asserted"]: figure["found"] for figure in told} == {
+        "np.sqrt(x) < 2": "1.11803 to 1.73205 < 2",
+        "np.allclose([x, 1.0], [x, 1.0 + 1e-07], atol=1e-06)": "1e-07 <= 1.1e-05",
+        "isinstance(x, float)": "",
+        "np.sqrt(2) == pytest.approx(1.41, abs=0.01)": "1.41421 == 1.41 ± 0.01",
+    }
 
 
 def test_the_hash_of_sources_is_of_what_is_derived_and_of_the_test(tmp_path: Path) -> None:

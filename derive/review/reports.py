@@ -384,9 +384,16 @@ def _claims(reference: str) -> dict[str, Any] | None:
     author = reference.split(",")[0].split(" ")[0].lower()
     if author not in ledger.paper_names():
         return None
-    paper = ledger.load_paper(author)
+    paper, ended = ledger.load_paper(author), ledger.decided()
+    files = {c.test.partition("::")[0] for c in paper.claims}
+    now = {file: ledger.sources(ROOT, file) for file in files}
     claims = [
-        {**c.model_dump(), "sides": {key: _said(notation.read(getattr(c, key))) for key in ("printed", "correct")}}
+        {
+            **c.model_dump(),
+            "sides": {key: _said(notation.read(getattr(c, key))) for key in ("printed", "correct")},
+            "ended": ended.get(c.test),
+            "with_these": c.test in ended and ended[c.test].sources == now[c.test.partition("::")[0]],
+        }
         for c in paper.claims
     ]
     return {

@@ -156,11 +156,41 @@ def derived(of: Path | None = None) -> dict[str, dict[str, dict[str, str]]]:
     return found
 
 
-def decided(of: Path | None = None) -> dict[str, dict[str, str]]:
-    """Return how the deciding tests ended when they last ran: test, then outcome, date and hash of the sources."""
+class Figure(Table):
+    """An assertion of a deciding test, and what stood on its two sides; empty where it is but true, as of symbols."""
+
+    asserted: str
+    found: str
+
+
+class Ended(Table):
+    """How a deciding test ended when it last ran.
+
+    Parameters
+    ----------
+    outcome, date : str
+        As pytest calls it, and the day.
+    sources : str
+        Hash of what it was decided with, `sources`.
+    figures : tuple of Figure
+        What it measured.
+    """
+
+    outcome: str
+    date: str
+    sources: str
+    figures: tuple[Figure, ...]
+
+    def measured(self, most: int) -> list[str]:
+        """Return the first figures as lines of text."""
+        return [f"{f.asserted}: {f.found}" for f in self.figures if f.found][:most]
+
+
+def decided(of: Path | None = None) -> dict[str, Ended]:
+    """Return how the deciding tests ended when they last ran, by their names."""
     file = (of or folder()) / "decided.json"
-    found: dict[str, dict[str, str]] = json.loads(file.read_text("utf-8")) if file.exists() else {}
-    return found
+    found: dict[str, Any] = json.loads(file.read_text("utf-8")) if file.exists() else {}
+    return {test: Ended.model_validate(end) for test, end in found.items()}
 
 
 def sources(root: Path, test: str) -> str:

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 from rich.table import Table
 
 from deltacal_gen.app.cli.common import Json, escaped, print_json, progress, screen
 from deltacal_gen.results.registered import ClaimEntry
+
+if TYPE_CHECKING:
+    from deltacal_gen.pages.ledger import Ended
+
+FIGURES = 3  # of a deciding test, as many as a block of text has; the page has all
 
 
 def kernels(
@@ -132,10 +137,11 @@ def claims(
         print_json(found)
         return
     papers = {name: [c for c in found if c.paper == name] for name in dict.fromkeys(c.paper for c in found)}
+    ended = ledger.decided()
     for name, entries in papers.items() if output is None else ():
         screen.print(f"[bold]{escaped(ledger.load_paper(name).title)}[/bold]\n")
         for c in entries:
-            screen.print(_claim(c))
+            screen.print(_claim(c, ended.get(c.test)))
     if output is not None:
         screen.print(f"{len(found)} claims in {output}")
     counts = Table("status", *papers, box=None, padding=(0, 2))
@@ -145,7 +151,7 @@ def claims(
     screen.print(counts)
 
 
-def _claim(c: ClaimEntry) -> Table:
+def _claim(c: ClaimEntry, end: Ended | None) -> Table:
     """Return a claim as a block: where it stands and what became of it, then line by line what is said of it."""
     block = Table.grid(padding=(0, 1))
     block.add_column(no_wrap=True, style="dim")
@@ -160,7 +166,11 @@ def _claim(c: ClaimEntry) -> Table:
         "derived": c.decided or "no: typed, and decided by its test",
         "test": c.test,
     }
+    if end is not None:
+        lines["ended"] = f"{end.outcome} {end.date}, sources {end.sources[:12]}"
+        lines["measured"] = "\n".join(end.measured(FIGURES))
     for head, line in lines.items():
-        block.add_row(head, escaped(line))
+        if line:
+            block.add_row(head, escaped(line))
     block.add_row("", "")
     return block
