@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 
 from deltacal_gen.app.demonstration import example
-from deltacal_gen.files.robot import Robot, read_robot
+from deltacal_gen.files.recording import read_recording
+from deltacal_gen.files.robot import Masses, Robot, read_robot
 from deltacal_gen.instrument.kinds import kind_of
-from deltacal_gen.machine.registry import Array, load_mechanism
+from deltacal_gen.machine.registry import Array, Machine, load_mechanism
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.reading import reading_shift
@@ -162,17 +163,51 @@ def test_an_effect_without_its_channel_says_what_is_missing(body: Body, robot: R
     assert massless.missing("joint_scale") is None
 
 
-def test_inertia_of_a_lone_arm_is_its_moment_of_inertia_times_acceleration(body: Body, robot: Robot) -> None:
-    assert robot.masses is not None
-    only_arms = robot.masses.model_copy(update={"distal_rod": 0.0, "platform": 0.0})
-    lone = dataclasses.replace(robot, errors={}, masses=only_arms)
-    still = body.channels.with_values(qd=np.zeros((N, 3)), payload=np.zeros(N))
-    alone = Body(lone, DELTA, body.q, body.tool, still)
-    x, _ = DELTA.forward(body.q, body.tool, DELTA.rows(lone))
-    torque = alone.state(["inertia_torque"], x, body.q, DELTA.rows(lone))["inertia_torque"]
-    m, L = 1.2, 375.0
-    inertia = m * L**2 / 12 + m * (0.4 * L) ** 2  # kg mm^2, about the joint
-    assert torque == pytest.approx(-inertia * still.values["qdd"] / 1000.0, rel=1e-5, abs=1e-3)
+ARMED = ("complete_delta", "delta", "diamond", "robotennis")  # whose joints turn an arm
+ARM = Masses(proximal=1.2, proximal_com=0.4)
+
+
+def posed(name: str) -> tuple[Machine, Robot, Array, Array]:
+    """Return a mechanism, its example without errors or any mass but its arms', and joints and tool at its poses."""
+    machine = load_mechanism(name)
+    drawn = read_robot(example(machine.machine) / "robot.toml")
+    robot = dataclasses.replace(drawn, mechanism=name, errors={}, masses=ARM)
+    poses = read_recording(example(machine.machine) / "poses.csv", machine, need_measured=False, allow_targets=True)
+    n = len(poses.joints if poses.targets is None else poses.targets)
+    tool = np.zeros((n, 3)) if poses.tool is None else poses.tool
+    if poses.targets is None:
+        return machine, robot, poses.joints, tool
+    q, _, status = machine.inverse(poses.targets, tool, machine.rows(robot))
+    assert (status == 0).all()
+    return machine, robot, q, tool
+
+
+@pytest.mark.parametrize("name", ARMED)
+def test_inertia_of_a_lone_arm_is_its_moment_of_inertia_times_acceleration(name: str) -> None:
+    machine, robot, q, tool = posed(name)
+    rng = np.random.default_rng(4)
+    speeds = {"qd": np.zeros(q.shape), "qdd": rng.uniform(-20, 20, q.shape), "payload": np.zeros(len(q))}
+    alone = Body(robot, machine, q, tool, Channels(speeds, np.arange(len(q), dtype=float)))
+    x, _ = machine.forward(q, tool, machine.rows(robot))
+    torque = alone.state(["inertia_torque"], x, q, machine.rows(robot))["inertia_torque"]
+    m, L = ARM.proximal, machine.roles(robot)["L"]
+    inertia = m * L**2 / 12 + m * (ARM.proximal_com * L) ** 2  # kg mm^2, about the joint
+    assert torque == pytest.approx(-inertia * speeds["qdd"] / 1000.0, rel=1e-5, abs=1e-3)
+
+
+@pytest.mark.parametrize("name", ARMED)
+def test_a_tip_that_gives_way_across_its_arm_moves_what_the_joint_would(name: str) -> None:
+    machine, robot, q, tool = posed(name)
+    rows, much = machine.rows(robot), 1e-3
+    x, _ = machine.forward(q, tool, rows)
+    turns = much / np.broadcast_to(machine.roles(robot)["L"], machine.limbs)
+    for limb in range(machine.limbs):
+        bent, turned = np.array(rows), np.array(q)
+        bent[:, limb, machine.column("tip_v")] += much
+        turned[:, limb] += turns[limb]
+        moved = machine.forward(q, tool, bent)[0] - x
+        assert np.abs(moved).max() > 0.1 * much
+        assert moved == pytest.approx(machine.forward(turned, tool, rows)[0] - x, abs=1e-3 * much)
 
 
 def test_thermometers_of_parts_stand_for_the_machine(robot: Robot) -> None:
