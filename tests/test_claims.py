@@ -10,6 +10,7 @@ from collections import Counter
 from functools import cache
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from deltacal_gen.app import cli
@@ -213,7 +214,7 @@ def test_every_deciding_test_has_an_outcome_a_day_figures_and_the_hash_of_its_so
     tests = {c.test for name in ledger.paper_names() for c in ledger.load_paper(name).claims}
     ended = ledger.decided()
     assert ended.keys() == tests, "run python -m tests.decided"
-    assert {end.outcome for end in ended.values()} == {"passed"}
+    assert {(end.outcome, end.by_project) for end in ended.values()} == {("passed", "passed")}
     assert all(len(end.sources) == 64 and len(end.date) == 10 and end.figures for end in ended.values())
     claim = next(c for c in ledger.load_paper("mei").claims if c.where == "Table 1")
     end = ended[claim.test]
@@ -246,6 +247,39 @@ def test_the_figures_of_a_test_are_what_pytest_compared(tmp_path: Path) -> None:
         "isinstance(x, float)": "",
         "np.sqrt(2) == pytest.approx(1.41, abs=0.01)": "1.41421 == 1.41 ± 0.01",
     }
+
+
+def test_the_projects_machines_stand_where_the_independent_ones_do(monkeypatch: pytest.MonkeyPatch) -> None:
+    from tests.claims import of_the_project as project
+
+    for where, own in project.SWAPS:
+        for name in own:
+            monkeypatch.setattr(where, name, getattr(where, name))  # put back afterwards
+    rng = np.random.default_rng(0)
+    delta = project.savoure.Delta(platform=60.0, tool=(30.0, 20.0, -100.0))
+    at, errors = delta.positions(1)[0], project.savoure.SCALE * rng.standard_normal(51)
+
+    def told() -> list[np.ndarray]:
+        q, p = delta.inverse(at, errors), project.mei.positions(3)
+        own = project.traslosheros.closed(project.traslosheros.CALIBRATED)
+        joints, shift = project.traslosheros.increments(own, project.traslosheros.workspace_points(4, rng.spawn(1)[0]))
+        return [
+            q,
+            delta.forward(q, errors, np.r_[at, 0, 0, 0]),
+            project.mei.forward(project.mei.inverse(p), project.mei.group(1)),
+            project.mei.transfer(p, complete=True),
+            project.bai.sensitivity(project.bai.ring(5, 0.3), np.array([80.0, 30.0, -60.0]))[0],
+            project.traslosheros.observation(own, joints, shift, extra=True),
+        ]
+
+    rng = np.random.default_rng(0)
+    alone = told()
+    project.install()
+    rng = np.random.default_rng(0)
+    for ours, theirs in zip(told(), alone, strict=True):
+        assert ours == pytest.approx(theirs, rel=1e-9, abs=1e-9)
+        assert ours is not theirs
+    assert delta.forward.__func__ is project.savoure_forward
 
 
 def test_the_hash_of_sources_is_of_what_is_derived_and_of_the_test(tmp_path: Path) -> None:

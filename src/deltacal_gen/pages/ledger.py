@@ -168,8 +168,8 @@ class Ended(Table):
 
     Parameters
     ----------
-    outcome, date : str
-        As pytest calls it, and the day.
+    outcome, by_project, date : str
+        As pytest calls it, with machines written from the papers alone and with the project's in their place; the day.
     sources : str
         Hash of what it was decided with, `sources`.
     figures : tuple of Figure
@@ -177,9 +177,15 @@ class Ended(Table):
     """
 
     outcome: str
+    by_project: str
     date: str
     sources: str
     figures: tuple[Figure, ...]
+
+    @property
+    def both(self) -> str:
+        """How it ended, in words."""
+        return self.outcome if self.outcome == self.by_project else f"{self.outcome}, by the project {self.by_project}"
 
     def measured(self, most: int) -> list[str]:
         """Return the first figures as lines of text."""

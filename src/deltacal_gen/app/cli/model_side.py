@@ -167,7 +167,7 @@ def _claim(c: ClaimEntry, end: Ended | None) -> Table:
         "test": c.test,
     }
     if end is not None:
-        lines["ended"] = f"{end.outcome} {end.date}, sources {end.sources[:12]}"
+        lines["ended"] = f"{end.both} {end.date}, sources {end.sources[:12]}"
         lines["measured"] = "\n".join(end.measured(FIGURES))
     for head, line in lines.items():
         if line:
