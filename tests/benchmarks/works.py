@@ -35,7 +35,7 @@ from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot, read_robot, robot_from_dict, robot_to_toml
 from deltacal_gen.identification.accuracy import check_poses, distance_error
 from deltacal_gen.identification.identification import identify
-from deltacal_gen.machine.backend import Backend, using
+from deltacal_gen.machine.backend import JOINTS, Backend, using, working
 from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
 from deltacal_gen.machine.rotation import cayley_matrix, cayley_vector
 from deltacal_gen.machine.values import Measurement, Recording
@@ -497,6 +497,7 @@ def chain_identification(n: int) -> Work:
     read += SIGMA * rng.standard_normal(read.shape)
     recording = dataclasses.replace(recorded(q, [(tool, read)]), tool=None)
 
+    @working("identify", n * mechanism.limbs // JOINTS)  # as every command that fits recordings
     def whole_fit() -> Array:
         problem = pose_problem(robot, recording, ()).with_names(free)
         return fit(problem, LeastSquares(), robust=False, weigh_repeats=False).errors[k]

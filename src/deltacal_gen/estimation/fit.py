@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.estimation.problem import Linearised, Problem
+from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import (
     GROSS,
     Repeats,
@@ -27,6 +27,7 @@ from deltacal_gen.estimation.residuals import (
 )
 from deltacal_gen.estimation.solvers import LeastSquares, Prior, Solution, Solver
 from deltacal_gen.estimation.steps import Linear, State, improved
+from deltacal_gen.estimation.system import System, system, whitened
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Deformed
@@ -189,20 +190,18 @@ class _Rows:
         freed = self.shared.freed(residual)
         return robust_sigma(freed if quiet is None else freed[quiet], self._leverage, self._robust, self._found)
 
-    def used(self, A: Array, Q: Array, solution: Solution, read: np.ndarray) -> None:
+    def used(self, linear: System, solution: Solution, read: np.ndarray) -> None:
         """Note which part of each group's readings a solution has used up."""
-        self._degrees = solution.degrees + Q.shape[1]
+        self._degrees = solution.degrees + linear.n_m
         self._leverage = (
             np.full(len(self._leverage), self._degrees / max(self._found.n_scalars, 1.0))
             if self._found.made
-            else _leverage(A, Q, solution, read, self._found.kind.noise_groups(6))
+            else _leverage(linear, solution, read, self._found.kind.noise_groups(6))
         )
 
     def whitened(self, residual: Array) -> Array:
         """Return residuals (R, k) as `system` weighs them (scalars,), unread components dropped."""
-        read = np.isfinite(residual)
-        rows = np.where(read, residual, 0.0) * np.sqrt(self.weights)[:, None] / self.sigma
-        return self.shared.whiten(rows * np.sqrt(1 + self.shared.ratio), self.weights)[read]
+        return whitened(residual, np.isfinite(residual), self.sigma, self.weights, self.shared)
 
 
 class _Iteration:
@@ -239,7 +238,7 @@ class _Iteration:
             weights=rows.weights,
             sigma=rows.sigma,
             solution=solution,
-            covariance=_joint_covariance(solution, linear.A_p, linear.A_m, problem.scale, noise),
+            covariance=_joint_covariance(solution, linear.system, problem.scale, noise),
             repeats=rows.shared,
             history=history,
         )
@@ -251,19 +250,17 @@ class _Iteration:
         if len(history) < self._close and history and history[-1] < UNSETTLED:
             self._close = len(history)
         rows.weigh(found.residual, len(history), self._close)
-        A_p, A_m, b = system(found, rows.sigma, rows.weights, rows.shared, problem.scale)
+        linear = system(found, rows.sigma, rows.weights, rows.shared, problem.scale)
         # the solver draws towards the reference: it is asked for the whole departure, not for a step
         departure = (at.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
-        Q = np.linalg.qr(A_m)[0] if A_m.shape[1] else np.zeros((len(b), 0))
-        target = b + A_p @ departure
-        A = A_p - Q @ (Q.T @ A_p)
-        solution = self._solver.solve(A, target - Q @ (Q.T @ target), float(rows.sigma[0]))
+        A, b = linear.machine
+        solution = self._solver.solve(A, b + A @ departure, float(rows.sigma[0]), len(linear.b))
         if len(history) == self._close:
             self._solver = self._solver.settled(solution)
-        rows.used(A, Q, solution, np.isfinite(found.residual))
-        weight = self._solver.weight
-        history.append(_gain(solution.u - departure, departure, A_p, Q, b, weight or 0.0))
-        return found.residual, Linear(A_p, A_m, b, departure, weight), solution
+        rows.used(linear, solution, np.isfinite(found.residual))
+        objective = Linear(linear, departure, self._solver.weight)
+        history.append(objective.gain(solution.u - departure))
+        return found.residual, objective, solution
 
     def _arrived(self) -> bool:
         n = len(self._history)
@@ -313,7 +310,7 @@ def held_out_errors(full: Fit, solver: Solver, parts: Sequence[tuple[np.ndarray,
     """
     problem = full.problem
     state = problem.linearise(full.errors, full.instrument, full.machine)
-    A_p, A_m, b = system(state, full.sigma, full.weights, full.repeats, problem.scale)
+    linear = system(state, full.sigma, full.weights, full.repeats, problem.scale)
     read = np.isfinite(state.residual)
     owner = np.repeat(np.arange(len(read)), read.sum(axis=1))
     departure = (full.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
@@ -324,11 +321,11 @@ def held_out_errors(full: Fit, solver: Solver, parts: Sequence[tuple[np.ndarray,
         rows, test = train[owner], test & ~gross
         if not test.any() or rows.sum() <= full.solution.degrees + full.instrument.n_unknown:
             continue
-        Q = np.linalg.qr(A_m[rows])[0]
-        target = b[rows] + A_p[rows] @ departure
-        solution = solver.solve(A_p[rows] - Q @ (Q.T @ A_p[rows]), target - Q @ (Q.T @ target), float(full.sigma[0]))
-        step = solution.u - departure
-        m_step = np.linalg.lstsq(A_m[rows], b[rows] - A_p[rows] @ step, rcond=None)[0]
+        part = linear.subset(rows)
+        A, b = part.machine
+        step = solver.solve(A, b + A @ departure, float(full.sigma[0]), len(part.b)).u - departure
+        R, along = part.instrument
+        m_step = np.linalg.lstsq(R, along[:, -1] - along[:, :-1] @ step, rcond=None)[0]
         moved = state.J_p[test] @ (step * problem.scale) + state.J_m[test] @ m_step
         out[test] = state.residual[test] - moved
     return out
@@ -347,33 +344,18 @@ def _blame(problem: Problem, residual: Array) -> None:
         )
 
 
-def _gain(step: Array, departure: Array, A_p: Array, Q: Array, b: Array, weight: float) -> float:
-    """Return by how much a whole step would lower the objective, were the machine linear."""
-    rest = b - A_p @ step
-    rest, whole = rest - Q @ (Q.T @ rest), departure + step
-    return abs(float(b @ b - rest @ rest + weight * (departure @ departure - whole @ whole)))
-
-
-def _leverage(A: Array, Q: Array, solution: Solution, read: np.ndarray, groups: np.ndarray) -> Array:
+def _leverage(linear: System, solution: Solution, read: np.ndarray, groups: np.ndarray) -> Array:
     """Return the part of each group's readings that the fit uses up (g,): the mean of the hat matrix's diagonal."""
+    if not groups[: read.shape[1]].any():  # of all rows it is the trace
+        return np.array([(solution.degrees + linear.n_m) / max(len(linear.b), 1)])
+    Q = np.linalg.qr(linear.A_m)[0]
+    A = linear.A_p - Q @ (Q.T @ linear.A_p)
     with np.errstate(divide="ignore", invalid="ignore"):
         weight = np.where(solution.factors > 0, np.sqrt(solution.factors) / solution.singular_values, 0.0)
     hat = ((A @ solution.V * weight) ** 2).sum(axis=1) + (Q**2).sum(axis=1)
     own = np.broadcast_to(groups[: read.shape[1]], read.shape)[read]
     parts = (own == group for group in range(groups.max() + 1))
     return np.array([hat[part].mean() if part.any() else 0.0 for part in parts])
-
-
-def system(
-    state: Linearised, sigma: Array, weights: Array, shared: Repeats, scale: Array
-) -> tuple[Array, Array, Array]:
-    """Return A_p, A_m, b: rows divided by the noise, columns multiplied by the scale, unread components dropped."""
-    w = (np.sqrt(weights)[:, None] / sigma * np.sqrt(1 + shared.ratio))[..., None]
-    read = np.isfinite(state.residual)
-    stacked = np.concatenate([state.J_p * scale, state.J_m, state.residual[..., None]], axis=2) * w
-    stacked = shared.whiten(np.where(read[..., None], stacked, 0.0), weights)[read]
-    n = len(scale)
-    return stacked[:, :n], stacked[:, n:-1], stacked[:, -1]
 
 
 def _shared_noise(problem: Problem, weights: Array, x: Array) -> Array | None:
@@ -399,24 +381,24 @@ def _shared_noise(problem: Problem, weights: Array, x: Array) -> Array | None:
     return out.reshape(len(found), -1)
 
 
-def _joint_covariance(solution: Solution, A_p: Array, A_m: Array, scale: Array, shared: Array | None) -> Array:
+def _joint_covariance(solution: Solution, linear: System, scale: Array, shared: Array | None) -> Array:
     """Return the covariance of parameters and instrument: ``m = m* - A_m^+ A_p dp``."""
     C = solution.covariance
     if shared is not None:
         with np.errstate(divide="ignore", invalid="ignore"):
             inverse_s = np.where(solution.factors > 0, solution.factors / solution.singular_values, 0.0)
-            U = np.where(solution.factors > 0, (A_p @ solution.V) / solution.singular_values, 0.0)
+            U = np.where(solution.factors > 0, (linear.A_p @ solution.V) / solution.singular_values, 0.0)
         response = (solution.V * inverse_s) @ (U.T @ shared)
         left = (solution.V * (1 - solution.factors) ** 2) @ solution.V.T if solution.posterior else 0.0
         beyond = np.eye(len(C)) - solution.V @ solution.V.T if solution.posterior else 0.0
         C = response @ response.T + left + beyond
-    n, n_m = A_p.shape[1], A_m.shape[1]
+    n, n_m = len(scale), linear.n_m
     out = np.zeros((n + n_m, n + n_m))
     out[:n, :n] = C
     if n_m:
-        R = np.linalg.qr(A_m, mode="r")
+        R, along = linear.instrument
         inverse = np.linalg.pinv(R)
-        follow = -np.linalg.lstsq(A_m, A_p, rcond=None)[0]
+        follow = -np.linalg.lstsq(R, along[:, :-1], rcond=None)[0]
         out[n:, :n] = follow @ C
         out[:n, n:] = out[n:, :n].T
         out[n:, n:] = follow @ C @ follow.T + inverse @ inverse.T

@@ -136,11 +136,11 @@ class Problem:
                 file=self.recording.path,
                 line=int(self.recording.line[row]),
             )
-        dx = np.zeros((len(x), sensitivity.joints.shape[1], len(self.names)))
-        dx[used] = sensitivity.parameters[:, :, [self.mechanism.index[n] for n in self.names]]
-        effects = self.effect_columns(terms, machine, used, sensitivity)
         mounted = instrument.mounted(self.mechanism, parameters)
-        J_p, J_m = mounted.linearise(self.readings, x, np.concatenate([dx, effects], axis=2))
+        dx, own = self._moved(terms, machine, used, sensitivity)
+        J, J_m = mounted.linearise(self.readings, x, dx)
+        del sensitivity, dx  # the largest arrays of a fit: the memory serves what comes next
+        J_p = J if own is None else np.take(J, own, axis=2)
         mounted.add_carried(J_p, self.mechanism, self.names, self.readings, x)
         if terms:
             values, _ = mounted.predict(self.readings, x)
@@ -154,6 +154,24 @@ class Problem:
         if self.readings.kind.sees_joints:
             return Sensitivity.of_joints(self.mechanism, len(used))
         return self.mechanism.sensitivity(machine.x[used], machine.q[used], machine.tool[used], rows)
+
+    def _moved(
+        self, terms: Sequence[Term], machine: Deformed, used: np.ndarray, sensitivity: Sensitivity
+    ) -> tuple[Array, list[int] | None]:
+        """Return derivatives (N, n_x, n) of what instruments look at, in the rows `used`, and which of them are free.
+
+        None stands for all, in their order.
+        """
+        own, every, dx = [self.mechanism.index[name] for name in self.names], len(machine.q), sensitivity.parameters
+        if 2 * len(own) < dx.shape[2]:  # else the rows of the readings, which are fewer, are chosen from
+            own, dx = list(range(len(own))), np.take(dx, own, axis=2)
+        if len(used) < every:
+            dx = _at_rows(dx, used, every)
+        n_p = dx.shape[2]
+        if terms:
+            dx = np.concatenate([dx, self.effect_columns(terms, machine, used, sensitivity)], axis=2)
+        own += range(n_p, dx.shape[2])
+        return dx, None if own == list(range(dx.shape[2])) else own
 
     def effect_columns(
         self, terms: Sequence[Term], machine: Deformed, used: np.ndarray, sensitivity: Sensitivity
@@ -224,6 +242,13 @@ class Problem:
             reference=np.concatenate([self.reference[:n_p], np.zeros(len(scale))]),
             scale=np.concatenate([self.scale[:n], scale]),
         )
+
+
+def _at_rows(values: Array, rows: np.ndarray, every: int) -> Array:
+    """Return values (n, ...) as those of some of so many rows, others zero."""
+    out = np.zeros((every, *values.shape[1:]))
+    out[rows] = values
+    return out
 
 
 def pose_problem(

@@ -136,10 +136,10 @@ class Solver(Protocol):
     @property
     def weight(self) -> float | None: ...
 
-    def solve(self, A: Array, b: Array, sigma: float = 1.0) -> Solution:
+    def solve(self, A: Array, b: Array, sigma: float = 1.0, rows: int | None = None) -> Solution:
         """Return the solution of ``min |A u - b|``, A (m, n) scaled as the module says, b (m,).
 
-        `sigma` is the noise [mm] by which the rows were divided.
+        `sigma` is the noise [mm] by which the rows were divided; `rows` says of how many A and b are the triangle.
         """
         ...
 
@@ -188,7 +188,7 @@ class LeastSquares:
         """Nothing is added."""
         return 0.0
 
-    def solve(self, A: Array, b: Array, sigma: float = 1.0) -> Solution:
+    def solve(self, A: Array, b: Array, sigma: float = 1.0, rows: int | None = None) -> Solution:
         """See `Solver`."""
 
         def rule(s: Array, c: Array, rest: float) -> tuple[Array, Array, str]:
@@ -231,9 +231,9 @@ class TSVD:
     def weight(self) -> None:
         """A truncation minimises no objective."""
 
-    def solve(self, A: Array, b: Array, sigma: float = 1.0) -> Solution:
+    def solve(self, A: Array, b: Array, sigma: float = 1.0, rows: int | None = None) -> Solution:
         """See `Solver`."""
-        m = len(b)
+        m = len(b) if rows is None else rows
 
         def rule(s: Array, c: Array, rest: float) -> tuple[Array, Array, str]:
             usable = int((s > WEAKEST * s[0]).sum()) if len(s) else 0
@@ -267,9 +267,9 @@ class Ridge:
         """The square of the strength, where it is given."""
         return None if self.strength is None else self.strength**2
 
-    def solve(self, A: Array, b: Array, sigma: float = 1.0) -> Solution:
+    def solve(self, A: Array, b: Array, sigma: float = 1.0, rows: int | None = None) -> Solution:
         """See `Solver`."""
-        m = len(b)
+        m = len(b) if rows is None else rows
 
         def rule(s: Array, c: Array, rest: float) -> tuple[Array, Array, str]:
             strength = self.strength
@@ -311,7 +311,7 @@ class Prior:
         """One: u counts standard deviations off the prior."""
         return 1.0
 
-    def solve(self, A: Array, b: Array, sigma: float = 1.0) -> Solution:
+    def solve(self, A: Array, b: Array, sigma: float = 1.0, rows: int | None = None) -> Solution:
         """See `Solver`."""
 
         def rule(s: Array, c: Array, rest: float) -> tuple[Array, Array, str]:

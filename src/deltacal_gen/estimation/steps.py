@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -19,6 +18,7 @@ import numpy as np
 from deltacal_gen.errors import InputError
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.solvers import WEAKEST, Solution
+from deltacal_gen.estimation.system import System, length_of
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Deformed
@@ -31,7 +31,6 @@ WEAK = 1e-3  # of the strongest direction of the instrument: weaker ones are dam
 EXACT = 1e-5  # of chi2: poses are solved no more exactly than to change the objective by this
 SAME = 1e-12  # of the objective: less is rounding
 LONGEST = 30.0  # ordinary errors: a truncation's step beyond it is no correction but a loss of direction
-STRONG = 1e-2  # of the largest singular value of such columns: the instrument is led along arcs there
 ARCS = 2  # corrections of a step
 RANK = 1e-12  # of the largest singular value of columns of one length: below it a step is arbitrary
 
@@ -46,46 +45,32 @@ class State(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Linear:
-    """Whitened rows at a state: ``b - A_p s - A_m t`` is left by a step s of scaled parameters and t of the instrument.
+    """The objective of a machine made linear.
 
     Attributes
     ----------
-    A_p : (scalars, n) array
-    A_m : (scalars, n_m) array
-    b : (scalars,) array
+    system : System
     departure : (n,) array
         Of the scaled parameters from their reference.
     weight : float or None
         By which the square of the departure counts; None where a rule minimises no objective.
     """
 
-    A_p: Array
-    A_m: Array
-    b: Array
+    system: System
     departure: Array
     weight: float | None
 
-    def rest(self, s: Array, t: Array) -> Array:
-        """Return what a step leaves of the rows (scalars,)."""
-        out: Array = self.b - self.A_p @ s - self.A_m @ t
-        return out
-
     def left(self, s: Array, t: Array) -> float:
-        """Return what a step leaves of the objective in the linear machine."""
-        rest, whole = self.rest(s, t), self.departure + s
-        return float(rest @ rest + (self.weight or 0.0) * (whole @ whole))
+        """Return what steps of parameters and instrument leave of the objective."""
+        whole = self.departure + s
+        return self.system.left(s, t) + (self.weight or 0.0) * float(whole @ whole)
 
-    @cached_property
-    def strong(self) -> Array:
-        """By which rows are multiplied (n_m, scalars) for the instrument's step along what moves them much."""
-        size = _length(np.sqrt((self.A_m**2).sum(axis=0)))
-        return np.linalg.pinv(self.A_m / size, rcond=STRONG) / size[:, None]
-
-    def instrument_step(self, s: Array) -> Array:
-        """Return the instrument's step that goes best with a step of the parameters."""
-        if not self.A_m.shape[1]:
-            return np.zeros(0)
-        return _solved(self.A_m, self.b - self.A_p @ s, WEAKEST)
+    def gain(self, s: Array) -> float:
+        """Return by how much a step of the parameters, the instrument following, lowers the objective."""
+        A, b = self.system.machine
+        rest, whole, now = b - A @ s, self.departure + s, self.system.triangle[:, -1]
+        prior = self.departure @ self.departure - whole @ whole
+        return abs(float(now @ now - rest @ rest + (self.weight or 0.0) * prior))
 
 
 class Damped:
@@ -99,23 +84,22 @@ class Damped:
     """
 
     def __init__(self, linear: Linear, solution: Solution) -> None:
-        n, n_m = linear.A_p.shape[1], linear.A_m.shape[1]
+        (along, _), n_m = linear.system.instrument, linear.system.n_m
+        n, R = len(linear.departure), linear.system.triangle
         kept = solution.factors > 0
         free = np.eye(n) if solution.posterior or kept.sum() == n else solution.V[:, kept]
         weight = np.sqrt(linear.weight or 0.0)
-        self._free, self._n = free, free.shape[1]
-        self._rows = np.hstack([linear.A_p @ free, linear.A_m])
-        low = np.hstack([weight * free, np.zeros((n, n_m))])
-        right = np.concatenate([linear.b, -weight * linear.departure])[:, None]
-        # one triangle stands for all rows
-        R = np.asarray(np.linalg.qr(np.hstack([np.vstack([self._rows, low]), right]), mode="r"))
+        self._system, self._free, self._n = linear.system, free, free.shape[1]
+        own = np.hstack([R[:, n_m:-1] @ free, R[:, :n_m], R[:, -1:]])
+        low = np.hstack([weight * free, np.zeros((n, n_m)), -weight * linear.departure[:, None]])
+        R = np.asarray(np.linalg.qr(np.vstack([own, low]), mode="r")) if weight else own
         self._R, self._b = R[:, :-1], R[:, -1]
         self._damper = np.zeros((n + n_m, self._n + n_m))
         self._damper[:n, : self._n] = free
         if n_m:
-            size = _length(np.sqrt((linear.A_m**2).sum(axis=0)))
-            _, s, Vt = np.linalg.svd(np.asarray(np.linalg.qr(linear.A_m / size, mode="r")))
-            usual = np.sqrt(np.mean((linear.A_p**2).sum(axis=0))) if n else 1.0
+            size = length_of(along)
+            _, s, Vt = np.linalg.svd(along / size)
+            usual = np.sqrt(np.mean((linear.system.triangle[:, n_m:-1] ** 2).sum(axis=0))) if n else 1.0
             self._damper[n:, self._n :] = np.maximum(s, WEAK * s[0])[:, None] * Vt * size / max(usual, SAME)
 
     def step(self, damping: float) -> tuple[Array, Array]:
@@ -124,7 +108,9 @@ class Damped:
 
     def bent(self, off: Array, damping: float) -> tuple[Array, Array]:
         """Return what a step is lengthened by where the rows (scalars,) that it leaves are `off` the linear ones."""
-        return self._step(_solved(self._R.T, self._rows.T @ off), damping)
+        pull = self._system.rows[:, :-1].T @ off
+        pull = np.concatenate([pull[self._system.n_m :] @ self._free, pull[: self._system.n_m]])
+        return self._step(_solved(self._R.T, pull), damping)
 
     def _step(self, b: Array, damping: float) -> tuple[Array, Array]:
         A = self._R
@@ -162,19 +148,19 @@ def improved(
         """Return the state after a step, what it leaves of the rows, and the objective there."""
         trial = _moved(problem, state, linear, s, t, whitened)
         if trial is None:
-            return None, linear.b, np.inf
+            return None, linear.system.b, np.inf
         rows = whitened(problem.residual(trial.errors, trial.instrument, problem.seen(trial.machine)))
         u = (trial.errors[columns] - problem.reference[columns]) / scale
         return trial, rows, float(rows @ rows + weight * (u @ u))
 
-    still = np.zeros(len(scale)), np.zeros(linear.A_m.shape[1])
+    still = np.zeros(len(scale)), np.zeros(linear.system.n_m)
     before, harder = linear.left(*still), 10.0
     for _ in range(TRIALS):
         s, t = steps.step(damping)
         trial, rows, after = tried(s, t)
         promised = before - linear.left(s, t)
         if trial is not None and before - after < TRUE * promised:
-            s_2, t_2 = steps.bent(rows - linear.rest(s, t), damping)
+            s_2, t_2 = steps.bent(rows - linear.system.rest(s, t), damping)
             bent, _, lower = tried(s + s_2, t + t_2)
             if lower < after:
                 trial, after = bent, lower
@@ -201,7 +187,7 @@ def _truncated(
     whole = whole * min(1.0, LONGEST / max(float(np.max(np.abs(whole), initial=0.0)), LONGEST))
     for _ in range(TRIALS):
         s = whole / (1.0 + damping)
-        trial = _moved(problem, state, linear, s, linear.instrument_step(s), whitened)
+        trial = _moved(problem, state, linear, s, _following(linear.system, s), whitened)
         if trial is not None:
             return trial, damping / 10
         damping = max(4 * damping, 1.0)
@@ -221,20 +207,23 @@ def _moved(
     moved = state.instrument.stepped(t)
     if len(t):
         # turns lead along arcs: what leaves the linear step is made up for where the instrument moves the readings much
-        rest, back, x = linear.rest(s, t), linear.strong, problem.seen(machine)
+        rest, back, x = linear.system.rest(s, t), linear.system.back, problem.seen(machine)
         for _ in range(ARCS):
             t = t + back @ (whitened(problem.residual(errors, moved, x)) - rest)
             moved = state.instrument.stepped(t)
     return State(errors, moved, machine)
 
 
-def _length(size: Array) -> Array:
-    """Return the length of columns; one of columns without any, which nothing moves."""
-    return np.where(size > 0, size, 1.0)
+def _following(system: System, s: Array) -> Array:
+    """Return the instrument's step that goes best with a step of the parameters."""
+    if not system.n_m:
+        return np.zeros(0)
+    R, along = system.instrument
+    return _solved(R, along[:, -1] - along[:, :-1] @ s, WEAKEST)
 
 
 def _solved(A: Array, b: Array, rank: float = RANK) -> Array:
     """Return the least squares solution of columns made one length, directions below `rank` of the largest left."""
-    size = _length(np.sqrt((A**2).sum(axis=0)))
+    size = length_of(A)
     out: Array = np.linalg.lstsq(A / size, b, rcond=rank)[0] / size
     return out

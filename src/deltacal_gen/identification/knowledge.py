@@ -14,7 +14,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from deltacal_gen.estimation.fit import Fit, system
+from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.system import system
 from deltacal_gen.identification.noise import Noise, freedom, lack_of_fit
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.results.parts import Source, Uncertainty
@@ -98,7 +99,7 @@ def _left_out(final: Fit) -> _Left:
     scale = np.concatenate([problem.scale[:n], sizes, problem.scale[n:]])
     wide = dataclasses.replace(problem, names=(*problem.names, *names), scale=scale)
     state = wide.linearise(final.errors, final.instrument, final.machine)
-    A, *_ = system(state, final.sigma, final.weights, final.repeats, scale)
+    A = system(state, final.sigma, final.weights, final.repeats, scale).A_p
     return _Left(names, units, sizes, A[:, n : n + q])
 
 
@@ -110,7 +111,8 @@ def _widened(final: Fit, left: _Left, known: Noise) -> tuple[Array, dict[str, fl
     """
     problem, solution = final.problem, final.solution
     state = problem.linearise(final.errors, final.instrument, final.machine)
-    A_p, A_m, b = system(state, final.sigma, final.weights, final.repeats, problem.scale)
+    linear = system(state, final.sigma, final.weights, final.repeats, problem.scale)
+    A_p, A_m, b = linear.A_p, linear.A_m, linear.b
     Q = np.linalg.qr(A_m)[0] if A_m.shape[1] else np.zeros((len(b), 0))
     V, s, f = solution.V, solution.singular_values, solution.factors
     with np.errstate(divide="ignore", invalid="ignore"):

@@ -66,10 +66,9 @@ class Instrument:
 
         Of readings of joints, how far the joint has moved (R, 1).
         """
-        ends = tuple(x[rows] for rows in found.rows.T)
         if any(self.home):
-            for end in ends:
-                end[:, :3] -= self.home
+            x = np.hstack([x[:, :3] - self.home, x[:, 3:]])
+        ends = found.ends(x)
         return self.kind.looked_at(found, ends)
 
     def given(self, found: Readings) -> Array:

@@ -341,7 +341,7 @@ class Kind:
         """Return the derivatives (R, k, n) of the readings where platforms move by `dx` (N, 6, n)."""
         by_platform = self.kernels.by_platform(*instrument.ends(found, x), instrument.given(found))
         by_platform = instrument.scale * by_platform
-        parts = (by_platform[:, :, e] @ _of(dx, rows) for e, rows in enumerate(found.rows.T))
+        parts = (by_platform[:, :, e] @ moved for e, moved in enumerate(found.ends(dx)))
         J: Array = next(parts)
         for part in parts:
             J += part
@@ -483,8 +483,3 @@ class Kind:
         zeros, every = np.zeros(len(rows), dtype=int), np.arange(len(rows))
         values = np.zeros((len(rows), self.width)) if values is None else values
         return Readings(self, rows, values, None, zeros if setup is None else setup, every, zeros)
-
-
-def _of(dx: Array, rows: np.ndarray) -> Array:
-    """Return derivatives (R, 6, n) at rows of a recording; those of all rows in order are no copy."""
-    return dx if np.array_equal(rows, np.arange(len(dx))) else dx[rows]

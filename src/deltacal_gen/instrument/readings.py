@@ -76,6 +76,11 @@ class Readings:
         """Rows of the recording to which readings belong, in their order."""
         return np.flatnonzero(np.bincount(self.rows.ravel()))
 
+    def ends(self, values: Array) -> tuple[Array, ...]:
+        """Return what holds at each end of the readings (R, ...) of values (N, ...) of all rows; in order no copy."""
+        every = np.arange(len(values))
+        return tuple(values if np.array_equal(rows, every) else values[rows] for rows in self.rows.T)
+
     def subset(self, chosen: np.ndarray) -> Readings:
         """Return the readings of an index or mask."""
         return dataclasses.replace(
