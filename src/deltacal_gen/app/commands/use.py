@@ -6,7 +6,7 @@ import dataclasses
 import hashlib
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -24,12 +24,7 @@ from deltacal_gen.app.commands.common import (
 )
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.about import About, read_about
-from deltacal_gen.files.columns import CHANNEL
-from deltacal_gen.files.toml import nearest
 from deltacal_gen.files.writing import csv_text, file_columns, write_files
-from deltacal_gen.instrument.kinds import kind_of
-from deltacal_gen.machine.registry import mechanism_of
-from deltacal_gen.machine.rotation import from_vector
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.motion.kinds import columns_of
 from deltacal_gen.physics.ranges import in_words
@@ -39,7 +34,6 @@ from deltacal_gen.results.motion import MotionModel
 from deltacal_gen.results.parts import InputFile
 from deltacal_gen.results.reader import Given
 from deltacal_gen.results.result import Result
-from deltacal_gen.units import DEG, joint_factors, joint_names
 from deltacal_gen.use.known import known_model, known_result
 
 NUMBER = 16  # letters of a hash that stand for the number of a certificate where none is given
@@ -52,7 +46,6 @@ if TYPE_CHECKING:
     from deltacal_gen.results.comparison import Comparison
     from deltacal_gen.results.validation import Validation
     from deltacal_gen.results.written import FirmwareLines
-    from deltacal_gen.use.compensation import Compensator
 
 
 def compensate(
@@ -93,104 +86,71 @@ def compensate(
     tell : callable
         Told in words what was assumed where a channel is not given.
     """
-    from deltacal_gen.use import compensation, exports, firmware, prediction, spans, tables
+    from deltacal_gen.use import commanded, compensation, prediction
 
     check_output(output, result, targets)
-    if export is not None and isinstance(moving := known_model(result), MotionModel):
+    if export is not None:
+        return _exported(result, export, output, kind, worst_mm, tell)
+    known = known_result(result)
+    robot = prediction.calibrated_robot(known)
+    compensator = compensation.Compensator(robot, kind, prediction.known_effects(known, timed=True))
+    if targets is None:
+        raise UsageError("give the targets: a CSV with x_mm, y_mm, z_mm.")
+    if isinstance(targets, str | Path):
+        recording = as_recording(targets, robot, need_measured=False, allow_targets=True)
+        wanted = commanded.Wanted.of_file(recording, compensator, channels or {}, tell)
+    else:
+        wanted = commanded.Wanted.of_array(targets, compensator, channels or {})
+    if not len(wanted.positions):
+        return np.zeros((0, compensator.mechanism.limbs))
+    commanded.check_channels(channels or {}, compensator, known)
+    found = commanded.commanded(known, compensator, wanted, tell)
+    if bands and output is None:
+        raise UsageError("bands stand beside the commands in a file: give -o JOINTS.csv.")
+    if output is not None:
+        table = found.table()
+        if bands:
+            columns, words = found.bands()
+            table |= columns
+            tell(words)
+        write_files({Path(output): csv_text(table)})
+    return found.in_files
+
+
+def _exported(result: Given, export: str, output: Source | None, kind: str, worst_mm: float, tell: Progress) -> Array:
+    """Write a compensator as a controller reads it; return commands (0, n_q), there being no targets."""
+    from deltacal_gen.use import compensation, exports, firmware, prediction, spans, tables
+
+    if isinstance(moving := known_model(result), MotionModel):
         _export_in_motion(moving, export, output)
         return np.zeros((0, len(moving.columns)))
     known = known_result(result)
     if export in firmware.KINDS:
-        if output is None:
-            raise UsageError("an export needs the file to write: give -o FILE.")
-        firmware_lines(known, export, output, tell=tell)
+        firmware_lines(known, export, _written_to(output), tell=tell)
         return np.zeros((0, 3))
     robot = prediction.calibrated_robot(known)
-    mechanism = mechanism_of(robot)
-    terms = prediction.known_effects(known, timed=True)
-    compensator = compensation.Compensator(robot, kind, terms)
-    if export is not None:
-        over = spans.spans(known)
-        writers = {
-            "c": lambda path: exports.export_c(compensator, path, over),
-            "table": lambda path: tables.export_table(compensator, path, over, worst_mm=worst_mm),
-        }
-        if export not in writers:
-            known_exports = ", ".join([*writers, *firmware.KINDS])
-            raise UsageError(f"there is no export '{export}' for {robot.mechanism}; known: {known_exports}.")
-        compensator.needs_loops(f"export '{export}'")
-        if output is None:
-            raise UsageError("an export needs the file to write: give -o FILE.")
-        if known.correction is not None:
-            tell("the smooth correction is not part of an export; compensate targets instead")
-        writers[export](output)
-        return np.zeros((0, mechanism.limbs))
-    if targets is None:
-        raise UsageError("give the targets: a CSV with x_mm, y_mm, z_mm.")
-    recording: Recording | None = None
-    tool = near = None
-    columns = dict(channels or {})
-    if isinstance(targets, str | Path):
-        recording = as_recording(targets, robot, need_measured=False, allow_targets=True)
-        if recording.tool is not None:
-            tool = np.where(np.isfinite(recording.tool), recording.tool, robot.tool)
-        if recording.targets is not None:
-            positions = recording.targets
-        elif not mechanism.many_ways:
-            raise InputError(
-                "the file gives joints, not targets.", "Give the columns x_mm, y_mm, z_mm and no joints.", file=targets
-            )
-        else:
-            near = recording.joints
-            positions, _ = compensation.Compensator(compensator.nominal).pose(near, tool)
-            if np.isfinite(recording.measured).any():
-                tell("readings of the file are not read: wanted is where the chain as drawn stands at its joints")
-        columns |= recording.channels
-    else:
-        positions = np.asarray(targets, dtype=float)
-        if mechanism.turning and positions.ndim == 2 and positions.shape[1] == 6:
-            positions = np.hstack([positions[:, :3], from_vector(positions[:, 3:] * DEG).reshape(-1, 9)])
-    if not len(positions):
-        return np.zeros((0, mechanism.limbs))
-    _check_channels(channels or {}, compensator, known)
-    at, assumed = compensator.channels(columns, len(positions))
-    for words in assumed:
-        tell(words)
-    joints = compensator.joints(positions, tool, at, near)
-    if (beyond := in_words(compensator.beyond_laws(joints, tool, at), "targets")) is not None:
-        tell(beyond)
-    if mechanism.many_ways and positions.shape[1] > 3:
-        turned = np.linalg.norm(compensator.missed(joints, positions, tool, at)[:, 3:], axis=1) / DEG
-        if (off := turned > compensation.TURNED_DEG).any():
-            why = "it has fewer than six joints" if mechanism.limbs < 6 else "it is near singular there"
-            tell(
-                f"{off.sum()} of {len(off)} commands leave the last frame turned by up to {turned.max():.2g} deg: {why}"
-            )
-    share: Array | None = None
-    if (correction := known.correction) is not None:
-        if kind_of(known.instrument.kind).positions:
-            joints, share = prediction.corrected_joints(known, correction, joints, tool, columns)
-            if (outside := share < 0.5).any():
-                tell(f"{outside.sum()} of {len(share)} targets lie outside what the smooth correction was made of")
-        else:
-            tell("the smooth correction is not part of these commands: it was made of readings that know no position")
-    factors = joint_factors(mechanism.joint_unit, mechanism.limbs)
-    if bands and output is None:
-        raise UsageError("bands stand beside the commands in a file: give -o JOINTS.csv.")
-    if output is not None:
-        table: dict[str, Any] = {} if recording is None else {"pose": recording.pose.tolist()}
-        table |= zip(joint_names(mechanism.joint_unit, mechanism.limbs), (joints / factors).T, strict=True)
-        if tool is not None:  # so that the file can be simulated, or measured, as it stands
-            table |= {f"tool_{axis}_mm": values for axis, values in zip("xyz", tool.T, strict=True)}
-        if bands:
-            from deltacal_gen.use.bands import commanded_bands, known_of
+    compensator = compensation.Compensator(robot, kind, prediction.known_effects(known, timed=True))
+    over = spans.spans(known)
+    writers = {
+        "c": lambda path: exports.export_c(compensator, path, over),
+        "table": lambda path: tables.export_table(compensator, path, over, worst_mm=worst_mm),
+    }
+    if export not in writers:
+        known_exports = ", ".join([*writers, *firmware.KINDS])
+        raise UsageError(f"there is no export '{export}' for {robot.mechanism}; known: {known_exports}.")
+    compensator.needs_loops(f"export '{export}'")
+    path = _written_to(output)
+    if known.correction is not None:
+        tell("the smooth correction is not part of an export; compensate targets instead")
+    writers[export](path)
+    return np.zeros((0, compensator.mechanism.limbs))
 
-            reached = positions if known.correction is not None else compensator.pose(joints, tool, at)[0]
-            table |= commanded_bands(known, joints, reached[:, :3], tool, at, share)
-            tell(known_of(known).text)
-        write_files({Path(output): csv_text(table)})
-    in_files: Array = joints / factors
-    return in_files
+
+def _written_to(output: Source | None) -> Source:
+    """Return the file that an export writes; raise a UsageError where none is given."""
+    if output is None:
+        raise UsageError("an export needs the file to write: give -o FILE.")
+    return output
 
 
 def _export_in_motion(known: MotionModel, export: str, output: Source | None) -> None:
@@ -199,9 +159,7 @@ def _export_in_motion(known: MotionModel, export: str, output: Source | None) ->
 
     if export != "c":
         raise UsageError(f"there is no export '{export}' of a machine in motion; known: c.")
-    if output is None:
-        raise UsageError("an export needs the file to write: give -o FILE.")
-    export_feedforward(known, output)
+    export_feedforward(known, _written_to(output))
 
 
 def feed_forward(
@@ -241,23 +199,6 @@ def feed_forward(
     if output is not None:
         write_files({Path(output): csv_text(found.columns_of_file())})
     return found
-
-
-def _check_channels(channels: Mapping[str, Any], compensator: Compensator, known: Result | Diagnosis) -> None:
-    """Raise a UsageError for the first channel that nothing could be, with the one that may be meant."""
-    covariates = {channel.column for t in compensator.terms for s in t.states for channel in s.channels}
-    if known.correction is not None:
-        covariates |= {*known.correction.depends_on}
-    if isinstance(known, Diagnosis):  # what was recorded beside the readings is no mistake
-        covariates |= known.residuals.channels.keys()
-    for name in channels:
-        if CHANNEL.fullmatch(name) or name in covariates:
-            continue
-        usual = ("payload_kg", "temp_C", "time_s", "approach1", "qd1_deg_s", "qdd1_deg_s2")
-        near = nearest(name, usual)
-        raise UsageError(
-            f"there is no channel '{name}'. " + (f"Did you mean '{near}'?" if near else f"Known: {', '.join(usual)}.")
-        )
 
 
 def firmware_lines(result: Given, kind: str, output: Source | None = None, *, tell: Progress = silent) -> FirmwareLines:
