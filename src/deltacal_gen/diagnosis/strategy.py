@@ -21,7 +21,7 @@ from deltacal_gen.estimation.series import Series
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.noise import lack_of_fit, merely_more
-from deltacal_gen.identification.together import PROVEN, deviance_of, together
+from deltacal_gen.identification.together import PRICE, deviance_of, together
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.states import read_by
 from deltacal_gen.physics.terms import (
@@ -145,7 +145,7 @@ def deviance(found: Outcome) -> float:
     """
     terms = terms_of(found.search.fit)
     price = sum(found.search.price(t) + MARGIN for t in terms)
-    price += PROVEN * any(not t.limbs for t in terms)
+    price += PRICE * any(not t.limbs for t in terms)
     of_spectrum = 0.0 if found.spectrum is None else 2 * len(found.spectrum.limbs) * found.spectrum.corner + MARGIN
     return deviance_of(found.search.fit) + price + of_spectrum
 

@@ -13,6 +13,7 @@ from deltacal_gen.estimation.series import Series, Taken
 from deltacal_gen.machine.registry import Array
 
 PROVEN = 10.0  # of the deviance, that noise which hangs together must explain
+PRICE = 15.2  # of it, that such noise pays beside physics: what its two numbers explain by chance once in 2000 times
 MANY = 40  # scalars for each that is fitted: beyond, what the fit took of the noise makes no difference
 
 
@@ -34,7 +35,7 @@ def deviance_of(at: Fit) -> float:
 
     The noise is the one that suits best what it leaves: one that leaves white noise needs none that hangs together.
     Geometry and instrument are taken out whatever the effects: the likelihood is that of the same contrasts for all.
-    Noise that hangs together pays what proves it, beside an effect or instead of it; so does one that has directions.
+    Noise that hangs together pays its price, beside an effect or instead of it; so does one that has directions.
     """
     series = Series.of(at.problem.readings)
     assert series is not None  # otherwise nothing is compared
@@ -60,12 +61,12 @@ def _suited(at: Fit, series: Series, count: int) -> tuple[Repeats, float]:
 
 
 def _along(has: Repeats, series: Series, z: Array, taken: Taken | None) -> tuple[Repeats, float]:
-    """Return noise as it hangs together from row to row, where that is proven, and its deviance with its price."""
+    """Return noise as it hangs together from row to row, where that is proven, and the deviance, with its price."""
     alone = series.deviance(z, taken)
     found, deviance = series.likeliest(z, taken)
     if alone - deviance < PROVEN:
         return has, alone
-    return dataclasses.replace(has, series=found), deviance + PROVEN
+    return dataclasses.replace(has, series=found), min(deviance + PRICE, alone)
 
 
 def _shape(at: Fit, z: Array) -> Array | None:
