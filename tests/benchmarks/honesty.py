@@ -23,12 +23,13 @@ from deltacal_gen.identification.identification import identify
 from deltacal_gen.use.bands import named, predicted_bands
 from deltacal_gen.use.prediction import predict
 from tests.benchmarks.honesty_nulls import ROBOT, SIGMA, SORTS, null
-from tests.benchmarks.honesty_power import ASKED, EFFECTS, five, powered
+from tests.benchmarks.honesty_power import ASKED, EFFECTS, apart, five, powered
 from tests.benchmarks.laws import wilson
 from tests.conftest import plausible
 from tests.left_out import DELTA, record
 
 NEW = 25  # poses at which bands are asked
+ALIKE = 10.0  # of chi2: effects that poses of an ideal detector part by less are not told apart
 MODELS = ("42", "18", "3")
 Job = tuple[str, str, int]
 
@@ -66,7 +67,13 @@ def examined(job: Job) -> dict[str, Any]:
     right = any(e.name == name for e in answer.effects)
     among = right or any(name in e.indistinguishable_from for e in answer.effects)
     told = among or any(name in (h.name, *h.indistinguishable_from) for h in answer.hints)
-    return {"named": right, "named or among what is not told apart": among, "told": told}
+    alone = apart(name, asked, k)
+    return {
+        "named": right,
+        "named or among what is not told apart": among,
+        "told": told,
+        "another effect within 10 of chi2 by rights": alone < ALIKE,
+    }
 
 
 def jobs(count: int, only: str = "") -> list[Job]:

@@ -6,7 +6,10 @@ its own limb; it tests one likelihood ratio, at the rate of false names divided 
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Sequence
+from functools import cache
+from typing import NamedTuple
 
 import numpy as np
 
@@ -20,6 +23,7 @@ from tests.conftest import plausible
 from tests.left_out import DELTA, channels, effect, record
 
 POSES, LIMB = 100, (2,)
+SHOWN = 60.0  # of chi2: about what an effect of the sizes below explains
 FALSE = 1e-3  # rate of false names that the ideal detector allows itself; the tool's own is not higher
 # parts of recordings that the ideal detector names, and times its size at which the tool should
 ASKED = {"half": (0.5, 1.2), "nearly all": (0.95, 1.25)}
@@ -44,9 +48,20 @@ SPOILT = 3  # gross errors beside five effects
 def powered(name: str, asked: str, k: int) -> Recording:
     """Return the k-th recording with an effect at so many times the size at which the ideal detector names it."""
     part, times = ASKED[asked]
-    unit, forms, degrees = _seen(name, k)
-    size = times * np.sqrt(_needed(part, forms, degrees) / unit)
+    seen = _seen(name, k)
+    size = times * np.sqrt(_needed(part, seen.forms, seen.degrees) / seen.square)
     return _made(name, [_term(name, k, size)], k)
+
+
+def apart(name: str, asked: str, k: int) -> float:
+    """Return by how much chi2 the truth outdoes on average what explains as much of the k-th recording but for it.
+
+    It is the floor of telling the two apart: who knows noise, geometry and both effects prefers the wrong one with the
+    probability Phi(-sqrt(apart) / 2).
+    """
+    part, times = ASKED[asked]
+    seen = _seen(name, k)
+    return times**2 * _needed(part, seen.forms, seen.degrees) * seen.own
 
 
 def five(k: int) -> tuple[Recording, list[Term]]:
@@ -76,19 +91,40 @@ def _term(name: str, k: int, size: float, values: Sequence[float] = (), limbs: t
     return effect(name, limbs, *(size * v for v in values or EFFECTS[name]), constants=constants)
 
 
-def _seen(name: str, k: int) -> tuple[float, int, int]:
-    """Return the square of what an effect of size 1 moves readings by, beside geometry and instrument, in noise.
+class _Seen(NamedTuple):
+    """What an ideal detector knows: the square of what an effect of size 1 moves readings by, in noise.
 
-    Also the forms that the tool tries, each on each limb, and the effect's coefficients.
+    Beside geometry and instrument; the forms that the tool tries, each on each limb; the effect's coefficients; the
+    part of the square that no other effect explains.
     """
+
+    square: float
+    forms: int
+    degrees: int
+    own: float
+
+
+@cache
+def _seen(name: str, k: int) -> _Seen:
     one = _term(name, k, 1.0)
     at = diagnose(ROBOT, _made(name, [], k)).baseline
+    terms = library(at.problem)[0]
     search = Search(at, [at.problem.body.blank(name, (1, 2, 3), one.constants)])
-    some, forms = search.where(one), library(at.problem)[0]
     columns = search.beside.rows(at.problem.term_columns([one], at.errors, at.instrument, search.beside.machine))
     moved = columns @ one.values.ravel()
     moved -= search.beside.Q @ (search.beside.Q.T @ moved)
-    return float(moved @ moved) * (at.sigma[0] / SIGMA) ** 2, sum(max(len(t.limbs), 1) for t in forms), len(some)
+    square = float(moved @ moved)
+    others, beside = Search(at, _others(terms, name)), copy.copy(search.beside)
+    beside.residual = moved * np.sqrt(SHOWN / square)
+    others._place(beside)
+    best = max(found.gain for found in others.ranked())
+    forms = sum(max(len(t.limbs), 1) for t in terms)
+    return _Seen(square * (at.sigma[0] / SIGMA) ** 2, forms, len(search.where(one)), 1 - best / SHOWN)
+
+
+def _others(terms: Sequence[Term], name: str) -> list[Term]:
+    """Return the forms of other effects; what becomes the effect in a limit explains all that it does."""
+    return [t for t in terms if t.effect != name and t.kernels.EXTENDS != name]
 
 
 def _needed(part: float, forms: int, degrees: int) -> float:
