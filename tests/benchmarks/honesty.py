@@ -1,4 +1,4 @@
-"""Do the stated figures hold: names on noise, p-values, bands, power: ``python -m tests.benchmarks.honesty``.
+"""Do the stated figures hold: names, p-values, intervals, power, proposals: ``python -m tests.benchmarks.honesty``.
 
 Every recording is a job with a seed of its own; what is done is kept in a file of lines (``--kept``), so that a run
 that was ended goes on where it stopped. Parts of a whole come with Wilson intervals.
@@ -22,8 +22,12 @@ from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.use.bands import named, predicted_bands
 from deltacal_gen.use.prediction import predict
+from tests.benchmarks.honesty_coverage import SORTS as COVERED
+from tests.benchmarks.honesty_coverage import covered
 from tests.benchmarks.honesty_nulls import ROBOT, SIGMA, SORTS, null
 from tests.benchmarks.honesty_power import ASKED, EFFECTS, apart, five, powered
+from tests.benchmarks.honesty_rounds import SORTS as AMBIGUOUS
+from tests.benchmarks.honesty_rounds import round_of
 from tests.benchmarks.laws import wilson
 from tests.conftest import plausible
 from tests.left_out import DELTA, record
@@ -57,6 +61,11 @@ def examined(job: Job) -> dict[str, Any]:
         pairs = zip(true.measured.T, map(named, true.columns), strict=True)
         inside = [(ends[low] <= v) & (v <= ends[high]) for v, (low, high) in pairs]
         return {"inside": int(np.sum(inside)), "of": int(np.size(inside))}
+    if what == "coverage":
+        inside, of = covered(sort, k)
+        return {"inside": inside, "of": of}
+    if what == "round":
+        return round_of(sort, k)
     if what == "five":
         made, terms = five(k)
         several = diagnose(ROBOT, made).answer()
@@ -79,6 +88,7 @@ def examined(job: Job) -> dict[str, Any]:
 def jobs(count: int, only: str = "") -> list[Job]:
     """Return all jobs, `count` of each sort; `only` those whose kind and sort hold some words."""
     sorts = [("null", s) for s in SORTS] + [("bands", m) for m in MODELS] + [("five", "effects at once")]
+    sorts += [("coverage", c) for c in COVERED] + [("round", name) for name in AMBIGUOUS]
     sorts += [("power", f"{name}/{asked}") for name in EFFECTS for asked in ASKED]
     wanted = [s for s in sorts if any(words in " ".join(s) for words in only.split(","))]
     return [(what, sort, k) for k in range(count) for what, sort in wanted]
@@ -101,16 +111,14 @@ def table(done: Mapping[Job, Mapping[str, Any]]) -> Table:
 
     for what, sort in dict.fromkeys(job[:2] for job in done):
         own = [e for job, e in done.items() if job[:2] == (what, sort)]
-        if what == "bands":
-            row(
-                f"delta/{sort}: true readings within their bands",
-                sum(e["inside"] for e in own),
-                sum(e["of"] for e in own),
-            )
+        if what in ("bands", "coverage"):
+            words = f"delta/{sort}: true readings within their bands" if what == "bands" else f"intervals of {sort}"
+            row(words, sum(e["inside"] for e in own), sum(e["of"] for e in own))
             continue
         where = f"noise {sort}" if what == "null" else f"{what} {sort}"
-        for key in [key for key, value in own[0].items() if isinstance(value, bool)]:
-            row(f"{where}: {key}", sum(e[key] for e in own), len(own))
+        for key in dict.fromkeys(key for e in own for key, value in e.items() if isinstance(value, bool)):
+            said = [e[key] for e in own if key in e]
+            row(f"{where}: {key}", sum(said), len(said))
         if what == "null":
             shown.add_row(
                 f"{where}: p-values, distance from uniform", str(len(own)), f"{distance(e['p'] for e in own):.3f}", ""

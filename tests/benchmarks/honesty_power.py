@@ -124,7 +124,7 @@ def _seen(name: str, k: int) -> _Seen:
 
 def _others(terms: Sequence[Term], name: str) -> list[Term]:
     """Return the forms of other effects; what becomes the effect in a limit explains all that it does."""
-    return [t for t in terms if t.effect != name and t.kernels.EXTENDS != name]
+    return [t for t in terms if t.effect != name and name != t.kernels.EXTENDS]
 
 
 def _needed(part: float, forms: int, degrees: int) -> float:
