@@ -15,10 +15,11 @@ from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.files.robot import Robot, robot_from_dict
 from deltacal_gen.identification.checks import plausible
-from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.machine.registry import Machine, mechanism_of
 from deltacal_gen.machine.values import Measurement, Recording
 from deltacal_gen.physics.simulation import simulate
 from tests.benchmarks.arrival import ABOVE, chi2, lowest, near_a_line, problems
+from tests.conftest import scattered, wanted
 
 LINKS = ((50, -90, 480, 0), (500, 0, 0, -90), (0, 90, 50, 90), (0, -90, 550, 0), (0, 90, 0, 0), (0, 0, 100, 0))
 SIGMA = 0.002  # mm
@@ -96,6 +97,8 @@ MISTAKES = {
     "the columns of joints 2 and 3 are exchanged": lambda r: r.joints[:, [0, 2, 1, 3, 4, 5]],
     "joint 4 counts the other way": lambda r: r.joints * [1, 1, 1, -1, 1, 1],
     "the zero of joint 3 is off by 90 deg": lambda r: r.joints - np.radians([0, 0, 90, 0, 0, 0]),
+    "the zeros of all joints are off by 90 deg": lambda r: r.joints - np.radians(90),
+    "the joints are in radians": lambda r: np.radians(r.joints),
 }
 
 
@@ -116,6 +119,15 @@ def test_a_left_handed_frame_and_inches_are_named(arm: Robot) -> None:
         wrong = dataclasses.replace(good, measured=measured)
         with pytest.raises(InputError, match="agree with it if .*" + words):
             plausible(rough(pose_problem(arm, wrong, ()), must_converge=False))
+
+
+def test_a_fit_that_takes_a_quarter_turn_for_an_encoder_offset_says_so(robot: Robot, mechanism: Machine) -> None:
+    good = simulate(robot, wanted(scattered(robot, 40, 4)), {}, noise_mm=0.01, rng=np.random.default_rng(1))
+    wrong = dataclasses.replace(good, joints=good.joints + np.radians([0, 90, 0]))
+    with pytest.raises(InputError, match="theta_2 = -90 deg"):
+        plausible(rough(pose_problem(robot, wrong, ()), must_converge=False))
+    said = dataclasses.replace(robot, errors={"theta_2": -np.pi / 2})
+    plausible(rough(pose_problem(said, wrong, ()), must_converge=False))
 
 
 def test_readings_in_another_order_are_refused(arm: Robot) -> None:

@@ -18,7 +18,7 @@ from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.columns import CHANNEL, JOINT, RESERVED
 
 LOOKED_AT = 200  # lines in which the header is searched for
-SEPARATORS = (",", ";", "\t")
+SEPARATORS = (",", ";", "\t", "|")
 LABELS = {"pose", "setup", "contact", "pose_a", "pose_b"}
 _DEG, _MM = {"deg": 1.0, "rad": 57.29577951308232}, {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "um": 1e-3}
 _UNITS: tuple[tuple[re.Pattern[str], str, dict[str, float]], ...] = (  # of columns, unit in files, factors to it
@@ -128,10 +128,12 @@ def layout_of(path: Path, lines: Sequence[tuple[int, str]]) -> Layout:
     """
     header, separator = _header(lines)
     names, *cells = csv.reader((text for _, text in lines[header:]), delimiter=separator)
+    _check_separated(path, lines[header][0], names)
     units = bool(cells) and len(cells[0]) == len(names) and _are_units(cells[0])
     numbered = zip((number for number, _ in lines[header + 1 :]), cells, strict=False)
     shown = ((number, cell.strip()) for number, row in numbered for cell in row)
-    decimal = _decimal.get() or "." if separator == "," else decimal_of(path, shown)
+    commas = separator != "," or any('"' in text for _, text in lines)  # where commas part cells, others are in quotes
+    decimal = decimal_of(path, shown) if commas else _decimal.get() or "."
     return Layout(header, separator, decimal, units)
 
 
@@ -144,6 +146,14 @@ def _header(lines: Sequence[tuple[int, str]]) -> tuple[int, str]:
                 return k, separator
     first = lines[0][1]
     return 0, max(SEPARATORS, key=lambda s: first.count(s))
+
+
+def _check_separated(path: Path, line: int, names: Sequence[str]) -> None:
+    """Raise an InputError where a header is parted by blanks alone."""
+    if len(names) == 1 and sum(_known(converted(name)[0]) for name in names[0].split()) > 1:
+        raise InputError(
+            "its columns are parted by blanks.", "Part them by commas, semicolons or tabs.", file=path, line=line
+        )
 
 
 def _known(name: str) -> bool:

@@ -20,6 +20,7 @@ from deltacal_gen.files.dialect import LABELS, LOOKED_AT, Layout, converted, enc
 from deltacal_gen.files.toml import nearest
 
 WORKBOOKS = (".xlsx", ".xlsm")
+LARGEST = 1e30  # number of a cell: its cube, and sums of these, are numbers still
 _DECIMAL_COMMA = re.compile(r"[-+]?\d+,\d+")
 
 
@@ -89,20 +90,22 @@ class Rows:
         cells = self.columns[name]
         with contextlib.suppress(ValueError):  # the usual column at once; others cell by cell, to name the wrong one
             values = np.array([float(cell) if cell else np.nan for cell in cells]) * self.factors.get(name, 1.0)
-            if np.isfinite(values).sum() == sum(map(bool, cells)) and not any("_" in cell for cell in cells):
+            if (np.abs(values) <= LARGEST).sum() == sum(map(bool, cells)) and not any("_" in cell for cell in cells):
                 return values
         for row, cell in enumerate(cells):
             if not cell:
                 continue
             value = number_of(cell)
-            if value is None or not np.isfinite(value):
-                remedy = "Correct the cell or remove the row."
-                if value is not None:
+            if value is None or not abs(value) <= LARGEST:
+                remedy, expected = "Correct the cell or remove the row.", "a number"
+                if value is not None and np.isfinite(value):
+                    expected = f"a number below {LARGEST:g}"
+                elif value is not None:
+                    expected = "a finite number"
                     remedy = "Leave the cell blank where nothing was measured; joints must be complete."
                 elif _DECIMAL_COMMA.fullmatch(cell):
-                    remedy = "Write a decimal point."
+                    remedy = "Write a decimal point, or say --decimal , where all cells have a comma."
                 shown = cell if len(cell) <= 40 else f"{cell[:36]} ..."
-                expected = "a number" if value is None else "a finite number"
                 raise self.error(f"the cell holds '{shown}', {expected} was expected.", remedy, row=row, column=name)
             values[row] = value
         return values * self.factors.get(name, 1.0)
@@ -191,6 +194,7 @@ def _csv_rows(path: Path, head: list[tuple[int, str]], block: list[tuple[int, st
 
 def _of_cells(path: Path, table: list[list[str]], numbers: list[int], layout: Layout) -> Rows:
     """Return cells (header, units where there are, rows) with their lines as columns in the units of files."""
+    table = _without_blank_ends(table)
     header, units = table[0], table[1] if layout.units else [""] * len(table[0])
     table, numbers, header_line = table[1 + layout.units :], numbers[1 + layout.units :], numbers[0]
     named = [converted(name, unit) for name, unit in zip(header, units, strict=True)]
@@ -218,6 +222,14 @@ def _of_cells(path: Path, table: list[list[str]], numbers: list[int], layout: La
             for name, cells in columns.items()
         }
     return Rows(path, columns, np.array(numbers), header_line, factors)
+
+
+def _without_blank_ends(table: list[list[str]]) -> list[list[str]]:
+    """Return rows without blank cells beyond the last name: of separators that end a line."""
+    width = len(_trimmed(table[0]))
+    if not any(any(row[width:]) for row in table):
+        return [row[:width] for row in table]
+    return table
 
 
 def read_workbook(path: Path) -> Rows:

@@ -7,7 +7,7 @@ import math
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator, ValidatorFunctionWrapHandler, WrapValidator
+from pydantic import AfterValidator, Field, ValidatorFunctionWrapHandler, WrapValidator
 from pydantic_core import PydanticCustomError
 
 from deltacal_gen.files.toml import Number, Positive, Table, TomlFile, Vector, toml_text
@@ -24,6 +24,9 @@ def _lens(value: object, check: ValidatorFunctionWrapHandler) -> Any:
 
 Lens = Annotated[Number, WrapValidator(_lens)]
 LENS = ("fx_px", "fy_px", "cx_px", "cy_px", "k1", "k2", "p1", "p2", "k3")
+
+
+Noise = Annotated[Positive, Field(ge=1e-12, le=1e9)]  # of any unit; its square has to be a number
 
 
 class Camera(Table):
@@ -72,9 +75,9 @@ class _Measurement(Table):
 
     kind: Annotated[str, AfterValidator(_kind_name)] | None = None
     frame: Literal["unknown", "robot"] = "unknown"
-    sigma_mm: Positive | None = None
-    sigma_deg: Positive | None = None
-    sigma_px: Positive | None = None
+    sigma_mm: Noise | None = None
+    sigma_deg: Noise | None = None
+    sigma_px: Noise | None = None
     instrument: str | None = None
     operator: str | None = None
     zero: Literal["absolute", "incremental"] = "absolute"

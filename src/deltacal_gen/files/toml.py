@@ -115,7 +115,9 @@ def _expected(flaw: Mapping[str, Any]) -> str:
         case "greater_than":
             return "a number above 0 was expected"
         case "greater_than_equal":
-            return "a number not below 0 was expected"
+            return f"a number not below {ctx['ge']:g} was expected"
+        case "less_than_equal":
+            return f"a number not above {ctx['le']:g} was expected"
         case "too_short" | "too_long":
             count = ctx.get("min_length", ctx.get("max_length"))
             return f"{count} entries were expected"

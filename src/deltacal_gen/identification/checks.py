@@ -27,6 +27,7 @@ POSES_LOOKED_AT, SEED = 60, 2021  # poses, drawn at random, on which mistakes ar
 NEARER = 0.5  # of the error: a mistake that brings less is not fitted
 MOST_FITTED = 4
 EXPLAINED = 0.1  # of the error: what a mistake may leave that explains it
+ELSEWHERE = 45 * DEG  # of an encoder offset: it is nearer to a quarter of a turn than to a joint that was homed badly
 
 
 def chosen_model(mechanism: Machine, problem: Problem, recording: Recording, asked: str | None) -> str:
@@ -142,6 +143,7 @@ def plausible(first: Fit) -> None:
     points = first.machine.x[found.used, :3]
     spread = float(np.linalg.norm(points.std(axis=0)))
     if off < IMPLAUSIBLE * max(robot_size(problem.robot), spread):
+        _zeros(first)
         return
     explained = _explained(problem, off) if found.kind.positions else []
     if explained:
@@ -157,6 +159,21 @@ def plausible(first: Fit) -> None:
             "Compare the robot file with the machine, and the columns of the recording with what was measured.",
             file=problem.recording.path,
         )
+
+
+def _zeros(first: Fit) -> None:
+    """Raise an InputError where the readings agree with the machine by a joint whose zero is elsewhere."""
+    problem, moved = first.problem, first.errors - first.problem.reference
+    kinds = problem.mechanism.parameters
+    far = [k for k, p in enumerate(kinds) if p.unit == "rad" and abs(moved[k]) > ELSEWHERE]
+    if not far:
+        return
+    zeros = ", ".join(f"{kinds[k].name} = {first.errors[k] / DEG:.0f}" for k in far)
+    raise InputError(
+        f"the readings want {zeros} deg of this machine: the zero of a joint is elsewhere.",
+        f"Correct the joints of the recording, or say it in the robot file: [errors] {zeros.replace(', ', ' and ')}.",
+        file=problem.recording.path,
+    )
 
 
 def _of_these_joints(first: Fit, off: float) -> None:
@@ -193,19 +210,30 @@ def _explained(problem: Problem, off: float) -> list[str]:
             again = rough(changed, must_converge=False)
         except (InputError, NoSolutionError):
             continue
-        if _typical(again.residual, again) < EXPLAINED * off:
+        smaller = min(1.0, _spread(changed) / _spread(problem))  # in a larger unit all is smaller, errors too
+        if _typical(again.residual, again) < EXPLAINED * off * smaller:
             out.append(words)
     return out
 
 
 def _aligned_error(problem: Problem) -> float:
-    """Return the median error [mm] of the machine as its file says, the instrument aligned; inf where it cannot be."""
+    """Return the median error of the machine as its file says, the instrument aligned; inf where it cannot be.
+
+    By what the readings spread over: in other units all are smaller, or larger.
+    """
     try:
         machine = problem.solve(problem.reference)
         residual = problem.residual(problem.reference, problem.begin(problem.reference, machine), problem.seen(machine))
     except InputError:
         return float("inf")
-    return float(np.median(np.linalg.norm(np.nan_to_num(lengths(residual, problem.readings.kind)), axis=1)))
+    off = np.median(np.linalg.norm(np.nan_to_num(lengths(residual, problem.readings.kind)), axis=1))
+    return float(off) / _spread(problem)
+
+
+def _spread(problem: Problem) -> float:
+    """Return what readings spread over, in their own unit."""
+    found = problem.readings
+    return float(np.linalg.norm(np.nanstd(found.values[:, [c for c in found.components if c < 3]], axis=0)))
 
 
 def _mistakes(problem: Problem) -> Iterator[tuple[str, Problem]]:
@@ -233,6 +261,10 @@ def _mistakes(problem: Problem) -> Iterator[tuple[str, Problem]]:
         for turn in (90, -90, 180) if problem.mechanism.joint_units[i] == "rad" else ():
             step = np.where(np.arange(len(joints)) == i, turn * DEG, 0.0)
             yield f"the zero of joint {i + 1} is off by {turn} deg", with_joints(body.q + step)
+    if set(problem.mechanism.joint_units) == {"rad"}:
+        yield "the joints are in radians", with_joints(body.q / DEG)
+        for turn in (90, -90):
+            yield f"the zeros of all joints are off by {turn} deg", with_joints(body.q + turn * DEG)
     for i, j in itertools.combinations(joints, 2):
         order = [j if k == i else i if k == j else k for k in joints]
         yield f"the columns of joints {i + 1} and {j + 1} are exchanged", with_joints(body.q[:, order])
@@ -241,11 +273,9 @@ def _mistakes(problem: Problem) -> Iterator[tuple[str, Problem]]:
     for i, j in itertools.combinations(read, 2):
         swapped = [j if k == i else i if k == j else k for k in range(3)]
         yield f"{axes[i]}_mm and {axes[j]}_mm are exchanged", with_values(found.values[:, swapped])
-    if len(read) == 3:
-        yield (
-            "the instrument's frame is left-handed (one axis counts the other way)",
-            with_values(found.values * np.array([-1.0, 1.0, 1.0])),
-        )
+    if len(read) > 1:
+        mirrored = np.where(np.arange(3) == read[0], -found.values, found.values)
+        yield "the instrument's frame is left-handed (one axis counts the other way)", with_values(mirrored)
     for factor, unit in ((1000.0, "metres"), (25.4, "inches"), (0.001, "micrometres")):
         yield f"all positions are in {unit}", with_values(found.values * factor)
         for i in read:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import sys
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -26,8 +27,6 @@ from deltacal_gen.units import of_sliding
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
-
-NUMBERS = (int, float)
 
 
 class _File(Table):
@@ -74,12 +73,17 @@ def read_truth(path: str | Path, rigid: Rigid) -> Truth:
     return Truth(said.parameters, tuple(acting), delays, tuple(_payload(file, table) for table in carried))
 
 
+def _is_number(value: object) -> bool:
+    """Tell whether a value of a truth is a finite number: integers of TOML may be longer than any."""
+    return isinstance(value, int | float) and abs(value) <= sys.float_info.max
+
+
 def _payload(file: TomlFile, table: Mapping[str, Any]) -> tuple[str, Array]:
     """Return the set-up of a payload that is not what is written, and what it has beside: mass and centre."""
     given, names = dict(table), [name for name, _ in NAMES]
     setup = str(given.pop("setup", ""))
     values = [given.pop(name, 0.0) for name in names]
-    if set(given) - {"name"} or not all(isinstance(value, NUMBERS) for value in values):
+    if set(given) - {"name"} or not all(map(_is_number, values)):
         raise file.error(f"{PAYLOAD} has the numbers {', '.join(names)}, and setup.", "Correct the table.", "effects")
     return setup, np.array(values, dtype=float)
 
@@ -87,7 +91,7 @@ def _payload(file: TomlFile, table: Mapping[str, Any]) -> tuple[str, Array]:
 def _delays(file: TomlFile, table: Mapping[str, Any], rigid: Rigid) -> dict[int, float]:
     """Return by how much readings come late, joint by joint [s]."""
     delay = table.get("delay")
-    if not isinstance(delay, NUMBERS) or set(table) - {"name", "delay", "limb", "limbs"}:
+    if not _is_number(delay) or set(table) - {"name", "delay", "limb", "limbs"}:
         raise file.error("latency needs a number for 'delay', and no other.", "Give delay in s.", "effects")
     return {i: float(delay) for i in _limbs(file, LATENCY, dict(table), rigid)}
 
@@ -113,7 +117,7 @@ def _effects(file: TomlFile, table: Mapping[str, Any], rigid: Rigid) -> list[tup
     kernels = load_effect(name)
     names = [key for key, *_ in (*kernels.COEFFICIENTS, *kernels.CONSTANTS)]
     for key in names:
-        if key not in given or not isinstance(given[key], NUMBERS):
+        if not _is_number(given.get(key)):
             raise file.error(f"{name} needs a number for '{key}'.", f"Give {', '.join(names)}.", "effects")
     if stray := [key for key in given if key not in names]:
         raise file.error(f"{name} has no parameter '{stray[0]}'.", f"It has {', '.join(names)}.", "effects")

@@ -534,7 +534,7 @@ class Body:
                 + (f" (and at {len(bad) - 1} more rows)." if len(bad) > 1 else "."),
                 "Make the effect's jump smaller, or a slope of it."
                 if joint
-                else "Check the joint columns, their signs and units, and the robot's lengths.",
+                else "Check the joint columns, their signs, zeros and units, and the robot's lengths.",
                 file=recording.path,
                 line=int(recording.line[bad[0]]),
             )

@@ -109,12 +109,12 @@ def _in_time(rows: list[Row]) -> list[Row]:
 
 
 def _number(row: Row) -> int:
-    found = _NUMBER.search(str(row["pose"]))
+    found = _NUMBER.search(str(row.get("pose", "")))
     return int(found.group()) if found else 0
 
 
 def _stem(row: Row) -> str:
-    return _NUMBER.sub("", str(row["pose"]))
+    return _NUMBER.sub("", str(row.get("pose", "")))
 
 
 def columns_of(rows: Sequence[Row]) -> dict[str, list[float | str]]:
