@@ -181,3 +181,15 @@ def test_a_short_recording_promises_no_more_than_it_can(run: Run, tmp_path: Path
     assert found["verdict"] == "adequate"
     assert "too few" in found["summary"]
     assert any("poses" in m["text"] for m in found["next_measurements"])
+
+
+def test_play_of_less_than_nothing_is_a_direction_that_counts_the_other_way(shop: Path, diagnose: Diagnose) -> None:
+    for joint in (1, 2, 3):
+        column(shop, f"approach{joint}", lambda line, cell: str(-int(float(cell))))
+    _, found, out, _ = diagnose()
+    assert not found["effects"]
+    size = r"backlash at limb 2 with a width of 0\.0[12]\d* deg, if approach counts the other way here"
+    assert re.search(size, found["summary"])
+    assert re.search(size, out)
+    [why] = [r["why"] for r in found["rejected"] if r["name"] == "backlash"]
+    assert why.endswith("unless approach counts the other way here")

@@ -88,6 +88,26 @@ FOUND: dict[str, tuple[str, str, Damage]] = {  # command, file, and what was don
         lambda c: _keys(c, lambda d: d["physics"][0].pop("effect")),
     ),
     "an error that is a text": ("simulate", "delta.truth.toml", lambda c: b'[parameters]\ntheta_1 = "x"\n'),
+    "noise whose square is no number": (
+        "diagnose",
+        "gearbox.recording.toml",
+        lambda c: c.replace(b"0.01", b"1e300"),
+    ),
+    "an integer that no float holds": (
+        "simulate",
+        "torque.truth.toml",
+        lambda c: c.replace(b"coulomb = 2.0", b"coulomb = " + b"9" * 400),
+    ),
+    "a reading whose square is no number": (
+        "identify",
+        "encoder.recording.csv",
+        lambda c: re.sub(rb"(?m)^(18(?:,[^,\n]+){3}),[^,]+", rb"\1,1e300", c),
+    ),
+    "poses without labels": (
+        "next",
+        "open.diagnosis.json",
+        lambda c: c.replace(b'"pose"', b'"prose"'),
+    ),
     "a ragged mesh": (
         "import",
         "linear_delta.printer.cfg",

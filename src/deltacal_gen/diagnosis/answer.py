@@ -236,6 +236,7 @@ def _summary(found: Diagnosed) -> str:
             f"Nothing is missing: what the calibrated geometry leaves, {before:.4f} mm on held-out readings, "
             f"{_as_noise(found)}. Use the calibrated machine.{_hinted(found)}"
         )
+    turned = f" It may as well be {found.turned}: compare the signs of that column." if found.turned else ""
     parts = []
     if found.spectrum is not None:
         joints = ", ".join(map(str, found.spectrum.limbs))
@@ -253,13 +254,13 @@ def _summary(found: Diagnosed) -> str:
         doubt = f" These poses cannot tell {'; '.join(open_questions)}." if open_questions else ""
         return (
             f"Geometry alone leaves {before:.4f} mm on held-out readings. What is missing: {'; '.join(parts)}. "
-            f"With it {after:.4f} mm are left: that {_as_noise(found)}.{doubt}"
+            f"With it {after:.4f} mm are left: that {_as_noise(found)}.{doubt}{turned}"
         )
     named = f" Proven beside it: {'; '.join(parts)}." if parts else ""
     left = rms(lengths(found.final.residual, found.final.problem.readings.kind))
     return (
         f"A mismatch of {left:.4f} mm is left that no registered effect explains: "
-        f"{found.location.text}.{named} {_corrected(found.correction)}"
+        f"{found.location.text}.{named} {_corrected(found.correction)}{turned}"
     )
 
 

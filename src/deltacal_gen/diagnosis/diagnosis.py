@@ -21,7 +21,7 @@ from deltacal_gen.diagnosis.answer import result_of
 from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.correction import Correction, correct
 from deltacal_gen.diagnosis.discrimination import Question, next_measurements
-from deltacal_gen.diagnosis.findings import AMBIGUOUS, Named, location_of, named_of, rejected_of
+from deltacal_gen.diagnosis.findings import AMBIGUOUS, Named, location_of, named_of, rejected_of, turned_of
 from deltacal_gen.diagnosis.hints import hinted, outweighed, told
 from deltacal_gen.diagnosis.laws.laws import Lawful, Sought, laws
 from deltacal_gen.diagnosis.library import library
@@ -96,6 +96,7 @@ class Diagnosed:
     spectrum: Spectrum | None = None
     lean: bool = False
     laws: tuple[Lawful, ...] = ()
+    turned: str = ""
 
     @property
     def short(self) -> bool:
@@ -228,6 +229,7 @@ def diagnose(
         spectrum=spectrum,
         lean=lean,
         laws=lawful,
+        turned=turned_of(found.considered) if lawful or unexplained else "",
     )
 
 

@@ -19,6 +19,7 @@ from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.states import read_by
 from deltacal_gen.physics.terms import (
+    TURNED,
     Term,
     effect_names,
     load_effect,
@@ -184,6 +185,20 @@ def _warmings(time: Array) -> list[Array]:
     return [WARMED * since, *(WARMED * -np.expm1(-since / within) for within in WARMED_WITHIN)]
 
 
+def turned_of(considered: Sequence[Found]) -> str:
+    """Return in words what would explain the most, if the direction of approach counted the other way; "" if none.
+
+    Readings of which the column has the wrong sign look like play of less than nothing.
+    """
+    most = max((f.gain for f in considered), default=0.0)
+    sizes = [(f.doubt.gain, f.term.effect, f.doubt) for f in considered if f.doubt and f.doubt.beyond.turned]
+    gain, name, doubt = max(sizes, key=lambda s: s[0], default=(0.0, "", None))
+    if doubt is None or gain < max(most, MARGIN):
+        return ""
+    at = f" at limb {doubt.limb}" if doubt.limb else ""
+    return f"{name}{at} with a {doubt.beyond.name} of {-doubt.beyond.value:.3g} {doubt.beyond.unit}, if {TURNED}"
+
+
 def rejected_of(considered: Sequence[Found], named: Sequence[Named], spectrum: Spectrum | None) -> tuple[Rejected, ...]:
     chosen = {n.term.effect for n in named} | ({wave()} if spectrum is not None else set())
     alike = {name: n.term.effect for n in named for name in n.alike}
@@ -193,7 +208,7 @@ def rejected_of(considered: Sequence[Found], named: Sequence[Named], spectrum: S
             gain_chi2=f.gain,
             why=f"not told from {alike[f.term.effect]} by these poses"
             if f.term.effect in alike
-            else f"would need {f.doubt}"
+            else f"would need {f.doubt.beyond}"
             if f.doubt and f.score < MARGIN
             else "earns less than the charge for its coefficients and for the search"
             if f.score < MARGIN

@@ -50,6 +50,15 @@ T = TypeVar("T")
 
 
 @dataclass(frozen=True)
+class Doubt:
+    """A size that no machine worth measuring has, of which limb, and the gain of the form that would need it."""
+
+    beyond: Beyond
+    limb: int | None
+    gain: float
+
+
+@dataclass(frozen=True)
 class Found:
     """An effect's best form: its gain in chi2, and what is left of the gain after its charge.
 
@@ -60,7 +69,7 @@ class Found:
     term: Term
     gain: float
     score: float
-    doubt: str = ""
+    doubt: Doubt | None = None
 
 
 class Search:
@@ -220,7 +229,7 @@ class Search:
         G = self.gram(name)[free]
         b = self._reach[span].reshape(len(forms), -1)[free]
         size = self._size[span].reshape(len(forms), -1)[free]
-        open_forms, doubt = np.arange(len(free)), ""
+        open_forms, doubt = np.arange(len(free)), None
         allowed: list[object] | None = list(carriers_of(forms[0]))
         last = Found(forms[0], 0.0, -np.inf)
         while len(open_forms) and allowed is not None:
@@ -232,7 +241,7 @@ class Search:
             last = Found(form, gain, score, doubt)
             if not cannot or score < 0:
                 return last
-            doubt = doubt or str(cannot[0])
+            doubt = doubt or Doubt(cannot[0], part.limbs[cannot[0].row] if part.limbs else None, gain)
             if carriers := carriers_of(part):
                 out = {carriers[c.row] for c in cannot}
                 allowed = [c for c in allowed if c not in out] or None

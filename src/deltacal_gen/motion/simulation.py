@@ -7,7 +7,7 @@ import sys
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeGuard
 
 import numpy as np
 from pydantic import Field
@@ -73,7 +73,7 @@ def read_truth(path: str | Path, rigid: Rigid) -> Truth:
     return Truth(said.parameters, tuple(acting), delays, tuple(_payload(file, table) for table in carried))
 
 
-def _is_number(value: object) -> bool:
+def _is_number(value: object) -> TypeGuard[float]:
     """Tell whether a value of a truth is a finite number: integers of TOML may be longer than any."""
     return isinstance(value, int | float) and abs(value) <= sys.float_info.max
 

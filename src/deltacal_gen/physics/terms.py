@@ -277,6 +277,9 @@ def row_factors(term: Term, joint_unit: str) -> Array:
     return np.array([[factor for _, _, factor in row] for row in row_coefficients(term, joint_unit)])
 
 
+TURNED = "approach counts the other way here"
+
+
 @dataclass(frozen=True)
 class Beyond:
     """A coefficient that no machine worth measuring has: of which row of a term, how large, in files' units."""
@@ -286,10 +289,13 @@ class Beyond:
     value: float
     unit: str
     believable: tuple[float, float]
+    turned: bool = False
+    """Whether it could be, if the direction of approach counted the other way."""
 
     def __str__(self) -> str:
         low, high = self.believable
-        return f"a {self.name} of {self.value:.3g} {self.unit}, where {low:g} to {high:g} can be"
+        unless = f", unless {TURNED}" if self.turned else ""
+        return f"a {self.name} of {self.value:.3g} {self.unit}, where {low:g} to {high:g} can be{unless}"
 
 
 def beyond(term: Term, std: Array, joint_unit: str) -> list[Beyond]:
@@ -302,11 +308,13 @@ def beyond(term: Term, std: Array, joint_unit: str) -> list[Beyond]:
     """
     out = []
     allowed = DOUBTED * np.reshape(std, term.values.shape)
+    directed = any(channel.column == "approach{i}" for state in term.states for channel in state.channels)
     for r, row in enumerate(row_coefficients(term, joint_unit)):
         for c, ((name, unit, factor), (low, high)) in enumerate(zip(row, term.kernels.BELIEVABLE, strict=True)):
             value, doubt = term.values[r, c] / factor, allowed[r, c] / abs(factor)
             if not low - doubt <= value <= high + doubt:
-                out.append(Beyond(r, name, float(value), unit, (low, high)))
+                turned = directed and low <= -value <= high
+                out.append(Beyond(r, name, float(value), unit, (low, high), turned))
     return out
 
 
