@@ -14,6 +14,7 @@ from deltacal_gen.diagnosis.findings import Named
 from deltacal_gen.diagnosis.laws.told import told
 from deltacal_gen.diagnosis.search import SCATTERED
 from deltacal_gen.diagnosis.spectrum import Spectrum, wave
+from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.identification.knowledge import uncertainty_of
@@ -36,6 +37,7 @@ from deltacal_gen.results.diagnosis import (
     Effect,
     EffectParameter,
     Final,
+    JointFunction,
     NoiseLevel,
     Residuals,
     Searched,
@@ -50,6 +52,7 @@ from deltacal_gen.units import DEG, joint_factors, joint_names
 if TYPE_CHECKING:
     from deltacal_gen.diagnosis.diagnosis import Diagnosed
 
+MOST_TOLD = 3  # joints, and waves of each, of a smooth correction that the summary tells
 WORTH_SAYING = 0.02  # p-value of a hint that the summary tells
 
 
@@ -114,12 +117,13 @@ def _correction(found: Diagnosed) -> SmoothCorrection | None:
     robot = dataclasses.replace(found.robot, errors=dict(zip(names, made.errors.tolist(), strict=True)))
     excess = max(before**2 - found.noise.sigma**2, 1e-300)
     return SmoothCorrection(
-        depends_on=(made.smooth.variable,),
-        limbs=made.smooth.limbs,
+        depends_on=tuple(smooth.variable for smooth in made.moving),
+        limbs=tuple(i for smooth in made.moving for i in smooth.limbs),
         rms_mm=made.size,
         heldout_rms_mm=BeforeAfter(before=before, after=after),
         share_of_excess=float(np.clip((before**2 - after**2) / excess, 0.0, 1.0)),
-        smooth=made.smooth.kept(),
+        functions=_functions(found.final.problem, made),
+        smooth=tuple(smooth.kept() for smooth in made.smooth),
         machine=MachineState(
             robot=kept_robot(robot),
             physics=tuple(map(kept_term, made.terms)),
@@ -260,7 +264,7 @@ def _summary(found: Diagnosed) -> str:
     left = rms(lengths(found.final.residual, found.final.problem.readings.kind))
     return (
         f"A mismatch of {left:.4f} mm is left that no registered effect explains: "
-        f"{found.location.text}.{named} {_corrected(found.correction)}{turned}"
+        f"{found.location.text}.{named} {_corrected(found)}{turned}"
     )
 
 
@@ -306,12 +310,52 @@ def _as_noise(found: Diagnosed) -> str:
     return f"is noise{hangs}"
 
 
-def _corrected(made: Correction | None) -> str:
+def _functions(problem: Problem, made: Correction) -> tuple[JointFunction, ...]:
+    """Return what a correction says of each joint that goes with its own angle or travel, the strongest first."""
+    mechanism = problem.mechanism
+    names = joint_names(problem.recording.joint_unit, mechanism.limbs)
+    out = []
+    for smooth, moved in zip(made.moving, made.each, strict=True):
+        if smooth.variable not in names or smooth.limbs != (names.index(smooth.variable) + 1,):
+            continue
+        limb, turns = smooth.limbs[0], mechanism.joint_units[smooth.limbs[0] - 1] == "rad"
+        size, waves = smooth.waves()
+        out.append(
+            JointFunction(
+                limb=limb,
+                rms_mm=moved,
+                joint_rms_deg=size / DEG if turns else None,
+                joint_rms_mm=None if turns else size,
+                orders=tuple(360.0 / v for v in waves) if turns else None,
+                waves_mm=None if turns else waves,
+            )
+        )
+    return tuple(sorted(out, key=lambda f: -f.rms_mm))
+
+
+def _corrected(found: Diagnosed) -> str:
+    made = found.correction
     if made is None:
         return "No smooth correction holds on held-out readings."
     before, after = made.heldout
-    on = "position" if made.smooth.variable == "position" else f"the channel {made.smooth.variable}"
+    names = [smooth.variable for smooth in made.moving]
+    on = "position" if names == ["position"] else f"the channel {names[0]}"
+    where, most = f"{names[0]} is", ""
+    if len(names) > 1:
+        on, where = "functions that each joint has of its own angle or travel", "joints and position are"
+        own = _functions(found.final.problem, made)[:MOST_TOLD]
+        most = f" Most of it: {'; '.join(map(_waves, own))}. No period is claimed over the range that was seen."
+        if found.final.repeats.rows > 1:
+            most += " Rows that follow one another are alike: only the same poses on another day tell joints from time."
     return (
         f"A smooth correction by {on}, without physics, lowers the error of held-out readings from {before:.4f} to "
-        f"{after:.4f} mm; predictions use it where {made.smooth.variable} is as in this recording."
+        f"{after:.4f} mm; predictions use it where {where} as in this recording.{most}"
     )
+
+
+def _waves(own: JointFunction) -> str:
+    if own.orders is not None:
+        few = ", ".join(f"{order:.0f}" for order in own.orders[:MOST_TOLD])
+        return f"joint {own.limb} {own.joint_rms_deg:.4f} deg at about {few} waves a turn"
+    few = ", ".join(f"{wave:.1f}" for wave in (own.waves_mm or ())[:MOST_TOLD])
+    return f"joint {own.limb} {own.joint_rms_mm:.4f} mm in waves of about {few} mm"

@@ -9,18 +9,20 @@ is a correction at all. It holds where there were readings; beyond them the mach
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterator, Sequence
+import itertools
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from deltacal_gen.diagnosis.beside import Beside
-from deltacal_gen.diagnosis.structure import Structure, displacements
+from deltacal_gen.diagnosis.structure import Structure, displacements, structures
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation.fit import Fit, fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths, rms, robust_sigma, robust_weights
 from deltacal_gen.estimation.solvers import Prior, jitter
+from deltacal_gen.identification.folds import folds, neighbours
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording
@@ -30,10 +32,11 @@ from deltacal_gen.results.diagnosis import SmoothState
 from deltacal_gen.units import joint_factors, joint_names
 
 CANDIDATES = 3  # structures that are tried, the strongest first
-KNOTS = 32
-LENGTHS = (0.05, 0.1, 0.2, 0.4)  # over which a function varies, parts of the diagonal of what was measured
+LENGTHS = (0.025, 0.05, 0.1, 0.2, 0.4)  # over which a function varies, parts of the diagonal of what was measured
+KNOTS = 40  # so many as the shortest of them has in a row
 SIZES = (1.0, 4.0, 16.0)  # standard deviations of noise by which a function may well move the readings
 PROVEN = 3.0  # standard deviations by which held-out poses must be better
+STEPS = 1024  # over a function's range, at which its waves are looked at
 JITTER = 1e-8  # of a knot's variance: knots that say nearly the same
 POSITION = "position"
 
@@ -76,6 +79,20 @@ class Smooth:
         out: Array = np.where(np.isfinite(gap), np.exp(-0.5 * np.nan_to_num(gap / self.length) ** 2), 0.0)
         return np.where(out < 0.01, 0.0, out)
 
+    def waves(self) -> tuple[float, tuple[float, ...]]:
+        """Return the RMS [rad, mm] of a joint's function of one variable, and the lengths of the waves that carry most.
+
+        Over the range of the knots, what goes straight through it taken off; lengths in the variable's unit, the
+        strongest first, together half of the square.
+        """
+        v = np.linspace(self.knots.min(), self.knots.max(), STEPS)
+        moved = self.displacement(v[:, None])[:, 0]
+        moved = moved - np.polynomial.Polynomial.fit(v, moved, 1)(v)
+        power = np.abs(np.fft.rfft(moved)[1:]) ** 2
+        order = np.argsort(-power)
+        most = 1 + int(np.searchsorted(np.cumsum(power[order]), 0.5 * power.sum()))
+        return float(np.std(moved)), tuple(float(np.ptp(v) / (k + 1)) for k in order[:most])
+
     def kept(self) -> SmoothState:
         """Return what an answer keeps of it."""
         return SmoothState(**{field.name: getattr(self, field.name) for field in dataclasses.fields(self)})
@@ -98,14 +115,22 @@ class Correction:
         RMS [mm] of readings that took part neither in the fit nor in its choices, without and with the correction.
     size : float
         RMS [mm] by which it moves the readings beyond what geometry would make up for.
+    each : tuple of float
+        RMS [mm] by which each of the functions moves them alone.
     """
 
-    smooth: Smooth
+    smooth: tuple[Smooth, ...]
     errors: Array
     terms: tuple[Term, ...]
     instrument: Instrument
     heldout: tuple[float, float]
     size: float
+    each: tuple[float, ...]
+
+    @property
+    def moving(self) -> tuple[Smooth, ...]:
+        """Functions that move something; the others only say where these hold."""
+        return self.smooth[: len(self.each)]
 
 
 def variable(name: str, recording: Recording, q: Array, x: Array) -> Array | None:
@@ -126,65 +151,117 @@ def variable(name: str, recording: Recording, q: Array, x: Array) -> Array | Non
     return dict(zip(names, (q / unit).T[:, :, None], strict=True)).get(name)
 
 
-def correct(
-    at: Fit, whole: Fit, left: Sequence[Structure], parts: Sequence[tuple[np.ndarray, np.ndarray]]
-) -> Correction | None:
-    """Return the smooth correction that held-out poses bear out, None where they bear out none.
+def displacement(functions: Sequence[Smooth], recording: Recording, q: Array, x: Array) -> tuple[Array, Array]:
+    """Return by how much smooth functions move the joints (N, n_q) [rad, mm] and the platform (N, 3) [mm] of each row.
 
-    What it depends on is chosen in the machine made linear; what it then is worth is measured as predictions use it: in
-    the exact machine, geometry, effects and instrument fitted anew beside it, fading where there were no readings.
+    `q` and `x` as in `variable`; what goes with a variable that a recording lacks is zero.
+    """
+    joints, shift = np.zeros_like(q), np.zeros((len(x), 3))
+    for smooth in functions:
+        if (values := variable(smooth.variable, recording, q, x)) is None:
+            continue
+        moved = smooth.displacement(values)
+        if smooth.limbs:
+            joints[:, [i - 1 for i in smooth.limbs]] += moved
+        else:
+            shift += moved
+    return joints, shift
+
+
+def holding(functions: Sequence[Smooth], recording: Recording, q: Array, x: Array) -> Array:
+    """Return which part (N,) of smooth functions holds in each row: together they do where each of them does."""
+    out = np.ones(len(x))
+    for smooth in functions:
+        values = variable(smooth.variable, recording, q, x)
+        out = np.minimum(out, 0.0 if values is None else smooth.share(values))
+    return out
+
+
+@dataclass(frozen=True)
+class BorneOut:
+    """Smooth functions that held-out poses bear out.
+
+    Attributes
+    ----------
+    at : Fit
+        That they were chosen beside.
+    without, corrected : (R, k) array
+        Errors [mm, rad] of held-out readings; nan of gross errors.
+    """
+
+    at: Fit
+    linear: _Linear
+    option: _Option
+    without: Array
+    corrected: Array
+
+    @property
+    def heldout(self) -> tuple[float, float]:
+        """RMS [mm] of held-out readings without the functions and with them."""
+        kind = self.at.problem.readings.kind
+        return rms(lengths(self.without, kind)), rms(lengths(self.corrected, kind))
+
+    def of_all(self, whole: Fit) -> Correction | None:
+        """Return the correction with geometry, effects and instrument fitted to all readings beside it."""
+        base = self.linear.step(None, set())
+        step = self.linear.step(self.option, set())
+        functions = self.option.smooth(step[len(base) :])
+        fitted = _beside(whole, functions)
+        if fitted is None:
+            return None
+        kind, (source, _) = self.at.problem.readings.kind, whole.problem.split(fitted.errors)
+        by_functions = self.linear.errors(base, None) - self.linear.errors(step, self.option)
+        return Correction(
+            smooth=functions,
+            errors=source[: len(whole.problem.mechanism.parameters)],
+            terms=whole.problem.acting(fitted.errors),
+            instrument=fitted.instrument,
+            heldout=self.heldout,
+            size=rms(lengths(by_functions, kind)),
+            each=tuple(rms(lengths(moved, kind)) for moved in self.option.moved(step[len(base) :])),
+        )
+
+
+def borne_out_beside(at: Fit, left: Sequence[Structure]) -> BorneOut | None:
+    """Return the smooth functions that held-out poses bear out, None where they bear out none.
+
+    What they depend on is chosen in the machine made linear; what they then are worth is measured as predictions use
+    them: in the exact machine, geometry, effects and instrument fitted anew beside them, fading where there were no
+    readings. Of readings that hang together no more count than tell something of their own.
 
     Parameters
     ----------
-    at : Fit
-        Of the readings that `left` and `parts` are of.
-    whole : Fit
-        Of all readings, with the same effects: the correction is fitted to them.
     left : sequence of Structure
         What is left of the fit, the strongest first.
-    parts : sequence of (train, test)
-        Masks (R,) of readings; repeats of a pose stay together.
     """
+    rows = at.repeats.rows
+    if rows > 1:  # along a path functions of the joints hang together as noise does, which then stands for them
+        at = dataclasses.replace(at, repeats=dataclasses.replace(at.repeats, series=None))
+        left = structures(at)
+    parts = folds(at.problem.readings, at.problem.recording)
     variables = [s for s in left if s.earned > 0][:CANDIDATES]
     first = _Linear(at, parts, at.weights)
-    chosen = first.best(options := first.options(variables), set())
+    chosen = first.best(first.options(variables), set())
     if chosen is None:
         return None
     # what is left out looked like gross errors where it is strongest
     r, found = first.errors(first.step(chosen, set()), chosen), at.problem.readings
     sigma = robust_sigma(r, np.zeros(found.kind.noises), True, found)
     linear = _Linear(at, parts, robust_weights(r, sigma, found.kind))
-    options = linear.options(variables)
+    option = linear.best(options := linear.options(variables), set())
+    if option is None:
+        return None
     # every part is predicted by what the other parts choose and fit
-    without, corrected = [], []
+    without, corrected = (np.full(at.residual.shape, np.nan) for _ in range(2))
     for k, (train, test) in enumerate(parts):
-        before = linear.errors(linear.step(None, {k}), None, test)
-        without.append(before)
-        corrected.append(_predicted(at, linear, linear.best(options, {k}), k, train, test, before))
-    order = np.concatenate([np.flatnonzero(test) for _, test in parts])
-    quiet = linear.weights[order] > 0
-    before, after = (lengths(np.concatenate(errors)[quiet], found.kind) for errors in (without, corrected))
-    gain = np.nansum(before**2 - after**2, axis=1)
-    _, group = np.unique(at.problem.readings.group[order][quiet], return_inverse=True)
-    better = np.bincount(group, gain)
-    spread = float(np.std(better)) * np.sqrt(len(better))
-    option = linear.best(options, set())
-    if option is None or better.sum() <= PROVEN * spread:
-        return None
-    step, base = linear.step(option, set()), linear.step(None, set())
-    smooth = option.smooth(step[len(base) :])
-    fitted = _beside(whole, smooth)
-    if fitted is None:
-        return None
-    source, _ = whole.problem.split(fitted.errors)
-    return Correction(
-        smooth=smooth,
-        errors=source[: len(whole.problem.mechanism.parameters)],
-        terms=whole.problem.acting(fitted.errors),
-        instrument=fitted.instrument,
-        heldout=(rms(before), rms(after)),
-        size=rms(lengths(linear.errors(base, None) - linear.errors(step, option), found.kind)),
-    )
+        without[test] = linear.errors(linear.step(None, {k}), None, test)
+        corrected[test] = _predicted(at, linear, linear.best(options, {k}), k, train, test, without[test])
+    without[linear.weights == 0] = corrected[linear.weights == 0] = np.nan
+    made = BorneOut(at, linear, option, without, corrected)
+    before, after = (lengths(errors, found.kind) for errors in (without, corrected))
+    better = np.bincount(neighbours(found, found.group, rows), np.nansum(before**2 - after**2, axis=1))
+    better = better[better != 0]
+    return made if better.sum() > PROVEN * float(np.std(better)) * np.sqrt(len(better)) else None
 
 
 def _predicted(
@@ -202,23 +279,22 @@ def _predicted(
     """
     if option is None:
         return plain
-    smooth = option.smooth(linear.step(option, {k})[len(linear.step(None, {k})) :])
-    fitted = _beside(at, smooth, train)
+    functions = option.smooth(linear.step(option, {k})[len(linear.step(None, {k})) :])
+    fitted = _beside(at, functions, train)
     if fitted is None:
         return plain
-    problem = displaced(at, smooth, at.problem)
+    problem = displaced(at, functions, at.problem)
     machine = problem.solve(fitted.errors)
     moved = problem.residual(fitted.errors, fitted.instrument, problem.seen(machine))[test]
-    values = variable(smooth.variable, problem.recording, at.problem.body.q, at.machine.x)
-    assert values is not None  # the option was made of it
-    holds = smooth.share(values)[at.problem.readings.rows[test]].min(axis=1)[:, None]
+    each = holding(functions, problem.recording, at.problem.body.q, at.machine.x)
+    holds = each[at.problem.readings.rows[test]].min(axis=1)[:, None]
     out: Array = plain + holds * (moved - plain)
     return out
 
 
-def _beside(at: Fit, smooth: Smooth, chosen: np.ndarray | None = None) -> Fit | None:
-    """Return the fit of geometry, effects and instrument beside a smooth function, to some of the readings."""
-    problem = displaced(at, smooth, at.problem)
+def _beside(at: Fit, functions: Sequence[Smooth], chosen: np.ndarray | None = None) -> Fit | None:
+    """Return the fit of geometry, effects and instrument beside smooth functions, to some of the readings."""
+    problem = displaced(at, functions, at.problem)
     problem = problem if chosen is None else problem.subset(np.flatnonzero(chosen))
     try:
         return fit(problem, Prior(), errors=at.errors, instrument=at.instrument, must_converge=False, tolerance=0.1)
@@ -226,40 +302,70 @@ def _beside(at: Fit, smooth: Smooth, chosen: np.ndarray | None = None) -> Fit | 
         return None
 
 
-def displaced(at: Fit, smooth: Smooth, problem: Problem) -> Problem:
-    """Return a problem whose joints, or whose readings, are moved by a smooth function as predictions move them."""
-    body = problem.body
-    values = variable(smooth.variable, problem.recording, body.q, at.machine.x)
-    if values is None:
-        return problem
-    moved = np.nan_to_num(smooth.displacement(values)) * smooth.share(values)[:, None]
-    if smooth.limbs:
-        q = body.q.copy()
-        q[:, [i - 1 for i in smooth.limbs]] += moved
-        return dataclasses.replace(problem, body=Body(body.robot, body.mechanism, q, body.tool, body.channels))
-    x = at.machine.x
-    instrument = at.instrument.mounted(problem.mechanism, at.errors)
-    there, _ = instrument.predict(problem.readings, np.hstack([x[:, :3] + moved, x[:, 3:]]))
-    here, _ = instrument.predict(problem.readings, x)
-    readings = dataclasses.replace(problem.readings, values=problem.readings.values - (there - here))
-    return dataclasses.replace(problem, readings=readings)
+def displaced(at: Fit, functions: Sequence[Smooth], problem: Problem) -> Problem:
+    """Return a problem whose joints and readings are moved by smooth functions as predictions move them."""
+    body, x = problem.body, at.machine.x
+    joints, shift = displacement(functions, problem.recording, body.q, x)
+    share = holding(functions, problem.recording, body.q, x)[:, None]
+    if joints.any():
+        moved = Body(body.robot, body.mechanism, body.q + share * joints, body.tool, body.channels)
+        problem = dataclasses.replace(problem, body=moved)
+    if shift.any():
+        instrument = at.instrument.mounted(problem.mechanism, at.errors)
+        there, _ = instrument.predict(problem.readings, np.hstack([x[:, :3] + share * shift, x[:, 3:]]))
+        here, _ = instrument.predict(problem.readings, x)
+        readings = dataclasses.replace(problem.readings, values=problem.readings.values - (there - here))
+        problem = dataclasses.replace(problem, readings=readings)
+    return problem
+
+
+@dataclass(frozen=True)
+class _Part:
+    """One of the functions of an option; columns (R, k, K * carriers) and (scalars, ...) of unit size."""
+
+    like: Smooth
+    to_knots: Array
+    scale: Array
+    raw: Array
+    whitened: Array
+
+    def smooth(self, c: Array) -> Smooth:
+        """Return the function with coefficients in units of its size."""
+        values = (c * np.tile(self.scale, self.to_knots.shape[1])).reshape(self.to_knots.shape[1], -1)
+        return dataclasses.replace(self.like, coefficients=self.to_knots @ values)
 
 
 @dataclass(frozen=True)
 class _Option:
-    """A variable, length and size to choose from; columns (R, k, K * carriers) and (scalars, ...) of unit size."""
+    """Functions of the same size that act together, to choose from; `key` is theirs whatever the size.
 
-    like: Smooth
-    to_knots: Array
-    raw: Array
-    whitened: Array
-    scale: Array
+    Those of `there` move nothing, and say where the others hold.
+    """
+
+    key: tuple[object, ...]
+    parts: tuple[_Part, ...]
+    there: tuple[Smooth, ...]
     size: float
 
-    def smooth(self, c: Array) -> Smooth:
-        """Return the function with coefficients in units of its size."""
-        values = (c * self.scale * self.size).reshape(self.to_knots.shape[1], -1)
-        return dataclasses.replace(self.like, coefficients=self.to_knots @ values)
+    @property
+    def raw(self) -> Array:
+        return np.concatenate([part.raw for part in self.parts], axis=2)
+
+    @property
+    def whitened(self) -> Array:
+        return np.hstack([part.whitened for part in self.parts])
+
+    def smooth(self, c: Array) -> tuple[Smooth, ...]:
+        """Return the functions with coefficients in units of their size."""
+        return (*(part.smooth(own) for part, own in self._parted(c)), *self.there)
+
+    def moved(self, c: Array) -> list[Array]:
+        """Return by how much each of the functions moves the readings (R, k) [mm, rad]."""
+        return [part.raw @ own for part, own in self._parted(c)]
+
+    def _parted(self, c: Array) -> list[tuple[_Part, Array]]:
+        ends = np.cumsum([part.whitened.shape[1] for part in self.parts])[:-1]
+        return list(zip(self.parts, np.split(c * self.size, ends), strict=True))
 
 
 class _Linear:
@@ -268,6 +374,7 @@ class _Linear:
     def __init__(self, at: Fit, parts: Sequence[tuple[np.ndarray, np.ndarray]], weights: Array) -> None:
         problem = at.problem
         self._fit, self._beside = at, Beside(at)
+        self._limbs, self._sees_joints = problem.mechanism.limbs, problem.readings.kind.sees_joints
         machine = self._beside.machine
         self._x, self._seen, self._dx = machine.x, problem.seen(machine), displacements(problem, machine)
         state = problem.linearise(at.errors, at.instrument, machine)
@@ -285,40 +392,50 @@ class _Linear:
         return self._beside.rows(values * np.sqrt(self.weights)[:, None, None])
 
     def options(self, found: Sequence[Structure]) -> list[_Option | None]:
-        """Return what there is to choose from: no function, or one of the variables of structures."""
-        return [None, *(option for s in found for option in self._along(s))]
+        """Return what there is to choose from: no function, one of a structure's variable, or one of every joint."""
+        names = joint_names(self._fit.problem.recording.joint_unit, self._limbs)
+        own: list[tuple[str, tuple[int, ...]]] = [(name, (j + 1,)) for j, name in enumerate(names)]
+        sets = [own, *([(s.channel, s.limbs)] for s in found if s.limbs or not self._sees_joints)]
+        out: list[_Option | None] = [None]
+        for functions, length in itertools.product(sets, LENGTHS):
+            likes = [like for name, limbs in functions if (like := self._like(name, limbs, length)) is not None]
+            # along one path a function of any joint is one of all others: it holds where the path was
+            there = self._like(POSITION, (), length) if functions is own and not self._sees_joints else None
+            if likes:
+                parts, key = tuple(map(self._part, likes)), (*functions, length)
+                out += [_Option(key, parts, () if there is None else (there,), size) for size in SIZES]
+        return out
 
-    def _along(self, found: Structure) -> Iterator[_Option]:
-        """Yield smooth functions of the variable of a structure, at the joints or in the reading where it sits."""
+    def _like(self, name: str, limbs: tuple[int, ...], length: float) -> Smooth | None:
+        """Return a function of a variable at joints or in the reading, that is zero; None where nothing varies."""
         problem = self._fit.problem
         used = np.unique(problem.readings.rows)
-        values = variable(found.channel, problem.recording, problem.body.q, self._x)
-        if problem.readings.kind.sees_joints and not found.limbs:
-            return
-        if values is None or not (known := used[np.isfinite(values[used]).all(axis=1)]).size:
-            return
-        knots = _knots(values[known], KNOTS)
-        reach = float(_gaps(values[known], knots).min(axis=1).max())
-        span = float(np.linalg.norm(np.ptp(values[known], axis=0)))
-        n_q = problem.mechanism.limbs
-        carriers = [i - 1 for i in found.limbs] or list(range(n_q, self._dx.shape[2]))
+        values = variable(name, problem.recording, problem.body.q, self._x)
+        if values is None or not (known := values[used][np.isfinite(values[used]).all(axis=1)]).size:
+            return None
+        span = float(np.linalg.norm(np.ptp(known, axis=0)))
+        if span == 0:
+            return None
+        knots = _knots(known, KNOTS)
+        reach = float(_gaps(known, knots).min(axis=1).max())
+        return Smooth(name, limbs, knots, length * span, reach, np.zeros((len(knots), len(limbs) or 3)))
+
+    def _part(self, like: Smooth) -> _Part:
+        problem = self._fit.problem
+        values = variable(like.variable, problem.recording, problem.body.q, self._x)
+        assert values is not None  # the function has knots of them
+        carriers = [i - 1 for i in like.limbs] or list(range(self._limbs, self._dx.shape[2]))
         dx = self._dx[:, :, carriers]
         J, _ = self._fit.instrument.linearise(problem.readings, self._seen, dx)
-        seen = self._rows(J)
-        unit = np.sqrt(np.mean(seen**2, axis=0))
+        unit = np.sqrt(np.mean(self._rows(J) ** 2, axis=0))
         scale = np.where(unit > 0, 1 / np.maximum(unit, 1e-300), 0.0)
-        for part in LENGTHS:
-            length = part * span
-            U, s, _ = np.linalg.svd(_kernel(knots, knots, length), hermitian=True)
-            keep = s > JITTER * s[0]
-            to_knots = U[:, keep] / np.sqrt(s[keep])
-            f = np.nan_to_num(_kernel(values, knots, length)) @ to_knots
-            moved = (dx * scale)[:, :, None] * f[:, None, :, None]
-            raw, _ = self._fit.instrument.linearise(problem.readings, self._seen, moved.reshape(*dx.shape[:2], -1))
-            like = Smooth(found.channel, found.limbs, knots, length, reach, np.zeros((len(knots), len(carriers))))
-            whitened, many = self._rows(raw), np.tile(scale, f.shape[1])
-            for size in SIZES:
-                yield _Option(like, to_knots, raw, whitened, many, size)
+        U, s, _ = np.linalg.svd(_kernel(like.knots, like.knots, like.length), hermitian=True)
+        keep = s > JITTER * s[0]
+        to_knots = U[:, keep] / np.sqrt(s[keep])
+        f = np.nan_to_num(_kernel(values, like.knots, like.length)) @ to_knots
+        moved = (dx * scale)[:, :, None] * f[:, None, :, None]
+        raw, _ = self._fit.instrument.linearise(problem.readings, self._seen, moved.reshape(*dx.shape[:2], -1))
+        return _Part(like, to_knots, scale, raw, self._rows(raw))
 
     def step(self, option: _Option | None, without: set[int]) -> Array:
         """Return the step that fits all parts but some: geometry and effects in their scales, instrument, function."""
@@ -359,7 +476,7 @@ class _Linear:
         return np.sum([G for G, _ in kept], axis=0), np.sum([g for _, g in kept], axis=0)
 
     def _gram(self, option: _Option | None) -> list[tuple[Array, Array]]:
-        key = None if option is None else (option.like.variable, option.like.length)
+        key = None if option is None else option.key
         if key not in self._grams:
             A = self._base if option is None else np.hstack([self._base, option.whitened])
             self._grams[key] = [(A[t].T @ A[t], A[t].T @ self._target[t]) for t in self._tests]

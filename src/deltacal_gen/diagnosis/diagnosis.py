@@ -19,18 +19,19 @@ import numpy as np
 
 from deltacal_gen.diagnosis.answer import result_of
 from deltacal_gen.diagnosis.chance import Chance
-from deltacal_gen.diagnosis.correction import Correction, correct
+from deltacal_gen.diagnosis.correction import BorneOut, Correction, borne_out_beside
 from deltacal_gen.diagnosis.discrimination import Question, next_measurements
 from deltacal_gen.diagnosis.findings import AMBIGUOUS, Named, location_of, named_of, rejected_of, turned_of
 from deltacal_gen.diagnosis.hints import hinted, outweighed, told
 from deltacal_gen.diagnosis.laws.laws import Lawful, Sought, laws
 from deltacal_gen.diagnosis.library import library
 from deltacal_gen.diagnosis.search import Search
-from deltacal_gen.diagnosis.spectrum import Spectrum
+from deltacal_gen.diagnosis.spectrum import LEAST_TURN, Spectrum, wave
 from deltacal_gen.diagnosis.strategy import (
     Progress,
     believable,
     beside_noise,
+    borne_out,
     deviance,
     form,
     held_out_by,
@@ -39,7 +40,7 @@ from deltacal_gen.diagnosis.strategy import (
     settled,
     terms_of,
 )
-from deltacal_gen.diagnosis.structure import structures
+from deltacal_gen.diagnosis.structure import Structure, structures
 from deltacal_gen.errors import NoSolutionError
 from deltacal_gen.estimation.fit import CONVERGED, SPARE_READINGS, Fit, fit, rough
 from deltacal_gen.estimation.problem import Problem, pose_problem
@@ -168,6 +169,9 @@ def diagnose(
     sought = laws(found, progress) if not lean and spectrum is None else Sought()
     if lawful := sought.laws:
         search, left, unexplained = Search(lawful[0].fit, search.terms), structures(lawful[0].fit), False
+    smooth = borne_out_beside(search.fit, left) if unexplained else None
+    if smooth is not None and spectrum is None:
+        search, left, smooth = _without_orders(some, search, left, smooth)
     # what comes near its price, or is not borne out, is no finding, but worth a measurement
     doubtful = [] if lean else hinted(search, AMBIGUOUS)
     doubtful += outweighed(search, terms_of(white.search.fit), doubtful)
@@ -225,12 +229,29 @@ def diagnose(
         next_measurements=next_measurements(search.fit, questions, location if unexplained else None),
         robot=calibrated,
         chance=chance,
-        correction=correct(search.fit, current, left, parts) if unexplained else None,
+        correction=None if smooth is None else smooth.of_all(current),
         spectrum=spectrum,
         lean=lean,
         laws=lawful,
         turned=turned_of(found.considered) if lawful or unexplained else "",
     )
+
+
+def _without_orders(
+    problem: Problem, search: Search, left: list[Structure], smooth: BorneOut
+) -> tuple[Search, list[Structure], BorneOut]:
+    """Drop single orders that held-out readings do not need beside smooth functions.
+
+    Over less than a turn few waves imitate any function of a joint's angle; an error that repeats predicts better.
+    """
+    terms, turned = terms_of(search.fit), np.ptp(problem.body.q[np.unique(problem.readings.rows)], axis=0)
+    kept = [t for t in terms if t.effect != wave() or any(turned[i - 1] > LEAST_TURN for i in t.limbs)]
+    if len(kept) == len(terms) or (plain := refitted(problem, search.fit, kept)) is None:
+        return search, left, smooth
+    other = borne_out_beside(plain, unexplained := structures(plain))
+    if other is None or borne_out(other.corrected / plain.sigma, smooth.corrected / plain.sigma):
+        return search, left, smooth
+    return Search(plain, search.terms), unexplained, other
 
 
 def _lean(problem: Problem) -> str | None:

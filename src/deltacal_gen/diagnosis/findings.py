@@ -105,6 +105,8 @@ def location_of(
         text = (
             f"what is left is alike in neighbouring poses (correlation {near:.2f})"
             if proven > ALIKE
+            else f"what is left hangs together over {at.repeats.rows:.0f} rows and depends on nothing that was recorded"
+            if at.repeats.rows > 1
             else "what is left depends on nothing that was recorded"
         )
     elif region is not None:

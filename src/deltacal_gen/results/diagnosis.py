@@ -238,6 +238,22 @@ class SmoothState(Value):
     coefficients: Rows
 
 
+class JointFunction(Value):
+    """What a smooth correction says of one joint's own function, over the range that it was seen in."""
+
+    limb: int
+    rms_mm: float
+    """By which it moves the readings."""
+    joint_rms_deg: float | None
+    """By which it moves a joint that turns, what goes straight through the range taken off."""
+    joint_rms_mm: float | None
+    """Of one that slides."""
+    orders: tuple[float, ...] | None
+    """Waves a turn that carry half of its square, the strongest first; over less than a turn no period is claimed."""
+    waves_mm: tuple[float, ...] | None
+    """Of a joint that slides: their lengths."""
+
+
 class SmoothCorrection(Value):
     """What corrects a misfit that no effect explains, without physics."""
 
@@ -247,7 +263,10 @@ class SmoothCorrection(Value):
     """By which it moves the readings beyond what geometry would make up for."""
     heldout_rms_mm: BeforeAfter
     share_of_excess: float
-    smooth: SmoothState
+    functions: tuple[JointFunction, ...] = ()
+    """Of corrections in which each joint goes with its own angle or travel, the strongest first."""
+    smooth: tuple[SmoothState, ...]
+    """Functions that act together."""
     machine: MachineState
     """Geometry, effects and instrument as they are beside it."""
 

@@ -88,9 +88,10 @@ def _flaws(found: Result | Diagnosis) -> Iterator[tuple[str, str]]:
         yield from _uncertainty_flaws(found.uncertainty, found, mechanism)
     if found.correction is not None:
         yield from _machine_flaws(found.correction.machine, "correction.machine.")
-        smooth = found.correction.smooth
-        if len(smooth.knots) != len(smooth.coefficients) or not smooth.length > 0 or not smooth.reach >= 0:
-            yield "correction.smooth", "knots and coefficients are not equally many, or a length is below 0"
+        for k, smooth in enumerate(found.correction.smooth):
+            if len(smooth.knots) != len(smooth.coefficients) or not smooth.length > 0 or not smooth.reach >= 0:
+                flaw = "knots and coefficients are not equally many, or a length is below 0"
+                yield f"correction.smooth[{k}]", flaw
 
 
 def _machine_flaws(state: Result | Diagnosis | MachineState, where: str) -> Iterator[tuple[str, str]]:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from deltacal_gen.diagnosis.correction import Smooth, variable
+from deltacal_gen.diagnosis.correction import Smooth, displacement, holding
 from deltacal_gen.errors import InputError
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.problem import Problem, pose_problem
@@ -200,22 +200,17 @@ def _corrected(
 
     `x` are the poses without it.
     """
-    machine, smooth = correction.machine, Smooth.of(correction.smooth)
+    machine, functions = correction.machine, [Smooth.of(kept) for kept in correction.smooth]
     beside = result.replace(robot=machine.robot, physics=machine.physics, instrument=machine.instrument)
     robot = calibrated_robot(beside)
-    values = variable(smooth.variable, recording, robot.joint_sign * recording.joints, x)
-    values = np.full((len(x), smooth.knots.shape[1]), np.nan) if values is None else values
-    moved = np.nan_to_num(smooth.displacement(values))
-    if smooth.limbs:
-        joints = recording.joints.copy()
-        own = [i - 1 for i in smooth.limbs]
-        joints[:, own] += np.broadcast_to(robot.joint_sign, joints.shape)[:, own] * moved
-        recording = dataclasses.replace(recording, joints=joints)
+    q = robot.joint_sign * recording.joints
+    share = holding(functions, recording, q, x)
+    moved, shift = displacement(functions, recording, q, x)
+    recording = dataclasses.replace(recording, joints=recording.joints + robot.joint_sign * moved)
     problem, instrument = prediction_problem(beside, robot, recording, found, place)
     x = problem.poses(problem.reference)
-    if not smooth.limbs:
-        x = np.hstack([x[:, :3] + moved, x[:, 3:]])
-    return smooth.share(values), problem, instrument, x
+    x = np.hstack([x[:, :3] + shift, x[:, 3:]])
+    return share, problem, instrument, x
 
 
 def prediction_problem(
