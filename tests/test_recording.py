@@ -246,6 +246,7 @@ def test_a_contact_that_was_never_touched(read: Any) -> None:
         (("p1,1,2,3", "p2,4,5,6"), "p1,p3,5", 2, "pose_b", "has no pose 'p3'. Correct the name"),
         (("p1,1,2,3", "p2,4,5,6"), "p1,p2,5\np2,p2,0", 3, "pose_b", "paired with itself"),
         (("p1,1,2,3", "p1,1,2,3"), "p1,p1,5", 3, "pose", "stands in line 2 too, but distances name rows by it"),
+        (("p1,1,2,3", "p2,4,5,6", "p3,4,5,6"), "p1,p2,5\np3,p2,0.01", 3, None, "a pose and its own repeat"),
         (("p1,1,2,3", "p2,4,5,6"), "p1,p2,-5", 2, "distance_mm", "a distance cannot be negative"),
         (("p1,1,2,3", "p2,4,5,6"), "p1,p2,", None, None, "no row holds a reading"),
     ],

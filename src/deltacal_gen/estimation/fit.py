@@ -28,6 +28,7 @@ from deltacal_gen.estimation.residuals import (
 from deltacal_gen.estimation.solvers import LeastSquares, Prior, Solution, Solver
 from deltacal_gen.estimation.steps import Linear, State, improved
 from deltacal_gen.estimation.system import System, system, whitened
+from deltacal_gen.estimation.turns import turned
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Deformed
@@ -83,6 +84,13 @@ class Fit:
         """The free source errors by name [mm, rad]."""
         names = self.problem.names
         return dict(zip(names, self.errors[self.problem.columns[: len(names)]].tolist(), strict=True))
+
+    @property
+    def departure(self) -> Array:
+        """Departure (n,) of the free parameters from their reference, in their scale."""
+        problem = self.problem
+        out: Array = (self.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
+        return out
 
     @property
     def gross(self) -> np.ndarray:
@@ -144,11 +152,19 @@ def fit(
     """
     errors = problem.reference.copy() if errors is None else errors.copy()
     machine = problem.solve(errors) if machine is None else machine
-    instrument = problem.begin(errors, machine) if instrument is None else instrument
-    rows = _Rows(problem, instrument, robust, repeats, weigh_repeats, drop_gross)
-    return _Iteration(problem, LeastSquares() if solver is None else solver, rows, tolerance).run(
-        State(errors, instrument, machine), must_converge
-    )
+    rule = LeastSquares() if solver is None else solver
+
+    def ended(start: State, must_converge: bool) -> tuple[Fit, _Rows]:
+        rows = _Rows(problem, start.instrument, robust, repeats, weigh_repeats, drop_gross)
+        return _Iteration(problem, rule, rows, tolerance).run(start, must_converge), rows
+
+    if instrument is not None:
+        return ended(State(errors, instrument, machine), must_converge)[0]
+    found, rows = ended(State(errors, problem.begin(errors, machine), machine), must_converge)
+    own = slice(len(problem.scale), None)
+    others = turned(problem, State(found.errors, found.instrument, found.machine), found.covariance[own, own])
+    ends = [found, *(ended(start, False)[0] for start in others)]
+    return min(ends, key=lambda end: rows.objective(end, rule.weight or 0.0)) if others else found
 
 
 class _Rows:
@@ -198,6 +214,11 @@ class _Rows:
             if self._found.made
             else _leverage(linear, solution, read, self._found.kind.noise_groups(6))
         )
+
+    def objective(self, at: Fit, weight: float) -> float:
+        """Return the objective where a fit ended, rows weighed as here."""
+        rows = self.whitened(at.residual)
+        return float(rows @ rows + weight * np.sum(at.departure**2))
 
     def whitened(self, residual: Array) -> Array:
         """Return residuals (R, k) as `system` weighs them (scalars,), unread components dropped."""
@@ -313,7 +334,7 @@ def held_out_errors(full: Fit, solver: Solver, parts: Sequence[tuple[np.ndarray,
     linear = system(state, full.sigma, full.weights, full.repeats, problem.scale)
     read = np.isfinite(state.residual)
     owner = np.repeat(np.arange(len(read)), read.sum(axis=1))
-    departure = (full.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
+    departure = full.departure
     gross = np.zeros(len(read), dtype=bool)
     gross[full.gross] = True
     out = np.full(state.residual.shape, np.nan)

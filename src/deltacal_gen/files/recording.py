@@ -428,6 +428,14 @@ def _has_home(mechanism: Machine) -> bool:
     return any(key.key == "home" for key in mechanism.geometry)
 
 
+def _alike(recording: Recording, pairs: np.ndarray) -> np.ndarray:
+    """Return which pairs (K, 2) of rows have both ends at the same joints, or targets, and the same measured point."""
+    stands = recording.joints if recording.targets is None else recording.targets
+    at = stands if recording.tool is None else np.hstack([stands, np.nan_to_num(recording.tool)])
+    alike: np.ndarray = (at[pairs[:, 0]] == at[pairs[:, 1]]).all(axis=1)
+    return alike
+
+
 def _with_pairs(recording: Recording, pairs: Rows, rows: Rows, need_measured: bool) -> Recording:
     if pairs.path == recording.path:  # both joint sets in one row
         check_repeats(recording, rows)
@@ -458,6 +466,13 @@ def _with_pairs(recording: Recording, pairs: Rows, rows: Rows, need_measured: bo
     if (negative := np.flatnonzero(measured < 0)).size:
         row = int(negative[0])
         raise pairs.error("a distance cannot be negative.", "Correct the cell.", row=row, column="distance_mm")
+    if (repeats := np.flatnonzero(np.isfinite(measured) & _alike(recording, indices))).size:
+        raise pairs.error(
+            "both ends of the distance have the same joints and measured point: a pose and its own repeat, which tell "
+            "nothing of the machine.",
+            "Remove the row.",
+            row=int(repeats[0]),
+        )
     return dataclasses.replace(recording, pairs=indices, pair_measured=measured, pair_line=pairs.line)
 
 
