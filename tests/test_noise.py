@@ -8,7 +8,11 @@ import numpy as np
 import pytest
 
 from deltacal_gen.diagnosis.diagnosis import diagnose
+from deltacal_gen.identification.identification import identify
+from deltacal_gen.identification.repeats import repeats
 from deltacal_gen.identification.rounding import ENCODERS, step_of
+from deltacal_gen.machine.values import Recording
+from deltacal_gen.physics.terms import Term
 from tests.benchmarks.honesty_nulls import ROBOT, SIGMA, null, rounded
 from tests.left_out import channels, effect, record
 
@@ -120,3 +124,29 @@ def test_an_order_that_stands_alone_is_sure() -> None:
     order = {p.name: p for p in found.parameters}["order"]
     assert order.value == 9
     assert order.std is None
+
+
+def _read_three_times(*terms: Term) -> Recording:
+    """Return readings of 40 poses, three of each, in between which everything that is recorded changes."""
+    pose = np.arange(120) // 3
+    joints = np.degrees(record(ROBOT, n=120, seed=5).joints)[pose]
+    of = channels(120, "approach", "payload", "humidity_pct", seed=2)
+    of["temp_C"] = np.round(np.random.default_rng(3).uniform(18, 30, 120), 1)
+    return record(ROBOT, *terms, n=120, seed=5, joints=joints, of=of, pose=[f"p{i}" for i in pose])
+
+
+@pytest.mark.parametrize("terms", [(), (effect("thermal_zero", (2,), 0.002), effect("backlash", (1,), 0.02))])
+def test_what_channels_make_of_repeats_is_no_noise(terms: tuple[Term, ...]) -> None:
+    made = _read_three_times(*terms)
+    shown = repeats(identify(ROBOT, made).fit, made)
+    assert shown.degrees >= 60
+    assert np.sqrt(shown.variance) == pytest.approx(SIGMA, rel=0.2)
+    assert shown.closest == pytest.approx(SIGMA, rel=0.4)
+
+
+def test_repeats_contradict_a_sigma_whatever_changes_between_them() -> None:
+    made = _read_three_times()
+    stated = dataclasses.replace(made.measurement, sigma_mm=SIGMA / 2)
+    found = diagnose(ROBOT, dataclasses.replace(made, measurement=stated)).answer()
+    assert (found.verdict, found.noise.source) == ("adequate", "repeats")
+    assert "repeats of a pose differ by" in found.summary

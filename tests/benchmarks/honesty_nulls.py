@@ -1,4 +1,8 @@
-"""Recordings of machines to which nothing is missing, in fifteen sorts of noise, and what noise they truly have."""
+"""Recordings of machines to which nothing is missing, in fifteen sorts of noise, and what noise they truly have.
+
+Thirteen are noise and nothing else. Of an instrument that walks, and of errors that the readings of a pose share, which
+repeats show to be no noise of a reading, *unexplained* is as right as *adequate*; a name is wrong.
+"""
 
 from __future__ import annotations
 

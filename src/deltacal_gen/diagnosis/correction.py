@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from deltacal_gen.diagnosis.beside import Beside
-from deltacal_gen.diagnosis.structure import Structure, displacements, structures
+from deltacal_gen.diagnosis.structure import Structure, structures
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation.fit import Fit, fit
 from deltacal_gen.estimation.problem import Problem
@@ -376,7 +376,7 @@ class _Linear:
         self._fit, self._beside = at, Beside(at)
         self._limbs, self._sees_joints = problem.mechanism.limbs, problem.readings.kind.sees_joints
         machine = self._beside.machine
-        self._x, self._seen, self._dx = machine.x, problem.seen(machine), displacements(problem, machine)
+        self._x, self._seen, self._dx = machine.x, problem.seen(machine), problem.displacements(machine)
         state = problem.linearise(at.errors, at.instrument, machine)
         self._residual, self.weights = state.residual, weights
         self._raw = np.concatenate([state.J_p * problem.scale, state.J_m], axis=2)

@@ -19,7 +19,6 @@ from functools import cache, cached_property
 import numpy as np
 
 from deltacal_gen.diagnosis.library import ORDERS
-from deltacal_gen.diagnosis.structure import displacements
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths, rms
@@ -238,7 +237,7 @@ class _Linear:
         problem = at.problem
         machine = at.machine
         state = problem.linearise(at.errors, at.instrument, machine)
-        J, _ = at.instrument.linearise(problem.readings, problem.seen(machine), displacements(problem, machine))
+        J, _ = at.instrument.linearise(problem.readings, problem.seen(machine), problem.displacements(machine))
         self._J = J[:, :, [j - 1 for j in limbs]]
         self._F = [_waves(turns[:, j - 1]) for j in limbs]
         self._limbs = tuple(limbs)

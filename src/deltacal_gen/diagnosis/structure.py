@@ -19,7 +19,6 @@ from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.rotation import swept
-from deltacal_gen.physics.body import Deformed
 from deltacal_gen.units import joint_names
 
 FEWEST_NEIGHBOURS = 20  # poses, without which their likeness tells nothing
@@ -104,21 +103,6 @@ def smooth_columns(at: Fit, channel: str) -> Array:
     return smooth.modulated(functions[:, : min(SMOOTH, most)])
 
 
-def displacements(problem: Problem, machine: Deformed) -> Array:
-    """Return the derivatives (N, n_x, limbs + 3) of the pose by each joint and by a shift along each axis of {O}.
-
-    Where joints are looked at, nothing else moves: the shifts are zero.
-    """
-    used = np.unique(problem.readings.rows)
-    S = problem.sensitivity(machine, used)
-    limbs = problem.mechanism.limbs
-    dx = np.zeros((len(machine.x), S.joints.shape[1], limbs + 3))
-    dx[used, :, :limbs] = S.joints
-    if not problem.readings.kind.sees_joints:
-        dx[used, :3, limbs:] = np.eye(3)
-    return dx
-
-
 def _turns(x: Array, n_x: int) -> Array:
     """Return the derivatives (N, n_x, 3) of poses (N, 12) by turns of the instrument about what it measures."""
     out = np.zeros((len(x), 6, 3))
@@ -133,7 +117,7 @@ def by_instrument(at: Fit, beside: Beside, functions: Array) -> Array:
     It shifts and, where it reads positions, turns.
     """
     problem, machine = at.problem, beside.machine
-    dx = displacements(problem, machine)[:, :, problem.mechanism.limbs :]
+    dx = problem.displacements(machine)[:, :, problem.mechanism.limbs :]
     if problem.readings.kind.positions:
         dx = np.concatenate([dx, _turns(machine.x, dx.shape[1])], axis=2)
     J, _ = at.instrument.linearise(problem.readings, machine.x, dx)
@@ -151,7 +135,7 @@ class _Smooth:
         problem = at.problem
         self._beside = Beside(at)
         self._limbs = problem.mechanism.limbs
-        self._dx, self._seen = displacements(problem, self._beside.machine), problem.seen(self._beside.machine)
+        self._dx, self._seen = problem.displacements(self._beside.machine), problem.seen(self._beside.machine)
         if problem.readings.kind.positions:
             self._dx = np.concatenate([self._dx, _turns(self._beside.machine.x, self._dx.shape[1])], axis=2)
 

@@ -173,6 +173,19 @@ class Problem:
         own += range(n_p, dx.shape[2])
         return dx, None if own == list(range(dx.shape[2])) else own
 
+    def displacements(self, machine: Deformed) -> Array:
+        """Return the derivatives (N, n_x, limbs + 3) of the pose by each joint and by a shift along each axis of {O}.
+
+        Where joints are looked at, nothing else moves: the shifts are zero.
+        """
+        used, limbs = np.unique(self.readings.rows), self.mechanism.limbs
+        S = self.sensitivity(machine, used)
+        dx = np.zeros((len(machine.x), S.joints.shape[1], limbs + 3))
+        dx[used, :, :limbs] = S.joints
+        if not self.readings.kind.sees_joints:
+            dx[used, :3, limbs:] = np.eye(3)
+        return dx
+
     def effect_columns(
         self, terms: Sequence[Term], machine: Deformed, used: np.ndarray, sensitivity: Sensitivity
     ) -> Array:

@@ -8,17 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from deltacal_gen.estimation.fit import Fit
-from deltacal_gen.estimation.residuals import Repeats, lengths
+from deltacal_gen.estimation.residuals import lengths
+from deltacal_gen.identification.repeats import ENOUGH, repeats
 from deltacal_gen.identification.rounding import rounding_of
-from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording
-from deltacal_gen.physics.motion import with_motion
 from deltacal_gen.results.parts import NoiseModel, Source
 
 PROVEN = 4.0  # standard deviations by which one noise must exceed another to be called larger
-FEW_LEVELS = 8  # values of a channel that is switched: directions, payloads
-ALIKE = 0.1  # of a channel's span: values that differ by less are of one level
 MISTAKEN = 3.0  # times by which a declared noise, from a data sheet or another day, may well be wrong
 LEAST_EXCESS = 1.15  # of chi2 per degree of freedom: a sidecar's sigma has a digit or two
 
@@ -67,7 +64,7 @@ class Noise:
 def noise(final: Fit, recording: Recording) -> Noise:
     """Return the noise, from the sidecar, from repeats, or from what the fit leaves.
 
-    Repeats count where every channel but time is alike in both readings. A declared sigma holds unless repeats
+    A declared sigma holds unless repeats
     contradict it: clearly smaller ones do; clearly larger ones do unless the closest of them agree with it, since what
     happens between two readings of a pose adds to the spread of some and not of others. Rounding is added where a fit
     leaves as much more as it comes to.
@@ -100,15 +97,14 @@ def _known(final: Fit, recording: Recording) -> Noise:
         return (
             Noise(residual, Source.RESIDUAL, np.inf) if declared is None else Noise(declared, Source.DECLARED, np.inf)
         )
-    quiet = np.setdiff1d(np.arange(len(found)), final.gross)
-    r, group = np.nan_to_num(lengths(final.residual[quiet], found.kind)), _repeats(found, recording)[quiet]
-    _, within, degrees = Repeats.ratio_of(r, group)
-    repeated = degrees >= 12 and within > 0
+    shown = repeats(final, recording)
+    within, degrees = shown.variance, shown.degrees
+    repeated = degrees >= ENOUGH and within > 0
     if declared is not None:
-        doubt = PROVEN * np.sqrt(_spread(r) / max(degrees, 1))
+        doubt = PROVEN * np.sqrt(_spread(shown.rows) / max(degrees, 1))
         gap = np.log(within / declared**2) if repeated else 0.0
         between = np.sqrt(declared * np.sqrt(within))  # nearer to what was declared than to what repeats say
-        if abs(gap) <= doubt or (gap > 0 and _closest(r, group) < between):
+        if abs(gap) <= doubt or (gap > 0 and shown.closest < between):
             return Noise(declared, Source.DECLARED, np.inf, repeated=repeated)
     if repeated:
         return Noise(float(np.sqrt(within)), Source.REPEATS, float(degrees), repeated=True, refuted=declared)
@@ -143,45 +139,11 @@ def _upright(axis: Array) -> Array:
     return np.round(turned, 1) + 0.0
 
 
-def _repeats(found: Readings, recording: Recording) -> np.ndarray:
-    """Return groups (R,) of readings of one pose with every channel but time alike, the way joints came among them."""
-    channels = [
-        _levels(v)
-        for name, v in sorted(with_motion(recording).channels.items())
-        if name != "time_s" and not name.startswith("true_")
-    ]
-    if found.rows.shape[1] != 1 or not channels:
-        return found.group
-    same = np.column_stack([found.group, np.array(channels).T[found.rows[:, 0]]])
-    return np.ravel(np.unique(same, axis=0, return_inverse=True)[1])
-
-
-def _levels(values: Array) -> Array:
-    """Return what counts as one level (N,) of a channel: each value of a few, else values that hardly differ.
-
-    A thermometer never stands still. What an effect makes of a part of its span is as small a part of that effect.
-    """
-    finite = values[np.isfinite(values)]
-    if len(np.unique(finite)) <= FEW_LEVELS:
-        return np.nan_to_num(values, nan=-1e9)
-    low, high = np.quantile(finite, [0.05, 0.95])
-    levels: Array = np.nan_to_num(np.floor((values - low) / max(ALIKE * (high - low), 1e-300)), nan=-1e9)
-    return levels
-
-
 def _spread(r: Array) -> float:
     """Return the variance of squares in units of the variance's square: 2 where noise is normal, more in its tails."""
     squares = r[np.isfinite(r)] ** 2
     mean = float(np.mean(squares)) + 1e-300
     return max(float(np.mean(squares**2)) / mean**2, 3.0) - 1
-
-
-def _closest(r: Array, group: np.ndarray) -> float:
-    """Return the noise that the closest quarter of repeats speaks for, as if noise were normal [mm]."""
-    order = np.argsort(group, kind="stable")
-    together = group[order][1:] == group[order][:-1]
-    gaps = np.abs(np.diff(r[order], axis=0)[together])
-    return float(np.quantile(gaps, 0.25) / (0.3186 * np.sqrt(2.0)))
 
 
 def lack_of_fit(final: Fit, recording: Recording) -> bool:

@@ -1,0 +1,139 @@
+"""What readings of one pose say of noise: their differences, less what channels that differ between them make of these.
+
+Where enough repeats have every channel but time alike, they are taken as they are. Otherwise what varies smoothly with
+the channels, by each joint and by the reading, is taken out of the differences: that holds whatever was recorded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.residuals import Repeats, lengths
+from deltacal_gen.instrument.readings import Readings
+from deltacal_gen.machine.registry import Array
+from deltacal_gen.machine.values import Recording
+from deltacal_gen.physics.motion import with_motion
+
+ENOUGH = 12  # degrees of freedom, without which repeats say nothing of noise
+POWERS = (3, 2, 1)  # of a channel, up to which it is taken out: as many as the repeats carry
+MOST_TAKEN = 0.5  # of the degrees of freedom
+UNSEEN = 1e-6  # of the largest singular value: less is a combination of other columns
+FEW_LEVELS = 8  # values of a channel that is switched: directions, payloads
+ALIKE = 0.1  # of a channel's span: values that differ by less are of one level
+
+
+@dataclass(frozen=True)
+class Shown:
+    """The spread within poses.
+
+    Attributes
+    ----------
+    rows : (R, k) array
+        Readings whose differences within a group are noise [mm].
+    group : (R,) int array
+    variance : float
+        Of one component [mm^2].
+    degrees : int
+        On which it rests.
+    """
+
+    rows: Array
+    group: np.ndarray
+    variance: float
+    degrees: int
+
+    @property
+    def closest(self) -> float:
+        """The noise that the closest quarter of repeats speaks for, as if noise were normal [mm]."""
+        order = np.argsort(self.group, kind="stable")
+        together = self.group[order][1:] == self.group[order][:-1]
+        gaps = np.abs(np.diff(self.rows[order], axis=0)[together])
+        return float(np.quantile(gaps, 0.25) / (0.3186 * np.sqrt(2.0)))
+
+
+def repeats(final: Fit, recording: Recording) -> Shown:
+    """Return what repeats show of the noise, gross errors left out."""
+    found = final.problem.readings
+    quiet = np.setdiff1d(np.arange(len(found)), final.gross)
+    r = np.nan_to_num(lengths(final.residual, found.kind))[quiet]
+    channels = _channels(found, recording)
+    group = _levelled(found.group, {n: v for n, v in channels.items() if n != "time_s"})[quiet]
+    alike = Shown(r, group, *Repeats.ratio_of(r, group)[1:])
+    if alike.degrees >= ENOUGH or not channels:
+        return alike
+    known = all(np.isfinite(v).all() for v in channels.values())
+    return (_smoothed(final, quiet, r, channels) if known else None) or alike
+
+
+def _smoothed(final: Fit, quiet: np.ndarray, r: Array, channels: Mapping[str, Array]) -> Shown | None:
+    """Return the spread within poses beside what varies smoothly with channels; None where too little is left."""
+    problem = final.problem
+    found = problem.readings
+    group = np.unique(found.group[quiet], return_inverse=True)[1]
+    several = (np.bincount(group)[group] > 1).nonzero()[0]
+    degrees = (len(several) - len(np.unique(group[several]))) * r.shape[1]
+    if degrees < ENOUGH:
+        return None
+    J, _ = final.instrument.linearise(found, problem.seen(final.machine), problem.displacements(final.machine))
+    read = ~np.isin(np.arange(J.shape[1]), found.kind.turned) & np.isfinite(final.residual).any(axis=0)
+    J, y = np.nan_to_num(J[quiet][:, read]), _apart(r, group)[several].ravel()
+    for most in POWERS:
+        F = np.column_stack([_scaled(v[quiet]) ** k for v in channels.values() for k in range(1, most + 1)])
+        moved = (J[..., None] * F[:, None, None]).reshape(len(r), -1)
+        A = _apart(moved, group)[several].reshape(len(y), -1)
+        U, size, _ = np.linalg.svd(A, full_matrices=False)
+        U = U[:, size > UNSEEN * size.max(initial=0.0)]
+        spare = degrees - U.shape[1]
+        if spare >= max(ENOUGH, (1 - MOST_TAKEN) * degrees):
+            left = y - U @ (U.T @ y)
+            rows = left.reshape(len(several), -1) * np.sqrt(degrees / spare)
+            return Shown(rows, group[several], float(left @ left) / spare, spare)
+    return None
+
+
+def _apart(values: Array, group: np.ndarray) -> Array:
+    """Return values (R, n) less the mean of their group."""
+    sums = np.zeros((int(group.max()) + 1, values.shape[1]))
+    np.add.at(sums, group, values)
+    apart: Array = values - (sums / np.bincount(group)[:, None])[group]
+    return apart
+
+
+def _scaled(values: Array) -> Array:
+    """Return values (R,) from -1 to 1."""
+    low, high = np.min(values), np.max(values)
+    scaled: Array = (2 * values - low - high) / max(high - low, 1e-300)
+    return scaled
+
+
+def _channels(found: Readings, recording: Recording) -> dict[str, Array]:
+    """Return the channels (R,) of readings of one row each, the way joints came among them; those that vary."""
+    if found.rows.shape[1] != 1:
+        return {}
+    every = {n: v[found.rows[:, 0]] for n, v in sorted(with_motion(recording).channels.items())}
+    return {n: v for n, v in every.items() if not n.startswith("true_") and (v != v[0]).any()}
+
+
+def _levelled(group: np.ndarray, channels: Mapping[str, Array]) -> np.ndarray:
+    """Return groups (R,) of readings of one pose in which channels are alike."""
+    if not channels:
+        return group
+    same = np.column_stack([group, *map(_levels, channels.values())])
+    return np.ravel(np.unique(same, axis=0, return_inverse=True)[1])
+
+
+def _levels(values: Array) -> Array:
+    """Return what counts as one level (N,) of a channel: each value of a few, else values that hardly differ.
+
+    A thermometer never stands still. What an effect makes of a part of its span is as small a part of that effect.
+    """
+    finite = values[np.isfinite(values)]
+    if len(np.unique(finite)) <= FEW_LEVELS:
+        return np.nan_to_num(values, nan=-1e9)
+    low, high = np.quantile(finite, [0.05, 0.95])
+    levels: Array = np.nan_to_num(np.floor((values - low) / max(ALIKE * (high - low), 1e-300)), nan=-1e9)
+    return levels
