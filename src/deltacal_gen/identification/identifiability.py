@@ -33,6 +33,8 @@ class IdentificationMatrix:
         Readings by parameters, an unknown instrument projected out [mm per unit of the convention].
     r : (rows,) array
         Measured minus nominal, projected likewise [mm].
+    moved : (rows, n) array
+        Readings by parameters where the instrument stays: what H is before the projection.
     names : tuple of str
     units : tuple of str
         Of the parameters in the convention.
@@ -43,6 +45,7 @@ class IdentificationMatrix:
 
     H: Array
     r: Array
+    moved: Array
     names: tuple[str, ...]
     units: tuple[str, ...]
     convention: str
@@ -99,13 +102,14 @@ def identification_matrix(problem: Problem, convention: str = "file") -> Identif
     J_p, J_m, r = state.J_p[read], state.J_m[read], state.residual[read]
     if problem.readings.kind.in_differences(problem.recording.measurement):
         J_p, J_m, r = np.diff(J_p, axis=0), np.diff(J_m, axis=0)[:, :-1], np.diff(r)  # the zero falls out
+    moved = J_p * factors
     if J_m.shape[1]:
         if len(problem.readings) * state.residual.shape[1] < instrument.n_unknown:
             Q = np.zeros((len(r), 0))
         else:
             Q = np.linalg.qr(J_m)[0]
         J_p, r = J_p - Q @ (Q.T @ J_p), r - Q @ (Q.T @ r)
-    return IdentificationMatrix(J_p * factors, r, problem.names, units, convention)
+    return IdentificationMatrix(J_p * factors, r, moved, problem.names, units, convention)
 
 
 def column_convention(robot: Robot, names: Sequence[str], convention: str) -> tuple[Array, tuple[str, ...]]:
@@ -171,6 +175,35 @@ def unseen(H: Array, names: Sequence[str], units: Sequence[str], typical: Array)
     _, s, Vt = np.linalg.svd(scaled, full_matrices=True)
     rank = int((s > RANK_TOLERANCE * s[0]).sum()) if len(s) and s[0] > 0 else 0
     return combinations(Vt[rank:], names, units, typical)
+
+
+def beside(
+    found: Sequence[Combination], matrix: IdentificationMatrix, per: Array, standing: str
+) -> tuple[list[Combination], int]:
+    """Return combinations that no reading sees, those that move readings told with what takes that up; and how many
+    directions of them do.
+
+    Parameters
+    ----------
+    found : sequence of Combination
+        Of the parameters of `matrix`.
+    per : (n,) array
+        What its columns are per [mm, rad].
+    standing : str
+        What is unknown of the instrument, in words.
+    """
+    if not found:
+        return [], 0
+    share = np.array([[c.terms.get(name, 0.0) for name in matrix.names] for c in found]) / per
+    moved = matrix.moved @ share.T
+    least = RANK_TOLERANCE * float(np.linalg.norm(matrix.moved, axis=0).max(initial=0.0))
+    each = []
+    for one, far in zip(found, np.linalg.norm(moved, axis=0), strict=True):
+        text = one.text.replace(" moves no reading at all", "").replace(", moved together, change no reading", "")
+        together = ", moved together," if len(one.terms) > 1 else ""
+        said = f"{text}{together} and {standing} are one number in these readings"
+        each.append(Combination(one.terms, said) if far > least else one)
+    return each, int((np.linalg.svd(moved, compute_uv=False) > least).sum())
 
 
 def combinations(basis: Array, names: Sequence[str], units: Sequence[str], typical: Array) -> list[Combination]:

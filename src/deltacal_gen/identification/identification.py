@@ -190,6 +190,7 @@ def identify(
     typical = mechanism.typical[[mechanism.index[n] for n in names]]
     per_unit = matrix.H / typical
     unseen = identifiability.unseen(per_unit, names, units, typical)
+    unseen, absorbed = identifiability.beside(unseen, matrix, typical, problem.readings.kind.whereabouts)
     weak = _weak(final, len(unseen), units)
     calibrated = dataclasses.replace(
         robot,
@@ -214,7 +215,7 @@ def identify(
         if problem.readings.kind.sees_joints
         else printed(final)
         if problem.readings.kind.distances_beside
-        else remedies(final)
+        else remedies(final, absorbed)
         if unseen or weak
         else (),
         noise=of_noise,

@@ -17,15 +17,19 @@ from deltacal_gen.results.result import (
 from deltacal_gen.units import DEG, file_unit, to_internal
 
 
-def remedies(final: Fit) -> tuple[Remedy, ...]:
-    """Return extra measurements, each with how many more directions it would pin, most first."""
+def remedies(final: Fit, absorbed: int = 0) -> tuple[Remedy, ...]:
+    """Return extra measurements, each with how many more directions it would pin, most first.
+
+    So many directions are `absorbed` by what is unknown of the instrument's place, which it settles where known.
+    """
     problem = final.problem
     known = _pinned([problem], final)
     span = float(np.mean([v[0] for v in problem.robot.geometry.values()][:2])) / 2
     ideas: list[tuple[str, list[Problem]]] = []
     tools = [problem.body.tool + np.array(offset) * span for offset in ((1, 0, 0), (0, 1, 0), (0, 0, -1))]
     moved = [problem.with_tool(tool) for tool in tools]
-    if not problem.readings.kind.carried(problem.mechanism):  # a measuring mechanism mounted anew has new errors
+    kind = problem.readings.kind
+    if not kind.picked and not kind.carried(problem.mechanism):  # a measuring mechanism mounted anew has new errors
         beside = f"{span:.0f} mm beside the first, at the same poses"
         ideas.append((f"a second reference point, {beside}", moved[:1]))
         ideas.append((f"a second and a third reference point, {beside}", moved[:2]))
@@ -40,9 +44,13 @@ def remedies(final: Fit) -> tuple[Remedy, ...]:
     told = [
         text for text, extra in ideas if gains[text] > max((gains[t] for t, e in ideas if e == extra[:-1]), default=0)
     ]
+    of = len(problem.names) - known
+    if absorbed:
+        at = kind.whereabouts
+        told.append(f"{at}, known in the robot's frame to {final.sigma[0]:.2g} mm,")
+        gains[told[-1]] = absorbed
     return tuple(
-        Remedy(measurement=text, pins=gains[text], of=len(problem.names) - known)
-        for text in sorted(told, key=lambda text: -gains[text])
+        Remedy(measurement=text, pins=gains[text], of=of) for text in sorted(told, key=lambda text: -gains[text])
     )
 
 

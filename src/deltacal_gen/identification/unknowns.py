@@ -40,16 +40,21 @@ class Open:
     terms : dict
         What moves along with it, and by how much in ordinary errors of its own, the unknown itself among them [units
         of files].
+    summed : bool
+        Whether what is found is the sum of both; otherwise it is neither.
     """
 
     name: str
     words: str
     remedy: str
     terms: dict[str, float]
+    summed: bool = False
 
     @property
     def sentence(self) -> str:
         """Both members in a sentence."""
+        if self.summed:
+            return f"{self.name} and {self.words} are one number in these readings: their sum is found"
         moved = ", ".join(f"{name} {value:+.2g}" for name, value in self.terms.items())
         return f"{self.name} and {self.words} are one number in these readings ({moved}): neither is found"
 
@@ -141,13 +146,15 @@ class Unknowns:
 
     @cached_property
     def open(self) -> tuple[Open, ...]:
-        """The unknowns that are not pinned."""
+        """The unknowns that are not pinned, and those that are found together with something of the machine."""
         at, problem, n = self.instrument, self.final.problem, len(self.final.problem.scale)
         names = [*problem.names, *(f"({t.effect})" for t in problem.terms for _ in range(t.n_coefficients))]
         units = [problem.mechanism.parameters[problem.mechanism.index[name]].unit for name in problem.names]
         found = []
         for s, u, j in self._named():
             if self._status(j) is not Status.NOT_PINNED:
+                if at.kind.unknown[u][0] in at.kind.sums:
+                    found.append(self._summed(s, u, j))
                 continue
             C = self._stages[2]
             close = C[:, j] / np.sqrt(np.maximum(np.diag(C) * C[j, j], 1e-300))
@@ -168,6 +175,15 @@ class Unknowns:
             }
             found.append(Open(name, words, remedy.format(**needed), terms))
         return tuple(found)
+
+    def _summed(self, s: int, u: int, j: int) -> Open:
+        """Return an unknown that is found together with what of the machine is in it."""
+        at, n = self.instrument, len(self.final.problem.scale)
+        words, remedy = at.kind.sums[at.kind.unknown[u][0]]
+        name, unit = at.unknown[j - n]
+        told = {"number": s + 1, "own": self._enough(j) / to_internal(unit), "unit": at.reported[name]}
+        size = float(at.kind.typical[u]) / to_internal(unit)
+        return Open(name, words.format(**told), remedy.format(**told), {name: size}, summed=True)
 
     def _needed(self) -> float:
         """Return how well a length must be known [%] to leave less than the noise over what the readings span."""

@@ -88,11 +88,14 @@ class Kind:
     second_point, more_poses, position_beside, rotation_beside, distances_beside : bool
         Which further measurements are worth considering: of a second reference point, of one more pose, of the
         position itself, of the platform's rotation, of distances on a printed object.
+    whereabouts : str
+        What is unknown of the instrument's place, in words: it takes up what machine and instrument do alike.
     """
 
     name: str
 
     formulas: ClassVar[str] = ""
+    whereabouts: ClassVar[str] = "where the instrument stands"
     aliases: ClassVar[tuple[str, ...]] = ()  # what sidecars may call it too
     positions: ClassVar[bool] = False
     in_blocks: ClassVar[bool] = False
@@ -112,6 +115,7 @@ class Kind:
     mount: ClassVar[tuple[str, ...]] = ()  # unknowns that may be source errors of the machine
     reported: ClassVar[Mapping[str, int]] = {}  # unknowns that answers give by name, and their places in the state
     confounds: ClassVar[Mapping[str, tuple[str, str]]] = {}  # of these: what may stand for one, what tells it from it
+    sums: ClassVar[Mapping[str, tuple[str, str]]] = {}  # of these: what of the machine is in one, what tells it from it
     under: ClassVar[str] = ""  # another kind's name that sidecars use for this one, whose columns then say which
     filled: ClassVar[Mapping[str, float]] = {}  # columns that may be absent or blank, and what they then hold
 

@@ -23,11 +23,11 @@ print(result.headline)
 # A combination that the readings do not tell apart moves no reading: it is named, and the robot file's values hold.
 
 # %%
-print(len(result.unidentifiable), "open;", result.unidentifiable[0].text[:40])
+print(len(result.unidentifiable), "open;", result.unidentifiable[0].text)
 
 # %% [markdown]
 # ```output
-# 9 open; theta_1 moves no reading at all
+# 9 open; theta_1 and where the instrument stands are one number in these readings
 # ```
 #
 # ## Another day

@@ -48,6 +48,7 @@ OF_THE_LENS = {  # what may stand for a number of the lens, and what tells it
 class BoardImage(Kind):
     """Points of a board in images. What of the lens the sidecar leaves out is found with where camera and board are."""
 
+    whereabouts: ClassVar[str] = "where camera and board stand"
     aliases: ClassVar[tuple[str, ...]] = ("board image",)
     picked: ClassVar[bool] = True
     usual_noise: ClassVar[float] = 0.05

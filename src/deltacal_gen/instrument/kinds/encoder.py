@@ -32,6 +32,12 @@ class Encoder(Kind):
     in_motion: ClassVar[bool] = True
     rotation_beside: ClassVar[bool] = False
     reported: ClassVar[Mapping[str, int]] = {"enc_zero": 1}
+    sums: ClassVar[Mapping[str, tuple[str, str]]] = {
+        "enc_zero": (
+            "the zero of joint {number}",
+            "put joint {number} to a mark or stop whose angle the drawing gives, to {own:.2g} {unit}, and read both",
+        )
+    }
 
     @property
     def unit(self) -> str:

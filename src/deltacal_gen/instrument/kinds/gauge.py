@@ -24,6 +24,7 @@ ZERO = 3  # place of the zero in the state, and among the unknowns
 class Gauge(Kind):
     """Lengths by a linear scale, a ball bar or a draw wire."""
 
+    whereabouts: ClassVar[str] = "where the gauge is mounted"
     second_point: ClassVar[bool] = True
     more_poses: ClassVar[bool] = True
     position_beside: ClassVar[bool] = True

@@ -28,6 +28,7 @@ CAMERA, BALL = (0, 1, 2), (3, 4, 5)  # the unknowns: turns of the camera, shifts
 class Sphere(Kind):
     """Extremes of a ball's image. `rotation_deg` of the camera turns the axes of {O'} into its own."""
 
+    whereabouts: ClassVar[str] = "where the camera stands"
     aliases: ClassVar[tuple[str, ...]] = ("sphere image", "sphere_image")
 
     def check(

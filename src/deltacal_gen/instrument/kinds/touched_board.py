@@ -23,6 +23,7 @@ SCALE = 6  # place of the print's scale among the unknowns
 class TouchedBoard(Position):
     """Positions in the frame of a print, whose points are as far off its plane as the recording says: not at all."""
 
+    whereabouts: ClassVar[str] = "where the board lies"
     aliases: ClassVar[tuple[str, ...]] = ("touched board",)
     under: ClassVar[str] = "position"
     in_blocks: ClassVar[bool] = False
