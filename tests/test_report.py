@@ -142,6 +142,6 @@ def test_channels_have_names_for_readers() -> None:
 
 def test_one_sheet_as_a_file(found: dict[str, Any], tmp_path: Any) -> None:
     for name, data in {"a.svg": found, "b.svg": found, "c.svg": without_effects(found, "adequate")}.items():
-        figures.diagnosis(read_result(data), tmp_path / name)
+        figures.write(read_result(data), tmp_path / name)
     assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b.svg").read_bytes()
     assert "cell 7: nothing is missing" in (tmp_path / "c.svg").read_text()

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.pages import report
-from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED, STYLE, mpl, plt
+from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED, STYLE, mpl, sheet
 from tests.measured import PACKAGES, write
 
 Entry = Mapping[str, Any]
@@ -249,7 +249,7 @@ def _figures(found: Sequence[Entry]) -> Iterator[str]:
 
 def _drawn(draw: Callable[[Any], None]) -> Any:
     with mpl.rc_context(STYLE):
-        picture, axes = plt.subplots(figsize=(4.4, 2.9), constrained_layout=True)
+        picture, axes = sheet(1, 1, (4.4, 2.9))
         draw(axes)
     return picture
 

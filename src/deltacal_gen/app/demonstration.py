@@ -50,7 +50,7 @@ def run(folder: Path, progress: Callable[[str], None]) -> Demo:
         robot, recording, files["diagnosis.json"], report=files["diagnosis.html"], progress=progress
     )
     progress("picture")
-    figures.diagnosis(found, files["diagnosis.svg"])
+    figures.write(found, files["diagnosis.svg"])
     progress("compensator")
     machine = calibrated_robot(found)
     write_files({files["calibrated.toml"]: robot_to_toml(machine)})

@@ -119,6 +119,10 @@ def recording_of(
     InputError
         As `read_recording`; lines count the rows from 1.
     """
+    if not (hasattr(frame, "to_dataframe") or hasattr(frame, "columns")):
+        raise UsageError(
+            f"a {type(frame).__name__} is no recording: give the path of a file, or a data frame with its columns."
+        )
     said = dict(getattr(frame, "attrs", {})).get("measurement", {})
     table: Any = frame.to_dataframe().reset_index() if hasattr(frame, "to_dataframe") else frame
     cells = {

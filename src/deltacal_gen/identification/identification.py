@@ -110,7 +110,7 @@ def identify(
     model: str | None = None,
     *,
     as_distance: bool = False,
-    solver: str = "prior",
+    solver: str | Solver = "prior",
     truncation: int | str = "gcv",
     robust: bool = True,
     held: Sequence[Term] = (),
@@ -125,7 +125,7 @@ def identify(
         ``delta/32`` or ``32``; default the largest that the number of readings allows.
     as_distance : bool
         Use the distances of all pairs of measured positions instead of the positions.
-    solver : {"prior", "least-squares", "tsvd", "ridge"}
+    solver : {"prior", "least-squares", "tsvd", "ridge"}, or a solver such as ``TSVD(8)``
         Rule for directions that the data hardly see. ``prior`` uses the robot file's ``[tolerance]``, and ten times
         an ordinary manufacturing error for what it does not name.
     truncation : int or {"gcv", "discrepancy"}
@@ -163,7 +163,7 @@ def identify(
         everything = pose_problem(robot, recording, (), as_distance=as_distance, held=held)
     problem, given = with_prior(everything.with_names(names), robot)
     rule = _solver(solver, truncation, recording.measurement.sigma_mm)
-    if solver != "prior":
+    if not isinstance(rule, Prior):
         problem = everything.with_names(names)
 
     progress("rough stage: encoder offsets")
@@ -267,7 +267,9 @@ def _held_out(final: Fit, rule: Solver, robust: bool) -> tuple[Fit, float]:
     return min(each, key=lambda found: found[1])
 
 
-def _solver(name: str, truncation: int | str, sigma: float | None) -> Solver:
+def _solver(name: str | Solver, truncation: int | str, sigma: float | None) -> Solver:
+    if not isinstance(name, str):
+        return name
     solvers: dict[str, Callable[[], Solver]] = {
         "prior": Prior,
         "least-squares": LeastSquares,

@@ -14,10 +14,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from deltacal_gen.results import shown
 from deltacal_gen.units import DEG
 
 if TYPE_CHECKING:
     from pathlib import Path
+
+    import pandas as pd
 
     from deltacal_gen.files.robot import Masses, Transmission, Workspace
     from deltacal_gen.files.sidecar import Camera
@@ -102,6 +105,9 @@ class Robot:
     source: Path | None = None
     links: tuple[Link, ...] = ()
     limits: dict[str, tuple[float, float]] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        return f"<Robot '{self.name}': {self.mechanism}>"
 
     @property
     def drawn(self) -> bool:
@@ -211,6 +217,15 @@ class Recording:
     pair_measured: np.ndarray | None = None
     pair_line: np.ndarray | None = None
     doubts: dict[str, str] = dataclasses.field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        readings = self.n_rows if self.pairs is None else len(self.pairs)
+        what = "targets" if self.targets is not None else f"readings of the kind {self.kind}"
+        return f"<Recording: {readings} {what}, {Path(self.path).name}>"
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """Return what its file would hold, as a data frame; of distances those alone. Needs pandas."""
+        return shown.recorded(self)
 
     @property
     def n_rows(self) -> int:

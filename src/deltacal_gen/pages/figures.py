@@ -1,10 +1,12 @@
 """Pictures of calibrations and diagnoses: quiet, with units, readable on their own.
 
-Matplotlib is imported here and only when a picture is asked for; no window is ever opened.
+Matplotlib is imported here and only when a picture is asked for; no window is ever opened, and pyplot, which a
+notebook or a program may use in its own way, is not touched.
 """
 
 from __future__ import annotations
 
+import io
 import math
 import re
 from collections.abc import Sequence
@@ -13,10 +15,6 @@ from pathlib import Path
 from typing import Any
 
 import matplotlib as mpl
-
-mpl.use("Agg")
-
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
@@ -76,6 +74,21 @@ def decade(mantissa: int, exponent: int) -> str:
     return ("" if mantissa == 1 else f"{mantissa}·") + f"10{str(exponent).translate(RAISED)}"
 
 
+class Sheet(Figure):
+    """A figure that a notebook shows of itself."""
+
+    def _repr_svg_(self) -> str:
+        stream = io.StringIO()
+        self.savefig(stream, format="svg")
+        return stream.getvalue()
+
+
+def sheet(rows: int, columns: int, size: tuple[float, float], **how: Any) -> tuple[Sheet, Any]:
+    """Return a figure of a size [inch] with its axes; an array of them where there are several."""
+    figure = Sheet(figsize=size, layout="constrained")
+    return figure, figure.subplots(rows, columns, **how)
+
+
 def save(figure: Figure, path: str | Path) -> None:
     """Write a figure, the same bytes for the same content."""
     path = Path(path)
@@ -85,13 +98,18 @@ def save(figure: Figure, path: str | Path) -> None:
         figure.savefig(
             parts[path], dpi=150, format=ending[1:], metadata=metadata if ending in (".svg", ".png") else None
         )
-    plt.close(figure)
 
 
-def calibration(result: Result, path: str | Path) -> None:
+def write(found: Result | Diagnosis, path: str | Path) -> None:
+    """Write the picture of a result or a diagnosis."""
+    with mpl.rc_context(STYLE):
+        save(calibration(found) if isinstance(found, Result) else diagnosis(found), path)
+
+
+def calibration(result: Result) -> Sheet:
     """Draw a result: errors by stage, parameters with their deviation, the tool's uncertainty over the workspace."""
     with mpl.rc_context(STYLE):
-        figure, axes = plt.subplots(2, 2, figsize=(10, 7.2), constrained_layout=True)
+        figure, axes = sheet(2, 2, (10, 7.2))
         stages(axes[0, 0], result)
         readings(axes[0, 1], result)
         parameters(axes[1, 0], result)
@@ -105,7 +123,7 @@ def calibration(result: Result, path: str | Path) -> None:
             ha="left",
             fontsize=12,
         )
-        save(figure, path)
+    return figure
 
 
 def stages(axes: Axes, result: Result) -> None:
@@ -387,11 +405,11 @@ def bars(axes: Axes, found: Diagnosis) -> None:
     axes.tick_params(axis="y", length=0)
 
 
-def diagnosis(found: Diagnosis, path: str | Path) -> None:
+def diagnosis(found: Diagnosis) -> Sheet:
     """Draw a DIAGNOSIS.json on one sheet: before and after, against the channel that matters and over the workspace."""
     channel = main_channel(found)
     with mpl.rc_context(STYLE):
-        sheet, axes = plt.subplots(1, 3, figsize=(11, 3.5), constrained_layout=True, width_ratios=(1, 1, 1.05))
+        figure, axes = sheet(1, 3, (11, 3.5), width_ratios=(1, 1, 1.05))
         if channel is None:
             bubbles(axes[0], found, after=False)
             bubbles(axes[1], found, after=True)
@@ -409,8 +427,8 @@ def diagnosis(found: Diagnosis, path: str | Path) -> None:
             ),
             Verdict.UNEXPLAINED: "a mismatch that no known effect explains",
         }[found.verdict]
-        sheet.suptitle(f"{found.robot.robot.name}: {title}", x=0.01, ha="left", fontsize=12)
-        save(sheet, path)
+        figure.suptitle(f"{found.robot.robot.name}: {title}", x=0.01, ha="left", fontsize=12)
+    return figure
 
 
 def named(effect: Effect) -> str:

@@ -14,7 +14,7 @@ from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.limits import PATTERNS, limits_of
 from deltacal_gen.pages import figures
-from deltacal_gen.pages.figures import plt
+from deltacal_gen.pages.figures import mpl
 from deltacal_gen.planning.matrix import Plan
 from deltacal_gen.results.motion import MotionPlan
 from deltacal_gen.units import joint_factors, joint_names
@@ -39,9 +39,9 @@ def figure(plans: Plan | Sequence[Plan], path: str | Path) -> None:
     if not drawn:
         raise UsageError("there is nothing to draw: no set of poses has the full rank.")
     style: Any = figures.STYLE
-    with plt.rc_context(style):
-        canvas, axes = plt.subplots(figsize=(6.4, 3.8), layout="constrained")
-        for p, colour in zip(drawn, plt.get_cmap("viridis")(np.linspace(0.1, 0.7, len(drawn))), strict=True):
+    with mpl.rc_context(style):
+        canvas, axes = figures.sheet(1, 1, (6.4, 3.8))
+        for p, colour in zip(drawn, mpl.colormaps["viridis"](np.linspace(0.1, 0.7, len(drawn))), strict=True):
             steps = [step for step in p.steps if math.isfinite(step.condition)]
             n, condition = [step.n for step in steps], [step.condition for step in steps]
             points = f"{len(p.tools)} reference point{'s' if len(p.tools) > 1 else ''}"
@@ -73,9 +73,9 @@ def trajectory(robot: Robot, plan: MotionPlan, columns: Mapping[str, Any], path:
     at = time + (run - 1) * plan.period_s
     style: Any = figures.STYLE
     words = ("joint", "speed", "acceleration")
-    with plt.rc_context(style):
-        canvas, rows = plt.subplots(3, 1, figsize=(7.2, 6.2), sharex=True, layout="constrained")
-        colours = plt.get_cmap("viridis")(np.linspace(0.05, 0.85, limbs))
+    with mpl.rc_context(style):
+        canvas, rows = figures.sheet(3, 1, (7.2, 6.2), sharex=True)
+        colours = mpl.colormaps["viridis"](np.linspace(0.05, 0.85, limbs))
         ends = ((low, high), (-speed, speed), (-acceleration, acceleration))
         for axes, pattern, word, limits in zip(rows, PATTERNS, words, ends, strict=True):
             names = joint_names(unit, limbs, pattern)
@@ -100,5 +100,3 @@ def _saved(canvas: Any, path: str | Path) -> None:
         figures.save(canvas, path)
     except (OSError, ValueError) as error:
         raise InputError(f"the figure cannot be written: {error}.", "Check folder and ending.", file=path) from None
-    finally:
-        plt.close(canvas)

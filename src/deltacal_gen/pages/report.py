@@ -23,7 +23,7 @@ from markupsafe import Markup
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.pages import figures, laws
-from deltacal_gen.pages.figures import AFTER, BEFORE, INK, MUTED, RAISED, STYLE, mpl, plt
+from deltacal_gen.pages.figures import AFTER, BEFORE, INK, MUTED, RAISED, STYLE, mpl
 from deltacal_gen.physics.law import ADVICE as LAW_ADVICE
 from deltacal_gen.physics.terms import load_effect, of_the_instrument
 from deltacal_gen.results.batch import ASIDE, Batch, FailedRow, alike, worst
@@ -252,7 +252,7 @@ def page(title: str, parts: Sequence[str]) -> str:
 
 
 def figure(picture: Any, caption: str) -> str:
-    """Return a Matplotlib figure as SVG whose colours and type follow the page's, with its caption; it is closed."""
+    """Return a Matplotlib figure as SVG whose colours and type follow the page's, with its caption."""
     return f"<figure>{_inline(picture)}<figcaption>{html.escape(caption)}</figcaption></figure>"
 
 
@@ -503,7 +503,7 @@ def _svg(draw: Callable[[Any], None], size: tuple[float, float]) -> str:
 def panels(draw: Callable[[Any], None], grid: tuple[int, int], size: tuple[float, float]) -> str:
     """Return a picture of several panels (rows, columns), whose axes `draw` gets as an array; of one, its axes."""
     with mpl.rc_context({**STYLE, "font.size": 9.5, "axes.labelsize": 9.5}):
-        picture, axes = plt.subplots(*grid, figsize=size, constrained_layout=True)
+        picture, axes = figures.sheet(*grid, size)
         draw(axes)
         return _inline(picture)
 
@@ -513,7 +513,6 @@ def _inline(picture: Any) -> str:
     picture.savefig(
         stream, format="svg", transparent=True, metadata=dict.fromkeys(("Date", "Creator", "Format", "Type"))
     )
-    plt.close(picture)
     svg = stream.getvalue()
     svg = svg[svg.index("<svg") :]
     for colour, variable in _COLOURS.items():

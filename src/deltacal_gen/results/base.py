@@ -24,6 +24,7 @@ from deltacal_gen.results import shown
 
 if TYPE_CHECKING:
     import pandas as pd
+    from matplotlib.figure import Figure
 
 Json = dict[str, Any]
 
@@ -189,6 +190,10 @@ class Answer(Value, Mapping[str, Any]):
     def to_dataframe(self) -> pd.DataFrame:
         """Return the table as a data frame, a column to each key; needs pandas."""
         return shown.frame([row.to_dict() for row in self.table()])
+
+    def plot(self) -> Figure:
+        """Return a picture of the answer, which a notebook shows; ``answer.plot().savefig("it.svg")`` writes it."""
+        return shown.picture(self)
 
     def __str__(self) -> str:
         """Return the answer as text: one line, and its table."""

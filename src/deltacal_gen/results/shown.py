@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html
+import importlib
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -10,6 +11,7 @@ from deltacal_gen.errors import UsageError
 
 if TYPE_CHECKING:
     import pandas as pd
+    from matplotlib.figure import Figure
 
 MOST = 60  # rows that are shown; a data frame has all
 
@@ -43,6 +45,22 @@ def frame(rows: Table) -> pd.DataFrame:
     except ImportError:
         raise UsageError("a data frame needs pandas, which is not installed: pip install pandas.") from None
     return pd.DataFrame(list(rows), columns=_names(rows))
+
+
+def recorded(recording: object) -> pd.DataFrame:
+    """Return a recording as a data frame; how its columns are called is known where files are written."""
+    columns, distances = importlib.import_module("deltacal_gen.files.writing").file_columns(recording)
+    told = distances or columns
+    return frame([dict(zip(told, row, strict=True)) for row in zip(*told.values(), strict=True)])
+
+
+def picture(answer: object) -> Figure:
+    """Return the picture of an answer.
+
+    Pages stand above answers, which do not know them: their room is looked up by its name, when a picture is asked for.
+    """
+    drawn: Figure = importlib.import_module("deltacal_gen.pages.plots").plot(answer)
+    return drawn
 
 
 def _names(rows: Table) -> list[str]:

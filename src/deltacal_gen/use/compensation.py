@@ -118,6 +118,10 @@ class Compensator:
             named = ", ".join(t.effect for t in self.effects)
             raise UsageError(f"the linear compensator knows geometry only, not {named}. Use the exact one.")
 
+    def __repr__(self) -> str:
+        known = ", ".join(["geometry", *(t.effect for t in self.effects)])
+        return f"<Compensator of '{self.robot.name}', {self.kind}: {known}>"
+
     @cached_property
     def effects(self) -> tuple[Term, ...]:
         """The effects that move the machine; one that only changes what is read asks for no other command."""

@@ -83,7 +83,7 @@ def identify(
     if picture is not None:
         from deltacal_gen.pages import figures
 
-        figures.calibration(found, picture)
+        figures.write(found, picture)
     if as_json:
         print_json(found)
         return

@@ -10,6 +10,8 @@ import numpy as np
 
 from deltacal_gen.app.commands.clocks import set_in_time, with_clock
 from deltacal_gen.app.commands.common import (
+    AnyRecording,
+    AnyRobot,
     Progress,
     Source,
     as_recording,
@@ -21,14 +23,14 @@ from deltacal_gen.app.commands.common import (
     silent,
     write_json,
 )
-from deltacal_gen.files.robot import Robot, for_model
+from deltacal_gen.files.robot import for_model
 from deltacal_gen.files.writing import write_files
 from deltacal_gen.machine.registry import mechanism_of
-from deltacal_gen.machine.values import Recording
 from deltacal_gen.results.reader import Given
 from deltacal_gen.results.result import Firmware, Result
 
 if TYPE_CHECKING:
+    from deltacal_gen.estimation.solvers import Solver
     from deltacal_gen.results.diagnosis import Diagnosis
     from deltacal_gen.results.motion import MotionDiagnosis, MotionResult
 
@@ -36,13 +38,13 @@ InMotion = TypeVar("InMotion", "MotionResult", "MotionDiagnosis")
 
 
 def identify(
-    robot: Source | Robot,
-    recording: Source | Recording,
+    robot: AnyRobot,
+    recording: AnyRecording,
     model: str | None = None,
     output: Source | None = None,
     *,
     as_distance: bool = False,
-    solver: str = "prior",
+    solver: str | Solver = "prior",
     truncation: int | str = "gcv",
     robust: bool = True,
     physics: Given | None = None,
@@ -124,7 +126,7 @@ def _finished(found: InMotion, output: Source | None, report: Source | None, *fi
 
 
 def identify_blocks(
-    robot: Source | Robot, recording: Source, model: str | None = None, output: Source | None = None
+    robot: AnyRobot, recording: Source, model: str | None = None, output: Source | None = None
 ) -> Result:
     """Identify from a recording of any length, in a fixed memory; see `streams.identify`."""
     from deltacal_gen.use import streams
@@ -140,8 +142,8 @@ def identify_blocks(
 
 
 def diagnose(
-    robot: Source | Robot,
-    recording: Source | Recording,
+    robot: AnyRobot,
+    recording: AnyRecording,
     output: Source | None = None,
     *,
     model: str | None = None,
@@ -193,8 +195,8 @@ def diagnose(
 
 
 def matrix(
-    robot: Source | Robot,
-    recording: Source | Recording,
+    robot: AnyRobot,
+    recording: AnyRecording,
     model: str,
     output: Source | None = None,
     *,

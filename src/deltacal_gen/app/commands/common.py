@@ -7,17 +7,17 @@ import os
 import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from deltacal_gen import __version__
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.columns import distances_path, instrument_path
 from deltacal_gen.files.recording import read_recording, recording_of
-from deltacal_gen.files.robot import Robot, read_robot
+from deltacal_gen.files.robot import Robot, read_robot, robot_of
 from deltacal_gen.files.writing import is_stream, write_files
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Recording
-from deltacal_gen.results.parts import InputFile, Made
+from deltacal_gen.results.parts import InputFile, Made, RobotTables
 
 if TYPE_CHECKING:
     from deltacal_gen.motion.kinds import Torque
@@ -25,7 +25,25 @@ if TYPE_CHECKING:
 
 Source = str | Path
 PICTURES = (".svg", ".png", ".pdf")
-Frame = Any  # a data frame of pandas, or what makes one: neither need be installed
+
+
+class Frame(Protocol):
+    """A data frame of pandas; it need not be installed."""
+
+    @property
+    def columns(self) -> Any: ...
+
+    def __getitem__(self, key: Any, /) -> Any: ...
+
+
+class MakesFrame(Protocol):
+    """What makes a data frame, as a data set of xarray does."""
+
+    def to_dataframe(self) -> Any: ...
+
+
+AnyRobot = str | Path | Robot | RobotTables
+AnyRecording = str | Path | Recording | Frame | MakesFrame
 Progress = Callable[[str], None]
 
 
@@ -37,11 +55,14 @@ def untold(done: int, total: int, label: str) -> None:
     return None
 
 
-def as_robot(robot: Source | Robot) -> Robot:
+def as_robot(robot: AnyRobot) -> Robot:
+    """Return a robot: read from its file, or as an answer holds it (``result.robot``), or as it is."""
+    if isinstance(robot, RobotTables):
+        return robot_of(robot)
     return robot if isinstance(robot, Robot) else read_robot(robot)
 
 
-def as_recording(recording: Source | Recording | Frame, robot: Robot, **how: Any) -> Recording:
+def as_recording(recording: AnyRecording, robot: Robot, **how: Any) -> Recording:
     if isinstance(recording, Recording):
         return recording
     if not isinstance(recording, str | Path):

@@ -12,6 +12,8 @@ import numpy as np
 from deltacal_gen.app.commands.clocks import clocks_of, simulated_clock, write_two_clocks
 from deltacal_gen.app.commands.common import (
     PICTURES,
+    AnyRecording,
+    AnyRobot,
     Progress,
     Source,
     as_recording,
@@ -36,7 +38,7 @@ if TYPE_CHECKING:
 
 
 def plan(
-    robot: Source | Robot,
+    robot: AnyRobot,
     model: str | None = None,
     output: Source | None = None,
     *,
@@ -44,10 +46,11 @@ def plan(
     picture: Source | None = None,
     gauge: Source | None = None,
     **options: Any,
-) -> Plan | MotionPlan:
+) -> Plan:
     """Return measuring poses for a model: rings by the paper's rule (21), or a D-optimal set.
 
-    Of kind torque (or model ``MECHANISM/rigid``) the answer are exciting trajectories, see `planning.exciting`.
+    Of kind torque (or model ``MECHANISM/rigid``) the answer is a `results.motion.MotionPlan`: exciting
+    trajectories, see `planning.exciting`.
 
     Parameters
     ----------
@@ -72,7 +75,8 @@ def plan(
     if options.get("kind") == "torque" or (model is not None and model.endswith("/rigid")):
         if optimal is not None or gauge is not None:
             raise UsageError("trajectories are planned without --optimal and --gauge.")
-        return _exciting(as_robot(robot), output, picture, **{k: v for k, v in options.items() if k != "kind"})
+        options.pop("kind", None)
+        return cast("Plan", _exciting(as_robot(robot), output, picture, **options))
     if model is None:
         raise UsageError("give the model whose parameters the poses shall tell: --model MECHANISM/NUMBER.")
     robot = for_model(as_robot(robot), model)
@@ -105,8 +109,8 @@ def _exciting(robot: Robot, output: Source | None, picture: Source | None, **opt
 
 
 def simulate(
-    robot: Source | Robot,
-    poses: Source | Recording,
+    robot: AnyRobot,
+    poses: AnyRecording,
     output: Source | None = None,
     *,
     truth: Source | Mapping[str, float] | None = None,
@@ -177,7 +181,7 @@ def _in_motion(done: Trajectories, output: Source | None, noise: float) -> Traje
 
 
 def simulate_blocks(
-    robot: Source | Robot,
+    robot: AnyRobot,
     poses: Source,
     output: Source,
     *,
@@ -259,7 +263,7 @@ def next_poses(diagnosis: Given, output: Source | None = None, *, budget: int | 
 
 
 def loop(
-    robot: Source | Robot,
+    robot: AnyRobot,
     recording: Source,
     measure: str,
     output: Source | None = None,

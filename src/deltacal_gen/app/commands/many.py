@@ -9,12 +9,20 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from deltacal_gen.app.commands.common import Source, as_recording, as_robot, check_output, untold, write_json
+from deltacal_gen.app.commands.common import (
+    AnyRecording,
+    AnyRobot,
+    Source,
+    as_recording,
+    as_robot,
+    check_output,
+    untold,
+    write_json,
+)
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.robot import Robot, for_model
+from deltacal_gen.files.robot import for_model
 from deltacal_gen.files.writing import write_files
 from deltacal_gen.machine.registry import mechanism_of
-from deltacal_gen.machine.values import Recording
 from deltacal_gen.units import DEG
 
 if TYPE_CHECKING:
@@ -24,8 +32,8 @@ if TYPE_CHECKING:
 
 
 def study(
-    robot: Source | Robot,
-    plan: Source | Recording,
+    robot: AnyRobot,
+    plan: AnyRecording,
     output: Source | None = None,
     *,
     model: str | None = None,

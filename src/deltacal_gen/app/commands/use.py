@@ -12,6 +12,7 @@ import numpy as np
 
 from deltacal_gen.app.commands.clocks import as_known, clocks_of, instrument_columns
 from deltacal_gen.app.commands.common import (
+    AnyRecording,
     Progress,
     Source,
     as_recording,
@@ -42,7 +43,6 @@ if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
     from deltacal_gen.motion.feedforward import FeedForward
     from deltacal_gen.motion.kinds import Torque
-    from deltacal_gen.motion.trajectories import Trajectories
     from deltacal_gen.results.comparison import Comparison
     from deltacal_gen.results.validation import Validation
     from deltacal_gen.results.written import FirmwareLines
@@ -236,13 +236,13 @@ def firmware_lines(result: Given, kind: str, output: Source | None = None, *, te
 
 def predict(
     result: Given,
-    recording: Source | Recording,
+    recording: AnyRecording,
     output: Source | None = None,
     *,
-    place: Source | Recording | None = None,
+    place: AnyRecording | None = None,
     bands: bool = False,
     tell: Progress = silent,
-) -> Recording | Trajectories:
+) -> Recording:
     """Return a recording's readings as an identified or diagnosed model predicts them; `output` is PREDICTED.csv.
 
     `place` is a recording of other poses from the same set-ups of the instrument: those that it holds are placed by
@@ -252,6 +252,8 @@ def predict(
     With `bands` the ends between which each value lies with 95 % probability stand beside it, ``x_lo_mm, x_hi_mm`` ...:
     channels of the recording that is returned or, of distances, columns of the file alone. The noise of a reading is
     not in them.
+
+    Of a result in motion the answer is a `motion.trajectories.Trajectories`.
     """
     from deltacal_gen.diagnosis import spectrum
     from deltacal_gen.use import prediction
@@ -263,7 +265,7 @@ def predict(
         found = _moving(recording).predict(known)
         if output is not None:
             write_files({Path(output): csv_text(columns_of(found))})
-        return found
+        return cast("Recording", found)
     robot = prediction.calibrated_robot(known)
     timed = clocks_of(recording, robot, need_measured=False)
     given = as_known(known, recording, robot, need_measured=False)
@@ -313,7 +315,7 @@ def _moving(recording: object) -> Torque:
     return found
 
 
-def validate(result: Given, recording: Source | Recording) -> Validation:
+def validate(result: Given, recording: AnyRecording) -> Validation:
     """Return the error of a calibrated model on readings it has not seen, against the noise.
 
     Of a recording in motion the answer is a `results.motion.MotionValidation`.
@@ -350,7 +352,7 @@ def _of_rows(result: Given) -> Result | Diagnosis:
 
 
 def certificate(
-    result: Given, validation: Source | Recording, output: Source | None = None, *, about: Source | None = None
+    result: Given, validation: AnyRecording, output: Source | None = None, *, about: Source | None = None
 ) -> Certificate:
     """Return what is certified of a calibrated machine; `output` is the page, and beside it the XML is written.
 
@@ -420,7 +422,7 @@ def certificate(
     return found
 
 
-def _check_unseen(own: tuple[InputFile, ...], fitted: tuple[InputFile, ...], validation: Source | Recording) -> None:
+def _check_unseen(own: tuple[InputFile, ...], fitted: tuple[InputFile, ...], validation: AnyRecording) -> None:
     """Raise an InputError where the readings are those of the fit."""
     if not isinstance(validation, str | Path):
         return

@@ -1,0 +1,116 @@
+"""What `plot()` of an answer draws: a picture for each sort that has one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+
+from deltacal_gen.errors import UsageError
+from deltacal_gen.pages import figures
+from deltacal_gen.pages.figures import AFTER, MUTED, STYLE, Sheet, mpl
+from deltacal_gen.results.base import Answer
+from deltacal_gen.results.batch import Batch, FailedRow
+from deltacal_gen.results.comparison import Change, Comparison
+from deltacal_gen.results.diagnosis import Diagnosis
+from deltacal_gen.results.plan import Plan
+from deltacal_gen.results.result import Result
+from deltacal_gen.results.study import Study
+from deltacal_gen.results.validation import Validation
+
+
+def plot(found: Answer) -> Sheet:
+    """Return the picture of an answer.
+
+    Raises
+    ------
+    UsageError
+        Answers of this sort have none, or this one has nothing to draw.
+    """
+    drawer = next((draw for of, draw in _DRAWERS.items() if isinstance(found, of)), None)
+    if drawer is None:
+        known = ", ".join(of.__name__ for of in _DRAWERS)
+        raise UsageError(f"there is no picture of a {type(found).__name__}; there is one of {known}.")
+    with mpl.rc_context(STYLE):
+        figure: Sheet = drawer(found)
+    return figure
+
+
+def _plan(found: Plan) -> Sheet:
+    """Draw the condition number set by set; the chosen one is marked."""
+    shown = [(n, k) for n, k in zip(found.n, found.condition, strict=True) if k is not None]
+    if not shown:
+        raise UsageError("there is nothing to draw: no set of poses has the full rank.")
+    figure, axes = figures.sheet(1, 1, (6.4, 3.8))
+    axes.plot(*zip(*shown, strict=True), "o-", ms=3, color=AFTER)
+    for n, k in shown:
+        if n == found.chosen:
+            axes.plot(n, k, "o", ms=9, color=AFTER)
+            axes.annotate(f"n = {n}", (n, k), (0, 9), textcoords="offset points", ha="center")
+    axes.locator_params(axis="x", integer=True)
+    axes.margins(y=0.2)
+    axes.set_xlabel("n")
+    axes.set_ylabel("condition number")
+    axes.set_title(found.headline)
+    return figure
+
+
+def _validation(found: Validation) -> Sheet:
+    """Draw the worst readings, beside the rms of all and the noise."""
+    figure, axes = figures.sheet(1, 1, (6.4, 1.2 + 0.25 * len(found.rows)))
+    axes.barh([f"line {row.line}" for row in found.rows], [row.error_mm for row in found.rows], color=AFTER)
+    axes.invert_yaxis()
+    for value, name in ((found.rms_mm, "rms of all"), (found.sigma_mm, "noise")):
+        axes.axvline(value, color=figures.INK, lw=1, ls="--" if name == "noise" else "-", label=name)
+    axes.legend(frameon=False)
+    axes.set_xlabel("error of the worst readings, mm")
+    figure.suptitle(found.headline, x=0.01, ha="left")
+    return figure
+
+
+def _comparison(found: Comparison) -> Sheet:
+    """Draw changes by their standard deviations, those that are called changes first."""
+    combined = found.combinations_changed is not None
+    changed = found.combinations_changed if combined else found.changed
+    same = found.combinations_unchanged if combined else found.unchanged
+    told: list[tuple[Change, float]] = [(c, c.change / c.std) for c in (*(changed or ()), *(same or ())) if c.std]
+    if not told:
+        raise UsageError("there is nothing to draw: no parameter is known to both sessions.")
+    figure, axes = figures.sheet(1, 1, (7.4, 0.9 + 0.2 * len(told)))
+    sizes = np.array([size for _, size in told])
+    colours = [figures.BEFORE if abs(size) > found.limit_std else AFTER for size in sizes]
+    axes.barh(range(len(told)), sizes, color=colours)
+    axes.set_yticks(range(len(told)), [c.name for c, _ in told])
+    axes.invert_yaxis()
+    for end in (-found.limit_std, found.limit_std):
+        axes.axvline(end, color=MUTED, lw=1, ls="--")
+    axes.set_xlabel("change, standard deviations; beyond the dashed lines it is called one")
+    return figure
+
+
+def _study(found: Study) -> Sheet:
+    figure, (spread, more) = figures.sheet(1, 2, (10, 3.5))
+    figures.before_and_after(spread, found)
+    figures.enough(more, found)
+    return figure
+
+
+def _batch(found: Batch) -> Sheet:
+    done = [row for row in found.rows if not isinstance(row, FailedRow)]
+    if not done:
+        raise UsageError("there is nothing to draw: no recording was done.")
+    figure, axes = figures.sheet(1, 1, (7.4, 0.8 + 0.16 * len(done)))
+    figures.fleet(axes, done)
+    return figure
+
+
+_DRAWERS: Mapping[type[Answer], Callable[[Any], Sheet]] = {
+    Result: figures.calibration,
+    Diagnosis: figures.diagnosis,
+    Plan: _plan,
+    Validation: _validation,
+    Comparison: _comparison,
+    Study: _study,
+    Batch: _batch,
+}
