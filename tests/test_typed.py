@@ -11,9 +11,10 @@ import pytest
 import deltacal_gen as dc
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.results.base import Answer
+from deltacal_gen.results.written import Simulated
 from tests import typed
 
-DELTA, GEARBOX = example("delta"), example("gearbox")
+DELTA = example("delta")
 
 
 @pytest.fixture(scope="module")
@@ -31,13 +32,13 @@ def test_each_sort_of_answer_draws_itself(result: dc.Result) -> None:
         dc.validate(result, DELTA / "recording.csv"),
         dc.plan(DELTA / "robot.toml", "delta/3"),
         dc.compare(result, result),
-        dc.study(DELTA / "robot.toml", DELTA / "poses.csv", model="delta/3", trials=8, workers=1),
+        dc.study(DELTA / "robot.toml", DELTA / "poses.csv", model="delta/3", trials=8, workers=1, noise=0.01),
     ]
     for answer in answers:
         svg = answer.plot()._repr_svg_()  # type: ignore[attr-defined]
         assert "</svg>" in svg, answer
-    with pytest.raises(dc.UsageError, match="no picture of a Experiment"):
-        dc.next_poses(dc.diagnose(GEARBOX / "robot.toml", GEARBOX / "recording.csv")).plot()
+    with pytest.raises(dc.UsageError, match="no picture of a Simulated"):
+        Simulated(recording="a.csv", readings=1, kind="position").plot()
 
 
 def test_a_picture_leaves_the_backend_of_a_program_alone() -> None:

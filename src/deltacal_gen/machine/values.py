@@ -10,6 +10,7 @@ import dataclasses
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -18,8 +19,6 @@ from deltacal_gen.results import shown
 from deltacal_gen.units import DEG
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     import pandas as pd
 
     from deltacal_gen.files.robot import Masses, Transmission, Workspace
