@@ -15,11 +15,11 @@ from deltacal_gen.app import commands
 from deltacal_gen.diagnosis import discrimination
 from deltacal_gen.diagnosis.designs import Duel, Refutation, choose
 from deltacal_gen.diagnosis.diagnosis import diagnose
-from deltacal_gen.diagnosis.discrimination import Pool, Question, next_measurements
+from deltacal_gen.diagnosis.discrimination import CLEAR, Pool, Question, next_measurements
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import robot_from_dict, robot_to_dict
 from deltacal_gen.results.diagnosis import Diagnosis
-from deltacal_gen.use.experiments import CLEAR, Open, next_rows, open_questions, shared
+from deltacal_gen.use.experiments import Open, next_rows, open_questions, shared
 from tests.conftest import PROTOTYPE, Run
 from tests.left_out import DELTA, channels, effect, machine, record
 from tests.test_law_language import law
@@ -73,11 +73,11 @@ def test_a_budget_is_kept_to_the_row_and_poses_are_repeated_last(soft: Diagnosis
 def test_rows_go_to_what_is_least_separated() -> None:
     easy, hard = (
         Open(why, tuple({"pose": f"next{n + 1}", why: float(n)} for n in range(8)), tuple(np.arange(1, 9) * each))
-        for why, each in (("easy", 30.0), ("hard", 5.0))
+        for why, each in (("easy", 0.75 * CLEAR), ("hard", CLEAR / 8))
     )
     assert shared([easy, hard], 8).counts == (2, 6)
     assert shared([easy, hard], None).counts == (2, 8)
-    faint = Open("faint", easy.rows, tuple(np.arange(1, 9) * 2.5))
+    faint = Open("faint", easy.rows, tuple(np.arange(1, 9) * CLEAR / 16))
     assert shared([faint], None).counts == (16,)  # each row twice
     assert shared([easy, hard], 20).counts == (8, 12)
     both = shared([easy, easy], 5)

@@ -35,9 +35,9 @@ from deltacal_gen.physics.law import PREFIX, Law
 from deltacal_gen.physics.terms import Term, blank
 from deltacal_gen.results.diagnosis import Location, NextMeasurement, Row
 
-# Of chi2. A difference D between two explanations scatters by 2 sqrt(D): at 40 it stays above 10, below which a
-# diagnosis tells nothing apart, in 99 of 100 recordings.
-CLEAR = 40.0
+# of chi2: a difference D between two explanations scatters by 2 sqrt(D); at 58 it stays above the 22.6 below which a
+# diagnosis calls them not told apart (`findings.AMBIGUOUS`) in 99 of 100 recordings
+CLEAR = 58.0
 LEAST = 10.0  # of chi2: poses that promise less are not worth a trip to the machine
 PROFILE = "separates a profile of the axis from the instrument's own non-linearity"
 TURNED_ROUND = (

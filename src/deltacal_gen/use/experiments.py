@@ -7,9 +7,9 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from deltacal_gen.diagnosis.discrimination import CLEAR
 from deltacal_gen.results.diagnosis import Diagnosis, NextMeasurement, Row
 
-CLEAR = 40.0  # of chi2, to which a question is asked where nobody says how many rows
 LATER = 60.0  # s from one reading to the next where the rows do not show it
 _NUMBER = re.compile(r"\d+$")
 _STANDS = re.compile(r"q\d|tool_")  # columns by which rows are repeats of a pose
