@@ -20,6 +20,8 @@ from deltacal_gen.machine.registry import Machine, mechanism_of
 from deltacal_gen.machine.rotation import from_vector
 from deltacal_gen.machine.values import Measurement, Recording
 from deltacal_gen.physics.simulation import simulate
+from deltacal_gen.physics.terms import blank
+from deltacal_gen.units import DEG
 from tests.benchmarks.arrival import ABOVE, chi2, compared, lowest, missed
 from tests.benchmarks.arrival_problems import near_a_line
 from tests.conftest import scattered, wanted
@@ -95,6 +97,41 @@ def test_a_fit_of_points_on_a_line_looks_all_around_it(arm: Robot) -> None:
             assert np.trace(gap) == pytest.approx(1 + 2 * np.cos(np.radians(turn)))
             left = problem.residual(state.errors, state.instrument, state.machine.x)
             assert np.linalg.norm(left) < 3 * off_line
+
+
+def test_loads_follow_a_soft_arm(arm: Robot) -> None:
+    """One degree at 100 Nm: derivatives at fixed loads are wrong by parts, those along a step are not."""
+    mass = {"mass": 20.0, "com": [-100.0, 0.0, 0.0]}
+    joints = [
+        {"kind": "revolute", "convention": "standard", "a": a, "alpha": alpha, "d": d, "theta": theta} | mass
+        for a, alpha, d, theta in LINKS
+    ]
+    head = {"robot": {"name": "soft", "mechanism": "serial"}, "geometry": {"tool": [0.0, 0.0, 100.0]}}
+    soft = robot_from_dict(head | {"joint": joints})
+    rng = np.random.default_rng(5)
+    recording = recorded(arm, wide(rng, 30, 1.0))
+    spring = blank("joint_compliance", (2, 3)).with_values(np.full((2, 1), 1e-5 * DEG))  # rad per N mm
+    problem = pose_problem(soft, recording, mechanism_of(soft).model("serial/dh")).with_terms(
+        [spring], np.full(2, 1e-8)
+    )
+    assert problem.gives_way
+    errors = np.concatenate([problem.reference[:-2], spring.values.ravel()])
+    machine = problem.solve(errors)
+    instrument = problem.begin(errors, machine)
+    fixed = problem.linearise(errors, instrument, machine)
+    step = rng.standard_normal(len(problem.scale))
+    exact = []
+    for side in (1e-3, -1e-3):
+        moved = errors.copy()
+        moved[problem.columns] += side * step * problem.scale
+        exact.append(problem.residual(moved, instrument, problem.solve(moved).x))
+    true = (exact[1] - exact[0]) / 2e-3
+
+    def off(J: np.ndarray) -> float:
+        return float(np.linalg.norm(J @ (step * problem.scale) - true) / np.linalg.norm(true))
+
+    assert off(fixed.J_p) > 0.02
+    assert off(problem.felt(fixed, errors, instrument, machine, step).J_p) < 0.1 * off(fixed.J_p)
 
 
 @pytest.mark.parametrize("number", [0, *(pytest.param(k, marks=pytest.mark.thorough) for k in range(1, 20))])

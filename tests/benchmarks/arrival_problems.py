@@ -289,7 +289,7 @@ def of_correction(rng: np.random.Generator) -> tuple[str, Fitted]:
     size = WAVE if unit == DEG else 100 * WAVE
     name = joint_names(problem.recording.joint_unit, mechanism.limbs)[limb - 1]
     smooth = Smooth(name, (limb,), knots, 0.2 * wide, 0.2 * wide, size * rng.standard_normal((KNOTS, 1)))
-    moved = displaced(first, smooth, problem)
+    moved = displaced(first, [smooth], problem)
     return f"{word}, a correction of joint {limb}", lambda: fit(
         moved, Prior(), errors=first.errors, instrument=first.instrument, robust=False, weigh_repeats=False
     )

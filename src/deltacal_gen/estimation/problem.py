@@ -15,11 +15,13 @@ from deltacal_gen.instrument.kinds import measured_points, readings
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array, Machine, Sensitivity, mechanism_of
 from deltacal_gen.machine.values import Recording, Robot
-from deltacal_gen.physics.body import Body, Deformed
+from deltacal_gen.physics.body import Body, Deformed, follows
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.motion import with_motion
 from deltacal_gen.physics.reading import reading_shift
 from deltacal_gen.physics.terms import Term, of_reading
+
+PART = 0.05  # of a step, along which a machine that gives way is asked how it moves
 
 
 class Linearised(NamedTuple):
@@ -147,6 +149,27 @@ class Problem:
             shifted = reading_shift(terms, self.body, self.readings, values, x)[1]
             J_p[:, : values.shape[1], len(self.names) :] += shifted
         return Linearised(self.residual(parameters, instrument, x), J_p, J_m)
+
+    @property
+    def gives_way(self) -> bool:
+        """Whether effects on the machine follow its pose, as what bends under a load does."""
+        return any(map(follows, (*self.terms, *self.held)))
+
+    def felt(
+        self, found: Linearised, parameters: Array, instrument: Instrument, machine: Deformed, step: Array
+    ) -> Linearised:
+        """Return derivatives that are exact along a step (n,) of the scaled parameters.
+
+        Those of a machine that gives way are at fixed loads, and a soft one's loads follow it. The machine is asked how
+        it moves along the step, and the derivatives are changed by as little as that needs (Broyden 1965).
+        """
+        step = PART * step
+        moved = parameters.copy()
+        moved[self.columns] += step * self.scale
+        there = self.residual(moved, instrument, self.seen(self.solve(moved, near=machine.x)))
+        off = found.residual - there - found.J_p @ (step * self.scale)
+        along = step / max(float(step @ step), 1e-300) / self.scale
+        return found._replace(J_p=found.J_p + off[..., None] * along)
 
     def sensitivity(self, machine: Deformed, used: np.ndarray) -> Sensitivity:
         """Return the derivatives of what instruments look at, the platform's pose or the joints, in some rows."""

@@ -375,12 +375,12 @@ class Body:
         plain = mechanism.rows(self.robot, errors)
         terms, held = (tuple(t for t in some if t.kernels.ACTS_ON != "reading") for some in (terms, held))
         # joints as reported and channels do not change with the pose
-        terms, held = (*terms, *(t for t in held if _follows(t))), tuple(t for t in held if not _follows(t))
+        terms, held = (*terms, *(t for t in held if follows(t))), tuple(t for t in held if not follows(t))
         key = tuple(map(id, held))
         if self._held is None or self._held[0] != key:
             self._held = key, held, self._steady(held, plain)
-        unchanged = _together(self._held[2], self._steady([t for t in terms if not _follows(t)], plain))
-        varying = [t for t in terms if _follows(t)]
+        unchanged = _together(self._held[2], self._steady([t for t in terms if not follows(t)], plain))
+        varying = [t for t in terms if follows(t)]
         names, limbs = states_read(varying), _limbs_of(varying)
         if not self.robot.drawn:
             moved = Deformed(np.zeros((len(self.q), POSE)), self.q + unchanged.get("joint", 0.0), self.tool, plain)
@@ -545,7 +545,7 @@ def _by_limb(term: Term) -> bool:
     return bool(term.kernels.ACTS_ON == "limb")
 
 
-def _follows(term: Term) -> bool:
+def follows(term: Term) -> bool:
     """Tell whether an effect reads what changes with the pose."""
     return any(s.follows for s in term.states)
 
