@@ -632,13 +632,17 @@ def test_a_delta_s_friction_is_found_through_its_loops(tmp_path: Path) -> None:
 def test_whole_runs_are_held_out_or_stretches_with_gaps() -> None:
     time, run = np.tile(np.arange(0, 20, STEP), 3), np.repeat([0, 1, 2], 2000)
     used = np.ones(6000, dtype=bool)
-    assert (regression.folds_of(time, run, used) == run).all()
-    found = regression.folds_of(time[:2000], run[:2000], used[:2000])
+    assert all((each == run).all() for each in regression.folds_of(time, run, used))
+    found, held = regression.folds_of(time[:2000], run[:2000], used[:2000])
     changes = np.flatnonzero(np.diff(found) != 0)
     for a, b in pairwise(changes):
         assert (b - a) * STEP >= (0.58 if found[b] == regression.BETWEEN else 0.99)
         assert found[b] != found[b + 1]
     assert set(found.tolist()) == {-1, 0, 1, 2, 3, 4}
+    assert (held >= 0).all()
+    for fold in range(5):
+        fitted, apart = time[:2000][(found >= 0) & (found != fold)], time[:2000][held == fold]
+        assert np.abs(fitted[:, None] - apart).min() >= regression.GAP - 1e-9
 
 
 def test_samples_that_hang_together_are_counted_as_one() -> None:

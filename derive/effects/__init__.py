@@ -37,7 +37,7 @@ def joint_coefficient(name: str, per: str, meaning: str, believable: tuple[float
 
 
 def torque_coefficient(name: str, per: str, meaning: str, believable: tuple[float, float]) -> EffectQuantity:
-    """Return a coefficient of what a drive gives, in Nm times `per` (nothing, s/deg, ...): where it slides N and mm."""
+    """Return a coefficient of what a drive gives, in Nm times `per` (nothing, s/deg ...): where it slides N and mm."""
     angles = 2 if "deg^2" in per else per.count("deg")
-    unit, factor = f"Nm {per}".strip(), 1000.0 / DEG**angles
+    unit, factor = f"Nm {per}".strip().replace(" /", "/"), 1000.0 / DEG**angles
     return EffectQuantity(sp.Symbol(name, real=True), unit, factor, meaning, believable, of_joint=True)

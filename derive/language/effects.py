@@ -109,7 +109,16 @@ class Sizes:
     kind = "sizes"
 
 
-Searched = Orders | Moments | Points | Joints | Columns | Clocks | Sizes
+@dataclass(frozen=True)
+class Travels:
+    """The constant is a way of the joint: sought from what it passes between two rows to a part of all it passes."""
+
+    constant: EffectQuantity
+    afterwards = None
+    kind = "travels"
+
+
+Searched = Orders | Moments | Points | Joints | Columns | Clocks | Sizes | Travels
 
 
 @dataclass(frozen=True)

@@ -98,21 +98,24 @@ def derivatives(q: Array, time: Array, run: Array) -> tuple[Array, Array, Array]
     return out[0], out[1], out[2]
 
 
-def folds(time: Array, run: Array, used: Array) -> Array:
+def folds(time: Array, run: Array, used: Array) -> tuple[Array, Array]:
+    """Return the fold that each sample is fitted in, -1 in gaps between stretches, and the one it is held out with."""
     counts = {code: int((used & (run == code)).sum()) for code in np.unique(run)}
     whole = [code for code, n in counts.items() if n > 0.25 * used.sum() / max(1, sum(v > 0 for v in counts.values()))]
     out = np.full(len(time), -1)
     if len(whole) >= 3:
         for k, code in enumerate(whole):
             out[used & (run == code)] = k
-        return out
+        return out, out
+    held = out.copy()
     for code in whole:
         own = np.flatnonzero(used & (run == code))
         length = max(1.6, float(time[own][-1] - time[own][0]) / 20)
         block = np.floor((time[own] - time[own][0]) / length).astype(int)
         inside = (time[own] - time[own][0]) - block * length
-        out[own] = np.where((inside > GAP) & (inside < length - GAP), block % PARTS, -1)
-    return out
+        held[own] = block % PARTS
+        out[own] = np.where((inside > GAP) & (inside < length - GAP), held[own], -1)
+    return out, held
 
 
 def held_out(X: Array, y: Array, fold: Array) -> Array:
@@ -168,12 +171,12 @@ def chosen(rigid: Array, y: Array, qd: Array, qdd: Array, fold: Array) -> list[s
         taken.append(best)
 
 
-def ladder(Y: Array, y: Array, qd: Array, qdd: Array, fold: Array) -> tuple[list[str], Array]:
+def ladder(Y: Array, y: Array, qd: Array, qdd: Array, fold: Array, held: Array) -> tuple[list[str], Array]:
     """Return the rungs that are taken, and residuals of folds that took no part in choice nor fit."""
     rigid, left = base(Y), np.full(len(y), np.nan)
     for k in np.unique(fold[fold >= 0]):
         others = np.where(fold == k, -1, fold)
-        names, train, test = chosen(rigid, y, qd, qdd, others), others >= 0, fold == k
+        names, train, test = chosen(rigid, y, qd, qdd, others), others >= 0, held == k
         load = np.zeros(len(y))
         for _ in range(3):
             X = np.column_stack([rigid, *(offered(qd, qdd, load)[name] for name in names)])
@@ -201,11 +204,11 @@ def main() -> None:
     for j in range(len(links)):
         speed = AT_REST * np.quantile(np.abs(qd[:, j]), 0.99)
         used = (np.abs(qd[:, j]) > max(speed, np.radians(0.5))) & np.isfinite(tau[:, j])
-        fold = folds(time, code, used)
+        fold, held = folds(time, code, used)
         if used.sum() < 100 or len(np.unique(fold[fold >= 0])) < 2:
             print(f"joint {j + 1}: does not move")
             continue
-        names, left = ladder(Y[j][used], tau[used, j], qd[used, j], qdd[used, j], fold[used])
+        names, left = ladder(Y[j][used], tau[used, j], qd[used, j], qdd[used, j], fold[used], held[used])
         whole = np.zeros(len(tau))
         whole[used] = np.nan_to_num(left)
         there = np.zeros(len(tau), dtype=bool)

@@ -38,6 +38,7 @@ EFFECTS = (
 OF_DRIVES = (  # that act on what drives give
     "coulomb_friction",
     "load_friction",
+    "presliding_friction",
     "quadratic_friction",
     "rotor_inertia",
     "stribeck_friction",

@@ -236,11 +236,14 @@ def _parameters(session: Session, fit: Fit, n: int) -> list[EffectParameter]:
         unit, factor = in_files(rung.kernels, name, unit, factor, joint.readout.told, slides)
         value, std = fit.coefficients[at + c] / factor, fit.std[at + c] / factor
         found.append(EffectParameter(name=name, limb=joint.number, value=float(value), std=float(std), unit=unit))
+    sized = [k for k, other in enumerate(fit.rungs) if other.continuous]
+    part = fit.size_std[sized.index(n)] if n in sized else None
     for (name, unit, factor, _), constant in zip(rung.kernels.CONSTANTS, rung.constants, strict=True):
         if slides and name in rung.kernels.OF_JOINT:
             unit, factor = of_sliding(unit)
         value = float(constant / factor)
-        found.append(EffectParameter(name=name, limb=joint.number, value=value, std=None, unit=unit))
+        std = None if part is None else float(part * value)
+        found.append(EffectParameter(name=name, limb=joint.number, value=value, std=std, unit=unit))
     return found
 
 

@@ -20,7 +20,7 @@ from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.motion.derivatives import motion
 from deltacal_gen.motion.library import of_joint
 from deltacal_gen.motion.limits import PATTERNS
-from deltacal_gen.motion.prediction import given_by_drive, known_beforehand
+from deltacal_gen.motion.prediction import given_by_drive, known_beforehand, remembered
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.trajectories import Readout, Trajectories, readouts_of
 from deltacal_gen.results.motion import JointModel, MotionModel
@@ -128,14 +128,15 @@ def _ramped(
 ) -> Array:
     """Return what a joint's drive gives (N,), what depends on its speed ramped near rest; in units inside."""
     j, edge = model.joint - 1, model.at_rest_below
-    speed = states[1, :, j]
+    speed, read = states[1, :, j], of_joint(given, states, j)
+    past = remembered(model, read, given)
     if edge <= 0 or (np.abs(speed) >= edge).all():
-        return given_by_drive(model, of_joint(given, states, j), columns, known, readout)
+        return given_by_drive(model, read, past, columns, known, readout)
     ends = []
     for side in (-1.0, 1.0):
         at = states.copy()
         at[1, :, j] = np.where(np.abs(speed) < edge, side * edge, speed)
-        ends.append(given_by_drive(model, of_joint(given, at, j), columns, known, readout))
+        ends.append(given_by_drive(model, of_joint(given, at, j), past, columns, known, readout))
     part = np.clip((speed + edge) / (2 * edge), 0.0, 1.0)
     return np.asarray((1 - part) * ends[0] + part * ends[1])
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 import functools
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
 from typing import TYPE_CHECKING
@@ -17,6 +17,7 @@ from deltacal_gen.motion.derivatives import Motion
 from deltacal_gen.motion.ladder import Ladder, LookedAt
 from deltacal_gen.motion.library import Rung, hats, of_joint, resolution, rungs
 from deltacal_gen.motion.regression import BETWEEN, Bench, folds_of, together
+from deltacal_gen.motion.sizes import settled
 from deltacal_gen.motion.trajectories import Readout, Trajectories
 from deltacal_gen.physics.splines import Samples, smooth
 
@@ -28,8 +29,8 @@ NOISY_SPEED = 5.0  # standard deviations of a velocity: nor is its sign
 USUAL = ("coulomb_friction", "viscous_friction", "torque_offset")  # what every drive has, to begin with
 HIGHEST = 0.99  # quantile of speeds that is meant by highest
 FEW = 100  # samples: a joint with fewer in motion is not looked at
-REFINED = 25  # values of a constant that are tried around the one found
-WIDE = 1.6  # factor either way
+TRIED = 9  # sizes that are tried around the one found, before it is fitted
+REFINED = (1.6, 1.12)  # factors either way: half of what lies between two sizes that are searched, then between these
 SMOOTH = 12  # hats of a smooth function of position, which waves must beat
 
 
@@ -52,8 +53,8 @@ class Joint:
         Samples in motion that hold a reading.
     resting : int
         Samples with a reading that were set aside as at rest.
-    fold : (M,) array of int
-        Of the samples used.
+    fold, held : (M,) arrays of int
+        Of the samples used: in which they are fitted, and with which they are held out; see `folds_of`.
     rows : (M,) array of int
         Which samples these are.
     X, y : (M, r), (M,) arrays
@@ -77,6 +78,7 @@ class Joint:
     used: np.ndarray
     resting: int
     fold: np.ndarray
+    held: np.ndarray
     rows: np.ndarray
     X: Array
     y: Array
@@ -104,7 +106,14 @@ class Joint:
     def columns(self, some: Sequence[Rung], load: Array) -> Array:
         """Return the columns (M, r + c) of the rigid machine and of some effects, by the load (M,) on the joint."""
         states = self.states | {"torque": load}
-        return np.hstack([self.X, *(rung.columns(states) for rung in some)])
+        return np.hstack([self.X, *(self.of_rung(rung, states) for rung in some)])
+
+    def of_rung(self, rung: Rung, states: dict[str, Array]) -> Array:
+        """Return the columns (M, c) of one effect at states of the joint, with what it remembers."""
+        series = self.series
+        late = functools.partial(earlier, delay=self.delay, time=series.time, piece=series.piece)
+        remembered = {name: late(values)[self.rows] for name, values in series.remembered(rung).items()}
+        return rung.columns(states | remembered)
 
     def load_by(self, folds: Sequence[int] | None) -> Array:
         """Return what the rigid machine asks of the joint (M,), by a fit beside usual friction to some folds or all."""
@@ -116,14 +125,6 @@ class Joint:
         found = bench.fit(every, range(len(bench.n)) if folds is None else folds) / bench.scale
         rigid = self.X.shape[1]
         return np.asarray(X[:, :rigid] @ found[:rigid] + self.carried)
-
-    def together_by(self, some: Sequence[Rung], load: Array) -> float:
-        """Return how many samples count as one, by what the rigid machine and some effects leave."""
-        X = self.columns(some, load)
-        bench = Bench.of(X, self.y, self.fold, self.X.shape[1])
-        every = range(X.shape[1])
-        left = self.y - X @ (bench.fit(every, range(len(bench.n))) / bench.scale)
-        return self.correlated(left)
 
     def correlated(self, left: Array) -> float:
         """Return how many samples count as one, by residuals (M,)."""
@@ -158,6 +159,8 @@ class Series:
         What effects read.
     known : (N,) array of bool
         Samples whose derivatives are known.
+    memories : dict
+        What effects remember, as far as it was asked for.
     """
 
     robot: Robot
@@ -173,6 +176,13 @@ class Series:
     run: np.ndarray
     piece: np.ndarray
     step: float
+    memories: dict[Rung, dict[str, Array]] = field(default_factory=dict, repr=False)
+
+    def remembered(self, rung: Rung) -> dict[str, Array]:
+        """Return what an effect remembers at all samples, by name (N,)."""
+        if rung not in self.memories:
+            self.memories[rung] = rung.remembered(self.states, self.time, self.piece)
+        return self.memories[rung]
 
     def at(self, delay: float = 0.0) -> Joint:
         """Return the samples in motion, readings belonging to joints `delay` [s] earlier."""
@@ -182,6 +192,7 @@ class Series:
         there = self.known & np.isfinite(y)
         used = there & (np.abs(states["qd"]) > self.threshold)
         rows = np.flatnonzero(used)
+        fold, held = folds_of(self.time, self.run, used)
         return Joint(
             series=self,
             delay=delay,
@@ -191,7 +202,8 @@ class Series:
             threshold=self.threshold,
             used=used,
             resting=int((there & ~used).sum()),
-            fold=folds_of(self.time, self.run, used)[rows],
+            fold=fold[rows],
+            held=held[rows],
             rows=rows,
             X=X[rows],
             y=y[rows],
@@ -310,6 +322,8 @@ class Fit:
         The effect that explains most where nothing else is taken.
     lag : Lag or None
         By how much readings come late, where they do.
+    size_std : tuple of float
+        Standard deviation of the logarithm of each size, in the order of the rungs that have one.
     """
 
     joint: Joint
@@ -326,6 +340,7 @@ class Fit:
     passed_over: tuple[LookedAt, ...] = ()
     first: LookedAt | None = None
     lag: Lag | None = None
+    size_std: tuple[float, ...] = ()
 
     @property
     def takes_away(self) -> float:
@@ -349,24 +364,26 @@ def fitted(joint: Joint, some: Sequence[Rung], held_out: Array | None = None) ->
     X = joint.columns(some, load)
     for _ in range(2 if any("torque" in rung.kernels.STATE for rung in some) else 0):
         load, X = _with_load(joint, some, X)
-    bench = Bench.of(X, joint.y, joint.fold, joint.X.shape[1])
-    every = range(X.shape[1])
+    some, by_size = settled(joint, some, load)
+    X = joint.columns(some, load)
+    bench = Bench.of(np.hstack([X, by_size]), joint.y, joint.fold, joint.X.shape[1])
+    every, each = range(X.shape[1]), range(X.shape[1] + by_size.shape[1])
     bench = bench.with_ridge(every)
-    found = bench.fit(every, range(len(bench.n))) / bench.scale
+    found = bench.fit(every, range(len(bench.n))) / bench.scale[every]
     left = joint.y - X @ found
     count = joint.correlated(left)
-    free = max(1.0, len(left) / count - len(found))
+    free = max(1.0, len(left) / count - len(each))
     variance = float(left @ left) / count / free
-    std = np.sqrt(np.maximum(np.diag(bench.covariance(every)), 0.0) * variance * count) / bench.scale
+    std = np.sqrt(np.maximum(np.diag(bench.covariance(each)), 0.0) * variance * count) / bench.scale
     if held_out is None:
         held_out = np.full(len(left), np.nan)
         for fold in bench.folds:
-            own = joint.fold == fold
-            apart = bench.fit(every, [f for f in bench.folds if f != fold]) / bench.scale
+            own = joint.held == fold
+            apart = bench.fit(every, [f for f in bench.folds if f != fold]) / bench.scale[every]
             held_out[own] = joint.y[own] - X[own] @ apart
     rigid = joint.X.shape[1]
     load = np.asarray(joint.X @ found[:rigid] + joint.carried)
-    return Fit(joint, tuple(some), found, std, load, left, held_out, count)
+    return Fit(joint, tuple(some), found, std[every], load, left, held_out, count, size_std=tuple(std[len(found) :]))
 
 
 def _with_load(joint: Joint, some: Sequence[Rung], X: Array) -> tuple[Array, Array]:
@@ -389,20 +406,16 @@ def climbed(joint: Joint) -> Fit:
     rigid = joint.X.shape[1]
     ends = rigid + np.cumsum([0, *(rung.width for rung in candidates)])
     at = tuple(tuple(range(a, b)) for a, b in pairwise(ends))
-    usual = [k for k, rung in enumerate(candidates) if rung.effect in USUAL]
     X = np.hstack([X, hats(joint.states["q"], SMOOTH)])
     bench = Bench.of(X, joint.y, joint.fold, rigid)
-    count = joint.together_by([candidates[k] for k in usual], load)
     rival = tuple(range(int(ends[-1]), X.shape[1]))
-    ladder = Ladder(bench, candidates, at, count, rival, resolution(joint.states))
+    ladder = Ladder(bench, candidates, at, X, joint.y, joint.correlated, rival, resolution(joint.states))
     held_out = np.full(len(joint.y), np.nan)
     for fold in bench.folds:
-        others, own = [f for f in bench.folds if f != fold], joint.fold == fold
-        held_out[own] = _apart(joint, ladder, X, others, own)
-    chosen = ladder.climb(bench.folds)
+        others, own = [f for f in bench.folds if f != fold], joint.held == fold
+        held_out[own] = _apart(joint, ladder, others, own)
+    ladder, chosen = _climbed_by(joint, ladder, load, bench.folds)
     chosen.sort(key=lambda k: (candidates[k].effect not in USUAL, candidates[k].effect, candidates[k].constants))
-    refined = [_refined(joint, candidates, chosen, k, load, bench.folds) for k in chosen]
-    ladder, chosen = _again(joint, ladder, X, refined, chosen, load)
     return dataclasses.replace(
         fitted(joint, [ladder.rungs[k] for k in chosen], held_out),
         bought=tuple(ladder.buys(chosen, k, bench.folds) for k in chosen),
@@ -413,40 +426,50 @@ def climbed(joint: Joint) -> Fit:
     )
 
 
-def _apart(joint: Joint, ladder: Ladder, X: Array, others: Sequence[int], own: np.ndarray) -> Array:
+def _apart(joint: Joint, ladder: Ladder, others: Sequence[int], own: np.ndarray) -> Array:
     """Return residuals of some samples `own` by a choice and a fit of other folds alone."""
-    load, bench, candidates = joint.load_by(others), ladder.bench, ladder.rungs
-    for k in [k for k, rung in enumerate(candidates) if "torque" in rung.kernels.STATE]:
-        (c,) = ladder.at[k]
-        values = candidates[k].columns(joint.states | {"torque": load})[:, 0] / bench.scale[c]
-        bench = bench.with_column(c, values, X, joint.y, joint.fold)
-    chosen = dataclasses.replace(ladder, bench=bench).climb(others)
-    some = [_refined(joint, candidates, chosen, k, load, others) for k in chosen]
-    columns = joint.columns(some, load)
+    load = joint.load_by(others)
+    by_load = {k: rung for k, rung in enumerate(ladder.rungs) if "torque" in rung.kernels.STATE}
+    ladder, chosen = _climbed_by(joint, _with_rungs(joint, ladder, by_load, load), load, others)
+    columns = joint.columns([ladder.rungs[k] for k in chosen], load)
     apart, every = Bench.of(columns, joint.y, joint.fold, joint.X.shape[1]), range(columns.shape[1])
     found = apart.with_ridge(every, others).fit(every, others) / apart.scale
     return np.asarray(joint.y[own] - columns[own] @ found)
 
 
-def _again(
-    joint: Joint, ladder: Ladder, X: Array, refined: Sequence[Rung], chosen: Sequence[int], load: Array
-) -> tuple[Ladder, list[int]]:
-    """Return the ladder with refined constants, and those of its rungs that are still needed then."""
-    states, bench, rungs = joint.states | {"torque": load}, ladder.bench, list(ladder.rungs)
-    for k, rung in zip(chosen, refined, strict=True):
-        if rung != rungs[k]:
-            rungs[k], columns = rung, rung.columns(states)
-            for n, c in enumerate(ladder.at[k]):
-                X[:, c] = columns[:, n]
-                bench = bench.with_column(c, columns[:, n] / bench.scale[c], X, joint.y, joint.fold)
-    ladder = dataclasses.replace(ladder, bench=bench, rungs=tuple(rungs))
-    return ladder, ladder.needed(list(chosen), bench.folds)
+def _climbed_by(joint: Joint, ladder: Ladder, load: Array, folds: Sequence[int]) -> tuple[Ladder, list[int]]:
+    """Return the rungs that some folds choose, and the ladder with these at the sizes that leave least there.
+
+    What is searched from size to size leaves something between them, which another effect might seem to explain: sizes
+    are refined by themselves, and the ladder is climbed again.
+    """
+    chosen = ladder.climb(folds)
+    for wide in REFINED:
+        sized = [k for k in chosen if ladder.rungs[k].continuous]
+        if not sized:
+            break
+        beside = [ladder.rungs[k] for k in chosen if k not in sized]
+        refined = {k: _refined(joint, beside, ladder.rungs[k], wide, load, folds) for k in sized}
+        ladder = _with_rungs(joint, ladder, refined, load)
+        chosen = ladder.climb(folds)
+    return ladder, chosen
+
+
+def _with_rungs(joint: Joint, ladder: Ladder, rungs: Mapping[int, Rung], load: Array) -> Ladder:
+    """Return a ladder with other rungs of the same effects in some places, by some load."""
+    states, bench, X, every = joint.states | {"torque": load}, ladder.bench, ladder.X.copy(), list(ladder.rungs)
+    for k, rung in rungs.items():
+        every[k], columns = rung, joint.of_rung(rung, states)
+        for n, c in enumerate(ladder.at[k]):
+            X[:, c] = columns[:, n]
+            bench = bench.with_column(c, columns[:, n] / bench.scale[c], X, joint.y, joint.fold)
+    return dataclasses.replace(ladder, bench=bench, X=X, rungs=tuple(every), counted={})
 
 
 def _alike(ladder: Ladder, chosen: Sequence[int], rung: int) -> tuple[str, ...]:
     """Return the effects that would do as well in place of one: a difference in chi2 below 10."""
     others, folds = [k for k in chosen if k != rung], ladder.bench.folds
-    count = float(ladder.bench.n[list(folds)].sum()) / ladder.together
+    count = float(ladder.bench.n[list(folds)].sum()) / ladder.together(others)
     now = ladder.bench.train(ladder.columns(chosen), folds)
     found: dict[str, None] = {}
     for k in ladder.open(chosen) if len(chosen) else []:
@@ -458,16 +481,10 @@ def _alike(ladder: Ladder, chosen: Sequence[int], rung: int) -> tuple[str, ...]:
     return tuple(found)
 
 
-def _refined(
-    joint: Joint, candidates: Sequence[Rung], chosen: Sequence[int], rung: int, load: Array, folds: Sequence[int]
-) -> Rung:
-    """Return an effect with the size of its constant that leaves least of some folds, around the one found."""
-    own = candidates[rung]
-    if "sizes" not in own.kernels.SEARCHED:
-        return own
-    others = [candidates[k] for k in chosen if k != rung]
-    tried = [Rung(own.effect, (own.constants[0] * f,)) for f in np.geomspace(1 / WIDE, WIDE, REFINED)]
-    X = joint.columns([*others, *tried], load)
+def _refined(joint: Joint, beside: Sequence[Rung], rung: Rung, wide: float, load: Array, folds: Sequence[int]) -> Rung:
+    """Return an effect with the size, up to a factor `wide` from its own, that leaves least of some folds."""
+    tried = [Rung(rung.effect, (rung.constants[0] * f,)) for f in np.geomspace(1 / wide, wide, TRIED)]
+    X = joint.columns([*beside, *tried], load)
     bench = Bench.of(X, joint.y, joint.fold, joint.X.shape[1])
     first = X.shape[1] - sum(t.width for t in tried)
     errors = [bench.train([*range(first), first + n], folds) for n in range(len(tried))]

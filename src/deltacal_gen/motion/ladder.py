@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from deltacal_gen.motion.library import Rung
 from deltacal_gen.motion.regression import Bench
+
+if TYPE_CHECKING:
+    from deltacal_gen.machine.registry import Array
 
 BUYS = 0.02  # of the held-out rms: what a rung must take away
 MOST = 8  # rungs
@@ -53,20 +57,27 @@ class Ladder:
     rungs : tuple of Rung
     at : tuple of tuple of int
         Columns of each.
-    together : float
-        Samples that count as one.
+    X, y : (M, p), (M,) arrays
+        The columns, unscaled, and the readings.
+    correlated : callable
+        How many samples count as one, by residuals (M,).
     rival : tuple of int
         Columns of a smooth function of the joint's position: what is no better than that is no periodic effect.
     resolution : float
         Periods per turn by which two waves differ that the joint's motion tells apart.
+    counted : dict
+        What `correlated` said of fits of some rungs.
     """
 
     bench: Bench
     rungs: tuple[Rung, ...]
     at: tuple[tuple[int, ...], ...]
-    together: float
+    X: Array
+    y: Array
+    correlated: Callable[[Array], float]
     rival: tuple[int, ...] = ()
     resolution: float = 1.0
+    counted: dict[frozenset[int], float] = field(default_factory=dict)
 
     def columns(self, chosen: Sequence[int]) -> list[int]:
         """Return the columns of the rigid machine and of some rungs."""
@@ -103,10 +114,22 @@ class Ladder:
         without = self.bench.held_out(self.columns([k for k in chosen if k != rung]), folds)
         return 1.0 - float(np.sqrt(self.bench.held_out(self.columns([*chosen]), folds) / without))
 
+    def together(self, chosen: Sequence[int]) -> float:
+        """Return how many samples count as one, by what a fit of some rungs leaves.
+
+        What a rung explains that is not taken yet hangs together as well: the fewer rungs, the fewer samples.
+        """
+        if (key := frozenset(chosen)) not in self.counted:
+            columns = self.columns(chosen)
+            found = self.bench.fit(columns, range(len(self.bench.n))) / self.bench.scale[columns]
+            self.counted[key] = self.correlated(self.y - self.X[:, columns] @ found)
+        return self.counted[key]
+
     def gain(self, chosen: Sequence[int], rung: int, folds: Sequence[int]) -> float:
         """Return by how much chi2 falls with a rung beside the others, samples that hang together counted as one."""
-        count = float(self.bench.n[list(folds)].sum()) / self.together
-        before = self.bench.train(self.columns([k for k in chosen if k != rung]), folds)
+        others = [k for k in chosen if k != rung]
+        count = float(self.bench.n[list(folds)].sum()) / self.together(others)
+        before = self.bench.train(self.columns(others), folds)
         after = self.bench.train(self.columns([*chosen]), folds)
         return count * float(np.log(before / max(after, 1e-300)))
 

@@ -10,7 +10,8 @@ import numpy as np
 
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.trajectories import Trajectories, temperature
-from deltacal_gen.physics.terms import Kernels, drive_effect_names, load_effect
+from deltacal_gen.physics.memory import along
+from deltacal_gen.physics.terms import Kernels, drive_effect_names, load_effect, remembers
 from deltacal_gen.units import DEG
 
 if TYPE_CHECKING:
@@ -23,6 +24,9 @@ VELOCITIES = 20  # sizes of a state that are looked at
 SMALLEST = 0.01  # of a state's usual size: the smallest of them
 LARGEST = 0.4
 VARIES = 0.5  # K: temperatures that differ by less tell nothing
+TRAVELS = 2.5  # factor between ways of a joint that are looked at
+SAMPLES = 2.0  # of a joint at its usual speed: the shortest way that its samples tell
+ASTRAY = 1e-3  # of what is remembered, from sample to sample: below what readings tell
 
 
 @dataclass(frozen=True)
@@ -49,12 +53,38 @@ class Rung:
         """Number of its coefficients."""
         return len(self.kernels.COEFFICIENTS)
 
+    @property
+    def continuous(self) -> bool:
+        """Whether its constant is a size, which may be any."""
+        return bool({"sizes", "travels"} & set(self.kernels.SEARCHED))
+
     def columns(self, states: dict[str, Array]) -> Array:
-        """Return the derivatives (N, c) of a joint's torque by the coefficients, at states by name (N,)."""
+        """Return the derivatives (N, c) of a joint's torque by the coefficients, at states by name (N,).
+
+        What the effect remembers is among the states; see `remembered`.
+        """
         n = len(next(iter(states.values())))
-        s = np.column_stack([states[name] for name in self.kernels.STATE] or [np.empty((n, 0))])
+        memories = [name for name, _ in self.kernels.MEMORY] if remembers(self.kernels) else []
+        s = np.column_stack([states[name] for name in (*self.kernels.STATE, *memories)] or [np.empty((n, 0))])
         found = self.kernels.jacobian(s, np.zeros((1, self.width)), self.constants)
         return np.asarray(found[:, 0])
+
+    def remembered(self, states: dict[str, Array], time: Array, piece: np.ndarray) -> dict[str, Array]:
+        """Return what the effect remembers at every sample, by name (N,); nothing of one without a memory.
+
+        Parameters
+        ----------
+        states : dict of (N,) arrays
+            At all samples of a joint.
+        time, piece : (N,) arrays
+            Of the samples [s], and which are one movement.
+        """
+        if not remembers(self.kernels):
+            return {}
+        s = np.column_stack([states[name] for name in self.kernels.STATE])[:, None]
+        c = np.ones((len(s), 1, self.width))  # a rate that reads coefficients would not be linear in them
+        found = along(self.kernels, s, c, self.constants, time, piece, tolerance=ASTRAY).value[:, 0]
+        return {name: values for (name, _), values in zip(self.kernels.MEMORY, found.T, strict=True)}
 
 
 def of_joint(given: Trajectories, motion: Array, joint: int, load: Array | None = None) -> dict[str, Array]:
@@ -90,6 +120,17 @@ def rungs(robot: Robot, states: dict[str, Array], used: np.ndarray) -> Iterator[
             (of,) = kernels.SIZED.values()
             usual = float(np.quantile(np.abs(states[of][used]), 0.95))
             yield from (Rung(name, (size,)) for size in np.geomspace(SMALLEST * usual, LARGEST * usual, VELOCITIES))
+        elif "travels" in kernels.SEARCHED:
+            yield from (Rung(name, (way,)) for way in _travels(states, used))
+
+
+def _travels(states: dict[str, Array], used: np.ndarray) -> list[float]:
+    """Return ways over which something may build up, so that a joint's samples tell."""
+    step = float(np.median(np.diff(states["time"])[np.diff(states["time"]) > 0]))
+    shortest = SAMPLES * step * float(np.median(np.abs(states["qd"][used])))
+    longest = LARGEST * float(np.ptp(states["q"][used]))
+    count = 1 + int(np.log(max(longest / max(shortest, 1e-12), 1.0)) / np.log(TRAVELS))
+    return [shortest * TRAVELS**k for k in range(count)]
 
 
 def _orders(robot: Robot, states: dict[str, Array], used: np.ndarray) -> list[float]:

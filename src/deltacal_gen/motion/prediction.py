@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import functools
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -49,7 +50,8 @@ def predicted(known: MotionModel, given: Trajectories) -> Trajectories:
     for j, model in models.items():
         late = functools.partial(earlier, delay=model.delay or 0.0, time=given.time, piece=given.piece)
         read = {name: late(values) for name, values in of_joint(given, states, j - 1).items()}
-        value = given_by_drive(model, read, late(columns[j - 1]), late(payload[:, j - 1]), done.readouts[j - 1])
+        own = late(columns[j - 1]), late(payload[:, j - 1]), done.readouts[j - 1]
+        value = given_by_drive(model, read, remembered(model, read, given), *own)
         moving = np.abs(late(found.states[1, :, j - 1])) > model.at_rest_below
         out[:, j - 1] = np.where(moving, value / done.readouts[j - 1].inside, np.nan)
     return dataclasses.replace(done, readings=out)
@@ -66,13 +68,27 @@ def known_beforehand(known: MotionModel, rigid: Rigid, states: Array, given: Tra
     return payload + stated + torque_of(rigid, states, given, setups, values)
 
 
-def given_by_drive(model: JointModel, read: dict[str, Array], columns: Array, known: Array, readout: Readout) -> Array:
+def remembered(model: JointModel, read: dict[str, Array], given: Trajectories) -> list[dict[str, Array]]:
+    """Return what each effect of a joint remembers at all samples, by name (N,); `read` is what effects read."""
+    return [Rung(term.effect, term.constants).remembered(read, given.time, given.piece) for term in model.terms]
+
+
+def given_by_drive(
+    model: JointModel,
+    read: dict[str, Array],
+    past: Sequence[dict[str, Array]],
+    columns: Array,
+    known: Array,
+    readout: Readout,
+) -> Array:
     """Return what a joint's drive gives (N,), in units inside.
 
     Parameters
     ----------
     read : dict
         What effects read, see `of_joint`.
+    past : sequence of dict
+        What they remember; see `remembered`.
     columns : (N, r) array
         What the inertial parameters of the model ask of the joint.
     known : (N,) array
@@ -84,8 +100,8 @@ def given_by_drive(model: JointModel, read: dict[str, Array], columns: Array, kn
     elif model.payload is not None:
         load = load + model.payload * known
     read, total = read | {"torque": load}, load
-    for term in model.terms:
-        total = total + Rung(term.effect, term.constants).columns(read) @ np.array(term.values)
+    for term, own in zip(model.terms, past, strict=True):
+        total = total + Rung(term.effect, term.constants).columns(read | own) @ np.array(term.values)
     return np.asarray(total)
 
 

@@ -29,8 +29,12 @@ NOTHING = 1e-9  # of a column's mean square: what is left of one that others mak
 RIDGES = (1e-9, 1e-6, 1e-4, 1e-2)  # of a column's size, per sample
 
 
-def folds_of(time: Array, run: np.ndarray, used: np.ndarray) -> np.ndarray:
-    """Return the fold (N,) of each sample; `BETWEEN` where it lies in a gap or is not used."""
+def folds_of(time: Array, run: np.ndarray, used: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the fold (N,) in which each sample is fitted, and the one with which it is held out.
+
+    They differ in the gaps between stretches: no fit of a fold uses these samples (`BETWEEN`), and they lie as far as
+    those of their stretch from all that others use. Both are `BETWEEN` where a sample is not used.
+    """
     out = np.full(len(time), BETWEEN)
     counts = np.bincount(run[used], minlength=int(run.max()) + 1)
     share = counts.sum() / max(np.count_nonzero(counts), 1)
@@ -38,7 +42,8 @@ def folds_of(time: Array, run: np.ndarray, used: np.ndarray) -> np.ndarray:
     if len(whole) >= LEAST_RUNS:
         for n, code in enumerate(whole):
             out[used & (run == code)] = n % MOST_FOLDS
-        return out
+        return out, out
+    held = out.copy()
     step = np.diff(time)
     moving = float(step[(step > 0) & used[1:]].sum())
     length, done = max(STRETCH + 2 * GAP, moving / STRETCHES), 0
@@ -48,12 +53,13 @@ def folds_of(time: Array, run: np.ndarray, used: np.ndarray) -> np.ndarray:
         block = np.floor(at / length).astype(int)
         inside = at - block * length
         kept = (inside >= GAP) & (inside <= length - GAP)
-        out[own[kept]] = (done + block[kept]) % FOLDS
+        held[own] = (done + block) % FOLDS
+        out[own[kept]] = held[own[kept]]
         done += int(block[-1]) + 1
     for fold in range(FOLDS):
-        if 0 < (out == fold).sum() < FEWEST:
-            out[out == fold] = BETWEEN
-    return out
+        if (out == fold).sum() < FEWEST:
+            out[out == fold] = held[held == fold] = BETWEEN
+    return out, held
 
 
 def together(residual: Array, piece: np.ndarray, used: np.ndarray, step: float) -> float:

@@ -28,6 +28,8 @@ from deltacal_gen.units import of_sliding
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
 
+DRY, FORCE = "coulomb_friction", "coulomb"  # what builds up over a way, by the effect and its coefficient
+
 
 class _File(Table):
     parameters: dict[str, float] = Field(default_factory=dict)
@@ -67,8 +69,12 @@ def read_truth(path: str | Path, rigid: Rigid) -> Truth:
             raise file.error(f"no link has an inertial parameter '{name}'.", hint, "parameters", name)
     late, carried = ([t for t in said.effects if t.get("name") == name] for name in (LATENCY, PAYLOAD))
     delays = {i: d for table in late for i, d in _delays(file, table, rigid).items()}
+    tables = [table for table in said.effects if table not in (*late, *carried)]
+    dry = {
+        i: t[FORCE] for t in tables if t.get("name") == DRY and FORCE in t for i in _limbs(file, DRY, dict(t), rigid)
+    }
     acting = [
-        found for table in said.effects if table not in (*late, *carried) for found in _effects(file, table, rigid)
+        found for table in tables for own in _by_way(file, table, rigid, dry) for found in _effects(file, own, rigid)
     ]
     return Truth(said.parameters, tuple(acting), delays, tuple(_payload(file, table) for table in carried))
 
@@ -103,6 +109,28 @@ def _limbs(file: TomlFile, name: str, given: dict[str, Any], rigid: Rigid) -> li
     if any(i not in every for i in limbs):
         raise file.error(f"{name}: joints are counted from 1 to {len(every)}.", "Correct limb or limbs.", "effects")
     return [int(i) for i in limbs]
+
+
+def _by_way(file: TomlFile, table: dict[str, Any], rigid: Rigid, dry: Mapping[int, Any]) -> list[dict[str, Any]]:
+    """Return the tables of an effect, of one that builds up over a way joint by joint with that way.
+
+    Where it is not given it is the joint's dry friction over the effect's stiffness. What an own `coulomb` says of a
+    joint without a table of dry friction is both.
+    """
+    name = table.get("name")
+    kernels = load_effect(name) if name in drive_effect_names() else None
+    if kernels is None or "travels" not in kernels.SEARCHED:
+        return [table]
+    rest, found = dict(table), list[dict[str, Any]]()
+    limbs, own = _limbs(file, str(name), rest, rigid), rest.pop(FORCE, None)
+    way, stiffness = kernels.SEARCHED["travels"], rest.get(kernels.COEFFICIENTS[0][0])
+    for i in limbs:
+        force = dry.get(i, own)
+        follows = way not in rest and _is_number(force) and _is_number(stiffness) and stiffness > 0
+        found.append(rest | {"limb": i} | ({way: force / stiffness} if follows else {}))
+        if own is not None and i not in dry:
+            found.append({"name": DRY, "limb": i, FORCE: own})
+    return found
 
 
 def _effects(file: TomlFile, table: Mapping[str, Any], rigid: Rigid) -> list[tuple[int, Rung, Array]]:
@@ -178,7 +206,7 @@ def simulated(
                 "Add the column temp_C.",
                 file=given.path,
             )
-        total[:, joint - 1] += rung.columns(read) @ values
+        total[:, joint - 1] += rung.columns(read | rung.remembered(read, given.time, given.piece)) @ values
     readings = total / np.array([read.inside for read in given.readouts])
     readings += noise * rng.standard_normal(readings.shape)
     readings[~np.isfinite(found.states).all(axis=(0, 2))] = np.nan

@@ -16,7 +16,7 @@ import numpy as np
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.terms import Constant, Kernels
 
-TOLERANCE = 1e-7  # of z, or of 1 where z is smaller: how far it may go astray from row to row
+TOLERANCE = 1e-7  # see `along`
 ROUNDING = 1e-14  # of the same: no interval is halved for less
 HALVINGS = 24  # of an interval between two rows
 MOST, PER_ROW = 50_000, 20  # points of all runs together, or so many for each row
@@ -48,7 +48,14 @@ class Along:
 
 
 def along(
-    kernels: Kernels, states: Array, coefficients: Array, constants: tuple[Constant, ...], time: Array, run: np.ndarray
+    kernels: Kernels,
+    states: Array,
+    coefficients: Array,
+    constants: tuple[Constant, ...],
+    time: Array,
+    run: np.ndarray,
+    *,
+    tolerance: float = TOLERANCE,
 ) -> Along:
     """Return an effect's memories at all rows.
 
@@ -62,6 +69,8 @@ def along(
     time : (N,) array [s]
     run : (N,) array of int
         Which rows are one uninterrupted movement; within a run rows are taken in the order of time.
+    tolerance : float
+        How far a memory may go astray from row to row, of itself or of 1 where it is smaller.
     """
     order = np.lexsort((time, run))
     first = np.r_[True, np.diff(run[order]) != 0]
@@ -71,7 +80,7 @@ def along(
     z, slope, by_c = points.solved()
     for halving in range(HALVINGS + 1):
         errors = points.errors(z)
-        allowed = np.maximum(TOLERANCE * points.share[:, None, None], ROUNDING) * np.maximum(1.0, np.abs(z))
+        allowed = np.maximum(tolerance * points.share[:, None, None], ROUNDING) * np.maximum(1.0, np.abs(z))
         coarse: np.ndarray = np.any(errors > allowed, axis=(1, 2))
         if halving == HALVINGS or not coarse.any() or len(z) + coarse.sum() > max(MOST, PER_ROW * len(time)):
             break
