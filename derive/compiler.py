@@ -165,8 +165,10 @@ def write_one(lowered: Lowered) -> dict[Path, str]:
     if isinstance(spec, ChainMechanism):
         for name in ("parameters.py", "vectorised.py", "kinematics.py"):
             texts[folder / name] = _file(f"chain/{name}", spec, mechanism=spec, kernels=kernels["links"])
-        name = "dynamics.py"
-        texts[folder / name] = _file(f"chain/{name}", spec, mechanism=spec, kernels=kernels["motion"], inertia=INERTIA)
+        for name in ("dynamics.py", "dynamics.c"):
+            texts[folder / name] = _file(
+                f"chain/{name}", spec, mechanism=spec, kernels=kernels["motion"], inertia=INERTIA
+            )
         return texts
     moving, layouts = kernels["moving"], lowered.layouts
     command_constants = 1 + max(j for name in ("newton", "joint") for j in moving[name].reads("k") if j is not None)

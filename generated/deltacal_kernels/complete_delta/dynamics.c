@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/complete_delta.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/dynamics.c.jinja; sha256 of both 653a6c05dc5f24b3; SymPy 1.14.0.
+ * Template templates/mechanism/dynamics.c.jinja; sha256 of both 1d9b61be4babb4a6; SymPy 1.14.0.
  *
  * The calibrated machine in motion: joints, their speeds and accelerations by those of the reference point, and what the
  * drives must give. w and d hold a region for each limb, w and s what all limbs share.

@@ -75,6 +75,10 @@ class Dynamics(ABC):
         """Return the torques (N, n_q) that 1 kg asks for at the tool point, or `off` (3,) it [mm] in the last frame."""
 
     @abstractmethod
+    def of_payload(self, off: Array | None = None) -> Array:
+        """Return the inertial parameters, as the kernels of `torque` read them, of 1 kg where `payload` has it."""
+
+    @abstractmethod
     def stated(self, *, points: bool = False) -> Array:
         """Return the inertial parameters (n,) that the robot file states; NaN where it says nothing of a body.
 
@@ -120,8 +124,17 @@ class ChainDynamics(Dynamics):
 
     def payload(self, motion: Array, off: Array | None = None) -> Array:
         """Return the torques (N, n_q) that 1 kg asks for at the tool point, or off it, in the last frame."""
+        return self.torque(motion, self.of_payload(off))
+
+    def of_payload(self, off: Array | None = None) -> Array:
+        """Return the parameters of 1 kg in the last frame."""
         own = self.of_points((self._tool if off is None else self._tool + off)[None])[0]
-        return self.torque(motion, np.concatenate([np.zeros(len(self.names) - len(own)), own]))
+        return np.concatenate([np.zeros(len(self.names) - len(own)), own])
+
+    @property
+    def links(self) -> Array:
+        """What no pose changes of each link (links, n_k), as the kernels read it."""
+        return np.asarray(self._own[0])
 
     def stated(self, *, points: bool = False) -> Array:
         """Return what the tables of links state; a fixed one without a mass has no body."""
@@ -171,7 +184,11 @@ class LimbDynamics(Dynamics):
     def payload(self, motion: Array, off: Array | None = None) -> Array:
         """Return the torques (N, n_q) that 1 kg at the reference point asks for; a platform that only translates asks
         the same wherever on it that is."""
-        return self._asked(motion, np.append(np.zeros(len(self.names)), 1.0))
+        return self._asked(motion, self.of_payload())
+
+    def of_payload(self, off: Array | None = None) -> Array:
+        """Return the parameters of 1 kg, which comes after those of the machine."""
+        return np.append(np.zeros(len(self.names)), 1.0)
 
     def stated(self, *, points: bool = False) -> Array:
         """Return what [masses] states; a mass that is not given is none."""

@@ -303,7 +303,7 @@ def _c_header(compensator: Compensator, left: RoundTrip, unit: str, live: _Live 
         "exact": "inverse position of the calibrated machine, by Newton's method",
         "linear": "nominal joints and the first-order change that undoes the errors (Bai 2015, eq. 23)",
     }
-    yield f"Joint commands for {_plain(robot.name)} ({mechanism.name}), compensated."
+    yield f"Joint commands for {plain(robot.name)} ({mechanism.name}), compensated."
     yield ""
     yield f"Kind        {compensator.kind}: {what[compensator.kind]}"
     yield f"Model       {compensator.model}, {sum(1 for v in robot.errors.values() if v)} source errors"
@@ -379,7 +379,7 @@ def _c_effects(live: _Live) -> Iterator[str]:
         yield f"WARNING     {left.missed} of these points are out of reach or singular"
 
 
-def _plain(text: str) -> str:
+def plain(text: str) -> str:
     """Return `text` without anything that means something in a C comment."""
     return re.sub(r"[^\w .,:;()+-]", "_", text)
 

@@ -14,10 +14,11 @@ from pathlib import Path
 import numpy as np
 
 from deltacal_gen.errors import UsageError
-from deltacal_gen.files.robot import robot_of
+from deltacal_gen.files.robot import robot_of, robot_size
 from deltacal_gen.files.writing import write_files
 from deltacal_gen.machine.backend import Backend, using
-from deltacal_gen.machine.dynamics import LimbDynamics, dynamics_of
+from deltacal_gen.machine.chain import Chain
+from deltacal_gen.machine.dynamics import ChainDynamics, Dynamics, LimbDynamics, dynamics_of
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.feedforward import readouts_of_model
@@ -26,9 +27,10 @@ from deltacal_gen.physics.terms import load_effect
 from deltacal_gen.results.motion import JointModel, MotionModel, TorqueTerm
 from deltacal_gen.units import file_unit, joint_factors, joint_names
 from deltacal_gen.use.compensation import Compensator
-from deltacal_gen.use.exports import c_numbers, c_source, wrapped
+from deltacal_gen.use.exports import c_numbers, c_source, plain, wrapped
 
-NO_LIMIT = 1e300  # of a torque
+NO_LIMIT = 1e300  # of a torque, of a joint
+POSED = 6  # joints of a chain that stands in any pose
 FASTEST = 10.0  # times the speed that is assumed where the robot file says none: beyond it a set point has jumped
 STATES = {  # what effects read, in the words of the file
     "q": "q",
@@ -44,6 +46,53 @@ CODES = (
     ("DELTACAL_JUMP", 4, "since the last set point a joint would have moved faster than DELTACAL_MOST_SPEED"),
     ("DELTACAL_LIMITED", 5, "joints are as asked for; a torque is held at its limit"),
 )
+WORDS = "\n".join(f" *             {code} {words};" for _, code, words in CODES)
+DEFINES = "\n".join(f"#define {name} {code}" for name, code, _ in CODES)
+
+CHAIN = """/*
+ * What the drives of {name}, an open chain, must give in motion, as identified.
+ *
+ * In          joints, speeds, accelerations as the controller counts them [{units}]; payload_kg at the tool point;
+ *             temp_C. Or, of six joints, target: the tool point in {{O}} [mm] and the last frame's rotation vector
+ *             [deg]; its velocity [mm/s, deg/s] and acceleration [mm/s^2, deg/s^2], turns about the axes of {{O}}
+ * Out         held->joints [{units}] and held->torque [{read}], positive along positive joints of the controller
+ * Returns     0 solved; 1 out of reach, or beyond the limits of [joints]; 2 singular;
+{words}
+ *             after 1 to 4 held keeps joints and torques of the last set point that was solved.
+ * Near rest   inside DELTACAL_REST (rad/s, mm/s) what depends on a joint's speed goes straight from side to side.
+ * Effort      of a target at most POSE_STEPS (40) steps of Newton's method, from held->joints on: set these before the
+ *             first one, it says how the chain stands. No other loop depends on the input. No memory is allocated, and
+ *             nothing is kept between calls but what is in held.
+ * Usage       struct deltacal_motion held = {{ .period_s = 0.001 }};   (between two set points)
+ *             status = deltacal_feedforward_joints(&held, q, qd, qdd, 0.0, 20.0);
+ *             held.begun = 0 makes the next set point the first one, wherever it is: after a stop, say.
+ * Build       C99 with the mathematics library; not with -ffast-math, which drops the tests of what is no number.
+ */
+#include <math.h>
+
+#define DELTACAL_SOLVED 0
+#define DELTACAL_UNREACHABLE 1
+#define DELTACAL_SINGULAR 2
+{codes}
+#define DELTACAL_JOINTS {limbs}
+#define DELTACAL_LINKS {links}
+#define DELTACAL_DRIVES {drives}
+#define DEGREE 0.017453292519943295
+
+struct deltacal_motion {{
+    double joints[DELTACAL_JOINTS], torque[DELTACAL_JOINTS];
+    double period_s;
+    int begun;
+}};
+
+int deltacal_feedforward_joints(struct deltacal_motion *held, const double joints[DELTACAL_JOINTS],
+                                const double speeds[DELTACAL_JOINTS], const double accelerations[DELTACAL_JOINTS],
+                                double payload_kg, double temp_C);
+#if DELTACAL_JOINTS == 6
+int deltacal_feedforward(struct deltacal_motion *held, const double target[6], const double velocity[6],
+                         const double acceleration[6], double payload_kg, double temp_C);
+#endif
+"""
 
 INTERFACE = """/*
  * In motion: joints and what the drives must give, by position, velocity and acceleration of the reference point.
@@ -80,13 +129,10 @@ def export_feedforward(known: MotionModel, path: str | Path) -> None:
     Raises
     ------
     UsageError
-        The machine has no inverse in closed form (open chains), a joint's torque is not known, or an effect needs what
-        a controller does not have.
+        A joint's torque is not known, or an effect needs what a controller does not have.
     """
     robot = robot_of(known.robot)
     own = dynamics_of(robot)
-    if not isinstance(own, LimbDynamics):
-        raise UsageError("an open chain has no inverse to be written out: compensate --trajectory instead.")
     models = {model.joint: model for model in known.joints}
     if still := [str(i + 1) for i in range(own.joints) if i + 1 not in models]:
         raise UsageError(f"joint {', '.join(still)} did not move in the recording: its torque is not known.")
@@ -96,19 +142,71 @@ def export_feedforward(known: MotionModel, path: str | Path) -> None:
             "payload_error belongs to a set-up, which a controller does not know: correct payload_kg in the recording, "
             "and diagnose again."
         )
-    with using(Backend.NUMPY):  # a file holds the same digits wherever it is written from
-        geometry = Compensator(robot)
-        text = c_source(geometry, geometry.round_trip())
     body = importlib.resources.files("deltacal_kernels").joinpath(robot.mechanism, "dynamics.c")
+    machine = _limbs(known, robot, own) if isinstance(own, LimbDynamics) else _chain(known, robot, own)
     parts = [
-        text,
-        _interface(known, robot),
+        *machine,
         "\n".join(_tables(known, robot, own, joints)),
         *_effects(joints),
         "\n".join(_drive(joints)),
         body.read_text(encoding="utf-8"),
     ]
     write_files({Path(path): "\n".join(parts)})
+
+
+def _limbs(known: MotionModel, robot: Robot, own: LimbDynamics) -> tuple[str, str, str]:
+    """Return geometry, interface and numbers of a machine with limbs."""
+    with using(Backend.NUMPY):  # a file holds the same digits wherever it is written from
+        geometry = Compensator(robot)
+        text = c_source(geometry, geometry.round_trip())
+    numbers = [*_table("MOTION_K", own.constants[0][0]), *_table("BODY_K", own.constants[1][0])]
+    numbers += [_line("SHARES", own.shares, "of a rod's mass at either end")]
+    return text, _interface(known, robot), "\n".join(numbers)
+
+
+def _chain(known: MotionModel, robot: Robot, own: Dynamics) -> tuple[str, str]:
+    """Return interface and numbers of an open chain."""
+    machine = mechanism_of(robot)
+    assert isinstance(own, ChainDynamics)
+    assert isinstance(machine, Chain)
+    conventions, drives, much = machine.shape
+    factors = np.array(joint_factors(machine.joint_unit, machine.limbs))
+    ends = np.full((machine.limbs, 2), [-NO_LIMIT, NO_LIMIT])
+    if robot.joint_limits is not None:
+        ends = robot.joint_limits / factors[:, None]
+    reach = robot_size(robot)
+    head = CHAIN.format(
+        name=plain(robot.name),
+        units=", ".join(dict.fromkeys(file_unit(u) for u in machine.joint_units)),
+        read=", ".join(readouts_of_model(known)[0]),
+        words=WORDS,
+        codes=DEFINES,
+        links=len(conventions),
+        drives=len(drives),
+        limbs=machine.limbs,
+    )
+    numbers = [
+        f"static const int DELTACAL_CONVENTION[] = {{ {', '.join(map(str, conventions))} }};",
+        "static const int DELTACAL_DRIVE[][3] = { /* link, whether it slides, joint */",
+        *(f"    {{ {', '.join(map(str, row))} }}," for row in drives.tolist()),
+        "};",
+        *_table("LINK_K", own.links),
+    ]
+    of_pose = (
+        ("REACH", np.array([reach]), "mm"),
+        ("TOOL", robot.tool, "mm, in the last frame"),
+        ("REACHES", np.where(np.array(machine.joint_units) == "mm", reach, 1.0), "what counts as much of a joint"),
+    )
+    for name, values, words in (
+        *(of_pose if machine.limbs == POSED else ()),
+        ("MUCH", much, "of a joint in its link"),
+        ("SIGN", robot.joint_sign, "of the controller"),
+        ("FACTOR", factors, "rad, mm per unit of a joint"),
+        ("JOINT_LOW", ends[:, 0], "[joints] of the robot file"),
+        ("JOINT_HIGH", ends[:, 1], "the same"),
+    ):
+        numbers.append(_line(name, values, words))
+    return head, "\n".join(numbers)
 
 
 def _interface(known: MotionModel, robot: Robot) -> str:
@@ -120,43 +218,44 @@ def _interface(known: MotionModel, robot: Robot) -> str:
         asked=len(machine.asks),
         axes=", ".join(machine.axes),
         read=", ".join(readouts_of_model(known)[0]),
-        words="\n".join(f" *             {code} {words};" for _, code, words in CODES),
-        codes="\n".join(f"#define {name} {code}" for name, code, _ in CODES),
+        words=WORDS,
+        codes=DEFINES,
     )
 
 
-def _tables(known: MotionModel, robot: Robot, own: LimbDynamics, joints: Sequence[JointModel]) -> Iterator[str]:
-    """Yield the machine's numbers in motion."""
+def _tables(known: MotionModel, robot: Robot, own: Dynamics, joints: Sequence[JointModel]) -> Iterator[str]:
+    """Yield the numbers that every machine in motion has."""
     machine = mechanism_of(robot)
-    n, kinematic, of_bodies = own.joints, own.constants[0][0], own.constants[1][0]
-    inertia = np.zeros((n, len(own.names) + 1))
+    n, payload = own.joints, own.of_payload()
+    inertia = np.zeros((n, len(payload)))
     units, readouts = readouts_of_model(known)
     of_known = [1.0 if read.forces else model.payload or 0.0 for model, read in zip(joints, readouts, strict=True)]
     for row, model, much in zip(inertia, joints, of_known, strict=True):
         row[list(model.columns)] = model.coefficients
         if known.known is not None:
-            row[:-1] += much * np.array(known.known.inertial)
+            row[: len(own.names)] += much * np.array(known.known.inertial)
     factors = np.array(joint_factors(machine.joint_unit, n))
     speeds = joint_names(machine.joint_unit, n, "qd{i}_{unit}_s")
     said = np.array([name in robot.limits for name in speeds])
     most = limits_of(robot)[0][2] / factors * np.where(said, 1.0, FASTEST)
     ends = np.array([robot.limits.get(column, (-NO_LIMIT, NO_LIMIT)) for column in known.columns])
-    yield from _table("MOTION_K", kinematic)
-    yield from _table("BODY_K", of_bodies)
     yield from _table("INERTIA", inertia)
     for name, values, words in (
-        ("PAYLOAD", np.append(np.zeros(len(own.names)), 1.0), "1 kg at the reference point"),
+        ("PAYLOAD", payload, "1 kg at the reference point"),
         ("GRAVITY", own.gravity, "m/s^2, in {O}"),
-        ("SHARES", own.shares, "of a rod's mass at either end"),
         ("PAYLOAD_LOADS", np.array(of_known), "reading inside per torque of the payload"),
         ("READ", np.array([read.inside for read in readouts]), "units inside per unit of a reading"),
         ("REST", np.array([model.at_rest_below for model in joints]), "rad/s or mm/s"),
-        ("MOST_SPEED", most, f"{file_unit(machine.joint_unit)}/s: faster, a set point has jumped"),
+        ("MOST_SPEED", most, "joints per second: faster, a set point has jumped"),
         ("TORQUE_LOW", ends[:, 0], ", ".join(units)),
         ("TORQUE_HIGH", ends[:, 1], ", ".join(units)),
     ):
-        yield f"static const double DELTACAL_{name}[{len(values)}] = {{ {c_numbers(values)} }}; /* {words} */"
+        yield _line(name, values, words)
     yield ""
+
+
+def _line(name: str, values: np.ndarray, words: str) -> str:
+    return f"static const double DELTACAL_{name}[{len(values)}] = {{ {c_numbers(values)} }}; /* {words} */"
 
 
 def _table(name: str, values: np.ndarray) -> Iterator[str]:
