@@ -69,7 +69,10 @@ def test_an_arm_is_found_though_points_of_cut_images_are_wrong(
     robot = arm_robot(tmp_path)
     place = str(said.get("place", "platform"))
     seen, blank = seen_by_arm(tmp_path, camera(**said), lens, place)
-    found = answer(run, "identify", robot, seen, "-o", tmp_path / "result.json")
+    page = tmp_path / "result.html"
+    found = answer(run, "identify", robot, seen, "-o", tmp_path / "result.json", "--report", page)
+    assert f"{found['heldout_rms_px']:.4f} px after" in page.read_text()
+    assert "rms of the readings, px" in page.read_text()
     assert found["train_rms_px"] == pytest.approx(NOISE_PX, rel=0.1)
     assert found["heldout_rms_px"] == pytest.approx(NOISE_PX, rel=0.2)
     truth = WRONG_ARM | lens

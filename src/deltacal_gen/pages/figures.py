@@ -29,6 +29,7 @@ from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
 from deltacal_gen.physics.reading import reading_shift
 from deltacal_gen.physics.terms import term_of
+from deltacal_gen.results.base import shown_in
 from deltacal_gen.results.batch import Done
 from deltacal_gen.results.diagnosis import Baseline, Diagnosis, Effect, Final, Verdict
 from deltacal_gen.results.result import Result, Status
@@ -115,10 +116,10 @@ def calibration(result: Result) -> Sheet:
         parameters(axes[1, 0], result)
         workspace(axes[1, 1], result)
         name = result.robot.robot.name
-        held = result.heldout_rms_mm
+        held, (unit, size) = result.heldout_rms_mm, shown_in(result)
+        left, of = (result.train_rms_mm, "after") if held is None else (held, "on held-out readings")
         figure.suptitle(
-            f"{name}, {result.model}: {result.before_rms_mm:.3f} mm before, "
-            + (f"{held:.4f} mm on held-out readings" if held is not None else f"{result.train_rms_mm:.4f} mm after"),
+            f"{name}, {result.model}: {result.before_rms_mm / size:.3f} {unit} before, {left / size:.4f} {unit} {of}",
             x=0.01,
             ha="left",
             fontsize=12,
@@ -134,17 +135,19 @@ def stages(axes: Axes, result: Result) -> None:
         bars.append((name, stage.train_rms_mm, AFTER))
     if result.heldout_rms_mm is not None:
         bars.append(("held out", result.heldout_rms_mm, AFTER))
+    unit, size = shown_in(result)
+    bars, sigma = [(name, mm / size, colour) for name, mm, colour in bars], result.sigma_mm / size
     names, values, colours = zip(*bars, strict=True)
     axes.barh(names, values, color=colours, height=0.6)
     axes.invert_yaxis()
     axes.set_xscale("log")
-    axes.set_xlim(min(*values, result.sigma_mm) / 2, max(values) * 4)
+    axes.set_xlim(min(*values, sigma) / 2, max(values) * 4)
     decades(axes.xaxis)
     for i, value in enumerate(values):
         axes.text(value * 1.08, i, f"{value:.4g}", va="center")
-    axes.axvline(result.sigma_mm, color=MUTED, lw=1, ls="--")
-    axes.text(result.sigma_mm, -0.62, f"noise ({result.sigma_source})", color=MUTED, ha="center", fontsize=8)
-    axes.set_xlabel("rms of the readings, mm")
+    axes.axvline(sigma, color=MUTED, lw=1, ls="--")
+    axes.text(sigma, -0.62, f"noise ({result.sigma_source})", color=MUTED, ha="center", fontsize=8)
+    axes.set_xlabel(f"rms of the readings, {unit}")
     axes.set_title("What each stage leaves", pad=16)
 
 
@@ -272,13 +275,13 @@ def seen(found: Diagnosis) -> Seen:
     residual: what is left in the end, and what the effect adds there.
     """
     before, after = found.residuals.before_mm, found.residuals.after_mm
-    title = "geometry alone"
+    title, (unit, size) = "geometry alone", shown_in(found)
     strongest = max(range(len(found.effects)), key=lambda i: found.effects[i].share_of_excess, default=None)
     limbs = found.location.limbs if strongest is None else found.effects[strongest].limbs
     if strongest is not None and (added := contribution(found, strongest)) is not None:
         before, title = after + added, f"without {found.effects[strongest].name.replace('_', ' ')}"
     if before.shape[1] == 1:
-        return Seen(before[:, 0], after[:, 0], "residual, mm", title)
+        return Seen(before[:, 0] / size, after[:, 0] / size, f"residual, {unit}", title)
     if len(limbs) == 1 and _one_frame(found):
         unit = mechanism_of(robot_of(found.robot)).joint_units[limbs[0] - 1]
         at_joint = _at_joints(found)[:, limbs[0] - 1] / to_internal(unit)
@@ -286,7 +289,7 @@ def seen(found: Diagnosis) -> Seen:
         return Seen((at_joint * before).sum(axis=1), (at_joint * after).sum(axis=1), label, title)
     centred = np.nan_to_num(before - np.nanmedian(before, axis=0))
     along = np.linalg.svd(centred, full_matrices=False)[2][0]
-    return Seen(before @ along, after @ along, "residual where most is left, mm", title)
+    return Seen(before @ along / size, after @ along / size, f"residual where most is left, {unit}", title)
 
 
 def _one_frame(found: Diagnosis) -> bool:
@@ -370,7 +373,8 @@ def _limits(axes: Axes, picked: Seen) -> None:
 def bubbles(axes: Axes, found: Diagnosis, *, after: bool) -> None:
     """Draw how much is left where, seen from above: the size of a disc is the size of the residual."""
     at = found.residuals.position_mm
-    sizes = [np.linalg.norm(r, axis=1) for r in (found.residuals.before_mm, found.residuals.after_mm)]
+    unit, size = shown_in(found)
+    sizes = [np.linalg.norm(r, axis=1) / size for r in (found.residuals.before_mm, found.residuals.after_mm)]
     top = float(np.nanpercentile(sizes[0], 98)) or 1.0
     shown = np.minimum(sizes[after], 1.3 * top)
     colour = AFTER if after else BEFORE
@@ -380,7 +384,7 @@ def bubbles(axes: Axes, found: Diagnosis, *, after: bool) -> None:
     axes.set_xlabel("x, mm")
     axes.set_ylabel("y, mm")
     key = float(f"{top:.1g}")
-    axes.scatter([], [], s=130 * key / top, color=colour, alpha=0.55, linewidths=0, label=f"{key:g} mm")
+    axes.scatter([], [], s=130 * key / top, color=colour, alpha=0.55, linewidths=0, label=f"{key:g} {unit}")
     axes.legend(frameon=False, loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.1, handletextpad=0.2)
 
 
@@ -390,18 +394,20 @@ def bars(axes: Axes, found: Diagnosis) -> None:
     rows: list[tuple[str, Baseline | Final, str]] = [("geometry alone", found.baseline, first)]
     if found.effects:
         rows.append(("with what was found", found.final, AFTER))
-    values = [r.heldout_rms_mm if r.heldout_rms_mm is not None else r.train_rms_mm for _, r, _ in rows]
+    unit, size = shown_in(found)
+    values = [(r.train_rms_mm if r.heldout_rms_mm is None else r.heldout_rms_mm) / size for _, r, _ in rows]
+    sigma = found.noise.sigma_mm / size
     axes.barh([r[0] for r in rows], values, color=[r[2] for r in rows], height=0.55)
     axes.invert_yaxis()
-    axes.set_xlim(0, 1.25 * max(*values, found.noise.sigma_mm))
+    axes.set_xlim(0, 1.25 * max(*values, sigma))
     for i, value in enumerate(values):
-        right = max(value, found.noise.sigma_mm)  # clear of the line
+        right = max(value, sigma)  # clear of the line
         axes.annotate(f"{value:.4f}", (right, i), (5, 0), textcoords="offset points", va="center")
-    axes.axvline(found.noise.sigma_mm, color=INK, lw=1, ls="--")
+    axes.axvline(sigma, color=INK, lw=1, ls="--")
     axes.set_ylim(len(rows) - 0.45, -0.8)
-    noise = (found.noise.sigma_mm, -0.5)
+    noise = (sigma, -0.5)
     axes.annotate("noise", noise, (5, 0), textcoords="offset points", va="center", color=MUTED)
-    axes.set_xlabel("rms on held-out readings, mm")
+    axes.set_xlabel(f"rms on held-out readings, {unit}")
     axes.tick_params(axis="y", length=0)
 
 

@@ -26,6 +26,7 @@ from deltacal_gen.pages import figures, laws
 from deltacal_gen.pages.figures import AFTER, BEFORE, INK, MUTED, RAISED, STYLE, mpl
 from deltacal_gen.physics.law import ADVICE as LAW_ADVICE
 from deltacal_gen.physics.terms import load_effect, of_the_instrument
+from deltacal_gen.results.base import shown_in
 from deltacal_gen.results.batch import ASIDE, Batch, FailedRow, alike, worst
 from deltacal_gen.results.diagnosis import (
     Baseline,
@@ -78,7 +79,8 @@ def diagnosis(found: Diagnosis) -> str:
         lead=_lead(found),
         steps=_steps(found),
         improvement={"title": "", "svg": _svg(partial(figures.bars, found=found), (4.4, 1.6))},
-        noise=_NOISE[found.noise.source],
+        noise=f"{found.noise.sigma_mm / shown_in(found)[1]:.4f} {shown_in(found)[0]}",
+        noise_of=_NOISE[found.noise.source],
         location=_sentence(found.location.text),
         channel=_pair(
             partial(figures.against, found=found, channel=channel), before.get("channel"), left, (3.9, 2.7), calm
@@ -222,8 +224,8 @@ def _parameter_rows(found: Result, *, pinned: bool) -> list[tuple[str, str, str,
 
 def calibration(found: Result) -> str:
     """Return the page of a RESULT.json."""
-    machine, held = found.robot.robot.name, found.heldout_rms_mm
-    after = held if held is not None else found.train_rms_mm
+    machine, held, (unit, size) = found.robot.robot.name, found.heldout_rms_mm, shown_in(found)
+    before, after = found.before_rms_mm / size, (found.train_rms_mm if held is None else held) / size
     seen = "on readings that took no part in the fit" if held is not None else "on the readings of the fit"
     panels = [(figures.stages, (4.6, 2.6)), (figures.readings, (4.6, 2.6)), (figures.parameters, (4.6, 3.9))]
     if found.workspace:
@@ -234,9 +236,9 @@ def calibration(found: Result) -> str:
         title=f"{machine}: calibration",
         machine=machine,
         found=found,
-        headline=f"{machine}: {found.before_rms_mm:.3f} mm before, {after:.4f} mm after",
-        lead=f"As the robot file has it, the machine is off by {found.before_rms_mm:.3f} mm rms; calibrated as "
-        f"{found.model}, by {after:.4f} mm {seen}. The noise is {found.sigma_mm:.4f} mm, "
+        headline=f"{machine}: {before:.3f} {unit} before, {after:.4f} {unit} after",
+        lead=f"As the robot file has it, the machine is off by {before:.3f} {unit} rms; calibrated as "
+        f"{found.model}, by {after:.4f} {unit} {seen}. The noise is {found.sigma_mm / size:.4f} {unit}, "
         f"{_NOISE[found.sigma_source]}.",
         pictures=[{"title": "", "svg": _svg(partial(draw, result=found), size)} for draw, size in panels],
         parameters=_parameter_rows(found, pinned=True),
@@ -371,19 +373,21 @@ def _headline(found: Diagnosis) -> str:
 
 def _lead(found: Diagnosis) -> str:
     """Return what was found in two sentences."""
-    sigma, (before, after) = found.noise.sigma_mm, (_heldout(found.baseline), _heldout(found.final))
+    unit, size = shown_in(found)
+    figures_mm = (_heldout(found.baseline), _heldout(found.final), found.noise.sigma_mm)
+    before, after, sigma = (f"{mm / size:.4f} {unit}" for mm in figures_mm)
     if found.verdict is Verdict.ADEQUATE:
-        return f"What the geometry leaves on held-out readings, {before:.4f} mm, is noise. Nothing else was found."
+        return f"What the geometry leaves on held-out readings, {before}, is noise. Nothing else was found."
     if found.verdict is Verdict.UNEXPLAINED:
         return (
-            f"Geometry alone leaves {before:.4f} mm on held-out readings, {after:.4f} mm are left in the end, and the "
-            f"noise is {sigma:.4f} mm. {_sentence(found.location.text)}."
+            f"Geometry alone leaves {before} on held-out readings, {after} are left in the end, and the "
+            f"noise is {sigma}. {_sentence(found.location.text)}."
         )
     told = [f"{t.target} moves by {t.expression}{laws.where(t)}" for law in found.laws[:1] for t in law.terms]
     parts = "; ".join([*told, *(_in_numbers(e) for e in found.effects)])
     return (
-        f"{_sentence(parts)}. With it the error on held-out readings falls from {before:.4f} mm to {after:.4f} mm; "
-        f"the noise is {sigma:.4f} mm."
+        f"{_sentence(parts)}. With it the error on held-out readings falls from {before} to {after}; "
+        f"the noise is {sigma}."
     )
 
 

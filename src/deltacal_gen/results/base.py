@@ -75,6 +75,12 @@ def in_unit(found: Any, unit: str, length: float) -> Any:
     return out
 
 
+def shown_in(answer: Any) -> tuple[str, float]:
+    """Return the unit in which an answer's figures are shown, that of its readings, and what it is in mm."""
+    unit, length = getattr(answer, "unit", None), getattr(answer, "unit_mm", None)
+    return (unit, length) if unit and length else ("mm", 1.0)
+
+
 @dataclass_transform(kw_only_default=True, frozen_default=True)
 class Value:
     """Part of an answer: to type checkers a frozen dataclass, given by keywords. Two are equal where their JSON is.

@@ -16,7 +16,6 @@ from deltacal_gen.app.cli.common import (
     RecordingFile,
     RobotFile,
     escaped,
-    in_unit,
     number,
     output_file,
     print_json,
@@ -25,6 +24,7 @@ from deltacal_gen.app.cli.common import (
     show_any,
 )
 from deltacal_gen.errors import UsageError
+from deltacal_gen.results.base import shown_in
 
 if TYPE_CHECKING:
     from deltacal_gen.results.diagnosis import Diagnosis
@@ -139,7 +139,7 @@ def _show_result(found: Result) -> None:
     if found.uncertainty is not None and found.uncertainty.left_out:
         screen.print(found.uncertainty.text, style="dim")
     held = found.heldout_rms_mm
-    unit, length = in_unit(found)
+    unit, length = shown_in(found)
     # nothing was held out of blocks
     beside = "" if held is None else f", [bold]held-out {number(held / length)} {unit}[/bold]"
     screen.print(
@@ -218,7 +218,7 @@ def show_diagnosis(found: Diagnosis) -> None:
                 for c in term.coefficients:
                     where = "" if c.limb is None else f" at limb {c.limb}"
                     screen.print(f"    {c.name} = {c.value:.4g} +- {number(c.std, 2)} {c.unit}{where}")
-    unit, length = in_unit(found)
+    unit, length = shown_in(found)
     table = Table(f"{unit}, rms of the readings", "fitted", "held out", "chi2 per degree of freedom")
     for words, row in (("geometry", found.baseline), ("with what was found", found.final)):
         table.add_row(

@@ -117,11 +117,5 @@ def number(value: float | None, digits: int = 4) -> str:
     return "-" if value is None else f"{value:.{digits}g}"
 
 
-def in_unit(answer: Answer) -> tuple[str, float]:
-    """Return the unit in which an answer's figures are shown, and what it is at the platform [mm]."""
-    unit, length = getattr(answer, "unit", None), getattr(answer, "unit_mm", None)
-    return (unit, length) if unit and length else ("mm", 1.0)
-
-
 def escaped(text: str) -> str:
     return text.replace("[", "\\[")

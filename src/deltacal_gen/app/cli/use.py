@@ -15,7 +15,6 @@ from deltacal_gen.app.cli.common import (
     RecordingFile,
     ResultFile,
     escaped,
-    in_unit,
     number,
     output_file,
     print_json,
@@ -23,6 +22,7 @@ from deltacal_gen.app.cli.common import (
     show_any,
 )
 from deltacal_gen.errors import UsageError
+from deltacal_gen.results.base import shown_in
 
 MOST_NAMES = 8  # of parameters in a line on the screen
 if TYPE_CHECKING:
@@ -263,7 +263,7 @@ def certificate(
     if as_json:
         print_json(found)
         return
-    unit, length = in_unit(found)
+    unit, length = shown_in(found)
     table = Table("contribution", "type", unit, "share")
     for c in found.budget.contributions:
         table.add_row(c.source, c.evaluation, f"{c.sigma_mm / length:.4f}", f"{c.share:.1%}")
