@@ -67,15 +67,14 @@ def write(path: Path, columns: Mapping[str, Sequence[object]], sidecar: str) -> 
     return path
 
 
-def arm_robot(folder: Path) -> Path:
-    tables = (
-        f'[[joint]]\nkind = "revolute"\nconvention = "standard"\na = {a}\nalpha = {alpha}\nd = {d}\ntheta = {theta}\n'
-        for d, a, alpha, theta in LINKS
-    )
+def arm_robot(folder: Path, wrong: Mapping[str, float] | None = None) -> Path:
+    """Write the arm as it is drawn, or as it is."""
+    tables = ""
+    for i, link in enumerate(LINKS, start=1):
+        told = (f"{k} = {n + (wrong or {}).get(f'{k}_{i}', 0.0)}" for k, n in zip(DH, link, strict=True))
+        tables += '[[joint]]\nkind = "revolute"\nconvention = "standard"\n' + "\n".join(told) + "\n"
     path = folder / "robot.toml"
-    path.write_text(
-        f'[robot]\nname = "arm"\nmechanism = "serial"\n{"".join(tables)}[geometry]\ntool = [0.0, 0.0, 0.0]\n'
-    )
+    path.write_text(f'[robot]\nname = "arm"\nmechanism = "serial"\n{tables}[geometry]\ntool = [0.0, 0.0, 0.0]\n')
     return path
 
 

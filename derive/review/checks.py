@@ -5,8 +5,10 @@ Poses are drawn at random from the robot file's workspace, else from the joints 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import dataclasses
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -263,18 +265,24 @@ def linear_against_exact(robot: Robot, poses: Poses, names: Sequence[str]) -> tu
 
 
 def identification(
-    robot: Robot, sets: Sequence[Poses], names: Sequence[str], kind: Kind, frame: str = "unknown"
+    robot: Robot,
+    sets: Sequence[Poses],
+    names: Sequence[str],
+    kind: Kind,
+    frame: str = "unknown",
+    said: Mapping[str, Any] | None = None,
 ) -> Array:
     """Return the rows by which a kind of measurement sees parameters at poses, its own unknowns projected out.
 
-    Angles of a pose count at 100 mm.
+    What a sidecar may have `said` else takes the place of a known camera and a print of known
+    scale. Angles of a pose count at 100 mm.
     """
     mechanism = mechanism_of(robot)
     x = np.vstack([s.x for s in sets])
     S = np.vstack([s.by_errors for s in sets])[:, :, [mechanism.index[n] for n in names]]
     point = _base_point(robot, x)
-    said = Measurement(frame=frame, camera=CAMERA, base_point_mm=tuple(point.tolist()))
-    found, instrument = kind.imagined(x, len(sets), mechanism, said)
+    usual = Measurement(frame=frame, camera=CAMERA, base_point_mm=tuple(point.tolist()))
+    found, instrument = kind.imagined(x, len(sets), mechanism, dataclasses.replace(usual, **(said or {})))
     each = len(found) // len(sets)
     if each > MOST_READINGS:
         few = np.random.default_rng(SEED + 3).permutation(each)[:MOST_READINGS]

@@ -12,7 +12,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from deltacal_gen.machine.registry import mechanism_names
 from deltacal_gen.pages import manual
 from tests.benchmarks import __main__ as every
-from tests.benchmarks import compile, fuzz, memory, motion, nonsense, outputs, scaling
+from tests.benchmarks import compile, fuzz, instruments, memory, motion, mutations, nonsense, outputs, scaling, truth
 from tests.benchmarks.works import WORKS, disagreement, works
 
 QUICK = [name for name in WORKS if not name.endswith("_cold") and "command" not in name]
@@ -79,3 +79,34 @@ def test_damaged_inputs_end_as_the_contract_says(tmp_path: Path, capsys: pytest.
 def test_nonsense_is_not_accepted_and_outputs_are_whole(capsys: pytest.CaptureFixture[str]) -> None:
     assert nonsense.main(["--runs", "10", "--seed", "3"]) == 0, capsys.readouterr().out
     assert outputs.main(["--kills", "4"]) == 0, capsys.readouterr().out
+
+
+def test_the_scale_of_truth_is_that_of_the_ranks() -> None:
+    table, found = manual.measured("truth"), truth.machines()
+    assert table["columns"][1:] == list(found)
+    told = {name: {row[0]: row[k] for row in table["rows"]} for k, name in enumerate(table["columns"][1:], start=1)}
+    for name, column in told.items():
+        assert {kind: seen for kind, seen in column.items() if seen != "-"} == found[name]
+    delta = told["delta/42"]
+    assert delta["poses in a known frame"] == "42 of 42"
+    assert delta["points of a board in an unknown place, its print's scale unknown"] == "31 of 42"
+    assert delta["points of a board in an unknown place"] == "32 of 42"
+
+
+def test_mistakes_are_drawn_alike_whatever_else_there_is() -> None:
+    every = mutations.mistakes()
+    order = mutations.drawn(3, every)
+    assert order != mutations.drawn(4, every)
+    some = [m for m in every if "mechanisms" in m.file]
+    assert mutations.drawn(3, some) == [m for m in order if "mechanisms" in m.file]
+
+
+def test_an_exact_camera_is_compared_with_what_knows_more(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = tmp_path / "camera.csv"
+    assert instruments.main(["camera", "--count", "1", "-o", str(out)]) == 0
+    first = out.read_text()
+    assert instruments.main(["camera", "--count", "1", "-o", str(out)]) == 0  # nothing is tried again
+    assert out.read_text() == first
+    said = capsys.readouterr().out
+    assert "within three standard deviations: 1" in said
+    assert "the bound of what is not known" in said
