@@ -134,3 +134,25 @@ def test_the_lengths_of_waves_are_those_of_the_function() -> None:
     size, lengths = smooth.waves()
     assert size == pytest.approx(np.sqrt(0.5), rel=0.05)
     assert lengths == pytest.approx([12.0], rel=0.05)
+
+
+def along(n: int) -> np.ndarray:
+    """Return joints (n, 4) [deg] along one path, each step as long as the others in time."""
+    t = np.linspace(0, 1, n)[:, None]
+    swing = np.sin(2 * np.pi * np.array([0.5, 0.9, 1.2, 0.7]) * t + np.array([0.0, 1.0, 2.0, 3.0]))
+    return RANGES_DEG.mean(axis=1) + np.ptp(RANGES_DEG, axis=1) / 2 * swing
+
+
+def test_on_a_path_it_holds_near_the_path_and_says_what_is_not_known(arm: Robot) -> None:
+    every = read(arm, along(600), 2)
+    train, test = (every.subset(np.arange(k, 600, 2)) for k in (0, 1))
+    told, geometry = diagnosed(arm, train), dc.identify(arm, train)
+    off = [float(np.sqrt(np.mean((dc.predict(at, test).measured - test.measured) ** 2))) for at in (told, geometry)]
+    assert off[0] < 0.25 * off[1]
+    assert told.correction is not None
+    assert len(told.correction.functions) == 4
+    assert "only the same poses on another day tell joints from time" in told.summary
+    assert dc.predict(told, test).channels[CORRECTED].mean() > 0.9
+    elsewhere = dc.predict(told, read(arm, anywhere(200, 5), 5)).channels[CORRECTED]
+    assert np.median(elsewhere) < 0.5
+    assert missed(told.replace(correction=None), test) < 1.02 * off[1]  # what noise is like spoils no geometry

@@ -22,7 +22,8 @@ from deltacal_gen.estimation.fit import Fit, fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths, rms, robust_sigma, robust_weights
 from deltacal_gen.estimation.solvers import Prior, jitter
-from deltacal_gen.identification.folds import folds, neighbours
+from deltacal_gen.identification.folds import folds
+from deltacal_gen.identification.together import rows_alone
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.machine.values import Recording
@@ -234,9 +235,10 @@ def borne_out_beside(at: Fit, left: Sequence[Structure]) -> BorneOut | None:
     left : sequence of Structure
         What is left of the fit, the strongest first.
     """
-    rows = at.repeats.rows
-    if rows > 1:  # along a path functions of the joints hang together as noise does, which then stands for them
-        at = dataclasses.replace(at, repeats=dataclasses.replace(at.repeats, series=None))
+    if (
+        at.repeats.rows > 1
+    ):  # along a path functions of the joints hang together as noise does, which then stands for them
+        at = rows_alone(at)
         left = structures(at)
     parts = folds(at.problem.readings, at.problem.recording)
     variables = [s for s in left if s.earned > 0][:CANDIDATES]
@@ -258,10 +260,32 @@ def borne_out_beside(at: Fit, left: Sequence[Structure]) -> BorneOut | None:
         corrected[test] = _predicted(at, linear, linear.best(options, {k}), k, train, test, without[test])
     without[linear.weights == 0] = corrected[linear.weights == 0] = np.nan
     made = BorneOut(at, linear, option, without, corrected)
-    before, after = (lengths(errors, found.kind) for errors in (without, corrected))
-    better = np.bincount(neighbours(found, found.group, rows), np.nansum(before**2 - after**2, axis=1))
-    better = better[better != 0]
-    return made if better.sum() > PROVEN * float(np.std(better)) * np.sqrt(len(better)) else None
+    order = np.argsort(found.line[np.unique(found.group, return_index=True)[1]], kind="stable")
+    squares = (np.nansum(lengths(errors, found.kind) ** 2, axis=1) for errors in (without, corrected))
+    before, after = (np.bincount(found.group, each).astype(float)[order] for each in squares)
+    return made if _beyond_doubt(before, after) else None
+
+
+def _beyond_doubt(before: Array, after: Array) -> bool:
+    """Tell whether squares (poses,) of held-out errors that become less are no chance, poses in the order of reading.
+
+    All together, or each by its own part: a misfit that sits at few poses shows in the sum, one that is everywhere in
+    the parts, which none outweighs.
+    """
+    seen = before + after > 0
+    gain, total = (before - after)[seen], (before + after)[seen]
+    return bool(gain.sum() > 0) and max(_score(gain), _score(gain / total)) > PROVEN
+
+
+def _score(gain: Array) -> float:
+    """Return a mean gain in standard deviations.
+
+    Neighbours that correlate by r tell as much as the part (1 - r) / (1 + r) of their number.
+    """
+    apart = gain - gain.mean()
+    size = max(float(apart @ apart), 1e-300)
+    r = max(float(apart[1:] @ apart[:-1]) / size, 0.0)
+    return float(gain.sum() / np.sqrt(size * (1 + r) / (1 - r)))
 
 
 def _predicted(

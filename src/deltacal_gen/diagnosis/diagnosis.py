@@ -52,7 +52,7 @@ from deltacal_gen.identification import checks
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.noise import Noise, doubted, noise
 from deltacal_gen.identification.prior import with_prior
-from deltacal_gen.identification.together import deviance_of, together
+from deltacal_gen.identification.together import as_predicts, deviance_of, together
 from deltacal_gen.machine.backend import by_recording
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Recording
@@ -193,6 +193,7 @@ def diagnose(
             repeats=calm,
             must_converge=False,
         )
+    current = as_predicts(current)
     heldout = (before, after if spectrum is None else spectrum.heldout[1])
     named_any = current.problem.terms or current.problem.held
     verdict = Verdict.UNEXPLAINED if unexplained else Verdict.MISSING_PHYSICS if named_any else Verdict.ADEQUATE

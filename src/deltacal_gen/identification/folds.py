@@ -35,18 +35,12 @@ def folds(
     group = found.group if not at_rate(recording) else _stretches(found, recording)
     groups = int(group.max()) + 1
     if rows > 1:
-        group = neighbours(found, group, rows, count)
+        first = np.unique(group[np.argsort(found.line, kind="stable")], return_index=True)[1]
+        size = max(min(int(np.ceil(rows)), groups // (2 * count)), 1)
+        group = (np.argsort(np.argsort(first)) // size)[group]
         groups = int(group.max()) + 1
     part = _parts(groups, min(count, groups), rng)[group]
     return [(part != k, part == k) for k in range(min(count, groups))]
-
-
-def neighbours(found: Readings, group: np.ndarray, rows: float, count: int = FOLDS) -> np.ndarray:
-    """Return groups (R,) of readings of which `rows` that follow one another are one; so many that folds differ."""
-    first = np.unique(group[np.argsort(found.line, kind="stable")], return_index=True)[1]
-    size = max(min(int(np.ceil(rows)), len(first) // (2 * count)), 1)
-    out: np.ndarray = (np.argsort(np.argsort(first)) // size)[group]
-    return out
 
 
 def _stretches(found: Readings, recording: Recording) -> np.ndarray:

@@ -7,9 +7,11 @@ import dataclasses
 import numpy as np
 
 from deltacal_gen.estimation.directions import price_of, shape_of
-from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.fit import Fit, fit, held_out
 from deltacal_gen.estimation.residuals import GROSS, HUBER, Repeats
 from deltacal_gen.estimation.series import Series, Taken
+from deltacal_gen.estimation.solvers import Prior
+from deltacal_gen.identification.folds import folds
 from deltacal_gen.machine.registry import Array
 
 PROVEN = 10.0  # of the deviance, that noise which hangs together must explain
@@ -28,6 +30,37 @@ def together(at: Fit) -> Repeats | None:
         return None
     found, _ = _suited(at, series, len(at.problem.scale))
     return None if found.plain else found
+
+
+def rows_alone(at: Fit, drop_gross: bool = False) -> Fit:
+    """Return the same fit with no row telling of another's noise."""
+    return fit(
+        at.problem,
+        Prior(),
+        errors=at.errors,
+        instrument=at.instrument,
+        repeats=dataclasses.replace(at.repeats, series=None),
+        drop_gross=drop_gross,
+        must_converge=False,
+    )
+
+
+def as_predicts(at: Fit) -> Fit:
+    """Return a fit with the machine of rows weighed alone where that predicts held-out readings better.
+
+    What hangs together may be physics that was left out, which no weights of rows make good: readings decide. Those
+    that know less than a position are too few to, and mostly lie along a path. The noise is as it was.
+    """
+    if at.repeats.series is None:
+        return at
+    alone = rows_alone(at, drop_gross=True)
+    parts = folds(at.problem.readings, at.problem.recording, rows=at.repeats.rows)
+    decides = at.problem.readings.kind.positions
+    if decides and held_out(at, Prior(), parts) <= held_out(alone, Prior(), parts):
+        return at
+    return dataclasses.replace(
+        at, errors=alone.errors, machine=alone.machine, instrument=alone.instrument, residual=alone.residual
+    )
 
 
 def deviance_of(at: Fit) -> float:
