@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from deltacal_gen.diagnosis import hints, strategy
 from deltacal_gen.diagnosis.diagnosis import Diagnosed, diagnose
 from deltacal_gen.diagnosis.evidence import MOST_WRONG, Evidence, evidence
 from deltacal_gen.diagnosis.hints import hinted
@@ -89,3 +90,13 @@ def test_several_hints_each_earn_their_price_beside_those_before() -> None:
     assert hints
     assert all(h.found.score > MARGIN for h in hints[1:])
     assert len({h.term.effect for h in hints}) == len(hints)
+
+
+def test_a_search_that_ends_at_its_limit_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    for room in (strategy, hints):
+        monkeypatch.setattr(room, "MOST_EFFECTS", 1)
+    robot = machine()
+    two = (effect("backlash", (2,), 0.02), effect("distal_compliance", (1,), 0.02))
+    found = diagnose(robot, record(robot, *two, of=channels(60, "approach"))).answer()
+    assert len(found.effects) == 1
+    assert any("the search ends at 1 effects: there is more" in hint.why for hint in found.hints)

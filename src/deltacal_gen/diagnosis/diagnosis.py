@@ -225,7 +225,7 @@ def diagnose(
         noise=known,
         location=location,
         rejected=rejected_of(found.considered, named, spectrum),
-        hints=told(doubtful, chance),
+        hints=told(doubtful, search, chance),
         not_tested=not_tested,
         next_measurements=next_measurements(search.fit, questions, location if unexplained else None),
         robot=calibrated,

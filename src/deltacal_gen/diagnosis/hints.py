@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.search import Found, Search
-from deltacal_gen.diagnosis.strategy import MARGIN
+from deltacal_gen.diagnosis.strategy import MARGIN, MOST_EFFECTS
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import Hint
 
@@ -73,8 +73,8 @@ def outweighed(search: Search, terms: Sequence[Term], others: Sequence[Hinted]) 
     return out
 
 
-def told(several: list[Hinted], chance: Chance) -> tuple[Hint, ...]:
-    """Return hints as an answer tells them."""
+def told(several: list[Hinted], search: Search, chance: Chance) -> tuple[Hint, ...]:
+    """Return hints as an answer tells them, beside all that was named in a search."""
     return tuple(
         Hint(
             name=h.term.effect,
@@ -82,11 +82,18 @@ def told(several: list[Hinted], chance: Chance) -> tuple[Hint, ...]:
             gain_chi2=h.found.gain,
             p_value=chance.of(h.found.score),
             indistinguishable_from=h.alike,
-            why="noise that hangs together from row to row explains as much: repeat poses measured long before"
-            if h.outweighed
-            else "earned its price, but readings held out do not bear it out yet"
-            if h.found.score > MARGIN
-            else f"explains more than chance usually lets it; {MARGIN - h.found.score:.0f} of chi2 are wanting",
+            why=_why(h, len(search.effects)),
         )
         for h in several
     )
+
+
+def _why(hint: Hinted, named: int) -> str:
+    """Return why an effect is not named beside so many others."""
+    if hint.outweighed:
+        return "noise that hangs together from row to row explains as much: repeat poses measured long before"
+    if hint.found.score <= MARGIN:
+        return f"explains more than chance usually lets it; {MARGIN - hint.found.score:.0f} of chi2 are wanting"
+    if named >= MOST_EFFECTS:
+        return f"earned its price, but the search ends at {MOST_EFFECTS} effects: there is more to be found"
+    return "earned its price, but readings held out do not bear it out yet"
