@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -66,6 +67,12 @@ def test_all_recordings_are_done_and_the_bad_one_is_listed(shop: Path, tmp_path:
     page = (tmp_path / "run" / "index.html").read_text()
     assert "endstop_1 moved" in page
     assert "printer-3/s1.csv" in page
+    links = re.findall(r'<a href="(pages/\w+\.html)">(printer-\d/s\d\.csv)</a>', page)
+    assert [name for _, name in links] == [r["recording"] for r in found["rows"] if r["error"] is None]
+    assert all("<!doctype html>" in (tmp_path / "run" / link).read_text() for link, _ in links)
+    assert found["passed_over"] == ["printer-3/notes.csv"]
+    assert "printer-3/notes.csv" in page
+    assert "passed over: printer-3/notes.csv" in " ".join(text.split())
 
 
 def test_what_changed_since_the_last_time(shop: Path, tmp_path: Path) -> None:

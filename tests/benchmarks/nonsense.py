@@ -65,7 +65,7 @@ def warned(said: str, folder: Path) -> bool:
     found = json.loads((folder / "out.json").read_text())
     if found.get("verdict") in ("missing_physics", "unexplained"):
         return True
-    return bool(re.search(r"warning:|above the noise|gross errors", said))
+    return bool(re.search(r"warning:|above the noise|gross errors|times too small", said))
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -28,6 +28,7 @@ from deltacal_gen.execution import Outcome, Store, Task, Told, content_key, run
 from deltacal_gen.files.points import is_table_of_joints
 from deltacal_gen.files.recording import is_recording
 from deltacal_gen.files.writing import csv_text, write_files
+from deltacal_gen.pages import report
 from deltacal_gen.results.base import Answer, Json
 from deltacal_gen.results.batch import (
     Action,
@@ -39,6 +40,7 @@ from deltacal_gen.results.batch import (
     Moved,
     Row,
     ValidatedRow,
+    worst,
 )
 from deltacal_gen.results.diagnosis import Diagnosis, Geometry, Verdict
 from deltacal_gen.results.reader import read_answer
@@ -51,6 +53,9 @@ ACTIONS = tuple(ROWS)
 FIGURES = "figures"  # key beside those of an answer, in what a task keeps
 ROBOT = "robot.toml"
 RESULT = "result.json"  # beside the robot: what its recordings are validated against
+PAGES = "pages"  # of single recordings, in the run directory
+TABLES = (".csv", ".tsv", ".xlsx", ".xlsm", ".parquet")
+BESIDE = (".distances", ".instrument")  # ends of the names of tables that belong to a recording
 LAST = "last.json"  # which files each recording was and which task, the last time that all were done
 CONFIGS = ("config-override.g", "config.g")  # of RepRapFirmware: M500 writes the first, which then holds
 IMPORTS: Mapping[str, Callable[..., Any]] = {
@@ -147,6 +152,17 @@ def find(folder: str | Path, action: str = "diagnose", machine: str | None = Non
             file=folder,
         )
     return found
+
+
+def passed_over(folder: Path, found: Sequence[Job | Session]) -> tuple[str, ...]:
+    """Return the tables below a folder that nothing is done with."""
+    known = {f.label.partition(":")[0] for f in found}
+    for session in found:
+        if isinstance(session, Session):
+            known |= {path.relative_to(folder).as_posix() for path in session.files.values()}
+    tables = (p for place in _folders(folder) for p in sorted(place.iterdir()) if p.suffix.lower() in TABLES)
+    names = (p.relative_to(folder).as_posix() for p in tables if not p.stem.endswith(BESIDE))
+    return tuple(name for name in names if name not in known)
 
 
 def _folders(top: Path) -> Iterator[Path]:
@@ -303,7 +319,8 @@ def conduct(
         outcome = Outcome("", job.label, None, job.refused) if job.refused is not None else next(outcomes)
         rows.append(_row(cast("Action", action), job, outcome))
     changed = _changed(open_, keys, files, store, _last(directory))
-    found = Batch(action=cast("Action", action), rows=tuple(rows), changed=changed)
+    passed = passed_over(Path(folder), listed) or None
+    found = Batch(action=cast("Action", action), rows=tuple(rows), changed=changed, passed_over=passed)
     lines = [row.to_dict() for row in rows]
     columns = list(dict.fromkeys(name for line in lines for name in line))
     table = {c: ["" if line.get(c) is None else line[c] for line in lines] for c in columns}
@@ -412,6 +429,27 @@ def _row(action: Action, job: Job, outcome: Outcome) -> Row:
 
 
 # ------------------------------------------------------------------------------------------------------ for readers
+
+
+def write_pages(found: Batch, directory: Path) -> dict[str, str]:
+    """Write the page of each recording, of too many those of the worst; return where they are, by recording.
+
+    A page is named by what the task was made of, and is written once.
+    """
+    store, last, links = Store(directory), _last(directory), {}
+    done = [] if found.action == "validate" else worst(found.rows, report.MOST_DRAWN)
+    for row in done:
+        kept = None if isinstance(row, FailedRow) else store.get(last[row.recording][1])
+        if kept is None or kept["result"] is None:
+            continue
+        place = Path(PAGES) / f"{last[row.recording][1]}.html"
+        if not (directory / place).exists():
+            (directory / PAGES).mkdir(exist_ok=True)
+            answer = read_answer(kept["result"])
+            text = report.calibration(answer) if isinstance(answer, Result) else report.diagnosis(cast("Any", answer))
+            write_files({directory / place: text})
+        links[row.recording] = place.as_posix()
+    return links
 
 
 # ------------------------------------------------------------------------------------------------------ what changed

@@ -10,7 +10,7 @@ import html
 import io
 import math
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache, partial
 from importlib import resources
 from pathlib import Path
@@ -45,6 +45,7 @@ from deltacal_gen.use.unseen import sentences
 _COLOURS = {INK: "var(--ink)", MUTED: "var(--muted)", BEFORE: "var(--before)", AFTER: "var(--after)"}
 _PAPER = {"var(--card)": "#ffffff", "var(--paper)": "#ffffff", "var(--good)": "#2c7a4b", "var(--bad)": "#b8472f"}
 MOST_DRAWN = 60  # recordings of a batch, each with its line; of more, their distribution
+FAILED = {"verdict": "failed"}  # in the columns of a recording that could not be done
 MOST_ROWS = 500  # of a table on a page: 10^5 would be 20 MB, which no browser likes
 _NUMERIC = {"value ± standard deviation", "gain in chi²", "value", "takes away", "recordings", "said so"}
 _NUMERIC |= {"drawn with", "simulated", "predicted", "bias", "degrees of freedom", "share of variance"}  # and lengths
@@ -178,8 +179,11 @@ def _suspect(s: Suspect) -> tuple[str, ...]:
     )
 
 
-def batch(found: Batch) -> str:
-    """Return the page over many recordings; of very many, over their distribution and the worst."""
+def batch(found: Batch, links: Mapping[str, str] | None = None) -> str:
+    """Return the page over many recordings; of very many, over their distribution and the worst.
+
+    `links` says where the pages of single recordings are.
+    """
     rows, failed = found.rows, [r for r in found.rows if isinstance(r, FailedRow)]
     columns = [c for c in dict.fromkeys(k for r in rows for k, _ in r.written()) if c not in ASIDE]
     done = [r for r in rows if not isinstance(r, FailedRow)]
@@ -200,8 +204,13 @@ def batch(found: Batch) -> str:
         failed=[both[::-1] for both in alike([(r.recording, r.error) for r in failed])[:MOST_ROWS]],
         warnings=[both[::-1] for both in alike([(r.recording, r.warnings) for r in rows if r.warnings])[:MOST_ROWS]],
         changed=changed[:MOST_ROWS],
-        columns=[_spaced(c).removesuffix(" mm") + (", mm" if c.endswith("_mm") else "") for c in columns],
-        rows=[[_cell(getattr(r, c, None)) for c in columns] for r in shown],
+        heads=[_spaced(c).removesuffix(" mm") + (", mm" if c.endswith("_mm") else "") for c in columns],
+        rows=[
+            [(c, _cell(getattr(r, c, FAILED.get(c) if isinstance(r, FailedRow) else None))) for c in columns]
+            for r in shown
+        ],
+        links=links or {},
+        passed_over=found.passed_over or (),
         left_out=len(rows) - len(shown),
         unchanged=len(changed) - MOST_ROWS,
     )

@@ -85,6 +85,8 @@ class Batch(Answer):
     action: Action
     rows: tuple[Row, ...]
     changed: tuple[Moved, ...]
+    passed_over: tuple[str, ...] | None = None
+    """Tables in the folder that are no recordings, and nothing that is imported; left out where there are none."""
 
     @property
     def headline(self) -> str:

@@ -148,4 +148,7 @@ def batch(
         screen.print(f"failed: {escaped(names)}: {escaped(why)}")
     for names, what in alike([(r.recording, r.warnings) for r in rows if r.warnings])[:MOST_LINES]:
         screen.print(f"warning: {escaped(names)}: {escaped(what)}")
+    if found.passed_over:
+        rest = f" and {len(found.passed_over) - 3} more" if len(found.passed_over) > 3 else ""
+        screen.print(f"passed over: {escaped(', '.join(found.passed_over[:3]))}{rest}: no recordings")
     screen.print(f"{len(done)} of {len(rows)} recordings done; table.csv and index.html in {directory}")

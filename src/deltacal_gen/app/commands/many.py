@@ -133,5 +133,5 @@ def batch(
     found = fleet.conduct(
         folder, directory, action, model=model, machine=machine, workers=workers, cluster=cluster, told=told
     )
-    write_files({Path(directory) / "index.html": pages.batch(found)})
+    write_files({Path(directory) / "index.html": pages.batch(found, fleet.write_pages(found, Path(directory)))})
     return found
