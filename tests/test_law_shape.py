@@ -1,4 +1,4 @@
-"""The shape of a law: bends and modulations that it earns, and none that it does not."""
+"""The shape of a law: the curves that it earns, and none that it does not."""
 
 from __future__ import annotations
 
@@ -9,13 +9,14 @@ import pytest
 
 from deltacal_gen.diagnosis.laws import grammar
 from deltacal_gen.diagnosis.laws.ground import Ground, Tried
+from deltacal_gen.diagnosis.laws.profile import refine
 from deltacal_gen.diagnosis.laws.screen import price
-from deltacal_gen.diagnosis.laws.shape import BEND, shaped
+from deltacal_gen.diagnosis.laws.shape import _runs_away, shaped
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.physics.terms import Term
-from tests.left_out import DELTA, machine, record
+from tests.left_out import DELTA, SIGMA, machine, record
 from tests.test_law_language import LIMB, law
 
 N = 90
@@ -30,20 +31,65 @@ def straight(*truth: Term) -> tuple[Ground, Tried]:
     """Return what geometry alone leaves of a machine with a law, and a straight line of the payload."""
     at = fit(pose_problem(ROBOT, record(ROBOT, *truth, n=N, of=OF), DELTA.model(DELTA.full_model)), Prior())
     tried = Tried("joint", grammar.single("payload", grammar.Atom("payload")), (LIMB,), 0.0, 0.0)
-    return Ground(at), dataclasses.replace(tried, price=price(tried, 1))
+    quiet = dataclasses.replace(
+        at, sigma=np.full(3, SIGMA), weights=np.ones(N)
+    )  # as what is left once the law is known
+    return Ground(at).sharper(quiet), dataclasses.replace(tried, price=price(tried, 1))
 
 
 def test_a_straight_line_stays_one() -> None:
     ground, tried = straight(law("joint = c1*payload", 5e-4))
-    assert shaped(ground, tried) is tried
+    assert shaped(ground, tried).form.functions == tried.form.functions
 
 
 def test_a_bend_is_found_where_it_is() -> None:
     ground, tried = straight(law("joint = c1*payload", 3e-4), law("joint = c1*Max(payload - c2, 0)", 9e-4, 1.3))
     found = shaped(ground, tried)
     assert found.form.states == ("payload",)
-    assert any(abs(k - 1.3) < 0.1 for k in found.form.constants)
-    assert found.gain > ground.gain(ground.place("joint"), tried.form, tried.limbs) + BEND
+    assert any(abs(k - 1.3) < 0.05 for k in found.form.constants)
+    ground.term(found.target, found.form, found.limbs)  # its text is a law
+
+
+def test_both_curves_of_a_product_are_found() -> None:
+    ground, tried = straight(law("joint = c1*tanh(payload/c2)*exp(oil_C/c3)", 5e-7, 0.8, 7.0))
+    product = grammar.product(("payload", grammar.Atom("payload")), ("oil_C", grammar.Atom("oil_C")))
+    found = shaped(ground, dataclasses.replace(tried, form=product))
+    saturating, growing = grammar.Atom("tanh(payload/{0})", (0.8,)), grammar.Atom("exp(oil_C/{0})", (7.0,))
+    truth = ground.gain(ground.place("joint"), grammar.product(("payload", saturating), ("oil_C", growing)), (LIMB,))
+    assert ground.gain(ground.place("joint"), product, (LIMB,)) < 0.97 * truth
+    assert found.gain > truth - 12.0  # two parts of a form: less than that is not told
+
+
+def test_what_readings_cannot_tell_apart_is_told_as_the_simplest() -> None:
+    ground, tried = straight(law("joint = c1*payload", 4e-5), law("joint = c1*Max(payload - c2, 0)", 1.2e-4, 1.3))
+    found = shaped(ground, tried)
+    assert found.form.text == "c1*payload**2"  # a bend explains as much, and has a constant more
+
+
+def test_what_runs_away_beyond_the_readings_is_no_shape() -> None:
+    ground, tried = straight(law("joint = c1*exp(oil_C/c2)", 2e-24, 1.0))
+    steep = dataclasses.replace(tried, form=grammar.single("oil_C", grammar.Atom("exp(oil_C/{0})", (1.0,), 3)))
+    assert _runs_away(ground, steep)
+    gentle = dataclasses.replace(tried, form=grammar.single("oil_C", grammar.Atom("exp(oil_C/{0})", (10.0,), 3)))
+    assert not _runs_away(ground, gentle)
+
+
+def test_a_sum_of_functions_is_written_and_read_again() -> None:
+    curve = grammar.Curve("payload", (grammar.Atom("tanh(payload/{0})", (2.0,)), grammar.Atom("1")), (0.5,))
+    assert curve.text == "(tanh(payload/{0}) + {1})"
+    assert curve.constants == (2.0, 0.5)
+    assert curve.with_constants((3.0, 0.7)) == grammar.Curve(
+        "payload", (grammar.Atom("tanh(payload/{0})", (3.0,)), grammar.Atom("1")), (0.7,)
+    )
+
+
+def test_constants_are_where_the_gain_is_largest() -> None:
+    ground, tried = straight(law("joint = c1*tanh(payload/c2)", 2e-3, 0.8))
+    form = grammar.single("payload", grammar.Atom("tanh(payload/{0})", (2.5,), 3))
+    place = ground.place("joint")
+    found = refine(ground, place, dataclasses.replace(tried, form=form, gain=ground.gain(place, form, tried.limbs)))
+    gains = [ground.gain(place, form.with_constants((c,)), tried.limbs) for c in np.linspace(0.4, 1.6, 121)]
+    assert found.gain > max(gains) - 0.02
 
 
 def test_a_state_that_modulates_a_law_is_found() -> None:

@@ -51,7 +51,7 @@ from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification import checks
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.noise import Noise, doubted, noise
-from deltacal_gen.identification.prior import with_prior
+from deltacal_gen.identification.prior import learned, with_prior
 from deltacal_gen.identification.together import as_predicts, deviance_of, together
 from deltacal_gen.machine.backend import by_recording
 from deltacal_gen.machine.registry import mechanism_of
@@ -193,6 +193,9 @@ def diagnose(
             repeats=calm,
             must_converge=False,
         )
+    if lawful:  # nothing is left for geometry to imitate
+        as_large = dataclasses.replace(problem, scale=learned(current, robot))
+        current = refitted(as_large, current, terms_of(current), tolerance=CONVERGED) or current
     current = as_predicts(current)
     heldout = (before, after if spectrum is None else spectrum.heldout[1])
     named_any = current.problem.terms or current.problem.held

@@ -8,9 +8,11 @@ import numpy as np
 
 from deltacal_gen.estimation.fit import BROAD, Fit
 from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.estimation.system import system
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.machine.registry import Array
 
+FACTORS = tuple(np.geomspace(0.02, 4.0, 40).tolist())  # of a prior's size, that are tried
 NOTHING_LEFT = 1e-12  # of a prior's variance: then the data know everything
 
 
@@ -19,6 +21,33 @@ def with_prior(problem: Problem, robot: Robot) -> tuple[Problem, tuple[bool, ...
     given = tuple(n in robot.tolerance for n in problem.names)
     sd = np.array([robot.tolerance.get(n, BROAD * s) for n, s in zip(problem.names, problem.scale, strict=True)])
     return dataclasses.replace(problem, scale=sd), given
+
+
+def learned(at: Fit, robot: Robot) -> Array:
+    """Return standard deviations (n,) of source errors beforehand: as large as the readings show them on the whole.
+
+    The factor common to all that the robot file gives no tolerance for is where the evidence is largest, everything
+    that is fitted integrated out (MacKay 1992, Neural Computation 4, 415-447).
+    """
+    problem, n = at.problem, len(at.problem.names)
+    state = problem.linearise(at.errors, at.instrument, at.machine)
+    found = system(state, at.sigma, at.weights, at.repeats, problem.scale)
+    A_p, A_m, b = found.A_p, found.A_m, found.b
+    departure = (at.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
+    target = b + A_p @ departure
+    Q = np.linalg.qr(np.hstack([A_m, A_p[:, n:]]))[0]
+    A, y = A_p[:, :n] - Q @ (Q.T @ A_p[:, :n]), target - Q @ (Q.T @ target)
+    G, g = A.T @ A, A.T @ y
+    free = np.array([name not in robot.tolerance for name in problem.names])
+
+    def evidence(factor: float) -> float:
+        scale = np.where(free, factor, 1.0)
+        known = np.eye(n) + G * np.outer(scale, scale)
+        return float(scale * g @ np.linalg.solve(known, scale * g) - np.linalg.slogdet(known)[1])
+
+    best = max(FACTORS, key=evidence) if free.any() else 1.0
+    out: Array = np.where(free, best, 1.0) * problem.scale[:n]
+    return out
 
 
 def share_of_data(final: Fit) -> Array:

@@ -21,7 +21,8 @@ THRESHOLDS = (0.15, 0.3, 0.4, 0.5, 0.6, 0.7, 0.85)  # quantiles of a state at wh
 SCALES = (0.1, 0.2, 0.4, 0.8, 1.6)  # of the largest value of a state: scales of what saturates or dies away
 LAGS = 8  # time constants, from the time between rows to half of the session
 PERIODS = 36  # of a state: from its whole width to four rows
-PHASES = (0.0, 0.25, 0.5, 0.75)  # of a period, at which what is no wave may begin
+PHASES = tuple(np.arange(8) / 8)  # of a period, at which what is no wave may begin
+NEAR_ZERO = 0.1  # of a state's width: what begins farther from nought does not pass it
 ONCE = ("time",)  # what comes once: a step in it, or a bump, is an event and no law
 CONSTANT = re.compile(r"\{(\d+)\}")
 
@@ -33,6 +34,49 @@ class Atom:
     text: str
     constants: tuple[float, ...] = ()
     length: int = 1
+
+
+@dataclass(frozen=True)
+class Curve:
+    """A function of one state: a sum, all parts but the first with a weight."""
+
+    state: str
+    atoms: tuple[Atom, ...]
+    weights: tuple[float, ...] = ()
+
+    @property
+    def text(self) -> str:
+        """The sum, its constants as ``{0}``: those of the first part, then each weight and those of its part."""
+        text, count = self.atoms[0].text, len(self.atoms[0].constants)
+        for atom in self.atoms[1:]:
+            weight, count = f"{{{count}}}", count + 1
+            own = renumbered(atom.text, count)
+            text += f" + {weight}" if atom.text == "1" else f" + {weight}*{own}"
+            count += len(atom.constants)
+        return text if len(self.atoms) == 1 else f"({text})"
+
+    @property
+    def constants(self) -> tuple[float, ...]:
+        """All of them, in the order of the text."""
+        out = list(self.atoms[0].constants)
+        for weight, atom in zip(self.weights, self.atoms[1:], strict=True):
+            out += [weight, *atom.constants]
+        return tuple(out)
+
+    @property
+    def length(self) -> int:
+        """Parts that there are to say of it."""
+        return sum(a.length for a in self.atoms) + len(self.weights)
+
+    def with_constants(self, constants: Sequence[float]) -> Curve:
+        """Return the curve with other constants."""
+        left, weights, atoms = list(constants), list[float](), list[Atom]()
+        for k, atom in enumerate(self.atoms):
+            if k:
+                weights.append(left.pop(0))
+            own = tuple(left.pop(0) for _ in atom.constants)
+            atoms.append(replace(atom, constants=own))
+        return replace(self, atoms=tuple(atoms), weights=tuple(weights))
 
 
 @dataclass(frozen=True)
@@ -53,6 +97,7 @@ class Form:
     constants: tuple[float, ...]
     states: tuple[str, ...]
     length: int
+    curves: tuple[Curve, ...] = ()
 
     @property
     def functions(self) -> tuple[str, ...]:
@@ -147,23 +192,29 @@ def full(state: str, values: Array, lags: Sequence[float] = ()) -> list[Atom]:
     if switch(values):
         return out + late
     most, width, signed = float(np.abs(values).max()), float(np.ptp(values)), values.min() < 0 < values.max()
-    out += [Atom(f"{state}**{n}", (), n) for n in (2, 3)]
+    out += [Atom(f"{state}**2", (), 2), Atom(f"{state}**3", (), 5)]  # few things grow so fast
     out += [Atom(f"sqrt(Abs({state}))", (), 2), *late]
     at = sorted({float(k) for k in np.quantile(values, THRESHOLDS)})
     for k in at:
         out += [Atom(f"Max({state} - {{0}}, 0)", (k,), 3)]
         if state in ONCE:
             continue
-        out += [Atom(f"Heaviside({state} - {{0}})", (k,), 3)]
+        out += [Atom(f"Heaviside({state} - {{0}})", (k,), 4)]  # between any two readings
         out += [Atom(f"tanh(({state} - {{0}})/{{1}})", (k, s * width), 5) for s in (0.05, 0.15)]
         out += [Atom(f"exp(-(({state} - {{0}})/{{1}})**2)", (k, s * width), 6) for s in (0.1, 0.25)]
+        root = f"sqrt(({state} - {{0}})**2 + {{1}}**2)"  # a bend that is round
+        out += [Atom(f"({sign}({state} - {{0}}) + {root})", (k, 0.15 * width), 5) for sign in ("", "-")]
+        out += [Atom(root, (k, 0.15 * width), 5)]
     for s in SCALES:
         out += [Atom(f"exp({sign}{state}/{{0}})", (s * width,), 3) for sign in ("", "-")]
         out += [Atom(f"log(1 + Abs({state})/{{0}})", (s * most,), 4)]
-        out += [Atom(f"exp(-Abs({state})/{{0}})", (s * most,), 4), Atom(f"exp(-({state}/{{0}})**2)", (s * most,), 4)]
-        if signed:
-            out += [Atom(f"tanh({state}/{{0}})", (s * most,), 3)]
-            out += [Atom(f"{state}/(Abs({state}) + {{0}})", (s * most,), 4)]
+        if values.min() < NEAR_ZERO * width:  # elsewhere it is an exponential that has no end
+            out += [
+                Atom(f"exp(-Abs({state})/{{0}})", (s * most,), 4),
+                Atom(f"exp(-({state}/{{0}})**2)", (s * most,), 4),
+            ]
+        out += [Atom(f"tanh({state}/{{0}})", (s * most,), 3)]
+        out += [Atom(f"{state}/({{0}} + Abs({state}))", (s * most,), 4)]
     if signed:
         out += [Atom(f"{state}*Abs({state})", (), 2), Atom(f"sign({state})", (), 2)]
         out += [Atom(f"sign({state})*sqrt(Abs({state}))", (), 3)]
@@ -173,6 +224,16 @@ def full(state: str, values: Array, lags: Sequence[float] = ()) -> list[Atom]:
     return out
 
 
+def renumbered(text: str, by: int) -> str:
+    """Return a text whose constants count from another one on."""
+    return CONSTANT.sub(lambda m: f"{{{int(m[1]) + by}}}", text)
+
+
+def calm(atom: Atom) -> bool:
+    """Tell whether a function goes on no faster than a straight line beyond where it was seen."""
+    return not re.match(r"exp\(-?\w+/|.*\*\*[23]$|\w+\*Abs", atom.text)
+
+
 def factors(state: str, values: Array, lags: Sequence[float] = ()) -> list[Atom]:
     """Return functions of a state of which products are made where one explains much: coarser than `full`."""
     out = [*linear(state, values), *simple(state, values)[len(plain(state, values)) :]]
@@ -180,7 +241,8 @@ def factors(state: str, values: Array, lags: Sequence[float] = ()) -> list[Atom]
     if switch(values):
         return out + late
     most = float(np.abs(values).max())
-    out += [Atom(f"exp(-({state}/{{0}})**2)", (s * most,), 4) for s in (0.2, 0.6)]
+    if values.min() < NEAR_ZERO * float(np.ptp(values)):
+        out += [Atom(f"exp(-({state}/{{0}})**2)", (s * most,), 4) for s in (0.2, 0.6)]
     out += [Atom(f"log(1 + Abs({state})/{{0}})", (s * most,), 4) for s in (0.1, 0.5)]
     return out + late
 
@@ -205,11 +267,11 @@ def periodic(state: str, frequency: float) -> list[Atom]:
     """Return periodic functions that are no sine, of about a frequency [1 per unit of the state]."""
     period, out = 2 * np.pi / frequency, []
     for p, phase in itertools.product((0.97, 1.0, 1.03), PHASES):
-        at = (phase * period, p * period)
+        at = (float(phase * period), p * period)
         rest = f"Mod({state} - {{0}}, {{1}})"
         out += [Atom(rest, at, 6), Atom(f"Abs({rest} - {{1}}/2)", at, 7), Atom(f"Heaviside({rest} - {{1}}/2)", at, 7)]
-        out += [Atom(f"Abs(sin(({state} - {{0}})*{{1}}))", (phase * period, 0.5 * frequency / p), 6)]
-        out += [Atom(f"Abs(sin(({state} - {{0}})*{{1}}))", (phase * period, frequency / p), 6)]
+        out += [Atom(f"Abs(sin(({state} - {{0}})*{{1}}))", (float(phase * period), 0.5 * frequency / p), 6)]
+        out += [Atom(f"Abs(sin(({state} - {{0}})*{{1}}))", (float(phase * period), frequency / p), 6)]
     return out
 
 

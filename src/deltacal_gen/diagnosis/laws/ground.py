@@ -9,7 +9,7 @@ from __future__ import annotations
 import copy
 import dataclasses
 import functools
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -205,13 +205,27 @@ class Ground:
         own = _constants(text)
         key = text, tuple(constants[k] for k in own)
         if key not in self._factors:
-            names = {f"c{k}": constants[k] for k in own}
-            f = formula(text.format(*(f"c{k}" for k in range(len(constants)))))
-            known: dict[str, Array | float] = {**names}
-            known |= {n: v.reshape(len(v), -1) for n in f.names if (v := self.states.get(n)) is not None}
-            known |= {f"Lag({s}, {tau})": self.lagged(s, names[tau]) for s, tau in f.lags}
-            self._factors[key] = np.nan_to_num(f(known), posinf=0.0, neginf=0.0)
+            self._factors[key] = self._computed(text, constants, self.states)
         return self._factors[key]
+
+    def _computed(self, text: str, constants: tuple[float, ...], states: Mapping[str, Array]) -> Array:
+        f = formula(text.format(*(f"c{k}" for k in range(len(constants)))))
+        names = {f"c{k}": constants[k] for k in _constants(text)}
+        known: dict[str, Array | float] = {**names}
+        known |= {n: v.reshape(len(v), -1) for n in f.names if (v := states.get(n)) is not None}
+        known |= {f"Lag({s}, {tau})": self.lagged(s, names[tau]) for s, tau in f.lags}
+        out = np.nan_to_num(f(known), posinf=0.0, neginf=0.0)
+        return out if out.ndim else np.full((len(self.rows), 1), float(out))
+
+    def farther(self, form: Form, part: float) -> Array:
+        """Return what `values` does, of states that reach beyond both of their ends by a part of their width."""
+        states = {}
+        for name in form.states:
+            v = self.states[name]
+            middle = 0.5 * (v.min() + v.max())
+            states[name] = middle + (1 + 2 * part) * (v - middle)
+        each = [[self._computed(t, form.constants, states) for t in factors] for factors in form.factors]
+        return np.stack([functools.reduce(np.multiply, some) for some in each], axis=2)
 
     def lagged(self, state: str, tau: float) -> Array:
         """Return a state as it lags, at the readings (R, limbs or 1)."""

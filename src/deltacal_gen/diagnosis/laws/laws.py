@@ -135,11 +135,15 @@ def _beside(
         return Sought()
     if not proof.holds:
         return Sought(doubtful=proof.grown.terms[0] if proof.share > 0 else None)
-    grown = _of_all(problem, base, proof.grown, names)
-    grown = None if grown is None else _needed(problem, curved(problem, grown), found)
-    if grown is None or not grown.law or _moved(grown) or grown.cost >= deviance_of(found.search.fit):
-        return Sought()
-    return Sought(tuple(_told(problem, _calm(problem, grown), proof)))
+    first = _of_all(problem, base, proof.grown, names)
+    for grown in () if first is None else (curved(problem, first), first):
+        out = _needed(problem, grown, found)
+        if not out.law or _moved(out) or out.cost >= deviance_of(found.search.fit):
+            continue
+        asked = _asked(problem, out, proof)  # what is told is asked for as it is written
+        if asked is not None and asked.holds:
+            return Sought(tuple(_told(problem, _calm(problem, out), asked)))
+    return Sought()
 
 
 def _moved(grown: Grown) -> bool:
@@ -230,14 +234,17 @@ def _told(problem: Problem, grown: Grown, proof: Proof) -> list[Lawful]:
 
 
 def _asked(problem: Problem, grown: Grown, proof: Proof) -> Proof | None:
-    """Return what the readings that were asked say of another law: of its numbers, its form being given."""
+    """Return what readings that were asked say of a law whose form is given, its numbers as the others have them."""
     part = problem.subset(np.flatnonzero(proof.train))
     terms = terms_of(grown.fit)
     without = refitted(part, grown.fit, terms[: len(terms) - len(grown.law)])
     found = refitted(part, grown.fit, terms)
     if without is None or found is None:
         return None
-    return judged(problem, without, dataclasses.replace(grown, fit=found), proof.train, proof.test)
+    known = Grown(found, grown.law, (), deviance_of(found) + sum(t.price + MARGIN for t in grown.law))
+    for i in range(len(grown.law)):
+        known = polished(part, known, i)
+    return judged(problem, without, known, proof.train, proof.test)
 
 
 def _with_figures(grown: Grown, proof: Proof) -> Lawful:

@@ -16,6 +16,7 @@ import numpy as np
 from deltacal_gen.diagnosis.laws import grammar
 from deltacal_gen.diagnosis.laws.grammar import Form
 from deltacal_gen.diagnosis.laws.ground import Ground, Place, Tried
+from deltacal_gen.diagnosis.laws.profile import refine
 from deltacal_gen.diagnosis.search import MOST_SETS, best_set, gains, quantile
 from deltacal_gen.diagnosis.strategy import MARGIN
 from deltacal_gen.machine.registry import Array
@@ -24,8 +25,6 @@ PART = 2 * np.log(4)  # of chi2: price of each part that there is to say of a la
 LOOKED_AT = 10  # states, or pairs of them, at a place, of which every function is tried
 KINDS = 8  # functions of a state of which the best constants are sought
 REFINED = 16  # forms whose constants are sought between the steps of their grids
-STEPS = 60  # of that search
-SHARP = 0.15  # of a constant, in logarithms, or of the width of its state: its first step
 NEAR = 0.5  # of the best score: what explains less is not looked at closer
 
 
@@ -175,48 +174,3 @@ def _carried(ground: Ground, place: Place, tried: Tried) -> Tried:
         sets = [s for n in range(1, limbs + 1) for s in itertools.combinations(place.limbs, n)]
         own = max(sets, key=worth)
     return dataclasses.replace(tried, limbs=own, gain=gain(own))
-
-
-def refine(ground: Ground, place: Place, tried: Tried) -> Tried:
-    """Return a form with its constants where it explains most: from the step of their grids, along each in turn."""
-    form = tried.form
-    if not form.constants:
-        return tried
-    best, at = tried.gain, np.array(form.constants)
-    step = np.array([SHARP * _size(ground, form, k) for k in range(len(at))])
-    for _ in range(STEPS):
-        moved = False
-        for k in range(len(at)):
-            for sign in (1.0, -1.0):
-                trial = at.copy()
-                trial[k] += sign * step[k]
-                if trial[k] * at[k] <= 0 and not _threshold(form, k):
-                    continue  # a scale, a period or a time has a sign
-                found = ground.gain(place, form.with_constants(trial), tried.limbs)
-                if found > best + 1e-3:
-                    best, at, moved = found, trial, True
-                    step[k] *= 1.5
-                    break
-            else:
-                step[k] *= 0.5
-        if not moved and (step < 1e-3 * np.maximum(np.abs(at), 1e-12)).all():
-            break
-    return dataclasses.replace(tried, form=form.with_constants(at), gain=best)
-
-
-def _threshold(form: Form, k: int) -> bool:
-    """Tell whether a constant is a place on the axis of its state, and no size."""
-    return any(f"- {{{k}}}" in f for f in form.functions)
-
-
-def _size(ground: Ground, form: Form, k: int) -> float:
-    if _threshold(form, k):
-        return float(np.ptp(ground.states[form.states[-1] if len(form.states) == 1 else _owner(form, k)]))
-    return abs(form.constants[k])
-
-
-def _owner(form: Form, k: int) -> str:
-    """Return the state whose function holds a constant: the last one before it in the text."""
-    text = next(f for f in form.functions if f"{{{k}}}" in f)
-    before = text[: text.index(f"{{{k}}}")]
-    return max(form.states, key=before.rfind)

@@ -13,7 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from deltacal_gen.diagnosis.laws.ground import Ground, Tried
-from deltacal_gen.diagnosis.laws.screen import ranked, refine
+from deltacal_gen.diagnosis.laws.profile import refine
+from deltacal_gen.diagnosis.laws.screen import ranked
 from deltacal_gen.diagnosis.laws.shape import shaped
 from deltacal_gen.diagnosis.strategy import ALIKE, MARGIN, refitted, terms_of
 from deltacal_gen.diagnosis.structure import alike, structures
@@ -31,6 +32,7 @@ SHARE = 0.75  # of what stands above the noise: what a law has to take
 ON_THE_WAY = (0.3, 0.55)  # of the same: what one term, and two, have to take, or the search ends
 TRIMMED = 0.03  # of readings: the largest errors, which may be gross
 TRIED = 3  # forms of which the exact fit is asked for
+LOOKS = 4  # at the shape of a term
 COMPARED = 0.5  # of chi2: what a last step may still gain in a fit that is compared with others, by a margin of 10
 
 
@@ -167,13 +169,21 @@ def polished(problem: Problem, grown: Grown, i: int = -1) -> Grown:
 
 
 def curved(problem: Problem, grown: Grown) -> Grown:
-    """Return a law whose terms each have the shape that they earn beside everything else that is fitted."""
+    """Return a law whose terms each have the shape that they earn beside everything else that is fitted.
+
+    What counts as a gross error, and the noise, follow the shape: each is looked at again by what it leaves.
+    """
     for i in range(len(grown.law)):
-        ground = Ground(grown.fit).freed(len(terms_of(grown.fit)) - len(grown.law) + i)
-        bent = shaped(ground, grown.law[i])
-        again = None if bent is grown.law[i] else fitted(problem, grown, ground, bent, grown.others, i)
-        if again is not None and again.cost < grown.cost:
+        for _ in range(LOOKS):
+            ground = Ground(grown.fit).freed(len(terms_of(grown.fit)) - len(grown.law) + i)
+            bent = shaped(ground, grown.law[i])
+            same = bent.form.functions == grown.law[i].form.functions
+            again = fitted(problem, grown, ground, bent, grown.others, i)
+            if again is None or again.cost > grown.cost + COMPARED:
+                break
             grown = again
+            if same:
+                break
     return grown
 
 
