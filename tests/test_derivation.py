@@ -553,3 +553,15 @@ def test_the_command_says_what_it_wrote(run: Any, tmp_path: Path) -> None:
     assert code == 0
     assert json.loads(out)["files"] == [str(tmp_path / "effect.md")]
     assert math.isclose((tmp_path / "effect.md").read_text().count("```math"), 4, abs_tol=3)
+
+
+@pytest.mark.parametrize("name", ["complete_delta", "delta", "diamond", "robotennis", "linear_delta"])
+def test_weights_at_rest_and_bodies_in_motion_have_the_same_masses_at_the_same_places(name: str) -> None:
+    """Written down twice, for statics and for dynamics: mass and first moment of a limb agree without errors."""
+    machine = limbs(name)
+    at_rest = sum((w.mass * sp.Matrix([1, *w.point]) for w in machine.limb_weights), sp.zeros(4, 1))
+    moments = [part for part in machine.limb_inertials if part.unit != "kg mm^2"]
+    moving = sum((part.stated * m * sp.Matrix([1, *p]) for part in moments for m, p in part.points), sp.zeros(4, 1))
+    assert at_rest != sp.zeros(4, 1)
+    errors = {e.symbol: 0 for e in machine.errors}
+    assert (at_rest - moving).subs(errors).applyfunc(sp.simplify) == sp.zeros(4, 1)

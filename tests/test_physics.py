@@ -188,10 +188,14 @@ def test_inertia_of_a_lone_arm_is_its_moment_of_inertia_times_acceleration(name:
     rng = np.random.default_rng(4)
     speeds = {"qd": np.zeros(q.shape), "qdd": rng.uniform(-20, 20, q.shape), "payload": np.zeros(len(q))}
     alone = Body(robot, machine, q, tool, Channels(speeds, np.arange(len(q), dtype=float)))
-    x, _ = machine.forward(q, tool, machine.rows(robot))
-    torque = alone.state(["inertia_torque"], x, q, machine.rows(robot))["inertia_torque"]
+    longer, rows = 5.0, np.array(machine.rows(robot))
+    for part, much in machine.moves(robot)["arm"].items():
+        rows[:, :, machine.column(part)] += longer * np.diag(much)
+    x, _ = machine.forward(q, tool, rows)
+    torque = alone.state(["inertia_torque"], x, q, rows)["inertia_torque"]
     m, L = ARM.proximal, machine.roles(robot)["L"]
-    inertia = m * L**2 / 12 + m * (ARM.proximal_com * L) ** 2  # kg mm^2, about the joint
+    centre = ARM.proximal_com * (L + longer * (name != "complete_delta"))  # whose errors are those of the rods' ends
+    inertia = m * L**2 / 12 + m * centre**2  # kg mm^2, about the joint
     assert torque == pytest.approx(-inertia * speeds["qdd"] / 1000.0, rel=1e-5, abs=1e-3)
 
 

@@ -71,7 +71,14 @@ NEAREST = {  # tests by what was changed, the nearest and quickest first
     "serial": ("test_serial",),
 }
 BY_KIND = {
-    "mechanisms": ("test_papers", "test_every_mechanism", "test_physics", "test_laws", "test_frozen"),
+    "mechanisms": (
+        "test_papers",
+        "test_every_mechanism",
+        "test_physics",
+        "test_laws",
+        "test_derivation",
+        "test_frozen",
+    ),
     "effects": ("test_physics", "test_states", "test_memory", "test_laws", "test_derivation", "test_frozen"),
     "measurements": (
         "test_measurement",
