@@ -17,8 +17,11 @@ from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot, read_robot, robot_from_dict
+from deltacal_gen.identification.accuracy import joint_spread
 from deltacal_gen.identification.identifiability import identification_matrix
-from deltacal_gen.machine.registry import SOLVED, load_mechanism
+from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.machine.registry import SOLVED, load_mechanism, mechanism_of
+from deltacal_gen.machine.values import Measurement
 from deltacal_gen.pages.plans import figure
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.planning import matrix, optimal, planning, singularities, targets
@@ -413,3 +416,17 @@ def test_positions_do_not_say_that_these_are_singular(name: str, model: str) -> 
         planning.plan(example_robot(name), model, singular=(50.0, 100.0))
     with pytest.raises(UsageError, match="the lesser first"):
         planning.plan(example_robot("robotennis"), "robotennis/15", singular=(100.0, 50.0))
+
+
+def test_images_of_a_board_are_planned_where_they_show_it() -> None:
+    """An arm's camera looks away from the board at many a pose: such a pose tells nothing, and is not chosen."""
+    robot = read_robot(example("serial") / "robot.toml")
+    mechanism, tools = mechanism_of(robot), np.atleast_2d(robot.tool)
+    wanted = np.unique(joint_spread(robot, 80), axis=0)
+    every = matrix.reached_of(robot, wanted, tools)
+    found, _ = kind_of("board_image").imagined(every.x, 1, mechanism, Measurement())
+    plan = optimal.d_optimal(robot, "serial/dh", 12, kind="board_image", candidates=wanted)
+    chosen = [int(np.argmin(np.abs(every.x - x).max(axis=1))) for x in plan.poses.x]
+    assert len({*chosen}) == 12
+    assert {*chosen} < {*found.rows[:, 0]} < {*range(80)}
+    assert plan.steps[-1].rank == len(plan.names)

@@ -90,7 +90,7 @@ def camera_row(seed: int, folder: Path) -> dict[str, float]:
     row |= (
         apart("ours", *ours, scene) | apart("told", *settled, scene) | apart("adjusted", adjusted.C, adjusted.h, scene)
     )
-    row |= bound(scene, joints, wrong, shown, [p.name for p in identified])
+    row |= bound(scene, joints, wrong, shown, [b.name for b in result.base])
     off = {f"px_{name}": rms(uv[visible] - wanted[visible]) for name, uv in told.items()}
     return row | {f"px_{method}_{arm}": np.nan for arm in ("drawn", "true") for method in METHODS} | off
 

@@ -57,7 +57,7 @@ def fewest_of(task: Task, whole: Array) -> int:
 
 def _scalars(task: Task) -> int:
     """Return how many coordinates are read at one position."""
-    return at_poses(task).scalars * len(task.tools)
+    return at_poses(task).per_pose * len(task.tools)
 
 
 def d_optimal(
@@ -140,7 +140,7 @@ def d_optimal(
 def log_determinant(task: Task, targets: Array) -> float:
     """Return what `d_optimal` maximises, in ordinary errors and for noise of 1 mm; -inf where the rank is short."""
     poses = reached_of(task.robot, targets, task.tools)
-    J, F = _with_frame(task, poses)
+    J, F, _ = _with_frame(task, poses)
     figures = observability(without(J.reshape(-1, J.shape[2]), F.reshape(-1, F.shape[2])), len(poses))
     return float(2 * np.log(figures.singular_values).sum()) if figures.rank == len(task.names) else -math.inf
 
@@ -232,8 +232,10 @@ def _kept(robot: Robot, names: Sequence[str], tools: Array, kind: Kind, mount: M
     return set(base_parameters(H, names, typical)[0])
 
 
-def _with_frame(task: Task, poses: Poses) -> tuple[Array, Array]:
-    """Return derivatives of the readings by parameters and frames, (P, k, n) and (P, k, n_m), comparable in size.
+def _with_frame(task: Task, poses: Poses) -> tuple[Array, Array, Array]:
+    """Return derivatives of the readings by parameters and frames, (R, k, n) and (R, k, n_m), comparable in size.
+
+    And the pose (R,) of each reading: what stands out of sight has none, an image has several.
 
     Distances lie between positions, of each reference point in a frame of its own.
     """
@@ -243,7 +245,7 @@ def _with_frame(task: Task, poses: Poses) -> tuple[Array, Array]:
         instrument = dataclasses.replace(instrument, state=np.tile(instrument.state, (poses.points, 1)))
     moved = sensitivity(task.robot, poses, task.names) * column_convention(task.robot, task.names, "typical")[0]
     J, F = linearise(found, instrument, poses.x, moved)
-    return J, F / np.linalg.norm(F, axis=(0, 1))
+    return J, F / np.linalg.norm(F, axis=(0, 1)), found.rows[:, 0]
 
 
 def bases(task: Task, poses: Poses) -> tuple[Array, Array]:
@@ -252,11 +254,16 @@ def bases(task: Task, poses: Poses) -> tuple[Array, Array]:
     In blocks (M, k T, rank), one per candidate: determinants in these bases differ from those in parameters by
     a constant, and are well scaled.
     """
-    J, F = _with_frame(task, poses)
+    J, F, at = _with_frame(task, poses)
+    order = np.arange(len(at)) - np.searchsorted(at, at)  # of a reading among those of its pose
+    k, most = J.shape[1], int(order.max()) + 1
 
     def blocks(columns: Array) -> Array:
         U, s, _ = np.linalg.svd(columns.reshape(-1, columns.shape[2]), full_matrices=False)
-        by_point = U[:, s > RANK_TOLERANCE * s[0]].reshape(poses.points, len(poses) // poses.points, J.shape[1], -1)
+        seen = U[:, s > RANK_TOLERANCE * s[0]].reshape(len(at), k, -1)
+        each = np.zeros((len(poses), most, k, seen.shape[2]))
+        each[at, order] = seen
+        by_point = each.reshape(poses.points, len(poses) // poses.points, most * k, -1)
         return np.concatenate(list(by_point), axis=1)
 
     return blocks(np.concatenate([J, F], axis=2)), blocks(F)
