@@ -9,6 +9,7 @@ name in `commands`. `common` is what they share.
 
 from __future__ import annotations
 
+import io
 import os
 import sys
 import traceback
@@ -82,6 +83,9 @@ def _options(
 
 def main() -> None:
     """Run the command line; an explained error ends with its own exit code and no traceback."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")  # a letter that the screen's code page has not is no fault
     try:
         app()
     except DeltacalError as error:
