@@ -95,3 +95,22 @@ def test_a_truth_says_it_beside_the_joint_s_dry_friction_or_with_it(truth: str, 
 def test_a_stiffness_without_a_force_says_what_is_missing(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="presliding_friction needs a number for 'travel'"):
         carried(tmp_path, STATED[0])
+
+
+def yielding(q: np.ndarray) -> np.ndarray:
+    """Return Bouc's and Wen's hysteresis (N,) along joints (N,) [deg]: it yields over 3 deg, and keeps a stiffness."""
+    z = np.zeros(len(q))
+    for n, way in enumerate(np.diff(q), start=1):
+        z[n] = z[n - 1] + (way - 0.7 * abs(way) * z[n - 1] - 0.3 * way * abs(z[n - 1])) / 3.0
+    return 0.7 * z + 0.3 * (q - q.mean()) / np.std(q)
+
+
+def test_hysteresis_of_another_shape_is_not_explained(tmp_path: Path) -> None:
+    def friction(states: np.ndarray, load: np.ndarray) -> np.ndarray:
+        return np.outer(1.5 * yielding(states[0, :, 1] / DEG), [0.0, 1.0, 0.0])
+
+    path = written(tmp_path, friction, seed=2)
+    found = dc.diagnose(tmp_path / "robot.toml", path)
+    assert found["verdict"] == "unexplained"
+    assert [u["limb"] for u in found["unexplained"]] == [2]
+    assert {j for e in found["effects"] for j in e["limbs"]} <= {2}

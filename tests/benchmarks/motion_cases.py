@@ -293,7 +293,8 @@ def generate(seed: int, kind: str, rate: float = 500.0) -> Case:
     at = _movement(rng, robot, rate, rigid)
     n = at.load.shape[1]
     noise = NOISE * np.sqrt(np.mean(at.load**2, axis=0))
-    columns = [np.zeros((len(at.time), 0))] * n if stated else Rigid(robot).columns(at.states)
+    known = stated and kind not in FOREIGN  # what other bodies would do as well is nothing foreign
+    columns = [np.zeros((len(at.time), 0))] * n if known else Rigid(robot).columns(at.states)
     names = (*NAMES, *(BODIES if stated else ()))
     count = int(kind) if kind.isdigit() else 1
     chosen = list(rng.choice(names, count, replace=False)) if kind.isdigit() else [kind]

@@ -11,7 +11,8 @@ from scipy.stats import chi2
 from deltacal_gen.motion.joint import Fit
 from deltacal_gen.motion.ladder import PER_COEFFICIENT
 from deltacal_gen.motion.library import hats
-from deltacal_gen.motion.regression import Bench
+from deltacal_gen.motion.regression import GAP, Bench
+from deltacal_gen.physics.terms import remembers
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 WAVES = 8  # hats across the range of a channel
 SHOWS = 0.03  # of the held-out rms: what a smooth function of a channel must take away
 SMOOTH = 3.0  # times the part of the rest that changes from sample to sample: what is larger is no noise
-ABOVE = 1.15  # times a declared noise: more is no noise
+ABOVE = 1.15  # times a noise that is declared, or of single samples: more is no noise
 
 
 @dataclass(frozen=True)
@@ -65,11 +66,12 @@ WORDS = {
     "temperature": "the temperature",
     "direction": "its position, differently in both directions",
     "reversal": "how far it has moved since it last turned back",
+    "history": "the ways it came, over several reversals",
 }
 
 
-def channels(fit: Fit) -> dict[str, tuple[Array, Array]]:
-    """Return what the rest of a joint may depend on (M,), and by what that is weighted."""
+def channels(fit: Fit) -> dict[str, Array]:
+    """Return smooth functions (M, k) of what the rest of a joint may depend on."""
     states, one = fit.joint.states, np.ones(len(fit.left))
     way = np.sign(states["qd"])
     found = {
@@ -83,7 +85,18 @@ def channels(fit: Fit) -> dict[str, tuple[Array, Array]]:
     }
     if "temperature" in states:
         found["temperature"] = (states["temperature"], way)
-    return {name: pair for name, pair in found.items() if np.ptp(pair[0]) > 0}
+    smooth = {n: hats(values, WAVES) * by[:, None] for n, (values, by) in found.items() if np.ptp(values) > 0}
+    smooth["speed"] = np.column_stack([smooth["speed"], way])  # what depends on the speed may jump where it turns
+    history = _history(fit)
+    return smooth | ({"history": history} if history.size else {})
+
+
+def _history(fit: Fit) -> Array:
+    """Return what builds up over ways of many sizes (M, k): together any hysteresis that does not depend on time."""
+    joint = fit.joint
+    remember = [rung for rung in joint.candidates if remembers(rung.kernels)]
+    states = joint.states | {"torque": fit.load}
+    return np.hstack([np.empty((len(fit.left), 0)), *(joint.of_rung(rung, states) for rung in remember)])
 
 
 def _since_reversal(fit: Fit) -> Array:
@@ -109,20 +122,27 @@ def _rough(fit: Fit) -> float:
 
 
 def dependences(fit: Fit) -> list[Dependence]:
-    """Return the channels that the rest of a joint depends on, beyond chance, by what they take away."""
-    found = []
-    before_bench = Bench.of(np.ones((len(fit.left), 1)), fit.left, fit.joint.fold, 0)
-    folds = before_bench.folds
-    before = before_bench.held_out([0], folds)
-    count = float(sum(before_bench.n[list(folds)])) / fit.together
-    for name, (values, weight) in channels(fit).items():
-        X = hats(values, WAVES) * weight[:, None]
-        bench = Bench.of(X, fit.left, fit.joint.fold, X.shape[1])
-        every = range(X.shape[1])
-        bench = bench.with_ridge(every)
-        gain = count * float(np.log(before * sum(bench.n[list(folds)]) / bench.train(every, folds)))
-        share = 1.0 - float(np.sqrt(bench.held_out(every, folds) / before))
-        if share > 0 and gain > PER_COEFFICIENT * X.shape[1]:
+    """Return the channels that the rest of a joint depends on, beyond chance, by what they take away.
+
+    All that the fit has is fitted anew beside them: bodies and friction take of anything what looks like theirs, and
+    what is left alone no longer looks like what it was.
+    """
+    joint, smooth = fit.joint, channels(fit)
+    own = joint.columns(fit.rungs, fit.load)
+    bench = Bench.of(np.hstack([own, *smooth.values()]), joint.y, joint.fold, joint.X.shape[1])
+    folds, every = bench.folds, range(own.shape[1])
+    samples = float(sum(bench.n[list(folds)]))
+    before, left = bench.held_out(every, folds), bench.train(every, folds)
+    found, first = [], own.shape[1]
+    for name, X in smooth.items():
+        beside, first = [*every, *range(first, first + X.shape[1])], first + X.shape[1]
+        share = 1.0 - float(np.sqrt(bench.held_out(beside, folds) / before))
+        if share <= 0:
+            continue
+        after = bench.fit(beside, range(len(bench.n))) / bench.scale[beside]
+        count = samples / joint.correlated(joint.y - np.hstack([own, X]) @ after)
+        gain = count * float(np.log(left / max(bench.train(beside, folds), 1e-300)))
+        if gain > PER_COEFFICIENT * X.shape[1]:
             found.append(Dependence(name, share, gain, X.shape[1]))
     return sorted(found, key=lambda d: -d.share)
 
@@ -140,6 +160,9 @@ def rest(fit: Fit, sigma: float | None) -> Rest | None:
     if (over := _held_out(fit) / max(_rough(fit), 1e-300)) > SMOOTH:
         text = f"what is left of joint {fit.joint.number} on held-out samples is {over:.3g} times what differs from one"
         return Rest(fit.joint.number, "", 0.0, f"{text} sample to the next: no noise, and of nothing recorded")
+    if over > ABOVE and (lasts := fit.together * fit.joint.step) > GAP:
+        text = f"what is left of joint {fit.joint.number} hangs together over {lasts:.2g} s, longer than noise does"
+        return Rest(fit.joint.number, "", 0.0, f"{text}, and depends on nothing recorded")
     if sigma is not None and (over := fit.sigma / sigma) > ABOVE:
         text = f"what is left of joint {fit.joint.number} is {over:.3g} times the noise and depends on nothing recorded"
         return Rest(fit.joint.number, "", 0.0, text)
