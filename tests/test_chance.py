@@ -16,6 +16,7 @@ from deltacal_gen.diagnosis.search import Search
 from deltacal_gen.estimation.fit import fit, rough
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.solvers import Prior
+from tests.benchmarks.honesty_nulls import ROBOT, null
 from tests.left_out import DELTA, channels, effect, machine, record
 
 NULLS = 150
@@ -91,3 +92,11 @@ def test_without_effects_to_test_nothing_is_found(search: Search) -> None:
     bare = types.SimpleNamespace(**{**vars(bare), "terms": (), "columns": search.columns[:, :0]})
     chance = Chance(bare, np.random.default_rng(0))
     assert (chance.best, chance.p_value) == (None, 1.0)
+
+
+def test_chance_is_that_of_noise_as_it_hangs_together() -> None:
+    found = diagnose(ROBOT, null("AR 0.9", 1)).answer()
+    assert found.search is not None
+    assert found.noise.model is not None
+    assert found.noise.model.rows > 10
+    assert found.search.p_value > 0.01  # were its rows independent, 3e-7

@@ -204,7 +204,7 @@ def diagnose(
     if not unexplained:
         known = doubted(known, current)
     named = named_of(search, current, heldout, known.sigma, spectrum)
-    chance = Chance(Search(first, terms), np.random.default_rng(SEED))
+    chance = Chance(Search(_beside_noise_of(search.fit, first), terms), np.random.default_rng(SEED))
     # where a law sits is told as it showed, without the law
     of, shows = (found.search.fit, found.left) if lawful else (search.fit, left)
     location = location_of(of, shows, named, spectrum, chance, explained=not (unexplained or lawful))
@@ -256,6 +256,13 @@ def _without_orders(
     if other is None or borne_out(other.corrected / plain.sigma, smooth.corrected / plain.sigma):
         return search, left, smooth
     return Search(plain, search.terms), unexplained, other
+
+
+def _beside_noise_of(found: Fit, first: Fit) -> Fit:
+    """Return the fit of geometry alone as it counts with the noise that a later one has found: chance is of that."""
+    if found.repeats.plain and first.repeats.plain:
+        return first
+    return refitted(first.problem, dataclasses.replace(first, repeats=found.repeats), []) or first
 
 
 def _lean(problem: Problem) -> str | None:
