@@ -174,7 +174,7 @@ def diagnose(
         search, left, smooth = _without_orders(some, search, left, smooth)
     # what comes near its price, or is not borne out, is no finding, but worth a measurement
     doubtful = [] if lean else hinted(search, AMBIGUOUS)
-    doubtful += outweighed(search, terms_of(white.search.fit), doubtful)
+    doubtful += outweighed(search, white.search, doubtful, AMBIGUOUS)
     before = after = rms(lengths(found.without, kind))
     if search.effects and spectrum is None and not lawful:
         after = rms(lengths(found.predicted if search is found.tested else held_out_by(some, search, parts), kind))

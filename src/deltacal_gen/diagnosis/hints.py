@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.search import Found, Search
-from deltacal_gen.diagnosis.strategy import MARGIN, MOST_EFFECTS
+from deltacal_gen.diagnosis.strategy import MARGIN, MOST_EFFECTS, terms_of
 from deltacal_gen.physics.terms import Term
 from deltacal_gen.results.diagnosis import Hint
 
@@ -61,15 +61,24 @@ def hinted(search: Search, ambiguous: float) -> list[Hinted]:
     return out
 
 
-def outweighed(search: Search, terms: Sequence[Term], others: Sequence[Hinted]) -> list[Hinted]:
-    """Return effects that noise outweighs, with what they earn beside it, but for those that are named or hints."""
+def outweighed(search: Search, alone: Search, others: Sequence[Hinted], ambiguous: float) -> list[Hinted]:
+    """Return effects that noise outweighs, with what they earn beside it, but for those that are named or hints.
+
+    Parameters
+    ----------
+    search : Search
+        Beside all that is named, and the noise.
+    alone : Search
+        Beside what was found as if the noise of each row were its own: there others would explain as much.
+    """
     known = {name for name, _ in search.effects} | {name for h in others for name in (h.term.effect, *h.alike)}
     out = []
-    for t in terms:
+    for i, t in enumerate(terms_of(alone.fit)):
         if t.effect not in known:
-            gain = search.gain(search.where(t))
-            score = gain - search.price(t)
-            out.append(Hinted(Found(t, gain, score), t, (), outweighed=True))
+            gain, freed = search.gain(search.where(t)), alone.freed(i)
+            least = freed.gain(freed.where(t)) - alone.price(t) - ambiguous
+            rivals = tuple(f.term.effect for f in freed.ranked() if f.term.effect != t.effect and f.score > least)
+            out.append(Hinted(Found(t, gain, gain - search.price(t)), t, rivals, outweighed=True))
     return out
 
 
