@@ -17,6 +17,8 @@ from derive.graph import Steps, expand_steps
 from derive.spec import LimbMechanism
 from derive.vectors import Matrix, angle
 
+ZERO = 1e-9  # of expressions in small numbers: rounding is some 1e-15
+
 
 @cache
 def simplified_closure(mechanism: LimbMechanism) -> sp.Expr:
@@ -36,13 +38,20 @@ def as_sphere(P: Matrix, c: Matrix, d: Matrix) -> Matrix:
     return P.T * P / 2 - c.T * P + d
 
 
+def vanishes(matrix: sp.Matrix) -> bool:
+    """Whether a matrix is zero for all values of its symbols: simplified only where it is at values of no symmetry."""
+    values = {s: sp.Rational(k + 2, 17 + 6 * k) for k, s in enumerate(sorted(matrix.free_symbols, key=str))}
+    return all(abs(sp.N(e.xreplace(values))) < ZERO for e in matrix) and bool(matrix.applyfunc(sp.simplify).is_zero_matrix)
+
+
 @cache
 def sphere(mechanism: LimbMechanism) -> tuple[sp.Matrix, sp.Expr]:
     """Return centre c and constant d of the closure as a sphere, see `as_sphere`."""
     position = [quantity.symbol for quantity in mechanism.platform[: mechanism.commanded]]
     closure = simplified_closure(mechanism)
     origin = dict.fromkeys(position, 0)
-    if sp.hessian(closure, position).applyfunc(sp.simplify) != sp.eye(len(position)):
+    bent = sp.hessian(closure, position) - sp.eye(len(position))
+    if not vanishes(bent):
         raise ValueError(f"{mechanism.name}: the simplified closure is no sphere in the position.")
     return sp.Matrix([-sp.diff(closure, p).subs(origin) for p in position]), closure.subs(origin)
 
