@@ -41,7 +41,9 @@ def as_sphere(P: Matrix, c: Matrix, d: Matrix) -> Matrix:
 def vanishes(matrix: sp.Matrix) -> bool:
     """Whether a matrix is zero for all values of its symbols: simplified only where it is at values of no symmetry."""
     values = {s: sp.Rational(k + 2, 17 + 6 * k) for k, s in enumerate(sorted(matrix.free_symbols, key=str))}
-    return all(abs(sp.N(e.xreplace(values))) < ZERO for e in matrix) and bool(matrix.applyfunc(sp.simplify).is_zero_matrix)
+    return all(abs(sp.N(e.xreplace(values))) < ZERO for e in matrix) and bool(
+        matrix.applyfunc(sp.simplify).is_zero_matrix
+    )
 
 
 @cache

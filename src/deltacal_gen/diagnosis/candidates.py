@@ -13,6 +13,7 @@ from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.identification.accuracy import turned
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import SOLVED, Array
+from deltacal_gen.machine.rotation import about_z
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
@@ -168,7 +169,7 @@ def _drawn(at: Fit, tool: Array, rng: np.random.Generator) -> Array:
     depth, out = rng.random(CANDIDATES), rng.random(CANDIDATES)
     if space.radius is not None:
         angle = 2 * np.pi * rng.random(CANDIDATES)
-        across = space.radius * np.sqrt(out)[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
+        across = about_z(space.radius * np.sqrt(out), angle)
     else:
         across = (space.width or 0.0) * (out - 0.5)
     targets = turned(robot, space.place(across, depth))

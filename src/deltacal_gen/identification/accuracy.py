@@ -10,7 +10,7 @@ from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.files.robot import Robot, Workspace
 from deltacal_gen.instrument.instrument import align
 from deltacal_gen.machine.registry import SOLVED, Array, mechanism_of
-from deltacal_gen.machine.rotation import from_vector, swept
+from deltacal_gen.machine.rotation import about_z, from_vector, swept
 from deltacal_gen.units import DEG
 
 TURN = 10.0  # deg: as far as a platform turns on command either way whose workspace does not say
@@ -53,8 +53,7 @@ def circle(workspace: Workspace, depth: float, part: float, n: int, start: float
         Angle of the first point about z [rad].
     """
     angle = start + 2 * np.pi * np.arange(n) / n
-    radius = part * (workspace.radius or 0.0)
-    return workspace.place(radius * np.column_stack([np.cos(angle), np.sin(angle)]), depth)
+    return workspace.place(about_z(part * (workspace.radius or 0.0), angle), depth)
 
 
 def check_poses(workspace: Workspace, per_circle: int = 16) -> Array:

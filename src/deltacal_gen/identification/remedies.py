@@ -11,6 +11,7 @@ from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.identification.prior import with_prior
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import SOLVED, Array
+from deltacal_gen.machine.rotation import about_z
 from deltacal_gen.results.result import (
     Remedy,
 )
@@ -69,8 +70,8 @@ def printed(final: Fit) -> tuple[Remedy, ...]:
     C = np.linalg.inv(A.T @ A + np.eye(len(names))) * np.outer(every.scale, every.scale)
     reach = every.body.solve(final.errors, ())[0].x[np.unique(every.readings.rows)]
     wide = float(np.max(np.linalg.norm(reach[:, :2], axis=1)))
-    turns = np.arange(0, 180, 30) * DEG
-    ends = wide * np.column_stack([np.cos(turns), np.sin(turns), 0 * turns])
+    turns: Array = np.arange(0, 180, 30) * DEG
+    ends = np.column_stack([about_z(wide, turns), 0 * turns])
     points = np.concatenate([-ends, ends])
     points[:, 2] = np.median(reach[:, 2])
     rows = mechanism.rows(robot, final.errors)

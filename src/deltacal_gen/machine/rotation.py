@@ -13,6 +13,11 @@ from deltacal_kernels import rotations
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
+def about_z(radius: Array | float, turn: Array) -> Array:
+    """Return points (N, 2) of a plane by their distance from z and their angle about it, from x [rad]."""
+    return np.stack([radius * np.cos(turn), radius * np.sin(turn)], axis=-1)
+
+
 def cayley_matrix(c: Array) -> Array:
     """Return rotations (N, 3, 3) by Cayley vectors (N, 3), ``c = 2 tan(t/2) n``: the map of the generated kernels."""
     matrix: Array = rotations.matrix(c)

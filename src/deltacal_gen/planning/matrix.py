@@ -25,6 +25,7 @@ from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.instrument.kinds import names as kind_names
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import SOLVED, STATUS, Array, Machine, mechanism_of
+from deltacal_gen.machine.rotation import about_z
 from deltacal_gen.machine.values import Measurement
 from deltacal_gen.planning.targets import radius, spread_of, width
 from deltacal_gen.results import plan as results
@@ -495,7 +496,7 @@ def generic(robot: Robot, tools: Array) -> Poses:
     if len(mechanism_of(robot).axes) == 2:
         return _reachable(robot, workspace.place((u[:, 0] - 0.5) * width(workspace), u[:, 2]), tools)
     r, turn = radius(workspace) * np.sqrt(u[:, 0]), 2 * np.pi * u[:, 1]
-    return _reachable(robot, workspace.place(np.column_stack([r * np.cos(turn), r * np.sin(turn)]), u[:, 2]), tools)
+    return _reachable(robot, workspace.place(about_z(r, turn), u[:, 2]), tools)
 
 
 def _reachable(robot: Robot, targets: Array, tools: Array) -> Poses:

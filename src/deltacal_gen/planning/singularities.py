@@ -16,6 +16,7 @@ from deltacal_gen.errors import NoSolutionError, UsageError
 from deltacal_gen.files.robot import Robot, robot_size
 from deltacal_gen.identification.accuracy import workspace_of
 from deltacal_gen.machine.registry import SOLVED, Array, Machine, mechanism_of, nominal_joints
+from deltacal_gen.machine.rotation import about_z
 
 DIRECTIONS = 96  # in space, 20 deg apart: a distance is too large by 2 % at most; half as many in a plane
 SHELLS = 5  # distances at which a direction is looked at, before it is halved
@@ -113,11 +114,10 @@ def _directions(mechanism: Machine) -> Array:
     """Return unit vectors (D, 3) spread evenly over the sphere, or over the circle of a planar machine."""
     if "z" not in mechanism.axes:
         turn = 2 * np.pi * np.arange(DIRECTIONS // 2) / (DIRECTIONS // 2)
-        return np.column_stack([np.cos(turn), np.sin(turn), 0 * turn])
+        return np.column_stack([about_z(1.0, turn), 0 * turn])
     z = 1 - (2 * np.arange(DIRECTIONS) + 1) / DIRECTIONS
     turn = np.pi * (3 - np.sqrt(5)) * np.arange(DIRECTIONS)  # the golden angle
-    across = np.sqrt(1 - z**2)
-    return np.column_stack([across * np.cos(turn), across * np.sin(turn), z])
+    return np.column_stack([about_z(np.sqrt(1 - z**2), turn), z])
 
 
 def _regular(robot: Robot, targets: Array) -> np.ndarray:

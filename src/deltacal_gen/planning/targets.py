@@ -10,6 +10,7 @@ from deltacal_gen.errors import UsageError
 from deltacal_gen.files.robot import Robot, Workspace
 from deltacal_gen.identification.accuracy import joint_spread, workspace_of
 from deltacal_gen.machine.registry import Array, mechanism_of
+from deltacal_gen.machine.rotation import about_z
 
 LAYERS = {"top": 0.0, "middle": 0.5, "bottom": 1.0}  # part of the cylinder's height below its top
 ROUGH, FINE = ("middle",), ("top", "bottom")  # Bai 2015, sections 5.1 and 5.2
@@ -43,7 +44,7 @@ def rings(
     Bai 2015, section 3.3 and Fig. 4.
     """
     turn = start_angle + 2 * np.pi * np.arange(n) / n
-    rim = radius(workspace) * np.column_stack([np.cos(turn), np.sin(turn)])
+    rim = about_z(radius(workspace), turn)
     sets = [workspace.place(rim, part) for part in parts_of(layers)]
     return np.vstack([workspace.home, *sets] if home else sets)
 

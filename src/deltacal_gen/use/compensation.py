@@ -38,6 +38,7 @@ from deltacal_gen.machine.registry import (
     nominal_joints,
     result,
 )
+from deltacal_gen.machine.rotation import about_z
 from deltacal_gen.physics.body import Body, Deformed
 from deltacal_gen.physics.channels import Channels, complete_channels
 from deltacal_gen.physics.law import is_law
@@ -477,4 +478,4 @@ def workspace_points(space: Workspace) -> Array:
     circles = itertools.product((space.radius, space.radius / 2), np.radians(np.arange(0, 360, 15)), layers)
     axis = [(0.0, 0.0, layer) for layer in layers]
     r, turn, part = np.vstack([np.column_stack([r, turn, rng.random(n)]), list(circles), axis]).T
-    return space.place(np.column_stack([r * np.cos(turn), r * np.sin(turn)]), part)
+    return space.place(about_z(r, turn), part)

@@ -18,6 +18,7 @@ from deltacal_gen.files.imports import ANGLES, TOWERS
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.files.writing import write_files
 from deltacal_gen.machine.registry import SOLVED, Array, Machine, mechanism_of
+from deltacal_gen.machine.rotation import about_z
 from deltacal_gen.results.result import Result
 from deltacal_gen.results.written import FirmwareLeft, FirmwareLines, FirmwareValue
 from deltacal_gen.units import DEG, file_unit, to_internal
@@ -142,8 +143,7 @@ class _Printed:
         space = robot.workspace
         wide = space.radius if space is not None and space.radius is not None else PRINTED * robot.geometry["radius"][0]
         around = np.linspace(0, 2 * np.pi, 12, endpoint=False)
-        circle = np.column_stack([np.cos(around), np.sin(around)])
-        disc = np.vstack([[[0.0, 0.0]], *(part * wide * circle for part in RINGS)])
+        disc = np.vstack([[[0.0, 0.0]], *(about_z(part * wide, around) for part in RINGS)])
         high = float(np.min(robot.geometry["endstop"]))
         targets = np.vstack([np.column_stack([disc, np.full(len(disc), part * high)]) for part in LAYERS])
         q, _, status = mechanism.inverse(targets, robot.tool, mechanism.rows(self.carried))
