@@ -70,7 +70,7 @@ def printed(final: Fit) -> tuple[Remedy, ...]:
     C = np.linalg.inv(A.T @ A + np.eye(len(names))) * np.outer(every.scale, every.scale)
     reach = every.body.solve(final.errors, ())[0].x[np.unique(every.readings.rows)]
     wide = float(np.max(np.linalg.norm(reach[:, :2], axis=1)))
-    turns: Array = np.arange(0, 180, 30) * DEG
+    turns = np.arange(0.0, 180.0, 30.0) * DEG
     ends = np.column_stack([about_z(wide, turns), 0 * turns])
     points = np.concatenate([-ends, ends])
     points[:, 2] = np.median(reach[:, 2])

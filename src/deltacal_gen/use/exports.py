@@ -176,26 +176,9 @@ def c_source(compensator: Compensator, left: RoundTrip, live: _Live | None = Non
 
 def _c_command(live: _Live, unit: str) -> str:
     """Return the function that adds what the effects ask for to the geometry's command."""
-    limbs, n, m = live.compensator.mechanism.limbs, len(live.columns), len(live.powers)
+    limbs, n = live.compensator.mechanism.limbs, len(live.columns)
     files = dict.fromkeys(_c_effect(t) for t in live.known)
     sources = [f.read_text(encoding="utf-8") for f in files]
-    tables = []
-    if n:
-        rows = ",\n".join(
-            "    {\n" + ",\n".join(f"    {{ {wrapped(row)} }}" for row in column) + "\n    }"
-            for column in live.coefficients
-        )
-        tables = [
-            f"static const unsigned char DELTACAL_POWERS[{m}][3] = {{\n      "
-            + ",\n      ".join(
-                ", ".join(f"{{ {x}, {y}, {z} }}" for x, y, z in live.powers[j : j + 8]) for j in range(0, m, 8)
-            )
-            + "\n};",
-            "/* rad, per product of channels: polynomials of the position in units of the workspace */".replace(
-                "rad", live.compensator.mechanism.joint_unit
-            ),
-            f"static const double DELTACAL_COLUMNS[{n}][{limbs}][{m}] = {{\n{rows}\n}};",
-        ]
     used = (s for t in live.compensator.effects for s in t.states)
     covariates = [c for c in tabled(used) if c.base not in STATES]
     factors = {s.name: _c_factor(s) for s in tabled((*CHANNELS, *covariates)) if s.per == "machine"}
@@ -218,42 +201,9 @@ def _c_command(live: _Live, unit: str) -> str:
         f"    for (i = 0; i < {limbs}; i++)",
         f"        theta[i] = DELTACAL_SIGN[i] * joints_{unit}[i] / JOINT_PER_UNIT;",
     ]
-    if n:
-        ends = zip(live.centre.tolist(), live.half.tolist(), strict=True)
-        place = [f"(target_mm[{i}] - {c!r}) / {h!r}" for i, (c, h) in enumerate(ends)]
-        body += [
-            f"    {_c_each('u[{i}][1]', place)}",
-            "    for (i = 0; i < 3; i++) {",
-            "        u[i][0] = 1.0;",
-            f"        for (k = 2; k <= {DEGREE}; k++)",
-            "            u[i][k] = u[i][k - 1] * u[i][1];",
-            "    }",
-            f"    {_c_each('by[{i}]', [' * '.join(factors[c] for c in column) or '1.0' for column in live.columns])}",
-            f"    for (j = 0; j < {m}; j++) {{",
-            "        const unsigned char *e = DELTACAL_POWERS[j];",
-            "        const double part = u[0][e[0]] * u[1][e[1]] * u[2][e[2]];",
-            f"        for (k = 0; k < {n}; k++)",
-            f"            for (i = 0; i < {limbs}; i++)",
-            "                theta[i] += by[k] * DELTACAL_COLUMNS[k][i][j] * part;",
-            "    }",
-        ]
+    body += _c_smooth(live, factors) if n else []
     body += [f"    for (i = 0; i < {limbs}; i++)", "        q[i] = theta[i];"]
-    if live.known:
-        body += [f"    for (turn = 0; turn < {TURNS}; turn++) {{", f"        double moved[{limbs}] = {{ 0.0 }};"]
-        for t in live.known:
-            for row, limb in enumerate(t.limbs or range(1, limbs + 1)):
-                s = ", ".join(_c_state(s, limb, live.compensator) for s in t.states)
-                c = t.values[row if t.limbs else 0]
-                constants = [v if isinstance(v, float) and math.isfinite(v) else 0.0 for v in t.constants]
-                body += [
-                    "        {",
-                    f"            const double s[] = {{ {s} }};",
-                    f"            static const double c[] = {{ {c_numbers(c)} }}, "
-                    f"constants[] = {{ {c_numbers(np.array(constants or [0.0]))} }};",
-                    f"            moved[{limb - 1}] += {t.effect}(s, c, constants);",
-                    "        }",
-                ]
-        body += [f"        for (i = 0; i < {limbs}; i++)", "            q[i] = theta[i] - moved[i];", "    }"]
+    body += _c_known(live) if live.known else []
     body += [
         f"    for (i = 0; i < {limbs}; i++)",
         f"        joints_{unit}[i] = DELTACAL_SIGN[i] * q[i] * JOINT_PER_UNIT;",
@@ -268,7 +218,66 @@ def _c_command(live: _Live, unit: str) -> str:
         *(f"    double {c.column};" for c in covariates),
         "};",
     ]
-    return "\n".join([*interface, "", *sources, *tables, "", *body]) + "\n"
+    return "\n".join([*interface, "", *sources, *(_c_tables(live) if n else []), "", *body]) + "\n"
+
+
+def _c_tables(live: _Live) -> list[str]:
+    """Return the polynomials by which the command changes with products of channels, as tables."""
+    mechanism, n, m = live.compensator.mechanism, len(live.columns), len(live.powers)
+    powers = ",\n      ".join(
+        ", ".join(f"{{ {x}, {y}, {z} }}" for x, y, z in live.powers[j : j + 8]) for j in range(0, m, 8)
+    )
+    by_joint = (",\n".join(f"    {{ {wrapped(row)} }}" for row in column) for column in live.coefficients)
+    rows = ",\n".join(f"    {{\n{text}\n    }}" for text in by_joint)
+    unit = mechanism.joint_unit
+    return [
+        f"static const unsigned char DELTACAL_POWERS[{m}][3] = {{\n      {powers}\n}};",
+        f"/* {unit}, per product of channels: polynomials of the position in units of the workspace */",
+        f"static const double DELTACAL_COLUMNS[{n}][{mechanism.limbs}][{m}] = {{\n{rows}\n}};",
+    ]
+
+
+def _c_smooth(live: _Live, factors: Mapping[str, str]) -> list[str]:
+    """Return the lines that add the polynomials to the joints; `factors` are channels as C writes them."""
+    limbs, n, m = live.compensator.mechanism.limbs, len(live.columns), len(live.powers)
+    ends = zip(live.centre.tolist(), live.half.tolist(), strict=True)
+    place = [f"(target_mm[{i}] - {c!r}) / {h!r}" for i, (c, h) in enumerate(ends)]
+    return [
+        f"    {_c_each('u[{i}][1]', place)}",
+        "    for (i = 0; i < 3; i++) {",
+        "        u[i][0] = 1.0;",
+        f"        for (k = 2; k <= {DEGREE}; k++)",
+        "            u[i][k] = u[i][k - 1] * u[i][1];",
+        "    }",
+        f"    {_c_each('by[{i}]', [' * '.join(factors[c] for c in column) or '1.0' for column in live.columns])}",
+        f"    for (j = 0; j < {m}; j++) {{",
+        "        const unsigned char *e = DELTACAL_POWERS[j];",
+        "        const double part = u[0][e[0]] * u[1][e[1]] * u[2][e[2]];",
+        f"        for (k = 0; k < {n}; k++)",
+        f"            for (i = 0; i < {limbs}; i++)",
+        "                theta[i] += by[k] * DELTACAL_COLUMNS[k][i][j] * part;",
+        "    }",
+    ]
+
+
+def _c_known(live: _Live) -> list[str]:
+    """Return the lines that take off what effects move the joints by, which may depend on the joints."""
+    limbs = live.compensator.mechanism.limbs
+    lines = [f"    for (turn = 0; turn < {TURNS}; turn++) {{", f"        double moved[{limbs}] = {{ 0.0 }};"]
+    for t in live.known:
+        for row, limb in enumerate(t.limbs or range(1, limbs + 1)):
+            s = ", ".join(_c_state(s, limb, live.compensator) for s in t.states)
+            c = t.values[row if t.limbs else 0]
+            constants = [v if isinstance(v, float) and math.isfinite(v) else 0.0 for v in t.constants]
+            lines += [
+                "        {",
+                f"            const double s[] = {{ {s} }};",
+                f"            static const double c[] = {{ {c_numbers(c)} }}, "
+                f"constants[] = {{ {c_numbers(np.array(constants or [0.0]))} }};",
+                f"            moved[{limb - 1}] += {t.effect}(s, c, constants);",
+                "        }",
+            ]
+    return [*lines, f"        for (i = 0; i < {limbs}; i++)", "            q[i] = theta[i] - moved[i];", "    }"]
 
 
 def _c_state(state: State, limb: int, compensator: Compensator) -> str:

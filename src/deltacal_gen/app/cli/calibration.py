@@ -98,7 +98,6 @@ def _show_result(found: Result) -> None:
     from deltacal_gen.results.parts import Source
     from deltacal_gen.results.result import Status
     from deltacal_gen.use.comparison import flattered
-    from deltacal_gen.use.unseen import sentences
 
     for joint in found.never_seen or ():
         screen.print(words(joint))
@@ -112,16 +111,7 @@ def _show_result(found: Result) -> None:
         if p.status is not Status.FIXED:
             table.add_row(p.name, f"{p.value:.4f}", number(p.std, 2), p.unit, p.status)
     screen.print(table)
-    if found.unidentifiable:
-        shown = found.unidentifiable[:4]
-        screen.print("[bold]Not pinned by these readings[/bold]; the robot file's values hold along them:")
-        for c, sentence in zip(shown, sentences(found), strict=False):
-            screen.print(f"  - {sentence or c.text}")
-        if len(found.unidentifiable) > len(shown):
-            screen.print(f"  - and {len(found.unidentifiable) - len(shown)} more, in the result file")
-    for m in found.next_measurements[:2]:
-        pins = "" if m.open_mm is not None else f" would pin {m.pins} of the {m.of} free directions"
-        screen.print(f"  + {m.measurement}{pins}")
+    _show_not_pinned(found)
     if found.gross_errors:
         screen.print(f"gross errors in lines {', '.join(map(str, found.gross_errors))}: they took next to no part")
     if found.accuracy:
@@ -158,6 +148,22 @@ def _show_result(found: Result) -> None:
     chi2 = found.chi2_per_dof
     if chi2 is not None and chi2 > 2 and found.sigma_source is not Source.RESIDUAL:
         screen.print("What is left stands above the noise: this geometry does not explain all of these readings.")
+
+
+def _show_not_pinned(found: Result) -> None:
+    """Print which directions the readings leave open, and what would pin them."""
+    from deltacal_gen.use.unseen import sentences
+
+    if found.unidentifiable:
+        shown = found.unidentifiable[:4]
+        screen.print("[bold]Not pinned by these readings[/bold]; the robot file's values hold along them:")
+        for c, sentence in zip(shown, sentences(found), strict=False):
+            screen.print(f"  - {sentence or c.text}")
+        if len(found.unidentifiable) > len(shown):
+            screen.print(f"  - and {len(found.unidentifiable) - len(shown)} more, in the result file")
+    for m in found.next_measurements[:2]:
+        pins = "" if m.open_mm is not None else f" would pin {m.pins} of the {m.of} free directions"
+        screen.print(f"  + {m.measurement}{pins}")
 
 
 def diagnose(

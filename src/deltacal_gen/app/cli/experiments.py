@@ -27,6 +27,22 @@ if TYPE_CHECKING:
     from deltacal_gen.results.plan import Plan
 
 
+Singular = Annotated[
+    tuple[float, float] | None,
+    typer.Option(
+        metavar="FROM TO",
+        help="poses so far from the nearest singularity, mm, instead of rings: 50 100",
+        show_default=False,
+    ),
+]
+Picture = Annotated[
+    Path | None, typer.Option(help="condition number against n, or the trajectory, .svg or .png", show_default=False)
+]
+Scaling = Annotated[
+    str | None, typer.Option(help="columns: paper, table, file or typical; default the paper's", show_default=False)
+]
+
+
 def plan(
     robot: RobotFile,
     model: Annotated[
@@ -46,10 +62,7 @@ def plan(
     layers: Annotated[
         str | None, typer.Option(help="of the rings: top,middle,bottom; default as the paper", show_default=False)
     ] = None,
-    scaling: Annotated[
-        str | None,
-        typer.Option(help="columns: paper, table, file or typical; default the paper's", show_default=False),
-    ] = None,
+    scaling: Scaling = None,
     norm: Annotated[str, typer.Option(help="of the condition number: spectral or frobenius")] = "spectral",
     threshold: Annotated[
         float, typer.Option(help="relative change of the condition number that the rule tolerates")
@@ -58,23 +71,13 @@ def plan(
     optimal: Annotated[
         int | None, typer.Option(help="so many D-optimal poses instead of rings", show_default=False)
     ] = None,
-    singular: Annotated[
-        tuple[float, float] | None,
-        typer.Option(
-            metavar="FROM TO",
-            help="poses so far from the nearest singularity, mm, instead of rings: 50 100",
-            show_default=False,
-        ),
-    ] = None,
+    singular: Singular = None,
     runs: Annotated[int, typer.Option(help="kind torque: movements, each a run")] = 3,
     period: Annotated[float, typer.Option(help="kind torque: of each movement, s")] = 10.0,
     harmonics: Annotated[int, typer.Option(help="kind torque: of its Fourier series")] = 5,
     rate: Annotated[float, typer.Option(help="kind torque: samples per second, Hz")] = 100.0,
     output: Annotated[Path | None, output_file("targets, or the trajectory, as a CSV for simulate")] = None,
-    picture: Annotated[
-        Path | None,
-        typer.Option(help="condition number against n, or the trajectory, .svg or .png", show_default=False),
-    ] = None,
+    picture: Picture = None,
     as_json: Json = False,
 ) -> None:
     """Choose measuring poses: condition number and observability against n, or a D-optimal set."""

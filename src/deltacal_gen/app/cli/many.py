@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 from rich.table import Column, Table
@@ -20,6 +20,9 @@ from deltacal_gen.app.cli.common import (
     print_json,
     screen,
 )
+
+if TYPE_CHECKING:
+    from deltacal_gen.results.study import Study
 
 MOST_LINES = 60  # of a table on the screen
 Workers = Annotated[int | None, typer.Option("--workers", min=1, help="local processes; default one per core")]
@@ -75,6 +78,14 @@ def study(
     if as_json:
         print_json(found)
         return
+    _show_study(found)
+    for path in (output, report):
+        if path is not None:
+            screen.print(f"written to {path}")
+
+
+def _show_study(found: Study) -> None:
+    """Print what a plan will give: errors, parameters, what diagnoses would say, what to add."""
     position, advice = found.position, found.advice
     table = Table("position over the workspace, mm", "rms", "95 % of machines", "largest, 95 %", "predicted rms")
     for p, words in ((position.before, "as built"), (position.after, f"calibrated, {found.model}")):
@@ -101,9 +112,6 @@ def study(
         screen.print(f"{g.add}: {g.gain:.0%} off")
     if found.lost:
         screen.print(f"{found.lost} machines could not be simulated or calibrated, and are not counted")
-    for path in (output, report):
-        if path is not None:
-            screen.print(f"written to {path}")
 
 
 def batch(

@@ -94,13 +94,7 @@ def identify(
         if found.model not in (firmware.FROM_HEIGHTS, firmware.MODEL):
             progress(f"what firmware would fit: {known}")
             beside = identification.identify(robot, given, known, solver=solver, robust=robust).answer()
-            fitted = Firmware(
-                model=beside.model,
-                train_rms_mm=beside.train_rms_mm,
-                heldout_rms_mm=beside.heldout_rms_mm,
-                errors=beside.robot.errors,
-            )
-            found = found.replace(firmware=fitted)
+            found = found.replace(firmware=_as_firmware(beside))
     if diagnosis is not None:
         found = found.replace(never_seen=spectrum.never_seen(diagnosis.seen, robot.joint_sign * given.joints))
     found = with_clock(found, clock).replace(made=made(*files, measured=given))
@@ -111,6 +105,16 @@ def identify(
 
         write_files({Path(report): page.calibration(found)})
     return found
+
+
+def _as_firmware(found: Result) -> Firmware:
+    """Return what of a fit of a firmware's own model stands beside a larger one's."""
+    return Firmware(
+        model=found.model,
+        train_rms_mm=found.train_rms_mm,
+        heldout_rms_mm=found.heldout_rms_mm,
+        errors=found.robot.errors,
+    )
 
 
 def _finished(found: InMotion, output: Source | None, report: Source | None, *files: object) -> InMotion:
