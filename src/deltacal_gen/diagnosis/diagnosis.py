@@ -12,6 +12,7 @@ Two errors are worse than silence: naming physics that is not there, and forcing
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -28,6 +29,7 @@ from deltacal_gen.diagnosis.library import library
 from deltacal_gen.diagnosis.search import Search
 from deltacal_gen.diagnosis.spectrum import LEAST_TURN, Spectrum, wave
 from deltacal_gen.diagnosis.strategy import (
+    Outcome,
     Progress,
     believable,
     beside_noise,
@@ -56,9 +58,7 @@ from deltacal_gen.identification.together import as_predicts, deviance_of, toget
 from deltacal_gen.machine.backend import by_recording
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Recording
-from deltacal_gen.physics.terms import (
-    effect_names,
-)
+from deltacal_gen.physics.terms import Term, effect_names
 from deltacal_gen.results.diagnosis import (
     Diagnosis,
     Hint,
@@ -129,40 +129,13 @@ def diagnose(
     """
     check_units(recording, robot)
     recording = set_aside(recording, robot)
-    mechanism = mechanism_of(robot)
-    everything = pose_problem(robot, recording, ())
-    own = _lean(everything) if model is None else None
-    lean = own is not None
-    if everything.readings.kind.sees_joints:
-        model = checks.chosen_model(mechanism, everything, recording, model)
-    model = own or model or mechanism.full_model
-    names = mechanism.model(model)
-    problem = everything.with_names(names)
-    alone, _ = with_prior(problem, robot)
-    scale = np.array([robot.tolerance.get(n, MACHINED * s) for n, s in zip(names, problem.scale, strict=True)])
-    problem = dataclasses.replace(problem, scale=scale)
-    checks.distinct(problem, recording)
-    if not lean:
-        checks.enough(mechanism, problem, recording)
-        checks.enough_poses(problem, model)
+    problem, model, lean = _geometry(robot, recording, model)
     progress("geometry")
     some, kind = problem.some(MOST_POSES, np.random.default_rng(SEED)), problem.readings.kind
-    start = rough(some, must_converge=False)
-    checks.plausible(start)
-    checks.check_rows(start, recording)
-    # what is left out may look like gross errors where it is strongest: none is dropped before it is known
-    first = fit(some, Prior(), errors=start.errors, instrument=start.instrument, drop_gross=False, must_converge=False)
+    first = _first(some, recording)
     terms, not_tested = library(some) if not lean else ([], _untested(problem))
-    found = white = searched(some, first, terms, lean, progress)
-    if (calm := None if lean else together(first)) is not None:
-        progress("noise that hangs together")
-        again = fit(some, Prior(), errors=first.errors, instrument=first.instrument, repeats=calm, must_converge=False)
-        if deviance_of(again) < deviance(found):  # noise alone explains more than all that was named
-            other = searched(some, again, terms, lean, progress)
-            if deviance(other) < deviance(found):
-                first, found = again, other
-    if calm is not None or (found.search.effects and not lean):
-        found = beside_noise(found, lean)
+    white = searched(some, first, terms, lean, progress)
+    first, found = _in_noise(some, first, white, terms, lean, progress)
     some, search, left, unexplained = found.problem, found.search, found.left, found.unexplained
     spectrum, parts = found.spectrum, found.parts
     # joints that err at many orders imitate any function of the pose
@@ -176,23 +149,16 @@ def diagnose(
     doubtful = [] if lean else hinted(search, AMBIGUOUS)
     doubtful += outweighed(search, white.search, doubtful, AMBIGUOUS)
     before = after = rms(lengths(found.without, kind))
-    if search.effects and spectrum is None and not lawful:
+    if lawful:
+        after = lawful[0].proof.rms
+    elif search.effects and spectrum is None:
         after = rms(lengths(found.predicted if search is found.tested else held_out_by(some, search, parts), kind))
-    after = lawful[0].proof.rms if lawful else after
     progress(f"fit of all {len(problem.readings)} readings")
     baseline, current, spectrum = _of_all(problem, first, search.fit, spectrum)
     if [form(t) for t in terms_of(current)] != [form(t) for t in terms_of(search.fit)]:  # all readings refute some
         search = Search(refitted(some, search.fit, terms_of(current)) or search.fit, search.terms)
     if not (current.problem.terms or current.problem.held):  # no physics that geometry could imitate
-        calm = None if current.repeats.plain else current.repeats
-        current = fit(
-            alone,
-            Prior(),
-            errors=current.errors,
-            instrument=current.instrument,
-            repeats=calm,
-            must_converge=False,
-        )
+        current = _as_drawn(problem, current)
     if lawful:  # nothing is left for geometry to imitate
         as_large = dataclasses.replace(problem, scale=learned(current, robot))
         current = refitted(as_large, current, terms_of(current), tolerance=CONVERGED) or current
@@ -200,24 +166,15 @@ def diagnose(
     heldout = (before, after if spectrum is None else spectrum.heldout[1])
     named_any = current.problem.terms or current.problem.held
     verdict = Verdict.UNEXPLAINED if unexplained else Verdict.MISSING_PHYSICS if named_any else Verdict.ADEQUATE
-    known = noise(current, recording)
-    if not unexplained:
-        known = doubted(known, current)
+    known = noise(current, recording) if unexplained else doubted(noise(current, recording), current)
     named = named_of(search, current, heldout, known.sigma, spectrum)
     chance = Chance(Search(_beside_noise_of(search.fit, first), terms), np.random.default_rng(SEED))
     # where a law sits is told as it showed, without the law
     of, shows = (found.search.fit, found.left) if lawful else (search.fit, left)
     location = location_of(of, shows, named, spectrum, chance, explained=not (unexplained or lawful))
     progress("what to measure next")
-    questions = [
-        *(Question(n.term, n.rivals, n.unrecorded) for n in named),
-        *sought.questions,
-        *(Question(h.term, proven=False) for h in doubtful),
-    ]
-    fitted = current.errors[: len(mechanism.parameters)]
-    calibrated = dataclasses.replace(
-        robot, errors={p.name: float(v) for p, v in zip(mechanism.parameters, fitted, strict=True)}
-    )
+    asked = *(Question(n.term, n.rivals, n.unrecorded) for n in named), *sought.questions
+    questions = [*asked, *(Question(h.term, proven=False) for h in doubtful)]
     return Diagnosed(
         verdict=verdict,
         model=model,
@@ -231,13 +188,82 @@ def diagnose(
         hints=told(doubtful, search, chance),
         not_tested=not_tested,
         next_measurements=next_measurements(search.fit, questions, location if unexplained else None),
-        robot=calibrated,
+        robot=_calibrated(robot, current),
         chance=chance,
         correction=None if smooth is None else smooth.of_all(current),
         spectrum=spectrum,
         lean=lean,
         laws=lawful,
         turned=turned_of(found.considered) if lawful or unexplained else "",
+    )
+
+
+def _geometry(robot: Robot, recording: Recording, model: str | None) -> tuple[Problem, str, bool]:
+    """Return the problem of the geometry beside which effects are sought, its model, and whether no more is told.
+
+    Parameters may be as far off as machined parts are: geometry shall not strain to imitate physics.
+    """
+    mechanism, everything = mechanism_of(robot), pose_problem(robot, recording, ())
+    own = _lean(everything) if model is None else None
+    if everything.readings.kind.sees_joints:
+        model = checks.chosen_model(mechanism, everything, recording, model)
+    model = own or model or mechanism.full_model
+    problem = everything.with_names(mechanism.model(model))
+    ordinary = zip(problem.names, problem.scale, strict=True)
+    scale = np.array([robot.tolerance.get(n, MACHINED * s) for n, s in ordinary])
+    problem = dataclasses.replace(problem, scale=scale)
+    checks.distinct(problem, recording)
+    if own is None:
+        checks.enough(mechanism, problem, recording)
+        checks.enough_poses(problem, model)
+    return problem, model, own is not None
+
+
+def _first(some: Problem, recording: Recording) -> Fit:
+    """Return the fit of geometry and instrument, no reading dropped: what is left out may look like gross errors."""
+    start = rough(some, must_converge=False)
+    checks.plausible(start)
+    checks.check_rows(start, recording)
+    return fit(some, Prior(), errors=start.errors, instrument=start.instrument, drop_gross=False, must_converge=False)
+
+
+def _in_noise(
+    some: Problem, first: Fit, white: Outcome, terms: Sequence[Term], lean: bool, progress: Progress
+) -> tuple[Fit, Outcome]:
+    """Return the fit of the geometry, and what was found beside it, in noise that hangs together where it does.
+
+    `white` is what was found in noise that is each reading's own.
+    """
+    found, calm = white, None if lean else together(first)
+    if calm is not None:
+        progress("noise that hangs together")
+        again = fit(some, Prior(), errors=first.errors, instrument=first.instrument, repeats=calm, must_converge=False)
+        if deviance_of(again) < deviance(found):  # noise alone explains more than all that was named
+            other = searched(some, again, terms, lean, progress)
+            if deviance(other) < deviance(found):
+                first, found = again, other
+    if calm is not None or (found.search.effects and not lean):
+        found = beside_noise(found, lean)
+    return first, found
+
+
+def _calibrated(robot: Robot, current: Fit) -> Robot:
+    """Return the robot with all source errors of a fit."""
+    parameters = current.problem.mechanism.parameters
+    named = zip((p.name for p in parameters), current.errors[: len(parameters)].tolist(), strict=True)
+    return dataclasses.replace(robot, errors=dict(named))
+
+
+def _as_drawn(problem: Problem, current: Fit) -> Fit:
+    """Return the fit of a geometry beside which there is no physics, by the tolerances of its drawing."""
+    alone, _ = with_prior(problem.with_names(problem.names), problem.robot)
+    return fit(
+        alone,
+        Prior(),
+        errors=current.errors,
+        instrument=current.instrument,
+        repeats=None if current.repeats.plain else current.repeats,
+        must_converge=False,
     )
 
 

@@ -161,22 +161,14 @@ def identify(
     if machine is not None and len(names) < len(mechanism.parameters):
         robot = dataclasses.replace(robot, errors=_left_out(mechanism, robot, machine, names))
         everything = pose_problem(robot, recording, (), as_distance=as_distance, held=held)
-    problem, given = with_prior(everything.with_names(names), robot)
-    rule = _solver(solver, truncation, recording.measurement.sigma_mm)
-    if not isinstance(rule, Prior):
-        problem = everything.with_names(names)
+    own = everything.with_names(names)
+    rule, (known, given) = _solver(solver, truncation, recording.measurement.sigma_mm), with_prior(own, robot)
+    problem = known if isinstance(rule, Prior) else own
 
     progress("rough stage: encoder offsets")
     before = _residual_of(problem, problem.reference)
     distinct(everything, recording)
-    first = rough(everything, robust)
-    if held and not everything.readings.made:
-        progress("what of the diagnosis holds here")
-        held, dropped = carried.borne_out(problem, first)
-        not_held += dropped
-        if dropped:
-            everything, problem = (dataclasses.replace(p, held=held) for p in (everything, problem))
-            first = rough(everything, robust)
+    first, problem, dropped = _begun(everything, problem, robust, progress)
     plausible(first)
     check_rows(first, recording)
     progress(f"fine stage: {len(names)} parameters of {chosen}")
@@ -184,7 +176,7 @@ def identify(
     progress(f"held-out error: {FOLDS} folds")
     final, heldout = _held_out(final, rule, robust)
     progress("identifiability")
-    matrix = identifiability.identification_matrix(everything.with_names(names), "typical")
+    matrix = identifiability.identification_matrix(dataclasses.replace(own, held=problem.held), "typical")
     observed = identifiability.observability(matrix.H, len(np.unique(final.problem.readings.group)))
     units = [mechanism.parameters[mechanism.index[n]].unit for n in names]
     typical = mechanism.typical[[mechanism.index[n] for n in names]]
@@ -192,12 +184,8 @@ def identify(
     unseen = identifiability.unseen(per_unit, names, units, typical)
     unseen, absorbed = identifiability.beside(unseen, matrix, typical, problem.readings.kind.whereabouts)
     weak = _weak(final, len(unseen), units)
-    calibrated = dataclasses.replace(
-        robot,
-        errors={
-            p.name: float(v) for p, v in zip(mechanism.parameters, final.errors, strict=True) if v or p.name in names
-        },
-    )
+    found = zip((p.name for p in mechanism.parameters), final.errors.tolist(), strict=True)
+    calibrated = dataclasses.replace(robot, errors={name: value for name, value in found if value or name in names})
     progress("uncertainty over the workspace")
     of_noise = noise(final, recording)
     uncertainty = uncertainty_of(final, of_noise)
@@ -211,21 +199,40 @@ def identify(
         unseen=unseen,
         weak=weak,
         base=identifiability.base(per_unit, names, units, typical) if unseen else [],
-        remedies=()
-        if problem.readings.kind.sees_joints
-        else printed(final)
-        if problem.readings.kind.distances_beside
-        else remedies(final, absorbed)
-        if unseen or weak
-        else (),
+        remedies=_remedies(final, absorbed if unseen or weak else None),
         noise=of_noise,
         prior_given=given,
         robot=calibrated,
         in_file=in_file,
-        not_held=not_held,
+        not_held=not_held + dropped,
         map=None if problem.readings.kind.sees_joints else uncertainty_map(final, calibrated, uncertainty),
         uncertainty=uncertainty,
     )
+
+
+def _begun(
+    everything: Problem, problem: Problem, robust: bool, progress: Progress
+) -> tuple[Fit, Problem, tuple[Missing, ...]]:
+    """Return the rough fit, the problem with the effects that these readings bear out, and those that they do not."""
+    first = rough(everything, robust)
+    if not everything.held or everything.readings.made:
+        return first, problem, ()
+    progress("what of the diagnosis holds here")
+    held, dropped = carried.borne_out(problem, first)
+    if not dropped:
+        return first, problem, ()
+    everything, problem = (dataclasses.replace(p, held=held) for p in (everything, problem))
+    return rough(everything, robust), problem, dropped
+
+
+def _remedies(final: Fit, absorbed: int | None) -> tuple[Remedy, ...]:
+    """Return what else may be measured; `absorbed` as of `remedies`, None where every direction is pinned."""
+    kind = final.problem.readings.kind
+    if kind.sees_joints:
+        return ()
+    if kind.distances_beside:
+        return printed(final)
+    return () if absorbed is None else remedies(final, absorbed)
 
 
 def _left_out(mechanism: Machine, robot: Robot, machine: Robot, names: Sequence[str]) -> dict[str, float]:
