@@ -71,6 +71,22 @@ class _Table:
         return np.array(out)
 
 
+def _rows_of_points(table: _Table, q: Array, where: int, group: int | None) -> dict[tuple[str, str], int]:
+    """Return the row of each point by its group and name; raise an InputError where one has two places."""
+    keys: dict[tuple[str, str], int] = {}
+    for j, row in enumerate(table.cells):
+        key = (row[group] if group is not None else "", row[where])
+        if key in keys and not np.array_equal(q[keys[key]], q[j]):
+            raise InputError(
+                f"the point '{row[where]}' comes twice, with different joints.",
+                "Give every point a name of its own, or add a column 'group'.",
+                file=table.path,
+                line=table.lines[j],
+            )
+        keys.setdefault(key, j)
+    return keys
+
+
 def import_points(
     points: str | Path, joints: str | Path, robot: str | Path | None = None, output: str | Path | None = None
 ) -> Imported:
@@ -104,17 +120,7 @@ def import_points(
             "Give the joints of the robot file, in its order.",
             file=table.path,
         )
-    keys: dict[tuple[str, str], int] = {}
-    for j, row in enumerate(table.cells):
-        key = (row[group] if group is not None else "", row[where])
-        if key in keys and not np.array_equal(q[keys[key]], q[j]):
-            raise InputError(
-                f"the point '{row[where]}' comes twice, with different joints.",
-                "Give every point a name of its own, or add a column 'group'.",
-                file=table.path,
-                line=table.lines[j],
-            )
-        keys.setdefault(key, j)
+    keys = _rows_of_points(table, q, where, group)
     groups = measured[0]
     rows = [keys.get((g if group is not None else "", p)) for g, p in zip(groups, names, strict=True)]
     taken = [i for i, j in enumerate(rows) if j is not None]

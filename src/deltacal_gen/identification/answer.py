@@ -71,24 +71,15 @@ def parameter_table(
 def result_of(found: Identification) -> Result:
     """Return what was identified as RESULT.json says it."""
     final, problem = found.fit, found.fit.problem
-    mechanism, names = problem.mechanism, problem.names
-    n = len(names)
+    mechanism, n = problem.mechanism, len(problem.names)
     deviation = np.sqrt(np.maximum(np.diag(final.covariance)[:n], 0.0))
-    ruled_out = {name for c in (*found.unseen, *found.weak) for name in c.terms}
-    by_prior = final.solution.posterior
-    by_data = share_of_data(final)
-    status: dict[str, Status] = {}
-    for j, name in enumerate(names):
-        known = by_data[j] > RESOLVED if by_prior else name not in ruled_out
-        given = by_prior and found.prior_given[j]
-        status[name] = Status.IDENTIFIED if known else Status.BY_PRIOR if given else Status.NOT_PINNED
     sigma, recording = found.noise.sigma, problem.recording
     residual_sigma = coordinate_sigma(final)
     unit, unknowns = final.instrument.unit(recording.columns), unknowns_of(final)
     return Result(
         model=found.model,
         parameters=(
-            *parameter_table(mechanism, final.errors - found.in_file, status, deviation),
+            *parameter_table(mechanism, final.errors - found.in_file, _statuses(found), deviation),
             *unknowns.parameters,
         ),
         rank=found.observability.rank,
@@ -130,6 +121,18 @@ def result_of(found: Identification) -> Result:
         unit=unit and unit[0],
         unit_mm=unit and unit[1],
     )
+
+
+def _statuses(found: Identification) -> dict[str, Status]:
+    """Return what is known of each parameter."""
+    final, out = found.fit, {}
+    ruled_out = {name for c in (*found.unseen, *found.weak) for name in c.terms}
+    by_prior, by_data = final.solution.posterior, share_of_data(final)
+    for j, name in enumerate(final.problem.names):
+        known = by_data[j] > RESOLVED if by_prior else name not in ruled_out
+        given = by_prior and found.prior_given[j]
+        out[name] = Status.IDENTIFIED if known else Status.BY_PRIOR if given else Status.NOT_PINNED
+    return out
 
 
 def _base(found: Identification) -> tuple[BaseParameter, ...]:

@@ -28,7 +28,7 @@ from deltacal_gen.files.toml import toml_text
 from deltacal_gen.files.writing import csv_text, write_files
 from deltacal_gen.identification.identifiability import observability
 from deltacal_gen.machine.backend import Backend, using
-from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.machine.registry import Array, Machine, mechanism_of
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.limits import PATTERNS, home_of, limits_of
 from deltacal_gen.motion.rigid import Rigid
@@ -183,6 +183,24 @@ class _Search:
         return found
 
 
+def _in_files(chosen: Sequence[Series], mechanism: Machine) -> tuple[JointSeries, ...]:
+    """Return series, joint by joint, in the units of files."""
+    factors = np.array(joint_factors(mechanism.joint_unit, mechanism.limbs))
+    units = of_joints(mechanism.joint_unit, mechanism.limbs)
+    return tuple(
+        JointSeries(
+            run=k + 1,
+            joint=j + 1,
+            unit=file_unit(units[j]),
+            centre=float(s.centre[j] / factors[j]),
+            cosine=tuple((s.cosine[:, j] / factors[j]).tolist()),
+            sine=tuple((s.sine[:, j] / factors[j]).tolist()),
+        )
+        for k, s in enumerate(chosen)
+        for j in range(len(factors))
+    )
+
+
 def exciting(
     robot: Robot, *, runs: int = 3, period: float = 10.0, harmonics: int = 5, rate: float = 100.0, seed: int = 0
 ) -> tuple[MotionPlan, tuple[Series, ...]]:
@@ -229,8 +247,6 @@ def exciting(
         found = observability(W / np.linalg.norm(W, axis=0), len(W))
         conditions.append(found.condition if math.isfinite(found.condition) else None)
         indices.append(found.indices)
-    factors = np.array(joint_factors(search._mechanism.joint_unit, search._mechanism.limbs))
-    units = of_joints(search._mechanism.joint_unit, search._mechanism.limbs)
     answer = MotionPlan(
         robot=robot.name,
         mechanism=robot.mechanism,
@@ -252,18 +268,7 @@ def exciting(
         O4=tuple(i["O4"] for i in indices),
         O5=tuple(i["O5"] for i in indices),
         chosen=runs,
-        series=tuple(
-            JointSeries(
-                run=k + 1,
-                joint=j + 1,
-                unit=file_unit(units[j]),
-                centre=float(s.centre[j] / factors[j]),
-                cosine=tuple((s.cosine[:, j] / factors[j]).tolist()),
-                sine=tuple((s.sine[:, j] / factors[j]).tolist()),
-            )
-            for k, s in enumerate(chosen)
-            for j in range(len(factors))
-        ),
+        series=_in_files(chosen, search._mechanism),
         notes=tuple(search.notes),
     )
     return answer, tuple(chosen)

@@ -167,6 +167,16 @@ def simulate(
         return write_blocks(parts(), output)
 
 
+def _check_kind(part: Recording, file: str | Path) -> None:
+    """Raise an InputError for readings that cannot be identified block by block."""
+    if not kind_of(part.kind).in_blocks:
+        raise InputError(
+            f"only positions are identified in blocks, these readings are of the kind {part.kind}.",
+            "Identify them as a whole.",
+            file=file,
+        )
+
+
 def identify(robot: Robot, recording: str | Path, model: str, *, rows: int = ROWS, passes: int = PASSES) -> Streamed:
     """Identify a machine by least squares from a recording file, `rows` at a time.
 
@@ -198,12 +208,7 @@ def identify(robot: Robot, recording: str | Path, model: str, *, rows: int = ROW
         count = scalars = 0
         size, blocks = _begun(read_blocks(recording, mechanism, rows))
         for part in blocks:
-            if not kind_of(part.kind).in_blocks:
-                raise InputError(
-                    f"only positions are identified in blocks, these readings are of the kind {part.kind}.",
-                    "Identify them as a whole.",
-                    file=recording,
-                )
+            _check_kind(part, recording)
             with working("blocks", size):
                 problem = pose_problem(robot, part, names)
                 instrument = problem.begin(errors) if instrument is None else instrument

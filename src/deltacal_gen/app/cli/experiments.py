@@ -43,6 +43,11 @@ Scaling = Annotated[
 ]
 
 
+Layers = Annotated[
+    str | None, typer.Option(help="of the rings: top,middle,bottom; default as the paper", show_default=False)
+]
+
+
 def plan(
     robot: RobotFile,
     model: Annotated[
@@ -59,9 +64,7 @@ def plan(
         int | None, typer.Option(help="reference points on the platform, 1 to 3; default as the model needs")
     ] = None,
     start_angle: Annotated[float, typer.Option(help="of the first pose of a ring, deg")] = 0.0,
-    layers: Annotated[
-        str | None, typer.Option(help="of the rings: top,middle,bottom; default as the paper", show_default=False)
-    ] = None,
+    layers: Layers = None,
     scaling: Scaling = None,
     norm: Annotated[str, typer.Option(help="of the condition number: spectral or frobenius")] = "spectral",
     threshold: Annotated[

@@ -13,16 +13,19 @@ from deltacal_gen.app.cli.common import Decimal, Json, aside, escaped, print_jso
 camera_app = typer.Typer(help="Measure with a camera in the hand: boards to calibrate it, a ball to look at.")
 
 
+Sources = Annotated[
+    list[Path],
+    typer.Argument(
+        metavar="FILE...",
+        help="printer.cfg; config.g and heightmap.csv; a log of Marlin; points, joints, ROBOT.toml; a bag, "
+        "ROBOT.toml; a capture, joints, ROBOT.toml",
+    ),
+]
+
+
 def import_(
     kind: Annotated[str, typer.Argument(metavar="KIND", help="klipper, rrf, marlin, points, bag or c3d")],
-    files: Annotated[
-        list[Path],
-        typer.Argument(
-            metavar="FILE...",
-            help="printer.cfg; config.g and heightmap.csv; a log of Marlin; points, joints, ROBOT.toml; a bag, "
-            "ROBOT.toml; a capture, joints, ROBOT.toml",
-        ),
-    ],
+    files: Sources,
     output: Annotated[Path, typer.Option("-o", "--output", help="folder for robot.toml and recordings")],
     joints: Annotated[str | None, typer.Option("--joints", help="of a bag: the topic of the joints")] = None,
     readings: Annotated[

@@ -30,6 +30,11 @@ if TYPE_CHECKING:
     from deltacal_gen.results.written import FirmwareLines
 
 
+Trajectory = Annotated[
+    bool, typer.Option("--trajectory", help="TARGETS are samples in time: joints and torques, of a result in motion")
+]
+
+
 def compensate(
     result: ResultFile,
     targets: Annotated[
@@ -50,10 +55,7 @@ def compensate(
     bands: Annotated[
         bool, typer.Option("--bands", help="beside each command where the machine will stand, with 95 % probability")
     ] = False,
-    trajectory: Annotated[
-        bool,
-        typer.Option("--trajectory", help="TARGETS are samples in time: joints and torques, of a result in motion"),
-    ] = False,
+    trajectory: Trajectory = False,
     decimal: Decimal = None,
     as_json: Json = False,
 ) -> None:
