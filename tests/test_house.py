@@ -26,7 +26,7 @@ FUNCTIONS = {
     "derive/blocks.py:blocks": 68,
     "derive/blocks.py:nominal": 66,
     "derive/papers/bai.py:statements": 65,
-    "src/deltacal_gen/diagnosis/diagnosis.py:diagnose": 68,
+    "src/deltacal_gen/diagnosis/diagnosis.py:diagnose": 69,
     "src/deltacal_gen/execution.py:_in_order": 66,
     "src/deltacal_gen/identification/identification.py:identify": 72,
     "tests/benchmarks/concealed_cases.py:_attempt": 107,
