@@ -159,10 +159,7 @@ def diagnose(
         search = Search(refitted(some, search.fit, terms_of(current)) or search.fit, search.terms)
     if not (current.problem.terms or current.problem.held):  # no physics that geometry could imitate
         current = _as_drawn(problem, current)
-    if lawful:  # nothing is left for geometry to imitate
-        as_large = dataclasses.replace(problem, scale=learned(current, robot))
-        current = refitted(as_large, current, terms_of(current), tolerance=CONVERGED) or current
-    current = as_predicts(current)
+    current = as_predicts(_as_learned(problem, current) if lawful else current)
     heldout = (before, after if spectrum is None else spectrum.heldout[1])
     named_any = current.problem.terms or current.problem.held
     verdict = Verdict.UNEXPLAINED if unexplained else Verdict.MISSING_PHYSICS if named_any else Verdict.ADEQUATE
@@ -252,6 +249,12 @@ def _calibrated(robot: Robot, current: Fit) -> Robot:
     parameters = current.problem.mechanism.parameters
     named = zip((p.name for p in parameters), current.errors[: len(parameters)].tolist(), strict=True)
     return dataclasses.replace(robot, errors=dict(named))
+
+
+def _as_learned(problem: Problem, current: Fit) -> Fit:
+    """Return the fit beside laws, which leave nothing for geometry to imitate, by what it has learned of its size."""
+    as_large = dataclasses.replace(problem, scale=learned(current, problem.robot))
+    return refitted(as_large, current, terms_of(current), tolerance=CONVERGED) or current
 
 
 def _as_drawn(problem: Problem, current: Fit) -> Fit:
