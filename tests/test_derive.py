@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import math
+import os
 import re
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -362,6 +365,26 @@ def test_differences_name_missing_left_over_and_changed_files() -> None:
     assert "-x" in text
     assert "+d" in text
     assert compiler.differences(fresh, fresh) == []
+
+
+def test_kernels_do_not_depend_on_how_python_hashes() -> None:
+    place = {"PYTHONPATH": os.pathsep.join(sys.path), "PYTHONHASHSEED": "7"}  # the committed ones are of seed 0
+    command = [sys.executable, "-m", "derive", "diamond", "--check"]
+    done = subprocess.run(command, cwd=compiler.ROOT, env=os.environ | place, capture_output=True, text=True)
+    assert "files are what derive/ yields" in done.stdout, done.stderr
+
+
+@pytest.mark.parametrize(
+    ("entry", "zero"),
+    [
+        (sp.sin(x) ** 2 + sp.cos(x) ** 2 - 1, True),
+        ((x + 1) ** 2 - x**2 - 2 * x - 1, True),
+        (sp.sin(2 * x) - sp.sin(x), False),
+        (1e-7 * x, False),
+    ],
+)
+def test_what_vanishes_is_told_by_algebra_and_what_does_not_by_numbers(entry: Any, zero: bool) -> None:
+    assert closed_form.vanishes(sp.Matrix([[0, entry]])) is zero
 
 
 def test_committed_kernels_name_their_source_and_are_of_this_derivation() -> None:
