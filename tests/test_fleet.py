@@ -25,8 +25,8 @@ from deltacal_gen.files.robot import robot_from_dict, robot_to_toml
 from deltacal_gen.files.writing import write_recording
 from deltacal_gen.pages import report as pages
 from deltacal_gen.physics.simulation import simulate
-from deltacal_gen.results.batch import Batch, FailedRow, IdentifiedRow
-from deltacal_gen.results.diagnosis import Diagnosis, EffectParameter
+from deltacal_gen.results.batch import Batch, DiagnosedRow, FailedRow, IdentifiedRow, common
+from deltacal_gen.results.diagnosis import Diagnosis, EffectParameter, LawTerm
 
 SIX = ("endstop_1", "endstop_2", "endstop_3", "radius", "angle_1", "angle_2")
 
@@ -210,3 +210,25 @@ def test_where_there_is_nothing_to_do_no_folder_is_made(tmp_path: Path) -> None:
     with pytest.raises(InputError):
         commands.batch(tmp_path / "shop", tmp_path / "run")
     assert not (tmp_path / "run").exists()
+
+
+def test_a_law_that_several_recordings_have_is_told_whatever_its_shape() -> None:
+    def row(k: int, expression: str) -> DiagnosedRow:
+        term = LawTerm(target="joint", limbs=(2,), expression=expression, coefficients=())
+        return DiagnosedRow(
+            recording=f"{k}.csv",
+            machine="m",
+            verdict="missing_physics",
+            effects="",
+            model="full",
+            before_mm=0.1,
+            after_mm=0.01,
+            noise_mm=0.01,
+            error=None,
+            law=fleet._place_of(term),
+        )
+
+    shapes = ("c1*payload", "c1*(tanh(payload/c2) + c3)", "c1*payload*oil_C", "c1*Max(payload - c2, 0)")
+    failed = FailedRow(recording="4.csv", machine="m", error="unreadable")
+    (law,) = common([*map(row, range(4), shapes), failed])
+    assert (law.law, law.recordings) == ("joint(payload)", ("0.csv", "1.csv", "3.csv"))

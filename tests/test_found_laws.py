@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import deltacal_gen as dc
+from deltacal_gen.diagnosis.laws.ground import TARGETS
 from deltacal_gen.results.diagnosis import Diagnosis
 from tests.left_out import SIGMA, channels, machine, record
 from tests.test_law_language import LIMB, law
@@ -182,6 +183,42 @@ def test_any_law_can_be_written_as_an_effect(
     effect = space["EFFECT"]
     assert isinstance(effect, Effect)
     assert effect.coefficients[0].unit == unit
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_a_law_of_every_target_comes_back_from_its_file(target: str) -> None:
+    import sympy as sp
+
+    from deltacal_gen.diagnosis.laws.effect_file import effect_file
+    from deltacal_gen.physics.law import load_law
+    from deltacal_gen.results.diagnosis import Law, LawCoefficient, LawTerm
+    from derive.language.effects import Effect
+    from derive.mathematics.effects import effect as derived
+
+    expression = "c1*(tanh(payload/c2) + c3)*Max(oil_C - c4, 0)"
+    known = {"c1": 2e-4, "c2": 1.5, "c3": -0.4, "c4": 41.0}
+    law = load_law(f"law {target} = {expression}")
+    term = LawTerm(
+        target=target,
+        limbs=(1,) if law.PER_LIMB else (),
+        expression=expression,
+        coefficients=tuple(LawCoefficient(name=n, limb=None, value=v, std=None, unit="") for n, v in known.items()),
+    )
+    figures = {"heldout_rms_mm": 0.0, "share_of_excess": 1.0, "gain": 1.0, "charge": 0.0}
+    ends = {"payload": (0.0, 4.0), "oil_C": (37.0, 53.0)}
+    told = Law(terms=(term,), states=tuple(ends), range=ends, alike=(), borne_out=True, **figures)
+    space: dict[str, object] = {}
+    exec(effect_file(told, Path("a_law.py")), space)
+    effect = space["EFFECT"]
+    assert isinstance(effect, Effect)
+    assert effect.per_limb == law.PER_LIMB
+    moved = effect.targets[target].subs(effect.coefficients[0].symbol, known["c1"])
+    states = sorted(moved.free_symbols, key=str)
+    assert list(map(str, states)) == ["oil_C", "payload"]
+    oil, payload = np.linspace(37.0, 53.0, 9), np.linspace(0.0, 4.0, 9)[::-1]
+    own = law.formula(known | {"oil_C": oil, "payload": payload})
+    np.testing.assert_allclose(sp.lambdify(states, moved)(oil, payload), own, rtol=1e-12, atol=1e-15)
+    assert derived(effect)  # its functions are there to be emitted
 
 
 def test_a_file_that_names_no_effect_is_refused(found: Diagnosis) -> None:

@@ -29,6 +29,7 @@ from deltacal_gen.files.points import is_table_of_joints
 from deltacal_gen.files.recording import is_recording
 from deltacal_gen.files.writing import csv_text, write_files
 from deltacal_gen.pages import report
+from deltacal_gen.physics.law import PREFIX, load_law
 from deltacal_gen.results.base import Answer, Json
 from deltacal_gen.results.batch import (
     Action,
@@ -40,9 +41,10 @@ from deltacal_gen.results.batch import (
     Moved,
     Row,
     ValidatedRow,
+    common,
     worst,
 )
-from deltacal_gen.results.diagnosis import Diagnosis, Geometry, Verdict
+from deltacal_gen.results.diagnosis import Diagnosis, Geometry, LawTerm, Verdict
 from deltacal_gen.results.reader import read_answer
 from deltacal_gen.results.result import Result
 from deltacal_gen.results.validation import Validation
@@ -320,7 +322,9 @@ def conduct(
         rows.append(_row(cast("Action", action), job, outcome))
     changed = _changed(open_, keys, files, store, _last(directory))
     passed = passed_over(Path(folder), listed) or None
-    found = Batch(action=cast("Action", action), rows=tuple(rows), changed=changed, passed_over=passed)
+    found = Batch(
+        action=cast("Action", action), rows=tuple(rows), changed=changed, laws=common(rows), passed_over=passed
+    )
     lines = [row.to_dict() for row in rows]
     columns = list(dict.fromkeys(name for line in lines for name in line))
     table = {c: ["" if line.get(c) is None else line[c] for line in lines] for c in columns}
@@ -397,6 +401,12 @@ def _key(contents: Callable[[], Contents], *more: str | None) -> tuple[str, str]
     return content_key(Batch.schema, *more, digest.hexdigest()), digest.hexdigest()[:32]
 
 
+def _place_of(term: LawTerm) -> str:
+    """Return what a term of a law moves and what it reads, whatever its shape: ``joint(oil_C, payload)``."""
+    states = sorted(load_law(f"{PREFIX}{term.target} = {term.expression}").STATE)
+    return f"{term.target}({', '.join(states)})"
+
+
 def _figures(found: Diagnosis | Result | Validation) -> Json:
     """Return what the table says of an answer, by the fields of its row."""
     if isinstance(found, Diagnosis):
@@ -407,6 +417,7 @@ def _figures(found: Diagnosis | Result | Validation) -> Json:
             "before_mm": found.baseline.heldout_rms_mm,
             "after_mm": found.final.heldout_rms_mm,
             "noise_mm": found.noise.sigma_mm,
+            "law": "; ".join(map(_place_of, found.laws[0].terms)) if found.laws else None,
         }
     if isinstance(found, Result):
         return {

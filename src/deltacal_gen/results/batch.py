@@ -35,6 +35,7 @@ class DiagnosedRow(Value):
     noise_mm: float
     error: None
     warnings: str | None = None
+    law: str | None = None
 
 
 class IdentifiedRow(Value):
@@ -78,6 +79,13 @@ class Moved(Value):
     text: str
 
 
+class CommonLaw(Value):
+    """A law that was found in several recordings: what it moves and what it reads, as ``joint(payload, oil_C)``."""
+
+    law: str
+    recordings: tuple[str, ...]
+
+
 class Batch(Answer):
     """Many recordings: one row each, in the order of their paths, and what moved."""
 
@@ -85,6 +93,7 @@ class Batch(Answer):
     action: Action
     rows: tuple[Row, ...]
     changed: tuple[Moved, ...]
+    laws: tuple[CommonLaw, ...] = ()
     passed_over: tuple[str, ...] | None = None
     """Tables in the folder that are no recordings, and nothing that is imported; left out where there are none."""
 
@@ -101,6 +110,16 @@ class Batch(Answer):
     def summary(self) -> str:
         """Return the answer as text, as `print` shows it."""
         return str(self)
+
+
+def common(rows: Sequence[Row]) -> tuple[CommonLaw, ...]:
+    """Return laws that several recordings have, those of most recordings first: each was found without the others."""
+    where: dict[str, list[str]] = {}
+    for row in rows:
+        if isinstance(row, DiagnosedRow) and row.law is not None:
+            where.setdefault(row.law, []).append(row.recording)
+    several = [CommonLaw(law=law, recordings=tuple(names)) for law, names in where.items() if len(names) > 1]
+    return tuple(sorted(several, key=lambda c: -len(c.recordings)))
 
 
 def worst(rows: Sequence[Row], most: int) -> list[Row]:

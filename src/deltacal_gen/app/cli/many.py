@@ -152,6 +152,9 @@ def batch(
         screen.print(f"[bold]{escaped(change.to)}[/bold] after {escaped(change.from_)}: {escaped(change.text)}")
     if len(found.changed) > MOST_LINES:
         screen.print(f"{len(found.changed) - MOST_LINES} more comparisons are in {directory / 'index.html'}")
+    for law in found.laws:
+        n = len(law.recordings)
+        screen.print(f"the law {escaped(law.law)} was found in {n} recordings: {escaped(', '.join(law.recordings))}")
     for names, why in alike([(r.recording, r.error) for r in rows if r.error is not None])[:MOST_LINES]:
         screen.print(f"failed: {escaped(names)}: {escaped(why)}")
     for names, what in alike([(r.recording, r.warnings) for r in rows if r.warnings])[:MOST_LINES]:
