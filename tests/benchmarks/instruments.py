@@ -184,7 +184,9 @@ def opencv(columns: Mapping[str, Sequence[Any]], place: str, errors: Mapping[str
         if own.sum() < 6:
             continue
         _, agree = cv2.findHomography(points[own][:, :2], uv[own], cv2.RANSAC, 10 * NOISE_PX)
-        right = agree.ravel() > 0
+        right = np.zeros(own.sum(), dtype=bool) if agree is None else agree.ravel() > 0
+        if right.sum() < 6:
+            continue
         done, r, at = cv2.solvePnP(points[own][right], uv[own][right], K, None, flags=cv2.SOLVEPNP_IPPE)
         if done:
             r, at = cv2.solvePnPRefineLM(points[own][right], uv[own][right], K, None, r, at)
