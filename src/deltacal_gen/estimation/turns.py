@@ -13,7 +13,8 @@ from deltacal_gen.estimation.steps import State
 from deltacal_gen.machine.registry import Array
 
 TURNED = 0.1  # rad: standard deviation of a turn; half a turn costs 2 / TURNED^2 of chi2 then, less than misfit may
-QUARTER, FURTHER = np.pi / 2, 3  # squares of what is off a line have two valleys around it at most
+QUARTER = 2.0  # length of the Cayley vector of a quarter turn
+FURTHER = 3  # squares of what is off a line have two valleys around it at most
 
 
 def turned(problem: Problem, at: State, covariance: Array) -> list[State]:
@@ -37,7 +38,7 @@ def turned(problem: Problem, at: State, covariance: Array) -> list[State]:
         own
     ]  # of the instrument on a machine that stays
     step = np.zeros(len(covariance))
-    step[own] = 2 * np.tan(QUARTER / 2) * axis / np.linalg.norm(axis)  # turns are Cayley's vectors
+    step[own] = QUARTER * axis / np.linalg.norm(axis)
     shifts = [k for k in range(len(step)) if k not in every]
     starts = []
     for _ in range(FURTHER):
