@@ -302,6 +302,9 @@ def test_a_grid_without_places_is_refused_with_the_way_out(tmp_path: Path) -> No
     log.write_text(f"{MARLIN}Bilinear Leveling Grid:\n      0      1\n 0 +0.1 +0.2\n 1 +0.1 +0.0\n")
     with pytest.raises(InputError, match=r"where the points of the grid lie\. Probe with G29 V4"):
         import_marlin(log)
+    log.write_text(f"{MARLIN}G33 Auto Calibrate\n.     c:+0.02 x:+0.12 y:-0.08 z:+0.04\n")
+    with pytest.raises(InputError, match=r"heights of G33 are averages, .*Probe with G29 V4"):
+        import_marlin(log)
 
 
 @pytest.mark.parametrize("kind", ["klipper", "rrf", "marlin"])

@@ -94,9 +94,12 @@ def _heights(lines: list[str], path: Path) -> tuple[Array, Array]:
         found = list(_topography(lines, path))
     if not found:
         grid = any("Bilinear Leveling Grid" in line for line in lines)
+        calibrated = any("G33 Auto Calibrate" in line for line in lines)
         raise InputError(
             "the log does not say where the points of the grid lie."
             if grid
+            else "the heights of G33 are averages, at a radius that the log does not say."
+            if calibrated
             else "there are no probed heights in the log.",
             "Probe with G29 V4 (or G29 T of the unified bed levelling) and give its answer too.",
             file=path,
