@@ -27,7 +27,7 @@ from deltacal_gen.diagnosis.hints import hinted, outweighed, told
 from deltacal_gen.diagnosis.laws.laws import Lawful, Sought, laws
 from deltacal_gen.diagnosis.library import library
 from deltacal_gen.diagnosis.search import Search
-from deltacal_gen.diagnosis.spectrum import LEAST_TURN, Spectrum, wave
+from deltacal_gen.diagnosis.spectrum import LEAST_TURN, Spectrum, periodic, wave
 from deltacal_gen.diagnosis.strategy import (
     Outcome,
     Progress,
@@ -321,16 +321,16 @@ def _of_all(problem: Problem, first: Fit, found: Fit, spectrum: Spectrum | None)
     geometry = dataclasses.replace(problem, held=())
     baseline = first if first.problem.body is problem.body else refitted(geometry, first, [], tolerance=CONVERGED)
     how: dict[str, Any] = {"drop_gross": spectrum is not None, "tolerance": CONVERGED}
-    start, joint = found, None
+    start, parts = found, folds(problem.readings, problem.recording)
     if spectrum is not None and (near := refitted(spectrum.held_in(problem), found, terms_of(found))) is not None:
         near = believable(spectrum.held_in(problem), near)
-        start, spectrum = settled(problem, near, spectrum, folds(problem.readings, problem.recording))
-        joint = spectrum.covariance  # orders are as unknown as what is beside them
+        start, spectrum = settled(problem, near, spectrum, parts)
     held = spectrum.held_in(problem) if spectrum else geometry
     final = refitted(held, start, terms_of(start), **how)
-    if final is not None and joint is not None:
-        final = dataclasses.replace(final, covariance=joint)
     final = final and believable(held, final, **how)
     if baseline is None or final is None:
         raise NoSolutionError("the fit of all readings did not converge, though that of a part did.")
+    if spectrum is not None:  # orders are as unknown as what is beside them
+        same = spectrum if len(spectrum.covariance) == len(final.covariance) else periodic(final, parts, spectrum)
+        final = final if same is None else dataclasses.replace(final, covariance=same.covariance)
     return baseline, final, spectrum
