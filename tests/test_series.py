@@ -123,3 +123,10 @@ def test_folds_are_blocks_where_rows_hang_together() -> None:
         assert (np.sum([test for _, test in parts], axis=0) == 1).all()
         part = np.argmax([test for _, test in parts], axis=0)
         assert fewest <= (np.diff(part) != 0).sum() <= most
+
+
+def test_no_set_up_counts_as_less_than_one_row() -> None:
+    gap = np.tile([np.inf, *np.ones(18)], 2)
+    walk = Series(np.arange(38), gap, 0.999)
+    assert walk.rows == walk.rows_of_size == 19
+    assert Series(np.arange(38), gap, 0.5).rows == pytest.approx(3)

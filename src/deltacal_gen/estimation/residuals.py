@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 from dataclasses import dataclass
 from functools import cached_property
+from math import erf, erfc, exp, pi, sqrt
 
 import numpy as np
 
@@ -16,6 +17,8 @@ from deltacal_gen.machine.registry import Array
 
 SMALLEST_SIGMA = 1e-7  # mm and rad: noise below this is rounding of what went before, not of a reading
 HUBER = 2.5  # standard deviations beyond which a reading's pull stops growing
+# variance of normal noise of size 1 that is clipped there
+CLIPPED = erf(HUBER / sqrt(2)) - sqrt(2 / pi) * HUBER * exp(-(HUBER**2) / 2) + HUBER**2 * erfc(HUBER / sqrt(2))
 MOST_GROSS = 0.06  # of all readings: more than this are no errors of measurement but something left out
 MOST_WRONG = 0.2  # of points found in images: those of a part that is hidden or mirrored, and stray ones
 USUAL_COUNTS = 3  # readings that knowing the usual noise of an instrument is worth
@@ -162,7 +165,7 @@ def robust_sigma(residual: Array, leverage: Array, robust: bool, found: Readings
         if robust:  # Huber's proposal 2 from the median: efficient on normal noise, bounded on gross errors
             for _ in range(3):
                 clipped = np.clip(r / spread, -HUBER, HUBER)
-                spread = max(spread * float(np.sqrt(np.mean(clipped**2) / 0.9775)), SMALLEST_SIGMA)
+                spread = max(spread * float(np.sqrt(np.mean(clipped**2) / CLIPPED)), SMALLEST_SIGMA)
         else:
             spread = max(float(np.sqrt(np.mean(r**2))), SMALLEST_SIGMA)
         sigma[part] = spread / np.sqrt(max(1 - used, 0.1))

@@ -70,13 +70,18 @@ class Series:
 
     @property
     def rows(self) -> float:
-        """So many rows tell as much of a mean as one whose noise is its own."""
-        return 1 + 2 * (1 - self.own) * self.rho / (1 - self.rho)
+        """So many rows tell as much of a mean as one whose noise is its own; all of a set-up at most."""
+        return min(1 + 2 * (1 - self.own) * self.rho / (1 - self.rho), self._of_a_set_up)
 
     @property
     def rows_of_size(self) -> float:
-        """So many rows tell as much of the size of noise as one whose noise is its own."""
-        return 1 + 2 * (1 - self.own) ** 2 * self.rho**2 / (1 - self.rho**2)
+        """So many rows tell as much of the size of noise as one whose noise is its own; all of a set-up at most."""
+        return min(1 + 2 * (1 - self.own) ** 2 * self.rho**2 / (1 - self.rho**2), self._of_a_set_up)
+
+    @property
+    def _of_a_set_up(self) -> float:
+        """Rows that a set-up has, in the mean."""
+        return len(self.gap) / float(np.isinf(self.gap).sum())
 
     def freed(self, values: Array) -> Array:
         """Return rows (R, ...) freed of what those before them tell; noise of size 1 stays so."""

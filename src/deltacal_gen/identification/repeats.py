@@ -60,20 +60,27 @@ def repeats(final: Fit, recording: Recording) -> Shown:
     found = final.problem.readings
     quiet = np.setdiff1d(np.arange(len(found)), final.gross)
     r = np.nan_to_num(lengths(final.residual, found.kind))[quiet]
-    channels = _channels(found, recording)
-    group = _levelled(found.group, {n: v for n, v in channels.items() if n != "time_s"})[quiet]
+    channels, same = _channels(found, recording), _of_one_point(found)
+    group = _levelled(same, {n: v for n, v in channels.items() if n != "time_s"})[quiet]
     alike = Shown(r, group, *Repeats.ratio_of(r, group)[1:])
     if alike.degrees >= ENOUGH or not channels:
         return alike
     known = all(np.isfinite(v).all() for v in channels.values())
-    return (_smoothed(final, quiet, r, channels) if known else None) or alike
+    return (_smoothed(final, quiet, same[quiet], r, channels) if known else None) or alike
 
 
-def _smoothed(final: Fit, quiet: np.ndarray, r: Array, channels: Mapping[str, Array]) -> Shown | None:
+def _of_one_point(found: Readings) -> np.ndarray:
+    """Return groups (R,) of readings of one pose and of the same point: those of a printed board see others."""
+    if found.known is None:
+        return found.group
+    return np.ravel(np.unique(np.column_stack([found.group, found.known]), axis=0, return_inverse=True)[1])
+
+
+def _smoothed(final: Fit, quiet: np.ndarray, same: np.ndarray, r: Array, channels: Mapping[str, Array]) -> Shown | None:
     """Return the spread within poses beside what varies smoothly with channels; None where too little is left."""
     problem = final.problem
     found = problem.readings
-    group = np.unique(found.group[quiet], return_inverse=True)[1]
+    group = np.unique(same, return_inverse=True)[1]
     several = (np.bincount(group)[group] > 1).nonzero()[0]
     degrees = (len(several) - len(np.unique(group[several]))) * r.shape[1]
     if degrees < ENOUGH:
