@@ -236,9 +236,7 @@ def test_the_figures_of_a_test_are_what_pytest_compared(tmp_path: Path) -> None:
         "    assert isinstance(x, float)\n"
         "    assert np.sqrt(2) == pytest.approx(1.41, abs=0.01)\n"
     )
-    script = (
-        f"from tests import decided; f = decided.decide([{str(file)!r}]).figures; print(f({'test_some.py::test_it'!r}))"
-    )
+    script = f"from tests import decided; f = decided.decide([{str(file)!r}]); print(f.figures(*f.of))"
     done = subprocess.run([sys.executable, "-c", script], cwd=ROOT, capture_output=True, text=True, check=True)
     told = ast.literal_eval(done.stdout.splitlines()[-1])
     assert {figure["asserted"]: figure["found"] for figure in told} == {

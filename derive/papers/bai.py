@@ -88,6 +88,39 @@ def row(unknowns: dict[str, sp.Expr], *names: str) -> sp.Matrix:
     return sp.Matrix([[unknowns[n] for n in names]])
 
 
+def closure() -> sp.Matrix:
+    """Return eq. (1) as printed, times the direction of the rods, which its turns leave out: a row of either rod."""
+    found = []
+    for side in (1, -1):
+        arm = sp.Rational(side, 2) * c * w0
+        moved = {
+            "theta": w0.cross(L * u1) + w0.cross(arm),
+            **dict(zip(("ex", "ey", "ez"), (sp.eye(3).col(k) for k in range(3)), strict=True)),
+            "L": u1,
+            **{name: axis.cross(L * u1) for name, axis in (("alpha0", u0), ("beta0", v0))},
+            "l": lhat,
+            "dl": side * lhat / 2,
+            "dc": side * w0 / 2,
+            **{
+                name: axis.cross(arm) for name, axis in (("alpha03", u0), ("beta03", v0), ("alpha2", u1), ("beta2", v1))
+            },
+        }
+        own = sp.Matrix([[lhat.dot(moved[name]) for name in UNKNOWNS]])
+        found.append(sp.Matrix.hstack(lhat.T, (a_i + arm).cross(lhat).T, own))
+    return sp.Matrix.vstack(*found)
+
+
+def derived_closure() -> sp.Matrix:
+    """Return the same as it is derived: shift, turn and errors of either rod."""
+    mean, half = rods()
+    found = []
+    for side in (1, -1):
+        part = sp.Rational(side, 2) * c
+        own = [(mean.unknowns[n] + part * half.unknowns[n]) * scale for n, scale in UNKNOWNS.items()]
+        found.append(sp.Matrix.hstack(mean.place + part * half.place, mean.turn + part * half.turn, sp.Matrix([own])))
+    return sp.Matrix.vstack(*found)
+
+
 # ------------------------------------------------------------------------------------------------- matrices in numbers
 
 NAMES = (*(f"{n}_{i}" for i in (1, 2, 3) for n in POSITION), *(f"{n}_{i}" for i in (1, 2, 3) for n in ORIENTATION))
@@ -270,12 +303,30 @@ def rows() -> tuple[Rows, ...]:
     )
 
 
+INVERSE = "A_ee^-1 = 1/(n1.(n2 x n3)) [n2 x n3, n3 x n1, n1 x n2]{}, n_i = w_0,i x lhat_i"
+
+
+def first_order(machines: Sequence[Machine]) -> Formula:
+    """Return eq. (1)."""
+    unit = lhat[2] ** 2, 1 - lhat[0] ** 2 - lhat[1] ** 2
+    return Formula(
+        "eq. (1)",
+        "closure",
+        "dr = de + dL u1 + R0 (dth0 + dth1) x L u1 + s/2 dc_c w0 + l deps_j x lhat + dl_j lhat"
+        " + R0 (dth0 + dth1 + R1 dth2) x s/2 c w0 - s/2 dc_a w0 - (deps + R3 dth3) x s/2 c w0 - deps x a",
+        lambda m: m.stacked(plain(closure())),
+        lambda m: m.stacked(plain(derived_closure())),
+        machines,
+        proof=lambda: vanishes((closure() - derived_closure()).expand().subs(*unit)),
+    )
+
+
 def statements() -> tuple[Statement, ...]:
     """Return what the paper states of matrices, ranks and its compensator."""
     machines = [rational_machine(seed) for seed in (1, 2, 3)]
-    inverse = "A_ee^-1 = 1/(n1.(n2 x n3)) [n2 x n3, n3 x n1, n1 x n2]{}, n_i = w_0,i x lhat_i"
     points = "points on the plate whose distances see model 32: {count}"
     return (
+        first_order(machines),
         *rows(),
         Formula(
             "eq. (8)",
@@ -329,10 +380,10 @@ def statements() -> tuple[Statement, ...]:
         Formula(
             "eq. (24)",
             "A_ee^-1",
-            inverse.format("^T"),
+            INVERSE.format("^T"),
             partial(inverse_of_turns, transposed=True),
             derived_inverse,
             machines,
-            corrected=(inverse.format(""), partial(inverse_of_turns, transposed=False)),
+            corrected=(INVERSE.format(""), partial(inverse_of_turns, transposed=False)),
         ),
     )
