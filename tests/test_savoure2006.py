@@ -23,7 +23,7 @@ from deltacal_gen.physics.simulation import read_truth, simulate, truth_names
 from deltacal_gen.use.compensation import Compensator
 
 sys.path.insert(0, str(Path(__file__).parent / "claims"))
-from independent_savoure import (
+from tests.claims.independent_savoure import (
     CHECK,
     CONFIGURATIONS,
     ERRORS,

@@ -10,6 +10,7 @@ import pytest
 
 import deltacal_gen as dc
 from deltacal_gen.app.demonstration import example
+from deltacal_gen.pages.figures import Sheet
 from deltacal_gen.results.base import Answer
 from deltacal_gen.results.written import Simulated
 from tests import typed
@@ -35,8 +36,9 @@ def test_each_sort_of_answer_draws_itself(result: dc.Result) -> None:
         dc.study(DELTA / "robot.toml", DELTA / "poses.csv", model="delta/3", trials=8, workers=1, noise=0.01),
     ]
     for answer in answers:
-        svg = answer.plot()._repr_svg_()  # type: ignore[attr-defined]
-        assert "</svg>" in svg, answer
+        sheet = answer.plot()
+        assert isinstance(sheet, Sheet)
+        assert "</svg>" in sheet._repr_svg_(), answer
     with pytest.raises(dc.UsageError, match="no picture of a Simulated"):
         Simulated(recording="a.csv", readings=1, kind="position").plot()
 

@@ -14,6 +14,7 @@ import secrets
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from scipy.optimize import least_squares
@@ -115,10 +116,10 @@ def lowest(found: Fit, starts: int, rng: np.random.Generator) -> float:
     return best
 
 
-def compared(seed: int, number: int, starts: int) -> dict[str, object]:
+def compared(seed: int, number: int, starts: int) -> dict[str, Any]:
     """Fit a random problem and return what it and the other optimiser leave, and the time of the fit."""
     word, fitted = drawn(seed, number)
-    line: dict[str, object] = {"number": number, "word": word}
+    line: dict[str, Any] = {"number": number, "word": word}
     began = time.process_time()
     try:
         found = fitted()
@@ -130,9 +131,9 @@ def compared(seed: int, number: int, starts: int) -> dict[str, object]:
     return line | {"own": chi2(found), "other": lowest(found, starts, rng)}
 
 
-def missed(line: dict[str, object]) -> bool:
+def missed(line: dict[str, Any]) -> bool:
     """Tell whether a fit did not arrive."""
-    return "error" in line or not float(line["own"]) <= float(line["other"]) + ABOVE  # type: ignore[arg-type]
+    return "error" in line or not line["own"] <= line["other"] + ABOVE
 
 
 def real(folders: list[Path], starts: int) -> int:

@@ -7,10 +7,8 @@ have positions, joints and error transfer; what the paper prints beside them sta
 from __future__ import annotations
 
 import dataclasses
-import sys
 from collections.abc import Callable
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -19,14 +17,10 @@ from scipy.spatial.transform import Rotation
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.files.robot import Robot, for_model, read_robot
 from deltacal_gen.machine.registry import Machine, load_mechanism
-
-HERE = Path(__file__).parent
-sys.path.insert(0, str(HERE))  # by the names under which the tests import the twins
-import independent_savoure as savoure  # noqa: E402
-
-from tests.claims import independent_bai as bai  # noqa: E402
-from tests.claims import independent_mei as mei  # noqa: E402
-from tests.claims import independent_traslosheros as traslosheros  # noqa: E402
+from tests.claims import independent_bai as bai
+from tests.claims import independent_mei as mei
+from tests.claims import independent_savoure as savoure
+from tests.claims import independent_traslosheros as traslosheros
 
 Array = np.ndarray
 LIMBS_OF = (1, 2, 0)  # the limbs of Savoure, from 60 deg on, in the order of the robot file, from -90 deg on
