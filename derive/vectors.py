@@ -28,6 +28,11 @@ def skew(v: sp.Matrix) -> sp.Matrix:
     return sp.Matrix([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
 
 
+def axial(K: sp.Matrix) -> sp.Matrix:
+    """Return the vector whose `skew` is the skew part of a matrix."""
+    return sp.Matrix([K[2, 1] - K[1, 2], K[0, 2] - K[2, 0], K[1, 0] - K[0, 1]]) / 2
+
+
 def _horner(coefficients: list[sp.Rational], s: sp.Expr) -> sp.Expr:
     value: sp.Expr = sp.Integer(0)
     for c in reversed(coefficients):
@@ -75,7 +80,7 @@ def cayley(c: sp.Matrix) -> sp.Matrix:
 
 def cayley_vector(R: sp.Matrix) -> sp.Matrix:
     """Return the Cayley vector of a rotation by less than half a turn, from its matrix: the inverse of `cayley`."""
-    return 2 / (1 + R.trace()) * sp.Matrix([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
+    return 2 / (1 + R.trace()) * (2 * axial(R))
 
 
 def turn_about_z(t: sp.Expr) -> sp.Matrix:

@@ -97,11 +97,7 @@ FUNCTIONS = {
     "use/tables.py:_table_errors": WORKSPACE,
     "use/tables.py:_used": WORKSPACE,
 }
-RODRIGUES = "a target's rotation vector as a matrix, as a controller gives it: by hand, to be derived like the rest"
 LINES = {
-    "chain/dynamics.c.jinja: angle = sqrt(v[0] * v[0]": RODRIGUES,
-    "chain/dynamics.c.jinja: sin(angle) / angle": RODRIGUES,
-    "chain/dynamics.c.jinja: sin(0.5 * angle) / angle": RODRIGUES,
     "mechanism/vectorised.py.jinja: by_limb @ J_p": "the closure's inverse, by limb, times its derivatives",
     "mechanism/vectorised.py.jinja: W @ S_p": "a derived matrix times derivatives",
 }

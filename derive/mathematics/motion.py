@@ -14,11 +14,15 @@ from derive.graph import Graph
 from derive.mathematics.bodies import INERTIA, PLACE, asked, by_inertia, of_point
 from derive.mathematics.chains import FORCE, FRAME, MOMENT, ORIGIN, ROTATION
 from derive.mathematics.functions import Functions, entries
+from derive.mathematics.kinematics import LEAST
 from derive.spec import ChainMechanism
 
 GRAVITY = sp.Matrix(sp.symbols("gx gy gz", real=True))
 AXIS = sp.Matrix(sp.symbols("ux uy uz wx wy wz", real=True))  # a joint's twist: shift of {O}'s origin, turn
 ASKED = (*FORCE, *MOMENT)
+TOOL = sp.Matrix(sp.symbols("tool_x tool_y tool_z", real=True))  # in the last frame
+VECTOR = sp.Matrix(sp.symbols("vx vy vz", real=True))  # rad
+TARGET = sp.symbols("target(:12)", real=True)  # where the tool point shall be, and the last frame's rotation
 
 
 def _rates(symbols: list[sp.Symbol], order: int) -> list[sp.Symbol]:
@@ -33,7 +37,9 @@ def motion(mechanism: ChainMechanism) -> Functions:
     the same of the frame before and of its joint; ``axes_CONVENTION``, the twists by turn and by slide of its joint. Of
     a body: `ask`, force and moment about {O}; `ask_each`, the same for every inertial parameter by itself, which is 1.
     `give`: what a joint gives to what is asked behind it, by its `axis`; `give_each`: the same for every parameter.
-    `of_point`: the parameters of a mass at a point.
+    `of_point`: the parameters of a mass at a point. Of the tool, along the axes of {O}, shift before turn: `missed`,
+    from where it is to a target; `tip`, its twist by a joint's; `led`, how it accelerates; `turned`: the rotation by a
+    rotation vector.
     """
     joint = [quantity.symbol for quantity in mechanism.joint]
     parameters = entries("p", [quantity.symbol for quantity in mechanism.link_parameters])
@@ -49,6 +55,9 @@ def motion(mechanism: ChainMechanism) -> Functions:
         | entries("asked", list(ASKED))
         | entries("axis", list(AXIS))
         | entries("each", list(each))
+        | entries("tool", list(TOOL))
+        | entries("target", list(TARGET))
+        | entries("vector", list(VECTOR))
     )
     functions = Functions(Graph(mechanism.steps, invariant=parameters), parameters, inputs)
     graph = functions.graph
@@ -82,7 +91,30 @@ def motion(mechanism: ChainMechanism) -> Functions:
         ("of_point", "inertial parameters of a mass of 1 kg at a point of a link", of_point(PLACE)),
         ("give", "what a joint gives to what is asked behind it", [AXIS.dot(ASKED)]),
         ("give_each", "the same for each inertial parameter", [AXIS.dot(each.row(i)) for i in range(len(INERTIA))]),
+        *_of_tool(frames[2]),
     ):
         functions.add(name, meaning, outputs, dense=True)
     functions.constants("constants", "what no pose changes of a link")
     return functions
+
+
+def _of_tool(accelerations: list[sp.Symbol]) -> list[tuple[str, str, list[sp.Expr]]]:
+    """Return the functions of the tool in the last frame: name, meaning, outputs."""
+    R, R_tt, asked_R = ROTATION, sp.Matrix(3, 3, accelerations[3:]), sp.Matrix(3, 3, TARGET[3:])
+    point, turn = ORIGIN + R * TOOL, sp.Matrix(AXIS[3:])
+    t = sp.sqrt(VECTOR.dot(VECTOR) + sp.Float(LEAST**2))
+    turned = vectors.about(vectors.skew(VECTOR), sp.sin(t) / t, 2 * (sp.sin(t / 2) / t) ** 2)
+    return [
+        (
+            "missed",
+            "how the tool misses a target: shift, and turn to first order",
+            [*(sp.Matrix(TARGET[:3]) - point), *vectors.axial(asked_R * R.T)],
+        ),
+        ("tip", "twist of the tool point by that of a joint", [*(sp.Matrix(AXIS[:3]) + turn.cross(point)), *turn]),
+        (
+            "led",
+            "how the tool accelerates",
+            [*(sp.Matrix(accelerations[:3]) + R_tt * TOOL), *vectors.axial(R_tt * R.T)],
+        ),
+        ("turned", "rotation by a rotation vector, row by row", list(turned)),
+    ]

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/serial.py by "deltacal kernels". Do not edit.
- * Template templates/chain/dynamics.c.jinja; sha256 of both 730291b60ceba630; SymPy 1.14.0.
+ * Template templates/chain/dynamics.c.jinja; sha256 of both 40b37b4681071611; SymPy 1.14.0.
  *
  * The calibrated chain in motion, link by link: a frame in {O} with its first and second derivatives by time, the twists
  * of all behind a joint by it, and what the bodies ask for.
@@ -728,43 +728,202 @@ static int solve(double A[6][6], double b[6])
     return 1;
 }
 
-/* By how much the last frame misses a pose: mm, and rad along the axes of {O}. */
-static void missed(const struct motion *m, const double *place, double turn[3][3], double e[6])
+/* How the tool misses a target: shift, and turn to first order (81 operations). */
+static void missed(const double *frame, const double *tool, const double *target, double *out)
 {
-    const double *f = m->frame[DELTACAL_LINKS];
-    int i, c;
-    for (i = 0; i < 3; i++) {
-        e[i] = place[i] - f[i];
-        for (c = 0; c < 3; c++)
-            e[i] -= f[3 + 3 * i + c] * DELTACAL_TOOL[c];
-        e[3 + i] = 0.0;
-    }
-    for (c = 0; c < 3; c++)
-        for (i = 0; i < 3; i++)
-            e[3 + i] += 0.5 * (f[3 + 3 * ((i + 1) % 3) + c] * turn[(i + 2) % 3][c]
-                               - f[3 + 3 * ((i + 2) % 3) + c] * turn[(i + 1) % 3][c]);
+    const double ox = frame[0];
+    const double oy = frame[1];
+    const double oz = frame[2];
+    const double R_00 = frame[3];
+    const double R_01 = frame[4];
+    const double R_02 = frame[5];
+    const double R_10 = frame[6];
+    const double R_11 = frame[7];
+    const double R_12 = frame[8];
+    const double R_20 = frame[9];
+    const double R_21 = frame[10];
+    const double R_22 = frame[11];
+    const double tool_x = tool[0];
+    const double tool_y = tool[1];
+    const double tool_z = tool[2];
+    const double target0 = target[0];
+    const double target1 = target[1];
+    const double target2 = target[2];
+    const double target3 = target[3];
+    const double target4 = target[4];
+    const double target5 = target[5];
+    const double target6 = target[6];
+    const double target7 = target[7];
+    const double target8 = target[8];
+    const double target9 = target[9];
+    const double target10 = target[10];
+    const double target11 = target[11];
+    const double s1655 = -R_00*tool_x - R_01*tool_y - R_02*tool_z - ox + target0;
+    const double s1659 = -R_10*tool_x - R_11*tool_y - R_12*tool_z - oy + target1;
+    const double s1663 = -R_20*tool_x - R_21*tool_y - R_22*tool_z - oz + target2;
+    const double s1667 = -1.0/2.0*R_20*target6;
+    const double s1668 = -1.0/2.0*R_21*target7;
+    const double s1669 = -1.0/2.0*R_22*target8;
+    const double s1670 = (1.0/2.0)*R_10*target9 + (1.0/2.0)*R_11*target10 + (1.0/2.0)*R_12*target11 + s1667 + s1668 + s1669;
+    const double s1674 = -1.0/2.0*R_00*target9;
+    const double s1675 = -1.0/2.0*R_01*target10;
+    const double s1676 = -1.0/2.0*R_02*target11;
+    const double s1677 = (1.0/2.0)*R_20*target3 + (1.0/2.0)*R_21*target4 + (1.0/2.0)*R_22*target5 + s1674 + s1675 + s1676;
+    const double s1681 = -1.0/2.0*R_10*target3;
+    const double s1682 = -1.0/2.0*R_11*target4;
+    const double s1683 = -1.0/2.0*R_12*target5;
+    const double s1684 = (1.0/2.0)*R_00*target6 + (1.0/2.0)*R_01*target7 + (1.0/2.0)*R_02*target8 + s1681 + s1682 + s1683;
+    out[0] = s1655;
+    out[1] = s1659;
+    out[2] = s1663;
+    out[3] = s1670;
+    out[4] = s1677;
+    out[5] = s1684;
+}
+
+/* Twist of the tool point by that of a joint (30 operations). */
+static void tip(const double *frame, const double *tool, const double *axis, double *out)
+{
+    const double ox = frame[0];
+    const double oy = frame[1];
+    const double oz = frame[2];
+    const double R_00 = frame[3];
+    const double R_01 = frame[4];
+    const double R_02 = frame[5];
+    const double R_10 = frame[6];
+    const double R_11 = frame[7];
+    const double R_12 = frame[8];
+    const double R_20 = frame[9];
+    const double R_21 = frame[10];
+    const double R_22 = frame[11];
+    const double ux = axis[0];
+    const double uy = axis[1];
+    const double uz = axis[2];
+    const double wx = axis[3];
+    const double wy = axis[4];
+    const double wz = axis[5];
+    const double tool_x = tool[0];
+    const double tool_y = tool[1];
+    const double tool_z = tool[2];
+    const double s1685 = R_20*tool_x + R_21*tool_y + R_22*tool_z + oz;
+    const double s1687 = R_10*tool_x + R_11*tool_y + R_12*tool_z + oy;
+    const double s1689 = s1685*wy - s1687*wz + ux;
+    const double s1690 = R_00*tool_x + R_01*tool_y + R_02*tool_z + ox;
+    const double s1693 = -s1685*wx + s1690*wz + uy;
+    const double s1696 = s1687*wx - s1690*wy + uz;
+    out[0] = s1689;
+    out[1] = s1693;
+    out[2] = s1696;
+    out[3] = wx;
+    out[4] = wy;
+    out[5] = wz;
+}
+
+/* How the tool accelerates (78 operations). */
+static void led(const double *frame, const double *tool, double *out)
+{
+    const double R_00 = frame[3];
+    const double R_01 = frame[4];
+    const double R_02 = frame[5];
+    const double R_10 = frame[6];
+    const double R_11 = frame[7];
+    const double R_12 = frame[8];
+    const double R_20 = frame[9];
+    const double R_21 = frame[10];
+    const double R_22 = frame[11];
+    const double ox_tt = frame[24];
+    const double oy_tt = frame[25];
+    const double oz_tt = frame[26];
+    const double R_00_tt = frame[27];
+    const double R_01_tt = frame[28];
+    const double R_02_tt = frame[29];
+    const double R_10_tt = frame[30];
+    const double R_11_tt = frame[31];
+    const double R_12_tt = frame[32];
+    const double R_20_tt = frame[33];
+    const double R_21_tt = frame[34];
+    const double R_22_tt = frame[35];
+    const double tool_x = tool[0];
+    const double tool_y = tool[1];
+    const double tool_z = tool[2];
+    const double s1700 = R_00_tt*tool_x + R_01_tt*tool_y + R_02_tt*tool_z + ox_tt;
+    const double s1704 = R_10_tt*tool_x + R_11_tt*tool_y + R_12_tt*tool_z + oy_tt;
+    const double s1708 = R_20_tt*tool_x + R_21_tt*tool_y + R_22_tt*tool_z + oz_tt;
+    const double s1712 = -1.0/2.0*R_10_tt*R_20;
+    const double s1713 = -1.0/2.0*R_11_tt*R_21;
+    const double s1714 = -1.0/2.0*R_12_tt*R_22;
+    const double s1715 = (1.0/2.0)*R_10*R_20_tt + (1.0/2.0)*R_11*R_21_tt + (1.0/2.0)*R_12*R_22_tt + s1712 + s1713 + s1714;
+    const double s1719 = -1.0/2.0*R_00*R_20_tt;
+    const double s1720 = -1.0/2.0*R_01*R_21_tt;
+    const double s1721 = -1.0/2.0*R_02*R_22_tt;
+    const double s1722 = (1.0/2.0)*R_00_tt*R_20 + (1.0/2.0)*R_01_tt*R_21 + (1.0/2.0)*R_02_tt*R_22 + s1719 + s1720 + s1721;
+    const double s1726 = -1.0/2.0*R_00_tt*R_10;
+    const double s1727 = -1.0/2.0*R_01_tt*R_11;
+    const double s1728 = -1.0/2.0*R_02_tt*R_12;
+    const double s1729 = (1.0/2.0)*R_00*R_10_tt + (1.0/2.0)*R_01*R_11_tt + (1.0/2.0)*R_02*R_12_tt + s1726 + s1727 + s1728;
+    out[0] = s1700;
+    out[1] = s1704;
+    out[2] = s1708;
+    out[3] = s1715;
+    out[4] = s1722;
+    out[5] = s1729;
+}
+
+/* Rotation by a rotation vector, row by row (60 operations). */
+static void turned(const double *vector, double *out)
+{
+    const double vx = vector[0];
+    const double vy = vector[1];
+    const double vz = vector[2];
+    const double s1730 = (vy * vy);
+    const double s1731 = (vx * vx);
+    const double s1732 = (vz * vz);
+    const double s1733 = s1730 + s1731 + s1732 + 1.0e-300;
+    const double s1734 = 1.0/s1733;
+    const double s1735 = sqrt(s1733);
+    const double s1738 = ((sin((1.0/2.0)*s1735)) * (sin((1.0/2.0)*s1735)));
+    const double s1739 = -2*s1730*s1734*s1738;
+    const double s1740 = -2*s1732*s1734*s1738;
+    const double s1741 = s1739 + s1740 + 1;
+    const double s1742 = pow(s1733, -1.0/2.0);
+    const double s1743 = sin(s1735);
+    const double s1744 = -s1742*s1743*vz;
+    const double s1745 = 2*s1734*s1738*vx*vy;
+    const double s1746 = s1744 + s1745;
+    const double s1747 = s1742*s1743*vy;
+    const double s1748 = 2*s1734*s1738*vx*vz;
+    const double s1749 = s1747 + s1748;
+    const double s1750 = -s1744 + s1745;
+    const double s1751 = -2*s1731*s1734*s1738;
+    const double s1752 = s1740 + s1751 + 1;
+    const double s1753 = -s1742*s1743*vx;
+    const double s1754 = 2*s1734*s1738*vy*vz;
+    const double s1755 = s1753 + s1754;
+    const double s1756 = -s1747 + s1748;
+    const double s1757 = -s1753 + s1754;
+    const double s1758 = s1739 + s1751 + 1;
+    out[0] = s1741;
+    out[1] = s1746;
+    out[2] = s1749;
+    out[3] = s1750;
+    out[4] = s1752;
+    out[5] = s1755;
+    out[6] = s1756;
+    out[7] = s1757;
+    out[8] = s1758;
 }
 
 /* Solve which joints move the tool point and turn the last frame as asked, in b; 0 where none do. */
 static int joint_rates(const struct motion *m, double b[6])
 {
-    const double *f = m->frame[DELTACAL_LINKS];
-    double A[6][6] = { { 0.0 } }, tip[3];
-    int i, c, d;
-    for (i = 0; i < 3; i++) {
-        tip[i] = f[i];
-        for (c = 0; c < 3; c++)
-            tip[i] += f[3 + 3 * i + c] * DELTACAL_TOOL[c];
-    }
+    double A[6][6] = { { 0.0 } };
+    int i, d;
     for (d = 0; d < DELTACAL_DRIVES; d++) {
-        const double *axis = m->axis[d];
         const int j = DELTACAL_DRIVE[d][2];
-        const double unit = DELTACAL_MUCH[d] * DELTACAL_REACHES[j];
-        for (i = 0; i < 3; i++) {
-            const double turned = axis[3 + (i + 1) % 3] * tip[(i + 2) % 3] - axis[3 + (i + 2) % 3] * tip[(i + 1) % 3];
-            A[i][j] += unit * (axis[i] + turned) / DELTACAL_REACH[0];
-            A[3 + i][j] += unit * axis[3 + i];
-        }
+        double twist[6];
+        tip(m->frame[DELTACAL_LINKS], DELTACAL_TOOL, m->axis[d], twist);
+        for (i = 0; i < 6; i++)
+            A[i][j] += DELTACAL_MUCH[d] * DELTACAL_REACHES[j] * twist[i] / (i < 3 ? DELTACAL_REACH[0] : 1.0);
     }
     for (i = 0; i < 3; i++)
         b[i] /= DELTACAL_REACH[0];
@@ -776,7 +935,7 @@ static int joint_rates(const struct motion *m, double b[6])
 }
 
 /* Find the joints at which the last frame stands in a pose, from those in q on; leaves the chain there, at rest, in m. */
-static int stood(const double *place, double turn[3][3], double q[6], struct motion *m)
+static int stood(const double target[12], double q[6], struct motion *m)
 {
     const double rest[6] = { 0.0 };
     double e[6], trace = 0.0;
@@ -784,7 +943,7 @@ static int stood(const double *place, double turn[3][3], double q[6], struct mot
     for (steps = 0; steps < POSE_STEPS && !found; steps++) {
         double largest = 0.0;
         in_motion(q, rest, rest, m);
-        missed(m, place, turn, e);
+        missed(m->frame[DELTACAL_LINKS], DELTACAL_TOOL, target, e);
         if (!joint_rates(m, e))
             break;
         for (i = 0; i < 6; i++)
@@ -794,10 +953,10 @@ static int stood(const double *place, double turn[3][3], double q[6], struct mot
             q[i] += e[i] * (largest > POSE_FARTHEST ? POSE_FARTHEST / largest : 1.0);
     }
     in_motion(q, rest, rest, m);
-    missed(m, place, turn, e);
+    missed(m->frame[DELTACAL_LINKS], DELTACAL_TOOL, target, e);
     for (i = 0; i < 3; i++) {
         for (c = 0; c < 3; c++)
-            trace += m->frame[DELTACAL_LINKS][3 + 3 * i + c] * turn[i][c];
+            trace += m->frame[DELTACAL_LINKS][3 + 3 * i + c] * target[3 + 3 * i + c];
         if (!(fabs(e[i]) < POSE_MM && fabs(e[3 + i]) < POSE_RAD))
             return DELTACAL_UNREACHABLE;
     }
@@ -806,30 +965,13 @@ static int stood(const double *place, double turn[3][3], double q[6], struct mot
     return found ? DELTACAL_SOLVED : DELTACAL_SINGULAR;
 }
 
-/* Turn about a rotation vector [rad]. */
-static void turned_by(const double *v, double turn[3][3])
-{
-    const double angle = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    const double a = angle > 1e-8 ? sin(angle) / angle : 1.0;
-    const double half = angle > 1e-8 ? sin(0.5 * angle) / angle : 0.5, b = 2.0 * half * half;
-    int i, c;
-    for (i = 0; i < 3; i++)
-        for (c = 0; c < 3; c++)
-            turn[i][c] = b * v[i] * v[c] + (i == c ? 1.0 - b * angle * angle : 0.0);
-    for (i = 0; i < 3; i++) {
-        turn[(i + 2) % 3][(i + 1) % 3] += a * v[i];
-        turn[(i + 1) % 3][(i + 2) % 3] -= a * v[i];
-    }
-}
-
 int deltacal_feedforward(struct deltacal_motion *held, const double target[6], const double velocity[6],
                          const double acceleration[6], double payload_kg, double temp_C)
 {
     const double rest[6] = { 0.0 };
-    double q[6], qd[6], qdd[6], vector[3], turn[3][3];
-    const double *f;
+    double q[6], qd[6], qdd[6], vector[3], place[12], drift[6];
     struct motion m;
-    int i, c, status;
+    int i, status;
     if (!all_finite(target, velocity, acceleration, 6) || !isfinite(payload_kg) || !isfinite(temp_C))
         return DELTACAL_NOT_A_NUMBER;
     for (i = 0; i < 6; i++) {
@@ -840,24 +982,20 @@ int deltacal_feedforward(struct deltacal_motion *held, const double target[6], c
         if (!isfinite(q[i]))
             return DELTACAL_NOT_A_NUMBER;
     }
-    for (i = 0; i < 3; i++)
+    for (i = 0; i < 3; i++) {
+        place[i] = target[i];
         vector[i] = DEGREE * target[3 + i];
-    turned_by(vector, turn);
-    status = stood(target, turn, q, &m);
+    }
+    turned(vector, place + 3);
+    status = stood(place, q, &m);
     if (status != DELTACAL_SOLVED)
         return status;
     if (!joint_rates(&m, qd))
         return DELTACAL_SINGULAR;
     in_motion(q, qd, rest, &m); /* of joints that do not accelerate */
-    f = m.frame[DELTACAL_LINKS];
-    for (i = 0; i < 3; i++) {
-        qdd[i] -= f[24 + i];
-        for (c = 0; c < 3; c++) {
-            const int j = (i + 1) % 3, k = (i + 2) % 3;
-            qdd[i] -= f[27 + 3 * i + c] * DELTACAL_TOOL[c];
-            qdd[3 + i] -= 0.5 * (f[27 + 3 * k + c] * f[3 + 3 * j + c] - f[27 + 3 * j + c] * f[3 + 3 * k + c]);
-        }
-    }
+    led(m.frame[DELTACAL_LINKS], DELTACAL_TOOL, drift);
+    for (i = 0; i < 6; i++)
+        qdd[i] -= drift[i];
     if (!joint_rates(&m, qdd))
         return DELTACAL_SINGULAR;
     return handed_out(held, q, qd, qdd, payload_kg, temp_C);
