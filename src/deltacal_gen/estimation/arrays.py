@@ -22,8 +22,9 @@ from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation.fit import Fit, fit, rough
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.solvers import Factored, LeastSquares, Solver
+from deltacal_gen.machine.answers import result
 from deltacal_gen.machine.backend import working
-from deltacal_gen.machine.registry import SOLVED, STATUS, Array, load_mechanism, mechanism_of, result
+from deltacal_gen.machine.registry import SOLVED, STATUS, Array, load_mechanism, mechanism_of
 from deltacal_gen.machine.values import POSITION, Measurement, Recording, Robot
 from deltacal_gen.units import file_unit, to_internal
 

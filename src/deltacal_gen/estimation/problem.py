@@ -13,7 +13,8 @@ from deltacal_gen.errors import InputError
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.instrument.kinds import measured_points, readings
 from deltacal_gen.instrument.readings import Readings
-from deltacal_gen.machine.registry import Array, Machine, Sensitivity, mechanism_of
+from deltacal_gen.machine.answers import Sensitivity
+from deltacal_gen.machine.registry import Array, Machine, mechanism_of
 from deltacal_gen.machine.values import Recording, Robot
 from deltacal_gen.physics.body import Body, Deformed, follows
 from deltacal_gen.physics.channels import Channels

@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.errors import UsageError
+from deltacal_gen.machine.answers import Loads, Sensitivity, filled, result
 from deltacal_gen.machine.flexible import DEFLECTIONS, NO_LINE, Flexible
 from deltacal_gen.machine.machine import (
     COORDINATES,
@@ -23,13 +24,9 @@ from deltacal_gen.machine.machine import (
     SOLVED,
     UNREACHABLE,
     GeometryKey,
-    Loads,
     Machine,
     Parameter,
     Reach,
-    Sensitivity,
-    filled,
-    result,
 )
 from deltacal_gen.machine.rotation import Array
 from deltacal_gen.machine.values import Link, Robot

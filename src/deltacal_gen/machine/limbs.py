@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from deltacal_gen.errors import UsageError
+from deltacal_gen.machine.answers import Loads, Sensitivity, filled, result
 from deltacal_gen.machine.machine import (
     COORDINATES,
     POSE,
@@ -23,13 +24,9 @@ from deltacal_gen.machine.machine import (
     SOLVED,
     UNREACHABLE,
     GeometryKey,
-    Loads,
     Machine,
     Parameter,
     Reach,
-    Sensitivity,
-    filled,
-    result,
 )
 from deltacal_gen.machine.rotation import Array, cayley_matrix, cayley_vector
 

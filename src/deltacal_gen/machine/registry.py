@@ -24,12 +24,8 @@ from deltacal_gen.machine.machine import (
     UNBALANCED,
     UNREACHABLE,
     GeometryKey,
-    Loads,
     Machine,
     Parameter,
-    Sensitivity,
-    filled,
-    result,
 )
 from deltacal_gen.machine.rotation import Array
 
@@ -46,17 +42,13 @@ __all__ = [
     "UNREACHABLE",
     "Array",
     "GeometryKey",
-    "Loads",
     "Machine",
     "Parameter",
-    "Sensitivity",
     "described",
-    "filled",
     "load_mechanism",
     "mechanism_names",
     "mechanism_of",
     "nominal_joints",
-    "result",
 ]
 
 

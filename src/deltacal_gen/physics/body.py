@@ -15,8 +15,9 @@ from typing import NamedTuple
 import numpy as np
 
 from deltacal_gen.errors import InputError
+from deltacal_gen.machine.answers import Sensitivity
 from deltacal_gen.machine.machine import POSE
-from deltacal_gen.machine.registry import SOLVED, STATUS, UNBALANCED, Array, Machine, Sensitivity
+from deltacal_gen.machine.registry import SOLVED, STATUS, UNBALANCED, Array, Machine
 from deltacal_gen.machine.rotation import cayley_matrix, swept
 from deltacal_gen.machine.values import Recording, Robot
 from deltacal_gen.physics import states

@@ -29,6 +29,7 @@ import numpy as np
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.files.robot import Robot, Workspace
 from deltacal_gen.identification.accuracy import turned, workspace_of
+from deltacal_gen.machine.answers import result
 from deltacal_gen.machine.registry import (
     SOLVED,
     STATUS,
@@ -36,7 +37,6 @@ from deltacal_gen.machine.registry import (
     Machine,
     mechanism_of,
     nominal_joints,
-    result,
 )
 from deltacal_gen.machine.rotation import about_z
 from deltacal_gen.physics.body import Body, Deformed
