@@ -38,6 +38,7 @@ def arm_poses(joints: Array, wrong: Mapping[str, float] = WRONG_ARM) -> tuple[Ar
             t = np.radians(q[i - 1] + theta)
             c, s, ca, sa = np.cos(t), np.sin(t), *_twist(alpha)
             T = T @ np.array([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]])
+            T[:3, :3] = T[:3, :3] @ turn(0.0, np.radians(wrong.get(f"beta_{i}", 0.0)), 0.0)
         out.append(T)
     found = np.array(out)
     return found[:, :3, :3], found[:, :3, 3]

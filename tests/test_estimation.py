@@ -239,6 +239,15 @@ def test_readings_that_share_nothing_have_the_ratio_zero() -> None:
     assert ratio < 0.05
 
 
+@pytest.mark.parametrize("ratio", [0.0, 0.5, 16.0])
+def test_means_of_few_readings_tell_less_of_what_poses_share(ratio: float) -> None:
+    rng = np.random.default_rng(7)
+    group = np.repeat(np.arange(600), np.tile([1, 2, 20], 200))
+    shared = np.sqrt(ratio) * rng.standard_normal((600, 2))[group]
+    found, _, _ = Repeats.ratio_of(shared + rng.standard_normal((len(group), 2)), group)
+    assert found == pytest.approx(ratio, rel=0.15, abs=0.01)  # by means that count alike 0.03 where there is none
+
+
 def repeated(robot: Robot, truth: dict[str, float], counts: np.ndarray) -> Recording:
     """Return poses read `counts` times, each pose with an error of its own ten times the noise of its readings."""
     poses = np.vstack([rings(robot, 9), scattered(robot, 20, 4)])

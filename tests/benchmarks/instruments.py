@@ -3,9 +3,9 @@
 ``camera``: an arm with errors in ten of its dimensions, a camera on its last link or beside it, 0.2 px of noise, one
 in twenty points found wrongly; all of it from `tests.exact_camera`. Counted: parameters within three standard
 deviations of the truth; how far hand and eye are off, where the machine is told and where it is not, beside a bundle
-adjustment that is told the machine and which points are wrong, and by how much the machine's being unknown must widen
-them (the bound of Cramer and Rao); images of new poses, beside OpenCV's hand-eye methods on the same files where a
-version has them (``calibrateHandEye``: 4.x), with the arm as drawn and with the true one.
+adjustment that is told the machine and which points are wrong, and beside the bound of Cramer and Rao, of which the
+squared error by the bound's covariance is 1 in the mean; images of new poses, beside OpenCV's hand-eye methods on the
+same files where a version has them (``calibrateHandEye``: 4.x), with the arm as drawn and with the true one.
 
 ``confounds``: what readings cannot tell apart, said in words with both members; and not said where they can.
 
@@ -90,7 +90,8 @@ def camera_row(seed: int, folder: Path) -> dict[str, float]:
     row |= (
         apart("ours", *ours, scene) | apart("told", *settled, scene) | apart("adjusted", adjusted.C, adjusted.h, scene)
     )
-    row |= bound(scene, joints, wrong, shown, [b.name for b in result.base])
+    at = scene, joints, wrong, (shown, right)
+    row |= bound(at_best(*at, []), at_best(*at, [b.name for b in result.base]), scene, *ours)
     off = {f"px_{name}": rms(uv[visible] - wanted[visible]) for name, uv in told.items()}
     return row | {f"px_{method}_{arm}": np.nan for arm in ("drawn", "true") for method in METHODS} | off
 
@@ -132,26 +133,36 @@ def bundle(scene: Scene, poses: tuple[Array, Array], shown: Array, measured: Arr
     return moved(scene, least_squares(off, np.zeros(12), x_scale=np.tile([1e-4] * 3 + [0.1] * 3, 2), method="lm").x)
 
 
-def bound(
-    scene: Scene, joints: Array, wrong: Mapping[str, float], shown: Array, names: Sequence[str]
-) -> dict[str, float]:
-    """Return by which factor what is unknown of the machine widens the bound of hand and eye (Cramer, Rao)."""
-    steps = [(name, 1e-4) for name in names if name[:-2] in DH] + [("", 1e-6)] * 12
+def at_best(
+    scene: Scene, joints: Array, wrong: Mapping[str, float], points: tuple[Array, Array], names: Sequence[str]
+) -> Array:
+    """Return the covariance of an arm's errors `names` [deg, mm], of camera and board (12), at best (Cramer, Rao).
+
+    Points (shown, and which of these are right) that were found wrongly tell nothing.
+    """
+    shown, right = points
+    steps = [(name, 1e-4) for name in names] + [("", 1e-6)] * 12
     columns = []
     for k, (name, step) in enumerate(steps):
         ends = []
         for way in (step, -step):
             errors = {**wrong, name: wrong.get(name, 0.0) + way} if name else dict(wrong)
             by = np.zeros(12) if name else way * np.eye(12)[k - len(steps) + 12]
-            ends.append(moved(scene, by).pixels(arm_poses(joints, errors), LENS)[0][shown].ravel())
+            ends.append(moved(scene, by).pixels(arm_poses(joints, errors), LENS)[0][shown][right].ravel())
         columns.append((ends[0] - ends[1]) / (2 * step * NOISE_PX))
     J = np.column_stack(columns)
-    known, free = (np.linalg.inv(A.T @ A) for A in (J[:, -12:], J))
-    at = {"mm": slice(3, 6), "deg": slice(0, 3)}
-    return {
-        f"bound_{unit}": float(np.sqrt(np.trace(free[-12:, -12:][own, own]) / np.trace(known[own, own])))
-        for unit, own in at.items()
-    }
+    return np.asarray(np.linalg.inv(J.T @ J))
+
+
+def bound(known: Array, free: Array, scene: Scene, C: Array, h: Array) -> dict[str, float]:
+    """Return how well hand and eye can be known, the arm `known` and not, and how far C and h are off, squared."""
+    known, free = known[-12:-6, -12:-6], free[-12:-6, -12:-6]
+    off = np.concatenate([Rotation.from_matrix(scene.C.T @ C).as_rotvec(), C.T @ h - scene.C.T @ scene.h])
+    out = {"squared": float(off @ np.linalg.solve(free, off))}
+    for unit, own, size in (("mm", slice(3, 6), 1.0), ("deg", slice(0, 3), np.degrees(1.0))):
+        for what, covariance in (("knowing", known), ("least", free)):
+            out[f"{unit}_{what}"] = float(size * np.sqrt(np.trace(covariance[own, own])))
+    return out
 
 
 def predicted(result: Any, joints: Array, folder: Path, place: str) -> Array:
@@ -313,13 +324,14 @@ def summary(part: str, rows: Sequence[Mapping[str, str]]) -> list[str]:
     within, all_ = column["within"].sum(), column["identified"].sum()
     lines = [f"within three standard deviations: {within:.0f} of {all_:.0f} ({100 * within / all_:.1f} %)"]
     for unit in ("mm", "deg"):
-        each = {who: np.sqrt(np.mean(column[f"{unit}_{who}"] ** 2)) for who in ("ours", "told", "adjusted")}
-        least = np.sqrt(np.mean(column[f"bound_{unit}"] ** 2))
+        of = ("ours", "told", "adjusted", "knowing", "least")
+        ours, told, adjusted, knowing, least = (np.sqrt(np.mean(column[f"{unit}_{who}"] ** 2)) for who in of)
         lines.append(
-            f"hand and eye, {unit}: bundle adjustment that knows the machine {each['adjusted']:.4f}; ours, told it, "
-            f"{each['told'] / each['adjusted']:.2f} of that; ours, not told, {each['ours'] / each['adjusted']:.2f} "
-            f"(the bound of what is not known: {least:.2f})"
+            f"hand and eye, {unit}: told the machine {told:.4f}, {told / adjusted:.2f} of a bundle adjustment that "
+            f"knows it, {told / knowing:.2f} of the bound; not told it {ours:.4f}, {ours / least:.2f} of the bound"
         )
+    squared = column["squared"].mean() / 6
+    lines.append(f"hand and eye, not told the machine: squared error by the bound's covariance {squared:.2f} of 1")
     for name, off in ((name[3:], off) for name, off in column.items() if name.startswith("px_")):
         if (gave := np.isfinite(off)).any():
             worse = int((off[gave] < column["px_deltacal"][gave]).sum())

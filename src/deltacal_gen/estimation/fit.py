@@ -187,19 +187,21 @@ class _Rows:
         scarce = scalars - n_m - n < SPARE_READINGS and not self._found.kind.rotations
         self._known = problem.recording.measurement.sigma_mm if scarce else None
         self._leverage = np.full(self._found.kind.noises, float(n_m + min(n, 1)) / max(scalars, 1))
-        self._degrees = 0.0
+        self._carried = 0.0, 0.0
+        # points found wrongly go first: their pull would pass for what the points of an image share
+        self.later = int(self._found.kind.picked)
 
     def weigh(self, residual: Array, iteration: int, close: int) -> None:
         """Estimate noise and weights from residuals (R, k); what repeats share once, when the fit is close."""
         self.sigma = self._noise(residual)
-        drop = self._found.kind if self._drop_gross and iteration > close else None
+        drop = self._found.kind if self._drop_gross and iteration > close - self.later else None
         levelled = self.shared.levelled(residual)
         self.weights = robust_weights(levelled, self.sigma, drop) if self._robust else np.ones(len(residual))
         if not self.weights.all():  # what has no weight in the fit has none in its noise
             self.sigma = self._noise(residual, self.weights > 0)
-        if self.estimated and iteration == close:
+        if self.estimated and iteration == close + self.later:
             quiet = robust_weights(residual, self.sigma, self._found.kind) > 0  # gross errors say nothing of poses
-            self.shared = shared_by_repeats(self._found, residual, quiet, self._degrees, self._leverage)
+            self.shared = shared_by_repeats(self._found, residual, quiet, self._carried, self._leverage)
 
     def _noise(self, residual: Array, quiet: np.ndarray | None = None) -> Array:
         if self._known is not None:
@@ -209,12 +211,16 @@ class _Rows:
 
     def used(self, linear: System, solution: Solution, read: np.ndarray) -> None:
         """Note which part of each group's readings a solution has used up."""
-        self._degrees = solution.degrees + linear.n_m
+        degrees = solution.degrees + linear.n_m
         self._leverage = (
-            np.full(len(self._leverage), self._degrees / max(self._found.n_scalars, 1.0))
+            np.full(len(self._leverage), degrees / max(self._found.n_scalars, 1.0))
             if self._found.made
             else _leverage(linear, solution, read, self._found.kind.noise_groups(6))
         )
+        self._carried = degrees, 0.0
+        if self.estimated and self._found.known is not None:  # points of one pose tell more than their mean
+            means = _by_means(_taken_up(linear, solution), read, self._found.group)
+            self._carried = means, degrees - means
 
     def objective(self, at: Fit, weight: float) -> float:
         """Return the objective where a fit ended, rows weighed as here."""
@@ -248,7 +254,7 @@ class _Iteration:
                 break
             before = state
             state, damping = improved(self._problem, state, linear, solution, self._rows.whitened, damping)
-            if state is before and len(history) > self._close + 1:
+            if state is before and len(history) > self._close + 1 + self._rows.later:
                 break  # no step lowers the objective: what the linear machine still promises is not to be had
         rows, problem = self._rows, self._problem
         noise = _shared_noise(problem, rows.weights, state.machine.x)
@@ -305,7 +311,7 @@ class _Iteration:
     def _arrived(self) -> bool:
         n = len(self._history)
         enough = self._history[-1] < (self._tolerance if n < PATIENCE else SETTLED)
-        return enough and n > (self._close + 1 if self._rows.estimated else 1)
+        return enough and n > (self._close + 1 + self._rows.later if self._rows.estimated else 1)
 
     def _blame(self, residual: Array) -> None:
         """Raise what the iteration did not converge of."""
@@ -388,14 +394,29 @@ def _leverage(linear: System, solution: Solution, read: np.ndarray, groups: np.n
     """Return the part of each group's readings that the fit uses up (g,): the mean of the hat matrix's diagonal."""
     if not groups[: read.shape[1]].any():  # of all rows it is the trace
         return np.array([(solution.degrees + linear.n_m) / max(len(linear.b), 1)])
+    hat = (_taken_up(linear, solution) ** 2).sum(axis=1)
+    own = np.broadcast_to(groups[: read.shape[1]], read.shape)[read]
+    parts = (own == group for group in range(groups.max() + 1))
+    return np.array([hat[part].mean() if part.any() else 0.0 for part in parts])
+
+
+def _taken_up(linear: System, solution: Solution) -> Array:
+    """Return columns (scalars, n_m + n) whose products are the hat matrix: what of the rows a solution takes up."""
     Q = np.linalg.qr(linear.A_m)[0]
     A = linear.A_p - Q @ (Q.T @ linear.A_p)
     with np.errstate(divide="ignore", invalid="ignore"):
         weight = np.where(solution.factors > 0, np.sqrt(solution.factors) / solution.singular_values, 0.0)
-    hat = ((A @ solution.V * weight) ** 2).sum(axis=1) + (Q**2).sum(axis=1)
-    own = np.broadcast_to(groups[: read.shape[1]], read.shape)[read]
-    parts = (own == group for group in range(groups.max() + 1))
-    return np.array([hat[part].mean() if part.any() else 0.0 for part in parts])
+    return np.hstack([Q, A @ solution.V * weight])
+
+
+def _by_means(taken: Array, read: np.ndarray, group: np.ndarray) -> float:
+    """Return how many of the parameters that columns (scalars, n) took up were carried by the means of groups (R,)."""
+    pose, component = np.broadcast_to(group[:, None], read.shape)[read], np.nonzero(read)[1]
+    _, mean = np.unique(np.column_stack([pose, component]), axis=0, return_inverse=True)
+    mean = np.ravel(mean)
+    sums = np.zeros((int(mean.max()) + 1, taken.shape[1]))
+    np.add.at(sums, mean, taken)
+    return float((sums**2 / np.bincount(mean)[:, None]).sum())
 
 
 def _shared_noise(problem: Problem, weights: Array, x: Array) -> Array | None:

@@ -22,6 +22,7 @@ CLIPPED = erf(HUBER / sqrt(2)) - sqrt(2 / pi) * HUBER * exp(-(HUBER**2) / 2) + H
 MOST_GROSS = 0.06  # of all readings: more than this are no errors of measurement but something left out
 MOST_WRONG = 0.2  # of points found in images: those of a part that is hidden or mirrored, and stray ones
 USUAL_COUNTS = 3  # readings that knowing the usual noise of an instrument is worth
+MOST_STEPS, SETTLED = 50, 1e-9  # towards what repeats share, and of its equation what is as good as none
 GROSS = 6.0  # standard deviations beyond which a reading is listed as a gross error
 
 
@@ -98,10 +99,13 @@ class Repeats:
         return whitened
 
     @staticmethod
-    def ratio_of(residual: Array, group: np.ndarray, fitted: float = 0.0) -> tuple[float, float, int]:
+    def ratio_of(
+        residual: Array, group: np.ndarray, fitted: float = 0.0, inside: float = 0.0
+    ) -> tuple[float, float, int]:
         """Return (variance between / within, variance within, degrees of freedom within) of residuals (R, k).
 
-        `fitted` is the number of parameters that the means of the groups have carried.
+        `fitted` is the number of parameters that the means of the groups have carried, `inside` that of those that the
+        differences within them have.
         """
         residual = np.nan_to_num(_read(residual))
         count = np.bincount(group)
@@ -112,11 +116,27 @@ class Repeats:
         sums = np.zeros((len(count), residual.shape[1]))
         np.add.at(sums, group, residual)
         means = sums / np.maximum(count, 1)[:, None]
-        within = float(((residual - means[group])[several] ** 2).sum() / degrees)
+        within = float(((residual - means[group])[several] ** 2).sum() / max(degrees - inside, 1.0))
         some = count > 0
         spare = max(some.sum() * residual.shape[1] - fitted, 1.0)
-        excess = (means[some] ** 2).sum() / spare - within * (1 / count[some]).mean()
-        return float(max(excess, 0.0) / max(within, SMALLEST_SIGMA**2)), within, degrees
+        square = (means[some] ** 2).sum(axis=1) / max(within, SMALLEST_SIGMA**2)
+        return _between(square, count[some], spare), within, degrees
+
+
+def _between(square: Array, count: np.ndarray, spare: float) -> float:
+    """Return the ratio at which means of `count` (G,) readings scatter as they do, `square` (G,) times noise within.
+
+    Means of few readings have more noise and tell less (Paule, Mandel 1982): ``sum(square / (ratio + 1 / count))`` is
+    their degrees of freedom. It falls and is convex, so that Newton's steps come from below.
+    """
+    ratio = 0.0
+    for _ in range(MOST_STEPS):
+        weight = 1 / (ratio + 1 / count)
+        excess = float(square @ weight) - spare
+        if excess <= SETTLED * spare:
+            break
+        ratio += excess / float(square @ weight**2)
+    return ratio
 
 
 def rms(values: Array) -> float:
@@ -135,16 +155,21 @@ def _read(residual: Array) -> Array:
     return residual[:, np.isfinite(residual).any(axis=0)]
 
 
-def shared_by_repeats(found: Readings, residual: Array, quiet: np.ndarray, degrees: float, leverage: Array) -> Repeats:
-    """Return what repeats share, of each group of columns for itself; they part what the fit took by their leverage."""
+def shared_by_repeats(
+    found: Readings, residual: Array, quiet: np.ndarray, carried: tuple[float, float], leverage: Array
+) -> Repeats:
+    """Return what repeats share, of each group of columns for itself; they part what the fit took by their leverage.
+
+    `carried` is how many parameters the means of poses have carried, and how many the differences within them.
+    """
     groups, ratio = found.kind.noise_groups(residual.shape[1]), np.zeros(residual.shape[1])
     parts = [groups == g for g in range(len(leverage))]
     taken = [used * np.isfinite(residual[:, part]).sum() for used, part in zip(leverage, parts, strict=True)]
     for part, some in zip(parts, taken, strict=True):
         rows = quiet & np.isfinite(residual[:, part]).any(axis=1)
         if rows.any():
-            fitted = degrees * some / max(sum(taken), 1e-300)
-            ratio[part], *_ = Repeats.ratio_of(residual[np.ix_(rows, part)], found.group[rows], fitted=fitted)
+            fitted, inside = (each * some / max(sum(taken), 1e-300) for each in carried)
+            ratio[part], *_ = Repeats.ratio_of(residual[np.ix_(rows, part)], found.group[rows], fitted, inside)
     return Repeats(found.group, ratio)
 
 
