@@ -175,6 +175,36 @@ def test_speeds_are_made_without_delay_run_by_run(robot: Robot) -> None:
     assert "approach1" not in motion_of(told)
 
 
+def swift(robot: Robot) -> Recording:
+    """Return joints that go to places and stay there, at 60 deg/s for half a second, sampled at 10 Hz."""
+    made, rng = motion(robot), np.random.default_rng(5)
+    time = np.tile(0.1 * np.arange(EACH), RUNS)
+    places = rng.uniform(-1.0, 1.0, (RUNS, 4, 3)).cumsum(axis=1) * 30.0
+    moves = np.arange(1, 5)
+    at = [np.interp(0.1 * np.arange(EACH), np.sort(np.r_[moves, moves + 0.5]), v) for run in places for v in _ends(run)]
+    joints = np.reshape(at, (RUNS, 3, EACH)).swapaxes(1, 2).reshape(-1, 3) * DEG
+    return dataclasses.replace(made, joints=joints, channels=made.channels | {"time_s": time})
+
+
+def _ends(places: Array) -> list[Array]:
+    """Return each joint's places (4, 3) at beginning and end of its moves, from 0."""
+    return [np.repeat(np.r_[0.0, joint], 2)[1:-1] for joint in places.T]
+
+
+def test_moves_of_few_samples_keep_their_speed(robot: Robot) -> None:
+    """Splines would cut them, and a joint at rest would have a speed: a delay then passes for play."""
+    made = swift(robot)
+    speed = motion_of(made)["qd1_deg_s"]
+    still = np.abs(np.diff(made.joints[:, 0])) < 1e-12
+    assert np.abs(speed[1:-1][still[1:] & still[:-1]]).max() < 1e-9
+    late = blank("latency", ())
+    rng = np.random.default_rng(6)
+    terms = (late.with_values(np.array([0.01])),)
+    found = diagnose(robot, simulate(robot, made, noise_mm=100 * NOISE * DEG, rng=rng, terms=terms)).answer()
+    assert [e.name for e in found.effects] == ["latency"]
+    assert found.final.heldout_rms_mm == pytest.approx(100 * NOISE * DEG, rel=0.1)
+
+
 def test_the_commands_speak_degrees(run: Run, robot: Robot, tmp_path: Path) -> None:
     (tmp_path / "robot.toml").write_text(robot_to_toml(robot))
     write_recording(read(robot), tmp_path / "recording.csv")

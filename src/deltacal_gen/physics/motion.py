@@ -1,7 +1,7 @@
 """What a recording in motion tells of its joints beside where they are: the way they came, and how fast.
 
-Without delay, so that what is made of them does not look like friction or latency: by splines (`physics.splines`), of
-the few samples of a short run by central differences.
+Without delay, so that what is made of them does not look like friction or latency: by splines (`physics.splines`); of
+the few samples of a short run, and where a motion turns within a few samples, by central differences.
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ def motion_of(recording: Recording) -> dict[str, Array]:
 
 
 def _spline_derivatives(recording: Recording, runs: list[np.ndarray]) -> Array | None:
-    """Return velocities and accelerations (2, N, n_q) by splines; None where a movement is too short for them."""
+    """Return velocities and accelerations (2, N, n_q) by splines; None where movements are too short or too quick."""
     rows = np.concatenate(runs)
     run = np.repeat(np.arange(len(runs)), [len(own) for own in runs])
     assert recording.time_s is not None
@@ -88,7 +88,10 @@ def _spline_derivatives(recording: Recording, runs: list[np.ndarray]) -> Array |
     samples = splines.Samples(recording.joints[rows], time, splines.pieces_of(time, run))
     if min(len(own) for own in samples.pieces) < splines.LEAST:
         return None
-    spacing = splines.chosen_spacing(samples, 2, of_joints(recording.joint_unit, recording.joints.shape[1]))
+    units = of_joints(recording.joint_unit, recording.joints.shape[1])
+    spacing = splines.chosen_spacing(samples, 2, units)
+    if not splines.resolves(samples, spacing, units):
+        return None
     out = np.empty((2, *recording.joints.shape))
     out[:, rows] = splines.smooth(samples, spacing, 2)[1:]
     return out

@@ -142,6 +142,25 @@ def chosen_spacing(given: Samples, order: int, units: Sequence[str]) -> float:
     return float(spacings[int(np.argmin(risks))])
 
 
+def resolves(given: Samples, spacing: float, units: Sequence[str]) -> bool:
+    """Tell whether splines with knots `spacing` [s] apart know the series better than the next samples do.
+
+    Each sample is left out: what a spline through all others makes of it, and what the straight line between the sample
+    before and the one after does. Splines average noise; a motion that turns within a few samples is cut by them.
+    """
+    left = given.values - smooth(given, spacing, 0)[0]
+    left /= 1.0 - min(given.step / spacing, 0.9)  # as if the spline had not seen the sample
+    line = np.full(left.shape, np.nan)
+    for own in given.pieces:
+        time, values = given.time[own], given.values[own]
+        part = ((time[1:-1] - time[:-2]) / (time[2:] - time[:-2]))[:, None]
+        line[own[1:-1]] = values[1:-1] - (values[:-2] + part * (values[2:] - values[:-2]))
+    counted = moving(given.values, units)
+    left, line = (values[:, counted] / np.nanstd(given.values[:, counted], axis=0) for values in (left, line))
+    seen = np.isfinite(left) & np.isfinite(line)
+    return float((left[seen] ** 2).sum()) <= float((line[seen] ** 2).sum())
+
+
 def inside(given: Samples, within: float) -> np.ndarray:
     """Tell which samples are not `within` [s] of the ends of their piece, where splines are loose; all if none is."""
     start, end = (np.array([f(given.time[own]) for own in given.pieces])[given.piece] for f in (np.min, np.max))
