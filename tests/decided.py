@@ -1,8 +1,9 @@
 """``python -m tests.decided``: runs the tests that decide the claims of the papers, and writes down how they ended.
 
 ``claims/decided.json`` then says of every test its outcome, the day, the hash of what it was decided with (the
-descriptions that SymPy reads, the runtime's kernels, the test's own file), and its figures: every assertion with what
-stood on its two sides when it held. Nobody types them; `pytest` tells what it compared. The page of claims shows it.
+descriptions that SymPy reads, the runtime's kernels, the test's own modules), and its figures: every assertion with
+what stood on its two sides when it held. Nobody types them; `pytest` tells what it compared. The page of claims shows
+it.
 
 All tests run twice: as they are, with machines written from the papers alone, and with the project's own kernels in
 the place of these (`tests.claims.of_the_project`); ``by_project`` is how they end then.

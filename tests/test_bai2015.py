@@ -1,6 +1,6 @@
 """Bai, Mei, Huang, Chetwynd 2015 on the package's machine: columns, ranks, Tables 3 and 4, the procedure.
 
-What the paper itself claims is decided in tests/claims/test_bai.py.
+What the paper itself claims is decided in tests/claims/test_bai_*.py.
 """
 
 from __future__ import annotations

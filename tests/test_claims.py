@@ -296,4 +296,11 @@ def test_the_hash_of_sources_is_of_what_is_derived_and_of_the_test(tmp_path: Pat
         assert now != before
         before = now
     (tmp_path / "derive/other.py").write_text("")
+    (tmp_path / "tests/alone.py").write_text("")
     assert ledger.sources(tmp_path, "tests/t.py::test_x") == before
+    (tmp_path / "tests/deep.py").write_text("x = 1\n")
+    (tmp_path / "tests/twin.py").write_text("from tests.deep import x\n")
+    (tmp_path / "tests/t.py").write_text("from tests import twin\n")
+    before = ledger.sources(tmp_path, "tests/t.py::test_x")
+    (tmp_path / "tests/deep.py").write_text("x = 2\n")
+    assert ledger.sources(tmp_path, "tests/t.py::test_x") != before  # of what a module beside it reads

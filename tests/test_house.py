@@ -14,10 +14,6 @@ PARTS = ("src/deltacal_gen", "derive", "tests")
 MODULE, FUNCTION = 600, 60
 MODULES = {
     "tests/benchmarks/works.py": 766,
-    "tests/claims/test_bai.py": 837,
-    "tests/claims/test_mei.py": 681,
-    "tests/claims/test_savoure.py": 938,
-    "tests/claims/test_traslosheros.py": 851,
     "tests/test_kernels.py": 633,
     "tests/test_motion.py": 671,
 }

@@ -193,7 +193,7 @@ def _loop() -> Step:
             ends=[type(standing).predict],
         ),
         float(abs(np.linalg.norm(np.array(length.subs(known), dtype=float)) - float(read.ravel()[0]))),
-        "tests/claims/test_mei.py::test_eq_30",
+        "tests/claims/test_mei_identification.py::test_eq_30",
     )
 
 

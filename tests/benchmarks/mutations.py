@@ -61,7 +61,7 @@ PAPERS = {
 }
 RELATED = {"delta": ("delta", "complete_delta"), "statics": ("delta", "linear_delta")}
 NEAREST = {  # tests by what was changed, the nearest and quickest first
-    "delta": ("test_bai2015", "claims/test_bai"),
+    "delta": ("test_bai2015", *(f"claims/test_bai_{part}" for part in ("model", "identification", "experiment"))),
     "complete_delta": ("test_savoure2006",),
     "planar_parallelogram": ("test_savoure2006",),
     "simplified_parallelogram": ("test_savoure2006",),

@@ -24,6 +24,7 @@ MODEL_32 = tuple(n for n in MODEL_36 if n not in DEPENDENT)
 MODEL_24 = MODEL_42[:24]
 MODEL_18 = tuple(n for n in MODEL_24 if n not in GAUGE)
 OFFSETS = ("theta_1", "theta_2", "theta_3")
+POINTS = (np.array([0.0, 0.0, -60.0]), np.array([80.0, 30.0, -60.0]), np.array([-40.0, 70.0, -60.0]))  # of a reflector
 
 PHI = -np.pi / 2 + 2 * np.pi * np.arange(3) / 3
 U0 = np.column_stack([np.cos(PHI), np.sin(PHI), np.zeros(3)])
@@ -176,6 +177,14 @@ def rule(kappa: dict[int, float], threshold: float = 0.01) -> int | None:
     """Return the least n that eq. (21) accepts."""
     with np.errstate(invalid="ignore"):
         return next((n for n in kappa if n - 1 in kappa and abs(1 - kappa[n - 1] / kappa[n]) <= threshold), None)
+
+
+def kappas(model: str, norm: str, start: float) -> dict[int, float]:
+    """Return the condition number against n, for rough calibration ("3") or model 18."""
+    if model == "3":
+        return {n: condition(H(rough_poses(n, start), OFFSETS), norm) for n in range(2, 13)}
+    names, points = (MODEL_18, (None,)) if model == "18" else (MODEL_32, POINTS[:2])
+    return {n: condition(H(fine_poses(n, start), names, points), norm) for n in range(3, 14)}
 
 
 OFFSETS_FOUND = np.radians([0.911, 1.098, 1.441])  # section 5.1

@@ -212,6 +212,9 @@ class Delta:
         return out
 
 
+DELTA = Delta(tool=(30.0, 20.0, -100.0))
+
+
 def rank(matrix: np.ndarray, scale: np.ndarray) -> tuple[int, float]:
     """Return the rank of (M, n) with its columns scaled, and the gap: last singular value kept over first dropped."""
     s = np.linalg.svd(matrix * scale, compute_uv=False)
@@ -228,6 +231,7 @@ ERRORS = np.array([0.01 * DEG, 1.0, 0.0, 3.0, 0.0, -2.0, 0.0, 1.0, -1.0])
 BASE = ("q0", "a2x", "a2y", "b1x", "l1", "l2")  # eq. (73)
 CONFIGURATIONS = np.arange(-45.0, 46.0, 5.0) * DEG
 CHECK = np.arange(-45.0, 46.0, 1.0) * DEG
+LENGTHS = (0.0, 100.0, 200.0)  # of the tool
 SIGMA = np.array([0.003, 0.003, 0.003 * DEG])
 
 

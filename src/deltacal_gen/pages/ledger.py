@@ -9,6 +9,7 @@ correct form and its status are those of ``claims/derived.json``, which ``python
 
 from __future__ import annotations
 
+import ast
 import hashlib
 import json
 import re
@@ -200,13 +201,25 @@ def decided(of: Path | None = None) -> dict[str, Ended]:
 
 
 def sources(root: Path, test: str) -> str:
-    """Return the hash of what a test decides with: the descriptions that are derived, the kernels, its own file."""
+    """Return the hash of what a test decides with: the descriptions that are derived, the kernels, its own modules."""
     patterns = ("derive/mechanisms/*.py", "derive/measurements/*.py", "derive/effects/*.py", "derive/statics.py")
     files = [p for pattern in (*patterns, "generated/deltacal_kernels/**/*.py") for p in root.glob(pattern)]
     whole = hashlib.sha256()
-    for path in (*sorted(files), root / test.partition("::")[0]):
+    for path in (*sorted(files), *_modules(root / test.partition("::")[0])):
         whole.update(path.relative_to(root).as_posix().encode() + b"\0" + path.read_bytes())
     return whole.hexdigest()
+
+
+def _modules(test: Path) -> list[Path]:
+    """Return a test's file and the modules beside it that it imports, and these in turn."""
+    beside, found, left = {path.stem: path for path in test.parent.glob("*.py")}, {test}, [test]
+    while left:
+        imports = (n for n in ast.walk(ast.parse(left.pop().read_text("utf-8"))) if isinstance(n, ast.ImportFrom))
+        words = {word for n in imports for word in (*(n.module or "").split("."), *(name.name for name in n.names))}
+        new = {beside[word] for word in words & beside.keys()} - found
+        found |= new
+        left += new
+    return sorted(found)
 
 
 def _with_verdicts(
