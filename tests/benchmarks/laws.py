@@ -1,11 +1,14 @@
 """Laws that no one registered: are they found, in their states and shape, and does what is none stay none.
 
-``python -m tests.benchmarks.laws [--laws N] [--walks N] [--nulls N] [--seed S] [--quick]``
+    python -m tests.benchmarks.laws [--laws N] [--orders N] [--walks N] [--nulls N] [--seed S] [--quick]
+                                    [--kept laws.jsonl] [--minutes M]
 
 Machines and recordings are drawn and simulated exactly. A third of the laws are *foreign*: curves that a generator
 draws which shares neither code nor a list of forms with the search. A law is right where its states are exactly those,
 and what it does to the readings correlates above 0.98 with what the truth does, geometry taken out of both. Predictions
 are of fresh readings, and of readings whose channels reach a quarter farther, against a fit that knows what happened.
+Beside `orders`, laws act on machines whose joints err at many orders besides. Cases that the file of `--kept` holds are
+not done again.
 """
 
 from __future__ import annotations
@@ -16,6 +19,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before NumPy is loaded
 
 import argparse
 import dataclasses
+import json
 import sys
 import time
 from collections.abc import Callable, Mapping, Sequence
@@ -52,17 +56,30 @@ SIGMA = 0.01  # mm
 LEAST, MOST = 2.0, 8.0  # standard deviations of noise that geometry alone leaves
 ALIKE = 0.98  # correlation of shapes
 FARTHER = 0.25  # of its range, by which a channel goes beyond it
+LAWS = ("known", "foreign", "orders")  # kinds of cases in which a law holds
+ORDERS, LARGE = 24, 3e-4  # of a gear's error: from 1 on, and its size [rad, or 100 mm]
 
 
 @dataclasses.dataclass(frozen=True)
 class Truth:
-    """What happens: at a joint [rad or mm], or to an axis of the reading [mm], as a function of states."""
+    """What happens: at a joint [rad or mm], or to an axis of the reading [mm], as a function of states.
+
+    Beside it each joint errs by `orders` (joints, 2, orders) of its angle: cosines and sines.
+    """
 
     kind: str
     states: tuple[str, ...]
     limb: int
     axis: int
     value: Callable[[States], Array]
+    orders: Array | None = None
+
+    def beside(self, q: Array) -> Array:
+        """Return by how much joints (N, n) [rad or mm] err beside the law."""
+        if self.orders is None:
+            return np.zeros_like(q)
+        turned = q[..., None] * np.arange(1, self.orders.shape[2] + 1)
+        return np.asarray((np.cos(turned) * self.orders[:, 0] + np.sin(turned) * self.orders[:, 1]).sum(axis=2))
 
 
 # ------------------------------------------------------------------------------------------------ machines and channels
@@ -176,7 +193,7 @@ def draw(kind: str, robot: Robot, seen: States, rng: np.random.Generator) -> Tru
     """Return a law of a kind (known, foreign), or one of the causes that no channel holds."""
     limbs = mechanism_of(robot).limbs
     limb, axis = int(rng.integers(1, limbs + 1)), int(rng.integers(len(mechanism_of(robot).axes)))
-    if kind not in ("known", "foreign"):
+    if kind not in LAWS:
         return Truth(kind, (), limb if rng.random() < 0.5 else 0, axis, _unrecorded(kind, rng))
     at_joint = rng.random() < 0.8
     channel = ["warming", "payload", "oil_C", "humidity_pct", "time"]
@@ -195,9 +212,14 @@ def draw(kind: str, robot: Robot, seen: States, rng: np.random.Generator) -> Tru
 
     values = [of(seen, n) for n in names]
     sizes = [(float(np.abs(v).max()) if v.min() < 0 else float(np.ptp(v)), float(np.median(v))) for v in values]
-    make = known if kind == "known" else foreign
-    function = make(names, sizes, rng)
-    return Truth(kind, tuple(names), limb if at_joint else 0, axis, lambda s: function(*(of(s, n) for n in names)))
+    make = foreign if kind == "foreign" else known
+    function, orders = make(names, sizes, rng), None
+    if kind == "orders":
+        large = np.array([LARGE * (100.0 if u == "mm" else 1.0) for u in mechanism_of(robot).joint_units])
+        orders = large[:, None, None] * rng.standard_normal((limbs, 2, ORDERS)) / np.sqrt(ORDERS)
+    return Truth(
+        kind, tuple(names), limb if at_joint else 0, axis, lambda s: function(*(of(s, n) for n in names)), orders
+    )
 
 
 def _unrecorded(kind: str, rng: np.random.Generator) -> Callable[[States], Array]:
@@ -258,14 +280,15 @@ def _attempt(kind: str, rng: np.random.Generator) -> Case | None:
     frame = int(rng.integers(2**32))
     truth = None if kind == "null" else draw(kind, robot, states_of(robot, at), rng)
 
-    def read(rec: Recording, much: float) -> Recording:
+    def read(rec: Recording, much: float, truth: Truth | None = truth) -> Recording:
         return _read(robot, rec, errors, truth, much, frame)
 
     much = 0.0
     if truth is not None:
         much, wanted = 1e-4 if truth.limb else 1e-2, float(np.exp(rng.uniform(np.log(LEAST), np.log(MOST))))
+        alone = dataclasses.replace(truth, orders=None)
         for _ in range(3):
-            left = _left(robot, read(at, much))
+            left = _left(robot, read(at, much, alone))
             if not left > 1e-6:
                 return None
             much *= wanted * SIGMA / left
@@ -295,9 +318,9 @@ def _read(
     """Return what is read without noise: joints stand elsewhere than they report, or the reading is moved."""
     moved, shift = rec.joints, np.zeros(rec.measured.shape)
     if truth is not None:
+        moved = rec.joints + truth.beside(rec.joints)
         value = much * truth.value(states_of(robot, rec))
         if truth.limb:
-            moved = rec.joints.copy()
             moved[:, truth.limb - 1] += robot.joint_sign[truth.limb - 1] * value
         else:
             shift[:, truth.axis] = value
@@ -334,7 +357,7 @@ def examine(job: tuple[str, tuple[int, ...]]) -> dict[str, Any]:
     out: dict[str, Any] = {"kind": kind, "seed": seed, "machine": case.robot.mechanism, "verdict": str(found.verdict)}
     out |= {"seconds": time.process_time() - begin, "names": [n.term.effect for n in found.effects]}
     out["law"] = found.laws[0].text if found.laws else ""
-    if case.truth is None or kind not in ("known", "foreign"):
+    if case.truth is None or kind not in LAWS:
         return out
     out |= {"states": case.truth.states, "limb": case.truth.limb}
     answer = found.answer()
@@ -366,11 +389,11 @@ def _by_who_knows(case: Case, fresh: Recording) -> float:
 
     def undone(rec: Recording) -> Recording:
         value = case.much * truth.value(states_of(case.robot, rec))
+        joints = rec.joints + truth.beside(rec.joints)
         if not truth.limb:
             shift = np.zeros(rec.measured.shape)
             shift[:, truth.axis] = value
-            return dataclasses.replace(rec, measured=rec.measured - shift)
-        joints = rec.joints.copy()
+            return dataclasses.replace(rec, joints=joints, measured=rec.measured - shift)
         joints[:, truth.limb - 1] += case.robot.joint_sign[truth.limb - 1] * value
         return dataclasses.replace(rec, joints=joints)
 
@@ -390,7 +413,7 @@ def _likeness(case: Case, found: Diagnosed) -> float:
     x = bare.poses(final.errors[:n])
     without = bare.residual(final.errors[:n], final.instrument, x)
     by_law = final.problem.residual(final.errors, final.instrument, final.problem.poses(final.errors)) - without
-    plain = _read(case.robot, case.exact, case.errors, None, 0.0, case.frame)
+    plain = _read(case.robot, case.exact, case.errors, case.truth, 0.0, case.frame)
     moved = _read(case.robot, case.exact, case.errors, case.truth, case.much, case.frame)
     beside = Beside(geometry(case.robot, case.recording))
     a, b = (
@@ -417,7 +440,7 @@ def table(entries: Sequence[Mapping[str, Any]]) -> Table:
         low, high = wilson(sum(hits), len(hits))
         out.add_row(kind, what, f"{sum(hits)} of {len(hits)}", f"{low:.2f} to {high:.2f}")
 
-    for kind in ("known", "foreign"):
+    for kind in LAWS:
         own = [e for e in entries if e["kind"] == kind]
         if own:
             row(kind, "a law is told", [bool(e["law"]) for e in own])
@@ -437,24 +460,40 @@ def table(entries: Sequence[Mapping[str, Any]]) -> Table:
 def main(arguments: list[str] | None = None) -> int:
     """Run the cases, print the table and what was not right."""
     parser = argparse.ArgumentParser(prog="python -m tests.benchmarks.laws", description=__doc__.split("\n")[0])
-    for kind, count in (("laws", 60), ("walks", 30), ("nulls", 30)):
+    for kind, count in (("laws", 60), ("orders", 0), ("walks", 30), ("nulls", 30)):
         parser.add_argument(f"--{kind}", type=int, default=count, metavar="N", help=f"cases (default {count})")
     parser.add_argument("--seed", type=int, default=21)
     parser.add_argument("--quick", action="store_true", help="a few of each")
+    parser.add_argument("--minutes", type=float, default=np.inf, help="stop then; what is done is shown")
+    parser.add_argument("--kept", type=Path, help="file of lines in which what is done is kept")
     given = parser.parse_args(arguments)
-    counts = (6, 3, 2) if given.quick else (given.laws, given.walks, given.nulls)
-    jobs = [("foreign" if k % 3 == 2 else "known", (given.seed, 0, k)) for k in range(counts[0])]
-    jobs += [(("walk", "covariate", "slips")[k % 3], (given.seed, 1, k)) for k in range(counts[1])]
-    jobs += [("null", (given.seed, 2, k)) for k in range(counts[2])]
-    entries = []
+    laws, orders, walks, nulls = (6, 1, 3, 2) if given.quick else (given.laws, given.orders, given.walks, given.nulls)
+    jobs = [("foreign" if k % 3 == 2 else "known", (given.seed, 0, k)) for k in range(laws)]
+    jobs += [(("walk", "covariate", "slips")[k % 3], (given.seed, 1, k)) for k in range(walks)]
+    jobs += [("null", (given.seed, 2, k)) for k in range(nulls)]
+    jobs += [("orders", (given.seed, 3, k)) for k in range(orders)]
+    end, done = time.monotonic() + 60 * given.minutes, _kept(given.kept)
     for job in jobs:
-        entries.append(examine(job))
-        e = entries[-1]
+        if job in done or time.monotonic() > end:
+            continue
+        e = done[job] = examine(job)
         print({k: v for k, v in e.items() if v or k == "alike"}, file=sys.stderr, flush=True)
+        if given.kept is not None:
+            with given.kept.open("a", encoding="utf-8") as file:
+                file.write(json.dumps(e) + "\n")
+    entries = [done[job] for job in jobs if job in done]
     Console(width=None if sys.stdout.isatty() else 120).print(table(entries))
-    seconds = [e["seconds"] for e in entries]
-    print(f"a diagnosis takes {np.median(seconds):.1f} s, {max(seconds):.1f} s at most")
+    if seconds := [e["seconds"] for e in entries]:
+        print(f"a diagnosis takes {np.median(seconds):.1f} s, {max(seconds):.1f} s at most")
     return 0
+
+
+def _kept(path: Path | None) -> dict[tuple[str, tuple[int, ...]], dict[str, Any]]:
+    """Return what a file holds of earlier runs, by kind and seed."""
+    if path is None or not path.exists():
+        return {}
+    entries = map(json.loads, path.read_text(encoding="utf-8").splitlines())
+    return {(e["kind"], tuple(e["seed"])): e for e in entries}
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ import numpy as np
 
 from deltacal_gen.diagnosis.discrimination import Question
 from deltacal_gen.diagnosis.laws.ground import Ground, Tried
-from deltacal_gen.diagnosis.laws.proof import Proof, judged, proven
+from deltacal_gen.diagnosis.laws.proof import Instead, Proof, judged, proven
 from deltacal_gen.diagnosis.laws.screen import ranked, stands_out
 from deltacal_gen.diagnosis.laws.search import COMPARED, Grown, curved, fitted, polished, unexplained
 from deltacal_gen.diagnosis.search import gains, quantile
@@ -27,6 +27,7 @@ from deltacal_gen.physics.terms import Term
 
 MOST = 5  # laws that are told
 RIVALS = 10.0 + 4 * 10.0**0.5  # of chi2, as for effects: a law that earns less than that less is not told from the best
+DOUBTED = 2  # terms that earn least: of these a fit without each is asked whether it is needed
 STEP = 1e-3  # of a constant, by which its derivative is taken
 
 
@@ -130,7 +131,8 @@ def _beside(
     if base is None:
         return Sought()
     progress("laws")
-    proof = proven(problem, base, again=not beside)
+    instead = Instead() if beside else Instead(names, sum(_price(t, found) for t in names))
+    proof = proven(problem, base, instead, again=not beside)
     if proof is None:
         return Sought()
     if not proof.holds:
@@ -194,23 +196,33 @@ def _of_all(problem: Problem, base: Fit, grown: Grown, names: Sequence[Term]) ->
 def _needed(problem: Problem, grown: Grown, found: Outcome) -> Grown:
     """Return a law and named effects without what does not earn its price beside the rest, the worst first.
 
-    Where a name and a term of the law explain the same, the name stays: it has the lower price.
+    Where a name and a term of the law explain the same, the name stays: it has the lower price. Which are the worst is
+    told by the fit's own covariance; the exact fit is asked for `DOUBTED` of them.
     """
     while True:
-        terms = terms_of(grown.fit)
+        terms, now = terms_of(grown.fit), deviance_of(grown.fit)
         count = len(terms) - len(grown.law)
         prices = [*(_price(t, found) for t in terms[:count]), *(t.price + MARGIN for t in grown.law)]
-        fewer = (terms[:i] + terms[i + 1 :] for i in range(len(terms)))
-        tried = [refitted(problem, grown.fit, some, tolerance=COMPARED) for some in fewer]
-        costs = [np.inf if at is None else deviance_of(at) - p for at, p in zip(tried, prices, strict=True)]
-        worst = int(np.argmin(costs))
-        at = tried[worst]
-        if at is None or costs[worst] >= deviance_of(grown.fit):
+        order = sorted(range(len(terms)), key=lambda i: _earned(grown.fit, i) - prices[i])
+        for worst in order[:DOUBTED]:
+            at = refitted(problem, grown.fit, terms[:worst] + terms[worst + 1 :], tolerance=COMPARED)
+            if at is not None and deviance_of(at) - prices[worst] < now:
+                break
+        else:
             return grown
         law = tuple(t for k, t in enumerate(grown.law) if k != worst - count)
         grown = Grown(at, law, (), deviance_of(at) + sum(t.price + MARGIN for t in law))
         if not law:
             return grown
+
+
+def _earned(at: Fit, i: int) -> float:
+    """Return by how much chi2 would rise without a term of a fit, to first order."""
+    own = at.problem.coefficients(i)
+    covariance = at.covariance[np.ix_(own, own)]
+    std = np.sqrt(np.diag(covariance))
+    sizes = terms_of(at)[i].values.ravel() / std
+    return float(sizes @ np.linalg.pinv(covariance / np.outer(std, std), hermitian=True) @ sizes)
 
 
 def _told(problem: Problem, grown: Grown, proof: Proof) -> list[Lawful]:

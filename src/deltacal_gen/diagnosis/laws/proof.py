@@ -7,18 +7,21 @@ where what it goes with changes slowly from row to row.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from deltacal_gen.diagnosis.laws.search import SHARE, Grown, explained, grow, quiet
+from deltacal_gen.diagnosis.laws.search import COMPARED, SHARE, Grown, explained, grow, quiet
 from deltacal_gen.diagnosis.strategy import borne_out, refitted, terms_of
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.identification.folds import folds
+from deltacal_gen.identification.together import deviance_of
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.law import is_law
+from deltacal_gen.physics.terms import Term
 
 MOST_POSES, SEED = 250, 1859  # on which a law is sought, drawn at random where there are more; all are asked
 PART = 4  # one of so many parts is asked
@@ -51,23 +54,43 @@ class Proof:
     holds: bool
 
 
-def proven(problem: Problem, base: Fit, again: bool = True) -> Proof | None:
+@dataclass(frozen=True)
+class Instead:
+    """Effects that a law may stand for: together they cost less than it, or are no wrong glasses.
+
+    Attributes
+    ----------
+    terms : sequence of Term
+    price : float
+        What all of them have to earn.
+    """
+
+    terms: Sequence[Term] = ()
+    price: float = 0.0
+
+    def cost(self, part: Problem, base: Fit) -> float:
+        """Return the deviance of some readings with the effects, and their price; no bound where there are none."""
+        at = refitted(part, base, self.terms, tolerance=COMPARED) if self.terms else None
+        return np.inf if at is None else deviance_of(at) + self.price
+
+
+def proven(problem: Problem, base: Fit, instead: Instead, again: bool = True) -> Proof | None:
     """Return the law that a part of the readings has, and what the others say of it; None where no part has one.
 
     The last quarter is asked first, which serves for all. Where it does not speak for the law it may lie where nothing
     was read before: of a law that has nothing to do with time other parts are asked, if they may be asked `again`.
     """
-    proof = _asked(problem, base, _last(problem))
+    proof = _asked(problem, base, instead, _last(problem))
     if proof is not None and (proof.holds or pace(problem, proof.grown) == "time"):
         if proof.holds and pace(problem, proof.grown) == "poses" and _repeated(problem):
-            return _asked(problem, base, _poses(problem))
+            return _asked(problem, base, instead, _poses(problem))
         return proof
     if not again:
         return proof
-    proof = _asked(problem, base, _poses(problem))
+    proof = _asked(problem, base, instead, _poses(problem))
     if proof is None or (how := pace(problem, proof.grown)) == "poses":
         return proof
-    return _asked(problem, base, _blocks(problem)) if how == "blocks" else None
+    return _asked(problem, base, instead, _blocks(problem)) if how == "blocks" else None
 
 
 def _repeated(problem: Problem) -> bool:
@@ -94,7 +117,7 @@ def held_out(problem: Problem, fitted: Fit, test: np.ndarray) -> Array:
     return out
 
 
-def _asked(problem: Problem, base: Fit, split: tuple[np.ndarray, np.ndarray]) -> Proof | None:
+def _asked(problem: Problem, base: Fit, instead: Instead, split: tuple[np.ndarray, np.ndarray]) -> Proof | None:
     """Find a law on a part (R,) of the readings and ask the others."""
     train, test = split
     if test.sum() < 3 or train.sum() < 3:
@@ -102,7 +125,7 @@ def _asked(problem: Problem, base: Fit, split: tuple[np.ndarray, np.ndarray]) ->
     part = problem.subset(np.flatnonzero(train)).some(MOST_POSES, np.random.default_rng(SEED))
     known = [t for t in terms_of(base) if not is_law(t.effect)]
     first = refitted(part, base, known)
-    grown = None if first is None else grow(part, first)
+    grown = None if first is None else grow(part, first, instead.cost(part, first))
     if first is None or grown is None:
         return None
     return judged(problem, first, grown, train, test)

@@ -69,8 +69,11 @@ class Grown:
         return any(t.kernels.MEMORY for t in self.terms)
 
 
-def grow(problem: Problem, base: Fit) -> Grown | None:
-    """Return the law that explains most beside a fit, None where none earns its price."""
+def grow(problem: Problem, base: Fit, most: float = np.inf) -> Grown | None:
+    """Return the law that explains most beside a fit, None where none earns its price.
+
+    From its first term on a law has to cost less than `most`.
+    """
     nothing = best = Grown(base, (), (), deviance_of(base))
     while len(best.law) < MOST_TERMS:
         longer = _longer(problem, best)
@@ -84,7 +87,7 @@ def grow(problem: Problem, base: Fit) -> Grown | None:
             best = _revised(problem, best)
         best = curved(problem, best)
         taken = explained(base.residual / best.fit.sigma, best.fit.residual / best.fit.sigma)
-        if taken < (*ON_THE_WAY, SHARE)[len(best.law) - 1]:
+        if taken < (*ON_THE_WAY, SHARE)[len(best.law) - 1] or best.cost >= most:
             return None
     return best if best.law else None
 
