@@ -18,9 +18,9 @@ from deltacal_gen.machine.dynamics import dynamics_of
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.results.motion import JointModel, TorqueTerm
 from tests.every_effect import ARM, LIFT
+from tests.motion_recordings import usual, written
 from tests.test_dynamics import bodies
 from tests.test_feedforward import COMPILER, JUMPED, LIMITED, NOT_A_NUMBER, PLANNED, STRICT, needs_compiler
-from tests.test_motion import usual, written
 
 DEG = np.pi / 180
 REST = 2.0 * DEG  # rad/s

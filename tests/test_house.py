@@ -14,8 +14,6 @@ PARTS = ("src/deltacal_gen", "derive", "tests")
 MODULE, FUNCTION = 600, 60
 MODULES = {
     "tests/benchmarks/works.py": 766,
-    "tests/test_kernels.py": 633,
-    "tests/test_motion.py": 671,
 }
 FUNCTIONS = {
     "derive/blocks.py:blocks": 68,

@@ -1,11 +1,8 @@
-"""Recordings in motion: reading, derivatives, the rigid machine by its drives, the ladder of friction, prediction."""
+"""The rigid machine by its drives, the ladder of friction, prediction, and what they are told with."""
 
 from __future__ import annotations
 
-import copy
-import dataclasses
 import json
-from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -16,71 +13,15 @@ from jsonschema import Draft202012Validator
 
 import deltacal_gen as dc
 from deltacal_gen.errors import InputError, UsageError
-from deltacal_gen.files.robot import read_robot, robot_from_dict, robot_to_toml
 from deltacal_gen.machine.dynamics import dynamics_of
-from deltacal_gen.motion import derivatives, joint, kinds, regression
+from deltacal_gen.motion import joint, regression
 from deltacal_gen.motion.rigid import Rigid, base_of
 from deltacal_gen.pages import motion, report
 from deltacal_gen.results import published
 from deltacal_gen.results.reader import read_answer
-from tests.conftest import PROTOTYPE
-from tests.every_effect import ARM, LIFT, MASSES
+from tests.every_effect import ARM, LIFT
+from tests.motion_recordings import DEG, LINKS, NOISE, STEP, Friction, carried, named, robot, usual, written
 from tests.test_dynamics import bodies
-
-LINKS = ARM[:3]
-HEAD = {"robot": {"name": "arm", "mechanism": "serial"}}
-DEG = np.pi / 180
-NOISE = 0.05  # Nm
-STEP = 0.01  # s
-COULOMB, VISCOUS = np.array([6.0, 4.0, 0.0]), np.array([0.15, 0.0, 0.08])  # Nm, Nm s/deg
-
-
-def robot(links: list[dict[str, Any]] = LINKS) -> Any:
-    return robot_from_dict(HEAD | {"joint": [dict(link) for link in links]})
-
-
-def trajectory(seconds: float, seed: int, joints: int = 3, late: float = 0.0) -> np.ndarray:
-    """Return joints, velocities, accelerations (3, N, n) of sums of waves [rad], at 100 Hz, `late` seconds earlier."""
-    rng, t = np.random.default_rng(seed), np.arange(0, seconds, STEP)
-    out = np.zeros((3, len(t), joints))
-    for j in range(joints):
-        for w in 2 * np.pi * np.array([0.1, 0.23, 0.41, 0.6]):
-            a, phase = rng.uniform(0.2, 0.5) / (1 + w), rng.uniform(0, 6)
-            angle = w * (t - late) + phase
-            out[:, :, j] += a * np.array([np.sin(angle), w * np.cos(angle), -(w**2) * np.sin(angle)])
-    return out
-
-
-Friction = Callable[[np.ndarray, np.ndarray], np.ndarray]  # of states (3, N, n) and the rigid torque (N, n) [Nm]
-
-
-def usual(states: np.ndarray, load: np.ndarray) -> np.ndarray:
-    return COULOMB * np.sign(states[1]) + VISCOUS * states[1] / DEG
-
-
-def written(folder: Path, friction: Friction, runs: int = 4, seed: int = 0, sidecar: str = "", **kept: Any) -> Path:
-    """Write a recording of an arm with some friction, and its robot file; return the recording's path."""
-    machine, rng = robot(), np.random.default_rng(seed)
-    own, inertia = dynamics_of(machine), bodies(LINKS).ravel()
-    rows = [["run", "time_s", *(f"q{i}_deg" for i in (1, 2, 3)), *(f"tau{i}_Nm" for i in (1, 2, 3))]]
-    for run in range(runs):
-        states = trajectory(kept.get("seconds", 12.0), 10 * seed + run)
-        load = own.torque(states, inertia) / 1000
-        tau = load + friction(states, load)
-        for j, delay in enumerate(kept.get("delay", ())):
-            then = trajectory(kept.get("seconds", 12.0), 10 * seed + run, late=delay)
-            force = own.torque(then, inertia) / 1000
-            tau[:, j] = (force + friction(then, force))[:, j]
-        tau = tau + NOISE * rng.standard_normal(load.shape)
-        q = states[0] / DEG + 0.001 * rng.standard_normal(load.shape)
-        for n in range(len(tau)):
-            cells = [f"{v:.6f}" for v in (n * STEP, *q[n], *tau[n])]
-            rows.append([str(run + 1), *cells])
-    path = folder / "recording.csv"
-    path.write_text("\n".join(",".join(row) for row in rows) + "\n")
-    path.with_suffix(".toml").write_text(f'[measurement]\nkind = "torque"\n{sidecar}')
-    (folder / "robot.toml").write_text(robot_to_toml(machine))
-    return path
 
 
 @pytest.fixture(scope="module")
@@ -91,10 +32,6 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def diagnosed(recorded: Path) -> Any:
     return dc.diagnose(recorded.with_name("robot.toml"), recorded)
-
-
-def named(found: Any) -> dict[str, list[int]]:
-    return {effect["name"]: effect["limbs"] for effect in found["effects"]}
 
 
 # ------------------------------------------------------------------------------------------------------------- ladder
@@ -171,23 +108,6 @@ def test_every_law_of_one_joint_is_named_with_its_size(tmp_path: Path, name: str
         assert abs(p["value"] - truth[p["name"]]) <= allowed + 0.01 * abs(truth[p["name"]]), p
 
 
-def test_readings_that_come_late_are_told_with_their_delay(tmp_path: Path, commanded: Path) -> None:
-    """Of joint 2 alone, by less than a sample and by more; what a model with a delay predicts comes as late."""
-    second = np.array([0.0, 1.0, 0.0])
-    late = written(tmp_path, usual, seed=6, delay=0.0137 * second)
-    found = dc.diagnose(tmp_path / "robot.toml", late)
-    assert named(found) == {"coulomb_friction": [1, 2], "viscous_friction": [1, 3], "latency": [2]}
-    (delay,) = found["effects"][-1]["parameters"]
-    assert (delay["name"], delay["unit"]) == ("delay", "s")
-    assert abs(delay["value"] - 0.0137) < 4 * delay["std"] < 0.004
-    assert all(v < 1.15 * NOISE for v in dc.validate(found, late)["rms_by_joint"])
-    (tmp_path / "truth.toml").write_text('[[effects]]\nname = "latency"\nlimb = 1\ndelay = 0.02\n')
-    plain: Any = dc.simulate(commanded.with_name("robot.toml"), commanded)
-    done: Any = dc.simulate(commanded.with_name("robot.toml"), commanded, truth=tmp_path / "truth.toml")
-    assert done.readings[2:, 0] == pytest.approx(plain.readings[:-2, 0])
-    assert done.readings[:, 1:] == pytest.approx(plain.readings[:, 1:])
-
-
 def test_what_no_rung_explains_is_told_with_its_joint(tmp_path: Path) -> None:
     """A stop: a spring that begins at an angle."""
     stop = np.array([0.0, 1.0, 0.0])
@@ -232,25 +152,6 @@ def test_currents_tell_torques_where_their_constant_is_known(recorded: Path, dia
     (tmp_path / "robot.toml").write_text(f"{text}\n[transmission]\ntorque_constant_Nm_A = [1.0]\n")
     with pytest.raises(InputError, match="has 1 numbers, and the machine 3 joints"):
         dc.diagnose(tmp_path / "robot.toml", path)
-
-
-def carried(folder: Path, truth: str, friction: bool = True) -> Path:
-    """Write runs of an arm whose file states all bodies, with a payload that is written as 2 kg; return the path."""
-    rows = [["run", "time_s", "q1_deg", "q2_deg", "q3_deg", "payload_kg"]]
-    for run in range(4):
-        q = trajectory(10.0, 60 + run)[0] / DEG
-        rows += [[str(run), *(f"{v:.6f}" for v in (n * STEP, *row)), "2.0"] for n, row in enumerate(q)]
-    path = folder / "trajectory.csv"
-    path.write_text("\n".join(",".join(row) for row in rows) + "\n")
-    path.with_suffix(".toml").write_text('[measurement]\nkind = "torque"\n')
-    bodied = [
-        link | {"mass": 3.0, "com": [40.0, -20.0, 30.0], "inertia": [2e4, 3e4, 4e4, 1e3, 2e3, 3e3]} for link in LINKS
-    ]
-    (folder / "robot.toml").write_text(robot_to_toml(robot(bodied)))
-    (folder / "truth.toml").write_text(truth)
-    made = folder / "made.csv"
-    dc.simulate(folder / "robot.toml", path, made, truth=folder / "truth.toml", noise=NOISE, seed=3)
-    return made
 
 
 def test_a_payload_that_is_not_what_was_written_is_told_with_its_centre(tmp_path: Path) -> None:
@@ -426,91 +327,6 @@ def test_a_base_leaves_out_what_is_never_seen() -> None:
     assert found.made_up == pytest.approx(np.array([[1, 0, 2, 0], [0, 1, -1, 0]]), abs=1e-12)
 
 
-# -------------------------------------------------------------------------------------------------- reading, and before
-
-
-def test_derivatives_have_no_delay_and_tell_their_cut_off(recorded: Path) -> None:
-    moving = kinds.in_motion(recorded)
-    assert moving is not None
-    given = moving.read(robot())
-    found = derivatives.motion(given)
-    wanted = np.concatenate([trajectory(12.0, run) for run in range(4)], axis=1)
-    inside = np.concatenate([(np.arange(0, 12.0, STEP) > 0.3) & (np.arange(0, 12.0, STEP) < 11.7)] * 4)
-    for order, allowed in ((1, 0.01), (2, 0.03)):
-        off = (found.states[order] - wanted[order])[inside]
-        assert np.std(off, axis=0) == pytest.approx(0, abs=allowed * np.std(wanted[order]))
-        late = np.polyfit(np.gradient(wanted[order][:, 0], STEP)[inside], off[:, 0], 1)[0]
-        assert abs(late) < 2e-4  # s
-    assert found.cutoff is not None
-    assert 1.0 < found.cutoff < 13.0
-    assert 0 < found.removed < 1e-3
-
-
-def changed(recorded: Path, folder: Path, change: Callable[[list[str]], list[str]], sidecar: str = "") -> Path:
-    path = folder / "recording.csv"
-    path.write_text("\n".join(change(recorded.read_text().splitlines())) + "\n")
-    path.with_suffix(".toml").write_text(recorded.with_suffix(".toml").read_text() + sidecar)
-    return path
-
-
-def with_cell(line: int, column: int, text: str) -> Callable[[list[str]], list[str]]:
-    def change(lines: list[str]) -> list[str]:
-        cells = lines[line - 1].split(",")
-        cells[column] = text
-        return [*lines[: line - 1], ",".join(cells), *lines[line:]]
-
-    return change
-
-
-def read(path: Path) -> Any:
-    moving = kinds.in_motion(path)
-    assert moving is not None
-    return moving.read(robot())
-
-
-def test_what_is_put_right_is_said(recorded: Path, tmp_path: Path) -> None:
-    overflow = read(changed(recorded, tmp_path, with_cell(50, 6, "3276.7")))
-    assert overflow.repairs == (
-        f"{tmp_path / 'recording.csv'}:50: tau2_Nm reads 3276.7, out of all proportion; it is left out",
-    )
-    assert np.isnan(overflow.readings[48, 1])
-    jump = read(changed(recorded, tmp_path, with_cell(80, 2, "720.0")))
-    assert "q1_deg" in jump.repairs[0]
-    assert np.ptp(jump.joints[70:90, 0]) < 0.2
-    twice = read(changed(recorded, tmp_path, with_cell(100, 1, "0.970000")))
-    assert twice.repairs[0].endswith("100: the time of the row before once more; the row is left out")
-    assert twice.n_rows == overflow.n_rows - 1
-
-
-def test_where_a_run_begins_is_no_spike(tmp_path: Path) -> None:
-    """Joints stand elsewhere when the next run begins, many times what they move from sample to sample."""
-    given = read(written(tmp_path, usual, runs=3, seed=105))
-    assert given.repairs == ()
-    assert np.abs(np.diff(given.joints, axis=0))[np.diff(given.run) > 0].max() > 0.5
-
-
-@pytest.mark.parametrize(
-    ("change", "words"),
-    [
-        (with_cell(100, 1, "0.5"), "line 100, column 'time_s': time goes backwards within run '1'"),
-        (with_cell(100, 0, "2"), "line 101, column 'run': run '1' goes on here"),
-        (lambda lines: [line.rpartition(",")[0] for line in lines], "column 'tau3_Nm': the column is missing"),
-        (lambda lines: [*lines[:-1], "4,11.99,1.0"], "the row has 3 cells, the header 8"),
-        (lambda lines: [lines[0].replace("tau1_Nm", "tau1_kNm"), *lines[1:]], "'tau1_kNm' is no reading of a drive"),
-        (lambda lines: [lines[0].replace("time_s", "t"), *lines[1:]], "column 'time_s': the column is missing"),
-    ],
-)
-def test_what_cannot_be_used_is_refused_with_its_place(recorded: Path, tmp_path: Path, change: Any, words: str) -> None:
-    with pytest.raises(InputError) as error:
-        read(changed(recorded, tmp_path, change))
-    assert words in str(error.value)
-
-
-def test_derivatives_said_to_be_recorded_must_be_there(recorded: Path, tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="'qd1_deg_s': the sidecar says derivatives = \"recorded\""):
-        read(changed(recorded, tmp_path, list, '[motion]\nderivatives = "recorded"\n'))
-
-
 def test_options_of_poses_are_refused(recorded: Path, diagnosed: Any, tmp_path: Path) -> None:
     with pytest.raises(UsageError, match="means nothing for a recording in motion"):
         dc.identify(recorded.with_name("robot.toml"), recorded, as_distance=True)
@@ -518,112 +334,6 @@ def test_options_of_poses_are_refused(recorded: Path, diagnosed: Any, tmp_path: 
         dc.identify(recorded.with_name("robot.toml"), recorded, model="serial/dh")
     with pytest.raises(InputError, match="the result is of a recording in motion, and this is none"):
         dc.predict(diagnosed, tmp_path / "poses.csv")
-
-
-# ----------------------------------------------------------------------------------------------------------- simulation
-
-TRUTH = """
-[parameters]
-m_3 = 0.5
-
-[[effects]]
-name = "coulomb_friction"
-limbs = [1, 3]
-coulomb = 2.0
-
-[[effects]]
-name = "stribeck_friction"
-limb = 3
-stribeck = 1.0
-velocity = 4.0
-"""
-
-
-@pytest.fixture
-def commanded(tmp_path: Path) -> Path:
-    """Write a trajectory with its derivatives, and the robot with its bodies; return the trajectory's path."""
-    states = trajectory(5.0, 3) / DEG
-    names = [
-        f"{word}{i}_{unit}" for word, unit in (("q", "deg"), ("qd", "deg_s"), ("qdd", "deg_s2")) for i in (1, 2, 3)
-    ]
-    table = np.column_stack([np.arange(states.shape[1]) * STEP, *states])
-    lines = [",".join(["time_s", *names]), *(",".join(map(repr, row)) for row in table.tolist())]
-    path = tmp_path / "trajectory.csv"
-    path.write_text("\n".join(lines) + "\n")
-    path.with_suffix(".toml").write_text('[measurement]\nkind = "torque"\n[motion]\nderivatives = "recorded"\n')
-    bodied = [link | {"inertia": [2e4, 3e4, 4e4, 1e3, 2e3, 3e3]} for link in LINKS]
-    (tmp_path / "robot.toml").write_text(robot_to_toml(robot(bodied)))
-    (tmp_path / "truth.toml").write_text(TRUTH)
-    return path
-
-
-def test_a_simulation_gives_the_torques_of_bodies_and_truth(commanded: Path) -> None:
-    folder = commanded.parent
-    done: Any = dc.simulate(folder / "robot.toml", commanded, folder / "made.csv", truth=folder / "truth.toml")
-    states = trajectory(5.0, 3)
-    machine = dynamics_of(read_robot(folder / "robot.toml"))
-    inertia = machine.stated()
-    inertia[20] += 0.5
-    wanted = machine.torque(states, inertia) / 1000
-    way, speed = np.sign(states[1]), states[1] / DEG
-    wanted[:, 0] += 2.0 * way[:, 0]
-    wanted[:, 2] += way[:, 2] * (2.0 + np.exp(-((speed[:, 2] / 4.0) ** 2)))
-    assert done.readings == pytest.approx(wanted, abs=1e-9)
-    again = kinds.in_motion(folder / "made.csv")
-    assert again is not None
-    assert again.read(robot()).readings == pytest.approx(wanted, abs=1e-9)
-    noisy: Any = dc.simulate(folder / "robot.toml", commanded, folder / "noisy.csv", noise=0.1, seed=4)
-    assert np.std(noisy.readings - dc.simulate(folder / "robot.toml", commanded).readings) == pytest.approx(
-        0.1, rel=0.1
-    )
-    assert "sigma_Nm = 0.1" in (folder / "noisy.toml").read_text()
-
-
-@pytest.mark.parametrize(
-    ("before", "after", "words"),
-    [
-        ("m_3", "m_4", "no link has an inertial parameter 'm_4'"),
-        ("coulomb_friction", "coulomb", "there is no effect 'coulomb' on what drives give. Did you mean"),
-        ("coulomb = 2.0", "", "coulomb_friction needs a number for 'coulomb'"),
-        ("limb = 3", "limb = 7", "joints are counted from 1 to 3"),
-        ("stribeck = 1.0", "stribeck = 1.0\nspeed = 2.0", "stribeck_friction has no parameter 'speed'"),
-    ],
-)
-def test_a_truth_that_cannot_be_is_refused(commanded: Path, before: str, after: str, words: str) -> None:
-    truth = commanded.with_name("truth.toml")
-    truth.write_text(TRUTH.replace(before, after, 1))
-    with pytest.raises(InputError) as error:
-        dc.simulate(commanded.with_name("robot.toml"), commanded, truth=truth)
-    assert words in str(error.value)
-
-
-def test_a_body_without_a_mass_cannot_be_simulated(recorded: Path, commanded: Path) -> None:
-    bare = [{k: v for k, v in link.items() if k not in ("mass", "com")} for link in LINKS]
-    commanded.with_name("robot.toml").write_text(robot_to_toml(robot(bare)))
-    with pytest.raises(InputError, match="joint 1 has no mass"):
-        dc.simulate(commanded.with_name("robot.toml"), commanded)
-
-
-def test_a_delta_s_friction_is_found_through_its_loops(tmp_path: Path) -> None:
-    machine, rng = robot_from_dict(copy.deepcopy(PROTOTYPE)), np.random.default_rng(6)
-    machine = dataclasses.replace(machine, masses=MASSES)
-    own, rows = dynamics_of(machine), [["run", "time_s", "q1_deg", "q2_deg", "q3_deg", "tau1_Nm", "tau2_Nm", "tau3_Nm"]]
-    for run in range(3):
-        states = trajectory(6.0, 40 + run)
-        tau = own.torque(states, own.stated()) / 1000 + 0.02 * rng.standard_normal(states[0].shape)
-        tau[:, 1] += 1.5 * np.sign(states[1][:, 1])
-        table = np.column_stack([np.full(len(tau), run), np.arange(len(tau)) * STEP, states[0] / DEG, tau])
-        rows += [[str(int(row[0])), *(f"{v:.6f}" for v in row[1:])] for row in table]
-    path = tmp_path / "recording.csv"
-    path.write_text("\n".join(",".join(row) for row in rows) + "\n")
-    path.with_suffix(".toml").write_text('[measurement]\nkind = "torque"\nsigma_Nm = 0.02\n')
-    (tmp_path / "robot.toml").write_text(robot_to_toml(machine))
-    found = dc.diagnose(tmp_path / "robot.toml", path)
-    assert (found["verdict"], named(found)) == ("missing_physics", {"coulomb_friction": [2]})
-    (coulomb,) = found["effects"][0]["parameters"]
-    assert abs(coulomb["value"] - 1.5) < 4 * coulomb["std"]
-    assert found["baseline"]["model"] == "delta/rigid"
-    assert all(v < 1.1 * 0.02 for v in found["final"]["heldout_rms_by_joint"])
 
 
 # ------------------------------------------------------------------------------------------------------ what is counted

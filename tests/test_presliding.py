@@ -11,7 +11,7 @@ import pytest
 
 import deltacal_gen as dc
 from deltacal_gen.errors import InputError
-from tests.test_motion import DEG, NOISE, carried, named, trajectory, written
+from tests.motion_recordings import DEG, NOISE, carried, named, trajectory, written
 
 COULOMB, STIFFNESS, VISCOUS = 6.0, 8.0, 0.1  # Nm, Nm/deg, Nm s/deg
 WAY = COULOMB / STIFFNESS  # deg

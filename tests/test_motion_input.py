@@ -1,0 +1,101 @@
+"""Recordings in motion: how they are read, put right and refused, and the derivatives of what they hold."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from deltacal_gen.errors import InputError
+from deltacal_gen.motion import derivatives, kinds
+from tests.motion_recordings import STEP, robot, trajectory, usual, written
+
+
+@pytest.fixture(scope="module")
+def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return written(tmp_path_factory.mktemp("usual"), usual)
+
+
+def test_derivatives_have_no_delay_and_tell_their_cut_off(recorded: Path) -> None:
+    moving = kinds.in_motion(recorded)
+    assert moving is not None
+    given = moving.read(robot())
+    found = derivatives.motion(given)
+    wanted = np.concatenate([trajectory(12.0, run) for run in range(4)], axis=1)
+    inside = np.concatenate([(np.arange(0, 12.0, STEP) > 0.3) & (np.arange(0, 12.0, STEP) < 11.7)] * 4)
+    for order, allowed in ((1, 0.01), (2, 0.03)):
+        off = (found.states[order] - wanted[order])[inside]
+        assert np.std(off, axis=0) == pytest.approx(0, abs=allowed * np.std(wanted[order]))
+        late = np.polyfit(np.gradient(wanted[order][:, 0], STEP)[inside], off[:, 0], 1)[0]
+        assert abs(late) < 2e-4  # s
+    assert found.cutoff is not None
+    assert 1.0 < found.cutoff < 13.0
+    assert 0 < found.removed < 1e-3
+
+
+def changed(recorded: Path, folder: Path, change: Callable[[list[str]], list[str]], sidecar: str = "") -> Path:
+    path = folder / "recording.csv"
+    path.write_text("\n".join(change(recorded.read_text().splitlines())) + "\n")
+    path.with_suffix(".toml").write_text(recorded.with_suffix(".toml").read_text() + sidecar)
+    return path
+
+
+def with_cell(line: int, column: int, text: str) -> Callable[[list[str]], list[str]]:
+    def change(lines: list[str]) -> list[str]:
+        cells = lines[line - 1].split(",")
+        cells[column] = text
+        return [*lines[: line - 1], ",".join(cells), *lines[line:]]
+
+    return change
+
+
+def read(path: Path) -> Any:
+    moving = kinds.in_motion(path)
+    assert moving is not None
+    return moving.read(robot())
+
+
+def test_what_is_put_right_is_said(recorded: Path, tmp_path: Path) -> None:
+    overflow = read(changed(recorded, tmp_path, with_cell(50, 6, "3276.7")))
+    assert overflow.repairs == (
+        f"{tmp_path / 'recording.csv'}:50: tau2_Nm reads 3276.7, out of all proportion; it is left out",
+    )
+    assert np.isnan(overflow.readings[48, 1])
+    jump = read(changed(recorded, tmp_path, with_cell(80, 2, "720.0")))
+    assert "q1_deg" in jump.repairs[0]
+    assert np.ptp(jump.joints[70:90, 0]) < 0.2
+    twice = read(changed(recorded, tmp_path, with_cell(100, 1, "0.970000")))
+    assert twice.repairs[0].endswith("100: the time of the row before once more; the row is left out")
+    assert twice.n_rows == overflow.n_rows - 1
+
+
+def test_where_a_run_begins_is_no_spike(tmp_path: Path) -> None:
+    """Joints stand elsewhere when the next run begins, many times what they move from sample to sample."""
+    given = read(written(tmp_path, usual, runs=3, seed=105))
+    assert given.repairs == ()
+    assert np.abs(np.diff(given.joints, axis=0))[np.diff(given.run) > 0].max() > 0.5
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (with_cell(100, 1, "0.5"), "line 100, column 'time_s': time goes backwards within run '1'"),
+        (with_cell(100, 0, "2"), "line 101, column 'run': run '1' goes on here"),
+        (lambda lines: [line.rpartition(",")[0] for line in lines], "column 'tau3_Nm': the column is missing"),
+        (lambda lines: [*lines[:-1], "4,11.99,1.0"], "the row has 3 cells, the header 8"),
+        (lambda lines: [lines[0].replace("tau1_Nm", "tau1_kNm"), *lines[1:]], "'tau1_kNm' is no reading of a drive"),
+        (lambda lines: [lines[0].replace("time_s", "t"), *lines[1:]], "column 'time_s': the column is missing"),
+    ],
+)
+def test_what_cannot_be_used_is_refused_with_its_place(recorded: Path, tmp_path: Path, change: Any, words: str) -> None:
+    with pytest.raises(InputError) as error:
+        read(changed(recorded, tmp_path, change))
+    assert words in str(error.value)
+
+
+def test_derivatives_said_to_be_recorded_must_be_there(recorded: Path, tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="'qd1_deg_s': the sidecar says derivatives = \"recorded\""):
+        read(changed(recorded, tmp_path, list, '[motion]\nderivatives = "recorded"\n'))
