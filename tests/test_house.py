@@ -12,9 +12,7 @@ from tests.benchmarks.lines import functions
 ROOT = Path(__file__).resolve().parents[1]
 PARTS = ("src/deltacal_gen", "derive", "tests")
 MODULE, FUNCTION = 600, 60
-MODULES = {
-    "tests/benchmarks/works.py": 766,
-}
+MODULES = {}
 FUNCTIONS = {
     "derive/blocks.py:blocks": 68,
     "derive/blocks.py:nominal": 66,

@@ -29,7 +29,8 @@ from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import mechanism_names
 from tests.measured import write
 
-from .works import KERNEL, MISSING, NUMBA, NUMPY, OURS, TOOLS, WORKS, Contender, Work, disagreement, works
+from .contenders import KERNEL, MISSING, NUMBA, NUMPY, OURS, TOOLS, Contender, Work
+from .works import WORKS, disagreement, works
 
 SCALE = {"ns": 1e9, "us": 1e6, "ms": 1e3, "s": 1.0}
 AT_MOST = {  # time of the kernel to that of scalar Numba by hand: what is asked for, on a machine with AVX-512

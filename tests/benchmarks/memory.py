@@ -27,7 +27,7 @@ from deltacal_gen import robot_to_toml
 from deltacal_gen.use import streams
 from tests.measured import write
 
-from .works import ROBOT, positions
+from .contenders import ROBOT, positions
 
 ALLOWED_MIB = 1024
 COMMANDS = (

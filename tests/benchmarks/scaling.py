@@ -25,7 +25,8 @@ from deltacal_gen.pages import manual
 from deltacal_gen.physics.terms import blank
 
 from . import by_hand
-from .works import DELTA, POSES, ROBOT, SIGMA, errors, identified, measured, positions, recorded, rings
+from .contenders import DELTA, POSES, ROBOT, SIGMA, errors, measured, positions, recorded, rings
+from .works import identified
 
 EFFECT = "joint_scale"  # one coefficient for each joint
 

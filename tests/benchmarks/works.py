@@ -3,27 +3,13 @@
 from __future__ import annotations
 
 import dataclasses
-import itertools
-import json
-import os
-import shutil
-import subprocess
-import sys
-import tempfile
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-from functools import cache, partial
-from importlib import import_module
-from importlib.util import find_spec
-from pathlib import Path
-from typing import Any
+from functools import partial
 
-import deltacal_kernels
 import numpy as np
 from deltacal_kernels import rotations
 from numba import njit
 
-import deltacal_gen
 from deltacal_gen import PoseSet
 from deltacal_gen.app import commands
 from deltacal_gen.app.demonstration import example
@@ -32,118 +18,42 @@ from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.solvers import LeastSquares
 from deltacal_gen.files.recording import read_recording
-from deltacal_gen.files.robot import Robot, read_robot, robot_from_dict, robot_to_toml
+from deltacal_gen.files.robot import read_robot
 from deltacal_gen.identification.accuracy import check_poses, distance_error
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.machine.backend import JOINTS, Backend, using, working
 from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
 from deltacal_gen.machine.rotation import cayley_matrix, cayley_vector
-from deltacal_gen.machine.values import Measurement, Recording
 from deltacal_gen.use.compensation import Compensator
 
 from . import by_hand, by_hand_chain, by_hand_numba
-
-Array = np.ndarray
-OURS, KERNEL, NUMPY, NUMBA = "ours", "kernel", "NumPy", "Numba"  # a user's call, what computes in it, by hand
-NEEDED = {"in_casadi": "casadi", "in_jax": "jax"}  # tools that make programs of formulas: the extra "bench"
-MISSING = [name for name in NEEDED.values() if find_spec(name) is None]
-TOOLS = {
-    tool.NAME: tool
-    for module, needs in NEEDED.items()
-    if needs not in MISSING and (tool := import_module(f".{module}", __package__))
-}
-MM = 1e-6  # agreement of lengths, and of angles times lengths
-POINT = np.array([60.0, -20.0, -40.0])  # a reference point beside the centre of the platform [mm]
-SIGMA = 0.005  # mm; a laser tracker
-POSES = 19  # of a calibration: home and the paper's rings
-DELTA = load_mechanism("delta")
-ROBOT = robot_from_dict(
-    {
-        "robot": {"name": "prototype", "mechanism": "delta"},
-        "geometry": {
-            "base_radius": by_hand.BASE,
-            "platform_radius": by_hand.PLATFORM,
-            "proximal_length": by_hand.ARM,
-            "distal_length": by_hand.ROD,
-            "joint_spacing": by_hand.SPACING,
-        },
-        "workspace": {"top": by_hand.TOP, "radius": by_hand.RADIUS, "height": by_hand.HEIGHT},
-    }
+from .contenders import (
+    DELTA,
+    KERNEL,
+    NUMBA,
+    NUMPY,
+    OURS,
+    PAPER,
+    POINT,
+    POSES,
+    ROBOT,
+    SIGMA,
+    UNIT,
+    Array,
+    Contender,
+    Work,
+    by_tools,
+    calibrated,
+    columns,
+    errors,
+    measured,
+    paper,
+    positions,
+    reach,
+    recorded,
+    rings,
 )
-# column of each of the mechanism's parameters in the paper's order, and the paper's unknown per mm or rad
-PAPER = np.array([[8 * i + k if k < 8 else 16 + 6 * i + k for k in range(14)] for i in range(3)]).ravel()
-UNIT = DELTA.scaling("paper", ROBOT, [p.name for p in DELTA.parameters])
-
-
-@dataclass(frozen=True)
-class Contender:
-    """One way of doing a work.
-
-    Attributes
-    ----------
-    run : callable
-        What is timed; it returns its result.
-    view : callable
-        Result to the array that all contenders must agree on; not timed.
-    before : callable, optional
-        Done before every single run; not timed.
-    """
-
-    run: Callable[[], Any]
-    view: Callable[[Any], Array] = np.asarray
-    before: Callable[[], None] | None = None
-
-
-@dataclass(frozen=True)
-class Work:
-    """What is done, how often in one run, and by whom; `tolerance` is that of the agreement."""
-
-    what: str
-    unit: str
-    count: int
-    contenders: dict[str, Contender]
-    tolerance: float = MM
-
-
-def positions(n: int, seed: int = 1) -> Array:
-    """Return points anywhere in the workspace (n, 3)."""
-    rng = np.random.default_rng(seed)
-    radius, turn = by_hand.RADIUS * np.sqrt(rng.random(n)), 2 * np.pi * rng.random(n)
-    return np.column_stack(
-        [radius * np.cos(turn), radius * np.sin(turn), -by_hand.TOP - by_hand.HEIGHT * rng.random(n)]
-    )
-
-
-def rings(n: int) -> Array:
-    """Return home and the paper's poses: rings on the rim of the top and of the bottom layer, n poses in all."""
-    turn = 4 * np.pi * np.arange(n - 1) / (n - 1)
-    z = np.where(np.arange(n - 1) < (n - 1) // 2, -by_hand.TOP, -by_hand.TOP - by_hand.HEIGHT)
-    circle = np.column_stack([by_hand.RADIUS * np.cos(turn), by_hand.RADIUS * np.sin(turn), z])
-    return np.vstack([[0.0, 0.0, -by_hand.TOP - by_hand.HEIGHT / 2], circle])
-
-
-def errors(model: str = "42", seed: int = 2) -> Array:
-    """Return ordinary source errors (42,) of a model [mm, rad], in the mechanism's order."""
-    chosen = np.isin([p.name for p in DELTA.parameters], DELTA.model(model))
-    return np.where(chosen, DELTA.typical * np.random.default_rng(seed).standard_normal(42), 0.0)
-
-
-def paper(p: Array) -> Array:
-    """Return source errors [mm, rad] as the paper's unknowns, in its order."""
-    out = np.empty(42)
-    out[PAPER] = p * UNIT
-    return out
-
-
-def columns(model: str) -> list[int]:
-    """Return the paper's columns of a model, in the mechanism's order."""
-    return [int(PAPER[DELTA.index[name]]) for name in DELTA.model(model)]
-
-
-def by_tools(work: str, *given: Any) -> dict[str, Contender]:
-    """Return the tools that do a work, each made ready for what is given."""
-    return {name: Contender(getattr(tool, work)(*given)) for name, tool in TOOLS.items() if hasattr(tool, work)}
-
+from .starts import start
 
 # ------------------------------------------------------------------------------------------------------- kinematics
 
@@ -353,13 +263,6 @@ def chain(n: int, *, derivatives: bool) -> Work:
 # ------------------------------------------------------------------------------------------------------ compensation
 
 
-def calibrated() -> Robot:
-    """Return the machine with errors."""
-    return dataclasses.replace(
-        ROBOT, errors=dict(zip((p.name for p in DELTA.parameters), errors().tolist(), strict=True))
-    )
-
-
 def servo(n: int) -> Work:
     """Commands of the exact compensator, one set point after the other in a compiled loop."""
     target, q = positions(n), np.empty((n, 3))
@@ -424,34 +327,6 @@ def call(n: int, *, kind: str) -> Work:
 
 
 # ---------------------------------------------------------------------------------------------------- identification
-
-
-def recorded(theta: Array, points: list[tuple[Array, Array]]) -> Recording:
-    """Return the recording of positions (n, 3) read at each reference point, the offset of which is given."""
-    n, many = len(theta), len(points)
-    return Recording(
-        path=Path("recording.csv"),
-        kind="position",
-        measurement=Measurement(kind="position", sigma_mm=SIGMA),
-        joint_unit="rad",
-        joints=np.tile(theta, (many, 1)),
-        columns=("x_mm", "y_mm", "z_mm"),
-        measured=np.vstack([at for _, at in points]),
-        pose=np.tile(np.arange(n).astype(str), many),
-        line=np.arange(n * many) + 2,
-        channels={},
-        setup=np.zeros(n * many, dtype=int),
-        setup_names=("1",),
-        tool=np.repeat([offset for offset, _ in points], n, axis=0),
-    )
-
-
-def measured(model: str, n: int = 19) -> tuple[Array, list[tuple[Array, Array]]]:
-    """Return joints of the paper's poses and what a tracker reads on a machine with the errors of a model."""
-    theta, p, rng = by_hand.ideal_inverse(rings(n)), paper(errors(model)), np.random.default_rng(3)
-    points = [np.zeros(3)] if model == "18" else [np.zeros(3), POINT]
-    read = [by_hand.forward(theta, by_hand.machine(p, at), at)[:, :3] for at in points]
-    return theta, [(at, r + SIGMA * rng.standard_normal(r.shape)) for at, r in zip(points, read, strict=True)]
 
 
 def identification(n: int, *, model: str) -> Work:
@@ -525,11 +400,6 @@ def chain_identification(n: int) -> Work:
     )
 
 
-def reach(p: Array) -> Array:
-    """Return where the machine with errors p (42,) goes over the workspace: what identifications must agree on."""
-    return by_hand.forward(by_hand.ideal_inverse(positions(50, seed=4)), by_hand.machine(p))[:, :3]
-
-
 # ------------------------------------------------------------------------------------------------------ many machines
 
 
@@ -597,114 +467,6 @@ def trials(count: int, *, model: str, kept: bool) -> Work:
         {KERNEL: Contender(ours), NUMPY: Contender(numpy), NUMBA: Contender(numba)}
         | by_tools("trials", theta, r, offsets, wanted, target, joints, p, noise),
     )
-
-
-# -------------------------------------------------------------------------------------------------------- cold start
-
-
-@cache
-def _place() -> tempfile.TemporaryDirectory[str]:
-    """Return a folder with the files to identify from, and with kernels and programs by hand that are not compiled."""
-    place = tempfile.TemporaryDirectory(prefix="deltacal-bench-")
-    folder = Path(place.name)
-    theta, [(_, at)] = measured("18")
-    (folder / "robot.toml").write_text(robot_to_toml(ROBOT), encoding="utf-8")
-    head = "q1_deg,q2_deg,q3_deg,x_mm,y_mm,z_mm"
-    table = np.hstack([np.degrees(theta), at])
-    np.savetxt(folder / "recording.csv", table, "%.12g", ",", header=head, comments="")
-    package = Path(deltacal_kernels.__file__).parent
-    for source, name in ((package, package.name), (Path(__file__).parent, "by_hand")):
-        shutil.copytree(source, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
-    return place
-
-
-def _empty_cache() -> None:
-    """Remove what Numba, CasADi and JAX have compiled."""
-    for path in Path(_place().name).rglob("*.nbc"):
-        path.unlink()
-    for folder in ("deltacal-casadi", "jax"):
-        shutil.rmtree(Path(_place().name) / folder, ignore_errors=True)
-
-
-def _process(*command: str) -> str:
-    """Run Python on the copies; return what it prints."""
-    place, package = Path(_place().name), Path(deltacal_gen.__file__).parents[1]
-    environment = os.environ | {
-        "PYTHONPATH": os.pathsep.join(map(str, (place, package))),
-        "OPENBLAS_NUM_THREADS": "1",
-        "TMPDIR": str(place),
-        "JAX_COMPILATION_CACHE_DIR": str(place / "jax"),
-        "JAX_PERSISTENT_CACHE_MIN_COMPILE_TIME_SECS": "0",
-    }
-    for inherited in ("NUMBA_CACHE_DIR", "PYTHONDONTWRITEBYTECODE"):  # byte code is kept, as of what is installed
-        environment.pop(inherited, None)
-    done = subprocess.run([sys.executable, *command], cwd=place, env=environment, capture_output=True, text=True)
-    if done.returncode:
-        raise RuntimeError(f"{' '.join(command)}\n{done.stderr}")
-    return done.stdout
-
-
-_API = """
-import sys
-import numpy as np
-from deltacal_gen import estimate, nominal
-with open("recording.csv") as file:  # by its name NumPy would first load what reads compressed files and addresses
-    table = np.loadtxt(file, delimiter=",", skiprows=1)
-robot = nominal("delta", {key: float(value) for key, value in zip(sys.argv[1::2], sys.argv[2::2])})
-found = estimate(robot, "18", np.radians(table[:, :3]), table[:, 3:6], as_distance=True)
-print(*found.errors)
-"""
-_COMMAND = """
-import json, sys
-import numpy as np
-from deltacal_gen.use.compensation import Compensator
-from deltacal_gen.files.robot import read_robot
-import dataclasses
-target, errors = json.loads(sys.argv[1]), json.loads(sys.argv[2])
-robot = dataclasses.replace(read_robot("robot.toml"), errors=errors)
-print(*Compensator(robot).command(np.array([target]))[0][0])
-"""
-
-
-def start(n: int, *, what: str, cold: bool) -> Work:
-    """From the start of the process to the first result, with the compiled code on the disk or without."""
-    before = _empty_cache if cold else None
-    if what == "command":
-        target = positions(1)[0].tolist()
-        programs = {
-            OURS: ("-c", _COMMAND, json.dumps(target), json.dumps(calibrated().errors)),
-            NUMPY: ("-m", "by_hand.by_hand", "command", *map(repr, (*target, *paper(errors()).tolist()))),
-        }
-        view, tolerance = {OURS: _numbers, NUMPY: _numbers}, 1e-4  # rad; by hand it is eq. (23)
-    else:
-        geometry = [(key, str(float(value[0]))) for key, value in ROBOT.geometry.items() if len(value) == 1]
-        mine: tuple[str, ...] = ("-c", _API, *itertools.chain.from_iterable(geometry))
-        if what == "deltacal identify":
-            given = ("robot.toml", "recording.csv", "--model", "18", "--as", "distance", "--json")
-            mine = ("-m", "deltacal_gen.app.cli", "identify", *given)
-        modules = {NUMPY: "by_hand", NUMBA: "by_hand_numba"}
-        modules |= {name: tool.__name__.rpartition(".")[2] for name, tool in TOOLS.items()}
-        programs = {OURS: mine} | {
-            name: ("-m", f"by_hand.{module}", "identify", "recording.csv") for name, module in modules.items()
-        }
-        view = {name: lambda text: reach(_numbers(text)) for name in programs}
-        told = _told if what == "deltacal identify" else _numbers
-        view[OURS] = lambda text: reach(paper(told(text)))
-        tolerance = 10 * SIGMA  # the package's default is robust and has priors
-    contenders = {
-        name: Contender(partial(_process, *program), view[name], before) for name, program in programs.items()
-    }
-    return Work(f"process start to {what}, cache {'empty' if cold else 'full'}", "s", 1, contenders, tolerance)
-
-
-def _numbers(text: str) -> Array:
-    return np.array(text.split(), dtype=float)
-
-
-def _told(text: str) -> Array:
-    """Return the source errors (42,) of a RESULT.json."""
-    found = json.loads(text)["parameters"]
-    return DELTA.vector({p["name"]: p["value"] * (np.pi / 180 if p["unit"] == "deg" else 1.0) for p in found})
 
 
 # name: how it is made, and its size in full, in a quick run and in the test
