@@ -256,31 +256,13 @@ def blocks(mechanism: LimbMechanism, seed: str, seeds: Sequence[sp.Expr], functi
         raise ValueError(f"{mechanism.name}: its equations do not fall into blocks of at most three.")
     graph = functions.graph
     limbs, rods = mechanism.limbs, len(mechanism.loop_closure)
-    n_x, paired = len(mechanism.platform), rods == 2
-    platform = [quantity.symbol for quantity in mechanism.platform]
-    tool = [quantity.symbol for quantity in mechanism.tool]
-    varied = [quantity.symbol for quantity in mechanism.varied]
-    joint = mechanism.joint.symbol
-    entries = list(rotation_steps(mechanism))
-    turns = turning_axes(mechanism)
+    entries, paired = list(rotation_steps(mechanism)), rods == 2
 
     region = _Region()
-    inputs = _lanes([joint], region.take("q", 1))
-    inputs |= _lanes(tool, region.take("tool", len(tool)))
-    inputs |= _lanes(platform, region.take("x", n_x))
-    inputs |= _lanes(entries, region.take("R", len(entries)))
-    region.take("rows", rods * (n_x + 2))
-
-    # a limb: its equations, their derivatives by shift, turn and joint; then what of it moves with the joint only
-    rows = equations(mechanism)
-    newton: list[sp.Expr | None] = []
-    joints: list[sp.Expr] = []
-    errors: list[sp.Expr] = []
-    for row, *by_platform, by_joint in rows:
-        newton += [row, *by_platform, None]
-        joints += [*[None] * (n_x + 1), by_joint]
-        errors += graph.derivatives(row, varied)
-    late = set(platform) | set(entries)
+    inputs = _inputs(mechanism, entries, region)
+    region.take("rows", rods * (len(mechanism.platform) + 2))
+    newton, joints, errors = _of_limb(mechanism, graph)
+    late = {*(quantity.symbol for quantity in mechanism.platform), *entries}
     early = _early(graph, [graph.add(e) for e in newton if e is not None], late, inputs)
     starts = closed_form.start_of_inverse(mechanism)
     more = _early(graph, [graph.add(e) for e in (*joints, *errors) if e is not None], late, inputs)
@@ -289,7 +271,7 @@ def blocks(mechanism: LimbMechanism, seed: str, seeds: Sequence[sp.Expr], functi
     region.take("seed", len(seeds))
     region.take("start", len(starts))
     further = region.take("more", len(more))
-    region.take("errors", rods * len(varied))
+    region.take("errors", rods * len(mechanism.varied))
     with_early = inputs | _lanes(early, kept) | _lanes(more, further)
     for name, meaning, outputs, given in (
         ("early", f"what moves with a joint only; then {seed}", [*early, *seeds], inputs),
@@ -312,13 +294,39 @@ def blocks(mechanism: LimbMechanism, seed: str, seeds: Sequence[sp.Expr], functi
         stride=stride,
         total=common.next,
         rows=order,
-        turned=len(turns),
+        turned=len(turning_axes(mechanism)),
         matrix=len(entries),
         checks=common.at["going"] - common.at["regular"],
         held=solved.held,
         paired=paired,
         seeds=tuple(i * stride + region.at["seed"] + c for i in range(limbs) for c in range(len(seeds))),
     )
+
+
+def _inputs(mechanism: LimbMechanism, entries: Sequence[sp.Symbol], region: _Region) -> dict[sp.Symbol, Place]:
+    """Return where a limb's functions read joint, tool, platform and its rotation matrix, with their places taken."""
+    given = {
+        "q": [mechanism.joint.symbol],
+        "tool": [quantity.symbol for quantity in mechanism.tool],
+        "x": [quantity.symbol for quantity in mechanism.platform],
+        "R": entries,
+    }
+    return {s: at for name, own in given.items() for s, at in _lanes(own, region.take(name, len(own))).items()}
+
+
+def _of_limb(
+    mechanism: LimbMechanism, graph: Graph
+) -> tuple[list[sp.Expr | None], list[sp.Expr | None], list[sp.Expr]]:
+    """Return a limb's equations with their derivatives by shift and turn, those by its joint, and those by errors."""
+    newton: list[sp.Expr | None] = []
+    joints: list[sp.Expr | None] = []
+    errors: list[sp.Expr] = []
+    varied = [quantity.symbol for quantity in mechanism.varied]
+    for row, *by_platform, by_joint in equations(mechanism):
+        newton += [row, *by_platform, None]
+        joints += [*[None] * (len(by_platform) + 1), by_joint]
+        errors += graph.derivatives(row, varied)
+    return newton, joints, errors
 
 
 def _early(graph: Graph, wanted: Sequence[sp.Expr], late: set[sp.Symbol], inputs: Inputs) -> list[sp.Symbol]:
@@ -366,13 +374,15 @@ def nominal(mechanism: LimbMechanism, layout: Blocks) -> Nominal | None:
     if mechanism.seeds is not None or mechanism.home is not None:
         return None
     limbs, rods = mechanism.limbs, len(mechanism.loop_closure)
-    n_x, f, a = len(mechanism.platform), limbs * rods, limbs
+    n_x = len(mechanism.platform)
     platform = [quantity.symbol for quantity in mechanism.platform]
     errors = [quantity.symbol for quantity in (*mechanism.errors, *mechanism.common)]
     steps, closures = first_order(mechanism, {str(s): {s: sp.Integer(1)} for s in (*platform, *errors)})
-    rates = {}
-    for s in (*platform, *errors):
-        rates[s] = [vanishing(e, steps) for e in of_rows([rate[str(s)] for rate in closures], steps)]
+    rates = {
+        s: [vanishing(e, steps) for e in of_rows([rate[str(s)] for rate in closures], steps)]
+        for s in (*platform, *errors)
+    }
+    felt = _felt([rates[s] for s in errors])
 
     inputs = _lanes([mechanism.joint.symbol], layout.limb["q"])
     inputs |= _lanes([quantity.symbol for quantity in mechanism.tool], layout.limb["tool"])
@@ -382,10 +392,7 @@ def nominal(mechanism: LimbMechanism, layout: Blocks) -> Nominal | None:
     start, width = layout.limb["rows"], len(mechanism.varied)
     places: dict[int, sp.Expr] = {}
     read: dict[sp.Symbol, Place] = {}
-    J = sp.zeros(f, n_x)
-    changed = [tuple(j for j in range(rods) if rates[s][j] != 0) for s in errors]
-    most = max(map(len, changed))
-    felt = [tuple(sorted({*some, *[j for j in range(rods) if j not in some][: most - len(some)]})) for some in changed]
+    J = sp.zeros(limbs * rods, n_x)
     for j in range(rods):
         for c, s in enumerate(platform):
             slot = start + j * (n_x + 2) + 1 + c
@@ -399,16 +406,7 @@ def nominal(mechanism: LimbMechanism, layout: Blocks) -> Nominal | None:
                 places[layout.limb["errors"] - start + j * width + e] = rates[s][j]
     outputs = [places.get(j) for j in range(max(places) + 1)]
 
-    solved: list[tuple[sp.Symbol, sp.Expr]] = []
-    G, far = _inverse(solved, "G", J[:a, :a])
-    block, checks = -G, [far]
-    if f > a:
-        U = _named(solved, "U", G * J[:a, a:])
-        S = _named(solved, "S", J[a:, a:] - J[a:, :a] * U)
-        Si, far = _inverse(solved, "Si", S)
-        lower = _named(solved, "V", -Si * J[a:, :a] * G)
-        block = sp.Matrix.hstack(U * lower - G, U * Si)
-        checks.append(far)
+    solved, block, checks = _position_of(J, limbs)
     # zeros are stored too: what stands in scratch is left over
     functions.add("nominal", "equations of a nominal limb by platform and errors", outputs, dense=True)
     functions.constants("nominal_constants", "what `nominal_sensitivity` reads that no pose changes")
@@ -419,15 +417,49 @@ def nominal(mechanism: LimbMechanism, layout: Blocks) -> Nominal | None:
         [*block, *checks],
         dense=True,
     )
-    first = [e for e in range(len(errors)) if e == 0 or felt[e] != felt[e - 1]]
-    runs = tuple((e, end, felt[e]) for e, end in zip(first, [*first[1:], len(errors)], strict=True))
-    columns = [(i, e) for i in range(limbs) for e in range(len(errors))]
-    rows = [[layout.shared["inverse"] + layout.rows[i][felt[e][j]] for i, e in columns] for j in range(most)]
-    own = [
-        [i * layout.stride + layout.limb["errors"] + felt[e][j] * width + e for i, e in columns] for j in range(most)
-    ]
-    factors, values = (tuple(tuple(LANES * place for place in places) for places in both) for both in (rows, own))
-    return Nominal((functions, inverse), len(errors), block.rows, runs, factors, values)
+    factors, values = _products(layout, felt, width)
+    return Nominal((functions, inverse), len(errors), block.rows, _runs(felt), factors, values)
+
+
+def _felt(rates: Sequence[Sequence[sp.Expr]]) -> list[tuple[int, ...]]:
+    """Return the equations of a limb that each error changes, as many of each: some are told that are not changed."""
+    changed = [tuple(j for j, rate in enumerate(of_error) if rate != 0) for of_error in rates]
+    most, every = max(map(len, changed)), range(len(rates[0]))
+    return [tuple(sorted({*some, *[j for j in every if j not in some][: most - len(some)]})) for some in changed]
+
+
+def _runs(felt: Sequence[tuple[int, ...]]) -> tuple[tuple[int, int, tuple[int, ...]], ...]:
+    """Return errors that stand side by side and change the same equations as one; see `Nominal`."""
+    first = [e for e in range(len(felt)) if e == 0 or felt[e] != felt[e - 1]]
+    return tuple((e, end, felt[e]) for e, end in zip(first, [*first[1:], len(felt)], strict=True))
+
+
+def _products(layout: Blocks, felt: Sequence[tuple[int, ...]], width: int) -> list[tuple[tuple[int, ...], ...]]:
+    """Return the factors and the values of `Nominal`, for rows of derivatives by errors of a width."""
+    columns = [(i, e) for i in range(len(layout.rows)) for e in range(len(felt))]
+    factors, values = [], []
+    for j in range(len(felt[0])):
+        factors.append([layout.shared["inverse"] + layout.rows[i][felt[e][j]] for i, e in columns])
+        values.append([i * layout.stride + layout.limb["errors"] + felt[e][j] * width + e for i, e in columns])
+    return [tuple(tuple(LANES * place for place in places) for places in both) for both in (factors, values)]
+
+
+def _position_of(J: sp.Matrix, a: int) -> tuple[list[tuple[sp.Symbol, sp.Expr]], sp.Matrix, list[sp.Expr]]:
+    """Return steps, minus the inverse's rows of the position, and how far what is divided by is from dependent.
+
+    The position stands in the first `a` equations; where a turn follows from further ones, it is eliminated.
+    """
+    solved: list[tuple[sp.Symbol, sp.Expr]] = []
+    G, far = _inverse(solved, "G", J[:a, :a])
+    block, checks = -G, [far]
+    if J.rows > a:
+        U = _named(solved, "U", G * J[:a, a:])
+        S = _named(solved, "S", J[a:, a:] - J[a:, :a] * U)
+        Si, far = _inverse(solved, "Si", S)
+        lower = _named(solved, "V", -Si * J[a:, :a] * G)
+        block = sp.Matrix.hstack(U * lower - G, U * Si)
+        checks.append(far)
+    return solved, block, checks
 
 
 class _System:

@@ -1,6 +1,7 @@
 """How large rooms may be: no module above 600 lines, no function above 60, its docstring not counted.
 
-What is larger is listed with its size, which may shrink and never grow; what is listed and small enough is an error.
+A function that is larger is listed with its size, which may shrink and never grow; what is listed and small enough is
+an error.
 """
 
 from __future__ import annotations
@@ -12,17 +13,11 @@ from tests.benchmarks.lines import functions
 ROOT = Path(__file__).resolve().parents[1]
 PARTS = ("src/deltacal_gen", "derive", "tests")
 MODULE, FUNCTION = 600, 60
-MODULES = {}
 FUNCTIONS = {
-    "derive/blocks.py:blocks": 68,
-    "derive/blocks.py:nominal": 66,
-    "derive/papers/bai.py:statements": 65,
     "src/deltacal_gen/diagnosis/diagnosis.py:diagnose": 69,
-    "src/deltacal_gen/execution.py:_in_order": 66,
     "src/deltacal_gen/identification/identification.py:identify": 72,
+    "src/deltacal_gen/execution.py:_in_order": 66,
     "tests/benchmarks/concealed_cases.py:_attempt": 107,
-    "tests/benchmarks/printers.py:main": 65,
-    "tests/proof/multibody.py:_build": 68,
 }
 
 
@@ -32,8 +27,7 @@ def test_no_module_is_larger_than_a_reader_holds() -> None:
         for part in PARTS
         for path in (ROOT / part).rglob("*.py")
     }
-    assert {name: n for name, n in sizes.items() if n > MODULES.get(name, MODULE)} == {}, "divide it by what it does"
-    assert [name for name in MODULES if sizes.get(name, 0) <= MODULE] == [], "small enough: take it off the list"
+    assert {name: n for name, n in sizes.items() if n > MODULE} == {}, "divide it by what it does"
 
 
 def test_no_function_is_longer_than_a_page() -> None:

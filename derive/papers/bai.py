@@ -324,10 +324,12 @@ def first_order(machines: Sequence[Machine]) -> Formula:
 def statements() -> tuple[Statement, ...]:
     """Return what the paper states of matrices, ranks and its compensator."""
     machines = [rational_machine(seed) for seed in (1, 2, 3)]
-    points = "points on the plate whose distances see model 32: {count}"
+    return (first_order(machines), *rows(), *_sensitivities(machines), *_ranks(), *_compensators(machines))
+
+
+def _sensitivities(machines: Sequence[Machine]) -> tuple[Statement, ...]:
+    """Return what is stated of the point, the plate and distances by the errors."""
     return (
-        first_order(machines),
-        *rows(),
         Formula(
             "eq. (8)",
             "C_r",
@@ -354,11 +356,24 @@ def statements() -> tuple[Statement, ...]:
             derived_distances,
             [rational_poses(4)],
         ),
+    )
+
+
+def _ranks() -> tuple[Statement, ...]:
+    """Return what is stated of how much distances know."""
+    points = "points on the plate whose distances see model 32: {count}"
+    return (
         Rank(
             "section 3.2", "rank of H_r", "rank(H_r) = {rank}", 18, partial(distance_rows, points=1, model="delta/18")
         ),
         Rank("section 3.2", "rank of H", "rank(H) = {rank}", 32, partial(distance_rows, points=3, model="delta/36")),
         Least("section 3.2", "number of points", points, 2, partial(distance_rows, model="delta/32"), range(1, 3)),
+    )
+
+
+def _compensators(machines: Sequence[Machine]) -> tuple[Statement, ...]:
+    """Return what is stated of the commands that take errors back."""
+    return (
         Formula(
             "eq. (22)",
             "B_m",

@@ -72,12 +72,22 @@ def main() -> None:
     given = parser.parse_args()
     found = sorted(p.parent for p in given.folder.rglob("robot.toml"))
     folders = [f for f in found if 'mechanism = "linear_delta"' in (f / "robot.toml").read_text(encoding="utf-8")]
+    rows = each_recording(folders)
+    told = by_size(rows)
+    print("\n".join(", ".join(line) for line in told))
+    kept = by_size_of_pairs(each_pair(rows))
+    print("\n".join(", ".join(line) for line in kept))
+    if given.measured:
+        heads = ("readings", "recordings", "as saved, mm", "firmware's model, mm", "largest model, mm")
+        write("printers", heads, told, COMMAND, note=f"{len(rows)} recordings of printers")
+        write("printers_sessions", ("meshes of", "pairs", "held / own fit, median", f"within {BAR}"), kept, COMMAND)
+
+
+def each_recording(folders: list[Path]) -> dict[Path, dict[str, Any]]:
+    """Print what every recording comes to, and return `row` of those that can be used."""
     rows = {}
-    print(
-        "| recording | readings | as saved | firmware's fit | diagnosis | model | held out | verdict |\n"
-        + 8 * "|---"
-        + "|"
-    )
+    print("| recording | readings | as saved | firmware's fit | diagnosis | model | held out | verdict |")
+    print(8 * "|---" + "|")
     for folder in folders:
         try:
             r = rows[folder] = row(folder)
@@ -91,21 +101,29 @@ def main() -> None:
             f"{r['heldout']:.4f} | {r['verdict']}{named} |",
             flush=True,
         )
+    return rows
+
+
+def by_size(rows: dict[Path, dict[str, Any]]) -> list[list[str]]:
+    """Return how many recordings there are of a size, and the medians [mm] as saved, by firmware's fit, diagnosed."""
     groups: dict[str, list[dict[str, Any]]] = defaultdict(list)
     for r in rows.values():
         groups["heights and distances" if r["distances"] else _size(r["readings"])].append(r)
-    told = [
+    return [
         [words, str(len(group)), *(f"{np.median([r[k] for r in group]):.3f}" for k in ("saved", "firmware", "fit"))]
         for words, group in sorted(groups.items(), key=lambda item: min(r["readings"] for r in item[1]))
     ]
-    print("\n".join(", ".join(line) for line in told))
+
+
+def each_pair(rows: dict[Path, dict[str, Any]]) -> dict[bool, list[float]]:
+    """Print how far meshes of a machine predict its later ones; return held over own fit, of many readings or few."""
     machines: dict[str, list[Path]] = defaultdict(list)
     for folder in rows:
         if "-mesh" in folder.name:
             machines[SESSION.sub("", folder.name)].append(folder)
     pairs = [pair for sessions in machines.values() for pair in itertools.combinations(sessions, 2)]
     print("\n| earlier | later | readings | held | own fit | firmware alone | held / own |\n" + 7 * "|---" + "|")
-    ratios = defaultdict(list)
+    ratios: dict[bool, list[float]] = defaultdict(list)
     for earlier, later in pairs:
         try:
             c = carried(rows[earlier], later)
@@ -116,7 +134,12 @@ def main() -> None:
         ratios[c["readings"] >= MANY].append(ratio)
         rms = " | ".join(f"{c[k]:.4f}" for k in ("held", "own", "firmware"))
         print(f"| {earlier.name} | {later.name} | {c['readings']} | {rms} | {ratio:.2f} |", flush=True)
-    kept = [
+    return ratios
+
+
+def by_size_of_pairs(ratios: dict[bool, list[float]]) -> list[list[str]]:
+    """Return how many pairs there are of a size, the median of their ratios, and the part within the bar."""
+    return [
         [
             f"{MANY} heights and more" if many else f"fewer than {MANY} heights",
             str(len(values)),
@@ -125,11 +148,6 @@ def main() -> None:
         ]
         for many, values in sorted(ratios.items(), reverse=True)
     ]
-    print("\n".join(", ".join(line) for line in kept))
-    if given.measured:
-        heads = ("readings", "recordings", "as saved, mm", "firmware's model, mm", "largest model, mm")
-        write("printers", heads, told, COMMAND, note=f"{len(rows)} recordings of printers")
-        write("printers_sessions", ("meshes of", "pairs", "held / own fit, median", f"within {BAR}"), kept, COMMAND)
 
 
 def _size(readings: int) -> str:

@@ -303,73 +303,83 @@ class _Model:
         self._build()
 
     def _build(self) -> None:
-        import exudyn.itemInterface as items  # noqa: N813
-
         self.container = self._exu.SystemContainer()
-        self.mbs = mbs = self.container.AddSystem()
+        self.mbs = self.container.AddSystem()
         self.nodes: list[Any] = []
-
-        def body() -> Any:
-            self.nodes.append(mbs.AddNode(items.NodeRigidBodyEP(referenceCoordinates=[0, 0, 0, 1, 0, 0, 0])))
-            unit = items.ObjectRigidBody(physicsMass=1.0, physicsInertia=[1, 1, 1, 0, 0, 0], nodeNumber=self.nodes[-1])
-            return mbs.AddObject(unit)  # in a static equilibrium only loads weigh
-
-        def frame(of: Any) -> Any:
-            return mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=of, localHT=np.eye(4)))
-
-        def joint(one: Any, two: Any, springs: Sequence[float]) -> Any:
-            """Join two frames by springs of a compliance along and about each axis, rigidly where it is 0.
-
-            Returns the object that feels the torque about the third axis.
-            """
-            fixed = [0 if compliance else 1 for compliance in springs]
-            made = mbs.AddObject(items.GenericJoint(markerNumbers=[one, two], constrainedAxes=fixed))
-            if not any(springs):
-                return made
-            stiffness = np.diag([1 / c if c else 0.0 for c in springs])
-            spring = mbs.AddObject(items.RigidBodySpringDamper(markerNumbers=[one, two], stiffness=stiffness))
-            return spring if springs[5] else made
-
-        base = mbs.AddObject(items.ObjectGround())
+        base = self.mbs.AddObject(self._items.ObjectGround())
         if any(self.tilt):
-            ground, base = base, body()
-            joint(frame(ground), frame(base), [0, 0, 0, *self.tilt, 0])
-        self.pivots, self.tips, self.elbows, self.weights, arms = [], [], [], [], []
-        self.reactions, self.rods = [], []
-        for i in range(3):
-            arm = tip = body()
-            arms.append(arm)
-            self.pivots.append(frame(base))
-            self.reactions.append(joint(self.pivots[i], frame(arm), [0, 0, 0, 0, 0, self.twist[i]]))
-            self.tips.append(None)
-            if self.bend[i]:
-                tip = body()
-                self.tips[i] = frame(arm)
-                joint(self.tips[i], frame(tip), [0, self.bend[i], self.bend[i], 0, 0, 0])
-            self.elbows.append([frame(tip), frame(tip)])
-            self.weights += [frame(arm) for _ in range(3)] + [None, None]
-        platform = body()
-        for i in range(3):
-            for j in (0, 1):
-                end = self.weights[5 * i + 3 + j] = frame(platform)
-                ends = [self.elbows[i][j], end]
-                if self.stretch[i]:
-                    made = items.SpringDamper(markerNumbers=ends, referenceLength=1.0, stiffness=1 / self.stretch[i])
-                else:
-                    made = items.DistanceConstraint(markerNumbers=ends, distance=1.0)
-                self.rods.append((mbs.AddObject(made), "referenceLength" if self.stretch[i] else "distance"))
-        self.weights += [frame(platform), frame(platform)]
-        self.forces = [mbs.AddLoad(items.LoadForceVector(markerNumber=m, loadVector=[0, 0, 0])) for m in self.weights]
+            ground, base = base, self._body()
+            self._joint(self._frame(ground), self._frame(base), [0, 0, 0, *self.tilt, 0])
+        self.pivots, self.tips, self.elbows, self.weights, self.reactions = [], [], [], [], []
+        arms = [self._arm(base, i) for i in range(3)]
+        platform = self._body()
+        self.rods = [self._rod(platform, i, j) for i in range(3) for j in (0, 1)]
+        self.weights += [self._frame(platform), self._frame(platform)]
+        force, torque = self._items.LoadForceVector, self._items.LoadTorqueVector
+        self.forces = [self.mbs.AddLoad(force(markerNumber=m, loadVector=[0, 0, 0])) for m in self.weights]
         self.moments = [
-            mbs.AddLoad(items.LoadTorqueVector(markerNumber=frame(arm), loadVector=[0, 0, 0], bodyFixed=True))
+            self.mbs.AddLoad(torque(markerNumber=self._frame(arm), loadVector=[0, 0, 0], bodyFixed=True))
             for arm in arms
         ]
-        mbs.Assemble()
+        self.mbs.Assemble()
         self.settings = self._exu.SimulationSettings()
         self.settings.solutionSettings.writeSolutionToFile = False
         self.settings.staticSolver.verboseMode = 0
         self.settings.staticSolver.newton.relativeTolerance = 1e-10
         self.settings.staticSolver.newton.absoluteTolerance = 1e-10
+
+    @property
+    def _items(self) -> Any:
+        import exudyn.itemInterface as items  # noqa: N813
+
+        return items
+
+    def _body(self) -> Any:
+        self.nodes.append(self.mbs.AddNode(self._items.NodeRigidBodyEP(referenceCoordinates=[0, 0, 0, 1, 0, 0, 0])))
+        inertia = [1, 1, 1, 0, 0, 0]  # in a static equilibrium only loads weigh
+        body = self._items.ObjectRigidBody(physicsMass=1.0, physicsInertia=inertia, nodeNumber=self.nodes[-1])
+        return self.mbs.AddObject(body)
+
+    def _frame(self, of: Any) -> Any:
+        return self.mbs.AddMarker(self._items.MarkerBodyRigid(bodyNumber=of, localHT=np.eye(4)))
+
+    def _joint(self, one: Any, two: Any, springs: Sequence[float]) -> Any:
+        """Join two frames by springs of a compliance along and about each axis, rigidly where it is 0.
+
+        Returns the object that feels the torque about the third axis.
+        """
+        items, fixed = self._items, [0 if compliance else 1 for compliance in springs]
+        made = self.mbs.AddObject(items.GenericJoint(markerNumbers=[one, two], constrainedAxes=fixed))
+        if not any(springs):
+            return made
+        stiffness = np.diag([1 / c if c else 0.0 for c in springs])
+        spring = self.mbs.AddObject(items.RigidBodySpringDamper(markerNumbers=[one, two], stiffness=stiffness))
+        return spring if springs[5] else made
+
+    def _arm(self, base: Any, i: int) -> Any:
+        """Add the arm of a limb with its frames, and its tip as a body of its own where it bends; return the arm."""
+        arm = tip = self._body()
+        self.pivots.append(self._frame(base))
+        self.reactions.append(self._joint(self.pivots[i], self._frame(arm), [0, 0, 0, 0, 0, self.twist[i]]))
+        self.tips.append(None)
+        if self.bend[i]:
+            tip = self._body()
+            self.tips[i] = self._frame(arm)
+            self._joint(self.tips[i], self._frame(tip), [0, self.bend[i], self.bend[i], 0, 0, 0])
+        self.elbows.append([self._frame(tip), self._frame(tip)])
+        self.weights += [self._frame(arm) for _ in range(3)] + [None, None]
+        return arm
+
+    def _rod(self, platform: Any, i: int, j: int) -> tuple[Any, str]:
+        """Add a rod from an elbow to the platform; return it, and what its length is called."""
+        end = self.weights[5 * i + 3 + j] = self._frame(platform)
+        ends = [self.elbows[i][j], end]
+        if not self.stretch[i]:
+            rigid = self._items.DistanceConstraint(markerNumbers=ends, distance=1.0)
+            return self.mbs.AddObject(rigid), "distance"
+        stiffness = 1 / self.stretch[i]
+        spring = self._items.SpringDamper(markerNumbers=ends, referenceLength=1.0, stiffness=stiffness)
+        return self.mbs.AddObject(spring), "referenceLength"
 
     def at(self, sizes: Mapping[str, Array], tool: Array, payload: float) -> _Model:
         """Set lengths [m], measured point [m] and payload [kg]."""
