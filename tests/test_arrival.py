@@ -16,6 +16,7 @@ from deltacal_gen.estimation.steps import State
 from deltacal_gen.estimation.turns import turned
 from deltacal_gen.files.robot import Robot, robot_from_dict
 from deltacal_gen.identification.checks import plausible
+from deltacal_gen.identification.identification import identify
 from deltacal_gen.machine.registry import Machine, mechanism_of
 from deltacal_gen.machine.rotation import from_vector
 from deltacal_gen.machine.values import Measurement, Recording
@@ -25,6 +26,7 @@ from deltacal_gen.units import DEG
 from tests.benchmarks.arrival import ABOVE, chi2, compared, lowest, missed
 from tests.benchmarks.arrival_problems import near_a_line
 from tests.conftest import scattered, wanted
+from tests.left_out import diagnosis, machine, record
 
 LINKS = ((50, -90, 480, 0), (500, 0, 0, -90), (0, 90, 50, 90), (0, -90, 550, 0), (0, 90, 0, 0), (0, 0, 100, 0))
 SIGMA = 0.002  # mm
@@ -190,3 +192,15 @@ def test_readings_in_another_order_are_refused(arm: Robot) -> None:
     shuffled = dataclasses.replace(good, measured=np.random.default_rng(1).permutation(good.measured))
     with pytest.raises(InputError, match="more than any error of its parts"):
         plausible(rough(pose_problem(arm, shuffled, ()), must_converge=False))
+
+
+def test_a_machine_farther_off_than_drawings_leave_open_is_doubted() -> None:
+    robot = machine()
+    readings = record(robot, errors={"L_1": 15.0, "l_2": -12.0, "theta_3": 4 * DEG, "ex_2": 0.3})
+    [doubt] = identify(robot, readings).answer().doubts or ()
+    assert "L_1 by +1" in doubt
+    assert "theta_3" not in doubt  # encoders are often so far off
+    assert f"But {doubt}" in diagnosis(robot, readings).summary
+    rough_drawing = machine(tolerance={f"{letter}_{limb}": 20.0 for letter in "Ll" for limb in (1, 2, 3)})
+    assert identify(rough_drawing, readings).answer().doubts is None
+    assert identify(robot, record(robot)).answer().doubts is None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -147,6 +148,15 @@ def test_a_machine_is_found_by_images_with_wrong_points(robot: Robot, place: str
     assert result.unit == "px"
     assert result["sigma_mm"] == pytest.approx(0.02, rel=0.35)
     assert result["train_rms_px"] == pytest.approx(result["train_rms_mm"] / result["unit_mm"])
+
+
+@pytest.mark.parametrize("work", [identify, diagnose])
+def test_images_that_show_nothing_of_the_machine_are_refused(robot: Robot, work: Callable[..., object]) -> None:
+    good = seen(robot, Measurement(kind="board image", sigma_px=0.02, camera=Camera(**LENS)), count=12)
+    ends = good.measured.min(axis=0), good.measured.max(axis=0)
+    noise = dataclasses.replace(good, measured=np.random.default_rng(17).uniform(*ends, good.measured.shape))
+    with pytest.raises(InputError, match="of what the images differ by"):
+        work(robot, noise)
 
 
 def test_a_lens_is_found_with_the_machine(robot: Robot) -> None:

@@ -12,6 +12,7 @@ import pytest
 
 from deltacal_gen.errors import UsageError
 from deltacal_gen.files.robot import Robot, read_robot
+from deltacal_gen.machine.limbs import _solved
 from deltacal_gen.machine.registry import POSE, SOLVED, Machine, mechanism_names, mechanism_of
 from derive.review.checks import Poses, spread
 from tests.test_every_mechanism import example_of
@@ -98,3 +99,8 @@ def test_what_only_some_can_do_is_refused_by_name(robot: Robot, machine: Machine
             machine.inverse(poses.x[:, :3], robot.tool, machine.rows(robot))
     with pytest.raises(ValueError, match=r"targets have the shape \(5, 4\)"):
         machine.targets(np.zeros((5, 4)))
+
+
+def test_systems_that_have_no_solution_spoil_no_others() -> None:
+    A = np.array([np.eye(3), np.zeros((3, 3)), np.full((3, 3), np.nan), 2 * np.eye(3)])
+    assert np.array_equal(_solved(A, np.ones((4, 3))), np.outer([1.0, np.nan, np.nan, 0.5], np.ones(3)), equal_nan=True)

@@ -258,6 +258,8 @@ def test_a_log_of_marlin(tmp_path: Path, run: Run) -> None:
     code, out, _ = run("import", "marlin", log, "-o", tmp_path / "out", "--json")
     assert code == 0
     assert json.loads(out)["recordings"] == ["recording.csv"]
+    written = "".join((tmp_path / "out" / name).read_text() for name in ("robot.toml", "recording.csv"))
+    assert not re.findall(r"\d+\.\d{7,}", written)  # sums of what the firmware says are as short as it says them
     got = import_marlin(log)
     assert got.robot is not None
     assert got.robot.geometry["tower_angle"] / DEG == pytest.approx([209.5, 330.25, 90.0])

@@ -216,12 +216,19 @@ def one(k: int, seed: int, chosen: Sequence[Job], good: Path, keep: Path | None)
     return k, job.name, outcome.code, key
 
 
-def _logged(log: Path | None) -> list[Run]:
+def logged(path: Path | None) -> list[Run]:
     """Return the runs that a log has."""
-    if log is None or not log.exists():
+    if path is None or not path.exists():
         return []
-    with log.open(newline="", encoding="utf-8") as file:
+    with path.open(newline="", encoding="utf-8") as file:
         return [(int(k), command, int(code), flaw) for k, command, code, flaw in csv.reader(file)]
+
+
+def log(path: Path | None, done: Run) -> None:
+    """Add a run to a log."""
+    if path is not None:
+        with path.open("a", newline="", encoding="utf-8") as file:
+            csv.writer(file).writerow(done)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -235,7 +242,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--minutes", type=float, default=float("inf"), help="after which no further run begins")
     asked = parser.parse_args(arguments)
     load()
-    done, end = _logged(asked.log), time.monotonic() + 60 * asked.minutes
+    done, end = logged(asked.log), time.monotonic() + 60 * asked.minutes
     had = {k for k, *_ in done}
     with tempfile.TemporaryDirectory() as temporary:
         good = Path(temporary) / "good"
@@ -250,9 +257,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             if time.monotonic() > end:
                 break
             done.append(one(k, asked.seed, chosen, good, asked.keep))
-            if asked.log is not None:
-                with asked.log.open("a", newline="", encoding="utf-8") as file:
-                    csv.writer(file).writerow(done[-1])
+            log(asked.log, done[-1])
     return _told(done)
 
 

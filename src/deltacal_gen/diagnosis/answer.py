@@ -63,7 +63,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
     unit, unknowns = final.instrument.unit(final.problem.recording.columns), unknowns_of(final)
     return Diagnosis(
         verdict=found.verdict,
-        summary=" ".join(filter(None, (_summary(found), found.noise.contradiction))),
+        summary=" ".join(filter(None, (_summary(found), found.noise.contradiction, *_doubts(found)))),
         noise=NoiseLevel(sigma_mm=sigma, source=found.noise.source, model=noise_model(final, found.noise)),
         baseline=Baseline(
             model=found.model, train_rms_mm=baseline.rms(), heldout_rms_mm=before, chi2_per_dof=of_baseline
@@ -98,6 +98,10 @@ def result_of(found: Diagnosed) -> Diagnosis:
         parameters=unknowns.parameters or None,
         laws=told(found.laws, final),
     )
+
+
+def _doubts(found: Diagnosed) -> list[str]:
+    return [f"But {doubt}" for doubt in found.doubts]
 
 
 def _instrument(found: Diagnosed, known: Instrument) -> InstrumentState:

@@ -98,6 +98,7 @@ class Diagnosed:
     lean: bool = False
     laws: tuple[Lawful, ...] = ()
     turned: str = ""
+    doubts: tuple[str, ...] = ()
 
     @property
     def short(self) -> bool:
@@ -129,10 +130,9 @@ def diagnose(
     """
     check_units(recording, robot)
     recording = set_aside(recording, robot)
-    problem, model, lean = _geometry(robot, recording, model)
     progress("geometry")
-    some, kind = problem.some(MOST_POSES, np.random.default_rng(SEED)), problem.readings.kind
-    first = _first(some, recording)
+    robot, problem, model, lean, some, first, doubt = _begun(robot, recording, model)
+    kind = problem.readings.kind
     terms, not_tested = library(some) if not lean else ([], _untested(problem))
     white = searched(some, first, terms, lean, progress)
     first, found = _in_noise(some, first, white, terms, lean, progress)
@@ -192,6 +192,7 @@ def diagnose(
         lean=lean,
         laws=lawful,
         turned=turned_of(found.considered) if lawful or unexplained else "",
+        doubts=doubt,
     )
 
 
@@ -214,6 +215,24 @@ def _geometry(robot: Robot, recording: Recording, model: str | None) -> tuple[Pr
         checks.enough(mechanism, problem, recording)
         checks.enough_poses(problem, model)
     return problem, model, own is not None
+
+
+def _begun(
+    robot: Robot, recording: Recording, model: str | None
+) -> tuple[Robot, Problem, str, bool, Problem, Fit, tuple[str, ...]]:
+    """Return what is searched beside: robot, all readings, model, few heights, some readings, their fit, and doubts.
+
+    Where the drawing is of another machine, it says nothing of this one's parts: they are as the readings want them.
+    """
+    problem, name, lean = _geometry(robot, recording, model)
+    some = problem.some(MOST_POSES, np.random.default_rng(SEED))
+    first, doubt = _first(some, recording), tuple[str, ...]()
+    if checks.strained(first) and (doubt := checks.doubts(drawn := _as_drawn(some, first))):
+        robot = _calibrated(robot, drawn)
+        problem, name, lean = _geometry(robot, recording, model)
+        some = problem.some(MOST_POSES, np.random.default_rng(SEED))
+        first = _first(some, recording)
+    return robot, problem, name, lean, some, first, doubt
 
 
 def _first(some: Problem, recording: Recording) -> Fit:

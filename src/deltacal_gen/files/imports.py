@@ -44,6 +44,7 @@ WRONG_STEP = 5.0  # mm: no bed is so far off by what a calibration corrects
 EDITED = 1.0  # mm: heights that all are so far off alike were probed with other endstops
 CLEARLY = 2.0  # by which the step that fits must fit better than the next
 LONGEST_NAME = 100  # letters of a mesh's name, which becomes a file's
+DECIMALS = 6  # of mm and deg that are kept: a nanometre, a ten-thousandth of a motor's step
 SPREAD = 0.02  # by which the arms of one printer may differ
 
 
@@ -106,7 +107,8 @@ def import_klipper(path: str | Path, output: str | Path | None = None) -> Import
 
 
 def printer_robot(name: str, geometry: Mapping[str, Any], belt: float | None, path: Path) -> Robot:
-    tables: dict[str, Any] = {"robot": {"name": name, "mechanism": "linear_delta"}, "geometry": dict(geometry)}
+    read = {key: np.round(value, DECIMALS).tolist() for key, value in geometry.items()}
+    tables: dict[str, Any] = {"robot": {"name": name, "mechanism": "linear_delta"}, "geometry": read}
     if belt is not None:
         tables["transmission"] = {"pulley_circumference": belt}
     try:
@@ -122,9 +124,9 @@ def _recording(path: Path, q: Array, height: Array, instrument: str, **pairs: An
         kind="height",
         measurement=Measurement(kind="height", frame="robot", instrument=instrument),
         joint_unit="mm",
-        joints=q,
+        joints=np.round(q, DECIMALS),
         columns=("height_mm",),
-        measured=np.asarray(height, dtype=float)[:, None],
+        measured=np.round(np.asarray(height, dtype=float), DECIMALS)[:, None],
         pose=np.arange(1, n + 1).astype(str),
         line=np.arange(2, n + 2),
         channels={},

@@ -7,26 +7,31 @@ import itertools
 from collections.abc import Iterator
 
 import numpy as np
+from scipy.special import chdtrc
 
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation.fit import SPARE_READINGS, Fit, rough
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths
 from deltacal_gen.files.robot import robot_size
+from deltacal_gen.identification.prior import with_prior
 from deltacal_gen.instrument.kinds import kind_of, mounts
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.body import Body
-from deltacal_gen.units import DEG
+from deltacal_gen.units import DEG, file_unit, to_internal
 
 SPARE = 1.15  # scalar readings per unknown below which a model is not chosen unasked: firmware fits 6 to 7 heights
 SPARE_HEIGHTS = 1  # of probed heights and printed distances, whose noise is roughly known
 IMPLAUSIBLE = 0.005  # of the machine's size: more is no error of stiff parts; mistakes of the recording are looked for
 NONSENSE = 0.1  # of what poses spread over: so far off, the machine explains next to nothing of the readings
+NOTHING = 0.5  # of what images differ by: a machine that leaves more explains less than three quarters of it
 POSES_LOOKED_AT, SEED = 60, 2021  # poses, drawn at random, on which mistakes are tried
 NEARER = 0.5  # of the error: a mistake that brings less is not fitted
 MOST_FITTED = 4
 EXPLAINED = 0.1  # of the error: what a mistake may leave that explains it
+ANOTHER = 1e-9  # chance that a machine which is as it is known is so far off
+FARTHEST = 3  # parameters that are told of it
 ELSEWHERE = 45 * DEG  # of an encoder offset: it is nearer to a quarter of a turn than to a joint that was homed badly
 
 
@@ -140,6 +145,7 @@ def plausible(first: Fit) -> None:
     if found.kind.sees_joints:
         _of_these_joints(first, off)
         return
+    _read_at_all(first, off)
     points = first.machine.x[found.used, :3]
     spread = float(np.linalg.norm(points.std(axis=0)))
     if off < IMPLAUSIBLE * max(robot_size(problem.robot), spread):
@@ -157,6 +163,21 @@ def plausible(first: Fit) -> None:
             f"the readings are {off:.3g} mm off this machine, {off / spread:.0%} of what its poses spread over: more "
             "than any error of its parts.",
             "Compare the robot file with the machine, and the columns of the recording with what was measured.",
+            file=problem.recording.path,
+        )
+
+
+def _read_at_all(first: Fit, off: float) -> None:
+    """Raise an InputError where images are as far off as they are from one another: then they show nothing."""
+    found, problem = first.problem.readings, first.problem
+    if first.instrument.unit(problem.recording.columns) is None:
+        return  # heights and lengths may be alike at all poses: these are compared with what the poses spread over
+    spread = first.instrument.scale * float(np.linalg.norm(np.nanstd(found.values, axis=0)))
+    if off > NOTHING * spread:
+        raise InputError(
+            f"the machine explains next to nothing of what was seen: it leaves {off / spread:.0%} of what the images "
+            "differ by.",
+            "Compare joints and images, row by row, and the camera in the sidecar.",
             file=problem.recording.path,
         )
 
@@ -187,6 +208,46 @@ def _of_these_joints(first: Fit, off: float) -> None:
             "Compare the columns, row by row: q1 and enc1 are of one joint, at one moment, and count in one sense.",
             file=first.problem.recording.path,
         )
+
+
+def doubts(at: Fit) -> tuple[str, ...]:
+    """Return why a fitted machine may be another one than the robot file's: it is farther off than drawings leave open.
+
+    What the drawing leaves open is the robot file's tolerance, or ten ordinary errors.
+    """
+    drawn = with_prior(at.problem.with_names(at.problem.names), at.problem.robot)[0]
+    if not strained(as_drawn := dataclasses.replace(at, problem=drawn)):
+        return ()
+    moved, off = _departure(as_drawn)
+    order = np.argsort(-np.abs(off))[:FARTHEST]
+    kinds = [drawn.mechanism.parameters[drawn.mechanism.index[drawn.names[k]]] for k in order]
+    told = (
+        f"{p.name} by {moved[k] / to_internal(p.unit):+.3g} {file_unit(p.unit)} "
+        f"where {drawn.scale[k] / to_internal(p.unit):.2g} is much"
+        for p, k in zip(kinds, order, strict=True)
+        if 2 * abs(off[k]) > abs(off[order[0]])
+    )
+    return (
+        f"these readings want a machine that is farther from the robot file than parts are off: {'; '.join(told)}. "
+        "Compare the file's dimensions with the machine; where they are rough, say how rough ([tolerance]).",
+    )
+
+
+def strained(at: Fit) -> bool:
+    """Tell whether a fitted machine is farther from the robot file than what the fit takes as known makes credible.
+
+    What readings do not determine stays as it was known, so the departure is the least that explains them: of a
+    machine that is one of those, the sum of its squares in standard deviations is below chi2 of as many parameters.
+    """
+    _, off = _departure(at)
+    return len(off) > 0 and chdtrc(len(off), float(off @ off)) < ANOTHER
+
+
+def _departure(at: Fit) -> tuple[Array, Array]:
+    """Return how far parameters are from the robot file [mm, rad], and that in standard deviations beforehand."""
+    problem, n = at.problem, len(at.problem.names)
+    moved = (at.errors - problem.reference)[problem.columns[:n]]
+    return moved, moved / problem.scale[:n]
 
 
 def _typical(residual: Array, at: Fit) -> float:

@@ -214,7 +214,7 @@ def _begun(
     everything: Problem, problem: Problem, robust: bool, progress: Progress
 ) -> tuple[Fit, Problem, tuple[Missing, ...]]:
     """Return the rough fit, the problem with the effects that these readings bear out, and those that they do not."""
-    first = rough(everything, robust)
+    first = rough(everything, robust, must_converge=False)  # `plausible` says why it may not
     if not everything.held or everything.readings.made:
         return first, problem, ()
     progress("what of the diagnosis holds here")

@@ -339,11 +339,12 @@ class Limbs(Machine):
             at, reached = reach(q[open_], open_)
             miss = self.missed(at.x, target[open_])
             speed = self.asked(self.sensitivity(np.nan_to_num(at.x), at.q, at.tool, at.rows).joints)
-            singular = ~np.isfinite(speed).all(axis=(1, 2)) | (np.abs(np.linalg.det(np.nan_to_num(speed))) == 0.0)
+            step = _solved(speed, miss)
+            singular = ~np.isfinite(step).all(axis=1)
             status[open_] = np.where(reached != SOLVED, reached, np.where(singular, SINGULAR, SOLVED))
             going = (status[open_] == SOLVED) & (np.abs(np.nan_to_num(miss)).max(axis=1) > SETTLED_MM)
-            open_, miss, speed = open_[going], miss[going], speed[going]
-            q[open_] -= np.linalg.solve(speed, miss[..., None])[..., 0]
+            open_ = open_[going]
+            q[open_] -= step[going]
         status[open_] = UNREACHABLE
         q[status != SOLVED] = np.nan
         return q, status
@@ -360,7 +361,7 @@ class Limbs(Machine):
     def undo(self, moved: Array, x: Array, q: Array, tool: Array, rows: Array, *, out: Array | None = None) -> Array:
         """Return the change of the joints (N, n_q) that undoes a small displacement of poses."""
         speed = self.asked(self.sensitivity(x, q, tool, rows).joints)
-        return filled(out, np.asarray(np.linalg.solve(speed, -self.asked(moved)[..., None])[..., 0]))
+        return filled(out, _solved(speed, -self.asked(moved)))
 
     def stated(self, target: Array) -> Array:
         """Return the coordinates (N, n_q) that a command states of targets (N, 3) or (N, 12)."""
@@ -464,7 +465,7 @@ class Limbs(Machine):
         count = self.limbs * self._statics.LIMB_WEIGHTS + self._statics.PLATFORM_WEIGHTS
         every = np.broadcast_to(np.asarray(fields, dtype=float), (len(x), count, 3))
         W_q, W_x, moment = self._statics.loads(self._own(x), q, tool, rows, weights, payload, every)
-        multipliers = -np.linalg.solve(np.swapaxes(J_x, 1, 2), W_x[..., None])[..., 0]
+        multipliers = -_solved(np.swapaxes(J_x, 1, 2), W_x)
         per_limb = multipliers.reshape(len(x), self.limbs, -1)
         J_limb = J_p.reshape(*per_limb.shape, -1)
         exerted = (J_q.reshape(per_limb.shape) * per_limb).sum(axis=2)
@@ -488,3 +489,12 @@ class Limbs(Machine):
 
     def _masses(self, masses: Mapping[str, float]) -> Array:
         return np.array([masses.get(name, 0.0) for name, _ in self._tables.MASSES])
+
+
+def _solved(A: Array, b: Array) -> Array:
+    """Return the solutions (N, n) of N systems of equations A (N, n, n), b (N, n); NaN where one is singular."""
+    regular = np.flatnonzero(np.isfinite(A).all(axis=(1, 2)))
+    regular = regular[np.linalg.det(A[regular]) != 0.0]  # of the same pivots as `solve` divides by
+    out = np.full(b.shape, np.nan)
+    out[regular] = np.linalg.solve(A[regular], b[regular][..., None])[..., 0]
+    return out

@@ -216,6 +216,8 @@ class Result(Answer):
     """Joints that stand where the readings of the diagnosis never were."""
     motion: SeriesMade | None = None
     """Of a recording with two clocks."""
+    doubts: tuple[str, ...] | None = None
+    """Why the readings may be of another machine than the robot file's."""
     made: Made | None = None
 
     # what only a diagnosis knows, for those who read either
@@ -230,10 +232,11 @@ class Result(Answer):
         count = sum(p.status is Status.IDENTIFIED for p in self.parameters)
         free = sum(p.status is not Status.FIXED for p in self.parameters)
         held = "" if self.heldout_rms_mm is None else f", held-out {self.heldout_rms_mm / length:.4g} {unit}"
-        return (
+        found = (
             f"{self.model}: {count} of {free} parameters identified; rms {self.before_rms_mm / length:.4g} -> "
             f"{self.train_rms_mm / length:.4g} {unit}{held} (noise {self.sigma_mm / length:.3g}, {self.sigma_source})"
         )
+        return "; ".join([found, *(f"warning: {words}" for words in self.doubts or ())])
 
     def table(self) -> tuple[Parameter, ...]:
         """Return the parameters that were free."""

@@ -148,6 +148,8 @@ def _show_result(found: Result) -> None:
     chi2 = found.chi2_per_dof
     if chi2 is not None and chi2 > 2 and found.sigma_source is not Source.RESIDUAL:
         screen.print("What is left stands above the noise: this geometry does not explain all of these readings.")
+    for doubt in found.doubts or ():
+        screen.print(f"warning: {escaped(doubt)}")
 
 
 def _show_not_pinned(found: Result) -> None:
