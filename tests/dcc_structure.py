@@ -1,8 +1,8 @@
 """What version 3.3.0 of PTB's schema of digital calibration certificates asks of the elements that are written here.
 
-The schema itself (LGPL-3.0) is not shipped and never fetched; ``python -m tests.benchmarks.dcc DCC.XSD`` holds a
-certificate against a copy of it. An element's children are listed in their order: ``?`` may be absent, ``+`` repeats,
-``|`` any one of several, as often as one likes.
+The schema itself (LGPL-3.0) is not shipped and never fetched; ``python -m tests.benchmarks.dcc --schema DCC.XSD
+--rules`` holds a certificate against a copy of it, and against the Schematron rules that go with it. An element's
+children are listed in their order: ``?`` may be absent, ``+`` repeats, ``|`` any one of several, as often as one likes.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ SEQUENCES = {
     "coreData": "countryCodeISO3166_1 usedLangCodeISO639_1+ mandatoryLangCodeISO639_1+ uniqueIdentifier "
     "beginPerformanceDate endPerformanceDate performanceLocation issueDate?",
     "items": "item+",
-    "item": "name description? manufacturer? identifications",
+    "item": "name description? manufacturer identifications",
     "manufacturer": "name",
     "identifications": "identification+",
     "identification": "issuer value",
@@ -37,8 +37,7 @@ SEQUENCES = {
     "statement": "name declaration",
     "declaration": _RICH,
     "description": _RICH,
-    "measurementResults": "usedMethods? usedSoftware? measuringEquipments? influenceConditions? measurementMetaData? "
-    "measurementResult+",
+    "measurementResults": "measurementResult+",
     "usedMethods": "usedMethod+",
     "usedMethod": "name description? norm+",
     "measuringEquipments": "measuringEquipment+",
@@ -47,10 +46,12 @@ SEQUENCES = {
     "influenceCondition": "name data",
     "measurementMetaData": "metaData+",
     "metaData": "name declaration",
-    "measurementResult": "name results",
+    "measurementResult": "name usedMethods usedSoftware measuringEquipments influenceConditions results "
+    "measurementMetaData?",  # all but name and results may be absent by the schema, not by PTB's rules (Schematron)
     "results": "result+",
     "result": "name data",
-    "data": "list",
+    "data": "text|list",
+    "text": _RICH,
     "list": "quantity+",
     "quantity": "name real",
     "real": "value unit measurementUncertaintyUnivariate?",
@@ -69,6 +70,7 @@ TEXTS = {
     "issueDate": _DAY,
     "performanceLocation": "laboratory|customer|laboratoryBranch|customerBranch|other",
     "type": "application",
+    "release": r"[a-zA-Z] ?(\d{1,3}\.){0,3}\d{1,3}",
     "issuer": "manufacturer|other",
     "mainSigner": "true",
     "value": f"{_WORDS}",

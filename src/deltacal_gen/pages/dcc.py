@@ -62,8 +62,7 @@ def _administrative(at: ET.Element, found: Certificate) -> None:
     item = _add(_add(at, "items"), "item")
     _said(item, "name", found.machine)
     _said(item, "description", f"{found.mechanism}, model {found.model}")
-    if found.manufacturer is not None:
-        _said(_add(item, "manufacturer"), "name", found.manufacturer)
+    _said(_add(item, "manufacturer"), "name", found.manufacturer or UNSTATED)
     identification = _add(_add(item, "identifications"), "identification")
     _add(identification, "issuer", "manufacturer" if found.serial else "other")
     _add(identification, "value", found.serial or found.machine)
@@ -93,7 +92,7 @@ def _coverage(found: Certificate) -> str:
 def _software(at: ET.Element, found: Certificate) -> None:
     software = _add(at, "software")
     _said(software, "name", "deltacal")
-    _add(software, "release", found.made.version)
+    _add(software, "release", f"v{found.made.version}")  # a number alone is none to PTB's rules
     _add(software, "type", "application")
 
 
@@ -108,7 +107,9 @@ def _contact(at: ET.Element, party: Party) -> None:
 
 
 def _results(at: ET.Element, found: Certificate) -> None:
-    method = _add(_add(at, "usedMethods"), "usedMethod")
+    own = _add(at, "measurementResult")
+    _said(own, "name", "errors of the machine")
+    method = _add(_add(own, "usedMethods"), "usedMethod")
     _said(method, "name", "kinematic calibration, validated on readings that took no part in it")
     _said(method, "description", f"model {found.model}; readings of the kind {found.kind}")
     _add(method, "norm", "JCGM 100:2008")
@@ -116,24 +117,25 @@ def _results(at: ET.Element, found: Certificate) -> None:
         _add(method, "norm", "ISO 9283:1998")
     if found.iso230 is not None:
         _add(method, "norm", "ISO 230-2:2014")
-    _software(_add(at, "usedSoftware"), found)
-    equipment = _add(_add(at, "measuringEquipments"), "measuringEquipment")
+    _software(_add(own, "usedSoftware"), found)
+    equipment = _add(_add(own, "measuringEquipments"), "measuringEquipment")
     _said(equipment, "name", found.instrument or UNSTATED)
-    if found.conditions:
-        conditions = _add(at, "influenceConditions")
-        for condition in found.conditions:
-            _condition(conditions, condition)
+    conditions = _add(own, "influenceConditions")
+    for condition in found.conditions:
+        _condition(conditions, condition)
+    if not found.conditions:
+        nothing = _add(conditions, "influenceCondition")
+        _said(nothing, "name", "temperature")
+        _said(_add(nothing, "data"), "text", UNSTATED)
+    results = _add(own, "results")
+    for name, quantities in _figures(found):
+        _quantities(_add(results, "result"), name, quantities)
     files = (*(found.fitted.inputs if found.fitted else ()), *found.made.inputs)
-    known = _add(at, "measurementMetaData") if files else at
+    known = _add(own, "measurementMetaData") if files else own
     for file in files:
         data = _add(known, "metaData")
         _said(data, "name", file.name)
         _said(data, "declaration", f"SHA-256 {file.sha256}")
-    result = _add(at, "measurementResult")
-    _said(result, "name", "errors of the machine")
-    results = _add(result, "results")
-    for name, quantities in _figures(found):
-        _quantities(_add(results, "result"), name, quantities)
 
 
 Expanded = tuple[float, float]  # uncertainty, coverage factor
