@@ -31,7 +31,7 @@ from conftest import Run
 
 import deltacal_gen as dc
 from deltacal_gen.app import cli
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.pages import manual, site
 from deltacal_gen.results.reader import read_answer
 from deltacal_gen.results.written import Manual
@@ -313,3 +313,13 @@ def test_examples_are_copied_once(tmp_path: Path, run: Run) -> None:
         code, _, err = run("manual", option, tmp_path / "gearbox" / "recording.csv")
         assert code == 3
         assert "recording.csv" in err
+
+
+def test_examples_may_be_asked_for_again_but_nothing_that_was_tried_is_lost(tmp_path: Path) -> None:
+    assert dc.manual_examples(tmp_path) == dc.manual_examples(tmp_path)
+    tried = tmp_path / "delta" / "robot.toml"
+    tried.write_text("[robot]\n")
+    (tmp_path / "delta" / "mine.csv").write_text("q1_deg\n")
+    with pytest.raises(InputError, match="not as it comes"):
+        dc.manual_examples(tmp_path)
+    assert tried.read_text() == "[robot]\n"

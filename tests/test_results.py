@@ -17,10 +17,11 @@ from jsonschema import Draft202012Validator
 import deltacal_gen as dc
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import InputError
-from deltacal_gen.results import published
+from deltacal_gen.results import published, shown
 from deltacal_gen.results.base import Value, key_of
 from deltacal_gen.results.reader import ANSWERS, read_answer, read_result, type_of, types_of
 from deltacal_gen.results.result import Remedy, Result
+from deltacal_gen.results.shown import rounded
 
 DELTA, GEARBOX = example("delta"), example("gearbox")
 UNITS = ("_mm", "_deg", "_Nm", "_N", "_A", "_1", "_Hz", "_s")
@@ -305,3 +306,19 @@ def test_a_key_of_a_later_version_is_no_error(answers: dict[str, Any]) -> None:
     found = read_result(answers["result"] | {"gravity": {"sagging_mm": 20.0}})
     assert isinstance(found, Result)
     assert found == answers["result"]
+
+
+def test_people_read_a_value_as_far_as_it_is_known() -> None:
+    assert rounded(0.0957, 0.21) == ("0.10", "0.21")
+    assert rounded(-0.001, 0.5) == ("0.00", "0.50")
+    assert rounded(12345.6, 320.0) == ("12346", "320")
+    assert rounded(1.23456e-5, 3.3e-8) == ("1.2346e-05", "3.3e-08")
+    assert rounded(1.23456, None) == ("1.235", "-")
+    rows = [{"name": "L_1", "value": -0.0538492, "std": 0.0473807}, {"name": "ex_1", "value": -0.194392, "std": None}]
+    assert shown.text("found", rows) == "found\nname  value    std\nL_1   -0.054   0.047\nex_1  -0.1944  -"
+    assert "<td>-0.054</td><td>0.047</td>" in shown.page("found", rows)
+
+
+def test_a_robot_in_an_answer_says_what_it_is(answers: dict[str, Any]) -> None:
+    robot = answers["result"].robot
+    assert repr(robot) == f"<RobotTables '{robot.robot.name}': {robot.robot.mechanism}>"

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.robot import read_robot, robot_from_dict, robot_size, robot_to_dict, robot_to_toml
-from deltacal_gen.units import DEG
+from deltacal_gen.units import DEG, to_file
 
 LENGTHS = ("base_radius", "platform_radius", "proximal_length", "distal_length", "joint_spacing")
 
@@ -233,3 +233,8 @@ def test_a_robot_survives_toml(tmp_path_factory: Any, name: str, geometry: Any, 
         np.testing.assert_allclose(again.geometry[key], values, rtol=1e-15)
     np.testing.assert_array_equal(again.tool, geometry["tool"])
     assert again.errors == pytest.approx(robot.errors, rel=1e-15, abs=0.0)
+
+
+def test_angles_of_files_are_as_short_as_a_person_writes_them() -> None:
+    assert [to_file(turn, "rad") for turn in (math.pi / 6, 30 * DEG, -math.pi / 2)] == [30.0, 30.0, -90.0]
+    assert to_file(0.1 + 0.2, "mm") == 0.1 + 0.2  # a length is read as it was, to its last digit

@@ -24,14 +24,15 @@ def to_internal(unit: str) -> float:
 
 
 def to_file(value: float, unit: str) -> float:
-    """Value in the unit of the files of an internal one [`unit`]: the shortest decimal that is read as this value."""
+    """Value in the unit of the files of an internal one [`unit`]: the shortest decimal that is read as this value.
+
+    30 deg are so, though of pi / 180 thirty times and of pi / 6 the last digits differ.
+    """
     factor = to_internal(unit)
     exact = float(value) / factor
     short = round(exact, 12)
-    for decimal in (short, exact):
-        if decimal * factor == value:
-            return decimal
-    return short if math.isclose(short, exact, rel_tol=4e-16) else exact
+    same = short * factor == value or (factor != 1.0 and math.isclose(short, exact, rel_tol=4e-16))
+    return short if same else exact
 
 
 def of_joints(unit: str, joints: int) -> list[str]:

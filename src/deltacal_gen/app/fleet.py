@@ -47,6 +47,7 @@ from deltacal_gen.results.batch import (
 from deltacal_gen.results.diagnosis import Diagnosis, Geometry, LawTerm, Verdict
 from deltacal_gen.results.reader import read_answer
 from deltacal_gen.results.result import Result
+from deltacal_gen.results.shown import rounded
 from deltacal_gen.results.validation import Validation
 from deltacal_gen.use.comparison import compare
 
@@ -513,7 +514,7 @@ def _moved(old: Answer, new: Answer) -> str:
         parts = [f"{old.verdict} became {new.verdict}"] if old.verdict != new.verdict else []
         parts += [f"{name} appeared" for name in come] + [f"{name} is gone" for name in gone]
         parts += [
-            f"{name} of {effect} was {was:.4g}, is {now:.4g} +- {std:.2g} {unit}"
+            f"{name} of {effect} was {rounded(was, std)[0]}, is {' +- '.join(rounded(now, std))} {unit}"
             for effect, name, was, now, std, unit in _grown(old, new)
         ]
         said = "; ".join(parts) or f"still {new.verdict}"

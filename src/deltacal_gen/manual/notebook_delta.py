@@ -30,14 +30,14 @@ print(result.headline)
 # %%
 table = result.to_dataframe()
 table["sure"] = table["value"].abs() / table["std"]
-print(table.nlargest(3, "sure")[["name", "value", "unit"]].to_string(index=False))
+print(table.nlargest(3, "sure")[["name", "value", "std", "unit"]].round(2).to_string(index=False))
 
 # %% [markdown]
 # ```output
-# name    value unit
-# l_2 0.606871   mm
-# dl_3 1.572716   mm
-# dc_1 0.396568   mm
+# name  value  std unit
+#  l_2   0.61 0.21   mm
+# dl_3   1.57 0.58   mm
+# dc_1   0.40 0.18   mm
 # ```
 #
 # ## What geometry leaves

@@ -12,6 +12,7 @@ from matplotlib.axes import Axes
 from deltacal_gen.pages.figures import AFTER, BEFORE, MUTED
 from deltacal_gen.physics.formula import formula
 from deltacal_gen.results.diagnosis import Law, LawTerm
+from deltacal_gen.results.shown import rounded
 
 WITHIN = 1.96  # standard deviations of the band: 95 %
 _SIGNS = {ast.Lt: "&lt;", ast.LtE: "≤", ast.Gt: "&gt;", ast.GtE: "≥"}
@@ -52,7 +53,7 @@ def rows(law: Law) -> list[tuple[str, ...]]:
 
 
 def _number(value: float, std: float | None) -> str:
-    return f"{value:.4g}" if std is None else f"{value:.4g} ± {std:.2g}"
+    return f"{value:.4g}" if std is None else " ± ".join(rounded(value, std))
 
 
 def mathematics(law: Law) -> list[str]:

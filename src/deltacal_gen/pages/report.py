@@ -39,7 +39,9 @@ from deltacal_gen.results.diagnosis import (
 )
 from deltacal_gen.results.parts import Source
 from deltacal_gen.results.result import Result, Status
+from deltacal_gen.results.shown import rounded
 from deltacal_gen.results.study import Study, Suspect
+from deltacal_gen.use import firmware
 from deltacal_gen.use.unseen import sentences
 
 _COLOURS = {INK: "var(--ink)", MUTED: "var(--muted)", BEFORE: "var(--before)", AFTER: "var(--after)"}
@@ -245,6 +247,7 @@ def calibration(found: Result) -> str:
         title=f"{machine}: calibration",
         machine=machine,
         found=found,
+        prints=found.model.split("/")[0] == firmware.MODEL.split("/")[0],
         headline=f"{machine}: {before:.3f} {unit} before, {after:.4f} {unit} after",
         lead=f"As the robot file has it, the machine is off by {before:.3f} {unit} rms; calibrated as "
         f"{found.model}, by {after:.4f} {unit} {seen}. The noise is {found.sigma_mm / size:.4f} {unit}, "
@@ -351,13 +354,12 @@ def measured(value: float | str, std: float | None) -> str:
     if isinstance(value, str):
         return value
     if std is None or not std > 0:
-        return f"{value:.6g}"
+        return f"{value:.4g}"
     power = math.floor(math.log10(max(abs(value), std)))
     if power < -3:
         shown = measured(value / 10.0**power, std / 10.0**power)
         return f"({shown})·10{str(power).translate(RAISED)}"
-    digits = max(1 - math.floor(math.log10(std)), 0)
-    return f"{value:.{digits}f} ± {std:.{digits}f}"
+    return " ± ".join(rounded(value, std))
 
 
 def _spaced(name: str) -> str:

@@ -43,6 +43,9 @@ class RobotTables(Value, closed=True):
     """Actual minus [geometry], by the names of the mechanism's parameters."""
     tolerance: dict[str, float] | None = None
 
+    def __repr__(self) -> str:
+        return f"<RobotTables '{self.robot.name}': {self.robot.mechanism}>"
+
 
 class TermState(Value):
     """An effect with its coefficients, in internal units (mm, rad, N, s, K): what predictions are made of."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import importlib
+import math
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
 
+SMALLEST = -6  # place of a digit that is still written out
 MOST = 60  # rows that are shown; a data frame has all
 
 Table = Sequence[Mapping[str, Any]]
@@ -21,7 +23,7 @@ Table = Sequence[Mapping[str, Any]]
 def text(headline: str, rows: Table) -> str:
     """Return a line and a table below it."""
     names = _names(rows)
-    cells = [names, *([_cell(row.get(name)) for name in names] for row in rows[:MOST])]
+    cells = [names, *(_cells(row, names) for row in rows[:MOST])]
     widths = [max(len(row[k]) for row in cells) for k in range(len(names))]
     lines = ["  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in cells]
     return "\n".join([headline, *(lines if rows else []), *_rest(rows)])
@@ -32,7 +34,7 @@ def page(headline: str, rows: Table) -> str:
     names = _names(rows)
     head = "".join(f"<th>{html.escape(name)}</th>" for name in names)
     body = "".join(
-        f"<tr>{''.join(f'<td>{html.escape(_cell(row.get(name)))}</td>' for name in names)}</tr>" for row in rows[:MOST]
+        f"<tr>{''.join(f'<td>{html.escape(cell)}</td>' for cell in _cells(row, names))}</tr>" for row in rows[:MOST]
     )
     table = f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>" if rows else ""
     return f"<p>{html.escape(headline)}</p>{table}{''.join(f'<p>{html.escape(line)}</p>' for line in _rest(rows))}"
@@ -67,12 +69,33 @@ def _names(rows: Table) -> list[str]:
     return list(dict.fromkeys(name for row in rows for name in row))
 
 
+def rounded(value: float, std: float | None) -> tuple[str, str]:
+    """Return a value and its standard deviation as people read them: as far as it is known, to two digits of that."""
+    if std is None or not 0.0 < std < math.inf:
+        return f"{value:.4g}", "-"
+    last = math.floor(math.log10(std)) - 1  # place of the last digit
+    if last < SMALLEST:
+        first = math.floor(math.log10(max(abs(value), std)))
+        return f"{value:.{first - last}e}", f"{std:.1e}"
+    digits = max(-last, 0)
+    return f"{round(value, digits) + 0.0:.{digits}f}", f"{std:.{digits}f}"  # no -0.00
+
+
+def _cells(row: Mapping[str, Any], names: Sequence[str]) -> list[str]:
+    """Return a row as text; a value beside its standard deviation as far as it is known."""
+    cells = {name: _cell(row.get(name)) for name in names}
+    value, std = row.get("value"), row.get("std")
+    if isinstance(value, float) and isinstance(std, float):
+        cells |= zip(("value", "std"), rounded(value, std), strict=True)
+    return list(cells.values())
+
+
 def _cell(value: object) -> str:
     if value is None:
         return "-"
     if isinstance(value, list | tuple):
         return ", ".join(map(_cell, value))
-    return f"{value:.6g}" if isinstance(value, float) else str(value)
+    return f"{value:.4g}" if isinstance(value, float) else str(value)
 
 
 def _rest(rows: Table) -> list[str]:

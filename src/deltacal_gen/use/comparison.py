@@ -22,6 +22,7 @@ from deltacal_gen.results.comparison import Change, Comparison, Moved
 from deltacal_gen.results.motion import MotionDiagnosis, MotionResult, TorqueEffect
 from deltacal_gen.results.parts import RobotTables
 from deltacal_gen.results.result import Parameter, Result, Status
+from deltacal_gen.results.shown import rounded
 from deltacal_gen.units import file_unit, to_internal
 
 FEW = 0.5  # of the readings: a fit that leaves fewer to judge it by takes a good part of the noise away
@@ -227,7 +228,7 @@ def _factors(combination: str) -> dict[str, float]:
 
 
 def _summary(moved: Moved | None, changed: Sequence[Change], same: Sequence[Change], unknown: int, limit: float) -> str:
-    parts = [f"{e.name} moved {e.change:+.4g} +- {e.std:.2g} {e.unit}" for e in changed]
+    parts = [f"{e.name} moved {' +- '.join(rounded(e.change, e.std))} {e.unit}" for e in changed]
     text = "; ".join(parts) if parts else "Nothing moved that these sessions can see"
     if same:
         text += f"; the other {len(same)} stayed within {limit:.1f} standard deviations of what they were"
@@ -254,7 +255,7 @@ def flattered(left: float | None, readings: int, rms: float) -> str:
     """
     if left is None or left > FEW * readings:
         return ""
-    said = f"{readings} readings less {readings - left:.1f} parameters leave {max(left, 0):.1f} degrees of freedom"
+    said = f"{readings} readings less {readings - left:.3g} parameters leave {max(left, 0):.3g} degrees of freedom"
     if left < 1:
         return f"{said}: the residual of {rms:.3g} mm says nothing of the noise."
     part = float(np.sqrt(left / readings))

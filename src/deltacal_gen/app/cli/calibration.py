@@ -97,6 +97,7 @@ def _show_result(found: Result) -> None:
     from deltacal_gen.diagnosis.spectrum import words
     from deltacal_gen.results.parts import Source
     from deltacal_gen.results.result import Status
+    from deltacal_gen.results.shown import rounded
     from deltacal_gen.use.comparison import flattered
 
     for joint in found.never_seen or ():
@@ -109,7 +110,8 @@ def _show_result(found: Result) -> None:
         table.add_column(column, justify="right" if column in ("value", "std") else "left")
     for p in found.parameters:
         if p.status is not Status.FIXED:
-            table.add_row(p.name, f"{p.value:.4f}", number(p.std, 2), p.unit, p.status)
+            value, std = (f"{p.value:.4f}", "-") if p.std is None else rounded(p.value, p.std)
+            table.add_row(p.name, value, std, p.unit, p.status)
     screen.print(table)
     _show_not_pinned(found)
     if found.gross_errors:
@@ -205,14 +207,16 @@ def diagnose(
 
 
 def show_diagnosis(found: Diagnosis) -> None:
+    from deltacal_gen.results.shown import rounded
+
     screen.print(f"[bold]{found.verdict.replace('_', ' ')}[/bold]: {found.summary}")
     if found.effects:
         table = Table("effect", "limb", "parameter", "value", "std", "unit")
         for effect in found.effects:
             for p in effect.parameters:
                 limb = "" if p.limb is None else str(p.limb)
-                value = p.value if isinstance(p.value, str) else f"{p.value:.6g}"
-                table.add_row(effect.name, limb, p.name, value, number(p.std, 2), p.unit)
+                value, std = (p.value, "-") if isinstance(p.value, str) else rounded(p.value, p.std)
+                table.add_row(effect.name, limb, p.name, value, std, p.unit)
         screen.print(table)
         for effect in found.effects:
             if effect.indistinguishable_from:
@@ -225,7 +229,8 @@ def show_diagnosis(found: Diagnosis) -> None:
             if not k:
                 for c in term.coefficients:
                     where = "" if c.limb is None else f" at limb {c.limb}"
-                    screen.print(f"    {c.name} = {c.value:.4g} +- {number(c.std, 2)} {c.unit}{where}")
+                    value, std = rounded(c.value, c.std)
+                    screen.print(f"    {c.name} = {value} +- {std} {c.unit}{where}")
     unit, length = shown_in(found)
     table = Table(f"{unit}, rms of the readings", "fitted", "held out", "chi2 per degree of freedom")
     for words, row in (("geometry", found.baseline), ("with what was found", found.final)):

@@ -56,18 +56,21 @@ def manual_site(folder: Source) -> Path:
 def manual_examples(folder: Source) -> list[Path]:
     """Copy the examples on which the manual's commands run into `folder`; return their folders.
 
+    What is there already and as it comes stays, so that a notebook may be run again.
+
     Raises
     ------
     InputError
-        The folder cannot be made, or holds one of them already: what was tried there is not overwritten.
+        The folder cannot be made, or holds one of the files otherwise: what was tried there is not overwritten.
     """
     from deltacal_gen.app.demonstration import example
 
-    names = sorted(path.parent.name for path in example("").glob("*/robot.toml"))
-    copies = [Path(folder) / name for name in names]
-    if there := next((path for path in copies if path.exists()), None):
-        raise InputError("this is there already.", "Choose another folder.", file=there)
-    make_folder(Path(folder))
-    for name, copy in zip(names, copies, strict=True):
-        shutil.copytree(example(name), copy, ignore=shutil.ignore_patterns("*.png", "*.svg"))
-    return copies
+    sources = [p for p in sorted(example("").glob("*/*")) if p.is_file() and p.suffix not in (".png", ".svg")]
+    copies = {Path(folder) / p.parent.name / p.name: p for p in sources}
+    if changed := next((c for c, p in copies.items() if c.exists() and c.read_bytes() != p.read_bytes()), None):
+        raise InputError("this is there already, and is not as it comes.", "Choose another folder.", file=changed)
+    for copy, source in copies.items():
+        make_folder(copy.parent)
+        if not copy.exists():
+            shutil.copyfile(source, copy)
+    return sorted({copy.parent for copy in copies})
