@@ -13,6 +13,7 @@ import pytest
 from deltacal_gen.app import commands
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.pages import figures, report
+from deltacal_gen.pages.left import Left
 from deltacal_gen.physics.terms import effect_names, load_effect
 from deltacal_gen.results.reader import read_result
 
@@ -145,3 +146,32 @@ def test_one_sheet_as_a_file(found: dict[str, Any], tmp_path: Any) -> None:
         figures.write(read_result(data), tmp_path / name)
     assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b.svg").read_bytes()
     assert "cell 7: nothing is missing" in (tmp_path / "c.svg").read_text()
+
+
+def test_the_page_of_a_calibration_shows_what_is_left_where_its_fit_is_known(tmp_path: Any) -> None:
+    folder, page = example(), tmp_path / "page.html"
+    found = commands.identify(folder / "robot.toml", folder / "recording.csv", model="32", report=page)
+    said = page.read_text()
+    for title in ("In the order of the recording", "How they spread", "Where it was measured, from the side"):
+        assert title in said
+    assert "What is left of every reading" not in report.calibration(found)
+    assert "Corrected commands" in said
+
+
+def test_what_is_far_off_does_not_stretch_the_scale() -> None:
+    errors = np.full((100, 3), 0.01)
+    errors[7] = 5.0
+    left = Left(errors, np.arange(2, 102), np.zeros((100, 3)), (9,), 0.01, "mm")
+    assert left.size[7] > 8 > 0.05 > left.top > left.size[0]
+    assert left.views == ()  # one place
+
+
+def test_a_printer_is_told_how_its_lines_are_written() -> None:
+    folder = example("linear_delta")
+    printer = commands.import_klipper(folder / "printer.cfg")
+    found = commands.identify(printer.robot, printer.recordings["mesh_default"])
+    said = words(report.calibration(found))
+    assert "--export klipper" in said
+    assert "targets.csv" not in said
+    assert "with a bed as flat" in said
+    assert "would pin" not in said

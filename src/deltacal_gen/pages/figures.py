@@ -144,7 +144,7 @@ def stages(axes: Axes, result: Result) -> None:
     axes.set_xlim(min(*values, sigma) / 2, max(values) * 4)
     decades(axes.xaxis)
     for i, value in enumerate(values):
-        axes.text(value * 1.08, i, f"{value:.4g}", va="center")
+        axes.text(max(value, sigma) * 1.08, i, f"{value:.4g}", va="center")  # beside the line of the noise
     axes.axvline(sigma, color=MUTED, lw=1, ls="--")
     axes.text(sigma, -0.62, f"noise ({result.sigma_source})", color=MUTED, ha="center", fontsize=8)
     axes.set_xlabel(f"rms of the readings, {unit}")
@@ -219,6 +219,8 @@ def workspace(axes: Axes, result: Result) -> None:
         )
         if len(layers) > 1:
             axes.text(k * span, points[:, 1].max() * 1.25, f"z = {z:.0f} mm", ha="center", fontsize=8, color=MUTED)
+    if not np.ptp(points[:, 1]):  # one joint works along a line, which has no height of its own
+        axes.set_ylim(points[0, 1] - span / 40, points[0, 1] + span / 40)
     axes.set_aspect("equal")
     axes.set_xticks([])
     axes.set_yticks([])

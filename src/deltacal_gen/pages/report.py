@@ -24,6 +24,7 @@ from deltacal_gen.files.robot import robot_of
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.pages import figures, laws
 from deltacal_gen.pages.figures import AFTER, BEFORE, INK, MUTED, RAISED, STYLE, mpl
+from deltacal_gen.pages.left import Left, in_order, places, spread
 from deltacal_gen.physics.law import ADVICE as LAW_ADVICE
 from deltacal_gen.physics.terms import load_effect, of_the_instrument
 from deltacal_gen.results.base import shown_in
@@ -233,8 +234,8 @@ def _parameter_rows(found: Result, *, pinned: bool) -> list[tuple[str, str, str,
     ]
 
 
-def calibration(found: Result) -> str:
-    """Return the page of a RESULT.json."""
+def calibration(found: Result, left: Left | None = None) -> str:
+    """Return the page of a RESULT.json, with what is left of every reading where the fit is still known."""
     machine, held, (unit, size) = found.robot.robot.name, found.heldout_rms_mm, shown_in(found)
     before, after = found.before_rms_mm / size, (found.train_rms_mm if held is None else held) / size
     seen = "on readings that took no part in the fit" if held is not None else "on the readings of the fit"
@@ -253,11 +254,19 @@ def calibration(found: Result) -> str:
         f"{found.model}, by {after:.4f} {unit} {seen}. The noise is {found.sigma_mm / size:.4f} {unit}, "
         f"{_NOISE[found.sigma_source]}.",
         pictures=[{"title": "", "svg": _svg(partial(draw, result=found), size)} for draw, size in panels],
+        left=[{"title": "", "svg": _svg(draw, size)} for draw, size in _left_panels(left)],
         parameters=_parameter_rows(found, pinned=True),
         unpinned=_parameter_rows(found, pinned=False),
         unseen=[(sentence, c.text) for sentence, c in zip(sentences(found), found.unidentifiable, strict=True)],
         gross=", ".join(map(str, found.gross_errors or ())),
     )
+
+
+def _left_panels(left: Left | None) -> Sequence[tuple[Callable[[Any], None], tuple[float, float]]]:
+    if left is None:
+        return []
+    drawn = [(partial(in_order, left=left), (4.6, 2.6)), (partial(spread, left=left), (4.6, 2.6))]
+    return drawn + [(partial(places, left=left, view=view), (4.6, 3.4)) for view in left.views]
 
 
 def page(title: str, parts: Sequence[str]) -> str:

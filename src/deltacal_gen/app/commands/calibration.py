@@ -77,7 +77,7 @@ def identify(
     robot = as_robot(robot)
     held = [] if diagnosis is None else known_effects(diagnosis, timed=True)
     given, clock = set_in_time(robot, recording, model, held=held, progress=progress)
-    found = identification.identify(
+    fitted = identification.identify(
         robot,
         given,
         model,
@@ -88,7 +88,8 @@ def identify(
         held=[] if diagnosis is None else known_effects(diagnosis, timed=given.time_s is not None),
         machine=None if diagnosis is None else calibrated_robot(diagnosis),
         progress=progress,
-    ).answer()
+    )
+    found = fitted.answer()
     if diagnosis is None and robot.mechanism == firmware.MODEL.partition("/")[0]:
         known = firmware.FROM_HEIGHTS if given.pairs is None else firmware.MODEL
         if found.model not in (firmware.FROM_HEIGHTS, firmware.MODEL):
@@ -102,8 +103,9 @@ def identify(
         write_json(found, output)
     if report is not None:
         from deltacal_gen.pages import report as page
+        from deltacal_gen.pages.left import left_by
 
-        write_files({Path(report): page.calibration(found)})
+        write_files({Path(report): page.calibration(found, left_by(fitted.fit, found))})
     return found
 
 
