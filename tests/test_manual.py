@@ -323,3 +323,12 @@ def test_examples_may_be_asked_for_again_but_nothing_that_was_tried_is_lost(tmp_
     with pytest.raises(InputError, match="not as it comes"):
         dc.manual_examples(tmp_path)
     assert tried.read_text() == "[robot]\n"
+
+
+def test_every_job_of_make_has_its_line_without_make() -> None:
+    page = (manual.folder() / "build.md").read_text(encoding="utf-8")
+    recipes = (ROOT / "Makefile").read_text(encoding="utf-8")
+    jobs = re.findall(r"\$\(BIN\)/(?:python (-m (?!pip)[\w.]+)|(lint-imports|ruff|mypy|deltacal \w+))", recipes)
+    lines = {module or command for module, command in jobs}
+    assert len(lines) > 8
+    assert [line for line in sorted(lines) if line.replace("deltacal kernels", "python -m derive") not in page] == []

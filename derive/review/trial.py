@@ -15,6 +15,7 @@ from derive.review import account as accounts
 from derive.review import checks, reports
 
 POSES = 100
+WIDTH = 79  # of a terminal that nobody has widened
 
 
 @dataclass(frozen=True)
@@ -74,10 +75,10 @@ def drawn(robot: Robot) -> str:
 
 def told(robot: Robot, found: Trial) -> str:
     """Return a trial as text: a sentence, and a table of what is seen."""
-    table = Table("seen by", "points", "rank", f"of {found.model}", "smallest, by the largest")
+    table = Table("seen by", "points", "rank", f"of {found.model}", "least / most")  # singular values
     for rank in found.ranks:
         table.add_row(rank.kind, str(rank.points), str(rank.rank), str(rank.columns), f"{rank.smallest:.1e}")
-    screen = Console(width=120)
+    screen = Console(width=WIDTH)
     with screen.capture() as seen:
         screen.print(table)
     there_and_back = (
