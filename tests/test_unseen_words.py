@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+import dataclasses
+import re
+
 import numpy as np
 import pytest
 from conftest import plausible, scattered, wanted
 
+import deltacal_gen as dc
 from deltacal_gen.app import commands
-from deltacal_gen.files.robot import Robot
-from deltacal_gen.machine.registry import Machine
+from deltacal_gen.app.demonstration import example
+from deltacal_gen.files.robot import Robot, robot_of
+from deltacal_gen.machine.registry import Machine, mechanism_of
 from deltacal_gen.pages import report
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.results.result import OpenCombination, Result
+from deltacal_gen.units import to_internal
 from deltacal_gen.use.unseen import sentences
 
 ALL = {"ex_1": 0.1, "ex_2": 0.1, "ex_3": 0.1}
@@ -59,3 +65,23 @@ def test_a_machine_without_a_workspace_keeps_the_numbers(found: Result) -> None:
 
 def test_the_page_folds_the_numbers_behind_the_sentence(found: Result) -> None:
     assert report.calibration(found).count("<summary>The machine as a whole ") == len(found.unidentifiable)
+
+
+def test_what_probed_heights_leave_open_is_said_of_a_print() -> None:
+    printer = dc.import_klipper(example("linear_delta") / "printer.cfg")
+    found = dc.identify(printer.robot, printer.recordings["mesh_default"])
+    told = sentences(found)
+    assert sum(map(bool, told)) >= len(told) - 1
+    c, sentence = next((c, s) for c, s in zip(found.unidentifiable, told, strict=True) if "0.23% longer" in s)
+    [(longer, turn, across)] = re.findall(r"out ([\d.]+)% longer at (\d+) deg from x and ([\d.]+)% longer", sentence)
+    robot = robot_of(found.robot)
+    mechanism = mechanism_of(robot)
+    along = np.radians(float(turn)) + np.array([0.0, np.pi / 2])
+    ends = 60.0 * np.array([[np.cos(a), np.sin(a), 0.0] for a in (*along, *(along + np.pi))])  # a cross on the bed
+    q, _, _ = mechanism.inverse(ends, robot.tool, mechanism.rows(robot))
+    units = {p.name: to_internal(p.unit) for p in mechanism.parameters}
+    errors = robot.errors | {n: robot.errors.get(n, 0.0) + v * units[n] for n, v in c.terms.items()}
+    x, _ = mechanism.forward(q, robot.tool, mechanism.rows(dataclasses.replace(robot, errors=errors)))
+    grown = 100 * (np.linalg.norm(x[:2, :3] - x[2:, :3], axis=1) / 120.0 - 1)
+    assert grown == pytest.approx([float(longer), float(across)], abs=0.015)
+    assert np.ptp(x[:, 2]) < 0.01

@@ -64,7 +64,7 @@ def firmware_lines(
             f"{', '.join(KINDS)} lines describe a {MODEL.partition('/')[0]}, not '{kind}' of a {robot.mechanism}."
         )
     mechanism = mechanism_of(robot)
-    bed = _Printed(robot, mechanism, belts=kind == "klipper" and robot.transmission is not None)
+    bed = Printed(robot, mechanism, belts=kind == "klipper" and robot.transmission is not None)
     nominal = dataclasses.replace(robot, errors={})
     own = set(mechanism.model(MODEL))
     by_readings = fitted is not None and set(fitted) <= own
@@ -130,7 +130,7 @@ def export_firmware(found: FirmwareLines, path: str | Path) -> None:
     write_files({Path(path): found.text})
 
 
-class _Printed:
+class Printed:
     """The printed volume of a calibrated machine: where it stands when the firmware asks for its points."""
 
     def __init__(self, robot: Robot, mechanism: Machine, *, belts: bool) -> None:

@@ -9,27 +9,38 @@ from deltacal_gen.identification.accuracy import check_joints
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.results.result import Result
 from deltacal_gen.units import DEG, to_internal
+from deltacal_gen.use import firmware
 
 WHOLE = "the machine as a whole"
 RIGID = 0.01  # of what a combination moves: the most that is left when it is a motion of the base
 STILL = 1e-3  # of what its parameters would move one by one: less is no motion
 ALONG = 0.995  # cosine between a direction and an axis that is called by its name
+NEARLY = 0.1  # of what a combination moves on a bed: the most that is left of a plain stretch of a print
 SHARE = 0.05  # of a motion: a shift or a turn that makes less of it is not told
 
 
 def sentences(found: Result) -> list[str]:
-    """Return for each combination that is not seen at all what it does to the machine; "" where nothing simple is it.
+    """Return for each combination that is not seen what it does to the machine; "" where nothing simple is it.
 
-    The parameters move together as the result says; it is looked at over the workspace, at the calibrated machine.
+    The parameters move together as the result says; it is looked at over the workspace, at the calibrated machine. Of a
+    printer, whose probed heights say little of where things are printed, it is what happens to a print on the bed.
     """
     robot = robot_of(found.robot)
-    if robot.workspace is None or not found.unidentifiable:
-        return [""] * len(found.unidentifiable)
     mechanism, tool = mechanism_of(robot), np.asarray(robot.tool, dtype=float)
-    q, x, _, _ = check_joints(robot, tool)
+    prints = mechanism.name == firmware.MODEL.partition("/")[0]
+    if not found.unidentifiable or (robot.workspace is None and not prints):
+        return [""] * len(found.unidentifiable)
+    if prints:
+        printed = firmware.Printed(robot, mechanism, belts=False)
+        q, on_bed = printed.q, printed.on_bed & ("height" in found.readings.kind)
+        x, _ = mechanism.forward(q, tool, mechanism.rows(robot))
+    else:
+        q, x, _, _ = check_joints(robot, tool)
+        on_bed = np.zeros(len(x), dtype=bool)
     if len(x) < 3:
         return [""] * len(found.unidentifiable)
     moved = mechanism.sensitivity(x, q, tool, mechanism.rows(robot)).parameters[:, :3]
+    takes = "the instrument's frame takes it" if found.base_frame else "these readings do not see it"
     told = []
     for c in found.unidentifiable:
         if not c.terms.keys() <= mechanism.index.keys():  # something of the instrument goes along: its own words say it
@@ -38,9 +49,34 @@ def sentences(found: Result) -> list[str]:
         by = np.zeros(moved.shape[2])
         for name, size in c.terms.items():
             by[mechanism.index[name]] = size * to_internal(mechanism.parameters[mechanism.index[name]].unit)
-        told.append(_told(moved @ by, np.abs(moved * by).max(), x[:, :3]) if c.seen == "not at all" else "")
-    takes = "the instrument's frame takes it" if found.base_frame else "these readings do not see it"
-    return [f"{sentence}: {takes}" if sentence.startswith(WHOLE) else sentence for sentence in told]
+        shift, alone = moved @ by, np.abs(moved * by).max()
+        sentence = _told(shift, alone, x[:, :3]) if c.seen == "not at all" else ""
+        if not sentence and on_bed.any():
+            sentence = _on_the_bed(shift[on_bed], x[on_bed, :3])
+        told.append(f"{sentence}: {takes}" if sentence.startswith(WHOLE) else sentence)
+    return told
+
+
+def _on_the_bed(shift: Array, points: Array) -> str:
+    """Say what shifts (N, 3) of points (N, 3) of a bed do to a print; "" where it comes out neither flat nor straight.
+
+    Where it lies on the bed, and how it is turned there, is nothing to a print.
+    """
+    largest = np.abs(shift).max()
+    across = np.column_stack([np.ones(len(points)), points[:, :2]])
+    by_place = np.linalg.lstsq(across, shift, rcond=None)[0]
+    if np.abs(shift - across @ by_place).max() > NEARLY * largest or np.abs(shift[:, 2]).max() > NEARLY * largest:
+        return ""
+    slope = by_place[1:, :2].T
+    grown, axes = np.linalg.eigh((slope + slope.T) / 2)
+    if np.abs(grown).max() * np.ptp(points[:, :2], axis=0).max() < SHARE * largest:
+        return "a print is turned or shifted on the bed, and nothing else: probed heights hardly see it"
+    turn = np.degrees(np.arctan2(axes[1, 1], axes[0, 1])) % 180.0
+    along, over = (f"{abs(part):.2%} {'longer' if part > 0 else 'shorter'}" for part in grown[::-1])
+    return (
+        f"a print comes out {along} at {turn:.0f} deg from x and {over} across, as flat as now: probed heights hardly "
+        "see it"
+    )
 
 
 def _told(shift: Array, alone: float, points: Array) -> str:
