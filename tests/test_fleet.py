@@ -108,7 +108,7 @@ def test_an_effect_that_has_grown_is_said() -> None:
         when = EffectParameter(name="time", limb=None, value=60.0 + width, std=None, unit="s")  # found, not fitted
         return found.replace(effects=(found.effects[0].replace(parameters=(part, when)),))
 
-    assert "width of backlash was 0.02, is 0.03 +- 0.0014 deg" in fleet._moved(diagnosis(0.02), diagnosis(0.03))
+    assert "width of backlash was 0.0200, is 0.0300 +- 0.0014 deg" in fleet._moved(diagnosis(0.02), diagnosis(0.03))
     assert "width" not in fleet._moved(diagnosis(0.02), diagnosis(0.022))
 
 

@@ -307,7 +307,8 @@ def test_the_site_is_the_same_bytes_again(tmp_path: Path) -> None:
 
 def test_examples_are_copied_once(tmp_path: Path, run: Run) -> None:
     assert run("manual", "--examples", tmp_path)[0] == 0
-    assert (tmp_path / "gearbox" / "recording.csv").exists()
+    copy = tmp_path / "gearbox" / "recording.csv"
+    copy.write_text(copy.read_text() + "\n")
     assert run("manual", "--examples", tmp_path)[0] == 3
     for option in ("--examples", "--site"):
         code, _, err = run("manual", option, tmp_path / "gearbox" / "recording.csv")

@@ -24,7 +24,7 @@ def calibrated(folder: Path, frame: pd.DataFrame) -> dc.Result:
     assert_type(result.parameters[0].status, dc.Status)
     assert_type(result.plot(), Figure)
     assert_type(result.summary(), str)
-    cut = dc.identify(result.robot, frame, model="delta/18", solver=dc.TSVD(12))
+    cut = dc.identify(result.robot, frame, model=18, solver=dc.TSVD(12))
     assert cut.heldout_rms_mm is not None
     return cut
 

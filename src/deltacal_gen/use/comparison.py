@@ -228,7 +228,8 @@ def _factors(combination: str) -> dict[str, float]:
 
 
 def _summary(moved: Moved | None, changed: Sequence[Change], same: Sequence[Change], unknown: int, limit: float) -> str:
-    parts = [f"{e.name} moved {' +- '.join(rounded(e.change, e.std))} {e.unit}" for e in changed]
+    shown = (("+" * (e.change > 0) + " +- ".join(rounded(e.change, e.std)), e) for e in changed)
+    parts = [f"{e.name} moved {by} {e.unit}" for by, e in shown]
     text = "; ".join(parts) if parts else "Nothing moved that these sessions can see"
     if same:
         text += f"; the other {len(same)} stayed within {limit:.1f} standard deviations of what they were"

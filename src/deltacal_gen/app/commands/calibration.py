@@ -40,7 +40,7 @@ InMotion = TypeVar("InMotion", "MotionResult", "MotionDiagnosis")
 def identify(
     robot: AnyRobot,
     recording: AnyRecording,
-    model: str | None = None,
+    model: str | int | None = None,
     output: Source | None = None,
     *,
     as_distance: bool = False,
@@ -68,6 +68,7 @@ def identify(
     from deltacal_gen.use.known import known_diagnosis
     from deltacal_gen.use.prediction import calibrated_robot, known_effects
 
+    model = None if model is None else str(model)
     check_output(output, robot, recording, physics)
     check_output(report, robot, recording, physics)
     if (moving := in_motion(recording)) is not None:
@@ -181,7 +182,7 @@ def diagnose(
         return cast("Diagnosis", _finished(found_in_motion, output, report, robot, recording))
     files = (robot, recording)
     robot = as_robot(robot)
-    name = None if model is None else mechanism_of(robot).full_name(model)
+    name = None if model is None else mechanism_of(robot).full_name(str(model))
     given, clock = set_in_time(robot, recording, name, doubtful=True, progress=progress)
     found = diagnosis.diagnose(robot, given, name, progress=progress).answer()
     if clock is not None and found.physics:  # what bends the machine may have moved the clock, and the other way round
@@ -203,7 +204,7 @@ def diagnose(
 def matrix(
     robot: AnyRobot,
     recording: AnyRecording,
-    model: str,
+    model: str | int,
     output: Source | None = None,
     *,
     as_distance: bool = False,
@@ -214,6 +215,7 @@ def matrix(
     from deltacal_gen.identification.identifiability import identification_matrix
 
     check_output(output, robot, recording, ending=(".npz",))
+    model = str(model)
     robot = for_model(as_robot(robot), model)
     names = mechanism_of(robot).model(model)
     problem = pose_problem(robot, as_recording(recording, robot), names, as_distance=as_distance)

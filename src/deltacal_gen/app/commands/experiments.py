@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 
 def plan(
     robot: AnyRobot,
-    model: str | None = None,
+    model: str | int | None = None,
     output: Source | None = None,
     *,
     optimal: int | None = None,
@@ -70,6 +70,7 @@ def plan(
     from deltacal_gen.planning import matrix, planning
     from deltacal_gen.planning.optimal import d_optimal
 
+    model = None if model is None else str(model)
     check_output(output, robot)
     check_output(picture, robot, ending=PICTURES)
     if options.get("kind") == "torque" or (model is not None and model.endswith("/rigid")):

@@ -36,7 +36,7 @@ def study(
     plan: AnyRecording,
     output: Source | None = None,
     *,
-    model: str | None = None,
+    model: str | int | None = None,
     machine: str | None = None,
     trials: int = 1000,
     noise: float | None = None,
@@ -79,6 +79,7 @@ def study(
     from deltacal_gen.physics import simulation
     from deltacal_gen.planning import machines, studies
 
+    model = None if model is None else str(model)
     check_output(output, robot, plan, *suspects)
     check_output(report, robot, plan, *suspects)
     if trials < 1 or diagnoses < 1 or seed < 0 or (noise is not None and not (noise > 0 and np.isfinite(noise))):
