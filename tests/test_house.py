@@ -16,8 +16,6 @@ MODULE, FUNCTION = 600, 60
 FUNCTIONS = {
     "src/deltacal_gen/diagnosis/diagnosis.py:diagnose": 69,
     "src/deltacal_gen/identification/identification.py:identify": 72,
-    "src/deltacal_gen/execution.py:_in_order": 66,
-    "tests/benchmarks/concealed_cases.py:_attempt": 107,
 }
 
 

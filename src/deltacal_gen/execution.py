@@ -16,7 +16,7 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
@@ -267,6 +267,54 @@ def attempt(function: Callable[..., dict[str, Any]], arguments: tuple[Any, ...])
         return {"result": None, "error": f"{type(error).__name__}: {error}", "kept": False}
 
 
+class _Line:
+    """Tasks on their way: at work, to be tried again since their worker ended, or done before their turn."""
+
+    def __init__(self, tasks: Iterator[Task], width: int, store: Store | None) -> None:
+        self.flying: dict[Future[dict[str, Any]], tuple[int, Task]] = {}
+        self.deaths: dict[str, int] = {}
+        self._width, self._store = width, store
+        self._upcoming, self._more = enumerate(tasks), True
+        self._waiting: list[tuple[int, Task]] = []
+        self._following = 0
+        self._done: dict[int, Outcome] = {}
+        self._kept: dict[int, Task] = {}  # done, and in the directory until its turn: a long task holds nobody up
+
+    @property
+    def empty(self) -> bool:
+        return not self._more and not self._waiting
+
+    def take(self) -> tuple[int, Task] | None:
+        """Return the next task for a worker; None where nobody is free, or nothing is left to do.
+
+        Whoever was at work when a worker ended is tried alone, so that nobody pays for another.
+        """
+        if len(self.flying) >= (1 if self._waiting else AHEAD * self._width):
+            return None
+        if self._waiting:
+            return self._waiting.pop(0)
+        if len(self._done) >= HELD * self._width:
+            return None
+        taken = next(self._upcoming, None)
+        self._more = taken is not None
+        return taken
+
+    def try_again(self, tasks: Sequence[tuple[int, Task]]) -> None:
+        self._waiting = sorted([*self._waiting, *tasks], key=lambda w: w[0])
+
+    def end(self, number: int, task: Task, outcome: Outcome) -> None:
+        if number != self._following and self._store is not None and self._store.has(task.key):
+            self._kept[number] = task
+        else:
+            self._done[number] = outcome
+
+    def due(self) -> Iterator[Outcome | Task]:
+        """Yield what is done up to the first that is not; of what is in the directory, the task."""
+        while (at := self._following) in self._done or at in self._kept:
+            yield self._done.pop(at) if at in self._done else self._kept.pop(at)
+            self._following += 1
+
+
 class _Run:
     def __init__(
         self,
@@ -313,70 +361,61 @@ class _Run:
     def _in_order(self, tasks: Iterator[Task]) -> Iterator[Outcome]:
         """Keep the workers busy, and yield outcomes by the order of the tasks."""
         assert self.pool.make is not None
-        executor = self.pool.make()
-        flying: dict[Future[dict[str, Any]], tuple[int, Task]] = {}
-        waiting: list[tuple[int, Task]] = []  # whose worker ended
-        deaths: dict[str, int] = {}
-        done: dict[int, Outcome] = {}
-        kept: dict[int, Task] = {}  # done, and in the directory until its turn: a long task holds nobody up
-        upcoming, following = enumerate(tasks), 0
-        more, most = True, HELD * self.pool.width
-
-        def end(number: int, task: Task, outcome: Outcome) -> None:
-            if number != following and self.store is not None and self.store.has(task.key):
-                kept[number] = task
-            else:
-                done[number] = outcome
-
+        executor, line = self.pool.make(), _Line(tasks, self.pool.width, self.store)
         try:
             while True:
-                # whoever was at work when a worker ended is tried alone, so that nobody pays for another
-                while len(flying) < (1 if waiting else AHEAD * self.pool.width) and (
-                    waiting or (more and len(done) < most)
-                ):
-                    number, task = waiting.pop(0) if waiting else next(upcoming, (None, None))
-                    if number is None or task is None:
-                        more = False
-                        break
-                    if task.key not in deaths and (known := self._known(task)) is not None:
-                        end(number, task, known)
-                        continue
-                    try:
-                        arguments = task.arguments()
-                    except DeltacalError as error:
-                        done[number] = self._close(task, {"result": None, "error": str(error), "kept": False})
-                        continue
-                    flying[executor.submit(attempt, self.function, arguments)] = (number, task)
-                while following in done or following in kept:
-                    yield done.pop(following) if following in done else self._kept(kept.pop(following))
-                    following += 1
-                if not flying:
-                    if not more and not waiting:
+                while (taken := line.take()) is not None:
+                    number, task = taken
+                    begun = self._begun(task, executor, again=task.key in line.deaths)
+                    if isinstance(begun, Outcome):
+                        line.end(number, task, begun)
+                    else:
+                        line.flying[begun] = (number, task)
+                for due in line.due():
+                    yield due if isinstance(due, Outcome) else self._kept(due)
+                if not line.flying:
+                    if line.empty:
                         return
                     continue
-                ready, _ = concurrent.futures.wait(flying, return_when=concurrent.futures.FIRST_COMPLETED)
+                ready, _ = concurrent.futures.wait(line.flying, return_when=concurrent.futures.FIRST_COMPLETED)
                 lost: list[tuple[int, Task]] = []  # at work, or about to be, when a worker ended
                 for future in ready:
-                    number, task = flying.pop(future)
-                    try:
-                        end(number, task, self._close(task, future.result()))
-                    except BrokenProcessPool:
+                    number, task = line.flying.pop(future)
+                    if (outcome := self._ended(task, future)) is None:
                         lost.append((number, task))
-                    except DeltacalError:  # the directory cannot be written
-                        raise
-                    except Exception as error:  # of the cluster: a worker lost for good, a result that cannot travel
-                        said = {"result": None, "error": f"{type(error).__name__}: {error}", "kept": False}
-                        done[number] = self._close(task, said)
+                    else:
+                        line.end(number, task, outcome)
                 if lost:
-                    lost += flying.values()
-                    flying.clear()
+                    lost += line.flying.values()
+                    line.flying.clear()
                     executor.shutdown(wait=False)
                     executor = self.pool.make()
-                    waiting = sorted([*waiting, *self._survivors(lost, deaths, done)], key=lambda w: w[0])
+                    line.try_again(self._survivors(lost, line))
         finally:
-            for future in flying:
+            for future in line.flying:
                 future.cancel()
             executor.shutdown(wait=False)
+
+    def _begun(self, task: Task, executor: Executor, *, again: bool) -> Future[dict[str, Any]] | Outcome:
+        """Hand a task to a worker; return its outcome where it is known, or where its arguments cannot be had."""
+        if not again and (known := self._known(task)) is not None:
+            return known
+        try:
+            arguments = task.arguments()
+        except DeltacalError as error:
+            return self._close(task, {"result": None, "error": str(error), "kept": False})
+        return executor.submit(attempt, self.function, arguments)
+
+    def _ended(self, task: Task, future: Future[dict[str, Any]]) -> Outcome | None:
+        """Return the outcome of a task that a worker had; None where the worker ended."""
+        try:
+            return self._close(task, future.result())
+        except BrokenProcessPool:
+            return None
+        except DeltacalError:  # the directory cannot be written
+            raise
+        except Exception as error:  # of the cluster: a worker lost for good, a result that cannot travel
+            return self._close(task, {"result": None, "error": f"{type(error).__name__}: {error}", "kept": False})
 
     def _kept(self, task: Task) -> Outcome:
         assert self.store is not None
@@ -385,16 +424,14 @@ class _Run:
             raise InputError("a result that was there is gone.", "Run again.", file=self.store.folder)
         return outcome
 
-    def _survivors(
-        self, lost: list[tuple[int, Task]], deaths: dict[str, int], done: dict[int, Outcome]
-    ) -> list[tuple[int, Task]]:
+    def _survivors(self, lost: list[tuple[int, Task]], line: _Line) -> list[tuple[int, Task]]:
         """Return the tasks to be tried again after a worker ended; which one ended it is not known."""
         left = []
         for number, task in lost:
-            deaths[task.key] = deaths.get(task.key, 0) + 1
-            if deaths[task.key] >= LIVES * AHEAD:
+            line.deaths[task.key] = line.deaths.get(task.key, 0) + 1
+            if line.deaths[task.key] >= LIVES * AHEAD:
                 words = "the worker ended every time: out of memory, or killed"
-                done[number] = self._close(task, {"result": None, "error": words, "kept": False})
+                line.end(number, task, self._close(task, {"result": None, "error": words, "kept": False}))
             else:
                 left.append((number, task))
         return left

@@ -13,9 +13,7 @@ import dataclasses
 import itertools
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from types import SimpleNamespace
-from typing import Any
 
 import numpy as np
 
@@ -29,11 +27,12 @@ from deltacal_gen.identification.prior import BROAD
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import load_mechanism, mechanism_of
 from deltacal_gen.machine.rotation import from_vector, to_vector
-from deltacal_gen.machine.values import Measurement, Recording
+from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.physics.terms import Term, blank, coefficients, load_effect
-from deltacal_gen.units import DEG, file_unit, to_internal
+from deltacal_gen.units import to_internal
 from tests.benchmarks import concealed_machines as machines
+from tests.benchmarks.concealed_sessions import INSTRUMENT_ONLY, NEEDS, Session
 
 Array = np.ndarray
 MARGIN = 40.0  # of chi2 without noise: what the truth must be ahead of every other explanation
@@ -42,15 +41,6 @@ LARGEST = 1.0  # mm: root mean square by which an effect moves the readings
 LEAST, MOST = 1.5, 10.0  # standard deviations of noise that geometry alone leaves
 ATTEMPTS = 40
 MECHANISM = load_mechanism("delta")
-NEEDS = {  # channels of a recording, by what an effect reads
-    "approach": "approach",
-    "qd": "motion",
-    "qdd": "motion",
-    "inertia_torque": "motion",
-    "warming": "temp",
-    "time": "time",
-    "payload_torque": "payload",
-}
 OUTSIDE = {  # channel that tells best (the first) or also tells, and what the channels must hold
     "square_wave": (("time_s",), {"time"}),
     "local_bump": (("position",), set()),
@@ -61,8 +51,6 @@ OUTSIDE = {  # channel that tells best (the first) or also tells, and what the c
     "random_walk": (("time_s",), {"time"}),
 }
 ORDINARY = {"null": 40, "single": 3 * len(machines.shown("delta")), "pair": 20, "outside": 2 * len(OUTSIDE)}
-INSTRUMENT_ONLY = {"instrument_drift"}  # not seen in lengths
-OF_POSITIONS = {"position", "pose"}
 
 
 @dataclass(frozen=True)
@@ -132,95 +120,6 @@ def generate(
         if case is not None:
             return case
     raise RuntimeError(f"no clear case of {kind} {' + '.join(names)} in {ATTEMPTS} attempts")
-
-
-# ----------------------------------------------------------------------------------------------- machine and recording
-
-
-def _channels(n: int, have: set[str], robot: Robot, rng: np.random.Generator, start: float) -> dict[str, Array]:
-    """Return channels as a shop records them, of a session that starts `start` seconds after the instrument's."""
-    out: dict[str, Array] = {}
-    joints = range(1, mechanism_of(robot).limbs + 1)
-    t = start + np.cumsum(rng.uniform(15, 40, n))
-    if "pause" in have:  # lunch
-        t += 3600.0 * (np.arange(n) > n * rng.uniform(0.3, 0.7))
-    if "time" in have:
-        out["time_s"] = np.round(t, 0 if "round" in have else 2)
-    if "cycling" in have:
-        out["temp_C"] = np.round(24 + 3 * np.sign(np.sin(2 * np.pi * t / rng.uniform(1200, 2000))) + 0.2 * t / 3600, 1)
-    elif "temp" in have:
-        much = 0.15 if "steady" in have else 1.0
-        warm = rng.uniform(2, 8) * (1 - np.exp(-t / rng.uniform(1000, 6000)))
-        wave = rng.uniform(0, 2) * np.sin(2 * np.pi * t / rng.uniform(1500, 5000) + rng.uniform(0, 6))
-        warmth = 20 + rng.uniform(-1, 2) + much * (warm + wave + 0.1 * rng.standard_normal(n))
-        out["temp_C"] = np.round(warmth, 1 if much == 1.0 else 2)
-    if "room" in have:
-        out["temp_room_C"] = np.round(21 + 1.5 * np.sin(2 * np.pi * t / rng.uniform(4000, 9000)), 1)
-    if "cycle" in have:  # loaded and unloaded step by step
-        steps = np.array([0.0, 1.0, 2.0, 3.0, 2.0, 1.0])
-        out["payload_kg"] = steps[(np.arange(n) // 5) % 6]
-    elif "payload" in have:
-        chosen = rng.choice([0.0, 1.0, 2.0, 3.0, 5.0], int(rng.integers(2, 4)), replace=False)
-        out["payload_kg"] = rng.choice(chosen, n)
-    if "approach" in have:
-        forward = rng.choice([0.5, 0.5, 0.2, 0.85])
-        out |= {f"approach{i}": np.where(rng.random(n) < forward, 1.0, -1.0) for i in joints}
-    if "motion" in have:
-        unit = file_unit(mechanism_of(robot).joint_unit)
-        out |= {f"qd{i}_{unit}_s": np.round(60 * rng.standard_normal(n), 2) for i in joints}
-        out |= {f"qdd{i}_{unit}_s2": np.round(800 * rng.standard_normal(n), 1) for i in joints}
-    if "humidity" in have:
-        out["humidity_pct"] = np.round(45 + 8 * np.sin(2 * np.pi * t / 3700 + rng.uniform(0, 6)) + rng.normal(0, 3, n))
-    return out
-
-
-def _poses(
-    robot: Robot,
-    measurement: Measurement,
-    n: int,
-    repeats: int,
-    tools: Array,
-    have: set[str],
-    rng: np.random.Generator,
-    start: float,
-) -> Recording:
-    """Return a recording without readings: `n` rows, every pose `repeats` times."""
-    kind = str(measurement.kind)
-    single = -(-n // repeats)
-    tool = tools[rng.integers(len(tools), size=single)]
-    theta, mechanism = machines.joints_of_poses(robot, single, tool, rng), mechanism_of(robot)
-    which = np.tile(np.arange(single), repeats)[:n]
-    if rng.random() < 0.6:
-        which = rng.permutation(which)
-    pairs = None
-    if kind == "distance":
-        k = int(rng.uniform(2.0, 3.5) * n)
-        drawn = rng.integers(n, size=(4 * k, 2))
-        pairs = np.unique(np.sort(drawn[which[drawn[:, 0]] != which[drawn[:, 1]]], axis=1), axis=0)
-        pairs = rng.permutation(pairs)[:k]
-    at = tuple(f"{axis}_mm" for axis in mechanism.axes)
-    turned = (*at, *(f"r{axis}_deg" for axis in mechanism.turns))
-    columns = {"distance": (), "gauge": ("gauge_mm",), "position": at, "pose": turned}
-    unit = to_internal(mechanism.joint_unit)
-    setups = 2 if "setups" in have else 1
-    return Recording(
-        path=Path("recording.csv"),
-        kind=kind,
-        measurement=measurement,
-        joint_unit=mechanism.joint_unit,
-        joints=np.round(theta[which] / unit, 2 if "round" in have else 6) * unit,
-        columns=columns[kind],
-        measured=np.zeros((n, 0)),
-        pose=np.array([str(i) for i in range(n)] if kind == "distance" else [str(i + 1) for i in which]),
-        line=np.arange(n) + 2,
-        channels=_channels(n, have, robot, rng, start),
-        setup=(np.arange(n) * setups) // n,
-        setup_names=tuple(str(i + 1) for i in range(setups)),
-        tool=tool[which] if len(tools) > 1 else None,
-        pairs=pairs,
-        pair_measured=None if pairs is None else np.zeros(len(pairs)),
-        pair_line=None if pairs is None else np.arange(len(pairs)) + 2,
-    )
 
 
 # ------------------------------------------------------------------------------------------------- what is concealed
@@ -382,6 +281,10 @@ class Judge:
         gains = [search.gain([*others, *search.where(c)]) for c in search.terms if c.effect == rival]
         return best - max(gains, default=0.0)
 
+    def excess(self, exact: Recording) -> float:
+        """Return how many standard deviations of noise geometry alone leaves."""
+        return float(np.sqrt(self.misfit(exact) / self.scalars))
+
     def clear(self, exact: Recording, terms: Sequence[Term]) -> bool:
         """Tell whether nothing but the true effects comes near the truth."""
         search = self.search(exact)
@@ -424,130 +327,99 @@ class Judge:
         return left - gain > REST * search.readings
 
 
+@dataclass(frozen=True)
+class Concealed:
+    """What a case holds back: its readings without noise, how others are made, and what a diagnosis is to say of it."""
+
+    exact: Recording
+    make: Callable[..., Recording]
+    terms: tuple[Term, ...] = ()
+    channels: tuple[str, ...] = ()
+    limbs: tuple[int, ...] = ()
+
+
 def _attempt(
     kind: str, names: tuple[str, ...], rng: np.random.Generator, machine: str, by: Callable[..., Recording]
 ) -> Case | None:
-    robot = machines.draw(machine, rng)
-    errors, mechanism = machines.ordinary_errors(robot, rng), mechanism_of(robot)
-    sigma, turn = round(float(rng.uniform(0.005, 0.02)), 4), round(float(rng.uniform(0.002, 0.01)), 4) * DEG
-    have = {c for c, p in (("time", 0.75), ("temp", 0.6), ("payload", 0.5), ("approach", 0.6)) if rng.random() < p}
-    have |= {c for c, p in (("motion", 0.25), ("humidity", 0.15), ("room", 0.1)) if rng.random() < p}
-    have |= {c for c, p in (("pause", 0.15), ("steady", 0.15), ("round", 0.15), ("setups", 0.1)) if rng.random() < p}
+    """Return a case; None where what was drawn is not clear."""
     if kind == "outside":
-        have |= OUTSIDE[names[0]][1]
+        must = OUTSIDE[names[0]][1]
     else:
-        have |= {NEEDS[s] for name in names for s in load_effect(name).STATE if s in NEEDS}
-    measurement, base = _measurement(kind, names, machines.kinds(mechanism), rng)
-    of = str(measurement.kind)
-    have -= set() if of in OF_POSITIONS else {"setups"}
-    several = "instrument_offset" in names or rng.random() < 0.3
-    size = robot.geometry.get("platform_radius", (50.0,))[0]
-    tools = np.round(rng.uniform(-1, 1, (int(rng.integers(2, 5)) if several else 1, 3)) * [size, size, 30], 3)
-    tools[:, [axis not in mechanism.axes for axis in "xyz"]] = 0.0
-    n = int(np.exp(rng.uniform(np.log(180 if of == "gauge" else 60), np.log(400))))
-    start = float(rng.uniform(0, 60))
-    repeats = int(rng.choice([1, 1, 1, 2, 3])) if n > 120 else 1
-    poses = _poses(robot, measurement, n, repeats, tools, have, rng, start)
-    fresh = _poses(robot, measurement, 100, 1, tools, have, rng, 40.0 * n + 3600 * ("pause" in have))
-    frame = int(rng.integers(2**32))
-
-    def read(
-        at: Recording,
-        terms: Sequence[Term] = (),
-        foreign: Foreign | None = None,
-        much: float = 0.0,
-        by: Callable[..., Recording] = simulate,
-    ) -> Recording:
-        joint, shift = np.zeros(at.joints.shape), np.zeros((at.n_rows, len(mechanism.axes)))
-        if foreign is not None:
-            known = Measurement(kind="position", frame="robot")
-            columns = tuple(f"{axis}_mm" for axis in mechanism.axes)
-            in_robot = dataclasses.replace(at, kind="position", measurement=known, columns=columns)
-            x = np.zeros((at.n_rows, 3))
-            x[:, : len(columns)] = simulate(robot, in_robot, errors).measured
-            joint, shift = foreign.shift(at, x, poses)
-        mounted = at.measurement if base is None else dataclasses.replace(at.measurement, base_point_mm=base)
-        moved = dataclasses.replace(at, joints=at.joints + much * joint, measurement=mounted)
-        done = by(robot, moved, errors, terms=terms, rng=np.random.default_rng(frame))
-        measured = done.measured
-        if foreign is not None and at.kind in OF_POSITIONS:
-            k = shift.shape[1]
-            measured = np.hstack([measured[:, :k] + much * shift, measured[:, k:]])
-        return dataclasses.replace(
-            done, joints=at.joints, channels=at.channels, measurement=at.measurement, measured=measured
-        )
-
-    plain = read(poses)
-    judge = Judge(robot, plain, errors, sigma, turn)
-    terms: list[Term] = []
-    make: Callable[..., Recording] = read
-    if kind == "outside":
-        x = judge.machine.x[:, :3]
-        foreign, much, wanted = Foreign.draw_one(names[0], x, robot, rng), 1.0, float(rng.uniform(2, MOST))
-        for _ in range(2):
-            much *= wanted * np.sqrt(judge.scalars / judge.misfit(read(poses, (), foreign, much)))
-        make = lambda at, by=simulate: read(at, (), foreign, much, by)  # noqa: E731
-    elif names:
-        for name in names:
-            term = _term(name, poses, robot, tools, rng)
-            wanted = float(np.exp(rng.uniform(np.log(LEAST), np.log(MOST))))
-            for _ in range(3):
-                left = judge.misfit(read(poses, [term]))
-                if left <= 1e-12:
-                    return None
-                term = term.with_values(term.values.ravel() * wanted * np.sqrt(judge.scalars / left))
-            terms.append(term)
-        if any(rms(judge.departure(read(poses, [t]))) > LARGEST for t in terms if t.effect not in INSTRUMENT_ONLY):
-            return None  # an effect that hardly shows, blown up
-        late = [dataclasses.replace(t, constants=(-1.0,)) if _unplaced(t, poses) else t for t in terms]
-        make = lambda at, by=simulate: read(at, late if at is fresh else terms, by=by)  # noqa: E731
-    exact = make(poses)
-    excess = float(np.sqrt(judge.misfit(exact) / judge.scalars))
-    if kind == "outside" and not judge.foreign(exact):
+        must = {NEEDS[s] for name in names for s in load_effect(name).STATE if s in NEEDS}
+    session = Session.draw(kind, names, must, rng, machine)
+    robot, poses = session.robot, session.poses
+    judge = Judge(robot, session.read(poses), session.errors, session.sigma, session.turn)
+    held = (_foreign if kind == "outside" else _effects)(names, session, judge, rng)
+    if held is None:
         return None
-    if terms and not (0.95 * LEAST < excess < 1.1 * MOST and judge.clear(exact, terms)):
-        return None
-    if by is not simulate:
-        exact = make(poses, by=by)
-    noisy, traits = _noisy(exact, sigma, turn, rng)
-    traits = (*traits, *sorted(have), of, f"n={n}", f"repeats={repeats}", f"tools={len(tools)}")
-    traits = (*traits, *(["incremental"] if measurement.zero == "incremental" else []), measurement.frame)
-    channels, limbs = OUTSIDE[names[0]][0] if kind == "outside" else (), ()
-    if kind == "outside" and names[0] not in ("local_bump", "random_walk"):
-        limbs = (foreign.limb,)
+    exact = held.exact if by is simulate else held.make(poses, by=by)
+    noisy, traits = _noisy(exact, session.sigma, session.turn, rng)
     return Case(
         kind,
         names,
         robot,
         noisy,
         exact,
-        make(fresh, by=by),
-        errors,
-        tuple(terms),
-        sigma,
-        turn,
-        excess,
-        channels,
-        limbs,
-        traits,
+        held.make(session.fresh, by=by),
+        session.errors,
+        held.terms,
+        session.sigma,
+        session.turn,
+        judge.excess(held.exact),
+        held.channels,
+        held.limbs,
+        (*traits, *session.traits),
     )
 
 
-def _measurement(
-    kind: str, names: Sequence[str], share: Mapping[str, float], rng: np.random.Generator
-) -> tuple[Measurement, Any]:
-    """Return the sidecar, and where the base point of a gauge really is; `share` is how often a kind is drawn."""
-    of = str(rng.choice(list(share), p=list(share.values())))
-    if kind == "outside" or INSTRUMENT_ONLY & set(names):
-        seen = [of for of in share if of in OF_POSITIONS]
-        of = str(rng.choice(seen, p=[0.85, 0.15] if len(seen) == 2 else [1.0]))
-    frame = "robot" if of in OF_POSITIONS and rng.random() < 0.1 else "unknown"
-    if of != "gauge":
-        return Measurement(kind=of, frame=frame), None
-    nominal = np.round(rng.uniform([-300, -300, -100], [300, 300, 100]), 0)
-    zero = str(rng.choice(["absolute", "incremental"]))
-    base = tuple(float(v) for v in nominal + 0.2 * rng.standard_normal(3))
-    return Measurement(kind=of, zero=zero, base_point_mm=tuple(map(float, nominal))), base
+def _foreign(names: tuple[str, ...], session: Session, judge: Judge, rng: np.random.Generator) -> Concealed | None:
+    """Conceal physics that is not in the vocabulary; None where the vocabulary could pass for it."""
+    foreign = Foreign.draw_one(names[0], judge.machine.x[:, :3], session.robot, rng)
+    much, wanted = 1.0, float(rng.uniform(2, MOST))
+
+    def make(at: Recording, by: Callable[..., Recording] = simulate) -> Recording:
+        joint, shift = foreign.shift(at, session.positions(at), session.poses)
+        return session.read(at, moved=(much * joint, much * shift), by=by)
+
+    for _ in range(2):
+        much *= wanted * np.sqrt(judge.scalars / judge.misfit(make(session.poses)))
+    exact = make(session.poses)
+    if not judge.foreign(exact):
+        return None
+    limbs = () if names[0] in ("local_bump", "random_walk") else (foreign.limb,)
+    return Concealed(exact, make, channels=OUTSIDE[names[0]][0], limbs=limbs)
+
+
+def _effects(names: tuple[str, ...], session: Session, judge: Judge, rng: np.random.Generator) -> Concealed | None:
+    """Conceal effects, or none; None where one hardly shows, or another could stand for it."""
+    poses = session.poses
+    drawn = [_sized(_term(name, poses, session.robot, session.tools, rng), session, judge, rng) for name in names]
+    terms = tuple(term for term in drawn if term is not None)
+    if len(terms) < len(names):
+        return None
+    shown = [t for t in terms if t.effect not in INSTRUMENT_ONLY]
+    if any(rms(judge.departure(session.read(poses, [t]))) > LARGEST for t in shown):
+        return None  # an effect that hardly shows, blown up
+    late = [dataclasses.replace(t, constants=(-1.0,)) if _unplaced(t, poses) else t for t in terms]
+
+    def make(at: Recording, by: Callable[..., Recording] = simulate) -> Recording:
+        return session.read(at, late if at is session.fresh else terms, by=by)
+
+    exact = make(poses)
+    if terms and not (0.95 * LEAST < judge.excess(exact) < 1.1 * MOST and judge.clear(exact, terms)):
+        return None
+    return Concealed(exact, make, terms)
+
+
+def _sized(term: Term, session: Session, judge: Judge, rng: np.random.Generator) -> Term | None:
+    """Return an effect as large as it is to be; None where readings do not show it."""
+    wanted = float(np.exp(rng.uniform(np.log(LEAST), np.log(MOST))))
+    for _ in range(3):
+        left = judge.misfit(session.read(session.poses, [term]))
+        if left <= 1e-12:
+            return None
+        term = term.with_values(term.values.ravel() * wanted * np.sqrt(judge.scalars / left))
+    return term
 
 
 def _unplaced(term: Term, poses: Recording) -> bool:
