@@ -1,8 +1,4 @@
-"""How large rooms may be: no module above 600 lines, no function above 60, its docstring not counted.
-
-A function that is larger is listed with its size, which may shrink and never grow; what is listed and small enough is
-an error.
-"""
+"""How large rooms may be: no module above 600 lines, no function above 60, its docstring not counted."""
 
 from __future__ import annotations
 
@@ -13,10 +9,6 @@ from tests.benchmarks.lines import functions
 ROOT = Path(__file__).resolve().parents[1]
 PARTS = ("src/deltacal_gen", "derive", "tests")
 MODULE, FUNCTION = 600, 60
-FUNCTIONS = {
-    "src/deltacal_gen/diagnosis/diagnosis.py:diagnose": 69,
-    "src/deltacal_gen/identification/identification.py:identify": 72,
-}
 
 
 def test_no_module_is_larger_than_a_reader_holds() -> None:
@@ -36,5 +28,4 @@ def test_no_function_is_longer_than_a_page() -> None:
         for name, _, n in functions(path.read_text(encoding="utf-8"))
         if n > FUNCTION
     }
-    assert {name: n for name, n in sizes.items() if n > FUNCTIONS.get(name, FUNCTION)} == {}, "name its steps"
-    assert [name for name in FUNCTIONS if name not in sizes] == [], "short enough: take it off the list"
+    assert sizes == {}, "name its steps"

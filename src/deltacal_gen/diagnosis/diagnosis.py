@@ -132,12 +132,11 @@ def diagnose(
     recording = set_aside(recording, robot)
     progress("geometry")
     robot, problem, model, lean, some, first, doubt = _begun(robot, recording, model)
-    kind = problem.readings.kind
     terms, not_tested = library(some) if not lean else ([], _untested(problem))
     white = searched(some, first, terms, lean, progress)
     first, found = _in_noise(some, first, white, terms, lean, progress)
     some, search, left, unexplained = found.problem, found.search, found.left, found.unexplained
-    spectrum, parts = found.spectrum, found.parts
+    spectrum = found.spectrum
     # joints that err at many orders imitate any function of the pose
     sought = laws(found, progress) if not lean and spectrum is None else Sought()
     if lawful := sought.laws:
@@ -148,21 +147,12 @@ def diagnose(
     # what comes near its price, or is not borne out, is no finding, but worth a measurement
     doubtful = [] if lean else hinted(search, AMBIGUOUS)
     doubtful += outweighed(search, white.search, doubtful, AMBIGUOUS)
-    before = after = rms(lengths(found.without, kind))
-    if lawful:
-        after = lawful[0].proof.rms
-    elif search.effects and spectrum is None:
-        after = rms(lengths(found.predicted if search is found.tested else held_out_by(some, search, parts), kind))
+    before, after = _held_out(found, search, lawful)
     progress(f"fit of all {len(problem.readings)} readings")
     baseline, current, spectrum = _of_all(problem, first, search.fit, spectrum)
-    if [form(t) for t in terms_of(current)] != [form(t) for t in terms_of(search.fit)]:  # all readings refute some
-        search = Search(refitted(some, search.fit, terms_of(current)) or search.fit, search.terms)
-    if not (current.problem.terms or current.problem.held):  # no physics that geometry could imitate
-        current = _as_drawn(problem, current)
-    current = as_predicts(_as_learned(problem, current) if lawful else current)
+    search = _without_refuted(some, search, current)
+    current = _as_is_known(problem, current, lawful)
     heldout = (before, after if spectrum is None else spectrum.heldout[1])
-    named_any = current.problem.terms or current.problem.held
-    verdict = Verdict.UNEXPLAINED if unexplained else Verdict.MISSING_PHYSICS if named_any else Verdict.ADEQUATE
     known = noise(current, recording) if unexplained else doubted(noise(current, recording), current)
     named = named_of(search, current, heldout, known.sigma, spectrum)
     chance = Chance(Search(_beside_noise_of(search.fit, first), terms), np.random.default_rng(SEED))
@@ -173,7 +163,7 @@ def diagnose(
     asked = *(Question(n.term, n.rivals, n.unrecorded) for n in named), *sought.questions
     questions = [*asked, *(Question(h.term, proven=False) for h in doubtful)]
     return Diagnosed(
-        verdict=verdict,
+        verdict=Verdict.UNEXPLAINED if unexplained else _verdict(current),
         model=model,
         baseline=baseline,
         final=current,
@@ -261,6 +251,37 @@ def _in_noise(
     if calm is not None or (found.search.effects and not lean):
         found = beside_noise(found, lean)
     return first, found
+
+
+def _held_out(found: Outcome, search: Search, lawful: Sequence[Lawful]) -> tuple[float, float]:
+    """Return the held-out error of geometry alone, and beside what was found [mm]; a spectrum has its own."""
+    kind = found.problem.readings.kind
+    before = rms(lengths(found.without, kind))
+    if lawful:
+        return before, lawful[0].proof.rms
+    if not search.effects or found.spectrum is not None:
+        return before, before
+    beside = found.predicted if search is found.tested else held_out_by(found.problem, search, found.parts)
+    return before, rms(lengths(beside, kind))
+
+
+def _without_refuted(some: Problem, search: Search, current: Fit) -> Search:
+    """Return the search with those effects alone that all readings leave."""
+    if [form(t) for t in terms_of(current)] == [form(t) for t in terms_of(search.fit)]:
+        return search
+    return Search(refitted(some, search.fit, terms_of(current)) or search.fit, search.terms)
+
+
+def _as_is_known(problem: Problem, current: Fit, lawful: Sequence[Lawful]) -> Fit:
+    """Return the fit by what is then known of geometry: the drawing, where no physics is left that it could imitate."""
+    if not (current.problem.terms or current.problem.held):
+        current = _as_drawn(problem, current)
+    return as_predicts(_as_learned(problem, current) if lawful else current)
+
+
+def _verdict(current: Fit) -> Verdict:
+    """Return the verdict on a machine that is explained."""
+    return Verdict.MISSING_PHYSICS if current.problem.terms or current.problem.held else Verdict.ADEQUATE
 
 
 def _calibrated(robot: Robot, current: Fit) -> Robot:

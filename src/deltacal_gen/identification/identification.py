@@ -9,6 +9,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -151,16 +152,10 @@ def identify(
     """
     if model is not None:
         robot = for_model(robot, model)
-    check_units(recording, robot)
     mechanism = mechanism_of(robot)
-    everything = pose_problem(robot, recording, (), as_distance=as_distance)
-    held, not_held = carried.usable(everything, held)
-    everything = dataclasses.replace(everything, held=held)
-    chosen = chosen_model(mechanism, everything, recording, model)
-    names, in_file = mechanism.model(chosen), mechanism.vector(robot.errors)
-    if machine is not None and len(names) < len(mechanism.parameters):
-        robot = dataclasses.replace(robot, errors=_left_out(mechanism, robot, machine, names))
-        everything = pose_problem(robot, recording, (), as_distance=as_distance, held=held)
+    in_file = mechanism.vector(robot.errors)
+    robot, everything, chosen, not_held = _asked(robot, recording, model, held, machine, as_distance=as_distance)
+    names = mechanism.model(chosen)
     own = everything.with_names(names)
     rule, (known, given) = _solver(solver, truncation, recording.measurement.sigma_mm), with_prior(own, robot)
     problem = known if isinstance(rule, Prior) else own
@@ -176,14 +171,7 @@ def identify(
     progress(f"held-out error: {FOLDS} folds")
     final, heldout = _held_out(final, rule, robust)
     progress("identifiability")
-    matrix = identifiability.identification_matrix(dataclasses.replace(own, held=problem.held), "typical")
-    observed = identifiability.observability(matrix.H, len(np.unique(final.problem.readings.group)))
-    units = [mechanism.parameters[mechanism.index[n]].unit for n in names]
-    typical = mechanism.typical[[mechanism.index[n] for n in names]]
-    per_unit = matrix.H / typical
-    unseen = identifiability.unseen(per_unit, names, units, typical)
-    unseen, absorbed = identifiability.beside(unseen, matrix, typical, problem.readings.kind.whereabouts)
-    weak = _weak(final, len(unseen), units)
+    seen = _seen(final, dataclasses.replace(own, held=problem.held), names)
     found = zip((p.name for p in mechanism.parameters), final.errors.tolist(), strict=True)
     calibrated = dataclasses.replace(robot, errors={name: value for name, value in found if value or name in names})
     progress("uncertainty over the workspace")
@@ -195,11 +183,11 @@ def identify(
         rough=first,
         before_rms=rms(lengths(before, problem.readings.kind)),
         heldout_rms=heldout,
-        observability=observed,
-        unseen=unseen,
-        weak=weak,
-        base=identifiability.base(per_unit, names, units, typical) if unseen else [],
-        remedies=_remedies(final, absorbed if unseen or weak else None),
+        observability=seen.observability,
+        unseen=seen.unseen,
+        weak=seen.weak,
+        base=seen.base,
+        remedies=_remedies(final, seen.absorbed if seen.unseen or seen.weak else None),
         noise=of_noise,
         prior_given=given,
         robot=calibrated,
@@ -208,6 +196,52 @@ def identify(
         map=None if problem.readings.kind.sees_joints else uncertainty_map(final, calibrated, uncertainty),
         uncertainty=uncertainty,
     )
+
+
+def _asked(
+    robot: Robot,
+    recording: Recording,
+    model: str | None,
+    held: Sequence[Term],
+    machine: Robot | None,
+    *,
+    as_distance: bool,
+) -> tuple[Robot, Problem, str, tuple[Missing, ...]]:
+    """Return robot, problem of all parameters and model as they are asked for, and which effects cannot be held."""
+    check_units(recording, robot)
+    mechanism = mechanism_of(robot)
+    everything = pose_problem(robot, recording, (), as_distance=as_distance)
+    held, not_held = carried.usable(everything, held)
+    everything = dataclasses.replace(everything, held=held)
+    chosen = chosen_model(mechanism, everything, recording, model)
+    names = mechanism.model(chosen)
+    if machine is not None and len(names) < len(mechanism.parameters):
+        robot = dataclasses.replace(robot, errors=_left_out(mechanism, robot, machine, names))
+        everything = pose_problem(robot, recording, (), as_distance=as_distance, held=held)
+    return robot, everything, chosen, not_held
+
+
+class _Seen(NamedTuple):
+    """What the readings pin down, as `Identification` has it; `absorbed` counts what the instrument takes up."""
+
+    observability: identifiability.Observability
+    unseen: list[Combination]
+    absorbed: int
+    weak: list[Combination]
+    base: list[identifiability.BaseParameter]
+
+
+def _seen(final: Fit, own: Problem, names: Sequence[str]) -> _Seen:
+    """Return which of the parameters of a model the readings see."""
+    mechanism, matrix = own.mechanism, identifiability.identification_matrix(own, "typical")
+    observed = identifiability.observability(matrix.H, len(np.unique(final.problem.readings.group)))
+    units = [mechanism.parameters[mechanism.index[n]].unit for n in names]
+    typical = mechanism.typical[[mechanism.index[n] for n in names]]
+    per_unit = matrix.H / typical
+    unseen = identifiability.unseen(per_unit, names, units, typical)
+    unseen, absorbed = identifiability.beside(unseen, matrix, typical, final.problem.readings.kind.whereabouts)
+    base = identifiability.base(per_unit, names, units, typical) if unseen else []
+    return _Seen(observed, unseen, absorbed, _weak(final, len(unseen), units), base)
 
 
 def _begun(
