@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 
 import deltacal_gen as dc
+from deltacal_gen.diagnosis import answer
+from deltacal_gen.diagnosis.findings import Named
 from deltacal_gen.diagnosis.strategy import borne_out as speak_for
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.robot import Robot
@@ -237,6 +239,18 @@ def test_a_periodic_error_shows_along_its_joint() -> None:
     assert [c["name"] for c in found["location"]["channels"]] == ["q2_deg"]
     assert found["location"]["text"] == "the misfit depends on q2_deg, at limb 2"
     assert figures.main_channel(found) == "q2_deg"  # which it is drawn against
+
+
+@pytest.mark.parametrize(("lead", "odds"), [(2 * np.log(3.0), "3"), (-2 * np.log(2.0), "0.5"), (40.0, "more than 100")])
+def test_how_little_speaks_for_what_is_named_is_said(lead: float, odds: str) -> None:
+    spring, load = effect("joint_compliance", (2,), 0.01), effect("payload_deflection", (2,), 0.01)
+    found = Named(spring, np.ones(1), 80.0, 1.0, (load,), ("thermal_zero",), 60.0, lead=lead)
+    alone = dataclasses.replace(found, rivals=(), unrecorded=(), lead=np.inf)
+    assert answer._alike([alone]) == ""
+    assert answer._alike([alone, found]) == (
+        " These poses cannot tell joint_compliance from payload_deflection or thermal_zero "
+        f"(odds {odds} to 1 for it): what to measure next decides."
+    )
 
 
 # -------------------------------------------------------------------------------------------------------- the file

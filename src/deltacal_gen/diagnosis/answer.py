@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -53,6 +54,7 @@ if TYPE_CHECKING:
     from deltacal_gen.diagnosis.diagnosis import Diagnosed
 
 MOST_TOLD = 3  # joints, and waves of each, of a smooth correction that the summary tells
+MOST_ODDS = 100.0  # that are told as a number
 WORTH_SAYING = 0.02  # p-value of a hint that the summary tells
 
 
@@ -258,11 +260,9 @@ def _summary(found: Diagnosed) -> str:
         parts.append(f"{n.term.kernels.TITLE} ({n.term.effect}){limbs}")
     parts += _lawful(found)
     if found.verdict is Verdict.MISSING_PHYSICS:
-        open_questions = [f"{n.term.effect} from {' or '.join(n.alike)}" for n in found.effects if n.alike]
-        doubt = f" These poses cannot tell {'; '.join(open_questions)}." if open_questions else ""
         return (
             f"Geometry alone leaves {before:.4f} mm on held-out readings. What is missing: {'; '.join(parts)}. "
-            f"With it {after:.4f} mm are left: that {_as_noise(found)}.{doubt}{turned}"
+            f"With it {after:.4f} mm are left: that {_as_noise(found)}.{_alike(found.effects)}{turned}"
         )
     named = f" Proven beside it: {'; '.join(parts)}." if parts else ""
     left = rms(lengths(found.final.residual, found.final.problem.readings.kind))
@@ -270,6 +270,22 @@ def _summary(found: Diagnosed) -> str:
         f"A mismatch of {left:.4f} mm is left that no registered effect explains: "
         f"{found.location.text}.{named} {_corrected(found)}{turned}"
     )
+
+
+def _alike(effects: Sequence[Named]) -> str:
+    """Return what these poses cannot tell apart, how little speaks for what is named, and what decides."""
+    told = [
+        f"{n.term.effect} from {' or '.join(n.alike)}" + (f" (odds {_odds(n.lead)} to 1 for it)" if n.rivals else "")
+        for n in effects
+        if n.alike
+    ]
+    return f" These poses cannot tell {'; '.join(told)}: what to measure next decides." if told else ""
+
+
+def _odds(lead: float) -> str:
+    """Return the ratio of likelihoods, the charge for the search in them, that a lead of chi2 stands for."""
+    odds = float(np.exp(lead / 2))
+    return f"{odds:.2g}" if odds < MOST_ODDS else f"more than {MOST_ODDS:.0f}"
 
 
 def _lawful(found: Diagnosed) -> list[str]:

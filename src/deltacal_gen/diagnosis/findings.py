@@ -45,7 +45,7 @@ class Named:
 
     `score` is what is left of the gain after its charge. `rivals` explain the same misfit as well; `unrecorded` name
     effects that could, through a channel that was not recorded or did not vary. `of_constant` is the standard
-    deviation of a constant that was searched.
+    deviation of a constant that was searched. `lead` is by how much the score exceeds that of the best rival.
     """
 
     term: Term
@@ -56,6 +56,7 @@ class Named:
     unrecorded: tuple[str, ...]
     score: float
     of_constant: float | None = None
+    lead: float = np.inf
 
     @property
     def alike(self) -> tuple[str, ...]:
@@ -138,13 +139,14 @@ def named_of(
         freed = search.freed(i)
         variance = np.diag(final.covariance)[final.problem.coefficients(i)]
         gain = freed.gain(freed.where(term))
-        price = search.price(term)
-        others = [f for f in freed.ranked() if f.term.effect != term.effect]
-        rivals = tuple(f.term for f in others if f.score > gain - price - AMBIGUOUS)
+        score = gain - search.price(term)
+        rivals = [f for f in freed.ranked() if f.term.effect != term.effect and f.score > score - AMBIGUOUS]
         of_constant, more = freed.spread(term)
         std = np.sqrt(np.maximum(variance, 0.0) + more)
-        unrecorded = _unrecorded(freed, term, gain - price)
-        out.append(Named(term, std, gain, 1.0, rivals, unrecorded, gain - price, of_constant))
+        unrecorded = _unrecorded(freed, term, score)
+        lead = min((score - f.score for f in rivals), default=np.inf)
+        own = tuple(f.term for f in rivals)
+        out.append(Named(term, std, gain, 1.0, own, unrecorded, score, of_constant, lead))
     # of the held-out variance above noise, each in proportion to what is lost without it
     before, after = heldout
     removed = float(np.clip((before**2 - after**2) / max(before**2 - sigma**2, 1e-300), 0.0, 1.0))
