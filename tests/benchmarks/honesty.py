@@ -22,6 +22,8 @@ from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.use.bands import named, predicted_bands
 from deltacal_gen.use.prediction import predict
+from tests.benchmarks.honesty_chance import SORTS as LOOKS
+from tests.benchmarks.honesty_chance import p_value
 from tests.benchmarks.honesty_coverage import SORTS as COVERED
 from tests.benchmarks.honesty_coverage import covered
 from tests.benchmarks.honesty_nulls import ROBOT, SIGMA, SORTS, null
@@ -34,6 +36,7 @@ from tests.left_out import DELTA, record
 
 NEW = 25  # poses at which bands are asked
 ALIKE = 10.0  # of chi2: effects that poses of an ideal detector part by less are not told apart
+BOUNDS = (0.01, 0.05)  # below which parts of the p-values of nulls are counted
 MODELS = ("42", "18", "3")
 Job = tuple[str, str, int]
 
@@ -53,6 +56,8 @@ def examined(job: Job) -> dict[str, Any]:
             "sigma": found.sigma_mm,
             "rows": found.noise.model.rows,
         }
+    if what == "chance":
+        return {"p": p_value(sort, k)}
     if what == "bands":
         errors = plausible(DELTA, 1000 + k)
         result = identify(ROBOT, record(ROBOT, n=60, seed=k, errors=errors), sort).answer()
@@ -88,6 +93,7 @@ def examined(job: Job) -> dict[str, Any]:
 def jobs(count: int, only: str = "") -> list[Job]:
     """Return all jobs, `count` of each sort; `only` those whose kind and sort hold some words."""
     sorts = [("null", s) for s in SORTS] + [("bands", m) for m in MODELS] + [("five", "effects at once")]
+    sorts += [("chance", look) for look in LOOKS]
     sorts += [("coverage", c) for c in COVERED] + [("round", name) for name in AMBIGUOUS]
     sorts += [("power", f"{name}/{asked}") for name in EFFECTS for asked in ASKED]
     wanted = [s for s in sorts if any(words in " ".join(s) for words in only.split(","))]
@@ -119,10 +125,12 @@ def table(done: Mapping[Job, Mapping[str, Any]]) -> Table:
         for key in dict.fromkeys(key for e in own for key, value in e.items() if isinstance(value, bool)):
             said = [e[key] for e in own if key in e]
             row(f"{where}: {key}", sum(said), len(said))
+        if what in ("null", "chance"):
+            p = [e["p"] for e in own]
+            shown.add_row(f"{where}: p-values, distance from uniform", str(len(own)), f"{distance(p):.3f}", "")
+            for bound in BOUNDS:
+                row(f"{where}: p-values below {bound}", sum(value < bound for value in p), len(p))
         if what == "null":
-            shown.add_row(
-                f"{where}: p-values, distance from uniform", str(len(own)), f"{distance(e['p'] for e in own):.3f}", ""
-            )
             low, middle, high = np.quantile([e["sigma"] / SIGMA for e in own], [0.1, 0.5, 0.9])
             shown.add_row(f"{where}: size of noise", str(len(own)), f"{middle:.3f}", f"80 %: {low:.2f} to {high:.2f}")
             low, middle, high = np.quantile([e["rows"] for e in own], [0.1, 0.5, 0.9])

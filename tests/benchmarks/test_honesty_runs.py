@@ -8,8 +8,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from deltacal_gen.diagnosis.diagnosis import diagnose
 from tests.benchmarks import honesty
-from tests.benchmarks.honesty_nulls import SORTS, drawn, null
+from tests.benchmarks.honesty_chance import first_look
+from tests.benchmarks.honesty_nulls import ROBOT, SORTS, drawn, null
 from tests.benchmarks.honesty_power import _needed
 
 
@@ -57,3 +59,17 @@ def test_bands_are_counted_by_what_is_true() -> None:
     found = honesty.examined(("bands", "18", 0))
     assert found["of"] == 3 * honesty.NEW
     assert found["inside"] > 0.8 * found["of"]
+
+
+@pytest.mark.parametrize("noise", ["white", "AR 0.9"])
+def test_the_first_look_has_the_p_value_of_the_whole_diagnosis(noise: str) -> None:
+    made = null(noise, 1)
+    found = diagnose(ROBOT, made).answer()
+    assert found.search is not None
+    assert first_look(made).p_value == pytest.approx(found.search.p_value, rel=0.2)
+
+
+def test_no_two_p_values_are_of_the_same_recording() -> None:
+    found = [honesty.examined(("chance", f"{noise}/first", k))["p"] for noise in ("white", "tails") for k in (0, 3)]
+    assert len(set(found)) == len(found)
+    assert all(0 < p <= 1 for p in found)
