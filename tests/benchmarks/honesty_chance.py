@@ -15,6 +15,7 @@ from deltacal_gen.diagnosis.diagnosis import SEED, _first, _geometry
 from deltacal_gen.diagnosis.library import library
 from deltacal_gen.diagnosis.search import Search
 from deltacal_gen.diagnosis.strategy import refitted
+from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.files.checks import set_aside
 from deltacal_gen.identification.together import together
 from deltacal_gen.machine.values import Recording
@@ -38,9 +39,13 @@ def p_value(sort: str, k: int) -> float:
 
 def first_look(recording: Recording) -> Chance:
     """Return what noise alone lets the best of all forms score beside geometry and instrument."""
-    recording = set_aside(recording, ROBOT)
-    problem, _, _ = _geometry(ROBOT, recording, None)
-    first = _first(problem, recording)
+    first = geometry_of(recording)
     if (calm := together(first)) is not None:
-        first = refitted(problem, dataclasses.replace(first, repeats=calm), []) or first
-    return Chance(Search(first, library(problem)[0]), np.random.default_rng(SEED))
+        first = refitted(first.problem, dataclasses.replace(first, repeats=calm), []) or first
+    return Chance(Search(first, library(first.problem)[0]), np.random.default_rng(SEED))
+
+
+def geometry_of(recording: Recording) -> Fit:
+    """Return the fit of geometry and instrument with which a diagnosis begins."""
+    recording = set_aside(recording, ROBOT)
+    return _first(_geometry(ROBOT, recording, None)[0], recording)

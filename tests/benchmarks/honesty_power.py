@@ -13,11 +13,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.diagnosis.library import library
 from deltacal_gen.diagnosis.search import Search
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.terms import Term
+from tests.benchmarks.honesty_chance import geometry_of
 from tests.benchmarks.honesty_nulls import ROBOT, SIGMA
 from tests.conftest import plausible
 from tests.left_out import DELTA, channels, effect, record
@@ -107,7 +107,7 @@ class _Seen(NamedTuple):
 @cache
 def _seen(name: str, k: int) -> _Seen:
     one = _term(name, k, 1.0)
-    at = diagnose(ROBOT, _made(name, [], k)).baseline
+    at = geometry_of(_made(name, [], k))
     terms = library(at.problem)[0]
     search = Search(at, [at.problem.body.blank(name, (1, 2, 3), one.constants)])
     columns = search.beside.rows(at.problem.term_columns([one], at.errors, at.instrument, search.beside.machine))
