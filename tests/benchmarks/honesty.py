@@ -27,7 +27,7 @@ from tests.benchmarks.honesty_chance import p_value
 from tests.benchmarks.honesty_coverage import SORTS as COVERED
 from tests.benchmarks.honesty_coverage import covered
 from tests.benchmarks.honesty_nulls import ROBOT, SIGMA, SORTS, null
-from tests.benchmarks.honesty_power import ASKED, EFFECTS, apart, five, powered
+from tests.benchmarks.honesty_power import ASKED, EFFECTS, apart, five, powered, preferred
 from tests.benchmarks.honesty_rounds import SORTS as AMBIGUOUS
 from tests.benchmarks.honesty_rounds import round_of
 from tests.benchmarks.laws import wilson
@@ -87,6 +87,7 @@ def examined(job: Job) -> dict[str, Any]:
         "named or among what is not told apart": among,
         "told": told,
         "another effect within 10 of chi2 by rights": alone < ALIKE,
+        "preferred": preferred(alone),
     }
 
 
@@ -125,6 +126,9 @@ def table(done: Mapping[Job, Mapping[str, Any]]) -> Table:
         for key in dict.fromkeys(key for e in own for key, value in e.items() if isinstance(value, bool)):
             said = [e[key] for e in own if key in e]
             row(f"{where}: {key}", sum(said), len(said))
+        if what == "power":
+            best = float(np.mean([e["preferred"] for e in own]))
+            shown.add_row(f"{where}: who knows it and its rival prefers it", str(len(own)), f"{best:.3f}", "")
         if what in ("null", "chance"):
             p = [e["p"] for e in own]
             shown.add_row(f"{where}: p-values, distance from uniform", str(len(own)), f"{distance(p):.3f}", "")

@@ -54,14 +54,20 @@ def powered(name: str, asked: str, k: int) -> Recording:
 
 
 def apart(name: str, asked: str, k: int) -> float:
-    """Return by how much chi2 the truth outdoes on average what explains as much of the k-th recording but for it.
-
-    It is the floor of telling the two apart: who knows noise, geometry and both effects prefers the wrong one with the
-    probability Phi(-sqrt(apart) / 2).
-    """
+    """Return by how much chi2 the truth outdoes on average what explains as much of the k-th recording but for it."""
     part, times = ASKED[asked]
     seen = _seen(name, k)
     return times**2 * _needed(part, seen.forms, seen.degrees) * seen.own
+
+
+def preferred(chi2: float) -> float:
+    """Return how often the truth is preferred to a rival from which `chi2` parts it: the floor of a single name.
+
+    So does who knows noise, geometry and both effects; of more rivals that are as near it is less.
+    """
+    from scipy.special import ndtr
+
+    return float(ndtr(np.sqrt(max(chi2, 0.0)) / 2))
 
 
 def five(k: int) -> tuple[Recording, list[Term]]:

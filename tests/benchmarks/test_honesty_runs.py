@@ -12,7 +12,7 @@ from deltacal_gen.diagnosis.diagnosis import diagnose
 from tests.benchmarks import honesty
 from tests.benchmarks.honesty_chance import first_look
 from tests.benchmarks.honesty_nulls import ROBOT, SORTS, drawn, null
-from tests.benchmarks.honesty_power import _needed
+from tests.benchmarks.honesty_power import _needed, preferred
 
 
 def test_noise_is_of_unit_size_and_of_its_sort() -> None:
@@ -36,6 +36,12 @@ def test_the_ideal_detector_needs_more_for_more_forms_and_for_surety() -> None:
     assert needed[0] == pytest.approx(3.29**2, rel=0.01)  # the bound itself, at which half of a normal lies beyond
 
 
+def test_what_nothing_tells_from_a_rival_is_named_by_chance() -> None:
+    assert preferred(0.0) == preferred(-1.0) == 0.5
+    rng = np.random.default_rng(1)  # twice the logarithm of the ratio of likelihoods: mean D, deviation 2 sqrt(D)
+    assert preferred(4.0) == pytest.approx(np.mean(4.0 + 4.0 * rng.standard_normal(20000) > 0), abs=0.01)
+
+
 def test_a_run_that_was_ended_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[Any] = []
 
@@ -43,7 +49,16 @@ def test_a_run_that_was_ended_goes_on(tmp_path: Path, monkeypatch: pytest.Monkey
         asked.append(job)
         if len(asked) == 5:
             raise KeyboardInterrupt
-        return {"named": False, "told": True, "p": 0.5, "sigma": 0.01, "rows": 1.0, "inside": 3, "of": 4}
+        return {
+            "named": False,
+            "told": True,
+            "p": 0.5,
+            "sigma": 0.01,
+            "rows": 1.0,
+            "preferred": 0.8,
+            "inside": 3,
+            "of": 4,
+        }
 
     monkeypatch.setattr(honesty, "examined", examined)
     kept = tmp_path / "kept.txt"
