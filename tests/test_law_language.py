@@ -136,6 +136,13 @@ def test_beyond_what_was_seen_a_law_goes_on_for_half_of_it_and_stays() -> None:
     np.testing.assert_allclose(moved, [-5.0, 0.0, 10.0, 14.0, 15.0, 15.0])
 
 
+def test_beyond_what_was_seen_a_wave_goes_on_and_what_it_is_weighed_by_stays() -> None:
+    found = load_law("law joint = c1*torque*Heaviside(Mod(time - c2, c3) - c3/2)")
+    s = np.array([[10.0, 6.0], [10.0, 1006.0], [1000.0, 1006.0], [1000.0, 1001.0]])  # torque, then time
+    moved = found.value(s, np.ones((1, 1)), (0.0, 10.0, 0.0, 10.0, 0.0, 20.0))[:, 0]
+    np.testing.assert_allclose(moved, [10.0, 10.0, 15.0, 0.0])
+
+
 def test_what_lags_follows_exactly_and_begins_anew_in_every_run() -> None:
     found = load_law("law joint = c1*Lag(torque, c2)")
     h, tau = np.array([3.0]), 7.0

@@ -136,7 +136,7 @@ def _term(name: str, poses: Recording, robot: Robot, tools: Array, rng: np.rando
         ratio = robot.transmission.gear_ratio if robot.transmission else None
         orders = [int(rng.integers(1, 13)), int(rng.integers(1, 101)), ratio or 1, 2 * (ratio or 1)]
         constants = (float(rng.choice(orders)),)
-    if name == "zero_jump":
+    if _placed(name):
         clock = poses.channels.get("time_s", np.arange(poses.n_rows, dtype=float))
         constants = (float(np.sort(clock)[int(rng.uniform(0.15, 0.85) * len(clock))]),)
     moved = rng.permutation(tools)[: int(rng.integers(1, max(len(tools), 2)))]
@@ -305,7 +305,7 @@ class Judge:
                 same = c.effect == term.effect
                 if any(c.effect == t.effect for t in terms if t is not term) or (same and c.tools):
                     continue
-                near = c.effect == "zero_jump" == term.effect  # a neighbouring time is no other explanation
+                near = _placed(c.effect) and same  # a neighbouring time is no other explanation
                 if search.gain([*other, *search.where(c)]) < best - MARGIN:
                     continue
                 for part in _parts(c):
@@ -422,8 +422,13 @@ def _sized(term: Term, session: Session, judge: Judge, rng: np.random.Generator)
     return term
 
 
+def _placed(name: str) -> bool:
+    """Tell whether an effect begins at a moment."""
+    return "moments" in load_effect(name).SEARCHED
+
+
 def _unplaced(term: Term, poses: Recording) -> bool:
-    return term.effect == "zero_jump" and "time_s" not in poses.channels
+    return _placed(term.effect) and "time_s" not in poses.channels
 
 
 def _noisy(exact: Recording, sigma: float, turn: float, rng: np.random.Generator) -> tuple[Recording, tuple[str, ...]]:

@@ -87,6 +87,14 @@ def _as_result(case: Case, found: Fit) -> MachineState:
 # -------------------------------------------------------------------------------------------------------- judgement
 
 
+def _lawful(case: Case, result: Mapping[str, Any]) -> bool:
+    """Tell whether foreign physics is told as a law that is borne out, at its limbs, and nothing named beside it."""
+    law = next(iter(result.get("laws") or []), None)
+    if case.kind != "outside" or law is None or result["effects"] or not law["borne_out"]:
+        return False
+    return {i for t in law["terms"] for i in t["limbs"]} == set(case.limbs)
+
+
 def grade(case: Case, result: Mapping[str, Any], ideal: Oracle | None = None) -> dict[str, Any]:
     """Return how a DIAGNOSIS.json does on a case; `wrong` says in words what is wrong with it.
 
@@ -105,7 +113,7 @@ def grade(case: Case, result: Mapping[str, Any], ideal: Oracle | None = None) ->
     noise = result["noise"]
     out: dict[str, Any] = {
         "verdict": result["verdict"],
-        "verdict_ok": result["verdict"] == VERDICT.get(case.kind, "missing_physics"),
+        "verdict_ok": result["verdict"] == VERDICT.get(case.kind, "missing_physics") or _lawful(case, result),
         "found": [_said(e) for e in result["effects"]],
         "chi2": result["final"]["chi2_per_dof"],
         "noise": [noise["sigma_mm"] / case.sigma, noise["source"]],
@@ -118,7 +126,7 @@ def grade(case: Case, result: Mapping[str, Any], ideal: Oracle | None = None) ->
     if case.kind == "outside":
         out["channel_ok"] = first in case.channels
         out["limbs_ok"] = limbs == case.limbs
-        out["located"] = out["channel_ok"] or (bool(case.limbs) and out["limbs_ok"])
+        out["located"] = out["channel_ok"] or (bool(case.limbs) and out["limbs_ok"]) or _lawful(case, result)
         if not out["located"]:
             wrong.append(f"placed at {first} {limbs}, not {case.channels[0]} {case.limbs}")
         return out

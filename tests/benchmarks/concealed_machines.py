@@ -26,6 +26,7 @@ MACHINES = ("delta", "complete_delta", "diamond", "linear_delta", "planar_parall
 TYPICAL = {"theta": 0.05 * DEG, "length": 0.1, "angle": 0.03 * DEG}  # of machined parts
 SMALL = 0.3  # of the typical errors of the other machines, which are those before any assembly
 SWING = 80 * DEG  # to which the joints of a chain are turned either way
+DRAWN = {"orders", "moments"}  # how constants are sought of which a case can be drawn
 DOWN = {2: (0.0, -9.81, 0.0), 3: (0.0, 0.0, -9.81)}  # by the number of axes: planar machines hang in their plane
 
 
@@ -137,7 +138,7 @@ def kinds(mechanism: Machine) -> dict[str, float]:
 
 @functools.cache
 def shown(machine: str) -> tuple[str, ...]:
-    """Return the effects on parts that a machine has, and on what a tracker reads."""
+    """Return the effects on parts that a machine has, and on what a tracker reads, whose constants can be drawn."""
     robot = draw(machine, np.random.default_rng(0))
     mechanism = mechanism_of(robot)
     nothing = Channels.from_columns({}, (1, mechanism.limbs), robot)
@@ -148,4 +149,5 @@ def shown(machine: str) -> tuple[str, ...]:
         if body.foreign(name) is None
         and "height" not in load_effect(name).TARGETS
         and not ("turn" in load_effect(name).STATE and body.missing(name))
+        and set(load_effect(name).SEARCHED) <= DRAWN
     )

@@ -29,7 +29,7 @@ from deltacal_gen.machine.backend import Backend, using
 from tests.benchmarks.concealed_cases import generate, plan
 from tests.benchmarks.concealed_grading import oracle
 from tests.proof import files, multibody, report
-from tests.proof.engines import ENGINES
+from tests.proof.engines import ENGINES, HAS
 from tests.proof.grading import TOOL, answer, judge
 
 SHARES = {"null": 0.25, "single": 0.45, "pair": 0.15, "outside": 0.15}
@@ -45,7 +45,7 @@ def jobs(cases: int, engines: list[str], seed: int) -> list[Job]:
         counts = {kind: round(share * part) for kind, share in SHARES.items()}
         counts["single"] = part - sum(n for kind, n in counts.items() if kind != "single")
         own = seed * len(ENGINES) + list(ENGINES).index(engine)
-        drawn += [(engine, *job) for job in plan(counts, own)]
+        drawn += [(engine, *job) for job in plan(counts, own, HAS[engine])]
     order = sorted(range(len(drawn)), key=lambda i: (i % max(len(drawn) // len(engines), 1), i))  # engines in turn
     return [(f"c{n + 1:03d}", *drawn[i]) for n, i in enumerate(order)]
 

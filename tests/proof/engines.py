@@ -24,6 +24,16 @@ from tests.proof import multibody
 Array = np.ndarray
 POSITIONS = ("position", "pose")
 
+HAS = {  # effects that an engine's machine has; none: all that there are
+    "own": (),
+    "exudyn": (
+        *("backlash", "base_compliance", "distal_compliance", "friction_windup", "inertial_deflection"),
+        *("instrument_drift", "instrument_offset", "instrument_scale", "joint_axis_runout", "joint_compliance"),
+        *("joint_scale", "latency", "payload_deflection", "proximal_bending", "thermal_growth", "thermal_zero"),
+        *("transmission_eccentricity", "zero_drift", "zero_jump"),
+    ),
+}
+
 
 def truth_of(robot: Robot, errors: dict[str, float], terms: Sequence[Term]) -> dict[str, Any]:
     """Return a machine's truth as the tables of a TRUTH.toml: `parameters` and `effects`."""
@@ -89,6 +99,8 @@ def by_exudyn(
         return dataclasses.replace(poses, measured=length - (length[0] if sight.zero == "incremental" else 0.0))
     if poses.kind not in POSITIONS:
         raise ValueError(f"readings of the kind {poses.kind} are not made here.")
+    if foreign := [t.effect for t in terms if t.effect not in HAS["exudyn"]]:
+        raise ValueError(f"this machine has no {', '.join(foreign)}.")
     if sight.frame == "unknown":
         setups = int(poses.setup.max()) + 1
         frames = Rotation.from_rotvec(0.3 * rng.standard_normal((setups, 3))).as_matrix()[poses.setup]

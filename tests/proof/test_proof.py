@@ -28,7 +28,7 @@ from tests.benchmarks.concealed_cases import MECHANISM, generate, readings
 from tests.benchmarks.concealed_grading import oracle
 from tests.proof import files, multibody, report
 from tests.proof.__main__ import jobs, main
-from tests.proof.engines import by_exudyn, truth_of
+from tests.proof.engines import HAS, by_exudyn, truth_of
 from tests.proof.grading import COLUMNS, answer, judge
 
 engine = pytest.mark.skipif(not multibody.available(), reason="Exudyn is not installed: pip install '.[proof]'")
@@ -152,12 +152,8 @@ def test_the_engines_joint_reactions_are_the_static_torques() -> None:
     np.testing.assert_allclose(delta.pose(q[0], {"payload_kg": 2.5}, tool[0]).torques, torques, rtol=1e-8)
 
 
-# geometry, of a Delta or of a printer: the engine has the Delta's among its own errors, held against ours above
-LEFT_OUT = {"parallelogram_error", "bed_shape", "effector_tilt", "tower_lean"}
-
-
 @engine
-@pytest.mark.parametrize("name", [n for n in effect_names() if n not in LEFT_OUT])
+@pytest.mark.parametrize("name", HAS["exudyn"])
 def test_an_effect_moves_the_engines_machine_as_the_simulator_says(name: str) -> None:
     rng = np.random.default_rng(3)
     robot, errors = machine(rng)

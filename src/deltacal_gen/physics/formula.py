@@ -7,7 +7,7 @@ are checked, and those of constants follow: what is added, compared or asked for
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
@@ -35,6 +35,7 @@ FUNCTIONS: dict[str, tuple[Callable[..., Any], int | None]] = {  # and how many 
     "Mod": (np.mod, 2),
     "floor": (np.floor, 1),
 }
+_WAVES = ("sin", "cos", "Mod")  # of their first argument
 _ALIKE = ("Abs", "Max", "Min", "Mod", "floor")  # of the unit of what they are given
 _OPERATIONS: dict[type, Callable[..., Any]] = {
     ast.Add: np.add,
@@ -98,6 +99,12 @@ class Formula:
         return tuple(dict.fromkeys((ast.unparse(n.args[0]), ast.unparse(n.args[1])) for n in calls))
 
     @cached_property
+    def recurring(self) -> frozenset[str]:
+        """Names of which the formula asks for waves alone: wherever they go, it takes no value that it has not had."""
+        bare = {n.id for n in _outside_waves(self.tree) if isinstance(n, ast.Name)}
+        return frozenset(self.names) - bare
+
+    @cached_property
     def linear(self) -> tuple[str, ...]:
         """The constants by which it is multiplied, one in each summand: coefficients, which a fit finds at once."""
         return tuple(dict.fromkeys(name for s in _summands(self.tree) if (name := _outer(s)) is not None))
@@ -129,6 +136,15 @@ class Formula:
 def formula(text: str) -> Formula:
     """Return a formula, checked once."""
     return Formula(text)
+
+
+def _outside_waves(node: ast.AST) -> Iterator[ast.AST]:
+    """Yield nodes that stand in no wave's argument."""
+    yield node
+    waved = node.args[0] if isinstance(node, ast.Call) and _called(node) in _WAVES else None
+    for child in ast.iter_child_nodes(node):
+        if child is not waved:
+            yield from _outside_waves(child)
 
 
 def _called(node: ast.Call) -> str:

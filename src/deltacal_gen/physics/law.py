@@ -3,7 +3,8 @@
 A law is called by what it says, ``law limb.rod = c1*tanh(tension_1/c2)``: under that name it is a term like any effect.
 It is fitted jointly with the geometry, kept in answers, predicted from and compensated. The constants that multiply its
 summands are its coefficients; those within (thresholds, scales, orders, time constants) are constants of the term, and
-so are the ends of each state where it was found. Beyond these a law goes on for half of what was seen, then it stays.
+so are the ends of each state where it was found. Beyond these a law goes on for half of what was seen, then it stays;
+a wave goes on.
 """
 
 from __future__ import annotations
@@ -124,8 +125,8 @@ class Law:
     def held(self, s: Array, constants: Sequence[float | str]) -> Array:
         """Return states (M, n_s) as the law takes them: no farther beyond where it was found than it goes on."""
         low, high = self.ends(constants).T
-        width = high - low
-        return np.clip(s, low - BEYOND * width, high + BEYOND * width)
+        beyond = np.where([state in self.formula.recurring for state in self.STATE], np.inf, BEYOND * (high - low))
+        return np.clip(s, low - beyond, high + beyond)
 
     def ends(self, constants: Sequence[float | str]) -> Array:
         """Return between which values (n_s, 2) each state was where the law was found; infinite, where nothing says."""
