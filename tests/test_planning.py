@@ -348,7 +348,7 @@ def test_calls_that_make_no_sense(robot: Robot) -> None:
     with pytest.raises(UsageError, match="no layer 'roof'"):
         planning.plan(robot, "18", layers=["roof"])
     with pytest.raises(
-        UsageError, match="no kind 'weight'; known: board_image, distance, gauge, pose, position, touched_board"
+        UsageError, match="no kind 'weight'; known: board image, distance, gauge, pose, position, touched board"
     ):
         planning.plan(robot, "18", kind="weight")
     with pytest.raises(UsageError, match="no scaling 'metres'"):

@@ -87,6 +87,8 @@ def file_columns(recording: Recording) -> tuple[dict[str, Any], dict[str, Any]]:
         if recording.targets.shape[1] > 3:
             turned = to_vector(recording.targets[:, 3:].reshape(-1, 3, 3)) / DEG
             columns |= list(zip(ROTATION, turned.T, strict=True))[0 if axes == 3 else 2 :]
+        if np.isfinite(recording.measured).all() and not set(recording.columns) & set(columns):  # what shall be touched
+            columns |= zip(recording.columns, recording.measured.T, strict=True)
     else:
         unit, count = recording.joint_unit, recording.joints.shape[1]
         each = zip(joint_names(unit, count), of_joints(unit, count), recording.joints.T, strict=True)

@@ -31,6 +31,10 @@ FEWEST, IMAGES = 4, 3  # points of an image, and such images
 GUESSED = 1.2  # of the image's width: a focal length of which no image tells
 TILTED = 1e-3  # of the best seen direction: below it the images say nothing of the focal length
 FAR = 1e6  # image sizes: a point that a wrong homography throws to infinity
+PARALLEL = 0.02  # of the lines that look at a point: more than noise, less than a tilt of 10 deg tells of how far it is
+FACING = 0.9  # cosine of the angle within which a camera looks at a point
+PRINTED, FILLED = 0.3, 0.5  # width of a print, of where the machine moves; of how near a camera comes
+POINTS = 7, 5  # of a print, along and across
 RANK = 1e-6  # of a column's length: less is a combination of the others
 
 
@@ -289,10 +293,50 @@ def at_origin(instrument: Instrument, found: Readings, x: Array) -> Array:
     return state
 
 
-def mounted(x: Array, middle: Array, width: float, lens: Array, rides: bool) -> Array:
+def looked_at(P: Array, along: Array, otherwise: Array) -> Array:
+    """Return the point (3,) that lines from P (N, 3) along unit vectors (N, 3) pass closest.
+
+    As far as they are parallel, and where most do not look that way, it is the one that stands for it otherwise.
+    """
+    across = np.eye(3) - along[:, :, None] * along[:, None, :]
+    A = across.sum(axis=0) + PARALLEL * len(P) * np.eye(3)
+    at: Array = np.linalg.solve(A, np.einsum("nij,nj->i", across, P) + PARALLEL * len(P) * otherwise)
+    before = np.einsum("ni,ni->n", along, at - P) > FACING * np.linalg.norm(at - P, axis=1)
+    return at if before.mean() > 0.5 else otherwise
+
+
+def printed(x: Array, chain: bool) -> Array:
+    """Return the points (n, 2) of a print that suits a camera at poses x (N, 12), from its corner [mm]."""
+    span = float(np.ptp(x[:, :3], axis=0).max())
+    width = PRINTED * span
+    if chain:
+        along = x[:, 3:].reshape(-1, 3, 3)[:, :, 2]
+        middle = looked_at(x[:, :3], along, x[:, :3].mean(axis=0) + span * along.mean(axis=0))
+        width = FILLED * float(np.linalg.norm(middle - x[:, :3], axis=1).min())
+    step = 10.0 ** np.floor(np.log10(width / POINTS[0]))
+    step *= max(n for n in (1.0, 2.0, 2.5, 5.0) if n * step <= width / POINTS[0])
+    return np.array([[step * i, step * j] for i in range(POINTS[0]) for j in range(POINTS[1])])
+
+
+def shown(state: Array, x: Array, points: Array) -> tuple[np.ndarray, np.ndarray]:
+    """Return which points (n, 2) of a board on the ground a camera on the platform shows: numbers of poses and points.
+
+    The lens is taken for straight, its image twice as large as the principal point is far from its corner.
+    """
+    C, f, B, g = state[:9].reshape(3, 3), state[9:12], state[12:21].reshape(3, 3), state[21:24]
+    fixed = np.column_stack([points, np.zeros(len(points))]) @ B.T + g
+    R = x[:, 3:].reshape(-1, 3, 3)
+    seen = np.einsum("nji,nkj->nki", R, fixed[None] - x[:, None, :3]) @ C.T + f
+    off = np.abs(seen[:, :, :2] * state[25:27]) < seen[:, :, 2:] * state[27:29]
+    rows, which = np.nonzero(off.all(axis=2))
+    return rows, which
+
+
+def mounted(x: Array, middle: Array, width: float, lens: Array, rides: bool, chain: bool) -> Array:
     """Return the state of a camera that looks at the board's middle, far enough to see all of it from poses x (N, 12).
 
-    The camera looks along -z of {O}, or the board on the platform faces up to it: what it looks at lies below.
+    The camera looks along -z of {O}, or the board on the platform faces up to it: what it looks at lies below. On an
+    open chain it looks along z of the last link, at what the poses have before them.
     """
     focal = np.where(np.isnan(lens[:2]), 1000.0, lens[:2])
     centre = np.where(np.isnan(lens[2:4]), [640.0, 512.0], lens[2:4])
@@ -301,13 +345,23 @@ def mounted(x: Array, middle: Array, width: float, lens: Array, rides: bool) -> 
     slope = 0.8 * float((centre / focal).min())
     far = (float(span[:2].max()) / 2 + 0.75 * width) / slope + float(span[2]) / 2
     down = np.diag([1.0, -1.0, -1.0])
-    R = nearest(x[:, 3:].reshape(-1, 3, 3).mean(axis=0))
-    if rides:  # X = R^T (fixed - P), C X: along the camera's z where it looks down
+    turns = x[:, 3:].reshape(-1, 3, 3)
+    R = nearest(turns.mean(axis=0))
+    corner = np.array([*middle, 0.0])
+    if rides and chain:
+        along = turns[:, :, 2]
+        ahead = along.mean(axis=0) / np.linalg.norm(along.mean(axis=0))
+        at = looked_at(P, along, mid + far * ahead)
+        C, f = np.eye(3), np.zeros(3)
+        laid = np.column_stack([*np.linalg.svd(ahead[None])[2][1:], -ahead])
+        laid[:, 0] *= np.sign(np.linalg.det(laid))
+        origin = at - laid @ corner
+    elif rides:  # X = R^T (fixed - P), C X: along the camera's z where it looks down
         C, f = down @ R, np.zeros(3)
-        laid, origin = np.eye(3), mid - np.array([0.0, 0.0, far]) - np.array([*middle, 0.0])
+        laid, origin = np.eye(3), mid - np.array([0.0, 0.0, far]) - corner
     else:
         C, f = down, down @ -(mid + np.array([0.0, 0.0, far]))
         laid = R.T
-        origin = -R.T @ np.array([*middle, 0.0])
+        origin = -R.T @ corner
     state = np.concatenate([C.ravel(), f, laid.ravel(), origin, [0.0], focal, centre, np.nan_to_num(lens[4:])])
     return np.append(state, float(rides))

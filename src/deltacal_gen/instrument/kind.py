@@ -116,8 +116,14 @@ class Kind:
     reported: ClassVar[Mapping[str, int]] = {}  # unknowns that answers give by name, and their places in the state
     confounds: ClassVar[Mapping[str, tuple[str, str]]] = {}  # of these: what may stand for one, what tells it from it
     sums: ClassVar[Mapping[str, tuple[str, str]]] = {}  # of these: what of the machine is in one, what tells it from it
+    aims: ClassVar[str] = ""  # where a plan brings the machine: its tip to "touch" a board, a camera on it to "look"
     under: ClassVar[str] = ""  # another kind's name that sidecars use for this one, whose columns then say which
     filled: ClassVar[Mapping[str, float]] = {}  # columns that may be absent or blank, and what they then hold
+
+    @property
+    def words(self) -> str:
+        """The name as sidecars write it."""
+        return next((a for a in self.aliases if a.replace(" ", "_") == self.name), self.name)
 
     # ------------------------------------------------------------------------------------------------ as it is derived
 
@@ -462,6 +468,10 @@ class Kind:
     def planned(self) -> str:
         """What poses are planned for, in words; "" where they cannot be."""
         return f"{self.meaning}; what is unknown of the instrument is projected out"
+
+    def laid_out(self, recording: Recording, x: Array, mechanism: Machine) -> Recording:
+        """Return the rows of a plan, at poses x (N, 12), as they are to be measured: one for each reading."""
+        return recording
 
     def looks(self, mechanism: Machine, points: int, stands: int) -> tuple[Look, ...]:
         """Return the readings of a machine that are examined, with one or several reference points.

@@ -269,6 +269,7 @@ def _stacked(study: Study, count: int) -> Readings:
         setup=np.tile(found.setup, count) + (int(found.setup.max()) + 1) * each,
         group=np.tile(found.group, count),
         line=np.tile(found.line, count),
+        known=None if found.known is None else np.tile(found.known, (count, 1)),
     )
 
 

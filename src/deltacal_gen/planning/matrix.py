@@ -27,7 +27,7 @@ from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import SOLVED, STATUS, Array, Machine, mechanism_of
 from deltacal_gen.machine.rotation import about_z
 from deltacal_gen.machine.values import Measurement
-from deltacal_gen.planning.targets import radius, spread_of, width
+from deltacal_gen.planning.targets import candidates_of, radius, spread_of, width
 from deltacal_gen.results import plan as results
 from deltacal_gen.results.plan import Deviation, Expected, Method, PlannedPose
 from deltacal_gen.units import file_unit, to_file, to_internal
@@ -264,9 +264,10 @@ class Plan(Task):
                 f"the smallest n with |k(n) - k(n-1)| / k(n) <= {self.threshold:g}."
             )
         elif self.method == "joints":
+            from_where = spread_of(self.robot, kind_of(self.kind))
             poses = (
-                f"{spread_of(self.robot)}, {self.steps[0].n} of them chosen for the largest determinant of the "
-                "information on the model, the frame eliminated, then one by one what adds most to it; chosen is the "
+                f"{from_where[0].upper()}{from_where[1:]}; {self.steps[0].n} of them for the largest determinant of "
+                "the information on the model, the frame eliminated, then one by one what adds most; chosen is the "
                 f"smallest n with |k(n) - k(n-1)| / k(n) <= {self.threshold:g}. Collisions are not looked for."
             )
         else:
@@ -487,8 +488,13 @@ def reached_of(robot: Robot, targets: Array, tools: Array) -> Poses:
     return poses
 
 
-def generic(robot: Robot, tools: Array) -> Poses:
-    """Return poses without any symmetry, what can be reached of an additive recurrence in the cylinder."""
+def generic(robot: Robot, tools: Array, kind: Kind | None = None) -> Poses:
+    """Return poses without any symmetry, what can be reached of an additive recurrence in the cylinder.
+
+    Of a kind for which a machine is aimed, those are looked at that come.
+    """
+    if kind is not None and (kind.aims == "touch" or (kind.aims and mechanism_of(robot).many_ways)):
+        return _reachable(robot, candidates_of(robot, kind), tools)
     if mechanism_of(robot).many_ways:
         return reached_of(robot, joint_spread(robot, GENERIC_POSES), tools)
     workspace = workspace_of(robot)

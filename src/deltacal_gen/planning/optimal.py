@@ -107,7 +107,7 @@ def d_optimal(
     if singular is not None:
         candidates = singularities.near(robot, singular, CANDIDATES, np.random.default_rng(0))
     wanted = (
-        readable(robot, candidates_of(robot))
+        readable(robot, candidates_of(robot, at_poses(task)))
         if candidates is None
         else np.atleast_2d(np.asarray(candidates, dtype=float))
     )
@@ -186,13 +186,15 @@ def task_of(
     mount: Mount | None = None,
 ) -> Task:
     mechanism = mechanism_of(robot)
+    kind = kind and next((name for name in KINDS if kind in kind_of(name).aliases), kind)
     if kind is None:
         kind = "position" if mechanism.turning else "distance"
     if scaling is None:
         scaling = "paper" if mechanism.has_scaling("paper", robot) else "typical"
     for what, value, known in (("kind", kind, KINDS), ("scaling", scaling, SCALINGS), ("norm", norm, NORMS)):
         if value not in known:
-            raise UsageError(f"there is no {what} '{value}'; known: {', '.join(known)}.")
+            words = sorted(kind_of(n).words for n in known) if what == "kind" else known
+            raise UsageError(f"there is no {what} '{value}'; known: {', '.join(words)}.")
     names = mechanism.model(model)
     if bool(kind_of(kind).mount) != (mount is not None):
         raise UsageError("a gauge, and nothing else, needs to know where its ends are mounted.")
@@ -220,7 +222,7 @@ def task_of(
 
 def _kept(robot: Robot, names: Sequence[str], tools: Array, kind: Kind, mount: Mount | None = None) -> set[str]:
     """Return parameters that poses can tell apart: a registered model where one fits, else those of a pivoted QR."""
-    poses, typical = generic(robot, tools), column_convention(robot, names, "typical")[0]
+    poses, typical = generic(robot, tools, kind), column_convention(robot, names, "typical")[0]
     H = matrix_of(robot, poses, names, kind, mount)
     rank = observability(H * typical, len(poses)).rank
     if rank == len(names):

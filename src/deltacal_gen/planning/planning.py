@@ -26,7 +26,7 @@ import numpy as np
 from deltacal_gen.errors import UsageError
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.files.writing import write_recording
-from deltacal_gen.identification.accuracy import joint_spread, workspace_of
+from deltacal_gen.identification.accuracy import workspace_of
 from deltacal_gen.identification.identifiability import (
     Combination,
     observability,
@@ -47,12 +47,13 @@ from deltacal_gen.planning.matrix import (
     fitting,
     generic,
     matrix_of,
+    reach,
     reached_of,
     readable,
     rule,
 )
 from deltacal_gen.planning.optimal import bases, exchange, fewest_of, log_det_with, predict, task_of
-from deltacal_gen.planning.targets import CANDIDATES, FINE, OFFSETS, ROUGH, edges, parts_of, reference_points, rings
+from deltacal_gen.planning.targets import FINE, OFFSETS, ROUGH, candidates_of, edges, parts_of, reference_points, rings
 
 
 @dataclass(frozen=True)
@@ -148,7 +149,7 @@ def plan(
     if n_max < FEWEST:
         raise UsageError(f"n_max is {n_max}, but a ring has at least {FEWEST} poses.")
     drawn = None if singular is None else singularities.near(robot, singular, n_max, np.random.default_rng(0))
-    if mechanism_of(robot).many_ways:
+    if mechanism_of(robot).many_ways or kind_of(task.kind).aims == "touch":
         return _chain_plan(task, threshold, n_max, sigma_mm)
     planar = len(mechanism_of(robot).axes) == 2
     if drawn is not None:
@@ -190,7 +191,8 @@ def plan(
 
 def _chain_plan(task: Task, threshold: float, n_max: int, sigma_mm: float | None) -> Plan:
     """Return joints of an open chain: as many as the model needs by exchange, then one by one what adds most."""
-    wanted = readable(task.robot, joint_spread(task.robot, CANDIDATES))
+    wanted = readable(task.robot, candidates_of(task.robot, kind_of(task.kind)))
+    wanted = wanted[reach(task.robot, wanted, task.tools)[1] == ""]
     whole, frame = bases(task, reached_of(task.robot, wanted, task.tools))
     fewest = max(FEWEST, fewest_of(task, whole))
     if fewest >= n_max:
@@ -261,7 +263,7 @@ def target_recording(found: Plan, path: str | Path = "poses.csv") -> Recording:
     count, mount, mechanism = len(found.poses), found.mount, mechanism_of(found.robot)
     kind = at_poses(found)
     columns = kind.columns(mechanism)
-    return Recording(
+    recording = Recording(
         path=Path(path),
         kind=kind.name,
         measurement=Measurement(kind=kind.name) if mount is None else mount.said,
@@ -277,6 +279,7 @@ def target_recording(found: Plan, path: str | Path = "poses.csv") -> Recording:
         tool=found.poses.tool if mount is None else None,
         targets=None if mechanism.many_ways else _with_turns(found),
     )
+    return kind.laid_out(recording, found.poses.x, mechanism)
 
 
 def _with_turns(found: Plan) -> Array:

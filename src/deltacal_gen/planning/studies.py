@@ -153,7 +153,7 @@ def _summed(
         robot=kept_robot(study.robot),
         kind=problem.readings.kind.name,
         readings=problem.readings.n_scalars,
-        poses=problem.recording.n_rows,
+        poses=len(set(problem.recording.pose.tolist())),
         sigma_mm=study.sigma,
         machines=count,
         lost=sum(c.lost for c in chunks),

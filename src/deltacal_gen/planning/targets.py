@@ -9,8 +9,10 @@ import numpy as np
 from deltacal_gen.errors import UsageError
 from deltacal_gen.files.robot import Robot, Workspace
 from deltacal_gen.identification.accuracy import joint_spread, workspace_of
+from deltacal_gen.instrument.kind import Kind
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.machine.rotation import about_z
+from deltacal_gen.planning import boards
 
 LAYERS = {"top": 0.0, "middle": 0.5, "bottom": 1.0}  # part of the cylinder's height below its top
 ROUGH, FINE = ("middle",), ("top", "bottom")  # Bai 2015, sections 5.1 and 5.2
@@ -68,16 +70,31 @@ def edges(workspace: Workspace, n: int, layers: Sequence[str | float] = FINE) ->
     return np.vstack([workspace.place(x, part) for part in (parts_of(layers) if workspace.height else (0.0,))])
 
 
-def spread_of(robot: Robot) -> str:
-    """Say what `joint_spread` draws from, in words."""
+def spread_of(robot: Robot, kind: Kind) -> str:
+    """Say what `candidates_of` draws from, in words."""
+    if kind.aims == "touch":
+        return "joints that bring the tip to points of a flat print, where it lies so that most of them arrive"
+    if kind.aims == "look":
+        return (
+            "joints from which a camera along the last axis looks at the middle of a board, from 0.75 to 1.35 of its "
+            "usual distance and tilted by up to 35 deg, where it lies so that most of them arrive"
+        )
     ranges = "within their limits" if robot.joint_limits is not None else "over full turns, as the file gives no limits"
     where = " and the workspace" if robot.workspace is not None else ""
     return f"{CANDIDATES} joints spread evenly {ranges}{where}"
 
 
-def candidates_of(robot: Robot) -> Array:
-    """Return what poses are chosen from: positions (M, 3) of `grid`, or joints (M, n_q) of an open chain."""
-    if mechanism_of(robot).many_ways:
+def candidates_of(robot: Robot, kind: Kind | None = None) -> Array:
+    """Return what poses are chosen from: positions (M, 3) of `grid`, or joints (M, n_q) of an open chain.
+
+    Those for a board bring the machine to it; see `boards`.
+    """
+    many = mechanism_of(robot).many_ways
+    if kind is not None and kind.aims == "touch":
+        return boards.touched(robot)
+    if kind is not None and kind.aims == "look" and many:
+        return boards.looking(robot)
+    if many:
         return joint_spread(robot, CANDIDATES)
     return grid(workspace_of(robot))
 

@@ -27,6 +27,13 @@ if TYPE_CHECKING:
     from deltacal_gen.results.plan import Plan
 
 
+Measured = Annotated[
+    str | None,
+    typer.Option(
+        help="what will be measured: distance, position, pose, gauge, torque, 'board image' or 'touched board'",
+        show_default=False,
+    ),
+]
 Singular = Annotated[
     tuple[float, float] | None,
     typer.Option(
@@ -53,10 +60,7 @@ def plan(
     model: Annotated[
         str | None, typer.Option("--model", help="e.g. delta/18; not needed for kind torque", show_default=False)
     ] = None,
-    kind: Annotated[
-        str | None,
-        typer.Option(help="what will be measured: distance, position, pose, gauge or torque", show_default=False),
-    ] = None,
+    kind: Measured = None,
     gauge: Annotated[
         Path | None, typer.Option(help="a sidecar that says where a gauge's ends are mounted", show_default=False)
     ] = None,

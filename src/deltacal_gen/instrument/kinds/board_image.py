@@ -15,7 +15,7 @@ from deltacal_gen.instrument import board
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.instrument.kind import Frame, Kind, Look
 from deltacal_gen.instrument.readings import Readings
-from deltacal_gen.machine.registry import Array, Machine
+from deltacal_gen.machine.registry import Array, Machine, mechanism_of
 from deltacal_gen.machine.values import Measurement, Recording, Robot
 
 if TYPE_CHECKING:
@@ -50,6 +50,7 @@ class BoardImage(Kind):
 
     whereabouts: ClassVar[str] = "where camera and board stand"
     aliases: ClassVar[tuple[str, ...]] = ("board image",)
+    aims: ClassVar[str] = "look"
     picked: ClassVar[bool] = True
     usual_noise: ClassVar[float] = 0.05
     rotation_beside: ClassVar[bool] = False
@@ -148,7 +149,8 @@ class BoardImage(Kind):
         rides = said.camera is None or said.camera.place == "platform"
         known = np.column_stack([recording.channels[name] for name in self.known])
         middle = (known.max(axis=0) + known.min(axis=0)) / 2
-        state = board.mounted(x, middle, float(np.ptp(known, axis=0).max()), _lens(said.camera), rides)
+        chain = mechanism_of(robot).many_ways
+        state = board.mounted(x, middle, float(np.ptp(known, axis=0).max()), _lens(said.camera), rides, chain)
         at = Instrument(self, np.tile(state, (int(recording.setup.max(initial=0)) + 1, 1)), self.wanted(said))
         if rng is not None:
             size = np.tile(self.typical[list(at.free)], len(at.state)) * MOUNTED
@@ -163,6 +165,26 @@ class BoardImage(Kind):
     def planned(self) -> str:
         """Images of a board."""
         return "images of a printed board; camera and board, and what of the lens is not known, are projected out"
+
+    def laid_out(self, recording: Recording, x: Array, mechanism: Machine) -> Recording:
+        """Return a row for each point of a print that a camera on the platform sees, its lens and place unknown."""
+        printed = board.printed(x, mechanism.many_ways)
+        lens = _lens(None)
+        state = board.mounted(x, printed.mean(axis=0), float(np.ptp(printed)), lens, True, mechanism.many_ways)
+        rows, points = board.shown(state, x, printed)
+        channels = {name: values[rows] for name, values in recording.channels.items()}
+        channels |= dict(zip(self.known, printed[points].T, strict=True))
+        return dataclasses.replace(
+            recording,
+            joints=recording.joints[rows],
+            measured=np.full((len(rows), self.width), np.nan),
+            pose=recording.pose[rows],
+            line=np.arange(2, len(rows) + 2),
+            channels=channels,
+            setup=recording.setup[rows],
+            tool=None if recording.tool is None else recording.tool[rows],
+            targets=None if recording.targets is None else recording.targets[rows],
+        )
 
     def looks(self, mechanism: Machine, points: int, stands: int) -> tuple[Look, ...]:
         """Return images, of a machine that moves in space."""
@@ -180,7 +202,8 @@ class BoardImage(Kind):
         along = x[:, 3:].reshape(-1, 3, 3)[:, :, 2]
         middle = along.mean(axis=0) / np.linalg.norm(along.mean(axis=0))
         far = 2.0 * float(np.ptp(x[:, :3], axis=0).max()) + NEAR
-        centre = x[:, :3].mean(axis=0) + far * middle
+        centre = board.looked_at(x[:, :3], along, x[:, :3].mean(axis=0) + far * middle)
+        far = float(np.median(np.linalg.norm(centre - x[:, :3], axis=1)))
         depth = np.einsum("ni,ni->n", along, centre - x[:, :3])
         rows = np.flatnonzero(depth > 0.5 * np.linalg.norm(centre - x[:, :3], axis=1))
         half = FRAMED * far / 2

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import ClassVar
@@ -16,6 +17,8 @@ from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.rotation import from_vector
 from deltacal_gen.machine.values import Measurement, Recording, Robot
 
+FLAT = 1e-2  # of its width, by which points that a machine touches are off the plane of a print
+UPRIGHT = 0.9  # of a unit vector: a print whose normal is nearer to x than that has another first axis
 SCALE = 6  # place of the print's scale among the unknowns
 
 
@@ -26,6 +29,7 @@ class TouchedBoard(Position):
     whereabouts: ClassVar[str] = "where the board lies"
     aliases: ClassVar[tuple[str, ...]] = ("touched board",)
     under: ClassVar[str] = "position"
+    aims: ClassVar[str] = "touch"
     in_blocks: ClassVar[bool] = False
     filled: ClassVar[Mapping[str, float]] = {"board_z_mm": 0.0}
     reported: ClassVar[Mapping[str, int]] = {"board_scale": 12}
@@ -71,12 +75,17 @@ class TouchedBoard(Position):
     def drawn(
         self, recording: Recording, robot: Robot, x: Array, frame: Frame | None, rng: np.random.Generator | None
     ) -> Instrument:
-        """Return a board in the robot's frame, or drawn at random; printed off by some where its scale is unknown."""
+        """Return a board in the robot's frame, or drawn at random; printed off by some where its scale is unknown.
+
+        Of poses in one plane it lies there.
+        """
         state = np.hstack([np.eye(3).ravel(), np.zeros(4)])[None]
         state = np.tile(state, (int(recording.setup.max(initial=0)) + 1, 1))
         if recording.measurement.frame != "robot" and rng is not None:
             off = self.typical[:SCALE] * rng.standard_normal((len(state), SCALE))
             state[:, :9], state[:, 9:12] = from_vector(off[:, :3]).reshape(-1, 9), off[:, 3:]
+            if (lies := _plane(x[:, :3])) is not None:
+                state[:, :9], state[:, 9:12] = lies[0].ravel(), lies[1]
         if recording.measurement.board_scale == "unknown" and rng is not None:
             state[:, 12] = self.typical[SCALE] * rng.standard_normal(len(state))
         return Instrument(self, state, ())
@@ -97,7 +106,15 @@ class TouchedBoard(Position):
     @property
     def planned(self) -> str:
         """Points of a board."""
-        return "points of a printed board in an unknown place, which is projected out"
+        return "points of a flat printed board, which the tip touches; where it lies is unknown and projected out"
+
+    def laid_out(self, recording: Recording, x: Array, mechanism: Machine) -> Recording:
+        """Return the rows with the points of the print that the tip touches, from its corner [mm]."""
+        lies = _plane(x[:, :3])
+        if lies is None:
+            return recording
+        at = x[:, :3] @ lies[0].T + lies[1]
+        return dataclasses.replace(recording, measured=np.column_stack([at[:, :2].round(1) + 0.0, np.zeros(len(at))]))
 
     def looks(self, mechanism: Machine, points: int, stands: int) -> tuple[Look, ...]:
         """Return points of a board of known and of unknown scale, of a machine that moves in space."""
@@ -110,6 +127,25 @@ class TouchedBoard(Position):
         state = np.hstack([np.eye(3).ravel(), np.zeros(4)])[None]
         found = self.taken(np.arange(len(x))[:, None])
         return found, Instrument(self, state, self.wanted(said))
+
+
+def _plane(P: Array) -> tuple[Array, Array] | None:
+    """Return turn (3, 3) and shift (3,) into the frame of a print in which points (N, 3) lie, from its corner.
+
+    None where they lie in no plane.
+    """
+    middle = P.mean(axis=0)
+    _, size, axes = np.linalg.svd(P - middle, full_matrices=False)
+    if len(P) < 3 or size[2] > FLAT * size[1]:
+        return None
+    up = axes[2] * (np.sign(axes[2][np.argmax(np.abs(axes[2]))]))
+    along = np.eye(3)[np.argmin(np.abs(up))]
+    if abs(up[0]) < UPRIGHT:
+        along = np.eye(3)[0]
+    first = along - (along @ up) * up
+    turn = np.array([first, np.cross(up, first), up * np.linalg.norm(first)]) / np.linalg.norm(first)
+    at = P @ turn.T
+    return turn, -np.array([*at[:, :2].min(axis=0), at[:, 2].mean()])
 
 
 KIND = TouchedBoard("touched_board")

@@ -1,0 +1,94 @@
+"""Plans for printed boards: points that the tip touches, places from which a camera sees the board."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from conftest import Run
+
+from deltacal_gen.errors import NoSolutionError
+from deltacal_gen.files.robot import read_robot
+from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.planning import boards
+
+EXAMPLES = Path(__file__).parents[1] / "src/deltacal_gen/examples"
+ROBOTS = {"serial/dh": EXAMPLES / "serial/robot.toml", "delta/18": EXAMPLES / "delta/robot.toml"}
+COUNT = 26
+
+
+def planned(run: Run, folder: Path, model: str, kind: str) -> tuple[dict[str, Any], np.ndarray, Path]:
+    """Return a plan's answer, its table and the file."""
+    path = folder / "plan.csv"
+    code, out, said = run(
+        "plan", ROBOTS[model], "--model", model, "--kind", kind, "--optimal", COUNT, "-o", path, "--json"
+    )
+    assert code == 0, said
+    return json.loads(out), np.genfromtxt(path, delimiter=",", names=True), path
+
+
+@pytest.mark.parametrize("model", ROBOTS)
+def test_the_tip_touches_points_of_a_flat_print(run: Run, tmp_path: Path, model: str) -> None:
+    found, rows, path = planned(run, tmp_path, model, "touched board")
+    assert found["kind"] == "touched_board"
+    at = np.array([p["target_mm"] for p in found["poses"]])
+    on_print = np.column_stack([rows["board_x_mm"], rows["board_y_mm"], np.zeros(COUNT)])
+    assert (rows["board_z_mm"] == 0).all()
+    apart = np.linalg.norm(at[:, None] - at[None], axis=2)
+    assert np.linalg.norm(on_print[:, None] - on_print[None], axis=2) == pytest.approx(apart, abs=0.1)
+    step = np.diff(np.unique(on_print[:, :2]))
+    assert step.min() >= 49.0  # points that a print may have
+    # what is simulated lies on the print, but for noise and where it was commanded
+    assert run("simulate", ROBOTS[model], path, "-o", tmp_path / "read.csv", "--noise", 0.05)[0] == 0
+    read = np.genfromtxt(tmp_path / "read.csv", delimiter=",", names=True)
+    assert np.abs(read["board_x_mm"] - on_print[:, 0]).max() < 1.0
+    assert np.abs(read["board_z_mm"]).max() < 1.0
+    assert run("study", ROBOTS[model], "--plan", path, "--model", model, "--noise", 0.05, "--trials", 5)[0] == 0
+
+
+@pytest.mark.parametrize("model", ROBOTS)
+def test_a_camera_sees_the_board_from_every_pose(run: Run, tmp_path: Path, model: str) -> None:
+    _, rows, path = planned(run, tmp_path, model, "board image")
+    points = len(np.unique(np.column_stack([rows["board_x_mm"], rows["board_y_mm"]]), axis=0))
+    assert np.unique(rows["pose"], return_counts=True)[1] == pytest.approx(np.full(COUNT, points))
+    assert run("simulate", ROBOTS[model], path, "-o", tmp_path / "read.csv", "--noise", 0.05)[0] == 0
+    read = np.genfromtxt(tmp_path / "read.csv", delimiter=",", names=True)
+    middle = [read["pose"] == pose for pose in np.unique(read["pose"])]
+    uv = np.array([[read["u_px"][own].mean(), read["v_px"][own].mean()] for own in middle])
+    assert ((uv > 0) & (uv < [1280, 1024])).all()  # the camera is off by its mount's ordinary errors
+    assert run("study", ROBOTS[model], "--plan", path, "--model", model, "--noise", 0.05, "--trials", 5)[0] == 0
+
+
+def test_an_arm_looks_at_one_point_tilted_and_from_several_distances() -> None:
+    robot = read_robot(ROBOTS["serial/dh"])
+    mechanism = mechanism_of(robot)
+    x, _ = mechanism.forward(robot.joint_sign * boards.looking(robot), robot.tool, mechanism.rows(robot))
+    along = x[:, 3:].reshape(-1, 3, 3)[:, :, 2]
+    across = np.eye(3) - along[:, :, None] * along[:, None, :]
+    at = np.linalg.solve(across.sum(axis=0), np.einsum("nij,nj->i", across, x[:, :3]))
+    off = at - x[:, :3]
+    distance = np.linalg.norm(off, axis=1)
+    assert off / distance[:, None] == pytest.approx(along, abs=1e-5)
+    assert distance.max() / distance.min() > 1.4
+    tilt = np.degrees(np.arccos(along @ (along.mean(axis=0) / np.linalg.norm(along.mean(axis=0)))))
+    assert tilt.max() > 25.0
+
+
+def test_an_arm_that_no_joints_bring_before_a_board_says_so(tmp_path: Path) -> None:
+    text = ROBOTS["serial/dh"].read_text()
+    limits = "[[0, 1], [0, 1], [0, 1], [0, 1], [0, 1], [0, 1]]"
+    narrow = re.sub(r"limits_deg = .*", f"limits_deg = {limits}", text)
+    (tmp_path / "robot.toml").write_text(narrow.partition("[workspace]")[0])
+    robot = read_robot(tmp_path / "robot.toml")
+    with pytest.raises(NoSolutionError, match="bring the machine before a board"):
+        boards.looking(robot)
+
+
+def test_unknown_kinds_are_refused_by_the_names_of_sidecars(run: Run) -> None:
+    code, _, said = run("plan", ROBOTS["delta/18"], "--model", "delta/18", "--kind", "board imag")
+    assert code != 0
+    assert "known: board image, distance" in said
