@@ -1,19 +1,17 @@
 """The ladder of an arm's drives by hand: what someone with NumPy, SciPy and a day would write.
 
-``python tests/benchmarks/by_hand_motion.py RECORDING.csv ROBOT.toml [--against DIAGNOSIS.json]``
+``python tests/benchmarks/by_hand_motion.py RECORDING.csv ROBOT.toml``
 
 Newton and Euler in the frames of Denavit and Hartenberg, derivatives by a Butterworth filter run both ways and central
 differences, least squares per joint, whole runs held out (stretches where a joint moves in fewer than three runs),
-rungs taken while each buys 2 % of the held-out rms; figures are of folds that took no part in choice nor fit. It
-imports nothing of the project. Given DIAGNOSIS.json of the tool it prints the tool's figures beside its own, on
-readings as recorded and at 5, 10 and 20 Hz.
+rungs taken while each buys 2 % of the held-out rms; figures are of folds that took no part in choice nor fit, on
+readings as recorded and at 5, 10 and 20 Hz. It imports nothing of the project; `motion_by_hand` sets the tool beside.
 """
 
 from __future__ import annotations
 
 import argparse
 import csv
-import json
 import tomllib
 from collections.abc import Sequence
 from pathlib import Path
@@ -27,6 +25,7 @@ AT_REST = 0.01  # of the highest speed
 BUYS = 0.02
 PARTS = 5  # of a recording of few runs
 GAP = 0.3  # s
+LOW = (5.0, 10.0, 20.0)  # Hz
 
 
 def regressor(links: Sequence[dict], q: Array, qd: Array, qdd: Array, gravity: Array) -> Array:
@@ -186,40 +185,51 @@ def ladder(Y: Array, y: Array, qd: Array, qdd: Array, fold: Array, held: Array) 
     return chosen(rigid, y, qd, qdd, fold), left
 
 
+def low_passed(left: Array, step: float) -> list[float]:
+    """Return the rms of residuals (N,), nan where there are none, as recorded and through each of `LOW`."""
+    there, whole = np.isfinite(left), np.nan_to_num(left)
+    return [rms(left), *(rms(low(whole, f, step)[there]) for f in LOW)]
+
+
+def residuals(
+    recording: Path, robot: Path, split: Array | None = None
+) -> tuple[list[str], Array, float, list[list[str] | None], Array]:
+    """Return runs, times (N,), their ordinary step, the rungs of each joint and what they leave held out (N, n).
+
+    `split` (2, N, n) says in which fold each sample is fitted and held out, -1 in none; by default its own.
+    """
+    said = tomllib.loads(robot.read_text())
+    links, gravity = said["joint"], np.array(said.get("masses", {}).get("gravity", [0.0, 0.0, -9.81]))
+    run, time, q, tau, _ = read(recording, len(links))
+    code = np.unique(run, return_inverse=True)[1]
+    q, qd, qdd = derivatives(q, time, code)
+    Y = regressor(links, q, qd, qdd, gravity)
+    names: list[list[str] | None] = []
+    left = np.full(tau.shape, np.nan)
+    for j in range(len(links)):
+        speed = max(AT_REST * np.quantile(np.abs(qd[:, j]), 0.99), np.radians(0.5))
+        used = (np.abs(qd[:, j]) > speed) & np.isfinite(tau[:, j])
+        fold, held = folds(time, code, used) if split is None else np.where(used, split[:, :, j], -1)
+        if used.sum() < 100 or len(np.unique(fold[fold >= 0])) < 2:
+            names.append(None)
+            continue
+        own, left[used, j] = ladder(Y[j][used], tau[used, j], qd[used, j], qdd[used, j], fold[used], held[used])
+        names.append(own)
+    return run, time, float(np.median(np.diff(time)[np.diff(code) == 0])), names, left
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("recording", type=Path)
     parser.add_argument("robot", type=Path)
-    parser.add_argument("--against", type=Path, help="DIAGNOSIS.json of the tool")
     options = parser.parse_args()
-    robot = tomllib.loads(options.robot.read_text())
-    links = robot["joint"]
-    gravity = np.array(robot.get("masses", {}).get("gravity", [0.0, 0.0, -9.81]))
-    run, time, q, tau, _ = read(options.recording, len(links))
-    code = np.unique(run, return_inverse=True)[1]
-    q, qd, qdd = derivatives(q, time, code)
-    Y = regressor(links, q, qd, qdd, gravity)
-    step = float(np.median(np.diff(time)[np.diff(code) == 0]))
-    tool = None if options.against is None else json.loads(options.against.read_text())
-    for j in range(len(links)):
-        speed = AT_REST * np.quantile(np.abs(qd[:, j]), 0.99)
-        used = (np.abs(qd[:, j]) > max(speed, np.radians(0.5))) & np.isfinite(tau[:, j])
-        fold, held = folds(time, code, used)
-        if used.sum() < 100 or len(np.unique(fold[fold >= 0])) < 2:
+    _, _, step, names, left = residuals(options.recording, options.robot)
+    for j, own in enumerate(names):
+        if own is None:
             print(f"joint {j + 1}: does not move")
             continue
-        names, left = ladder(Y[j][used], tau[used, j], qd[used, j], qdd[used, j], fold[used], held[used])
-        whole = np.zeros(len(tau))
-        whole[used] = np.nan_to_num(left)
-        there = np.zeros(len(tau), dtype=bool)
-        there[used] = np.isfinite(left)
-        figures = [rms(left), *(rms(low(whole, f, step)[there]) for f in (5.0, 10.0, 20.0))]
-        beside = ""
-        if tool is not None:
-            own = tool["final"]["heldout_rms_by_joint"][j]
-            beside = f"   tool {own:.4g}, ratio {own / figures[0]:.3f}"
-        listed = ", ".join(f"{v:.4g}" for v in figures)
-        print(f"joint {j + 1}: {listed} (recorded, 5, 10, 20 Hz): {', '.join(names)}{beside}")
+        listed = ", ".join(f"{v:.4g}" for v in low_passed(left[:, j], step))
+        print(f"joint {j + 1}: {listed} (recorded, 5, 10, 20 Hz): {', '.join(own)}")
 
 
 if __name__ == "__main__":
