@@ -16,6 +16,8 @@ from deltacal_gen.units import of_joints
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
 
+LOOSE = 2.0  # knots: nearer to an end, the noise of an acceleration is up to fifty times that in the middle
+
 
 @dataclass(frozen=True, eq=False)
 class Motion:
@@ -65,7 +67,7 @@ def motion(given: Trajectories, cutoff: float | None = None) -> Motion:
     return Motion(
         states,
         np.outer(per, sigma),
-        ~splines.inside(samples, spacing),
+        ~splines.inside(samples, LOOSE * spacing),
         0.5 / spacing,
         removed(samples, fitted[0], units),
         what_was_done(what, spacing),

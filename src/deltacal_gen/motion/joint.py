@@ -20,17 +20,20 @@ from deltacal_gen.motion.regression import BETWEEN, Bench, folds_of, together
 from deltacal_gen.motion.sizes import settled
 from deltacal_gen.motion.trajectories import Readout, Trajectories
 from deltacal_gen.physics.splines import Samples, smooth
+from deltacal_gen.units import of_joints
 
 if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
 
-AT_REST = 0.01  # of a joint's highest speeds: below it friction is not known
+AT_REST = 0.01  # of a joint's highest speeds: below it friction is not known; of another joint's: it stands
 NOISY_SPEED = 5.0  # standard deviations of a velocity: nor is its sign
 USUAL = ("coulomb_friction", "viscous_friction", "torque_offset")  # what every drive has, to begin with
 HIGHEST = 0.99  # quantile of speeds that is meant by highest
 FEW = 100  # samples: a joint with fewer in motion is not looked at
-TRIED = 9  # sizes that are tried around the one found, before it is fitted
+TRIED = 5  # sizes that are tried around the one found, before it is fitted
 REFINED = (1.6, 1.12)  # factors either way: half of what lies between two sizes that are searched, then between these
+ALIKE = 10.0  # of chi2: effects whose fits differ by less are not told apart
+SETTLES = 2  # fits after which a load no longer changes by what readings tell
 SMOOTH = 12  # hats of a smooth function of position, which waves must beat
 
 
@@ -110,10 +113,12 @@ class Joint:
 
     def of_rung(self, rung: Rung, states: dict[str, Array]) -> Array:
         """Return the columns (M, c) of one effect at states of the joint, with what it remembers."""
-        series = self.series
-        late = functools.partial(earlier, delay=self.delay, time=series.time, piece=series.piece)
-        remembered = {name: late(values)[self.rows] for name, values in series.remembered(rung).items()}
-        return rung.columns(states | remembered)
+        return rung.columns(states | self.remembered(rung))
+
+    def remembered(self, rung: Rung) -> dict[str, Array]:
+        """Return what an effect remembers at the samples used, by name (M,)."""
+        late = functools.partial(earlier, delay=self.delay, time=self.series.time, piece=self.series.piece)
+        return {name: late(values)[self.rows] for name, values in self.series.remembered(rung).items()}
 
     def load_by(self, folds: Sequence[int] | None) -> Array:
         """Return what the rigid machine asks of the joint (M,), by a fit beside usual friction to some folds or all."""
@@ -260,7 +265,7 @@ def series_of(
                 robot=robot,
                 number=j + 1,
                 readout=readout,
-                threshold=resting_below(motion, j),
+                threshold=resting_below(motion, j, of_joints(given.joint_unit, len(columns))),
                 X=X,
                 y=y,
                 carried=carried + known[:, j] if readout.forces else np.zeros(len(y)),
@@ -275,10 +280,19 @@ def series_of(
     return found
 
 
-def resting_below(motion: Motion, joint: int) -> float:
-    """Return the speed [rad/s or mm/s] below which a joint (from 0) counts as at rest."""
-    speeds = np.abs(motion.states[1, :, joint])
-    highest = float(np.nanquantile(speeds, HIGHEST)) if np.isfinite(speeds).any() else 0.0
+def resting_below(motion: Motion, joint: int, units: Sequence[str]) -> float:
+    """Return the speed [rad/s or mm/s] below which a joint (from 0) counts as at rest.
+
+    A joint that hardly moves beside another of its unit is shaken by it: its friction holds, and has no known sign.
+    """
+    speeds = np.abs(motion.states[1])
+    if not np.isfinite(speeds[:, joint]).any():
+        return NOISY_SPEED * float(motion.noise[0, joint])
+    usual = np.sqrt(np.nanmean(speeds**2, axis=0))
+    most = max(speed for speed, unit in zip(usual, units, strict=True) if unit == units[joint])
+    if usual[joint] < AT_REST * most:
+        return float(np.nanmax(speeds[:, joint]))
+    highest = float(np.nanquantile(speeds[:, joint], HIGHEST))
     return max(AT_REST * highest, NOISY_SPEED * float(motion.noise[0, joint]))
 
 
@@ -348,6 +362,16 @@ class Fit:
         bought = [*self.bought, *([] if self.lag is None else [self.lag.bought])]
         return float(sum((1.0 - b) ** -2 - 1.0 for b in bought))
 
+    def of_effects(self, picked: slice, moved: dict[str, Array]) -> Array:
+        """Return what the effects add at some of the samples used, a few of the joint's states being other ones."""
+        total, at = np.zeros(len(self.left[picked])), self.joint.X.shape[1]
+        for rung in self.rungs:
+            states = self.joint.states | {"torque": self.load} | self.joint.remembered(rung)
+            columns = rung.columns({name: values[picked] for name, values in states.items()} | moved)
+            total += columns @ self.coefficients[at : at + rung.width]
+            at += rung.width
+        return total
+
     @property
     def sigma(self) -> float:
         """Standard deviation of residuals, for the coefficients that were fitted."""
@@ -360,10 +384,7 @@ def fitted(joint: Joint, some: Sequence[Rung], held_out: Array | None = None) ->
 
     `held_out` are residuals that were found otherwise; by default those of folds, each fitted by the others.
     """
-    load = joint.load_by(None)
-    X = joint.columns(some, load)
-    for _ in range(2 if any("torque" in rung.kernels.STATE for rung in some) else 0):
-        load, X = _with_load(joint, some, X)
+    load, X = _by_own_load(joint, some, joint.load_by(None), None)
     some, by_size = settled(joint, some, load)
     X = joint.columns(some, load)
     bench = Bench.of(np.hstack([X, by_size]), joint.y, joint.fold, joint.X.shape[1])
@@ -386,12 +407,19 @@ def fitted(joint: Joint, some: Sequence[Rung], held_out: Array | None = None) ->
     return Fit(joint, tuple(some), found, std[every], load, left, held_out, count, size_std=tuple(std[len(found) :]))
 
 
-def _with_load(joint: Joint, some: Sequence[Rung], X: Array) -> tuple[Array, Array]:
-    """Return the load by a fit with columns X, and the columns by that load."""
-    bench = Bench.of(X, joint.y, joint.fold, joint.X.shape[1])
-    found = bench.fit(range(X.shape[1]), range(len(bench.n))) / bench.scale
-    load = np.asarray(joint.X @ found[: joint.X.shape[1]] + joint.carried)
-    return load, joint.columns(some, load)
+def _by_own_load(joint: Joint, some: Sequence[Rung], load: Array, folds: Sequence[int] | None) -> tuple[Array, Array]:
+    """Return the load on a joint by a fit of these very effects to some folds or all, and the columns by that load.
+
+    It begins with a load by usual friction, which of a joint with more takes a part of that for the machine's.
+    """
+    X, rigid = joint.columns(some, load), joint.X.shape[1]
+    for _ in range(SETTLES if any("torque" in rung.kernels.STATE for rung in some) else 0):
+        bench, every = Bench.of(X, joint.y, joint.fold, rigid), range(X.shape[1])
+        bench = bench.with_ridge(every, folds)
+        found = bench.fit(every, range(len(bench.n)) if folds is None else folds) / bench.scale
+        load = np.asarray(joint.X @ found[:rigid] + joint.carried)
+        X = joint.columns(some, load)
+    return load, X
 
 
 def climbed(joint: Joint) -> Fit:
@@ -431,7 +459,7 @@ def _apart(joint: Joint, ladder: Ladder, others: Sequence[int], own: np.ndarray)
     load = joint.load_by(others)
     by_load = {k: rung for k, rung in enumerate(ladder.rungs) if "torque" in rung.kernels.STATE}
     ladder, chosen = _climbed_by(joint, _with_rungs(joint, ladder, by_load, load), load, others)
-    columns = joint.columns([ladder.rungs[k] for k in chosen], load)
+    _, columns = _by_own_load(joint, [ladder.rungs[k] for k in chosen], load, others)
     apart, every = Bench.of(columns, joint.y, joint.fold, joint.X.shape[1]), range(columns.shape[1])
     found = apart.with_ridge(every, others).fit(every, others) / apart.scale
     return np.asarray(joint.y[own] - columns[own] @ found)
@@ -440,12 +468,12 @@ def _apart(joint: Joint, ladder: Ladder, others: Sequence[int], own: np.ndarray)
 def _climbed_by(joint: Joint, ladder: Ladder, load: Array, folds: Sequence[int]) -> tuple[Ladder, list[int]]:
     """Return the rungs that some folds choose, and the ladder with these at the sizes that leave least there.
 
-    What is searched from size to size leaves something between them, which another effect might seem to explain: sizes
-    are refined by themselves, and the ladder is climbed again.
+    What is searched from size to size leaves something between them, which another effect might seem to explain, and
+    for want of which one might buy too little: sizes are refined by themselves, and the ladder is climbed again.
     """
     chosen = ladder.climb(folds)
     for wide in REFINED:
-        sized = [k for k in chosen if ladder.rungs[k].continuous]
+        sized = [k for k in (*chosen, *ladder.nearly(chosen, folds)) if ladder.rungs[k].continuous]
         if not sized:
             break
         beside = [ladder.rungs[k] for k in chosen if k not in sized]
@@ -468,17 +496,15 @@ def _with_rungs(joint: Joint, ladder: Ladder, rungs: Mapping[int, Rung], load: A
 
 def _alike(ladder: Ladder, chosen: Sequence[int], rung: int) -> tuple[str, ...]:
     """Return the effects that would do as well in place of one: a difference in chi2 below 10."""
-    others, folds = [k for k in chosen if k != rung], ladder.bench.folds
-    count = float(ladder.bench.n[list(folds)].sum()) / ladder.together(others)
-    now = ladder.bench.train(ladder.columns(chosen), folds)
-    found: dict[str, None] = {}
-    for k in ladder.open(chosen) if len(chosen) else []:
-        effect = ladder.rungs[k].effect
-        if effect != ladder.rungs[rung].effect and effect not in found:
-            after = ladder.bench.train(ladder.columns([*others, k]), folds)
-            if count * np.log(after / now) < 10.0:
-                found[effect] = None
-    return tuple(found)
+    others, bench = [k for k in chosen if k != rung], ladder.bench
+    count = float(bench.n[list(bench.folds)].sum()) / ladder.together(others)
+    now = bench.train(ladder.columns(chosen), bench.folds)
+    own = ladder.rungs[rung].effect
+    rivals = [k for k in ladder.open(chosen) if ladder.rungs[k].effect != own]
+    without = ladder.columns(others)
+    after = bench.train(without, bench.folds) - bench.gains(without, [ladder.at[k] for k in rivals], bench.folds)
+    near = count * np.log(np.maximum(after, 1e-300) / now) < ALIKE
+    return tuple(dict.fromkeys(ladder.rungs[k].effect for k, alike in zip(rivals, near, strict=True) if alike))
 
 
 def _refined(joint: Joint, beside: Sequence[Rung], rung: Rung, wide: float, load: Array, folds: Sequence[int]) -> Rung:

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
 
 BUYS = 0.02  # of the held-out rms: what a rung must take away
+NEARLY = 0.5  # of that: a size between those that are searched may buy the rest
 MOST = 8  # rungs
 BEGUN_WITH = ("coulomb_friction", "viscous_friction")
 LOOKED_AT = 15  # of the candidates that leave least of the samples of a fit: the ones that are held out
@@ -139,12 +140,16 @@ class Ladder:
 
     def passed_over(self, chosen: Sequence[int], folds: Sequence[int]) -> tuple[LookedAt, ...]:
         """Return what each effect that is not chosen would do beside the rungs chosen."""
-        now, found = self.bench.held_out(self.columns(chosen), folds), []
+        found = []
         for k in self._best_of_each(chosen, folds):
-            buys = 1.0 - float(np.sqrt(self.bench.held_out(self.columns([*chosen, k]), folds) / now))
             own = self.rungs[k].effect, self.gain([*chosen, k], k, folds), len(self.at[k]), len(self.rungs)
-            found.append(LookedAt(*own, buys))
+            found.append(LookedAt(*own, self.buys([*chosen, k], k, folds)))
         return tuple(found)
+
+    def nearly(self, chosen: Sequence[int], folds: Sequence[int]) -> list[int]:
+        """Return of every effect that is not chosen the rung that explains most, where that buys nearly enough."""
+        best = self._best_of_each(chosen, folds)
+        return [k for k in best if self.buys([*chosen, k], k, folds) > NEARLY * BUYS]
 
     def first(self, folds: Sequence[int]) -> LookedAt | None:
         """Return the effect that explains most for its price, where nothing is chosen yet."""
@@ -194,11 +199,17 @@ class Ladder:
         return None
 
     def needed(self, chosen: list[int], folds: Sequence[int]) -> list[int]:
-        """Return the rungs without those that the others make needless, the most needless first."""
+        """Return the rungs without those that the others make needless, the most needless first.
+
+        What drives usually have is begun with, not chosen: it too must earn what it costs.
+        """
         while chosen:
             bought = [self.buys(chosen, k, folds) for k in chosen]
             least = int(np.argmin(bought))
             if bought[least] >= BUYS:
-                break
+                earned = [self.gain(chosen, k, folds) - self.charge(k) for k in chosen]
+                least = int(np.argmin(earned))
+                if earned[least] > 0:
+                    break
             chosen = [k for k in chosen if k != chosen[least]]
         return chosen

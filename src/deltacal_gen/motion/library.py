@@ -26,7 +26,7 @@ LARGEST = 0.4
 VARIES = 0.5  # K: temperatures that differ by less tell nothing
 TRAVELS = 2.5  # factor between ways of a joint that are looked at
 SAMPLES = 2.0  # of a joint at its usual speed: the shortest way that its samples tell
-ASTRAY = 1e-3  # of what is remembered, from sample to sample: below what readings tell
+ASTRAY = 1e-2  # of what is remembered, from sample to sample: below what readings tell of one
 
 
 @dataclass(frozen=True)

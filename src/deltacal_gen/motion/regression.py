@@ -67,18 +67,21 @@ def together(residual: Array, piece: np.ndarray, used: np.ndarray, step: float) 
 
     Up to the first lag that correlates no more (Geyer 1992).
     """
-    r = np.where(used, residual, 0.0)
-    power = float(r @ r) / max(int(used.sum()), 1)
-    total = 1.0
-    for lag in range(1, max(2, int(LONGEST / step))):
-        both = used[lag:] & used[:-lag] & (piece[lag:] == piece[:-lag])
-        if both.sum() < FEWEST or power == 0:
-            break
-        rho = float((r[lag:] * r[:-lag])[both].mean()) / power
-        if rho < 2.0 / np.sqrt(both.sum()):
-            break
-        total += 2 * rho
-    return total
+    most = max(2, int(LONGEST / step))
+    apart = np.arange(len(piece)) + most * piece  # movements so far from each other that no lag reaches across
+    length = 1 << int(apart[-1] + most).bit_length()
+    series = np.zeros((2, length))
+    series[:, apart] = np.where(used, residual, 0.0), used
+    product, both = np.fft.irfft(np.abs(np.fft.rfft(series)) ** 2, length)[:, :most]
+    both = np.rint(both)
+    if product[0] <= 0 or both[0] == 0:
+        return 1.0
+    with np.errstate(divide="ignore", invalid="ignore"):
+        rho = product / both / (product[0] / both[0])
+        ends = (both < FEWEST) | (rho < 2.0 / np.sqrt(both))
+    ends[0] = False
+    last = int(np.argmax(ends)) if ends.any() else most
+    return float(1.0 + 2 * rho[1:last].sum())
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,11 +128,10 @@ class Bench:
     def with_column(self, at: int, values: Array, X: Array, y: Array, fold: np.ndarray) -> Bench:
         """Return the equations with other values (N,) in one column, as scaled; X (N, p) holds the others, unscaled."""
         G, g = self.G.copy(), self.g.copy()
-        for f in range(len(self.n)):
-            own = fold == (f if f < len(self.n) - 1 else BETWEEN)
-            row = (values[own] @ X[own]) / self.scale
-            row[at] = values[own] @ values[own]
-            G[f, at], G[f, :, at], g[f, at] = row, row, values[own] @ y[own]
+        of_fold = np.where(fold[:, None] == [*range(len(self.n) - 1), BETWEEN], values[:, None], 0.0)
+        rows = (X.T @ of_fold).T / self.scale
+        rows[:, at] = values @ of_fold
+        G[:, at], G[:, :, at], g[:, at] = rows, rows, y @ of_fold
         return replace(self, G=G, g=g)
 
     @property
@@ -137,21 +139,22 @@ class Bench:
         """Folds that hold samples."""
         return tuple(int(f) for f in np.flatnonzero(self.n[:-1]))
 
+    def _of(self, columns: Sequence[int], folds: Sequence[int]) -> tuple[Array, Array]:
+        """Return the normal equations of columns on some folds together."""
+        at, rows = np.asarray(columns, dtype=int), np.asarray(folds, dtype=int)
+        return self.G[np.ix_(rows, at, at)].sum(axis=0), self.g[np.ix_(rows, at)].sum(axis=0)
+
     def fit(self, columns: Sequence[int], folds: Sequence[int], ridge: float | None = None) -> Array:
         """Return the coefficients of columns, as scaled, by least squares on some folds."""
-        at, rows = np.asarray(columns, dtype=int), list(folds)
-        G = self.G[rows].sum(axis=0)[np.ix_(at, at)]
-        g = self.g[rows].sum(axis=0)[at]
-        n = self.n[rows].sum()
+        (G, g), at = self._of(columns, folds), np.asarray(columns, dtype=int)
+        n = self.n[list(folds)].sum()
         G[np.diag_indices_from(G)] += np.where(at < self.rigid, self.ridge if ridge is None else ridge, RIDGES[0]) * n
         return _solved(G, g)
 
     def error(self, columns: Sequence[int], coefficients: Array, folds: Sequence[int]) -> float:
         """Return the sum of squares that coefficients leave on some folds."""
-        at, rows = np.asarray(columns, dtype=int), list(folds)
-        G = self.G[rows].sum(axis=0)[np.ix_(at, at)]
-        g = self.g[rows].sum(axis=0)[at]
-        left = self.yy[rows].sum() - 2 * coefficients @ g + coefficients @ G @ coefficients
+        G, g = self._of(columns, folds)
+        left = self.yy[list(folds)].sum() - 2 * coefficients @ g + coefficients @ G @ coefficients
         return float(max(left, 0.0))
 
     def train(self, columns: Sequence[int], folds: Sequence[int]) -> float:
@@ -177,32 +180,40 @@ class Bench:
 
     def held_out(self, columns: Sequence[int], folds: Sequence[int]) -> float:
         """Return the mean square on each of some folds, of fits to the others with the ridge that serves best."""
-        return min(self._held_out(columns, folds, ridge) for ridge in RIDGES)
+        return float(self._held_out(columns, folds).min())
 
     def with_ridge(self, columns: Sequence[int], folds: Sequence[int] | None = None) -> Bench:
         """Return the equations with the ridge that predicts some folds best, of fits to the others."""
-        folds = self.folds if folds is None else folds
-        errors = [self._held_out(columns, folds, ridge) for ridge in RIDGES]
+        errors = self._held_out(columns, self.folds if folds is None else folds)
         return replace(self, ridge=RIDGES[int(np.argmin(errors))])
 
-    def _held_out(self, columns: Sequence[int], folds: Sequence[int], ridge: float) -> float:
-        at, total = np.asarray(columns, dtype=int), 0.0
-        G, g = self.G[:, at[:, None], at], self.g[:, at]
-        whole, of_all, n = G[list(folds)].sum(axis=0), g[list(folds)].sum(axis=0), self.n[list(folds)].sum()
-        each = np.where(at < self.rigid, ridge, RIDGES[0])
-        for fold in folds:
-            rest = whole - G[fold]
-            rest[np.diag_indices_from(rest)] += each * (n - self.n[fold])
-            found = _solved(rest, of_all - g[fold])
-            total += self.yy[fold] - 2 * found @ g[fold] + found @ G[fold] @ found
-        return max(float(total), 0.0) / float(n)
+    def _held_out(self, columns: Sequence[int], folds: Sequence[int]) -> Array:
+        """Return the mean square on each of some folds, of fits to the others, for every ridge: all solved at once."""
+        at, rows = np.asarray(columns, dtype=int), np.asarray(folds, dtype=int)
+        if not len(at):
+            return np.full(len(RIDGES), self.yy[rows].sum() / self.n[rows].sum())
+        G, g, n = self.G[np.ix_(rows, at, at)], self.g[np.ix_(rows, at)], self.n[rows]
+        each = np.where(at < self.rigid, np.array(RIDGES)[:, None], RIDGES[0])
+        rest = np.repeat((G.sum(axis=0) - G)[None], len(RIDGES), axis=0)
+        rest[..., np.arange(len(at)), np.arange(len(at))] += each[:, None] * (n.sum() - n)[:, None]
+        found = _each_solved(rest, g.sum(axis=0) - g)
+        left = self.yy[rows] + (found * ((G @ found[..., None])[..., 0] - 2 * g)).sum(axis=2)
+        return np.asarray(np.maximum(left.sum(axis=1), 0.0) / n.sum())
 
     def covariance(self, columns: Sequence[int]) -> Array:
         """Return the inverse of the normal equations of all samples, of coefficients as scaled."""
         at = np.asarray(columns, dtype=int)
-        G = self.G.sum(axis=0)[np.ix_(at, at)]
+        G, _ = self._of(columns, range(len(self.n)))
         G[np.diag_indices_from(G)] += np.where(at < self.rigid, self.ridge, RIDGES[0]) * self.n.sum()
         return np.asarray(np.linalg.pinv(G, hermitian=True))
+
+
+def _each_solved(G: Array, g: Array) -> Array:
+    """Return the solutions (R, F, p) of normal equations (R, F, p, p), (F, p)."""
+    try:
+        return np.asarray(np.linalg.solve(G, g[None, :, :, None])[..., 0])
+    except LinAlgError:
+        return np.array([[_solved(*pair) for pair in zip(of_ridge, g, strict=True)] for of_ridge in G])
 
 
 def _solved(G: Array, g: Array) -> Array:
