@@ -15,7 +15,7 @@ from deltacal_gen.motion.joint import Fit, fitted
 from deltacal_gen.motion.ladder import BUYS, LookedAt
 from deltacal_gen.motion.lag import LATENCY
 from deltacal_gen.motion.payload import NAMES, PAYLOAD, PayloadError
-from deltacal_gen.motion.session import Session, sigma_said, still_to_move
+from deltacal_gen.motion.session import Session, still_to_move
 from deltacal_gen.motion.traces import traces
 from deltacal_gen.motion.trajectories import INSIDE, Trajectories
 from deltacal_gen.motion.unexplained import Rest, dependences, rest
@@ -53,7 +53,7 @@ def diagnose(robot: Robot, given: Trajectories, progress: Progress) -> MotionDia
     plain = [fitted(joint, []) for joint in session.moving]
     whole = searched(session, progress)
     free, session, found = session, whole.session, whole.fits
-    rests = [rest(fit, _sigma(session, fit)) for fit in found]
+    rests = [rest(fit, session.declared(fit)) for fit in found]
     effects = _effects(session, plain, found)
     if whole.payload is not None:
         effects = (*effects, _payload(whole.payload, whole, plain))
@@ -78,11 +78,6 @@ def diagnose(robot: Robot, given: Trajectories, progress: Progress) -> MotionDia
         not_tested=_not_tested(session, found),
         next_measurements=_next(session, effects, found),
     )
-
-
-def _sigma(session: Session, fit: Fit) -> float | None:
-    said = sigma_said(session.given, fit.joint.unit)
-    return None if said is None else said * fit.joint.readout.inside
 
 
 def _effects(session: Session, plain: Sequence[Fit], fits: Sequence[Fit]) -> tuple[TorqueEffect, ...]:

@@ -11,6 +11,7 @@ import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.robot import kept_robot
+from deltacal_gen.machine.dynamics import torque_by_errors
 from deltacal_gen.machine.values import Robot
 from deltacal_gen.motion.derivatives import Motion, motion
 from deltacal_gen.motion.joint import Fit, Joint, series_of
@@ -39,6 +40,7 @@ HELD_OUT = (
     f"{GAP:g} s on either side that no fit uses"
 )
 FILTER = "nothing: readings are fitted as recorded; figures through the filter are of readings and model both"
+SLOPES = 300  # samples at which slopes are taken
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,7 +122,7 @@ class Session:
         chi2 = None
         if all(declared):
             free = sum(len(f.left) - len(f.coefficients) for f in fits)
-            noises = [(s or 1.0) * f.joint.readout.inside for f, s in zip(fits, declared, strict=True)]
+            noises = [self.declared(f) or 1.0 for f in fits]
             parts = [np.sum((f.left / s) ** 2) for f, s in zip(fits, noises, strict=True)]
             chi2 = float(sum(parts)) / max(free, 1)
         return Left(
@@ -146,6 +148,57 @@ class Session:
         """Return a field of an answer by its name and the unit of the readings."""
         return {} if value is None else {f"{name}_{self.given.units[0]}": value}
 
+    def declared(self, fit: Fit) -> float | None:
+        """Return the noise of a joint's readings as declared, with what its joints' own adds, in units inside."""
+        said = sigma_said(self.given, fit.joint.unit)
+        return None if said is None else float(np.hypot(said * fit.joint.readout.inside, self.of_joints(fit)))
+
+    def of_joints(self, fit: Fit) -> float:
+        """Return by how much noise of velocities and accelerations changes what a fit says (rms, in units inside).
+
+        By the slopes of the rigid machine, at any joint, and of the effects at their own.
+        """
+        j = fit.joint.number - 1
+        picked, states, inertia = self._some(fit)
+        total = 0.0
+        for order, name in ((1, "qd"), (2, "qdd")):
+            for k, sigma in enumerate(self.motion.noise[order - 1]):
+                sides = []
+                for side in (sigma, -sigma):
+                    moved = states.copy()
+                    moved[order, :, k] += side
+                    own = fit.of_effects(picked, {name: moved[order, :, j]}) if k == j else 0.0
+                    sides.append(self.rigid.torque(moved, inertia)[:, j] + own)
+                total += float(np.mean((sides[0] - sides[1]) ** 2)) / 4
+        return float(np.sqrt(total))
+
+    def of_geometry(self, fit: Fit) -> float | None:
+        """Return what the robot file's tolerances change of a joint's torque, beside what a fit takes up of it (rms).
+
+        None where there are none, or what is read is no torque.
+        """
+        known = {name: std for name, std in self.robot.tolerance.items() if std > 0}
+        if not known or not fit.joint.readout.forces:
+            return None
+        j, sign = fit.joint.number - 1, self.robot.joint_sign
+        picked, states, inertia = self._some(fit)
+        slopes = torque_by_errors(self.robot, sign * states, inertia, list(known))[:, j] * list(known.values())
+        columns = fit.joint.columns(fit.rungs, fit.load)[picked]
+        columns = columns / np.maximum(np.linalg.norm(columns, axis=0), 1e-300)
+        left = slopes - columns @ np.linalg.lstsq(columns, slopes, rcond=1e-9)[0]
+        return float(np.sqrt(np.mean(np.sum(left**2, axis=1))))
+
+    def _of_geometry_in_file(self, fit: Fit) -> float | None:
+        of_geometry = self.of_geometry(fit)
+        return None if of_geometry is None else of_geometry / fit.joint.readout.inside
+
+    def _some(self, fit: Fit) -> tuple[slice, Array, Array]:
+        """Return the samples at which slopes are taken, the states (3, m, n_q) there, and the bodies of a fit."""
+        picked = slice(None, None, max(1, len(fit.joint.rows) // SLOPES))
+        base, inertia = self.rigid.own[fit.joint.number - 1], self.rigid.known.copy()
+        inertia[base.chosen] += fit.coefficients[: base.rank]
+        return picked, self.motion.states[:, fit.joint.rows[picked]], inertia
+
     def noise(self, fits: Sequence[Fit]) -> MotionNoise:
         """Return the noise as declared, or what fits leave."""
         said = [sigma_said(self.given, unit) for unit in self.given.units]
@@ -157,6 +210,8 @@ class Session:
             sigma_by_joint=by_joint,
             unit_by_joint=self.given.units,
             source=Source.DECLARED if any(said) else Source.RESIDUAL,
+            of_joints_by_joint=self.each(fits, lambda f: self.of_joints(f) / f.joint.readout.inside),
+            of_geometry_by_joint=self.each(fits, self._of_geometry_in_file),
             together_by_joint=self.each(fits, lambda f: f.together),
         )
 

@@ -150,7 +150,7 @@ def dependences(fit: Fit) -> list[Dependence]:
 def rest(fit: Fit, sigma: float | None) -> Rest | None:
     """Return what the rest of a joint depends on; None where nothing shows.
 
-    `sigma` is the noise where it is declared, in units inside.
+    `sigma` is the noise where it is declared, with what the joints' own adds, in units inside.
     """
     known = dependences(fit)
     if known and (share := known[0].share) > SHOWS:

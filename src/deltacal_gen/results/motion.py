@@ -51,6 +51,10 @@ class MotionNoise(Value):
     sigma_by_joint: ByJoint
     unit_by_joint: tuple[str, ...]
     source: Source
+    of_joints_by_joint: ByJoint = ()
+    """What noise of velocities and accelerations adds to it, beside what the readings have of their own."""
+    of_geometry_by_joint: ByJoint = ()
+    """What the robot file's tolerances add that neither bodies nor friction take up; null where it says none."""
     together_by_joint: ByJoint
     """So many samples tell as much as one whose noise is its own."""
 

@@ -1,0 +1,140 @@
+"""The ladder of one joint: what is taken, what is looked at once more, and what counts as motion at all."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from deltacal_gen.files.robot import read_robot
+from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.motion import joint, regression
+from deltacal_gen.motion.derivatives import Motion
+from deltacal_gen.motion.ladder import Ladder
+from deltacal_gen.motion.library import Rung
+from deltacal_gen.motion.rigid import Rigid
+from deltacal_gen.motion.session import Session
+from deltacal_gen.motion.trajectories import read, read_sidecar
+from tests.test_motion import usual, written
+
+SAMPLES, FOLDS = 4000, 4
+
+
+def ladder(sizes: tuple[float, ...], correlated: Callable[[np.ndarray], float]) -> Ladder:
+    """Return a ladder of coulomb_friction, viscous_friction and others, each of a size beside noise of 1."""
+    rng = np.random.default_rng(3)
+    X, fold = rng.standard_normal((SAMPLES, len(sizes))), np.arange(SAMPLES) * FOLDS // SAMPLES
+    y = X @ np.array(sizes) + rng.standard_normal(SAMPLES)
+    names = ("coulomb_friction", "viscous_friction", "presliding_friction", "quadratic_friction")
+    rungs = tuple(Rung(name, (0.1,) if name == "presliding_friction" else ()) for name in names[: len(sizes)])
+    bench = regression.Bench.of(X, y, fold, 0)
+    return Ladder(bench, rungs, tuple((c,) for c in range(len(sizes))), X, y, correlated)
+
+
+def test_what_drives_usually_have_must_earn_its_place_too() -> None:
+    sizes = (0.4, 0.4)
+    assert ladder(sizes, lambda _: 1.0).climb(range(FOLDS)) == [0, 1]
+    assert (
+        ladder(sizes, lambda _: 100.0).climb(range(FOLDS)) == []
+    )  # samples that hang together for so long tell little
+
+
+def test_a_size_that_nearly_buys_enough_is_looked_at_between_those_that_are_searched() -> None:
+    near = ladder((1.0, 0.5, 0.18, 0.05), lambda _: 1.0)
+    chosen = near.climb(range(FOLDS))
+    assert chosen == [0, 1]
+    assert near.nearly(chosen, range(FOLDS)) == [2]  # 1.6 % of the rms: a better size may buy the rest
+
+
+def test_what_is_held_out_is_that_of_fits_to_the_other_folds() -> None:
+    one = ladder((1.0, 0.5, 0.2), lambda _: 1.0)
+    left = np.empty(SAMPLES)
+    fold = np.arange(SAMPLES) * FOLDS // SAMPLES
+    for k in range(FOLDS):
+        own = fold == k
+        left[own] = one.y[own] - one.X[own] @ np.linalg.lstsq(one.X[~own], one.y[~own], rcond=None)[0]
+    assert one.bench.held_out([0, 1, 2], range(FOLDS)) == pytest.approx(float(np.mean(left**2)), rel=1e-6)
+    values = np.sin(np.arange(SAMPLES))
+    other = one.X.copy()
+    other[:, 1] = values * one.bench.scale[1]
+    moved = one.bench.with_column(1, values, other, one.y, fold)
+    same = regression.Bench.of(other, one.y, fold, 0)
+    by = np.array([1.0, one.bench.scale[1] / same.scale[1], 1.0])
+    np.testing.assert_allclose(moved.G * by * by[:, None], same.G, atol=1e-8)
+    np.testing.assert_allclose(moved.g * by, same.g, atol=1e-8)
+
+
+def test_samples_that_hang_together_are_counted_within_movements() -> None:
+    rng = np.random.default_rng(1)
+    piece, used = np.repeat([0, 1, 2], [500, 300, 700]), rng.random(1500) > 0.2
+    residual = np.convolve(rng.standard_normal(1510), np.ones(11) / 11, "valid")
+    r, total = np.where(used, residual, 0.0), 1.0
+    power = r @ r / used.sum()
+    for lag in range(1, 200):
+        both = used[lag:] & used[:-lag] & (piece[lag:] == piece[:-lag])
+        rho = (r[lag:] * r[:-lag])[both].mean() / power
+        if rho < 2.0 / np.sqrt(both.sum()):
+            break
+        total += 2 * rho
+    assert total > 5
+    assert regression.together(residual, piece, used, 0.01) == pytest.approx(total, rel=1e-9)
+    assert regression.together(np.zeros(1500), piece, used, 0.01) == 1.0
+
+
+def test_a_joint_that_others_shake_stands() -> None:
+    time = np.arange(0, 20, 0.01)
+    speeds = np.column_stack([np.sin(time), 0.02 * np.sin(time), 0.002 * np.sin(time)])
+    states = np.stack([np.zeros_like(speeds), speeds, np.zeros_like(speeds)])
+    known = Motion(states, np.zeros((2, 3)), np.zeros(len(time), dtype=bool), 5.0, 0.0, "")
+    below = [joint.resting_below(known, j, ["rad"] * 3) for j in range(3)]
+    assert below[:2] == pytest.approx([0.01, 0.0002], rel=0.01)
+    assert below[2] == np.abs(speeds[:, 2]).max()  # none of its samples is in motion
+    alone = joint.resting_below(known, 2, ["rad", "rad", "mm"])
+    assert alone == pytest.approx(0.00002, rel=0.01)  # of its unit nothing moves more
+
+
+@pytest.fixture(scope="module")
+def session(tmp_path_factory: pytest.TempPathFactory) -> Session:
+    folder = tmp_path_factory.mktemp("arm")
+    recording = written(folder, usual, runs=3)
+    machine, said = read_robot(folder / "robot.toml"), read_sidecar(recording)
+    assert said is not None
+    return Session.of(machine, read(recording, mechanism_of(machine), said))
+
+
+def fit_of(session: Session) -> joint.Fit:
+    return joint.fitted(session.joints[0], [Rung("coulomb_friction"), Rung("viscous_friction")])
+
+
+def test_noise_of_velocities_and_accelerations_is_a_part_of_the_noise(session: Session) -> None:
+    noise = np.array([[0.02, 0.01, 0.03], [0.4, 0.3, 0.9]])
+    session = dataclasses.replace(session, motion=dataclasses.replace(session.motion, noise=noise))
+    fit, rng = fit_of(session), np.random.default_rng(0)
+    states = session.motion.states[:, fit.joint.rows]
+    blurred = states.copy()
+    blurred[1:] += noise[:, None] * rng.standard_normal(states[1:].shape)
+    rigid = [session.rigid.columns(s)[0] @ fit.coefficients[: fit.joint.X.shape[1]] for s in (states, blurred)]
+    viscous = fit.coefficients[-1] * (blurred - states)[1, :, 0]
+    by_chance = np.sqrt(np.mean((rigid[1] - rigid[0] + viscous) ** 2))
+    assert session.of_joints(fit) == pytest.approx(by_chance, rel=0.05)
+
+
+def test_what_tolerances_leave_is_what_a_fit_to_another_machine_leaves(session: Session) -> None:
+    """Torques of a machine with an error, fitted with the regressor of one without: they leave that error's part."""
+    assert session.of_geometry(fit_of(session)) is None
+    name, size = "alpha_2", 0.004
+    known = dataclasses.replace(session, robot=dataclasses.replace(session.robot, tolerance={name: size}))
+    fit = fit_of(known)
+    X = fit.joint.columns(fit.rungs, fit.load)
+    X = X / np.linalg.norm(X, axis=0)
+    inertia = np.zeros(len(session.rigid.names))
+    inertia[session.rigid.own[0].chosen] = fit.coefficients[: session.rigid.own[0].rank]
+    other = Rigid(dataclasses.replace(session.robot, errors={name: size}))
+    states = session.motion.states[:, fit.joint.rows]
+    change = (other.torque(states, inertia) - session.rigid.torque(states, inertia))[:, 0]
+    left = change - X @ np.linalg.lstsq(X, change, rcond=1e-12)[0]
+    found = known.of_geometry(fit)
+    assert found == pytest.approx(np.sqrt(np.mean(left**2)), rel=0.1)
+    assert found < 0.9 * np.sqrt(np.mean(change**2))  # bodies take up the rest
