@@ -155,6 +155,37 @@ def forward(theta, rods):
     return newton
 
 
+def torque(links, inertia, gravity, motion):
+    """Torques (N, n) of a chain of turning joints [N mm], by Newton and Euler from link to link (Luh et al. 1980).
+
+    `links` are tables of standard Denavit-Hartenberg numbers [mm, deg], `inertia` (n, 10) as the tool has it [kg, mm];
+    all of them, and gravity (3,) [m/s^2], are numbers in the code. `motion` (3, N, n).
+    """
+    n = len(links)
+    q, qd, qdd = (SX.sym(name, n) for name in ("q", "qd", "qdd"))
+    z, w, dw, a = vertcat(0, 0, 1), SX.zeros(3), SX.zeros(3), SX(-np.asarray(gravity, dtype=float))
+    frames, asked = [], []
+    for i, (link, body) in enumerate(zip(links, np.asarray(inertia), strict=True)):
+        turn, tilt = q[i] + np.radians(link.get("theta", 0.0)), np.radians(link.get("alpha", 0.0))
+        c, s, ca, sa = casadi.cos(turn), casadi.sin(turn), round(np.cos(tilt), 15), round(np.sin(tilt), 15)
+        R = vertcat(horzcat(c, -s * ca, s * sa), horzcat(s, c * ca, -c * sa), horzcat(0, sa, ca))
+        way = casadi.DM([link.get("a", 0.0), link.get("d", 0.0) * sa, link.get("d", 0.0) * ca]) / 1000
+        dw = R.T @ (dw + z * qdd[i] + cross(w, z * qd[i]))
+        w = R.T @ (w + z * qd[i])
+        a = R.T @ a + cross(dw, way) + cross(w, cross(w, way))
+        m, h, (xx, yy, zz, xy, xz, yz) = body[0], casadi.DM(body[1:4]) / 1000, body[4:] / 1e6
+        tensor = casadi.DM([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+        force = m * a + cross(dw, h) + cross(w, cross(w, h))
+        asked.append((force, tensor @ dw + cross(w, tensor @ w) + cross(h, a)))
+        frames.append((R, way))
+    f, moment, out = SX.zeros(3), SX.zeros(3), []
+    for (R, way), (force, own) in zip(frames[::-1], asked[::-1], strict=True):
+        f, moment = f + force, moment + own
+        f, moment = R @ f, R @ (moment + cross(way, f))
+        out.append(1000 * moment[2])
+    return _over_poses([q, qd, qdd], out[::-1], list(motion))
+
+
 def _over_poses(symbols, out, given):
     """Return what computes `out`, numbers of one pose, at all poses: (N, numbers)."""
     each, n = casadi.Function("each", symbols, [vertcat(*out)]), len(given[0])

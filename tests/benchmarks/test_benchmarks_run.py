@@ -37,7 +37,8 @@ def test_scaling_and_memory_are_measured(tmp_path: Path, capsys: pytest.CaptureF
 def test_the_table_of_motion_is_printed(capsys: pytest.CaptureFixture[str]) -> None:
     motion.main(["--samples", "64"])
     said = capsys.readouterr().out
-    assert [line.split()[0] for line in said.splitlines()[1:]] == list(motion.REACH)
+    assert [line.split()[0] for line in said.splitlines()[1 : 1 + len(motion.REACH)]] == list(motion.REACH)
+    assert "arm of six joints, ns a sample: own " in said
     assert "torque/forward" in said
 
 
