@@ -1,10 +1,10 @@
 """Drives that have what nobody says, diagnosed blind: how often it is named, how large, and how well it predicts.
 
-    python -m tests.benchmarks.motion_blind --count 200 --kept blind.jsonl [--rate 500]
+    python -m tests.benchmarks.motion_blind --count 200 --kept blind.jsonl [--rate 500] [--files FOLDER]
 
 Nothing, one, two or three effects, or what no effect is (Bouc-Wen, a counterweight with a spring, friction that runs
 in, a cable that drags), on an arm of six joints and a six-rod Delta; see `motion_cases`. What was done is kept, and
-goes on where it ended.
+goes on where it ended; the table stands beside it (``blind.txt``), and with ``--files`` what the tool was given stays.
 """
 
 from __future__ import annotations
@@ -31,11 +31,11 @@ def kind_of(seed: int) -> str:
     return KINDS[(seed // 2) % len(KINDS)]
 
 
-def examine(seed: int, rate: float, kind: str | None = None) -> dict[str, Any]:
-    """Generate a case, diagnose it blind, and grade the answer."""
-    case = generate(seed, kind or kind_of(seed), rate)
+def examine(seed: int, rate: float, files: Path | None = None) -> dict[str, Any]:
+    """Generate a case, diagnose it blind, and grade the answer; its files stay in a folder `files` of its own."""
+    case = generate(seed, kind_of(seed), rate)
     with tempfile.TemporaryDirectory() as folder:
-        robot, recording = write(case, Path(folder))
+        robot, recording = write(case, Path(folder) if files is None else files / f"m{seed:03d}")
         start = time.process_time()
         found = dc.diagnose(robot, recording)
         spent = time.process_time() - start
@@ -123,16 +123,19 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--rate", type=float, default=500.0, help="samples per second")
     parser.add_argument("--kept", type=Path, default=Path("motion_blind.jsonl"))
+    parser.add_argument("--files", type=Path, help="folder in which the cases stay")
     given = parser.parse_args(arguments)
     rows = [json.loads(line) for line in given.kept.read_text().splitlines()] if given.kept.exists() else []
     done = {row["seed"] for row in rows}
     for seed in range(given.first, given.first + given.count):
         if seed in done:
             continue
-        rows.append(examine(seed, given.rate))
+        rows.append(examine(seed, given.rate, given.files))
+        given.kept.parent.mkdir(parents=True, exist_ok=True)
         with given.kept.open("a") as file:
             file.write(json.dumps(rows[-1]) + "\n")
         print(seed, rows[-1]["kind"], "right" if rows[-1]["right"] else rows[-1], flush=True)
+    given.kept.with_suffix(".txt").write_text(table(rows) + "\n")
     print(table(rows))
     return 0
 

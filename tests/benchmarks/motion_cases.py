@@ -34,6 +34,7 @@ COUNTS = 2**19  # of an encoder, per turn
 NOISE = 0.02  # of a joint's rms torque
 SHOWS = 1.06  # what is left without an effect over what is left with it, at least
 HARMONICS = 5
+PASSED = 2.2  # periods of a ripple, at least: of fewer it is any smooth function of the position
 GROWS = 1.4  # an effect that does not show, again and again
 ALONE = ("coulomb_friction", "viscous_friction", "quadratic_friction", "stribeck_friction", "load_friction")
 NAMES = (*ALONE, "presliding_friction", "warm_friction", "torque_offset", "torque_ripple", "latency")
@@ -217,6 +218,7 @@ def drawn(name: str, joint: int, at: Movement, rng: np.random.Generator, grow: f
     T, V = np.sqrt(np.mean(at.load[:, j] ** 2)) / 1e3, np.sqrt(np.mean(at.states[1, :, j] ** 2)) / DEG
     A, size = np.sqrt(np.mean(at.states[2, :, j] ** 2)), float(rng.uniform(0.05, 0.2)) * grow * T
     phase = rng.uniform(0, 2 * np.pi)
+    first = max(5, int(np.ceil(PASSED * 2 * np.pi / np.ptp(at.states[0, :, j]))))
     values: dict[str, dict[str, float]] = {
         "coulomb_friction": {"coulomb": size},
         "viscous_friction": {"viscous": size / V},
@@ -227,7 +229,7 @@ def drawn(name: str, joint: int, at: Movement, rng: np.random.Generator, grow: f
         "warm_friction": {"warm": size / V / 10.0},
         "torque_offset": {"offset": size},
         "torque_ripple": {
-            "order": float(rng.integers(5, 30)),
+            "order": float(first + rng.integers(25)),
             "cos": size * float(np.cos(phase)),
             "sin": size * float(np.sin(phase)),
         },
