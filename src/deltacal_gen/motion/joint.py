@@ -434,7 +434,7 @@ def climbed(joint: Joint) -> Fit:
     rigid = joint.X.shape[1]
     ends = rigid + np.cumsum([0, *(rung.width for rung in candidates)])
     at = tuple(tuple(range(a, b)) for a, b in pairwise(ends))
-    X = np.hstack([X, hats(joint.states["q"], SMOOTH)])
+    X = np.asfortranarray(np.hstack([X, hats(joint.states["q"], SMOOTH)]))  # what is read is some columns
     bench = Bench.of(X, joint.y, joint.fold, rigid)
     rival = tuple(range(int(ends[-1]), X.shape[1]))
     ladder = Ladder(bench, candidates, at, X, joint.y, joint.correlated, rival, resolution(joint.states))
@@ -485,7 +485,8 @@ def _climbed_by(joint: Joint, ladder: Ladder, load: Array, folds: Sequence[int])
 
 def _with_rungs(joint: Joint, ladder: Ladder, rungs: Mapping[int, Rung], load: Array) -> Ladder:
     """Return a ladder with other rungs of the same effects in some places, by some load."""
-    states, bench, X, every = joint.states | {"torque": load}, ladder.bench, ladder.X.copy(), list(ladder.rungs)
+    states, every = joint.states | {"torque": load}, list(ladder.rungs)
+    bench, X = ladder.bench, ladder.X.copy(order="K")
     for k, rung in rungs.items():
         every[k], columns = rung, joint.of_rung(rung, states)
         for n, c in enumerate(ladder.at[k]):

@@ -207,9 +207,10 @@ class Ladder:
             bought = [self.buys(chosen, k, folds) for k in chosen]
             least = int(np.argmin(bought))
             if bought[least] >= BUYS:
-                earned = [self.gain(chosen, k, folds) - self.charge(k) for k in chosen]
-                least = int(np.argmin(earned))
-                if earned[least] > 0:
+                unpaid = [n for n, k in enumerate(chosen) if self.rungs[k].effect in BEGUN_WITH]
+                earned = {n: self.gain(chosen, chosen[n], folds) - self.charge(chosen[n]) for n in unpaid}
+                least = min(earned, key=earned.__getitem__, default=-1)
+                if least < 0 or earned[least] > 0:
                     break
             chosen = [k for k in chosen if k != chosen[least]]
         return chosen
