@@ -140,3 +140,21 @@ def test_machines_without_dynamics_are_refused() -> None:
 def test_a_motion_of_another_shape_is_refused() -> None:
     with pytest.raises(UsageError, match=r"\(3, N, 6\) was expected"):
         dynamics(ARM).regressor(np.zeros((2, 5, 6)))
+
+
+def test_a_drive_s_inertia_that_a_table_states_is_a_parameter_of_its_own() -> None:
+    tables = [dict(link) for link in LIFT]
+    plain = dynamics_of(chain(tables))
+    tables[0]["rotor_inertia"], tables[2]["rotor_inertia"] = 7.0, 2e5
+    own = dynamics_of(chain(tables))
+    assert own.names == (*plain.names, "rotor_1", "rotor_3")
+    assert own.units[-2:] == ("kg", "kg mm^2")
+    assert own.stated()[-2:].tolist() == [7.0, 2e5]
+    motion = np.random.default_rng(4).standard_normal((3, 30, 4))
+    inertia = np.append(bodies(LIFT).ravel(), [7.0, 2e5])
+    beside = np.zeros((30, 4))
+    beside[:, [0, 2]] = motion[2][:, [0, 2]] * [7.0 / 1000, 2e5 / 1000]  # N, N mm
+    torque = own.torque(motion, inertia)
+    np.testing.assert_allclose(torque, plain.torque(motion, inertia[:-2]) + beside, rtol=1e-12)
+    np.testing.assert_allclose(own.regressor(motion) @ inertia, torque, rtol=1e-10, atol=1e-9 * np.abs(torque).max())
+    np.testing.assert_array_equal(own.payload(motion), plain.payload(motion))

@@ -33,6 +33,7 @@ TERMS = (
     TorqueTerm(effect="load_friction", constants=(), values=(0.05,)),
     TorqueTerm(effect="torque_ripple", constants=(7.0,), values=(300.0, -200.0)),
 )
+DRIVEN = (1, 3)  # joints, from 0, whose drive's inertia is stated
 SIX = ctypes.c_double * 6
 
 
@@ -48,7 +49,7 @@ def arm(**changes: Any) -> Any:
         "robot": {"name": "arm", "mechanism": "serial"},
         "geometry": {"tool": [40.0, -15.0, 90.0]},
         "joints": {"sign": SIGNS.tolist(), "limits_deg": [[-170.0, 170.0]] * 6},
-        "joint": [dict(link) for link in ARM],
+        "joint": [dict(link) | ({"rotor_inertia": 3e5} if k in DRIVEN else {}) for k, link in enumerate(ARM)],
         "errors": {"a_2": 0.8, "alpha_3": 0.1, "theta_4": -0.2, "d_5": 0.4},
     }
     return robot_from_dict(tables | changes)
@@ -56,7 +57,8 @@ def arm(**changes: Any) -> Any:
 
 def answered(folder: Path, robot: Any) -> Any:
     """Return what a diagnosis would say of a machine with known bodies and friction on every joint."""
-    own, inertia = dynamics_of(robot), bodies(robot.links).ravel()
+    own = dynamics_of(robot)
+    inertia = np.append(bodies(robot.links).ravel(), [3e5 + 1e4 * n for n in range(len(own.rotors))])
     joints = tuple(
         JointModel(
             joint=j + 1,

@@ -10,7 +10,7 @@ import pytest
 
 from deltacal_gen.files.robot import read_robot
 from deltacal_gen.machine.registry import mechanism_of
-from deltacal_gen.motion import joint, regression
+from deltacal_gen.motion import identification, joint, regression
 from deltacal_gen.motion.derivatives import Motion
 from deltacal_gen.motion.ladder import Ladder
 from deltacal_gen.motion.library import Rung
@@ -138,3 +138,18 @@ def test_what_tolerances_leave_is_what_a_fit_to_another_machine_leaves(session: 
     found = known.of_geometry(fit)
     assert found == pytest.approx(np.sqrt(np.mean(left**2)), rel=0.1)
     assert found < 0.9 * np.sqrt(np.mean(change**2))  # bodies take up the rest
+
+
+def test_bodies_that_could_be_built_have_drives_that_could(session: Session) -> None:
+    links = tuple(link._replace(rotor_inertia=1e5) for link in session.robot.links)
+    rigid = Session.of(dataclasses.replace(session.robot, links=links), session.given)
+    fits = [joint.fitted(each, [Rung("coulomb_friction"), Rung("viscous_friction")]) for each in rigid.moving]
+    found = {each.name: each.value for each in identification.consistent(rigid.rigid, fits)}
+    assert list(found) == list(rigid.rigid.names)
+    assert all(found[f"rotor_{i}"] >= 0 for i in (1, 2, 3))
+    made = rigid.rigid.common.made_up @ np.array(list(found.values()))
+    told = {p.name: p for p in identification.base_parameters(rigid.rigid, fits)}
+    values = np.array([told[name].value for name, _ in rigid.rigid.words(rigid.rigid.common)])
+    values = values + rigid.rigid.stated_base(rigid.rigid.common)
+    std = np.array([told[name].std for name, _ in rigid.rigid.words(rigid.rigid.common)])
+    assert np.sqrt(np.mean(((made - values) / std) ** 2)) < 3

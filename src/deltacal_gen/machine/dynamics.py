@@ -27,6 +27,7 @@ NAMES = {  # as results call the parameters of a body, and their units
     "m_z": ("mz", "kg mm"),
 }
 TENSOR_UNIT = "kg mm^2"
+ROTOR_UNIT = {"rad": TENSOR_UNIT, "mm": "kg"}
 PAYLOAD = "payload"  # of a platform: what is no body of the machine
 GRAVITY = (0.0, 0.0, -9.81)
 UNIFORM = 1.0 / 6.0  # of a uniform rod's mass, by Simpson's rule: at either end
@@ -43,6 +44,8 @@ class Dynamics(ABC):
         How many joints there are, and rad or mm of each.
     bodies : int
         How many bodies have ten parameters each; 0 where bodies have others.
+    rotors : tuple of int
+        Joints, from 0, whose drive's inertia is a parameter of its own; these come after those of the bodies.
     gravity : (3,) array
         In {O} [m/s^2].
     """
@@ -50,6 +53,7 @@ class Dynamics(ABC):
     names: tuple[str, ...]
     units: tuple[str, ...]
     bodies: int = 0
+    rotors: tuple[int, ...] = ()
 
     def __init__(self, robot: Robot, machine: Chain | Limbs) -> None:
         self._kernels, self._tool = _kernels(machine.name), robot.tool
@@ -97,7 +101,7 @@ class Dynamics(ABC):
 
 
 class ChainDynamics(Dynamics):
-    """An open chain: ten parameters a link."""
+    """An open chain: ten parameters a link, and the inertia of the drives of which its tables state one."""
 
     def __init__(self, robot: Robot, machine: Chain) -> None:
         super().__init__(robot, machine)
@@ -105,22 +109,36 @@ class ChainDynamics(Dynamics):
         self._own = self._kernels.constants(machine.rows(robot)[:, :, : machine.width])
         self.bodies = len(machine.links)
         own = [NAMES.get(s, (s, TENSOR_UNIT)) for s in self._kernels.INERTIA]
-        self.names = tuple(f"{name}_{body + 1}" for body in range(self.bodies) for name, _ in own)
-        self.units = tuple(unit for _ in range(self.bodies) for _, unit in own)
+        driven = [k for k, link in enumerate(machine.links) if link.kind in ("revolute", "prismatic")]
+        said = {j: machine.links[k].rotor_inertia for j, k in enumerate(driven)}
+        self._rotors = {j: inertia for j, inertia in said.items() if inertia is not None}
+        self.rotors = tuple(self._rotors)
+        of_bodies = [(f"{name}_{body + 1}", unit) for body in range(self.bodies) for name, unit in own]
+        of_rotors = [(f"rotor_{driven[j] + 1}", ROTOR_UNIT[self.joint_units[j]]) for j in self.rotors]
+        self.names, self.units = zip(*of_bodies, *of_rotors, strict=True)
+        self._of_bodies = len(of_bodies)
 
     def regressor(self, motion: Array) -> Array:
         """Return Y (N, n_q, n)."""
         motion = self._checked(motion)
-        Y = np.empty((*motion.shape[1:], len(self.names)))
+        Y = np.empty((*motion.shape[1:], self._of_bodies))
         self._kernels.regressor(motion, self.gravity, self._own, *self._machine.shape, Y)
-        return Y
+        return np.concatenate([Y, self._of_rotors(motion)], axis=2) if self.rotors else Y
 
     def torque(self, motion: Array, inertia: Array) -> Array:
         """Return the torques (N, n_q), by the recursion over links."""
         motion, tau = self._checked(motion), np.empty(np.shape(motion)[1:])
-        masses = np.ascontiguousarray(inertia, dtype=float).reshape(self.bodies, -1)
+        inertia = np.asarray(inertia, dtype=float)
+        masses = np.ascontiguousarray(inertia[: self._of_bodies]).reshape(self.bodies, -1)
         self._kernels.torque(motion, masses, self.gravity, self._own, *self._machine.shape, tau)
-        return tau
+        return tau + self._of_rotors(motion) @ inertia[self._of_bodies :] if self.rotors else tau
+
+    def _of_rotors(self, motion: Array) -> Array:
+        """Return the torque (N, n_q, rotors) of each joint for each drive's inertia, which is 1."""
+        out = np.zeros((*motion.shape[1:], len(self.rotors)))
+        for n, j in enumerate(self.rotors):
+            out[:, j, n] = motion[2, :, j] / 1000.0
+        return out
 
     def payload(self, motion: Array, off: Array | None = None) -> Array:
         """Return the torques (N, n_q) that 1 kg asks for at the tool point, or off it, in the last frame."""
@@ -129,7 +147,7 @@ class ChainDynamics(Dynamics):
     def of_payload(self, off: Array | None = None) -> Array:
         """Return the parameters of 1 kg in the last frame."""
         own = self.of_points((self._tool if off is None else self._tool + off)[None])[0]
-        return np.concatenate([np.zeros(len(self.names) - len(own)), own])
+        return np.concatenate([np.zeros(self._of_bodies - len(own)), own, np.zeros(len(self.rotors))])
 
     @property
     def links(self) -> Array:
@@ -138,7 +156,8 @@ class ChainDynamics(Dynamics):
 
     def stated(self, *, points: bool = False) -> Array:
         """Return what the tables of links state; a fixed one without a mass has no body."""
-        return np.concatenate([self._of_link(link, points) for link in self._machine.links])
+        links = [self._of_link(link, points) for link in self._machine.links]
+        return np.concatenate([*links, list(self._rotors.values())])
 
     def _of_link(self, link: Link, points: bool) -> Array:
         if not link.mass:

@@ -64,7 +64,7 @@ def identify(robot: Robot, given: Trajectories, model: str | None = None) -> Mot
         next_measurements=still_to_move(session, fits),
         regularisation=Regularisation(rule="base parameters are shrunk by what predicts held-out samples best"),
         readings=Read(kind=given.kind, scalars=sum(len(fit.left) for fit in fits), poses=given.n_rows),
-        consistent=_consistent(rigid, fits) if torques and rigid.dynamics.bodies else None,
+        consistent=consistent(rigid, fits) if torques and rigid.dynamics.bodies else None,
         noise=noise,
         final=final,
         **{key: value for key, value in (figures | sigmas).items() if "_by_joint" not in key},
@@ -166,7 +166,7 @@ def _parameter(name: str, text: str, value: float, std: float, unit: str, limb: 
     )
 
 
-def _consistent(rigid: Rigid, fits: Sequence[Fit]) -> tuple[Consistent, ...]:
+def consistent(rigid: Rigid, fits: Sequence[Fit]) -> tuple[Consistent, ...]:
     """Return inertial parameters of bodies that could be built, as near to the base parameters as the noise asks.
 
     A body of points with positive masses has a positive definite inertia: masses on a lattice in each link's frame, by
@@ -181,11 +181,13 @@ def _consistent(rigid: Rigid, fits: Sequence[Fit]) -> tuple[Consistent, ...]:
     points = rigid.dynamics.of_points(np.array(np.meshgrid(*[LATTICE] * 3)).reshape(3, -1).T)
     bodies = rigid.dynamics.bodies
     of_body = [half @ rigid.common.made_up[:, b * points.shape[1] : (b + 1) * points.shape[1]] for b in range(bodies)]
-    A = np.hstack([part @ points.T for part in of_body])
+    rotors = half @ rigid.common.made_up[:, bodies * points.shape[1] :]
+    A = np.hstack([*(part @ points.T for part in of_body), rotors])
     size = np.linalg.norm(A, axis=0)
     size[size == 0] = 1.0
     masses = nnls(A / size, wanted, maxiter=20 * A.shape[1])[0] / size
-    found = np.concatenate([part @ points for part in masses.reshape(bodies, -1)])
+    of_bodies, of_rotors = np.split(masses, [bodies * len(points)])
+    found = np.concatenate([*(part @ points for part in of_bodies.reshape(bodies, -1)), of_rotors])
     return tuple(
         Consistent(name=name, value=float(v), unit=unit)
         for name, v, unit in zip(rigid.names, found, rigid.dynamics.units, strict=True)

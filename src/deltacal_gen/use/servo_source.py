@@ -239,9 +239,13 @@ def _tables(known: MotionModel, robot: Robot, own: Dynamics, joints: Sequence[Jo
     said = np.array([name in robot.limits for name in speeds])
     most = limits_of(robot)[0][2] / factors * np.where(said, 1.0, FASTEST)
     ends = np.array([robot.limits.get(column, (-NO_LIMIT, NO_LIMIT)) for column in known.columns])
-    yield from _table("INERTIA", inertia)
+    rotors = np.zeros(n)
+    for k, j in enumerate(own.rotors):  # of another joint's drive no torque depends
+        rotors[j] = inertia[j, len(own.names) - len(own.rotors) + k] / 1000.0
+    yield from _table("INERTIA", inertia[:, : inertia.shape[1] - len(own.rotors)])
     for name, values, words in (
-        ("PAYLOAD", payload, "1 kg at the reference point"),
+        ("ROTOR", rotors, "of the drives: N mm per rad/s^2, N per mm/s^2"),
+        ("PAYLOAD", payload[: len(payload) - len(own.rotors)], "1 kg at the reference point"),
         ("GRAVITY", own.gravity, "m/s^2, in {O}"),
         ("PAYLOAD_LOADS", np.array(of_known), "reading inside per torque of the payload"),
         ("READ", np.array([read.inside for read in readouts]), "units inside per unit of a reading"),
@@ -297,6 +301,7 @@ def _drive(joints: Sequence[JointModel]) -> Iterator[str]:
     yield "static double deltacal_drive(int joint, double q, double qd, double qdd, double load, double temp_C)"
     yield "{"
     yield "    const double edge = DELTACAL_REST[joint];"
+    yield "    load += DELTACAL_ROTOR[joint] * qdd;"
     yield "    if (!(fabs(qd) < edge))"
     yield "        return load + beside(joint, q, qd, qdd, load, temp_C);"
     yield "    return load + (0.5 - 0.5 * qd / edge) * beside(joint, q, -edge, qdd, load, temp_C)"
