@@ -86,11 +86,15 @@ def written(folder: Path, motion: Callable[[int], Motion] = swings, clock: str =
         joints += [[run, at, *q] for at, q in zip(t, np.round(path(t) / DEG, 4), strict=True)]
         when = np.arange(0.4, t[-1] - 0.4, STEP)  # on the joints' clock, of which the other one is shifted
         own = (when - offset) / (1 + rate)
-        x = read_at(path(when), errors, rng)
+        x = read_at(path(when), errors, rng) if kept.get("columns", X) else np.zeros((len(when), 0))
         readings += [[run, at, *row] for at, row in zip(own, x, strict=True)]
     recording = folder / "recording.csv"
     table(recording, ["run", "time_s", *Q], [list(c) for c in zip(*joints, strict=True)])
-    table(folder / "recording.instrument.csv", ["run", "time_s", *X], [list(c) for c in zip(*readings, strict=True)])
+    table(
+        folder / "recording.instrument.csv",
+        ["run", "time_s", *kept.get("columns", X)],
+        [list(c) for c in zip(*readings, strict=True)],
+    )
     text = f'[measurement]\nkind = "position"\nclock = "{clock}"\nsigma_mm = {NOISE}\n{kept.get("sidecar", "")}'
     recording.with_suffix(".toml").write_text(text)
     (folder / "robot.toml").write_text(robot_to_toml(ROBOT))
@@ -230,6 +234,33 @@ def test_a_simulation_has_the_clock_of_its_truth(tmp_path: Path) -> None:
     found = dc.identify(tmp_path / "robot.toml", made, "delta/3")
     assert clocks(found)["clock_offset", "a"]["value"] == pytest.approx(0.037, abs=0.3e-3)
     assert clocks(found)["clock_rate", None]["value"] == pytest.approx(2e-4, abs=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("kind", "said"),
+    [
+        ("pose", ""),
+        ("gauge", "base_point_mm = [400.0, 100.0, 50.0]\nplatform_point_mm = [0.0, 0.0, 0.0]"),
+        ("height", ""),
+        ("encoder", 'frame = "robot"'),
+    ],
+)
+def test_every_kind_of_reading_tells_its_clock(tmp_path: Path, kind: str, said: str) -> None:
+    path = written(tmp_path, offsets={"a": 0.0}, rate=0.0, seconds=10.0, columns=())
+    path.with_suffix(".toml").write_text(f'[measurement]\nkind = "{kind}"\nclock = "own"\n{said}\n')
+    (tmp_path / "truth.toml").write_text("[parameters]\nclock_offset = 0.037\nclock_rate = 2e-4\n")
+    made = tmp_path / "made.csv"
+    dc.simulate(tmp_path / "robot.toml", path, made, truth=tmp_path / "truth.toml", noise=NOISE)
+    if kind == "pose":  # the platform of this machine does not turn: its turns are noise, and tell no time
+        beside, rng = tmp_path / "made.instrument.csv", np.random.default_rng(1)
+        head, *rows = (line.split(",") for line in beside.read_text().splitlines())
+        turns = 0.003 * rng.standard_normal((len(rows), 3))
+        table(beside, head, [*zip(*(row[:-3] for row in rows), strict=True), *turns.T])
+    found = clocks(dc.identify(tmp_path / "robot.toml", made, None if kind == "encoder" else "delta/3"))
+    for (name, _), truth in zip(found, (0.037, 2e-4), strict=True):
+        (p,) = (p for key, p in found.items() if key[0] == name)
+        assert abs(p["value"] - truth) < 4 * p["std"], (name, p)
+        assert p["std"] < 0.2e-3
 
 
 def test_where_nothing_else_is_wrong_nothing_else_is_named(recorded: Path) -> None:

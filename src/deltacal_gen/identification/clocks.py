@@ -249,15 +249,17 @@ def _best(robot: Robot, given: TwoClocks, runs: Sequence[int]) -> float:
     low = min(t[0] - time[run == r].max() for r, t, _ in tables if (run == r).any())
     high = max(t[-1] - time[run == r].min() for r, t, _ in tables if (run == r).any())
     lags = np.linspace(low, high, min(MOST_LAGS, max(3, round((high - low) / GRID))))
-    left, count = (np.array(v) for v in zip(*(_left(lag, time, run, Y, tables) for lag in lags), strict=True))
-    left[count < OVERLAP * count.max()] = np.inf
-    best = int(np.argmin(left))
-    if not left[best] < 1.0 - FOLLOWS:
+    each, count = (np.array(v) for v in zip(*(_left(lag, time, run, Y, tables) for lag in lags), strict=True))
+    each[count < OVERLAP * count.max()] = np.inf
+    follows = each.min(axis=0) < 1.0 - FOLLOWS  # a platform that does not turn tells no time by its turns
+    if not follows.any():
         raise _refused(
             given,
             "the readings follow the joints at no offset",
             "Check that both files are of the same movement, and that the robot file is of this machine.",
         )
+    left = each[:, follows].mean(axis=1)
+    best = int(np.argmin(left))
     if (other := _other_valley(left, best)) is not None and left[other] < AS_GOOD * left[best]:
         raise _refused(
             given,
@@ -280,8 +282,8 @@ def _other_valley(left: Array, best: int) -> int | None:
 
 def _left(
     lag: float, time: Array, run: np.ndarray, Y: Array, tables: Sequence[tuple[int, Array, Array]]
-) -> tuple[float, int]:
-    """Return which part of the readings' variance an offset leaves, and of how many readings."""
+) -> tuple[Array, int]:
+    """Return which part of the variance of each reading (k,) an offset leaves, and of how many rows."""
     rows, basis = [], []
     for r, times, columns in tables:
         when = time + lag
@@ -292,13 +294,13 @@ def _left(
         basis.append((1 - part) * columns[at - 1] + part * columns[at])
     own, B = np.concatenate(rows), np.concatenate(basis)
     if len(own) < 3 * B.shape[1]:
-        return np.inf, len(own)
+        return np.full(Y.shape[1], np.inf), len(own)
     y = Y[own] - Y[own].mean(axis=0)
     G = B.T @ B
     G[np.diag_indices_from(G)] *= 1 + 1e-9
     b = B.T @ y
     rest = np.sum(y**2, axis=0) - np.sum(b * np.linalg.solve(G, b), axis=0)
-    return float(np.mean(rest / np.maximum(np.sum(y**2, axis=0), 1e-300))), len(own)
+    return np.asarray(rest / np.maximum(np.sum(y**2, axis=0), 1e-300)), len(own)
 
 
 def _tables(robot: Robot, given: TwoClocks, runs: Sequence[int]) -> list[tuple[int, Array, Array]]:

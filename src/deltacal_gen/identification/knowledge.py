@@ -153,7 +153,7 @@ def _sizes(
         A = np.vstack([A, np.eye(len(departure), A.shape[1])])
         r, B = np.concatenate([b, -departure]), np.vstack([B, np.zeros((len(departure), B.shape[1]))])
     U, s, _ = np.linalg.svd(A, full_matrices=False)
-    U = U[:, s > UNSEEN * s[0]]
+    U = U[:, s > UNSEEN * s.max(initial=0.0)]
     r, B = r - U @ (U.T @ r), B - U @ (U.T @ B)
     W, d, _ = np.linalg.svd(B, full_matrices=False)
     W = W[:, d > UNSEEN * max(float(d.max(initial=0.0)), 1.0)]
