@@ -17,7 +17,7 @@ from deltacal_gen.motion.library import Rung
 from deltacal_gen.motion.rigid import Rigid
 from deltacal_gen.motion.session import Session
 from deltacal_gen.motion.trajectories import read, read_sidecar
-from tests.test_motion import usual, written
+from tests.motion_recordings import usual, written
 
 SAMPLES, FOLDS = 4000, 4
 
