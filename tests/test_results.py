@@ -108,7 +108,16 @@ BARE = {  # numbers without a unit: counts, parts of a whole, figures of statist
     *("reach", "channels", "errors", "tolerance"),
     # of machines in motion: in `unit_by_joint`, parts of a whole, counts, and as their types say
     *("train_rms_by_joint", "heldout_rms_by_joint", "heldout_rms_by_joint_filtered", "sigma_by_joint"),
-    *("rms_by_joint", "rms_by_joint_filtered", "together_by_joint", "removed", "at_rest", "at_rest_below"),
+    *(
+        "rms_by_joint",
+        "rms_by_joint_filtered",
+        "together_by_joint",
+        "of_joints_by_joint",
+        "of_geometry_by_joint",
+        "removed",
+        "at_rest",
+        "at_rest_below",
+    ),
     *(
         "joint",
         "payload",
