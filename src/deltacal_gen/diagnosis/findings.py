@@ -22,6 +22,7 @@ from deltacal_gen.physics.terms import (
     TURNED,
     Term,
     effect_names,
+    largest,
     load_effect,
 )
 from deltacal_gen.results.diagnosis import (
@@ -143,6 +144,9 @@ def named_of(
         rivals = [f for f in freed.ranked() if f.term.effect != term.effect and f.score > score - AMBIGUOUS]
         of_constant, more = freed.spread(term)
         std = np.sqrt(np.maximum(variance, 0.0) + more)
+        # of what bears nothing as drawn is known what is believed of any machine
+        borne, most = search.fit.problem.borne([term]), largest(term, final.problem.recording.joint_unit)
+        std = np.where(borne, std, most.ravel())
         unrecorded = _unrecorded(freed, term, score)
         lead = min((score - f.score for f in rivals), default=np.inf)
         own = tuple(f.term for f in rivals)

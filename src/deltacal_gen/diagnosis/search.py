@@ -22,7 +22,7 @@ import numpy as np
 from deltacal_gen.diagnosis.beside import Beside
 from deltacal_gen.diagnosis.library import SIZE_STEP
 from deltacal_gen.estimation.fit import Fit
-from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.estimation.problem import ROUNDING, Problem
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.terms import (
@@ -35,7 +35,6 @@ from deltacal_gen.physics.terms import (
 )
 
 CHANCE = 5e-4  # that noise alone earns a form, or a limb, its charge
-ROUNDING = 1e-9  # of the largest column of an effect: less is no effect at all
 MOST_SETS, MOST_FORMS = 6, 3  # limbs of which all sets are looked at; forms of an effect on more that are
 UNSEEN = 1e-6  # part of a column's square beside the base: less is a combination of what is fitted
 GOLDEN = 0.5 * (5**0.5 - 1)  # of the golden section by which a size is then sought
@@ -99,10 +98,10 @@ class Search:
         size = np.sqrt(np.einsum("ij,ij->j", self._columns, self._columns))
         starts = np.cumsum([0, *(t.n_coefficients for t in terms)])[:-1].tolist()
         self._start = dict(zip(map(_key, terms), starts, strict=True))
-        lever = np.ones(len(size))
+        lever = problem.borne(terms).astype(float)
         for span in map(self._span, dict.fromkeys(t.effect for t in terms)):
             # rounding is no lever: a joint that bears nothing has nothing to twist by
-            lever[span] = size[span] > ROUNDING * size[span].max()
+            lever[span] *= size[span] > ROUNDING * size[span].max()
         self._size = np.maximum(size, 1e-300)
         self._columns *= lever / self._size
         self._place(beside)
@@ -206,17 +205,22 @@ class Search:
 
     def gain(self, columns: Sequence[int]) -> float:
         """Return by how much columns, fitted together with all that is fitted already, lower chi2."""
+        G, b = self.normal(columns)
+        return float(gains(G[None], b[None])[0])
+
+    def normal(self, columns: Sequence[int]) -> tuple[Array, Array]:
+        """Return the normal equations (n, n) and (n,) of unit columns beside all that is fitted."""
         some = list(columns)
         C, inside = self._columns[:, some], self._inside[:, some]
-        return float(gains((C.T @ C - inside.T @ inside)[None], self._reach[some][None])[0])
+        return C.T @ C - inside.T @ inside, self._reach[some]
 
     def estimated(self, term: Term) -> Term:
         """Return a form with the coefficients that explain most."""
         some = self.where(term)
         if not some:  # its size lies between those that compete
             return term.with_values(self._explained(term)[1])
-        C, inside = self._columns[:, some], self._inside[:, some]
-        values = np.linalg.pinv(C.T @ C - inside.T @ inside, rcond=SMALLEST, hermitian=True) @ self._reach[some]
+        G, b = self.normal(some)
+        values = np.linalg.pinv(G, rcond=SMALLEST, hermitian=True) @ b
         return term.with_values(values / self._size[some])
 
     def best(self, name: str) -> Found:

@@ -10,12 +10,12 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.diagnosis.evidence import evidence
-from deltacal_gen.diagnosis.search import ROUNDING, Found, Search, carriers_of, several
+from deltacal_gen.diagnosis.search import Found, Search, carriers_of, several
 from deltacal_gen.diagnosis.spectrum import Spectrum, periodic, wave
 from deltacal_gen.diagnosis.structure import Structure, alike, smooth_columns, structures
 from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.estimation.fit import Fit, fit, held_out, held_out_errors
-from deltacal_gen.estimation.problem import Problem
+from deltacal_gen.estimation.problem import ROUNDING, Problem
 from deltacal_gen.estimation.residuals import Repeats
 from deltacal_gen.estimation.series import Series
 from deltacal_gen.estimation.solvers import Prior
@@ -311,8 +311,9 @@ def refitted(
         size = np.linalg.norm(flat, axis=0)
         scale = ROOM * np.sqrt(len(flat)) / np.maximum(size, max(ROUNDING * size.max(), 1e-300))
         most = np.concatenate([largest(t, problem.recording.joint_unit).ravel() for t in terms])
-        joint = problem.with_terms(terms, np.minimum(scale, most))
-        errors = np.concatenate([errors, *(t.values.ravel() for t in terms)])
+        borne = problem.borne(terms)  # what bears nothing stays nothing
+        joint = problem.with_terms(terms, np.minimum(scale, most) * np.where(borne, 1.0, ROUNDING))
+        errors = np.concatenate([errors, borne * np.concatenate([t.values.ravel() for t in terms])])
     try:
         return fit(
             joint,

@@ -253,7 +253,8 @@ class _Iteration:
                     self._blame(residual)
                 break
             before = state
-            state, damping = improved(self._problem, state, linear, solution, self._rows.whitened, damping)
+            whitened = self._rows.whitened
+            state, damping = improved(self._problem, state, linear, solution, whitened, damping, self._tolerance)
             if state is before and len(history) > self._close + 1 + self._rows.later:
                 break  # no step lowers the objective: what the linear machine still promises is not to be had
         rows, problem = self._rows, self._problem

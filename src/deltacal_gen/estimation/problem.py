@@ -22,6 +22,7 @@ from deltacal_gen.physics.motion import with_motion
 from deltacal_gen.physics.reading import reading_shift
 from deltacal_gen.physics.terms import Term, of_reading
 
+ROUNDING = 1e-9  # of the largest column of an effect: less is no effect at all
 PART = 0.05  # of a step, along which a machine that gives way is asked how it moves
 
 
@@ -227,6 +228,29 @@ class Problem:
         values, _ = instrument.predict(self.readings, x)
         J[:, : values.shape[1]] += reading_shift(terms, self.body, self.readings, values, x)[1]
         return J
+
+    def borne(self, terms: Sequence[Term]) -> np.ndarray:
+        """Tell which coefficients (n_c,) of effects move anything on the machine as drawn.
+
+        A load that only errors of geometry bring about is the product of two small things: whatever it moves, a
+        compliance that no machine has would have to make of it.
+        """
+        out, loaded = [np.ones(t.n_coefficients, dtype=bool) for t in terms], dict[str, list[int]]()
+        for i, term in enumerate(terms):
+            if any(s.kind == "load" for s in term.states):
+                loaded.setdefault(term.effect, []).append(i)
+        if not loaded:
+            return np.concatenate([np.ones(0, dtype=bool), *out])
+        machine, _ = self.body.solve(np.zeros(len(self.mechanism.parameters)), ())
+        machine, used = machine._replace(x=np.nan_to_num(machine.x)), self.readings.used
+        sensitivity = self.sensitivity(machine, used)
+        for forms in loaded.values():
+            columns = self.effect_columns([terms[i] for i in forms], machine, used, sensitivity)
+            size = np.sqrt(np.nansum(columns**2, axis=(0, 1)))
+            parts = np.split(size > ROUNDING * size.max(), np.cumsum([terms[i].n_coefficients for i in forms])[:-1])
+            for i, own in zip(forms, parts, strict=True):
+                out[i] = own
+        return np.concatenate(out)
 
     def begin(self, parameters: Array, machine: Deformed | None = None) -> Instrument:
         """Return the instrument's first state for a machine with `parameters`."""

@@ -128,6 +128,7 @@ def improved(
     solution: Solution,
     whitened: Callable[[Array], Array],
     damping: float,
+    worth: float = 0.0,
 ) -> tuple[State, float]:
     """Take the step that lowers the objective, damped as far as needed; return the new state and the damping.
 
@@ -138,6 +139,8 @@ def improved(
     ----------
     whitened : callable
         Makes rows (scalars,) of residuals (R, k), weighed as those of `linear`.
+    worth : float
+        Of the objective: a shorter step that promises less is not tried.
     """
     if linear.weight is None:
         return _truncated(problem, state, linear, solution, whitened, damping)
@@ -168,8 +171,8 @@ def improved(
             kept = float(np.clip((before - after) / promised, 0.0, 1.0)) if promised > EXACT else 1.0
             eased = damping * max(EASE, 1 - (2 * kept - 1) ** 3)
             return trial, eased if eased > NONE else 0.0
-        if after <= before * (1 + SAME):
-            break  # nothing better within rounding, whatever the linear machine promises
+        if after <= before * (1 + SAME) or promised <= worth:
+            break  # nothing better within rounding, or nothing to be had by shorter steps
         damping, harder = min(max(damping * harder, FIRST), MOST), 2 * harder
     return state, damping
 

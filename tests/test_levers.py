@@ -1,0 +1,64 @@
+"""What only errors of geometry let a load do is no effect: its size would be arbitrary, and a fit would not end."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+from test_serial import robot
+
+from deltacal_gen.diagnosis.library import library
+from deltacal_gen.diagnosis.search import Search
+from deltacal_gen.diagnosis.strategy import refitted, terms_of
+from deltacal_gen.estimation.fit import Fit, fit
+from deltacal_gen.estimation.problem import pose_problem
+from deltacal_gen.estimation.solvers import Prior
+from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.physics.simulation import simulate
+from deltacal_gen.physics.terms import blank, load_effect
+from tests.conftest import wanted
+
+TILT = "joint_tilt_compliance"
+ARM = robot(masses={"gravity": [0.0, 0.0, -9.81]})
+
+
+@pytest.fixture(scope="module")
+def leaning() -> Fit:
+    """An arm of which the first axis is not upright by 0.3 deg, and whose shoulder tilts."""
+    rng = np.random.default_rng(3)
+    poses = wanted(np.zeros((90, 3)), frame="robot")
+    poses = dataclasses.replace(poses, joints=np.radians(rng.uniform(-120, 120, (90, 6))), targets=None)
+    factor = load_effect(TILT).COEFFICIENTS[0][2]
+    tilts = blank(TILT, (2,)).with_values(np.array([0.004, 0.0]) * factor)
+    read = simulate(ARM, poses, {"alpha_1": 0.005, "a_2": 0.3}, noise_mm=0.01, rng=rng, terms=[tilts])
+    mechanism = mechanism_of(ARM)
+    return fit(pose_problem(ARM, read, mechanism.model(mechanism.full_model)), Prior(), must_converge=False)
+
+
+def test_a_moment_about_an_axis_that_is_upright_as_drawn_is_none(leaning: Fit) -> None:
+    every = blank(TILT, (1, 2, 3))
+    assert leaning.problem.borne([every]).tolist() == [True, True, True, False, True, True]
+    moved = leaning.problem.term_columns([every], leaning.errors, leaning.instrument, leaning.machine)
+    assert np.abs(moved[:, :, 3]).max() > 0  # with its errors the machine does bear one
+
+
+def test_what_needs_no_load_is_borne(leaning: Fit) -> None:
+    assert leaning.problem.borne([blank("joint_scale", (1, 2)), blank("instrument_scale", ())]).all()
+    assert leaning.problem.borne([]).shape == (0,)
+
+
+def test_the_search_does_not_look_at_it(leaning: Fit) -> None:
+    search = Search(leaning, library(leaning.problem)[0])
+    columns = search.columns[:, search.where(blank(TILT, (2,)))]
+    assert np.linalg.norm(columns, axis=0) == pytest.approx([1.0, 0.0])
+
+
+def test_a_fit_leaves_it_at_nothing_and_ends(leaning: Fit) -> None:
+    start = blank(TILT, (2,)).with_values(np.array([0.004, 0.5]) * load_effect(TILT).COEFFICIENTS[0][2])
+    found = refitted(leaning.problem, leaning, [start])
+    assert found is not None
+    assert len(found.history) < 10
+    [own] = terms_of(found)
+    assert own.values[0, 0] / start.values[0, 0] == pytest.approx(1.0, abs=0.2)
+    assert abs(own.values[0, 1]) < 1e-6 * own.values[0, 0]
