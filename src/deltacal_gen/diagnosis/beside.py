@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -90,6 +91,16 @@ class Beside:
         out._R = out._basis.T @ out._base
         out._take_off()
         return out
+
+    def shifts(self, inside: Array) -> Array:
+        """Return by how much readings shift what is fitted (n, m), of their coordinates (n, m) in the basis."""
+        shift: Array = np.linalg.solve(self._R, inside)
+        return shift
+
+    def moved(self, columns: Sequence[int]) -> float:
+        """Return by how much some of what is fitted moves the readings, all together, in standard deviations."""
+        some = list(columns)
+        return float(np.linalg.norm(self._base[: self.readings, some] @ self._departure[some]))
 
     def rows(self, values: Array) -> Array:
         """Return readings (R, k, n) as whitened rows (scalars, n), unread components dropped."""

@@ -11,8 +11,9 @@ import numpy as np
 from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.search import Found, Search
 from deltacal_gen.diagnosis.spectrum import Spectrum, wave
-from deltacal_gen.diagnosis.strategy import ALIKE, MARGIN, terms_of
+from deltacal_gen.diagnosis.strategy import ALIKE, MARGIN, form, terms_of
 from deltacal_gen.diagnosis.structure import Region, Structure, alike
+from deltacal_gen.diagnosis.unnamed import shifts
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.body import Body
@@ -134,6 +135,7 @@ def named_of(
     `heldout` is the error without and with them on readings that no fit has seen, `sigma` the noise in it [mm].
     """
     out: list[Named] = []
+    unnamed = shifts(search)
     for i, term in enumerate(terms_of(final)):
         if is_law(term.effect):
             continue  # told by itself
@@ -143,7 +145,7 @@ def named_of(
         score = gain - search.price(term)
         rivals = [f for f in freed.ranked() if f.term.effect != term.effect and f.score > score - AMBIGUOUS]
         of_constant, more = freed.spread(term)
-        std = np.sqrt(np.maximum(variance, 0.0) + more)
+        std = np.sqrt(np.maximum(variance, 0.0) + more + unnamed.get(form(term), 0.0))
         # of what bears nothing as drawn is known what is believed of any machine
         borne, most = search.fit.problem.borne([term]), largest(term, final.problem.recording.joint_unit)
         std = np.where(borne, std, most.ravel())

@@ -214,6 +214,12 @@ class Search:
         C, inside = self._columns[:, some], self._inside[:, some]
         return C.T @ C - inside.T @ inside, self._reach[some]
 
+    def shift_by(self, effect: int, columns: Sequence[int]) -> Array:
+        """Return by how much unit columns in the readings shift the coefficients of a fitted effect (n_c, n)."""
+        own = self.fit.problem.coefficients(effect)
+        shift: Array = self._beside.shifts(self._inside[:, list(columns)])[own]
+        return self.fit.problem.scale[own][:, None] * shift
+
     def estimated(self, term: Term) -> Term:
         """Return a form with the coefficients that explain most."""
         some = self.where(term)
