@@ -36,7 +36,8 @@ def mean_error(result: dict[str, Any], folder: Path) -> float:
 def together(series: list[Path], folder: Path) -> Path:
     """Write all series as one recording, each a set-up of its own, in `folder`; return the folder."""
     rows = []
-    for name, place in zip(NAMES, series, strict=True):
+    for k, place in enumerate(series, 1):
+        name = f"series{k}_"
         with (place / "recording.csv").open() as file:
             rows += [
                 row | {"setup": name, "pose": f"{name}{row.get('pose', n)}"}

@@ -6,7 +6,8 @@
 A folder holds ``robot.toml`` and ``recording.csv``. `halves`: one half of the poses, drawn at random, is calibrated and
 diagnosed, the other predicted by both. `carry`: every folder is diagnosed; the even rows of every other one are
 identified with that physics held and without, its odd rows predicted by both, and the other way round. Errors are mean
-lengths in the unit of the readings; both know of the predicted rows nothing but joints and channels.
+lengths in the unit of the readings; both know of the predicted rows nothing but joints and channels. Of three folders
+and more all others together, each a set-up of its own in one recording, are carried to each one, too.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from __future__ import annotations
 import argparse
 import itertools
 import sys
+import tempfile
 import time
 from pathlib import Path
 
@@ -22,6 +24,7 @@ import numpy as np
 import deltacal_gen as dc
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Recording, Robot
+from tests.benchmarks.arm import together
 
 
 def given(folder: Path) -> tuple[Robot, Recording]:
@@ -62,12 +65,22 @@ def halves(folder: Path, count: int, seed: int) -> None:
 def carry(folders: list[Path]) -> None:
     diagnoses = {folder: dc.diagnose(*given(folder)) for folder in folders}
     for source, target in itertools.permutations(folders, 2):
-        robot, recording = given(target)
-        parts = [recording.subset(np.arange(k, recording.n_rows, 2)) for k in (0, 1)]
-        for train, test in (parts, parts[::-1]):
-            held = error(dc.identify(robot, train, physics=diagnoses[source]), test)
-            alone = error(dc.identify(robot, train), test)
-            print(f"{source.name} to {target.name}: {alone:.4f} to {held:.4f}, ratio {held / alone:.3f}", flush=True)
+        carried(source.name, diagnoses[source], target)
+    for target in folders if len(folders) > 2 else ():
+        others = [folder for folder in folders if folder != target]
+        with tempfile.TemporaryDirectory() as place:
+            found = dc.diagnose(*given(together(others, Path(place))))
+        carried(" and ".join(folder.name for folder in others), found, target)
+
+
+def carried(name: str, found: dc.Diagnosis, target: Path) -> None:
+    """Print what a diagnosis is worth on either half of the rows of another series."""
+    robot, recording = given(target)
+    parts = [recording.subset(np.arange(k, recording.n_rows, 2)) for k in (0, 1)]
+    for train, test in (parts, parts[::-1]):
+        held = error(dc.identify(robot, train, physics=found), test)
+        alone = error(dc.identify(robot, train), test)
+        print(f"{name} to {target.name}: {alone:.4f} to {held:.4f}, ratio {held / alone:.3f}", flush=True)
 
 
 def main(arguments: list[str]) -> None:
