@@ -60,6 +60,10 @@ WAYS: dict[str, Way] = {
 }
 
 
+PAIRS = [(name, way) for way in (*WAYS, OTHER) for name in (*MACHINES, *KINDS) if (name, way) not in LAWFUL]
+FOUND = ((1901, 17), (1901, 51), (1901, 105))  # seed and run: images of noise (a fault), another machine's readings
+
+
 def nonsense(good: Path, name: str, way: str, dice: np.random.Generator) -> str:
     """Return a recording of the shelf with its readings made nonsense."""
     head, *rows = csv.reader(io.StringIO((good / f"{name}.recording.csv").read_text()))
@@ -109,6 +113,25 @@ def warned(said: str, folder: Path) -> bool:
     return bool(re.search(r"warning:|above the noise|gross errors|times too small|farther from the robot file", words))
 
 
+def words_of(k: int) -> str:
+    """Return what run `k` makes nonsense, and how."""
+    return f"{k} {' '.join(PAIRS[k % len(PAIRS)])}"
+
+
+def one(seed: int, k: int, good: Path, *, show: bool = False) -> fuzz.Run:
+    """Run number `k`; print what was accepted, or all that was said."""
+    name, way = PAIRS[k % len(PAIRS)]
+    command = random.Random(f"{seed}/{k}").choice(("identify", "diagnose"))
+    table = nonsense(good, name, way, np.random.default_rng([seed, k]))
+    job = Job((command, f"{{{name}.robot.toml}}", f"{{{name}.recording.csv}}", "-o", "{out.json}"), ())
+    outcome = fuzz.attempt(job, f"{name}.recording.csv", table.encode(), good, seen=warned)
+    how = "refused" if outcome.code in (3, 4) else "answered with a warning" if outcome.warned else "ACCEPTED"
+    how = outcome.flaw or how
+    if how not in FINE or show:
+        print(f"{seed}/{words_of(k)} {command}: {how} ({outcome.code})\n{outcome.said[-700:]}", flush=True)
+    return k, f"{name} {way} {command}", outcome.code, how
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
     """Return 0 where nothing was accepted without a warning."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -126,22 +149,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
         good = Path(temporary) / "good"
         good.mkdir()
         shelf(good)
-        pairs = [(name, way) for way in (*WAYS, OTHER) for name in (*MACHINES, *KINDS) if (name, way) not in LAWFUL]
-        for k in (k for k in range(asked.runs) if k not in had):
+        for seed, k in FOUND if not (had or asked.only) else ():
+            done.append((-1, *one(seed, k, good, show=asked.show)[1:]))
+        for k in (k for k in range(asked.runs) if k not in had and words_of(k).startswith(asked.only)):
             if time.monotonic() > end:
                 break
-            name, way = pairs[k % len(pairs)]
-            if not f"{k} {name} {way}".startswith(asked.only) and not name.startswith(asked.only):
-                continue
-            command = random.Random(f"{asked.seed}/{k}").choice(("identify", "diagnose"))
-            table = nonsense(good, name, way, np.random.default_rng([asked.seed, k]))
-            job = Job((command, f"{{{name}.robot.toml}}", f"{{{name}.recording.csv}}", "-o", "{out.json}"), ())
-            outcome = fuzz.attempt(job, f"{name}.recording.csv", table.encode(), good, seen=warned)
-            how = "refused" if outcome.code in (3, 4) else "answered with a warning" if outcome.warned else "ACCEPTED"
-            how = outcome.flaw or how
-            if how not in FINE or asked.show:
-                print(f"{k} {name} {way} {command}: {how} ({outcome.code})\n{outcome.said[-700:]}", flush=True)
-            done.append((k, f"{name} {way} {command}", outcome.code, how))
+            done.append(one(asked.seed, k, good, show=asked.show))
             fuzz.log(asked.log, done[-1])
     counts = Counter(how for *_, how in done)
     print(dict(counts))
