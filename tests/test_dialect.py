@@ -10,7 +10,7 @@ import pytest
 import deltacal_gen as dc
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import InputError
-from deltacal_gen.files.dialect import decimal_mark
+from deltacal_gen.files.dialect import converted, decimal_mark
 from deltacal_gen.files.recording import read_blocks, read_recording
 from deltacal_gen.machine.registry import load_mechanism
 from deltacal_gen.machine.values import Recording
@@ -136,3 +136,17 @@ def test_exports_of_instrument_software(tmp_path: Path, software: str) -> None:
     found = dc.import_points(tmp_path / "points.txt", tmp_path / "joints.csv").recordings["recording"]
     assert found.measured == pytest.approx(np.array([[1.5, 2, -800], [2.5, 3, -801]]))
     assert found.pose.tolist() == ["P1", "P2"]
+
+
+@pytest.mark.parametrize(
+    ("name", "known"),
+    [("x_inch", ("x_mm", 25.4)), ("Y_metres", ("y_mm", 1000.0)), ("q1_degrees", ("q1_deg", 1.0)), ("load_inch", None)],
+)
+def test_units_may_be_written_out_in_a_name(name: str, known: tuple[str, float] | None) -> None:
+    assert converted(name) == (known or (name, 1.0))
+
+
+def test_a_table_in_the_place_of_the_robot_is_told(tmp_path: Path, run: Run) -> None:
+    code, _, err = run("identify", example() / "recording.csv", example() / "robot.toml")
+    assert code == 3
+    assert "Give the robot first" in err

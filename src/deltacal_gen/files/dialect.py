@@ -184,6 +184,8 @@ def converted(name: str, unit: str = "") -> tuple[str, float]:
     if (bracket := re.fullmatch(r"(.*?)[\s_]*[\[(]([^\])]*)[\])]", stem)) is not None:
         stem, said = bracket[1], said or _unit(bracket[2])
     plain = stem.lower().replace(" ", "_")
+    head, _, tail = plain.rpartition("_")
+    plain = f"{head}_{_SPELT[tail]}" if tail in _SPELT else plain  # x_inch, q1_degrees
     for pattern, own, factors in _UNITS:
         if pattern.fullmatch(plain) and said in factors:
             return f"{plain}_{own}", factors[said]

@@ -22,7 +22,7 @@ from pydantic import (
     create_model,
 )
 
-from deltacal_gen.errors import UsageError
+from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.toml import NonNegative, Number, Positive, Table, TomlFile, Vector, toml_text
 from deltacal_gen.machine.values import Link, Robot
 from deltacal_gen.results.parts import Named, RobotTables
@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 
     Loader = Callable[[str], Machine]
 
+TABLES = (".csv", ".parquet", ".xlsx", ".txt")  # endings of recordings
 SHORTEST_MACHINE = 2.0  # mm; a machine whose longest length is below this was written down in metres
 LONGEST_LINK = 20_000.0  # mm; a length above this was written down in micrometres
 
@@ -189,6 +190,8 @@ def read_robot(path: str | Path, *, load: Loader | None = None) -> Robot:
     InputError
         The file cannot be used; the message names file, line, key and remedy.
     """
+    if Path(path).suffix.lower() in TABLES:
+        raise InputError("this is a table, where a robot file is wanted.", "Give the robot first (TOML).", file=path)
     return _robot(TomlFile.read(path), load)
 
 
