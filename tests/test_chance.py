@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import types
 from typing import Any
 
@@ -9,6 +10,7 @@ import numpy as np
 import pytest
 from scipy.stats import kstest
 
+from deltacal_gen.diagnosis import chance
 from deltacal_gen.diagnosis.chance import Chance
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.diagnosis.library import library
@@ -16,6 +18,8 @@ from deltacal_gen.diagnosis.search import Search
 from deltacal_gen.estimation.fit import fit, rough
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.solvers import Prior
+from deltacal_gen.machine.values import Recording
+from tests.benchmarks.honesty_chance import geometry_of
 from tests.benchmarks.honesty_nulls import ROBOT, null
 from tests.left_out import DELTA, channels, effect, machine, record
 
@@ -36,7 +40,8 @@ def search() -> Search:
 def with_noise(search: Search, noise: np.ndarray) -> Any:
     """Return a search whose readings are noise alone, beside the same columns."""
     Q = search.beside.Q
-    beside = types.SimpleNamespace(Q=Q, residual=noise - Q @ (Q.T @ noise))
+    beside = copy.copy(search.beside)
+    beside.residual = noise - Q @ (Q.T @ noise)
     same = {name: getattr(search, name) for name in ("columns", "terms", "where", "gram")}
     return types.SimpleNamespace(beside=beside, **same)
 
@@ -60,15 +65,15 @@ def test_it_does_not_depend_on_how_large_the_noise_is(search: Search) -> None:
 
 
 def test_beyond_the_draws_it_falls_as_a_sum_of_squares_does(search: Search) -> None:
-    chance = Chance(
+    found = Chance(
         with_noise(search, np.random.default_rng(1).standard_normal(search.readings)), np.random.default_rng(2)
     )
-    scores = np.linspace(chance.score - 20, chance.score + 60, 200)
-    p = np.array([chance.of(s) for s in scores])
+    scores = np.linspace(found.score - 20, found.score + 60, 200)
+    p = np.array([found.of(s) for s in scores])
     assert (np.diff(p) <= 0).all()
     assert p[0] == pytest.approx(1.0, abs=0.02)
     assert 1e-16 < p[-1] < 1e-6
-    assert chance.of(1e9) > 0
+    assert found.of(1e9) > 0
 
 
 def test_every_diagnosis_says_how_surely_the_search_found_something() -> None:
@@ -87,11 +92,40 @@ def test_every_diagnosis_says_how_surely_the_search_found_something() -> None:
     assert weak.search.p_value > worn.search.p_value
 
 
+@pytest.fixture(scope="module")
+def coarse() -> Search:
+    """Return the competition on a recording whose joints were rounded to 0.05 deg, of which most of its noise is."""
+    return looked_at(null("rounded", 30011))
+
+
+def looked_at(made: Recording) -> Search:
+    first = geometry_of(made)
+    return Search(first, library(first.problem)[0])
+
+
+def test_joints_that_were_rounded_move_readings_along_joints_by_chance_too(
+    coarse: Search, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    p = Chance(coarse, np.random.default_rng(1)).p_value
+    monkeypatch.setattr(chance, "_steps", lambda search, own: None)
+    assert p > 5 * Chance(coarse, np.random.default_rng(1)).p_value
+
+
+def test_joints_that_were_commanded_in_steps_leave_no_rounding(coarse: Search) -> None:
+    step = 0.05  # deg
+    joints = np.degrees(record(ROBOT, n=100, sigma=0.0).joints)
+    sharp = looked_at(record(ROBOT, n=100, joints=np.round(joints / step) * step, declared=False))
+    assert chance._steps(sharp, sharp.beside.residual) is None
+    found = chance._steps(coarse, coarse.beside.residual)
+    assert found is not None
+    assert float((found**2).sum()) / 12 == pytest.approx(coarse.readings, rel=0.5)  # most of the noise is rounding
+
+
 def test_without_effects_to_test_nothing_is_found(search: Search) -> None:
     bare = with_noise(search, np.random.default_rng(1).standard_normal(search.readings))
     bare = types.SimpleNamespace(**{**vars(bare), "terms": (), "columns": search.columns[:, :0]})
-    chance = Chance(bare, np.random.default_rng(0))
-    assert (chance.best, chance.p_value) == (None, 1.0)
+    found = Chance(bare, np.random.default_rng(0))
+    assert (found.best, found.p_value) == (None, 1.0)
 
 
 def test_chance_is_that_of_noise_as_it_hangs_together() -> None:

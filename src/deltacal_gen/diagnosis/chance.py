@@ -4,7 +4,8 @@ The forms that compete are thousands, and alike; no count of them says how large
 therefore drawn: the residuals of the fit, freed of their leverage, change places and signs, are put through the same
 projection as the readings, and the search looks at each draw as it looked at them (Freedman and Lane 1983, J. Bus.
 Econ. Stat. 1, 292-298). Gains count in units of each draw's own noise, so that an effect in the residuals takes nothing
-off itself. Beyond the draws the largest gain falls off as a sum of squares does, exponentially.
+off itself. Where joints were rounded, so are those of the draws. Beyond the draws the largest gain falls off as a sum
+of squares does, exponentially.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from deltacal_gen.diagnosis.search import SMALLEST, UNSEEN, Search, charge, places
+from deltacal_gen.identification.rounding import TOLD, moved_by_steps
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.terms import Term, blank
 
@@ -22,6 +24,8 @@ DRAWS = 500
 TAIL = 20  # draws beyond which the tail stands in for them
 MOST_LEVERAGE = 0.95  # of a reading, whose residual would tell nothing of its noise
 LEAST_P = 1e-300
+LEAST_REST = 0.05  # of the variance that is left: what is no rounding, at least
+PROVEN = 10.0  # of twice the logarithm of the likelihood, by which rounding has to be the better noise
 
 
 class Chance:
@@ -74,10 +78,35 @@ def _drawn(search: Search, rng: np.random.Generator) -> Array:
     own = r / np.sqrt(1 - leverage)
     signs = rng.choice([-1.0, 1.0], (len(r), DRAWS))
     noise = signs * rng.permuted(np.tile(own[:, None], DRAWS), axis=0)
+    if (steps := _steps(search, own)) is not None:
+        rest = max(1 - float((steps**2).sum()) / 12 / float(own @ own), 0.0)
+        within = rng.uniform(-0.5, 0.5, (search.beside.owner[-1] + 1, steps.shape[1], DRAWS))
+        noise = rest**0.5 * noise + np.einsum("sj,sjd->sd", steps, within[search.beside.owner])
     every = np.column_stack([r, noise - Q @ (Q.T @ noise)])
     free = max(len(r) - float((Q**2).sum()), 1.0)
     scaled: Array = every / np.sqrt(np.maximum((every**2).sum(axis=0) / free, LEAST_P))
     return scaled
+
+
+def _steps(search: Search, own: Array) -> Array | None:
+    """Return the steps (scalars, n_q) of rounded joints, whitened; None where what is left does not show them.
+
+    Rounding moves a reading along its joints, as effects do: noise that is alike in all directions scores less. Joints
+    that were commanded in such steps leave nothing: the likelihood of what is left decides.
+    """
+    beside = search.beside
+    readings, repeats = beside.fit.problem.readings, beside.fit.repeats
+    each_read = readings.kind.positions and len(own) == 3 * len(readings)
+    if not each_read or readings.kind.sees_joints or repeats.series is not None or np.any(repeats.ratio):
+        return None
+    steps = beside.rows(moved_by_steps(beside.fit))
+    share = float((steps**2).sum()) / 12 / float(own @ own)
+    if not TOLD**2 < share < 1 / TOLD**2:
+        return None
+    M, each, variance = steps.reshape(-1, 3, steps.shape[1]), own.reshape(-1, 3), float(np.mean(own**2))
+    C = M @ np.swapaxes(M, 1, 2) / 12 + max(1 - share, LEAST_REST) * variance * np.eye(3)
+    rounded = np.einsum("ri,rij,rj->", each, np.linalg.inv(C), each) + np.linalg.slogdet(C)[1].sum()
+    return steps if rounded + PROVEN < len(own) * (1 + np.log(variance)) else None
 
 
 def _scores(search: Search, drawn: Array) -> Iterator[tuple[str, Array]]:

@@ -63,15 +63,30 @@ def rounding_of(at: Fit, recording: Recording) -> Rounding:
     if not kind.positions or kind.sees_joints:
         return Rounding(0.0, 0.0, 0.0, 0.0)
     rows = found.used
-    factors = np.asarray(joint_factors(recording.joint_unit, problem.body.q.shape[1]))
-    q = recording.joints[rows] / factors
-    own = [step_of(column, ENCODERS if factor != 1 else ()) for column, factor in zip(q.T, factors, strict=True)]
+    own, unit = _joint_steps(recording, rows, problem.body.q.shape[1])
     read = [step_of(column) for column in found.values.T]
-    moved = problem.sensitivity(at.machine, rows).joints[:, :3] * (np.array(own) * factors)
+    moved = problem.sensitivity(at.machine, rows).joints[:, :3] * own
     of_joints = float(np.sqrt(np.mean((moved**2).sum(axis=2)) / 12))
     of_readings = float(np.sqrt(np.mean(np.square(read)) / 12))
-    unit = "mm" if (factors == 1).all() else "deg"
-    return Rounding(float(max(own)), float(max(read)), of_joints, of_readings, unit)
+    factors = np.asarray(joint_factors(recording.joint_unit, len(own)))
+    return Rounding(float((own / factors).max()), float(max(read)), of_joints, of_readings, unit)
+
+
+def moved_by_steps(at: Fit) -> Array:
+    """Return how far readings (R, k, n_q) [mm, rad] move by the steps in which joints were written."""
+    problem, found = at.problem, at.problem.readings
+    own, _ = _joint_steps(problem.recording, found.used, problem.body.q.shape[1])
+    instrument = at.instrument.mounted(problem.mechanism, at.errors)
+    joints = problem.sensitivity(at.machine, found.used).joints * own
+    return instrument.linearise(found, problem.seen(at.machine), joints)[0]
+
+
+def _joint_steps(recording: Recording, rows: np.ndarray, count: int) -> tuple[Array, str]:
+    """Return the steps (n_q,) in which joints were written [rad, mm], and the unit in which they were."""
+    factors = np.asarray(joint_factors(recording.joint_unit, count))
+    columns = zip((recording.joints[rows] / factors).T, factors, strict=True)
+    steps = [step_of(column, ENCODERS if factor != 1 else ()) for column, factor in columns]
+    return np.array(steps) * factors, "mm" if (factors == 1).all() else "deg"
 
 
 def step_of(values: Array, usual: Sequence[float] = ()) -> float:
