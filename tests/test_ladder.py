@@ -59,7 +59,7 @@ def test_what_is_held_out_is_that_of_fits_to_the_other_folds() -> None:
     values = np.sin(np.arange(SAMPLES))
     other = one.X.copy()
     other[:, 1] = values * one.bench.scale[1]
-    moved = one.bench.with_column(1, values, other, one.y, fold)
+    moved = one.bench.with_columns([1], other, one.y, fold)
     same = regression.Bench.of(other, one.y, fold, 0)
     by = np.array([1.0, one.bench.scale[1] / same.scale[1], 1.0])
     np.testing.assert_allclose(moved.G * by * by[:, None], same.G, atol=1e-8)

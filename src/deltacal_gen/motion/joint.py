@@ -485,13 +485,12 @@ def _climbed_by(joint: Joint, ladder: Ladder, load: Array, folds: Sequence[int])
 
 def _with_rungs(joint: Joint, ladder: Ladder, rungs: Mapping[int, Rung], load: Array) -> Ladder:
     """Return a ladder with other rungs of the same effects in some places, by some load."""
-    states, every = joint.states | {"torque": load}, list(ladder.rungs)
-    bench, X = ladder.bench, ladder.X.copy(order="K")
+    states, every, X = joint.states | {"torque": load}, list(ladder.rungs), ladder.X.copy(order="K")
     for k, rung in rungs.items():
-        every[k], columns = rung, joint.of_rung(rung, states)
-        for n, c in enumerate(ladder.at[k]):
-            X[:, c] = columns[:, n]
-            bench = bench.with_column(c, columns[:, n] / bench.scale[c], X, joint.y, joint.fold)
+        every[k] = rung
+        X[:, ladder.at[k]] = joint.of_rung(rung, states)
+    changed = [c for k in rungs for c in ladder.at[k]]
+    bench = ladder.bench.with_columns(changed, X, joint.y, joint.fold) if changed else ladder.bench
     return dataclasses.replace(ladder, bench=bench, X=X, rungs=tuple(every), counted={})
 
 

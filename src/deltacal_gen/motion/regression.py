@@ -125,13 +125,14 @@ class Bench:
             rigid,
         )
 
-    def with_column(self, at: int, values: Array, X: Array, y: Array, fold: np.ndarray) -> Bench:
-        """Return the equations with other values (N,) in one column, as scaled; X (N, p) holds the others, unscaled."""
-        G, g = self.G.copy(), self.g.copy()
-        of_fold = np.where(fold[:, None] == [*range(len(self.n) - 1), BETWEEN], values[:, None], 0.0)
-        rows = (X.T @ of_fold).T / self.scale
-        rows[:, at] = values @ of_fold
-        G[:, at], G[:, :, at], g[:, at] = rows, rows, y @ of_fold
+    def with_columns(self, at: Sequence[int], X: Array, y: Array, fold: np.ndarray) -> Bench:
+        """Return the equations with other values in some columns, as X (N, p) has them, unscaled."""
+        G, g, count = self.G.copy(), self.g.copy(), len(self.n)
+        own = fold[:, None] == [*range(count - 1), BETWEEN]
+        values = X[:, at] / self.scale[list(at)]
+        of_fold = (own[:, :, None] * values[:, None, :]).reshape(len(X), -1)
+        rows = (X.T @ of_fold / self.scale[:, None]).reshape(-1, count, len(at)).transpose(1, 2, 0)
+        G[:, at], G[:, :, at], g[:, at] = rows, rows.transpose(0, 2, 1), (y @ of_fold).reshape(count, -1)
         return replace(self, G=G, g=g)
 
     @property
