@@ -9,7 +9,7 @@ import pytest
 from conftest import plausible, rings, scattered, wanted
 
 from deltacal_gen.errors import NoSolutionError
-from deltacal_gen.estimation.fit import Fit, fit
+from deltacal_gen.estimation.fit import Fit, by_means, fit
 from deltacal_gen.estimation.problem import Problem, pose_problem
 from deltacal_gen.estimation.residuals import Repeats, lengths, rms
 from deltacal_gen.estimation.solvers import TSVD, LeastSquares, Prior
@@ -246,6 +246,17 @@ def test_means_of_few_readings_tell_less_of_what_poses_share(ratio: float) -> No
     shared = np.sqrt(ratio) * rng.standard_normal((600, 2))[group]
     found, _, _ = Repeats.ratio_of(shared + rng.standard_normal((len(group), 2)), group)
     assert found == pytest.approx(ratio, rel=0.15, abs=0.01)  # by means that count alike 0.03 where there is none
+
+
+def test_only_what_means_of_groups_carry_is_taken_from_them() -> None:
+    """One column moves each group as a whole, one its readings against each other, one does both."""
+    group = np.repeat(np.arange(5), 2)
+    read = np.ones((10, 2), dtype=bool)
+    whole, within = np.ones(20), np.tile([1.0, 1.0, -1.0, -1.0], 5)
+    taken = np.column_stack([whole, within, (whole + within) / np.sqrt(2)]) / np.sqrt(20)
+    assert by_means(taken[:, :1], read, group) == pytest.approx(1.0)
+    assert by_means(taken[:, 1:2], read, group) == pytest.approx(0.0)
+    assert by_means(taken[:, 2:], read, group) == pytest.approx(0.5)
 
 
 def repeated(robot: Robot, truth: dict[str, float], counts: np.ndarray) -> Recording:

@@ -219,7 +219,7 @@ class _Rows:
         )
         self._carried = degrees, 0.0
         if self.estimated and self._found.known is not None:  # points of one pose tell more than their mean
-            means = _by_means(_taken_up(linear, solution), read, self._found.group)
+            means = by_means(_taken_up(linear, solution), read, self._found.group)
             self._carried = means, degrees - means
 
     def objective(self, at: Fit, weight: float) -> float:
@@ -410,7 +410,7 @@ def _taken_up(linear: System, solution: Solution) -> Array:
     return np.hstack([Q, A @ solution.V * weight])
 
 
-def _by_means(taken: Array, read: np.ndarray, group: np.ndarray) -> float:
+def by_means(taken: Array, read: np.ndarray, group: np.ndarray) -> float:
     """Return how many of the parameters that columns (scalars, n) took up were carried by the means of groups (R,)."""
     pose, component = np.broadcast_to(group[:, None], read.shape)[read], np.nonzero(read)[1]
     _, mean = np.unique(np.column_stack([pose, component]), axis=0, return_inverse=True)
