@@ -217,9 +217,21 @@ def draw(kind: str, robot: Robot, seen: States, rng: np.random.Generator) -> Tru
     if kind == "orders":
         large = np.array([LARGE * (100.0 if u == "mm" else 1.0) for u in mechanism_of(robot).joint_units])
         orders = large[:, None, None] * rng.standard_normal((limbs, 2, ORDERS)) / np.sqrt(ORDERS)
-    return Truth(
-        kind, tuple(names), limb if at_joint else 0, axis, lambda s: function(*(of(s, n) for n in names)), orders
-    )
+
+    def value(states: States) -> Array:
+        return function(*(of(states, n) for n in names))
+
+    # an even function of a direction is none: what truth does not go with, no law need read
+    whole = value(seen)
+    read = [n for n in names if not np.allclose(value({**seen, **_reversed(seen, n)}), whole)]
+    return Truth(kind, tuple(read), limb if at_joint else 0, axis, value, orders)
+
+
+def _reversed(seen: States, name: str) -> States:
+    """Return a state in the reverse order of rows."""
+    base, _, number = name.rpartition("_")
+    own = base if number.isdecimal() else name
+    return {own: seen[own][::-1]}
 
 
 def _unrecorded(kind: str, rng: np.random.Generator) -> Callable[[States], Array]:
