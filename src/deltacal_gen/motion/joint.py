@@ -444,14 +444,28 @@ def climbed(joint: Joint) -> Fit:
         held_out[own] = _apart(joint, ladder, others, own)
     ladder, chosen = _climbed_by(joint, ladder, load, bench.folds)
     chosen.sort(key=lambda k: (candidates[k].effect not in USUAL, candidates[k].effect, candidates[k].constants))
+    fit, ladder = _settled(joint, ladder, chosen, held_out)
+    if len(needed := ladder.needed(chosen, bench.folds)) < len(
+        chosen
+    ):  # it made up for a size, or a load, that was off
+        chosen = needed
+        fit, ladder = _settled(joint, ladder, chosen, held_out)
     return dataclasses.replace(
-        fitted(joint, [ladder.rungs[k] for k in chosen], held_out),
+        fit,
         bought=tuple(ladder.buys(chosen, k, bench.folds) for k in chosen),
         gains=tuple(ladder.gain(chosen, k, bench.folds) for k in chosen),
         alike=tuple(_alike(ladder, chosen, k) for k in chosen),
         passed_over=ladder.passed_over(chosen, bench.folds),
         first=ladder.first(bench.folds),
     )
+
+
+def _settled(joint: Joint, ladder: Ladder, chosen: Sequence[int], held_out: Array) -> tuple[Fit, Ladder]:
+    """Return the fit of some rungs to all samples, and the ladder with these at the sizes and the load found."""
+    fit = fitted(joint, [ladder.rungs[k] for k in chosen], held_out)
+    found = zip(chosen, fit.rungs, strict=True)
+    moved = {k: rung for k, rung in found if rung.continuous or "torque" in rung.kernels.STATE}
+    return fit, _with_rungs(joint, ladder, moved, fit.load)
 
 
 def _apart(joint: Joint, ladder: Ladder, others: Sequence[int], own: np.ndarray) -> Array:
