@@ -5,11 +5,14 @@ from __future__ import annotations
 import dataclasses
 import json
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 
 import deltacal_gen as dc
+from deltacal_gen.diagnosis import diagnosis
 from deltacal_gen.diagnosis.laws.ground import TARGETS
 from deltacal_gen.results.diagnosis import Diagnosis
 from tests.left_out import SIGMA, channels, machine, record
@@ -227,3 +230,20 @@ def test_a_file_that_names_no_effect_is_refused(found: Diagnosis) -> None:
 
     with pytest.raises(UsageError, match=r"like oil_creep\.py"):
         effect_file(found.laws[0], Path("My law.py"))
+
+
+@pytest.mark.parametrize(("cheaper", "stands"), [(True, True), (False, False)])
+def test_a_law_hidden_by_noise_that_wanders_stands_where_it_costs_less(
+    monkeypatch: pytest.MonkeyPatch, cheaper: bool, stands: bool
+) -> None:
+    wave = SimpleNamespace(fit="law", law=(SimpleNamespace(price=45.0),))
+    white = SimpleNamespace(unexplained=True, spectrum=None)
+    calm = SimpleNamespace(unexplained=False, spectrum=None)
+    sought = {id(white): SimpleNamespace(laws=(wave,)), id(calm): SimpleNamespace(laws=())}
+    monkeypatch.setattr(diagnosis, "laws", lambda found, progress: sought[id(found)])
+    monkeypatch.setattr(diagnosis, "deviance", lambda found: 1000.0)
+    monkeypatch.setattr(diagnosis, "deviance_of", lambda fit: 950.0 if cheaper else 960.0)
+    by_law: Any = diagnosis._by_law
+    found = by_law(("plain", white), ("wandering", calm), lambda text: None)
+    assert found[:2] == (("plain", white) if stands else ("wandering", calm))
+    assert bool(found[2].laws) is stands

@@ -134,11 +134,10 @@ def diagnose(
     robot, problem, model, lean, some, first, doubt = _begun(robot, recording, model)
     terms, not_tested = library(some) if not lean else ([], _untested(problem))
     white = searched(some, first, terms, lean, progress)
-    first, found = _in_noise(some, first, white, terms, lean, progress)
+    calm = _in_noise(some, first, white, terms, lean, progress)
+    first, found, sought = (*calm, Sought()) if lean else _by_law((first, white), calm, progress)
     some, search, left, unexplained = found.problem, found.search, found.left, found.unexplained
     spectrum = found.spectrum
-    # joints that err at many orders imitate any function of the pose
-    sought = laws(found, progress) if not lean and spectrum is None else Sought()
     if lawful := sought.laws:
         search, left, unexplained = Search(lawful[0].fit, search.terms), structures(lawful[0].fit), False
     smooth = borne_out_beside(search.fit, left) if unexplained else None
@@ -251,6 +250,22 @@ def _in_noise(
     if calm is not None or (found.search.effects and not lean):
         found = beside_noise(found, lean)
     return first, found
+
+
+def _by_law(white: tuple[Fit, Outcome], calm: tuple[Fit, Outcome], progress: Progress) -> tuple[Fit, Outcome, Sought]:
+    """Return the geometry, what was found beside it, and the law that explains what these leave.
+
+    Noise that wanders takes in what a law of time does to rows: where that leaves nothing to explain, a law beside
+    white noise, which costs less, stands in its place. Joints that err at many orders imitate any function of the pose.
+    """
+    found = calm[1]
+    sought = laws(found, progress) if found.spectrum is None else Sought()
+    hidden = white[1].unexplained and white[1].spectrum is None and not found.unexplained and found.spectrum is None
+    if sought.laws or not hidden or not (instead := laws(white[1], progress)).laws:
+        return *calm, sought
+    law = instead.laws[0]
+    cost = deviance_of(law.fit) + sum(t.price for t in law.law)
+    return (*white, instead) if cost < deviance(found) else (*calm, sought)
 
 
 def _held_out(found: Outcome, search: Search, lawful: Sequence[Lawful]) -> tuple[float, float]:
