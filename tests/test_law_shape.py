@@ -11,6 +11,7 @@ from deltacal_gen.diagnosis.laws import grammar
 from deltacal_gen.diagnosis.laws.ground import Ground, Tried
 from deltacal_gen.diagnosis.laws.profile import refine
 from deltacal_gen.diagnosis.laws.screen import price
+from deltacal_gen.diagnosis.laws.search import placed
 from deltacal_gen.diagnosis.laws.shape import _runs_away, shaped
 from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.problem import pose_problem
@@ -115,3 +116,13 @@ def test_a_form_may_have_many_constants(count: int) -> None:
     assert values.shape == (N, 1, count)
     last = form.constants[-1]
     assert values[:, 0, -1] == pytest.approx(np.maximum(OF["payload_kg"] - last, 0.0))
+
+
+@pytest.mark.parametrize(("true", "seen"), [("joint", "limb.rod"), ("limb.rod", "joint")])
+def test_a_law_acts_where_its_form_explains_most(true: str, seen: str) -> None:
+    size = 0.002 if true == "joint" else 0.2
+    ground, tried = straight(law(f"{true} = c1*payload*(oil_C - c2)", size, 45.0))
+    form = grammar.product(("payload", grammar.Atom("payload")), ("oil_C", grammar.Atom("(oil_C - {0})", (45.0,), 2)))
+    there = placed(ground, dataclasses.replace(tried, target=seen, form=form))
+    assert (there.target, there.limbs) == (true, (LIMB,))
+    assert placed(ground, there) is there

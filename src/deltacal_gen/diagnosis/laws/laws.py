@@ -10,7 +10,7 @@ import numpy as np
 
 from deltacal_gen.diagnosis.discrimination import Question
 from deltacal_gen.diagnosis.laws.ground import Ground, Tried
-from deltacal_gen.diagnosis.laws.proof import Instead, Proof, judged, proven
+from deltacal_gen.diagnosis.laws.proof import MOST_POSES, SEED, Instead, Proof, judged, proven
 from deltacal_gen.diagnosis.laws.screen import ranked, stands_out
 from deltacal_gen.diagnosis.laws.search import COMPARED, Grown, curved, fitted, polished, unexplained
 from deltacal_gen.diagnosis.search import gains, quantile
@@ -137,14 +137,17 @@ def _beside(
         return Sought()
     if not proof.holds:
         return Sought(doubtful=proof.grown.terms[0] if proof.share > 0 else None)
-    first = _of_all(problem, base, proof.grown, names)
-    for grown in () if first is None else (curved(problem, first), first):
-        out = _needed(problem, grown, found)
-        if not out.law or _moved(out) or out.cost >= deviance_of(found.search.fit):
+    some = problem.some(MOST_POSES, np.random.default_rng(SEED))
+    first = _of_all(some, base, proof.grown, names)
+    for grown in () if first is None else (curved(some, first), first):
+        kept: Grown | None = _needed(some, grown, found)
+        if kept is not None and kept.law and some is not problem:
+            kept = _of_all(problem, base, kept, kept.names)
+        if kept is None or not kept.law or _moved(kept) or kept.cost >= deviance_of(found.search.fit):
             continue
-        asked = _asked(problem, out, proof)  # what is told is asked for as it is written
+        asked = _asked(problem, kept, proof)  # what is told is asked for as it is written
         if asked is not None and asked.holds:
-            return Sought(tuple(_told(problem, _calm(problem, out), asked)))
+            return Sought(tuple(_told(problem, _calm(problem, kept), asked)))
     return Sought()
 
 

@@ -23,7 +23,7 @@ from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.law import is_law
 from deltacal_gen.physics.terms import Term
 
-MOST_POSES, SEED = 250, 1859  # on which a law is sought, drawn at random where there are more; all are asked
+MOST_POSES, SEED = 250, 1859  # on which a law is sought, drawn at random where there are more; all are asked at last
 PART = 4  # one of so many parts is asked
 LAST = 0.75  # of the session: what comes after is asked
 BLOCKS, ASKED = 10, (2, 5, 8)  # blocks of rows, in the order of time, and those that are asked

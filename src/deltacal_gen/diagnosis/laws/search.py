@@ -59,6 +59,11 @@ class Grown:
         return [t for t in terms_of(self.fit) if is_law(t.effect)]
 
     @property
+    def names(self) -> list[Term]:
+        """The effects beside the law."""
+        return [t for t in terms_of(self.fit) if not is_law(t.effect)]
+
+    @property
     def states(self) -> frozenset[str]:
         """What the law reads."""
         return frozenset(s for t in self.law for s in t.form.states)
@@ -179,8 +184,8 @@ def curved(problem: Problem, grown: Grown) -> Grown:
     for i in range(len(grown.law)):
         for _ in range(LOOKS):
             ground = Ground(grown.fit).freed(len(terms_of(grown.fit)) - len(grown.law) + i)
-            bent = shaped(ground, grown.law[i])
-            same = bent.form.functions == grown.law[i].form.functions
+            bent = shaped(ground, placed(ground, grown.law[i]))
+            same = bent.form.functions == grown.law[i].form.functions and bent.target == grown.law[i].target
             again = fitted(problem, grown, ground, bent, grown.others, i)
             if again is None or again.cost > grown.cost + COMPARED:
                 break
@@ -188,6 +193,22 @@ def curved(problem: Problem, grown: Grown) -> Grown:
             if same:
                 break
     return grown
+
+
+def placed(ground: Ground, tried: Tried) -> Tried:
+    """Return a term of a law at the place where its form explains most, on the limbs that carry it.
+
+    Places were compared by few simple forms; a curve tells them apart that is nearly right.
+    """
+    lags = "Lag(" in tried.form.text
+    own = ground.place(tried.target)
+    others = [p for p in ground.places if p.limbs == own.limbs and (p.remembers or not lags) and p is not own]
+    read = [p for p in others if set(tried.form.states) <= set(ground.readable(p))]
+    at = [
+        dataclasses.replace(tried, target=p.target, gain=ground.gain(p, tried.form, tried.limbs)) for p in (own, *read)
+    ]
+    best = max(at, key=lambda t: t.gain)
+    return best if best.gain > at[0].gain + COMPARED else tried
 
 
 def _revised(problem: Problem, grown: Grown) -> Grown:
