@@ -126,12 +126,15 @@ def _structureless(search: Search, left: Sequence[Structure]) -> bool:
 
 
 def beside_noise(found: Outcome, lean: bool) -> Outcome:
-    """Return what of the effects found holds beside noise that hangs together as what they leave does."""
+    """Return what of the effects found holds beside noise that hangs together as what they leave does.
+
+    Noise that wanders leaves readings anywhere, and what they then leave wanders farther: it is less likely, and stops.
+    """
     at = found.search.fit
     if (calm := together(at)) is None:
         return found
     kept = refitted(found.problem, dataclasses.replace(at, repeats=calm), terms_of(at))
-    if kept is None:
+    if kept is None or deviance_of(kept) > deviance_of(at):
         return found
     search = _proven(found.problem, Search(kept, found.search.terms))
     left = structures(search.fit)
