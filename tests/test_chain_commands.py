@@ -15,6 +15,7 @@ from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Robot
+from deltacal_gen.identification.accuracy import joint_spread
 from deltacal_gen.identification.identifiability import identification_matrix, observability
 from deltacal_gen.machine.registry import SOLVED, UNREACHABLE, mechanism_of
 from deltacal_gen.machine.rotation import to_vector
@@ -175,7 +176,7 @@ def test_a_plan_has_the_rank_and_the_matrix_of_its_recording(kind: str, tmp_path
 def test_d_optimal_joints_beat_those_drawn() -> None:
     r = robot(joints=LIMITS)
     best = optimal.d_optimal(r, "dh", 12, kind="pose")
-    drawn = planning.joint_spread(r, 12)
+    drawn = joint_spread(r, 12)
     assert best.steps[0].condition < 50
     assert optimal.log_determinant(best, best.poses.joints) > optimal.log_determinant(best, drawn) + 5
     with pytest.raises(UsageError, match="plan at least"):

@@ -523,7 +523,7 @@ def test_a_fit_of_few_heights_says_by_how_much_its_residual_flatters(rng: np.ran
     A, noise = rng.standard_normal((readings, parameters)), rng.standard_normal((readings, 400))
     left = noise - A @ np.linalg.lstsq(A, noise, rcond=None)[0]
     said = flattered(float(readings - parameters), readings, float(np.sqrt(np.mean(left**2))))
-    assert "13 readings less 9.0 parameters leave 4.0 degrees of freedom" in said
+    assert "13 readings less 9 parameters leave 4 degrees of freedom" in said
     assert float(re.search(r"noise of ([\d.]+) mm", said)[1]) == pytest.approx(1.0, abs=0.05)  # type: ignore[index]
     assert "1.8 times" in said
     assert "says nothing of the noise" in flattered(0.4, 7, 0.01)

@@ -110,4 +110,4 @@ def test_an_exact_camera_is_compared_with_what_knows_more(tmp_path: Path, capsys
     assert out.read_text() == first
     said = capsys.readouterr().out
     assert "within three standard deviations: 1" in said
-    assert "the bound of what is not known" in said
+    assert "squared error by the bound's covariance" in said

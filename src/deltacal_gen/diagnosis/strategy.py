@@ -134,7 +134,7 @@ def beside_noise(found: Outcome, lean: bool) -> Outcome:
     if (calm := together(at)) is None:
         return found
     kept = refitted(found.problem, dataclasses.replace(at, repeats=calm), terms_of(at))
-    if kept is None or deviance_of(kept) > deviance_of(at):
+    if kept is None or (not at.repeats.plain and deviance_of(kept) > deviance_of(at)):
         return found
     search = _proven(found.problem, Search(kept, found.search.terms))
     left = structures(search.fit)

@@ -173,7 +173,7 @@ def _read_at_all(first: Fit, off: float) -> None:
     if first.instrument.unit(problem.recording.columns) is None:
         return  # heights and lengths may be alike at all poses: these are compared with what the poses spread over
     spread = first.instrument.scale * float(np.linalg.norm(np.nanstd(found.values, axis=0)))
-    if off > NOTHING * spread:
+    if off > NOTHING * spread > 0:
         raise InputError(
             f"the machine explains next to nothing of what was seen: it leaves {off / spread:.0%} of what the images "
             "differ by.",

@@ -6,6 +6,7 @@ import numpy as np
 
 from deltacal_gen.files.robot import robot_of
 from deltacal_gen.identification.accuracy import check_joints
+from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.results.result import Result
 from deltacal_gen.units import DEG, to_internal
@@ -32,7 +33,7 @@ def sentences(found: Result) -> list[str]:
         return [""] * len(found.unidentifiable)
     if prints:
         printed = firmware.Printed(robot, mechanism, belts=False)
-        q, on_bed = printed.q, printed.on_bed & ("height" in found.readings.kind)
+        q, on_bed = printed.q, printed.on_bed & kind_of(found.readings.kind).probed
         x, _ = mechanism.forward(q, tool, mechanism.rows(robot))
     else:
         q, x, _, _ = check_joints(robot, tool)
