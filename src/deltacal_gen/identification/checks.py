@@ -7,7 +7,6 @@ import itertools
 from collections.abc import Iterator
 
 import numpy as np
-from scipy.special import chdtrc
 
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.estimation.fit import SPARE_READINGS, Fit, rough
@@ -240,7 +239,11 @@ def strained(at: Fit) -> bool:
     machine that is one of those, the sum of its squares in standard deviations is below chi2 of as many parameters.
     """
     _, off = _departure(at)
-    return len(off) > 0 and chdtrc(len(off), float(off @ off)) < ANOTHER
+    if off @ off <= len(off):
+        return False  # as far as is usual: most are, and need no distribution
+    from scipy.special import chdtrc  # a fifth of a second, of which an ordinary calibration has no need
+
+    return bool(chdtrc(len(off), float(off @ off)) < ANOTHER)
 
 
 def _departure(at: Fit) -> tuple[Array, Array]:
