@@ -15,6 +15,7 @@ from deltacal_gen.units import DEG
 
 TURN = 10.0  # deg: as far as a platform turns on command either way whose workspace does not say
 TURN_ROOT = 1.2207440846057596  # of x^4 = x + 1: its powers spread three turns evenly
+RECURRENCE = (0.8191725134, 0.6710436067, 0.5497004779)  # powers of the root of x^4 = x + 1: evenly spread points
 FULL_TURN = np.pi  # rad: as far as a joint turns either way whose limits nobody gave
 
 

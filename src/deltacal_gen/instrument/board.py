@@ -34,6 +34,7 @@ FAR = 1e6  # image sizes: a point that a wrong homography throws to infinity
 PARALLEL = 0.02  # of the lines that look at a point: more than noise, less than a tilt of 10 deg tells of how far it is
 FACING = 0.9  # cosine of the angle within which a camera looks at a point
 PRINTED, FILLED = 0.3, 0.5  # width of a print, of where the machine moves; of how near a camera comes
+NICE = (1.0, 2.0, 2.5, 5.0, 10.0)
 POINTS = 7, 5  # of a print, along and across
 RANK = 1e-6  # of a column's length: less is a combination of the others
 
@@ -305,6 +306,12 @@ def looked_at(P: Array, along: Array, otherwise: Array) -> Array:
     return at if before.mean() > 0.5 else otherwise
 
 
+def nice(length: float) -> float:
+    """Return a length that prints have, not more than `length`: 1, 2, 2.5 or 5 times a power of ten."""
+    power = 10.0 ** np.floor(np.log10(length))
+    return float(max(n for n in NICE if n * power <= length * (1 + 1e-9)) * power)
+
+
 def printed(x: Array, chain: bool) -> Array:
     """Return the points (n, 2) of a print that suits a camera at poses x (N, 12), from its corner [mm]."""
     span = float(np.ptp(x[:, :3], axis=0).max())
@@ -313,8 +320,7 @@ def printed(x: Array, chain: bool) -> Array:
         along = x[:, 3:].reshape(-1, 3, 3)[:, :, 2]
         middle = looked_at(x[:, :3], along, x[:, :3].mean(axis=0) + span * along.mean(axis=0))
         width = FILLED * float(np.linalg.norm(middle - x[:, :3], axis=1).min())
-    step = 10.0 ** np.floor(np.log10(width / POINTS[0]))
-    step *= max(n for n in (1.0, 2.0, 2.5, 5.0) if n * step <= width / POINTS[0])
+    step = nice(width / POINTS[0])
     return np.array([[step * i, step * j] for i in range(POINTS[0]) for j in range(POINTS[1])])
 
 

@@ -14,7 +14,8 @@ import numpy as np
 
 from deltacal_gen.errors import NoSolutionError
 from deltacal_gen.files.robot import Robot, robot_size
-from deltacal_gen.identification.accuracy import joint_spread, workspace_of
+from deltacal_gen.identification.accuracy import RECURRENCE, joint_spread, workspace_of
+from deltacal_gen.instrument.board import nice
 from deltacal_gen.machine.registry import SOLVED, Array, mechanism_of
 
 PLACES, SPREAD = 12, 400  # of a board that are looked at; joints that set out to it
@@ -27,13 +28,6 @@ MOVED = 1e-6  # rad, or tenths of a metre: of differences
 NEAR, FAR = 0.75, 1.35  # of the usual distance, from which a board is looked at
 REACH = 0.3  # of the machine's size: that distance; a print's points lie a tenth of it apart
 TILTED = np.radians(35.0)  # at most
-NICE = (1.0, 2.0, 2.5, 5.0, 10.0)
-
-
-def nice(length: float) -> float:
-    """Return a length that prints have, not more than `length`: 1, 2, 2.5 or 5 times a power of ten."""
-    power = 10.0 ** np.floor(np.log10(length))
-    return float(max(n for n in NICE if n * power <= length * (1 + 1e-9)) * power)
 
 
 def touched(robot: Robot) -> Array:
@@ -70,7 +64,7 @@ def looking(robot: Robot) -> Array:
         Too few joints do.
     """
     size = robot_size(robot)
-    u = np.outer(np.arange(1, SPREAD + 1), [0.8191725134, 0.6710436067, 0.5497004779]) % 1.0  # as `generic` spreads
+    u = np.outer(np.arange(1, SPREAD + 1), RECURRENCE) % 1.0
     tilt, way = TILTED * np.sqrt(u[:, 0]), 2 * np.pi * u[:, 1]
     cap = np.column_stack([np.sin(tilt) * np.cos(way), np.sin(tilt) * np.sin(way), np.cos(tilt)])
     distance = REACH * size * (NEAR + (FAR - NEAR) * u[:, 2])

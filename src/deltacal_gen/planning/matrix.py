@@ -13,7 +13,7 @@ import numpy as np
 from deltacal_gen.errors import InputError, NoSolutionError, UsageError
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.files.sidecar import read_measurement
-from deltacal_gen.identification.accuracy import joint_spread, turned, workspace_of
+from deltacal_gen.identification.accuracy import RECURRENCE, joint_spread, turned, workspace_of
 from deltacal_gen.identification.identifiability import (
     Observability,
     column_convention,
@@ -48,7 +48,6 @@ READABLE = {"mm": 3, "rad": 4}  # digits of targets and joints that are written,
 INWARDS = np.linspace(0.98, 0.3, 35)  # parts of the way from the centre at which a pose beyond limits is tried
 FEWEST = 3  # poses of a ring: rule (21)
 GENERIC_POSES = 60  # without any symmetry, for what poses can see at all
-RECURRENCE = (0.8191725134, 0.6710436067, 0.5497004779)  # powers of the root of x^4 = x + 1: evenly spread points
 TURN_MM = 100.0  # at which a measured turn of 1 rad counts as a shift: what 6D trackers read, 0.01 mm beside 0.006 deg
 
 
