@@ -330,9 +330,9 @@ class _Model:
 
     @property
     def _items(self) -> Any:
-        import exudyn.itemInterface as items  # noqa: N813
+        from exudyn import itemInterface
 
-        return items
+        return itemInterface
 
     def _body(self) -> Any:
         self.nodes.append(self.mbs.AddNode(self._items.NodeRigidBodyEP(referenceCoordinates=[0, 0, 0, 1, 0, 0, 0])))

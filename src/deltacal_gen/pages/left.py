@@ -79,7 +79,7 @@ def left_by(fit: Fit, found: Result) -> Left:
 
 
 def in_order(axes: Axes, left: Left) -> None:
-    """Draw the error of each reading, in the order of the recording; those beyond the scale at its end."""
+    """Draw the error of each reading, in the order of the recording; what is beyond the scale, or gross, at its end."""
     size, top = left.size, left.top
     far = (size > top) | np.isin(left.line, left.gross)
     axes.plot(left.line[~far], size[~far], ".", color=AFTER, ms=4)
@@ -90,7 +90,7 @@ def in_order(axes: Axes, left: Left) -> None:
     axes.set_ylim(0, 1.06 * top)
     axes.set_xlabel("line of the recording")
     axes.set_ylabel(f"error, {left.unit}")
-    axes.set_title(f"In the order of the recording{f' ({far.sum()} far off)' if far.any() else ''}")
+    axes.set_title(f"In the order of the recording{f' ({far.sum()} beyond the scale)' if far.any() else ''}")
 
 
 def spread(axes: Axes, left: Left) -> None:
