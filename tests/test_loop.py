@@ -138,9 +138,12 @@ def test_stopped_from_the_keyboard_while_the_command_measures(started: Path) -> 
         f"import time; open({str(sign)!r}, 'w').close(); time.sleep(60)", encoding="utf-8"
     )
     before = recording.read_bytes()
-    words = ["-m", "deltacal_gen.app.cli", "loop", "robot.toml", "recording.csv", "--measure"]
+    words = ["loop", "robot.toml", "recording.csv", "--measure"]
+    # a job that a shell starts in the background ignores Ctrl-C, and so would what it starts
+    heard = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
+    program = f"{heard}; import runpy; runpy.run_module('deltacal_gen.app.cli', run_name='__main__', alter_sys=True)"
     process = subprocess.Popen(
-        [sys.executable, *words, python(str(started / "measure.py"))],
+        [sys.executable, "-c", program, *words, python(str(started / "measure.py"))],
         cwd=started,
         env=os.environ | {"PYTHONPATH": os.pathsep.join([str(ROOT), *sys.path])},
         start_new_session=True,

@@ -119,28 +119,34 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return dc.manual_site(tmp_path_factory.mktemp("site")).parent
 
 
+def seen_at(browser: Any, width: int) -> None:
+    """Show the page at a width [px of CSS], as printed where that is the paper's."""
+    metrics = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": False}
+    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
+    browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print" if width == PAPER else ""})
+
+
 @pytest.mark.parametrize("topic", [manual.CONTENTS, *manual.topics()])
 def test_the_manual_is_readable_from_disk(topic: str, browser: Any, site: Path) -> None:
-    for width in (*WIDTHS, PAPER):
-        metrics = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": False}
-        browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
-        browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print" if width == PAPER else ""})
-        try:
-            browser.get("about:blank")
-            browser.get_log("performance")
-            browser.get((site / f"{topic}.html").as_uri())
-            assert [e for e in browser.get_log("browser") if e["level"] in ("SEVERE", "WARNING")] == []
-            sent = [json.loads(e["message"])["message"] for e in browser.get_log("performance")]
-            asked = [m["params"]["request"]["url"] for m in sent if m["method"] == "Network.requestWillBeSent"]
-            assert [url for url in asked if not url.startswith(site.as_uri())] == []
+    seen_at(browser, WIDTHS[0])
+    browser.get("about:blank")
+    browser.get_log("performance")
+    browser.get((site / f"{topic}.html").as_uri())
+    try:
+        for width in (*WIDTHS, PAPER):
+            seen_at(browser, width)
             beyond, wide = browser.execute_script(OVERFLOWING)
             assert beyond <= 0, (topic, width, wide)
             assert wide == [], (topic, width)
             assert browser.execute_script(APART) == []
             broken = "return [...document.images].filter(i => !i.naturalWidth).map(i => i.src)"
             assert browser.execute_script(broken) == []
-        finally:
-            browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+    finally:
+        browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+    assert [e for e in browser.get_log("browser") if e["level"] in ("SEVERE", "WARNING")] == []
+    sent = [json.loads(e["message"])["message"] for e in browser.get_log("performance")]
+    asked = [m["params"]["request"]["url"] for m in sent if m["method"] == "Network.requestWillBeSent"]
+    assert [url for url in asked if not url.startswith(site.as_uri())] == []
 
 
 def test_the_search_leads_to_what_was_looked_for(browser: Any, site: Path) -> None:

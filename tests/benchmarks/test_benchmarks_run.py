@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from pathlib import Path
 
@@ -18,7 +19,12 @@ from tests.benchmarks.works import WORKS, disagreement, works
 QUICK = [name for name in WORKS if not name.endswith("_cold") and "command" not in name]
 
 
-@pytest.mark.parametrize("name", QUICK)
+ALIKE = [name for name in QUICK if re.match("(forward|sensitivity)_(?!diamond|serial)", name)]  # one work, each machine
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.thorough if name in ALIKE else ()) for name in QUICK]
+)
 def test_all_contenders_agree(name: str) -> None:
     [(_, work)] = works([name], size=2)
     assert all(much <= 1 for much in disagreement(work).values())
