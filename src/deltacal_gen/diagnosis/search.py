@@ -512,6 +512,8 @@ def gains(G: Array, b: Array) -> Array:
     Columns had unit length before the projection.
     """
     seen = np.diagonal(G, axis1=1, axis2=2) > UNSEEN
+    if G.shape[1] == 1:
+        return np.where(seen, b**2 / np.where(seen, G[:, 0], 1.0), 0.0)[:, 0]
     both = seen[:, :, None] & seen[:, None, :]
     values, vectors = np.linalg.eigh(np.where(both, G, 0.0))
     along = np.einsum("mij,mi->mj", vectors, np.where(seen, b, 0.0))

@@ -267,8 +267,10 @@ class Ground:
         """
         S, n, m = columns.shape
         flat = columns.reshape(S, -1)
-        flat = np.where(np.abs(flat).max(axis=0) < BOUNDLESS, flat, 0.0)
-        size = np.linalg.norm(flat, axis=0)
+        with np.errstate(over="ignore", invalid="ignore"):
+            size = np.sqrt(np.einsum("ij,ij->j", flat, flat))
+        if not (bounded := size < BOUNDLESS).all():  # neither is what is not finite
+            flat, size = np.where(bounded, flat, 0.0), np.where(bounded, size, 0.0)
         C = flat / np.where(size > 0, size, 1.0)
         inside = self.beside.Q.T @ C
         b = C.T @ self.beside.residual

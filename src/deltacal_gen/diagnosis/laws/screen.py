@@ -55,7 +55,7 @@ def ranked(ground: Ground, looked_at: int = LOOKED_AT) -> list[Tried]:
 def stands_out(ground: Ground) -> bool:
     """Tell whether some simple form earns its price: what a fit leaves is then more than noise."""
     tried = _first(ground)
-    return any(dataclasses.replace(t, price=price(t, len(tried))).score > MARGIN for t in tried)
+    return any(t.gain - price(t, len(tried)) > MARGIN for t in tried)
 
 
 def _each_once(tried: Iterable[Tried]) -> list[Tried]:
@@ -68,9 +68,13 @@ def _each_once(tried: Iterable[Tried]) -> list[Tried]:
 
 def price(tried: Tried, count: int) -> float:
     """Return the gain that the best of `count` forms exceeds by chance alone, and what there is to say of this one."""
-    columns = len(tried.form.functions) * max(len(tried.limbs), 1)
+    return _price(tried.form, tried.limbs, count)
+
+
+def _price(form: Form, limbs: Sequence[int], count: int) -> float:
+    columns = len(form.factors) * max(len(limbs), 1)
     of_choice = quantile(1, count) - quantile(1, 1)
-    return columns * quantile(1, 1) + of_choice + PART * tried.form.length
+    return columns * quantile(1, 1) + of_choice + PART * form.length
 
 
 def _first(ground: Ground) -> list[Tried]:
@@ -127,7 +131,7 @@ def _screened(ground: Ground, place: Place, forms: Sequence[Form]) -> list[Tried
 
 def _of_forms(ground: Ground, place: Place, forms: Sequence[Form], values: Array) -> Array:
     """Return whitened columns (scalars, n, limbs * functions) of forms with equally many functions."""
-    m = len(forms[0].functions)
+    m = len(forms[0].factors)
     states = [f.states for f in forms for _ in range(m)]
     C = ground.columns(place, values, states)
     limbs = C.shape[2]
@@ -136,7 +140,7 @@ def _of_forms(ground: Ground, place: Place, forms: Sequence[Form], values: Array
 
 def _scored(ground: Ground, place: Place, forms: Sequence[Form], C: Array) -> list[Tried]:
     G, b, _ = ground.normal(C)
-    limbs, m = place.columns.shape[2], len(forms[0].functions)
+    limbs, m = place.columns.shape[2], len(forms[0].factors)
     each = np.stack([gains(G[:, at : at + m, at : at + m], b[:, at : at + m]) for at in range(0, limbs * m, m)], axis=1)
     every = gains(G, b) if limbs > 1 else each[:, 0]
     out = []
@@ -146,8 +150,7 @@ def _scored(ground: Ground, place: Place, forms: Sequence[Form], C: Array) -> li
         more = (limbs - 1) * m * quantile(1, 1)
         own = place.limbs if whole - more > single else place.limbs[one : one + 1]
         gain = whole if whole - more > single else single
-        found = Tried(place.target, form, own, gain, 0.0)
-        out.append(dataclasses.replace(found, price=price(found, 1)))
+        out.append(Tried(place.target, form, own, gain, _price(form, own, 1)))
     return out
 
 
