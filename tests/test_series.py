@@ -125,6 +125,17 @@ def test_folds_are_blocks_where_rows_hang_together() -> None:
         assert fewest <= (np.diff(part) != 0).sum() <= most
 
 
+def test_folds_are_even_though_poses_in_between_were_not_read() -> None:
+    made = null("white", 1)
+    measured = made.measured.copy()
+    measured[::3] = np.nan
+    some = dataclasses.replace(made, measured=measured)
+    found = pose_problem(ROBOT, some, DELTA.model("42")).readings
+    for parts in (folds(found, some), folds(found, some, rows=8.0)):
+        assert (np.sum([test for _, test in parts], axis=0) == 1).all()
+        assert np.ptp([test.sum() for _, test in parts]) <= 8
+
+
 def test_no_set_up_counts_as_less_than_one_row() -> None:
     gap = np.tile([np.inf, *np.ones(18)], 2)
     walk = Series(np.arange(38), gap, 0.999)

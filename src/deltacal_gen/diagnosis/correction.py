@@ -260,9 +260,10 @@ def borne_out_beside(at: Fit, left: Sequence[Structure]) -> BorneOut | None:
         corrected[test] = _predicted(at, linear, linear.best(options, {k}), k, train, test, without[test])
     without[linear.weights == 0] = corrected[linear.weights == 0] = np.nan
     made = BorneOut(at, linear, option, without, corrected)
-    order = np.argsort(found.line[np.unique(found.group, return_index=True)[1]], kind="stable")
+    _, some, pose = np.unique(found.group, return_index=True, return_inverse=True)  # not every pose was read
+    order = np.argsort(found.line[some], kind="stable")
     squares = (np.nansum(lengths(errors, found.kind) ** 2, axis=1) for errors in (without, corrected))
-    before, after = (np.bincount(found.group, each).astype(float)[order] for each in squares)
+    before, after = (np.bincount(pose, each).astype(float)[order] for each in squares)
     return made if _beyond_doubt(before, after) else None
 
 

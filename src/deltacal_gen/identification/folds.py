@@ -33,6 +33,7 @@ def folds(
         part = _parts(int(pose.max()) + 1, count, rng)[ends]
         return [((part != k).all(axis=1), (part == k).all(axis=1)) for k in range(count)]
     group = found.group if not at_rate(recording) else _stretches(found, recording)
+    group = np.unique(group, return_inverse=True)[1]  # of poses that were not read there is no group
     groups = int(group.max()) + 1
     if rows > 1:
         first = np.unique(group[np.argsort(found.line, kind="stable")], return_index=True)[1]
