@@ -150,3 +150,16 @@ def test_repeats_contradict_a_sigma_whatever_changes_between_them() -> None:
     found = diagnose(ROBOT, dataclasses.replace(made, measurement=stated)).answer()
     assert (found.verdict, found.noise.source) == ("adequate", "repeats")
     assert "repeats of a pose differ by" in found.summary
+
+
+def test_rows_that_are_copies_are_no_repeats() -> None:
+    made = null("white", 1)
+    n = made.n_rows
+    twice = made.subset(np.r_[np.arange(n), np.arange(n)])
+    [said] = identify(ROBOT, twice).answer().doubts or ()
+    assert said.startswith(f"{n} rows are copies of others")
+    assert diagnose(ROBOT, twice, "18").doubts == (said,)
+    again = twice.measured.copy()
+    again[n:] += 0.01 * np.random.default_rng(1).standard_normal(again[n:].shape)
+    assert identify(ROBOT, dataclasses.replace(twice, measured=again)).answer().doubts is None
+    assert identify(ROBOT, made.subset(np.r_[np.arange(n), 0, 1])).answer().doubts is None  # too few to tell

@@ -181,7 +181,7 @@ def diagnose(
         lean=lean,
         laws=lawful,
         turned=turned_of(found.considered) if lawful or unexplained else "",
-        doubts=doubt,
+        doubts=(*doubt, *checks.copied(recording)),
     )
 
 

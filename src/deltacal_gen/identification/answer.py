@@ -11,7 +11,7 @@ from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.identification import identifiability
 from deltacal_gen.identification.accuracy import distance_error, largest, volumetric_error
-from deltacal_gen.identification.checks import doubts
+from deltacal_gen.identification.checks import copied, doubts
 from deltacal_gen.identification.identifiability import Combination
 from deltacal_gen.identification.noise import coordinate_sigma, freedom
 from deltacal_gen.identification.prior import BROAD, share_of_data
@@ -121,7 +121,7 @@ def result_of(found: Identification) -> Result:
         uncertainty=found.uncertainty,
         unit=unit and unit[0],
         unit_mm=unit and unit[1],
-        doubts=doubts(final) or None,
+        doubts=(*doubts(final), *copied(recording)) or None,
     )
 
 

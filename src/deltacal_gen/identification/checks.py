@@ -30,6 +30,7 @@ NEARER = 0.5  # of the error: a mistake that brings less is not fitted
 MOST_FITTED = 4
 EXPLAINED = 0.1  # of the error: what a mistake may leave that explains it
 ANOTHER = 1e-9  # chance that a machine which is as it is known is so far off
+FEWEST_COPIES = 5  # rows: fewer may agree in every digit that was written
 FARTHEST = 3  # parameters that are told of it
 ELSEWHERE = 45 * DEG  # of an encoder offset: it is nearer to a quarter of a turn than to a joint that was homed badly
 
@@ -229,6 +230,30 @@ def doubts(at: Fit) -> tuple[str, ...]:
     return (
         f"these readings want a machine that is farther from the robot file than parts are off: {'; '.join(told)}. "
         "Compare the file's dimensions with the machine; where they are rough, say how rough ([tolerance]).",
+    )
+
+
+def copied(recording: Recording) -> tuple[str, ...]:
+    """Return that rows are copies of others: the same in every number, which noise and clocks leave no repeat.
+
+    Where any repeat differs, those that agree do so by chance or by their rounding.
+    """
+    told = [recording.tool, *(recording.channels[name] for name in sorted(recording.channels))]
+    beside = [np.asarray(v, dtype=float).reshape(recording.n_rows, -1) for v in told if v is not None]
+    posed = np.unique(np.column_stack([recording.joints, recording.setup]), axis=0, return_inverse=True)[1].ravel()
+    whole = np.nan_to_num(np.column_stack([posed, recording.measured, *beside]), nan=np.inf)
+    read = np.isfinite(recording.measured).any(axis=1)
+    _, first, row = np.unique(whole, axis=0, return_index=True, return_inverse=True)
+    again = read & (first[row.ravel()] != np.arange(recording.n_rows))
+    repeats = int(read.sum()) - len(np.unique(posed[read]))
+    if recording.pairs is not None or again.sum() < FEWEST_COPIES or again.sum() < repeats:
+        return ()
+    line = recording.line[np.flatnonzero(again)[0]]
+    of = recording.line[first[row.ravel()[np.flatnonzero(again)[0]]]]
+    return (
+        f"{again.sum()} rows are copies of others, the same in every number (line {line} of line {of}): repeats of a "
+        "measurement differ by its noise. They claim more than was measured, and the deviations are too small: leave "
+        "the copies out.",
     )
 
 
