@@ -25,6 +25,7 @@ from deltacal_gen.app.commands.common import (
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.robot import Robot, for_model, for_names
 from deltacal_gen.files.writing import csv_text, write_files, write_recording
+from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Recording
 
 if TYPE_CHECKING:
@@ -79,7 +80,12 @@ def plan(
         options.pop("kind", None)
         return cast("Plan", _exciting(as_robot(robot), output, picture, **options))
     if model is None:
-        raise UsageError("give the model whose parameters the poses shall tell: --model MECHANISM/NUMBER.")
+        robot = as_robot(robot)
+        model, *others = mechanism_of(robot).models
+        if others:
+            raise UsageError(
+                f"give the model whose parameters the poses shall tell: --model {', '.join((model, *others))}."
+            )
     robot = for_model(as_robot(robot), model)
     if gauge is not None and optimal is not None:
         raise UsageError("D-optimal sets are chosen for positions and distances, not for a gauge.")
