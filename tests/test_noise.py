@@ -8,9 +8,15 @@ import numpy as np
 import pytest
 
 from deltacal_gen.diagnosis.diagnosis import diagnose
+from deltacal_gen.estimation.fit import fit
+from deltacal_gen.estimation.problem import pose_problem
+from deltacal_gen.estimation.series import Series
+from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.identification.repeats import repeats
 from deltacal_gen.identification.rounding import ENCODERS, step_of
+from deltacal_gen.identification.together import deviance_of
+from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.terms import Term
 from tests.benchmarks.honesty_nulls import ROBOT, SIGMA, null, rounded
@@ -163,3 +169,34 @@ def test_rows_that_are_copies_are_no_repeats() -> None:
     again[n:] += 0.01 * np.random.default_rng(1).standard_normal(again[n:].shape)
     assert identify(ROBOT, dataclasses.replace(twice, measured=again)).answer().doubts is None
     assert identify(ROBOT, made.subset(np.r_[np.arange(n), 0, 1])).answer().doubts is None  # too few to tell
+
+
+def test_what_rows_beside_one_do_not_tell_is_what_its_covariance_says() -> None:
+    rng = np.random.default_rng(3)
+    gap = np.r_[np.inf, rng.integers(1, 4, 19), np.inf, rng.integers(1, 4, 19)].astype(float)
+    time, own, rho = np.cumsum(np.where(np.isinf(gap), 1e3, gap)), 0.2, 0.95
+    C = own * np.eye(40) + (1 - own) * rho ** np.abs(time[:, None] - time)
+    order, v = rng.permutation(40), rng.standard_normal(40)
+    values = np.empty((40, 1))
+    values[order, 0] = v
+    found = Series(order, gap, rho, own).alone(values)[order, 0]
+    for i in range(40):
+        near = [j for j in (i - 1, i + 1) if 0 <= j < 40 and abs(time[i] - time[j]) < 100]
+        by = np.linalg.solve(C[np.ix_(near, near)], C[near, i])
+        assert found[i] == pytest.approx((v[i] - by @ v[near]) / np.sqrt(1 - by @ C[near, i]))
+
+
+def test_noise_that_wanders_leaves_no_machine_elsewhere_and_few_rows_far_off_speak_for_none() -> None:
+    rec = record(ROBOT, n=150, seed=8)
+    rng = np.random.default_rng(8)
+    rec.measured[rng.choice(150, 12, replace=False), 1] += np.geomspace(0.1, 0.9, 12)
+    mechanism = mechanism_of(ROBOT)
+    problem = pose_problem(ROBOT, rec, mechanism.model(mechanism.full_model))
+    white = fit(problem, Prior(), drop_gross=False, must_converge=False)
+    series = Series.of(problem.readings)
+    assert series is not None
+    repeats = dataclasses.replace(white.repeats, series=dataclasses.replace(series, rho=0.9994, own=0.07))
+    wanders = fit(problem, Prior(), instrument=white.instrument, repeats=repeats, must_converge=False)
+    assert len(wanders.gross) < 15
+    assert np.sqrt(np.mean(wanders.residual**2)) < 2 * np.sqrt(np.mean(white.residual**2))
+    assert deviance_of(wanders) > deviance_of(white)

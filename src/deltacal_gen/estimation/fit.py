@@ -95,10 +95,9 @@ class Fit:
 
     @property
     def gross(self) -> np.ndarray:
-        """Readings (indices) so far off that they are gross errors, not noise; where most are, noise wandered off."""
-        size = np.nanmax(np.abs(self.repeats.levelled(self.residual)) / self.sigma, axis=1)
-        found = np.flatnonzero(size > GROSS)
-        return found if 2 * len(found) < len(size) else found[:0]
+        """Readings (indices) so far off that they are gross errors, not noise."""
+        size = np.nanmax(np.abs(self.repeats.off(self.residual)) / self.sigma, axis=1)
+        return np.flatnonzero(size > GROSS)
 
     def rms(self) -> float:
         """RMS of the residuals of length, each measured scalar once, gross errors left out [mm]."""
@@ -196,8 +195,8 @@ class _Rows:
         """Estimate noise and weights from residuals (R, k); what repeats share once, when the fit is close."""
         self.sigma = self._noise(residual)
         drop = self._found.kind if self._drop_gross and iteration > close - self.later else None
-        levelled = self.shared.levelled(residual)
-        self.weights = robust_weights(levelled, self.sigma, drop) if self._robust else np.ones(len(residual))
+        off = self.shared.off(residual)
+        self.weights = robust_weights(off, self.sigma, drop) if self._robust else np.ones(len(residual))
         if not self.weights.all():  # what has no weight in the fit has none in its noise
             self.sigma = self._noise(residual, self.weights > 0)
         if self.estimated and iteration == close + self.later:

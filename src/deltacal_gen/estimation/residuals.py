@@ -60,9 +60,12 @@ class Repeats:
         return 1.0 if self.series is None else self.series.rows
 
     def whiten(self, values: Array, weights: Array | None = None) -> Array:
-        """Return rows (R, k, ...) with all that they share taken off, alike in all directions; `weights` (R,)."""
+        """Return rows (R, k, ...) with all that they share taken off, alike in all directions.
+
+        They come multiplied by the roots of `weights` (R,).
+        """
         apart = self._apart(self.levelled(values), np.ones(len(values)) if weights is None else weights)
-        return apart if self.series is None else self.series.freed(apart)
+        return apart if self.series is None else dataclasses.replace(self.series, weight=weights).freed(apart)
 
     def levelled(self, values: Array) -> Array:
         """Return rows (R, k, ...) whose noise is alike in all directions."""
@@ -79,6 +82,17 @@ class Repeats:
         if self.series is None:
             return levelled
         return np.where(np.isfinite(levelled), self.series.freed(np.nan_to_num(levelled)), np.nan)
+
+    def off(self, residual: Array) -> Array:
+        """Return how far readings (R, k) are off what is predicted and, where they hang together, off their neighbours.
+
+        The lesser of the two counts: rows that wandered off together are no gross errors, nor are those beside one.
+        """
+        levelled = self.levelled(residual)
+        if self.series is None:
+            return levelled
+        alone = self.series.alone(np.nan_to_num(levelled))
+        return np.where(np.abs(alone) < np.abs(levelled), alone, levelled)
 
     @cached_property
     def _level(self) -> Array | None:

@@ -25,6 +25,7 @@ OWN_PRICE = 6.6  # of the deviance: what a part of each row's own must explain; 
 SIZES = np.geomspace(0.5, 2.0, 21)  # of noise that are tried, in the one that what each direction leaves speaks for
 SETTLING = 10  # rounds to that one
 UNSEEN = 1e-12  # of the largest eigenvalue: less is no direction that readings see
+FAINT = 1e-6  # weight below which a reading counts for nothing
 DEFINITE = 1e-12  # of the variance: keeps a factor real where rounding would not
 
 
@@ -51,12 +52,16 @@ class Series:
         Correlation from row to row of the part that fades.
     own : float
         Part of the variance that is each row's own.
+    weight : (R,) array, optional
+        How much each reading counts, 1 fully: one that counts less has more noise of its own, whatever its neighbours
+        have. Values come multiplied by its root.
     """
 
     order: np.ndarray
     gap: Array
     rho: float = 0.0
     own: float = 0.0
+    weight: Array | None = None
 
     @staticmethod
     def of(found: Readings) -> Series | None:
@@ -87,14 +92,28 @@ class Series:
         """Return rows (R, ...) freed of what those before them tell; noise of size 1 stays so."""
         out = np.empty_like(values, dtype=float)
         v = values[self.order].reshape(len(self.order), -1)
+        if self.weight is not None:
+            v = v / np.sqrt(self._counts)[:, None]
         e = np.array(v, dtype=float)
         e[1:] -= self._told[1:, None] * v[:-1]
         e /= self._left[:, None]
-        if self.own:
+        if self._parted:
             from scipy.linalg import solve_banded
 
             e = solve_banded((1, 0), self._factor, e, overwrite_b=True, check_finite=False)
         out[self.order] = e.reshape(values[self.order].shape)
+        return out
+
+    def alone(self, values: Array) -> Array:
+        """Return what the rows before and after do not tell of each row (R, k); noise of size 1 stays so."""
+        after = np.append(self._told[1:], 0.0)
+        a, b, both = (1 - self.own) * self._told, (1 - self.own) * after, (1 - self.own) * self._told * after
+        by_a, by_b = ((x - y * both) / (1 - both**2) for x, y in ((a, b), (b, a)))
+        v, out = values[self.order], np.empty_like(values, dtype=float)
+        told = np.zeros_like(v)
+        told[1:] += by_a[1:, None] * v[:-1]
+        told[:-1] += by_b[:-1, None] * v[1:]
+        out[self.order] = (v - told) / np.sqrt(1 - by_a * a - by_b * b)[:, None]
         return out
 
     @cached_property
@@ -110,14 +129,26 @@ class Series:
         return left
 
     @cached_property
+    def _counts(self) -> Array:
+        """How much each row counts, in their order."""
+        return np.ones(len(self.order)) if self.weight is None else np.maximum(self.weight[self.order], FAINT)
+
+    @cached_property
+    def _parted(self) -> bool:
+        """Whether any row has noise of its own."""
+        return bool(self.own or (self._counts < 1).any())
+
+    @cached_property
     def _factor(self) -> Array:
         """Factor (2, R) of the covariance of rows that are freed of what fades, as `solve_banded` takes it."""
         from scipy.linalg import cholesky_banded
 
         told, left = self._told, self._left
         covariance = np.zeros((2, len(left)))
-        covariance[0] = (1 - self.own) + self.own * (1 + told**2 * (self.gap < np.inf)) / left**2 + DEFINITE
-        covariance[1, :-1] = -self.own * told[1:] / left[1:] / left[:-1]
+        own = self.own + 1 / self._counts - 1
+        covariance[0] = (1 - self.own) + own / left**2 + DEFINITE
+        covariance[0, 1:] += told[1:] ** 2 * own[:-1] / left[1:] ** 2
+        covariance[1, :-1] = -own[:-1] * told[1:] / left[1:] / left[:-1]
         factor: Array = cholesky_banded(covariance, lower=True, check_finite=False)
         return factor
 
@@ -125,7 +156,7 @@ class Series:
     def volume(self) -> float:
         """Logarithm of the determinant of the covariance of one component."""
         volume = 2 * float(np.log(self._left).sum())
-        return volume + 2 * float(np.log(self._factor[0]).sum()) if self.own else volume
+        return volume + 2 * float(np.log(self._factor[0]).sum()) if self._parted else volume
 
     def deviance(self, z: Array, taken: Taken | None = None) -> float:
         """Return twice the negative logarithm of the likelihood of rows (R, k), but for a constant.

@@ -68,7 +68,8 @@ def deviance_of(at: Fit) -> float:
 
     The noise is the one that suits best what it leaves: one that leaves white noise needs none that hangs together.
     Geometry and instrument are taken out whatever the effects: the likelihood is that of the same contrasts for all.
-    Noise that hangs together pays its price, beside an effect or instead of it; so does one that has directions.
+    Noise that hangs together pays its price, beside an effect or instead of it; so does one that has directions. A
+    gross error counts as a reading of as much more noise as it is off.
     """
     series = Series.of(at.problem.readings)
     assert series is not None  # otherwise nothing is compared
@@ -82,8 +83,9 @@ def _suited(at: Fit, series: Series, count: int) -> tuple[Repeats, float]:
     `count` parameters, and the instrument, are taken out.
     """
     z, taken = _rows(at, at.residual), _taken(at, count)
+    series = dataclasses.replace(series, weight=_weights(at))
     best, cost = _along(at.repeats.as_plain(), series, z, taken)
-    shape = _shape(at, z if best.series is None else best.series.freed(z))
+    shape = _shape(at, z if best.series is None else dataclasses.replace(best.series, weight=series.weight).freed(z))
     if shape is None:
         return best, cost
     has = dataclasses.replace(best, series=None, shape=shape)
@@ -99,7 +101,7 @@ def _along(has: Repeats, series: Series, z: Array, taken: Taken | None) -> tuple
     found, deviance = series.likeliest(z, taken)
     if alone - deviance < PROVEN:
         return has, alone
-    return dataclasses.replace(has, series=found), min(deviance + PRICE, alone)
+    return dataclasses.replace(has, series=dataclasses.replace(found, weight=None)), min(deviance + PRICE, alone)
 
 
 def _shape(at: Fit, z: Array) -> Array | None:
@@ -128,14 +130,22 @@ def _taken(at: Fit, count: int) -> Taken | None:
     return Taken(_rows(at, (state.J_p * problem.scale)[..., :count]), -departure, _rows(at, state.J_m))
 
 
-def _rows(at: Fit, values: Array) -> Array:
-    """Return values (R, k, ...) in units of the noise, what repeats share taken off.
+def _weights(at: Fit) -> Array:
+    """Return how much each reading (R,) counts: gross errors as ones of the likeliest noise, all others fully.
 
-    Gross errors count as little as the fit lets them, all others fully: what one fit thinks less of is no likelihood.
+    A reading that is off by so many standard deviations most likely has so much noise of its own. What a fit thinks
+    less of beside these is no likelihood.
     """
     read = np.isfinite(at.residual).any(axis=0)
+    off = np.nanmax(np.abs(at.repeats.off(at.residual))[:, read] / at.sigma[read], axis=1)
+    return np.where(at.weights < HUBER / GROSS, np.maximum(off, 1.0) ** -2, 1.0)
+
+
+def _rows(at: Fit, values: Array) -> Array:
+    """Return values (R, k, ...) in units of the noise, what repeats share taken off; see `_weights`."""
+    read = np.isfinite(at.residual).any(axis=0)
     ratio = np.broadcast_to(at.repeats.ratio, read.shape)[read]
-    weights = np.where(at.weights < HUBER / GROSS, at.weights, 1.0)
+    weights = _weights(at)
     w = np.sqrt(weights)[:, None] / at.sigma[read] * np.sqrt(1 + ratio)
     each = np.where(np.isfinite(at.residual).reshape(*at.residual.shape, *[1] * (values.ndim - 2)), values, 0.0)
     return Repeats(at.repeats.group, ratio).whiten(
