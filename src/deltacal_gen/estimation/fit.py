@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.estimation.problem import Linearised, Problem
+from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import (
     GROSS,
     Repeats,
@@ -38,7 +38,6 @@ BROAD = 10.0  # standard deviation of a parameter of which nothing is known, in 
 CONVERGED = 1e-4  # of chi2: what a last step could still gain; parameters then stand within 1e-2 of their deviation
 # a direction that the data hardly see converges slowly where the model bends within its noise: no step of it matters
 PATIENCE, SETTLED, UNSETTLED = 30, 5e-2, 1.0
-ROUNDS = 3  # in which derivatives follow the machine where its steps do not keep their promise
 ESTIMATED_AT = 3  # iteration in which at the latest the weight of repeats is estimated: the fit is then close
 SPOILT = 30.0  # times the median residual: a reading so far off is named when a fit does not converge
 SPARE_READINGS = 3  # scalars beyond the unknowns, without which no noise can be told from errors
@@ -243,18 +242,19 @@ class _Iteration:
 
     def run(self, state: State, must_converge: bool) -> Fit:
         """Iterate from a state; see `fit`."""
-        damping, history = 0.0, self._history
+        damping, misled, history = 0.0, False, self._history
         while True:
-            residual, linear, solution = self._solved(state, ROUNDS if damping and self._problem.gives_way else 0)
+            residual, linear, solution = self._solved(state, misled and self._problem.gives_way)
             if self._arrived():
                 break
             if len(history) == MAX_ITERATIONS:
                 if must_converge and min(history[-3:]) >= UNSETTLED:
                     self._blame(residual)
                 break
-            before = state
+            before, eased = state, damping
             whitened = self._rows.whitened
             state, damping = improved(self._problem, state, linear, solution, whitened, damping, self._tolerance)
+            misled = damping > eased
             if state is before and len(history) > self._close + 1 + self._rows.later:
                 break  # no step lowers the objective: what the linear machine still promises is not to be had
         rows, problem = self._rows, self._problem
@@ -273,41 +273,30 @@ class _Iteration:
             history=history,
         )
 
-    def _solved(self, at: State, rounds: int) -> tuple[Array, Linear, Solution]:
+    def _solved(self, at: State, misled: bool) -> tuple[Array, Linear, Solution]:
         """Return residuals, weighed rows and the solution at a state, and note what it promises.
 
-        So many `rounds` the machine is asked how it moves along the step, where steps did not keep their promise.
+        Where steps were `misled`, not having kept their promise, derivatives follow the loads from there on.
         """
         problem, rows, history = self._problem, self._rows, self._history
         found = problem.linearise(at.errors, at.instrument, at.machine)
+        if misled:
+            self._felt = problem.followed(*at)
+        found = found._replace(J_p=found.J_p + self._felt)
         if len(history) < self._close and history and history[-1] < UNSETTLED:
             self._close = len(history)
         rows.weigh(found.residual, len(history), self._close)
         departure = (at.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
-        fixed = found.J_p
-        found = found._replace(J_p=fixed + self._felt) if rounds else found
-        linear, solution = self._step(found, departure)
-        for _ in range(rounds):
-            try:
-                found = problem.felt(found, *at, solution.u - departure)
-            except InputError:
-                break  # no machine stands there
-            linear, solution = self._step(found, departure)
-        self._felt = found.J_p - fixed if rounds else 0.0
+        linear = system(found, rows.sigma, rows.weights, rows.shared, problem.scale)
+        A, b = linear.machine
+        # the solver draws towards the reference: it is asked for the whole departure, not for a step
+        solution = self._solver.solve(A, b + A @ departure, float(rows.sigma[0]), len(linear.b))
         if len(history) == self._close:
             self._solver = self._solver.settled(solution)
         rows.used(linear, solution, np.isfinite(found.residual))
         objective = Linear(linear, departure, self._solver.weight)
         history.append(objective.gain(solution.u - departure))
         return found.residual, objective, solution
-
-    def _step(self, found: Linearised, departure: Array) -> tuple[System, Solution]:
-        """Return weighed rows and their solution."""
-        rows = self._rows
-        linear = system(found, rows.sigma, rows.weights, rows.shared, self._problem.scale)
-        A, b = linear.machine
-        # the solver draws towards the reference: it is asked for the whole departure, not for a step
-        return linear, self._solver.solve(A, b + A @ departure, float(rows.sigma[0]), len(linear.b))
 
     def _arrived(self) -> bool:
         n = len(self._history)

@@ -18,12 +18,12 @@ from deltacal_gen.machine.registry import Array, Machine, mechanism_of
 from deltacal_gen.machine.values import Recording, Robot
 from deltacal_gen.physics.body import Body, Deformed, follows
 from deltacal_gen.physics.channels import Channels
+from deltacal_gen.physics.following import following
 from deltacal_gen.physics.motion import with_motion
 from deltacal_gen.physics.reading import reading_shift
 from deltacal_gen.physics.terms import Term, of_reading
 
 ROUNDING = 1e-9  # of the largest column of an effect: less is no effect at all
-PART = 0.05  # of a step, along which a machine that gives way is asked how it moves
 
 
 class Linearised(NamedTuple):
@@ -154,24 +154,19 @@ class Problem:
 
     @property
     def gives_way(self) -> bool:
-        """Whether effects on the machine follow its pose, as what bends under a load does."""
-        return any(map(follows, (*self.terms, *self.held)))
+        """Whether effects on the machine follow its pose, as what bends under a load does, and readings see it."""
+        return not self.readings.kind.sees_joints and any(map(follows, (*self.terms, *self.held)))
 
-    def felt(
-        self, found: Linearised, parameters: Array, instrument: Instrument, machine: Deformed, step: Array
-    ) -> Linearised:
-        """Return derivatives that are exact along a step (n,) of the scaled parameters.
+    def followed(self, parameters: Array, instrument: Instrument, machine: Deformed) -> Array:
+        """Return by how much the derivatives (R, k, n) of a machine that gives way are others than at fixed loads.
 
-        Those of a machine that gives way are at fixed loads, and a soft one's loads follow it. The machine is asked how
-        it moves along the step, and the derivatives are changed by as little as that needs (Broyden 1965).
+        A soft machine's loads follow it; see `deltacal_gen.physics.following`.
         """
-        step = PART * step
-        moved = parameters.copy()
-        moved[self.columns] += step * self.scale
-        there = self.residual(moved, instrument, self.seen(self.solve(moved, near=machine.x)))
-        off = found.residual - there - found.J_p @ (step * self.scale)
-        along = step / max(float(step @ step), 1e-300) / self.scale
-        return found._replace(J_p=found.J_p + off[..., None] * along)
+        errors, terms = self.split(parameters)
+        held = [t for t in self.held if t.kernels.ACTS_ON != "reading"]
+        instrument = instrument.mounted(self.mechanism, parameters)
+        dx = following(self.body, errors, terms, held, machine, self.names)
+        return instrument.linearise(self.readings, self.seen(machine), dx)[0]
 
     def sensitivity(self, machine: Deformed, used: np.ndarray) -> Sensitivity:
         """Return the derivatives of what instruments look at, the platform's pose or the joints, in some rows."""

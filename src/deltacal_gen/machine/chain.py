@@ -68,6 +68,8 @@ class Chain(Machine):
         self.limbs = len(self._moving)
         self.shape = self._described()
         self._laid: dict[tuple[int, ...], tuple[Flexible, Chain]] = {}
+        self._bent: tuple[Array, dict[tuple[int, ...], Array]] = np.empty(0), {}  # rows, and those of chains that bend
+        self._made: tuple[Array, ModuleType, Array] | None = None  # rows, kernels and what no joint changes
         self._drawn: tuple[Array, Array] | None = None  # dimensions as drawn, and the links' lines that they make
         units = ["mm" if links[k].kind == "prismatic" else "rad" for k in self._moving]
         self.joint_unit = ",".join(units) if len(set(units)) > 1 else units[0] if units else "rad"
@@ -154,6 +156,21 @@ class Chain(Machine):
             self._drawn = drawn.copy(), self.frames(np.zeros((self.limbs, self.limbs)), tables)[0][:, -1]
         return self._drawn[1]
 
+    def _bending(self, rows: Array, joints: tuple[int, ...]) -> Array:
+        """Return the rows of parameters of the chain whose joints (from 0) give way.
+
+        A pose, its derivatives and its loads are asked for at the same rows: the latest ones are kept.
+        """
+        kept = self._bent
+        if not np.array_equal(kept[0], rows):
+            kept = self._bent = rows.copy(), {}
+        found = kept[1].get(joints)
+        if found is None:
+            found = self._flexible(joints)[0].rows(rows, self._lines(rows))
+            found.flags.writeable = False
+            kept[1][joints] = found
+        return found
+
     def _giving_way(self, rows: Array, besides: Iterable[int] = ()) -> tuple[int, ...]:
         """Return which joints (from 0) have deflections in their rows of parameters, and some besides."""
         bent = rows[:, self._moving, self.width :].any(axis=(0, 2))
@@ -224,7 +241,12 @@ class Chain(Machine):
     def _constants(self, kernels: ModuleType, rows: Array, poses: int) -> Array:
         """Return what no joint changes: compiled kernels share machines out, plain ones read one a pose."""
         self._alike(poses, rows=rows)
-        k: Array = kernels.constants(rows[:, :, : self.width])
+        made = self._made
+        if made is None or made[0] is not rows or made[1] is not kernels:
+            made = rows, kernels, kernels.constants(rows[:, :, : self.width])
+            if not rows.flags.writeable:  # nobody changes them: see `_bending`
+                self._made = made
+        k = made[2]
         alone = kernels is self.vectorised and len(k) not in (1, poses)
         return np.repeat(k, poses // len(k), axis=0) if alone else k
 
@@ -241,8 +263,7 @@ class Chain(Machine):
         """Return the pose (N, 12) of the tool point and the last frame; every pose is SOLVED."""
         q, kernels = self._poses(q, self.limbs, "joints"), self._kernels(len(q))
         if joints := self._giving_way(rows):
-            laid, chain = self._flexible(joints)
-            return chain.forward(q, tool, laid.rows(rows, self._lines(rows)), out=out)
+            return self._flexible(joints)[1].forward(q, tool, self._bending(rows, joints), out=out)
         x, k = result(out, (len(q), POSE)), self._constants(kernels, rows, len(q))
         kernels.forward(q, self._tools(tool, len(q)), k, *self.shape, x)
         return x, np.full(len(q), SOLVED)
@@ -423,9 +444,9 @@ class Chain(Machine):
         laid, chain = self._flexible(joints)
         tables, errors = np.moveaxis(laid.deflections, -1, 0)
         out = np.zeros((len(x), self.n_x, len(self.links), len(self.deflections)))
-        out[:, :, [self._moving[j] for j in joints]] = chain.sensitivity(
-            x, q, tool, laid.rows(rows, self._lines(rows))
-        ).own[:, :, tables, errors]
+        out[:, :, [self._moving[j] for j in joints]] = chain.sensitivity(x, q, tool, self._bending(rows, joints)).own[
+            :, :, tables, errors
+        ]
         return out
 
     def _of_flexible(
@@ -440,7 +461,7 @@ class Chain(Machine):
     ) -> Sensitivity:
         """Return the derivatives of the exact pose of a chain some of whose joints give way."""
         laid, chain = self._flexible(joints)
-        found = chain.sensitivity(x, q, tool, laid.rows(rows, self._lines(rows)))
+        found = chain.sensitivity(x, q, tool, self._bending(rows, joints))
         S, V = result(S_out, (len(x), self.n_x, len(self.parameters))), filled(V_out, found.joints)
         tables, errors = np.moveaxis(laid.errors, -1, 0)
         n = tables.size
@@ -475,7 +496,7 @@ class Chain(Machine):
         laid, chain, bears = None, self, np.arange(len(self.links))
         if joints := self._giving_way(rows, [i - 1 for i in limbs]):
             laid, chain = self._flexible(joints)
-            rows, bears = laid.rows(rows, self._lines(rows)), laid.bears
+            rows, bears = self._bending(rows, joints), laid.bears
         weights = [link.mass if masses else 0.0 for link in self.links]
         forces = np.zeros((len(self.links) + 1, 3, len(q)))
         forces[:-1] = np.array(weights)[:, None, None] * every[: len(self.links)]
@@ -504,7 +525,7 @@ class Chain(Machine):
         chain, own, tables = self, np.zeros((len(self.links), 3)), np.arange(len(self.links))
         if joints := self._giving_way(rows):
             laid, chain = self._flexible(joints)
-            rows, tables = laid.rows(rows, self._lines(rows)), laid.ends
+            rows, tables = self._bending(rows, joints), laid.ends
             own = np.zeros((len(chain.links), 3))
         own[tables] = [link.com for link in self.links]
         kernels = self._kernels(len(q))

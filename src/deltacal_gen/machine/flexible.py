@@ -148,7 +148,9 @@ class Flexible:
         common = rows[:, :, TABLE : -len(DEFLECTIONS)]
         out = np.zeros((len(rows), len(self.links), TABLE + common.shape[2]))
         own, columns, tables, others = self._copied
-        out[:, tables, others] = rows[:, own, columns]
+        n, width = rows.shape[2], out.shape[2]
+        taken = np.take(rows.reshape(len(rows), -1), own * n + columns, axis=1)
+        out.reshape(len(rows), -1)[:, tables * width + others] = taken
         for t, c, number in self._laid.fixed:
             out[:, t, c] = number
         lines = lines[self._joints]

@@ -70,7 +70,7 @@ class Body:
 
     def __init__(self, robot: Robot, mechanism: Machine, q: Array, tool: Array, channels: Channels) -> None:
         self.robot, self.mechanism, self.q, self.tool, self.channels = robot, mechanism, q, tool, channels
-        self.roles, self._moves = mechanism.roles(robot), mechanism.moves(robot)
+        self.roles, self.moves = mechanism.roles(robot), mechanism.moves(robot)
         masses = robot.masses.model_dump() if robot.masses is not None else {}
         self.gravity = np.asarray(masses.pop("gravity", (0.0, 0.0, -9.81)), dtype=float)
         self._held: tuple[tuple[int, ...], tuple[Term, ...], dict[str, Array]] | None = None
@@ -145,12 +145,12 @@ class Body:
 
     def foreign(self, effect: str) -> str | None:
         """Return the part that an effect moves or reads and this mechanism does not have; None where it has all."""
-        parts = lacking(effect, self.mechanism, self._moves, self.roles)
+        parts = lacking(effect, self.mechanism, self.moves, self.roles)
         return f"a machine that has a part {parts[0]}; {self.mechanism.name} has none" if parts else None
 
     def lacks(self, effect: str) -> tuple[str, ...]:
         """Return the coefficients of an effect that move no part of this mechanism."""
-        return lacks(effect, self.mechanism, self._moves, self.roles)
+        return lacks(effect, self.mechanism, self.moves, self.roles)
 
     def blank(
         self,
@@ -205,7 +205,7 @@ class Body:
 
     def theta(self, q: Array, rows: Array) -> Array:
         """Return the joints as the geometry sees them (N, n_q): moved by effects, q, and by errors of their zeros."""
-        offsets = self._moves.get("offset", {}).items()  # none of carriages: their endstops are of the geometry
+        offsets = self.moves.get("offset", {}).items()  # none of carriages: their endstops are of the geometry
         theta: Array = q + sum((rows[:, :, self.mechanism.column(name)] @ much for name, much in offsets), np.zeros(1))
         return theta
 
@@ -265,12 +265,12 @@ class Body:
 
         Memories come last.
         """
-        read = self._read(term, state)
+        read = self.read(term, state)
         return np.hstack([read, self._remembered(term, read).value]) if remembers(term.kernels) else read
 
     def _remembered(self, term: Term, read: Array) -> Along:
         """Return the memories of a term at the rows of its state; NaN where they do not settle."""
-        N, c = len(self.q), self._coefficients(term)
+        N, c = len(self.q), self.coefficients(term)
         time, run = self.channels.get("time"), self.channels.run
         assert time is not None  # see `missing`
         limbs = len(read) // N
@@ -287,7 +287,7 @@ class Body:
         value = np.where(found.settled[:, :, None], found.value, np.nan)
         return Along(*map(of_all, (value, found.by_coefficients, found.bound, found.settled)))
 
-    def _derivatives(self, term: Term, read: Array, coefficients: Array) -> Array:
+    def derivatives(self, term: Term, read: Array, coefficients: Array) -> Array:
         """Return the derivatives of what a term moves by its coefficients, (M, n_t, n_c), through memories too."""
         kernels = term.kernels
         if not remembers(kernels):
@@ -297,23 +297,23 @@ class Body:
         by_memory = kernels.by_memory(s, coefficients, term.constants)
         return np.asarray(kernels.jacobian(s, coefficients, term.constants) + by_memory @ found.by_coefficients)
 
-    def _read(self, term: Term, state: Mapping[str, Array]) -> Array:
+    def read(self, term: Term, state: Mapping[str, Array]) -> Array:
         """Return the states that a term reads, memories not among them."""
-        by_limb = _by_limb(term)
+        limbwise = by_limb(term)
         N, limbs = self.q.shape
         columns = []
         for raw, s in zip(states.read_by(term.kernels), term.states, strict=True):
             value = self.since(term, s) if s.by else state[s.name]
-            if by_limb and value.ndim == 1:
+            if limbwise and value.ndim == 1:
                 value = np.repeat(value[:, None], limbs, axis=1)
             if raw.kind == "chosen" and s.joint:
                 value = value * self._of_other(s.joint)
-            if not by_limb and value.ndim == 2:  # a length of all limbs
+            if not limbwise and value.ndim == 2:  # a length of all limbs
                 value = value.mean(axis=1)
-            columns.append(value.ravel() if by_limb else value)
+            columns.append(value.ravel() if limbwise else value)
         if term.gaps:
-            columns.append(np.repeat(self.session, limbs) if by_limb else self.session)
-        size = N * limbs if by_limb else N
+            columns.append(np.repeat(self.session, limbs) if limbwise else self.session)
+        size = N * limbs if limbwise else N
         return np.column_stack(columns) if columns else np.zeros((size, 0))
 
     def since(self, term: Term, state: State) -> Array:
@@ -325,12 +325,12 @@ class Body:
         factors = np.array(joint_factors(self.mechanism.joint_unit, self.q.shape[1]))
         return np.where(np.arange(len(factors)) == joint - 1, 0.0, factors / factors[joint - 1])
 
-    def _coefficients(self, term: Term) -> Array:
+    def coefficients(self, term: Term) -> Array:
         """Return the coefficients as the kernels read them: (N * limbs, n_c), zero where a limb has none."""
         N, limbs = self.q.shape
         if term.tools:
             return sum(self.uses(t)[:, None] * v for t, v in zip(term.tools, term.values, strict=True))
-        if not _by_limb(term):
+        if not by_limb(term):
             return term.values
         c = np.zeros((limbs, term.values.shape[1]))
         if term.limbs:
@@ -345,9 +345,9 @@ class Body:
         out: dict[str, Array] = {}
         for term in terms:
             kernels = term.kernels
-            values = kernels.value(self._inputs(term, state), self._coefficients(term), term.constants)
+            values = kernels.value(self._inputs(term, state), self.coefficients(term), term.constants)
             for j, target in enumerate(kernels.TARGETS):
-                value = values[:, j].reshape(N, limbs) if _by_limb(term) else values[:, j]
+                value = values[:, j].reshape(N, limbs) if by_limb(term) else values[:, j]
                 out[target] = out[target] + value if target in out else value
         return out
 
@@ -382,7 +382,7 @@ class Body:
             self._held = key, held, self._steady(held, plain)
         unchanged = _together(self._held[2], self._steady([t for t in terms if not follows(t)], plain))
         varying = [t for t in terms if follows(t)]
-        names, limbs = states_read(varying), _limbs_of(varying)
+        names, limbs = states_read(varying), limbs_of(varying)
         if not self.robot.drawn:
             moved = Deformed(np.zeros((len(self.q), POSE)), self.q + unchanged.get("joint", 0.0), self.tool, plain)
             return moved, np.full(len(self.q), SOLVED)
@@ -435,7 +435,7 @@ class Body:
             return base
         rows = np.repeat(base, len(self.q), axis=0)
         for part, value in parts.items():
-            for name, much in self._moves[part].items():
+            for name, much in self.moves[part].items():
                 rows[:, :, self.mechanism.column(name)] += value @ much.T
         return rows
 
@@ -453,22 +453,22 @@ class Body:
         out, start = np.zeros((N, n_x, sum(t.n_coefficients for t in terms))), 0
         if not terms:
             return out
-        state = self.state(states_read(terms), np.nan_to_num(body.x), body.q, body.rows, _limbs_of(terms))
+        state = self.state(states_read(terms), np.nan_to_num(body.x), body.q, body.rows, limbs_of(terms))
         for _, group in itertools.groupby(terms, key=lambda t: (t.effect, t.limbs)):
             forms = list(group)
             kernels, count = forms[0].kernels, sum(t.n_coefficients for t in forms)
             part = out[:, :, start : start + count]
             start += count
-            if not _by_limb(forms[0]):
+            if not by_limb(forms[0]):
                 part[:] = np.concatenate([self._machine_columns(t, state, body, n_x, chosen) for t in forms], axis=2)
                 continue
-            same = None if any(s.by for s in states.read_by(forms[0].kernels)) else self._read(forms[0], state)
+            same = None if any(s.by for s in states.read_by(forms[0].kernels)) else self.read(forms[0], state)
             D = np.array(
                 [
-                    self._derivatives(
+                    self.derivatives(
                         t,
-                        self._read(t, state) if same is None else same,
-                        self._coefficients(t) if t.values.any() else t.values[:1],
+                        self.read(t, state) if same is None else same,
+                        self.coefficients(t) if t.values.any() else t.values[:1],
                     )
                     for t in forms
                 ]
@@ -477,7 +477,7 @@ class Body:
             D = D.reshape(len(forms), N, limbs, len(kernels.TARGETS), -1)[:, chosen][:, :, own]
             moved = np.empty((len(chosen), n_x, len(forms), len(own), D.shape[-1]))
             for j, target in enumerate(kernels.TARGETS):
-                S = sensitivity.joints if target == "joint" else self._along(sensitivity, target[5:], forms[0].limbs)
+                S = sensitivity.joints if target == "joint" else self.along(sensitivity, target[5:], forms[0].limbs)
                 S, by = S[:, :, None, own, None], np.moveaxis(D[:, :, :, j], 0, 1)[:, None]
                 if j:
                     moved += S * by
@@ -486,10 +486,10 @@ class Body:
             part[chosen] = (moved if forms[0].limbs else moved.sum(axis=3)).reshape(len(chosen), n_x, -1)
         return out
 
-    def _along(self, sensitivity: Sensitivity, part: str, limbs: Sequence[int]) -> Array:
+    def along(self, sensitivity: Sensitivity, part: str, limbs: Sequence[int]) -> Array:
         """Return the derivatives of the pose by what an effect on some limbs moves in a limb, (n, n_x, limbs)."""
         mechanism, out = self.mechanism, np.zeros((*sensitivity.joints.shape[:2], self.mechanism.limbs))
-        for name, much in self._moves[part].items():
+        for name, much in self.moves[part].items():
             if name in mechanism.errors:
                 by = sensitivity.own[..., mechanism.errors.index(name)]
             elif name in mechanism.common:
@@ -506,7 +506,7 @@ class Body:
         out = np.zeros((len(self.q), n_x, term.n_coefficients))
         if kernels.ACTS_ON == "reading" or n_x != self.mechanism.n_x:  # what moves the platform moves no joint
             return out
-        D = self._derivatives(term, self._read(term, state), self._coefficients(term))
+        D = self.derivatives(term, self.read(term, state), self.coefficients(term))
         for j, target in enumerate(kernels.TARGETS):
             axis = AXES.index(target[-1])
             unit = np.eye(3)[axis]
@@ -541,7 +541,7 @@ class Body:
             )
 
 
-def _by_limb(term: Term) -> bool:
+def by_limb(term: Term) -> bool:
     """Tell whether an effect moves limbs, whose own states it then reads."""
     return bool(term.kernels.ACTS_ON == "limb")
 
@@ -571,7 +571,7 @@ def states_read(terms: Sequence[Term]) -> list[str]:
     return sorted({s.name for t in terms for s in t.states if s.kind != "reading" and not s.by})
 
 
-def _limbs_of(terms: Sequence[Term]) -> list[int]:
+def limbs_of(terms: Sequence[Term]) -> list[int]:
     """Return the limbs, from 1, that effects sit on; none where one sits on all."""
     every = [t.limbs for t in terms if t.kernels.ACTS_ON == "limb"]
     return sorted({i for limbs in every for i in limbs}) if all(every) else []
