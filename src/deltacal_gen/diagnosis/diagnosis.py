@@ -255,13 +255,15 @@ def _in_noise(
 def _by_law(white: tuple[Fit, Outcome], calm: tuple[Fit, Outcome], progress: Progress) -> tuple[Fit, Outcome, Sought]:
     """Return the geometry, what was found beside it, and the law that explains what these leave.
 
-    Noise that wanders takes in what a law of time does to rows: where that leaves nothing to explain, a law beside
-    white noise, which costs less, stands in its place. Joints that err at many orders imitate any function of the pose.
+    Noise that wanders takes in what a law of time does to rows: where that leaves nothing to explain, or needs fewer
+    names, a law beside white noise, which costs less, stands in its place. Joints that err at many orders imitate any
+    function of the pose.
     """
-    found = calm[1]
+    beside, found = white[1], calm[1]
     sought = laws(found, progress) if found.spectrum is None else Sought()
-    hidden = white[1].unexplained and white[1].spectrum is None and not found.unexplained and found.spectrum is None
-    if sought.laws or not hidden or not (instead := laws(white[1], progress)).laws:
+    fewer = len(found.search.effects) < len(beside.search.effects)
+    hidden = (beside.unexplained or fewer) and not found.unexplained and beside.spectrum is None is found.spectrum
+    if sought.laws or not hidden or not (instead := laws(beside, progress, doubted=fewer)).laws:
         return *calm, sought
     law = instead.laws[0]
     cost = deviance_of(law.fit) + sum(t.price for t in law.law)

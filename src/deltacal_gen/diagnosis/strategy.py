@@ -305,9 +305,8 @@ def refitted(
     What is left out may look like gross errors where it is strongest: none is dropped before all is known.
     """
     n_p = len(problem.mechanism.parameters)
-    errors, joint = at.errors[:n_p], problem
+    errors, joint, same = at.errors[:n_p], problem, at.problem.body is problem.body
     if terms:
-        same = at.problem.body is problem.body
         machine = at.machine if same else problem.solve(errors)
         columns = problem.term_columns(terms, at.errors, at.instrument, machine)
         flat = np.where(np.isfinite(columns), columns, 0.0).reshape(-1, columns.shape[2])
@@ -322,6 +321,7 @@ def refitted(
             joint,
             Prior(),
             errors=errors,
+            machine=joint.solve(errors, near=at.machine if same else None),
             instrument=at.instrument,
             repeats=_correlated(at, problem),
             drop_gross=drop_gross,

@@ -96,8 +96,8 @@ class Problem:
         """Return all effects on the machine with their coefficients, the free ones first."""
         return (*self.split(parameters)[1], *self.held)
 
-    def solve(self, parameters: Array, near: Array | None = None) -> Deformed:
-        """Return the machine in equilibrium at all rows; `near` is the poses of a machine that differs little.
+    def solve(self, parameters: Array, near: Deformed | None = None) -> Deformed:
+        """Return the machine in equilibrium at all rows; `near` is a machine that differs little.
 
         Raises
         ------
@@ -113,9 +113,9 @@ class Problem:
         """Return what instruments look at: the platform's poses (N, 12), or how far the joints have moved (N, n_q)."""
         return self.body.theta(machine.q, machine.rows) if self.readings.kind.sees_joints else machine.x
 
-    def poses(self, parameters: Array, near: Array | None = None) -> Array:
+    def poses(self, parameters: Array) -> Array:
         """Return what instruments look at in all rows, exactly: the platform's poses (N, 12), or joints; see `seen`."""
-        return self.seen(self.solve(parameters, near))
+        return self.seen(self.solve(parameters))
 
     def residual(self, parameters: Array, instrument: Instrument, x: Array) -> Array:
         """Return measured minus predicted (R, k), effects on the reading included [mm, rad]."""

@@ -204,7 +204,7 @@ def _moved(
     errors = state.errors.copy()
     errors[problem.columns] += s * problem.scale
     try:
-        machine = problem.solve(errors, near=state.machine.x)
+        machine = problem.solve(errors, near=state.machine)
     except InputError:
         return None
     moved = state.instrument.stepped(t)

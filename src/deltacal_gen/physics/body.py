@@ -357,7 +357,7 @@ class Body:
         return mask
 
     def solve(
-        self, errors: Array, terms: Sequence[Term], near: Array | None = None, held: tuple[Term, ...] = ()
+        self, errors: Array, terms: Sequence[Term], near: Deformed | None = None, held: tuple[Term, ...] = ()
     ) -> tuple[Deformed, np.ndarray]:
         """Return the machine in static equilibrium with all effects on it, and the status (N,) of each row.
 
@@ -367,8 +367,8 @@ class Body:
         ----------
         errors : (n_p,) array
             Source errors [mm, rad].
-        near : (N, 12) array, optional
-            Where to start.
+        near : Deformed, optional
+            A machine that differs little: where to start.
         held : tuple of Term
             Effects beside `terms` that do not change from call to call.
         """
@@ -387,13 +387,13 @@ class Body:
             moved = Deformed(np.zeros((len(self.q), POSE)), self.q + unchanged.get("joint", 0.0), self.tool, plain)
             return moved, np.full(len(self.q), SOLVED)
         if not (terms or held) or near is None:
-            x, status = mechanism.forward(self.q, self.tool, plain, near)
+            x, status = mechanism.forward(self.q, self.tool, plain, None if near is None else near.x)
             if not (terms or held):
                 return Deformed(x, self.q, self.tool, plain), status
-            ok = status == SOLVED
+            ok, q, rows = status == SOLVED, self.q, plain
         else:
-            x, ok = near, np.isfinite(near).all(axis=1)
-        q, rows, tool, before = self.q, plain, self.tool, 0.0
+            x, q, rows, ok = near.x, near.q, near.rows, np.isfinite(near.x).all(axis=1)
+        tool, before = self.tool, 0.0
         shift: dict[str, Array] = {}
         restless = None
         for _ in range(EQUILIBRIUM_STEPS):

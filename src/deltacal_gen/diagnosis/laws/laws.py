@@ -97,22 +97,23 @@ class Sought:
         return [*map(Question, others), Question(last, tuple(law.terms[-1] for law in self.laws[1:]))]
 
 
-def laws(found: Outcome, progress: Callable[[str], None]) -> Sought:
+def laws(found: Outcome, progress: Callable[[str], None], doubted: bool = False) -> Sought:
     """Return the law that is borne out, and its rivals, where named effects leave more than noise.
 
     With the named effects beside it, and without: what a law explains alone needs no name seen through the wrong
-    glasses.
+    glasses. Of names that are `doubted`, whatever they leave, a law is sought in place of them all.
     """
     problem, at = found.problem, found.search.fit
     if problem.readings.rows.shape[1] != 1:
         return Sought()  # of distances, either end could be moved
     names = [t for t in terms_of(at) if not is_law(t.effect)]
-    if not (found.unexplained or (names and stands_out(Ground(at)))):
+    more = found.unexplained or (bool(names) and stands_out(Ground(at)))
+    if not (more or doubted):
         return Sought()
     # rows that hang together are the law's doing, where there is one; its price is compared with theirs
     white = dataclasses.replace(at, repeats=at.repeats.as_plain())
     out = Sought()
-    for terms in ([], names) if names else ([],):
+    for terms in ([], names) if names and more else ([],):
         try:
             out = _beside(found, white, terms, names, progress)
         except InputError:
@@ -147,7 +148,7 @@ def _beside(
             continue
         asked = _asked(problem, kept, proof)  # what is told is asked for as it is written
         if asked is not None and asked.holds:
-            return Sought(tuple(_told(problem, _calm(problem, kept), asked)))
+            return Sought(tuple(_told(problem, _calm(problem, kept), asked, found)))
     return Sought()
 
 
@@ -228,24 +229,36 @@ def _earned(at: Fit, i: int) -> float:
     return float(sizes @ np.linalg.pinv(covariance / np.outer(std, std), hermitian=True) @ sizes)
 
 
-def _told(problem: Problem, grown: Grown, proof: Proof) -> list[Lawful]:
-    """Return a law and its rivals, with how sure their numbers are."""
+def _told(problem: Problem, grown: Grown, proof: Proof, found: Outcome) -> list[Lawful]:
+    """Return a law and its rivals, with how sure their numbers are.
+
+    Each stands beside the names that it needs itself: a rival that needs fewer may cost less, and is then the law.
+    """
     terms = terms_of(grown.fit)
     last = len(terms) - 1
     ground = Ground(grown.fit).freed(last)
     own = grown.law[-1]
     gain = ground.gain(ground.place(own.target), own.form, own.limbs)
-    out = [_with_figures(grown, proof)]
+    out = [(_cost(grown, found), _with_figures(grown, proof))]
     for other in ranked(ground):
         more = set(other.form.states) > set(own.form.states)
         same = (other.target, set(other.form.states)) == (own.target, set(own.form.states))
         if same or more or other.score < gain - own.price - RIVALS or len(out) == MOST:
             continue
         rival = fitted(problem, grown, ground, other, (), len(grown.law) - 1)
-        asked = None if rival is None else _asked(problem, rival, proof)
+        if rival is not None and rival.names:
+            rival = _needed(problem, rival, found)
+        asked = _asked(problem, rival, proof) if rival is not None and len(rival.law) == len(grown.law) else None
         if rival is not None and asked is not None:
-            out.append(_with_figures(rival, asked))
-    return out
+            out.append((_cost(rival, found), _with_figures(rival, asked)))
+    best = min((cost, k) for k, (cost, law) in enumerate(out) if not k or law.proof.holds)[1]
+    return [out[best][1], *(law for k, (_, law) in enumerate(out) if k != best)]
+
+
+def _cost(grown: Grown, found: Outcome) -> float:
+    """Return the deviance of a law and the names beside it, and the price of all of them."""
+    names = sum(_price(t, found) for t in grown.names)
+    return deviance_of(grown.fit) + names + sum(t.price + MARGIN for t in grown.law)
 
 
 def _asked(problem: Problem, grown: Grown, proof: Proof) -> Proof | None:
