@@ -36,7 +36,9 @@ ELSEWHERE = 45 * DEG  # of an encoder offset: it is nearer to a quarter of a tur
 
 
 def chosen_model(mechanism: Machine, problem: Problem, recording: Recording, asked: str | None) -> str:
-    """Return the model asked for, or the largest that the readings allow; none of them sees a source error of joints.
+    """Return the model asked for, or the largest that the readings allow, repeats of a pose counted once.
+
+    None of them sees a source error of joints.
 
     Raises
     ------
@@ -59,8 +61,9 @@ def chosen_model(mechanism: Machine, problem: Problem, recording: Recording, ask
         name = mechanism.full_name(asked)
         _check_count(recording, scalars, len(mechanism.models[name]), extra, name, _spare(recording))
         return name
+    once = min(scalars, _once(problem))
     for name in by_size:
-        if scalars >= SPARE * (len(mechanism.models[name]) + extra):
+        if once >= SPARE * (len(mechanism.models[name]) + extra):
             return name
     smallest = by_size[-1]
     _check_count(recording, scalars, len(mechanism.models[smallest]), extra, smallest, _spare(recording))
@@ -114,11 +117,7 @@ def enough_poses(problem: Problem, model: str) -> None:
     Repeats of a pose show noise, but nothing of the machine: such a recording cannot be split into a part to fit and a
     part to judge by.
     """
-    found = problem.readings
-    poses = len(np.unique(np.round(problem.body.q[np.unique(found.rows)], 9), axis=0))
-    scalars = found.kind.per_pose * len(np.unique(found.group))
-    if found.rows.shape[1] == 2:
-        scalars = min(scalars, 3 * poses)
+    poses, scalars = _poses(problem), _once(problem)
     extra = problem.begin(problem.reference).n_unknown
     needed = len(problem.names) + extra + SPARE_READINGS
     if scalars < needed:
@@ -131,6 +130,18 @@ def enough_poses(problem: Problem, model: str) -> None:
             "model with --model.",
             file=problem.recording.path,
         )
+
+
+def _poses(problem: Problem) -> int:
+    """Return at how many different joints a problem has readings."""
+    return len(np.unique(np.round(problem.body.q[np.unique(problem.readings.rows)], 9), axis=0))
+
+
+def _once(problem: Problem) -> int:
+    """Return how many scalars the readings are where repeats of a pose count once."""
+    found = problem.readings
+    scalars = found.kind.per_pose * len(np.unique(found.group))
+    return min(scalars, 3 * _poses(problem)) if found.rows.shape[1] == 2 else scalars
 
 
 def plausible(first: Fit) -> None:
