@@ -232,15 +232,25 @@ def test_a_file_that_names_no_effect_is_refused(found: Diagnosis) -> None:
         effect_file(found.laws[0], Path("My law.py"))
 
 
+@pytest.mark.parametrize("named", [False, True])
 @pytest.mark.parametrize(("cheaper", "stands"), [(True, True), (False, False)])
 def test_a_law_hidden_by_noise_that_wanders_stands_where_it_costs_less(
-    monkeypatch: pytest.MonkeyPatch, cheaper: bool, stands: bool
+    monkeypatch: pytest.MonkeyPatch, cheaper: bool, stands: bool, named: bool
 ) -> None:
+    """Whatever such noise took in: what was left, or what names explained for more."""
+
+    def outcome(unexplained: bool, effects: list[tuple[str, tuple[int, ...]]]) -> Any:
+        return SimpleNamespace(unexplained=unexplained, spectrum=None, search=SimpleNamespace(effects=effects))
+
     wave = SimpleNamespace(fit="law", law=(SimpleNamespace(price=45.0),))
-    white = SimpleNamespace(unexplained=True, spectrum=None)
-    calm = SimpleNamespace(unexplained=False, spectrum=None)
-    sought = {id(white): SimpleNamespace(laws=(wave,)), id(calm): SimpleNamespace(laws=())}
-    monkeypatch.setattr(diagnosis, "laws", lambda found, progress: sought[id(found)])
+    white = outcome(not named, [("zero_drift", (1,)), ("warm_up", (2,))] if named else [])
+    calm = outcome(False, [])
+
+    def laws(found: Any, progress: object, doubted: bool = False) -> Any:
+        asked = found is white and (white.unexplained or doubted)
+        return SimpleNamespace(laws=(wave,) if asked else ())
+
+    monkeypatch.setattr(diagnosis, "laws", laws)
     monkeypatch.setattr(diagnosis, "deviance", lambda found: 1000.0)
     monkeypatch.setattr(diagnosis, "deviance_of", lambda fit: 950.0 if cheaper else 960.0)
     by_law: Any = diagnosis._by_law

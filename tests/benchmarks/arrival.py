@@ -78,7 +78,10 @@ class Objective:
     def jacobian(self, z: Array) -> Array:
         """Return the derivatives (m + n, unknowns): by parameters exact, by the instrument's unknowns differences."""
         errors, instrument, machine = self._at(z)
-        J_p = self._problem.linearise(errors, instrument, machine).J_p * self._problem.scale
+        J_p = self._problem.linearise(errors, instrument, machine).J_p
+        if self._problem.gives_way:
+            J_p = J_p + self._problem.followed(errors, instrument, machine)
+        J_p = J_p * self._problem.scale
         out = np.zeros((self._m + self.n, len(z)))
         out[: self._m, : self.n], out[self._m :, : self.n] = -self.white(J_p), np.eye(self.n)
         x = self._problem.seen(machine)

@@ -374,6 +374,8 @@ def _untested(problem: Problem) -> tuple[Missing, ...]:
 def _of_all(problem: Problem, first: Fit, found: Fit, spectrum: Spectrum | None) -> tuple[Fit, Fit, Spectrum | None]:
     """Return the fit of the geometry to all readings, the fit with what was found, and the spectrum as all have it."""
     if first.problem.body is problem.body and spectrum is None:
+        if found.problem.gives_way:
+            found = refitted(problem, found, terms_of(found), not found.weights.all(), CONVERGED) or found
         return first, found, None
     geometry = dataclasses.replace(problem, held=())
     baseline = first if first.problem.body is problem.body else refitted(geometry, first, [], tolerance=CONVERGED)

@@ -243,10 +243,16 @@ class _Iteration:
     def run(self, state: State, must_converge: bool) -> Fit:
         """Iterate from a state; see `fit`."""
         damping, misled, history = 0.0, False, self._history
+        exact = self._problem.gives_way and self._tolerance <= CONVERGED
         while True:
-            residual, linear, solution = self._solved(state, misled and self._problem.gives_way)
+            if follow := misled and self._problem.gives_way:
+                damping = damping if self._follows else 0.0  # derivatives are others now: steps may be whole again
+            residual, linear, solution = self._solved(state, follow)
             if self._arrived():
-                break
+                if self._follows or not exact:
+                    break
+                misled = True  # what derivatives at fixed loads call the lowest place is only near it
+                continue
             if len(history) == MAX_ITERATIONS:
                 if must_converge and min(history[-3:]) >= UNSETTLED:
                     self._blame(residual)
@@ -256,7 +262,9 @@ class _Iteration:
             state, damping = improved(self._problem, state, linear, solution, whitened, damping, self._tolerance)
             misled = damping > eased
             if state is before and len(history) > self._close + 1 + self._rows.later:
-                break  # no step lowers the objective: what the linear machine still promises is not to be had
+                if self._follows or not exact:
+                    break  # no step lowers the objective: what the linear machine still promises is not to be had
+                misled = True
         rows, problem = self._rows, self._problem
         noise = _shared_noise(problem, rows.weights, state.machine.x)
         return Fit(
@@ -273,14 +281,19 @@ class _Iteration:
             history=history,
         )
 
-    def _solved(self, at: State, misled: bool) -> tuple[Array, Linear, Solution]:
+    @property
+    def _follows(self) -> bool:
+        """Whether derivatives follow the loads."""
+        return isinstance(self._felt, np.ndarray)
+
+    def _solved(self, at: State, follow: bool) -> tuple[Array, Linear, Solution]:
         """Return residuals, weighed rows and the solution at a state, and note what it promises.
 
-        Where steps were `misled`, not having kept their promise, derivatives follow the loads from there on.
+        Derivatives `follow` the loads there, and from there on.
         """
         problem, rows, history = self._problem, self._rows, self._history
         found = problem.linearise(at.errors, at.instrument, at.machine)
-        if misled:
+        if follow:
             self._felt = problem.followed(*at)
         found = found._replace(J_p=found.J_p + self._felt)
         if len(history) < self._close and history and history[-1] < UNSETTLED:
