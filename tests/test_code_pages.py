@@ -32,7 +32,10 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-@pytest.mark.parametrize("code_page", ["cp1252", "cp437", "ascii"])
+@pytest.mark.parametrize(
+    "code_page",
+    [pytest.param("cp1252", marks=pytest.mark.thorough), pytest.param("cp437", marks=pytest.mark.thorough), "ascii"],
+)
 def test_commands_end_well_on_a_screen_with_few_letters(folder: Path, code_page: str) -> None:
     screen = os.environ | {"PYTHONIOENCODING": code_page, "PYTHONUTF8": "0"}
     script = (

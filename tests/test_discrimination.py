@@ -59,7 +59,13 @@ def compliant() -> dict[str, Any]:
 # ------------------------------------------------------------------------------------- joint or arm, steel or tracker
 
 
-@pytest.mark.parametrize(("truth", "other"), [(COMPLIANT, "proximal_bending"), (BENDING, "joint_compliance")])
+@pytest.mark.parametrize(
+    ("truth", "other"),
+    [
+        (COMPLIANT, "proximal_bending"),
+        pytest.param(BENDING, "joint_compliance", marks=pytest.mark.thorough),
+    ],
+)
 def test_a_soft_joint_and_a_soft_arm_are_one_answer_until_the_proposed_poses_are_measured(
     truth: Term, other: str
 ) -> None:

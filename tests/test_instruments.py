@@ -61,9 +61,9 @@ def parameters(found: Mapping[str, Any]) -> dict[str, Any]:
 @pytest.mark.parametrize(
     ("said", "lens"),
     [
-        ({"place": "platform", **LENS, **BENT}, LENS | BENT),
+        pytest.param({"place": "platform", **LENS, **BENT}, LENS | BENT, marks=pytest.mark.thorough),
         ({"place": "fixed", **LENS, **BENT}, LENS | BENT),
-        ({}, LENS),
+        pytest.param({}, LENS, marks=pytest.mark.thorough),
         (dict.fromkeys(BENT, "unknown"), LENS | BENT),
     ],
     ids=["on the link", "beside the arm", "nothing known", "distortion unknown"],

@@ -95,7 +95,12 @@ LAWS: dict[str, tuple[Friction, dict[str, float]]] = {
 }
 
 
-@pytest.mark.parametrize("name", LAWS)
+ALIKE = ("quadratic_friction", "rotor_inertia")  # searched as the others are
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.thorough if name in ALIKE else ()) for name in LAWS]
+)
 def test_every_law_of_one_joint_is_named_with_its_size(tmp_path: Path, name: str) -> None:
     law, truth = LAWS[name]
     on_third = np.array([0.0, 0.0, 1.0])

@@ -92,7 +92,6 @@ FUNCTIONS = {
     "physics/body.py:Body._rows": "parts that effects move, by what they are made of",
     "physics/body.py:Body.solve": "a pose in a base that has turned",
     "physics/body.py:Body.state": WORKSPACE,
-    "physics/following.py:following": "chain rule and implicit functions: of any machine that gives way",
     "physics/body.py:Body.theta": "joints by the errors of their zeros, as the mechanism declares them",
     "physics/following.py:following": "chain rule and implicit functions: of any machine that gives way",
     "physics/formula.py:": "the functions that a law's text may name",
