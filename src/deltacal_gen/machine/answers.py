@@ -58,7 +58,16 @@ class Sensitivity:
 
     def by_deflections(self, limbs: Sequence[int]) -> Array:
         """Return `deflections`, of which those of some limbs, from 1, are wanted; of all, where none is named."""
-        return self.bent if isinstance(self.bent, np.ndarray) else self.bent(limbs)
+        if isinstance(self.bent, np.ndarray):
+            return self.bent
+        if (found := self._known.get(tuple(limbs))) is None:
+            found = self._known[tuple(limbs)] = self.bent(limbs)
+        return found
+
+    @cached_property
+    def _known(self) -> dict[tuple[int, ...], Array]:
+        """What `bent` returned: several effects on the same limbs read it."""
+        return {}
 
     @cached_property
     def parameters(self) -> Array:
