@@ -197,7 +197,13 @@ class Series:
 
         best = min(tried(fades, 0.0) for fades in FADES)
         if best[1]:
-            best = min(best, *(tried(fades, own) for fades in FADES[1:] for own in OWN))
+            k = FADES.index(best[1])
+            for own in OWN:  # noise that is each row's own makes the rest fade more slowly: the best is near the last
+                here = tried(FADES[k], own)
+                for way in (1, -1):
+                    while 1 <= k + way < len(FADES) and (beside := tried(FADES[k + way], own)) < here:
+                        here, k = beside, k + way
+                best = min(best, here)
             step, part = FADES[1] - FADES[2], OWN[1] - OWN[0]
             for _ in range(REFINED):
                 step, part = step / 2, part / 2
