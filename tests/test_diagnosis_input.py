@@ -84,6 +84,14 @@ def test_a_channel_that_never_changes_tests_nothing(shop: Path, diagnose: Diagno
     assert re.search(r"not tested: [\w, ]*\bthermal_zero\b", out)
 
 
+@pytest.mark.parametrize("times", [1, 3])
+def test_a_clock_that_tells_few_times_has_no_moment_between_them(shop: Path, diagnose: Diagnose, times: int) -> None:
+    column(shop, "time_s", lambda line, cell: str(60 * (line * times // (POSES + 2))))
+    code, found, _, _ = diagnose()
+    assert code == 0
+    still_found(found)
+
+
 @pytest.mark.parametrize(
     ("name", "victims"),
     [("temp_C", ("thermal_zero", "thermal_growth")), ("time_s", ("zero_drift",)), ("payload_kg", LOADED)],

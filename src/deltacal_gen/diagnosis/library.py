@@ -144,6 +144,8 @@ def _moments(problem: Problem, kernels: Kernels, form: Form) -> list[float]:
     times = np.unique(clock)
     edge = max(3, len(times) // 40)  # it needs rows on both sides
     inside = times[edge : len(times) - edge]
+    if not len(inside):
+        return []
     step = -(-len(inside) // MOST_TIMES)
     some = inside[step // 2 :: step]
     return some[_mixed(problem.body.q[rows], clock, some)].tolist()
