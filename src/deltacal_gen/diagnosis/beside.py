@@ -11,6 +11,8 @@ import numpy as np
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.machine.registry import Array
 
+BLOCK = 256  # columns that are whitened at once: whitening needs four times their memory
+
 
 class Beside:
     """Readings at a fit, whitened, and the projection beside geometry, instrument and effects that are fitted.
@@ -104,6 +106,12 @@ class Beside:
 
     def rows(self, values: Array) -> Array:
         """Return readings (R, k, n) as whitened rows (scalars, n), unread components dropped."""
+        out = np.empty((int(self._read.sum()), values.shape[2]))
+        for at in range(0, values.shape[2], BLOCK):
+            out[:, at : at + BLOCK] = self._block(values[..., at : at + BLOCK])
+        return out
+
+    def _block(self, values: Array) -> Array:
         scaled = values * self._w[..., None]
         if self._read.all():
             return self.fit.repeats.whiten(scaled).reshape(self._read.size, -1)
