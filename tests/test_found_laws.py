@@ -242,7 +242,7 @@ def test_a_law_hidden_by_noise_that_wanders_stands_where_it_costs_less(
     def outcome(unexplained: bool, effects: list[tuple[str, tuple[int, ...]]]) -> Any:
         return SimpleNamespace(unexplained=unexplained, spectrum=None, search=SimpleNamespace(effects=effects))
 
-    wave = SimpleNamespace(fit="law", law=(SimpleNamespace(price=45.0),))
+    wave = SimpleNamespace(fit="law", cost=995.0 if cheaper else 1005.0)
     white = outcome(not named, [("zero_drift", (1,)), ("warm_up", (2,))] if named else [])
     calm = outcome(False, [])
 
@@ -252,7 +252,6 @@ def test_a_law_hidden_by_noise_that_wanders_stands_where_it_costs_less(
 
     monkeypatch.setattr(diagnosis, "laws", laws)
     monkeypatch.setattr(diagnosis, "deviance", lambda found: 1000.0)
-    monkeypatch.setattr(diagnosis, "deviance_of", lambda fit: 950.0 if cheaper else 960.0)
     by_law: Any = diagnosis._by_law
     found = by_law(("plain", white), ("wandering", calm), lambda text: None)
     assert found[:2] == (("plain", white) if stands else ("wandering", calm))

@@ -269,6 +269,8 @@ def test_the_largest_model_that_the_readings_allow_is_taken(robot: Robot, eighte
     assert identify(robot, recording.subset(range(0, 39, 4)), None).model == "delta/18"  # 30 readings
     assert identify(robot, recording.subset(range(0, 39, 8)), None).model == "delta/3"
     assert identify(robot, recording).model == "delta/42"
+    # thirty readings of five poses are no more than five
+    assert identify(robot, recording.subset(np.repeat(range(0, 39, 8), 6)), None).model == "delta/3"
 
 
 def test_unknown_models_and_solvers_are_refused(robot: Robot, eighteen: dict[str, float]) -> None:

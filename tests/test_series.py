@@ -9,7 +9,7 @@ import pytest
 
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.estimation.problem import pose_problem
-from deltacal_gen.estimation.series import Series, Taken
+from deltacal_gen.estimation.series import FADES, OWN, OWN_PRICE, Series, Taken
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.identification import Identification, identify
 from tests.benchmarks.honesty_nulls import ROBOT, SIGMA, drawn, null
@@ -141,3 +141,21 @@ def test_no_set_up_counts_as_less_than_one_row() -> None:
     walk = Series(np.arange(38), gap, 0.999)
     assert walk.rows == walk.rows_of_size == 19
     assert Series(np.arange(38), gap, 0.5).rows == pytest.approx(3)
+
+
+@pytest.mark.parametrize("rho", [0.3, 0.8, 0.97])
+@pytest.mark.parametrize("own", [0.0, 0.4])
+def test_no_noise_of_the_grid_is_likelier_than_the_one_that_is_found(rho: float, own: float) -> None:
+    """The likeliest is walked to, one part of each row's own after the other."""
+    rng = np.random.default_rng(5)
+    e = rng.standard_normal((120, 3))
+    for k in range(1, len(e)):
+        e[k] = rho * e[k - 1] + np.sqrt(1 - rho**2) * e[k]
+    z = np.sqrt(1 - own) * e + np.sqrt(own) * rng.standard_normal(e.shape)
+    series = Series(np.arange(120), np.append(np.inf, np.ones(119)))
+    found, deviance = series.likeliest(z)
+    price = OWN_PRICE * (found.own > 0)
+    for fades in FADES[1:]:
+        for part in (0.0, *OWN):
+            at = dataclasses.replace(series, rho=1 - float(np.exp(fades)), own=part)
+            assert deviance + price <= at.deviance(z) + OWN_PRICE * (part > 0) + 1e-9

@@ -106,6 +106,8 @@ class Beside:
 
     def rows(self, values: Array) -> Array:
         """Return readings (R, k, n) as whitened rows (scalars, n), unread components dropped."""
+        if values.shape[2] <= BLOCK:
+            return self._block(values)
         out = np.empty((int(self._read.sum()), values.shape[2]))
         for at in range(0, values.shape[2], BLOCK):
             out[:, at : at + BLOCK] = self._block(values[..., at : at + BLOCK])

@@ -265,9 +265,7 @@ def _by_law(white: tuple[Fit, Outcome], calm: tuple[Fit, Outcome], progress: Pro
     hidden = (beside.unexplained or fewer) and not found.unexplained and beside.spectrum is None is found.spectrum
     if sought.laws or not hidden or not (instead := laws(beside, progress, doubted=fewer)).laws:
         return *calm, sought
-    law = instead.laws[0]
-    cost = deviance_of(law.fit) + sum(t.price for t in law.law)
-    return (*white, instead) if cost < deviance(found) else (*calm, sought)
+    return (*white, instead) if instead.laws[0].cost < deviance(found) else (*calm, sought)
 
 
 def _held_out(found: Outcome, search: Search, lawful: Sequence[Lawful]) -> tuple[float, float]:
@@ -375,7 +373,7 @@ def _of_all(problem: Problem, first: Fit, found: Fit, spectrum: Spectrum | None)
     """Return the fit of the geometry to all readings, the fit with what was found, and the spectrum as all have it."""
     if first.problem.body is problem.body and spectrum is None:
         if found.problem.gives_way:
-            found = refitted(problem, found, terms_of(found), not found.weights.all(), CONVERGED) or found
+            found = refitted(problem, found, terms_of(found), not found.weights.all(), tolerance=CONVERGED) or found
         return first, found, None
     geometry = dataclasses.replace(problem, held=())
     baseline = first if first.problem.body is problem.body else refitted(geometry, first, [], tolerance=CONVERGED)

@@ -238,18 +238,19 @@ class _Iteration:
         self._problem, self._solver, self._rows, self._tolerance = problem, solver, rows, tolerance
         self._history: list[float] = []
         self._close = ESTIMATED_AT
-        self._felt: Array | float = 0.0  # by which the derivatives of a soft machine are others than at fixed loads
+        self._felt: Array | None = None  # by which the derivatives of a soft machine are others than at fixed loads
 
     def run(self, state: State, must_converge: bool) -> Fit:
         """Iterate from a state; see `fit`."""
         damping, misled, history = 0.0, False, self._history
-        exact = self._problem.gives_way and self._tolerance <= CONVERGED
+        soft = self._problem.gives_way
+        exact = soft and self._tolerance <= CONVERGED
         while True:
-            if follow := misled and self._problem.gives_way:
-                damping = damping if self._follows else 0.0  # derivatives are others now: steps may be whole again
+            if (follow := misled and soft) and self._felt is None:
+                damping = 0.0  # derivatives are others now: steps may be whole again
             residual, linear, solution = self._solved(state, follow)
             if self._arrived():
-                if self._follows or not exact:
+                if self._felt is not None or not exact:
                     break
                 misled = True  # what derivatives at fixed loads call the lowest place is only near it
                 continue
@@ -262,7 +263,7 @@ class _Iteration:
             state, damping = improved(self._problem, state, linear, solution, whitened, damping, self._tolerance)
             misled = damping > eased
             if state is before and len(history) > self._close + 1 + self._rows.later:
-                if self._follows or not exact:
+                if self._felt is not None or not exact:
                     break  # no step lowers the objective: what the linear machine still promises is not to be had
                 misled = True
         rows, problem = self._rows, self._problem
@@ -281,11 +282,6 @@ class _Iteration:
             history=history,
         )
 
-    @property
-    def _follows(self) -> bool:
-        """Whether derivatives follow the loads."""
-        return isinstance(self._felt, np.ndarray)
-
     def _solved(self, at: State, follow: bool) -> tuple[Array, Linear, Solution]:
         """Return residuals, weighed rows and the solution at a state, and note what it promises.
 
@@ -295,7 +291,8 @@ class _Iteration:
         found = problem.linearise(at.errors, at.instrument, at.machine)
         if follow:
             self._felt = problem.followed(*at)
-        found = found._replace(J_p=found.J_p + self._felt)
+        if self._felt is not None:
+            found = found._replace(J_p=found.J_p + self._felt)
         if len(history) < self._close and history and history[-1] < UNSETTLED:
             self._close = len(history)
         rows.weigh(found.residual, len(history), self._close)

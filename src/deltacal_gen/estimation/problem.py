@@ -163,9 +163,8 @@ class Problem:
         A soft machine's loads follow it; see `deltacal_gen.physics.following`.
         """
         errors, terms = self.split(parameters)
-        held = [t for t in self.held if t.kernels.ACTS_ON != "reading"]
         instrument = instrument.mounted(self.mechanism, parameters)
-        dx = following(self.body, errors, terms, held, machine, self.names)
+        dx = following(self.body, errors, terms, self.held, machine, self.names)
         return instrument.linearise(self.readings, self.seen(machine), dx)[0]
 
     def sensitivity(self, machine: Deformed, used: np.ndarray) -> Sensitivity:

@@ -9,7 +9,7 @@ the loads, pose again, until nothing moves.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -454,7 +454,7 @@ class Body:
         if not terms:
             return out
         state = self.state(states_read(terms), np.nan_to_num(body.x), body.q, body.rows, limbs_of(terms))
-        every = limbs_of([t for t in terms if set(self._deflected(t))])
+        every = limbs_of([t for t in terms if self._deflects(t)])
         for _, group in itertools.groupby(terms, key=lambda t: (t.effect, t.limbs)):
             forms = list(group)
             kernels, count = forms[0].kernels, sum(t.n_coefficients for t in forms)
@@ -487,10 +487,10 @@ class Body:
             part[chosen] = (moved if forms[0].limbs else moved.sum(axis=3)).reshape(len(chosen), n_x, -1)
         return out
 
-    def _deflected(self, term: Term) -> Iterator[str]:
-        """Yield the deflections that an effect moves."""
+    def _deflects(self, term: Term) -> bool:
+        """Tell whether an effect moves deflections of limbs."""
         parts = (target[5:] for target in term.kernels.TARGETS if target.startswith("limb."))
-        return (name for part in parts for name in self.moves[part] if name in self.mechanism.deflections)
+        return any(name in self.mechanism.deflections for part in parts for name in self.moves[part])
 
     def along(self, sensitivity: Sensitivity, part: str, limbs: Sequence[int]) -> Array:
         """Return the derivatives of the pose by what an effect on some limbs moves in a limb, (n, n_x, limbs)."""

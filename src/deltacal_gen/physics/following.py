@@ -37,11 +37,11 @@ def following(
     machine : Deformed
         In equilibrium under all of them.
     """
-    acting = [t for t in (*terms, *held) if by_limb(t)]
-    pulled = [t for t in acting if follows(t)]
+    pulled = [t for t in (*terms, *held) if by_limb(t) and follows(t)]
     x = np.nan_to_num(machine.x)
     ends = list(dict.fromkeys(place for t in pulled for place in _places(body, t)))
-    at = {place: k for k, place in enumerate(dict.fromkeys((*ends, *(p for t in acting for p in _places(body, t)))))}
+    moved_freely = [place for t in terms if by_limb(t) for place in _places(body, t)]
+    at = {place: k for k, place in enumerate(dict.fromkeys((*ends, *moved_freely)))}
     if not ends:
         return np.zeros((len(x), body.mechanism.n_x, len(names) + sum(t.n_coefficients for t in terms)))
     reads, limbs = states_read(pulled), limbs_of(pulled)

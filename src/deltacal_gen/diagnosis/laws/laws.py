@@ -44,6 +44,8 @@ class Lawful:
     proof : Proof
     gain : float
         In chi2, beside all else.
+    cost : float
+        Deviance, and the price of the law and of the names beside it.
     unsure : tuple of ((n,), (n_c,)) arrays
         Of each term: standard deviations of its constants, and what they add to the variances of its coefficients.
     whole : bool
@@ -54,6 +56,7 @@ class Lawful:
     law: tuple[Tried, ...]
     proof: Proof
     gain: float
+    cost: float
     unsure: tuple[tuple[Array, Array], ...]
     whole: bool = True
 
@@ -239,20 +242,24 @@ def _told(problem: Problem, grown: Grown, proof: Proof, found: Outcome) -> list[
     ground = Ground(grown.fit).freed(last)
     own = grown.law[-1]
     gain = ground.gain(ground.place(own.target), own.form, own.limbs)
-    out = [(_cost(grown, found), _with_figures(grown, proof))]
+    told = [(grown, proof)]
     for other in ranked(ground):
         more = set(other.form.states) > set(own.form.states)
         same = (other.target, set(other.form.states)) == (own.target, set(own.form.states))
-        if same or more or other.score < gain - own.price - RIVALS or len(out) == MOST:
+        if same or more or other.score < gain - own.price - RIVALS or len(told) == MOST:
             continue
         rival = fitted(problem, grown, ground, other, (), len(grown.law) - 1)
         if rival is not None and rival.names:
             rival = _needed(problem, rival, found)
         asked = _asked(problem, rival, proof) if rival is not None and len(rival.law) == len(grown.law) else None
         if rival is not None and asked is not None:
-            out.append((_cost(rival, found), _with_figures(rival, asked)))
-    best = min((cost, k) for k, (cost, law) in enumerate(out) if not k or law.proof.holds)[1]
-    return [out[best][1], *(law for k, (_, law) in enumerate(out) if k != best)]
+            told.append((rival, asked))
+    cost = [_cost(law, found) for law, _ in told]
+    best = min(range(len(told)), key=cost.__getitem__)
+    if best and (not told[best][1].holds or _moved(told[best][0])):
+        best = 0
+    order = [best, *(k for k in range(len(told)) if k != best)]
+    return [_with_figures(*told[k], cost[k]) for k in order]
 
 
 def _cost(grown: Grown, found: Outcome) -> float:
@@ -275,7 +282,7 @@ def _asked(problem: Problem, grown: Grown, proof: Proof) -> Proof | None:
     return judged(problem, without, known, proof.train, proof.test)
 
 
-def _with_figures(grown: Grown, proof: Proof) -> Lawful:
+def _with_figures(grown: Grown, proof: Proof, cost: float) -> Lawful:
     count, n = len(grown.law), len(terms_of(grown.fit))
     ground = Ground(grown.fit)
     without = ground.freed(*range(n - count, n))
@@ -287,7 +294,7 @@ def _with_figures(grown: Grown, proof: Proof) -> Lawful:
         columns.append(C.reshape(len(C), -1))
     G, b, _ = without.normal(np.hstack(columns)[:, None])
     gain = float(b[0] @ np.linalg.pinv(G[0], rcond=1e-8, hermitian=True) @ b[0])
-    return Lawful(grown.fit, grown.law, proof, gain, tuple(unsure), not unexplained(grown.fit))
+    return Lawful(grown.fit, grown.law, proof, gain, cost, tuple(unsure), not unexplained(grown.fit))
 
 
 def _unsure(ground: Ground, freed: Ground, tried: Tried, term: Term) -> tuple[Array, Array]:
