@@ -10,6 +10,7 @@ from types import ModuleType
 
 import numpy as np
 import pytest
+from threadpoolctl import threadpool_info, threadpool_limits
 
 import deltacal_gen as dc
 from deltacal_gen.files.robot import Robot, robot_to_toml
@@ -136,3 +137,20 @@ def test_a_function_of_a_recording_is_a_work_over_its_poses(robot: Robot) -> Non
     assert work.__doc__ == "Say which."
     with using(Backend.COMPILED):
         assert work(robot, Recorded(1)) is Backend.COMPILED
+
+
+def test_a_work_takes_one_thread_of_linear_algebra(robot: Robot, tmp_path: Path) -> None:
+    """Threads of small matrices wait for one another, at twice the cost, and add in the order of their number."""
+
+    def threads() -> set[int]:
+        return {pool["num_threads"] for pool in threadpool_info() if pool["user_api"] == "blas"}
+
+    @by_recording("identify")
+    def worked(robot: Robot, recording: dc.Recording) -> set[int]:
+        return threads()
+
+    np.savetxt(tmp_path / "targets.csv", scattered(robot, 5, 5), "%.9g", ",", header="x_mm,y_mm,z_mm", comments="")
+    dc.simulate(robot, tmp_path / "targets.csv", tmp_path / "recording.csv", seed=3)
+    with threadpool_limits(2, "blas"):
+        assert worked(robot, dc.read_recording(tmp_path / "recording.csv", dc.load_mechanism("delta"))) == {1}
+        assert threads() == {2}

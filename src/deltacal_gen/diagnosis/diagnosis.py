@@ -147,6 +147,7 @@ def diagnose(
     doubtful = [] if lean else hinted(search, AMBIGUOUS)
     doubtful += outweighed(search, white.search, doubtful, AMBIGUOUS)
     before, after = _held_out(found, search, lawful)
+    del white, calm  # columns of all forms, which take more memory than all readings
     progress(f"fit of all {len(problem.readings)} readings")
     baseline, current, spectrum = _of_all(problem, first, search.fit, spectrum)
     search = _without_refuted(some, search, current)
@@ -276,7 +277,7 @@ def _held_out(found: Outcome, search: Search, lawful: Sequence[Lawful]) -> tuple
         return before, lawful[0].proof.rms
     if not search.effects or found.spectrum is not None:
         return before, before
-    beside = found.predicted if search is found.tested else held_out_by(found.problem, search, found.parts)
+    beside = found.predicted if search.fit is found.tested else held_out_by(found.problem, search, found.parts)
     return before, rms(lengths(beside, kind))
 
 

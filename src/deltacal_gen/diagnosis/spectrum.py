@@ -110,11 +110,12 @@ def periodic(at: Fit, parts: Sequence[tuple[np.ndarray, np.ndarray]], known: Spe
     if not limbs:
         return None
     linear = _Linear(at, turns, limbs, parts, known)
-    gains, found = {}, None
+    gains, found, corner = {}, None, CORNER if known is None else known.corner
     while limbs:
-        found = linear.sized(limbs)
+        found = linear.sized(limbs, corner)
         if linear.weighs_otherwise(found.noise):
-            found = linear.sized(limbs)
+            found = linear.sized(limbs, found.corner)
+        corner = found.corner
         gains = {j: linear.gain(found, j) for j in limbs}
         if all(g > MARGIN for g in gains.values()):
             break
@@ -322,16 +323,16 @@ class _Linear:
         n, held = self._n, self._noise * self._held
         return G[:n, :n] + np.diag(held + jitter(np.diag(G)[:n])), G[:n, n] - held * self._departure
 
-    def sized(self, limbs: Sequence[int]) -> _Sized:
-        """Return size, corner and noise of the largest evidence."""
-        best = self._at_corner(limbs, CORNER)
+    def sized(self, limbs: Sequence[int], start: float) -> _Sized:
+        """Return size, corner and noise of the largest evidence, sought from a corner on."""
+        best = self._at_corner(limbs, start)
         for factor in (2.0, 0.5):
             while 1.0 < best.corner * factor < ORDERS:
                 other = self._at_corner(limbs, best.corner * factor)
                 if other.evidence <= best.evidence:
                     break
                 best = other
-            if best.corner > CORNER:
+            if best.corner > start:
                 break
         return best
 

@@ -73,7 +73,7 @@ class Outcome:
     spectrum: Spectrum | None
     unexplained: bool
     parts: list[tuple[np.ndarray, np.ndarray]]
-    tested: Search
+    tested: Fit
     without: Array
     predicted: Array
 
@@ -83,7 +83,7 @@ def searched(some: Problem, first: Fit, terms: Sequence[Term], lean: bool, progr
     parts = folds(some.readings, some.recording, rows=first.repeats.rows)
     search, considered = _chosen(some, Search(first, terms), progress)
     progress("held-out error")
-    without, tested = held_out_errors(first, Prior(), parts), search
+    without, tested = held_out_errors(first, Prior(), parts), search.fit
     predicted = held_out_by(some, search, parts) if search.effects else without
     if search.effects and not evidence(first, without, held_out_errors(search.fit, Prior(), parts)).speaks:
         search = Search(first, terms)

@@ -147,9 +147,9 @@ def improved(
     weight, steps = linear.weight, Damped(linear, solution)
     columns, scale = problem.columns, problem.scale
 
-    def tried(s: Array, t: Array) -> tuple[State | None, Array, float]:
+    def tried(s: Array, t: Array, near: State = state) -> tuple[State | None, Array, float]:
         """Return the state after a step, what it leaves of the rows, and the objective there."""
-        trial = _moved(problem, state, linear, s, t, whitened)
+        trial = _moved(problem, state, linear, s, t, whitened, near.machine)
         if trial is None:
             return None, linear.system.b, np.inf
         rows = whitened(problem.residual(trial.errors, trial.instrument, problem.seen(trial.machine)))
@@ -164,7 +164,7 @@ def improved(
         promised = before - linear.left(s, t)
         if trial is not None and before - after < TRUE * promised:
             s_2, t_2 = steps.bent(rows - linear.system.rest(s, t), damping)
-            bent, _, lower = tried(s + s_2, t + t_2)
+            bent, _, lower = tried(s + s_2, t + t_2, trial)
             if lower < after:
                 trial, after = bent, lower
         if trial is not None and after <= before * (1 - SAME):
@@ -190,7 +190,7 @@ def _truncated(
     whole = whole * min(1.0, LONGEST / max(float(np.max(np.abs(whole), initial=0.0)), LONGEST))
     for _ in range(TRIALS):
         s = whole / (1.0 + damping)
-        trial = _moved(problem, state, linear, s, _following(linear.system, s), whitened)
+        trial = _moved(problem, state, linear, s, _following(linear.system, s), whitened, state.machine)
         if trial is not None:
             return trial, damping / 10
         damping = max(4 * damping, 1.0)
@@ -198,13 +198,19 @@ def _truncated(
 
 
 def _moved(
-    problem: Problem, state: State, linear: Linear, s: Array, t: Array, whitened: Callable[[Array], Array]
+    problem: Problem,
+    state: State,
+    linear: Linear,
+    s: Array,
+    t: Array,
+    whitened: Callable[[Array], Array],
+    near: Deformed,
 ) -> State | None:
-    """Return the state after a step; None where a pose is out of reach."""
+    """Return the state after a step, its machine sought near another; None where a pose is out of reach."""
     errors = state.errors.copy()
     errors[problem.columns] += s * problem.scale
     try:
-        machine = problem.solve(errors, near=state.machine)
+        machine = problem.solve(errors, near=near)
     except InputError:
         return None
     moved = state.instrument.stepped(t)

@@ -14,6 +14,8 @@ from enum import Enum
 from functools import wraps
 from typing import Concatenate, ParamSpec, Protocol, TypeVar
 
+from threadpoolctl import threadpool_limits
+
 # poses from which a work pays for loading Numba and the compiled kernels, half a second or ten where nothing has been
 # compiled yet: one call, a fit of all poses some fifty times, the search of a diagnosis (a hundred fits), and files
 # that are read in blocks of so many rows because they are long; of a machine of three joints, others in proportion
@@ -81,13 +83,17 @@ _R = TypeVar("_R")
 
 
 def by_recording(work: str) -> Callable[[Callable[Concatenate[_A, _D, _P], _R]], Callable[Concatenate[_A, _D, _P], _R]]:
-    """Decorate a function of a robot and a recording: it is a work of `PAYS_FROM` over the poses of the recording."""
+    """Decorate a function of a robot and a recording: it is a work of `PAYS_FROM` over the poses of the recording.
+
+    Its matrices are small: threads of the linear algebra would only wait for one another, at twice the cost, and add in
+    an order that depends on the number of cores.
+    """
 
     def decorated(function: Callable[Concatenate[_A, _D, _P], _R]) -> Callable[Concatenate[_A, _D, _P], _R]:
         @wraps(function)
         def worked(robot: _A, recording: _D, *args: _P.args, **kwargs: _P.kwargs) -> _R:
             poses, joints = recording.joints.shape
-            with working(work, poses * max(joints, JOINTS) // JOINTS):
+            with working(work, poses * max(joints, JOINTS) // JOINTS), threadpool_limits(1, "blas"):
                 return function(robot, recording, *args, **kwargs)
 
         return worked

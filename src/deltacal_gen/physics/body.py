@@ -228,6 +228,11 @@ class Body:
             out["inertia_torque"] = self._inertia(x, q, rows, acceleration)
         return out
 
+    def pulled(self, terms: Sequence[Term]) -> list[int]:
+        """Return the limbs, from 1, along whose deflections effects read loads; none where one reads those of all."""
+        along = set(along_deflections(self.mechanism))
+        return limbs_of([t for t in terms if along.intersection(s.base for s in t.states)])
+
     def _turn(self) -> Array | None:
         """Return the turn of each joint (N, n_q) [rad]; of a sliding one, that of the pulley which drives its belt.
 
@@ -382,7 +387,7 @@ class Body:
             self._held = key, held, self._steady(held, plain)
         unchanged = _together(self._held[2], self._steady([t for t in terms if not follows(t)], plain))
         varying = [t for t in terms if follows(t)]
-        names, limbs = states_read(varying), limbs_of(varying)
+        names, limbs = states_read(varying), self.pulled(varying)
         if not self.robot.drawn:
             moved = Deformed(np.zeros((len(self.q), POSE)), self.q + unchanged.get("joint", 0.0), self.tool, plain)
             return moved, np.full(len(self.q), SOLVED)
@@ -453,7 +458,7 @@ class Body:
         out, start = np.zeros((N, n_x, sum(t.n_coefficients for t in terms))), 0
         if not terms:
             return out
-        state = self.state(states_read(terms), np.nan_to_num(body.x), body.q, body.rows, limbs_of(terms))
+        state = self.state(states_read(terms), np.nan_to_num(body.x), body.q, body.rows, self.pulled(terms))
         every = limbs_of([t for t in terms if self._deflects(t)])
         for _, group in itertools.groupby(terms, key=lambda t: (t.effect, t.limbs)):
             forms = list(group)

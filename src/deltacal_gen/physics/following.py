@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from deltacal_gen.machine.registry import Array
-from deltacal_gen.physics.body import Body, Deformed, by_limb, follows, limbs_of, states_read
+from deltacal_gen.physics.body import Body, Deformed, by_limb, follows, states_read
 from deltacal_gen.physics.terms import Term
 
 STEP = 1e-4  # mm or rad: by which a machine is displaced to see how its loads follow
@@ -44,7 +44,7 @@ def following(
     at = {place: k for k, place in enumerate(dict.fromkeys((*ends, *moved_freely)))}
     if not ends:
         return np.zeros((len(x), body.mechanism.n_x, len(names) + sum(t.n_coefficients for t in terms)))
-    reads, limbs = states_read(pulled), limbs_of(pulled)
+    reads, limbs = states_read(pulled), body.pulled(pulled)
 
     def loaded(q: Array, rows: Array) -> Array:
         there, _ = body.mechanism.forward(q, machine.tool, rows, near=x)
@@ -92,7 +92,7 @@ def _direct(body: Body, terms: Sequence[Term], at: Mapping[Place, int], machine:
     """Return the derivatives of what effects move in limbs, `at` its places, by their coefficients, (N, k, n_c)."""
     N, limbs = body.q.shape
     out, start = np.zeros((N, len(at), sum(t.n_coefficients for t in terms))), 0
-    state = body.state(states_read(terms), np.nan_to_num(machine.x), machine.q, machine.rows, limbs_of(terms))
+    state = body.state(states_read(terms), np.nan_to_num(machine.x), machine.q, machine.rows, body.pulled(terms))
     for term in terms:
         if by_limb(term):
             D = body.derivatives(term, body.read(term, state), body.coefficients(term))

@@ -86,7 +86,7 @@ def along(
             break
         points = points.halved(coarse)
         z, slope, by_c = points.solved()
-    bound = _recursion(np.abs(slope), errors)
+    bound = recursion(np.abs(slope), errors)
     rows, back = points.rows, np.argsort(order)
     settled = np.logical_and.reduceat((errors <= allowed).all(axis=2), np.r_[0, rows[:-1] + 1], axis=0)
     return Along(z[rows][back], by_c[rows][back], bound[rows][back], settled[back])
@@ -140,14 +140,14 @@ class _Points:
         for _ in range(ROUNDS):
             found = self._over(z[self._before], self.states[self._before], self.states, self.length)
             slope = np.where(begins, 0.0, found[..., 1])
-            change = _recursion(slope, np.where(begins, start, found[..., 0]) - z)
+            change = recursion(slope, np.where(begins, start, found[..., 0]) - z)
             z = z + change
             if not np.abs(change).max(initial=0.0) > SETTLED * max(1.0, float(np.abs(z).max(initial=0.0))):
                 break
         else:
             z = np.full_like(z, np.nan)
         by = np.where(begins[..., None], 0.0, found[..., 2:])
-        return z, slope, _recursion(np.broadcast_to(slope[..., None], by.shape), by)
+        return z, slope, recursion(np.broadcast_to(slope[..., None], by.shape), by)
 
     def errors(self, z: Array) -> Array:
         """Return how far each point is off by its own interval, (K, limbs, m): what halving it would change."""
@@ -190,7 +190,7 @@ class _Points:
         return kernel(*flat, self.constants).reshape(*self.states.shape[:2], -1)
 
 
-def _recursion(factor: Array, added: Array) -> Array:
+def recursion(factor: Array, added: Array) -> Array:
     """Return y (K, ...) with ``y_k = factor_k y_k-1 + added_k``."""
     from scipy.linalg import solve_banded  # as long to import as a whole identification takes; few effects remember
 

@@ -23,6 +23,7 @@ from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.formula import formula
 from deltacal_gen.physics.law import PREFIX, followed, load_law
+from deltacal_gen.physics.memory import recursion
 from deltacal_gen.physics.states import CHANNELS, named
 from deltacal_gen.physics.terms import Term, blank
 
@@ -238,12 +239,11 @@ class Ground:
             run = np.zeros(len(v), dtype=np.int64) if channels.run is None else channels.run
             order = np.lexsort((time, run))
             first = np.r_[True, np.diff(run[order]) != 0]
-            h = np.diff(time[order], prepend=time[order[0]])
-            z, now, out = v[order[0]], v[order[0]], np.empty_like(v)
-            for k, row in enumerate(order):
-                begin, now = now, v[row]
-                z = now if first[k] else followed(z, begin, now, h[k], np.asarray(tau))[0]
-                out[row] = z
+            h, now = np.diff(time[order], prepend=time[order[0]]), v[order]
+            h = np.where(first, 0.0, h)[:, None]
+            kept, left = followed(np.zeros_like(now), np.roll(now, 1, axis=0), now, h, np.asarray(tau))
+            first, out = first[:, None], np.empty_like(v)
+            out[order] = recursion(np.where(first, 0.0, left), np.where(first, now, kept))
             self._lagged[key] = out[self.rows]
         return self._lagged[key]
 
