@@ -28,6 +28,7 @@ from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.machine.registry import load_mechanism, mechanism_of
 from deltacal_gen.machine.rotation import from_vector, to_vector
 from deltacal_gen.machine.values import Recording
+from deltacal_gen.physics.parts import lacks
 from deltacal_gen.physics.simulation import simulate
 from deltacal_gen.physics.terms import Term, blank, coefficients, load_effect
 from deltacal_gen.units import to_internal
@@ -140,9 +141,9 @@ def _term(name: str, poses: Recording, robot: Robot, tools: Array, rng: np.rando
         clock = poses.channels.get("time_s", np.arange(poses.n_rows, dtype=float))
         constants = (float(np.sort(clock)[int(rng.uniform(0.15, 0.85) * len(clock))]),)
     moved = rng.permutation(tools)[: int(rng.integers(1, max(len(tools), 2)))]
-    term = blank(name, limbs, constants, moved)
+    term = blank(name, limbs, constants, moved, lacks(name, mechanism, mechanism.moves(robot), mechanism.roles(robot)))
     sizes = {"expansion_proximal": 20e-6, "expansion_distal": 10e-6, "expansion_base": 15e-6}
-    known = coefficients(load_effect(name), mechanism.joint_unit)
+    known = coefficients(term.kernels, mechanism.joint_unit)
     values = np.array([sizes.get(c, 1e-3 * f) for c, _, f in known]) * np.ones_like(term.values)
     values *= rng.uniform(0.5, 1.5, values.shape)
     if name not in {"thermal_growth", "latency", "backlash"} and not any("compl" in c[0] for c in known):

@@ -29,6 +29,7 @@ from deltacal_gen.diagnosis.library import library
 from deltacal_gen.diagnosis.search import Search
 from deltacal_gen.diagnosis.spectrum import LEAST_TURN, Spectrum, periodic, wave
 from deltacal_gen.diagnosis.strategy import (
+    MARGIN,
     Outcome,
     Progress,
     believable,
@@ -43,6 +44,7 @@ from deltacal_gen.diagnosis.strategy import (
     terms_of,
 )
 from deltacal_gen.diagnosis.structure import Structure, structures
+from deltacal_gen.diagnosis.wandering import following_walks
 from deltacal_gen.errors import NoSolutionError
 from deltacal_gen.estimation.fit import CONVERGED, SPARE_READINGS, Fit, fit, rough
 from deltacal_gen.estimation.problem import Problem, pose_problem
@@ -158,7 +160,7 @@ def diagnose(
     chance = Chance(Search(_beside_noise_of(search.fit, first), terms), np.random.default_rng(SEED))
     # where a law sits is told as it showed, without the law
     of, shows = (found.search.fit, found.left) if lawful else (search.fit, left)
-    location = location_of(of, shows, named, spectrum, chance, explained=not (unexplained or lawful))
+    location = location_of(of, shows, named, spectrum, chance, not (unexplained or lawful), found.wandering)
     progress("what to measure next")
     asked = *(Question(n.term, n.rivals, n.unrecorded) for n in named), *sought.questions
     questions = [*asked, *(Question(h.term, proven=False) for h in doubtful)]
@@ -250,7 +252,20 @@ def _in_noise(
                 first, found = again, other
     if calm is not None or (found.search.effects and not lean):
         found = beside_noise(found, lean)
-    return first, found
+    return first, _without_walks(found)
+
+
+def _without_walks(found: Outcome) -> Outcome:
+    """Return what was found without effects of time that only follow joints which wander: that remains unexplained."""
+    terms = terms_of(found.search.fit)
+    prices = {i: found.search.price(t) + MARGIN for i, t in enumerate(terms)}
+    gone, wandering = following_walks(found.search.fit, prices)
+    kept = [t for i, t in enumerate(terms) if i not in gone]
+    fit = refitted(found.problem, found.search.fit, kept) if gone else None
+    if fit is None:
+        return found
+    search = Search(fit, found.search.terms)
+    return dataclasses.replace(found, search=search, left=structures(fit), unexplained=True, wandering=wandering)
 
 
 def _by_law(white: tuple[Fit, Outcome], calm: tuple[Fit, Outcome], progress: Progress) -> tuple[Fit, Outcome, Sought]:

@@ -73,10 +73,12 @@ def location_of(
     spectrum: Spectrum | None,
     chance: Chance,
     explained: bool,
+    wandering: tuple[int, ...] = (),
 ) -> Location:
     """Return channels by their share of the misfit, the limbs, the region where it is local, and all in words.
 
-    Where effects explain the misfit they say what it depends on; elsewhere the strongest structures do.
+    Where effects explain the misfit they say what it depends on; elsewhere the strongest structures do, and joints that
+    are `wandering`.
     """
     channels: dict[str, tuple[float, float]] = {}
     limbs: list[int] = []
@@ -101,6 +103,8 @@ def location_of(
             channels[s.channel] = (min(s.earned / total, 1.0), float(np.exp(-min(s.earned, 1400.0) / 2)))
         if earning:
             limbs, region = list(earning[0].limbs), earning[0].region
+        if wandering:
+            limbs, region = list(wandering), None
     ordered = sorted(channels.items(), key=lambda kv: -kv[1][0])
     first = ordered[0][0] if ordered else None
     if first is None:
@@ -119,6 +123,8 @@ def location_of(
         text = f"the misfit depends on {first}"
     if limbs:
         text += f", at limb{'s' if len(limbs) > 1 else ''} {', '.join(map(str, limbs))}"
+    if wandering:
+        text += ", whose zero wanders as by chance: no function of time that was found foretells it"
     return Location(
         channels=tuple(Channel(name=name, p_value=p, share=share) for name, (share, p) in ordered),
         limbs=tuple(limbs),

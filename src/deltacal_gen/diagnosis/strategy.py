@@ -63,6 +63,8 @@ class Outcome:
         Masks of readings, held out in turn.
     without, predicted : (R, k) array
         Errors of held-out readings [mm, rad] by geometry alone, and with what `tested` had found.
+    wandering : tuple of int
+        Joints, from 1, whose zeros go as chance has it, where effects of time were found at first.
     """
 
     problem: Problem
@@ -76,6 +78,7 @@ class Outcome:
     tested: Fit
     without: Array
     predicted: Array
+    wandering: tuple[int, ...] = ()
 
 
 def searched(some: Problem, first: Fit, terms: Sequence[Term], lean: bool, progress: Progress) -> Outcome:

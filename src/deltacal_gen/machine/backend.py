@@ -14,8 +14,6 @@ from enum import Enum
 from functools import wraps
 from typing import Concatenate, ParamSpec, Protocol, TypeVar
 
-from threadpoolctl import threadpool_limits
-
 # poses from which a work pays for loading Numba and the compiled kernels, half a second or ten where nothing has been
 # compiled yet: one call, a fit of all poses some fifty times, the search of a diagnosis (a hundred fits), and files
 # that are read in blocks of so many rows because they are long; of a machine of three joints, others in proportion
@@ -92,6 +90,8 @@ def by_recording(work: str) -> Callable[[Callable[Concatenate[_A, _D, _P], _R]],
     def decorated(function: Callable[Concatenate[_A, _D, _P], _R]) -> Callable[Concatenate[_A, _D, _P], _R]:
         @wraps(function)
         def worked(robot: _A, recording: _D, *args: _P.args, **kwargs: _P.kwargs) -> _R:
+            from threadpoolctl import threadpool_limits  # a first pose needs NumPy and the kernels alone
+
             poses, joints = recording.joints.shape
             with working(work, poses * max(joints, JOINTS) // JOINTS), threadpool_limits(1, "blas"):
                 return function(robot, recording, *args, **kwargs)

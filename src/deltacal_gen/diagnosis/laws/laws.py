@@ -16,6 +16,7 @@ from deltacal_gen.diagnosis.laws.search import COMPARED, Grown, curved, fitted, 
 from deltacal_gen.diagnosis.search import gains, quantile
 from deltacal_gen.diagnosis.strategy import MARGIN, Outcome, refitted, terms_of
 from deltacal_gen.diagnosis.structure import by_instrument
+from deltacal_gen.diagnosis.wandering import following_walks
 from deltacal_gen.errors import InputError
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.problem import Problem
@@ -147,12 +148,19 @@ def _beside(
         kept: Grown | None = _needed(some, grown, found)
         if kept is not None and kept.law and some is not problem:
             kept = _of_all(problem, base, kept, kept.names)
-        if kept is None or not kept.law or _moved(kept) or kept.cost >= deviance_of(found.search.fit):
+        if kept is None or not kept.law or kept.cost >= deviance_of(found.search.fit) or _by_others(kept):
             continue
         asked = _asked(problem, kept, proof)  # what is told is asked for as it is written
         if asked is not None and asked.holds:
             return Sought(tuple(_told(problem, _calm(problem, kept), asked, found)))
     return Sought()
+
+
+def _by_others(grown: Grown) -> bool:
+    """Tell whether a law is better told of what goes by no law: an instrument that moves, or joints that wander."""
+    first = len(terms_of(grown.fit)) - len(grown.law)
+    prices = {first + i: t.price + MARGIN for i, t in enumerate(grown.law)}
+    return _moved(grown) or bool(following_walks(grown.fit, prices)[0])
 
 
 def _moved(grown: Grown) -> bool:
@@ -256,7 +264,7 @@ def _told(problem: Problem, grown: Grown, proof: Proof, found: Outcome) -> list[
             told.append((rival, asked))
     cost = [_cost(law, found) for law, _ in told]
     best = min(range(len(told)), key=cost.__getitem__)
-    if best and (not told[best][1].holds or _moved(told[best][0])):
+    if best and (not told[best][1].holds or _by_others(told[best][0])):
         best = 0
     order = [best, *(k for k in range(len(told)) if k != best)]
     return [_with_figures(*told[k], cost[k]) for k in order]
