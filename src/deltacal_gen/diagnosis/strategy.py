@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -37,6 +38,7 @@ MARGIN = 10.0  # of chi2, beyond all charges: what an effect must earn to be nam
 MOST_EFFECTS = 8  # that are searched: more were never told apart
 MOST_WAVES = 3  # single orders among them: what shows at more is one error of many orders
 REVISIONS = 4
+GIVEN_UP = 2  # times, after which an effect is taken up no more
 TURNS, SETTLED = 4, 0.5  # in which orders and what is beside them settle; standard deviations that are as good as none
 SEARCHED = 1e-2  # of chi2: what a last step of a fit within the search may still gain
 MUCH_WORSE = 1.02  # times the noise: another form that fits so much worse in the exact machine is not taken
@@ -233,15 +235,17 @@ def _chosen(problem: Problem, search: Search, progress: Progress) -> tuple[Searc
     """Return the fit with every effect that earns its price, and the best form of each effect at the first look.
 
     Forwards: the effect that earns most is fitted jointly with all before. After each, every effect is looked at again
-    with the others beside it: another form, another effect or none may now be better.
+    with the others beside it: another form, another effect or none may now be better. What was given up `GIVEN_UP`
+    times is left: what stands for it and it itself would take turns.
     """
     terms, considered = search.terms, list[Found]()
     seen: set[frozenset[tuple[object, ...]]] = set()
+    given_up = Counter[tuple[object, ...]]()
     while len(search.effects) < MOST_EFFECTS and (here := frozenset(map(_place, terms_of(search.fit)))) not in seen:
         seen.add(here)  # what is given up for something else may earn its price beside that, and so on, for ever
         named = search.effects
         progress(f"search {len(named) + 1}: {len(terms)} forms of {len({t.effect for t in terms})} effects")
-        ranked = search.ranked()
+        ranked = [f for f in search.ranked() if given_up[_kind(f.term)] < GIVEN_UP]
         considered = considered or ranked
         if not ranked or ranked[0].score < MARGIN or _crowded(search, ranked[0]):
             break
@@ -249,6 +253,7 @@ def _chosen(problem: Problem, search: Search, progress: Progress) -> tuple[Searc
         if better is None or better.sigma[0] > search.fit.sigma[0] * MUCH_WORSE:
             break  # it did not converge
         search = _revised(problem, Search(better, terms))
+        given_up.update({*map(_kind, terms_of(better))} - {*map(_kind, terms_of(search.fit))})
         if search.effects == named:
             break  # it did not hold
     return search, considered
@@ -511,8 +516,13 @@ def held_out_by(problem: Problem, search: Search, parts: Sequence[tuple[np.ndarr
     return out
 
 
+def _kind(term: Term) -> tuple[object, ...]:
+    """Return an effect, and of one that a machine may have several times, which."""
+    return term.effect, term.constants if several(term.effect) else ()
+
+
 def _place(term: Term) -> tuple[object, ...]:
-    return term.effect, term.limbs, term.tools, term.constants if several(term.effect) else ()
+    return *_kind(term), term.limbs, term.tools
 
 
 def form(term: Term) -> tuple[object, ...]:

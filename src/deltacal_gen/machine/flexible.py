@@ -145,7 +145,16 @@ class Flexible:
         Those of its own (M, links, n) hold geometry, errors, those of the tool and deflections, in this order; `lines`
         (joints, 3) are those of the joints' links, in the frames in which the joints have turned or slid [mm].
         """
-        common = rows[:, :, TABLE : -len(DEFLECTIONS)]
+        own = rows[:, :, : -len(DEFLECTIONS)]
+        plain = self._plain(own[:1] if (own == own[:1]).all() else own, lines)
+        out = np.repeat(plain, len(rows) // len(plain), axis=0)
+        tables, errors = np.moveaxis(self.deflections, -1, 0)
+        out[:, tables, DA + errors] += rows[:, [self._moving[j] for j in self._joints], -len(DEFLECTIONS) :]
+        return out
+
+    def _plain(self, rows: Array, lines: Array) -> Array:
+        """Return what `rows` does, without any deflection; those of its own (M, links, n) hold none."""
+        common = rows[:, :, TABLE:]
         out = np.zeros((len(rows), len(self.links), TABLE + common.shape[2]))
         own, columns, tables, others = self._copied
         n, width = rows.shape[2], out.shape[2]
@@ -164,7 +173,5 @@ class Flexible:
                     about_z = np.copysign(QUARTER, z)
                 out[:, first, [THETA, ALPHA, DBETA]] = about_z, about_x, -QUARTER
                 out[:, last, [THETA, ALPHA, DBETA]] = about_x, -about_z, QUARTER
-        tables, errors = np.moveaxis(self.deflections, -1, 0)
-        out[:, tables, DA + errors] += rows[:, [self._moving[j] for j in self._joints], -len(DEFLECTIONS) :]
         out[:, :, TABLE:] = common[:, :1]
         return out

@@ -274,7 +274,7 @@ class Ground:
         C = flat / np.where(size > 0, size, 1.0)
         inside = self.beside.Q.T @ C
         b = C.T @ self.beside.residual
-        C3, I3 = (np.ascontiguousarray(np.moveaxis(v.reshape(len(v), n, m), 1, 0)) for v in (C, inside))
+        C3, I3 = (np.moveaxis(v.reshape(len(v), n, m), 1, 0) for v in (C, inside))
         G = np.swapaxes(C3, 1, 2) @ C3 - np.swapaxes(I3, 1, 2) @ I3
         return G, b.reshape(n, m), size.reshape(n, m)
 
