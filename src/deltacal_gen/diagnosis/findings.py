@@ -124,7 +124,7 @@ def location_of(
     if limbs:
         text += f", at limb{'s' if len(limbs) > 1 else ''} {', '.join(map(str, limbs))}"
     if wandering:
-        text += ", whose zero wanders as by chance: no function of time that was found foretells it"
+        text += ", whose zero wanders as a random walk does: its past does not foretell it"
     return Location(
         channels=tuple(Channel(name=name, p_value=p, share=share) for name, (share, p) in ordered),
         limbs=tuple(limbs),

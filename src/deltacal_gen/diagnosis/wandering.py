@@ -18,6 +18,7 @@ from deltacal_gen.diagnosis.beside import Beside
 from deltacal_gen.diagnosis.search import quantile
 from deltacal_gen.diagnosis.strategy import MARGIN, terms_of
 from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.terms import Term
 
@@ -154,11 +155,8 @@ class _Ground:
 def _columns(at: Fit, beside: Beside) -> Array:
     """Return whitened columns (scalars, joints * MODES) of a walk of each joint, of unit variance of the readings."""
     problem, machine = at.problem, beside.machine
-    clock = problem.body.channels.clock
-    used = np.unique(problem.readings.rows)
-    t = (clock - clock[used].min()) / max(float(np.ptp(clock[used])), 1e-300)
     k = np.arange(MODES) + 0.5
-    functions = np.sin(np.pi * k * t[:, None]) * np.sqrt(2) / (np.pi * k)
+    functions = np.sin(np.pi * k * _passed(problem)[:, None]) * np.sqrt(2) / (np.pi * k)
     dx = problem.displacements(machine)[:, :, : problem.mechanism.limbs]
     each = []
     for j in range(dx.shape[2]):
@@ -168,3 +166,16 @@ def _columns(at: Fit, beside: Beside) -> Array:
         A = beside.rows(J)
         each.append(A / max(float(np.sqrt((A**2).sum() / len(A))), 1e-300))
     return np.hstack(each)
+
+
+def _passed(problem: Problem) -> Array:
+    """Return which part of the time has passed at every row (N,), sessions one after another; 0 where it is unknown."""
+    body, used = problem.body, np.unique(problem.readings.rows)
+    out, before = np.zeros(len(body.q)), 0.0
+    for session in np.unique(body.session[used]):
+        rows = used[body.session[used] == session]
+        clock = body.channels.clock[rows]
+        if np.isfinite(clock).any():
+            out[rows] = before + np.nan_to_num(clock - np.nanmin(clock))
+            before = float(out[rows].max())
+    return out / max(before, 1e-300)
