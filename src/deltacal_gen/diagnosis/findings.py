@@ -77,8 +77,8 @@ def location_of(
 ) -> Location:
     """Return channels by their share of the misfit, the limbs, the region where it is local, and all in words.
 
-    Where effects explain the misfit they say what it depends on; elsewhere the strongest structures do, and joints that
-    are `wandering`.
+    Where effects explain the misfit they say what it depends on; elsewhere the strongest structures do, and joints, or
+    the instrument (0), that are `wandering`.
     """
     channels: dict[str, tuple[float, float]] = {}
     limbs: list[int] = []
@@ -104,7 +104,7 @@ def location_of(
         if earning:
             limbs, region = list(earning[0].limbs), earning[0].region
         if wandering:
-            limbs, region = list(wandering), None
+            limbs, region = [joint for joint in wandering if joint], None
     ordered = sorted(channels.items(), key=lambda kv: -kv[1][0])
     first = ordered[0][0] if ordered else None
     if first is None:
@@ -124,7 +124,8 @@ def location_of(
     if limbs:
         text += f", at limb{'s' if len(limbs) > 1 else ''} {', '.join(map(str, limbs))}"
     if wandering:
-        text += ", whose zero wanders as a random walk does: its past does not foretell it"
+        text += ", whose zero wanders" if limbs else ": the instrument, or its stand, wanders"
+        text += " as a random walk does: its past does not foretell it"
     return Location(
         channels=tuple(Channel(name=name, p_value=p, share=share) for name, (share, p) in ordered),
         limbs=tuple(limbs),

@@ -66,7 +66,7 @@ class Outcome:
     without, predicted : (R, k) array
         Errors of held-out readings [mm, rad] by geometry alone, and with what `tested` had found.
     wandering : tuple of int
-        Joints, from 1, whose zeros go as chance has it, where effects of time were found at first.
+        Joints, from 1, and 0 for the instrument, that go as chance has it where effects of time were found at first.
     """
 
     problem: Problem

@@ -1,10 +1,11 @@
-"""Joints whose zeros wander: a walk of each is the rival of whatever is named with time.
+"""What wanders: a walk of each joint, and of the instrument, is the rival of whatever is named with time.
 
-A belt that creeps, a screw that works loose, a joint that settles anew at every stop: none follows a function of time,
-and any few functions of time that a search may combine follow some of it. No noise of readings is like it, for it moves
-them as the joint does. A walk is drawn by chance (Brownian, by the functions of Karhunen and Loeve), with one size for
-each joint: the likeliest by what is left beside geometry and instrument (a variance component; Patterson and Thompson
-1971). It pays for its size alone, an effect for what had to be said of it.
+A belt that creeps, a screw that works loose, a joint that settles anew at every stop, a stand that gives: none follows
+a function of time, and any few functions of time that a search may combine follow some of it. No noise of readings is
+like it, for it moves them as the joint does, or turns them all. A walk is drawn by chance (Brownian, by the functions
+of Karhunen and Loeve), with one size for each joint, and for each axis that the instrument shifts along or turns about:
+the likeliest by what is left beside geometry and instrument (a variance component; Patterson and Thompson 1971). It
+pays for its size alone, an effect for what had to be said of it.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ import numpy as np
 from deltacal_gen.diagnosis.beside import Beside
 from deltacal_gen.diagnosis.search import quantile
 from deltacal_gen.diagnosis.strategy import MARGIN, terms_of
+from deltacal_gen.diagnosis.structure import by_instrument
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.machine.registry import Array
@@ -29,7 +31,7 @@ UNSEEN = 1e-6  # of a unit column's square beside all that is fitted: less is a 
 
 
 def following_walks(at: Fit, prices: Mapping[int, float]) -> tuple[set[int], tuple[int, ...]]:
-    """Return the effects of a fit that only follow walks of its joints, and which joints (from 1) wander.
+    """Return the effects of a fit that only follow walks, and which joints (from 1) wander; 0 is the instrument.
 
     Parameters
     ----------
@@ -59,7 +61,8 @@ def following_walks(at: Fit, prices: Mapping[int, float]) -> tuple[set[int], tup
         best, kept, walks = least, others, beside
     if len(kept) == len(doubted) or best >= named - MARGIN:
         return set(), ()
-    return {i for k, i in enumerate(doubted) if k not in kept}, tuple(sorted(j + 1 for j, _ in walks))
+    joints = {place + 1 if place < at.problem.mechanism.limbs else 0 for place, _ in walks}
+    return {i for k, i in enumerate(doubted) if k not in kept}, tuple(sorted(joints))
 
 
 def _goes_with_time(term: Term) -> bool:
@@ -67,7 +70,7 @@ def _goes_with_time(term: Term) -> bool:
     return any(s.by or (s.kind == "channel" and s.per == "machine") for s in term.states)
 
 
-Walks = tuple[tuple[int, float], ...]  # joints, from 0, and the size of each one's
+Walks = tuple[tuple[int, float], ...]  # places, from 0: joints, then axes of the instrument; the size of each one's
 
 
 @dataclass(frozen=True)
@@ -77,7 +80,7 @@ class _Ground:
     Attributes
     ----------
     G, b : (n, n), (n,) arrays
-        The effects' columns first, then `MODES` of each joint, each walk's of unit variance of the readings.
+        The effects' columns first, then `MODES` of each place, each walk's of unit variance of the readings.
     rest : float
         Sum of squares that is left without them.
     degrees : int
@@ -104,7 +107,7 @@ class _Ground:
         return _Ground(C.T @ C, r @ C, float(r @ r), max(len(r) - beside.Q.shape[1], 1), owner)
 
     @property
-    def joints(self) -> int:
+    def places(self) -> int:
         return (len(self.b) - len(self.owner)) // MODES
 
     def cost(self, kept: Sequence[int]) -> float:
@@ -117,7 +120,7 @@ class _Ground:
         has, best = dict(walks), ground._deviance(walks)
         for _ in range(SWEEPS):
             before = best
-            for j in range(self.joints):
+            for j in range(self.places):
                 tried = [{**has, j: float(s)} for s in SIZES] + [{k: s for k, s in has.items() if k != j}]
                 costs = [ground._deviance(tuple(t.items())) for t in tried]
                 k = int(np.argmin(costs))
@@ -148,24 +151,24 @@ class _Ground:
         L = np.linalg.cholesky(self.G[np.ix_(own, own)] * d * d[:, None] + np.eye(len(own)))
         z = np.linalg.solve(L, self.b[own] * d)
         left = max(self.rest - float(z @ z), 1e-300)
-        price = len(walks) * quantile(1, self.joints)
+        price = len(walks) * quantile(1, self.places)
         return self.degrees * float(np.log(left)) + 2 * float(np.log(np.diag(L)).sum()) + price
 
 
 def _columns(at: Fit, beside: Beside) -> Array:
-    """Return whitened columns (scalars, joints * MODES) of a walk of each joint, of unit variance of the readings."""
+    """Return whitened columns (scalars, places * MODES) of a walk at each place, of unit variance of the readings."""
     problem, machine = at.problem, beside.machine
     k = np.arange(MODES) + 0.5
     functions = np.sin(np.pi * k * _passed(problem)[:, None]) * np.sqrt(2) / (np.pi * k)
-    dx = problem.displacements(machine)[:, :, : problem.mechanism.limbs]
+    dx, seen = problem.displacements(machine)[:, :, : problem.mechanism.limbs], problem.seen(machine)
     each = []
     for j in range(dx.shape[2]):
-        J, _ = at.instrument.linearise(
-            problem.readings, problem.seen(machine), dx[:, :, j : j + 1] * functions[:, None, :]
-        )
-        A = beside.rows(J)
-        each.append(A / max(float(np.sqrt((A**2).sum() / len(A))), 1e-300))
-    return np.hstack(each)
+        J, _ = at.instrument.linearise(problem.readings, seen, dx[:, :, j : j + 1] * functions[:, None, :])
+        each.append(beside.rows(J))
+    if problem.readings.kind.positions:
+        moved = by_instrument(at, beside, functions[problem.readings.rows[:, 0]])
+        each.extend(np.moveaxis(moved.reshape(len(moved), MODES, -1), 2, 0))
+    return np.hstack([A / max(float(np.sqrt((A**2).sum() / len(A))), 1e-300) for A in each])
 
 
 def _passed(problem: Problem) -> Array:
