@@ -8,13 +8,17 @@ import numpy as np
 import pytest
 
 from deltacal_gen.diagnosis.diagnosis import diagnose
+from deltacal_gen.diagnosis.strategy import refitted
+from deltacal_gen.estimation.fit import fit
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.series import FADES, OWN, OWN_PRICE, Series, Taken
+from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.identification.folds import folds
 from deltacal_gen.identification.identification import Identification, identify
+from deltacal_gen.identification.together import deviance_of
 from tests.benchmarks.honesty_nulls import ROBOT, SIGMA, drawn, null
 from tests.conftest import plausible
-from tests.left_out import DELTA, channels, effect, record
+from tests.left_out import DELTA, channels, effect, machine, record
 
 ORDER = np.array([3, 0, 1, 4, 2, 6, 5])
 GAP = np.array([np.inf, 1, 3, 1, np.inf, 2, 1])  # two set-ups
@@ -159,3 +163,15 @@ def test_no_noise_of_the_grid_is_likelier_than_the_one_that_is_found(rho: float,
         for part in (0.0, *OWN):
             at = dataclasses.replace(series, rho=1 - float(np.exp(fades)), own=part)
             assert deviance + price <= at.deviance(z) + OWN_PRICE * (part > 0) + 1e-9
+
+
+@pytest.mark.parametrize("n", [440, 480, 520])
+def test_a_needless_effect_hardly_moves_the_deviance_however_many_readings_there_are(n: int) -> None:
+    """What a fit took is taken out of both fits or of neither: where many readings begin, too."""
+    robot = machine()
+    names = DELTA.model(DELTA.full_model)
+    problem = pose_problem(robot, record(robot, n=n, of=channels(n, "time")), names)
+    plain = fit(problem, Prior(), must_converge=False)
+    more = refitted(problem, plain, [problem.body.blank("zero_drift", (1, 2, 3))])
+    assert more is not None
+    assert abs(deviance_of(more) - deviance_of(plain)) < 20.0

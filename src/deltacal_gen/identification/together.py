@@ -119,10 +119,11 @@ def _shape(at: Fit, z: Array) -> Array | None:
 def _taken(at: Fit, count: int) -> Taken | None:
     """Return what the first parameters of a fit, and the instrument's unknowns, took out of the readings.
 
-    None where that makes no difference.
+    None where that makes no difference, which is so, or not, whatever effects are beside them: deviances of several
+    fits are compared.
     """
     problem = at.problem
-    if problem.readings.n_scalars > MANY * (at.solution.degrees + at.instrument.n_unknown):
+    if problem.readings.n_scalars > MANY * (count + at.instrument.n_unknown):
         return None
     state = problem.linearise(at.errors, at.instrument, at.machine)
     own = problem.columns[:count]
