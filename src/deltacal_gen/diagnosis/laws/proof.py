@@ -78,7 +78,7 @@ def proven(problem: Problem, base: Fit, instead: Instead, again: bool = True) ->
     """Return the law that a part of the readings has, and what the others say of it; None where no part has one.
 
     The last quarter is asked first, which serves for all. Where it does not speak for the law it may lie where nothing
-    was read before: of a law that has nothing to do with time other parts are asked, if they may be asked `again`.
+    was read before: of a law that is no function of time alone other parts are asked, if they may be asked `again`.
     """
     proof = _asked(problem, base, instead, _last(problem))
     if proof is not None and (proof.holds or pace(problem, proof.grown) == "time"):
@@ -99,13 +99,18 @@ def _repeated(problem: Problem) -> bool:
 
 
 def pace(problem: Problem, grown: Grown) -> str:
-    """Return which readings are asked for a law: by ``time``, in ``blocks``, or whole ``poses``."""
-    if "time" in grown.states or grown.remembers:
+    """Return which readings are asked for a law: by ``time``, in ``blocks``, or whole ``poses``.
+
+    What is a function of time alone may be no more than a walk, which goes on otherwise. Of one that has to do with
+    what changes from row to row, as no walk does, rows between are asked.
+    """
+    if grown.remembers:
         return "time"
-    channels = problem.body.channels.values
-    rows = _in_order(problem)
-    slow = [s for s in grown.states if s in channels and channels[s].ndim == 1 and _slow(channels[s][rows])]
-    return "blocks" if slow else "poses"
+    channels, rows = problem.body.channels.values, _in_order(problem)
+    slow = {s: _slow(channels[s][rows]) for s in grown.states if s in channels and channels[s].ndim == 1}
+    if "time" in grown.states and all(slow.get(s, True) for s in grown.states):
+        return "time"
+    return "blocks" if any(slow.values()) else "poses"
 
 
 def held_out(problem: Problem, fitted: Fit, test: np.ndarray) -> Array:
