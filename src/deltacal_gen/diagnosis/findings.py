@@ -107,6 +107,18 @@ def location_of(
             limbs, region = [joint for joint in wandering if joint], None
     ordered = sorted(channels.items(), key=lambda kv: -kv[1][0])
     first = ordered[0][0] if ordered else None
+    return Location(
+        channels=tuple(Channel(name=name, p_value=p, share=share) for name, (share, p) in ordered),
+        limbs=tuple(limbs),
+        region=None if region is None else RegionOf(centre_mm=tuple(region[0]), radius_mm=region[1]),
+        text=_where(at, first, limbs, region, explained, bool(wandering)),
+    )
+
+
+def _where(
+    at: Fit, first: str | None, limbs: Sequence[int], region: Region | None, explained: bool, wandering: bool
+) -> str:
+    """Return in words where a misfit sits: the channel that it depends on first, limbs, a region, what wanders."""
     if first is None:
         near, proven = (0.0, 0.0) if explained else alike(at)
         text = (
@@ -126,12 +138,7 @@ def location_of(
     if wandering:
         text += ", whose zero wanders" if limbs else ": the instrument, or its stand, wanders"
         text += " as a random walk does: its past does not foretell it"
-    return Location(
-        channels=tuple(Channel(name=name, p_value=p, share=share) for name, (share, p) in ordered),
-        limbs=tuple(limbs),
-        region=None if region is None else RegionOf(centre_mm=tuple(region[0]), radius_mm=region[1]),
-        text=text,
-    )
+    return text
 
 
 def named_of(
