@@ -15,7 +15,7 @@ import deltacal_gen as dc
 from deltacal_gen.diagnosis import diagnosis
 from deltacal_gen.diagnosis.laws.ground import TARGETS
 from deltacal_gen.results.diagnosis import Diagnosis
-from tests.left_out import SIGMA, channels, machine, record
+from tests.left_out import SIGMA, channels, effect, machine, record
 from tests.test_law_language import LIMB, law
 
 N = 90
@@ -124,8 +124,6 @@ def test_every_construct_of_a_law_has_its_mathematics(expression: str, parts: li
 
 
 def test_where_the_vocabulary_explains_the_misfit_no_law_is_looked_for() -> None:
-    from tests.left_out import effect
-
     found = dc.diagnose(ROBOT, record(ROBOT, effect("joint_compliance", (LIMB,), 0.02), of=channels(60, *OF)))
     assert [e.name for e in found.effects] == ["joint_compliance"]
     assert found.laws == ()
@@ -270,3 +268,11 @@ def test_a_joint_whose_zero_wanders_is_told_as_that_and_by_no_effect_of_time() -
     assert found.effects == found.laws == ()
     assert found.location.limbs == (LIMB,)
     assert f"limb {LIMB}, whose zero wanders" in found.location.text
+
+
+def test_readings_without_noise_leave_nothing_but_what_was_concealed() -> None:
+    """What poses are not solved to is alike in neighbouring ones, and no physics; walks explain no more of it."""
+    hidden = effect("zero_drift", (1, 2), 0.5), effect("thermal_zero", (3,), 0.01)
+    found = dc.diagnose(ROBOT, record(ROBOT, *hidden, n=80, of=channels(80, "time", "temp"), sigma=0.0, declared=False))
+    assert found.verdict == "missing_physics"
+    assert {(e.name, e.limbs) for e in found.effects} == {("zero_drift", (1, 2)), ("thermal_zero", (3,))}

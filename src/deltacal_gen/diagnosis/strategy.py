@@ -46,6 +46,7 @@ MUCH_WORSE = 1.02  # times the noise: another form that fits so much worse in th
 # hardly see it, that of its believable range does
 ROOM = 10.0
 HARDLY_ALIKE = 2.5  # likewise, from which it may be none
+SOLVED_TO = 1e-8  # mm, rad: what is left of readings without noise is how far poses are solved, and no physics
 ALIKE = 4.0  # standard deviations by which what is left must correlate between neighbouring poses to be no noise
 BORNE_OUT = 2.0  # standard deviations by which held-out readings must speak for what is named
 Progress = Callable[[str], None]
@@ -116,6 +117,8 @@ def _unexplained(search: Search, left: Sequence[Structure], lean: bool) -> bool:
     if lean:
         return False
     at, recording = search.fit, search.fit.problem.recording
+    if float(np.nanmax(np.abs(at.residual))) < SOLVED_TO:
+        return False
     if any(s.earned > MARGIN for s in left) or alike(at)[1] > ALIKE:
         return True
     return lack_of_fit(at, recording) and not (merely_more(at, recording) and _structureless(search, left))

@@ -27,6 +27,7 @@ from deltacal_gen.physics.terms import Term
 MODES = 24  # functions of a walk, which carry 98 % of its variance
 SIZES = np.geomspace(0.1, 1e6, 15)  # of the variance that a walk brings the readings of, in those of their noise
 SWEEPS = 3  # over all joints, in which their sizes settle beside one another
+EXACT = 1e-12  # of a sum of squares: what rounding leaves of it
 UNSEEN = 1e-6  # of a unit column's square beside all that is fitted: less is a combination of that
 
 
@@ -81,8 +82,8 @@ class _Ground:
     ----------
     G, b : (n, n), (n,) arrays
         The effects' columns first, then `MODES` of each place, each walk's of unit variance of the readings.
-    rest : float
-        Sum of squares that is left without them.
+    rest, least : float
+        Sum of squares that is left without them, and what rounding leaves of that where all is explained.
     degrees : int
         Scalars, less what is fitted.
     owner : (n_e,) array of int
@@ -92,6 +93,7 @@ class _Ground:
     G: Array
     b: Array
     rest: float
+    least: float
     degrees: int
     owner: np.ndarray
 
@@ -104,7 +106,8 @@ class _Ground:
         C = np.hstack([own / np.maximum(np.linalg.norm(own, axis=0), 1e-300), walks])
         C -= beside.Q @ (beside.Q.T @ C)
         r, owner = beside.residual, np.repeat(np.arange(len(terms)), [t.n_coefficients for t in terms])
-        return _Ground(C.T @ C, r @ C, float(r @ r), max(len(r) - beside.Q.shape[1], 1), owner)
+        left = float(r @ r)
+        return _Ground(C.T @ C, r @ C, left, max(EXACT * left, 1e-300), max(len(r) - beside.Q.shape[1], 1), owner)
 
     @property
     def places(self) -> int:
@@ -140,17 +143,18 @@ class _Ground:
             seen = size > UNSEEN
             half = V[:, seen] / np.sqrt(size[seen])
             across, along = self.G[n:, some] @ half, self.b[some] @ half
-            G, b, rest, rank = G - across @ across.T, b - across @ along, rest - float(along @ along), int(seen.sum())
+            G, b, rank = G - across @ across.T, b - across @ along, int(seen.sum())
+            rest = max(rest - float(along @ along), self.least)
         return replace(self, G=G, b=b, rest=rest, degrees=max(self.degrees - rank, 1), owner=self.owner[:0])
 
     def _deviance(self, walks: Walks) -> float:
         if not walks:
-            return self.degrees * float(np.log(self.rest))
+            return self.degrees * float(np.log(max(self.rest, self.least)))
         own = np.concatenate([j * MODES + np.arange(MODES) for j, _ in walks])
         d = np.repeat(np.sqrt([s for _, s in walks]), MODES)
         L = np.linalg.cholesky(self.G[np.ix_(own, own)] * d * d[:, None] + np.eye(len(own)))
         z = np.linalg.solve(L, self.b[own] * d)
-        left = max(self.rest - float(z @ z), 1e-300)
+        left = max(self.rest - float(z @ z), self.least)
         price = len(walks) * quantile(1, self.places)
         return self.degrees * float(np.log(left)) + 2 * float(np.log(np.diag(L)).sum()) + price
 
