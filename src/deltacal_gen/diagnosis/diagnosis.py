@@ -285,11 +285,14 @@ def _by_law(white: tuple[Fit, Outcome], calm: tuple[Fit, Outcome], progress: Pro
 
 
 def _held_out(found: Outcome, search: Search, lawful: Sequence[Lawful]) -> tuple[float, float]:
-    """Return the held-out error of geometry alone, and beside what was found [mm]; a spectrum has its own."""
+    """Return the held-out error of geometry alone, and beside what was found [mm]; a spectrum has its own.
+
+    Both are of the same readings: where a law was found, of those that it was asked of.
+    """
     kind = found.problem.readings.kind
-    before = rms(lengths(found.without, kind))
     if lawful:
-        return before, lawful[0].proof.rms
+        return lawful[0].proof.without, lawful[0].proof.rms
+    before = rms(lengths(found.without, kind))
     if not search.effects or found.spectrum is not None:
         return before, before
     beside = found.predicted if search.fit is found.tested else held_out_by(found.problem, search, found.parts)

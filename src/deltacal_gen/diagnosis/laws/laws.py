@@ -141,7 +141,7 @@ def _beside(
     if proof is None:
         return Sought()
     if not proof.holds:
-        return Sought(doubtful=proof.grown.terms[0] if proof.share > 0 else None)
+        return Sought(doubtful=proof.grown.terms[0] if proof.share > 0 and not _by_others(proof.grown) else None)
     some = problem.some(MOST_POSES, np.random.default_rng(SEED))
     first = _of_all(some, base, proof.grown, names)
     for grown in () if first is None else (curved(some, first), first):
@@ -282,12 +282,13 @@ def _asked(problem: Problem, grown: Grown, proof: Proof) -> Proof | None:
     terms = terms_of(grown.fit)
     without = refitted(part, grown.fit, terms[: len(terms) - len(grown.law)])
     found = refitted(part, grown.fit, terms)
-    if without is None or found is None:
+    alone = refitted(part, grown.fit, []) if grown.names else without
+    if without is None or alone is None or found is None:
         return None
     known = Grown(found, grown.law, (), deviance_of(found) + sum(t.price + MARGIN for t in grown.law))
     for i in range(len(grown.law)):
         known = polished(part, known, i)
-    return judged(problem, without, known, proof.train, proof.test)
+    return judged(problem, (without, alone), known, proof.train, proof.test)
 
 
 def _with_figures(grown: Grown, proof: Proof, cost: float) -> Lawful:

@@ -39,8 +39,8 @@ class Proof:
     grown : Grown
         As it was found.
     train, test : (R,) arrays of bool
-    rms : float
-        Of the readings that were asked [mm].
+    rms, without : float
+        Of the readings that were asked, and of the same by geometry alone [mm].
     share : float
         Of the variance above the noise in them: what the law takes.
     holds : bool
@@ -50,6 +50,7 @@ class Proof:
     train: np.ndarray
     test: np.ndarray
     rms: float
+    without: float
     share: float
     holds: bool
 
@@ -133,16 +134,15 @@ def _asked(problem: Problem, base: Fit, instead: Instead, split: tuple[np.ndarra
     grown = None if first is None else grow(part, first, instead.cost(part, first))
     if first is None or grown is None:
         return None
-    return judged(problem, first, grown, train, test)
+    return judged(problem, (first, first), grown, train, test)
 
 
-def judged(problem: Problem, first: Fit, grown: Grown, train: np.ndarray, test: np.ndarray) -> Proof:
-    """Return what readings (R,) that were asked say of a law, beside the fit `first` of the others without it."""
-    before, after = (held_out(problem, at, test) * at.sigma / grown.fit.sigma for at in (first, grown.fit))
-    share = explained(before, after)
-    kind = problem.readings.kind
-    error = rms(lengths((after * grown.fit.sigma)[quiet(before, after)], kind))
-    return Proof(grown, train, test, error, share, bool(share > SHARE and borne_out(before, after)))
+def judged(problem: Problem, first: tuple[Fit, Fit], grown: Grown, train: np.ndarray, test: np.ndarray) -> Proof:
+    """Return what readings (R,) that were asked say of a law; `first`: the others' fits without it, and of geometry."""
+    before, alone, after = (held_out(problem, at, test) * at.sigma / grown.fit.sigma for at in (*first, grown.fit))
+    share, kept = explained(before, after), quiet(before, after)
+    error, without = (rms(lengths((e * grown.fit.sigma)[kept], problem.readings.kind)) for e in (after, alone))
+    return Proof(grown, train, test, error, without, share, bool(share > SHARE and borne_out(before, after)))
 
 
 def _poses(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
