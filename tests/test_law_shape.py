@@ -10,11 +10,14 @@ import pytest
 from deltacal_gen.diagnosis.laws import grammar
 from deltacal_gen.diagnosis.laws.ground import Ground, Tried
 from deltacal_gen.diagnosis.laws.profile import refine
+from deltacal_gen.diagnosis.laws.remainder import with_remainder
 from deltacal_gen.diagnosis.laws.screen import price
 from deltacal_gen.diagnosis.laws.search import placed
 from deltacal_gen.diagnosis.laws.shape import _runs_away, shaped
-from deltacal_gen.estimation.fit import fit
+from deltacal_gen.diagnosis.strategy import refitted
+from deltacal_gen.estimation.fit import Fit, fit
 from deltacal_gen.estimation.problem import pose_problem
+from deltacal_gen.estimation.residuals import rms
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.physics.terms import Term
 from tests.left_out import DELTA, SIGMA, machine, record
@@ -126,3 +129,49 @@ def test_a_law_acts_where_its_form_explains_most(true: str, seen: str) -> None:
     there = placed(ground, dataclasses.replace(tried, target=seen, form=form))
     assert (there.target, there.limbs) == (true, (LIMB,))
     assert placed(ground, there) is there
+
+
+def _fitted(form: str, *truth: Term, constants: tuple[float, ...] = ()) -> tuple[Fit, Tried]:
+    """Return the fit with a law of one form beside geometry, and the law."""
+    ground, tried = straight(*truth)
+    atom = grammar.Atom(form, constants)
+    tried = dataclasses.replace(tried, form=grammar.single("payload", atom))
+    at = refitted(ground.problem, ground.fit, [ground.term("joint", tried.form, (LIMB,))])
+    assert at is not None
+    return at, tried
+
+
+def _error(at: Fit, *truth: Term) -> float:
+    """Return the error [mm] of a fit in readings that it has not seen, exact ones."""
+    fresh = record(ROBOT, *truth, n=N, seed=9, sigma=0.0, of={k: v[::-1] for k, v in OF.items()})
+    count = sum(t.n_coefficients for t in at.problem.terms)
+    problem = pose_problem(ROBOT, fresh, at.problem.names).with_terms(at.problem.terms, np.ones(count))
+    return rms(problem.residual(at.errors, at.instrument, problem.poses(at.errors)))
+
+
+def test_what_a_form_leaves_of_its_state_is_predicted() -> None:
+    truth = law("joint = c1*payload", 3e-4), law("joint = c1*Max(payload - c2, 0)", 2e-4, 1.3)
+    at, tried = _fitted("payload", *truth)
+    whole = with_remainder(at, [tried])
+    *_, told, rest = whole.problem.split(whole.errors)[1]
+    assert told.effect == "law joint = c1*payload"
+    assert rest.limbs == (LIMB,)
+    assert "exp(-((payload" in rest.effect
+    assert _error(whole, *truth) < 0.5 * _error(at, *truth)
+
+
+def test_a_form_that_leaves_nothing_has_no_remainder() -> None:
+    at, tried = _fitted("payload", law("joint = c1*payload", 3e-4))
+    assert with_remainder(at, [tried]) is at
+
+
+def test_of_a_product_each_curve_may_leave_something() -> None:
+    truth = law("joint = c1*payload*exp(oil_C/c2)", 2e-6, 9.0)
+    ground, tried = straight(truth)
+    product = grammar.product(("payload", grammar.Atom("payload")), ("oil_C", grammar.Atom("oil_C")))
+    tried = dataclasses.replace(tried, form=product)
+    at = refitted(ground.problem, ground.fit, [ground.term("joint", product, (LIMB,))])
+    assert at is not None
+    whole = with_remainder(at, [tried])
+    assert any("exp(-((oil_C" in t.effect and "payload" in t.effect for t in whole.problem.terms)
+    assert _error(whole, truth) < 0.7 * _error(at, truth)

@@ -25,6 +25,7 @@ from deltacal_gen.diagnosis.discrimination import Question, next_measurements
 from deltacal_gen.diagnosis.findings import AMBIGUOUS, Named, location_of, named_of, rejected_of, turned_of
 from deltacal_gen.diagnosis.hints import hinted, outweighed, told
 from deltacal_gen.diagnosis.laws.laws import Lawful, Sought, laws
+from deltacal_gen.diagnosis.laws.remainder import with_remainder
 from deltacal_gen.diagnosis.library import library
 from deltacal_gen.diagnosis.search import Search
 from deltacal_gen.diagnosis.spectrum import LEAST_TURN, Spectrum, periodic, wave
@@ -310,7 +311,9 @@ def _as_is_known(problem: Problem, current: Fit, lawful: Sequence[Lawful]) -> Fi
     """Return the fit by what is then known of geometry: the drawing, where no physics is left that it could imitate."""
     if not (current.problem.terms or current.problem.held):
         current = _as_drawn(problem, current)
-    return as_predicts(_as_learned(problem, current) if lawful else current)
+    if lawful:
+        current = with_remainder(_as_learned(problem, current), lawful[0].law)
+    return as_predicts(current)
 
 
 def _verdict(current: Fit) -> Verdict:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from deltacal_gen.diagnosis.chance import Chance
+from deltacal_gen.diagnosis.scattering import scattering
 from deltacal_gen.diagnosis.search import Found, Search
 from deltacal_gen.diagnosis.spectrum import Spectrum, wave
 from deltacal_gen.diagnosis.strategy import ALIKE, MARGIN, form, terms_of
@@ -105,6 +106,8 @@ def location_of(
             limbs, region = list(earning[0].limbs), earning[0].region
         if wandering:
             limbs, region = [joint for joint in wandering if joint], None
+        elif not earning and (scatter := scattering(at)):
+            limbs = [scatter.joint]
     ordered = sorted(channels.items(), key=lambda kv: -kv[1][0])
     first = ordered[0][0] if ordered else None
     return Location(
@@ -127,6 +130,8 @@ def _where(
             else f"what is left hangs together over {at.repeats.rows:.0f} rows and depends on nothing that was recorded"
             if at.repeats.rows > 1
             else "what is left depends on nothing that was recorded"
+            if wandering or not limbs
+            else "what is left depends on nothing that was recorded, but moves readings as one joint does"
         )
     elif region is not None:
         x, y, z = region[0]

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from deltacal_gen.diagnosis.evidence import evidence
+from deltacal_gen.diagnosis.scattering import scattering
 from deltacal_gen.diagnosis.search import Found, Search, carriers_of, several
 from deltacal_gen.diagnosis.spectrum import Spectrum, periodic, wave
 from deltacal_gen.diagnosis.structure import Structure, alike, smooth_columns, structures
@@ -104,8 +105,9 @@ def searched(some: Problem, first: Fit, terms: Sequence[Term], lean: bool, progr
         some, search, spectrum, considered = _beside_orders(some, search, spectrum, parts, progress)
         search, left = _without_gross(some, search)
         unexplained = _unexplained(search, left, lean)
-    if left[0].earned > MARGIN and search.effects:
-        proven = _proven(some, search, smooth_columns(search.fit, left[0].channel))
+    rest = smooth_columns(search.fit, left[0].channel) if left[0].earned > MARGIN else None
+    if search.effects and (rest is not None or scattering(search.fit)):
+        proven = _proven(some, search, rest)
         if proven is not search:
             search, left = proven, structures(proven.fit)
             unexplained = _unexplained(search, left, lean)
@@ -113,13 +115,13 @@ def searched(some: Problem, first: Fit, terms: Sequence[Term], lean: bool, progr
 
 
 def _unexplained(search: Search, left: Sequence[Structure], lean: bool) -> bool:
-    """Tell whether more is left than noise: by its size, along a channel or a place, or alike in neighbouring poses."""
+    """Tell whether more is left than noise: by its size, along a channel, a place, a joint, or alike in neighbours."""
     if lean:
         return False
     at, recording = search.fit, search.fit.problem.recording
     if float(np.nanmax(np.abs(at.residual))) < SOLVED_TO:
         return False
-    if any(s.earned > MARGIN for s in left) or alike(at)[1] > ALIKE:
+    if any(s.earned > MARGIN for s in left) or alike(at)[1] > ALIKE or scattering(at):
         return True
     return lack_of_fit(at, recording) and not (merely_more(at, recording) and _structureless(search, left))
 
@@ -453,15 +455,16 @@ def _refused(simple: Fit, flexible: Fit) -> bool:
 def _proven(problem: Problem, search: Search, rest: Array | None = None) -> Search:
     """Drop the effects that do not earn their price, or do not beside the rest, columns that explain them as well.
 
-    What no effect explains is easily imitated in part by some that vary with the same channel.
+    What no effect explains is easily imitated in part by some that vary with the same channel, or move the same joint.
     """
     drop_gross = not search.fit.weights.all()
     while search.effects:
-        terms = terms_of(search.fit)
+        terms, scatter = terms_of(search.fit), scattering(search.fit)
         scores = []
         for i, term in enumerate(terms):
             beside = search.freed(i) if rest is None else search.freed(i).joined(rest)
-            scores.append(beside.gain(beside.where(term)) - search.price(term))
+            noisy = scatter.variance if scatter and term.limbs == (scatter.joint,) else 1.0
+            scores.append(beside.gain(beside.where(term)) / noisy - search.price(term))
         worst = int(np.argmin(scores))
         if scores[worst] > MARGIN:
             break

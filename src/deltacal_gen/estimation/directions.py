@@ -25,6 +25,24 @@ def shape_of(z: Array) -> Array | None:
     n, k = z.shape
     if k < 2 or n < FEWEST * _numbers(k):
         return None
+    shape = _likeliest(z)
+    return shape if _explained(z, shape) > price_of(shape) else None
+
+
+def explained(z: Array) -> float:
+    """Return how much the likeliest shape explains of the directions of readings (R, k), in the deviance."""
+    return _explained(z, _likeliest(z))
+
+
+def _explained(z: Array, shape: Array) -> float:
+    n, k = z.shape
+    of_directions = k * np.log((z**2).sum(axis=1) / _squares(z, shape)).sum()
+    return float(of_directions - n * np.linalg.slogdet(shape)[1])
+
+
+def _likeliest(z: Array) -> Array:
+    """Return the shape (k, k) by the directions of readings (R, k), none of which is zero: Tyler's fixed point."""
+    k = z.shape[1]
     shape = np.eye(k)
     for _ in range(ROUNDS):
         before = shape
@@ -32,8 +50,7 @@ def shape_of(z: Array) -> Array | None:
         shape *= k / np.trace(shape)
         if np.abs(shape - before).max() < SETTLED:
             break
-    explained = k * np.log(_squares(z, np.eye(k)) / _squares(z, shape)).sum() - n * np.linalg.slogdet(shape)[1]
-    return shape if explained > price_of(shape) else None
+    return shape
 
 
 def price_of(shape: Array) -> float:

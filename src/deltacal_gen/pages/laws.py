@@ -156,6 +156,7 @@ def described(law: Law, others: tuple[Law, ...]) -> dict[str, Any]:
         "share": f"{law.share_of_excess:.0%}",
         "gain": f"{law.gain:.0f}",
         "charge": f"{law.charge:.0f}",
+        "remainder": None if law.remainder_rms_mm is None else f"{law.remainder_rms_mm:.4f}",
         "alike": list(law.alike),
         "others": [" and ".join(f"{t.target} by {t.expression}{where(t)}" for t in o.terms) for o in others],
     }

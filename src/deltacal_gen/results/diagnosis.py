@@ -180,6 +180,8 @@ class Law(Value):
     """Laws that these readings cannot tell from it."""
     borne_out: bool
     curve: LawCurve | None = None
+    remainder_rms_mm: float | None = None
+    """By which what the form leaves of its states moves readings besides: predicted, never told; null for none."""
 
 
 class Hint(Value):

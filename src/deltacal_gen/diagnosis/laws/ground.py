@@ -260,6 +260,17 @@ class Ground:
             C = place.columns[:, :, None, :] * each[:, None]
             return self.beside.rows(C.reshape(R, k, -1)).reshape(-1, n, limbs)
 
+    def by_constants(self, place: Place, form: Form, limbs: tuple[int, ...], values: Array, steps: Array) -> Array:
+        """Return derivatives (scalars, constants) of what a form moves by its constants: differences to both sides.
+
+        `values` are its coefficients (limbs or 1, n), `steps` one for each constant.
+        """
+        own, at, out = [i - 1 for i in limbs] or [0], np.array(form.constants), []
+        for step in np.diag(steps):
+            ends = [self.columns(place, self.values(form.with_constants(c)))[:, :, own] for c in (at + step, at - step)]
+            out.append(np.einsum("snl,ln->s", ends[0] - ends[1], values) / (2 * step.max()))
+        return np.column_stack(out) if out else np.zeros((self.beside.readings, 0))
+
     def normal(self, columns: Array) -> tuple[Array, Array, Array]:
         """Return normal equations beside all that is fitted, G (n, m, m) and b (n, m), and sizes (n, m).
 

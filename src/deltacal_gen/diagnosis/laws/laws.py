@@ -318,18 +318,13 @@ def _unsure(ground: Ground, freed: Ground, tried: Tried, term: Term) -> tuple[Ar
     n = len(form.constants)
     if not n:
         return np.zeros(0), np.zeros(term.n_coefficients)
-    own = [i - 1 for i in tried.limbs] or [0]
-    columns, moved = [], []
-    for k, constant in enumerate(form.constants):
-        step = STEP * max(abs(constant), 1e-12)
-        at = [np.array(form.constants), np.array(form.constants)]
-        at[0][k], at[1][k] = constant + step, constant - step
-        ends = [form.with_constants(a) for a in at]
-        C = [ground.columns(place, ground.values(f))[:, :, own] for f in ends]
-        columns.append(np.einsum("snl,ln->s", C[0] - C[1], term.values) / (2 * step))
-        values = [freed.term(tried.target, f, tried.limbs).values.ravel() for f in ends]
-        moved.append((values[0] - values[1]) / (2 * step))
-    G, _, size = ground.normal(np.column_stack(columns)[:, None])
+    at = np.array(form.constants)
+    steps, moved = STEP * np.maximum(np.abs(at), 1e-12), []
+    for step in np.diag(steps):
+        ends = [freed.term(tried.target, form.with_constants(c), tried.limbs) for c in (at + step, at - step)]
+        moved.append((ends[0].values.ravel() - ends[1].values.ravel()) / (2 * step.max()))
+    columns = ground.by_constants(place, form, tried.limbs, term.values, steps)
+    G, _, size = ground.normal(columns[:, None])
     scale = np.where(size[0] > 0, size[0], 1.0)
     covariance = np.linalg.pinv(G[0], rcond=1e-8, hermitian=True) / np.outer(scale, scale)
     by = np.array(moved)

@@ -53,19 +53,13 @@ def refine(ground: Ground, place: Place, tried: Tried) -> Tried:
 def _linear(ground: Ground, place: Place, form: Form, limbs: tuple[int, ...], size: Array) -> tuple[Array, Array]:
     """Return normal equations of coefficients and constants, these in their sizes, at a form's best coefficients."""
     own = [i - 1 for i in limbs] or [0]
-
-    def columns(at: Array) -> Array:
-        C = ground.columns(place, ground.values(form.with_constants(at)))[:, :, own]
-        return C.reshape(len(C), -1)
-
-    at = np.array(form.constants)
-    C = columns(at)
+    C = ground.columns(place, ground.values(form))[:, :, own]
+    functions = C.shape[1]
+    C = C.reshape(len(C), -1)
     G, b, long = (v[0] for v in ground.normal(C[:, None]))
     by = np.linalg.pinv(G, rcond=1e-10, hermitian=True) @ b / np.where(long > 0, long, 1.0)
-    moved = []
-    for k, aside in enumerate(np.diag(ASIDE * size)):
-        moved.append((columns(at + aside) - columns(at - aside)) @ by / (2 * aside[k]) * size[k])
-    X = np.column_stack([C, *moved])
+    moved = ground.by_constants(place, form, limbs, by.reshape(functions, -1).T, ASIDE * size) * size
+    X = np.hstack([C, moved])
     G, b, long = (v[0] for v in ground.normal(X[:, None]))
     left = b - G[:, : len(by)] @ (by * long[: len(by)])
     return G * np.outer(long, long), left * long

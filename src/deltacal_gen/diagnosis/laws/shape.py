@@ -62,7 +62,7 @@ class Change:
 
 def shaped(ground: Ground, tried: Tried) -> Tried:
     """Return a term of a law with the curves that it earns, and with another state that modulates it."""
-    place, curves = ground.place(tried.target), _curves(ground, tried)
+    place, curves = ground.place(tried.target), curves_of(ground, tried)
     if curves is None:
         return tried
     now = _known(ground, place, tried, _form(curves))
@@ -217,15 +217,15 @@ def _beside(curves: Curves, change: Change) -> Form:
     """Return a form with a function for every part of a change, times the other curves."""
     others = [(c.text, c.constants) for k, c in enumerate(curves) if k != change.at]
     states = dict.fromkeys([*(c.state for c in curves), change.state])
-    return _of_parts([[(p.text, p.constants), *others] for p in change.parts], list(states))
+    return of_parts([[(p.text, p.constants), *others] for p in change.parts], list(states))
 
 
 def _form(curves: Curves) -> Form:
-    out = _of_parts([[(c.text, c.constants) for c in curves]], [c.state for c in curves])
+    out = of_parts([[(c.text, c.constants) for c in curves]], [c.state for c in curves])
     return dataclasses.replace(out, length=sum(c.length for c in curves) + len(curves) - 1, curves=curves)
 
 
-def _of_parts(functions: Sequence[Sequence[Part]], states: Sequence[str]) -> Form:
+def of_parts(functions: Sequence[Sequence[Part]], states: Sequence[str]) -> Form:
     """Return a form of functions that are products of factors."""
     constants, factors = list[float](), list[tuple[str, ...]]()
     for parts in functions:
@@ -246,7 +246,7 @@ def _read(curves: Curves, form: Form) -> Curves:
     return tuple(out)
 
 
-def _curves(ground: Ground, tried: Tried) -> Curves | None:
+def curves_of(ground: Ground, tried: Tried) -> Curves | None:
     """Return a form as a product of curves, weighed as they explain most; None where it is none."""
     form = tried.form
     if form.curves:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -9,6 +11,7 @@ import numpy as np
 from deltacal_gen.diagnosis.laws.ground import Ground
 from deltacal_gen.diagnosis.strategy import terms_of
 from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.machine.registry import Array
 from deltacal_gen.physics.formula import unit, written
 from deltacal_gen.physics.law import Law as LawModule
@@ -32,7 +35,8 @@ def told(laws: tuple[Lawful, ...], final: Fit) -> tuple[Law, ...]:
 
 def _law(law: Lawful, at: Fit, alike: tuple[str, ...]) -> Law:
     every = terms_of(at)
-    places = [i for i, t in enumerate(every) if is_law(t.effect)]
+    every_law = [i for i, t in enumerate(every) if is_law(t.effect)]
+    places, rest = every_law[: len(law.law)], every_law[len(law.law) :]
     std = np.sqrt(np.maximum(np.diag(at.covariance), 0.0))
     unit_of_joints = at.problem.recording.joint_unit
     terms: list[LawTerm] = []
@@ -54,8 +58,17 @@ def _law(law: Lawful, at: Fit, alike: tuple[str, ...]) -> Law:
         charge=law.charge,
         alike=alike,
         borne_out=law.proof.holds,
-        curve=_curve(at, places[0]) if alike or law.proof.holds else None,
+        curve=_curve(at, places[0], rest) if alike or law.proof.holds else None,
+        remainder_rms_mm=_moved(at, rest) if rest else None,
     )
+
+
+def _moved(at: Fit, some: Sequence[int]) -> float:
+    """Return by how much some terms move the readings, RMS [mm]."""
+    terms = [terms_of(at)[i] for i in some]
+    columns = at.problem.term_columns(terms, at.errors, at.instrument, at.machine)
+    moved = columns @ np.concatenate([t.values.ravel() for t in terms])
+    return rms(lengths(np.where(np.isfinite(at.residual), moved, np.nan), at.problem.readings.kind))
 
 
 def _term(term: Term, law: LawModule, std: Array, of_constants: Array, joint_unit: str) -> LawTerm:
@@ -83,45 +96,79 @@ def _joint_unit(joint_unit: str, limb: int | None) -> str:
     return of_joints(joint_unit, max(limb or 1, 1))[(limb or 1) - 1]
 
 
-def _curve(at: Fit, i: int) -> LawCurve | None:
-    """Return a term along its first state, other states at their median, and what every reading says of it."""
+def _curve(at: Fit, i: int, rest: Sequence[int]) -> LawCurve | None:
+    """Return a term along its first state, other states at their median, and what every reading says of it.
+
+    With what its form leaves, terms `rest` of the fit that sit where it does.
+    """
     term = terms_of(at)[i]
     law = load_law(term.effect)
     ground = Ground(at)
     if law.lags or any(s not in ground.states for s in law.STATE):
         return None
+    drawn = _Drawn.of(at, [i, *(k for k in rest if _beside(terms_of(at)[k], term))])
     place, limb = ground.place(law.TARGETS[0]), (term.limbs or (1,))[0]
     column = place.columns[:, :, limb - 1 if term.limbs else 0]
     seen = {s: _of_limb(ground.states[s], limb) for s in law.STATE}
-    s = np.column_stack(list(seen.values()))
-    own = term.values[:1]
-    now = law.value(s, own, term.constants)[:, 0]
+    now = drawn.value(seen)
     residual = np.where(np.isfinite(at.residual[:, : column.shape[1]]), at.residual[:, : column.shape[1]], 0.0)
     size = (column**2).sum(axis=1)
     moved = (column * residual).sum(axis=1) / np.where(size > 0, size, np.inf)
     low, high = law.ends(term.constants)[0]
-    grid = np.tile(np.median(s, axis=0), (POINTS, 1))
-    grid[:, 0] = np.linspace(low, high, POINTS)
-    by = law.jacobian(grid, own, term.constants)[:, 0]
-    covariance = at.covariance[np.ix_(at.problem.coefficients(i), at.problem.coefficients(i))]
-    covariance = covariance[: own.size, : own.size]
-    joint_unit = _joint_unit(at.problem.recording.joint_unit, limb)
+    first, *others = law.STATE
+    middle = {s: float(np.median(seen[s])) for s in others}
+    grid = {first: np.linspace(low, high, POINTS)} | {s: np.full(POINTS, v) for s, v in middle.items()}
     # with several states a reading is shown as it would be at the medians of the others
-    shown = law.value(np.column_stack([s[:, :1], grid[:1, 1:].repeat(len(s), axis=0)]), own, term.constants)[:, 0]
+    shown = drawn.value({first: seen[first]} | {s: np.full(len(now), v) for s, v in middle.items()})
     ratio = np.divide(shown, now, out=np.ones_like(now), where=np.abs(now) > 1e-3 * np.abs(now).max())
+    joint_unit = _joint_unit(at.problem.recording.joint_unit, limb)
     target = (
         "rad" if law.TARGETS[0].startswith("turn.") or (law.TARGETS[0] == "joint" and joint_unit == "rad") else "mm"
     )
     return LawCurve(
-        state=law.STATE[0],
-        unit=written(unit(inside(named(law.STATE[0]), joint_unit))),
+        state=first,
+        unit=written(unit(inside(named(first), joint_unit))),
         target_unit=target,
-        at=grid[:, 0],
-        value=law.value(grid, own, term.constants)[:, 0],
-        std=np.sqrt(np.maximum(np.einsum("nc,cd,nd->n", by, covariance, by), 0.0)),
-        seen=s[:, 0],
+        at=grid[first],
+        value=drawn.value(grid),
+        std=drawn.std(grid),
+        seen=seen[first],
         partial=shown + ratio * moved,
     )
+
+
+def _beside(rest: Term, term: Term) -> bool:
+    """Tell whether what is left of a law's form is left of this term's."""
+    own, whole = load_law(rest.effect), load_law(term.effect)
+    return (own.TARGETS, rest.limbs) == (whole.TARGETS, term.limbs) and set(own.STATE) <= set(whole.STATE)
+
+
+@dataclass(frozen=True)
+class _Drawn:
+    """Terms at one place as a function of their states, on the first of their limbs."""
+
+    terms: list[Term]
+    covariance: Array
+
+    @staticmethod
+    def of(at: Fit, some: Sequence[int]) -> _Drawn:
+        terms = [terms_of(at)[i] for i in some]
+        own = [j for i, t in zip(some, terms, strict=True) for j in at.problem.coefficients(i)[: t.values.shape[1]]]
+        return _Drawn(terms, at.covariance[np.ix_(own, own)])
+
+    def value(self, states: Mapping[str, Array]) -> Array:
+        """Return by how much they move their place (N,), states (N,) by name."""
+        return np.asarray(sum(m.value(s, t.values[:1], t.constants)[:, 0] for t, m, s in self._each(states)))
+
+    def std(self, states: Mapping[str, Array]) -> Array:
+        """Return the standard deviation (N,) of `value` by that of the coefficients."""
+        by = np.hstack([m.jacobian(s, t.values[:1], t.constants)[:, 0] for t, m, s in self._each(states)])
+        return np.sqrt(np.maximum(np.einsum("nc,cd,nd->n", by, self.covariance, by), 0.0))
+
+    def _each(self, states: Mapping[str, Array]) -> Iterator[tuple[Term, LawModule, Array]]:
+        for term in self.terms:
+            law = load_law(term.effect)
+            yield term, law, np.column_stack([states[s] for s in law.STATE])
 
 
 def _of_limb(values: Array, limb: int) -> Array:

@@ -1,0 +1,64 @@
+"""Which joint moves what is left: reading by reading along the direction in which that joint moves it.
+
+Whatever a joint does moves every reading as the joint does there, be it a function of something that nobody recorded,
+or one too fast for so few readings; no noise of an instrument is like it. The joint's error is taken as drawn by chance
+anew in every row, with one size. Of each reading the direction alone counts (Tyler 1987), so that neither tails nor
+gross errors change anything; the rival is an instrument whose noise has directions of its own.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from deltacal_gen.estimation.directions import CHANCE, FEWEST, explained
+from deltacal_gen.estimation.fit import Fit
+from deltacal_gen.identification.noise import noise
+
+SIZES = np.geomspace(0.05, 500.0, 24)  # of the variance that a joint brings a reading, in that of its other noise
+
+
+@dataclass(frozen=True)
+class Scatter:
+    """A joint (from 1) whose error scatters, and the variance along it, in that of the noise as a fit counts it."""
+
+    joint: int
+    variance: float
+
+
+def scattering(at: Fit) -> Scatter | None:
+    """Return the joint that moves what a fit leaves; None where noise of the readings explains as much.
+
+    What repeats show is noise, whoever makes it.
+    """
+    problem, k = at.problem, 3
+    limbs, found = problem.mechanism.limbs, problem.readings
+    if not found.kind.positions or at.residual.shape[1] < k or noise(at, problem.recording).repeated:
+        return None
+    dx = problem.displacements(at.machine)[:, :, :limbs]
+    J, _ = at.instrument.linearise(found, problem.seen(at.machine), dx)
+    z = replace(at.repeats, shape=None).freed(at.residual / at.sigma)[:, :k]
+    whole = np.isfinite(z).all(axis=1) & (z**2).any(axis=1)
+    z, along = z[whole], J[whole, :k] / at.sigma[:k, None]
+    if len(z) < FEWEST * k * limbs:
+        return None
+    size = (along**2).sum(axis=1)
+    unit = size.mean(axis=0)
+    if not (seen := unit > 0).any():
+        return None
+    size, part = size[:, seen] / unit[seen], np.einsum("rk,rkj->rj", z, along[:, :, seen] / np.sqrt(unit[seen])) ** 2
+    whole_size = (z**2).sum(axis=1)[:, None, None]
+    by = SIZES / (1 + SIZES * size[:, :, None])  # (rows, joints, sizes)
+    gain = (-k * np.log1p(-by * part[:, :, None] / whole_size) - np.log1p(SIZES * size[:, :, None])).sum(axis=0)
+    j, s = np.unravel_index(int(np.argmax(gain)), gain.shape)
+    if gain[j, s] - max(explained(z), 0.0) < _price(limbs):
+        return None
+    return Scatter(int(np.flatnonzero(seen)[j]) + 1, float((1 + SIZES[s]) / (1 + SIZES[s] / k)))
+
+
+def _price(joints: int) -> float:
+    """Return what one of so many joints must explain, in the deviance."""
+    from scipy.special import chdtri
+
+    return float(chdtri(1, CHANCE / joints))
