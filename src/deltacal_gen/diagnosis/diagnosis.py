@@ -134,10 +134,10 @@ def diagnose(
     check_units(recording, robot)
     recording = set_aside(recording, robot)
     progress("geometry")
-    robot, problem, model, lean, some, first, doubt = _begun(robot, recording, model)
-    terms, not_tested = library(some) if not lean else ([], _untested(problem))
-    white = searched(some, first, terms, lean, progress)
-    calm = _in_noise(some, first, white, terms, lean, progress)
+    begun, doubt = _begun(robot, recording, model, progress)
+    robot, problem, model, lean = begun.robot, begun.problem, begun.model, begun.lean
+    terms, not_tested, first, white = begun.terms, begun.not_tested, begun.first, begun.white
+    calm = _in_noise(begun, progress)
     first, found, sought = (*calm, Sought()) if lean else _by_law((first, white), calm, progress)
     some, search, left, unexplained = found.problem, found.search, found.left, found.unexplained
     spectrum = found.spectrum
@@ -150,7 +150,7 @@ def diagnose(
     doubtful = [] if lean else hinted(search, AMBIGUOUS)
     doubtful += outweighed(search, white.search, doubtful, AMBIGUOUS)
     before, after = _held_out(found, search, lawful)
-    del white, calm  # columns of all forms, which take more memory than all readings
+    del begun, white, calm  # columns of all forms, which take more memory than all readings
     progress(f"fit of all {len(problem.readings)} readings")
     baseline, current, spectrum = _of_all(problem, first, search.fit, spectrum)
     search = _without_refuted(some, search, current)
@@ -210,22 +210,58 @@ def _geometry(robot: Robot, recording: Recording, model: str | None) -> tuple[Pr
     return problem, model, own is not None
 
 
-def _begun(
-    robot: Robot, recording: Recording, model: str | None
-) -> tuple[Robot, Problem, str, bool, Problem, Fit, tuple[str, ...]]:
-    """Return what is searched beside: robot, all readings, model, few heights, some readings, their fit, and doubts.
+@dataclass(frozen=True)
+class _Begun:
+    """What a diagnosis rests on, and what a first search has found beside it.
+
+    Attributes
+    ----------
+    problem, some : Problem
+        Of all readings, and of those that the search looks at.
+    model : str
+    lean : bool
+        Whether there are too few heights for anything but firmware's parameters.
+    first : Fit
+        Of geometry and instrument alone, to some.
+    terms : sequence of Term
+        All effects that are looked at.
+    white : Outcome
+        What was found in noise that is each reading's own.
+    """
+
+    robot: Robot
+    problem: Problem
+    model: str
+    lean: bool
+    some: Problem
+    first: Fit
+    terms: Sequence[Term]
+    not_tested: tuple[Missing, ...]
+    white: Outcome
+
+
+def _begun(robot: Robot, recording: Recording, model: str | None, progress: Progress) -> tuple[_Begun, tuple[str, ...]]:
+    """Return what is searched beside, what a first search found, and doubts about the drawing.
 
     Where the drawing is of another machine, it says nothing of this one's parts: they are as the readings want them.
     """
+    begun = _searched(robot, recording, model, progress)
+    beside = begun.white.search.fit  # physics strains geometry, too, which is as drawn once that is beside it
+    if checks.strained(begun.first) and checks.strained(beside):
+        drawn = _as_drawn(begun.some, begun.first)
+        if doubt := checks.doubts(drawn):
+            del begun, beside
+            return _searched(_calibrated(robot, drawn), recording, model, progress), doubt
+    return begun, ()
+
+
+def _searched(robot: Robot, recording: Recording, model: str | None, progress: Progress) -> _Begun:
     problem, name, lean = _geometry(robot, recording, model)
     some = problem.some(MOST_POSES, np.random.default_rng(SEED))
-    first, doubt = _first(some, recording), tuple[str, ...]()
-    if checks.strained(first) and (doubt := checks.doubts(drawn := _as_drawn(some, first))):
-        robot = _calibrated(robot, drawn)
-        problem, name, lean = _geometry(robot, recording, model)
-        some = problem.some(MOST_POSES, np.random.default_rng(SEED))
-        first = _first(some, recording)
-    return robot, problem, name, lean, some, first, doubt
+    first = _first(some, recording)
+    terms, not_tested = library(some) if not lean else ([], _untested(problem))
+    white = searched(some, first, terms, lean, progress)
+    return _Begun(robot, problem, name, lean, some, first, terms, not_tested, white)
 
 
 def _first(some: Problem, recording: Recording) -> Fit:
@@ -236,19 +272,15 @@ def _first(some: Problem, recording: Recording) -> Fit:
     return fit(some, Prior(), errors=start.errors, instrument=start.instrument, drop_gross=False, must_converge=False)
 
 
-def _in_noise(
-    some: Problem, first: Fit, white: Outcome, terms: Sequence[Term], lean: bool, progress: Progress
-) -> tuple[Fit, Outcome]:
-    """Return the fit of the geometry, and what was found beside it, in noise that hangs together where it does.
-
-    `white` is what was found in noise that is each reading's own.
-    """
-    found, calm = white, None if lean else together(first)
+def _in_noise(begun: _Begun, progress: Progress) -> tuple[Fit, Outcome]:
+    """Return the fit of the geometry, and what was found beside it, in noise that hangs together where it does."""
+    some, first, lean, found = begun.some, begun.first, begun.lean, begun.white
+    calm = None if lean else together(first)
     if calm is not None:
         progress("noise that hangs together")
         again = fit(some, Prior(), errors=first.errors, instrument=first.instrument, repeats=calm, must_converge=False)
         if deviance_of(again) < deviance(found):  # noise alone explains more than all that was named
-            other = searched(some, again, terms, lean, progress)
+            other = searched(some, again, begun.terms, lean, progress)
             if deviance(other) < deviance(found):
                 first, found = again, other
     if calm is not None or (found.search.effects and not lean):
