@@ -23,6 +23,8 @@ class Beside:
         The readings' part of an orthonormal basis of what is fitted; priors make it shorter than unit vectors.
     residual : (scalars,) array
         What is left of the readings by the projection, in standard deviations.
+    squares : float
+        Sum of squares that is left, of the readings and of what priors hold.
     readings : int
         Number of scalars.
     owner : (scalars,) int array
@@ -57,7 +59,9 @@ class Beside:
 
     def _take_off(self) -> None:
         self.Q: Array = self._basis[: self.readings]
-        self.residual: Array = (self._pulled - self._basis @ (self._basis.T @ self._pulled))[: self.readings]
+        left = self._pulled - self._basis @ (self._basis.T @ self._pulled)
+        self.residual: Array = left[: self.readings]
+        self.squares = float(left @ left)
 
     def freed(self, *effects: int) -> Freed:
         """Return the same with effects of the fit taken out: they stand in the readings, nothing else moves."""

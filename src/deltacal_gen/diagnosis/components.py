@@ -54,7 +54,7 @@ class Components:
         """Return those of whitened columns (scalars, n_g) each, beside all that is fitted."""
         C, r = np.hstack(groups), beside.residual
         owner = np.repeat(np.arange(len(groups)), [g.shape[1] for g in groups])
-        inside, left = beside.Q.T @ C, float(r @ r)
+        inside, left = beside.Q.T @ C, beside.squares
         degrees = max(len(r) - beside.Q.shape[1], 1)
         return Components(C.T @ C - inside.T @ inside, C.T @ r, left, max(EXACT * left, 1e-300), degrees, owner, price)
 

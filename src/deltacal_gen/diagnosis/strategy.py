@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -39,6 +40,8 @@ MARGIN = 10.0  # of chi2, beyond all charges: what an effect must earn to be nam
 MOST_EFFECTS = 8  # that are searched: more were never told apart
 MOST_WAVES = 3  # single orders among them: what shows at more is one error of many orders
 REVISIONS = 4
+RIVALS = 4  # effects of which each may be the first of two in the place of two others
+NEAR = 20.0  # of chi2: two that explain so much less in the linear machine may explain more in the exact one
 GIVEN_UP = 2  # times, after which an effect is taken up no more
 TURNS, SETTLED = 4, 0.5  # in which orders and what is beside them settle; standard deviations that are as good as none
 SEARCHED = 1e-2  # of chi2: what a last step of a fit within the search may still gain
@@ -89,6 +92,9 @@ def searched(some: Problem, first: Fit, terms: Sequence[Term], lean: bool, progr
     """Search for what was left out, beside a fit of geometry and instrument."""
     parts = folds(some.readings, some.recording, rows=first.repeats.rows)
     search, considered = _chosen(some, Search(first, terms), progress)
+    if len(search.effects) > 1 and _unexplained(search, structures(search.fit), lean):
+        exchanged = _exchanged(some, search)
+        search = search if exchanged is search else _chosen(some, exchanged, progress)[0]
     progress("held-out error")
     without, tested = held_out_errors(first, Prior(), parts), search.fit
     predicted = held_out_by(some, search, parts) if search.effects else without
@@ -262,6 +268,42 @@ def _chosen(problem: Problem, search: Search, progress: Progress) -> tuple[Searc
         if search.effects == named:
             break  # it did not hold
     return search, considered
+
+
+def _exchanged(problem: Problem, search: Search) -> Search:
+    """Return the search with two others in place of two effects, where these explain more together.
+
+    Of two events either may look like the other's kind while the other is not there: what was taken first for what it
+    is not holds the second to the same mistake, and neither is the worse by itself.
+    """
+    terms, at = terms_of(search.fit), search.fit
+    for i, j in itertools.combinations(range(len(terms)), 2):
+        own, rest = [terms[i], terms[j]], [t for k, t in enumerate(terms) if k not in (i, j)]
+        freed = search.freed(i, j)
+        tried = [pair for found in freed.ranked()[:RIVALS] if (pair := _paired(freed, found)) is not None]
+        others = [p for p in tried if {*map(_place, p)} != {*map(_place, own)}]
+        pair = max(others, key=lambda p: _worth(freed, p), default=None)
+        if pair is None or _worth(freed, pair) < _worth(freed, own) - NEAR:
+            continue
+        other = refitted(problem, at, [*rest, *pair])
+        if other is None:
+            continue
+        more = 2 * problem.readings.n_scalars * float(np.log(at.sigma[0] / other.sigma[0]))
+        if more - sum(map(search.price, pair)) + sum(map(search.price, own)) > MARGIN:
+            return _revised(problem, Search(other, search.terms))
+    return search
+
+
+def _paired(freed: Search, found: Found) -> list[Term] | None:
+    """Return an effect and the one that explains most beside it, the first in the form that is best beside that."""
+    second = freed.added(found.term).ranked()[0].term
+    first = freed.added(second).best(found.term.effect)
+    return None if first.score < MARGIN else [first.term, second]
+
+
+def _worth(search: Search, terms: Sequence[Term]) -> float:
+    """Return what effects earn together beyond their prices, in the linear machine."""
+    return search.gain([c for t in terms for c in search.where(t)]) - sum(map(search.price, terms))
 
 
 def _first(ranked: Sequence[Found]) -> Found:

@@ -1,0 +1,84 @@
+"""The search for what was left out, where the way to it misleads: strained geometry, events taken for each other."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from deltacal_gen.diagnosis.beside import Beside
+from deltacal_gen.diagnosis.components import SIZES, Components, of_noise, with_fitted
+from deltacal_gen.diagnosis.diagnosis import _first, _geometry
+from deltacal_gen.diagnosis.library import library
+from deltacal_gen.diagnosis.search import Search
+from deltacal_gen.diagnosis.strategy import _exchanged, refitted, terms_of
+from deltacal_gen.estimation.fit import Fit, fit
+from deltacal_gen.estimation.problem import pose_problem
+from deltacal_gen.estimation.solvers import Prior
+from deltacal_gen.identification.checks import strained
+from deltacal_gen.physics.terms import Term
+from tests.left_out import DELTA, SIGMA, channels, diagnosis, effect, machine, named, record
+
+ROBOT = machine()
+N = 120
+EARLY, LATE = 40, 80  # rows after which something happens
+
+
+def geometry(*terms: Term, kind: str = "position", n: int = N) -> Fit:
+    recording = record(ROBOT, *terms, kind=kind, n=n, of=channels(n, "time"))
+    problem = pose_problem(ROBOT, recording, DELTA.model(DELTA.full_model))
+    return fit(problem, Prior(), drop_gross=False, must_converge=False)
+
+
+@pytest.mark.parametrize("kind", ["position", "distance"])
+def test_geometry_that_physics_strains_is_no_doubt_of_the_drawing(kind: str) -> None:
+    truth = effect("joint_scale", (1, 2, 3), 0.01)
+    recording = record(ROBOT, truth, kind=kind, n=N, seed=3, of=channels(N, "time"))
+    assert strained(_first(_geometry(ROBOT, recording, None)[0], recording))
+    found = diagnosis(ROBOT, recording)
+    assert named(found.to_dict()) == [("joint_scale", [1, 2, 3])]
+    assert "farther from the robot file" not in found.summary
+    assert found.final.heldout_rms_mm is not None
+    assert found.final.heldout_rms_mm < 1.3 * SIGMA
+
+
+def test_two_events_each_taken_for_the_other_are_exchanged() -> None:
+    time = channels(N, "time")["time_s"]
+    early, late = (float(time[k]) for k in (EARLY, LATE))
+    slip, jump = (
+        effect("tool_slip", (), 0.1, -0.1, 0.2, constants=(late,)),
+        effect("zero_jump", (3,), 0.03, constants=(early,)),
+    )
+    at = geometry(slip, jump)
+    swapped = [
+        effect("tool_slip", (), 0.1, -0.1, 0.2, constants=(early,)),
+        effect("zero_jump", (1, 2, 3), 0.03, constants=(late,)),
+    ]
+    wrong = refitted(at.problem, at, swapped)
+    assert wrong is not None
+    assert wrong.sigma[0] > 1.5 * SIGMA
+    search = _exchanged(at.problem, Search(wrong, library(at.problem)[0]))
+    assert {(t.effect, t.limbs, t.constants) for t in terms_of(search.fit)} == {
+        ("tool_slip", (), (late,)),
+        ("zero_jump", (3,), (early,)),
+    }
+    assert search.fit.sigma[0] < 1.1 * SIGMA
+    assert _exchanged(at.problem, search) is search  # the right two stay
+
+
+def test_what_is_drawn_by_chance_leaves_no_less_than_nothing() -> None:
+    truth = effect("joint_scale", (1,), 0.003)
+    beside = Beside(geometry(truth))
+    rng = np.random.default_rng(5)
+    readings = len(beside.residual)
+    aligned = beside.residual[:, None] + 1e-3 * rng.standard_normal((readings, 3))
+    groups = [aligned * of_noise(aligned), rng.standard_normal((readings, 24)), beside.Q[:, :5].copy()]
+    found = Components.of(groups, beside, price=2.0)
+    nothing = found.deviance({})
+    for size in SIZES:
+        assert found.deviance({0: size, 1: size, 2: size}) > nothing - 60 * found.degrees
+    sizes, deviance = found.likeliest()
+    assert 0 in sizes
+    assert 1 not in sizes
+    assert deviance < nothing - 100
+    # once it is fitted nothing of it is left to be drawn
+    assert Components.of(groups[:1], with_fitted(beside, aligned), price=2.0).likeliest()[0] == {}
