@@ -30,7 +30,7 @@ from deltacal_gen.machine.rotation import from_vector, to_vector
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.parts import lacks
 from deltacal_gen.physics.simulation import simulate
-from deltacal_gen.physics.terms import Term, blank, coefficients, load_effect
+from deltacal_gen.physics.terms import Term, beyond, blank, coefficients, load_effect
 from deltacal_gen.units import to_internal
 from tests.benchmarks import concealed_machines as machines
 from tests.benchmarks.concealed_sessions import INSTRUMENT_ONLY, NEEDS, Session
@@ -398,6 +398,9 @@ def _effects(names: tuple[str, ...], session: Session, judge: Judge, rng: np.ran
     terms = tuple(term for term in drawn if term is not None)
     if len(terms) < len(names):
         return None
+    unit = mechanism_of(session.robot).joint_unit
+    if any(beyond(t, np.zeros_like(t.values), unit) for t in terms):
+        return None  # as no machine is
     shown = [t for t in terms if t.effect not in INSTRUMENT_ONLY]
     if any(rms(judge.departure(session.read(poses, [t]))) > LARGEST for t in shown):
         return None  # an effect that hardly shows, blown up
