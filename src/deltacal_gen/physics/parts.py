@@ -35,11 +35,16 @@ def lacking(effect: str, mechanism: Machine, moves: Container[str], roles: Conta
 
 
 def lacks(effect: str, mechanism: Machine, moves: Container[str], roles: Container[str]) -> tuple[str, ...]:
-    """Return the coefficients of an effect that move no part of a mechanism with these parts and lengths."""
+    """Return the coefficients of an effect that move no part of a mechanism with these parts and lengths.
+
+    After them the targets that are not there of coefficients that move others, too.
+    """
     kernels = load_effect(effect)
     without = _without(kernels, mechanism, moves, roles)
     there = {name for each, (names, _) in zip(without, kernels.PARTS, strict=True) if not each for name in names}
-    return tuple(name for name, *_ in kernels.COEFFICIENTS if name not in there)
+    parts = zip(without, kernels.PARTS, kernels.TARGETS, strict=True)
+    targets = [target for each, (names, _), target in parts if each and there & set(names)]
+    return (*(name for name, *_ in kernels.COEFFICIENTS if name not in there), *targets)
 
 
 def _without(

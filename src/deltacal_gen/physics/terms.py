@@ -57,7 +57,8 @@ class Partial:
         self.COEFFICIENTS = tuple(whole.COEFFICIENTS[c] for c in self._own)
         self.BELIEVABLE = tuple(whole.BELIEVABLE[c] for c in self._own)
         names = {name for name, *_ in self.COEFFICIENTS}
-        self._targets = [t for t, (own, _) in enumerate(whole.PARTS) if names & set(own)]
+        each = enumerate(zip(whole.PARTS, whole.TARGETS, strict=True))
+        self._targets = [t for t, ((own, _), target) in each if names & set(own) and target not in lacks]
         self.TARGETS = tuple(whole.TARGETS[t] for t in self._targets)
         read = {state for t in self._targets for state in whole.PARTS[t][1]}
         self._read = [s for s, name in enumerate(whole.STATE) if name in read]
@@ -150,7 +151,7 @@ class Term:
     tools : tuple of (x, y, z)
         Tool points [mm] that have it, of an effect that displaces measured points.
     lacks : tuple of str
-        Coefficients that it does not have, as the machine lacks what they move.
+        Coefficients, and targets of others, that it does not have, as the machine lacks them.
     gaps : tuple of int
         Sessions in which cells of a channel that it reads are blank; see `Interrupted`.
     """

@@ -56,7 +56,7 @@ class TermState(Value):
     values: Rows
     tools: tuple[Vector, ...]
     lacks: tuple[str, ...] | None = None
-    """Coefficients that it does not have, as the machine lacks what they move."""
+    """Coefficients, and targets of others, that it does not have, as the machine lacks them."""
     gaps: tuple[int, ...] | None = None
     """Sessions in which cells of a channel that it reads are blank: further coefficients, of each in turn."""
 
