@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 import pytest
 
@@ -15,7 +17,10 @@ from deltacal_gen.estimation.fit import Fit, fit
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.identification.checks import strained
+from deltacal_gen.identification.together import deviance_of
 from deltacal_gen.physics.terms import Term
+from tests.benchmarks.concealed_cases import generate
+from tests.benchmarks.concealed_machines import MACHINES
 from tests.left_out import DELTA, SIGMA, channels, diagnosis, effect, machine, named, record
 
 ROBOT = machine()
@@ -63,6 +68,23 @@ def test_two_events_each_taken_for_the_other_are_exchanged() -> None:
     }
     assert search.fit.sigma[0] < 1.1 * SIGMA
     assert _exchanged(at.problem, search) is search  # the right two stay
+
+
+@pytest.mark.parametrize("name", MACHINES)
+@pytest.mark.parametrize("kind", ["position", "pose"])
+def test_every_machine_with_all_it_may_have_is_searched(name: str, kind: str) -> None:
+    """Effects of two targets of which a machine has one; turns of an instrument of which nothing is read."""
+    seeds = itertools.count()
+    case = next(c for k in seeds if (c := generate("null", (), (7, 0, k), name)).recording.kind == kind or k > 12)
+    problem, *_ = _geometry(case.robot, case.recording, None)
+    first = _first(problem, case.recording)
+    search = Search(first, library(problem)[0])
+    best = search.ranked()[0].term
+    beside = refitted(problem, first, [search.estimated(best)])
+    assert beside is not None
+    again = Search(beside, search.terms)
+    assert np.isfinite(again.freed(0).gain(again.freed(0).where(best)))
+    assert np.isfinite(deviance_of(beside))
 
 
 def test_what_is_drawn_by_chance_leaves_no_less_than_nothing() -> None:

@@ -46,7 +46,9 @@ class Beside:
         departure = (at.errors[problem.columns] - problem.reference[problem.columns]) / problem.scale
         values = np.concatenate([[], *(t.values.ravel() for t in held)]) / size
         self._departure = np.concatenate([departure, np.zeros(state.J_m.shape[2]), values])
-        pulls = np.delete(np.arange(base.shape[1]), len(departure) + np.arange(state.J_m.shape[2]))
+        own = len(departure) + np.arange(state.J_m.shape[2])
+        seen = own[base[:, own].any(axis=0)]  # a turn that nothing reads stays as it is
+        pulls = np.delete(np.arange(base.shape[1]), seen)
         r = self.rows((state.residual * at.weights[:, None])[..., None])[:, 0]
         self.readings = len(r)
         prior = np.eye(base.shape[1])[pulls]

@@ -128,7 +128,9 @@ def _taken(at: Fit, count: int) -> Taken | None:
     state = problem.linearise(at.errors, at.instrument, at.machine)
     own = problem.columns[:count]
     departure = (at.errors[own] - problem.reference[own]) / problem.scale[:count]
-    return Taken(_rows(at, (state.J_p * problem.scale)[..., :count]), -departure, _rows(at, state.J_m))
+    free = _rows(at, state.J_m)
+    seen = free.any(axis=(0, 1))  # a turn that nothing reads takes nothing
+    return Taken(_rows(at, (state.J_p * problem.scale)[..., :count]), -departure, free[..., seen])
 
 
 def _weights(at: Fit) -> Array:
