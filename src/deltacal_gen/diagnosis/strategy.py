@@ -40,6 +40,7 @@ MARGIN = 10.0  # of chi2, beyond all charges: what an effect must earn to be nam
 MOST_EFFECTS = 8  # that are searched: more were never told apart
 MOST_WAVES = 3  # single orders among them: what shows at more is one error of many orders
 REVISIONS = 4
+FEW = 3  # effects, of which two may have been taken for two others: more of them follow what nothing explains
 RIVALS = 4  # effects of which each may be the first of two in the place of two others
 NEAR = 20.0  # of chi2: two that explain so much less in the linear machine may explain more in the exact one
 GIVEN_UP = 2  # times, after which an effect is taken up no more
@@ -92,7 +93,7 @@ def searched(some: Problem, first: Fit, terms: Sequence[Term], lean: bool, progr
     """Search for what was left out, beside a fit of geometry and instrument."""
     parts = folds(some.readings, some.recording, rows=first.repeats.rows)
     search, considered = _chosen(some, Search(first, terms), progress)
-    if len(search.effects) > 1 and _unexplained(search, structures(search.fit), lean):
+    if 1 < len(search.effects) <= FEW and _unexplained(search, structures(search.fit), lean):
         exchanged = _exchanged(some, search)
         search = search if exchanged is search else _chosen(some, exchanged, progress)[0]
     progress("held-out error")
