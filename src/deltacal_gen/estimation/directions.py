@@ -19,11 +19,11 @@ ROUNDS, SETTLED = 100, 1e-6  # of the fixed point, and what of the shape may sti
 def shape_of(z: Array) -> Array | None:
     """Return the covariance (k, k) of readings (R, k) whose components are zero on average, of mean variance 1.
 
-    None where they are as likely to be alike in all directions, or too few.
+    None where they are as likely to be alike in all directions, or too few, or none is off in some direction.
     """
     z = z[(z**2).sum(axis=1) > 0]
     n, k = z.shape
-    if k < 2 or n < FEWEST * _numbers(k):
+    if k < 2 or n < FEWEST * _numbers(k) or np.linalg.matrix_rank(z) < k:
         return None
     shape = _likeliest(z)
     return shape if _explained(z, shape) > price_of(shape) else None
