@@ -265,7 +265,7 @@ def _remedies(final: Fit, absorbed: int | None) -> tuple[Remedy, ...]:
     if kind.sees_joints:
         return ()
     if kind.distances_beside:
-        return printed(final)
+        return printed(final) if 3 in final.problem.mechanism.widths else ()  # what turns its tool prints nothing
     return () if absorbed is None else remedies(final, absorbed)
 
 

@@ -91,7 +91,8 @@ def identify(
         progress=progress,
     )
     found = fitted.answer()
-    if diagnosis is None and robot.mechanism == firmware.MODEL.partition("/")[0]:
+    printer = robot.mechanism == firmware.MODEL.partition("/")[0]
+    if diagnosis is None and printer and not fitted.fit.problem.readings.kind.sees_joints:
         known = firmware.FROM_HEIGHTS if given.pairs is None else firmware.MODEL
         if found.model not in (firmware.FROM_HEIGHTS, firmware.MODEL):
             progress(f"what firmware would fit: {known}")
