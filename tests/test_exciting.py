@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import deltacal_gen as dc
+from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import NoSolutionError, UsageError
 from deltacal_gen.files.robot import Workspace, robot_to_toml
 from deltacal_gen.machine.registry import mechanism_of
@@ -136,3 +137,22 @@ def test_the_command_writes_what_simulate_takes(tmp_path: Path, run: Callable[..
     table = np.genfromtxt(out, delimiter=",", names=True)
     assert done.joints[:, 1] == pytest.approx(table["q2_deg"] * DEG, abs=1e-12)
     assert run("plan", robot)[0] == 2
+
+
+def test_an_arm_begins_where_its_workspace_is() -> None:
+    """The middle of its joints' limits lies outside."""
+    arm = dc.read_robot(example("serial") / "robot.toml")
+    assert arm.joint_limits is not None
+    assert arm.workspace is not None
+    machine = mechanism_of(arm)
+
+    def places(q: np.ndarray) -> np.ndarray:
+        return machine.positions(arm.joint_sign * q, arm.tool, machine.rows(arm))
+
+    assert not arm.workspace.holds(places(arm.joint_limits.mean(axis=1)[None])).any()
+    _, series = exciting(arm, runs=1, period=8.0)
+    q = series[0].states(np.linspace(0, 8, 401))[0]
+    low, high = arm.joint_limits.T
+    assert (q >= low - 1e-9).all()
+    assert (q <= high + 1e-9).all()
+    assert arm.workspace.holds(places(q)).mean() > 0.98

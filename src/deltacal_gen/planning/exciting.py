@@ -41,6 +41,7 @@ if TYPE_CHECKING:
 STARTS, STEPS = 60, 240  # series that are drawn, and changes that are tried of the best
 CHANGE = 0.5  # of a coefficient, at first; at last a tenth of it
 LOOKED_AT = 25.0  # samples per second by which a trajectory is judged
+TRIED, ASIDE = 4000, 0.25  # joints that are drawn for a beginning; part of their travel that it keeps from the ends
 HALVINGS = 14  # of the size, until all of it lies in the workspace
 
 
@@ -83,8 +84,8 @@ class _Search:
         self._rng, self._period, self._harmonics = np.random.default_rng(seed), period, harmonics
         self._time = np.arange(0, period, 1 / LOOKED_AT)
         (self.low, self.high, self.speed, self.acceleration), self.notes = limits_of(robot)
-        self._centre = self._middle()
         self._rows = self._mechanism.rows(robot)
+        self._centre = self._middle()
         Y = self._asked(self.drawn())
         self._weights = [1 / (np.abs(y).max() or 1.0) for y in Y]
 
@@ -96,9 +97,22 @@ class _Search:
         return (*own, *(f"{name}_{j}" for j in joints for name in ("coulomb", "viscous")))
 
     def _middle(self) -> Array:
-        """Return where series begin: the middle of the limits, or of the workspace."""
-        looped = not self._mechanism.many_ways and self._robot.workspace is not None
-        return home_of(self._robot) if looped else (self.low + self.high) / 2
+        """Return where series begin: the middle of the workspace, or of the limits; of a chain, where both hold."""
+        space, middle = self._robot.workspace, (self.low + self.high) / 2
+        if not self._mechanism.many_ways and space is not None:
+            return home_of(self._robot)
+        if space is None or space.holds(self._positions(middle[None])).all():
+            return middle
+        # the workspace may lie where only some of the joints' travel leads: as near to its middle as they come
+        room = (self.high - self.low) / 2 * (1 - ASIDE)
+        q = middle + room * self._rng.uniform(-1.0, 1.0, (TRIED, len(middle)))
+        inside = np.flatnonzero(space.holds(x := self._positions(q)))
+        if not len(inside):
+            raise NoSolutionError(
+                "no joints within their limits bring the reference point into the workspace: compare [workspace] with "
+                "limits_deg."
+            )
+        return q[inside[np.argmin(np.linalg.norm(x[inside] - space.home, axis=1))]]
 
     def drawn(self) -> Series:
         """Return a series at random, as large as limits let it be."""
@@ -132,15 +146,18 @@ class _Search:
             middle = (low + high) / 2
             low, high = (middle, high) if self._stays(series.times(middle)) else (low, middle)
         if low == 0.0:
-            raise NoSolutionError("no trajectory from the middle of the joints stays in the workspace.")
+            raise NoSolutionError("no trajectory from where it begins stays in the workspace.")
         return series.times(low)
 
     def _stays(self, series: Series) -> bool:
         """Tell whether the reference point stays in the workspace, and the machine in one piece."""
-        q = self._robot.joint_sign * series.states(self._time)[0]
-        x = self._mechanism.positions(q, self._robot.tool[None], self._rows)
+        x = self._positions(series.states(self._time)[0])
         space = self._robot.workspace
         return bool(np.isfinite(x).all() and (space is None or space.holds(x).all()))
+
+    def _positions(self, joints: Array) -> Array:
+        """Return where the reference point is (N, 3) at joints as the controller counts; NaN where it cannot be."""
+        return self._mechanism.positions(self._robot.joint_sign * joints, self._robot.tool[None], self._rows)
 
     def _asked(self, series: Series) -> list[Array]:
         n = len(self.low)
