@@ -100,6 +100,9 @@ def test_the_page_shows_it_as_mathematics_with_its_curve(found: Diagnosis) -> No
     assert "limb.rod goes with tension_1 at limb 2" in page
     assert mathml("c1*tanh(tension_1/c2)") in page
     assert page.count("<svg") >= 3
+    assert "with what was found" in page[: page.index("A law that nobody has registered</h2>")]  # a bar
+    assert "asked of, predicted from the others" in page
+    assert "so simple a formula leaves" not in page  # of which the truth is one
     assert "--write-effect" in page
 
 

@@ -394,7 +394,7 @@ def bars(axes: Axes, found: Diagnosis) -> None:
     """Draw the error on held-out readings before and after, against the noise."""
     first = AFTER if found.verdict is Verdict.ADEQUATE else BEFORE
     rows: list[tuple[str, Baseline | Final, str]] = [("geometry alone", found.baseline, first)]
-    if found.effects:
+    if found.effects or found.laws:
         rows.append(("with what was found", found.final, AFTER))
     unit, size = shown_in(found)
     values = [(r.train_rms_mm if r.heldout_rms_mm is None else r.heldout_rms_mm) / size for _, r, _ in rows]
