@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from deltacal_gen.diagnosis.chance import Chance
+from deltacal_gen.diagnosis.library import unseen
 from deltacal_gen.diagnosis.scattering import scattering
 from deltacal_gen.diagnosis.search import Found, Search
 from deltacal_gen.diagnosis.spectrum import Spectrum, wave
@@ -201,7 +202,9 @@ def _unrecorded(freed: Search, term: Term, score: float) -> tuple[str, ...]:
         terms = [
             assumed.blank(name, limbs)
             for name in effect_names()
-            if any(s.column == "temp_C" for s in read_by(load_effect(name))) and assumed.missing(name) is None
+            if any(s.column == "temp_C" for s in read_by(load_effect(name)))
+            and assumed.missing(name) is None
+            and not unseen(freed.fit.problem, name)
         ]
         found = freed.of(assumed, terms).ranked()
         names |= {f.term.effect: None for f in found if f.score > score - AMBIGUOUS}

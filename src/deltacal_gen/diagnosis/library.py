@@ -89,7 +89,7 @@ def _constant(problem: Problem, name: str) -> str | None:
             return channel.differing
     if problem.recording.measurement.clock and not kernels.PER_LIMB and "qd" in kernels.STATE:
         return "one clock: where the instrument has its own, an offset of the clocks does the same"
-    if kind.sees_joints and "joint" not in kernels.TARGETS:
+    if unseen(problem, name):
         return f"readings of the platform; those of the kind {kind.name} see joints alone"
     if kernels.ACTS_ON == "reading" and not any(t in kind.targets for t in kernels.TARGETS):
         return f"readings of another kind than {kind.name}"
@@ -101,6 +101,11 @@ def _constant(problem: Problem, name: str) -> str | None:
         if {p.name for p in problem.mechanism.parameters if p.error in moved} <= set(problem.names):
             return "a smaller model: this one fits these errors as geometry"
     return None
+
+
+def unseen(problem: Problem, name: str) -> bool:
+    """Tell whether readings look at joints alone, and an effect moves none."""
+    return problem.readings.kind.sees_joints and "joint" not in load_effect(name).TARGETS
 
 
 def _differs(problem: Problem, channel: State, rows: np.ndarray) -> bool:
