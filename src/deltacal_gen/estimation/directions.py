@@ -13,6 +13,7 @@ from deltacal_gen.machine.registry import Array
 
 CHANCE = 1e-3  # that noise alike in all directions is called otherwise
 FEWEST = 5  # readings for each number that a shape has
+EXACT = 1e-10  # of the variance along one axis: less along another is rounding
 ROUNDS, SETTLED = 100, 1e-6  # of the fixed point, and what of the shape may still move
 
 
@@ -23,19 +24,25 @@ def shape_of(z: Array) -> Array | None:
     """
     z = z[(z**2).sum(axis=1) > 0]
     n, k = z.shape
-    if k < 2 or n < FEWEST * _numbers(k) or np.linalg.matrix_rank(z) < k:
+    if k < 2 or n < FEWEST * _numbers(k):
         return None
     shape = _likeliest(z)
-    return shape if _explained(z, shape) > price_of(shape) else None
+    return shape if price_of(shape) < _explained(z, shape) < np.inf else None
 
 
 def explained(z: Array) -> float:
-    """Return how much the likeliest shape explains of the directions of readings (R, k), in the deviance."""
+    """Return how much the likeliest shape explains of the directions of readings (R, k), in the deviance.
+
+    Without end, where many lie exactly in a plane, or along a line: rounding is no noise that has a shape.
+    """
     return _explained(z, _likeliest(z))
 
 
 def _explained(z: Array, shape: Array) -> float:
     n, k = z.shape
+    size = np.linalg.eigvalsh(shape)
+    if size[0] < EXACT * size[-1]:
+        return np.inf
     of_directions = k * np.log((z**2).sum(axis=1) / _squares(z, shape)).sum()
     return float(of_directions - n * np.linalg.slogdet(shape)[1])
 
@@ -46,6 +53,8 @@ def _likeliest(z: Array) -> Array:
     shape = np.eye(k)
     for _ in range(ROUNDS):
         before = shape
+        if np.linalg.cond(shape) > 1 / EXACT:
+            break
         shape = (z / _squares(z, shape)[:, None]).T @ z
         shape *= k / np.trace(shape)
         if np.abs(shape - before).max() < SETTLED:
