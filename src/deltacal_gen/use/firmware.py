@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from deltacal_gen.errors import NoSolutionError, UsageError
+from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.files.imports import ANGLES, TOWERS
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.files.writing import write_files
@@ -35,6 +36,11 @@ BED_MM = 0.02  # what a probe knows of the bed, and a first layer bears
 VOLUME_MM = 1.0  # what a probe leaves open of where the nozzle is: heights see it only as far as it bends the bed
 STEP = 0.1  # ordinary sizes: of a finite difference
 ROUNDS, SETTLED = 30, 1e-9  # of the fit of the lines; ordinary sizes
+
+
+def knows(problem: Problem) -> bool:
+    """Tell whether firmware has a model of what readings say: a printer's, which a second encoder says nothing of."""
+    return problem.mechanism.name == MODEL.partition("/")[0] and not problem.readings.kind.sees_joints
 
 
 def firmware_lines(

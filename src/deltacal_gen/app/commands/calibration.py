@@ -91,8 +91,7 @@ def identify(
         progress=progress,
     )
     found = fitted.answer()
-    printer = robot.mechanism == firmware.MODEL.partition("/")[0]
-    if diagnosis is None and printer and not fitted.fit.problem.readings.kind.sees_joints:
+    if diagnosis is None and firmware.knows(fitted.fit.problem):
         known = firmware.FROM_HEIGHTS if given.pairs is None else firmware.MODEL
         if found.model not in (firmware.FROM_HEIGHTS, firmware.MODEL):
             progress(f"what firmware would fit: {known}")
