@@ -66,6 +66,16 @@ def test_noise_of_a_tracker_that_knows_how_far_better_than_where_to_is_no_joint(
     assert scattering(geometry(dataclasses.replace(exact, measured=exact.measured + noise))) is None
 
 
+def test_a_joint_that_was_written_in_steps_scatters_by_them() -> None:
+    exact = record(ROBOT, n=N, sigma=0.1 * SIGMA, declared=False)
+    steps = np.array([1e-5, 0.02, 1e-5])  # deg
+    rounded = np.radians(np.round(np.degrees(exact.joints) / steps) * steps)
+    assert scattering(geometry(dataclasses.replace(exact, joints=rounded))) is None
+    rng = np.random.default_rng(2)
+    moved = exact.joints + np.radians(steps) * rng.uniform(-0.5, 0.5, exact.joints.shape)  # as much, of no grid
+    assert scattering(geometry(dataclasses.replace(exact, joints=moved))) is not None
+
+
 def test_what_repeats_show_is_noise_whoever_makes_it() -> None:
     made = restless(2e-4)
     twice = dataclasses.replace(

@@ -15,7 +15,10 @@ import numpy as np
 from deltacal_gen.estimation.directions import CHANCE, FEWEST, explained
 from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.identification.noise import noise
+from deltacal_gen.identification.rounding import moved_by_steps
+from deltacal_gen.machine.registry import Array
 
+ROUNDED = 4.0  # times the variance of a joint's steps: less is taken for their doing
 SIZES = np.geomspace(0.05, 500.0, 24)  # of the variance that a joint brings a reading, in that of its other noise
 
 
@@ -30,7 +33,7 @@ class Scatter:
 def scattering(at: Fit) -> Scatter | None:
     """Return the joint that moves what a fit leaves; None where noise of the readings explains as much.
 
-    What repeats show is noise, whoever makes it.
+    What repeats show is noise, whoever makes it; joints that were written in steps scatter by these.
     """
     problem, k = at.problem, 3
     limbs, found = problem.mechanism.limbs, problem.readings
@@ -39,7 +42,7 @@ def scattering(at: Fit) -> Scatter | None:
     dx = problem.displacements(at.machine)[:, :, :limbs]
     J, _ = at.instrument.linearise(found, problem.seen(at.machine), dx)
     z = replace(at.repeats, shape=None).freed(at.residual / at.sigma)[:, :k]
-    whole = np.isfinite(z).all(axis=1) & (z**2).any(axis=1)
+    whole: np.ndarray = np.isfinite(z).all(axis=1) & (z**2).any(axis=1)
     z, along = z[whole], J[whole, :k] / at.sigma[:k, None]
     if len(z) < FEWEST * k * limbs:
         return None
@@ -52,9 +55,20 @@ def scattering(at: Fit) -> Scatter | None:
     by = SIZES / (1 + SIZES * size[:, :, None])  # (rows, joints, sizes)
     gain = (-k * np.log1p(-by * part[:, :, None] / whole_size) - np.log1p(SIZES * size[:, :, None])).sum(axis=0)
     j, s = np.unravel_index(int(np.argmax(gain)), gain.shape)
+    joint = int(np.flatnonzero(seen)[j])
+    whole_noise = 1 + SIZES[s] / k  # which a fit counts as one, in units of the noise beside the joint's
     if gain[j, s] - max(explained(z), 0.0) < _price(limbs):
         return None
-    return Scatter(int(np.flatnonzero(seen)[j]) + 1, float((1 + SIZES[s]) / (1 + SIZES[s] / k)))
+    if SIZES[s] < ROUNDED * whole_noise * _by_steps(at, whole)[joint]:
+        return None
+    return Scatter(joint + 1, float((1 + SIZES[s]) / whole_noise))
+
+
+def _by_steps(at: Fit, chosen: np.ndarray) -> Array:
+    """Return the variance that steps in which joints were written bring some readings (R,), joint by joint."""
+    moved = moved_by_steps(at)[chosen, :3] / at.sigma[:3, None]
+    out: Array = (moved**2).sum(axis=1).mean(axis=0) / 12
+    return out
 
 
 def _price(joints: int) -> float:
