@@ -42,7 +42,7 @@ def scattering(at: Fit) -> Scatter | None:
     dx = problem.displacements(at.machine)[:, :, :limbs]
     J, _ = at.instrument.linearise(found, problem.seen(at.machine), dx)
     z = replace(at.repeats, shape=None).freed(at.residual / at.sigma)[:, :k]
-    whole: np.ndarray = np.isfinite(z).all(axis=1) & (z**2).any(axis=1)
+    whole: np.ndarray = np.logical_and(np.isfinite(z).all(axis=1), (z**2).any(axis=1))
     z, along = z[whole], J[whole, :k] / at.sigma[:k, None]
     if len(z) < FEWEST * k * limbs:
         return None
