@@ -14,6 +14,8 @@ import pytest
 import deltacal_gen as dc
 from deltacal_gen.diagnosis import diagnosis
 from deltacal_gen.diagnosis.laws.ground import TARGETS
+from deltacal_gen.estimation.fit import fit
+from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.results.diagnosis import Diagnosis
 from tests.left_out import SIGMA, channels, effect, machine, record
 from tests.test_law_language import LIMB, law
@@ -89,6 +91,16 @@ def test_its_curve_goes_through_what_the_readings_say(found: Diagnosis) -> None:
     assert abs(np.median(off)) < 0.3 * np.std(curve.value)
     exact = 0.2 * np.tanh(np.asarray(curve.at) / 8.0)
     np.testing.assert_allclose(curve.value, exact, atol=6 * float(np.max(curve.std)) + 0.01)
+
+
+def test_what_geometry_leaves_is_of_the_rows_that_the_law_was_asked_of() -> None:
+    made = diagnosis.diagnose(ROBOT, record(ROBOT, TRUTH, n=N, of=channels(N, *OF)))
+    proof, problem = made.laws[0].proof, made.baseline.problem
+    alone = fit(problem.subset(np.flatnonzero(proof.train)), Prior(), drop_gross=False, must_converge=False)
+    off = problem.residual(alone.errors, alone.instrument, problem.poses(alone.errors))[proof.test]
+    assert made.heldout == (proof.without, proof.rms)
+    assert proof.without == pytest.approx(np.sqrt(np.mean(off**2)), rel=0.15)
+    assert proof.rms < 0.5 * proof.without
 
 
 def test_the_page_shows_it_as_mathematics_with_its_curve(found: Diagnosis) -> None:
