@@ -22,6 +22,7 @@ from deltacal_gen.machine.registry import load_mechanism
 from deltacal_gen.physics.terms import Term
 from tests.benchmarks.concealed_cases import generate
 from tests.benchmarks.concealed_machines import MACHINES, kinds
+from tests.conftest import plausible
 from tests.left_out import DELTA, SIGMA, channels, diagnosis, effect, machine, named, record
 
 ROBOT = machine()
@@ -46,6 +47,13 @@ def test_geometry_that_physics_strains_is_no_doubt_of_the_drawing(kind: str) -> 
     assert "farther from the robot file" not in found.summary
     assert found.final.heldout_rms_mm is not None
     assert found.final.heldout_rms_mm < 1.3 * SIGMA
+
+
+def test_a_drawing_of_another_machine_is_none_of_this_one() -> None:
+    far = {name: 200 * value for name, value in plausible(DELTA, 6, size=0.3).items()}
+    found = diagnosis(ROBOT, record(ROBOT, n=N, seed=6, errors=far))
+    assert (found.verdict, found.effects) == ("adequate", ())
+    assert "farther from the robot file" in found.summary
 
 
 def test_two_events_each_taken_for_the_other_are_exchanged() -> None:

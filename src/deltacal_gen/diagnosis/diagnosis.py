@@ -14,7 +14,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -75,6 +75,7 @@ from deltacal_gen.results.parts import Missing
 MOST_POSES = 700  # that the search looks at, drawn at random: they show what is there; the fit uses all
 SEED = 2013
 MACHINED = 5.0  # standard deviation of a source error, in ordinary ones: geometry may not strain to imitate physics
+ANOTHERS = 0.1  # of what the drawn geometry leaves: one that leaves less is the machine, whatever physics is beside it
 SHORT = 2.0  # times the noise: a held-out error beyond it says that the geometry itself is hardly known
 
 
@@ -210,9 +211,8 @@ def _geometry(robot: Robot, recording: Recording, model: str | None) -> tuple[Pr
     return problem, model, own is not None
 
 
-@dataclass(frozen=True)
-class _Begun:
-    """What a diagnosis rests on, and what a first search has found beside it.
+class _Drawn(NamedTuple):
+    """A machine as a robot draws it.
 
     Attributes
     ----------
@@ -223,6 +223,22 @@ class _Begun:
         Whether there are too few heights for anything but firmware's parameters.
     first : Fit
         Of geometry and instrument alone, to some.
+    """
+
+    robot: Robot
+    problem: Problem
+    model: str
+    lean: bool
+    some: Problem
+    first: Fit
+
+
+@dataclass(frozen=True)
+class _Begun:
+    """What a diagnosis rests on, and what a first search has found beside it; see `_Drawn`.
+
+    Attributes
+    ----------
     terms : sequence of Term
         All effects that are looked at.
     white : Outcome
@@ -244,24 +260,30 @@ def _begun(robot: Robot, recording: Recording, model: str | None, progress: Prog
     """Return what is searched beside, what a first search found, and doubts about the drawing.
 
     Where the drawing is of another machine, it says nothing of this one's parts: they are as the readings want them.
+    But physics strains geometry, too, which is as drawn once that is beside it: what another machine does not explain
+    is looked for beside the drawing, which stands where less is left.
     """
-    begun = _searched(robot, recording, model, progress)
-    beside = begun.white.search.fit  # physics strains geometry, too, which is as drawn once that is beside it
-    if checks.strained(begun.first) and checks.strained(beside):
-        drawn = _as_drawn(begun.some, begun.first)
-        if doubt := checks.doubts(drawn):
-            del begun, beside
-            return _searched(_calibrated(robot, drawn), recording, model, progress), doubt
-    return begun, ()
+    drawn = _beside(robot, recording, model)
+    if not checks.strained(drawn.first) or not (doubt := checks.doubts(wanted := _as_drawn(drawn.some, drawn.first))):
+        return _searched(drawn, progress), ()
+    other = _searched(_beside(_calibrated(robot, wanted), recording, model), progress)
+    explained = not (other.white.search.effects or other.white.unexplained)
+    if explained or other.first.sigma[0] < ANOTHERS * drawn.first.sigma[0]:
+        return other, doubt
+    begun = _searched(drawn, progress)
+    kept, instead = begun.white.search.fit, other.white.search.fit
+    return (begun, ()) if kept.sigma[0] < instead.sigma[0] and not checks.strained(kept) else (other, doubt)
 
 
-def _searched(robot: Robot, recording: Recording, model: str | None, progress: Progress) -> _Begun:
+def _beside(robot: Robot, recording: Recording, model: str | None) -> _Drawn:
     problem, name, lean = _geometry(robot, recording, model)
     some = problem.some(MOST_POSES, np.random.default_rng(SEED))
-    first = _first(some, recording)
-    terms, not_tested = library(some) if not lean else ([], _untested(problem))
-    white = searched(some, first, terms, lean, progress)
-    return _Begun(robot, problem, name, lean, some, first, terms, not_tested, white)
+    return _Drawn(robot, problem, name, lean, some, _first(some, recording))
+
+
+def _searched(of: _Drawn, progress: Progress) -> _Begun:
+    terms, not_tested = library(of.some) if not of.lean else ([], _untested(of.problem))
+    return _Begun(*of, terms, not_tested, searched(of.some, of.first, terms, of.lean, progress))
 
 
 def _first(some: Problem, recording: Recording) -> Fit:
