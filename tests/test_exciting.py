@@ -16,7 +16,7 @@ from deltacal_gen.errors import NoSolutionError, UsageError
 from deltacal_gen.files.robot import Workspace, robot_to_toml
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.machine.values import Robot
-from deltacal_gen.planning.exciting import Series, _Search, exciting
+from deltacal_gen.planning.exciting import Excitation, Series, exciting
 from deltacal_gen.units import DEG
 from tests.every_effect import ARM, chain, machines
 
@@ -92,7 +92,7 @@ def test_it_goes_from_rest_to_rest_and_its_derivatives_are_its_own(
 def test_it_tells_more_than_movements_at_random(planned: tuple[Robot, Any, tuple[Series, ...]]) -> None:
     """Than every one of forty that are as large as limits let them be, in both figures."""
     robot, answer, series = planned
-    search = _Search(robot, 8.0, 5, 77)
+    search = Excitation(robot, 8.0, 5, 77)
 
     def told(movement: Series) -> tuple[float, float]:
         W = search.columns(movement)

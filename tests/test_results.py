@@ -64,6 +64,7 @@ BARE = {  # numbers without a unit: counts, parts of a whole, figures of statist
     ),
     *("expected_chi2", "line", "n", "pose_count", "corrected", "change", "threshold", "layers", "chosen", "settled"),
     *("O1", "O2", "O3", "O4", "O5", "machines", "lost", "seed", "points", "count", "recordings", "named_right"),
+    *("before_rms", "after_rms", "predicted_rms", "p95"),
     *("named_among_equals", "chance", "interval", "instead", "times", "gain", "doubling", "rows", "columns"),
     *(
         "value",

@@ -24,7 +24,8 @@ from deltacal_gen.app import commands, fleet
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import DeltacalError
 from deltacal_gen.execution import Outcome, Task
-from deltacal_gen.planning import studies
+from deltacal_gen.planning import monte_carlo
+from deltacal_gen.planning.machines import Study
 from tests.measured import write
 
 COMMAND = "python -m tests.benchmarks.fleet FOLDER --measured"
@@ -84,11 +85,11 @@ def main() -> None:
     parser.add_argument("--machines", default="10000,50000,150000", help="of the studies")
     parser.add_argument("--measured", action="store_true", help="write the manual's tables too")
     given = parser.parse_args()
-    study(studies.CHUNK, 1)  # compiles
+    study(Study.chunk, 1)  # compiles
     of_study: list[Weight] = []
-    with mock.patch.object(studies, "run", weighed(of_study)):
-        study(studies.CHUNK)
-    what = f"study: {studies.CHUNK} machines, 19 poses, {MODEL}"
+    with mock.patch.object(monte_carlo, "run", weighed(of_study)):
+        study(Study.chunk)
+    what = f"study: {Study.chunk} machines, 19 poses, {MODEL}"
     rows = [[what, *_cells(of_study, statistics.median), _memory()]]
     of_batch: list[Weight] = []
     with tempfile.TemporaryDirectory() as run, mock.patch.object(fleet, "run", weighed(of_batch)):

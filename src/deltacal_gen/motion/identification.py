@@ -120,6 +120,9 @@ def _normal(rigid: Rigid, fits: Sequence[Fit]) -> tuple[Array, Array]:
         weight = 1.0 / (fit.sigma**2 * fit.together)
         X = fit.joint.X @ own.made_up[:, rigid.common.chosen]
         y = fit.left + fit.load - fit.joint.carried  # what effects gave is not the rigid machine's
+        if fit.rungs:  # nor is it known any better than it was found: what may be either's tells of neither
+            F = fit.joint.columns(fit.rungs, fit.load)[:, fit.joint.X.shape[1] :]
+            X = X - F @ np.linalg.lstsq(F, X, rcond=RANK)[0]
         G += weight * X.T @ X
         g += weight * X.T @ y
     return G, g

@@ -60,10 +60,12 @@ class Torque:
 
     def simulate(self, robot: Robot, truth: str | Path | None, noise: float, seed: int) -> Trajectories:
         """Return the recording with what the drives of the robot file's bodies, and of a truth, give."""
-        from deltacal_gen.motion.simulation import simulated
+        from deltacal_gen.motion.rigid import Rigid
+        from deltacal_gen.motion.simulation import Truth, read_truth, simulated
 
         given = self.read(robot, need_measured=False)
-        return simulated(robot, given, truth, noise, np.random.default_rng(seed))
+        told = Truth() if truth is None else read_truth(truth, Rigid(robot))
+        return simulated(robot, given, told, noise, np.random.default_rng(seed))
 
     def predict(self, known: MotionModel) -> Trajectories:
         """Return the recording with the readings that a model predicts."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import sys
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeGuard
@@ -161,16 +161,21 @@ def _effects(file: TomlFile, table: Mapping[str, Any], rigid: Rigid) -> list[tup
     return found
 
 
+def lacking(rung: Rung, read: Container[str]) -> list[str]:
+    """Return what an effect depends on that a trajectory does not hold."""
+    return [name for name in rung.kernels.STATE if name not in read]
+
+
 def simulated(
-    robot: Robot, given: Trajectories, truth: str | Path | None, noise: float, rng: np.random.Generator
+    robot: Robot, given: Trajectories, told: Truth, noise: float | Array, rng: np.random.Generator
 ) -> Trajectories:
     """Return a trajectory with what the drives give along it.
 
     Parameters
     ----------
-    truth : path, optional
-        TRUTH.toml: inertial parameters and effects beside the robot file.
-    noise : float
+    told : Truth
+        Inertial parameters and effects beside the robot file.
+    noise : float or (n_q,) array
         Of each reading, in its unit.
 
     Raises
@@ -179,7 +184,6 @@ def simulated(
         The robot file leaves a body open, or the truth names what there is not.
     """
     rigid, found = Rigid(robot), motion(given)
-    told = Truth() if truth is None else read_truth(truth, rigid)
     inertia = rigid.dynamics.stated(points=True)
     if np.isnan(inertia).any():
         body = rigid.names[int(np.argmax(np.isnan(inertia)))].rpartition("_")[2]
@@ -200,7 +204,7 @@ def simulated(
     total = np.column_stack([late(load[:, j], j + 1) for j in range(load.shape[1])])
     for joint, rung, values in told.effects:
         read = {name: late(v, joint) for name, v in of_joint(given, states, joint - 1, load[:, joint - 1]).items()}
-        if missing := [name for name in rung.kernels.STATE if name not in read]:
+        if missing := lacking(rung, read):
             raise InputError(
                 f"{rung.effect} depends on {missing[0]}, which the trajectory does not hold.",
                 "Add the column temp_C.",

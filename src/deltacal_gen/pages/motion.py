@@ -43,7 +43,7 @@ def motion(found: MotionResult | MotionDiagnosis) -> str:
                 "verdict": "identified",
                 "headline": f"{machine}: {len(found.parameters)} base parameters",
                 "lead": f"Rms of held-out samples, without friction: {by_joint(found.final)}.",
-                "next": [(_spaced(n.why), n.text) for n in found.next_measurements],
+                "next": [(report.spaced(n.why), n.text) for n in found.next_measurements],
             }
             | each
         ),
@@ -81,7 +81,7 @@ def _diagnosed(found: MotionDiagnosis) -> dict[str, Any]:
         "stops": "; ".join(dict.fromkeys(f"{ladder.stops}" for ladder in found.ladder)).capitalize() + ".",
         "parameters": [
             (
-                _spaced(e.name),
+                report.spaced(e.name),
                 str(p.limb or p.setup or ""),
                 p.name,
                 report.measured(p.value, p.std),
@@ -90,9 +90,9 @@ def _diagnosed(found: MotionDiagnosis) -> dict[str, Any]:
             for e in found.effects
             for p in e.parameters
         ],
-        "rejected": [(_spaced(r.name), f"{r.gain_chi2:.0f}", r.why) for r in found.rejected],
-        "next": [(_spaced(n.why), n.text) for n in found.next_measurements],
-        "not_tested": [(_spaced(t.name), t.missing) for t in found.not_tested],
+        "rejected": [(report.spaced(r.name), f"{r.gain_chi2:.0f}", r.why) for r in found.rejected],
+        "next": [(report.spaced(n.why), n.text) for n in found.next_measurements],
+        "not_tested": [(report.spaced(t.name), t.missing) for t in found.not_tested],
     }
 
 
@@ -173,17 +173,13 @@ def bars(axes: Axes, ladders: Sequence[LadderOf]) -> None:
         for n, rung in enumerate(ladder.rungs):
             axes.barh(ends, 100 * rung.buys, height=0.75, color=SHADES[min(n, len(SHADES) - 1)])
             axes.text(100 * rung.buys + 0.8, ends, f"{100 * rung.buys:.0f}", va="center", fontsize=8, color=MUTED)
-            labels.append(f"joint {ladder.limb}   {_spaced(rung.name)}" if n == 0 else _spaced(rung.name))
+            labels.append(f"joint {ladder.limb}   {report.spaced(rung.name)}" if n == 0 else report.spaced(rung.name))
             at.append(ends)
             ends += 1.0
         ends += 0.5
     axes.set_yticks(at, labels)
     axes.invert_yaxis()
     axes.set_xlabel("% of the held-out rms")
-
-
-def _spaced(name: str) -> str:
-    return name.replace("_", " ")
 
 
 def _listed(limbs: Sequence[int]) -> str:

@@ -14,6 +14,7 @@ from deltacal_gen.results.base import Answer
 from deltacal_gen.results.batch import Batch, FailedRow
 from deltacal_gen.results.comparison import Change, Comparison
 from deltacal_gen.results.diagnosis import Diagnosis
+from deltacal_gen.results.motion import MotionStudy
 from deltacal_gen.results.plan import Plan
 from deltacal_gen.results.result import Result
 from deltacal_gen.results.study import Study
@@ -96,6 +97,13 @@ def _study(found: Study) -> Sheet:
     return figure
 
 
+def _study_of_drives(found: MotionStudy) -> Sheet:
+    figure, (errors, left) = figures.sheet(1, 2, (10, 3.5))
+    figures.torques(errors, found)
+    figures.scatter(left, found)
+    return figure
+
+
 def _batch(found: Batch) -> Sheet:
     done = [row for row in found.rows if not isinstance(row, FailedRow)]
     if not done:
@@ -112,5 +120,6 @@ _DRAWERS: Mapping[type[Answer], Callable[[Any], Sheet]] = {
     Validation: _validation,
     Comparison: _comparison,
     Study: _study,
+    MotionStudy: _study_of_drives,
     Batch: _batch,
 }

@@ -41,7 +41,6 @@ from deltacal_gen.results.diagnosis import (
 from deltacal_gen.results.parts import Source
 from deltacal_gen.results.result import Result, Status
 from deltacal_gen.results.shown import rounded
-from deltacal_gen.results.study import Study, Suspect
 from deltacal_gen.use import firmware
 from deltacal_gen.use.unseen import sentences
 
@@ -85,7 +84,7 @@ def diagnosis(found: Diagnosis) -> str:
         improvement={"title": "", "svg": _svg(partial(figures.bars, found=found), (4.4, 1.6))},
         noise=f"{found.noise.sigma_mm / shown_in(found)[1]:.4f} {shown_in(found)[0]}",
         noise_of=_NOISE[found.noise.source],
-        location=_sentence(found.location.text),
+        location=sentence(found.location.text),
         channel=_pair(
             partial(figures.against, found=found, channel=channel), before.get("channel"), left, (3.9, 2.7), calm
         )
@@ -97,88 +96,12 @@ def diagnosis(found: Diagnosis) -> str:
         law=_law(found),
         effects=_effects(found),
         parameters=[_parameter(e, p) for e in found.effects for p in e.parameters],
-        rejected=[(_spaced(r.name), f"{r.gain_chi2:.0f}", r.why) for r in found.rejected],
+        rejected=[(spaced(r.name), f"{r.gain_chi2:.0f}", r.why) for r in found.rejected],
         next=[_question(n) for n in found.next_measurements],
-        not_tested=[(_spaced(t.name), t.missing) for t in found.not_tested],
+        not_tested=[(spaced(t.name), t.missing) for t in found.not_tested],
         gross=", ".join(map(str, found.gross_errors)),
         readings=len(found.residuals.line),
         geometry=len(mechanism_of(robot_of(found.robot)).model(found.baseline.model)),
-    )
-
-
-def study(found: Study) -> str:
-    """Return the page of a STUDY.json."""
-    position, advice = found.position, found.advice
-    before, after = position.before, position.after
-    lead = (
-        f"As built, machines of these tolerances are {before.rms_mm:.3f} mm off over the workspace. Calibrated "
-        f"by this plan, 95 % of them come within {after.p95_mm:.4f} mm, and their worst point within "
-        f"{after.worst_p95_mm:.4f} mm."
-    )
-    tried = [s for s in found.suspects if s.recordings]
-    return _rendered(
-        "study",
-        title=f"{found.robot.robot.name}: study of a plan",
-        machine=found.robot.robot.name,
-        found=found,
-        headline=f"This plan leaves {after.rms_mm:.4f} mm",
-        lead=lead,
-        steps=_study_steps(found),
-        errors=_svg(partial(figures.before_and_after, found=found), (7.4, 2.6)),
-        positions=[
-            (words, f"{p.rms_mm:.4f}", f"{p.p95_mm:.4f}", f"{p.worst_p95_mm:.4f}", expected)
-            for words, p, expected in (
-                ("as built", before, ""),
-                ("calibrated", after, f"{after.predicted_rms_mm or 0.0:.4f}"),
-            )
-        ],
-        enough=_svg(partial(figures.enough, found=found), (7.4, 2.4)),
-        gains=[(_sentence(g.add), f"{g.rms_mm:.4f}", f"{g.gain:.0%}") for g in advice.add],
-        suspects=[_suspect(s) for s in found.suspects],
-        chances=tried
-        and _svg(partial(figures.chances, suspects=[(_concealed(s), s) for s in tried]), (7.4, 0.9 + 0.3 * len(tried))),
-        parameters=_svg(partial(figures.scatter, found=found), (7.4, 3.0)),
-        rows=[
-            (p.name, *(f"{v:.3g}" for v in (p.drawn_std, p.std, p.predicted_std, p.bias)), p.unit)
-            for p in found.parameters
-        ],
-    )
-
-
-def _study_steps(found: Study) -> list[str]:
-    advice = found.advice
-    steps = []
-    if advice.worth:
-        steps.append(f"More measuring pays: twice as many readings take {advice.doubling:.0%} off the error.")
-    else:
-        steps.append(f"This is enough: twice as many readings would take no more than {advice.doubling:.0%} off.")
-    if advice.add:
-        best = advice.add[0]
-        steps.append(f"What helps most beside that is {best.add}: {best.gain:.0%} off.")
-    for c in found.channels_wanted:
-        steps.append(f"To find {_spaced(c.name)} at all, the plan needs {c.missing}.")
-    for s in found.suspects:
-        if s.effects and s.interval[0] < 0.5 and s.next:
-            steps.append(f"To be surer of {_concealed(s)}: {s.next[0]}")
-    return steps
-
-
-def _concealed(suspect: Suspect) -> str:
-    words = [f"{_spaced(e.name)} {', '.join(map(str, e.limbs))}".strip() for e in suspect.effects]
-    return " and ".join(words) or "nothing"
-
-
-def _suspect(s: Suspect) -> tuple[str, ...]:
-    low, high = s.interval
-    instead = "; ".join(f"{words} ({count})" for words, count in s.instead.items()) or "-"
-    figures_mm = [f"{v:.4f}" if v is not None else "-" for v in (s.before_mm, s.after_mm)]
-    return (
-        _concealed(s),
-        str(s.recordings),
-        str(s.named_right),
-        f"{low:.0%} to {high:.0%}",
-        instead,
-        *figures_mm,
     )
 
 
@@ -207,7 +130,7 @@ def batch(found: Batch, links: Mapping[str, str] | None = None) -> str:
         failed=[both[::-1] for both in alike([(r.recording, r.error) for r in failed])[:MOST_ROWS]],
         warnings=[both[::-1] for both in alike([(r.recording, r.warnings) for r in rows if r.warnings])[:MOST_ROWS]],
         changed=changed[:MOST_ROWS],
-        heads=[_spaced(c).removesuffix(" mm") + (", mm" if c.endswith("_mm") else "") for c in columns],
+        heads=[spaced(c).removesuffix(" mm") + (", mm" if c.endswith("_mm") else "") for c in columns],
         rows=[
             [(c, _cell(getattr(r, c, FAILED.get(c) if isinstance(r, FailedRow) else None))) for c in columns]
             for r in shown
@@ -371,12 +294,13 @@ def measured(value: float | str, std: float | None) -> str:
     return " ± ".join(rounded(value, std))
 
 
-def _spaced(name: str) -> str:
+def spaced(name: str) -> str:
     """Return a name of the vocabulary as words."""
     return name.replace("_", " ")
 
 
-def _sentence(text: str) -> str:
+def sentence(text: str) -> str:
+    """Return text that begins with a capital."""
     return text[:1].upper() + text[1:]
 
 
@@ -388,7 +312,7 @@ def _headline(found: Diagnosis) -> str:
         beside = f" beside {' and '.join(figures.named(e) for e in effects)}" if effects else ""
         return f"Something{beside} that no known effect explains"
     told = [laws.headline(law) for law in found.laws[:1]]
-    return _sentence(" and ".join([*told, *(figures.named(e) for e in effects)]))
+    return sentence(" and ".join([*told, *(figures.named(e) for e in effects)]))
 
 
 def _lead(found: Diagnosis) -> str:
@@ -401,12 +325,12 @@ def _lead(found: Diagnosis) -> str:
     if found.verdict is Verdict.UNEXPLAINED:
         return (
             f"Geometry alone leaves {before} on held-out readings, {after} are left in the end, and the "
-            f"noise is {sigma}. {_sentence(found.location.text)}."
+            f"noise is {sigma}. {sentence(found.location.text)}."
         )
     told = [f"{t.target} moves by {t.expression}{laws.where(t)}" for law in found.laws[:1] for t in law.terms]
     parts = "; ".join([*told, *(_in_numbers(e) for e in found.effects)])
     return (
-        f"{_sentence(parts)}. With it the error on held-out readings falls from {before} to {after}; "
+        f"{sentence(parts)}. With it the error on held-out readings falls from {before} to {after}; "
         f"the noise is {sigma}."
     )
 
@@ -435,7 +359,7 @@ def _in_numbers(effect: Effect) -> str:
         unit = "" if of[0].unit == "1" else f" {of[0].unit}"
         values = [float(p.value) for p in of] if len(of) > 1 else []
         value = f"{min(values):.3g} to {max(values):.3g}" if values else measured(of[0].value, of[0].std)
-        words.append(f"{_spaced(name)} {value}{unit}")
+        words.append(f"{spaced(name)} {value}{unit}")
     return f"{effect.title}, {', '.join(words)}"
 
 
@@ -444,7 +368,7 @@ def _steps(found: Diagnosis) -> list[dict[str, str]]:
     steps: list[dict[str, str]] = []
     for effect in found.effects:
         advice = load_effect(effect.name).ADVICE
-        steps.append({"text": f"{_sentence(figures.named(effect))}: {advice}", "command": ""})
+        steps.append({"text": f"{sentence(figures.named(effect))}: {advice}", "command": ""})
     if found.laws:
         text = f"{LAW_ADVICE} To know it by a name from now on, write it as an effect and fill in what it is:"
         again = "deltacal diagnose ROBOT.toml RECORDING.csv --write-effect NAME.py"
@@ -470,9 +394,9 @@ def _steps(found: Diagnosis) -> list[dict[str, str]]:
 def _parameter(effect: Effect, p: EffectParameter) -> tuple[str, ...]:
     joint = "" if p.limb is None else str(p.limb)
     return (
-        _spaced(effect.name),
+        spaced(effect.name),
         joint,
-        _spaced(p.name),
+        spaced(p.name),
         measured(p.value, p.std),
         "" if p.unit == "1" else p.unit,
     )
@@ -481,7 +405,7 @@ def _parameter(effect: Effect, p: EffectParameter) -> tuple[str, ...]:
 def _question(n: NextMeasurement) -> dict[str, object]:
     columns = tuple(dict.fromkeys(key for pose in n.poses for key in pose))
     return {
-        "why": _sentence(n.why),
+        "why": sentence(n.why),
         "text": n.text,
         "expected": f"{n.expected_chi2:.0f}" if n.expected_chi2 else "",
         "columns": columns,
@@ -493,10 +417,10 @@ def _effects(found: Diagnosis) -> list[dict[str, str]]:
     moves = _moves(found)
     return [
         {
-            "name": _spaced(e.name),
+            "name": spaced(e.name),
             "title": e.title,
             "moves": f"{size:.2f}" if size else "",
-            "alike": ", ".join(map(_spaced, e.indistinguishable_from)),
+            "alike": ", ".join(map(spaced, e.indistinguishable_from)),
         }
         for e, size in zip(found.effects, moves, strict=True)
     ]

@@ -95,12 +95,12 @@ def channels_wanted(study: Study) -> tuple[Missing, ...]:
     return tuple(wanted)
 
 
-def told_of(study: Study, outcomes: Sequence[Outcome], each: int) -> tuple[Suspect, ...]:
-    """Return suspect by suspect how often it was named."""
+def told_of(suspects: Sequence[tuple[EffectName, ...]], outcomes: Sequence[Outcome], each: int) -> tuple[Suspect, ...]:
+    """Return suspect by suspect, nothing concealed first, how often it was named."""
     if not outcomes:
         return ()
     told = []
-    for k, terms in enumerate([(), *study.suspects]):
+    for k, effects in enumerate([(), *suspects]):
         mine = outcomes[k * each : (k + 1) * each]
         good = [Trial(**o.result) for o in mine if o.result is not None]
         right = sum(r.right for r in good)
@@ -112,7 +112,7 @@ def told_of(study: Study, outcomes: Sequence[Outcome], each: int) -> tuple[Suspe
         low, high = _wilson(right, len(good))
         told.append(
             Suspect(
-                effects=tuple(EffectName(name=t.effect, limbs=t.limbs) for t in terms),
+                effects=effects,
                 recordings=len(good),
                 named_right=right,
                 named_among_equals=sum(r.among for r in good),

@@ -76,8 +76,8 @@ class Series:
         return dataclasses.replace(self, cosine=self.cosine * factor, sine=self.sine * factor)
 
 
-class _Search:
-    """Series of one robot, and what they tell."""
+class Excitation:
+    """Series of one robot within its limits, and what they tell; see `exciting`."""
 
     def __init__(self, robot: Robot, period: float, harmonics: int, seed: int) -> None:
         self._robot, self._mechanism, self.rigid = robot, mechanism_of(robot), Rigid(robot)
@@ -86,7 +86,7 @@ class _Search:
         (self.low, self.high, self.speed, self.acceleration), self.notes = limits_of(robot)
         self._rows = self._mechanism.rows(robot)
         self._centre = self._middle()
-        Y = self._asked(self.drawn())
+        Y = self._asked(self.at_random())
         self._weights = [1 / (np.abs(y).max() or 1.0) for y in Y]
 
     @property
@@ -119,6 +119,20 @@ class _Search:
         shape = (2, self._harmonics, len(self.low))
         cosine, sine = self._rng.standard_normal(shape) * self._rng.uniform(0.3, 1.0, shape[2])
         return self.fitted(Series(self._centre, cosine, sine, self._period))
+
+    def at_random(self) -> Array:
+        """Return joints, velocities, accelerations (3, N, n_q) of a series at random."""
+        return self.drawn().states(self._time)
+
+    def time(self, step: float) -> Array:
+        """Return the times of the samples of a run that are a step apart [s]."""
+        return np.asarray(np.arange(round(self._period / step) + 1) * step)
+
+    def further(self, states: Array) -> Series:
+        """Return the series that adds most to what a movement tells, at states (3, N, n_q) of some sampling."""
+        W = self._columns_at(states)
+        with using(Backend.COMPILED):
+            return self.best(W.T @ W * len(self._time) * len(self.low) / len(W))
 
     def changed(self, of: Series, much: float) -> Series:
         """Return another series near one."""
@@ -159,15 +173,16 @@ class _Search:
         """Return where the reference point is (N, 3) at joints as the controller counts; NaN where it cannot be."""
         return self._mechanism.positions(self._robot.joint_sign * joints, self._robot.tool[None], self._rows)
 
-    def _asked(self, series: Series) -> list[Array]:
-        n = len(self.low)
-        return self.rigid.columns(series.states(self._time), [self.rigid.common.chosen] * n)
+    def _asked(self, states: Array) -> list[Array]:
+        return self.rigid.columns(states, [self.rigid.common.chosen] * len(self.low))
 
     def columns(self, series: Series) -> Array:
         """Return what a unit of each of `names` asks of the joints, joint by joint, each joint by its own size."""
-        _, qd, _ = series.states(self._time)
-        n, rows = len(self.low), []
-        for j, (Y, weight) in enumerate(zip(self._asked(series), self._weights, strict=True)):
+        return self._columns_at(series.states(self._time))
+
+    def _columns_at(self, states: Array) -> Array:
+        qd, n, rows = states[1], len(self.low), []
+        for j, (Y, weight) in enumerate(zip(self._asked(states), self._weights, strict=True)):
             friction = np.zeros((len(qd), 2 * n))
             friction[:, 2 * j], friction[:, 2 * j + 1] = np.sign(qd[:, j]), qd[:, j] / self.speed[j]
             rows.append(np.hstack([Y * weight, friction]))
@@ -248,7 +263,7 @@ def exciting(
             f"{runs} runs of {period:g} s with {harmonics} harmonics at {rate:g} Hz cannot be planned. "
             "Give at least one run, two harmonics (a start at rest needs them) and four samples per wave."
         )
-    search = _Search(robot, period, harmonics, seed)
+    search = Excitation(robot, period, harmonics, seed)
     names = search.names
     known = np.zeros((len(names), len(names)))
     chosen: list[Series] = []

@@ -7,7 +7,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -60,6 +60,19 @@ class Study:
     turn_sigma: float = 0.0
     suspects: tuple[tuple[Term, ...], ...] = ()
     seed: int = 0
+    chunk: ClassVar[int] = 500
+
+    def prepare(self) -> None:
+        """Work out what all machines share."""
+        self.check  # noqa: B018
+
+    def machines(self, index: int, count: int) -> Machines:
+        """Simulate and calibrate machines; see `machines`."""
+        return machines(self, index, count)
+
+    def concealed(self, suspect: int, trial: int) -> Trial:
+        """Conceal a suspect and diagnose; see `concealed`."""
+        return concealed(self, suspect, trial)
 
     def __getstate__(self) -> dict[str, Any]:
         """Return the fields alone: a worker works out the rest itself."""

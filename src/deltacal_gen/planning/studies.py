@@ -9,55 +9,22 @@ Suspected effects are concealed in recordings of such machines, which the diagno
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
-from functools import partial
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from deltacal_gen.errors import InputError, NoSolutionError
-from deltacal_gen.execution import Task, Told, content_key, run
+from deltacal_gen.execution import Told
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.machine.backend import Backend, using
 from deltacal_gen.planning.advice import advice, channels_wanted, told_of
-from deltacal_gen.planning.machines import Machines, Study, concealed, machines, rms_of
+from deltacal_gen.planning.machines import Machines, Study, rms_of
+from deltacal_gen.planning.monte_carlo import drawn
 from deltacal_gen.results import study as results
-from deltacal_gen.results.base import Json
+from deltacal_gen.results.parts import EffectName
 from deltacal_gen.results.study import Advice, Histogram, Position, Spread, StudyParameter, Suspect
 from deltacal_gen.units import file_unit, to_internal
-
-CHUNK = 500  # machines of a task, whatever the number of workers
-_met: dict[str, Study] = {}
-
-
-def _once(study: Study, mark: str) -> Study:
-    """Return the study of a fingerprint as this process first met it: what its tasks share is worked out once."""
-    if mark not in _met:
-        _met.clear()
-        _met[mark] = study
-    return _met[mark]
-
-
-def work(study: Study, mark: str, what: str, *numbers: int) -> Json:
-    """Do a task of the study of a fingerprint; runs on a worker."""
-    return (machines if what == "machines" else concealed)(_once(study, mark), *numbers).to_dict()
-
-
-def _asked(study: Study, mark: str, job: tuple[Any, ...]) -> tuple[Any, ...]:
-    """Return what a worker is handed."""
-    return study, mark, *job
-
-
-def tasks(study: Study, mark: str, trials: int, diagnoses: int) -> list[Task]:
-    """Return the tasks of the study of a fingerprint."""
-    jobs: list[tuple[Any, ...]] = []
-    for index in range(math.ceil(trials / CHUNK)):
-        jobs.append(("machines", index, min(CHUNK, trials - index * CHUNK)))
-    for suspect in range(-1, len(study.suspects)):
-        jobs += [("concealed", suspect, trial) for trial in range(diagnoses)] if study.suspects else []
-    return [Task(content_key(mark, job), f"{job[0]} {job[1] + 1}", partial(_asked, study, mark, job)) for job in jobs]
 
 
 def conduct(
@@ -104,20 +71,18 @@ def _conduct(
             "Add poses, or free fewer parameters with --model.",
             file=study.poses.path,
         )
-    mark = study.fingerprint()
-    study = _once(study, mark)
-    study.check  # worked out before processes are forked, which then have it  # noqa: B018
-    todo = tasks(study, mark, trials, diagnoses)
-    outcomes = run(work, todo, total=len(todo), workers=workers, cluster=cluster, directory=directory, told=told)
-    done = [next(outcomes)]
-    more = advice(study)  # while the workers are at work
-    done += outcomes
-    chunks = math.ceil(trials / CHUNK)
-    for outcome in done[:chunks]:
-        if outcome.result is None:
-            raise NoSolutionError(f"{outcome.label}: {outcome.error}")
-    parts = [Machines(**o.result) for o in done[:chunks] if o.result is not None]
-    return _summed(study, model, parts, told_of(study, done[chunks:], diagnoses), more)
+    done, hidden, more = drawn(
+        study,
+        trials,
+        diagnoses,
+        lambda: advice(study),
+        workers=workers,
+        cluster=cluster,
+        directory=directory,
+        told=told,
+    )
+    names = [tuple(EffectName(name=t.effect, limbs=t.limbs) for t in terms) for terms in study.suspects]
+    return _summed(study, model, [Machines(**d) for d in done], told_of(names, hidden, diagnoses), more)
 
 
 def _summed(

@@ -13,6 +13,7 @@ from deltacal_gen.results.base import Answer, Column, Numbers, Value
 from deltacal_gen.results.diagnosis import Effect, Hint, Law, Location, NextMeasurement, Rejected, Searched, Verdict
 from deltacal_gen.results.parts import Made, Missing, RobotTables, Source
 from deltacal_gen.results.result import OpenCombination, Parameter, Read, Regularisation
+from deltacal_gen.results.study import Suspect
 
 ByJoint = tuple[float | None, ...]  # null of a joint that does not move in the recording
 
@@ -337,19 +338,95 @@ class MotionValidation(Answer):
     def headline(self) -> str:
         """The error, joint by joint."""
         each = zip(self.rms_by_joint, self.unit_by_joint, strict=True)
-        return f"{self.readings} readings in motion: rms {_listed(each)}"
+        return f"{self.readings} readings in motion: rms {by_limb(each)}"
 
 
 def by_joint(left: Left) -> str:
     """Return held-out figures in words."""
-    return _listed(zip(left.heldout_rms_by_joint, left.unit_by_joint, strict=True))
+    return by_limb(zip(left.heldout_rms_by_joint, left.unit_by_joint, strict=True))
 
 
-def _listed(each: Iterable[tuple[float | None, str]]) -> str:
+def by_limb(each: Iterable[tuple[float | None, str]], digits: int = 4) -> str:
+    """Return figures of joints with their units, in words."""
     values = list(each)
     units = {unit for _, unit in values}
-    texts = ["-" if v is None else f"{v:.4g}" + (f" {unit}" if len(units) > 1 else "") for v, unit in values]
+    texts = ["-" if v is None else f"{v:.{digits}g}" + (f" {unit}" if len(units) > 1 else "") for v, unit in values]
     return ", ".join(texts) + (f" {units.pop()}" if len(units) == 1 else "")
+
+
+class ToldParameter(Value):
+    """How well a base parameter is found, in its own unit."""
+
+    name: str
+    combination: str
+    unit: str
+    drawn_std: float
+    std: float
+    """Of estimate minus truth."""
+    bias: float
+    predicted_std: float | None
+    """What the linear problem expects of `std`; null where the trajectory does not tell it."""
+    stated_std: float
+    """What an identification will say."""
+
+
+class TorqueSpread(Value):
+    """What is predicted wrong of a joint's torque on other movements, over all machines, in `unit`."""
+
+    limb: int
+    unit: str
+    before_rms: float
+    """By the bodies of the robot file."""
+    after_rms: float
+    """As identified."""
+    p95: float
+    """Of the machines' own rms, 95 % lie below."""
+    predicted_rms: float | None
+    """What the linear problem expects of `after_rms`; null where the trajectory leaves something open."""
+    readings: int
+    """In motion."""
+
+
+class TorqueAddition(Value):
+    """What a further movement leaves of the errors of the joints that move, by the linear problem."""
+
+    add: str
+    rms_by_joint: ByJoint
+
+
+class MotionStudy(Answer):
+    """STUDY.json of kind torque: what a trajectory will tell of bodies and drives."""
+
+    model: str
+    schema: Literal["deltacal.study/1"] = "deltacal.study/1"
+    robot: RobotTables
+    kind: Literal["torque"]
+    readings: int
+    runs: int
+    sigma_by_joint: tuple[float, ...]
+    unit_by_joint: tuple[str, ...]
+    machines: int
+    seed: int
+    parameters: tuple[ToldParameter, ...]
+    torque: tuple[TorqueSpread, ...]
+    """Of the joints that move."""
+    unidentifiable: tuple[OpenCombination, ...]
+    suspects: tuple[Suspect, ...]
+    channels_wanted: tuple[Missing, ...]
+    add: tuple[TorqueAddition, ...]
+    notes: tuple[str, ...]
+    """Limits that were assumed."""
+
+    @property
+    def headline(self) -> str:
+        """What is predicted wrong, joint by joint."""
+        before = by_limb(((t.before_rms, t.unit) for t in self.torque), 3)
+        after = by_limb(((t.after_rms, t.unit) for t in self.torque), 3)
+        return f"{self.model}: torques off by {before} as drawn, {after} identified ({self.machines} machines)"
+
+    def table(self) -> tuple[ToldParameter, ...]:
+        """Return how well each base parameter is found."""
+        return self.parameters
 
 
 class JointSeries(Value):

@@ -44,6 +44,7 @@ IN_MOTION = {  # the same of recordings in motion
     "deltacal.diagnosis/1": "MotionDiagnosis",
     "deltacal.plan/1": "MotionPlan",
     "deltacal.result/1": "MotionResult",
+    "deltacal.study/1": "MotionStudy",
     "deltacal.validation/1": "MotionValidation",
 }
 KINDS_IN_MOTION = ("torque",)

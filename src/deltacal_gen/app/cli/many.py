@@ -22,6 +22,7 @@ from deltacal_gen.app.cli.common import (
 )
 
 if TYPE_CHECKING:
+    from deltacal_gen.results.motion import MotionStudy
     from deltacal_gen.results.study import Study
 
 MOST_LINES = 60  # of a table on the screen
@@ -31,14 +32,17 @@ Cluster = Annotated[str | None, typer.Option("--cluster", metavar="ADDRESS", hel
 
 def study(
     robot: RobotFile,
-    plan_file: Annotated[Path, typer.Option("--plan", metavar="PLAN", help="poses or targets (CSV), with a sidecar")],
+    plan_file: Annotated[
+        Path, typer.Option("--plan", metavar="PLAN", help="poses, targets or a trajectory (CSV), with a sidecar")
+    ],
     output: Annotated[Path | None, output_file("STUDY.json")] = None,
     report: Annotated[Path | None, typer.Option("--report", help="page (HTML)", show_default=False)] = None,
     model: Model = None,
     machine: Annotated[str | None, typer.Option("--machine", help="model of what machines are wrong in")] = None,
     trials: Annotated[int, typer.Option("--trials", help="machines to be simulated and calibrated")] = 1000,
     noise: Annotated[
-        float | None, typer.Option("--noise", help="of the instrument (mm); default the sidecar's")
+        float | None,
+        typer.Option("--noise", help="of the instrument (mm), of what drives give (Nm, N, A); default the sidecar's"),
     ] = None,
     suspects: Annotated[
         list[Path] | None,
@@ -54,8 +58,9 @@ def study(
     decimal: Decimal = None,
     as_json: Json = False,
 ) -> None:
-    """Say what a measuring plan will give, before anyone measures."""
+    """Say what a measuring plan, or a trajectory, will give, before anyone measures."""
     from deltacal_gen.app import commands
+    from deltacal_gen.results.study import Study
 
     with counting(as_json) as told:
         found = commands.study(
@@ -78,7 +83,7 @@ def study(
     if as_json:
         print_json(found)
         return
-    _show_study(found)
+    (_show_study if isinstance(found, Study) else _show_drives)(found)
     for path in (output, report):
         if path is not None:
             screen.print(f"written to {path}")
@@ -96,6 +101,36 @@ def _show_study(found: Study) -> None:
     for q in found.parameters:
         table.add_row(q.name, *(number(v, 3) for v in (q.drawn_std, q.std, q.predicted_std)), q.unit)
     screen.print(table)
+    _show_suspects(found)
+    screen.print(f"Twice the measuring takes {advice.doubling:.0%} off the error.")
+    for g in advice.add:
+        screen.print(f"{g.add}: {g.gain:.0%} off")
+    if found.lost:
+        screen.print(f"{found.lost} machines could not be simulated or calibrated, and are not counted")
+
+
+def _show_drives(found: MotionStudy) -> None:
+    """Print what a trajectory will tell of drives."""
+    table = Table("torque on other movements", "as drawn", "identified", "95 % of machines", "predicted", "unit")
+    for t in found.torque:
+        figures = (t.before_rms, t.after_rms, t.p95, t.predicted_rms)
+        table.add_row(f"joint {t.limb}", *("" if v is None else number(v, 3) for v in figures), t.unit)
+    screen.print(table)
+    table = Table("base parameter", "drawn", "std", "predicted", "stated", "unit")
+    for p in found.parameters:
+        spreads = (p.drawn_std, p.std, p.predicted_std, p.stated_std)
+        table.add_row(p.name, *("not told" if v is None else number(v, 3) for v in spreads), p.unit)
+    screen.print(table)
+    _show_suspects(found)
+    for more in found.add:
+        errors = ", ".join("-" if v is None else number(v, 3) for v in more.rms_by_joint)
+        screen.print(f"{more.add}: {errors}")
+    for note in found.notes:
+        screen.print(f"  {escaped(note)}")
+
+
+def _show_suspects(found: Study | MotionStudy) -> None:
+    """Print how often what was concealed was named."""
     for s in found.suspects:
         words = " and ".join(f"{e.name} {' '.join(map(str, e.limbs))}".strip() for e in s.effects) or "nothing"
         low, high = s.interval
@@ -107,11 +142,6 @@ def _show_study(found: Study) -> None:
             screen.print(f"  not simulated: {escaped(why)}")
     for c in found.channels_wanted:
         screen.print(f"{c.name} cannot be found without {escaped(c.missing)}")
-    screen.print(f"Twice the measuring takes {advice.doubling:.0%} off the error.")
-    for g in advice.add:
-        screen.print(f"{g.add}: {g.gain:.0%} off")
-    if found.lost:
-        screen.print(f"{found.lost} machines could not be simulated or calibrated, and are not counted")
 
 
 def batch(

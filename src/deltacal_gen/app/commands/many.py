@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -16,6 +16,8 @@ from deltacal_gen.app.commands.common import (
     as_recording,
     as_robot,
     check_output,
+    in_motion,
+    refuse_in_motion,
     untold,
     write_json,
 )
@@ -27,7 +29,10 @@ from deltacal_gen.units import DEG
 
 if TYPE_CHECKING:
     from deltacal_gen.execution import Told
+    from deltacal_gen.files.robot import Robot
+    from deltacal_gen.motion.kinds import Torque
     from deltacal_gen.results.batch import Batch
+    from deltacal_gen.results.motion import MotionStudy
     from deltacal_gen.results.study import Study
 
 
@@ -51,6 +56,9 @@ def study(
 ) -> Study:
     """Say what a measuring plan will give; see `studies.conduct`.
 
+    Of a trajectory (kind torque) the answer is a `results.motion.MotionStudy`: what it will tell of bodies and drives,
+    see `drives.conduct`.
+
     Parameters
     ----------
     plan : path or Recording
@@ -60,7 +68,7 @@ def study(
     machine : str, optional
         Model of what machines are wrong in; default what the calibration frees.
     noise : float, optional
-        Standard deviation per coordinate [mm], where the sidecar says none.
+        Standard deviation per coordinate [mm]; in motion that of a reading in its unit. Default the sidecar's.
     suspects : sequence of path
         TRUTH.toml files, each with the effects of one suspicion.
     diagnoses : int
@@ -75,15 +83,44 @@ def study(
     InputError
         The plan cannot be reached or carries too little; no noise is given; no scheduler answers at `cluster`.
     """
+    if (moving := in_motion(plan)) is not None:
+        refuse_in_motion(model=model, machine=machine)
+    if trials < 1 or diagnoses < 1 or seed < 0 or (noise is not None and not (noise > 0 and np.isfinite(noise))):
+        raise UsageError("trials and diagnoses must be at least 1, noise above 0, and seed an integer from 0.")
+    check_output(output, robot, plan, *suspects)
+    check_output(report, robot, plan, *suspects)
+    how = {"workers": workers, "cluster": cluster, "directory": directory, "told": told}
+    if moving is not None:
+        found = cast("Study", _of_drives(as_robot(robot), moving, noise, suspects, seed, trials, diagnoses, **how))
+    else:
+        found = _of_poses(robot, plan, model, machine, noise, suspects, seed, trials, diagnoses, **how)
+    if output is not None:
+        write_json(found, output)
+    if report is not None:
+        from deltacal_gen.pages import studies as pages
+
+        write_files({Path(report): pages.page(found)})
+    return found
+
+
+def _of_poses(
+    robot: AnyRobot,
+    plan: AnyRecording,
+    model: str | int | None,
+    machine: str | None,
+    noise: float | None,
+    suspects: Sequence[Source],
+    seed: int,
+    trials: int,
+    diagnoses: int,
+    **how: Any,
+) -> Study:
+    """Return the study of a plan of poses."""
     from deltacal_gen.identification.checks import chosen_model
     from deltacal_gen.physics import simulation
     from deltacal_gen.planning import machines, studies
 
     model = None if model is None else str(model)
-    check_output(output, robot, plan, *suspects)
-    check_output(report, robot, plan, *suspects)
-    if trials < 1 or diagnoses < 1 or seed < 0 or (noise is not None and not (noise > 0 and np.isfinite(noise))):
-        raise UsageError("trials and diagnoses must be at least 1, noise above 0 mm, and seed an integer from 0.")
     robot = as_robot(robot)
     for name in (model, machine):
         robot = robot if name is None else for_model(robot, name)
@@ -104,16 +141,37 @@ def study(
     names = mechanism.model(chosen)
     wrong = names if machine is None else mechanism.model(machine)
     made = dataclasses.replace(made, names=names, errors=wrong)
-    found = studies.conduct(
-        made, trials, diagnoses, model=chosen, workers=workers, cluster=cluster, directory=directory, told=told
-    )
-    if output is not None:
-        write_json(found, output)
-    if report is not None:
-        from deltacal_gen.pages import report as pages
+    return studies.conduct(made, trials, diagnoses, model=chosen, **how)
 
-        write_files({Path(report): pages.study(found)})
-    return found
+
+def _of_drives(
+    robot: Robot,
+    moving: Torque,
+    noise: float | None,
+    suspects: Sequence[Source],
+    seed: int,
+    trials: int,
+    diagnoses: int,
+    **how: Any,
+) -> MotionStudy:
+    """Return the study of a trajectory."""
+    from deltacal_gen.motion.rigid import Rigid
+    from deltacal_gen.motion.session import sigma_said
+    from deltacal_gen.motion.simulation import read_truth
+    from deltacal_gen.planning import drives
+
+    given, rigid = moving.read(robot, need_measured=False), Rigid(robot)
+    said = [noise if noise is not None else sigma_said(given, unit) for unit in given.units]
+    sigma = tuple(value for value in said if value is not None)
+    if len(sigma) < len(said):
+        unit = given.units[said.index(None)]
+        raise InputError(
+            "nothing says how well drives are read.",
+            f"Add sigma_{unit} to the sidecar, or --noise.",
+            file=given.path,
+        )
+    truths = tuple(read_truth(file, rigid) for file in suspects)
+    return drives.conduct(drives.DriveStudy(robot, given, sigma, truths, seed), trials, diagnoses, **how)
 
 
 def batch(
