@@ -99,3 +99,11 @@ def test_what_cannot_be_used_is_refused_with_its_place(recorded: Path, tmp_path:
 def test_derivatives_said_to_be_recorded_must_be_there(recorded: Path, tmp_path: Path) -> None:
     with pytest.raises(InputError, match="'qd1_deg_s': the sidecar says derivatives = \"recorded\""):
         read(changed(recorded, tmp_path, list, '[motion]\nderivatives = "recorded"\n'))
+
+
+@pytest.mark.parametrize("sigma", ["1e300", "1e-300", "0.0"])
+def test_noise_whose_square_is_no_number_is_refused(recorded: Path, tmp_path: Path, sigma: str) -> None:
+    path = changed(recorded, tmp_path, lambda lines: lines)
+    path.with_suffix(".toml").write_text(f'[measurement]\nkind = "torque"\nsigma_Nm = {sigma}\n')
+    with pytest.raises(InputError, match="sigma_Nm"):
+        read(path)

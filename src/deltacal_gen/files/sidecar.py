@@ -26,7 +26,8 @@ Lens = Annotated[Number, WrapValidator(_lens)]
 LENS = ("fx_px", "fy_px", "cx_px", "cy_px", "k1", "k2", "p1", "p2", "k3")
 
 
-Noise = Annotated[Positive, Field(ge=1e-12, le=1e9)]  # of any unit; its square has to be a number
+LEAST, MOST = 1e-12, 1e9  # noise in any unit: its square has to be a number
+Noise = Annotated[Positive, Field(ge=LEAST, le=MOST)]
 
 
 class Camera(Table):

@@ -16,7 +16,8 @@ import numpy as np
 
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.rows import Rows, number_of, read_table
-from deltacal_gen.files.toml import Positive, Table, TomlFile
+from deltacal_gen.files.sidecar import Noise
+from deltacal_gen.files.toml import Table, TomlFile
 from deltacal_gen.machine.values import TEMPERATURE
 from deltacal_gen.physics.splines import ordinary_step, pieces_of
 from deltacal_gen.units import joint_factors, joint_names, of_joints
@@ -32,10 +33,10 @@ INSIDE = {"Nm": 1000.0, "N": 1.0, "A": 1.0, "1": 1.0}  # of a unit in files: N m
 
 class _Measurement(Table):
     kind: str
-    sigma_Nm: Positive | None = None
-    sigma_N: Positive | None = None
-    sigma_A: Positive | None = None
-    sigma_1: Positive | None = None
+    sigma_Nm: Noise | None = None
+    sigma_N: Noise | None = None
+    sigma_A: Noise | None = None
+    sigma_1: Noise | None = None
     instrument: str | None = None
     operator: str | None = None
 

@@ -7,8 +7,6 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
-import numpy as np
-
 from deltacal_gen.app.commands.common import (
     AnyRecording,
     AnyRobot,
@@ -23,6 +21,7 @@ from deltacal_gen.app.commands.common import (
 )
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.robot import for_model
+from deltacal_gen.files.sidecar import LEAST, MOST
 from deltacal_gen.files.writing import write_files
 from deltacal_gen.machine.registry import mechanism_of
 from deltacal_gen.units import DEG
@@ -85,8 +84,9 @@ def study(
     """
     if (moving := in_motion(plan)) is not None:
         refuse_in_motion(model=model, machine=machine)
-    if trials < 1 or diagnoses < 1 or seed < 0 or (noise is not None and not (noise > 0 and np.isfinite(noise))):
-        raise UsageError("trials and diagnoses must be at least 1, noise above 0, and seed an integer from 0.")
+    if trials < 1 or diagnoses < 1 or seed < 0 or (noise is not None and not LEAST <= noise <= MOST):
+        bounds = f"noise from {LEAST:g} to {MOST:g}"
+        raise UsageError(f"trials and diagnoses must be at least 1, {bounds}, and seed an integer from 0.")
     check_output(output, robot, plan, *suspects)
     check_output(report, robot, plan, *suspects)
     how = {"workers": workers, "cluster": cluster, "directory": directory, "told": told}
