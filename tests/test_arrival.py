@@ -227,3 +227,26 @@ def test_a_machine_farther_off_than_drawings_leave_open_is_doubted() -> None:
     rough_drawing = machine(tolerance={f"{letter}_{limb}": 20.0 for letter in "Ll" for limb in (1, 2, 3)})
     assert identify(rough_drawing, readings).answer().doubts is None
     assert identify(robot, record(robot)).answer().doubts is None
+
+
+def test_a_reflector_of_which_the_robot_file_says_nothing_is_found_where_it_sits(arm: Robot) -> None:
+    """A tool point of zeros is one that nobody has written down: no part of the machine is off for it."""
+    readings = recorded(arm, wide(np.random.default_rng(2), 60, 1.2), size=0.1)
+    bare = dataclasses.replace(arm, tool=np.zeros(3))
+    answers = {known: identify(robot, readings).answer() for known, robot in (("said", arm), ("unsaid", bare))}
+    found = {known: {p.name: p for p in answer.parameters} for known, answer in answers.items()}
+    assert answers["unsaid"].doubts is None
+    assert answers["unsaid"].train_rms_mm < 3 * SIGMA
+    said, unsaid = found["said"], found["unsaid"]
+    for name in ("a_2", "a_3", "alpha_4", "theta_3", "d_4"):
+        assert abs(unsaid[name].value - said[name].value) < 2 * (said[name].std or 0.0)
+    # along x and y of the last link it sits where it is, but for the zero of the last joint, which nothing else reads
+    radius = np.hypot(unsaid["tx"].value, unsaid["ty"].value)
+    assert radius == pytest.approx(np.hypot(-30.0 + said["tx"].value, -20.0 + said["ty"].value), abs=0.1)
+
+
+def test_a_tool_point_that_is_said_is_believed_as_other_parts_are(arm: Robot) -> None:
+    readings = recorded(arm, wide(np.random.default_rng(2), 60, 1.2), size=0.1)
+    wrong = dataclasses.replace(arm, tool=arm.tool + [0.0, 200.0, 0.0])
+    [doubt] = identify(wrong, readings).answer().doubts or ()
+    assert "ty by -" in doubt or "tx by" in doubt

@@ -41,6 +41,19 @@ def test_the_joint_that_moves_what_is_left_is_told_and_no_noise_is_blamed() -> N
     assert "moves readings as one joint does, at limb 2" in found.location.text
 
 
+def test_a_gross_error_beside_it_is_no_part_of_what_is_told() -> None:
+    """Nor is a channel that earns next to nothing, which is none that the misfit depends on."""
+    made = restless(7e-5)
+    made.measured[17] += [60.0, -40.0, 20.0]
+    found = diagnose(ROBOT, made).answer()
+    assert found.gross_errors == (int(made.line[17]),)
+    assert found.location.limbs == (JOINT,)
+    assert found.location.channels == ()
+    assert f"A mismatch of {found.final.train_rms_mm:.4f} mm is left" in found.summary
+    assert found.final.train_rms_mm < 0.1
+    assert "joint 2 coming from either side" in found.next_measurements[-1].text
+
+
 def test_how_much_of_the_noise_is_the_joints_is_its_share() -> None:
     little, much = (scattering(geometry(restless(size))) for size in (4e-5, 2e-4))
     assert little is not None

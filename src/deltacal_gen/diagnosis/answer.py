@@ -16,7 +16,6 @@ from deltacal_gen.diagnosis.laws.told import told
 from deltacal_gen.diagnosis.search import SCATTERED
 from deltacal_gen.diagnosis.spectrum import Spectrum, wave
 from deltacal_gen.estimation.problem import Problem
-from deltacal_gen.estimation.residuals import lengths, rms
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.identification.knowledge import uncertainty_of
 from deltacal_gen.identification.noise import noise_model
@@ -265,9 +264,8 @@ def _summary(found: Diagnosed) -> str:
             f"With it {after:.4f} mm are left: that {_as_noise(found)}.{_alike(found.effects)}{turned}"
         )
     named = f" Proven beside it: {'; '.join(parts)}." if parts else ""
-    left = rms(lengths(found.final.residual, found.final.problem.readings.kind))
     return (
-        f"A mismatch of {left:.4f} mm is left that no registered effect explains: "
+        f"A mismatch of {found.final.rms():.4f} mm is left that no registered effect explains: "
         f"{found.location.text}.{named} {_corrected(found)}{turned}"
     )
 
@@ -275,9 +273,7 @@ def _summary(found: Diagnosed) -> str:
 def _alike(effects: Sequence[Named]) -> str:
     """Return what these poses cannot tell apart, how little speaks for what is named, and what decides."""
     told = [
-        f"{n.term.effect} from {' or '.join(n.alike)}" + (f" (odds {_odds(n.lead)} to 1 for it)" if n.rivals else "")
-        for n in effects
-        if n.alike
+        f"{n.term.effect} from {' or '.join(n.alike)}" + (f" (odds {_odds(n.lead)} to 1 for it)" if n.rivals else "") for n in effects if n.alike
     ]
     return f" These poses cannot tell {'; '.join(told)}: what to measure next decides." if told else ""
 

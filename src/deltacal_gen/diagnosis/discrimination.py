@@ -412,9 +412,10 @@ def _exploring(at: Fit, location: Location, rng: np.random.Generator) -> NextMea
     if recording.joints.shape[1] == 1 and np.isfinite(at.problem.readings.values).any(axis=0).sum() == 1:
         return _advice(PROFILE, TURNED_ROUND)
     if channel is None:
+        from_both = f", joint {location.limbs[0]} coming from either side" if len(location.limbs) == 1 else ""
         text = (
-            "Repeat a few poses, and record what may matter: time_s, temp_C, payload_kg and the direction in which "
-            "each joint last moved (approach1 ...)."
+            f"Repeat a few poses{from_both}, and record what may matter: time_s, temp_C, payload_kg and the direction "
+            "in which each joint last moved (approach1 ...)."
         )
         return _advice(why, text)
     region = location.region

@@ -99,15 +99,17 @@ def location_of(
                     share = max(n.share, channels.get(name, (0.0, 1.0))[0])
                     channels[name] = (share, chance.of(n.score))
     else:
-        total = float(np.nansum((at.residual / at.sigma) ** 2))
-        earning = [s for s in left if s.earned > 0]
+        total = float(np.nansum((np.delete(at.residual, at.gross, axis=0) / at.sigma) ** 2))
+        shows = any(s.earned > MARGIN for s in left) or alike(at)[1] > ALIKE
+        scatter = None if shows or wandering else scattering(at)
+        earning = [s for s in left if s.earned > 0] if scatter is None else []
         for s in earning:
             channels[s.channel] = (min(s.earned / total, 1.0), float(np.exp(-min(s.earned, 1400.0) / 2)))
         if earning:
             limbs, region = list(earning[0].limbs), earning[0].region
         if wandering:
             limbs, region = [joint for joint in wandering if joint], None
-        elif not earning and (scatter := scattering(at)):
+        elif scatter is not None:
             limbs = [scatter.joint]
     ordered = sorted(channels.items(), key=lambda kv: -kv[1][0])
     first = ordered[0][0] if ordered else None

@@ -16,7 +16,7 @@ from deltacal_gen.estimation.solvers import Factored
 from deltacal_gen.execution import content_key
 from deltacal_gen.files.robot import Robot, robot_to_dict
 from deltacal_gen.identification.accuracy import check_joints, without_motion
-from deltacal_gen.identification.prior import BROAD
+from deltacal_gen.identification.prior import with_prior
 from deltacal_gen.instrument.instrument import Instrument
 from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array
@@ -86,8 +86,7 @@ class Study:
         """The calibration of the plan's recording, read from the nominal machine without noise."""
         nominal = dataclasses.replace(self.robot, errors={})
         problem = pose_problem(nominal, simulate(nominal, self.poses), self.names)
-        prior = [self.robot.tolerance.get(n, BROAD * s) for n, s in zip(self.names, problem.scale, strict=True)]
-        return dataclasses.replace(problem, scale=np.array(prior))
+        return with_prior(problem, self.robot)[0]
 
     @cached_property
     def spread(self) -> Array:
