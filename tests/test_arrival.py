@@ -247,6 +247,29 @@ def test_a_reflector_of_which_the_robot_file_says_nothing_is_found_where_it_sits
 
 def test_a_tool_point_that_is_said_is_believed_as_other_parts_are(arm: Robot) -> None:
     readings = recorded(arm, wide(np.random.default_rng(2), 60, 1.2), size=0.1)
-    wrong = dataclasses.replace(arm, tool=arm.tool + [0.0, 200.0, 0.0])
+    wrong = dataclasses.replace(arm, tool=arm.tool + np.array([0.0, 200.0, 0.0]))
     [doubt] = identify(wrong, readings).answer().doubts or ()
     assert "ty by -" in doubt or "tx by" in doubt
+
+
+@pytest.mark.parametrize("declared", [True, False])
+def test_a_machine_of_other_lengths_is_fitted_and_told_instead_of_noise_of_millimetres(declared: bool) -> None:
+    """Rods a decimetre longer than drawn are less credible than such noise, to a fit whose noise is open."""
+    robot = machine()
+    readings = record(robot, errors={f"l_{limb}": 129.0 for limb in (1, 2, 3)}, declared=declared)
+    answer = identify(robot, readings).answer()
+    [doubt] = answer.doubts or ()
+    assert "l_1 by +129 mm" in doubt
+    assert answer.train_rms_mm < 0.02
+    found = diagnosis(robot, readings)
+    assert (found.verdict, found.effects, found.laws) == ("adequate", (), ())
+    assert "l_1 by +129 mm" in found.summary
+
+
+def test_no_other_machine_stands_for_physics_or_gross_errors() -> None:
+    robot = machine()
+    readings = record(robot, blank("joint_compliance", (1, 2, 3)).with_values(np.full((3, 1), 3e-5)), declared=True)
+    assert identify(robot, readings).answer().doubts is None
+    some = record(robot)
+    some.measured[::30] += 40.0
+    assert identify(robot, some).answer().doubts is None

@@ -291,3 +291,22 @@ def test_readings_without_noise_leave_nothing_but_what_was_concealed() -> None:
     found = dc.diagnose(ROBOT, record(ROBOT, *hidden, n=80, of=channels(80, "time", "temp"), sigma=0.0, declared=False))
     assert found.verdict == "missing_physics"
     assert {(e.name, e.limbs) for e in found.effects} == {("zero_drift", (1, 2)), ("thermal_zero", (3,))}
+
+
+def test_what_a_law_leaves_far_above_a_declared_noise_is_no_noise() -> None:
+    """The law holds, and something else is there that no function of what was recorded explains."""
+    exact = record(ROBOT, law("limb.rod = c1*tanh(tension_1/c2)", 2.0, 8.0), n=N, of=channels(N, *OF))
+    joints = exact.joints + 3e-4 * np.random.default_rng(4).standard_normal(exact.joints.shape)
+    moved = record(
+        ROBOT,
+        law("limb.rod = c1*tanh(tension_1/c2)", 2.0, 8.0),
+        n=N,
+        of=channels(N, *OF),
+        joints=np.degrees(joints),
+    )
+    found = dc.diagnose(ROBOT, dataclasses.replace(moved, joints=exact.joints))
+    assert found.laws[0].terms[0].target == "limb.rod"
+    assert found.final.chi2_per_dof > 10
+    assert found.verdict == "unexplained"
+    assert "is noise" not in found.summary
+    assert "a law that nobody has registered" in found.summary

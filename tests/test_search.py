@@ -16,7 +16,7 @@ from deltacal_gen.diagnosis.strategy import _exchanged, refitted, terms_of
 from deltacal_gen.estimation.fit import Fit, fit
 from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.solvers import Prior
-from deltacal_gen.identification.checks import strained
+from deltacal_gen.identification.drawing import strained
 from deltacal_gen.identification.together import deviance_of
 from deltacal_gen.machine.registry import load_mechanism
 from deltacal_gen.physics.terms import Term

@@ -273,7 +273,9 @@ def _summary(found: Diagnosed) -> str:
 def _alike(effects: Sequence[Named]) -> str:
     """Return what these poses cannot tell apart, how little speaks for what is named, and what decides."""
     told = [
-        f"{n.term.effect} from {' or '.join(n.alike)}" + (f" (odds {_odds(n.lead)} to 1 for it)" if n.rivals else "") for n in effects if n.alike
+        f"{n.term.effect} from {' or '.join(n.alike)}" + (f" (odds {_odds(n.lead)} to 1 for it)" if n.rivals else "")
+        for n in effects
+        if n.alike
     ]
     return f" These poses cannot tell {'; '.join(told)}: what to measure next decides." if told else ""
 

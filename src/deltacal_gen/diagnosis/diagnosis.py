@@ -54,8 +54,9 @@ from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.files.checks import check_units, set_aside
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.identification import checks
+from deltacal_gen.identification.drawing import ANOTHERS, as_read, doubts, strained
 from deltacal_gen.identification.folds import folds
-from deltacal_gen.identification.noise import Noise, doubted, noise
+from deltacal_gen.identification.noise import Noise, doubted, lack_of_fit, merely_more, noise
 from deltacal_gen.identification.prior import learned, with_prior
 from deltacal_gen.identification.together import as_predicts, deviance_of, together
 from deltacal_gen.machine.backend import by_recording
@@ -75,7 +76,6 @@ from deltacal_gen.results.parts import Missing
 MOST_POSES = 700  # that the search looks at, drawn at random: they show what is there; the fit uses all
 SEED = 2013
 MACHINED = 5.0  # standard deviation of a source error, in ordinary ones: geometry may not strain to imitate physics
-ANOTHERS = 0.1  # of what the drawn geometry leaves: one that leaves less is the machine, whatever physics is beside it
 SHORT = 2.0  # times the noise: a held-out error beyond it says that the geometry itself is hardly known
 
 
@@ -156,6 +156,8 @@ def diagnose(
     baseline, current, spectrum = _of_all(problem, first, search.fit, spectrum)
     search = _without_refuted(some, search, current)
     current = _as_is_known(problem, current, lawful)
+    # a law may hold, and much be left beside it
+    unexplained |= bool(lawful) and lack_of_fit(current, recording) and not merely_more(current, recording)
     heldout = (before, after if spectrum is None else spectrum.heldout[1])
     known = noise(current, recording) if unexplained else doubted(noise(current, recording), current)
     named = named_of(search, current, heldout, known.sigma, spectrum)
@@ -264,7 +266,10 @@ def _begun(robot: Robot, recording: Recording, model: str | None, progress: Prog
     is looked for beside the drawing, which stands where less is left.
     """
     drawn = _beside(robot, recording, model)
-    if not checks.strained(drawn.first) or not (doubt := checks.doubts(wanted := _as_drawn(drawn.some, drawn.first))):
+    wanted = _as_drawn(drawn.some, drawn.first) if strained(drawn.first) else None
+    if not drawn.lean:
+        wanted = as_read(wanted or drawn.first) or wanted
+    if wanted is None or not (doubt := doubts(wanted)):
         return _searched(drawn, progress), ()
     other = _searched(_beside(_calibrated(robot, wanted), recording, model), progress)
     explained = not (other.white.search.effects or other.white.unexplained)
@@ -272,7 +277,7 @@ def _begun(robot: Robot, recording: Recording, model: str | None, progress: Prog
         return other, doubt
     begun = _searched(drawn, progress)
     kept, instead = begun.white.search.fit, other.white.search.fit
-    return (begun, ()) if kept.sigma[0] < instead.sigma[0] and not checks.strained(kept) else (other, doubt)
+    return (begun, ()) if kept.sigma[0] < instead.sigma[0] and not strained(kept) else (other, doubt)
 
 
 def _beside(robot: Robot, recording: Recording, model: str | None) -> _Drawn:

@@ -94,9 +94,10 @@ class Fit:
 
     @property
     def gross(self) -> np.ndarray:
-        """Readings (indices) so far off that they are gross errors, not noise."""
+        """Readings (indices) so far off that they are gross errors, not noise: of few others are wrong, not of most."""
         size = np.nanmax(np.abs(self.repeats.off(self.residual)) / self.sigma, axis=1)
-        return np.flatnonzero(size > GROSS)
+        off = np.flatnonzero(size > GROSS)
+        return off if 2 * len(off) <= len(size) else off[:0]
 
     def rms(self) -> float:
         """RMS of the residuals of length, each measured scalar once, gross errors left out [mm]."""

@@ -11,7 +11,8 @@ from deltacal_gen.estimation.fit import Fit
 from deltacal_gen.files.robot import kept_robot
 from deltacal_gen.identification import identifiability
 from deltacal_gen.identification.accuracy import distance_error, largest, volumetric_error
-from deltacal_gen.identification.checks import copied, doubts
+from deltacal_gen.identification.checks import copied
+from deltacal_gen.identification.drawing import doubts
 from deltacal_gen.identification.identifiability import Combination
 from deltacal_gen.identification.noise import coordinate_sigma, freedom
 from deltacal_gen.identification.prior import BROAD, share_of_data

@@ -13,12 +13,11 @@ from deltacal_gen.estimation.fit import SPARE_READINGS, Fit, rough
 from deltacal_gen.estimation.problem import Problem
 from deltacal_gen.estimation.residuals import lengths
 from deltacal_gen.files.robot import robot_size
-from deltacal_gen.identification.prior import with_prior
 from deltacal_gen.instrument.kinds import kind_of, mounts
 from deltacal_gen.machine.registry import Array, Machine
 from deltacal_gen.machine.values import Recording
 from deltacal_gen.physics.body import Body
-from deltacal_gen.units import DEG, file_unit, to_internal
+from deltacal_gen.units import DEG
 
 SPARE = 1.15  # scalar readings per unknown below which a model is not chosen unasked: firmware fits 6 to 7 heights
 SPARE_HEIGHTS = 1  # of probed heights and printed distances, whose noise is roughly known
@@ -29,9 +28,7 @@ POSES_LOOKED_AT, SEED = 60, 2021  # poses, drawn at random, on which mistakes ar
 NEARER = 0.5  # of the error: a mistake that brings less is not fitted
 MOST_FITTED = 4
 EXPLAINED = 0.1  # of the error: what a mistake may leave that explains it
-ANOTHER = 1e-9  # chance that a machine which is as it is known is so far off
 FEWEST_COPIES = 5  # rows: fewer may agree in every digit that was written
-FARTHEST = 3  # parameters that are told of it
 ELSEWHERE = 45 * DEG  # of an encoder offset: it is nearer to a quarter of a turn than to a joint that was homed badly
 
 
@@ -221,29 +218,6 @@ def _of_these_joints(first: Fit, off: float) -> None:
         )
 
 
-def doubts(at: Fit) -> tuple[str, ...]:
-    """Return why a fitted machine may be another one than the robot file's: it is farther off than drawings leave open.
-
-    What the drawing leaves open is the robot file's tolerance, or ten ordinary errors.
-    """
-    drawn = with_prior(at.problem.with_names(at.problem.names), at.problem.robot)[0]
-    if not strained(as_drawn := dataclasses.replace(at, problem=drawn)):
-        return ()
-    moved, off = _departure(as_drawn)
-    order = np.argsort(-np.abs(off))[:FARTHEST]
-    kinds = [drawn.mechanism.parameters[drawn.mechanism.index[drawn.names[k]]] for k in order]
-    told = (
-        f"{p.name} by {moved[k] / to_internal(p.unit):+.3g} {file_unit(p.unit)} "
-        f"where {drawn.scale[k] / to_internal(p.unit):.2g} is much"
-        for p, k in zip(kinds, order, strict=True)
-        if 2 * abs(off[k]) > abs(off[order[0]])
-    )
-    return (
-        f"these readings want a machine that is farther from the robot file than parts are off: {'; '.join(told)}. "
-        "Compare the file's dimensions with the machine; where they are rough, say how rough ([tolerance]).",
-    )
-
-
 def copied(recording: Recording) -> tuple[str, ...]:
     """Return that rows are copies of others: the same in every number, which noise and clocks leave no repeat.
 
@@ -266,27 +240,6 @@ def copied(recording: Recording) -> tuple[str, ...]:
         "measurement differ by its noise. They claim more than was measured, and the deviations are too small: leave "
         "the copies out.",
     )
-
-
-def strained(at: Fit) -> bool:
-    """Tell whether a fitted machine is farther from the robot file than what the fit takes as known makes credible.
-
-    What readings do not determine stays as it was known, so the departure is the least that explains them: of a
-    machine that is one of those, the sum of its squares in standard deviations is below chi2 of as many parameters.
-    """
-    _, off = _departure(at)
-    if off @ off <= len(off):
-        return False  # as far as is usual: most are, and need no distribution
-    from scipy.special import chdtrc  # a fifth of a second, of which an ordinary calibration has no need
-
-    return bool(chdtrc(len(off), float(off @ off)) < ANOTHER)
-
-
-def _departure(at: Fit) -> tuple[Array, Array]:
-    """Return how far parameters are from the robot file [mm, rad], and that in standard deviations beforehand."""
-    problem, n = at.problem, len(at.problem.names)
-    moved = (at.errors - problem.reference)[problem.columns[:n]]
-    return moved, moved / problem.scale[:n]
 
 
 def _typical(residual: Array, at: Fit) -> float:

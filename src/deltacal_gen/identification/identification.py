@@ -23,6 +23,7 @@ from deltacal_gen.files.robot import Robot, for_model
 from deltacal_gen.identification import carried, identifiability
 from deltacal_gen.identification.answer import result_of
 from deltacal_gen.identification.checks import check_rows, chosen_model, distinct, plausible
+from deltacal_gen.identification.drawing import as_read
 from deltacal_gen.identification.folds import FOLDS, folds
 from deltacal_gen.identification.identifiability import Combination
 from deltacal_gen.identification.knowledge import uncertainty_of
@@ -168,6 +169,8 @@ def identify(
     check_rows(first, recording)
     progress(f"fine stage: {len(names)} parameters of {chosen}")
     final = fit(problem, rule, errors=first.errors, machine=first.machine, instrument=first.instrument, robust=robust)
+    if isinstance(rule, Prior) and (another := as_read(final, robust=robust)) is not None:
+        final, problem = another, another.problem
     progress(f"held-out error: {FOLDS} folds")
     final, heldout = _held_out(final, rule, robust)
     progress("identifiability")

@@ -209,7 +209,7 @@ def diagnose(
 def show_diagnosis(found: Diagnosis) -> None:
     from deltacal_gen.results.shown import rounded
 
-    screen.print(f"[bold]{found.verdict.replace('_', ' ')}[/bold]: {found.summary}")
+    screen.print(f"[bold]{found.verdict.replace('_', ' ')}[/bold]: {escaped(found.summary)}")
     if found.effects:
         table = Table("effect", "limb", "parameter", "value", "std", "unit")
         for effect in found.effects:

@@ -1,0 +1,99 @@
+"""Whether the robot file draws the machine that was read, or another one."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+
+from deltacal_gen.errors import NoSolutionError
+from deltacal_gen.estimation.fit import Fit, fit
+from deltacal_gen.estimation.solvers import Prior
+from deltacal_gen.files.robot import robot_size
+from deltacal_gen.identification.noise import coordinate_sigma, noise
+from deltacal_gen.identification.prior import with_prior
+from deltacal_gen.machine.registry import Array
+from deltacal_gen.results.parts import Source
+from deltacal_gen.units import file_unit, to_internal
+
+ANOTHER = 1e-9  # chance that a machine which is as it is known is so far off
+ANOTHERS = 0.1  # of what the drawn machine leaves: one that leaves less is the machine that was read
+FARTHEST = 3  # parameters that are told of it
+WIDER = 10.0  # times what drawings leave open, where another machine is looked for
+ABOVE_NOISE, ABOVE_SIZE = 10.0, 1e-3  # of the noise, or of the machine where noise is not known: what asks for it
+SPARE = 2.0  # scalars to a parameter, with fewer of which any machine explains them
+
+
+def as_read(at: Fit, *, robust: bool = True) -> Fit | None:
+    """Return the fit of a machine far from the robot file that explains ten times as much; None where there is none.
+
+    A rod that is a decimetre longer than drawn is so incredible that a fit whose noise is open believes in noise of
+    centimetres instead. Readings whose noise is known, or that leave what no stiff machine does, are asked whether
+    another machine gives them.
+    """
+    problem, count = at.problem, len(at.problem.names)
+    if problem.readings.kind.sees_joints or problem.readings.n_scalars < SPARE * count or not count:
+        return None
+    known, left = noise(at, problem.recording), coordinate_sigma(at)
+    size = robot_size(problem.robot)
+    if left < (ABOVE_SIZE * size if known.source is Source.RESIDUAL else ABOVE_NOISE * known.sigma):
+        return None
+    drawn, said = with_prior(problem.with_names(problem.names), problem.robot)
+    scale = problem.scale.copy()
+    scale[:count] = drawn.scale[:count] * np.where(said, 1.0, WIDER)
+    try:
+        other = fit(
+            dataclasses.replace(problem, scale=scale),
+            Prior(),
+            errors=at.errors,
+            instrument=at.instrument,
+            robust=robust,
+            must_converge=False,
+        )
+    except NoSolutionError:
+        return None
+    return other if other.rms() < ANOTHERS * at.rms() else None
+
+
+def doubts(at: Fit) -> tuple[str, ...]:
+    """Return why a fitted machine may be another one than the robot file's: it is farther off than drawings leave open.
+
+    What the drawing leaves open is the robot file's tolerance, or ten ordinary errors.
+    """
+    drawn = with_prior(at.problem.with_names(at.problem.names), at.problem.robot)[0]
+    if not strained(as_drawn := dataclasses.replace(at, problem=drawn)):
+        return ()
+    moved, off = _departure(as_drawn)
+    order = np.argsort(-np.abs(off))[:FARTHEST]
+    kinds = [drawn.mechanism.parameters[drawn.mechanism.index[drawn.names[k]]] for k in order]
+    told = (
+        f"{p.name} by {moved[k] / to_internal(p.unit):+.3g} {file_unit(p.unit)} "
+        f"where {drawn.scale[k] / to_internal(p.unit):.2g} is much"
+        for p, k in zip(kinds, order, strict=True)
+        if 2 * abs(off[k]) > abs(off[order[0]])
+    )
+    return (
+        f"these readings want a machine that is farther from the robot file than parts are off: {'; '.join(told)}. "
+        "Compare the file's dimensions with the machine; where they are rough, say how rough ([tolerance]).",
+    )
+
+
+def strained(at: Fit) -> bool:
+    """Tell whether a fitted machine is farther from the robot file than what the fit takes as known makes credible.
+
+    What readings do not determine stays as it was known, so the departure is the least that explains them: of a
+    machine that is one of those, the sum of its squares in standard deviations is below chi2 of as many parameters.
+    """
+    _, off = _departure(at)
+    if off @ off <= len(off):
+        return False  # as far as is usual: most are, and need no distribution
+    from scipy.special import chdtrc  # a fifth of a second, of which an ordinary calibration has no need
+
+    return bool(chdtrc(len(off), float(off @ off)) < ANOTHER)
+
+
+def _departure(at: Fit) -> tuple[Array, Array]:
+    """Return how far parameters are from the robot file [mm, rad], and that in standard deviations beforehand."""
+    problem, n = at.problem, len(at.problem.names)
+    moved = (at.errors - problem.reference)[problem.columns[:n]]
+    return moved, moved / problem.scale[:n]
