@@ -204,6 +204,12 @@ def _jobs_of_kinds() -> Iterator[Job]:
         )
     torque = ("simulate", "{torque.robot.toml}", "{torque.poses.csv}", "--truth", "{torque.truth.toml}")
     yield Job((*torque, "-o", "{out.csv}"), ("torque.truth.toml", "torque.truth.toml", "torque.poses.csv"))
+    study = ("study", "{torque.robot.toml}", "--plan", "{torque.poses.csv}", "--suspect", "{torque.truth.toml}")
+    few = ("--noise", "0.01", "--trials", "2", "--diagnoses", "1", "--workers", "1")
+    yield Job(
+        (*study, *few, "-o", "{out.json}", "--report", "{out.html}"),
+        ("torque.robot.toml", "torque.poses.csv", "torque.poses.toml", "torque.truth.toml"),
+    )
     for command in ("predict", "validate"):
         arguments = (command, "{torque.diagnosis.json}", "{torque.recording.csv}")
         written = ("-o", "{out.csv}") if command == "predict" else ()
