@@ -80,9 +80,17 @@ def supported(mechanism: LimbMechanism) -> bool:
 
 
 def rotation_steps(mechanism: LimbMechanism) -> dict[sp.Symbol, tuple[int, int]]:
-    """Return the steps that are the entries of the platform's rotation matrix."""
-    entries = list(cayley(_rotation(mechanism)))
-    return {s: divmod(entries.index(e), 3) for s, e in mechanism.steps if e in entries and e.free_symbols}
+    """Return the steps that are the entries of the platform's rotation matrix; in a plane two of them are alike."""
+    entries: dict[sp.Expr, list[tuple[int, int]]] = {}
+    for n, e in enumerate(cayley(_rotation(mechanism))):
+        entries.setdefault(e, []).append(divmod(n, 3))
+    return {s: entries[e].pop(0) for s, e in mechanism.steps if entries.get(e) and e.free_symbols}
+
+
+def rotation_of(mechanism: LimbMechanism) -> sp.Matrix:
+    """Return the platform's rotation matrix by the steps that are its entries, 0 of those that are none."""
+    named = {at: s for s, at in rotation_steps(mechanism).items()}
+    return sp.Matrix(3, 3, lambda r, c: named.get((r, c), 0))
 
 
 def _rotation(mechanism: LimbMechanism) -> sp.Matrix:
@@ -111,9 +119,7 @@ def turn_by_change(mechanism: LimbMechanism) -> list[sp.Expr]:
 def _rates(mechanism: LimbMechanism, start: Mapping[sp.Symbol, sp.Expr], turn: int | None) -> list[sp.Expr]:
     """Return the rates of the closures, rod by rod, along a direction, forwards through the steps."""
     entries = rotation_steps(mechanism)
-    named = {at: s for s, at in entries.items()}
-    R = sp.Matrix(3, 3, lambda r, c: named.get((r, c), 0))
-    spun = skew(sp.eye(3)[:, turn]) * R if turn is not None else sp.zeros(3, 3)
+    spun = skew(sp.eye(3)[:, turn]) * rotation_of(mechanism) if turn is not None else sp.zeros(3, 3)
     known = dict(start)
     for symbol, expr in mechanism.steps:
         rate = spun[entries[symbol]] if turn is not None and symbol in entries else _rate(expr, known)

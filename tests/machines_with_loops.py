@@ -14,11 +14,13 @@ from deltacal_gen.machine.registry import load_mechanism, mechanism_of
 from deltacal_gen.machine.values import Robot
 from tests.every_effect import PRINTER, machines
 
-GRAVITY = {"diamond": (0.0, -9.81, 0.0)}  # where it is not along z
+PLANAR = ("diamond", "planar_parallelogram")
+GRAVITY = dict.fromkeys(PLANAR, (0.0, -9.81, 0.0))  # where it is not along z
 REACH = {  # centre and half widths of a part of the workspace [mm]
     "delta": ((0.0, 0.0, -853.0), (250.0, 250.0, 100.0)),
     "diamond": ((0.0, -710.0, 0.0), (200.0, 60.0, 0.0)),
     "linear_delta": ((0.0, 0.0, 60.0), (50.0, 50.0, 40.0)),
+    "planar_parallelogram": ((0.0, -930.0, 0.0), (300.0, 0.0, 0.0)),
     "robotennis": ((0.0, 0.0, 900.0), (200.0, 200.0, 60.0)),
 }
 REACH["complete_delta"] = REACH["delta"]
@@ -37,7 +39,7 @@ def machine(name: str) -> Robot:
     masses = MASSES.model_copy(update={"gravity": GRAVITY.get(name, (0.0, 0.0, -9.81))})
     rng = np.random.default_rng(3)
     errors = {p.name: 0.3 * p.typical * float(rng.standard_normal()) for p in load_mechanism(name).parameters}
-    tool = np.array([20.0, -15.0, 0.0 if name == "diamond" else -30.0])
+    tool = np.array([20.0, -15.0, 0.0 if name in PLANAR else -30.0])
     return dataclasses.replace(robot, mechanism=name, masses=masses, errors=errors, tool=tool)
 
 

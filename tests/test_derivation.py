@@ -22,7 +22,7 @@ import deltacal_gen as dc
 from deltacal_gen.app import commands
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.instrument.kinds import kind_of
-from deltacal_gen.machine.registry import mechanism_names, mechanism_of
+from deltacal_gen.machine.registry import load_mechanism, mechanism_names, mechanism_of
 from deltacal_gen.pages import ledger
 from deltacal_gen.physics.terms import effect_names
 from derive import registry
@@ -201,10 +201,12 @@ def test_a_coupled_chain_has_no_null_space_in_closed_form() -> None:
     assert null_spaces_of_chain(chain(), links, list(robot.tool), mechanism_of(robot).models) is None
 
 
-def test_effects_that_read_loads_need_weights() -> None:
+def test_effects_that_read_loads_need_weights(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("joint_compliance", "payload_deflection"):
+        assert applies(name, "planar_parallelogram") == applies(name, "serial") == []
+    monkeypatch.setitem(vars(load_mechanism("planar_parallelogram")), "weighs", False)
     for name in ("joint_compliance", "payload_deflection"):
         assert applies(name, "planar_parallelogram") == ["weights"]
-        assert applies(name, "serial") == []
 
 
 def test_a_root_of_another_kind_leaves_the_null_space_to_numbers() -> None:

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from importlib import resources
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 from deltacal_gen.errors import UsageError
-from deltacal_gen.files.robot import read_robot
-from deltacal_gen.machine.dynamics import Dynamics, dynamics_of
-from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.machine import dynamics as dynamics_module
+from deltacal_gen.machine.dynamics import Dynamics, dynamics_of, known
+from deltacal_gen.machine.registry import mechanism_names, mechanism_of
 from tests import independent_dynamics
 from tests.every_effect import ARM, LIFT, chain, robot_from_dict
 
@@ -131,10 +129,12 @@ def test_what_a_file_states_of_a_link() -> None:
     assert second == pytest.approx([2.0, 0.0, 20.0, 0.0, 201.0, 2.0, 203.0, 0.1, 0.2, 0.3])
 
 
-def test_machines_without_dynamics_are_refused() -> None:
-    plain = Path(str(resources.files("deltacal_gen") / "examples/planar_parallelogram/robot.toml"))
-    with pytest.raises(UsageError, match=r"of planar_parallelogram are not derived; those of .*delta, .*serial"):
-        dynamics_of(read_robot(plain))
+def test_machines_without_dynamics_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As those that somebody adds without bodies; of all that the package has they are derived."""
+    assert set(known()) == set(mechanism_names())
+    monkeypatch.setattr(dynamics_module, "_found", lambda name: name == "delta")
+    with pytest.raises(UsageError, match="the dynamics of serial are not derived; those of delta are"):
+        dynamics_of(chain(ARM))
 
 
 def test_a_motion_of_another_shape_is_refused() -> None:

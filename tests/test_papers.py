@@ -138,10 +138,10 @@ def test_what_newton_starts_from_closes(name: str) -> None:
         """Evaluate the steps that can be."""
         known.update({s: float(e.subs(known)) for s, e in mechanism.steps if e.free_symbols <= known.keys()})
 
-    go_on(), go_on()
+    go_on(), go_on()  # twice: steps of steps
     platform = {s: seed for s, seed in mechanism.seeds.items() if s != mechanism.joint.symbol}
     known |= {s: float(sp.sympify(seed).subs(known)) for s, seed in platform.items()}
-    go_on(), go_on()
+    go_on(), go_on(), go_on()
     for closure in mechanism.loop_closure:
         assert float(closure.subs(known)) == pytest.approx(0.0, abs=1e-6)
 

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from derive.backends.ir import Place
-from derive.blocks import LANES, Blocks, equations_of, lane, rotation_steps, turning_axes
+from derive.blocks import LANES, Blocks, equations_of, lane, rotation_of, rotation_steps, turning_axes
 from derive.graph import Graph
 from derive.mathematics.bodies import MM
 from derive.mathematics.functions import Functions, Inputs, entries
@@ -89,8 +89,7 @@ class _Moving:
     def __init__(self, mechanism: LimbMechanism, layout: Blocks) -> None:
         self.mechanism, self.layout = mechanism, layout
         self._turned = rotation_steps(mechanism)
-        named = {at: s for s, at in self._turned.items()}
-        self._R = sp.Matrix(3, 3, lambda r, c: named.get((r, c), 0))
+        self._R = rotation_of(mechanism)
         self.shifts = [q.symbol for q in mechanism.platform if q.name[0] == "p"]
         self.turns = turning_axes(mechanism)
         self.twist = [sp.Symbol(f"v_{s}", real=True) for s in self.shifts]

@@ -19,12 +19,16 @@ from functools import partial
 
 import sympy as sp
 
-from derive.spec import GeometryKey, LimbMechanism, Quantity
+from derive.masses import of_arm, of_platform, of_rods
+from derive.spec import GeometryKey, LimbMechanism, Quantity, Weight
 from derive.steps import Derivation
 from derive.vectors import Algebra, angle, vector
 
 px, py, cz, q, tx, ty, tz = sp.symbols("px py cz q tx ty tz", real=True)
 a1x, a2x, a2y, b1x, b2x, b2y, l1, l2, h = sp.symbols("a1x a2x a2y b1x b2x b2y l1 l2 h", real=True)
+proximal, proximal_com, distal_rod, body, payload = sp.symbols(
+    "proximal proximal_com distal_rod platform payload", real=True
+)
 q0, da1x, da2x, da2y, db1x, db2x, db2y, dl1, dl2 = sp.symbols("q0 da1x da2x da2y db1x db2x db2y dl1 dl2", real=True)
 
 
@@ -77,9 +81,12 @@ MACHINE = partial(  # what no rotation enters
     ),
     deflections=(),
     small=(),
-    masses=(),
-    limb_weights=(),
-    platform_weights=(),
+    masses=(
+        Quantity(proximal, "1", "mass of the driven rod [kg]"),
+        Quantity(proximal_com, "1", "its centre of mass, as a part of l1 from A_1"),
+        Quantity(distal_rod, "1", "mass of the other rod [kg], half at either end"),
+        Quantity(body, "1", "mass of the platform [kg], h below O_p: where the tool point counts from"),
+    ),
     elbow=+1,
     assembly=+1,
     roles={"L": l1, "l": l2, "b": (a1x + a2x) / 2},
@@ -89,6 +96,7 @@ MACHINE = partial(  # what no rotation enters
         "rod": {"l2": sp.Integer(1)},
         "outwards": {"a1x": sp.Integer(1), "a2x": sp.Integer(1)},
     },
+    limb_inertia=proximal * l1**2 / 12,  # a slender rod
     models={
         "planar_parallelogram/9": ("q0", "a1x", "a2x", "a2y", "b1x", "b2x", "b2y", "l1", "l2"),
     },
@@ -108,7 +116,7 @@ def mechanism(v: Algebra) -> LimbMechanism:
     length_1, length_2 = l1 + dl1, l2 + dl2
     rod_1 = step("r1", length_1 * vector(sp.sin(q + q0), -sp.cos(q + q0), 0))
 
-    P, R = vector(px, py, 0), v.cayley(vector(0, 0, cz))
+    P, R = vector(px, py, 0), step("R", v.cayley(vector(0, 0, cz)))
     B_1, B_2 = step("B1", P + R * (b_1 - C)), step("B2", P + R * (b_2 - C))
     driven, other = B_1 - A_1 - rod_1, step("r2", B_2 - A_2)
 
@@ -123,6 +131,17 @@ def mechanism(v: Algebra) -> LimbMechanism:
     return MACHINE(
         steps=steps,
         loop_closure=(driven[0], driven[1], (other.dot(other) - length_2**2) / 2),
+        limb_inertials=(
+            *of_arm(A_1, rod_1 / length_1, length_1, l1),
+            of_rods([(A_2, B_2)], "mass of the rod that is not driven"),
+        ),
+        platform_inertials=of_platform(P - R * vector(tx, ty, 0), P),
+        limb_weights=(
+            Weight(proximal, A_1 + proximal_com * rod_1),
+            Weight(distal_rod / 2, A_2),
+            Weight(distal_rod / 2, B_2),
+        ),
+        platform_weights=(Weight(body, P - R * vector(tx, ty, 0)), Weight(payload, P)),
         seeds={
             px: at_C[0],
             py: at_C[1],

@@ -13,9 +13,28 @@ from functools import partial
 
 import sympy as sp
 
+from derive.masses import of_arm, of_platform, of_rods
 from derive.mechanisms import planar_parallelogram as complete
-from derive.mechanisms.planar_parallelogram import a1x, b1x, cz, dl1, h, l1, px, py, q, q0, tx, ty
-from derive.spec import LimbMechanism, Quantity
+from derive.mechanisms.planar_parallelogram import (
+    a1x,
+    b1x,
+    body,
+    cz,
+    distal_rod,
+    dl1,
+    h,
+    l1,
+    payload,
+    proximal,
+    proximal_com,
+    px,
+    py,
+    q,
+    q0,
+    tx,
+    ty,
+)
+from derive.spec import LimbMechanism, Quantity, Weight
 from derive.steps import Derivation
 from derive.vectors import Algebra, vector
 
@@ -51,5 +70,16 @@ def mechanism(v: Algebra) -> LimbMechanism:
     return MACHINE(
         steps=steps,
         loop_closure=(C[0] - B[0], C[1] - B[1], cz),
+        limb_inertials=(
+            *of_arm(A, rod / (l1 + dl1), l1 + dl1, l1),
+            of_rods([(A, B)], "mass of the rod that is not driven, which goes as the other"),
+        ),
+        platform_inertials=of_platform(vector(px - tx, py - ty, 0), vector(px, py, 0)),
+        limb_weights=(
+            Weight(proximal, A + proximal_com * rod),
+            Weight(distal_rod / 2, A),
+            Weight(distal_rod / 2, B),
+        ),
+        platform_weights=(Weight(body, vector(px - tx, py - ty, 0)), Weight(payload, vector(px, py, 0))),
         seeds={px: x, py: y, cz: sp.Integer(0), q: sp.asin((px + a1x - b1x - tx) / (l1 + dl1)) - q0},  # eq. (35)
     )

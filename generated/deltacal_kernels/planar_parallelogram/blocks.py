@@ -1,7 +1,7 @@
 """Poses side by side: `planar_parallelogram`, Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/blocks.py.jinja; sha256 of both 68dd274710715bff; SymPy 1.14.0.
+Template templates/mechanism/blocks.py.jinja; sha256 of both 17717a6ed66f9a80; SymPy 1.14.0.
 
 The other modules of many poses take them in blocks, and compute with lane arrays, one number a pose, which all lie in one
 array w: first a region for every limb, then what the limbs share. Here a block of what is given is put there.
@@ -10,7 +10,7 @@ array w: first a region for every limb, then what the limbs share. Here a block 
 from deltacal_kernels.straight import straight
 
 LANES = 32  # poses of a block
-WORK = 2624  # numbers that a block computes with
+WORK = 2752  # numbers that a block computes with
 SPARE = 216  # and that the last of its poses are written to
 
 

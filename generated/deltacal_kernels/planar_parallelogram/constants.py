@@ -1,7 +1,7 @@
 """What no pose changes: `planar_parallelogram`, many machines at once, Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both 40195f7cb1a55c17; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both 883e9a22a1817560; SymPy 1.14.0.
 
 p (M, 1, 18) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
 """
@@ -45,9 +45,9 @@ def _fill_constants(p, k, rows):
         b2_x = b2x + db2x
         b2_y = b2y + db2y
         s7 = dl1 + l1
-        s67 = dl2 + l2
-        s69 = -0.5*(s67 * s67)
-        s101 = -s67
+        s69 = dl2 + l2
+        s71 = -0.5*(s69 * s69)
+        s101 = -s69
         s102 = (1.0 / s7)
         s103 = -A1_x + b1_x
         s108 = (1.0 / (s7 * s7))
@@ -84,7 +84,7 @@ def _fill_constants(p, k, rows):
         k[28 * lane + 6] = A2_x
         k[28 * lane + 7] = A2_y
         k[28 * lane + 8] = A1_x
-        k[28 * lane + 9] = s69
+        k[28 * lane + 9] = s71
         k[28 * lane + 10] = s103
         k[28 * lane + 11] = s102
         k[28 * lane + 12] = s108

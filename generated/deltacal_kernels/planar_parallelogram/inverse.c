@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/inverse.c.jinja; sha256 of both 846000c0b027a90b; SymPy 1.14.0.
+ * Template templates/mechanism/inverse.c.jinja; sha256 of both 831be80d9ac845b6; SymPy 1.14.0.
  *
  * The exact compensator: inverse position of the calibrated machine, by Newton on joints and platform rotation.
  * An export puts the machine's numbers before this text: DELTACAL_K[1][26], DELTACAL_TOOL[3],
@@ -21,7 +21,7 @@ int deltacal_compensate(const double target_mm[1], double joints_deg[1]);
 #define STEP_DONE 3e-8 /* rad; after such a step a command is exact to its square */
 #define STEP_LOST 1e5 /* rad; a step of this size leads nowhere */
 
-/* Per rod of one limb: closure, its derivatives by the platform, by the joint (102 operations). */
+/* Per rod of one limb: closure, its derivatives by the platform, by the joint (101 operations). */
 static void newton(const double *x, double q, const double *tool, const double *k, double *out)
 {
     const double px = x[0];
@@ -38,7 +38,7 @@ static void newton(const double *x, double q, const double *tool, const double *
     const double A2_x = k[6];
     const double A2_y = k[7];
     const double A1_x = k[8];
-    const double s69 = k[9];
+    const double s71 = k[9];
     const double C_y = -h + ty;
     const double s8 = q + q0;
     const double r1_x = s7*sin(s8);
@@ -46,45 +46,51 @@ static void newton(const double *x, double q, const double *tool, const double *
     const double s13 = (cz * cz);
     const double s15 = (1.0/4.0)*s13 + 1;
     const double s16 = 1.0/s15;
-    const double s18 = -1.0/2.0*s13*s16 + 1;
-    const double s19 = b1_x - tx;
-    const double B1_x = C_y*cz*s16 + px + s18*s19;
-    const double B1_y = -C_y*s18 + cz*s16*s19 + py;
-    const double s26 = b2_x - tx;
-    const double s28 = -C_y + b2_y;
-    const double B2_x = -cz*s16*s28 + px + s18*s26;
-    const double B2_y = cz*s16*s26 + py + s18*s28;
+    const double s17 = -1.0/2.0*s13*s16;
+    const double R_11 = s17 + 1;
+    const double R_12 = -cz*s16;
+    const double R_21 = cz*s16;
+    const double R_22 = s17 + 1;
+    const double s22 = b1_x - tx;
+    const double B1_x = -C_y*R_12 + R_11*s22 + px;
+    const double B1_y = -C_y*R_22 + R_21*s22 + py;
+    const double s29 = b2_x - tx;
+    const double s31 = -C_y + b2_y;
+    const double B2_x = R_11*s29 + R_12*s31 + px;
+    const double B2_y = R_21*s29 + R_22*s31 + py;
     const double r2_x = -A2_x + B2_x;
     const double r2_y = -A2_y + B2_y;
-    const double s36 = -A1_x + B1_x - r1_x;
-    const double s40 = -1.0/2.0*s16;
-    const double s41 = -1.0/2.0*s13;
-    const double s45 = (1.0 / (s15 * s15));
-    const double s49 = 2*cz;
-    const double s51 = C_y*s16 + s49*(s19*s40 - 1.0/4.0*s45*(C_y*cz + s19*s41));
-    const double s52 = B1_y - r1_y;
-    const double s62 = s16*s19 + s49*(-C_y*s40 - 1.0/4.0*s45*(-C_y*s41 + cz*s19));
-    const double s70 = (1.0/2.0)*(r2_x * r2_x) + (1.0/2.0)*(r2_y * r2_y) + s69;
-    const double s71 = 2*r2_y;
-    const double s72 = (1.0/2.0)*s71;
-    const double s73 = 2*r2_x;
+    const double s39 = -A1_x + B1_x - r1_x;
+    const double s42 = -1.0/2.0*s16;
+    const double s43 = -1.0/2.0*s13;
+    const double s47 = (1.0 / (s15 * s15));
+    const double s51 = 2*cz;
+    const double s53 = C_y*s16 + s51*(s22*s42 - 1.0/4.0*s47*(C_y*cz + s22*s43));
+    const double s54 = B1_y - r1_y;
+    const double s64 = s16*s22 + s51*(-C_y*s42 - 1.0/4.0*s47*(-C_y*s43 + cz*s22));
+    const double s72 = (1.0/2.0)*(r2_x * r2_x) + (1.0/2.0)*(r2_y * r2_y) + s71;
+    const double s73 = 2*r2_y;
     const double s74 = (1.0/2.0)*s73;
-    const double s91 = s26*s74 + s28*s72;
-    const double s98 = s49*(s40*s91 - 1.0/4.0*s45*(cz*s26*s72 - cz*s28*s74 + s41*s91));
-    const double s99 = s16*s26*s72 - s16*s28*s74 + s98;
-    out[0] = s36;
+    const double s75 = 2*r2_x;
+    const double s76 = (1.0/2.0)*s75;
+    const double s79 = s29*s74;
+    const double s81 = s31*s76;
+    const double s91 = s29*s76 + s31*s74;
+    const double s98 = s51*(s42*s91 - 1.0/4.0*s47*(cz*s79 - cz*s81 + s43*s91));
+    const double s99 = s16*s79 - s16*s81 + s98;
+    out[0] = s39;
     out[1] = 1;
     out[2] = 0;
-    out[3] = s51;
+    out[3] = s53;
     out[4] = r1_y;
-    out[5] = s52;
+    out[5] = s54;
     out[6] = 0;
     out[7] = 1;
-    out[8] = s62;
+    out[8] = s64;
     out[9] = -r1_x;
-    out[10] = s70;
-    out[11] = s74;
-    out[12] = s72;
+    out[10] = s72;
+    out[11] = s76;
+    out[12] = s74;
     out[13] = s99;
     out[14] = 0;
 }

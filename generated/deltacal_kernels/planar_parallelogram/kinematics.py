@@ -1,7 +1,7 @@
 """Kinematics of `planar_parallelogram`, many poses at once: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 676bbbfbea4a3937; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both 20fe2b9be2996c23; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 
@@ -65,9 +65,9 @@ def _early(w, k, n):
         s8 = q + q0
         r1_x = s7*sine(s8)
         r1_y = -s7*cosine(s8)
-        s19 = b1_x - tx
-        s26 = b2_x - tx
-        s28 = -C_y + b2_y
+        s22 = b1_x - tx
+        s29 = b2_x - tx
+        s31 = -C_y + b2_y
         s185 = r1_x*s116 + r1_y*s130 + r1_y*s134 + s124
         s190 = r1_x*s130 + r1_x*s134 - r1_y*s116 + s138
         s198 = (r1_x * r1_x) + r1_x*s153 + r1_x*s156 + (r1_y * r1_y) + r1_y*s195 + s160
@@ -75,86 +75,90 @@ def _early(w, k, n):
         s204 = -s185*s198 + s190*s201
         s208 = -s185*s201 - s190*s198
         s211 = 1/math.sqrt((s204 * s204) + (s208 * s208))
-        s214 = A1_x - C_y*s204*s211 + r1_x - s19*s208*s211
-        s217 = C_y*s208*s211 + r1_y - s19*s204*s211
+        s214 = A1_x - C_y*s204*s211 + r1_x - s208*s211*s22
+        s217 = C_y*s208*s211 + r1_y - s204*s211*s22
         s221 = 2*tangent(0.5*arctangent(s204, s208))
-        w[704 + lane] = s19
-        w[736 + lane] = C_y
-        w[768 + lane] = s26
-        w[800 + lane] = s28
-        w[832 + lane] = r1_x
-        w[864 + lane] = r1_y
-        w[896 + lane] = s214
-        w[928 + lane] = s217
-        w[960 + lane] = s221
+        w[832 + lane] = s22
+        w[864 + lane] = C_y
+        w[896 + lane] = s29
+        w[928 + lane] = s31
+        w[960 + lane] = r1_x
+        w[992 + lane] = r1_y
+        w[1024 + lane] = s214
+        w[1056 + lane] = s217
+        w[1088 + lane] = s221
 
 
 @straight
 def _rows(w, k, n):
-    """Equations of a limb, their derivatives by shift and turn of the platform (80 operations)."""
+    """Equations of a limb, their derivatives by shift and turn of the platform (38 operations)."""
     A2_x = k[6]
     A2_y = k[7]
     A1_x = k[8]
-    s69 = k[9]
+    s71 = k[9]
     for lane in range(n):
         px = w[128 + lane]
         py = w[160 + lane]
-        cz = w[192 + lane]
-        s19 = w[704 + lane]
-        C_y = w[736 + lane]
-        s26 = w[768 + lane]
-        s28 = w[800 + lane]
-        r1_x = w[832 + lane]
-        r1_y = w[864 + lane]
-        s13 = (cz * cz)
-        s15 = 0.25*s13 + 1
-        s16 = (1.0 / s15)
-        s18 = -0.5*s13*s16 + 1
-        B1_x = C_y*cz*s16 + px + s18*s19
-        B1_y = -C_y*s18 + cz*s16*s19 + py
-        B2_x = -cz*s16*s28 + px + s18*s26
-        B2_y = cz*s16*s26 + py + s18*s28
+        R_11 = w[224 + lane]
+        R_12 = w[256 + lane]
+        R_21 = w[288 + lane]
+        R_22 = w[320 + lane]
+        s22 = w[832 + lane]
+        C_y = w[864 + lane]
+        s29 = w[896 + lane]
+        s31 = w[928 + lane]
+        r1_x = w[960 + lane]
+        r1_y = w[992 + lane]
+        s23 = R_11*s22
+        s24 = -C_y*R_12
+        B1_x = px + s23 + s24
+        s26 = R_21*s22
+        s27 = -C_y*R_22
+        B1_y = py + s26 + s27
+        s30 = R_11*s29
+        s32 = R_12*s31
+        B2_x = px + s30 + s32
+        s34 = R_21*s29
+        s35 = R_22*s31
+        B2_y = py + s34 + s35
         r2_x = -A2_x + B2_x
         r2_y = -A2_y + B2_y
-        s36 = -A1_x + B1_x - r1_x
-        s45 = (1.0 / (s15 * s15))
-        s52 = B1_y - r1_y
-        s70 = 0.5*(r2_x * r2_x) + 0.5*(r2_y * r2_y) + s69
-        s224 = 0.25*(cz * cz * cz)*s45 - cz*s16
-        s228 = s15*(-0.5*C_y*s13*s45 + C_y*s16 + s19*s224)
-        s232 = s15*(-C_y*s224 - 0.5*s13*s19*s45 + s16*s19)
-        s240 = r2_y*s15*(-0.5*s13*s26*s45 + s16*s26 + s224*s28)
-        s241 = r2_x*s15*(0.5*s13*s28*s45 - s16*s28 + s224*s26) + s240
-        w[224 + lane] = s36
-        w[256 + lane] = 1
-        w[288 + lane] = 0
-        w[320 + lane] = s228
-        w[384 + lane] = s52
+        s39 = -A1_x + B1_x - r1_x
+        s54 = B1_y - r1_y
+        s72 = 0.5*(r2_x * r2_x) + 0.5*(r2_y * r2_y) + s71
+        s222 = -s26 - s27
+        s223 = s23 + s24
+        s228 = r2_x*(-s34 - s35) + r2_y*(s30 + s32)
+        w[352 + lane] = s39
+        w[384 + lane] = 1
         w[416 + lane] = 0
-        w[448 + lane] = 1
-        w[480 + lane] = s232
-        w[544 + lane] = s70
-        w[576 + lane] = r2_x
-        w[608 + lane] = r2_y
-        w[640 + lane] = s241
+        w[448 + lane] = s222
+        w[512 + lane] = s54
+        w[544 + lane] = 0
+        w[576 + lane] = 1
+        w[608 + lane] = s223
+        w[672 + lane] = s72
+        w[704 + lane] = r2_x
+        w[736 + lane] = r2_y
+        w[768 + lane] = s228
 
 
 @straight
 def _step(w, n):
     """Newton's step of the platform; how far the equations are from dependent (77 operations)."""
     for lane in range(n):
-        F00 = w[224 + lane]
-        J00_0 = w[256 + lane]
-        J00_1 = w[288 + lane]
-        J00_2 = w[320 + lane]
-        F01 = w[384 + lane]
-        J01_0 = w[416 + lane]
-        J01_1 = w[448 + lane]
-        J01_2 = w[480 + lane]
-        F02 = w[544 + lane]
-        J02_0 = w[576 + lane]
-        J02_1 = w[608 + lane]
-        J02_2 = w[640 + lane]
+        F00 = w[352 + lane]
+        J00_0 = w[384 + lane]
+        J00_1 = w[416 + lane]
+        J00_2 = w[448 + lane]
+        F01 = w[512 + lane]
+        J01_0 = w[544 + lane]
+        J01_1 = w[576 + lane]
+        J01_2 = w[608 + lane]
+        F02 = w[672 + lane]
+        J02_0 = w[704 + lane]
+        J02_1 = w[736 + lane]
+        J02_2 = w[768 + lane]
         G_cof_00 = J01_1*J02_2 - J01_2*J02_1
         G_cof_01 = -J01_0*J02_2 + J01_2*J02_0
         G_cof_02 = J01_0*J02_1 - J01_1*J02_0
@@ -181,10 +185,10 @@ def _step(w, n):
         s61 = (J01_0 * J01_0) + (J01_1 * J01_1) + (J01_2 * J01_2)
         s65 = (J02_0 * J02_0) + (J02_1 * J02_1) + (J02_2 * J02_2)
         s67 = (G_det_00 * G_det_00) - 1.0e-12*s61*s65*((J00_0 * J00_0) + (J00_1 * J00_1) + (J00_2 * J00_2))
-        w[2016 + lane] = u_00
-        w[2048 + lane] = u_10
-        w[2080 + lane] = u_20
-        w[2112 + lane] = s67
+        w[2144 + lane] = u_00
+        w[2176 + lane] = u_10
+        w[2208 + lane] = u_20
+        w[2240 + lane] = s67
 
 
 @straight
@@ -229,9 +233,9 @@ def _start(w, k, n):
         s174 = 1/math.sqrt((s167 * s167) + (s171 * s171))
         s177 = C_y*s171*s174 - s112*s7 - s167*s174*(b1_x - tx)
         s181 = 2*tangent(0.5*arctangent(s167, s171))
-        w[992 + lane] = s107
-        w[1024 + lane] = s177
-        w[1056 + lane] = s181
+        w[1120 + lane] = s107
+        w[1152 + lane] = s177
+        w[1184 + lane] = s181
 
 
 @straight
@@ -243,37 +247,37 @@ def _more(w, k, n):
         s8 = q + q0
         s9 = sine(s8)
         s11 = cosine(s8)
-        w[1088 + lane] = s9
-        w[1120 + lane] = s11
+        w[1216 + lane] = s9
+        w[1248 + lane] = s11
 
 
 @straight
 def _joints(w, k, n):
     """Derivatives of a limb's equations by its joint (1 operations)."""
     for lane in range(n):
-        r1_x = w[832 + lane]
-        r1_y = w[864 + lane]
-        w[352 + lane] = r1_y
-        w[512 + lane] = -r1_x
-        w[672 + lane] = 0
+        r1_x = w[960 + lane]
+        r1_y = w[992 + lane]
+        w[480 + lane] = r1_y
+        w[640 + lane] = -r1_x
+        w[800 + lane] = 0
 
 
 @straight
 def _command(w, n):
     """Newton's step of joints and rotation; how far the equations are from dependent (71 operations)."""
     for lane in range(n):
-        F00 = w[224 + lane]
-        J00_1 = w[288 + lane]
-        J00_2 = w[320 + lane]
-        Q00 = w[352 + lane]
-        F01 = w[384 + lane]
-        J01_1 = w[448 + lane]
-        J01_2 = w[480 + lane]
-        Q01 = w[512 + lane]
-        F02 = w[544 + lane]
-        J02_1 = w[608 + lane]
-        J02_2 = w[640 + lane]
-        Q02 = w[672 + lane]
+        F00 = w[352 + lane]
+        J00_1 = w[416 + lane]
+        J00_2 = w[448 + lane]
+        Q00 = w[480 + lane]
+        F01 = w[512 + lane]
+        J01_1 = w[576 + lane]
+        J01_2 = w[608 + lane]
+        Q01 = w[640 + lane]
+        F02 = w[672 + lane]
+        J02_1 = w[736 + lane]
+        J02_2 = w[768 + lane]
+        Q02 = w[800 + lane]
         A_cof_00 = J01_1*J02_2 - J01_2*J02_1
         A_cof_01 = J01_2*Q02 - J02_2*Q01
         A_cof_02 = -J01_1*Q02 + J02_1*Q01
@@ -291,84 +295,83 @@ def _command(w, n):
         s55 = (J01_1 * J01_1) + (J01_2 * J01_2) + (Q01 * Q01)
         s59 = (J02_1 * J02_1) + (J02_2 * J02_2) + (Q02 * Q02)
         s61 = (A_det_00 * A_det_00) - 1.0e-12*s55*s59*((J00_1 * J00_1) + (J00_2 * J00_2) + (Q00 * Q00))
-        w[2496 + lane] = s36
-        w[2528 + lane] = s41
-        w[2560 + lane] = s46
-        w[2592 + lane] = s61
+        w[2624 + lane] = s36
+        w[2656 + lane] = s41
+        w[2688 + lane] = s46
+        w[2720 + lane] = s61
 
 
 @straight
 def _errors(w, k, n):
-    """Derivatives of a limb's equations by errors, by deflections (36 operations)."""
+    """Derivatives of a limb's equations by errors, by deflections (26 operations)."""
     A2_x = k[6]
     A2_y = k[7]
     s101 = k[26]
     for lane in range(n):
         px = w[128 + lane]
         py = w[160 + lane]
-        cz = w[192 + lane]
-        s26 = w[768 + lane]
-        s28 = w[800 + lane]
-        r1_x = w[832 + lane]
-        r1_y = w[864 + lane]
-        s9 = w[1088 + lane]
-        s11 = w[1120 + lane]
-        s13 = (cz * cz)
-        s16 = (1.0 / (0.25*s13 + 1))
-        s18 = -0.5*s13*s16 + 1
-        B2_x = -cz*s16*s28 + px + s18*s26
-        B2_y = cz*s16*s26 + py + s18*s28
+        R_11 = w[224 + lane]
+        R_12 = w[256 + lane]
+        R_21 = w[288 + lane]
+        R_22 = w[320 + lane]
+        s29 = w[896 + lane]
+        s31 = w[928 + lane]
+        r1_x = w[960 + lane]
+        r1_y = w[992 + lane]
+        s9 = w[1216 + lane]
+        s11 = w[1248 + lane]
+        B2_x = R_11*s29 + R_12*s31 + px
+        B2_y = R_21*s29 + R_22*s31 + py
         r2_x = -A2_x + B2_x
         r2_y = -A2_y + B2_y
-        s37 = cz*s16
-        s71 = 2*r2_y
-        s72 = 0.5*s71
-        s73 = 2*r2_x
+        s73 = 2*r2_y
         s74 = 0.5*s73
-        s87 = s18*s72 - s37*s74
-        s90 = s18*s74 + s37*s72
-        w[1152 + lane] = r1_y
-        w[1184 + lane] = 1
-        w[1216 + lane] = 0
-        w[1248 + lane] = 0
-        w[1280 + lane] = -s18
-        w[1312 + lane] = 0
+        s75 = 2*r2_x
+        s76 = 0.5*s75
+        s83 = R_12*s76 + R_22*s74
+        s86 = R_11*s76 + R_21*s74
+        w[1280 + lane] = r1_y
+        w[1312 + lane] = 1
         w[1344 + lane] = 0
-        w[1376 + lane] = -s9
-        w[1408 + lane] = 0
-        w[1440 + lane] = -r1_x
+        w[1376 + lane] = 0
+        w[1408 + lane] = -R_11
+        w[1440 + lane] = 0
         w[1472 + lane] = 0
-        w[1504 + lane] = 0
+        w[1504 + lane] = -s9
         w[1536 + lane] = 0
-        w[1568 + lane] = -s37
+        w[1568 + lane] = -r1_x
         w[1600 + lane] = 0
         w[1632 + lane] = 0
-        w[1664 + lane] = s11
-        w[1696 + lane] = 0
+        w[1664 + lane] = 0
+        w[1696 + lane] = -R_21
         w[1728 + lane] = 0
         w[1760 + lane] = 0
-        w[1792 + lane] = -s74
-        w[1824 + lane] = -s72
+        w[1792 + lane] = s11
+        w[1824 + lane] = 0
         w[1856 + lane] = 0
-        w[1888 + lane] = s90
-        w[1920 + lane] = s87
-        w[1952 + lane] = 0
-        w[1984 + lane] = s101
+        w[1888 + lane] = 0
+        w[1920 + lane] = -s76
+        w[1952 + lane] = -s74
+        w[1984 + lane] = 0
+        w[2016 + lane] = s86
+        w[2048 + lane] = s83
+        w[2080 + lane] = 0
+        w[2112 + lane] = s101
 
 
 @straight
 def _inverse_of_rows(w, n):
     """Minus the inverse of the derivatives, row by row; how far the equations are from dependent (71 operations)."""
     for lane in range(n):
-        J00_0 = w[256 + lane]
-        J00_1 = w[288 + lane]
-        J00_2 = w[320 + lane]
-        J01_0 = w[416 + lane]
-        J01_1 = w[448 + lane]
-        J01_2 = w[480 + lane]
-        J02_0 = w[576 + lane]
-        J02_1 = w[608 + lane]
-        J02_2 = w[640 + lane]
+        J00_0 = w[384 + lane]
+        J00_1 = w[416 + lane]
+        J00_2 = w[448 + lane]
+        J01_0 = w[544 + lane]
+        J01_1 = w[576 + lane]
+        J01_2 = w[608 + lane]
+        J02_0 = w[704 + lane]
+        J02_1 = w[736 + lane]
+        J02_2 = w[768 + lane]
         G_cof_00 = J01_1*J02_2 - J01_2*J02_1
         G_cof_01 = -J01_0*J02_2 + J01_2*J02_0
         G_cof_02 = J01_0*J02_1 - J01_1*J02_0
@@ -392,46 +395,54 @@ def _inverse_of_rows(w, n):
         s61 = (J01_0 * J01_0) + (J01_1 * J01_1) + (J01_2 * J01_2)
         s65 = (J02_0 * J02_0) + (J02_1 * J02_1) + (J02_2 * J02_2)
         s67 = (G_det_00 * G_det_00) - 1.0e-12*s61*s65*((J00_0 * J00_0) + (J00_1 * J00_1) + (J00_2 * J00_2))
-        w[2176 + lane] = -G_inv_00
-        w[2208 + lane] = -G_inv_01
-        w[2240 + lane] = -G_inv_02
-        w[2272 + lane] = -G_inv_10
-        w[2304 + lane] = -G_inv_11
-        w[2336 + lane] = -G_inv_12
-        w[2368 + lane] = -G_inv_20
-        w[2400 + lane] = -G_inv_21
-        w[2432 + lane] = -G_inv_22
-        w[2464 + lane] = s67
+        w[2304 + lane] = -G_inv_00
+        w[2336 + lane] = -G_inv_01
+        w[2368 + lane] = -G_inv_02
+        w[2400 + lane] = -G_inv_10
+        w[2432 + lane] = -G_inv_11
+        w[2464 + lane] = -G_inv_12
+        w[2496 + lane] = -G_inv_20
+        w[2528 + lane] = -G_inv_21
+        w[2560 + lane] = -G_inv_22
+        w[2592 + lane] = s67
 
 
 @straight
 def _move(w, n):
-    """The platform after a step, and its rotation matrix (10 operations)."""
+    """The platform after a step, and its rotation matrix (20 operations)."""
     for lane in range(n):
         px = w[128 + lane]
         py = w[160 + lane]
         cz = w[192 + lane]
-        y0 = w[2016 + lane]
-        y1 = w[2048 + lane]
-        y2 = w[2080 + lane]
-        going = w[2144 + lane]
+        y0 = w[2144 + lane]
+        y1 = w[2176 + lane]
+        y2 = w[2208 + lane]
+        going = w[2272 + lane]
         new_00 = -going*y0 + px
         new_10 = -going*y1 + py
         new_20 = cz - going*y2*(0.25*(cz * cz) + 1)
+        s9 = (new_20 * new_20)
+        s12 = (1.0 / (0.25*s9 + 1))
+        s14 = -0.5*s12*s9 + 1
+        s15 = -new_20*s12
         w[128 + lane] = new_00
         w[160 + lane] = new_10
         w[192 + lane] = new_20
+        w[224 + lane] = s14
+        w[256 + lane] = s15
+        w[288 + lane] = -s15
+        w[320 + lane] = s14
 
 
 @straight
 def _meet(w, n):
     """Put the platform where the simplified machine has it."""
     for lane in range(n):
-        p_0 = w[896 + lane]
-        p_1 = w[928 + lane]
-        p_2 = w[960 + lane]
+        p_0 = w[1024 + lane]
+        p_1 = w[1056 + lane]
+        p_2 = w[1088 + lane]
         good = (abs(p_0) < math.inf) & (abs(p_1) < math.inf) & (abs(p_2) < math.inf)
-        w[2144 + lane] = 0.0 if good else 1.0
+        w[2272 + lane] = 0.0 if good else 1.0
         w[128 + lane] = p_0
         w[160 + lane] = p_1
         w[192 + lane] = p_2
@@ -442,12 +453,12 @@ def _settle(w, n):
     """Mark the poses for which this step was the last; return how many go on."""
     left = 0
     for lane in range(n):
-        done = (w[2112 + lane] > 0.0)
-        done = done & (abs(w[2016 + lane]) < STEP_DONE)
-        done = done & (abs(w[2048 + lane]) < STEP_DONE)
-        done = done & (abs(w[2080 + lane]) < TURN_DONE)
-        going = 0.0 if done | (w[2144 + lane] == 0.0) else 1.0
-        w[2144 + lane] = going
+        done = (w[2240 + lane] > 0.0)
+        done = done & (abs(w[2144 + lane]) < STEP_DONE)
+        done = done & (abs(w[2176 + lane]) < STEP_DONE)
+        done = done & (abs(w[2208 + lane]) < TURN_DONE)
+        going = 0.0 if done | (w[2272 + lane] == 0.0) else 1.0
+        w[2272 + lane] = going
         left += 1 if going == 1.0 else 0
     return left
 
@@ -457,12 +468,12 @@ def _settle_joints(w, n):
     """Mark the poses for which this step was the last; return how many go on."""
     left = 0
     for lane in range(n):
-        done = (w[2592 + lane] > 0.0)
-        done = done & (abs(w[2496 + lane]) < TURN_DONE)
-        done = done & (abs(w[2528 + lane]) < STEP_DONE)
-        done = done & (abs(w[2560 + lane]) < TURN_DONE)
-        going = 0.0 if done | (w[2144 + lane] == 0.0) else 1.0
-        w[2144 + lane] = going
+        done = (w[2720 + lane] > 0.0)
+        done = done & (abs(w[2624 + lane]) < TURN_DONE)
+        done = done & (abs(w[2656 + lane]) < STEP_DONE)
+        done = done & (abs(w[2688 + lane]) < TURN_DONE)
+        going = 0.0 if done | (w[2272 + lane] == 0.0) else 1.0
+        w[2272 + lane] = going
         left += 1 if going == 1.0 else 0
     return left
 
@@ -471,30 +482,30 @@ def _settle_joints(w, n):
 def _begin(w, n):
     """Let all poses go."""
     for lane in range(n):
-        w[2144 + lane] = 1.0
-        w[2016 + lane] = 0.0
-        w[2048 + lane] = 0.0
-        w[2080 + lane] = 0.0
+        w[2272 + lane] = 1.0
+        w[2144 + lane] = 0.0
+        w[2176 + lane] = 0.0
+        w[2208 + lane] = 0.0
 
 
 @straight
 def _started(w, n):
     """Take joints, and coordinates that no command asks for, from the simplified machine."""
     for lane in range(n):
-        w[2144 + lane] = 0.0 if (abs(w[992 + lane]) < math.inf) else 1.0
-        w[0 + lane] = w[992 + lane]
-        w[160 + lane] = w[1024 + lane]
-        w[192 + lane] = w[1056 + lane]
+        w[2272 + lane] = 0.0 if (abs(w[1120 + lane]) < math.inf) else 1.0
+        w[0 + lane] = w[1120 + lane]
+        w[160 + lane] = w[1152 + lane]
+        w[192 + lane] = w[1184 + lane]
 
 
 @straight
 def _turn_joints(w, n):
     """Move the joints by a step; what it does to the platform is left to `_move`."""
     for lane in range(n):
-        going = w[2144 + lane]
-        w[0 + lane] -= going * w[2496 + lane]
-        w[2048 + lane] = w[2528 + lane]
-        w[2080 + lane] = w[2560 + lane]
+        going = w[2272 + lane]
+        w[0 + lane] -= going * w[2624 + lane]
+        w[2176 + lane] = w[2656 + lane]
+        w[2208 + lane] = w[2688 + lane]
 
 @straight
 def _place(x, w, first, last, n):
@@ -514,7 +525,7 @@ def _unload(w, x, status, first, last):
         x[3 * (first + lane) + 0] = w[128 + lane]
         x[3 * (first + lane) + 1] = w[160 + lane]
         x[3 * (first + lane) + 2] = w[192 + lane]
-        is_open = w[2144 + lane] != 0.0
+        is_open = w[2272 + lane] != 0.0
         status[first + lane] = OPEN if is_open else SOLVED
         left += 1 if is_open else 0
     return left
@@ -529,7 +540,7 @@ def _unload_joints(w, q, first, last):
 @fast
 def _forward(q, tool, k, x, status, warm):
     w = scratch(WORK + SPARE)
-    w_1 = w[0:2016]
+    w_1 = w[0:2144]
     if len(tool) == 1:
         hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
@@ -580,7 +591,7 @@ def forward(q, tool, k, x, status, warm):
 @fast
 def _inverse(target, tool, k, x, q, status):
     w = scratch(WORK + SPARE)
-    w_1 = w[0:2016]
+    w_1 = w[0:2144]
     if len(tool) == 1:
         hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
@@ -665,7 +676,7 @@ def _simplified_forward_of(q, tool, own, x, status, poses):
         s8_0 = q_0 + q0_0
         r1_x_0 = s7_0*sine(s8_0)
         r1_y_0 = -s7_0*cosine(s8_0)
-        s19_0 = b1_x_0 - tx
+        s22_0 = b1_x_0 - tx
         s185_0 = r1_x_0*s116_0 + r1_y_0*s130_0 + r1_y_0*s134_0 + s124_0
         s190_0 = r1_x_0*s130_0 + r1_x_0*s134_0 - r1_y_0*s116_0 + s138_0
         s198_0 = (r1_x_0 * r1_x_0) + r1_x_0*s153_0 + r1_x_0*s156_0 + (r1_y_0 * r1_y_0) + r1_y_0*s195_0 + s160_0
@@ -673,8 +684,8 @@ def _simplified_forward_of(q, tool, own, x, status, poses):
         s204_0 = -s185_0*s198_0 + s190_0*s201_0
         s208_0 = -s185_0*s201_0 - s190_0*s198_0
         s211_0 = 1/math.sqrt((s204_0 * s204_0) + (s208_0 * s208_0))
-        s214_0 = A1_x_0 - C_y_0*s204_0*s211_0 + r1_x_0 - s19_0*s208_0*s211_0
-        s217_0 = C_y_0*s208_0*s211_0 + r1_y_0 - s19_0*s204_0*s211_0
+        s214_0 = A1_x_0 - C_y_0*s204_0*s211_0 + r1_x_0 - s208_0*s211_0*s22_0
+        s217_0 = C_y_0*s208_0*s211_0 + r1_y_0 - s204_0*s211_0*s22_0
         s221_0 = 2*tangent(0.5*arctangent(s204_0, s208_0))
         p_0 = s214_0
         p_1 = s217_0
@@ -703,7 +714,7 @@ def simplified_forward(q, tool, k, x, status):
 @fast
 def _sensitivity(x, q, tool, k, S_p, S_q, status):
     w, by_errors, by_joints = scratch(WORK + SPARE), S_p.reshape(S_p.size), S_q.reshape(S_q.size)
-    w_1 = w[0:2016]
+    w_1 = w[0:2144]
     if len(tool) == 1:
         hold(tool, w, 0, 0, LANES)
     left, machines = 0, k.shape[0]
@@ -737,21 +748,21 @@ def _products(w, S_p, S_q, status, first, last):
         whole = 27 * (first + lane + 8) <= S_p.size  # else the last poses are written through scratch
         to, at = (S_p, 27 * (first + lane)) if whole else (w[WORK:], 0)
         for i in range(1):
-            outer(to, at + 9 * i + 0, 27, 9, 3, w, (2176 + 0 * i + lane, 2208 + 0 * i + lane, 2240 + 0 * i + lane, ), 96, (1152 + 2016 * i + lane, 1440 + 2016 * i + lane, 1728 + 2016 * i + lane, ), 32, 8)
-            outer(to, at + 9 * i + 8, 27, 9, 3, w, (2176 + 0 * i + lane, 2208 + 0 * i + lane, 2240 + 0 * i + lane, ), 96, (1408 + 2016 * i + lane, 1696 + 2016 * i + lane, 1984 + 2016 * i + lane, ), 32, 1)
+            outer(to, at + 9 * i + 0, 27, 9, 3, w, (2304 + 0 * i + lane, 2336 + 0 * i + lane, 2368 + 0 * i + lane, ), 96, (1280 + 2144 * i + lane, 1568 + 2144 * i + lane, 1856 + 2144 * i + lane, ), 32, 8)
+            outer(to, at + 9 * i + 8, 27, 9, 3, w, (2304 + 0 * i + lane, 2336 + 0 * i + lane, 2368 + 0 * i + lane, ), 96, (1536 + 2144 * i + lane, 1824 + 2144 * i + lane, 2112 + 2144 * i + lane, ), 32, 1)
         if not whole:
             for c in range(27 * (last + 1 - first - lane)):
                 S_p[27 * (first + lane) + c] = to[c]
         whole = 3 * (first + lane + 8) <= S_q.size  # else the last poses are written through scratch
         to, at = (S_q, 3 * (first + lane)) if whole else (w[WORK:], 0)
         for i in range(1):
-            outer(to, at + 1 * i + 0, 3, 1, 3, w, (2176 + 0 * i + lane, 2208 + 0 * i + lane, 2240 + 0 * i + lane, ), 96, (352 + 2016 * i + lane, 512 + 2016 * i + lane, 672 + 2016 * i + lane, ), 32, 1)
+            outer(to, at + 1 * i + 0, 3, 1, 3, w, (2304 + 0 * i + lane, 2336 + 0 * i + lane, 2368 + 0 * i + lane, ), 96, (480 + 2144 * i + lane, 640 + 2144 * i + lane, 800 + 2144 * i + lane, ), 32, 1)
         if not whole:
             for c in range(3 * (last + 1 - first - lane)):
                 S_q[3 * (first + lane) + c] = to[c]
     left = 0
     for lane in range(last - first + 1):
-        regular = (w[2464 + lane] > 0.0)
+        regular = (w[2592 + lane] > 0.0)
         status[first + lane] = SOLVED if regular else OPEN
         left += 0 if regular else 1
     return left

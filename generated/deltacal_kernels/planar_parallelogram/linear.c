@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/linear.c.jinja; sha256 of both 31f45bacdc79b9a3; SymPy 1.14.0.
+ * Template templates/mechanism/linear.c.jinja; sha256 of both 476add9eb03521f1; SymPy 1.14.0.
  *
  * The linear compensator: nominal joints, and the change that holds the reference point to first order in the errors.
  * An export puts the machine's numbers before this text: DELTACAL_K[1][28], DELTACAL_TOOL[3],
@@ -22,14 +22,14 @@ static void nominal_joint(const double *x, double q, const double *tool, const d
 {
     const double px = x[0];
     const double tx = tool[0];
-    const double s137 = k[0];
-    const double s136 = k[1];
-    const double s140 = asin(s136*(px + s137 - tx));
+    const double s140 = k[0];
+    const double s139 = k[1];
+    const double s143 = asin(s139*(px + s140 - tx));
     (void)(q);
-    out[0] = s140;
+    out[0] = s143;
 }
 
-/* Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (151 operations). */
+/* Per rod of one nominal limb: change of the closure by all errors, derivatives by rotation and joint (143 operations). */
 static void linear(const double *x, double q, const double *tool, const double *k, double *out)
 {
     const double px = x[0];
@@ -60,7 +60,7 @@ static void linear(const double *x, double q, const double *tool, const double *
     const double a2y = k[24];
     const double da2y = k[25];
     const double da1x = k[26];
-    const double s145 = k[27];
+    const double s148 = k[27];
     const double s0 = cos(q);
     const double s10 = sin(q);
     const double s14 = s0*s6 + s0*s8 + s10*s11 + s13;
@@ -81,40 +81,50 @@ static void linear(const double *x, double q, const double *tool, const double *
     const double s83 = (nominal_cz * nominal_cz);
     const double s85 = (1.0/4.0)*s83 + 1;
     const double s86 = 1.0/s85;
-    const double s88 = -1.0/2.0*s83*s86 + 1;
-    const double s95 = (1.0 / (s85 * s85));
-    const double s97 = (1.0/4.0)*(nominal_cz * nominal_cz * nominal_cz)*s95 - nominal_cz*s86;
-    const double B1_x_cz = -1.0/2.0*C_y*s83*s95 + C_y*s86 - s62*s97;
-    const double B1_x_errors = -db1x*s88;
-    const double B1_y_cz = -C_y*s97 + (1.0/2.0)*s62*s83*s95 - s62*s86;
-    const double B1_y_errors = -db1x*nominal_cz*s86;
-    const double s110 = b2x - tx;
-    const double s112 = -C_y + b2y;
-    const double B2_x = -nominal_cz*s112*s86 + px + s110*s88;
-    const double B2_x_cz = s110*s97 + (1.0/2.0)*s112*s83*s95 - s112*s86;
-    const double B2_x_errors = db2x*s88 - db2y*nominal_cz*s86;
-    const double B2_y = nominal_cz*s110*s86 + nominal_py + s112*s88;
-    const double B2_y_cz = -1.0/2.0*s110*s83*s95 + s110*s86 + s112*s97;
-    const double B2_y_errors = db2x*nominal_cz*s86 + db2y*s88;
+    const double s87 = -1.0/2.0*s83*s86;
+    const double R_11 = s87 + 1;
+    const double s89 = -nominal_cz*s86;
+    const double s91 = (1.0 / (s85 * s85));
+    const double s92 = (1.0/4.0)*(nominal_cz * nominal_cz * nominal_cz)*s91;
+    const double R_11_cz = s89 + s92;
+    const double R_12 = -nominal_cz*s86;
+    const double s95 = (1.0/2.0)*s83*s91;
+    const double R_12_cz = -s86 + s95;
+    const double R_21 = nominal_cz*s86;
+    const double R_21_cz = s86 - s95;
+    const double R_22 = s87 + 1;
+    const double R_22_cz = s89 + s92;
+    const double B1_x_cz = -C_y*R_12_cz - R_11_cz*s62;
+    const double B1_x_errors = -R_11*db1x;
+    const double B1_y_cz = -C_y*R_22_cz - R_21_cz*s62;
+    const double B1_y_errors = -R_21*db1x;
+    const double s115 = b2x - tx;
+    const double s117 = -C_y + b2y;
+    const double B2_x = R_11*s115 + R_12*s117 + px;
+    const double B2_x_cz = R_11_cz*s115 + R_12_cz*s117;
+    const double B2_x_errors = R_11*db2x + R_12*db2y;
+    const double B2_y = R_21*s115 + R_22*s117 + nominal_py;
+    const double B2_y_cz = R_21_cz*s115 + R_22_cz*s117;
+    const double B2_y_errors = R_21*db2x + R_22*db2y;
     const double r2_x = B2_x - a2x;
     const double r2_x_errors = B2_x_errors - da2x;
     const double r2_y = B2_y - a2y;
     const double r2_y_errors = B2_y_errors - da2y;
-    const double s141 = B1_x_errors + da1x - r1_x_errors;
-    const double s142 = B1_y_errors - r1_y_errors;
-    const double s146 = r2_x*r2_x_errors + r2_y*r2_y_errors + s145;
-    const double s149 = B2_x_cz*r2_x + B2_y_cz*r2_y;
-    out[0] = s141;
+    const double s144 = B1_x_errors + da1x - r1_x_errors;
+    const double s145 = B1_y_errors - r1_y_errors;
+    const double s149 = r2_x*r2_x_errors + r2_y*r2_y_errors + s148;
+    const double s152 = B2_x_cz*r2_x + B2_y_cz*r2_y;
+    out[0] = s144;
     out[2] = 0;
     out[3] = B1_x_cz;
     out[4] = -r1_x_q;
-    out[5] = s142;
+    out[5] = s145;
     out[7] = 1;
     out[8] = B1_y_cz;
     out[9] = -r1_y_q;
-    out[10] = s146;
+    out[10] = s149;
     out[12] = r2_y;
-    out[13] = s149;
+    out[13] = s152;
     out[14] = 0;
 }
 

@@ -1,7 +1,7 @@
 """Commands of one pose for a servo loop: `planar_parallelogram`, Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/servo.py.jinja; sha256 of both 0b4a00c0c28b9a21; SymPy 1.14.0.
+Template templates/mechanism/servo.py.jinja; sha256 of both bc10baa9b2c09842; SymPy 1.14.0.
 
 Numbers in, numbers out, for loops that Numba compiles and for calls from Python: an array, or a part of one, costs more
 than a command. Lengths in mm, angles in rad. Target, machine and scratch stand in one flat array w, which `exact_state`
@@ -59,59 +59,59 @@ def _exact_constants(p):
     b2_x = b2x + db2x
     b2_y = b2y + db2y
     s7 = dl1 + l1
-    s36 = (1.0 / s7)
-    s37 = -A1_x + b1_x
-    s42 = (1.0 / (s7 * s7))
-    s50 = -2*b2_y
-    s54 = -2*b2_x*s7
-    s56 = 2*b1_x*s7
-    s58 = -2*A1_x*b2_y + 2*A2_x*b2_y + 2*A2_y*b1_x - 2*A2_y*b2_x
-    s64 = -2*b1_x
-    s67 = 2*A1_x*b2_x
-    s68 = 2*b2_x
-    s70 = -2*b2_y*s7
-    s72 = -2*A1_x*b1_x + 2*A2_x*b1_x - 2*A2_x*b2_x - 2*A2_y*b2_y + s67
-    s77 = (b2_x * b2_x)
-    s78 = (b2_y * b2_y)
-    s79 = (A1_x * A1_x)
-    s80 = (b1_x * b1_x)
-    s81 = (dl2 * dl2)
-    s82 = (l2 * l2)
-    s83 = (s7 * s7)
-    s85 = -2*dl2*l2
-    s86 = -2*A1_x*A2_x
-    s87 = -2*A2_x
-    s89 = -2*b1_x*b2_x
-    s90 = 2*A1_x
-    s92 = 2*A2_y*s7
-    s94 = (A2_x * A2_x) + (A2_y * A2_y) + s77 + s78 + s79 + s80 - s81 - s82 + s85 + s86 + s89
-    s139 = -0.5*((dl2 + l2) * (dl2 + l2))
+    s39 = (1.0 / s7)
+    s40 = -A1_x + b1_x
+    s45 = (1.0 / (s7 * s7))
+    s53 = -2*b2_y
+    s57 = -2*b2_x*s7
+    s59 = 2*b1_x*s7
+    s61 = -2*A1_x*b2_y + 2*A2_x*b2_y + 2*A2_y*b1_x - 2*A2_y*b2_x
+    s67 = -2*b1_x
+    s70 = 2*A1_x*b2_x
+    s71 = 2*b2_x
+    s73 = -2*b2_y*s7
+    s75 = -2*A1_x*b1_x + 2*A2_x*b1_x - 2*A2_x*b2_x - 2*A2_y*b2_y + s70
+    s80 = (b2_x * b2_x)
+    s81 = (b2_y * b2_y)
+    s82 = (A1_x * A1_x)
+    s83 = (b1_x * b1_x)
+    s84 = (dl2 * dl2)
+    s85 = (l2 * l2)
+    s86 = (s7 * s7)
+    s88 = -2*dl2*l2
+    s89 = -2*A1_x*A2_x
+    s90 = -2*A2_x
+    s92 = -2*b1_x*b2_x
+    s93 = 2*A1_x
+    s95 = 2*A2_y*s7
+    s97 = (A2_x * A2_x) + (A2_y * A2_y) + s80 + s81 + s82 + s83 - s84 - s85 + s88 + s89 + s92
+    s129 = -0.5*((dl2 + l2) * (dl2 + l2))
     k[0] = h
     k[1] = b1_x
-    k[2] = s37
-    k[3] = s36
+    k[2] = s40
+    k[3] = s39
     k[4] = q0
-    k[5] = s42
+    k[5] = s45
     k[6] = s7
-    k[7] = s50
-    k[8] = s54
-    k[9] = s56
-    k[10] = s58
-    k[11] = s64
-    k[12] = s68
-    k[13] = s70
-    k[14] = s72
-    k[15] = s83
-    k[16] = s87
-    k[17] = s90
-    k[18] = s92
-    k[19] = s94
+    k[7] = s53
+    k[8] = s57
+    k[9] = s59
+    k[10] = s61
+    k[11] = s67
+    k[12] = s71
+    k[13] = s73
+    k[14] = s75
+    k[15] = s86
+    k[16] = s90
+    k[17] = s93
+    k[18] = s95
+    k[19] = s97
     k[20] = b2_x
     k[21] = b2_y
     k[22] = A2_x
     k[23] = A2_y
     k[24] = A1_x
-    k[25] = s139
+    k[25] = s129
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
@@ -169,13 +169,13 @@ def _linear_constants(p):
     by_s43 = 2*a2y*l1
     by_s45 = by_s25 + by_s26 + by_s27 + by_s28 + by_s29 + by_s30 - by_s31 + by_s37 + by_s38
     by_s73 = l1*q0
-    s132 = -da2x + db2x
-    s135 = -da2y + db2y
-    s137 = (1.0 / l1)
-    s138 = a1x - b1x
-    s148 = -dl2*l2
-    k[0] = s138
-    k[1] = s137
+    s135 = -da2x + db2x
+    s138 = -da2y + db2y
+    s140 = (1.0 / l1)
+    s141 = a1x - b1x
+    s151 = -dl2*l2
+    k[0] = s141
+    k[1] = s140
     k[2] = by_s5
     k[3] = by_s7
     k[4] = by_s9
@@ -197,11 +197,11 @@ def _linear_constants(p):
     k[20] = db2y
     k[21] = db2x
     k[22] = a2x
-    k[23] = s132
+    k[23] = s135
     k[24] = a2y
-    k[25] = s135
+    k[25] = s138
     k[26] = da1x
-    k[27] = s148
+    k[27] = s151
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
@@ -247,11 +247,11 @@ def linear_constants(p):
     s45 = 2*a2y*l1
     s47 = (a1x * a1x) + (a2x * a2x) + (a2y * a2y) + (b1x * b1x) + s31 + s32 - s33 + s39 + s40
     s75 = l1*q0
-    s136 = (1.0 / l1)
-    s137 = a1x - b1x
-    s145 = -dl2*l2
-    k[0] = s137
-    k[1] = s136
+    s139 = (1.0 / l1)
+    s140 = a1x - b1x
+    s148 = -dl2*l2
+    k[0] = s140
+    k[1] = s139
     k[2] = l1
     k[3] = s6
     k[4] = s8
@@ -277,7 +277,7 @@ def linear_constants(p):
     k[24] = a2y
     k[25] = da2y
     k[26] = da1x
-    k[27] = s145
+    k[27] = s148
     return np.ascontiguousarray(np.moveaxis(k, 0, -1))
 
 
@@ -308,50 +308,53 @@ def _exact_joint(w, lanes):
     for lane in range(lanes):
         h = w[52 + lane]
         b1_x = w[53 + lane]
-        s37 = w[54 + lane]
-        s36 = w[55 + lane]
+        s40 = w[54 + lane]
+        s39 = w[55 + lane]
         q0 = w[56 + lane]
-        s42 = w[57 + lane]
+        s45 = w[57 + lane]
         s7 = w[58 + lane]
-        s50 = w[59 + lane]
-        s54 = w[60 + lane]
-        s56 = w[61 + lane]
-        s58 = w[62 + lane]
-        s64 = w[63 + lane]
-        s68 = w[64 + lane]
-        s70 = w[65 + lane]
-        s72 = w[66 + lane]
-        s83 = w[67 + lane]
-        s87 = w[68 + lane]
-        s90 = w[69 + lane]
-        s92 = w[70 + lane]
-        s94 = w[71 + lane]
+        s53 = w[59 + lane]
+        s57 = w[60 + lane]
+        s59 = w[61 + lane]
+        s61 = w[62 + lane]
+        s67 = w[63 + lane]
+        s71 = w[64 + lane]
+        s73 = w[65 + lane]
+        s75 = w[66 + lane]
+        s86 = w[67 + lane]
+        s90 = w[68 + lane]
+        s93 = w[69 + lane]
+        s95 = w[70 + lane]
+        s97 = w[71 + lane]
         C_y = -h + ty
-        s38 = px + s37 - tx
-        s41 = -q0 + arcsine(s36*s38)
-        s43 = (s38 * s38)
-        s45 = -s42*s43 + 1
-        s46 = math.sqrt(s45)
-        s59 = s38*s50 + s46*s54 + s46*s56 + s58
-        s73 = s38*s64 + s38*s68 + s46*s70 + s72
-        s95 = s38*s87 + s38*s90 + s43 + s45*s83 + s46*s92 + s94
-        s98 = math.sqrt((s59 * s59) + (s73 * s73) - (s95 * s95))
-        s101 = -s59*s95 + s73*s98
-        s105 = -s59*s98 - s73*s95
-        s108 = 1/math.sqrt((s101 * s101) + (s105 * s105))
-        s111 = C_y*s105*s108 - s101*s108*(b1_x - tx) - s46*s7
-        s115 = 2*tangent(0.5*arctangent(s101, s105))
-        w[28 + lane] = s41
-        w[29 + lane] = s111
-        w[30 + lane] = s115
+        s41 = px + s40 - tx
+        s44 = -q0 + arcsine(s39*s41)
+        s46 = (s41 * s41)
+        s48 = -s45*s46 + 1
+        s49 = math.sqrt(s48)
+        s62 = s41*s53 + s49*s57 + s49*s59 + s61
+        s76 = s41*s67 + s41*s71 + s49*s73 + s75
+        s98 = s41*s90 + s41*s93 + s46 + s48*s86 + s49*s95 + s97
+        s101 = math.sqrt((s62 * s62) + (s76 * s76) - (s98 * s98))
+        s104 = s101*s76 - s62*s98
+        s108 = -s101*s62 - s76*s98
+        s111 = 1/math.sqrt((s104 * s104) + (s108 * s108))
+        s114 = C_y*s108*s111 - s104*s111*(b1_x - tx) - s49*s7
+        s118 = 2*tangent(0.5*arctangent(s104, s108))
+        w[28 + lane] = s44
+        w[29 + lane] = s114
+        w[30 + lane] = s118
 
 
 @few
 def _exact_rows(w, lanes):
-    """Equations of a limb, their derivatives by turns of the platform and by the joint (91 operations)."""
+    """Equations of a limb, their derivatives by turns of the platform and by the joint (49 operations)."""
     px = w[0]
     py = w[1]
-    cz = w[2]
+    R_11 = w[4]
+    R_12 = w[5]
+    R_21 = w[6]
+    R_22 = w[7]
     tx = w[16]
     ty = w[17]
     for lane in range(lanes):
@@ -364,44 +367,45 @@ def _exact_rows(w, lanes):
         A2_x = w[74 + lane]
         A2_y = w[75 + lane]
         A1_x = w[76 + lane]
-        s139 = w[77 + lane]
+        s129 = w[77 + lane]
         q = w[28 + lane]
         C_y = -h + ty
         s8 = q + q0
         r1_x = s7*sine(s8)
         r1_y = -s7*cosine(s8)
-        s13 = (cz * cz)
-        s15 = 0.25*s13 + 1
-        s16 = (1.0 / s15)
-        s18 = -0.5*s13*s16 + 1
-        s19 = b1_x - tx
-        B1_x = C_y*cz*s16 + px + s18*s19
-        B1_y = -C_y*s18 + cz*s16*s19 + py
-        s26 = b2_x - tx
-        s28 = -C_y + b2_y
-        B2_x = -cz*s16*s28 + px + s18*s26
-        B2_y = cz*s16*s26 + py + s18*s28
+        s22 = b1_x - tx
+        s23 = R_11*s22
+        s24 = -C_y*R_12
+        B1_x = px + s23 + s24
+        s26 = R_21*s22
+        s27 = -C_y*R_22
+        B1_y = py + s26 + s27
+        s29 = b2_x - tx
+        s30 = R_11*s29
+        s31 = -C_y + b2_y
+        s32 = R_12*s31
+        B2_x = px + s30 + s32
+        s34 = R_21*s29
+        s35 = R_22*s31
+        B2_y = py + s34 + s35
         r2_x = -A2_x + B2_x
         r2_y = -A2_y + B2_y
-        s116 = -A1_x + B1_x - r1_x
-        s120 = (1.0 / (s15 * s15))
-        s122 = 0.25*(cz * cz * cz)*s120 - cz*s16
-        s126 = s15*(-0.5*C_y*s120*s13 + C_y*s16 + s122*s19)
-        s127 = B1_y - r1_y
-        s132 = s15*(-C_y*s122 - 0.5*s120*s13*s19 + s16*s19)
-        s140 = 0.5*(r2_x * r2_x) + 0.5*(r2_y * r2_y) + s139
-        s150 = r2_y*s15*(-0.5*s120*s13*s26 + s122*s28 + s16*s26)
-        s151 = r2_x*s15*(0.5*s120*s13*s28 + s122*s26 - s16*s28) + s150
-        w[36 + lane] = s116
-        w[38 + lane] = s126
+        s119 = -A1_x + B1_x - r1_x
+        s120 = -s26 - s27
+        s121 = B1_y - r1_y
+        s122 = s23 + s24
+        s130 = 0.5*(r2_x * r2_x) + 0.5*(r2_y * r2_y) + s129
+        s135 = r2_x*(-s34 - s35) + r2_y*(s30 + s32)
+        w[36 + lane] = s119
+        w[38 + lane] = s120
         w[39 + lane] = r1_y
-        w[40 + lane] = s127
+        w[40 + lane] = s121
         w[41 + lane] = 1
-        w[42 + lane] = s132
+        w[42 + lane] = s122
         w[43 + lane] = -r1_x
-        w[44 + lane] = s140
+        w[44 + lane] = s130
         w[45 + lane] = r2_y
-        w[46 + lane] = s151
+        w[46 + lane] = s135
 
 
 @few
@@ -441,7 +445,7 @@ def _exact_solution(w):
 
 @few
 def _exact_move(w):
-    """The platform after a step, and its rotation matrix (6 operations)."""
+    """The platform after a step, and its rotation matrix (16 operations)."""
     px = w[0]
     py = w[1]
     cz = w[2]
@@ -449,9 +453,17 @@ def _exact_move(w):
     y2 = w[26]
     new_10 = py - y1
     new_20 = cz - y2*(0.25*(cz * cz) + 1)
+    s6 = (new_20 * new_20)
+    s9 = (1.0 / (0.25*s6 + 1))
+    s11 = -0.5*s6*s9 + 1
+    s12 = -new_20*s9
     w[0] = px
     w[1] = new_10
     w[2] = new_20
+    w[4] = s11
+    w[5] = s12
+    w[6] = -s12
+    w[7] = s11
 
 
 @fast
@@ -504,10 +516,10 @@ def _linear_joint(w, lanes):
     px = w[0]
     tx = w[16]
     for lane in range(lanes):
-        s138 = w[52 + lane]
-        s137 = w[53 + lane]
-        s141 = arcsine(s137*(px + s138 - tx))
-        w[28 + lane] = s141
+        s141 = w[52 + lane]
+        s140 = w[53 + lane]
+        s144 = arcsine(s140*(px + s141 - tx))
+        w[28 + lane] = s144
 
 
 @few
@@ -515,15 +527,15 @@ def _linear_angle(w, lanes):
     """Cosine and sine of the joint (2 operations)."""
     for lane in range(lanes):
         q = w[28 + lane]
-        s142 = cosine(q)
-        s143 = sine(q)
-        w[32 + lane] = s142
-        w[33 + lane] = s143
+        s145 = cosine(q)
+        s146 = sine(q)
+        w[32 + lane] = s145
+        w[33 + lane] = s146
 
 
 @few
 def _linear_rows(w, lanes):
-    """Equations of a nominal limb: change by all errors, derivatives by rotation and joint (164 operations)."""
+    """Equations of a nominal limb: change by all errors, derivatives by rotation and joint (148 operations)."""
     px = w[0]
     tx = w[16]
     ty = w[17]
@@ -549,11 +561,11 @@ def _linear_rows(w, lanes):
         db2y = w[72 + lane]
         db2x = w[73 + lane]
         a2x = w[74 + lane]
-        s132 = w[75 + lane]
+        s135 = w[75 + lane]
         a2y = w[76 + lane]
-        s135 = w[77 + lane]
+        s138 = w[77 + lane]
         da1x = w[78 + lane]
-        s148 = w[79 + lane]
+        s151 = w[79 + lane]
         cos_q = w[32 + lane]
         sin_q = w[33 + lane]
         by_s6 = by_s5*cos_q
@@ -605,56 +617,57 @@ def _linear_rows(w, lanes):
         by_s83 = by_s82 + 1
         by_s84 = (1.0 / by_s83)
         by_s85 = -0.5*by_s81*by_s84
-        by_s86 = by_s85 + 1
-        by_s90 = C_y*by_s84
-        by_s91 = -by_s84*nominal_cz
-        by_s92 = (nominal_cz * nominal_cz * nominal_cz)
-        by_s93 = (1.0 / (by_s83 * by_s83))
-        by_s94 = 0.25*by_s92*by_s93
-        by_s95 = by_s91 + by_s94
-        by_s96 = -by_s60*by_s95
-        by_s97 = -0.5*C_y*by_s81*by_s93
-        B1_x_cz = by_s90 + by_s96 + by_s97
+        R_11 = by_s85 + 1
+        by_s87 = -by_s84*nominal_cz
+        by_s88 = (nominal_cz * nominal_cz * nominal_cz)
+        by_s89 = (1.0 / (by_s83 * by_s83))
+        by_s90 = 0.25*by_s88*by_s89
+        R_11_cz = by_s87 + by_s90
+        R_12 = -by_s84*nominal_cz
+        by_s93 = 0.5*by_s81*by_s89
+        R_12_cz = -by_s84 + by_s93
+        R_21 = by_s84*nominal_cz
+        R_21_cz = by_s84 - by_s93
+        R_22 = by_s85 + 1
+        R_22_cz = by_s87 + by_s90
+        by_s102 = -R_11_cz*by_s60
+        by_s103 = -C_y*R_12_cz
+        B1_x_cz = by_s102 + by_s103
         B1_x_errors = -by_s85*db1x - db1x
-        by_s103 = -by_s60*by_s84
-        by_s104 = -C_y*by_s95
-        by_s105 = 0.5*by_s60*by_s81*by_s93
-        B1_y_cz = by_s103 + by_s104 + by_s105
-        B1_y_errors = -by_s84*db1x*nominal_cz
-        by_s108 = b2x - tx
-        by_s109 = by_s108*by_s86
-        by_s110 = -C_y + b2y
-        by_s111 = -by_s110*by_s84*nominal_cz
-        by_s113 = by_s108*by_s95
-        by_s114 = -by_s110*by_s84
-        by_s115 = 0.5*by_s110*by_s81*by_s93
-        B2_x_cz = by_s113 + by_s114 + by_s115
-        by_s118 = -by_s84*db2y*nominal_cz
-        by_s120 = by_s110*by_s86
-        by_s121 = by_s108*by_s84*nominal_cz
-        by_s123 = by_s108*by_s84
-        by_s124 = by_s110*by_s95
-        by_s125 = -0.5*by_s108*by_s81*by_s93
-        B2_y_cz = by_s123 + by_s124 + by_s125
-        by_s128 = by_s84*db2x*nominal_cz
-        r2_x = -a2x + by_s109 + by_s111 + px
-        r2_x_errors = by_s118 + by_s85*db2x + s132
-        r2_y = -a2y + by_s120 + by_s121 + by_s61 + by_s63 - cos_q*l1
-        r2_y_errors = by_s128 + by_s85*db2y + s135
-        s144 = B1_x_errors + da1x - r1_x_errors
-        s145 = B1_y_errors - r1_y_errors
-        s149 = r2_x*r2_x_errors + r2_y*r2_y_errors + s148
-        s152 = B2_x_cz*r2_x + B2_y_cz*r2_y
-        w[36 + lane] = s144
+        by_s109 = -R_21_cz*by_s60
+        by_s110 = -C_y*R_22_cz
+        B1_y_cz = by_s109 + by_s110
+        B1_y_errors = -R_21*db1x
+        by_s113 = b2x - tx
+        by_s114 = R_11*by_s113
+        by_s115 = -C_y + b2y
+        by_s116 = R_12*by_s115
+        by_s118 = R_11_cz*by_s113
+        by_s119 = R_12_cz*by_s115
+        B2_x_cz = by_s118 + by_s119
+        by_s124 = R_21*by_s113
+        by_s125 = R_22*by_s115
+        by_s127 = R_21_cz*by_s113
+        by_s128 = R_22_cz*by_s115
+        B2_y_cz = by_s127 + by_s128
+        r2_x = -a2x + by_s114 + by_s116 + px
+        r2_x_errors = R_12*db2y + by_s85*db2x + s135
+        r2_y = -a2y + by_s124 + by_s125 + by_s61 + by_s63 - cos_q*l1
+        r2_y_errors = R_21*db2x + by_s85*db2y + s138
+        s147 = B1_x_errors + da1x - r1_x_errors
+        s148 = B1_y_errors - r1_y_errors
+        s152 = r2_x*r2_x_errors + r2_y*r2_y_errors + s151
+        s155 = B2_x_cz*r2_x + B2_y_cz*r2_y
+        w[36 + lane] = s147
         w[38 + lane] = B1_x_cz
         w[39 + lane] = -r1_x_q
-        w[40 + lane] = s145
+        w[40 + lane] = s148
         w[41 + lane] = 1
         w[42 + lane] = B1_y_cz
         w[43 + lane] = -r1_y_q
-        w[44 + lane] = s149
+        w[44 + lane] = s152
         w[45 + lane] = r2_y
-        w[46 + lane] = s152
+        w[46 + lane] = s155
 
 
 @few

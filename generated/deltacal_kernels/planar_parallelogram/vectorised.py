@@ -1,7 +1,7 @@
 """Kinematics of `planar_parallelogram` in plain NumPy: Planar parallelogram, one joint.
 
 Generated from derive/mechanisms/planar_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/vectorised.py.jinja; sha256 of both a78c5c6884391beb; SymPy 1.14.0.
+Template templates/mechanism/vectorised.py.jinja; sha256 of both 28b540ded5f0d282; SymPy 1.14.0.
 
 The functions of ``kinematics.py`` over all poses at once, from the same lowered kernels. Nothing is compiled: a first
 small job is done before Numba would be loaded, and the compiled kernels have an independent check.
@@ -51,9 +51,9 @@ def constants(p):
     b2_x = b2x + db2x
     b2_y = b2y + db2y
     s7 = dl1 + l1
-    s67 = dl2 + l2
-    s69 = -0.5*(s67 * s67)
-    s101 = -s67
+    s69 = dl2 + l2
+    s71 = -0.5*(s69 * s69)
+    s101 = -s69
     s102 = (1.0 / s7)
     s103 = -A1_x + b1_x
     s108 = (1.0 / (s7 * s7))
@@ -90,7 +90,7 @@ def constants(p):
     k[6] = A2_x
     k[7] = A2_y
     k[8] = A1_x
-    k[9] = s69
+    k[9] = s71
     k[10] = s103
     k[11] = s102
     k[12] = s108
@@ -128,7 +128,7 @@ def _newton(x, q, tool, k):
     A2_x = k[6]
     A2_y = k[7]
     A1_x = k[8]
-    s69 = k[9]
+    s71 = k[9]
     C_y = -h + ty
     s8 = q + q0
     r1_x = s7*np.sin(s8)
@@ -136,46 +136,52 @@ def _newton(x, q, tool, k):
     s13 = (cz * cz)
     s15 = 0.25*s13 + 1
     s16 = (1.0 / s15)
-    s18 = -0.5*s13*s16 + 1
-    s19 = b1_x - tx
-    B1_x = C_y*cz*s16 + px + s18*s19
-    B1_y = -C_y*s18 + cz*s16*s19 + py
-    s26 = b2_x - tx
-    s28 = -C_y + b2_y
-    B2_x = -cz*s16*s28 + px + s18*s26
-    B2_y = cz*s16*s26 + py + s18*s28
+    s17 = -0.5*s13*s16
+    R_11 = s17 + 1
+    R_12 = -cz*s16
+    R_21 = cz*s16
+    R_22 = s17 + 1
+    s22 = b1_x - tx
+    B1_x = -C_y*R_12 + R_11*s22 + px
+    B1_y = -C_y*R_22 + R_21*s22 + py
+    s29 = b2_x - tx
+    s31 = -C_y + b2_y
+    B2_x = R_11*s29 + R_12*s31 + px
+    B2_y = R_21*s29 + R_22*s31 + py
     r2_x = -A2_x + B2_x
     r2_y = -A2_y + B2_y
-    s36 = -A1_x + B1_x - r1_x
-    s40 = -0.5*s16
-    s41 = -0.5*s13
-    s45 = (1.0 / (s15 * s15))
-    s49 = 2*cz
-    s51 = C_y*s16 + s49*(s19*s40 - 0.25*s45*(C_y*cz + s19*s41))
-    s52 = B1_y - r1_y
-    s62 = s16*s19 + s49*(-C_y*s40 - 0.25*s45*(-C_y*s41 + cz*s19))
-    s70 = 0.5*(r2_x * r2_x) + 0.5*(r2_y * r2_y) + s69
-    s71 = 2*r2_y
-    s72 = 0.5*s71
-    s73 = 2*r2_x
+    s39 = -A1_x + B1_x - r1_x
+    s42 = -0.5*s16
+    s43 = -0.5*s13
+    s47 = (1.0 / (s15 * s15))
+    s51 = 2*cz
+    s53 = C_y*s16 + s51*(s22*s42 - 0.25*s47*(C_y*cz + s22*s43))
+    s54 = B1_y - r1_y
+    s64 = s16*s22 + s51*(-C_y*s42 - 0.25*s47*(-C_y*s43 + cz*s22))
+    s72 = 0.5*(r2_x * r2_x) + 0.5*(r2_y * r2_y) + s71
+    s73 = 2*r2_y
     s74 = 0.5*s73
-    s91 = s26*s74 + s28*s72
-    s98 = s49*(s40*s91 - 0.25*s45*(cz*s26*s72 - cz*s28*s74 + s41*s91))
-    s99 = s16*s26*s72 - s16*s28*s74 + s98
+    s75 = 2*r2_x
+    s76 = 0.5*s75
+    s79 = s29*s74
+    s81 = s31*s76
+    s91 = s29*s76 + s31*s74
+    s98 = s51*(s42*s91 - 0.25*s47*(cz*s79 - cz*s81 + s43*s91))
+    s99 = s16*s79 - s16*s81 + s98
     out = np.zeros((15, *(k.shape[1], x.shape[-1])))
-    out[0] = s36
+    out[0] = s39
     out[1] = 1
     out[2] = 0
-    out[3] = s51
+    out[3] = s53
     out[4] = r1_y
-    out[5] = s52
+    out[5] = s54
     out[6] = 0
     out[7] = 1
-    out[8] = s62
+    out[8] = s64
     out[9] = -r1_x
-    out[10] = s70
-    out[11] = s74
-    out[12] = s72
+    out[10] = s72
+    out[11] = s76
+    out[12] = s74
     out[13] = s99
     out[14] = 0
     return out
@@ -204,32 +210,35 @@ def _parameters(x, q, tool, k):
     r1_y = -s11*s7
     s13 = (cz * cz)
     s16 = (1.0 / (0.25*s13 + 1))
-    s18 = -0.5*s13*s16 + 1
-    s26 = b2_x - tx
-    s28 = -C_y + b2_y
-    B2_x = -cz*s16*s28 + px + s18*s26
-    B2_y = cz*s16*s26 + py + s18*s28
+    s17 = -0.5*s13*s16
+    R_11 = s17 + 1
+    R_12 = -cz*s16
+    R_21 = cz*s16
+    R_22 = s17 + 1
+    s29 = b2_x - tx
+    s31 = -C_y + b2_y
+    B2_x = R_11*s29 + R_12*s31 + px
+    B2_y = R_21*s29 + R_22*s31 + py
     r2_x = -A2_x + B2_x
     r2_y = -A2_y + B2_y
-    s37 = cz*s16
-    s71 = 2*r2_y
-    s72 = 0.5*s71
-    s73 = 2*r2_x
+    s73 = 2*r2_y
     s74 = 0.5*s73
-    s87 = s18*s72 - s37*s74
-    s90 = s18*s74 + s37*s72
+    s75 = 2*r2_x
+    s76 = 0.5*s75
+    s83 = R_12*s76 + R_22*s74
+    s86 = R_11*s76 + R_21*s74
     out = np.zeros((27, *(k.shape[1], x.shape[-1])))
     out[0] = r1_y
     out[1] = 1
-    out[4] = -s18
+    out[4] = -R_11
     out[7] = -s9
     out[9] = -r1_x
-    out[13] = -s37
+    out[13] = -R_21
     out[16] = s11
-    out[20] = -s74
-    out[21] = -s72
-    out[23] = s90
-    out[24] = s87
+    out[20] = -s76
+    out[21] = -s74
+    out[23] = s86
+    out[24] = s83
     out[26] = s101
     return out
 
@@ -256,7 +265,7 @@ def _position(x, q, tool, k):
     s8 = q + q0
     r1_x = s7*np.sin(s8)
     r1_y = -s7*np.cos(s8)
-    s19 = b1_x - tx
+    s22 = b1_x - tx
     s185 = r1_x*s116 + r1_y*s130 + r1_y*s134 + s124
     s190 = r1_x*s130 + r1_x*s134 - r1_y*s116 + s138
     s198 = (r1_x * r1_x) + r1_x*s153 + r1_x*s156 + (r1_y * r1_y) + r1_y*s195 + s160
@@ -264,8 +273,8 @@ def _position(x, q, tool, k):
     s204 = -s185*s198 + s190*s201
     s208 = -s185*s201 - s190*s198
     s211 = 1/np.sqrt((s204 * s204) + (s208 * s208))
-    s214 = A1_x - C_y*s204*s211 + r1_x - s19*s208*s211
-    s217 = C_y*s208*s211 + r1_y - s19*s204*s211
+    s214 = A1_x - C_y*s204*s211 + r1_x - s208*s211*s22
+    s217 = C_y*s208*s211 + r1_y - s204*s211*s22
     s221 = 2*np.tan(0.5*np.arctan2(s204, s208))
     out = np.zeros((3, *(k.shape[1], x.shape[-1])))
     out[0] = s214

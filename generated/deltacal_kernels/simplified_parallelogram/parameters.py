@@ -1,7 +1,7 @@
 """Tables of `simplified_parallelogram`: Planar parallelogram, simplified: one virtual rod.
 
 Generated from derive/mechanisms/simplified_parallelogram.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/parameters.py.jinja; sha256 of both f17052743c3709bc; SymPy 1.14.0.
+Template templates/mechanism/parameters.py.jinja; sha256 of both 255f488f9785faf5; SymPy 1.14.0.
 Units: mm, rad, kg.
 """
 
@@ -56,6 +56,10 @@ SMALL = ()
 
 # (name, meaning) of what `statics` reads as masses
 MASSES = (
+    ("proximal", "mass of the driven rod [kg]"),
+    ("proximal_com", "its centre of mass, as a part of l1 from A_1"),
+    ("distal_rod", "mass of the other rod [kg], half at either end"),
+    ("platform", "mass of the platform [kg], h below O_p: where the tool point counts from"),
 )
 
 # model: names of its parameters
@@ -94,4 +98,6 @@ def moves(geometry):
 
 def limb_inertia(geometry, masses):
     """Return a limb's own inertia about its centre of mass, which turns with the joint [kg mm^2]."""
-    return 0
+    l1 = geometry["l1"]
+    proximal = masses.get("proximal", 0.0)
+    return 0.08333333333333333*(l1 * l1)*proximal

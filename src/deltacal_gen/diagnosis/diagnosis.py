@@ -156,8 +156,7 @@ def diagnose(
     baseline, current, spectrum = _of_all(problem, first, search.fit, spectrum)
     search = _without_refuted(some, search, current)
     current = _as_is_known(problem, current, lawful)
-    # a law may hold, and much be left beside it
-    unexplained |= bool(lawful) and lack_of_fit(current, recording) and not merely_more(current, recording)
+    unexplained |= _left_beside(lawful, current)
     heldout = (before, after if spectrum is None else spectrum.heldout[1])
     known = noise(current, recording) if unexplained else doubted(noise(current, recording), current)
     named = named_of(search, current, heldout, known.sigma, spectrum)
@@ -364,6 +363,12 @@ def _without_refuted(some: Problem, search: Search, current: Fit) -> Search:
     if [form(t) for t in terms_of(current)] == [form(t) for t in terms_of(search.fit)]:
         return search
     return Search(refitted(some, search.fit, terms_of(current)) or search.fit, search.terms)
+
+
+def _left_beside(lawful: Sequence[Lawful], current: Fit) -> bool:
+    """Tell whether a law leaves far more than the noise is known to be: it may hold, and be half of it."""
+    recording = current.problem.recording
+    return bool(lawful) and lack_of_fit(current, recording) and not merely_more(current, recording)
 
 
 def _as_is_known(problem: Problem, current: Fit, lawful: Sequence[Lawful]) -> Fit:

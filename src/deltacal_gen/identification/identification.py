@@ -168,9 +168,8 @@ def identify(
     plausible(first)
     check_rows(first, recording)
     progress(f"fine stage: {len(names)} parameters of {chosen}")
-    final = fit(problem, rule, errors=first.errors, machine=first.machine, instrument=first.instrument, robust=robust)
-    if isinstance(rule, Prior) and (another := as_read(final, robust=robust)) is not None:
-        final, problem = another, another.problem
+    final = _fine(problem, rule, first, robust)
+    problem = final.problem
     progress(f"held-out error: {FOLDS} folds")
     final, heldout = _held_out(final, rule, robust)
     progress("identifiability")
@@ -260,6 +259,12 @@ def _begun(
         return first, problem, ()
     everything, problem = (dataclasses.replace(p, held=held) for p in (everything, problem))
     return rough(everything, robust), problem, dropped
+
+
+def _fine(problem: Problem, rule: Solver, first: Fit, robust: bool) -> Fit:
+    """Return the fit of a model, of a machine far from the drawn one where that is the one that was read."""
+    at = fit(problem, rule, errors=first.errors, machine=first.machine, instrument=first.instrument, robust=robust)
+    return (as_read(at, robust=robust) or at) if isinstance(rule, Prior) else at
 
 
 def _remedies(final: Fit, absorbed: int | None) -> tuple[Remedy, ...]:
