@@ -19,7 +19,7 @@ from deltacal_gen.units import file_unit, to_internal
 ANOTHER = 1e-9  # chance that a machine which is as it is known is so far off
 ANOTHERS = 0.1  # of what the drawn machine leaves: one that leaves less is the machine that was read
 FARTHEST = 3  # parameters that are told of it
-WIDER = 10.0  # times what drawings leave open, where another machine is looked for
+WIDER = (10.0, 100.0)  # times what drawings leave open: where another machine is looked for
 ABOVE_NOISE, ABOVE_SIZE = 10.0, 1e-3  # of the noise, or of the machine where noise is not known: what asks for it
 SPARE = 2.0  # scalars to a parameter, with fewer of which any machine explains them
 
@@ -39,20 +39,17 @@ def as_read(at: Fit, *, robust: bool = True) -> Fit | None:
     if left < (ABOVE_SIZE * size if known.source is Source.RESIDUAL else ABOVE_NOISE * known.sigma):
         return None
     drawn, said = with_prior(problem.with_names(problem.names), problem.robot)
-    scale = problem.scale.copy()
-    scale[:count] = drawn.scale[:count] * np.where(said, 1.0, WIDER)
-    try:
-        other = fit(
-            dataclasses.replace(problem, scale=scale),
-            Prior(),
-            errors=at.errors,
-            instrument=at.instrument,
-            robust=robust,
-            must_converge=False,
-        )
-    except NoSolutionError:
-        return None
-    return other if other.rms() < ANOTHERS * at.rms() else None
+    for wider in WIDER:
+        scale = problem.scale.copy()
+        scale[:count] = drawn.scale[:count] * np.where(said, 1.0, wider)
+        wide = dataclasses.replace(problem, scale=scale)
+        try:
+            other = fit(wide, Prior(), errors=at.errors, instrument=at.instrument, robust=robust, must_converge=False)
+        except NoSolutionError:
+            continue
+        if other.rms() < ANOTHERS * at.rms():
+            return other
+    return None
 
 
 def doubts(at: Fit) -> tuple[str, ...]:
