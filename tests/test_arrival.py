@@ -275,3 +275,12 @@ def test_no_other_machine_stands_for_physics_or_gross_errors() -> None:
     some = record(robot)
     some.measured[::30] += 40.0
     assert identify(robot, some).answer().doubts is None
+
+
+def test_a_second_reference_point_of_an_arm_is_as_far_as_a_hand_holds_it(arm: Robot) -> None:
+    """It was a part of the first link's twist, which of an arm is no length."""
+    readings = recorded(arm, wide(np.random.default_rng(2), 60, 1.2), size=0.1)
+    proposed = identify(arm, readings).answer().next_measurements
+    points = [idea for idea in proposed if "reference point" in idea.measurement]
+    assert points
+    assert all("100 mm beside the first" in idea.measurement for idea in points)

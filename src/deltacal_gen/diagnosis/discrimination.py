@@ -332,7 +332,7 @@ def _advice(
         why=why,
         text=text,
         poses=tuple(poses),
-        expected_chi2=expected,
+        expected_chi2=None if expected is None else max(expected, 0.0) + 0.0,  # rounding may leave less
         separates=tuple(separates) or None,
         chi2_by_pose=found.gained if more and found else None,
         further=tuple(found.further) if more and found else None,

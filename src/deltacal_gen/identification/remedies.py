@@ -12,10 +12,13 @@ from deltacal_gen.identification.prior import with_prior
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.registry import SOLVED, Array
 from deltacal_gen.machine.rotation import about_z
+from deltacal_gen.machine.values import Robot
 from deltacal_gen.results.result import (
     Remedy,
 )
 from deltacal_gen.units import DEG, file_unit, to_internal
+
+HANDS = 100.0  # mm: how far beside the first a further reference point of a chain is
 
 
 def remedies(final: Fit, absorbed: int = 0) -> tuple[Remedy, ...]:
@@ -25,7 +28,7 @@ def remedies(final: Fit, absorbed: int = 0) -> tuple[Remedy, ...]:
     """
     problem = final.problem
     known = _pinned([problem], final)
-    span = float(np.mean([v[0] for v in problem.robot.geometry.values()][:2])) / 2
+    span = _span(problem.robot)
     ideas: list[tuple[str, list[Problem]]] = []
     tools = [problem.body.tool + np.array(offset) * span for offset in ((1, 0, 0), (0, 1, 0), (0, 0, -1))]
     moved = [problem.with_tool(tool) for tool in tools]
@@ -53,6 +56,11 @@ def remedies(final: Fit, absorbed: int = 0) -> tuple[Remedy, ...]:
     return tuple(
         Remedy(measurement=text, pins=gains[text], of=of) for text in sorted(told, key=lambda text: -gains[text])
     )
+
+
+def _span(robot: Robot) -> float:
+    """Return how far from the first further reference points are [mm]: half a platform, or what a flange carries."""
+    return HANDS if robot.links else float(np.mean([v[0] for v in robot.geometry.values()][:2])) / 2
 
 
 def printed(final: Fit) -> tuple[Remedy, ...]:
