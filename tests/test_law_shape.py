@@ -20,7 +20,7 @@ from deltacal_gen.estimation.problem import pose_problem
 from deltacal_gen.estimation.residuals import rms
 from deltacal_gen.estimation.solvers import Prior
 from deltacal_gen.physics.terms import Term
-from tests.left_out import DELTA, SIGMA, machine, record
+from tests.left_out import DELTA, SIGMA, channels, machine, record
 from tests.test_law_language import LIMB, law
 
 N = 90
@@ -175,3 +175,14 @@ def test_of_a_product_each_curve_may_leave_something() -> None:
     whole = with_remainder(at, [tried])
     assert any("exp(-((oil_C" in t.effect and "payload" in t.effect for t in whole.problem.terms)
     assert _error(whole, truth) < 0.7 * _error(at, truth)
+
+
+@pytest.mark.parametrize("tau", [1e-9, 0.0, -1e-9, -3.0, -1e-300])
+def test_a_state_that_lags_by_no_time_or_less_is_itself(tau: float) -> None:
+    """A size that is sought may step across zero, beyond which what lags would grow without bounds."""
+    recording = record(ROBOT, n=60, of=channels(60, "temp", "time"))
+    at = fit(pose_problem(ROBOT, recording, DELTA.model("delta/18")), Prior(), must_converge=False)
+    ground = Ground(at)
+    found = ground.lagged("warming", tau)
+    assert np.isfinite(found).all()
+    assert found.ravel() == pytest.approx(ground.states["warming"].ravel(), abs=1e-9)

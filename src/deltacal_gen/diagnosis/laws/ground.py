@@ -229,7 +229,10 @@ class Ground:
         return np.stack([functools.reduce(np.multiply, some) for some in each], axis=2)
 
     def lagged(self, state: str, tau: float) -> Array:
-        """Return a state as it lags, at the readings (R, limbs or 1)."""
+        """Return a state as it lags, at the readings (R, limbs or 1); by no time, or less, it does not.
+
+        What lags by less than nothing would grow without bounds.
+        """
         key = state, float(tau)
         if key not in self._lagged:
             channels = self.problem.body.channels
@@ -241,7 +244,9 @@ class Ground:
             first = np.r_[True, np.diff(run[order]) != 0]
             h, now = np.diff(time[order], prepend=time[order[0]]), v[order]
             h = np.where(first, 0.0, h)[:, None]
-            kept, left = followed(np.zeros_like(now), np.roll(now, 1, axis=0), now, h, np.asarray(tau))
+            kept, left = now, np.zeros_like(now)
+            if tau > 0:
+                kept, left = followed(left, np.roll(now, 1, axis=0), now, h, np.asarray(tau))
             first, out = first[:, None], np.empty_like(v)
             out[order] = recursion(np.where(first, 0.0, left), np.where(first, now, kept))
             self._lagged[key] = out[self.rows]
