@@ -50,7 +50,16 @@ MOST_DRAWN = 60  # recordings of a batch, each with its line; of more, their dis
 FAILED = {"verdict": "failed"}  # in the columns of a recording that could not be done
 MOST_ROWS = 500  # of a table on a page: 10^5 would be 20 MB, which no browser likes
 _NUMERIC = {"value ± standard deviation", "gain in chi²", "value", "takes away", "recordings", "said so"}
-_NUMERIC |= {"drawn with", "simulated", "predicted", "bias", "degrees of freedom", "share of variance"}  # and lengths
+_NUMERIC |= {
+    "drawn with",
+    "simulated",
+    "predicted",
+    "stated",
+    "bias",
+    "degrees of freedom",
+    "share of variance",
+}  # and lengths
+_NUMERIC |= {"as drawn", "identified", "95 % of machines", "readings"}
 _VERDICTS = {
     Verdict.ADEQUATE: "nothing is missing",
     Verdict.MISSING_PHYSICS: "missing physics found",
