@@ -295,13 +295,13 @@ def test_readings_without_noise_leave_nothing_but_what_was_concealed() -> None:
 
 def test_what_a_law_leaves_far_above_a_declared_noise_is_no_noise() -> None:
     """The law holds, and something else is there that no function of what was recorded explains."""
-    exact = record(ROBOT, law("limb.rod = c1*tanh(tension_1/c2)", 2.0, 8.0), n=N, of=channels(N, *OF))
+    exact = record(ROBOT, law("limb.rod = c1*tanh(tension_1/c2)", 2.0, 8.0), n=N, of=channels(N, "payload"))
     joints = exact.joints + 3e-4 * np.random.default_rng(4).standard_normal(exact.joints.shape)
     moved = record(
         ROBOT,
         law("limb.rod = c1*tanh(tension_1/c2)", 2.0, 8.0),
         n=N,
-        of=channels(N, *OF),
+        of=channels(N, "payload"),
         joints=np.degrees(joints),
     )
     found = dc.diagnose(ROBOT, dataclasses.replace(moved, joints=exact.joints))

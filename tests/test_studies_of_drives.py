@@ -17,7 +17,7 @@ from deltacal_gen.files.robot import read_robot, robot_to_toml
 from deltacal_gen.results.motion import MotionStudy
 from deltacal_gen.results.reader import read_answer
 
-MACHINES = 400
+MACHINES = 200
 FRICTION = """
 [[effects]]
 name = "coulomb_friction"
@@ -83,11 +83,11 @@ def test_suspects_are_concealed_and_diagnosed(planned: Path, tmp_path: Path) -> 
     suspects = (tmp_path / "friction.toml", tmp_path / "warm.toml")
     page = tmp_path / "page.html"
     answer: Any = commands.study(
-        example() / "robot.toml", planned, noise=0.05, trials=2, suspects=suspects, diagnoses=2, workers=1, report=page
+        example() / "robot.toml", planned, noise=0.05, trials=2, suspects=suspects, diagnoses=1, workers=1, report=page
     )
     nothing, friction, warm = answer["suspects"]
-    assert nothing["named_right"] == 2
-    assert friction["named_right"] == 2
+    assert nothing["named_right"] == 1
+    assert friction["named_right"] == 1
     assert [(e["name"], e["limbs"]) for e in friction["effects"]] == [
         ("coulomb_friction", [1]),
         ("viscous_friction", [2, 3]),
