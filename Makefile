@@ -13,7 +13,7 @@ demo: .venv/run  ## find what is concealed in an embedded recording; page and pi
 
 test: .venv/dev lint  ## lint, types, import rules, kernels, tests
 	$(BIN)/deltacal kernels --check
-	$(BIN)/python -m pytest -n $(WORKERS)
+	$(BIN)/python -m pytest -n $(WORKERS) --dist loadfile
 
 test-all: .venv/dev lint  ## the same, and what takes minutes
 	$(BIN)/deltacal kernels --check
