@@ -25,7 +25,7 @@ from deltacal_gen.machine.registry import SOLVED, load_mechanism, mechanism_of
 from deltacal_gen.machine.values import Measurement
 from deltacal_gen.pages.plans import figure
 from deltacal_gen.physics.simulation import simulate
-from deltacal_gen.planning import matrix, optimal, planning, singularities, targets
+from deltacal_gen.planning import matrix, optimal, planning, reach, singularities, targets
 from deltacal_gen.units import DEG
 
 B, A = 200.0, 51.0  # mm: radii of base and platform (Bai 2015, Table 1)
@@ -120,7 +120,7 @@ def test_joint_limits_and_signs_are_the_controllers(robot: Robot) -> None:
     turned = robot_from_dict(tables)
     plain = planning.plan(robot, "3", n_max=3).poses.joints
     np.testing.assert_allclose(
-        matrix.reach(turned, planning.plan(robot, "3", n_max=3).poses.targets, turned.tool)[0].joints,
+        reach.reach(turned, planning.plan(robot, "3", n_max=3).poses.targets, turned.tool)[0].joints,
         plain * [1, -1, 1],
     )
     with pytest.raises(NoSolutionError, match=r"joint \d would stand at -[\d.]+ deg, its limit is -66"):
@@ -424,7 +424,7 @@ def test_images_of_a_board_are_planned_where_they_show_it() -> None:
     robot = read_robot(example("serial") / "robot.toml")
     mechanism, tools = mechanism_of(robot), np.atleast_2d(robot.tool)
     wanted = np.unique(joint_spread(robot, 80), axis=0)
-    every = matrix.reached_of(robot, wanted, tools)
+    every = reach.reached_of(robot, wanted, tools)
     found, _ = kind_of("board_image").imagined(every.x, 1, mechanism, Measurement())
     plan = optimal.d_optimal(robot, "serial/dh", 12, kind="board_image", candidates=wanted)
     chosen = [int(np.argmin(np.abs(every.x - x).max(axis=1))) for x in plan.poses.x]

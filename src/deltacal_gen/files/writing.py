@@ -24,6 +24,8 @@ from deltacal_gen.machine.rotation import to_vector
 from deltacal_gen.machine.values import POSITION, ROTATION, Recording
 from deltacal_gen.units import DEG, joint_names, of_joints, to_file
 
+TURN_DIGITS = 9  # of deg: what a rotation matrix and the solution of a pose keep of a turn, and no rounding
+
 
 def write_recording(recording: Recording, path: str | Path) -> None:
     """Write a recording as CSV with its sidecar and, where there are pairs, its distances file: all or nothing.
@@ -85,7 +87,7 @@ def file_columns(recording: Recording) -> tuple[dict[str, Any], dict[str, Any]]:
         axes = 3 if "z_mm" in recording.columns or recording.targets[:, 2].any() else 2  # in the plane there is no z
         columns |= zip(POSITION[:axes], recording.targets.T[:axes], strict=True)
         if recording.targets.shape[1] > 3:
-            turned = to_vector(recording.targets[:, 3:].reshape(-1, 3, 3)) / DEG
+            turned = np.round(to_vector(recording.targets[:, 3:].reshape(-1, 3, 3)) / DEG, TURN_DIGITS) + 0.0
             columns |= list(zip(ROTATION, turned.T, strict=True))[0 if axes == 3 else 2 :]
         if np.isfinite(recording.measured).all() and not set(recording.columns) & set(columns):  # what shall be touched
             columns |= zip(recording.columns, recording.measured.T, strict=True)

@@ -74,16 +74,18 @@ def check_poses(workspace: Workspace, per_circle: int = 16) -> Array:
 def turned(robot: Robot, positions: Array) -> Array:
     """Return targets at positions (N, 3): as they are or, of a platform that turns on command, poses (N, 12).
 
-    The first is level; the others are turned by rotation vectors spread evenly over as far as the workspace says.
+    The first is level; the others are turned by rotation vectors spread evenly over as far as the workspace says, to
+    0.001 deg, as a person types them. What is chosen among positions has to be turned first: a turn goes by the place
+    in the row. Poses (N, 12) stay as they are.
     """
     mechanism, space = mechanism_of(robot), robot.workspace
-    if not mechanism.turning or mechanism.many_ways or space is None:
+    if not mechanism.turning or mechanism.many_ways or space is None or positions.shape[1] > 3:
         return positions
     axes = ["xyz".index(name[1]) for name in mechanism.asks if name[0] == "c"]
     vectors = np.zeros((len(positions), 3))
     u = np.outer(np.arange(len(positions)), TURN_ROOT ** -np.arange(1.0, len(axes) + 1)) % 1.0
-    vectors[:, axes] = (2.0 * ((u + 0.5) % 1.0) - 1.0) * (TURN if space.turn is None else space.turn) * DEG
-    return np.hstack([positions, from_vector(vectors).reshape(-1, 9)])
+    vectors[:, axes] = np.round((2.0 * ((u + 0.5) % 1.0) - 1.0) * (TURN if space.turn is None else space.turn), 3)
+    return np.hstack([positions, from_vector(vectors * DEG).reshape(-1, 9)])
 
 
 def joint_spread(robot: Robot, count: int) -> Array:

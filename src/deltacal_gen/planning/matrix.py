@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from deltacal_gen.errors import InputError, NoSolutionError, UsageError
+from deltacal_gen.errors import InputError, NoSolutionError
 from deltacal_gen.files.robot import Robot
 from deltacal_gen.files.sidecar import read_measurement
 from deltacal_gen.identification.accuracy import RECURRENCE, joint_spread, turned, workspace_of
@@ -24,13 +24,14 @@ from deltacal_gen.instrument.kind import Kind
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.instrument.kinds import names as kind_names
 from deltacal_gen.instrument.readings import Readings
-from deltacal_gen.machine.registry import SOLVED, STATUS, Array, Machine, mechanism_of
+from deltacal_gen.machine.registry import Array, Machine, mechanism_of
 from deltacal_gen.machine.rotation import about_z
 from deltacal_gen.machine.values import Measurement
+from deltacal_gen.planning.reach import Poses, reach, reached_of
 from deltacal_gen.planning.targets import candidates_of, radius, spread_of, width
 from deltacal_gen.results import plan as results
 from deltacal_gen.results.plan import Deviation, Expected, Method, PlannedPose
-from deltacal_gen.units import file_unit, to_file, to_internal
+from deltacal_gen.units import file_unit, to_file
 
 KINDS = {name: words for name in kind_names() if (words := kind_of(name).planned)}  # of what poses are planned for
 NORMS = {
@@ -43,9 +44,6 @@ SCALINGS = {
     "table": "columns of the unknowns in the paper's tables, angles in rad",
     "typical": "columns per ordinary error",
 }
-BEYOND = "beyond the limits of the joints"
-READABLE = {"mm": 3, "rad": 4}  # digits of targets and joints that are written, in the units of files
-INWARDS = np.linspace(0.98, 0.3, 35)  # parts of the way from the centre at which a pose beyond limits is tried
 FEWEST = 3  # poses of a ring: rule (21)
 GENERIC_POSES = 60  # without any symmetry, for what poses can see at all
 TURN_MM = 100.0  # at which a measured turn of 1 rad counts as a shift: what 6D trackers read, 0.01 mm beside 0.006 deg
@@ -65,33 +63,6 @@ class Mount:
         return Measurement(
             kind="gauge", frame="robot", zero="incremental", base_point_mm=base, platform_point_mm=platform
         )
-
-
-@dataclass(frozen=True)
-class Poses:
-    """Poses to be measured, all of the first reference point, then the same joints for the next one.
-
-    Attributes
-    ----------
-    joints : (P, n_q) array
-        As the controller counts [rad or mm].
-    targets, tool : (P, 3) arrays
-        Nominal position of the reference point in {O}, and the reference point in {O'} [mm]. Of an open chain the
-        joints are what is wanted, and the targets where they lead.
-    x : (P, 12) array
-        Platform poses of the machine as the robot file knows it: position [mm], then the rotation matrix by rows.
-    points : int
-        Number of reference points.
-    """
-
-    joints: Array
-    targets: Array
-    tool: Array
-    x: Array
-    points: int
-
-    def __len__(self) -> int:
-        return len(self.joints)
 
 
 @dataclass(frozen=True)
@@ -344,109 +315,6 @@ def read_mount(sidecar: str | Path) -> Mount:
     return Mount(np.array(base), np.array(platform))
 
 
-def reach(robot: Robot, targets: Array, tools: Array) -> tuple[Poses, np.ndarray]:
-    """Return the poses that bring the first reference point to the targets, and which of them cannot be.
-
-    Parameters
-    ----------
-    targets : (M, 3) array
-        In {O} [mm]; of an open chain joints (M, n_q), as the controller counts.
-    tools : (T, 3) array
-        Reference points in {O'} [mm]; the others are where the first one's joints bring them.
-
-    Returns
-    -------
-    poses : Poses
-        T blocks of M.
-    status : (M,) array of str
-        Why a target cannot be measured; "" where it can.
-    """
-    mechanism = mechanism_of(robot)
-    targets, tools = np.atleast_2d(np.asarray(targets, dtype=float)), tools_of(tools)
-    nominal, known = mechanism.rows(dataclasses.replace(robot, errors={})), mechanism.rows(robot)
-    if mechanism.many_ways:
-        theta = robot.joint_sign * targets
-        at, solved = mechanism.forward(theta, tools[0], nominal)
-        targets = at[:, :3]
-    else:
-        theta, _, solved = mechanism.inverse(turned(robot, targets), tools[0], nominal)
-    why = np.array([STATUS[int(s)] if s != SOLVED else "" for s in solved], dtype=object)
-    joints = robot.joint_sign * theta
-    if robot.joint_limits is not None:
-        low, high = robot.joint_limits.T
-        for row in np.flatnonzero(((joints < low) | (joints > high)).any(axis=1) & (why == "")):
-            why[row] = _beyond(robot, joints[row])
-    theta = np.tile(np.where((why == "")[:, None], theta, 0.0), (len(tools), 1))
-    tool = np.repeat(tools, len(targets), axis=0)
-    x, status = mechanism.forward(theta, tool, known)
-    where = x if not robot.errors else mechanism.forward(theta, tool, nominal)[0]
-    for block in status.reshape(len(tools), -1):
-        why[(block != SOLVED) & (why == "")] = "not solved for the machine with the errors of the robot file"
-    points = where[:, :3].copy()
-    points[: len(targets)] = targets
-    return Poses(np.tile(joints, (len(tools), 1)), points, tool, x, len(tools)), why.astype(str)
-
-
-def _beyond(robot: Robot, joints: Array) -> str:
-    """Say which joint (of (n_q,)) stands beyond its limit, where, and what the limit is."""
-    assert robot.joint_limits is not None
-    low, high = robot.joint_limits.T
-    past = np.maximum(low - joints, joints - high)
-    k = int(np.argmax(past))
-    unit = mechanism_of(robot).joint_units[k]
-    limit = low[k] if joints[k] < low[k] else high[k]
-    return (
-        f"{BEYOND}: joint {k + 1} would stand at {to_file(joints[k], unit):.4g} "
-        f"{file_unit(unit)}, its limit is {to_file(limit, unit):.4g}"
-    )
-
-
-def fitting(robot: Robot, targets: Array, tools: Array, centre: Array) -> tuple[Poses, tuple[str, ...]]:
-    """Return the poses at targets (M, 3) in {O} [mm], and in words what became of those where it may not stand.
-
-    What is beyond the limits of a joint moves towards the centre (3,) until it is not; where it is all the way, it is
-    left out.
-
-    Raises
-    ------
-    NoSolutionError
-        A target is out of reach whatever the limits are, or most would be left out.
-    """
-    poses, why = reach(robot, targets, tools)
-    bad = np.flatnonzero(why != "")
-    if not len(bad):
-        return poses, ()
-    if not all(why[row].startswith(BEYOND) for row in bad):
-        return reached_of(robot, targets, tools), ()
-    placed, still = targets.copy(), bad
-    for part in INWARDS:
-        tried = readable(robot, centre + part * (targets[still] - centre))
-        fine = reach(robot, tried, tools)[1] == ""
-        placed[still[fine]] = tried[fine]
-        still = still[~fine]
-    if 2 * len(still) > len(targets):
-        return reached_of(robot, targets, tools), ()
-    left_out = set(still.tolist())
-    notes = tuple(
-        f"pose {row + 1} at {_place(targets[row])} is {why[row]}; "
-        + ("it is left out" if row in left_out else f"it is moved to {_place(placed[row])}")
-        for row in bad.tolist()
-    )
-    return reach(robot, np.delete(placed, still, axis=0), tools)[0], notes
-
-
-def readable(robot: Robot, wanted: Array) -> Array:
-    """Return targets, or joints of an open chain, as a person types them: to 1 um, 0.0001 deg."""
-    mechanism = mechanism_of(robot)
-    units = mechanism.joint_units if mechanism.many_ways else ["mm"] * wanted.shape[1]
-    columns = zip(wanted.T, units, strict=True)
-    return np.column_stack([np.round(v / to_internal(u), READABLE[u]) * to_internal(u) for v, u in columns])
-
-
-def _place(target: Array) -> str:
-    return f"({', '.join(f'{v:.0f}' for v in target)}) mm"
-
-
 def design(robot: Robot, targets: Array, tools: Array, names: Sequence[str], kind: str = "distance") -> Array:
     """Return the identification matrix of an imagined recording, per mm and rad.
 
@@ -475,18 +343,6 @@ def design(robot: Robot, targets: Array, tools: Array, names: Sequence[str], kin
     return matrix_of(robot, reached_of(robot, targets, tools), names, kind_of(kind))
 
 
-def reached_of(robot: Robot, targets: Array, tools: Array) -> Poses:
-    poses, why = reach(robot, targets, tools)
-    bad = np.flatnonzero(why != "")
-    if len(bad):
-        x, y, z = poses.targets[bad[0]]
-        raise NoSolutionError(
-            f"the target ({x:.6g}, {y:.6g}, {z:.6g}) mm is {why[bad[0]]} ({len(bad)} of {len(why)} targets). "
-            "Plan in a smaller workspace or turn the ring."
-        )
-    return poses
-
-
 def generic(robot: Robot, tools: Array, kind: Kind | None = None) -> Poses:
     """Return poses without any symmetry, what can be reached of an additive recurrence in the cylinder.
 
@@ -505,6 +361,7 @@ def generic(robot: Robot, tools: Array, kind: Kind | None = None) -> Poses:
 
 
 def _reachable(robot: Robot, targets: Array, tools: Array) -> Poses:
+    targets = turned(robot, targets)
     reached = reach(robot, targets, tools)[1] == ""
     if reached.sum() < GENERIC_POSES / 2:
         raise NoSolutionError(
@@ -567,13 +424,6 @@ def sensitivity(robot: Robot, poses: Poses, names: Sequence[str]) -> Array:
     theta = robot.joint_sign * poses.joints
     S = mechanism.sensitivity(poses.x, theta, poses.tool, mechanism.rows(robot)).parameters
     return S[:, :, [mechanism.index[name] for name in names]]
-
-
-def tools_of(tools: Array | Sequence[Sequence[float]]) -> Array:
-    points = np.atleast_2d(np.asarray(tools, dtype=float))
-    if points.ndim != 2 or points.shape[1] != 3 or not len(points):
-        raise UsageError(f"reference points have the shape {points.shape}, but must have (T, 3): x, y, z in mm each.")
-    return points
 
 
 def at_poses(task: Task) -> Kind:

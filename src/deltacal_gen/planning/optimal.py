@@ -10,7 +10,7 @@ import numpy as np
 
 from deltacal_gen.errors import NoSolutionError, UsageError
 from deltacal_gen.files.robot import Robot
-from deltacal_gen.identification.accuracy import workspace_of
+from deltacal_gen.identification.accuracy import turned, workspace_of
 from deltacal_gen.identification.identifiability import (
     RANK_TOLERANCE,
     base_parameters,
@@ -29,21 +29,17 @@ from deltacal_gen.planning.matrix import (
     TURN_MM,
     Mount,
     Plan,
-    Poses,
     Prediction,
     Task,
     at_poses,
     generic,
     linearise,
     matrix_of,
-    reach,
-    reached_of,
     read_of,
-    readable,
     sensitivity,
-    tools_of,
     without,
 )
+from deltacal_gen.planning.reach import Poses, reach, reached_of, readable, tools_of
 from deltacal_gen.planning.targets import CANDIDATES, candidates_of, reference_points, rings
 
 RIDGE = 1e-9  # of the information of all candidates: keeps the determinant of a poor set above zero
@@ -111,7 +107,7 @@ def d_optimal(
         if candidates is None
         else np.atleast_2d(np.asarray(candidates, dtype=float))
     )
-    wanted = np.unique(wanted, axis=0)
+    wanted = turned(robot, np.unique(wanted, axis=0))
     wanted = wanted[reach(robot, wanted, task.tools)[1] == ""]
     if len(wanted) < count:
         raise NoSolutionError(f"only {len(wanted)} of the candidates can be reached, but {count} positions are wanted.")
@@ -167,7 +163,7 @@ def predict(task: Task, poses: Poses, sigma_mm: float) -> Prediction | None:
     if observability(H, count).rank < len(names):
         return None
     response = sigma_mm * np.linalg.pinv(H) @ spread_by
-    over = candidates_of(robot)
+    over = turned(robot, candidates_of(robot))
     over = over[reach(robot, over, task.tools[:1])[1] == ""]
     at = reached_of(robot, over, task.tools[:1])
     tool = read_of(mechanism, kind_of("position"), at, sensitivity(robot, at, names) * scale)

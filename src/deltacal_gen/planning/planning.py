@@ -40,19 +40,15 @@ from deltacal_gen.planning.matrix import (
     FEWEST,
     Mount,
     Plan,
-    Poses,
     Step,
     Task,
     at_poses,
-    fitting,
     generic,
     matrix_of,
-    reach,
-    reached_of,
-    readable,
     rule,
 )
 from deltacal_gen.planning.optimal import bases, exchange, fewest_of, log_det_with, predict, task_of
+from deltacal_gen.planning.reach import Poses, fitting, reach, reached_of, readable
 from deltacal_gen.planning.targets import FINE, OFFSETS, ROUGH, candidates_of, edges, parts_of, reference_points, rings
 
 
