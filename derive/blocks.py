@@ -74,9 +74,8 @@ class Blocks:
 
 
 def supported(mechanism: LimbMechanism) -> bool:
-    """Tell whether the machine's equations fall into blocks of at most three."""
-    rods = len(mechanism.loop_closure)
-    return mechanism.limbs <= 3 and (rods == 2 or mechanism.limbs * rods <= 3)
+    """Tell whether the machine's equations fall into two blocks of at most three."""
+    return mechanism.limbs * len(mechanism.loop_closure) <= 6
 
 
 def rotation_steps(mechanism: LimbMechanism) -> dict[sp.Symbol, tuple[int, int]]:
@@ -482,7 +481,7 @@ class _System:
     ) -> None:
         limbs, rods = mechanism.limbs, len(mechanism.loop_closure)
         n_x, f = len(mechanism.platform), mechanism.limbs * len(mechanism.loop_closure)
-        a = limbs if paired else f  # equations, and coordinates, of the first block
+        a = limbs if paired else min(f, 3)  # equations, and coordinates, of the first block
         self.functions: list[Functions] = []
         F, J, J_q = sp.zeros(f, 1), sp.zeros(f, n_x), sp.zeros(f, 1)
         read: dict[sp.Symbol, Place] = {}

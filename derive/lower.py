@@ -6,7 +6,7 @@ by the kernel of constants, into an array `k`; the kernels that run per pose rea
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 import sympy as sp
 
@@ -53,6 +53,7 @@ def _kernel(
     length: int,
 ) -> Kernel:
     nodes, leaves = inline(nodes, [leaf for _, leaf in outputs])
+    nodes, leaves = _beside(nodes, leaves, {place.array for place in sources.values()})
     used = set().union(*(e.free_symbols for e in nodes.values()), *(e.free_symbols for e in leaves))
     if unknown := sorted(str(s) for s in used - set(sources) - set(nodes)):
         raise ValueError(f"kernel {name} uses {', '.join(unknown)}, for which no source is given.")
@@ -64,3 +65,13 @@ def _kernel(
         stores=tuple(Store(j, leaf) for (j, _), leaf in zip(outputs, leaves, strict=True)),
         length=length,
     )
+
+
+def _beside(
+    nodes: Mapping[sp.Symbol, sp.Expr], leaves: list[sp.Expr], arrays: Collection[str]
+) -> tuple[Mapping[sp.Symbol, sp.Expr], list[sp.Expr]]:
+    """Return nodes and leaves in which no node has the name of an array that is read: a step may be called s."""
+    other = {s: sp.Symbol(f"{s}_", real=True) for s in nodes if str(s) in arrays}
+    if not other:
+        return nodes, leaves
+    return {other.get(s, s): e.xreplace(other) for s, e in nodes.items()}, [e.xreplace(other) for e in leaves]

@@ -21,14 +21,30 @@ def of_arm(joint: sp.Matrix, line: sp.Matrix, length: sp.Expr, drawn: sp.Expr) -
     length, drawn : sympy.Expr
         As it is, and as the robot file has it, of which the centre of mass is a part.
     """
+    return _turning("arm", "the arm", joint, line, length, drawn)
+
+
+def of_leg(low: sp.Matrix, high: sp.Matrix, line: sp.Matrix, drawn: sp.Expr) -> tuple[Inertial, ...]:
+    """Return the parameters of a leg of two parts: one turns about its low end, the other slides out, a thin rod.
+
+    Both are as long as the leg is drawn in. The lower part's mass at its joint, which stands, moves nothing.
+    """
+    lower = _turning("lower", "the leg's lower part", low, line, drawn, drawn)
+    return *lower[1:], of_rods([(high - drawn * line, high)], "mass of the leg's upper part")
+
+
+def _turning(
+    name: str, words: str, joint: sp.Matrix, line: sp.Matrix, length: sp.Expr, drawn: sp.Expr
+) -> tuple[Inertial, ...]:
+    """Return mass, first moment and inertia of a body that turns about a joint: points a length either side of it."""
     ends = joint + length * line, joint - length * line
     turning = tuple((side / (2 * length), end) for side, end in zip((1, -1), ends, strict=True))
     spread = tuple((1 / (2 * length**2), end) for end in ends)
     centre = CENTRE * drawn
     return (
-        Inertial("m_arm", "kg", "mass of the arm, at its joint", ((sp.Integer(1), joint),), PROXIMAL),
-        Inertial("mx_arm", "kg mm", "its first moment along the arm", turning, PROXIMAL * centre),
-        Inertial("i_arm", "kg mm^2", "its inertia about the joint", spread, OWN + PROXIMAL * centre**2),
+        Inertial(f"m_{name}", "kg", f"mass of {words}, at its joint", ((sp.Integer(1), joint),), PROXIMAL),
+        Inertial(f"mx_{name}", "kg mm", f"its first moment along {words}", turning, PROXIMAL * centre),
+        Inertial(f"i_{name}", "kg mm^2", "its inertia about the joint", spread, OWN + PROXIMAL * centre**2),
     )
 
 

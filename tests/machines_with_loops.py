@@ -19,6 +19,7 @@ GRAVITY = dict.fromkeys(PLANAR, (0.0, -9.81, 0.0))  # where it is not along z
 REACH = {  # centre and half widths of a part of the workspace [mm]
     "delta": ((0.0, 0.0, -853.0), (250.0, 250.0, 100.0)),
     "diamond": ((0.0, -710.0, 0.0), (200.0, 60.0, 0.0)),
+    "hexapod": ((0.0, 0.0, 300.0), (30.0, 30.0, 20.0)),
     "linear_delta": ((0.0, 0.0, 60.0), (50.0, 50.0, 40.0)),
     "planar_parallelogram": ((0.0, -930.0, 0.0), (300.0, 0.0, 0.0)),
     "robotennis": ((0.0, 0.0, 900.0), (200.0, 200.0, 60.0)),

@@ -223,7 +223,7 @@ def orders(robot: Robot, poses: Poses) -> list[Order]:
     size = np.array([1.0, 1.0, 1.0, lever, lever, lever])
 
     errors = mechanism.typical * rng.standard_normal(len(mechanism.parameters))
-    joints = _size(robot, 0.01, 5.0) * rng.standard_normal(mechanism.limbs)
+    joints = _size(robot, 0.01, 1.0) * rng.standard_normal(mechanism.limbs)
     turned = np.array([name.startswith(TURNS) for name in mechanism.deflections], dtype=bool)
     bent = rng.standard_normal((1, mechanism.limbs, len(turned))) * np.where(turned, 1.0 / lever, 1.0)
     base = mechanism.vector(robot.errors)

@@ -4,6 +4,7 @@ MECHANISMS = (
     "complete_delta",
     "delta",
     "diamond",
+    "hexapod",
     "linear_delta",
     "planar_parallelogram",
     "robotennis",

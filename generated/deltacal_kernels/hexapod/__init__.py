@@ -1,0 +1,1 @@
+"""Hexapod of Gough and Stewart, six legs: tables and kernels."""

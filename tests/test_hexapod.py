@@ -1,0 +1,170 @@
+"""The hexapod: six equations that turn the platform, against vectors of its legs written out here."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import Run
+
+from deltacal_gen.app.demonstration import example
+from deltacal_gen.diagnosis.diagnosis import diagnose
+from deltacal_gen.files.recording import read_recording
+from deltacal_gen.files.robot import Masses, Robot, read_robot
+from deltacal_gen.identification.accuracy import turned
+from deltacal_gen.identification.identifiability import observability
+from deltacal_gen.identification.identification import identify
+from deltacal_gen.instrument.kinds import kind_of
+from deltacal_gen.machine.backend import Backend, using
+from deltacal_gen.machine.registry import load_mechanism
+from deltacal_gen.machine.rotation import from_vector
+from deltacal_gen.machine.values import Measurement, Recording
+from deltacal_gen.physics.parts import lacks
+from deltacal_gen.physics.simulation import simulate
+from deltacal_gen.physics.terms import Term, blank
+from deltacal_gen.planning import matrix, optimal
+from deltacal_gen.planning.reach import reach, readable
+from deltacal_gen.planning.targets import candidates_of
+from deltacal_gen.use.prediction import predict
+
+MACHINE = load_mechanism("hexapod")
+FOLDER = example("hexapod")
+NOISE = 0.003  # mm
+
+
+def robot(seed: int | None = 1) -> Robot:
+    """Return the example; with a seed no leg of it is like another, and every part is off."""
+    drawn = read_robot(FOLDER / "robot.toml")
+    if seed is None:
+        return drawn
+    rng = np.random.default_rng(seed)
+    errors = {p.name: 5 * p.typical * float(rng.standard_normal()) for p in MACHINE.parameters}
+    legs = {k: np.asarray(v) + rng.uniform(-0.05, 0.05, 6) * np.abs(v) for k, v in drawn.geometry.items()}
+    return dataclasses.replace(drawn, geometry=legs, errors=errors, tool=np.array([10.0, -20.0, 30.0]))
+
+
+def poses(n: int, seed: int = 0) -> np.ndarray:
+    rng = np.random.default_rng(seed)
+    places = np.column_stack([rng.uniform(-40, 40, (n, 2)), rng.uniform(300, 360, n)])
+    return np.hstack([places, from_vector(rng.uniform(-0.2, 0.2, (n, 3))).reshape(-1, 9)])
+
+
+def joints_by_hand(r: Robot, x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return base joints, platform joints in {O}, (N, 6, 3) each, and ways of the legs (N, 6)."""
+    g, e = r.geometry, r.errors
+
+    def ring(which: str, letter: str) -> np.ndarray:
+        angle = g[f"{which}_angle"]
+        at = [g[f"{which}_radius"] * np.cos(angle), g[f"{which}_radius"] * np.sin(angle), g[f"{which}_height"]]
+        return np.stack(at, axis=1) + [[e.get(f"{letter}{axis}_{i}", 0.0) for axis in "xyz"] for i in range(1, 7)]
+
+    A, R = ring("base", "a"), x[:, 3:].reshape(-1, 3, 3)
+    B = x[:, None, :3] + (ring("platform", "b") - r.tool) @ np.swapaxes(R, 1, 2)
+    length = np.linalg.norm(B - A, axis=2)
+    own, lead = (np.array([e.get(f"{name}_{i}", 0.0) for i in range(1, 7)]) for name in ("l", "scale"))
+    return np.broadcast_to(A, B.shape), B, (length - g["leg_length"] - own) / (1 + lead)
+
+
+@pytest.mark.parametrize("backend", list(Backend))
+def test_legs_are_as_long_as_between_their_joints(backend: Backend) -> None:
+    r, x = robot(), poses(70)
+    _, _, legs = joints_by_hand(r, x)
+    with using(backend):
+        q, reached, status = MACHINE.inverse(x, r.tool, MACHINE.rows(r))
+        assert not status.any()
+        np.testing.assert_allclose(q, legs, rtol=0, atol=1e-11)
+        np.testing.assert_allclose(reached, x, rtol=0, atol=1e-12)
+        there, status = MACHINE.forward(legs, r.tool, MACHINE.rows(r))  # from home: it is not told where it stands
+        assert not status.any()
+        np.testing.assert_allclose(there, x, rtol=0, atol=1e-10)
+
+
+def test_legs_bear_the_platform() -> None:
+    """Forces along the legs of no weight balance the platform's and a payload's, about any point."""
+    drawn, x, payload = robot(), poses(20), 2.5
+    r = dataclasses.replace(drawn, masses=Masses(platform=4.0))
+    A, B, q = joints_by_hand(r, x)
+    R, down = x[:, 3:].reshape(-1, 3, 3), np.array([0.0, 0.0, -9.81])
+    along = (B - A) / np.linalg.norm(B - A, axis=2)[:, :, None]
+    wrench = np.concatenate([along, np.cross(B - x[:, None, :3], along)], axis=2)  # about the reference point
+    centre = -(R @ r.tool)  # of the platform, where its mass is
+    weight = np.hstack([np.tile((4.0 + payload) * down, (len(x), 1)), np.cross(centre, 4.0 * down)])
+    pushed = np.linalg.solve(np.swapaxes(wrench, 1, 2), -weight[..., None])[..., 0]
+    masses = {"platform": 4.0, "proximal": 0.0, "proximal_com": 0.5, "distal_rod": 0.0}
+    loads = MACHINE.loads(x, q, r.tool, MACHINE.rows(r), masses, down, payload)
+    np.testing.assert_allclose(loads.tension[:, :, 0], -pushed, rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize(("frame", "seen"), [("robot", 42), ("unknown", 33)])
+def test_all_forty_two_errors_are_seen_in_a_known_frame(frame: str, seen: int) -> None:
+    """Masory, Wang, Zhuang 1993; another frame takes six of them, how the target sits on the platform three."""
+    r, x = robot(), poses(60)
+    _, _, q = joints_by_hand(r, x)
+    names, kind = MACHINE.models["hexapod/42"], kind_of("pose")
+    S = MACHINE.sensitivity(x, q, r.tool, MACHINE.rows(r)).parameters[:, :, [MACHINE.index[n] for n in names]]
+    readings, instrument = kind.imagined(x, 1, MACHINE, Measurement(kind="pose", frame=frame))
+    J, F = matrix.linearise(readings, instrument, x, S)
+    if frame == "robot":
+        F = F[:, :, :0]
+    typical = np.array([MACHINE.typical[MACHINE.index[n]] for n in names])
+    J, F = J.reshape(-1, len(names)) * typical, F.reshape(len(J) * J.shape[1], -1)
+    Q = np.linalg.qr(F)[0]
+    assert observability(J - Q @ (Q.T @ J), len(x)).rank == seen
+
+
+def measured(drawn: Robot, size: float, seed: int, *terms: Term) -> Recording:
+    """Return what a tracker reads of a machine at the example's poses, its errors so many times ordinary ones."""
+    targets = read_recording(FOLDER / "poses.csv", MACHINE, need_measured=False, allow_targets=True)
+    rng = np.random.default_rng(seed)
+    errors = {p.name: size * p.typical * float(rng.standard_normal()) for p in MACHINE.parameters}
+    return simulate(drawn, targets, errors, terms=terms, noise_mm=NOISE, noise_rad=5e-5, rng=rng)
+
+
+def test_a_leg_that_yields_is_named() -> None:
+    """Whether its drive yields or its rod is one number: both push along the leg."""
+    drawn = dataclasses.replace(robot(None), masses=Masses(proximal=2.0, distal_rod=1.0, platform=60.0))
+    without = lacks("distal_compliance", MACHINE, MACHINE.moves(drawn), MACHINE.roles(drawn))  # rods of a pair
+    spring = blank("distal_compliance", (4,), lacks=without).with_values(np.array([[1e-3]]))  # mm/N
+    found = diagnose(drawn, measured(drawn, 1.0, 7, spring)).answer()
+    (effect,) = found.effects
+    assert effect.limbs == (4,)
+    assert {effect.name, *effect.indistinguishable_from} >= {"joint_compliance", "distal_compliance"}
+    (size,) = effect.parameters
+    assert abs(abs(size.value) - 1e-3) < 3 * size.std
+
+
+def test_what_is_identified_predicts_poses_that_were_not_read() -> None:
+    recording = measured(robot(None), 3.0, 8)
+    even, odd = (recording.subset(np.arange(k, recording.n_rows, 2)) for k in (0, 1))
+    found = identify(robot(None), even).answer()
+    missed = predict(found, odd).measured - odd.measured
+    assert np.sqrt(np.mean(missed[:, :3] ** 2)) < 2 * NOISE
+
+
+def test_what_is_chosen_is_what_was_looked_at() -> None:
+    """A turn goes by the place in the row of candidates: those that are chosen keep theirs."""
+    r, rng = robot(None), np.random.default_rng(5)
+    found = optimal.d_optimal(r, "48", 20)
+    candidates = turned(r, np.unique(readable(r, candidates_of(r)), axis=0))
+    rows = {tuple(np.round(t, 9)) for t in candidates}
+    _, x, _ = MACHINE.inverse(np.hstack([found.poses.targets, found.poses.x[:, 3:]]), r.tool, MACHINE.rows(r))
+    assert all(tuple(np.round(t, 9)) in rows for t in x)
+    best = optimal.log_determinant(found, x)
+    able = candidates[reach(r, candidates, found.tools)[1] == ""]
+    others = [optimal.log_determinant(found, able[rng.choice(len(able), 20, replace=False)]) for _ in range(10)]
+    assert best > max(others) + 1
+
+
+def test_a_plan_turns_the_platform_as_people_write_it(run: Run, tmp_path: Path) -> None:
+    """Poses beyond the legs move inwards and turn back towards level, and are told by their position alone."""
+    close = (FOLDER / "robot.toml").read_text().replace("height = 40.0", "height = 70.0")
+    (tmp_path / "robot.toml").write_text(close)
+    code, out, err = run("plan", tmp_path / "robot.toml", "--model", "48", "-o", tmp_path / "targets.csv")
+    assert code == 0, err
+    assert "is beyond the limits of the joints: joint 1 would stand at" in " ".join(out.split())
+    rows = [line.split(",") for line in (tmp_path / "targets.csv").read_text().splitlines()[1:]]
+    assert all(len(cell.partition(".")[2]) <= 3 for row in rows for cell in row[:4])
+    assert max(len(cell) for row in rows for cell in row) <= 14
+    assert "(50, 0, 260) mm is beyond" in " ".join(out.split())
