@@ -124,7 +124,7 @@ def _short(found: Mapping[str, Any], used: Sequence[Kernel]) -> list[dict[str, s
     if ranks:
         seen = next((r for r in ranks if r["paper"]), None)
         by = f"{seen['kind']}, the paper's case" if seen else "positions of one point in an unknown frame"
-        seen = seen or next((r for r in ranks if r["motions"] == "unknown frame, one point"), ranks[0])
+        seen = seen or _of_positions(ranks) or ranks[0]
         says = f"{seen['rank']} of {seen['columns']} parameters are seen by {by}"
         if seen["free"]:
             says += "; the others are named, in closed form" if seen["closed"] else "; the others are named"
@@ -143,6 +143,11 @@ def _short(found: Mapping[str, Any], used: Sequence[Kernel]) -> list[dict[str, s
         says += f" operations written out and {_count(most.operations)} as it stands"
         lines.append(("Kernels", "kernels", f"{says}."))
     return [{"what": what, "at": at, "says": says[0].upper() + says[1:]} for what, at, says in lines]
+
+
+def _of_positions(ranks: Sequence[Mapping[str, Any]]) -> Mapping[str, Any] | None:
+    """Return what positions of one point in an unknown frame see; contacts, of the same motions, may see less."""
+    return next((r for r in ranks if r["kind"] == "positions in an unknown frame" and r["points"] == 1), None)
 
 
 def _count(n: int) -> str:
@@ -526,7 +531,7 @@ def index(found: Sequence[tuple[Subject, dict[str, Any]]], ending: str) -> dict[
             one.mechanism,
             {"title": data["what"], "reference": data["reference"], "drawing": data["machine"], "models": []},
         )
-        seen = next((r["rank"] for r in data["ranks"] if r["motions"] == "unknown frame, one point"), None)
+        seen = _of_positions(data["ranks"])
         columns = data["ranks"][0]["columns"] if data["ranks"] else 0
-        machine["models"].append({"name": one.name, "file": file, "parameters": columns, "rank": seen})
+        machine["models"].append({"name": one.name, "file": file, "parameters": columns, "rank": seen and seen["rank"]})
     return {"machines": list(machines.values()), "effects": effects}
