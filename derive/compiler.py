@@ -205,7 +205,7 @@ def _effect(spec: Effect, kernels: Kernels) -> dict[Path, str]:
     """Return an effect in NumPy and, where a controller knows all that it reads, or tells a drive, in C."""
     read = spec.states
     before = all(s.c99 for s in read) and not spec.memory
-    in_c = (set(spec.targets) == {"joint"} and before) or (spec.acts_on == "drive" and not spec.memory)
+    in_c = (set(spec.targets) == {"joint"} and before) or spec.acts_on == "drive"
     endings = ["py", "c"] if in_c else ["py"]
     return {
         Path("effects") / f"{spec.name}.{ending}": _file(

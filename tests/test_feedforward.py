@@ -18,6 +18,7 @@ from deltacal_gen.errors import UsageError
 from deltacal_gen.files.robot import kept_robot, robot_to_toml
 from deltacal_gen.machine.dynamics import dynamics_of
 from deltacal_gen.machine.registry import mechanism_of
+from deltacal_gen.machine.rotation import to_vector
 from deltacal_gen.motion.feedforward import FeedForward
 from deltacal_gen.results.motion import JointModel
 from deltacal_gen.use.servo_source import export_feedforward
@@ -61,14 +62,16 @@ def known(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-def along(folder: Path, states: np.ndarray, name: str = "states") -> FeedForward:
-    """Return commands at states (3, N, 3) as they are [deg, s]."""
+def along(
+    folder: Path, states: np.ndarray, name: str = "states", every: float = 0.01, known: Any = None
+) -> FeedForward:
+    """Return commands at states (3, N, 3) as they are [deg, s], by the folder's diagnosis or another."""
     head = [f"{q}{i}{unit}" for q, unit in (("q", "_deg"), ("qd", "_deg_s"), ("qdd", "_deg_s2")) for i in (1, 2, 3)]
-    table = np.column_stack([0.01 * np.arange(states.shape[1]), *(s for s in states)])
+    table = np.column_stack([every * np.arange(states.shape[1]), *(s for s in states)])
     text = [",".join(["time_s", *head]), *(",".join(f"{v!r}" for v in row) for row in table.tolist())]
     (folder / f"{name}.csv").write_text("\n".join(text))
     (folder / f"{name}.toml").write_text(PLANNED)
-    return dc.feed_forward(folder / "diagnosis.json", folder / f"{name}.csv")
+    return dc.feed_forward(known or folder / "diagnosis.json", folder / f"{name}.csv")
 
 
 def at_speeds(speeds: np.ndarray) -> np.ndarray:
@@ -208,22 +211,55 @@ def told(
 @pytest.mark.parametrize("payload", [0.0, 0.8])
 def test_the_controller_says_what_the_command_does(known: Path, controller: Any, payload: float) -> None:
     """Along a line: joints and torques by the C file, and by Python from joints and their central differences."""
-    t, h = np.linspace(0.0, 1.0, 40), 1e-3
+    points, states = on_a_line(known, np.linspace(0.0, 1.0, 40))
+    wanted = with_payload(known, states, payload)
+    held = Held(period_s=1.0)
+    for n, (place, speed, force) in enumerate(points):
+        code, joints, torque = told(controller, held, place, speed, force, payload)
+        assert code == 0
+        assert joints == pytest.approx(states[0, n], abs=1e-9)
+        assert torque == pytest.approx(wanted[n], abs=1e-6)
+
+
+def on_a_line(known: Path, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return position, velocity and acceleration (N, 3, 3) of a movement, and its joints' by differences (3, N, 3)."""
     line = lambda t: np.column_stack([150 * np.sin(3 * t), 100 * t**2, -870 + 40 * np.cos(5 * t)])  # noqa: E731
     speed = np.column_stack([450 * np.cos(3 * t), 200 * t, -200 * np.sin(5 * t)])
     force = np.column_stack([-1350 * np.sin(3 * t), 200 + 0 * t, -1000 * np.cos(5 * t)])
-    compensator = dc.Compensator(dc.read_robot(known / "robot.toml"))
+    compensator, h = dc.Compensator(dc.read_robot(known / "robot.toml")), 1e-3
     at = {k: np.degrees(compensator.joints(line(t + k * h))) for k in range(-4, 5)}
     first, second = (4 / 5, -1 / 5, 4 / 105, -1 / 280), (8 / 5, -1 / 5, 8 / 315, -1 / 560)
     qd = sum(c * (at[k] - at[-k]) for k, c in enumerate(first, start=1)) / h
     qdd = (sum(c * (at[k] + at[-k]) for k, c in enumerate(second, start=1)) - 205 / 72 * at[0]) / h**2
-    wanted = with_payload(known, np.array([at[0], qd, qdd]), payload)
-    held = Held(period_s=1.0)
-    for n in range(len(t)):
-        code, joints, torque = told(controller, held, line(t)[n], speed[n], force[n], payload)
+    return np.stack([line(t), speed, force], axis=1), np.array([at[0], qd, qdd])
+
+
+@needs_compiler
+def test_friction_that_builds_up_over_a_way_is_followed(known: Path) -> None:
+    """From set point to set point; a set point that is refused leaves the past alone, a new begin forgets it."""
+    answer = dc.read_answer(known / "diagnosis.json").to_dict()
+    answer["robot"].pop("limits")
+    built_up = {"effect": "presliding_friction", "constants": [np.radians(1.5)], "values": [2e4]}  # 524 N mm
+    answer["joints"][1]["terms"].append(built_up)
+    function, every = compiled(known, answer, "past"), 1e-3
+    points, states = on_a_line(known, every * np.arange(1100))
+    assert (np.diff(np.sign(states[1, :, 1])) != 0).any()  # joint 2 turns back
+    wanted = along(known, states, "past", every, answer).torque
+    rigid = along(known, states, "rigid", every).torque
+    assert np.abs(wanted - rigid)[:, 1].max() > 0.5
+
+    class Remembering(Held):
+        _fields_ = (("past", ctypes.c_double * 2),)
+
+    held = Remembering(period_s=every)
+    function.argtypes = [ctypes.POINTER(Remembering), *function.argtypes[1:]]
+    for n, (place, speed, force) in enumerate(points):
+        assert told(function, held, (np.nan, 0, 0))[0] == NOT_A_NUMBER
+        code, _, torque = told(function, held, place, speed, force)
         assert code == 0
-        assert joints == pytest.approx(at[0][n], abs=1e-9)
-        assert torque == pytest.approx(wanted[n], abs=1e-6)
+        assert torque == pytest.approx(wanted[n], abs=1e-5)
+    held.begun = 0
+    assert told(function, held, *points[0])[2] == pytest.approx(wanted[0], abs=1e-5)
 
 
 def with_payload(known: Path, states: np.ndarray, payload: float) -> np.ndarray:
@@ -287,7 +323,7 @@ def test_a_machine_in_motion_has_no_table(known: Path) -> None:
 
 
 @needs_compiler
-@pytest.mark.parametrize("name", ["diamond", "linear_delta", "robotennis"])
+@pytest.mark.parametrize("name", ["diamond", "hexapod", "linear_delta", "robotennis"])
 def test_every_machine_with_limbs_stands_in_c_as_in_python(known: Path, name: str) -> None:
     """Rigid machines with errors: joints' rates by the velocity Jacobian, torques by the compiled kernels."""
     robot = machine(name)
@@ -316,18 +352,23 @@ def test_every_machine_with_limbs_stands_in_c_as_in_python(known: Path, name: st
     class State(ctypes.Structure):
         _fields_ = (("joints", numbers), ("torque", numbers), ("period_s", ctypes.c_double), ("begun", ctypes.c_int))
 
-    motion, rows = states_of(robot, 6), mechanism.rows(robot)
+    motion, rows, h = states_of(robot, 6), mechanism.rows(robot), 1e-4
     x, _ = mechanism.forward(motion[0], robot.tool, rows)
-    V = mechanism.sensitivity(x, motion[0], np.tile(robot.tool, (6, 1)), rows).joints[:, :n]
-    h, at = 1e-4, {}
-    for k in (-2, -1, 1, 2):
-        q = motion[0] + k * h * motion[1] + (k * h) ** 2 / 2 * motion[2]
-        at[k] = mechanism.positions(q, robot.tool, rows)[:, :n]
-    speed = np.einsum("nij,nj->ni", V, motion[1])
-    bent = (16 * (at[1] + at[-1]) - (at[2] + at[-2]) - 30 * x[:, :n]) / (12 * h**2)
+
+    def speeds(k: int) -> np.ndarray:
+        """Shifts and turns (N, n) of the platform [mm/s, deg/s] some steps of time later."""
+        q, rates = motion[0] + k * h * motion[1] + (k * h) ** 2 / 2 * motion[2], motion[1] + k * h * motion[2]
+        at, _ = mechanism.forward(q, robot.tool, rows, near=x)
+        V = mechanism.sensitivity(at, q, np.tile(robot.tool, (6, 1)), rows).joints[:, :n]
+        return np.einsum("nij,nj->ni", V, rates) * np.where(np.arange(n) < 3, 1.0, 180 / np.pi)
+
+    speed, target = speeds(0), x[:, :n]
+    bent = (8 * (speeds(1) - speeds(-1)) - (speeds(2) - speeds(-2))) / (12 * h)
+    if mechanism.turning:
+        target = np.hstack([x[:, :3], np.degrees(to_vector(x[:, 3:].reshape(-1, 3, 3)))])
     wanted = own.torque(motion, own.stated()) / (1000.0 if unit == "Nm" else 1.0)
     function.argtypes = [ctypes.POINTER(State), numbers, numbers, numbers, ctypes.c_double, ctypes.c_double]
     for k in range(6):
         held = State(period_s=1.0)
-        assert function(held, numbers(*x[k, :n]), numbers(*speed[k]), numbers(*bent[k]), 0.0, 20.0) == 0
+        assert function(held, numbers(*target[k]), numbers(*speed[k]), numbers(*bent[k]), 0.0, 20.0) == 0
         assert np.array(held.torque) == pytest.approx(wanted[k] * robot.joint_sign, abs=1e-7 * np.abs(wanted).max())

@@ -88,11 +88,29 @@ def alone(
 
 
 def value(kernel: Kernel, arguments: Sequence[str]) -> list[str]:
-    """Return the body of a function that returns the only result; coefficients, which may hide functions, are renamed.
-
-    A coefficient may be called cos.
-    """
-    names = {load.symbol: f"c_{load.symbol}" for load in kernel.loads if load.place.array == "c"}
+    """Return the body of a function that returns the only result."""
+    names = _own_names(kernel)
     lines = function(kernel, arguments, names)
     (result,) = kernel.stores
     return [*lines.loads, *lines.assigns, f"return {PRINTER.expression(result.expr, names)};"]
+
+
+def into(kernel: Kernel, array: str, every: int, arguments: Sequence[str]) -> list[str]:
+    """Return the body of a function that writes each of so many results, and computes no other, into an array."""
+    some = kernel.only(range(0, kernel.length, every))
+    names = _own_names(some)
+    lines = written(some, PRINTER, arrays(), lambda j: f"{array}[{j // every}]", names)
+    unused = [f"(void)({name});" for name in arguments if not some.reads(name)]
+    zero = [f"{array}[{j // every}] = 0.0;" for j in range(0, kernel.length, every) if j not in _stored(some)]
+    return [*lines.loads, *lines.assigns, *unused, *(f"{line};" for line in lines.stores), *zero]
+
+
+def _stored(kernel: Kernel) -> set[int]:
+    return {store.index for store in kernel.stores}
+
+
+def _own_names(kernel: Kernel) -> Names:
+    """Return names of what is loaded that hide no function and no array: a coefficient may be called cos."""
+    arrays_ = {load.place.array for load in kernel.loads if load.place.index is not None}
+    names = {load.symbol: f"own_{load.symbol}" for load in kernel.loads if str(load.symbol) in arrays_}
+    return names | {load.symbol: f"c_{load.symbol}" for load in kernel.loads if load.place.array == "c"}

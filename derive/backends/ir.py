@@ -6,8 +6,8 @@ it: that is the target's layout.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
@@ -92,6 +92,22 @@ class Kernel:
     def chooses(self) -> bool:
         """Whether it computes branches that are not taken."""
         return any(e.has(sp.Piecewise) for e in self.expressions)
+
+    def only(self, stored: Collection[int]) -> Kernel:
+        """Return the kernel that computes some entries of the result, and nothing else."""
+        stores = tuple(s for s in self.stores if s.index in stored)
+        needed = set().union(*(s.expr.free_symbols for s in stores))
+        assigns: list[Assign] = []
+        for node in reversed(self.assigns):
+            if node.symbol in needed:
+                assigns.insert(0, node)
+                needed |= node.expr.free_symbols
+        return replace(
+            self,
+            loads=tuple(load for load in self.loads if load.symbol in needed),
+            assigns=tuple(assigns),
+            stores=stores,
+        )
 
     def reads(self, array: str) -> list[int | None]:
         """Return which entries of an array, or ``[None]`` of a number by itself, are loaded."""

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/diamond.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/dynamics.c.jinja; sha256 of both 04080f7ae610ca96; SymPy 1.14.0.
+ * Template templates/mechanism/dynamics.c.jinja; sha256 of both 129707dcf48a9b07; SymPy 1.14.0.
  *
  * The calibrated machine in motion: joints, their speeds and accelerations by those of the reference point, and what the
  * drives must give. w and d hold a region for each limb, w and s what all limbs share.
@@ -520,6 +520,8 @@ int deltacal_feedforward(struct deltacal_motion *held, const double target_mm[2]
                          const double velocity_mm_s[2], const double acceleration_mm_s2[2],
                          double payload_kg, double temp_C)
 {
+    double past[DELTACAL_PAST + 1] = { 0.0 }, h; /* since the last set point [s] */
+    double x[2], speed[2], change[2]; /* of turns: Cayley vector, rad/s, rad/s^2 */
     double q[2], qd[2], qdd[2], joints[2], torque[2];
     double d[LIMB_D * 2] = { 0.0 }, s[30] = { 0.0 };
     int i, status, limited = 0;
@@ -536,17 +538,24 @@ int deltacal_feedforward(struct deltacal_motion *held, const double target_mm[2]
             return DELTACAL_JUMP;
         q[i] = DELTACAL_SIGN[i] * joints[i] / JOINT_PER_UNIT;
     }
-    status = in_motion(target_mm, velocity_mm_s, acceleration_mm_s2, q, qd, qdd, d, s);
+    for (i = 0; i < 2; i++) {
+        x[i] = target_mm[i];
+        speed[i] = velocity_mm_s[i];
+        change[i] = acceleration_mm_s2[i];
+    }
+    status = in_motion(x, speed, change, q, qd, qdd, d, s);
     if (status != DELTACAL_SOLVED)
         return status;
+    recall(held, past);
+    h = held->begun ? held->period_s : 0.0;
     for (i = 0; i < 2; i++) {
         double load, carried;
         give(d, s, DELTACAL_INERTIA[i]);
         load = DELTACAL_SIGN[i] * s[18 + i];
         give(d, s, DELTACAL_PAYLOAD);
         carried = DELTACAL_SIGN[i] * s[18 + i] * payload_kg;
-        torque[i] = deltacal_drive(i, DELTACAL_SIGN[i] * q[i], DELTACAL_SIGN[i] * qd[i], DELTACAL_SIGN[i] * qdd[i],
-                                   load + DELTACAL_PAYLOAD_LOADS[i] * carried, temp_C);
+        torque[i] = deltacal_drive(past, h, i, DELTACAL_SIGN[i] * q[i], DELTACAL_SIGN[i] * qd[i],
+                                   DELTACAL_SIGN[i] * qdd[i], load + DELTACAL_PAYLOAD_LOADS[i] * carried, temp_C);
         torque[i] /= DELTACAL_READ[i];
         if (!isfinite(torque[i]))
             return DELTACAL_SINGULAR;
@@ -556,6 +565,7 @@ int deltacal_feedforward(struct deltacal_motion *held, const double target_mm[2]
         held->torque[i] = fmin(fmax(torque[i], DELTACAL_TORQUE_LOW[i]), DELTACAL_TORQUE_HIGH[i]);
         limited |= held->torque[i] != torque[i];
     }
+    keep(held, past);
     held->begun = 1;
     return limited ? DELTACAL_LIMITED : DELTACAL_SOLVED;
 }

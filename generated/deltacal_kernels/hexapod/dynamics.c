@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/dynamics.c.jinja; sha256 of both 098a76e2adedd88f; SymPy 1.14.0.
+ * Template templates/mechanism/dynamics.c.jinja; sha256 of both 7cd7e3d0b449d23b; SymPy 1.14.0.
  *
  * The calibrated machine in motion: joints, their speeds and accelerations by those of the reference point, and what the
  * drives must give. w and d hold a region for each limb, w and s what all limbs share.
@@ -9,6 +9,7 @@
 #define LIMB_D 39
 #define PLATFORM_STEPS 8 /* of Newton's method, at most, until the platform stands at the joints */
 #define PLATFORM_DONE 1e-9 /* mm and rad */
+#define RAD_PER_DEG 0.017453292519943295
 
 /* What moves with a joint only; then platform at home, whatever the joint (9 operations). */
 static void early(double *w, const double *k)
@@ -1780,19 +1781,21 @@ static int in_motion(const double *target, const double *velocity, const double 
     return DELTACAL_SOLVED;
 }
 
-int deltacal_feedforward(struct deltacal_motion *held, const double target_mm[6],
-                         const double velocity_mm_s[6], const double acceleration_mm_s2[6],
+int deltacal_feedforward(struct deltacal_motion *held, const double target[6],
+                         const double velocity[6], const double acceleration[6],
                          double payload_kg, double temp_C)
 {
+    double past[DELTACAL_PAST + 1] = { 0.0 }, h; /* since the last set point [s] */
+    double x[6], speed[6], change[6]; /* of turns: Cayley vector, rad/s, rad/s^2 */
     double q[6], qd[6], qdd[6], joints[6], torque[6];
     double d[LIMB_D * 6] = { 0.0 }, s[183] = { 0.0 };
     int i, status, limited = 0;
     for (i = 0; i < 6; i++)
-        if (!isfinite(target_mm[i]) || !isfinite(velocity_mm_s[i]) || !isfinite(acceleration_mm_s2[i]))
+        if (!isfinite(target[i]) || !isfinite(velocity[i]) || !isfinite(acceleration[i]))
             return DELTACAL_NOT_A_NUMBER;
     if (!isfinite(payload_kg) || !isfinite(temp_C))
         return DELTACAL_NOT_A_NUMBER;
-    status = deltacal_compensate(target_mm, joints);
+    status = deltacal_compensate(target, joints);
     if (status != DELTACAL_SOLVED)
         return status;
     for (i = 0; i < 6; i++) {
@@ -1800,17 +1803,24 @@ int deltacal_feedforward(struct deltacal_motion *held, const double target_mm[6]
             return DELTACAL_JUMP;
         q[i] = DELTACAL_SIGN[i] * joints[i] / JOINT_PER_UNIT;
     }
-    status = in_motion(target_mm, velocity_mm_s, acceleration_mm_s2, q, qd, qdd, d, s);
+    stated(target, 0.0, DELTACAL_TOOL, DELTACAL_K[0], x);
+    for (i = 0; i < 6; i++) {
+        speed[i] = velocity[i] * (i < 3 ? 1.0 : RAD_PER_DEG);
+        change[i] = acceleration[i] * (i < 3 ? 1.0 : RAD_PER_DEG);
+    }
+    status = in_motion(x, speed, change, q, qd, qdd, d, s);
     if (status != DELTACAL_SOLVED)
         return status;
+    recall(held, past);
+    h = held->begun ? held->period_s : 0.0;
     for (i = 0; i < 6; i++) {
         double load, carried;
         give(d, s, DELTACAL_INERTIA[i]);
         load = DELTACAL_SIGN[i] * s[63 + i];
         give(d, s, DELTACAL_PAYLOAD);
         carried = DELTACAL_SIGN[i] * s[63 + i] * payload_kg;
-        torque[i] = deltacal_drive(i, DELTACAL_SIGN[i] * q[i], DELTACAL_SIGN[i] * qd[i], DELTACAL_SIGN[i] * qdd[i],
-                                   load + DELTACAL_PAYLOAD_LOADS[i] * carried, temp_C);
+        torque[i] = deltacal_drive(past, h, i, DELTACAL_SIGN[i] * q[i], DELTACAL_SIGN[i] * qd[i],
+                                   DELTACAL_SIGN[i] * qdd[i], load + DELTACAL_PAYLOAD_LOADS[i] * carried, temp_C);
         torque[i] /= DELTACAL_READ[i];
         if (!isfinite(torque[i]))
             return DELTACAL_SINGULAR;
@@ -1820,6 +1830,7 @@ int deltacal_feedforward(struct deltacal_motion *held, const double target_mm[6]
         held->torque[i] = fmin(fmax(torque[i], DELTACAL_TORQUE_LOW[i]), DELTACAL_TORQUE_HIGH[i]);
         limited |= held->torque[i] != torque[i];
     }
+    keep(held, past);
     held->begun = 1;
     return limited ? DELTACAL_LIMITED : DELTACAL_SOLVED;
 }

@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/robotennis.py by "deltacal kernels". Do not edit.
- * Template templates/mechanism/dynamics.c.jinja; sha256 of both 5a96700013530782; SymPy 1.14.0.
+ * Template templates/mechanism/dynamics.c.jinja; sha256 of both f4e3960f86ac8e72; SymPy 1.14.0.
  *
  * The calibrated machine in motion: joints, their speeds and accelerations by those of the reference point, and what the
  * drives must give. w and d hold a region for each limb, w and s what all limbs share.
@@ -752,6 +752,8 @@ int deltacal_feedforward(struct deltacal_motion *held, const double target_mm[3]
                          const double velocity_mm_s[3], const double acceleration_mm_s2[3],
                          double payload_kg, double temp_C)
 {
+    double past[DELTACAL_PAST + 1] = { 0.0 }, h; /* since the last set point [s] */
+    double x[3], speed[3], change[3]; /* of turns: Cayley vector, rad/s, rad/s^2 */
     double q[3], qd[3], qdd[3], joints[3], torque[3];
     double d[LIMB_D * 3] = { 0.0 }, s[48] = { 0.0 };
     int i, status, limited = 0;
@@ -768,17 +770,24 @@ int deltacal_feedforward(struct deltacal_motion *held, const double target_mm[3]
             return DELTACAL_JUMP;
         q[i] = DELTACAL_SIGN[i] * joints[i] / JOINT_PER_UNIT;
     }
-    status = in_motion(target_mm, velocity_mm_s, acceleration_mm_s2, q, qd, qdd, d, s);
+    for (i = 0; i < 3; i++) {
+        x[i] = target_mm[i];
+        speed[i] = velocity_mm_s[i];
+        change[i] = acceleration_mm_s2[i];
+    }
+    status = in_motion(x, speed, change, q, qd, qdd, d, s);
     if (status != DELTACAL_SOLVED)
         return status;
+    recall(held, past);
+    h = held->begun ? held->period_s : 0.0;
     for (i = 0; i < 3; i++) {
         double load, carried;
         give(d, s, DELTACAL_INERTIA[i]);
         load = DELTACAL_SIGN[i] * s[27 + i];
         give(d, s, DELTACAL_PAYLOAD);
         carried = DELTACAL_SIGN[i] * s[27 + i] * payload_kg;
-        torque[i] = deltacal_drive(i, DELTACAL_SIGN[i] * q[i], DELTACAL_SIGN[i] * qd[i], DELTACAL_SIGN[i] * qdd[i],
-                                   load + DELTACAL_PAYLOAD_LOADS[i] * carried, temp_C);
+        torque[i] = deltacal_drive(past, h, i, DELTACAL_SIGN[i] * q[i], DELTACAL_SIGN[i] * qd[i],
+                                   DELTACAL_SIGN[i] * qdd[i], load + DELTACAL_PAYLOAD_LOADS[i] * carried, temp_C);
         torque[i] /= DELTACAL_READ[i];
         if (!isfinite(torque[i]))
             return DELTACAL_SINGULAR;
@@ -788,6 +797,7 @@ int deltacal_feedforward(struct deltacal_motion *held, const double target_mm[3]
         held->torque[i] = fmin(fmax(torque[i], DELTACAL_TORQUE_LOW[i]), DELTACAL_TORQUE_HIGH[i]);
         limited |= held->torque[i] != torque[i];
     }
+    keep(held, past);
     held->begun = 1;
     return limited ? DELTACAL_LIMITED : DELTACAL_SOLVED;
 }

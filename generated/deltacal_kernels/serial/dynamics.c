@@ -1,6 +1,6 @@
 /*
  * Generated from derive/mechanisms/serial.py by "deltacal kernels". Do not edit.
- * Template templates/chain/dynamics.c.jinja; sha256 of both 40b37b4681071611; SymPy 1.14.0.
+ * Template templates/chain/dynamics.c.jinja; sha256 of both d3f8f8559ac4f388; SymPy 1.14.0.
  *
  * The calibrated chain in motion, link by link: a frame in {O} with its first and second derivatives by time, the twists
  * of all behind a joint by it, and what the bodies ask for.
@@ -612,7 +612,8 @@ static double given_by(const struct motion *m, int j, const double *bodies)
 }
 
 /* Torques of the drives, by joints, speeds and accelerations as the geometry counts them. */
-static int drives(const double *q, const double *qd, const double *qdd, double payload_kg, double temp_C, double *torque)
+static int drives(const double *q, const double *qd, const double *qdd, double payload_kg, double temp_C, double h,
+                  double *past, double *torque)
 {
     struct motion m;
     int i;
@@ -621,7 +622,7 @@ static int drives(const double *q, const double *qd, const double *qdd, double p
         const double sign = DELTACAL_SIGN[i];
         const double load = sign * given_by(&m, i, DELTACAL_INERTIA[i]);
         const double carried = sign * given_by(&m, i, DELTACAL_PAYLOAD) * payload_kg;
-        torque[i] = deltacal_drive(i, sign * q[i], sign * qd[i], sign * qdd[i],
+        torque[i] = deltacal_drive(past, h, i, sign * q[i], sign * qd[i], sign * qdd[i],
                                    load + DELTACAL_PAYLOAD_LOADS[i] * carried, temp_C);
         torque[i] /= DELTACAL_READ[i];
         if (!isfinite(torque[i]))
@@ -634,7 +635,7 @@ static int drives(const double *q, const double *qd, const double *qdd, double p
 static int handed_out(struct deltacal_motion *held, const double *q, const double *qd, const double *qdd,
                       double payload_kg, double temp_C)
 {
-    double joints[DELTACAL_JOINTS], torque[DELTACAL_JOINTS];
+    double joints[DELTACAL_JOINTS], torque[DELTACAL_JOINTS], past[DELTACAL_PAST + 1] = { 0.0 };
     int i, status, limited = 0;
     for (i = 0; i < DELTACAL_JOINTS; i++) {
         joints[i] = DELTACAL_SIGN[i] * q[i] / DELTACAL_FACTOR[i];
@@ -643,7 +644,8 @@ static int handed_out(struct deltacal_motion *held, const double *q, const doubl
         if (held->begun && !(fabs(joints[i] - held->joints[i]) <= DELTACAL_MOST_SPEED[i] * held->period_s))
             return DELTACAL_JUMP;
     }
-    status = drives(q, qd, qdd, payload_kg, temp_C, torque);
+    recall(held, past);
+    status = drives(q, qd, qdd, payload_kg, temp_C, held->begun ? held->period_s : 0.0, past, torque);
     if (status != DELTACAL_SOLVED)
         return status;
     for (i = 0; i < DELTACAL_JOINTS; i++) {
@@ -651,6 +653,7 @@ static int handed_out(struct deltacal_motion *held, const double *q, const doubl
         held->torque[i] = fmin(fmax(torque[i], DELTACAL_TORQUE_LOW[i]), DELTACAL_TORQUE_HIGH[i]);
         limited |= held->torque[i] != torque[i];
     }
+    keep(held, past);
     held->begun = 1;
     return limited ? DELTACAL_LIMITED : DELTACAL_SOLVED;
 }

@@ -60,6 +60,7 @@ CHAIN = """/*
 {words}
  *             after 1 to 4 held keeps joints and torques of the last set point that was solved.
  * Near rest   inside DELTACAL_REST (rad/s, mm/s) what depends on a joint's speed goes straight from side to side.
+ * The past    of friction that builds up over a way is followed from set point to set point, period_s apart.
  * Effort      of a target at most POSE_STEPS (40) steps of Newton's method, from held->joints on: set these before the
  *             first one, it says how the chain stands. No other loop depends on the input. No memory is allocated, and
  *             nothing is kept between calls but what is in held.
@@ -82,7 +83,7 @@ CHAIN = """/*
 struct deltacal_motion {{
     double joints[DELTACAL_JOINTS], torque[DELTACAL_JOINTS];
     double period_s;
-    int begun;
+    int begun;{past}
 }};
 
 int deltacal_feedforward_joints(struct deltacal_motion *held, const double joints[DELTACAL_JOINTS],
@@ -97,12 +98,14 @@ int deltacal_feedforward(struct deltacal_motion *held, const double target[6], c
 INTERFACE = """/*
  * In motion: joints and what the drives must give, by position, velocity and acceleration of the reference point.
  *
- * In          target_mm, velocity_mm_s, acceleration_mm_s2: {axes} in {{O}}; payload_kg at the reference point; temp_C
+ * In          {target}, {velocity}, {acceleration}: {axes} in {{O}};
+ *             payload_kg at the reference point; temp_C
  * Out         held->joints_{unit} and held->torque [{read}], positive along positive joints of the controller
  * Returns     0 solved; 1 out of reach; 2 singular;
 {words}
  *             after 1 to 4 held keeps joints and torques of the last set point that was solved.
  * Near rest   inside DELTACAL_REST (rad/s, mm/s) what depends on a joint's speed goes straight from side to side.
+ * The past    of friction that builds up over a way is followed from set point to set point, period_s apart.
  * Effort      at most MAX_STEPS (30) + PLATFORM_STEPS (8) steps of Newton's method; no other loop depends on the input.
  *             No memory is allocated, and nothing is kept between calls but what is in held.
  * Usage       struct deltacal_motion held = {{ .period_s = 0.001 }};   (between two set points)
@@ -114,11 +117,11 @@ INTERFACE = """/*
 struct deltacal_motion {{
     double joints_{unit}[{limbs}], torque[{limbs}];
     double period_s;
-    int begun;
+    int begun;{past}
 }};
 
-int deltacal_feedforward(struct deltacal_motion *held, const double target_mm[{asked}],
-                         const double velocity_mm_s[{asked}], const double acceleration_mm_s2[{asked}],
+int deltacal_feedforward(struct deltacal_motion *held, const double {target}[{asked}],
+                         const double {velocity}[{asked}], const double {acceleration}[{asked}],
                          double payload_kg, double temp_C);
 """
 
@@ -143,28 +146,30 @@ def export_feedforward(known: MotionModel, path: str | Path) -> None:
             "and diagnose again."
         )
     body = importlib.resources.files("deltacal_kernels").joinpath(robot.mechanism, "dynamics.c")
-    machine = _limbs(known, robot, own) if isinstance(own, LimbDynamics) else _chain(known, robot, own)
+    past = _past(joints)
+    machine = _limbs(known, robot, own, past) if isinstance(own, LimbDynamics) else _chain(known, robot, own, past)
     parts = [
         *machine,
         "\n".join(_tables(known, robot, own, joints)),
         *_effects(joints),
+        "\n".join(_remembering(joints, past)),
         "\n".join(_drive(joints)),
         body.read_text(encoding="utf-8"),
     ]
     write_files({Path(path): "\n".join(parts)})
 
 
-def _limbs(known: MotionModel, robot: Robot, own: LimbDynamics) -> tuple[str, str, str]:
+def _limbs(known: MotionModel, robot: Robot, own: LimbDynamics, past: int) -> tuple[str, str, str]:
     """Return geometry, interface and numbers of a machine with limbs."""
     with using(Backend.NUMPY):  # a file holds the same digits wherever it is written from
         geometry = Compensator(robot)
         text = c_source(geometry, geometry.round_trip())
     numbers = [*_table("MOTION_K", own.constants[0][0]), *_table("BODY_K", own.constants[1][0])]
     numbers += [_line("SHARES", own.shares, "of a rod's mass at either end")]
-    return text, _interface(known, robot), "\n".join(numbers)
+    return text, _interface(known, robot, past), "\n".join(numbers)
 
 
-def _chain(known: MotionModel, robot: Robot, own: Dynamics) -> tuple[str, str]:
+def _chain(known: MotionModel, robot: Robot, own: Dynamics, past: int) -> tuple[str, str]:
     """Return interface and numbers of an open chain."""
     machine = mechanism_of(robot)
     assert isinstance(own, ChainDynamics)
@@ -184,6 +189,7 @@ def _chain(known: MotionModel, robot: Robot, own: Dynamics) -> tuple[str, str]:
         links=len(conventions),
         drives=len(drives),
         limbs=machine.limbs,
+        past=_held(past),
     )
     numbers = [
         f"static const int DELTACAL_CONVENTION[] = {{ {', '.join(map(str, conventions))} }};",
@@ -209,18 +215,33 @@ def _chain(known: MotionModel, robot: Robot, own: Dynamics) -> tuple[str, str]:
     return head, "\n".join(numbers)
 
 
-def _interface(known: MotionModel, robot: Robot) -> str:
+def _interface(known: MotionModel, robot: Robot, past: int) -> str:
     """Return what a controller sees: codes, what is held between calls, the function."""
     machine = mechanism_of(robot)
+    axes = ", ".join(machine.axes)
+    target, velocity, acceleration = "target_mm", "velocity_mm_s", "acceleration_mm_s2"
+    if machine.turning:
+        target, velocity, acceleration = "target", "velocity", "acceleration"
+        turns = ", ".join(f"r{name[1]}" for name in machine.asks if name[0] == "c")
+        axes = f"{axes} [mm, mm/s, mm/s^2] and {turns} [deg, deg/s, deg/s^2]: rotation vector, turns about the axes"
     return INTERFACE.format(
+        target=target,
+        velocity=velocity,
+        acceleration=acceleration,
+        past=_held(past),
         unit=file_unit(machine.joint_unit),
         limbs=machine.limbs,
         asked=len(machine.asks),
-        axes=", ".join(machine.axes),
+        axes=axes,
         read=", ".join(readouts_of_model(known)[0]),
         words=WORDS,
         codes=DEFINES,
     )
+
+
+def _held(past: int) -> str:
+    """Return the line of what effects remember, where some do."""
+    return f"\n    double past[{past}]; /* what friction remembers, and the states that it read last */" if past else ""
 
 
 def _tables(known: MotionModel, robot: Robot, own: Dynamics, joints: Sequence[JointModel]) -> Iterator[str]:
@@ -274,47 +295,120 @@ def _effects(joints: Sequence[JointModel]) -> list[str]:
     names = dict.fromkeys(term.effect for model in joints for term in model.terms)
     folder = importlib.resources.files("deltacal_kernels").joinpath("effects")
     for name in names:
-        lacking = [s for s in load_effect(name).STATE if s not in STATES]
-        if lacking or not folder.joinpath(f"{name}.c").is_file():
-            what = f"'{lacking[0]}'" if lacking else "its past"
-            raise UsageError(f"{name} depends on {what}, which a controller does not have: it cannot be exported.")
+        if lacking := [s for s in load_effect(name).STATE if s not in STATES]:
+            raise UsageError(
+                f"{name} depends on '{lacking[0]}', which a controller does not have: it cannot be exported."
+            )
     return [folder.joinpath(f"{name}.c").read_text(encoding="utf-8") for name in names]
+
+
+def _past(joints: Sequence[JointModel]) -> int:
+    """Return how many numbers are kept of the past: what effects remember, and the states that they read last."""
+    return sum(_kept(term) for model in joints for term in model.terms)
+
+
+def _kept(term: TorqueTerm) -> int:
+    kernels = load_effect(term.effect)
+    memories = len(getattr(kernels, "MEMORY", ()))
+    return memories and memories + len(kernels.STATE)
+
+
+def _by_joint(joints: Sequence[JointModel]) -> Iterator[tuple[int, list[tuple[TorqueTerm, int]]]]:
+    """Yield each joint (from 0) that has terms, and these with where their past stands."""
+    at = 0
+    for model in joints:
+        placed = []
+        for term in model.terms:
+            placed.append((term, at))
+            at += _kept(term)
+        if placed:
+            yield model.joint - 1, placed
+
+
+DRIVE = "int joint, double q, double qd, double qdd, double load, double temp_C"
+UNREAD = "    (void)joint, (void)q, (void)qd, (void)qdd, (void)load, (void)temp_C;"
+
+
+def _remembering(joints: Sequence[JointModel], past: int) -> Iterator[str]:
+    """Yield the functions by which effects follow their past from one set point to the next."""
+    yield f"#define DELTACAL_PAST {past}"
+    yield "/* What was remembered at the last set point that was solved. */"
+    yield "static void recall(const struct deltacal_motion *held, double *past)"
+    yield from _copied("past[i] = held->past[i];", past)
+    yield "/* Remember what a set point that was solved leaves. */"
+    yield "static void keep(struct deltacal_motion *held, const double *past)"
+    yield from _copied("held->past[i] = past[i];", past)
+    yield "/* Follow the past of a joint's effects to this set point, h seconds after the last (0: it is the first). */"
+    yield f"static void remember(double *past, double h, {DRIVE})"
+    yield "{"
+    yield f"    (void)past, (void)h;\n{UNREAD}"
+    for joint, placed in _by_joint(joints):
+        remembering = [(term, at) for term, at in placed if _kept(term)]
+        if not remembering:
+            continue
+        yield f"    if (joint == {joint}) {{"
+        for term, at in remembering:
+            states = load_effect(term.effect).STATE
+            before = at + _kept(term) - len(states)
+            yield from _numbers(term, at)
+            yield "            if (h > 0.0)"
+            yield f"                {term.effect}_step(past + {at}, past + {before}, s, h, c, constants);"
+            yield "            else"
+            yield f"                {term.effect}_start(past + {at}, s, c, constants);"
+            yield from (f"            past[{before + n}] = s[{n}];" for n in range(len(states)))
+            yield "        }"
+        yield "    }"
+    yield "}"
+    yield ""
+
+
+def _copied(line: str, past: int) -> Iterator[str]:
+    yield "{"
+    if past:
+        yield f"    int i;\n    for (i = 0; i < DELTACAL_PAST; i++)\n        {line}"
+    else:
+        yield "    (void)held, (void)past;"
+    yield "}"
+    yield ""
 
 
 def _drive(joints: Sequence[JointModel]) -> Iterator[str]:
     """Yield the functions of what a drive has beside the rigid machine."""
     yield "/* What a drive gives beside its load, in units inside. */"
-    yield "static double beside(int joint, double q, double qd, double qdd, double load, double temp_C)"
+    yield f"static double beside(const double *past, {DRIVE})"
     yield "{"
     yield "    double total = 0.0;"
-    yield "    (void)joint, (void)q, (void)qd, (void)qdd, (void)load, (void)temp_C;"
-    for model in joints:
-        if model.terms:
-            yield f"    if (joint == {model.joint - 1}) {{"
-            for term in model.terms:
-                yield from _term(term)
-            yield "    }"
+    yield f"    (void)past;\n{UNREAD}"
+    for joint, placed in _by_joint(joints):
+        yield f"    if (joint == {joint}) {{"
+        for term, at in placed:
+            yield from _numbers(term, at)
+            yield f"            total += {term.effect}(s, c, constants);"
+            yield "        }"
+        yield "    }"
     yield "    return total;"
     yield "}"
     yield ""
-    yield "/* What a drive gives, friction ramped near rest. */"
-    yield "static double deltacal_drive(int joint, double q, double qd, double qdd, double load, double temp_C)"
+    yield "/* What a drive gives, friction ramped near rest; past is followed up to this set point. */"
+    yield f"static double deltacal_drive(double *past, double h, {DRIVE})"
     yield "{"
     yield "    const double edge = DELTACAL_REST[joint];"
     yield "    load += DELTACAL_ROTOR[joint] * qdd;"
+    yield "    remember(past, h, joint, q, qd, qdd, load, temp_C);"
     yield "    if (!(fabs(qd) < edge))"
-    yield "        return load + beside(joint, q, qd, qdd, load, temp_C);"
-    yield "    return load + (0.5 - 0.5 * qd / edge) * beside(joint, q, -edge, qdd, load, temp_C)"
-    yield "           + (0.5 + 0.5 * qd / edge) * beside(joint, q, edge, qdd, load, temp_C);"
+    yield "        return load + beside(past, joint, q, qd, qdd, load, temp_C);"
+    yield "    return load + (0.5 - 0.5 * qd / edge) * beside(past, joint, q, -edge, qdd, load, temp_C)"
+    yield "           + (0.5 + 0.5 * qd / edge) * beside(past, joint, q, edge, qdd, load, temp_C);"
     yield "}"
     yield ""
 
 
-def _term(term: TorqueTerm) -> Iterator[str]:
-    states = ", ".join(STATES[name] for name in load_effect(term.effect).STATE) or "0.0"
+def _numbers(term: TorqueTerm, at: int) -> Iterator[str]:
+    """Yield the begin of a block with an effect's states, coefficients and constants; its past stands from `at` on."""
+    kernels = load_effect(term.effect)
+    memories = len(getattr(kernels, "MEMORY", ()))
+    states = [*(STATES[name] for name in kernels.STATE), *(f"past[{at + n}]" for n in range(memories))]
     yield "        {"
-    yield f"            const double s[] = {{ {states} }};"
+    yield f"            const double s[] = {{ {', '.join(states) or '0.0'} }};"
     yield f"            static const double c[] = {{ {c_numbers(np.array(term.values))} }};"
     yield f"            static const double constants[] = {{ {c_numbers(np.array(term.constants or (0.0,)))} }};"
-    yield f"            total += {term.effect}(s, c, constants);"
-    yield "        }"
