@@ -15,6 +15,7 @@ import numpy as np
 
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.files.robot import Robot, read_robot, robot_from_dict, robot_to_dict
+from deltacal_gen.identification.accuracy import turned
 from deltacal_gen.machine.registry import Machine, mechanism_of
 from deltacal_gen.physics.body import Body
 from deltacal_gen.physics.channels import Channels
@@ -22,7 +23,16 @@ from deltacal_gen.physics.terms import effect_names, load_effect
 from deltacal_gen.units import DEG
 
 Array = np.ndarray
-MACHINES = ("delta", "complete_delta", "diamond", "linear_delta", "planar_parallelogram", "robotennis", "serial")
+MACHINES = (
+    "delta",
+    "complete_delta",
+    "diamond",
+    "hexapod",
+    "linear_delta",
+    "planar_parallelogram",
+    "robotennis",
+    "serial",
+)
 TYPICAL = {"theta": 0.05 * DEG, "length": 0.1, "angle": 0.03 * DEG}  # of machined parts
 SMALL = 0.3  # of the typical errors of the other machines, which are those before any assembly
 SWING = 80 * DEG  # to which the joints of a chain are turned either way
@@ -62,8 +72,10 @@ def _as_example(machine: str, s: float, rng: np.random.Generator) -> Robot:
             tables["geometry"][key.key] = (s * np.asarray(given)).tolist()
     for link in tables.get("joint", ()):
         link |= {key: float(link[key] * s) for key in ("a", "d")}
-    for key in tables.get("workspace", ()):
+    for key in {*tables.get("workspace", ())} - {"turn"}:
         tables["workspace"][key] *= s
+    if "limits_mm" in tables.get("joints", ()):
+        tables["joints"]["limits_mm"] = (s * np.asarray(tables["joints"]["limits_mm"])).tolist()
     tables.pop("tolerance", None)
     if not robot.links:
         tables["masses"] = {
@@ -97,7 +109,7 @@ def joints_of_poses(robot: Robot, n: int, tool: Array, rng: np.random.Generator)
     if robot.links:
         return np.asarray(SWING * rng.uniform(-1, 1, (n, mechanism.limbs)))
     rows = mechanism.rows(robot, np.zeros(len(mechanism.parameters)))
-    theta, _, status = mechanism.inverse(_targets(robot, n, rings, rng), tool, rows)
+    theta, _, status = mechanism.inverse(turned(robot, _targets(robot, n, rings, rng)), tool, rows)
     if (status != 0).any():
         raise RuntimeError("the workspace is larger than the machine's reach")
     return theta
