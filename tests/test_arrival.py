@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.errors import InputError
 from deltacal_gen.estimation.fit import BROAD, fit, rough
 from deltacal_gen.estimation.problem import Problem, pose_problem
@@ -17,6 +18,7 @@ from deltacal_gen.estimation.turns import turned
 from deltacal_gen.files.robot import Robot, robot_from_dict
 from deltacal_gen.identification.checks import plausible
 from deltacal_gen.identification.identification import identify
+from deltacal_gen.identification.prior import UNSAID
 from deltacal_gen.machine.registry import Machine, mechanism_of
 from deltacal_gen.machine.rotation import from_vector
 from deltacal_gen.machine.values import Measurement, Recording
@@ -243,6 +245,16 @@ def test_a_reflector_of_which_the_robot_file_says_nothing_is_found_where_it_sits
     # along x and y of the last link it sits where it is, but for the zero of the last joint, which nothing else reads
     radius = np.hypot(unsaid["tx"].value, unsaid["ty"].value)
     assert radius == pytest.approx(np.hypot(-30.0 + said["tx"].value, -20.0 + said["ty"].value), abs=0.1)
+
+
+def test_beside_effects_a_tool_point_that_nobody_wrote_down_is_as_open(arm: Robot) -> None:
+    readings = recorded(arm, wide(np.random.default_rng(2), 30, 1.2), size=0.1)
+    bare = dataclasses.replace(arm, tool=np.zeros(3))
+    said, unsaid = (diagnose(robot, readings).baseline.problem for robot in (arm, bare))
+    tool = [said.names.index(name) for name in ("tx", "ty", "tz")]
+    assert (unsaid.scale[tool] == UNSAID).all()
+    assert (said.scale[tool] < UNSAID / 10).all()
+    assert np.delete(unsaid.scale, tool) == pytest.approx(np.delete(said.scale, tool))
 
 
 def test_a_tool_point_that_is_said_is_believed_as_other_parts_are(arm: Robot) -> None:

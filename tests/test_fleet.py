@@ -112,6 +112,23 @@ def test_an_effect_that_has_grown_is_said() -> None:
     assert "width" not in fleet._moved(diagnosis(0.02), diagnosis(0.022))
 
 
+def test_each_measured_point_is_compared_with_itself() -> None:
+    folder = example("gearbox")
+    found = commands.diagnose(folder / "robot.toml", folder / "recording.csv")
+
+    def diagnosis(first: float) -> Diagnosis:
+        sizes = {(0.0, 107.0, 36.0): first, (99.0, -11.0, 36.0): 13.5}
+        points = tuple(
+            EffectParameter(name="offset_x", limb=None, value=value, std=0.1, unit="mm", tool_mm=point)
+            for point, value in sizes.items()
+        )
+        return found.replace(effects=(found.effects[0].replace(limbs=(), parameters=points),))
+
+    assert fleet._grown(diagnosis(-1.6), diagnosis(-1.6)) == []
+    [(_, name, was, now, *_)] = fleet._grown(diagnosis(-1.6), diagnosis(2.0))
+    assert (name, was, now) == ("offset_x of (0, 107, 36)", -1.6, 2.0)
+
+
 def test_validation_needs_a_result_and_says_so(shop: Path, tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"result\.json"):
         fleet.conduct(shop, tmp_path / "run", "validate", workers=1)

@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 import pytest
+from scipy.signal import lfilter
 
 from deltacal_gen.diagnosis import hints, strategy
 from deltacal_gen.diagnosis.diagnosis import Diagnosed, diagnose
 from deltacal_gen.diagnosis.evidence import MOST_WRONG, Evidence, evidence
 from deltacal_gen.diagnosis.hints import hinted
+from deltacal_gen.diagnosis.library import library
 from deltacal_gen.diagnosis.search import Search
 from deltacal_gen.diagnosis.strategy import MARGIN
+from deltacal_gen.estimation.fit import fit
+from deltacal_gen.estimation.problem import Problem, pose_problem
+from deltacal_gen.estimation.solvers import Prior
+from deltacal_gen.machine.registry import Array, mechanism_of
 from deltacal_gen.physics.terms import blank
 from tests.left_out import channels, effect, machine, record
 
@@ -39,6 +47,34 @@ def test_what_comes_near_its_price_is_a_hint_with_poses_that_would_decide(weak: 
     assert found.rejected
 
 
+def test_what_is_held_out_and_predicted_worse_is_no_name(monkeypatch: pytest.MonkeyPatch) -> None:
+    robot, n, rng = machine(), 60, np.random.default_rng(4)
+    made = record(robot, effect("backlash", (2,), 0.02), n=n, of=channels(n, "approach"))
+    noise = lfilter([1.0], [1.0, -0.9], 0.02 * rng.standard_normal((n, 3)), axis=0)
+    problem = pose_problem(
+        robot,
+        dataclasses.replace(made, measured=made.measured + noise),
+        mechanism_of(robot).model("42"),
+    )
+    first = fit(problem, Prior(), drop_gross=False, must_converge=False)
+
+    def searched() -> strategy.Outcome:
+        return strategy.searched(problem, first, library(problem)[0], False, lambda text: None)
+
+    def names(found: strategy.Outcome) -> list[str]:
+        return [t.effect for t in strategy.terms_of(found.search.fit)]
+
+    found = searched()
+    assert "backlash" in names(found)
+    assert "backlash" in names(strategy.beside_noise(found, False))
+    monkeypatch.setattr(strategy, "held_out_by", _millimetres_off)
+    assert names(searched()) == names(strategy.beside_noise(found, False)) == []
+
+
+def _millimetres_off(problem: Problem, search: Search, parts: object) -> Array:
+    return np.where(np.isfinite(search.fit.residual), 1.0, np.nan)
+
+
 def test_noise_gives_no_hint_and_no_name() -> None:
     robot = machine()
     found = diagnose(robot, record(robot, of=channels(60, "approach"))).answer()
@@ -56,6 +92,7 @@ def test_both_errors_are_as_often_as_stated(size: float) -> None:
     assert np.mean(ratios[1] <= 0) == pytest.approx(stated, abs=tolerance)
     assert Evidence(1.0, size).speaks == (stated <= MOST_WRONG)
     assert not Evidence(-1.0, size).speaks
+    assert [Evidence(k * 2 * np.sqrt(size), size).denies for k in (-1.1, -0.9, 1.0)] == [True, False, False]
 
 
 def test_a_gross_error_says_no_more_than_huber_lets_it(weak: Diagnosed) -> None:

@@ -98,7 +98,7 @@ def test_what_noise_that_hangs_together_outweighs_is_a_hint() -> None:
     assert found.noise.model is not None
     assert found.noise.model.rows > 5
     [hint] = [h for h in found.hints if h.name == "instrument_drift"]
-    assert "hangs together" in hint.why
+    assert hint.why.startswith("is explained as well by noise that hangs together")  # "it ..." goes before
     assert any("instrument_drift" in (n.separates or ()) for n in found.next_measurements)
 
 
@@ -122,6 +122,13 @@ def test_a_jump_is_as_uncertain_as_its_moment() -> None:
     assert abs(moment.value - when) < 3 * moment.std
     assert size.std is not None
     assert abs(size.value - 0.003) < 3 * size.std
+
+
+def test_a_moment_is_a_row_where_no_time_was_recorded() -> None:
+    found = diagnose(ROBOT, record(ROBOT, effect("zero_jump", (2,), 0.01, constants=(30.0,)))).answer()
+    [jump] = found.effects
+    assert found.clock == "row"
+    assert [(p.name, p.unit) for p in jump.parameters] == [("size", "deg"), ("when", "row")]
 
 
 def test_an_order_that_stands_alone_is_sure() -> None:

@@ -529,15 +529,15 @@ def _moved(old: Answer, new: Answer) -> str:
 
 def _grown(old: Diagnosis, new: Diagnosis) -> list[tuple[str, str, float, float, float, str]]:
     """Return the parameters of effects in both diagnoses that differ by more than noise explains."""
-    was = {(e.name, e.limbs, p.name, p.limb): p for e in old.effects for p in e.parameters}
+    was = {(e.name, e.limbs, p.label, p.limb): p for e in old.effects for p in e.parameters}
     out = []
     for e in new.effects:
         for p in e.parameters:
-            before = was.get((e.name, e.limbs, p.name, p.limb))
+            before = was.get((e.name, e.limbs, p.label, p.limb))
             if before is None or before.std is None or p.std is None:  # an order, a time: a constant
                 continue
             std = math.hypot(before.std, p.std)
             first, then = float(before.value), float(p.value)
             if abs(then - first) > CLEAR * std:
-                out.append((e.name, p.name, first, then, std, p.unit))
+                out.append((e.name, p.label, first, then, std, p.unit))
     return out

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
@@ -62,6 +62,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
     before, after = (heldout if np.isfinite(heldout) else None for heldout in found.heldout)
     of_baseline, of_final = ((float(at.sigma[0]) / sigma) ** 2 for at in (baseline, final))
     unit, unknowns = final.instrument.unit(final.problem.recording.columns), unknowns_of(final)
+    clock: Literal["time_s", "row"] = "row" if final.problem.body.channels.get("time") is None else "time_s"
     return Diagnosis(
         verdict=found.verdict,
         summary=" ".join(filter(None, (_summary(found), found.noise.contradiction, *_doubts(found)))),
@@ -72,7 +73,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
         location=found.location,
         effects=(
             *([_periodic(found, found.spectrum)] if found.spectrum is not None else []),
-            *(_effect(n, final.problem.recording.joint_unit, found.chance) for n in found.effects),
+            *(_effect(n, final.problem.recording.joint_unit, found.chance, clock) for n in found.effects),
         ),
         search=Searched(best=found.chance.best, p_value=found.chance.p_value),
         final=Final(train_rms_mm=final.rms(), heldout_rms_mm=after, chi2_per_dof=of_final),
@@ -90,7 +91,7 @@ def result_of(found: Diagnosed) -> Diagnosis:
         sigma_mm=sigma,
         physics=tuple(map(kept_term, final.problem.acting(final.errors))),
         seen=None if found.spectrum is None else _seen(found.spectrum),
-        clock="row" if final.problem.body.channels.get("time") is None else "time_s",
+        clock=clock,
         instrument=_instrument(found, final.instrument),
         robot=kept_robot(found.robot),
         uncertainty=uncertainty_of(final, found.noise),
@@ -156,7 +157,7 @@ def _residuals(found: Diagnosed) -> Residuals:
     )
 
 
-def _effect(found: Named, joint_unit: str, chance: Chance) -> Effect:
+def _effect(found: Named, joint_unit: str, chance: Chance, clock: str) -> Effect:
     term, kernels = found.term.plain, found.term.kernels
     parameters: list[EffectParameter] = []
     std = found.std.reshape(found.term.values.shape)[:, : found.term.own]
@@ -172,12 +173,13 @@ def _effect(found: Named, joint_unit: str, chance: Chance) -> Effect:
                     tool_mm=term.tools[r] if term.tools else None,
                 )
             )
-    clock = kernels.SEARCHED.get("clocks", "")
-    counts = str(term.constant(clock)) if clock else LOGGED
+    channel = kernels.SEARCHED.get("clocks", "")
+    counts = str(term.constant(channel)) if channel else LOGGED
     for value, (name, unit, factor) in zip(term.constants, constants_of(term, joint_unit), strict=True):
         if value == LOGGED:
             continue  # a time constant in s says so
         unit = counts if counts != LOGGED and name in kernels.SIZED else unit
+        unit = "row" if clock == "row" and name == kernels.SEARCHED.get("moments") else unit
         searched = name in kernels.SIZED or name in map(kernels.SEARCHED.get, SCATTERED)
         std_of = found.of_constant / factor if found.of_constant is not None and searched else None
         parameters.append(EffectParameter(name=name, limb=None, value=scaled(value, 1 / factor), std=std_of, unit=unit))

@@ -201,10 +201,7 @@ def _geometry(robot: Robot, recording: Recording, model: str | None) -> tuple[Pr
     if everything.readings.kind.sees_joints:
         model = checks.chosen_model(mechanism, everything, recording, model)
     model = own or model or mechanism.full_model
-    problem = everything.with_names(mechanism.model(model))
-    ordinary = zip(problem.names, problem.scale, strict=True)
-    scale = np.array([robot.tolerance.get(n, MACHINED * s) for n, s in ordinary])
-    problem = dataclasses.replace(problem, scale=scale)
+    problem, _ = with_prior(everything.with_names(mechanism.model(model)), robot, MACHINED)
     checks.distinct(problem, recording)
     if own is None:
         checks.enough(mechanism, problem, recording)

@@ -47,6 +47,11 @@ class Evidence:
         """Whether the readings bear the effects out."""
         return self.ratio > 0 and self.wrong <= MOST_WRONG
 
+    @property
+    def denies(self) -> bool:
+        """Whether the readings lie farther off with the effects, by more than the ratio scatters."""
+        return self.ratio < -2 * float(np.sqrt(self.size))
+
 
 def evidence(at: Fit, before: Array, after: Array) -> Evidence:
     """Return what held-out errors (R, k) [mm, rad] without effects and with them say, as a fit counts readings."""

@@ -100,7 +100,7 @@ def told(several: list[Hinted], search: Search, chance: Chance) -> tuple[Hint, .
 def _why(hint: Hinted, named: int) -> str:
     """Return why an effect is not named beside so many others."""
     if hint.outweighed:
-        return "noise that hangs together from row to row explains as much: repeat poses measured long before"
+        return "is explained as well by noise that hangs together from row to row: repeat poses measured long before"
     if hint.found.score <= MARGIN:
         return f"explains more than chance usually lets it; {MARGIN - hint.found.score:.0f} of chi2 are wanting"
     if named >= MOST_EFFECTS:

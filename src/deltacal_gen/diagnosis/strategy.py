@@ -99,7 +99,7 @@ def searched(some: Problem, first: Fit, terms: Sequence[Term], lean: bool, progr
     progress("held-out error")
     without, tested = held_out_errors(first, Prior(), parts), search.fit
     predicted = held_out_by(some, search, parts) if search.effects else without
-    if search.effects and not evidence(first, without, held_out_errors(search.fit, Prior(), parts)).speaks:
+    if search.effects and not _speak_for(search, first, without, predicted, parts):
         search = Search(first, terms)
     progress("what is left")
     search, left = _without_gross(some, search)
@@ -119,6 +119,17 @@ def searched(some: Problem, first: Fit, terms: Sequence[Term], lean: bool, progr
             search, left = proven, structures(proven.fit)
             unexplained = _unexplained(search, left, lean)
     return Outcome(some, first, search, considered, left, spectrum, unexplained, parts, tested, without, predicted)
+
+
+def _speak_for(
+    search: Search, first: Fit, without: Array, predicted: Array, parts: Sequence[tuple[np.ndarray, np.ndarray]]
+) -> bool:
+    """Tell whether held-out readings bear out what was found, and are not farther off where others choose for them.
+
+    Effects that other readings would not have chosen, or in sizes that spoil the prediction, hold for their own alone.
+    """
+    found = evidence(first, without, held_out_errors(search.fit, Prior(), parts))
+    return found.speaks and not evidence(first, without, predicted).denies
 
 
 def _unexplained(search: Search, left: Sequence[Structure], lean: bool) -> bool:
@@ -146,6 +157,7 @@ def beside_noise(found: Outcome, lean: bool) -> Outcome:
     """Return what of the effects found holds beside noise that hangs together as what they leave does.
 
     Noise that wanders leaves readings anywhere, and what they then leave wanders farther: it is less likely, and stops.
+    In such noise effects may grow without end against one another: with them others are predicted worse than without.
     """
     at = found.search.fit
     if (calm := together(at)) is None:
@@ -154,8 +166,14 @@ def beside_noise(found: Outcome, lean: bool) -> Outcome:
     if kept is None or (not at.repeats.plain and deviance_of(kept) > deviance_of(at)):
         return found
     search = _proven(found.problem, Search(kept, found.search.terms))
+    predicted = held_out_by(found.problem, search, found.parts) if search.effects else found.without
+    if search.effects and evidence(found.first, found.without, predicted).denies:
+        search = Search(found.first, found.search.terms)
     left = structures(search.fit)
-    return dataclasses.replace(found, search=search, left=left, unexplained=_unexplained(search, left, lean))
+    unexplained = _unexplained(search, left, lean)
+    return dataclasses.replace(
+        found, search=search, left=left, unexplained=unexplained, tested=search.fit, predicted=predicted
+    )
 
 
 def deviance(found: Outcome) -> float:

@@ -18,15 +18,16 @@ FACTORS = tuple(np.geomspace(0.02, 4.0, 40).tolist())  # of a prior's size, that
 NOTHING_LEFT = 1e-12  # of a prior's variance: then the data know everything
 
 
-def with_prior(problem: Problem, robot: Robot) -> tuple[Problem, tuple[bool, ...]]:
+def with_prior(problem: Problem, robot: Robot, broad: float = BROAD) -> tuple[Problem, tuple[bool, ...]]:
     """Return the problem in standard deviations of its priors, and which of them the robot file's tolerances give.
 
-    No reflector sits in the origin of a flange: a tool point of zeros is one that nobody has written down.
+    Of what the robot file does not say the prior is as `broad` as so many ordinary errors. No reflector sits in the
+    origin of a flange: a tool point of zeros is one that nobody has written down.
     """
     given = tuple(n in robot.tolerance for n in problem.names)
     unsaid = _unsaid(robot)
     sd = [
-        robot.tolerance.get(n, UNSAID if n in unsaid else BROAD * s)
+        robot.tolerance.get(n, UNSAID if n in unsaid else broad * s)
         for n, s in zip(problem.names, problem.scale, strict=True)
     ]
     return dataclasses.replace(problem, scale=np.array(sd)), given

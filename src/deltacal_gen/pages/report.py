@@ -405,7 +405,7 @@ def _parameter(effect: Effect, p: EffectParameter) -> tuple[str, ...]:
     return (
         spaced(effect.name),
         joint,
-        spaced(p.name),
+        spaced(p.label),
         measured(p.value, p.std),
         "" if p.unit == "1" else p.unit,
     )

@@ -107,6 +107,12 @@ class EffectParameter(Value):
     setup: str | None = None
     """The set-up that it belongs to, of a payload."""
 
+    @property
+    def label(self) -> str:
+        """Its name, and of which measured point or of which set-up it is, where each has its own."""
+        point = f"({', '.join(f'{v:g}' for v in self.tool_mm)})" if self.tool_mm else None
+        return " of ".join(filter(None, (self.name, point, self.setup)))
+
 
 class Effect(Value):
     """An effect that was found."""

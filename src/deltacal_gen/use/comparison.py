@@ -150,7 +150,7 @@ def _in_motion(found: MotionResult | MotionDiagnosis) -> dict[str, tuple[float, 
         of_joint = ((p.name if p.limb is None else f"{p.name} of joint {p.limb}", p) for p in found.parameters)
         return {name: (p.value, p.std, p.unit) for name, p in of_joint}
     return {
-        f"{e.name}{_order(e)} {p.name}_{p.limb}": (p.value, p.std, p.unit)
+        f"{e.name}{_order(e)} {p.label}{'' if p.limb is None else f'_{p.limb}'}": (p.value, p.std, p.unit)
         for e in found.effects
         for p in e.parameters
         if not isinstance(p.value, str)

@@ -216,7 +216,7 @@ def show_diagnosis(found: Diagnosis) -> None:
             for p in effect.parameters:
                 limb = "" if p.limb is None else str(p.limb)
                 value, std = (p.value, "-") if isinstance(p.value, str) else rounded(p.value, p.std)
-                table.add_row(effect.name, limb, p.name, value, std, p.unit)
+                table.add_row(effect.name, limb, p.label, value, std, p.unit)
         screen.print(table)
         for effect in found.effects:
             if effect.indistinguishable_from:
