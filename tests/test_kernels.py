@@ -6,6 +6,7 @@ The hand-written machine stands in `independent_delta`; from the package it take
 from __future__ import annotations
 
 import dataclasses
+import platform
 from concurrent.futures import ThreadPoolExecutor
 from types import ModuleType
 
@@ -409,7 +410,11 @@ def test_the_simplified_machine_is_closed_form(robot: Robot, mechanism: Machine)
 
 
 def test_the_simplified_machine_stands_alone_as_in_company(robot: Robot, mechanism: Machine) -> None:
-    """To the last bit: what a pose gives does not depend on how many there are."""
+    """To the last bit: what a pose gives does not depend on how many there are.
+
+    Elsewhere than on x86 a product and a sum may be one operation in a loop over poses, and two behind it.
+    """
+    far = 0.0 if platform.machine() in ("x86_64", "AMD64") else 4 * float(np.finfo(float).eps)
     n, k = 21, mechanism.compiled.constants(mechanism.rows(robot, np.zeros(42)))
     target = scattered(robot, n, 6)
     q, x, status = np.empty((n, 3)), np.empty((n, 3)), np.empty(n, int)
@@ -418,9 +423,9 @@ def test_the_simplified_machine_stands_alone_as_in_company(robot: Robot, mechani
     for m in range(n):
         alone, at, of = np.empty((1, 3)), np.empty((1, 3)), np.empty(1, int)
         mechanism.compiled.simplified_inverse(target[m : m + 1], TOOL[None], k, alone, of)
-        assert (alone == q[m]).all()
+        np.testing.assert_allclose(alone[0], q[m], rtol=far, atol=0)
         mechanism.compiled.simplified_forward(alone, TOOL[None], k, at, of)
-        assert (at == x[m]).all()
+        np.testing.assert_allclose(at[0], x[m], rtol=far, atol=0)
 
 
 def test_two_threads_may_use_the_same_kernels(robot: Robot, mechanism: Machine) -> None:
