@@ -17,9 +17,10 @@ TARGETS = {
     "diamond": "x_mm,y_mm\n0,-900\n50,-950\n",
     "planar_parallelogram": "x_mm,y_mm\n-660,-770\n",
     "linear_delta": "x_mm,y_mm,z_mm\n0,0,0\n50,20,5\n",
+    "hexapod": "x_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg\n0,0,310,0,0,0\n10,5,300,3,-2,5\n",
     "serial": "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,2,3,4,25,6\n",
 }
-MACHINES = ("delta", "diamond", "planar_parallelogram", "linear_delta", "serial")
+MACHINES = ("delta", "diamond", "planar_parallelogram", "linear_delta", "serial", "hexapod")
 
 
 @dataclass(frozen=True)
