@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from itertools import pairwise
+from itertools import count, pairwise
 from pathlib import Path
 from typing import Any
 
@@ -122,6 +122,18 @@ def test_what_no_rung_explains_is_told_with_its_joint(tmp_path: Path) -> None:
     found = dc.diagnose(tmp_path / "robot.toml", path)
     assert found["verdict"] == "unexplained"
     assert [u["limb"] for u in found["unexplained"]] == [2]
+
+
+def test_friction_that_runs_in_depends_on_the_time(tmp_path: Path) -> None:
+    """In proportion to the speed, whose mean is none: what is left does not go with the time by itself."""
+    second, run = np.array([0.0, 1.0, 0.0]), count()
+
+    def friction(states: np.ndarray, load: np.ndarray) -> np.ndarray:
+        t = (12.0 * next(run) + STEP * np.arange(len(load)))[:, None]
+        return 0.02 * (1 + np.exp(-t / 15.0)) * states[1] / DEG * second
+
+    found = dc.diagnose(tmp_path / "robot.toml", written(tmp_path, friction, seed=7))
+    assert [(u["limb"], u["channel"]) for u in found["unexplained"]] == [(2, "time")]
 
 
 def test_what_is_no_noise_and_depends_on_nothing_recorded_is_not_adequate(tmp_path: Path) -> None:

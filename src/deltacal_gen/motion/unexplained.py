@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from deltacal_gen.machine.registry import Array
 
 WAVES = 8  # hats across the range of a channel
+STAGES = 4  # hats across a session, in what goes with speed as well
 SHOWS = 0.03  # of the held-out rms: what a smooth function of a channel must take away
 SMOOTH = 3.0  # times the part of the rest that changes from sample to sample: what is larger is no noise
 ABOVE = 1.15  # times a noise that is declared, or of single samples: more is no noise
@@ -87,6 +88,11 @@ def channels(fit: Fit) -> dict[str, Array]:
         found["temperature"] = (states["temperature"], way)
     smooth = {n: hats(values, WAVES) * by[:, None] for n, (values, by) in found.items() if np.ptp(values) > 0}
     smooth["speed"] = np.column_stack([smooth["speed"], way])  # what depends on the speed may jump where it turns
+    # what changes as the session goes on, friction that runs in, goes with the speed and its sign as well
+    session = hats(fit.joint.rows.astype(float), STAGES)
+    by_time = [states["qd"] / max(float(np.std(states["qd"])), 1e-300), way]
+    along = smooth.get("time", np.empty((len(one), 0)))
+    smooth["time"] = np.hstack([along, *(session * by[:, None] for by in by_time)])
     history = _history(fit)
     return smooth | ({"history": history} if history.size else {})
 
