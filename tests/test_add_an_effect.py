@@ -45,7 +45,7 @@ ADDED = {
 }
 
 
-@pytest.fixture(scope="module", params=ADDED)
+@pytest.fixture(scope="module", params=["warm_compliance", pytest.param("preload", marks=pytest.mark.thorough)])
 def added(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[str, Path]:
     """Return the name of an effect, and a copy of the sources to which its file was added."""
     name, folder = str(request.param), tmp_path_factory.mktemp("sources")
