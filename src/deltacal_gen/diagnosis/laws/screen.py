@@ -93,9 +93,9 @@ def _coarse(ground: Ground, names: Sequence[str], remembers: bool) -> list[Form]
     """Return simple functions of every state, waves, and products of two; and states that lag."""
     states, lags = ground.states, ground.lags[2::3] if remembers else ()
     ones = [grammar.single(n, a) for n in names for a in grammar.simple(n, states[n])]
+    lines = {n: grammar.linear(n, states[n]) for n in names}
     for a, b in itertools.combinations(names, 2):
-        for f, g in itertools.product(grammar.linear(a, states[a]), grammar.linear(b, states[b])):
-            ones.append(grammar.product((a, f), (b, g)))
+        ones += [grammar.product((a, f), (b, g)) for f, g in itertools.product(lines[a], lines[b])]
     ones += [grammar.single(n, grammar.lagging(n, tau)) for n in names if n != "time" for tau in lags]
     ones += [w for n in names if states[n].ndim == 1 and n[:2] != "q_" for w in grammar.waves(n, states[n])]
     return ones
@@ -137,9 +137,10 @@ def _scored(place: Place, forms: Sequence[Form], G: Array, b: Array) -> list[Tri
     on_all = whole - (limbs - 1) * m * quantile(1, 1) > single
     own = [place.limbs if every else place.limbs[k : k + 1] for every, k in zip(on_all.tolist(), one, strict=True)]
     gain = np.where(on_all, whole, single).tolist()
+    columns = [m * max(len(some), 1) * quantile(1, 1) for some in (place.limbs[:1], place.limbs)]  # see `_price`
     return [
-        Tried(place.target, form, some, most, _price(form, some, 1))
-        for form, some, most in zip(forms, own, gain, strict=True)
+        Tried(place.target, form, some, most, columns[every] + PART * form.length)
+        for form, some, most, every in zip(forms, own, gain, on_all.tolist(), strict=True)
     ]
 
 
