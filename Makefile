@@ -11,9 +11,10 @@ export OPENBLAS_NUM_THREADS := 1
 demo: .venv/run  ## find what is concealed in an embedded recording; page and picture in demo/
 	$(BIN)/deltacal demo
 
+# files in the order of their names: by the number of their tests few, long ones would come last
 test: .venv/dev lint  ## lint, types, import rules, kernels, tests
 	$(BIN)/deltacal kernels --check
-	$(BIN)/python -m pytest -n $(WORKERS) --dist loadfile
+	$(BIN)/python -m pytest -n $(WORKERS) --dist loadfile --no-loadscope-reorder
 
 test-all: .venv/dev lint  ## the same, and what takes minutes
 	$(BIN)/deltacal kernels --check

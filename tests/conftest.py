@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 from collections.abc import Callable, Mapping, Sequence
@@ -48,6 +49,12 @@ ORDINARY = {"theta": 0.3, "mm": 0.1, "rad": 0.03}  # [deg, mm, deg] standard dev
 
 
 Run = Callable[..., tuple[int, str, str]]
+
+
+def pytest_collection_finish() -> None:
+    """Leave what imports made out of every later collection of garbage: it stays to the end."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture

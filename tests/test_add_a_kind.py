@@ -4,11 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 import json
-import os
 import re
 import shutil
-import subprocess
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,8 +14,8 @@ from conftest import PROTOTYPE, scattered, wanted
 
 from deltacal_gen.files.robot import robot_from_dict, robot_to_toml
 from deltacal_gen.files.writing import write_recording
+from tests.copies import ROOT, called, commanded, copied
 
-ROOT = Path(__file__).parents[1]
 PAGE = ROOT / "src" / "deltacal_gen" / "manual" / "add-measurement.md"
 POSES, FITTED, NOISE = 130, 100, 0.005
 
@@ -49,33 +46,29 @@ ADDED = {
 def added(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[str, Path]:
     """Return the name of a kind, and a copy of the sources to which its file was added."""
     name, folder = str(request.param), tmp_path_factory.mktemp("sources")
-    for part in ("derive", "templates", "generated", "tests"):
-        ignored = shutil.ignore_patterns("__pycache__", "benchmarks", "proof", "claims", "frozen")
-        shutil.copytree(ROOT / part, folder / part, ignore=ignored)
-    shutil.copytree(ROOT / "src", folder / "src", ignore=shutil.ignore_patterns("__pycache__"))
+    copied(folder, "derive", "templates", "generated", "src")
+    copied(folder, "tests", without=("benchmarks", "proof", "claims", "frozen"))
     shutil.copy(ROOT / "pyproject.toml", folder)
     (folder / "derive" / "measurements" / f"{name}.py").write_text(ADDED[name].text, encoding="utf-8")
-    called(folder, "-m", "derive", name)
+    python(folder, "-m", "derive", name)
     return name, folder
 
 
-def called(folder: Path, *arguments: object) -> str:
-    """Run Python on the copy; return what it printed."""
-    paths = [folder, folder / "generated", folder / "src"]
-    environment = os.environ | {"PYTHONPATH": os.pathsep.join(map(str, paths))}
-    command = [sys.executable, *map(str, arguments)]
-    done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout
+def paths(folder: Path) -> list[Path]:
+    return [folder, folder / "generated", folder / "src"]
 
 
-def deltacal(folder: Path, *arguments: object) -> str:
-    return called(folder, "-c", "from deltacal_gen.app.cli import main; main()", *arguments)
+def python(folder: Path, *arguments: object) -> str:
+    return called(folder, *arguments, paths=paths(folder))
+
+
+def deltacal(folder: Path, *lines: tuple[object, ...]) -> list[str]:
+    return commanded(folder, *lines, paths=paths(folder))
 
 
 def test_every_shared_test_takes_it(added: tuple[str, Path]) -> None:
     name, folder = added
-    said = called(folder, "-m", "pytest", "-q", "-n0", "-k", name, "tests/test_kinds.py")
+    said = python(folder, "-m", "pytest", "-q", "-n0", "-k", name, "tests/test_kinds.py")
     assert int(re.search(r"(\d+) passed", said)[1]) >= 5  # type: ignore[index]
 
 
@@ -89,26 +82,28 @@ def test_it_is_simulated_identified_diagnosed_predicted_and_validated(added: tup
     text = (folder / "poses.toml").read_text(encoding="utf-8")
     (folder / "poses.toml").write_text(text.replace('"position"', f'"{name}"'), encoding="utf-8")
     noise = ("--noise", NOISE, "--seed", 1)
-    deltacal(folder, "simulate", "robot.toml", "poses.csv", "-o", "read.csv", "--truth", "truth.toml", *noise)
+    deltacal(folder, ("simulate", "robot.toml", "poses.csv", "-o", "read.csv", "--truth", "truth.toml", *noise))
     header, *rows = (folder / "read.csv").read_text(encoding="utf-8").splitlines()
     assert set(case.columns) <= set(header.split(","))
     for part, kept in (("seen", rows[:FITTED]), ("new", rows[FITTED:])):
         (folder / f"{part}.csv").write_text("\n".join([header, *kept]) + "\n", encoding="utf-8")
         shutil.copy(folder / "read.toml", folder / f"{part}.toml")
 
-    deltacal(folder, "identify", "robot.toml", "seen.csv", "-o", "result.json", "--report", "result.html")
-    result = json.loads((folder / "result.json").read_text(encoding="utf-8"))
-    assert result["readings"]["kind"] == result["instrument"]["kind"] == name
-    assert result["readings"]["scalars"] == FITTED * len(case.columns)
-    found = json.loads(deltacal(folder, "validate", "result.json", "new.csv", "--json"))
-    assert found["rms_mm"] < 2 * NOISE
-
-    deltacal(folder, "diagnose", "robot.toml", "seen.csv", "-o", "diagnosis.json")
-    assert json.loads((folder / "diagnosis.json").read_text(encoding="utf-8"))["effects"] == []
     blank = [",".join("" if c in case.columns else v for c, v in pairs(header, row)) for row in rows[FITTED:]]
     (folder / "blank.csv").write_text("\n".join([header, *blank]) + "\n", encoding="utf-8")
     shutil.copy(folder / "read.toml", folder / "blank.toml")
-    deltacal(folder, "predict", "diagnosis.json", "blank.csv", "-o", "told.csv")
+    said = deltacal(
+        folder,
+        ("identify", "robot.toml", "seen.csv", "-o", "result.json", "--report", "result.html"),
+        ("validate", "result.json", "new.csv", "--json"),
+        ("diagnose", "robot.toml", "seen.csv", "-o", "diagnosis.json"),
+        ("predict", "diagnosis.json", "blank.csv", "-o", "told.csv"),
+    )
+    result = json.loads((folder / "result.json").read_text(encoding="utf-8"))
+    assert result["readings"]["kind"] == result["instrument"]["kind"] == name
+    assert result["readings"]["scalars"] == FITTED * len(case.columns)
+    assert json.loads(said[1])["rms_mm"] < 2 * NOISE
+    assert json.loads((folder / "diagnosis.json").read_text(encoding="utf-8"))["effects"] == []
     told_header, *told = (folder / "told.csv").read_text(encoding="utf-8").splitlines()
     for row, answer in zip(rows[FITTED:], told, strict=True):
         was, now = dict(pairs(header, row)), dict(pairs(told_header, answer))

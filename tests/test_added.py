@@ -5,16 +5,15 @@ from __future__ import annotations
 import csv
 import ctypes
 import json
-import os
 import shutil
 import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-ROOT = Path(__file__).resolve().parents[1]
+from tests.copies import ROOT, called, commanded, copied
+
 COMPILER = shutil.which("cc")
 NOISE = 0.003  # mm
 ROBOT = """
@@ -82,8 +81,7 @@ assert np.allclose(command(*machine.stated(targets)[0], state), exact[0], rtol=0
 def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A checkout with the machine's file and its kernels, and a folder of a machine's files."""
     root = tmp_path_factory.mktemp("checkout")
-    for name in ("derive", "templates", "generated", "src"):
-        shutil.copytree(ROOT / name, root / name, ignore=shutil.ignore_patterns("__pycache__"))
+    copied(root, "derive", "templates", "generated", "src")
     shutil.copy(ROOT / "tests" / "added" / "rrr.py", root / "derive" / "mechanisms")
     python(root, "-m", "derive", "rrr")
     work = root / "work"
@@ -97,17 +95,12 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return root
 
 
+def paths(root: Path) -> list[Path]:
+    return [root / name for name in ("src", "generated", ".")]
+
+
 def python(root: Path, *command: object, where: str = ".") -> str:
-    paths = os.pathsep.join(str(root / name) for name in ("src", "generated", "."))
-    done = subprocess.run(
-        [sys.executable, *map(str, command)],
-        cwd=root / where,
-        env=os.environ | {"PYTHONPATH": paths, "PYTHONHASHSEED": "0", "OPENBLAS_NUM_THREADS": "1"},
-        capture_output=True,
-        text=True,
-    )
-    assert done.returncode == 0, done.stderr
-    return done.stdout
+    return called(root, *command, paths=paths(root), where=where)
 
 
 def table(path: Path, *columns: str) -> np.ndarray:
@@ -138,34 +131,39 @@ def test_kernels_are_derived_and_agree(place: Path) -> None:
 def test_every_command_takes_it(place: Path) -> None:
     """From drawing to corrected commands; the true machine then meets positions and rotations."""
 
-    def run(*arguments: object) -> str:
-        return python(place, "-m", "deltacal_gen.app.cli", *arguments, where="work")
+    def run(*lines: tuple[object, ...]) -> list[str]:
+        return commanded(place, *lines, paths=paths(place), where="work")
 
     work = place / "work"
-    run("simulate", "robot.toml", "poses.csv", "-o", "recording.csv", "--truth", "truth.toml", "--noise", NOISE)
-    found = json.loads(run("identify", "robot.toml", "recording.csv", "-o", "result.json", "--json"))
+    study = ("--plan", "poses.csv", "--model", "21", "--trials", 20, "--noise", NOISE, "-o", "s.json")
+    said = run(
+        ("simulate", "robot.toml", "poses.csv", "-o", "recording.csv", "--truth", "truth.toml", "--noise", NOISE),
+        ("identify", "robot.toml", "recording.csv", "-o", "result.json", "--json"),
+        ("matrix", "robot.toml", "recording.csv", "--model", "21", "-o", "H.npz"),
+        ("plan", "robot.toml", "--model", "21", "-o", "targets.csv"),
+        ("plan", "robot.toml", "--model", "21", "--optimal", 12, "-o", "optimal.csv"),
+        ("validate", "result.json", "recording.csv"),
+        ("predict", "result.json", "recording.csv", "-o", "predicted.csv"),
+        ("diagnose", "robot.toml", "recording.csv", "-o", "diagnosis.json"),
+        ("study", "robot.toml", *study),
+        ("compare", "result.json", "result.json"),
+        ("compensate", "result.json", "targets.csv", "-o", "joints.csv"),
+    )
+    found = json.loads(said[1])
     assert found["model"] == "rrr/21"
     assert found["heldout_rms_mm"] < 1.5 * NOISE < found["before_rms_mm"] / 5
-    run("matrix", "robot.toml", "recording.csv", "--model", "21", "-o", "H.npz")
-    run("plan", "robot.toml", "--model", "21", "-o", "targets.csv")
-    run("plan", "robot.toml", "--model", "21", "--optimal", 12, "-o", "optimal.csv")
     assert np.abs(table(work / "targets.csv", "rz_deg")).max() > 10  # a plan turns the platform, too
     assert np.abs(table(work / "targets.csv", "rz_deg")).max() <= 15
-    run("validate", "result.json", "recording.csv")
-    run("predict", "result.json", "recording.csv", "-o", "predicted.csv")
-    run("diagnose", "robot.toml", "recording.csv", "-o", "diagnosis.json")
-    run("study", "robot.toml", "--plan", "poses.csv", "--model", "21", "--trials", 20, "--noise", NOISE, "-o", "s.json")
-    run("compare", "result.json", "result.json")
-    run("compensate", "result.json", "targets.csv", "-o", "joints.csv")
     (work / "joints.toml").write_text('[measurement]\nkind = "pose"\nframe = "robot"\n')
     (work / "targets.toml").write_text('[measurement]\nkind = "pose"\nframe = "robot"\n')
     columns = ("x_mm", "y_mm", "rz_deg")
-    wanted, reached = table(work / "targets.csv", *columns), {}
-    for name in ("joints", "targets"):
-        run("simulate", "robot.toml", f"{name}.csv", "-o", "reached.csv", "--truth", "truth.toml")
-        off = table(work / "reached.csv", *columns) - wanted
-        reached[name] = np.abs(off - off.mean(axis=0)).max(axis=0)
-    assert (reached["joints"] < reached["targets"] / 2).all()
+    wanted, off = table(work / "targets.csv", *columns), {}
+    names = ("joints", "targets")
+    run(*(("simulate", "robot.toml", f"{n}.csv", "-o", f"{n}_reached.csv", "--truth", "truth.toml") for n in names))
+    for name in names:
+        apart = table(work / f"{name}_reached.csv", *columns) - wanted
+        off[name] = np.abs(apart - apart.mean(axis=0)).max(axis=0)
+    assert (off["joints"] < off["targets"] / 2).all()
 
 
 @pytest.mark.skipif(COMPILER is None, reason="no C compiler")

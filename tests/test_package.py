@@ -17,6 +17,7 @@ from deltacal_gen.pages import manual
 
 ROOT = Path(__file__).resolve().parents[1]
 USER = """
+import numpy as np
 import deltacal_gen as dc
 import deltacal_kernels
 
@@ -26,6 +27,14 @@ reveal_type(dc.identify)
 reveal_type(dc.Compensator(robot).servo)
 reveal_type(deltacal_kernels.MECHANISMS)
 dc.identify(3, "recording.csv")
+
+result: dc.Result = dc.identify("robot.toml", "recording.csv", model="delta/32")
+held: float | None = result.heldout_rms_mm
+texts: list[str] = [c.text for c in result.unidentifiable]
+joints = dc.compensate(result, np.zeros((2, 3)))
+print(joints.shape, result.summary())
+verdict: dc.Verdict = dc.diagnose("robot.toml", "recording.csv").verdict
+wrong: int = result.model
 """
 
 
@@ -68,6 +77,9 @@ def test_a_type_checker_sees_the_types_of_an_installed_wheel(wheel: Path, tmp_pa
     assert "deltacal_gen.use.compensation.Servo" in said[2]
     assert said[3].startswith('note: Revealed type is "tuple[str, ')
     assert 'incompatible type "int"' in said[4]
+    assert "error: Incompatible types in assignment" in said[5]  # and of a script no other line
+    assert done.stdout.splitlines()[5].startswith(f"user.py:{len(USER.splitlines())}: ")
+    assert "Found 2 errors" in done.stdout.splitlines()[6]
     assert not [line for line in said if "import" in line]
 
 

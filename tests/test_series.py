@@ -74,7 +74,7 @@ def test_what_each_row_has_of_its_own_is_told_apart() -> None:
     assert found.own == pytest.approx(0.2, abs=0.08)
 
 
-@pytest.mark.parametrize("k", [0, 3])
+@pytest.mark.parametrize("k", [0, pytest.param(3, marks=pytest.mark.thorough)])
 def test_an_instrument_that_wanders_does_not_drift(k: int) -> None:
     found = diagnose(ROBOT, null("walk", k)).answer()
     assert found.effects == ()

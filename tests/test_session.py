@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
-from pathlib import Path
-
 import numpy as np
 import pandas as pd
 import pytest
@@ -77,21 +73,3 @@ def test_a_compensator_of_a_result_is_that_of_its_machine(result: dc.Result) -> 
 def test_a_misspelt_channel_is_an_error(result: dc.Result) -> None:
     with pytest.raises(dc.UsageError, match=r"no channel 'payload'\. Did you mean 'payload_kg'"):
         dc.compensate(result, np.array([[0.0, 0.0, -853.0]]), channels={"payload": 2.0})
-
-
-def test_a_script_is_typed(tmp_path: Path) -> None:
-    script = tmp_path / "script.py"
-    script.write_text(
-        "import numpy as np\nimport deltacal_gen as dc\n\n"
-        'result: dc.Result = dc.identify("robot.toml", "recording.csv", model="delta/32")\n'
-        "held: float | None = result.heldout_rms_mm\n"
-        "texts: list[str] = [c.text for c in result.unidentifiable]\n"
-        "joints = dc.compensate(result, np.zeros((2, 3)))\nprint(joints.shape, result.summary())\n"
-        'verdict: dc.Verdict = dc.diagnose("robot.toml", "recording.csv").verdict\n'
-        "wrong: int = result.model\n"
-    )
-    done = subprocess.run(
-        [sys.executable, "-m", "mypy", "--strict", str(script)], capture_output=True, text=True, check=False
-    )
-    (error, _) = done.stdout.splitlines()
-    assert "script.py:10: error: Incompatible types in assignment" in error

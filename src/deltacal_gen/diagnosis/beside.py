@@ -29,14 +29,16 @@ class Beside:
         Number of scalars.
     owner : (scalars,) int array
         The reading that each belongs to.
+    read : (R, k) bool array
+        Which components of readings the scalars are.
     """
 
     def __init__(self, at: Fit) -> None:
         self.fit, problem = at, at.problem
         self.machine = at.machine
         state = problem.linearise(at.errors, at.instrument, self.machine)
-        self._read = np.isfinite(state.residual)
-        self.owner = np.nonzero(self._read)[0]
+        self.read = np.isfinite(state.residual)
+        self.owner = np.nonzero(self.read)[0]
         # the residual carries the influence of a reading, columns none of it: a gross error can earn but little
         self._w = np.sqrt(1 + at.repeats.ratio) / np.broadcast_to(at.sigma, state.residual.shape)
         held, size = problem.held[: len(problem.held_std)], np.concatenate([[], *map(np.ravel, problem.held_std)])
@@ -114,17 +116,17 @@ class Beside:
         """Return readings (R, k, n) as whitened rows (scalars, n), unread components dropped."""
         if values.shape[2] <= BLOCK:
             return self._block(values)
-        out = np.empty((int(self._read.sum()), values.shape[2]))
+        out = np.empty((int(self.read.sum()), values.shape[2]))
         for at in range(0, values.shape[2], BLOCK):
             out[:, at : at + BLOCK] = self._block(values[..., at : at + BLOCK])
         return out
 
     def _block(self, values: Array) -> Array:
         scaled = values * self._w[..., None]
-        if self._read.all():
-            return self.fit.repeats.whiten(scaled).reshape(self._read.size, -1)
-        scaled[~self._read] = 0.0
-        return self.fit.repeats.whiten(scaled)[self._read]
+        if self.read.all():
+            return self.fit.repeats.whiten(scaled).reshape(self.read.size, -1)
+        scaled[~self.read] = 0.0
+        return self.fit.repeats.whiten(scaled)[self.read]
 
 
 @dataclass(frozen=True)

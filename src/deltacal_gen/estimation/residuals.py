@@ -50,6 +50,11 @@ class Repeats:
         """Whether the noise of each row is its own, and alike in all directions."""
         return self.series is None and self.shape is None
 
+    @property
+    def by_row(self) -> bool:
+        """Whether a row is whitened by itself: its noise is its own, be it alike in all directions or not."""
+        return self.series is None and not np.any(self.ratio)
+
     def as_plain(self) -> Repeats:
         """Return what repeats share alone."""
         return self if self.plain else dataclasses.replace(self, series=None, shape=None)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import copy
 import dataclasses
 import functools
+import itertools
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -88,17 +89,19 @@ class Ground:
         ] = {}  # forms that were looked at first, by what may be read
         self._kept: dict[tuple[int, int, int], tuple[Sequence[Form], Array]] = {}
         self._factors: dict[tuple[str, tuple[float, ...]], Array] = {}
+        self._at_rows: dict[str, tuple[Array, Array, Array]] = {}  # of places, by target
 
     def freed(self, *effects: int) -> Ground:
         """Return the same with terms of the fit taken out: they stand in the readings, nothing else moves."""
         out = copy.copy(self)
-        out.beside = self.beside.freed(*effects).beside
+        out.beside, out._at_rows = self.beside.freed(*effects).beside, {}
         return out
 
     def sharper(self, other: Fit) -> Ground:
         """Return the same with readings weighed by the noise that another fit leaves of them."""
         out = copy.copy(self)
         out.beside = Beside(dataclasses.replace(self.fit, sigma=other.sigma, weights=other.weights))
+        out._at_rows = {}
         return out
 
     @cached_property
@@ -293,6 +296,48 @@ class Ground:
         C3, I3 = (np.moveaxis(v.reshape(len(v), n, m), 1, 0) for v in (C, inside))
         G = np.swapaxes(C3, 1, 2) @ C3 - np.swapaxes(I3, 1, 2) @ I3
         return G, b.reshape(n, m), size.reshape(n, m)
+
+    def normal_of(self, place: Place, forms: Sequence[Form], values: Array) -> tuple[Array, Array]:
+        """Return normal equations of forms with m functions each on all limbs, G (n, limbs * m, limbs * m) and b.
+
+        `values` (R, limbs or 1, n * m) are the forms' functions. Where the noise of each row is its own, what a place
+        does to the readings of a row comes down to few numbers, and no column is ever written out.
+        """
+        n, m, limbs = len(forms), len(forms[0].factors), place.columns.shape[2]
+        states = [f.states for f in forms for _ in range(m)]
+        if not self.beside.fit.repeats.by_row:
+            C = self.columns(place, values, states)
+            C = np.swapaxes(C.reshape(len(C), n, m, limbs), 2, 3).reshape(len(C), n, -1)
+            return self.normal(C)[:2]
+        W, Q, r = self._in_rows(place)
+        each = np.where(_others(states, limbs).T, values, 0.0)
+        with np.errstate(over="ignore", invalid="ignore"):
+            size = np.sqrt(np.einsum("rl,rln->ln", np.diagonal(W, axis1=1, axis2=2), each**2))
+        if not (bounded := size < BOUNDLESS).all():  # as in `normal`
+            each, size = np.where(bounded, each, 0.0), np.where(bounded, size, 0.0)
+        each /= np.where(size > 0, size, 1.0)
+        b = np.einsum("rl,rln->ln", r, each)
+        inside = np.matmul(np.moveaxis(Q, 0, 2), np.moveaxis(each, 1, 0))  # (limbs, n_Q, n * m)
+        own = [(limb, j) for limb in range(limbs) for j in range(m)]
+        G = np.empty((n, len(own), len(own)))
+        for (s, (k, i)), (t, (l, j)) in itertools.combinations_with_replacement(enumerate(own), 2):
+            both = np.einsum("rn,rn->n", W[:, k, l, None] * each[:, k, i::m], each[:, l, j::m])
+            G[:, s, t] = G[:, t, s] = both - np.einsum("qn,qn->n", inside[k][:, i::m], inside[l][:, j::m])
+        return G, np.moveaxis(b.reshape(limbs, n, m), 0, 1).reshape(n, -1)
+
+    def _in_rows(self, place: Place) -> tuple[Array, Array, Array]:
+        """Return what a place does to each row, whitened: times itself, times `Q` and times the residual.
+
+        They are (R, limbs, limbs), (R, limbs, n_Q) and (R, limbs).
+        """
+        if place.target not in self._at_rows:
+            beside, R = self.beside, len(self.rows)
+            whole = np.zeros((R, place.columns.shape[1], place.columns.shape[2] + beside.Q.shape[1] + 1))
+            whole[beside.read] = np.column_stack([beside.rows(place.columns), beside.Q, beside.residual])
+            limbs = place.columns.shape[2]
+            found = np.swapaxes(whole[..., :limbs], 1, 2) @ whole
+            self._at_rows[place.target] = found[..., :limbs], found[..., limbs:-1], found[..., -1]
+        return self._at_rows[place.target]
 
     def term(self, target: str, form: Form, limbs: tuple[int, ...]) -> Term:
         """Return a form as a term of a fit, its coefficients as they explain most here, and where it was found."""

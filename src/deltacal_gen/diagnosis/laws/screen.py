@@ -55,7 +55,8 @@ def ranked(ground: Ground, looked_at: int = LOOKED_AT) -> list[Tried]:
 def stands_out(ground: Ground) -> bool:
     """Tell whether some simple form earns its price: what a fit leaves is then more than noise."""
     tried = _first(ground)
-    return any(t.gain - price(t, len(tried)) > MARGIN for t in tried)
+    of_choice = quantile(1, max(len(tried), 1)) - quantile(1, 1)
+    return any(t.score - of_choice > MARGIN for t in tried)
 
 
 def _each_once(tried: Iterable[Tried]) -> list[Tried]:
@@ -92,9 +93,9 @@ def _coarse(ground: Ground, names: Sequence[str], remembers: bool) -> list[Form]
     """Return simple functions of every state, waves, and products of two; and states that lag."""
     states, lags = ground.states, ground.lags[2::3] if remembers else ()
     ones = [grammar.single(n, a) for n in names for a in grammar.simple(n, states[n])]
+    lines = {n: grammar.linear(n, states[n]) for n in names}
     for a, b in itertools.combinations(names, 2):
-        for f, g in itertools.product(grammar.linear(a, states[a]), grammar.linear(b, states[b])):
-            ones.append(grammar.product((a, f), (b, g)))
+        ones += [grammar.product((a, f), (b, g)) for f, g in itertools.product(lines[a], lines[b])]
     ones += [grammar.single(n, grammar.lagging(n, tau)) for n in names if n != "time" for tau in lags]
     ones += [w for n in names if states[n].ndim == 1 and n[:2] != "q_" for w in grammar.waves(n, states[n])]
     return ones
@@ -124,34 +125,23 @@ def _screened(ground: Ground, place: Place, forms: Sequence[Form]) -> list[Tried
     """Return the forms on the limb, or on all limbs, on which each explains most beyond its own price."""
     out: list[Tried] = []
     for some, values in ground.batches(forms):
-        C = _of_forms(ground, place, some, values)
-        out += _scored(ground, place, some, C)
+        out += _scored(place, some, *ground.normal_of(place, some, values))
     return out
 
 
-def _of_forms(ground: Ground, place: Place, forms: Sequence[Form], values: Array) -> Array:
-    """Return whitened columns (scalars, n, limbs * functions) of forms with equally many functions."""
-    m = len(forms[0].factors)
-    states = [f.states for f in forms for _ in range(m)]
-    C = ground.columns(place, values, states)
-    limbs = C.shape[2]
-    return np.swapaxes(C.reshape(len(C), len(forms), m, limbs), 2, 3).reshape(len(C), len(forms), -1)
-
-
-def _scored(ground: Ground, place: Place, forms: Sequence[Form], C: Array) -> list[Tried]:
-    G, b, _ = ground.normal(C)
+def _scored(place: Place, forms: Sequence[Form], G: Array, b: Array) -> list[Tried]:
     limbs, m = place.columns.shape[2], len(forms[0].factors)
     each = np.stack([gains(G[:, at : at + m, at : at + m], b[:, at : at + m]) for at in range(0, limbs * m, m)], axis=1)
-    every = gains(G, b) if limbs > 1 else each[:, 0]
-    out = []
-    for k, form in enumerate(forms):
-        one = int(np.argmax(each[k]))
-        single, whole = float(each[k, one]), float(every[k])
-        more = (limbs - 1) * m * quantile(1, 1)
-        own = place.limbs if whole - more > single else place.limbs[one : one + 1]
-        gain = whole if whole - more > single else single
-        out.append(Tried(place.target, form, own, gain, _price(form, own, 1)))
-    return out
+    single, one = each.max(axis=1), each.argmax(axis=1)
+    whole = gains(G, b) if limbs > 1 else single
+    on_all = whole - (limbs - 1) * m * quantile(1, 1) > single
+    own = [place.limbs if every else place.limbs[k : k + 1] for every, k in zip(on_all.tolist(), one, strict=True)]
+    gain = np.where(on_all, whole, single).tolist()
+    columns = [m * max(len(some), 1) * quantile(1, 1) for some in (place.limbs[:1], place.limbs)]  # see `_price`
+    return [
+        Tried(place.target, form, some, most, columns[every] + PART * form.length)
+        for form, some, most, every in zip(forms, own, gain, on_all.tolist(), strict=True)
+    ]
 
 
 def _carried(ground: Ground, place: Place, tried: Tried) -> Tried:
@@ -159,8 +149,7 @@ def _carried(ground: Ground, place: Place, tried: Tried) -> Tried:
     limbs = len(place.limbs)
     if limbs < 2:
         return tried
-    C = _of_forms(ground, place, [tried.form], ground.values(tried.form))
-    G, b, _ = ground.normal(C)
+    G, b = ground.normal_of(place, [tried.form], ground.values(tried.form))
     m = len(tried.form.functions)
 
     @cache
