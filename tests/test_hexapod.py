@@ -81,6 +81,11 @@ def test_legs_are_as_long_as_between_their_joints(backend: Backend) -> None:
         np.testing.assert_allclose(there, x, rtol=0, atol=1e-10)
 
 
+def test_its_kernels_are_compiled_ahead() -> None:
+    names = [name for name, _ in MACHINE.compile()]
+    assert {f"hexapod.{name}" for name in ("forward", "inverse", "sensitivity", "torque", "linear_commands")} <= {*names}
+
+
 def test_legs_bear_the_platform() -> None:
     """Forces along the legs of no weight balance the platform's and a payload's, about any point."""
     drawn, x, payload = robot(), poses(20), 2.5
