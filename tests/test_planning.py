@@ -374,6 +374,15 @@ def example_robot(name: str) -> Robot:
     return read_robot(example(name) / "robot.toml")
 
 
+def test_a_workspace_out_of_place_is_answered_with_the_place_of_the_machine() -> None:
+    hexapod = example_robot("hexapod")
+    assert hexapod.workspace is not None
+    low = dataclasses.replace(hexapod, workspace=hexapod.workspace.model_copy(update={"top": 230.0}))
+    said = r"reaches 0 of 60 .* joint \d would stand at -.* mm, its limit is 0\. In the middle .* at \(0, 0, 321\) mm"
+    with pytest.raises(NoSolutionError, match=said):
+        planning.rank_table(low, "42")
+
+
 def test_the_nearest_singularity_of_a_diamond_is_a_stretched_limb() -> None:
     machine = example_robot("diamond")
     sizes = {key: float(machine.geometry[key][0]) for key in ("base_x", "proximal_length", "distal_length")}

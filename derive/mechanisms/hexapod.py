@@ -10,8 +10,8 @@ A command asks for position and rotation: the way of a leg follows from its own 
 forty solutions; the machine's is the one near its home, level above the base with all legs drawn in.
 
 Seven errors a leg are the 42 of the literature (Masory, Wang, Zhuang); `scale` is the lead of its spindle. Readings of
-poses in an unknown frame see 30 of the 42: another frame of the base, and of the platform, are the instrument's and the
-tool's.
+poses in an unknown frame see 33 of the 42: another frame of the base is the instrument's, another rotation of the
+platform the target's. Where nobody knows the reference point either, they see 30.
 """
 
 from __future__ import annotations

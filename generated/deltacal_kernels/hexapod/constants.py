@@ -1,7 +1,7 @@
 """What no pose changes: `hexapod`, many machines at once, Hexapod of Gough and Stewart, six legs.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/constants.py.jinja; sha256 of both 5569a2a17b5dedc7; SymPy 1.14.0.
+Template templates/mechanism/constants.py.jinja; sha256 of both 28d6b2d876a62765; SymPy 1.14.0.
 
 p (M, 6, 15) holds a machine's parameters, one row per limb; a loop over `lane` runs over the limbs of all machines.
 """

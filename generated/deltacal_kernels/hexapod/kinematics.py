@@ -1,7 +1,7 @@
 """Kinematics of `hexapod`, many poses at once: Hexapod of Gough and Stewart, six legs.
 
 Generated from derive/mechanisms/hexapod.py by "deltacal kernels". Do not edit.
-Template templates/mechanism/kinematics.py.jinja; sha256 of both 40f7c27fa57899e7; SymPy 1.14.0.
+Template templates/mechanism/kinematics.py.jinja; sha256 of both c4b345c0f094162f; SymPy 1.14.0.
 
 Arrays are C-contiguous float64, the pose first, lengths in mm, angles in rad:
 

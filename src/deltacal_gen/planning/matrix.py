@@ -27,7 +27,7 @@ from deltacal_gen.instrument.readings import Readings
 from deltacal_gen.machine.registry import Array, Machine, mechanism_of
 from deltacal_gen.machine.rotation import about_z
 from deltacal_gen.machine.values import Measurement
-from deltacal_gen.planning.reach import Poses, reach, reached_of
+from deltacal_gen.planning.reach import Poses, middle, place_of, reach, reached_of
 from deltacal_gen.planning.targets import candidates_of, radius, spread_of, width
 from deltacal_gen.results import plan as results
 from deltacal_gen.results.plan import Deviation, Expected, Method, PlannedPose
@@ -362,13 +362,18 @@ def generic(robot: Robot, tools: Array, kind: Kind | None = None) -> Poses:
 
 def _reachable(robot: Robot, targets: Array, tools: Array) -> Poses:
     targets = turned(robot, targets)
-    reached = reach(robot, targets, tools)[1] == ""
-    if reached.sum() < GENERIC_POSES / 2:
+    why = reach(robot, targets, tools)[1]
+    missed = np.flatnonzero(why != "")
+    reached = len(why) - len(missed)
+    if reached < GENERIC_POSES / 2:
+        places = targets[:, :3]
+        worst = missed[np.argmin(np.linalg.norm(places[missed] - places.mean(axis=0), axis=1))]
         raise NoSolutionError(
-            f"the machine reaches {reached.sum()} of {GENERIC_POSES} points spread over its workspace. "
+            f"the machine reaches {reached} of {len(why)} points spread over its workspace: "
+            f"{place_of(places[worst])} is {why[worst]}.{middle(robot, tools)} "
             "Check [workspace] and the limits of the joints."
         )
-    return reach(robot, targets[reached], tools)[0]
+    return reach(robot, targets[why == ""], tools)[0]
 
 
 def matrix_of(robot: Robot, poses: Poses, names: Sequence[str], kind: Kind, mount: Mount | None = None) -> Array:

@@ -133,8 +133,8 @@ def fitting(robot: Robot, targets: Array, tools: Array, centre: Array) -> tuple[
         return reached_of(robot, targets, tools), ()
     left_out = set(still.tolist())
     notes = tuple(
-        f"pose {row + 1} at {_place(targets[row])} is {why[row]}; "
-        + ("it is left out" if row in left_out else f"it is moved to {_place(placed[row])}")
+        f"pose {row + 1} at {place_of(targets[row])} is {why[row]}; "
+        + ("it is left out" if row in left_out else f"it is moved to {place_of(placed[row])}")
         for row in bad.tolist()
     )
     return reach(robot, np.delete(placed, still, axis=0), tools)[0], notes
@@ -155,8 +155,21 @@ def readable(robot: Robot, wanted: Array) -> Array:
     return np.column_stack([np.round(v / to_internal(u), READABLE[u]) * to_internal(u) for v, u in columns])
 
 
-def _place(target: Array) -> str:
-    return f"({', '.join(f'{v:.0f}' for v in target[:3])}) mm"
+def place_of(target: Array) -> str:
+    """Return a position (3,) in {O} [mm] as words."""
+    return f"({', '.join(str(round(v)) for v in target[:3].tolist())}) mm"
+
+
+def middle(robot: Robot, tools: Array) -> str:
+    """Say where the machine stands in the middle of the joints' limits: there its workspace can be; "" without any."""
+    if robot.joint_limits is None:
+        return ""
+    mechanism = mechanism_of(robot)
+    theta = robot.joint_sign * robot.joint_limits.mean(axis=1)
+    x, status = mechanism.forward(theta[None], tools_of(tools)[0], mechanism.rows(robot))
+    if status[0] != SOLVED:
+        return ""
+    return f" In the middle of the limits of all joints it is at {place_of(x[0])}."
 
 
 def reached_of(robot: Robot, targets: Array, tools: Array) -> Poses:
