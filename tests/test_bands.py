@@ -16,6 +16,7 @@ from deltacal_gen.app.demonstration import example
 from deltacal_gen.diagnosis.diagnosis import diagnose
 from deltacal_gen.errors import InputError
 from deltacal_gen.files.robot import Robot
+from deltacal_gen.identification import knowledge
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.identification.knowledge import factor
 from deltacal_gen.machine.registry import Machine
@@ -204,3 +205,11 @@ def test_uncertainty_of_effects_that_were_taken_out_by_hand_gives_no_bands(tmp_p
     commands.predict(edited, folder / "recording.csv", tmp_path / "predicted.csv")
     with pytest.raises(InputError, match="of 1 coefficients of effects, and it has others"):
         commands.predict(edited, folder / "recording.csv", tmp_path / "predicted.csv", bands=True)
+
+
+def test_errors_without_a_unit_are_called_so() -> None:
+    """Leads of spindles are numbers; beside them there are mm."""
+    said = knowledge._text(
+        knowledge._Left(("l_1", "scale_1"), ("mm", "1"), np.ones(2), np.ones((2, 2))), {"mm": 0.5, "1": 2.0}, 0.0
+    )
+    assert "0.5 times ordinary ones in mm and 2 times ordinary ones without a unit;" in said

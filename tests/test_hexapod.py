@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import ctypes
 import dataclasses
+import shutil
+import subprocess
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +14,7 @@ from conftest import Run
 
 from deltacal_gen.app.demonstration import example
 from deltacal_gen.diagnosis.diagnosis import diagnose
+from deltacal_gen.errors import UsageError
 from deltacal_gen.files.recording import read_recording
 from deltacal_gen.files.robot import Masses, Robot, read_robot
 from deltacal_gen.identification.accuracy import turned
@@ -18,7 +22,7 @@ from deltacal_gen.identification.identifiability import observability
 from deltacal_gen.identification.identification import identify
 from deltacal_gen.instrument.kinds import kind_of
 from deltacal_gen.machine.backend import Backend, using
-from deltacal_gen.machine.registry import load_mechanism
+from deltacal_gen.machine.registry import UNREACHABLE, load_mechanism
 from deltacal_gen.machine.rotation import from_vector
 from deltacal_gen.machine.values import Measurement, Recording
 from deltacal_gen.physics.parts import lacks
@@ -27,7 +31,12 @@ from deltacal_gen.physics.terms import Term, blank
 from deltacal_gen.planning import matrix, optimal
 from deltacal_gen.planning.reach import reach, readable
 from deltacal_gen.planning.targets import candidates_of
+from deltacal_gen.use import commanded
+from deltacal_gen.use.compensation import Compensator
+from deltacal_gen.use.exports import export_c
 from deltacal_gen.use.prediction import predict
+from deltacal_gen.use.spans import channels_of
+from deltacal_gen.use.tables import export_table
 
 MACHINE = load_mechanism("hexapod")
 FOLDER = example("hexapod")
@@ -173,3 +182,60 @@ def test_a_plan_turns_the_platform_as_people_write_it(run: Run, tmp_path: Path) 
     assert all(len(cell.partition(".")[2]) <= 3 for row in rows for cell in row[:4])
     assert max(len(cell) for row in rows for cell in row) <= 14
     assert "(50, 0, 260) mm is beyond" in " ".join(out.split())
+
+
+def test_a_hexapod_that_nothing_holds_is_called_singular() -> None:
+    """Base and platform alike: all legs are parallel at home, and the platform swings."""
+    drawn = robot(None)
+    same = dataclasses.replace(drawn, geometry=drawn.geometry | {"platform_radius": drawn.geometry["base_radius"]})
+    same = dataclasses.replace(same, geometry=same.geometry | {"platform_angle": drawn.geometry["base_angle"]})
+    _, why = reach(same, np.array([[0.0, 0.0, 300.0]]), drawn.tool)
+    assert why.tolist() == ["singular: the joints that stand for it do not lead back to it"]
+
+
+def test_legs_too_short_to_close_are_out_of_reach() -> None:
+    short = robot(None)
+    short = dataclasses.replace(short, geometry=short.geometry | {"leg_length": np.full(6, 80.0)})
+    with using(Backend.NUMPY):
+        assert MACHINE.forward(np.zeros((1, 6)), short.tool[None], MACHINE.rows(short))[1] == UNREACHABLE
+
+
+def commanded_by_c(source: Path, target: np.ndarray, approach: list[float]) -> list[float]:
+    """Return what `deltacal_command` of a C export answers."""
+    compiler = shutil.which("gcc") or shutil.which("cc")
+    if compiler is None:
+        pytest.skip("no C compiler on this machine")
+    flags = ("-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-shared", "-fPIC")
+    subprocess.run([compiler, *flags, "-o", str(source.with_suffix(".so")), str(source), "-lm"], check=True)
+    found, channels = (ctypes.c_double * 6)(), (ctypes.c_double * 9)(20.0, 0.0, 0.0, *approach)
+    assert (
+        ctypes.CDLL(str(source.with_suffix(".so"))).deltacal_command((ctypes.c_double * 6)(*target), channels, found)
+        == 0
+    )
+    return list(found)
+
+
+def test_effects_of_the_legs_alone_stand_in_the_c_of_a_platform_that_turns(tmp_path: Path) -> None:
+    """What depends on where the platform stands would have to know how it is turned, and is refused by name."""
+    machine, names = robot(3), {"lacks": lacks("backlash", MACHINE, MACHINE.moves(robot()), MACHINE.roles(robot()))}
+    play = blank("backlash", (2,), **names).with_values(np.array([[0.05]]))
+    compensator = Compensator(machine, terms=(play,))
+    left = export_c(compensator, tmp_path / "command.c")
+    assert left.worst_mm < 1e-9
+    target, approach = np.array([10.0, -5.0, 330.0, 3.0, -2.0, 4.0]), [1.0, -1.0, 1.0, 1.0, -1.0, 1.0]
+    wanted = commanded.Wanted.of_array(target[None], compensator, {}).positions
+    joints = compensator.command(wanted, None, channels_of(compensator, 1, {}))[0][0]
+    plain = Compensator(machine).command(wanted)[0][0]
+    moved = np.array(commanded_by_c(tmp_path / "command.c", target, approach)) - plain
+    np.testing.assert_allclose(joints, plain, rtol=0, atol=1e-9)  # the middle of the play
+    np.testing.assert_allclose(np.abs(moved), [0.0, 0.025, 0.0, 0.0, 0.0, 0.0], rtol=0, atol=1e-9)
+    growth = blank(
+        "thermal_growth", None, lacks=lacks("thermal_growth", MACHINE, MACHINE.moves(machine), MACHINE.roles(machine))
+    )
+    with pytest.raises(UsageError, match="thermal_growth: exported as a function of the position alone"):
+        export_c(dataclasses.replace(compensator, terms=(play, growth)), tmp_path / "no.c")
+
+
+def test_the_table_of_a_platform_that_turns_says_that_it_is_level(tmp_path: Path) -> None:
+    export_table(Compensator(robot(3)), tmp_path / "table.csv")
+    assert "# The platform is level" in (tmp_path / "table.csv").read_text()

@@ -12,6 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from deltacal_gen.app.demonstration import example
 from deltacal_gen.errors import InputError, UsageError
 from deltacal_gen.files.robot import read_robot, robot_from_dict, robot_size, robot_to_dict, robot_to_toml
 from deltacal_gen.units import DEG, to_file
@@ -185,6 +186,16 @@ def test_lengths_in_another_unit_are_noticed(tmp_path: Path, factor: float, unit
     tables["geometry"] |= {key: tables["geometry"][key] * factor for key in LENGTHS}
     with pytest.raises(InputError, match=f"look like {unit} .* the file is in millimetres"):
         robot_from_dict(tables, load=load)
+
+
+@pytest.mark.parametrize("name", ["delta", "hexapod", "linear_delta"])
+def test_directions_in_radians_are_noticed(name: str) -> None:
+    tables = robot_to_dict(read_robot(example(name) / "robot.toml"))
+    found = {"delta": ("joints", "limb_angle_deg"), "hexapod": ("geometry", "base_angle")}
+    table, key = found.get(name, ("geometry", "tower_angle"))
+    tables[table][key] = np.radians(tables[table][key]).tolist()
+    with pytest.raises(InputError, match=f"{key} = .* looks like radians; the file is in degrees"):
+        robot_from_dict(tables)
 
 
 def test_a_file_that_cannot_be_read_is_an_input_error(tmp_path: Path) -> None:

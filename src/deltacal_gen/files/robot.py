@@ -8,6 +8,7 @@ a new mechanism needs no line in this module.
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -373,6 +374,7 @@ def _robot(file: TomlFile, load: Loader | None) -> Robot:
             geometry[name] = np.array([getattr(joint, name) for joint in named.joint]) * to_internal(kind)
     else:
         _check_scale(file, mechanism, tables)
+        _check_directions(file, mechanism, tables)
     for key in () if mechanism.linked else mechanism.geometry:
         value = tables[key.table][key.key]
         missing = key.default if key.default is not None else (np.nan,) * (mechanism.limbs if key.per_limb else 1)
@@ -536,3 +538,16 @@ def _check_scale(file: TomlFile, mechanism: Machine, tables: Mapping[str, Mappin
             key.table,
             key.key,
         )
+
+
+def _check_directions(file: TomlFile, mechanism: Machine, tables: Mapping[str, Mapping[str, Any]]) -> None:
+    """Refuse directions in radians: limbs all round a machine, and none of them beyond a few degrees."""
+    for key in mechanism.geometry:
+        values = np.array(tables[key.table].get(key.key) if key.unit == "rad" and key.per_limb else 0.0, dtype=float)
+        if np.ptp(values) >= math.pi and np.abs(values).max() <= 2 * math.pi:
+            raise file.error(
+                f"{key.key} = {values.tolist()} looks like radians; the file is in degrees.",
+                "Multiply by 180 / pi.",
+                key.table,
+                key.key,
+            )

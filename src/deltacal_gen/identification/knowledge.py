@@ -77,7 +77,8 @@ def _per_reading(final: Fit, known: Noise) -> float:
 def _text(left: _Left, size: dict[str, float] | None, excess: float) -> str:
     held = "Bands hold the uncertainty of parameters and instrument"
     if size is not None:
-        sizes = " and ".join(f"{value:.2g} times ordinary ones in {unit}" for unit, value in size.items())
+        within = {unit: "without a unit" if unit == "1" else f"in {unit}" for unit in size}
+        sizes = " and ".join(f"{value:.2g} times ordinary ones {within[unit]}" for unit, value in size.items())
         held += f", and {len(left.names)} source errors that the model leaves out, {sizes}"
     elif excess > 0:
         held += ", and what no effect explains, as if it were another at each pose"

@@ -120,8 +120,7 @@ class Limbs(Machine):
         def moved(column: int) -> Array:
             other = rows.copy()
             other[:, :, column] += NUDGE
-            constants: Array = self.vectorised.constants(other)
-            return constants
+            return self.constants(other)
 
         at, *more = (j for j, entry in enumerate(self.geometry) if entry.key == key)
         if more:
@@ -217,8 +216,12 @@ class Limbs(Machine):
         return importlib.import_module(f"deltacal_kernels.{self.name}.statics")
 
     def constants(self, rows: Array) -> Array:
-        """Return what no joint and no target changes, as the C source reads it."""
-        return np.asarray(self.vectorised.constants(rows))
+        """Return what no joint and no target changes, as the C source reads it.
+
+        The home of a machine whose lengths do not close is not a number: from there its poses are out of reach.
+        """
+        with np.errstate(invalid="ignore"):
+            return np.asarray(self.vectorised.constants(rows))
 
     def _constants(self, kernels: ModuleType, rows: Array) -> Array:
         if kernels is not self.vectorised:  # compiled, they take microseconds
@@ -228,7 +231,7 @@ class Limbs(Machine):
             kept = list(self._known.values())
             if len(kept) > KNOWN or sum(k.nbytes for k in kept) > KNOWN_BYTES:
                 self._known.clear()
-            found = self._known[key] = self.vectorised.constants(rows)
+            found = self._known[key] = self.constants(rows)
         return found
 
     def forward(

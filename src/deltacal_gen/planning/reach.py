@@ -16,6 +16,7 @@ from deltacal_gen.machine.rotation import from_vector, to_vector
 from deltacal_gen.units import file_unit, to_file, to_internal
 
 BEYOND = "beyond the limits of the joints"
+ASTRAY = "singular: the joints that stand for it do not lead back to it"
 READABLE = {"mm": 3, "rad": 4}  # digits of targets and joints that are written, in the units of files
 INWARDS = np.linspace(0.98, 0.3, 35)  # parts of the way from the centre at which a pose beyond limits is tried
 
@@ -84,8 +85,9 @@ def reach(robot: Robot, targets: Array, tools: Array) -> tuple[Poses, np.ndarray
     tool = np.repeat(tools, len(targets), axis=0)
     x, status = mechanism.forward(theta, tool, known)
     where = x if not robot.errors else mechanism.forward(theta, tool, nominal)[0]
+    lost = "not solved for the machine with the errors of the robot file" if robot.errors else ASTRAY
     for block in status.reshape(len(tools), -1):
-        why[(block != SOLVED) & (why == "")] = "not solved for the machine with the errors of the robot file"
+        why[(block != SOLVED) & (why == "")] = lost
     points = where[:, :3].copy()
     points[: len(targets)] = targets[:, :3]
     return Poses(np.tile(joints, (len(tools), 1)), points, tool, x, len(tools)), why.astype(str)

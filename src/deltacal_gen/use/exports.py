@@ -77,10 +77,11 @@ def export_c(compensator: Compensator, path: str | Path, over: Spans | None = No
     InputError
         The robot has no workspace, or the file cannot be written.
     """
-    if compensator.effects and compensator.mechanism.turning:
+    placed = [t.effect for t in compensator.effects if not _c_effect(t).is_file()]
+    if placed and compensator.mechanism.turning:
         raise UsageError(
-            "effects are exported as functions of the position, and this platform turns on command. "
-            "Write the joints of your targets: deltacal compensate RESULT TARGETS -o JOINTS."
+            f"{', '.join(dict.fromkeys(placed))}: exported as a function of the position alone, and this platform "
+            "turns on command. Write the joints of your targets: deltacal compensate RESULT TARGETS -o JOINTS."
         )
     rigid = replace(compensator, terms=())
     with using(Backend.NUMPY):  # a file holds the same digits wherever it is written from
@@ -114,11 +115,11 @@ class _Live:
         known = tuple(t for t in compensator.effects if _c_effect(t).is_file())
         others = [t for t in compensator.effects if not _c_effect(t).is_file()]
         columns = columns_of(compensator, others, over)
-        points = workspace_points(workspace_of(compensator.robot))[::3]
+        points = turned(compensator.robot, workspace_points(workspace_of(compensator.robot)))[::3]
         rigid = replace(compensator, terms=()).command(points)[0] * compensator.robot.joint_sign
         found = taken_apart(compensator, points, columns, over, known, rigid)
         solved = np.isfinite(found).all(axis=(1, 2))
-        basis = np.prod(((points - centre) / half)[:, None, :] ** powers, axis=2)[solved]
+        basis = np.prod(((points[:, :3] - centre) / half)[:, None, :] ** powers, axis=2)[solved]
         fitted = np.linalg.lstsq(basis, found[solved].reshape(solved.sum(), -1), rcond=None)[0]
         coefficients = np.moveaxis(fitted.reshape(len(powers), *found.shape[1:]), 0, 2)
         # a column that nothing goes with is rounding
@@ -131,7 +132,7 @@ class _Live:
         """Return joints (N, n_q) as the controller counts them [rad or mm], as the C file computes them."""
         sign = self.compensator.robot.joint_sign
         theta = replace(self.compensator, terms=()).command(points)[0] * sign
-        basis = np.prod(((points - self.centre) / self.half)[:, None, :] ** self.powers, axis=2)
+        basis = np.prod(((points[:, :3] - self.centre) / self.half)[:, None, :] ** self.powers, axis=2)
         for column, coefficients in zip(self.columns, self.coefficients, strict=True):
             theta = theta + np.reshape(factor(column, values), (-1, 1)) * (basis @ coefficients.T)
         at, q = channels_of(self.compensator, len(points), values), theta
@@ -142,7 +143,7 @@ class _Live:
     @cached_property
     def left(self) -> RoundTrip:
         """What the file leaves at random points of the workspace and random values of the channels."""
-        points = workspace_points(workspace_of(self.compensator.robot))
+        points = turned(self.compensator.robot, workspace_points(workspace_of(self.compensator.robot)))
         every = columns_of(self.compensator, self.compensator.effects, self.over)
         values = drawn(every, self.over, len(points))
         at = channels_of(self.compensator, len(points), values)
@@ -176,7 +177,8 @@ def c_source(compensator: Compensator, left: RoundTrip, live: _Live | None = Non
 
 def _c_command(live: _Live, unit: str) -> str:
     """Return the function that adds what the effects ask for to the geometry's command."""
-    limbs, n = live.compensator.mechanism.limbs, len(live.columns)
+    mechanism, n = live.compensator.mechanism, len(live.columns)
+    limbs, target = mechanism.limbs, f"target[{len(mechanism.asks)}]" if mechanism.turning else "target_mm[3]"
     files = dict.fromkeys(_c_effect(t) for t in live.known)
     sources = [f.read_text(encoding="utf-8") for f in files]
     used = (s for t in live.compensator.effects for s in t.states)
@@ -188,12 +190,12 @@ def _c_command(live: _Live, unit: str) -> str:
         for i in range(limbs if s.per == "joint" else 0)
     }
     body = [
-        "int deltacal_command(const double target_mm[3], const struct deltacal_channels *at,",
+        f"int deltacal_command(const double {target}, const struct deltacal_channels *at,",
         f"                     double joints_{unit}[{limbs}])",
         "{",
         f"    double theta[{limbs}], q[{limbs}];",
         f"    int i{', j, k' if n else ''}{', turn' if live.known else ''};",
-        f"    const int status = deltacal_compensate(target_mm, joints_{unit});",
+        f"    const int status = deltacal_compensate({target.partition('[')[0]}, joints_{unit});",
         *([f"    double u[3][{DEGREE + 1}], by[{n}];"] if n else []),
         "    (void)(at);",
         "    if (status != DELTACAL_SOLVED)",
@@ -340,7 +342,7 @@ def _c_header(compensator: Compensator, left: RoundTrip, unit: str, live: _Live 
     yield "To check after installation:"
     given, unit_in = _as_files(mechanism, checks), "mm, deg" if mechanism.turning else "mm"
     for target, command in zip(given[status == SOLVED], joints[status == SOLVED], strict=True):
-        inputs = ", ".join(f"{v:.{9 if mechanism.turning else 3}f}" for v in target)
+        inputs = ", ".join(f"{v:.3f}" for v in target)
         outputs = ", ".join(f"{v:.9f}" for v in command / to_internal(mechanism.joint_unit))
         yield f"            ({inputs}) {unit_in} -> ({outputs}) {unit}"
 

@@ -314,6 +314,8 @@ def _table_text(table: TableCompensator, compensator: Compensator, over: Spans) 
         "forward position, measured half way between all nodes and at random points. What the model does not know is",
         "not in it. missed: checked points of the workspace without an answer.",
     )
+    if compensator.mechanism.turning:
+        prose += ("The platform is level: a correction at one rotation is none for another.",)
     if len(table.columns) > 1:
         prose += (
             "Columns dq1_..._by_CHANNELS are to be multiplied by those channels and added to dq1: payload in kg,",
