@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from conftest import Run
 
 import deltacal_gen as dc
 from deltacal_gen.errors import InputError
@@ -76,3 +77,9 @@ def test_the_robot_is_written_beside_and_its_joints_are_counted(tmp_path: Path) 
     arm.write_text(arm.read_text().replace(links, links + links[: len(links) // 3]))
     with pytest.raises(InputError, match="has 3 joints, the robot 4"):
         dc.import_points(*files(tmp_path, LISTS["bare"]), arm)
+
+
+def test_an_import_says_which_files_it_takes(run: Run, tmp_path: Path) -> None:
+    code, _, said = run("import", "rrf", tmp_path / "config.g", "-o", tmp_path / "mine")
+    assert code == 2
+    assert "rrf takes 2 files: config.g and heightmap.csv" in said

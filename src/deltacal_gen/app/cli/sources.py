@@ -23,6 +23,16 @@ Sources = Annotated[
 ]
 
 
+FILES = {
+    "klipper": "printer.cfg",
+    "rrf": "config.g and heightmap.csv",
+    "marlin": "what M503 and G33 or G29 printed",
+    "points": "the instrument's points and a table of joints; a robot.toml, if there is one",
+    "bag": "the bag; a robot.toml, if there is one",
+    "c3d": "the capture and a table of joints in time; a robot.toml, if there is one",
+}
+
+
 def import_(
     kind: Annotated[str, typer.Argument(metavar="KIND", help="klipper, rrf, marlin, points, bag or c3d")],
     files: Sources,
@@ -57,7 +67,8 @@ def import_(
     read, counts, options = importers[kind]
     if len(files) not in counts:
         raise typer.BadParameter(
-            f"{kind} takes {' or '.join(map(str, counts))} file{'s' if counts[-1] > 1 else ''}", param_hint="FILE"
+            f"{kind} takes {' or '.join(map(str, counts))} file{'s' if counts[-1] > 1 else ''}: {FILES[kind]}",
+            param_hint="FILE",
         )
     given = {"--joints": joints, "--map": mapping, "--readings": readings, "--moving": moving, "--offset": offset}
     keys = ("joints", "mapping", "readings", "moving", "offset_s")
