@@ -5,6 +5,8 @@ BIN := .venv/bin
 WORKERS ?= 2
 # the matrices are small: threads of the linear algebra only wait for one another
 export OPENBLAS_NUM_THREADS := 1
+# containers often forbid byte code; the tests start some two hundred processes, and each would compile all modules
+export PYTHONDONTWRITEBYTECODE :=
 
 .PHONY: demo test test-all lint kernels bench proof clean
 
