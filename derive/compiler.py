@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import difflib
 import hashlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -23,7 +23,7 @@ from typing import Any
 import jinja2
 import sympy as sp
 
-from derive import servo, statics
+from derive import registry, servo, statics
 from derive.backends import c99, lanes, numpy, scalar
 from derive.backends import servo as commands
 from derive.backends.ir import Kernel
@@ -41,7 +41,6 @@ from derive.mathematics.kinematics import kinematics, meeting, rotations, stated
 from derive.mathematics.loops import loops
 from derive.mathematics.measurements import distances, measurement, platform_names, step
 from derive.mathematics.motion import motion
-from derive.registry import effects, measurements, mechanisms
 from derive.spec import ChainMechanism, LimbMechanism, Measurement
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -75,11 +74,15 @@ def collect(names: Sequence[str] = ()) -> list[Spec]:
     ValueError
         Nothing is registered by a name.
     """
-    every: list[Spec] = [*mechanisms(), *measurements(), *effects()]
-    known = [spec.name for spec in every]
+    registered: list[tuple[Callable[[str], Spec], list[str]]] = [
+        (registry.mechanism, registry.mechanism_names()),
+        (registry.measurement, registry.measurement_names()),
+        (registry.effect, registry.effect_names()),
+    ]
+    known = [name for _, own in registered for name in own]
     if unknown := [name for name in names if name not in known]:
         raise ValueError(f"nothing is registered as {', '.join(unknown)}; there are {', '.join(known)}.")
-    return [spec for spec in every if not names or spec.name in names]
+    return [build(name) for build, own in registered for name in own if not names or name in names]
 
 
 # -------------------------------------------------------------------------------------------------------------- derive
@@ -304,10 +307,11 @@ def render(names: Sequence[str] = ()) -> dict[Path, str]:
     texts = {path: text for spec in specs for path, text in write_one(lower_one(derive_one(spec))).items()}
     old = committed() if names else {}
     known = {path.parts for path in (*old, *texts)}
+    effects = [e for e in registry.effects() if ("effects", f"{e.name}.py") in known]
     every = {
-        "mechanisms": [m.name for m in mechanisms() if (m.name, "parameters.py") in known],
-        "effects": [e.name for e in effects() if e.acts_on != "drive" and ("effects", f"{e.name}.py") in known],
-        "of_drives": [e.name for e in effects() if e.acts_on == "drive" and ("effects", f"{e.name}.py") in known],
+        "mechanisms": [name for name in registry.mechanism_names() if (name, "parameters.py") in known],
+        "effects": [e.name for e in effects if e.acts_on != "drive"],
+        "of_drives": [e.name for e in effects if e.acts_on == "drive"],
     }
     texts |= _common(every)
     texts[SIZES] = sizes({path: text for path, text in (old | texts).items() if path != SIZES})

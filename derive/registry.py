@@ -50,16 +50,31 @@ def effect(name: str) -> Effect:
     return found
 
 
+def mechanism_names() -> list[str]:
+    """Return the name of every registered mechanism; none is built for this."""
+    return _names(derive.mechanisms)
+
+
+def measurement_names() -> list[str]:
+    """Return the name of every registered kind of measurement; none is built for this."""
+    return _names(derive.measurements)
+
+
+def effect_names() -> list[str]:
+    """Return the name of every registered effect."""
+    return _names(derive.effects)
+
+
 def mechanisms() -> Iterator[LimbMechanism | ChainMechanism]:
     """Yield every registered mechanism, by name."""
-    return (mechanism(name) for name in _names(derive.mechanisms))
+    return map(mechanism, mechanism_names())
 
 
 def measurements() -> Iterator[Measurement]:
     """Yield every registered kind of measurement, by name."""
-    return (measurement(name) for name in _names(derive.measurements))
+    return map(measurement, measurement_names())
 
 
 def effects() -> Iterator[Effect]:
     """Yield every registered effect, by name."""
-    return (effect(name) for name in _names(derive.effects))
+    return map(effect, effect_names())

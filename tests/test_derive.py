@@ -242,7 +242,7 @@ def test_quantities_say_what_they_are() -> None:
 
 
 def test_every_quantity_of_every_registered_mechanism_has_a_meaning() -> None:
-    for mechanism in compiler.mechanisms():
+    for mechanism in registry.mechanisms():
         named = mechanism.errors
         if isinstance(mechanism, LimbMechanism):
             named += (
